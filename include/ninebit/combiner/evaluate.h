@@ -1,0 +1,213 @@
+// Running a program: one fragment by the constexpr reference, or a batch of fragments by SIMD. Both give the same bits.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+
+#include "ninebit/combiner/program.h"
+#include "ninebit/combiner/registers.h"
+#include "ninebit/numerics/fixed9.h"
+
+namespace ninebit {
+
+// The register file of one fragment. `zero` and the constants are the program's affair: what stands there is not read.
+struct RegisterFile {
+  std::array<Rgba9, kRegisterCount> value{};
+  constexpr Rgba9& operator[](Register r) { return value[static_cast<std::size_t>(r)]; }
+  constexpr const Rgba9& operator[](Register r) const { return value[static_cast<std::size_t>(r)]; }
+  friend constexpr bool operator==(const RegisterFile&, const RegisterFile&) = default;
+};
+
+// What reaches the combiners for one fragment, as bytes red, green, blue, alpha.
+struct FragmentInputs {
+  using Bytes = std::array<std::uint8_t, 4>;
+  Bytes primary{};
+  Bytes secondary{};
+  Bytes fog{};                                  // fog colour, and the fog factor as alpha
+  std::array<std::optional<Bytes>, 4> texture;  // filtered texels; empty: the unit is off
+};
+
+// The registers before the first general combiner: NV_register_combiners, table of initial register values; what the
+// extension leaves undefined is 0, or as the profile says.
+[[nodiscard]] RegisterFile initial_registers(const HardwareProfile& profile, const FragmentInputs& inputs);
+
+namespace reference {
+
+// The primitives of combiner_rules.inl for one lane.
+using V = int;
+constexpr V set(int v) {
+  return v;
+}
+constexpr V add(V a, V b) {
+  return a + b;
+}
+constexpr V sub(V a, V b) {
+  return a - b;
+}
+constexpr V mul(V a, V b) {
+  return a * b;
+}
+constexpr V min_of(V a, V b) {
+  return a < b ? a : b;
+}
+constexpr V max_of(V a, V b) {
+  return a > b ? a : b;
+}
+constexpr V abs_of(V a) {
+  return a < 0 ? -a : a;
+}
+constexpr V divide(V n, int d) {
+  return n / d;
+}
+constexpr V negate_where_negative(V sign, V x) {
+  return sign < 0 ? -x : x;
+}
+constexpr V select_where_at_least(V v, V limit, V yes, V no) {
+  return v >= limit ? yes : no;
+}
+
+#define NINEBIT_RULE constexpr
+#include "ninebit/numerics/combiner_rules.inl"
+#undef NINEBIT_RULE
+
+// The component of a register that portion channel `channel` reads.
+constexpr int component_of(ComponentUsage usage, int channel) {
+  return usage == ComponentUsage::rgb ? channel : usage == ComponentUsage::alpha ? kAlpha : kBlue;
+}
+
+// A register's components with the stage's constants and zero in place.
+constexpr Rgba9 fetch(const RegisterFile& registers, Register reg, const Rgba9& constant0, const Rgba9& constant1) {
+  switch (reg) {
+    case Register::zero:
+      return {};
+    case Register::constant0:
+      return constant0;
+    case Register::constant1:
+      return constant1;
+    default:
+      return registers[reg];
+  }
+}
+
+// What the three outputs of one portion are, for up to three channels.
+struct PortionResult {
+  std::array<V, 3> ab{}, cd{}, sum{};  // register codes
+};
+
+constexpr PortionResult evaluate_portion(const Datapath& d, const ProgramStage& stage, const Portion& portion,
+                                         int channels, const RegisterFile& registers) {
+  const auto mapped = [&](const CombinerInput& in, int channel) {
+    const Rgba9 value = fetch(registers, in.reg, stage.constant0, stage.constant1);
+    return map_input(d, in.mapping, value[static_cast<std::size_t>(component_of(in.usage, channel))]);
+  };
+  std::array<V, 3> ab{}, cd{};
+  const auto products = [&](std::array<V, 3>& wide, const CombinerInput& x, const CombinerInput& y, bool dot) {
+    V total = 0;
+    for (int c = 0; c < channels; ++c) {
+      wide[static_cast<std::size_t>(c)] = mul(mapped(x, c), mapped(y, c));
+      total += wide[static_cast<std::size_t>(c)];
+    }
+    if (dot) wide.fill(total);
+  };
+  products(ab, portion.a, portion.b, portion.out.ab_dot_product);
+  products(cd, portion.c, portion.d, portion.out.cd_dot_product);
+
+  PortionResult result;
+  for (std::size_t c = 0; c < static_cast<std::size_t>(channels); ++c) {
+    const V third = portion.out.mux_sum ? mux(d, registers[Register::spare0][kAlpha], ab[c], cd[c]) : add(ab[c], cd[c]);
+    result.ab[c] = combiner_output(d, portion.out.scale, portion.out.bias, ab[c]);
+    result.cd[c] = combiner_output(d, portion.out.scale, portion.out.bias, cd[c]);
+    result.sum[c] = combiner_output(d, portion.out.scale, portion.out.bias, third);
+  }
+  return result;
+}
+
+constexpr void write_portion(const Portion& portion, int first, int channels, const PortionResult& result,
+                             RegisterFile& registers) {
+  const auto write = [&](Register reg, const std::array<V, 3>& value) {
+    if (reg == Register::discard) return;
+    for (int c = 0; c < channels; ++c) {
+      registers[reg][static_cast<std::size_t>(first + c)] = static_cast<s9>(value[static_cast<std::size_t>(c)]);
+    }
+  };
+  write(portion.out.ab, result.ab);
+  write(portion.out.cd, result.cd);
+  write(portion.out.sum, result.sum);
+}
+
+}  // namespace reference
+
+// Runs the general combiners over one fragment's registers, in place. Each stage reads all before it writes (rule 12).
+constexpr void evaluate_general(const Program& program, RegisterFile& registers) {
+  for (int i = 0; i < program.num_general_combiners; ++i) {
+    const ProgramStage& stage = program.general[static_cast<std::size_t>(i)];
+    const auto rgb = reference::evaluate_portion(program.datapath, stage, stage.rgb, 3, registers);
+    // The alpha portion has one channel; ComponentUsage rgb is illegal there.
+    const auto alpha = reference::evaluate_portion(program.datapath, stage, stage.alpha, 1, registers);
+    reference::write_portion(stage.rgb, kRed, 3, rgb, registers);
+    reference::write_portion(stage.alpha, kAlpha, 1, alpha, registers);
+  }
+}
+
+// Runs the final combiner over the registers that the general combiners left. Returns codes in [0, one].
+[[nodiscard]] constexpr Rgba9 evaluate_final(const Program& program, const RegisterFile& registers) {
+  const Datapath& d = program.datapath;
+  const FinalCombiner& f = program.final_combiner;
+  const auto mapped = [&](const CombinerInput& in, int channel, const Rgba9& ef, const Rgba9& sum) -> reference::V {
+    const Rgba9 value = in.reg == Register::e_times_f ? ef
+                        : in.reg == Register::spare0_plus_secondary
+                            ? sum
+                            : reference::fetch(registers, in.reg, program.constant0, program.constant1);
+    return reference::map_input(d, in.mapping,
+                                value[static_cast<std::size_t>(reference::component_of(in.usage, channel))]);
+  };
+  Rgba9 ef{}, sum{}, out{};
+  for (int c = 0; c < 3; ++c) {
+    const auto i = static_cast<std::size_t>(c);
+    ef[i] = static_cast<s9>(reference::e_times_f(d, mapped(f.e, c, {}, {}), mapped(f.f, c, {}, {})));
+    sum[i] = static_cast<s9>(reference::color_sum(d, program.color_sum_clamp, registers[Register::spare0][i],
+                                                  registers[Register::secondary][i]));
+  }
+  for (int c = 0; c < 3; ++c) {
+    out[static_cast<std::size_t>(c)] = static_cast<s9>(reference::final_rgb(
+        d, mapped(f.a, c, ef, sum), mapped(f.b, c, ef, sum), mapped(f.c, c, ef, sum), mapped(f.d, c, ef, sum)));
+  }
+  out[kAlpha] = static_cast<s9>(reference::final_alpha(d, mapped(f.g, kAlpha, ef, sum)));
+  return out;
+}
+
+// Both, for one fragment: what leaves the combiners, codes in [0, one].
+[[nodiscard]] constexpr Rgba9 evaluate(const Program& program, RegisterFile registers) {
+  evaluate_general(program, registers);
+  return evaluate_final(program, registers);
+}
+
+inline constexpr std::size_t kBatchSize = 256;
+
+// Registers of up to kBatchSize fragments, planar: a few tens of KiB that stay in the first caches.
+struct alignas(64) RegisterBatch {
+  std::array<std::array<std::array<s9, kBatchSize>, 4>, kRegisterCount> plane;
+  [[nodiscard]] s9* operator()(Register r, int component) {
+    return plane[static_cast<std::size_t>(r)][static_cast<std::size_t>(component)].data();
+  }
+  [[nodiscard]] const s9* operator()(Register r, int component) const {
+    return plane[static_cast<std::size_t>(r)][static_cast<std::size_t>(component)].data();
+  }
+};
+
+// What leaves the combiners, planar: red, green, blue, alpha codes in [0, one].
+struct alignas(64) OutputBatch {
+  std::array<std::array<s9, kBatchSize>, 4> plane;
+};
+
+// Evaluates the first `count` (at most kBatchSize) fragments; on return `registers` holds what the general combiners
+// left. Lanes from `count` on may be overwritten with values without meaning. Runs on the best SIMD target of this
+// machine, chosen at run time.
+void evaluate(const Program& program, RegisterBatch& registers, std::size_t count, OutputBatch& out);
+
+// The name of the SIMD target that the batch evaluator runs on here, such as "AVX2".
+[[nodiscard]] const char* simd_target();
+
+}  // namespace ninebit

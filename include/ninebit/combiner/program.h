@@ -1,0 +1,117 @@
+// A valid state made ready to run: normalized, immutable, comparable.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "ninebit/combiner/state.h"
+#include "ninebit/combiner/validate.h"
+#include "ninebit/numerics/datapath.h"
+#include "ninebit/numerics/fixed9.h"
+#include "ninebit/numerics/result.h"
+
+namespace ninebit {
+
+struct ProgramStage {
+  Portion rgb, alpha;
+  Rgba9 constant0{}, constant1{};  // codes
+  friend constexpr bool operator==(const ProgramStage&, const ProgramStage&) = default;
+};
+
+// What evaluates. Made by compile() or normalize(). Two states that compute the same by the same portions give equal
+// programs: inputs whose product is not used, constants that nothing reads, flags without effect and stages past the
+// last are set to fixed values.
+struct Program {
+  Datapath datapath;
+  int num_general_combiners = 1;
+  bool color_sum_clamp = true;
+  std::array<ProgramStage, kMaxGeneralCombiners> general{};
+  FinalCombiner final_combiner{};
+  Rgba9 constant0{}, constant1{};  // of the final combiner, codes
+  friend constexpr bool operator==(const Program&, const Program&) = default;
+};
+
+// Whether a portion writes anything.
+[[nodiscard]] constexpr bool is_live(const PortionOutput& out) {
+  return out.ab != Register::discard || out.cd != Register::discard || out.sum != Register::discard;
+}
+
+namespace detail {
+
+constexpr Portion normalize_portion(Portion p) {
+  PortionOutput& out = p.out;
+  const bool sum = out.sum != Register::discard;
+  if (!sum) out.mux_sum = false;
+  if (!sum && out.ab == Register::discard) {
+    p.a = p.b = CombinerInput{};
+    out.ab_dot_product = false;
+  }
+  if (!sum && out.cd == Register::discard) {
+    p.c = p.d = CombinerInput{};
+    out.cd_dot_product = false;
+  }
+  if (!is_live(out)) {
+    out.scale = Scale::none;
+    out.bias = Bias::none;
+  }
+  return p;
+}
+
+constexpr bool reads(const Portion& p, Register r) {
+  return p.a.reg == r || p.b.reg == r || p.c.reg == r || p.d.reg == r;
+}
+
+// E and F are not looked at: only E times F reads them.
+constexpr bool reads_directly(const FinalCombiner& f, Register r) {
+  return f.a.reg == r || f.b.reg == r || f.c.reg == r || f.d.reg == r || f.g.reg == r;
+}
+
+constexpr FinalCombiner normalize_final(FinalCombiner f) {
+  if (!reads_directly(f, Register::e_times_f)) f.e = f.f = CombinerInput{};
+  return f;
+}
+
+constexpr Rgba9 constant_codes(const HardwareProfile& profile, const ColorF& color) {
+  Rgba9 codes{};
+  for (std::size_t i = 0; i < 4; ++i) codes[i] = from_byte(profile, byte_of_color(color[i]));
+  return codes;
+}
+
+}  // namespace detail
+
+// The program of a state that is known to be valid (see validate); an invalid one gives a program without meaning.
+// Constants become bytes by rounding to nearest, then codes.
+[[nodiscard]] constexpr Program normalize(const CombinerState& state, const HardwareProfile& profile) {
+  constexpr Portion dead{{}, {}, {}, {}, {.sum = Register::discard}};
+  const auto codes_if = [&](bool read, const ColorF& color) {
+    return read ? detail::constant_codes(profile, color) : Rgba9{};
+  };
+  Program program;
+  program.datapath = datapath_of(profile);
+  program.num_general_combiners = state.num_general_combiners;
+  for (std::size_t i = 0; i < program.general.size(); ++i) {
+    ProgramStage& stage = program.general[i];
+    const GeneralCombiner& from = state.general[i];
+    if (static_cast<int>(i) >= state.num_general_combiners) {
+      stage.rgb = stage.alpha = dead;
+      continue;
+    }
+    stage.rgb = detail::normalize_portion(from.rgb);
+    stage.alpha = detail::normalize_portion(from.alpha);
+    const auto read = [&](Register r) { return detail::reads(stage.rgb, r) || detail::reads(stage.alpha, r); };
+    stage.constant0 = codes_if(read(Register::constant0), state.per_stage_constants ? from.constant0 : state.constant0);
+    stage.constant1 = codes_if(read(Register::constant1), state.per_stage_constants ? from.constant1 : state.constant1);
+  }
+  const FinalCombiner& f = program.final_combiner = detail::normalize_final(state.final_combiner);
+  const auto read = [&](Register r) { return detail::reads_directly(f, r) || f.e.reg == r || f.f.reg == r; };
+  program.constant0 = codes_if(read(Register::constant0), state.constant0);
+  program.constant1 = codes_if(read(Register::constant1), state.constant1);
+  program.color_sum_clamp = state.color_sum_clamp || !read(Register::spare0_plus_secondary);
+  return program;
+}
+
+// Validates and normalizes. On an invalid state the Diagnostic holds all messages, one a line.
+[[nodiscard]] Result<Program> compile(const CombinerState& state, const HardwareProfile& profile);
+
+}  // namespace ninebit

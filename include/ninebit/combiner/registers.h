@@ -1,0 +1,72 @@
+// The words of NV_register_combiners: registers, input mappings, component usages, scales and biases.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+
+namespace ninebit {
+
+// The registers that hold a value in a stage come first: their number is the size of a register file.
+enum class Register : std::uint8_t {
+  zero,
+  constant0,
+  constant1,
+  fog,
+  primary,
+  secondary,
+  spare0,
+  spare1,
+  texture0,
+  texture1,
+  texture2,
+  texture3,
+  e_times_f,              // final combiner only
+  spare0_plus_secondary,  // final combiner only
+  discard                 // output only
+};
+inline constexpr std::size_t kRegisterCount = 12;
+
+[[nodiscard]] constexpr bool is_texture(Register r) {
+  return r >= Register::texture0 && r <= Register::texture3;
+}
+[[nodiscard]] constexpr int texture_unit_of(Register r) {
+  return static_cast<int>(r) - static_cast<int>(Register::texture0);
+}
+[[nodiscard]] constexpr Register texture_register(int unit) {
+  return static_cast<Register>(static_cast<int>(Register::texture0) + unit);
+}
+
+// NV_register_combiners, table NV_register_combiners.3; e is the register component.
+enum class InputMapping : std::uint8_t {
+  unsigned_identity,  // max(0, e)
+  unsigned_invert,    // 1 - min(max(0, e), 1)
+  expand_normal,      // 2 max(0, e) - 1
+  expand_negate,      // 1 - 2 max(0, e)
+  half_bias_normal,   // max(0, e) - 1/2
+  half_bias_negate,   // 1/2 - max(0, e)
+  signed_identity,    // e
+  signed_negate       // -e
+};
+
+enum class ComponentUsage : std::uint8_t { rgb, alpha, blue };
+enum class Scale : std::uint8_t { none, by_two, by_four, by_one_half };
+enum class Bias : std::uint8_t { none, by_negative_one_half };
+enum class PortionName : std::uint8_t { rgb, alpha };
+enum class Variable : std::uint8_t { a, b, c, d, e, f, g };
+
+inline constexpr std::array kInputMappings{InputMapping::unsigned_identity, InputMapping::unsigned_invert,
+                                           InputMapping::expand_normal,     InputMapping::expand_negate,
+                                           InputMapping::half_bias_normal,  InputMapping::half_bias_negate,
+                                           InputMapping::signed_identity,   InputMapping::signed_negate};
+
+// The extension's name without its GL_ prefix and _NV suffix, in lower case: "primary_color", "expand_normal", …;
+// "unknown" for a number that is none of the enumerators.
+[[nodiscard]] std::string_view name_of(Register r);
+[[nodiscard]] std::string_view name_of(InputMapping mapping);
+[[nodiscard]] std::string_view name_of(ComponentUsage usage);
+[[nodiscard]] std::string_view name_of(Scale scale);
+[[nodiscard]] std::string_view name_of(Bias bias);
+
+}  // namespace ninebit

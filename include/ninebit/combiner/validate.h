@@ -1,0 +1,47 @@
+// Everything that is wrong with a state, with the error that GL raises for it.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "ninebit/combiner/state.h"
+#include "ninebit/numerics/hardware_profile.h"
+
+namespace ninebit {
+
+enum class GlError : std::uint16_t {
+  no_error = 0,
+  invalid_enum = 0x0500,
+  invalid_value = 0x0501,
+  invalid_operation = 0x0502
+};
+
+// "GL_NO_ERROR", "GL_INVALID_ENUM", …
+[[nodiscard]] std::string_view name_of(GlError error);
+
+struct StateDiagnostic {
+  std::optional<int> stage;            // 0-based general combiner; empty: final combiner or global
+  std::optional<PortionName> portion;  // empty: not about one portion
+  std::optional<Variable> variable;    // empty: an output, a parameter
+  GlError gl_error = GlError::no_error;
+  std::string message;  // one sentence: what is wrong and what is allowed
+};
+
+// The diagnostics of a whole state, in the order stages, portions, variables, outputs, final combiner; empty: valid.
+// Stages past num_general_combiners are checked too: GL would have refused them when they were set.
+// Rules: NV_register_combiners, errors of CombinerInputNV, CombinerOutputNV, FinalCombinerInputNV,
+// CombinerParameter*NV.
+[[nodiscard]] std::vector<StateDiagnostic> validate(const CombinerState& state, const HardwareProfile& profile);
+
+// The same for a single setter's arguments, as the GL entry points need it. GL_INVALID_ENUM stands before other errors.
+[[nodiscard]] std::vector<StateDiagnostic> validate_input(int stage, PortionName portion, Variable variable,
+                                                          const CombinerInput& input, const HardwareProfile& profile);
+[[nodiscard]] std::vector<StateDiagnostic> validate_output(int stage, PortionName portion, const PortionOutput& output,
+                                                           const HardwareProfile& profile);
+[[nodiscard]] std::vector<StateDiagnostic> validate_final_input(Variable variable, const CombinerInput& input,
+                                                                const HardwareProfile& profile);
+
+}  // namespace ninebit

@@ -1,0 +1,78 @@
+// THE arithmetic of the register combiners, written once. No include guard: it is included once inside a constexpr
+// namespace (the reference) and once inside Highway's namespace of every SIMD target, so that all give the same bits.
+//
+// The includer provides the macro NINEBIT_RULE (the functions' attributes), the type V (one int32 lane, or a vector of
+// them) and these primitives:
+//   V set(int); V add(V, V); V sub(V, V); V mul(V, V) (low 32 bits); V min_of(V, V); V max_of(V, V); V abs_of(V);
+//   V divide(V n, int d)          n / d rounded down, for 0 <= n < 2^24, 1 <= d <= 510 and n / d < 2^13
+//   V negate_where_negative(V sign, V x)      sign < 0 ? -x : x
+//   V select_where_at_least(V v, V limit, V yes, V no)      v >= limit ? yes : no
+//
+// Rule numbers are those of docs/numerics.md.
+
+// Rule 2 and the mapping table of NV_register_combiners: a register value to what the product sees, [-one, one].
+NINEBIT_RULE V map_input(const Datapath& d, InputMapping mapping, V e) {
+  const V positive = max_of(e, set(0));
+  switch (mapping) {
+    case InputMapping::unsigned_identity: return positive;
+    case InputMapping::unsigned_invert: return sub(set(d.one), min_of(positive, set(d.one)));
+    case InputMapping::expand_normal: return sub(add(positive, positive), set(d.expand_offset));
+    case InputMapping::expand_negate: return sub(set(d.expand_offset), add(positive, positive));
+    case InputMapping::half_bias_normal: return sub(positive, set(d.half));
+    case InputMapping::half_bias_negate: return sub(set(d.half), positive);
+    case InputMapping::signed_identity: return e;
+    case InputMapping::signed_negate: return sub(set(0), e);
+  }
+  return e;
+}
+
+// n / divisor as a whole number, without a limit to the register range; |n / divisor| must not exceed `most`.
+NINEBIT_RULE V narrow(Narrowing narrowing, V n, int divisor, int most) {
+  if (narrowing == Narrowing::toward_zero) return negate_where_negative(n, divide(abs_of(n), divisor));
+  // Halves up is a division rounded down; the shift by whole quotients keeps it among positive numbers.
+  return sub(divide(add(n, set(divisor * most + divisor / 2)), divisor), set(most));
+}
+
+NINEBIT_RULE V clamp_to(V v, int low, int high) { return min_of(max_of(v, set(low)), set(high)); }
+
+// Rules 3 to 8: what a general combiner writes for a wide value (units of 1 / one²): (wide + bias) × scale, narrowed,
+// clamped to [lowest, one].
+NINEBIT_RULE V combiner_output(const Datapath& d, Scale scale, Bias bias, V wide) {
+  if (bias == Bias::by_negative_one_half) wide = sub(wide, set(d.half * d.one));
+  const int twice_scale = scale == Scale::by_one_half ? 1 : scale == Scale::none ? 2 : scale == Scale::by_two ? 4 : 8;
+  int divisor = 2 * d.one;
+  if (d.narrowing_point == NarrowingPoint::before_scale) {
+    // Two dot products of three full products each, and the bias: the quotient stays below eight.
+    wide = narrow(d.general_narrowing, wide, d.one, 8 * d.one);
+    divisor = 2;
+  }
+  // The clamp comes first only to keep the quotient small: it cuts nothing that the last clamp would not.
+  const int most = d.one + 1;
+  const V scaled = clamp_to(mul(wide, set(twice_scale)), -divisor * most, divisor * most);
+  return clamp_to(narrow(d.general_narrowing, scaled, divisor, most), d.lowest, d.one);
+}
+
+// Rule 11: CD where spare0's alpha is at least one half, else AB. All wide values.
+NINEBIT_RULE V mux(const Datapath& d, V spare0_alpha, V ab, V cd) {
+  return select_where_at_least(spare0_alpha, set(d.half), cd, ab);
+}
+
+// Rule 13: spare0 + secondary, each without its negative part; up to 2.0 without the clamp.
+NINEBIT_RULE V color_sum(const Datapath& d, bool clamp, V spare0, V secondary) {
+  const V sum = add(max_of(spare0, set(0)), max_of(secondary, set(0)));
+  return clamp ? min_of(sum, set(d.one)) : sum;
+}
+
+// Rule 10: E·F of two mapped inputs in [0, one].
+NINEBIT_RULE V e_times_f(const Datapath& d, V e, V f) {
+  return narrow(d.final_narrowing, mul(e, f), d.one, d.one);
+}
+
+// Rules 9 and 14: A·B + (1 - A)·C narrowed, D added, clamped to [0, one]. A in [0, one], the others in [0, 2 one].
+NINEBIT_RULE V final_rgb(const Datapath& d, V a, V b, V c, V added) {
+  const V wide = add(mul(a, b), mul(sub(set(d.one), a), c));
+  return clamp_to(add(narrow(d.final_narrowing, wide, d.one, 2 * d.one), added), 0, d.one);
+}
+
+// Rule 14: G.
+NINEBIT_RULE V final_alpha(const Datapath& d, V g) { return clamp_to(g, 0, d.one); }

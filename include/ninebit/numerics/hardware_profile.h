@@ -1,0 +1,162 @@
+// Every choice that the hardware made, each with the word that says how well it is known.
+//
+// A profile is a value: copy one and change a field to ask "what if". The rules that read these fields stand in
+// combiner_rules.inl; docs/numerics.md tells each rule's evidence at length.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+namespace ninebit {
+
+enum class Evidence : std::uint8_t {
+  specified,  // the OpenGL extension says so
+  seed,       // the article on index cube shadow mapping, tested by its author on a GeForce 2, implies it
+  measured,   // read off real hardware (NV2A, the Xbox's GeForce3-class chip)
+  inferred,   // follows from a measured rule or from a program that ran on the hardware
+  assumed     // nothing decides it
+};
+
+// "specified", "seed", "measured", "inferred" or "assumed".
+[[nodiscard]] std::string_view name_of(Evidence evidence);
+
+// One choice: its value, how well it is known, and where that comes from.
+template <class T>
+struct Choice {
+  T value;
+  Evidence evidence;
+  std::string_view source;
+  constexpr operator T() const { return value; }
+};
+
+// How a wide value loses the bits that a register cannot hold.
+enum class Narrowing : std::uint8_t {
+  toward_zero,       // the low bits of the magnitude are dropped
+  nearest_halves_up  // to the nearest code, a half upward
+};
+
+// Where in a general combiner the low bits are dropped.
+enum class NarrowingPoint : std::uint8_t {
+  after_scale,  // products, sum, bias and scale are computed wide and narrowed once
+  before_scale  // the biased sum is narrowed to a whole code, then scaled
+};
+
+// What alpha a secondary colour has.
+enum class SecondaryAlpha : std::uint8_t { one, as_given };
+
+struct HardwareProfile {
+  std::string_view name;
+  std::string_view chip;
+
+  // Codes. A register component is an integer; `one` is the code of 1.0.
+  Choice<int> one;            // 1.0
+  Choice<int> lowest;         // the lowest register value
+  Choice<int> half;           // bias of one half, half-bias mapping, mux threshold
+  Choice<int> expand_offset;  // expand is 2v - this
+  Choice<int> byte_shift;     // low bits of a byte (texel, colour, constant) that do not enter a register
+
+  // Narrowing.
+  Choice<Narrowing> general_narrowing;     // of a general combiner's outputs
+  Choice<NarrowingPoint> narrowing_point;  // of a general combiner's outputs
+  Choice<Narrowing> final_narrowing;       // of A·B + (1 - A)·C and of E·F
+
+  // What the chip has.
+  Choice<int> general_combiners;     // 1 to 8
+  Choice<int> texture_units;         // 1 to 4
+  Choice<bool> per_stage_constants;  // NV_register_combiners2
+  Choice<bool> blue_to_alpha;        // an RGB portion may write its blue to a register's alpha
+
+  // What registers hold before the first general combiner.
+  Choice<int> spare0_alpha_without_texture0;  // byte, when texture unit 0 is off
+  Choice<int> disabled_texture_alpha;         // byte, with RGB 0
+  Choice<SecondaryAlpha> secondary_alpha;
+  Choice<int> fog_alpha_without_fog;  // byte
+
+  // The rasterizer.
+  Choice<int> subpixel_bits;               // window positions are truncated toward zero to 1/2^this pixel
+  Choice<int> vertex_color_mantissa_bits;  // a float vertex colour keeps this many fraction bits, then x 255, half up
+};
+
+// All shipped profiles, the default (geforce2) first. Addresses and names stay valid for the whole run.
+[[nodiscard]] std::span<const HardwareProfile> hardware_profiles();
+
+// The shipped profile of that name ("geforce2", "nv2a", …), or nullptr.
+[[nodiscard]] const HardwareProfile* find_profile(std::string_view name);
+
+namespace profiles {
+
+// NV15 and NV11, the article's card. See docs/numerics.md for the sources named here by rule number.
+inline constexpr HardwareProfile geforce2{
+    .name = "geforce2",
+    .chip = "NV15, NV11 (GeForce 2)",
+    .one = {255, Evidence::measured, "rule 1: 255 x 1.0 = 255 on NV2A, every texel value"},
+    .lowest = {-255, Evidence::assumed, "rival: -256"},
+    .half = {128, Evidence::inferred, "rules 4 and 22: 255 - half = 127, and the 16-bit depth compare of 2000"},
+    .expand_offset = {255, Evidence::assumed, "rival: 256"},
+    .byte_shift = {0, Evidence::measured, "rule 1: bytes enter as 0..255"},
+    .general_narrowing = {Narrowing::toward_zero, Evidence::seed,
+                          "rule 8: the square of a small difference is truncated to zero"},
+    .narrowing_point = {NarrowingPoint::after_scale, Evidence::seed, "rule 7: steps of 2 work on a GeForce 2"},
+    .final_narrowing = {Narrowing::nearest_halves_up, Evidence::inferred, "rule 9, measured on NV2A"},
+    .general_combiners = {2, Evidence::specified, "NV_register_combiners; two sets of stage registers on NV1x"},
+    .texture_units = {2, Evidence::specified, "ARB_multitexture on NV1x"},
+    .per_stage_constants = {false, Evidence::specified, "NV_register_combiners2 is absent"},
+    .blue_to_alpha = {false, Evidence::specified, "NV_register_combiners has no such output"},
+    .spare0_alpha_without_texture0 = {255, Evidence::assumed, "the extension leaves it unspecified"},
+    .disabled_texture_alpha = {255, Evidence::inferred, "rule 16, measured on NV2A"},
+    .secondary_alpha = {SecondaryAlpha::one, Evidence::inferred, "drivers up to 56.90 gave 1.0"},
+    .fog_alpha_without_fog = {255, Evidence::specified, "NV_register_combiners, initial register values"},
+    .subpixel_bits = {4, Evidence::inferred, "rule 21: modelled by envytools for NV10, measured on NV2A"},
+    .vertex_color_mantissa_bits = {13, Evidence::inferred, "rule 17: modelled by envytools for NV10, measured on NV2A"},
+};
+
+namespace detail {
+constexpr HardwareProfile early_truncation() {
+  HardwareProfile p = geforce2;
+  p.name = "geforce2-early-truncation";
+  p.chip = "none: the rival of rule 7";
+  p.narrowing_point = {NarrowingPoint::before_scale, Evidence::assumed, "the hypothesis that rule 7 rejects"};
+  return p;
+}
+
+constexpr HardwareProfile eight_bit() {
+  HardwareProfile p = geforce2;
+  p.name = "geforce256-8bit";
+  p.chip = "none: an 8-bit card, as the article fears";
+  constexpr std::string_view why = "the article: an older card may be less precise";
+  p.one = {127, Evidence::assumed, why};
+  p.lowest = {-127, Evidence::assumed, why};
+  p.half = {64, Evidence::assumed, why};
+  p.expand_offset = {127, Evidence::assumed, why};
+  p.byte_shift = {1, Evidence::assumed, why};
+  return p;
+}
+
+constexpr HardwareProfile xbox() {
+  HardwareProfile p = geforce2;
+  p.name = "nv2a";
+  p.chip = "NV2A (Xbox), GeForce3 class";
+  p.half = {128, Evidence::measured, "rule 4: 255 - half = 127, and with x2 254"};
+  p.general_narrowing = {Narrowing::nearest_halves_up, Evidence::measured,
+                         "rule 5: a half of 25, 63, 255; for products assumed"};
+  p.narrowing_point = {NarrowingPoint::after_scale, Evidence::inferred, "rule 22"};
+  p.final_narrowing = {Narrowing::nearest_halves_up, Evidence::measured, "rule 9: 4,600 colours"};
+  p.general_combiners = {8, Evidence::specified, "NV_register_combiners2"};
+  p.texture_units = {4, Evidence::specified, "NV20 class"};
+  p.per_stage_constants = {true, Evidence::specified, "NV_register_combiners2"};
+  p.blue_to_alpha = {true, Evidence::measured, "NV2A output flag"};
+  p.disabled_texture_alpha = {255, Evidence::measured, "rule 16"};
+  p.secondary_alpha = {SecondaryAlpha::as_given, Evidence::specified, "NV_register_combiners2"};
+  p.subpixel_bits = {4, Evidence::measured, "rule 21"};
+  p.vertex_color_mantissa_bits = {13, Evidence::measured, "rule 17: 273 of 273"};
+  return p;
+}
+}  // namespace detail
+
+inline constexpr HardwareProfile geforce2_early_truncation = detail::early_truncation();
+inline constexpr HardwareProfile geforce256_8bit = detail::eight_bit();
+inline constexpr HardwareProfile nv2a = detail::xbox();
+
+}  // namespace profiles
+}  // namespace ninebit

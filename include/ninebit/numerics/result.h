@@ -1,0 +1,76 @@
+// How the library reports: by a value, never by a print, an exit or an exception of its own.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+
+namespace ninebit {
+
+// What kind of fault a Diagnostic describes; the program turns it into its exit code.
+enum class Fault {
+  invalid_input,  // unreadable, malformed or senseless input (exit code 3)
+  cannot_write,   // an output could not be written (exit code 4)
+  cancelled       // the caller asked for the work to stop
+};
+
+// One fault, in one sentence that says what is wrong and what was expected.
+struct Diagnostic {
+  std::string message{};  // no trailing newline, no "error:" prefix
+  std::string file{};     // the file at fault, as the caller named it; empty: none
+  int line = 0;           // 1-based; 0: unknown or not a text file
+  Fault fault = Fault::invalid_input;
+
+  // "FILE:LINE: MESSAGE", with the parts that are known.
+  [[nodiscard]] std::string text() const {
+    std::string out = file;
+    if (!file.empty() && line > 0) {
+      out += ':';
+      out += std::to_string(line);
+    }
+    if (!file.empty()) out += ": ";
+    return out + message;
+  }
+};
+
+// A value, or the Diagnostic that says why there is none. value() on a failed result, or error() on a good one, is a
+// programming error (std::bad_variant_access from the standard library).
+template <class T>
+class [[nodiscard]] Result {
+ public:
+  Result(T value) : content_(std::in_place_index<0>, std::move(value)) {}
+  Result(Diagnostic error) : content_(std::in_place_index<1>, std::move(error)) {}
+
+  [[nodiscard]] bool ok() const { return content_.index() == 0; }
+  explicit operator bool() const { return ok(); }
+
+  [[nodiscard]] const T& value() const& { return std::get<0>(content_); }
+  [[nodiscard]] T& value() & { return std::get<0>(content_); }
+  [[nodiscard]] T&& value() && { return std::get<0>(std::move(content_)); }
+  [[nodiscard]] const Diagnostic& error() const { return std::get<1>(content_); }
+
+  const T* operator->() const { return &value(); }
+  T* operator->() { return &value(); }
+  const T& operator*() const& { return value(); }
+  T& operator*() & { return value(); }
+
+ private:
+  std::variant<T, Diagnostic> content_;
+};
+
+// The same for an operation without a value: empty means that it was done.
+class [[nodiscard]] Status {
+ public:
+  Status() = default;
+  Status(Diagnostic error) : error_(std::move(error)) {}
+
+  [[nodiscard]] bool ok() const { return !error_.has_value(); }
+  explicit operator bool() const { return ok(); }
+  [[nodiscard]] const Diagnostic& error() const { return error_.value(); }
+
+ private:
+  std::optional<Diagnostic> error_;
+};
+
+}  // namespace ninebit

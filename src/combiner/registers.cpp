@@ -1,0 +1,56 @@
+#include "ninebit/combiner/registers.h"
+
+namespace ninebit {
+namespace {
+
+// An enumeration may hold a number without a name: a state is plain data.
+template <std::size_t N, class Enum>
+std::string_view name_in(const std::array<std::string_view, N>& names, Enum value) {
+  const auto i = static_cast<std::size_t>(value);
+  return i < N ? names[i] : std::string_view("unknown");
+}
+
+}  // namespace
+
+std::string_view name_of(Register r) {
+  constexpr std::array<std::string_view, 15> names{"zero",
+                                                   "constant_color0",
+                                                   "constant_color1",
+                                                   "fog",
+                                                   "primary_color",
+                                                   "secondary_color",
+                                                   "spare0",
+                                                   "spare1",
+                                                   "texture0",
+                                                   "texture1",
+                                                   "texture2",
+                                                   "texture3",
+                                                   "e_times_f",
+                                                   "spare0_plus_secondary_color",
+                                                   "discard"};
+  return name_in(names, r);
+}
+
+std::string_view name_of(InputMapping mapping) {
+  constexpr std::array<std::string_view, 8> names{"unsigned_identity", "unsigned_invert",  "expand_normal",
+                                                  "expand_negate",     "half_bias_normal", "half_bias_negate",
+                                                  "signed_identity",   "signed_negate"};
+  return name_in(names, mapping);
+}
+
+std::string_view name_of(ComponentUsage usage) {
+  constexpr std::array<std::string_view, 3> names{"rgb", "alpha", "blue"};
+  return name_in(names, usage);
+}
+
+std::string_view name_of(Scale scale) {
+  constexpr std::array<std::string_view, 4> names{"none", "scale_by_two", "scale_by_four", "scale_by_one_half"};
+  return name_in(names, scale);
+}
+
+std::string_view name_of(Bias bias) {
+  constexpr std::array<std::string_view, 2> names{"none", "bias_by_negative_one_half"};
+  return name_in(names, bias);
+}
+
+}  // namespace ninebit
