@@ -1,0 +1,50 @@
+// Where in a context the arguments of a GL command point. Shared by the setters and the gets.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <optional>
+
+#include "ninebit/language/gl_nv.h"
+
+namespace ninebit::gl::detail {
+
+inline constexpr std::array<CombinerInput Portion::*, 4> kGeneralInputs{&Portion::a, &Portion::b, &Portion::c,
+                                                                        &Portion::d};
+inline constexpr std::array<CombinerInput FinalCombiner::*, 7> kFinalInputs{
+    &FinalCombiner::a, &FinalCombiner::b, &FinalCombiner::c, &FinalCombiner::d,
+    &FinalCombiner::e, &FinalCombiner::f, &FinalCombiner::g};
+
+// The general combiner that an enumerant names; empty: this profile has none such.
+inline std::optional<int> existing_stage(const Context& context, GLenum value) {
+  const std::optional<int> stage = to_stage(value);
+  return stage && *stage < context.profile().general_combiners ? stage : std::nullopt;
+}
+
+// State may be const or not; so is what comes back.
+template <class State>
+auto& stage_of(State& state, int stage) {
+  return state.general[static_cast<std::size_t>(stage)];
+}
+
+template <class State>
+auto& portion_of(State& state, int stage, PortionName portion) {
+  auto& general = stage_of(state, stage);
+  return portion == PortionName::rgb ? general.rgb : general.alpha;
+}
+
+// Of a CombinerState or of a GeneralCombiner; nullptr: the enumerant is no constant colour.
+template <class Owner>
+auto* constant_of(Owner& owner, GLenum pname) {
+  return pname == GL_CONSTANT_COLOR0_NV   ? &owner.constant0
+         : pname == GL_CONSTANT_COLOR1_NV ? &owner.constant1
+                                          : nullptr;
+}
+
+// NaN becomes 0.
+inline float clamped_color(float component) {
+  return component > 0.0F ? std::min(component, 1.0F) : 0.0F;
+}
+
+}  // namespace ninebit::gl::detail
