@@ -1,0 +1,147 @@
+#include "src/raster/fragment_batch.h"
+
+#include <algorithm>
+
+namespace ninebit {
+namespace {
+
+constexpr ColorBytes kWhite{255, 255, 255, 255};
+
+bool shades_flat(const DrawContext& context) {
+  return context.state.shade_model == ShadeModel::flat || context.arrays.vertex_colors.empty();
+}
+
+}  // namespace
+
+ColorBytes flat_color(const TriangleArrays& arrays, std::uint32_t primitive) {
+  if (!arrays.triangle_colors.empty()) return arrays.triangle_colors[primitive];
+  if (!arrays.vertex_colors.empty()) return arrays.vertex_colors[arrays.triangles[primitive].z];
+  return kWhite;
+}
+
+bool has_flat_result(const DrawContext& context) {
+  if (!context.target.captures.empty()) return false;
+  if (!context.operations.writes_color() && !context.operations.needs_alpha()) return true;
+  return !context.state.program && shades_flat(context);
+}
+
+void FragmentBatch::normalize_weights() {
+  for (std::size_t i = 0; i < count_; ++i) {
+    const float sum = (weight_[0][i] + weight_[1][i]) + weight_[2][i];
+    for (auto& weight : weight_) weight[i] /= sum;
+  }
+  for (std::size_t i = 0; i < count_; ++i) {
+    if (corners_[i] == nullptr) continue;
+    const glm::mat3& m = *corners_[i];
+    const std::array<float, 3> w{weight_[0][i], weight_[1][i], weight_[2][i]};
+    for (int k = 0; k < 3; ++k) {
+      weight_[static_cast<std::size_t>(k)][i] = (w[0] * m[0][k] + w[1] * m[1][k]) + w[2] * m[2][k];
+    }
+  }
+}
+
+void FragmentBatch::fill_primary() {
+  const TriangleArrays& arrays = context_.arrays;
+  const bool flat = shades_flat(context_);
+  for (std::size_t i = 0; i < count_; ++i) {
+    ColorBytes& bytes = primary_[i];
+    if (flat) {
+      bytes = flat_color(arrays, fragment_[i].primitive);
+    } else {
+      const glm::uvec3 v = arrays.triangles[fragment_[i].primitive];
+      const ColorBytes &a = arrays.vertex_colors[v.x], &b = arrays.vertex_colors[v.y], &c = arrays.vertex_colors[v.z];
+      for (std::size_t k = 0; k < 4; ++k) {
+        const float value = (weight_[0][i] * static_cast<float>(a[k]) + weight_[1][i] * static_cast<float>(b[k])) +
+                            weight_[2][i] * static_cast<float>(c[k]);
+        bytes[k] = static_cast<std::uint8_t>(std::clamp(value + 0.5F, 0.0F, 255.0F));
+      }
+    }
+  }
+}
+
+void FragmentBatch::fill_texture(int unit) {
+  const HardwareProfile& profile = context_.state.profile;
+  const Register reg = texture_register(unit);
+  const auto u = static_cast<std::size_t>(unit);
+  if (u >= context_.textures.size() || context_.textures[u] == nullptr) {
+    for (int k = 0; k < 3; ++k) std::fill_n(registers_(reg, k), count_, s9{0});
+    const auto alpha = from_byte(profile, static_cast<std::uint8_t>(profile.disabled_texture_alpha.value));
+    std::fill_n(registers_(reg, kAlpha), count_, alpha);
+    return;
+  }
+  const CubeMap& map = *context_.textures[u];
+  const std::span<const glm::vec3> coordinates = context_.arrays.texture_coordinates[u];
+  std::fill_n(registers_(reg, kAlpha), count_, static_cast<s9>(profile.one));
+  for (std::size_t i = 0; i < count_; ++i) {
+    const glm::uvec3 v = context_.arrays.triangles[fragment_[i].primitive];
+    const glm::vec3 &a = coordinates[v.x], &b = coordinates[v.y], &c = coordinates[v.z];
+    std::array<float, 3> r;
+    for (int k = 0; k < 3; ++k) {
+      r[static_cast<std::size_t>(k)] = (weight_[0][i] * a[k] + weight_[1][i] * b[k]) + weight_[2][i] * c[k];
+    }
+    const CubeMap::Texel texel = map.nearest(r[0], r[1], r[2]);
+    const auto& face = map.faces[static_cast<std::size_t>(texel.face)];
+    for (int k = 0; k < 3; ++k) {
+      registers_(reg, k)[i] = from_byte(profile, face[static_cast<std::size_t>(k)].at(texel.x, texel.y));
+    }
+  }
+}
+
+void FragmentBatch::fill_initial_registers() {
+  const HardwareProfile& profile = context_.state.profile;
+  for (std::size_t k = 0; k < 4; ++k) {
+    s9* const codes = registers_(Register::primary, static_cast<int>(k));
+    for (std::size_t i = 0; i < count_; ++i) codes[i] = from_byte(profile, primary_[i][k]);
+  }
+  for (int unit = 0; unit < kMaxTextureUnits; ++unit) fill_texture(unit);
+  for (const Register reg : {Register::secondary, Register::fog, Register::spare0, Register::spare1}) {
+    for (int k = 0; k < 4; ++k) std::fill_n(registers_(reg, k), count_, s9{0});
+  }
+  // No secondary colour and no fog are drawn yet: their alphas are those of the profile's table.
+  std::fill_n(registers_(Register::secondary, kAlpha), count_, static_cast<s9>(profile.one));
+  const auto byte_code = [&](int byte) { return from_byte(profile, static_cast<std::uint8_t>(byte)); };
+  std::fill_n(registers_(Register::fog, kAlpha), count_, byte_code(profile.fog_alpha_without_fog));
+  const bool unit0 = !context_.textures.empty() && context_.textures[0] != nullptr;
+  if (unit0) {
+    std::copy_n(registers_(Register::texture0, kAlpha), count_, registers_(Register::spare0, kAlpha));
+  } else {
+    std::fill_n(registers_(Register::spare0, kAlpha), count_, byte_code(profile.spare0_alpha_without_texture0));
+  }
+}
+
+void FragmentBatch::capture(std::size_t i) const {
+  const Fragment& f = fragment_[i];
+  if (!context_.operations.depth_passes(f)) return;
+  for (const RegisterCapture& c : context_.target.captures) {
+    if (!c.plane) continue;
+    c.plane.at(f.x, f.y) = c.reg == Register::discard ? out_.plane[static_cast<std::size_t>(c.component)][i]
+                                                      : registers_(c.reg, c.component)[i];
+  }
+}
+
+void FragmentBatch::flush() {
+  if (count_ == 0) return;
+  const PipelineState& state = context_.state;
+  normalize_weights();
+  fill_primary();
+  const bool captures = !context_.target.captures.empty();
+  if (state.program || captures) fill_initial_registers();
+  if (state.program) {
+    evaluate(*state.program, registers_, count_, out_);
+  } else if (captures) {
+    for (int k = 0; k < 4; ++k) {
+      std::copy_n(registers_(Register::primary, k), count_, out_.plane[static_cast<std::size_t>(k)].data());
+    }
+  }
+  for (std::size_t i = 0; i < count_; ++i) {
+    if (captures) capture(i);
+    ColorBytes& color = primary_[i];
+    if (state.program) {
+      for (std::size_t k = 0; k < 4; ++k) color[k] = to_byte(state.profile, out_.plane[k][i]);
+    }
+    context_.operations.apply(fragment_[i], color);
+  }
+  count_ = 0;
+}
+
+}  // namespace ninebit
