@@ -1,0 +1,182 @@
+#include "combiner_tests/image/read_back.h"
+
+#include <ImathBox.h>
+#include <ImfChannelList.h>
+#include <ImfEnvmap.h>
+#include <ImfFrameBuffer.h>
+#include <ImfHeader.h>
+#include <ImfInputPart.h>
+#include <ImfMultiPartInputFile.h>
+#include <ImfStandardAttributes.h>
+#include <half.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <csignal>
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
+
+namespace image_test {
+
+namespace fs = std::filesystem;
+
+TempFolder::TempFolder() {
+  std::string name = (fs::temp_directory_path() / "ninebit-image-XXXXXX").string();
+  if (::mkdtemp(name.data()) == nullptr) throw std::runtime_error("cannot make " + name);
+  path_ = name;
+}
+
+TempFolder::~TempFolder() {
+  std::error_code ignored;
+  fs::remove_all(path_, ignored);
+}
+
+std::vector<std::string> TempFolder::names() const {
+  std::vector<std::string> found;
+  for (const fs::directory_entry& entry : fs::directory_iterator(path_)) {
+    found.push_back(entry.path().filename().string());
+  }
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+std::string read_bytes(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+}
+
+void write_bytes(const fs::path& file, std::string_view bytes) {
+  std::ofstream(file, std::ios::binary) << bytes;
+}
+
+std::vector<StoredPart> read_exr(const fs::path& file) {
+  Imf::MultiPartInputFile input(file.c_str());
+  std::vector<StoredPart> parts;
+  for (int p = 0; p < input.parts(); ++p) {
+    Imf::InputPart part(input, p);
+    const Imf::Header& header = part.header();
+    const Imath::Box2i window = header.dataWindow();
+    StoredPart stored;
+    stored.name = header.hasName() ? header.name() : std::string();
+    stored.width = window.max.x - window.min.x + 1;
+    stored.height = window.max.y - window.min.y + 1;
+    stored.zip = header.compression() == Imf::ZIP_COMPRESSION;
+    stored.cube = Imf::hasEnvmap(header) && Imf::envmap(header) == Imf::ENVMAP_CUBE;
+    const auto count = static_cast<std::size_t>(stored.width) * static_cast<std::size_t>(stored.height);
+    std::map<std::string, std::vector<half>> halves;
+    Imf::FrameBuffer frame;
+    for (auto channel = header.channels().begin(); channel != header.channels().end(); ++channel) {
+      const auto type = channel.channel().type;
+      StoredChannel& target = stored.channels[channel.name()];
+      if (type == Imf::FLOAT) throw std::runtime_error("no channel should be stored as 32-bit float");
+      void* samples = nullptr;
+      if (type == Imf::HALF) {
+        halves[channel.name()].resize(count);
+        samples = halves[channel.name()].data();
+      } else {
+        target.integers.resize(count);
+        samples = target.integers.data();
+      }
+      frame.insert(channel.name(), Imf::Slice::Make(type, samples, window));
+    }
+    part.setFrameBuffer(frame);
+    part.readPixels(window.min.y, window.max.y);
+    for (const auto& [name, samples] : halves) stored.channels[name].reals.assign(samples.begin(), samples.end());
+    parts.push_back(std::move(stored));
+  }
+  return parts;
+}
+
+namespace {
+
+std::string big_endian(std::uint32_t value) {
+  std::string bytes;
+  for (const unsigned shift : {24U, 16U, 8U, 0U}) bytes += static_cast<char>((value >> shift) & 0xFFU);
+  return bytes;
+}
+
+std::uint32_t crc32(std::string_view bytes) {
+  std::uint32_t crc = 0xFFFFFFFFU;
+  for (const char byte : bytes) {
+    crc ^= static_cast<std::uint8_t>(byte);
+    for (int bit = 0; bit < 8; ++bit) crc = (crc & 1U) != 0 ? (crc >> 1) ^ 0xEDB88320U : crc >> 1;
+  }
+  return ~crc;
+}
+
+std::uint32_t adler32(std::string_view bytes) {
+  std::uint32_t a = 1;
+  std::uint32_t b = 0;
+  for (const char byte : bytes) {
+    a = (a + static_cast<std::uint8_t>(byte)) % 65521U;
+    b = (b + a) % 65521U;
+  }
+  return (b << 16) | a;
+}
+
+}  // namespace
+
+std::string png_chunk(const std::string& name, const std::string& content) {
+  return big_endian(static_cast<std::uint32_t>(content.size())) + name + content + big_endian(crc32(name + content));
+}
+
+std::string stored_deflate(const std::string& bytes) {
+  const std::size_t size = bytes.size();
+  if (size > 0xFFFF) throw std::runtime_error("too large for one stored block");
+  std::string out = "\x78\x01\x01";
+  for (const std::size_t value : {size, ~size}) {
+    out += static_cast<char>(value & 0xFFU);
+    out += static_cast<char>((value >> 8) & 0xFFU);
+  }
+  return out + bytes + big_endian(adler32(bytes));
+}
+
+std::string plain_png(int width, int height, int channels, int depth, const std::vector<std::uint8_t>& bytes) {
+  constexpr std::array<char, 5> kColourType = {0, 0, 4, 2, 6};
+  std::string header = big_endian(static_cast<std::uint32_t>(width)) + big_endian(static_cast<std::uint32_t>(height));
+  header += static_cast<char>(depth);
+  header += kColourType.at(static_cast<std::size_t>(channels));
+  header += std::string(3, '\0');
+  const std::size_t row_bytes = static_cast<std::size_t>(width * channels * depth / 8);
+  std::string rows;
+  for (std::size_t row = 0; row < static_cast<std::size_t>(height); ++row) {
+    rows += '\0';
+    for (std::size_t b = 0; b < row_bytes; ++b) rows += static_cast<char>(bytes.at(row * row_bytes + b));
+  }
+  return kPngSignature + png_chunk("IHDR", header) + png_chunk("IDAT", stored_deflate(rows)) + png_chunk("IEND", "");
+}
+
+std::vector<std::string> png_chunks(std::string_view png) {
+  std::vector<std::string> names;
+  std::size_t at = 8;
+  while (at + 12 <= png.size()) {
+    std::size_t size = 0;
+    for (std::size_t b = 0; b < 4; ++b) size = (size << 8) | static_cast<std::uint8_t>(png[at + b]);
+    names.emplace_back(png.substr(at + 4, 4));
+    at += 12 + size;
+  }
+  return names;
+}
+
+FileSizeLimit::FileSizeLimit(std::uint64_t bytes) {
+  handler_before_ = std::signal(SIGXFSZ, SIG_IGN);
+  rlimit limit = {};
+  if (::getrlimit(RLIMIT_FSIZE, &limit) != 0) throw std::runtime_error("getrlimit failed");
+  before_ = limit.rlim_cur;
+  limit.rlim_cur = bytes;
+  if (::setrlimit(RLIMIT_FSIZE, &limit) != 0) throw std::runtime_error("setrlimit failed");
+}
+
+FileSizeLimit::~FileSizeLimit() {
+  rlimit limit = {};
+  if (::getrlimit(RLIMIT_FSIZE, &limit) == 0) {
+    limit.rlim_cur = before_;
+    ::setrlimit(RLIMIT_FSIZE, &limit);
+  }
+  std::signal(SIGXFSZ, handler_before_);
+}
+
+}  // namespace image_test

@@ -1,0 +1,183 @@
+#include "ninebit/image/staged_files.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cstdint>
+#include <string_view>
+#include <system_error>
+#include <utility>
+
+#include "src/image/faults.h"
+#include "src/image/posix_file.h"
+
+namespace ninebit {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+using image_detail::cannot_write;
+
+constexpr std::size_t kLongestStem = 64;  // so that a long name does not become too long as a temporary one
+constexpr std::size_t kLongestExtension = 16;
+
+// A name in the folder that nothing has yet, with the extension of `name`, from which libraries tell the format.
+fs::path unused_name(const fs::path& folder, std::string name) {
+  static std::atomic<std::uint64_t> counter{0};
+  std::replace_if(
+      name.begin(), name.end(), [](char c) { return c == '/' || c == '\0'; }, '_');
+  const std::string stem = fs::path(name).stem().string().substr(0, kLongestStem);
+  const std::string extension = fs::path(name).extension().string().substr(0, kLongestExtension);
+  while (true) {
+    const std::string number = std::to_string(image_detail::process_id()) + "-" + std::to_string(counter++);
+    fs::path path = folder / ("." + stem + ".ninebit-" + number + extension);
+    std::error_code error;
+    if (!fs::exists(fs::symlink_status(path, error))) return path;
+  }
+}
+
+bool is_plain_name(const std::string& name) {
+  return !name.empty() && name != "." && name != ".." &&
+         name.find_first_of(std::string_view("/\0", 2)) == std::string::npos;
+}
+
+void remove_quietly(const fs::path& path) noexcept {
+  std::error_code ignored;
+  fs::remove(path, ignored);
+}
+
+// One file on its way to its name, and what it takes to undo that.
+struct Replacement {
+  fs::path target;
+  fs::path older;         // a hard link to what stood there; empty: nothing did, or there is no such link
+  bool replaces = false;  // something stood there
+};
+
+// Keeps what stands at the target within reach; where the file system has no hard links, it cannot be brought back.
+Replacement prepare(const fs::path& folder, const std::string& name) {
+  Replacement step;
+  step.target = folder / name;
+  std::error_code error;
+  step.replaces = fs::exists(fs::symlink_status(step.target, error));
+  if (!step.replaces) return step;
+  step.older = unused_name(folder, name);
+  fs::create_hard_link(step.target, step.older, error);
+  if (error) step.older.clear();
+  return step;
+}
+
+void undo(const std::vector<Replacement>& done) noexcept {
+  for (auto step = done.rbegin(); step != done.rend(); ++step) {
+    std::error_code ignored;
+    if (!step->replaces) {
+      fs::remove(step->target, ignored);
+    } else if (!step->older.empty()) {
+      fs::rename(step->older, step->target, ignored);
+    }
+  }
+}
+
+}  // namespace
+
+StagedFiles::StagedFiles(fs::path folder) : folder_(std::move(folder)) {}
+
+StagedFiles::StagedFiles(StagedFiles&& other) noexcept
+    : folder_(std::move(other.folder_)),
+      made_folders_(std::exchange(other.made_folders_, {})),
+      entries_(std::exchange(other.entries_, {})) {}
+
+StagedFiles& StagedFiles::operator=(StagedFiles&& other) noexcept {
+  if (this != &other) {
+    discard();
+    folder_ = std::move(other.folder_);
+    made_folders_ = std::exchange(other.made_folders_, {});
+    entries_ = std::exchange(other.entries_, {});
+  }
+  return *this;
+}
+
+StagedFiles::~StagedFiles() {
+  discard();
+}
+
+void StagedFiles::discard() noexcept {
+  for (const Entry& entry : entries_) {
+    if (!entry.committed) remove_quietly(entry.temporary);
+  }
+  // Only empty folders can be removed so: one with a committed file, or with anybody else's, stays.
+  for (auto folder = made_folders_.rbegin(); folder != made_folders_.rend(); ++folder) remove_quietly(*folder);
+}
+
+Result<StagedFiles> StagedFiles::open(const fs::path& folder) {
+  StagedFiles staged(folder.empty() ? fs::path(".") : folder);
+  fs::path step;
+  for (const fs::path& name : staged.folder_) {
+    step /= name;
+    std::error_code error;
+    if (fs::is_directory(step, error)) continue;
+    if (fs::create_directory(step, error)) {
+      staged.made_folders_.push_back(step);
+    } else if (std::error_code ignored; !fs::is_directory(step, ignored)) {  // nor has another made it meanwhile
+      if (!error) error = std::make_error_code(std::errc::not_a_directory);
+      return cannot_write(folder, "the folder " + step.string() + " cannot be made: " + error.message());
+    }
+  }
+  const fs::path probe = unused_name(staged.folder_, "probe");
+  if (const std::error_code error = image_detail::create_new(probe)) {
+    return cannot_write(folder, "the folder cannot be written into: " + error.message());
+  }
+  remove_quietly(probe);
+  return staged;
+}
+
+fs::path StagedFiles::stage(const std::string& name) {
+  for (const Entry& entry : entries_) {
+    if (entry.name == name && !entry.committed) return entry.temporary;
+  }
+  return entries_.emplace_back(Entry{name, unused_name(folder_, name)}).temporary;
+}
+
+Status StagedFiles::check_before_commit() const {
+  for (const Entry& entry : entries_) {
+    if (entry.committed) continue;
+    const fs::path target = folder_ / entry.name;
+    std::error_code error;
+    if (!is_plain_name(entry.name)) return cannot_write(target, "\"" + entry.name + "\" is not a plain file name");
+    if (!fs::is_regular_file(entry.temporary, error)) return cannot_write(target, "was not written");
+    if (fs::is_directory(target, error)) return cannot_write(target, "a folder of that name is in the way");
+    if ((error = image_detail::flush_to_disk(entry.temporary))) {
+      return cannot_write(target, "could not be brought to the disk: " + error.message());
+    }
+  }
+  return {};
+}
+
+Status StagedFiles::commit() {
+  if (Status status = check_before_commit(); !status) return status;
+  std::vector<Replacement> done;
+  done.reserve(entries_.size());
+  std::error_code error;
+  for (const Entry& entry : entries_) {
+    if (entry.committed) continue;
+    Replacement step = prepare(folder_, entry.name);
+    fs::rename(entry.temporary, step.target, error);
+    if (error) {
+      remove_quietly(step.older);
+      undo(done);
+      return cannot_write(step.target, "could not be renamed into place: " + error.message());
+    }
+    done.push_back(std::move(step));
+  }
+  for (Entry& entry : entries_) entry.committed = true;
+  for (const Replacement& step : done) remove_quietly(step.older);
+  return {};
+}
+
+std::vector<fs::path> StagedFiles::files() const {
+  std::vector<fs::path> paths;
+  paths.reserve(entries_.size());
+  for (const Entry& entry : entries_) paths.push_back(folder_ / entry.name);
+  return paths;
+}
+
+}  // namespace ninebit
