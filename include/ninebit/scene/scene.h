@@ -1,0 +1,65 @@
+// A scene as the shadow techniques need it: triangles in world space, each with its object and material, cameras, lights.
+#pragma once
+
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace ninebit {
+
+struct Material {
+  std::string name;
+  glm::vec3 base_color{0.8F};  // linear factor as the file gives it, each channel in [0, 1]
+};
+
+// A mesh instance: one node of the file with all its triangles, whatever their materials.
+struct SceneObject {
+  std::string name;
+  std::uint32_t first_triangle = 0;
+  std::uint32_t triangle_count = 0;
+};
+
+struct PointLight {
+  std::string name;
+  glm::vec3 position{0.0F};  // world space
+  glm::vec3 color{1.0F};     // relative, each channel in [0, 1]; intensity units of the file are not kept
+};
+
+struct Camera {
+  glm::vec3 position{0.0F, 0.0F, 1.0F};
+  glm::vec3 look_at{0.0F};             // any point on the view axis, different from position
+  glm::vec3 up{0.0F, 1.0F, 0.0F};      // not parallel to the view axis
+  float vertical_fov_degrees = 50.0F;  // in (0, 180)
+};
+
+struct Bounds {
+  glm::vec3 low{0.0F};
+  glm::vec3 high{0.0F};
+  [[nodiscard]] glm::vec3 center() const { return (low + high) * 0.5F; }
+  [[nodiscard]] float diagonal() const { return glm::length(high - low); }
+};
+
+// Vertices are shared by index. Every triangle index is < positions.size(); normals has the size of positions; the
+// triangles of one object are consecutive, and the objects cover all triangles in order.
+struct Scene {
+  std::string name;                             // the file's name, for reports
+  std::vector<glm::vec3> positions;             // world space, finite
+  std::vector<glm::vec3> normals;               // unit length (zero where the file's geometry gives none)
+  std::vector<glm::uvec3> triangles;            // counter-clockwise seen from the front
+  std::vector<std::uint32_t> triangle_object;   // for each triangle, an index into objects
+  std::vector<std::uint32_t> triangle_material; // for each triangle, an index into materials
+  std::vector<SceneObject> objects;
+  std::vector<Material> materials;
+  std::vector<PointLight> lights;               // from the file, in its order; may be empty
+  std::vector<Camera> cameras;                  // from the file, in its order; may be empty
+};
+
+// The smallest axis-parallel box around all positions that a triangle uses; zero for a scene without triangles.
+[[nodiscard]] Bounds bounds_of(const Scene& scene);
+
+// The shortest distance from a point to any triangle of the scene, in world units; infinity without triangles.
+[[nodiscard]] float distance_to_nearest_triangle(const Scene& scene, const glm::vec3& point);
+
+}  // namespace ninebit

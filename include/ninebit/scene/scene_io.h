@@ -1,0 +1,41 @@
+// Reading scenes from files, and completing those that bring no camera, light or floor.
+#pragma once
+
+#include <filesystem>
+#include <glm/glm.hpp>
+#include <optional>
+
+#include "ninebit/numerics/result.h"
+#include "ninebit/scene/scene.h"
+
+namespace ninebit {
+
+// Reads glTF 2.0 (.gltf, .glb: node hierarchy, materials' base colours, cameras, KHR_lights_punctual point lights), OBJ,
+// PLY, OFF and 3DS. All nodes are flattened into world space. Degenerate triangles are kept: they count as polygons and
+// cover no pixel. Reports, naming the file: missing, empty, truncated or malformed files, no triangles, positions that
+// are NaN or infinite, indices out of range, more than 2^32 - 1 vertices or triangles.
+[[nodiscard]] Result<Scene> read_scene(const std::filesystem::path& file);
+
+enum class FloorChoice {
+  automatic,  // a floor below a scene that has neither camera nor light of its own; none otherwise
+  none,
+  at_height
+};
+
+// What the user may override; everything else comes from the file or from a default framing.
+struct SceneSetup {
+  std::optional<glm::vec3> camera;    // world space
+  std::optional<glm::vec3> look_at;   // world space
+  std::optional<float> fov_degrees;   // vertical, in (0, 180)
+  std::optional<glm::vec3> light;     // world space
+  FloorChoice floor = FloorChoice::automatic;
+  float floor_height = 0.0F;          // world y, for FloorChoice::at_height
+};
+
+// A scene that can be rendered: exactly one camera and one light, and the floor added as an object named "floor" where
+// the setup asks for one (or where it is automatic). Without a camera in the file: a three-quarter view that frames
+// the whole bounding box. Without a light: one above and to the side of the camera, outside the box. Reports a camera
+// at the light, a camera at the point that it looks at, and values that are not finite or out of range.
+[[nodiscard]] Result<Scene> complete_scene(Scene scene, const SceneSetup& setup, float aspect_ratio);
+
+}  // namespace ninebit

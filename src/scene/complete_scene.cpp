@@ -1,0 +1,152 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "ninebit/scene/scene_io.h"
+
+namespace ninebit {
+namespace {
+
+constexpr float kTooClose = 1e-6F;  // of the bounding diagonal
+
+Diagnostic fault_of(std::string message) {
+  return {std::move(message), "", 0, Fault::invalid_input};
+}
+
+bool is_finite(const glm::vec3& v) {
+  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+// What everything is measured by; a scene that is a single point still needs some length.
+float scale_of(const Bounds& bounds) {
+  const float diagonal = bounds.diagonal();
+  return diagonal > 0.0F ? diagonal : 1.0F;
+}
+
+glm::vec3 any_axis_across(const glm::vec3& direction) {
+  const glm::vec3 size = glm::abs(direction);
+  if (size.y <= size.x && size.y <= size.z) return {0.0F, 1.0F, 0.0F};
+  return size.z <= size.x ? glm::vec3(0.0F, 0.0F, 1.0F) : glm::vec3(1.0F, 0.0F, 0.0F);
+}
+
+std::optional<Diagnostic> check_setup(const Scene& scene, const SceneSetup& setup, float aspect_ratio) {
+  if (scene.triangles.empty()) return fault_of("the scene has no triangles");
+  if (!std::isfinite(aspect_ratio) || aspect_ratio <= 0.0F) return fault_of("the aspect ratio must be greater than 0");
+  if (setup.camera && !is_finite(*setup.camera)) return fault_of("the camera's position must be finite");
+  if (setup.look_at && !is_finite(*setup.look_at)) return fault_of("the point to look at must be finite");
+  if (setup.light && !is_finite(*setup.light)) return fault_of("the light's position must be finite");
+  if (setup.floor == FloorChoice::at_height && !std::isfinite(setup.floor_height))
+    return fault_of("the floor's height must be finite");
+  return std::nullopt;
+}
+
+std::optional<Diagnostic> check_fov(float degrees) {
+  if (degrees > 0.0F && degrees < 180.0F) return std::nullopt;
+  return fault_of("the vertical field of view must lie between 0 and 180 degrees");
+}
+
+// A three-quarter view from the front, the right and above, as near as the box fits both angles with some room.
+Camera framing_camera(const Bounds& bounds, float fov_degrees, float aspect_ratio) {
+  constexpr double kRoom = 1.15;
+  Camera camera;
+  camera.vertical_fov_degrees = fov_degrees;
+  const glm::dvec3 toward_eye = glm::normalize(glm::dvec3(0.62, 0.48, 1.0));
+  const glm::dvec3 right = glm::normalize(glm::cross(glm::dvec3(0.0, 1.0, 0.0), toward_eye));
+  const glm::dvec3 up = glm::cross(toward_eye, right);
+  const double tan_y = std::tan(glm::radians(static_cast<double>(fov_degrees)) * 0.5);
+  const double tan_x = tan_y * static_cast<double>(aspect_ratio);
+  const glm::dvec3 half = glm::dvec3(bounds.high - bounds.low) * 0.5;
+  double distance = static_cast<double>(scale_of(bounds)) * 0.5;
+  for (unsigned corner = 0; corner < 8; ++corner) {
+    const glm::dvec3 at(((corner & 1U) != 0 ? half.x : -half.x), ((corner & 2U) != 0 ? half.y : -half.y),
+                        ((corner & 4U) != 0 ? half.z : -half.z));
+    const double across = kRoom * std::max(std::abs(glm::dot(at, right)) / tan_x, std::abs(glm::dot(at, up)) / tan_y);
+    distance = std::max(distance, glm::dot(at, toward_eye) + across);
+  }
+  camera.look_at = bounds.center();
+  camera.position = glm::vec3(glm::dvec3(bounds.center()) + toward_eye * distance);
+  return camera;
+}
+
+// Above, to the left of and a little toward the camera, outside the box: the shadow falls away to the right, in view.
+PointLight framing_light(const Bounds& bounds, const Camera& camera) {
+  glm::vec3 toward_eye = camera.position - camera.look_at;
+  toward_eye.y = 0.0F;
+  const float length = glm::length(toward_eye);
+  toward_eye = length > 0.0F && std::isfinite(length) ? toward_eye / length : glm::vec3(0.0F, 0.0F, 1.0F);
+  const glm::vec3 right = glm::cross(glm::vec3(0.0F, 1.0F, 0.0F), toward_eye);
+  const glm::vec3 direction = glm::normalize(glm::vec3(0.0F, 1.0F, 0.0F) - 0.55F * right + 0.35F * toward_eye);
+  return {"light", bounds.center() + direction * (1.3F * scale_of(bounds)), glm::vec3(1.0F)};
+}
+
+void add_floor(Scene& scene, const Bounds& bounds, float height) {
+  const float reach = 1.5F * scale_of(bounds);
+  const glm::vec3 center = bounds.center();
+  const auto first_vertex = static_cast<std::uint32_t>(scene.positions.size());
+  const auto material = static_cast<std::uint32_t>(scene.materials.size());
+  scene.objects.push_back({"floor", static_cast<std::uint32_t>(scene.triangles.size()), 2});
+  scene.materials.push_back({"floor", glm::vec3(0.75F)});
+  constexpr std::array<glm::vec2, 4> kCorners{glm::vec2(-1, 1), glm::vec2(1, 1), glm::vec2(1, -1), glm::vec2(-1, -1)};
+  for (const glm::vec2& corner : kCorners) {
+    scene.positions.emplace_back(center.x + corner.x * reach, height, center.z + corner.y * reach);
+    scene.normals.emplace_back(0.0F, 1.0F, 0.0F);
+  }
+  for (const glm::uvec3& corners : {glm::uvec3(0, 1, 2), glm::uvec3(0, 2, 3)}) {
+    scene.triangles.push_back(corners + first_vertex);
+    scene.triangle_object.push_back(static_cast<std::uint32_t>(scene.objects.size() - 1));
+    scene.triangle_material.push_back(material);
+  }
+}
+
+// A file's up vector belongs to its own direction of view: on another one it would roll the picture.
+void fix_up(Camera& camera, bool view_changed) {
+  if (view_changed) camera.up = {0.0F, 1.0F, 0.0F};
+  const glm::dvec3 ahead = glm::normalize(glm::dvec3(camera.look_at) - glm::dvec3(camera.position));
+  const double length = glm::length(glm::dvec3(camera.up));
+  const bool usable =
+      length > 0.0 && std::isfinite(length) && glm::length(glm::cross(ahead, glm::dvec3(camera.up) / length)) > 1e-4;
+  if (!usable) camera.up = any_axis_across(glm::vec3(ahead));
+}
+
+}  // namespace
+
+Result<Scene> complete_scene(Scene scene, const SceneSetup& setup, float aspect_ratio) {
+  if (auto fault = check_setup(scene, setup, aspect_ratio)) return *fault;
+  const Bounds bounds = bounds_of(scene);
+  const float scale = scale_of(bounds);
+  if (!std::isfinite(4.0F * scale) || !is_finite(bounds.center())) return fault_of("the scene is too large to frame");
+  const bool bare = scene.cameras.empty() && scene.lights.empty();
+
+  const float own_fov = scene.cameras.empty() ? Camera{}.vertical_fov_degrees : scene.cameras[0].vertical_fov_degrees;
+  const float fov = setup.fov_degrees.value_or(own_fov);
+  if (auto fault = check_fov(fov)) return *fault;
+  Camera camera = scene.cameras.empty() ? framing_camera(bounds, fov, aspect_ratio) : scene.cameras[0];
+  camera.vertical_fov_degrees = fov;
+  // The default light follows the file's or the default view, not the user's, so that walking around the scene does not
+  // move its shadows.
+  PointLight light = scene.lights.empty() ? framing_light(bounds, camera) : scene.lights[0];
+  light.position = setup.light.value_or(light.position);
+  camera.position = setup.camera.value_or(camera.position);
+  camera.look_at = setup.look_at.value_or(camera.look_at);
+
+  if (!is_finite(camera.position) || !is_finite(camera.look_at))
+    return fault_of("the camera's place is not finite: the field of view is too small for this scene");
+  if (!is_finite(light.position)) return fault_of("the light's position is not finite");
+  if (glm::distance(camera.position, camera.look_at) <= kTooClose * scale)
+    return fault_of("the camera stands at the point that it looks at");
+  if (glm::distance(camera.position, light.position) <= kTooClose * scale)
+    return fault_of("the camera stands at the light: no shadow could be seen");
+  fix_up(camera, setup.camera.has_value() || setup.look_at.has_value());
+
+  if (setup.floor == FloorChoice::at_height) {
+    add_floor(scene, bounds, setup.floor_height);
+  } else if (setup.floor == FloorChoice::automatic && bare) {
+    // A little below the model: a floor in one plane with the model's underside would fight with it for pixels.
+    add_floor(scene, bounds, bounds.low.y - 1e-3F * scale);
+  }
+  scene.cameras = {camera};
+  scene.lights = {light};
+  return scene;
+}
+
+}  // namespace ninebit

@@ -1,0 +1,86 @@
+// Lines, words and numbers of the text formats.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "ninebit/numerics/result.h"
+
+namespace ninebit {
+
+inline bool is_blank(char c) {
+  return c == ' ' || c == '\t' || c == '\v' || c == '\f' || c == '\r';
+}
+
+// Walks through a text line by line; \n, \r\n and \r all end a line.
+class LineScanner {
+ public:
+  explicit LineScanner(std::string_view text) : text_(text) {}
+
+  // False at the end. The line comes without its end.
+  bool next(std::string_view& line) {
+    if (at_ >= text_.size()) return false;
+    const std::size_t end = std::min(text_.find_first_of("\r\n", at_), text_.size());
+    line = text_.substr(at_, end - at_);
+    at_ = end + 1;
+    if (end + 1 < text_.size() && text_[end] == '\r' && text_[end + 1] == '\n') ++at_;
+    ++number_;
+    return true;
+  }
+
+  [[nodiscard]] int number() const { return number_; }  // of the line that next() gave, from 1
+  [[nodiscard]] std::size_t offset() const { return std::min(at_, text_.size()); }  // of what follows it
+
+ private:
+  std::string_view text_;
+  std::size_t at_ = 0;
+  int number_ = 0;
+};
+
+// The words of a line up to a '#' that starts a word.
+inline void split_words(std::string_view line, std::vector<std::string_view>& words) {
+  words.clear();
+  std::size_t at = 0;
+  while (at < line.size()) {
+    if (is_blank(line[at])) {
+      ++at;
+      continue;
+    }
+    if (line[at] == '#') return;
+    const std::size_t start = at;
+    while (at < line.size() && !is_blank(line[at])) ++at;
+    words.push_back(line.substr(start, at - start));
+  }
+}
+
+// A whole word as a number; nothing if it is none. The result may be NaN or infinite where the word says so.
+template <class Number>
+std::optional<Number> number_of(std::string_view word) {
+  if (word.size() > 1 && word[0] == '+' && word[1] != '-') word.remove_prefix(1);
+  Number value{};
+  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+  if (error != std::errc() || end != word.data() + word.size()) return std::nullopt;
+  return value;
+}
+
+inline Diagnostic at_line(int line, std::string message) {
+  return {std::move(message), "", line, Fault::invalid_input};
+}
+
+// The fault of a word that should be a coordinate, if there is one. Coordinates are single precision.
+inline std::optional<std::string> coordinate_fault(std::string_view word) {
+  const std::optional<double> value = number_of<double>(word);
+  if (!value) return fmt::format("'{}' is not a number", word);
+  if (!std::isfinite(static_cast<float>(*value))) return fmt::format("the position '{}' is not finite", word);
+  return std::nullopt;
+}
+
+}  // namespace ninebit
