@@ -1,0 +1,25 @@
+// Index cube shadow mapping with register combiners, after Ron Frazier's article.
+#pragma once
+
+#include "ninebit/combiner/state.h"
+#include "ninebit/numerics/hardware_profile.h"
+#include "ninebit/shadow/technique.h"
+
+namespace ninebit {
+
+// The article's two general combiners and final combiner, set call for call through the entry points of gl_nv.h: alpha
+// is 0 where the primary colour and texture 0 agree in red, green and blue.
+[[nodiscard]] CombinerState index_comparison_state(const HardwareProfile& profile);
+
+// Draws the scene's shadows in the article's passes:
+//   1. six 90° views from the light, every polygon flat in the colour of its index, into a cube map;
+//   2. the camera's depth;
+//   3. every polygon again with its index as primary colour and the cube map on unit 0, fetched NEAREST along the
+//   vector
+//      from the light; alpha test GREATER 0, stencil REPLACE 1, depth test EQUAL;
+//   4. the lit pass where the stencil is 0, then the shadow pass where it is 1.
+// Besides what Technique::render says, reports too many polygons for the step's codes, and a light inside a solid.
+[[nodiscard]] Result<Rendering> render_index_cube(const Scene& scene, const RenderSettings& settings,
+                                                  const Progress& progress);
+
+}  // namespace ninebit

@@ -1,0 +1,26 @@
+// A rendering as files: pictures for people, EXR planes for programs.
+#pragma once
+
+#include "ninebit/image/image_io.h"
+#include "ninebit/image/staged_files.h"
+#include "ninebit/numerics/result.h"
+#include "ninebit/shadow/technique.h"
+
+namespace ninebit {
+
+// The frame's colours, upright.
+[[nodiscard]] Image8 color_picture(const Rendering& rendering);
+
+// The stencil buffer: white where it is not 0, in shadow.
+[[nodiscard]] Image8 stencil_picture(const Rendering& rendering);
+
+// The index cube map as a cross of 4 × 3 faces (+Y on top, then -X +Z +X -Z, -Y below), texel t = 0 on top as the
+// extension's faces have it. Neighbouring indices get far-apart hues; the cleared map is black.
+[[nodiscard]] Image8 index_cross_picture(const Rendering& rendering);
+
+// Writes color.png, shadow.png, index_cube.png and index_cube.exr (channels index, UINT, and R G B, half: the codes'
+// bytes over 255); with layers also layers.exr: parts primary, texture0, spare0, spare1 (R G B, A where there is one),
+// output (A), each register codes as half, and stencil, depth, polygon, object as UINT; upright.
+[[nodiscard]] Status write_rendering(const Rendering& rendering, StagedFiles& files);
+
+}  // namespace ninebit

@@ -1,0 +1,317 @@
+#include "ninebit/shadow/index_cube.h"
+
+#include <fmt/format.h>
+
+#include <bit>
+#include <chrono>
+#include <string>
+#include <utility>
+
+#include "ninebit/combiner/program.h"
+#include "ninebit/raster/rasterizer.h"
+#include "src/shadow/shading.h"
+#include "src/shadow/views.h"
+
+namespace ninebit {
+namespace {
+
+constexpr ColorBytes kBackground{38, 42, 51, 255};
+
+Diagnostic invalid(std::string message) {
+  return Diagnostic{.message = std::move(message)};
+}
+
+Status check_settings(const Scene& scene, const RenderSettings& settings) {
+  if (scene.triangles.empty()) return invalid("the scene has no triangles");
+  if (scene.cameras.size() != 1 || scene.lights.size() != 1) {
+    return invalid(fmt::format("the scene has {} cameras and {} lights; expected one of each", scene.cameras.size(),
+                               scene.lights.size()));
+  }
+  const int n = settings.map_size;
+  if (n < 1 || n > kMaxSurfaceSize || !std::has_single_bit(static_cast<unsigned>(n))) {
+    return invalid(fmt::format("map size {} is not a power of two from 1 to {}", n, kMaxSurfaceSize));
+  }
+  return {};
+}
+
+// Measures one pass after the other.
+class Stopwatch {
+ public:
+  double lap_ms() {
+    const auto now = std::chrono::steady_clock::now();
+    const double ms = std::chrono::duration<double, std::milli>(now - start_).count();
+    start_ = now;
+    return ms;
+  }
+
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+// A share of the scene's triangles with their index colours.
+struct TriangleSet {
+  std::vector<glm::uvec3> triangles;
+  std::vector<ColorBytes> index_colors;
+};
+
+// One run of the technique, pass by pass.
+class IndexCubeRun {
+ public:
+  IndexCubeRun(const Scene& scene, const RenderSettings& settings, Rendering& rendering)
+      : scene_(scene), settings_(settings), out_(rendering), light_(scene.lights[0]) {}
+
+  void transform() {
+    assign_indices();
+    shading_ = shade_vertices(scene_, light_, settings_.light_facing, settings_.profile);
+    from_light_.resize(scene_.positions.size());
+    for (std::size_t i = 0; i < from_light_.size(); ++i) from_light_[i] = scene_.positions[i] - light_.position;
+    const float aspect = static_cast<float>(settings_.width) / static_cast<float>(settings_.height);
+    camera_projection_ = camera_projection(scene_, scene_.cameras[0], aspect);
+    light_range_ = depth_range(scene_, light_.position, kCubeCornerCosine);
+  }
+
+  // Pass 1: indices into the cube map. The cleared map is index 0.
+  Status draw_map() {
+    PipelineState state = base_state();
+    state.shade_model = ShadeModel::flat;
+    state.depth_test = {.enabled = true, .function = CompareFunction::less, .write = true};
+    TriangleArrays arrays{.positions = scene_.positions, .triangles = scene_.triangles};
+    arrays.triangle_colors = index_colors_;
+    for (const CubeFace face : kCubeFaces) {
+      auto surface = Surface::make(settings_.map_size, settings_.map_size, true);
+      if (!surface) return surface.error();
+      RenderTarget target = surface->target();
+      const glm::mat4 projection = cube_face_projection(face, light_.position, light_range_);
+      if (Status drawn = rasterize(state, projection, arrays, {}, target); !drawn) return drawn;
+      out_.index_map.push_back(std::move(*surface));
+    }
+    map_.size = settings_.map_size;
+    for (std::size_t f = 0; f < 6; ++f) {
+      for (int c = 0; c < 3; ++c) {
+        map_.faces[f][static_cast<std::size_t>(c)] = {out_.index_map[f].color(c).data(), settings_.map_size};
+      }
+    }
+    return light_is_inside_solid() ? Status(invalid(inside_solid_message())) : Status();
+  }
+
+  // Pass 2: the camera's depth.
+  Status draw_depth() {
+    out_.frame.clear({.color = kBackground});
+    PipelineState state = base_state();
+    state.color_mask = {false, false, false, false};
+    state.depth_test = {.enabled = true, .function = CompareFunction::less, .write = true};
+    RenderTarget target = out_.frame.target();
+    return rasterize(state, camera_projection_, all_triangles(), {}, target);
+  }
+
+  // Pass 3: shadows into the stencil buffer. What the index says of a surface that is turned away from the light is of
+  // no interest with light_facing: it is in shadow.
+  Status compare_indices() {
+    auto program = compile(index_comparison_state(settings_.profile), settings_.profile);
+    if (!program) return program.error();
+    PipelineState state = base_state();
+    state.shade_model = ShadeModel::flat;
+    state.program = *program;
+    state.color_mask = {false, false, false, false};
+    state.alpha_test = {.enabled = true, .function = CompareFunction::greater, .reference = 0};
+    state.depth_test = {.enabled = true, .function = CompareFunction::equal, .write = false};
+    state.stencil_test = {
+        .enabled = true, .function = CompareFunction::always, .reference = 1, .depth_pass = StencilOperation::replace};
+    RenderTarget target = out_.frame.target();
+    if (settings_.layers) add_captures(target);
+
+    TriangleSet compared, averted;
+    TriangleArrays arrays = all_triangles();
+    arrays.triangle_colors = index_colors_;
+    arrays.texture_coordinates[0] = from_light_;
+    if (settings_.light_facing) {
+      split_by_facing(compared, averted);
+      arrays.triangles = compared.triangles;
+      arrays.triangle_colors = compared.index_colors;
+    }
+    const std::array<const CubeMap*, 1> textures{&map_};
+    if (Status drawn = rasterize(state, camera_projection_, arrays, textures, target); !drawn) return drawn;
+    if (!settings_.light_facing) return {};
+
+    state.program.reset();
+    state.alpha_test.enabled = false;
+    target.captures.clear();
+    TriangleArrays away{.positions = scene_.positions, .triangles = averted.triangles};
+    return rasterize(state, camera_projection_, away, {}, target);
+  }
+
+  // Pass 4: the lit pass where the stencil is 0, the shadow pass where it is 1.
+  Status shade() {
+    for (const std::uint8_t stencil : {std::uint8_t{0}, std::uint8_t{1}}) {
+      PipelineState state = base_state();
+      state.depth_test = {.enabled = true, .function = CompareFunction::equal, .write = false};
+      state.stencil_test = {.enabled = true, .function = CompareFunction::equal, .reference = stencil};
+      TriangleArrays arrays = all_triangles();
+      arrays.vertex_colors = stencil == 0 ? shading_.lit : shading_.shadowed;
+      RenderTarget target = out_.frame.target();
+      if (Status drawn = rasterize(state, camera_projection_, arrays, {}, target); !drawn) return drawn;
+    }
+    return {};
+  }
+
+  void count() {
+    for (std::size_t i = 0; i < out_.frame.stencil().size(); ++i) {
+      if (out_.frame.depth_z24()[i] == kMaxDepthZ24) {
+        ++out_.background;
+      } else if (out_.frame.stencil()[i] == 0) {
+        ++out_.lit;
+      } else {
+        ++out_.shadowed;
+      }
+    }
+    if (out_.layers) name_polygons(*out_.layers);
+  }
+
+ private:
+  PipelineState base_state() const {
+    PipelineState state;
+    state.profile = settings_.profile;
+    state.cull_face = settings_.cull_face;
+    return state;
+  }
+
+  TriangleArrays all_triangles() const { return {.positions = scene_.positions, .triangles = scene_.triangles}; }
+
+  // Indices are counted afresh for each rendering, from 1: 0 is the cleared map.
+  void assign_indices() {
+    index_colors_.resize(scene_.triangles.size());
+    for (std::size_t t = 0; t < index_colors_.size(); ++t) {
+      const std::uint32_t number =
+          settings_.index_scope == IndexScope::polygon ? static_cast<std::uint32_t>(t) : scene_.triangle_object[t];
+      index_colors_[t] = out_.codes.color(number + 1);
+    }
+  }
+
+  glm::vec3 normal_times_area(const glm::uvec3& t) const {
+    const glm::vec3& a = scene_.positions[t.x];
+    return glm::cross(scene_.positions[t.y] - a, scene_.positions[t.z] - a);
+  }
+
+  bool faces_light(const glm::uvec3& t) const {
+    return glm::dot(normal_times_area(t), light_.position - scene_.positions[t.x]) > 0.0F;
+  }
+
+  void split_by_facing(TriangleSet& compared, TriangleSet& averted) const {
+    for (std::size_t t = 0; t < scene_.triangles.size(); ++t) {
+      TriangleSet& set = faces_light(scene_.triangles[t]) ? compared : averted;
+      set.triangles.push_back(scene_.triangles[t]);
+      set.index_colors.push_back(index_colors_[t]);
+    }
+  }
+
+  // Whether every direction from the light meets the back of a polygon, and the camera stands beyond it. A room whose
+  // walls are wound the wrong way around does not count while the camera is in the same room.
+  bool light_is_inside_solid() const {
+    for (const Surface& face : out_.index_map) {
+      for (const std::uint32_t triangle : face.primitive()) {
+        if (triangle >= scene_.triangles.size() || faces_light(scene_.triangles[triangle])) return false;
+      }
+    }
+    const glm::vec3 to_camera = scene_.cameras[0].position - light_.position;
+    const CubeMap::Texel texel = map_.nearest(to_camera.x, to_camera.y, to_camera.z);
+    const glm::vec4 clip =
+        cube_face_projection(texel.face, light_.position, light_range_) * glm::vec4(scene_.cameras[0].position, 1.0F);
+    const Surface& face = out_.index_map[static_cast<std::size_t>(texel.face)];
+    const std::size_t at = static_cast<std::size_t>(texel.y) * static_cast<std::size_t>(settings_.map_size) +
+                           static_cast<std::size_t>(texel.x);
+    return (clip.z / clip.w * 0.5F + 0.5F) * static_cast<float>(kMaxDepthZ24) >
+           static_cast<float>(face.depth_z24()[at]);
+  }
+
+  std::string inside_solid_message() const {
+    const std::uint32_t triangle = out_.index_map[0].primitive()[0];
+    return fmt::format(
+        "the light at ({}, {}, {}) is inside a solid (\"{}\"): in every direction it meets the back of a polygon, and "
+        "the "
+        "camera is outside; expected a light in the open",
+        light_.position.x, light_.position.y, light_.position.z, scene_.objects[scene_.triangle_object[triangle]].name);
+  }
+
+  void add_captures(RenderTarget& target) {
+    ComparisonLayers& layers = out_.layers.emplace();
+    const std::size_t pixels = out_.frame.stencil().size();
+    const auto capture = [&](Register reg, int component, std::vector<s9>& plane) {
+      plane.assign(pixels, 0);
+      target.captures.push_back({reg, component, {plane.data(), settings_.width}});
+    };
+    for (int c = 0; c < 4; ++c) {
+      const auto i = static_cast<std::size_t>(c);
+      if (c < 3) capture(Register::primary, c, layers.primary[i]);
+      if (c < 3) capture(Register::texture0, c, layers.texture0[i]);
+      capture(Register::spare0, c, layers.spare0[i]);
+      capture(Register::spare1, c, layers.spare1[i]);
+    }
+    capture(Register::discard, kAlpha, layers.output_alpha);
+  }
+
+  // From the triangles that the lit and shadow passes drew.
+  void name_polygons(ComparisonLayers& layers) const {
+    const std::vector<std::uint32_t>& drawn = out_.frame.primitive();
+    layers.polygon.assign(drawn.size(), 0);
+    layers.object.assign(drawn.size(), 0);
+    for (std::size_t i = 0; i < drawn.size(); ++i) {
+      if (drawn[i] >= scene_.triangles.size()) continue;
+      layers.polygon[i] = drawn[i] + 1;
+      layers.object[i] = scene_.triangle_object[drawn[i]] + 1;
+    }
+  }
+
+  const Scene& scene_;
+  const RenderSettings& settings_;
+  Rendering& out_;
+  const PointLight& light_;
+  std::vector<ColorBytes> index_colors_;
+  std::vector<glm::vec3> from_light_;
+  VertexShading shading_;
+  glm::mat4 camera_projection_{1.0F};
+  DepthRange light_range_{};
+  CubeMap map_;
+};
+
+}  // namespace
+
+Result<Rendering> render_index_cube(const Scene& scene, const RenderSettings& settings, const Progress& progress) {
+  if (Status checked = check_settings(scene, settings); !checked) return checked.error();
+  const std::uint64_t objects = scene.objects.size();
+  const std::uint64_t used = settings.index_scope == IndexScope::polygon ? scene.triangles.size() : objects;
+  if (Status enough = check_index_codes(settings.index_step, settings.index_scope, used, objects); !enough) {
+    return enough.error();
+  }
+  auto frame = Surface::make(settings.width, settings.height, settings.layers);
+  if (!frame) return frame.error();
+
+  Rendering rendering{.frame = std::move(*frame), .codes = IndexCodes(settings.index_step), .codes_used = used};
+  IndexCubeRun run(scene, settings, rendering);
+  Stopwatch watch;
+  const auto go_on = [&](std::string_view pass, double done) { return !progress || progress(pass, done); };
+  const Diagnostic cancelled{.message = "interrupted", .fault = Fault::cancelled};
+
+  if (!go_on("indices", 0.0)) return cancelled;
+  run.transform();
+  rendering.times.transform = watch.lap_ms();
+
+  if (!go_on("index cube map", 0.1)) return cancelled;
+  if (Status done = run.draw_map(); !done) return done.error();
+  rendering.times.maps = watch.lap_ms();
+
+  if (!go_on("camera depth", 0.5)) return cancelled;
+  if (Status done = run.draw_depth(); !done) return done.error();
+  rendering.times.camera = watch.lap_ms();
+
+  if (!go_on("index comparison", 0.6)) return cancelled;
+  if (Status done = run.compare_indices(); !done) return done.error();
+  rendering.times.compare = watch.lap_ms();
+
+  if (!go_on("lit and shadow pass", 0.8)) return cancelled;
+  if (Status done = run.shade(); !done) return done.error();
+  rendering.times.shade = watch.lap_ms();
+  run.count();
+  return rendering;
+}
+
+}  // namespace ninebit

@@ -1,0 +1,22 @@
+// The colours of the lit and the shadow pass: per-vertex diffuse lighting, as OpenGL of that time did it.
+#pragma once
+
+#include <vector>
+
+#include "ninebit/raster/rasterizer.h"
+#include "ninebit/scene/scene.h"
+
+namespace ninebit {
+
+struct VertexShading {
+  std::vector<ColorBytes> lit;
+  std::vector<ColorBytes> shadowed;
+};
+
+// Base colour × (ambient + diffuse · cos), with the profile's conversion of float colours to bytes. With `light_facing`
+// surfaces that turn away from the light get no diffuse light; otherwise both sides are lit alike, as in the article's
+// pictures. In shadow, a quarter of the diffuse light stays, so that shapes can be told apart.
+[[nodiscard]] VertexShading shade_vertices(const Scene& scene, const PointLight& light, bool light_facing,
+                                           const HardwareProfile& profile);
+
+}  // namespace ninebit

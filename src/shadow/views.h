@@ -1,0 +1,30 @@
+// Projections: the camera's, and the six of a cube map around the light.
+#pragma once
+
+#include <glm/glm.hpp>
+
+#include "ninebit/raster/texture.h"
+#include "ninebit/scene/scene.h"
+
+namespace ninebit {
+
+// Distances along a view axis between which everything of the scene lies.
+struct DepthRange {
+  float near_plane;
+  float far_plane;
+};
+
+// The range for a view from `eye` that sees points up to `cos_corner` away from its axis (cosine of the angle between
+// axis and the picture's corner). Near is as far out as the nearest triangle allows, at least far / 65,536.
+[[nodiscard]] DepthRange depth_range(const Scene& scene, const glm::vec3& eye, float cos_corner);
+
+// World space to clip space of a camera, with window y up.
+[[nodiscard]] glm::mat4 camera_projection(const Scene& scene, const Camera& camera, float aspect_ratio);
+
+// World space to clip space of one cube-map face seen from `center`: window x follows the face's s, window y its t.
+[[nodiscard]] glm::mat4 cube_face_projection(CubeFace face, const glm::vec3& center, const DepthRange& range);
+
+// The cosine of the angle between a cube face's axis and its corner.
+inline constexpr float kCubeCornerCosine = 0.57735026F;
+
+}  // namespace ninebit

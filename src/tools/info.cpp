@@ -1,0 +1,41 @@
+// `ninebit info`: what this build is and what it runs on.
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "ninebit/combiner/evaluate.h"
+#include "ninebit/shadow/technique.h"
+#include "src/tools/program.h"
+
+namespace ninebit::tools {
+namespace {
+
+void print_info(const CommonFlags& flags) {
+  std::vector<std::string> names;
+  for (const Technique& technique : techniques()) names.emplace_back(technique.name);
+  const Json out{{"command", "info"},
+                 {"version", NINEBIT_VERSION},
+                 {"profile", flags.profile},
+                 {"rows", Json::array({{{"compiler", __VERSION__},
+                                        {"simd_target", simd_target()},
+                                        {"batch", kBatchSize},
+                                        {"techniques", names}}})}};
+  if (flags.json) {
+    fmt::print("{}\n", out.dump(2));
+    return;
+  }
+  fmt::print("ninebit {}\ncompiler: {}\nSIMD target: {}\ntechniques: {}\n", NINEBIT_VERSION, __VERSION__, simd_target(),
+             fmt::join(names, ", "));
+}
+
+}  // namespace
+
+void add_info(CLI::App& app, int&) {
+  CLI::App* verb = app.add_subcommand("info", "What this build is and which SIMD target it runs on");
+  verb->footer("Example: ninebit info --json");
+  auto flags = std::make_shared<CommonFlags>();
+  add_common_flags(*verb, *flags);
+  verb->callback([flags] { print_info(*flags); });
+}
+
+}  // namespace ninebit::tools

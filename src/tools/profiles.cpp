@@ -1,0 +1,94 @@
+// `ninebit profiles`: what is modelled, and how well it is known.
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <memory>
+
+#include "src/tools/program.h"
+
+namespace ninebit::tools {
+namespace {
+
+std::string text_of(int v) {
+  return std::to_string(v);
+}
+std::string text_of(bool v) {
+  return v ? "yes" : "no";
+}
+std::string text_of(Narrowing v) {
+  return v == Narrowing::toward_zero ? "toward zero" : "to nearest, halves up";
+}
+std::string text_of(NarrowingPoint v) {
+  return v == NarrowingPoint::after_scale ? "after scaling" : "before scaling";
+}
+std::string text_of(SecondaryAlpha v) {
+  return v == SecondaryAlpha::one ? "1.0" : "as given";
+}
+
+struct Row {
+  std::string field, value, evidence, source;
+};
+
+std::vector<Row> rows_of(const HardwareProfile& p) {
+  std::vector<Row> rows;
+  const auto add = [&](const char* field, const auto& choice) {
+    rows.push_back({field, text_of(choice.value), std::string(name_of(choice.evidence)), std::string(choice.source)});
+  };
+  add("one", p.one);
+  add("lowest", p.lowest);
+  add("half", p.half);
+  add("expand_offset", p.expand_offset);
+  add("byte_shift", p.byte_shift);
+  add("general_narrowing", p.general_narrowing);
+  add("narrowing_point", p.narrowing_point);
+  add("final_narrowing", p.final_narrowing);
+  add("general_combiners", p.general_combiners);
+  add("texture_units", p.texture_units);
+  add("per_stage_constants", p.per_stage_constants);
+  add("blue_to_alpha", p.blue_to_alpha);
+  add("spare0_alpha_without_texture0", p.spare0_alpha_without_texture0);
+  add("disabled_texture_alpha", p.disabled_texture_alpha);
+  add("secondary_alpha", p.secondary_alpha);
+  add("fog_alpha_without_fog", p.fog_alpha_without_fog);
+  add("subpixel_bits", p.subpixel_bits);
+  add("vertex_color_mantissa_bits", p.vertex_color_mantissa_bits);
+  return rows;
+}
+
+void print_profiles(const CommonFlags& flags) {
+  if (!flags.json) {
+    for (const HardwareProfile& profile : hardware_profiles()) {
+      fmt::print("{}: {}\n", profile.name, profile.chip);
+      for (const Row& r : rows_of(profile)) {
+        fmt::print("  {:<30} {:<22} {:<10} {}\n", r.field, r.value, r.evidence, r.source);
+      }
+      fmt::print("\n");
+    }
+    return;
+  }
+  Json rows = Json::array();
+  for (const HardwareProfile& profile : hardware_profiles()) {
+    for (const Row& r : rows_of(profile)) {
+      rows.push_back({{"profile", profile.name},
+                      {"field", r.field},
+                      {"value", r.value},
+                      {"evidence", r.evidence},
+                      {"source", r.source}});
+    }
+  }
+  const Json out{
+      {"command", "profiles"}, {"version", NINEBIT_VERSION}, {"profile", flags.profile}, {"rows", std::move(rows)}};
+  fmt::print("{}\n", out.dump(2));
+}
+
+}  // namespace
+
+void add_profiles(CLI::App& app, int&) {
+  CLI::App* verb = app.add_subcommand("profiles", "The hardware profiles: every field and how well it is known");
+  verb->footer("Example: ninebit profiles --json");
+  auto flags = std::make_shared<CommonFlags>();
+  add_common_flags(*verb, *flags);
+  verb->callback([flags] { print_profiles(*flags); });
+}
+
+}  // namespace ninebit::tools

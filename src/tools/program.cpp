@@ -1,0 +1,73 @@
+#include "src/tools/program.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <csignal>
+#include <cstdio>
+
+namespace ninebit::tools {
+namespace {
+
+volatile std::sig_atomic_t interrupted = 0;
+
+// The second SIGINT ends the program at once: outputs that are not complete have temporary names.
+extern "C" void on_interrupt(int) {
+  interrupted = 1;
+  std::signal(SIGINT, SIG_DFL);
+}
+
+}  // namespace
+
+void add_common_flags(CLI::App& verb, CommonFlags& flags) {
+  std::vector<std::string> names;
+  for (const HardwareProfile& profile : hardware_profiles()) names.emplace_back(profile.name);
+  verb.add_flag("--json", flags.json, "Machine-readable output on stdout, and nothing else there");
+  verb.add_flag("--quiet", flags.quiet, "No progress and no list of files");
+  verb.add_option("--profile", flags.profile, "The hardware to compute as")
+      ->capture_default_str()
+      ->check(CLI::IsMember(names));
+  verb.add_option("--threads", flags.threads, "Threads to use, 0 for all; never changes a result")
+      ->capture_default_str()
+      ->check(CLI::Range(0, 1024));
+}
+
+const HardwareProfile& profile_of(const CommonFlags& flags) {
+  return *find_profile(flags.profile);
+}
+
+int report(const Diagnostic& diagnostic) {
+  std::fflush(stdout);
+  fmt::print(stderr, "ninebit: error: {}\n", diagnostic.text());
+  switch (diagnostic.fault) {
+    case Fault::invalid_input:
+      return kInvalidInput;
+    case Fault::cannot_write:
+      return kCannotWrite;
+    case Fault::cancelled:
+      return kInterrupted;
+  }
+  return kInvalidInput;
+}
+
+ProgressLine::ProgressLine(bool quiet) : visible_(!quiet && isatty(STDERR_FILENO) != 0) {
+  std::signal(SIGINT, on_interrupt);
+}
+
+ProgressLine::~ProgressLine() {
+  if (visible_) fmt::print(stderr, "\r\x1b[K");
+}
+
+bool ProgressLine::step(std::string_view what, double done) {
+  if (visible_) {
+    constexpr int kWidth = 30;
+    const int filled = static_cast<int>(std::clamp(done, 0.0, 1.0) * kWidth);
+    fmt::print(stderr, "\r\x1b[K[{}{}] {}", std::string(static_cast<std::size_t>(filled), '#'),
+               std::string(static_cast<std::size_t>(kWidth - filled), '.'), what);
+    std::fflush(stderr);
+  }
+  return interrupted == 0;
+}
+
+}  // namespace ninebit::tools

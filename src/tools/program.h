@@ -1,0 +1,64 @@
+// What every verb of the program shares: common flags, exit codes, messages, progress.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "ninebit/numerics/hardware_profile.h"
+#include "ninebit/numerics/result.h"
+
+namespace ninebit::tools {
+
+using Json = nlohmann::ordered_json;
+
+enum ExitCode : int {
+  kDone = 0,
+  kDifference = 1,
+  kWrongUsage = 2,
+  kInvalidInput = 3,
+  kCannotWrite = 4,
+  kInterrupted = 130  // as a shell reports SIGINT
+};
+
+// The flags that every verb has.
+struct CommonFlags {
+  bool json = false;
+  bool quiet = false;
+  std::string profile = "geforce2";
+  int threads = 0;  // 0: all
+};
+
+// Adds the common flags to a verb. A wrong profile name or thread count is a usage error.
+void add_common_flags(CLI::App& verb, CommonFlags& flags);
+
+// The profile that add_common_flags has checked.
+[[nodiscard]] const HardwareProfile& profile_of(const CommonFlags& flags);
+
+// Prints "ninebit: error: TEXT" to stderr and gives the exit code of the fault.
+[[nodiscard]] int report(const Diagnostic& diagnostic);
+
+// Progress on one line of stderr while that is a terminal and nobody asked for quiet; from the first SIGINT on,
+// step() answers false.
+class ProgressLine {
+ public:
+  explicit ProgressLine(bool quiet);
+  ~ProgressLine();
+  ProgressLine(const ProgressLine&) = delete;
+  ProgressLine& operator=(const ProgressLine&) = delete;
+
+  bool step(std::string_view what, double done);
+
+ private:
+  bool visible_;
+};
+
+// Each verb adds itself and returns through `exit_code` what its run ends with.
+void add_render(CLI::App& app, int& exit_code);
+void add_profiles(CLI::App& app, int& exit_code);
+void add_info(CLI::App& app, int& exit_code);
+
+}  // namespace ninebit::tools
