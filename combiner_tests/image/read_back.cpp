@@ -8,6 +8,7 @@
 #include <ImfInputPart.h>
 #include <ImfMultiPartInputFile.h>
 #include <ImfStandardAttributes.h>
+#include <OpenImageIO/imageio.h>
 #include <half.h>
 #include <sys/resource.h>
 #include <unistd.h>
@@ -90,63 +91,19 @@ std::vector<StoredPart> read_exr(const fs::path& file) {
   return parts;
 }
 
-namespace {
-
-std::string big_endian(std::uint32_t value) {
-  std::string bytes;
-  for (const unsigned shift : {24U, 16U, 8U, 0U}) bytes += static_cast<char>((value >> shift) & 0xFFU);
-  return bytes;
-}
-
-std::uint32_t crc32(std::string_view bytes) {
-  std::uint32_t crc = 0xFFFFFFFFU;
-  for (const char byte : bytes) {
-    crc ^= static_cast<std::uint8_t>(byte);
-    for (int bit = 0; bit < 8; ++bit) crc = (crc & 1U) != 0 ? (crc >> 1) ^ 0xEDB88320U : crc >> 1;
+ninebit::Image8 read_png(const fs::path& file) {
+  OIIO::ImageSpec wishes;
+  wishes.attribute("oiio:UnassociatedAlpha", 1);
+  const auto input = OIIO::ImageInput::open(file.string(), &wishes);
+  if (!input) throw std::runtime_error(OIIO::geterror());
+  const OIIO::ImageSpec& spec = input->spec();
+  ninebit::Image8 image{spec.width, spec.height, spec.nchannels, {}};
+  image.pixels.resize(static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(spec.height) *
+                      static_cast<std::size_t>(spec.nchannels));
+  if (!input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::UINT8, image.pixels.data())) {
+    throw std::runtime_error(input->geterror());
   }
-  return ~crc;
-}
-
-std::uint32_t adler32(std::string_view bytes) {
-  std::uint32_t a = 1;
-  std::uint32_t b = 0;
-  for (const char byte : bytes) {
-    a = (a + static_cast<std::uint8_t>(byte)) % 65521U;
-    b = (b + a) % 65521U;
-  }
-  return (b << 16) | a;
-}
-
-}  // namespace
-
-std::string png_chunk(const std::string& name, const std::string& content) {
-  return big_endian(static_cast<std::uint32_t>(content.size())) + name + content + big_endian(crc32(name + content));
-}
-
-std::string stored_deflate(const std::string& bytes) {
-  const std::size_t size = bytes.size();
-  if (size > 0xFFFF) throw std::runtime_error("too large for one stored block");
-  std::string out = "\x78\x01\x01";
-  for (const std::size_t value : {size, ~size}) {
-    out += static_cast<char>(value & 0xFFU);
-    out += static_cast<char>((value >> 8) & 0xFFU);
-  }
-  return out + bytes + big_endian(adler32(bytes));
-}
-
-std::string plain_png(int width, int height, int channels, int depth, const std::vector<std::uint8_t>& bytes) {
-  constexpr std::array<char, 5> kColourType = {0, 0, 4, 2, 6};
-  std::string header = big_endian(static_cast<std::uint32_t>(width)) + big_endian(static_cast<std::uint32_t>(height));
-  header += static_cast<char>(depth);
-  header += kColourType.at(static_cast<std::size_t>(channels));
-  header += std::string(3, '\0');
-  const std::size_t row_bytes = static_cast<std::size_t>(width * channels * depth / 8);
-  std::string rows;
-  for (std::size_t row = 0; row < static_cast<std::size_t>(height); ++row) {
-    rows += '\0';
-    for (std::size_t b = 0; b < row_bytes; ++b) rows += static_cast<char>(bytes.at(row * row_bytes + b));
-  }
-  return kPngSignature + png_chunk("IHDR", header) + png_chunk("IDAT", stored_deflate(rows)) + png_chunk("IEND", "");
+  return image;
 }
 
 std::vector<std::string> png_chunks(std::string_view png) {

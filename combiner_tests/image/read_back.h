@@ -9,6 +9,8 @@
 #include <string_view>
 #include <vector>
 
+#include "ninebit/image/image_io.h"
+
 namespace image_test {
 
 // A new folder, removed with everything in it.
@@ -47,15 +49,8 @@ struct StoredPart {
 // All parts, by OpenEXR's own reader. Throws where that does.
 std::vector<StoredPart> read_exr(const std::filesystem::path& file);
 
-// A PNG in the plainest encoding there is (no filter, no compression), written from the format's specification. `depth`
-// is 8 or 16; `bytes` are the samples as the file stores them. Channels: 1 grey, 2 grey and alpha, 3 RGB, 4 RGBA.
-std::string plain_png(int width, int height, int channels, int depth, const std::vector<std::uint8_t>& bytes);
-
-// The pieces of which plain_png is made: a chunk with its length and checksum, and zlib's container around one stored
-// block (65535 bytes at most).
-inline const std::string kPngSignature = "\x89PNG\r\n\x1a\n";
-std::string png_chunk(const std::string& name, const std::string& content);
-std::string stored_deflate(const std::string& bytes);
+// An 8-bit picture with alpha as stored, by OpenImageIO's own reader. Throws std::runtime_error where it fails.
+ninebit::Image8 read_png(const std::filesystem::path& file);
 
 // The names of a PNG's chunks, in order.
 std::vector<std::string> png_chunks(std::string_view png);

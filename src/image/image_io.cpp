@@ -6,14 +6,11 @@
 
 #include <exception>
 #include <filesystem>
-#include <fstream>
 #include <memory>
 #include <new>
-#include <system_error>
 #include <utility>
 
 #include "src/image/faults.h"
-#include "src/image/png_chunks.h"
 #include "src/image/posix_file.h"
 
 namespace ninebit {
@@ -24,8 +21,6 @@ using image_detail::cannot_write;
 using image_detail::CheckedFile;
 using image_detail::complain_about_size;
 using image_detail::invalid_input;
-using image_detail::PngChunks;
-using image_detail::read_png_chunks;
 
 // Lets OpenImageIO write into a CheckedFile, which remembers the errors that a caller in between may drop.
 class CheckedProxy final : public OIIO::Filesystem::IOProxy {
@@ -40,22 +35,15 @@ class CheckedProxy final : public OIIO::Filesystem::IOProxy {
   CheckedFile& file_;
 };
 
-bool channels_are_supported(int channels) {
-  return channels == 1 || channels == 3 || channels == 4;
-}
-
-std::size_t byte_count(int width, int height, int channels) {
-  return static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * static_cast<std::size_t>(channels);
-}
-
 Status check(const std::filesystem::path& file, const Image8& image) {
   if (std::string complaint = complain_about_size(image.width, image.height); !complaint.empty()) {
     return invalid_input(file, "the picture " + complaint);
   }
-  if (!channels_are_supported(image.channels)) {
+  if (image.channels != 1 && image.channels != 3 && image.channels != 4) {
     return invalid_input(file, fmt::format("the picture has {} channels; 1, 3 or 4 can be written", image.channels));
   }
-  const std::size_t needed = byte_count(image.width, image.height, image.channels);
+  const std::size_t needed = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height) *
+                             static_cast<std::size_t>(image.channels);
   if (image.pixels.size() != needed) {
     return invalid_input(file,
                          fmt::format("the picture has {} bytes where its size needs {}", image.pixels.size(), needed));
@@ -76,25 +64,6 @@ std::string encode(CheckedFile& file, const Image8& image) {
   return done ? std::string() : "could not be encoded as PNG: " + output->geterror();
 }
 
-// Empty, or why the PNG could not be decoded.
-std::string decode(const std::string& png, Image8& image) {
-  OIIO::Filesystem::IOMemReader memory(png.data(), png.size());
-  const std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::create("png");
-  if (!input) return "OpenImageIO cannot read PNG: " + OIIO::geterror();
-  if (!input->set_ioproxy(&memory)) return "this OpenImageIO cannot read PNG from memory";
-  OIIO::ImageSpec spec;
-  OIIO::ImageSpec wishes;
-  wishes.attribute("oiio:UnassociatedAlpha", 1);
-  if (!input->open("memory.png", spec, wishes)) return "cannot be read as PNG: " + input->geterror();
-  if (!channels_are_supported(spec.nchannels)) {
-    return fmt::format("has {} channels; 1, 3 or 4 are expected", spec.nchannels);
-  }
-  image = {spec.width, spec.height, spec.nchannels, {}};
-  image.pixels.resize(byte_count(image.width, image.height, image.channels));
-  const bool done = input->read_image(0, 0, 0, image.channels, OIIO::TypeDesc::UINT8, image.pixels.data());
-  return done ? std::string() : "cannot be read as PNG: " + input->geterror();
-}
-
 }  // namespace
 
 Status write_png(const std::filesystem::path& file, const Image8& image) {
@@ -110,25 +79,6 @@ Status write_png(const std::filesystem::path& file, const Image8& image) {
   }
   if (!complaint.empty() && !output.failed()) return cannot_write(file, std::move(complaint));
   return output.close();
-}
-
-Result<Image8> read_png(const std::filesystem::path& file) {
-  std::error_code error;
-  if (std::filesystem::is_directory(file, error)) return invalid_input(file, "is a folder");
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream) return invalid_input(file, "cannot be opened");
-  const PngChunks chunks = read_png_chunks(stream);
-  if (!chunks.complaint.empty()) return invalid_input(file, chunks.complaint);
-  try {
-    Image8 image;
-    std::string complaint = decode(chunks.bytes, image);
-    if (!complaint.empty()) return invalid_input(file, std::move(complaint));
-    return image;
-  } catch (const std::bad_alloc&) {
-    throw;
-  } catch (const std::exception& fault) {
-    return invalid_input(file, fmt::format("cannot be read as PNG: {}", fault.what()));
-  }
 }
 
 }  // namespace ninebit

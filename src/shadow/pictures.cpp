@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <string>
 #include <utility>
 
@@ -150,14 +151,23 @@ Image8 index_cross_picture(const Rendering& rendering) {
 }
 
 Status write_rendering(const Rendering& rendering, StagedFiles& files) {
-  if (Status s = write_png(files.stage("color.png"), color_picture(rendering)); !s) return s;
-  if (Status s = write_png(files.stage("shadow.png"), stencil_picture(rendering)); !s) return s;
-  if (!rendering.index_map.empty()) {
-    if (Status s = write_png(files.stage("index_cube.png"), index_cross_picture(rendering)); !s) return s;
-    if (Status s = write_index_cube(rendering, files.stage("index_cube.exr")); !s) return s;
+  using Path = std::filesystem::path;
+  // Stages one file and names it by its final path in an error.
+  const auto write = [&](const char* name, const std::function<Status(const Path&)>& writer) -> Status {
+    Status written = writer(files.stage(name));
+    if (written) return written;
+    Diagnostic fault = written.error();
+    fault.file = files.files().back().string();
+    return fault;
+  };
+  Status s = write("color.png", [&](const Path& file) { return write_png(file, color_picture(rendering)); });
+  if (s) s = write("shadow.png", [&](const Path& file) { return write_png(file, stencil_picture(rendering)); });
+  if (s && !rendering.index_map.empty()) {
+    s = write("index_cube.png", [&](const Path& file) { return write_png(file, index_cross_picture(rendering)); });
+    if (s) s = write("index_cube.exr", [&](const Path& file) { return write_index_cube(rendering, file); });
   }
-  if (rendering.layers) return write_layers(rendering, files.stage("layers.exr"));
-  return {};
+  if (s && rendering.layers) s = write("layers.exr", [&](const Path& file) { return write_layers(rendering, file); });
+  return s;
 }
 
 }  // namespace ninebit

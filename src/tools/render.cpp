@@ -1,6 +1,7 @@
 // `ninebit render`: a scene's shadows, drawn by one of the techniques.
 #include <fmt/format.h>
 #include <oneapi/tbb/global_control.h>
+#include <oneapi/tbb/task_arena.h>
 
 #include <charconv>
 #include <chrono>
@@ -127,6 +128,7 @@ int render(RenderFlags& flags) {
   if (flags.common.threads > 0) {
     limit.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(flags.common.threads));
   }
+  set_image_threads(flags.common.threads > 0 ? flags.common.threads : tbb::this_task_arena::max_concurrency());
   RenderSettings& settings = flags.settings;
   const auto size = *numbers<int>(flags.size, 'x');
   settings.width = size[0];

@@ -1,4 +1,4 @@
-// Reading and writing pictures. The only room that knows OpenImageIO (PNG) and OpenEXR (EXR).
+// Writing pictures. The only room that knows OpenImageIO (PNG) and OpenEXR (EXR).
 //
 // All planes are row-major, row 0 at the TOP of the picture. Every writer reports an error (Fault::cannot_write, naming
 // the file) when the file could not be opened, written to the last byte or closed; it then leaves no complete-looking
@@ -30,10 +30,6 @@ struct Image8 {
 
 [[nodiscard]] Status write_png(const std::filesystem::path& file, const Image8& image);
 
-// Reads an 8-bit picture of 1, 3 or 4 channels (alpha as stored, never premultiplied). Reports (Fault::invalid_input) a
-// file that is missing, not a PNG or damaged, and one of 16 bits or of another number of channels.
-[[nodiscard]] Result<Image8> read_png(const std::filesystem::path& file);
-
 // One channel of an EXR part. UINT planes are stored exactly; float planes are stored as half.
 struct ExrChannel {
   std::string name;                                                              // "R", "G", "index", …
@@ -54,8 +50,8 @@ struct ExrPart {
 // Six faces as OpenEXR's own cube environment map (envmap attribute ENVMAP_CUBE, N x 6N, faces +X -X +Y -Y +Z -Z).
 // `faces` come in the order and orientation of ARB_texture_cube_map: +X -X +Y -Y +Z -Z, texel (0, 0) first, s to the
 // right, t by rows; each has the same channels with size * size samples. The writer turns each face into the
-// orientation that OpenEXR's ImfEnvmap defines, so that CubeMap::direction of a stored pixel is the direction
-// of that texel.
+// orientation that OpenEXR's ImfEnvmap defines: a stored pixel holds the texel nearest to its CubeMap::direction (OpenEXR
+// puts the outermost pixels on the cube's edges, the extension half a texel inside).
 [[nodiscard]] Status write_exr_cube(const std::filesystem::path& file, int size,
                                     std::span<const std::vector<ExrChannel>, 6> faces);
 
