@@ -1,5 +1,7 @@
 #include "src/scene/assimp_import.h"
 
+#include <assimp/DefaultIOSystem.h>
+#include <assimp/MemoryIOWrapper.h>
 #include <assimp/scene.h>
 #include <fmt/format.h>
 
@@ -152,8 +154,25 @@ class SceneFlattener {
   std::vector<std::array<std::uint32_t, 3>> pieces_;
 };
 
-Result<Imported> import_or_throw(const std::filesystem::path& file) {
+// The disk, but for one file whose content is already here.
+class OneFileInMemory : public Assimp::DefaultIOSystem {
+ public:
+  OneFileInMemory(std::string name, std::string_view content) : name_(std::move(name)), content_(content) {}
+
+  Assimp::IOStream* Open(const char* file, const char* mode) override {
+    if (name_ != file) return DefaultIOSystem::Open(file, mode);
+    // Assimp deletes the stream through Close(); the bytes stay ours.
+    return new Assimp::MemoryIOStream(reinterpret_cast<const std::uint8_t*>(content_.data()), content_.size(), false);
+  }
+
+ private:
+  std::string name_;
+  std::string_view content_;
+};
+
+Result<Imported> import_or_throw(const std::filesystem::path& file, std::string_view content) {
   Assimp::Importer importer;
+  importer.SetIOHandler(new OneFileInMemory(file.string(), content));  // the importer owns it
   // No post-processing: Assimp's own joins vertices within a tolerance, drops faces and gives normals that part
   // vertices which the file shares.
   const aiScene* from = importer.ReadFile(file.string(), 0);
@@ -167,11 +186,11 @@ Result<Imported> import_or_throw(const std::filesystem::path& file) {
 
 }  // namespace
 
-Result<Imported> import_geometry(const std::filesystem::path& file) {
+Result<Imported> import_geometry(const std::filesystem::path& file, std::string_view content) {
   try {
-    return import_or_throw(file);
+    return import_or_throw(file, content);
   } catch (const std::bad_alloc&) {
-    throw;
+    return fault_of("needs more memory than there is; a damaged count is the usual cause");
   } catch (const std::exception& error) {
     return fault_of(std::string("cannot be read: ") + error.what());
   } catch (...) {

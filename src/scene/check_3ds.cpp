@@ -24,7 +24,10 @@ enum ChunkId : std::uint32_t {
   kSpotLight = 0x4610,
   kLightOff = 0x4620,
   kCamera = 0x4700,
-  kMain = 0x4D4D
+  kMain = 0x4D4D,
+  kKeyframes = 0xB000,
+  kFirstTrack = 0xB020,  // of position; then rotation, scale, angle and roll
+  kLastTrack = 0xB024
 };
 
 Diagnostic fault_of(std::string message) {
@@ -162,6 +165,25 @@ std::optional<Diagnostic> check_object(std::string_view data, FileFacts& facts) 
   return std::nullopt;
 }
 
+// Assimp makes room for as many keys as a track declares before it reads them.
+std::optional<Diagnostic> check_keyframes(std::string_view data) {
+  constexpr std::size_t kHead = 14;
+  constexpr std::size_t kSmallestKey = 10;
+  bool broken = false;
+  while (const std::optional<Chunk> node = next_chunk(data, broken)) {
+    std::string_view tracks = node->body;
+    // What is no list of chunks holds no track: such data ends this walk, not the reading.
+    bool other = false;
+    while (const std::optional<Chunk> track = next_chunk(tracks, other)) {
+      if (track->id < kFirstTrack || track->id > kLastTrack) continue;
+      if (track->body.size() < kHead) return fault_of(kShortChunk);
+      if (little(track->body, kHead - 4, 4) > (track->body.size() - kHead) / kSmallestKey) return fault_of(kShortChunk);
+    }
+  }
+  if (broken) return fault_of(kBrokenChunk);
+  return std::nullopt;
+}
+
 }  // namespace
 
 Result<FileFacts> check_3ds(std::string_view content) {
@@ -176,6 +198,9 @@ Result<FileFacts> check_3ds(std::string_view content) {
   bool broken = false;
   std::string_view main = next_chunk(content, broken).value_or(Chunk{}).body;
   while (const std::optional<Chunk> section = next_chunk(main, broken)) {
+    if (section->id == kKeyframes) {
+      if (auto fault = check_keyframes(section->body)) return *fault;
+    }
     if (section->id != kEditor) continue;
     std::string_view editor = section->body;
     while (const std::optional<Chunk> chunk = next_chunk(editor, broken)) {

@@ -4,6 +4,7 @@
 #include <system_error>
 
 #include "src/scene/file_check.h"
+#include "src/scene/gltf_geometry.h"
 #include "src/scene/gltf_nodes.h"
 #include "src/scene/json_value.h"
 
@@ -27,7 +28,7 @@ std::uint64_t little32(std::string_view data, std::size_t at) {
 // The parts of a .glb file: a header of 12 bytes, then chunks, each with its length and type before it.
 struct GlbParts {
   std::string_view json;
-  std::optional<std::uint64_t> binary_size;
+  std::optional<std::string_view> binary;
 };
 
 Result<GlbParts> split_glb(std::string_view content) {
@@ -48,10 +49,31 @@ Result<GlbParts> split_glb(std::string_view content) {
     if (size > rest.size() - 8) return fault_of("is malformed: a chunk is longer than the file");
     if (first && type != kJson) return fault_of("is malformed: its first chunk is not JSON");
     if (first) parts.json = rest.substr(8, size);
-    if (!first && type == kBinary && !parts.binary_size) parts.binary_size = size;
+    if (!first && type == kBinary && !parts.binary) parts.binary = rest.substr(8, size);
     rest.remove_prefix(8 + size);
   }
   return parts;
+}
+
+void append_little32(std::string& out, std::size_t value) {
+  for (unsigned shift = 0; shift < 32; shift += 8) out.push_back(static_cast<char>((value >> shift) & 255U));
+}
+
+std::string join_glb(std::string json, std::optional<std::string_view> binary) {
+  json.resize((json.size() + 3) / 4 * 4, ' ');
+  const std::size_t binary_size = binary ? binary->size() : 0;
+  const std::size_t padding = (4 - binary_size % 4) % 4;
+  std::string out = "glTF";
+  append_little32(out, 2);
+  append_little32(out, 20 + json.size() + (binary ? 8 + binary_size + padding : 0));
+  append_little32(out, json.size());
+  out.append("JSON").append(json);
+  if (binary) {
+    append_little32(out, binary_size + padding);
+    out.append("BIN").push_back('\0');
+    out.append(*binary).append(padding, '\0');
+  }
+  return out;
 }
 
 // How many bytes a base64 text of this length holds, '=' padding taken off.
@@ -176,8 +198,15 @@ Result<FileFacts> check_gltf(std::string_view content, const std::filesystem::pa
   const std::string& version = (*root)["asset"]["version"].text;
   if (version.empty()) return fault_of("is not a glTF file: it states no version of its format");
   if (!version.starts_with("2.")) return fault_of(fmt::format("is of glTF version {}; version 2.0 is read", version));
-  if (auto fault = check_storage(*root, file.parent_path(), parts.binary_size)) return *fault;
-  return read_gltf_nodes(*root);
+  const std::optional<std::uint64_t> binary_size =
+      parts.binary ? std::optional<std::uint64_t>(parts.binary->size()) : std::nullopt;
+  if (auto fault = check_storage(*root, file.parent_path(), binary_size)) return *fault;
+  Result<FileFacts> facts = read_gltf_nodes(*root);
+  if (facts) {
+    std::string json = gltf_geometry(*root);
+    facts->for_assimp = binary ? join_glb(std::move(json), parts.binary) : std::move(json);
+  }
+  return facts;
 }
 
 }  // namespace ninebit

@@ -70,6 +70,8 @@ Result<FileFacts> check_obj(std::string_view content) {
     return at_line(0, "is UTF-16 text; OBJ files are read as ASCII or UTF-8");
   if (content.find('\0') != std::string_view::npos) return at_line(0, "is not an OBJ file: it holds binary data");
   ObjScan scan;
+  std::string plain;
+  plain.reserve(content.size());
   LineScanner lines(content);
   std::string_view line;
   std::string joined;
@@ -88,6 +90,7 @@ Result<FileFacts> check_obj(std::string_view content) {
       line = joined;
     }
     split_words(line, words);
+    append_line(plain, words);
     if (words.empty()) continue;
     if (auto fault = check_statement(words, number, scan)) return at_line(number, *fault);
   }
@@ -99,6 +102,7 @@ Result<FileFacts> check_obj(std::string_view content) {
   }
   FileFacts facts;
   facts.triangles = scan.triangles;
+  facts.for_assimp = std::move(plain);
   return facts;
 }
 

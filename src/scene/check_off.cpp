@@ -23,6 +23,8 @@ Diagnostic ends_early(const char* what, std::uint64_t read, std::uint64_t declar
 }  // namespace
 
 Result<FileFacts> check_off(std::string_view content) {
+  FileFacts facts;
+  std::string& plain = facts.for_assimp.emplace();
   LineScanner lines(content);
   std::vector<std::string_view> words;
   if (!next_words(lines, words) || !words[0].ends_with("OFF"))
@@ -31,6 +33,7 @@ Result<FileFacts> check_off(std::string_view content) {
   const bool known = kind == "OFF" || kind == "COFF" || kind == "NOFF" || kind == "CNOFF" || kind == "STOFF";
   if (!known || (words.size() > 1 && words[1] == "BINARY"))
     return at_line(lines.number(), "is of an OFF kind that is not read; OFF, COFF, NOFF, CNOFF and STOFF text are");
+  plain.append(kind).push_back('\n');
   words.erase(words.begin());
   if (words.empty() && !next_words(lines, words)) return at_line(0, "ends before its counts");
   std::optional<std::uint32_t> vertices = number_of<std::uint32_t>(words[0]);
@@ -38,14 +41,15 @@ Result<FileFacts> check_off(std::string_view content) {
   if (words.size() != 3 || !vertices || !faces || !number_of<std::uint32_t>(words[2]))
     return at_line(lines.number(), "should give the numbers of vertices, faces and edges here");
 
+  append_line(plain, words);
   for (std::uint32_t i = 0; i < *vertices; ++i) {
     if (!next_words(lines, words)) return ends_early("vertices", i, *vertices);
     if (words.size() < 3) return at_line(lines.number(), "a vertex needs three coordinates");
     for (std::size_t k = 0; k < 3; ++k) {
       if (auto fault = coordinate_fault(words[k])) return at_line(lines.number(), *fault);
     }
+    append_line(plain, words);
   }
-  FileFacts facts;
   facts.triangles = 0;
   for (std::uint32_t i = 0; i < *faces; ++i) {
     if (!next_words(lines, words)) return ends_early("faces", i, *faces);
@@ -58,6 +62,7 @@ Result<FileFacts> check_off(std::string_view content) {
         return at_line(lines.number(), fmt::format("vertex index {} is out of range: the file has {}, counted from 0",
                                                    words[k], *vertices));
     }
+    append_line(plain, words);
     if (*corners >= 3) *facts.triangles += *corners - 2;
   }
   return facts;

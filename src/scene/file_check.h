@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -21,7 +22,8 @@ struct FileFacts {
   bool at_least = false;                   // nodes may place a mesh again: the number is a lower limit
   std::vector<Camera> cameras;             // perspective ones only; look_at is one unit ahead
   std::vector<PointLight> lights;
-  bool in_root_space = false;  // cameras and lights still lack the transform of Assimp's root node
+  std::optional<std::string> for_assimp;  // in place of the file: the same without what Assimp trips over
+  bool in_root_space = false;             // cameras and lights still lack the transform of Assimp's root node
 };
 
 // Each takes the whole content of the file. Diagnostics come without a file name: the caller adds it.

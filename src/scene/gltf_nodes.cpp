@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/gtc/quaternion.hpp>
+#include <initializer_list>
 #include <numbers>
 
 namespace ninebit {
@@ -77,6 +78,23 @@ class NodeWalk {
     return std::nullopt;
   }
 
+  const JsonValue& accessor(const JsonValue& reference) const {
+    return root_["accessors"][reference.index().value_or(~0ULL)];
+  }
+
+  // An accessor in a role that asks for one type and certain components; packed ones have their data elsewhere.
+  std::optional<Diagnostic> check_use(const JsonValue& reference, const char* type,
+                                      std::initializer_list<std::uint64_t> components, bool packed) const {
+    if (!reference.exists()) return std::nullopt;
+    const JsonValue& used = accessor(reference);
+    if (!used.exists()) return fault_of("names an accessor that is not there");
+    const std::uint64_t component = used["componentType"].index().value_or(0);
+    if (used["type"].text != type || std::find(components.begin(), components.end(), component) == components.end())
+      return fault_of("uses an accessor of a type that does not fit its use");
+    if (!packed && !used["bufferView"].exists()) return fault_of("uses an accessor that has no data");
+    return std::nullopt;
+  }
+
   std::optional<Diagnostic> count_mesh(const JsonValue& reference) {
     const JsonValue& mesh = root_["meshes"][reference.index().value_or(~0ULL)];
     if (!mesh.exists()) return fault_of("names a mesh that is not there");
@@ -85,9 +103,11 @@ class NodeWalk {
       const JsonValue& positions = primitive["attributes"]["POSITION"];
       if (mode < 4 || !positions.exists()) continue;
       const JsonValue& indices = primitive["indices"];
-      const JsonValue& counted = root_["accessors"][(indices.exists() ? indices : positions).index().value_or(~0ULL)];
-      if (!counted.exists() || !root_["accessors"][positions.index().value_or(~0ULL)].exists())
-        return fault_of("names an accessor that is not there");
+      const bool packed = primitive["extensions"]["KHR_draco_mesh_compression"].exists();
+      if (auto fault = check_use(positions, "VEC3", {5126}, packed)) return fault;
+      if (auto fault = check_use(primitive["attributes"]["NORMAL"], "VEC3", {5126, 5120, 5122}, packed)) return fault;
+      if (auto fault = check_use(indices, "SCALAR", {5121, 5123, 5125}, packed)) return fault;
+      const JsonValue& counted = accessor(indices.exists() ? indices : positions);
       const std::uint64_t corners = counted["count"].index().value_or(0);
       *facts_.triangles += mode == 4 ? corners / 3 : std::max<std::uint64_t>(corners, 2) - 2;
     }

@@ -96,7 +96,6 @@ class JsonParser {
     return take(']') || fail(at_ < text_.size() ? "a JSON array is malformed" : "the JSON text ends early");
   }
 
-  // Names and URIs are compared and shown, so that escapes beyond ASCII may stay as they are written.
   bool read_string(std::string& out) {
     ++at_;
     while (true) {
@@ -118,18 +117,50 @@ class JsonParser {
     constexpr std::string_view kNames = "bfnrt";
     constexpr std::string_view kValues = "\b\f\n\r\t";
     const std::size_t known = kNames.find(c);
-    unsigned code = 0;
     if (known != std::string_view::npos) {
       out.push_back(kValues[known]);
-    } else if (c == 'u' && text_.size() - at_ >= 4 &&
-               std::from_chars(&text_[at_], &text_[at_] + 4, code, 16).ptr == &text_[at_] + 4 && code < 128) {
-      out.push_back(static_cast<char>(code));
-      at_ += 4;
     } else if (c == 'u') {
-      out.append("\\u");
+      read_code_point(out);
     } else {
       out.push_back(c);
     }
+  }
+
+  unsigned read_four_digits() {
+    unsigned code = 0xFFFD;
+    const std::string_view digits = text_.substr(at_, 4);
+    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), code, 16);
+    if (error != std::errc() || end != digits.data() + 4) return 0xFFFD;
+    at_ += 4;
+    return code;
+  }
+
+  // What is no code point becomes the replacement character.
+  void read_code_point(std::string& out) {
+    unsigned code = read_four_digits();
+    if (code >= 0xD800 && code < 0xDC00 && text_.substr(at_, 2) == "\\u") {
+      at_ += 2;
+      const unsigned low = read_four_digits();
+      code = low >= 0xDC00 && low < 0xE000 ? 0x10000 + ((code - 0xD800) << 10U) + (low - 0xDC00) : 0xFFFD;
+    }
+    if (code >= 0xD800 && code < 0xE000) code = 0xFFFD;
+    const auto put = [&out](unsigned byte) { out.push_back(static_cast<char>(byte)); };
+    if (code < 0x80) {
+      put(code);
+      return;
+    }
+    if (code < 0x800) {
+      put(0xC0 | (code >> 6U));
+    } else {
+      if (code < 0x10000) {
+        put(0xE0 | (code >> 12U));
+      } else {
+        put(0xF0 | (code >> 18U));
+        put(0x80 | ((code >> 12U) & 0x3FU));
+      }
+      put(0x80 | ((code >> 6U) & 0x3FU));
+    }
+    put(0x80 | (code & 0x3FU));
   }
 
   bool read_number(JsonValue& value) {

@@ -46,14 +46,13 @@ std::string lower_extension(const std::filesystem::path& file) {
   return extension;
 }
 
-Result<FileFacts> check_file(const std::filesystem::path& file, const std::string& extension) {
-  Result<std::string> content = read_file(file);
-  if (!content) return content.error();
-  if (extension == ".obj") return check_obj(*content);
-  if (extension == ".off") return check_off(*content);
-  if (extension == ".ply") return check_ply(*content);
-  if (extension == ".3ds") return check_3ds(*content);
-  return check_gltf(*content, file, extension == ".glb");
+Result<FileFacts> check_content(std::string_view content, const std::filesystem::path& file,
+                                const std::string& extension) {
+  if (extension == ".obj") return check_obj(content);
+  if (extension == ".off") return check_off(content);
+  if (extension == ".ply") return check_ply(content);
+  if (extension == ".3ds") return check_3ds(content);
+  return check_gltf(content, file, extension == ".glb");
 }
 
 bool is_finite(const glm::vec3& v) {
@@ -118,10 +117,12 @@ Result<Scene> read_unnamed(const std::filesystem::path& file) {
     return fault_of(
         fmt::format("{}; scenes are read from .gltf, .glb, .obj, .ply, .off and .3ds files",
                     extension.empty() ? "has no extension" : fmt::format("has the unknown extension '{}'", extension)));
-  Result<FileFacts> facts = check_file(file, extension);
+  Result<std::string> content = read_file(file);
+  if (!content) return content.error();
+  Result<FileFacts> facts = check_content(*content, file, extension);
   if (!facts) return facts.error();
   if (facts->triangles && *facts->triangles == 0) return fault_of("has no triangles");
-  Result<Imported> imported = import_geometry(file);
+  Result<Imported> imported = import_geometry(file, facts->for_assimp ? *facts->for_assimp : *content);
   if (!imported) return imported.error();
   Scene& scene = imported->scene;
   if (scene.triangles.empty()) return fault_of("has no triangles");

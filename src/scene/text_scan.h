@@ -61,6 +61,12 @@ inline void split_words(std::string_view line, std::vector<std::string_view>& wo
   }
 }
 
+// Adds the words as one line, without comments, continuations or odd blanks: Assimp's readers trip over those.
+inline void append_line(std::string& text, const std::vector<std::string_view>& words) {
+  for (const std::string_view word : words) text.append(word).push_back(' ');
+  text.push_back('\n');
+}
+
 // A whole word as a number; nothing if it is none. The result may be NaN or infinite where the word says so.
 template <class Number>
 std::optional<Number> number_of(std::string_view word) {

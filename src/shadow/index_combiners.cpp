@@ -1,10 +1,12 @@
 // The article's register-combiner set-up, through the GL-named entry points that it used.
+#include <string>
+
 #include "ninebit/language/gl_nv.h"
 #include "ninebit/shadow/index_cube.h"
 
 namespace ninebit {
 
-CombinerState index_comparison_state(const HardwareProfile& profile) {
+Result<CombinerState> index_comparison_state(const HardwareProfile& profile) {
   using namespace gl;
   Context context(profile);
   const CurrentContext current(context);
@@ -39,6 +41,10 @@ CombinerState index_comparison_state(const HardwareProfile& profile) {
   glFinalCombinerInputNV(GL_VARIABLE_G_NV, GL_SPARE1_NV, GL_UNSIGNED_IDENTITY_NV, GL_BLUE);
 
   glEnable(GL_REGISTER_COMBINERS_NV);
+  if (context.error() != GlError::no_error) {
+    return Diagnostic{.message = "profile " + std::string(profile.name) +
+                                 " refuses the two-stage index comparison: " + std::string(name_of(context.error()))};
+  }
   return context.state();
 }
 

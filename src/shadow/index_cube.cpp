@@ -7,7 +7,6 @@
 #include <string>
 #include <utility>
 
-#include "ninebit/combiner/program.h"
 #include "ninebit/raster/rasterizer.h"
 #include "src/shadow/shading.h"
 #include "src/shadow/views.h"
@@ -57,8 +56,8 @@ struct TriangleSet {
 // One run of the technique, pass by pass.
 class IndexCubeRun {
  public:
-  IndexCubeRun(const Scene& scene, const RenderSettings& settings, Rendering& rendering)
-      : scene_(scene), settings_(settings), out_(rendering), light_(scene.lights[0]) {}
+  IndexCubeRun(const Scene& scene, const RenderSettings& settings, IndexCubePasses passes, Rendering& rendering)
+      : scene_(scene), settings_(settings), out_(rendering), light_(scene.lights[0]), passes_(std::move(passes)) {}
 
   void transform() {
     assign_indices();
@@ -72,17 +71,14 @@ class IndexCubeRun {
 
   // Pass 1: indices into the cube map. The cleared map is index 0.
   Status draw_map() {
-    PipelineState state = base_state();
-    state.shade_model = ShadeModel::flat;
-    state.depth_test = {.enabled = true, .function = CompareFunction::less, .write = true};
-    TriangleArrays arrays{.positions = scene_.positions, .triangles = scene_.triangles};
+    TriangleArrays arrays = all_triangles();
     arrays.triangle_colors = index_colors_;
     for (const CubeFace face : kCubeFaces) {
       auto surface = Surface::make(settings_.map_size, settings_.map_size, true);
       if (!surface) return surface.error();
       RenderTarget target = surface->target();
       const glm::mat4 projection = cube_face_projection(face, light_.position, light_range_);
-      if (Status drawn = rasterize(state, projection, arrays, {}, target); !drawn) return drawn;
+      if (Status drawn = rasterize(passes_.map, projection, arrays, {}, target); !drawn) return drawn;
       out_.index_map.push_back(std::move(*surface));
     }
     map_.size = settings_.map_size;
@@ -97,26 +93,13 @@ class IndexCubeRun {
   // Pass 2: the camera's depth.
   Status draw_depth() {
     out_.frame.clear({.color = kBackground});
-    PipelineState state = base_state();
-    state.color_mask = {false, false, false, false};
-    state.depth_test = {.enabled = true, .function = CompareFunction::less, .write = true};
     RenderTarget target = out_.frame.target();
-    return rasterize(state, camera_projection_, all_triangles(), {}, target);
+    return rasterize(passes_.depth, camera_projection_, all_triangles(), {}, target);
   }
 
   // Pass 3: shadows into the stencil buffer. What the index says of a surface that is turned away from the light is of
   // no interest with light_facing: it is in shadow.
   Status compare_indices() {
-    auto program = compile(index_comparison_state(settings_.profile), settings_.profile);
-    if (!program) return program.error();
-    PipelineState state = base_state();
-    state.shade_model = ShadeModel::flat;
-    state.program = *program;
-    state.color_mask = {false, false, false, false};
-    state.alpha_test = {.enabled = true, .function = CompareFunction::greater, .reference = 0};
-    state.depth_test = {.enabled = true, .function = CompareFunction::equal, .write = false};
-    state.stencil_test = {
-        .enabled = true, .function = CompareFunction::always, .reference = 1, .depth_pass = StencilOperation::replace};
     RenderTarget target = out_.frame.target();
     if (settings_.layers) add_captures(target);
 
@@ -130,28 +113,22 @@ class IndexCubeRun {
       arrays.triangle_colors = compared.index_colors;
     }
     const std::array<const CubeMap*, 1> textures{&map_};
-    if (Status drawn = rasterize(state, camera_projection_, arrays, textures, target); !drawn) return drawn;
-    if (!settings_.light_facing) return {};
+    Status drawn = rasterize(passes_.comparison, camera_projection_, arrays, textures, target);
+    if (!drawn || !settings_.light_facing) return drawn;
 
-    state.program.reset();
-    state.alpha_test.enabled = false;
     target.captures.clear();
-    TriangleArrays away{.positions = scene_.positions, .triangles = averted.triangles};
-    return rasterize(state, camera_projection_, away, {}, target);
+    const TriangleArrays away{.positions = scene_.positions, .triangles = averted.triangles};
+    return rasterize(passes_.averted, camera_projection_, away, {}, target);
   }
 
   // Pass 4: the lit pass where the stencil is 0, the shadow pass where it is 1.
   Status shade() {
-    for (const std::uint8_t stencil : {std::uint8_t{0}, std::uint8_t{1}}) {
-      PipelineState state = base_state();
-      state.depth_test = {.enabled = true, .function = CompareFunction::equal, .write = false};
-      state.stencil_test = {.enabled = true, .function = CompareFunction::equal, .reference = stencil};
-      TriangleArrays arrays = all_triangles();
-      arrays.vertex_colors = stencil == 0 ? shading_.lit : shading_.shadowed;
-      RenderTarget target = out_.frame.target();
-      if (Status drawn = rasterize(state, camera_projection_, arrays, {}, target); !drawn) return drawn;
-    }
-    return {};
+    RenderTarget target = out_.frame.target();
+    TriangleArrays arrays = all_triangles();
+    arrays.vertex_colors = shading_.lit;
+    if (Status drawn = rasterize(passes_.lit, camera_projection_, arrays, {}, target); !drawn) return drawn;
+    arrays.vertex_colors = shading_.shadowed;
+    return rasterize(passes_.shadow, camera_projection_, arrays, {}, target);
   }
 
   void count() {
@@ -168,13 +145,6 @@ class IndexCubeRun {
   }
 
  private:
-  PipelineState base_state() const {
-    PipelineState state;
-    state.profile = settings_.profile;
-    state.cull_face = settings_.cull_face;
-    return state;
-  }
-
   TriangleArrays all_triangles() const { return {.positions = scene_.positions, .triangles = scene_.triangles}; }
 
   // Indices are counted afresh for each rendering, from 1: 0 is the cleared map.
@@ -265,6 +235,7 @@ class IndexCubeRun {
   const RenderSettings& settings_;
   Rendering& out_;
   const PointLight& light_;
+  const IndexCubePasses passes_;
   std::vector<ColorBytes> index_colors_;
   std::vector<glm::vec3> from_light_;
   VertexShading shading_;
@@ -282,11 +253,13 @@ Result<Rendering> render_index_cube(const Scene& scene, const RenderSettings& se
   if (Status enough = check_index_codes(settings.index_step, settings.index_scope, used, objects); !enough) {
     return enough.error();
   }
+  auto passes = index_cube_passes(settings);
+  if (!passes) return passes.error();
   auto frame = Surface::make(settings.width, settings.height, settings.layers);
   if (!frame) return frame.error();
 
   Rendering rendering{.frame = std::move(*frame), .codes = IndexCodes(settings.index_step), .codes_used = used};
-  IndexCubeRun run(scene, settings, rendering);
+  IndexCubeRun run(scene, settings, std::move(*passes), rendering);
   Stopwatch watch;
   const auto go_on = [&](std::string_view pass, double done) { return !progress || progress(pass, done); };
   const Diagnostic cancelled{.message = "interrupted", .fault = Fault::cancelled};

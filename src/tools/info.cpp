@@ -10,7 +10,7 @@
 namespace ninebit::tools {
 namespace {
 
-void print_info(const CommonFlags& flags) {
+int print_info(const CommonFlags& flags) {
   std::vector<std::string> names;
   for (const Technique& technique : techniques()) names.emplace_back(technique.name);
   const Json out{{"command", "info"},
@@ -20,22 +20,19 @@ void print_info(const CommonFlags& flags) {
                                         {"simd_target", simd_target()},
                                         {"batch", kBatchSize},
                                         {"techniques", names}}})}};
-  if (flags.json) {
-    fmt::print("{}\n", out.dump(2));
-    return;
-  }
-  fmt::print("ninebit {}\ncompiler: {}\nSIMD target: {}\ntechniques: {}\n", NINEBIT_VERSION, __VERSION__, simd_target(),
-             fmt::join(names, ", "));
+  if (flags.json) return answer(out.dump(2) + "\n");
+  return answer(fmt::format("ninebit {}\ncompiler: {}\nSIMD target: {}\ntechniques: {}\n", NINEBIT_VERSION, __VERSION__,
+                            simd_target(), fmt::join(names, ", ")));
 }
 
 }  // namespace
 
-void add_info(CLI::App& app, int&) {
+void add_info(CLI::App& app, int& exit_code) {
   CLI::App* verb = app.add_subcommand("info", "What this build is and which SIMD target it runs on");
   verb->footer("Example: ninebit info --json");
   auto flags = std::make_shared<CommonFlags>();
   add_common_flags(*verb, *flags);
-  verb->callback([flags] { print_info(*flags); });
+  verb->callback([flags, &exit_code] { exit_code = print_info(*flags); });
 }
 
 }  // namespace ninebit::tools

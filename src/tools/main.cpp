@@ -1,14 +1,33 @@
 // The ninebit program: one file a verb, this one chooses among them.
 #include <fmt/format.h>
 
-#include <cstdio>
 #include <exception>
 #include <new>
 
 #include "src/tools/program.h"
 
-int main(int argc, char** argv) {
-  using namespace ninebit::tools;
+namespace ninebit::tools {
+namespace {
+
+// One line that says what is wrong with the arguments and whose help to ask.
+std::string usage_message(const CLI::App& app, const CLI::ParseError& error) {
+  const auto chosen = app.get_subcommands();
+  const std::string help = fmt::format("ninebit {}--help", chosen.empty() ? "" : chosen[0]->get_name() + " ");
+  std::string message = error.what();
+  if (const std::string unmet = " missing"; error.get_name() == "ArgumentMismatch" && message.ends_with(unmet)) {
+    message = message.substr(0, message.find(':')) + " needs a value";
+  } else if (error.get_name() == "RequiredError" && chosen.empty()) {
+    std::vector<std::string> verbs;
+    for (const CLI::App* verb : app.get_subcommands({})) verbs.push_back(verb->get_name());
+    const std::vector<std::string> unknown = app.remaining();
+    message = fmt::format("{}; expected one of {}",
+                          unknown.empty() ? "no verb is given" : "'" + unknown[0] + "' is no verb or flag of ninebit",
+                          fmt::join(verbs, ", "));
+  }
+  return fmt::format("ninebit: error: {} (see: {})\n", message, help);
+}
+
+int run(int argc, char** argv) {
   CLI::App app{"GeForce 2 register combiners to the bit, and the shadow techniques built on them", "ninebit"};
   app.require_subcommand(1);
   app.set_version_flag("--version", "ninebit " NINEBIT_VERSION);
@@ -17,20 +36,28 @@ int main(int argc, char** argv) {
   add_render(app, exit_code);
   add_profiles(app, exit_code);
   add_info(app, exit_code);
-
   try {
     app.parse(argc, argv);
-  } catch (const CLI::ParseError& e) {
-    if (e.get_exit_code() == 0) return app.exit(e);
-    fmt::print(stderr, "ninebit: error: {}\n`ninebit --help` and `ninebit VERB --help` tell what is expected.\n",
-               e.what());
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() == 0) return app.exit(error);
+    say(usage_message(app, error));
     return kWrongUsage;
-  } catch (const std::bad_alloc&) {
-    fmt::print(stderr, "ninebit: error: out of memory\n");
-    return kInvalidInput;
-  } catch (const std::exception& e) {
-    fmt::print(stderr, "ninebit: error: {}\n", e.what());
-    return kInvalidInput;
   }
   return exit_code;
+}
+
+}  // namespace
+}  // namespace ninebit::tools
+
+int main(int argc, char** argv) {
+  using namespace ninebit::tools;
+  guard_streams();
+  try {
+    return run(argc, argv);
+  } catch (const std::bad_alloc&) {
+    say("ninebit: error: out of memory\n");
+  } catch (const std::exception& error) {
+    say(std::string("ninebit: error: ") + error.what() + "\n");
+  }
+  return kInvalidInput;
 }

@@ -1,7 +1,7 @@
 // `ninebit profiles`: what is modelled, and how well it is known.
 #include <fmt/format.h>
 
-#include <cstdio>
+#include <iterator>
 #include <memory>
 
 #include "src/tools/program.h"
@@ -55,16 +55,18 @@ std::vector<Row> rows_of(const HardwareProfile& p) {
   return rows;
 }
 
-void print_profiles(const CommonFlags& flags) {
+int print_profiles(const CommonFlags& flags) {
   if (!flags.json) {
+    std::string text;
+    const auto out = std::back_inserter(text);
     for (const HardwareProfile& profile : hardware_profiles()) {
-      fmt::print("{}: {}\n", profile.name, profile.chip);
+      fmt::format_to(out, "{}: {}\n", profile.name, profile.chip);
       for (const Row& r : rows_of(profile)) {
-        fmt::print("  {:<30} {:<22} {:<10} {}\n", r.field, r.value, r.evidence, r.source);
+        fmt::format_to(out, "  {:<30} {:<22} {:<10} {}\n", r.field, r.value, r.evidence, r.source);
       }
-      fmt::print("\n");
+      text += '\n';
     }
-    return;
+    return answer(text);
   }
   Json rows = Json::array();
   for (const HardwareProfile& profile : hardware_profiles()) {
@@ -78,17 +80,17 @@ void print_profiles(const CommonFlags& flags) {
   }
   const Json out{
       {"command", "profiles"}, {"version", NINEBIT_VERSION}, {"profile", flags.profile}, {"rows", std::move(rows)}};
-  fmt::print("{}\n", out.dump(2));
+  return answer(out.dump(2) + "\n");
 }
 
 }  // namespace
 
-void add_profiles(CLI::App& app, int&) {
+void add_profiles(CLI::App& app, int& exit_code) {
   CLI::App* verb = app.add_subcommand("profiles", "The hardware profiles: every field and how well it is known");
   verb->footer("Example: ninebit profiles --json");
   auto flags = std::make_shared<CommonFlags>();
   add_common_flags(*verb, *flags);
-  verb->callback([flags] { print_profiles(*flags); });
+  verb->callback([flags, &exit_code] { exit_code = print_profiles(*flags); });
 }
 
 }  // namespace ninebit::tools

@@ -1,11 +1,14 @@
 #include "src/tools/program.h"
 
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <csignal>
 #include <cstdio>
+#include <system_error>
 
 namespace ninebit::tools {
 namespace {
@@ -37,9 +40,29 @@ const HardwareProfile& profile_of(const CommonFlags& flags) {
   return *find_profile(flags.profile);
 }
 
+void guard_streams() {
+  std::signal(SIGXFSZ, SIG_IGN);
+  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+    if (::fcntl(stream, F_GETFD) >= 0) continue;
+    // Writing to a closed stdout stays an error, to a closed stderr it is none. open() takes the lowest free number,
+    // and if it fails there is nothing better to do.
+    (void)::open("/dev/null", stream == STDERR_FILENO ? O_WRONLY : O_RDONLY);
+  }
+}
+
+void say(const std::string& text) noexcept {
+  std::fwrite(text.data(), 1, text.size(), stderr);
+  std::fflush(stderr);
+}
+
+int answer(const std::string& text) {
+  if (std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0) return kDone;
+  const std::string why = std::generic_category().message(errno);
+  return report({.message = "could not be written: " + why, .file = "standard output", .fault = Fault::cannot_write});
+}
+
 int report(const Diagnostic& diagnostic) {
-  std::fflush(stdout);
-  fmt::print(stderr, "ninebit: error: {}\n", diagnostic.text());
+  say(fmt::format("ninebit: error: {}\n", diagnostic.text()));
   switch (diagnostic.fault) {
     case Fault::invalid_input:
       return kInvalidInput;
@@ -56,16 +79,15 @@ ProgressLine::ProgressLine(bool quiet) : visible_(!quiet && isatty(STDERR_FILENO
 }
 
 ProgressLine::~ProgressLine() {
-  if (visible_) fmt::print(stderr, "\r\x1b[K");
+  if (visible_) say("\r\x1b[K");
 }
 
 bool ProgressLine::step(std::string_view what, double done) {
   if (visible_) {
     constexpr int kWidth = 30;
     const int filled = static_cast<int>(std::clamp(done, 0.0, 1.0) * kWidth);
-    fmt::print(stderr, "\r\x1b[K[{}{}] {}", std::string(static_cast<std::size_t>(filled), '#'),
-               std::string(static_cast<std::size_t>(kWidth - filled), '.'), what);
-    std::fflush(stderr);
+    say(fmt::format("\r\x1b[K[{}{}] {}", std::string(static_cast<std::size_t>(filled), '#'),
+                    std::string(static_cast<std::size_t>(kWidth - filled), '.'), what));
   }
   return interrupted == 0;
 }

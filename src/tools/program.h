@@ -38,6 +38,16 @@ void add_common_flags(CLI::App& verb, CommonFlags& flags);
 // The profile that add_common_flags has checked.
 [[nodiscard]] const HardwareProfile& profile_of(const CommonFlags& flags);
 
+// To be called first: output beyond a limit becomes an error instead of a signal, and a standard stream that the caller
+// closed does not lend its number to an output file, which would then receive the messages.
+void guard_streams();
+
+// Writes to stderr. That it is full or that nobody reads it is no error: the results do not depend on it.
+void say(const std::string& text) noexcept;
+
+// Writes what a verb answers to stdout; gives kDone, or kCannotWrite after saying why.
+[[nodiscard]] int answer(const std::string& text);
+
 // Prints "ninebit: error: TEXT" to stderr and gives the exit code of the fault.
 [[nodiscard]] int report(const Diagnostic& diagnostic);
 

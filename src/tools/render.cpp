@@ -83,6 +83,10 @@ std::string check_fov(const std::string& text) {
   return fmt::format("'{}' is no field of view; expected degrees between 0 and 180", text);
 }
 
+std::string check_scene(const std::string& text) {
+  return text.empty() ? "the file name is empty" : "";
+}
+
 std::optional<glm::vec3> point(const std::string& text) {
   if (text.empty()) return std::nullopt;
   const auto n = numbers<float>(text, ',');
@@ -149,6 +153,9 @@ int render(RenderFlags& flags) {
     if (d.file.empty()) d.file = flags.scene;
     return line.reset(), report(d);
   }
+  // Before the work, so that a folder that cannot be written into costs nobody a long rendering.
+  auto files = StagedFiles::open(flags.folder);
+  if (!files) return line.reset(), report(files.error());
   const auto loaded = Clock::now();
 
   const auto progress = [&](std::string_view pass, double done) { return line->step(pass, 0.1 + 0.8 * done); };
@@ -161,8 +168,6 @@ int render(RenderFlags& flags) {
 
   const auto rendered = Clock::now();
   if (!line->step("writing", 0.9)) return line.reset(), report({.message = "interrupted", .fault = Fault::cancelled});
-  auto files = StagedFiles::open(flags.folder);
-  if (!files) return line.reset(), report(files.error());
   if (Status written = write_rendering(*rendering, *files); !written) return line.reset(), report(written.error());
   if (!line->step("writing", 1.0)) return line.reset(), report({.message = "interrupted", .fault = Fault::cancelled});
   if (Status committed = files->commit(); !committed) return line.reset(), report(committed.error());
@@ -172,13 +177,13 @@ int render(RenderFlags& flags) {
   Json names = Json::array();
   for (const auto& file : files->files()) {
     names.push_back(file.string());
-    if (!flags.common.quiet) fmt::print(stderr, "wrote {}\n", file.string());
+    if (!flags.common.quiet) say(fmt::format("wrote {}\n", file.string()));
   }
   const Rendering& r = *rendering;
   if (!flags.common.json) {
     if (!flags.common.quiet) {
-      fmt::print(stderr, "{} triangles; pixels: {} lit, {} shadowed, {} background; {:.0f} ms\n",
-                 scene->triangles.size(), r.lit, r.shadowed, r.background, milliseconds(end - start));
+      say(fmt::format("{} triangles; pixels: {} lit, {} shadowed, {} background; {:.0f} ms\n", scene->triangles.size(),
+                      r.lit, r.shadowed, r.background, milliseconds(end - start)));
     }
     return kDone;
   }
@@ -208,8 +213,7 @@ int render(RenderFlags& flags) {
                    {"total", milliseconds(end - start)}}},
                  {"files", std::move(names)},
                  {"hash", hashes(r)}};
-  fmt::print("{}\n", out.dump(2));
-  return kDone;
+  return answer(out.dump(2) + "\n");
 }
 
 CLI::Validator checked(std::string (*check)(const std::string&)) {
@@ -226,16 +230,23 @@ void add_render(CLI::App& app, int& exit_code) {
       "  ninebit render bunny.obj -o out --light 2,4,3 --index-step 1 --layers --json");
   auto flags = std::make_shared<RenderFlags>();
   add_common_flags(*verb, flags->common);
-  verb->add_option("scene", flags->scene, "glTF 2.0, OBJ, PLY, OFF or 3DS file")->required();
-  verb->add_option("-o,--output", flags->folder, "Folder to write into")->required();
+  verb->add_option("scene", flags->scene, "glTF 2.0, OBJ, PLY, OFF or 3DS file")
+      ->required()
+      ->type_name("FILE")
+      ->check(checked(check_scene));
+  verb->add_option("-o,--output", flags->folder, "Folder to write into; made if missing")->required()->type_name("DIR");
 
   std::vector<std::string> names;
   for (const Technique& technique : techniques()) names.emplace_back(technique.name);
   verb->add_option("--technique", flags->technique, "How shadows are drawn")
       ->capture_default_str()
       ->check(CLI::IsMember(names));
-  verb->add_option("--size", flags->size, "Picture size in pixels")->capture_default_str()->check(checked(check_size));
+  verb->add_option("--size", flags->size, "Picture size in pixels")
+      ->capture_default_str()
+      ->type_name("WxH")
+      ->check(checked(check_size));
   verb->add_option("--map-size", flags->settings.map_size, "Texels a side of a cube-map face, a power of two")
+      ->type_name("N")
       ->capture_default_str()
       ->check(checked(check_map_size));
   verb->add_option("--index-format", flags->index_format, "What holds an index")
@@ -249,11 +260,14 @@ void add_render(CLI::App& app, int& exit_code) {
       ->check(CLI::Range(1, kMaxIndexStep));
   verb->add_flag("--light-facing", flags->settings.light_facing, "Shadow what faces away from the light");
   verb->add_flag("--layers", flags->settings.layers, "Write layers.exr with every intermediate value");
-  verb->add_option("--camera", flags->camera, "Camera position X,Y,Z")->check(checked(check_point));
-  verb->add_option("--look-at", flags->look_at, "Point that the camera looks at, X,Y,Z")->check(checked(check_point));
-  verb->add_option("--fov", flags->fov, "Vertical field of view in degrees")->check(checked(check_fov));
-  verb->add_option("--light", flags->light, "Light position X,Y,Z")->check(checked(check_point));
+  verb->add_option("--camera", flags->camera, "Camera position")->type_name("X,Y,Z")->check(checked(check_point));
+  verb->add_option("--look-at", flags->look_at, "Point that the camera looks at")
+      ->type_name("X,Y,Z")
+      ->check(checked(check_point));
+  verb->add_option("--fov", flags->fov, "Vertical field of view")->type_name("DEGREES")->check(checked(check_fov));
+  verb->add_option("--light", flags->light, "Light position")->type_name("X,Y,Z")->check(checked(check_point));
   verb->add_option("--floor", flags->floor, "auto, none, or the height of a floor")
+      ->type_name("auto|none|HEIGHT")
       ->capture_default_str()
       ->check(checked(check_floor));
   verb->add_option("--cull", flags->cull, "Faces to leave out, in every pass")

@@ -1,4 +1,5 @@
-// A scene as the shadow techniques need it: triangles in world space, each with its object and material, cameras, lights.
+// A scene as the shadow techniques need it: triangles in world space, each with its object and material, cameras,
+// lights.
 #pragma once
 
 #include <cstdint>
@@ -44,16 +45,16 @@ struct Bounds {
 // Vertices are shared by index. Every triangle index is < positions.size(); normals has the size of positions; the
 // triangles of one object are consecutive, and the objects cover all triangles in order.
 struct Scene {
-  std::string name;                             // the file's name, for reports
-  std::vector<glm::vec3> positions;             // world space, finite
-  std::vector<glm::vec3> normals;               // unit length (zero where the file's geometry gives none)
-  std::vector<glm::uvec3> triangles;            // counter-clockwise seen from the front
-  std::vector<std::uint32_t> triangle_object;   // for each triangle, an index into objects
-  std::vector<std::uint32_t> triangle_material; // for each triangle, an index into materials
+  std::string name;                              // the file's name, for reports
+  std::vector<glm::vec3> positions;              // world space, finite
+  std::vector<glm::vec3> normals;                // unit length (zero where the file's geometry gives none)
+  std::vector<glm::uvec3> triangles;             // counter-clockwise seen from the front
+  std::vector<std::uint32_t> triangle_object;    // for each triangle, an index into objects
+  std::vector<std::uint32_t> triangle_material;  // for each triangle, an index into materials
   std::vector<SceneObject> objects;
   std::vector<Material> materials;
-  std::vector<PointLight> lights;               // from the file, in its order; may be empty
-  std::vector<Camera> cameras;                  // from the file, in its order; may be empty
+  std::vector<PointLight> lights;  // from the file, in its order; may be empty
+  std::vector<Camera> cameras;     // from the file, in its order; may be empty
 };
 
 // The smallest axis-parallel box around all positions that a triangle uses; zero for a scene without triangles.

@@ -10,10 +10,16 @@
 
 namespace ninebit {
 
-// Reads glTF 2.0 (.gltf, .glb: node hierarchy, materials' base colours, cameras, KHR_lights_punctual point lights), OBJ,
-// PLY, OFF and 3DS. All nodes are flattened into world space. Degenerate triangles are kept: they count as polygons and
-// cover no pixel. Reports, naming the file: missing, empty, truncated or malformed files, no triangles, positions that
-// are NaN or infinite, indices out of range, more than 2^32 - 1 vertices or triangles.
+// Reads glTF 2.0 (.gltf, .glb: node hierarchy, materials' base colours, cameras, KHR_lights_punctual point lights),
+// OBJ, PLY, OFF and 3DS. All nodes are flattened into world space. Degenerate triangles are kept: they count as
+// polygons and cover no pixel. Reports, naming the file: missing, empty, truncated or malformed files, no triangles,
+// positions that are NaN or infinite, indices out of range, more than 2^32 - 1 vertices or triangles.
+//
+// The triangles keep the file's count and order; polygons are cut into n - 2 triangles. Corners of one object with
+// equal position and normal share a vertex; where the file gives no normal it is the area-weighted mean of the object's
+// triangles at that position. Spot and directional lights, orthographic cameras, skins, morph targets, animations and
+// pictures are left out; sparse glTF accessors are refused. A text file that is cut exactly between two faces cannot be
+// told from a whole OBJ file, which declares no counts.
 [[nodiscard]] Result<Scene> read_scene(const std::filesystem::path& file);
 
 enum class FloorChoice {
@@ -24,18 +30,22 @@ enum class FloorChoice {
 
 // What the user may override; everything else comes from the file or from a default framing.
 struct SceneSetup {
-  std::optional<glm::vec3> camera;    // world space
-  std::optional<glm::vec3> look_at;   // world space
-  std::optional<float> fov_degrees;   // vertical, in (0, 180)
-  std::optional<glm::vec3> light;     // world space
+  std::optional<glm::vec3> camera;   // world space
+  std::optional<glm::vec3> look_at;  // world space
+  std::optional<float> fov_degrees;  // vertical, in (0, 180)
+  std::optional<glm::vec3> light;    // world space
   FloorChoice floor = FloorChoice::automatic;
-  float floor_height = 0.0F;          // world y, for FloorChoice::at_height
+  float floor_height = 0.0F;  // world y, for FloorChoice::at_height
 };
 
 // A scene that can be rendered: exactly one camera and one light, and the floor added as an object named "floor" where
 // the setup asks for one (or where it is automatic). Without a camera in the file: a three-quarter view that frames
 // the whole bounding box. Without a light: one above and to the side of the camera, outside the box. Reports a camera
 // at the light, a camera at the point that it looks at, and values that are not finite or out of range.
+//
+// Of several cameras or lights the first one is used. The default light follows the file's or the default view, so that
+// moving the camera does not move the shadows. A view that the user changed has y up; an up vector along the view axis
+// is replaced by another axis.
 [[nodiscard]] Result<Scene> complete_scene(Scene scene, const SceneSetup& setup, float aspect_ratio);
 
 }  // namespace ninebit

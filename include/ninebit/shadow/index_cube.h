@@ -3,13 +3,27 @@
 
 #include "ninebit/combiner/state.h"
 #include "ninebit/numerics/hardware_profile.h"
+#include "ninebit/raster/pipeline_state.h"
 #include "ninebit/shadow/technique.h"
 
 namespace ninebit {
 
 // The article's two general combiners and final combiner, set call for call through the entry points of gl_nv.h: alpha
-// is 0 where the primary colour and texture 0 agree in red, green and blue.
-[[nodiscard]] CombinerState index_comparison_state(const HardwareProfile& profile);
+// is 0 where the primary colour and texture 0 agree in red, green and blue. Reports a profile that refuses one of them.
+[[nodiscard]] Result<CombinerState> index_comparison_state(const HardwareProfile& profile);
+
+// The pipeline state of each pass, in the order of drawing.
+struct IndexCubePasses {
+  PipelineState map;         // from the light: indices, depth-tested, into six faces
+  PipelineState depth;       // from the camera: depth alone
+  PipelineState comparison;  // from the camera: stencil 1 where the indices differ
+  PipelineState averted;     // from the camera, with light_facing: stencil 1 where a polygon turns away from the light
+  PipelineState lit;         // from the camera: colour where the stencil is 0
+  PipelineState shadow;      // from the camera: colour where the stencil is 1
+};
+
+// The passes for these settings. Reports what index_comparison_state reports.
+[[nodiscard]] Result<IndexCubePasses> index_cube_passes(const RenderSettings& settings);
 
 // Draws the scene's shadows in the article's passes:
 //   1. six 90° views from the light, every polygon flat in the colour of its index, into a cube map;

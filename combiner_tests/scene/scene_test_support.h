@@ -1,0 +1,84 @@
+// Files for the scene tests, and what holds for every scene.
+#pragma once
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <bit>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <string_view>
+
+#include "ninebit/scene/scene_io.h"
+
+namespace ninebit::scene_tests {
+
+// A folder of its own for each test, gone with it.
+class SceneFiles : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    static std::atomic<int> count{0};
+    folder_ = std::filesystem::temp_directory_path() /
+              ("ninebit_scene_" + std::to_string(getpid()) + "_" + std::to_string(count++));
+    std::filesystem::create_directories(folder_);
+  }
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+
+  [[nodiscard]] std::filesystem::path write(const std::string& name, std::string_view content) const {
+    const std::filesystem::path file = folder_ / name;
+    std::ofstream(file, std::ios::binary).write(content.data(), static_cast<std::streamsize>(content.size()));
+    return file;
+  }
+
+  [[nodiscard]] Result<Scene> read(const std::string& name, std::string_view content) const {
+    return read_scene(write(name, content));
+  }
+
+  std::filesystem::path folder_;
+};
+
+inline std::string file_content(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+}
+
+inline void expect_near(const glm::vec3& actual, const glm::vec3& expected, float tolerance = 1e-5F) {
+  EXPECT_NEAR(actual.x, expected.x, tolerance);
+  EXPECT_NEAR(actual.y, expected.y, tolerance);
+  EXPECT_NEAR(actual.z, expected.z, tolerance);
+}
+
+inline glm::vec3 front_of(const Scene& scene, std::size_t triangle) {
+  const glm::uvec3 t = scene.triangles[triangle];
+  const glm::vec3 a = scene.positions[t.x];
+  return glm::normalize(glm::cross(scene.positions[t.y] - a, scene.positions[t.z] - a));
+}
+
+// Everything that scene.h promises of a scene.
+inline void expect_contract(const Scene& scene) {
+  ASSERT_EQ(scene.normals.size(), scene.positions.size());
+  ASSERT_EQ(scene.triangle_object.size(), scene.triangles.size());
+  ASSERT_EQ(scene.triangle_material.size(), scene.triangles.size());
+  for (std::size_t i = 0; i < scene.positions.size(); ++i) {
+    for (glm::length_t k = 0; k < 3; ++k) ASSERT_TRUE(std::isfinite(scene.positions[i][k]));
+    const float length = glm::length(scene.normals[i]);
+    ASSERT_TRUE(length == 0.0F || std::abs(length - 1.0F) < 1e-5F) << length;
+  }
+  std::size_t covered = 0;
+  for (std::size_t object = 0; object < scene.objects.size(); ++object) {
+    ASSERT_EQ(scene.objects[object].first_triangle, covered);
+    ASSERT_GT(scene.objects[object].triangle_count, 0U);
+    for (std::size_t i = 0; i < scene.objects[object].triangle_count; ++i, ++covered) {
+      ASSERT_LT(covered, scene.triangles.size());
+      ASSERT_EQ(scene.triangle_object[covered], object);
+      ASSERT_LT(scene.triangle_material[covered], scene.materials.size());
+      for (glm::length_t k = 0; k < 3; ++k) ASSERT_LT(scene.triangles[covered][k], scene.positions.size());
+    }
+  }
+  ASSERT_EQ(covered, scene.triangles.size());
+}
+
+}  // namespace ninebit::scene_tests

@@ -1,0 +1,102 @@
+// What the article claims, through the very state that the render uses.
+#include <gtest/gtest.h>
+
+#include "combiner_tests/shadow/support.h"
+#include "ninebit/combiner/evaluate.h"
+#include "ninebit/shadow/index_cube.h"
+
+namespace {
+
+using namespace ninebit;
+using shadow_test::render;
+
+// Ordered pairs of different channel values, multiples of the step, that come out equal.
+int false_matches(const Program& program, const HardwareProfile& profile, int step) {
+  int count = 0;
+  for (int a = 0; a <= 255; a += step) {
+    for (int b = 0; b <= 255; b += step) {
+      if (a == b) continue;
+      FragmentInputs in;
+      in.primary = {static_cast<std::uint8_t>(a), 0, 0, 255};
+      in.texture[0] = {static_cast<std::uint8_t>(b), 0, 0, 255};
+      if (evaluate(program, initial_registers(profile, in))[kAlpha] == 0) ++count;
+    }
+  }
+  return count;
+}
+
+TEST(Article, StepOneLosesNeighboursAndStepTwoNone) {
+  const HardwareProfile& profile = profiles::geforce2;
+  const auto program = compile(*index_comparison_state(profile), profile);
+  ASSERT_TRUE(program.ok()) << program.error().text();
+  EXPECT_EQ(false_matches(*program, profile, 1), 510);
+  EXPECT_EQ(false_matches(*program, profile, 2), 0);
+}
+
+TEST(Article, EqualIndicesAreAlwaysLit) {
+  const HardwareProfile& profile = profiles::geforce2;
+  const Program program = normalize(*index_comparison_state(profile), profile);
+  const IndexCodes codes(2);
+  for (std::uint32_t n = 0; n < codes.capacity(); n += 11) {
+    FragmentInputs in;
+    in.primary = codes.color(n);
+    in.texture[0] = in.primary;
+    ASSERT_EQ(evaluate(program, initial_registers(profile, in)), (Rgba9{0, 0, 0, 0})) << n;
+  }
+}
+
+// The floor's second triangle has number 2, the triangle of the square above it 3. With step 1 the numbers 2 and 3
+// differ by one in red: the square is truncated to zero, and the floor below it is lit.
+TEST(Article, StepOneDropsTheShadowOfTheNextPolygon) {
+  Scene scene = shadow_test::square_over_floor();
+  std::swap(scene.triangles[2], scene.triangles[3]);
+  RenderSettings settings = shadow_test::small_settings();
+  const auto lost_pixels = [&](int step) {
+    settings.index_step = step;
+    const Rendering r = render(scene, settings);
+    int lost = 0, seen = 0;
+    for (std::size_t i = 0; i < r.frame.stencil().size(); ++i) {
+      const auto& layers = *r.layers;
+      const std::uint32_t fetched = r.codes.number(static_cast<std::uint8_t>(layers.texture0[0][i]),
+                                                   static_cast<std::uint8_t>(layers.texture0[1][i]),
+                                                   static_cast<std::uint8_t>(layers.texture0[2][i]));
+      if (layers.polygon[i] != 2 || fetched != 3) continue;
+      ++seen;
+      lost += r.frame.stencil()[i] == 0 ? 1 : 0;
+    }
+    EXPECT_GT(seen, 100) << "step " << step;
+    return std::pair(lost, seen);
+  };
+  const auto [lost_1, seen_1] = lost_pixels(1);
+  EXPECT_EQ(lost_1, seen_1);
+  const auto [lost_2, seen_2] = lost_pixels(2);
+  EXPECT_EQ(lost_2, 0);
+}
+
+// "Errors at polygon joints" with an index a polygon, "no errors at polygon joints" with one an object. At the outline
+// the cleared map is fetched, which no scope can help.
+TEST(Article, JointErrorsVanishWithObjectIndices) {
+  Scene scene = shadow_test::scene_with({3.0F, 4.0F, 6.0F}, {0.0F, 0.0F, 0.0F}, {1.0F, 4.0F, 2.0F});
+  shadow_test::add_box(scene, "box", {-1, -1, -1}, {1, 1, 1});
+  RenderSettings settings = shadow_test::small_settings();
+  settings.map_size = 64;
+  // A convex body: whatever of it the light meets first is lit.
+  const auto joint_errors = [&] {
+    const Rendering r = render(scene, settings);
+    int count = 0;
+    for (std::size_t i = 0; i < r.frame.stencil().size(); ++i) {
+      const std::uint32_t polygon = r.layers->polygon[i];
+      if (polygon == 0 || r.frame.stencil()[i] == 0 || r.layers->texture0[0][i] == 0) continue;
+      const glm::uvec3 t = scene.triangles[polygon - 1];
+      const glm::vec3 normal =
+          glm::cross(scene.positions[t.y] - scene.positions[t.x], scene.positions[t.z] - scene.positions[t.x]);
+      count += glm::dot(normal, scene.lights[0].position - scene.positions[t.x]) > 0.0F ? 1 : 0;
+    }
+    return count;
+  };
+  EXPECT_GT(joint_errors(), 20);
+  settings.index_scope = IndexScope::object;
+  EXPECT_EQ(joint_errors(), 0);
+}
+
+}  // namespace

@@ -1,0 +1,35 @@
+// Small scenes whose shadows are known by formula.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <glm/glm.hpp>
+#include <string>
+
+#include "ninebit/scene/scene.h"
+#include "ninebit/shadow/technique.h"
+
+namespace shadow_test {
+
+// An empty scene with one white material, one camera and one light.
+ninebit::Scene scene_with(const glm::vec3& camera, const glm::vec3& look_at, const glm::vec3& light);
+
+// Adds an object of two triangles; corners counter-clockwise seen from the front.
+void add_quad(ninebit::Scene& scene, const std::string& name, const std::array<glm::vec3, 4>& corners);
+
+// Adds a closed box, faces outward.
+void add_box(ninebit::Scene& scene, const std::string& name, const glm::vec3& low, const glm::vec3& high);
+
+// A level floor of side 2 * half at y = 0 and a level square of side 2 at y = 1 above its middle, lit from (0, 3, 0):
+// the shadow on the floor is the square |x|, |z| < 1.5. The camera stands to the side and sees both.
+ninebit::Scene square_over_floor(float half = 4.0F);
+
+// Renders, failing the test where that fails. The default settings are those of the tests: small.
+ninebit::Rendering render(const ninebit::Scene& scene, const ninebit::RenderSettings& settings);
+ninebit::RenderSettings small_settings();
+
+// The world point that the centre of pixel (x, y), rows from the lowest up, shows on the level plane y = height.
+glm::vec3 on_plane(const ninebit::Scene& scene, const ninebit::RenderSettings& settings, int x, int y, float height);
+
+}  // namespace shadow_test

@@ -1,0 +1,121 @@
+// The house keeps its walls: #include lines go one way, and each outside library stays in its room.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <optional>
+#include <regex>
+#include <string>
+#include <vector>
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// A room knows the rooms of a lower rank and itself. scene and image do not know each other.
+const std::map<std::string, int> kRank{{"numerics", 0}, {"combiner", 1}, {"language", 2}, {"raster", 3}, {"scene", 4},
+                                       {"image", 4},    {"shadow", 5},   {"study", 6},    {"tools", 7},  {"bench", 7}};
+
+// Outside libraries and the rooms that may include them; what is not listed here is everybody's.
+struct Library {
+  std::regex header;
+  std::vector<std::string> rooms;
+};
+const std::vector<Library> kLibraries{
+    {std::regex("hwy/.*"), {"combiner", "raster"}},
+    {std::regex("(oneapi/)?tbb/.*"), {"raster", "shadow", "study", "tools"}},
+    {std::regex("glm/.*"), {"raster", "scene", "shadow", "study", "tools", "bench"}},
+    {std::regex("assimp/.*"), {"scene"}},
+    {std::regex("OpenImageIO/.*|Imf.*|OpenEXR/.*|half\\.h|Imath.*"), {"image"}},
+    {std::regex("CLI/.*|openssl/.*"), {"tools"}},
+    {std::regex("nlohmann/.*"), {"scene", "study", "tools", "language"}},
+    {std::regex("benchmark/.*"), {"bench"}},
+    {std::regex("GL/.*|EGL/.*"), {}},
+};
+
+// The room that a path of ours belongs to: "ninebit/ROOM/…" or "src/ROOM/…".
+std::optional<std::string> room_of(const std::string& path) {
+  std::smatch match;
+  if (!std::regex_match(path, match, std::regex("(?:include/)?(?:ninebit|src)/([a-z0-9_]+)/.*"))) return std::nullopt;
+  return match[1].str();
+}
+
+// What is wrong with one #include of a file in `room`; empty: nothing.
+std::string complaint(const std::string& room, const std::string& header) {
+  if (const auto other = room_of(header)) {
+    if (kRank.count(*other) == 0) return "unknown room " + *other;
+    if (*other != room && kRank.at(*other) >= kRank.at(room)) return room + " must not know " + *other;
+    return {};
+  }
+  for (const Library& library : kLibraries) {
+    if (!std::regex_match(header, library.header)) continue;
+    const auto& rooms = library.rooms;
+    if (std::find(rooms.begin(), rooms.end(), room) == rooms.end()) return header + " has no place in " + room;
+  }
+  return {};
+}
+
+std::vector<std::string> includes_of(const fs::path& file) {
+  std::vector<std::string> found;
+  std::ifstream in(file);
+  const std::regex include("\\s*#\\s*include\\s*[<\"]([^>\"]+)[>\"].*");
+  std::smatch match;
+  for (std::string line; std::getline(in, line);) {
+    if (std::regex_match(line, match, include)) found.push_back(match[1].str());
+  }
+  return found;
+}
+
+TEST(Layering, IncludesGoOneWay) {
+  const fs::path top = NINEBIT_SOURCE_DIR;
+  int files = 0, includes = 0;
+  for (const char* folder : {"include/ninebit", "src"}) {
+    for (const auto& entry : fs::recursive_directory_iterator(top / folder)) {
+      const std::string extension = entry.path().extension().string();
+      if (extension != ".h" && extension != ".cpp" && extension != ".inl") continue;
+      const std::string path = fs::relative(entry.path(), top).string();
+      const auto room = room_of(path.rfind("include/", 0) == 0 ? path.substr(8) : path);
+      if (!room) continue;  // include/ninebit/ninebit.h, which includes everything
+      ++files;
+      ASSERT_EQ(kRank.count(*room), 1U) << path << " is in no room of the house";
+      for (const std::string& header : includes_of(entry.path())) {
+        ++includes;
+        EXPECT_EQ(complaint(*room, header), "") << path;
+      }
+    }
+  }
+  EXPECT_GT(files, 40);
+  EXPECT_GT(includes, 150);
+}
+
+TEST(Layering, NoticesWhatIsForbidden) {
+  EXPECT_NE(complaint("numerics", "ninebit/combiner/state.h"), "");
+  EXPECT_NE(complaint("raster", "ninebit/scene/scene.h"), "");
+  EXPECT_NE(complaint("scene", "ninebit/image/image_io.h"), "");
+  EXPECT_NE(complaint("image", "src/scene/polygon.h"), "");
+  EXPECT_NE(complaint("shadow", "src/tools/program.h"), "");
+  EXPECT_NE(complaint("shadow", "assimp/scene.h"), "");
+  EXPECT_NE(complaint("tools", "OpenImageIO/imageio.h"), "");
+  EXPECT_NE(complaint("raster", "GL/gl.h"), "");
+  EXPECT_NE(complaint("combiner", "glm/glm.hpp"), "");
+  EXPECT_EQ(complaint("shadow", "ninebit/raster/surface.h"), "");
+  EXPECT_EQ(complaint("scene", "assimp/scene.h"), "");
+  EXPECT_EQ(complaint("scene", "vector"), "");
+}
+
+TEST(Layering, FilesStayReadable) {
+  const fs::path top = NINEBIT_SOURCE_DIR;
+  for (const char* folder : {"include/ninebit", "src"}) {
+    for (const auto& entry : fs::recursive_directory_iterator(top / folder)) {
+      if (!entry.is_regular_file()) continue;
+      std::ifstream in(entry.path());
+      int lines = 0;
+      for (std::string line; std::getline(in, line);) ++lines;
+      EXPECT_LE(lines, 400) << entry.path() << " should be split: one subject a file";
+    }
+  }
+}
+
+}  // namespace
