@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <vector>
 
 #include "src/language/gl_nv_access.h"

@@ -1,0 +1,164 @@
+// Batches: sizes, lanes past the count, and the SIMD targets themselves.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstdint>
+#include <cstring>
+#include <memory>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "combiner_tests/combiner/random_state.h"
+#include "combiner_tests/combiner/simd_targets.h"
+#include "combiner_tests/combiner/support.h"
+
+namespace ninebit::test {
+namespace {
+
+RegisterFile lane_of(const RegisterBatch& batch, std::size_t lane) {
+  RegisterFile registers;
+  for (std::size_t r = 0; r < kRegisterCount; ++r) {
+    for (std::size_t c = 0; c < 4; ++c) registers.value[r][c] = batch.plane[r][c][lane];
+  }
+  return registers;
+}
+
+void fill(RegisterBatch& batch, std::size_t lane, const RegisterFile& registers) {
+  for (std::size_t r = 0; r < kRegisterCount; ++r) {
+    for (std::size_t c = 0; c < 4; ++c) batch.plane[r][c][lane] = registers.value[r][c];
+  }
+}
+
+TEST(Batch, EveryTargetOfThisProcessorIsDispatchedTo) {
+  ASSERT_FALSE(simd_targets().empty());
+  const Program program = normalize(CombinerState{}, profiles::geforce2);
+  const auto batch = std::make_unique<RegisterBatch>();
+  const auto out = std::make_unique<OutputBatch>();
+  std::set<std::string> ran;
+  for (const std::int64_t target : simd_targets()) {
+    const OnTarget on_target(target);
+    EXPECT_FALSE(on_target.ran()) << "nothing was dispatched yet";
+    evaluate(program, *batch, 1, *out);
+    for (const std::int64_t other : simd_targets()) {
+      EXPECT_EQ(on_target.ran_on(other), other == target) << simd_target_name(other);
+    }
+    ran.insert(simd_target_name(target));
+  }
+  EXPECT_EQ(ran.size(), simd_targets().size());
+  std::string names;
+  for (const std::string& name : ran) names.append(" ").append(name);
+  RecordProperty("simd_targets", names);
+#if defined(__x86_64__)
+  EXPECT_GE(ran.size(), 2U) << "an x86-64 processor of today has more than the baseline:" << names;
+#endif
+}
+
+// A batch of `count` gives each lane what the lane alone gives, whatever stands in the lanes past it.
+TEST(Batch, SizesAndLanesPastTheCount) {
+  const auto batch = std::make_unique<RegisterBatch>();
+  const auto out = std::make_unique<OutputBatch>();
+  int checked = 0;
+  for (std::uint64_t index = 0; index < 40; ++index) {
+    Random random(0xBA7C4, index);
+    const HardwareProfile profile = random_profile(random);
+    const Program program = normalize(random_state(random, profile), profile);
+    std::vector<RegisterFile> initial(kBatchSize);
+    for (RegisterFile& registers : initial) registers = random_registers(random, profile);
+    for (const std::int64_t target : simd_targets()) {
+      const OnTarget on_target(target);
+      for (const std::size_t count : {1U, 2U, 3U, 7U, 8U, 9U, 15U, 16U, 17U, 31U, 33U, 255U, 256U}) {
+        for (std::size_t lane = 0; lane < kBatchSize; ++lane) fill(*batch, lane, initial[lane]);
+        for (auto& reg : batch->plane) {
+          for (auto& plane : reg) {
+            for (std::size_t lane = count; lane < kBatchSize; ++lane) {
+              plane[lane] = static_cast<s9>(static_cast<std::uint16_t>(random.next()));
+            }
+          }
+        }
+        evaluate(program, *batch, count, *out);
+        for (std::size_t lane = 0; lane < count; ++lane) {
+          RegisterFile expected = initial[lane];
+          evaluate_general(program, expected);
+          const Rgba9 color = evaluate_final(program, expected);
+          ASSERT_EQ(lane_of(*batch, lane), expected) << simd_target_name(target) << ' ' << count << ' ' << lane;
+          for (std::size_t c = 0; c < 4; ++c) {
+            ASSERT_EQ(out->plane[c][lane], color[c]) << simd_target_name(target) << ' ' << count << ' ' << lane;
+          }
+          ++checked;
+        }
+      }
+    }
+  }
+  EXPECT_GT(checked, 40 * 600);
+}
+
+TEST(Batch, NothingIsWrittenOutsideTheBatch) {
+  struct Guarded {
+    std::array<std::uint8_t, 4096> before;
+    RegisterBatch registers;
+    std::array<std::uint8_t, 4096> between;
+    OutputBatch out;
+    std::array<std::uint8_t, 4096> after;
+  };
+  const auto guarded = std::make_unique<Guarded>();
+  Random random(0x6A7D);
+  for (const std::size_t count : {0U, 1U, 255U, 256U}) {
+    const HardwareProfile& profile = profiles::nv2a;
+    const Program program = normalize(random_state(random, profile), profile);
+    std::memset(static_cast<void*>(guarded.get()), 0x5A, sizeof(Guarded));
+    for (std::size_t lane = 0; lane < kBatchSize; ++lane) {
+      fill(guarded->registers, lane, random_registers(random, profile));
+    }
+    for (const std::int64_t target : simd_targets()) {
+      const OnTarget on_target(target);
+      evaluate(program, guarded->registers, count, guarded->out);
+      for (const auto* guard : {&guarded->before, &guarded->between, &guarded->after}) {
+        for (const std::uint8_t byte : *guard) ASSERT_EQ(byte, 0x5A) << simd_target_name(target) << ' ' << count;
+      }
+    }
+  }
+}
+
+TEST(Batch, AnEmptyBatchChangesNothing) {
+  const Program program = normalize(CombinerState{}, profiles::geforce2);
+  const auto batch = std::make_unique<RegisterBatch>();
+  const auto copy = std::make_unique<RegisterBatch>();
+  const auto out = std::make_unique<OutputBatch>();
+  std::memset(static_cast<void*>(batch.get()), 0x11, sizeof(RegisterBatch));
+  std::memset(static_cast<void*>(copy.get()), 0x11, sizeof(RegisterBatch));
+  for (const std::int64_t target : simd_targets()) {
+    const OnTarget on_target(target);
+    evaluate(program, *batch, 0, *out);
+    EXPECT_EQ(batch->plane, copy->plane);
+  }
+}
+
+// What stands for zero and the constants in a register file is not read.
+TEST(Batch, ZeroAndConstantsInTheRegisterFileAreNotRead) {
+  CombinerState state = silent_state(1);
+  state.constant0 = color_of(10, 20, 30, 40);
+  state.constant1 = color_of(50, 60, 70, 80);
+  Portion& rgb = state.general[0].rgb;
+  rgb.a = rgb_of(Register::constant0);
+  rgb.b = kOne;
+  rgb.c = rgb_of(Register::zero);
+  rgb.d = kOne;
+  rgb.out.ab = Register::spare0;
+  rgb.out.cd = Register::spare1;
+  Portion& alpha = state.general[0].alpha;
+  alpha.a = alpha_of(Register::constant1);
+  alpha.b = kOneAlpha;
+  alpha.out.ab = Register::spare0;
+  RegisterFile registers;
+  for (const Register r : {Register::zero, Register::constant0, Register::constant1}) {
+    registers[r] = codes(99, -99, 255, -255);
+  }
+  const RegisterFile after = judged(state, profiles::geforce2, registers).registers;
+  EXPECT_EQ(after[Register::spare0], codes(10, 20, 30, 80));
+  EXPECT_EQ(after[Register::spare1], codes(0, 0, 0, 0));
+  EXPECT_EQ(after[Register::zero], codes(99, -99, 255, -255));
+}
+
+}  // namespace
+}  // namespace ninebit::test

@@ -1,0 +1,87 @@
+// Rules 7 and 8 together: the index comparison of the article on index shadows. Which steps between indices work tells
+// the profiles apart, and only after-scale truncation gives the article's step of 2.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <vector>
+
+#include "combiner_tests/combiner/support.h"
+
+namespace ninebit::test {
+namespace {
+
+// Stage 0: spare0 = (primary - texture 0) × 4. Stage 1: spare1 = (spare0 · spare0) × 4. Alpha = spare1's blue: 0 means
+// that the indices are equal and the fragment is lit.
+CombinerState index_compare(Scale scale) {
+  CombinerState state = silent_state(2);
+  Portion& difference = state.general[0].rgb;
+  difference.a = rgb_of(Register::primary);
+  difference.b = kOne;
+  difference.c = rgb_of(Register::texture0);
+  difference.d = kMinusOne;
+  difference.out.sum = Register::spare0;
+  difference.out.scale = scale;
+  Portion& square = state.general[1].rgb;
+  square.a = square.b = rgb_of(Register::spare0, InputMapping::signed_identity);
+  square.out.ab = Register::spare1;
+  square.out.ab_dot_product = true;
+  square.out.scale = scale;
+  state.final_combiner.g = blue_of(Register::spare1);
+  return state;
+}
+
+// lit[a * 256 + b] for one channel's bytes a and b.
+std::vector<bool> lit_pairs(const HardwareProfile& profile, Scale scale) {
+  std::vector<bool> lit;
+  for (int a = 0; a < 256; ++a) {
+    std::vector<RegisterFile> fragments;
+    for (int b = 0; b < 256; ++b) {
+      FragmentInputs inputs;
+      inputs.primary = {static_cast<std::uint8_t>(a), 0, 0, 0};
+      inputs.texture[0] = {static_cast<std::uint8_t>(b), 0, 0, 0};
+      fragments.push_back(initial_registers(profile, inputs));
+    }
+    for (const Fragment& f : judged(index_compare(scale), profile, fragments)) lit.push_back(f.color[kAlpha] == 0);
+  }
+  return lit;
+}
+
+// For each step, the ordered pairs of different multiples of it that come out lit.
+std::array<int, 6> mistakes(const HardwareProfile& profile, Scale scale = Scale::by_four) {
+  constexpr std::array kSteps{1, 2, 3, 4, 8, 16};
+  const std::vector<bool> lit = lit_pairs(profile, scale);
+  std::array<int, 6> count{};
+  for (std::size_t i = 0; i < kSteps.size(); ++i) {
+    for (int a = 0; a < 256; a += kSteps[i]) {
+      EXPECT_TRUE(lit[static_cast<std::size_t>(a * 257)]) << "equal indices must be lit";
+      for (int b = 0; b < 256; b += kSteps[i]) {
+        if (a != b && lit[static_cast<std::size_t>(a * 256 + b)]) ++count[i];
+      }
+    }
+  }
+  return count;
+}
+
+using Counts = std::array<int, 6>;
+
+TEST(IndexCompare, StepsOfTwoWorkOnTheGeforce2) {
+  EXPECT_EQ(mistakes(profiles::geforce2), (Counts{510, 0, 0, 0, 0, 0}));
+}
+
+TEST(IndexCompare, EarlyNarrowingNeedsLargerSteps) {
+  HardwareProfile nearest = profiles::geforce2_early_truncation;
+  nearest.general_narrowing.value = Narrowing::nearest_halves_up;
+  EXPECT_EQ(mistakes(nearest), (Counts{1018, 254, 0, 0, 0, 0}));
+  EXPECT_EQ(mistakes(profiles::geforce2_early_truncation), (Counts{1524, 254, 170, 0, 0, 0}));
+}
+
+TEST(IndexCompare, EightBitsNeedLargerSteps) {
+  EXPECT_EQ(mistakes(profiles::geforce256_8bit), (Counts{1272, 254, 86, 0, 0, 0}));
+}
+
+TEST(IndexCompare, WithoutTheScalesStepsOf16AreNeeded) {
+  EXPECT_EQ(mistakes(profiles::geforce2, Scale::none), (Counts{7440, 1736, 830, 372, 62, 0}));
+}
+
+}  // namespace
+}  // namespace ninebit::test

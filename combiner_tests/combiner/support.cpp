@@ -1,0 +1,183 @@
+#include "combiner_tests/combiner/support.h"
+
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <sstream>
+
+#include "combiner_tests/combiner/simd_targets.h"
+
+namespace ninebit::test {
+namespace {
+
+void print(std::ostream& out, const char* variable, const CombinerInput& in) {
+  out << ' ' << variable << '=' << name_of(in.mapping) << '(' << name_of(in.reg) << '.' << name_of(in.usage) << ')';
+}
+
+void print(std::ostream& out, const char* name, const Portion& portion) {
+  out << "  " << name << ':';
+  print(out, "A", portion.a);
+  print(out, "B", portion.b);
+  print(out, "C", portion.c);
+  print(out, "D", portion.d);
+  const PortionOutput& o = portion.out;
+  out << "\n    AB->" << name_of(o.ab) << (o.ab_dot_product ? " (dot)" : "") << " CD->" << name_of(o.cd)
+      << (o.cd_dot_product ? " (dot)" : "") << (o.mux_sum ? " mux->" : " sum->") << name_of(o.sum)
+      << " scale=" << name_of(o.scale) << " bias=" << name_of(o.bias) << '\n';
+}
+
+void print(std::ostream& out, const char* name, const ColorF& color) {
+  out << ' ' << name << "=(";
+  for (const float component : color) out << ' ' << component * 255.0F;
+  out << " )/255";
+}
+
+std::vector<Fragment> by_oracle(const CombinerState& state, const HardwareProfile& profile,
+                                const std::vector<RegisterFile>& initial) {
+  std::vector<Fragment> fragments;
+  for (const RegisterFile& registers : initial) {
+    const oracle::Outcome outcome = oracle::run(state, profile, to_oracle(registers));
+    fragments.push_back({from_oracle(outcome.registers), from_oracle(outcome.color)});
+  }
+  return fragments;
+}
+
+}  // namespace
+
+CombinerState silent_state(int stages) {
+  CombinerState state;
+  state.num_general_combiners = stages;
+  for (GeneralCombiner& stage : state.general) stage.rgb.out.sum = stage.alpha.out.sum = Register::discard;
+  state.final_combiner = {kZero, kZero, kZero, kZero, kZero, kZero, alpha_of(Register::spare0)};
+  return state;
+}
+
+FinalCombiner final_of(Register r) {
+  return {kZero, kZero, kZero, rgb_of(r), kZero, kZero, alpha_of(r)};
+}
+
+std::string describe(const CombinerState& state, const HardwareProfile& p) {
+  std::ostringstream out;
+  out << "profile " << p.name << ": one=" << p.one << " lowest=" << p.lowest << " half=" << p.half
+      << " expand_offset=" << p.expand_offset << " byte_shift=" << p.byte_shift
+      << " general_narrowing=" << (p.general_narrowing.value == Narrowing::toward_zero ? "toward_zero" : "nearest")
+      << " narrowing_point="
+      << (p.narrowing_point.value == NarrowingPoint::after_scale ? "after_scale" : "before_scale")
+      << " final_narrowing=" << (p.final_narrowing.value == Narrowing::toward_zero ? "toward_zero" : "nearest")
+      << "\nstages=" << state.num_general_combiners << " color_sum_clamp=" << state.color_sum_clamp
+      << " per_stage_constants=" << state.per_stage_constants;
+  print(out, "constant0", state.constant0);
+  print(out, "constant1", state.constant1);
+  out << '\n';
+  for (int i = 0; i < state.num_general_combiners && i < kMaxGeneralCombiners; ++i) {
+    const GeneralCombiner& stage = state.general[static_cast<std::size_t>(i)];
+    out << "general combiner " << i << ':';
+    if (state.per_stage_constants) {
+      print(out, "constant0", stage.constant0);
+      print(out, "constant1", stage.constant1);
+    }
+    out << '\n';
+    print(out, "RGB", stage.rgb);
+    print(out, "alpha", stage.alpha);
+  }
+  const FinalCombiner& f = state.final_combiner;
+  out << "final combiner:";
+  print(out, "A", f.a);
+  print(out, "B", f.b);
+  print(out, "C", f.c);
+  print(out, "D", f.d);
+  print(out, "E", f.e);
+  print(out, "F", f.f);
+  print(out, "G", f.g);
+  return out.str() + '\n';
+}
+
+std::string describe(const Rgba9& color) {
+  std::ostringstream out;
+  out << '(' << color[0] << ", " << color[1] << ", " << color[2] << ", " << color[3] << ')';
+  return out.str();
+}
+
+std::string describe(const RegisterFile& registers) {
+  std::ostringstream out;
+  for (std::size_t i = 0; i < kRegisterCount; ++i) {
+    out << "  " << name_of(static_cast<Register>(i)) << ' ' << describe(registers.value[i]) << '\n';
+  }
+  return out.str();
+}
+
+oracle::Registers to_oracle(const RegisterFile& registers) {
+  oracle::Registers result{};
+  for (std::size_t r = 0; r < kRegisterCount; ++r) {
+    for (std::size_t c = 0; c < 4; ++c) result[r][c] = registers.value[r][c];
+  }
+  return result;
+}
+
+Rgba9 from_oracle(const oracle::Codes& color) {
+  return codes(color[0], color[1], color[2], color[3]);
+}
+
+RegisterFile from_oracle(const oracle::Registers& registers) {
+  RegisterFile result;
+  for (std::size_t r = 0; r < kRegisterCount; ++r) result.value[r] = from_oracle(registers[r]);
+  return result;
+}
+
+std::vector<Fragment> judged(const CombinerState& state, const HardwareProfile& profile,
+                             const std::vector<RegisterFile>& initial) {
+  EXPECT_LE(initial.size(), kBatchSize);
+  const std::vector<Fragment> expected = by_oracle(state, profile, initial);
+  const Result<Program> program = compile(state, profile);
+  if (!program) {
+    ADD_FAILURE() << program.error().text() << '\n' << describe(state, profile);
+    return expected;
+  }
+  const auto check = [&](std::size_t i, const RegisterFile& registers, const Rgba9& color, const std::string& path) {
+    if (registers == expected[i].registers && color == expected[i].color) return true;
+    ADD_FAILURE() << path << " differs from the oracle at fragment " << i << '\n'
+                  << describe(state, profile) << "initial registers:\n"
+                  << describe(initial[i]) << "expected color " << describe(expected[i].color) << ", registers:\n"
+                  << describe(expected[i].registers) << "actual color " << describe(color) << ", registers:\n"
+                  << describe(registers);
+    return false;
+  };
+
+  for (std::size_t i = 0; i < initial.size(); ++i) {
+    RegisterFile registers = initial[i];
+    evaluate_general(*program, registers);
+    if (!check(i, registers, evaluate_final(*program, registers), "the reference")) return expected;
+    if (evaluate(*program, initial[i]) != expected[i].color) ADD_FAILURE() << "evaluate() is not its two halves";
+  }
+
+  const auto first = std::make_unique<RegisterBatch>();
+  for (std::size_t r = 0; r < kRegisterCount; ++r) {
+    for (std::size_t c = 0; c < 4; ++c) {
+      first->plane[r][c].fill(0);
+      for (std::size_t i = 0; i < initial.size(); ++i) first->plane[r][c][i] = initial[i].value[r][c];
+    }
+  }
+  const auto batch = std::make_unique<RegisterBatch>();
+  const auto out = std::make_unique<OutputBatch>();
+  for (const std::int64_t target : simd_targets()) {
+    const OnTarget on_target(target);
+    *batch = *first;
+    evaluate(*program, *batch, initial.size(), *out);
+    if (!on_target.ran()) ADD_FAILURE() << "not dispatched to " << simd_target_name(target);
+    for (std::size_t i = 0; i < initial.size(); ++i) {
+      RegisterFile registers;
+      for (std::size_t r = 0; r < kRegisterCount; ++r) {
+        for (std::size_t c = 0; c < 4; ++c) registers.value[r][c] = batch->plane[r][c][i];
+      }
+      const Rgba9 color{out->plane[0][i], out->plane[1][i], out->plane[2][i], out->plane[3][i]};
+      if (!check(i, registers, color, "the batch evaluator on " + simd_target_name(target))) return expected;
+    }
+  }
+  return expected;
+}
+
+Fragment judged(const CombinerState& state, const HardwareProfile& profile, const RegisterFile& initial) {
+  return judged(state, profile, std::vector<RegisterFile>{initial})[0];
+}
+
+}  // namespace ninebit::test
