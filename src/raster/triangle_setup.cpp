@@ -9,9 +9,10 @@
 namespace ninebit {
 namespace {
 
+// In doubles: their differences and products cannot overflow, and near the eye an error is magnified by 1 / w.
 struct ClipVertex {
-  glm::vec4 position;
-  glm::vec3 weight;  // barycentric coordinates in the original triangle
+  glm::dvec4 position;
+  glm::dvec3 weight;  // barycentric coordinates in the original triangle
 };
 
 // Clipping a triangle against six planes leaves nine corners at most, as long as the polygon stays convex. Rounding can
@@ -27,16 +28,13 @@ struct Polygon {
 // no projection give such a w inside the clip volume; what they put there is not drawn.
 constexpr float kSmallestW = 0x1p-80F;
 
-// Beyond it the differences that clipping takes would no longer be finite.
-constexpr float kLargestDistance = 0x1p120F;
-
 // How far a guard band reaches beyond the viewport: window positions stay within 8,192 pixels of its centre.
 float guard_factor(int size) {
   return static_cast<float>(kMaxSurfaceSize) / static_cast<float>(size);
 }
 
 // Signed distance to clip plane `plane`, >= 0 inside: near, far, then the guard band's left, right, bottom, top.
-float plane_distance(const glm::vec4& p, int plane, float guard_x, float guard_y) {
+double plane_distance(const glm::dvec4& p, int plane, double guard_x, double guard_y) {
   switch (plane) {
     case 0:
       return p.w + p.z;
@@ -55,27 +53,27 @@ float plane_distance(const glm::vec4& p, int plane, float guard_x, float guard_y
 
 // Where the edge from an inside to an outside vertex meets the plane. Always computed in that direction, so that two
 // triangles that share the edge get the same point.
-ClipVertex intersection(const ClipVertex& inside, const ClipVertex& outside, float d_in, float d_out) {
-  const float t = d_in / (d_in - d_out);
-  const auto mix = [t](float a, float b) { return a + (b - a) * t; };
+ClipVertex intersection(const ClipVertex& inside, const ClipVertex& outside, double d_in, double d_out) {
+  const double t = d_in / (d_in - d_out);
+  const auto mix = [t](double a, double b) { return a + (b - a) * t; };
   ClipVertex v;
   for (int i = 0; i < 4; ++i) v.position[i] = mix(inside.position[i], outside.position[i]);
   for (int i = 0; i < 3; ++i) v.weight[i] = mix(inside.weight[i], outside.weight[i]);
   return v;
 }
 
-Polygon clip_against(const Polygon& in, int plane, float guard_x, float guard_y) {
+Polygon clip_against(const Polygon& in, int plane, double guard_x, double guard_y) {
   Polygon out;
   for (int i = 0; i < in.count; ++i) {
     const ClipVertex& a = in.vertex[static_cast<std::size_t>(i)];
     const ClipVertex& b = in.vertex[static_cast<std::size_t>((i + 1) % in.count)];
-    const float da = plane_distance(a.position, plane, guard_x, guard_y);
-    const float db = plane_distance(b.position, plane, guard_x, guard_y);
+    const double da = plane_distance(a.position, plane, guard_x, guard_y);
+    const double db = plane_distance(b.position, plane, guard_x, guard_y);
     const auto push = [&](const ClipVertex& v) { out.vertex[static_cast<std::size_t>(out.count++)] = v; };
-    if (da >= 0.0F) {
+    if (da >= 0.0) {
       push(a);
-      if (db < 0.0F) push(intersection(a, b, da, db));
-    } else if (db >= 0.0F) {
+      if (db < 0.0) push(intersection(a, b, da, db));
+    } else if (db >= 0.0) {
       push(intersection(b, a, db, da));
     }
   }
@@ -158,9 +156,9 @@ void set_up_triangle(const Viewport& viewport, const std::array<glm::vec4, 3>& c
   for (int plane = 0; plane < 6; ++plane) {
     int outside = 0;
     for (const glm::vec4& p : clip) {
-      const float d = plane_distance(p, plane, guard_x, guard_y);
-      if (!(std::fabs(d) <= kLargestDistance)) return;  // also NaN
-      outside += d < 0.0F ? 1 : 0;
+      const double d = plane_distance(p, plane, guard_x, guard_y);
+      if (!std::isfinite(d)) return;
+      outside += d < 0.0 ? 1 : 0;
     }
     if (outside == 3) return;
     if (outside > 0) crossed |= 1 << plane;
@@ -186,8 +184,8 @@ void set_up_triangle(const Viewport& viewport, const std::array<glm::vec4, 3>& c
   Polygon polygon;
   polygon.count = 3;
   for (int i = 0; i < 3; ++i) {
-    glm::vec3 weight(0.0F);
-    weight[i] = 1.0F;
+    glm::dvec3 weight(0.0);
+    weight[i] = 1.0;
     polygon.vertex[static_cast<std::size_t>(i)] = {clip[static_cast<std::size_t>(i)], weight};
   }
   for (int plane = 0; plane < 6 && polygon.count >= 3; ++plane) {
@@ -195,13 +193,14 @@ void set_up_triangle(const Viewport& viewport, const std::array<glm::vec4, 3>& c
   }
   std::array<WindowVertex, kMaxCorners> window;
   for (int i = 0; i < polygon.count; ++i) {
-    const glm::vec4& p = polygon.vertex[static_cast<std::size_t>(i)].position;
+    const glm::vec4 p(polygon.vertex[static_cast<std::size_t>(i)].position);
     if (!(p.w >= kSmallestW)) return;
     window[static_cast<std::size_t>(i)] = to_window(viewport, p);
   }
   for (int i = 1; i + 1 < polygon.count; ++i) {
     const auto b = static_cast<std::size_t>(i), c = static_cast<std::size_t>(i + 1);
-    const glm::mat3 weights(polygon.vertex[0].weight, polygon.vertex[b].weight, polygon.vertex[c].weight);
+    const glm::mat3 weights(glm::vec3(polygon.vertex[0].weight), glm::vec3(polygon.vertex[b].weight),
+                            glm::vec3(polygon.vertex[c].weight));
     emit(viewport, {window[0], window[b], window[c]}, {0, 1, 2}, &weights, primitive, cull_front, cull_back, block);
   }
 }

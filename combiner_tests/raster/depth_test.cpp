@@ -1,0 +1,236 @@
+// Depth: the exact plane, the same in every pass, from 0 to 0xFFFFFF.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "combiner_tests/raster/support.h"
+
+namespace ninebit::test {
+namespace {
+
+constexpr int kWide = 16384, kHigh = 64;
+
+// Draws one triangle's depth alone onto the widest target.
+class WideDepth {
+ public:
+  WideDepth() : depth_(static_cast<std::size_t>(kWide) * kHigh) {}
+
+  void draw(const oracle::WindowTriangle& triangle) {
+    std::fill(depth_.begin(), depth_.end(), 0xFFFFFFFF);
+    Mesh mesh;
+    for (const auto& v : triangle) mesh.add(clip_position(v, kWide, kHigh));
+    mesh.add_triangle(0, 1, 2);
+    RenderTarget target;
+    target.width = kWide;
+    target.height = kHigh;
+    target.depth_z24 = {depth_.data(), kWide};
+    PipelineState state;
+    state.depth_test = {true, CompareFunction::always, true};
+    ASSERT_TRUE(rasterize(state, kIdentity, mesh.arrays(), {}, target).ok());
+  }
+  std::uint32_t at(int x, int y) const {
+    return depth_[static_cast<std::size_t>(y) * kWide + static_cast<std::size_t>(x)];
+  }
+
+ private:
+  std::vector<std::uint32_t> depth_;
+};
+
+oracle::WindowTriangle largest_triangle(Random& random) {
+  // The guard band reaches 8,192 pixels to each side of the middle.
+  const int low = 16 * (kHigh / 2 - 8190), high = 16 * (kHigh / 2 + 8190);
+  const auto near_end = [&](int end, int inward) { return end + inward * random.below(4000); };
+  const auto z = [&] { return static_cast<std::int64_t>(random.next() & kMaxDepthZ24); };
+  return {{{near_end(0, 1), near_end(low, 1), z()},
+           {near_end(16 * kWide, -1), near_end(low, 1), z()},
+           {random.between(0, 16 * kWide), near_end(high, -1), z()}}};
+}
+
+TEST(Depth, LargestTrianglesFollowTheExactPlane) {
+  WideDepth wide;
+  for (std::uint64_t index = 0; index < (kSlowBuild ? 3 : 20); ++index) {
+    Random random(31, index);
+    const oracle::WindowTriangle t = largest_triangle(random);
+    wide.draw(t);
+    int drawn = 0;
+    for (int i = 0; i < 4000; ++i) {
+      const int x = random.below(kWide), y = random.below(kHigh);
+      if (!oracle::covers(t, x, y)) {
+        ASSERT_EQ(wide.at(x, y), 0xFFFFFFFF);
+        continue;
+      }
+      ++drawn;
+      ASSERT_EQ(wide.at(x, y), oracle::depth_at(t, x, y)) << "triangle " << index << " pixel " << x << ' ' << y;
+    }
+    EXPECT_GE(drawn, 1000);
+  }
+}
+
+std::int64_t inverse_modulo(std::int64_t value, std::int64_t modulus) {
+  std::int64_t r0 = modulus, r1 = value % modulus, t0 = 0, t1 = 1;
+  while (r1 != 0) {
+    const std::int64_t q = r0 / r1;
+    r0 = std::exchange(r1, r0 - q * r1);
+    t0 = std::exchange(t1, t0 - q * t1);
+  }
+  return r0 != 1 ? 0 : (t0 + modulus) % modulus;
+}
+
+// Depths that lie one part in 2^37 below a half: a quotient in floating point calls them a half. Found by solving
+// e1 * dz1 + e2 * dz2 = (area - 1) / 2 modulo the area for a depth difference that fits.
+TEST(Depth, JustBelowAHalfIsRoundedDown) {
+  __extension__ using WideInt = __int128;
+  WideDepth wide;
+  int found = 0;
+  Random random(32);
+  for (int attempt = 0; attempt < 4000000 && found < 12; ++attempt) {
+    oracle::WindowTriangle t = largest_triangle(random);
+    const int x = random.below(kWide), y = random.below(kHigh);
+    const auto twice_area = [&](std::int64_t ax, std::int64_t ay, std::int64_t bx, std::int64_t by) {
+      return (bx - ax) * (16 * y + 8 - ay) - (by - ay) * (16 * x + 8 - ax);
+    };
+    const std::int64_t e0 = twice_area(t[1].x_q4, t[1].y_q4, t[2].x_q4, t[2].y_q4);
+    const std::int64_t e1 = twice_area(t[2].x_q4, t[2].y_q4, t[0].x_q4, t[0].y_q4);
+    const std::int64_t e2 = twice_area(t[0].x_q4, t[0].y_q4, t[1].x_q4, t[1].y_q4);
+    const std::int64_t area = e0 + e1 + e2;
+    if (area % 2 == 0 || e0 <= 0 || e1 <= 0 || e2 <= 0) continue;
+    const std::int64_t inverse = inverse_modulo(e1, area);
+    if (inverse == 0) continue;
+    for (int tries = 0; tries < 4000; ++tries) {
+      const std::int64_t dz2 = -static_cast<std::int64_t>(random.next() & kMaxDepthZ24);
+      const WideInt right = ((WideInt{(area - 1) / 2} - WideInt{e2} * dz2) % area + area) % area;
+      const std::int64_t dz1 = static_cast<std::int64_t>(right * inverse % area) - area;
+      if (dz1 < -std::int64_t{kMaxDepthZ24}) continue;
+      t[0].z24 = kMaxDepthZ24;
+      t[1].z24 = kMaxDepthZ24 + dz1;
+      t[2].z24 = kMaxDepthZ24 + dz2;
+      ++found;
+      wide.draw(t);
+      EXPECT_EQ(wide.at(x, y), oracle::depth_at(t, x, y)) << "pixel " << x << ' ' << y;
+      break;
+    }
+  }
+  EXPECT_EQ(found, 12);
+}
+
+// A pixel's centre in the middle of a left edge whose ends lie an odd number of steps apart.
+TEST(Depth, ExactHalvesAreRoundedUp) {
+  const int size = 64;
+  for (std::uint64_t index = 0; index < 500; ++index) {
+    Random random(35, index);
+    const int x = random.below(20), y = random.between(20, 40), reach = random.between(1, 4000);
+    const auto z = [&] { return static_cast<std::int64_t>(random.next() & (kMaxDepthZ24 - 1)); };
+    oracle::WindowTriangle t{{{16 * x + 8, 16 * y + 8 + reach, z()},
+                              {16 * x + 8, 16 * y + 8 - reach, z()},
+                              {16 * x + 8 + random.between(1, 4000), random.between(-2000, 2000), z()}}};
+    if ((t[0].z24 + t[1].z24) % 2 == 0) ++t[0].z24;
+    Mesh mesh;
+    for (const auto& v : t) mesh.add(clip_position(v, size, size));
+    mesh.add_triangle(0, 1, 2);
+    Surface surface = Surface::make(size, size).value();
+    RenderTarget target = surface.target();
+    PipelineState state;
+    state.depth_test = {true, CompareFunction::always, true};
+    ASSERT_TRUE(rasterize(state, kIdentity, mesh.arrays(), {}, target).ok());
+    ASSERT_EQ(surface.depth_z24()[static_cast<std::size_t>(y * size + x)], (t[0].z24 + t[1].z24 + 1) / 2);
+  }
+}
+
+TEST(Depth, EndsOfTheRange) {
+  const std::array<std::pair<float, std::uint32_t>, 5> cases{
+      {{-1.0F, 0U}, {1.0F, 0xFFFFFFU}, {0.0F, 0x800000U}, {0.5F, 12582911U}, {-0.5F, 4194304U}}};
+  for (const auto& [z, expected] : cases) {
+    Mesh mesh;
+    for (const glm::vec2 p : {glm::vec2(-3, -3), glm::vec2(5, -3), glm::vec2(-3, 5)}) mesh.add({p, z});
+    mesh.add_triangle(0, 1, 2);
+    Surface surface = Surface::make(3, 2).value();
+    surface.clear({.depth_z24 = 77});
+    RenderTarget target = surface.target();
+    PipelineState state;
+    state.depth_test = {true, CompareFunction::always, true};
+    ASSERT_TRUE(rasterize(state, kIdentity, mesh.arrays(), {}, target).ok());
+    EXPECT_EQ(surface.depth_z24(), std::vector<std::uint32_t>(6, expected)) << z;
+  }
+}
+
+// Triangles anywhere before the camera, also through the near plane.
+Mesh soup(Random& random, int triangles) {
+  Mesh mesh;
+  for (int i = 0; i < triangles; ++i) {
+    const glm::vec3 middle(random.real_f(-3, 3), random.real_f(-3, 3), random.real_f(-8, 0.5));
+    const double spread = random.pick({0.1, 0.5, 3.0});
+    for (int k = 0; k < 3; ++k) {
+      mesh.add(middle + glm::vec3(random.real_f(-spread, spread), random.real_f(-spread, spread),
+                                  random.real_f(-spread, spread)));
+      mesh.vertex_colors.push_back({random.byte(), random.byte(), random.byte(), random.byte()});
+    }
+    const auto first = static_cast<std::uint32_t>(3 * i);
+    mesh.add_triangle(first, first + 1, first + 2);
+  }
+  return mesh;
+}
+
+TEST(Depth, IsTheSameForEveryOrderOfAnUnclippedTrianglesVertices) {
+  const int size = 200;
+  const glm::mat4 matrix = perspective(1.0, 1.0, 0.1, 20);
+  std::int64_t drawn = 0;
+  for (std::uint64_t index = 0; index < 60; ++index) {
+    Random random(33, index);
+    Mesh mesh;
+    for (int k = 0; k < 3; ++k) mesh.add({random.real_f(-4, 4), random.real_f(-4, 4), random.real_f(-6, -0.2)});
+    std::array<std::uint32_t, 3> order{0, 1, 2};
+    std::vector<std::uint32_t> first;
+    do {
+      mesh.triangles.clear();
+      mesh.add_triangle(order[0], order[1], order[2]);
+      Surface surface = Surface::make(size, size).value();
+      RenderTarget target = surface.target();
+      PipelineState state;
+      state.depth_test = {true, CompareFunction::always, true};
+      ASSERT_TRUE(rasterize(state, matrix, mesh.arrays(), {}, target).ok());
+      if (first.empty()) {
+        first = surface.depth_z24();
+        for (const std::uint32_t z : first) drawn += z != kMaxDepthZ24 ? 1 : 0;
+      }
+      ASSERT_EQ(first, surface.depth_z24()) << "triangle " << index;
+    } while (std::next_permutation(order.begin(), order.end()));
+  }
+  EXPECT_GE(drawn, 100000);
+}
+
+// A depth pass without colour, then the same triangles with EQUAL through the combiners: every pixel is met again.
+TEST(Depth, EqualMeetsWhatAnEarlierPassWrote) {
+  for (std::uint64_t index = 0; index < 10; ++index) {
+    Random random(34, index);
+    const int width = random.between(60, 200), height = random.between(60, 200);
+    const Mesh mesh = soup(random, 300);
+    const glm::mat4 matrix = perspective(0.8, static_cast<double>(width) / height, 0.1, 20);
+    Surface surface = Surface::make(width, height).value();
+    RenderTarget target = surface.target();
+    PipelineState depth_pass;
+    depth_pass.color_mask = {};
+    depth_pass.depth_test.enabled = true;
+    ASSERT_TRUE(rasterize(depth_pass, matrix, mesh.arrays(), {}, target).ok());
+    const std::vector<std::uint32_t> depth = surface.depth_z24();
+
+    PipelineState color_pass = counting_state();
+    color_pass.color_mask = {true, true, true, true};
+    color_pass.depth_test = {true, CompareFunction::equal, false};
+    color_pass.stencil_test.depth_pass = StencilOperation::replace;
+    color_pass.stencil_test.reference = 1;
+    color_pass.program = pass_through(Register::primary, Register::primary);
+    ASSERT_TRUE(rasterize(color_pass, matrix, mesh.arrays(), {}, target).ok());
+    EXPECT_EQ(surface.depth_z24(), depth);
+    std::int64_t drawn = 0;
+    for (std::size_t i = 0; i < depth.size(); ++i) {
+      ASSERT_EQ(surface.stencil()[i], depth[i] != kMaxDepthZ24 ? 1 : 0) << "scene " << index << " sample " << i;
+      drawn += surface.stencil()[i];
+    }
+    EXPECT_GE(drawn, width * height / 4);
+  }
+}
+
+}  // namespace
+}  // namespace ninebit::test

@@ -1,0 +1,171 @@
+// Perspective-correct colours and texture coordinates, whole and clipped.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "combiner_tests/raster/support.h"
+
+namespace ninebit::test {
+namespace {
+
+// Where the ray through a window position meets the plane of a triangle, in barycentric coordinates.
+glm::dvec3 barycentric(const Mesh& mesh, double x, double y, int width, int height, double tangent) {
+  const glm::dvec3 ray((x / width * 2 - 1) * tangent * width / height, (y / height * 2 - 1) * tangent, -1);
+  const glm::dvec3 a(mesh.positions[0]), b(mesh.positions[1]), c(mesh.positions[2]);
+  const glm::dvec3 w(glm::dot(ray, glm::cross(b, c)), glm::dot(ray, glm::cross(c, a)), glm::dot(ray, glm::cross(a, b)));
+  return w / (w.x + w.y + w.z);
+}
+
+struct Case {
+  Mesh mesh;
+  int width, height;
+  double tangent;
+  glm::mat4 matrix;
+};
+
+Case random_case(Random& random, bool clipped) {
+  Case c;
+  c.width = random.between(64, 256);
+  c.height = random.between(64, 256);
+  c.tangent = random.real(0.4, 1.5);
+  c.matrix = perspective(c.tangent, static_cast<double>(c.width) / c.height, 0.2, 30);
+  for (int k = 0; k < 3; ++k) {
+    const double depth = clipped && k == 1 ? random.real(0.15, 2.0) : -random.real(0.5, 12);
+    c.mesh.add({random.real_f(-5, 5), random.real_f(-5, 5), static_cast<float>(depth)});
+    c.mesh.vertex_colors.push_back({random.byte(), random.byte(), random.byte(), random.byte()});
+    c.mesh.texture_coordinates.emplace_back(random.real_f(-1, 1), random.real_f(-1, 1), random.real_f(-1, 1));
+  }
+  c.mesh.add_triangle(0, 1, 2);
+  return c;
+}
+
+// The least and the largest value that a function takes within the reach of snapping around a pixel's centre.
+template <class Function>
+std::pair<double, double> range_around(int x, int y, Function value) {
+  double low = 1e30, high = -1e30;
+  for (const double dx : {-0.2, 0.0, 0.2}) {
+    for (const double dy : {-0.2, 0.0, 0.2}) {
+      const double v = value(x + 0.5 + dx, y + 0.5 + dy);
+      low = std::min(low, v);
+      high = std::max(high, v);
+    }
+  }
+  return {low, high};
+}
+
+void expect_colors(bool clipped, std::uint64_t seed) {
+  std::int64_t checked = 0;
+  for (std::uint64_t index = 0; index < 150; ++index) {
+    Random random(seed, index);
+    const Case c = random_case(random, clipped);
+    Surface surface = Surface::make(c.width, c.height, true).value();
+    RenderTarget target = surface.target();
+    ASSERT_TRUE(rasterize({}, c.matrix, c.mesh.arrays(), {}, target).ok());
+    for (int y = 0; y < c.height; ++y) {
+      for (int x = 0; x < c.width; ++x) {
+        const auto at = static_cast<std::size_t>(y * c.width + x);
+        if (surface.primitive()[at] != 0) continue;
+        const glm::dvec3 w = barycentric(c.mesh, x + 0.5, y + 0.5, c.width, c.height, c.tangent);
+        if (std::min({w.x, w.y, w.z}) < 0.02) continue;  // rims, slivers
+        for (int k = 0; k < 4; ++k) {
+          const auto i = static_cast<std::size_t>(k);
+          const auto [low, high] = range_around(x, y, [&](double px, double py) {
+            const glm::dvec3 b = barycentric(c.mesh, px, py, c.width, c.height, c.tangent);
+            return b.x * c.mesh.vertex_colors[0][i] + b.y * c.mesh.vertex_colors[1][i] +
+                   b.z * c.mesh.vertex_colors[2][i];
+          });
+          const double drawn = surface.color(k)[at];
+          ASSERT_GE(drawn, low - 1) << "case " << index << " pixel " << x << ' ' << y;
+          ASSERT_LE(drawn, high + 1) << "case " << index << " pixel " << x << ' ' << y;
+        }
+        ++checked;
+      }
+    }
+  }
+  EXPECT_GE(checked, 50000);
+}
+
+TEST(Interpolation, ColorsArePerspectiveCorrect) {
+  expect_colors(false, 51);
+}
+TEST(Interpolation, ClippedTrianglesInterpolateLikeWholeOnes) {
+  expect_colors(true, 52);
+}
+
+// A cube map whose texels say where they are: red and green the place, blue the face.
+struct PlaceMap {
+  static constexpr int kSize = 256;
+  std::array<std::array<std::vector<std::uint8_t>, 3>, 6> samples;
+  CubeMap map;
+  PlaceMap() {
+    map.size = kSize;
+    for (std::size_t f = 0; f < 6; ++f) {
+      for (int y = 0; y < kSize; ++y) {
+        for (int x = 0; x < kSize; ++x) {
+          samples[f][0].push_back(static_cast<std::uint8_t>(x));
+          samples[f][1].push_back(static_cast<std::uint8_t>(y));
+          samples[f][2].push_back(static_cast<std::uint8_t>(f * 40));
+        }
+      }
+      for (std::size_t k = 0; k < 3; ++k) map.faces[f][k] = {samples[f][k].data(), kSize};
+    }
+  }
+};
+
+void expect_texels(bool clipped, std::uint64_t seed) {
+  const PlaceMap place;
+  const std::array<const CubeMap*, 1> textures{&place.map};
+  PipelineState state;
+  state.program = pass_through(Register::texture0, Register::texture0);
+  std::int64_t checked = 0;
+  for (std::uint64_t index = 0; index < 100; ++index) {
+    Random random(seed, index);
+    const Case c = random_case(random, clipped);
+    Surface surface = Surface::make(c.width, c.height, true).value();
+    RenderTarget target = surface.target();
+    ASSERT_TRUE(rasterize(state, c.matrix, c.mesh.arrays(), textures, target).ok());
+    for (int y = 0; y < c.height; ++y) {
+      for (int x = 0; x < c.width; ++x) {
+        const auto at = static_cast<std::size_t>(y * c.width + x);
+        if (surface.primitive()[at] != 0) continue;
+        const glm::dvec3 w = barycentric(c.mesh, x + 0.5, y + 0.5, c.width, c.height, c.tangent);
+        if (std::min({w.x, w.y, w.z}) < 0.02) continue;
+        EXPECT_EQ(surface.color(kAlpha)[at], 255);
+        const auto face = static_cast<CubeFace>(surface.color(kBlue)[at] / 40);
+        bool same_face = true;
+        const auto coordinate = [&](double px, double py) {
+          const glm::dvec3 b = barycentric(c.mesh, px, py, c.width, c.height, c.tangent);
+          glm::dvec3 r(0);
+          const double weight[] = {b.x, b.y, b.z};
+          for (std::size_t k = 0; k < 3; ++k) r += weight[k] * glm::dvec3(c.mesh.texture_coordinates[k]);
+          const CubeCoordinate at_cube =
+              cube_coordinate(static_cast<float>(r.x), static_cast<float>(r.y), static_cast<float>(r.z));
+          same_face = same_face && at_cube.face == face;
+          return at_cube;
+        };
+        const auto [s_low, s_high] =
+            range_around(x, y, [&](double px, double py) { return double{coordinate(px, py).s}; });
+        const auto [t_low, t_high] =
+            range_around(x, y, [&](double px, double py) { return double{coordinate(px, py).t}; });
+        if (!same_face) continue;  // near a seam
+        const double s = (surface.color(kRed)[at] + 0.5) / 256, t = (surface.color(kGreen)[at] + 0.5) / 256;
+        const double slack = 0.75 / 256;
+        ASSERT_TRUE(s >= s_low - slack && s <= s_high + slack && t >= t_low - slack && t <= t_high + slack)
+            << "case " << index << " pixel " << x << ' ' << y << ": " << s << " not in " << s_low << ' ' << s_high
+            << " or " << t << " not in " << t_low << ' ' << t_high;
+        ++checked;
+      }
+    }
+  }
+  EXPECT_GE(checked, 30000);
+}
+
+TEST(Interpolation, TextureCoordinatesArePerspectiveCorrect) {
+  expect_texels(false, 53);
+}
+TEST(Interpolation, TextureCoordinatesOfClippedTriangles) {
+  expect_texels(true, 54);
+}
+
+}  // namespace
+}  // namespace ninebit::test

@@ -1,0 +1,100 @@
+// What the rasterizer tests share: random numbers, clip coordinates that snap to a wanted position, planes with
+// padding.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <initializer_list>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "combiner_tests/oracle/raster_oracle.h"
+#include "ninebit/combiner/program.h"
+#include "ninebit/raster/rasterizer.h"
+
+namespace ninebit::test {
+
+// Tests that loop long do less where a sanitizer slows the build down.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+inline constexpr bool kSlowBuild = true;
+#elif defined(__has_feature)
+inline constexpr bool kSlowBuild = __has_feature(address_sanitizer) || __has_feature(thread_sanitizer);
+#else
+inline constexpr bool kSlowBuild = false;
+#endif
+
+// splitmix64: case `index` of `seed` is the same everywhere and needs no earlier case.
+class Random {
+ public:
+  explicit Random(std::uint64_t seed, std::uint64_t index = 0) : state_(seed + index * 0xD1B54A32D192ED03U) { next(); }
+  std::uint64_t next();
+  int below(int count) { return static_cast<int>(next() % static_cast<std::uint64_t>(count)); }
+  int between(int low, int high) { return low + below(high - low + 1); }
+  bool one_in(int count) { return below(count) == 0; }
+  double real(double low, double high) { return low + (high - low) * static_cast<double>(next() >> 11) * 0x1p-53; }
+  float real_f(double low, double high) { return static_cast<float>(real(low, high)); }
+  std::uint8_t byte() { return static_cast<std::uint8_t>(next() & 255); }
+  template <class T>
+  T pick(std::initializer_list<T> values) {
+    return values.begin()[below(static_cast<int>(values.size()))];
+  }
+
+ private:
+  std::uint64_t state_;
+};
+
+// A position with w = 1 that the identity matrix puts into the middle of the snapping cell of this window position
+// (multiples of 2^(4 - subpixel_bits) sixteenths) and exactly onto this depth.
+glm::vec3 clip_position(const oracle::WindowVertex& v, int width, int height, int subpixel_bits = 4);
+
+inline const glm::mat4 kIdentity{1.0F};
+
+// Owned planes with a few samples of padding after each row, which no draw may touch.
+class Canvas {
+ public:
+  Canvas(int width, int height, bool with_capture = false);
+  Canvas(const Canvas&) = delete;
+  Canvas& operator=(const Canvas&) = delete;
+
+  RenderTarget target;
+  oracle::Picture picture() const;
+  void load(const oracle::Picture& picture);
+  bool padding_is_whole() const;
+
+ private:
+  int stride_;
+  std::array<std::vector<std::uint8_t>, 4> color_;
+  std::vector<std::uint32_t> depth_, primitive_;
+  std::vector<std::uint8_t> stencil_;
+  std::vector<s9> captured_;
+};
+
+// Vertices and triangles that grow.
+struct Mesh {
+  std::vector<glm::vec3> positions;
+  std::vector<glm::uvec3> triangles;
+  std::vector<ColorBytes> vertex_colors, triangle_colors;
+  std::vector<glm::vec3> texture_coordinates;
+
+  std::uint32_t add(const glm::vec3& position);
+  void add_triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) { triangles.emplace_back(a, b, c); }
+  // Texture coordinates go to unit 0.
+  TriangleArrays arrays() const;
+};
+
+// Stencil INCR for every fragment, no colour.
+PipelineState counting_state();
+
+// Draws the mesh with counting_state() onto a cleared surface and returns the stencil: how often each pixel was drawn.
+std::vector<std::uint8_t> coverage(const Mesh& mesh, const glm::mat4& matrix, int width, int height,
+                                   CullFace cull = CullFace::none);
+
+// A program of one silent stage whose output is register `rgb` with the alpha of `alpha`.
+Program pass_through(Register rgb, Register alpha, const HardwareProfile& profile = profiles::geforce2);
+
+// The matrix of a camera at the origin that looks along -z.
+glm::mat4 perspective(double half_angle_tangent, double aspect, double near_plane, double far_plane);
+
+}  // namespace ninebit::test
