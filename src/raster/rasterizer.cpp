@@ -17,7 +17,12 @@ namespace ninebit {
 namespace {
 
 constexpr std::size_t kTrianglesPerBlock = 2048;
-constexpr std::size_t kBlocksPerChunk = 64;  // bounds the memory of a draw, whatever its length
+
+// How many blocks are binned before they are drawn: enough to keep the threads busy, and few enough that their lists
+// stay below 2^28 entries even if every triangle covers every tile.
+std::size_t blocks_per_chunk(std::size_t tiles) {
+  return std::clamp((std::size_t{1} << 28) / (kTrianglesPerBlock * tiles), std::size_t{1}, std::size_t{64});
+}
 
 // One block's triangles sorted by tile, in drawing order within each tile.
 struct BinnedBlock {
@@ -152,9 +157,10 @@ Status rasterize(const PipelineState& state, const glm::mat4& clip_from_object, 
   const bool cull_front = state.cull_face == CullFace::front, cull_back = state.cull_face == CullFace::back;
 
   const std::size_t blocks = (arrays.triangles.size() + kTrianglesPerBlock - 1) / kTrianglesPerBlock;
-  std::vector<BinnedBlock> chunk(std::min(blocks, kBlocksPerChunk));
-  for (std::size_t first_block = 0; first_block < blocks; first_block += kBlocksPerChunk) {
-    const std::size_t count = std::min(kBlocksPerChunk, blocks - first_block);
+  const std::size_t per_chunk = blocks_per_chunk(grid.count());
+  std::vector<BinnedBlock> chunk(std::min(blocks, per_chunk));
+  for (std::size_t first_block = 0; first_block < blocks; first_block += per_chunk) {
+    const std::size_t count = std::min(per_chunk, blocks - first_block);
     tbb::parallel_for(std::size_t{0}, count, [&](std::size_t b) {
       BinnedBlock& block = chunk[b];
       block.setup.triangles.clear();
