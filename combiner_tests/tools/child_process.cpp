@@ -1,0 +1,95 @@
+#include "combiner_tests/tools/child_process.h"
+
+#include <fcntl.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <stdexcept>
+#include <utility>
+
+namespace tools_test {
+namespace {
+
+const char* const kProgram = NINEBIT_BINARY_DIR "/ninebit";
+
+std::FILE* open_file(const std::string& path) {
+  std::FILE* file = path.empty() ? std::tmpfile() : std::fopen(path.c_str(), "w");
+  if (file == nullptr) throw std::runtime_error("cannot open " + (path.empty() ? "a temporary file" : path));
+  return file;
+}
+
+std::string content_of(std::FILE* file) {
+  std::string text;
+  std::array<char, 4096> buffer{};
+  std::rewind(file);
+  while (const std::size_t n = std::fread(buffer.data(), 1, buffer.size(), file)) text.append(buffer.data(), n);
+  return text;
+}
+
+// Runs between fork and exec: system calls only.
+[[noreturn]] void become_the_program(char* const* arguments, const ChildSettings& settings, int out, int err) {
+  bool ready = settings.folder.empty() || ::chdir(settings.folder.c_str()) == 0;
+  if (settings.file_size_limit) {
+    const rlimit limit{*settings.file_size_limit, *settings.file_size_limit};
+    ready = ready && ::setrlimit(RLIMIT_FSIZE, &limit) == 0;
+  }
+  const int nothing = ::open("/dev/null", O_RDONLY);
+  ready =
+      ready && ::dup2(nothing, STDIN_FILENO) >= 0 && ::dup2(out, STDOUT_FILENO) >= 0 && ::dup2(err, STDERR_FILENO) >= 0;
+  if (ready) ::execv(kProgram, arguments);
+  ::_exit(126);
+}
+
+}  // namespace
+
+Child::Child(const std::vector<std::string>& arguments, const ChildSettings& settings)
+    : out_(open_file(settings.out), &std::fclose), err_(open_file(settings.err), &std::fclose) {
+  std::vector<std::string> words{kProgram};
+  words.insert(words.end(), arguments.begin(), arguments.end());
+  std::vector<char*> pointers;
+  for (std::string& word : words) pointers.push_back(word.data());
+  pointers.push_back(nullptr);
+  process_ = ::fork();
+  if (process_ < 0) throw std::runtime_error("cannot fork");
+  if (process_ == 0) become_the_program(pointers.data(), settings, ::fileno(out_.get()), ::fileno(err_.get()));
+}
+
+Child::~Child() {
+  if (process_ < 0) return;
+  ::kill(process_, SIGKILL);
+  ::waitpid(process_, nullptr, 0);
+}
+
+bool Child::ended() const {
+  siginfo_t about{};
+  return ::waitid(P_PID, static_cast<id_t>(process_), &about, WEXITED | WNOHANG | WNOWAIT) == 0 && about.si_pid != 0;
+}
+
+void Child::send(int signal) const {
+  if (::kill(process_, signal) != 0) throw std::runtime_error("cannot send a signal");
+}
+
+Outcome Child::wait() {
+  int status = 0;
+  pid_t ended = -1;
+  do {
+    ended = ::waitpid(process_, &status, 0);
+  } while (ended < 0 && errno == EINTR);
+  if (ended < 0) throw std::runtime_error("cannot wait for the program");
+  process_ = -1;
+  Outcome outcome;
+  outcome.code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+  outcome.out = content_of(out_.get());
+  outcome.err = content_of(err_.get());
+  return outcome;
+}
+
+Outcome ninebit(const std::vector<std::string>& arguments, const ChildSettings& settings) {
+  return Child(arguments, settings).wait();
+}
+
+}  // namespace tools_test

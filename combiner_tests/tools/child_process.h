@@ -1,0 +1,48 @@
+// Running the program as its users do: as a process of its own.
+#pragma once
+
+#include <cstdint>
+#include <cstdio>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace tools_test {
+
+// How a process ended. `code` is what a shell would tell: the exit code, or 128 + the signal that killed it.
+struct Outcome {
+  int code = -1;
+  std::string out;
+  std::string err;
+};
+
+struct ChildSettings {
+  std::string folder{};                            // to run in; empty: the caller's
+  std::optional<std::uint64_t> file_size_limit{};  // bytes that any file may have, as RLIMIT_FSIZE
+  std::string out{};                               // where stdout goes instead of into the Outcome
+  std::string err{};                               // the same for stderr
+};
+
+// A running `ninebit ARGUMENTS...`. The destructor kills it if nobody has waited for it.
+class Child {
+ public:
+  explicit Child(const std::vector<std::string>& arguments, const ChildSettings& settings = {});
+  Child(const Child&) = delete;
+  Child& operator=(const Child&) = delete;
+  ~Child();
+
+  [[nodiscard]] bool ended() const;
+  void send(int signal) const;  // does nothing to a program that has ended
+  Outcome wait();
+
+ private:
+  using File = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
+  File out_, err_;
+  int process_ = -1;
+};
+
+// Runs `ninebit ARGUMENTS...` to its end.
+Outcome ninebit(const std::vector<std::string>& arguments, const ChildSettings& settings = {});
+
+}  // namespace tools_test

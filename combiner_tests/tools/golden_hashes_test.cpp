@@ -1,0 +1,73 @@
+// Renderings to the bit: the hashes in scenes/expected_hashes.json, by scene and flags.
+//
+// After a change that is meant to change pixels: look at the pictures, then run this test with NINEBIT_UPDATE_HASHES=1.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <sstream>
+
+#include "combiner_tests/tools/support.h"
+
+namespace tools_test {
+namespace {
+
+const std::string kExpected = NINEBIT_SOURCE_DIR "/scenes/expected_hashes.json";
+
+struct Golden {
+  std::string scene;
+  std::vector<std::string> flags;
+};
+
+std::vector<Golden> goldens() {
+  return {
+      {kRoom, {""}},
+      {kRoom, {"--size 320x240 --map-size 256", "--size 320x240 --map-size 256 --light-facing"}},
+      {kRoom, {"--size 320x240 --map-size 256 --index-scope object", "--size 320x240 --map-size 256 --index-step 1"}},
+      {kRoom, {"--size 320x240 --map-size 256 --cull back", "--size 320x240 --map-size 256 --profile nv2a"}},
+      {kRoom, {"--size 199x301 --map-size 32 --camera -3,4,2.5 --look-at 0,1,0 --fov 70 --light 1,3,-1"}},
+      {kBunny, {"", "--size 320x240 --map-size 256", "--size 320x240 --map-size 256 --floor none --light-facing"}},
+      {kEngine, {"", "--size 320x240 --map-size 256"}},
+  };
+}
+
+Json rendered() {
+  const TempFolder folder;
+  Json found = Json::object();
+  for (const Golden& golden : goldens()) {
+    for (const std::string& flags : golden.flags) {
+      std::vector<std::string> arguments{"render", golden.scene, "-o", folder / "out", "--json", "--quiet"};
+      std::istringstream words(flags);
+      for (std::string word; words >> word;) arguments.push_back(word);
+      const Json answer = json_of(ninebit(arguments));
+      if (answer.is_null()) return {};
+      const std::string name = std::filesystem::path(golden.scene).filename().string();
+      found[name][flags.empty() ? "(default)" : flags] = answer.at("hash");
+    }
+  }
+  return found;
+}
+
+TEST(GoldenHashes, RenderingsAreTheSameToTheBit) {
+  const Json found = rendered();
+  ASSERT_TRUE(found.is_object());
+  if (const char* update = std::getenv("NINEBIT_UPDATE_HASHES"); update != nullptr && std::string(update) == "1") {
+    write_bytes(kExpected, found.dump(2) + "\n");
+    FAIL() << kExpected << " has been rewritten and nothing was compared; run again without NINEBIT_UPDATE_HASHES";
+  }
+  ASSERT_TRUE(std::filesystem::exists(kExpected)) << "NINEBIT_UPDATE_HASHES=1 makes " << kExpected;
+  const Json expected = Json::parse(read_bytes(kExpected), nullptr, false);
+  ASSERT_TRUE(expected.is_object()) << kExpected << " is not a JSON object";
+  EXPECT_EQ(keys_of(expected), keys_of(found));
+  for (const auto& [scene, renderings] : found.items()) {
+    ASSERT_TRUE(expected.contains(scene)) << scene;
+    EXPECT_EQ(keys_of(expected[scene]), keys_of(renderings)) << scene;
+    for (const auto& [flags, hashes] : renderings.items()) {
+      if (!expected[scene].contains(flags)) continue;  // the keys' comparison has told
+      EXPECT_EQ(hashes, expected[scene][flags]) << scene << ' ' << flags;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace tools_test

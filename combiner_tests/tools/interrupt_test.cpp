@@ -1,0 +1,120 @@
+// Renderings that are ended by a signal, at many moments: older files stay whole, SIGINT leaves nothing behind.
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <csignal>
+#include <thread>
+
+#include "combiner_tests/tools/support.h"
+
+namespace tools_test {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+// When to send: as soon as the folder holds a temporary file for an output of this name ("" as soon as there is the
+// folder), or after a share of the time that a rendering takes.
+struct Moment {
+  const char* file = nullptr;
+  double share = 0.0;
+};
+
+bool has_come(const Moment& moment, const std::string& folder) {
+  std::error_code gone;
+  if (*moment.file == 0) return std::filesystem::exists(folder, gone);
+  std::filesystem::directory_iterator entry(folder, gone);
+  for (; !gone && entry != std::filesystem::directory_iterator(); entry.increment(gone)) {
+    if (entry->path().filename().string().starts_with(std::string(".") + moment.file + ".ninebit-")) return true;
+  }
+  return false;
+}
+
+class Interrupt : public testing::Test {
+ protected:
+  static std::vector<std::string> long_render(const std::string& folder) {
+    return small_render(kBunny, folder, {"--quiet", "--layers", "--size", "1000x750", "--map-size", "512"});
+  }
+
+  void SetUp() override {
+    ASSERT_EQ(ninebit(small_render(kBunny, out_, {"--layers"})).code, 0);
+    older_ = files_in(out_);
+    ASSERT_EQ(older_.size(), 5U);
+    const auto start = Clock::now();
+    ASSERT_EQ(ninebit(long_render(folder_ / "new")).code, 0);
+    duration_ = Clock::now() - start;
+    newer_ = files_in(folder_ / "new");
+  }
+
+  // Renders into the folder and sends the signals, one shortly after the other.
+  Outcome interrupted(const Moment& moment, const std::vector<int>& signals, const std::string& folder) const {
+    Child child(long_render(folder));
+    if (moment.file == nullptr) {
+      std::this_thread::sleep_for(duration_ * moment.share);
+    } else {
+      while (!child.ended() && !has_come(moment, folder)) std::this_thread::sleep_for(std::chrono::microseconds(200));
+    }
+    for (const int signal : signals) {
+      child.send(signal);
+      std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    }
+    return child.wait();
+  }
+
+  TempFolder folder_;
+  std::string out_ = folder_ / "out";
+  Files older_, newer_;
+  Clock::duration duration_{};
+};
+
+TEST_F(Interrupt, TheFirstSigintEndsCleanly) {
+  bool while_writing = false;
+  for (const Moment moment :
+       {Moment{"color"}, {"index_cube"}, {"layers"}, {nullptr, 0.05}, {nullptr, 0.4}, {nullptr, 0.7}}) {
+    SCOPED_TRACE(moment.file != nullptr ? moment.file : std::to_string(moment.share));
+    const Outcome outcome = interrupted(moment, {SIGINT}, out_);
+    if (outcome.code == 0) {
+      EXPECT_EQ(files_in(out_), newer_) << "it was over before the signal came";
+      for (const auto& [name, bytes] : older_) write_bytes(out_ + '/' + name, bytes);
+      continue;
+    }
+    EXPECT_EQ(outcome.code, 130) << outcome.err;
+    EXPECT_EQ(files_in(out_), older_);
+    // Before the program has begun to work, the signal ends it without a word.
+    if (!outcome.err.empty()) expect_error(outcome, 130, {"interrupted"});
+    while_writing |= moment.file != nullptr && !outcome.err.empty();
+  }
+  EXPECT_TRUE(while_writing) << "no signal came while files were being written";
+}
+
+TEST_F(Interrupt, WhileDrawingRemovesTheFolderThatWasMade) {
+  expect_error(interrupted({""}, {SIGINT}, folder_ / "made/for/this"), 130, {"interrupted"});
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "made"));
+}
+
+// What cannot be cleaned up after: temporary files may stay, but every file of an output's name is whole.
+TEST_F(Interrupt, NothingEndsInAHalfWrittenFile) {
+  int killed = 0;
+  for (const std::vector<int>& signals : std::vector<std::vector<int>>{{SIGKILL}, {SIGINT, SIGINT}}) {
+    for (const Moment moment : {Moment{"shadow"}, {"layers"}, {nullptr, 0.9}}) {
+      SCOPED_TRACE(moment.file != nullptr ? moment.file : std::to_string(moment.share));
+      const Outcome outcome = interrupted(moment, signals, out_);
+      killed += static_cast<int>(outcome.code != 0);
+      const Files files = files_in(out_);
+      for (const auto& [name, bytes] : older_) {
+        ASSERT_TRUE(files.contains(name)) << name;
+        EXPECT_TRUE(files.at(name) == bytes || files.at(name) == newer_.at(name)) << name;
+      }
+      for (const auto& [name, bytes] : files) EXPECT_TRUE(older_.contains(name) || name.starts_with('.')) << name;
+      // A temporary file that stays would be the next moment's.
+      for (const auto& [name, bytes] : files) {
+        if (name.starts_with('.')) std::filesystem::remove(out_ + '/' + name);
+      }
+    }
+  }
+  EXPECT_GE(killed, 2);
+  EXPECT_EQ(ninebit(long_render(out_)).code, 0) << "and the next rendering is none the worse for it";
+  EXPECT_EQ(files_in(out_), newer_);
+}
+
+}  // namespace
+}  // namespace tools_test

@@ -1,0 +1,228 @@
+// The files of a rendering, read back with other people's libraries, and held against each other at every pixel.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "combiner_tests/tools/support.h"
+
+namespace tools_test {
+namespace {
+
+struct Case {
+  const char* name;
+  std::string scene;
+  std::vector<std::string> flags;
+  int step = 2;
+  bool objects = false;  // what has the indices
+};
+
+void PrintTo(const Case& c, std::ostream* out) {
+  *out << c.name;
+}
+
+constexpr int kWidth = 120, kHeight = 90, kMap = 64;
+constexpr std::size_t kPixels = std::size_t{kWidth} * kHeight;
+constexpr double kFar = 0xFFFFFF;
+
+// The number whose digits, to the base of how many codes a channel has, are the channels in steps; red is the lowest.
+double code_number(double red, double green, double blue, int step) {
+  const double levels = 255 / step + 1;
+  for (const double c : {red, green, blue}) EXPECT_EQ(std::fmod(c, step), 0.0);
+  return (red + levels * (green + levels * blue)) / step;
+}
+
+class Pictures : public testing::TestWithParam<Case> {
+ protected:
+  void SetUp() override {
+    std::vector<std::string> flags{"--size", "120x90", "--map-size", "64", "--layers", "--json"};
+    flags.insert(flags.end(), GetParam().flags.begin(), GetParam().flags.end());
+    answer_ = json_of(ninebit(small_render(GetParam().scene, folder_ / "out", flags)));
+    ASSERT_TRUE(answer_.is_object());
+    for (ExrPart& part : read_exr(folder_ / "out/layers.exr")) layers_.push_back(std::move(part));
+  }
+  [[nodiscard]] std::string file(const std::string& name) const { return folder_ / ("out/" + name); }
+  [[nodiscard]] const std::vector<double>& plane(const std::string& part, const std::string& channel) const {
+    const auto found = std::find_if(layers_.begin(), layers_.end(), [&](const ExrPart& p) { return p.name == part; });
+    if (found == layers_.end()) throw std::runtime_error("no part " + part);
+    return found->channels.at(channel);
+  }
+
+  TempFolder folder_;
+  Json answer_;
+  std::vector<ExrPart> layers_;
+};
+
+INSTANTIATE_TEST_SUITE_P(All, Pictures,
+                         testing::Values(Case{"room", kRoom, {}}, Case{"engine", kEngine, {}},
+                                         Case{"room_step_5", kRoom, {"--index-step", "5"}, 5},
+                                         Case{"bunny_objects", kBunny, {"--index-scope", "object"}, 2, true}),
+                         [](const auto& test) { return std::string(test.param.name); });
+
+TEST_P(Pictures, FilesHaveTheirShapes) {
+  for (const auto& [name, width, height, channels] : {std::tuple{"color.png", kWidth, kHeight, 3},
+                                                      {"shadow.png", kWidth, kHeight, 1},
+                                                      {"index_cube.png", 4 * kMap, 3 * kMap, 3}}) {
+    const Picture picture = read_picture(file(name));
+    EXPECT_EQ(picture.width, width) << name;
+    EXPECT_EQ(picture.height, height) << name;
+    EXPECT_EQ(picture.channels, channels) << name;
+  }
+  const std::vector<std::pair<std::string, std::map<std::string, char>>> wanted{
+      {"primary", {{"R", 'h'}, {"G", 'h'}, {"B", 'h'}}},
+      {"texture0", {{"R", 'h'}, {"G", 'h'}, {"B", 'h'}}},
+      {"spare0", {{"R", 'h'}, {"G", 'h'}, {"B", 'h'}, {"A", 'h'}}},
+      {"spare1", {{"R", 'h'}, {"G", 'h'}, {"B", 'h'}, {"A", 'h'}}},
+      {"output", {{"A", 'h'}}},
+      {"stencil", {{"stencil", 'u'}}},
+      {"depth", {{"depth", 'u'}}},
+      {"polygon", {{"polygon", 'u'}}},
+      {"object", {{"object", 'u'}}},
+  };
+  ASSERT_EQ(layers_.size(), wanted.size());
+  for (std::size_t p = 0; p < wanted.size(); ++p) {
+    EXPECT_EQ(layers_[p].name, wanted[p].first);
+    EXPECT_EQ(layers_[p].types, wanted[p].second) << layers_[p].name;
+    EXPECT_EQ(layers_[p].width, kWidth);
+    EXPECT_EQ(layers_[p].height, kHeight);
+    EXPECT_FALSE(layers_[p].cube);
+  }
+}
+
+// What the article's stages make of the two indices, pixel by pixel.
+TEST_P(Pictures, LayersAgreeWithEachOther) {
+  const int step = GetParam().step;
+  const auto& stencil = plane("stencil", "stencil");
+  const auto& depth = plane("depth", "depth");
+  const auto& polygon = plane("polygon", "polygon");
+  const auto& object = plane("object", "object");
+  const auto& alpha = plane("output", "A");
+  const auto& index = GetParam().objects ? object : polygon;
+  const double triangles = answer_["triangles"].get<double>();
+  std::map<double, double> object_of;
+  std::uint64_t background = 0, lit = 0, shadowed = 0;
+  for (std::size_t i = 0; i < kPixels; ++i) {
+    SCOPED_TRACE("pixel " + std::to_string(i % kWidth) + ", " + std::to_string(i / kWidth));
+    std::array<double, 3> own{}, fetched{};
+    for (std::size_t c = 0; c < 3; ++c) {
+      const std::string channel(1, "RGB"[c]);
+      own[c] = plane("primary", channel)[i];
+      fetched[c] = plane("texture0", channel)[i];
+      ASSERT_EQ(plane("spare0", channel)[i], std::clamp(4.0 * (own[c] - fetched[c]), -255.0, 255.0));
+      ASSERT_EQ(plane("spare1", channel)[i], plane("spare1", "B")[i]);
+    }
+    ASSERT_EQ(alpha[i], std::max(plane("spare1", "B")[i], 0.0));
+    if (depth[i] == kFar) {
+      ++background;
+      for (const double value : {polygon[i], object[i], alpha[i], stencil[i], own[0] + own[1] + own[2]})
+        ASSERT_EQ(value, 0);
+      continue;
+    }
+    ASSERT_GE(polygon[i], 1);
+    ASSERT_LE(polygon[i], triangles);
+    ASSERT_GE(object[i], 1);
+    ASSERT_EQ(object_of.try_emplace(polygon[i], object[i]).first->second, object[i]);
+    ASSERT_EQ(code_number(own[0], own[1], own[2], step), index[i]);
+    const bool same = code_number(fetched[0], fetched[1], fetched[2], step) == index[i];
+    ASSERT_EQ(alpha[i] == 0, same);
+    ASSERT_EQ(stencil[i], same ? 0 : 1);
+    ++(same ? lit : shadowed);
+  }
+  EXPECT_EQ(answer_["pixels"], (Json{{"background", background}, {"lit", lit}, {"shadowed", shadowed}}));
+  EXPECT_GT(lit, kPixels / 20);
+  EXPECT_GT(shadowed, kPixels / 200);
+  EXPECT_GT(object_of.size(), 20U) << "polygons in view";
+}
+
+TEST_P(Pictures, PngsAgreeWithTheLayers) {
+  const Picture color = read_picture(file("color.png")), shadow = read_picture(file("shadow.png"));
+  const auto& stencil = plane("stencil", "stencil");
+  const auto& depth = plane("depth", "depth");
+  ASSERT_EQ(shadow.pixels.size(), kPixels);
+  ASSERT_EQ(color.pixels.size(), 3 * kPixels);
+  std::set<std::array<unsigned char, 3>> behind, drawn;
+  for (std::size_t i = 0; i < kPixels; ++i) {
+    ASSERT_EQ(shadow.pixels[i], stencil[i] != 0 ? 255 : 0) << i;
+    (depth[i] == kFar ? behind : drawn).insert({color.pixels[3 * i], color.pixels[3 * i + 1], color.pixels[3 * i + 2]});
+  }
+  EXPECT_LE(behind.size(), 1U);
+  EXPECT_GT(drawn.size(), 20U);
+}
+
+TEST_P(Pictures, TheCubeHoldsTheIndicesThatWereFetched) {
+  const auto parts = read_exr(file("index_cube.exr"));
+  ASSERT_EQ(parts.size(), 1U);
+  const ExrPart& cube = parts[0];
+  EXPECT_TRUE(cube.cube);
+  ASSERT_EQ(cube.width, kMap);
+  ASSERT_EQ(cube.height, 6 * kMap);
+  EXPECT_EQ(cube.types, (std::map<std::string, char>{{"index", 'u'}, {"R", 'h'}, {"G", 'h'}, {"B", 'h'}}));
+  const auto& index = cube.channels.at("index");
+  std::set<double> seen;
+  for (std::size_t i = 0; i < index.size(); ++i) {
+    const auto byte = [&](const char* channel) { return std::round(cube.channels.at(channel)[i] * 255.0); };
+    ASSERT_EQ(code_number(byte("R"), byte("G"), byte("B"), GetParam().step), index[i]) << i;
+    seen.insert(index[i]);
+  }
+  EXPECT_LE(*seen.rbegin(), answer_["index"]["used"].get<double>());
+  for (std::size_t i = 0; i < kPixels; ++i) {
+    if (plane("depth", "depth")[i] == kFar) continue;
+    const double number =
+        code_number(plane("texture0", "R")[i], plane("texture0", "G")[i], plane("texture0", "B")[i], GetParam().step);
+    ASSERT_TRUE(seen.contains(number)) << "pixel " << i << " fetched " << number;
+  }
+}
+
+// The cross has every index in a colour of its own; faces lie as ARB_texture_cube_map orients them, s to the right and
+// t down, which OpenEXR mirrors.
+TEST_P(Pictures, TheCrossShowsTheCube) {
+  const Picture cross = read_picture(file("index_cube.png"));
+  const auto parts = read_exr(file("index_cube.exr"));
+  const auto& index = parts.at(0).channels.at("index");
+  constexpr std::array<std::array<int, 2>, 6> kPlace{{{2, 1}, {0, 1}, {1, 0}, {1, 2}, {1, 1}, {3, 1}}};
+  std::map<double, std::set<std::array<unsigned char, 3>>> colors;
+  for (std::size_t face = 0; face < 6; ++face) {
+    const bool is_y = face == 2 || face == 3;
+    for (int y = 0; y < kMap; ++y) {
+      for (int x = 0; x < kMap; ++x) {
+        const int row = static_cast<int>(face) * kMap + (is_y ? kMap - 1 - y : y), column = is_y ? x : kMap - 1 - x;
+        const auto at = static_cast<std::size_t>(row * kMap + column);
+        const auto pixel =
+            static_cast<std::size_t>(((kPlace[face][1] * kMap + y) * 4 * kMap + kPlace[face][0] * kMap + x) * 3);
+        colors[index.at(at)].insert({cross.pixels[pixel], cross.pixels[pixel + 1], cross.pixels[pixel + 2]});
+      }
+    }
+  }
+  std::set<std::array<unsigned char, 3>> different;
+  for (const auto& [number, shades] : colors) {
+    ASSERT_EQ(shades.size(), 1U) << "index " << number;
+    different.insert(*shades.begin());
+    const bool black = *shades.begin() == std::array<unsigned char, 3>{0, 0, 0};
+    EXPECT_EQ(black, number == 0) << "index " << number;
+  }
+  EXPECT_GT(different.size(), colors.size() / 4);
+}
+
+// A sheet that is lit from behind: what the article leaves lit, --light-facing puts into shadow.
+TEST(LightFacing, ShadowsWhatFacesAwayFromTheLight) {
+  const TempFolder folder;
+  const std::string sheet = write_bytes(folder.path() / "sheet.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  const auto pixels = [&](const std::string& light, const char* flag) {
+    return json_of(ninebit(small_render(sheet, folder / "out",
+                                        {"--json", flag, "--light", light, "--floor", "none", "--camera", "0.3,0.3,2",
+                                         "--look-at", "0.3,0.3,0"})))
+        .at("pixels");
+  };
+  const Json front = pixels("0.2,0.2,2", "--light-facing"), behind = pixels("0.2,0.2,-2", "--quiet");
+  const Json facing = pixels("0.2,0.2,-2", "--light-facing");
+  // Along its outline the sheet meets texels of the cleared map: some pixels are in shadow from either side.
+  EXPECT_GT(behind["lit"], 150);
+  EXPECT_LT(behind["shadowed"], 20);
+  EXPECT_EQ(front, behind);
+  EXPECT_EQ(facing["lit"], 0);
+  EXPECT_EQ(facing["shadowed"].get<int>(), behind["lit"].get<int>() + behind["shadowed"].get<int>());
+}
+
+}  // namespace
+}  // namespace tools_test

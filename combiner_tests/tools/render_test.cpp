@@ -1,0 +1,154 @@
+// `ninebit render` on real scenes: what it answers and what it writes.
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+#include "combiner_tests/tools/support.h"
+
+namespace tools_test {
+namespace {
+
+struct RealScene {
+  const char* name;
+  std::string file;
+  int triangles;  // the floor's two included
+};
+
+void PrintTo(const RealScene& scene, std::ostream* out) {
+  *out << scene.name;
+}
+
+class RealScenes : public testing::TestWithParam<RealScene> {};
+
+INSTANTIATE_TEST_SUITE_P(All, RealScenes,
+                         testing::Values(RealScene{"room", kRoom, 2096}, RealScene{"bunny", kBunny, 69666 + 2},
+                                         RealScene{"engine", kEngine, 121496}),
+                         [](const auto& test) { return std::string(test.param.name); });
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream in(text);
+  for (std::string line; std::getline(in, line);) lines.push_back(line);
+  return lines;
+}
+
+using Keys = std::vector<std::string>;
+
+TEST_P(RealScenes, AnswersWithTheContractsKeys) {
+  const TempFolder folder;
+  const RealScene& scene = GetParam();
+  const std::string out = folder / "new/out";
+  const Outcome outcome = ninebit({"render", scene.file, "-o", out, "--json", "--size", "200x150", "--map-size", "64"});
+  const Json answer = json_of(outcome);
+  EXPECT_EQ(keys_of(answer), (Keys{"command", "version", "technique", "profile", "scene", "triangles", "size",
+                                   "map_size", "index", "pixels", "time_ms", "files", "hash"}));
+  EXPECT_EQ(keys_of(answer["index"]), (Keys{"format", "scope", "step", "used", "capacity"}));
+  EXPECT_EQ(keys_of(answer["pixels"]), (Keys{"background", "lit", "shadowed"}));
+  EXPECT_EQ(keys_of(answer["time_ms"]),
+            (Keys{"load", "transform", "maps", "camera", "compare", "shade", "write", "total"}));
+  EXPECT_EQ(keys_of(answer["hash"]), (Keys{"color", "stencil", "index_map"}));
+
+  EXPECT_EQ(answer["command"], "render");
+  EXPECT_EQ(answer["technique"], "index-cube");
+  EXPECT_EQ(answer["profile"], "geforce2");
+  EXPECT_EQ(answer["scene"], scene.file);
+  EXPECT_EQ(answer["triangles"], scene.triangles);
+  EXPECT_EQ(answer["size"], (Json{200, 150}));
+  EXPECT_EQ(answer["map_size"], 64);
+  EXPECT_EQ(
+      answer["index"],
+      (Json{{"format", "rgb"}, {"scope", "polygon"}, {"step", 2}, {"used", scene.triangles}, {"capacity", 1 << 21}}));
+  const Json& pixels = answer["pixels"];
+  EXPECT_EQ(pixels["background"].get<int>() + pixels["lit"].get<int>() + pixels["shadowed"].get<int>(), 200 * 150);
+  EXPECT_GT(pixels["lit"], 0);
+  EXPECT_GT(pixels["shadowed"], 0);
+  double passes = 0;
+  for (const auto& [pass, ms] : answer["time_ms"].items()) {
+    EXPECT_GT(ms.get<double>(), 0.0) << pass;
+    if (pass != "total") passes += ms.get<double>();
+  }
+  EXPECT_LE(passes, answer["time_ms"]["total"].get<double>() * 1.001);
+  for (const auto& [plane, hash] : answer["hash"].items()) EXPECT_EQ(hash.get<std::string>().size(), 64U) << plane;
+
+  Keys wanted;
+  Keys named;
+  for (const char* name : {"color.png", "shadow.png", "index_cube.png", "index_cube.exr"}) {
+    wanted.push_back(out + "/" + name);
+    named.push_back("wrote " + wanted.back());
+    EXPECT_GT(std::filesystem::file_size(wanted.back()), 60U);
+  }
+  EXPECT_EQ(answer["files"], Json(wanted));
+  EXPECT_EQ(lines_of(outcome.err), named);
+  EXPECT_EQ(files_in(out).size(), wanted.size());
+}
+
+TEST_P(RealScenes, TheSameBitsForAnyNumberOfThreadsAndWithLayers) {
+  const TempFolder folder;
+  Json first;
+  Files first_files;
+  for (const std::vector<std::string>& flags : std::vector<std::vector<std::string>>{
+           {"--threads", "1"}, {"--threads", "2"}, {"--threads", "7", "--layers"}, {"--layers"}}) {
+    SCOPED_TRACE(testing::PrintToString(flags));
+    std::vector<std::string> arguments{"render",  GetParam().file, "-o",      folder / "out", "--json",
+                                       "--quiet", "--size",        "160x120", "--map-size",   "128"};
+    arguments.insert(arguments.end(), flags.begin(), flags.end());
+    const Json answer = json_of(ninebit(arguments));
+    Files files = files_in(folder / "out");
+    EXPECT_EQ(files.erase("layers.exr"), static_cast<std::size_t>(flags.back() == "--layers"));
+    if (first.is_null()) {
+      first = answer;
+      first_files = files;
+    }
+    EXPECT_EQ(answer["hash"], first["hash"]);
+    EXPECT_EQ(answer["pixels"], first["pixels"]);
+    EXPECT_EQ(files, first_files);
+    std::filesystem::remove_all(folder.path() / "out");
+  }
+}
+
+// The comparison above could tell renderings apart: another light changes all planes, another camera two of them.
+TEST(Render, HashesTellRenderingsApart) {
+  const TempFolder folder;
+  const auto hash = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> flags{"--json", "--quiet"};
+    flags.insert(flags.end(), more.begin(), more.end());
+    return json_of(ninebit(small_render(kRoom, folder / "out", flags))).at("hash");
+  };
+  const Json plain = hash({}), light = hash({"--light", "1,2,1"}), camera = hash({"--camera", "1,3,4"});
+  for (const char* plane : {"color", "stencil", "index_map"}) EXPECT_NE(light[plane], plain[plane]) << plane;
+  EXPECT_NE(camera["color"], plain["color"]);
+  EXPECT_NE(camera["stencil"], plain["stencil"]);
+  EXPECT_EQ(camera["index_map"], plain["index_map"]);
+  EXPECT_EQ(hash({}), plain);
+}
+
+TEST(Render, TellsPeopleOnStderrAndIsQuietWhenAsked) {
+  const TempFolder folder;
+  const Outcome people = ninebit(small_render(kRoom, folder / "out", {"--layers"}));
+  EXPECT_EQ(people.code, 0);
+  EXPECT_EQ(people.out, "");
+  const Keys lines = lines_of(people.err);
+  ASSERT_EQ(lines.size(), 6U) << people.err;
+  EXPECT_EQ(lines[0], "wrote " + (folder / "out/color.png"));
+  EXPECT_EQ(lines[4], "wrote " + (folder / "out/layers.exr"));
+  EXPECT_NE(lines[5].find("2096 triangles"), std::string::npos) << lines[5];
+  EXPECT_EQ(people.err.find('\r'), std::string::npos) << "progress is for terminals";
+
+  const Outcome quiet = ninebit(small_render(kRoom, folder / "out", {"--quiet"}));
+  EXPECT_EQ(quiet.code, 0);
+  EXPECT_EQ(quiet.out + quiet.err, "");
+}
+
+// A floor of the user's, and none: two triangles more or fewer.
+TEST(Render, FloorFlags) {
+  const TempFolder folder;
+  const auto triangles = [&](const std::string& scene, const std::string& floor) {
+    return json_of(ninebit(small_render(scene, folder / "out", {"--json", "--floor", floor}))).at("triangles");
+  };
+  EXPECT_EQ(triangles(kBunny, "none"), 69666);
+  EXPECT_EQ(triangles(kRoom, "auto"), 2096);
+  EXPECT_EQ(triangles(kRoom, "0.5"), 2098);
+}
+
+}  // namespace
+}  // namespace tools_test

@@ -1,0 +1,139 @@
+#include "combiner_tests/tools/support.h"
+
+#include <ImathBox.h>
+#include <ImfChannelList.h>
+#include <ImfFrameBuffer.h>
+#include <ImfHeader.h>
+#include <ImfInputPart.h>
+#include <ImfMultiPartInputFile.h>
+#include <ImfStandardAttributes.h>
+#include <OpenImageIO/imageio.h>
+#include <gtest/gtest.h>
+#include <half.h>
+#include <stdlib.h>
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
+
+namespace tools_test {
+
+namespace fs = std::filesystem;
+
+TempFolder::TempFolder() {
+  std::string name = (fs::temp_directory_path() / "ninebit-tools-XXXXXX").string();
+  if (::mkdtemp(name.data()) == nullptr) throw std::runtime_error("cannot make " + name);
+  path_ = name;
+}
+
+TempFolder::~TempFolder() {
+  std::error_code ignored;
+  fs::remove_all(path_, ignored);
+}
+
+std::string read_bytes(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  if (!in) throw std::runtime_error("cannot read " + file.string());
+  return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+}
+
+std::string write_bytes(const fs::path& file, std::string_view bytes) {
+  std::ofstream out(file, std::ios::binary);
+  if (!(out << bytes << std::flush)) throw std::runtime_error("cannot write " + file.string());
+  return file.string();
+}
+
+Files files_in(const fs::path& folder) {
+  Files files;
+  if (!fs::exists(folder)) return files;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
+    files[entry.path().filename().string()] = entry.is_regular_file() ? read_bytes(entry.path()) : "(no file)";
+  }
+  return files;
+}
+
+std::vector<std::string> small_render(const std::string& scene, const std::string& folder,
+                                      const std::vector<std::string>& more) {
+  std::vector<std::string> arguments{"render", scene, "-o", folder};
+  const auto has = [&](const char* flag) { return std::find(more.begin(), more.end(), flag) != more.end(); };
+  if (!has("--size")) arguments.insert(arguments.end(), {"--size", "48x36"});
+  if (!has("--map-size")) arguments.insert(arguments.end(), {"--map-size", "32"});
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  return arguments;
+}
+
+void expect_error(const Outcome& outcome, int code, const std::vector<std::string>& words) {
+  EXPECT_EQ(outcome.code, code) << outcome.err;
+  EXPECT_EQ(outcome.out, "");
+  EXPECT_TRUE(outcome.err.starts_with("ninebit: error: ")) << outcome.err;
+  EXPECT_TRUE(outcome.err.ends_with('\n')) << outcome.err;
+  EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+  for (const std::string& word : words) {
+    EXPECT_NE(outcome.err.find(word), std::string::npos) << "no '" << word << "' in: " << outcome.err;
+  }
+}
+
+Json json_of(const Outcome& outcome) {
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  Json object = Json::parse(outcome.out, nullptr, false);
+  EXPECT_TRUE(object.is_object()) << outcome.out;
+  return object.is_object() ? object : Json();
+}
+
+std::vector<std::string> keys_of(const Json& object) {
+  std::vector<std::string> keys;
+  for (const auto& item : object.items()) keys.push_back(item.key());
+  return keys;
+}
+
+std::vector<ExrPart> read_exr(const std::string& file) {
+  Imf::MultiPartInputFile input(file.c_str());
+  std::vector<ExrPart> parts;
+  for (int p = 0; p < input.parts(); ++p) {
+    Imf::InputPart source(input, p);
+    const Imf::Header& header = source.header();
+    const Imath::Box2i window = header.dataWindow();
+    ExrPart part;
+    part.name = header.hasName() ? header.name() : "";
+    part.width = window.max.x - window.min.x + 1;
+    part.height = window.max.y - window.min.y + 1;
+    part.cube = Imf::hasEnvmap(header) && Imf::envmap(header) == Imf::ENVMAP_CUBE;
+    const auto count = static_cast<std::size_t>(part.width) * static_cast<std::size_t>(part.height);
+    std::map<std::string, std::vector<half>> halves;
+    std::map<std::string, std::vector<unsigned>> integers;
+    Imf::FrameBuffer frame;
+    for (auto c = header.channels().begin(); c != header.channels().end(); ++c) {
+      const Imf::PixelType type = c.channel().type;
+      if (type == Imf::HALF) {
+        halves[c.name()].resize(count);
+        frame.insert(c.name(), Imf::Slice::Make(type, halves[c.name()].data(), window));
+      } else if (type == Imf::UINT) {
+        integers[c.name()].resize(count);
+        frame.insert(c.name(), Imf::Slice::Make(type, integers[c.name()].data(), window));
+      }
+      part.types[c.name()] = type == Imf::HALF ? 'h' : type == Imf::UINT ? 'u' : 'f';
+    }
+    source.setFrameBuffer(frame);
+    source.readPixels(window.min.y, window.max.y);
+    for (const auto& [name, plane] : halves) part.channels[name].assign(plane.begin(), plane.end());
+    for (const auto& [name, plane] : integers) part.channels[name].assign(plane.begin(), plane.end());
+    parts.push_back(std::move(part));
+  }
+  return parts;
+}
+
+Picture read_picture(const std::string& file) {
+  const auto input = OIIO::ImageInput::open(file);
+  if (!input) throw std::runtime_error(OIIO::geterror());
+  const OIIO::ImageSpec& spec = input->spec();
+  if (spec.format != OIIO::TypeDesc::UINT8) throw std::runtime_error(file + " is not an 8-bit picture");
+  Picture picture{spec.width, spec.height, spec.nchannels, {}};
+  picture.pixels.resize(spec.image_bytes());
+  if (!input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::UINT8, picture.pixels.data())) {
+    throw std::runtime_error(input->geterror());
+  }
+  return picture;
+}
+
+}  // namespace tools_test

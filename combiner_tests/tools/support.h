@@ -1,0 +1,79 @@
+// What the tests of the program share: scenes, folders, errors as users see them, pictures read back.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "combiner_tests/tools/child_process.h"
+
+namespace tools_test {
+
+using Json = nlohmann::ordered_json;
+using Files = std::map<std::string, std::string>;  // name: bytes
+
+inline const std::string kRoom = NINEBIT_SOURCE_DIR "/scenes/index_room.gltf";
+inline const std::string kBunny = "/usr/share/glmark2/models/bunny.obj";
+inline const std::string kEngine = "/usr/share/assimp/models/glTF2/2CylinderEngine-glTF-Binary/2CylinderEngine.glb";
+
+// A new folder, removed with everything in it.
+class TempFolder {
+ public:
+  TempFolder();
+  TempFolder(const TempFolder&) = delete;
+  TempFolder& operator=(const TempFolder&) = delete;
+  ~TempFolder();
+  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+  [[nodiscard]] std::string operator/(std::string_view name) const { return (path_ / name).string(); }
+
+ private:
+  std::filesystem::path path_;
+};
+
+std::string read_bytes(const std::filesystem::path& file);
+std::string write_bytes(const std::filesystem::path& file, std::string_view bytes);  // gives the file's path
+
+// All files of a folder, hidden ones included; none where there is no such folder.
+Files files_in(const std::filesystem::path& folder);
+
+// The arguments of a rendering that is over soon, and more.
+std::vector<std::string> small_render(const std::string& scene, const std::string& folder,
+                                      const std::vector<std::string>& more = {});
+
+// Fails unless the program ended with `code`, wrote nothing to stdout, and to stderr one line of its own that holds
+// every one of `words`.
+void expect_error(const Outcome& outcome, int code, const std::vector<std::string>& words);
+
+// The object that a command printed; fails (and is null) unless it ended well and stdout is one JSON object.
+Json json_of(const Outcome& outcome);
+
+// The keys of an object, in order.
+std::vector<std::string> keys_of(const Json& object);
+
+// One part of an EXR file by OpenEXR's own reader; a channel's samples, HALF or UINT, as numbers.
+struct ExrPart {
+  std::string name;
+  int width = 0;
+  int height = 0;
+  bool cube = false;                  // the environment map attribute says so
+  std::map<std::string, char> types;  // 'u' UINT, 'h' HALF
+  std::map<std::string, std::vector<double>> channels;
+};
+
+std::vector<ExrPart> read_exr(const std::string& file);
+
+// An 8-bit picture by OpenImageIO.
+struct Picture {
+  int width = 0;
+  int height = 0;
+  int channels = 0;
+  std::vector<unsigned char> pixels;
+};
+
+Picture read_picture(const std::string& file);
+
+}  // namespace tools_test

@@ -1,0 +1,91 @@
+// Wrong usage: exit code 2, one line that says what is wrong and what was expected, and nothing is written.
+#include <gtest/gtest.h>
+
+#include "combiner_tests/tools/support.h"
+
+namespace tools_test {
+namespace {
+
+struct Case {
+  std::vector<std::string> arguments;
+  std::vector<std::string> words;  // of the message
+};
+
+TEST(UsageError, VerbsAndArguments) {
+  const TempFolder folder;
+  const std::vector<Case> cases{
+      {{}, {"no verb is given", "render, profiles, info", "ninebit --help"}},
+      {{"rendr", "x"}, {"'rendr' is no verb", "render, profiles, info"}},
+      {{"--bogus"}, {"'--bogus' is no verb or flag"}},
+      {{"render"}, {"scene is required", "ninebit render --help"}},
+      {{"render", kRoom}, {"--output is required"}},
+      {{"render", "", "-o", "out"}, {"scene", "the file name is empty"}},
+      {{"render", kRoom, "another", "-o", "out"}, {"not expected", "another"}},
+      {{"render", kRoom, "-o", "out", "--bogus"}, {"not expected", "--bogus"}},
+      {{"render", kRoom, "-o"}, {"--output needs a value"}},
+      {{"render", kRoom, "-o", "out", "--size"}, {"--size needs a value"}},
+      {{"render", kRoom, "-o", "out", "--quiet=perhaps"}, {"--quiet"}},
+      {{"profiles", "extra"}, {"not expected", "extra", "ninebit profiles --help"}},
+      {{"profiles", "--profile", "voodoo"}, {"--profile", "voodoo", "geforce2"}},
+      {{"info", "--bogus"}, {"not expected", "--bogus", "ninebit info --help"}},
+  };
+  for (const Case& c : cases) {
+    SCOPED_TRACE(testing::PrintToString(c.arguments));
+    expect_error(ninebit(c.arguments, {.folder = folder.path()}), 2, c.words);
+  }
+  EXPECT_TRUE(files_in(folder.path()).empty());
+}
+
+TEST(UsageError, ValuesOfRender) {
+  const TempFolder folder;
+  const std::string size = "WIDTHxHEIGHT, each from 1 to 16384";
+  const std::string map_size = "power of two from 1 to 16384";
+  const std::string degrees = "degrees between 0 and 180";
+  struct Flag {
+    std::string name;
+    std::vector<std::string> wrong;
+    std::string expected;
+  };
+  const std::vector<Flag> flags{
+      {"--size", {"0x0", "-5x5", "16385x1", "1x16385", "1024", "abc", "1x2x3", "1x", "9999999999x1"}, size},
+      {"--map-size", {"0", "3", "500", "32768", "-2", "2.0", "64,64", ""}, map_size},
+      {"--index-step", {"0", "17", "1.5", "99999999999"}, "1 to 16"},
+      {"--index-format", {"bgr"}, "rgb"},
+      {"--index-scope", {"pixel"}, "polygon,object"},
+      {"--technique", {"magic"}, "index-cube"},
+      {"--profile", {"geforce7"}, "geforce2"},
+      {"--threads", {"-1", "1025", "many"}, "0 to 1024"},
+      {"--fov", {"0", "180", "-3", "nan", "50,50"}, degrees},
+      {"--camera", {"nan,0,0", "1,2", "1,2,3,4", "1;2;3", "1,2,3,", "1e99,0,0"}, "X,Y,Z"},
+      {"--look-at", {"0,0,nan", ""}, "X,Y,Z"},
+      {"--light", {"0,-inf,0", "light"}, "X,Y,Z"},
+      {"--floor", {"nan", "low", "1,2"}, "auto, none or a height"},
+      {"--cull", {"both"}, "none,back,front"},
+  };
+  for (const Flag& flag : flags) {
+    for (const std::string& value : flag.wrong) {
+      SCOPED_TRACE(flag.name + "=" + value);
+      expect_error(ninebit({"render", kRoom, "-o", folder / "out", flag.name + "=" + value}), 2,
+                   {flag.name, value, value.empty() ? "needs a value" : flag.expected, "(see: ninebit render --help)"});
+    }
+  }
+  EXPECT_TRUE(files_in(folder.path()).empty());
+}
+
+// The other side of the same limits, and points that begin with a minus sign.
+TEST(UsageError, LimitsThemselvesAreFine) {
+  const TempFolder folder;
+  const std::vector<std::vector<std::string>> fine{
+      {"--size", "1x1", "--map-size", "1", "--index-step", "1", "--threads", "1024", "--floor", "none"},
+      {"--size", "16384x1", "--index-step", "16", "--floor", "-1.5", "--fov", "179"},
+      {"--camera", "-1,-2,-3.5", "--look-at", "-1,0.5,-2", "--light", "-1,1e-1,-2", "--threads", "0"},
+  };
+  for (const std::vector<std::string>& flags : fine) {
+    SCOPED_TRACE(testing::PrintToString(flags));
+    const Outcome outcome = ninebit(small_render(kRoom, folder / "out", flags));
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+  }
+}
+
+}  // namespace
+}  // namespace tools_test

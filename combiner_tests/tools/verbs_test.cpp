@@ -1,0 +1,100 @@
+// What every verb has: help with an example, JSON and nothing else on stdout, streams that may be full or closed.
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "combiner_tests/tools/support.h"
+
+namespace tools_test {
+namespace {
+
+TEST(Verbs, HelpHasAnExample) {
+  for (const std::vector<std::string>& verb :
+       std::vector<std::vector<std::string>>{{}, {"render"}, {"profiles"}, {"info"}}) {
+    std::vector<std::string> arguments = verb;
+    arguments.emplace_back("--help");
+    SCOPED_TRACE(testing::PrintToString(arguments));
+    const Outcome outcome = ninebit(arguments);
+    EXPECT_EQ(outcome.code, 0);
+    EXPECT_EQ(outcome.err, "");
+    const std::size_t example = outcome.out.find("Example");
+    ASSERT_NE(example, std::string::npos) << outcome.out;
+    EXPECT_NE(outcome.out.find("ninebit " + (verb.empty() ? "render" : verb[0]), example), std::string::npos);
+    if (verb.empty()) continue;
+    for (const char* flag : {"--json", "--quiet", "--profile", "--threads"}) {
+      EXPECT_NE(outcome.out.find(flag), std::string::npos) << flag;
+    }
+  }
+}
+
+// The examples of the help work as they stand, but for the folder and the scene's place.
+TEST(Verbs, TheExampleOfRenderWorks) {
+  const TempFolder folder;
+  const Outcome outcome =
+      ninebit({"render", "scenes/index_room.gltf", "-o", folder / "out"}, {.folder = NINEBIT_SOURCE_DIR});
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  const Picture color = read_picture(folder / "out/color.png");
+  EXPECT_EQ(color.width, 1024);
+  EXPECT_EQ(color.height, 768);
+}
+
+TEST(Verbs, Version) {
+  const Outcome outcome = ninebit({"--version"});
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_TRUE(outcome.out.starts_with("ninebit ")) << outcome.out;
+  EXPECT_EQ(outcome.err, "");
+}
+
+TEST(Verbs, RowsAnswerWithOneObject) {
+  for (const char* verb : {"profiles", "info"}) {
+    SCOPED_TRACE(verb);
+    const Outcome outcome = ninebit({verb, "--json", "--profile", "nv2a"});
+    const Json object = json_of(outcome);
+    EXPECT_EQ(outcome.err, "");
+    EXPECT_EQ(keys_of(object), (std::vector<std::string>{"command", "version", "profile", "rows"}));
+    EXPECT_EQ(object["command"], verb);
+    EXPECT_EQ(object["profile"], "nv2a");
+    EXPECT_EQ("ninebit " + object["version"].get<std::string>() + "\n", ninebit({"--version"}).out);
+    EXPECT_TRUE(object["rows"].is_array() && !object["rows"].empty());
+  }
+}
+
+// Every profile has every field once, each with a word for its evidence.
+TEST(Verbs, ProfilesAreComplete) {
+  const Json rows = json_of(ninebit({"profiles", "--json"})).at("rows");
+  std::map<std::string, std::set<std::string>> fields;
+  for (const Json& row : rows) {
+    EXPECT_EQ(keys_of(row), (std::vector<std::string>{"profile", "field", "value", "evidence", "source"}));
+    EXPECT_TRUE(fields[row.at("profile")].insert(row.at("field")).second) << row;
+    for (const char* key : {"value", "evidence", "source"}) EXPECT_NE(row.at(key), "") << row;
+  }
+  ASSERT_TRUE(fields.contains("geforce2"));
+  EXPECT_GE(fields.size(), 4U);
+  for (const auto& [profile, names] : fields) EXPECT_EQ(names, fields["geforce2"]) << profile;
+
+  const Outcome people = ninebit({"profiles"});
+  EXPECT_EQ(people.code, 0);
+  for (const std::string& field : fields["geforce2"]) EXPECT_NE(people.out.find(field), std::string::npos) << field;
+}
+
+// An answer that could not be delivered is an error that could not be written; messages that cannot be are none.
+TEST(Verbs, FullStandardStreams) {
+  const TempFolder folder;
+  for (const std::vector<std::string>& arguments :
+       std::vector<std::vector<std::string>>{{"profiles"},
+                                             {"profiles", "--json"},
+                                             {"info"},
+                                             {"info", "--json"},
+                                             small_render(kRoom, folder / "a", {"--json", "--quiet"})}) {
+    SCOPED_TRACE(testing::PrintToString(arguments));
+    const Outcome outcome = ninebit(arguments, {.out = "/dev/full"});
+    expect_error(outcome, 4, {"standard output", "No space left on device"});
+  }
+  EXPECT_EQ(ninebit(small_render(kRoom, folder / "b"), {.err = "/dev/full"}).code, 0);
+  EXPECT_EQ(files_in(folder / "b").size(), 4U);
+  EXPECT_EQ(ninebit(small_render(folder / "missing.obj", folder / "c"), {.err = "/dev/full"}).code, 3);
+  EXPECT_EQ(ninebit({"--bogus"}, {.err = "/dev/full"}).code, 2);
+}
+
+}  // namespace
+}  // namespace tools_test
