@@ -82,11 +82,11 @@ std::uint64_t base64_size(std::string_view text) {
   return text.size() * 3 / 4;
 }
 
-std::optional<Diagnostic> check_buffer(const JsonValue& buffer, std::size_t number, const std::filesystem::path& folder,
+std::optional<Diagnostic> check_buffer(const Json& buffer, std::size_t number, const std::filesystem::path& folder,
                                        const std::optional<std::uint64_t>& binary_size) {
-  const std::optional<std::uint64_t> declared = buffer["byteLength"].index();
+  const std::optional<std::uint64_t> declared = index_of(item(buffer, "byteLength"));
   if (!declared) return fault_of(fmt::format("{} has no length", numbered("buffer", number)));
-  const std::string& uri = buffer["uri"].text;
+  const std::string& uri = text_of(item(buffer, "uri"));
   std::uint64_t present = 0;
   if (uri.empty()) {
     if (number != 0 || !binary_size)
@@ -136,47 +136,54 @@ std::uint64_t component_count(const std::string& type) {
   return type == "MAT4" ? 16 : 0;
 }
 
-std::optional<Diagnostic> check_accessor(const JsonValue& root, const JsonValue& accessor, std::size_t number) {
+// 0 where a part states no offset, and past every end where it states one that is no index.
+std::uint64_t offset_of(const Json& part) {
+  const Json& offset = item(part, "byteOffset");
+  return offset.is_null() ? 0 : index_of(offset).value_or(1ULL << 53U);
+}
+
+std::optional<Diagnostic> check_accessor(const Json& root, const Json& accessor, std::size_t number) {
   const std::string name = numbered("accessor", number);
-  const std::uint64_t size = component_size(accessor["componentType"].index().value_or(0));
-  const std::uint64_t element = size * component_count(accessor["type"].text);
-  const std::optional<std::uint64_t> count = accessor["count"].index();
+  const std::uint64_t size = component_size(index_of(item(accessor, "componentType")).value_or(0));
+  const std::uint64_t element = size * component_count(text_of(item(accessor, "type")));
+  const std::optional<std::uint64_t> count = index_of(item(accessor, "count"));
   if (element == 0 || !count || *count == 0) return fault_of(fmt::format("{} has no valid type or count", name));
   // Assimp would write where a sparse accessor's own indices point, unchecked.
-  if (accessor["sparse"].exists()) return fault_of(fmt::format("{} is sparse; such accessors are not read", name));
-  if (!accessor["bufferView"].exists()) return std::nullopt;
-  const JsonValue& view = root["bufferViews"][accessor["bufferView"].index().value_or(~0ULL)];
-  if (!view.exists()) return fault_of(fmt::format("{} names a buffer view that is not there", name));
-  const std::uint64_t stride = view["byteStride"].index().value_or(element);
-  const std::uint64_t offset = accessor["byteOffset"].index().value_or(0);
-  const std::uint64_t length = view["byteLength"].index().value_or(0);
+  if (!item(accessor, "sparse").is_null())
+    return fault_of(fmt::format("{} is sparse; such accessors are not read", name));
+  if (item(accessor, "bufferView").is_null()) return std::nullopt;
+  const Json& view = target_of(item(root, "bufferViews"), item(accessor, "bufferView"));
+  if (view.is_null()) return fault_of(fmt::format("{} names a buffer view that is not there", name));
+  const std::uint64_t stride = index_of(item(view, "byteStride")).value_or(element);
+  const std::uint64_t offset = offset_of(accessor);
+  const std::uint64_t length = index_of(item(view, "byteLength")).value_or(0);
   if (stride > 252 || *count > length || offset + (*count - 1) * stride + element > length)
     return fault_of(fmt::format("{} reaches past the end of its buffer view", name));
   return std::nullopt;
 }
 
-std::optional<Diagnostic> check_view(const JsonValue& root, const JsonValue& view, std::size_t number) {
-  const JsonValue& buffer = root["buffers"][view["buffer"].index().value_or(~0ULL)];
-  const std::optional<std::uint64_t> length = view["byteLength"].index();
-  if (!buffer.exists() || !length)
+std::optional<Diagnostic> check_view(const Json& root, const Json& view, std::size_t number) {
+  const Json& buffer = target_of(item(root, "buffers"), item(view, "buffer"));
+  const std::optional<std::uint64_t> length = index_of(item(view, "byteLength"));
+  if (buffer.is_null() || !length)
     return fault_of(fmt::format("{} has no buffer or no length", numbered("buffer view", number)));
-  if (view["byteOffset"].index().value_or(0) + *length > buffer["byteLength"].index().value_or(0))
+  if (offset_of(view) + *length > index_of(item(buffer, "byteLength")).value_or(0))
     return fault_of(fmt::format("{} reaches past the end of its buffer", numbered("buffer view", number)));
   return std::nullopt;
 }
 
-std::optional<Diagnostic> check_storage(const JsonValue& root, const std::filesystem::path& folder,
+std::optional<Diagnostic> check_storage(const Json& root, const std::filesystem::path& folder,
                                         const std::optional<std::uint64_t>& binary_size) {
-  const JsonValue& buffers = root["buffers"];
-  const JsonValue& views = root["bufferViews"];
-  const JsonValue& accessors = root["accessors"];
-  for (std::size_t i = 0; i < buffers.items.size(); ++i) {
+  const Json& buffers = list_of(item(root, "buffers"));
+  const Json& views = list_of(item(root, "bufferViews"));
+  const Json& accessors = list_of(item(root, "accessors"));
+  for (std::size_t i = 0; i < buffers.size(); ++i) {
     if (auto fault = check_buffer(buffers[i], i, folder, binary_size)) return fault;
   }
-  for (std::size_t i = 0; i < views.items.size(); ++i) {
+  for (std::size_t i = 0; i < views.size(); ++i) {
     if (auto fault = check_view(root, views[i], i)) return fault;
   }
-  for (std::size_t i = 0; i < accessors.items.size(); ++i) {
+  for (std::size_t i = 0; i < accessors.size(); ++i) {
     if (auto fault = check_accessor(root, accessors[i], i)) return fault;
   }
   return std::nullopt;
@@ -190,12 +197,10 @@ Result<FileFacts> check_gltf(std::string_view content, const std::filesystem::pa
     Result<GlbParts> split = split_glb(content);
     if (!split) return split.error();
     parts = *split;
-  } else if (parts.json.starts_with("\xEF\xBB\xBF")) {
-    parts.json.remove_prefix(3);
   }
-  Result<JsonValue> root = parse_json(parts.json);
+  Result<Json> root = parse_json(parts.json);
   if (!root) return root.error();
-  const std::string& version = (*root)["asset"]["version"].text;
+  const std::string& version = text_of(item(*root, "asset", "version"));
   if (version.empty()) return fault_of("is not a glTF file: it states no version of its format");
   if (!version.starts_with("2.")) return fault_of(fmt::format("is of glTF version {}; version 2.0 is read", version));
   const std::optional<std::uint64_t> binary_size =

@@ -8,6 +8,6 @@ namespace ninebit {
 
 // Walks the file's scene. Perspective cameras with the file's own vertical angle; KHR_lights_punctual lights of type
 // "point", colours with their largest channel as 1. The number of triangles counts every mesh once a node that has it.
-[[nodiscard]] Result<FileFacts> read_gltf_nodes(const JsonValue& root);
+[[nodiscard]] Result<FileFacts> read_gltf_nodes(const Json& root);
 
 }  // namespace ninebit

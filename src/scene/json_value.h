@@ -1,34 +1,43 @@
-// A JSON text as a tree, for the structure of glTF files.
+// Reading a JSON text, and look-ups in it that never fail, for the structure of glTF files.
 #pragma once
 
 #include <cstdint>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "ninebit/numerics/result.h"
 
 namespace ninebit {
 
-// Look-ups of what is not there give the null value, so that a path through a file needs one check at its end.
-struct JsonValue {
-  enum class Type { null, boolean, number, string, array, object };
-  Type type = Type::null;
-  double number = 0.0;
-  std::string text;                // of a string
-  std::vector<JsonValue> items;    // of an array or an object
-  std::vector<std::string> names;  // of an object's items, in the text's order
-
-  [[nodiscard]] const JsonValue& operator[](std::string_view name) const;
-  [[nodiscard]] const JsonValue& operator[](std::size_t index) const;
-  [[nodiscard]] bool exists() const { return type != Type::null; }
-  [[nodiscard]] double number_or(double fallback) const { return type == Type::number ? number : fallback; }
-  // A whole number >= 0 below 2^53; nothing for anything else.
-  [[nodiscard]] std::optional<std::uint64_t> index() const;
-};
+using Json = nlohmann::json;
 
 // Arrays and objects nest at most 64 deep, far more than glTF needs. The Diagnostic names the line.
-[[nodiscard]] Result<JsonValue> parse_json(std::string_view text);
+[[nodiscard]] Result<Json> parse_json(std::string_view text);
+
+// An object's member or an array's item. What is not there is null, so that a path through a file needs one check at
+// its end.
+[[nodiscard]] const Json& item(const Json& value, const char* name);
+[[nodiscard]] const Json& item(const Json& value, std::uint64_t index);
+
+template <class First, class Second, class... Rest>
+[[nodiscard]] const Json& item(const Json& value, First first, Second second, Rest... rest) {
+  return item(item(value, first), second, rest...);
+}
+
+// The value itself where it is an array, and an empty array for anything else.
+[[nodiscard]] const Json& list_of(const Json& value);
+
+// The text of a string, and an empty one for anything else.
+[[nodiscard]] const std::string& text_of(const Json& value);
+
+[[nodiscard]] double number_or(const Json& value, double fallback);
+
+// A whole number >= 0 below 2^53, written in any way ("3", "3.0", "0.3e1"); nothing for anything else.
+[[nodiscard]] std::optional<std::uint64_t> index_of(const Json& value);
+
+// The item of a list that a reference to it by its index names.
+[[nodiscard]] const Json& target_of(const Json& list, const Json& reference);
 
 }  // namespace ninebit
