@@ -151,7 +151,7 @@ class BinaryReader {
 
   // A whole number of the type; false at the end of the data.
   bool whole(const PlyType& type, std::int64_t& value) {
-    if (data_.size() < type.size) return false;
+    if (type.size == 0 || data_.size() < type.size) return false;
     std::uint64_t bits = 0;
     for (std::size_t i = 0; i < type.size; ++i) {
       const std::size_t at = big_endian_ ? i : type.size - 1 - i;

@@ -134,7 +134,7 @@ Result<Scene> read_unnamed(const std::filesystem::path& file) {
                     *facts->triangles, read));
   if (auto fault = add_viewpoints(*facts, imported->root_transform, scene)) return *fault;
   scene.name = file.filename().string();
-  return std::move(scene);
+  return std::move(imported->scene);
 }
 
 }  // namespace

@@ -13,6 +13,7 @@
 // Rule 2 and the mapping table of NV_register_combiners: a register value to what the product sees, [-one, one].
 NINEBIT_RULE V map_input(const Datapath& d, InputMapping mapping, V e) {
   const V positive = max_of(e, set(0));
+  // clang-format off
   switch (mapping) {
     case InputMapping::unsigned_identity: return positive;
     case InputMapping::unsigned_invert: return sub(set(d.one), min_of(positive, set(d.one)));
@@ -23,6 +24,7 @@ NINEBIT_RULE V map_input(const Datapath& d, InputMapping mapping, V e) {
     case InputMapping::signed_identity: return e;
     case InputMapping::signed_negate: return sub(set(0), e);
   }
+  // clang-format on
   return e;
 }
 
@@ -33,7 +35,9 @@ NINEBIT_RULE V narrow(Narrowing narrowing, V n, int divisor, int most) {
   return sub(divide(add(n, set(divisor * most + divisor / 2)), divisor), set(most));
 }
 
-NINEBIT_RULE V clamp_to(V v, int low, int high) { return min_of(max_of(v, set(low)), set(high)); }
+NINEBIT_RULE V clamp_to(V v, int low, int high) {
+  return min_of(max_of(v, set(low)), set(high));
+}
 
 // Rules 3 to 8: what a general combiner writes for a wide value (units of 1 / one²): (wide + bias) × scale, narrowed,
 // clamped to [lowest, one].
@@ -75,4 +79,6 @@ NINEBIT_RULE V final_rgb(const Datapath& d, V a, V b, V c, V added) {
 }
 
 // Rule 14: G.
-NINEBIT_RULE V final_alpha(const Datapath& d, V g) { return clamp_to(g, 0, d.one); }
+NINEBIT_RULE V final_alpha(const Datapath& d, V g) {
+  return clamp_to(g, 0, d.one);
+}
