@@ -2,15 +2,20 @@
 #include <ImfEnvmap.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <new>
 #include <string>
 
 #include "combiner_tests/image/read_back.h"
+#include "combiner_tests/image/rows.h"
 #include "ninebit/image/image_io.h"
 
 namespace {
 
+using image_test::RowLog;
+using image_test::rows_of;
 using image_test::TempFolder;
 using Imath::V2f;
 using Imath::V3f;
@@ -41,25 +46,27 @@ std::uint32_t texel_code(int face, int i, int j) {
   return static_cast<std::uint32_t>(face * 1000000 + i * 1000 + j);
 }
 
+// Neither copied nor moved: the faces borrow the planes.
 struct Cube {
+  explicit Cube(int size);
+  Cube(const Cube&) = delete;
+  Cube& operator=(const Cube&) = delete;
   std::array<std::vector<std::uint32_t>, 6> codes;
   std::array<std::vector<float>, 6> shades;
   std::array<std::vector<ExrChannel>, 6> faces;
 };
 
-Cube test_cube(int size) {
-  Cube cube;
+Cube::Cube(int size) {
   for (int face = 0; face < 6; ++face) {
     const auto f = static_cast<std::size_t>(face);
     for (int j = 0; j < size; ++j) {
       for (int i = 0; i < size; ++i) {
-        cube.codes[f].push_back(texel_code(face, i, j));
-        cube.shades[f].push_back(static_cast<float>(face * 256 + (7 * i + 31 * j) % 256));
+        codes[f].push_back(texel_code(face, i, j));
+        shades[f].push_back(static_cast<float>(face * 256 + (7 * i + 31 * j) % 256));
       }
     }
-    cube.faces[f] = {{"index", cube.codes[f]}, {"R", cube.shades[f]}};
+    faces[f] = {{"index", rows_of(codes[f], size)}, {"R", rows_of(shades[f], size)}};
   }
-  return cube;
 }
 
 class CubeSizes : public testing::TestWithParam<int> {};
@@ -68,7 +75,7 @@ class CubeSizes : public testing::TestWithParam<int> {};
 TEST_P(CubeSizes, EveryPixelHasTheDirectionThatOpenExrGivesIt) {
   const int size = GetParam();
   const TempFolder folder;
-  const Cube cube = test_cube(size);
+  const Cube cube(size);
   const auto status = ninebit::write_exr_cube(folder.path() / "a.exr", size, cube.faces);
   ASSERT_TRUE(status.ok()) << status.error().text();
   const auto parts = image_test::read_exr(folder.path() / "a.exr");
@@ -119,7 +126,7 @@ INSTANTIATE_TEST_SUITE_P(All, CubeSizes, testing::Values(2, 3, 5, 16, 25));
 TEST(Cube, OpenExrFindsTheTexelOfADirection) {
   constexpr int kSize = 67;  // more than one block of rows, and no multiple of a compressed one
   const TempFolder folder;
-  const Cube cube = test_cube(kSize);
+  const Cube cube(kSize);
   ASSERT_TRUE(ninebit::write_exr_cube(folder.path() / "a.exr", kSize, cube.faces).ok());
   const auto parts = image_test::read_exr(folder.path() / "a.exr");
   const auto& codes = parts.at(0).channels.at("index").integers;
@@ -142,7 +149,7 @@ TEST(Cube, OpenExrFindsTheTexelOfADirection) {
 
 TEST(Cube, StoresASingleTexelAFace) {
   const TempFolder folder;
-  const Cube cube = test_cube(1);
+  const Cube cube(1);
   ASSERT_TRUE(ninebit::write_exr_cube(folder.path() / "a.exr", 1, cube.faces).ok());
   const auto parts = image_test::read_exr(folder.path() / "a.exr");
   EXPECT_EQ(parts.at(0).channels.at("index").integers,
@@ -151,7 +158,7 @@ TEST(Cube, StoresASingleTexelAFace) {
 
 TEST(Cube, IsTheSameBytesForAnyNumberOfThreads) {
   const TempFolder folder;
-  const Cube cube = test_cube(128);
+  const Cube cube(128);
   std::string first;
   for (const int threads : {0, 0, 3}) {
     ninebit::set_image_threads(threads);
@@ -164,10 +171,43 @@ TEST(Cube, IsTheSameBytesForAnyNumberOfThreads) {
   ninebit::set_image_threads(0);
 }
 
+TEST(Cube, AsksForEachRowOfEachFaceOnce) {
+  constexpr int kSize = 150;  // two blocks of rows and some
+  const TempFolder folder;
+  std::array<RowLog, 6> integers;
+  std::array<RowLog, 6> reals;
+  std::array<std::vector<ExrChannel>, 6> faces;
+  for (std::size_t f = 0; f < 6; ++f) {
+    faces[f] = {{"index", integers[f].rows<std::uint32_t>(kSize)}, {"R", reals[f].rows<float>(kSize)}};
+  }
+  ninebit::set_image_threads(3);
+  const auto status = ninebit::write_exr_cube(folder.path() / "a.exr", kSize, faces);
+  ninebit::set_image_threads(0);
+  ASSERT_TRUE(status.ok()) << status.error().text();
+  for (std::size_t f = 0; f < 6; ++f) {
+    for (const RowLog* log : {&integers[f], &reals[f]}) {
+      std::vector<int> asked = log->asked();
+      std::sort(asked.begin(), asked.end());
+      EXPECT_EQ(asked, image_test::up_to(kSize)) << "face " << f;
+    }
+  }
+}
+
+TEST(Cube, LeavesNoFileWhenTheRowsRunOutOfMemory) {
+  const TempFolder folder;
+  std::array<std::vector<ExrChannel>, 6> faces;
+  faces.fill({{"index", [](int, std::span<std::uint32_t> out) { std::fill(out.begin(), out.end(), 1U); }}});
+  faces[4][0].rows = [](int row, std::span<std::uint32_t>) {
+    if (row < 100) throw std::bad_alloc();
+  };
+  EXPECT_THROW((void)ninebit::write_exr_cube(folder.path() / "a.exr", 130, faces), std::bad_alloc);
+  EXPECT_TRUE(folder.names().empty());
+}
+
 TEST(Cube, ReportsFacesThatDoNotFit) {
   const TempFolder folder;
   const auto file = folder.path() / "a.exr";
-  const Cube good = test_cube(4);
+  const Cube good(4);
   const auto expect_refused = [&](int size, const std::array<std::vector<ExrChannel>, 6>& faces, const char* what) {
     const auto status = ninebit::write_exr_cube(file, size, faces);
     ASSERT_FALSE(status.ok()) << what;
@@ -176,7 +216,7 @@ TEST(Cube, ReportsFacesThatDoNotFit) {
   };
   expect_refused(0, good.faces, "no size");
   expect_refused(-4, good.faces, "a negative size");
-  expect_refused(5, good.faces, "another size");
+  expect_refused(16385, good.faces, "too large");
   expect_refused(1 << 20, good.faces, "far too large");
   auto faces = good.faces;
   faces[3].pop_back();
@@ -185,8 +225,16 @@ TEST(Cube, ReportsFacesThatDoNotFit) {
   faces[5][0].name = "other";
   expect_refused(4, faces, "another name");
   faces = good.faces;
-  faces[1][0].samples = good.faces[1][1].samples;
+  faces[1][0].rows = good.faces[1][1].rows;
   expect_refused(4, faces, "another type");
+  faces = good.faces;
+  faces[2][1].rows = ninebit::ExrRealRow();
+  expect_refused(4, faces, "no function for the rows");
+  RowLog log;
+  faces.fill({{"index", log.rows<std::uint32_t>(4)}});
+  faces[5].push_back({"R", log.rows<float>(4)});
+  expect_refused(4, faces, "a channel more");
+  EXPECT_TRUE(log.asked().empty());
   expect_refused(4, {}, "no channels");
   EXPECT_TRUE(folder.names().empty());
 }

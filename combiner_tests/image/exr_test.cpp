@@ -1,15 +1,20 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <new>
 #include <string>
 
 #include "combiner_tests/image/read_back.h"
+#include "combiner_tests/image/rows.h"
 #include "ninebit/image/image_io.h"
 
 namespace {
 
 using image_test::read_exr;
+using image_test::RowLog;
+using image_test::rows_of;
 using image_test::scramble;
 using image_test::StoredPart;
 using image_test::TempFolder;
@@ -48,9 +53,9 @@ TEST(Exr, StoresPartsOfDifferentSizesExactly) {
   const Reals alpha = reals(17, 200, 4);
   const Integers stencil = integers(1, 1, 5);
   const std::vector<ExrPart> parts = {
-      {"camera", 150, 131, {{"index", index}, {"Z", depth}, {"R", red}}},
-      {"map", 17, 200, {{"A", alpha}}},
-      {"dot", 1, 1, {{"stencil", stencil}}},
+      {"camera", 150, 131, {{"index", rows_of(index, 150)}, {"Z", rows_of(depth, 150)}, {"R", rows_of(red, 150)}}},
+      {"map", 17, 200, {{"A", rows_of(alpha, 17)}}},
+      {"dot", 1, 1, {{"stencil", rows_of(stencil, 1)}}},
   };
   const auto status = ninebit::write_exr_parts(folder.path() / "a.exr", parts);
   ASSERT_TRUE(status.ok()) << status.error().text();
@@ -76,7 +81,7 @@ TEST(Exr, StoresPartsOfDifferentSizesExactly) {
 TEST(Exr, StoresOnePart) {
   const TempFolder folder;
   const Reals red = reals(33, 64, 1);
-  const std::vector<ExrPart> parts = {{"only", 33, 64, {{"R", red}}}};
+  const std::vector<ExrPart> parts = {{"only", 33, 64, {{"R", rows_of(red, 33)}}}};
   ASSERT_TRUE(ninebit::write_exr_parts(folder.path() / "a.exr", parts).ok());
   const std::vector<StoredPart> stored = read_exr(folder.path() / "a.exr");
   ASSERT_EQ(stored.size(), 1U);
@@ -92,7 +97,8 @@ TEST(Exr, RoundsRealsToHalf) {
   // By hand: 10 bits of fraction, largest 65504, smallest 2^-24, ties to even.
   const Reals expected = {0.0F,       -0.0F, 1.0F,       0.0999755859375F, 65504.0F,  65504.0F,  kInfinity,
                           -kInfinity, 0.0F,  0x1.0p-24F, 2048.0F,          kInfinity, -kInfinity};
-  const std::vector<ExrPart> parts = {{"p", static_cast<int>(given.size()), 1, {{"v", given}}}};
+  const int count = static_cast<int>(given.size());
+  const std::vector<ExrPart> parts = {{"p", count, 1, {{"v", rows_of(given, count)}}}};
   ASSERT_TRUE(ninebit::write_exr_parts(folder.path() / "a.exr", parts).ok());
   const Reals stored = read_exr(folder.path() / "a.exr").at(0).channels.at("v").reals;
   ASSERT_EQ(stored.size(), given.size());
@@ -108,7 +114,8 @@ TEST(Exr, IsTheSameBytesForAnyNumberOfThreads) {
   const Integers index = integers(301, 277, 1);
   const Reals red = reals(301, 277, 3);
   const Reals small = reals(64, 64, 9);
-  const std::vector<ExrPart> parts = {{"a", 301, 277, {{"index", index}, {"R", red}}}, {"b", 64, 64, {{"R", small}}}};
+  const std::vector<ExrPart> parts = {{"a", 301, 277, {{"index", rows_of(index, 301)}, {"R", rows_of(red, 301)}}},
+                                      {"b", 64, 64, {{"R", rows_of(small, 64)}}}};
   std::string first;
   for (const int threads : {0, 0, 1, 2, 5, -3}) {
     ninebit::set_image_threads(threads);
@@ -121,11 +128,41 @@ TEST(Exr, IsTheSameBytesForAnyNumberOfThreads) {
   ninebit::set_image_threads(0);
 }
 
+TEST(Exr, AsksForEachRowOnceFromTheTopDown) {
+  const TempFolder folder;
+  RowLog integers_log;
+  RowLog reals_log;
+  RowLog second_log;
+  const std::vector<ExrPart> parts = {
+      {"a", 9, 150, {{"index", integers_log.rows<std::uint32_t>(9)}, {"R", reals_log.rows<float>(9)}}},
+      {"b", 200, 64, {{"R", second_log.rows<float>(200)}}},
+  };
+  ninebit::set_image_threads(3);
+  const auto status = ninebit::write_exr_parts(folder.path() / "a.exr", parts);
+  ninebit::set_image_threads(0);
+  ASSERT_TRUE(status.ok()) << status.error().text();
+  EXPECT_EQ(integers_log.asked(), image_test::up_to(150));
+  EXPECT_EQ(reals_log.asked(), image_test::up_to(150));
+  EXPECT_EQ(second_log.asked(), image_test::up_to(64));
+}
+
+TEST(Exr, LeavesNoFileWhenTheRowsRunOutOfMemory) {
+  const TempFolder folder;
+  const auto fill = [](int row, std::span<float> out) {
+    if (row == 130) throw std::bad_alloc();
+    std::fill(out.begin(), out.end(), 1.0F);
+  };
+  const std::vector<ExrPart> parts = {{"a", 3, 130, {{"R", fill}}}, {"b", 3, 131, {{"R", fill}}}};
+  EXPECT_THROW((void)ninebit::write_exr_parts(folder.path() / "a.exr", parts), std::bad_alloc);
+  EXPECT_TRUE(folder.names().empty());
+}
+
 TEST(Exr, StoresTheLargestSides) {
   const TempFolder folder;
   const Integers wide = integers(16384, 3, 1);
   const Reals tall = reals(2, 16384, 2);
-  const std::vector<ExrPart> parts = {{"wide", 16384, 3, {{"v", wide}}}, {"tall", 2, 16384, {{"v", tall}}}};
+  const std::vector<ExrPart> parts = {{"wide", 16384, 3, {{"v", rows_of(wide, 16384)}}},
+                                      {"tall", 2, 16384, {{"v", rows_of(tall, 2)}}}};
   ASSERT_TRUE(ninebit::write_exr_parts(folder.path() / "a.exr", parts).ok());
   const std::vector<StoredPart> stored = read_exr(folder.path() / "a.exr");
   EXPECT_EQ(stored.at(0).channels.at("v").integers, wide);
@@ -136,8 +173,10 @@ TEST(Exr, ReportsSenselessParts) {
   const TempFolder folder;
   const auto file = folder.path() / "a.exr";
   const Reals four(4);
-  const Integers five(5);
-  const ExrChannel good{"R", four};
+  const auto two_rows = rows_of(four, 2);
+  RowLog log;
+  const ExrChannel good{"R", two_rows};
+  const ExrChannel logged{"G", log.rows<float>(2)};
   const auto expect_refused = [&](const std::vector<ExrPart>& parts, const std::string& what) {
     const auto status = ninebit::write_exr_parts(file, parts);
     ASSERT_FALSE(status.ok()) << what;
@@ -150,11 +189,14 @@ TEST(Exr, ReportsSenselessParts) {
   expect_refused({{"", 2, 2, {good}}}, "no name");
   expect_refused({{"p", 2, 2, {good}}, {"p", 2, 2, {good}}}, "a name twice");
   expect_refused({{"p", 2, 2, {good, good}}}, "a channel twice");
-  expect_refused({{"p", 2, 2, {{"", four}}}}, "a channel without a name");
-  expect_refused({{"p", 2, 2, {{std::string(256, 'x'), four}}}}, "a channel with too long a name");
-  expect_refused({{"p", 2, 2, {{std::string("R\0S", 3), four}}}}, "a channel with NUL in its name");
-  expect_refused({{"p", 2, 2, {good, {"index", five}}}}, "too many samples");
-  expect_refused({{"p", 2, 3, {good}}}, "too few samples");
+  expect_refused({{"p", 2, 2, {{"", two_rows}}}}, "a channel without a name");
+  expect_refused({{"p", 2, 2, {{std::string(256, 'x'), two_rows}}}}, "a channel with too long a name");
+  expect_refused({{"p", 2, 2, {{std::string("R\0S", 3), two_rows}}}}, "a channel with NUL in its name");
+  expect_refused({{"p", 2, 2, {good, {"index", ninebit::ExrIntegerRow()}}}}, "no function for the integers' rows");
+  expect_refused({{"p", 2, 2, {{"G", ninebit::ExrRealRow()}, good}}}, "no function for the reals' rows");
+  expect_refused({{"p", 2, 2, {{}}}}, "an empty channel");
+  expect_refused({{"p", 2, 2, {logged}}, {"q", 2, 2, {}}}, "no channel in the last part");
+  EXPECT_TRUE(log.asked().empty());
   expect_refused({{"p", 0, 2, {good}}}, "no width");
   expect_refused({{"p", -2, -2, {good}}}, "negative sizes");
   expect_refused({{"p", 16385, 1, {good}}}, "too wide");
@@ -162,7 +204,8 @@ TEST(Exr, ReportsSenselessParts) {
   EXPECT_TRUE(folder.names().empty());
   const auto status = ninebit::write_exr_parts(file, std::vector<ExrPart>{{"p", 2, 2, {good}}});
   EXPECT_TRUE(status.ok());
-  ASSERT_TRUE(ninebit::write_exr_parts(file, std::vector<ExrPart>{{"p", 2, 2, {{std::string(255, 'x'), four}}}}).ok());
+  ASSERT_TRUE(
+      ninebit::write_exr_parts(file, std::vector<ExrPart>{{"p", 2, 2, {{std::string(255, 'x'), two_rows}}}}).ok());
   EXPECT_EQ(read_exr(file).at(0).channels.at(std::string(255, 'x')).reals, four);
 }
 

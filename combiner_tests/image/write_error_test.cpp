@@ -8,10 +8,12 @@
 #include <string>
 
 #include "combiner_tests/image/read_back.h"
+#include "combiner_tests/image/rows.h"
 #include "ninebit/image/image_io.h"
 
 namespace {
 
+using image_test::rows_of;
 using image_test::scramble;
 using image_test::TempFolder;
 using ninebit::ExrChannel;
@@ -43,14 +45,15 @@ std::vector<std::uint32_t> noise(int size) {
 Status write_noisy_parts(const fs::path& file, int size) {
   const std::vector<std::uint32_t> plane = noise(size);
   const std::vector<float> reals(plane.begin(), plane.end());
-  const std::vector<ExrPart> parts = {{"a", size, size, {{"index", plane}}}, {"b", size, size, {{"R", reals}}}};
+  const std::vector<ExrPart> parts = {{"a", size, size, {{"index", rows_of(plane, size)}}},
+                                      {"b", size, size, {{"R", rows_of(reals, size)}}}};
   return ninebit::write_exr_parts(file, parts);
 }
 
 Status write_noisy_cube(const fs::path& file, int size) {
   const std::vector<std::uint32_t> plane = noise(size);
   std::array<std::vector<ExrChannel>, 6> faces;
-  faces.fill({{"index", plane}});
+  faces.fill({{"index", rows_of(plane, size)}});
   return ninebit::write_exr_cube(file, size, faces);
 }
 

@@ -96,6 +96,8 @@ TEST(BadInput, TexturesThatDoNotFitAreReported) {
   EXPECT_TRUE(draw(state, mesh.arrays(), all.first(2)).ok());
   EXPECT_FALSE(draw(state, mesh.arrays(), all.first(3)).ok());  // geforce2 has two units
   state.profile = profiles::nv2a;
+  EXPECT_FALSE(draw(state, mesh.arrays(), all.first(1)).ok());  // a program compiled for another datapath
+  state.program = pass_through(Register::texture0, Register::texture0, profiles::nv2a);
   EXPECT_TRUE(draw(state, mesh.arrays(), all.first(4)).ok());
   EXPECT_FALSE(draw(state, mesh.arrays(), all).ok());
   state.profile.texture_units.value = 9;

@@ -94,7 +94,7 @@ TEST(Captures, AskTheDepthTestAlone) {
         for (int y = 0; y < size; ++y) std::fill_n(target.depth_z24.row(y), size / 2, 0U);
         std::vector<s9> red(static_cast<std::size_t>(size * size), -7), alpha = red, spare = red;
         target.captures = {{Register::primary, kRed, {red.data(), size}},
-                           {Register::discard, kAlpha, {alpha.data(), size}},
+                           {std::nullopt, kAlpha, {alpha.data(), size}},
                            {Register::spare0, kAlpha, {spare.data(), size}},
                            {Register::primary, kRed, {}}};
         PipelineState state;

@@ -52,7 +52,7 @@ Canvas::Canvas(int width, int height, bool with_capture) : stride_(width + kPadd
   target.depth_z24 = {depth_.data(), stride_};
   target.primitive = {primitive_.data(), stride_};
   target.stencil = {stencil_.data(), stride_};
-  if (with_capture) target.captures.push_back({Register::discard, kRed, {captured_.data(), stride_}});
+  if (with_capture) target.captures.push_back({std::nullopt, kRed, {captured_.data(), stride_}});
 }
 
 oracle::Picture Canvas::picture() const {

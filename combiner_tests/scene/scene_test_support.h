@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <array>
 #include <atomic>
 #include <bit>
 #include <cmath>
@@ -11,6 +12,7 @@
 #include <fstream>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "ninebit/scene/scene_io.h"
 
@@ -28,7 +30,7 @@ class SceneFiles : public ::testing::Test {
   void TearDown() override { std::filesystem::remove_all(folder_); }
 
   [[nodiscard]] std::filesystem::path write(const std::string& name, std::string_view content) const {
-    const std::filesystem::path file = folder_ / name;
+    std::filesystem::path file = folder_ / name;
     std::ofstream(file, std::ios::binary).write(content.data(), static_cast<std::streamsize>(content.size()));
     return file;
   }
@@ -57,8 +59,43 @@ inline glm::vec3 front_of(const Scene& scene, std::size_t triangle) {
   return glm::normalize(glm::cross(scene.positions[t.y] - a, scene.positions[t.z] - a));
 }
 
+// Adds an object: a box that faces outward, or inward like a room.
+inline void add_box(Scene& scene, const glm::vec3& low, const glm::vec3& high, const std::string& name,
+                    bool inward = false) {
+  const auto base = static_cast<std::uint32_t>(scene.positions.size());
+  const auto object = static_cast<std::uint32_t>(scene.objects.size());
+  scene.objects.push_back({name, static_cast<std::uint32_t>(scene.triangles.size()), 12});
+  if (scene.materials.empty()) scene.materials.push_back({"plain", glm::vec3(0.5F)});
+  // Vertex i lies high in x, y and z as its bits say.
+  for (unsigned i = 0; i < 8; ++i) {
+    scene.positions.emplace_back((i & 1U) != 0 ? high.x : low.x, (i & 2U) != 0 ? high.y : low.y,
+                                 (i & 4U) != 0 ? high.z : low.z);
+    scene.normals.push_back(glm::normalize(glm::vec3(i & 1U, (i >> 1U) & 1U, i >> 2U) - 0.5F));
+  }
+  constexpr std::array<std::array<std::uint32_t, 4>, 6> kSides{
+      {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}}};
+  for (const auto& side : kSides) {
+    for (const glm::uvec3 corner : {glm::uvec3(0, 1, 2), glm::uvec3(0, 2, 3)}) {
+      glm::uvec3 t(side[corner.x] + base, side[corner.y] + base, side[corner.z] + base);
+      if (inward) std::swap(t.y, t.z);
+      scene.triangles.push_back(t);
+      scene.triangle_object.push_back(object);
+      scene.triangle_material.push_back(0);
+    }
+  }
+}
+
+inline Scene box(const glm::vec3& low, const glm::vec3& high, bool inward = false) {
+  Scene scene;
+  scene.name = "box";
+  add_box(scene, low, high, "box", inward);
+  return scene;
+}
+
 // Everything that scene.h promises of a scene.
 inline void expect_contract(const Scene& scene) {
+  const Status valid = validate(scene);
+  ASSERT_TRUE(valid) << valid.error().text();
   ASSERT_EQ(scene.normals.size(), scene.positions.size());
   ASSERT_EQ(scene.triangle_object.size(), scene.triangles.size());
   ASSERT_EQ(scene.triangle_material.size(), scene.triangles.size());

@@ -120,12 +120,11 @@ TEST(IndexCube, MapFacesFollowTheExtensionsTable) {
     const glm::vec3 c = table(face, directions[static_cast<std::size_t>(face)]);
     const int s = static_cast<int>((c.x / c.z + 1.0F) / 2.0F * static_cast<float>(settings.map_size));
     const int t = static_cast<int>((c.y / c.z + 1.0F) / 2.0F * static_cast<float>(settings.map_size));
-    const Surface& map = r.index_map[static_cast<std::size_t>(face)];
+    const auto& map = r.index_map[static_cast<std::size_t>(face)].color;
     const std::size_t at = static_cast<std::size_t>(t * settings.map_size + s);
-    EXPECT_EQ(r.codes.number(map.color(0)[at], map.color(1)[at], map.color(2)[at]),
-              static_cast<std::uint32_t>(face + 1));
+    EXPECT_EQ(r.codes.number(map[0][at], map[1][at], map[2][at]), static_cast<std::uint32_t>(face + 1));
     std::size_t set = 0;
-    for (const std::uint8_t red : map.color(0)) set += red != 0 ? 1 : 0;
+    for (const std::uint8_t red : map[0]) set += red != 0 ? 1 : 0;
     EXPECT_GT(set, 20U);
     EXPECT_LT(set, 1000U);
   }
@@ -153,7 +152,7 @@ TEST(IndexCube, SameBitsForAnyNumberOfThreads) {
     ASSERT_EQ(r.frame.depth_z24(), first->frame.depth_z24()) << threads;
     ASSERT_EQ(r.layers->spare1, first->layers->spare1) << threads;
     for (std::size_t f = 0; f < 6; ++f) {
-      for (int c = 0; c < 3; ++c) ASSERT_EQ(r.index_map[f].color(c), first->index_map[f].color(c)) << threads;
+      ASSERT_EQ(r.index_map[f].color, first->index_map[f].color) << threads;
     }
   }
 }
@@ -222,8 +221,8 @@ TEST(IndexCube, CullingLeavesOutFacesInEveryPass) {
   settings.cull_face = CullFace::front;
   const Rendering none = render(scene, settings);
   EXPECT_EQ(none.background, static_cast<std::uint64_t>(settings.width * settings.height));
-  for (const Surface& face : none.index_map) {
-    EXPECT_EQ(*std::max_element(face.color(kRed).begin(), face.color(kRed).end()), 0);
+  for (const IndexMapFace& face : none.index_map) {
+    EXPECT_EQ(*std::max_element(face.color[kRed].begin(), face.color[kRed].end()), 0);
   }
 }
 

@@ -51,6 +51,20 @@ TEST(Passes, ComparisonWritesOneWhereIndicesDiffer) {
   EXPECT_EQ(s.program->num_general_combiners, 2);
 }
 
+// With light_facing: what turns away is in shadow, whatever the map says.
+TEST(Passes, AvertedPolygonsAreMarkedWithoutComparison) {
+  const PipelineState s = index_cube_passes({})->averted;
+  const PipelineState compared = index_cube_passes({})->comparison;
+  EXPECT_FALSE(s.program || s.alpha_test.enabled || writes_color(s));
+  EXPECT_TRUE(s.depth_test.enabled && !s.depth_test.write);
+  EXPECT_EQ(s.depth_test.function, CompareFunction::equal);
+  EXPECT_TRUE(s.stencil_test.enabled);
+  EXPECT_EQ(s.stencil_test.function, CompareFunction::always);
+  EXPECT_EQ(s.stencil_test.reference, compared.stencil_test.reference);
+  EXPECT_EQ(s.stencil_test.depth_pass, StencilOperation::replace);
+  EXPECT_EQ(s.stencil_test.depth_fail, StencilOperation::keep);
+}
+
 TEST(Passes, LitWhereTheStencilIsZeroShadowWhereItIsOne) {
   const IndexCubePasses passes = *index_cube_passes({});
   int reference = 0;

@@ -107,7 +107,7 @@ TEST_F(InputError, SenselessGeometry) {
 TEST_F(InputError, CameraAndLight) {
   expect_refused(kRoom, {"camera", "at the light"}, {"--camera", "1,2,3", "--light", "1,2,3"});
   expect_refused(kRoom, {"camera", "the point that it looks at"}, {"--camera", "1,2,3", "--look-at", "1,2,3"});
-  expect_refused(kBunny, {"light", "(0, 0, 0)", "inside a solid", "camera is outside"}, {"--light", "0,0,0"});
+  expect_refused(kBunny, {"light", "(0, 0, 0)", "inside a solid", "the camera is not"}, {"--light", "0,0,0"});
 }
 
 TEST_F(InputError, TooManyPolygonsSaysWhatWouldDo) {

@@ -87,8 +87,10 @@ TEST_F(Interrupt, TheFirstSigintEndsCleanly) {
 }
 
 TEST_F(Interrupt, WhileDrawingRemovesTheFolderThatWasMade) {
-  expect_error(interrupted({""}, {SIGINT}, folder_ / "made/for/this"), 130, {"interrupted"});
-  EXPECT_FALSE(std::filesystem::exists(folder_ / "made"));
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    expect_error(interrupted({""}, {signal}, folder_ / "made/for/this"), 128 + signal, {"interrupted"});
+    EXPECT_FALSE(std::filesystem::exists(folder_ / "made"));
+  }
 }
 
 // What cannot be cleaned up after: temporary files may stay, but every file of an output's name is whole.

@@ -40,7 +40,7 @@ TEST(UsageError, ValuesOfRender) {
   const TempFolder folder;
   const std::string size = "WIDTHxHEIGHT, each from 1 to 16384";
   const std::string map_size = "power of two from 1 to 16384";
-  const std::string degrees = "degrees between 0 and 180";
+  const std::string degrees = "degrees from 0.01 to 170";
   struct Flag {
     std::string name;
     std::vector<std::string> wrong;
@@ -55,7 +55,7 @@ TEST(UsageError, ValuesOfRender) {
       {"--technique", {"magic"}, "index-cube"},
       {"--profile", {"geforce7"}, "geforce2"},
       {"--threads", {"-1", "1025", "many"}, "0 to 1024"},
-      {"--fov", {"0", "180", "-3", "nan", "50,50"}, degrees},
+      {"--fov", {"0", "0.009", "170.1", "180", "-3", "nan", "50,50"}, degrees},
       {"--camera", {"nan,0,0", "1,2", "1,2,3,4", "1;2;3", "1,2,3,", "1e99,0,0"}, "X,Y,Z"},
       {"--look-at", {"0,0,nan", ""}, "X,Y,Z"},
       {"--light", {"0,-inf,0", "light"}, "X,Y,Z"},
@@ -77,7 +77,7 @@ TEST(UsageError, LimitsThemselvesAreFine) {
   const TempFolder folder;
   const std::vector<std::vector<std::string>> fine{
       {"--size", "1x1", "--map-size", "1", "--index-step", "1", "--threads", "1024", "--floor", "none"},
-      {"--size", "16384x1", "--index-step", "16", "--floor", "-1.5", "--fov", "179"},
+      {"--size", "16384x1", "--index-step", "16", "--floor", "-1.5", "--fov", "170"},
       {"--camera", "-1,-2,-3.5", "--look-at", "-1,0.5,-2", "--light", "-1,1e-1,-2", "--threads", "0"},
   };
   for (const std::vector<std::string>& flags : fine) {

@@ -4,63 +4,62 @@
 #include <ImfChannelList.h>
 
 #include <algorithm>
+#include <type_traits>
 
 namespace ninebit::image_detail {
-
-namespace {
-
-// Rows [first, first + rows) of the turned picture, converted to what the file holds.
-template <class From, class To>
-void copy_rows(std::span<const From> plane, int width, int height, Flips flips, int first, int rows,
-               std::vector<To>& block) {
-  const auto columns = static_cast<std::size_t>(width);
-  block.resize(columns * static_cast<std::size_t>(rows));
-  auto out = block.begin();
-  for (int row = first; row < first + rows; ++row) {
-    const int source = flips.rows ? height - 1 - row : row;
-    const std::span<const From> line = plane.subspan(static_cast<std::size_t>(source) * columns, columns);
-    const auto convert = [](From sample) { return static_cast<To>(sample); };
-    out = flips.columns ? std::transform(line.rbegin(), line.rend(), out, convert)
-                        : std::transform(line.begin(), line.end(), out, convert);
-  }
-}
-
-template <class Sample>
-Imf::Slice slice(Imf::PixelType type, const Sample* samples, int top, int width, int rows) {
-  return Imf::Slice::Make(type, samples, Imath::V2i(0, top), width, rows, sizeof(Sample),
-                          sizeof(Sample) * static_cast<std::size_t>(width));
-}
-
-}  // namespace
 
 void add_channels(Imf::Header& header, std::span<const ExrChannel> channels) {
   for (const ExrChannel& channel : channels) header.channels().insert(channel.name, Imf::Channel(pixel_type(channel)));
 }
 
 ExrBlocks::ExrBlocks(int width, int height, std::span<const ExrChannel> channels, Flips flips)
-    : width_(width),
-      height_(height),
-      channels_(channels),
-      flips_(flips),
-      halves_(channels.size()),
-      turned_(channels.size()) {}
+    : width_(width), height_(height), channels_(channels), flips_(flips), blocks_(channels.size()) {
+  const std::size_t samples = static_cast<std::size_t>(width) * static_cast<std::size_t>(std::min(height, kRows));
+  for (std::size_t c = 0; c < channels.size(); ++c) {
+    if (pixel_type(channels[c]) == Imf::HALF) {
+      blocks_[c].halves.resize(samples);
+      reals_.resize(static_cast<std::size_t>(width));
+    } else {
+      blocks_[c].integers.resize(samples);
+    }
+  }
+}
+
+void ExrBlocks::fetch(const ExrIntegerRow& fill, int row, std::span<std::uint32_t> line) const {
+  fill(source_row(row), line);
+  if (flips_.columns) std::reverse(line.begin(), line.end());
+}
+
+void ExrBlocks::fetch(const ExrRealRow& fill, int row, std::span<half> line) {
+  fill(source_row(row), reals_);
+  const auto convert = [](float sample) { return half(sample); };
+  if (flips_.columns) {
+    std::transform(reals_.rbegin(), reals_.rend(), line.begin(), convert);
+  } else {
+    std::transform(reals_.begin(), reals_.end(), line.begin(), convert);
+  }
+}
+
+template <class Sample, class Fill>
+Imf::Slice ExrBlocks::block_of(const Fill& fill, std::vector<Sample>& block, int row, int rows, int file_row) {
+  const auto columns = static_cast<std::size_t>(width_);
+  const std::span<Sample> lines = block;
+  for (int r = 0; r < rows; ++r) fetch(fill, row + r, lines.subspan(static_cast<std::size_t>(r) * columns, columns));
+  constexpr Imf::PixelType kType = std::is_same_v<Sample, half> ? Imf::HALF : Imf::UINT;
+  return Imf::Slice::Make(kType, block.data(), Imath::V2i(0, file_row), width_, rows, sizeof(Sample),
+                          sizeof(Sample) * columns);
+}
 
 Imf::FrameBuffer ExrBlocks::frame(int row, int rows, int file_row) {
   Imf::FrameBuffer frame;
   for (std::size_t c = 0; c < channels_.size(); ++c) {
     const ExrChannel& channel = channels_[c];
-    if (const auto* reals = std::get_if<std::span<const float>>(&channel.samples)) {
-      copy_rows(*reals, width_, height_, flips_, row, rows, halves_[c]);
-      frame.insert(channel.name, slice(Imf::HALF, halves_[c].data(), file_row, width_, rows));
-      continue;
+    if (const auto* reals = std::get_if<ExrRealRow>(&channel.rows)) {
+      frame.insert(channel.name, block_of(*reals, blocks_[c].halves, row, rows, file_row));
+    } else {
+      const auto& integers = std::get<ExrIntegerRow>(channel.rows);
+      frame.insert(channel.name, block_of(integers, blocks_[c].integers, row, rows, file_row));
     }
-    const auto& integers = std::get<std::span<const std::uint32_t>>(channel.samples);
-    const std::uint32_t* samples = integers.data() + static_cast<std::size_t>(row) * static_cast<std::size_t>(width_);
-    if (flips_.columns || flips_.rows) {
-      copy_rows(integers, width_, height_, flips_, row, rows, turned_[c]);
-      samples = turned_[c].data();
-    }
-    frame.insert(channel.name, slice(Imf::UINT, samples, file_row, width_, rows));
   }
   return frame;
 }

@@ -1,4 +1,4 @@
-// Hands planes to OpenEXR a block of rows at a time.
+// Fetches rows from the caller and hands them to OpenEXR, a block at a time.
 #pragma once
 
 #include <ImfFrameBuffer.h>
@@ -13,19 +13,19 @@
 
 namespace ninebit::image_detail {
 
-// Which way planes are turned on their way into the file.
+// Which way pictures are turned on their way into the file.
 struct Flips {
   bool columns = false;
   bool rows = false;
 };
 
 [[nodiscard]] inline Imf::PixelType pixel_type(const ExrChannel& channel) {
-  return std::holds_alternative<std::span<const float>>(channel.samples) ? Imf::HALF : Imf::UINT;
+  return std::holds_alternative<ExrRealRow>(channel.rows) ? Imf::HALF : Imf::UINT;
 }
 
 void add_channels(Imf::Header& header, std::span<const ExrChannel> channels);
 
-// The channels of one picture of width x height samples, which are borrowed.
+// One picture of width x height samples in each of the channels, which are borrowed.
 class ExrBlocks {
  public:
   ExrBlocks(int width, int height, std::span<const ExrChannel> channels, Flips flips);
@@ -45,14 +45,25 @@ class ExrBlocks {
   // Some of OpenEXR's 16-row ZIP blocks, so that its threads, if the program gave it any, have work.
   static constexpr int kRows = 64;
 
+  struct Block {
+    std::vector<half> halves;             // of a float channel
+    std::vector<std::uint32_t> integers;  // of a UINT channel
+  };
+
+  [[nodiscard]] int source_row(int row) const { return flips_.rows ? height_ - 1 - row : row; }
+  // One row of the turned picture, as the file holds it.
+  void fetch(const ExrIntegerRow& fill, int row, std::span<std::uint32_t> line) const;
+  void fetch(const ExrRealRow& fill, int row, std::span<half> line);
+  template <class Sample, class Fill>
+  Imf::Slice block_of(const Fill& fill, std::vector<Sample>& block, int row, int rows, int file_row);
   Imf::FrameBuffer frame(int row, int rows, int file_row);
 
   int width_;
   int height_;
   std::span<const ExrChannel> channels_;
   Flips flips_;
-  std::vector<std::vector<half>> halves_;           // a block of each float channel
-  std::vector<std::vector<std::uint32_t>> turned_;  // a block of each UINT channel, where it cannot be used in place
+  std::vector<Block> blocks_;  // one a channel
+  std::vector<float> reals_;   // a row of a float channel before it becomes half
 };
 
 }  // namespace ninebit::image_detail

@@ -63,15 +63,8 @@ void FragmentBatch::fill_texture(int unit) {
   const HardwareProfile& profile = context_.state.profile;
   const Register reg = texture_register(unit);
   const auto u = static_cast<std::size_t>(unit);
-  if (u >= context_.textures.size() || context_.textures[u] == nullptr) {
-    for (int k = 0; k < 3; ++k) std::fill_n(registers_(reg, k), count_, s9{0});
-    const auto alpha = from_byte(profile, static_cast<std::uint8_t>(profile.disabled_texture_alpha.value));
-    std::fill_n(registers_(reg, kAlpha), count_, alpha);
-    return;
-  }
   const CubeMap& map = *context_.textures[u];
   const std::span<const glm::vec3> coordinates = context_.arrays.texture_coordinates[u];
-  std::fill_n(registers_(reg, kAlpha), count_, static_cast<s9>(profile.one));
   for (std::size_t i = 0; i < count_; ++i) {
     const glm::uvec3 v = context_.arrays.triangles[fragment_[i].primitive];
     const glm::vec3 &a = coordinates[v.x], &b = coordinates[v.y], &c = coordinates[v.z];
@@ -89,23 +82,18 @@ void FragmentBatch::fill_texture(int unit) {
 
 void FragmentBatch::fill_initial_registers() {
   const HardwareProfile& profile = context_.state.profile;
+  for (std::size_t r = 0; r < kRegisterCount; ++r) {
+    for (int k = 0; k < 4; ++k) {
+      std::fill_n(registers_(static_cast<Register>(r), k), count_,
+                  context_.initial.value[r][static_cast<std::size_t>(k)]);
+    }
+  }
   for (std::size_t k = 0; k < 4; ++k) {
     s9* const codes = registers_(Register::primary, static_cast<int>(k));
     for (std::size_t i = 0; i < count_; ++i) codes[i] = from_byte(profile, primary_[i][k]);
   }
-  for (int unit = 0; unit < kMaxTextureUnits; ++unit) fill_texture(unit);
-  for (const Register reg : {Register::secondary, Register::fog, Register::spare0, Register::spare1}) {
-    for (int k = 0; k < 4; ++k) std::fill_n(registers_(reg, k), count_, s9{0});
-  }
-  // No secondary colour and no fog are drawn yet: their alphas are those of the profile's table.
-  std::fill_n(registers_(Register::secondary, kAlpha), count_, static_cast<s9>(profile.one));
-  const auto byte_code = [&](int byte) { return from_byte(profile, static_cast<std::uint8_t>(byte)); };
-  std::fill_n(registers_(Register::fog, kAlpha), count_, byte_code(profile.fog_alpha_without_fog));
-  const bool unit0 = !context_.textures.empty() && context_.textures[0] != nullptr;
-  if (unit0) {
-    std::copy_n(registers_(Register::texture0, kAlpha), count_, registers_(Register::spare0, kAlpha));
-  } else {
-    std::fill_n(registers_(Register::spare0, kAlpha), count_, byte_code(profile.spare0_alpha_without_texture0));
+  for (std::size_t unit = 0; unit < context_.textures.size(); ++unit) {
+    if (context_.textures[unit] != nullptr) fill_texture(static_cast<int>(unit));
   }
 }
 
@@ -114,8 +102,8 @@ void FragmentBatch::capture(std::size_t i) const {
   if (!context_.operations.depth_passes(f)) return;
   for (const RegisterCapture& c : context_.target.captures) {
     if (!c.plane) continue;
-    c.plane.at(f.x, f.y) = c.reg == Register::discard ? out_.plane[static_cast<std::size_t>(c.component)][i]
-                                                      : registers_(c.reg, c.component)[i];
+    c.plane.at(f.x, f.y) =
+        c.reg ? registers_(*c.reg, c.component)[i] : out_.plane[static_cast<std::size_t>(c.component)][i];
   }
 }
 

@@ -21,6 +21,7 @@ struct DrawContext {
   std::span<const CubeMap* const> textures;
   const RenderTarget& target;
   const FragmentOperations& operations;
+  RegisterFile initial;  // of a fragment of this draw; primary colour and texels are its own
 };
 
 // The primary colour that flat shading gives a triangle: its own, or that of its last vertex.

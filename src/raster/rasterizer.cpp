@@ -16,12 +16,18 @@
 namespace ninebit {
 namespace {
 
-constexpr std::size_t kTrianglesPerBlock = 2048;
+// How a draw is cut: blocks are set up and binned in parallel, a chunk of blocks is then drawn tile by tile.
+struct Cut {
+  std::size_t triangles_per_block;
+  std::size_t blocks_per_chunk;
+};
 
-// How many blocks are binned before they are drawn: enough to keep the threads busy, and few enough that their lists
-// stay below 2^28 entries even if every triangle covers every tile.
-std::size_t blocks_per_chunk(std::size_t tiles) {
-  return std::clamp((std::size_t{1} << 28) / (kTrianglesPerBlock * tiles), std::size_t{1}, std::size_t{64});
+// Enough blocks to keep the threads busy, and so few triangles that a chunk's lists stay within 2^28 entries even if
+// clipping makes eight pieces of every triangle and every piece covers every tile.
+Cut cut_for(std::size_t tiles) {
+  const std::size_t pieces = (std::size_t{1} << 28) / tiles;
+  const std::size_t block = std::clamp(pieces / 8, std::size_t{64}, std::size_t{2048});
+  return {block, std::clamp(pieces / (8 * block), std::size_t{1}, std::size_t{64})};
 }
 
 // One block's triangles sorted by tile, in drawing order within each tile.
@@ -77,6 +83,18 @@ Diagnostic fault(std::string message) {
   return Diagnostic{.message = std::move(message)};
 }
 
+// What the registers of every fragment start with. Secondary colour and fog are not drawn: black, without fog. The
+// texel of a unit that is on has the alpha of an RGB texture.
+RegisterFile initial_registers_of(const PipelineState& state, std::span<const CubeMap* const> textures) {
+  FragmentInputs inputs;
+  inputs.secondary[kAlpha] = 255;
+  inputs.fog[kAlpha] = static_cast<std::uint8_t>(state.profile.fog_alpha_without_fog.value);
+  for (std::size_t unit = 0; unit < textures.size(); ++unit) {
+    if (textures[unit] != nullptr) inputs.texture[unit] = {0, 0, 0, 255};
+  }
+  return initial_registers(state.profile, inputs);
+}
+
 Status check(const PipelineState& state, const TriangleArrays& arrays, std::span<const CubeMap* const> textures,
              const RenderTarget& target) {
   if (target.width < 1 || target.height < 1 || target.width > kMaxSurfaceSize || target.height > kMaxSurfaceSize) {
@@ -86,10 +104,13 @@ Status check(const PipelineState& state, const TriangleArrays& arrays, std::span
   if (state.stencil_test.enabled && !target.stencil) return fault("the stencil test needs a stencil plane");
   if (state.depth_test.enabled && !target.depth_z24) return fault("the depth test needs a depth plane");
   for (const RegisterCapture& c : target.captures) {
-    const bool holds_value = (c.reg >= Register::fog && c.reg <= Register::texture3) || c.reg == Register::discard;
+    const bool holds_value = !c.reg || (*c.reg >= Register::fog && *c.reg <= Register::texture3);
     if (!holds_value || c.component < kRed || c.component > kAlpha) {
       return fault("a capture names no component of a register that fragments have, nor of the output");
     }
+  }
+  if (state.program && state.program->datapath != datapath_of(state.profile)) {
+    return fault("the program was compiled for another profile than " + std::string(state.profile.name));
   }
   if (state.profile.subpixel_bits < 0 || state.profile.subpixel_bits > 4) {
     return fault("the rasterizer's integers hold 0 to 4 subpixel bits, not " +
@@ -150,23 +171,23 @@ Status rasterize(const PipelineState& state, const glm::mat4& clip_from_object, 
   });
 
   const FragmentOperations operations(state, target);
-  const DrawContext context{state, arrays, textures, target, operations};
+  const DrawContext context{state, arrays, textures, target, operations, initial_registers_of(state, textures)};
   const bool flat_result = has_flat_result(context);
   const TileGrid grid(target);
   const Viewport viewport{target.width, target.height, state.profile.subpixel_bits};
   const bool cull_front = state.cull_face == CullFace::front, cull_back = state.cull_face == CullFace::back;
 
-  const std::size_t blocks = (arrays.triangles.size() + kTrianglesPerBlock - 1) / kTrianglesPerBlock;
-  const std::size_t per_chunk = blocks_per_chunk(grid.count());
-  std::vector<BinnedBlock> chunk(std::min(blocks, per_chunk));
-  for (std::size_t first_block = 0; first_block < blocks; first_block += per_chunk) {
-    const std::size_t count = std::min(per_chunk, blocks - first_block);
+  const Cut cut = cut_for(grid.count());
+  const std::size_t blocks = (arrays.triangles.size() + cut.triangles_per_block - 1) / cut.triangles_per_block;
+  std::vector<BinnedBlock> chunk(std::min(blocks, cut.blocks_per_chunk));
+  for (std::size_t first_block = 0; first_block < blocks; first_block += cut.blocks_per_chunk) {
+    const std::size_t count = std::min(cut.blocks_per_chunk, blocks - first_block);
     tbb::parallel_for(std::size_t{0}, count, [&](std::size_t b) {
       BinnedBlock& block = chunk[b];
       block.setup.triangles.clear();
       block.setup.weights.clear();
-      const std::size_t begin = (first_block + b) * kTrianglesPerBlock;
-      const std::size_t end = std::min(begin + kTrianglesPerBlock, arrays.triangles.size());
+      const std::size_t begin = (first_block + b) * cut.triangles_per_block;
+      const std::size_t end = std::min(begin + cut.triangles_per_block, arrays.triangles.size());
       for (std::size_t i = begin; i < end; ++i) {
         const glm::uvec3 v = arrays.triangles[i];
         set_up_triangle(viewport, {clip[v.x], clip[v.y], clip[v.z]}, static_cast<std::uint32_t>(i), cull_front,

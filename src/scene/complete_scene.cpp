@@ -1,26 +1,26 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 
 #include "ninebit/scene/scene_io.h"
+#include "src/scene/scene_check.h"
 
 namespace ninebit {
 namespace {
 
-constexpr float kTooClose = 1e-6F;  // of the bounding diagonal
+constexpr float kTooClose = 1e-6F;    // of the bounding diagonal
+constexpr double kMinExtent = 1e-12;  // what is smaller counts as a point: its squares would vanish in floats
+constexpr float kMinFov = 0.01F;
+constexpr float kMaxFov = 170.0F;
 
-Diagnostic fault_of(std::string message) {
-  return {std::move(message), "", 0, Fault::invalid_input};
-}
-
-bool is_finite(const glm::vec3& v) {
-  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
-
-// What everything is measured by; a scene that is a single point still needs some length.
+// What everything is measured by. A scene that is next to a single point still needs some length, which must not drown
+// in its coordinates.
 float scale_of(const Bounds& bounds) {
-  const float diagonal = bounds.diagonal();
-  return diagonal > 0.0F ? diagonal : 1.0F;
+  const double diagonal = glm::length(glm::dvec3(bounds.high) - glm::dvec3(bounds.low));
+  if (diagonal >= kMinExtent) return static_cast<float>(diagonal);
+  return std::max(1.0F, 1e-3F * glm::length(bounds.center()));
 }
 
 glm::vec3 any_axis_across(const glm::vec3& direction) {
@@ -29,20 +29,20 @@ glm::vec3 any_axis_across(const glm::vec3& direction) {
   return size.z <= size.x ? glm::vec3(0.0F, 0.0F, 1.0F) : glm::vec3(1.0F, 0.0F, 0.0F);
 }
 
-std::optional<Diagnostic> check_setup(const Scene& scene, const SceneSetup& setup, float aspect_ratio) {
-  if (scene.triangles.empty()) return fault_of("the scene has no triangles");
-  if (!std::isfinite(aspect_ratio) || aspect_ratio <= 0.0F) return fault_of("the aspect ratio must be greater than 0");
-  if (setup.camera && !is_finite(*setup.camera)) return fault_of("the camera's position must be finite");
-  if (setup.look_at && !is_finite(*setup.look_at)) return fault_of("the point to look at must be finite");
-  if (setup.light && !is_finite(*setup.light)) return fault_of("the light's position must be finite");
+Status check_setup(const SceneSetup& setup, float aspect_ratio) {
+  if (!std::isfinite(aspect_ratio) || aspect_ratio <= 0.0F) return invalid("the aspect ratio must be greater than 0");
+  if (setup.camera && !is_finite(*setup.camera)) return invalid("the camera's position must be finite");
+  if (setup.look_at && !is_finite(*setup.look_at)) return invalid("the point to look at must be finite");
+  if (setup.light && !is_finite(*setup.light)) return invalid("the light's position must be finite");
   if (setup.floor == FloorChoice::at_height && !std::isfinite(setup.floor_height))
-    return fault_of("the floor's height must be finite");
-  return std::nullopt;
+    return invalid("the floor's height must be finite");
+  return {};
 }
 
-std::optional<Diagnostic> check_fov(float degrees) {
-  if (degrees > 0.0F && degrees < 180.0F) return std::nullopt;
-  return fault_of("the vertical field of view must lie between 0 and 180 degrees");
+Status check_fov(float degrees) {
+  if (degrees >= kMinFov && degrees <= kMaxFov) return {};
+  return invalid(fmt::format("the vertical field of view is {} degrees; expected one from {} to {} degrees", degrees,
+                             kMinFov, kMaxFov));
 }
 
 // A three-quarter view from the front, the right and above, as near as the box fits both angles with some room.
@@ -98,6 +98,12 @@ void add_floor(Scene& scene, const Bounds& bounds, float height) {
   }
 }
 
+Status check_places(const Camera& camera, const PointLight& light) {
+  if (Status checked = check_range("the camera", camera.position); !checked) return checked;
+  if (Status checked = check_range("the point that the camera looks at,", camera.look_at); !checked) return checked;
+  return check_range("the light", light.position);
+}
+
 // A file's up vector belongs to its own direction of view: on another one it would roll the picture.
 void fix_up(Camera& camera, bool view_changed) {
   if (view_changed) camera.up = {0.0F, 1.0F, 0.0F};
@@ -105,21 +111,26 @@ void fix_up(Camera& camera, bool view_changed) {
   const double length = glm::length(glm::dvec3(camera.up));
   const bool usable =
       length > 0.0 && std::isfinite(length) && glm::length(glm::cross(ahead, glm::dvec3(camera.up) / length)) > 1e-4;
-  if (!usable) camera.up = any_axis_across(glm::vec3(ahead));
+  if (!usable) {
+    camera.up = any_axis_across(glm::vec3(ahead));
+  } else if (length < 1e-6 || length > 1e6) {
+    camera.up = glm::vec3(glm::dvec3(camera.up) / length);  // its square might not be a float
+  }
 }
 
 }  // namespace
 
 Result<Scene> complete_scene(Scene scene, const SceneSetup& setup, float aspect_ratio) {
-  if (auto fault = check_setup(scene, setup, aspect_ratio)) return *fault;
+  if (Status checked = check_setup(setup, aspect_ratio); !checked) return checked.error();
+  if (Status checked = validate_geometry(scene); !checked) return checked.error();
+  if (Status checked = check_positions(scene, 0, "the scene is"); !checked) return checked.error();
   const Bounds bounds = bounds_of(scene);
   const float scale = scale_of(bounds);
-  if (!std::isfinite(4.0F * scale) || !is_finite(bounds.center())) return fault_of("the scene is too large to frame");
   const bool bare = scene.cameras.empty() && scene.lights.empty();
 
   const float own_fov = scene.cameras.empty() ? Camera{}.vertical_fov_degrees : scene.cameras[0].vertical_fov_degrees;
   const float fov = setup.fov_degrees.value_or(own_fov);
-  if (auto fault = check_fov(fov)) return *fault;
+  if (Status checked = check_fov(fov); !checked) return checked.error();
   Camera camera = scene.cameras.empty() ? framing_camera(bounds, fov, aspect_ratio) : scene.cameras[0];
   camera.vertical_fov_degrees = fov;
   // The default light follows the file's or the default view, not the user's, so that walking around the scene does not
@@ -129,23 +140,25 @@ Result<Scene> complete_scene(Scene scene, const SceneSetup& setup, float aspect_
   camera.position = setup.camera.value_or(camera.position);
   camera.look_at = setup.look_at.value_or(camera.look_at);
 
-  if (!is_finite(camera.position) || !is_finite(camera.look_at))
-    return fault_of("the camera's place is not finite: the field of view is too small for this scene");
-  if (!is_finite(light.position)) return fault_of("the light's position is not finite");
+  if (Status checked = check_places(camera, light); !checked) return checked.error();
   if (glm::distance(camera.position, camera.look_at) <= kTooClose * scale)
-    return fault_of("the camera stands at the point that it looks at");
+    return invalid("the camera stands at the point that it looks at");
   if (glm::distance(camera.position, light.position) <= kTooClose * scale)
-    return fault_of("the camera stands at the light: no shadow could be seen");
+    return invalid("the camera stands at the light: no shadow could be seen");
   fix_up(camera, setup.camera.has_value() || setup.look_at.has_value());
 
+  const std::size_t first_floor_vertex = scene.positions.size();
   if (setup.floor == FloorChoice::at_height) {
     add_floor(scene, bounds, setup.floor_height);
   } else if (setup.floor == FloorChoice::automatic && bare) {
     // A little below the model: a floor in one plane with the model's underside would fight with it for pixels.
     add_floor(scene, bounds, bounds.low.y - 1e-3F * scale);
   }
+  if (Status checked = check_positions(scene, first_floor_vertex, "the floor is"); !checked) return checked.error();
   scene.cameras = {camera};
   scene.lights = {light};
+  if (Status checked = validate(scene); !checked) return checked.error();
+  if (Status checked = check_light_in_the_open(scene, light, camera); !checked) return checked.error();
   return scene;
 }
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <span>
 
 namespace ninebit {
 namespace {
@@ -32,6 +33,17 @@ double squared_distance_to_triangle(const glm::dvec3& point, const std::array<gl
   return std::min(nearest, height * height / normal2);
 }
 
+float distance_to(std::span<const glm::vec3> positions, std::span<const glm::uvec3> triangles, const glm::vec3& point) {
+  double nearest = std::numeric_limits<double>::infinity();
+  const glm::dvec3 from(point);
+  for (const glm::uvec3& triangle : triangles) {
+    const std::array<glm::dvec3, 3> corners{glm::dvec3(positions[triangle.x]), glm::dvec3(positions[triangle.y]),
+                                            glm::dvec3(positions[triangle.z])};
+    nearest = std::min(nearest, squared_distance_to_triangle(from, corners));
+  }
+  return static_cast<float>(std::sqrt(nearest));
+}
+
 }  // namespace
 
 Bounds bounds_of(const Scene& scene) {
@@ -49,15 +61,12 @@ Bounds bounds_of(const Scene& scene) {
 }
 
 float distance_to_nearest_triangle(const Scene& scene, const glm::vec3& point) {
-  double nearest = std::numeric_limits<double>::infinity();
-  const glm::dvec3 from(point);
-  for (const glm::uvec3& triangle : scene.triangles) {
-    const std::array<glm::dvec3, 3> corners{glm::dvec3(scene.positions[triangle.x]),
-                                            glm::dvec3(scene.positions[triangle.y]),
-                                            glm::dvec3(scene.positions[triangle.z])};
-    nearest = std::min(nearest, squared_distance_to_triangle(from, corners));
-  }
-  return static_cast<float>(std::sqrt(nearest));
+  return distance_to(scene.positions, scene.triangles, point);
+}
+
+float distance_to_nearest_triangle(const Scene& scene, const SceneObject& object, const glm::vec3& point) {
+  return distance_to(scene.positions, std::span(scene.triangles).subspan(object.first_triangle, object.triangle_count),
+                     point);
 }
 
 }  // namespace ninebit

@@ -45,6 +45,9 @@ Result<CombinerState> index_comparison_state(const HardwareProfile& profile) {
     return Diagnostic{.message = "profile " + std::string(profile.name) +
                                  " refuses the two-stage index comparison: " + std::string(name_of(context.error()))};
   }
+  if (!context.register_combiners_enabled()) {
+    return Diagnostic{.message = "the register combiners of the index comparison are not enabled"};
+  }
   return context.state();
 }
 

@@ -21,7 +21,7 @@ Diagnostic invalid(std::string message) {
 }
 
 Status check_settings(const Scene& scene, const RenderSettings& settings) {
-  if (scene.triangles.empty()) return invalid("the scene has no triangles");
+  if (Status valid = validate(scene); !valid) return valid;
   if (scene.cameras.size() != 1 || scene.lights.size() != 1) {
     return invalid(fmt::format("the scene has {} cameras and {} lights; expected one of each", scene.cameras.size(),
                                scene.lights.size()));
@@ -69,25 +69,26 @@ class IndexCubeRun {
     light_range_ = depth_range(scene_, light_.position, kCubeCornerCosine);
   }
 
-  // Pass 1: indices into the cube map. The cleared map is index 0.
+  // Pass 1: indices into the cube map. The cleared map is index 0. Vertices are taken relative to the light, as they
+  // are for the fetch in pass 3.
   Status draw_map() {
     TriangleArrays arrays = all_triangles();
+    arrays.positions = from_light_;
     arrays.triangle_colors = index_colors_;
+    map_.size = settings_.map_size;
     for (const CubeFace face : kCubeFaces) {
-      auto surface = Surface::make(settings_.map_size, settings_.map_size, true);
+      auto surface = Surface::make(settings_.map_size, settings_.map_size);
       if (!surface) return surface.error();
       RenderTarget target = surface->target();
-      const glm::mat4 projection = cube_face_projection(face, light_.position, light_range_);
+      const glm::mat4 projection = cube_face_projection(face, light_range_);
       if (Status drawn = rasterize(passes_.map, projection, arrays, {}, target); !drawn) return drawn;
-      out_.index_map.push_back(std::move(*surface));
-    }
-    map_.size = settings_.map_size;
-    for (std::size_t f = 0; f < 6; ++f) {
-      for (int c = 0; c < 3; ++c) {
-        map_.faces[f][static_cast<std::size_t>(c)] = {out_.index_map[f].color(c).data(), settings_.map_size};
+      IndexMapFace& kept = out_.index_map.emplace_back(IndexMapFace{settings_.map_size, {}});
+      for (std::size_t c = 0; c < 3; ++c) {
+        kept.color[c] = surface->take_color(static_cast<int>(c));
+        map_.faces[static_cast<std::size_t>(face)][c] = {kept.color[c].data(), settings_.map_size};
       }
     }
-    return light_is_inside_solid() ? Status(invalid(inside_solid_message())) : Status();
+    return {};
   }
 
   // Pass 2: the camera's depth.
@@ -174,38 +175,10 @@ class IndexCubeRun {
     }
   }
 
-  // Whether every direction from the light meets the back of a polygon, and the camera stands beyond it. A room whose
-  // walls are wound the wrong way around does not count while the camera is in the same room.
-  bool light_is_inside_solid() const {
-    for (const Surface& face : out_.index_map) {
-      for (const std::uint32_t triangle : face.primitive()) {
-        if (triangle >= scene_.triangles.size() || faces_light(scene_.triangles[triangle])) return false;
-      }
-    }
-    const glm::vec3 to_camera = scene_.cameras[0].position - light_.position;
-    const CubeMap::Texel texel = map_.nearest(to_camera.x, to_camera.y, to_camera.z);
-    const glm::vec4 clip =
-        cube_face_projection(texel.face, light_.position, light_range_) * glm::vec4(scene_.cameras[0].position, 1.0F);
-    const Surface& face = out_.index_map[static_cast<std::size_t>(texel.face)];
-    const std::size_t at = static_cast<std::size_t>(texel.y) * static_cast<std::size_t>(settings_.map_size) +
-                           static_cast<std::size_t>(texel.x);
-    return (clip.z / clip.w * 0.5F + 0.5F) * static_cast<float>(kMaxDepthZ24) >
-           static_cast<float>(face.depth_z24()[at]);
-  }
-
-  std::string inside_solid_message() const {
-    const std::uint32_t triangle = out_.index_map[0].primitive()[0];
-    return fmt::format(
-        "the light at ({}, {}, {}) is inside a solid (\"{}\"): in every direction it meets the back of a polygon, and "
-        "the "
-        "camera is outside; expected a light in the open",
-        light_.position.x, light_.position.y, light_.position.z, scene_.objects[scene_.triangle_object[triangle]].name);
-  }
-
   void add_captures(RenderTarget& target) {
     ComparisonLayers& layers = out_.layers.emplace();
     const std::size_t pixels = out_.frame.stencil().size();
-    const auto capture = [&](Register reg, int component, std::vector<s9>& plane) {
+    const auto capture = [&](std::optional<Register> reg, int component, std::vector<s9>& plane) {
       plane.assign(pixels, 0);
       target.captures.push_back({reg, component, {plane.data(), settings_.width}});
     };
@@ -216,7 +189,7 @@ class IndexCubeRun {
       capture(Register::spare0, c, layers.spare0[i]);
       capture(Register::spare1, c, layers.spare1[i]);
     }
-    capture(Register::discard, kAlpha, layers.output_alpha);
+    capture(std::nullopt, kAlpha, layers.output_alpha);
   }
 
   // From the triangles that the lit and shadow passes drew.

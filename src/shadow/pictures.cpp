@@ -10,16 +10,13 @@
 namespace ninebit {
 namespace {
 
-// Rows of a plane in the order of a picture: the highest first.
-template <class To, class From>
-std::vector<To> upright(const std::vector<From>& plane, int width) {
-  std::vector<To> out(plane.size());
+// Larger faces are shown by every second, fourth, … texel: the cross is for people.
+constexpr std::size_t kLargestCrossFace = 1024;
+
+// Where sample i of a plane, lowest row first, stands in a picture, highest row first.
+std::size_t upright_index(std::size_t i, int width, int height) {
   const auto row = static_cast<std::size_t>(width);
-  const std::size_t rows = plane.size() / row;
-  for (std::size_t y = 0; y < rows; ++y) {
-    for (std::size_t x = 0; x < row; ++x) out[(rows - 1 - y) * row + x] = static_cast<To>(plane[y * row + x]);
-  }
-  return out;
+  return (static_cast<std::size_t>(height) - 1 - i / row) * row + i % row;
 }
 
 // A visible colour for each code number. Steps of the golden ratio put neighbouring numbers far apart on the circle of
@@ -38,33 +35,35 @@ std::array<std::uint8_t, 3> hue_of(std::uint32_t number) {
 }
 
 std::uint32_t code_number(const Rendering& rendering, std::size_t face, std::size_t texel) {
-  const Surface& s = rendering.index_map[face];
-  return rendering.codes.number(s.color(kRed)[texel], s.color(kGreen)[texel], s.color(kBlue)[texel]);
+  const auto& color = rendering.index_map[face].color;
+  return rendering.codes.number(color[kRed][texel], color[kGreen][texel], color[kBlue][texel]);
+}
+
+// Rows of an EXR channel, made from a plane's samples as they are asked for.
+template <class To, class Value>
+ExrChannel channel(std::string name, Value value_at_row) {
+  return {std::move(name), std::function<void(int, std::span<To>)>(std::move(value_at_row))};
 }
 
 Status write_index_cube(const Rendering& rendering, const std::filesystem::path& file) {
-  const int size = rendering.index_map.front().width();
-  std::array<std::vector<std::uint32_t>, 6> numbers;
-  std::array<std::array<std::vector<float>, 3>, 6> colors;
+  const int size = rendering.index_map.front().size;
+  const auto n = static_cast<std::size_t>(size);
   std::array<std::vector<ExrChannel>, 6> faces;
   for (std::size_t f = 0; f < 6; ++f) {
-    const std::size_t texels = rendering.index_map[f].depth_z24().size();
-    numbers[f].resize(texels);
-    for (std::size_t i = 0; i < texels; ++i) numbers[f][i] = code_number(rendering, f, i);
-    faces[f].push_back({"index", std::span<const std::uint32_t>(numbers[f])});
-    for (int c = 0; c < 3; ++c) {
-      std::vector<float>& plane = colors[f][static_cast<std::size_t>(c)];
-      const std::vector<std::uint8_t>& bytes = rendering.index_map[f].color(c);
-      plane.resize(texels);
-      std::transform(bytes.begin(), bytes.end(), plane.begin(),
-                     [](std::uint8_t b) { return static_cast<float>(b) / 255.0F; });
-      faces[f].push_back({std::string(1, "RGB"[c]), std::span<const float>(plane)});
+    faces[f].push_back(channel<std::uint32_t>("index", [&rendering, f, n](int row, std::span<std::uint32_t> out) {
+      for (std::size_t x = 0; x < n; ++x) out[x] = code_number(rendering, f, static_cast<std::size_t>(row) * n + x);
+    }));
+    for (std::size_t c = 0; c < 3; ++c) {
+      faces[f].push_back(channel<float>(std::string(1, "RGB"[c]), [&rendering, f, c, n](int row, std::span<float> out) {
+        const std::uint8_t* const bytes = rendering.index_map[f].color[c].data() + static_cast<std::size_t>(row) * n;
+        for (std::size_t x = 0; x < n; ++x) out[x] = static_cast<float>(bytes[x]) / 255.0F;
+      }));
     }
   }
   return write_exr_cube(file, size, faces);
 }
 
-// Collects EXR parts whose samples it owns.
+// The parts of layers.exr. Planes have their lowest row first, EXR parts their highest; the planes must outlive this.
 class LayerParts {
  public:
   LayerParts(int width, int height) : width_(width), height_(height) {}
@@ -72,28 +71,30 @@ class LayerParts {
   template <std::size_t N>
   void add_codes(const std::string& name, const std::array<std::vector<s9>, N>& planes) {
     ExrPart& part = add(name);
-    for (std::size_t c = 0; c < N; ++c) {
-      part.channels.push_back({std::string(1, "RGBA"[c]), keep(upright<float>(planes[c], width_))});
-    }
+    for (std::size_t c = 0; c < N; ++c) part.channels.push_back(upright<float>(std::string(1, "RGBA"[c]), planes[c]));
   }
-  void add_codes(const std::string& name, const std::string& channel, const std::vector<s9>& plane) {
-    add(name).channels.push_back({channel, keep(upright<float>(plane, width_))});
+  void add_codes(const std::string& name, const std::string& channel_name, const std::vector<s9>& plane) {
+    add(name).channels.push_back(upright<float>(channel_name, plane));
   }
   template <class T>
   void add_integers(const std::string& name, const std::vector<T>& plane) {
-    integers_.push_back(upright<std::uint32_t>(plane, width_));
-    add(name).channels.push_back({name, std::span<const std::uint32_t>(integers_.back())});
+    add(name).channels.push_back(upright<std::uint32_t>(name, plane));
   }
   [[nodiscard]] const std::vector<ExrPart>& parts() const { return parts_; }
 
  private:
   ExrPart& add(const std::string& name) { return parts_.emplace_back(ExrPart{name, width_, height_, {}}); }
-  std::span<const float> keep(std::vector<float> plane) { return reals_.emplace_back(std::move(plane)); }
+
+  template <class To, class From>
+  ExrChannel upright(const std::string& name, const std::vector<From>& plane) const {
+    return channel<To>(name, [&plane, height = height_](int row, std::span<To> out) {
+      const From* const from = plane.data() + static_cast<std::size_t>(height - 1 - row) * out.size();
+      std::transform(from, from + out.size(), out.begin(), [](From v) { return static_cast<To>(v); });
+    });
+  }
 
   int width_, height_;
   std::vector<ExrPart> parts_;
-  std::vector<std::vector<float>> reals_;  // moving a vector keeps its samples in place
-  std::vector<std::vector<std::uint32_t>> integers_;
 };
 
 Status write_layers(const Rendering& rendering, const std::filesystem::path& file) {
@@ -117,31 +118,34 @@ Image8 color_picture(const Rendering& rendering) {
   const int width = rendering.frame.width(), height = rendering.frame.height();
   Image8 image{width, height, 3, {}};
   image.pixels.resize(rendering.frame.stencil().size() * 3);
-  for (int c = 0; c < 3; ++c) {
-    const std::vector<std::uint8_t> plane = upright<std::uint8_t>(rendering.frame.color(c), width);
-    for (std::size_t i = 0; i < plane.size(); ++i) image.pixels[i * 3 + static_cast<std::size_t>(c)] = plane[i];
+  for (std::size_t i = 0; i < rendering.frame.stencil().size(); ++i) {
+    const std::size_t to = upright_index(i, width, height) * 3;
+    for (std::size_t c = 0; c < 3; ++c) image.pixels[to + c] = rendering.frame.color(static_cast<int>(c))[i];
   }
   return image;
 }
 
 Image8 stencil_picture(const Rendering& rendering) {
   const int width = rendering.frame.width(), height = rendering.frame.height();
-  Image8 image{width, height, 1, upright<std::uint8_t>(rendering.frame.stencil(), width)};
-  for (std::uint8_t& pixel : image.pixels) pixel = pixel != 0 ? 255 : 0;
+  Image8 image{width, height, 1, {}};
+  image.pixels.resize(rendering.frame.stencil().size());
+  for (std::size_t i = 0; i < image.pixels.size(); ++i) {
+    image.pixels[upright_index(i, width, height)] = rendering.frame.stencil()[i] != 0 ? 255 : 0;
+  }
   return image;
 }
 
 Image8 index_cross_picture(const Rendering& rendering) {
   constexpr std::array<std::array<int, 2>, 6> place{{{2, 1}, {0, 1}, {1, 0}, {1, 2}, {1, 1}, {3, 1}}};
-  const int size = rendering.index_map.front().width();
-  const auto n = static_cast<std::size_t>(size);
-  Image8 image{4 * size, 3 * size, 3, {}};
+  const auto texels = static_cast<std::size_t>(rendering.index_map.front().size);
+  const std::size_t n = std::min(texels, kLargestCrossFace), stride = texels / n;
+  Image8 image{static_cast<int>(4 * n), static_cast<int>(3 * n), 3, {}};
   image.pixels.assign(12 * n * n * 3, 24);
   for (std::size_t f = 0; f < 6; ++f) {
     const std::size_t left = static_cast<std::size_t>(place[f][0]) * n, top = static_cast<std::size_t>(place[f][1]) * n;
     for (std::size_t y = 0; y < n; ++y) {
       for (std::size_t x = 0; x < n; ++x) {
-        const auto color = hue_of(code_number(rendering, f, y * n + x));
+        const auto color = hue_of(code_number(rendering, f, (y * texels + x) * stride));
         std::copy(color.begin(), color.end(),
                   image.pixels.begin() + static_cast<std::ptrdiff_t>(((top + y) * 4 * n + left + x) * 3));
       }

@@ -25,7 +25,7 @@ glm::mat4 camera_projection(const Scene& scene, const Camera& camera, float aspe
   return projection * glm::lookAt(camera.position, camera.look_at, camera.up);
 }
 
-glm::mat4 cube_face_projection(CubeFace face, const glm::vec3& center, const DepthRange& range) {
+glm::mat4 cube_face_projection(CubeFace face, const DepthRange& range) {
   const CubeFaceAxes& axes = cube_face_axes(face);
   const float n = range.near_plane, f = range.far_plane;
   const auto vector = [](const std::array<int, 3>& a) {
@@ -35,7 +35,7 @@ glm::mat4 cube_face_projection(CubeFace face, const glm::vec3& center, const Dep
   glm::mat4 m(0.0F);
   const auto set_row = [&](int row, const glm::vec3& axis, float scale, float offset) {
     for (int i = 0; i < 3; ++i) m[i][row] = axis[i] * scale;
-    m[3][row] = offset - glm::dot(axis, center) * scale;
+    m[3][row] = offset;
   };
   set_row(0, s, 1.0F, 0.0F);
   set_row(1, t, 1.0F, 0.0F);

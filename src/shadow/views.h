@@ -21,8 +21,9 @@ struct DepthRange {
 // World space to clip space of a camera, with window y up.
 [[nodiscard]] glm::mat4 camera_projection(const Scene& scene, const Camera& camera, float aspect_ratio);
 
-// World space to clip space of one cube-map face seen from `center`: window x follows the face's s, window y its t.
-[[nodiscard]] glm::mat4 cube_face_projection(CubeFace face, const glm::vec3& center, const DepthRange& range);
+// Clip space of one cube-map face, from positions relative to the cube's middle: window x follows the face's s, window
+// y its t.
+[[nodiscard]] glm::mat4 cube_face_projection(CubeFace face, const DepthRange& range);
 
 // The cosine of the angle between a cube face's axis and its corner.
 inline constexpr float kCubeCornerCosine = 0.57735026F;

@@ -56,6 +56,7 @@ int main(int argc, char** argv) {
     return run(argc, argv);
   } catch (const std::bad_alloc&) {
     say("ninebit: error: out of memory\n");
+    return kOutOfMemory;
   } catch (const std::exception& error) {
     say(std::string("ninebit: error: ") + error.what() + "\n");
   }

@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
@@ -15,10 +16,12 @@ namespace {
 
 volatile std::sig_atomic_t interrupted = 0;
 
-// The second SIGINT ends the program at once: outputs that are not complete have temporary names.
-extern "C" void on_interrupt(int) {
-  interrupted = 1;
-  std::signal(SIGINT, SIG_DFL);
+constexpr std::array kInterrupts{SIGINT, SIGTERM, SIGHUP};
+
+// The second signal ends the program at once: outputs that are not complete have temporary names.
+extern "C" void on_interrupt(int signal) {
+  interrupted = signal;
+  std::signal(signal, SIG_DFL);
 }
 
 }  // namespace
@@ -69,13 +72,13 @@ int report(const Diagnostic& diagnostic) {
     case Fault::cannot_write:
       return kCannotWrite;
     case Fault::cancelled:
-      return kInterrupted;
+      return kInterrupted + interrupted;
   }
   return kInvalidInput;
 }
 
 ProgressLine::ProgressLine(bool quiet) : visible_(!quiet && isatty(STDERR_FILENO) != 0) {
-  std::signal(SIGINT, on_interrupt);
+  for (const int signal : kInterrupts) std::signal(signal, on_interrupt);
 }
 
 ProgressLine::~ProgressLine() {

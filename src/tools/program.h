@@ -21,7 +21,8 @@ enum ExitCode : int {
   kWrongUsage = 2,
   kInvalidInput = 3,
   kCannotWrite = 4,
-  kInterrupted = 130  // as a shell reports SIGINT
+  kOutOfMemory = 5,
+  kInterrupted = 128  // plus the signal's number, as shells report it: 130 for SIGINT
 };
 
 // The flags that every verb has.
@@ -51,8 +52,8 @@ void say(const std::string& text) noexcept;
 // Prints "ninebit: error: TEXT" to stderr and gives the exit code of the fault.
 [[nodiscard]] int report(const Diagnostic& diagnostic);
 
-// Progress on one line of stderr while that is a terminal and nobody asked for quiet; from the first SIGINT on,
-// step() answers false.
+// Progress on one line of stderr while that is a terminal and nobody asked for quiet; from the first SIGINT,
+// SIGTERM or SIGHUP on, step() answers false.
 class ProgressLine {
  public:
   explicit ProgressLine(bool quiet);

@@ -79,8 +79,8 @@ std::string check_floor(const std::string& text) {
 
 std::string check_fov(const std::string& text) {
   const auto n = numbers<float>(text, ',');
-  if (n && n->size() == 1 && n->at(0) > 0.0F && n->at(0) < 180.0F) return {};
-  return fmt::format("'{}' is no field of view; expected degrees between 0 and 180", text);
+  if (n && n->size() == 1 && n->at(0) >= 0.01F && n->at(0) <= 170.0F) return {};
+  return fmt::format("'{}' is no field of view; expected degrees from 0.01 to 170", text);
 }
 
 std::string check_scene(const std::string& text) {
@@ -108,16 +108,12 @@ SceneSetup setup_of(const RenderFlags& flags) {
   return setup;
 }
 
-std::span<const unsigned char> bytes_of(const std::vector<std::uint8_t>& plane) {
-  return plane;
-}
-
 Json hashes(const Rendering& rendering) {
   Sha256 color, stencil, index_map;
-  for (int c = 0; c < 4; ++c) color.add(bytes_of(rendering.frame.color(c)));
-  stencil.add(bytes_of(rendering.frame.stencil()));
-  for (const Surface& face : rendering.index_map) {
-    for (int c = 0; c < 3; ++c) index_map.add(bytes_of(face.color(c)));
+  for (int c = 0; c < 4; ++c) color.add(rendering.frame.color(c));
+  stencil.add(rendering.frame.stencil());
+  for (const IndexMapFace& face : rendering.index_map) {
+    for (const auto& plane : face.color) index_map.add(plane);
   }
   return {{"color", color.finish()}, {"stencil", stencil.finish()}, {"index_map", index_map.finish()}};
 }

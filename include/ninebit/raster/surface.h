@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "ninebit/combiner/registers.h"
@@ -32,7 +33,7 @@ struct Plane {
 // One component of a register after the last general combiner, or one of the output, written for every fragment that
 // reaches the depth test and would pass it, whatever the alpha and stencil tests say. The last fragment stays.
 struct RegisterCapture {
-  Register reg = Register::spare0;  // Register::discard: the final combiner's output
+  std::optional<Register> reg;  // empty: the final combiner's output
   int component = kRed;
   Plane<s9> plane;
 };
@@ -69,6 +70,11 @@ class Surface {
   [[nodiscard]] RenderTarget target();
 
   void clear(const ClearValues& values);
+
+  // Gives one colour plane away; the surface must not be drawn into any more.
+  [[nodiscard]] std::vector<std::uint8_t> take_color(int component) {
+    return std::move(color_[static_cast<std::size_t>(component)]);
+  }
 
   // Samples row by row, the lowest row first; component is kRed to kAlpha.
   [[nodiscard]] const std::vector<std::uint8_t>& color(int component) const {

@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "ninebit/numerics/result.h"
+
 namespace ninebit {
 
 struct Material {
@@ -62,5 +64,21 @@ struct Scene {
 
 // The shortest distance from a point to any triangle of the scene, in world units; infinity without triangles.
 [[nodiscard]] float distance_to_nearest_triangle(const Scene& scene, const glm::vec3& point);
+
+// The same for the triangles of one object.
+[[nodiscard]] float distance_to_nearest_triangle(const Scene& scene, const SceneObject& object, const glm::vec3& point);
+
+// How often the triangles of a valid scene's object go around a point: the sum of their signed solid angles over 4 pi
+// (the generalized winding number). 1 inside a closed mesh that faces outward, 0 outside of it, -1 inside a room that
+// faces inward, 1/2 on a face; in between for an open mesh. A triangle that is degenerate, or whose plane the point
+// lies in, adds 0.
+[[nodiscard]] double winding_number(const Scene& scene, const SceneObject& object, const glm::vec3& point);
+
+// Whether a scene keeps what Scene promises, as every function of the library expects: at least one triangle; sizes
+// that agree; vertex, object and material indices in range; objects that cover all triangles in order; finite
+// positions, normals, base colours, cameras and lights; cameras with a direction of view, an up vector that is not
+// parallel to it, and a field of view between 0 and 180 degrees. Reports the first fault. A scene needs neither cameras
+// nor lights to be valid.
+[[nodiscard]] Status validate(const Scene& scene);
 
 }  // namespace ninebit

@@ -32,7 +32,7 @@ enum class FloorChoice {
 struct SceneSetup {
   std::optional<glm::vec3> camera;   // world space
   std::optional<glm::vec3> look_at;  // world space
-  std::optional<float> fov_degrees;  // vertical, in (0, 180)
+  std::optional<float> fov_degrees;  // vertical, from 0.01 to 170
   std::optional<glm::vec3> light;    // world space
   FloorChoice floor = FloorChoice::automatic;
   float floor_height = 0.0F;  // world y, for FloorChoice::at_height
@@ -40,8 +40,14 @@ struct SceneSetup {
 
 // A scene that can be rendered: exactly one camera and one light, and the floor added as an object named "floor" where
 // the setup asks for one (or where it is automatic). Without a camera in the file: a three-quarter view that frames
-// the whole bounding box. Without a light: one above and to the side of the camera, outside the box. Reports a camera
-// at the light, a camera at the point that it looks at, and values that are not finite or out of range.
+// the whole bounding box. Without a light: one above and to the side of the camera, outside the box.
+//
+// Reports what validate() reports; a camera at the light, or at the point that it looks at; a field of view outside of
+// 0.01 to 170 degrees; a scene, floor, camera, look-at point or light with a coordinate outside of -1e12 to 1e12, so
+// that squares and triple products of what is made of them stay finite in floats; and a light inside a solid, which is
+// an object with a winding number above 3/4 at the light (an open one, too, if it closes off that much of the view) but
+// not at the camera: in a room that is wound the wrong way around, both are inside. A light on an object's surface is
+// not inside. A scene less than 1e-12 across counts as a single point, which is framed from some distance.
 //
 // Of several cameras or lights the first one is used. The default light follows the file's or the default view, so that
 // moving the camera does not move the shadows. A view that the user changed has y up; an up vector along the view axis

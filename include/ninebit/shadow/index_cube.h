@@ -32,7 +32,7 @@ struct IndexCubePasses {
 //   vector
 //      from the light; alpha test GREATER 0, stencil REPLACE 1, depth test EQUAL;
 //   4. the lit pass where the stencil is 0, then the shadow pass where it is 1.
-// Besides what Technique::render says, reports too many polygons for the step's codes, and a light inside a solid.
+// Besides what Technique::render says, reports too many polygons for the step's codes.
 [[nodiscard]] Result<Rendering> render_index_cube(const Scene& scene, const RenderSettings& settings,
                                                   const Progress& progress);
 

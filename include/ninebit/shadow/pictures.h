@@ -15,7 +15,8 @@ namespace ninebit {
 [[nodiscard]] Image8 stencil_picture(const Rendering& rendering);
 
 // The index cube map as a cross of 4 × 3 faces (+Y on top, then -X +Z +X -Z, -Y below), texel t = 0 on top as the
-// extension's faces have it. Neighbouring indices get far-apart hues; the cleared map is black.
+// extension's faces have it. Neighbouring indices get far-apart hues; the cleared map is black. Of faces
+// above 1,024 texels only every second, fourth, … texel is shown.
 [[nodiscard]] Image8 index_cross_picture(const Rendering& rendering);
 
 // Writes color.png, shadow.png, index_cube.png and index_cube.exr (channels index, UINT, and R G B, half: the codes'

@@ -55,12 +55,18 @@ struct PassTimes {
   double shade = 0.0;      // lit and shadow pass
 };
 
+// One face of the index cube map: planes red, green, blue of size × size texels, row 0 at t = 0.
+struct IndexMapFace {
+  int size = 0;
+  std::array<std::vector<std::uint8_t>, 3> color;
+};
+
 struct Rendering {
   Surface frame;                                        // colour, depth and stencil: stencil 1 is shadow
   std::uint64_t background = 0, lit = 0, shadowed = 0;  // pixels of the frame
   IndexCodes codes{2};
-  std::uint64_t codes_used = 0;      // polygons or objects that have an index; the cleared map is not counted
-  std::vector<Surface> index_map{};  // six faces in the order of CubeFace, row 0 at t = 0
+  std::uint64_t codes_used = 0;           // polygons or objects that have an index; the cleared map is not counted
+  std::vector<IndexMapFace> index_map{};  // six faces in the order of CubeFace
   std::optional<ComparisonLayers> layers{};
   PassTimes times{};
 };

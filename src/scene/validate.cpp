@@ -1,0 +1,133 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "src/scene/scene_check.h"
+
+namespace ninebit {
+namespace {
+
+std::optional<std::size_t> first_not_finite(const std::vector<glm::vec3>& all) {
+  const auto found = std::find_if_not(all.begin(), all.end(), is_finite);
+  if (found == all.end()) return std::nullopt;
+  return static_cast<std::size_t>(found - all.begin());
+}
+
+Status check_sizes(const Scene& scene) {
+  const std::size_t count = scene.triangles.size();
+  if (count == 0) return invalid("the scene has no triangles");
+  if (scene.normals.size() != scene.positions.size()) {
+    return invalid(fmt::format("the scene has {} normals for {} positions; expected as many", scene.normals.size(),
+                               scene.positions.size()));
+  }
+  if (scene.triangle_object.size() != count || scene.triangle_material.size() != count) {
+    return invalid(
+        fmt::format("the scene names objects for {} and materials for {} of its {} triangles; expected both for each",
+                    scene.triangle_object.size(), scene.triangle_material.size(), count));
+  }
+  return {};
+}
+
+Status check_triangles(const Scene& scene) {
+  for (std::size_t t = 0; t < scene.triangles.size(); ++t) {
+    const glm::uvec3& corners = scene.triangles[t];
+    const std::uint32_t highest = std::max({corners.x, corners.y, corners.z});
+    if (highest >= scene.positions.size()) {
+      return invalid(
+          fmt::format("triangle {} uses vertex {}; expected one of {}, from 0", t, highest, scene.positions.size()));
+    }
+    if (scene.triangle_object[t] >= scene.objects.size()) {
+      return invalid(fmt::format("triangle {} belongs to object {}; expected one of {}, from 0", t,
+                                 scene.triangle_object[t], scene.objects.size()));
+    }
+    if (scene.triangle_material[t] >= scene.materials.size()) {
+      return invalid(fmt::format("triangle {} has material {}; expected one of {}, from 0", t,
+                                 scene.triangle_material[t], scene.materials.size()));
+    }
+  }
+  return {};
+}
+
+Status check_objects(const Scene& scene) {
+  std::size_t covered = 0;
+  for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+    const SceneObject& object = scene.objects[i];
+    if (object.first_triangle != covered || object.triangle_count > scene.triangles.size() - covered) {
+      return invalid(fmt::format(
+          "object {} (\"{}\") has {} triangles from {}; expected the triangles that follow the last object's, from {}",
+          i, object.name, object.triangle_count, object.first_triangle, covered));
+    }
+    for (; covered < std::size_t{object.first_triangle} + object.triangle_count; ++covered) {
+      if (scene.triangle_object[covered] != i) {
+        return invalid(fmt::format("triangle {} is among those of object {} and belongs to object {}; expected one",
+                                   covered, i, scene.triangle_object[covered]));
+      }
+    }
+  }
+  if (covered == scene.triangles.size()) return {};
+  return invalid(
+      fmt::format("the objects cover {} of {} triangles; expected all of them", covered, scene.triangles.size()));
+}
+
+Status check_values(const Scene& scene) {
+  if (const auto at = first_not_finite(scene.positions)) {
+    return invalid(fmt::format("the position of vertex {} is not finite", *at));
+  }
+  if (const auto at = first_not_finite(scene.normals)) {
+    return invalid(fmt::format("the normal of vertex {} is not finite", *at));
+  }
+  for (const Material& material : scene.materials) {
+    if (!is_finite(material.base_color)) {
+      return invalid(fmt::format("the base colour of material \"{}\" is not finite", material.name));
+    }
+  }
+  return {};
+}
+
+Status check_camera(const Camera& camera, std::size_t i) {
+  if (!is_finite(camera.position) || !is_finite(camera.look_at) || !is_finite(camera.up)) {
+    return invalid(fmt::format("the position, look-at point or up vector of camera {} is not finite", i));
+  }
+  if (!(camera.vertical_fov_degrees > 0.0F && camera.vertical_fov_degrees < 180.0F)) {
+    return invalid(fmt::format("the vertical field of view of camera {} is {} degrees; expected one between 0 and 180",
+                               i, camera.vertical_fov_degrees));
+  }
+  const glm::dvec3 ahead = glm::dvec3(camera.look_at) - glm::dvec3(camera.position);
+  if (glm::cross(ahead, glm::dvec3(camera.up)) == glm::dvec3(0.0)) {
+    return invalid(
+        fmt::format("camera {} looks along its up vector, or at the point where it stands; expected a direction of "
+                    "view, and an up vector across it",
+                    i));
+  }
+  return {};
+}
+
+}  // namespace
+
+bool is_finite(const glm::vec3& v) {
+  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+Status validate_geometry(const Scene& scene) {
+  for (const auto check : {check_sizes, check_triangles, check_objects, check_values}) {
+    if (Status checked = check(scene); !checked) return checked;
+  }
+  return {};
+}
+
+Status validate(const Scene& scene) {
+  if (Status checked = validate_geometry(scene); !checked) return checked;
+  for (std::size_t i = 0; i < scene.cameras.size(); ++i) {
+    if (Status checked = check_camera(scene.cameras[i], i); !checked) return checked;
+  }
+  for (const PointLight& light : scene.lights) {
+    if (!is_finite(light.position) || !is_finite(light.color)) {
+      return invalid(fmt::format("the position or colour of light \"{}\" is not finite", light.name));
+    }
+  }
+  return {};
+}
+
+}  // namespace ninebit
