@@ -68,5 +68,15 @@ TEST(DepthCompare, AHalfOf127DecidesEqualBytesWrongly) {
   EXPECT_EQ(wrong_decisions(rival), 256 + 255);
 }
 
+// In real numbers equal bytes give exactly one half, which is not below the threshold: they take CD.
+TEST(DepthCompare, ExactArithmeticDecidesAllEqualBytesWrongly) {
+  EXPECT_EQ(wrong_decisions(profiles::ideal), 256);
+}
+
+// Floats round n / 255 and 1 - n / 255, but the two add up to 1 for every n, so that chance does not help them.
+TEST(DepthCompare, FloatsDecideEqualBytesWronglyToo) {
+  EXPECT_EQ(wrong_decisions(profiles::float_shader), 256);
+}
+
 }  // namespace
 }  // namespace ninebit::test

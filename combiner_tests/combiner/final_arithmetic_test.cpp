@@ -110,7 +110,7 @@ void for_all_pairs(const CombinerState& state, const HardwareProfile& p, Registe
 }
 
 TEST(FinalArithmetic, ETimesFOfAllPairs) {
-  for (const HardwareProfile& p : hardware_profiles()) {
+  for (const HardwareProfile& p : integer_profiles()) {
     CombinerState state = silent_state(1);
     state.final_combiner.d = rgb_of(Register::e_times_f);
     state.final_combiner.e = rgb_of(Register::primary);
@@ -121,7 +121,7 @@ TEST(FinalArithmetic, ETimesFOfAllPairs) {
 }
 
 TEST(FinalArithmetic, ColorSumOfAllPairsWithTheClamp) {
-  for (const HardwareProfile& p : hardware_profiles()) {
+  for (const HardwareProfile& p : integer_profiles()) {
     CombinerState state = silent_state(1);
     state.final_combiner.d = rgb_of(Register::spare0_plus_secondary);
     const int low = kSanitized ? -3 : p.lowest.value;

@@ -69,7 +69,7 @@ int output_by_integers(const HardwareProfile& p, Scale scale, Bias bias, int wid
 }
 
 std::vector<HardwareProfile> profiles_and_rivals() {
-  std::vector<HardwareProfile> all(hardware_profiles().begin(), hardware_profiles().end());
+  std::vector<HardwareProfile> all = integer_profiles();
   HardwareProfile rival = profiles::geforce2;
   rival.name = "geforce2, lowest -256, expand 2v - 256";
   rival.lowest.value = -256;
@@ -98,7 +98,7 @@ TEST(GeneralArithmetic, EveryMappingOfEveryRegisterValue) {
 }
 
 TEST(GeneralArithmetic, EveryMappingOfEveryRegisterValueInARunningProgram) {
-  for (const HardwareProfile& p : hardware_profiles()) {
+  for (const HardwareProfile& p : integer_profiles()) {
     for (const InputMapping mapping : kInputMappings) {
       CombinerState state = silent_state(1);
       state.general[0].rgb.a = rgb_of(Register::primary, mapping);
@@ -120,7 +120,7 @@ TEST(GeneralArithmetic, EveryMappingOfEveryRegisterValueInARunningProgram) {
 
 TEST(GeneralArithmetic, EveryProductOfTwoRegisterValues) {
   std::int64_t cases = 0;
-  for (const HardwareProfile& p : hardware_profiles()) {
+  for (const HardwareProfile& p : integer_profiles()) {
     const Datapath d = datapath_of(p);
     for (const auto& [scale, bias] : kScaleBias) {
       for (int a = p.lowest; a <= p.one; ++a) {
@@ -209,7 +209,7 @@ TEST(GeneralArithmetic, EveryUnsaturatedWideValueOnEverySimdTarget) {
 }
 
 TEST(GeneralArithmetic, MuxOfEverySpare0Alpha) {
-  for (const HardwareProfile& p : hardware_profiles()) {
+  for (const HardwareProfile& p : integer_profiles()) {
     CombinerState state = silent_state(1);
     Portion& rgb = state.general[0].rgb;
     rgb.a = rgb_of(Register::primary);

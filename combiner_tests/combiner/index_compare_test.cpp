@@ -5,7 +5,9 @@
 #include <array>
 #include <vector>
 
+#include "combiner_tests/combiner/sanitized.h"
 #include "combiner_tests/combiner/support.h"
+#include "ninebit/combiner/evaluate_real.h"
 
 namespace ninebit::test {
 namespace {
@@ -81,6 +83,36 @@ TEST(IndexCompare, EightBitsNeedLargerSteps) {
 
 TEST(IndexCompare, WithoutTheScalesStepsOf16AreNeeded) {
   EXPECT_EQ(mistakes(profiles::geforce2, Scale::none), (Counts{7440, 1736, 830, 372, 62, 0}));
+}
+
+// Where nothing is narrowed, the alpha test still compares bytes: 64 d² / 255 is rounded, and the difference 1 is lost.
+TEST(IndexCompare, RealNumbersLoseOneStepWhereTheFrameBufferStoresThem) {
+  for (const HardwareProfile& p : {profiles::ideal, profiles::float_shader}) {
+    if (kSanitized && p.arithmetic == Arithmetic::exact) continue;  // too slow
+    EXPECT_EQ(mistakes(p), (Counts{510, 0, 0, 0, 0, 0})) << p.name;
+    // d² / 255 rounds to 0 up to d = 11: 2 · (255 + 254 + … + 245) for the step of 1.
+    EXPECT_EQ(mistakes(p, Scale::none), (Counts{5500, 1250, 504, 250, 62, 0})) << p.name;
+  }
+}
+
+// The algebra itself makes no mistake at any step: alpha is above 0 wherever two indices differ.
+TEST(IndexCompare, RealNumbersThemselvesTellAllIndicesApart) {
+  for (const Scale scale : {Scale::by_four, Scale::none}) {
+    for (const Arithmetic arithmetic : {Arithmetic::exact, Arithmetic::float32}) {
+      const Program program = normalize(index_compare(scale), profiles::ideal);
+      int mistakes_of_all = 0;
+      for (int a = 0; a < 256; a += kSanitized ? 15 : 1) {
+        for (int b = 0; b < 256; b += kSanitized ? 3 : 1) {
+          FragmentInputs inputs;
+          inputs.primary = {static_cast<std::uint8_t>(a), 0, 0, 0};
+          inputs.texture[0] = {static_cast<std::uint8_t>(b), 0, 0, 0};
+          const RealEvaluation e = evaluate_real(program, initial_registers(profiles::ideal, inputs), arithmetic);
+          if ((e.color[kAlpha] > 0.0) != (a != b)) ++mistakes_of_all;
+        }
+      }
+      EXPECT_EQ(mistakes_of_all, 0);
+    }
+  }
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "combiner_tests/combiner/random_state.h"
 
 #include <array>
+#include <vector>
 
 namespace ninebit::test {
 namespace {
@@ -55,8 +56,16 @@ std::uint64_t Random::next() {
   return z ^ (z >> 31);
 }
 
+std::vector<HardwareProfile> integer_profiles() {
+  std::vector<HardwareProfile> found;
+  for (const HardwareProfile& profile : hardware_profiles()) {
+    if (profile.arithmetic == Arithmetic::integer) found.push_back(profile);
+  }
+  return found;
+}
+
 HardwareProfile random_profile(Random& random) {
-  const auto shipped = hardware_profiles();
+  const std::vector<HardwareProfile> shipped = integer_profiles();
   HardwareProfile p = shipped[static_cast<std::size_t>(random.below(static_cast<int>(shipped.size())))];
   if (!random.one_in(4)) return p;
   if (random.one_in(2)) p.lowest.value = -p.one - 1;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 #include "ninebit/combiner/evaluate.h"
 #include "ninebit/combiner/state.h"
@@ -25,7 +26,10 @@ class Random {
   std::uint64_t state_;
 };
 
-// A shipped profile, one in four times with some rules replaced by their rivals.
+// The shipped profiles that compute with codes, which is what hardware does.
+std::vector<HardwareProfile> integer_profiles();
+
+// A shipped profile of integer arithmetic, one in four times with some rules replaced by their rivals.
 HardwareProfile random_profile(Random& random);
 
 CombinerInput random_input(Random& random, PortionName portion, const HardwareProfile& profile);

@@ -95,7 +95,7 @@ TEST(Rule, R5_OneHalfOfAValue) {
 }
 
 TEST(Rule, R6_TwiceAndFourTimesAreExactAndSaturate) {
-  for (const HardwareProfile& profile : hardware_profiles()) {
+  for (const HardwareProfile& profile : integer_profiles()) {
     for (int v = profile.lowest; v <= profile.one; ++v) {
       ASSERT_EQ(option_of(profile, Scale::by_two, Bias::none, v),
                 std::clamp(2 * v, profile.lowest.value, profile.one.value));
@@ -208,7 +208,7 @@ TEST(Rule, R12_AStageReadsAllBeforeItWrites) {
   alpha.b = alpha.d = kOneAlpha;
   alpha.out.ab = Register::spare0;
   alpha.out.cd = Register::spare1;
-  for (const HardwareProfile& profile : hardware_profiles()) {
+  for (const HardwareProfile& profile : integer_profiles()) {
     RegisterFile registers = with(Register::spare0, codes(1, 2, 3, 100));
     registers[Register::spare1] = codes(11, 12, 13, 101);
     const RegisterFile after = judged(state, profile, registers).registers;
@@ -243,7 +243,7 @@ TEST(Rule, R13_TheColorSumReaches510WithoutTheClamp) {
 TEST(Rule, R14_TheFinalCombinerClampsItsInputsAndItsOutput) {
   CombinerState state = silent_state(1);
   state.final_combiner = final_of(Register::primary);
-  for (const HardwareProfile& profile : hardware_profiles()) {
+  for (const HardwareProfile& profile : integer_profiles()) {
     const int one = profile.one;
     EXPECT_EQ(judged(state, profile, with(Register::primary, codes(-1, profile.lowest, 5, -7))).color,
               codes(0, 0, 5, 0));
@@ -257,7 +257,7 @@ TEST(Rule, R14_TheFinalCombinerClampsItsInputsAndItsOutput) {
 }
 
 TEST(Rule, R16_AnUnboundTextureReadsBlackWithAlphaOne) {
-  for (const HardwareProfile& profile : hardware_profiles()) {
+  for (const HardwareProfile& profile : integer_profiles()) {
     const RegisterFile registers = initial_registers(profile, {});
     for (int unit = 0; unit < 4; ++unit) {
       EXPECT_EQ(registers[texture_register(unit)], codes(0, 0, 0, profile.one));

@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "combiner_tests/combiner/simd_targets.h"
+#include "combiner_tests/oracle/real_oracle.h"
 
 namespace ninebit::test {
 namespace {
@@ -36,7 +37,9 @@ std::vector<Fragment> by_oracle(const CombinerState& state, const HardwareProfil
                                 const std::vector<RegisterFile>& initial) {
   std::vector<Fragment> fragments;
   for (const RegisterFile& registers : initial) {
-    const oracle::Outcome outcome = oracle::run(state, profile, to_oracle(registers));
+    const bool integer = profile.arithmetic.value == Arithmetic::integer;
+    const oracle::Outcome outcome = integer ? oracle::run(state, profile, to_oracle(registers))
+                                            : oracle::run_real(state, profile, to_oracle(registers));
     fragments.push_back({from_oracle(outcome.registers), from_oracle(outcome.color)});
   }
   return fragments;
@@ -58,8 +61,9 @@ FinalCombiner final_of(Register r) {
 
 std::string describe(const CombinerState& state, const HardwareProfile& p) {
   std::ostringstream out;
-  out << "profile " << p.name << ": one=" << p.one << " lowest=" << p.lowest << " half=" << p.half
-      << " expand_offset=" << p.expand_offset << " byte_shift=" << p.byte_shift
+  out << "profile " << p.name << ": arithmetic=" << static_cast<int>(p.arithmetic.value) << " one=" << p.one
+      << " lowest=" << p.lowest << " half=" << p.half << " expand_offset=" << p.expand_offset
+      << " byte_shift=" << p.byte_shift
       << " general_narrowing=" << (p.general_narrowing.value == Narrowing::toward_zero ? "toward_zero" : "nearest")
       << " narrowing_point="
       << (p.narrowing_point.value == NarrowingPoint::after_scale ? "after_scale" : "before_scale")
@@ -143,10 +147,15 @@ std::vector<Fragment> judged(const CombinerState& state, const HardwareProfile& 
     return false;
   };
 
+  const bool integer = program->datapath.arithmetic == Arithmetic::integer;
   for (std::size_t i = 0; i < initial.size(); ++i) {
+    const EvaluatedFragment whole = evaluate_fragment(*program, initial[i]);
+    if (!check(i, whole.registers, whole.color, "evaluate_fragment")) return expected;
     RegisterFile registers = initial[i];
     evaluate_general(*program, registers);
-    if (!check(i, registers, evaluate_final(*program, registers), "the reference")) return expected;
+    // In real numbers the final combiner needs more than the codes that evaluate_general leaves.
+    const Rgba9 color = integer ? evaluate_final(*program, registers) : whole.color;
+    if (!check(i, registers, color, "the reference")) return expected;
     if (evaluate(*program, initial[i]) != expected[i].color) ADD_FAILURE() << "evaluate() is not its two halves";
   }
 
@@ -163,7 +172,7 @@ std::vector<Fragment> judged(const CombinerState& state, const HardwareProfile& 
     const OnTarget on_target(target);
     *batch = *first;
     evaluate(*program, *batch, initial.size(), *out);
-    if (!on_target.ran()) ADD_FAILURE() << "not dispatched to " << simd_target_name(target);
+    if (on_target.ran() != integer) ADD_FAILURE() << "wrongly dispatched on " << simd_target_name(target);
     for (std::size_t i = 0; i < initial.size(); ++i) {
       RegisterFile registers;
       for (std::size_t r = 0; r < kRegisterCount; ++r) {
@@ -172,6 +181,7 @@ std::vector<Fragment> judged(const CombinerState& state, const HardwareProfile& 
       const Rgba9 color{out->plane[0][i], out->plane[1][i], out->plane[2][i], out->plane[3][i]};
       if (!check(i, registers, color, "the batch evaluator on " + simd_target_name(target))) return expected;
     }
+    if (!integer) break;  // real numbers have no vectors
   }
   return expected;
 }

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "combiner_tests/combiner/random_state.h"
 #include "combiner_tests/oracle/combiner_oracle.h"
 #include "ninebit/combiner/evaluate.h"
 #include "ninebit/combiner/state.h"
@@ -60,8 +61,9 @@ struct Fragment {
   Rgba9 color;             // what leaves the final combiner
 };
 
-// Runs the state over one fragment by the oracle, by the reference and by the batch evaluator on every SIMD target.
-// Fails the test, with all inputs, if the state is invalid or if any two differ. Returns what the oracle says.
+// Runs the state over one fragment by the oracle, by the reference and by the batch evaluator, with integer arithmetic
+// on every SIMD target. Fails the test, with all inputs, if the state is invalid or if any two differ. Returns what the
+// oracle says.
 Fragment judged(const CombinerState& state, const HardwareProfile& profile, const RegisterFile& initial);
 
 // The same for many fragments (at most kBatchSize).

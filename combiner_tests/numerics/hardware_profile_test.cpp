@@ -26,7 +26,7 @@ void expect_same_value(const Choice<T>& a, const Choice<T>& b, const char* field
 }
 
 TEST(Profiles, DefaultComesFirstAndAllAreFoundByTheirUniqueNames) {
-  ASSERT_EQ(hardware_profiles().size(), 4U);
+  ASSERT_EQ(hardware_profiles().size(), 6U);
   EXPECT_EQ(hardware_profiles()[0].name, "geforce2");
   std::set<std::string_view> names;
   for (const HardwareProfile& profile : hardware_profiles()) {
@@ -34,7 +34,8 @@ TEST(Profiles, DefaultComesFirstAndAllAreFoundByTheirUniqueNames) {
     EXPECT_FALSE(profile.chip.empty());
     EXPECT_EQ(find_profile(profile.name), &profile);
   }
-  EXPECT_EQ(names, (std::set<std::string_view>{"geforce2", "geforce2-early-truncation", "geforce256-8bit", "nv2a"}));
+  EXPECT_EQ(names, (std::set<std::string_view>{"geforce2", "geforce2-early-truncation", "geforce256-8bit", "nv2a",
+                                               "ideal", "float-shader"}));
 }
 
 TEST(Profiles, UnknownNamesGiveNull) {
@@ -54,6 +55,7 @@ TEST(Profiles, EvidenceWords) {
 
 TEST(Profiles, Geforce2IsTheTable) {
   const HardwareProfile& p = profiles::geforce2;
+  expect_choice(p.arithmetic, Arithmetic::integer, specified, "arithmetic");
   expect_choice(p.one, 255, measured, "one");
   expect_choice(p.lowest, -255, assumed, "lowest");
   expect_choice(p.half, 128, inferred, "half");
@@ -77,6 +79,7 @@ TEST(Profiles, Geforce2IsTheTable) {
 
 TEST(Profiles, Nv2aIsTheTable) {
   const HardwareProfile& p = profiles::nv2a;
+  expect_choice(p.arithmetic, Arithmetic::integer, specified, "arithmetic");
   expect_choice(p.one, 255, measured, "one");
   expect_choice(p.lowest, -255, assumed, "lowest");
   expect_choice(p.half, 128, measured, "half");
@@ -119,10 +122,32 @@ TEST(Profiles, EightBitsHalveEveryCode) {
   expect_same_value(p.general_combiners, profiles::geforce2.general_combiners, "general_combiners");
 }
 
+TEST(Profiles, RealNumbersAreTheTable) {
+  for (const HardwareProfile& p : {profiles::ideal, profiles::float_shader}) {
+    const bool exact = p.name == "ideal";
+    expect_choice(p.arithmetic, exact ? Arithmetic::exact : Arithmetic::float32, exact ? specified : assumed,
+                  "arithmetic");
+    expect_choice(p.one, 255, specified, "one");
+    expect_choice(p.byte_shift, 0, specified, "byte_shift");
+    expect_choice(p.half, 128, assumed, "half");
+    expect_choice(p.general_combiners, 8, specified, "general_combiners");
+    expect_choice(p.texture_units, 4, assumed, "texture_units");
+    expect_choice(p.per_stage_constants, true, specified, "per_stage_constants");
+    expect_choice(p.blue_to_alpha, true, assumed, "blue_to_alpha");
+    expect_choice(p.disabled_texture_alpha, 255, assumed, "disabled_texture_alpha");
+    expect_choice(p.secondary_alpha, SecondaryAlpha::as_given, specified, "secondary_alpha");
+    expect_choice(p.subpixel_bits, 4, assumed, "subpixel_bits");
+    expect_choice(p.vertex_color_mantissa_bits, 23, assumed, "vertex_color_mantissa_bits");
+    for (const auto& choice : {p.lowest, p.half, p.expand_offset}) EXPECT_NE(choice.evidence, measured);
+  }
+}
+
 TEST(Profiles, DatapathTakesEveryFieldThatTheArithmeticReads) {
   HardwareProfile p = profiles::geforce2;
   const Datapath before = datapath_of(p);
   EXPECT_EQ(before, Datapath{}) << "the default datapath is the default profile's";
+  p.arithmetic.value = Arithmetic::exact;
+  EXPECT_EQ(datapath_of(p).arithmetic, Arithmetic::exact);
   p.one.value = 254;
   EXPECT_EQ(datapath_of(p).one, 254);
   p.lowest.value = -256;

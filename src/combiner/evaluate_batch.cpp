@@ -3,6 +3,7 @@
 #include <cstring>
 
 #include "ninebit/combiner/evaluate.h"
+#include "src/combiner/real_batch.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "src/combiner/evaluate_batch.cpp"
@@ -196,6 +197,7 @@ namespace ninebit {
 HWY_EXPORT(evaluate_batch);
 
 void evaluate(const Program& program, RegisterBatch& registers, std::size_t count, OutputBatch& out) {
+  if (program.datapath.arithmetic != Arithmetic::integer) return evaluate_real_batch(program, registers, count, out);
   HWY_DYNAMIC_DISPATCH(evaluate_batch)(program, registers, count, out);
 }
 

@@ -5,8 +5,9 @@
 namespace ninebit {
 namespace {
 
-constexpr std::array<HardwareProfile, 4> kProfiles{profiles::geforce2, profiles::geforce2_early_truncation,
-                                                   profiles::geforce256_8bit, profiles::nv2a};
+constexpr std::array<HardwareProfile, 6> kProfiles{profiles::geforce2,        profiles::geforce2_early_truncation,
+                                                   profiles::geforce256_8bit, profiles::nv2a,
+                                                   profiles::ideal,           profiles::float_shader};
 
 }  // namespace
 

@@ -1,4 +1,8 @@
 // Running a program: one fragment by the constexpr reference, or a batch of fragments by SIMD. Both give the same bits.
+//
+// Registers and colours are codes here with every arithmetic. A program whose arithmetic is not integer computes in
+// real numbers from the first stage to the last; each register that it wrote and each colour then leaves as the nearest
+// code, halves up. evaluate_real.h shows the numbers themselves.
 #pragma once
 
 #include <array>
@@ -32,6 +36,21 @@ struct FragmentInputs {
 // The registers before the first general combiner: NV_register_combiners, table of initial register values; what the
 // extension leaves undefined is 0, or as the profile says.
 [[nodiscard]] RegisterFile initial_registers(const HardwareProfile& profile, const FragmentInputs& inputs);
+
+// One fragment's registers after the last general combiner, and the colour that leaves the final combiner.
+struct EvaluatedFragment {
+  RegisterFile registers;
+  Rgba9 color{};
+};
+
+// Runs a program of any arithmetic over one fragment. Not constexpr; for integer arithmetic the same as the functions
+// below.
+[[nodiscard]] EvaluatedFragment evaluate_fragment(const Program& program, const RegisterFile& initial);
+
+namespace detail {
+// The final combiner alone, in a program's arithmetic, on registers that are codes.
+[[nodiscard]] Rgba9 evaluate_real_final(const Program& program, const RegisterFile& registers);
+}  // namespace detail
 
 namespace reference {
 
@@ -140,7 +159,12 @@ constexpr void write_portion(const Portion& portion, int first, int channels, co
 }  // namespace reference
 
 // Runs the general combiners over one fragment's registers, in place. Each stage reads all before it writes (rule 12).
+// constexpr while the arithmetic is integer.
 constexpr void evaluate_general(const Program& program, RegisterFile& registers) {
+  if (program.datapath.arithmetic != Arithmetic::integer) {
+    registers = evaluate_fragment(program, registers).registers;
+    return;
+  }
   for (int i = 0; i < program.num_general_combiners; ++i) {
     const ProgramStage& stage = program.general[static_cast<std::size_t>(i)];
     const auto rgb = reference::evaluate_portion(program.datapath, stage, stage.rgb, 3, registers);
@@ -151,8 +175,11 @@ constexpr void evaluate_general(const Program& program, RegisterFile& registers)
   }
 }
 
-// Runs the final combiner over the registers that the general combiners left. Returns codes in [0, one].
+// Runs the final combiner over the registers that the general combiners left. Returns codes in [0, one]. constexpr
+// while the arithmetic is integer; with another one it starts from registers that evaluate_general has rounded, unlike
+// evaluate() and evaluate_fragment(), which round once at the end.
 [[nodiscard]] constexpr Rgba9 evaluate_final(const Program& program, const RegisterFile& registers) {
+  if (program.datapath.arithmetic != Arithmetic::integer) return detail::evaluate_real_final(program, registers);
   const Datapath& d = program.datapath;
   const FinalCombiner& f = program.final_combiner;
   const auto mapped = [&](const CombinerInput& in, int channel, const Rgba9& ef, const Rgba9& sum) -> reference::V {
@@ -178,8 +205,9 @@ constexpr void evaluate_general(const Program& program, RegisterFile& registers)
   return out;
 }
 
-// Both, for one fragment: what leaves the combiners, codes in [0, one].
+// Both, for one fragment: what leaves the combiners, codes in [0, one]. constexpr while the arithmetic is integer.
 [[nodiscard]] constexpr Rgba9 evaluate(const Program& program, RegisterFile registers) {
+  if (program.datapath.arithmetic != Arithmetic::integer) return evaluate_fragment(program, registers).color;
   evaluate_general(program, registers);
   return evaluate_final(program, registers);
 }
@@ -203,8 +231,8 @@ struct alignas(64) OutputBatch {
 };
 
 // Evaluates the first `count` (at most kBatchSize) fragments; on return `registers` holds what the general combiners
-// left. Lanes from `count` on may be overwritten with values without meaning. Runs on the best SIMD target of this
-// machine, chosen at run time.
+// left. Lanes from `count` on may be overwritten with values without meaning. Integer arithmetic runs on the best SIMD
+// target of this machine, chosen at run time; the others run a fragment at a time.
 void evaluate(const Program& program, RegisterBatch& registers, std::size_t count, OutputBatch& out);
 
 // The name of the SIMD target that the batch evaluator runs on here, such as "AVX2".

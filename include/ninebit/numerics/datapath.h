@@ -6,6 +6,7 @@
 namespace ninebit {
 
 struct Datapath {
+  Arithmetic arithmetic = Arithmetic::integer;
   int one = 255;
   int lowest = -255;
   int half = 128;
@@ -18,13 +19,10 @@ struct Datapath {
 };
 
 [[nodiscard]] constexpr Datapath datapath_of(const HardwareProfile& profile) {
-  return {profile.one,
-          profile.lowest,
-          profile.half,
-          profile.expand_offset,
-          profile.general_narrowing,
-          profile.narrowing_point,
-          profile.final_narrowing};
+  return {profile.arithmetic,      profile.one,
+          profile.lowest,          profile.half,
+          profile.expand_offset,   profile.general_narrowing,
+          profile.narrowing_point, profile.final_narrowing};
 }
 
 }  // namespace ninebit

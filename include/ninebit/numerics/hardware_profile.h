@@ -30,6 +30,13 @@ struct Choice {
   constexpr operator T() const { return value; }
 };
 
+// In what numbers the combiners compute. Registers start as codes with each of them, and outputs leave as codes.
+enum class Arithmetic : std::uint8_t {
+  integer,  // codes: what hardware does, by all the fields below
+  exact,    // fractions without any rounding; a code only where the frame buffer stores it
+  float32   // 32-bit floats, as the shaders of emulators; a code only where the frame buffer stores it
+};
+
 // How a wide value loses the bits that a register cannot hold.
 enum class Narrowing : std::uint8_t {
   toward_zero,       // the low bits of the magnitude are dropped
@@ -49,14 +56,17 @@ struct HardwareProfile {
   std::string_view name;
   std::string_view chip;
 
-  // Codes. A register component is an integer; `one` is the code of 1.0.
+  Choice<Arithmetic> arithmetic;
+
+  // Codes. A register component is an integer; `one` is the code of 1.0. With an arithmetic other than integer, `one`
+  // and `byte_shift` say how codes stand for numbers, and the other three are not read.
   Choice<int> one;            // 1.0
   Choice<int> lowest;         // the lowest register value
   Choice<int> half;           // bias of one half, half-bias mapping, mux threshold
   Choice<int> expand_offset;  // expand is 2v - this
   Choice<int> byte_shift;     // low bits of a byte (texel, colour, constant) that do not enter a register
 
-  // Narrowing.
+  // Narrowing, of integers alone.
   Choice<Narrowing> general_narrowing;     // of a general combiner's outputs
   Choice<NarrowingPoint> narrowing_point;  // of a general combiner's outputs
   Choice<Narrowing> final_narrowing;       // of A·B + (1 - A)·C and of E·F
@@ -90,6 +100,7 @@ namespace profiles {
 inline constexpr HardwareProfile geforce2{
     .name = "geforce2",
     .chip = "NV15, NV11 (GeForce 2)",
+    .arithmetic = {Arithmetic::integer, Evidence::specified, "NV_register_combiners, issues: 9-bit signed fixed point"},
     .one = {255, Evidence::measured, "rule 1: 255 x 1.0 = 255 on NV2A, every texel value"},
     .lowest = {-255, Evidence::assumed, "rival: -256"},
     .half = {128, Evidence::inferred, "rules 4 and 22: 255 - half = 127, and the 16-bit depth compare of 2000"},
@@ -152,11 +163,41 @@ constexpr HardwareProfile xbox() {
   p.vertex_color_mantissa_bits = {13, Evidence::measured, "rule 17: 273 of 273"};
   return p;
 }
+
+// What a profile without a chip has around its arithmetic: all that the extensions allow, and the NV2A's choices.
+constexpr HardwareProfile real_numbers(std::string_view name, std::string_view chip, Choice<Arithmetic> arithmetic) {
+  constexpr std::string_view not_read = "not read by this arithmetic";
+  constexpr std::string_view as_nv2a = "no chip decides; as nv2a";
+  HardwareProfile p = xbox();
+  p.name = name;
+  p.chip = chip;
+  p.arithmetic = arithmetic;
+  p.one = {255, Evidence::specified, "OpenGL: a byte n stands for n / 255"};
+  p.lowest = {-255, Evidence::specified, "NV_register_combiners: registers hold [-1, 1]"};
+  p.half = {128, Evidence::assumed, not_read};
+  p.expand_offset = {255, Evidence::assumed, not_read};
+  p.byte_shift = {0, Evidence::specified, "OpenGL: a byte n stands for n / 255"};
+  p.general_narrowing = {Narrowing::nearest_halves_up, Evidence::assumed, not_read};
+  p.narrowing_point = {NarrowingPoint::after_scale, Evidence::assumed, not_read};
+  p.final_narrowing = {Narrowing::nearest_halves_up, Evidence::assumed, not_read};
+  p.texture_units = {4, Evidence::assumed, as_nv2a};
+  p.blue_to_alpha = {true, Evidence::assumed, as_nv2a};
+  p.disabled_texture_alpha = {255, Evidence::assumed, as_nv2a};
+  p.subpixel_bits = {4, Evidence::assumed, as_nv2a};
+  p.vertex_color_mantissa_bits = {23, Evidence::assumed, "no bit of a float is cut before it is rounded to a byte"};
+  return p;
+}
 }  // namespace detail
 
 inline constexpr HardwareProfile geforce2_early_truncation = detail::early_truncation();
 inline constexpr HardwareProfile geforce256_8bit = detail::eight_bit();
 inline constexpr HardwareProfile nv2a = detail::xbox();
+inline constexpr HardwareProfile ideal =
+    detail::real_numbers("ideal", "none: what the algebra says",
+                         {Arithmetic::exact, Evidence::specified, "NV_register_combiners writes real numbers"});
+inline constexpr HardwareProfile float_shader =
+    detail::real_numbers("float-shader", "none: emulators that run combiners as float shaders",
+                         {Arithmetic::float32, Evidence::assumed, "xemu, MAME, Cxbx-Reloaded compute so"});
 
 }  // namespace profiles
 }  // namespace ninebit

@@ -1,0 +1,161 @@
+#include "src/combiner/real_batch.h"
+
+#include <array>
+#include <optional>
+
+#include "src/combiner/exact_field.h"
+#include "src/combiner/float_field.h"
+#include "src/combiner/real_rules.h"
+
+namespace ninebit {
+namespace {
+
+// Which registers a program may read or write: the others need no numbers.
+class UsedRegisters {
+ public:
+  explicit UsedRegisters(const Program& program) {
+    use(Register::spare0);
+    for (int i = 0; i < program.num_general_combiners; ++i) {
+      const ProgramStage& stage = program.general[static_cast<std::size_t>(i)];
+      for (const Portion* const p : {&stage.rgb, &stage.alpha}) {
+        for (const Register r : {p->a.reg, p->b.reg, p->c.reg, p->d.reg}) use(r);
+        const std::size_t first = p == &stage.rgb ? 0 : 3, end = p == &stage.rgb ? 3 : 4;
+        for (const Register r : {p->out.ab, p->out.cd, p->out.sum}) {
+          if (r == Register::discard) continue;
+          use(r);
+          for (std::size_t c = first; c < end; ++c) written[static_cast<std::size_t>(r)][c] = true;
+        }
+      }
+    }
+    const FinalCombiner& f = program.final_combiner;
+    for (const CombinerInput& in : {f.a, f.b, f.c, f.d, f.e, f.f, f.g}) use(in.reg);
+    use(Register::secondary);
+  }
+
+  std::array<bool, kRegisterCount> used{};
+  std::array<std::array<bool, 4>, kRegisterCount> written{};
+
+ private:
+  void use(Register r) {
+    const auto i = static_cast<std::size_t>(r);
+    if (i < kRegisterCount && r != Register::zero && r != Register::constant0 && r != Register::constant1) {
+      used[i] = true;
+    }
+  }
+};
+
+// One kind of numbers, and what it needs for fragment after fragment.
+template <class Field>
+class Runner {
+ public:
+  explicit Runner(const Program& program)
+      : program_(program), field_(program.datapath.one), combiners_(field_), registers_{} {}
+
+  Field& field() { return field_; }
+
+  // Code(r, c) gives the code of a register's component; put(r, c, code) and put_color(c, code) take the results.
+  template <class Code>
+  void compute(const UsedRegisters& registers, const Code& code) {
+    for (std::size_t r = 0; r < kRegisterCount; ++r) {
+      if (!registers.used[r]) continue;
+      for (std::size_t c = 0; c < 4; ++c) registers_[r][c] = field_.of_code(code(r, c));
+    }
+    for (int i = 0; i < program_.num_general_combiners; ++i) {
+      combiners_.run_general(program_.general[static_cast<std::size_t>(i)], registers_, stage_);
+    }
+    combiners_.run_final(program_, registers_, final_);
+  }
+
+  template <class Put, class PutColor>
+  void deliver(const UsedRegisters& registers, const Put& put, const PutColor& put_color) {
+    for (std::size_t r = 0; r < kRegisterCount; ++r) {
+      for (std::size_t c = 0; c < 4; ++c) {
+        if (registers.written[r][c]) put(r, c, static_cast<s9>(field_.nearest_code(registers_[r][c])));
+      }
+    }
+    for (std::size_t c = 0; c < 4; ++c) put_color(c, static_cast<s9>(field_.nearest_code(final_.out[c])));
+  }
+
+ private:
+  const Program& program_;
+  Field field_;
+  RealCombiners<Field> combiners_;
+  typename RealCombiners<Field>::Registers registers_;
+  typename RealCombiners<Field>::Stage stage_;
+  typename RealCombiners<Field>::Final final_;
+};
+
+// Fragment after fragment of one program, in whichever numbers hold it.
+class RealProgram {
+ public:
+  explicit RealProgram(const Program& program) : program_(program), registers_(program) {
+    if (program.datapath.arithmetic == Arithmetic::float32) {
+      floats_.emplace(program);
+    } else {
+      small_.emplace(program);
+    }
+  }
+
+  template <class Code, class Put, class PutColor>
+  void run(const Code& code, const Put& put, const PutColor& put_color) {
+    if (floats_) {
+      floats_->compute(registers_, code);
+      floats_->deliver(registers_, put, put_color);
+      return;
+    }
+    // A program that was too large once will be so again: most of what it computes does not depend on the fragment.
+    if (tries_ > 0) {
+      small_->field().integers().forget_overflow();
+      small_->compute(registers_, code);
+      if (!small_->field().integers().overflowed()) {
+        small_->deliver(registers_, put, put_color);
+        if (!small_->field().integers().overflowed()) return;
+      }
+      --tries_;
+    }
+    if (!big_) big_.emplace(program_);
+    big_->compute(registers_, code);
+    big_->deliver(registers_, put, put_color);
+  }
+
+ private:
+  const Program& program_;
+  UsedRegisters registers_;
+  std::optional<Runner<FloatField>> floats_;
+  std::optional<Runner<ExactField<SmallIntegers>>> small_;
+  std::optional<Runner<ExactField<BigIntegers>>> big_;
+  int tries_ = 16;
+};
+
+}  // namespace
+
+void evaluate_real_batch(const Program& program, RegisterBatch& registers, std::size_t count, OutputBatch& out) {
+  RealProgram real(program);
+  for (std::size_t i = 0; i < count; ++i) {
+    real.run([&](std::size_t r, std::size_t c) { return registers.plane[r][c][i]; },
+             [&](std::size_t r, std::size_t c, s9 code) { registers.plane[r][c][i] = code; },
+             [&](std::size_t c, s9 code) { out.plane[c][i] = code; });
+  }
+}
+
+EvaluatedFragment evaluate_fragment(const Program& program, const RegisterFile& initial) {
+  EvaluatedFragment result{initial, {}};
+  if (program.datapath.arithmetic == Arithmetic::integer) {
+    evaluate_general(program, result.registers);
+    result.color = evaluate_final(program, result.registers);
+    return result;
+  }
+  RealProgram real(program);
+  real.run([&](std::size_t r, std::size_t c) { return initial.value[r][c]; },
+           [&](std::size_t r, std::size_t c, s9 code) { result.registers.value[r][c] = code; },
+           [&](std::size_t c, s9 code) { result.color[c] = code; });
+  return result;
+}
+
+Rgba9 detail::evaluate_real_final(const Program& program, const RegisterFile& registers) {
+  Program last = program;
+  last.num_general_combiners = 0;
+  return evaluate_fragment(last, registers).color;
+}
+
+}  // namespace ninebit
