@@ -1,0 +1,163 @@
+#include "combiner_tests/language/emit_cases.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <sstream>
+
+#include "combiner_tests/combiner/random_state.h"
+
+namespace ninebit::test {
+namespace {
+
+constexpr CombinerInput input(Register r, InputMapping m = InputMapping::unsigned_identity,
+                              ComponentUsage usage = ComponentUsage::rgb) {
+  return {r, m, usage};
+}
+
+CombinerState silent(int stages) {
+  CombinerState state;
+  state.num_general_combiners = stages;
+  for (GeneralCombiner& stage : state.general) stage.rgb.out.sum = stage.alpha.out.sum = Register::discard;
+  state.final_combiner.a = state.final_combiner.b = state.final_combiner.c = CombinerInput{};
+  return state;
+}
+
+void add_case(std::vector<EmitCase>& cases, std::string name, const HardwareProfile& profile,
+              const CombinerState& state) {
+  const Result<Program> program = compile(state, profile);
+  if (!program) {
+    ADD_FAILURE() << name << ": " << program.error().text();
+    return;
+  }
+  cases.push_back({std::move(name), profile, *program});
+}
+
+CombinerState index_comparison() {
+  CombinerState state = silent(2);
+  Portion& difference = state.general[0].rgb;
+  difference.a = input(Register::primary);
+  difference.b = input(Register::zero, InputMapping::unsigned_invert);
+  difference.c = input(Register::texture0);
+  difference.d = input(Register::zero, InputMapping::expand_normal);
+  difference.out.sum = Register::spare0;
+  Portion& square = state.general[1].rgb;
+  square.a = square.b = input(Register::spare0, InputMapping::signed_identity);
+  square.out.ab = Register::spare1;
+  square.out.ab_dot_product = true;
+  difference.out.scale = square.out.scale = Scale::by_four;
+  state.final_combiner.g = input(Register::spare1, InputMapping::unsigned_identity, ComponentUsage::blue);
+  return state;
+}
+
+// spare0 = m(primary) · texture0; then spare1 = -spare0, so that RGB shows what is positive, alpha what is negative.
+CombinerState row(InputMapping mapping, Scale scale, Bias bias, bool dot) {
+  CombinerState state = silent(2);
+  Portion& product = state.general[0].rgb;
+  product.a = input(Register::primary, mapping);
+  product.b = input(Register::texture0, InputMapping::signed_identity);
+  product.out.ab = Register::spare0;
+  product.out.ab_dot_product = dot;
+  product.out.scale = scale;
+  product.out.bias = bias;
+  Portion& negation = state.general[1].rgb;
+  negation.a = input(Register::spare0, InputMapping::signed_negate);
+  negation.b = input(Register::zero, InputMapping::unsigned_invert);
+  negation.out.ab = Register::spare1;
+  state.final_combiner.d = input(Register::spare0);
+  state.final_combiner.g = input(Register::spare1, InputMapping::unsigned_identity, ComponentUsage::blue);
+  return state;
+}
+
+}  // namespace
+
+std::vector<EmitCase> known_cases() {
+  std::vector<EmitCase> cases;
+  for (const HardwareProfile& p : integer_profiles()) {
+    add_case(cases, "index comparison, " + std::string(p.name), p, index_comparison());
+    add_case(cases, "default state, " + std::string(p.name), p, CombinerState{});
+  }
+  return cases;
+}
+
+std::vector<EmitCase> row_cases() {
+  std::vector<EmitCase> cases;
+  constexpr std::array<std::pair<Scale, Bias>, 6> kPairs{{{Scale::none, Bias::none},
+                                                          {Scale::by_two, Bias::none},
+                                                          {Scale::by_four, Bias::none},
+                                                          {Scale::by_one_half, Bias::none},
+                                                          {Scale::none, Bias::by_negative_one_half},
+                                                          {Scale::by_two, Bias::by_negative_one_half}}};
+  for (const HardwareProfile& p : integer_profiles()) {
+    for (const InputMapping mapping : kInputMappings) {
+      for (const auto& [scale, bias] : kPairs) {
+        for (const bool dot : {false, true}) {
+          std::string name(name_of(mapping));
+          name.append(", ").append(name_of(scale)).append(", ").append(name_of(bias)).append(dot ? ", dot, " : ", ");
+          add_case(cases, name + std::string(p.name), p, row(mapping, scale, bias, dot));
+        }
+      }
+    }
+  }
+  return cases;
+}
+
+std::vector<EmitCase> random_cases(std::uint64_t seed, int count) {
+  std::vector<EmitCase> cases;
+  const std::vector<HardwareProfile> shipped = integer_profiles();
+  for (int i = 0; i < count; ++i) {
+    Random random(seed, static_cast<std::uint64_t>(i));
+    HardwareProfile profile = shipped[static_cast<std::size_t>(i) % shipped.size()];
+    if (i % 3 == 2) profile = random_profile(random);
+    add_case(cases, "random " + std::to_string(i) + ", " + std::string(profile.name), profile,
+             random_state(random, profile));
+  }
+  return cases;
+}
+
+std::vector<RegisterFile> emit_inputs(const HardwareProfile& profile, std::uint64_t seed, std::size_t count) {
+  std::vector<RegisterFile> inputs(count);
+  Random random(seed, 0x696E70757473U);
+  for (std::size_t i = 0; i < count; ++i) {
+    inputs[i] = random_registers(random, profile);
+    const int extreme = i == 0 ? profile.lowest : profile.one;
+    for (Rgba9& value : inputs[i].value) {
+      if (i < 2) value.fill(static_cast<s9>(extreme));
+    }
+    for (int c = 0; c < 3; ++c) inputs[i][Register::spare0][static_cast<std::size_t>(c)] = 0;
+    inputs[i][Register::spare1] = {};
+  }
+  return inputs;
+}
+
+void Outputs::expect_distinct(std::size_t least_colors) {
+  std::sort(distinct_.begin(), distinct_.end());
+  distinct_.erase(std::unique(distinct_.begin(), distinct_.end()), distinct_.end());
+  EXPECT_GE(distinct_.size(), least_colors) << "too few distinct colours";
+  ::testing::Test::RecordProperty("fragments", static_cast<int>(fragments_));
+  ::testing::Test::RecordProperty("distinct_colors", static_cast<int>(distinct_.size()));
+}
+
+void Outputs::expect_meaning(std::size_t least_fragments) {
+  EXPECT_GE(fragments_, least_fragments);
+  EXPECT_LT(black_ * 2, fragments_) << "more than half of all colours are black";
+  expect_distinct(fragments_ / 6);
+}
+
+std::string mismatch(const EmitCase& emitted, const RegisterFile& input, const Rgba9& expected, const Rgba9& actual) {
+  std::ostringstream out;
+  const auto print = [&](const Rgba9& v) {
+    out << '(' << v[0] << ", " << v[1] << ", " << v[2] << ", " << v[3] << ")\n";
+  };
+  out << emitted.name << "\nexpected ";
+  print(expected);
+  out << "actual ";
+  print(actual);
+  for (std::size_t r = 0; r < kRegisterCount; ++r) {
+    out << "  " << name_of(static_cast<Register>(r)) << ' ';
+    print(input.value[r]);
+  }
+  return out.str();
+}
+
+}  // namespace ninebit::test

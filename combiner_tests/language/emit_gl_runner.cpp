@@ -1,0 +1,295 @@
+#include "combiner_tests/language/emit_gl_runner.h"
+
+#ifdef NINEBIT_HAS_EGL
+#include <EGL/egl.h>
+#include <EGL/eglext.h>
+#include <GL/glcorearb.h>
+#include <stdlib.h>
+
+#include <array>
+#include <cstdint>
+
+// Of the leak sanitizer, where the program is built with it.
+extern "C" {
+__attribute__((weak)) void __lsan_disable();
+__attribute__((weak)) void __lsan_enable();
+}
+#endif
+
+namespace ninebit::test {
+
+#ifndef NINEBIT_HAS_EGL
+
+std::unique_ptr<GlRunner> GlRunner::make(GlslVersion, std::string& why_not) {
+  why_not = "built without EGL (install libegl-dev and libgl-dev)";
+  return nullptr;
+}
+
+#else
+namespace {
+
+using Pixel = std::array<std::int32_t, 4>;
+
+constexpr int kMostFragments = 1024;
+constexpr int kMostFunctions = 16;
+constexpr int kArguments = 8;  // seven registers, then spare0's alpha
+
+// What Mesa allocates in here and keeps for good is no leak of ours.
+class DriverCode {
+ public:
+  DriverCode() {
+    if (__lsan_disable != nullptr) __lsan_disable();
+  }
+  ~DriverCode() {
+    if (__lsan_enable != nullptr) __lsan_enable();
+  }
+  DriverCode(const DriverCode&) = delete;
+  DriverCode& operator=(const DriverCode&) = delete;
+};
+
+template <class Function>
+void load(Function& to, const char* name) {
+  to = reinterpret_cast<Function>(eglGetProcAddress(name));
+}
+
+// The entry points, as GL itself names them.
+struct Gl {
+  PFNGLCREATESHADERPROC CreateShader;
+  PFNGLSHADERSOURCEPROC ShaderSource;
+  PFNGLCOMPILESHADERPROC CompileShader;
+  PFNGLGETSHADERIVPROC GetShaderiv;
+  PFNGLGETSHADERINFOLOGPROC GetShaderInfoLog;
+  PFNGLDELETESHADERPROC DeleteShader;
+  PFNGLCREATEPROGRAMPROC CreateProgram;
+  PFNGLATTACHSHADERPROC AttachShader;
+  PFNGLLINKPROGRAMPROC LinkProgram;
+  PFNGLGETPROGRAMIVPROC GetProgramiv;
+  PFNGLUSEPROGRAMPROC UseProgram;
+  PFNGLDELETEPROGRAMPROC DeleteProgram;
+  PFNGLGENTEXTURESPROC GenTextures;
+  PFNGLBINDTEXTUREPROC BindTexture;
+  PFNGLTEXIMAGE2DPROC TexImage2D;
+  PFNGLTEXSUBIMAGE2DPROC TexSubImage2D;
+  PFNGLTEXPARAMETERIPROC TexParameteri;
+  PFNGLGENFRAMEBUFFERSPROC GenFramebuffers;
+  PFNGLBINDFRAMEBUFFERPROC BindFramebuffer;
+  PFNGLFRAMEBUFFERTEXTURE2DPROC FramebufferTexture2D;
+  PFNGLCHECKFRAMEBUFFERSTATUSPROC CheckFramebufferStatus;
+  PFNGLGENVERTEXARRAYSPROC GenVertexArrays;
+  PFNGLBINDVERTEXARRAYPROC BindVertexArray;
+  PFNGLVIEWPORTPROC Viewport;
+  PFNGLDRAWARRAYSPROC DrawArrays;
+  PFNGLREADPIXELSPROC ReadPixels;
+  PFNGLCLEARBUFFERIVPROC ClearBufferiv;
+  PFNGLGETERRORPROC GetError;
+  PFNGLGETSTRINGPROC GetString;
+
+  Gl() {
+    load(CreateShader, "glCreateShader");
+    load(ShaderSource, "glShaderSource");
+    load(CompileShader, "glCompileShader");
+    load(GetShaderiv, "glGetShaderiv");
+    load(GetShaderInfoLog, "glGetShaderInfoLog");
+    load(DeleteShader, "glDeleteShader");
+    load(CreateProgram, "glCreateProgram");
+    load(AttachShader, "glAttachShader");
+    load(LinkProgram, "glLinkProgram");
+    load(GetProgramiv, "glGetProgramiv");
+    load(UseProgram, "glUseProgram");
+    load(DeleteProgram, "glDeleteProgram");
+    load(GenTextures, "glGenTextures");
+    load(BindTexture, "glBindTexture");
+    load(TexImage2D, "glTexImage2D");
+    load(TexSubImage2D, "glTexSubImage2D");
+    load(TexParameteri, "glTexParameteri");
+    load(GenFramebuffers, "glGenFramebuffers");
+    load(BindFramebuffer, "glBindFramebuffer");
+    load(FramebufferTexture2D, "glFramebufferTexture2D");
+    load(CheckFramebufferStatus, "glCheckFramebufferStatus");
+    load(GenVertexArrays, "glGenVertexArrays");
+    load(BindVertexArray, "glBindVertexArray");
+    load(Viewport, "glViewport");
+    load(DrawArrays, "glDrawArrays");
+    load(ReadPixels, "glReadPixels");
+    load(ClearBufferiv, "glClearBufferiv");
+    load(GetError, "glGetError");
+    load(GetString, "glGetString");
+  }
+};
+
+class EglRunner final : public GlRunner {
+ public:
+  explicit EglRunner(GlslVersion version) : version_(version) {}
+  ~EglRunner() override {
+    if (display_ == EGL_NO_DISPLAY) return;
+    eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+    if (context_ != EGL_NO_CONTEXT) eglDestroyContext(display_, context_);
+    eglTerminate(display_);
+  }
+  EglRunner(const EglRunner&) = delete;
+  EglRunner& operator=(const EglRunner&) = delete;
+
+  bool open(std::string& why_not) {
+    const DriverCode driver_code;
+    const bool es = version_ == GlslVersion::es_300;
+    // Every run compiles for itself and leaves nothing in the user's home.
+    setenv("MESA_SHADER_CACHE_DISABLE", "true", 1);
+    // The thread sanitizer does not see how Mesa's threads agree; a picture this small needs none.
+    setenv("LP_NUM_THREADS", "0", 1);
+    display_ = eglGetPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
+    if (display_ == EGL_NO_DISPLAY || eglInitialize(display_, nullptr, nullptr) == EGL_FALSE) {
+      display_ = EGL_NO_DISPLAY;
+      why_not = "EGL has no surfaceless platform here (install libegl1, libegl-mesa0 and libgl1-mesa-dri)";
+      return false;
+    }
+    const std::array<EGLint, 5> attributes{EGL_CONTEXT_MAJOR_VERSION, 3, EGL_CONTEXT_MINOR_VERSION, es ? 0 : 3,
+                                           EGL_NONE};
+    eglBindAPI(es ? EGL_OPENGL_ES_API : EGL_OPENGL_API);
+    context_ = eglCreateContext(display_, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, attributes.data());
+    if (context_ == EGL_NO_CONTEXT || eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_) == EGL_FALSE) {
+      why_not = std::string("EGL gives no ") + (es ? "OpenGL ES 3.0" : "OpenGL 3.3") + " context";
+      return false;
+    }
+    gl_.emplace();
+    inputs_ = integer_texture(kArguments, kMostFragments);
+    const GLuint target = integer_texture(kMostFunctions, kMostFragments);
+    GLuint name = 0;
+    gl_->GenFramebuffers(1, &name);
+    gl_->BindFramebuffer(GL_FRAMEBUFFER, name);
+    gl_->FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, target, 0);
+    if (gl_->CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
+      why_not = "GL does not render to integers";
+      return false;
+    }
+    gl_->GenVertexArrays(1, &name);
+    gl_->BindVertexArray(name);
+    gl_->BindTexture(GL_TEXTURE_2D, inputs_);
+    return true;
+  }
+
+  [[nodiscard]] std::string renderer() const override {
+    return std::string(reinterpret_cast<const char*>(gl_->GetString(GL_RENDERER))) + ", " +
+           reinterpret_cast<const char*>(gl_->GetString(GL_VERSION));
+  }
+
+  std::optional<Colors> run(const std::string& source, const std::vector<std::string>& functions,
+                            const std::vector<RegisterFile>& inputs, std::string& message) override {
+    const DriverCode driver_code;
+    const GLuint program = link(source + main_of(functions), message);
+    if (program == 0) return std::nullopt;
+    upload(inputs);
+    gl_->UseProgram(program);
+    const auto width = static_cast<GLsizei>(functions.size()), height = static_cast<GLsizei>(inputs.size());
+    const std::array<GLint, 4> nothing{-9999, -9999, -9999, -9999};
+    gl_->ClearBufferiv(GL_COLOR, 0, nothing.data());
+    gl_->Viewport(0, 0, width, height);
+    gl_->DrawArrays(GL_TRIANGLES, 0, 3);
+    std::vector<Pixel> pixels(functions.size() * inputs.size());
+    gl_->ReadPixels(0, 0, width, height, GL_RGBA_INTEGER, GL_INT, pixels.data());
+    gl_->DeleteProgram(program);
+    if (const GLenum error = gl_->GetError(); error != GL_NO_ERROR) {
+      message = "GL error " + std::to_string(error);
+      return std::nullopt;
+    }
+    Colors colors(functions.size());
+    for (std::size_t i = 0; i < pixels.size(); ++i) {
+      const Pixel& p = pixels[i];
+      colors[i % functions.size()].push_back(
+          {static_cast<s9>(p[0]), static_cast<s9>(p[1]), static_cast<s9>(p[2]), static_cast<s9>(p[3])});
+    }
+    return colors;
+  }
+
+ private:
+  GLuint integer_texture(GLsizei width, GLsizei height) {
+    GLuint name = 0;
+    gl_->GenTextures(1, &name);
+    gl_->BindTexture(GL_TEXTURE_2D, name);
+    gl_->TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32I, width, height, 0, GL_RGBA_INTEGER, GL_INT, nullptr);
+    gl_->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    gl_->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    return name;
+  }
+
+  // Column i of the picture is function i, row k its result for the arguments k.
+  static std::string main_of(const std::vector<std::string>& functions) {
+    std::string text =
+        "\nuniform highp isampler2D arguments;\nlayout(location = 0) out highp ivec4 color;\n"
+        "ivec4 argument(int i) { return texelFetch(arguments, ivec2(i, int(gl_FragCoord.y)), 0); }\n"
+        "void main() {\n  int column = int(gl_FragCoord.x);\n";
+    for (std::size_t i = 0; i < functions.size(); ++i) {
+      text += "  if (column == " + std::to_string(i) + ") color = " + functions[i] +
+              "(argument(0), argument(1), argument(2), argument(3),\n"
+              "      argument(4), argument(5), argument(6), argument(7).a);\n";
+    }
+    return text + "}\n";
+  }
+
+  GLuint compile_shader(GLenum kind, const std::string& text, std::string& message) {
+    const GLuint shader = gl_->CreateShader(kind);
+    const char* const start = text.c_str();
+    gl_->ShaderSource(shader, 1, &start, nullptr);
+    gl_->CompileShader(shader);
+    GLint done = GL_FALSE;
+    gl_->GetShaderiv(shader, GL_COMPILE_STATUS, &done);
+    if (done == GL_TRUE) return shader;
+    std::array<char, 4096> log{};
+    gl_->GetShaderInfoLog(shader, static_cast<GLsizei>(log.size()), nullptr, log.data());
+    gl_->DeleteShader(shader);
+    message = std::string(log.data()) + '\n' + text;
+    return 0;
+  }
+
+  GLuint link(const std::string& fragment_text, std::string& message) {
+    const std::string first = version_ == GlslVersion::es_300 ? "#version 300 es\n" : "#version 330 core\n";
+    // One triangle that covers everything.
+    const GLuint vertex = compile_shader(GL_VERTEX_SHADER,
+                                         first +
+                                             "void main() {\n"
+                                             "  gl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0,\n"
+                                             "                     gl_VertexID == 2 ? 3.0 : -1.0, 0.0, 1.0);\n}\n",
+                                         message);
+    const GLuint fragment = compile_shader(GL_FRAGMENT_SHADER, fragment_text, message);
+    if (vertex == 0 || fragment == 0) return 0;
+    const GLuint program = gl_->CreateProgram();
+    gl_->AttachShader(program, vertex);
+    gl_->AttachShader(program, fragment);
+    gl_->LinkProgram(program);
+    gl_->DeleteShader(vertex);
+    gl_->DeleteShader(fragment);
+    GLint done = GL_FALSE;
+    gl_->GetProgramiv(program, GL_LINK_STATUS, &done);
+    if (done == GL_TRUE) return program;
+    message = "the program does not link\n" + fragment_text;
+    gl_->DeleteProgram(program);
+    return 0;
+  }
+
+  void upload(const std::vector<RegisterFile>& inputs) {
+    constexpr std::array kOrder{Register::primary,  Register::secondary, Register::fog,      Register::texture0,
+                                Register::texture1, Register::texture2,  Register::texture3, Register::spare0};
+    std::vector<std::int32_t> texels;
+    for (const RegisterFile& registers : inputs) {
+      for (const Register r : kOrder) texels.insert(texels.end(), registers[r].begin(), registers[r].end());
+    }
+    gl_->TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, kArguments, static_cast<GLsizei>(inputs.size()), GL_RGBA_INTEGER, GL_INT,
+                       texels.data());
+  }
+
+  GlslVersion version_;
+  EGLDisplay display_ = EGL_NO_DISPLAY;
+  EGLContext context_ = EGL_NO_CONTEXT;
+  std::optional<Gl> gl_;
+  GLuint inputs_ = 0;
+};
+
+}  // namespace
+
+std::unique_ptr<GlRunner> GlRunner::make(GlslVersion version, std::string& why_not) {
+  auto runner = std::make_unique<EglRunner>(version);
+  if (!runner->open(why_not)) return nullptr;
+  return runner;
+}
+#endif
+
+}  // namespace ninebit::test

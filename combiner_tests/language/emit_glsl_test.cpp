@@ -1,0 +1,105 @@
+// Programs emitted as GLSL, run by a GL without a window (Mesa's llvmpipe where there is no other), against the
+// reference.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <cstdio>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "combiner_tests/language/emit_cases.h"
+#include "combiner_tests/language/emit_gl_runner.h"
+#include "ninebit/language/glsl.h"
+
+namespace ninebit::test {
+namespace {
+
+constexpr std::uint64_t kSeed = 0x676C736C206F7574U;
+constexpr int kRandomCases = 120;
+constexpr std::size_t kFragments = 256;
+
+class EmitGlsl : public ::testing::TestWithParam<GlslVersion> {
+ protected:
+  void SetUp() override {
+    std::string why_not;
+    runner_ = GlRunner::make(GetParam(), why_not);
+    if (runner_ == nullptr) {
+      std::fprintf(stderr, "NOTICE: emitted GLSL was not run: %s\n", why_not.c_str());
+      GTEST_SKIP() << why_not;
+    }
+    RecordProperty("renderer", runner_->renderer());
+  }
+
+  // Several programs of one profile go into one shader, as glsl.h says they may.
+  void compare(const std::vector<EmitCase>& cases, std::size_t fragments, std::size_t programs, Outputs& outputs) {
+    for (std::size_t first = 0; first < cases.size(); first += programs) {
+      const std::size_t end = std::min(first + programs, cases.size());
+      std::string text, message;
+      std::vector<std::string> names;
+      for (std::size_t i = first; i < end; ++i) {
+        ASSERT_EQ(cases[i].profile.name, cases[first].profile.name);
+        names.push_back(programs == 1 ? "ninebit_combine" : "program" + std::to_string(i));
+        const Result<std::string> source = emit_glsl(cases[i].program, GetParam(), names.back());
+        ASSERT_TRUE(source.ok()) << cases[i].name << ": " << source.error().text();
+        text += i == first ? *source : source->substr(source->find('\n') + 1);
+      }
+      const std::vector<RegisterFile> inputs = emit_inputs(cases[first].profile, kSeed + first, fragments);
+      const auto colors = runner_->run(text, names, inputs, message);
+      ASSERT_TRUE(colors.has_value()) << cases[first].name << '\n' << message;
+      for (std::size_t i = first; i < end; ++i) {
+        for (std::size_t k = 0; k < inputs.size(); ++k) {
+          const Rgba9 expected = evaluate(cases[i].program, inputs[k]), actual = (*colors)[i - first][k];
+          ASSERT_EQ(expected, actual) << mismatch(cases[i], inputs[k], expected, actual)
+                                      << *emit_glsl(cases[i].program, GetParam());
+          outputs.add(expected);
+        }
+      }
+    }
+  }
+
+  std::unique_ptr<GlRunner> runner_;
+};
+
+TEST_P(EmitGlsl, RandomProgramsGiveTheBitsOfTheReference) {
+  Outputs outputs;
+  compare(random_cases(kSeed, kRandomCases), kFragments, 1, outputs);
+  if (!HasFailure()) outputs.expect_meaning(kRandomCases * kFragments);
+}
+
+TEST_P(EmitGlsl, KnownProgramsGiveTheBitsOfTheReference) {
+  Outputs outputs;
+  compare(known_cases(), 1024, 1, outputs);
+  outputs.expect_distinct(1000);
+}
+
+TEST_P(EmitGlsl, EveryMappingScaleAndBiasGivesTheBitsOfTheReference) {
+  Outputs outputs;
+  compare(row_cases(), kFragments, 12, outputs);
+  outputs.expect_distinct(10000);
+}
+
+TEST_P(EmitGlsl, TheRunnerTellsWrongResultsAndWrongShadersApart) {
+  const std::vector<EmitCase> cases = known_cases();
+  std::string source = emit_glsl(cases[1].program, GetParam()).value(), message;
+  const std::vector<RegisterFile> inputs = emit_inputs(cases[1].profile, kSeed, kFragments);
+  const std::size_t at = source.find("return ivec4(");
+  ASSERT_NE(at, std::string::npos);
+  const std::string good = source;
+  const auto right = runner_->run(good, {"ninebit_combine"}, inputs, message);
+  source.insert(at + 13, "1 + ");
+  const auto wrong = runner_->run(source, {"ninebit_combine"}, inputs, message);
+  ASSERT_TRUE(right.has_value() && wrong.has_value()) << message;
+  EXPECT_NE(*right, *wrong);
+  EXPECT_FALSE(runner_->run(good + "}", {"ninebit_combine"}, inputs, message).has_value());
+  EXPECT_NE(message, "");
+}
+
+INSTANTIATE_TEST_SUITE_P(Versions, EmitGlsl, ::testing::Values(GlslVersion::glsl_330, GlslVersion::es_300),
+                         [](const auto& version) {
+                           return std::string(version.param == GlslVersion::es_300 ? "Es300" : "Glsl330");
+                         });
+
+}  // namespace
+}  // namespace ninebit::test

@@ -1,0 +1,110 @@
+// Register words as JSON: the same states and the same faults as by lines.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "combiner_tests/combiner/random_state.h"
+#include "ninebit/language/json.h"
+
+namespace ninebit::test {
+namespace {
+
+constexpr ChipClass k10 = ChipClass::nv10, k20 = ChipClass::nv20;
+
+std::string all_faults(const Parsed<CombinerState>& parsed) {
+  std::string text;
+  for (const TextFault& fault : parsed.faults) text += fault.text() + '\n';
+  return text;
+}
+
+TEST(JsonWords, TheSameAsByLines) {
+  for (int i = 0; i < 2000; ++i) {
+    Random random(31, static_cast<std::uint64_t>(i));
+    const ChipClass chip = i % 2 == 0 ? k10 : k20;
+    const HardwareProfile& profile = chip == k10 ? profiles::geforce2 : profiles::nv2a;
+    const CombinerState state = random_state(random, profile);
+    const auto text = print_json_register_words(state, chip, profile);
+    ASSERT_TRUE(text.ok());
+    const auto parsed = parse_json_register_words({text.value(), "words"}, chip, profile);
+    ASSERT_TRUE(parsed) << all_faults(parsed) << text.value();
+    const auto lines = print_register_words(state, chip, profile);
+    const auto by_lines = parse_register_words({lines.value(), ""}, chip, profile);
+    ASSERT_TRUE(by_lines);
+    ASSERT_EQ(*parsed.value, *by_lines.value);
+    ASSERT_EQ(print_json_register_words(*parsed.value, chip, profile).value(), text.value());
+  }
+}
+
+TEST(JsonWords, AHeadingIsOptionalAndNumbersCount) {
+  const auto plain = parse_json_register_words({R"({"rc_in_color0": "0x08040000", "RC_COLOR[1]": 4286595104})", ""},
+                                               k10, profiles::geforce2);
+  ASSERT_TRUE(plain) << all_faults(plain);
+  const auto lines =
+      parse_register_words({"RC_IN_RGB[0] = 0x08040000\nRC_COLOR[1] = 0xff804020", ""}, k10, profiles::geforce2);
+  EXPECT_EQ(*plain.value, *lines.value);
+  EXPECT_TRUE(parse_json_register_words({"{}", ""}, k10, profiles::geforce2));
+}
+
+TEST(JsonWords, EveryFaultHasItsPlace) {
+  struct Case {
+    const char* text;
+    int line, column;
+    const char* message;
+  };
+  const Case cases[] = {
+      {"", 1, 1, "this is no JSON"},
+      {"[1]", 1, 1, "must be an object, not an array"},
+      {"{\"ninebit\": \"program\"}", 1, 13, "must be \"register_words\" here"},
+      {"{\"version\": 2}", 1, 13, "version \"2\" is unknown"},
+      {"{\"chip\": \"nv20\"}", 1, 10, "\"chip\" must be \"nv10\" here"},
+      {"{\n\"RC_IN_RGB[0]\": \"08040000\"}", 2, 17, "RC_IN_RGB[0] must be a string such as"},
+      {"{\"RC_IN_RGB[0]\": \"0x\"}", 1, 18, "must be a string such as"},
+      {"{\"RC_IN_RGB[0]\": \"0x100000000\"}", 1, 18, "must be a string such as"},
+      {"{\"RC_IN_RGB[0]\": 4294967296}", 1, 18, "whole number below 2^32"},
+      {"{\"RC_IN_RGB[0]\": -1}", 1, 18, "whole number below 2^32"},
+      {"{\"RC_IN_RGB[0]\": 1.5}", 1, 18, "whole number below 2^32"},
+      {"{\"RC_IN_RGB[0]\": {}}", 1, 18, "whole number below 2^32"},
+      {"{\"RC_IN_RGB[0]\": 0, \"RC_IN_RGB[0]\": 0}", 1, 21, "was given before"},
+      {"{\"RC_IN_RGB[0]\": 0,\n\"rc_in_color0\": 0}", 2, 1, "given before, in line 1 as RC_IN_RGB[0]"},
+      {"{\"RC_IN_\\u0007\": 0}", 1, 2, "\"RC_IN_\\x07\" is no register word"},
+      {"{\"RC_IN_RGB[9]\": 0}", 1, 2, "beyond the words of NV10"},
+      {"{\n \"RC_IN_RGB[0]\": \"0x06000000\"}", 2, 2, "register code 0x6"},
+      {"{\n \"RC_OUT_RGB[0]\": \"0x00000ccc\"}", 2, 2, "GL_INVALID_OPERATION"},
+  };
+  for (const Case& expected : cases) {
+    const auto parsed = parse_json_register_words({expected.text, "f.json"}, k10, profiles::geforce2);
+    EXPECT_FALSE(parsed) << expected.text;
+    const bool found = std::any_of(parsed.faults.begin(), parsed.faults.end(), [&](const TextFault& fault) {
+      return fault.file == "f.json" && fault.line == expected.line && fault.column == expected.column &&
+             fault.message.find(expected.message) != std::string::npos;
+    });
+    EXPECT_TRUE(found) << expected.text << "\nexpected: " << expected.message << "\nfound: " << all_faults(parsed);
+  }
+}
+
+TEST(JsonWords, DamagedTextsAreRefusedOrDecode) {
+  constexpr std::string_view kBytes = "{}[]\",:.0123456789abcdefx\\u \n\x80";
+  int accepted = 0, refused = 0;
+  std::string text;
+  for (int i = 0; i < 20'000; ++i) {
+    Random random(32, static_cast<std::uint64_t>(i));
+    if (i % 4 == 0) text = print_json_register_words(random_state(random, profiles::nv2a), k20, profiles::nv2a).value();
+    const auto at = static_cast<std::size_t>(random.below(static_cast<int>(text.size())));
+    const char byte = kBytes[static_cast<std::size_t>(random.below(static_cast<int>(kBytes.size())))];
+    if (random.one_in(2)) {
+      text[at] = byte;
+    } else if (random.one_in(2)) {
+      text.insert(at, 1, byte);
+    } else {
+      text.erase(at, 1);
+    }
+    const auto parsed = parse_json_register_words({text, ""}, k20, profiles::nv2a);
+    ASSERT_NE(parsed.value.has_value(), !parsed.faults.empty()) << "case " << i;
+    ++(parsed ? accepted : refused);
+  }
+  EXPECT_GT(accepted, 200);
+  EXPECT_GT(refused, 5000);
+}
+
+}  // namespace
+}  // namespace ninebit::test

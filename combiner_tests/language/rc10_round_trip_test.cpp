@@ -1,0 +1,172 @@
+// Programs printed as !!RC1.0 mean the same again, wherever the language can say it.
+#include <gtest/gtest.h>
+
+#include <string>
+#include <string_view>
+
+#include "combiner_tests/combiner/random_state.h"
+#include "ninebit/combiner/program.h"
+#include "ninebit/combiner/validate.h"
+#include "ninebit/language/rc10.h"
+
+namespace ninebit {
+namespace {
+
+using test::Random;
+
+// The one thing that the language lacks.
+bool adds_a_dot_product(const CombinerState& state) {
+  for (int i = 0; i < state.num_general_combiners; ++i) {
+    const PortionOutput& out = state.general[static_cast<std::size_t>(i)].rgb.out;
+    if (out.sum != Register::discard && (out.ab_dot_product || out.cd_dot_product)) return true;
+  }
+  return false;
+}
+
+// Final combiners that the short forms can say: products and sums without lerp.
+void simplify(Random& random, CombinerState& state) {
+  FinalCombiner& f = state.final_combiner;
+  if (random.one_in(2)) f.c = CombinerInput{};
+  if (random.one_in(4)) f.b = {Register::zero, InputMapping::unsigned_invert, ComponentUsage::rgb};
+  if (random.one_in(4)) f.a = f.b = CombinerInput{};
+  for (GeneralCombiner& stage : state.general) {
+    if (random.one_in(6)) stage.rgb.out = {.sum = Register::discard};
+    if (random.one_in(6)) stage.alpha.out = {.sum = Register::discard};
+  }
+}
+
+TEST(Rc10RoundTrip, MeansTheSame) {
+  constexpr std::uint64_t kSeed = 1999;
+  int expressible = 0, refused = 0, local = 0;
+  for (std::uint64_t i = 0; i < 6000; ++i) {
+    Random random(kSeed, i);
+    const HardwareProfile profile = test::random_profile(random);
+    CombinerState state = test::random_state(random, profile);
+    simplify(random, state);
+    ASSERT_TRUE(validate(state, profile).empty());
+    const auto text = print_rc10(state, profile);
+    if (adds_a_dot_product(state)) {
+      ASSERT_FALSE(text) << "seed " << kSeed << " case " << i;
+      ++refused;
+      continue;
+    }
+    ASSERT_TRUE(text) << "seed " << kSeed << " case " << i << ": " << text.error().message;
+    const auto back = parse_rc10({*text, "printed"}, profile);
+    ASSERT_TRUE(back) << "seed " << kSeed << " case " << i << ": " << back.faults.front().text() << "\n" << *text;
+    ASSERT_TRUE(validate(*back.value, profile).empty());
+    ASSERT_TRUE(normalize(*back.value, profile) == normalize(state, profile))
+        << "seed " << kSeed << " case " << i << "\n"
+        << *text;
+    const auto again = print_rc10(*back.value, profile);
+    ASSERT_TRUE(again);
+    ASSERT_EQ(*again, *text);
+    ++expressible;
+    local += back.value->per_stage_constants ? 1 : 0;
+  }
+  EXPECT_GT(expressible, 3000);
+  EXPECT_GT(refused, 500);
+  EXPECT_GT(local, 200);
+  RecordProperty("expressible", expressible);
+  RecordProperty("refused", refused);
+}
+
+TEST(Rc10RoundTrip, SaysWhatTheLanguageLacks) {
+  CombinerState state;
+  state.general[0].rgb.out.ab_dot_product = true;
+  const auto text = print_rc10(state, profiles::geforce2);
+  ASSERT_FALSE(text);
+  EXPECT_EQ(text.error().message,
+            "!!RC1.0 has no words for this: general combiner 0, RGB portion: sum() beside a dot product");
+  state.general[0].rgb.out.sum = Register::discard;
+  EXPECT_TRUE(print_rc10(state, profiles::geforce2)) << "a flag whose product nothing uses";
+  state.final_combiner.a.mapping = InputMapping::signed_negate;
+  const auto invalid = print_rc10(state, profiles::geforce2);
+  ASSERT_FALSE(invalid);
+  EXPECT_NE(invalid.error().message.find("final combiner, variable A"), std::string::npos);
+}
+
+TEST(Rc10RoundTrip, PrintsTheShortestFormThatSaysIt) {
+  const std::string_view text =
+      "!!RC1.0\n"
+      "const1 = (0.25, 1, 0, 0.1);\n"
+      "{\n"
+      "  rgb {\n"
+      "    discard = tex0 * -const1.a;\n"
+      "    discard = expand(col0);\n"
+      "    spare0 = sum();\n"
+      "    scale_by_two();\n"
+      "  }\n"
+      "  alpha {\n"
+      "    discard = zero;\n"
+      "    spare1 = unsigned_invert(tex1.b) * fog.b;\n"
+      "    bias_by_negative_one_half();\n"
+      "  }\n"
+      "}\n"
+      "{\n"
+      "  rgb {\n"
+      "    discard = zero;\n"
+      "  }\n"
+      "}\n"
+      "clamp_color_sum();\n"
+      "final_product = spare0 * unsigned_invert(fog.a);\n"
+      "out.rgb = lerp(fog.a, color_sum, fog) + final_product;\n"
+      "out.a = spare1;\n";
+  const auto state = parse_rc10({text, ""}, profiles::geforce2);
+  ASSERT_TRUE(state) << state.faults.front().text();
+  const auto printed = print_rc10(*state.value, profiles::geforce2);
+  ASSERT_TRUE(printed);
+  EXPECT_EQ(*printed, text);
+}
+
+TEST(Rc10RoundTrip, BrokenTextsEndInAStateOrInFaults) {
+  using namespace std::string_view_literals;
+  constexpr std::uint64_t kSeed = 10;
+  constexpr auto kBytes = "(){}.,;=+-*#/!_abrgx0159 \n\t\0\x80\xFF"sv;
+  constexpr auto kWhole =
+      "!!RC1.0\nconst0 = (1, 0.5, -.25, 1.);\n{ const1 = (0, 0, 0, 1);\n rgb { spare0.rgb = expand(tex0) . tex1.rgb;\n"
+      "  spare1 = -half_bias(col0.a) * one;\n  scale_by_two(); } # comment\n alpha { discard = tex0; col1 = -one.b;\n"
+      "  spare0 = mux(); bias_by_negative_one_half_scale_by_two(); } }\n// another\n{ alpha { discard = zero; } }\n"
+      "clamp_color_sum(); final_product = fog * unsigned(col1);\n"
+      "out.rgb = lerp(fog.a, color_sum, fog) + final_product; /* last */\nout.a = unsigned_invert(spare0.b);\n"sv;
+  ASSERT_TRUE(parse_rc10({kWhole, ""}, profiles::nv2a));
+  int states = 0, refused = 0;
+  for (std::uint64_t i = 0; i < 20000; ++i) {
+    Random random(kSeed, i);
+    std::string text(kWhole);
+    for (int edits = 1 + random.below(3); edits > 0; --edits) {
+      const auto at = 7 + static_cast<std::size_t>(random.below(static_cast<int>(text.size() - 7)));
+      const char byte = random.one_in(4)
+                            ? static_cast<char>(random.below(256))
+                            : kBytes[static_cast<std::size_t>(random.below(static_cast<int>(kBytes.size())))];
+      switch (random.below(4)) {
+        case 0:
+          text[at] = byte;
+          break;
+        case 1:
+          text.insert(at, 1, byte);
+          break;
+        case 2:
+          text.insert(at, text.substr(7 + static_cast<std::size_t>(random.below(200)), 20));
+          break;
+        default:
+          text.erase(at, 1 + static_cast<std::size_t>(random.below(12)));
+      }
+    }
+    const auto result = parse_rc10({text, ""}, profiles::nv2a);
+    ASSERT_NE(result.value.has_value(), !result.faults.empty());
+    ASSERT_LE(result.faults.size(), kMaxTextFaults);
+    if (result) {
+      ASSERT_TRUE(validate(*result.value, profiles::nv2a).empty()) << "case " << i << "\n" << text;
+    }
+    for (std::size_t f = 1; f < result.faults.size(); ++f) {
+      const TextFault &a = result.faults[f - 1], &b = result.faults[f];
+      ASSERT_TRUE(a.line < b.line || (a.line == b.line && a.column <= b.column)) << "case " << i;
+    }
+    (result ? states : refused) += 1;
+  }
+  EXPECT_GT(states, 400);
+  EXPECT_GT(refused, 10000);
+}
+
+}  // namespace
+}  // namespace ninebit

@@ -1,0 +1,339 @@
+// Register words: the sets that the hardware loads itself, names, defaults, and every fault.
+#include "ninebit/language/register_words.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <functional>
+
+#include "combiner_tests/combiner/random_state.h"
+#include "combiner_tests/hardware/csv.h"
+#include "ninebit/combiner/evaluate.h"
+#include "ninebit/combiner/program.h"
+
+namespace ninebit::test {
+namespace {
+
+const HardwareProfile& kCard = profiles::geforce2;
+const HardwareProfile& kXbox = profiles::nv2a;
+
+std::string all_faults(const Parsed<CombinerState>& parsed) {
+  std::string text;
+  for (const TextFault& fault : parsed.faults) text += fault.text() + '\n';
+  return text;
+}
+
+CombinerState decoded(const std::string& text, ChipClass chip = ChipClass::nv10) {
+  const HardwareProfile& profile = chip == ChipClass::nv10 ? kCard : kXbox;
+  const auto parsed = parse_register_words({text, "words"}, chip, profile);
+  EXPECT_TRUE(parsed) << text << all_faults(parsed);
+  return parsed.value.value_or(CombinerState{});
+}
+
+// The meanings of nv10_rc_words_d3d5.csv as formulas on codes; t: texture 0, v: primary, s: spare0 before the stage.
+struct Meaning {
+  std::function<int(int t, int ta, int v, int s)> rgb;
+  std::function<int(int ta, int va)> alpha;
+};
+int product(int x, int y) {
+  return x * y / 255;
+}
+const std::map<std::string, Meaning> kMeanings{
+    {"DECAL", {[](int t, int, int, int) { return t; }, [](int ta, int) { return ta; }}},
+    {"COPY", {[](int t, int, int, int) { return t; }, [](int ta, int) { return ta; }}},
+    {"MODULATE", {[](int t, int, int v, int) { return product(t, v); }, [](int ta, int) { return ta; }}},
+    {"DECALALPHA",
+     {[](int t, int ta, int v, int) { return (t * ta + v * (255 - ta)) / 255; }, [](int, int va) { return va; }}},
+    {"MODULATEALPHA",
+     {[](int t, int, int v, int) { return product(t, v); }, [](int ta, int va) { return product(ta, va); }}},
+    {"DECALMASK", {[](int t, int, int v, int s) { return s >= 128 ? t : v; }, [](int, int va) { return va; }}},
+    {"MODULATEMASK",
+     {[](int t, int, int v, int s) { return s >= 128 ? product(v, t) : v; }, [](int, int va) { return va; }}},
+    {"ADD", {[](int t, int, int v, int) { return std::min(t + v, 255); }, [](int, int va) { return va; }}},
+};
+
+// Ways in which the same hardware ends: plain, with specular, with fog, with both.
+struct Ending {
+  const char* word;
+  std::function<int(int color, int specular, int fog, int factor)> rgb;
+};
+int mixed(int a, int b, int c) {
+  return (2 * (a * b + (255 - a) * c) + 255) / 510;
+}
+const Ending kEndings[] = {
+    {"0x0000000c", [](int color, int, int, int) { return color; }},
+    {"0x0000000e", [](int color, int specular, int, int) { return std::min(color + specular, 255); }},
+    {"0x130c0300", [](int color, int, int fog, int factor) { return mixed(factor, color, fog); }},
+    {"0x130e0300",
+     [](int color, int specular, int fog, int factor) { return mixed(factor, std::min(color + specular, 255), fog); }},
+};
+
+TEST(RegisterWords, TheSetsOfTheDirect3d5ClassMeanWhatTheirTableSays) {
+  int sets = 0, differing = 0;
+  for (const auto& row : read_hardware_table("nv10_rc_words_d3d5")) {
+    const Meaning& meaning = kMeanings.at(row.at("name"));
+    for (const Ending& ending : kEndings) {
+      const CombinerState state =
+          decoded("rc_in_alpha0 = " + row.at("rc_in_alpha0") + "\nrc_in_color0 = " + row.at("rc_in_color0") +
+                  "\nrc_out_alpha0 = " + row.at("rc_out_alpha0") + "\nrc_out_color0 = " + row.at("rc_out_color0") +
+                  "\nrc_final_a = " + ending.word + "\nrc_final_b = 0x00001c80\n");
+      const auto program = compile(state, kCard);
+      ASSERT_TRUE(program.ok()) << program.error().message;
+      ASSERT_EQ(program->num_general_combiners, 1);
+      for (int i = 0; i < 2000; ++i) {
+        Random random(7, static_cast<std::uint64_t>(i));
+        RegisterFile registers = random_registers(random, kCard);
+        const auto code = [&](Register r, int c) {
+          return std::max<int>(registers[r][static_cast<std::size_t>(c)], 0);
+        };
+        const int mux = registers[Register::spare0][kAlpha];
+        Rgba9 general{}, color{};
+        for (int c = 0; c < 3; ++c) {
+          const int value = meaning.rgb(code(Register::texture0, c), code(Register::texture0, kAlpha),
+                                        code(Register::primary, c), mux);
+          general[static_cast<std::size_t>(c)] = static_cast<s9>(value);
+          color[static_cast<std::size_t>(c)] = static_cast<s9>(
+              ending.rgb(value, code(Register::secondary, c), code(Register::fog, c), code(Register::fog, kAlpha)));
+        }
+        general[kAlpha] = color[kAlpha] =
+            static_cast<s9>(meaning.alpha(code(Register::texture0, kAlpha), code(Register::primary, kAlpha)));
+        evaluate_general(*program, registers);
+        ASSERT_EQ(registers[Register::spare0], general) << row.at("name") << ", case " << i;
+        ASSERT_EQ(evaluate_final(*program, registers), color) << row.at("name") << ' ' << ending.word << ", case " << i;
+        differing += general != Rgba9{} ? 1 : 0;
+      }
+    }
+    ++sets;
+  }
+  EXPECT_EQ(sets, 8);
+  EXPECT_GT(differing, 8 * 4 * 1000);
+}
+
+TEST(RegisterWords, NoWordsAreTheDefaults) {
+  for (const char* text : {"", "\n\n", "# nothing\r\n  // here\n\t"}) {
+    EXPECT_EQ(decoded(text), CombinerState{});
+    EXPECT_EQ(decoded(text, ChipClass::nv20), CombinerState{});
+  }
+}
+
+TEST(RegisterWords, TheDefaultsInWordsAreTheKnownNumbers) {
+  EXPECT_EQ(print_register_words({}, ChipClass::nv10, kCard).value(),
+            "RC_IN_ALPHA[0] = 0x14301010\n"
+            "RC_IN_RGB[0] = 0x04200000\n"
+            "RC_OUT_ALPHA[0] = 0x00000c00\n"
+            "RC_OUT_RGB[0] = 0x00000c00\n"
+            "RC_OUT_RGB[1] = 0x18000c00\n"
+            "RC_COLOR[0] = 0x00000000\n"
+            "RC_COLOR[1] = 0x00000000\n"
+            "RC_FINAL0 = 0x130e0300\n"
+            "RC_FINAL1 = 0x00001c80\n");
+  EXPECT_NE(print_register_words({}, ChipClass::nv20, kXbox).value().find("RC_ENABLE = 0x00000101\n"),
+            std::string::npos);
+}
+
+TEST(RegisterWords, EveryNameOfAWordIsTheSameWord) {
+  const std::vector<std::vector<std::string>> nv10{
+      {"RC_IN_RGB[1]", "rc_in_rgb(1)", "RC_IN_RGB1", "rc_in_rgb_1", "RC_IN_COLOR[1]", "rc_in_color1",
+       "NV10_3D_RC_IN_RGB(1)", "NV10TCL_RC_IN_RGB(1)", "CELSIUS_RC_IN_COLOR[1]", "NV056_SET_COMBINER_COLOR_ICW[1]"},
+      {"RC_COLOR[1]", "RC_COLOR1", "rc_factor[1]", "RC_FACTOR_1", "NV056_SET_COMBINER_FACTOR[1]"},
+      {"RC_FINAL0", "rc_final_0", "RC_FINAL_A", "SET_COMBINER_SPECULAR_FOG_CW0", "NV10_3D_RC_FINAL0"},
+  };
+  const std::vector<std::vector<std::string>> nv20{
+      {"RC_OUT_ALPHA[7]", "RC_OUT_ALPHA7", "NV097_SET_COMBINER_ALPHA_OCW[7]", "PSAlphaOutputs[7]",
+       "NV20_3D_RC_OUT_ALPHA(7)"},
+      {"RC_CONSTANT_COLOR0[3]", "RC_FACTOR_0[3]", "RC_FACTOR0[3]", "BUNDLE_RC_FACTOR_0(3)", "SET_COMBINER_FACTOR0[3]",
+       "PSConstant0[3]", "RC_CONSTANT_COLOR0_3"},
+      {"RC_COLOR0", "RC_COLOR[0]", "RC_FINAL_FACTOR[0]", "NV097_SET_SPECULAR_FOG_FACTOR[0]",
+       "PSFinalCombinerConstant0"},
+      {"RC_ENABLE", "rc_config", "NV097_SET_COMBINER_CONTROL", "PSCombinerCount"},
+  };
+  for (const auto& [chip, groups] : {std::pair(ChipClass::nv10, nv10), std::pair(ChipClass::nv20, nv20)}) {
+    for (const auto& names : groups) {
+      for (const std::string& name : names) {
+        // The second mention must be seen as a repetition of the first.
+        const auto parsed = parse_register_words({names[0] + " = 0x18000101\n" + name + " = 0x18000101\n", ""}, chip,
+                                                 chip == ChipClass::nv10 ? kCard : kXbox);
+        EXPECT_NE(all_faults(parsed).find("2:1: " + names[0] + " was given before, in line 1"), std::string::npos)
+            << name << ": " << all_faults(parsed);
+      }
+    }
+  }
+}
+
+TEST(RegisterWords, OrderBlanksAndCommentsSayNothing) {
+  const CombinerState one = decoded("RC_IN_RGB[0] = 0x08040000\nRC_COLOR[1] = 0xff804020\n");
+  const CombinerState other =
+      decoded("\trc_color[1]=4286595104 // decimal\r\n\r\nRC_IN_RGB0   =\t0X08040000# here too\r\n");
+  EXPECT_NE(one, CombinerState{});
+  EXPECT_EQ(decoded("RC_COLOR[1] = 0xff804020\nRC_IN_RGB[0] = 0x8040000"), one);
+  EXPECT_EQ(other.general[0].rgb, one.general[0].rgb);
+  EXPECT_EQ(one.constant1, (ColorF{128 / 255.0F, 64 / 255.0F, 32 / 255.0F, 1.0F}));
+}
+
+TEST(RegisterWords, StageConstantsOfNv20) {
+  const std::string reads = "RC_IN_RGB[0] = 0x01020000\nRC_FINAL0 = 0x0000000c\n";
+  // The same pair for every stage, and the final combiner reads none: OpenGL's global pair.
+  CombinerState state = decoded(reads + "RC_CONSTANT_COLOR0[0] = 0xff000000\nRC_ENABLE = 0x101\n", ChipClass::nv20);
+  EXPECT_FALSE(state.per_stage_constants);
+  EXPECT_EQ(state.constant0, (ColorF{0, 0, 0, 1}));
+  // The final combiner reads another one: only a pair a stage says that.
+  state = decoded(
+      "RC_IN_RGB[0] = 0x01020000\nRC_FINAL0 = 0x00000001\nRC_CONSTANT_COLOR0[0] = 0xff000000\n"
+      "RC_COLOR0 = 0x00ff0000\nRC_ENABLE = 0x102\n",
+      ChipClass::nv20);
+  EXPECT_TRUE(state.per_stage_constants);
+  EXPECT_EQ(state.constant0, (ColorF{1, 0, 0, 0}));
+  EXPECT_EQ(state.general[0].constant0, (ColorF{0, 0, 0, 1}));
+  EXPECT_EQ(state.general[1].constant0, (ColorF{0, 0, 0, 1}));
+  // Unique constants 0, shared constants 1.
+  state = decoded(
+      "RC_CONSTANT_COLOR0[1] = 0xff000000\nRC_CONSTANT_COLOR1[0] = 0xff\nRC_CONSTANT_COLOR1[1] = 1\n"
+      "RC_ENABLE = 0x1102\n",
+      ChipClass::nv20);
+  EXPECT_TRUE(state.per_stage_constants);
+  EXPECT_EQ(state.general[0].constant0, ColorF{});
+  EXPECT_EQ(state.general[1].constant0, (ColorF{0, 0, 0, 1}));
+  EXPECT_EQ(state.general[1].constant1, (ColorF{0, 0, 1, 0}));
+}
+
+TEST(RegisterWords, ALeastSignificantMuxWithoutAMuxSaysNothing) {
+  EXPECT_EQ(decoded("RC_ENABLE = 1\n", ChipClass::nv20), CombinerState{});
+  EXPECT_EQ(decoded("RC_OUT_RGB[1] = 0x10000c00\n"), CombinerState{});
+  // A mux in a stage that is not in use, or one that is discarded.
+  EXPECT_TRUE(parse_register_words({"RC_ENABLE = 1\nRC_OUT_RGB[1] = 0x4c00\nRC_OUT_ALPHA[0] = 0x4000", ""},
+                                   ChipClass::nv20, kXbox));
+}
+
+struct WordFault {
+  ChipClass chip;
+  const char* text;
+  int line, column;
+  const char* message;  // a part of it
+};
+constexpr ChipClass k10 = ChipClass::nv10, k20 = ChipClass::nv20;
+const WordFault kFaults[] = {
+    // Lines.
+    {k10, "\nRC_IN_RGB[0] 0x0", 2, 14, "expected = after RC_IN_RGB[0]; found '0'"},
+    {k10, "RC_IN_RGB[0]", 1, 13, "expected = after RC_IN_RGB[0]; found the end of the line"},
+    {k10, "RC_IN_RGB[0] = ", 1, 16, "expected a value"},
+    {k10, "RC_IN_RGB[0] = 0x", 1, 16, "hexadecimal"},
+    {k10, "RC_IN_RGB[0] = 0xfg", 1, 16, "hexadecimal"},
+    {k10, "RC_IN_RGB[0] = 010", 1, 16, "without leading zeros"},
+    {k10, "RC_IN_RGB[0] = 0x100000000", 1, 16, "32 bits"},
+    {k10, "RC_IN_RGB[0] = 4294967296", 1, 16, "32 bits"},
+    {k10, "RC_IN_RGB[0] = -1", 1, 16, "expected a value"},
+    {k10, "RC_IN_RGB[0] = 0x0 0x0", 1, 20, "end of the line"},
+    {k10, "RC_IN_RGB[0] = 0x0;", 1, 19, "found ';'"},
+    {k10, "RC_IN_RGB[0 = 0x0", 1, 10, "expected ="},
+    {k10, "  = 0x0", 1, 3, "NAME = 0x"},
+    {k10, "\x80", 1, 1, "the byte 0x80"},
+    {k10, "{\"RC_IN_RGB[0]\": 0}", 1, 1, "found '{'"},
+    // Names.
+    {k10, "RC_IN_GREEN[0] = 0x0", 1, 1, "is no register word of NV10"},
+    {k10, "RC_IN_RGB = 0x0", 1, 1, "needs an index from 0 to 1, as in RC_IN_RGB[0]"},
+    {k10, "RC_IN_RGB[2] = 0x0", 1, 1, "beyond the words of NV10"},
+    {k20, "RC_IN_RGB[8] = 0x0", 1, 1, "beyond the words of NV20"},
+    {k10, "RC_ENABLE = 0x1", 1, 1, "is a word of NV20; NV10 has none such"},
+    {k10, "RC_COLOR[0] = 0x0\nRC_FACTOR[0] = 0x0", 2, 1, "was given before, in line 1 as RC_COLOR[0]"},
+    // Masks and reserved codes.
+    {k10, "RC_IN_RGB[0] = 0x06000000", 1, 1, "variable A (bits 27..24) has the register code 0x6"},
+    {k10, "RC_IN_RGB[0] = 0x00070000", 1, 1, "variable B (bits 19..16) has the register code 0x7"},
+    {k10, "RC_IN_RGB[0] = 0x00000a00", 1, 1, "variable C (bits 11..8) has the register code 0xa"},
+    {k10, "RC_IN_ALPHA[1] = 0x0000000b", 1, 1, "variable D (bits 3..0) has the register code 0xb"},
+    {k10, "RC_IN_RGB[0] = 0x0e000000", 1, 1, "0xe, which is reserved here"},
+    {k20, "RC_IN_RGB[0] = 0x0f000000", 1, 1, "0xf, which is reserved here"},
+    {k20, "RC_IN_RGB[5] = 0x00000006", 1, 1, "0x6, which is reserved here"},
+    {k10, "RC_FINAL0 = 0x00000040", 1, 1, "bit 6 must be 0; the mask of the word is 0x3f3f3f3f"},
+    {k10, "RC_FINAL0 = 0xc0000000", 1, 1, "bits 31 and 30 must be 0"},
+    {k10, "RC_FINAL0 = 0x0b000000", 1, 1, "0xb"},
+    {k10, "RC_FINAL1 = 0x00001c81", 1, 1, "bit 0 must be 0; the mask of the word is 0x3f3f3fe0"},
+    {k10, "RC_FINAL1 = 0x0e001c80", 1, 1, "variable E (bits 27..24) has the register code 0xe"},
+    {k20, "RC_FINAL1 = 0x00061c80", 1, 1, "variable F (bits 19..16) has the register code 0x6"},
+    {k20, "RC_FINAL1 = 0x00001f80", 1, 1, "variable G (bits 11..8) has the register code 0xf"},
+    {k10, "RC_OUT_RGB[0] = 0x00040c00", 1, 1, "bit 18 must be 0; the mask of the word is 0x0003ffff"},
+    {k10, "RC_OUT_RGB[0] = 0x18000c00", 1, 1, "bits 28 and 27 must be 0"},
+    {k10, "RC_OUT_RGB[1] = 0x98000c00", 1, 1, "bit 31 must be 0; the mask of the word is 0x3803ffff"},
+    {k10, "RC_OUT_RGB[1] = 0x08000c00", 1, 1, "are 0; NV10 has 1 or 2"},
+    {k10, "RC_OUT_RGB[1] = 0x38000c00", 1, 1, "are 3; NV10 has 1 or 2"},
+    {k10, "RC_OUT_RGB[0] = 0x000000a0", 1, 1, "AB (bits 7..4) goes to the register code 0xa"},
+    {k10, "RC_OUT_RGB[0] = 0x00000003", 1, 1, "CD (bits 3..0) goes to the register code 0x3"},
+    {k10, "RC_OUT_ALPHA[0] = 0x00000100", 1, 1, "the sum (bits 11..8) goes to the register code 0x1"},
+    {k20, "RC_OUT_ALPHA[0] = 0x00000e00", 1, 1, "0xe, which cannot be written"},
+    {k10, "RC_OUT_ALPHA[0] = 0x00003c00", 1, 1, "bits 13 and 12: an alpha portion has no dot product"},
+    {k10, "RC_OUT_RGB[0] = 0x00028c00", 1, 1, "bits 17..15 are 5"},
+    {k20, "RC_OUT_ALPHA[3] = 0x00038c00", 1, 1, "bits 17..15 are 7"},
+    {k20, "RC_OUT_RGB[0] = 0x00100c00", 1, 1, "bit 20 must be 0; the mask of the word is 0x000fffff"},
+    {k20, "RC_ENABLE = 0x100", 1, 1, "are 0; NV20 has 1 to 8"},
+    {k20, "RC_ENABLE = 0x109", 1, 1, "are 9; NV20 has 1 to 8"},
+    {k20, "RC_ENABLE = 0x01000101", 1, 1, "bit 24 must be 0; the mask of the word is 0x0001110f"},
+    // What the chip has and OpenGL has not.
+    {k20, "RC_OUT_RGB[0] = 0x00080c40", 1, 1, "bit 19 (blue to alpha: 18 of CD, 19 of AB): OpenGL has no such output"},
+    {k20, "RC_OUT_RGB[0] = 0x000c0c40", 1, 1, "bits 19 and 18 (blue to alpha"},
+    {k10, "RC_FINAL1 = 0x00001cc0", 1, 1, "bit 6 (1 - x in the colour sum: 5 of spare0, 6 of secondary)"},
+    {k20, "RC_FINAL1 = 0x00001ca0", 1, 1, "bit 5 (1 - x in the colour sum"},
+    {k20, "RC_OUT_RGB[0] = 0x4c00\nRC_ENABLE = 0x1", 2, 1, "bit 8 is 0, so the mux of general combiner 0"},
+    {k10, "RC_OUT_RGB[1] = 0x20004c00", 1, 1, "bit 27 is 0, so the mux of general combiner 1"},
+    // What OpenGL refuses.
+    {k10, "\nRC_IN_RGB[1] = 0x13000000", 2, 1, "GL_INVALID_OPERATION: general combiner 1, RGB portion, variable A"},
+    {k10, "RC_IN_ALPHA[0] = 0x00001300", 1, 1, "variable C: fog's alpha"},
+    {k10, "RC_OUT_RGB[0] = 0x00000ccc", 1, 1, "two outputs go to spare0"},
+    {k10, "RC_FINAL0 = 0x0e000000", 1, 1, "final combiner, variable A: spare0_plus_secondary_color"},
+    {k10, "RC_FINAL0 = 0x00001f00", 1, 1, "final combiner, variable C: e_times_f has no alpha"},
+};
+
+TEST(RegisterWords, EveryFaultHasItsPlaceAndNamesItsBits) {
+  for (const WordFault& expected : kFaults) {
+    const auto parsed =
+        parse_register_words({expected.text, "f.words"}, expected.chip, expected.chip == k10 ? kCard : kXbox);
+    EXPECT_FALSE(parsed) << expected.text;
+    const bool found = std::any_of(parsed.faults.begin(), parsed.faults.end(), [&](const TextFault& fault) {
+      return fault.file == "f.words" && fault.line == expected.line && fault.column == expected.column &&
+             fault.message.find(expected.message) != std::string::npos;
+    });
+    EXPECT_TRUE(found) << expected.text << "\nexpected: " << expected.message << "\nfound: " << all_faults(parsed);
+  }
+}
+
+TEST(RegisterWords, AProfileMayHaveLessThanTheChip) {
+  const auto stages = parse_register_words({"RC_ENABLE = 0x103", ""}, k20, kCard);
+  EXPECT_NE(all_faults(stages).find("1:1: GL_INVALID_VALUE: num_general_combiners is 3"), std::string::npos);
+  const auto constants = parse_register_words({"RC_ENABLE = 0x1101", ""}, k20, kCard);
+  EXPECT_NE(all_faults(constants).find("has no per-stage constants"), std::string::npos);
+  const auto units = parse_register_words({"\nRC_IN_RGB[1] = 0x0a000000", ""}, k20, kCard);
+  EXPECT_NE(all_faults(units).find("2:1: GL_INVALID_ENUM"), std::string::npos);
+}
+
+TEST(RegisterWords, WhatNv10CannotHold) {
+  const auto lacks = [](const CombinerState& state) {
+    const auto printed = print_register_words(state, ChipClass::nv10, kXbox);
+    return printed.ok() ? std::string("nothing") : printed.error().message;
+  };
+  EXPECT_EQ(lacks({}), "nothing");
+  CombinerState state;
+  state.num_general_combiners = 3;
+  EXPECT_NE(lacks(state).find("NV10 has 2 general combiners, the program uses 3"), std::string::npos);
+  state = {};
+  state.per_stage_constants = true;
+  EXPECT_NE(lacks(state).find("no constants of a stage"), std::string::npos);
+  state = {};
+  state.final_combiner.d.reg = Register::texture2;
+  EXPECT_NE(lacks(state).find("2 texture units"), std::string::npos);
+  state = {};
+  state.general[1].alpha.out.cd = Register::texture3;
+  EXPECT_NE(lacks(state).find("2 texture units"), std::string::npos);
+  state = {};
+  state.general[0].rgb.a.reg = Register::e_times_f;
+  EXPECT_NE(lacks(state).find("not valid"), std::string::npos);
+}
+
+TEST(RegisterWords, FaultsAreBounded) {
+  std::string text;
+  for (int i = 0; i < 5000; ++i) text += "RC_NOTHING = 0x0\n";
+  EXPECT_EQ(parse_register_words({text, ""}, k10, kCard).faults.size(), kMaxTextFaults);
+  const auto long_text = parse_register_words({std::string(kMaxSourceBytes + 1, ' '), ""}, k10, kCard);
+  ASSERT_EQ(long_text.faults.size(), 1U);
+  EXPECT_TRUE(parse_register_words({std::string(kMaxSourceBytes, '\n'), ""}, k10, kCard));
+}
+
+}  // namespace
+}  // namespace ninebit::test

@@ -1,0 +1,49 @@
+// What all parsers share: the text with its name, places in it, and results that carry every error.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "ninebit/numerics/hardware_profile.h"
+
+namespace ninebit {
+
+struct SourceText {
+  std::string_view text;
+  std::string_view file;  // for messages; empty: none
+};
+
+// A fault in a text. Lines and columns are 1-based; a column counts bytes.
+struct TextFault {
+  std::string file;
+  int line = 0;
+  int column = 0;
+  std::string message;  // one sentence: what is wrong and what was expected
+
+  // "FILE:LINE:COLUMN: MESSAGE".
+  [[nodiscard]] std::string text() const;
+};
+
+// A value, or all that is wrong with its text (at most kMaxTextFaults; never empty without a value).
+inline constexpr std::size_t kMaxTextFaults = 100;
+template <class T>
+struct Parsed {
+  std::optional<T> value;
+  std::vector<TextFault> faults;
+  explicit operator bool() const { return value.has_value(); }
+};
+
+// The longest text that is parsed; a longer one is a fault before it is looked at.
+inline constexpr std::size_t kMaxSourceBytes = std::size_t{16} << 20;
+
+// The place of a byte of a text.
+struct TextPlace {
+  int line = 1;
+  int column = 1;
+};
+[[nodiscard]] TextPlace place_of(std::string_view text, std::size_t offset);
+
+}  // namespace ninebit

@@ -1,0 +1,91 @@
+// Values that are text to be: the primitives of combiner_rules.inl build a graph of integer operations instead of
+// computing. Every node knows the interval in which its value lies, so clamps that cannot cut vanish, and overflow of
+// 32 bits is found while the text is written.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace ninebit::emit {
+
+class Graph;
+
+struct Interval {
+  std::int64_t low = 0;
+  std::int64_t high = 0;
+  friend constexpr bool operator==(const Interval&, const Interval&) = default;
+};
+
+// The V of the rules: a constant, or a node of a graph.
+struct V {
+  Graph* graph = nullptr;  // nullptr: a constant
+  int node = 0;
+  std::int64_t constant = 0;
+
+  [[nodiscard]] bool is_constant() const { return graph == nullptr; }
+  [[nodiscard]] Interval range() const;
+  friend bool operator==(const V&, const V&) = default;
+};
+
+enum class Operation : std::uint8_t {
+  input,                  // args: none; the node's name is its text
+  add,                    // args[0] + args[1]
+  sub,                    // args[0] - args[1]
+  mul,                    // args[0] * args[1]
+  min_of,                 // the smaller
+  max_of,                 // the larger
+  abs_of,                 // |args[0]|
+  divide,                 // args[0] / args[1], args[0] >= 0, args[1] a constant > 0
+  negate_where_negative,  // args[0] < 0 ? -args[1] : args[1]
+  select_where_at_least   // args[0] >= args[1] ? args[2] : args[3]
+};
+
+struct Node {
+  Operation operation = Operation::input;
+  std::array<V, 4> args{};
+  Interval range;
+  std::string name;    // empty: an inner value
+  bool named = false;  // gets a line of its own even when used once
+};
+
+// Nodes in the order of their making: arguments come before what uses them. Equal nodes are made once.
+class Graph {
+ public:
+  Graph() = default;
+  Graph(const Graph&) = delete;
+  Graph& operator=(const Graph&) = delete;
+
+  V input(std::string text, Interval range);
+  V make(Operation operation, const std::array<V, 4>& args, Interval range);
+
+  // Gives a value its name unless it has one already; constants and inputs keep their text.
+  static void name(const V& value, const std::string& name);
+
+  [[nodiscard]] const Node& operator[](int node) const { return nodes_[static_cast<std::size_t>(node)]; }
+  [[nodiscard]] std::size_t size() const { return nodes_.size(); }
+
+  // Whether a division met what might be negative, which would leave its result to the language.
+  void refuse_division() { negative_division_ = true; }
+  [[nodiscard]] bool negative_division() const { return negative_division_; }
+
+ private:
+  std::vector<Node> nodes_;
+  bool negative_division_ = false;
+};
+
+V set(int v);
+V add(V a, V b);
+V sub(V a, V b);
+V mul(V a, V b);
+V min_of(V a, V b);
+V max_of(V a, V b);
+V abs_of(V a);
+V divide(V n, int d);
+V negate_where_negative(V sign, V x);
+V select_where_at_least(V v, V limit, V yes, V no);
+
+}  // namespace ninebit::emit

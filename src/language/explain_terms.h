@@ -1,0 +1,89 @@
+// The algebra of explain: mapped inputs, their products and sums as text, with the constants folded and with the range
+// that their values can have.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "ninebit/combiner/program.h"
+
+namespace ninebit::explain_detail {
+
+struct Range {
+  int low = 0;
+  int high = 0;
+};
+
+// What the components of each register can be: [register][0] red, green and blue, [register][1] alpha. Codes.
+using Ranges = std::array<std::array<Range, 2>, kRegisterCount>;
+
+// That something reads components of a register. Those are the reader's own channels, or always the same ones.
+struct Read {
+  Register reg = Register::zero;
+  bool per_channel = false;
+  unsigned components = 0;  // bit 0 red … bit 3 alpha, unless per_channel
+  [[nodiscard]] unsigned needed(unsigned channels) const { return per_channel ? channels & 7U : components; }
+};
+
+inline constexpr unsigned kRgbBits = 7U;
+inline constexpr unsigned kAlphaBit = 8U;
+
+// Marks that need a word in the legend.
+enum class Mark { expand, half, product, dot, swizzle, max };
+using Marks = std::set<Mark>;
+
+// How tightly an expression holds together, loosest first.
+enum class Binding { choice, sum, product, atom };
+
+// A value: a constant, or text without its sign.
+struct Expression {
+  std::optional<int> constant;  // factors: a code; wide values: units of 1/one²
+  bool negative = false;        // of the text
+  std::string text;
+  Binding binding = Binding::atom;
+  Range range;  // of the value, sign included; codes or wide units as above
+  std::vector<Read> reads;
+  Marks marks;
+  [[nodiscard]] bool is(int value) const { return constant == value; }
+};
+
+// What surrounds an input.
+struct Scope {
+  const Datapath* datapath = nullptr;
+  const Ranges* ranges = nullptr;
+  Rgba9 constant0{}, constant1{};
+  bool per_channel = true;  // the reader has red, green and blue of its own
+};
+
+// "primary", "tex0", "const0", …
+[[nodiscard]] std::string short_name(Register reg);
+
+[[nodiscard]] std::string with_sign(const Expression& e);
+
+// A constant code: "0", "1", "−1", "½", "−½" or "64/255".
+[[nodiscard]] std::string code_text(const Datapath& d, int code, Marks& marks);
+// The same in units of 1/(one × unit): unit 1 for codes, `one` for wide values.
+[[nodiscard]] std::string constant_text(const Datapath& d, int value, int unit, Marks& marks);
+
+// A variable after its mapping, a code. In a dot product an input that is one component for all is spelled out.
+[[nodiscard]] Expression mapped_input(const Scope& scope, const CombinerInput& input, bool in_dot_product);
+// The same for a value that was computed, such as the final combiner's E·F.
+[[nodiscard]] Expression mapped_value(const Datapath& d, InputMapping mapping, const Expression& value);
+
+// Of two codes, a wide value.
+[[nodiscard]] Expression product(const Datapath& d, const Expression& a, const Expression& b);
+[[nodiscard]] Expression dot_product(const Datapath& d, const Expression& a, const Expression& b);
+// Of two wide values with unit `one`, or of two codes with unit 1.
+[[nodiscard]] Expression sum(const Datapath& d, const Expression& a, const Expression& b, int unit);
+
+// The mux of two wide values, decided where spare0's alpha can only be on one side of one half.
+[[nodiscard]] Expression choice(const Datapath& d, const Expression& ab, const Expression& cd, Range spare0_alpha);
+
+// What a general combiner writes for a wide value: the expression with bias and scale, and its range as codes before
+// the clamp.
+[[nodiscard]] Expression combiner_output(const Datapath& d, Scale scale, Bias bias, const Expression& wide);
+
+}  // namespace ninebit::explain_detail

@@ -1,0 +1,97 @@
+#include "src/language/gl_calls_lexer.h"
+
+#include <algorithm>
+
+namespace ninebit::detail {
+namespace {
+
+constexpr std::string_view kPunctuation = "(){}[],;=+-&*";
+constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+
+}  // namespace
+
+GlLexer::GlLexer(std::string_view text, SourceFaults& faults) : text_(text), faults_(faults) {
+  if (text_.starts_with(kByteOrderMark)) at_ = kByteOrderMark.size();
+  advance();
+}
+
+GlToken GlLexer::take() {
+  const GlToken taken = token_;
+  end_of_last_ = at_;
+  advance();
+  return taken;
+}
+
+void GlLexer::skip_line() {
+  at_ = std::min(text_.find('\n', token_.offset), text_.size());
+  advance();
+}
+
+void GlLexer::skip_blanks() {
+  while (at_ < text_.size()) {
+    const std::string_view rest = text_.substr(at_);
+    if (is_blank(rest.front())) {
+      ++at_;
+    } else if (rest.starts_with("//")) {
+      at_ = std::min(text_.find('\n', at_), text_.size());
+    } else if (rest.starts_with("/*")) {
+      const std::size_t end = text_.find("*/", at_ + 2);
+      if (end == std::string_view::npos) {
+        faults_.add(at_, "the comment has no end; expected */");
+        cut_short_ = true;
+        at_ = text_.size();
+        return;
+      }
+      at_ = end + 2;
+    } else {
+      return;
+    }
+  }
+}
+
+// A preprocessing number of C: digits, letters and dots, and a sign after a decimal exponent's e.
+std::size_t GlLexer::number_end() const {
+  const bool hex = text_.substr(at_, 2) == "0x" || text_.substr(at_, 2) == "0X";
+  std::size_t end = at_ + 1;
+  while (end < text_.size()) {
+    const char c = text_[end];
+    const char before = text_[end - 1];
+    const bool exponent_sign = (c == '+' || c == '-') && (before == 'e' || before == 'E') && !hex;
+    if (!is_word(c) && c != '.' && !exponent_sign) break;
+    ++end;
+  }
+  return end;
+}
+
+std::size_t GlLexer::unknown_end() const {
+  std::size_t end = at_ + 1;
+  while (end < text_.size() && !is_word(text_[end]) && !is_blank(text_[end]) && text_[end] != '/' &&
+         kPunctuation.find(text_[end]) == std::string_view::npos) {
+    ++end;
+  }
+  return end;
+}
+
+void GlLexer::advance() {
+  skip_blanks();
+  token_ = {GlToken::Kind::end, at_, {}};
+  if (at_ >= text_.size()) return;
+  const char c = text_[at_];
+  std::size_t end = at_ + 1;
+  if (is_digit(c) || (c == '.' && end < text_.size() && is_digit(text_[end]))) {
+    token_.kind = GlToken::Kind::number;
+    end = number_end();
+  } else if (is_word(c)) {
+    token_.kind = GlToken::Kind::name;
+    while (end < text_.size() && is_word(text_[end])) ++end;
+  } else if (kPunctuation.find(c) != std::string_view::npos) {
+    token_.kind = GlToken::Kind::punctuation;
+  } else {
+    token_.kind = GlToken::Kind::unknown;
+    end = unknown_end();
+  }
+  token_.text = text_.substr(at_, end - at_);
+  at_ = end;
+}
+
+}  // namespace ninebit::detail

@@ -1,0 +1,46 @@
+// GL's names as text: of values, and of the calls that a text of GL calls may have.
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+#include "ninebit/language/gl_nv.h"
+
+namespace ninebit::detail {
+
+// The value of an enumerant or boolean by its C name; empty: ninebit does not know the name. GL_TEXTURE0 to
+// GL_TEXTURE31 and GL_COMBINER0_NV to GL_COMBINER7_NV are all known: whether a profile has them is for GL to say.
+[[nodiscard]] std::optional<gl::GLenum> value_of_name(std::string_view name);
+
+enum class GlCommand {
+  combiner_parameter_i,
+  combiner_parameter_f,
+  combiner_parameter_iv,
+  combiner_parameter_fv,
+  combiner_input,
+  combiner_output,
+  final_combiner_input,
+  combiner_stage_parameter_fv,
+  enable,
+  disable
+};
+
+// What a call is named in GL, and its parameters, one letter each: e an enumerant, b a boolean, i an integer, f a
+// float, I and F arrays of them.
+struct GlSignature {
+  GlCommand command;
+  std::string_view name;
+  std::string_view parameters;
+};
+
+// The call that a name means, as GL or a function pointer has it (docs/languages.md); nullptr: none.
+[[nodiscard]] const GlSignature* find_gl_call(std::string_view name);
+
+// Each word's name in C, as a call needs it; "0xFFFFFFFF", which GL refuses, for a number that is no enumerator.
+[[nodiscard]] std::string_view gl_name(Register reg);
+[[nodiscard]] std::string_view gl_name(InputMapping mapping);
+[[nodiscard]] std::string_view gl_name(ComponentUsage usage);
+[[nodiscard]] std::string_view gl_name(Scale scale);
+[[nodiscard]] std::string_view gl_name(Bias bias);
+
+}  // namespace ninebit::detail

@@ -1,0 +1,81 @@
+// Printing a program. An input and an output stand on one line each, as a reader wants to see them.
+#include <charconv>
+
+#include "ninebit/language/json.h"
+
+namespace ninebit {
+namespace {
+
+std::string number(float value) {
+  if (!(value > 0.0F)) return "0";
+  if (value >= 1.0F) return "1";
+  // The shortest digits that give the same float again.
+  char digits[32];
+  const auto [end, error] = std::to_chars(std::begin(digits), std::end(digits), value);
+  return std::string(digits, end);
+}
+
+std::string array(const ColorF& color) {
+  return '[' + number(color[0]) + ", " + number(color[1]) + ", " + number(color[2]) + ", " + number(color[3]) + ']';
+}
+
+std::string member(std::string_view key, std::string_view name) {
+  return '"' + std::string(key) + "\": \"" + std::string(name) + '"';
+}
+
+std::string member(std::string_view key, bool value) {
+  return '"' + std::string(key) + "\": " + (value ? "true" : "false");
+}
+
+std::string object(const CombinerInput& in) {
+  return "{" + member("input", name_of(in.reg)) + ", " + member("mapping", name_of(in.mapping)) + ", " +
+         member("usage", name_of(in.usage)) + '}';
+}
+
+std::string object(const PortionOutput& out) {
+  return "{" + member("ab", name_of(out.ab)) + ", " + member("cd", name_of(out.cd)) + ", " +
+         member("sum", name_of(out.sum)) + ", " + member("scale", name_of(out.scale)) + ", " +
+         member("bias", name_of(out.bias)) + ", " + member("ab_dot_product", out.ab_dot_product) + ", " +
+         member("cd_dot_product", out.cd_dot_product) + ", " + member("mux_sum", out.mux_sum) + '}';
+}
+
+std::string portion_text(std::string_view key, const Portion& p) {
+  std::string text = "      \"" + std::string(key) + "\": {\n";
+  const std::pair<char, const CombinerInput*> inputs[] = {{'a', &p.a}, {'b', &p.b}, {'c', &p.c}, {'d', &p.d}};
+  for (const auto& [letter, input] : inputs)
+    text += std::string("        \"") + letter + "\": " + object(*input) + ",\n";
+  return text + "        \"output\": " + object(p.out) + "\n      },\n";
+}
+
+std::string stage_text(const GeneralCombiner& stage) {
+  return "    {\n" + portion_text("rgb", stage.rgb) + portion_text("alpha", stage.alpha) +
+         "      \"constant_color0\": " + array(stage.constant0) +
+         ",\n      \"constant_color1\": " + array(stage.constant1) + "\n    }";
+}
+
+}  // namespace
+
+std::string print_json_program(const CombinerState& state) {
+  std::string text = "{\n  \"ninebit\": \"program\",\n  \"version\": 1,\n";
+  text += "  \"num_general_combiners\": " + std::to_string(state.num_general_combiners) + ",\n";
+  text += "  " + member("color_sum_clamp", state.color_sum_clamp) + ",\n";
+  text += "  " + member("per_stage_constants", state.per_stage_constants) + ",\n";
+  text += "  \"constant_color0\": " + array(state.constant0) + ",\n";
+  text += "  \"constant_color1\": " + array(state.constant1) + ",\n";
+  std::size_t stages = state.general.size();
+  while (stages > 0 && static_cast<int>(stages) > state.num_general_combiners &&
+         state.general[stages - 1] == GeneralCombiner{}) {
+    --stages;
+  }
+  text += "  \"general_combiners\": [\n";
+  for (std::size_t i = 0; i < stages; ++i) text += stage_text(state.general[i]) + (i + 1 < stages ? ",\n" : "\n");
+  text += "  ],\n  \"final_combiner\": {\n";
+  const FinalCombiner& f = state.final_combiner;
+  const CombinerInput* const inputs[] = {&f.a, &f.b, &f.c, &f.d, &f.e, &f.f, &f.g};
+  for (std::size_t i = 0; i < 7; ++i) {
+    text += std::string("    \"") + static_cast<char>('a' + i) + "\": " + object(*inputs[i]) + (i < 6 ? ",\n" : "\n");
+  }
+  return text + "  }\n}\n";
+}
+
+}  // namespace ninebit

@@ -1,0 +1,37 @@
+// Collects the faults of a text up to the limit that all parsers share.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "ninebit/language/source_text.h"
+
+namespace ninebit {
+
+class TextFaults {
+ public:
+  explicit TextFaults(std::string_view file) : file_(file) {}
+
+  // Without effect once kMaxTextFaults are there.
+  void add(TextPlace place, std::string message) {
+    if (full()) return;
+    faults_.push_back({std::string(file_), place.line, place.column, std::move(message)});
+  }
+
+  [[nodiscard]] bool empty() const { return faults_.empty(); }
+  [[nodiscard]] bool full() const { return faults_.size() >= kMaxTextFaults; }
+
+  // In the order of the text; the collector is empty afterwards.
+  [[nodiscard]] std::vector<TextFault> take();
+
+ private:
+  std::string_view file_;
+  std::vector<TextFault> faults_;
+};
+
+// Whether the text is longer than kMaxSourceBytes; that is a fault then.
+[[nodiscard]] bool too_long(std::string_view text, TextFaults& faults);
+
+}  // namespace ninebit

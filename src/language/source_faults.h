@@ -1,0 +1,51 @@
+// What the hand-written parsers share: faults gathered by their place, and pieces of the text made fit for a message.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "ninebit/language/source_text.h"
+
+namespace ninebit::detail {
+
+// Gathers faults by byte offset; beyond kMaxTextFaults they are dropped.
+class SourceFaults {
+ public:
+  explicit SourceFaults(const SourceText& source) : source_(source) {}
+
+  void add(std::size_t offset, std::string message);
+  [[nodiscard]] bool empty() const { return found_.empty(); }
+  [[nodiscard]] bool full() const { return found_.size() >= kMaxTextFaults; }
+
+  // All of them in the order of the text, with lines and columns: one pass over the text.
+  [[nodiscard]] std::vector<TextFault> take();
+
+ private:
+  struct Found {
+    std::size_t offset;
+    std::string message;
+  };
+  SourceText source_;
+  std::vector<Found> found_;
+};
+
+// Adds a fault and answers true if the text is longer than kMaxSourceBytes.
+[[nodiscard]] bool too_long(const SourceText& source, SourceFaults& faults);
+
+// The text in single quotes: bytes that are not printable ASCII as \xNN, and no more than its beginning.
+[[nodiscard]] std::string quoted(std::string_view text);
+
+[[nodiscard]] constexpr bool is_digit(char c) {
+  return c >= '0' && c <= '9';
+}
+// Of a name, whatever the locale: A to Z, a to z, 0 to 9, underscore.
+[[nodiscard]] constexpr bool is_word(char c) {
+  return is_digit(c) || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || c == '_';
+}
+[[nodiscard]] constexpr bool is_blank(char c) {
+  return c == ' ' || (c >= '\t' && c <= '\r');
+}
+
+}  // namespace ninebit::detail

@@ -1,0 +1,25 @@
+#include "ninebit/language/source_text.h"
+
+#include <algorithm>
+
+namespace ninebit {
+
+std::string TextFault::text() const {
+  std::string out = file;
+  if (!out.empty()) out += ':';
+  out += std::to_string(line);
+  out += ':';
+  out += std::to_string(column);
+  out += ": ";
+  out += message;
+  return out;
+}
+
+TextPlace place_of(std::string_view text, std::size_t offset) {
+  const std::string_view before = text.substr(0, offset);
+  const std::size_t start = before.rfind('\n') + 1;  // npos + 1 is the text's beginning
+  return {1 + static_cast<int>(std::count(before.begin(), before.end(), '\n')),
+          1 + static_cast<int>(before.size() - start)};
+}
+
+}  // namespace ninebit
