@@ -32,8 +32,8 @@ const std::vector<Library> kLibraries{
     {std::regex("assimp/.*"), {"scene"}},
     {std::regex("OpenImageIO/.*|Imf.*|OpenEXR/.*|Iex.*|half\\.h|Imath.*"), {"image"}},
     {std::regex("CLI/.*|openssl/.*"), {"tools"}},
-    {std::regex("nlohmann/.*"), {"scene", "study", "tools"}},
-    {std::regex("unistd\\.h|fcntl\\.h|sys/.*"), {"image", "tools"}},
+    {std::regex("nlohmann/.*"), {"language", "scene", "study", "tools"}},
+    {std::regex("unistd\\.h|fcntl\\.h|poll\\.h|sys/.*"), {"image", "tools"}},
     {std::regex("benchmark/.*"), {"bench"}},
 };
 

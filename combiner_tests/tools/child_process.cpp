@@ -37,9 +37,8 @@ std::string content_of(std::FILE* file) {
     const rlimit limit{*settings.file_size_limit, *settings.file_size_limit};
     ready = ready && ::setrlimit(RLIMIT_FSIZE, &limit) == 0;
   }
-  const int nothing = ::open("/dev/null", O_RDONLY);
-  ready =
-      ready && ::dup2(nothing, STDIN_FILENO) >= 0 && ::dup2(out, STDOUT_FILENO) >= 0 && ::dup2(err, STDERR_FILENO) >= 0;
+  const int in = ::open(settings.in.empty() ? "/dev/null" : settings.in.c_str(), O_RDONLY);
+  ready = ready && ::dup2(in, STDIN_FILENO) >= 0 && ::dup2(out, STDOUT_FILENO) >= 0 && ::dup2(err, STDERR_FILENO) >= 0;
   if (ready) ::execv(kProgram, arguments);
   ::_exit(126);
 }
@@ -75,14 +74,16 @@ void Child::send(int signal) const {
 
 Outcome Child::wait() {
   int status = 0;
+  rusage used{};
   pid_t ended = -1;
   do {
-    ended = ::waitpid(process_, &status, 0);
+    ended = ::wait4(process_, &status, 0, &used);
   } while (ended < 0 && errno == EINTR);
   if (ended < 0) throw std::runtime_error("cannot wait for the program");
   process_ = -1;
   Outcome outcome;
   outcome.code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+  outcome.peak_kib = used.ru_maxrss;
   outcome.out = content_of(out_.get());
   outcome.err = content_of(err_.get());
   return outcome;

@@ -15,11 +15,13 @@ struct Outcome {
   int code = -1;
   std::string out;
   std::string err;
+  long peak_kib = 0;  // the most memory that was resident
 };
 
 struct ChildSettings {
   std::string folder{};                            // to run in; empty: the caller's
   std::optional<std::uint64_t> file_size_limit{};  // bytes that any file may have, as RLIMIT_FSIZE
+  std::string in{};                                // what stdin reads; empty: nothing
   std::string out{};                               // where stdout goes instead of into the Outcome
   std::string err{};                               // the same for stderr
 };

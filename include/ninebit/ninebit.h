@@ -1,12 +1,19 @@
-// Everything of ninebit.
+// Everything of ninebit but the JSON forms (language/json.h, language/profile_json.h), which have a library of their own.
 #pragma once
 
 #include "ninebit/combiner/evaluate.h"
+#include "ninebit/combiner/evaluate_real.h"
 #include "ninebit/combiner/program.h"
 #include "ninebit/combiner/validate.h"
 #include "ninebit/image/image_io.h"
 #include "ninebit/image/staged_files.h"
+#include "ninebit/language/c_source.h"
+#include "ninebit/language/explain.h"
+#include "ninebit/language/gl_calls.h"
 #include "ninebit/language/gl_nv.h"
+#include "ninebit/language/glsl.h"
+#include "ninebit/language/rc10.h"
+#include "ninebit/language/register_words.h"
 #include "ninebit/numerics/fixed9.h"
 #include "ninebit/numerics/hardware_profile.h"
 #include "ninebit/numerics/result.h"

@@ -36,6 +36,10 @@ int run(int argc, char** argv) {
   add_render(app, exit_code);
   add_profiles(app, exit_code);
   add_info(app, exit_code);
+  add_eval(app, exit_code);
+  add_explain(app, exit_code);
+  add_convert(app, exit_code);
+  add_validate(app, exit_code);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -15,6 +15,9 @@ std::string text_of(int v) {
 std::string text_of(bool v) {
   return v ? "yes" : "no";
 }
+std::string text_of(Arithmetic v) {
+  return v == Arithmetic::integer ? "integer" : v == Arithmetic::exact ? "exact" : "float32";
+}
 std::string text_of(Narrowing v) {
   return v == Narrowing::toward_zero ? "toward zero" : "to nearest, halves up";
 }
@@ -34,6 +37,7 @@ std::vector<Row> rows_of(const HardwareProfile& p) {
   const auto add = [&](const char* field, const auto& choice) {
     rows.push_back({field, text_of(choice.value), std::string(name_of(choice.evidence)), std::string(choice.source)});
   };
+  add("arithmetic", p.arithmetic);
   add("one", p.one);
   add("lowest", p.lowest);
   add("half", p.half);
@@ -56,10 +60,12 @@ std::vector<Row> rows_of(const HardwareProfile& p) {
 }
 
 int print_profiles(const CommonFlags& flags) {
+  std::vector<HardwareProfile> profiles(hardware_profiles().begin(), hardware_profiles().end());
+  if (flags.own_profile) profiles.push_back(flags.own_profile->profile);
   if (!flags.json) {
     std::string text;
     const auto out = std::back_inserter(text);
-    for (const HardwareProfile& profile : hardware_profiles()) {
+    for (const HardwareProfile& profile : profiles) {
       fmt::format_to(out, "{}: {}\n", profile.name, profile.chip);
       for (const Row& r : rows_of(profile)) {
         fmt::format_to(out, "  {:<30} {:<22} {:<10} {}\n", r.field, r.value, r.evidence, r.source);
@@ -69,7 +75,7 @@ int print_profiles(const CommonFlags& flags) {
     return answer(text);
   }
   Json rows = Json::array();
-  for (const HardwareProfile& profile : hardware_profiles()) {
+  for (const HardwareProfile& profile : profiles) {
     for (const Row& r : rows_of(profile)) {
       rows.push_back({{"profile", profile.name},
                       {"field", r.field},
@@ -87,7 +93,7 @@ int print_profiles(const CommonFlags& flags) {
 
 void add_profiles(CLI::App& app, int& exit_code) {
   CLI::App* verb = app.add_subcommand("profiles", "The hardware profiles: every field and how well it is known");
-  verb->footer("Example: ninebit profiles --json");
+  verb->footer("Examples:\n  ninebit profiles --json\n  ninebit profiles --profile mine.json");
   auto flags = std::make_shared<CommonFlags>();
   add_common_flags(*verb, *flags);
   verb->callback([flags, &exit_code] { exit_code = print_profiles(*flags); });

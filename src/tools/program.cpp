@@ -10,6 +10,9 @@
 #include <csignal>
 #include <cstdio>
 #include <system_error>
+#include <utility>
+
+#include "src/tools/input_file.h"
 
 namespace ninebit::tools {
 namespace {
@@ -24,23 +27,56 @@ extern "C" void on_interrupt(int signal) {
   std::signal(signal, SIG_DFL);
 }
 
+OwnedProfile read_profile(const std::string& path) {
+  std::string text;
+  auto input = InputFile::open(path);
+  if (!input) throw InvalidInput(input.error().text());
+  do {
+    const auto piece = input->read();
+    if (!piece) throw InvalidInput(piece.error().text());
+    if (piece->empty()) break;
+    text += *piece;
+  } while (text.size() <= kMaxSourceBytes);
+  auto parsed = parse_json_profile({text, path});
+  if (parsed) return *std::move(parsed.value);
+  std::string faults;
+  for (const TextFault& fault : parsed.faults) {
+    if (!faults.empty()) faults += "\nninebit: error: ";
+    faults += fault.text();
+  }
+  throw InvalidInput(faults);
+}
+
+// Takes a shipped profile's name, or replaces a file's path by the name that the profile in it has.
+std::string check_profile(CommonFlags& flags, std::string& text) {
+  flags.own_profile.reset();
+  if (find_profile(text) != nullptr) return {};
+  if (!text.ends_with(".json")) {
+    std::vector<std::string_view> names;
+    for (const HardwareProfile& profile : hardware_profiles()) names.push_back(profile.name);
+    return fmt::format("'{}' is no profile; expected {}, or the path of a .json file", text, fmt::join(names, ", "));
+  }
+  flags.own_profile = read_profile(text);
+  text = flags.own_profile->profile.name;
+  return {};
+}
+
 }  // namespace
 
 void add_common_flags(CLI::App& verb, CommonFlags& flags) {
-  std::vector<std::string> names;
-  for (const HardwareProfile& profile : hardware_profiles()) names.emplace_back(profile.name);
   verb.add_flag("--json", flags.json, "Machine-readable output on stdout, and nothing else there");
   verb.add_flag("--quiet", flags.quiet, "No progress and no list of files");
-  verb.add_option("--profile", flags.profile, "The hardware to compute as")
+  verb.add_option("--profile", flags.profile,
+                  "The hardware to compute as: a name that `ninebit profiles` lists, or a .json file")
       ->capture_default_str()
-      ->check(CLI::IsMember(names));
+      ->transform(CLI::Validator([&flags](std::string& text) { return check_profile(flags, text); }, "NAME|FILE"));
   verb.add_option("--threads", flags.threads, "Threads to use, 0 for all; never changes a result")
       ->capture_default_str()
       ->check(CLI::Range(0, 1024));
 }
 
 const HardwareProfile& profile_of(const CommonFlags& flags) {
-  return *find_profile(flags.profile);
+  return flags.own_profile ? flags.own_profile->profile : *find_profile(flags.profile);
 }
 
 void guard_streams() {
@@ -93,6 +129,10 @@ bool ProgressLine::step(std::string_view what, double done) {
                     std::string(static_cast<std::size_t>(kWidth - filled), '.'), what));
   }
   return interrupted == 0;
+}
+
+bool ProgressLine::stopped() {
+  return interrupted != 0;
 }
 
 }  // namespace ninebit::tools

@@ -4,10 +4,13 @@
 #include <CLI/CLI.hpp>
 #include <functional>
 #include <nlohmann/json.hpp>
+#include <optional>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "ninebit/language/profile_json.h"
 #include "ninebit/numerics/hardware_profile.h"
 #include "ninebit/numerics/result.h"
 
@@ -29,14 +32,22 @@ enum ExitCode : int {
 struct CommonFlags {
   bool json = false;
   bool quiet = false;
-  std::string profile = "geforce2";
-  int threads = 0;  // 0: all
+  std::string profile = "geforce2";         // the profile's name
+  std::optional<OwnedProfile> own_profile;  // if it came from a file
+  int threads = 0;                          // 0: all
 };
 
-// Adds the common flags to a verb. A wrong profile name or thread count is a usage error.
+// A file that a flag names is unreadable or wrong; what() has a line for each fault. Ends the program with
+// kInvalidInput.
+struct InvalidInput : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+// Adds the common flags to a verb. A wrong profile name or thread count is a usage error; a profile's file that is
+// unreadable or wrong is thrown as InvalidInput while the command line is parsed.
 void add_common_flags(CLI::App& verb, CommonFlags& flags);
 
-// The profile that add_common_flags has checked.
+// The profile that add_common_flags has checked. Valid as long as the flags.
 [[nodiscard]] const HardwareProfile& profile_of(const CommonFlags& flags);
 
 // To be called first: output beyond a limit becomes an error instead of a signal, and a standard stream that the caller
@@ -62,6 +73,8 @@ class ProgressLine {
   ProgressLine& operator=(const ProgressLine&) = delete;
 
   bool step(std::string_view what, double done);
+  // Whether step() would answer false.
+  [[nodiscard]] static bool stopped();
 
  private:
   bool visible_;
@@ -71,5 +84,9 @@ class ProgressLine {
 void add_render(CLI::App& app, int& exit_code);
 void add_profiles(CLI::App& app, int& exit_code);
 void add_info(CLI::App& app, int& exit_code);
+void add_eval(CLI::App& app, int& exit_code);
+void add_validate(CLI::App& app, int& exit_code);
+void add_convert(CLI::App& app, int& exit_code);
+void add_explain(CLI::App& app, int& exit_code);
 
 }  // namespace ninebit::tools

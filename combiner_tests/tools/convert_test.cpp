@@ -1,0 +1,111 @@
+// `ninebit convert`: every form leads to every other, and what a form lacks is told.
+#include <gtest/gtest.h>
+
+#include "combiner_tests/tools/program_support.h"
+
+namespace tools_test {
+namespace {
+
+using namespace ninebit;  // NOLINT(google-build-using-namespace): states are spelled in its words
+
+const std::vector<std::string> kForms{"gl", "rc10", "words", "words-json", "json"};
+
+// The equations of a program stay the same whatever its form is: rows of explain that matter.
+Json meaning_of(const std::string& file, const std::vector<std::string>& more = {}) {
+  std::vector<std::string> arguments{"explain", file, "--json"};
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  Json used = Json::array();
+  const Json object = json_of(ninebit(arguments));
+  for (const Json& row : object.at("rows")) {
+    if (row.at("used") == true) used.push_back(row);
+  }
+  return used;
+}
+
+TEST(Convert, EveryFormToEveryOther) {
+  const TempFolder folder;
+  const std::string calls = write_bytes(folder / "article.txt", kArticleCalls);
+  const Json meaning = meaning_of(calls);
+  ASSERT_EQ(meaning.size(), 4U);
+  for (const std::string& form : kForms) {
+    const std::string file = folder / form;
+    const Outcome first = ninebit({"convert", calls, "--to", form, "-o", file});
+    ASSERT_EQ(first.code, 0) << first.err;
+    EXPECT_EQ(first.err, "wrote " + file + "\n");
+    EXPECT_EQ(first.out, "");
+    EXPECT_EQ(ninebit({"convert", calls, "--to", form}).out, read_bytes(file));
+    EXPECT_EQ(meaning_of(file), meaning) << form << " is told by its content";
+    for (const std::string& other : kForms) {
+      SCOPED_TRACE(form + " to " + other);
+      const Outcome second = ninebit({"convert", file, "--to", other});
+      ASSERT_EQ(second.code, 0) << second.err;
+      EXPECT_EQ(meaning_of(write_bytes(folder / "second", second.out)), meaning);
+    }
+  }
+}
+
+TEST(Convert, FormsByFlag) {
+  const TempFolder folder;
+  const std::string calls = write_bytes(folder / "article.txt", kArticleCalls);
+  for (const char* form : {"gl", "rc10", "words", "json"}) {
+    const std::string file = write_bytes(folder / form, ninebit({"convert", calls, "--to", form}).out);
+    EXPECT_EQ(ninebit({"validate", file, "--from", form}).code, 0) << form;
+    EXPECT_EQ(ninebit({"validate", file, "--from", std::string(form) == "gl" ? "rc10" : "gl"}).code, 3) << form;
+  }
+  const std::string json = write_bytes(folder / "w", ninebit({"convert", calls, "--to", "words-json"}).out);
+  EXPECT_EQ(ninebit({"validate", json, "--from", "words"}).code, 0);
+}
+
+TEST(Convert, Chips) {
+  const TempFolder folder;
+  CombinerState state = article_state();
+  const std::string program = write_program(folder, "a.json", state);
+  const std::string nv10 = ninebit({"convert", program, "--to", "words"}).out;
+  const std::string nv20 = ninebit({"convert", program, "--to", "words", "--chip", "nv20"}).out;
+  EXPECT_NE(nv10, nv20);
+  EXPECT_EQ(ninebit({"convert", program, "--to", "words", "--chip", "nv10"}).out, nv10);
+  EXPECT_EQ(ninebit({"convert", program, "--to", "words", "--profile", "nv2a"}).out, nv20);
+}
+
+TEST(Convert, CodeOut) {
+  const TempFolder folder;
+  const std::string program = write_program(folder, "a.json", article_state());
+  EXPECT_TRUE(ninebit({"convert", program, "--to", "glsl"}).out.starts_with("#version 330"));
+  EXPECT_TRUE(ninebit({"convert", program, "--to", "glsl-es"}).out.starts_with("#version 300 es"));
+  EXPECT_NE(ninebit({"convert", program, "--to", "c"}).out.find("void ninebit_combine("), std::string::npos);
+}
+
+TEST(Convert, WhatAFormLacksIsTold) {
+  const TempFolder folder;
+  CombinerState state;
+  state.num_general_combiners = 3;
+  const std::string program = write_program(folder, "three.json", state);
+  expect_error(ninebit({"convert", program, "--to", "words", "--chip", "nv10", "--profile", "nv2a"}), 3,
+               {"three.json", "words"});
+  expect_error(ninebit({"convert", program, "--to", "glsl", "--profile", "ideal"}), 3, {"three.json", "glsl"});
+  expect_error(ninebit({"convert", program, "--to", "rc10"}), 3, {"GL_INVALID_VALUE"});
+  expect_error(ninebit({"convert", program}), 2, {"--to"});
+  expect_error(ninebit({"convert", program, "--to", "pascal"}), 2, {"--to"});
+}
+
+TEST(Convert, JsonAndOutputs) {
+  const TempFolder folder;
+  const std::string program = write_program(folder, "a.json", article_state());
+  const Json object = json_of(ninebit({"convert", program, "--to", "rc10", "--json"}));
+  EXPECT_EQ(keys_of(object), (std::vector<std::string>{"command", "version", "profile", "rows"}));
+  EXPECT_EQ(object["rows"][0]["form"], "rc10");
+  EXPECT_EQ(object["rows"][0]["text"], ninebit({"convert", program, "--to", "rc10"}).out);
+  const std::string older = write_bytes(folder / "out", "older");
+  expect_error(ninebit({"convert", program, "--to", "gl", "-o", older}, {.file_size_limit = 500}), 4,
+               {"File too large"});
+  EXPECT_EQ(read_bytes(older), "older");
+  expect_error(ninebit({"convert", program, "--to", "gl", "-o", "/dev/full"}), 4, {"No space left"});
+  // Through a link to the file that it names.
+  std::filesystem::create_symlink("out", folder / "link");
+  EXPECT_EQ(ninebit({"convert", program, "--to", "gl", "-o", folder / "link"}).code, 0);
+  EXPECT_TRUE(std::filesystem::is_symlink(folder / "link"));
+  EXPECT_EQ(read_bytes(older), ninebit({"convert", program, "--to", "gl"}).out);
+}
+
+}  // namespace
+}  // namespace tools_test

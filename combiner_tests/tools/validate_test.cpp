@@ -1,0 +1,91 @@
+// `ninebit validate`: exit codes, the GL error of each call, places.
+#include <gtest/gtest.h>
+
+#include "combiner_tests/tools/program_support.h"
+
+namespace tools_test {
+namespace {
+
+using namespace ninebit;  // NOLINT(google-build-using-namespace): states are spelled in its words
+
+class Validate : public testing::Test {
+ protected:
+  Outcome validate(const std::string& text, const std::vector<std::string>& more = {}) {
+    std::vector<std::string> arguments{"validate", write_bytes(folder_ / "program", text)};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return ninebit(arguments);
+  }
+  TempFolder folder_;
+};
+
+// Fog's alpha in a general combiner, three combiners where there are two, a dot product in an alpha portion.
+const char* const kRefused =
+    "glCombinerInputNV(GL_COMBINER0_NV, GL_RGB, GL_VARIABLE_A_NV, GL_FOG, GL_UNSIGNED_IDENTITY_NV, GL_ALPHA);\n"
+    "glCombinerParameteriNV(GL_NUM_GENERAL_COMBINERS_NV, 3);\n"
+    "  glCombinerOutputNV(GL_COMBINER0_NV, GL_ALPHA, GL_DISCARD_NV, GL_DISCARD_NV, GL_SPARE0_NV, GL_NONE, GL_NONE,\n"
+    "                     GL_TRUE, GL_FALSE, GL_FALSE);\n"
+    "glFinalCombinerInputNV(GL_VARIABLE_A_NV, GL_ZERO, GL_EXPAND_NORMAL_NV, GL_RGB);\n";
+
+TEST_F(Validate, ValidPrograms) {
+  const Outcome outcome = validate(kArticleCalls);
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_EQ(outcome.out, folder_ / "program" + ": valid for geforce2\n");
+  EXPECT_EQ(validate(kArticleCalls, {"--quiet"}).out, "");
+  const Json object = json_of(validate(kArticleCalls, {"--json"}));
+  EXPECT_EQ(keys_of(object), (std::vector<std::string>{"command", "version", "profile", "rows"}));
+  EXPECT_EQ(object["rows"], Json::array());
+}
+
+TEST_F(Validate, EveryRefusalWithItsErrorAndPlace) {
+  const Outcome outcome = validate(kRefused);
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_EQ(outcome.err, "");
+  const std::vector<std::string> lines = lines_of(outcome.out);
+  ASSERT_EQ(lines.size(), 4U) << outcome.out;
+  const std::string file = folder_ / "program";
+  EXPECT_TRUE(lines[0].starts_with(file + ":1:1: GL_INVALID_OPERATION: ")) << lines[0];
+  EXPECT_TRUE(lines[1].starts_with(file + ":2:1: GL_INVALID_VALUE: ")) << lines[1];
+  EXPECT_TRUE(lines[2].starts_with(file + ":3:3: GL_INVALID_VALUE: ")) << lines[2];
+  EXPECT_TRUE(lines[3].starts_with(file + ":5:1: GL_INVALID_ENUM: ")) << lines[3];
+
+  const Outcome json = validate(kRefused, {"--json"});
+  EXPECT_EQ(json.code, 1);
+  const Json rows = Json::parse(json.out).at("rows");
+  ASSERT_EQ(rows.size(), 4U);
+  EXPECT_EQ(rows[2]["gl_error"], "GL_INVALID_VALUE");
+  EXPECT_EQ(rows[2]["line"], 3);
+  EXPECT_EQ(rows[2]["column"], 3);
+  for (const char* key : {"gl_error", "stage", "portion", "variable", "line", "column", "message"}) {
+    EXPECT_TRUE(rows[0].contains(key)) << key;
+  }
+}
+
+// What one profile has the other has not.
+TEST_F(Validate, ByProfile) {
+  CombinerState state;
+  state.num_general_combiners = 5;
+  state.per_stage_constants = true;
+  const std::string program = write_program(folder_, "program.json", state);
+  EXPECT_EQ(ninebit({"validate", program, "--profile", "nv2a"}).code, 0);
+  const Outcome refused = ninebit({"validate", program});
+  EXPECT_EQ(refused.code, 1) << refused.err;
+  EXPECT_EQ(lines_of(refused.out).size(), 2U) << refused.out;
+}
+
+TEST_F(Validate, WhatIsNoProgram) {
+  expect_error(validate("glFoo(3);\n"), 3, {"program:1:1: "});
+  const Outcome cut = validate("!!RC1.0\n{ rgb {");
+  EXPECT_EQ(cut.code, 3);
+  EXPECT_NE(cut.err.find("program:2:"), std::string::npos) << cut.err;
+  expect_error(validate("{\"ninebit\": \"program\", \"version\": 9}"), 3, {"program:1:"});
+  expect_error(validate("RC_IN_RGB[0] = 0x00000006\n"), 3, {"program:1:"});
+  expect_error(validate(std::string("\0\0\0", 3)), 3, {"program:1:1: "});
+  // A refusal beside a fault of the text: all of it is told, and there is no program.
+  const Outcome both = validate(std::string(kRefused) + "glFoo();\n");
+  EXPECT_EQ(both.code, 3);
+  EXPECT_EQ(lines_of(both.err).size(), 5U) << both.err;
+  expect_error(ninebit({"validate", "/dev/zero"}), 3, {"16777216 bytes"});
+}
+
+}  // namespace
+}  // namespace tools_test

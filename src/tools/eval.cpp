@@ -1,0 +1,185 @@
+// `ninebit eval`: a program over the rows of a table of register codes.
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <charconv>
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include "src/tools/eval_engine.h"
+#include "src/tools/output_file.h"
+#include "src/tools/program_file.h"
+
+namespace ninebit::tools {
+namespace {
+
+struct EvalFlags {
+  CommonFlags common;
+  ProgramFlags program;
+  std::string inputs;
+  std::string output;
+  bool registers = false;
+  std::string engine = "simd";
+};
+
+// The results as they are written: CSV, or the rows of the JSON answer.
+class Writer {
+ public:
+  Writer(const EvalFlags& flags, const HardwareProfile& profile, OutputFile& to) : to_(&to) {
+    json_ = flags.common.json && flags.output.empty();
+    for (const char c : std::string_view("rgba")) names_.push_back(std::string("out.") + c);
+    if (flags.registers) {
+      columns_ = eval_columns(profile);
+      for (const EvalColumn& column : columns_) names_.push_back(column.name());
+    }
+    if (json_) {
+      const Json head{{"command", "eval"}, {"version", NINEBIT_VERSION}, {"profile", flags.common.profile}};
+      text_ = head.dump();
+      text_.pop_back();
+      text_ += ",\"rows\":[";
+      for (std::string& name : names_) name = '"' + name + "\":";
+    } else {
+      text_ = fmt::format("{}\n", fmt::join(names_, ","));
+    }
+  }
+
+  void add(const EvalBatch& batch) {
+    for (std::size_t row = 0; row < batch.count; ++row) {
+      if (json_) text_ += first_row_ ? "\n{" : ",\n{";
+      first_row_ = false;
+      std::size_t k = 0;
+      for (; k < 4; ++k) put(k, batch.out.plane[k][row]);
+      for (const EvalColumn& column : columns_) put(k++, batch.registers(column.reg, column.component)[row]);
+      text_ += json_ ? '}' : '\n';
+    }
+  }
+
+  Status flush(bool all) {
+    constexpr std::size_t kPiece = std::size_t{1} << 16;
+    if (!all && text_.size() < kPiece) return {};
+    Status status = to_->write(text_);
+    text_.clear();
+    return status;
+  }
+
+  Status finish() {
+    if (json_) text_ += "\n]}\n";
+    if (Status status = flush(true); !status) return status;
+    return to_->finish();
+  }
+
+ private:
+  void put(std::size_t k, int code) {
+    if (k > 0) text_ += ',';
+    if (json_) text_ += names_[k];
+    std::array<char, 8> digits{};
+    const auto [end, error] = std::to_chars(digits.data(), digits.data() + digits.size(), code);
+    text_.append(digits.data(), end);
+  }
+
+  OutputFile* to_;
+  bool json_ = false;
+  bool first_row_ = true;
+  std::vector<EvalColumn> columns_;
+  std::vector<std::string> names_;  // of all columns; for JSON as they stand before a value
+  std::string text_;
+};
+
+// Reads, evaluates and writes batch by batch; gives the number of rows.
+Result<std::size_t> stream(CsvLines& lines, const EvalRows& rows, EvalRunner& runner, Writer& writer,
+                           ProgressLine& progress) {
+  const auto batch = std::make_unique<EvalBatch>();
+  std::size_t total = 0;
+  for (std::size_t batches = 0;; ++batches) {
+    rows.begin(*batch);
+    while (batch->count < kBatchSize) {
+      auto line = lines.next();
+      if (!line) return line.error();
+      if (!*line) break;
+      if (Status added = rows.add(**line, lines.name(), *batch); !added) return added.error();
+    }
+    rows.end(*batch);
+    runner.run(*batch);
+    writer.add(*batch);
+    if (Status written = writer.flush(false); !written) return written.error();
+    total += batch->count;
+    if (batch->count < kBatchSize) return total;
+    constexpr std::size_t kBatchesPerStep = 512;
+    const bool goes_on =
+        batches % kBatchesPerStep == 0 ? progress.step(fmt::format("{} rows", total), 0.0) : !ProgressLine::stopped();
+    if (!goes_on) return Diagnostic{.message = "interrupted", .fault = Fault::cancelled};
+  }
+}
+
+Result<std::size_t> evaluate_table(const EvalFlags& flags, const CombinerState& state, ProgressLine& progress) {
+  const HardwareProfile& profile = profile_of(flags.common);
+  auto input = InputFile::open(flags.inputs);
+  if (!input) return input.error();
+  CsvLines lines(std::move(*input));
+  auto header = lines.next();
+  if (!header) return header.error();
+  if (!*header) return csv_fault(lines.name(), 1, 1, "the table is empty; expected a header such as primary.r,tex0.a");
+  auto columns = read_header(**header, lines.name(), profile);
+  if (!columns) return columns.error();
+  const EvalRows rows(std::move(*columns), profile);
+  EvalRunner runner(state, profile, rows, flags.engine == "simd" ? EvalEngine::simd : EvalEngine::reference);
+
+  auto output = OutputFile::open(flags.output);
+  if (!output) return output.error();
+  Writer writer(flags, profile, *output);
+  auto total = stream(lines, rows, runner, writer, progress);
+  if (!total) return total;
+  if (Status finished = writer.finish(); !finished) return finished.error();
+  return total;
+}
+
+int run(const EvalFlags& flags) {
+  if (flags.program.file == "-" && flags.inputs == "-") {
+    say("ninebit: error: only one of PROGRAM and --inputs can be standard input (see: ninebit eval --help)\n");
+    return kWrongUsage;
+  }
+  int exit_code = kDone;
+  const auto state = load_program(flags.program, profile_of(flags.common), exit_code);
+  if (!state) return exit_code;
+
+  std::optional<ProgressLine> progress(std::in_place, flags.common.quiet || ::isatty(STDOUT_FILENO) != 0);
+  const auto total = evaluate_table(flags, *state, *progress);
+  progress.reset();
+  if (!total) return report(total.error());
+  if (flags.output.empty()) return kDone;
+  if (!flags.common.quiet) say(fmt::format("wrote {}\n", flags.output));
+  if (!flags.common.json) return kDone;
+  const Json out{{"command", "eval"},      {"version", NINEBIT_VERSION}, {"profile", flags.common.profile},
+                 {"engine", flags.engine}, {"fragments", *total},        {"files", Json::array({flags.output})}};
+  return answer(out.dump(2) + "\n");
+}
+
+}  // namespace
+
+void add_eval(CLI::App& app, int& exit_code) {
+  CLI::App* verb = app.add_subcommand("eval", "Evaluate a program on rows of register codes");
+  verb->footer(
+      "The table has a header such as primary.r,tex0.a,const0.g,spare0.a and whole numbers; 255 is 1.0 with most\n"
+      "profiles. A missing column reads 0, except alpha of textures and fog, which read 1.0, spare0.a, which reads\n"
+      "tex0.a, and constants, which are the program's. A column of a constant replaces it in every stage. Results\n"
+      "go to standard output as they come, also those before a faulty row.\n"
+      "Examples:\n"
+      "  ninebit eval compare.gl --inputs codes.csv -o out.csv\n"
+      "  ninebit eval compare.gl --inputs - --registers --engine reference < codes.csv");
+  auto flags = std::make_shared<EvalFlags>();
+  add_common_flags(*verb, flags->common);
+  add_program_flags(*verb, flags->program);
+  verb->add_option("--inputs", flags->inputs, "Table of register codes, - for standard input")
+      ->required()
+      ->type_name("FILE.csv");
+  verb->add_option("-o,--output", flags->output, "Table to write; standard output where not given")
+      ->type_name("FILE.csv");
+  verb->add_flag("--registers", flags->registers, "Add every register after the last general stage");
+  verb->add_option("--engine", flags->engine, "What evaluates; both give the same bits")
+      ->capture_default_str()
+      ->check(CLI::IsMember({"reference", "simd"}));
+  verb->callback([flags, &exit_code] { exit_code = run(*flags); });
+}
+
+}  // namespace ninebit::tools

@@ -1,0 +1,106 @@
+// `ninebit validate`: everything that GL would refuse in a program.
+#include "ninebit/combiner/validate.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <string_view>
+
+#include "src/tools/program_file.h"
+
+namespace ninebit::tools {
+namespace {
+
+struct ValidateFlags {
+  CommonFlags common;
+  ProgramFlags program;
+};
+
+struct Finding {
+  StateDiagnostic what;
+  int line = 0, column = 0;  // 0: not about one place of the text
+};
+
+// Parsers name the GL error of what GL refuses before the message; other faults are of the text itself.
+std::optional<Finding> refusal(const TextFault& fault) {
+  for (const GlError error : {GlError::invalid_enum, GlError::invalid_value, GlError::invalid_operation}) {
+    const std::string prefix = std::string(name_of(error)) + ": ";
+    if (!fault.message.starts_with(prefix)) continue;
+    Finding finding{{}, fault.line, fault.column};
+    finding.what.gl_error = error;
+    finding.what.message = fault.message.substr(prefix.size());
+    return finding;
+  }
+  return std::nullopt;
+}
+
+Json or_null(const auto& value, bool known) {
+  return known ? Json(value) : Json(nullptr);
+}
+
+Json row_of(const Finding& finding) {
+  constexpr std::string_view kVariables = "ABCDEFG";
+  const StateDiagnostic& d = finding.what;
+  const bool rgb = d.portion == PortionName::rgb;
+  const auto variable = d.variable ? static_cast<std::size_t>(*d.variable) : std::size_t{0};
+  return {{"gl_error", name_of(d.gl_error)},
+          {"stage", or_null(d.stage.value_or(0), d.stage.has_value())},
+          {"portion", or_null(rgb ? "rgb" : "alpha", d.portion.has_value())},
+          {"variable", or_null(std::string(kVariables.substr(variable, 1)), d.variable.has_value())},
+          {"line", or_null(finding.line, finding.line > 0)},
+          {"column", or_null(finding.column, finding.line > 0)},
+          {"message", d.message}};
+}
+
+int run(const ValidateFlags& flags) {
+  const HardwareProfile& profile = profile_of(flags.common);
+  const auto file = read_program_file(flags.program, profile);
+  if (!file) return report(file.error());
+  std::vector<Finding> findings;
+  for (const TextFault& fault : file->parsed.faults) {
+    if (const auto finding = refusal(fault)) findings.push_back(*finding);
+  }
+  // A text that is no program has no state that could be judged.
+  if (findings.size() < file->parsed.faults.size()) return report(file->parsed.faults);
+  if (file->parsed) {
+    for (const StateDiagnostic& d : validate(*file->parsed.value, profile)) findings.push_back({d});
+  }
+
+  std::string text;
+  if (flags.common.json) {
+    Json rows = Json::array();
+    for (const Finding& finding : findings) rows.push_back(row_of(finding));
+    const Json out{{"command", "validate"},
+                   {"version", NINEBIT_VERSION},
+                   {"profile", flags.common.profile},
+                   {"rows", std::move(rows)}};
+    text = out.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  } else {
+    for (const Finding& f : findings) {
+      const std::string place = f.line > 0 ? fmt::format("{}:{}:{}", file->name, f.line, f.column) : file->name;
+      text += fmt::format("{}: {}: {}\n", place, name_of(f.what.gl_error), f.what.message);
+    }
+    if (findings.empty() && !flags.common.quiet) text = fmt::format("{}: valid for {}\n", file->name, profile.name);
+  }
+  if (const int code = answer(text); code != kDone) return code;
+  return findings.empty() ? kDone : kDifference;
+}
+
+}  // namespace
+
+void add_validate(CLI::App& app, int& exit_code) {
+  CLI::App* verb = app.add_subcommand("validate", "Tell what OpenGL would refuse in a program, with its errors");
+  verb->footer(
+      "Exit codes: 0 valid, 1 refused, 3 no program.\n"
+      "Examples:\n"
+      "  ninebit validate compare.gl\n"
+      "  ninebit validate program.json --profile nv2a --json");
+  auto flags = std::make_shared<ValidateFlags>();
+  add_common_flags(*verb, flags->common);
+  add_program_flags(*verb, flags->program);
+  verb->callback([flags, &exit_code] { exit_code = run(*flags); });
+}
+
+}  // namespace ninebit::tools
