@@ -1,4 +1,5 @@
-// Everything of ninebit but the JSON forms (language/json.h, language/profile_json.h), which have a library of their own.
+// Everything of ninebit but the JSON forms (language/json.h, language/profile_json.h), which have a library of their
+// own.
 #pragma once
 
 #include "ninebit/combiner/evaluate.h"
