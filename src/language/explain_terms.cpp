@@ -19,23 +19,22 @@ Expression constant_of(int value) {
   return e;
 }
 
-Range times(Range a, Range b) {
-  const auto [low, high] = std::minmax({a.low * b.low, a.low * b.high, a.high * b.low, a.high * b.high});
-  return {low, high};
-}
-
 bool same(const Expression& a, const Expression& b) {
   return !a.constant && !b.constant && a.text == b.text && a.negative == b.negative;
 }
 
-// Range, reads and marks of a product; the text is the caller's.
+// Of two codes.
+Range product_range(const Expression& a, const Expression& b) {
+  const Range x = a.range, y = b.range;
+  const auto [low, high] = std::minmax({x.low * y.low, x.low * y.high, x.high * y.low, x.high * y.high});
+  if (!same(a, b)) return {low, high};
+  const int nearest = x.low > 0 ? x.low : x.high < 0 ? -x.high : 0;
+  return {nearest * nearest, high};
+}
+
+// Reads and marks of both; text and range are the caller's.
 Expression joined(const Expression& a, const Expression& b) {
   Expression e;
-  e.range = times(a.range, b.range);
-  if (same(a, b)) {
-    const int nearest = a.range.low > 0 ? a.range.low : a.range.high < 0 ? -a.range.high : 0;
-    e.range.low = nearest * nearest;
-  }
   e.reads = a.reads;
   e.reads.insert(e.reads.end(), b.reads.begin(), b.reads.end());
   e.marks = a.marks;
@@ -178,6 +177,7 @@ Expression product(const Datapath& d, const Expression& a, const Expression& b) 
   if (a.constant && b.constant) return constant_of(*a.constant * *b.constant);
   if (a.constant) return product(d, b, a);
   Expression e = joined(a, b);
+  e.range = product_range(a, b);
   if (b.constant) {
     const int size = std::abs(*b.constant);
     e.negative = a.negative != (*b.constant < 0);
@@ -202,7 +202,8 @@ Expression dot_product(const Datapath& d, const Expression& a, const Expression&
   if (a.constant && b.constant) return constant_of(3 * *a.constant * *b.constant);
   if (a.constant) return dot_product(d, b, a);
   Expression e = joined(a, b);
-  e.range = {3 * e.range.low, 3 * e.range.high};
+  const Range each_range = product_range(a, b);
+  e.range = {3 * each_range.low, 3 * each_range.high};
   std::string second = factor(b);
   e.negative = a.negative != b.negative;
   if (b.constant) {
