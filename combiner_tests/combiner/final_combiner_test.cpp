@@ -87,54 +87,5 @@ TEST(FinalCombiner, AlphaIsGWithItsMapping) {
   }
 }
 
-TEST(InitialRegisters, InputsEnterAndTheRestIsAsTheProfileSays) {
-  FragmentInputs inputs;
-  inputs.primary = {1, 2, 3, 4};
-  inputs.secondary = {5, 6, 7, 8};
-  inputs.fog = {9, 10, 11, 12};
-  inputs.texture[0] = {13, 14, 15, 16};
-  inputs.texture[1] = {17, 18, 19, 20};
-  const RegisterFile card = initial_registers(profiles::geforce2, inputs);
-  EXPECT_EQ(card[Register::zero], codes(0, 0, 0, 0));
-  EXPECT_EQ(card[Register::primary], codes(1, 2, 3, 4));
-  EXPECT_EQ(card[Register::secondary], codes(5, 6, 7, 255)) << "NV1x: secondary alpha is 1.0";
-  EXPECT_EQ(card[Register::fog], codes(9, 10, 11, 12));
-  EXPECT_EQ(card[Register::texture0], codes(13, 14, 15, 16));
-  EXPECT_EQ(card[Register::texture1], codes(17, 18, 19, 20));
-  EXPECT_EQ(card[Register::spare0], codes(0, 0, 0, 16)) << "texture 0's alpha";
-  EXPECT_EQ(card[Register::spare1], codes(0, 0, 0, 0));
-  const RegisterFile xbox = initial_registers(profiles::nv2a, inputs);
-  EXPECT_EQ(xbox[Register::secondary], codes(5, 6, 7, 8));
-  EXPECT_EQ(xbox[Register::texture2], codes(0, 0, 0, 255));
-  EXPECT_EQ(xbox[Register::texture3], codes(0, 0, 0, 255));
-  const RegisterFile eight = initial_registers(profiles::geforce256_8bit, inputs);
-  EXPECT_EQ(eight[Register::primary], codes(0, 1, 1, 2));
-  EXPECT_EQ(eight[Register::secondary], codes(2, 3, 3, 127));
-  EXPECT_EQ(eight[Register::spare0], codes(0, 0, 0, 8));
-}
-
-TEST(InitialRegisters, UnitsThatAreOff) {
-  FragmentInputs inputs;
-  inputs.texture[1] = {21, 22, 23, 24};
-  const RegisterFile r = initial_registers(profiles::geforce2, inputs);
-  EXPECT_EQ(r[Register::texture0], codes(0, 0, 0, 255));
-  EXPECT_EQ(r[Register::texture1], codes(21, 22, 23, 24)) << "units are absolute";
-  EXPECT_EQ(r[Register::spare0], codes(0, 0, 0, 255));
-  EXPECT_EQ(initial_registers(profiles::geforce256_8bit, {})[Register::spare0], codes(0, 0, 0, 127));
-}
-
-TEST(InitialRegisters, ProfileFieldsDecide) {
-  HardwareProfile p = profiles::geforce2;
-  p.spare0_alpha_without_texture0.value = 9;
-  p.disabled_texture_alpha.value = 7;
-  p.secondary_alpha.value = SecondaryAlpha::as_given;
-  FragmentInputs inputs;
-  inputs.secondary = {0, 0, 0, 33};
-  const RegisterFile r = initial_registers(p, inputs);
-  EXPECT_EQ(r[Register::spare0][kAlpha], 9);
-  EXPECT_EQ(r[Register::texture0], codes(0, 0, 0, 7));
-  EXPECT_EQ(r[Register::secondary][kAlpha], 33);
-}
-
 }  // namespace
 }  // namespace ninebit::test

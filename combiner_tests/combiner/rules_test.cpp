@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "combiner_tests/combiner/support.h"
+#include "ninebit/combiner/initial_registers.h"
 
 namespace ninebit::test {
 namespace {

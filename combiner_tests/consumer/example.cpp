@@ -1,5 +1,5 @@
 // The README's example, to the letter.
-#include <ninebit/combiner/evaluate.h>
+#include <ninebit/combiner/initial_registers.h>
 #include <ninebit/language/gl_nv.h>
 
 #include <cstdio>
@@ -19,7 +19,6 @@ int main() {
   ninebit::FragmentInputs in;
   in.primary = {201, 99, 51, 255};
   in.texture[0] = {{128, 128, 128, 255}};
-  in.fog = {0, 0, 0, 255};  // a fog factor of 1.0: no fog
   const ninebit::Rgba9 out = ninebit::evaluate(*program, ninebit::initial_registers(context.profile(), in));
   std::printf("%d %d %d %d\n", out[0], out[1], out[2], out[3]);
 }

@@ -3,6 +3,7 @@
 
 #include "combiner_tests/shadow/support.h"
 #include "ninebit/combiner/evaluate.h"
+#include "ninebit/combiner/initial_registers.h"
 #include "ninebit/shadow/index_cube.h"
 
 namespace {
@@ -18,7 +19,7 @@ int false_matches(const Program& program, const HardwareProfile& profile, int st
       if (a == b) continue;
       FragmentInputs in;
       in.primary = {static_cast<std::uint8_t>(a), 0, 0, 255};
-      in.texture[0] = {static_cast<std::uint8_t>(b), 0, 0, 255};
+      in.texture[0] = {{static_cast<std::uint8_t>(b), 0, 0, 255}};
       if (evaluate(program, initial_registers(profile, in))[kAlpha] == 0) ++count;
     }
   }
@@ -40,7 +41,7 @@ TEST(Article, EqualIndicesAreAlwaysLit) {
   for (std::uint32_t n = 0; n < codes.capacity(); n += 11) {
     FragmentInputs in;
     in.primary = codes.color(n);
-    in.texture[0] = in.primary;
+    in.texture[0] = {in.primary};
     ASSERT_EQ(evaluate(program, initial_registers(profile, in)), (Rgba9{0, 0, 0, 0})) << n;
   }
 }

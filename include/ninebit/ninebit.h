@@ -4,6 +4,7 @@
 
 #include "ninebit/combiner/evaluate.h"
 #include "ninebit/combiner/evaluate_real.h"
+#include "ninebit/combiner/initial_registers.h"
 #include "ninebit/combiner/program.h"
 #include "ninebit/combiner/validate.h"
 #include "ninebit/image/image_io.h"

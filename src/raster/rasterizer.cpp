@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "ninebit/combiner/initial_registers.h"
 #include "src/raster/fragment_batch.h"
 #include "src/raster/fragment_operations.h"
 #include "src/raster/tile.h"
@@ -88,9 +89,8 @@ Diagnostic fault(std::string message) {
 RegisterFile initial_registers_of(const PipelineState& state, std::span<const CubeMap* const> textures) {
   FragmentInputs inputs;
   inputs.secondary[kAlpha] = 255;
-  inputs.fog[kAlpha] = static_cast<std::uint8_t>(state.profile.fog_alpha_without_fog.value);
   for (std::size_t unit = 0; unit < textures.size(); ++unit) {
-    if (textures[unit] != nullptr) inputs.texture[unit] = {0, 0, 0, 255};
+    if (textures[unit] != nullptr) inputs.texture[unit] = Texel{.format = TextureFormat::rgb};
   }
   return initial_registers(state.profile, inputs);
 }

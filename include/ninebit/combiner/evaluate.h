@@ -8,7 +8,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 
 #include "ninebit/combiner/program.h"
 #include "ninebit/combiner/registers.h"
@@ -23,19 +22,6 @@ struct RegisterFile {
   constexpr const Rgba9& operator[](Register r) const { return value[static_cast<std::size_t>(r)]; }
   friend constexpr bool operator==(const RegisterFile&, const RegisterFile&) = default;
 };
-
-// What reaches the combiners for one fragment, as bytes red, green, blue, alpha.
-struct FragmentInputs {
-  using Bytes = std::array<std::uint8_t, 4>;
-  Bytes primary{};
-  Bytes secondary{};
-  Bytes fog{};                                  // fog colour, and the fog factor as alpha
-  std::array<std::optional<Bytes>, 4> texture;  // filtered texels; empty: the unit is off
-};
-
-// The registers before the first general combiner: NV_register_combiners, table of initial register values; what the
-// extension leaves undefined is 0, or as the profile says.
-[[nodiscard]] RegisterFile initial_registers(const HardwareProfile& profile, const FragmentInputs& inputs);
 
 // One fragment's registers after the last general combiner, and the colour that leaves the final combiner.
 struct EvaluatedFragment {
