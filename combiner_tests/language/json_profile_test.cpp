@@ -59,7 +59,9 @@ TEST(JsonProfile, EveryFieldCanBeReplaced) {
     "general_narrowing": "nearest-halves-up", "narrowing_point": "before-scale", "final_narrowing": "toward-zero",
     "general_combiners": 5, "texture_units": 3, "per_stage_constants": true, "blue_to_alpha": true,
     "spare0_alpha_without_texture0": 1, "disabled_texture_alpha": 2, "secondary_alpha": "as-given",
-    "fog_alpha_without_fog": 3, "subpixel_bits": 0, "vertex_color_mantissa_bits": 23})");
+    "fog_alpha_without_fog": 3, "subpixel_bits": 0, "vertex_color_mantissa_bits": 23,
+    "polygon_offset_slope": "root", "color_interpolation": "affine", "texture_weight_bits": 5,
+    "dxt1_palette": "rgb888"})");
   EXPECT_EQ(p.name, "a.b-c_9");
   EXPECT_EQ(p.chip, "a chip");
   Datapath d;
@@ -82,6 +84,10 @@ TEST(JsonProfile, EveryFieldCanBeReplaced) {
   EXPECT_EQ(p.fog_alpha_without_fog.value, 3);
   EXPECT_EQ(p.subpixel_bits.value, 0);
   EXPECT_EQ(p.vertex_color_mantissa_bits.value, 23);
+  EXPECT_EQ(p.polygon_offset_slope.value, OffsetSlope::root);
+  EXPECT_EQ(p.color_interpolation.value, ColorInterpolation::affine);
+  EXPECT_EQ(p.texture_weight_bits.value, 5);
+  EXPECT_EQ(p.dxt1_palette.value, Dxt1Palette::rgb888);
 }
 
 TEST(JsonProfile, WhatIsReplacedIsAssumedAndNamesTheFile) {
@@ -131,7 +137,8 @@ TEST(JsonProfile, RangesAreChecked) {
                                                                        {"disabled_texture_alpha", {-1, 256}},
                                                                        {"fog_alpha_without_fog", {-1, 256}},
                                                                        {"subpixel_bits", {-1, 5}},
-                                                                       {"vertex_color_mantissa_bits", {0, 24}}};
+                                                                       {"vertex_color_mantissa_bits", {0, 24}},
+                                                                       {"texture_weight_bits", {0, 9}}};
   for (const auto& [key, values] : bad) {
     for (const int value : values) {
       const std::string text = with("\"" + std::string(key) + "\": " + std::to_string(value));
@@ -167,7 +174,7 @@ TEST(JsonProfile, EveryFaultHasItsPlace) {
       "lowest, half, expand_offset, byte_shift, general_narrowing, narrowing_point, final_narrowing, "
       "general_combiners, texture_units, per_stage_constants, blue_to_alpha, spare0_alpha_without_texture0, "
       "disabled_texture_alpha, secondary_alpha, fog_alpha_without_fog, subpixel_bits, "
-      "vertex_color_mantissa_bits\n"
+      "vertex_color_mantissa_bits, polygon_offset_slope, color_interpolation, texture_weight_bits, dxt1_palette\n"
       "mine.json:5:10: one must be a whole number, not a string\n"
       "mine.json:6:22: \"two\" is no secondary_alpha; there are one, as-given\n"
       "mine.json:7:20: blue_to_alpha must be true or false, not a number\n"

@@ -75,6 +75,10 @@ TEST(Profiles, Geforce2IsTheTable) {
   expect_choice(p.fog_alpha_without_fog, 255, specified, "fog_alpha_without_fog");
   expect_choice(p.subpixel_bits, 4, inferred, "subpixel_bits");
   expect_choice(p.vertex_color_mantissa_bits, 13, inferred, "vertex_color_mantissa_bits");
+  expect_choice(p.polygon_offset_slope, OffsetSlope::larger, inferred, "polygon_offset_slope");
+  expect_choice(p.color_interpolation, ColorInterpolation::perspective, assumed, "color_interpolation");
+  expect_choice(p.texture_weight_bits, 8, assumed, "texture_weight_bits");
+  expect_choice(p.dxt1_palette, Dxt1Palette::rgb565, inferred, "dxt1_palette");
 }
 
 TEST(Profiles, Nv2aIsTheTable) {
@@ -98,6 +102,10 @@ TEST(Profiles, Nv2aIsTheTable) {
   expect_choice(p.fog_alpha_without_fog, 255, specified, "fog_alpha_without_fog");
   expect_choice(p.subpixel_bits, 4, measured, "subpixel_bits");
   expect_choice(p.vertex_color_mantissa_bits, 13, measured, "vertex_color_mantissa_bits");
+  expect_choice(p.polygon_offset_slope, OffsetSlope::larger, inferred, "polygon_offset_slope");
+  expect_choice(p.color_interpolation, ColorInterpolation::perspective, assumed, "color_interpolation");
+  expect_choice(p.texture_weight_bits, 8, assumed, "texture_weight_bits");
+  expect_choice(p.dxt1_palette, Dxt1Palette::rgb565, inferred, "dxt1_palette");
 }
 
 TEST(Profiles, EarlyTruncationIsGeforce2WithAnotherNarrowingPoint) {
@@ -138,6 +146,10 @@ TEST(Profiles, RealNumbersAreTheTable) {
     expect_choice(p.secondary_alpha, SecondaryAlpha::as_given, specified, "secondary_alpha");
     expect_choice(p.subpixel_bits, 4, assumed, "subpixel_bits");
     expect_choice(p.vertex_color_mantissa_bits, 23, assumed, "vertex_color_mantissa_bits");
+    expect_choice(p.polygon_offset_slope, OffsetSlope::larger, assumed, "polygon_offset_slope");
+    expect_choice(p.color_interpolation, ColorInterpolation::perspective, assumed, "color_interpolation");
+    expect_choice(p.texture_weight_bits, 8, assumed, "texture_weight_bits");
+    expect_choice(p.dxt1_palette, Dxt1Palette::rgb888, specified, "dxt1_palette");
     for (const auto& choice : {p.lowest, p.half, p.expand_offset}) EXPECT_NE(choice.evidence, measured);
   }
 }

@@ -60,7 +60,11 @@ class ProfileReader {
                              "secondary_alpha",
                              "fog_alpha_without_fog",
                              "subpixel_bits",
-                             "vertex_color_mantissa_bits"})) {
+                             "vertex_color_mantissa_bits",
+                             "polygon_offset_slope",
+                             "color_interpolation",
+                             "texture_weight_bits",
+                             "dxt1_palette"})) {
       return {profile_, text_};
     }
     root_ = &root;
@@ -174,6 +178,12 @@ class ProfileReader {
     integer("fog_alpha_without_fog", profile_.fog_alpha_without_fog, 0, 255);
     integer("subpixel_bits", profile_.subpixel_bits, 0, 4);
     integer("vertex_color_mantissa_bits", profile_.vertex_color_mantissa_bits, 1, 23);
+    choose("polygon_offset_slope", profile_.polygon_offset_slope,
+           {{"larger", OffsetSlope::larger}, {"root", OffsetSlope::root}});
+    choose("color_interpolation", profile_.color_interpolation,
+           {{"perspective", ColorInterpolation::perspective}, {"affine", ColorInterpolation::affine}});
+    integer("texture_weight_bits", profile_.texture_weight_bits, 1, 8);
+    choose("dxt1_palette", profile_.dxt1_palette, {{"rgb565", Dxt1Palette::rgb565}, {"rgb888", Dxt1Palette::rgb888}});
   }
 
   // The values stay; where they come from changes.

@@ -28,6 +28,16 @@ std::string text_of(SecondaryAlpha v) {
   return v == SecondaryAlpha::one ? "1.0" : "as given";
 }
 
+std::string text_of(OffsetSlope v) {
+  return v == OffsetSlope::larger ? "the larger of |dz/dx| and |dz/dy|" : "the root of their squares' sum";
+}
+std::string text_of(ColorInterpolation v) {
+  return v == ColorInterpolation::perspective ? "in perspective" : "affine";
+}
+std::string text_of(Dxt1Palette v) {
+  return v == Dxt1Palette::rgb565 ? "5, 6, 5 bits" : "8, 8, 8 bits";
+}
+
 struct Row {
   std::string field, value, evidence, source;
 };
@@ -56,6 +66,10 @@ std::vector<Row> rows_of(const HardwareProfile& p) {
   add("fog_alpha_without_fog", p.fog_alpha_without_fog);
   add("subpixel_bits", p.subpixel_bits);
   add("vertex_color_mantissa_bits", p.vertex_color_mantissa_bits);
+  add("polygon_offset_slope", p.polygon_offset_slope);
+  add("color_interpolation", p.color_interpolation);
+  add("texture_weight_bits", p.texture_weight_bits);
+  add("dxt1_palette", p.dxt1_palette);
   return rows;
 }
 

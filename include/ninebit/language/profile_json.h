@@ -23,11 +23,12 @@ struct OwnedProfile {
 // Values are whole numbers, true and false, or one of
 //   arithmetic         integer, exact, float32            general_narrowing, final_narrowing  toward-zero,
 //   narrowing_point    after-scale, before-scale                                              nearest-halves-up
-//   secondary_alpha    one, as-given
+//   secondary_alpha    one, as-given                      polygon_offset_slope                larger, root
+//   dxt1_palette       rgb565, rgb888                     color_interpolation                 perspective, affine
 //
 // Faults: whatever is unknown, of another type or out of range: one = 255 >> byte_shift with byte_shift 0 to 4, lowest
 // -one or -one - 1, half 0 to one, expand_offset one or one + 1, 1 to 8 general combiners, 1 to 4 texture units, bytes
-// 0 to 255, 0 to 4 subpixel bits, 1 to 23 mantissa bits; a field that the arithmetic does not read.
+// 0 to 255, 0 to 4 subpixel bits, 1 to 23 mantissa bits, 1 to 8 weight bits; a field that the arithmetic does not read.
 [[nodiscard]] Parsed<OwnedProfile> parse_json_profile(const SourceText& source);
 
 }  // namespace ninebit

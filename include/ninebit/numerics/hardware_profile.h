@@ -51,6 +51,9 @@ enum class NarrowingPoint : std::uint8_t {
 
 // What alpha a secondary colour has.
 enum class SecondaryAlpha : std::uint8_t { one, as_given };
+enum class OffsetSlope : std::uint8_t { larger, root };  // max(|dz/dx|, |dz/dy|), or the root of the sum of squares
+enum class ColorInterpolation : std::uint8_t { perspective, affine };
+enum class Dxt1Palette : std::uint8_t { rgb565, rgb888 };  // in which a block's two middle colours are computed
 
 struct HardwareProfile {
   std::string_view name;
@@ -84,8 +87,12 @@ struct HardwareProfile {
   Choice<int> fog_alpha_without_fog;  // byte
 
   // The rasterizer.
-  Choice<int> subpixel_bits;               // window positions are truncated toward zero to 1/2^this pixel
-  Choice<int> vertex_color_mantissa_bits;  // a float vertex colour keeps this many fraction bits, then x 255, half up
+  Choice<int> subpixel_bits;                 // window positions are truncated toward zero to 1/2^this pixel
+  Choice<int> vertex_color_mantissa_bits;    // a float vertex colour keeps this many fraction bits, then x 255, half up
+  Choice<OffsetSlope> polygon_offset_slope;  // m of the polygon offset factor × m + r × units
+  Choice<ColorInterpolation> color_interpolation;  // of smooth primary and secondary colours
+  Choice<int> texture_weight_bits;                 // fraction bits of the weights of linear filters
+  Choice<Dxt1Palette> dxt1_palette;
 };
 
 // All shipped profiles, the default (geforce2) first. Addresses and names stay valid for the whole run.
@@ -120,6 +127,11 @@ inline constexpr HardwareProfile geforce2{
     .fog_alpha_without_fog = {255, Evidence::specified, "NV_register_combiners, initial register values"},
     .subpixel_bits = {4, Evidence::inferred, "rule 21: modelled by envytools for NV10, measured on NV2A"},
     .vertex_color_mantissa_bits = {13, Evidence::inferred, "rule 17: modelled by envytools for NV10, measured on NV2A"},
+    .polygon_offset_slope = {OffsetSlope::larger, Evidence::inferred, "rule 20, measured on NV2A"},
+    .color_interpolation = {ColorInterpolation::perspective, Evidence::assumed, "OpenGL allows both; rival: affine"},
+    .texture_weight_bits = {8, Evidence::assumed, "OpenGL leaves the precision open"},
+    .dxt1_palette = {Dxt1Palette::rgb565, Evidence::inferred,
+                     "banding of DXT1 skies in reviews of 2001; how the chip rounds is assumed"},
 };
 
 namespace detail {
@@ -161,6 +173,8 @@ constexpr HardwareProfile xbox() {
   p.secondary_alpha = {SecondaryAlpha::as_given, Evidence::specified, "NV_register_combiners2"};
   p.subpixel_bits = {4, Evidence::measured, "rule 21"};
   p.vertex_color_mantissa_bits = {13, Evidence::measured, "rule 17: 273 of 273"};
+  p.polygon_offset_slope = {OffsetSlope::larger, Evidence::inferred, "rule 20: equal slopes in depth dumps"};
+  p.dxt1_palette = {Dxt1Palette::rgb565, Evidence::inferred, "the GeForce3 was reported to band as its forerunners"};
   return p;
 }
 
@@ -185,6 +199,11 @@ constexpr HardwareProfile real_numbers(std::string_view name, std::string_view c
   p.disabled_texture_alpha = {255, Evidence::assumed, as_nv2a};
   p.subpixel_bits = {4, Evidence::assumed, as_nv2a};
   p.vertex_color_mantissa_bits = {23, Evidence::assumed, "no bit of a float is cut before it is rounded to a byte"};
+  p.polygon_offset_slope = {OffsetSlope::larger, Evidence::assumed, as_nv2a};
+  p.color_interpolation = {ColorInterpolation::perspective, Evidence::assumed, as_nv2a};
+  p.texture_weight_bits = {8, Evidence::assumed, as_nv2a};
+  p.dxt1_palette = {Dxt1Palette::rgb888, Evidence::specified,
+                    "EXT_texture_compression_s3tc: real numbers between the colours"};
   return p;
 }
 }  // namespace detail

@@ -1,4 +1,4 @@
-// Drawing triangles: vertices in, fragments through the combiners and the fragment operations, planes out.
+// Drawing primitives: vertices in, fragments through the combiners and the fragment operations, planes out.
 #pragma once
 
 #include <array>
@@ -15,38 +15,88 @@ namespace ninebit {
 using ColorBytes = std::array<std::uint8_t, 4>;  // red, green, blue, alpha
 
 inline constexpr int kMaxTextureUnits = 4;
+inline constexpr int kMaxAttributes = 4;
 
-// Indexed triangles. The spans must outlive the call.
-struct TriangleArrays {
-  std::span<const glm::vec3> positions{};
-  std::span<const glm::uvec3> triangles{};  // indices into positions
-
-  // Primary colours: one a vertex, or one a triangle (what flat shading gives when the vertices are not shared); both
-  // empty: opaque white.
-  std::span<const ColorBytes> vertex_colors{};
-  std::span<const ColorBytes> triangle_colors{};
-
-  // Texture coordinates (s, t, r) a vertex, for each unit with a texture.
-  std::array<std::span<const glm::vec3>, kMaxTextureUnits> texture_coordinates{};
+enum class PrimitiveType : std::uint8_t {
+  points,
+  lines,
+  line_strip,
+  line_loop,
+  triangles,
+  triangle_strip,
+  triangle_fan,
+  quads,
+  quad_strip,
+  polygon  // one convex polygon
 };
 
-// Draws the triangles in their order into the whole target (viewport = target, depth range [0, 1]).
+// The vertices of one draw call. The spans must outlive it.
+struct VertexArrays {
+  PrimitiveType type = PrimitiveType::triangles;
+  std::span<const glm::vec3> positions{};
+  // Which vertices, in which order; empty: all of `positions` in theirs. What is left over at the end of the list is
+  // not drawn, as in GL.
+  std::span<const std::uint32_t> indices{};
+
+  // Primary colours: one a vertex, or one a primitive (a point, line, triangle, quad or polygon); both empty: opaque
+  // white. Vertex colours in floats become bytes by byte_of_vertex_color (rule 17).
+  std::span<const ColorBytes> vertex_colors{};
+  std::span<const ColorBytes> primitive_colors{};
+  std::span<const ColorBytes> secondary_colors{};  // one a vertex; empty: black
+  std::span<const float> fog_factors{};            // one a vertex, clamped to [0, 1]; empty: 1
+
+  // Texture coordinates (s, t, r, q) a vertex, for each unit with a texture; (s, t, r) with q = 1.
+  std::array<std::span<const glm::vec3>, kMaxTextureUnits> texture_coordinates{};
+  // Four floats a vertex, interpolated in perspective, for output planes.
+  std::array<std::span<const glm::vec4>, kMaxAttributes> attributes{};
+};
+
+// The vertex numbers of indexed triangles as one list.
+[[nodiscard]] inline std::span<const std::uint32_t> index_list(std::span<const glm::uvec3> triangles) {
+  return triangles.empty() ? std::span<const std::uint32_t>{}
+                           : std::span<const std::uint32_t>(&triangles[0].x, 3 * triangles.size());
+}
+
+// A texture unit: what it samples, and how.
+struct TextureUnit {
+  const Texture* texture = nullptr;  // nullptr: the unit is off
+  Sampler sampler;
+};
+
+// Draws the primitives in their order.
 //
-// - Clip coordinates are clip_from_object * (position, 1), computed in floats in a fixed order. Triangles are clipped
+// - Clip coordinates are clip_from_object * (position, 1), computed in floats in a fixed order. Primitives are clipped
 //   against the near and far planes and against a guard band that keeps window positions within 8,192 pixels of the
-//   viewport's centre. Triangles with a position that is not finite, or without area after snapping, draw nothing.
-// - Window positions are truncated toward zero to 1/16 pixel (profile.subpixel_bits); a pixel is drawn when its centre
-//   lies inside, or on a top or left edge (top: in the picture, y up).
-// - Depth is the exact plane through the three vertices' 24-bit depths at the pixel's centre, rounded to nearest,
-//   halves up: an integer computation, so that equal geometry gives equal depth in every pass.
-// - Texture coordinates and smooth colours are perspective-correct, in floats, in a fixed order for each fragment.
-// - Each fragment then goes through the program, alpha test, stencil test, depth test and masks, in GL's order; where
-//   triangles overlap, earlier ones come first, whatever the number of threads.
+//   viewport's centre. Primitives with a position that is not finite, and polygons without area after snapping, draw
+//   nothing.
+// - Window positions are truncated toward zero to 1/16 pixel (profile.subpixel_bits). A polygon draws the pixels whose
+//   centres lie inside it, or on a top or left edge (top: in the picture, y up). A line draws the pixels whose diamonds
+//   it leaves (OpenGL 1.3, 3.4.1); a point of size n draws n × n pixels around it.
+// - Window depth is held in 24 bits: the depth codes of the target's format, with as many fraction bits as are left.
+//   Each vertex depth is rounded to them; a fragment's is the exact plane (or line) through them at the pixel's centre,
+//   rounded to nearest, halves up; then the polygon offset is added, itself rounded so once a polygon; the sum is
+//   clamped and its fraction bits are rounded away, halves up. All in integers, so that equal geometry gives equal
+//   depth in every pass.
+// - Texture coordinates, attributes, fog factors and smooth colours are interpolated in floats, in a fixed order for
+//   each fragment; in perspective, colours as profile.color_interpolation says.
+// - Each fragment then goes through scissor, program, alpha test, stencil test, depth test, blending and masks, in GL's
+//   order; where primitives overlap, earlier ones come first, whatever the number of threads.
 //
-// Reports arrays of unequal lengths, indices out of range, a target without the planes that the state needs.
+// Reports arrays of unequal lengths, indices out of range, a target without the planes that the state needs, numbers
+// outside the ranges that pipeline_state.h gives. A texture that is not complete counts as off, as in GL.
 [[nodiscard]] Status rasterize(const PipelineState& state, const glm::mat4& clip_from_object,
-                               const TriangleArrays& arrays,
-                               std::span<const CubeMap* const> textures,  // for each unit; nullptr: the unit is off
-                               RenderTarget& target);
+                               const VertexArrays& arrays, std::span<const TextureUnit> units, RenderTarget& target);
+
+struct ClearBuffers {
+  bool color = true;
+  bool depth = true;
+  bool stencil = true;
+};
+
+// GL's clear: writes the values into the named planes of the target, through the colour mask, the depth test's `write`
+// (whether or not the test is enabled), the front stencil write mask and the scissor. Other output planes stay.
+// Reports what rasterize reports of the target.
+[[nodiscard]] Status clear(const PipelineState& state, ClearBuffers buffers, const ClearValues& values,
+                           RenderTarget& target);
 
 }  // namespace ninebit

@@ -6,8 +6,8 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "ninebit/combiner/registers.h"
@@ -18,7 +18,14 @@ namespace ninebit {
 
 // Sizes from 1 to this are drawn: a position then lies within 8,192 pixels of the viewport's centre.
 inline constexpr int kMaxSurfaceSize = 16384;
-inline constexpr std::uint32_t kMaxDepthZ24 = 0xFFFFFF;
+
+// A 16-bit float (IEEE 754 binary16) as its bits.
+struct Half {
+  std::uint16_t bits = 0;
+  friend constexpr bool operator==(Half, Half) = default;
+};
+[[nodiscard]] Half half_of(float value);  // rounded to nearest, ties to even; beyond the range infinity
+[[nodiscard]] float float_of(Half value);
 
 // A view of rows of samples; it owns nothing. An empty plane (data == nullptr) is not drawn into.
 template <class T>
@@ -30,46 +37,88 @@ struct Plane {
   explicit operator bool() const { return data != nullptr; }
 };
 
-// One component of a register after the last general combiner, or one of the output, written for every fragment that
-// reaches the depth test and would pass it, whatever the alpha and stencil tests say. The last fragment stays.
-struct RegisterCapture {
-  std::optional<Register> reg;  // empty: the final combiner's output
-  int component = kRed;
-  Plane<s9> plane;
+// How depth and stencil are stored. A depth code k of m bits stands for the window depth k / (2^m - 1); stencil values
+// have s bits.
+enum class DepthStencilFormat : std::uint8_t { d24s8, d16, d15s1 };
+[[nodiscard]] constexpr int depth_bits(DepthStencilFormat format) {
+  return format == DepthStencilFormat::d24s8 ? 24 : format == DepthStencilFormat::d16 ? 16 : 15;
+}
+[[nodiscard]] constexpr int stencil_bits(DepthStencilFormat format) {
+  return format == DepthStencilFormat::d24s8 ? 8 : format == DepthStencilFormat::d16 ? 0 : 1;
+}
+[[nodiscard]] constexpr std::uint32_t max_depth(DepthStencilFormat format) {
+  return (std::uint32_t{1} << depth_bits(format)) - 1;
+}
+
+// What a fragment can leave in a plane besides its colour.
+enum class OutputSource : std::uint8_t {
+  register_code,  // one component of a register after the last general combiner: s9
+  output_code,    // one component of the final combiner's output: s9, or u8 as the byte that it becomes
+  attribute,      // one component of an interpolated attribute: float or half
+  primitive,      // the primitive's number in the draw call: u32
+  depth           // the fragment's depth code: u32, or u16 with 16 and 15 bits
 };
 
-// Where a draw goes. All planes have the size of the target.
+// When a plane is written.
+enum class OutputTime : std::uint8_t {
+  when_drawn,    // with the colour: only fragments that passed all tests
+  at_depth_pass  // by every fragment that would pass the depth test, whatever the alpha and stencil tests say
+};
+
+using OutputSamples =
+    std::variant<Plane<s9>, Plane<std::uint8_t>, Plane<std::uint16_t>, Plane<std::uint32_t>, Plane<Half>, Plane<float>>;
+
+// A further render target plane. Where several fragments meet a pixel, the last stays. Masks, blending and the
+// scissor's absence do not concern it; the scissor does.
+struct OutputPlane {
+  OutputSource source = OutputSource::output_code;
+  Register reg = Register::spare0;  // of register_code
+  int attribute = 0;                // of attribute: 0 to kMaxAttributes - 1
+  int component = kRed;
+  OutputTime time = OutputTime::when_drawn;
+  OutputSamples plane{};
+};
+inline constexpr std::size_t kMaxOutputPlanes = 32;
+
+// Where a draw goes. All planes have the size of the target, and any may be the caller's own memory.
 struct RenderTarget {
   int width = 0;
   int height = 0;
-  std::array<Plane<std::uint8_t>, 4> color;  // red, green, blue, alpha
-  Plane<std::uint32_t> depth_z24;            // 0 near to 0xFFFFFF far
-  Plane<std::uint8_t> stencil;
-  Plane<std::uint32_t> primitive;  // the number of the triangle that was drawn last, with the colour
-  std::vector<RegisterCapture> captures;
+  std::array<Plane<std::uint8_t>, 4> color{};  // red, green, blue, alpha
+  DepthStencilFormat format = DepthStencilFormat::d24s8;
+  Plane<std::uint32_t> depth{};   // codes of format's depth bits: 0 near, max_depth(format) far
+  Plane<std::uint8_t> stencil{};  // values of format's stencil bits
+  std::vector<OutputPlane> outputs{};
 };
 
 // What a surface starts with and what clear() writes.
 struct ClearValues {
   std::array<std::uint8_t, 4> color{};
-  std::uint32_t depth_z24 = kMaxDepthZ24;
-  std::uint8_t stencil = 0;
-  std::uint32_t primitive = 0xFFFFFFFF;
+  double depth = 1.0;  // clamped to [0, 1], then rounded to the nearest code
+  int stencil = 0;     // its low bits
 };
 
-// A target that owns its planes: colour, 24-bit depth, 8-bit stencil and, where asked for, primitive numbers.
+struct SurfaceFormat {
+  DepthStencilFormat depth_stencil = DepthStencilFormat::d24s8;
+  bool with_primitive = false;  // adds a plane of primitive numbers, 0xFFFFFFFF where nothing was drawn
+};
+
+// A target that owns its planes: colour, depth, stencil where the format has it and, where asked for, primitive
+// numbers.
 class Surface {
  public:
   // Reports sizes outside 1 to kMaxSurfaceSize.
-  [[nodiscard]] static Result<Surface> make(int width, int height, bool with_primitive = false);
+  [[nodiscard]] static Result<Surface> make(int width, int height, SurfaceFormat format = {});
 
   [[nodiscard]] int width() const { return width_; }
   [[nodiscard]] int height() const { return height_; }
+  [[nodiscard]] DepthStencilFormat format() const { return format_; }
 
   // Views of all planes, valid as long as this surface is neither moved from nor destroyed.
   [[nodiscard]] RenderTarget target();
 
-  void clear(const ClearValues& values);
+  // Fills all planes, without regard to any mask; see clear() in rasterizer.h for GL's.
+  void fill(const ClearValues& values);
 
   // Gives one colour plane away; the surface must not be drawn into any more.
   [[nodiscard]] std::vector<std::uint8_t> take_color(int component) {
@@ -80,14 +129,15 @@ class Surface {
   [[nodiscard]] const std::vector<std::uint8_t>& color(int component) const {
     return color_[static_cast<std::size_t>(component)];
   }
-  [[nodiscard]] const std::vector<std::uint32_t>& depth_z24() const { return depth_; }
+  [[nodiscard]] const std::vector<std::uint32_t>& depth() const { return depth_; }
   [[nodiscard]] const std::vector<std::uint8_t>& stencil() const { return stencil_; }
   [[nodiscard]] const std::vector<std::uint32_t>& primitive() const { return primitive_; }
 
  private:
-  Surface(int width, int height, bool with_primitive);
+  Surface(int width, int height, SurfaceFormat format);
   int width_;
   int height_;
+  DepthStencilFormat format_;
   std::array<std::vector<std::uint8_t>, 4> color_;
   std::vector<std::uint32_t> depth_;
   std::vector<std::uint8_t> stencil_;
