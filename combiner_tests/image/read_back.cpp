@@ -72,11 +72,13 @@ std::vector<StoredPart> read_exr(const fs::path& file) {
     for (auto channel = header.channels().begin(); channel != header.channels().end(); ++channel) {
       const auto type = channel.channel().type;
       StoredChannel& target = stored.channels[channel.name()];
-      if (type == Imf::FLOAT) throw std::runtime_error("no channel should be stored as 32-bit float");
       void* samples = nullptr;
       if (type == Imf::HALF) {
         halves[channel.name()].resize(count);
         samples = halves[channel.name()].data();
+      } else if (type == Imf::FLOAT) {
+        target.floats.resize(count);
+        samples = target.floats.data();
       } else {
         target.integers.resize(count);
         samples = target.integers.data();
@@ -91,19 +93,33 @@ std::vector<StoredPart> read_exr(const fs::path& file) {
   return parts;
 }
 
-ninebit::Image8 read_png(const fs::path& file) {
+namespace {
+
+template <class Sample>
+ninebit::Image<Sample> read_png_as(const fs::path& file, OIIO::TypeDesc type) {
   OIIO::ImageSpec wishes;
   wishes.attribute("oiio:UnassociatedAlpha", 1);
   const auto input = OIIO::ImageInput::open(file.string(), &wishes);
   if (!input) throw std::runtime_error(OIIO::geterror());
   const OIIO::ImageSpec& spec = input->spec();
-  ninebit::Image8 image{spec.width, spec.height, spec.nchannels, {}};
+  if (spec.format != type) throw std::runtime_error("the file has samples of another depth");
+  ninebit::Image<Sample> image{spec.width, spec.height, spec.nchannels, {}};
   image.pixels.resize(static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(spec.height) *
                       static_cast<std::size_t>(spec.nchannels));
-  if (!input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::UINT8, image.pixels.data())) {
+  if (!input->read_image(0, 0, 0, spec.nchannels, type, image.pixels.data())) {
     throw std::runtime_error(input->geterror());
   }
   return image;
+}
+
+}  // namespace
+
+ninebit::Image8 read_png(const fs::path& file) {
+  return read_png_as<std::uint8_t>(file, OIIO::TypeDesc::UINT8);
+}
+
+ninebit::Image16 read_png16(const fs::path& file) {
+  return read_png_as<std::uint16_t>(file, OIIO::TypeDesc::UINT16);
 }
 
 std::vector<std::string> png_chunks(std::string_view png) {

@@ -35,6 +35,7 @@ void write_bytes(const std::filesystem::path& file, std::string_view bytes);
 struct StoredChannel {
   std::vector<std::uint32_t> integers;  // UINT
   std::vector<float> reals;             // HALF
+  std::vector<float> floats;            // FLOAT
 };
 
 struct StoredPart {
@@ -51,6 +52,8 @@ std::vector<StoredPart> read_exr(const std::filesystem::path& file);
 
 // An 8-bit picture with alpha as stored, by OpenImageIO's own reader. Throws std::runtime_error where it fails.
 ninebit::Image8 read_png(const std::filesystem::path& file);
+// The same of a 16-bit picture; throws also where the file has another depth.
+ninebit::Image16 read_png16(const std::filesystem::path& file);
 
 // The names of a PNG's chunks, in order.
 std::vector<std::string> png_chunks(std::string_view png);

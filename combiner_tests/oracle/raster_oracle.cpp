@@ -1,5 +1,7 @@
+// Coverage, depth and polygon offset of single triangles and lines.
 #include "combiner_tests/oracle/raster_oracle.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace ninebit::oracle {
@@ -9,6 +11,12 @@ __extension__ using Wide = __int128;
 
 int sign(Wide value) {
   return value > 0 ? 1 : value < 0 ? -1 : 0;
+}
+
+Wide floor_of(Wide n, Wide d) {
+  Wide quotient = n / d;
+  if (n % d < 0) --quotient;
+  return quotient;
 }
 
 // Twice the signed area of a, b and the pixel's centre.
@@ -30,78 +38,27 @@ int side(const WindowVertex& a, const WindowVertex& b, int px, int py) {
   return -sign(Wide{b.x_q4} - a.x_q4);
 }
 
-bool passes(CompareFunction function, std::int64_t left, std::int64_t right) {
-  switch (function) {
-    case CompareFunction::never:
-      return false;
-    case CompareFunction::less:
-      return left < right;
-    case CompareFunction::equal:
-      return left == right;
-    case CompareFunction::lequal:
-      return left <= right;
-    case CompareFunction::greater:
-      return left > right;
-    case CompareFunction::notequal:
-      return left != right;
-    case CompareFunction::gequal:
-      return left >= right;
-    case CompareFunction::always:
-      return true;
-  }
-  return false;
+// A number with terms in e and e², e being smaller than anything else.
+struct Tiny {
+  Wide one, e, e2;
+  int sign() const { return oracle::sign(one != 0 ? one : e != 0 ? e : e2); }
+  Tiny operator*(Wide f) const { return {one * f, e * f, e2 * f}; }
+  Tiny operator-(const Tiny& o) const { return {one - o.one, e - o.e, e2 - o.e2}; }
+};
+
+// How far a point, moved by (-e, -e²), lies beyond one of the diamond's four borders; negative: within.
+Tiny beyond_border(const WindowVertex& v, int px, int py, int sx, int sy) {
+  return {sx * (Wide{v.x_q4} - 16 * px - 8) + sy * (Wide{v.y_q4} - 16 * py - 8) - 8, -sx, -sy};
 }
 
-void update_stencil(const StencilTest& test, StencilOperation operation, std::uint8_t& stored) {
-  int result = stored;
-  if (operation == StencilOperation::zero) result = 0;
-  if (operation == StencilOperation::replace) result = test.reference;
-  if (operation == StencilOperation::incr && stored < 255) result = stored + 1;
-  if (operation == StencilOperation::decr && stored > 0) result = stored - 1;
-  if (operation == StencilOperation::invert) result = 255 - stored;
-  if (operation == StencilOperation::incr_wrap) result = (stored + 1) % 256;
-  if (operation == StencilOperation::decr_wrap) result = (stored + 255) % 256;
-  int merged = 0;
-  for (int bit = 1; bit <= 128; bit *= 2) {
-    const int from = (test.write_mask & bit) != 0 ? result : stored;
-    if ((from & bit) != 0) merged += bit;
-  }
-  stored = static_cast<std::uint8_t>(merged);
-}
+// A fraction: where along the line, from 0 to 1, it crosses something.
+struct Crossing {
+  Tiny n;
+  Wide d;  // > 0
+};
 
-void process(const PipelineState& state, std::uint32_t number, const Bytes& color, std::int64_t z, std::size_t at,
-             Picture& picture, Tally& tally) {
-  ++tally.fragments;
-  const bool depth_passes = !state.depth_test.enabled || passes(state.depth_test.function, z, picture.depth_z24[at]);
-  if (depth_passes) picture.captured[at] = color[0];
-
-  if (state.alpha_test.enabled && !passes(state.alpha_test.function, color[3], state.alpha_test.reference)) {
-    ++tally.alpha_fail;
-    return;
-  }
-  if (state.stencil_test.enabled) {
-    const StencilTest& test = state.stencil_test;
-    std::uint8_t& stored = picture.stencil[at];
-    if (!passes(test.function, test.reference & test.mask, stored & test.mask)) {
-      ++tally.stencil_fail;
-      update_stencil(test, test.fail, stored);
-      return;
-    }
-    update_stencil(test, depth_passes ? test.depth_pass : test.depth_fail, stored);
-  }
-  if (!depth_passes) {
-    ++tally.depth_fail;
-    return;
-  }
-  ++tally.drawn;
-  if (state.depth_test.enabled && state.depth_test.write) picture.depth_z24[at] = static_cast<std::uint32_t>(z);
-  bool any = false;
-  for (std::size_t i = 0; i < 4; ++i) {
-    if (!state.color_mask[i]) continue;
-    picture.color[at][i] = color[i];
-    any = true;
-  }
-  if (any) picture.primitive[at] = number;
+bool less(const Crossing& a, const Crossing& b) {
+  return (a.n * b.d - b.n * a.d).sign() < 0;
 }
 
 }  // namespace
@@ -120,42 +77,72 @@ std::int64_t depth_at(const WindowTriangle& t, int px, int py) {
     area = -area;
     sum = -sum;
   }
-  const Wide n = 2 * sum + area, d = 2 * area;
-  Wide quotient = n / d;
-  if (n % d < 0) --quotient;
-  return static_cast<std::int64_t>(quotient);
+  return static_cast<std::int64_t>(floor_of(2 * sum + area, 2 * area));
 }
 
-std::array<double, 4> color_at(const WindowTriangle& t, const std::array<Bytes, 3>& colors, int px, int py) {
-  const auto area = static_cast<double>(area_of(t));
-  std::array<double, 4> color{};
-  for (std::size_t corner = 0; corner < 3; ++corner) {
-    const auto weight = static_cast<double>(area_with_centre(t[(corner + 1) % 3], t[(corner + 2) % 3], px, py)) / area;
-    for (std::size_t i = 0; i < 4; ++i) color[i] += weight * colors[corner][i];
-  }
-  return color;
-}
-
-void draw(const PipelineState& state, const std::vector<DrawnTriangle>& triangles, Picture& picture, Tally& tally) {
-  for (const DrawnTriangle& triangle : triangles) {
-    const Wide area = area_of(triangle.corners);
-    if (area == 0) continue;
-    if (area > 0 && state.cull_face == CullFace::front) continue;
-    if (area < 0 && state.cull_face == CullFace::back) continue;
-    for (int y = 0; y < picture.height; ++y) {
-      for (int x = 0; x < picture.width; ++x) {
-        if (!covers(triangle.corners, x, y)) continue;
-        Bytes color = triangle.colors[2];
-        if (state.shade_model == ShadeModel::smooth) {
-          const std::array<double, 4> real = color_at(triangle.corners, triangle.colors, x, y);
-          for (std::size_t i = 0; i < 4; ++i) color[i] = static_cast<std::uint8_t>(std::floor(real[i] + 0.5));
-        }
-        const auto at =
-            static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.width) + static_cast<std::size_t>(x);
-        process(state, triangle.number, color, depth_at(triangle.corners, x, y), at, picture, tally);
-      }
+bool exits_diamond(const WindowLine& line, int px, int py) {
+  const WindowVertex &a = line[0], &b = line[1];
+  if (a.x_q4 == b.x_q4 && a.y_q4 == b.y_q4) return false;
+  const Crossing start{{0, 0, 0}, 1}, end{{1, 0, 0}, 1};
+  std::vector<Crossing> enters, leaves;
+  bool ends_inside = true;
+  for (const int sx : {-1, 1}) {
+    for (const int sy : {-1, 1}) {
+      const Tiny at_start = beyond_border(a, px, py, sx, sy);
+      const Wide change = sx * (Wide{b.x_q4} - a.x_q4) + sy * (Wide{b.y_q4} - a.y_q4);
+      if (beyond_border(b, px, py, sx, sy).sign() >= 0) ends_inside = false;
+      if (change == 0 && at_start.sign() >= 0) return false;
+      if (change > 0) leaves.push_back({at_start * -1, change});
+      if (change < 0) enters.push_back({at_start, -change});
     }
   }
+  if (ends_inside) return false;
+  // Within the open diamond for a while between start and end?
+  for (const Crossing& in : enters) {
+    if (!less(in, end)) return false;
+    for (const Crossing& out : leaves) {
+      if (!less(in, out)) return false;
+    }
+  }
+  return std::all_of(leaves.begin(), leaves.end(), [&](const Crossing& out) { return less(start, out); });
+}
+
+Along along_line(const WindowLine& line, int px, int py) {
+  const std::int64_t dx = line[1].x_q4 - line[0].x_q4, dy = line[1].y_q4 - line[0].y_q4;
+  const std::int64_t squared = dx * dx + dy * dy;
+  const std::int64_t along = dx * (16 * px + 8 - line[0].x_q4) + dy * (16 * py + 8 - line[0].y_q4);
+  return {std::min(std::max(along, std::int64_t{0}), squared), squared};
+}
+
+std::int64_t polygon_offset(const PolygonOffset& offset, OffsetSlope slope, DepthStencilFormat format,
+                            const WindowTriangle& t) {
+  const std::int64_t step = std::int64_t{1} << (24 - depth_bits(format));
+  const Wide area = area_of(t) < 0 ? -area_of(t) : area_of(t);
+  // EXT_polygon_offset's formulas, times the area; in window depth for a pixel.
+  const auto& [a, b, c] = t;
+  Wide dx = 16 * ((Wide{c.y_q4} - b.y_q4) * (b.z24 - a.z24) - (Wide{b.y_q4} - a.y_q4) * (c.z24 - b.z24));
+  Wide dy = 16 * ((Wide{b.x_q4} - a.x_q4) * (c.z24 - b.z24) - (Wide{c.x_q4} - b.x_q4) * (b.z24 - a.z24));
+  dx = dx < 0 ? -dx : dx;
+  dy = dy < 0 ? -dy : dy;
+  const Wide larger = std::max(dx, dy);
+  // Whole sixteenths are computed in exact fractions.
+  const double factor16 = static_cast<double>(offset.factor) * 16, units16 = static_cast<double>(offset.units) * 16;
+  const bool sixteenths = std::fabs(factor16) < 0x1p20 && std::fabs(units16) < 0x1p20 &&
+                          factor16 == std::floor(factor16) && units16 == std::floor(units16);
+  if (slope == OffsetSlope::larger && sixteenths) {
+    const Wide sum = static_cast<std::int64_t>(factor16) * larger + static_cast<std::int64_t>(units16) * step * area;
+    const Wide rounded = floor_of(sum + 8 * area, 16 * area);
+    return static_cast<std::int64_t>(std::clamp(rounded, -(Wide{1} << 25), Wide{1} << 25));
+  }
+  double m = static_cast<double>(larger) / static_cast<double>(area);
+  if (slope == OffsetSlope::root) {
+    const double x = static_cast<double>(dx) / static_cast<double>(area);
+    const double y = static_cast<double>(dy) / static_cast<double>(area);
+    m = std::sqrt(x * x + y * y);
+  }
+  const double sum =
+      static_cast<double>(offset.factor) * m + static_cast<double>(offset.units) * static_cast<double>(step);
+  return static_cast<std::int64_t>(std::floor(std::min(std::max(sum, -0x1p25), 0x1p25) + 0.5));
 }
 
 }  // namespace ninebit::oracle

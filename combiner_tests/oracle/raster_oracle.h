@@ -1,27 +1,28 @@
 // A slow and naive rasterizer in exact integers. Its only job is to judge the library's.
 //
-// It is written from the contract in rasterizer.h (snapped vertices, top-left rule, depth plane) and from chapter 4.1
-// of the OpenGL 1.3 specification (fragment operations), and shares no code with what it judges: of the library's
-// headers it includes pipeline_state.h alone, for the state as the question.
+// It is written from the contract in rasterizer.h (snapped vertices, top-left rule, depth planes, how polygons are
+// cut) and from chapters 2.6.1 and 3.3 to 3.5 of the OpenGL 1.3 specification, and shares no code with what it judges:
+// of the library's headers it includes pipeline_state.h and surface.h alone, for the state and formats as the question.
+// raster_oracle_fragment.h follows a fragment further.
 #pragma once
 
 #include <array>
 #include <cstdint>
 #include <vector>
 
+#include "combiner_tests/oracle/raster_oracle_fragment.h"
 #include "ninebit/raster/pipeline_state.h"
 
 namespace ninebit::oracle {
 
-using Bytes = std::array<std::uint8_t, 4>;  // red, green, blue, alpha
-
-// A vertex as the rasterizer holds it after snapping.
+// A vertex as the rasterizer holds it after snapping: depth in 24 bits, the format's codes and fraction bits.
 struct WindowVertex {
   std::int64_t x_q4 = 0;
   std::int64_t y_q4 = 0;
   std::int64_t z24 = 0;
 };
 using WindowTriangle = std::array<WindowVertex, 3>;
+using WindowLine = std::array<WindowVertex, 2>;
 
 // Whether the triangle draws the pixel: its centre lies inside, or on a top or left edge (y up).
 [[nodiscard]] bool covers(const WindowTriangle& triangle, int px, int py);
@@ -29,39 +30,58 @@ using WindowTriangle = std::array<WindowVertex, 3>;
 // The triangle's depth plane at the pixel's centre, rounded to nearest, halves up. The triangle has an area.
 [[nodiscard]] std::int64_t depth_at(const WindowTriangle& triangle, int px, int py);
 
-// The colour at the pixel's centre, as a real number for each component: for triangles seen without perspective.
-[[nodiscard]] std::array<double, 4> color_at(const WindowTriangle& triangle, const std::array<Bytes, 3>& colors, int px,
-                                             int py);
+// The diamond-exit rule for a line of width 1: whether the line, its ends moved by (-e, -e²), meets the open diamond of
+// the pixel and does not end in it.
+[[nodiscard]] bool exits_diamond(const WindowLine& line, int px, int py);
 
-struct DrawnTriangle {
-  WindowTriangle corners;
-  std::array<Bytes, 3> colors;
-  std::uint32_t number = 0;
+// How far along the line the pixel's centre lies, as the fraction along / squared_length, clamped to [0, 1].
+struct Along {
+  std::int64_t along = 0;
+  std::int64_t squared_length = 1;
+};
+[[nodiscard]] Along along_line(const WindowLine& line, int px, int py);
+
+// A triangle's polygon offset in window depth, rounded to nearest, halves up.
+[[nodiscard]] std::int64_t polygon_offset(const PolygonOffset& offset, OffsetSlope slope, DepthStencilFormat format,
+                                          const WindowTriangle& triangle);
+
+// GL's primitive types by their GL numbers, GL_POINTS being 0.
+enum class Primitive {
+  points,
+  lines,
+  line_loop,
+  line_strip,
+  triangles,
+  triangle_strip,
+  triangle_fan,
+  quads,
+  quad_strip,
+  polygon
 };
 
-// All planes of a target, row by row, the lowest row first.
-struct Picture {
-  int width = 0;
-  int height = 0;
-  std::vector<Bytes> color;
-  std::vector<std::uint32_t> depth_z24;
-  std::vector<std::uint8_t> stencil;
-  std::vector<std::uint32_t> primitive;
-  std::vector<int>
-      captured;  // the red of the last fragment that would pass the depth test; as it was, if there is none
+struct DrawnVertex {
+  WindowVertex position;
+  Bytes color{255, 255, 255, 255};
 };
 
-// What became of the fragments.
-struct Tally {
-  std::uint64_t fragments = 0;
-  std::uint64_t alpha_fail = 0;
-  std::uint64_t stencil_fail = 0;
-  std::uint64_t depth_fail = 0;
-  std::uint64_t drawn = 0;
+// One draw call: the vertices in the order of the list.
+struct DrawCall {
+  Primitive type = Primitive::triangles;
+  std::vector<DrawnVertex> vertices;
+  std::vector<Bytes> primitive_colors;  // or none
 };
 
-// Draws in order. The state's program is not looked at: a fragment has its triangle's colour, by the state's shade
-// model.
-void draw(const PipelineState& state, const std::vector<DrawnTriangle>& triangles, Picture& picture, Tally& tally);
+// Draws in order, within viewport and scissor. The state's program is not looked at: a fragment has its primitive's
+// colour, by the state's shade model (smooth colours as without perspective).
+void draw(const PipelineState& state, const DrawCall& call, Picture& picture, Tally& tally);
+
+// GL's clear of the planes that are named, of colour, depth (a code) and stencil.
+struct Clear {
+  bool clears_color = true, clears_depth = true, clears_stencil = true;
+  Bytes color{};
+  std::uint32_t depth = 0;
+  std::uint8_t stencil = 0;
+};
+void clear(const PipelineState& state, const Clear& values, Picture& picture);
 
 }  // namespace ninebit::oracle

@@ -21,10 +21,10 @@ Mesh covering_triangle() {
   return mesh;
 }
 
-Status draw(const PipelineState& state, const TriangleArrays& arrays, std::span<const CubeMap* const> textures = {}) {
+Status draw(const PipelineState& state, const VertexArrays& arrays, std::span<const TextureUnit> units = {}) {
   Surface surface = Surface::make(8, 8).value();
   RenderTarget target = surface.target();
-  const Status status = rasterize(state, kIdentity, arrays, textures, target);
+  const Status status = rasterize(state, kIdentity, arrays, units, target);
   if (!status) {
     EXPECT_FALSE(status.error().message.empty());
     EXPECT_EQ(std::count(surface.color(0).begin(), surface.color(0).end(), 0), 64);  // nothing was drawn
@@ -52,7 +52,7 @@ TEST(BadInput, SizesOutsideTheRangeAreReported) {
 TEST(BadInput, ArraysThatDoNotFitAreReported) {
   const Mesh good = covering_triangle();
   ASSERT_TRUE(draw({}, good.arrays()).ok());
-  EXPECT_TRUE(draw({}, TriangleArrays{}).ok());  // nothing to draw
+  EXPECT_TRUE(draw({}, VertexArrays{}).ok());  // nothing to draw
 
   for (const std::uint32_t index : {3U, 4U, 0x7FFFFFFFU, 0xFFFFFFFFU}) {
     for (int k = 0; k < 3; ++k) {
@@ -71,6 +71,18 @@ TEST(BadInput, ArraysThatDoNotFitAreReported) {
     mesh = good;
     mesh.triangle_colors.resize(count + 1);
     EXPECT_FALSE(draw({}, mesh.arrays()).ok()) << count;
+    const std::vector<float> fog(count);
+    const std::vector<ColorBytes> secondary(count);
+    const std::vector<glm::vec4> attribute(count);
+    VertexArrays arrays = good.arrays();
+    arrays.fog_factors = fog;
+    EXPECT_FALSE(draw({}, arrays).ok()) << count;
+    arrays = good.arrays();
+    arrays.secondary_colors = secondary;
+    EXPECT_FALSE(draw({}, arrays).ok()) << count;
+    arrays = good.arrays();
+    arrays.attributes[3] = attribute;
+    EXPECT_FALSE(draw({}, arrays).ok()) << count;
   }
   Mesh both = good;
   both.vertex_colors.resize(3);
@@ -78,13 +90,47 @@ TEST(BadInput, ArraysThatDoNotFitAreReported) {
   EXPECT_FALSE(draw({}, both.arrays()).ok());
 }
 
+TEST(BadInput, NumbersOutOfTheirRangesAreReported) {
+  const Mesh mesh = covering_triangle();
+  const auto fails = [&](auto change) {
+    PipelineState state;
+    change(state);
+    return !draw(state, mesh.arrays()).ok();
+  };
+  for (const int size : {0, -1, 65, std::numeric_limits<int>::max(), std::numeric_limits<int>::min()}) {
+    EXPECT_TRUE(fails([&](PipelineState& s) { s.point_size = size; })) << size;
+    EXPECT_TRUE(fails([&](PipelineState& s) { s.line_width = size; })) << size;
+  }
+  EXPECT_FALSE(fails([](PipelineState& s) { s.point_size = s.line_width = 64; }));
+  for (const float odd : {kNan, kInfinity, -kInfinity}) {
+    EXPECT_TRUE(fails([&](PipelineState& s) { s.polygon_offset.factor = odd; })) << odd;
+    EXPECT_TRUE(fails([&](PipelineState& s) { s.polygon_offset.units = odd; })) << odd;
+    const bool is_number = !std::isnan(odd);  // infinity is clamped
+    EXPECT_EQ(fails([&](PipelineState& s) { s.depth_near = odd; }), !is_number) << odd;
+    EXPECT_EQ(fails([&](PipelineState& s) { s.depth_far = odd; }), !is_number) << odd;
+  }
+  constexpr int kLargest = std::numeric_limits<int>::max(), kLowest = std::numeric_limits<int>::min();
+  for (const PixelRect& r : {PixelRect{-1, 0, 4, 4}, PixelRect{0, -1, 4, 4}, PixelRect{5, 0, 4, 4},
+                             PixelRect{0, 5, 4, 4}, PixelRect{0, 0, -1, 4}, PixelRect{0, 0, 4, -1},
+                             PixelRect{kLargest, 0, kLargest, 4}, PixelRect{kLowest, kLowest, kLargest, kLargest}}) {
+    EXPECT_TRUE(fails([&](PipelineState& s) { s.viewport = r; })) << r.x << ' ' << r.y << ' ' << r.width;
+  }
+  EXPECT_FALSE(fails([](PipelineState& s) { s.viewport = PixelRect{8, 8, 0, 0}; }));
+  EXPECT_FALSE(fails([](PipelineState& s) { s.viewport = PixelRect{0, 0, 8, 8}; }));
+  // A scissor may lie anywhere.
+  EXPECT_FALSE(fails([](PipelineState& s) { s.scissor = PixelRect{kLowest, kLowest, kLargest, kLargest}; }));
+  EXPECT_FALSE(fails([](PipelineState& s) { s.scissor = PixelRect{kLargest, kLargest, kLargest, kLargest}; }));
+  EXPECT_TRUE(fails([](PipelineState& s) { s.scissor = PixelRect{0, 0, -1, 8}; }));
+}
+
 TEST(BadInput, TexturesThatDoNotFitAreReported) {
   const std::vector<std::uint8_t> sample{77};
-  CubeMap map;
-  map.size = 1;
-  for (auto& face : map.faces) face.fill({sample.data(), 1});
-  const std::array<const CubeMap*, 5> units{&map, nullptr, nullptr, nullptr, nullptr};
-  const std::span<const CubeMap* const> all(units);
+  const std::array<Plane<const std::uint8_t>, 4> planes{{{sample.data(), 1}, {sample.data(), 1}, {sample.data(), 1}}};
+  const std::vector<TextureImage> faces(6, TextureImage{1, 1, planes});
+  const Texture map = texture_view(InternalFormat::rgb8, faces);
+  std::array<TextureUnit, 5> units{};
+  units[0] = {&map, kNearestSampler};
+  const std::span<const TextureUnit> all(units);
   Mesh mesh = covering_triangle();
   PipelineState state;
   state.program = pass_through(Register::texture0, Register::texture0);
@@ -103,15 +149,17 @@ TEST(BadInput, TexturesThatDoNotFitAreReported) {
   state.profile.texture_units.value = 9;
   EXPECT_FALSE(draw(state, mesh.arrays(), all).ok());
 
-  CubeMap broken = map;
-  const std::array<const CubeMap*, 1> one{&broken};
+  Texture broken = map;
+  const std::array<TextureUnit, 1> one{TextureUnit{&broken, kNearestSampler}};
   for (const int size : {0, -1}) {
-    broken.size = size;
+    broken.faces[0][0].width = broken.faces[0][0].height = size;
     EXPECT_FALSE(draw(state, mesh.arrays(), one).ok());
   }
+  // An incomplete texture counts as off: nothing is asked of its coordinates.
   broken = map;
-  broken.faces[4][2] = {};
-  EXPECT_FALSE(draw(state, mesh.arrays(), one).ok());
+  broken.faces[4].clear();
+  mesh.texture_coordinates.clear();
+  EXPECT_TRUE(draw(state, mesh.arrays(), one).ok());
 
   // Texture coordinates that are no direction fetch some texel.
   for (const float odd : {kNan, kInfinity, -kInfinity, 0.0F, kMax}) {
@@ -130,16 +178,7 @@ TEST(BadInput, MissingPlanesAreReportedOrLeftOut) {
   stencil.stencil_test.enabled = true;
   EXPECT_FALSE(rasterize(depth, kIdentity, mesh.arrays(), {}, empty).ok());
   EXPECT_FALSE(rasterize(stencil, kIdentity, mesh.arrays(), {}, empty).ok());
-  std::vector<s9> plane(64);
-  for (const Register reg :
-       {Register::zero, Register::constant0, Register::e_times_f, Register::spare0_plus_secondary}) {
-    empty.captures = {{reg, kRed, {plane.data(), 8}}};
-    EXPECT_FALSE(rasterize({}, kIdentity, mesh.arrays(), {}, empty).ok());
-  }
-  for (const int component : {-1, 4}) {
-    empty.captures = {{Register::primary, component, {plane.data(), 8}}};
-    EXPECT_FALSE(rasterize({}, kIdentity, mesh.arrays(), {}, empty).ok());
-  }
+  // (What may be wrong with output planes, see outputs_test.cpp.)
   PipelineState bits;
   for (const int subpixel_bits : {-1, 5}) {
     bits.profile.subpixel_bits.value = subpixel_bits;
@@ -226,11 +265,21 @@ TEST(BadInput, AnyFloatsAtAllAreSafe) {
     } else if (random.one_in(2)) {
       matrix = perspective(0.5, 1.0, random.pick({1e-30, 1e-6, 0.1}), 1e6);
     }
+    PipelineState state;
+    state.front_mode = static_cast<PolygonMode>(random.below(3));
+    state.back_mode = static_cast<PolygonMode>(random.below(3));
+    state.line_width = random.pick({1, 2, 64});
+    state.point_size = random.pick({1, 2, 64});
+    state.polygon_offset = {true, true, true, random.pick({0.0F, 1.0F, -kMax, kMax}), random.pick({0.0F, kMax, -3.0F})};
+    state.profile.color_interpolation.value =
+        random.one_in(2) ? ColorInterpolation::affine : ColorInterpolation::perspective;
+    VertexArrays arrays = mesh.arrays();
+    if (random.one_in(2)) arrays.type = static_cast<PrimitiveType>(random.below(10));
     Canvas canvas(random.pick({1, 5, 70}), random.pick({1, 5, 70}), random.one_in(2));
-    ASSERT_TRUE(rasterize({}, matrix, mesh.arrays(), {}, canvas.target).ok());
+    ASSERT_TRUE(rasterize(state, matrix, arrays, {}, canvas.target).ok());
     ASSERT_TRUE(canvas.padding_is_whole());
     const oracle::Picture picture = canvas.picture();
-    drawn += std::count_if(picture.primitive.begin(), picture.primitive.end(), [](std::uint32_t p) { return p < 4; });
+    drawn += std::count_if(picture.primitive.begin(), picture.primitive.end(), [](std::uint32_t p) { return p < 12; });
   }
   EXPECT_GE(drawn, 10000);
 }

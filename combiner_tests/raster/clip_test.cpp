@@ -127,7 +127,7 @@ TEST(Clip, DepthOfWhatRemainsIsThatOfTheWholePlane) {
   mesh.add_triangle(0, 1, 2);
   const int size = 128;
   Surface surface = Surface::make(size, size).value();
-  surface.clear({.depth_z24 = 0x123456});
+  surface.fill({.depth = 0x123456 / double{0xFFFFFF}});
   RenderTarget target = surface.target();
   PipelineState state = counting_state();
   state.depth_test = {true, CompareFunction::always, true};
@@ -144,7 +144,7 @@ TEST(Clip, DepthOfWhatRemainsIsThatOfTheWholePlane) {
       if (std::fabs(z) >= 1) continue;
       ++drawn;
       // Corners of the clipped polygon are snapped, at most 1/16 pixel.
-      EXPECT_NEAR(surface.depth_z24()[at], (z * 0.5 + 0.5) * kMaxDepthZ24, 2.0 / 1.5 * 0.5 * kMaxDepthZ24 / size / 4);
+      EXPECT_NEAR(surface.depth()[at], (z * 0.5 + 0.5) * 0xFFFFFF, 2.0 / 1.5 * 0.5 * 0xFFFFFF / size / 4);
     }
   }
   EXPECT_GE(drawn, 6000);

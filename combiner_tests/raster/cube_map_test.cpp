@@ -1,10 +1,11 @@
-// Cube maps: the major-axis table, and that what is drawn onto a face is what a direction fetches from it.
+// Cube maps: the major-axis table, faces that do not bleed into each other, and that what is drawn onto a face is what
+// a direction fetches from it.
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
 
-#include "combiner_tests/raster/support.h"
+#include "combiner_tests/raster/texture_support.h"
 
 namespace ninebit::test {
 namespace {
@@ -82,42 +83,101 @@ TEST(CubeMap, TiesZerosAndSignsFollowTheDocumentedRule) {
   }
 }
 
+// A cube map whose texels say where they are: x, y, face.
+Texture places(int size) {
+  std::vector<std::vector<TextureSamples>> faces;
+  for (int face = 0; face < 6; ++face) {
+    std::vector<std::uint8_t> bytes;
+    for (int k = 0; k < 3; ++k) {
+      for (int i = 0; i < size * size; ++i) {
+        bytes.push_back(static_cast<std::uint8_t>(k == 0 ? i % size : k == 1 ? i / size : face));
+      }
+    }
+    faces.push_back({{size, size, std::move(bytes)}});
+  }
+  return make_texture(TextureTarget::cube_map, InternalFormat::rgb8, std::move(faces)).value();
+}
+
+// The register codes that a direction fetches, NEAREST.
+Rgba9 fetch(const Texture& texture, const glm::vec3& direction) {
+  const auto sampler = TextureSampler::make(profiles::geforce2, texture, kNearestSampler);
+  CoordinateArrays one;
+  one.push({direction.x, direction.y, direction.z});
+  CodeArrays codes(1);
+  sampler->sample(one.view(), 1, codes.at());
+  return codes.of(0);
+}
+
 TEST(CubeMap, NotANumberGivesTheFirstTexelAndInfinityOneOfTheMap) {
-  CubeMap map;
-  map.size = 16;
+  const Texture texture = places(16);
   const float values[] = {-kInfinity, -1.0F, 0.0F, 3.0F, kInfinity, kNan, std::numeric_limits<float>::max()};
   for (const float x : values) {
     for (const float y : values) {
       for (const float z : values) {
         const CubeCoordinate c = cube_coordinate(x, y, z);
         EXPECT_TRUE(c.s >= 0 && c.s <= 1 && c.t >= 0 && c.t <= 1) << x << ' ' << y << ' ' << z;
-        const CubeMap::Texel texel = map.nearest(x, y, z);
-        EXPECT_TRUE(texel.x >= 0 && texel.x < 16 && texel.y >= 0 && texel.y < 16) << x << ' ' << y << ' ' << z;
+        const Rgba9 codes = fetch(texture, {x, y, z});
+        EXPECT_TRUE(codes[0] < 16 && codes[1] < 16 && codes[2] < 6 && codes[3] == 255) << x << ' ' << y << ' ' << z;
         if (!std::isnan(x) && !std::isnan(y) && !std::isnan(z)) continue;
-        EXPECT_EQ(texel.face, CubeFace::positive_x) << x << ' ' << y << ' ' << z;
-        EXPECT_EQ(texel.x, 0) << x << ' ' << y << ' ' << z;
-        EXPECT_EQ(texel.y, 0) << x << ' ' << y << ' ' << z;
+        EXPECT_EQ(codes, (Rgba9{0, 0, 0, 255})) << x << ' ' << y << ' ' << z;
       }
     }
   }
+  EXPECT_EQ(cube_coordinate(-kInfinity, 1, 2).s, 0.5F);
+  EXPECT_EQ(cube_coordinate(1, kInfinity, kInfinity).t, 0.0F);
 }
 
 TEST(CubeMap, NearestTakesTheTexelThatHoldsTheCoordinate) {
   Random random(42);
-  for (int i = 0; i < 100000; ++i) {
-    CubeMap map;
-    map.size = random.pick({1, 2, 3, 16, 100, 512});
-    const float x = random.real_f(-1, 1), y = random.real_f(-1, 1), z = random.real_f(-1, 1);
-    const Expected expected = table(x, y, z);
-    const CubeMap::Texel texel = map.nearest(x, y, z);
-    ASSERT_EQ(texel.face, expected.face);
-    ASSERT_NEAR(texel.x + 0.5, expected.s * map.size, 0.5 + 1e-4);
-    ASSERT_NEAR(texel.y + 0.5, expected.t * map.size, 0.5 + 1e-4);
+  for (const int size : {1, 2, 4, 16, 128, 256}) {
+    const Texture texture = places(size);
+    for (int i = 0; i < 20000; ++i) {
+      const float x = random.real_f(-1, 1), y = random.real_f(-1, 1), z = random.real_f(-1, 1);
+      const Expected expected = table(x, y, z);
+      const Rgba9 codes = fetch(texture, {x, y, z});
+      ASSERT_EQ(codes[2], static_cast<int>(expected.face));
+      ASSERT_NEAR(codes[0] + 0.5, expected.s * size, 0.5 + 1e-4);
+      ASSERT_NEAR(codes[1] + 0.5, expected.t * size, 0.5 + 1e-4);
+    }
   }
-  CubeMap map;
-  map.size = 8;  // s = 1 and t = 1 belong to the last texel
-  EXPECT_EQ(map.nearest(1, 0, -1).x, 7);
-  EXPECT_EQ(map.nearest(1, -1, 0).y, 7);
+  const Texture texture = places(8);  // s = 1 and t = 1 belong to the last texel
+  EXPECT_EQ(fetch(texture, {1, 0, -1})[0], 7);
+  EXPECT_EQ(fetch(texture, {1, -1, 0})[1], 7);
+}
+
+// All six faces, their edges and corners: each is wrapped as a texture of its own.
+TEST(CubeMap, NoFilterReadsAcrossTheFaces) {
+  const Texture texture = [] {
+    std::vector<std::vector<TextureSamples>> faces;
+    for (int face = 0; face < 6; ++face) {
+      faces.push_back({{4, 4, std::vector<std::uint8_t>(16, static_cast<std::uint8_t>(40 * face + 8))}});
+    }
+    return make_texture(TextureTarget::cube_map, InternalFormat::luminance8, std::move(faces)).value();
+  }();
+  Sampler sampler{.min_filter = MinFilter::linear, .border_color = {1, 1, 1, 1}};
+  const auto red = [&](const glm::vec3& r) {
+    return texel_at(*TextureSampler::make(profiles::geforce2, texture, sampler), {r.x, r.y, r.z}).value[0];
+  };
+  int checked = 0;
+  for (const float x : {-1.0F, -0.999F, 0.0F, 0.999F, 1.0F}) {
+    for (const float y : {-1.0F, -0.999F, 0.0F, 0.999F, 1.0F}) {
+      for (const float z : {-1.0F, -0.999F, 0.0F, 0.999F, 1.0F}) {
+        if (std::max({std::fabs(x), std::fabs(y), std::fabs(z)}) < 0.9F) continue;
+        const int own = 40 * static_cast<int>(table(x, y, z).face) + 8;
+        for (const Wrap wrap : {Wrap::repeat, Wrap::clamp_to_edge, Wrap::mirrored_repeat}) {
+          sampler.wrap_s = sampler.wrap_t = wrap;
+          ASSERT_EQ(red({x, y, z}), own) << x << ' ' << y << ' ' << z;
+          ++checked;
+        }
+        sampler.wrap_s = sampler.wrap_t = Wrap::clamp;  // half a texel at an edge is the border's
+        const bool corner = std::fabs(x) > 0.9F && std::fabs(y) > 0.9F && std::fabs(z) > 0.9F;
+        const int zeros = (x == 0 ? 1 : 0) + (y == 0 ? 1 : 0) + (z == 0 ? 1 : 0);
+        const double share = corner ? 0.75 : zeros == 1 ? 0.5 : 0;
+        ASSERT_NEAR(red({x, y, z}), own + share * (255 - own), 3) << x << ' ' << y << ' ' << z;
+      }
+    }
+  }
+  EXPECT_GT(checked, 300);
 }
 
 // The projection that draws what stands around the origin onto a face.
@@ -135,32 +195,35 @@ glm::mat4 face_matrix(CubeFace face, double near_plane, double far_plane) {
   return m;
 }
 
-// Six faces that own their planes.
+// Triangles with a colour each.
+struct ColoredTriangles {
+  std::vector<glm::vec3> positions;
+  std::vector<ColorBytes> colors;
+};
+
+// Six surfaces, and the cube map that views them without a copy.
 struct DrawnCube {
-  std::vector<Surface> faces;
-  CubeMap map;
+  std::vector<Surface> surfaces;
+  Texture texture;
   explicit DrawnCube(int size) {
-    for (int i = 0; i < 6; ++i) faces.push_back(Surface::make(size, size).value());
-    map.size = size;
-    for (std::size_t i = 0; i < 6; ++i) {
-      const RenderTarget target = faces[i].target();
-      for (std::size_t k = 0; k < 3; ++k) map.faces[i][k] = {target.color[k].data, target.color[k].stride};
+    std::vector<TextureImage> faces;
+    for (int i = 0; i < 6; ++i) {
+      surfaces.push_back(Surface::make(size, size).value());
+      const RenderTarget target = surfaces.back().target();
+      std::array<Plane<const std::uint8_t>, 4> planes;
+      for (std::size_t k = 0; k < 3; ++k) planes[k] = {target.color[k].data, target.color[k].stride};
+      faces.push_back({size, size, planes});
     }
+    texture = texture_view(InternalFormat::rgb8, faces);
   }
-  void draw(const Mesh& mesh, bool with_depth) {
+  void draw(const ColoredTriangles& triangles, bool with_depth) {
+    const VertexArrays arrays{.positions = triangles.positions, .primitive_colors = triangles.colors};
     for (const CubeFace face : kCubeFaces) {
-      RenderTarget target = faces[static_cast<std::size_t>(face)].target();
+      RenderTarget target = surfaces[static_cast<std::size_t>(face)].target();
       PipelineState state;
       state.depth_test.enabled = with_depth;
-      ASSERT_TRUE(rasterize(state, face_matrix(face, 0.01, 100), mesh.arrays(), {}, target).ok());
+      ASSERT_TRUE(rasterize(state, face_matrix(face, 0.01, 100), arrays, {}, target).ok());
     }
-  }
-  ColorBytes fetch(const glm::vec3& direction) const {
-    const CubeMap::Texel texel = map.nearest(direction.x, direction.y, direction.z);
-    ColorBytes color{0, 0, 0, 0};
-    for (std::size_t k = 0; k < 3; ++k)
-      color[k] = map.faces[static_cast<std::size_t>(texel.face)][k].at(texel.x, texel.y);
-    return color;
   }
 };
 
@@ -179,37 +242,37 @@ glm::vec3 direction_of(int face, double s, double t, double distance) {
 
 ColorBytes color_of_number(int number) {
   return {static_cast<std::uint8_t>(number & 255), static_cast<std::uint8_t>((number >> 8) & 255),
-          static_cast<std::uint8_t>(1 + (number >> 16)), 0};
+          static_cast<std::uint8_t>(1 + (number >> 16)), 255};
 }
 
 // One small triangle around the middle of every texel of all faces, each with its own colour and distance, all drawn
 // through all six projections: any direction within a texel then fetches the colour of that texel's triangle.
 TEST(CubeMap, WhatIsDrawnIsWhatIsFetched) {
-  for (const int size : {1, 7, 64, 100}) {
+  for (const int size : {1, 8, 64, 128}) {
     Random random(43, static_cast<std::uint64_t>(size));
-    Mesh mesh;
+    ColoredTriangles triangles;
     const auto number_of = [&](int face, int x, int y) { return (face * size + y) * size + x; };
     for (int face = 0; face < 6; ++face) {
       for (int y = 0; y < size; ++y) {
         for (int x = 0; x < size; ++x) {
           const double turn = random.real(0, 6.28), distance = random.real(0.1, 50);
-          const auto first = static_cast<std::uint32_t>(mesh.positions.size());
           for (int k = 0; k < 3; ++k) {
             const double angle = turn + k * 2.0943951;
             const double s = (x + 0.5 + 0.4 * std::cos(angle)) / size, t = (y + 0.5 + 0.4 * std::sin(angle)) / size;
-            mesh.add(direction_of(face, s, t, distance * random.real(0.8, 1.25)));
+            triangles.positions.push_back(direction_of(face, s, t, distance * random.real(0.8, 1.25)));
           }
-          mesh.add_triangle(first, first + 1, first + 2);
-          mesh.triangle_colors.push_back(color_of_number(number_of(face, x, y)));
+          triangles.colors.push_back(color_of_number(number_of(face, x, y)));
         }
       }
     }
     DrawnCube cube(size);
-    cube.draw(mesh, false);
+    cube.draw(triangles, false);
     for (int i = 0; i < 60000; ++i) {
       const int face = random.below(6), x = random.below(size), y = random.below(size);
       const double s = (x + random.real(0.001, 0.999)) / size, t = (y + random.real(0.001, 0.999)) / size;
-      ASSERT_EQ(cube.fetch(direction_of(face, s, t, random.real(0.001, 1000))), color_of_number(number_of(face, x, y)))
+      const ColorBytes expected = color_of_number(number_of(face, x, y));
+      ASSERT_EQ(fetch(cube.texture, direction_of(face, s, t, random.real(0.001, 1000))),
+                (Rgba9{expected[0], expected[1], expected[2], expected[3]}))
           << "size " << size << " face " << face << " texel " << x << ' ' << y;
     }
   }
@@ -221,12 +284,13 @@ TEST(CubeMap, LargeTrianglesAreSeenInTheRightDirections) {
   std::array<int, 6> hits{};
   for (std::uint64_t index = 0; index < 40; ++index) {
     Random random(44, index);
-    Mesh mesh;
-    for (int k = 0; k < 3; ++k) mesh.add({random.real_f(-3, 3), random.real_f(-3, 3), random.real_f(-3, 3)});
-    mesh.add_triangle(0, 1, 2);
+    ColoredTriangles triangles;
+    for (int k = 0; k < 3; ++k) {
+      triangles.positions.emplace_back(random.real_f(-3, 3), random.real_f(-3, 3), random.real_f(-3, 3));
+    }
     DrawnCube cube(size);
-    cube.draw(mesh, true);
-    const glm::dvec3 a(mesh.positions[0]), b(mesh.positions[1]), c(mesh.positions[2]);
+    cube.draw(triangles, true);
+    const glm::dvec3 a(triangles.positions[0]), b(triangles.positions[1]), c(triangles.positions[2]);
     const double whole = glm::dot(a, glm::cross(b, c));
     if (std::fabs(whole) < 0.5) continue;  // seen almost from its edge
     for (int i = 0; i < 4000; ++i) {
@@ -238,7 +302,7 @@ TEST(CubeMap, LargeTrianglesAreSeenInTheRightDirections) {
       };
       const double nearest_edge = std::min({inside_of(a, b), inside_of(b, c), inside_of(c, a)});
       if (std::fabs(nearest_edge) < 0.005) continue;  // within a few sixteenths of a texel
-      const bool drawn = cube.fetch(direction_of(face, (x + 0.5) / size, (y + 0.5) / size, 2))[0] != 0;
+      const bool drawn = fetch(cube.texture, direction_of(face, (x + 0.5) / size, (y + 0.5) / size, 2))[0] != 0;
       ASSERT_EQ(drawn, nearest_edge > 0) << "triangle " << index << " face " << face << " texel " << x << ' ' << y;
       if (drawn) ++hits[static_cast<std::size_t>(face)];
     }

@@ -1,16 +1,17 @@
-// Depth: the exact plane, the same in every pass, from 0 to 0xFFFFFF.
+// Depth: the exact plane, the same in every pass, from one end of a format's codes to the other; the depth functions.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
 #include <utility>
 
-#include "combiner_tests/raster/support.h"
+#include "combiner_tests/raster/fragment_support.h"
 
 namespace ninebit::test {
 namespace {
 
 constexpr int kWide = 16384, kHigh = 64;
+constexpr std::uint32_t kDeepest = 0xFFFFFF;
 
 // Draws one triangle's depth alone onto the widest target.
 class WideDepth {
@@ -25,7 +26,7 @@ class WideDepth {
     RenderTarget target;
     target.width = kWide;
     target.height = kHigh;
-    target.depth_z24 = {depth_.data(), kWide};
+    target.depth = {depth_.data(), kWide};
     PipelineState state;
     state.depth_test = {true, CompareFunction::always, true};
     ASSERT_TRUE(rasterize(state, kIdentity, mesh.arrays(), {}, target).ok());
@@ -42,7 +43,7 @@ oracle::WindowTriangle largest_triangle(Random& random) {
   // The guard band reaches 8,192 pixels to each side of the middle.
   const int low = 16 * (kHigh / 2 - 8190), high = 16 * (kHigh / 2 + 8190);
   const auto near_end = [&](int end, int inward) { return end + inward * random.below(4000); };
-  const auto z = [&] { return static_cast<std::int64_t>(random.next() & kMaxDepthZ24); };
+  const auto z = [&] { return static_cast<std::int64_t>(random.next() & kDeepest); };
   return {{{near_end(0, 1), near_end(low, 1), z()},
            {near_end(16 * kWide, -1), near_end(low, 1), z()},
            {random.between(0, 16 * kWide), near_end(high, -1), z()}}};
@@ -99,13 +100,13 @@ TEST(Depth, JustBelowAHalfIsRoundedDown) {
     const std::int64_t inverse = inverse_modulo(e1, area);
     if (inverse == 0) continue;
     for (int tries = 0; tries < 4000; ++tries) {
-      const std::int64_t dz2 = -static_cast<std::int64_t>(random.next() & kMaxDepthZ24);
+      const std::int64_t dz2 = -static_cast<std::int64_t>(random.next() & kDeepest);
       const WideInt right = ((WideInt{(area - 1) / 2} - WideInt{e2} * dz2) % area + area) % area;
       const std::int64_t dz1 = static_cast<std::int64_t>(right * inverse % area) - area;
-      if (dz1 < -std::int64_t{kMaxDepthZ24}) continue;
-      t[0].z24 = kMaxDepthZ24;
-      t[1].z24 = kMaxDepthZ24 + dz1;
-      t[2].z24 = kMaxDepthZ24 + dz2;
+      if (dz1 < -std::int64_t{kDeepest}) continue;
+      t[0].z24 = kDeepest;
+      t[1].z24 = kDeepest + dz1;
+      t[2].z24 = kDeepest + dz2;
       ++found;
       wide.draw(t);
       EXPECT_EQ(wide.at(x, y), oracle::depth_at(t, x, y)) << "pixel " << x << ' ' << y;
@@ -121,7 +122,7 @@ TEST(Depth, ExactHalvesAreRoundedUp) {
   for (std::uint64_t index = 0; index < 500; ++index) {
     Random random(35, index);
     const int x = random.below(20), y = random.between(20, 40), reach = random.between(1, 4000);
-    const auto z = [&] { return static_cast<std::int64_t>(random.next() & (kMaxDepthZ24 - 1)); };
+    const auto z = [&] { return static_cast<std::int64_t>(random.next() & (kDeepest - 1)); };
     oracle::WindowTriangle t{{{16 * x + 8, 16 * y + 8 + reach, z()},
                               {16 * x + 8, 16 * y + 8 - reach, z()},
                               {16 * x + 8 + random.between(1, 4000), random.between(-2000, 2000), z()}}};
@@ -134,24 +135,84 @@ TEST(Depth, ExactHalvesAreRoundedUp) {
     PipelineState state;
     state.depth_test = {true, CompareFunction::always, true};
     ASSERT_TRUE(rasterize(state, kIdentity, mesh.arrays(), {}, target).ok());
-    ASSERT_EQ(surface.depth_z24()[static_cast<std::size_t>(y * size + x)], (t[0].z24 + t[1].z24 + 1) / 2);
+    ASSERT_EQ(surface.depth()[static_cast<std::size_t>(y * size + x)], (t[0].z24 + t[1].z24 + 1) / 2);
   }
 }
 
+// One triangle over the whole target at one depth.
+Mesh level_triangle(float z) {
+  Mesh mesh;
+  for (const glm::vec2 p : {glm::vec2(-3, -3), glm::vec2(5, -3), glm::vec2(-3, 5)}) mesh.add({p, z});
+  mesh.add_triangle(0, 1, 2);
+  return mesh;
+}
+
 TEST(Depth, EndsOfTheRange) {
-  const std::array<std::pair<float, std::uint32_t>, 5> cases{
-      {{-1.0F, 0U}, {1.0F, 0xFFFFFFU}, {0.0F, 0x800000U}, {0.5F, 12582911U}, {-0.5F, 4194304U}}};
-  for (const auto& [z, expected] : cases) {
-    Mesh mesh;
-    for (const glm::vec2 p : {glm::vec2(-3, -3), glm::vec2(5, -3), glm::vec2(-3, 5)}) mesh.add({p, z});
-    mesh.add_triangle(0, 1, 2);
-    Surface surface = Surface::make(3, 2).value();
-    surface.clear({.depth_z24 = 77});
-    RenderTarget target = surface.target();
-    PipelineState state;
-    state.depth_test = {true, CompareFunction::always, true};
-    ASSERT_TRUE(rasterize(state, kIdentity, mesh.arrays(), {}, target).ok());
-    EXPECT_EQ(surface.depth_z24(), std::vector<std::uint32_t>(6, expected)) << z;
+  struct Row {
+    float z;
+    std::array<std::uint32_t, 3> code;  // of kFormats
+  };
+  for (const Row& row :
+       {Row{-1.0F, {0, 0, 0}}, Row{1.0F, {0xFFFFFF, 0xFFFF, 0x7FFF}}, Row{0.0F, {0x800000, 0x8000, 0x4000}},
+        Row{0.5F, {12582911, 49151, 24575}}, Row{-0.5F, {4194304, 16384, 8192}}}) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      Surface surface = Surface::make(3, 2, {.depth_stencil = kFormats[i]}).value();
+      surface.fill({.depth = 0.3});
+      RenderTarget target = surface.target();
+      PipelineState state;
+      state.depth_test = {true, CompareFunction::always, true};
+      ASSERT_TRUE(rasterize(state, kIdentity, level_triangle(row.z).arrays(), {}, target).ok());
+      EXPECT_EQ(surface.depth(), std::vector<std::uint32_t>(6, row.code[i])) << row.z;
+    }
+  }
+}
+
+// Every function at and beside every edge of a format's codes, through whole draws: pixel i of the target holds code i.
+TEST(Depth, EveryFunctionAtTheEdgesOfEachFormat) {
+  for (const DepthStencilFormat format : kFormats) {
+    const std::uint32_t largest = max_depth(format), middle = largest / 2;
+    const std::vector<std::uint32_t> codes{0, 1, 2, middle - 1, middle, middle + 1, largest - 2, largest - 1, largest};
+    const int width = static_cast<int>(codes.size());
+    for (int function = 0; function < 8; ++function) {
+      for (const std::uint32_t drawn : codes) {
+        Surface surface = Surface::make(width, 1, {.depth_stencil = format}).value();
+        RenderTarget target = surface.target();
+        std::copy(codes.begin(), codes.end(), target.depth.data);
+        PipelineState state;
+        state.depth_test = {true, static_cast<CompareFunction>(function), true};
+        const std::int64_t z24 = std::int64_t{drawn} << (24 - depth_bits(format));
+        const float z = clip_position({0, 0, z24}, {0, 0, width, 1}, 4, format).z;
+        ASSERT_TRUE(rasterize(state, kIdentity, level_triangle(z).arrays(), {}, target).ok());
+        for (std::size_t i = 0; i < codes.size(); ++i) {
+          const std::uint32_t stored = codes[i];
+          const std::array<bool, 8> passes{false, drawn<stored, drawn == stored, drawn <= stored, drawn> stored,
+                                           drawn != stored, drawn >= stored, true};
+          const bool expected = passes[static_cast<std::size_t>(function)];
+          ASSERT_EQ(surface.depth()[i], expected ? drawn : stored) << "function " << function << " over " << stored;
+          ASSERT_EQ(surface.color(0)[i], expected ? 255 : 0);
+        }
+      }
+    }
+  }
+}
+
+// Without the test, or without its writing, the plane stays; without the test, everything is drawn.
+TEST(Depth, TestAndMaskAreApart) {
+  for (const bool enabled : {false, true}) {
+    for (const bool write : {false, true}) {
+      Surface surface = Surface::make(3, 2).value();
+      surface.fill({.depth = 0.25});
+      const std::vector<std::uint32_t> before = surface.depth();
+      RenderTarget target = surface.target();
+      PipelineState state;
+      state.depth_test = {enabled, CompareFunction::less, write};
+      ASSERT_TRUE(rasterize(state, kIdentity, level_triangle(0.0F).arrays(), {}, target).ok());
+      EXPECT_EQ(surface.color(0)[0], enabled ? 0 : 255);
+      EXPECT_EQ(surface.depth(), before);
+      ASSERT_TRUE(rasterize(state, kIdentity, level_triangle(-0.9F).arrays(), {}, target).ok());
+      EXPECT_EQ(surface.color(0)[0], 255);
+      EXPECT_EQ(surface.depth() != before, enabled && write);
+    }
   }
 }
 
@@ -191,10 +252,10 @@ TEST(Depth, IsTheSameForEveryOrderOfAnUnclippedTrianglesVertices) {
       state.depth_test = {true, CompareFunction::always, true};
       ASSERT_TRUE(rasterize(state, matrix, mesh.arrays(), {}, target).ok());
       if (first.empty()) {
-        first = surface.depth_z24();
-        for (const std::uint32_t z : first) drawn += z != kMaxDepthZ24 ? 1 : 0;
+        first = surface.depth();
+        for (const std::uint32_t z : first) drawn += z != kDeepest ? 1 : 0;
       }
-      ASSERT_EQ(first, surface.depth_z24()) << "triangle " << index;
+      ASSERT_EQ(first, surface.depth()) << "triangle " << index;
     } while (std::next_permutation(order.begin(), order.end()));
   }
   EXPECT_GE(drawn, 100000);
@@ -213,19 +274,18 @@ TEST(Depth, EqualMeetsWhatAnEarlierPassWrote) {
     depth_pass.color_mask = {};
     depth_pass.depth_test.enabled = true;
     ASSERT_TRUE(rasterize(depth_pass, matrix, mesh.arrays(), {}, target).ok());
-    const std::vector<std::uint32_t> depth = surface.depth_z24();
+    const std::vector<std::uint32_t> depth = surface.depth();
 
     PipelineState color_pass = counting_state();
     color_pass.color_mask = {true, true, true, true};
     color_pass.depth_test = {true, CompareFunction::equal, false};
-    color_pass.stencil_test.depth_pass = StencilOperation::replace;
-    color_pass.stencil_test.reference = 1;
+    color_pass.stencil_test.front = {.reference = 1, .depth_pass = StencilOperation::replace};
     color_pass.program = pass_through(Register::primary, Register::primary);
     ASSERT_TRUE(rasterize(color_pass, matrix, mesh.arrays(), {}, target).ok());
-    EXPECT_EQ(surface.depth_z24(), depth);
+    EXPECT_EQ(surface.depth(), depth);
     std::int64_t drawn = 0;
     for (std::size_t i = 0; i < depth.size(); ++i) {
-      ASSERT_EQ(surface.stencil()[i], depth[i] != kMaxDepthZ24 ? 1 : 0) << "scene " << index << " sample " << i;
+      ASSERT_EQ(surface.stencil()[i], depth[i] != kDeepest ? 1 : 0) << "scene " << index << " sample " << i;
       drawn += surface.stencil()[i];
     }
     EXPECT_GE(drawn, width * height / 4);

@@ -58,7 +58,7 @@ void expect_colors(bool clipped, std::uint64_t seed) {
   for (std::uint64_t index = 0; index < 150; ++index) {
     Random random(seed, index);
     const Case c = random_case(random, clipped);
-    Surface surface = Surface::make(c.width, c.height, true).value();
+    Surface surface = Surface::make(c.width, c.height, {.with_primitive = true}).value();
     RenderTarget target = surface.target();
     ASSERT_TRUE(rasterize({}, c.matrix, c.mesh.arrays(), {}, target).ok());
     for (int y = 0; y < c.height; ++y) {
@@ -96,9 +96,9 @@ TEST(Interpolation, ClippedTrianglesInterpolateLikeWholeOnes) {
 struct PlaceMap {
   static constexpr int kSize = 256;
   std::array<std::array<std::vector<std::uint8_t>, 3>, 6> samples;
-  CubeMap map;
+  Texture map;
   PlaceMap() {
-    map.size = kSize;
+    std::vector<TextureImage> faces;
     for (std::size_t f = 0; f < 6; ++f) {
       for (int y = 0; y < kSize; ++y) {
         for (int x = 0; x < kSize; ++x) {
@@ -107,21 +107,24 @@ struct PlaceMap {
           samples[f][2].push_back(static_cast<std::uint8_t>(f * 40));
         }
       }
-      for (std::size_t k = 0; k < 3; ++k) map.faces[f][k] = {samples[f][k].data(), kSize};
+      std::array<Plane<const std::uint8_t>, 4> planes{};
+      for (std::size_t k = 0; k < 3; ++k) planes[k] = {samples[f][k].data(), kSize};
+      faces.push_back({kSize, kSize, planes});
     }
+    map = texture_view(InternalFormat::rgb8, faces);
   }
 };
 
 void expect_texels(bool clipped, std::uint64_t seed) {
   const PlaceMap place;
-  const std::array<const CubeMap*, 1> textures{&place.map};
+  const std::array<TextureUnit, 1> textures{TextureUnit{&place.map, kNearestSampler}};
   PipelineState state;
   state.program = pass_through(Register::texture0, Register::texture0);
   std::int64_t checked = 0;
   for (std::uint64_t index = 0; index < 100; ++index) {
     Random random(seed, index);
     const Case c = random_case(random, clipped);
-    Surface surface = Surface::make(c.width, c.height, true).value();
+    Surface surface = Surface::make(c.width, c.height, {.with_primitive = true}).value();
     RenderTarget target = surface.target();
     ASSERT_TRUE(rasterize(state, c.matrix, c.mesh.arrays(), textures, target).ok());
     for (int y = 0; y < c.height; ++y) {

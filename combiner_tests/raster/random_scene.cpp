@@ -1,49 +1,45 @@
 #include "combiner_tests/raster/random_scene.h"
 
 #include <algorithm>
+#include <cmath>
 #include <sstream>
+
+#include "combiner_tests/raster/fragment_support.h"
 
 namespace ninebit::test {
 namespace {
 
-constexpr std::uint8_t kAlphas[] = {0, 1, 127, 128, 254, 255};
-constexpr std::uint32_t kDepths[] = {0, 1, 0x7FFFFF, 0x800000, 0xFFFFFE, 0xFFFFFF};
-
-template <class T, std::size_t N>
-T any_of(Random& random, const T (&values)[N]) {
-  return values[random.below(static_cast<int>(N))];
-}
-
-template <class Enum>
-Enum any_enum(Random& random) {
-  return static_cast<Enum>(random.below(8));  // the compare functions and the stencil operations are eight each
-}
-
-std::uint8_t edge_byte(Random& random) {
-  return random.one_in(3) ? random.byte() : any_of(random, kAlphas);
-}
-
-PipelineState random_state(Random& random) {
+// Primitives, modes and rectangles; the fragment operations come from fragment_support.h.
+PipelineState random_state(Random& random, const RandomScene& scene) {
   PipelineState state;
+  randomize_fragment_operations(random, state);
   state.profile.subpixel_bits.value = random.one_in(4) ? random.below(5) : 4;
-  state.alpha_test = {random.one_in(2), any_enum<CompareFunction>(random), edge_byte(random)};
-  StencilTest& stencil = state.stencil_test;
-  stencil.enabled = !random.one_in(3);
-  stencil.function = random.one_in(3) ? CompareFunction::always : any_enum<CompareFunction>(random);
-  stencil.reference = edge_byte(random);
-  stencil.mask = random.one_in(2) ? 0xFF : random.byte();
-  stencil.write_mask = random.one_in(2) ? 0xFF : edge_byte(random);
-  stencil.fail = any_enum<StencilOperation>(random);
-  stencil.depth_fail = any_enum<StencilOperation>(random);
-  stencil.depth_pass = any_enum<StencilOperation>(random);
-  // The rasterizer may take short cuts where nothing is written.
-  if (random.one_in(3)) stencil.fail = stencil.depth_fail = StencilOperation::keep;
-  if (random.one_in(4)) stencil.depth_pass = StencilOperation::keep;
-  state.depth_test = {!random.one_in(3), any_enum<CompareFunction>(random), !random.one_in(3)};
-  for (bool& mask : state.color_mask) mask = !random.one_in(6);
-  if (random.one_in(8)) state.color_mask = {};
+  if (random.one_in(8)) state.profile.polygon_offset_slope.value = OffsetSlope::root;
+  if (random.one_in(4)) state.profile.color_interpolation.value = ColorInterpolation::affine;
   state.shade_model = random.one_in(2) ? ShadeModel::flat : ShadeModel::smooth;
-  state.cull_face = random.one_in(2) ? CullFace::none : random.one_in(2) ? CullFace::front : CullFace::back;
+  state.cull_face = random.one_in(2) ? CullFace::none : static_cast<CullFace>(random.below(4));
+  state.front_face = random.one_in(3) ? FrontFace::clockwise : FrontFace::counter_clockwise;
+  if (random.one_in(3)) state.front_mode = static_cast<PolygonMode>(random.below(3));
+  if (random.one_in(3)) state.back_mode = static_cast<PolygonMode>(random.below(3));
+  state.point_size = random.one_in(2) ? random.between(1, 5) : random.pick({1, 2, 7, 8, 33, 64});
+  state.line_width = random.one_in(2) ? random.between(1, 4) : random.pick({1, 2, 5, 8, 31, 64});
+  if (random.one_in(3)) {
+    PolygonOffset& o = state.polygon_offset;
+    o = {random.one_in(2), random.one_in(2), random.one_in(2), 0, 0};
+    o.factor = static_cast<float>(random.between(-64, 64)) / static_cast<float>(random.pick({1, 2, 16}));
+    o.units = static_cast<float>(random.between(-4000, 4000)) / static_cast<float>(random.pick({1, 2, 16}));
+    if (random.one_in(6)) o.factor = random.pick({0.0F, 1e30F, -1e30F});
+    if (random.one_in(6)) o.units = random.pick({0.0F, 0.5F, -0.5F, 3e38F, -3e38F});
+  }
+  const auto rect = [&](bool inside) {
+    PixelRect r{random.between(inside ? 0 : -9, scene.width - 1), random.between(inside ? 0 : -9, scene.height - 1), 1,
+                1};
+    r.width = random.between(1, inside ? scene.width - r.x : scene.width + 9);
+    r.height = random.between(1, inside ? scene.height - r.y : scene.height + 9);
+    return r;
+  };
+  if (random.one_in(3)) state.viewport = rect(true);
+  if (random.one_in(3)) state.scissor = rect(false);
   if (random.one_in(2)) state.program = pass_through(Register::primary, Register::primary);
   return state;
 }
@@ -62,13 +58,14 @@ std::int64_t random_position(Random& random, int size, std::int64_t earlier, int
       q4 = earlier;  // an axis-parallel edge
       break;
     case 3:
-      q4 = earlier + random.between(-3, 3);  // a sliver
+      q4 = earlier + random.between(-12, 12);  // a sliver, a line within a pixel
       break;
     case 4:
       q4 = random.between(0, 16 * size);
       break;
     case 5:
-      q4 = random.one_in(2) ? -16 * 4000 : 16 * 4000;  // a triangle much larger than the target
+      // A primitive much larger than the target.
+      if (random.one_in(2)) q4 = random.one_in(2) ? -16 * 4000 : 16 * 4000;
       break;
     default:
       break;
@@ -77,69 +74,112 @@ std::int64_t random_position(Random& random, int size, std::int64_t earlier, int
   return q4 / cell * cell;
 }
 
+// Window depth that is the same in fractions and in floats: 1/1024 of the clip range, depth ranges in eighths.
+void add_depth(Random& random, DepthStencilFormat format, RandomDraw& draw) {
+  const std::int64_t deepest = std::int64_t{max_depth(format)} << (24 - depth_bits(format));
+  const bool has_range = draw.state.depth_near != 0 || draw.state.depth_far != 1;
+  const bool few = random.one_in(2);
+  for (oracle::WindowVertex& v : draw.vertices) {
+    if (has_range) {
+      const int z_1024 = few ? random.pick({-1024, 0, 512, 1024}) : random.between(-1024, 1024);
+      const auto near_8 = static_cast<std::int64_t>(std::clamp(draw.state.depth_near, 0.0F, 1.0F) * 8);
+      const auto far_8 = static_cast<std::int64_t>(std::clamp(draw.state.depth_far, 0.0F, 1.0F) * 8);
+      const std::int64_t n = (near_8 * (1024 - z_1024) + far_8 * (1024 + z_1024)) * deepest;
+      v.z24 = (2 * n + 16384) / 32768;
+      draw.clip_z.push_back(static_cast<float>(z_1024) / 1024);
+    } else {
+      v.z24 = few ? static_cast<std::int64_t>(some_depth(random, format)) << (24 - depth_bits(format))
+                  : random.between(0, static_cast<int>(deepest));
+      draw.clip_z.push_back(static_cast<float>(static_cast<double>(v.z24) * 2 / static_cast<double>(deepest) - 1));
+    }
+  }
+}
+
 void add_geometry(Random& random, const RandomScene& scene, RandomDraw& draw) {
   const int bits = draw.state.profile.subpixel_bits;
-  const int vertices = random.between(3, 14);
-  const bool few_depths = random.one_in(2);
+  draw.type = random.one_in(3) ? PrimitiveType::triangles : static_cast<PrimitiveType>(random.below(10));
+  const int vertices = random.between(1, 14);
   oracle::WindowVertex earlier{16 * (scene.width / 2) + 8, 16 * (scene.height / 2) + 8, 0};
   for (int i = 0; i < vertices; ++i) {
     oracle::WindowVertex v;
     v.x_q4 = random_position(random, scene.width, earlier.x_q4, bits);
     v.y_q4 = random_position(random, scene.height, earlier.y_q4, bits);
-    v.z24 =
-        few_depths ? std::int64_t{any_of(random, kDepths)} : static_cast<std::int64_t>(random.next() & kMaxDepthZ24);
     draw.vertices.push_back(v);
     if (random.one_in(3)) earlier = draw.vertices[static_cast<std::size_t>(random.below(i + 1))];
   }
-  const int triangles = random.one_in(5) ? random.between(20, 60) : random.between(1, 10);
-  for (int i = 0; i < triangles; ++i) {
-    const auto index = [&] { return static_cast<std::uint32_t>(random.below(vertices)); };
-    draw.triangles.emplace_back(index(), index(), index());
-    // A neighbour across the first edge, most often.
-    if (!random.one_in(4)) draw.triangles.emplace_back(draw.triangles.back().y, draw.triangles.back().x, index());
+  if (random.one_in(4)) {
+    draw.state.depth_near = static_cast<float>(random.between(-1, 9)) / 8;
+    draw.state.depth_far = static_cast<float>(random.between(-1, 9)) / 8;
+  }
+  add_depth(random, scene.start.format, draw);
+  if (random.one_in(5)) return;
+  const auto index = [&] { return static_cast<std::uint32_t>(random.below(vertices)); };
+  const int count = random.one_in(5) ? random.between(30, 90) : random.between(1, 24);
+  for (int i = 0; i < count; ++i) draw.indices.push_back(index());
+  if (draw.type != PrimitiveType::triangles) return;
+  for (std::size_t i = 3; i + 2 < draw.indices.size(); i += 3) {  // neighbours across the first edge, most often
+    if (random.one_in(3)) continue;
+    draw.indices[i] = draw.indices[i - 2];
+    draw.indices[i + 1] = draw.indices[i - 3];
   }
 }
 
+std::size_t primitives_of(const RandomDraw& draw) {
+  const std::size_t n = draw.indices.empty() ? draw.vertices.size() : draw.indices.size();
+  const auto strip = [n](std::size_t first) { return n > first ? n - first : 0; };
+  switch (draw.type) {
+    case PrimitiveType::points:
+      return n;
+    case PrimitiveType::lines:
+      return n / 2;
+    case PrimitiveType::line_strip:
+      return strip(1);
+    case PrimitiveType::line_loop:
+      return n < 2 ? 0 : n;
+    case PrimitiveType::triangles:
+      return n / 3;
+    case PrimitiveType::triangle_strip:
+    case PrimitiveType::triangle_fan:
+      return strip(2);
+    case PrimitiveType::quads:
+      return n / 4;
+    case PrimitiveType::quad_strip:
+      return strip(2) / 2;
+    case PrimitiveType::polygon:
+      return n < 3 ? 0 : 1;
+  }
+  return 0;
+}
+
 void add_colors(Random& random, RandomDraw& draw) {
-  const auto color = [&] {
-    return ColorBytes{random.byte(), edge_byte(random), random.byte(), any_of(random, kAlphas)};
-  };
+  const auto color = [&] { return ColorBytes{random.byte(), edge_byte(random), random.byte(), edge_byte(random)}; };
   switch (random.below(4)) {
     case 0:
       break;  // opaque white
     case 1:
-      for (std::size_t i = 0; i < draw.triangles.size(); ++i) draw.triangle_colors.push_back(color());
-      // Smooth shading would have nothing to interpolate.
+      for (std::size_t i = 0; i < primitives_of(draw); ++i) draw.primitive_colors.push_back(color());
       break;
     case 2:
       draw.vertex_colors.assign(draw.vertices.size(), color());
       break;
     default: {
-      const std::uint8_t alpha = any_of(random, kAlphas);  // equal, so that the alpha test stays exact
+      const std::uint8_t alpha = edge_byte(random);  // equal, so that the alpha test stays exact
       for (std::size_t i = 0; i < draw.vertices.size(); ++i) {
         draw.vertex_colors.push_back(color());
-        draw.vertex_colors.back()[3] = alpha;
+        if (draw.state.shade_model == ShadeModel::smooth) draw.vertex_colors.back()[3] = alpha;
       }
       draw.exact_color = draw.state.shade_model == ShadeModel::flat;
     }
   }
 }
 
-oracle::Picture random_start(Random& random, int width, int height) {
-  oracle::Picture p;
-  p.width = width;
-  p.height = height;
-  const bool noise = random.one_in(2);
-  const std::uint32_t depth = any_of(random, kDepths);
-  const std::uint8_t stencil = edge_byte(random);
-  for (int i = 0; i < width * height; ++i) {
-    p.color.push_back({random.byte(), random.byte(), random.byte(), random.byte()});
-    p.depth_z24.push_back(noise ? static_cast<std::uint32_t>(random.next() & kMaxDepthZ24) : depth);
-    p.stencil.push_back(noise ? edge_byte(random) : stencil);
-    p.primitive.push_back(0xFFFFFFFF);
-    p.captured.push_back(-1);
-  }
-  return p;
+oracle::Clear random_clear(Random& random, DepthStencilFormat format) {
+  return {.clears_color = random.one_in(2),
+          .clears_depth = random.one_in(2),
+          .clears_stencil = random.one_in(2),
+          .color = {random.byte(), edge_byte(random), random.byte(), edge_byte(random)},
+          .depth = some_depth(random, format),
+          .stencil = edge_byte(random)};
 }
 
 }  // namespace
@@ -147,87 +187,99 @@ oracle::Picture random_start(Random& random, int width, int height) {
 RandomScene random_scene(Random& random) {
   RandomScene scene;
   const auto size = [&] {
-    return random.one_in(3) ? random.pick({1, 2, 15, 16, 63, 64, 65, 70}) : random.between(1, 70);
+    return random.one_in(4) ? random.pick({1, 2, 15, 16, 63, 64, 65, 70})
+                            : random.between(1, random.pick({20, 40, 70}));
   };
   scene.width = size();
   scene.height = size();
   scene.captures = random.one_in(3);
-  scene.start = random_start(random, scene.width, scene.height);
+  scene.start = random_picture(random, scene.width, scene.height, kFormats[random.below(3)]);
+  scene.start.has_alpha = !random.one_in(4);
   const int draws = random.between(1, 3);
   for (int i = 0; i < draws; ++i) {
     RandomDraw draw;
-    draw.state = random_state(random);
+    draw.state = random_state(random, scene);
     add_geometry(random, scene, draw);
     add_colors(random, draw);
+    if (random.one_in(4)) draw.clear = random_clear(random, scene.start.format);
     scene.draws.push_back(draw);
   }
-  // Equal geometry again, for the EQUAL and LEQUAL tests of depth.
+  // Equal geometry again, for the EQUAL and LEQUAL tests of depth: only the fragment operations are others.
   if (random.one_in(3)) {
     RandomDraw again = scene.draws[0];
-    const int bits = again.state.profile.subpixel_bits;
-    again.state = random_state(random);
-    again.state.profile.subpixel_bits.value = bits;
-    again.exact_color = again.state.shade_model == ShadeModel::flat || scene.draws[0].exact_color;
-    // What was exact under flat shading may have had several colours.
-    if (!again.vertex_colors.empty() && again.state.shade_model == ShadeModel::smooth) {
-      again.exact_color = std::all_of(again.vertex_colors.begin(), again.vertex_colors.end(),
-                                      [&](const ColorBytes& c) { return c == again.vertex_colors[0]; });
-    }
+    randomize_fragment_operations(random, again.state);
+    again.clear.reset();
     scene.draws.push_back(again);
   }
+  // Smooth colours may differ by one, which blending would not leave at that.
+  const bool exact = std::all_of(scene.draws.begin(), scene.draws.end(), [](const auto& d) { return d.exact_color; });
+  for (RandomDraw& draw : scene.draws) draw.state.blend.enabled = draw.state.blend.enabled && exact;
   return scene;
 }
 
-std::vector<oracle::DrawnTriangle> for_oracle(const RandomDraw& draw) {
-  std::vector<oracle::DrawnTriangle> out;
-  for (std::size_t i = 0; i < draw.triangles.size(); ++i) {
-    const glm::uvec3 v = draw.triangles[i];
-    oracle::DrawnTriangle t;
-    t.number = static_cast<std::uint32_t>(i);
-    for (int k = 0; k < 3; ++k) {
-      const auto corner = static_cast<std::size_t>(k);
-      t.corners[corner] = draw.vertices[v[k]];
-      t.colors[corner] = {255, 255, 255, 255};
-      if (!draw.triangle_colors.empty()) t.colors[corner] = draw.triangle_colors[i];
-      if (!draw.vertex_colors.empty()) t.colors[corner] = draw.vertex_colors[v[k]];
-    }
-    out.push_back(t);
-  }
-  return out;
+oracle::DrawCall for_oracle(const RandomDraw& draw) {
+  // The library's types by their GL numbers.
+  constexpr oracle::Primitive kTypes[] = {oracle::Primitive::points,       oracle::Primitive::lines,
+                                          oracle::Primitive::line_strip,   oracle::Primitive::line_loop,
+                                          oracle::Primitive::triangles,    oracle::Primitive::triangle_strip,
+                                          oracle::Primitive::triangle_fan, oracle::Primitive::quads,
+                                          oracle::Primitive::quad_strip,   oracle::Primitive::polygon};
+  oracle::DrawCall call;
+  call.type = kTypes[static_cast<std::size_t>(draw.type)];
+  call.primitive_colors = draw.primitive_colors;
+  const auto add = [&](std::size_t v) {
+    call.vertices.push_back({draw.vertices[v]});
+    if (!draw.vertex_colors.empty()) call.vertices.back().color = draw.vertex_colors[v];
+  };
+  for (const std::uint32_t index : draw.indices) add(index);
+  for (std::size_t v = 0; v < draw.vertices.size() && draw.indices.empty(); ++v) add(v);
+  return call;
 }
 
-Mesh for_library(const RandomDraw& draw, int width, int height) {
-  Mesh mesh;
-  for (const oracle::WindowVertex& v : draw.vertices) {
-    mesh.add(clip_position(v, width, height, draw.state.profile.subpixel_bits));
+LibraryDraw for_library(const RandomDraw& draw, int width, int height) {
+  LibraryDraw out;
+  const PixelRect viewport = draw.state.viewport.value_or(PixelRect{0, 0, width, height});
+  for (std::size_t i = 0; i < draw.vertices.size(); ++i) {
+    out.positions.push_back(clip_position(draw.vertices[i], viewport, draw.state.profile.subpixel_bits));
+    out.positions.back().z = draw.clip_z[i];
   }
-  mesh.triangles = draw.triangles;
-  mesh.vertex_colors = draw.vertex_colors;
-  mesh.triangle_colors = draw.triangle_colors;
-  return mesh;
+  out.arrays.type = draw.type;
+  out.arrays.positions = out.positions;
+  out.arrays.indices = draw.indices;
+  out.arrays.vertex_colors = draw.vertex_colors;
+  out.arrays.primitive_colors = draw.primitive_colors;
+  return out;
 }
 
 std::string describe(const RandomScene& scene) {
   std::ostringstream out;
-  out << scene.width << 'x' << scene.height << (scene.captures ? ", captures" : "") << '\n';
+  out << scene.width << 'x' << scene.height << " format " << static_cast<int>(scene.start.format) << " alpha "
+      << scene.start.has_alpha << (scene.captures ? ", captures" : "") << '\n';
+  const auto rect = [&](const char* name, const std::optional<PixelRect>& r) {
+    if (r) out << ", " << name << ' ' << r->x << ' ' << r->y << ' ' << r->width << ' ' << r->height;
+  };
+  const auto color = [&](const char* name, const ColorBytes& c) {
+    out << "  " << name << ' ' << int{c[0]} << ' ' << int{c[1]} << ' ' << int{c[2]} << ' ' << int{c[3]} << '\n';
+  };
   for (const RandomDraw& d : scene.draws) {
-    const auto& a = d.state.alpha_test;
-    const auto& s = d.state.stencil_test;
-    const auto& z = d.state.depth_test;
-    out << "draw: subpixel bits " << d.state.profile.subpixel_bits.value << ", alpha " << a.enabled << ' '
-        << static_cast<int>(a.function) << ' ' << int{a.reference} << ", stencil " << s.enabled << ' '
-        << static_cast<int>(s.function) << ' ' << int{s.reference} << " masks " << int{s.mask} << ' '
-        << int{s.write_mask} << " operations " << static_cast<int>(s.fail) << ' ' << static_cast<int>(s.depth_fail)
-        << ' ' << static_cast<int>(s.depth_pass) << ", depth " << z.enabled << ' ' << static_cast<int>(z.function)
-        << " write " << z.write << ", colour mask " << d.state.color_mask[0] << d.state.color_mask[1]
-        << d.state.color_mask[2] << d.state.color_mask[3] << ", shade " << static_cast<int>(d.state.shade_model)
-        << ", cull " << static_cast<int>(d.state.cull_face) << ", program " << d.state.program.has_value() << '\n';
+    const PipelineState& s = d.state;
+    out << "draw: type " << static_cast<int>(d.type) << ", subpixel bits " << s.profile.subpixel_bits << ", shade "
+        << static_cast<int>(s.shade_model) << ", cull " << static_cast<int>(s.cull_face) << ", front face "
+        << static_cast<int>(s.front_face) << ", modes " << static_cast<int>(s.front_mode) << ' '
+        << static_cast<int>(s.back_mode) << ", point size " << s.point_size << ", line width " << s.line_width
+        << ", offset " << s.polygon_offset.fill << s.polygon_offset.line << s.polygon_offset.point << ' '
+        << s.polygon_offset.factor << ' ' << s.polygon_offset.units << " slope "
+        << static_cast<int>(s.profile.polygon_offset_slope.value) << ", depth range " << s.depth_near << ' '
+        << s.depth_far << ", program " << s.program.has_value() << ", clear " << d.clear.has_value();
+    rect("viewport", s.viewport);
+    rect("scissor", s.scissor);
+    out << "\n  " << describe_operations(s) << '\n';
     for (const auto& v : d.vertices) out << "  vertex " << v.x_q4 << ' ' << v.y_q4 << ' ' << v.z24 << '\n';
-    for (const auto& t : d.triangles) out << "  triangle " << t.x << ' ' << t.y << ' ' << t.z << '\n';
-    for (const auto& c : d.vertex_colors)
-      out << "  vertex colour " << int{c[0]} << ' ' << int{c[1]} << ' ' << int{c[2]} << ' ' << int{c[3]} << '\n';
-    for (const auto& c : d.triangle_colors)
-      out << "  triangle colour " << int{c[0]} << ' ' << int{c[1]} << ' ' << int{c[2]} << ' ' << int{c[3]} << '\n';
+    if (!d.indices.empty()) out << "  indices";
+    for (const std::uint32_t i : d.indices) out << ' ' << i;
+    out << '\n';
+    for (const auto& c : d.vertex_colors) color("vertex colour", c);
+    for (const auto& c : d.primitive_colors) color("primitive colour", c);
   }
   return out.str();
 }

@@ -26,15 +26,21 @@ std::uint64_t Random::next() {
   return z ^ (z >> 31);
 }
 
-glm::vec3 clip_position(const oracle::WindowVertex& v, int width, int height, int subpixel_bits) {
+glm::vec3 clip_position(const oracle::WindowVertex& v, const PixelRect& viewport, int subpixel_bits,
+                        DepthStencilFormat format) {
   const int cell = 1 << (4 - subpixel_bits);
-  const auto clip = [&](std::int64_t q4, int size) {
+  const auto clip = [&](std::int64_t q4, int start, int size) {
     // Truncation toward zero: the cell of a position reaches away from zero.
     const double middle = static_cast<double>(q4) + (q4 > 0 ? 0.5 : q4 < 0 ? -0.5 : 0.0) * cell;
-    return static_cast<float>(middle / 16.0 / (size * 0.5) - 1.0);
+    return static_cast<float>((middle / 16.0 - start) / (size * 0.5) - 1.0);
   };
-  return {clip(v.x_q4, width), clip(v.y_q4, height),
-          static_cast<float>(static_cast<double>(v.z24) * 2 / kMaxDepthZ24 - 1)};
+  const auto deepest = static_cast<double>(std::int64_t{max_depth(format)} << (24 - depth_bits(format)));
+  return {clip(v.x_q4, viewport.x, viewport.width), clip(v.y_q4, viewport.y, viewport.height),
+          static_cast<float>(static_cast<double>(v.z24) * 2 / deepest - 1)};
+}
+
+glm::vec3 clip_position(const oracle::WindowVertex& v, int width, int height, int subpixel_bits) {
+  return clip_position(v, {0, 0, width, height}, subpixel_bits);
 }
 
 Canvas::Canvas(int width, int height, bool with_capture) : stride_(width + kPadding) {
@@ -49,10 +55,16 @@ Canvas::Canvas(int width, int height, bool with_capture) : stride_(width + kPadd
   primitive_.assign(count, kUntouched);
   stencil_.assign(count, kUntouched);
   captured_.assign(count, kUntouched);
-  target.depth_z24 = {depth_.data(), stride_};
-  target.primitive = {primitive_.data(), stride_};
+  target.depth = {depth_.data(), stride_};
   target.stencil = {stencil_.data(), stride_};
-  if (with_capture) target.captures.push_back({std::nullopt, kRed, {captured_.data(), stride_}});
+  target.outputs.push_back(
+      {.source = OutputSource::primitive, .plane = Plane<std::uint32_t>{primitive_.data(), stride_}});
+  if (with_capture) {
+    target.outputs.push_back({.source = OutputSource::output_code,
+                              .component = kRed,
+                              .time = OutputTime::at_depth_pass,
+                              .plane = Plane<s9>{captured_.data(), stride_}});
+  }
 }
 
 oracle::Picture Canvas::picture() const {
@@ -63,7 +75,7 @@ oracle::Picture Canvas::picture() const {
     for (int x = 0; x < p.width; ++x) {
       const auto at = static_cast<std::size_t>(y * stride_ + x);
       p.color.push_back({color_[0][at], color_[1][at], color_[2][at], color_[3][at]});
-      p.depth_z24.push_back(depth_[at]);
+      p.depth.push_back(depth_[at]);
       p.stencil.push_back(stencil_[at]);
       p.primitive.push_back(primitive_[at]);
       p.captured.push_back(captured_[at]);
@@ -78,7 +90,7 @@ void Canvas::load(const oracle::Picture& p) {
     for (int x = 0; x < p.width; ++x, ++from) {
       const auto at = static_cast<std::size_t>(y * stride_ + x);
       for (std::size_t i = 0; i < 4; ++i) color_[i][at] = p.color[from][i];
-      depth_[at] = p.depth_z24[from];
+      depth_[at] = p.depth[from];
       stencil_[at] = p.stencil[from];
       primitive_[at] = p.primitive[from];
       captured_[at] = static_cast<s9>(p.captured[from]);
@@ -99,12 +111,12 @@ std::uint32_t Mesh::add(const glm::vec3& position) {
   return static_cast<std::uint32_t>(positions.size() - 1);
 }
 
-TriangleArrays Mesh::arrays() const {
-  TriangleArrays arrays;
+VertexArrays Mesh::arrays() const {
+  VertexArrays arrays;
   arrays.positions = positions;
-  arrays.triangles = triangles;
+  arrays.indices = index_list(triangles);
   arrays.vertex_colors = vertex_colors;
-  arrays.triangle_colors = triangle_colors;
+  arrays.primitive_colors = triangle_colors;
   arrays.texture_coordinates[0] = texture_coordinates;
   return arrays;
 }
@@ -113,7 +125,7 @@ PipelineState counting_state() {
   PipelineState state;
   state.color_mask = {false, false, false, false};
   state.stencil_test.enabled = true;
-  state.stencil_test.depth_pass = StencilOperation::incr;
+  state.stencil_test.front.depth_pass = StencilOperation::incr;
   return state;
 }
 

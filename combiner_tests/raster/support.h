@@ -46,12 +46,15 @@ class Random {
 };
 
 // A position with w = 1 that the identity matrix puts into the middle of the snapping cell of this window position
-// (multiples of 2^(4 - subpixel_bits) sixteenths) and exactly onto this depth.
+// (multiples of 2^(4 - subpixel_bits) sixteenths) and exactly onto this depth, with the whole depth range.
+glm::vec3 clip_position(const oracle::WindowVertex& v, const PixelRect& viewport, int subpixel_bits = 4,
+                        DepthStencilFormat format = DepthStencilFormat::d24s8);
 glm::vec3 clip_position(const oracle::WindowVertex& v, int width, int height, int subpixel_bits = 4);
 
 inline const glm::mat4 kIdentity{1.0F};
 
-// Owned planes with a few samples of padding after each row, which no draw may touch.
+// Owned planes with a few samples of padding after each row, which no draw may touch; an output plane of primitive
+// numbers and, if wanted, one of the output's red at depth pass.
 class Canvas {
  public:
   Canvas(int width, int height, bool with_capture = false);
@@ -81,7 +84,7 @@ struct Mesh {
   std::uint32_t add(const glm::vec3& position);
   void add_triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) { triangles.emplace_back(a, b, c); }
   // Texture coordinates go to unit 0.
-  TriangleArrays arrays() const;
+  VertexArrays arrays() const;
 };
 
 // Stencil INCR for every fragment, no colour.

@@ -150,16 +150,16 @@ TEST(Watertight, ClosedMeshesHaveAsManyFrontsAsBacksAtEveryPixel) {
       p += glm::vec3(random.real_f(-far, far), random.real_f(-far, far), random.real_f(-0.5, 0.5));
     }
     Surface surface = Surface::make(size, size).value();
-    surface.clear({.stencil = 100});
+    surface.fill({.stencil = 100});
     RenderTarget target = surface.target();
     PipelineState state = counting_state();
     const glm::mat4 matrix = perspective(0.5, 1.0, 0.1, 20);
     state.cull_face = CullFace::back;
-    state.stencil_test.depth_pass = StencilOperation::incr_wrap;
+    state.stencil_test.front.depth_pass = StencilOperation::incr_wrap;
     ASSERT_TRUE(rasterize(state, matrix, mesh.arrays(), {}, target).ok());
     for (const std::uint8_t s : surface.stencil()) drawn += s != 100 ? 1 : 0;
     state.cull_face = CullFace::front;
-    state.stencil_test.depth_pass = StencilOperation::decr_wrap;
+    state.stencil_test.front.depth_pass = StencilOperation::decr_wrap;
     ASSERT_TRUE(rasterize(state, matrix, mesh.arrays(), {}, target).ok());
     EXPECT_EQ(std::count(surface.stencil().begin(), surface.stencil().end(), 100), size * size) << "mesh " << index;
   }

@@ -51,7 +51,7 @@ TEST(IndexCube, LayersTellOneStory) {
   const ComparisonLayers& l = *r.layers;
   std::uint64_t shadowed = 0, drawn = 0;
   for (std::size_t i = 0; i < l.polygon.size(); ++i) {
-    const bool is_drawn = r.frame.depth_z24()[i] != kMaxDepthZ24;
+    const bool is_drawn = r.frame.depth()[i] != max_depth(r.frame.format());
     ASSERT_EQ(l.polygon[i] != 0, is_drawn);
     if (!is_drawn) {
       ASSERT_EQ(l.primary[0][i] + l.texture0[0][i] + l.spare0[0][i] + l.spare1[0][i] + l.output_alpha[i], 0);
@@ -149,7 +149,7 @@ TEST(IndexCube, SameBitsForAnyNumberOfThreads) {
     }
     for (int c = 0; c < 4; ++c) ASSERT_EQ(r.frame.color(c), first->frame.color(c)) << threads;
     ASSERT_EQ(r.frame.stencil(), first->frame.stencil()) << threads;
-    ASSERT_EQ(r.frame.depth_z24(), first->frame.depth_z24()) << threads;
+    ASSERT_EQ(r.frame.depth(), first->frame.depth()) << threads;
     ASSERT_EQ(r.layers->spare1, first->layers->spare1) << threads;
     for (std::size_t f = 0; f < 6; ++f) {
       ASSERT_EQ(r.index_map[f].color, first->index_map[f].color) << threads;

@@ -40,12 +40,12 @@ TEST(Passes, ComparisonWritesOneWhereIndicesDiffer) {
   EXPECT_EQ(s.alpha_test.function, CompareFunction::greater);
   EXPECT_EQ(s.alpha_test.reference, 0);
   EXPECT_TRUE(s.stencil_test.enabled);
-  EXPECT_EQ(s.stencil_test.function, CompareFunction::always);
-  EXPECT_EQ(s.stencil_test.reference, 1);
-  EXPECT_EQ(s.stencil_test.mask & s.stencil_test.write_mask, 0xFF);
-  EXPECT_EQ(s.stencil_test.fail, StencilOperation::keep);
-  EXPECT_EQ(s.stencil_test.depth_fail, StencilOperation::keep);
-  EXPECT_EQ(s.stencil_test.depth_pass, StencilOperation::replace);
+  EXPECT_EQ(s.stencil_test.front.function, CompareFunction::always);
+  EXPECT_EQ(s.stencil_test.front.reference, 1);
+  EXPECT_EQ(s.stencil_test.front.mask & s.stencil_test.front.write_mask, 0xFF);
+  EXPECT_EQ(s.stencil_test.front.fail, StencilOperation::keep);
+  EXPECT_EQ(s.stencil_test.front.depth_fail, StencilOperation::keep);
+  EXPECT_EQ(s.stencil_test.front.depth_pass, StencilOperation::replace);
   ASSERT_TRUE(s.program.has_value());
   EXPECT_EQ(*s.program, normalize(*index_comparison_state(profiles::geforce2), profiles::geforce2));
   EXPECT_EQ(s.program->num_general_combiners, 2);
@@ -59,10 +59,10 @@ TEST(Passes, AvertedPolygonsAreMarkedWithoutComparison) {
   EXPECT_TRUE(s.depth_test.enabled && !s.depth_test.write);
   EXPECT_EQ(s.depth_test.function, CompareFunction::equal);
   EXPECT_TRUE(s.stencil_test.enabled);
-  EXPECT_EQ(s.stencil_test.function, CompareFunction::always);
-  EXPECT_EQ(s.stencil_test.reference, compared.stencil_test.reference);
-  EXPECT_EQ(s.stencil_test.depth_pass, StencilOperation::replace);
-  EXPECT_EQ(s.stencil_test.depth_fail, StencilOperation::keep);
+  EXPECT_EQ(s.stencil_test.front.function, CompareFunction::always);
+  EXPECT_EQ(s.stencil_test.front.reference, compared.stencil_test.front.reference);
+  EXPECT_EQ(s.stencil_test.front.depth_pass, StencilOperation::replace);
+  EXPECT_EQ(s.stencil_test.front.depth_fail, StencilOperation::keep);
 }
 
 TEST(Passes, LitWhereTheStencilIsZeroShadowWhereItIsOne) {
@@ -74,9 +74,9 @@ TEST(Passes, LitWhereTheStencilIsZeroShadowWhereItIsOne) {
     EXPECT_EQ(s.depth_test.function, CompareFunction::equal);
     EXPECT_TRUE(s.depth_test.enabled && !s.depth_test.write);
     EXPECT_TRUE(s.stencil_test.enabled);
-    EXPECT_EQ(s.stencil_test.function, CompareFunction::equal);
-    EXPECT_EQ(s.stencil_test.reference, reference++);
-    EXPECT_EQ(s.stencil_test.depth_pass, StencilOperation::keep);
+    EXPECT_EQ(s.stencil_test.front.function, CompareFunction::equal);
+    EXPECT_EQ(s.stencil_test.front.reference, reference++);
+    EXPECT_EQ(s.stencil_test.front.depth_pass, StencilOperation::keep);
     EXPECT_FALSE(s.program || s.alpha_test.enabled);
   }
 }

@@ -28,10 +28,10 @@ void flat_triangles(benchmark::State& state) {
   pipeline.depth_test.enabled = true;
   auto surface = Surface::make(1024, 768);
   RenderTarget target = surface->target();
-  TriangleArrays arrays{.positions = positions, .triangles = triangles};
-  arrays.triangle_colors = colors;
+  VertexArrays arrays{.positions = positions, .indices = index_list(triangles)};
+  arrays.primitive_colors = colors;
   for (auto _ : state) {
-    surface->clear({});
+    surface->fill({});
     if (!rasterize(pipeline, glm::mat4(1.0F), arrays, {}, target)) state.SkipWithError("not drawn");
   }
   state.SetItemsProcessed(static_cast<std::int64_t>(state.iterations()) * static_cast<std::int64_t>(triangles.size()));

@@ -19,6 +19,8 @@ ExrBlocks::ExrBlocks(int width, int height, std::span<const ExrChannel> channels
     if (pixel_type(channels[c]) == Imf::HALF) {
       blocks_[c].halves.resize(samples);
       reals_.resize(static_cast<std::size_t>(width));
+    } else if (pixel_type(channels[c]) == Imf::FLOAT) {
+      blocks_[c].floats.resize(samples);
     } else {
       blocks_[c].integers.resize(samples);
     }
@@ -27,6 +29,11 @@ ExrBlocks::ExrBlocks(int width, int height, std::span<const ExrChannel> channels
 
 void ExrBlocks::fetch(const ExrIntegerRow& fill, int row, std::span<std::uint32_t> line) const {
   fill(source_row(row), line);
+  if (flips_.columns) std::reverse(line.begin(), line.end());
+}
+
+void ExrBlocks::fetch(const ExrFloatRow& floats, int row, std::span<float> line) const {
+  floats.fill(source_row(row), line);
   if (flips_.columns) std::reverse(line.begin(), line.end());
 }
 
@@ -45,7 +52,9 @@ Imf::Slice ExrBlocks::block_of(const Fill& fill, std::vector<Sample>& block, int
   const auto columns = static_cast<std::size_t>(width_);
   const std::span<Sample> lines = block;
   for (int r = 0; r < rows; ++r) fetch(fill, row + r, lines.subspan(static_cast<std::size_t>(r) * columns, columns));
-  constexpr Imf::PixelType kType = std::is_same_v<Sample, half> ? Imf::HALF : Imf::UINT;
+  constexpr Imf::PixelType kType = std::is_same_v<Sample, half>    ? Imf::HALF
+                                   : std::is_same_v<Sample, float> ? Imf::FLOAT
+                                                                   : Imf::UINT;
   return Imf::Slice::Make(kType, block.data(), Imath::V2i(0, file_row), width_, rows, sizeof(Sample),
                           sizeof(Sample) * columns);
 }
@@ -56,6 +65,8 @@ Imf::FrameBuffer ExrBlocks::frame(int row, int rows, int file_row) {
     const ExrChannel& channel = channels_[c];
     if (const auto* reals = std::get_if<ExrRealRow>(&channel.rows)) {
       frame.insert(channel.name, block_of(*reals, blocks_[c].halves, row, rows, file_row));
+    } else if (const auto* floats = std::get_if<ExrFloatRow>(&channel.rows)) {
+      frame.insert(channel.name, block_of(*floats, blocks_[c].floats, row, rows, file_row));
     } else {
       const auto& integers = std::get<ExrIntegerRow>(channel.rows);
       frame.insert(channel.name, block_of(integers, blocks_[c].integers, row, rows, file_row));

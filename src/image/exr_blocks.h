@@ -20,6 +20,7 @@ struct Flips {
 };
 
 [[nodiscard]] inline Imf::PixelType pixel_type(const ExrChannel& channel) {
+  if (std::holds_alternative<ExrFloatRow>(channel.rows)) return Imf::FLOAT;
   return std::holds_alternative<ExrRealRow>(channel.rows) ? Imf::HALF : Imf::UINT;
 }
 
@@ -46,13 +47,15 @@ class ExrBlocks {
   static constexpr int kRows = 64;
 
   struct Block {
-    std::vector<half> halves;             // of a float channel
+    std::vector<half> halves;             // of a HALF channel
+    std::vector<float> floats;            // of a FLOAT channel
     std::vector<std::uint32_t> integers;  // of a UINT channel
   };
 
   [[nodiscard]] int source_row(int row) const { return flips_.rows ? height_ - 1 - row : row; }
   // One row of the turned picture, as the file holds it.
   void fetch(const ExrIntegerRow& fill, int row, std::span<std::uint32_t> line) const;
+  void fetch(const ExrFloatRow& floats, int row, std::span<float> line) const;
   void fetch(const ExrRealRow& fill, int row, std::span<half> line);
   template <class Sample, class Fill>
   Imf::Slice block_of(const Fill& fill, std::vector<Sample>& block, int row, int rows, int file_row);
@@ -63,7 +66,7 @@ class ExrBlocks {
   std::span<const ExrChannel> channels_;
   Flips flips_;
   std::vector<Block> blocks_;  // one a channel
-  std::vector<float> reals_;   // a row of a float channel before it becomes half
+  std::vector<float> reals_;   // a row of a HALF channel before it becomes half
 };
 
 }  // namespace ninebit::image_detail

@@ -35,7 +35,8 @@ class CheckedProxy final : public OIIO::Filesystem::IOProxy {
   CheckedFile& file_;
 };
 
-Status check(const std::filesystem::path& file, const Image8& image) {
+template <class Sample>
+Status check(const std::filesystem::path& file, const Image<Sample>& image) {
   if (std::string complaint = complain_about_size(image.width, image.height); !complaint.empty()) {
     return invalid_input(file, "the picture " + complaint);
   }
@@ -45,28 +46,29 @@ Status check(const std::filesystem::path& file, const Image8& image) {
   const std::size_t needed = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height) *
                              static_cast<std::size_t>(image.channels);
   if (image.pixels.size() != needed) {
-    return invalid_input(file,
-                         fmt::format("the picture has {} bytes where its size needs {}", image.pixels.size(), needed));
+    return invalid_input(
+        file, fmt::format("the picture has {} samples where its size needs {}", image.pixels.size(), needed));
   }
   return {};
 }
 
 // What OpenImageIO itself could not do; errors of the file are the CheckedFile's to tell.
-std::string encode(CheckedFile& file, const Image8& image) {
+template <class Sample>
+std::string encode(CheckedFile& file, const Image<Sample>& image) {
   CheckedProxy proxy(file);
   const std::unique_ptr<OIIO::ImageOutput> output = OIIO::ImageOutput::create("png");
   if (!output) return "OpenImageIO cannot write PNG: " + OIIO::geterror();
-  OIIO::ImageSpec spec(image.width, image.height, image.channels, OIIO::TypeDesc::UINT8);
+  constexpr auto kType = sizeof(Sample) == 1 ? OIIO::TypeDesc::UINT8 : OIIO::TypeDesc::UINT16;
+  OIIO::ImageSpec spec(image.width, image.height, image.channels, kType);
   spec.attribute("oiio:UnassociatedAlpha", 1);
   if (!output->set_ioproxy(&proxy)) return "this OpenImageIO cannot write PNG to a stream";
-  const bool done = output->open(file.path().string(), spec) &&
-                    output->write_image(OIIO::TypeDesc::UINT8, image.pixels.data()) && output->close();
+  const bool done =
+      output->open(file.path().string(), spec) && output->write_image(kType, image.pixels.data()) && output->close();
   return done ? std::string() : "could not be encoded as PNG: " + output->geterror();
 }
 
-}  // namespace
-
-Status write_png(const std::filesystem::path& file, const Image8& image) {
+template <class Sample>
+Status write_image(const std::filesystem::path& file, const Image<Sample>& image) {
   if (Status status = check(file, image); !status) return status;
   CheckedFile output(file);
   std::string complaint;
@@ -79,6 +81,16 @@ Status write_png(const std::filesystem::path& file, const Image8& image) {
   }
   if (!complaint.empty() && !output.failed()) return cannot_write(file, std::move(complaint));
   return output.close();
+}
+
+}  // namespace
+
+Status write_png(const std::filesystem::path& file, const Image8& image) {
+  return write_image(file, image);
+}
+
+Status write_png(const std::filesystem::path& file, const Image16& image) {
+  return write_image(file, image);
 }
 
 }  // namespace ninebit

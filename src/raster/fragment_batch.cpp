@@ -5,130 +5,184 @@
 namespace ninebit {
 namespace {
 
-constexpr ColorBytes kWhite{255, 255, 255, 255};
-
-bool shades_flat(const DrawContext& context) {
-  return context.state.shade_model == ShadeModel::flat || context.arrays.vertex_colors.empty();
+float unit_range(float value) {
+  return !(value > 0.0F) ? 0.0F : value > 1.0F ? 1.0F : value;
 }
 
 }  // namespace
 
-ColorBytes flat_color(const TriangleArrays& arrays, std::uint32_t primitive) {
-  if (!arrays.triangle_colors.empty()) return arrays.triangle_colors[primitive];
-  if (!arrays.vertex_colors.empty()) return arrays.vertex_colors[arrays.triangles[primitive].z];
-  return kWhite;
+bool FragmentBatch::has_smooth_colors() const {
+  return !context_.shades_flat();
 }
 
-bool has_flat_result(const DrawContext& context) {
-  if (!context.target.captures.empty()) return false;
-  if (!context.operations.writes_color() && !context.operations.needs_alpha()) return true;
-  return !context.state.program && shades_flat(context);
-}
-
-void FragmentBatch::normalize_weights() {
-  for (std::size_t i = 0; i < count_; ++i) {
-    const float sum = (weight_[0][i] + weight_[1][i]) + weight_[2][i];
-    for (auto& weight : weight_) weight[i] /= sum;
+ColorBytes FragmentBatch::smooth_color(std::span<const ColorBytes> colors, std::size_t i) const {
+  const bool affine = context_.state.profile.color_interpolation.value == ColorInterpolation::affine;
+  const WeightPlanes& weight = affine ? weights_.affine() : weights_.perspective();
+  const std::array<std::uint32_t, 3>& v = place_[i].primitive->vertex;
+  const ColorBytes &a = colors[v[0]], &b = colors[v[1]], &c = colors[v[2]];
+  ColorBytes bytes;
+  for (std::size_t k = 0; k < 4; ++k) {
+    const float value =
+        interpolate(weight, i, static_cast<float>(a[k]), static_cast<float>(b[k]), static_cast<float>(c[k]));
+    bytes[k] = static_cast<std::uint8_t>(std::clamp(value + 0.5F, 0.0F, 255.0F));
   }
+  return bytes;
+}
+
+void FragmentBatch::fill_primary() {
+  const std::span<const ColorBytes> colors = context_.arrays.vertex_colors;
+  const bool flat = context_.state.shade_model == ShadeModel::flat || colors.empty();
   for (std::size_t i = 0; i < count_; ++i) {
-    if (corners_[i] == nullptr) continue;
-    const glm::mat3& m = *corners_[i];
-    const std::array<float, 3> w{weight_[0][i], weight_[1][i], weight_[2][i]};
-    for (int k = 0; k < 3; ++k) {
-      weight_[static_cast<std::size_t>(k)][i] = (w[0] * m[0][k] + w[1] * m[1][k]) + w[2] * m[2][k];
+    color_[i] = flat ? context_.flat_primary(fragment_[i].primitive) : smooth_color(colors, i);
+  }
+}
+
+void FragmentBatch::fill_secondary() {
+  const HardwareProfile& profile = context_.state.profile;
+  const std::span<const ColorBytes> colors = context_.arrays.secondary_colors;
+  const bool flat = context_.state.shade_model == ShadeModel::flat;
+  const int components = profile.secondary_alpha.value == SecondaryAlpha::one ? 3 : 4;
+  for (std::size_t i = 0; i < count_; ++i) {
+    const ColorBytes color =
+        flat ? colors[context_.assembly.provoking_vertex(fragment_[i].primitive)] : smooth_color(colors, i);
+    for (int k = 0; k < components; ++k) {
+      registers_(Register::secondary, k)[i] = from_byte(profile, color[static_cast<std::size_t>(k)]);
     }
   }
 }
 
-void FragmentBatch::fill_primary() {
-  const TriangleArrays& arrays = context_.arrays;
-  const bool flat = shades_flat(context_);
+void FragmentBatch::fill_fog() {
+  const HardwareProfile& profile = context_.state.profile;
+  const std::span<const float> factors = context_.arrays.fog_factors;
+  s9* const codes = registers_(Register::fog, kAlpha);
   for (std::size_t i = 0; i < count_; ++i) {
-    ColorBytes& bytes = primary_[i];
-    if (flat) {
-      bytes = flat_color(arrays, fragment_[i].primitive);
-    } else {
-      const glm::uvec3 v = arrays.triangles[fragment_[i].primitive];
-      const ColorBytes &a = arrays.vertex_colors[v.x], &b = arrays.vertex_colors[v.y], &c = arrays.vertex_colors[v.z];
-      for (std::size_t k = 0; k < 4; ++k) {
-        const float value = (weight_[0][i] * static_cast<float>(a[k]) + weight_[1][i] * static_cast<float>(b[k])) +
-                            weight_[2][i] * static_cast<float>(c[k]);
-        bytes[k] = static_cast<std::uint8_t>(std::clamp(value + 0.5F, 0.0F, 255.0F));
+    const std::array<std::uint32_t, 3>& v = place_[i].primitive->vertex;
+    const float factor = interpolate(weights_.perspective(), i, unit_range(factors[v[0]]), unit_range(factors[v[1]]),
+                                     unit_range(factors[v[2]]));
+    codes[i] = from_byte(profile, byte_of_color(factor));
+  }
+}
+
+void FragmentBatch::fill_texture(std::size_t unit) {
+  const TextureSampler& sampler = *context_.samplers[unit];
+  const std::span<const glm::vec3> at_vertex = context_.arrays.texture_coordinates[unit];
+  const std::size_t components = sampler.needs_r() ? 3 : 2;
+  const std::array<const WeightPlanes*, 3> weights{&weights_.perspective(), &weights_.dx(), &weights_.dy()};
+  const std::size_t kinds = sampler.needs_derivatives() ? 3 : 1;
+  for (std::size_t i = 0; i < count_; ++i) {
+    const std::array<std::uint32_t, 3>& v = place_[i].primitive->vertex;
+    const glm::vec3 &a = at_vertex[v[0]], &b = at_vertex[v[1]], &c = at_vertex[v[2]];
+    for (std::size_t kind = 0; kind < kinds; ++kind) {
+      for (std::size_t k = 0; k < components; ++k) {
+        const auto n = static_cast<int>(k);
+        coordinates_[kind][k][i] = interpolate(*weights[kind], i, a[n], b[n], c[n]);
+      }
+    }
+    if (kinds > 1 && place_[i].primitive->kind == SetupKind::point) {
+      coordinates_[1][0][i] = context_.point_change[unit];
+    }
+  }
+  TextureCoordinates coordinates;
+  for (std::size_t k = 0; k < components; ++k) {
+    coordinates.value[k] = coordinates_[0][k].data();
+    coordinates.dx[k] = coordinates_[1][k].data();
+    coordinates.dy[k] = coordinates_[2][k].data();
+  }
+  const Register reg = texture_register(static_cast<int>(unit));
+  sampler.sample(coordinates, count_,
+                 {registers_(reg, kRed), registers_(reg, kGreen), registers_(reg, kBlue), registers_(reg, kAlpha)});
+}
+
+void FragmentBatch::fill_registers() {
+  const auto constant = [this](Register reg, int component) {
+    const s9 code = context_.initial[reg][static_cast<std::size_t>(component)];
+    std::fill_n(registers_(reg, component), kBatchSize, code);
+  };
+  if (!has_constants_) {
+    for (std::size_t r = 0; r < kRegisterCount; ++r) {
+      for (int k = 0; k < 4; ++k) constant(static_cast<Register>(r), k);
+    }
+    has_constants_ = true;
+  } else {
+    for (const RegisterComponent& c : context_.refilled) constant(c.reg, c.component);
+  }
+  const HardwareProfile& profile = context_.state.profile;
+  for (std::size_t k = 0; k < 4; ++k) {
+    s9* const codes = registers_(Register::primary, static_cast<int>(k));
+    for (std::size_t i = 0; i < count_; ++i) codes[i] = from_byte(profile, color_[i][k]);
+  }
+  if (!context_.arrays.secondary_colors.empty()) fill_secondary();
+  if (context_.state.fog.enabled && !context_.arrays.fog_factors.empty()) fill_fog();
+  for (std::size_t unit = 0; unit < context_.samplers.size(); ++unit) {
+    if (context_.samplers[unit]) fill_texture(unit);
+  }
+  if (context_.samplers[0]) {
+    std::copy_n(registers_(Register::texture0, kAlpha), count_, registers_(Register::spare0, kAlpha));
+  }
+}
+
+void FragmentBatch::interpolate_attributes() {
+  for (std::size_t n = 0; n < attributes_.size(); ++n) {
+    if (!context_.outputs.needs_attribute(static_cast<int>(n))) continue;
+    const std::span<const glm::vec4> at_vertex = context_.arrays.attributes[n];
+    for (std::size_t i = 0; i < count_; ++i) {
+      const std::array<std::uint32_t, 3>& v = place_[i].primitive->vertex;
+      const glm::vec4 &a = at_vertex[v[0]], &b = at_vertex[v[1]], &c = at_vertex[v[2]];
+      for (int k = 0; k < 4; ++k) {
+        attributes_[n][static_cast<std::size_t>(k)][i] = interpolate(weights_.perspective(), i, a[k], b[k], c[k]);
       }
     }
   }
 }
 
-void FragmentBatch::fill_texture(int unit) {
-  const HardwareProfile& profile = context_.state.profile;
-  const Register reg = texture_register(unit);
-  const auto u = static_cast<std::size_t>(unit);
-  const CubeMap& map = *context_.textures[u];
-  const std::span<const glm::vec3> coordinates = context_.arrays.texture_coordinates[u];
-  for (std::size_t i = 0; i < count_; ++i) {
-    const glm::uvec3 v = context_.arrays.triangles[fragment_[i].primitive];
-    const glm::vec3 &a = coordinates[v.x], &b = coordinates[v.y], &c = coordinates[v.z];
-    std::array<float, 3> r;
-    for (int k = 0; k < 3; ++k) {
-      r[static_cast<std::size_t>(k)] = (weight_[0][i] * a[k] + weight_[1][i] * b[k]) + weight_[2][i] * c[k];
-    }
-    const CubeMap::Texel texel = map.nearest(r[0], r[1], r[2]);
-    const auto& face = map.faces[static_cast<std::size_t>(texel.face)];
-    for (int k = 0; k < 3; ++k) {
-      registers_(reg, k)[i] = from_byte(profile, face[static_cast<std::size_t>(k)].at(texel.x, texel.y));
-    }
-  }
-}
-
-void FragmentBatch::fill_initial_registers() {
-  const HardwareProfile& profile = context_.state.profile;
-  for (std::size_t r = 0; r < kRegisterCount; ++r) {
+void FragmentBatch::run_program() {
+  const PipelineState& state = context_.state;
+  if (!state.program) {
     for (int k = 0; k < 4; ++k) {
-      std::fill_n(registers_(static_cast<Register>(r), k), count_,
-                  context_.initial.value[r][static_cast<std::size_t>(k)]);
+      std::copy_n(registers_(Register::primary, k), count_, out_.plane[static_cast<std::size_t>(k)].data());
     }
+    return;
   }
+  evaluate(*state.program, registers_, count_, out_);
   for (std::size_t k = 0; k < 4; ++k) {
-    s9* const codes = registers_(Register::primary, static_cast<int>(k));
-    for (std::size_t i = 0; i < count_; ++i) codes[i] = from_byte(profile, primary_[i][k]);
-  }
-  for (std::size_t unit = 0; unit < context_.textures.size(); ++unit) {
-    if (context_.textures[unit] != nullptr) fill_texture(static_cast<int>(unit));
+    for (std::size_t i = 0; i < count_; ++i) color_[i][k] = to_byte(state.profile, out_.plane[k][i]);
   }
 }
 
-void FragmentBatch::capture(std::size_t i) const {
-  const Fragment& f = fragment_[i];
-  if (!context_.operations.depth_passes(f)) return;
-  for (const RegisterCapture& c : context_.target.captures) {
-    if (!c.plane) continue;
-    c.plane.at(f.x, f.y) =
-        c.reg ? registers_(*c.reg, c.component)[i] : out_.plane[static_cast<std::size_t>(c.component)][i];
+void FragmentBatch::draw() {
+  const OutputPlanes& outputs = context_.outputs;
+  if (outputs.empty()) {
+    for (std::size_t i = 0; i < count_; ++i) context_.operations.apply(fragment_[i], color_[i]);
+    return;
   }
+  for (std::size_t i = 0; i < count_; ++i) {
+    fate_[i].depth_passed = context_.operations.depth_passes(fragment_[i]);
+    fate_[i].drawn = context_.operations.apply(fragment_[i], color_[i]);
+  }
+  BatchResults results{.fragments = {fragment_.data(), count_},
+                       .fates = {fate_.data(), count_},
+                       .registers = &registers_,
+                       .output = &out_,
+                       .colors = {color_.data(), count_},
+                       .attributes = {}};
+  for (std::size_t n = 0; n < attributes_.size(); ++n) {
+    for (std::size_t k = 0; k < 4; ++k) results.attributes[n][k] = attributes_[n][k].data();
+  }
+  outputs.write(results);
 }
 
 void FragmentBatch::flush() {
   if (count_ == 0) return;
-  const PipelineState& state = context_.state;
-  normalize_weights();
+  const bool affine =
+      has_smooth_colors() && context_.state.profile.color_interpolation.value == ColorInterpolation::affine;
+  weights_.compute({place_.data(), count_}, affine, context_.needs_texture_changes);
   fill_primary();
-  const bool captures = !context_.target.captures.empty();
-  if (state.program || captures) fill_initial_registers();
-  if (state.program) {
-    evaluate(*state.program, registers_, count_, out_);
-  } else if (captures) {
-    for (int k = 0; k < 4; ++k) {
-      std::copy_n(registers_(Register::primary, k), count_, out_.plane[static_cast<std::size_t>(k)].data());
-    }
+  if (context_.fills_registers) {
+    fill_registers();
+    run_program();
   }
-  for (std::size_t i = 0; i < count_; ++i) {
-    if (captures) capture(i);
-    ColorBytes& color = primary_[i];
-    if (state.program) {
-      for (std::size_t k = 0; k < 4; ++k) color[k] = to_byte(state.profile, out_.plane[k][i]);
-    }
-    context_.operations.apply(fragment_[i], color);
-  }
+  interpolate_attributes();
+  draw();
   count_ = 0;
 }
 

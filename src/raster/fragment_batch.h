@@ -4,45 +4,29 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <glm/glm.hpp>
 #include <span>
 
 #include "ninebit/combiner/evaluate.h"
 #include "ninebit/raster/rasterizer.h"
+#include "src/raster/draw_context.h"
 #include "src/raster/fragment_operations.h"
-#include "src/raster/triangle_setup.h"
+#include "src/raster/interpolation.h"
+#include "src/raster/setup_primitive.h"
 
 namespace ninebit {
-
-// What all tiles of one draw call share.
-struct DrawContext {
-  const PipelineState& state;
-  const TriangleArrays& arrays;
-  std::span<const CubeMap* const> textures;
-  const RenderTarget& target;
-  const FragmentOperations& operations;
-  RegisterFile initial;  // of a fragment of this draw; primary colour and texels are its own
-};
-
-// The primary colour that flat shading gives a triangle: its own, or that of its last vertex.
-[[nodiscard]] ColorBytes flat_color(const TriangleArrays& arrays, std::uint32_t primitive);
-
-// Whether every fragment of a triangle leaves the draw with the colour that flat_color gives.
-[[nodiscard]] bool has_flat_result(const DrawContext& context);
 
 class FragmentBatch {
  public:
   explicit FragmentBatch(const DrawContext& context) : context_(context) {}
 
-  // `edge` holds the three edge functions at the fragment: twice the areas opposite the triangle's corners.
-  void push(const Fragment& fragment, const SetupTriangle& triangle, const SetupBlock& block,
+  // `edge`: see FragmentPlace. The primitive and its block must stay until the next flush.
+  void push(const Fragment& fragment, const SetupPrimitive& primitive, const SetupBlock& block,
             const std::array<std::int64_t, 3>& edge) {
     fragment_[count_] = fragment;
-    // The corners' weights for perspective-correct interpolation, up to their sum.
-    for (std::size_t i = 0; i < 3; ++i) {
-      weight_[triangle.clipped ? i : triangle.corner[i]][count_] = static_cast<float>(edge[i]) * triangle.inv_w[i];
-    }
-    corners_[count_] = triangle.clipped ? &block.weights[triangle.weights] : nullptr;
+    FragmentPlace& place = place_[count_];
+    place.primitive = &primitive;
+    place.corners = primitive.weights == kNoWeights ? nullptr : &block.weights[primitive.weights];
+    for (std::size_t i = 0; i < 3; ++i) place.edge[i] = static_cast<float>(edge[i]);
     if (++count_ == kBatchSize) flush();
   }
 
@@ -50,18 +34,31 @@ class FragmentBatch {
   void flush();
 
  private:
-  void normalize_weights();
+  using Lanes = std::array<float, kBatchSize>;
+
+  [[nodiscard]] bool has_smooth_colors() const;
   void fill_primary();
-  void fill_texture(int unit);
-  void fill_initial_registers();
-  void capture(std::size_t i) const;
+  void fill_secondary();
+  void fill_fog();
+  void fill_texture(std::size_t unit);
+  void fill_registers();
+  void interpolate_attributes();
+  void run_program();
+  void draw();
+
+  // A smooth colour of vertices at fragment i, each component rounded to nearest.
+  [[nodiscard]] ColorBytes smooth_color(std::span<const ColorBytes> colors, std::size_t i) const;
 
   const DrawContext& context_;
   std::size_t count_ = 0;
+  bool has_constants_ = false;  // whether the constant registers have been filled
   std::array<Fragment, kBatchSize> fragment_;
-  std::array<std::array<float, kBatchSize>, 3> weight_;
-  std::array<const glm::mat3*, kBatchSize> corners_;
-  std::array<ColorBytes, kBatchSize> primary_;
+  std::array<FragmentPlace, kBatchSize> place_;
+  std::array<FragmentFate, kBatchSize> fate_;
+  std::array<ColorBytes, kBatchSize> color_;  // primary, then what leaves the combiners
+  Interpolation weights_;
+  std::array<std::array<Lanes, 3>, 3> coordinates_;  // of a texture: values, changes in x, changes in y
+  std::array<std::array<Lanes, 4>, kMaxAttributes> attributes_;
   RegisterBatch registers_;
   OutputBatch out_;
 };

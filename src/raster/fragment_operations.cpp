@@ -1,76 +1,73 @@
 #include "src/raster/fragment_operations.h"
 
-#include <algorithm>
+#include "src/raster/blend.h"
 
 namespace ninebit {
-namespace {
 
-std::uint8_t stencil_result(StencilOperation operation, std::uint8_t stored, std::uint8_t reference) {
-  switch (operation) {
-    case StencilOperation::keep:
-      return stored;
-    case StencilOperation::zero:
-      return 0;
-    case StencilOperation::replace:
-      return reference;
-    case StencilOperation::incr:
-      return stored == 0xFF ? stored : static_cast<std::uint8_t>(stored + 1);
-    case StencilOperation::decr:
-      return stored == 0 ? stored : static_cast<std::uint8_t>(stored - 1);
-    case StencilOperation::invert:
-      return static_cast<std::uint8_t>(~stored);
-    case StencilOperation::incr_wrap:
-      return static_cast<std::uint8_t>(stored + 1);
-    case StencilOperation::decr_wrap:
-      return static_cast<std::uint8_t>(stored - 1);
-  }
-  return stored;
-}
-
-// The operation for every stored value, with the write mask applied: masked bits keep their old value.
-std::array<std::uint8_t, 256> stencil_table(StencilOperation operation, const StencilTest& test) {
-  std::array<std::uint8_t, 256> table{};
-  for (unsigned stored = 0; stored < 256; ++stored) {
-    const unsigned result = stencil_result(operation, static_cast<std::uint8_t>(stored), test.reference);
-    const unsigned mask = test.write_mask;
-    table[stored] = static_cast<std::uint8_t>((stored & ~mask) | (result & mask));
-  }
-  return table;
-}
-
-}  // namespace
-
-FragmentOperations::FragmentOperations(const PipelineState& state, const RenderTarget& target)
+FragmentOperations::FragmentOperations(const PipelineState& state, const RenderTarget& target, bool reject_early)
     : target_(target),
-      alpha_function_(state.alpha_test.enabled ? state.alpha_test.function : CompareFunction::always),
-      alpha_reference_(state.alpha_test.reference),
-      stencil_enabled_(state.stencil_test.enabled && target.stencil),
-      stencil_function_(state.stencil_test.function),
-      stencil_reference_(state.stencil_test.reference & state.stencil_test.mask),
-      stencil_mask_(state.stencil_test.mask),
-      stencil_fail_(stencil_table(state.stencil_test.fail, state.stencil_test)),
-      stencil_depth_fail_(stencil_table(state.stencil_test.depth_fail, state.stencil_test)),
-      stencil_depth_pass_(stencil_table(state.stencil_test.depth_pass, state.stencil_test)),
-      depth_enabled_(state.depth_test.enabled && target.depth_z24),
+      alpha_function_(state.alpha_test.function),
       depth_function_(state.depth_test.function),
+      alpha_reference_(state.alpha_test.reference),
+      alpha_enabled_(state.alpha_test.enabled && alpha_function_ != CompareFunction::always),
+      stencil_enabled_(state.stencil_test.enabled && stencil_bits(target.format) > 0 && target.stencil),
+      depth_enabled_(state.depth_test.enabled && target.depth),
       depth_write_(depth_enabled_ && state.depth_test.write),
+      writes_color_(false),
+      blends_(state.blend.enabled && !replaces(state.blend)),
+      early_stencil_(false),
+      early_depth_front_(false),
+      early_depth_back_(false),
+      plain_(false),
       color_mask_(state.color_mask),
-      writes_color_(false) {
+      blend_(state.blend) {
   for (std::size_t i = 0; i < 4; ++i) {
     color_mask_[i] = color_mask_[i] && target.color[i];
     writes_color_ = writes_color_ || color_mask_[i];
   }
-  const auto keeps = [&](StencilOperation op) {
-    return op == StencilOperation::keep || state.stencil_test.write_mask == 0;
-  };
-  const bool fail_leaves_no_trace =
-      !stencil_enabled_ || (keeps(state.stencil_test.fail) && keeps(state.stencil_test.depth_fail));
-  // While the draw writes no stencil, the test's outcome cannot change under a waiting batch. Captures do not ask it.
-  early_stencil_ =
-      stencil_enabled_ && fail_leaves_no_trace && keeps(state.stencil_test.depth_pass) && target.captures.empty();
-  // A depth that a waiting fragment will write can only make the same test harder, except for NOTEQUAL.
-  early_depth_ =
-      depth_enabled_ && fail_leaves_no_trace && !(depth_write_ && depth_function_ == CompareFunction::notequal);
+  if (stencil_enabled_) {
+    const StencilTest& test = state.stencil_test;
+    front_ = StencilSide(test.front, stencil_bits(target.format));
+    back_ = StencilSide(test.back.value_or(test.front), stencil_bits(target.format));
+  }
+  if (!reject_early) return;
+  // Planes written at depth pass ask neither the alpha nor the stencil test.
+  bool has_outputs = false, asks_depth_alone = false;
+  for (const OutputPlane& output : target.outputs) {
+    const bool holds = std::visit([](const auto& plane) { return static_cast<bool>(plane); }, output.plane);
+    has_outputs = has_outputs || holds;
+    asks_depth_alone = asks_depth_alone || (holds && output.time == OutputTime::at_depth_pass);
+  }
+  // While no fragment of the draw, of either facing, changes a stencil value, the test's outcome cannot change under a
+  // waiting batch.
+  early_stencil_ = stencil_enabled_ && front_.changes_nothing() && back_.changes_nothing() && !asks_depth_alone;
+  // A depth that a waiting fragment will write can only make the same test harder, except for NOTEQUAL. A fragment
+  // that fails it leaves a trace where the operations of its own facing change the stencil. Blending reads the colour
+  // of fragments that are drawn, and a lost one is not.
+  const bool early_depth = depth_enabled_ && !(depth_write_ && depth_function_ == CompareFunction::notequal);
+  early_depth_front_ = early_depth && (!stencil_enabled_ || front_.failing_changes_nothing());
+  early_depth_back_ = early_depth && (!stencil_enabled_ || back_.failing_changes_nothing());
+  plain_ = !alpha_enabled_ && !stencil_enabled_ && !blends_ && !has_outputs;
+}
+
+PlainOperations FragmentOperations::plain() const {
+  PlainOperations plain{.tests_depth = depth_enabled_,
+                        .writes_depth = depth_write_,
+                        .function = depth_function_,
+                        .depth = target_.depth,
+                        .color = {}};
+  for (std::size_t i = 0; i < 4; ++i) {
+    if (color_mask_[i]) plain.color[i] = target_.color[i];
+  }
+  return plain;
+}
+
+void FragmentOperations::write_blended(const Fragment& f, const ColorBytes& color) const {
+  ColorBytes there{0, 0, 0, 255};
+  for (std::size_t i = 0; i < 4; ++i) {
+    if (target_.color[i]) there[i] = target_.color[i].at(f.x, f.y);
+  }
+  write(f, blend(blend_, color, there));
 }
 
 }  // namespace ninebit

@@ -3,29 +3,17 @@
 #include <algorithm>
 #include <array>
 
+#include "src/raster/floor_divider.h"
+#include "src/raster/line_walk.h"
+
 namespace ninebit {
 namespace {
-
-// n / d rounded down, for n >= 0, d > 0 and n / d < 2^26. The double quotient, cut to a whole number, is off by one at
-// most; the remainder, an integer, says whether it is. (Of a negative n it could be off by two.)
-struct FloorDivider {
-  std::int64_t divisor;
-  double inverse;
-  explicit FloorDivider(std::int64_t d) : divisor(d), inverse(1.0 / static_cast<double>(d)) {}
-  [[nodiscard]] std::int64_t operator()(std::int64_t n) const {
-    auto q = static_cast<std::int64_t>(static_cast<double>(n) * inverse);
-    const std::int64_t remainder = n - q * divisor;
-    q -= remainder < 0 ? 1 : 0;
-    q += remainder >= divisor ? 1 : 0;
-    return q;
-  }
-};
 
 // A triangle's edge functions and depth plane at pixel centres. Edge i lies opposite corner i; its function is twice
 // the area of the triangle that the edge and the point make, positive inside, in square sixteenths of a pixel.
 class EdgesAndDepth {
  public:
-  explicit EdgesAndDepth(const SetupTriangle& t) : triangle_(t), area_(area_of(t)), divide_(2 * area_) {
+  explicit EdgesAndDepth(const SetupPrimitive& t) : triangle_(t), area_(area_of(t)), divide_(2 * area_) {
     for (std::size_t i = 0; i < 3; ++i) {
       const std::size_t a = (i + 1) % 3, b = (i + 2) % 3;
       const std::int64_t dx = t.x_q4[b] - t.x_q4[a], dy = t.y_q4[b] - t.y_q4[a];
@@ -77,50 +65,142 @@ class EdgesAndDepth {
   }
 
  private:
-  static std::int64_t area_of(const SetupTriangle& t) {
+  static std::int64_t area_of(const SetupPrimitive& t) {
     return static_cast<std::int64_t>(t.x_q4[1] - t.x_q4[0]) * (t.y_q4[2] - t.y_q4[0]) -
            static_cast<std::int64_t>(t.y_q4[1] - t.y_q4[0]) * (t.x_q4[2] - t.x_q4[0]);
   }
-  static std::int64_t floor_divide(std::int64_t n, std::int64_t d) {
-    const std::int64_t q = n / d;
-    return q - (n % d < 0 ? 1 : 0);
-  }
-  static std::int64_t ceil_divide(std::int64_t n, std::int64_t d) { return -floor_divide(-n, d); }
 
-  const SetupTriangle& triangle_;
+  const SetupPrimitive& triangle_;
   std::int64_t area_;
   FloorDivider divide_;
   std::array<std::int64_t, 3> step_x_, step_y_, origin_, threshold_;
 };
 
+// Takes a primitive's fragments on their way: depth code and early tests, then what `Next` does with them. (A copy of
+// what is asked for each fragment: writing bytes could change anything else, as far as a compiler can know.)
+template <class Next>
+class FragmentSink {
+ public:
+  FragmentSink(const DrawContext& context, const SetupPrimitive& primitive, Next next)
+      : operations_(context.operations),
+        depth_(context.depth),
+        primitive_(primitive.primitive),
+        offset_z24_(primitive.offset_z24),
+        front_facing_(primitive.front_facing),
+        is_code_(primitive.offset_z24 == 0 && context.depth.step_z24() == 1),
+        next_(next) {}
+
+  void operator()(int x, int y, std::uint32_t z24, const std::array<std::int64_t, 3>& edge) const {
+    const std::uint32_t depth = is_code_ ? z24 : depth_.code(z24, offset_z24_);
+    // Two of them: the first stays in registers.
+    if (operations_.is_lost_early({x, y, depth, primitive_, front_facing_})) return;
+    next_({x, y, depth, primitive_, front_facing_}, edge);
+  }
+
+ private:
+  const FragmentOperations& operations_;
+  const WindowDepth depth_;
+  const std::uint32_t primitive_;
+  const std::int32_t offset_z24_;
+  const bool front_facing_;
+  const bool is_code_;
+  const Next next_;
+};
+
+// Not part of its caller, which would be large and short of registers.
+template <class Sink>
+[[gnu::noinline]] void draw_triangle(const PixelBox& tile, const SetupPrimitive& t, Sink sink) {
+  const EdgesAndDepth plane(t);
+  const auto [x_low, x_high] = std::minmax({t.x_q4[0], t.x_q4[1], t.x_q4[2]});
+  const auto [y_low, y_high] = std::minmax({t.y_q4[0], t.y_q4[1], t.y_q4[2]});
+  const int left = std::max(tile.left, (x_low + 7) >> 4), right = std::min(tile.right - 1, (x_high - 8) >> 4);
+  const int bottom = std::max(tile.bottom, (y_low + 7) >> 4), top = std::min(tile.top - 1, (y_high - 8) >> 4);
+  const bool narrow = right - left < 8;  // testing each pixel costs less than dividing for the span
+  for (int y = bottom; y <= top; ++y) {
+    int first = left, last = right;
+    if (!narrow && !plane.span(y, first, last)) continue;
+    std::array<std::int64_t, 3> e = plane.at(first, y);
+    for (int x = first; x <= last; ++x, plane.step_right(e)) {
+      if (narrow && !plane.inside(e)) continue;
+      sink(x, y, plane.z24(e), e);
+    }
+  }
+}
+
+// The pixels of one column (row) share the place along the line of the lowest one's centre; beyond an end, they have
+// what the end has.
+template <class Sink>
+void draw_line(const PixelBox& tile, const SetupPrimitive& line, int width, Sink sink) {
+  const LineWalk walk(line);
+  const bool x_major = walk.is_x_major();
+  const std::int64_t dx = line.x_q4[1] - line.x_q4[0], dy = line.y_q4[1] - line.y_q4[0];
+  const std::int64_t squared_length = dx * dx + dy * dy;
+  const FloorDivider divide(2 * squared_length);
+  const int first = std::max(walk.first(), x_major ? tile.left : tile.bottom);
+  const int last = std::min(walk.last(), (x_major ? tile.right : tile.top) - 1);
+  const int minor_first = x_major ? tile.bottom : tile.left, minor_end = x_major ? tile.top : tile.right;
+  for (int major = first; major <= last; ++major) {
+    int minor = 0;
+    if (!walk.pixel_at(major, minor)) continue;
+    const int x = x_major ? major : minor, y = x_major ? minor : major;
+    const std::int64_t along =
+        dx * (16 * std::int64_t{x} + 8 - line.x_q4[0]) + dy * (16 * std::int64_t{y} + 8 - line.y_q4[0]);
+    const std::int64_t from_start = std::clamp(along, std::int64_t{0}, squared_length);
+    const std::array<std::int64_t, 3> edge{squared_length - from_start, from_start, 0};
+    const std::int64_t wide = edge[0] * line.z24[0] + edge[1] * line.z24[1];
+    const auto z24 = static_cast<std::uint32_t>(divide(2 * wide + squared_length));
+    for (int m = std::max(minor, minor_first); m < std::min(minor + width, minor_end); ++m) {
+      sink(x_major ? x : m, x_major ? m : y, z24, edge);
+    }
+  }
+}
+
+template <class Sink>
+void draw_point(const PixelBox& tile, const SetupPrimitive& point, int size, Sink sink) {
+  const int left = point.x_q4[0] >> 4, bottom = point.y_q4[0] >> 4;
+  for (int y = std::max(bottom, tile.bottom); y < std::min(bottom + size, tile.top); ++y) {
+    for (int x = std::max(left, tile.left); x < std::min(left + size, tile.right); ++x) {
+      sink(x, y, point.z24[0], {1, 0, 0});
+    }
+  }
+}
+
+template <class Next>
+void draw_primitive(const DrawContext& context, const PixelBox& tile, const SetupPrimitive& p, Next next) {
+  const FragmentSink<Next> sink(context, p, next);
+  switch (p.kind) {
+    case SetupKind::triangle:
+      draw_triangle(tile, p, sink);
+      break;
+    case SetupKind::line:
+      draw_line(tile, p, context.state.line_width, sink);
+      break;
+    case SetupKind::point:
+      draw_point(tile, p, context.state.point_size, sink);
+      break;
+  }
+}
+
 }  // namespace
 
-void draw_in_tile(const DrawContext& context, const TileRect& tile, const SetupBlock& block,
-                  std::span<const std::uint32_t> indices, bool flat_result, FragmentBatch& batch) {
+void draw_in_tile(const DrawContext& context, const PixelBox& tile, const SetupBlock& block,
+                  std::span<const std::uint32_t> indices, FragmentBatch* batch) {
+  using Edge = std::array<std::int64_t, 3>;
   const FragmentOperations& operations = context.operations;
   for (const std::uint32_t index : indices) {
-    const SetupTriangle& t = block.triangles[index];
-    const EdgesAndDepth plane(t);
-    const auto [x_low, x_high] = std::minmax({t.x_q4[0], t.x_q4[1], t.x_q4[2]});
-    const auto [y_low, y_high] = std::minmax({t.y_q4[0], t.y_q4[1], t.y_q4[2]});
-    const int left = std::max(tile.left, (x_low + 7) >> 4), right = std::min(tile.right - 1, (x_high - 8) >> 4);
-    const int bottom = std::max(tile.bottom, (y_low + 7) >> 4), top = std::min(tile.top - 1, (y_high - 8) >> 4);
-    const bool narrow = right - left < 8;  // testing each pixel costs less than dividing for the span
-    const ColorBytes color = flat_result ? flat_color(context.arrays, t.primitive) : ColorBytes{};
-    for (int y = bottom; y <= top; ++y) {
-      int first = left, last = right;
-      if (!narrow && !plane.span(y, first, last)) continue;
-      std::array<std::int64_t, 3> e = plane.at(first, y);
-      for (int x = first; x <= last; ++x, plane.step_right(e)) {
-        if (narrow && !plane.inside(e)) continue;
-        const Fragment fragment{x, y, plane.z24(e), t.primitive};
-        if (operations.is_lost_early(fragment)) continue;
-        if (flat_result) {
-          operations.apply(fragment, color);
-        } else {
-          batch.push(fragment, t, block, e);
-        }
-      }
+    const SetupPrimitive& p = block.primitives[index];
+    if (!context.has_flat_result) {
+      draw_primitive(context, tile, p, [&](const Fragment& f, const Edge& edge) { batch->push(f, p, block, edge); });
+      continue;
+    }
+    const ColorBytes color = context.flat_primary(p.primitive);
+    if (context.outputs.empty()) {
+      draw_primitive(context, tile, p,
+                     [&operations, color](const Fragment& f, const Edge&) { operations.apply(f, color); });
+    } else {
+      draw_primitive(context, tile, p, [&context, color](const Fragment& f, const Edge&) {
+        draw_fragment(context.operations, context.outputs, f, color);
+      });
     }
   }
 }

@@ -1,23 +1,22 @@
-// Coverage and depth of triangles within one tile.
+// Coverage and depth of primitives within one tile.
 #pragma once
 
 #include <cstdint>
 #include <span>
-#include <vector>
 
+#include "src/raster/draw_context.h"
 #include "src/raster/fragment_batch.h"
+#include "src/raster/setup_primitive.h"
+#include "src/raster/window_transform.h"
 
 namespace ninebit {
 
 inline constexpr int kTileSize = 64;
 
-struct TileRect {
-  int left, bottom, right, top;  // pixels, right and top exclusive
-};
-
-// Draws triangles of one block, in the order of `indices`, as far as they cover the tile. Fragments whose colour is
-// the triangle's go through the fragment operations at once, the others into the batch.
-void draw_in_tile(const DrawContext& context, const TileRect& tile, const SetupBlock& block,
-                  std::span<const std::uint32_t> indices, bool flat_result, FragmentBatch& batch);
+// Draws primitives of one block, in the order of `indices`, as far as they cover the tile. Fragments whose colour is
+// the primitive's go through the fragment operations at once, the others into the batch: without a flat result there
+// has to be one.
+void draw_in_tile(const DrawContext& context, const PixelBox& tile, const SetupBlock& block,
+                  std::span<const std::uint32_t> indices, FragmentBatch* batch);
 
 }  // namespace ninebit

@@ -1,43 +1,51 @@
-// From clip-space triangles to integer triangles in the window.
+// From polygons in clip coordinates, cut into triangles, to primitives in the window.
 #pragma once
 
 #include <array>
 #include <cstdint>
 #include <glm/glm.hpp>
-#include <vector>
+
+#include "src/raster/polygon_offset.h"
+#include "src/raster/setup_context.h"
+#include "src/raster/setup_primitive.h"
 
 namespace ninebit {
 
-// A triangle ready for the tiles, counter-clockwise in the window (y up). Bounds that the integer arithmetic relies on:
-// positions lie within 8,192 pixels of the viewport's centre, so differences of positions stay within 2^18 sixteenths
-// of a pixel, edge functions and the area within 2^37, and edge function × depth difference within 2^61.
-struct SetupTriangle {
-  std::array<std::int32_t, 3> x_q4;  // window position in 1/16 pixel (less with fewer subpixel bits, scaled up)
-  std::array<std::int32_t, 3> y_q4;
-  std::array<std::uint32_t, 3> z24;
-  std::array<float, 3> inv_w;
-  std::array<std::uint8_t, 3> corner;  // which vertex of the original triangle each is (clipped ones: see weights)
-  bool clipped;
-  std::uint32_t weights;    // clipped: index into SetupBlock::weights
-  std::uint32_t primitive;  // number of the original triangle
+// One triangle of a polygon.
+struct PolygonTriangle {
+  std::array<glm::vec4, 3> clip;
+  std::array<std::uint32_t, 3> vertex;
+  std::uint32_t primitive = 0;
+  std::array<bool, 3> boundary{true, true, true};  // whether the edges 0-1, 1-2, 2-0 are on the polygon's boundary
 };
 
-// What one block of triangles of a draw call became, in order.
-struct SetupBlock {
-  std::vector<SetupTriangle> triangles;
-  // For each clipped triangle, its corners in barycentric coordinates of the original triangle (column = corner).
-  std::vector<glm::mat3> weights;
+// What is decided of a polygon as a whole.
+struct PolygonFacts {
+  PolygonMode mode = PolygonMode::fill;
+  bool is_drawn = true;
+  bool front_facing = true;  // in the modes line and point; when filled, each triangle has its own facing
+  std::int32_t offset_z24 = 0;
 };
 
-struct Viewport {
-  int width = 0;
-  int height = 0;
-  int subpixel_bits = 4;  // at most 4
+// Looks at all triangles of a polygon, as they are after clipping. Its facing is the sign of the sum of their areas
+// in the window; its slope is that of the largest of them, the first among equals.
+class PolygonSurvey {
+ public:
+  explicit PolygonSurvey(const SetupContext& context) : context_(context) {}
+  void add(const PolygonTriangle& triangle);
+  [[nodiscard]] PolygonFacts facts() const;
+
+ private:
+  void add(const WindowVertex& a, const WindowVertex& b, const WindowVertex& c);
+  const SetupContext& context_;
+  std::int64_t area_ = 0;
+  DepthPlane largest_;
 };
 
-// Appends what is to be drawn of one triangle: nothing, the triangle, or the fan of its clipped polygon. `clip` holds
-// its vertices in clip coordinates. Facing is decided per piece, in the window; `cull_front` and `cull_back` drop.
-void set_up_triangle(const Viewport& viewport, const std::array<glm::vec4, 3>& clip, std::uint32_t primitive,
-                     bool cull_front, bool cull_back, SetupBlock& block);
+// Appends what is to be drawn of one triangle: nothing, the triangle, the fan of its clipped polygon, or its boundary
+// as lines or points. Filled triangles are culled by their own facing, so that of a closed mesh as many front as back
+// faces are drawn at a pixel even where snapping turns a clipped triangle's piece over.
+void set_up_triangle(const SetupContext& context, const PolygonTriangle& triangle, const PolygonFacts& facts,
+                     SetupBlock& block);
 
 }  // namespace ninebit

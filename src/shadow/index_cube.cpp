@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "ninebit/raster/rasterizer.h"
+#include "ninebit/raster/sampler.h"
 #include "src/shadow/shading.h"
 #include "src/shadow/views.h"
 
@@ -72,10 +73,10 @@ class IndexCubeRun {
   // Pass 1: indices into the cube map. The cleared map is index 0. Vertices are taken relative to the light, as they
   // are for the fetch in pass 3.
   Status draw_map() {
-    TriangleArrays arrays = all_triangles();
+    VertexArrays arrays = all_triangles();
     arrays.positions = from_light_;
-    arrays.triangle_colors = index_colors_;
-    map_.size = settings_.map_size;
+    arrays.primitive_colors = index_colors_;
+    std::vector<TextureImage> faces;
     for (const CubeFace face : kCubeFaces) {
       auto surface = Surface::make(settings_.map_size, settings_.map_size);
       if (!surface) return surface.error();
@@ -83,18 +84,22 @@ class IndexCubeRun {
       const glm::mat4 projection = cube_face_projection(face, light_range_);
       if (Status drawn = rasterize(passes_.map, projection, arrays, {}, target); !drawn) return drawn;
       IndexMapFace& kept = out_.index_map.emplace_back(IndexMapFace{settings_.map_size, {}});
+      std::array<Plane<const std::uint8_t>, 4> planes;
       for (std::size_t c = 0; c < 3; ++c) {
         kept.color[c] = surface->take_color(static_cast<int>(c));
-        map_.faces[static_cast<std::size_t>(face)][c] = {kept.color[c].data(), settings_.map_size};
+        planes[c] = {kept.color[c].data(), settings_.map_size};
       }
+      faces.push_back({settings_.map_size, settings_.map_size, planes});
     }
+    map_ = texture_view(InternalFormat::rgb8, faces);
     return {};
   }
 
   // Pass 2: the camera's depth.
   Status draw_depth() {
-    out_.frame.clear({.color = kBackground});
+    out_.frame.fill({.color = kBackground});
     RenderTarget target = out_.frame.target();
+    target.outputs.clear();
     return rasterize(passes_.depth, camera_projection_, all_triangles(), {}, target);
   }
 
@@ -102,30 +107,34 @@ class IndexCubeRun {
   // no interest with light_facing: it is in shadow.
   Status compare_indices() {
     RenderTarget target = out_.frame.target();
-    if (settings_.layers) add_captures(target);
+    target.outputs.clear();
+    if (settings_.layers) add_layers(target);
 
     TriangleSet compared, averted;
-    TriangleArrays arrays = all_triangles();
-    arrays.triangle_colors = index_colors_;
+    VertexArrays arrays = all_triangles();
+    arrays.primitive_colors = index_colors_;
     arrays.texture_coordinates[0] = from_light_;
     if (settings_.light_facing) {
       split_by_facing(compared, averted);
-      arrays.triangles = compared.triangles;
-      arrays.triangle_colors = compared.index_colors;
+      arrays.indices = index_list(compared.triangles);
+      arrays.primitive_colors = compared.index_colors;
     }
-    const std::array<const CubeMap*, 1> textures{&map_};
-    Status drawn = rasterize(passes_.comparison, camera_projection_, arrays, textures, target);
-    if (!drawn || !settings_.light_facing) return drawn;
-
-    target.captures.clear();
-    const TriangleArrays away{.positions = scene_.positions, .triangles = averted.triangles};
+    // (Without indices, all vertices would be drawn in their order.)
+    if (!arrays.indices.empty()) {
+      const std::array<TextureUnit, 1> units{TextureUnit{&map_, kNearestSampler}};
+      const Status drawn = rasterize(passes_.comparison, camera_projection_, arrays, units, target);
+      if (!drawn) return drawn;
+    }
+    if (averted.triangles.empty()) return {};
+    target.outputs.clear();
+    const VertexArrays away{.positions = scene_.positions, .indices = index_list(averted.triangles)};
     return rasterize(passes_.averted, camera_projection_, away, {}, target);
   }
 
   // Pass 4: the lit pass where the stencil is 0, the shadow pass where it is 1.
   Status shade() {
     RenderTarget target = out_.frame.target();
-    TriangleArrays arrays = all_triangles();
+    VertexArrays arrays = all_triangles();
     arrays.vertex_colors = shading_.lit;
     if (Status drawn = rasterize(passes_.lit, camera_projection_, arrays, {}, target); !drawn) return drawn;
     arrays.vertex_colors = shading_.shadowed;
@@ -134,7 +143,7 @@ class IndexCubeRun {
 
   void count() {
     for (std::size_t i = 0; i < out_.frame.stencil().size(); ++i) {
-      if (out_.frame.depth_z24()[i] == kMaxDepthZ24) {
+      if (out_.frame.depth()[i] == max_depth(out_.frame.format())) {
         ++out_.background;
       } else if (out_.frame.stencil()[i] == 0) {
         ++out_.lit;
@@ -146,7 +155,10 @@ class IndexCubeRun {
   }
 
  private:
-  TriangleArrays all_triangles() const { return {.positions = scene_.positions, .triangles = scene_.triangles}; }
+  // Of a scene that has triangles, as validate demands.
+  VertexArrays all_triangles() const {
+    return {.positions = scene_.positions, .indices = index_list(scene_.triangles)};
+  }
 
   // Indices are counted afresh for each rendering, from 1: 0 is the cleared map.
   void assign_indices() {
@@ -175,12 +187,19 @@ class IndexCubeRun {
     }
   }
 
-  void add_captures(RenderTarget& target) {
+  void add_layers(RenderTarget& target) {
     ComparisonLayers& layers = out_.layers.emplace();
     const std::size_t pixels = out_.frame.stencil().size();
-    const auto capture = [&](std::optional<Register> reg, int component, std::vector<s9>& plane) {
+    const auto add = [&](OutputSource source, Register reg, int component, std::vector<s9>& plane) {
       plane.assign(pixels, 0);
-      target.captures.push_back({reg, component, {plane.data(), settings_.width}});
+      target.outputs.push_back({.source = source,
+                                .reg = reg,
+                                .component = component,
+                                .time = OutputTime::at_depth_pass,
+                                .plane = Plane<s9>{plane.data(), settings_.width}});
+    };
+    const auto capture = [&](Register reg, int component, std::vector<s9>& plane) {
+      add(OutputSource::register_code, reg, component, plane);
     };
     for (int c = 0; c < 4; ++c) {
       const auto i = static_cast<std::size_t>(c);
@@ -189,7 +208,7 @@ class IndexCubeRun {
       capture(Register::spare0, c, layers.spare0[i]);
       capture(Register::spare1, c, layers.spare1[i]);
     }
-    capture(std::nullopt, kAlpha, layers.output_alpha);
+    add(OutputSource::output_code, Register::spare0, kAlpha, layers.output_alpha);
   }
 
   // From the triangles that the lit and shadow passes drew.
@@ -214,7 +233,7 @@ class IndexCubeRun {
   VertexShading shading_;
   glm::mat4 camera_projection_{1.0F};
   DepthRange light_range_{};
-  CubeMap map_;
+  Texture map_;
 };
 
 }  // namespace
@@ -228,7 +247,7 @@ Result<Rendering> render_index_cube(const Scene& scene, const RenderSettings& se
   }
   auto passes = index_cube_passes(settings);
   if (!passes) return passes.error();
-  auto frame = Surface::make(settings.width, settings.height, settings.layers);
+  auto frame = Surface::make(settings.width, settings.height, {.with_primitive = settings.layers});
   if (!frame) return frame.error();
 
   Rendering rendering{.frame = std::move(*frame), .codes = IndexCodes(settings.index_step), .codes_used = used};

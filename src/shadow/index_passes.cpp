@@ -27,8 +27,7 @@ Result<IndexCubePasses> index_cube_passes(const RenderSettings& settings) {
   passes.averted.shade_model = ShadeModel::flat;
   passes.averted.color_mask = no_color;
   passes.averted.depth_test = same_surface;
-  passes.averted.stencil_test = {
-      .enabled = true, .function = CompareFunction::always, .reference = 1, .depth_pass = StencilOperation::replace};
+  passes.averted.stencil_test = {.enabled = true, .front = {.reference = 1, .depth_pass = StencilOperation::replace}};
 
   passes.comparison = passes.averted;
   passes.comparison.program = *program;
@@ -36,10 +35,10 @@ Result<IndexCubePasses> index_cube_passes(const RenderSettings& settings) {
 
   for (PipelineState* pass : {&passes.lit, &passes.shadow}) {
     pass->depth_test = same_surface;
-    pass->stencil_test = {.enabled = true, .function = CompareFunction::equal};
+    pass->stencil_test = {.enabled = true, .front = {.function = CompareFunction::equal}};
   }
-  passes.lit.stencil_test.reference = 0;
-  passes.shadow.stencil_test.reference = 1;
+  passes.lit.stencil_test.front.reference = 0;
+  passes.shadow.stencil_test.front.reference = 1;
   return passes;
 }
 

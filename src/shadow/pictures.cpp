@@ -106,7 +106,7 @@ Status write_layers(const Rendering& rendering, const std::filesystem::path& fil
   parts.add_codes("spare1", layers.spare1);
   parts.add_codes("output", "A", layers.output_alpha);
   parts.add_integers("stencil", rendering.frame.stencil());
-  parts.add_integers("depth", rendering.frame.depth_z24());
+  parts.add_integers("depth", rendering.frame.depth());
   parts.add_integers("polygon", layers.polygon);
   parts.add_integers("object", layers.object);
   return write_exr_parts(file, parts.parts());

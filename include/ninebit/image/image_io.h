@@ -6,6 +6,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
@@ -14,6 +15,8 @@
 #include <variant>
 #include <vector>
 
+#include "ninebit/numerics/fixed9.h"
+#include "ninebit/numerics/half.h"
 #include "ninebit/numerics/result.h"
 
 namespace ninebit {
@@ -21,15 +24,37 @@ namespace ninebit {
 // Every side of a picture, a part or a cube face is 1 to 16384; sizes, sample counts and names that do not fit, and
 // channels without a function, are reported as Fault::invalid_input, before any file is touched or any row asked for.
 
-// An 8-bit picture, interleaved.
-struct Image8 {
+// A picture of 8 or 16 bits a channel, interleaved.
+template <class Sample>
+struct Image {
   int width = 0;
   int height = 0;
-  int channels = 0;                  // 1 grey, 3 RGB, 4 RGBA (alpha not premultiplied)
-  std::vector<std::uint8_t> pixels;  // width * height * channels
+  int channels = 0;            // 1 grey, 3 RGB, 4 RGBA (alpha not premultiplied)
+  std::vector<Sample> pixels;  // width * height * channels
 };
+using Image8 = Image<std::uint8_t>;
+using Image16 = Image<std::uint16_t>;
 
 [[nodiscard]] Status write_png(const std::filesystem::path& file, const Image8& image);
+[[nodiscard]] Status write_png(const std::filesystem::path& file, const Image16& image);
+
+// Samples in memory, one channel of a picture: `top` is the first sample of the top row, and `stride` samples further
+// is the first of the row below. Surfaces hold their lowest row first; see upside_down.
+struct SamplePlane {
+  std::variant<const std::uint8_t*, const std::uint16_t*, const std::uint32_t*, const s9*, const Half*, const float*>
+      top;
+  std::ptrdiff_t stride = 0;
+};
+
+// The plane whose lowest row comes first in memory, at `lowest`, and whose rows follow upward, each `stride` further.
+template <class Sample>
+[[nodiscard]] SamplePlane upside_down(const Sample* lowest, std::ptrdiff_t stride, int height) {
+  return {lowest + stride * (height - 1), -stride};
+}
+
+// 1, 3 or 4 planes as the channels of a picture; all of them 8-bit, or all 16-bit.
+[[nodiscard]] Status write_png(const std::filesystem::path& file, int width, int height,
+                               std::span<const SamplePlane> planes);
 
 // Puts the samples of one row, counted from the top of the part or of the face (t), into `out`, which has the width's
 // size and arbitrary content before: it is to be filled entirely, and not to be kept. Called by the thread that called
@@ -37,13 +62,21 @@ struct Image8 {
 // nothing else.
 using ExrIntegerRow = std::function<void(int row, std::span<std::uint32_t> out)>;  // UINT, stored exactly
 using ExrRealRow = std::function<void(int row, std::span<float> out)>;             // stored as half
+struct ExrFloatRow {                                                               // FLOAT, stored exactly
+  std::function<void(int row, std::span<float> out)> fill{};
+  explicit operator bool() const { return static_cast<bool>(fill); }
+};
 
 // One channel of an EXR part. A writer asks for each of its rows once, and holds no more than some dozens of them, so
 // that pictures of any size can be converted on their way into the file.
 struct ExrChannel {
   std::string name;  // "R", "G", "index", …
-  std::variant<ExrIntegerRow, ExrRealRow> rows;
+  std::variant<ExrIntegerRow, ExrRealRow, ExrFloatRow> rows;
 };
+
+// A plane as a channel, each sample exactly: 8, 16 and 32 bits as UINT, register codes and halves as half, floats as
+// FLOAT. The plane's samples must outlive the channel, and hold each row that the part's size asks for.
+[[nodiscard]] ExrChannel exr_channel(std::string name, const SamplePlane& plane);
 
 struct ExrPart {
   std::string name;  // unique in the file

@@ -51,8 +51,8 @@ struct StencilFace {
 
 struct StencilTest {
   bool enabled = false;
-  StencilFace front;                // also points, lines, and what has no facing
-  std::optional<StencilFace> back;  // back-facing polygons in any polygon mode; empty: the same as front
+  StencilFace front;                  // also points, lines, and what has no facing
+  std::optional<StencilFace> back{};  // back-facing polygons in any polygon mode; empty: the same as front
 };
 
 // While the test is disabled, depth is neither compared nor written.

@@ -7,6 +7,7 @@
 #include <span>
 
 #include "ninebit/raster/pipeline_state.h"
+#include "ninebit/raster/sampler.h"
 #include "ninebit/raster/surface.h"
 #include "ninebit/raster/texture.h"
 

@@ -12,20 +12,13 @@
 
 #include "ninebit/combiner/registers.h"
 #include "ninebit/numerics/fixed9.h"
+#include "ninebit/numerics/half.h"
 #include "ninebit/numerics/result.h"
 
 namespace ninebit {
 
 // Sizes from 1 to this are drawn: a position then lies within 8,192 pixels of the viewport's centre.
 inline constexpr int kMaxSurfaceSize = 16384;
-
-// A 16-bit float (IEEE 754 binary16) as its bits.
-struct Half {
-  std::uint16_t bits = 0;
-  friend constexpr bool operator==(Half, Half) = default;
-};
-[[nodiscard]] Half half_of(float value);  // rounded to nearest, ties to even; beyond the range infinity
-[[nodiscard]] float float_of(Half value);
 
 // A view of rows of samples; it owns nothing. An empty plane (data == nullptr) is not drawn into.
 template <class T>
@@ -68,8 +61,9 @@ enum class OutputTime : std::uint8_t {
 using OutputSamples =
     std::variant<Plane<s9>, Plane<std::uint8_t>, Plane<std::uint16_t>, Plane<std::uint32_t>, Plane<Half>, Plane<float>>;
 
-// A further render target plane. Where several fragments meet a pixel, the last stays. Masks, blending and the
-// scissor's absence do not concern it; the scissor does.
+// A further render target plane. Where several fragments meet a pixel, the last stays. Masks and blending do not
+// concern it, the scissor does. An output_code in bytes is the colour before blending; without a program, the primary
+// colour's own byte.
 struct OutputPlane {
   OutputSource source = OutputSource::output_code;
   Register reg = Register::spare0;  // of register_code

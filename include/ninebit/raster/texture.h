@@ -1,9 +1,20 @@
-// Textures as the combiners' registers see them.
+// Textures: pictures with their mip-maps, one or six faces, that the rasterizer samples.
+//
+// Texel (0, 0) is at s = t = 0, the first sample of row 0: a rendered surface is the texture that glCopyTexImage2D
+// would make of it. sampler.h says how a texture is read, s3tc.h decodes compressed ones, image/texture_io.h reads
+// files.
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <memory>
+#include <span>
+#include <variant>
+#include <vector>
 
+#include "ninebit/combiner/initial_registers.h"
+#include "ninebit/numerics/result.h"
 #include "ninebit/raster/surface.h"
 
 namespace ninebit {
@@ -20,8 +31,10 @@ struct CubeCoordinate {
   float t = 0.5F;
 };
 
-// The major-axis table of ARB_texture_cube_map. The extension leaves ties open; here x wins over y and y over z, and a
-// zero counts as positive. The zero direction gives the middle of +X; NaN gives its first texel.
+// The major-axis table of ARB_texture_cube_map; s is (sc / |ma| + 1) × 0.5 in floats, in this order. The extension
+// leaves ties open; here x wins over y and y over z, and a zero counts as positive. The zero direction gives the middle
+// of +X; NaN gives its first texel; a component that is infinite beside others that are finite gives 0.5 for both, and
+// infinity beside infinity gives 0.
 [[nodiscard]] CubeCoordinate cube_coordinate(float rx, float ry, float rz);
 
 // The six axes of a face in the extension's table: s grows along `s`, t along `t`, the face looks along `major`.
@@ -32,19 +45,83 @@ struct CubeFaceAxes {
 };
 [[nodiscard]] const CubeFaceAxes& cube_face_axes(CubeFace face);
 
-// A cube map of RGB bytes, sampled NEAREST; alpha reads 255 (base internal format GL_RGB). Texel (0, 0) is at s = t =
-// 0, the first sample of row 0. It views planes that somebody else owns, such as six surfaces that were drawn.
-struct CubeMap {
-  int size = 0;
-  std::array<std::array<Plane<const std::uint8_t>, 3>, 6> faces;
+enum class TextureTarget : std::uint8_t { texture_2d, cube_map };
 
-  // The texel that a direction meets: its face and place.
-  struct Texel {
-    CubeFace face;
-    int x;
-    int y;
-  };
-  [[nodiscard]] Texel nearest(float rx, float ry, float rz) const;
+// How texels are stored. The last two are beyond the hardware: floats, which reach a combiner register clamped to
+// [0, 1] and rounded to a byte.
+enum class InternalFormat : std::uint8_t {
+  alpha8,
+  luminance8,
+  luminance8_alpha8,
+  intensity8,
+  rgb8,
+  rgba8,
+  depth16,  // codes of 0 to 2^16 - 1 in 32 bits, as a surface holds them
+  depth24,
+  rgba16f,
+  rgba32f
 };
+
+// The base internal format, which decides what a register reads (`depth` also where a comparison makes it
+// `depth_comparison`).
+[[nodiscard]] TextureFormat base_format(InternalFormat format);
+
+// Which of red, green, blue, alpha are stored. Luminance, intensity and depth stand in red.
+[[nodiscard]] std::array<bool, 4> stored_components(InternalFormat format);
+
+// One level of one face: planes of its samples for red, green, blue, alpha; those that the format does not store are
+// not read. Bytes for the formats ending in 8, 32-bit codes for depth.
+using TexelPlanes = std::variant<std::array<Plane<const std::uint8_t>, 4>, std::array<Plane<const std::uint32_t>, 4>,
+                                 std::array<Plane<const Half>, 4>, std::array<Plane<const float>, 4>>;
+struct TextureImage {
+  int width = 0;
+  int height = 0;
+  TexelPlanes planes{};
+};
+
+inline constexpr int kMaxTextureLevels = 15;  // 16384 to 1
+
+// A texture views planes that somebody else owns, such as six surfaces that were drawn, or planes that `storage` keeps
+// alive; copies share it. Level 0 comes first, each next one has half its width and height, at least 1.
+struct Texture {
+  TextureTarget target = TextureTarget::texture_2d;
+  InternalFormat format = InternalFormat::rgb8;
+  std::array<std::vector<TextureImage>, 6> faces{};  // by CubeFace; of texture_2d the first alone
+  std::shared_ptr<const void> storage{};
+
+  [[nodiscard]] std::size_t face_count() const { return target == TextureTarget::cube_map ? 6 : 1; }
+};
+
+// Reports what GL would have refused when the texture was made: sides that are no powers of two from 1 to
+// kMaxSurfaceSize, more than kMaxTextureLevels levels, planes missing or of another type than the format's, cube-map
+// faces that are not square, cube maps of depth (ARB_depth_texture has none), images beyond the target's faces. The
+// other functions on textures and samplers demand that this has nothing to report.
+[[nodiscard]] Status check_texture(const Texture& texture);
+
+// GL's completeness (OpenGL 1.3, 3.8.9): there is a level 0; the faces of a cube map have the same size; with mip-maps,
+// all levels down to 1 × 1 are there, each of its proper size. A unit with an incomplete texture counts as off.
+[[nodiscard]] bool is_complete(const Texture& texture, bool with_mipmaps);
+
+// A texture of one level on planes that stay the caller's: one face, or six for a cube map. Any other number of faces
+// gives a texture without a level, which is incomplete.
+[[nodiscard]] Texture texture_view(InternalFormat format, std::span<const TextureImage> faces);
+
+// Samples of one image, row by row from t = 0, plane after plane: those of stored_components in their order.
+struct TextureSamples {
+  int width = 0;
+  int height = 0;
+  std::variant<std::vector<std::uint8_t>, std::vector<std::uint32_t>, std::vector<Half>, std::vector<float>> samples{};
+};
+
+// A texture that owns its samples: faces[face][level]. Reports samples that are too many, too few or of another type
+// than the format's, depth codes beyond the format's, and what check_texture reports.
+[[nodiscard]] Result<Texture> make_texture(TextureTarget target, InternalFormat format,
+                                           std::vector<std::vector<TextureSamples>> faces);
+
+// Level 0 of the texture, which it shares with it, and mip-maps down to 1 × 1: each texel is the mean of the two by two
+// (or two, once the level before is one texel wide or high) above it, of integers rounded to nearest, halves up, as
+// (a + b + c + d + 2) / 4; of floats computed as ((a + b) + (c + d)) × 0.25, and of half floats rounded again.
+// Reports what check_texture reports, and a texture without level 0.
+[[nodiscard]] Result<Texture> with_mipmaps(const Texture& texture);
 
 }  // namespace ninebit

@@ -1,0 +1,285 @@
+// Primitive assembly, polygon modes and the pixels of whole primitives.
+#include <algorithm>
+#include <cmath>
+
+#include "combiner_tests/oracle/raster_oracle.h"
+
+namespace ninebit::oracle {
+namespace {
+
+struct Box {
+  int left, bottom, right, top;  // right and top exclusive
+  bool holds(int x, int y) const { return x >= left && x < right && y >= bottom && y < top; }
+};
+
+Box viewport_of(const PipelineState& state, const Picture& picture) {
+  if (!state.viewport) return {0, 0, picture.width, picture.height};
+  const PixelRect& v = *state.viewport;
+  return {v.x, v.y, v.x + v.width, v.y + v.height};
+}
+
+class Drawing {
+ public:
+  Drawing(const PipelineState& state, Picture& picture, Tally& tally)
+      : state_(state), picture_(picture), tally_(tally), viewport_(viewport_of(state, picture)) {}
+
+  // The source of what is drawn next.
+  struct Source {
+    std::uint32_t number = 0;
+    Bytes flat_color{};
+    bool front_facing = true;
+    std::int64_t offset = 0;
+  };
+
+  void point(const Source& source, const DrawnVertex& v) {
+    const WindowVertex& p = v.position;
+    if (beyond_sides({p}) || !within_sides(p)) return;
+    const double x = static_cast<double>(p.x_q4) / 16, y = static_cast<double>(p.y_q4) / 16;
+    const double half = state_.point_size / 2.0;
+    const bool odd = state_.point_size % 2 == 1;
+    const double cx = odd ? std::floor(x) + 0.5 : std::floor(x + 0.5);
+    const double cy = odd ? std::floor(y) + 0.5 : std::floor(y + 0.5);
+    for (int py = viewport_.bottom; py < viewport_.top; ++py) {
+      for (int px = viewport_.left; px < viewport_.right; ++px) {
+        if (std::fabs(px + 0.5 - cx) < half && std::fabs(py + 0.5 - cy) < half) {
+          fragment(source, px, py, p.z24, color_of(source, {v.color}, {1.0}));
+        }
+      }
+    }
+  }
+
+  void line(const Source& source, const DrawnVertex& a, const DrawnVertex& b) {
+    if (beyond_sides({a.position, b.position})) return;
+    const bool x_major = std::abs(b.position.x_q4 - a.position.x_q4) >= std::abs(b.position.y_q4 - a.position.y_q4);
+    const int width = state_.line_width;
+    WindowLine lowest{a.position, b.position};
+    for (WindowVertex& v : lowest) (x_major ? v.y_q4 : v.x_q4) -= 8 * (width - 1);
+    const auto pixel = [](std::int64_t q4) { return static_cast<int>(std::floor(static_cast<double>(q4) / 16)); };
+    const int left = pixel(std::min(lowest[0].x_q4, lowest[1].x_q4)) - 1;
+    const int right = pixel(std::max(lowest[0].x_q4, lowest[1].x_q4)) + 1;
+    const int bottom = pixel(std::min(lowest[0].y_q4, lowest[1].y_q4)) - 1;
+    const int top = pixel(std::max(lowest[0].y_q4, lowest[1].y_q4)) + 1;
+    // Nothing further away than the width can matter.
+    for (int py = std::max(bottom, viewport_.bottom - 64); py <= std::min(top, viewport_.top); ++py) {
+      for (int px = std::max(left, viewport_.left - 64); px <= std::min(right, viewport_.right); ++px) {
+        if (!exits_diamond(lowest, px, py)) continue;
+        const Along t = along_line(lowest, px, py);
+        const double share = static_cast<double>(t.along) / static_cast<double>(t.squared_length);
+        const Bytes color = color_of(source, {a.color, b.color}, {1 - share, share});
+        const std::int64_t l = t.squared_length;
+        const std::int64_t sum = (l - t.along) * a.position.z24 + t.along * b.position.z24;
+        const std::int64_t z = (2 * sum + l) / (2 * l);
+        for (int k = 0; k < width; ++k) fragment(source, x_major ? px : px + k, x_major ? py + k : py, z, color);
+      }
+    }
+  }
+
+  void polygon(std::uint32_t number, const Bytes& flat_color, const std::vector<DrawnVertex>& v) {
+    std::vector<WindowTriangle> cut;
+    std::int64_t area = 0, largest_area = 0;
+    WindowTriangle largest{};
+    for (std::size_t i = 1; i + 1 < v.size(); ++i) {
+      cut.push_back({v[0].position, v[i].position, v[i + 1].position});
+      if (beyond_sides({cut.back()[0], cut.back()[1], cut.back()[2]})) continue;
+      const std::int64_t a = area_of(cut.back());
+      area += a;
+      if (std::abs(a) > largest_area) {
+        largest_area = std::abs(a);
+        largest = cut.back();
+      }
+    }
+    if (largest_area == 0) return;
+    const bool front = is_front(area);
+    const PolygonMode mode = front ? state_.front_mode : state_.back_mode;
+    Source source{.number = number, .flat_color = flat_color, .front_facing = front};
+    const PolygonOffset& o = state_.polygon_offset;
+    if (mode == PolygonMode::fill ? o.fill : mode == PolygonMode::line ? o.line : o.point) {
+      source.offset = polygon_offset(o, state_.profile.polygon_offset_slope, picture_.format, largest);
+    }
+    if (mode == PolygonMode::fill) {
+      for (std::size_t i = 0; i < cut.size(); ++i) filled(source, cut[i], {v[0].color, v[i + 1].color, v[i + 2].color});
+      return;
+    }
+    if (area == 0 || is_culled(front)) return;
+    for (std::size_t i = 0; i < v.size(); ++i) {
+      // What belongs to a triangle beyond a side of the view volume is clipped with it.
+      const std::size_t triangle = i == 0 ? 0 : std::min(i, cut.size()) - 1;
+      const WindowTriangle& t = cut[triangle];
+      if (beyond_sides({t[0], t[1], t[2]})) continue;
+      if (mode == PolygonMode::line) {
+        line(source, v[i], v[(i + 1) % v.size()]);
+      } else {
+        point(source, v[i]);
+      }
+    }
+  }
+
+ private:
+  static std::int64_t area_of(const WindowTriangle& t) {
+    return (t[1].x_q4 - t[0].x_q4) * (t[2].y_q4 - t[0].y_q4) - (t[1].y_q4 - t[0].y_q4) * (t[2].x_q4 - t[0].x_q4);
+  }
+  bool is_front(std::int64_t area) const { return (area > 0) == (state_.front_face == FrontFace::counter_clockwise); }
+  bool is_culled(bool front) const {
+    if (state_.cull_face == CullFace::front_and_back) return true;
+    return state_.cull_face == (front ? CullFace::front : CullFace::back);
+  }
+  // Positions stand for the middle of their snapping cell.
+  bool within_sides(const WindowVertex& v) const {
+    return v.x_q4 >= 16 * viewport_.left && v.x_q4 < 16 * viewport_.right && v.y_q4 >= 16 * viewport_.bottom &&
+           v.y_q4 < 16 * viewport_.top;
+  }
+  bool beyond_sides(const std::vector<WindowVertex>& all) const {
+    const auto every = [&](auto beyond) { return std::all_of(all.begin(), all.end(), beyond); };
+    return every([&](const WindowVertex& v) { return v.x_q4 < 16 * viewport_.left; }) ||
+           every([&](const WindowVertex& v) { return v.x_q4 >= 16 * viewport_.right; }) ||
+           every([&](const WindowVertex& v) { return v.y_q4 < 16 * viewport_.bottom; }) ||
+           every([&](const WindowVertex& v) { return v.y_q4 >= 16 * viewport_.top; });
+  }
+
+  Bytes color_of(const Source& source, const std::vector<Bytes>& colors, const std::vector<double>& shares) const {
+    if (state_.shade_model == ShadeModel::flat || has_primitive_colors) return source.flat_color;
+    Bytes color{};
+    for (std::size_t i = 0; i < 4; ++i) {
+      double real = 0;
+      for (std::size_t k = 0; k < colors.size(); ++k) real += shares[k] * colors[k][i];
+      color[i] = static_cast<std::uint8_t>(std::min(std::max(std::floor(real + 0.5), 0.0), 255.0));
+    }
+    return color;
+  }
+
+  void filled(Source source, const WindowTriangle& t, const std::array<Bytes, 3>& colors) {
+    const std::int64_t area = area_of(t);
+    source.front_facing = is_front(area);
+    if (area == 0 || is_culled(source.front_facing) || beyond_sides({t[0], t[1], t[2]})) return;
+    const auto share = [&](std::size_t i, int px, int py) {
+      WindowTriangle part = t;
+      part[i] = {16 * px + 8, 16 * py + 8, 0};
+      return static_cast<double>(area_of(part)) / static_cast<double>(area);
+    };
+    const auto [x_low, x_high] = std::minmax({t[0].x_q4, t[1].x_q4, t[2].x_q4});
+    const auto [y_low, y_high] = std::minmax({t[0].y_q4, t[1].y_q4, t[2].y_q4});
+    const auto from = [](std::int64_t low, int start) { return low < 16 * start ? start : static_cast<int>(low / 16); };
+    const auto to = [](std::int64_t high, int end) { return high >= 16 * end ? end : static_cast<int>(high / 16) + 1; };
+    for (int py = from(y_low, viewport_.bottom); py < to(y_high, viewport_.top); ++py) {
+      for (int px = from(x_low, viewport_.left); px < to(x_high, viewport_.right); ++px) {
+        if (!covers(t, px, py)) continue;
+        const Bytes color =
+            color_of(source, {colors[0], colors[1], colors[2]}, {share(0, px, py), share(1, px, py), share(2, px, py)});
+        fragment(source, px, py, depth_at(t, px, py), color);
+      }
+    }
+  }
+
+  void fragment(const Source& source, int x, int y, std::int64_t z24, const Bytes& color) {
+    if (!viewport_.holds(x, y)) return;
+    const std::int64_t step = std::int64_t{1} << (24 - depth_bits(picture_.format));
+    const std::int64_t deepest = step * max_depth(picture_.format);
+    const std::int64_t z = std::min(std::max(z24 + source.offset, std::int64_t{0}), deepest);
+    const std::int64_t code = z % step * 2 >= step && step > 1 ? z / step + 1 : z / step;
+    process(
+        state_,
+        {.x = x, .y = y, .depth = code, .number = source.number, .front_facing = source.front_facing, .color = color},
+        picture_, tally_);
+  }
+
+  const PipelineState& state_;
+  Picture& picture_;
+  Tally& tally_;
+  Box viewport_;
+
+ public:
+  bool has_primitive_colors = false;
+};
+
+// Vertices of primitive i and its provoking vertex, as places in the list; empty: there is none.
+struct Assembled {
+  std::vector<std::size_t> places;
+  std::size_t provoking = 0;
+};
+
+Assembled assemble(Primitive type, std::size_t i, std::size_t n) {
+  Assembled a;
+  switch (type) {
+    case Primitive::points:
+      a = {{i}, i};
+      break;
+    case Primitive::lines:
+      a = {{2 * i, 2 * i + 1}, 2 * i + 1};
+      break;
+    case Primitive::line_strip:
+      a = {{i, i + 1}, i + 1};
+      break;
+    case Primitive::line_loop:
+      if (n >= 2 && i + 1 == n) return {{i, 0}, 0};
+      a = {{i, i + 1}, i + 1};
+      break;
+    case Primitive::triangles:
+      a = {{3 * i, 3 * i + 1, 3 * i + 2}, 3 * i + 2};
+      break;
+    case Primitive::triangle_strip:
+      a = {{i, i + 1, i + 2}, i + 2};
+      if (i % 2 == 1) a.places = {i + 1, i, i + 2};
+      break;
+    case Primitive::triangle_fan:
+      a = {{0, i + 1, i + 2}, i + 2};
+      break;
+    case Primitive::quads:
+      a = {{4 * i, 4 * i + 1, 4 * i + 2, 4 * i + 3}, 4 * i + 3};
+      break;
+    case Primitive::quad_strip:
+      a = {{2 * i, 2 * i + 1, 2 * i + 3, 2 * i + 2}, 2 * i + 3};
+      break;
+    case Primitive::polygon:
+      if (i > 0 || n < 3) return {};
+      for (std::size_t k = 0; k < n; ++k) a.places.push_back(k);
+      return a;
+  }
+  for (const std::size_t place : a.places) {
+    if (place >= n) return {};
+  }
+  return a;
+}
+
+}  // namespace
+
+void draw(const PipelineState& state, const DrawCall& call, Picture& picture, Tally& tally) {
+  Drawing drawing(state, picture, tally);
+  drawing.has_primitive_colors = !call.primitive_colors.empty();
+  for (std::size_t i = 0;; ++i) {
+    const Assembled a = assemble(call.type, i, call.vertices.size());
+    if (a.places.empty()) return;
+    std::vector<DrawnVertex> v;
+    for (const std::size_t place : a.places) v.push_back(call.vertices[place]);
+    const Bytes flat = drawing.has_primitive_colors ? call.primitive_colors[i] : call.vertices[a.provoking].color;
+    const auto number = static_cast<std::uint32_t>(i);
+    if (v.size() == 1) {
+      drawing.point({.number = number, .flat_color = flat}, v[0]);
+    } else if (v.size() == 2) {
+      drawing.line({.number = number, .flat_color = flat}, v[0], v[1]);
+    } else {
+      drawing.polygon(number, flat, v);
+    }
+  }
+}
+
+void clear(const PipelineState& state, const Clear& values, Picture& picture) {
+  for (int y = 0; y < picture.height; ++y) {
+    for (int x = 0; x < picture.width; ++x) {
+      const PixelRect s = state.scissor.value_or(PixelRect{0, 0, picture.width, picture.height});
+      if (x < s.x || y < s.y || x - s.x >= s.width || y - s.y >= s.height) continue;
+      const auto at = static_cast<std::size_t>(y * picture.width + x);
+      for (std::size_t i = 0; i < 4 && values.clears_color; ++i) {
+        if (state.color_mask[i] && (i < 3 || picture.has_alpha)) picture.color[at][i] = values.color[i];
+      }
+      if (values.clears_depth && state.depth_test.write) picture.depth[at] = values.depth;
+      if (!values.clears_stencil) continue;
+      for (int bit = 0; bit < stencil_bits(picture.format); ++bit) {
+        const auto mask = static_cast<std::uint8_t>(1 << bit);
+        if ((state.stencil_test.front.write_mask & mask) == 0) continue;
+        picture.stencil[at] = static_cast<std::uint8_t>((picture.stencil[at] & ~mask) | (values.stencil & mask));
+      }
+    }
+  }
+}
+
+}  // namespace ninebit::oracle

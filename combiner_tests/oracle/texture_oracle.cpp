@@ -1,0 +1,324 @@
+#include "combiner_tests/oracle/texture_oracle.h"
+
+#include <cmath>
+#include <cstdlib>
+
+namespace ninebit::oracle {
+namespace {
+
+// Exact numbers in units of 2^-80; floats with bits below that are tiny and rounded down.
+using Exact = __int128;
+constexpr int kPoint = 80;
+constexpr Exact kOne = Exact{1} << kPoint;
+
+Exact floor_shift(Exact value, int right) {
+  if (right > 126) return value < 0 ? -1 : 0;
+  return value >> right;
+}
+
+Exact exact_of(float value) {  // below 2^26
+  int exponent = 0;
+  const auto mantissa = static_cast<Exact>(std::ldexp(std::frexp(value, &exponent), 24));
+  const int left = exponent - 24 + kPoint;
+  return left >= 0 ? mantissa * (Exact{1} << left) : floor_shift(mantissa, -left);
+}
+
+Exact clamp_exact(Exact value, Exact low, Exact high) {
+  return value < low ? low : value > high ? high : value;
+}
+
+// The coordinate after wrapping, in [0, 1].
+Exact wrap_coordinate(float s, Wrap wrap, int size) {
+  const Exact half_texel = kOne / (2 * size);
+  if (std::isnan(s)) s = 0;
+  const bool cyclic = wrap == Wrap::repeat || wrap == Wrap::mirrored_repeat;
+  // Floats from 2^24 on are even integers, and infinity is to read as 0.
+  if (std::fabs(s) >= 16777216.0F) s = cyclic ? 0.0F : std::copysign(2.0F, s);
+  const Exact x = exact_of(s);
+  const Exact whole = floor_shift(x, kPoint);
+  const Exact fraction = x - whole * kOne;
+  switch (wrap) {
+    case Wrap::repeat:
+      return fraction;
+    case Wrap::clamp:
+      return clamp_exact(x, 0, kOne);
+    case Wrap::clamp_to_edge:
+      return clamp_exact(x, half_texel, kOne - half_texel);
+    case Wrap::mirrored_repeat:
+      return clamp_exact(whole % 2 == 0 ? fraction : kOne - fraction, half_texel, kOne - half_texel);
+  }
+  std::abort();
+}
+
+struct Neighbour {
+  int index = 0;  // -1 and size: outside
+  Exact weight = 0;
+};
+
+// The texels along one axis, with weights that add up to 2^bits (LINEAR) or to 1.
+std::vector<Neighbour> neighbours(float s, Wrap wrap, int size, bool linear, int bits) {
+  const Exact u = wrap_coordinate(s, wrap, size) * size;
+  if (!linear) {
+    const auto index = static_cast<int>(floor_shift(u, kPoint));
+    return {{index == size ? size - 1 : index, 1}};
+  }
+  const Exact steps = Exact{1} << bits;
+  const Exact rounded = floor_shift((u - kOne / 2) * steps + kOne / 2, kPoint);  // u - 1/2 in 1/2^bits
+  auto first = static_cast<int>(floor_shift(rounded, bits));
+  const Exact weight = rounded - Exact{first} * steps;
+  int second = first + 1;
+  if (wrap == Wrap::repeat) {
+    first = (first + size) % size;
+    second = second % size;
+  }
+  return {{first, steps - weight}, {second, weight}};
+}
+
+struct Direction {
+  std::size_t face = 0;
+  std::array<int, 3> axis{};  // of sc, tc, ma
+  std::array<int, 3> sign{};
+};
+
+// The table of ARB_texture_cube_map; x wins over y and y over z, and a zero is positive.
+Direction face_of(const std::array<float, 3>& r) {
+  const float x = std::fabs(r[0]), y = std::fabs(r[1]), z = std::fabs(r[2]);
+  if (std::isnan(r[0]) || std::isnan(r[1]) || std::isnan(r[2])) return {0, {2, 1, 0}, {-1, -1, 1}};
+  if (x >= y && x >= z) {
+    return r[0] < 0 ? Direction{1, {2, 1, 0}, {1, -1, -1}} : Direction{0, {2, 1, 0}, {-1, -1, 1}};
+  }
+  if (y >= z) return r[1] < 0 ? Direction{3, {0, 2, 1}, {1, -1, -1}} : Direction{2, {0, 2, 1}, {1, 1, 1}};
+  return r[2] < 0 ? Direction{5, {0, 1, 2}, {-1, -1, -1}} : Direction{4, {0, 1, 2}, {1, -1, 1}};
+}
+
+float picked(const Direction& d, std::size_t which, const std::array<float, 3>& v) {
+  return static_cast<float>(d.sign[which]) * v[static_cast<std::size_t>(d.axis[which])];
+}
+
+float face_coordinate(const Direction& d, std::size_t which, const std::array<float, 3>& r) {
+  if (std::isnan(r[0]) || std::isnan(r[1]) || std::isnan(r[2])) return 0.0F;
+  const float ma = picked(d, 2, r);
+  if (ma == 0) return 0.5F;
+  const float divided = picked(d, which, r) / ma;
+  const float shifted = divided + 1.0F;
+  const float place = shifted * 0.5F;
+  return std::isnan(place) ? 0.0F : place;
+}
+
+double face_change(const Direction& d, std::size_t which, const std::array<float, 3>& r,
+                   const std::array<float, 3>& change) {
+  const double ma = static_cast<double>(picked(d, 2, r));
+  const double place = static_cast<double>(picked(d, which, r)) / ma;
+  const double moved =
+      static_cast<double>(picked(d, which, change)) - place * static_cast<double>(picked(d, 2, change));
+  return 0.5 * moved / ma;
+}
+
+constexpr int kNever = 1 << 20;  // beyond any level of detail
+
+// The levels of detail in 1/256 that rho squared may stand for, before the bias.
+std::vector<int> levels_of_detail(double rho_squared) {
+  if (!(rho_squared > 0)) return {-kNever};
+  if (std::isinf(rho_squared)) return {kNever};
+  int exponent = 0;
+  if (std::frexp(rho_squared, &exponent) == 0.5) return {128 * (exponent - 1)};
+  const long double exact = 128.0L * std::log2(static_cast<long double>(rho_squared));
+  const auto low = static_cast<int>(std::floor(exact - 1e-9L)), high = static_cast<int>(std::floor(exact + 1e-9L));
+  if (low == high) return {low};
+  return {low, high};
+}
+
+std::uint32_t to_code(float value, std::uint32_t largest) {
+  if (!(value > 0)) return 0;
+  if (value > 1) value = 1;
+  return static_cast<std::uint32_t>(std::floor(static_cast<long double>(value) * largest + 0.5L));
+}
+
+long double half_value(std::uint16_t bits) {
+  const int exponent = (bits >> 10) & 31, mantissa = bits & 1023;
+  const long double sign = (bits >> 15) != 0 ? -1 : 1;
+  if (exponent == 31) return mantissa != 0 ? std::nanl("") : sign * HUGE_VALL;
+  if (exponent == 0) return sign * std::ldexp(static_cast<long double>(mantissa), -24);
+  return sign * std::ldexp(static_cast<long double>(1024 + mantissa), exponent - 25);
+}
+
+// The whole answer for one level of detail.
+class Model {
+ public:
+  Model(const TextureQuestion& q, int lambda) : q_(q), texture_(*q.texture), lambda_(lambda) {
+    cube_ = texture_.target == TextureTarget::cube_map;
+    place_ = {q.coordinate[0], q.coordinate[1]};
+    if (cube_) {
+      const Direction d = face_of(q.coordinate);
+      face_ = d.face;
+      place_ = {face_coordinate(d, 0, q.coordinate), face_coordinate(d, 1, q.coordinate)};
+    }
+    depth_ = texture_.format == InternalFormat::depth16 || texture_.format == InternalFormat::depth24;
+    largest_ = texture_.format == InternalFormat::depth16 ? 65535 : depth_ ? 16777215 : 255;
+  }
+
+  TextureAnswer answer() {
+    const MinFilter min = q_.sampler.min_filter;
+    const bool mag_linear = q_.sampler.mag_filter == MagFilter::linear;
+    const bool late =
+        mag_linear && (min == MinFilter::nearest_mipmap_nearest || min == MinFilter::nearest_mipmap_linear);
+    const int q = static_cast<int>(texture_.faces[0].size()) - 1;
+    if (lambda_ <= (late ? 128 : 0)) {
+      read(0, mag_linear, 1, 0);
+    } else if (min == MinFilter::nearest || min == MinFilter::linear) {
+      read(0, min == MinFilter::linear, 1, 0);
+    } else if (min == MinFilter::nearest_mipmap_nearest || min == MinFilter::linear_mipmap_nearest) {
+      int level = 0;  // the one that lambda lies within half a level of; halves go to the finer
+      while (level < q && lambda_ > 256 * level + 128) ++level;
+      read(level, min == MinFilter::linear_mipmap_nearest, 1, 0);
+    } else {
+      const bool linear = min == MinFilter::linear_mipmap_linear;
+      const Exact steps = Exact{1} << q_.weight_bits;
+      int level = 0;
+      while (level < q && lambda_ >= 256 * (level + 1)) ++level;
+      const Exact second = level == q ? 0 : Exact{lambda_ - 256 * level} * steps / 256;
+      read(level, linear, steps - second, q_.weight_bits);
+      if (second != 0) read(level + 1, linear, second, q_.weight_bits);
+      answer_.level = level;
+    }
+    return finish();
+  }
+
+ private:
+  void read(int level, bool linear, Exact weight, int weight_shift) {
+    const TextureImage& image = texture_.faces[face_][static_cast<std::size_t>(level)];
+    const auto along_s = neighbours(place_[0], q_.sampler.wrap_s, image.width, linear, q_.weight_bits);
+    const auto along_t = neighbours(place_[1], q_.sampler.wrap_t, image.height, linear, q_.weight_bits);
+    for (const Neighbour& t : along_t) {
+      for (const Neighbour& s : along_s) add(image, s.index, t.index, weight * s.weight * t.weight);
+    }
+    answer_.level = level;
+    shift_ = weight_shift + (linear ? 2 * q_.weight_bits : 0);
+  }
+
+  void add(const TextureImage& image, int x, int y, Exact weight) {
+    if (weight == 0) return;
+    const bool border = x < 0 || y < 0 || x >= image.width || y >= image.height;
+    answer_.border = answer_.border || border;
+    for (std::size_t k = 0; k < 4; ++k) {
+      if (const auto* half = std::get_if<std::array<Plane<const Half>, 4>>(&image.planes)) {
+        add_real(k, border ? border_real(k) : half_value((*half)[k].at(x, y).bits), weight);
+      } else if (const auto* real = std::get_if<std::array<Plane<const float>, 4>>(&image.planes)) {
+        add_real(k, border ? border_real(k) : static_cast<long double>((*real)[k].at(x, y)), weight);
+      } else {
+        add_code(k, border, image, x, y, weight);
+      }
+    }
+  }
+
+  long double border_real(std::size_t k) const {
+    const float value = q_.sampler.border_color[k];
+    return value > 1 ? 1 : value > 0 ? value : 0;
+  }
+
+  void add_real(std::size_t k, long double value, Exact weight) {
+    answer_.real[k] += static_cast<long double>(weight) * value;
+    answer_.magnitude[k] += static_cast<long double>(weight) * std::fabs(value);
+  }
+
+  void add_code(std::size_t k, bool border, const TextureImage& image, int x, int y, Exact weight) {
+    std::uint32_t code = to_code(q_.sampler.border_color[k], largest_);
+    if (!border) {
+      if (const auto* bytes = std::get_if<std::array<Plane<const std::uint8_t>, 4>>(&image.planes)) {
+        if (!(*bytes)[k]) return;
+        code = (*bytes)[k].at(x, y);
+      } else {
+        const auto& codes = std::get<std::array<Plane<const std::uint32_t>, 4>>(image.planes);
+        if (!codes[k]) return;
+        code = codes[k].at(x, y);
+      }
+    }
+    if (compares()) {
+      const std::uint32_t reference = to_code(q_.coordinate[2], largest_);
+      const bool lequal = q_.sampler.comparison == DepthComparison::lequal;
+      code = (lequal ? reference <= code : reference >= code) ? 255 : 0;
+    }
+    sum_[k] += weight * code;
+  }
+
+  bool compares() const { return depth_ && q_.sampler.comparison != DepthComparison::none; }
+
+  TextureAnswer finish() {
+    const Exact whole = Exact{1} << shift_;
+    for (std::size_t k = 0; k < 4; ++k) {
+      answer_.code[k] = static_cast<std::uint32_t>((2 * sum_[k] + whole) / (2 * whole));
+      answer_.real[k] /= static_cast<long double>(whole);
+      answer_.magnitude[k] /= static_cast<long double>(whole);
+      Exact byte = answer_.code[k];
+      if (depth_ && !compares()) byte = (2 * 255 * byte + largest_) / (2 * Exact{largest_});
+      answer_.value[k] = static_cast<std::uint8_t>(byte);
+    }
+    return answer_;
+  }
+
+  const TextureQuestion& q_;
+  const Texture& texture_;
+  int lambda_;
+  bool cube_ = false;
+  bool depth_ = false;
+  std::uint32_t largest_ = 255;
+  std::size_t face_ = 0;
+  std::array<float, 2> place_{};
+  std::array<Exact, 4> sum_{};
+  int shift_ = 0;
+  TextureAnswer answer_;
+};
+
+bool complete(const Texture& texture, bool mipmaps) {
+  const std::size_t faces = texture.target == TextureTarget::cube_map ? 6 : 1;
+  for (std::size_t face = 0; face < faces; ++face) {
+    const auto& levels = texture.faces[face];
+    if (levels.empty() || texture.faces[0].empty()) return false;
+    if (levels[0].width != texture.faces[0][0].width || levels[0].height != texture.faces[0][0].height) return false;
+    if (!mipmaps) continue;
+    for (std::size_t level = 1; level < levels.size(); ++level) {
+      const TextureImage &finer = levels[level - 1], &image = levels[level];
+      if (image.width != (finer.width == 1 ? 1 : finer.width / 2)) return false;
+      if (image.height != (finer.height == 1 ? 1 : finer.height / 2)) return false;
+    }
+    if (levels.back().width != 1 || levels.back().height != 1) return false;
+  }
+  return true;
+}
+
+// The square of the larger of the two changes, in texels of level 0.
+double rho_squared(const TextureQuestion& q) {
+  const TextureImage& base = q.texture->faces[0][0];
+  double largest = 0;
+  for (const auto& change : {q.dx, q.dy}) {
+    double u = static_cast<double>(change[0]), v = static_cast<double>(change[1]);
+    if (q.texture->target == TextureTarget::cube_map) {
+      const Direction d = face_of(q.coordinate);
+      u = face_change(d, 0, q.coordinate, change);
+      v = face_change(d, 1, q.coordinate, change);
+    }
+    u *= base.width;
+    v *= base.height;
+    const double square = u * u + v * v;
+    if (square > largest) largest = square;
+  }
+  return largest;
+}
+
+}  // namespace
+
+std::vector<TextureAnswer> sample(const TextureQuestion& question) {
+  const MinFilter min = question.sampler.min_filter;
+  if (!complete(*question.texture, min != MinFilter::nearest && min != MinFilter::linear)) return {};
+  float bias = question.sampler.lod_bias;
+  if (std::isnan(bias)) bias = 0;
+  bias = bias > 15 ? 15 : bias < -15 ? -15 : bias;
+  const int bias_256 = static_cast<int>(std::floor(static_cast<long double>(bias) * 256 + 0.5L));
+  std::vector<TextureAnswer> answers;
+  for (const int lambda : levels_of_detail(rho_squared(question))) {
+    answers.push_back(Model(question, lambda + bias_256).answer());
+  }
+  return answers;
+}
+
+}  // namespace ninebit::oracle

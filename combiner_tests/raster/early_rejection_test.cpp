@@ -1,0 +1,211 @@
+// Fragments that are lost early leave the planes as if nothing had been lost early, while others wait in a batch; and
+// the operations are those of the oracle.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "combiner_tests/raster/fragment_support.h"
+#include "src/raster/output_planes.h"
+
+namespace ninebit::test {
+namespace {
+
+constexpr int kWidth = 4, kHeight = 3;
+
+struct Case {
+  PipelineState state;
+  oracle::Picture start;
+  bool at_depth_pass = false;
+  std::size_t batch = 1;  // fragments that wait together
+  std::vector<oracle::Incoming> fragments;
+};
+
+Case random_case(std::uint64_t index) {
+  Random random(71, index);
+  Case c;
+  const DepthStencilFormat format = kFormats[random.below(3)];
+  randomize_fragment_operations(random, c.state);
+  c.start = random_picture(random, kWidth, kHeight, format);
+  c.start.has_alpha = !random.one_in(4);
+  c.at_depth_pass = random.one_in(3);
+  c.batch = static_cast<std::size_t>(random.pick({1, 2, 7, 64, 256}));
+  for (int i = random.between(1, 150); i > 0; --i) {
+    c.fragments.push_back({.x = random.below(kWidth),
+                           .y = random.below(kHeight),
+                           .depth = some_depth(random, format),
+                           .number = static_cast<std::uint32_t>(c.fragments.size()),
+                           .front_facing = random.one_in(2),
+                           .color = {edge_byte(random), random.byte(), random.byte(), edge_byte(random)}});
+  }
+  return c;
+}
+
+struct Waiting {
+  std::vector<Fragment> fragments;
+  std::vector<ColorBytes> colors;
+};
+
+void flush(const FragmentOperations& operations, const OutputPlanes& outputs, Waiting& waiting) {
+  std::vector<FragmentFate> fates;
+  for (std::size_t i = 0; i < waiting.fragments.size(); ++i) {
+    FragmentFate& fate = fates.emplace_back();
+    fate.depth_passed = operations.depth_passes(waiting.fragments[i]);
+    fate.drawn = operations.apply(waiting.fragments[i], waiting.colors[i]);
+  }
+  outputs.write({.fragments = waiting.fragments, .fates = fates, .colors = waiting.colors});
+  waiting = {};
+}
+
+// Returns how many fragments were lost early.
+int run(const Case& c, bool reject_early, oracle::Picture& result) {
+  PicturePlanes planes(c.start, c.at_depth_pass);
+  const FragmentOperations operations(c.state, planes.target, reject_early);
+  const OutputPlanes outputs(planes.target);
+  Waiting waiting;
+  int lost = 0;
+  for (const oracle::Incoming& f : c.fragments) {
+    const Fragment fragment{f.x, f.y, static_cast<std::uint32_t>(f.depth), f.number, f.front_facing};
+    if (operations.is_lost_early(fragment)) {
+      ++lost;
+      continue;
+    }
+    waiting.fragments.push_back(fragment);
+    waiting.colors.push_back(f.color);
+    if (waiting.fragments.size() == c.batch) flush(operations, outputs, waiting);
+  }
+  flush(operations, outputs, waiting);
+  result = planes.picture();
+  return lost;
+}
+
+std::string describe(const Case& c, std::uint64_t index) {
+  return "case " + std::to_string(index) + ", NINEBIT_RASTER_INDEX=" + std::to_string(index) +
+         " runs it alone: " + describe_operations(c.state) + ", format " +
+         std::to_string(static_cast<int>(c.start.format)) + ", batch of " + std::to_string(c.batch) +
+         ", at depth pass " + std::to_string(c.at_depth_pass) + ", alpha plane " + std::to_string(c.start.has_alpha);
+}
+
+TEST(EarlyRejection, ChangesNothingWhateverWaits) {
+  const char* const only = std::getenv("NINEBIT_RASTER_INDEX");
+  const std::uint64_t first = only != nullptr ? std::strtoull(only, nullptr, 10) : 0;
+  const std::uint64_t count = only != nullptr ? 1 : kSlowBuild ? 4000 : 60000;
+  std::uint64_t lost = 0, lost_two_sided = 0, lost_blending = 0, lost_at_depth_pass = 0;
+  oracle::Tally tally;
+  for (std::uint64_t index = first; index < first + count; ++index) {
+    const Case c = random_case(index);
+    oracle::Picture expected = c.start, late, early;
+    for (const oracle::Incoming& f : c.fragments) oracle::process(c.state, f, expected, tally);
+    if (!c.at_depth_pass) expected.captured = c.start.captured;
+    ASSERT_EQ(run(c, false, late), 0);
+    ASSERT_TRUE(same_samples(late, expected)) << describe(c, index);
+    const auto n = static_cast<std::uint64_t>(run(c, true, early));
+    ASSERT_TRUE(same_samples(early, expected)) << "with early rejection, " << describe(c, index);
+    lost += n;
+    if (c.state.stencil_test.enabled && c.state.stencil_test.back) lost_two_sided += n;
+    if (c.state.blend.enabled) lost_blending += n;
+    if (c.at_depth_pass) lost_at_depth_pass += n;
+  }
+  if (only != nullptr) return;
+  EXPECT_GE(lost, 5 * count);
+  EXPECT_GE(lost_two_sided, count / 4);
+  EXPECT_GE(lost_blending, count);
+  EXPECT_GE(lost_at_depth_pass, count);
+  for (const std::uint64_t some : {tally.alpha_fail, tally.stencil_fail, tally.depth_fail, tally.drawn}) {
+    EXPECT_GE(some, tally.fragments / 20);
+  }
+}
+
+// Cases that random ones could miss: each is lost early just where that is exact.
+TEST(EarlyRejection, IsUsedWhereItIsExact) {
+  oracle::Picture picture = {
+      .width = 1, .height = 1, .color = {{}}, .depth = {5}, .stencil = {3}, .primitive = {0}, .captured = {0}};
+  const Fragment behind{.depth = 9}, back_behind{.depth = 9, .front_facing = false};
+  const auto lost = [&](const PipelineState& state, const Fragment& fragment, bool at_depth_pass = false) {
+    PicturePlanes planes(picture, at_depth_pass);
+    return FragmentOperations(state, planes.target).is_lost_early(fragment);
+  };
+  PipelineState depth;
+  depth.depth_test = {true, CompareFunction::less, true};
+  EXPECT_TRUE(lost(depth, behind));
+  EXPECT_TRUE(lost(depth, behind, true));
+  depth.blend = {.enabled = true, .source = BlendFactor::one, .destination = BlendFactor::one};
+  EXPECT_TRUE(lost(depth, behind));
+  depth.depth_test.function = CompareFunction::notequal;
+  picture.depth = {9};
+  EXPECT_FALSE(lost(depth, behind));
+  depth.depth_test.write = false;
+  EXPECT_TRUE(lost(depth, behind));
+
+  // Shadow volumes: back faces count their failures, front faces leave them alone.
+  picture.depth = {5};
+  PipelineState volume;
+  volume.depth_test = {true, CompareFunction::less, false};
+  volume.stencil_test.enabled = true;
+  volume.stencil_test.back = StencilFace{.depth_fail = StencilOperation::incr_wrap};
+  EXPECT_TRUE(lost(volume, behind));
+  EXPECT_FALSE(lost(volume, back_behind));
+  picture.format = DepthStencilFormat::d16;  // nowhere to count
+  EXPECT_TRUE(lost(volume, back_behind));
+  picture.format = DepthStencilFormat::d24s8;
+
+  // The stencil test itself, as long as neither side writes and no plane asks the depth test alone.
+  PipelineState stencil;
+  stencil.stencil_test.enabled = true;
+  stencil.stencil_test.front.function = CompareFunction::never;
+  EXPECT_TRUE(lost(stencil, behind));
+  EXPECT_FALSE(lost(stencil, behind, true));
+  stencil.stencil_test.back = StencilFace{.depth_pass = StencilOperation::incr};
+  EXPECT_FALSE(lost(stencil, behind));
+  stencil.stencil_test.back->write_mask = 0;
+  EXPECT_TRUE(lost(stencil, behind));
+  EXPECT_FALSE(lost(stencil, back_behind));
+}
+
+// The short form of the operations, which draws of flat colours take, does what the whole does.
+TEST(PlainOperations, DoWhatTheOraclesDo) {
+  std::uint64_t drawn = 0;
+  const std::uint64_t count = kSlowBuild ? 1000 : 10000;
+  for (std::uint64_t index = 0; index < count; ++index) {
+    Case c = random_case(index);
+    c.state.alpha_test.enabled = false;
+    c.state.stencil_test.enabled = c.state.stencil_test.enabled && c.start.format == DepthStencilFormat::d16;
+    c.state.blend.enabled = false;
+    PicturePlanes planes(c.start);
+    planes.target.outputs.clear();
+    const FragmentOperations operations(c.state, planes.target);
+    ASSERT_TRUE(operations.is_plain());
+    const PlainOperations plain = operations.plain();
+    oracle::Tally tally;
+    oracle::Picture expected = c.start;
+    for (const oracle::Incoming& f : c.fragments) {
+      plain.apply(f.x, f.y, static_cast<std::uint32_t>(f.depth), f.color);
+      oracle::process(c.state, f, expected, tally);
+    }
+    expected.primitive = c.start.primitive;
+    expected.captured = c.start.captured;
+    ASSERT_TRUE(same_samples(planes.picture(), expected)) << describe(c, index);
+    drawn += tally.drawn;
+  }
+  EXPECT_GE(drawn, 20 * count);
+}
+
+TEST(PlainOperations, AreNotThoseOfAnythingElse) {
+  Random random(72);
+  const oracle::Picture picture = random_picture(random, 1, 1, DepthStencilFormat::d24s8);
+  const auto is_plain = [&](const PipelineState& state, bool outputs) {
+    PicturePlanes planes(picture);
+    if (!outputs) planes.target.outputs.clear();
+    return FragmentOperations(state, planes.target).is_plain();
+  };
+  EXPECT_TRUE(is_plain({}, false));
+  EXPECT_FALSE(is_plain({}, true));
+  PipelineState alpha, stencil, blending;
+  alpha.alpha_test = {true, CompareFunction::greater, 0};
+  stencil.stencil_test.enabled = true;
+  blending.blend = {.enabled = true, .source = BlendFactor::one, .destination = BlendFactor::one};
+  for (const PipelineState& state : {alpha, stencil, blending}) EXPECT_FALSE(is_plain(state, false));
+}
+
+}  // namespace
+}  // namespace ninebit::test

@@ -1,0 +1,261 @@
+// What reaches registers and planes besides primary colours: secondary colours, fog factors, attributes, and the level
+// of detail that a texture's changes give; in perspective, or as the profile says.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "combiner_tests/raster/support.h"
+
+namespace ninebit::test {
+namespace {
+
+constexpr int kSize = 96;
+constexpr double kTangent = 0.8;
+
+struct Case {
+  std::array<glm::vec3, 3> positions;
+  glm::mat4 matrix = perspective(kTangent, 1.0, 0.2, 40);
+
+  // Weights of the vertices where the ray through a window position meets the triangle's plane.
+  [[nodiscard]] glm::dvec3 in_space(double x, double y) const {
+    const glm::dvec3 ray((x / kSize * 2 - 1) * kTangent, (y / kSize * 2 - 1) * kTangent, -1);
+    const glm::dvec3 a(positions[0]), b(positions[1]), c(positions[2]);
+    const glm::dvec3 w(glm::dot(ray, glm::cross(b, c)), glm::dot(ray, glm::cross(c, a)),
+                       glm::dot(ray, glm::cross(a, b)));
+    return w / (w.x + w.y + w.z);
+  }
+  [[nodiscard]] glm::dvec2 window(std::size_t i) const {
+    const glm::dvec3 p(positions[i]);
+    return glm::dvec2(p.x, p.y) / (-p.z * kTangent) * (kSize / 2.0) + kSize / 2.0;
+  }
+  // The same as if there were no perspective.
+  [[nodiscard]] glm::dvec3 in_window(double x, double y) const {
+    const auto area = [](const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c) {
+      return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+    };
+    const glm::dvec2 p(x, y), a = window(0), b = window(1), c = window(2);
+    return glm::dvec3(area(b, c, p), area(c, a, p), area(a, b, p)) / area(a, b, c);
+  }
+};
+
+Case random_case(Random& random) {
+  Case c;
+  for (glm::vec3& p : c.positions) {
+    const float depth = random.real_f(1, 12), reach = depth * 0.8F;
+    p = {random.real_f(-reach, reach), random.real_f(-reach, reach), -depth};
+  }
+  return c;
+}
+
+double mix(const glm::dvec3& w, double a, double b, double c) {
+  return w.x * a + w.y * b + w.z * c;
+}
+
+// The least and the largest value within the reach of snapping.
+template <class Function>
+std::pair<double, double> range_around(int x, int y, Function value) {
+  double low = 1e30, high = -1e30;
+  for (const double dx : {-0.2, 0.0, 0.2}) {
+    for (const double dy : {-0.2, 0.0, 0.2}) {
+      const double v = value(x + 0.5 + dx, y + 0.5 + dy);
+      low = std::min(low, v);
+      high = std::max(high, v);
+    }
+  }
+  return {low, high};
+}
+
+void expect_secondary_and_fog(ColorInterpolation interpolation, std::uint64_t seed) {
+  std::int64_t checked = 0, told = 0;
+  for (std::uint64_t index = 0; index < 150; ++index) {
+    Random random(seed, index);
+    const Case c = random_case(random);
+    std::array<ColorBytes, 3> colors{};
+    std::array<float, 3> fog{};
+    for (std::size_t i = 0; i < 3; ++i) {
+      colors[i] = {random.byte(), random.byte(), random.byte(), random.byte()};
+      fog[i] = random.real_f(-0.2, 1.2);
+    }
+    Surface surface = Surface::make(kSize, kSize, {.with_primitive = true}).value();
+    RenderTarget target = surface.target();
+    PipelineState state;
+    state.profile.color_interpolation.value = interpolation;
+    state.fog.enabled = true;
+    state.program = pass_through(Register::secondary, Register::fog);
+    ASSERT_TRUE(rasterize(state, c.matrix, {.positions = c.positions, .secondary_colors = colors, .fog_factors = fog},
+                          {}, target)
+                    .ok());
+    const bool affine = interpolation == ColorInterpolation::affine;
+    for (int y = 0; y < kSize; ++y) {
+      for (int x = 0; x < kSize; ++x) {
+        const auto at = static_cast<std::size_t>(y * kSize + x);
+        const glm::dvec3 w = c.in_space(x + 0.5, y + 0.5);
+        if (surface.primitive()[at] != 0 || std::min({w.x, w.y, w.z}) < 0.02) continue;
+        ++checked;
+        for (std::size_t k = 0; k < 3; ++k) {
+          const auto value = [&](bool in_window) {
+            return range_around(x, y, [&](double px, double py) {
+              return mix(in_window ? c.in_window(px, py) : c.in_space(px, py), colors[0][k], colors[1][k],
+                         colors[2][k]);
+            });
+          };
+          const double drawn = surface.color(static_cast<int>(k))[at];
+          const auto [low, high] = value(affine);
+          ASSERT_TRUE(drawn >= low - 1 && drawn <= high + 1) << index << ' ' << x << ' ' << y;
+          const auto [other_low, other_high] = value(!affine);
+          told += drawn < other_low - 1 || drawn > other_high + 1 ? 1 : 0;
+        }
+        const auto [low, high] = range_around(x, y, [&](double px, double py) {
+          const auto unit = [](float f) { return std::clamp(double{f}, 0.0, 1.0); };
+          return 255 * mix(c.in_space(px, py), unit(fog[0]), unit(fog[1]), unit(fog[2]));
+        });
+        const double drawn = surface.color(kAlpha)[at];
+        ASSERT_TRUE(drawn >= low - 1 && drawn <= high + 1) << index << ' ' << x << ' ' << y;
+      }
+    }
+  }
+  EXPECT_GE(checked, 20000);
+  EXPECT_GE(told, checked / 4);  // the two interpolations differ
+}
+
+TEST(InterpolatedInputs, SecondaryColorAndFogInPerspective) {
+  expect_secondary_and_fog(ColorInterpolation::perspective, 91);
+}
+TEST(InterpolatedInputs, SecondaryColorLinearInTheWindow) {
+  expect_secondary_and_fog(ColorInterpolation::affine, 92);
+}
+
+// What stands in the registers where the arrays say nothing.
+TEST(InterpolatedInputs, DefaultsOfSecondaryColorAndFog) {
+  const std::array<glm::vec3, 3> positions{glm::vec3(-3, -3, 0), glm::vec3(5, -3, 0), glm::vec3(-3, 5, 0)};
+  const std::array<ColorBytes, 3> secondary{{{9, 8, 7, 6}, {9, 8, 7, 6}, {9, 8, 7, 6}}};
+  for (const HardwareProfile& profile : {profiles::geforce2, profiles::nv2a}) {
+    for (const bool given : {false, true}) {
+      Surface surface = Surface::make(1, 1).value();
+      RenderTarget target = surface.target();
+      PipelineState state;
+      state.profile = profile;
+      state.fog.color = {20, 40, 60};
+      state.program = pass_through(Register::secondary, Register::secondary, profile);
+      VertexArrays arrays{.positions = positions};
+      if (given) arrays.secondary_colors = secondary;
+      ASSERT_TRUE(rasterize(state, kIdentity, arrays, {}, target).ok());
+      EXPECT_EQ(surface.color(kRed)[0], given ? 9 : 0);
+      const bool as_given = profile.secondary_alpha.value == SecondaryAlpha::as_given;
+      EXPECT_EQ(surface.color(kAlpha)[0], given && as_given ? 6 : 255);
+      state.program = pass_through(Register::fog, Register::fog, profile);
+      ASSERT_TRUE(rasterize(state, kIdentity, arrays, {}, target).ok());
+      EXPECT_EQ(surface.color(kGreen)[0], 40);
+      EXPECT_EQ(surface.color(kAlpha)[0], 255);
+    }
+  }
+}
+
+TEST(InterpolatedInputs, AttributesInPerspective) {
+  std::int64_t checked = 0;
+  for (std::uint64_t index = 0; index < 100; ++index) {
+    Random random(93, index);
+    const Case c = random_case(random);
+    std::array<glm::vec4, 3> attribute{};
+    for (glm::vec4& a : attribute) a = {random.real_f(-100, 100), random.real_f(0, 1), 1.0F, random.real_f(-1, 1)};
+    std::array<std::vector<float>, 4> planes;
+    RenderTarget target;
+    target.width = target.height = kSize;
+    for (int k = 0; k < 4; ++k) {
+      auto& plane = planes[static_cast<std::size_t>(k)];
+      plane.assign(kSize * kSize, 1e9F);
+      target.outputs.push_back({.source = OutputSource::attribute,
+                                .attribute = 1,
+                                .component = k,
+                                .plane = Plane<float>{plane.data(), kSize}});
+    }
+    VertexArrays arrays{.positions = c.positions};
+    arrays.attributes[1] = attribute;
+    ASSERT_TRUE(rasterize({}, c.matrix, arrays, {}, target).ok());
+    for (int y = 0; y < kSize; ++y) {
+      for (int x = 0; x < kSize; ++x) {
+        const auto at = static_cast<std::size_t>(y * kSize + x);
+        const glm::dvec3 w = c.in_space(x + 0.5, y + 0.5);
+        if (planes[0][at] == 1e9F || std::min({w.x, w.y, w.z}) < 0.02) continue;
+        ++checked;
+        for (int k = 0; k < 4; ++k) {
+          const auto [low, high] = range_around(x, y, [&](double px, double py) {
+            return mix(c.in_space(px, py), attribute[0][k], attribute[1][k], attribute[2][k]);
+          });
+          const double drawn = planes[static_cast<std::size_t>(k)][at], slack = 1e-3 + (high - low) * 0.1;
+          ASSERT_TRUE(drawn >= low - slack && drawn <= high + slack) << index << ' ' << x << ' ' << y << ' ' << k;
+        }
+      }
+    }
+  }
+  EXPECT_GE(checked, 15000);
+}
+
+// A texture whose levels say which they are.
+Texture level_texture() {
+  std::vector<TextureSamples> levels;
+  for (int level = 0; level <= 8; ++level) {
+    const int size = 256 >> level;
+    levels.push_back({size, size,
+                      std::vector<std::uint8_t>(static_cast<std::size_t>(size) * static_cast<std::size_t>(size),
+                                                static_cast<std::uint8_t>(20 * level + 10))});
+  }
+  return make_texture(TextureTarget::texture_2d, InternalFormat::luminance8, {levels}).value();
+}
+
+// Level of detail from differences over a tiny step in exact perspective (OpenGL 1.3, 3.8.8): the level that
+// NEAREST_MIPMAP_NEAREST takes, where it is not near the border between two.
+TEST(InterpolatedInputs, ChangesOfTextureCoordinatesGiveTheLevelOfDetail) {
+  const Texture texture = level_texture();
+  Sampler sampler;
+  sampler.min_filter = MinFilter::nearest_mipmap_nearest;
+  sampler.mag_filter = MagFilter::nearest;
+  const std::array<TextureUnit, 1> units{TextureUnit{&texture, sampler}};
+  std::int64_t checked = 0;
+  std::array<int, 9> reached{};
+  for (std::uint64_t index = 0; index < 200; ++index) {
+    Random random(94, index);
+    const Case c = random_case(random);
+    const float spread = static_cast<float>(std::exp2(random.real(-3, 5)));
+    std::array<glm::vec3, 3> coordinates{};
+    for (glm::vec3& t : coordinates) t = {random.real_f(-spread, spread), random.real_f(-spread, spread), 0};
+    Surface surface = Surface::make(kSize, kSize, {.with_primitive = true}).value();
+    RenderTarget target = surface.target();
+    PipelineState state;
+    state.program = pass_through(Register::texture0, Register::texture0);
+    VertexArrays arrays{.positions = c.positions};
+    arrays.texture_coordinates[0] = coordinates;
+    ASSERT_TRUE(rasterize(state, c.matrix, arrays, units, target).ok());
+    const auto texel = [&](double x, double y) {
+      const glm::dvec3 w = c.in_space(x, y);
+      return 256.0 * glm::dvec2(mix(w, coordinates[0].x, coordinates[1].x, coordinates[2].x),
+                                mix(w, coordinates[0].y, coordinates[1].y, coordinates[2].y));
+    };
+    for (int y = 0; y < kSize; ++y) {
+      for (int x = 0; x < kSize; ++x) {
+        const auto at = static_cast<std::size_t>(y * kSize + x);
+        const glm::dvec3 w = c.in_space(x + 0.5, y + 0.5);
+        if (surface.primitive()[at] != 0 || std::min({w.x, w.y, w.z}) < 0.05) continue;
+        const auto [low, high] = range_around(x, y, [&](double px, double py) {
+          constexpr double h = 1e-4;
+          const double along_x = glm::length(texel(px + h, py) - texel(px - h, py)) / (2 * h);
+          const double along_y = glm::length(texel(px, py + h) - texel(px, py - h)) / (2 * h);
+          return std::log2(std::max(along_x, along_y));
+        });
+        const auto level = [](double lambda) {
+          return std::clamp(static_cast<int>(std::ceil(lambda + 0.5)) - 1, 0, 8);
+        };
+        if (level(low - 0.15) != level(high + 0.15)) continue;
+        ++checked;
+        ++reached[static_cast<std::size_t>(level(low))];
+        ASSERT_EQ(surface.color(kRed)[at], 20 * level(low) + 10) << index << ' ' << x << ' ' << y << ' ' << low;
+      }
+    }
+  }
+  EXPECT_GE(checked, 20000);
+  for (std::size_t level = 0; level < 7; ++level) EXPECT_GE(reached[level], 300) << level;
+}
+
+}  // namespace
+}  // namespace ninebit::test

@@ -1,0 +1,153 @@
+// Polygon offset: what NV2A's depth buffer showed, and which primitives are moved.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <sstream>
+
+#include "combiner_tests/hardware/csv.h"
+#include "combiner_tests/raster/support.h"
+
+namespace ninebit::test {
+namespace {
+
+constexpr int kSize = 64;
+
+// "VALUE:PIXELS;VALUE:PIXELS": the values, the most frequent first.
+std::vector<int> values_of(const std::string& histogram) {
+  std::vector<int> values;
+  std::istringstream in(histogram);
+  for (std::string entry; std::getline(in, entry, ';');) values.push_back(std::stoi(entry));
+  return values;
+}
+
+// Depth of every pixel of a quad over the whole target with these gradients in sixteenths of a depth step a pixel.
+std::vector<std::uint32_t> plane_depth(int dx_16, int dy_16, const PipelineState& base) {
+  std::vector<glm::vec3> positions;
+  for (const auto& [x, y] : {std::pair(0, 0), std::pair(kSize, 0), std::pair(kSize, kSize), std::pair(0, kSize)}) {
+    const std::int64_t z = 1000000 + (dx_16 * x + dy_16 * y) / 16;
+    positions.push_back(clip_position({16 * x, 16 * y, z}, kSize, kSize));
+  }
+  Surface surface = Surface::make(kSize, kSize).value();
+  RenderTarget target = surface.target();
+  PipelineState state = base;
+  state.depth_test = {true, CompareFunction::always, true};
+  const Status status = rasterize(state, kIdentity, {.type = PrimitiveType::quads, .positions = positions}, {}, target);
+  EXPECT_TRUE(status.ok()) << status.error().message;
+  return surface.depth();
+}
+
+// The slope of a row is an offset of sixteen times the gradient, which the histograms of both gradients bound.
+TEST(PolygonOffset, MovesDepthAsOnTheNv2a) {
+  int checked = 0;
+  std::map<std::string, int> slope_16;
+  const auto rows = read_hardware_table("nv2a_polygon_offset_z24");
+  for (const auto& row : rows) {
+    if (row.at("offset") != "slope16") continue;
+    slope_16[row.at("primitive") + row.at("V1=passthrough vsh")] = values_of(row.at("delta:pixels"))[0];
+  }
+  for (const auto& row : rows) {
+    if (row.at("primitive").rfind("Tri", 0) == 0) continue;  // small triangles: the histograms show the ground
+    const int slope = slope_16.at(row.at("primitive") + row.at("V1=passthrough vsh"));
+    const auto dx = values_of(row.at("absdzdx:n")), dy = values_of(row.at("absdzdy:n"));
+    const auto near_slope = [&](const std::vector<int>& values) {
+      for (const int v : values) {
+        if (std::abs(16 * v - slope) <= 16) return true;
+      }
+      return false;
+    };
+    ASSERT_TRUE(near_slope(dx) || near_slope(dy)) << row.at("primitive");
+    const bool along_x = near_slope(dx) && slope != 0;
+    PipelineState state;
+    state.profile = profiles::nv2a;
+    state.polygon_offset.fill = true;
+    if (row.at("offset").find("bias16") != std::string::npos) state.polygon_offset.units = 16;
+    if (row.at("offset").find("slope16") != std::string::npos) state.polygon_offset.factor = 16;
+    const int measured = values_of(row.at("delta:pixels"))[0];
+    for (const int sign : {1, -1}) {
+      const int g_x = along_x ? sign * slope : 0, g_y = along_x ? 0 : sign * slope;
+      const auto with = plane_depth(g_x, g_y, state), without = plane_depth(g_x, g_y, {});
+      for (std::size_t i = 0; i < with.size(); ++i) {
+        ASSERT_EQ(with[i], without[i] + static_cast<std::uint32_t>(measured)) << row.at("primitive");
+      }
+    }
+    ++checked;
+  }
+  EXPECT_GE(checked, 12);
+}
+
+TEST(PolygonOffset, SlopeIsTheLargerGradientOrTheRoot) {
+  PipelineState state;
+  state.polygon_offset = {.fill = true, .factor = 2};
+  for (const auto& [slope, expected] :
+       {std::pair(OffsetSlope::larger, 2 * 400U), std::pair(OffsetSlope::root, 2 * 500U)}) {
+    state.profile.polygon_offset_slope.value = slope;
+    const auto with = plane_depth(-300 * 16, 400 * 16, state), without = plane_depth(-300 * 16, 400 * 16, {});
+    for (std::size_t i = 0; i < with.size(); ++i) ASSERT_EQ(with[i], without[i] + expected);
+  }
+}
+
+TEST(PolygonOffset, IsRoundedOnceHalvesUpAndClamped) {
+  PipelineState state;
+  state.polygon_offset.fill = true;
+  const auto offset = [&](float factor, float units) {
+    state.polygon_offset.factor = factor;
+    state.polygon_offset.units = units;
+    return std::int64_t{plane_depth(16, 0, state)[0]} - plane_depth(16, 0, {})[0];
+  };
+  EXPECT_EQ(offset(0.25F, 0.25F), 1);
+  EXPECT_EQ(offset(0.25F, 0.2F), 0);
+  EXPECT_EQ(offset(-0.25F, -0.25F), 0);
+  EXPECT_EQ(offset(-0.5F, -0.25F), -1);
+  state.polygon_offset.units = 3e38F;
+  EXPECT_EQ(plane_depth(16, 0, state)[0], 0xFFFFFFU);
+  state.polygon_offset.units = -3e38F;
+  EXPECT_EQ(plane_depth(16, 0, state)[0], 0U);
+}
+
+// r is one step of the target's format; fraction bits stay until the sum is rounded.
+TEST(PolygonOffset, UnitsAreStepsOfTheFormat) {
+  for (const DepthStencilFormat format : {DepthStencilFormat::d16, DepthStencilFormat::d15s1}) {
+    Surface surface = Surface::make(1, 1, {.depth_stencil = format}).value();
+    RenderTarget target = surface.target();
+    const std::array<glm::vec3, 3> positions{glm::vec3(-3, -3, 0), glm::vec3(5, -3, 0), glm::vec3(-3, 5, 0)};
+    PipelineState state;
+    state.depth_test = {true, CompareFunction::always, true};
+    state.polygon_offset = {.fill = true, .units = 7};
+    ASSERT_TRUE(rasterize(state, kIdentity, {.positions = positions}, {}, target).ok());
+    EXPECT_EQ(surface.depth()[0], (max_depth(format) + 1) / 2 + 7);
+    state.polygon_offset.units = 7.25F;
+    ASSERT_TRUE(rasterize(state, kIdentity, {.positions = positions}, {}, target).ok());
+    EXPECT_EQ(surface.depth()[0], (max_depth(format) + 1) / 2 + 7);
+    state.polygon_offset.units = -0.75F;  // 0.5 - 0.75 steps above the lower code
+    ASSERT_TRUE(rasterize(state, kIdentity, {.positions = positions}, {}, target).ok());
+    EXPECT_EQ(surface.depth()[0], max_depth(format) / 2);
+  }
+}
+
+TEST(PolygonOffset, EachModeHasItsEnableAndRealLinesAndPointsNone) {
+  const std::array<glm::vec3, 3> positions{glm::vec3(-0.5, -0.5, 0), glm::vec3(0.5, -0.5, 0), glm::vec3(0, 0.5, 0)};
+  for (int mode = 0; mode < 3; ++mode) {
+    for (int enables = 0; enables < 8; ++enables) {
+      for (const PrimitiveType type : {PrimitiveType::triangles, PrimitiveType::line_loop, PrimitiveType::points}) {
+        PipelineState state;
+        state.depth_test = {true, CompareFunction::always, true};
+        state.front_mode = static_cast<PolygonMode>(mode);
+        state.polygon_offset = {(enables & 4) != 0, (enables & 2) != 0, (enables & 1) != 0, 0, 5};
+        Surface surface = Surface::make(kSize, kSize).value();
+        RenderTarget target = surface.target();
+        ASSERT_TRUE(rasterize(state, kIdentity, {.type = type, .positions = positions}, {}, target).ok());
+        const bool moved = type == PrimitiveType::triangles && (enables & (1 << mode)) != 0;
+        int drawn = 0;
+        for (const std::uint32_t z : surface.depth()) {
+          if (z == 0xFFFFFF) continue;
+          ++drawn;
+          ASSERT_EQ(z, 0x800000U + (moved ? 5 : 0)) << mode << ' ' << enables;
+        }
+        EXPECT_GE(drawn, 3);
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace ninebit::test

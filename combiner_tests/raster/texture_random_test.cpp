@@ -1,0 +1,197 @@
+// Sampling against the oracle: every format, target, filter and wrap mode, on random textures of random sizes.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+#include <string>
+
+#include "combiner_tests/raster/texture_support.h"
+
+namespace ninebit::test {
+namespace {
+
+constexpr std::uint64_t kSeed = 7001;
+constexpr int kFragments = kSlowBuild ? 10 : 120;
+
+struct Case {
+  HardwareProfile profile = profiles::geforce2;
+  Texture texture;
+  Sampler sampler;
+  CoordinateArrays fragments;
+};
+
+// Case `index` has the index's own format, target, filters and wrap modes; the rest is random.
+constexpr std::uint64_t kCases = kInternalFormats.size() * 2 * kMinFilters.size() * 2 * kWraps.size() * kWraps.size();
+Case make_case(std::uint64_t index) {
+  Random random(kSeed, index);
+  std::uint64_t rest = index;
+  const auto take = [&](const auto& list) {
+    const auto value = list[rest % list.size()];
+    rest /= list.size();
+    return value;
+  };
+  Case c;
+  const InternalFormat format = take(kInternalFormats);
+  TextureTarget target = take(std::array{TextureTarget::texture_2d, TextureTarget::cube_map});
+  if (is_depth(format)) target = TextureTarget::texture_2d;
+  c.sampler.min_filter = take(kMinFilters);
+  c.sampler.mag_filter = take(kMagFilters);
+  c.sampler.wrap_s = take(kWraps);
+  c.sampler.wrap_t = take(kWraps);
+  const bool mipmaps = c.sampler.min_filter != MinFilter::nearest && c.sampler.min_filter != MinFilter::linear;
+  for (float& border : c.sampler.border_color) border = random.real_f(-0.2, 1.2);
+  c.sampler.comparison = random.pick({DepthComparison::none, DepthComparison::lequal, DepthComparison::gequal});
+  c.sampler.lod_bias = random.pick({0.0F, 0.0F, random.real_f(-2, 2), std::numeric_limits<float>::quiet_NaN(), 99.0F});
+  if (random.one_in(4)) c.profile = profiles::geforce256_8bit;
+  c.profile.texture_weight_bits.value = random.one_in(2) ? 8 : random.between(1, 8);
+  const int width = 1 << random.below(6);
+  const int height = target == TextureTarget::cube_map || random.one_in(3) ? width : 1 << random.below(6);
+  c.texture = random_texture(random, target, format, width, height, mipmaps || random.one_in(4));
+  for (int i = 0; i < kFragments; ++i) {
+    std::array<float, 3> at{}, dx{}, dy{};
+    for (std::size_t k = 0; k < 3; ++k) {
+      at[k] = target == TextureTarget::cube_map && random.one_in(2)
+                  ? random.real_f(-1, 1)
+                  : random_coordinate(random, k == 0 ? width : height);
+      dx[k] = random_change(random);
+      dy[k] = random_change(random);
+    }
+    if (random.one_in(4)) at[1] = at[0];  // ties of a cube map
+    c.fragments.push(at, dx, dy);
+  }
+  return c;
+}
+
+std::string describe(const Case& c, std::uint64_t index, std::size_t i) {
+  const TextureImage& base = c.texture.faces[0][0];
+  std::string text = "case " + std::to_string(index) + " fragment " + std::to_string(i) + ": format " +
+                     std::to_string(static_cast<int>(c.texture.format)) + ", " + std::to_string(base.width) + " x " +
+                     std::to_string(base.height) + ", min " + std::to_string(static_cast<int>(c.sampler.min_filter)) +
+                     ", mag " + std::to_string(static_cast<int>(c.sampler.mag_filter)) + ", wraps " +
+                     std::to_string(static_cast<int>(c.sampler.wrap_s)) + ' ' +
+                     std::to_string(static_cast<int>(c.sampler.wrap_t)) + ", bits " +
+                     std::to_string(c.profile.texture_weight_bits.value) + ", at";
+  char number[64];
+  for (const auto& arrays : {c.fragments.value, c.fragments.dx, c.fragments.dy}) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      std::snprintf(number, sizeof number, " %a", static_cast<double>(arrays[k][i]));
+      text += number;
+    }
+  }
+  return text + "\nagain: NINEBIT_TEXTURE_INDEX=" + std::to_string(index) +
+         " ninebit_raster_tests --gtest_filter='RandomTextures.*'";
+}
+
+// Whether a float may be the rounding of the oracle's sum: within 2^-48 of the terms, and half a step of the float.
+bool near(float actual, long double expected, long double magnitude) {
+  if (std::isnan(expected) || std::isinf(expected)) return std::isnan(expected) == std::isnan(actual);
+  const long double step = std::fabs(std::nextafter(actual, std::numeric_limits<float>::infinity()) - actual);
+  return std::fabs(static_cast<long double>(actual) - expected) <= 0.5001L * step + magnitude * 0x1p-48L;
+}
+
+struct Seen {
+  int fragments = 0, border = 0, coarse = 0, ambiguous = 0, incomplete = 0;
+};
+
+bool agrees(const Case& c, const TextureSampler& sampler, const oracle::TextureAnswer& answer, std::size_t i) {
+  const Texel texel = sampler.texel(c.fragments.view(), i);
+  const std::array<bool, 4> stored = stored_components(c.texture.format);
+  if (is_real(c.texture.format)) {
+    const std::array<float, 4> color = sampler.color(c.fragments.view(), i);
+    for (std::size_t k = 0; k < 4; ++k) {
+      if (!near(color[k], answer.real[k], answer.magnitude[k])) return false;
+      if (texel.value[k] != byte_of_color(color[k])) return false;
+    }
+    return true;
+  }
+  for (std::size_t k = 0; k < 4; ++k) {
+    if (stored[k] && texel.value[k] != answer.value[k]) return false;
+  }
+  return true;
+}
+
+void run(std::uint64_t index, Seen& seen) {
+  const Case c = make_case(index);
+  const auto sampler = TextureSampler::make(c.profile, c.texture, c.sampler);
+  CodeArrays codes(c.fragments.size());
+  if (sampler) sampler->sample(c.fragments.view(), c.fragments.size(), codes.at());
+  for (std::size_t i = 0; i < c.fragments.size(); ++i) {
+    oracle::TextureQuestion question{c.profile.texture_weight_bits, &c.texture, c.sampler};
+    for (std::size_t k = 0; k < 3; ++k) {
+      question.coordinate[k] = c.fragments.value[k][i];
+      question.dx[k] = c.fragments.dx[k][i];
+      question.dy[k] = c.fragments.dy[k][i];
+    }
+    const std::vector<oracle::TextureAnswer> answers = oracle::sample(question);
+    ASSERT_EQ(sampler.has_value(), !answers.empty()) << describe(c, index, i);
+    if (answers.empty()) {
+      ++seen.incomplete;
+      continue;
+    }
+    const bool agreed = agrees(c, *sampler, answers.front(), i) || agrees(c, *sampler, answers.back(), i);
+    const Texel texel = sampler->texel(c.fragments.view(), i);
+    ASSERT_TRUE(agreed) << describe(c, index, i) << "\nexpected " << int{answers[0].value[0]} << ' '
+                        << int{answers[0].value[1]} << ' ' << int{answers[0].value[2]} << ' '
+                        << int{answers[0].value[3]} << " real " << static_cast<double>(answers[0].real[0])
+                        << "\nactual " << int{texel.value[0]} << ' ' << int{texel.value[1]} << ' '
+                        << int{texel.value[2]} << ' ' << int{texel.value[3]};
+    ASSERT_EQ(codes.of(i), texel_codes(c.profile, texel)) << describe(c, index, i);
+    ++seen.fragments;
+    seen.border += answers[0].border ? 1 : 0;
+    seen.coarse += answers[0].level > 0 ? 1 : 0;
+    seen.ambiguous += answers.size() > 1 ? 1 : 0;
+  }
+}
+
+TEST(RandomTextures, EveryFilterAndWrapIsAsTheOracleHasIt) {
+  Seen seen;
+  if (const char* const only = std::getenv("NINEBIT_TEXTURE_INDEX")) {
+    run(std::strtoull(only, nullptr, 10), seen);
+    return;
+  }
+  for (std::uint64_t index = 0; index < kCases; ++index) {
+    run(index, seen);
+    if (HasFatalFailure()) return;
+  }
+  EXPECT_EQ(seen.incomplete, 0);
+  EXPECT_GE(seen.fragments, static_cast<int>(kCases) * kFragments);
+  EXPECT_GE(seen.border, seen.fragments / 50);
+  EXPECT_GE(seen.coarse, seen.fragments / 5);
+  EXPECT_LE(seen.ambiguous, seen.fragments / 1000);
+  RecordProperty("fragments", seen.fragments);
+}
+
+// The register codes do not depend on the run that a fragment comes in.
+TEST(RandomTextures, AnyCutGivesTheSameBits) {
+  for (std::uint64_t index = 0; index < 60; ++index) {
+    Random random(kSeed + 1, index);
+    Case c = make_case(static_cast<std::uint64_t>(random.below(static_cast<int>(kCases))));
+    if (index % 2 == 0) {  // the short way for bytes without a filter
+      c.sampler.min_filter = MinFilter::nearest;
+      c.sampler.mag_filter = MagFilter::nearest;
+    }
+    while (c.fragments.size() < 700) {
+      c.fragments.push({random.real_f(-2, 2), random.real_f(-2, 2), random.real_f(-2, 2)},
+                       {random_change(random), random_change(random), random_change(random)},
+                       {random_change(random), random_change(random), random_change(random)});
+    }
+    const auto sampler = TextureSampler::make(c.profile, c.texture, c.sampler);
+    ASSERT_TRUE(sampler.has_value());
+    const std::size_t count = c.fragments.size();
+    CodeArrays whole(count), cut(count);
+    sampler->sample(c.fragments.view(), count, whole.at());
+    for (std::size_t first = 0; first < count;) {
+      const std::size_t size = std::min(static_cast<std::size_t>(random.between(0, 300)), count - first);
+      sampler->sample(c.fragments.view(first), size, cut.at(first));
+      first += size;
+    }
+    EXPECT_EQ(whole.plane, cut.plane) << index;
+    for (std::size_t i = 0; i < count; ++i) {
+      ASSERT_EQ(whole.of(i), texel_codes(c.profile, sampler->texel(c.fragments.view(), i))) << index << ' ' << i;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace ninebit::test

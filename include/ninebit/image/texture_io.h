@@ -1,0 +1,44 @@
+// Reading textures from files.
+//
+// - DDS: DXT1, DXT3, DXT5, decoded by s3tc.h under the given profile (DXT1 has alpha where the header's ALPHAPIXELS
+// says
+//   so); RGB, RGBA, luminance, luminance with alpha and alpha of 8 to 32 bits, each component of at most 8, which
+//   becomes a byte as v × 255 / max, rounded to nearest; RGBA of 16-bit or 32-bit floats. With mip-maps or without, 2D
+//   or cube maps of six faces, which DDS has in GL's order.
+// - Every other picture that OpenImageIO reads (PNG, JPEG, TGA, EXR, ...), its first subimage: one channel becomes
+//   luminance, two luminance and alpha, three RGB, four RGBA. Integers become bytes, floats stay floats, as RGBA.
+//   Samples are taken as stored: no conversion between colour spaces, and alpha is not multiplied in (in EXR, colours
+//   already are, and stay so).
+//
+// Row 0 of a file, its top, is at t = 0: so do Direct3D and glTF count, and so do the faces of a cube map stand. With
+// `flip` the last row is at t = 0, which puts a picture upright in window coordinates.
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <span>
+
+#include "ninebit/numerics/hardware_profile.h"
+#include "ninebit/numerics/result.h"
+#include "ninebit/raster/texture.h"
+
+namespace ninebit {
+
+struct TextureReadOptions {
+  bool mipmaps = false;  // adds with_mipmaps() where the file has level 0 alone
+  bool flip = false;
+};
+
+// A 2D texture, or from a DDS file of six faces a cube map. Reports, naming the file: what cannot be read or is cut
+// short; sides that are no powers of two from 1 to 16384; a header that contradicts itself or the file's size; a chain
+// of mip-maps that is neither one level nor all; cube maps with faces missing or not square; formats beyond the above.
+[[nodiscard]] Result<Texture> read_texture(const HardwareProfile& profile, const std::filesystem::path& file,
+                                           const TextureReadOptions& options = {});
+
+// A cube map of six 2D files, +X -X +Y -Y +Z -Z. Reports what read_texture reports, and the first file whose face is
+// not square, is itself a cube map, or has another size, format or number of levels than the first file's.
+[[nodiscard]] Result<Texture> read_cube_texture(const HardwareProfile& profile,
+                                                std::span<const std::filesystem::path, 6> files,
+                                                const TextureReadOptions& options = {});
+
+}  // namespace ninebit

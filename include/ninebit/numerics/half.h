@@ -1,0 +1,19 @@
+// A 16-bit float (IEEE 754 binary16) as its bits.
+#pragma once
+
+#include <cstdint>
+
+namespace ninebit {
+
+struct Half {
+  std::uint16_t bits = 0;
+  friend constexpr bool operator==(Half, Half) = default;
+};
+
+// Rounded to nearest, ties to even; beyond the range infinity. A NaN stays one, with the upper bits of its payload.
+[[nodiscard]] Half half_of(float value);
+
+// The half's value, exactly.
+[[nodiscard]] float float_of(Half value);
+
+}  // namespace ninebit

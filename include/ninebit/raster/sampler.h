@@ -1,0 +1,127 @@
+// How texture units read textures: wrapping, filtering, levels of detail, depth comparison (OpenGL 1.3 and 1.4, 3.8).
+//
+// What OpenGL leaves open is decided here, as assumptions about the hardware:
+//
+// - A coordinate is held exactly until it is rounded once: to a whole texel (NEAREST, downwards), or to 1/2^b texel
+//   (LINEAR, to nearest, halves up), b being profile.texture_weight_bits.
+// - The weights of LINEAR have b fraction bits, and so has the weight between two levels. A filtered byte or depth code
+//   is the sum of weight × texel, an exact integer, rounded once to nearest, halves up. Floats are summed in doubles,
+//   in a fixed order, texels of weight 0 left out.
+// - Level of detail: rho² = max(ux² + vx², uy² + vy²) in doubles, with ux = width × ds/dx and so on; a sum that is NaN
+//   counts as 0.
+//   lambda = log2(rho²) / 2, rounded down to 1/256: the exponent, then seven squarings of the mantissa, a bit each. The
+//   bias, rounded to 1/256, is added. For cube maps, ds/dx is 0.5 × (dsc/dx - (sc / |ma|) × d|ma|/dx) / |ma|, in
+//   doubles, on the face that the fragment's own direction selects.
+// - The weight between two levels is the fraction of lambda, cut to b bits.
+// - A coordinate that is NaN reads as 0; infinity as the end of the range it is clamped to, or 0 where it repeats.
+// - No filter reads across the faces of a cube map: each is wrapped as a texture of its own.
+// - Depth comparison: r is clamped to [0, 1] and rounded to the nearest depth code, halves up; NaN counts as 0. Filters
+//   weigh the results, 0 or 255, not the depths.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+
+#include "ninebit/combiner/initial_registers.h"
+#include "ninebit/numerics/hardware_profile.h"
+#include "ninebit/raster/texture.h"
+
+namespace ninebit {
+
+enum class MinFilter : std::uint8_t {
+  nearest,
+  linear,
+  nearest_mipmap_nearest,
+  linear_mipmap_nearest,
+  nearest_mipmap_linear,
+  linear_mipmap_linear
+};
+enum class MagFilter : std::uint8_t { nearest, linear };
+enum class Wrap : std::uint8_t { repeat, clamp, clamp_to_edge, mirrored_repeat };
+enum class DepthComparison : std::uint8_t { none, lequal, gequal };  // r <= depth, r >= depth
+
+// A texture object's parameters and the unit's bias, with GL's defaults.
+struct Sampler {
+  MinFilter min_filter = MinFilter::nearest_mipmap_linear;
+  MagFilter mag_filter = MagFilter::linear;
+  Wrap wrap_s = Wrap::repeat;
+  Wrap wrap_t = Wrap::repeat;
+  // Clamped to [0, 1] and stored as the texture's format would: luminance, intensity and depth from red.
+  std::array<float, 4> border_color{};
+  DepthComparison comparison = DepthComparison::none;  // of depth textures; for others it does nothing
+  float lod_bias = 0.0F;                               // EXT_texture_lod_bias; clamped to [-15, 15], NaN counts as 0
+};
+
+// What index maps are read with: the texel itself, whatever the distance.
+inline constexpr Sampler kNearestSampler{.min_filter = MinFilter::nearest,
+                                         .mag_filter = MagFilter::nearest,
+                                         .wrap_s = Wrap::clamp_to_edge,
+                                         .wrap_t = Wrap::clamp_to_edge};
+
+// The coordinates of a run of fragments, after any division by q: s, t, r, each an array of one float a fragment. The
+// changes to the next fragment in x and y are read where a sampler needs_derivatives(); r is read for cube maps and
+// depth comparisons, its changes for cube maps.
+struct TextureCoordinates {
+  std::array<const float*, 3> value{};
+  std::array<const float*, 3> dx{};
+  std::array<const float*, 3> dy{};
+};
+
+// A texture and the way to read it, looked at once a draw. The texture must outlive it. Results depend on the fragment
+// alone, whatever the run that it comes in.
+class TextureSampler {
+ public:
+  // Empty where the texture is incomplete for the filter: the unit then counts as off. check_texture has passed.
+  [[nodiscard]] static std::optional<TextureSampler> make(const HardwareProfile& profile, const Texture& texture,
+                                                          const Sampler& sampler);
+
+  // Whether a level of detail has to be computed: the two filters differ, or there are mip-maps.
+  [[nodiscard]] bool needs_derivatives() const { return needs_derivatives_; }
+
+  // Whether r is read, and the changes of r where derivatives are.
+  [[nodiscard]] bool needs_r() const { return cube_ || comparison_ != DepthComparison::none; }
+
+  // The base internal format that the texels have for texel_codes: depth_comparison with a comparison.
+  [[nodiscard]] TextureFormat format() const { return format_; }
+
+  // The codes that texel_codes gives for `count` fragments, to codes[component][fragment]. Depth without comparison is
+  // rounded to a byte; floats are clamped to [0, 1] and rounded to one, NaN giving 0.
+  void sample(const TextureCoordinates& at, std::size_t count, const std::array<s9*, 4>& codes) const;
+
+  // Fragment i's filtered texel, as sample() takes it.
+  [[nodiscard]] Texel texel(const TextureCoordinates& at, std::size_t i) const;
+
+  // The same as red, green, blue, alpha in floats, as texel_codes orders them: bytes as n / 255, depth codes as
+  // fractions of the largest, each filtered before it is divided; float formats neither clamped nor rounded to a byte.
+  [[nodiscard]] std::array<float, 4> color(const TextureCoordinates& at, std::size_t i) const;
+
+ private:
+  TextureSampler() = default;
+  struct Taps;      // the texels that a fragment reads, with their weights
+  struct Filtered;  // what they come to
+  void add_level(Taps& taps, std::size_t face, int level, float s, float t, bool linear, std::uint32_t weight) const;
+  [[nodiscard]] Filtered filter(const TextureCoordinates& at, std::size_t i) const;
+  [[nodiscard]] Filtered weigh(const Taps& taps, float r) const;
+  void sample_nearest(const TextureCoordinates& at, std::size_t first, std::size_t count,
+                      const std::array<s9*, 4>& codes) const;
+
+  const Texture* texture_ = nullptr;
+  Sampler sampler_;
+  TextureFormat format_ = TextureFormat::rgb;
+  DepthComparison comparison_ = DepthComparison::none;
+  bool cube_ = false;
+  bool needs_derivatives_ = false;
+  int last_level_ = 0;
+  int lod_bias_q8_ = 0;
+  int weight_bits_ = 8;
+  int byte_shift_ = 0;
+  std::uint32_t max_depth_ = 0;
+  std::array<std::uint32_t, 4> border_code_{};
+  // Which component of a texel each component of a register reads, -1: none, but the constant beside it (0 or 1.0).
+  std::array<int, 4> source_{};
+  std::array<s9, 4> constant_{};
+};
+
+}  // namespace ninebit

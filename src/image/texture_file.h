@@ -1,0 +1,35 @@
+// A texture as a file has it, before it becomes a Texture.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "ninebit/numerics/hardware_profile.h"
+#include "ninebit/numerics/result.h"
+#include "ninebit/raster/texture.h"
+
+namespace ninebit::image_detail {
+
+struct FileTexture {
+  TextureTarget target = TextureTarget::texture_2d;
+  InternalFormat format = InternalFormat::rgb8;
+  std::vector<std::vector<TextureSamples>> faces;  // [face][level], row 0 of the file first
+};
+
+// Empty where the sides are powers of two in range, else the complaint.
+[[nodiscard]] std::string complain_about_texture_size(std::int64_t width, std::int64_t height);
+
+// Whether the file begins as a DDS file does.
+[[nodiscard]] bool is_dds(std::span<const std::uint8_t> start);
+
+// `file` is for the Diagnostics; `bytes` is its whole content.
+[[nodiscard]] Result<FileTexture> parse_dds(const HardwareProfile& profile, const std::filesystem::path& file,
+                                            std::span<const std::uint8_t> bytes);
+
+// Any picture, by OpenImageIO.
+[[nodiscard]] Result<FileTexture> read_picture(const std::filesystem::path& file);
+
+}  // namespace ninebit::image_detail

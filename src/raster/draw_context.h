@@ -1,0 +1,56 @@
+// What all tiles of one draw call share.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "ninebit/combiner/evaluate.h"
+#include "ninebit/raster/rasterizer.h"
+#include "ninebit/raster/sampler.h"
+#include "src/raster/fragment_operations.h"
+#include "src/raster/output_planes.h"
+#include "src/raster/primitive_assembly.h"
+#include "src/raster/window_depth.h"
+
+namespace ninebit {
+
+struct RegisterComponent {
+  Register reg;
+  int component;
+};
+
+struct DrawContext {
+  // The arguments must outlive the context and have been checked. Units of incomplete textures are off.
+  DrawContext(const PipelineState& pipeline, const VertexArrays& vertices, std::span<const TextureUnit> units,
+              const RenderTarget& target);
+
+  // Whether primary and secondary colours are constant over a primitive.
+  [[nodiscard]] bool shades_flat() const {
+    return state.shade_model == ShadeModel::flat || (arrays.vertex_colors.empty() && arrays.secondary_colors.empty());
+  }
+  // The primary colour that flat shading gives a primitive.
+  [[nodiscard]] ColorBytes flat_primary(std::uint32_t primitive) const;
+
+  const PipelineState& state;
+  const VertexArrays& arrays;
+  const PrimitiveAssembly assembly;
+  const FragmentOperations operations;
+  const OutputPlanes outputs;
+  const WindowDepth depth;
+
+  std::array<std::optional<TextureSampler>, kMaxTextureUnits> samplers;
+  std::array<float, kMaxTextureUnits> point_change{};  // of s at points, where rho is 1 (OpenGL 1.3, 3.8.8)
+  bool needs_texture_changes = false;
+
+  // Whether every fragment leaves the draw with its primitive's flat_primary, and no plane asks for more of it.
+  bool has_flat_result = false;
+  // Whether registers have to be filled at all.
+  bool fills_registers = false;
+  RegisterFile initial;  // of every fragment, but for what is its own
+  // Components of constant registers that the program overwrites: to be filled again for each batch.
+  std::vector<RegisterComponent> refilled;
+};
+
+}  // namespace ninebit

@@ -1,0 +1,48 @@
+// Which vertices make which primitive (OpenGL 1.3, 2.6.1 and 2.13.7).
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "ninebit/raster/rasterizer.h"
+
+namespace ninebit {
+
+// The primitives of a draw call. Primitives, and places in the list of vertices, are counted from 0.
+class PrimitiveAssembly {
+ public:
+  explicit PrimitiveAssembly(const VertexArrays& arrays);
+
+  [[nodiscard]] PrimitiveType type() const { return type_; }
+  // Points, lines, triangles, quads or polygons; vertices left over make none.
+  [[nodiscard]] std::size_t primitives() const { return primitives_; }
+  // The triangles that a quad or polygon is cut into, a fan around its first vertex; 1 for all others.
+  [[nodiscard]] std::size_t triangles_each() const { return triangles_each_; }
+
+  // The vertex number at a place of the list.
+  [[nodiscard]] std::uint32_t vertex(std::size_t place) const {
+    return indices_.empty() ? static_cast<std::uint32_t>(place) : indices_[place];
+  }
+  // The vertex whose colours flat shading takes.
+  [[nodiscard]] std::uint32_t provoking_vertex(std::size_t primitive) const;
+
+  [[nodiscard]] std::array<std::uint32_t, 2> line(std::size_t primitive) const;
+  // Vertices in the order in which the primitive counts as counter-clockwise or not.
+  [[nodiscard]] std::array<std::uint32_t, 3> triangle(std::size_t primitive) const;
+  // Triangle `cut` of a quad or polygon, from 0 to triangles_each() - 1.
+  [[nodiscard]] std::array<std::uint32_t, 3> triangle_of(std::size_t primitive, std::size_t cut) const;
+  // Which of its edges 0-1, 1-2, 2-0 are edges of the quad or polygon.
+  [[nodiscard]] std::array<bool, 3> boundary_of(std::size_t cut) const {
+    return {cut == 0, true, cut + 1 == triangles_each_};
+  }
+
+ private:
+  PrimitiveType type_;
+  std::span<const std::uint32_t> indices_;
+  std::size_t count_;  // of places in the list
+  std::size_t primitives_ = 0;
+  std::size_t triangles_each_ = 1;
+};
+
+}  // namespace ninebit

@@ -1,0 +1,61 @@
+// What setting primitives up needs to know of a draw call.
+#pragma once
+
+#include "ninebit/numerics/hardware_profile.h"
+#include "ninebit/raster/pipeline_state.h"
+#include "src/raster/clip.h"
+#include "src/raster/window_transform.h"
+
+namespace ninebit {
+
+struct SetupContext {
+  // `viewport` has pixels; `drawn` are those that may be drawn: the target's within viewport and scissor.
+  SetupContext(const PipelineState& state, const PixelRect& viewport, const PixelBox& drawn_pixels,
+               DepthStencilFormat format)
+      : window(state, viewport, format),
+        guard{window.guard_x(), window.guard_y()},
+        drawn(drawn_pixels),
+        counter_clockwise_is_front(state.front_face == FrontFace::counter_clockwise),
+        cull_front(state.cull_face == CullFace::front || state.cull_face == CullFace::front_and_back),
+        cull_back(state.cull_face == CullFace::back || state.cull_face == CullFace::front_and_back),
+        front_mode(state.front_mode),
+        back_mode(state.back_mode),
+        point_size(state.point_size),
+        line_width(state.line_width),
+        offset(state.polygon_offset),
+        slope(state.profile.polygon_offset_slope) {}
+
+  [[nodiscard]] bool is_front(bool counter_clockwise) const { return counter_clockwise == counter_clockwise_is_front; }
+  [[nodiscard]] bool is_culled(bool front) const { return front ? cull_front : cull_back; }
+  [[nodiscard]] PolygonMode mode(bool front) const { return front ? front_mode : back_mode; }
+  [[nodiscard]] bool is_offset(PolygonMode m) const {
+    return m == PolygonMode::fill ? offset.fill : m == PolygonMode::line ? offset.line : offset.point;
+  }
+  // Whether every triangle of a polygon can be set up without a look at the whole.
+  [[nodiscard]] bool fills_without_offset() const {
+    return front_mode == PolygonMode::fill && back_mode == PolygonMode::fill && !offset.fill;
+  }
+  // Whether the box, in 1/16 pixel, holds the centre of a pixel that may be drawn.
+  [[nodiscard]] bool meets_a_pixel(int left, int low, int right, int high) const {
+    // Centres are at 16 i + 8.
+    const auto first = [](int q4) { return (q4 + 7) >> 4; };
+    const auto last = [](int q4) { return (q4 - 8) >> 4; };
+    return first(left) <= last(right) && first(low) <= last(high) && last(right) >= drawn.left &&
+           last(high) >= drawn.bottom && first(left) < drawn.right && first(low) < drawn.top;
+  }
+
+  WindowTransform window;
+  GuardBand guard;
+  PixelBox drawn;
+  bool counter_clockwise_is_front;
+  bool cull_front;
+  bool cull_back;
+  PolygonMode front_mode;
+  PolygonMode back_mode;
+  int point_size;
+  int line_width;
+  PolygonOffset offset;
+  OffsetSlope slope;
+};
+
+}  // namespace ninebit

@@ -1,0 +1,40 @@
+// Primitives in the window, ready for the tiles: integer positions and depths, and where their vertices' values are.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <vector>
+
+namespace ninebit {
+
+enum class SetupKind : std::uint8_t { triangle, line, point };
+
+inline constexpr std::uint32_t kNoWeights = 0xFFFFFFFF;
+
+// A triangle (counter-clockwise in the window, y up), a line from its first corner to its second, or a point. Bounds
+// that the integer arithmetic relies on: positions lie within 8,192 pixels of the viewport's centre, so differences of
+// positions stay within 2^18 sixteenths of a pixel, edge functions, areas and squared lengths within 2^37, and these ×
+// window depth within 2^61.
+struct SetupPrimitive {
+  std::array<std::int32_t, 3> x_q4;  // window position in 1/16 pixel (less with fewer subpixel bits, scaled up)
+  std::array<std::int32_t, 3> y_q4;  // of a wide line: already moved to its lowest line; of a point: its lower left
+  std::array<std::uint32_t, 3> z24;  // window depth, see window_depth.h
+  std::array<float, 3> inv_w;
+  std::array<std::uint32_t, 3> vertex;  // numbers of the vertices before clipping; all three are valid in any kind
+  std::array<std::uint8_t, 3> corner;   // which of them each corner is (clipped ones: see weights)
+  SetupKind kind;
+  bool front_facing;
+  std::uint32_t weights;    // index into SetupBlock::weights, or kNoWeights: not clipped
+  std::uint32_t primitive;  // number of the GL primitive in the draw call
+  std::int32_t offset_z24;  // polygon offset
+};
+
+// What one block of primitives of a draw call became, in order.
+struct SetupBlock {
+  std::vector<SetupPrimitive> primitives;
+  // For each that was clipped, its corners in barycentric coordinates of `vertex` (column = corner).
+  std::vector<glm::mat3> weights;
+};
+
+}  // namespace ninebit

@@ -1,0 +1,22 @@
+// What is wrong with a target, or with the numbers of a state that its fragment operations read.
+#pragma once
+
+#include "ninebit/numerics/result.h"
+#include "ninebit/raster/pipeline_state.h"
+#include "ninebit/raster/rasterizer.h"
+#include "ninebit/raster/surface.h"
+
+namespace ninebit {
+
+// Reports sizes out of range, planes that the state's enabled tests need and the target lacks, rows that overlap,
+// scissors of negative size, blend factors on the wrong side, output planes with a source that is none, a component,
+// register or attribute out of range, or samples that cannot hold their source.
+[[nodiscard]] Status check_target(const PipelineState& state, const RenderTarget& target);
+
+// Reports output planes of attributes that the vertices do not have.
+[[nodiscard]] Status check_output_attributes(const RenderTarget& target, const VertexArrays& arrays);
+
+// The pixels of the target within the scissor; of width or height 0 where there are none.
+[[nodiscard]] PixelRect scissored(const PipelineState& state, const RenderTarget& target);
+
+}  // namespace ninebit

@@ -1,0 +1,75 @@
+// From a texture coordinate to the texels around it, along one axis of one level.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+#include "ninebit/raster/sampler.h"
+
+namespace ninebit {
+
+inline constexpr int kBorderTexel = -1;
+
+// floor() of what fits 63 bits, without a call.
+inline std::int64_t floor_of(double value) {
+  const auto cut = static_cast<std::int64_t>(value);
+  return cut - (static_cast<double>(cut) > value ? 1 : 0);
+}
+
+// s in texels, brought into the range that the wrap mode allows; for repeat only near enough for integers to take its
+// remainder. Exact, but for values so close to a texel's edge that no rounding rule tells them from it: a float times a
+// power of two fits a double. `size` is a power of two.
+inline double wrapped_position(float s, int size, Wrap wrap) {
+  constexpr float kEvenFrom = 0x1p24F;  // from here on floats are even integers: places where a texture begins
+  if (std::isnan(s)) s = 0.0F;
+  const double n = size;
+  switch (wrap) {
+    case Wrap::repeat:
+      return std::fabs(s) >= kEvenFrom ? 0.0 : static_cast<double>(s) * n;
+    case Wrap::clamp:
+      return static_cast<double>(std::clamp(s, 0.0F, 1.0F)) * n;
+    case Wrap::clamp_to_edge:
+      return std::clamp(static_cast<double>(s) * n, 0.5, n - 0.5);
+    case Wrap::mirrored_repeat: {
+      if (std::fabs(s) >= kEvenFrom) return 0.5;
+      const double u = static_cast<double>(s) * n;
+      const double phase = u - 2.0 * n * static_cast<double>(floor_of(u / (2.0 * n)));
+      return std::clamp(phase > n ? 2.0 * n - phase : phase, 0.5, n - 0.5);
+    }
+  }
+  return 0.5;
+}
+
+// NEAREST: the texel that holds s; the end of the range belongs to the last one.
+inline int nearest_texel(float s, int size, Wrap wrap) {
+  const double u = wrapped_position(s, size, wrap);
+  if (wrap == Wrap::repeat) return static_cast<int>(floor_of(u) & (size - 1));
+  return std::min(static_cast<int>(u), size - 1);
+}
+
+// LINEAR: two neighbours, either of which may be kBorderTexel, and the second's weight in 1/2^bits.
+struct LinearTexels {
+  int first = 0;
+  int second = 0;
+  std::uint32_t weight = 0;
+};
+inline LinearTexels linear_texels(float s, int size, Wrap wrap, int bits) {
+  const std::int64_t one = std::int64_t{1} << bits;
+  const double scaled = wrapped_position(s, size, wrap) * static_cast<double>(one);
+  const std::int64_t fixed = floor_of(scaled + 0.5 * static_cast<double>(1 - one));
+  const std::int64_t first = fixed >> bits;
+  const auto weight = static_cast<std::uint32_t>(fixed & (one - 1));
+  switch (wrap) {
+    case Wrap::repeat:
+      return {static_cast<int>(first & (size - 1)), static_cast<int>((first + 1) & (size - 1)), weight};
+    case Wrap::clamp:
+      return {static_cast<int>(first), first + 1 < size ? static_cast<int>(first + 1) : kBorderTexel, weight};
+    case Wrap::clamp_to_edge:
+    case Wrap::mirrored_repeat:
+      break;
+  }
+  return {static_cast<int>(first), static_cast<int>(std::min<std::int64_t>(first + 1, size - 1)), weight};
+}
+
+}  // namespace ninebit
