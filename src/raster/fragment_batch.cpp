@@ -107,6 +107,13 @@ void FragmentBatch::capture(std::size_t i) const {
   }
 }
 
+ColorBytes FragmentBatch::color_of(std::size_t i) const {
+  if (!context_.state.program) return primary_[i];
+  ColorBytes color;
+  for (std::size_t k = 0; k < 4; ++k) color[k] = to_byte(context_.state.profile, out_.plane[k][i]);
+  return color;
+}
+
 void FragmentBatch::flush() {
   if (count_ == 0) return;
   const PipelineState& state = context_.state;
@@ -123,13 +130,31 @@ void FragmentBatch::flush() {
   }
   for (std::size_t i = 0; i < count_; ++i) {
     if (captures) capture(i);
-    ColorBytes& color = primary_[i];
-    if (state.program) {
-      for (std::size_t k = 0; k < 4; ++k) color[k] = to_byte(state.profile, out_.plane[k][i]);
-    }
-    context_.operations.apply(fragment_[i], color);
+    context_.operations.apply(fragment_[i], color_of(i));
   }
   count_ = 0;
+}
+
+ProbedFragment FragmentBatch::run_alone(const Fragment& fragment, const SetupTriangle& triangle,
+                                        const SetupBlock& block, const std::array<std::int64_t, 3>& edge) {
+  gather(fragment, triangle, block, edge);
+  normalize_weights();
+  fill_primary();
+  fill_initial_registers();
+  ProbedFragment probed;
+  probed.primitive = fragment.primitive;
+  probed.z24 = fragment.z24;
+  for (std::size_t r = 0; r < kRegisterCount; ++r) {
+    for (int k = 0; k < 4; ++k) {
+      probed.registers.value[r][static_cast<std::size_t>(k)] = registers_(static_cast<Register>(r), k)[0];
+    }
+  }
+  if (context_.state.program) evaluate(*context_.state.program, registers_, count_, out_);
+  probed.color = color_of(0);
+  probed.depth_passes = context_.operations.depth_passes(fragment);
+  probed.fate = context_.operations.apply(fragment, probed.color);
+  count_ = 0;
+  return probed;
 }
 
 }  // namespace ninebit

@@ -37,24 +37,36 @@ class FragmentBatch {
   // `edge` holds the three edge functions at the fragment: twice the areas opposite the triangle's corners.
   void push(const Fragment& fragment, const SetupTriangle& triangle, const SetupBlock& block,
             const std::array<std::int64_t, 3>& edge) {
+    gather(fragment, triangle, block, edge);
+    if (count_ == kBatchSize) flush();
+  }
+
+  // Runs what has been gathered through the program and the fragment operations, in the order of pushing.
+  void flush();
+
+  // Runs one fragment through an empty batch, and tells all about it but what it met in the planes.
+  ProbedFragment run_alone(const Fragment& fragment, const SetupTriangle& triangle, const SetupBlock& block,
+                           const std::array<std::int64_t, 3>& edge);
+
+ private:
+  void gather(const Fragment& fragment, const SetupTriangle& triangle, const SetupBlock& block,
+              const std::array<std::int64_t, 3>& edge) {
     fragment_[count_] = fragment;
     // The corners' weights for perspective-correct interpolation, up to their sum.
     for (std::size_t i = 0; i < 3; ++i) {
       weight_[triangle.clipped ? i : triangle.corner[i]][count_] = static_cast<float>(edge[i]) * triangle.inv_w[i];
     }
     corners_[count_] = triangle.clipped ? &block.weights[triangle.weights] : nullptr;
-    if (++count_ == kBatchSize) flush();
+    ++count_;
   }
 
-  // Runs what has been gathered through the program and the fragment operations, in the order of pushing.
-  void flush();
-
- private:
   void normalize_weights();
   void fill_primary();
   void fill_texture(int unit);
   void fill_initial_registers();
   void capture(std::size_t i) const;
+  // The colour of fragment i as it leaves the program, if there is one, or the primary colour.
+  [[nodiscard]] ColorBytes color_of(std::size_t i) const;
 
   const DrawContext& context_;
   std::size_t count_ = 0;

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 
+#include "ninebit/raster/fragment_probe.h"
 #include "ninebit/raster/pipeline_state.h"
 #include "ninebit/raster/rasterizer.h"
 #include "ninebit/raster/surface.h"
@@ -34,26 +35,28 @@ class FragmentOperations {
     return !depth_enabled_ || compare(depth_function_, f.z24, target_.depth_z24.at(f.x, f.y));
   }
 
-  void apply(const Fragment& f, const ColorBytes& color) const {
-    if (!compare(alpha_function_, color[3], alpha_reference_)) return;
+  // Tests the fragment and writes what it may; tells which test ended it.
+  FragmentFate apply(const Fragment& f, const ColorBytes& color) const {
+    if (!compare(alpha_function_, color[3], alpha_reference_)) return FragmentFate::alpha_failed;
     if (stencil_enabled_) {
       std::uint8_t& stored = target_.stencil.at(f.x, f.y);
       if (!stencil_passes(stored)) {
         stored = stencil_fail_[stored];
-        return;
+        return FragmentFate::stencil_failed;
       }
       const bool depth = depth_passes(f);
       stored = depth ? stencil_depth_pass_[stored] : stencil_depth_fail_[stored];
-      if (!depth) return;
+      if (!depth) return FragmentFate::depth_failed;
     } else if (!depth_passes(f)) {
-      return;
+      return FragmentFate::depth_failed;
     }
     if (depth_write_) target_.depth_z24.at(f.x, f.y) = f.z24;
-    if (!writes_color_) return;
+    if (!writes_color_) return FragmentFate::written;
     for (std::size_t i = 0; i < 4; ++i) {
       if (color_mask_[i]) target_.color[i].at(f.x, f.y) = color[i];
     }
     if (target_.primitive) target_.primitive.at(f.x, f.y) = f.primitive;
+    return FragmentFate::written;
   }
 
   [[nodiscard]] bool needs_alpha() const { return alpha_function_ != CompareFunction::always; }

@@ -5,12 +5,14 @@
 
 #include <algorithm>
 #include <atomic>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "ninebit/combiner/initial_registers.h"
 #include "src/raster/fragment_batch.h"
 #include "src/raster/fragment_operations.h"
+#include "src/raster/pixel_probe.h"
 #include "src/raster/tile.h"
 #include "src/raster/triangle_setup.h"
 
@@ -103,6 +105,12 @@ Status check(const PipelineState& state, const TriangleArrays& arrays, std::span
   }
   if (state.stencil_test.enabled && !target.stencil) return fault("the stencil test needs a stencil plane");
   if (state.depth_test.enabled && !target.depth_z24) return fault("the depth test needs a depth plane");
+  if (const FragmentProbe* probe = target.probe) {
+    if (probe->x < 0 || probe->y < 0 || probe->x >= target.width || probe->y >= target.height) {
+      return fault("the probe's pixel (" + std::to_string(probe->x) + ", " + std::to_string(probe->y) +
+                   ") lies outside of the render target");
+    }
+  }
   for (const RegisterCapture& c : target.captures) {
     const bool holds_value = !c.reg || (*c.reg >= Register::fog && *c.reg <= Register::texture3);
     if (!holds_value || c.component < kRed || c.component > kAlpha) {
@@ -173,6 +181,7 @@ Status rasterize(const PipelineState& state, const glm::mat4& clip_from_object, 
   const FragmentOperations operations(state, target);
   const DrawContext context{state, arrays, textures, target, operations, initial_registers_of(state, textures)};
   const bool flat_result = has_flat_result(context);
+  const auto probe = target.probe != nullptr ? std::make_unique<PixelProbe>(context, *target.probe) : nullptr;
   const TileGrid grid(target);
   const Viewport viewport{target.width, target.height, state.profile.subpixel_bits};
   const bool cull_front = state.cull_face == CullFace::front, cull_back = state.cull_face == CullFace::back;
@@ -199,12 +208,17 @@ Status rasterize(const PipelineState& state, const glm::mat4& clip_from_object, 
       const int column = static_cast<int>(tile) % grid.columns, row = static_cast<int>(tile) / grid.columns;
       const TileRect rect{column * kTileSize, row * kTileSize, std::min((column + 1) * kTileSize, target.width),
                           std::min((row + 1) * kTileSize, target.height)};
+      const auto indices_of = [tile](const BinnedBlock& block) {
+        return std::span<const std::uint32_t>(block.indices.data() + block.first[tile],
+                                              block.first[tile + 1] - block.first[tile]);
+      };
+      if (probe && probe->lies_in(rect)) {
+        probe->meet_planes();
+        for (std::size_t b = 0; b < count; ++b) probe->run(chunk[b].setup, indices_of(chunk[b]));
+      }
       FragmentBatch batch(context);
       for (std::size_t b = 0; b < count; ++b) {
-        const BinnedBlock& block = chunk[b];
-        const std::span<const std::uint32_t> indices(block.indices.data() + block.first[tile],
-                                                     block.first[tile + 1] - block.first[tile]);
-        draw_in_tile(context, rect, block.setup, indices, flat_result, batch);
+        draw_in_tile(context, rect, chunk[b].setup, indices_of(chunk[b]), flat_result, batch);
       }
       batch.flush();
     });

@@ -6,6 +6,7 @@
 #include <glm/glm.hpp>
 #include <span>
 
+#include "ninebit/raster/fragment_probe.h"
 #include "ninebit/raster/pipeline_state.h"
 #include "ninebit/raster/surface.h"
 #include "ninebit/raster/texture.h"
@@ -43,7 +44,8 @@ struct TriangleArrays {
 // - Each fragment then goes through the program, alpha test, stencil test, depth test and masks, in GL's order; where
 //   triangles overlap, earlier ones come first, whatever the number of threads.
 //
-// Reports arrays of unequal lengths, indices out of range, a target without the planes that the state needs.
+// Reports arrays of unequal lengths, indices out of range, a target without the planes that the state needs,
+// a probe outside of the target.
 [[nodiscard]] Status rasterize(const PipelineState& state, const glm::mat4& clip_from_object,
                                const TriangleArrays& arrays,
                                std::span<const CubeMap* const> textures,  // for each unit; nullptr: the unit is off

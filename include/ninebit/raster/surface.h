@@ -38,6 +38,8 @@ struct RegisterCapture {
   Plane<s9> plane;
 };
 
+struct FragmentProbe;
+
 // Where a draw goes. All planes have the size of the target.
 struct RenderTarget {
   int width = 0;
@@ -47,6 +49,7 @@ struct RenderTarget {
   Plane<std::uint8_t> stencil;
   Plane<std::uint32_t> primitive;  // the number of the triangle that was drawn last, with the colour
   std::vector<RegisterCapture> captures;
+  FragmentProbe* probe = nullptr;  // not owned; nullptr: no pixel is watched (fragment_probe.h)
 };
 
 // What a surface starts with and what clear() writes.
