@@ -1,9 +1,14 @@
 // What the article claims, through the very state that the render uses.
 #include <gtest/gtest.h>
 
+#include <fstream>
+#include <iterator>
+#include <string>
+
 #include "combiner_tests/shadow/support.h"
 #include "ninebit/combiner/evaluate.h"
 #include "ninebit/combiner/initial_registers.h"
+#include "ninebit/language/gl_calls.h"
 #include "ninebit/shadow/index_cube.h"
 
 namespace {
@@ -24,6 +29,18 @@ int false_matches(const Program& program, const HardwareProfile& profile, int st
     }
   }
   return count;
+}
+
+// docs/programs has the listing for those who read; the renderer makes the same calls.
+TEST(Article, TheListingIsWhatTheRendererSets) {
+  std::ifstream in(NINEBIT_SOURCE_DIR "/docs/programs/index_compare.gl");
+  ASSERT_TRUE(in);
+  const std::string text{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+  for (const HardwareProfile& profile : hardware_profiles()) {
+    const auto listed = parse_gl_calls({text, "index_compare.gl"}, profile);
+    ASSERT_TRUE(listed) << listed.faults.front().text();
+    EXPECT_EQ(*listed.value, *index_comparison_state(profile)) << profile.name;
+  }
 }
 
 TEST(Article, StepOneLosesNeighboursAndStepTwoNone) {
