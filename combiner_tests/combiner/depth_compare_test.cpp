@@ -41,8 +41,8 @@ int wrong_decisions(const HardwareProfile& profile) {
     std::vector<RegisterFile> fragments(256);
     for (int second = 0; second < 256; ++second) {
       FragmentInputs inputs;
-      inputs.texture[0] = {{0, 0, 255, static_cast<std::uint8_t>(first)}};
-      inputs.texture[1] = {{0, 0, 0, static_cast<std::uint8_t>(second)}};
+      inputs.texture[0] = Texel{.value = {0, 0, 255, static_cast<std::uint8_t>(first)}};
+      inputs.texture[1] = Texel{.value = {0, 0, 0, static_cast<std::uint8_t>(second)}};
       fragments[static_cast<std::size_t>(second)] = initial_registers(profile, inputs);
     }
     const std::vector<Fragment> results = judged(depth_compare(), profile, fragments);

@@ -18,60 +18,79 @@ int nearest_255(int wide) {
   return (2 * wide + 255) / 510;
 }
 
-TEST(FinalArithmetic, EveryBlendOfThreeBytes) {
-  const Datapath d = datapath_of(profiles::geforce2);
-  const Datapath xbox = datapath_of(profiles::nv2a);
-  for (int a = 0; a < 256; ++a) {
-    for (int b = 0; b < 256; ++b) {
-      for (int c = 0; c < 256; ++c) {
-        const int expected = nearest_255(a * b + (255 - a) * c);
-        const int actual = reference::final_rgb(d, a, b, c, 0);
-        if (actual != expected || reference::final_rgb(xbox, a, b, c, 0) != expected) {
-          FAIL() << a << ' ' << b << ' ' << c << ": " << actual << " instead of " << expected;
+// A·B + (one - A)·C, which is never negative, as a code; one is odd, so that there is no tie.
+int blended(const HardwareProfile& p, int a, int b, int c) {
+  const int wide = a * b + (p.one - a) * c;
+  return p.final_narrowing == Narrowing::toward_zero ? wide / p.one : (2 * wide + p.one) / (2 * p.one);
+}
+
+// The integer profiles, and geforce2 with the rival of rule 9.
+std::vector<HardwareProfile> profiles_and_truncation() {
+  std::vector<HardwareProfile> all = integer_profiles();
+  all.push_back(profiles::geforce2);
+  all.back().name = "geforce2, truncating final combiner";
+  all.back().final_narrowing.value = Narrowing::toward_zero;
+  return all;
+}
+
+// All values of A, B and C: 2^24 with nine-bit codes.
+TEST(FinalArithmetic, EveryBlendOfThreeValues) {
+  for (const HardwareProfile& p : profiles_and_truncation()) {
+    const Datapath d = datapath_of(p);
+    for (int a = 0; a <= p.one; ++a) {
+      for (int b = 0; b <= p.one; ++b) {
+        for (int c = 0; c <= p.one; ++c) {
+          const int expected = blended(p, a, b, c), actual = reference::final_rgb(d, a, b, c, 0);
+          if (actual != expected) {
+            FAIL() << p.name << ' ' << a << ' ' << b << ' ' << c << ": " << actual << " instead of " << expected;
+          }
         }
       }
     }
   }
 }
 
-TEST(FinalArithmetic, EveryBlendOfThreeBytesOnEverySimdTarget) {
+TEST(FinalArithmetic, EveryBlendOfThreeValuesOnEverySimdTarget) {
   CombinerState state = silent_state(1);
   state.final_combiner.a = rgb_of(Register::primary);
   state.final_combiner.b = rgb_of(Register::secondary);
   state.final_combiner.c = rgb_of(Register::texture0);
-  const Result<Program> program = compile(state, profiles::geforce2);
-  ASSERT_TRUE(program.ok());
   const auto batch = std::make_unique<RegisterBatch>();
   const auto out = std::make_unique<OutputBatch>();
-  for (std::size_t c = 0; c < 256; ++c) {
-    for (int channel = 0; channel < 3; ++channel) (*batch)(Register::texture0, channel)[c] = static_cast<s9>(c);
-  }
-  // Three values of A at once, one a channel. A sanitizer gets every fifteenth.
-  for (const std::int64_t target : simd_targets()) {
-    const OnTarget on_target(target);
-    for (int a = 0; a < 256; a += kSanitized ? 15 : 3) {
-      for (int channel = 0; channel < 3; ++channel) {
-        std::fill_n((*batch)(Register::primary, channel), kBatchSize, static_cast<s9>(std::min(a + channel, 255)));
-      }
-      for (int b = 0; b < 256; ++b) {
+  for (const HardwareProfile& p : profiles_and_truncation()) {
+    const Program program = compile(state, p).value();
+    const int one = p.one;
+    const auto values = static_cast<std::size_t>(one + 1);
+    for (std::size_t c = 0; c < values; ++c) {
+      for (int channel = 0; channel < 3; ++channel) (*batch)(Register::texture0, channel)[c] = static_cast<s9>(c);
+    }
+    // Three values of A at once, one a channel. A sanitizer gets every fifteenth.
+    for (const std::int64_t target : simd_targets()) {
+      const OnTarget on_target(target);
+      for (int a = 0; a <= one; a += kSanitized ? 15 : 3) {
         for (int channel = 0; channel < 3; ++channel) {
-          std::fill_n((*batch)(Register::secondary, channel), kBatchSize, static_cast<s9>(b));
+          std::fill_n((*batch)(Register::primary, channel), values, static_cast<s9>(std::min(a + channel, one)));
         }
-        evaluate(*program, *batch, kBatchSize, *out);
-        for (int channel = 0; channel < 3; ++channel) {
-          const int value = std::min(a + channel, 255);
-          for (int c = 0; c < 256; ++c) {
-            const int expected = nearest_255(value * b + (255 - value) * c);
-            const int actual = out->plane[static_cast<std::size_t>(channel)][static_cast<std::size_t>(c)];
-            if (actual != expected) {
-              FAIL() << simd_target_name(target) << ": " << value << ' ' << b << ' ' << c << ": " << actual
-                     << " instead of " << expected;
+        for (int b = 0; b <= one; ++b) {
+          for (int channel = 0; channel < 3; ++channel) {
+            std::fill_n((*batch)(Register::secondary, channel), values, static_cast<s9>(b));
+          }
+          evaluate(program, *batch, values, *out);
+          for (int channel = 0; channel < 3; ++channel) {
+            const int value = std::min(a + channel, one);
+            for (int c = 0; c <= one; ++c) {
+              const int expected = blended(p, value, b, c);
+              const int actual = out->plane[static_cast<std::size_t>(channel)][static_cast<std::size_t>(c)];
+              if (actual != expected) {
+                FAIL() << p.name << " on " << simd_target_name(target) << ": " << value << ' ' << b << ' ' << c << ": "
+                       << actual << " instead of " << expected;
+              }
             }
           }
         }
       }
+      ASSERT_TRUE(on_target.ran());
     }
-    ASSERT_TRUE(on_target.ran());
   }
 }
 

@@ -172,7 +172,7 @@ TEST(HardwareRows, FinalCombinerProductOfTexelAndVertexColor) {
       FragmentInputs inputs;
       inputs.primary = {diffuse, diffuse, diffuse, 255};
       const auto byte = static_cast<std::uint8_t>(texel);
-      inputs.texture[3] = {{byte, byte, byte, byte}};
+      inputs.texture[3] = Texel{.value = {byte, byte, byte, byte}};
       const int expected = std::stoi(row.at(column));
       const Rgba9 color = judged(state, kXbox, initial_registers(kXbox, inputs)).color;
       EXPECT_EQ(codes(color[0], color[1], color[2], 0), codes(expected, expected, expected, 0))

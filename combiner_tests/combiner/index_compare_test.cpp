@@ -41,7 +41,7 @@ std::vector<bool> lit_pairs(const HardwareProfile& profile, Scale scale) {
     for (int b = 0; b < 256; ++b) {
       FragmentInputs inputs;
       inputs.primary = {static_cast<std::uint8_t>(a), 0, 0, 0};
-      inputs.texture[0] = {{static_cast<std::uint8_t>(b), 0, 0, 0}};
+      inputs.texture[0] = Texel{.value = {static_cast<std::uint8_t>(b), 0, 0, 0}};
       fragments.push_back(initial_registers(profile, inputs));
     }
     for (const Fragment& f : judged(index_compare(scale), profile, fragments)) lit.push_back(f.color[kAlpha] == 0);
@@ -106,7 +106,7 @@ TEST(IndexCompare, RealNumbersThemselvesTellAllIndicesApart) {
         for (int b = 0; b < 256; b += kSanitized ? 3 : 1) {
           FragmentInputs inputs;
           inputs.primary = {static_cast<std::uint8_t>(a), 0, 0, 0};
-          inputs.texture[0] = {{static_cast<std::uint8_t>(b), 0, 0, 0}};
+          inputs.texture[0] = Texel{.value = {static_cast<std::uint8_t>(b), 0, 0, 0}};
           const RealEvaluation e = evaluate_real(program, initial_registers(profiles::ideal, inputs), arithmetic);
           if ((e.color[kAlpha] > 0.0) != (a != b)) ++mistakes_of_all;
         }

@@ -18,8 +18,8 @@ TEST(InitialRegisters, InputsEnterAndTheRestIsAsTheProfileSays) {
   inputs.secondary = {5, 6, 7, 8};
   inputs.fog_color = {9, 10, 11};
   inputs.fog_factor = std::uint8_t{12};
-  inputs.texture[0] = {{13, 14, 15, 16}};
-  inputs.texture[1] = {{17, 18, 19, 20}};
+  inputs.texture[0] = Texel{.value = {13, 14, 15, 16}};
+  inputs.texture[1] = Texel{.value = {17, 18, 19, 20}};
   const RegisterFile card = initial_registers(profiles::geforce2, inputs);
   EXPECT_EQ(card[Register::zero], codes(0, 0, 0, 0));
   EXPECT_EQ(card[Register::primary], codes(1, 2, 3, 4));
@@ -42,7 +42,7 @@ TEST(InitialRegisters, InputsEnterAndTheRestIsAsTheProfileSays) {
 
 TEST(InitialRegisters, UnitsThatAreOff) {
   FragmentInputs inputs;
-  inputs.texture[1] = {{21, 22, 23, 24}};
+  inputs.texture[1] = Texel{.value = {21, 22, 23, 24}};
   const RegisterFile r = initial_registers(profiles::geforce2, inputs);
   EXPECT_EQ(r[Register::texture0], codes(0, 0, 0, 255));
   EXPECT_EQ(r[Register::texture1], codes(21, 22, 23, 24)) << "units are absolute";

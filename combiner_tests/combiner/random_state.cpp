@@ -48,14 +48,6 @@ ColorF random_color(Random& random) {
 
 }  // namespace
 
-std::uint64_t Random::next() {
-  state_ += 0x9E3779B97F4A7C15U;
-  std::uint64_t z = state_;
-  z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9U;
-  z = (z ^ (z >> 27)) * 0x94D049BB133111EBU;
-  return z ^ (z >> 31);
-}
-
 std::vector<HardwareProfile> integer_profiles() {
   std::vector<HardwareProfile> found;
   for (const HardwareProfile& profile : hardware_profiles()) {
@@ -74,6 +66,16 @@ HardwareProfile random_profile(Random& random) {
   p.general_narrowing.value = random.one_in(2) ? Narrowing::toward_zero : Narrowing::nearest_halves_up;
   p.narrowing_point.value = random.one_in(2) ? NarrowingPoint::before_scale : NarrowingPoint::after_scale;
   p.final_narrowing.value = random.one_in(2) ? Narrowing::toward_zero : Narrowing::nearest_halves_up;
+  return p;
+}
+
+HardwareProfile random_real_profile(Random& random, const HardwareProfile& base) {
+  HardwareProfile p = base;
+  if (!random.one_in(8)) return p;
+  p.byte_shift.value = 1 + random.below(4);
+  p.one.value = 255 >> p.byte_shift.value;
+  p.lowest.value = -p.one.value;
+  p.half.value = (p.one.value + 1) / 2;  // random_code picks its neighbours
   return p;
 }
 

@@ -1,11 +1,10 @@
-// Exact and float arithmetic: against the real-number oracles, number by number, and what they mean for the two
-// programs whose behaviour on hardware is known.
+// Exact and float arithmetic against the real-number oracles, number by number and step by step. Whole programs, code
+// by code, run in differential_test.cpp.
 #include <gtest/gtest.h>
 
 #include <cstdint>
 #include <cstring>
 #include <memory>
-#include <set>
 #include <vector>
 
 #include "combiner_tests/combiner/random_state.h"
@@ -18,56 +17,6 @@ namespace ninebit::test {
 namespace {
 
 constexpr std::uint64_t kSeed = 0x5EA1;
-constexpr std::size_t kFragments = 16;
-
-// ideal or float-shader; one in eight with fewer bits.
-HardwareProfile random_real_profile(Random& random, const HardwareProfile& base) {
-  HardwareProfile p = base;
-  if (!random.one_in(8)) return p;
-  p.byte_shift.value = 1 + random.below(4);
-  p.one.value = 255 >> p.byte_shift.value;
-  p.lowest.value = -p.one.value;
-  p.half.value = (p.one.value + 1) / 2;  // random_code picks its neighbours
-  return p;
-}
-
-struct Seen {
-  std::set<Rgba9> colors;
-  std::uint64_t fragments = 0;
-  std::uint64_t stages = 0;
-  std::set<int> register_codes;
-};
-
-void run_cases(const HardwareProfile& base, std::uint64_t count, Seen& seen) {
-  for (std::uint64_t index = 0; index < count; ++index) {
-    Random random(kSeed, index);
-    const HardwareProfile profile = random_real_profile(random, base);
-    const CombinerState state = random_state(random, profile);
-    std::vector<RegisterFile> initial(kFragments);
-    for (RegisterFile& registers : initial) registers = random_registers(random, profile);
-    const std::vector<Fragment> fragments = judged(state, profile, initial);
-    ASSERT_FALSE(testing::Test::HasFailure()) << "case " << index;
-    for (const Fragment& fragment : fragments) {
-      ++seen.fragments;
-      seen.colors.insert(fragment.color);
-      for (const s9 code : fragment.registers[Register::spare0]) seen.register_codes.insert(code);
-    }
-    seen.stages += state.num_general_combiners > 4 ? 1U : 0U;
-  }
-  EXPECT_GT(seen.colors.size() * 4, seen.fragments) << "too few distinct colours";
-  EXPECT_GT(seen.stages * 8, count) << "too few programs of more than four stages";
-  EXPECT_GT(seen.register_codes.size(), 500U);
-}
-
-TEST(RealDifferential, ExactArithmeticIsTheOracles) {
-  Seen seen;
-  run_cases(profiles::ideal, kSanitized ? 300 : 5000, seen);
-}
-
-TEST(RealDifferential, FloatArithmeticIsTheOracles) {
-  Seen seen;
-  run_cases(profiles::float_shader, kSanitized ? 1000 : 20000, seen);
-}
 
 // Every number that evaluate_real reports of the registers and the colour is the double nearest to the oracle's.
 TEST(EvaluateReal, ReportsTheNearestDoubles) {
@@ -244,6 +193,34 @@ TEST(EvaluateReal, DecidesAHairsbreadthFromAHalf) {
     EXPECT_EQ(evaluate_real(normalize(state, profiles::ideal), registers).color[kRed] > 1.0 / 510.0, false)
         << "a double cannot tell";
   }
+}
+
+// Powers of every code, by stages that square and then stages that multiply once more. Around the sixteenth the
+// fractions outgrow the whole numbers of the fast way, in numerator, denominator or both.
+TEST(EvaluateReal, PowersOfEveryCode) {
+  int fractions = 0;
+  for (int squares = 0; squares <= 8; ++squares) {
+    for (int more = 0; squares + more <= 8; more += 2) {
+      if (squares + more == 0) continue;
+      CombinerState state = silent_state(squares + more);
+      for (int i = 0; i < squares + more; ++i) {
+        Portion& rgb = state.general[static_cast<std::size_t>(i)].rgb;
+        rgb.a = rgb_of(Register::spare0);
+        rgb.b = rgb_of(i < squares ? Register::spare0 : Register::primary);
+        rgb.out.ab = Register::spare0;
+      }
+      state.final_combiner = final_of(Register::spare0);
+      std::vector<RegisterFile> fragments;
+      for (int code = 0; code <= 255; code += kSanitized ? 15 : 1) {
+        RegisterFile& registers = fragments.emplace_back();
+        registers[Register::spare0] = registers[Register::primary] = codes(code, 255 - code, code / 2 + 128, 0);
+      }
+      for (const Fragment& f : judged(state, profiles::ideal, fragments)) {
+        fractions += f.color[0] != 0 && f.color[0] != 255 ? 1 : 0;
+      }
+    }
+  }
+  EXPECT_GT(fractions, kSanitized ? 50 : 750);
 }
 
 TEST(EvaluateReal, LanesPastTheCountAreLeftAlone) {

@@ -47,6 +47,20 @@ std::vector<Fragment> by_oracle(const CombinerState& state, const HardwareProfil
 
 }  // namespace
 
+std::vector<HardwareProfile> profiles_and_rivals() {
+  std::vector<HardwareProfile> all = integer_profiles();
+  HardwareProfile rival = profiles::geforce2;
+  rival.name = "geforce2, lowest -256, expand 2v - 256";
+  rival.lowest.value = -256;
+  rival.expand_offset.value = 256;
+  all.push_back(rival);
+  rival = profiles::geforce2_early_truncation;
+  rival.name = "geforce2, early, to nearest";
+  rival.general_narrowing.value = Narrowing::nearest_halves_up;
+  all.push_back(rival);
+  return all;
+}
+
 CombinerState silent_state(int stages) {
   CombinerState state;
   state.num_general_combiners = stages;

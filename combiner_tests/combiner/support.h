@@ -1,9 +1,11 @@
 // What the combiner tests share: short names for state, a printer, and `judged`, which runs a state by every path.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "combiner_tests/combiner/random_state.h"
@@ -19,6 +21,18 @@ inline constexpr CombinerInput kOne{Register::zero, InputMapping::unsigned_inver
 inline constexpr CombinerInput kMinusOne{Register::zero, InputMapping::expand_normal, ComponentUsage::rgb};
 inline constexpr CombinerInput kZeroAlpha{Register::zero, InputMapping::unsigned_identity, ComponentUsage::alpha};
 inline constexpr CombinerInput kOneAlpha{Register::zero, InputMapping::unsigned_invert, ComponentUsage::alpha};
+
+// The pairs of scale and bias that the extension allows.
+inline constexpr std::array<std::pair<Scale, Bias>, 6> kScaleBias{{{Scale::none, Bias::none},
+                                                                   {Scale::by_two, Bias::none},
+                                                                   {Scale::by_four, Bias::none},
+                                                                   {Scale::by_one_half, Bias::none},
+                                                                   {Scale::none, Bias::by_negative_one_half},
+                                                                   {Scale::by_two, Bias::by_negative_one_half}}};
+
+// The shipped integer profiles, and two with the rivals of assumed rules: lowest value -256 and expand 2v - 256; early
+// narrowing to nearest.
+std::vector<HardwareProfile> profiles_and_rivals();
 
 // A register's red, green and blue, or its alpha.
 constexpr CombinerInput rgb_of(Register r, InputMapping mapping = InputMapping::unsigned_identity) {

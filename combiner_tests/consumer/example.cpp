@@ -18,7 +18,7 @@ int main() {
 
   ninebit::FragmentInputs in;
   in.primary = {201, 99, 51, 255};
-  in.texture[0] = {{128, 128, 128, 255}};
+  in.texture[0] = ninebit::Texel{.value = {128, 128, 128, 255}};
   const ninebit::Rgba9 out = ninebit::evaluate(*program, ninebit::initial_registers(context.profile(), in));
   std::printf("%d %d %d %d\n", out[0], out[1], out[2], out[3]);
 }

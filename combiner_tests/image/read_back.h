@@ -4,14 +4,19 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "ninebit/image/image_io.h"
+#include "combiner_tests/support/stored_pictures.h"
 
 namespace image_test {
+
+using ninebit::test::read_exr;
+using ninebit::test::read_png;
+using ninebit::test::read_png16;
+using ninebit::test::StoredChannel;
+using ninebit::test::StoredPart;
 
 // A new folder, removed with everything in it.
 class TempFolder {
@@ -30,30 +35,6 @@ class TempFolder {
 
 std::string read_bytes(const std::filesystem::path& file);
 void write_bytes(const std::filesystem::path& file, std::string_view bytes);
-
-// One channel as stored; only the vector of its type is filled.
-struct StoredChannel {
-  std::vector<std::uint32_t> integers;  // UINT
-  std::vector<float> reals;             // HALF
-  std::vector<float> floats;            // FLOAT
-};
-
-struct StoredPart {
-  std::string name;
-  int width = 0;
-  int height = 0;
-  bool zip = false;
-  bool cube = false;  // has the envmap attribute with ENVMAP_CUBE
-  std::map<std::string, StoredChannel> channels;
-};
-
-// All parts, by OpenEXR's own reader. Throws where that does.
-std::vector<StoredPart> read_exr(const std::filesystem::path& file);
-
-// An 8-bit picture with alpha as stored, by OpenImageIO's own reader. Throws std::runtime_error where it fails.
-ninebit::Image8 read_png(const std::filesystem::path& file);
-// The same of a 16-bit picture; throws also where the file has another depth.
-ninebit::Image16 read_png16(const std::filesystem::path& file);
 
 // The names of a PNG's chunks, in order.
 std::vector<std::string> png_chunks(std::string_view png);

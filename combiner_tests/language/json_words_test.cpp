@@ -76,7 +76,7 @@ TEST(JsonWords, EveryFaultHasItsPlace) {
     EXPECT_FALSE(parsed) << expected.text;
     const bool found = std::any_of(parsed.faults.begin(), parsed.faults.end(), [&](const TextFault& fault) {
       return fault.file == "f.json" && fault.line == expected.line && fault.column == expected.column &&
-             fault.message.find(expected.message) != std::string::npos;
+             fault.text().find(expected.message) != std::string::npos;
     });
     EXPECT_TRUE(found) << expected.text << "\nexpected: " << expected.message << "\nfound: " << all_faults(parsed);
   }

@@ -100,9 +100,9 @@ TEST(Rc10Faults, OfStages) {
                   "2:39: profile geforce2 has 2 general combiners, and this is one more\n")},
          profiles::geforce2);
   expect({rgb("spare0 = tex1 * tex2;\ntex3 = tex0;",
-              "3:17: 'tex2' is beyond the 2 texture units of profile geforce2\n"
-              "4:1: 'tex3' is beyond the 2 texture units of profile geforce2\n"),
-          last("out.a = tex2;", "2:9: 'tex2' is beyond the 2 texture units of profile geforce2\n")},
+              "3:17: GL_INVALID_ENUM: 'tex2' is beyond the 2 texture units of profile geforce2\n"
+              "4:1: GL_INVALID_ENUM: 'tex3' is beyond the 2 texture units of profile geforce2\n"),
+          last("out.a = tex2;", "2:9: GL_INVALID_ENUM: 'tex2' is beyond the 2 texture units of profile geforce2\n")},
          profiles::geforce2);
 }
 
@@ -152,19 +152,26 @@ TEST(Rc10Faults, OfStatements) {
 
 TEST(Rc10Faults, OfRegistersInGeneralCombiners) {
   expect({
-      rgb("const0 = tex0; zero = tex0;", "3:1: 'const0' is read-only\n3:16: 'zero' is read-only\n"),
-      rgb("one = tex0; fog = tex0;", "3:1: 'one' is read-only\n3:13: 'fog' is read-only\n"),
-      rgb("spare0 = tex0; spare0.rgb = tex1;", "3:16: 'spare0.rgb' is written twice in one portion\n"),
-      rgb("spare0 = tex0; discard = tex1; spare0 = sum();", "3:32: 'spare0' is written twice in one portion\n"),
+      rgb("const0 = tex0; zero = tex0;",
+          "3:1: GL_INVALID_ENUM: 'const0' is read-only\n3:16: GL_INVALID_ENUM: 'zero' is read-only\n"),
+      rgb("one = tex0; fog = tex0;",
+          "3:1: GL_INVALID_ENUM: 'one' is read-only\n3:13: GL_INVALID_ENUM: 'fog' is read-only\n"),
+      rgb("spare0 = tex0; spare0.rgb = tex1;",
+          "3:16: GL_INVALID_OPERATION: 'spare0.rgb' is written twice in one portion\n"),
+      rgb("spare0 = tex0; discard = tex1; spare0 = sum();",
+          "3:32: GL_INVALID_OPERATION: 'spare0' is written twice in one portion\n"),
       rgb("discard = tex0; discard = tex1; discard = sum();", ""),
-      rgb("spare0 = discard;", "3:10: discard cannot be read\n"),
-      rgb("spare0 = tex0.b * col0.a;", "3:10: 'tex0.b' in an rgb portion, where .rgb and .a may be used\n"),
-      rgb("spare0.b = tex0;", "3:1: 'spare0.b' in an rgb portion, where .rgb and .a may be used\n"),
-      rgb("spare0 = fog.a;", "3:10: fog's alpha can be read by the final combiner alone\n"),
-      alpha("spare0 = fog;", "3:10: fog's alpha can be read by the final combiner alone\n"),
-      alpha("spare0 = tex0.rgb;", "3:10: 'tex0.rgb' in an alpha portion, where .a and .b may be used\n"),
+      rgb("spare0 = discard;", "3:10: GL_INVALID_ENUM: discard cannot be read\n"),
+      rgb("spare0 = tex0.b * col0.a;",
+          "3:10: GL_INVALID_OPERATION: 'tex0.b' in an rgb portion, where .rgb and .a may be used\n"),
+      rgb("spare0.b = tex0;",  // GL is not told the suffix of what is written
+          "3:1: 'spare0.b' in an rgb portion, where .rgb and .a may be used\n"),
+      rgb("spare0 = fog.a;", "3:10: GL_INVALID_OPERATION: fog's alpha can be read by the final combiner alone\n"),
+      alpha("spare0 = fog;", "3:10: GL_INVALID_OPERATION: fog's alpha can be read by the final combiner alone\n"),
+      alpha("spare0 = tex0.rgb;",
+            "3:10: GL_INVALID_OPERATION: 'tex0.rgb' in an alpha portion, where .a and .b may be used\n"),
       alpha("spare0.rgb = tex0;", "3:1: 'spare0.rgb' in an alpha portion, where .a and .b may be used\n"),
-      alpha("spare0 = tex0 . tex1;", "3:15: an alpha portion has no dot product\n"),
+      alpha("spare0 = tex0 . tex1;", "3:15: GL_INVALID_VALUE: an alpha portion has no dot product\n"),
   });
 }
 
@@ -185,23 +192,25 @@ TEST(Rc10Faults, OfTheFinalCombiner) {
       last("out.rgb = tex0 * tex1 * tex2;", "2:23: expected ';', found '*'\n"),
       last("out.rgb = lerp(tex0, tex1);", "2:26: expected ',', found ')'\n"),
       last("out.rgb = lerp(tex0, tex1, tex2) * col0;", "2:34: expected ';', found '*'\n"),
-      last("out.rgb = discard; out.a = discard;", "2:11: 'discard' cannot be read\n2:28: 'discard' cannot be read\n"),
-      last("out.rgb = tex0.b;", "2:11: 'tex0.b' in out.rgb, where .rgb and .a may be used\n"),
-      last("out.a = tex0.rgb;", "2:9: 'tex0.rgb' in out.a, where .a and .b may be used\n"),
-      last("out.a = color_sum;", "2:9: 'color_sum' has no alpha, which out.a needs\n"),
+      last("out.rgb = discard; out.a = discard;",
+           "2:11: GL_INVALID_ENUM: 'discard' cannot be read\n2:28: GL_INVALID_ENUM: 'discard' cannot be read\n"),
+      last("out.rgb = tex0.b;", "2:11: GL_INVALID_OPERATION: 'tex0.b' in out.rgb, where .rgb and .a may be used\n"),
+      last("out.a = tex0.rgb;", "2:9: GL_INVALID_OPERATION: 'tex0.rgb' in out.a, where .a and .b may be used\n"),
+      last("out.a = color_sum;", "2:9: GL_INVALID_OPERATION: 'color_sum' has no alpha, which out.a needs\n"),
       last("final_product = tex0 * tex1; out.a = final_product;",
-           "2:38: 'final_product' has no alpha, which out.a needs\n"),
+           "2:38: GL_INVALID_OPERATION: 'final_product' has no alpha, which out.a needs\n"),
       last("final_product = color_sum * tex0.b; out.a = zero;",
-           "2:17: 'color_sum' is no input of final_product\n"
-           "2:29: 'tex0.b' in final_product, where .rgb and .a may be used\n"),
+           "2:17: GL_INVALID_OPERATION: 'color_sum' is no input of final_product\n"
+           "2:29: GL_INVALID_OPERATION: 'tex0.b' in final_product, where .rgb and .a may be used\n"),
       last("final_product = final_product * discard; out.a = zero;",
-           "2:17: 'final_product' is no input of final_product\n2:33: 'discard' cannot be read\n"),
+           "2:17: GL_INVALID_OPERATION: 'final_product' is no input of final_product\n2:33: GL_INVALID_ENUM: 'discard' "
+           "cannot be read\n"),
       last("final_product = tex0; out.a = zero;", "2:21: expected '*', found ';'\n"),
       last("out.rgb = tex0 * final_product;", "2:18: final_product is used but not set\n"),
       last("out.rgb = lerp(color_sum, tex0, tex1);",
-           "2:16: color_sum can be neither the weight of lerp nor both factors of a product\n"),
+           "2:16: GL_INVALID_OPERATION: color_sum can be neither the weight of lerp nor both factors of a product\n"),
       last("out.rgb = color_sum * color_sum;",
-           "2:11: color_sum can be neither the weight of lerp nor both factors of a product\n"),
+           "2:11: GL_INVALID_OPERATION: color_sum can be neither the weight of lerp nor both factors of a product\n"),
   });
 }
 

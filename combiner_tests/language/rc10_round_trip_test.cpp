@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "combiner_tests/combiner/random_state.h"
+#include "combiner_tests/language/damage.h"
 #include "ninebit/combiner/program.h"
 #include "ninebit/combiner/validate.h"
 #include "ninebit/language/rc10.h"
@@ -120,7 +121,6 @@ TEST(Rc10RoundTrip, PrintsTheShortestFormThatSaysIt) {
 
 TEST(Rc10RoundTrip, BrokenTextsEndInAStateOrInFaults) {
   using namespace std::string_view_literals;
-  constexpr std::uint64_t kSeed = 10;
   constexpr auto kBytes = "(){}.,;=+-*#/!_abrgx0159 \n\t\0\x80\xFF"sv;
   constexpr auto kWhole =
       "!!RC1.0\nconst0 = (1, 0.5, -.25, 1.);\n{ const1 = (0, 0, 0, 1);\n rgb { spare0.rgb = expand(tex0) . tex1.rgb;\n"
@@ -129,43 +129,13 @@ TEST(Rc10RoundTrip, BrokenTextsEndInAStateOrInFaults) {
       "clamp_color_sum(); final_product = fog * unsigned(col1);\n"
       "out.rgb = lerp(fog.a, color_sum, fog) + final_product; /* last */\nout.a = unsigned_invert(spare0.b);\n"sv;
   ASSERT_TRUE(parse_rc10({kWhole, ""}, profiles::nv2a));
-  int states = 0, refused = 0;
-  for (std::uint64_t i = 0; i < 20000; ++i) {
-    Random random(kSeed, i);
-    std::string text(kWhole);
-    for (int edits = 1 + random.below(3); edits > 0; --edits) {
-      const auto at = 7 + static_cast<std::size_t>(random.below(static_cast<int>(text.size() - 7)));
-      const char byte = random.one_in(4)
-                            ? static_cast<char>(random.below(256))
-                            : kBytes[static_cast<std::size_t>(random.below(static_cast<int>(kBytes.size())))];
-      switch (random.below(4)) {
-        case 0:
-          text[at] = byte;
-          break;
-        case 1:
-          text.insert(at, 1, byte);
-          break;
-        case 2:
-          text.insert(at, text.substr(7 + static_cast<std::size_t>(random.below(200)), 20));
-          break;
-        default:
-          text.erase(at, 1 + static_cast<std::size_t>(random.below(12)));
-      }
-    }
-    const auto result = parse_rc10({text, ""}, profiles::nv2a);
-    ASSERT_NE(result.value.has_value(), !result.faults.empty());
-    ASSERT_LE(result.faults.size(), kMaxTextFaults);
-    if (result) {
-      ASSERT_TRUE(validate(*result.value, profiles::nv2a).empty()) << "case " << i << "\n" << text;
-    }
-    for (std::size_t f = 1; f < result.faults.size(); ++f) {
-      const TextFault &a = result.faults[f - 1], &b = result.faults[f];
-      ASSERT_TRUE(a.line < b.line || (a.line == b.line && a.column <= b.column)) << "case " << i;
-    }
-    (result ? states : refused) += 1;
-  }
-  EXPECT_GT(states, 400);
-  EXPECT_GT(refused, 10000);
+  const auto found = test::parse_damaged({.seed = 10,
+                                          .whole = [&](Random&) { return std::string(kWhole); },
+                                          .kept = 7,  // !!RC1.0
+                                          .bytes = kBytes},
+                                         profiles::nv2a, parse_rc10);
+  EXPECT_GT(found.states, 400);
+  EXPECT_GT(found.refused, 10000);
 }
 
 }  // namespace

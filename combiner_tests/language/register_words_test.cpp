@@ -288,7 +288,7 @@ TEST(RegisterWords, EveryFaultHasItsPlaceAndNamesItsBits) {
     EXPECT_FALSE(parsed) << expected.text;
     const bool found = std::any_of(parsed.faults.begin(), parsed.faults.end(), [&](const TextFault& fault) {
       return fault.file == "f.words" && fault.line == expected.line && fault.column == expected.column &&
-             fault.message.find(expected.message) != std::string::npos;
+             fault.text().find(expected.message) != std::string::npos;
     });
     EXPECT_TRUE(found) << expected.text << "\nexpected: " << expected.message << "\nfound: " << all_faults(parsed);
   }

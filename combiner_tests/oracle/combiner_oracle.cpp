@@ -1,7 +1,6 @@
 #include "combiner_tests/oracle/combiner_oracle.h"
 
 #include <cstddef>
-#include <numeric>
 
 namespace ninebit::oracle {
 namespace {
@@ -104,8 +103,9 @@ Codes constant_codes(const HardwareProfile& profile, const ColorF& color) {
 
 Fraction plus(Fraction x, Fraction y) {
   if (x.den == y.den) return {x.num + y.num, x.den};
-  const std::int64_t den = std::lcm(x.den, y.den);
-  return {x.num * (den / x.den) + y.num * (den / y.den), den};
+  if (x.den % y.den == 0) return {x.num + y.num * (x.den / y.den), x.den};
+  if (y.den % x.den == 0) return {x.num * (y.den / x.den) + y.num, y.den};
+  return {x.num * y.den + y.num * x.den, x.den * y.den};
 }
 
 Fraction minus(Fraction x, Fraction y) {
@@ -165,10 +165,13 @@ int general_output(const HardwareProfile& profile, Scale scale, Bias bias, Fract
 }
 
 int constant_code(const HardwareProfile& profile, float component) {
-  // The byte nearest to 255 · component: one more for every half step that the component reaches.
-  int byte = 0;
-  while (byte < 255 && static_cast<double>(component) * 510.0 >= 2.0 * byte + 1.0) ++byte;
-  int kept = byte;
+  // The byte nearest to 255 · component: the number of half steps (2n - 1) / 510 that the component reaches.
+  int reached = 0, not_reached = 256;
+  while (not_reached - reached > 1) {
+    const int n = (reached + not_reached) / 2;
+    (static_cast<double>(component) * 510.0 >= 2.0 * n - 1.0 ? reached : not_reached) = n;
+  }
+  int kept = reached;
   for (int i = 0; i < profile.byte_shift; ++i) kept /= 2;
   return kept;
 }

@@ -15,8 +15,8 @@
 
 namespace ninebit::oracle {
 
-// An exact fraction with a positive denominator. It is never reduced, but sums take the least common denominator:
-// between two narrowings every denominator divides 2 · one³, so that 64 bits hold all.
+// An exact fraction with a positive denominator. It is never reduced, but a sum keeps a denominator that the other one
+// divides: between two narrowings every denominator divides 2 · one³, so that 64 bits hold all.
 struct Fraction {
   std::int64_t num = 0;
   std::int64_t den = 1;

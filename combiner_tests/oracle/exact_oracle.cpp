@@ -1,10 +1,14 @@
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdlib>
 
 #include "combiner_tests/oracle/real_oracle.h"
 
 namespace ninebit::oracle {
 namespace {
+
+__extension__ typedef unsigned __int128 TwoDigits;
 
 void trim(Whole& x) {
   while (!x.digits.empty() && x.digits.back() == 0) x.digits.pop_back();
@@ -26,8 +30,8 @@ bool smaller_magnitude(const Whole& x, const Whole& y) {
 
 Whole power_of_two(int exponent) {
   Whole result;
-  result.digits.assign(static_cast<std::size_t>(exponent / 32) + 1, 0);
-  result.digits.back() = std::uint32_t{1} << (exponent % 32);
+  result.digits.assign(static_cast<std::size_t>(exponent / 64) + 1, 0);
+  result.digits.back() = std::uint64_t{1} << (exponent % 64);
   return result;
 }
 
@@ -149,7 +153,7 @@ Codes codes_of(const HardwareProfile& profile, const ColorF& color) {
 }  // namespace
 
 Whole::Whole(int n) : negative(n < 0) {
-  if (n != 0) digits.push_back(negative ? 0U - static_cast<std::uint32_t>(n) : static_cast<std::uint32_t>(n));
+  if (n != 0) digits.push_back(static_cast<std::uint64_t>(std::abs(std::int64_t{n})));
 }
 
 Whole plus(const Whole& x, const Whole& y) {
@@ -157,14 +161,14 @@ Whole plus(const Whole& x, const Whole& y) {
   if (x.negative != y.negative) return minus(x, negated(y));
   Whole result;
   result.negative = x.negative;
-  std::uint64_t carry = 0;
+  result.digits.reserve(std::max(x.digits.size(), y.digits.size()) + 1);
+  TwoDigits carry = 0;
   for (std::size_t i = 0; i < x.digits.size() || i < y.digits.size() || carry != 0; ++i) {
     if (i < x.digits.size()) carry += x.digits[i];
     if (i < y.digits.size()) carry += y.digits[i];
-    result.digits.push_back(static_cast<std::uint32_t>(carry & 0xFFFFFFFFU));
-    carry >>= 32;
+    result.digits.push_back(static_cast<std::uint64_t>(carry));
+    carry >>= 64;
   }
-  trim(result);
   return result;
 }
 
@@ -173,12 +177,11 @@ Whole minus(const Whole& x, const Whole& y) {
   if (x.negative != y.negative) return plus(x, negated(y));
   if (smaller_magnitude(x, y)) return negated(minus(y, x));
   Whole result = x;
-  std::int64_t borrow = 0;
+  std::uint64_t borrow = 0;
   for (std::size_t i = 0; i < x.digits.size(); ++i) {
-    std::int64_t digit = static_cast<std::int64_t>(x.digits[i]) - borrow;
-    if (i < y.digits.size()) digit -= static_cast<std::int64_t>(y.digits[i]);
-    borrow = digit < 0 ? 1 : 0;
-    result.digits[i] = static_cast<std::uint32_t>(digit + borrow * (std::int64_t{1} << 32));
+    const TwoDigits taken = TwoDigits{i < y.digits.size() ? y.digits[i] : 0} + borrow;
+    borrow = x.digits[i] < taken ? 1 : 0;
+    result.digits[i] -= static_cast<std::uint64_t>(taken);
   }
   trim(result);
   return result;
@@ -191,11 +194,11 @@ Whole times(const Whole& x, const Whole& y) {
   for (std::size_t i = 0; i < x.digits.size(); ++i) {
     std::uint64_t carry = 0;
     for (std::size_t j = 0; j < y.digits.size(); ++j) {
-      carry += static_cast<std::uint64_t>(x.digits[i]) * y.digits[j] + result.digits[i + j];
-      result.digits[i + j] = static_cast<std::uint32_t>(carry & 0xFFFFFFFFU);
-      carry >>= 32;
+      const TwoDigits sum = TwoDigits{x.digits[i]} * y.digits[j] + result.digits[i + j] + carry;
+      result.digits[i + j] = static_cast<std::uint64_t>(sum);
+      carry = static_cast<std::uint64_t>(sum >> 64);
     }
-    result.digits[i + y.digits.size()] = static_cast<std::uint32_t>(carry);
+    result.digits[i + y.digits.size()] = carry;
   }
   trim(result);
   return result;

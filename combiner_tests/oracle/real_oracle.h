@@ -16,9 +16,9 @@
 
 namespace ninebit::oracle {
 
-// A whole number of any size: 32-bit digits, the lowest first, and a sign.
+// A whole number of any size: 64-bit digits, the lowest first, and a sign.
 struct Whole {
-  std::vector<std::uint32_t> digits;  // the last one is not zero
+  std::vector<std::uint64_t> digits;  // the last one is not zero
   bool negative = false;
 
   Whole() = default;

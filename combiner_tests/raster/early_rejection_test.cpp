@@ -47,13 +47,13 @@ struct Waiting {
 };
 
 void flush(const FragmentOperations& operations, const OutputPlanes& outputs, Waiting& waiting) {
-  std::vector<FragmentFate> fates;
+  std::vector<FragmentOutcome> outcomes;
   for (std::size_t i = 0; i < waiting.fragments.size(); ++i) {
-    FragmentFate& fate = fates.emplace_back();
-    fate.depth_passed = operations.depth_passes(waiting.fragments[i]);
-    fate.drawn = operations.apply(waiting.fragments[i], waiting.colors[i]);
+    FragmentOutcome& outcome = outcomes.emplace_back();
+    outcome.depth_passed = operations.depth_passes(waiting.fragments[i]);
+    outcome.drawn = operations.apply(waiting.fragments[i], waiting.colors[i]);
   }
-  outputs.write({.fragments = waiting.fragments, .fates = fates, .colors = waiting.colors});
+  outputs.write({.fragments = waiting.fragments, .outcomes = outcomes, .colors = waiting.colors});
   waiting = {};
 }
 

@@ -25,7 +25,7 @@ class Batch {
 
   BatchResults results() const {
     BatchResults r{
-        .fragments = fragments_, .fates = fates_, .registers = &registers_, .output = &output_, .colors = colors_};
+        .fragments = fragments_, .outcomes = fates_, .registers = &registers_, .output = &output_, .colors = colors_};
     r.attributes[2][kAlpha] = values_;
     return r;
   }
@@ -34,7 +34,7 @@ class Batch {
   const std::vector<Fragment> fragments_{{.x = 0, .depth = 70000, .primitive = 7},
                                          {.x = 1, .depth = 11, .primitive = 8},
                                          {.x = 1, .depth = 12, .primitive = 9}};
-  const std::vector<FragmentFate> fates_{{true, true}, {true, true}, {true, false}};
+  const std::vector<FragmentOutcome> fates_{{true, true}, {true, true}, {true, false}};
   const std::vector<ColorBytes> colors_{{1, 2, 3, 4}, {11, 12, 13, 14}, {21, 22, 23, 24}};
   RegisterBatch registers_{};
   OutputBatch output_{};

@@ -86,6 +86,34 @@ TEST(PolygonOffset, SlopeIsTheLargerGradientOrTheRoot) {
   }
 }
 
+// A quad that is not flat: one offset for all of it, from the larger of its two triangles, of equals from the first.
+TEST(PolygonOffset, IsOneForAllTrianglesOfAPolygon) {
+  for (const int middle : {kSize, kSize - 16, kSize + 16}) {  // where the third corner stands in y
+    const std::array<oracle::WindowVertex, 4> corners{{{0, 0, 1000},
+                                                       {16 * kSize, 0, 1000},
+                                                       {16 * kSize, 16 * middle, 1000 + 100 * middle},
+                                                       {0, 16 * kSize, 1000 + 200 * kSize}}};
+    std::vector<glm::vec3> positions;
+    for (const auto& v : corners) positions.push_back(clip_position(v, kSize, kSize));
+    PipelineState state;
+    state.depth_test = {true, CompareFunction::always, true};
+    std::array<std::vector<std::uint32_t>, 2> depth;
+    for (int moved = 0; moved < 2; ++moved) {
+      state.polygon_offset = {.fill = true, .factor = static_cast<float>(moved)};
+      Surface surface = Surface::make(kSize, kSize).value();
+      RenderTarget target = surface.target();
+      ASSERT_TRUE(rasterize(state, kIdentity, {.type = PrimitiveType::quads, .positions = positions}, {}, target).ok());
+      depth[static_cast<std::size_t>(moved)] = surface.depth();
+    }
+    // The triangles' slopes are 100 and 200; the first one's area grows with `middle`.
+    const std::uint32_t expected = middle >= kSize ? 100 : 200;
+    for (std::size_t i = 0; i < depth[0].size(); ++i) {
+      if (depth[0][i] == 0xFFFFFF) continue;
+      ASSERT_EQ(depth[1][i], depth[0][i] + expected) << middle;
+    }
+  }
+}
+
 TEST(PolygonOffset, IsRoundedOnceHalvesUpAndClamped) {
   PipelineState state;
   state.polygon_offset.fill = true;

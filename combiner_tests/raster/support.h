@@ -1,16 +1,16 @@
-// What the rasterizer tests share: random numbers, clip coordinates that snap to a wanted position, planes with
+// What the rasterizer tests share: clip coordinates that snap to a wanted position, planes with
 // padding.
 #pragma once
 
 #include <array>
 #include <cstdint>
 #include <glm/glm.hpp>
-#include <initializer_list>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "combiner_tests/oracle/raster_oracle.h"
+#include "combiner_tests/support/random.h"
 #include "ninebit/combiner/program.h"
 #include "ninebit/raster/rasterizer.h"
 
@@ -24,26 +24,6 @@ inline constexpr bool kSlowBuild = __has_feature(address_sanitizer) || __has_fea
 #else
 inline constexpr bool kSlowBuild = false;
 #endif
-
-// splitmix64: case `index` of `seed` is the same everywhere and needs no earlier case.
-class Random {
- public:
-  explicit Random(std::uint64_t seed, std::uint64_t index = 0) : state_(seed + index * 0xD1B54A32D192ED03U) { next(); }
-  std::uint64_t next();
-  int below(int count) { return static_cast<int>(next() % static_cast<std::uint64_t>(count)); }
-  int between(int low, int high) { return low + below(high - low + 1); }
-  bool one_in(int count) { return below(count) == 0; }
-  double real(double low, double high) { return low + (high - low) * static_cast<double>(next() >> 11) * 0x1p-53; }
-  float real_f(double low, double high) { return static_cast<float>(real(low, high)); }
-  std::uint8_t byte() { return static_cast<std::uint8_t>(next() & 255); }
-  template <class T>
-  T pick(std::initializer_list<T> values) {
-    return values.begin()[below(static_cast<int>(values.size()))];
-  }
-
- private:
-  std::uint64_t state_;
-};
 
 // A position with w = 1 that the identity matrix puts into the middle of the snapping cell of this window position
 // (multiples of 2^(4 - subpixel_bits) sixteenths) and exactly onto this depth, with the whole depth range.

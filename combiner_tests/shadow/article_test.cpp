@@ -1,9 +1,14 @@
 // What the article claims, through the very state that the render uses.
 #include <gtest/gtest.h>
 
+#include <fstream>
+#include <iterator>
+#include <string>
+
 #include "combiner_tests/shadow/support.h"
 #include "ninebit/combiner/evaluate.h"
 #include "ninebit/combiner/initial_registers.h"
+#include "ninebit/language/gl_calls.h"
 #include "ninebit/shadow/index_cube.h"
 
 namespace {
@@ -19,11 +24,23 @@ int false_matches(const Program& program, const HardwareProfile& profile, int st
       if (a == b) continue;
       FragmentInputs in;
       in.primary = {static_cast<std::uint8_t>(a), 0, 0, 255};
-      in.texture[0] = {{static_cast<std::uint8_t>(b), 0, 0, 255}};
+      in.texture[0] = Texel{.value = {static_cast<std::uint8_t>(b), 0, 0, 255}};
       if (evaluate(program, initial_registers(profile, in))[kAlpha] == 0) ++count;
     }
   }
   return count;
+}
+
+// docs/programs has the listing for those who read; the renderer makes the same calls.
+TEST(Article, TheListingIsWhatTheRendererSets) {
+  std::ifstream in(NINEBIT_SOURCE_DIR "/docs/programs/index_compare.gl");
+  ASSERT_TRUE(in);
+  const std::string text{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+  for (const HardwareProfile& profile : hardware_profiles()) {
+    const auto listed = parse_gl_calls({text, "index_compare.gl"}, profile);
+    ASSERT_TRUE(listed) << listed.faults.front().text();
+    EXPECT_EQ(*listed.value, *index_comparison_state(profile)) << profile.name;
+  }
 }
 
 TEST(Article, StepOneLosesNeighboursAndStepTwoNone) {
@@ -41,7 +58,7 @@ TEST(Article, EqualIndicesAreAlwaysLit) {
   for (std::uint32_t n = 0; n < codes.capacity(); n += 11) {
     FragmentInputs in;
     in.primary = codes.color(n);
-    in.texture[0] = {in.primary};
+    in.texture[0] = Texel{.value = in.primary};
     ASSERT_EQ(evaluate(program, initial_registers(profile, in)), (Rgba9{0, 0, 0, 0})) << n;
   }
 }

@@ -24,7 +24,7 @@ Json meaning_of(const std::string& file, const std::vector<std::string>& more = 
 
 TEST(Convert, EveryFormToEveryOther) {
   const TempFolder folder;
-  const std::string calls = write_bytes(folder / "article.txt", kArticleCalls);
+  const std::string& calls = kArticle;
   const Json meaning = meaning_of(calls);
   ASSERT_EQ(meaning.size(), 4U);
   for (const std::string& form : kForms) {
@@ -46,7 +46,7 @@ TEST(Convert, EveryFormToEveryOther) {
 
 TEST(Convert, FormsByFlag) {
   const TempFolder folder;
-  const std::string calls = write_bytes(folder / "article.txt", kArticleCalls);
+  const std::string& calls = kArticle;
   for (const char* form : {"gl", "rc10", "words", "json"}) {
     const std::string file = write_bytes(folder / form, ninebit({"convert", calls, "--to", form}).out);
     EXPECT_EQ(ninebit({"validate", file, "--from", form}).code, 0) << form;

@@ -45,7 +45,7 @@ TEST_F(Eval, TheArticle) {
     EXPECT_EQ(outcome.err, "");
   }
   // The same calls as text, and from standard input.
-  const std::string calls = write_bytes(folder_ / "article.txt", kArticleCalls);
+  const std::string& calls = kArticle;
   EXPECT_EQ(eval(calls, table).out, eval(article_, table).out);
   EXPECT_EQ(ninebit({"eval", "-", "--inputs", folder_ / "in.csv"}, {.in = calls}).out, eval(article_, table).out);
   EXPECT_EQ(ninebit({"eval", calls, "--inputs", "-"}, {.in = folder_ / "in.csv"}).out, eval(article_, table).out);

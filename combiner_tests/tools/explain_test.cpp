@@ -8,7 +8,7 @@ namespace {
 
 TEST(ExplainVerb, TheArticle) {
   const TempFolder folder;
-  const Outcome outcome = ninebit({"explain", write_bytes(folder / "article.txt", kArticleCalls)});
+  const Outcome outcome = ninebit({"explain", kArticle});
   EXPECT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_EQ(outcome.err, "");
   std::size_t from = 0;

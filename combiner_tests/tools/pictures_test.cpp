@@ -3,12 +3,19 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 
+#include "combiner_tests/support/stored_pictures.h"
 #include "combiner_tests/tools/support.h"
 
 namespace tools_test {
 namespace {
+
+using ninebit::Image8;
+using ninebit::test::read_exr;
+using ninebit::test::read_png;
+using ninebit::test::StoredPart;
 
 struct Case {
   const char* name;
@@ -40,18 +47,20 @@ class Pictures : public testing::TestWithParam<Case> {
     flags.insert(flags.end(), GetParam().flags.begin(), GetParam().flags.end());
     answer_ = json_of(ninebit(small_render(GetParam().scene, folder_ / "out", flags)));
     ASSERT_TRUE(answer_.is_object());
-    for (ExrPart& part : read_exr(folder_ / "out/layers.exr")) layers_.push_back(std::move(part));
+    layers_ = read_exr(folder_ / "out/layers.exr");
+    for (const StoredPart& part : layers_) {
+      for (const auto& [name, channel] : part.channels) planes_[part.name][name] = channel.numbers();
+    }
   }
   [[nodiscard]] std::string file(const std::string& name) const { return folder_ / ("out/" + name); }
   [[nodiscard]] const std::vector<double>& plane(const std::string& part, const std::string& channel) const {
-    const auto found = std::find_if(layers_.begin(), layers_.end(), [&](const ExrPart& p) { return p.name == part; });
-    if (found == layers_.end()) throw std::runtime_error("no part " + part);
-    return found->channels.at(channel);
+    return planes_.at(part).at(channel);
   }
 
   TempFolder folder_;
   Json answer_;
-  std::vector<ExrPart> layers_;
+  std::vector<StoredPart> layers_;
+  std::map<std::string, std::map<std::string, std::vector<double>>> planes_;  // of the layers, by part and channel
 };
 
 INSTANTIATE_TEST_SUITE_P(All, Pictures,
@@ -64,7 +73,7 @@ TEST_P(Pictures, FilesHaveTheirShapes) {
   for (const auto& [name, width, height, channels] : {std::tuple{"color.png", kWidth, kHeight, 3},
                                                       {"shadow.png", kWidth, kHeight, 1},
                                                       {"index_cube.png", 4 * kMap, 3 * kMap, 3}}) {
-    const Picture picture = read_picture(file(name));
+    const Image8 picture = read_png(file(name));
     EXPECT_EQ(picture.width, width) << name;
     EXPECT_EQ(picture.height, height) << name;
     EXPECT_EQ(picture.channels, channels) << name;
@@ -83,7 +92,7 @@ TEST_P(Pictures, FilesHaveTheirShapes) {
   ASSERT_EQ(layers_.size(), wanted.size());
   for (std::size_t p = 0; p < wanted.size(); ++p) {
     EXPECT_EQ(layers_[p].name, wanted[p].first);
-    EXPECT_EQ(layers_[p].types, wanted[p].second) << layers_[p].name;
+    EXPECT_EQ(layers_[p].types(), wanted[p].second) << layers_[p].name;
     EXPECT_EQ(layers_[p].width, kWidth);
     EXPECT_EQ(layers_[p].height, kHeight);
     EXPECT_FALSE(layers_[p].cube);
@@ -136,7 +145,7 @@ TEST_P(Pictures, LayersAgreeWithEachOther) {
 }
 
 TEST_P(Pictures, PngsAgreeWithTheLayers) {
-  const Picture color = read_picture(file("color.png")), shadow = read_picture(file("shadow.png"));
+  const Image8 color = read_png(file("color.png")), shadow = read_png(file("shadow.png"));
   const auto& stencil = plane("stencil", "stencil");
   const auto& depth = plane("depth", "depth");
   ASSERT_EQ(shadow.pixels.size(), kPixels);
@@ -153,15 +162,15 @@ TEST_P(Pictures, PngsAgreeWithTheLayers) {
 TEST_P(Pictures, TheCubeHoldsTheIndicesThatWereFetched) {
   const auto parts = read_exr(file("index_cube.exr"));
   ASSERT_EQ(parts.size(), 1U);
-  const ExrPart& cube = parts[0];
+  const StoredPart& cube = parts[0];
   EXPECT_TRUE(cube.cube);
   ASSERT_EQ(cube.width, kMap);
   ASSERT_EQ(cube.height, 6 * kMap);
-  EXPECT_EQ(cube.types, (std::map<std::string, char>{{"index", 'u'}, {"R", 'h'}, {"G", 'h'}, {"B", 'h'}}));
-  const auto& index = cube.channels.at("index");
+  EXPECT_EQ(cube.types(), (std::map<std::string, char>{{"index", 'u'}, {"R", 'h'}, {"G", 'h'}, {"B", 'h'}}));
+  const std::vector<double> index = cube.channels.at("index").numbers();
   std::set<double> seen;
   for (std::size_t i = 0; i < index.size(); ++i) {
-    const auto byte = [&](const char* channel) { return std::round(cube.channels.at(channel)[i] * 255.0); };
+    const auto byte = [&](const char* channel) { return std::round(cube.channels.at(channel).reals[i] * 255.0); };
     ASSERT_EQ(code_number(byte("R"), byte("G"), byte("B"), GetParam().step), index[i]) << i;
     seen.insert(index[i]);
   }
@@ -177,9 +186,9 @@ TEST_P(Pictures, TheCubeHoldsTheIndicesThatWereFetched) {
 // The cross has every index in a colour of its own; faces lie as ARB_texture_cube_map orients them, s to the right and
 // t down, which OpenEXR mirrors.
 TEST_P(Pictures, TheCrossShowsTheCube) {
-  const Picture cross = read_picture(file("index_cube.png"));
+  const Image8 cross = read_png(file("index_cube.png"));
   const auto parts = read_exr(file("index_cube.exr"));
-  const auto& index = parts.at(0).channels.at("index");
+  const std::vector<double> index = parts.at(0).channels.at("index").numbers();
   constexpr std::array<std::array<int, 2>, 6> kPlace{{{2, 1}, {0, 1}, {1, 0}, {1, 2}, {1, 1}, {3, 1}}};
   std::map<double, std::set<std::array<unsigned char, 3>>> colors;
   for (std::size_t face = 0; face < 6; ++face) {

@@ -8,8 +8,9 @@
 
 namespace tools_test {
 
-// The article's index comparison as the GL calls of its listing, and the state that they make.
-extern const char* const kArticleCalls;
+// The article's index comparison: the file with the GL calls of its listing, its text, and the state that they make.
+inline const std::string kArticle = NINEBIT_SOURCE_DIR "/docs/programs/index_compare.gl";
+[[nodiscard]] std::string article_calls();
 [[nodiscard]] ninebit::CombinerState article_state();
 
 // Writes the state as JSON; gives the file's path.

@@ -1,15 +1,6 @@
 #include "combiner_tests/tools/support.h"
 
-#include <ImathBox.h>
-#include <ImfChannelList.h>
-#include <ImfFrameBuffer.h>
-#include <ImfHeader.h>
-#include <ImfInputPart.h>
-#include <ImfMultiPartInputFile.h>
-#include <ImfStandardAttributes.h>
-#include <OpenImageIO/imageio.h>
 #include <gtest/gtest.h>
-#include <half.h>
 #include <stdlib.h>
 
 #include <algorithm>
@@ -85,55 +76,6 @@ std::vector<std::string> keys_of(const Json& object) {
   std::vector<std::string> keys;
   for (const auto& item : object.items()) keys.push_back(item.key());
   return keys;
-}
-
-std::vector<ExrPart> read_exr(const std::string& file) {
-  Imf::MultiPartInputFile input(file.c_str());
-  std::vector<ExrPart> parts;
-  for (int p = 0; p < input.parts(); ++p) {
-    Imf::InputPart source(input, p);
-    const Imf::Header& header = source.header();
-    const Imath::Box2i window = header.dataWindow();
-    ExrPart part;
-    part.name = header.hasName() ? header.name() : "";
-    part.width = window.max.x - window.min.x + 1;
-    part.height = window.max.y - window.min.y + 1;
-    part.cube = Imf::hasEnvmap(header) && Imf::envmap(header) == Imf::ENVMAP_CUBE;
-    const auto count = static_cast<std::size_t>(part.width) * static_cast<std::size_t>(part.height);
-    std::map<std::string, std::vector<half>> halves;
-    std::map<std::string, std::vector<unsigned>> integers;
-    Imf::FrameBuffer frame;
-    for (auto c = header.channels().begin(); c != header.channels().end(); ++c) {
-      const Imf::PixelType type = c.channel().type;
-      if (type == Imf::HALF) {
-        halves[c.name()].resize(count);
-        frame.insert(c.name(), Imf::Slice::Make(type, halves[c.name()].data(), window));
-      } else if (type == Imf::UINT) {
-        integers[c.name()].resize(count);
-        frame.insert(c.name(), Imf::Slice::Make(type, integers[c.name()].data(), window));
-      }
-      part.types[c.name()] = type == Imf::HALF ? 'h' : type == Imf::UINT ? 'u' : 'f';
-    }
-    source.setFrameBuffer(frame);
-    source.readPixels(window.min.y, window.max.y);
-    for (const auto& [name, plane] : halves) part.channels[name].assign(plane.begin(), plane.end());
-    for (const auto& [name, plane] : integers) part.channels[name].assign(plane.begin(), plane.end());
-    parts.push_back(std::move(part));
-  }
-  return parts;
-}
-
-Picture read_picture(const std::string& file) {
-  const auto input = OIIO::ImageInput::open(file);
-  if (!input) throw std::runtime_error(OIIO::geterror());
-  const OIIO::ImageSpec& spec = input->spec();
-  if (spec.format != OIIO::TypeDesc::UINT8) throw std::runtime_error(file + " is not an 8-bit picture");
-  Picture picture{spec.width, spec.height, spec.nchannels, {}};
-  picture.pixels.resize(spec.image_bytes());
-  if (!input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::UINT8, picture.pixels.data())) {
-    throw std::runtime_error(input->geterror());
-  }
-  return picture;
 }
 
 }  // namespace tools_test

@@ -54,26 +54,4 @@ Json json_of(const Outcome& outcome);
 // The keys of an object, in order.
 std::vector<std::string> keys_of(const Json& object);
 
-// One part of an EXR file by OpenEXR's own reader; a channel's samples, HALF or UINT, as numbers.
-struct ExrPart {
-  std::string name;
-  int width = 0;
-  int height = 0;
-  bool cube = false;                  // the environment map attribute says so
-  std::map<std::string, char> types;  // 'u' UINT, 'h' HALF
-  std::map<std::string, std::vector<double>> channels;
-};
-
-std::vector<ExrPart> read_exr(const std::string& file);
-
-// An 8-bit picture by OpenImageIO.
-struct Picture {
-  int width = 0;
-  int height = 0;
-  int channels = 0;
-  std::vector<unsigned char> pixels;
-};
-
-Picture read_picture(const std::string& file);
-
 }  // namespace tools_test

@@ -27,11 +27,11 @@ const char* const kRefused =
     "glFinalCombinerInputNV(GL_VARIABLE_A_NV, GL_ZERO, GL_EXPAND_NORMAL_NV, GL_RGB);\n";
 
 TEST_F(Validate, ValidPrograms) {
-  const Outcome outcome = validate(kArticleCalls);
+  const Outcome outcome = validate(article_calls());
   EXPECT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_EQ(outcome.out, folder_ / "program" + ": valid for geforce2\n");
-  EXPECT_EQ(validate(kArticleCalls, {"--quiet"}).out, "");
-  const Json object = json_of(validate(kArticleCalls, {"--json"}));
+  EXPECT_EQ(validate(article_calls(), {"--quiet"}).out, "");
+  const Json object = json_of(validate(article_calls(), {"--json"}));
   EXPECT_EQ(keys_of(object), (std::vector<std::string>{"command", "version", "profile", "rows"}));
   EXPECT_EQ(object["rows"], Json::array());
 }
@@ -58,6 +58,29 @@ TEST_F(Validate, EveryRefusalWithItsErrorAndPlace) {
   for (const char* key : {"gl_error", "stage", "portion", "variable", "line", "column", "message"}) {
     EXPECT_TRUE(rows[0].contains(key)) << key;
   }
+}
+
+// The other forms have GL's error, too, where their text loaded would raise it.
+TEST_F(Validate, RefusalsInEveryForm) {
+  const Outcome rc10 = validate("!!RC1.0\n{ rgb { spare0 = fog.a * discard; } }\nout.a = spare0;\n", {"--json"});
+  EXPECT_EQ(rc10.code, 1) << rc10.err;
+  const Json of_rc10 = Json::parse(rc10.out).at("rows");
+  ASSERT_EQ(of_rc10.size(), 2U) << rc10.out;
+  EXPECT_EQ(of_rc10[0]["gl_error"], "GL_INVALID_OPERATION");
+  EXPECT_EQ(of_rc10[0]["message"], "fog's alpha can be read by the final combiner alone");
+  EXPECT_EQ(of_rc10[0]["line"], 2);
+  EXPECT_EQ(of_rc10[0]["column"], 18);
+  EXPECT_EQ(of_rc10[1]["gl_error"], "GL_INVALID_ENUM");
+  EXPECT_EQ(lines_of(validate("!!RC1.0\nout.a = color_sum;\n").out),
+            (std::vector<std::string>{folder_ / "program" +
+                                      ":2:9: GL_INVALID_OPERATION: 'color_sum' has no alpha, which out.a needs"}));
+
+  const Outcome words = validate("RC_OUT_ALPHA[0] = 0x00002c00\n", {"--json"});
+  EXPECT_EQ(words.code, 1) << words.err;
+  const Json of_words = Json::parse(words.out).at("rows");
+  ASSERT_EQ(of_words.size(), 1U) << words.out;
+  EXPECT_EQ(of_words[0]["gl_error"], "GL_INVALID_VALUE");
+  EXPECT_EQ(of_words[0]["line"], 1);
 }
 
 // What one profile has the other has not.

@@ -3,6 +3,7 @@
 
 #include <set>
 
+#include "combiner_tests/support/stored_pictures.h"
 #include "combiner_tests/tools/support.h"
 
 namespace tools_test {
@@ -33,7 +34,7 @@ TEST(Verbs, TheExampleOfRenderWorks) {
   const Outcome outcome =
       ninebit({"render", "scenes/index_room.gltf", "-o", folder / "out"}, {.folder = NINEBIT_SOURCE_DIR});
   EXPECT_EQ(outcome.code, 0) << outcome.err;
-  const Picture color = read_picture(folder / "out/color.png");
+  const ninebit::Image8 color = ninebit::test::read_png(folder / "out/color.png");
   EXPECT_EQ(color.width, 1024);
   EXPECT_EQ(color.height, 768);
 }

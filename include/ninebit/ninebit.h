@@ -6,6 +6,7 @@
 #include "ninebit/combiner/evaluate_real.h"
 #include "ninebit/combiner/initial_registers.h"
 #include "ninebit/combiner/program.h"
+#include "ninebit/combiner/trace.h"
 #include "ninebit/combiner/validate.h"
 #include "ninebit/image/image_io.h"
 #include "ninebit/image/staged_files.h"

@@ -28,6 +28,7 @@ class Recorder {
       for (std::size_t c = 0; c < 3; ++c) to.rgb[c] = reported(stage.channel[c]);
       to.alpha = reported(stage.channel[3]);
       to.after = reported(registers);
+      to.codes = codes(registers, initial);
     }
     typename Combiners::Final last;
     combiners_.run_final(program_, registers, last);
@@ -37,10 +38,7 @@ class Recorder {
     result.final_combiner.color_sum = reported(last.color_sum);
     result.final_combiner.unclamped = reported(last.unclamped);
     result.color = reported(last.out);
-    for (std::size_t r = 0; r < kRegisterCount; ++r) result.codes.registers.value[r] = codes(registers[r]);
-    for (const Register r : {Register::zero, Register::constant0, Register::constant1}) {
-      result.codes.registers[r] = initial[r];
-    }
+    result.codes.registers = codes(registers, initial);
     result.codes.color = codes(last.out);
     return result;
   }
@@ -73,6 +71,14 @@ class Recorder {
   Rgba9 codes(const typename Combiners::Color& color) {
     Rgba9 result{};
     for (std::size_t c = 0; c < 4; ++c) result[c] = static_cast<s9>(field_.nearest_code(color[c]));
+    return result;
+  }
+
+  // `zero` and the constants stay as they were.
+  RegisterFile codes(const Registers& registers, const RegisterFile& initial) {
+    RegisterFile result;
+    for (std::size_t r = 0; r < kRegisterCount; ++r) result.value[r] = codes(registers[r]);
+    for (const Register r : {Register::zero, Register::constant0, Register::constant1}) result[r] = initial[r];
     return result;
   }
 

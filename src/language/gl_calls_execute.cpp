@@ -32,7 +32,7 @@ class Call {
     run();
     const GlError error = context_.take_error();
     if (error == GlError::no_error || explain_names() || explain_rules()) return;
-    faults_.add(offset_, std::string(name_of(error)) + ": " + reason());
+    faults_.add(offset_, reason(), error);
   }
 
  private:
@@ -142,7 +142,7 @@ class Call {
   template <class Word>
   bool misnamed(std::size_t i, const std::optional<Word>& word, const char* expected) {
     if (word) return false;
-    faults_.add(arguments_[i].offset, "GL_INVALID_ENUM: " + quoted(arguments_[i].text) + " is no " + expected);
+    faults_.add(arguments_[i].offset, quoted(arguments_[i].text) + " is no " + expected, GlError::invalid_enum);
     return true;
   }
 
@@ -206,9 +206,7 @@ class Call {
           *gl::to_variable(e[0]), {*gl::to_register(e[1]), *gl::to_input_mapping(e[2]), *gl::to_component_usage(e[3])},
           profile);
     }
-    for (const StateDiagnostic& why : reasons) {
-      faults_.add(offset_, std::string(name_of(why.gl_error)) + ": " + why.message);
-    }
+    for (const StateDiagnostic& why : reasons) faults_.add(offset_, why.message, why.gl_error);
     return !reasons.empty();
   }
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "src/language/source_blanks.h"
+
 namespace ninebit::detail {
 namespace {
 
@@ -25,28 +27,6 @@ GlToken GlLexer::take() {
 void GlLexer::skip_line() {
   at_ = std::min(text_.find('\n', token_.offset), text_.size());
   advance();
-}
-
-void GlLexer::skip_blanks() {
-  while (at_ < text_.size()) {
-    const std::string_view rest = text_.substr(at_);
-    if (is_blank(rest.front())) {
-      ++at_;
-    } else if (rest.starts_with("//")) {
-      at_ = std::min(text_.find('\n', at_), text_.size());
-    } else if (rest.starts_with("/*")) {
-      const std::size_t end = text_.find("*/", at_ + 2);
-      if (end == std::string_view::npos) {
-        faults_.add(at_, "the comment has no end; expected */");
-        cut_short_ = true;
-        at_ = text_.size();
-        return;
-      }
-      at_ = end + 2;
-    } else {
-      return;
-    }
-  }
 }
 
 // A preprocessing number of C: digits, letters and dots, and a sign after a decimal exponent's e.
@@ -73,7 +53,7 @@ std::size_t GlLexer::unknown_end() const {
 }
 
 void GlLexer::advance() {
-  skip_blanks();
+  if (!skip_blanks(text_, at_, {}, faults_)) cut_short_ = true;
   token_ = {GlToken::Kind::end, at_, {}};
   if (at_ >= text_.size()) return;
   const char c = text_[at_];

@@ -34,7 +34,6 @@ class GlLexer {
 
  private:
   void advance();
-  void skip_blanks();
   [[nodiscard]] std::size_t number_end() const;
   [[nodiscard]] std::size_t unknown_end() const;
 

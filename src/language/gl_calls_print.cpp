@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cstddef>
@@ -40,16 +41,18 @@ std::string stage_name(std::size_t stage) {
 
 class Printer {
  public:
-  std::string print(const CombinerState& state) {
+  std::string print(const CombinerState& state, const HardwareProfile& profile) {
     call("glCombinerParameteriNV", {"GL_NUM_GENERAL_COMBINERS_NV", std::to_string(state.num_general_combiners)});
     call("glCombinerParameteriNV", {"GL_COLOR_SUM_CLAMP_NV", boolean(state.color_sum_clamp)});
     call("glCombinerParameterfvNV", {"GL_CONSTANT_COLOR0_NV", array_text(state.constant0)});
     call("glCombinerParameterfvNV", {"GL_CONSTANT_COLOR1_NV", array_text(state.constant1)});
-    for (std::size_t i = 0; i < state.general.size(); ++i) {
+    const auto stages = static_cast<std::size_t>(profile.general_combiners.value);
+    for (std::size_t i = 0; i < std::min(stages, state.general.size()); ++i) {
       const bool all = static_cast<int>(i) < state.num_general_combiners;
       const GeneralCombiner fresh;
       portion(i, PortionName::rgb, state.general[i].rgb, fresh.rgb, all);
       portion(i, PortionName::alpha, state.general[i].alpha, fresh.alpha, all);
+      if (!profile.per_stage_constants) continue;
       stage_constant(i, "GL_CONSTANT_COLOR0_NV", state.general[i].constant0);
       stage_constant(i, "GL_CONSTANT_COLOR1_NV", state.general[i].constant1);
     }
@@ -114,8 +117,8 @@ class Printer {
 
 }  // namespace
 
-std::string print_gl_calls(const CombinerState& state) {
-  return Printer().print(state);
+std::string print_gl_calls(const CombinerState& state, const HardwareProfile& profile) {
+  return Printer().print(state, profile);
 }
 
 }  // namespace ninebit

@@ -174,7 +174,7 @@ Parsed<CombinerState> parse_json_program(const SourceText& source, const Hardwar
   ProgramReader reader(source.text, faults);
   const CombinerState state = reader.read(*root);
   for (const StateDiagnostic& found : validate(state, profile)) {
-    faults.add(reader.place_of(found, state, profile), std::string(name_of(found.gl_error)) + ": " + found.message);
+    faults.add(reader.place_of(found, state, profile), found.message, found.gl_error);
   }
   if (!faults.empty()) return {std::nullopt, faults.take()};
   return {state, {}};

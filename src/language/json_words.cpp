@@ -62,7 +62,7 @@ Parsed<CombinerState> parse_json_register_words(const SourceText& source, ChipCl
   }
   Parsed<CombinerState> decoded = decode_register_words(found, source.file, chip, profile);
   if (faults.empty()) return decoded;
-  for (const TextFault& fault : decoded.faults) faults.add({fault.line, fault.column}, fault.message);
+  faults.add(decoded.faults);
   return {std::nullopt, faults.take()};
 }
 

@@ -52,9 +52,11 @@ bool Rc10Final::read_register(Rc10Reader& in, Operand& out, Of of, InputMapping 
   if (!reg) return in.expected("a register to read");
   in.lexer.take();
   const bool computed = reg->reg == Register::spare0_plus_secondary || reg->reg == Register::e_times_f;
-  const auto refuse = [&](const char* why) { in.faults.add(reg->offset, quoted(reg->text) + why); };
+  const auto refuse = [&](const char* why, GlError error = GlError::invalid_operation) {
+    in.faults.add(reg->offset, quoted(reg->text) + why, error);
+  };
   if (reg->reg == Register::discard) {
-    refuse(" cannot be read");
+    refuse(" cannot be read", GlError::invalid_enum);
   } else if (computed && of != Of::rgb) {
     refuse(of == Of::alpha ? " has no alpha, which out.a needs" : " is no input of final_product");
   } else if (of == Of::alpha && reg->suffix == Rc10Suffix::rgb) {
@@ -113,7 +115,8 @@ void Rc10Final::move_color_sum(Rc10Reader& in) {
   if (b_.input.reg != Register::spare0_plus_secondary && c_is_zero) {
     std::swap(a_, b_);
   } else {
-    in.faults.add(a_.written.offset, "color_sum can be neither the weight of lerp nor both factors of a product");
+    in.faults.add(a_.written.offset, "color_sum can be neither the weight of lerp nor both factors of a product",
+                  GlError::invalid_operation);
   }
 }
 

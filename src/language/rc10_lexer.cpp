@@ -3,10 +3,13 @@
 #include <algorithm>
 #include <array>
 
+#include "src/language/source_blanks.h"
+
 namespace ninebit::detail {
 namespace {
 
 constexpr std::string_view kPunctuation = "{}()=;,.*+-";
+constexpr Blanks kBlanks{.hash_comments = true, .heading = kRc10Header};
 
 std::size_t run_of_words(std::string_view text) {
   return static_cast<std::size_t>(std::find_if_not(text.begin(), text.end(), is_word) - text.begin());
@@ -28,30 +31,6 @@ Rc10Token Rc10Lexer::take() {
   const Rc10Token taken = token_;
   advance();
   return taken;
-}
-
-void Rc10Lexer::skip_blanks() {
-  while (at_ < text_.size()) {
-    const std::string_view rest = text_.substr(at_);
-    if (is_blank(rest.front())) {
-      ++at_;
-    } else if (rest.starts_with(kRc10Header)) {
-      at_ += kRc10Header.size();
-    } else if (rest.starts_with("//") || rest.front() == '#') {
-      at_ = std::min(text_.find('\n', at_), text_.size());
-    } else if (rest.starts_with("/*")) {
-      const std::size_t end = text_.find("*/", at_ + 2);
-      if (end == std::string_view::npos) {
-        faults_.add(at_, "the comment has no end; expected */");
-        cut_short_ = true;
-        at_ = text_.size();
-        return;
-      }
-      at_ = end + 2;
-    } else {
-      return;
-    }
-  }
 }
 
 // [+-]d+, [+-]d+.d* or [+-]d*.d+; 0: here is no number. What follows at once, as in 1e5 or 1.0f, belongs to no number
@@ -92,7 +71,7 @@ std::size_t Rc10Lexer::unknown_length() const {
 }
 
 void Rc10Lexer::advance() {
-  skip_blanks();
+  if (!skip_blanks(text_, at_, kBlanks, faults_)) cut_short_ = true;
   token_ = {Rc10Token::Kind::end, at_, {}};
   if (at_ >= text_.size()) return;
   const char c = text_[at_];

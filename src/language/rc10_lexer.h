@@ -41,7 +41,6 @@ class Rc10Lexer {
 
  private:
   void advance();
-  void skip_blanks();
   [[nodiscard]] std::size_t number_length() const;
   [[nodiscard]] std::size_t word_length() const;
   [[nodiscard]] std::size_t unknown_length() const;

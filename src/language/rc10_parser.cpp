@@ -110,8 +110,10 @@ bool Rc10Reader::end_of_statement() {
 
 void Rc10Reader::check_exists(const Rc10Register& reg) {
   if (!is_texture(reg.reg) || texture_unit_of(reg.reg) < profile.texture_units) return;
-  faults.add(reg.offset, quoted(reg.text) + " is beyond the " + std::to_string(profile.texture_units.value) +
-                             " texture units of profile " + std::string(profile.name));
+  faults.add(reg.offset,
+             quoted(reg.text) + " is beyond the " + std::to_string(profile.texture_units.value) +
+                 " texture units of profile " + std::string(profile.name),
+             GlError::invalid_enum);
 }
 
 void Rc10Reader::skip_statement() {

@@ -91,17 +91,19 @@ class PortionReader {
     return reg == Register::e_times_f || reg == Register::spare0_plus_secondary;
   }
 
-  // Suffixes and fog's alpha, which are checked alike where a register is read and where it is written.
-  void check_register(const Rc10Register& reg) {
+  // Suffixes and fog's alpha, which are checked alike where a register is read and where it is written; but GL is told
+  // the suffix of one that is read alone.
+  void check_register(const Rc10Register& reg, bool is_read) {
+    const GlError error = is_read ? GlError::invalid_operation : GlError::no_error;
     in_.check_exists(reg);
     if (name_ == PortionName::rgb && reg.suffix == Rc10Suffix::blue) {
-      in_.faults.add(reg.offset, quoted(reg.text) + " in an rgb portion, where .rgb and .a may be used");
+      in_.faults.add(reg.offset, quoted(reg.text) + " in an rgb portion, where .rgb and .a may be used", error);
     }
     if (name_ == PortionName::alpha && reg.suffix == Rc10Suffix::rgb) {
-      in_.faults.add(reg.offset, quoted(reg.text) + " in an alpha portion, where .a and .b may be used");
+      in_.faults.add(reg.offset, quoted(reg.text) + " in an alpha portion, where .a and .b may be used", error);
     }
     if (reg.reg == Register::fog && usage_of(reg.suffix, plain_usage()) == ComponentUsage::alpha) {
-      in_.faults.add(reg.offset, "fog's alpha can be read by the final combiner alone");
+      in_.faults.add(reg.offset, "fog's alpha can be read by the final combiner alone", error);
     }
   }
 
@@ -109,14 +111,14 @@ class PortionReader {
     const bool writable = to.reg == Register::discard || to.reg == Register::primary || to.reg == Register::secondary ||
                           to.reg == Register::spare0 || to.reg == Register::spare1 || is_texture(to.reg);
     if (!writable) {
-      in_.faults.add(to.offset, quoted(to.text) + " is read-only");
+      in_.faults.add(to.offset, quoted(to.text) + " is read-only", GlError::invalid_enum);
       return;
     }
-    check_register(to);
+    check_register(to, false);
     if (to.reg == Register::discard) return;
     const auto same = [&](const Rc10Register& other) { return other.reg == to.reg; };
     if (std::any_of(statements_.written.begin(), statements_.written.end(), same)) {
-      in_.faults.add(to.offset, quoted(to.text) + " is written twice in one portion");
+      in_.faults.add(to.offset, quoted(to.text) + " is written twice in one portion", GlError::invalid_operation);
     } else {
       statements_.written.push_back(to);
     }
@@ -145,7 +147,7 @@ class PortionReader {
     if (!read_input(x)) return false;
     const bool dot = in_.lexer.peek().is('.');
     if (dot && name_ == PortionName::alpha) {
-      in_.faults.add(in_.lexer.peek().offset, "an alpha portion has no dot product");
+      in_.faults.add(in_.lexer.peek().offset, "an alpha portion has no dot product", GlError::invalid_value);
     }
     if (dot || in_.lexer.peek().is('*')) {
       in_.lexer.take();
@@ -200,10 +202,10 @@ class PortionReader {
     if (!reg || is_final_only(reg->reg)) return in_.expected("a register to read");
     in_.lexer.take();
     if (reg->reg == Register::discard) {
-      in_.faults.add(reg->offset, "discard cannot be read");
+      in_.faults.add(reg->offset, "discard cannot be read", GlError::invalid_enum);
       return true;
     }
-    check_register(*reg);
+    check_register(*reg, true);
     out = {reg->reg, reg->is_one ? map_one(mapping) : mapping, usage_of(reg->suffix, plain_usage())};
     return true;
   }

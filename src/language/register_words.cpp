@@ -126,7 +126,7 @@ Parsed<CombinerState> parse_register_words(const SourceText& source, ChipClass c
   }
   Parsed<CombinerState> decoded = decode_register_words(found, source.file, chip, profile);
   if (faults.empty()) return decoded;
-  for (const TextFault& fault : decoded.faults) faults.add({fault.line, fault.column}, fault.message);
+  faults.add(decoded.faults);
   return {std::nullopt, faults.take()};
 }
 

@@ -92,9 +92,10 @@ class Decoder {
     return chip_ == ChipClass::nv10 ? Slot{Kind::out_rgb, 1} : Slot{Kind::enable, 0};
   }
 
-  void fault(Slot slot, const std::string& what) {
+  // `gl_error` is what OpenGL raises for the same set-up; it has no word for most of what a chip refuses.
+  void fault(Slot slot, const std::string& what, GlError gl_error = GlError::no_error) {
     const RegisterWord& word = *at(slot);
-    faults_.add(word.place, canonical_name(slot, chip_) + " = " + hex_text(word.value) + ": " + what);
+    faults_.add(word.place, canonical_name(slot, chip_) + " = " + hex_text(word.value) + ": " + what, gl_error);
   }
 
   // Bits that the chip refuses, those aside that have a fault of their own.
@@ -124,8 +125,10 @@ class Decoder {
       const int variable = slot.kind == Kind::final1 ? 4 + i : i;
       const std::optional<Register> r = readable(bits(word, low, 4), slot.kind);
       if (!r) {
-        fault(slot, "variable " + letter(variable) + " (bits " + std::to_string(low + 3) + ".." + std::to_string(low) +
-                        ") has the register code " + hex_text(bits(word, low, 4), 1) + ", which is reserved here");
+        fault(slot,
+              "variable " + letter(variable) + " (bits " + std::to_string(low + 3) + ".." + std::to_string(low) +
+                  ") has the register code " + hex_text(bits(word, low, 4), 1) + ", which is reserved here",
+              error_of_misplaced(bits(word, low, 4), slot.kind));
         continue;
       }
       const bool scalar = slot.kind == Kind::in_alpha || variable == 6;
@@ -146,7 +149,9 @@ class Decoder {
     const std::uint32_t dots = 1U << kCdDotBit | 1U << kAbDotBit;
     const std::uint32_t blues = 1U << kCdBlueToAlphaBit | 1U << kAbBlueToAlphaBit;
     check_mask(slot, rgb ? 0 : dots);
-    if (!rgb && (word & dots) != 0) fault(slot, bits_text(word & dots) + ": an alpha portion has no dot product");
+    if (!rgb && (word & dots) != 0) {
+      fault(slot, bits_text(word & dots) + ": an alpha portion has no dot product", GlError::invalid_value);
+    }
     if (rgb && chip_ == ChipClass::nv20 && (word & blues) != 0) {
       fault(slot, bits_text(word & blues) + " (blue to alpha: " + std::to_string(kCdBlueToAlphaBit) + " of CD, " +
                       std::to_string(kAbBlueToAlphaBit) + " of AB): OpenGL has no such output");
@@ -156,11 +161,13 @@ class Decoder {
       const std::uint32_t code = bits(word, low, 4);
       const std::optional<Register> r = readable(code, slot.kind);
       if (!r || (code > 0 && code < code_of(Register::primary))) {
-        fault(slot, std::string(low == kAbShift   ? "AB"
-                                : low == kCdShift ? "CD"
-                                                  : "the sum") +
-                        " (bits " + std::to_string(low + 3) + ".." + std::to_string(low) +
-                        ") goes to the register code " + hex_text(code, 1) + ", which cannot be written");
+        fault(slot,
+              std::string(low == kAbShift   ? "AB"
+                          : low == kCdShift ? "CD"
+                                            : "the sum") +
+                  " (bits " + std::to_string(low + 3) + ".." + std::to_string(low) + ") goes to the register code " +
+                  hex_text(code, 1) + ", which cannot be written",
+              error_of_misplaced(code, slot.kind));
         continue;
       }
       *into = code == 0 ? Register::discard : *r;
@@ -168,8 +175,10 @@ class Decoder {
     out.scale = static_cast<Scale>(bits(word, kScaleShift, 2));
     out.bias = static_cast<Bias>(bits(word, kBiasBit, 1));
     if (out.bias != Bias::none && (out.scale == Scale::by_four || out.scale == Scale::by_one_half)) {
-      fault(slot, "bits 17..15 are " + std::to_string(bits(word, kBiasBit, 3)) +
-                      ", a bias with a scale by four or one half, which the chip and OpenGL refuse");
+      fault(slot,
+            "bits 17..15 are " + std::to_string(bits(word, kBiasBit, 3)) +
+                ", a bias with a scale by four or one half, which the chip and OpenGL refuse",
+            GlError::invalid_operation);
       out.bias = Bias::none;
     }
     out.mux_sum = bits(word, kMuxBit, 1) != 0;
@@ -200,7 +209,8 @@ class Decoder {
     if (at(slot) == nullptr) return true;
     const std::uint32_t count = bits(at(slot)->value, kNv10CountShift, 2);
     if (count == 0 || count == 3) {
-      fault(slot, "bits 29..28, the number of general combiners, are " + std::to_string(count) + "; NV10 has 1 or 2");
+      fault(slot, "bits 29..28, the number of general combiners, are " + std::to_string(count) + "; NV10 has 1 or 2",
+            GlError::invalid_value);
     } else {
       state_.num_general_combiners = static_cast<int>(count);
     }
@@ -215,7 +225,8 @@ class Decoder {
       word = at(slot)->value;
       const std::uint32_t count = bits(word, kNv20CountShift, 4);
       if (count == 0 || count > 8) {
-        fault(slot, "bits 3..0, the number of general combiners, are " + std::to_string(count) + "; NV20 has 1 to 8");
+        fault(slot, "bits 3..0, the number of general combiners, are " + std::to_string(count) + "; NV20 has 1 to 8",
+              GlError::invalid_value);
       } else {
         state_.num_general_combiners = static_cast<int>(count);
       }
@@ -292,7 +303,7 @@ Parsed<CombinerState> decode_register_words(std::span<const RegisterWord> given,
   decoder.collect(given);
   const CombinerState state = decoder.decode();
   for (const StateDiagnostic& found : validate(state, profile)) {
-    faults.add(decoder.place_of(found), std::string(name_of(found.gl_error)) + ": " + found.message);
+    faults.add(decoder.place_of(found), found.message, found.gl_error);
   }
   if (!faults.empty()) return {std::nullopt, faults.take()};
   return {state, {}};

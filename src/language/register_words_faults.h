@@ -15,9 +15,13 @@ class TextFaults {
   explicit TextFaults(std::string_view file) : file_(file) {}
 
   // Without effect once kMaxTextFaults are there.
-  void add(TextPlace place, std::string message) {
+  void add(TextPlace place, std::string message, GlError gl_error = GlError::no_error) {
     if (full()) return;
-    faults_.push_back({std::string(file_), place.line, place.column, std::move(message)});
+    faults_.push_back({std::string(file_), place.line, place.column, std::move(message), gl_error});
+  }
+  // Those of another reading of the same text.
+  void add(const std::vector<TextFault>& faults) {
+    for (const TextFault& fault : faults) add({fault.line, fault.column}, fault.message, fault.gl_error);
   }
 
   [[nodiscard]] bool empty() const { return faults_.empty(); }

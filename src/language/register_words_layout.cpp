@@ -233,5 +233,11 @@ std::uint32_t code_of(Register r) {
   return found == kRegisters.end() ? 0 : static_cast<std::uint32_t>(found - kRegisters.begin());
 }
 
+GlError error_of_misplaced(std::uint32_t code, Kind kind) {
+  const std::optional<Register> r = register_of(code);
+  if (!r) return GlError::no_error;
+  return kind == Kind::final1 && !is_texture(*r) ? GlError::invalid_operation : GlError::invalid_enum;
+}
+
 }  // namespace words
 }  // namespace ninebit

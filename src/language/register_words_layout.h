@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "ninebit/combiner/state.h"
+#include "ninebit/combiner/validate.h"
 #include "ninebit/language/register_words.h"
 
 namespace ninebit::words {
@@ -81,5 +82,9 @@ inline constexpr int kSumInvertSpare0Bit = 5, kSumInvertSecondaryBit = 6, kColor
 // The register of a code; code 0 is zero as an input and discard as an output. Empty: reserved.
 [[nodiscard]] std::optional<Register> register_of(std::uint32_t code);
 [[nodiscard]] std::uint32_t code_of(Register r);
+
+// What OpenGL raises where the register of a code stands in a kind of word that has no place for it; no_error: the code
+// is no register's.
+[[nodiscard]] GlError error_of_misplaced(std::uint32_t code, Kind kind);
 
 }  // namespace ninebit::words

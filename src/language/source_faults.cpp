@@ -5,8 +5,8 @@
 
 namespace ninebit::detail {
 
-void SourceFaults::add(std::size_t offset, std::string message) {
-  if (!full()) found_.push_back({offset, std::move(message)});
+void SourceFaults::add(std::size_t offset, std::string message, GlError gl_error) {
+  if (!full()) found_.push_back({offset, std::move(message), gl_error});
 }
 
 std::vector<TextFault> SourceFaults::take() {
@@ -18,7 +18,7 @@ std::vector<TextFault> SourceFaults::take() {
     const TextPlace step = place_of(source_.text.substr(from), found.offset - from);
     place = {place.line + step.line - 1, step.line == 1 ? place.column + step.column - 1 : step.column};
     from = found.offset;
-    faults.push_back({std::string(source_.file), place.line, place.column, std::move(found.message)});
+    faults.push_back({std::string(source_.file), place.line, place.column, std::move(found.message), found.gl_error});
   }
   found_.clear();
   return faults;

@@ -15,7 +15,7 @@ class SourceFaults {
  public:
   explicit SourceFaults(const SourceText& source) : source_(source) {}
 
-  void add(std::size_t offset, std::string message);
+  void add(std::size_t offset, std::string message, GlError gl_error = GlError::no_error);
   [[nodiscard]] bool empty() const { return found_.empty(); }
   [[nodiscard]] bool full() const { return found_.size() >= kMaxTextFaults; }
 
@@ -26,6 +26,7 @@ class SourceFaults {
   struct Found {
     std::size_t offset;
     std::string message;
+    GlError gl_error;
   };
   SourceText source_;
   std::vector<Found> found_;

@@ -11,6 +11,10 @@ std::string TextFault::text() const {
   out += ':';
   out += std::to_string(column);
   out += ": ";
+  if (gl_error != GlError::no_error) {
+    out += name_of(gl_error);
+    out += ": ";
+  }
   out += message;
   return out;
 }

@@ -41,11 +41,11 @@ std::vector<RegisterComponent> overwritten(const Program& program) {
 }  // namespace
 
 DrawContext::DrawContext(const PipelineState& pipeline, const VertexArrays& vertices,
-                         std::span<const TextureUnit> units, const RenderTarget& target)
+                         std::span<const TextureUnit> units, const RenderTarget& target, bool for_probe)
     : state(pipeline),
       arrays(vertices),
       assembly(vertices),
-      operations(pipeline, target),
+      operations(pipeline, target, !for_probe),
       outputs(target),
       depth(target.format) {
   for (std::size_t unit = 0; unit < units.size(); ++unit) {
@@ -58,8 +58,9 @@ DrawContext::DrawContext(const PipelineState& pipeline, const VertexArrays& vert
       point_change[unit] = 1.0F / static_cast<float>(texture.faces[0][0].width);
     }
   }
-  has_flat_result = outputs.need_fragment_alone() && (!operations.needs_color() || (!state.program && shades_flat()));
-  fills_registers = state.program.has_value() || outputs.needs_registers() || outputs.needs_output();
+  has_flat_result =
+      !for_probe && outputs.need_fragment_alone() && (!operations.needs_color() || (!state.program && shades_flat()));
+  fills_registers = for_probe || state.program.has_value() || outputs.needs_registers() || outputs.needs_output();
   initial = initial_of(*this);
   if (state.program) refilled = overwritten(*state.program);
 }

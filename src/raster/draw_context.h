@@ -22,9 +22,10 @@ struct RegisterComponent {
 };
 
 struct DrawContext {
-  // The arguments must outlive the context and have been checked. Units of incomplete textures are off.
+  // The arguments must outlive the context and have been checked. Units of incomplete textures are off. For a probe,
+  // every fragment goes through a batch, with all its registers.
   DrawContext(const PipelineState& pipeline, const VertexArrays& vertices, std::span<const TextureUnit> units,
-              const RenderTarget& target);
+              const RenderTarget& target, bool for_probe = false);
 
   // Whether primary and secondary colours are constant over a primitive.
   [[nodiscard]] bool shades_flat() const {

@@ -156,11 +156,11 @@ void FragmentBatch::draw() {
     return;
   }
   for (std::size_t i = 0; i < count_; ++i) {
-    fate_[i].depth_passed = context_.operations.depth_passes(fragment_[i]);
-    fate_[i].drawn = context_.operations.apply(fragment_[i], color_[i]);
+    outcome_[i].depth_passed = context_.operations.depth_passes(fragment_[i]);
+    outcome_[i].drawn = context_.operations.apply(fragment_[i], color_[i]);
   }
   BatchResults results{.fragments = {fragment_.data(), count_},
-                       .fates = {fate_.data(), count_},
+                       .outcomes = {outcome_.data(), count_},
                        .registers = &registers_,
                        .output = &out_,
                        .colors = {color_.data(), count_},
@@ -171,12 +171,37 @@ void FragmentBatch::draw() {
   outputs.write(results);
 }
 
-void FragmentBatch::flush() {
-  if (count_ == 0) return;
+void FragmentBatch::begin() {
   const bool affine =
       has_smooth_colors() && context_.state.profile.color_interpolation.value == ColorInterpolation::affine;
   weights_.compute({place_.data(), count_}, affine, context_.needs_texture_changes);
   fill_primary();
+}
+
+ProbedFragment FragmentBatch::run_alone() {
+  begin();
+  fill_registers();
+  const Fragment& fragment = fragment_[0];
+  ProbedFragment probed;
+  probed.primitive = fragment.primitive;
+  probed.depth = fragment.depth;
+  for (std::size_t r = 0; r < kRegisterCount; ++r) {
+    for (int k = 0; k < 4; ++k) {
+      probed.registers.value[r][static_cast<std::size_t>(k)] = registers_(static_cast<Register>(r), k)[0];
+    }
+  }
+  run_program();
+  probed.color = color_[0];
+  probed.depth_passes = context_.operations.depth_passes(fragment);
+  probed.fate = context_.operations.fate_of(fragment, color_[0]);
+  context_.operations.apply(fragment, color_[0]);
+  count_ = 0;
+  return probed;
+}
+
+void FragmentBatch::flush() {
+  if (count_ == 0) return;
+  begin();
   if (context_.fills_registers) {
     fill_registers();
     run_program();

@@ -33,10 +33,15 @@ class FragmentBatch {
   // Runs what has been gathered through the program and the fragment operations, in the order of pushing.
   void flush();
 
+  [[nodiscard]] std::size_t size() const { return count_; }
+  // The same for a single gathered fragment of a probe's context, and tells all about it but what it met.
+  [[nodiscard]] ProbedFragment run_alone();
+
  private:
   using Lanes = std::array<float, kBatchSize>;
 
   [[nodiscard]] bool has_smooth_colors() const;
+  void begin();
   void fill_primary();
   void fill_secondary();
   void fill_fog();
@@ -54,7 +59,7 @@ class FragmentBatch {
   bool has_constants_ = false;  // whether the constant registers have been filled
   std::array<Fragment, kBatchSize> fragment_;
   std::array<FragmentPlace, kBatchSize> place_;
-  std::array<FragmentFate, kBatchSize> fate_;
+  std::array<FragmentOutcome, kBatchSize> outcome_;
   std::array<ColorBytes, kBatchSize> color_;  // primary, then what leaves the combiners
   Interpolation weights_;
   std::array<std::array<Lanes, 3>, 3> coordinates_;  // of a texture: values, changes in x, changes in y

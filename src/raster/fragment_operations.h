@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 
+#include "ninebit/raster/fragment_probe.h"
 #include "ninebit/raster/pipeline_state.h"
 #include "ninebit/raster/rasterizer.h"
 #include "ninebit/raster/surface.h"
@@ -45,7 +46,7 @@ struct PlainOperations {
 // check_target (in target_check.h) asks for.
 class FragmentOperations {
  public:
-  // With reject_early == false, is_lost_early never says true: what is drawn is the same, for tests.
+  // With reject_early == false, is_lost_early never says true: what is drawn is the same, for tests and probes.
   FragmentOperations(const PipelineState& state, const RenderTarget& target, bool reject_early = true);
 
   // Whether the fragment is lost for certain and without a trace, in output planes too, so that its colour need not be
@@ -60,6 +61,13 @@ class FragmentOperations {
   // Whether the depth test would pass now.
   [[nodiscard]] bool depth_passes(const Fragment& f) const {
     return !depth_enabled_ || compare(depth_function_, f.depth, target_.depth.at(f.x, f.y));
+  }
+
+  // What `apply` would do to the fragment now.
+  [[nodiscard]] FragmentFate fate_of(const Fragment& f, const ColorBytes& color) const {
+    if (alpha_enabled_ && !compare(alpha_function_, color[3], alpha_reference_)) return FragmentFate::alpha_failed;
+    if (stencil_enabled_ && !side(f).passes(target_.stencil.at(f.x, f.y))) return FragmentFate::stencil_failed;
+    return depth_passes(f) ? FragmentFate::written : FragmentFate::depth_failed;
   }
 
   // Runs the tests and writes colour, depth and stencil. Returns whether the fragment passed all tests.

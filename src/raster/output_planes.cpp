@@ -11,8 +11,8 @@ inline constexpr bool kIsNumber = std::is_same_v<T, std::uint32_t> || std::is_sa
 template <class T>
 inline constexpr bool kIsReal = std::is_same_v<T, float> || std::is_same_v<T, Half>;
 
-bool is_written(const OutputPlane& output, const FragmentFate& fate) {
-  return output.time == OutputTime::at_depth_pass ? fate.depth_passed : fate.drawn;
+bool is_written(const OutputPlane& output, const FragmentOutcome& outcome) {
+  return output.time == OutputTime::at_depth_pass ? outcome.depth_passed : outcome.drawn;
 }
 
 // A number that a fragment itself has: its primitive's or its depth.
@@ -33,7 +33,7 @@ T real_as(float value) {
 template <class T, class Value>
 void write_lanes(const OutputPlane& output, const Plane<T>& plane, const BatchResults& results, const Value& value) {
   for (std::size_t i = 0; i < results.fragments.size(); ++i) {
-    if (!is_written(output, results.fates[i])) continue;
+    if (!is_written(output, results.outcomes[i])) continue;
     const Fragment& fragment = results.fragments[i];
     plane.at(fragment.x, fragment.y) = value(i);
   }
@@ -107,9 +107,9 @@ void OutputPlanes::write(const BatchResults& results) const {
   }
 }
 
-void OutputPlanes::write(const Fragment& fragment, FragmentFate fate) const {
+void OutputPlanes::write(const Fragment& fragment, FragmentOutcome outcome) const {
   for (const OutputPlane& output : planes_) {
-    if (!is_written(output, fate)) continue;
+    if (!is_written(output, outcome)) continue;
     const std::uint32_t number = number_of(output, fragment);
     if (const auto* wide = std::get_if<Plane<std::uint32_t>>(&output.plane)) {
       wide->at(fragment.x, fragment.y) = number;

@@ -16,7 +16,7 @@ namespace ninebit {
 
 // What became of a fragment. depth_passed has to be asked (FragmentOperations::depth_passes) before the fragment's
 // own `apply` writes its depth; drawn is what `apply` returned.
-struct FragmentFate {
+struct FragmentOutcome {
   bool depth_passed = false;
   bool drawn = false;
 };
@@ -24,7 +24,7 @@ struct FragmentFate {
 // What a batch knows of its fragments; lane i of everything belongs to fragments[i].
 struct BatchResults {
   std::span<const Fragment> fragments;
-  std::span<const FragmentFate> fates;
+  std::span<const FragmentOutcome> outcomes;
   const RegisterBatch* registers = nullptr;  // after the last general combiner; for needs_registers()
   const OutputBatch* output = nullptr;       // codes of the final combiner; for needs_output()
   std::span<const ColorBytes> colors{};      // what `apply` was given; for needs_colors()
@@ -51,7 +51,7 @@ class OutputPlanes {
   void write(const BatchResults& results) const;
 
   // The same for one fragment where need_fragment_alone().
-  void write(const Fragment& fragment, FragmentFate fate) const;
+  void write(const Fragment& fragment, FragmentOutcome outcome) const;
 
  private:
   std::vector<OutputPlane> planes_;
@@ -69,9 +69,9 @@ inline void draw_fragment(const FragmentOperations& operations, const OutputPlan
     operations.apply(fragment, color);
     return;
   }
-  FragmentFate fate{.depth_passed = operations.depth_passes(fragment)};
-  fate.drawn = operations.apply(fragment, color);
-  outputs.write(fragment, fate);
+  FragmentOutcome outcome{.depth_passed = operations.depth_passes(fragment)};
+  outcome.drawn = operations.apply(fragment, color);
+  outputs.write(fragment, outcome);
 }
 
 }  // namespace ninebit

@@ -10,6 +10,7 @@
 #include "src/raster/arrays_check.h"
 #include "src/raster/draw_context.h"
 #include "src/raster/fragment_batch.h"
+#include "src/raster/pixel_probe.h"
 #include "src/raster/primitive_setup.h"
 #include "src/raster/setup_context.h"
 #include "src/raster/target_check.h"
@@ -51,7 +52,8 @@ PixelBox drawn_pixels(const PixelRect& viewport, const PixelRect& scissor) {
           std::min(viewport.y + viewport.height, scissor.y + scissor.height)};
 }
 
-void draw(const PrimitiveSetup& setup, const PixelBox& drawn, const DrawContext& context, const RenderTarget& target) {
+void draw(const PrimitiveSetup& setup, const PixelBox& drawn, const DrawContext& context, const RenderTarget& target,
+          PixelProbe* probe) {
   const TileGrid grid(target.width, target.height);
   const Cut cut = cut_for(grid.count(), setup.most_of_an_item());
   const std::size_t items = setup.items();
@@ -70,6 +72,10 @@ void draw(const PrimitiveSetup& setup, const PixelBox& drawn, const DrawContext&
     tbb::parallel_for(std::size_t{0}, grid.count(), [&](std::size_t tile) {
       const PixelBox pixels = grid.pixels(tile, drawn);
       if (pixels.empty()) return;
+      if (probe != nullptr && probe->lies_in(pixels)) {
+        probe->meet_planes();
+        for (std::size_t b = 0; b < count; ++b) probe->run(chunk[b].setup, chunk[b].in_tile(tile));
+      }
       std::unique_ptr<FragmentBatch> batch;
       if (!context.has_flat_result) batch = std::make_unique<FragmentBatch>(context);
       for (std::size_t b = 0; b < count; ++b) {
@@ -99,7 +105,9 @@ Status rasterize(const PipelineState& state, const glm::mat4& clip_from_object, 
 
   const std::vector<glm::vec4> clip = transform(clip_from_object, arrays.positions);
   const SetupContext setup_context(state, viewport, drawn, target.format);
-  draw(PrimitiveSetup(setup_context, context.assembly, clip), drawn, context, target);
+  std::unique_ptr<PixelProbe> probe;
+  if (target.probe != nullptr) probe = std::make_unique<PixelProbe>(state, arrays, units, target);
+  draw(PrimitiveSetup(setup_context, context.assembly, clip), drawn, context, target, probe.get());
   return {};
 }
 

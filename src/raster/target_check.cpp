@@ -5,6 +5,8 @@
 #include <string>
 #include <variant>
 
+#include "ninebit/raster/fragment_probe.h"
+
 namespace ninebit {
 namespace {
 
@@ -128,6 +130,12 @@ Status check_target(const PipelineState& state, const RenderTarget& target) {
   if (target.width < 1 || target.height < 1 || target.width > kMaxSurfaceSize || target.height > kMaxSurfaceSize) {
     return fault("the render target is " + std::to_string(target.width) + "x" + std::to_string(target.height) +
                  "; each side goes from 1 to " + std::to_string(kMaxSurfaceSize));
+  }
+  if (const FragmentProbe* probe = target.probe) {
+    if (probe->x < 0 || probe->y < 0 || probe->x >= target.width || probe->y >= target.height) {
+      return fault("the probe's pixel (" + std::to_string(probe->x) + ", " + std::to_string(probe->y) +
+                   ") lies outside of the render target");
+    }
   }
   if (state.scissor && (state.scissor->width < 0 || state.scissor->height < 0)) {
     return fault("the scissor is " + std::to_string(state.scissor->width) + "x" +

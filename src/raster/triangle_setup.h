@@ -37,8 +37,9 @@ class PolygonSurvey {
 
  private:
   void add(const WindowVertex& a, const WindowVertex& b, const WindowVertex& c);
+  __extension__ using Wide = __int128;  // a polygon may have 2^32 triangles
   const SetupContext& context_;
-  std::int64_t area_ = 0;
+  Wide area_ = 0;
   DepthPlane largest_;
 };
 

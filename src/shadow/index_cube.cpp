@@ -9,6 +9,7 @@
 
 #include "ninebit/raster/rasterizer.h"
 #include "ninebit/raster/sampler.h"
+#include "src/shadow/camera_pass.h"
 #include "src/shadow/shading.h"
 #include "src/shadow/views.h"
 
@@ -52,13 +53,19 @@ class Stopwatch {
 struct TriangleSet {
   std::vector<glm::uvec3> triangles;
   std::vector<ColorBytes> index_colors;
+  std::vector<std::uint32_t> numbers;  // in the scene
 };
 
 // One run of the technique, pass by pass.
 class IndexCubeRun {
  public:
   IndexCubeRun(const Scene& scene, const RenderSettings& settings, IndexCubePasses passes, Rendering& rendering)
-      : scene_(scene), settings_(settings), out_(rendering), light_(scene.lights[0]), passes_(std::move(passes)) {}
+      : scene_(scene),
+        settings_(settings),
+        out_(rendering),
+        light_(scene.lights[0]),
+        passes_(std::move(passes)),
+        camera_{settings, rendering} {}
 
   void transform() {
     assign_indices();
@@ -66,7 +73,7 @@ class IndexCubeRun {
     from_light_.resize(scene_.positions.size());
     for (std::size_t i = 0; i < from_light_.size(); ++i) from_light_[i] = scene_.positions[i] - light_.position;
     const float aspect = static_cast<float>(settings_.width) / static_cast<float>(settings_.height);
-    camera_projection_ = camera_projection(scene_, scene_.cameras[0], aspect);
+    camera_.projection = camera_projection(scene_, scene_.cameras[0], aspect);
     light_range_ = depth_range(scene_, light_.position, kCubeCornerCosine);
   }
 
@@ -100,7 +107,7 @@ class IndexCubeRun {
     out_.frame.fill({.color = kBackground});
     RenderTarget target = out_.frame.target();
     target.outputs.clear();
-    return rasterize(passes_.depth, camera_projection_, all_triangles(), {}, target);
+    return camera_.draw("depth", passes_.depth, all_triangles(), {}, target);
   }
 
   // Pass 3: shadows into the stencil buffer. What the index says of a surface that is turned away from the light is of
@@ -122,13 +129,13 @@ class IndexCubeRun {
     // (Without indices, all vertices would be drawn in their order.)
     if (!arrays.indices.empty()) {
       const std::array<TextureUnit, 1> units{TextureUnit{&map_, kNearestSampler}};
-      const Status drawn = rasterize(passes_.comparison, camera_projection_, arrays, units, target);
+      const Status drawn = camera_.draw("comparison", passes_.comparison, arrays, units, target, compared.numbers);
       if (!drawn) return drawn;
     }
     if (averted.triangles.empty()) return {};
     target.outputs.clear();
     const VertexArrays away{.positions = scene_.positions, .indices = index_list(averted.triangles)};
-    return rasterize(passes_.averted, camera_projection_, away, {}, target);
+    return camera_.draw("averted", passes_.averted, away, {}, target, averted.numbers);
   }
 
   // Pass 4: the lit pass where the stencil is 0, the shadow pass where it is 1.
@@ -136,9 +143,9 @@ class IndexCubeRun {
     RenderTarget target = out_.frame.target();
     VertexArrays arrays = all_triangles();
     arrays.vertex_colors = shading_.lit;
-    if (Status drawn = rasterize(passes_.lit, camera_projection_, arrays, {}, target); !drawn) return drawn;
+    if (Status drawn = camera_.draw("lit", passes_.lit, arrays, {}, target); !drawn) return drawn;
     arrays.vertex_colors = shading_.shadowed;
-    return rasterize(passes_.shadow, camera_projection_, arrays, {}, target);
+    return camera_.draw("shadow", passes_.shadow, arrays, {}, target);
   }
 
   void count() {
@@ -184,6 +191,7 @@ class IndexCubeRun {
       TriangleSet& set = faces_light(scene_.triangles[t]) ? compared : averted;
       set.triangles.push_back(scene_.triangles[t]);
       set.index_colors.push_back(index_colors_[t]);
+      set.numbers.push_back(static_cast<std::uint32_t>(t));
     }
   }
 
@@ -231,7 +239,7 @@ class IndexCubeRun {
   std::vector<ColorBytes> index_colors_;
   std::vector<glm::vec3> from_light_;
   VertexShading shading_;
-  glm::mat4 camera_projection_{1.0F};
+  CameraPasses camera_;
   DepthRange light_range_{};
   Texture map_;
 };

@@ -18,6 +18,15 @@ std::span<const Technique> techniques() {
   return kTechniques;
 }
 
+const ProbedFragment* deciding_fragment(const ProbedPass& pass) {
+  const ProbedFragment* decided = nullptr;
+  for (const ProbedFragment& fragment : pass.fragments) {
+    const bool outranked = decided != nullptr && decided->fate == FragmentFate::written;
+    if (fragment.fate == FragmentFate::written || (fragment.depth_passes && !outranked)) decided = &fragment;
+  }
+  return decided;
+}
+
 const Technique* find_technique(std::string_view name) {
   for (const Technique& technique : kTechniques) {
     if (technique.name == name) return &technique;

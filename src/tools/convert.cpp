@@ -25,7 +25,7 @@ struct ConvertFlags {
 Result<std::string> printed(const ConvertFlags& flags, const CombinerState& state) {
   const HardwareProfile& profile = profile_of(flags.common);
   const ChipClass chip = chip_of(flags.program, profile);
-  if (flags.to == "gl") return print_gl_calls(state);
+  if (flags.to == "gl") return print_gl_calls(state, profile);
   if (flags.to == "rc10") return print_rc10(state, profile);
   if (flags.to == "words") return print_register_words(state, chip, profile);
   if (flags.to == "words-json") return print_json_register_words(state, chip, profile);

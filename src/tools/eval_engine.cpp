@@ -19,6 +19,13 @@ void copy(const RegisterBatch& from, std::size_t from_row, RegisterBatch& to, st
 
 }  // namespace
 
+void replace_constant(Program& program, const EvalColumn& column, s9 code) {
+  const std::size_t i = index_of(column.component);
+  const bool first = column.reg == Register::constant0;
+  for (ProgramStage& stage : program.general) (first ? stage.constant0 : stage.constant1)[i] = code;
+  (first ? program.constant0 : program.constant1)[i] = code;
+}
+
 EvalRunner::EvalRunner(const CombinerState& state, const HardwareProfile& profile, const EvalRows& rows,
                        EvalEngine engine)
     : program_(normalize(state, profile)),
@@ -32,11 +39,7 @@ EvalRunner::EvalRunner(const CombinerState& state, const HardwareProfile& profil
 
 void EvalRunner::set_constants(const EvalBatch& batch, std::size_t row) {
   for (const EvalColumn& column : constants_) {
-    const s9 code = batch.registers(column.reg, column.component)[row];
-    const std::size_t i = index_of(column.component);
-    const bool first = column.reg == Register::constant0;
-    for (ProgramStage& stage : program_.general) (first ? stage.constant0 : stage.constant1)[i] = code;
-    (first ? program_.constant0 : program_.constant1)[i] = code;
+    replace_constant(program_, column, batch.registers(column.reg, column.component)[row]);
   }
 }
 

@@ -8,6 +8,9 @@ namespace ninebit::tools {
 
 enum class EvalEngine { reference, simd };
 
+// Puts a code in place of a constant's component, in every stage and in the final combiner.
+void replace_constant(Program& program, const EvalColumn& column, s9 code);
+
 class EvalRunner {
  public:
   // `state` is valid for the profile. Constants of columns that `rows` has stand in for the program's own, those of

@@ -11,14 +11,6 @@ namespace {
 
 constexpr std::string_view kComponents = "rgba";
 
-std::string register_name(Register reg) {
-  if (reg == Register::constant0) return "const0";
-  if (reg == Register::constant1) return "const1";
-  if (reg == Register::primary) return "primary";
-  if (reg == Register::secondary) return "secondary";
-  return is_texture(reg) ? fmt::format("tex{}", texture_unit_of(reg)) : std::string(name_of(reg));
-}
-
 std::string_view trimmed(std::string_view text) {
   const std::size_t first = text.find_first_not_of(" \t");
   if (first == std::string_view::npos) return {};
@@ -39,8 +31,16 @@ std::size_t column_of(const CsvLine& line, std::string_view field) {
 
 }  // namespace
 
+std::string short_name(Register reg) {
+  if (reg == Register::constant0) return "const0";
+  if (reg == Register::constant1) return "const1";
+  if (reg == Register::primary) return "primary";
+  if (reg == Register::secondary) return "secondary";
+  return is_texture(reg) ? fmt::format("tex{}", texture_unit_of(reg)) : std::string(name_of(reg));
+}
+
 std::string EvalColumn::name() const {
-  return register_name(reg) + '.' + kComponents[static_cast<std::size_t>(component)];
+  return short_name(reg) + '.' + kComponents[static_cast<std::size_t>(component)];
 }
 
 std::vector<EvalColumn> eval_columns(const HardwareProfile& profile) {

@@ -37,6 +37,7 @@ int run(int argc, char** argv) {
   add_profiles(app, exit_code);
   add_info(app, exit_code);
   add_eval(app, exit_code);
+  add_trace(app, exit_code);
   add_explain(app, exit_code);
   add_convert(app, exit_code);
   add_validate(app, exit_code);

@@ -23,17 +23,13 @@ struct Finding {
   int line = 0, column = 0;  // 0: not about one place of the text
 };
 
-// Parsers name the GL error of what GL refuses before the message; other faults are of the text itself.
+// What GL refuses; faults without a GL error are of the text itself.
 std::optional<Finding> refusal(const TextFault& fault) {
-  for (const GlError error : {GlError::invalid_enum, GlError::invalid_value, GlError::invalid_operation}) {
-    const std::string prefix = std::string(name_of(error)) + ": ";
-    if (!fault.message.starts_with(prefix)) continue;
-    Finding finding{{}, fault.line, fault.column};
-    finding.what.gl_error = error;
-    finding.what.message = fault.message.substr(prefix.size());
-    return finding;
-  }
-  return std::nullopt;
+  if (fault.gl_error == GlError::no_error) return std::nullopt;
+  Finding finding{{}, fault.line, fault.column};
+  finding.what.gl_error = fault.gl_error;
+  finding.what.message = fault.message;
+  return finding;
 }
 
 Json or_null(const auto& value, bool known) {

@@ -36,6 +36,7 @@ struct RealStage {
   std::array<RealChannel, 3> rgb{};  // all 0 if the RGB portion writes nothing
   RealChannel alpha{};               // likewise
   RealRegisters after;               // the registers with the stage's outputs
+  RegisterFile codes;                // their nearest codes, decided like RealEvaluation::codes
 };
 
 struct RealFinal {

@@ -19,8 +19,10 @@ namespace ninebit {
 [[nodiscard]] Parsed<CombinerState> parse_gl_calls(const SourceText& source, const HardwareProfile& profile);
 
 // The calls that bring a fresh context of the profile into this state; calls that would repeat a default are left out
-// for stages beyond num_general_combiners only, and for a stage's constants, whose call a profile may lack.
-// parse_gl_calls gives the same state again if the state is valid (see validate.h) and its colours are in [0, 1].
-[[nodiscard]] std::string print_gl_calls(const CombinerState& state);
+// for stages beyond num_general_combiners only, and for a stage's constants, whose call a profile may lack. What the
+// profile lacks altogether (its last stages, the stages' constants) is left out: it has no effect, and GL would refuse
+// the calls. But for that, parse_gl_calls gives the same state again if the state is valid (see validate.h) and its
+// colours are in [0, 1].
+[[nodiscard]] std::string print_gl_calls(const CombinerState& state, const HardwareProfile& profile);
 
 }  // namespace ninebit

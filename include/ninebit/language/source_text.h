@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "ninebit/combiner/validate.h"
 #include "ninebit/numerics/hardware_profile.h"
 
 namespace ninebit {
@@ -18,12 +19,14 @@ struct SourceText {
 
 // A fault in a text. Lines and columns are 1-based; a column counts bytes.
 struct TextFault {
-  std::string file;
+  std::string file{};
   int line = 0;
   int column = 0;
-  std::string message;  // one sentence: what is wrong and what was expected
+  std::string message{};  // one sentence: what is wrong and what was expected
+  // What GL raises where the program that stands here is loaded; no_error: GL is not asked, or sees nothing wrong.
+  GlError gl_error = GlError::no_error;
 
-  // "FILE:LINE:COLUMN: MESSAGE".
+  // "FILE:LINE:COLUMN: MESSAGE", the message after "GL_INVALID_…: " where GL raises an error.
   [[nodiscard]] std::string text() const;
 };
 

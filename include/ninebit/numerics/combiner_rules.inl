@@ -39,21 +39,45 @@ NINEBIT_RULE V clamp_to(V v, int low, int high) {
   return min_of(max_of(v, set(low)), set(high));
 }
 
-// Rules 3 to 8: what a general combiner writes for a wide value (units of 1 / one²): (wide + bias) × scale, narrowed,
-// clamped to [lowest, one].
-NINEBIT_RULE V combiner_output(const Datapath& d, Scale scale, Bias bias, V wide) {
-  if (bias == Bias::by_negative_one_half) wide = sub(wide, set(d.half * d.one));
+// Rules 3 and 4: an output's bias, in wide values (units of 1 / one²).
+NINEBIT_RULE V add_bias(const Datapath& d, Bias bias, V wide) {
+  return bias == Bias::by_negative_one_half ? sub(wide, set(d.half * d.one)) : wide;
+}
+
+// What narrow_before_scale leaves, and scale_output doubles, in a code: scaled values are divided by this.
+NINEBIT_RULE int scaled_unit(const Datapath& d) {
+  return d.narrowing_point == NarrowingPoint::before_scale ? 2 : 2 * d.one;
+}
+
+// Rule 7: the biased value itself or, if it is narrowed before it is scaled, a code.
+NINEBIT_RULE V narrow_before_scale(const Datapath& d, V biased) {
+  // Two dot products of three full products each, and the bias: the quotient stays below eight.
+  return d.narrowing_point == NarrowingPoint::before_scale ? narrow(d.general_narrowing, biased, d.one, 8 * d.one)
+                                                           : biased;
+}
+
+// Rules 5 and 6: what narrow_before_scale left, times the scale, doubled so that one half of it is a whole number.
+NINEBIT_RULE V scale_output(Scale scale, V v) {
   const int twice_scale = scale == Scale::by_one_half ? 1 : scale == Scale::none ? 2 : scale == Scale::by_two ? 4 : 8;
-  int divisor = 2 * d.one;
-  if (d.narrowing_point == NarrowingPoint::before_scale) {
-    // Two dot products of three full products each, and the bias: the quotient stays below eight.
-    wide = narrow(d.general_narrowing, wide, d.one, 8 * d.one);
-    divisor = 2;
-  }
-  // The clamp comes first only to keep the quotient small: it cuts nothing that the last clamp would not.
-  const int most = d.one + 1;
-  const V scaled = clamp_to(mul(wide, set(twice_scale)), -divisor * most, divisor * most);
-  return clamp_to(narrow(d.general_narrowing, scaled, divisor, most), d.lowest, d.one);
+  return mul(v, set(twice_scale));
+}
+
+// Rule 8: a scaled value as a whole code, without a limit to the register range; its size must not exceed `most`.
+NINEBIT_RULE V narrow_output(const Datapath& d, V scaled, int most) {
+  return narrow(d.general_narrowing, scaled, scaled_unit(d), most);
+}
+
+NINEBIT_RULE V clamp_output(const Datapath& d, V code) {
+  return clamp_to(code, d.lowest, d.one);
+}
+
+// Rules 3 to 8: what a general combiner writes for a wide value: (wide + bias) × scale, narrowed, clamped to
+// [lowest, one].
+NINEBIT_RULE V combiner_output(const Datapath& d, Scale scale, Bias bias, V wide) {
+  const V scaled = scale_output(scale, narrow_before_scale(d, add_bias(d, bias, wide)));
+  // This clamp comes first only to keep the quotient small: it cuts nothing that the last one would not.
+  const int most = d.one + 1, limit = scaled_unit(d) * most;
+  return clamp_output(d, narrow_output(d, clamp_to(scaled, -limit, limit), most));
 }
 
 // Rule 11: CD where spare0's alpha is at least one half, else AB. All wide values.
@@ -72,13 +96,27 @@ NINEBIT_RULE V e_times_f(const Datapath& d, V e, V f) {
   return narrow(d.final_narrowing, mul(e, f), d.one, d.one);
 }
 
+// The part of A·B + (1 - A)·C that C has, a wide value.
+NINEBIT_RULE V one_minus_a_times_c(const Datapath& d, V a, V c) {
+  return mul(sub(set(d.one), a), c);
+}
+
+// Rule 9: A·B + (1 - A)·C as a whole code in [0, 2 one].
+NINEBIT_RULE V narrow_mix(const Datapath& d, V mix) {
+  return narrow(d.final_narrowing, mix, d.one, 2 * d.one);
+}
+
+// Rule 14.
+NINEBIT_RULE V clamp_final(const Datapath& d, V v) {
+  return clamp_to(v, 0, d.one);
+}
+
 // Rules 9 and 14: A·B + (1 - A)·C narrowed, D added, clamped to [0, one]. A in [0, one], the others in [0, 2 one].
 NINEBIT_RULE V final_rgb(const Datapath& d, V a, V b, V c, V added) {
-  const V wide = add(mul(a, b), mul(sub(set(d.one), a), c));
-  return clamp_to(add(narrow(d.final_narrowing, wide, d.one, 2 * d.one), added), 0, d.one);
+  return clamp_final(d, add(narrow_mix(d, add(mul(a, b), one_minus_a_times_c(d, a, c))), added));
 }
 
 // Rule 14: G.
 NINEBIT_RULE V final_alpha(const Datapath& d, V g) {
-  return clamp_to(g, 0, d.one);
+  return clamp_final(d, g);
 }

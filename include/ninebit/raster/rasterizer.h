@@ -6,6 +6,7 @@
 #include <glm/glm.hpp>
 #include <span>
 
+#include "ninebit/raster/fragment_probe.h"
 #include "ninebit/raster/pipeline_state.h"
 #include "ninebit/raster/sampler.h"
 #include "ninebit/raster/surface.h"
@@ -52,7 +53,7 @@ struct VertexArrays {
   std::array<std::span<const glm::vec4>, kMaxAttributes> attributes{};
 };
 
-// The vertex numbers of indexed triangles as one list.
+// The vertex numbers of indexed triangles as one list. (Of no triangles an empty one, which stands for all vertices.)
 [[nodiscard]] inline std::span<const std::uint32_t> index_list(std::span<const glm::uvec3> triangles) {
   return triangles.empty() ? std::span<const std::uint32_t>{}
                            : std::span<const std::uint32_t>(&triangles[0].x, 3 * triangles.size());
@@ -68,16 +69,23 @@ struct TextureUnit {
 //
 // - Clip coordinates are clip_from_object * (position, 1), computed in floats in a fixed order. Primitives are clipped
 //   against the near and far planes and against a guard band that keeps window positions within 8,192 pixels of the
-//   viewport's centre. Primitives with a position that is not finite, and polygons without area after snapping, draw
-//   nothing.
+//   viewport's centre; the viewport's own sides cut pixels, not primitives. Primitives with a position that is not
+//   finite, points outside the view volume, and polygons without area after snapping, draw nothing.
 // - Window positions are truncated toward zero to 1/16 pixel (profile.subpixel_bits). A polygon draws the pixels whose
 //   centres lie inside it, or on a top or left edge (top: in the picture, y up). A line draws the pixels whose diamonds
-//   it leaves (OpenGL 1.3, 3.4.1); a point of size n draws n × n pixels around it.
+//   it leaves (OpenGL 1.3, 3.4.1), a wide one w pixels for each of those that a line (w - 1) / 2 pixels lower, or more
+//   to the left, draws; a point of size n draws n × n pixels around it (3.3).
+// - Quads and polygons are a fan of triangles around their first vertex. A polygon's facing is the sign of the sum of
+//   their areas; it decides the polygon mode, and culling where that is line or point. Filled, each triangle has its
+//   own facing: of a closed mesh as many front as back faces then meet a pixel, whatever snapping did. In the modes
+//   line and point the boundary is drawn, with the edges that clipping added (2.11).
 // - Window depth is held in 24 bits: the depth codes of the target's format, with as many fraction bits as are left.
 //   Each vertex depth is rounded to them; a fragment's is the exact plane (or line) through them at the pixel's centre,
-//   rounded to nearest, halves up; then the polygon offset is added, itself rounded so once a polygon; the sum is
-//   clamped and its fraction bits are rounded away, halves up. All in integers, so that equal geometry gives equal
-//   depth in every pass.
+//   rounded to nearest, halves up; then the polygon offset is added, itself rounded so once a polygon, m being that of
+//   its largest triangle; the sum is clamped and its fraction bits are rounded away, halves up. All in integers, so
+//   that equal geometry gives equal depth in every pass.
+// - Along a line everything is taken at the foot of the perpendicular from the pixel's centre, or at the end that it
+//   lies beyond; a wide line's pixels side by side share it.
 // - Texture coordinates, attributes, fog factors and smooth colours are interpolated in floats, in a fixed order for
 //   each fragment; in perspective, colours as profile.color_interpolation says.
 // - Each fragment then goes through scissor, program, alpha test, stencil test, depth test, blending and masks, in GL's

@@ -74,6 +74,8 @@ struct OutputPlane {
 };
 inline constexpr std::size_t kMaxOutputPlanes = 32;
 
+struct FragmentProbe;
+
 // Where a draw goes. All planes have the size of the target, and any may be the caller's own memory.
 struct RenderTarget {
   int width = 0;
@@ -83,6 +85,7 @@ struct RenderTarget {
   Plane<std::uint32_t> depth{};   // codes of format's depth bits: 0 near, max_depth(format) far
   Plane<std::uint8_t> stencil{};  // values of format's stencil bits
   std::vector<OutputPlane> outputs{};
+  FragmentProbe* probe = nullptr;  // not owned; nullptr: no pixel is watched (fragment_probe.h)
 };
 
 // What a surface starts with and what clear() writes.

@@ -6,11 +6,13 @@
 #include <functional>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
 #include "ninebit/numerics/hardware_profile.h"
 #include "ninebit/numerics/result.h"
+#include "ninebit/raster/fragment_probe.h"
 #include "ninebit/raster/pipeline_state.h"
 #include "ninebit/raster/surface.h"
 #include "ninebit/scene/scene.h"
@@ -27,6 +29,7 @@ struct RenderSettings {
   bool light_facing = false;  // polygons that face away from the light are shadowed (the article leaves them lit)
   CullFace cull_face = CullFace::none;  // in every pass, from the light as from the camera
   bool layers = false;                  // keep every intermediate value of the camera's view
+  std::optional<glm::ivec2> pixel;      // to be watched: window coordinates of the frame, y up
   HardwareProfile profile = profiles::geforce2;
 };
 
@@ -61,6 +64,17 @@ struct IndexMapFace {
   std::array<std::vector<std::uint8_t>, 3> color;
 };
 
+// What one of the camera's passes drew at the pixel that the settings watch.
+struct ProbedPass {
+  std::string name;
+  std::optional<Program> program;         // none: the register combiners are disabled
+  std::vector<ProbedFragment> fragments;  // in drawing order; `primitive` is the number of the scene's triangle
+};
+
+// The fragment that decided what a pass left there: the last one that was written or, if none was, the last one that
+// passes the depth test; nullptr if there is none either.
+[[nodiscard]] const ProbedFragment* deciding_fragment(const ProbedPass& pass);
+
 struct Rendering {
   Surface frame;                                        // colour, depth and stencil: stencil 1 is shadow
   std::uint64_t background = 0, lit = 0, shadowed = 0;  // pixels of the frame
@@ -68,6 +82,7 @@ struct Rendering {
   std::uint64_t codes_used = 0;           // polygons or objects that have an index; the cleared map is not counted
   std::vector<IndexMapFace> index_map{};  // six faces in the order of CubeFace
   std::optional<ComparisonLayers> layers{};
+  std::vector<ProbedPass> probed{};  // in the order of drawing; empty unless a pixel was watched
   PassTimes times{};
 };
 

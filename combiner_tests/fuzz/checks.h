@@ -1,0 +1,22 @@
+// What must hold of each parser, whatever bytes it is given. The fuzzers call these functions with what libFuzzer makes
+// up, and the tests of the rooms with the kept corpora.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace ninebit::fuzz {
+
+// Each reads the bytes as a file of its form and answers what is wrong with the parser; empty: nothing. Where the bytes
+// are a program, its state must be valid and compile, and come back from every form that can express it. Where they are
+// none, there must be 1 to kMaxTextFaults faults, each with a message and a place within the text.
+using Check = std::string (*)(std::string_view bytes);
+
+std::string check_gl(std::string_view bytes);       // GL calls
+std::string check_rc10(std::string_view bytes);     // !!RC1.0
+std::string check_words(std::string_view bytes);    // register words as NAME = 0x… lines
+std::string check_json(std::string_view bytes);     // the canonical form, and register words as JSON
+std::string check_profile(std::string_view bytes);  // a hardware profile, which must compute alike in both evaluators
+std::string check_csv(std::string_view bytes);      // a table for `eval`, which reads alike in any pieces
+
+}  // namespace ninebit::fuzz

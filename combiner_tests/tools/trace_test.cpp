@@ -1,0 +1,320 @@
+// `ninebit trace` as people and programs see it, against `eval` and `render`; what a trace holds is tested beside the
+// library.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+#include <sstream>
+
+#include "combiner_tests/combiner/random_state.h"
+#include "combiner_tests/support/stored_pictures.h"
+#include "combiner_tests/tools/program_support.h"
+
+namespace tools_test {
+namespace {
+
+using namespace ninebit;  // NOLINT(google-build-using-namespace): states are spelled in its words
+
+class TraceVerb : public testing::Test {
+ protected:
+  TempFolder folder_;
+  std::string article_ = write_program(folder_, "article.json", article_state());
+};
+
+// The line of a section that begins with this label.
+std::string line_of(const std::string& text, const std::string& section, const std::string& label) {
+  const std::size_t from = text.find("\n" + section);
+  if (from == std::string::npos) return "no section " + section;
+  for (const std::string& line : lines_of(text.substr(from + 1))) {
+    const std::size_t begin = line.find_first_not_of(' ');
+    if (begin != std::string::npos && line.compare(begin, label.size() + 1, label + ' ') == 0) return line;
+  }
+  return "no line " + label;
+}
+
+// The words of a line.
+std::vector<std::string> words_of(const std::string& line) {
+  std::istringstream in(line);
+  std::vector<std::string> words;
+  for (std::string word; in >> word;) words.push_back(word);
+  return words;
+}
+using Words = std::vector<std::string>;
+
+TEST_F(TraceVerb, TheArticlesDifferences) {
+  const auto trace = [&](const char* primary) {
+    const Outcome outcome = ninebit({"trace", article_, "--set", primary, "--set", "tex0=100,0,0,255"});
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_EQ(outcome.err, "");
+    EXPECT_EQ(outcome.out.find('\x1b'), std::string::npos) << "colours, though stdout is no terminal";
+    return outcome.out;
+  };
+  const std::string two = trace("primary=102,0,0,0");
+  EXPECT_EQ(words_of(line_of(two, "stage 0, RGB", "spare0")),
+            (Words{"spare0", "code", "8", "0", "0", "0.03137", "0", "0", "0.03137", "0", "0"}));
+  EXPECT_EQ(words_of(line_of(two, "stage 1, RGB", "· 4"))[3], "256");
+  EXPECT_EQ(words_of(line_of(two, "stage 1, RGB", "dropped"))[2], "1");
+  EXPECT_EQ(words_of(line_of(two, "stage 1, RGB", "spare1")),
+            (Words{"spare1", "code", "1", "1", "1", "0.00392", "0.00392", "0.00392", "0.00394", "0.00394", "0.00394"}));
+  EXPECT_TRUE(two.ends_with("\nout: bytes 0, 0, 0, 1\n")) << two;
+  EXPECT_NE(two.find("stage 0, alpha portion: writes nothing\n"), std::string::npos);
+
+  const std::string one = trace("primary.r=101");
+  EXPECT_EQ(words_of(line_of(one, "stage 1, RGB", "· 4"))[3], "64");
+  EXPECT_NE(line_of(one, "stage 1, RGB", "dropped").find("<- all that there was"), std::string::npos) << one;
+  EXPECT_EQ(words_of(line_of(one, "stage 1, RGB", "spare1")),
+            (Words{"spare1", "code", "0", "0", "0", "0", "0", "0", "0.00098", "0.00098", "0.00098"}));
+  EXPECT_TRUE(one.ends_with("\nout: bytes 0, 0, 0, 0\n"));
+}
+
+// Columns of every row stand below each other, whatever characters the labels have.
+TEST_F(TraceVerb, ColumnsAreAligned) {
+  const std::string out = ninebit({"trace", article_, "--set", "primary.r=102"}).out;
+  std::size_t rows = 0;
+  for (const std::string& line : lines_of(out)) {
+    const std::size_t code = std::max(line.find(" code "), line.find(" wide "));
+    const std::size_t unit = std::min(line.find(" code "), line.find(" wide "));
+    if (unit == std::string::npos || line.find("units") != std::string::npos || code == 0) continue;
+    const auto continued = [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) == 0x80; };
+    const auto before = line.begin() + static_cast<std::ptrdiff_t>(unit);
+    EXPECT_EQ(unit - static_cast<std::size_t>(std::count_if(line.begin(), before, continued)), 27U) << line;
+    ++rows;
+  }
+  EXPECT_GT(rows, 20U);
+}
+
+TEST_F(TraceVerb, Json) {
+  const Json t = json_of(ninebit({"trace", article_, "--set", "primary.r=101", "--set", "tex0.r=100", "--json"}));
+  EXPECT_EQ(keys_of(t), (Words{"command", "version", "profile", "program", "arithmetic", "one", "before", "stages",
+                               "final", "out"}));
+  EXPECT_EQ(t["command"], "trace");
+  EXPECT_EQ(t["profile"], "geforce2");
+  EXPECT_EQ(t["before"]["primary"]["codes"], Json({101, 0, 0, 0}));
+  ASSERT_EQ(t["stages"].size(), 2U);
+  EXPECT_FALSE(t["stages"][0]["alpha"]["writes"]);
+  const Json& channel = t["stages"][0]["rgb"]["channels"][0];
+  EXPECT_EQ(keys_of(channel),
+            (Words{"channel", "a", "b", "ab_product", "ab", "c", "d", "cd_product", "cd", "outputs"}));
+  EXPECT_EQ(channel["d"]["mapping"], "expand_normal");
+  EXPECT_EQ(channel["d"]["read"]["code"], 0);
+  EXPECT_EQ(channel["d"]["mapped"], Json({{"code", -255}, {"real", -1.0}, {"ideal", -1.0}}));
+  const Json& square = t["stages"][1]["rgb"]["channels"][2]["outputs"][0];
+  EXPECT_EQ(keys_of(square),
+            (Words{"output", "target", "wide", "biased", "scaled", "dropped", "narrowed", "cut", "written"}));
+  EXPECT_EQ(square["output"], "ab");
+  EXPECT_EQ(square["target"], "spare1.b");
+  EXPECT_EQ(square["dropped"], Json({{"units", 64}, {"real", 64 / 65025.0}, {"ideal", 0.0}}));
+  EXPECT_EQ(square["written"], Json({{"code", 0}, {"real", 0.0}, {"ideal", 64 / 65025.0}}));
+  EXPECT_EQ(t["out"], Json({{"codes", {0, 0, 0, 0}}, {"bytes", {0, 0, 0, 0}}}));
+}
+
+// Random programs of every profile, with random registers set: what leaves is what eval says of the same row.
+TEST_F(TraceVerb, LeavesWhatEvalSays) {
+  std::set<std::string> outputs;
+  for (std::uint64_t index = 0; index < 12; ++index) {
+    SCOPED_TRACE("case " + std::to_string(index));
+    test::Random random(0x7EACE, index);
+    const std::span<const HardwareProfile> all = hardware_profiles();
+    const HardwareProfile& profile = all[index % all.size()];
+    const std::string program = write_program(folder_, "random.json", test::random_state(random, profile));
+    std::vector<std::string> names{"const0", "const1", "fog", "primary", "secondary", "spare0", "spare1"};
+    for (int unit = 0; unit < profile.texture_units; ++unit) names.push_back("tex" + std::to_string(unit));
+    std::string header, row;
+    std::vector<std::string> arguments{"trace", program, "--profile", std::string(profile.name), "--json"};
+    for (const std::string& name : names) {
+      const bool whole = random.one_in(3);
+      std::string codes;
+      for (const char component : std::string_view("rgba")) {
+        if (!whole && random.one_in(2)) continue;
+        const std::string code = std::to_string(test::random_code(random, profile));
+        header += (header.empty() ? "" : ",") + name + '.' + component;
+        row += (row.empty() ? "" : ",") + code;
+        codes += (codes.empty() ? "" : ",") + code;
+        if (!whole) arguments.insert(arguments.end(), {"--set", name + '.' + component + '=' + code});
+      }
+      if (whole) arguments.insert(arguments.end(), {"--set", name + '=' + codes});
+    }
+    const std::string table = write_bytes(folder_ / "in.csv", header + '\n' + row + '\n');
+    const Json expected = json_of(ninebit({"eval", program, "--inputs", table, "--profile", std::string(profile.name),
+                                           "--json", "--registers"}))["rows"][0];
+    const Json t = json_of(ninebit(arguments));
+    const Json& last = t["stages"].back()["after"];
+    for (std::size_t c = 0; c < 4; ++c) {
+      const std::string component(1, "rgba"[c]);
+      EXPECT_EQ(t["out"]["codes"][c], expected["out." + component]);
+      for (const std::string& name : names) {
+        if (name.starts_with("const")) continue;
+        EXPECT_EQ(last[name]["codes"][c], expected[name + '.' + component]) << name;
+      }
+    }
+    outputs.insert(t["out"].dump());
+    const Outcome text = ninebit([&] {
+      arguments.erase(std::find(arguments.begin(), arguments.end(), "--json"));
+      return arguments;
+    }());
+    EXPECT_EQ(text.code, 0) << text.err;
+    EXPECT_NE(text.out.find("\nout: bytes "), std::string::npos);
+  }
+  EXPECT_GT(outputs.size(), 7U);
+}
+
+TEST_F(TraceVerb, WrongUsage) {
+  struct Case {
+    std::vector<std::string> arguments;
+    std::vector<std::string> words;
+  };
+  const std::vector<Case> cases{
+      {{}, {"PROGRAM or --scene is required"}},
+      {{article_, "--set"}, {"--set needs a value"}},
+      {{article_, "--set", "tex0"}, {"'tex0' sets nothing", "REGISTER=R,G,B,A"}},
+      {{article_, "--set", "tex2=1,2,3,4"}, {"'tex2' is no register", "tex0 to tex1"}},
+      {{article_, "--set", "zero.r=1"}, {"'zero.r' is no register"}},
+      {{article_, "--set", "tex0.x=1"}, {"'tex0.x'", ".r, .g, .b or .a"}},
+      {{article_, "--set", "tex0=1,2,3"}, {"tex0 takes four whole numbers", "-255 to 255", "'1,2,3'"}},
+      {{article_, "--set", "tex0=1,2,3,4,5"}, {"four whole numbers"}},
+      {{article_, "--set", "tex0=1,2,3,256"}, {"-255 to 255"}},
+      {{article_, "--set", "tex0.r=128", "--profile", "geforce256-8bit"}, {"-127 to 127", "'128'"}},
+      {{article_, "--set", "tex0.r=1.5"}, {"tex0.r takes a whole number", "'1.5'"}},
+      {{article_, "--set", "tex0.r="}, {"''"}},
+      {{article_, "--set", "fog.r=1", "--set", "fog=1,2,3,4"}, {"fog.r is set twice"}},
+      {{article_, "--set", "fog.r=1", "--scene", kRoom, "--pixel", "1,1"}, {"--set excludes --scene"}},
+      {{article_, "--pixel", "1,1"}, {"--pixel requires --scene"}},
+      {{article_, "--size", "64x64"}, {"--size requires --scene"}},
+      {{"--scene", kRoom}, {"--scene needs --pixel X,Y"}},
+      {{"--scene", kRoom, "--pixel", "7"}, {"'7' is no pixel"}},
+      {{"--scene", kRoom, "--pixel", "-1,3"}, {"'-1,3' is no pixel"}},
+      {{"--scene", kRoom, "--pixel", "64,0", "--size", "64x48"}, {"64,0 lies outside", "0 to 63", "0 to 47"}},
+      {{"--scene", kRoom, "--pixel", "0,48", "--size", "64x48"}, {"0,48 lies outside"}},
+  };
+  for (const Case& c : cases) {
+    SCOPED_TRACE(testing::PrintToString(c.arguments));
+    std::vector<std::string> arguments{"trace"};
+    arguments.insert(arguments.end(), c.arguments.begin(), c.arguments.end());
+    std::vector<std::string> words = c.words;
+    words.emplace_back("(see: ninebit trace --help)");
+    expect_error(ninebit(arguments), 2, words);
+  }
+  expect_error(ninebit({"trace", folder_ / "none", "--set", "fog.r=1"}), 3, {"none"});
+  expect_error(ninebit({"trace", "--scene", folder_ / "none", "--pixel", "1,1"}), 3, {"none"});
+}
+
+TEST_F(TraceVerb, HelpHasAnExample) {
+  const Outcome outcome = ninebit({"trace", "--help"});
+  EXPECT_EQ(outcome.code, 0);
+  const std::size_t example = outcome.out.find("Examples:");
+  ASSERT_NE(example, std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("ninebit trace ", example), std::string::npos);
+  for (const char* flag : {"--json", "--quiet", "--profile", "--threads", "--from", "--set", "--scene", "--pixel"}) {
+    EXPECT_NE(outcome.out.find(flag), std::string::npos) << flag;
+  }
+}
+
+// The documentation shows an example with its output: it still comes out so.
+TEST_F(TraceVerb, TheDocumentedExampleStillComesOut) {
+  const std::string docs = read_bytes(std::string(NINEBIT_SOURCE_DIR) + "/docs/languages.md");
+  const std::string prompt = "\n$ ninebit trace ";
+  const std::size_t begin = docs.find(prompt);
+  ASSERT_NE(begin, std::string::npos);
+  const std::size_t line_end = docs.find('\n', begin + 1), end = docs.find("```", begin);
+  ASSERT_LT(line_end, end);
+  std::vector<std::string> arguments = words_of(docs.substr(begin + prompt.size(), line_end - begin - prompt.size()));
+  arguments.insert(arguments.begin(), "trace");
+  const Outcome outcome = ninebit(arguments, {.folder = NINEBIT_SOURCE_DIR});
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_EQ(docs.substr(line_end + 1, end - line_end - 1), outcome.out);
+}
+
+// A grid of pixels of the room: what the trace says of each is what the rendered picture shows.
+TEST_F(TraceVerb, PixelsOfTheRoom) {
+  const std::vector<std::string> size{"--size", "48x36", "--map-size", "32"};
+  ASSERT_EQ(ninebit(small_render(kRoom, folder_ / "out", {"--layers", "--quiet"})).code, 0);
+  const Image8 shadow = test::read_png(folder_ / "out/shadow.png");
+  const Image8 color = test::read_png(folder_ / "out/color.png");
+  std::map<std::string, std::vector<double>> layers;
+  for (const test::StoredPart& part : test::read_exr(folder_ / "out/layers.exr")) {
+    if (part.name == "polygon" || part.name == "output") layers[part.name] = part.channels.begin()->second.numbers();
+  }
+  std::map<std::string, int> states;
+  for (int y = 1; y < 36; y += 9) {
+    for (int x = 2; x < 48; x += 9) {
+      SCOPED_TRACE(std::to_string(x) + "," + std::to_string(y));
+      std::vector<std::string> arguments{"trace",  "--scene", kRoom,
+                                         "--json", "--pixel", std::to_string(x) + "," + std::to_string(y)};
+      arguments.insert(arguments.end(), size.begin(), size.end());
+      const Json t = json_of(ninebit(arguments));
+      const Json& scene = t["scene"];
+      const auto at = static_cast<std::size_t>(y * 48 + x);
+      ++states[scene["state"]];
+      ASSERT_EQ(scene["state"], shadow.pixels[at] != 0 ? "shadowed" : "lit");
+      ASSERT_EQ(scene["pass"], "comparison");
+      const Json& traced = scene["passes"][1]["fragments"][scene["fragment"].get<std::size_t>()];
+      EXPECT_EQ(traced["polygon"], layers["polygon"][at]);
+      EXPECT_EQ(traced["fate"], shadow.pixels[at] != 0 ? "written" : "alpha test failed");
+      EXPECT_EQ(t["out"]["bytes"][3], layers["output"][at]);
+      EXPECT_EQ(t["out"]["bytes"][3] != 0, shadow.pixels[at] != 0);
+      EXPECT_EQ(t["out"]["bytes"], traced["color"]);
+      const Json& drawn = scene["passes"][shadow.pixels[at] != 0 ? 3 : 2]["fragments"];
+      const auto written =
+          std::find_if(drawn.rbegin(), drawn.rend(), [](const Json& f) { return f["fate"] == "written"; });
+      ASSERT_NE(written, drawn.rend());
+      for (std::size_t c = 0; c < 3; ++c) EXPECT_EQ((*written)["color"][c], color.pixels[at * 3 + c]);
+    }
+  }
+  EXPECT_GT(states["lit"], 5);
+  EXPECT_GT(states["shadowed"], 2);
+}
+
+// A picture that shows the sky: the trace says so, and traces nothing.
+TEST_F(TraceVerb, Background) {
+  const std::vector<std::string> sky{"trace",  "--scene", kRoom,   "--pixel",  "3,4",    "--size",
+                                     "20x20",  "--light", "0,1,0", "--camera", "0,50,0", "--look-at",
+                                     "0,90,1", "--floor", "none",  "--quiet"};
+  const Outcome text = ninebit(sky);
+  EXPECT_EQ(text.code, 0) << text.err;
+  EXPECT_NE(text.out.find("size 20x20: background\n"), std::string::npos) << text.out;
+  EXPECT_NE(text.out.find("no fragment to trace\n"), std::string::npos) << text.out;
+  std::vector<std::string> arguments = sky;
+  arguments.emplace_back("--json");
+  const Json t = json_of(ninebit(arguments));
+  EXPECT_EQ(t["scene"]["state"], "background");
+  EXPECT_TRUE(t["scene"]["pass"].is_null());
+  EXPECT_FALSE(t.contains("stages"));
+}
+
+// A program of one's own runs on the registers of the rendering's fragment.
+TEST_F(TraceVerb, AnotherProgramOnTheSameFragment) {
+  CombinerState state;
+  state.final_combiner.a = state.final_combiner.b = state.final_combiner.c = CombinerInput{};
+  state.final_combiner.d = {Register::texture0, InputMapping::unsigned_identity, ComponentUsage::rgb};
+  const std::string program = write_program(folder_, "texel.json", state);
+  const std::vector<std::string> pixel{"--scene", kRoom, "--pixel", "20,30", "--size", "48x36", "--json"};
+  const auto trace = [&](std::vector<std::string> arguments) {
+    arguments.insert(arguments.end(), pixel.begin(), pixel.end());
+    return json_of(ninebit(arguments));
+  };
+  const Json own = trace({"trace"}), other = trace({"trace", program});
+  EXPECT_EQ(own["before"], other["before"]);
+  EXPECT_EQ(own["scene"], other["scene"]);
+  EXPECT_TRUE(own["program"].is_null());
+  EXPECT_EQ(other["program"], program);
+  for (std::size_t c = 0; c < 3; ++c) EXPECT_EQ(other["out"]["codes"][c], own["before"]["tex0"]["codes"][c]);
+  EXPECT_NE(other["out"]["codes"][0].get<int>() + other["out"]["codes"][1].get<int>(), 0);
+}
+
+TEST_F(TraceVerb, ThreadsAndOtherProfilesOfAScene) {
+  const auto trace = [&](const char* threads, const char* profile) {
+    return ninebit({"trace", "--scene", kRoom, "--pixel", "30,20", "--size", "48x36", "--threads", threads, "--profile",
+                    profile, "--light-facing", "--index-step", "3", "--quiet"});
+  };
+  for (const HardwareProfile& profile : hardware_profiles()) {
+    const std::string name(profile.name);
+    const Outcome one = trace("1", name.c_str());
+    EXPECT_EQ(one.code, 0) << one.err;
+    EXPECT_EQ(one.err, "");
+    EXPECT_NE(one.out.find("profile " + name), std::string::npos);
+    EXPECT_EQ(trace("3", name.c_str()).out, one.out);
+  }
+}
+
+}  // namespace
+}  // namespace tools_test

@@ -1,0 +1,183 @@
+#include "ninebit/combiner/trace.h"
+
+#include <span>
+
+#include "src/combiner/trace_values.h"
+
+namespace ninebit {
+namespace {
+
+// The quotient of any output, in codes: six products, each below two, the bias and the scale of four.
+int most_output(const Datapath& d) {
+  return 64 * d.one;
+}
+
+class StageTracer {
+ public:
+  StageTracer(const Datapath& d, const ProgramStage& stage, const TracedRegisters& before)
+      : d_(d), values_(d), stage_(stage), before_(before) {}
+
+  TracedPortion portion(const Portion& state, int first, std::size_t channels, std::span<const RealChannel> real,
+                        std::span<const RealChannel> ideal) const {
+    const PortionOutput& out = state.out;
+    TracedPortion result{.state = state, .channel = {}};
+    if (!is_live(out)) return result;
+    result.uses_ab = out.ab != Register::discard || out.sum != Register::discard;
+    result.uses_cd = out.cd != Register::discard || out.sum != Register::discard;
+    int dot_ab = 0, dot_cd = 0;
+    for (std::size_t c = 0; c < channels; ++c) {
+      TracedChannel& to = result.channel.emplace_back();
+      to.component = first + static_cast<int>(c);
+      const std::array<const CombinerInput*, 4> from{&state.a, &state.b, &state.c, &state.d};
+      for (std::size_t v = 0; v < 4; ++v) {
+        to.input[v] = input(*from[v], static_cast<int>(c), real[c].input[v], ideal[c].input[v]);
+      }
+      to.ab_product = product(to.input[0].mapped, to.input[1].mapped);
+      to.cd_product = product(to.input[2].mapped, to.input[3].mapped);
+      dot_ab += integer_product(to.input[0].mapped, to.input[1].mapped);
+      dot_cd += integer_product(to.input[2].mapped, to.input[3].mapped);
+    }
+    for (std::size_t c = 0; c < channels; ++c) {
+      TracedChannel& to = result.channel[c];
+      const auto& in = to.input;
+      const int ab = out.ab_dot_product ? dot_ab : integer_product(in[0].mapped, in[1].mapped);
+      const int cd = out.cd_dot_product ? dot_cd : integer_product(in[2].mapped, in[3].mapped);
+      to.ab = values_.wide(ab, real[c].ab.wide, ideal[c].ab.wide);
+      to.cd = values_.wide(cd, real[c].cd.wide, ideal[c].cd.wide);
+      if (out.ab != Register::discard) to.ab_output = output(out, ab, real[c].ab, ideal[c].ab);
+      if (out.cd != Register::discard) to.cd_output = output(out, cd, real[c].cd, ideal[c].cd);
+      if (out.sum == Register::discard) continue;
+      const int third = !values_.integer() ? 0
+                        : out.mux_sum      ? reference::mux(d_, before_.codes[Register::spare0][kAlpha], ab, cd)
+                                           : reference::add(ab, cd);
+      to.third = values_.wide(third, real[c].third.wide, ideal[c].third.wide);
+      to.third_output = output(out, third, real[c].third, ideal[c].third);
+    }
+    return result;
+  }
+
+ private:
+  TracedInput input(const CombinerInput& in, int channel, double real, double ideal) const {
+    // An alpha portion reads alpha or blue; only the unset inputs of a product without use say otherwise.
+    const int component = reference::component_of(in.usage, channel);
+    const auto i = static_cast<std::size_t>(component);
+    TracedInput result{.from = in, .component = component, .read = {}, .mapped = {}};
+    const int code = reference::fetch(before_.codes, in.reg, stage_.constant0, stage_.constant1)[i];
+    const bool fixed = in.reg == Register::zero || in.reg == Register::constant0 || in.reg == Register::constant1;
+    result.read = values_.known_code(code, fixed ? values_.real_of_code(code) : before_.real[in.reg][i],
+                                     fixed ? values_.ideal_of_code(code) : before_.ideal[in.reg][i]);
+    const int mapped = values_.integer() ? reference::map_input(d_, in.mapping, code) : 0;
+    result.mapped = values_.code(mapped, real, ideal);
+    return result;
+  }
+
+  // Of mapped values; without meaning where the arithmetic is not integer.
+  static int integer_product(const TracedCode& x, const TracedCode& y) { return reference::mul(x.code, y.code); }
+
+  TracedWide product(const TracedCode& x, const TracedCode& y) const {
+    return values_.wide(integer_product(x, y), values_.mul(x.real, y.real), x.ideal * y.ideal);
+  }
+
+  TracedOutput output(const PortionOutput& out, int wide, const RealOutput& real, const RealOutput& ideal) const {
+    const bool has_bias = out.bias != Bias::none;
+    const double real_biased = has_bias ? values_.sub(real.wide, 0.5) : real.wide;
+    const double ideal_biased = has_bias ? ideal.wide - 0.5 : ideal.wide;
+    const double real_cut = real.scaled - real.written, ideal_cut = ideal.scaled - ideal.written;
+    TracedOutput result;
+    if (!values_.integer()) {
+      result.wide = values_.wide(0, real.wide, ideal.wide);
+      result.biased = values_.wide(0, real_biased, ideal_biased);
+      result.scaled = values_.wide(0, real.scaled, ideal.scaled);
+      result.narrowed = values_.code(0, real.scaled, ideal.scaled);
+      result.written = values_.code(0, real.written, ideal.written);
+      result.cut = values_.known_code(result.narrowed.code - result.written.code, real_cut, ideal_cut);
+      return result;
+    }
+    const int biased = reference::add_bias(d_, out.bias, wide);
+    const int early = reference::narrow_before_scale(d_, biased);
+    const int narrowed = reference::narrow_output(d_, reference::scale_output(out.scale, early), most_output(d_));
+    const int written = reference::clamp_output(d_, narrowed);
+    const int twice_scaled = reference::scale_output(out.scale, biased);
+    result.wide = values_.wide(wide, 0, ideal.wide);
+    result.biased = values_.wide(biased, 0, ideal_biased);
+    if (d_.narrowing_point == NarrowingPoint::before_scale) result.early = values_.code(early, 0, ideal_biased);
+    result.scaled = values_.halves(twice_scaled, 0, ideal.scaled);
+    result.dropped = values_.halves(twice_scaled - 2 * d_.one * narrowed, 0, 0);
+    result.narrowed = values_.code(narrowed, 0, ideal.scaled);
+    result.cut = values_.code(narrowed - written, 0, ideal_cut);
+    result.written = values_.code(written, 0, ideal.written);
+    return result;
+  }
+
+  const Datapath& d_;
+  TraceValues values_;
+  const ProgramStage& stage_;
+  const TracedRegisters& before_;
+};
+
+void write(const TracedPortion& portion, RegisterFile& registers) {
+  for (const TracedChannel& channel : portion.channel) {
+    const auto put = [&](Register to, const std::optional<TracedOutput>& output) {
+      if (!output) return;
+      registers[to][static_cast<std::size_t>(channel.component)] = static_cast<s9>(output->written.code);
+    };
+    put(portion.state.out.ab, channel.ab_output);
+    put(portion.state.out.cd, channel.cd_output);
+    put(portion.state.out.sum, channel.third_output);
+  }
+}
+
+// The numbers of integer arithmetic are its codes, those of any other are evaluate_real's.
+TracedRegisters registers_of(const TraceValues& values, const RegisterFile& codes, const RealRegisters& real,
+                             const RealRegisters& ideal) {
+  TracedRegisters result{codes, real, ideal};
+  if (!values.integer()) return result;
+  for (std::size_t r = 0; r < kRegisterCount; ++r) {
+    for (std::size_t c = 0; c < 4; ++c) result.real.value[r][c] = values.ideal_of_code(codes.value[r][c]);
+  }
+  return result;
+}
+
+}  // namespace
+
+Trace trace(const Program& program, const HardwareProfile& profile, const RegisterFile& initial) {
+  const Datapath& d = program.datapath;
+  const TraceValues values(d);
+  const RealEvaluation ideal = evaluate_real(program, initial, Arithmetic::exact);
+  // With integer arithmetic its numbers are not looked at.
+  const RealEvaluation real =
+      d.arithmetic == Arithmetic::float32 ? evaluate_real(program, initial, Arithmetic::float32) : ideal;
+  Trace result;
+  result.before = registers_of(values, initial, real.before, ideal.before);
+  for (std::size_t i = 0; i < ideal.stage.size(); ++i) {
+    const RealStage &real_stage = real.stage[i], &ideal_stage = ideal.stage[i];
+    const TracedRegisters before = result.registers();
+    const auto spare0 = [](const auto& registers) { return registers[Register::spare0][kAlpha]; };
+    TracedStage& to = result.stage.emplace_back();
+    to.spare0_alpha = values.known_code(spare0(before.codes), spare0(before.real), spare0(before.ideal));
+    to.takes_cd = values.integer() ? reference::mux(d, spare0(before.codes), 0, 1) == 1 : real_stage.takes_cd;
+    to.ideal_takes_cd = ideal_stage.takes_cd;
+
+    const ProgramStage& stage = program.general[i];
+    const StageTracer tracer(d, stage, before);
+    to.rgb = tracer.portion(stage.rgb, kRed, 3, real_stage.rgb, ideal_stage.rgb);
+    to.alpha = tracer.portion(stage.alpha, kAlpha, 1, {&real_stage.alpha, 1}, {&ideal_stage.alpha, 1});
+    RegisterFile after = real_stage.codes;
+    if (values.integer()) {
+      after = before.codes;
+      write(to.rgb, after);
+      write(to.alpha, after);
+    }
+    to.after = registers_of(values, after, real_stage.after, ideal_stage.after);
+  }
+  result.final_combiner = trace_final(program, result.registers(), real, ideal);
+  result.color = real.codes.color;
+  if (values.integer()) {
+    for (std::size_t c = 0; c < 3; ++c) result.color[c] = static_cast<s9>(result.final_combiner.rgb[c].written.code);
+    result.color[kAlpha] = static_cast<s9>(result.final_combiner.alpha.code);
+  }
+  for (std::size_t c = 0; c < 4; ++c) result.bytes[c] = to_byte(profile, result.color[c]);
+  return result;
+}
+
+}  // namespace ninebit

@@ -1,0 +1,54 @@
+// The flags that say which scene is rendered and how, for every verb that renders.
+#pragma once
+
+#include <oneapi/tbb/global_control.h>
+#include <oneapi/tbb/task_arena.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ninebit/scene/scene.h"
+#include "ninebit/shadow/technique.h"
+#include "src/tools/program.h"
+
+namespace ninebit::tools {
+
+struct SceneFlags {
+  std::string file;
+  std::string technique = "index-cube";
+  std::string size = "1024x768";
+  std::string index_format = "rgb";
+  std::string index_scope = "polygon";
+  std::string cull = "none";
+  std::string camera, look_at, light, floor = "auto";
+  std::optional<double> fov;
+  RenderSettings settings;  // what stands in no text above; settings_of completes it
+};
+
+// Adds the scene's file as an argument or a flag of that name.
+CLI::Option* add_scene_file(CLI::App& verb, const std::string& name, SceneFlags& flags);
+
+// Adds the flags that say how it is rendered, and gives them.
+std::vector<CLI::Option*> add_scene_flags(CLI::App& verb, SceneFlags& flags);
+
+// Lets work of this scope use so many threads; 0: all.
+class ThreadLimit {
+ public:
+  explicit ThreadLimit(int threads);
+
+ private:
+  std::optional<tbb::global_control> limit_;
+};
+
+// The settings of flags that were checked while they were parsed.
+[[nodiscard]] RenderSettings settings_of(const SceneFlags& flags, const CommonFlags& common);
+
+// Reads the scene and gives it the camera, light and floor that the flags ask for.
+[[nodiscard]] Result<Scene> load_scene(const SceneFlags& flags, const RenderSettings& settings);
+
+// Renders it with the technique that the flags name.
+[[nodiscard]] Result<Rendering> render_scene(const SceneFlags& flags, const Scene& scene,
+                                             const RenderSettings& settings, const Progress& progress);
+
+}  // namespace ninebit::tools

@@ -1,0 +1,129 @@
+// `ninebit trace`: every step of one fragment, with codes, numbers and the ideal numbers side by side.
+#include "ninebit/combiner/trace.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <memory>
+#include <optional>
+
+#include "src/tools/eval_engine.h"
+#include "src/tools/number_list.h"
+#include "src/tools/program_file.h"
+#include "src/tools/trace_inputs.h"
+#include "src/tools/trace_pixel.h"
+#include "src/tools/trace_text.h"
+
+namespace ninebit::tools {
+namespace {
+
+struct TraceFlags {
+  CommonFlags common;
+  ProgramFlags program;
+  std::vector<std::string> set;
+  SceneFlags scene;
+  std::string pixel;
+};
+
+int wrong_usage(const std::string& message) {
+  say(fmt::format("ninebit: error: {} (see: ninebit trace --help)\n", message));
+  return kWrongUsage;
+}
+
+bool wants_colors() {
+  const char* const no_color = std::getenv("NO_COLOR");
+  return ::isatty(STDOUT_FILENO) != 0 && (no_color == nullptr || *no_color == '\0');
+}
+
+int print(const TraceFlags& flags, const std::optional<TracedPixel>& pixel, const Program* program,
+          const RegisterFile& registers) {
+  std::optional<Trace> traced;
+  if (program != nullptr) traced = trace(*program, profile_of(flags.common), registers);
+  if (flags.common.json) {
+    Json out{{"command", "trace"}, {"version", NINEBIT_VERSION}, {"profile", flags.common.profile}};
+    out["program"] = flags.program.file.empty() ? Json() : Json(flags.program.file);
+    if (pixel) out["scene"] = pixel_json(*pixel, flags.scene);
+    if (traced) out.update(trace_json(*program, *traced));
+    return answer(out.dump(2) + "\n");
+  }
+  std::string text = pixel ? pixel_text(*pixel, flags.scene) : "";
+  if (traced) {
+    if (!flags.program.file.empty()) text += fmt::format("program {}, ", flags.program.file);
+    text += fmt::format("profile {}\n", flags.common.profile) + trace_text(*program, *traced, wants_colors());
+  }
+  return answer(text);
+}
+
+int trace_set(const TraceFlags& flags, std::optional<Program> program) {
+  const auto inputs = parse_trace_inputs(flags.set, profile_of(flags.common));
+  if (!inputs) return wrong_usage(inputs.error().message);
+  for (const auto& [column, code] : inputs->constants) replace_constant(*program, column, code);
+  return print(flags, std::nullopt, &*program, inputs->registers);
+}
+
+int trace_pixel(const TraceFlags& flags, const std::optional<Program>& program) {
+  const RenderSettings settings = settings_of(flags.scene, flags.common);
+  const auto at = *numbers<int>(flags.pixel, ',');
+  if (at[0] >= settings.width || at[1] >= settings.height) {
+    return wrong_usage(
+        fmt::format("--pixel: {} lies outside of the picture; expected X from 0 to {} and Y from 0 to {}", flags.pixel,
+                    settings.width - 1, settings.height - 1));
+  }
+  const auto pixel = render_pixel(flags.scene, flags.common, at[0], at[1], program.has_value());
+  if (!pixel) return report(pixel.error());
+  if (!pixel->fragment) return print(flags, *pixel, nullptr, {});
+  const ProbedPass& pass = pixel->passes[*pixel->pass];
+  return print(flags, *pixel, program ? &*program : &*pass.program, pass.fragments[*pixel->fragment].registers);
+}
+
+int run(const TraceFlags& flags) {
+  const HardwareProfile& profile = profile_of(flags.common);
+  if (flags.program.file.empty() && flags.scene.file.empty()) return wrong_usage("PROGRAM or --scene is required");
+  if (!flags.scene.file.empty() && flags.pixel.empty()) return wrong_usage("--scene needs --pixel X,Y");
+  std::optional<Program> program;
+  if (!flags.program.file.empty()) {
+    int exit_code = kDone;
+    const auto state = load_program(flags.program, profile, exit_code);
+    if (!state) return exit_code;
+    program = normalize(*state, profile);
+  }
+  return flags.scene.file.empty() ? trace_set(flags, program) : trace_pixel(flags, program);
+}
+
+std::string check_pixel(const std::string& text) {
+  const auto n = numbers<int>(text, ',');
+  if (n && n->size() == 2 && n->at(0) >= 0 && n->at(1) >= 0) return {};
+  return fmt::format("'{}' is no pixel; expected X,Y, counted from the top left", text);
+}
+
+}  // namespace
+
+void add_trace(CLI::App& app, int& exit_code) {
+  CLI::App* verb = app.add_subcommand("trace", "Show every value at every step of one fragment");
+  verb->footer(
+      "The registers of the fragment are set, or taken from a pixel of a rendering. What is not set is as with eval:\n"
+      "0, but 1.0 for alpha of textures and fog, tex0.a for spare0.a, and the program's own for const0 and const1.\n"
+      "With --scene the program is that of the technique; a PROGRAM given as well takes its place in the trace.\n"
+      "Examples:\n"
+      "  ninebit trace compare.gl --set primary=102,0,0,0 --set tex0=100,0,0,255\n"
+      "  ninebit trace compare.gl --set primary.r=102 --set tex0.r=101 --profile nv2a --json\n"
+      "  ninebit trace --scene scenes/index_room.gltf --pixel 400,300 --map-size 256");
+  auto flags = std::make_shared<TraceFlags>();
+  add_common_flags(*verb, flags->common);
+  add_program_flags(*verb, flags->program);
+  verb->get_option("program")->required(false);
+  CLI::Option* const set =
+      verb->add_option("--set", flags->set, "Codes of a register, or of one component as in tex0.a=12; repeatable")
+          ->type_name("REGISTER=R,G,B,A")
+          ->allow_extra_args(false);
+  CLI::Option* const scene = add_scene_file(*verb, "--scene", flags->scene)->excludes(set);
+  verb->add_option("--pixel", flags->pixel, "Pixel of the picture, counted from its top left")
+      ->type_name("X,Y")
+      ->needs(scene)
+      ->check(CLI::Validator([](std::string& text) { return check_pixel(text); }, ""));
+  for (CLI::Option* const option : add_scene_flags(*verb, flags->scene)) option->needs(scene);
+  verb->callback([flags, &exit_code] { exit_code = run(*flags); });
+}
+
+}  // namespace ninebit::tools
