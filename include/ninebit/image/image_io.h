@@ -92,7 +92,7 @@ struct ExrPart {
 // Six faces as OpenEXR's own cube environment map (envmap attribute ENVMAP_CUBE, N x 6N, faces +X -X +Y -Y +Z -Z).
 // `faces` come in the order and orientation of ARB_texture_cube_map: +X -X +Y -Y +Z -Z, texel (0, 0) first, s to the
 // right, t by rows; each has the same channels with rows of `size` samples. The writer turns each face into the
-// orientation that OpenEXR's ImfEnvmap defines: a stored pixel holds the texel nearest to its CubeMap::direction
+// orientation that OpenEXR's ImfEnvmap defines: a stored pixel holds the texel nearest to its direction
 // (OpenEXR puts the outermost pixels on the cube's edges, the extension half a texel inside). The rows of a face are
 // asked for in any order.
 [[nodiscard]] Status write_exr_cube(const std::filesystem::path& file, int size,
