@@ -25,7 +25,7 @@ TEST(ProfileFile, IsListedByItsOwnNameAfterTheShippedOnes) {
       EXPECT_EQ(row.at("evidence"), "assumed");
     }
   }
-  EXPECT_EQ(rows, 19);
+  EXPECT_EQ(rows, 23);
 }
 
 TEST(ProfileFile, EqualsItsBaseInARendering) {
