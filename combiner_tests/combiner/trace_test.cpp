@@ -177,7 +177,7 @@ TEST(Trace, EveryStepOfRandomProgramsOfCodes) {
        {seen.final_dropped, seen.final_cut, seen.muxes, seen.dots, seen.dead_portions, seen.early, seen.halves}) {
     EXPECT_GT(count, kCases / 10);
   }
-  if (!kSanitized) EXPECT_GT(seen.differing_muxes, 0U);
+  EXPECT_TRUE(seen.differing_muxes > 0 || kSanitized) << "rare, so that it is not asked of a small run";
 }
 
 // A product of two floats, or a sum, is rounded once.
