@@ -162,50 +162,5 @@ TEST(EarlyRejection, IsUsedWhereItIsExact) {
   EXPECT_FALSE(lost(stencil, back_behind));
 }
 
-// The short form of the operations, which draws of flat colours take, does what the whole does.
-TEST(PlainOperations, DoWhatTheOraclesDo) {
-  std::uint64_t drawn = 0;
-  const std::uint64_t count = kSlowBuild ? 1000 : 10000;
-  for (std::uint64_t index = 0; index < count; ++index) {
-    Case c = random_case(index);
-    c.state.alpha_test.enabled = false;
-    c.state.stencil_test.enabled = c.state.stencil_test.enabled && c.start.format == DepthStencilFormat::d16;
-    c.state.blend.enabled = false;
-    PicturePlanes planes(c.start);
-    planes.target.outputs.clear();
-    const FragmentOperations operations(c.state, planes.target);
-    ASSERT_TRUE(operations.is_plain());
-    const PlainOperations plain = operations.plain();
-    oracle::Tally tally;
-    oracle::Picture expected = c.start;
-    for (const oracle::Incoming& f : c.fragments) {
-      plain.apply(f.x, f.y, static_cast<std::uint32_t>(f.depth), f.color);
-      oracle::process(c.state, f, expected, tally);
-    }
-    expected.primitive = c.start.primitive;
-    expected.captured = c.start.captured;
-    ASSERT_TRUE(same_samples(planes.picture(), expected)) << describe(c, index);
-    drawn += tally.drawn;
-  }
-  EXPECT_GE(drawn, 20 * count);
-}
-
-TEST(PlainOperations, AreNotThoseOfAnythingElse) {
-  Random random(72);
-  const oracle::Picture picture = random_picture(random, 1, 1, DepthStencilFormat::d24s8);
-  const auto is_plain = [&](const PipelineState& state, bool outputs) {
-    PicturePlanes planes(picture);
-    if (!outputs) planes.target.outputs.clear();
-    return FragmentOperations(state, planes.target).is_plain();
-  };
-  EXPECT_TRUE(is_plain({}, false));
-  EXPECT_FALSE(is_plain({}, true));
-  PipelineState alpha, stencil, blending;
-  alpha.alpha_test = {true, CompareFunction::greater, 0};
-  stencil.stencil_test.enabled = true;
-  blending.blend = {.enabled = true, .source = BlendFactor::one, .destination = BlendFactor::one};
-  for (const PipelineState& state : {alpha, stencil, blending}) EXPECT_FALSE(is_plain(state, false));
-}
-
 }  // namespace
 }  // namespace ninebit::test

@@ -52,20 +52,6 @@ double mix(const glm::dvec3& w, double a, double b, double c) {
   return w.x * a + w.y * b + w.z * c;
 }
 
-// The least and the largest value within the reach of snapping.
-template <class Function>
-std::pair<double, double> range_around(int x, int y, Function value) {
-  double low = 1e30, high = -1e30;
-  for (const double dx : {-0.2, 0.0, 0.2}) {
-    for (const double dy : {-0.2, 0.0, 0.2}) {
-      const double v = value(x + 0.5 + dx, y + 0.5 + dy);
-      low = std::min(low, v);
-      high = std::max(high, v);
-    }
-  }
-  return {low, high};
-}
-
 void expect_secondary_and_fog(ColorInterpolation interpolation, std::uint64_t seed) {
   std::int64_t checked = 0, told = 0;
   for (std::uint64_t index = 0; index < 150; ++index) {

@@ -39,20 +39,6 @@ Case random_case(Random& random, bool clipped) {
   return c;
 }
 
-// The least and the largest value that a function takes within the reach of snapping around a pixel's centre.
-template <class Function>
-std::pair<double, double> range_around(int x, int y, Function value) {
-  double low = 1e30, high = -1e30;
-  for (const double dx : {-0.2, 0.0, 0.2}) {
-    for (const double dy : {-0.2, 0.0, 0.2}) {
-      const double v = value(x + 0.5 + dx, y + 0.5 + dy);
-      low = std::min(low, v);
-      high = std::max(high, v);
-    }
-  }
-  return {low, high};
-}
-
 void expect_colors(bool clipped, std::uint64_t seed) {
   std::int64_t checked = 0;
   for (std::uint64_t index = 0; index < 150; ++index) {

@@ -2,11 +2,13 @@
 // padding.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "combiner_tests/oracle/raster_oracle.h"
@@ -73,6 +75,20 @@ PipelineState counting_state();
 // Draws the mesh with counting_state() onto a cleared surface and returns the stencil: how often each pixel was drawn.
 std::vector<std::uint8_t> coverage(const Mesh& mesh, const glm::mat4& matrix, int width, int height,
                                    CullFace cull = CullFace::none);
+
+// The least and the largest value that a function takes within the reach of snapping around a pixel's centre.
+template <class Function>
+std::pair<double, double> range_around(int x, int y, Function value) {
+  double low = 1e30, high = -1e30;
+  for (const double dx : {-0.2, 0.0, 0.2}) {
+    for (const double dy : {-0.2, 0.0, 0.2}) {
+      const double v = value(x + 0.5 + dx, y + 0.5 + dy);
+      low = std::min(low, v);
+      high = std::max(high, v);
+    }
+  }
+  return {low, high};
+}
 
 // A program of one silent stage whose output is register `rgb` with the alpha of `alpha`.
 Program pass_through(Register rgb, Register alpha, const HardwareProfile& profile = profiles::geforce2);

@@ -18,7 +18,6 @@ FragmentOperations::FragmentOperations(const PipelineState& state, const RenderT
       early_stencil_(false),
       early_depth_front_(false),
       early_depth_back_(false),
-      plain_(false),
       color_mask_(state.color_mask),
       blend_(state.blend) {
   for (std::size_t i = 0; i < 4; ++i) {
@@ -32,10 +31,9 @@ FragmentOperations::FragmentOperations(const PipelineState& state, const RenderT
   }
   if (!reject_early) return;
   // Planes written at depth pass ask neither the alpha nor the stencil test.
-  bool has_outputs = false, asks_depth_alone = false;
+  bool asks_depth_alone = false;
   for (const OutputPlane& output : target.outputs) {
     const bool holds = std::visit([](const auto& plane) { return static_cast<bool>(plane); }, output.plane);
-    has_outputs = has_outputs || holds;
     asks_depth_alone = asks_depth_alone || (holds && output.time == OutputTime::at_depth_pass);
   }
   // While no fragment of the draw, of either facing, changes a stencil value, the test's outcome cannot change under a
@@ -47,19 +45,6 @@ FragmentOperations::FragmentOperations(const PipelineState& state, const RenderT
   const bool early_depth = depth_enabled_ && !(depth_write_ && depth_function_ == CompareFunction::notequal);
   early_depth_front_ = early_depth && (!stencil_enabled_ || front_.failing_changes_nothing());
   early_depth_back_ = early_depth && (!stencil_enabled_ || back_.failing_changes_nothing());
-  plain_ = !alpha_enabled_ && !stencil_enabled_ && !blends_ && !has_outputs;
-}
-
-PlainOperations FragmentOperations::plain() const {
-  PlainOperations plain{.tests_depth = depth_enabled_,
-                        .writes_depth = depth_write_,
-                        .function = depth_function_,
-                        .depth = target_.depth,
-                        .color = {}};
-  for (std::size_t i = 0; i < 4; ++i) {
-    if (color_mask_[i]) plain.color[i] = target_.color[i];
-  }
-  return plain;
 }
 
 void FragmentOperations::write_blended(const Fragment& f, const ColorBytes& color) const {

@@ -21,27 +21,6 @@ struct Fragment {
   bool front_facing = true;  // false: of a back-facing polygon, in whatever mode
 };
 
-// The operations of a draw call without alpha test, stencil test, blending and output planes: a small value to be held
-// by the loop that draws, where no write into a plane can change it.
-struct PlainOperations {
-  bool tests_depth = false;
-  bool writes_depth = false;
-  CompareFunction function = CompareFunction::always;
-  Plane<std::uint32_t> depth{};
-  std::array<Plane<std::uint8_t>, 4> color{};  // empty where masked
-
-  void apply(int x, int y, std::uint32_t code, const ColorBytes& bytes) const {
-    if (tests_depth) {
-      std::uint32_t& stored = depth.at(x, y);
-      if (!compare(function, code, stored)) return;
-      if (writes_depth) stored = code;
-    }
-    for (std::size_t i = 0; i < 4; ++i) {
-      if (color[i]) color[i].at(x, y) = bytes[i];
-    }
-  }
-};
-
 // The operations of one draw call, with every decision of the state taken once. The target's planes must be those that
 // check_target (in target_check.h) asks for.
 class FragmentOperations {
@@ -88,11 +67,6 @@ class FragmentOperations {
     return true;
   }
 
-  // Whether a fragment does nothing but to write its depth and colour if it passes the depth test; then, as long as no
-  // earlier one waits, plain() has the same effect as is_lost_early, apply and the output planes.
-  [[nodiscard]] bool is_plain() const { return plain_; }
-  [[nodiscard]] PlainOperations plain() const;
-
   // Whether `apply` looks at the fragment's colour at all.
   [[nodiscard]] bool needs_color() const { return alpha_enabled_ || writes_color_; }
 
@@ -132,7 +106,6 @@ class FragmentOperations {
   bool early_stencil_;
   bool early_depth_front_;
   bool early_depth_back_;
-  bool plain_;
   std::array<bool, 4> color_mask_;  // false also where the target has no such plane
   Blend blend_;
   StencilSide front_;
