@@ -33,7 +33,7 @@ struct EdgeSteps {
 
 EdgeSteps edge_steps(const SetupPrimitive& p) {
   EdgeSteps steps;
-  if (p.kind == SetupKind::triangle) {
+  if (p.kind == SetupKind::triangle || p.kind == SetupKind::pixel) {
     for (std::size_t i = 0; i < 3; ++i) {
       const std::size_t a = (i + 1) % 3, b = (i + 2) % 3;
       steps.x[i] = static_cast<float>((p.y_q4[a] - p.y_q4[b]) * 16);

@@ -56,9 +56,11 @@ void add_line(const SetupContext& context, const SetupEnd& a, const SetupEnd& b,
   const auto [left, right] = std::minmax(from.x_q4, to.x_q4);
   const auto [low, high] = std::minmax(from.y_q4, to.y_q4);
   const int wide = 16 * context.line_width;
-  if (!context.meets_a_pixel(left - 16, low - 16, right + wide, high + wide)) return;
+  const PixelBounds box = context.pixels_in(left - 16, low - 16, right + wide, high + wide);
+  if (box.empty()) return;
 
   SetupPrimitive p = start(SetupKind::line, source);
+  p.box = box;
   put(from, 0, p);
   put(to, 1, p);
   if (!clipped) p.corner = {a.corner, b.corner, third(a.corner, b.corner)};
@@ -73,8 +75,10 @@ void add_point(const SetupContext& context, const SetupEnd& at, bool clipped, co
   const int size = context.point_size, half_up = size % 2 == 0 ? 8 : 0;
   v.x_q4 = 16 * (((v.x_q4 + half_up) >> 4) - size / 2);
   v.y_q4 = 16 * (((v.y_q4 + half_up) >> 4) - size / 2);
-  if (!context.meets_a_pixel(v.x_q4, v.y_q4, v.x_q4 + 16 * size, v.y_q4 + 16 * size)) return;
+  const PixelBounds box = context.pixels_in(v.x_q4, v.y_q4, v.x_q4 + 16 * size, v.y_q4 + 16 * size);
+  if (box.empty()) return;
   SetupPrimitive p = start(SetupKind::point, source);
+  p.box = box;
   put(v, 0, p);
   if (!clipped)
     p.corner = {at.corner, static_cast<std::uint8_t>((at.corner + 1) % 3),

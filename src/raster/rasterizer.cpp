@@ -1,6 +1,7 @@
 #include "ninebit/raster/rasterizer.h"
 
 #include <oneapi/tbb/blocked_range.h>
+#include <oneapi/tbb/enumerable_thread_specific.h>
 #include <oneapi/tbb/parallel_for.h>
 
 #include <algorithm>
@@ -9,7 +10,6 @@
 
 #include "src/raster/arrays_check.h"
 #include "src/raster/draw_context.h"
-#include "src/raster/fragment_batch.h"
 #include "src/raster/pixel_probe.h"
 #include "src/raster/primitive_setup.h"
 #include "src/raster/setup_context.h"
@@ -59,6 +59,7 @@ void draw(const PrimitiveSetup& setup, const PixelBox& drawn, const DrawContext&
   const std::size_t items = setup.items();
   const std::size_t blocks = (items + cut.items_per_block - 1) / cut.items_per_block;
   std::vector<BinnedBlock> chunk(std::min(blocks, cut.blocks_per_chunk));
+  tbb::enumerable_thread_specific<TileRasterizer> rasterizers([&] { return TileRasterizer(context); });
   for (std::size_t first_block = 0; first_block < blocks; first_block += cut.blocks_per_chunk) {
     const std::size_t count = std::min(cut.blocks_per_chunk, blocks - first_block);
     tbb::parallel_for(std::size_t{0}, count, [&](std::size_t b) {
@@ -67,7 +68,7 @@ void draw(const PrimitiveSetup& setup, const PixelBox& drawn, const DrawContext&
       block.setup.weights.clear();
       const std::size_t begin = (first_block + b) * cut.items_per_block;
       setup.set_up(begin, std::min(begin + cut.items_per_block, items), block.setup);
-      sort_into_tiles(grid, context.state.line_width, context.state.point_size, block);
+      sort_into_tiles(grid, block);
     });
     tbb::parallel_for(std::size_t{0}, grid.count(), [&](std::size_t tile) {
       const PixelBox pixels = grid.pixels(tile, drawn);
@@ -76,12 +77,10 @@ void draw(const PrimitiveSetup& setup, const PixelBox& drawn, const DrawContext&
         probe->meet_planes();
         for (std::size_t b = 0; b < count; ++b) probe->run(chunk[b].setup, chunk[b].in_tile(tile));
       }
-      std::unique_ptr<FragmentBatch> batch;
-      if (!context.has_flat_result) batch = std::make_unique<FragmentBatch>(context);
-      for (std::size_t b = 0; b < count; ++b) {
-        draw_in_tile(context, pixels, chunk[b].setup, chunk[b].in_tile(tile), batch.get());
-      }
-      if (batch) batch->flush();
+      TileRasterizer& rasterizer = rasterizers.local();
+      rasterizer.begin(pixels);
+      for (std::size_t b = 0; b < count; ++b) rasterizer.draw(chunk[b].setup, chunk[b].in_tile(tile));
+      rasterizer.end();
     });
   }
 }

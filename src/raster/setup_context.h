@@ -1,9 +1,12 @@
 // What setting primitives up needs to know of a draw call.
 #pragma once
 
+#include <algorithm>
+
 #include "ninebit/numerics/hardware_profile.h"
 #include "ninebit/raster/pipeline_state.h"
 #include "src/raster/clip.h"
+#include "src/raster/setup_primitive.h"
 #include "src/raster/window_transform.h"
 
 namespace ninebit {
@@ -35,13 +38,12 @@ struct SetupContext {
   [[nodiscard]] bool fills_without_offset() const {
     return front_mode == PolygonMode::fill && back_mode == PolygonMode::fill && !offset.fill;
   }
-  // Whether the box, in 1/16 pixel, holds the centre of a pixel that may be drawn.
-  [[nodiscard]] bool meets_a_pixel(int left, int low, int right, int high) const {
-    // Centres are at 16 i + 8.
-    const auto first = [](int q4) { return (q4 + 7) >> 4; };
-    const auto last = [](int q4) { return (q4 - 8) >> 4; };
-    return first(left) <= last(right) && first(low) <= last(high) && last(right) >= drawn.left &&
-           last(high) >= drawn.bottom && first(left) < drawn.right && first(low) < drawn.top;
+  // The pixels that may be drawn whose centres, at 16 i + 8, the box in 1/16 pixel holds.
+  [[nodiscard]] PixelBounds pixels_in(int left, int low, int right, int high) const {
+    return {static_cast<std::int16_t>(std::max((left + 7) >> 4, drawn.left)),
+            static_cast<std::int16_t>(std::max((low + 7) >> 4, drawn.bottom)),
+            static_cast<std::int16_t>(std::min((right - 8) >> 4, drawn.right - 1)),
+            static_cast<std::int16_t>(std::min((high - 8) >> 4, drawn.top - 1))};
   }
 
   WindowTransform window;

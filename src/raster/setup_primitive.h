@@ -8,7 +8,17 @@
 
 namespace ninebit {
 
-enum class SetupKind : std::uint8_t { triangle, line, point };
+// `pixel` is a triangle that draws a single pixel, whose depth has already been found.
+enum class SetupKind : std::uint8_t { triangle, line, point, pixel };
+
+// Pixels that a primitive may draw, both ends included, among those that may be drawn at all.
+struct PixelBounds {
+  std::int16_t left = 0;
+  std::int16_t bottom = 0;
+  std::int16_t right = 0;
+  std::int16_t top = 0;
+  [[nodiscard]] bool empty() const { return left > right || bottom > top; }
+};
 
 inline constexpr std::uint32_t kNoWeights = 0xFFFFFFFF;
 
@@ -17,17 +27,19 @@ inline constexpr std::uint32_t kNoWeights = 0xFFFFFFFF;
 // positions stay within 2^18 sixteenths of a pixel, edge functions, areas and squared lengths within 2^37, and these ×
 // window depth within 2^61.
 struct SetupPrimitive {
+  PixelBounds box;           // of a `pixel`: that pixel
+  std::uint32_t pixel_z24;   // of a `pixel`: the window depth there
+  std::uint32_t primitive;   // number of the GL primitive in the draw call
+  std::int32_t offset_z24;   // polygon offset
+  SetupKind kind;
+  bool front_facing;
+  std::array<std::uint8_t, 3> corner;  // which of `vertex` each corner is (clipped ones: see weights)
   std::array<std::int32_t, 3> x_q4;  // window position in 1/16 pixel (less with fewer subpixel bits, scaled up)
   std::array<std::int32_t, 3> y_q4;  // of a wide line: already moved to its lowest line; of a point: its lower left
   std::array<std::uint32_t, 3> z24;  // window depth, see window_depth.h
   std::array<float, 3> inv_w;
   std::array<std::uint32_t, 3> vertex;  // numbers of the vertices before clipping; all three are valid in any kind
-  std::array<std::uint8_t, 3> corner;   // which of them each corner is (clipped ones: see weights)
-  SetupKind kind;
-  bool front_facing;
-  std::uint32_t weights;    // index into SetupBlock::weights, or kNoWeights: not clipped
-  std::uint32_t primitive;  // number of the GL primitive in the draw call
-  std::int32_t offset_z24;  // polygon offset
+  std::uint32_t weights;                // index into SetupBlock::weights, or kNoWeights: not clipped
 };
 
 // What one block of primitives of a draw call became, in order.

@@ -111,10 +111,8 @@ class FragmentSink {
 template <class Sink>
 [[gnu::noinline]] void draw_triangle(const PixelBox& tile, const SetupPrimitive& t, Sink sink) {
   const EdgesAndDepth plane(t);
-  const auto [x_low, x_high] = std::minmax({t.x_q4[0], t.x_q4[1], t.x_q4[2]});
-  const auto [y_low, y_high] = std::minmax({t.y_q4[0], t.y_q4[1], t.y_q4[2]});
-  const int left = std::max(tile.left, (x_low + 7) >> 4), right = std::min(tile.right - 1, (x_high - 8) >> 4);
-  const int bottom = std::max(tile.bottom, (y_low + 7) >> 4), top = std::min(tile.top - 1, (y_high - 8) >> 4);
+  const int left = std::max<int>(tile.left, t.box.left), right = std::min<int>(tile.right - 1, t.box.right);
+  const int bottom = std::max<int>(tile.bottom, t.box.bottom), top = std::min<int>(tile.top - 1, t.box.top);
   const bool narrow = right - left < 8;  // testing each pixel costs less than dividing for the span
   for (int y = bottom; y <= top; ++y) {
     int first = left, last = right;
@@ -165,6 +163,13 @@ void draw_point(const PixelBox& tile, const SetupPrimitive& point, int size, Sin
   }
 }
 
+template <class Sink>
+void draw_pixel(const PixelBox& tile, const SetupPrimitive& t, Sink sink) {
+  const int x = t.box.left, y = t.box.bottom;
+  if (x < tile.left || x >= tile.right || y < tile.bottom || y >= tile.top) return;  // (a probe's tile is one pixel)
+  sink(x, y, t.pixel_z24, EdgesAndDepth(t).at(x, y));
+}
+
 template <class Next>
 void draw_primitive(const DrawContext& context, const PixelBox& tile, const SetupPrimitive& p, Next next) {
   const FragmentSink<Next> sink(context, p, next);
@@ -177,6 +182,9 @@ void draw_primitive(const DrawContext& context, const PixelBox& tile, const Setu
       break;
     case SetupKind::point:
       draw_point(tile, p, context.state.point_size, sink);
+      break;
+    case SetupKind::pixel:
+      draw_pixel(tile, p, sink);
       break;
   }
 }
@@ -203,6 +211,10 @@ void draw_in_tile(const DrawContext& context, const PixelBox& tile, const SetupB
       });
     }
   }
+}
+
+TileRasterizer::TileRasterizer(const DrawContext& context) : context_(&context) {
+  if (!context.has_flat_result) batch_ = std::make_unique<FragmentBatch>(context);
 }
 
 }  // namespace ninebit

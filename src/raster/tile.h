@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <span>
 
 #include "src/raster/draw_context.h"
@@ -18,5 +19,25 @@ inline constexpr int kTileSize = 64;
 // has to be one.
 void draw_in_tile(const DrawContext& context, const PixelBox& tile, const SetupBlock& block,
                   std::span<const std::uint32_t> indices, FragmentBatch* batch);
+
+// Draws tile after tile, in one thread: large, and to be used again for many tiles.
+class TileRasterizer {
+ public:
+  explicit TileRasterizer(const DrawContext& context);
+
+  // `pixels` lie in one tile. Blocks must stay until `end`.
+  void begin(const PixelBox& pixels) { pixels_ = pixels; }
+  void draw(const SetupBlock& block, std::span<const std::uint32_t> indices) {
+    draw_in_tile(*context_, pixels_, block, indices, batch_.get());
+  }
+  void end() {
+    if (batch_) batch_->flush();
+  }
+
+ private:
+  const DrawContext* context_;
+  PixelBox pixels_;
+  std::unique_ptr<FragmentBatch> batch_;  // none where the draw's result is flat
+};
 
 }  // namespace ninebit

@@ -34,7 +34,7 @@ struct BinnedBlock {
   }
 };
 
-// Sorts what has been set up. `line_width` and `point_size` are the draw's.
-void sort_into_tiles(const TileGrid& grid, int line_width, int point_size, BinnedBlock& block);
+// Sorts what has been set up.
+void sort_into_tiles(const TileGrid& grid, BinnedBlock& block);
 
 }  // namespace ninebit

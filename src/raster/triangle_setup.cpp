@@ -19,12 +19,15 @@ void emit(const SetupContext& context, const PolygonTriangle& triangle, std::arr
           const glm::mat3* weights, std::int32_t offset_z24, SetupBlock& block) {
   const auto [left, right] = std::minmax({v[0].x_q4, v[1].x_q4, v[2].x_q4});
   const auto [low, high] = std::minmax({v[0].y_q4, v[1].y_q4, v[2].y_q4});
-  if (!context.meets_a_pixel(left, low, right, high)) return;  // most small triangles are dropped here
+  const PixelBounds box = context.pixels_in(left, low, right, high);
+  if (box.empty()) return;  // most small triangles are dropped here
   const std::int64_t area = static_cast<std::int64_t>(v[1].x_q4 - v[0].x_q4) * (v[2].y_q4 - v[0].y_q4) -
                             static_cast<std::int64_t>(v[1].y_q4 - v[0].y_q4) * (v[2].x_q4 - v[0].x_q4);
   const bool front = context.is_front(area > 0);
   if (area == 0 || context.is_culled(front)) return;
   SetupPrimitive t;
+  t.box = box;
+  t.pixel_z24 = 0;
   t.corner = {0, 1, 2};
   if (area < 0) {
     std::swap(v[1], v[2]);
