@@ -19,7 +19,7 @@ class WideDepth {
   WideDepth() : depth_(static_cast<std::size_t>(kWide) * kHigh) {}
 
   void draw(const oracle::WindowTriangle& triangle) {
-    std::fill(depth_.begin(), depth_.end(), 0xFFFFFFFF);
+    std::fill(depth_.begin(), depth_.end(), kDeepest);
     Mesh mesh;
     for (const auto& v : triangle) mesh.add(clip_position(v, kWide, kHigh));
     mesh.add_triangle(0, 1, 2);
@@ -59,7 +59,7 @@ TEST(Depth, LargestTrianglesFollowTheExactPlane) {
     for (int i = 0; i < 4000; ++i) {
       const int x = random.below(kWide), y = random.below(kHigh);
       if (!oracle::covers(t, x, y)) {
-        ASSERT_EQ(wide.at(x, y), 0xFFFFFFFF);
+        ASSERT_EQ(wide.at(x, y), kDeepest);
         continue;
       }
       ++drawn;

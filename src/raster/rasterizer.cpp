@@ -59,7 +59,7 @@ void draw(const PrimitiveSetup& setup, const PixelBox& drawn, const DrawContext&
   const std::size_t items = setup.items();
   const std::size_t blocks = (items + cut.items_per_block - 1) / cut.items_per_block;
   std::vector<BinnedBlock> chunk(std::min(blocks, cut.blocks_per_chunk));
-  tbb::enumerable_thread_specific<TileRasterizer> rasterizers([&] { return TileRasterizer(context); });
+  tbb::enumerable_thread_specific<TileRasterizer> rasterizers([&] { return TileRasterizer(context, target); });
   for (std::size_t first_block = 0; first_block < blocks; first_block += cut.blocks_per_chunk) {
     const std::size_t count = std::min(cut.blocks_per_chunk, blocks - first_block);
     tbb::parallel_for(std::size_t{0}, count, [&](std::size_t b) {

@@ -5,76 +5,10 @@
 
 #include "src/raster/floor_divider.h"
 #include "src/raster/line_walk.h"
+#include "src/raster/triangle_edges.h"
 
 namespace ninebit {
 namespace {
-
-// A triangle's edge functions and depth plane at pixel centres. Edge i lies opposite corner i; its function is twice
-// the area of the triangle that the edge and the point make, positive inside, in square sixteenths of a pixel.
-class EdgesAndDepth {
- public:
-  explicit EdgesAndDepth(const SetupPrimitive& t) : triangle_(t), area_(area_of(t)), divide_(2 * area_) {
-    for (std::size_t i = 0; i < 3; ++i) {
-      const std::size_t a = (i + 1) % 3, b = (i + 2) % 3;
-      const std::int64_t dx = t.x_q4[b] - t.x_q4[a], dy = t.y_q4[b] - t.y_q4[a];
-      step_x_[i] = -dy * 16;
-      step_y_[i] = dx * 16;
-      // At the centre of pixel (0, 0).
-      origin_[i] = dx * (8 - t.y_q4[a]) - dy * (8 - t.x_q4[a]);
-      // Top-left rule: a centre on an edge is inside when the edge goes down (left) or, level, to the left (top).
-      threshold_[i] = dy < 0 || (dy == 0 && dx < 0) ? 0 : 1;
-    }
-  }
-
-  [[nodiscard]] std::array<std::int64_t, 3> at(int x, int y) const {
-    std::array<std::int64_t, 3> e;
-    for (std::size_t i = 0; i < 3; ++i) e[i] = origin_[i] + step_x_[i] * x + step_y_[i] * y;
-    return e;
-  }
-  void step_right(std::array<std::int64_t, 3>& e) const {
-    for (std::size_t i = 0; i < 3; ++i) e[i] += step_x_[i];
-  }
-  [[nodiscard]] bool inside(const std::array<std::int64_t, 3>& e) const {
-    return e[0] >= threshold_[0] && e[1] >= threshold_[1] && e[2] >= threshold_[2];
-  }
-
-  // The depth plane, rounded to nearest, halves up. Within the triangle it lies between the corners' depths.
-  [[nodiscard]] std::uint32_t z24(const std::array<std::int64_t, 3>& e) const {
-    const std::int64_t wide = e[0] * triangle_.z24[0] + e[1] * triangle_.z24[1] + e[2] * triangle_.z24[2];
-    return static_cast<std::uint32_t>(divide_(2 * wide + area_));
-  }
-
-  // Narrows [first, last] to the pixels of row y inside the triangle; false: there are none.
-  [[nodiscard]] bool span(int y, int& first, int& last) const {
-    const std::array<std::int64_t, 3> e = at(0, y);
-    std::int64_t low = first, high = last;
-    for (std::size_t i = 0; i < 3; ++i) {
-      // The x with e + step · x >= threshold.
-      const std::int64_t need = threshold_[i] - e[i];
-      if (step_x_[i] > 0) {
-        low = std::max(low, ceil_divide(need, step_x_[i]));
-      } else if (step_x_[i] < 0) {
-        high = std::min(high, floor_divide(-need, -step_x_[i]));
-      } else if (need > 0) {
-        return false;
-      }
-    }
-    first = static_cast<int>(low);
-    last = static_cast<int>(high);
-    return low <= high;
-  }
-
- private:
-  static std::int64_t area_of(const SetupPrimitive& t) {
-    return static_cast<std::int64_t>(t.x_q4[1] - t.x_q4[0]) * (t.y_q4[2] - t.y_q4[0]) -
-           static_cast<std::int64_t>(t.y_q4[1] - t.y_q4[0]) * (t.x_q4[2] - t.x_q4[0]);
-  }
-
-  const SetupPrimitive& triangle_;
-  std::int64_t area_;
-  FloorDivider divide_;
-  std::array<std::int64_t, 3> step_x_, step_y_, origin_, threshold_;
-};
 
 // Takes a primitive's fragments on their way: depth code and early tests, then what `Next` does with them. (A copy of
 // what is asked for each fragment: writing bytes could change anything else, as far as a compiler can know.)
@@ -110,7 +44,7 @@ class FragmentSink {
 // Not part of its caller, which would be large and short of registers.
 template <class Sink>
 [[gnu::noinline]] void draw_triangle(const PixelBox& tile, const SetupPrimitive& t, Sink sink) {
-  const EdgesAndDepth plane(t);
+  const TriangleEdges plane(t);
   const int left = std::max<int>(tile.left, t.box.left), right = std::min<int>(tile.right - 1, t.box.right);
   const int bottom = std::max<int>(tile.bottom, t.box.bottom), top = std::min<int>(tile.top - 1, t.box.top);
   const bool narrow = right - left < 8;  // testing each pixel costs less than dividing for the span
@@ -167,7 +101,7 @@ template <class Sink>
 void draw_pixel(const PixelBox& tile, const SetupPrimitive& t, Sink sink) {
   const int x = t.box.left, y = t.box.bottom;
   if (x < tile.left || x >= tile.right || y < tile.bottom || y >= tile.top) return;  // (a probe's tile is one pixel)
-  sink(x, y, t.pixel_z24, EdgesAndDepth(t).at(x, y));
+  sink(x, y, t.pixel_z24, TriangleEdges(t).at(x, y));
 }
 
 template <class Next>
@@ -213,8 +147,37 @@ void draw_in_tile(const DrawContext& context, const PixelBox& tile, const SetupB
   }
 }
 
-TileRasterizer::TileRasterizer(const DrawContext& context) : context_(&context) {
-  if (!context.has_flat_result) batch_ = std::make_unique<FragmentBatch>(context);
+TileRasterizer::TileRasterizer(const DrawContext& context, const RenderTarget& target) : context_(&context) {
+  if (lanes_can_draw(context, target)) {
+    lanes_ = std::make_unique<LaneTile>(context, target);
+  } else if (!context.has_flat_result) {
+    batch_ = std::make_unique<FragmentBatch>(context);
+  }
+}
+
+void TileRasterizer::begin(const PixelBox& pixels) {
+  pixels_ = pixels;
+  if (lanes_) {
+    lanes_->pixels = pixels;
+    lanes_->left = pixels.left & -kTileSize;
+    lanes_->bottom = pixels.bottom & -kTileSize;
+    lanes_->is_loaded = false;
+  }
+}
+
+void TileRasterizer::draw(const SetupBlock& block, std::span<const std::uint32_t> indices) {
+  if (lanes_) {
+    draw_lanes(*lanes_, block, indices);
+  } else {
+    draw_in_tile(*context_, pixels_, block, indices, batch_.get());
+  }
+}
+
+void TileRasterizer::end() {
+  if (batch_) batch_->flush();
+  if (!lanes_ || !lanes_->is_loaded) return;
+  if (lanes_->batch) flush_lanes(*lanes_);
+  store_tile(*lanes_);
 }
 
 }  // namespace ninebit

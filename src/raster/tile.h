@@ -8,11 +8,11 @@
 #include "src/raster/draw_context.h"
 #include "src/raster/fragment_batch.h"
 #include "src/raster/setup_primitive.h"
+#include "src/raster/tile_lanes.h"
+#include "src/raster/tile_size.h"
 #include "src/raster/window_transform.h"
 
 namespace ninebit {
-
-inline constexpr int kTileSize = 64;
 
 // Draws primitives of one block, in the order of `indices`, as far as they cover the tile. Fragments whose colour is
 // the primitive's go through the fragment operations at once, the others into the batch: without a flat result there
@@ -23,20 +23,18 @@ void draw_in_tile(const DrawContext& context, const PixelBox& tile, const SetupB
 // Draws tile after tile, in one thread: large, and to be used again for many tiles.
 class TileRasterizer {
  public:
-  explicit TileRasterizer(const DrawContext& context);
+  // The arguments must outlive it.
+  TileRasterizer(const DrawContext& context, const RenderTarget& target);
 
   // `pixels` lie in one tile. Blocks must stay until `end`.
-  void begin(const PixelBox& pixels) { pixels_ = pixels; }
-  void draw(const SetupBlock& block, std::span<const std::uint32_t> indices) {
-    draw_in_tile(*context_, pixels_, block, indices, batch_.get());
-  }
-  void end() {
-    if (batch_) batch_->flush();
-  }
+  void begin(const PixelBox& pixels);
+  void draw(const SetupBlock& block, std::span<const std::uint32_t> indices);
+  void end();
 
  private:
   const DrawContext* context_;
   PixelBox pixels_;
+  std::unique_ptr<LaneTile> lanes_;       // where vectors draw; else
   std::unique_ptr<FragmentBatch> batch_;  // none where the draw's result is flat
 };
 

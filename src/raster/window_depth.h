@@ -16,6 +16,7 @@ class WindowDepth {
   // One step of the format, and the depth 1.
   [[nodiscard]] constexpr std::int64_t step_z24() const { return std::int64_t{1} << fraction_bits_; }
   [[nodiscard]] constexpr std::int64_t max_z24() const { return max_z24_; }
+  [[nodiscard]] constexpr int fraction_bits() const { return fraction_bits_; }
 
   // A depth in [0, 1], rounded to nearest, halves up; clamped, NaN becomes 0.
   [[nodiscard]] constexpr std::uint32_t z24_of(double depth) const {

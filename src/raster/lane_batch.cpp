@@ -1,0 +1,209 @@
+// What a batch of fragments goes through: interpolation, combiners, fragment operations.
+#include "src/raster/lane_batch.h"
+
+#include <algorithm>
+#include <cstring>
+
+#include "src/raster/lane_inputs.h"
+#include "src/raster/tile_lanes.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "src/raster/lane_batch.cpp"
+#include "hwy/foreach_target.h"  // IWYU pragma: keep
+#include "hwy/highway.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace ninebit::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+#if HWY_TARGET == HWY_SCALAR
+
+void flush_batch(LaneTile&) {}
+
+#else
+
+#include "src/raster/lane_operations.inl"
+
+using D = hn::CappedTag<std::int32_t, 16>;
+using V = hn::Vec<D>;
+using DF = hn::Rebind<float, D>;
+using VF = hn::Vec<DF>;
+using D16 = hn::Rebind<std::int16_t, D>;
+constexpr D kD;
+constexpr DF kDF;
+constexpr D16 kD16;
+constexpr std::size_t kLanes = hn::MaxLanes(kD);
+
+HWY_INLINE std::int32_t* lanes_of(std::uint32_t* words) {
+  return reinterpret_cast<std::int32_t*>(words);  // signed and unsigned words may alias
+}
+
+// Divides the weights by their sum.
+HWY_INLINE void normalize(LaneBatch& batch) {
+  for (std::size_t i = 0; i < batch.count; i += kLanes) {
+    float* const w[3] = {batch.weight[0].data() + i, batch.weight[1].data() + i, batch.weight[2].data() + i};
+    const VF a = hn::Load(kDF, w[0]), b = hn::Load(kDF, w[1]), c = hn::Load(kDF, w[2]);
+    const VF sum = hn::Add(hn::Add(a, b), c);
+    hn::Store(hn::Div(a, sum), kDF, w[0]);
+    hn::Store(hn::Div(b, sum), kDF, w[1]);
+    hn::Store(hn::Div(c, sum), kDF, w[2]);
+  }
+}
+
+// A value at fragments from i on, from those at the vertices.
+HWY_INLINE VF interpolate(const LaneBatch& batch, std::size_t i, float a, float b, float c) {
+  const VF wa = hn::LoadU(kDF, batch.weight[0].data() + i), wb = hn::LoadU(kDF, batch.weight[1].data() + i),
+           wc = hn::LoadU(kDF, batch.weight[2].data() + i);
+  return hn::Add(hn::Add(hn::Mul(wa, hn::Set(kDF, a)), hn::Mul(wb, hn::Set(kDF, b))), hn::Mul(wc, hn::Set(kDF, c)));
+}
+
+HWY_INLINE void fill_smooth_colors(LaneBatch& batch, std::span<const ColorBytes> colors) {
+  for (std::size_t r = 0; r < batch.runs; ++r) {
+    const std::array<std::uint32_t, 3>& v = batch.run[r].primitive->vertex;
+    const ColorBytes &a = colors[v[0]], &b = colors[v[1]], &c = colors[v[2]];
+    // What is stored beyond the run's end, the next one stores again.
+    for (std::size_t i = batch.run[r].first; i < batch.run[r + 1].first; i += kLanes) {
+      V color = hn::Zero(kD);
+      for (std::size_t k = 4; k-- > 0;) {
+        const VF value = interpolate(batch, i, static_cast<float>(a[k]), static_cast<float>(b[k]),
+                                     static_cast<float>(c[k]));
+        const VF byte = hn::Min(hn::Max(hn::Add(value, hn::Set(kDF, 0.5F)), hn::Zero(kDF)), hn::Set(kDF, 255.0F));
+        color = hn::Or(hn::ShiftLeft<8>(color), hn::ConvertTo(kD, byte));
+      }
+      hn::StoreU(color, kD, lanes_of(batch.color.data()) + i);
+    }
+  }
+}
+
+HWY_INLINE void fill_coordinates(LaneBatch& batch, std::span<const glm::vec3> at_vertex, int components) {
+  for (std::size_t r = 0; r < batch.runs; ++r) {
+    const std::array<std::uint32_t, 3>& v = batch.run[r].primitive->vertex;
+    const glm::vec3 &a = at_vertex[v[0]], &b = at_vertex[v[1]], &c = at_vertex[v[2]];
+    for (std::size_t i = batch.run[r].first; i < batch.run[r + 1].first; i += kLanes) {
+      for (int k = 0; k < components; ++k) {
+        hn::StoreU(interpolate(batch, i, a[k], b[k], c[k]), kDF, batch.coordinate[static_cast<std::size_t>(k)].data() + i);
+      }
+    }
+  }
+}
+
+// Byte k of each colour as register codes.
+HWY_INLINE void colors_to_codes(LaneBatch& batch, int byte_shift, Register reg) {
+  for (std::size_t i = 0; i < batch.count; i += kLanes) {
+    V color = hn::Load(kD, lanes_of(batch.color.data()) + i);
+    for (int k = 0; k < 4; ++k) {
+      const V byte = hn::And(color, hn::Set(kD, 0xFF));
+      hn::StoreU(hn::DemoteTo(kD16, hn::ShiftRightSame(byte, byte_shift)), kD16, batch.registers(reg, k) + i);
+      color = hn::ShiftRight<8>(color);
+    }
+  }
+}
+
+// What leaves the combiners as bytes, see to_byte.
+HWY_INLINE void output_to_colors(LaneBatch& batch, const HardwareProfile& profile) {
+  const int shift = profile.byte_shift;
+  const V one = hn::Set(kD, profile.one);
+  for (std::size_t i = 0; i < batch.count; i += kLanes) {
+    V color = hn::Zero(kD);
+    for (std::size_t k = 4; k-- > 0;) {
+      const V code = hn::Max(hn::PromoteTo(kD, hn::LoadU(kD16, batch.out.plane[k].data() + i)), hn::Zero(kD));
+      const V wide = shift == 0 ? code
+                                : hn::Or(hn::ShiftLeftSame(code, shift), hn::ShiftRightSame(code, 8 - 2 * shift));
+      const V byte = hn::IfThenElse(hn::Lt(code, one), wide, hn::Set(kD, 255));
+      color = hn::Or(hn::ShiftLeft<8>(color), byte);
+    }
+    hn::Store(color, kD, lanes_of(batch.color.data()) + i);
+  }
+}
+
+// The fragments from i on, as many as D has lanes, all of one facing.
+template <class D>
+HWY_INLINE void operate(D d, LaneTile& tile, const LaneStencil& side, std::size_t i) {
+  LaneBatch& batch = *tile.batch;
+  std::int32_t* const stored = lanes_of(tile.tile.depth_stencil.data());
+  std::int32_t* const colors = lanes_of(tile.tile.color.data());
+  const auto depth = hn::LoadU(d, lanes_of(batch.depth.data()) + i);
+  const auto color = hn::LoadU(d, lanes_of(batch.color.data()) + i);
+  const auto alpha = hn::BitCast(d, hn::ShiftRight<24>(hn::BitCast(hn::RebindToUnsigned<D>(), color)));
+  const auto all = hn::FirstN(d, hn::Lanes(d));
+  const auto place = hn::LoadU(d, lanes_of(batch.place.data()) + i);
+  const auto first = static_cast<std::int32_t>(batch.place[i]);
+  const bool are_neighbours = hn::AllTrue(d, hn::Eq(place, hn::Iota(d, first)));
+  const auto get = [&](const std::int32_t* plane) HWY_ATTR {
+    return are_neighbours ? hn::LoadU(d, plane + first) : hn::GatherIndex(d, plane, place);
+  };
+  const auto put = [&](hn::Vec<D> v, std::int32_t* plane) HWY_ATTR {
+    if (are_neighbours) {
+      hn::StoreU(v, d, plane + first);
+    } else {
+      hn::ScatterIndex(v, d, plane, place);
+    }
+  };
+  const LaneResult<D> result = apply_lanes(d, tile.operations, side, all, depth, alpha, get(stored));
+  if (tile.operations.depth_write || tile.operations.stencil_write) put(result.depth_stencil, stored);
+  if (tile.operations.color) put(hn::IfThenElse(result.drawn, color, get(colors)), colors);
+}
+
+HWY_INLINE void operate(LaneTile& tile, const LaneStencil& side, std::size_t first, std::size_t end) {
+  const hn::CappedTag<std::int32_t, 1> one;
+  std::size_t i = first;
+  for (; i + kLanes <= end; i += kLanes) operate(kD, tile, side, i);
+  for (; i < end; ++i) operate(one, tile, side, i);
+}
+
+void flush_batch(LaneTile& tile) {
+  LaneBatch& batch = *tile.batch;
+  const DrawContext& context = tile.context;
+  const PipelineState& state = context.state;
+  const bool needs_color = tile.operations.needs_color();
+  if (needs_color) {
+    normalize(batch);
+    unclip(batch);
+    if (context.shades_flat()) {
+      fill_flat_colors(batch, context);
+    } else {
+      fill_smooth_colors(batch, context.arrays.vertex_colors);
+    }
+    if (state.program) {
+      refill_constants(batch, context);
+      colors_to_codes(batch, state.profile.byte_shift, Register::primary);
+      for (std::size_t unit = 0; unit < context.samplers.size(); ++unit) {
+        if (!context.samplers[unit]) continue;
+        fill_coordinates(batch, context.arrays.texture_coordinates[unit], context.samplers[unit]->needs_r() ? 3 : 2);
+        sample(batch, context, unit);
+      }
+      evaluate(*state.program, batch.registers, batch.count, batch.out);
+      output_to_colors(batch, state.profile);
+    }
+  }
+  if (tile.operations.two_sided) {
+    for (std::size_t r = 0; r < batch.runs; ++r) {
+      operate(tile, tile.operations.side(batch.run[r].primitive->front_facing), batch.run[r].first,
+              batch.run[r + 1].first);
+    }
+  } else {
+    operate(tile, tile.operations.front, 0, batch.count);
+  }
+}
+
+#endif
+
+}  // namespace ninebit::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace ninebit {
+
+HWY_EXPORT(flush_batch);
+
+void flush_lanes(LaneTile& tile) {
+  LaneBatch& batch = *tile.batch;
+  if (batch.count == 0) return;
+  batch.run[batch.runs].first = batch.count;
+  HWY_DYNAMIC_DISPATCH(flush_batch)(tile);
+  batch.count = batch.runs = 0;
+  batch.occupied.fill(0);
+}
+
+}  // namespace ninebit
+#endif

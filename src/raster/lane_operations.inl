@@ -1,0 +1,122 @@
+// The fragment operations for a vector of fragments, no two of them at the same pixel. No include guard: included once
+// inside Highway's namespace of every SIMD target, with `hn` for its operations. D is a tag of 32-bit integers.
+
+template <class D>
+HWY_INLINE hn::Mask<D> mask_of(D d, std::uint32_t word) {
+  return hn::MaskFromVec(hn::Set(d, static_cast<std::int32_t>(word)));
+}
+
+// Both sides below 2^31.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE hn::Mask<D> compare_lanes(D d, const LaneComparison& c, V left, V right) {
+  const auto less = hn::And(hn::Lt(left, right), mask_of(d, c.less));
+  const auto equal = hn::And(hn::Eq(left, right), mask_of(d, c.equal));
+  return hn::Xor(hn::Or(less, equal), mask_of(d, c.invert));
+}
+
+// What an operation makes of stored values (see stencil_result), masked.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE V stencil_lanes(D d, StencilOperation operation, const LaneStencil& s, V stored) {
+  const V largest = hn::Set(d, static_cast<std::int32_t>(s.largest)), one = hn::Set(d, 1);
+  const V value = hn::And(stored, largest);
+  V result = value;
+  switch (operation) {
+    case StencilOperation::keep:
+      return stored;
+    case StencilOperation::zero:
+      result = hn::Zero(d);
+      break;
+    case StencilOperation::replace:
+      result = hn::Set(d, static_cast<std::int32_t>(s.replacement));
+      break;
+    case StencilOperation::incr:
+      result = hn::Min(hn::Add(value, one), largest);
+      break;
+    case StencilOperation::decr:
+      result = hn::Max(hn::Sub(value, one), hn::Zero(d));
+      break;
+    case StencilOperation::invert:
+      result = hn::AndNot(value, largest);
+      break;
+    case StencilOperation::incr_wrap:
+      result = hn::And(hn::Add(value, one), largest);
+      break;
+    case StencilOperation::decr_wrap:
+      result = hn::And(hn::Sub(value, one), largest);
+      break;
+  }
+  const V writable = hn::Set(d, static_cast<std::int32_t>(s.writable));
+  return hn::Or(hn::And(result, writable), hn::AndNot(writable, stored));
+}
+
+template <class D>
+struct LaneTests {
+  hn::Mask<D> stencil;  // passed
+  hn::Mask<D> depth;
+};
+
+// The tests of one facing against stored depth × 256 + stencil. What is disabled passes.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE LaneTests<D> test_lanes(D d, const LaneOperations& operations, const LaneStencil& side, V depth, V stored) {
+  const auto all = hn::FirstN(d, hn::Lanes(d));
+  LaneTests<D> tests{all, all};
+  if (operations.stencil) {
+    tests.stencil = compare_lanes(d, side.test, hn::Set(d, static_cast<std::int32_t>(side.reference)),
+                                  hn::And(stored, hn::Set(d, static_cast<std::int32_t>(side.mask))));
+  }
+  if (operations.depth) {
+    const hn::RebindToUnsigned<D> du;
+    tests.depth = compare_lanes(d, operations.depth_test, depth,
+                                hn::BitCast(d, hn::ShiftRight<8>(hn::BitCast(du, stored))));
+  }
+  return tests;
+}
+
+// The fragments of `mask` that are not lost for certain and without a trace.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE hn::Mask<D> not_lost(D d, const LaneOperations& operations, const LaneStencil& side, hn::Mask<D> mask,
+                                V depth, V stored) {
+  const LaneTests<D> tests = test_lanes(d, operations, side, depth, stored);
+  if (!operations.stencil) return hn::And(mask, tests.depth);
+  if (side.fail_keeps) mask = hn::And(mask, tests.stencil);
+  // Of those that fail the stencil test nothing is known yet.
+  if (side.depth_fail_keeps) mask = hn::And(mask, hn::Or(tests.depth, hn::Not(tests.stencil)));
+  return mask;
+}
+
+// New stencil values in the low eight bits of `stored`, and only there.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE V stencil_after(D d, const LaneStencil& side, const LaneTests<D>& tests, V stored) {
+  const V value = hn::And(stored, hn::Set(d, 0xFF));
+  const V passed = hn::IfThenElse(tests.depth, stencil_lanes(d, side.depth_pass, side, value),
+                                  stencil_lanes(d, side.depth_fail, side, value));
+  return hn::IfThenElse(tests.stencil, passed, stencil_lanes(d, side.fail, side, value));
+}
+
+template <class D>
+struct LaneResult {
+  hn::Vec<D> depth_stencil;
+  hn::Mask<D> drawn;
+};
+
+// Alpha, stencil and depth test of the fragments of `mask`; what then stands in the planes, and which fragments passed.
+// `back` is looked at where the two facings differ.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE LaneResult<D> apply_lanes(D d, const LaneOperations& operations, const LaneStencil& side, hn::Mask<D> mask,
+                                     V depth, V alpha, V stored) {
+  if (operations.alpha) {
+    mask = hn::And(mask, compare_lanes(d, operations.alpha_test, alpha,
+                                       hn::Set(d, static_cast<std::int32_t>(operations.alpha_reference))));
+  }
+  const LaneTests<D> tests = test_lanes(d, operations, side, depth, stored);
+  const auto drawn = hn::And(mask, hn::And(tests.stencil, tests.depth));
+  V after = stored;
+  if (operations.stencil_write) {
+    const V value = stencil_after(d, side, tests, stored);
+    after = hn::IfThenElse(mask, hn::Or(hn::AndNot(hn::Set(d, 0xFF), stored), value), after);
+  }
+  if (operations.depth_write) {
+    after = hn::IfThenElse(drawn, hn::Or(hn::ShiftLeft<8>(depth), hn::And(after, hn::Set(d, 0xFF))), after);
+  }
+  return {after, drawn};
+}

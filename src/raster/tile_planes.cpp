@@ -1,0 +1,157 @@
+// Rows of a target's planes to rows of a tile and back.
+#include "src/raster/tile_planes.h"
+
+#include <cstring>
+
+#include "src/raster/tile_lanes.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "src/raster/tile_planes.cpp"
+#include "hwy/foreach_target.h"  // IWYU pragma: keep
+#include "hwy/highway.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace ninebit::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+#if HWY_TARGET == HWY_SCALAR
+
+void load_row(LaneTile&, const TileRow&, std::size_t) {}
+void store_row(const LaneTile&, const TileRow&, std::size_t) {}
+
+#else
+
+using D32 = hn::CappedTag<std::uint32_t, 16>;
+using D8 = hn::Rebind<std::uint8_t, D32>;
+using Bytes = hn::CappedTag<std::uint8_t, 64>;
+constexpr D32 kD32;
+constexpr D8 kD8;
+constexpr Bytes kBytes;
+
+void load_row(LaneTile& tile, const TileRow& from, std::size_t place) {
+  const LaneOperations& operations = tile.operations;
+  if (operations.depth || operations.stencil) {
+    for (std::size_t i = 0; i < kTileSize; i += hn::Lanes(kD32)) {
+      auto v = hn::Zero(kD32);
+      if (operations.depth) v = hn::ShiftLeft<8>(hn::LoadU(kD32, from.depth + i));
+      if (operations.stencil) v = hn::Or(v, hn::PromoteTo(kD32, hn::LoadU(kD8, from.stencil + i)));
+      hn::Store(v, kD32, tile.tile.depth_stencil.data() + place + i);
+    }
+  }
+  if (!operations.color) return;
+  auto* const to = reinterpret_cast<std::uint8_t*>(tile.tile.color.data() + place);
+  for (std::size_t i = 0; i < kTileSize; i += hn::Lanes(kBytes)) {
+    const auto samples = [&](std::size_t k) HWY_ATTR {
+      return tile.writes_color[k] ? hn::LoadU(kBytes, from.color[k] + i) : hn::Zero(kBytes);
+    };
+    hn::StoreInterleaved4(samples(0), samples(1), samples(2), samples(3), kBytes, to + 4 * i);
+  }
+}
+
+void store_row(const LaneTile& tile, const TileRow& to, std::size_t place) {
+  const bool stencil = tile.operations.stencil_write, depth = tile.operations.depth_write;
+  if (stencil || depth) {
+    for (std::size_t i = 0; i < kTileSize; i += hn::Lanes(kD32)) {
+      const auto v = hn::Load(kD32, tile.tile.depth_stencil.data() + place + i);
+      if (depth) hn::StoreU(hn::ShiftRight<8>(v), kD32, to.depth + i);
+      if (stencil) hn::StoreU(hn::U8FromU32(hn::And(v, hn::Set(kD32, 0xFF))), kD8, to.stencil + i);
+    }
+  }
+  if (!tile.operations.color) return;
+  const auto* const from = reinterpret_cast<const std::uint8_t*>(tile.tile.color.data() + place);
+  for (std::size_t i = 0; i < kTileSize; i += hn::Lanes(kBytes)) {
+    hn::Vec<Bytes> v0, v1, v2, v3;
+    hn::LoadInterleaved4(kBytes, from + 4 * i, v0, v1, v2, v3);
+    if (tile.writes_color[0]) hn::StoreU(v0, kBytes, to.color[0] + i);
+    if (tile.writes_color[1]) hn::StoreU(v1, kBytes, to.color[1] + i);
+    if (tile.writes_color[2]) hn::StoreU(v2, kBytes, to.color[2] + i);
+    if (tile.writes_color[3]) hn::StoreU(v3, kBytes, to.color[3] + i);
+  }
+}
+
+#endif
+
+}  // namespace ninebit::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace ninebit {
+namespace {
+
+HWY_EXPORT(load_row);
+HWY_EXPORT(store_row);
+
+// A row of which only some pixels are the draw's.
+struct Staging {
+  alignas(64) std::array<std::uint32_t, kTileSize> depth{};
+  alignas(64) std::array<std::uint8_t, kTileSize> stencil{};
+  alignas(64) std::array<std::array<std::uint8_t, kTileSize>, 4> color{};
+
+  TileRow row() {
+    return {depth.data(), stencil.data(), {color[0].data(), color[1].data(), color[2].data(), color[3].data()}};
+  }
+};
+
+// Where row y of the tile starts in the target's planes, those that the draw does not concern left out.
+TileRow row_of(const LaneTile& tile, int y) {
+  const RenderTarget& target = tile.target;
+  const auto start = [&](const auto& plane) { return plane.row(y) + tile.left; };
+  TileRow row;
+  if (tile.operations.depth) row.depth = start(target.depth);
+  if (tile.operations.stencil) row.stencil = start(target.stencil);
+  for (std::size_t k = 0; k < 4; ++k) {
+    if (tile.writes_color[k]) row.color[k] = start(target.color[k]);
+  }
+  return row;
+}
+
+// Copies the pixels that may be drawn.
+void copy(const LaneTile& tile, const TileRow& from, const TileRow& to) {
+  const int first = tile.pixels.left - tile.left;
+  const auto count = static_cast<std::size_t>(tile.pixels.right - tile.pixels.left);
+  if (tile.operations.depth) std::memcpy(to.depth + first, from.depth + first, count * sizeof(*to.depth));
+  if (tile.operations.stencil) std::memcpy(to.stencil + first, from.stencil + first, count);
+  for (std::size_t k = 0; k < 4; ++k) {
+    if (tile.writes_color[k]) std::memcpy(to.color[k] + first, from.color[k] + first, count);
+  }
+}
+
+bool has_whole_rows(const LaneTile& tile) {
+  return tile.pixels.right - tile.pixels.left == kTileSize;
+}
+
+std::size_t place_of_row(const LaneTile& tile, int y) {
+  return static_cast<std::size_t>(y - tile.bottom) * kTileSize;
+}
+
+}  // namespace
+
+void load_tile(LaneTile& tile) {
+  Staging staging;
+  for (int y = tile.pixels.bottom; y < tile.pixels.top; ++y) {
+    TileRow row = row_of(tile, y);
+    if (!has_whole_rows(tile)) {
+      copy(tile, row, staging.row());
+      row = staging.row();
+    }
+    HWY_DYNAMIC_DISPATCH(load_row)(tile, row, place_of_row(tile, y));
+  }
+  tile.is_loaded = true;
+}
+
+void store_tile(const LaneTile& tile) {
+  Staging staging;
+  for (int y = tile.pixels.bottom; y < tile.pixels.top; ++y) {
+    const TileRow row = row_of(tile, y);
+    if (has_whole_rows(tile)) {
+      HWY_DYNAMIC_DISPATCH(store_row)(tile, row, place_of_row(tile, y));
+      continue;
+    }
+    copy(tile, row, staging.row());  // planes that the draw reads alone stay as they are
+    HWY_DYNAMIC_DISPATCH(store_row)(tile, staging.row(), place_of_row(tile, y));
+    copy(tile, staging.row(), row);
+  }
+}
+
+}  // namespace ninebit
+#endif

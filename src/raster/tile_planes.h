@@ -1,0 +1,27 @@
+// One tile of a target, held in a form that vectors of fragments can be drawn into.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "src/raster/tile_size.h"
+
+namespace ninebit {
+
+inline constexpr std::size_t kTilePixels = std::size_t{kTileSize} * kTileSize;
+
+// Row by row, the lowest first, whether or not the target reaches so far.
+struct TilePlanes {
+  alignas(64) std::array<std::uint32_t, kTilePixels> depth_stencil;  // depth code × 256 + stencil value
+  alignas(64) std::array<std::uint32_t, kTilePixels> color;          // red in the lowest byte, alpha in the highest
+};
+
+// A row of samples in each of the target's planes.
+struct TileRow {
+  std::uint32_t* depth = nullptr;
+  std::uint8_t* stencil = nullptr;
+  std::array<std::uint8_t*, 4> color{};
+};
+
+}  // namespace ninebit
