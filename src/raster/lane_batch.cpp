@@ -118,7 +118,7 @@ HWY_INLINE void output_to_colors(LaneBatch& batch, const HardwareProfile& profil
 
 // The fragments from i on, as many as D has lanes, all of one facing.
 template <class D>
-HWY_INLINE void operate(D d, LaneTile& tile, const LaneStencil& side, std::size_t i) {
+HWY_INLINE void operate(D d, LaneTile& tile, const LaneDraw<D>& draw, std::size_t i) {
   LaneBatch& batch = *tile.batch;
   std::int32_t* const stored = lanes_of(tile.tile.depth_stencil.data());
   std::int32_t* const colors = lanes_of(tile.tile.color.data());
@@ -139,16 +139,18 @@ HWY_INLINE void operate(D d, LaneTile& tile, const LaneStencil& side, std::size_
       hn::ScatterIndex(v, d, plane, place);
     }
   };
-  const LaneResult<D> result = apply_lanes(d, tile.operations, side, all, depth, alpha, get(stored));
+  const LaneResult<D> result = apply_lanes(d, draw, all, depth, alpha, get(stored));
   if (tile.operations.depth_write || tile.operations.stencil_write) put(result.depth_stencil, stored);
   if (tile.operations.color) put(hn::IfThenElse(result.drawn, color, get(colors)), colors);
 }
 
-HWY_INLINE void operate(LaneTile& tile, const LaneStencil& side, std::size_t first, std::size_t end) {
-  const hn::CappedTag<std::int32_t, 1> one;
+HWY_INLINE void operate(LaneTile& tile, bool front_facing, std::size_t first, std::size_t end) {
+  using D1 = hn::CappedTag<std::int32_t, 1>;
+  const LaneDraw<D> draw(kD, tile.operations, front_facing);
+  const LaneDraw<D1> draw_one(D1(), tile.operations, front_facing);
   std::size_t i = first;
-  for (; i + kLanes <= end; i += kLanes) operate(kD, tile, side, i);
-  for (; i < end; ++i) operate(one, tile, side, i);
+  for (; i + kLanes <= end; i += kLanes) operate(kD, tile, draw, i);
+  for (; i < end; ++i) operate(D1(), tile, draw_one, i);
 }
 
 void flush_batch(LaneTile& tile) {
@@ -178,11 +180,10 @@ void flush_batch(LaneTile& tile) {
   }
   if (tile.operations.two_sided) {
     for (std::size_t r = 0; r < batch.runs; ++r) {
-      operate(tile, tile.operations.side(batch.run[r].primitive->front_facing), batch.run[r].first,
-              batch.run[r + 1].first);
+      operate(tile, batch.run[r].primitive->front_facing, batch.run[r].first, batch.run[r + 1].first);
     }
   } else {
-    operate(tile, tile.operations.front, 0, batch.count);
+    operate(tile, true, 0, batch.count);
   }
 }
 

@@ -6,13 +6,18 @@ HWY_INLINE hn::Mask<D> mask_of(D d, std::uint32_t word) {
   return hn::MaskFromVec(hn::Set(d, static_cast<std::int32_t>(word)));
 }
 
-// Both sides below 2^31.
-template <class D, class V = hn::Vec<D>>
-HWY_INLINE hn::Mask<D> compare_lanes(D d, const LaneComparison& c, V left, V right) {
-  const auto less = hn::And(hn::Lt(left, right), mask_of(d, c.less));
-  const auto equal = hn::And(hn::Eq(left, right), mask_of(d, c.equal));
-  return hn::Xor(hn::Or(less, equal), mask_of(d, c.invert));
-}
+// A LaneComparison, to be used many times.
+template <class D>
+struct ComparisonMasks {
+  hn::Mask<D> less, equal, invert;
+  HWY_INLINE ComparisonMasks(D d, const LaneComparison& c)
+      : less(mask_of(d, c.less)), equal(mask_of(d, c.equal)), invert(mask_of(d, c.invert)) {}
+
+  // Both sides below 2^31.
+  HWY_INLINE hn::Mask<D> operator()(hn::Vec<D> left, hn::Vec<D> right) const {
+    return hn::Xor(hn::Or(hn::And(hn::Lt(left, right), less), hn::And(hn::Eq(left, right), equal)), invert);
+  }
+};
 
 // What an operation makes of stored values (see stencil_result), masked.
 template <class D, class V = hn::Vec<D>>
@@ -55,29 +60,41 @@ struct LaneTests {
   hn::Mask<D> depth;
 };
 
-// The tests of one facing against stored depth × 256 + stencil. What is disabled passes.
+// What vectors ask of a draw's operations, for the fragments of one facing.
+template <class D>
+struct LaneDraw {
+  const LaneOperations& operations;
+  const LaneStencil& side;
+  const ComparisonMasks<D> depth_test;
+  HWY_INLINE LaneDraw(D d, const LaneOperations& all, bool front_facing)
+      : operations(all), side(all.side(front_facing)), depth_test(d, all.depth_test) {}
+};
+
+// The tests against stored depth × 256 + stencil. What is disabled passes.
 template <class D, class V = hn::Vec<D>>
-HWY_INLINE LaneTests<D> test_lanes(D d, const LaneOperations& operations, const LaneStencil& side, V depth, V stored) {
+HWY_INLINE LaneTests<D> test_lanes(D d, const LaneDraw<D>& draw, V depth, V stored) {
+  const LaneOperations& operations = draw.operations;
+  const LaneStencil& side = draw.side;
   const auto all = hn::FirstN(d, hn::Lanes(d));
   LaneTests<D> tests{all, all};
   if (operations.stencil) {
-    tests.stencil = compare_lanes(d, side.test, hn::Set(d, static_cast<std::int32_t>(side.reference)),
-                                  hn::And(stored, hn::Set(d, static_cast<std::int32_t>(side.mask))));
+    const ComparisonMasks<D> test(d, side.test);
+    tests.stencil = test(hn::Set(d, static_cast<std::int32_t>(side.reference)),
+                         hn::And(stored, hn::Set(d, static_cast<std::int32_t>(side.mask))));
   }
   if (operations.depth) {
     const hn::RebindToUnsigned<D> du;
-    tests.depth = compare_lanes(d, operations.depth_test, depth,
-                                hn::BitCast(d, hn::ShiftRight<8>(hn::BitCast(du, stored))));
+    tests.depth = draw.depth_test(depth, hn::BitCast(d, hn::ShiftRight<8>(hn::BitCast(du, stored))));
   }
   return tests;
 }
 
 // The fragments of `mask` that are not lost for certain and without a trace.
 template <class D, class V = hn::Vec<D>>
-HWY_INLINE hn::Mask<D> not_lost(D d, const LaneOperations& operations, const LaneStencil& side, hn::Mask<D> mask,
-                                V depth, V stored) {
-  const LaneTests<D> tests = test_lanes(d, operations, side, depth, stored);
-  if (!operations.stencil) return hn::And(mask, tests.depth);
+HWY_INLINE hn::Mask<D> not_lost(D d, const LaneDraw<D>& draw, hn::Mask<D> mask, V depth, V stored) {
+  const LaneStencil& side = draw.side;
+  const LaneTests<D> tests = test_lanes(d, draw, depth, stored);
+  if (!draw.operations.stencil) return hn::And(mask, tests.depth);
   if (side.fail_keeps) mask = hn::And(mask, tests.stencil);
   // Of those that fail the stencil test nothing is known yet.
   if (side.depth_fail_keeps) mask = hn::And(mask, hn::Or(tests.depth, hn::Not(tests.stencil)));
@@ -100,19 +117,18 @@ struct LaneResult {
 };
 
 // Alpha, stencil and depth test of the fragments of `mask`; what then stands in the planes, and which fragments passed.
-// `back` is looked at where the two facings differ.
 template <class D, class V = hn::Vec<D>>
-HWY_INLINE LaneResult<D> apply_lanes(D d, const LaneOperations& operations, const LaneStencil& side, hn::Mask<D> mask,
-                                     V depth, V alpha, V stored) {
+HWY_INLINE LaneResult<D> apply_lanes(D d, const LaneDraw<D>& draw, hn::Mask<D> mask, V depth, V alpha, V stored) {
+  const LaneOperations& operations = draw.operations;
   if (operations.alpha) {
-    mask = hn::And(mask, compare_lanes(d, operations.alpha_test, alpha,
-                                       hn::Set(d, static_cast<std::int32_t>(operations.alpha_reference))));
+    const ComparisonMasks<D> test(d, operations.alpha_test);
+    mask = hn::And(mask, test(alpha, hn::Set(d, static_cast<std::int32_t>(operations.alpha_reference))));
   }
-  const LaneTests<D> tests = test_lanes(d, operations, side, depth, stored);
+  const LaneTests<D> tests = test_lanes(d, draw, depth, stored);
   const auto drawn = hn::And(mask, hn::And(tests.stencil, tests.depth));
   V after = stored;
   if (operations.stencil_write) {
-    const V value = stencil_after(d, side, tests, stored);
+    const V value = stencil_after(d, draw.side, tests, stored);
     after = hn::IfThenElse(mask, hn::Or(hn::AndNot(hn::Set(d, 0xFF), stored), value), after);
   }
   if (operations.depth_write) {

@@ -29,16 +29,19 @@ using M = hn::Mask<D>;
 using D1 = hn::CappedTag<std::int32_t, 1>;
 using D64 = hn::Repartition<std::int64_t, D>;
 using V64 = hn::Vec<D64>;
+using DF = hn::Rebind<float, D>;
+using DD = hn::Repartition<double, D>;
 constexpr D kD;
 constexpr D1 kD1;
 constexpr D64 kD64;
+constexpr DF kDF;
+constexpr DD kDD;
 
 // Fragments of one primitive at places of the tile, as far as they are the same for all.
 struct Pen {
   LaneTile& tile;
   const SetupPrimitive& primitive;
   const SetupBlock& block;
-  const LaneStencil& side;
   std::uint32_t color;  // of a flat result
 };
 
@@ -50,12 +53,13 @@ HWY_INLINE std::int32_t* lanes_of(T* words) {
 // --- without a batch --------------------------------------------------------------------------------------------------
 
 template <class D>
-HWY_INLINE void draw_flat(D d, const Pen& pen, std::size_t place, hn::Mask<D> mask, hn::Vec<D> depth) {
-  const LaneOperations& operations = pen.tile.operations;
+HWY_INLINE void draw_flat(D d, const LaneDraw<D>& draw, const Pen& pen, std::size_t place, hn::Mask<D> mask,
+                          hn::Vec<D> depth) {
+  const LaneOperations& operations = draw.operations;
   std::int32_t* const at = lanes_of(pen.tile.tile.depth_stencil.data()) + place;
   const auto color = hn::Set(d, static_cast<std::int32_t>(pen.color));
   const auto alpha = hn::Set(d, static_cast<std::int32_t>(pen.color >> 24));
-  const LaneResult<D> result = apply_lanes(d, operations, pen.side, mask, depth, alpha, hn::LoadU(d, at));
+  const LaneResult<D> result = apply_lanes(d, draw, mask, depth, alpha, hn::LoadU(d, at));
   if (operations.depth_write || operations.stencil_write) hn::StoreU(result.depth_stencil, d, at);
   if (!operations.color) return;
   std::int32_t* const color_at = lanes_of(pen.tile.tile.color.data()) + place;
@@ -75,7 +79,8 @@ HWY_INLINE std::uint64_t bits_of(D d, hn::Mask<D> mask) {
 
 // Those of the fragments that have to go into the batch, which then has room for them and no other at their pixels.
 template <class D>
-HWY_INLINE hn::Mask<D> gathered(D d, const Pen& pen, std::size_t place, hn::Mask<D> mask, hn::Vec<D> depth) {
+HWY_INLINE hn::Mask<D> gathered(D d, const LaneDraw<D>& draw, const Pen& pen, std::size_t place, hn::Mask<D> mask,
+                                hn::Vec<D> depth) {
   LaneTile& tile = pen.tile;
   LaneBatch& batch = *tile.batch;
   const std::int32_t* const at = lanes_of(tile.tile.depth_stencil.data()) + place;
@@ -85,7 +90,7 @@ HWY_INLINE hn::Mask<D> gathered(D d, const Pen& pen, std::size_t place, hn::Mask
   if (waits && tile.operations.tests_change && (batch.occupied[row] & (bits_of(d, mask) << column)) != 0) {
     flush_lanes(tile);
   }
-  mask = not_lost(d, tile.operations, pen.side, mask, depth, hn::LoadU(d, at));
+  mask = not_lost(d, draw, mask, depth, hn::LoadU(d, at));
   if (waits && (batch.occupied[row] & (bits_of(d, mask) << column)) != 0) flush_lanes(tile);
   if (batch.count + hn::CountTrue(d, mask) > kBatchSize) flush_lanes(tile);
   return mask;
@@ -135,7 +140,8 @@ HWY_INLINE hn::Vec<D> depth_codes(D d, const LaneTile& tile, const SetupPrimitiv
 }
 
 // The lanes of `doubtful`, asked of the exact plane.
-HWY_NOINLINE V exact_depth(const TriangleEdges& edges, int x, int y, M doubtful, V z24) {
+HWY_NOINLINE V exact_depth(const SetupPrimitive& p, int x, int y, M doubtful, V z24) {
+  const TriangleEdges edges(p);
   alignas(64) std::array<std::int32_t, 16> z;
   hn::Store(z24, kD, z.data());
   std::uint64_t bits = bits_of(kD, doubtful);
@@ -146,49 +152,83 @@ HWY_NOINLINE V exact_depth(const TriangleEdges& edges, int x, int y, M doubtful,
   return hn::Load(kD, z.data());
 }
 
-// first, first + step, …
-HWY_INLINE V64 ladder(std::int64_t first, std::int64_t step) {
-  alignas(64) std::array<std::int64_t, 8> value;
-  for (std::size_t i = 0; i < hn::Lanes(kD64); ++i) value[i] = first + static_cast<std::int64_t>(i) * step;
-  return hn::Load(kD64, value.data());
+// Edge functions too large for 32 bits, as floats, from pixel (x, y) on.
+HWY_INLINE hn::Vec<DF> wide_edge(const TileTriangle& t, std::size_t i, int x, int y) {
+  const hn::Rebind<float, DD> half;
+  const double first = t.edge[i] + (x - t.origin_x) * t.edge_x[i] + (y - t.bottom) * t.edge_y[i];
+  const auto step = hn::Set(kDD, t.edge_x[i]);
+  const auto low = hn::Add(hn::Set(kDD, first), hn::Mul(hn::Iota(kDD, 0.0), step));
+  const auto high = hn::Add(low, hn::Mul(hn::Set(kDD, static_cast<double>(hn::Lanes(kDD))), step));
+  return hn::Combine(kDF, hn::DemoteTo(half, high), hn::DemoteTo(half, low));
 }
 
-// Edge functions too large for 32 bits, as floats, from pixel (x, y) on.
-HWY_INLINE hn::Vec<hn::Rebind<float, D>> wide_edge(const TileTriangle& t, std::size_t i, int x, int y) {
-  const hn::Repartition<double, D> dd;
-  const hn::Rebind<float, decltype(dd)> half;
-  const hn::Rebind<float, D> df;
-  const double first = t.edge[i] + (x - t.origin_x) * t.edge_x[i] + (y - t.bottom) * t.edge_y[i];
-  const auto step = hn::Set(dd, t.edge_x[i]);
-  const auto low = hn::Add(hn::Set(dd, first), hn::Mul(hn::Iota(dd, 0.0), step));
-  const auto high = hn::Add(low, hn::Mul(hn::Set(dd, static_cast<double>(hn::Lanes(dd))), step));
-  return hn::Combine(df, hn::DemoteTo(half, high), hn::DemoteTo(half, low));
+// A triangle whose coordinates from the origin on stay below 2^14 sixteenths of a pixel, all in 32 bits; false: it does
+// not. Otherwise the same as `place`.
+HWY_INLINE bool place_small(TileTriangle& t, const SetupPrimitive& p, bool& is_drawn) {
+  using D4 = hn::CappedTag<std::int32_t, 4>;
+  const D4 d;
+  using V4 = hn::Vec<D4>;
+  // The fourth lanes hold whatever follows, and nothing is made of it.
+  const V4 x = hn::Sub(hn::LoadU(d, p.x_q4.data()), hn::Set(d, 16 * t.origin_x + 8));
+  const V4 y = hn::Sub(hn::LoadU(d, p.y_q4.data()), hn::Set(d, 16 * t.bottom + 8));
+  const V4 reach = hn::Max(hn::Abs(x), hn::Abs(y));
+  const auto corners = hn::FirstN(d, 3);
+  if (!hn::AllFalse(d, hn::And(corners, hn::Gt(reach, hn::Set(d, (1 << 14) - 1))))) return false;
+  // Edge i goes from corner i + 1 to corner i + 2; at the origin its function is the cross product of the two.
+  const auto next = hn::SetTableIndices(d, std::array<std::int32_t, 4>{1, 2, 0, 3}.data());
+  const V4 xa = hn::TableLookupLanes(x, next), ya = hn::TableLookupLanes(y, next);
+  const V4 xb = hn::TableLookupLanes(xa, next), yb = hn::TableLookupLanes(ya, next);
+  const V4 edge = hn::Sub(hn::Mul(xa, yb), hn::Mul(ya, xb));
+  const V4 dx = hn::Sub(xb, xa), dy = hn::Sub(yb, ya);
+  const V4 zero = hn::Zero(d), one = hn::Set(d, 1);
+  const auto is_in = hn::Or(hn::Lt(dy, zero), hn::And(hn::Eq(dy, zero), hn::Lt(dx, zero)));
+  const V4 threshold = hn::IfThenElseZero(hn::Not(is_in), one);
+  const V4 step_x = hn::ShiftLeft<4>(hn::Neg(dy)), step_y = hn::ShiftLeft<4>(dx);
+  const V4 inside = hn::Sub(edge, threshold);
+  const V4 across = hn::Mul(step_x, hn::Set(d, t.right - t.origin_x)), up = hn::Mul(step_y, hn::Set(d, t.top - t.bottom));
+  const V4 largest = hn::Add(inside, hn::Add(hn::Max(across, zero), hn::Max(up, zero)));
+  is_drawn = hn::AllFalse(d, hn::And(corners, hn::Lt(largest, zero)));
+  if (!is_drawn) return true;
+  hn::Store(inside, d, t.inside.data());
+  hn::Store(step_x, d, t.inside_x.data());
+  hn::Store(step_y, d, t.inside_y.data());
+  hn::Store(threshold, d, t.threshold.data());
+  t.is_narrow = true;
+  alignas(16) std::array<std::int32_t, 4> e;
+  hn::Store(edge, d, e.data());
+  const double area = e[0] + e[1] + e[2];
+  t.place_depth(p, 1.0 / area, e[1], e[2], t.inside_x[1], t.inside_x[2], t.inside_y[1], t.inside_y[2]);
+  return true;
 }
 
 template <bool kGathers>
 HWY_NOINLINE void draw_triangle(const Pen& pen) {
   LaneTile& tile = pen.tile;
   const SetupPrimitive& p = pen.primitive;
-  const PixelBounds region{std::max(p.box.left, static_cast<std::int16_t>(tile.pixels.left)),
-                           std::max(p.box.bottom, static_cast<std::int16_t>(tile.pixels.bottom)),
-                           std::min(p.box.right, static_cast<std::int16_t>(tile.pixels.right - 1)),
-                           std::min(p.box.top, static_cast<std::int16_t>(tile.pixels.top - 1))};
-  if (region.empty()) return;
-  constexpr int kLanes = static_cast<int>(hn::MaxLanes(kD));
-  const int first_column = tile.left + ((region.left - tile.left) & -kLanes);
-  const TriangleEdges edges(p);
   TileTriangle t;
-  if (!t.place(edges, p, region, first_column)) return;
+  t.left = std::max<int>(p.box.left, tile.pixels.left);
+  t.right = std::min<int>(p.box.right, tile.pixels.right - 1);
+  t.bottom = std::max<int>(p.box.bottom, tile.pixels.bottom);
+  t.top = std::min<int>(p.box.top, tile.pixels.top - 1);
+  if (t.left > t.right || t.bottom > t.top) return;
+  constexpr int kLanes = static_cast<int>(hn::MaxLanes(kD));
+  t.origin_x = tile.left + ((t.left - tile.left) & -kLanes);
+  bool is_drawn = false;
+  if (!place_small(t, p, is_drawn)) is_drawn = t.place(p);
+  if (!is_drawn) return;
 
+  const LaneDraw<D> draw(kD, tile.operations, p.front_facing);
   const V lane = hn::Iota(kD, 0);
   V row[3], step[3];
   for (std::size_t i = 0; i < 3; ++i) {
     row[i] = hn::Add(hn::Set(kD, t.inside[i]), hn::Mul(lane, hn::Set(kD, t.inside_x[i])));
     step[i] = hn::Set(kD, t.inside_x[i] * kLanes);
   }
-  V64 z_row = ladder(t.depth, t.depth_x);
-  const V64 z_half = hn::Set(kD64, t.depth_x * (kLanes / 2)), z_up = hn::Set(kD64, t.depth_y);
-  const V64 z_step = hn::Set(kD64, t.depth_x * kLanes);
+  const auto z_lane = hn::Mul(hn::Iota(kDD, 0.0), hn::Set(kDD, t.depth_x));
+  V64 z_row = hn::ConvertTo(kD64, hn::Add(hn::Set(kDD, t.depth), z_lane));
+  const auto z_half = hn::Set(kD64, static_cast<std::int64_t>(t.depth_x * (kLanes / 2)));
+  const auto z_step = hn::Set(kD64, static_cast<std::int64_t>(t.depth_x * kLanes));
+  const auto z_up = hn::Set(kD64, static_cast<std::int64_t>(t.depth_y));
   // Fragments outside the scissor lie within the tile's vectors.
   const bool has_sides = tile.pixels.left != tile.left || tile.pixels.right != tile.left + kTileSize;
   const hn::RebindToUnsigned<D> du;
@@ -212,23 +252,22 @@ HWY_NOINLINE void draw_triangle(const Pen& pen) {
           const auto fraction = hn::ConcatEven(du, high, low);
           doubtful = hn::And(mask, hn::RebindMask(kD, hn::Lt(hn::Add(fraction, doubt), twice_doubt)));
         }
-        if (HWY_UNLIKELY(!hn::AllFalse(kD, doubtful))) z24 = exact_depth(edges, x, y, doubtful, z24);
+        if (HWY_UNLIKELY(!hn::AllFalse(kD, doubtful))) z24 = exact_depth(p, x, y, doubtful, z24);
         const V depth = depth_codes(kD, tile, p, z24);
         const auto place = static_cast<std::size_t>((y - tile.bottom) * kTileSize + (x - tile.left));
         if constexpr (kGathers) {
-          mask = gathered(kD, pen, place, mask, depth);
+          mask = gathered(kD, draw, pen, place, mask, depth);
           if (!hn::AllFalse(kD, mask)) {
-            const hn::Rebind<float, D> df;
-            hn::Vec<decltype(df)> weight[3];
+            hn::Vec<DF> weight[3];
             for (std::size_t i = 0; i < 3; ++i) {
-              const auto edge = t.is_narrow ? hn::ConvertTo(df, hn::Add(e[i], hn::Set(kD, t.threshold[i])))
+              const auto edge = t.is_narrow ? hn::ConvertTo(kDF, hn::Add(e[i], hn::Set(kD, t.threshold[i])))
                                             : wide_edge(t, i, x, y);
-              weight[i] = hn::Mul(edge, hn::Set(df, p.inv_w[i]));
+              weight[i] = hn::Mul(edge, hn::Set(kDF, p.inv_w[i]));
             }
             push(kD, pen, place, mask, depth, weight);
           }
         } else {
-          draw_flat(kD, pen, place, mask, depth);
+          draw_flat(kD, draw, pen, place, mask, depth);
         }
       }
       for (std::size_t i = 0; i < 3; ++i) e[i] = hn::Add(e[i], step[i]);
@@ -246,9 +285,10 @@ HWY_INLINE void draw_pixel(const Pen& pen) {
   const int x = p.box.left, y = p.box.bottom;
   const auto place = static_cast<std::size_t>((y - tile.bottom) * kTileSize + (x - tile.left));
   const auto depth = depth_codes(kD1, tile, p, hn::Set(kD1, static_cast<std::int32_t>(p.pixel_z24)));
+  const LaneDraw<D1> draw(kD1, tile.operations, p.front_facing);
   auto mask = hn::FirstN(kD1, 1);
   if constexpr (kGathers) {
-    mask = gathered(kD1, pen, place, mask, depth);
+    mask = gathered(kD1, draw, pen, place, mask, depth);
     if (hn::AllFalse(kD1, mask)) return;
     const std::array<std::int64_t, 3> edge = TriangleEdges(p).at(x, y);
     const hn::Rebind<float, D1> df;
@@ -256,14 +296,14 @@ HWY_INLINE void draw_pixel(const Pen& pen) {
     for (std::size_t i = 0; i < 3; ++i) weight[i] = hn::Set(df, static_cast<float>(edge[i]) * p.inv_w[i]);
     push(kD1, pen, place, mask, depth, weight);
   } else {
-    draw_flat(kD1, pen, place, mask, depth);
+    draw_flat(kD1, draw, pen, place, mask, depth);
   }
 }
 
 void draw_triangles(LaneTile& tile, const SetupBlock& block, std::span<const std::uint32_t> indices) {
   for (const std::uint32_t index : indices) {
     const SetupPrimitive& p = block.primitives[index];
-    Pen pen{tile, p, block, tile.operations.side(p.front_facing), 0};
+    Pen pen{tile, p, block, 0};
     const bool is_pixel = p.kind == SetupKind::pixel;
     if (tile.batch != nullptr) {
       is_pixel ? draw_pixel<true>(pen) : draw_triangle<true>(pen);
