@@ -44,6 +44,7 @@ LaneOperations::LaneOperations(const PipelineState& state, const RenderTarget& t
       alpha_reference(state.alpha_test.reference) {
   for (std::size_t i = 0; i < 4; ++i) color = color || (state.color_mask[i] && target.color[i]);
   tests_change = depth_write;
+  is_nearest_alone = depth_write && state.depth_test.function == CompareFunction::less && !alpha && !stencil;
   if (!stencil) return;
   const int bits = stencil_bits(target.format);
   front = ninebit::stencil(state.stencil_test.front, bits);

@@ -40,10 +40,8 @@ struct SetupContext {
   }
   // The pixels that may be drawn whose centres, at 16 i + 8, the box in 1/16 pixel holds.
   [[nodiscard]] PixelBounds pixels_in(int left, int low, int right, int high) const {
-    return {static_cast<std::int16_t>(std::max((left + 7) >> 4, drawn.left)),
-            static_cast<std::int16_t>(std::max((low + 7) >> 4, drawn.bottom)),
-            static_cast<std::int16_t>(std::min((right - 8) >> 4, drawn.right - 1)),
-            static_cast<std::int16_t>(std::min((high - 8) >> 4, drawn.top - 1))};
+    return {std::max((left + 7) >> 4, drawn.left), std::max((low + 7) >> 4, drawn.bottom),
+            std::min((right - 8) >> 4, drawn.right - 1), std::min((high - 8) >> 4, drawn.top - 1)};
   }
 
   WindowTransform window;

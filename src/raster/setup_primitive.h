@@ -13,10 +13,10 @@ enum class SetupKind : std::uint8_t { triangle, line, point, pixel };
 
 // Pixels that a primitive may draw, both ends included, among those that may be drawn at all.
 struct PixelBounds {
-  std::int16_t left = 0;
-  std::int16_t bottom = 0;
-  std::int16_t right = 0;
-  std::int16_t top = 0;
+  std::int32_t left = 0;
+  std::int32_t bottom = 0;
+  std::int32_t right = 0;
+  std::int32_t top = 0;
   [[nodiscard]] bool empty() const { return left > right || bottom > top; }
 };
 

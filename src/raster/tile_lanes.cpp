@@ -4,7 +4,8 @@
 #include <cstring>
 
 #include "src/raster/blend.h"
-#include "src/raster/tile_triangle.h"
+#include "src/raster/tile_triangles.h"
+#include "src/raster/triangle_edges.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "src/raster/tile_lanes.cpp"
@@ -36,6 +37,7 @@ constexpr D1 kD1;
 constexpr D64 kD64;
 constexpr DF kDF;
 constexpr DD kDD;
+constexpr int kLanes = static_cast<int>(hn::MaxLanes(kD));
 
 // Fragments of one primitive at places of the tile, as far as they are the same for all.
 struct Pen {
@@ -153,141 +155,124 @@ HWY_NOINLINE V exact_depth(const SetupPrimitive& p, int x, int y, M doubtful, V 
 }
 
 // Edge functions too large for 32 bits, as floats, from pixel (x, y) on.
-HWY_INLINE hn::Vec<DF> wide_edge(const TileTriangle& t, std::size_t i, int x, int y) {
+HWY_INLINE hn::Vec<DF> wide_edge(const TileTriangles& t, std::size_t k, std::size_t i, int x, int y) {
   const hn::Rebind<float, DD> half;
-  const double first = t.edge[i] + (x - t.origin_x) * t.edge_x[i] + (y - t.bottom) * t.edge_y[i];
-  const auto step = hn::Set(kDD, t.edge_x[i]);
+  const double first = t.edge[i][k] + (x - t.left[k]) * t.edge_x[i][k] + (y - t.bottom[k]) * t.edge_y[i][k];
+  const auto step = hn::Set(kDD, t.edge_x[i][k]);
   const auto low = hn::Add(hn::Set(kDD, first), hn::Mul(hn::Iota(kDD, 0.0), step));
   const auto high = hn::Add(low, hn::Mul(hn::Set(kDD, static_cast<double>(hn::Lanes(kDD))), step));
   return hn::Combine(kDF, hn::DemoteTo(half, high), hn::DemoteTo(half, low));
 }
 
-// A triangle whose coordinates from the origin on stay below 2^14 sixteenths of a pixel, all in 32 bits; false: it does
-// not. Otherwise the same as `place`.
-HWY_INLINE bool place_small(TileTriangle& t, const SetupPrimitive& p, bool& is_drawn) {
-  using D4 = hn::CappedTag<std::int32_t, 4>;
-  const D4 d;
-  using V4 = hn::Vec<D4>;
-  // The fourth lanes hold whatever follows, and nothing is made of it.
-  const V4 x = hn::Sub(hn::LoadU(d, p.x_q4.data()), hn::Set(d, 16 * t.origin_x + 8));
-  const V4 y = hn::Sub(hn::LoadU(d, p.y_q4.data()), hn::Set(d, 16 * t.bottom + 8));
-  const V4 reach = hn::Max(hn::Abs(x), hn::Abs(y));
-  const auto corners = hn::FirstN(d, 3);
-  if (!hn::AllFalse(d, hn::And(corners, hn::Gt(reach, hn::Set(d, (1 << 14) - 1))))) return false;
-  // Edge i goes from corner i + 1 to corner i + 2; at the origin its function is the cross product of the two.
-  const auto next = hn::SetTableIndices(d, std::array<std::int32_t, 4>{1, 2, 0, 3}.data());
-  const V4 xa = hn::TableLookupLanes(x, next), ya = hn::TableLookupLanes(y, next);
-  const V4 xb = hn::TableLookupLanes(xa, next), yb = hn::TableLookupLanes(ya, next);
-  const V4 edge = hn::Sub(hn::Mul(xa, yb), hn::Mul(ya, xb));
-  const V4 dx = hn::Sub(xb, xa), dy = hn::Sub(yb, ya);
-  const V4 zero = hn::Zero(d), one = hn::Set(d, 1);
-  const auto is_in = hn::Or(hn::Lt(dy, zero), hn::And(hn::Eq(dy, zero), hn::Lt(dx, zero)));
-  const V4 threshold = hn::IfThenElseZero(hn::Not(is_in), one);
-  const V4 step_x = hn::ShiftLeft<4>(hn::Neg(dy)), step_y = hn::ShiftLeft<4>(dx);
-  const V4 inside = hn::Sub(edge, threshold);
-  const V4 across = hn::Mul(step_x, hn::Set(d, t.right - t.origin_x)), up = hn::Mul(step_y, hn::Set(d, t.top - t.bottom));
-  const V4 largest = hn::Add(inside, hn::Add(hn::Max(across, zero), hn::Max(up, zero)));
-  is_drawn = hn::AllFalse(d, hn::And(corners, hn::Lt(largest, zero)));
-  if (!is_drawn) return true;
-  hn::Store(inside, d, t.inside.data());
-  hn::Store(step_x, d, t.inside_x.data());
-  hn::Store(step_y, d, t.inside_y.data());
-  hn::Store(threshold, d, t.threshold.data());
-  t.is_narrow = true;
-  alignas(16) std::array<std::int32_t, 4> e;
-  hn::Store(edge, d, e.data());
-  const double area = e[0] + e[1] + e[2];
-  t.place_depth(p, 1.0 / area, e[1], e[2], t.inside_x[1], t.inside_x[2], t.inside_y[1], t.inside_y[2]);
-  return true;
-}
+#include "src/raster/tile_triangles.inl"
 
-template <bool kGathers>
-HWY_NOINLINE void draw_triangle(const Pen& pen) {
-  LaneTile& tile = pen.tile;
+// What becomes of a triangle's fragments.
+enum class Drawing {
+  nearest,  // LaneOperations::is_nearest_alone, and window depths are codes
+  flat,     // one colour, through the operations
+  gathers   // into the batch
+};
+
+// The depth plane of triangle k along a row and up the rows, 32 fraction bits.
+struct DepthLanes {
+  V64 row;  // the lower half of the lanes
+  V64 half, step, up;
+  HWY_INLINE DepthLanes(const TileTriangles& t, std::size_t k) {
+    const auto along = hn::Mul(hn::Iota(kDD, 0.0), hn::Set(kDD, t.depth_x[k]));
+    row = hn::ConvertTo(kD64, hn::Add(hn::Set(kDD, t.depth[k]), along));
+    const auto step_x = static_cast<std::int64_t>(t.depth_x[k]);
+    half = hn::Set(kD64, step_x * (kLanes / 2));
+    step = hn::Set(kD64, step_x * kLanes);
+    up = hn::Set(kD64, static_cast<std::int64_t>(t.depth_y[k]));
+  }
+};
+
+template <Drawing kDrawing>
+HWY_INLINE void draw_fragments(const LaneDraw<D>& draw, const Pen& pen, const TileTriangles& t, std::size_t k, int x,
+                               int y, M mask, V64 z_low, V64 z_high, const V e[3]) {
   const SetupPrimitive& p = pen.primitive;
-  TileTriangle t;
-  t.left = std::max<int>(p.box.left, tile.pixels.left);
-  t.right = std::min<int>(p.box.right, tile.pixels.right - 1);
-  t.bottom = std::max<int>(p.box.bottom, tile.pixels.bottom);
-  t.top = std::min<int>(p.box.top, tile.pixels.top - 1);
-  if (t.left > t.right || t.bottom > t.top) return;
-  constexpr int kLanes = static_cast<int>(hn::MaxLanes(kD));
-  t.origin_x = tile.left + ((t.left - tile.left) & -kLanes);
-  bool is_drawn = false;
-  if (!place_small(t, p, is_drawn)) is_drawn = t.place(p);
-  if (!is_drawn) return;
-
-  const LaneDraw<D> draw(kD, tile.operations, p.front_facing);
-  const V lane = hn::Iota(kD, 0);
-  V row[3], step[3];
-  for (std::size_t i = 0; i < 3; ++i) {
-    row[i] = hn::Add(hn::Set(kD, t.inside[i]), hn::Mul(lane, hn::Set(kD, t.inside_x[i])));
-    step[i] = hn::Set(kD, t.inside_x[i] * kLanes);
-  }
-  const auto z_lane = hn::Mul(hn::Iota(kDD, 0.0), hn::Set(kDD, t.depth_x));
-  V64 z_row = hn::ConvertTo(kD64, hn::Add(hn::Set(kDD, t.depth), z_lane));
-  const auto z_half = hn::Set(kD64, static_cast<std::int64_t>(t.depth_x * (kLanes / 2)));
-  const auto z_step = hn::Set(kD64, static_cast<std::int64_t>(t.depth_x * kLanes));
-  const auto z_up = hn::Set(kD64, static_cast<std::int64_t>(t.depth_y));
-  // Fragments outside the scissor lie within the tile's vectors.
-  const bool has_sides = tile.pixels.left != tile.left || tile.pixels.right != tile.left + kTileSize;
   const hn::RebindToUnsigned<D> du;
-  const auto doubt = hn::Set(du, kDepthDoubt), twice_doubt = hn::Set(du, 2 * kDepthDoubt);
-
-  for (int y = t.bottom; y <= t.top; ++y) {
-    V e[3] = {row[0], row[1], row[2]};
-    V64 z_low = z_row;
-    for (int x = t.origin_x; x <= t.right; x += kLanes) {
-      M mask = hn::Gt(hn::Or(hn::Or(e[0], e[1]), e[2]), hn::Set(kD, -1));
-      if (has_sides) {
-        const V column = hn::Add(lane, hn::Set(kD, x));
-        mask = hn::And(mask, hn::And(hn::Gt(column, hn::Set(kD, t.left - 1)), hn::Lt(column, hn::Set(kD, t.right + 1))));
-      }
-      if (!hn::AllFalse(kD, mask)) {
-        const V64 z_high = hn::Add(z_low, z_half);
-        const auto low = hn::BitCast(du, z_low), high = hn::BitCast(du, z_high);
-        V z24 = hn::BitCast(kD, hn::ConcatOdd(du, high, low));
-        M doubtful = mask;
-        if (!t.is_depth_exact_only) {
-          const auto fraction = hn::ConcatEven(du, high, low);
-          doubtful = hn::And(mask, hn::RebindMask(kD, hn::Lt(hn::Add(fraction, doubt), twice_doubt)));
-        }
-        if (HWY_UNLIKELY(!hn::AllFalse(kD, doubtful))) z24 = exact_depth(p, x, y, doubtful, z24);
-        const V depth = depth_codes(kD, tile, p, z24);
-        const auto place = static_cast<std::size_t>((y - tile.bottom) * kTileSize + (x - tile.left));
-        if constexpr (kGathers) {
-          mask = gathered(kD, draw, pen, place, mask, depth);
-          if (!hn::AllFalse(kD, mask)) {
-            hn::Vec<DF> weight[3];
-            for (std::size_t i = 0; i < 3; ++i) {
-              const auto edge = t.is_narrow ? hn::ConvertTo(kDF, hn::Add(e[i], hn::Set(kD, t.threshold[i])))
-                                            : wide_edge(t, i, x, y);
-              weight[i] = hn::Mul(edge, hn::Set(kDF, p.inv_w[i]));
-            }
-            push(kD, pen, place, mask, depth, weight);
-          }
-        } else {
-          draw_flat(kD, draw, pen, place, mask, depth);
-        }
-      }
-      for (std::size_t i = 0; i < 3; ++i) e[i] = hn::Add(e[i], step[i]);
-      z_low = hn::Add(z_low, z_step);
+  const auto low = hn::BitCast(du, z_low), high = hn::BitCast(du, z_high);
+  V z24 = hn::BitCast(kD, hn::ConcatOdd(du, high, low));
+  const auto fraction = hn::Add(hn::ConcatEven(du, high, low), hn::Set(du, kDepthDoubt));
+  M doubtful = hn::And(mask, hn::RebindMask(kD, hn::Lt(fraction, hn::Set(du, 2 * kDepthDoubt))));
+  if (t.is_depth_exact_only[k]) doubtful = mask;
+  if (HWY_UNLIKELY(!hn::AllFalse(kD, doubtful))) z24 = exact_depth(p, x, y, doubtful, z24);
+  const auto place = static_cast<std::size_t>((y - pen.tile.bottom) * kTileSize + (x - pen.tile.left));
+  if constexpr (kDrawing == Drawing::nearest) {
+    std::int32_t* const at = lanes_of(pen.tile.tile.depth_stencil.data()) + place;
+    const auto depth = hn::ShiftLeft<8>(hn::BitCast(du, z24)), stored = hn::BitCast(du, hn::LoadU(kD, at));
+    const M drawn = hn::And(mask, hn::RebindMask(kD, hn::Lt(depth, stored)));
+    hn::BlendedStore(hn::BitCast(kD, depth), drawn, kD, at);
+    if (draw.operations.color) {
+      hn::BlendedStore(hn::Set(kD, static_cast<std::int32_t>(pen.color)), drawn, kD,
+                       lanes_of(pen.tile.tile.color.data()) + place);
     }
-    for (std::size_t i = 0; i < 3; ++i) row[i] = hn::Add(row[i], hn::Set(kD, t.inside_y[i]));
-    z_row = hn::Add(z_row, z_up);
+  } else if constexpr (kDrawing == Drawing::flat) {
+    draw_flat(kD, draw, pen, place, mask, depth_codes(kD, pen.tile, p, z24));
+  } else {
+    const V depth = depth_codes(kD, pen.tile, p, z24);
+    mask = gathered(kD, draw, pen, place, mask, depth);
+    if (hn::AllFalse(kD, mask)) return;
+    hn::Vec<DF> weight[3];
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto edge = t.is_narrow[k] ? hn::ConvertTo(kDF, hn::Add(e[i], hn::Set(kD, t.threshold[i][k])))
+                                       : wide_edge(t, k, i, x, y);
+      weight[i] = hn::Mul(edge, hn::Set(kDF, p.inv_w[i]));
+    }
+    push(kD, pen, place, mask, depth, weight);
   }
 }
 
-template <bool kGathers>
+template <Drawing kDrawing>
+HWY_NOINLINE void draw_triangle(const Pen& pen, const TileTriangles& t, std::size_t k) {
+  const LaneDraw<D> draw(kD, pen.tile.operations, pen.primitive.front_facing);
+  const V lane = hn::Iota(kD, 0);
+  V row[3];
+  for (std::size_t i = 0; i < 3; ++i) {
+    row[i] = hn::Add(hn::Set(kD, t.inside[i][k]), hn::Mul(lane, hn::Set(kD, t.inside_x[i][k])));
+  }
+  DepthLanes z(t, k);
+  const int left = t.left[k], right = t.right[k], top = t.top[k];
+  // Where the region ends, the triangle may go on.
+  const M last = hn::FirstN(kD, static_cast<std::size_t>((right - left) % kLanes + 1));
+  for (int y = t.bottom[k];; ++y) {
+    V e[3] = {row[0], row[1], row[2]};
+    V64 z_low = z.row;
+    for (int x = left;; x += kLanes) {
+      M mask = hn::Gt(hn::Or(hn::Or(e[0], e[1]), e[2]), hn::Set(kD, -1));
+      const bool is_last = x + kLanes > right;
+      if (is_last) mask = hn::And(mask, last);
+      if (!hn::AllFalse(kD, mask)) {
+        draw_fragments<kDrawing>(draw, pen, t, k, x, y, mask, z_low, hn::Add(z_low, z.half), e);
+      }
+      if (is_last) break;
+      for (std::size_t i = 0; i < 3; ++i) e[i] = hn::Add(e[i], hn::Set(kD, t.inside_x[i][k] * kLanes));
+      z_low = hn::Add(z_low, z.step);
+    }
+    if (y == top) break;
+    for (std::size_t i = 0; i < 3; ++i) row[i] = hn::Add(row[i], hn::Set(kD, t.inside_y[i][k]));
+    z.row = hn::Add(z.row, z.up);
+  }
+}
+
+template <Drawing kDrawing>
 HWY_INLINE void draw_pixel(const Pen& pen) {
-  const LaneTile& tile = pen.tile;
+  LaneTile& tile = pen.tile;
   const SetupPrimitive& p = pen.primitive;
   const int x = p.box.left, y = p.box.bottom;
   const auto place = static_cast<std::size_t>((y - tile.bottom) * kTileSize + (x - tile.left));
-  const auto depth = depth_codes(kD1, tile, p, hn::Set(kD1, static_cast<std::int32_t>(p.pixel_z24)));
+  if constexpr (kDrawing == Drawing::nearest) {
+    const std::uint32_t depth = p.pixel_z24 << 8;
+    if (depth >= tile.tile.depth_stencil[place]) return;
+    tile.tile.depth_stencil[place] = depth;
+    if (tile.operations.color) tile.tile.color[place] = pen.color;
+    return;
+  }
   const LaneDraw<D1> draw(kD1, tile.operations, p.front_facing);
+  const auto depth = depth_codes(kD1, tile, p, hn::Set(kD1, static_cast<std::int32_t>(p.pixel_z24)));
   auto mask = hn::FirstN(kD1, 1);
-  if constexpr (kGathers) {
+  if constexpr (kDrawing == Drawing::gathers) {
     mask = gathered(kD1, draw, pen, place, mask, depth);
     if (hn::AllFalse(kD1, mask)) return;
     const std::array<std::int64_t, 3> edge = TriangleEdges(p).at(x, y);
@@ -300,20 +285,41 @@ HWY_INLINE void draw_pixel(const Pen& pen) {
   }
 }
 
+template <Drawing kDrawing>
+void draw_all(LaneTile& tile, const SetupBlock& block, std::span<const std::uint32_t> indices) {
+  const bool needs_color = kDrawing != Drawing::gathers && tile.operations.needs_color();
+  TileTriangles t;
+  constexpr std::size_t kGroup = kLanes;
+  for (std::size_t first = 0; first < indices.size(); first += kGroup) {
+    const std::size_t count = std::min(kGroup, indices.size() - first);
+    alignas(64) std::array<std::uint32_t, kGroup> index;
+    for (std::size_t i = 0; i < kGroup; ++i) index[i] = indices[first + std::min(i, count - 1)];
+    M drawn_mask;
+    const std::uint64_t small = bits_of(kD, place_small(t, block, index.data(), tile.pixels, drawn_mask));
+    const std::uint64_t drawn = bits_of(kD, drawn_mask);
+    for (std::size_t i = 0; i < count; ++i) {
+      const SetupPrimitive& p = block.primitives[index[i]];
+      Pen pen{tile, p, block, 0};
+      if (needs_color) {
+        const ColorBytes color = tile.context.flat_primary(p.primitive);
+        std::memcpy(&pen.color, color.data(), sizeof(pen.color));
+      }
+      if (p.kind == SetupKind::pixel) {
+        draw_pixel<kDrawing>(pen);
+      } else if (((small >> i) & 1U) != 0 ? ((drawn >> i) & 1U) != 0 : t.has_region(i) && t.place(i, p)) {
+        draw_triangle<kDrawing>(pen, t, i);
+      }
+    }
+  }
+}
+
 void draw_triangles(LaneTile& tile, const SetupBlock& block, std::span<const std::uint32_t> indices) {
-  for (const std::uint32_t index : indices) {
-    const SetupPrimitive& p = block.primitives[index];
-    Pen pen{tile, p, block, 0};
-    const bool is_pixel = p.kind == SetupKind::pixel;
-    if (tile.batch != nullptr) {
-      is_pixel ? draw_pixel<true>(pen) : draw_triangle<true>(pen);
-      continue;
-    }
-    if (tile.operations.needs_color()) {
-      const ColorBytes color = tile.context.flat_primary(p.primitive);
-      std::memcpy(&pen.color, color.data(), 4);
-    }
-    is_pixel ? draw_pixel<false>(pen) : draw_triangle<false>(pen);
+  if (tile.batch != nullptr) {
+    draw_all<Drawing::gathers>(tile, block, indices);
+  } else if (tile.operations.is_nearest_alone && tile.depths_are_codes) {
+    draw_all<Drawing::nearest>(tile, block, indices);
+  } else {
+    draw_all<Drawing::flat>(tile, block, indices);
   }
 }
 
@@ -351,7 +357,10 @@ bool lanes_can_draw(const DrawContext& context, const RenderTarget& target) {
 }
 
 LaneTile::LaneTile(const DrawContext& draw, const RenderTarget& planes)
-    : context(draw), target(planes), operations(draw.state, planes) {
+    : context(draw),
+      target(planes),
+      operations(draw.state, planes),
+      depths_are_codes(!draw.state.polygon_offset.fill && draw.depth.step_z24() == 1) {
   for (std::size_t k = 0; k < 4; ++k) writes_color[k] = draw.state.color_mask[k] && planes.color[k];
   if (!draw.has_flat_result) batch = std::make_unique<LaneBatch>();
 }

@@ -22,6 +22,7 @@ struct LaneTile {
   const DrawContext& context;
   const RenderTarget& target;
   const LaneOperations operations;
+  const bool depths_are_codes;         // window depths, without a polygon offset
   std::array<bool, 4> writes_color{};  // color planes
   std::unique_ptr<LaneBatch> batch;    // none where the draw's result is flat
 
