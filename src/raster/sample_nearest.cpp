@@ -118,20 +118,28 @@ HWY_NOINLINE void find_in_lanes(const NearestLevel& level, const std::array<cons
   }
 }
 
+// Compiled for the target, a loop of lanes, too.
+HWY_NOINLINE bool all_like_first(const std::int32_t* values, std::size_t count) {
+  std::int32_t others = 0;
+  for (std::size_t i = 0; i < count; ++i) others |= values[i] ^ values[0];
+  return others == 0;
+}
+
+// Fewer fragments than there are lanes: what follows their coordinates is not ours to read.
+HWY_NOINLINE void find_rest(const NearestLevel& level, const std::array<const float*, 3>& at, std::size_t count,
+                            std::size_t first, NearestTexels& to) {
+  alignas(64) float rest[3][hn::MaxLanes(kDF)] = {};
+  for (std::size_t k = 0; k < (level.cube ? 3U : 2U); ++k) std::copy_n(at[k] + first, count, rest[k]);
+  find_in_lanes(level, {rest[0], rest[1], rest[2]}, count, first, to);
+}
+
 void find_texels(const NearestLevel& level, const std::array<const float*, 3>& at, std::size_t count,
                  NearestTexels& to) {
-  const std::size_t lanes = hn::Lanes(kDF);
-  const std::size_t whole = count / lanes * lanes;
+  const std::size_t whole = count / hn::Lanes(kDF) * hn::Lanes(kDF);
   find_in_lanes(level, at, whole, 0, to);
-  if (whole == count) return;
-  // What follows the last coordinate is not ours to read.
-  alignas(64) std::array<std::array<float, hn::MaxLanes(kDF)>, 3> rest{};
-  std::array<const float*, 3> rest_at{};
-  for (std::size_t k = 0; k < (level.cube ? 3U : 2U); ++k) {
-    std::copy_n(at[k] + whole, count - whole, rest[k].data());
-    rest_at[k] = rest[k].data();
-  }
-  find_in_lanes(level, rest_at, count - whole, whole, to);
+  if (whole < count) find_rest(level, at, count - whole, whole, to);
+  if (!level.cube) std::fill_n(to.face.begin(), count, 0);
+  to.one_face = !level.cube || all_like_first(to.face.data(), count);
 }
 
 }  // namespace ninebit::HWY_NAMESPACE
@@ -148,10 +156,6 @@ HWY_EXPORT(find_texels);
 void find_nearest_texels(const NearestLevel& level, const std::array<const float*, 3>& at, std::size_t count,
                          NearestTexels& to) {
   HWY_DYNAMIC_DISPATCH(find_texels)(level, at, count, to);
-  if (!level.cube) std::fill_n(to.face.begin(), count, 0);
-  std::int32_t others = 0;  // in this form the compiler's loop is one of lanes
-  for (std::size_t i = 0; i < count; ++i) others |= to.face[i] ^ to.face[0];
-  to.one_face = others == 0;
 }
 
 void TextureSampler::sample_nearest(const TextureCoordinates& at, std::size_t first, std::size_t count,
