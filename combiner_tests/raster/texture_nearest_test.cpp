@@ -1,5 +1,6 @@
 // NEAREST on byte textures in SIMD lanes: on every target the same codes as the scalar texel(), fragment by fragment.
 #include <gtest/gtest.h>
+#include <sys/mman.h>
 
 #include <cmath>
 #include <cstdlib>
@@ -236,6 +237,25 @@ TEST(NearestLanes, RowsOfEveryLength) {
       EXPECT_GE(changes, 800);
     }
   }
+}
+
+// Rows farther apart than 32 bits can say. Only the pages that are touched become memory.
+TEST(NearestLanes, RowsFarApart) {
+  constexpr std::ptrdiff_t kStride = std::ptrdiff_t{1} << 32;
+  constexpr std::size_t kBytes = static_cast<std::size_t>(kStride) + 4096;
+  void* const mapped =
+      mmap(nullptr, kBytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+  if (mapped == MAP_FAILED) GTEST_SKIP() << "no 4 GiB of addresses here";
+  auto* const bytes = static_cast<std::uint8_t*>(mapped);
+  for (int i = 0; i < 4; ++i) bytes[kStride * (i / 2) + i % 2] = static_cast<std::uint8_t>(20 + i);
+  const std::array<Plane<const std::uint8_t>, 4> planes{{{bytes, kStride}}};
+  const Texture texture = texture_view(InternalFormat::luminance8, std::vector<TextureImage>{{2, 2, planes}});
+  CoordinateArrays at;
+  for (int i = 0; i < 100; ++i) at.push({i % 2 == 0 ? 0.3F : 0.7F, i % 3 == 0 ? 0.3F : 0.7F, 0});
+  int changes = 0;
+  expect_as_scalar(profiles::geforce2, texture, kNearestSampler, at, changes);
+  EXPECT_EQ(munmap(mapped, kBytes), 0);
+  EXPECT_EQ(changes, 99);
 }
 
 }  // namespace

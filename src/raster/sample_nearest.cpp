@@ -42,12 +42,13 @@ HWY_INLINE VI whole_texel(const Axis& axis, VF u) {
 // nearest_texel, in floats: no operation here rounds.
 HWY_INLINE VI texel_along(const Axis& axis, VF s) {
   const VF size = set(axis.size);
-  if (axis.wrap == Wrap::clamp ||
-      axis.wrap == Wrap::clamp_to_edge) {                 // differ in the border, which NEAREST never reads
-    s = hn::IfThenElseZero(hn::Gt(s, hn::Zero(kDF)), s);  // NaN, too, is not greater
+  // Clamping modes differ in the border, which NEAREST never reads.
+  if (axis.wrap == Wrap::clamp || axis.wrap == Wrap::clamp_to_edge) {
+    s = hn::IfThenElseZero(hn::Gt(s, hn::Zero(kDF)), s);  // NaN is not greater
     return whole_texel(axis, hn::Mul(hn::Min(s, set(1.0F)), size));
   }
-  s = hn::IfThenElseZero(hn::Lt(hn::Abs(s), set(0x1p24F)), s);  // even integers beyond, where a texture begins, and NaN
+  // From here on floats are even integers, where a texture begins; NaN and infinity count as one.
+  s = hn::IfThenElseZero(hn::Lt(hn::Abs(s), set(0x1p24F)), s);
   if (axis.wrap == Wrap::repeat) {
     const VF u = hn::Floor(hn::Mul(s, size));
     return hn::ConvertTo(kDI, hn::Sub(u, hn::Mul(hn::Floor(hn::Mul(u, set(1.0F / axis.size))), size)));
@@ -118,7 +119,7 @@ HWY_NOINLINE void find_in_lanes(const NearestLevel& level, const std::array<cons
   }
 }
 
-// Compiled for the target, a loop of lanes, too.
+// Here, so that the compiler makes it a loop of the target's lanes.
 HWY_NOINLINE bool all_like_first(const std::int32_t* values, std::size_t count) {
   std::int32_t others = 0;
   for (std::size_t i = 0; i < count; ++i) others |= values[i] ^ values[0];
@@ -151,6 +152,27 @@ namespace {
 
 HWY_EXPORT(find_texels);
 
+using BytePlane = Plane<const std::uint8_t>;
+
+// How offsets count where planes have rows of several lengths: y in the upper half.
+constexpr std::int32_t kUpperHalf = 0x10000;
+
+// One component of every fragment's texel. Loads of single bytes: gathers are no faster, nor may they read beyond a
+// plane; an interleaved copy of the texture takes as long as it saves in a frame.
+void fetch(const std::array<BytePlane, 6>& faces, bool places, const NearestTexels& texels, std::size_t count, s9* to) {
+  const auto face = [&](std::size_t i) { return static_cast<std::size_t>(texels.face[i]); };
+  if (!places) {
+    for (std::size_t i = 0; i < count; ++i) {
+      to[i] = faces[face(i)].at(texels.offset[i] % kUpperHalf, texels.offset[i] / kUpperHalf);
+    }
+  } else if (texels.one_face) {
+    const std::uint8_t* const plane = faces[face(0)].data;
+    for (std::size_t i = 0; i < count; ++i) to[i] = plane[texels.offset[i]];
+  } else {
+    for (std::size_t i = 0; i < count; ++i) to[i] = faces[face(i)].data[texels.offset[i]];
+  }
+}
+
 }  // namespace
 
 void find_nearest_texels(const NearestLevel& level, const std::array<const float*, 3>& at, std::size_t count,
@@ -160,19 +182,17 @@ void find_nearest_texels(const NearestLevel& level, const std::array<const float
 
 void TextureSampler::sample_nearest(const TextureCoordinates& at, std::size_t first, std::size_t count,
                                     const std::array<s9*, 4>& codes) const {
-  using BytePlanes = std::array<Plane<const std::uint8_t>, 4>;
-  // One number for x and y: the place in every plane where all have rows of one length, else y in the upper half.
   constexpr std::ptrdiff_t kLongestRow = 0x1FFFF;  // kMaxSurfaceSize times this is less than 2^31
-  constexpr std::int32_t kUpperHalf = 0x10000;
-  std::array<const BytePlanes*, 6> faces{};
-  for (std::size_t f = 0; f < texture_->face_count(); ++f) {
-    faces[f] = std::get_if<BytePlanes>(&texture_->faces[f][0].planes);
-  }
   const std::array<bool, 4> stored = stored_components(texture_->format);
-  const std::ptrdiff_t stride = (*faces[0])[stored[0] ? 0 : 3].stride;
+  std::array<std::array<BytePlane, 6>, 4> planes{};  // of the components that are stored
+  for (std::size_t f = 0; f < texture_->face_count(); ++f) {
+    const auto& of_face = *std::get_if<std::array<BytePlane, 4>>(&texture_->faces[f][0].planes);
+    for (std::size_t k = 0; k < 4; ++k) planes[k][f] = of_face[k];
+  }
+  const std::ptrdiff_t stride = planes[stored[0] ? 0 : 3][0].stride;
   bool alike = stride >= -kLongestRow && stride <= kLongestRow;
   for (std::size_t f = 0; f < texture_->face_count(); ++f) {
-    for (std::size_t k = 0; k < 4; ++k) alike = alike && (!stored[k] || (*faces[f])[k].stride == stride);
+    for (std::size_t k = 0; k < 4; ++k) alike = alike && (!stored[k] || planes[k][f].stride == stride);
   }
   const TextureImage& base = texture_->faces[0][0];
   const NearestLevel level{.cube = cube_,
@@ -186,33 +206,15 @@ void TextureSampler::sample_nearest(const TextureCoordinates& at, std::size_t fi
                       texels);
   for (std::size_t out = 0; out < 4; ++out) {
     s9* const to = codes[out] + first;
+    const auto twin =
+        static_cast<std::size_t>(std::find(source_.begin(), source_.end(), source_[out]) - source_.begin());
     if (source_[out] < 0) {
       std::fill_n(to, count, constant_[out]);
-      continue;
-    }
-    const auto source = static_cast<std::size_t>(source_[out]);
-    const auto same = std::find(source_.begin(), source_.begin() + static_cast<std::ptrdiff_t>(out), source_[out]);
-    const auto before = static_cast<std::size_t>(same - source_.begin());
-    if (before < out) {
-      std::copy_n(codes[before] + first, count, to);
-      continue;
-    }
-    if (alike && texels.one_face) {
-      const std::uint8_t* const plane = (*faces[static_cast<std::size_t>(texels.face[0])])[source].data;
-      for (std::size_t i = 0; i < count; ++i) to[i] = plane[texels.offset[i]];
-    } else if (alike) {
-      std::array<const std::uint8_t*, 6> plane{};
-      for (std::size_t f = 0; f < texture_->face_count(); ++f) plane[f] = (*faces[f])[source].data;
-      for (std::size_t i = 0; i < count; ++i) {
-        to[i] = plane[static_cast<std::size_t>(texels.face[i])][texels.offset[i]];
-      }
+    } else if (twin < out) {
+      std::copy_n(codes[twin] + first, count, to);
     } else {
-      for (std::size_t i = 0; i < count; ++i) {
-        const BytePlanes& planes = *faces[static_cast<std::size_t>(texels.face[i])];
-        to[i] = planes[source].at(texels.offset[i] % kUpperHalf, texels.offset[i] / kUpperHalf);
-      }
-    }
-    if (byte_shift_ != 0) {
+      fetch(planes[static_cast<std::size_t>(source_[out])], alike, texels, count, to);
+      if (byte_shift_ == 0) continue;
       for (std::size_t i = 0; i < count; ++i) to[i] = static_cast<s9>(to[i] >> byte_shift_);
     }
   }

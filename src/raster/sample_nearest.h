@@ -20,7 +20,7 @@ struct NearestLevel {
   std::int32_t stride = 0;
 };
 
-// A fragment each: y × stride + x, and the face (0 where there is but one).
+// Of each fragment y × stride + x, and the face: 0 where there is but one.
 struct NearestTexels {
   alignas(64) std::array<std::int32_t, kBatchSize> offset;
   alignas(64) std::array<std::int32_t, kBatchSize> face;
