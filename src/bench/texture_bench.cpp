@@ -1,4 +1,4 @@
-// NEAREST reads of byte textures as a frame of 1024x768 makes them, 16x16 pixels a batch; items are fragments.
+// Reads of byte textures as a frame of 1024x768 makes them, 16x16 pixels a batch; items are fragments.
 #include <benchmark/benchmark.h>
 
 #include <array>
@@ -45,10 +45,13 @@ std::array<std::vector<float>, 3> coordinates(TextureTarget target) {
   return at;
 }
 
-void sample_nearest(benchmark::State& state, TextureTarget target, InternalFormat format, Wrap wrap) {
+void sample(benchmark::State& state, TextureTarget target, InternalFormat format, Wrap wrap, MagFilter filter) {
   const Texture texture = random_texture(target, format);
-  Sampler parameters = kNearestSampler;
-  parameters.wrap_s = parameters.wrap_t = wrap;
+  const bool linear = filter == MagFilter::linear;
+  const Sampler parameters{.min_filter = linear ? MinFilter::linear : MinFilter::nearest,
+                           .mag_filter = filter,
+                           .wrap_s = wrap,
+                           .wrap_t = wrap};
   const TextureSampler sampler = TextureSampler::make(profiles::geforce2, texture, parameters).value();
   const auto at = coordinates(target);
   std::array<std::array<s9, kBatchSize>, 4> codes;
@@ -62,11 +65,18 @@ void sample_nearest(benchmark::State& state, TextureTarget target, InternalForma
   }
   state.SetItemsProcessed(static_cast<std::int64_t>(state.iterations()) * kWidth * kHeight);
 }
-BENCHMARK_CAPTURE(sample_nearest, cube_rgb, TextureTarget::cube_map, InternalFormat::rgb8, Wrap::clamp_to_edge);
-BENCHMARK_CAPTURE(sample_nearest, cube_rgba, TextureTarget::cube_map, InternalFormat::rgba8, Wrap::clamp_to_edge);
-BENCHMARK_CAPTURE(sample_nearest, flat_rgb, TextureTarget::texture_2d, InternalFormat::rgb8, Wrap::repeat);
-BENCHMARK_CAPTURE(sample_nearest, flat_luminance, TextureTarget::texture_2d, InternalFormat::luminance8, Wrap::clamp);
-BENCHMARK_CAPTURE(sample_nearest, flat_mirrored, TextureTarget::texture_2d, InternalFormat::rgb8,
-                  Wrap::mirrored_repeat);
+
+constexpr TextureTarget kCube = TextureTarget::cube_map, kFlat = TextureTarget::texture_2d;
+constexpr InternalFormat kRgb = InternalFormat::rgb8, kRgba = InternalFormat::rgba8;
+constexpr InternalFormat kLuminance = InternalFormat::luminance8;
+constexpr MagFilter kNearest = MagFilter::nearest, kLinear = MagFilter::linear;
+BENCHMARK_CAPTURE(sample, nearest_cube_rgb, kCube, kRgb, Wrap::clamp_to_edge, kNearest);
+BENCHMARK_CAPTURE(sample, nearest_cube_rgba, kCube, kRgba, Wrap::clamp_to_edge, kNearest);
+BENCHMARK_CAPTURE(sample, nearest_2d_rgb, kFlat, kRgb, Wrap::repeat, kNearest);
+BENCHMARK_CAPTURE(sample, nearest_2d_luminance, kFlat, kLuminance, Wrap::clamp, kNearest);
+BENCHMARK_CAPTURE(sample, nearest_2d_mirrored, kFlat, kRgb, Wrap::mirrored_repeat, kNearest);
+BENCHMARK_CAPTURE(sample, linear_cube_rgb, kCube, kRgb, Wrap::clamp_to_edge, kLinear);
+BENCHMARK_CAPTURE(sample, linear_2d_rgb, kFlat, kRgb, Wrap::repeat, kLinear);
+BENCHMARK_CAPTURE(sample, linear_2d_luminance, kFlat, kLuminance, Wrap::clamp_to_edge, kLinear);
 
 }  // namespace

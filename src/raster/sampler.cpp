@@ -212,10 +212,9 @@ TextureSampler::Filtered TextureSampler::weigh(const Taps& taps, float r) const 
 }
 
 void TextureSampler::sample(const TextureCoordinates& at, std::size_t count, const std::array<s9*, 4>& codes) const {
-  const bool bytes = texture_->faces[0][0].planes.index() == 0;
-  if (bytes && !needs_derivatives_ && sampler_.min_filter == MinFilter::nearest) {
+  if (samples_bytes()) {
     for (std::size_t first = 0; first < count; first += kBatchSize) {
-      sample_nearest(at, first, std::min(kBatchSize, count - first), codes);
+      sample_bytes(at, first, std::min(kBatchSize, count - first), codes);
     }
     return;
   }
