@@ -40,7 +40,7 @@ LevelPlanes level_planes(const Texture& texture) {
 // plane; an interleaved copy of the texture takes as long as it saves in a frame.
 void fetch(const std::array<BytePlane, 6>& faces, bool alike, const LaneIntegers& offset, const LaneIntegers& face,
            bool one_face, std::size_t count, s9* to) {
-  const auto plane_of = [&](std::size_t i) { return faces[static_cast<std::size_t>(face[i])]; };
+  const auto plane_of = [&](std::size_t i) -> const BytePlane& { return faces[static_cast<std::size_t>(face[i])]; };
   if (!alike) {
     for (std::size_t i = 0; i < count; ++i) to[i] = plane_of(i).at(offset[i] % kUpperHalf, offset[i] / kUpperHalf);
   } else if (one_face) {
@@ -89,7 +89,6 @@ void TextureSampler::sample_bytes(const TextureCoordinates& at, std::size_t firs
   const bool linear = sampler_.min_filter == MinFilter::linear;
   NearestLanes nearest;
   LinearLanes quads;
-  CornerBytes corner{};
   if (linear) {
     find_linear(level, weight_bits_, batch, count, quads);
   } else {
@@ -109,9 +108,11 @@ void TextureSampler::sample_bytes(const TextureCoordinates& at, std::size_t firs
     }
     const std::array<BytePlane, 6>& faces = planes.plane[static_cast<std::size_t>(source_[out])];
     if (linear) {
+      CornerBytes corner;
       std::array<s9, kBatchSize> sum;
       for (std::size_t k = 0; k < 4; ++k) {
         fetch(faces, planes.alike, quads.offset[k], quads.face, quads.one_face, count, corner[k].data());
+        std::fill(corner[k].begin() + static_cast<std::ptrdiff_t>(count), corner[k].end(), s9{0});
       }
       weigh_linear(quads, corner, weight_bits_, count, sum);
       std::copy_n(sum.begin(), count, to);
