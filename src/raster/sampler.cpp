@@ -211,59 +211,10 @@ TextureSampler::Filtered TextureSampler::weigh(const Taps& taps, float r) const 
   return result;
 }
 
-void TextureSampler::sample_nearest(const TextureCoordinates& at, std::size_t first, std::size_t count,
-                                    const std::array<s9*, 4>& codes) const {
-  // First the places of all fragments, then plane by plane.
-  std::array<std::uint32_t, kBatchSize> row_and_column;  // y in the upper half
-  std::array<std::uint8_t, kBatchSize> face{};
-  const float* const s = at.value[0] + first;
-  const float* const t = at.value[1] + first;
-  const auto place = [](int x, int y) { return (static_cast<std::uint32_t>(y) << 16) | static_cast<std::uint32_t>(x); };
-  const TextureImage& base = texture_->faces[0][0];
-  if (cube_) {
-    const float* const r = at.value[2] + first;
-    const bool repeats = sampler_.wrap_s == Wrap::repeat || sampler_.wrap_t == Wrap::repeat;
-    const auto size = static_cast<float>(base.width);
-    for (std::size_t i = 0; i < count; ++i) {
-      const CubeCoordinate c = cube_coordinate_inline(s[i], t[i], r[i]);
-      face[i] = static_cast<std::uint8_t>(c.face);
-      // Within [0, 1] the other wrap modes are all the same to NEAREST.
-      row_and_column[i] = repeats ? place(nearest_texel(c.s, base.width, sampler_.wrap_s),
-                                          nearest_texel(c.t, base.width, sampler_.wrap_t))
-                                  : place(std::min(static_cast<int>(c.s * size), base.width - 1),
-                                          std::min(static_cast<int>(c.t * size), base.width - 1));
-    }
-  } else {
-    for (std::size_t i = 0; i < count; ++i) {
-      row_and_column[i] =
-          place(nearest_texel(s[i], base.width, sampler_.wrap_s), nearest_texel(t[i], base.height, sampler_.wrap_t));
-    }
-  }
-  using BytePlanes = std::array<Plane<const std::uint8_t>, 4>;
-  for (std::size_t out = 0; out < 4; ++out) {
-    s9* const to = codes[out] + first;
-    if (source_[out] < 0) {
-      std::fill_n(to, count, constant_[out]);
-      continue;
-    }
-    const auto source = static_cast<std::size_t>(source_[out]);
-    std::array<Plane<const std::uint8_t>, 6> plane{};
-    for (std::size_t f = 0; f < texture_->face_count(); ++f) {
-      plane[f] = std::get_if<BytePlanes>(&texture_->faces[f][0].planes)->at(source);
-    }
-    for (std::size_t i = 0; i < count; ++i) {
-      const std::uint8_t byte =
-          plane[face[i]].at(static_cast<int>(row_and_column[i] & 0xFFFF), static_cast<int>(row_and_column[i] >> 16));
-      to[i] = static_cast<s9>(byte >> byte_shift_);
-    }
-  }
-}
-
 void TextureSampler::sample(const TextureCoordinates& at, std::size_t count, const std::array<s9*, 4>& codes) const {
-  const bool bytes = texture_->faces[0][0].planes.index() == 0;
-  if (bytes && !needs_derivatives_ && sampler_.min_filter == MinFilter::nearest) {
+  if (samples_bytes()) {
     for (std::size_t first = 0; first < count; first += kBatchSize) {
-      sample_nearest(at, first, std::min(kBatchSize, count - first), codes);
+      sample_bytes(at, first, std::min(kBatchSize, count - first), codes);
     }
     return;
   }

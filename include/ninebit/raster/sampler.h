@@ -104,8 +104,10 @@ class TextureSampler {
   void add_level(Taps& taps, std::size_t face, int level, float s, float t, bool linear, std::uint32_t weight) const;
   [[nodiscard]] Filtered filter(const TextureCoordinates& at, std::size_t i) const;
   [[nodiscard]] Filtered weigh(const Taps& taps, float r) const;
-  void sample_nearest(const TextureCoordinates& at, std::size_t first, std::size_t count,
-                      const std::array<s9*, 4>& codes) const;
+  // The short way for bytes without mip-maps: whether it is open, and its at most kBatchSize fragments from `first`.
+  [[nodiscard]] bool samples_bytes() const;
+  void sample_bytes(const TextureCoordinates& at, std::size_t first, std::size_t count,
+                    const std::array<s9*, 4>& codes) const;
 
   const Texture* texture_ = nullptr;
   Sampler sampler_;

@@ -1,0 +1,289 @@
+// Byte textures without mip-maps in SIMD lanes: on every target the same codes as the scalar texel(), fragment by
+// fragment.
+#include <gtest/gtest.h>
+#include <sys/mman.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+#include <utility>
+
+#include "combiner_tests/combiner/simd_targets.h"
+#include "combiner_tests/raster/texture_support.h"
+
+namespace ninebit::test {
+namespace {
+
+constexpr std::array kByteFormats{
+    InternalFormat::alpha8,     InternalFormat::luminance8, InternalFormat::luminance8_alpha8,
+    InternalFormat::intensity8, InternalFormat::rgb8,       InternalFormat::rgba8};
+constexpr std::array kTargets{TextureTarget::texture_2d, TextureTarget::cube_map};
+
+Sampler nearest(Wrap wrap_s, Wrap wrap_t) {
+  Sampler sampler = kNearestSampler;
+  sampler.wrap_s = wrap_s;
+  sampler.wrap_t = wrap_t;
+  sampler.border_color = {1, 0.5F, 0.25F, 0};
+  return sampler;
+}
+
+Sampler linear(Wrap wrap_s, Wrap wrap_t) {
+  Sampler sampler = nearest(wrap_s, wrap_t);
+  sampler.min_filter = MinFilter::linear;
+  sampler.mag_filter = MagFilter::linear;
+  return sampler;
+}
+
+// What a filter may have to tell apart: zeros, the smallest and largest, no numbers, powers of two and their
+// neighbours.
+std::vector<float> adversarial_values() {
+  using Limits = std::numeric_limits<float>;
+  std::vector<float> values{0.0F,
+                            Limits::denorm_min(),
+                            3 * Limits::denorm_min(),
+                            Limits::min() / 2,
+                            Limits::min(),
+                            1e-30F,
+                            0.3F,
+                            Limits::max() / 2,
+                            Limits::max(),
+                            Limits::infinity()};
+  for (const float power : {0x1p-10F, 0.5F, 1.0F, 2.0F, 0x1p23F, 0x1p24F, 0x1p31F}) {
+    values.insert(values.end(), {std::nextafter(power, 0.0F), power, std::nextafter(power, 1e30F)});
+  }
+  const std::size_t positive = values.size();
+  for (std::size_t i = 0; i < positive; ++i) values.push_back(-values[i]);
+  values.push_back(Limits::quiet_NaN());
+  return values;
+}
+
+std::string describe(const CoordinateArrays& at, std::size_t i) {
+  char text[120];
+  std::snprintf(text, sizeof text, "fragment %zu at %a %a %a", i, static_cast<double>(at.value[0][i]),
+                static_cast<double>(at.value[1][i]), static_cast<double>(at.value[2][i]));
+  return text;
+}
+
+// sample() on every target, all at once, against texel(). Counts where the codes change from fragment to fragment.
+void expect_as_scalar(const HardwareProfile& profile, const Texture& texture, const Sampler& parameters,
+                      const CoordinateArrays& at, int& changes) {
+  const auto sampler = TextureSampler::make(profile, texture, parameters);
+  ASSERT_TRUE(sampler.has_value());
+  const bool bordered = parameters.wrap_s == Wrap::clamp || parameters.wrap_t == Wrap::clamp;
+  const bool in_lanes = parameters.min_filter == MinFilter::nearest || !bordered;
+  std::vector<Rgba9> expected;
+  for (std::size_t i = 0; i < at.size(); ++i) {
+    expected.push_back(texel_codes(profile, sampler->texel(at.view(), i)));
+    if (i > 0 && expected[i] != expected[i - 1]) ++changes;
+  }
+  for (const std::int64_t target : simd_targets()) {
+    const OnTarget on(target);
+    CodeArrays codes(at.size());
+    sampler->sample(at.view(), at.size(), codes.at());
+    ASSERT_EQ(on.ran(), in_lanes);
+    for (std::size_t i = 0; i < at.size(); ++i) {
+      ASSERT_EQ(codes.of(i), expected[i])
+          << simd_target_name(target) << ", " << texture.faces[0][0].width << " x " << texture.faces[0][0].height
+          << ", format " << static_cast<int>(texture.format) << ", wraps " << static_cast<int>(parameters.wrap_s) << ' '
+          << static_cast<int>(parameters.wrap_t) << ", " << describe(at, i);
+    }
+  }
+}
+
+TEST(TextureLanes, AdversarialDirectionsOfACube) {
+  const std::vector<float> values = adversarial_values();
+  CoordinateArrays at;
+  for (const float x : values) {
+    for (const float y : values) {
+      for (std::size_t i = at.size() % 3; i < values.size(); i += kSlowBuild ? 9 : 3) at.push({x, y, values[i]});
+      at.push({x, y, x});
+      at.push({x, y, -y});
+    }
+  }
+  Random random(51);
+  for (const int size : {1, 2, 8, 512}) {
+    const Texture texture = random_texture(random, TextureTarget::cube_map, InternalFormat::rgb8, size, size, false);
+    int changes = 0;
+    for (const auto& [s, t] : {std::pair{Wrap::clamp_to_edge, Wrap::clamp_to_edge},
+                               {Wrap::repeat, Wrap::mirrored_repeat},
+                               {Wrap::clamp, Wrap::repeat}}) {
+      expect_as_scalar(profiles::geforce2, texture, nearest(s, t), at, changes);
+      if (HasFatalFailure()) return;
+      expect_as_scalar(profiles::geforce2, texture, linear(s, t), at, changes);
+      if (HasFatalFailure()) return;
+    }
+    EXPECT_GE(changes, static_cast<int>(at.size()) / 2);
+  }
+}
+
+TEST(TextureLanes, AdversarialCoordinatesInTwoDimensions) {
+  const std::vector<float> values = adversarial_values();
+  Random random(52);
+  for (const auto& [width, height] : {std::pair{1, 1}, {2, 16}, {64, 1}, {1024, 32}, {16, 2048}}) {
+    const Texture texture =
+        random_texture(random, TextureTarget::texture_2d, InternalFormat::luminance8_alpha8, width, height, false);
+    CoordinateArrays at;
+    for (const float s : values) {
+      for (const float t : values) at.push({s, t, 0});
+    }
+    for (int i = 0; i < (kSlowBuild ? 500 : 4000); ++i) {
+      at.push({random_coordinate(random, width), random_coordinate(random, height), 0});
+    }
+    int changes = 0;
+    for (const Wrap s : kWraps) {
+      for (const Wrap t : kWraps) {
+        expect_as_scalar(profiles::geforce2, texture, nearest(s, t), at, changes);
+        if (HasFatalFailure()) return;
+        expect_as_scalar(profiles::geforce2, texture, linear(s, t), at, changes);
+        if (HasFatalFailure()) return;
+      }
+    }
+    EXPECT_GE(changes, width * height == 1 ? 0 : static_cast<int>(at.size()));
+  }
+}
+
+// Directions whose s or t lies on an edge between texels, or a float beside it.
+TEST(TextureLanes, EdgesOfTexelsOnEveryFace) {
+  Random random(53);
+  for (const int size : {1, 4, 32, 256, 1024}) {
+    const Texture texture =
+        random_texture(random, TextureTarget::cube_map, InternalFormat::luminance8, size, size, false);
+    CoordinateArrays at;
+    for (int i = 0; i < (kSlowBuild ? 2000 : 20000); ++i) {
+      const float major = std::ldexp(random.one_in(2) ? 1.0F : random.real_f(1, 2), random.between(-140, 120));
+      const auto minor = [&] {
+        const float edge = static_cast<float>(2 * random.between(0, size) - size) / static_cast<float>(size) * major;
+        return random.pick(
+            {edge, std::nextafter(edge, 1e38F), std::nextafter(edge, -1e38F), random.real_f(-1, 1) * major});
+      };
+      std::array<float, 3> r{minor(), minor(), minor()};
+      r[static_cast<std::size_t>(random.below(3))] = random.one_in(2) ? major : -major;
+      at.push(r);
+    }
+    int changes = 0;
+    expect_as_scalar(profiles::geforce2, texture, kNearestSampler, at, changes);
+    if (HasFatalFailure()) return;
+    EXPECT_GE(changes, static_cast<int>(at.size()) / 2);
+    expect_as_scalar(profiles::geforce2, texture, linear(Wrap::repeat, Wrap::clamp_to_edge), at, changes);
+    if (HasFatalFailure()) return;
+  }
+}
+
+TEST(TextureLanes, EveryFormatAndProfile) {
+  Random random(54);
+  for (const InternalFormat format : kByteFormats) {
+    for (const TextureTarget target : kTargets) {
+      const Texture texture = random_texture(random, target, format, 32, 32, false);
+      CoordinateArrays at;
+      for (int i = 0; i < (kSlowBuild ? 300 : 3000); ++i)
+        at.push({random.real_f(-1, 1), random.real_f(-1, 1), random.real_f(-1, 1)});
+      int changes = 0;
+      for (const HardwareProfile& profile : {profiles::geforce2, profiles::geforce256_8bit}) {
+        expect_as_scalar(profile, texture, nearest(Wrap::mirrored_repeat, Wrap::repeat), at, changes);
+        if (HasFatalFailure()) return;
+        HardwareProfile coarse = profile;
+        for (int bits = 1; bits <= 8; ++bits) {
+          coarse.texture_weight_bits.value = bits;
+          expect_as_scalar(coarse, texture, linear(Wrap::mirrored_repeat, Wrap::repeat), at, changes);
+          if (HasFatalFailure()) return;
+        }
+      }
+      EXPECT_GE(changes, 2 * static_cast<int>(at.size()));
+    }
+  }
+}
+
+// Every number of fragments, from one face or many: exactly these are read and written.
+TEST(TextureLanes, EveryCountOfFragments) {
+  Random random(55);
+  for (const TextureTarget target : kTargets) {
+    const Texture texture = random_texture(random, target, InternalFormat::rgba8, 64, 64, false);
+    const auto by_nearest = TextureSampler::make(profiles::geforce2, texture, nearest(Wrap::repeat, Wrap::repeat));
+    const auto by_linear = TextureSampler::make(profiles::geforce2, texture, linear(Wrap::repeat, Wrap::repeat));
+    for (const std::int64_t simd : simd_targets()) {
+      const OnTarget on(simd);
+      for (std::size_t count = 0; count <= 2 * kBatchSize + 2; count += count < kBatchSize + 2 ? 1 : 37) {
+        CoordinateArrays at;  // as long as what is sampled: a sanitizer sees a read beyond
+        for (std::size_t i = 0; i < count; ++i) {
+          at.push({random.real_f(-1, 1), random.real_f(-1, 1), count % 2 == 0 ? 1.0F : random.real_f(-1, 1)});
+        }
+        for (std::vector<float>& values : at.value) values.shrink_to_fit();
+        CodeArrays codes(count + 40);
+        const auto& sampler = count % 3 == 0 ? by_linear : by_nearest;
+        sampler->sample(at.view(), count, codes.at(3));
+        for (std::size_t i = 0; i < count; ++i) {
+          ASSERT_EQ(codes.of(i + 3), texel_codes(profiles::geforce2, sampler->texel(at.view(), i)))
+              << simd_target_name(simd) << ", " << count << " fragments, " << describe(at, i);
+        }
+        for (std::size_t i = 0; i < codes.plane[0].size(); ++i) {
+          if (i >= 3 && i < count + 3) continue;
+          ASSERT_EQ(codes.of(i), (Rgba9{-999, -999, -999, -999})) << simd_target_name(simd) << ' ' << count << ' ' << i;
+        }
+      }
+    }
+  }
+}
+
+// Planes with padded rows, upside down, longer rows than a batch's offsets hold, all alike or each its own.
+TEST(TextureLanes, RowsOfEveryLength) {
+  Random random(56);
+  constexpr int kSize = 8;
+  const std::vector<std::ptrdiff_t> strides{kSize, kSize + 5, -kSize, -40, 0x1FFFF, 0x20000, -0x20001};
+  for (const TextureTarget target : kTargets) {
+    const std::size_t face_count = target == TextureTarget::cube_map ? 6 : 1;
+    for (std::size_t choice = 0; choice <= strides.size(); ++choice) {
+      std::vector<std::vector<std::uint8_t>> samples;
+      std::vector<TextureImage> faces;
+      for (std::size_t f = 0; f < face_count; ++f) {
+        std::array<Plane<const std::uint8_t>, 4> planes{};
+        for (std::size_t k = 0; k < 3; ++k) {
+          const std::ptrdiff_t stride =
+              choice < strides.size() ? strides[choice] : strides[static_cast<std::size_t>(random.below(7))];
+          samples.emplace_back(static_cast<std::size_t>(std::abs(stride) * (kSize - 1) + kSize));
+          const std::ptrdiff_t first = stride < 0 ? -stride * (kSize - 1) : 0;
+          for (int y = 0; y < kSize; ++y) {
+            for (int x = 0; x < kSize; ++x) {
+              samples.back()[static_cast<std::size_t>(first + stride * y + x)] = random.byte();
+            }
+          }
+          planes[k] = {samples.back().data() + first, stride};
+        }
+        faces.push_back({kSize, kSize, planes});
+      }
+      const Texture texture = texture_view(InternalFormat::rgb8, faces);
+      CoordinateArrays many, one;
+      for (int i = 0; i < 600; ++i) {
+        many.push({random.real_f(-1, 1), random.real_f(-1, 1), random.real_f(-1, 1)});
+        one.push({random.real_f(-1, 1), random.real_f(-1, 1), -1});
+      }
+      int changes = 0;
+      expect_as_scalar(profiles::geforce2, texture, kNearestSampler, many, changes);
+      expect_as_scalar(profiles::geforce2, texture, kNearestSampler, one, changes);
+      expect_as_scalar(profiles::geforce2, texture, linear(Wrap::repeat, Wrap::clamp_to_edge), many, changes);
+      if (HasFatalFailure()) return;
+      EXPECT_GE(changes, 800);
+    }
+  }
+}
+
+// Rows farther apart than 32 bits can say. Only the pages that are touched become memory.
+TEST(TextureLanes, RowsFarApart) {
+  constexpr std::ptrdiff_t kStride = std::ptrdiff_t{1} << 32;
+  constexpr std::size_t kBytes = static_cast<std::size_t>(kStride) + 4096;
+  void* const mapped =
+      mmap(nullptr, kBytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+  if (mapped == MAP_FAILED) GTEST_SKIP() << "no 4 GiB of addresses here";
+  auto* const bytes = static_cast<std::uint8_t*>(mapped);
+  for (int i = 0; i < 4; ++i) bytes[kStride * (i / 2) + i % 2] = static_cast<std::uint8_t>(20 + i);
+  const std::array<Plane<const std::uint8_t>, 4> planes{{{bytes, kStride}}};
+  const Texture texture = texture_view(InternalFormat::luminance8, std::vector<TextureImage>{{2, 2, planes}});
+  CoordinateArrays at;
+  for (int i = 0; i < 100; ++i) at.push({i % 2 == 0 ? 0.3F : 0.7F, i % 3 == 0 ? 0.3F : 0.7F, 0});
+  int changes = 0;
+  expect_as_scalar(profiles::geforce2, texture, kNearestSampler, at, changes);
+  EXPECT_EQ(munmap(mapped, kBytes), 0);
+  EXPECT_EQ(changes, 99);
+}
+
+}  // namespace
+}  // namespace ninebit::test
