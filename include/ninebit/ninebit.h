@@ -21,6 +21,7 @@
 #include "ninebit/numerics/fixed9.h"
 #include "ninebit/numerics/hardware_profile.h"
 #include "ninebit/numerics/result.h"
+#include "ninebit/raster/prepared_draw.h"
 #include "ninebit/raster/rasterizer.h"
 #include "ninebit/raster/s3tc.h"
 #include "ninebit/scene/scene_io.h"

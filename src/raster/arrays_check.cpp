@@ -48,18 +48,6 @@ Status check_lengths(const VertexArrays& arrays, std::size_t primitives) {
   return {};
 }
 
-Status check_indices(const VertexArrays& arrays) {
-  const std::size_t vertices = arrays.positions.size();
-  std::atomic<bool> in_range = true;
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, arrays.indices.size(), 65536), [&](const auto& range) {
-    const auto* const first = arrays.indices.data();
-    const auto beyond = [vertices](std::uint32_t index) { return index >= vertices; };
-    if (std::any_of(first + range.begin(), first + range.end(), beyond)) in_range = false;
-  });
-  if (in_range) return {};
-  return fault("an index names a vertex beyond the " + std::to_string(vertices) + " that there are");
-}
-
 }  // namespace
 
 Status check_state(const PipelineState& state, const RenderTarget& target) {
@@ -108,7 +96,28 @@ Status check_arrays(const PipelineState& state, const VertexArrays& arrays, std:
       return fault("texture unit " + std::to_string(unit) + ": " + checked.error().message);
     }
   }
-  return check_indices(arrays);
+  return {};
+}
+
+Status check_indices(const VertexArrays& arrays) {
+  const std::size_t vertices = arrays.positions.size();
+  constexpr std::size_t kGrain = 65536;
+  const auto are_in_range = [&](std::size_t begin, std::size_t end) {
+    // Without an early end: compilers make vectors of it.
+    unsigned beyond = 0;
+    for (std::size_t i = begin; i < end; ++i) beyond |= arrays.indices[i] >= vertices ? 1U : 0U;
+    return beyond == 0;
+  };
+  std::atomic<bool> in_range = true;
+  if (arrays.indices.size() <= kGrain) {
+    in_range = are_in_range(0, arrays.indices.size());
+  } else {
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, arrays.indices.size(), kGrain), [&](const auto& range) {
+      if (!are_in_range(range.begin(), range.end())) in_range = false;
+    });
+  }
+  if (in_range) return {};
+  return fault("an index names a vertex beyond the " + std::to_string(vertices) + " that there are");
 }
 
 Status check_coordinates(const VertexArrays& arrays, std::size_t unit) {

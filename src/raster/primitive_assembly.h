@@ -20,6 +20,8 @@ class PrimitiveAssembly {
   // The triangles that a quad or polygon is cut into, a fan around its first vertex; 1 for all others.
   [[nodiscard]] std::size_t triangles_each() const { return triangles_each_; }
 
+  // The list of vertex numbers; empty: all, in their order.
+  [[nodiscard]] std::span<const std::uint32_t> indices() const { return indices_; }
   // The vertex number at a place of the list.
   [[nodiscard]] std::uint32_t vertex(std::size_t place) const {
     return indices_.empty() ? static_cast<std::uint32_t>(place) : indices_[place];

@@ -1,12 +1,23 @@
 #include "src/raster/primitive_setup.h"
 
+#include <bit>
+
 #include "src/raster/line_setup.h"
+#include "src/raster/triangle_batch.h"
 
 namespace ninebit {
 
+bool PrimitiveSetup::takes_packed_vertices(const SetupContext& context, const PrimitiveAssembly& assembly,
+                                           std::size_t vertices) {
+  const bool is_triangles = assembly.type() == PrimitiveType::triangles ||
+                            assembly.type() == PrimitiveType::triangle_strip ||
+                            assembly.type() == PrimitiveType::triangle_fan;
+  return is_triangles && context.fills() && vertices <= kMaxPackedVertices;
+}
+
 PrimitiveSetup::PrimitiveSetup(const SetupContext& context, const PrimitiveAssembly& assembly,
-                               std::span<const glm::vec4> clip)
-    : context_(context), assembly_(assembly), clip_(clip) {
+                               const ClipPositions& clip, std::span<const PackedVertex> packed)
+    : context_(context), assembly_(assembly), clip_(clip), packed_(packed) {
   if (assembly.type() == PrimitiveType::polygon && assembly.primitives() > 0) polygon_ = facts_of(0);
 }
 
@@ -32,7 +43,7 @@ PolygonTriangle PrimitiveSetup::triangle_of(std::size_t primitive, std::size_t c
 }
 
 PolygonFacts PrimitiveSetup::facts_of(std::size_t primitive) const {
-  if (context_.fills_without_offset()) return {};
+  if (context_.fills() && !context_.offset.fill) return {};
   PolygonSurvey survey(context_);
   for (std::size_t cut = 0; cut < assembly_.triangles_each(); ++cut) survey.add(triangle_of(primitive, cut));
   return survey.facts();
@@ -43,10 +54,6 @@ void PrimitiveSetup::set_up_polygons(std::size_t begin, std::size_t end, SetupBl
     for (std::size_t cut = begin; cut < end; ++cut) set_up_triangle(context_, triangle_of(0, cut), polygon_, block);
     return;
   }
-  if (assembly_.triangles_each() == 1 && context_.fills_without_offset()) {
-    for (std::size_t i = begin; i < end; ++i) set_up_triangle(context_, triangle_of(i, 0), {}, block);
-    return;
-  }
   for (std::size_t i = begin; i < end; ++i) {
     const PolygonFacts facts = facts_of(i);
     for (std::size_t cut = 0; cut < assembly_.triangles_each(); ++cut) {
@@ -55,7 +62,7 @@ void PrimitiveSetup::set_up_polygons(std::size_t begin, std::size_t end, SetupBl
   }
 }
 
-void PrimitiveSetup::set_up(std::size_t begin, std::size_t end, SetupBlock& block) const {
+void PrimitiveSetup::set_up_one_by_one(std::size_t begin, std::size_t end, SetupBlock& block) const {
   switch (assembly_.type()) {
     case PrimitiveType::points:
       for (std::size_t i = begin; i < end; ++i) {
@@ -74,6 +81,31 @@ void PrimitiveSetup::set_up(std::size_t begin, std::size_t end, SetupBlock& bloc
     default:
       set_up_polygons(begin, end, block);
   }
+}
+
+void PrimitiveSetup::set_up_packed(std::size_t begin, std::size_t end, const TileGrid& grid, BinnedBlock& block) const {
+  const TriangleBatch batch{context_, assembly_, packed_.data(), grid.columns};
+  while (begin < end) {
+    const std::size_t count = block.tile.size();
+    block.setup.primitives.resize(count + end - begin);
+    block.tile.resize(count + end - begin);
+    const TriangleBatchResult done =
+        set_up_triangles(batch, begin, end, {&block.setup.primitives[count], &block.tile[count]});
+    block.setup.primitives.resize(count + done.count);
+    block.tile.resize(count + done.count);
+    for (std::uint64_t left = done.left_over; left != 0; left &= left - 1) {
+      const std::size_t i = done.first_left_over + static_cast<std::size_t>(std::countr_zero(left));
+      set_up_polygons(i, i + 1, block.setup);
+    }
+    note_tiles(grid, block);
+    begin = done.next;
+  }
+}
+
+void PrimitiveSetup::set_up(std::size_t begin, std::size_t end, const TileGrid& grid, BinnedBlock& block) const {
+  if (!packed_.empty()) return set_up_packed(begin, end, grid, block);
+  set_up_one_by_one(begin, end, block.setup);
+  note_tiles(grid, block);
 }
 
 }  // namespace ninebit

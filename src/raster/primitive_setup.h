@@ -8,7 +8,9 @@
 #include "src/raster/primitive_assembly.h"
 #include "src/raster/setup_context.h"
 #include "src/raster/setup_primitive.h"
+#include "src/raster/tile_bins.h"
 #include "src/raster/triangle_setup.h"
+#include "src/raster/vertex_transform.h"
 
 namespace ninebit {
 
@@ -16,23 +18,31 @@ namespace ninebit {
 // which may have many.
 class PrimitiveSetup {
  public:
-  // `clip` holds the positions in clip coordinates.
-  PrimitiveSetup(const SetupContext& context, const PrimitiveAssembly& assembly, std::span<const glm::vec4> clip);
+  // Whether triangles may be set up several at a time, for which their vertices have to be transformed before.
+  static bool takes_packed_vertices(const SetupContext& context, const PrimitiveAssembly& assembly,
+                                    std::size_t vertices);
+
+  // `packed`: all vertices, or none where they are not taken.
+  PrimitiveSetup(const SetupContext& context, const PrimitiveAssembly& assembly, const ClipPositions& clip,
+                 std::span<const PackedVertex> packed);
 
   [[nodiscard]] std::size_t items() const;
   // At most so many window primitives come of one item, as long as clipping keeps polygons convex.
   [[nodiscard]] std::size_t most_of_an_item() const;
-  // Appends what is to be drawn of the items [begin, end).
-  void set_up(std::size_t begin, std::size_t end, SetupBlock& block) const;
+  // Appends what is to be drawn of the items [begin, end), and in which tiles.
+  void set_up(std::size_t begin, std::size_t end, const TileGrid& grid, BinnedBlock& block) const;
 
  private:
   [[nodiscard]] PolygonTriangle triangle_of(std::size_t primitive, std::size_t cut) const;
   [[nodiscard]] PolygonFacts facts_of(std::size_t primitive) const;
   void set_up_polygons(std::size_t begin, std::size_t end, SetupBlock& block) const;
+  void set_up_one_by_one(std::size_t begin, std::size_t end, SetupBlock& block) const;
+  void set_up_packed(std::size_t begin, std::size_t end, const TileGrid& grid, BinnedBlock& block) const;
 
   const SetupContext& context_;
   const PrimitiveAssembly& assembly_;
-  std::span<const glm::vec4> clip_;
+  const ClipPositions& clip_;
+  std::span<const PackedVertex> packed_;
   PolygonFacts polygon_;  // of the type polygon
 };
 

@@ -34,14 +34,14 @@ struct SetupContext {
   [[nodiscard]] bool is_offset(PolygonMode m) const {
     return m == PolygonMode::fill ? offset.fill : m == PolygonMode::line ? offset.line : offset.point;
   }
-  // Whether every triangle of a polygon can be set up without a look at the whole.
-  [[nodiscard]] bool fills_without_offset() const {
-    return front_mode == PolygonMode::fill && back_mode == PolygonMode::fill && !offset.fill;
-  }
+  // Whether polygons are filled, whatever their facing.
+  [[nodiscard]] bool fills() const { return front_mode == PolygonMode::fill && back_mode == PolygonMode::fill; }
   // The pixels that may be drawn whose centres, at 16 i + 8, the box in 1/16 pixel holds.
   [[nodiscard]] PixelBounds pixels_in(int left, int low, int right, int high) const {
-    return {std::max((left + 7) >> 4, drawn.left), std::max((low + 7) >> 4, drawn.bottom),
-            std::min((right - 8) >> 4, drawn.right - 1), std::min((high - 8) >> 4, drawn.top - 1)};
+    return {static_cast<std::int16_t>(std::max((left + 7) >> 4, drawn.left)),
+            static_cast<std::int16_t>(std::max((low + 7) >> 4, drawn.bottom)),
+            static_cast<std::int16_t>(std::min((right - 8) >> 4, drawn.right - 1)),
+            static_cast<std::int16_t>(std::min((high - 8) >> 4, drawn.top - 1))};
   }
 
   WindowTransform window;

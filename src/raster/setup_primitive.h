@@ -6,6 +6,8 @@
 #include <glm/glm.hpp>
 #include <vector>
 
+#include "src/raster/raw_vector.h"
+
 namespace ninebit {
 
 // `pixel` is a triangle that draws a single pixel, whose depth has already been found.
@@ -13,10 +15,10 @@ enum class SetupKind : std::uint8_t { triangle, line, point, pixel };
 
 // Pixels that a primitive may draw, both ends included, among those that may be drawn at all.
 struct PixelBounds {
-  std::int32_t left = 0;
-  std::int32_t bottom = 0;
-  std::int32_t right = 0;
-  std::int32_t top = 0;
+  std::int16_t left = 0;
+  std::int16_t bottom = 0;
+  std::int16_t right = 0;
+  std::int16_t top = 0;
   [[nodiscard]] bool empty() const { return left > right || bottom > top; }
 };
 
@@ -26,25 +28,27 @@ inline constexpr std::uint32_t kNoWeights = 0xFFFFFFFF;
 // that the integer arithmetic relies on: positions lie within 8,192 pixels of the viewport's centre, so differences of
 // positions stay within 2^18 sixteenths of a pixel, edge functions, areas and squared lengths within 2^37, and these ×
 // window depth within 2^61.
-struct SetupPrimitive {
-  PixelBounds box;           // of a `pixel`: that pixel
-  std::uint32_t pixel_z24;   // of a `pixel`: the window depth there
-  std::uint32_t primitive;   // number of the GL primitive in the draw call
-  std::int32_t offset_z24;   // polygon offset
+//
+// In six rows of 16 bytes: what is asked of a `pixel` first comes first, in one half of a cache line.
+struct alignas(32) SetupPrimitive {
+  PixelBounds box;          // of a `pixel`: that pixel
+  std::uint32_t pixel_z24;  // of a `pixel`: the window depth there
+  std::uint32_t primitive;  // number of the GL primitive in the draw call
+  std::int32_t offset_z24;  // polygon offset
   SetupKind kind;
   bool front_facing;
   std::array<std::uint8_t, 3> corner;  // which of `vertex` each corner is (clipped ones: see weights)
-  std::array<std::int32_t, 3> x_q4;  // window position in 1/16 pixel (less with fewer subpixel bits, scaled up)
-  std::array<std::int32_t, 3> y_q4;  // of a wide line: already moved to its lowest line; of a point: its lower left
-  std::array<std::uint32_t, 3> z24;  // window depth, see window_depth.h
+  std::uint32_t weights;               // index into SetupBlock::weights, or kNoWeights: not clipped
+  std::array<std::int32_t, 3> x_q4;    // window position in 1/16 pixel (less with fewer subpixel bits, scaled up)
+  std::array<std::int32_t, 3> y_q4;    // of a wide line: already moved to its lowest line; of a point: its lower left
+  std::array<std::uint32_t, 3> z24;    // window depth, see window_depth.h
   std::array<float, 3> inv_w;
   std::array<std::uint32_t, 3> vertex;  // numbers of the vertices before clipping; all three are valid in any kind
-  std::uint32_t weights;                // index into SetupBlock::weights, or kNoWeights: not clipped
 };
 
 // What one block of primitives of a draw call became, in order.
 struct SetupBlock {
-  std::vector<SetupPrimitive> primitives;
+  RawVector<SetupPrimitive> primitives;
   // For each that was clipped, its corners in barycentric coordinates of `vertex` (column = corner).
   std::vector<glm::mat3> weights;
 };

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "src/raster/raw_vector.h"
 #include "src/raster/setup_primitive.h"
 #include "src/raster/tile.h"
 #include "src/raster/window_transform.h"
@@ -19,20 +20,35 @@ struct TileGrid {
   TileGrid(int width, int height)
       : columns((width + kTileSize - 1) / kTileSize), rows((height + kTileSize - 1) / kTileSize) {}
   [[nodiscard]] std::size_t count() const { return static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows); }
+  [[nodiscard]] std::uint32_t tile_of(int x, int y) const {
+    return static_cast<std::uint32_t>(y / kTileSize * columns + x / kTileSize);
+  }
   // The tile's pixels among those that may be drawn.
   [[nodiscard]] PixelBox pixels(std::size_t tile, const PixelBox& drawn) const;
 };
 
+inline constexpr std::uint32_t kSeveralTiles = 0xFFFFFFFF;
+
 // One block's primitives sorted by tile, in drawing order within each tile.
 struct BinnedBlock {
   SetupBlock setup;
-  std::vector<std::uint32_t> indices;  // into setup.primitives
-  std::vector<std::uint32_t> first;    // for each tile its first place in indices; one more at the end
+  RawVector<std::uint32_t> tile;     // of each primitive the tile that holds its box, or kSeveralTiles
+  RawVector<std::uint32_t> indices;  // into setup.primitives
+  std::uint32_t first_tile = 0;      // of those that have primitives
+  // For each tile from first_tile on its first place in indices; one more at the end.
+  std::vector<std::uint32_t> first{0};
 
-  [[nodiscard]] std::span<const std::uint32_t> in_tile(std::size_t tile) const {
-    return {indices.data() + first[tile], first[tile + 1] - first[tile]};
+  void clear();
+  [[nodiscard]] std::uint32_t end_tile() const { return first_tile + static_cast<std::uint32_t>(first.size()) - 1; }
+  // Of a tile from first_tile to end_tile() - 1.
+  [[nodiscard]] std::span<const std::uint32_t> in_tile(std::uint32_t t) const {
+    const std::uint32_t* const at = &first[t - first_tile];
+    return {indices.data() + at[0], at[1] - at[0]};
   }
 };
+
+// Fills `tile` for the primitives that have none yet.
+void note_tiles(const TileGrid& grid, BinnedBlock& block);
 
 // Sorts what has been set up.
 void sort_into_tiles(const TileGrid& grid, BinnedBlock& block);

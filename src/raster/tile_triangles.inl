@@ -11,10 +11,17 @@ HWY_INLINE hn::Mask<D> place_small(TileTriangles& t, const SetupBlock& block, co
   const auto field = [&](const void* of_first) HWY_ATTR {
     return hn::GatherOffset(kD, static_cast<const std::int32_t*>(of_first), record);
   };
-  const V left = hn::Max(field(&first.box.left), hn::Set(kD, tile.left));
-  const V right = hn::Min(field(&first.box.right), hn::Set(kD, tile.right - 1));
-  const V bottom = hn::Max(field(&first.box.bottom), hn::Set(kD, tile.bottom));
-  const V top = hn::Min(field(&first.box.top), hn::Set(kD, tile.top - 1));
+  for (std::size_t i = 0; i < hn::Lanes(kD); ++i) {
+    const PixelBounds& box = block.primitives[indices[i]].box;
+    t.left[i] = box.left;
+    t.right[i] = box.right;
+    t.bottom[i] = box.bottom;
+    t.top[i] = box.top;
+  }
+  const V left = hn::Max(hn::Load(kD, t.left.data()), hn::Set(kD, tile.left));
+  const V right = hn::Min(hn::Load(kD, t.right.data()), hn::Set(kD, tile.right - 1));
+  const V bottom = hn::Max(hn::Load(kD, t.bottom.data()), hn::Set(kD, tile.bottom));
+  const V top = hn::Min(hn::Load(kD, t.top.data()), hn::Set(kD, tile.top - 1));
   hn::Store(left, kD, t.left.data());
   hn::Store(right, kD, t.right.data());
   hn::Store(bottom, kD, t.bottom.data());

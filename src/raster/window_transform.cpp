@@ -16,16 +16,16 @@ double unit(float depth) {
 }  // namespace
 
 WindowTransform::WindowTransform(const PipelineState& state, const PixelRect& viewport, DepthStencilFormat format)
-    : guard_x_(guard_factor(viewport.width)),
-      guard_y_(guard_factor(viewport.height)),
-      half_width_(static_cast<float>(viewport.width) * 0.5F),
-      half_height_(static_cast<float>(viewport.height) * 0.5F),
-      centre_x_(static_cast<float>(viewport.x) + half_width_),
-      centre_y_(static_cast<float>(viewport.y) + half_height_),
-      steps_(static_cast<float>(1 << state.profile.subpixel_bits)),
-      to_q4_(1 << (4 - state.profile.subpixel_bits)),
-      depth_half_((unit(state.depth_far) - unit(state.depth_near)) * 0.5),
-      depth_middle_((unit(state.depth_near) + unit(state.depth_far)) * 0.5),
+    : scale_{.guard_x = guard_factor(viewport.width),
+             .guard_y = guard_factor(viewport.height),
+             .half_width = static_cast<float>(viewport.width) * 0.5F,
+             .half_height = static_cast<float>(viewport.height) * 0.5F,
+             .centre_x = static_cast<float>(viewport.x) + static_cast<float>(viewport.width) * 0.5F,
+             .centre_y = static_cast<float>(viewport.y) + static_cast<float>(viewport.height) * 0.5F,
+             .steps = static_cast<float>(1 << state.profile.subpixel_bits),
+             .to_q4 = 1 << (4 - state.profile.subpixel_bits),
+             .depth_half = (unit(state.depth_far) - unit(state.depth_near)) * 0.5,
+             .depth_middle = (unit(state.depth_near) + unit(state.depth_far)) * 0.5},
       depth_(format) {}
 
 }  // namespace ninebit

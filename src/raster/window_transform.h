@@ -27,6 +27,16 @@ struct PixelBox {
   [[nodiscard]] bool empty() const { return left >= right || bottom >= top; }
 };
 
+// The numbers of the transformation, for those that do it to several vertices at a time.
+struct WindowScale {
+  float guard_x, guard_y;  // see WindowTransform
+  float half_width, half_height;
+  float centre_x, centre_y;
+  float steps;  // of the subpixel grid in a pixel
+  int to_q4;
+  double depth_half, depth_middle;  // (far - near) / 2, (near + far) / 2
+};
+
 class WindowTransform {
  public:
   // `viewport` has pixels.
@@ -34,20 +44,16 @@ class WindowTransform {
 
   // How far the guard band reaches, in multiples of the view volume: window positions stay within 8,192 pixels of the
   // viewport's centre.
-  [[nodiscard]] float guard_x() const { return guard_x_; }
-  [[nodiscard]] float guard_y() const { return guard_y_; }
+  [[nodiscard]] float guard_x() const { return scale_.guard_x; }
+  [[nodiscard]] float guard_y() const { return scale_.guard_y; }
+  [[nodiscard]] const WindowScale& scale() const { return scale_; }
   [[nodiscard]] const WindowDepth& depth() const { return depth_; }
 
   // Truncates toward zero to the subpixel grid (rule 21); rounds depth to nearest.
   [[nodiscard]] WindowVertex operator()(const glm::vec4& clip) const;
 
  private:
-  float guard_x_, guard_y_;
-  float half_width_, half_height_;
-  float centre_x_, centre_y_;
-  float steps_;  // of the subpixel grid in a pixel
-  int to_q4_;
-  double depth_half_, depth_middle_;  // (far - near) / 2, (near + far) / 2
+  WindowScale scale_;
   WindowDepth depth_;
 };
 
@@ -55,11 +61,12 @@ inline WindowVertex WindowTransform::operator()(const glm::vec4& clip) const {
   WindowVertex v;
   v.inv_w = 1.0F / clip.w;
   // Where clipping has cancelled large coordinates, its rounding can leave a corner beyond the guard band.
-  const float x = std::clamp(clip.x * v.inv_w, -guard_x_, guard_x_);
-  const float y = std::clamp(clip.y * v.inv_w, -guard_y_, guard_y_);
-  v.x_q4 = static_cast<std::int32_t>((x * half_width_ + centre_x_) * steps_) * to_q4_;
-  v.y_q4 = static_cast<std::int32_t>((y * half_height_ + centre_y_) * steps_) * to_q4_;
-  v.z24 = depth_.z24_of(static_cast<double>(clip.z) / static_cast<double>(clip.w) * depth_half_ + depth_middle_);
+  const float x = std::clamp(clip.x * v.inv_w, -scale_.guard_x, scale_.guard_x);
+  const float y = std::clamp(clip.y * v.inv_w, -scale_.guard_y, scale_.guard_y);
+  v.x_q4 = static_cast<std::int32_t>((x * scale_.half_width + scale_.centre_x) * scale_.steps) * scale_.to_q4;
+  v.y_q4 = static_cast<std::int32_t>((y * scale_.half_height + scale_.centre_y) * scale_.steps) * scale_.to_q4;
+  v.z24 = depth_.z24_of(static_cast<double>(clip.z) / static_cast<double>(clip.w) * scale_.depth_half +
+                        scale_.depth_middle);
   return v;
 }
 

@@ -1,0 +1,33 @@
+#include "src/raster/draw_geometry.h"
+
+#include <algorithm>
+#include <span>
+
+namespace ninebit {
+
+DrawGeometry::DrawGeometry(const SetupContext& context, const glm::mat4& clip_from_object, const VertexArrays& arrays,
+                           const TileGrid& grid, RawVector<PackedVertex>& packed)
+    : grid_(grid), assembly_(arrays), clip_(clip_from_object, arrays.positions) {
+  std::span<const PackedVertex> vertices;
+  if (PrimitiveSetup::takes_packed_vertices(context, assembly_, arrays.positions.size())) {
+    packed.resize(arrays.positions.size());
+    transform_vertices(clip_, context.window, packed.data());
+    vertices = packed;
+  }
+  setup_.emplace(context, assembly_, clip_, vertices);
+  items_ = setup_->items();
+  // A chunk's lists stay within 2^28 entries even if as much as possible comes of every item and all of that covers
+  // every tile.
+  const std::size_t items = (std::size_t{1} << 28) / grid.count() / setup_->most_of_an_item();
+  items_per_block_ = std::clamp(items, std::size_t{64}, std::size_t{1024});
+  blocks_per_chunk_ = std::clamp(items / items_per_block_, std::size_t{1}, std::size_t{64});
+}
+
+void DrawGeometry::set_up(std::size_t number, BinnedBlock& block) const {
+  block.clear();
+  const std::size_t begin = number * items_per_block_;
+  setup_->set_up(begin, std::min(begin + items_per_block_, items_), grid_, block);
+  sort_into_tiles(grid_, block);
+}
+
+}  // namespace ninebit

@@ -1,0 +1,42 @@
+// The geometry of one draw call: from vertex arrays to blocks of primitives sorted by tile.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+
+#include "src/raster/primitive_assembly.h"
+#include "src/raster/primitive_setup.h"
+#include "src/raster/raw_vector.h"
+#include "src/raster/setup_context.h"
+#include "src/raster/tile_bins.h"
+#include "src/raster/vertex_transform.h"
+
+namespace ninebit {
+
+class DrawGeometry {
+ public:
+  // The arguments must outlive the geometry and have been checked; `drawn`, the pixels that may be drawn, are some.
+  // `packed` is memory to be used, which may come from an earlier draw.
+  DrawGeometry(const SetupContext& context, const glm::mat4& clip_from_object, const VertexArrays& arrays,
+               const TileGrid& grid, RawVector<PackedVertex>& packed);
+  DrawGeometry(const DrawGeometry&) = delete;
+  DrawGeometry& operator=(const DrawGeometry&) = delete;
+
+  [[nodiscard]] const TileGrid& grid() const { return grid_; }
+  [[nodiscard]] std::size_t blocks() const { return (items_ + items_per_block_ - 1) / items_per_block_; }
+  // So many blocks keep the threads busy, and take bounded memory.
+  [[nodiscard]] std::size_t blocks_per_chunk() const { return blocks_per_chunk_; }
+  // Replaces what is in `block`.
+  void set_up(std::size_t number, BinnedBlock& block) const;
+
+ private:
+  TileGrid grid_;
+  PrimitiveAssembly assembly_;
+  ClipPositions clip_;
+  std::optional<PrimitiveSetup> setup_;
+  std::size_t items_ = 0;
+  std::size_t items_per_block_ = 1;
+  std::size_t blocks_per_chunk_ = 1;
+};
+
+}  // namespace ninebit

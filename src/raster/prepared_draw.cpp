@@ -1,0 +1,177 @@
+#include "ninebit/raster/prepared_draw.h"
+
+#include <oneapi/tbb/parallel_for.h>
+
+#include <array>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "src/raster/arrays_check.h"
+#include "src/raster/draw_call.h"
+#include "src/raster/draw_context.h"
+#include "src/raster/draw_geometry.h"
+#include "src/raster/draw_scratch.h"
+#include "src/raster/pixel_probe.h"
+#include "src/raster/setup_context.h"
+#include "src/raster/target_check.h"
+#include "src/raster/tile_work.h"
+
+namespace ninebit {
+
+// Where `is_valid` is false, only memory is left.
+struct PreparedDraw::Geometry {
+  bool is_valid = false;
+  PipelineState state{};  // as far as the geometry depends on it
+  int width = 0;
+  int height = 0;
+  DepthStencilFormat format{};
+  PixelBox drawn{};
+  PrimitiveType type{};
+  std::size_t positions = 0;
+  std::span<const std::uint32_t> indices{};
+  std::vector<BinnedBlock> blocks{};
+  TileWork work{};
+};
+
+namespace {
+
+// What the geometry depends on; all else as it is by default.
+PipelineState geometry_state(const PipelineState& state) {
+  PipelineState s;
+  s.profile = state.profile;
+  s.viewport = state.viewport;
+  s.depth_near = state.depth_near;
+  s.depth_far = state.depth_far;
+  s.cull_face = state.cull_face;
+  s.front_face = state.front_face;
+  s.front_mode = state.front_mode;
+  s.back_mode = state.back_mode;
+  s.polygon_offset = state.polygon_offset;
+  s.point_size = state.point_size;
+  s.line_width = state.line_width;
+  s.scissor = state.scissor;
+  return s;
+}
+
+bool same(const PolygonOffset& a, const PolygonOffset& b) {
+  return a.fill == b.fill && a.line == b.line && a.point == b.point && a.factor == b.factor && a.units == b.units;
+}
+
+bool same(const PixelRect& a, const PixelRect& b) {
+  return a.x == b.x && a.y == b.y && a.width == b.width && a.height == b.height;
+}
+
+bool same(const PixelBox& a, const PixelBox& b) {
+  return a.left == b.left && a.bottom == b.bottom && a.right == b.right && a.top == b.top;
+}
+
+Status check_prepared(const PreparedDraw::Geometry& g, const PipelineState& state, const VertexArrays& arrays,
+                      const RenderTarget& target) {
+  const PipelineState& p = g.state;
+  struct Part {
+    bool is_same;
+    const char* name;
+  };
+  const std::array parts{
+      Part{g.width == target.width && g.height == target.height, "target's size"},
+      Part{g.format == target.format, "target's depth format"},
+      Part{same(p.viewport.value_or(PixelRect{0, 0, g.width, g.height}), viewport_of(state, target)), "viewport"},
+      Part{same(g.drawn, drawn_pixels(state, target)), "scissor"},
+      Part{p.depth_near == state.depth_near && p.depth_far == state.depth_far, "depth range"},
+      Part{p.cull_face == state.cull_face, "culling"},
+      Part{p.front_face == state.front_face, "front face"},
+      Part{p.front_mode == state.front_mode && p.back_mode == state.back_mode, "polygon mode"},
+      Part{same(p.polygon_offset, state.polygon_offset), "polygon offset"},
+      Part{p.profile.polygon_offset_slope.value == state.profile.polygon_offset_slope.value, "polygon offset's slope"},
+      Part{p.point_size == state.point_size, "point size"},
+      Part{p.line_width == state.line_width, "line width"},
+      Part{p.profile.subpixel_bits.value == state.profile.subpixel_bits.value, "number of subpixel bits"},
+      Part{g.type == arrays.type, "type of primitives"},
+      Part{g.positions == arrays.positions.size(), "number of positions"},
+      Part{g.indices.data() == arrays.indices.data() && g.indices.size() == arrays.indices.size(), "list of indices"},
+  };
+  for (const Part& part : parts) {
+    if (part.is_same) continue;
+    return Diagnostic{.message = std::string("the ") + part.name + " is another one than the draw was prepared with"};
+  }
+  return {};
+}
+
+// What drawing needs, in memory of its size.
+void keep(const BinnedBlock& block, BinnedBlock& to) {
+  to.setup.primitives.assign(block.setup.primitives.begin(), block.setup.primitives.end());
+  to.setup.weights = block.setup.weights;
+  to.indices.assign(block.indices.begin(), block.indices.end());
+  to.first_tile = block.first_tile;
+  to.first = block.first;
+}
+
+void set_up(const DrawGeometry& geometry, std::vector<BinnedBlock>& blocks) {
+  blocks.resize(geometry.blocks());
+  const auto set_up_block = [&](std::size_t b) {
+    const ScratchLease scratch;
+    if (scratch->blocks.empty()) scratch->blocks.resize(1);
+    geometry.set_up(b, scratch->blocks[0]);
+    keep(scratch->blocks[0], blocks[b]);
+  };
+  if (blocks.size() == 1) return set_up_block(0);
+  tbb::parallel_for(std::size_t{0}, blocks.size(), set_up_block);
+}
+
+}  // namespace
+
+PreparedDraw::PreparedDraw() = default;
+PreparedDraw::~PreparedDraw() = default;
+PreparedDraw::PreparedDraw(PreparedDraw&& other) noexcept = default;
+PreparedDraw& PreparedDraw::operator=(PreparedDraw&& other) noexcept = default;
+
+Status prepare(const PipelineState& state, const glm::mat4& clip_from_object, const VertexArrays& arrays,
+               const RenderTarget& target, PreparedDraw& prepared) {
+  if (!prepared.geometry_) prepared.geometry_ = std::make_unique<PreparedDraw::Geometry>();
+  PreparedDraw::Geometry& g = *prepared.geometry_;
+  g.is_valid = false;
+  g.state = geometry_state(state);
+  const RenderTarget bare_target{.width = target.width, .height = target.height, .format = target.format};
+  const VertexArrays bare_arrays{.type = arrays.type, .positions = arrays.positions, .indices = arrays.indices};
+  if (Status checked = check_draw(g.state, bare_arrays, {}, bare_target); !checked) return checked;
+  if (Status checked = check_indices(arrays); !checked) return checked;
+  g.width = target.width;
+  g.height = target.height;
+  g.format = target.format;
+  g.drawn = drawn_pixels(state, target);
+  g.type = arrays.type;
+  g.positions = arrays.positions.size();
+  g.indices = arrays.indices;
+  if (g.drawn.empty() || PrimitiveAssembly(arrays).primitives() == 0) {
+    g.blocks.clear();
+  } else {
+    const ScratchLease scratch;
+    const SetupContext setup(state, viewport_of(state, target), g.drawn, target.format);
+    const TileGrid grid(target.width, target.height);
+    const DrawGeometry geometry(setup, clip_from_object, bare_arrays, grid, scratch->packed);
+    set_up(geometry, g.blocks);
+  }
+  g.work.look_at(g.blocks);
+  g.is_valid = true;
+  return {};
+}
+
+Status rasterize(const PipelineState& state, const PreparedDraw& prepared, const VertexArrays& arrays,
+                 std::span<const TextureUnit> units, RenderTarget& target) {
+  if (!prepared.geometry_ || !prepared.geometry_->is_valid) return Diagnostic{.message = "no draw has been prepared"};
+  const PreparedDraw::Geometry& g = *prepared.geometry_;
+  if (Status checked = check_draw(state, arrays, units, target); !checked) return checked;
+  if (Status checked = check_prepared(g, state, arrays, target); !checked) return checked;
+  const DrawContext context(state, arrays, units, target);
+  if (Status checked = check_units(context); !checked) return checked;
+  if (g.work.tiles().empty()) return {};
+
+  std::unique_ptr<PixelProbe> probe;
+  if (target.probe != nullptr) probe = std::make_unique<PixelProbe>(state, arrays, units, target);
+  const TileGrid grid(target.width, target.height);
+  TileLoop(grid, g.drawn, context, target, probe.get()).draw(g.blocks, g.work);
+  return {};
+}
+
+}  // namespace ninebit

@@ -1,0 +1,108 @@
+#include "src/raster/tile_work.h"
+
+#include <oneapi/tbb/parallel_for.h>
+#include <oneapi/tbb/partitioner.h>
+#include <oneapi/tbb/task_arena.h>
+
+#include <algorithm>
+#include <atomic>
+
+namespace ninebit {
+namespace {
+
+// Starting a second thread takes some microseconds; so do so many primitives or pixels.
+constexpr std::size_t kFewPrimitives = 128;
+constexpr std::int64_t kFewPixels = 8192;
+
+bool is_little_work(std::span<const BinnedBlock> blocks) {
+  if (blocks.size() > 1 || blocks[0].setup.primitives.size() > kFewPrimitives) return false;
+  std::int64_t pixels = 0;
+  for (const SetupPrimitive& p : blocks[0].setup.primitives) {
+    pixels += std::int64_t{p.box.right - p.box.left + 1} * (p.box.top - p.box.bottom + 1);
+  }
+  return pixels <= kFewPixels;
+}
+
+// Calls visit(tile, entries) for the tiles in which the block has primitives.
+template <class Visit>
+void for_each_tile(const BinnedBlock& block, Visit visit) {
+  for (std::size_t i = 0; i + 1 < block.first.size(); ++i) {
+    const std::uint32_t entries = block.first[i + 1] - block.first[i];
+    if (entries > 0) visit(block.first_tile + static_cast<std::uint32_t>(i), entries);
+  }
+}
+
+}  // namespace
+
+void TileWork::look_at(std::span<const BinnedBlock> blocks) {
+  tiles_.clear();
+  blocks_.clear();
+  is_little_ = true;
+  std::uint32_t low = 0xFFFFFFFF, high = 0;
+  for (const BinnedBlock& block : blocks) {
+    if (block.indices.empty()) continue;
+    low = std::min(low, block.first_tile);
+    high = std::max(high, block.end_tile());
+  }
+  if (low >= high) return;
+  is_little_ = is_little_work(blocks);
+
+  tiles_.resize(high - low);
+  for (const BinnedBlock& block : blocks) {
+    for_each_tile(block, [&](std::uint32_t tile, std::uint32_t entries) {
+      ++tiles_[tile - low].block_count;
+      tiles_[tile - low].entries += entries;
+    });
+  }
+  std::uint32_t place = 0;
+  for (std::uint32_t i = 0; i < tiles_.size(); ++i) {
+    tiles_[i].tile = low + i;
+    tiles_[i].first_block = place;
+    place += tiles_[i].block_count;
+    tiles_[i].block_count = 0;
+  }
+  blocks_.resize(place);
+  for (std::uint32_t b = 0; b < blocks.size(); ++b) {
+    for_each_tile(blocks[b], [&](std::uint32_t tile, std::uint32_t) {
+      Tile& t = tiles_[tile - low];
+      blocks_[t.first_block + t.block_count++] = b;
+    });
+  }
+  std::erase_if(tiles_, [](const Tile& t) { return t.block_count == 0; });
+  std::sort(tiles_.begin(), tiles_.end(), [](const Tile& a, const Tile& b) { return a.entries > b.entries; });
+}
+
+void TileLoop::draw_tile(std::span<const BinnedBlock> blocks, const TileWork& work, const TileWork::Tile& tile,
+                         TileRasterizer& rasterizer) const {
+  const PixelBox pixels = grid_.pixels(tile.tile, drawn_);
+  if (pixels.empty()) return;
+  const std::span<const std::uint32_t> in_tile = work.blocks_of(tile);
+  if (probe_ != nullptr && probe_->lies_in(pixels)) {
+    probe_->meet_planes();
+    for (const std::uint32_t b : in_tile) probe_->run(blocks[b].setup, blocks[b].in_tile(tile.tile));
+  }
+  rasterizer.begin(pixels);
+  for (const std::uint32_t b : in_tile) rasterizer.draw(blocks[b].setup, blocks[b].in_tile(tile.tile));
+  rasterizer.end();
+}
+
+void TileLoop::draw(std::span<const BinnedBlock> blocks, const TileWork& work) {
+  const std::span<const TileWork::Tile> tiles = work.tiles();
+  if (tiles.empty()) return;
+  const std::size_t workers =
+      work.is_little() ? 1 : std::min(tiles.size(), static_cast<std::size_t>(tbb::this_task_arena::max_concurrency()));
+  if (rasterizers_.size() < workers) rasterizers_.resize(workers);
+  // Tiles cost differently: each worker takes the next one when it is done with the last.
+  std::atomic<std::size_t> next = 0;
+  const auto work_off = [&](std::size_t worker) {
+    std::size_t i = next++;
+    if (i >= tiles.size()) return;
+    std::unique_ptr<TileRasterizer>& rasterizer = rasterizers_[worker];
+    if (!rasterizer) rasterizer = std::make_unique<TileRasterizer>(context_, target_);
+    for (; i < tiles.size(); i = next++) draw_tile(blocks, work, tiles[i], *rasterizer);
+  };
+  if (workers == 1) return work_off(0);
+  tbb::parallel_for(std::size_t{0}, workers, work_off, tbb::simple_partitioner());
+}
+
+}  // namespace ninebit

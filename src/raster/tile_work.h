@@ -1,0 +1,65 @@
+// Blocks of binned primitives drawn tile by tile.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "src/raster/draw_context.h"
+#include "src/raster/pixel_probe.h"
+#include "src/raster/tile.h"
+#include "src/raster/tile_bins.h"
+
+namespace ninebit {
+
+// Which tiles have something to draw, and in which blocks.
+class TileWork {
+ public:
+  struct Tile {
+    std::uint32_t tile = 0;
+    std::uint32_t first_block = 0;  // its blocks' place in blocks()
+    std::uint32_t block_count = 0;
+    std::uint64_t entries = 0;  // primitives, as often as they are drawn here
+  };
+
+  // Replaces what was known of other blocks. These have been sorted into tiles.
+  void look_at(std::span<const BinnedBlock> blocks);
+
+  [[nodiscard]] std::span<const Tile> tiles() const { return tiles_; }
+  [[nodiscard]] std::span<const std::uint32_t> blocks_of(const Tile& tile) const {
+    return {blocks_.data() + tile.first_block, tile.block_count};
+  }
+  // Whether it is over before a second thread could have begun.
+  [[nodiscard]] bool is_little() const { return is_little_; }
+
+ private:
+  std::vector<Tile> tiles_;            // those with the most entries first
+  std::vector<std::uint32_t> blocks_;  // for each tile in ascending order
+  bool is_little_ = true;
+};
+
+// Draws with one draw call's state, in as many threads as there are.
+class TileLoop {
+ public:
+  // The arguments must outlive the loop. No probe: nullptr.
+  TileLoop(const TileGrid& grid, const PixelBox& drawn, const DrawContext& context, const RenderTarget& target,
+           PixelProbe* probe)
+      : grid_(grid), drawn_(drawn), context_(context), target_(target), probe_(probe) {}
+
+  // In drawing order within each tile: blocks in theirs, after those of earlier calls.
+  void draw(std::span<const BinnedBlock> blocks, const TileWork& work);
+
+ private:
+  void draw_tile(std::span<const BinnedBlock> blocks, const TileWork& work, const TileWork::Tile& tile,
+                 TileRasterizer& rasterizer) const;
+
+  const TileGrid& grid_;
+  const PixelBox& drawn_;
+  const DrawContext& context_;
+  const RenderTarget& target_;
+  PixelProbe* probe_;
+  std::vector<std::unique_ptr<TileRasterizer>> rasterizers_;  // one for each that works at a time
+};
+
+}  // namespace ninebit

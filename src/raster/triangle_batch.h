@@ -1,0 +1,46 @@
+// Filled triangles set up several at a time.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "src/raster/polygon_offset.h"
+#include "src/raster/primitive_assembly.h"
+#include "src/raster/setup_context.h"
+#include "src/raster/setup_primitive.h"
+#include "src/raster/vertex_transform.h"
+
+namespace ninebit {
+
+// Vertex numbers times four have to fit into signed 32 bits.
+inline constexpr std::size_t kMaxPackedVertices = std::size_t{1} << 29;
+
+struct TriangleBatch {
+  const SetupContext& context;        // its polygon modes are both `fill`
+  const PrimitiveAssembly& assembly;  // triangles, a strip or a fan
+  const PackedVertex* vertices;
+  int tile_columns;
+};
+
+// Where to write: room for every triangle of the range.
+struct TriangleBatchOutput {
+  SetupPrimitive* primitives;
+  std::uint32_t* tile;  // of each, see BinnedBlock::tile
+};
+
+struct TriangleBatchResult {
+  std::size_t count = 0;  // primitives written
+  // What was written comes of the triangles before `first_left_over`. Of those from there to `next`, the bits of
+  // `left_over` name the ones that may be drawn, and set_up_triangle has to set up: some are clipped or large.
+  std::size_t first_left_over = 0;
+  std::uint64_t left_over = 0;
+  std::size_t next = 0;
+};
+
+// Sets up the triangles from `begin` until `end` or the first ones that it has to leave over, in order. What it writes
+// is what set_up_triangle would, without those that cover no pixel's centre, and with those that draw a single pixel
+// as such.
+[[nodiscard]] TriangleBatchResult set_up_triangles(const TriangleBatch& batch, std::size_t begin, std::size_t end,
+                                                   const TriangleBatchOutput& out);
+
+}  // namespace ninebit

@@ -1,0 +1,117 @@
+// What becomes of the candidates of triangle_batch.cpp, in whose per-target namespace this is read.
+
+HWY_INLINE VD as_double(const std::int32_t* lanes) {
+  return hn::PromoteTo(kDD, hn::Load(kHalfI, lanes));
+}
+
+struct Depths {
+  alignas(64) Candidates::Lanes corner[3];
+  alignas(64) Candidates::Lanes inv_w[3];
+  alignas(64) Candidates::Lanes pixel;
+  alignas(64) Candidates::Lanes offset;
+};
+
+HWY_INLINE void gather_depths(const TriangleBatch& batch, const Candidates& c, Depths& to) {
+  for (std::size_t i = 0; i < c.count; i += hn::Lanes(kDI)) {
+    const MI swapped = hn::TestBit(hn::Load(kDI, c.kind + i), set(kSwapped));
+    const VI second = hn::Load(kDI, c.vertex[1] + i), third = hn::Load(kDI, c.vertex[2] + i);
+    const VI vertex[3] = {hn::Load(kDI, c.vertex[0] + i), hn::IfThenElse(swapped, third, second),
+                          hn::IfThenElse(swapped, second, third)};
+    for (int k = 0; k < 3; ++k) {
+      hn::Store(word_of(batch, 2, vertex[k]), kDI, to.corner[k] + i);
+      hn::Store(word_of(batch, 3, vertex[k]), kDI, to.inv_w[k] + i);
+    }
+  }
+}
+
+// The depth plane at the pixel, rounded to nearest, halves up: floor((2 Σ e z + area) / (2 area)). Numerator and
+// denominator are exact; a quotient that is not whole is at least 2^-27 from the next whole number, which rounding to
+// 53 bits cannot reach: it is below 2^24.
+HWY_INLINE void find_pixel_depths(const Candidates& c, Depths& to) {
+  for (std::size_t i = 0; i < c.count; i += hn::Lanes(kDD)) {
+    const VD e0 = as_double(c.edge[0] + i), e1 = as_double(c.edge[1] + i), e2 = as_double(c.edge[2] + i);
+    const VD area = hn::Add(hn::Add(e0, e1), e2);
+    const VD wide = hn::Add(hn::Add(hn::Mul(e0, as_double(to.corner[0] + i)), hn::Mul(e1, as_double(to.corner[1] + i))),
+                            hn::Mul(e2, as_double(to.corner[2] + i)));
+    const VD z = hn::Div(hn::Add(hn::Add(wide, wide), area), hn::Add(area, area));
+    hn::Store(hn::DemoteTo(kHalfI, z), kHalfI, to.pixel + i);
+  }
+}
+
+// As depth_plane() and polygon_offset_z24().
+HWY_INLINE void find_offsets(const SetupContext& context, const Candidates& c, Depths& to) {
+  const auto factor = hn::Set(kDD, static_cast<double>(context.offset.factor));
+  const auto units = hn::Set(kDD, static_cast<double>(context.offset.units) *
+                                      static_cast<double>(context.window.depth().step_z24()));
+  const VD limit = hn::Set(kDD, 0x1p25), sixteen = hn::Set(kDD, 16.0);
+  for (std::size_t i = 0; i < c.count; i += hn::Lanes(kDD)) {
+    const auto difference = [i](const Candidates::Lanes(&v)[3], int k) HWY_ATTR {
+      return hn::Sub(as_double(v[k] + i), as_double(v[0] + i));
+    };
+    const VD bx = difference(c.x, 1), by = difference(c.y, 1), cx = difference(c.x, 2), cy = difference(c.y, 2);
+    const VD bz = difference(to.corner, 1), cz = difference(to.corner, 2);
+    const VD area = hn::Abs(hn::Sub(hn::Mul(bx, cy), hn::Mul(by, cx)));
+    const VD dx = hn::Mul(sixteen, hn::Abs(hn::Sub(hn::Mul(bz, cy), hn::Mul(cz, by))));
+    const VD dy = hn::Mul(sixteen, hn::Abs(hn::Sub(hn::Mul(bx, cz), hn::Mul(cx, bz))));
+    VD m = hn::Div(hn::Max(dx, dy), area);
+    if (context.slope == OffsetSlope::root) {
+      const VD sx = hn::Div(dx, area), sy = hn::Div(dy, area);
+      m = hn::Sqrt(hn::Add(hn::Mul(sx, sx), hn::Mul(sy, sy)));
+    }
+    const VD sum = hn::Add(hn::Mul(factor, m), units);
+    const VD within = hn::Min(hn::Max(sum, hn::Neg(limit)), limit);
+    hn::Store(hn::DemoteTo(kHalfI, hn::Floor(hn::Add(within, hn::Set(kDD, 0.5)))), kHalfI, to.offset + i);
+  }
+}
+
+// Writes the candidates where `out` points, and moves it.
+HWY_INLINE void write(const TriangleBatch& batch, const Candidates& c, const Depths& d, TriangleBatchOutput& out) {
+  constexpr std::size_t kRow = 16, kRows = sizeof(SetupPrimitive) / kRow;
+  static_assert(kRows == 6 && offsetof(SetupPrimitive, weights) == 28 && offsetof(SetupPrimitive, vertex) == 80);
+  static_assert(std::endian::native == std::endian::little);
+  static_assert(kTileSize == 64);
+  const bool is_offset = batch.context.is_offset(PolygonMode::fill);
+  for (std::size_t i = 0; i < c.count; i += hn::Lanes(kDI)) {
+    const auto load = [i](const Candidates::Lanes& lanes) HWY_ATTR { return hn::Load(kDI, lanes + i); };
+    const VI low = load(c.low), high = load(c.high), kind = load(c.kind);
+    const MI is_pixel = hn::Ne(hn::And(kind, set(0xFF)), set(0));
+    const MI is_swapped = hn::TestBit(kind, set(kSwapped));
+    alignas(64) std::int32_t rows[kRows][4 * 16];
+    const VI zero = set(0);
+    hn::StoreInterleaved4(low, high, hn::IfThenElseZero(is_pixel, load(d.pixel)), load(c.primitive), kDI, rows[0]);
+    hn::StoreInterleaved4(is_offset ? load(d.offset) : zero, kind, hn::IfThenElse(is_swapped, set(1), set(2)),
+                          set(static_cast<std::int32_t>(kNoWeights)), kDI, rows[1]);
+    hn::StoreInterleaved4(load(c.x[0]), load(c.x[1]), load(c.x[2]), load(c.y[0]), kDI, rows[2]);
+    hn::StoreInterleaved4(load(c.y[1]), load(c.y[2]), load(d.corner[0]), load(d.corner[1]), kDI, rows[3]);
+    hn::StoreInterleaved4(load(d.corner[2]), load(d.inv_w[0]), load(d.inv_w[1]), load(d.inv_w[2]), kDI, rows[4]);
+    hn::StoreInterleaved4(load(c.vertex[0]), load(c.vertex[1]), load(c.vertex[2]), zero, kDI, rows[5]);
+    const auto tile_at = [&batch](VI corner) HWY_ATTR {
+      const VI row = hn::Mul(hn::ShiftRight<22>(corner), set(batch.tile_columns));
+      return hn::Add(row, hn::ShiftRight<6>(hn::And(corner, set(0xFFFF))));
+    };
+    const VI tile = tile_at(low);
+    const std::size_t count = c.count - i < hn::Lanes(kDI) ? c.count - i : hn::Lanes(kDI);
+    alignas(64) std::int32_t tiles[16];
+    hn::Store(hn::IfThenElse(hn::Eq(tile, tile_at(high)), tile, set(static_cast<std::int32_t>(kSeveralTiles))), kDI,
+              tiles);
+    std::memcpy(out.tile, tiles, count * sizeof(std::int32_t));
+    for (std::size_t k = 0; k < count; ++k) {
+      for (std::size_t r = 0; r < kRows; ++r) {
+        std::memcpy(reinterpret_cast<unsigned char*>(out.primitives + k) + kRow * r, rows[r] + 4 * k, kRow);
+      }
+    }
+    out.primitives += count;
+    out.tile += count;
+  }
+}
+
+HWY_NOINLINE void write_candidates(const TriangleBatch& batch, Candidates& c, TriangleBatchOutput& out) {
+  if (c.count == 0) return;
+  Depths depths;
+  gather_depths(batch, c, depths);
+  if (c.has_pixels) find_pixel_depths(c, depths);
+  if (batch.context.is_offset(PolygonMode::fill)) find_offsets(batch.context, c, depths);
+  write(batch, c, depths, out);
+  c.count = 0;
+  c.has_pixels = false;
+}
