@@ -1,4 +1,4 @@
-// Writing pictures. The only room that knows OpenImageIO (PNG) and OpenEXR (EXR).
+// Writing pictures: PNG by libpng, EXR by OpenEXR.
 //
 // All planes are row-major, row 0 at the TOP of the picture. Every writer reports an error (Fault::cannot_write, naming
 // the file) when the file could not be opened, written to the last byte or closed; it then leaves no complete-looking
