@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 
 // A room knows the rooms of a lower rank and itself. scene and image do not know each other.
 const std::map<std::string, int> kRank{{"numerics", 0}, {"combiner", 1}, {"language", 2}, {"raster", 3}, {"scene", 4},
-                                       {"image", 4},    {"shadow", 5},   {"study", 6},    {"tools", 7},  {"bench", 7}};
+                                       {"image", 4},    {"shadow", 5},   {"study", 6},    {"bench", 7},  {"tools", 8}};
 
 // Outside libraries and the rooms that may include them. Besides these there is only the standard library, whose
 // headers have neither a dot nor a slash in their names.
