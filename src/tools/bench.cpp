@@ -27,6 +27,7 @@ void add_bench(CLI::App& app, int& exit_code) {
   verb->require_subcommand(1);
   verb->footer("Example: ninebit bench combiner\n`ninebit bench PART --help` tells a part's flags.");
   add_bench_combiner(*verb, exit_code);
+  add_bench_raster(*verb, exit_code);
   add_bench_frame(*verb, exit_code);
 }
 
