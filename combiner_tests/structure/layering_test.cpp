@@ -34,7 +34,7 @@ const std::vector<Library> kLibraries{
     {std::regex("CLI/.*|openssl/.*"), {"tools"}},
     {std::regex("nlohmann/.*"), {"language", "scene", "study", "tools"}},
     {std::regex("unistd\\.h|fcntl\\.h|poll\\.h|sys/.*"), {"image", "tools"}},
-    {std::regex("benchmark/.*"), {"bench"}},
+    {std::regex("benchmark/.*|EGL/.*|GL/glcorearb\\.h|dlfcn\\.h|stdlib\\.h"), {"bench"}},
 };
 
 // The room that a path of ours belongs to: "ninebit/ROOM/…" or "src/ROOM/…".

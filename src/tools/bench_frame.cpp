@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "src/bench/generated_scene.h"
+#include "src/bench/llvmpipe_frame.h"
 #include "src/bench/timing.h"
 #include "src/shadow/index_cube_renderer.h"
 #include "src/tools/bench.h"
@@ -17,6 +18,7 @@ struct FrameFlags {
   BenchFlags bench;
   SceneFlags scene;
   std::uint32_t triangles = 100'000;
+  std::string rival;
 };
 
 constexpr std::size_t kFewestFrames = 3;
@@ -57,6 +59,32 @@ Status measure(IndexCubeRenderer& renderer, double seconds, ProgressLine& line, 
   return {};
 }
 
+struct RivalTimes {
+  std::string renderer;
+  std::vector<double> total;  // milliseconds of each frame
+  std::uint64_t shadow_pixels_that_differ = 0;
+};
+
+// The same for the rival, whose last picture is then compared with ours.
+Status measure_rival(bench::LlvmpipeFrame& rival, const Rendering& ours, double seconds, ProgressLine& line,
+                     RivalTimes& times) {
+  times.renderer = rival.renderer();
+  rival.draw();
+  const auto start = bench::Clock::now();
+  while (times.total.size() < kFewestFrames || bench::seconds_since(start) < seconds) {
+    if (!line.step("frames of the rival", bench::seconds_since(start) / seconds)) {
+      return Diagnostic{.message = "interrupted", .fault = Fault::cancelled};
+    }
+    times.total.push_back(1e3 * bench::seconds_of([&] { rival.draw(); }));
+  }
+  const auto stencil = rival.stencil();
+  if (!stencil) return stencil.error();
+  for (std::size_t i = 0; i < stencil->size(); ++i) {
+    if (stencil->at(i) != ours.frame.stencil()[i]) ++times.shadow_pixels_that_differ;
+  }
+  return {};
+}
+
 Json json_of(const bench::Spread& spread) {
   return {{"median", spread.median}, {"min", spread.min}, {"max", spread.max}};
 }
@@ -76,9 +104,28 @@ int bench_frame(const FrameFlags& flags) {
   if (!renderer) return line.reset(), report(renderer.error());
   const double setup_ms = 1e3 * bench::seconds_since(start);
 
+  // Before the work, so that a machine without it says so at once.
+  std::unique_ptr<bench::LlvmpipeFrame> rival;
+  if (!flags.rival.empty()) {
+    auto made = bench::LlvmpipeFrame::make(*scene, settings, *renderer, thread_count(common));
+    if (!made) {
+      line.reset();
+      say(fmt::format("ninebit: error: --rival {} cannot be had: {}\n", flags.rival, made.error().text()));
+      return kWrongUsage;
+    }
+    rival = std::move(*made);
+  }
+
   FrameTimes times;
   if (Status done = measure(*renderer, flags.bench.time_limit(), *line, times); !done) {
     return line.reset(), report(done.error());
+  }
+  RivalTimes rival_times;
+  if (rival) {
+    const double seconds = flags.bench.time_limit();
+    if (Status done = measure_rival(*rival, renderer->rendering(), seconds, *line, rival_times); !done) {
+      return line.reset(), report(done.error());
+    }
   }
   line.reset();
 
@@ -95,20 +142,36 @@ int bench_frame(const FrameFlags& flags) {
                                    settings.map_size, settings.map_size, threads, times.total.size());
     text += fmt::format("{:.2f} ms a frame (median; {:.2f} to {:.2f})\n", total.median, total.min, total.max);
     for (const auto& [name, ms] : passes.items()) text += fmt::format("  {:<8} {:9.2f} ms\n", name, ms.get<double>());
+    if (rival) {
+      const bench::Spread theirs = bench::spread_of(rival_times.total);
+      text +=
+          fmt::format("{}: {:.2f} ms a frame ({:.2f} to {:.2f}), {:.2f} times ours; {} of {} shadow pixels differ\n",
+                      rival_times.renderer, theirs.median, theirs.min, theirs.max, theirs.median / total.median,
+                      rival_times.shadow_pixels_that_differ, renderer->rendering().frame.stencil().size());
+    }
     return answer(text);
   }
-  const Json out{{"command", "bench frame"},
-                 {"version", NINEBIT_VERSION},
-                 {"profile", common.profile},
-                 {"scene", flags.scene.file.empty() ? "generated" : flags.scene.file},
-                 {"triangles", scene->triangles.size()},
-                 {"threads", threads},
-                 {"size", {settings.width, settings.height}},
-                 {"map_size", settings.map_size},
-                 {"ms_per_frame", json_of(total)},
-                 {"passes", passes},
-                 {"frames", times.total.size()},
-                 {"setup_ms", setup_ms}};
+  Json out{{"command", "bench frame"},
+           {"version", NINEBIT_VERSION},
+           {"profile", common.profile},
+           {"scene", flags.scene.file.empty() ? "generated" : flags.scene.file},
+           {"triangles", scene->triangles.size()},
+           {"threads", threads},
+           {"size", {settings.width, settings.height}},
+           {"map_size", settings.map_size},
+           {"ms_per_frame", json_of(total)},
+           {"passes", passes},
+           {"frames", times.total.size()},
+           {"setup_ms", setup_ms}};
+  if (rival) {
+    const bench::Spread theirs = bench::spread_of(rival_times.total);
+    out["rival"] = {{"name", flags.rival},
+                    {"renderer", rival_times.renderer},
+                    {"threads", threads},
+                    {"ms_per_frame", json_of(theirs)},
+                    {"ratio", theirs.median / total.median},
+                    {"shadow_pixels_that_differ", rival_times.shadow_pixels_that_differ}};
+  }
   return answer(out.dump(2) + "\n");
 }
 
@@ -119,7 +182,7 @@ void add_bench_frame(CLI::App& bench, int& exit_code) {
   verb->footer(
       "Examples:\n"
       "  ninebit bench frame scenes/index_room.gltf\n"
-      "  ninebit bench frame --triangles 1000000 --json");
+      "  ninebit bench frame --triangles 1000000 --rival llvmpipe --json");
   auto flags = std::make_shared<FrameFlags>();
   add_bench_flags(*verb, flags->bench);
   CLI::Option* file = add_scene_file(*verb, "scene", flags->scene);
@@ -127,6 +190,8 @@ void add_bench_frame(CLI::App& bench, int& exit_code) {
       ->capture_default_str()
       ->check(CLI::Range(bench::kFewestTriangles, bench::kMostTriangles))
       ->excludes(file);
+  verb->add_option("--rival", flags->rival, "Also draw the same frame by Mesa's llvmpipe, with as many threads")
+      ->check(CLI::IsMember({"llvmpipe"}));
   add_scene_flags(*verb, flags->scene);
   verb->callback([flags, &exit_code] { exit_code = bench_frame(*flags); });
 }
