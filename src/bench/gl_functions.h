@@ -9,12 +9,13 @@ namespace ninebit::bench {
 
 #define NINEBIT_GL_FUNCTIONS(X)                                                                                       \
   X(ATTACHSHADER, AttachShader)                                                                                       \
-  X(BINDBUFFER, BindBuffer) X(BINDFRAMEBUFFER, BindFramebuffer) X(BINDRENDERBUFFER, BindRenderbuffer) X(              \
-      BINDTEXTURE, BindTexture) X(BINDVERTEXARRAY, BindVertexArray) X(BUFFERDATA, BufferData)                         \
-      X(CHECKFRAMEBUFFERSTATUS, CheckFramebufferStatus) X(CLEAR, Clear) X(CLEARCOLOR, ClearColor) X(                  \
-          COLORMASK, ColorMask) X(COMPILESHADER, CompileShader) X(CREATEPROGRAM, CreateProgram)                       \
-          X(CREATESHADER, CreateShader) X(CULLFACE, CullFace) X(DEPTHFUNC, DepthFunc) X(DEPTHMASK, DepthMask) X(      \
-              DISABLE, Disable) X(DRAWELEMENTS, DrawElements) X(ENABLE, Enable)                                       \
+  X(BINDBUFFER, BindBuffer)                                                                                           \
+  X(BINDFRAMEBUFFER, BindFramebuffer)                                                                                 \
+  X(BINDRENDERBUFFER, BindRenderbuffer) X(BINDTEXTURE, BindTexture) X(BINDVERTEXARRAY, BindVertexArray) X(            \
+      BUFFERDATA, BufferData) X(CHECKFRAMEBUFFERSTATUS, CheckFramebufferStatus) X(CLEAR, Clear)                       \
+      X(CLEARCOLOR, ClearColor) X(COLORMASK, ColorMask) X(COMPILESHADER, CompileShader) X(                            \
+          CREATEPROGRAM, CreateProgram) X(CREATESHADER, CreateShader) X(CULLFACE, CullFace) X(DEPTHFUNC, DepthFunc)   \
+          X(DEPTHMASK, DepthMask) X(DISABLE, Disable) X(DRAWELEMENTS, DrawElements) X(ENABLE, Enable)                 \
               X(ENABLEVERTEXATTRIBARRAY, EnableVertexAttribArray) X(FINISH, Finish) X(                                \
                   FRAMEBUFFERRENDERBUFFER, FramebufferRenderbuffer) X(FRAMEBUFFERTEXTURE2D, FramebufferTexture2D)     \
                   X(GENBUFFERS, GenBuffers) X(GENFRAMEBUFFERS, GenFramebuffers) X(GENRENDERBUFFERS, GenRenderbuffers) \

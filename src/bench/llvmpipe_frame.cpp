@@ -197,51 +197,57 @@ class Frame final : public LlvmpipeFrame {
   }
 
   template <class T>
-  GLuint buffer(GLenum target, const std::vector<T>& data) {
+  GLuint buffer(const std::vector<T>& data) {
     GLuint name = 0;
     gl_.GenBuffers(1, &name);
-    gl_.BindBuffer(target, name);
-    gl_.BufferData(target, static_cast<GLsizeiptr>(data.size() * sizeof(T)), data.data(), GL_STATIC_DRAW);
+    gl_.BindBuffer(GL_ARRAY_BUFFER, name);
+    gl_.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(data.size() * sizeof(T)), data.data(), GL_STATIC_DRAW);
     return name;
   }
 
-  // Each pass gets a vertex array object with the attributes that it reads; all share positions and indices.
+  // A vertex array object with positions alone.
+  GLuint vertex_array(GLuint positions, GLuint indices) {
+    GLuint name = 0;
+    gl_.GenVertexArrays(1, &name);
+    gl_.BindVertexArray(name);
+    gl_.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices);
+    gl_.BindBuffer(GL_ARRAY_BUFFER, positions);
+    gl_.VertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, 0, nullptr);
+    gl_.EnableVertexAttribArray(0);
+    return name;
+  }
+
+  // Each pass gets a vertex array object with the attributes that it reads. Those with flat colours need more vertices
+  // than the others. All of them begin each triangle at the same corner, so that its depths are the same.
   void upload(const Scene& scene, const IndexCubeRenderer& ours) {
-    const ProvokingVertices mesh = provoking_vertices(scene.triangles, ours.index_colors(), scene.positions.size());
-    std::vector<glm::vec3> positions;
-    std::vector<ColorBytes> lit, shadowed;
-    for (const std::uint32_t v : mesh.source) {
-      positions.push_back(scene.positions[v]);
-      lit.push_back(ours.shading().lit[v]);
-      shadowed.push_back(ours.shading().shadowed[v]);
-    }
-    indices_ = static_cast<GLsizei>(3 * mesh.triangles.size());
-    gl_.BindVertexArray(0);
-    const GLuint position = buffer(GL_ARRAY_BUFFER, positions), index = buffer(GL_ARRAY_BUFFER, mesh.colors);
-    const GLuint lit_colors = buffer(GL_ARRAY_BUFFER, lit), shadow_colors = buffer(GL_ARRAY_BUFFER, shadowed);
-    GLuint elements = 0;
-    const auto make = [&](Pass& pass, GLuint colors) {
-      gl_.GenVertexArrays(1, &pass.vertices);
-      gl_.BindVertexArray(pass.vertices);
-      if (elements == 0) elements = buffer(GL_ELEMENT_ARRAY_BUFFER, mesh.triangles);
-      gl_.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, elements);
-      gl_.BindBuffer(GL_ARRAY_BUFFER, position);
-      gl_.VertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, 0, nullptr);
-      gl_.EnableVertexAttribArray(0);
-      if (colors == 0) return;
-      gl_.BindBuffer(GL_ARRAY_BUFFER, colors);
-      if (&pass == &compare_) {
-        gl_.VertexAttribIPointer(1, 4, GL_UNSIGNED_BYTE, 0, nullptr);
-      } else {
-        gl_.VertexAttribPointer(1, 4, GL_UNSIGNED_BYTE, GL_TRUE, 0, nullptr);
-      }
+    const ProvokingVertices flat = provoking_vertices(scene.triangles, ours.index_colors(), scene.positions.size());
+    std::vector<glm::vec3> flat_positions;
+    for (const std::uint32_t v : flat.source) flat_positions.push_back(scene.positions[v]);
+    std::vector<glm::uvec3> smooth_triangles = flat.triangles;
+    for (glm::uvec3& t : smooth_triangles) t = {flat.source[t.x], flat.source[t.y], flat.source[t.z]};
+    indices_ = static_cast<GLsizei>(3 * flat.triangles.size());
+
+    const GLuint flat_vertices = buffer(flat_positions), flat_indices = buffer(flat.triangles);
+    const GLuint index_colors = buffer(flat.colors);
+    map_.vertices = vertex_array(flat_vertices, flat_indices);
+    gl_.BindBuffer(GL_ARRAY_BUFFER, index_colors);
+    gl_.VertexAttribPointer(1, 4, GL_UNSIGNED_BYTE, GL_TRUE, 0, nullptr);
+    gl_.EnableVertexAttribArray(1);
+    compare_.vertices = vertex_array(flat_vertices, flat_indices);
+    gl_.BindBuffer(GL_ARRAY_BUFFER, index_colors);
+    gl_.VertexAttribIPointer(1, 4, GL_UNSIGNED_BYTE, 0, nullptr);
+    gl_.EnableVertexAttribArray(1);
+
+    const GLuint vertices = buffer(scene.positions), indices = buffer(smooth_triangles);
+    depth_.vertices = vertex_array(vertices, indices);
+    for (const auto& [pass, colors] :
+         {std::pair{&lit_, &ours.shading().lit}, std::pair{&shadow_, &ours.shading().shadowed}}) {
+      const GLuint shades = buffer(*colors);
+      pass->vertices = vertex_array(vertices, indices);
+      gl_.BindBuffer(GL_ARRAY_BUFFER, shades);
+      gl_.VertexAttribPointer(1, 4, GL_UNSIGNED_BYTE, GL_TRUE, 0, nullptr);
       gl_.EnableVertexAttribArray(1);
-    };
-    make(map_, index);
-    make(depth_, 0);
-    make(compare_, index);
-    make(lit_, lit_colors);
-    make(shadow_, shadow_colors);
+    }
   }
 
   GLuint renderbuffer(GLenum format, int width, int height) {

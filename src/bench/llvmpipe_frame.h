@@ -19,8 +19,8 @@ namespace ninebit::bench {
 // Its rasterization rules differ a little from ours, so that pixels along edges differ.
 class LlvmpipeFrame {
  public:
-  // The frame that `renderer` draws, with `threads` threads for tiles. Reports what EglContext::make reports, and what
-  // the driver refuses; --light-facing is not drawn.
+  // The frame that `renderer` draws, with `threads` threads for tiles. settings.light_facing must be false.
+  // Reports what EglContext::make reports, and what the driver refuses.
   [[nodiscard]] static Result<std::unique_ptr<LlvmpipeFrame>> make(const Scene& scene, const RenderSettings& settings,
                                                                    const IndexCubeRenderer& renderer, int threads);
   virtual ~LlvmpipeFrame() = default;

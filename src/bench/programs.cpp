@@ -52,41 +52,59 @@ CombinerState heavy_state() {
   return state;
 }
 
-// Stages take turns in what they do, so that each has work that no other stage makes superfluous: every register that
-// is written is read by the next stage.
+// What the RGB portion of the stages does in turn, from what the last stage left in `last0` and `last1`.
+Portion eight_rgb(std::size_t stage, R last0, R last1, R texture) {
+  switch (stage % 4) {
+    case 0:  // a dot product, and a modulation beside it
+      return {{last0, signed_identity, kRgb},
+              {last1, half_bias_negate, kRgb},
+              {texture, unsigned_identity, kRgb},
+              {last1, unsigned_invert, kRgb},
+              {.ab = R::spare0, .cd = R::spare1, .sum = R::discard, .scale = Scale::by_two, .ab_dot_product = true}};
+    case 1:  // a weighted sum
+      return {{last0, signed_identity, kRgb},
+              {R::constant0, unsigned_identity, kRgb},
+              {last1, signed_negate, kRgb},
+              {texture, expand_normal, kRgb},
+              {.cd = R::spare1, .sum = R::spare0}};
+    case 2:  // a choice
+      return {{last0, half_bias_normal, kRgb},
+              {texture, unsigned_invert, kRgb},
+              {last1, expand_negate, kRgb},
+              {R::constant0, unsigned_identity, kRgb},
+              {.ab = R::spare1, .sum = R::spare0, .scale = Scale::by_two, .mux_sum = true}};
+    default:  // two modulations, expanded afterwards
+      return {{last0, unsigned_invert, kRgb},
+              {R::constant0, unsigned_identity, kRgb},
+              {last1, unsigned_invert, kRgb},
+              {texture, unsigned_identity, kRgb},
+              {.ab = R::spare0,
+               .cd = R::spare1,
+               .sum = R::discard,
+               .scale = Scale::by_two,
+               .bias = Bias::by_negative_one_half}};
+  }
+}
+
+// All that a stage writes is read by the next one, and no stage drowns what the stages before it computed.
 CombinerState eight_state() {
   constexpr std::array kTextures{R::texture0, R::texture1, R::texture2, R::texture3};
-  constexpr std::array kMappings{expand_normal, unsigned_invert,   half_bias_normal, signed_identity,
-                                 expand_negate, unsigned_identity, half_bias_negate, signed_negate};
   CombinerState state = heavy_state();
   state.num_general_combiners = 8;
   state.per_stage_constants = true;
   for (std::size_t i = 0; i < 8; ++i) {
     GeneralCombiner& stage = state.general[i];
-    const float share = static_cast<float>(i + 1) / 9.0F;
-    stage.constant0 = {share, 1.0F - share, 0.5F * share, 0.7F};
-    stage.constant1 = {0.4F, share, 0.9F, 1.0F - share};
+    const float share = static_cast<float>(i) / 32.0F;
+    stage.constant0 = {0.7F + share, 0.95F - share, 0.8F, 1.0F};
+    stage.constant1 = {1.0F, 1.0F, 1.0F, 0.65F + share};
     // The first stage has nothing yet to read in the spare registers.
     const R last0 = i == 0 ? R::primary : R::spare0, last1 = i == 0 ? R::secondary : R::spare1;
-    const R texture = kTextures[i % 4], next_texture = kTextures[(i + 1) % 4];
-    const bool dot = i % 4 == 0, mux = i % 4 == 2;
-    stage.rgb = {{last0, signed_identity, kRgb},
-                 {texture, kMappings[i], kRgb},
-                 {last1, signed_identity, kRgb},
-                 {R::constant0, unsigned_identity, kRgb},
-                 {.ab = R::spare0, .cd = R::spare1, .sum = R::discard, .scale = Scale::by_two, .ab_dot_product = dot}};
-    if (!dot) {
-      stage.rgb.out = {.cd = R::spare1,
-                       .sum = R::spare0,
-                       .scale = i % 2 == 0 ? Scale::none : Scale::by_two,
-                       .bias = i % 4 == 3 ? Bias::by_negative_one_half : Bias::none,
-                       .mux_sum = mux};
-    }
-    stage.alpha = {{last0, signed_identity, kA},
-                   {next_texture, kMappings[(i + 3) % 8], kA},
-                   {last1, signed_identity, kB},
+    stage.rgb = eight_rgb(i, last0, last1, kTextures[i % 4]);
+    stage.alpha = {{last0, i % 2 == 0 ? signed_identity : unsigned_invert, kA},
                    {R::constant1, unsigned_identity, kA},
-                   {.cd = R::spare1, .sum = R::spare0, .scale = i % 2 == 0 ? Scale::by_two : Scale::none}};
+                   {last1, i % 2 == 0 ? unsigned_invert : signed_negate, kA},
+                   {kTextures[(i + 1) % 4], i % 2 == 0 ? half_bias_normal : expand_normal, kA},
+                   {.cd = R::spare1, .sum = R::spare0, .scale = i == 5 ? Scale::by_one_half : Scale::none}};
   }
   return state;
 }

@@ -190,9 +190,11 @@ void add_bench_frame(CLI::App& bench, int& exit_code) {
       ->capture_default_str()
       ->check(CLI::Range(bench::kFewestTriangles, bench::kMostTriangles))
       ->excludes(file);
-  verb->add_option("--rival", flags->rival, "Also draw the same frame by Mesa's llvmpipe, with as many threads")
-      ->check(CLI::IsMember({"llvmpipe"}));
+  CLI::Option* rival =
+      verb->add_option("--rival", flags->rival, "Also draw the same frame by Mesa's llvmpipe, with as many threads")
+          ->check(CLI::IsMember({"llvmpipe"}));
   add_scene_flags(*verb, flags->scene);
+  rival->excludes(verb->get_option("--light-facing"));
   verb->callback([flags, &exit_code] { exit_code = bench_frame(*flags); });
 }
 
