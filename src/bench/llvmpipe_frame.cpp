@@ -3,9 +3,11 @@
 #ifdef NINEBIT_HAS_EGL
 #include <array>
 #include <glm/gtc/type_ptr.hpp>
+#include <tuple>
 #include <utility>
 
 #include "src/bench/gl_functions.h"
+#include "src/bench/llvmpipe_shaders.h"
 #include "src/bench/provoking_vertices.h"
 #endif
 #include "src/bench/egl_context.h"
@@ -14,50 +16,6 @@ namespace ninebit::bench {
 
 #ifdef NINEBIT_HAS_EGL
 namespace {
-
-constexpr const char* kHeader = "#version 330 core\n";
-
-// All passes of the camera compute the position alike, so that the depth test EQUAL meets the very depth.
-constexpr const char* kCameraPosition =
-    "layout(location = 0) in vec3 position;\n"
-    "uniform mat4 projection;\n"
-    "invariant gl_Position;\n";
-
-constexpr const char* kMapVertex =
-    "layout(location = 0) in vec3 position;\n"
-    "layout(location = 1) in vec4 index;\n"
-    "uniform mat4 projection;\n"
-    "uniform vec3 light;\n"
-    "flat out vec4 own;\n"
-    "void main() { gl_Position = projection * vec4(position - light, 1.0); own = index; }\n";
-constexpr const char* kMapFragment =
-    "flat in vec4 own;\n"
-    "layout(location = 0) out vec4 color;\n"
-    "void main() { color = own; }\n";
-
-constexpr const char* kDepthVertex = "void main() { gl_Position = projection * vec4(position, 1.0); }\n";
-constexpr const char* kDepthFragment = "void main() {}\n";
-
-constexpr const char* kCompareVertex =
-    "layout(location = 1) in uvec4 index;\n"
-    "uniform vec3 light;\n"
-    "flat out uvec3 own;\n"
-    "out vec3 from_light;\n"
-    "void main() { gl_Position = projection * vec4(position, 1.0); own = index.rgb; from_light = position - light; }\n";
-constexpr const char* kCompareFragment =
-    "flat in uvec3 own;\n"
-    "in vec3 from_light;\n"
-    "uniform samplerCube map;\n"
-    "void main() { if (uvec3(texture(map, from_light).rgb * 255.0 + 0.5) == own) discard; }\n";
-
-constexpr const char* kShadeVertex =
-    "layout(location = 1) in vec4 shade;\n"
-    "out vec4 smooth_shade;\n"
-    "void main() { gl_Position = projection * vec4(position, 1.0); smooth_shade = shade; }\n";
-constexpr const char* kShadeFragment =
-    "in vec4 smooth_shade;\n"
-    "layout(location = 0) out vec4 color;\n"
-    "void main() { color = smooth_shade; }\n";
 
 Diagnostic fault(std::string message) {
   return Diagnostic{.message = std::move(message)};
@@ -78,10 +36,11 @@ class Frame final : public LlvmpipeFrame {
     const DriverCode driver_code;
     if (renderer().find("llvmpipe") == std::string::npos) return fault("OpenGL here is no llvmpipe: " + renderer());
     for (const auto& [pass, vertex, fragment] :
-         {std::tuple{&map_, std::string(kMapVertex), kMapFragment},
-          std::tuple{&depth_, std::string(kCameraPosition) + kDepthVertex, kDepthFragment},
-          std::tuple{&compare_, std::string(kCameraPosition) + kCompareVertex, kCompareFragment},
-          std::tuple{&lit_, std::string(kCameraPosition) + kShadeVertex, kShadeFragment}}) {
+         {std::tuple{&map_, std::string(shaders::kMapVertex), shaders::kMapFragment},
+          std::tuple{&depth_, std::string(shaders::kCameraPosition) + shaders::kDepthVertex, shaders::kDepthFragment},
+          std::tuple{&compare_, std::string(shaders::kCameraPosition) + shaders::kCompareVertex,
+                     shaders::kCompareFragment},
+          std::tuple{&lit_, std::string(shaders::kCameraPosition) + shaders::kShadeVertex, shaders::kShadeFragment}}) {
       if (Status linked = link(vertex, fragment, *pass); !linked) return linked;
     }
     shadow_ = lit_;
@@ -171,13 +130,16 @@ class Frame final : public LlvmpipeFrame {
 
   Status compile(GLenum kind, const std::string& text, GLuint& shader) {
     shader = gl_.CreateShader(kind);
-    const std::string whole = kHeader + text;
+    const std::string whole = std::string(shaders::kHeader) + text;
     const char* const start = whole.c_str();
     gl_.ShaderSource(shader, 1, &start, nullptr);
     gl_.CompileShader(shader);
+    GLint done = GL_FALSE;
+    gl_.GetShaderiv(shader, GL_COMPILE_STATUS, &done);
+    if (done == GL_TRUE) return {};
     std::array<char, 1024> log{};
     gl_.GetShaderInfoLog(shader, static_cast<GLsizei>(log.size()), nullptr, log.data());
-    return log[0] == '\0' ? Status() : fault("a shader does not compile: " + std::string(log.data()));
+    return fault("a shader does not compile: " + std::string(log.data()));
   }
 
   Status link(const std::string& vertex_text, const std::string& fragment_text, Pass& pass) {
