@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 
 // A room knows the rooms of a lower rank and itself. scene and image do not know each other.
 const std::map<std::string, int> kRank{{"numerics", 0}, {"combiner", 1}, {"language", 2}, {"raster", 3}, {"scene", 4},
-                                       {"image", 4},    {"shadow", 5},   {"study", 6},    {"tools", 7},  {"bench", 7}};
+                                       {"image", 4},    {"shadow", 5},   {"study", 6},    {"bench", 7},  {"tools", 8}};
 
 // Outside libraries and the rooms that may include them. Besides these there is only the standard library, whose
 // headers have neither a dot nor a slash in their names.
@@ -25,7 +25,7 @@ struct Library {
   std::vector<std::string> rooms;
 };
 const std::vector<Library> kLibraries{
-    {std::regex("hwy/.*"), {"combiner", "raster"}},
+    {std::regex("hwy/.*"), {"combiner", "raster", "bench"}},
     {std::regex("oneapi/tbb/.*"), {"raster", "shadow", "tools"}},
     {std::regex("fmt/.*"), {"scene", "image", "shadow", "study", "tools"}},
     {std::regex("glm/.*"), {"raster", "scene", "shadow", "study", "tools", "bench"}},
@@ -34,7 +34,7 @@ const std::vector<Library> kLibraries{
     {std::regex("CLI/.*|openssl/.*"), {"tools"}},
     {std::regex("nlohmann/.*"), {"language", "scene", "study", "tools"}},
     {std::regex("unistd\\.h|fcntl\\.h|poll\\.h|sys/.*"), {"image", "tools"}},
-    {std::regex("benchmark/.*"), {"bench"}},
+    {std::regex("benchmark/.*|EGL/.*|GL/glcorearb\\.h|dlfcn\\.h|stdlib\\.h"), {"bench"}},
 };
 
 // The room that a path of ours belongs to: "ninebit/ROOM/…" or "src/ROOM/…".

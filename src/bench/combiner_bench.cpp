@@ -1,21 +1,22 @@
-// Throughput of the batch evaluator and of the reference on the article's program; items are fragments.
+// Throughput of the batch evaluator and of the reference on the measured programs; items are fragments.
 #include <benchmark/benchmark.h>
 
 #include <memory>
 
 #include "ninebit/combiner/evaluate.h"
-#include "ninebit/shadow/index_cube.h"
+#include "src/bench/programs.h"
 
 namespace {
 
 using namespace ninebit;
 
-Program index_program() {
-  return normalize(*index_comparison_state(profiles::geforce2), profiles::geforce2);
+Program program_of(std::size_t number) {
+  const auto programs = bench::measured_programs(profiles::geforce2);
+  return normalize(programs->at(number).state, programs->at(number).profile);
 }
 
-void index_batch(benchmark::State& state) {
-  const Program program = index_program();
+void batch(benchmark::State& state, std::size_t number) {
+  const Program program = program_of(number);
   const auto registers = std::make_unique<RegisterBatch>();
   const auto out = std::make_unique<OutputBatch>();
   s9 code = 0;
@@ -30,16 +31,21 @@ void index_batch(benchmark::State& state) {
   }
   state.SetItemsProcessed(static_cast<std::int64_t>(state.iterations()) * static_cast<std::int64_t>(kBatchSize));
 }
-BENCHMARK(index_batch);
+BENCHMARK_CAPTURE(batch, index, 0);
+BENCHMARK_CAPTURE(batch, heavy, 1);
+BENCHMARK_CAPTURE(batch, eight, 2);
+BENCHMARK_CAPTURE(batch, default_state, 3);
 
-void index_reference(benchmark::State& state) {
-  const Program program = index_program();
+void reference_fragment(benchmark::State& state, std::size_t number) {
+  const Program program = program_of(number);
   RegisterFile registers;
   registers[Register::primary] = {100, 50, 25, 255};
   registers[Register::texture0] = {102, 50, 25, 255};
   for (auto _ : state) benchmark::DoNotOptimize(evaluate(program, registers));
   state.SetItemsProcessed(static_cast<std::int64_t>(state.iterations()));
 }
-BENCHMARK(index_reference);
+BENCHMARK_CAPTURE(reference_fragment, index, 0);
+BENCHMARK_CAPTURE(reference_fragment, heavy, 1);
+BENCHMARK_CAPTURE(reference_fragment, eight, 2);
 
 }  // namespace

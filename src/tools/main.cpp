@@ -11,20 +11,25 @@ namespace {
 
 // One line that says what is wrong with the arguments and whose help to ask.
 std::string usage_message(const CLI::App& app, const CLI::ParseError& error) {
-  const auto chosen = app.get_subcommands();
-  const std::string help = fmt::format("ninebit {}--help", chosen.empty() ? "" : chosen[0]->get_name() + " ");
+  const CLI::App* at = &app;
+  std::string command = app.get_name();
+  while (!at->get_subcommands().empty()) {
+    at = at->get_subcommands()[0];
+    command += ' ' + at->get_name();
+  }
   std::string message = error.what();
   if (const std::string unmet = " missing"; error.get_name() == "ArgumentMismatch" && message.ends_with(unmet)) {
     message = message.substr(0, message.find(':')) + " needs a value";
-  } else if (error.get_name() == "RequiredError" && chosen.empty()) {
-    std::vector<std::string> verbs;
-    for (const CLI::App* verb : app.get_subcommands({})) verbs.push_back(verb->get_name());
-    const std::vector<std::string> unknown = app.remaining();
-    message = fmt::format("{}; expected one of {}",
-                          unknown.empty() ? "no verb is given" : "'" + unknown[0] + "' is no verb or flag of ninebit",
-                          fmt::join(verbs, ", "));
+  } else if (const auto verbs = at->get_subcommands({}); error.get_name() == "RequiredError" && !verbs.empty()) {
+    std::vector<std::string> names;
+    for (const CLI::App* verb : verbs) names.push_back(verb->get_name());
+    const std::vector<std::string> unknown = at->remaining();
+    message = fmt::format(
+        "{}; expected one of {}",
+        unknown.empty() ? "no verb is given" : fmt::format("'{}' is no verb or flag of {}", unknown[0], command),
+        fmt::join(names, ", "));
   }
-  return fmt::format("ninebit: error: {} (see: {})\n", message, help);
+  return fmt::format("ninebit: error: {} (see: {} --help)\n", message, command);
 }
 
 int run(int argc, char** argv) {
@@ -41,6 +46,7 @@ int run(int argc, char** argv) {
   add_explain(app, exit_code);
   add_convert(app, exit_code);
   add_validate(app, exit_code);
+  add_bench(app, exit_code);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

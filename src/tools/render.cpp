@@ -93,7 +93,7 @@ int render(const RenderFlags& flags) {
                    {"maps", r.times.maps},
                    {"camera", r.times.camera},
                    {"compare", r.times.compare},
-                   {"shade", r.times.shade},
+                   {"shade", r.times.lit + r.times.shadow},
                    {"write", milliseconds(end - rendered)},
                    {"total", milliseconds(end - start)}}},
                  {"files", std::move(names)},

@@ -155,8 +155,12 @@ RenderSettings settings_of(const SceneFlags& flags, const CommonFlags& common) {
 Result<Scene> load_scene(const SceneFlags& flags, const RenderSettings& settings) {
   auto read = read_scene(flags.file);
   if (!read) return read;
+  return complete_scene_of(flags, settings, std::move(*read));
+}
+
+Result<Scene> complete_scene_of(const SceneFlags& flags, const RenderSettings& settings, Scene scene) {
   const float aspect = static_cast<float>(settings.width) / static_cast<float>(settings.height);
-  return naming(flags, complete_scene(std::move(*read), setup_of(flags), aspect));
+  return naming(flags, complete_scene(std::move(scene), setup_of(flags), aspect));
 }
 
 Result<Rendering> render_scene(const SceneFlags& flags, const Scene& scene, const RenderSettings& settings,

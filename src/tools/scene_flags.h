@@ -44,7 +44,10 @@ class ThreadLimit {
 // The settings of flags that were checked while they were parsed.
 [[nodiscard]] RenderSettings settings_of(const SceneFlags& flags, const CommonFlags& common);
 
-// Reads the scene and gives it the camera, light and floor that the flags ask for.
+// Gives a scene the camera, light and floor that the flags ask for.
+[[nodiscard]] Result<Scene> complete_scene_of(const SceneFlags& flags, const RenderSettings& settings, Scene scene);
+
+// Reads the scene and completes it.
 [[nodiscard]] Result<Scene> load_scene(const SceneFlags& flags, const RenderSettings& settings);
 
 // Renders it with the technique that the flags name.

@@ -51,11 +51,12 @@ struct ComparisonLayers {
 
 // Milliseconds of wall-clock time.
 struct PassTimes {
-  double transform = 0.0;  // per-vertex values and indices
+  double transform = 0.0;  // what is made once a scene: indices, vertex colours, projections, surfaces
   double maps = 0.0;       // drawing from the light
   double camera = 0.0;     // the camera's depth pass
   double compare = 0.0;    // shadows into the stencil buffer
-  double shade = 0.0;      // lit and shadow pass
+  double lit = 0.0;        // colour where there is light
+  double shadow = 0.0;     // colour where there is none
 };
 
 // One face of the index cube map: planes red, green, blue of size × size texels, row 0 at t = 0.

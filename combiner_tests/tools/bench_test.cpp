@@ -1,0 +1,191 @@
+// `ninebit bench`: every part runs and answers in the form that cli.md promises. No number is judged.
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "combiner_tests/tools/support.h"
+
+namespace tools_test {
+namespace {
+
+using Keys = std::vector<std::string>;
+
+Json bench(std::vector<std::string> arguments) {
+  arguments.insert(arguments.begin(), "bench");
+  arguments.insert(arguments.end(), {"--quick", "--json", "--threads", "2"});
+  const Outcome outcome = ninebit(arguments);
+  EXPECT_EQ(outcome.err, "");
+  return json_of(outcome);
+}
+
+TEST(Bench, EveryPartHasHelpWithAnExample) {
+  for (const char* part : {"combiner", "raster", "frame"}) {
+    const Outcome outcome = ninebit({"bench", part, "--help"});
+    EXPECT_EQ(outcome.code, 0);
+    EXPECT_NE(outcome.out.find(std::string("ninebit bench ") + part), std::string::npos) << outcome.out;
+    for (const char* flag : {"--json", "--quiet", "--profile", "--threads", "--seconds", "--quick"}) {
+      EXPECT_NE(outcome.out.find(flag), std::string::npos) << part << ' ' << flag;
+    }
+  }
+  EXPECT_EQ(ninebit({"bench", "--help"}).code, 0);
+}
+
+TEST(Bench, CombinerHasARowForEachProgramEngineAndThreadCount) {
+  const Json out = bench({"combiner"});
+  EXPECT_EQ(keys_of(out), (Keys{"command", "version", "profile", "rows", "ratio", "memory_read_gb_per_s"}));
+  EXPECT_EQ(out["command"], "bench combiner");
+  std::set<std::string> rows;
+  for (const Json& row : out["rows"]) {
+    EXPECT_EQ(keys_of(row), (Keys{"program", "engine", "target", "threads", "batch", "mpixels_per_s", "profile"}));
+    EXPECT_GT(row["mpixels_per_s"], 0.0);
+    EXPECT_GT(row["batch"], 0);
+    EXPECT_EQ(row["target"] == "scalar", row["engine"] != "simd");
+    EXPECT_EQ(row["profile"], row["program"] == "eight" ? "nv2a" : "geforce2");
+    rows.insert(row["program"].get<std::string>() + ' ' + row["engine"].get<std::string>() + ' ' +
+                row["threads"].dump());
+  }
+  std::set<std::string> expected;
+  for (const std::string program : {"index", "heavy", "eight", "default"}) {
+    EXPECT_GT(out["ratio"][program], 0.0);
+    for (const std::string engine : {"simd", "reference", "scalar-float"}) {
+      for (const std::string threads : {"1", "2"}) expected.insert(program + ' ' + engine + ' ' + threads);
+    }
+  }
+  EXPECT_EQ(rows, expected);
+  EXPECT_EQ(out["rows"].size(), expected.size());
+  EXPECT_GT(out["memory_read_gb_per_s"], 0.0);
+}
+
+TEST(Bench, CombinerMeasuresEveryTarget) {
+  const Json out = bench({"combiner", "--every-target"});
+  std::set<std::string> targets;
+  for (const Json& row : out["rows"]) {
+    if (row["program"] == "index" && row["engine"] == "simd") targets.insert(row["target"]);
+  }
+  const Json info = json_of(ninebit({"info", "--json"}));
+  EXPECT_TRUE(targets.contains(info["rows"][0]["simd_target"]));
+  EXPECT_GE(targets.size(), 2U);
+}
+
+TEST(Bench, CombinerPrintsItsPrograms) {
+  const TempFolder folder;
+  for (const char* program : {"index", "heavy", "eight", "default"}) {
+    const Outcome printed = ninebit({"bench", "combiner", "--print", program});
+    ASSERT_EQ(printed.code, 0);
+    const std::string file = write_bytes(folder / "program.gl", printed.out);
+    EXPECT_EQ(ninebit({"validate", file, "--profile", "nv2a"}).code, 0) << program;
+  }
+}
+
+TEST(Bench, RasterHasARowForEachWorkloadAndThreadCount) {
+  const Json out = bench({"raster"});
+  EXPECT_EQ(keys_of(out), (Keys{"command", "version", "profile", "size", "rows"}));
+  EXPECT_EQ(out["command"], "bench raster");
+  ASSERT_EQ(out["rows"].size(), 8U);
+  for (std::size_t i = 0; i < 8; ++i) {
+    const Json& row = out["rows"][i];
+    EXPECT_EQ(keys_of(row),
+              (Keys{"workload", "threads", "mtriangles_per_s", "mpixels_per_s", "covered_pixels", "triangles"}));
+    EXPECT_EQ(row["workload"], (Keys{"legs-1", "legs-4", "legs-16", "large"}[i / 2]));
+    EXPECT_EQ(row["threads"], i % 2 + 1);
+    EXPECT_GT(row["mtriangles_per_s"], 0.0);
+    EXPECT_GT(row["mpixels_per_s"], 0.0);
+    EXPECT_GT(row["covered_pixels"], 0);
+  }
+}
+
+void expect_frame(const Json& out, const Keys& more) {
+  Keys keys{"command", "version",  "profile",      "scene",  "triangles", "threads",
+            "size",    "map_size", "ms_per_frame", "passes", "frames",    "setup_ms"};
+  keys.insert(keys.end(), more.begin(), more.end());
+  EXPECT_EQ(keys_of(out), keys);
+  EXPECT_EQ(out["command"], "bench frame");
+  EXPECT_EQ(keys_of(out["ms_per_frame"]), (Keys{"median", "min", "max"}));
+  EXPECT_EQ(keys_of(out["passes"]), (Keys{"maps", "depth", "compare", "lit", "shadow"}));
+  EXPECT_GT(out["ms_per_frame"]["min"], 0.0);
+  EXPECT_LE(out["ms_per_frame"]["min"], out["ms_per_frame"]["median"]);
+  EXPECT_LE(out["ms_per_frame"]["median"], out["ms_per_frame"]["max"]);
+  EXPECT_GE(out["frames"], 3);
+  EXPECT_EQ(out["threads"], 2);
+}
+
+TEST(Bench, FrameOfAFileTakesTheFlagsOfRender) {
+  const Json out = bench({"frame", kRoom, "--size", "48x36", "--map-size", "32", "--camera", "-3,4,2.5"});
+  expect_frame(out, {});
+  EXPECT_EQ(out["scene"], kRoom);
+  EXPECT_EQ(out["triangles"], 2096);
+  EXPECT_EQ(out["size"], (Json{48, 36}));
+  EXPECT_EQ(out["map_size"], 32);
+}
+
+TEST(Bench, FrameOfAGeneratedScene) {
+  const Json out = bench({"frame", "--triangles", "2000", "--size", "48x36", "--map-size", "32"});
+  expect_frame(out, {});
+  EXPECT_EQ(out["scene"], "generated");
+  EXPECT_EQ(out["triangles"], 1920);
+}
+
+// The rival draws the same picture, but for a few pixels along edges.
+TEST(Bench, FrameBesideLlvmpipe) {
+  const std::vector<std::string> arguments{"bench",     "frame", kRoom,     "--size", "320x240", "--map-size", "256",
+                                           "--threads", "2",     "--quick", "--json", "--rival", "llvmpipe"};
+  const Outcome outcome = ninebit(arguments);
+  if (outcome.code == 2) {
+    EXPECT_EQ(outcome.out, "");
+    EXPECT_NE(outcome.err.find("--rival llvmpipe cannot be had: "), std::string::npos) << outcome.err;
+    GTEST_SKIP() << outcome.err;
+  }
+  const Json out = json_of(outcome);
+  expect_frame(out, {"rival"});
+  const Json& rival = out["rival"];
+  EXPECT_EQ(keys_of(rival),
+            (Keys{"name", "renderer", "threads", "ms_per_frame", "ratio", "shadow_pixels_that_differ"}));
+  EXPECT_EQ(rival["name"], "llvmpipe");
+  EXPECT_NE(rival["renderer"].get<std::string>().find("llvmpipe"), std::string::npos);
+  EXPECT_EQ(rival["threads"], 2);
+  EXPECT_EQ(keys_of(rival["ms_per_frame"]), (Keys{"median", "min", "max"}));
+  EXPECT_GT(rival["ratio"], 0.0);
+  EXPECT_LT(rival["shadow_pixels_that_differ"], 320 * 240 / 50);
+}
+
+TEST(Bench, TablesForPeople) {
+  const Outcome combiner = ninebit({"bench", "combiner", "--quick", "--threads", "1"});
+  EXPECT_EQ(combiner.code, 0);
+  EXPECT_NE(combiner.out.find("times scalar-float"), std::string::npos) << combiner.out;
+  const Outcome raster = ninebit({"bench", "raster", "--quick", "--threads", "1"});
+  EXPECT_EQ(raster.code, 0);
+  EXPECT_NE(raster.out.find("legs-4"), std::string::npos) << raster.out;
+  const Outcome frame = ninebit({"bench", "frame", kRoom, "--quick", "--size", "48x36", "--map-size", "32"});
+  EXPECT_EQ(frame.code, 0);
+  EXPECT_NE(frame.out.find("ms a frame"), std::string::npos) << frame.out;
+}
+
+TEST(Bench, WrongUsage) {
+  struct Case {
+    std::vector<std::string> arguments;
+    int code;
+    std::vector<std::string> words;
+  };
+  const std::vector<Case> cases{
+      {{}, 2, {"no verb is given", "combiner, raster, frame", "ninebit bench --help"}},
+      {{"gpu"}, 2, {"'gpu' is no verb or flag of ninebit bench", "combiner, raster, frame"}},
+      {{"raster", "extra"}, 2, {"not expected", "extra", "ninebit bench raster --help"}},
+      {{"combiner", "--seconds", "0"}, 2, {"--seconds", "ninebit bench combiner --help"}},
+      {{"combiner", "--print", "light"}, 2, {"--print", "light", "index,heavy,eight,default"}},
+      {{"frame", "--triangles", "99"}, 2, {"--triangles", "99", "100"}},
+      {{"frame", kRoom, "--triangles", "2000"}, 2, {"--triangles", "excludes"}},
+      {{"frame", "--rival", "voodoo"}, 2, {"--rival", "voodoo", "llvmpipe"}},
+      {{"frame", "--rival", "llvmpipe", "--light-facing"}, 2, {"--rival", "excludes", "--light-facing"}},
+      {{"frame", "/nowhere/scene.obj"}, 3, {"/nowhere/scene.obj"}},
+      {{"frame", "--triangles", "3000000"}, 3, {"too many polygons", "index step 1"}},
+  };
+  for (const Case& c : cases) {
+    SCOPED_TRACE(testing::PrintToString(c.arguments));
+    std::vector<std::string> arguments = c.arguments;
+    arguments.insert(arguments.begin(), "bench");
+    expect_error(ninebit(arguments), c.code, c.words);
+  }
+}
+
+}  // namespace
+}  // namespace tools_test

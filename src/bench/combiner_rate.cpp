@@ -1,0 +1,145 @@
+#include "src/bench/combiner_rate.h"
+
+#include <algorithm>
+#include <barrier>
+#include <memory>
+#include <numeric>
+#include <random>
+#include <thread>
+
+#include "hwy/highway.h"
+#include "ninebit/combiner/evaluate.h"
+#include "src/bench/scalar_float.h"
+#include "src/bench/timing.h"
+
+namespace ninebit::bench {
+namespace {
+
+// A batch of fragments in both forms, and where their colours go. Of one thread.
+struct Fragments {
+  RegisterBatch planes;
+  OutputBatch plane_colors;
+  std::array<RegisterFile, kBatchSize> files;
+  std::array<Rgba9, kBatchSize> colors;
+
+  explicit Fragments(unsigned seed) {
+    std::mt19937 random(seed);
+    for (std::size_t r = 0; r < kRegisterCount; ++r) {
+      for (std::size_t c = 0; c < 4; ++c) {
+        for (std::size_t i = 0; i < kBatchSize; ++i) {
+          files[i].value[r][c] = planes.plane[r][c][i] = static_cast<s9>(random() % 256);
+        }
+      }
+    }
+  }
+};
+
+// What is timed.
+void evaluate_batch(const Program& program, Engine engine, Fragments& fragments) {
+  switch (engine) {
+    case Engine::simd:
+      evaluate(program, fragments.planes, kBatchSize, fragments.plane_colors);
+      break;
+    case Engine::reference:
+      for (std::size_t i = 0; i < kBatchSize; ++i) fragments.colors[i] = evaluate(program, fragments.files[i]);
+      break;
+    case Engine::scalar_float:
+      evaluate_scalar_float(program, fragments.files, fragments.colors.data());
+      break;
+  }
+}
+
+void evaluate_batches(const Program& program, Engine engine, Fragments& fragments, std::size_t batches) {
+  for (std::size_t i = 0; i < batches; ++i) evaluate_batch(program, engine, fragments);
+}
+
+// As many batches as take about so long.
+std::size_t batches_in(double seconds, const Program& program, Engine engine, Fragments& fragments) {
+  std::size_t batches = 1;
+  while (seconds_of([&] { evaluate_batches(program, engine, fragments, batches); }) < seconds) batches *= 2;
+  return batches;
+}
+
+}  // namespace
+
+std::string_view name_of(Engine engine) {
+  switch (engine) {
+    case Engine::simd:
+      return "simd";
+    case Engine::reference:
+      return "reference";
+    case Engine::scalar_float:
+      return "scalar-float";
+  }
+  return "";
+}
+
+double combiner_rate(const Program& program, Engine engine, int threads, double seconds) {
+  const auto count = static_cast<std::size_t>(threads);
+  std::vector<std::unique_ptr<Fragments>> fragments(count);
+  for (std::size_t i = 0; i < count; ++i) fragments[i] = std::make_unique<Fragments>(static_cast<unsigned>(i));
+  const std::size_t batches = batches_in(std::min(2e-3, seconds / 8), program, engine, *fragments[0]);
+
+  // All threads begin a run together; it lasts until the last one is done.
+  std::vector<Clock::time_point> begin(count), end(count);
+  std::barrier gate(threads);
+  bool over = false;
+  const auto run = [&](std::size_t i) {
+    gate.arrive_and_wait();
+    if (over) return false;
+    begin[i] = Clock::now();
+    evaluate_batches(program, engine, *fragments[i], batches);
+    end[i] = Clock::now();
+    gate.arrive_and_wait();
+    return true;
+  };
+  std::vector<std::jthread> others;
+  for (std::size_t i = 1; i < count; ++i) {
+    others.emplace_back([&run, i] {
+      while (run(i)) continue;
+    });
+  }
+  double shortest = 1e9;
+  const auto start = Clock::now();
+  for (int runs = 0; runs < 3 || seconds_since(start) < seconds; ++runs) {
+    run(0);
+    const auto first = *std::min_element(begin.begin(), begin.end());
+    const auto last = *std::max_element(end.begin(), end.end());
+    shortest = std::min(shortest, std::chrono::duration<double>(last - first).count());
+  }
+  over = true;
+  run(0);
+  return static_cast<double>(count * batches * kBatchSize) / shortest / 1e6;
+}
+
+double read_rate(std::size_t bytes, double seconds) {
+  const std::vector<std::uint64_t> memory(bytes / sizeof(std::uint64_t), 1);
+  double shortest = 1e9;
+  std::uint64_t total = 0;
+  const auto start = Clock::now();
+  do {
+    shortest = std::min(shortest, seconds_of([&] { total += std::reduce(memory.begin(), memory.end()); }));
+  } while (seconds_since(start) < seconds);
+  // (A sum that is not looked at would not be computed.)
+  return total == 0 ? 0.0 : static_cast<double>(memory.size() * sizeof(std::uint64_t)) / shortest / 1e9;
+}
+
+std::vector<std::string> simd_target_names() {
+  std::vector<std::string> names;
+  for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) names.emplace_back(hwy::TargetName(target));
+  return names;
+}
+
+OnSimdTarget::OnSimdTarget(const std::string& name) {
+  for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
+    if (name == hwy::TargetName(target)) hwy::SetSupportedTargetsForTest(target);
+  }
+  hwy::GetChosenTarget().DeInit();
+}
+
+OnSimdTarget::~OnSimdTarget() {
+  hwy::SetSupportedTargetsForTest(0);
+  hwy::GetChosenTarget().DeInit();
+}
+
+}  // namespace ninebit::bench

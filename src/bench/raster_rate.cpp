@@ -1,0 +1,42 @@
+#include "src/bench/raster_rate.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include "src/bench/timing.h"
+
+namespace ninebit::bench {
+
+PipelineState flat_depth_state() {
+  PipelineState state;
+  state.shade_model = ShadeModel::flat;
+  state.depth_test.enabled = true;
+  return state;
+}
+
+Result<std::uint64_t> covered_pixels(const Mesh& mesh, int width, int height) {
+  auto surface = Surface::make(width, height);
+  if (!surface) return surface.error();
+  PipelineState state;
+  state.stencil_test = {.enabled = true, .front = {.depth_pass = StencilOperation::incr}};
+  RenderTarget target = surface->target();
+  if (Status drawn = rasterize(state, glm::mat4(1.0F), mesh.arrays(), {}, target); !drawn) return drawn.error();
+  return std::accumulate(surface->stencil().begin(), surface->stencil().end(), std::uint64_t{0});
+}
+
+Result<double> seconds_to_draw(const Mesh& mesh, Surface& surface, double seconds) {
+  const PipelineState state = flat_depth_state();
+  const VertexArrays arrays = mesh.arrays();
+  RenderTarget target = surface.target();
+  double shortest = 1e9;
+  const auto start = Clock::now();
+  for (int runs = 0; runs < 2 || seconds_since(start) < seconds; ++runs) {
+    surface.fill({});
+    Status drawn;
+    shortest = std::min(shortest, seconds_of([&] { drawn = rasterize(state, glm::mat4(1.0F), arrays, {}, target); }));
+    if (!drawn) return drawn.error();
+  }
+  return shortest;
+}
+
+}  // namespace ninebit::bench

@@ -1,0 +1,33 @@
+// How long work takes on a machine that does other things, too: many short runs, of which the shortest or the median
+// tells.
+#pragma once
+
+#include <chrono>
+#include <vector>
+
+namespace ninebit::bench {
+
+using Clock = std::chrono::steady_clock;
+
+[[nodiscard]] inline double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+// The seconds that one call of `work` takes.
+template <class Work>
+[[nodiscard]] double seconds_of(const Work& work) {
+  const auto start = Clock::now();
+  work();
+  return seconds_since(start);
+}
+
+struct Spread {
+  double median = 0.0;
+  double min = 0.0;
+  double max = 0.0;
+};
+
+// Of at least one sample; of an even number of them, the median is the mean of the two in the middle.
+[[nodiscard]] Spread spread_of(std::vector<double> samples);
+
+}  // namespace ninebit::bench
