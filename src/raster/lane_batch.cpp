@@ -37,6 +37,9 @@ constexpr std::size_t kLanes = hn::MaxLanes(kD);
 HWY_INLINE std::int32_t* lanes_of(std::uint32_t* words) {
   return reinterpret_cast<std::int32_t*>(words);  // signed and unsigned words may alias
 }
+HWY_INLINE const std::int32_t* lanes_of(const std::uint32_t* words) {
+  return reinterpret_cast<const std::int32_t*>(words);
+}
 
 // Divides the weights by their sum.
 HWY_INLINE void normalize(LaneBatch& batch) {
@@ -116,41 +119,48 @@ HWY_INLINE void output_to_colors(LaneBatch& batch, const HardwareProfile& profil
   }
 }
 
-// The fragments from i on, as many as D has lanes, all of one facing.
-template <class D>
-HWY_INLINE void operate(D d, LaneTile& tile, const LaneDraw<D>& draw, std::size_t i) {
-  LaneBatch& batch = *tile.batch;
-  std::int32_t* const stored = lanes_of(tile.tile.depth_stencil.data());
-  std::int32_t* const colors = lanes_of(tile.tile.color.data());
-  const auto depth = hn::LoadU(d, lanes_of(batch.depth.data()) + i);
-  const auto color = hn::LoadU(d, lanes_of(batch.color.data()) + i);
-  const auto alpha = hn::BitCast(d, hn::ShiftRight<24>(hn::BitCast(hn::RebindToUnsigned<D>(), color)));
-  const auto all = hn::FirstN(d, hn::Lanes(d));
-  const auto place = hn::LoadU(d, lanes_of(batch.place.data()) + i);
-  const auto first = static_cast<std::int32_t>(batch.place[i]);
-  const bool are_neighbours = hn::AllTrue(d, hn::Eq(place, hn::Iota(d, first)));
-  const auto get = [&](const std::int32_t* plane) HWY_ATTR {
-    return are_neighbours ? hn::LoadU(d, plane + first) : hn::GatherIndex(d, plane, place);
-  };
-  const auto put = [&](hn::Vec<D> v, std::int32_t* plane) HWY_ATTR {
-    if (are_neighbours) {
-      hn::StoreU(v, d, plane + first);
-    } else {
-      hn::ScatterIndex(v, d, plane, place);
-    }
-  };
-  const LaneResult<D> result = apply_lanes(d, draw, all, depth, alpha, get(stored));
-  if (tile.operations.depth_write || tile.operations.stencil_write) put(result.depth_stencil, stored);
-  if (tile.operations.color) put(hn::IfThenElse(result.drawn, color, get(colors)), colors);
+// What the operations make of fragments from i on, all of one facing: `mask` of them, whose pixels hold `stored`.
+HWY_INLINE LaneResult<D> operate(const LaneBatch& batch, const LaneDraw<D>& draw, std::size_t i, hn::Mask<D> mask,
+                                 V color, V stored) {
+  const V depth = hn::LoadU(kD, lanes_of(batch.depth.data()) + i);
+  const V alpha = hn::BitCast(kD, hn::ShiftRight<24>(hn::BitCast(hn::RebindToUnsigned<D>(), color)));
+  return apply_lanes(kD, draw, mask, depth, alpha, stored);
 }
 
-HWY_INLINE void operate(LaneTile& tile, bool front_facing, std::size_t first, std::size_t end) {
-  using D1 = hn::CappedTag<std::int32_t, 1>;
-  const LaneDraw<D> draw(kD, tile.operations, front_facing);
-  const LaneDraw<D1> draw_one(D1(), tile.operations, front_facing);
-  std::size_t i = first;
-  for (; i + kLanes <= end; i += kLanes) operate(kD, tile, draw, i);
-  for (; i < end; ++i) operate(D1(), tile, draw_one, i);
+// Spans of fragments, a vector for each.
+HWY_INLINE void operate_on_spans(LaneTile& tile, const LaneDraw<D>& draw, std::size_t first, std::size_t end) {
+  const LaneBatch& batch = *tile.batch;
+  const LaneOperations& operations = draw.operations;
+  for (std::size_t s = first; s < end; ++s) {
+    const LaneBatch::Span& span = batch.span[s];
+    std::int32_t* const stored = lanes_of(tile.tile.depth_stencil.data()) + span.place;
+    std::int32_t* const colors = lanes_of(tile.tile.color.data()) + span.place;
+    const V color = hn::LoadU(kD, lanes_of(batch.color.data()) + span.first);
+    const LaneResult<D> result =
+        operate(batch, draw, span.first, hn::FirstN(kD, span.count), color, hn::LoadU(kD, stored));
+    if (operations.depth_write || operations.stencil_write) hn::StoreU(result.depth_stencil, kD, stored);
+    if (operations.color) hn::BlendedStore(color, result.drawn, kD, colors);
+  }
+}
+
+// Fragments at any places, a full vector at a time. What is beyond the last one is done to a word behind the planes.
+HWY_INLINE void operate_on_places(LaneTile& tile, const LaneDraw<D>& draw, std::size_t first, std::size_t end) {
+  LaneBatch& batch = *tile.batch;
+  const LaneOperations& operations = draw.operations;
+  std::int32_t* const stored = lanes_of(tile.tile.depth_stencil.data());
+  std::int32_t* const colors = lanes_of(tile.tile.color.data());
+  for (std::size_t i = first; i < end; i += kLanes) {
+    const auto mask = hn::FirstN(kD, end - i);
+    const V place = hn::IfThenElse(mask, hn::LoadU(kD, lanes_of(batch.place.data()) + i), hn::Set(kD, kTilePixels));
+    const V color = hn::LoadU(kD, lanes_of(batch.color.data()) + i);
+    const LaneResult<D> result = operate(batch, draw, i, mask, color, hn::GatherIndex(kD, stored, place));
+    if (operations.depth_write || operations.stencil_write) {
+      hn::ScatterIndex(result.depth_stencil, kD, stored, place);
+    }
+    if (operations.color) {
+      hn::ScatterIndex(hn::IfThenElse(result.drawn, color, hn::GatherIndex(kD, colors, place)), kD, colors, place);
+    }
+  }
 }
 
 void flush_batch(LaneTile& tile) {
@@ -179,11 +189,19 @@ void flush_batch(LaneTile& tile) {
     }
   }
   if (tile.operations.two_sided) {
-    for (std::size_t r = 0; r < batch.runs; ++r) {
-      operate(tile, batch.run[r].primitive->front_facing, batch.run[r].first, batch.run[r + 1].first);
+    std::size_t r = 0;
+    for (std::size_t s = 0; s < batch.spans; ++s) {
+      while (batch.span[s].first >= batch.run[r + 1].first) ++r;
+      operate_on_spans(tile, LaneDraw<D>(kD, tile.operations, batch.run[r].primitive->front_facing), s, s + 1);
     }
+    return;
+  }
+  const LaneDraw<D> draw(kD, tile.operations, true);
+  constexpr std::size_t kShort = 3;  // for the mean span; below it gathering is faster
+  if (batch.count >= kShort * batch.spans) {
+    operate_on_spans(tile, draw, 0, batch.spans);
   } else {
-    operate(tile, true, 0, batch.count);
+    operate_on_places(tile, draw, 0, batch.count);
   }
 }
 
@@ -202,7 +220,7 @@ void flush_lanes(LaneTile& tile) {
   if (batch.count == 0) return;
   batch.run[batch.runs].first = batch.count;
   HWY_DYNAMIC_DISPATCH(flush_batch)(tile);
-  batch.count = batch.runs = 0;
+  batch.count = batch.runs = batch.spans = 0;
   batch.occupied.fill(0);
 }
 

@@ -24,8 +24,17 @@ struct LaneBatch {
     std::size_t first = 0;
   };
 
+  // Fragments side by side in a row of the tile, at most a vector of them.
+  struct Span {
+    std::uint16_t place;  // of the first one's pixel in TilePlanes
+    std::uint8_t count;
+    std::uint16_t first;  // fragment
+  };
+
   std::size_t count = 0;
   std::size_t runs = 0;
+  std::size_t spans = 0;
+  std::array<Span, kBatchSize> span;                  // all fragments, in their order
   std::array<Run, kBatchSize + 1> run;                // one more than there are: its `first` is `count`
   std::array<std::uint64_t, kTileSize> occupied{};    // a bit for each pixel of a row that has a fragment here
   alignas(64) Lanes<std::uint32_t> place;             // of the pixel in TilePlanes

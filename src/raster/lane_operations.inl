@@ -1,6 +1,19 @@
 // The fragment operations for a vector of fragments, no two of them at the same pixel. No include guard: included once
 // inside Highway's namespace of every SIMD target, with `hn` for its operations. D is a tag of 32-bit integers.
 
+// A bit for each lane, the first one lowest.
+template <class D>
+HWY_INLINE std::uint64_t bits_of(D d, hn::Mask<D> mask) {
+#if HWY_TARGET <= HWY_AVX3
+  return static_cast<std::uint64_t>(mask.raw) & ((std::uint64_t{1} << hn::Lanes(d)) - 1);
+#else
+  // One byte at a time: a wider load would have to wait until what was stored is in the cache.
+  std::array<std::uint8_t, 8> bytes;
+  hn::StoreMaskBits(d, mask, bytes.data());
+  return hn::MaxLanes(d) > 8 ? bytes[0] | static_cast<std::uint64_t>(bytes[1]) << 8 : bytes[0];
+#endif
+}
+
 template <class D>
 HWY_INLINE hn::Mask<D> mask_of(D d, std::uint32_t word) {
   return hn::MaskFromVec(hn::Set(d, static_cast<std::int32_t>(word)));
@@ -65,9 +78,13 @@ template <class D>
 struct LaneDraw {
   const LaneOperations& operations;
   const LaneStencil& side;
-  const ComparisonMasks<D> depth_test;
+  const ComparisonMasks<D> depth_test, stencil_test, alpha_test;
   HWY_INLINE LaneDraw(D d, const LaneOperations& all, bool front_facing)
-      : operations(all), side(all.side(front_facing)), depth_test(d, all.depth_test) {}
+      : operations(all),
+        side(all.side(front_facing)),
+        depth_test(d, all.depth_test),
+        stencil_test(d, side.test),
+        alpha_test(d, all.alpha_test) {}
 };
 
 // The tests against stored depth × 256 + stencil. What is disabled passes.
@@ -78,9 +95,8 @@ HWY_INLINE LaneTests<D> test_lanes(D d, const LaneDraw<D>& draw, V depth, V stor
   const auto all = hn::FirstN(d, hn::Lanes(d));
   LaneTests<D> tests{all, all};
   if (operations.stencil) {
-    const ComparisonMasks<D> test(d, side.test);
-    tests.stencil = test(hn::Set(d, static_cast<std::int32_t>(side.reference)),
-                         hn::And(stored, hn::Set(d, static_cast<std::int32_t>(side.mask))));
+    tests.stencil = draw.stencil_test(hn::Set(d, static_cast<std::int32_t>(side.reference)),
+                                      hn::And(stored, hn::Set(d, static_cast<std::int32_t>(side.mask))));
   }
   if (operations.depth) {
     const hn::RebindToUnsigned<D> du;
@@ -121,8 +137,8 @@ template <class D, class V = hn::Vec<D>>
 HWY_INLINE LaneResult<D> apply_lanes(D d, const LaneDraw<D>& draw, hn::Mask<D> mask, V depth, V alpha, V stored) {
   const LaneOperations& operations = draw.operations;
   if (operations.alpha) {
-    const ComparisonMasks<D> test(d, operations.alpha_test);
-    mask = hn::And(mask, test(alpha, hn::Set(d, static_cast<std::int32_t>(operations.alpha_reference))));
+    const auto reference = hn::Set(d, static_cast<std::int32_t>(operations.alpha_reference));
+    mask = hn::And(mask, draw.alpha_test(alpha, reference));
   }
   const LaneTests<D> tests = test_lanes(d, draw, depth, stored);
   const auto drawn = hn::And(mask, hn::And(tests.stencil, tests.depth));

@@ -70,15 +70,6 @@ HWY_INLINE void draw_flat(D d, const LaneDraw<D>& draw, const Pen& pen, std::siz
 
 // --- into the batch ---------------------------------------------------------------------------------------------------
 
-template <class D>
-HWY_INLINE std::uint64_t bits_of(D d, hn::Mask<D> mask) {
-  alignas(8) std::array<std::uint8_t, 8> bytes{};
-  hn::StoreMaskBits(d, mask, bytes.data());
-  std::uint64_t bits = 0;
-  std::memcpy(&bits, bytes.data(), sizeof(bits));
-  return bits;
-}
-
 // Those of the fragments that have to go into the batch, which then has room for them and no other at their pixels.
 template <class D>
 HWY_INLINE hn::Mask<D> gathered(D d, const LaneDraw<D>& draw, const Pen& pen, std::size_t place, hn::Mask<D> mask,
@@ -107,8 +98,18 @@ HWY_INLINE void push(D d, const Pen& pen, std::size_t place, hn::Mask<D> mask, h
     batch.run[batch.runs++] = {&pen.primitive, &pen.block, batch.count};
   }
   const std::size_t row = place / kTileSize, column = place % kTileSize;
-  batch.occupied[row] |= bits_of(d, mask) << column;
   const std::size_t at = batch.count;
+  std::uint64_t bits = bits_of(d, mask);
+  batch.occupied[row] |= bits << column;
+  std::size_t span_first = at;
+  do {  // mostly once
+    const auto begin = static_cast<std::size_t>(__builtin_ctzll(bits));
+    const auto length = static_cast<std::size_t>(__builtin_ctzll(~(bits >> begin)));
+    batch.span[batch.spans++] = {static_cast<std::uint16_t>(place + begin), static_cast<std::uint8_t>(length),
+                                 static_cast<std::uint16_t>(span_first)};
+    span_first += length;
+    bits = begin + length < 64 ? bits >> (begin + length) << (begin + length) : 0;
+  } while (bits != 0);
   const auto places = hn::Iota(d, static_cast<std::int32_t>(place));
   float* const weights[3] = {batch.weight[pen.primitive.corner[0]].data() + at,
                              batch.weight[pen.primitive.corner[1]].data() + at,
@@ -123,7 +124,7 @@ HWY_INLINE void push(D d, const Pen& pen, std::size_t place, hn::Mask<D> mask, h
     const auto float_mask = hn::RebindMask(df, mask);
     for (std::size_t i = 0; i < 3; ++i) hn::CompressStore(weight[i], float_mask, df, weights[i]);
   }
-  batch.count += hn::CountTrue(d, mask);
+  batch.count = span_first;
 }
 
 // --- triangles --------------------------------------------------------------------------------------------------------
