@@ -327,7 +327,7 @@ TEST(TriangleBatch, AnyTrianglesAreSetUpAsOneByOne) {
       std::vector<std::uint32_t> indices;
       if (random.one_in(2)) {
         const int count = random.between(3, 300);
-        const int reach = random.one_in(2) ? 6 : static_cast<int>(v.positions.size());
+        const int reach = random.one_in(4) ? static_cast<int>(v.positions.size()) : 3;
         for (int i = 0; i < count; ++i) {
           const int first = indices.empty() ? 0 : static_cast<int>(indices.back());
           indices.push_back(
@@ -363,7 +363,7 @@ TEST(TriangleBatch, AnyTrianglesAreSetUpAsOneByOne) {
     }
     EXPECT_TRUE(on.ran()) << simd_target_name(target);
     const std::size_t least = kSlowBuild ? 50 : 1000;
-    EXPECT_GT(pixels, least);
+    EXPECT_GT(pixels, least / 2);
     EXPECT_GT(triangles, least);
     EXPECT_GT(clipped, least);
   }
