@@ -23,11 +23,12 @@ DrawGeometry::DrawGeometry(const SetupContext& context, const glm::mat4& clip_fr
   blocks_per_chunk_ = std::clamp(items / items_per_block_, std::size_t{1}, std::size_t{64});
 }
 
-void DrawGeometry::set_up(std::size_t number, BinnedBlock& block) const {
+bool DrawGeometry::set_up(std::size_t number, BinnedBlock& block) const {
   block.clear();
   const std::size_t begin = number * items_per_block_;
-  setup_->set_up(begin, std::min(begin + items_per_block_, items_), grid_, block);
+  const bool in_range = setup_->set_up(begin, std::min(begin + items_per_block_, items_), grid_, block);
   sort_into_tiles(grid_, block);
+  return in_range;
 }
 
 }  // namespace ninebit

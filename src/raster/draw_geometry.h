@@ -15,8 +15,8 @@ namespace ninebit {
 
 class DrawGeometry {
  public:
-  // The arguments must outlive the geometry and have been checked; `drawn`, the pixels that may be drawn, are some.
-  // `packed` is memory to be used, which may come from an earlier draw.
+  // The arguments must outlive the geometry and have been checked; but for indices where takes_packed_vertices. There
+  // are pixels that may be drawn. `packed` is memory to be used, which may come from an earlier draw.
   DrawGeometry(const SetupContext& context, const glm::mat4& clip_from_object, const VertexArrays& arrays,
                const TileGrid& grid, RawVector<PackedVertex>& packed);
   DrawGeometry(const DrawGeometry&) = delete;
@@ -26,8 +26,8 @@ class DrawGeometry {
   [[nodiscard]] std::size_t blocks() const { return (items_ + items_per_block_ - 1) / items_per_block_; }
   // So many blocks keep the threads busy, and take bounded memory.
   [[nodiscard]] std::size_t blocks_per_chunk() const { return blocks_per_chunk_; }
-  // Replaces what is in `block`.
-  void set_up(std::size_t number, BinnedBlock& block) const;
+  // Replaces what is in `block`. As PrimitiveSetup::set_up, false: an index is out of range.
+  [[nodiscard]] bool set_up(std::size_t number, BinnedBlock& block) const;
 
  private:
   TileGrid grid_;

@@ -2,7 +2,9 @@
 
 #include <oneapi/tbb/parallel_for.h>
 
+#include <algorithm>
 #include <array>
+#include <atomic>
 #include <string>
 #include <utility>
 #include <vector>
@@ -107,16 +109,22 @@ void keep(const BinnedBlock& block, BinnedBlock& to) {
   to.first = block.first;
 }
 
-void set_up(const DrawGeometry& geometry, std::vector<BinnedBlock>& blocks) {
+// False: an index is out of range.
+bool set_up(const DrawGeometry& geometry, std::vector<BinnedBlock>& blocks) {
   blocks.resize(geometry.blocks());
+  std::atomic<bool> in_range = true;
   const auto set_up_block = [&](std::size_t b) {
     const ScratchLease scratch;
     if (scratch->blocks.empty()) scratch->blocks.resize(1);
-    geometry.set_up(b, scratch->blocks[0]);
+    if (!geometry.set_up(b, scratch->blocks[0])) in_range = false;
     keep(scratch->blocks[0], blocks[b]);
   };
-  if (blocks.size() == 1) return set_up_block(0);
-  tbb::parallel_for(std::size_t{0}, blocks.size(), set_up_block);
+  if (blocks.size() == 1) {
+    set_up_block(0);
+  } else {
+    tbb::parallel_for(std::size_t{0}, blocks.size(), set_up_block);
+  }
+  return in_range;
 }
 
 }  // namespace
@@ -135,7 +143,6 @@ Status prepare(const PipelineState& state, const glm::mat4& clip_from_object, co
   const RenderTarget bare_target{.width = target.width, .height = target.height, .format = target.format};
   const VertexArrays bare_arrays{.type = arrays.type, .positions = arrays.positions, .indices = arrays.indices};
   if (Status checked = check_draw(g.state, bare_arrays, {}, bare_target); !checked) return checked;
-  if (Status checked = check_indices(arrays); !checked) return checked;
   g.width = target.width;
   g.height = target.height;
   g.format = target.format;
@@ -143,14 +150,22 @@ Status prepare(const PipelineState& state, const glm::mat4& clip_from_object, co
   g.type = arrays.type;
   g.positions = arrays.positions.size();
   g.indices = arrays.indices;
-  if (g.drawn.empty() || PrimitiveAssembly(arrays).primitives() == 0) {
+  const PrimitiveAssembly assembly(arrays);
+  const SetupContext setup(state, viewport_of(state, target), g.drawn, target.format);
+  const bool is_drawn = !g.drawn.empty() && assembly.primitives() > 0;
+  // Packed vertices are set up with a look at their indices: what that does not see are those left over at the end.
+  const bool looks_at_indices =
+      is_drawn && PrimitiveSetup::takes_packed_vertices(setup, assembly, arrays.positions.size());
+  VertexArrays unseen = bare_arrays;
+  if (looks_at_indices) unseen.indices = arrays.indices.last(std::min<std::size_t>(2, arrays.indices.size()));
+  if (Status checked = check_indices(unseen); !checked) return checked;
+  if (!is_drawn) {
     g.blocks.clear();
   } else {
     const ScratchLease scratch;
-    const SetupContext setup(state, viewport_of(state, target), g.drawn, target.format);
     const TileGrid grid(target.width, target.height);
     const DrawGeometry geometry(setup, clip_from_object, bare_arrays, grid, scratch->packed);
-    set_up(geometry, g.blocks);
+    if (!set_up(geometry, g.blocks)) return check_indices(arrays);
   }
   g.work.look_at(g.blocks);
   g.is_valid = true;

@@ -12,7 +12,7 @@ bool PrimitiveSetup::takes_packed_vertices(const SetupContext& context, const Pr
   const bool is_triangles = assembly.type() == PrimitiveType::triangles ||
                             assembly.type() == PrimitiveType::triangle_strip ||
                             assembly.type() == PrimitiveType::triangle_fan;
-  return is_triangles && context.fills() && vertices <= kMaxPackedVertices;
+  return is_triangles && context.fills() && vertices > 0 && vertices <= kMaxPackedVertices;
 }
 
 PrimitiveSetup::PrimitiveSetup(const SetupContext& context, const PrimitiveAssembly& assembly,
@@ -83,8 +83,8 @@ void PrimitiveSetup::set_up_one_by_one(std::size_t begin, std::size_t end, Setup
   }
 }
 
-void PrimitiveSetup::set_up_packed(std::size_t begin, std::size_t end, const TileGrid& grid, BinnedBlock& block) const {
-  const TriangleBatch batch{context_, assembly_, packed_.data(), grid.columns};
+bool PrimitiveSetup::set_up_packed(std::size_t begin, std::size_t end, const TileGrid& grid, BinnedBlock& block) const {
+  const TriangleBatch batch{context_, assembly_, packed_, grid.columns};
   while (begin < end) {
     const std::size_t count = block.tile.size();
     block.setup.primitives.resize(count + end - begin);
@@ -98,14 +98,17 @@ void PrimitiveSetup::set_up_packed(std::size_t begin, std::size_t end, const Til
       set_up_polygons(i, i + 1, block.setup);
     }
     note_tiles(grid, block);
+    if (done.is_beyond_vertices) return false;
     begin = done.next;
   }
+  return true;
 }
 
-void PrimitiveSetup::set_up(std::size_t begin, std::size_t end, const TileGrid& grid, BinnedBlock& block) const {
+bool PrimitiveSetup::set_up(std::size_t begin, std::size_t end, const TileGrid& grid, BinnedBlock& block) const {
   if (!packed_.empty()) return set_up_packed(begin, end, grid, block);
   set_up_one_by_one(begin, end, block.setup);
   note_tiles(grid, block);
+  return true;
 }
 
 }  // namespace ninebit

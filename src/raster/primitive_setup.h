@@ -29,15 +29,16 @@ class PrimitiveSetup {
   [[nodiscard]] std::size_t items() const;
   // At most so many window primitives come of one item, as long as clipping keeps polygons convex.
   [[nodiscard]] std::size_t most_of_an_item() const;
-  // Appends what is to be drawn of the items [begin, end), and in which tiles.
-  void set_up(std::size_t begin, std::size_t end, const TileGrid& grid, BinnedBlock& block) const;
+  // Appends what is to be drawn of the items [begin, end), and in which tiles. Where vertices are packed, indices need
+  // not have been checked: false says that one is out of range, and that something may be missing.
+  [[nodiscard]] bool set_up(std::size_t begin, std::size_t end, const TileGrid& grid, BinnedBlock& block) const;
 
  private:
   [[nodiscard]] PolygonTriangle triangle_of(std::size_t primitive, std::size_t cut) const;
   [[nodiscard]] PolygonFacts facts_of(std::size_t primitive) const;
   void set_up_polygons(std::size_t begin, std::size_t end, SetupBlock& block) const;
   void set_up_one_by_one(std::size_t begin, std::size_t end, SetupBlock& block) const;
-  void set_up_packed(std::size_t begin, std::size_t end, const TileGrid& grid, BinnedBlock& block) const;
+  [[nodiscard]] bool set_up_packed(std::size_t begin, std::size_t end, const TileGrid& grid, BinnedBlock& block) const;
 
   const SetupContext& context_;
   const PrimitiveAssembly& assembly_;

@@ -18,13 +18,13 @@
 namespace ninebit {
 namespace {
 
-// Blocks are set up and binned in parallel, a chunk of blocks is then drawn tile by tile.
+// Blocks are set up and binned in parallel, a chunk of blocks is then drawn tile by tile. The indices are in range.
 void draw(const DrawGeometry& geometry, TileLoop& tiles, DrawScratch& scratch) {
   const std::size_t blocks = geometry.blocks(), chunk = std::min(blocks, geometry.blocks_per_chunk());
   if (scratch.blocks.size() < chunk) scratch.blocks.resize(chunk);
   for (std::size_t first = 0; first < blocks; first += chunk) {
     const std::size_t count = std::min(chunk, blocks - first);
-    const auto set_up = [&](std::size_t b) { geometry.set_up(first + b, scratch.blocks[b]); };
+    const auto set_up = [&](std::size_t b) { static_cast<void>(geometry.set_up(first + b, scratch.blocks[b])); };
     if (count == 1) {
       set_up(0);
     } else {

@@ -11,6 +11,7 @@ namespace {
 // kept out so are the tiles in the corners of a large triangle's box.)
 class TriangleReach {
  public:
+  TriangleReach() = default;  // of what may reach everywhere
   explicit TriangleReach(const SetupPrimitive& t) : is_triangle_(t.kind == SetupKind::triangle) {
     for (std::size_t i = 0; i < 3; ++i) {
       const std::size_t a = (i + 1) % 3, b = (i + 2) % 3;
@@ -32,72 +33,42 @@ class TriangleReach {
   }
 
  private:
-  bool is_triangle_;
-  std::array<std::int64_t, 3> dx_, dy_, origin_;
+  bool is_triangle_ = false;
+  std::array<std::int64_t, 3> dx_{}, dy_{}, origin_{};
 };
 
 // Calls visit(tile) for every tile that the primitive may draw into.
 template <class Visit>
 void for_each_tile(const TileGrid& grid, const SetupPrimitive& p, Visit visit) {
-  const TriangleReach reach(p);
-  for (int row = p.box.bottom / kTileSize; row <= p.box.top / kTileSize; ++row) {
-    for (int column = p.box.left / kTileSize; column <= p.box.right / kTileSize; ++column) {
+  const int left = p.box.left / kTileSize, right = p.box.right / kTileSize;
+  const int bottom = p.box.bottom / kTileSize, top = p.box.top / kTileSize;
+  const bool is_large = right - left > 1 || top - bottom > 1;
+  const TriangleReach reach = is_large ? TriangleReach(p) : TriangleReach();
+  for (int row = bottom; row <= top; ++row) {
+    for (int column = left; column <= right; ++column) {
       if (reach.meets(column, row)) visit(static_cast<std::uint32_t>(row * grid.columns + column));
     }
   }
 }
 
-// A primitive in a tile.
-struct Entry {
-  std::uint32_t tile;
-  std::uint32_t index;
-};
-
-// The entries in drawing order.
-std::vector<Entry> entries_of(const TileGrid& grid, const BinnedBlock& block) {
-  std::vector<Entry> entries;
-  entries.reserve(2 * block.tile.size());
-  for (std::uint32_t i = 0; i < block.tile.size(); ++i) {
-    if (block.tile[i] != kSeveralTiles) {
-      entries.push_back({block.tile[i], i});
-    } else {
-      for_each_tile(grid, block.setup.primitives[i], [&](std::uint32_t tile) { entries.push_back({tile, i}); });
+// Calls visit(tile, first, end) for the primitives first to end - 1 of the block, in order: neighbours lie in the same
+// tile most often, and a run's tile needs to be looked up but once.
+template <class Visit>
+void for_each_run(const TileGrid& grid, const BinnedBlock& block, Visit visit) {
+  const std::uint32_t* const tile = block.tile.data();
+  const auto count = static_cast<std::uint32_t>(block.tile.size());
+  for (std::uint32_t i = 0; i < count;) {
+    const std::uint32_t first = i;
+    do ++i;
+    while (i < count && tile[i] == tile[first]);
+    if (tile[first] != kSeveralTiles) {
+      visit(tile[first], first, i);
+      continue;
+    }
+    for (std::uint32_t k = first; k < i; ++k) {
+      for_each_tile(grid, block.setup.primitives[k], [&](std::uint32_t t) { visit(t, k, k + 1); });
     }
   }
-  return entries;
-}
-
-// Neighbours lie in the same tile most often: a run's tile is looked up once.
-template <class TileOf, class IndexOf>
-void sort_entries(std::size_t count, TileOf tile_of, IndexOf index_of, BinnedBlock& block) {
-  if (count == 0) return;
-  std::uint32_t low = 0xFFFFFFFF, high = 0;
-  for (std::size_t i = 0; i < count; ++i) {
-    low = std::min(low, tile_of(i));
-    high = std::max(high, tile_of(i));
-  }
-  block.first_tile = low;
-  block.first.assign(std::size_t{high} - low + 2, 0);
-  std::uint32_t* const places = block.first.data();
-  for (std::size_t i = 0; i < count;) {
-    const std::uint32_t tile = tile_of(i);
-    std::size_t end = i + 1;
-    while (end < count && tile_of(end) == tile) ++end;
-    places[tile - low] += static_cast<std::uint32_t>(end - i);
-    i = end;
-  }
-  std::exclusive_scan(block.first.begin(), block.first.end(), block.first.begin(), std::uint32_t{0});
-  block.indices.resize(count);
-  for (std::size_t i = 0; i < count;) {
-    const std::uint32_t tile = tile_of(i);
-    std::uint32_t to = places[tile - low];
-    do block.indices[to++] = index_of(i++);
-    while (i < count && tile_of(i) == tile);
-    places[tile - low] = to;
-  }
-  // Each tile's place has moved to the next one's.
-  std::copy_backward(block.first.begin(), block.first.end() - 1, block.first.end());
-  block.first.front() = 0;
 }
 
 }  // namespace
@@ -126,17 +97,30 @@ void note_tiles(const TileGrid& grid, BinnedBlock& block) {
 }
 
 void sort_into_tiles(const TileGrid& grid, BinnedBlock& block) {
-  const std::uint32_t* const tile = block.tile.data();
-  if (std::find(block.tile.begin(), block.tile.end(), kSeveralTiles) == block.tile.end()) {
-    sort_entries(
-        block.tile.size(), [tile](std::size_t i) { return tile[i]; },
-        [](std::size_t i) { return static_cast<std::uint32_t>(i); }, block);
-    return;
+  if (block.tile.empty()) return;
+  std::uint32_t low = 0xFFFFFFFF, high = 0;
+  for (std::size_t i = 0; i < block.tile.size(); ++i) {
+    const bool several = block.tile[i] == kSeveralTiles;
+    const PixelBounds& box = block.setup.primitives[i].box;
+    low = std::min(low, several ? grid.tile_of(box.left, box.bottom) : block.tile[i]);
+    high = std::max(high, several ? grid.tile_of(box.right, box.top) : block.tile[i]);
   }
-  const std::vector<Entry> entries = entries_of(grid, block);
-  sort_entries(
-      entries.size(), [&](std::size_t i) { return entries[i].tile; }, [&](std::size_t i) { return entries[i].index; },
-      block);
+  block.first_tile = low;
+  block.first.assign(std::size_t{high} - low + 2, 0);
+  std::uint32_t* const places = block.first.data();
+  for_each_run(grid, block, [places, low](std::uint32_t tile, std::uint32_t first, std::uint32_t end) {
+    places[tile - low] += end - first;
+  });
+  std::exclusive_scan(block.first.begin(), block.first.end(), block.first.begin(), std::uint32_t{0});
+  block.indices.resize(block.first.back());
+  std::uint32_t* const indices = block.indices.data();
+  for_each_run(grid, block, [places, low, indices](std::uint32_t tile, std::uint32_t first, std::uint32_t end) {
+    std::iota(indices + places[tile - low], indices + places[tile - low] + (end - first), first);
+    places[tile - low] += end - first;
+  });
+  // Each tile's place has moved to the next one's.
+  std::copy_backward(block.first.begin(), block.first.end() - 1, block.first.end());
+  block.first.front() = 0;
 }
 
 }  // namespace ninebit

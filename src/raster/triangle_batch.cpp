@@ -1,11 +1,33 @@
 // Set-up of several triangles at a time, compiled once for every SIMD target and chosen at run time.
 #include "src/raster/triangle_batch.h"
 
+#include <array>
 #include <bit>
 #include <cstddef>
 #include <cstring>
 
 #include "src/raster/tile_bins.h"
+
+#ifndef NINEBIT_LANES_OF_BITS
+#define NINEBIT_LANES_OF_BITS
+namespace ninebit {
+
+// For each set of eight bits the numbers of those that are set, ascending, then the others.
+inline constexpr auto kLanesOfBits = [] {
+  std::array<std::array<std::uint8_t, 8>, 256> lanes{};
+  for (unsigned bits = 0; bits < 256; ++bits) {
+    std::size_t count = 0;
+    for (const unsigned wanted : {1U, 0U}) {
+      for (unsigned i = 0; i < 8; ++i) {
+        if (((bits >> i) & 1U) == wanted) lanes[bits][count++] = static_cast<std::uint8_t>(i);
+      }
+    }
+  }
+  return lanes;
+}();
+
+}  // namespace ninebit
+#endif
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "src/raster/triangle_batch.cpp"
@@ -91,7 +113,7 @@ HWY_INLINE Corners corners_of(const TriangleBatch& batch, std::size_t first, std
 }
 
 HWY_INLINE VI word_of(const TriangleBatch& batch, int word, VI vertex) {
-  return hn::GatherIndex(kDI, &batch.vertices->x_q4_and_code + word, hn::ShiftLeft<2>(vertex));
+  return hn::GatherIndex(kDI, &batch.vertices.data()->x_q4_and_code + word, hn::ShiftLeft<2>(vertex));
 }
 
 HWY_INLINE VI min_of(const VI (&v)[3]) {
@@ -101,13 +123,48 @@ HWY_INLINE VI max_of(const VI (&v)[3]) {
   return hn::Max(hn::Max(v[0], v[1]), v[2]);
 }
 
-enum class Verdict { done, left_over };
+HWY_INLINE std::uint64_t bits_of(MI mask) {
+  std::uint8_t bytes[8] = {};
+  hn::StoreMaskBits(kDI, mask, bytes);
+  std::uint64_t bits = 0;
+  std::memcpy(&bits, bytes, sizeof bits);
+  return bits;
+}
+
+// Stores the lanes of a mask one after the other, and something after them, up to a vector. (Highway's CompressStore
+// copies a table at every call where there is no instruction for it.)
+class Compressor {
+ public:
+  HWY_INLINE explicit Compressor(MI mask) : mask_(mask), order_(order_of(mask)) {}
+  HWY_INLINE void operator()(VI v, std::int32_t* to) const {
+    if constexpr (kHasInstruction) {
+      hn::CompressStore(v, mask_, kDI, to);
+    } else {
+      hn::StoreU(hn::TableLookupLanes(v, hn::IndicesFromVec(kDI, order_)), kDI, to);
+    }
+  }
+
+ private:
+  static constexpr bool kHasInstruction = hn::MaxLanes(kDI) > 8;
+  static HWY_INLINE VI order_of(MI mask) {
+    if constexpr (kHasInstruction) return hn::Zero(kDI);
+    const hn::Rebind<std::uint8_t, DI> bytes;
+    return hn::PromoteTo(kDI, hn::LoadU(bytes, kLanesOfBits[bits_of(mask) & 0xFF].data()));
+  }
+  MI mask_;
+  VI order_;
+};
+
+enum class Verdict { done, left_over, beyond_vertices };
 
 // Adds what is to be drawn of the triangles [first, first + lanes), or leaves them over: those of `alive` may be drawn.
 HWY_INLINE Verdict look_at(const TriangleBatch& batch, std::size_t first, std::size_t lanes, Candidates& to,
                            MI& alive) {
   const SetupContext& context = batch.context;
   const Corners place = corners_of(batch, first, lanes);
+  const MI beyond = hn::Or(hn::Lt(min_of(place.v), set(0)),
+                           hn::Gt(max_of(place.v), set(static_cast<std::int32_t>(batch.vertices.size() - 1))));
+  if (!hn::AllFalse(kDI, beyond)) return Verdict::beyond_vertices;
   VI x[3], y[3];
   for (int k = 0; k < 3; ++k) x[k] = word_of(batch, 0, place.v[k]);
   const VI all = hn::And(hn::And(x[0], x[1]), x[2]), any = hn::Or(hn::Or(x[0], x[1]), x[2]);
@@ -185,7 +242,8 @@ HWY_INLINE Verdict look_at(const TriangleBatch& batch, std::size_t first, std::s
   const VI box_low = hn::Or(first_x, hn::ShiftLeft<16>(first_y)), box_high = hn::Or(last_x, hn::ShiftLeft<16>(last_y));
 
   const std::size_t at = to.count;
-  const auto keep = [&alive, at](VI v, std::int32_t* lane) HWY_ATTR { hn::CompressStore(v, alive, kDI, lane + at); };
+  const Compressor compress(alive);
+  const auto keep = [&compress, at](VI v, std::int32_t* lane) HWY_ATTR { compress(v, lane + at); };
   for (int k = 0; k < 3; ++k) {
     keep(x[k], to.x[k]);
     keep(y[k], to.y[k]);
@@ -215,10 +273,10 @@ TriangleBatchResult set_up_range(const TriangleBatch& batch, std::size_t begin, 
   for (std::size_t i = begin; i < end; i += hn::Lanes(kDI)) {
     const std::size_t lanes = end - i < hn::Lanes(kDI) ? end - i : hn::Lanes(kDI);
     MI alive;
-    if (look_at(batch, i, lanes, candidates, alive) == Verdict::left_over) {
-      std::uint8_t bits[8] = {};
-      hn::StoreMaskBits(kDI, alive, bits);
-      std::memcpy(&result.left_over, bits, sizeof bits);
+    const Verdict verdict = look_at(batch, i, lanes, candidates, alive);
+    if (verdict != Verdict::done) {
+      result.is_beyond_vertices = verdict == Verdict::beyond_vertices;
+      result.left_over = result.is_beyond_vertices ? 0 : bits_of(alive);
       result.first_left_over = i;
       result.next = i + lanes;
       break;

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 
 #include "src/raster/polygon_offset.h"
 #include "src/raster/primitive_assembly.h"
@@ -18,7 +19,7 @@ inline constexpr std::size_t kMaxPackedVertices = std::size_t{1} << 29;
 struct TriangleBatch {
   const SetupContext& context;        // its polygon modes are both `fill`
   const PrimitiveAssembly& assembly;  // triangles, a strip or a fan
-  const PackedVertex* vertices;
+  std::span<const PackedVertex> vertices;
   int tile_columns;
 };
 
@@ -35,6 +36,8 @@ struct TriangleBatchResult {
   std::size_t first_left_over = 0;
   std::uint64_t left_over = 0;
   std::size_t next = 0;
+  // An index names no vertex: nothing more was done.
+  bool is_beyond_vertices = false;
 };
 
 // Sets up the triangles from `begin` until `end` or the first ones that it has to leave over, in order. What it writes

@@ -1,0 +1,295 @@
+// A prepared draw draws what the draw itself would, and refuses what it was not prepared for.
+#include "ninebit/raster/prepared_draw.h"
+
+#include <gtest/gtest.h>
+#include <oneapi/tbb/global_control.h>
+#include <oneapi/tbb/task_arena.h>
+
+#include <functional>
+
+#include "combiner_tests/raster/fragment_support.h"
+#include "combiner_tests/raster/random_scene.h"
+
+namespace ninebit::test {
+namespace {
+
+template <class Function>
+void with_threads(int threads, Function run) {
+  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
+  tbb::task_arena arena(threads);
+  arena.execute(run);
+}
+
+// Prepared with each draw's own state, drawn with it and with other fragment operations; one PreparedDraw for all.
+TEST(PreparedDraw, RandomScenesAreDrawnAsWithoutIt) {
+  PreparedDraw prepared;
+  std::uint64_t changed = 0;
+  constexpr std::uint64_t kScenes = kSlowBuild ? 150 : 3000;
+  for (std::uint64_t index = 0; index < kScenes; ++index) {
+    Random random(0x93E9A3, index);
+    const RandomScene scene = random_scene(random);
+    PicturePlanes with(scene.start, scene.captures), without(scene.start, scene.captures);
+    for (const RandomDraw& draw : scene.draws) {
+      const LibraryDraw library = for_library(draw, scene.width, scene.height);
+      ASSERT_TRUE(prepare(draw.state, kIdentity, library.arrays, with.target, prepared).ok()) << index;
+      PipelineState state = draw.state;
+      for (int pass = 0; pass < 2; ++pass) {
+        FragmentProbe watched{.x = random.below(scene.width), .y = random.below(scene.height)}, other = watched;
+        const bool probes = random.one_in(4);
+        with.target.probe = probes ? &watched : nullptr;
+        without.target.probe = probes ? &other : nullptr;
+        const Status status = rasterize(state, prepared, library.arrays, {}, with.target);
+        ASSERT_TRUE(status.ok()) << status.error().message;
+        ASSERT_TRUE(rasterize(state, kIdentity, library.arrays, {}, without.target).ok());
+        ASSERT_TRUE(same_samples(with.picture(), without.picture())) << index << '\n' << describe(scene);
+        ASSERT_EQ(watched.fragments, other.fragments) << index;
+        randomize_fragment_operations(random, state);
+      }
+    }
+    changed += same_samples(with.picture(), scene.start) ? 0U : 1U;
+  }
+  EXPECT_GT(changed, kScenes / 2);
+}
+
+struct Mixture {
+  PipelineState state;
+  std::vector<glm::vec3> positions;
+  std::vector<std::uint32_t> indices;
+  std::vector<ColorBytes> colors;
+  VertexArrays arrays;
+};
+
+// Small and large, clipped and offset primitives of a type, more than one block holds, in perspective.
+Mixture mixture(int i) {
+  Mixture m;
+  Random random(93, static_cast<std::uint64_t>(i));
+  m.arrays.type = static_cast<PrimitiveType>(i % 10);
+  const int vertices = m.arrays.type == PrimitiveType::polygon ? 60 : 6000;
+  for (int v = 0; v < vertices; ++v) {
+    m.positions.emplace_back(random.real_f(-3, 3), random.real_f(-3, 3), random.real_f(-6, 0.1));
+    if (v % 4 != 0) m.positions.back() = m.positions[m.positions.size() - 2] + m.positions.back() * 0.02F;
+    m.colors.push_back({random.byte(), random.byte(), random.byte(), random.byte()});
+    m.indices.push_back(static_cast<std::uint32_t>(random.one_in(5) ? random.below(v + 1) : v));
+  }
+  if (i >= 10) {
+    m.state.front_mode = static_cast<PolygonMode>(random.below(3));
+    m.state.back_mode = static_cast<PolygonMode>(random.below(3));
+    m.state.polygon_offset = {true, true, true, 1.5F, -3.0F};
+  }
+  m.state.line_width = random.between(1, 3);
+  m.state.point_size = random.between(1, 4);
+  m.state.depth_test = {true, CompareFunction::lequal, true};
+  m.state.stencil_test = {.enabled = true, .front = {.depth_pass = StencilOperation::incr_wrap}};
+  return m;
+}
+
+struct Drawn {
+  std::vector<std::uint8_t> red, stencil;
+  std::vector<std::uint32_t> depth, primitive;
+  friend bool operator==(const Drawn&, const Drawn&) = default;
+};
+
+template <class Draw>
+Drawn drawn_by(Draw draw) {
+  Surface surface = Surface::make(300, 200, {.with_primitive = true}).value();
+  RenderTarget target = surface.target();
+  const Status status = draw(target);
+  EXPECT_TRUE(status.ok()) << status.error().message;
+  return {surface.color(kRed), surface.stencil(), surface.depth(), surface.primitive()};
+}
+
+TEST(PreparedDraw, AnyThreadsDrawTheSameOfAnyPrimitives) {
+  const glm::mat4 matrix = perspective(0.8, 1.5, 0.1, 10);
+  for (int i = 0; i < 20; ++i) {
+    Mixture m = mixture(i);
+    m.arrays.positions = m.positions;
+    m.arrays.vertex_colors = m.colors;
+    if (i % 3 != 0) m.arrays.indices = m.indices;
+    Drawn direct;
+    with_threads(1, [&] {
+      direct = drawn_by([&](RenderTarget& target) { return rasterize(m.state, matrix, m.arrays, {}, target); });
+    });
+    EXPECT_GT(std::count_if(direct.stencil.begin(), direct.stencil.end(), [](auto s) { return s != 0; }), 300) << i;
+    for (const int threads : {1, 2, 7}) {
+      with_threads(threads, [&] {
+        const Drawn prepared = drawn_by([&](RenderTarget& target) {
+          PreparedDraw draw;
+          if (Status s = prepare(m.state, matrix, m.arrays, target, draw); !s) return s;
+          return rasterize(m.state, draw, m.arrays, {}, target);
+        });
+        EXPECT_TRUE(prepared == direct) << i << ", " << threads << " threads";
+      });
+    }
+  }
+}
+
+struct Case {
+  PipelineState state;
+  VertexArrays arrays;
+  Surface surface = Surface::make(40, 30).value();
+  RenderTarget target = surface.target();
+};
+
+const std::vector<glm::vec3> kPositions{{-1, -1, 0}, {1, -1, 0}, {0, 1, 0}, {1, 1, 0}, {0.5, 0, 0}, {0, 0.5, 0}};
+const std::vector<std::uint32_t> kIndices{0, 1, 2, 3, 4, 5}, kOtherIndices = kIndices;
+
+TEST(PreparedDraw, ReportsWhatItWasNotPreparedFor) {
+  const auto usual = [] {
+    Case c;
+    c.arrays.positions = kPositions;
+    c.arrays.indices = kIndices;
+    return c;
+  };
+  struct Change {
+    const char* word;  // in the message
+    std::function<void(Case&)> change;
+  };
+  const std::vector<Change> changes{
+      {"size",
+       [](Case& c) {
+         c.surface = Surface::make(40, 31).value();
+         c.target = c.surface.target();
+       }},
+      {"format",
+       [](Case& c) {
+         c.surface = Surface::make(40, 30, {.depth_stencil = DepthStencilFormat::d16}).value();
+         c.target = c.surface.target();
+       }},
+      {"viewport",
+       [](Case& c) {
+         c.state.viewport = PixelRect{0, 0, 39, 30};
+       }},
+      {"scissor",
+       [](Case& c) {
+         c.state.scissor = PixelRect{1, 0, 40, 30};
+       }},
+      {"depth range", [](Case& c) { c.state.depth_near = 0.5F; }},
+      {"depth range", [](Case& c) { c.state.depth_far = 0.5F; }},
+      {"culling", [](Case& c) { c.state.cull_face = CullFace::back; }},
+      {"front face", [](Case& c) { c.state.front_face = FrontFace::clockwise; }},
+      {"polygon mode", [](Case& c) { c.state.front_mode = PolygonMode::line; }},
+      {"polygon mode", [](Case& c) { c.state.back_mode = PolygonMode::point; }},
+      {"polygon offset", [](Case& c) { c.state.polygon_offset.fill = true; }},
+      {"polygon offset", [](Case& c) { c.state.polygon_offset.line = true; }},
+      {"polygon offset", [](Case& c) { c.state.polygon_offset.point = true; }},
+      {"polygon offset", [](Case& c) { c.state.polygon_offset.factor = 1; }},
+      {"polygon offset", [](Case& c) { c.state.polygon_offset.units = 1; }},
+      {"slope", [](Case& c) { c.state.profile.polygon_offset_slope.value = OffsetSlope::root; }},
+      {"point size", [](Case& c) { c.state.point_size = 2; }},
+      {"line width", [](Case& c) { c.state.line_width = 2; }},
+      {"subpixel bits", [](Case& c) { c.state.profile.subpixel_bits.value = 3; }},
+      {"type", [](Case& c) { c.arrays.type = PrimitiveType::triangle_strip; }},
+      {"positions", [](Case& c) { c.arrays.positions = c.arrays.positions.first(5); }},
+      {"indices", [](Case& c) { c.arrays.indices = c.arrays.indices.first(3); }},
+      {"indices", [](Case& c) { c.arrays.indices = {}; }},
+      {"indices", [](Case& c) { c.arrays.indices = kOtherIndices; }},
+  };
+  const Case prepared_with = usual();
+  PreparedDraw prepared;
+  ASSERT_TRUE(prepare(prepared_with.state, kIdentity, prepared_with.arrays, prepared_with.target, prepared).ok());
+  for (const Change& change : changes) {
+    Case c = usual();
+    change.change(c);
+    const Status status = rasterize(c.state, prepared, c.arrays, {}, c.target);
+    ASSERT_FALSE(status.ok()) << change.word;
+    EXPECT_NE(status.error().message.find(change.word), std::string::npos) << status.error().message;
+  }
+  // All else may be another.
+  Case c = usual();
+  c.state.depth_test.enabled = true;
+  c.state.shade_model = ShadeModel::flat;
+  c.state.viewport = PixelRect{0, 0, 40, 30};
+  c.state.scissor = PixelRect{-5, -5, 100, 100};
+  c.state.program = pass_through(Register::primary, Register::primary);
+  const std::vector<ColorBytes> colors(2, ColorBytes{9, 9, 9, 9});
+  c.arrays.primitive_colors = colors;
+  EXPECT_TRUE(rasterize(c.state, prepared, c.arrays, {}, c.target).ok());
+  EXPECT_EQ(c.surface.color(kRed)[15 * 40 + 20], 9);
+  // What rasterize() reports is reported here, too.
+  c.arrays.primitive_colors = std::span(colors).first(1);
+  EXPECT_FALSE(rasterize(c.state, prepared, c.arrays, {}, c.target).ok());
+}
+
+TEST(PreparedDraw, OfNoDrawDrawsNothing) {
+  Case c;
+  c.arrays.positions = kPositions;
+  PreparedDraw prepared;
+  EXPECT_FALSE(rasterize(c.state, prepared, c.arrays, {}, c.target).ok());
+  ASSERT_TRUE(prepare(c.state, kIdentity, c.arrays, c.target, prepared).ok());
+  EXPECT_TRUE(rasterize(c.state, prepared, c.arrays, {}, c.target).ok());
+  PreparedDraw other = std::move(prepared);
+  EXPECT_TRUE(rasterize(c.state, other, c.arrays, {}, c.target).ok());
+  EXPECT_FALSE(rasterize(c.state, prepared, c.arrays, {}, c.target).ok());  // NOLINT(bugprone-use-after-move)
+  ASSERT_TRUE(prepare(c.state, kIdentity, c.arrays, c.target, prepared).ok());
+  EXPECT_TRUE(rasterize(c.state, prepared, c.arrays, {}, c.target).ok());
+  // After an error nothing of the last draw is left.
+  c.state.point_size = 0;
+  EXPECT_FALSE(prepare(c.state, kIdentity, c.arrays, c.target, prepared).ok());
+  c.state.point_size = 1;
+  EXPECT_FALSE(rasterize(c.state, prepared, c.arrays, {}, c.target).ok());
+}
+
+TEST(PreparedDraw, ReportsWhatTheDrawWouldReport) {
+  const std::vector<glm::vec3> many(40, glm::vec3(0.0F));
+  const auto report = [&](const VertexArrays& arrays, const PipelineState& state, int width) {
+    PreparedDraw prepared;
+    const RenderTarget target{.width = width, .height = 8};
+    return prepare(state, kIdentity, arrays, target, prepared).ok();
+  };
+  EXPECT_TRUE(report({.positions = many}, {}, 8));
+  EXPECT_FALSE(report({.positions = many}, {}, 0));
+  PipelineState wide, negative, closed, outlined;
+  wide.line_width = 65;
+  negative.scissor = PixelRect{0, 0, -1, 1};
+  closed.scissor = PixelRect{};
+  outlined.front_mode = PolygonMode::line;
+  EXPECT_FALSE(report({.positions = many}, wide, 8));
+  EXPECT_FALSE(report({.positions = many}, negative, 8));
+  // Indices out of range anywhere, also those that make no primitive, or where nothing can be drawn.
+  for (int type = 0; type < 10; ++type) {
+    for (const std::uint32_t bad : {40U, 0x7FFFFFFFU, 0x80000000U, 0xFFFFFFFFU}) {
+      for (std::size_t at = 0; at < 38; ++at) {
+        std::vector<std::uint32_t> indices(38, 39U);
+        const VertexArrays arrays{.type = static_cast<PrimitiveType>(type), .positions = many, .indices = indices};
+        ASSERT_TRUE(report(arrays, {}, 8)) << type;
+        indices[at] = bad;
+        ASSERT_FALSE(report(arrays, {}, 8)) << type << ' ' << at;
+        ASSERT_FALSE(report(arrays, closed, 8)) << type << ' ' << at;
+        ASSERT_FALSE(report(arrays, outlined, 8)) << type << ' ' << at;
+        VertexArrays none = arrays;
+        none.positions = {};
+        ASSERT_FALSE(report(none, {}, 8)) << type;
+      }
+    }
+  }
+}
+
+// Primitives larger than a tile are left out of the tiles that they do not meet, and of no others.
+TEST(PreparedDraw, LargeTrianglesReachEveryTileThatTheyCover) {
+  constexpr int kWidth = 400, kHeight = 300;
+  std::int64_t covered = 0;
+  for (std::uint64_t index = 0; index < (kSlowBuild ? 10U : 60U); ++index) {
+    Random random(0x1A46E, index);
+    oracle::WindowTriangle t;
+    Mesh mesh;
+    for (auto& v : t) {
+      v = {random.between(-2000, 16 * kWidth + 2000), random.between(-2000, 16 * kHeight + 2000),
+           random.below(1 << 24)};
+      if (random.one_in(3)) v.x_q4 = t[0].x_q4 + random.between(-9, 9);
+      mesh.add(clip_position(v, kWidth, kHeight));
+    }
+    mesh.add_triangle(0, 1, 2);
+    const std::vector<std::uint8_t> counts = coverage(mesh, kIdentity, kWidth, kHeight);
+    for (int y = 0; y < kHeight; ++y) {
+      for (int x = 0; x < kWidth; ++x) {
+        const bool covers = oracle::covers(t, x, y);
+        ASSERT_EQ(counts[static_cast<std::size_t>(y * kWidth + x)], covers ? 1 : 0) << index << ' ' << x << ' ' << y;
+        covered += covers ? 1 : 0;
+      }
+    }
+  }
+  EXPECT_GT(covered, 100000);
+}
+
+}  // namespace
+}  // namespace ninebit::test

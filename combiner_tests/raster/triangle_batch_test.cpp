@@ -1,0 +1,373 @@
+// Triangles and vertices set up several at a time, on every SIMD target: against the oracle, and against the code that
+// sets them up one by one.
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+#include "combiner_tests/combiner/simd_targets.h"
+#include "combiner_tests/raster/support.h"
+#include "src/raster/clip.h"
+#include "src/raster/primitive_setup.h"
+
+namespace ninebit::test {
+namespace {
+
+// A draw's setup, with or without packed vertices.
+class DrawSetup {
+ public:
+  DrawSetup(const PipelineState& state, const PixelBox& drawn, const glm::mat4& matrix, const VertexArrays& arrays,
+            int width, int height, bool packed)
+      : grid_(width, height),
+        context_(state, PixelRect{0, 0, width, height}, drawn, DepthStencilFormat::d24s8),
+        assembly_(arrays),
+        clip_(matrix, arrays.positions) {
+    if (packed) {
+      vertices_.resize(arrays.positions.size());
+      transform_vertices(clip_, context_.window, vertices_.data());
+    }
+    setup_.emplace(context_, assembly_, clip_, vertices_);
+  }
+  DrawSetup(const DrawSetup&) = delete;
+  DrawSetup& operator=(const DrawSetup&) = delete;
+
+  [[nodiscard]] std::size_t items() const { return setup_->items(); }
+  // Appends the range to what is there.
+  void run(std::size_t begin, std::size_t end) { ASSERT_TRUE(setup_->set_up(begin, end, grid_, block)); }
+
+  BinnedBlock block;
+
+ private:
+  TileGrid grid_;
+  SetupContext context_;
+  PrimitiveAssembly assembly_;
+  ClipPositions clip_;
+  RawVector<PackedVertex> vertices_;
+  std::optional<PrimitiveSetup> setup_;
+};
+
+oracle::WindowTriangle window_of(const SetupPrimitive& p) {
+  oracle::WindowTriangle t;
+  for (std::size_t k = 0; k < 3; ++k) t[k] = {p.x_q4[k], p.y_q4[k], static_cast<std::int64_t>(p.z24[k])};
+  return t;
+}
+
+// What a triangle draws, found centre by centre.
+struct Coverage {
+  int pixels = 0;
+  int x = 0, y = 0;  // of the last one
+};
+Coverage coverage_of(const oracle::WindowTriangle& t, const PixelBox& drawn) {
+  Coverage c;
+  for (int y = drawn.bottom; y < drawn.top; ++y) {
+    for (int x = drawn.left; x < drawn.right; ++x) {
+      if (oracle::covers(t, x, y)) c = {c.pixels + 1, x, y};
+    }
+  }
+  return c;
+}
+
+// Corners on places that matter around the centre (24, 24): on it, on its neighbours' and beside them.
+constexpr std::array kPlaces{8, 13, 23, 24, 25, 38, 40};
+constexpr int kSize = 3;
+
+struct SmallTriangles {
+  std::vector<glm::vec3> positions;
+  std::vector<std::uint32_t> indices;
+  std::vector<oracle::WindowVertex> vertices;
+};
+
+// All triangles of three such corners, of both windings and degenerate ones.
+SmallTriangles all_small_triangles(std::uint64_t seed) {
+  SmallTriangles t;
+  Random random(seed);
+  for (const int y : kPlaces) {
+    for (const int x : kPlaces) {
+      const int z = random.one_in(3) ? random.pick({0, 1, 0xFFFFFE, 0xFFFFFF}) : random.below(1 << 24);
+      t.vertices.push_back({x, y, z});
+      t.positions.push_back(clip_position(t.vertices.back(), kSize, kSize));
+    }
+  }
+  const auto count = static_cast<std::uint32_t>(t.vertices.size());
+  for (std::uint32_t a = 0; a < count; ++a) {
+    for (std::uint32_t b = 0; b < count; ++b) {
+      for (std::uint32_t c = 0; c < count; ++c) t.indices.insert(t.indices.end(), {a, b, c});
+    }
+  }
+  return t;
+}
+
+// How often there was what a test is about.
+struct Found {
+  int pixels = 0, uncovered = 0, several = 0;
+};
+
+void compare_small(const SmallTriangles& t, const PixelBox& drawn, const PipelineState& state, const BinnedBlock& block,
+                   Found& found) {
+  std::size_t next = 0;
+  for (std::size_t i = 0; i < t.indices.size() / 3; ++i) {
+    oracle::WindowTriangle triangle;
+    for (std::size_t k = 0; k < 3; ++k) triangle[k] = t.vertices[t.indices[3 * i + k]];
+    const std::int64_t area = (triangle[1].x_q4 - triangle[0].x_q4) * (triangle[2].y_q4 - triangle[0].y_q4) -
+                              (triangle[1].y_q4 - triangle[0].y_q4) * (triangle[2].x_q4 - triangle[0].x_q4);
+    const bool culled = state.cull_face == CullFace::back ? area < 0 : state.cull_face == CullFace::front && area > 0;
+    const Coverage c = culled ? Coverage{} : coverage_of(triangle, drawn);
+    const std::vector<SetupPrimitive>::size_type at = next;
+    const bool is_there = at < block.setup.primitives.size() && block.setup.primitives[at].primitive == i;
+    if (c.pixels == 0) ++found.uncovered;
+    if (!is_there) {
+      ASSERT_EQ(c.pixels, 0) << "triangle " << i << " is missing";
+      continue;
+    }
+    ++next;
+    const SetupPrimitive& p = block.setup.primitives[at];
+    ASSERT_EQ(p.front_facing, area > 0) << i;
+    if (c.pixels == 1 && p.kind == SetupKind::pixel) {
+      ++found.pixels;
+      ASSERT_EQ(p.box.left, c.x) << i;
+      ASSERT_EQ(p.box.right, c.x) << i;
+      ASSERT_EQ(p.box.bottom, c.y) << i;
+      ASSERT_EQ(p.box.top, c.y) << i;
+      ASSERT_EQ(p.pixel_z24, oracle::depth_at(triangle, c.x, c.y)) << i;
+      continue;
+    }
+    ASSERT_EQ(p.kind, SetupKind::triangle) << i;
+    // Boxes of up to 2 × 2 centres leave nothing to look for.
+    if (p.box.right - p.box.left < 2 && p.box.top - p.box.bottom < 2) {
+      ASSERT_GE(c.pixels, 2) << i;
+    }
+    found.several += c.pixels > 1 ? 1 : 0;
+    const PixelBox box{p.box.left, p.box.bottom, p.box.right + 1, p.box.top + 1};
+    ASSERT_EQ(coverage_of(triangle, box).pixels, c.pixels) << i;
+  }
+  ASSERT_EQ(next, block.setup.primitives.size());
+}
+
+TEST(TriangleBatch, SmallTrianglesAreDecidedAsTheOracleDecides) {
+  const SmallTriangles t = all_small_triangles(5);
+  const VertexArrays arrays{.positions = t.positions, .indices = t.indices};
+  for (const std::int64_t target : simd_targets()) {
+    const OnTarget on(target);
+    Found found;
+    for (const PixelBox& drawn : {PixelBox{0, 0, 3, 3}, PixelBox{1, 1, 2, 2}, PixelBox{1, 0, 3, 2}}) {
+      for (const CullFace cull : {CullFace::none, CullFace::back, CullFace::front}) {
+        if (kSlowBuild && cull != CullFace::none) continue;
+        PipelineState state;
+        state.cull_face = cull;
+        DrawSetup setup(state, drawn, kIdentity, arrays, kSize, kSize, true);
+        setup.run(0, setup.items());
+        compare_small(t, drawn, state, setup.block, found);
+        ASSERT_FALSE(HasFatalFailure()) << simd_target_name(target);
+      }
+    }
+    EXPECT_TRUE(on.ran());
+    EXPECT_GT(found.pixels, 10000);
+    EXPECT_GT(found.several, 5000);
+    EXPECT_GT(found.uncovered, 10000);
+  }
+}
+
+// A position of any kind: in view, at a plane or side of the view volume, far beyond, not finite, behind the eye.
+float any_number(Random& random) {
+  constexpr float kInfinity = std::numeric_limits<float>::infinity();
+  switch (random.below(8)) {
+    case 0:
+      return random.pick({0.0F, -0.0F, 1.0F, -1.0F, 1e-30F, 1e-45F, 0x1p-80F, 0x1p-81F});
+    case 1:
+      return random.pick({1e30F, -1e30F, 3e38F, -3e38F, kInfinity, -kInfinity, std::nanf("")});
+    case 2:
+      return random.real_f(-50, 50);
+    default:
+      return random.real_f(-1.1, 1.1);
+  }
+}
+
+struct AnyVertices {
+  glm::mat4 matrix{1.0F};
+  std::vector<glm::vec3> positions;
+};
+AnyVertices any_vertices(Random& random, std::size_t count) {
+  AnyVertices v;
+  if (random.one_in(2)) v.matrix = perspective(0.8, 1.3, 0.1, 10);
+  if (random.one_in(4)) {
+    for (int i = 0; i < 16; ++i) v.matrix[i / 4][i % 4] = any_number(random);
+  }
+  const bool tame = random.one_in(2), fine = random.one_in(2);
+  for (std::size_t i = 0; i < count; ++i) {
+    glm::vec3 p(random.real_f(-2, 2), random.real_f(-2, 2), random.real_f(-6, 1));
+    if (tame) p = {random.real_f(-0.8, 0.8), random.real_f(-0.8, 0.8), random.real_f(-1, -0.5)};
+    if (!tame && random.one_in(3)) p = {any_number(random), any_number(random), any_number(random)};
+    if (!v.positions.empty() && (fine ? !random.one_in(30) : random.one_in(2))) {
+      p = v.positions.back() + glm::vec3(0.02F * p.x, 0.02F * p.y, 0.01F * (p.z + 0.75F));
+    }
+    v.positions.push_back(p);
+  }
+  return v;
+}
+
+PipelineState any_state(Random& random) {
+  PipelineState state;
+  state.profile.subpixel_bits.value = random.one_in(3) ? random.below(5) : 4;
+  state.cull_face = random.pick({CullFace::none, CullFace::front, CullFace::back, CullFace::front_and_back});
+  state.front_face = random.one_in(2) ? FrontFace::clockwise : FrontFace::counter_clockwise;
+  if (random.one_in(2)) state.cull_face = CullFace::none;
+  if (random.one_in(3)) {
+    state.polygon_offset = {.fill = true, .factor = random.real_f(-40, 40), .units = random.real_f(-900, 900)};
+    if (random.one_in(4)) state.polygon_offset.factor = random.pick({1e30F, -1e30F, 0.0F});
+    if (random.one_in(2)) state.profile.polygon_offset_slope.value = OffsetSlope::root;
+  }
+  if (random.one_in(3)) {
+    state.depth_near = random.real_f(-0.2, 1.2);
+    state.depth_far = random.real_f(-0.2, 1.2);
+  }
+  return state;
+}
+
+TEST(TriangleBatch, VerticesAreTransformedAsOneByOne) {
+  for (const std::int64_t target : simd_targets()) {
+    const OnTarget on(target);
+    int plain = 0, beyond = 0, care = 0;
+    for (std::uint64_t index = 0; index < (kSlowBuild ? 40U : 400U); ++index) {
+      Random random(0x7A45F, index);
+      const AnyVertices v = any_vertices(random, static_cast<std::size_t>(random.between(1, 300)));
+      const DepthStencilFormat format =
+          random.pick({DepthStencilFormat::d24s8, DepthStencilFormat::d16, DepthStencilFormat::d15s1});
+      const PixelRect viewport{random.below(900), random.below(900), random.between(1, 16384 - 900),
+                               random.between(1, 16384 - 900)};
+      const WindowTransform window(any_state(random), viewport, format);
+      const GuardBand guard{window.guard_x(), window.guard_y()};
+      const ClipPositions clip(v.matrix, v.positions);
+      std::vector<PackedVertex> packed(v.positions.size() + 1, PackedVertex{77, 77, 77, 77});
+      transform_vertices(clip, window, packed.data());
+      for (std::size_t i = 0; i < v.positions.size(); ++i) {
+        const glm::vec4 p = clip[i];
+        const std::optional<unsigned> crossed = crossed_planes(std::array<glm::vec4, 3>{p, p, p}, guard);
+        const int code = packed[i].x_q4_and_code & ((1 << kCodeBits) - 1);
+        if ((code & kBeyondAny) != 0) {
+          ++beyond;
+          ASSERT_FALSE(crossed.has_value()) << index << ' ' << i;
+        }
+        if ((code & kNeedsCare) != 0) {
+          ++care;
+          ASSERT_FALSE(crossed.has_value() && p.w >= kSmallestW && std::fabs(p.x) < 0.99F * p.w && p.w < 1e20F &&
+                       std::fabs(p.y) < 0.99F * p.w && std::fabs(p.z) <= p.w)
+              << index << ' ' << i << ": " << p.x << ' ' << p.y << ' ' << p.z << ' ' << p.w;
+          continue;
+        }
+        // Beyond a side crossed_planes says nothing of the guard band.
+        ASSERT_TRUE(std::fabs(static_cast<double>(p.x)) <= static_cast<double>(guard.x) * static_cast<double>(p.w) &&
+                    std::fabs(static_cast<double>(p.y)) <= static_cast<double>(guard.y) * static_cast<double>(p.w) &&
+                    std::fabs(p.z) <= p.w && p.w >= kSmallestW);
+        ++plain;
+        const WindowVertex expected = window(p);
+        ASSERT_EQ(packed[i].x_q4_and_code >> kCodeBits, expected.x_q4) << index << ' ' << i;
+        ASSERT_EQ(packed[i].y_q4, expected.y_q4) << index << ' ' << i;
+        ASSERT_EQ(static_cast<std::uint32_t>(packed[i].z24), expected.z24) << index << ' ' << i;
+        ASSERT_EQ(packed[i].inv_w_bits, std::bit_cast<std::int32_t>(expected.inv_w)) << index << ' ' << i;
+      }
+      ASSERT_EQ(packed.back().z24, 77) << "wrote beyond the end";
+    }
+    EXPECT_TRUE(on.ran()) << simd_target_name(target);
+    EXPECT_GT(plain, 5000 / (kSlowBuild ? 10 : 1));
+    EXPECT_GT(beyond, 5000 / (kSlowBuild ? 10 : 1));
+    EXPECT_GT(care, 5000 / (kSlowBuild ? 10 : 1));
+  }
+}
+
+// The primitives of both, but for what covers nothing, and for boxes.
+void compare_blocks(const SetupBlock& batch, const SetupBlock& single, const PixelBox& drawn) {
+  std::size_t next = 0;
+  for (const SetupPrimitive& expected : single.primitives) {
+    const bool is_there = next < batch.primitives.size() && batch.primitives[next].primitive == expected.primitive &&
+                          batch.primitives[next].x_q4 == expected.x_q4 && batch.primitives[next].y_q4 == expected.y_q4;
+    const PixelBox box{expected.box.left, expected.box.bottom, expected.box.right + 1, expected.box.top + 1};
+    const bool is_small = box.right - box.left <= 2 && box.top - box.bottom <= 2;
+    const Coverage c = is_small || !is_there ? coverage_of(window_of(expected), drawn) : Coverage{};
+    if (!is_there) {
+      ASSERT_EQ(c.pixels, 0) << "primitive " << expected.primitive << " is missing";
+      continue;
+    }
+    const SetupPrimitive& p = batch.primitives[next++];
+    ASSERT_EQ(p.z24, expected.z24);
+    for (std::size_t k = 0; k < 3; ++k) {
+      ASSERT_EQ(std::bit_cast<std::uint32_t>(p.inv_w[k]), std::bit_cast<std::uint32_t>(expected.inv_w[k]));
+    }
+    ASSERT_EQ(p.corner, expected.corner);
+    ASSERT_EQ(p.vertex, expected.vertex);
+    ASSERT_EQ(p.front_facing, expected.front_facing);
+    ASSERT_EQ(p.offset_z24, expected.offset_z24);
+    ASSERT_EQ(p.weights == kNoWeights, expected.weights == kNoWeights);
+    if (p.weights != kNoWeights) {
+      ASSERT_EQ(batch.weights[p.weights], single.weights[expected.weights]);
+    }
+    if (p.kind == SetupKind::pixel) {
+      ASSERT_EQ(c.pixels, 1);
+      ASSERT_EQ(p.pixel_z24, oracle::depth_at(window_of(p), c.x, c.y));
+    } else {
+      ASSERT_EQ(p.kind, expected.kind);
+      if (!is_small) {
+        ASSERT_EQ(std::memcmp(&p.box, &expected.box, sizeof p.box), 0);
+      }
+    }
+  }
+  ASSERT_EQ(next, batch.primitives.size());
+}
+
+// Degenerate, huge and not finite positions among others, in ranges of any length.
+TEST(TriangleBatch, AnyTrianglesAreSetUpAsOneByOne) {
+  constexpr int kWidth = 150, kHeight = 100;
+  for (const std::int64_t target : simd_targets()) {
+    const OnTarget on(target);
+    std::size_t pixels = 0, triangles = 0, clipped = 0;
+    for (std::uint64_t index = 0; index < (kSlowBuild ? 60U : 600U); ++index) {
+      Random random(0x5E70B, index);
+      const AnyVertices v = any_vertices(random, static_cast<std::size_t>(random.between(3, 200)));
+      std::vector<std::uint32_t> indices;
+      if (random.one_in(2)) {
+        const int count = random.between(3, 300);
+        const int reach = random.one_in(4) ? static_cast<int>(v.positions.size()) : 3;
+        for (int i = 0; i < count; ++i) {
+          const int first = indices.empty() ? 0 : static_cast<int>(indices.back());
+          indices.push_back(
+              static_cast<std::uint32_t>((first + random.below(reach)) % static_cast<int>(v.positions.size())));
+        }
+      }
+      const PipelineState state = any_state(random);
+      const VertexArrays arrays{
+          .type = random.pick({PrimitiveType::triangles, PrimitiveType::triangle_strip, PrimitiveType::triangle_fan}),
+          .positions = v.positions,
+          .indices = indices};
+      const PixelBox drawn = random.one_in(2) ? PixelBox{0, 0, kWidth, kHeight} : PixelBox{31, 20, 97, 71};
+      DrawSetup batch(state, drawn, v.matrix, arrays, kWidth, kHeight, true);
+      DrawSetup single(state, drawn, v.matrix, arrays, kWidth, kHeight, false);
+      const std::size_t cut = static_cast<std::size_t>(random.below(static_cast<int>(batch.items()) + 1));
+      batch.run(0, cut);
+      batch.run(cut, batch.items());
+      single.run(0, single.items());
+      compare_blocks(batch.block.setup, single.block.setup, drawn);
+      ASSERT_FALSE(HasFatalFailure()) << simd_target_name(target) << ", case " << index;
+      ASSERT_EQ(batch.block.tile.size(), batch.block.setup.primitives.size());
+      for (const SetupPrimitive& p : batch.block.setup.primitives) {
+        pixels += p.kind == SetupKind::pixel ? 1U : 0U;
+        clipped += p.weights != kNoWeights ? 1U : 0U;
+        triangles += p.kind == SetupKind::triangle && p.weights == kNoWeights ? 1U : 0U;
+      }
+      for (std::size_t i = 0; i < batch.block.tile.size(); ++i) {
+        const PixelBounds& box = batch.block.setup.primitives[i].box;
+        const TileGrid grid(kWidth, kHeight);
+        const std::uint32_t low = grid.tile_of(box.left, box.bottom), high = grid.tile_of(box.right, box.top);
+        ASSERT_EQ(batch.block.tile[i], low == high ? low : kSeveralTiles);
+      }
+    }
+    EXPECT_TRUE(on.ran()) << simd_target_name(target);
+    const std::size_t least = kSlowBuild ? 50 : 1000;
+    EXPECT_GT(pixels, least / 2);
+    EXPECT_GT(triangles, least);
+    EXPECT_GT(clipped, least);
+  }
+}
+
+}  // namespace
+}  // namespace ninebit::test
