@@ -221,7 +221,4 @@ struct alignas(64) OutputBatch {
 // target of this machine, chosen at run time; the others run a fragment at a time.
 void evaluate(const Program& program, RegisterBatch& registers, std::size_t count, OutputBatch& out);
 
-// The name of the SIMD target that the batch evaluator runs on here, such as "AVX2".
-[[nodiscard]] const char* simd_target();
-
 }  // namespace ninebit

@@ -1,0 +1,115 @@
+#include <string>
+
+#include "src/combiner/vector_code.h"
+
+namespace ninebit {
+namespace {
+
+using detail::Formula;
+using detail::Kernel;
+using detail::Operation;
+using detail::Plane;
+using detail::Space;
+
+std::string number(float v) {
+  const auto whole = static_cast<int>(v);
+  return std::to_string(whole) + (static_cast<float>(whole) == v ? "" : ".5");
+}
+
+class Text {
+ public:
+  explicit Text(const detail::VectorCode& code) : code_(code) {}
+
+  std::string line(const Operation& operation) const {
+    return name(operation.target) + " = " + clamped(operation.formula, value(operation)) + '\n';
+  }
+
+ private:
+  std::string name(const Plane& plane) const {
+    const auto component = [&] { return std::string(".") + "rgba"[plane.index % 4]; };
+    switch (plane.space) {
+      case Space::registers:
+        return std::string(name_of(static_cast<Register>(plane.index / 4))) + component();
+      case Space::colors:
+        return "out" + component();
+      case Space::constants:
+        return std::to_string(code_.constants[plane.index].lane[0]);
+      case Space::temporaries:
+        break;
+    }
+    return "t" + std::to_string(plane.index);
+  }
+
+  static std::string clamped(const Formula& f, const std::string& value) {
+    if (f.kernel == Kernel::select || f.low >= f.high) return value;
+    return "clamp(" + value + ", " + std::to_string(f.low) + ", " + std::to_string(f.high) + ")";
+  }
+
+  std::string sum_of_products(const Operation& operation) const {
+    std::string text;
+    for (std::size_t k = 0; k < static_cast<std::size_t>(operation.formula.terms); ++k) {
+      text += (k == 0 ? "" : " + ") + name(operation.source[2 * k]) + "*" + name(operation.source[2 * k + 1]);
+    }
+    return text;
+  }
+
+  std::string affine(const Operation& operation) const {
+    const Formula& f = operation.formula;
+    std::string text;
+    for (std::size_t k = 0; k < static_cast<std::size_t>(f.terms); ++k) {
+      const std::string plane = name(operation.source[k]);
+      text += (k == 0 ? "" : " + ") + std::to_string(f.factor[k]) + "*" +
+              (f.floored[k] ? "max(" + plane + ", 0)" : plane);
+    }
+    if (f.offset != 0) text += " + " + std::to_string(f.offset);
+    return f.halves ? rounded(f, "(" + text + ") / 2") : text;
+  }
+
+  static std::string rounded(const Formula& f, const std::string& value) {
+    return (f.nearest ? "nearest(" : "truncate(") + value + ")";
+  }
+
+  std::string value(const Operation& operation) const {
+    const Formula& f = operation.formula;
+    switch (f.kernel) {
+      case Kernel::affine:
+        return affine(operation);
+      case Kernel::unsigned_products: {
+        const std::string added = f.adds ? " + " + name(operation.source[static_cast<std::size_t>(2 * f.terms)]) : "";
+        return "u16:" + divided(operation) + added;
+      }
+      case Kernel::signed_product:
+        return "s16:" + divided(operation);
+      case Kernel::products: {
+        const std::string bias = f.bias == 0 ? "" : " + " + number(f.bias);
+        return "s32:" + rounded(f, "(" + sum_of_products(operation) + bias + ") / " + number(1 / f.reciprocal));
+      }
+      case Kernel::select:
+        return "(" + name(operation.source[0]) + " >= " + std::to_string(f.low) + " ? " + name(operation.source[2]) +
+               " : " + name(operation.source[1]) + ")";
+      case Kernel::copy:
+        break;
+    }
+    return name(operation.source[0]);
+  }
+
+  std::string divided(const Operation& operation) const {
+    const Formula& f = operation.formula;
+    const std::string scale = f.doublings == 0 ? "" : "*" + std::to_string(1 << f.doublings);
+    return rounded(f, "(" + sum_of_products(operation) + ")" + scale + " / 255");
+  }
+
+  const detail::VectorCode& code_;
+};
+
+}  // namespace
+
+std::string BatchProgram::describe() const {
+  std::string text;
+  if (!code_) return text;
+  const Text lines(*code_);
+  for (const Operation& operation : code_->operations) text += lines.line(operation);
+  return text;
+}
+
+}  // namespace ninebit
