@@ -115,12 +115,12 @@ class Compiler {
       return w.products().size() == 1 && w.constant() == 0 && !is_affine(graph_, w);
     };
     if (out.ab != Register::discard || out.cd != Register::discard || !is_product(ab) || !is_product(cd)) {
-      return graph_.select(by, combiner_output(graph_, ab, out.scale, out.bias),
-                           combiner_output(graph_, cd, out.scale, out.bias));
+      return graph_.select(by, {combiner_output(graph_, ab, out.scale, out.bias), false},
+                           {combiner_output(graph_, cd, out.scale, out.bias), false});
     }
     const WideSum::Product &p = ab.products()[0], &q = cd.products()[0];
     const auto chosen = [&](const Linear& no, const Linear& yes) {
-      const Value value = graph_.select(by, graph_.materialize(no), graph_.materialize(yes));
+      const Value value = graph_.select(by, graph_.operand(no), graph_.operand(yes));
       return Linear{value, false, 1, 0};
     };
     WideSum sum;

@@ -40,6 +40,11 @@ class Text {
     return "t" + std::to_string(plane.index);
   }
 
+  std::string operand(const Operation& operation, std::size_t k) const {
+    const std::string plane = name(operation.source[k]);
+    return operation.formula.is_floored(k) ? "max(" + plane + ", 0)" : plane;
+  }
+
   static std::string clamped(const Formula& f, const std::string& value) {
     if (f.kernel == Kernel::select || f.low >= f.high) return value;
     return "clamp(" + value + ", " + std::to_string(f.low) + ", " + std::to_string(f.high) + ")";
@@ -48,7 +53,7 @@ class Text {
   std::string sum_of_products(const Operation& operation) const {
     std::string text;
     for (std::size_t k = 0; k < static_cast<std::size_t>(operation.formula.terms); ++k) {
-      text += (k == 0 ? "" : " + ") + name(operation.source[2 * k]) + "*" + name(operation.source[2 * k + 1]);
+      text += (k == 0 ? "" : " + ") + operand(operation, 2 * k) + "*" + operand(operation, 2 * k + 1);
     }
     return text;
   }
@@ -57,9 +62,7 @@ class Text {
     const Formula& f = operation.formula;
     std::string text;
     for (std::size_t k = 0; k < static_cast<std::size_t>(f.terms); ++k) {
-      const std::string plane = name(operation.source[k]);
-      text += (k == 0 ? "" : " + ") + std::to_string(f.factor[k]) + "*" +
-              (f.floored[k] ? "max(" + plane + ", 0)" : plane);
+      text += (k == 0 ? "" : " + ") + std::to_string(f.factor[k]) + "*" + operand(operation, k);
     }
     if (f.offset != 0) text += " + " + std::to_string(f.offset);
     return f.halves ? rounded(f, "(" + text + ") / 2") : text;
@@ -75,7 +78,7 @@ class Text {
       case Kernel::affine:
         return affine(operation);
       case Kernel::unsigned_products: {
-        const std::string added = f.adds ? " + " + name(operation.source[static_cast<std::size_t>(2 * f.terms)]) : "";
+        const std::string added = f.adds ? " + " + operand(operation, static_cast<std::size_t>(2 * f.terms)) : "";
         return "u16:" + divided(operation) + added;
       }
       case Kernel::signed_product:
@@ -85,8 +88,8 @@ class Text {
         return "s32:" + rounded(f, "(" + sum_of_products(operation) + bias + ") / " + number(1 / f.reciprocal));
       }
       case Kernel::select:
-        return "(" + name(operation.source[0]) + " >= " + std::to_string(f.low) + " ? " + name(operation.source[2]) +
-               " : " + name(operation.source[1]) + ")";
+        return "(" + name(operation.source[0]) + " >= " + std::to_string(f.low) + " ? " + operand(operation, 2) +
+               " : " + operand(operation, 1) + ")";
       case Kernel::copy:
         break;
     }

@@ -49,12 +49,6 @@ HWY_INLINE V16 set(int v) {
 HWY_INLINE VU16 set_unsigned(int v) {
   return hn::Set(kU16, static_cast<std::uint16_t>(v));
 }
-HWY_INLINE V16 load(const s9* plane, std::size_t lane) {
-  return hn::LoadU(kD16, plane + lane);
-}
-HWY_INLINE VU16 load_unsigned(const s9* plane, std::size_t lane) {
-  return hn::BitCast(kU16, load(plane, lane));
-}
 
 class Clamp {
  public:
@@ -67,30 +61,47 @@ class Clamp {
   V16 low_, high_;
 };
 
-// target = f(lane, source planes), vector by vector. The planes are found once: a store to them could change what the
-// compiler thinks it knows of anything else.
-template <std::size_t kSources, class F>
+// The planes that an operation reads, found once, and what is the least that it takes of each.
+template <std::size_t kSources, bool kFloors>
+class Sources {
+ public:
+  HWY_INLINE Sources(const Operation& operation, const Batch& batch) {
+    for (std::size_t k = 0; k < kSources; ++k) {
+      plane_[k] = batch(operation.source[k]);
+      if (kFloors) floor_[k] = set(operation.formula.is_floored(k) ? 0 : hwy::LimitsMin<std::int16_t>());
+    }
+  }
+  HWY_INLINE V16 get(std::size_t k, std::size_t lane) const {
+    const V16 v = hn::LoadU(kD16, plane_[k] + lane);
+    return kFloors ? hn::Max(v, floor_[k]) : v;
+  }
+  HWY_INLINE VU16 get_unsigned(std::size_t k, std::size_t lane) const { return hn::BitCast(kU16, get(k, lane)); }
+
+ private:
+  const s9* plane_[kSources];
+  V16 floor_[kFloors ? kSources : 1];
+};
+
+// target = f(sources, lane), vector by vector.
+template <std::size_t kSources, bool kFloors, class F>
 HWY_INLINE void for_lanes(const Operation& operation, const Batch& batch, const F& f) {
-  std::array<const s9*, kSources> source;
-  for (std::size_t k = 0; k < kSources; ++k) source[k] = batch(operation.source[k]);
+  const Sources<kSources, kFloors> sources(operation, batch);
   s9* const target = batch(operation.target);
   const std::size_t lanes = batch.lanes;
   for (std::size_t lane = 0; lane < lanes; lane += hn::MaxLanes(kD16)) {
-    hn::StoreU(f(source, lane), kD16, target + lane);
+    hn::StoreU(f(sources, lane), kD16, target + lane);
   }
 }
 
-template <int kTerms>
+template <int kTerms, bool kFloors>
 HWY_NOINLINE void affine(const Operation& operation, const Batch& batch) {
   const Formula& f = operation.formula;
   const Clamp clamp(f);
-  const V16 least = set(hwy::LimitsMin<std::int16_t>()), zero = set(0);
-  const V16 floor0 = f.floored[0] ? zero : least, floor1 = f.floored[1] ? zero : least;
   const V16 factor0 = set(f.factor[0]), factor1 = set(f.factor[1]), offset = set(f.offset);
   const bool halves = f.halves, nearest = f.nearest;
-  for_lanes<kTerms>(operation, batch, [&](const auto& source, std::size_t lane) HWY_ATTR {
-    V16 sum = hn::Add(hn::Mul(hn::Max(load(source[0], lane), floor0), factor0), offset);
-    if (kTerms == 2) sum = hn::Add(sum, hn::Mul(hn::Max(load(source[1], lane), floor1), factor1));
+  for_lanes<kTerms, kFloors>(operation, batch, [&](const auto& x, std::size_t lane) HWY_ATTR {
+    V16 sum = hn::Add(hn::Mul(x.get(0, lane), factor0), offset);
+    if (kTerms == 2) sum = hn::Add(sum, hn::Mul(x.get(1, lane), factor1));
     if (halves) {
       // Halves up is the shift of one more; toward zero is that for what is negative alone.
       const V16 more = nearest ? set(1) : hn::BitCast(kD16, hn::ShiftRight<15>(hn::BitCast(kU16, sum)));
@@ -111,15 +122,15 @@ HWY_INLINE VU16 doubled(VU16 n, int doublings) {
   return n;
 }
 
-template <int kTerms, bool kAdds>
+template <int kTerms, bool kAdds, bool kFloors>
 HWY_NOINLINE void unsigned_products(const Operation& operation, const Batch& batch) {
   const Formula& f = operation.formula;
   const VU16 high = set_unsigned(f.high), half = set_unsigned(127);
   const bool clamps = f.low < f.high, nearest = f.nearest;
   const int doublings = f.doublings;
-  for_lanes<2 * kTerms + (kAdds ? 1 : 0)>(operation, batch, [&](const auto& source, std::size_t lane) HWY_ATTR {
+  for_lanes<2 * kTerms + (kAdds ? 1 : 0), kFloors>(operation, batch, [&](const auto& x, std::size_t lane) HWY_ATTR {
     const auto product = [&](std::size_t k) HWY_ATTR {
-      return hn::Mul(load_unsigned(source[2 * k], lane), load_unsigned(source[2 * k + 1], lane));
+      return hn::Mul(x.get_unsigned(2 * k, lane), x.get_unsigned(2 * k + 1, lane));
     };
     VU16 sum = product(0);
     if (kTerms > 1) sum = hn::SaturatedAdd(sum, product(1));
@@ -127,25 +138,26 @@ HWY_NOINLINE void unsigned_products(const Operation& operation, const Batch& bat
     sum = doubled(sum, doublings);
     if (nearest) sum = hn::SaturatedAdd(sum, half);
     VU16 code = divide_by_255(sum);
-    if constexpr (kAdds) code = hn::Add(code, load_unsigned(source[2 * kTerms], lane));
+    if constexpr (kAdds) code = hn::Add(code, x.get_unsigned(2 * kTerms, lane));
     if (clamps) code = hn::Min(code, high);
     return hn::BitCast(kD16, code);
   });
 }
 
 // Signs apart: 255 is odd, so that no quotient is a tie, and to nearest is as symmetric as toward zero.
+template <bool kFloors>
 HWY_NOINLINE void signed_product(const Operation& operation, const Batch& batch) {
   const Formula& f = operation.formula;
   const Clamp clamp(f);
   const VU16 half = set_unsigned(127);
   const bool nearest = f.nearest;
   const int doublings = f.doublings;
-  for_lanes<2>(operation, batch, [&](const auto& source, std::size_t lane) HWY_ATTR {
-    const V16 x = load(source[0], lane), y = load(source[1], lane);
-    VU16 n = hn::Mul(hn::BitCast(kU16, hn::Abs(x)), hn::BitCast(kU16, hn::Abs(y)));
+  for_lanes<2, kFloors>(operation, batch, [&](const auto& x, std::size_t lane) HWY_ATTR {
+    const V16 a = x.get(0, lane), b = x.get(1, lane);
+    VU16 n = hn::Mul(hn::BitCast(kU16, hn::Abs(a)), hn::BitCast(kU16, hn::Abs(b)));
     n = doubled(n, doublings);
     if (nearest) n = hn::SaturatedAdd(n, half);
-    const V16 sign = hn::ShiftRight<15>(hn::Xor(x, y));
+    const V16 sign = hn::ShiftRight<15>(hn::Xor(a, b));
     return clamp(hn::Sub(hn::Xor(hn::BitCast(kD16, divide_by_255(n)), sign), sign));
   });
 }
@@ -229,14 +241,14 @@ HWY_INLINE V32 to_integers(VF32 v, bool nearest) {
 //   negative n, with the signs changed, the same.
 // - To nearest: one is odd. A tie is possible only with 2^k = 1/2, and there 1/2 stands in the bias; n / d is 1 / (4 d)
 //   away from any tie, and the error is smaller.
-template <int kTerms>
+template <int kTerms, bool kFloors>
 HWY_NOINLINE void products(const Operation& operation, const Batch& batch) {
   const Formula& f = operation.formula;
   const Clamp clamp(f);
   const VF32 bias = hn::Set(kF32, f.bias), reciprocal = hn::Set(kF32, f.reciprocal);
   const bool biased = f.bias != 0, nearest = f.nearest;
-  for_lanes<2 * kTerms>(operation, batch, [&](const auto& source, std::size_t lane) HWY_ATTR {
-    const auto factor = [&](std::size_t k) HWY_ATTR { return load(source[k], lane); };
+  for_lanes<2 * kTerms, kFloors>(operation, batch, [&](const auto& x, std::size_t lane) HWY_ATTR {
+    const auto factor = [&](std::size_t k) HWY_ATTR { return x.get(k, lane); };
     Wide sum;
     if constexpr (kTerms == 1) {
       sum = multiply(factor(0), factor(1));
@@ -257,26 +269,29 @@ HWY_NOINLINE void products(const Operation& operation, const Batch& batch) {
   });
 }
 
+template <bool kFloors>
 HWY_NOINLINE void select(const Operation& operation, const Batch& batch) {
   const V16 limit = set(operation.formula.low);
-  for_lanes<3>(operation, batch, [&](const auto& source, std::size_t lane) HWY_ATTR {
-    return hn::IfThenElse(hn::Lt(load(source[0], lane), limit), load(source[1], lane),
-                          load(source[2], lane));
+  for_lanes<3, kFloors>(operation, batch, [&](const auto& x, std::size_t lane) HWY_ATTR {
+    return hn::IfThenElse(hn::Lt(x.get(0, lane), limit), x.get(1, lane),
+                          x.get(2, lane));
   });
 }
 
 HWY_NOINLINE void copy(const Operation& operation, const Batch& batch) {
-  for_lanes<1>(operation, batch, [&](const auto& source, std::size_t lane) HWY_ATTR { return load(source[0], lane); });
+  for_lanes<1, false>(operation, batch, [&](const auto& x, std::size_t lane) HWY_ATTR { return x.get(0, lane); });
 }
 
 using Run = void (*)(const Operation&, const Batch&);
 
+template <bool kFloors>
 HWY_INLINE Run kernel_of(const Formula& f) {
-  static constexpr Run kAffine[] = {affine<1>, affine<2>};
-  static constexpr Run kUnsigned[][2] = {{unsigned_products<1, false>, unsigned_products<1, true>},
-                                         {unsigned_products<2, false>, unsigned_products<2, true>},
-                                         {unsigned_products<3, false>, unsigned_products<3, true>}};
-  static constexpr Run kProducts[] = {products<1>, products<2>, products<3>, products<4>, products<5>, products<6>};
+  static constexpr Run kAffine[] = {affine<1, kFloors>, affine<2, kFloors>};
+  static constexpr Run kUnsigned[][2] = {{unsigned_products<1, false, kFloors>, unsigned_products<1, true, kFloors>},
+                                         {unsigned_products<2, false, kFloors>, unsigned_products<2, true, kFloors>},
+                                         {unsigned_products<3, false, kFloors>, unsigned_products<3, true, kFloors>}};
+  static constexpr Run kProducts[] = {products<1, kFloors>, products<2, kFloors>, products<3, kFloors>,
+                                      products<4, kFloors>, products<5, kFloors>, products<6, kFloors>};
   const auto last = static_cast<std::size_t>(f.terms - 1);
   switch (f.kernel) {
     case Kernel::affine:
@@ -284,11 +299,11 @@ HWY_INLINE Run kernel_of(const Formula& f) {
     case Kernel::unsigned_products:
       return kUnsigned[last][f.adds ? 1 : 0];
     case Kernel::signed_product:
-      return signed_product;
+      return signed_product<kFloors>;
     case Kernel::products:
       return kProducts[last];
     case Kernel::select:
-      return select;
+      return select<kFloors>;
     case Kernel::copy:
       break;
   }
@@ -311,7 +326,10 @@ void run_code(const VectorCode& code, RegisterBatch& registers, std::size_t coun
               0};
   for (std::size_t first = 0; first < count; first += batch.lanes) {
     batch.lanes = std::min(std::size_t{1} << shift, count - first);
-    for (const Operation& operation : code.operations) kernel_of(operation.formula)(operation, batch);
+    for (const Operation& operation : code.operations) {
+      const Formula& f = operation.formula;
+      (f.floors == 0 ? kernel_of<false>(f) : kernel_of<true>(f))(operation, batch);
+    }
     batch.base[0] += batch.lanes;
     batch.base[1] += batch.lanes;
   }

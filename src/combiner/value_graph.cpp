@@ -25,17 +25,25 @@ Value ValueGraph::input(Register reg, int component) {
                      {datapath_.lowest, datapath_.one});
 }
 
-Value ValueGraph::add(const Formula& formula, std::span<const Value> of, const Range& range) {
+Value ValueGraph::add(Formula formula, std::span<const Operand> of, const Range& range) {
   if (range.low == range.high) return constant(range.low);
   Node node{.source = Source::operation, .number = 0, .formula = formula, .of = {}};
-  std::copy(of.begin(), of.end(), node.of.begin());
+  for (std::size_t k = 0; k < of.size(); ++k) {
+    node.of[k] = of[k].value;
+    // What cannot be negative is not floored, so that equal operations look equal.
+    if (of[k].floored && ranges_[of[k].value].low < 0) node.formula.floors |= 1U << k;
+  }
   return find_or_add(node, range);
+}
+
+Range ValueGraph::range(const Operand& operand) const {
+  const Range& r = ranges_[operand.value];
+  return operand.floored ? Range{std::max(r.low, 0), std::max(r.high, 0)} : r;
 }
 
 Range ValueGraph::range(const Linear& linear) const {
   if (linear.is_constant()) return {linear.offset, linear.offset};
-  Range r = range(linear.value);
-  if (linear.floored) r = {std::max(r.low, 0), std::max(r.high, 0)};
+  const Range r = range(Operand{linear.value, linear.floored});
   const int x = linear.factor * r.low + linear.offset, y = linear.factor * r.high + linear.offset;
   return {std::min(x, y), std::max(x, y)};
 }
@@ -62,13 +70,12 @@ Value ValueGraph::affine(std::span<const Linear> terms, Scale scale, Narrowing n
   }
   std::sort(kept.begin(), kept.end(), [](const Linear& a, const Linear& b) { return a.value < b.value; });
   Range sum{f.offset, f.offset};
-  std::vector<Value> of;
+  std::vector<Operand> of;
   for (const Linear& term : kept) {
     const Range r = range(term);
     sum = {sum.low + r.low, sum.high + r.high};
-    f.floored[of.size()] = term.floored;
     f.factor[of.size()] = term.factor;
-    of.push_back(term.value);
+    of.push_back({term.value, term.floored});
   }
   f.terms = static_cast<int>(of.size());
   f.halves = scale == Scale::by_one_half;
@@ -82,21 +89,28 @@ Value ValueGraph::affine(std::span<const Linear> terms, Scale scale, Narrowing n
     f.high = high;
   }
   const Range result{std::clamp(sum.low, low, high), std::clamp(sum.high, low, high)};
-  const bool is_itself = f.terms == 1 && f.factor[0] == 1 && f.offset == 0 && !f.floored[0] && !f.halves;
-  if (is_itself && f.low == f.high) return of[0];
+  if (result.low == result.high) return constant(result.low);
+  const bool is_itself = f.terms == 1 && f.factor[0] == 1 && f.offset == 0 && !of[0].floored && !f.halves;
+  if (is_itself && f.low == f.high) return of[0].value;
   return add(f, of, result);
 }
 
-Value ValueGraph::materialize(const Linear& linear) {
+Operand ValueGraph::operand(const Linear& linear) {
+  if (linear.factor == 1 && linear.offset == 0) return {linear.value, linear.floored && range(linear.value).low < 0};
   const Range r = range(linear);
-  return affine({&linear, 1}, Scale::none, Narrowing::toward_zero, r.low, r.high);
+  return {affine({&linear, 1}, Scale::none, Narrowing::toward_zero, r.low, r.high), false};
 }
 
-Value ValueGraph::select(Value by, Value no, Value yes) {
-  if (no == yes || range(by).high < datapath_.half) return no;
-  if (range(by).low >= datapath_.half) return yes;
+Value ValueGraph::select(Value by, const Operand& no, const Operand& yes) {
+  const bool is_no = no == yes || range(by).high < datapath_.half, is_yes = range(by).low >= datapath_.half;
+  if (is_no || is_yes) {
+    const Operand& chosen = is_no ? no : yes;
+    const Range r = range(chosen);
+    const Linear linear{chosen.value, chosen.floored, 1, 0};
+    return affine({&linear, 1}, Scale::none, Narrowing::toward_zero, r.low, r.high);
+  }
   const Range a = range(no), b = range(yes);
-  return add({.kernel = Kernel::select, .low = datapath_.half}, std::array{by, no, yes},
+  return add({.kernel = Kernel::select, .low = datapath_.half}, std::array{Operand{by}, no, yes},
              {std::min(a.low, b.low), std::max(a.high, b.high)});
 }
 

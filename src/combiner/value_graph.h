@@ -32,6 +32,13 @@ struct Linear {
   friend bool operator==(const Linear&, const Linear&) = default;
 };
 
+// What an operation reads: a value, without its negative part where `floored`.
+struct Operand {
+  Value value = 0;
+  bool floored = false;
+  friend auto operator<=>(const Operand&, const Operand&) = default;
+};
+
 enum class Source : std::uint8_t { constant, input, operation };
 
 class ValueGraph {
@@ -52,16 +59,17 @@ class ValueGraph {
   // clamp(sum of the terms · 2^doublings, or one half of it) to [low, high]; at most two terms that are not constant.
   Value affine(std::span<const Linear> terms, Scale scale, Narrowing narrowing, int low, int high);
 
-  // A linear value itself.
-  Value materialize(const Linear& linear);
+  // A linear value as an operation can read it.
+  Operand operand(const Linear& linear);
 
   // `by` >= one half ? yes : no
-  Value select(Value by, Value no, Value yes);
+  Value select(Value by, const Operand& no, const Operand& yes);
 
   // An operation whose results are known to lie in `range`.
-  Value add(const Formula& formula, std::span<const Value> of, const Range& range);
+  Value add(Formula formula, std::span<const Operand> of, const Range& range);
 
   [[nodiscard]] const Range& range(Value v) const { return ranges_[v]; }
+  [[nodiscard]] Range range(const Operand& operand) const;
   [[nodiscard]] Range range(const Linear& linear) const;
   [[nodiscard]] bool is_constant(Value v) const { return nodes_[v].source == Source::constant; }
   [[nodiscard]] const std::vector<Node>& nodes() const { return nodes_; }

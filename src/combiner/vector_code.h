@@ -12,10 +12,11 @@
 
 namespace ninebit::detail {
 
-// What an operation computes, lane by lane, of its sources x0, x1, …:
+// What an operation computes, lane by lane, of its sources x0, x1, …, each without its negative part where `floors` has
+// its bit:
 enum class Kernel : std::uint8_t {
-  // clamp(sum of factor[i] · x[i] + offset), each x without its negative part where floored[i]. With `halves` one half
-  // of the sum, toward zero or, with `nearest`, halves up. One or two terms.
+  // clamp(factor[0] · x0 + factor[1] · x1 + offset). With `halves` one half of the sum, toward zero or, with `nearest`,
+  // halves up. One or two terms.
   affine,
   // Products of values that are not negative, in 16 bits: min((x0·x1 + x2·x3 + …) · 2^doublings / 255, high), the
   // quotient rounded down or to nearest. With `adds` a last source is added to the quotient. One to three terms. The
@@ -33,11 +34,11 @@ enum class Kernel : std::uint8_t {
 struct Formula {
   Kernel kernel = Kernel::copy;
   int terms = 1;
+  std::uint32_t floors = 0;
   bool adds = false;
   bool halves = false;
   bool nearest = false;
   int doublings = 0;
-  std::array<bool, 2> floored{};
   std::array<int, 2> factor{};
   int offset = 0;
   int low = 0, high = 0;  // of the clamp, if low < high; of `select`, low is the limit
@@ -61,6 +62,7 @@ struct Formula {
     }
     return 0;
   }
+  [[nodiscard]] bool is_floored(std::size_t source) const { return (floors >> source & 1U) != 0; }
   friend auto operator<=>(const Formula&, const Formula&) = default;
 };
 inline constexpr std::size_t kMostSources = 12;

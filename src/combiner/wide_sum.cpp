@@ -16,12 +16,12 @@ constexpr int kMost16 = 32767;
 
 // A product as the graph holds it.
 struct Factors {
-  Value x = 0, y = 0;
+  Operand x, y;
   Range range;
   friend bool operator<(const Factors& a, const Factors& b) { return std::pair(a.x, a.y) < std::pair(b.x, b.y); }
 };
 
-Range range_of_product(const ValueGraph& graph, Value x, Value y) {
+Range range_of_product(const ValueGraph& graph, const Operand& x, const Operand& y) {
   const Range a = graph.range(x), b = graph.range(y);
   const std::array<int, 4> corners{a.low * b.low, a.low * b.high, a.high * b.low, a.high * b.high};
   const auto [low, high] = std::minmax_element(corners.begin(), corners.end());
@@ -31,7 +31,7 @@ Range range_of_product(const ValueGraph& graph, Value x, Value y) {
 std::vector<Factors> factors_of(ValueGraph& graph, const WideSum& sum) {
   std::vector<Factors> all;
   for (const WideSum::Product& p : sum.products()) {
-    Factors f{graph.materialize(p.x), graph.materialize(p.y), {}};
+    Factors f{graph.operand(p.x), graph.operand(p.y), {}};
     if (f.y < f.x) std::swap(f.x, f.y);
     f.range = range_of_product(graph, f.x, f.y);
     all.push_back(f);
@@ -54,13 +54,13 @@ int doublings_of(Scale scale) {
   return scale == Scale::by_two ? 1 : scale == Scale::by_four ? 2 : 0;
 }
 
-std::vector<Value> values_of(const std::vector<Factors>& factors) {
-  std::vector<Value> values;
+std::vector<Operand> operands_of(const std::vector<Factors>& factors) {
+  std::vector<Operand> operands;
   for (const Factors& f : factors) {
-    values.push_back(f.x);
-    values.push_back(f.y);
+    operands.push_back(f.x);
+    operands.push_back(f.y);
   }
-  return values;
+  return operands;
 }
 
 // A sum without products to compute, plus what is added, if that makes at most two terms.
@@ -97,10 +97,10 @@ std::optional<Value> as_unsigned(ValueGraph& graph, const WideSum& sum, const st
             .terms = static_cast<int>(factors.size()),
             .nearest = how.narrowing == Narrowing::nearest_halves_up,
             .doublings = doublings_of(how.scale)};
-  std::vector<Value> of = values_of(factors);
+  std::vector<Operand> of = operands_of(factors);
   if (added.high > 0) {
     f.adds = true;
-    of.push_back(graph.materialize(how.added));
+    of.push_back(graph.operand(how.added));
   }
   const Range raw{quotient.low + added.low, quotient.high + added.high};
   if (!is_exact || raw.high > how.high) f.high = how.high;
@@ -123,7 +123,7 @@ std::optional<Value> as_signed_product(ValueGraph& graph, const WideSum& sum, co
     f.low = how.low;
     f.high = how.high;
   }
-  return graph.add(f, values_of(factors), clamped(quotient, how));
+  return graph.add(f, operands_of(factors), clamped(quotient, how));
 }
 
 // 1 / divisor as a float that is not below it.
@@ -145,9 +145,9 @@ Value as_products(ValueGraph& graph, const WideSum& sum, const std::vector<Facto
       f.low = how.low;
       f.high = how.high;
     }
-    return graph.add(f, values_of(factors), clamped(quotient, how));
+    return graph.add(f, operands_of(factors), clamped(quotient, how));
   }
-  const Value whole = graph.add(f, values_of(factors), quotient);
+  const Value whole = graph.add(f, operands_of(factors), quotient);
   const std::array<Linear, 2> terms{Linear{whole, false, 1, 0}, how.added};
   return graph.affine(terms, Scale::none, how.narrowing, how.low, how.high);
 }
