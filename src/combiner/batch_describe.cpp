@@ -1,3 +1,6 @@
+#include <array>
+#include <cmath>
+#include <cstdlib>
 #include <string>
 
 #include "src/combiner/vector_code.h"
@@ -11,9 +14,12 @@ using detail::Operation;
 using detail::Plane;
 using detail::Space;
 
+// Of quarters, the nearest.
 std::string number(float v) {
-  const auto whole = static_cast<int>(v);
-  return std::to_string(whole) + (static_cast<float>(whole) == v ? "" : ".5");
+  const long quarters = std::lround(4.0F * v);
+  const std::array<const char*, 4> fraction{"", ".25", ".5", ".75"};
+  return (quarters < 0 ? "-" : "") + std::to_string(std::abs(quarters) / 4) +
+         fraction[static_cast<std::size_t>(std::abs(quarters) % 4)];
 }
 
 class Text {
