@@ -149,8 +149,8 @@ TEST(BatchProgram, RegistersThatChangePlaces) {
   EXPECT_EQ(after.color, codes(11, 12, 0, 10));
 }
 
-// Stages 0 to 3 map each texture in four ways, stages 4 to 7 multiply the same mapped values otherwise: all of them wait
-// at once, more than the first cache would hold with 256 lanes.
+// Stages 0 to 3 map each texture in four ways, stages 4 to 7 multiply the same mapped values otherwise: all of them
+// wait at once, more than the first cache would hold with 256 lanes.
 TEST(BatchProgram, ManyTemporaries) {
   const HardwareProfile& profile = profiles::nv2a;
   CombinerState state = silent_state(8);

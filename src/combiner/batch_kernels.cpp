@@ -52,8 +52,7 @@ HWY_INLINE VU16 set_unsigned(int v) {
 
 class Clamp {
  public:
-  explicit HWY_INLINE Clamp(const Formula& f)
-      : clamps_(f.low < f.high), low_(set(f.low)), high_(set(f.high)) {}
+  explicit HWY_INLINE Clamp(const Formula& f) : clamps_(f.low < f.high), low_(set(f.low)), high_(set(f.high)) {}
   HWY_INLINE V16 operator()(V16 v) const { return clamps_ ? hn::Min(hn::Max(v, low_), high_) : v; }
 
  private:
@@ -129,9 +128,8 @@ HWY_NOINLINE void unsigned_products(const Operation& operation, const Batch& bat
   const bool clamps = f.low < f.high, nearest = f.nearest;
   const int doublings = f.doublings;
   for_lanes<2 * kTerms + (kAdds ? 1 : 0), kFloors>(operation, batch, [&](const auto& x, std::size_t lane) HWY_ATTR {
-    const auto product = [&](std::size_t k) HWY_ATTR {
-      return hn::Mul(x.get_unsigned(2 * k, lane), x.get_unsigned(2 * k + 1, lane));
-    };
+    const auto product = [&](std::size_t k)
+                             HWY_ATTR { return hn::Mul(x.get_unsigned(2 * k, lane), x.get_unsigned(2 * k + 1, lane)); };
     VU16 sum = product(0);
     if (kTerms > 1) sum = hn::SaturatedAdd(sum, product(1));
     if (kTerms > 2) sum = hn::SaturatedAdd(sum, product(2));
@@ -233,14 +231,15 @@ HWY_INLINE V32 to_integers(VF32 v, bool nearest) {
 }
 #endif
 
-// The reciprocal is 2^k / d, d odd and at most 255, rounded up to a float: at most (1 + 2^-23) times too large. Let n be
-// the sum, the bias and the 2^k, |n| < 2^22 and |n / d| < 2^14. Floats hold n exactly, and multiplying by 2^k is exact.
-// - Where d divides n the product is at least n / d before it is rounded, so that n / d is what it is rounded to or is
-//   passed; otherwise n / d is at least 1 / d below the next whole number, the product at least (1 - 2^-1) / d, which
-//   is more than half of the distance 2^-10 between floats below 2^14. So truncating gives floor(n / d), and for
-//   negative n, with the signs changed, the same.
-// - To nearest: one is odd. A tie is possible only with 2^k = 1/2, and there 1/2 stands in the bias; n / d is 1 / (4 d)
-//   away from any tie, and the error is smaller.
+// Let n be the sum with its bias, and the reciprocal 2^k / one, rounded up to a float: at most 2^-23 of itself too
+// large. |2^k n| is below 2^21 (six products of 256² times four) and its quotient below 2^13, where a number is at most
+// 2^-12 away from a float. A float holds n exactly. So n · reciprocal is too large by less than 1 / (4 one), and is
+// then moved by 2^-12 at most:
+// - Where the quotient is whole the product is not below it, and neither is the float; else the next whole number is at
+//   least 1 / (2 one) above, out of reach. So truncating is exact; for negative n the same with the signs changed.
+// - One is odd. So with k >= 0 no quotient is a tie, but at least 1 / (2 one) away from one. With k = -1 the bias has
+// one
+//   half more: a tie is 1 / (4 one) away, and n being below 2^19, the product at most 1 / (32 one) too large.
 template <int kTerms, bool kFloors>
 HWY_NOINLINE void products(const Operation& operation, const Batch& batch) {
   const Formula& f = operation.formula;
@@ -256,8 +255,9 @@ HWY_NOINLINE void products(const Operation& operation, const Batch& batch) {
       sum = multiply(factor(0), factor(1), factor(2), factor(3));
     }
     for (std::size_t k = 2; k < kTerms; k += 2) {
-      const Wide more = k + 1 < kTerms ? multiply(factor(2 * k), factor(2 * k + 1), factor(2 * k + 2), factor(2 * k + 3))
-                                       : multiply(factor(2 * k), factor(2 * k + 1));
+      const Wide more = k + 1 < kTerms
+                            ? multiply(factor(2 * k), factor(2 * k + 1), factor(2 * k + 2), factor(2 * k + 3))
+                            : multiply(factor(2 * k), factor(2 * k + 1));
       sum = {hn::Add(sum.first, more.first), hn::Add(sum.second, more.second)};
     }
     const auto code = [&](V32 n) HWY_ATTR {
@@ -273,8 +273,7 @@ template <bool kFloors>
 HWY_NOINLINE void select(const Operation& operation, const Batch& batch) {
   const V16 limit = set(operation.formula.low);
   for_lanes<3, kFloors>(operation, batch, [&](const auto& x, std::size_t lane) HWY_ATTR {
-    return hn::IfThenElse(hn::Lt(x.get(0, lane), limit), x.get(1, lane),
-                          x.get(2, lane));
+    return hn::IfThenElse(hn::Lt(x.get(0, lane), limit), x.get(1, lane), x.get(2, lane));
   });
 }
 

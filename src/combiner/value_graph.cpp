@@ -58,10 +58,9 @@ Value ValueGraph::affine(std::span<const Linear> terms, Scale scale, Narrowing n
     term.offset = 0;
     term.factor <<= doublings;
     term.floored = term.floored && range(term.value).low < 0;
-    const auto like =
-        std::find_if(kept.begin(), kept.end(), [&](const Linear& other) {
-          return other.value == term.value && other.floored == term.floored;
-        });
+    const auto like = std::find_if(kept.begin(), kept.end(), [&](const Linear& other) {
+      return other.value == term.value && other.floored == term.floored;
+    });
     if (like == kept.end()) {
       kept.push_back(term);
     } else if (like->factor += term.factor; like->factor == 0) {

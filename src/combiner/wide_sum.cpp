@@ -115,7 +115,8 @@ std::optional<Value> as_signed_product(ValueGraph& graph, const WideSum& sum, co
   }
   const Range& r = factors[0].range;
   const int most = std::max(-r.low, r.high);
-  if (most > 65535 || ((most << doublings_of(how.scale)) > 65535 - 127 && (how.high > 257 || how.low < -257))) return {};
+  if (most > 65535 || ((most << doublings_of(how.scale)) > 65535 - 127 && (how.high > 257 || how.low < -257)))
+    return {};
   Formula f{.kernel = Kernel::signed_product,
             .nearest = how.narrowing == Narrowing::nearest_halves_up,
             .doublings = doublings_of(how.scale)};
@@ -139,7 +140,8 @@ Value as_products(ValueGraph& graph, const WideSum& sum, const std::vector<Facto
   Formula f{.kernel = Kernel::products, .terms = static_cast<int>(factors.size()), .nearest = nearest};
   // One is odd, so only one half of a code is a tie, of whole numbers; one half more settles it upward.
   f.bias = static_cast<float>(sum.constant()) + (nearest && halves ? 0.5F : 0.0F);
-  f.reciprocal = reciprocal_above(graph.datapath().one) * (halves ? 0.5F : static_cast<float>(1 << doublings_of(how.scale)));
+  f.reciprocal =
+      reciprocal_above(graph.datapath().one) * (halves ? 0.5F : static_cast<float>(1 << doublings_of(how.scale)));
   if (how.added == Linear{}) {
     if (quotient.low < how.low || quotient.high > how.high) {
       f.low = how.low;
