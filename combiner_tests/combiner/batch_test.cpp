@@ -32,14 +32,14 @@ void fill(RegisterBatch& batch, std::size_t lane, const RegisterFile& registers)
 
 TEST(Batch, EveryTargetOfThisProcessorIsDispatchedTo) {
   ASSERT_FALSE(simd_targets().empty());
-  const Program program = normalize(CombinerState{}, profiles::geforce2);
+  const BatchProgram program(normalize(CombinerState{}, profiles::geforce2));
   const auto batch = std::make_unique<RegisterBatch>();
   const auto out = std::make_unique<OutputBatch>();
   std::set<std::string> ran;
   for (const std::int64_t target : simd_targets()) {
     const OnTarget on_target(target);
     EXPECT_FALSE(on_target.ran()) << "nothing was dispatched yet";
-    evaluate(program, *batch, 1, *out);
+    program.run(*batch, 1, *out);
     for (const std::int64_t other : simd_targets()) {
       EXPECT_EQ(on_target.ran_on(other), other == target) << simd_target_name(other);
     }
@@ -63,6 +63,7 @@ TEST(Batch, SizesAndLanesPastTheCount) {
     Random random(0xBA7C4, index);
     const HardwareProfile profile = random_profile(random);
     const Program program = normalize(random_state(random, profile), profile);
+    const BatchProgram compiled(program, {.registers = true});
     std::vector<RegisterFile> initial(kBatchSize);
     for (RegisterFile& registers : initial) registers = random_registers(random, profile);
     for (const std::int64_t target : simd_targets()) {
@@ -76,7 +77,7 @@ TEST(Batch, SizesAndLanesPastTheCount) {
             }
           }
         }
-        evaluate(program, *batch, count, *out);
+        compiled.run(*batch, count, *out);
         for (std::size_t lane = 0; lane < count; ++lane) {
           RegisterFile expected = initial[lane];
           evaluate_general(program, expected);
@@ -105,14 +106,14 @@ TEST(Batch, NothingIsWrittenOutsideTheBatch) {
   Random random(0x6A7D);
   for (const std::size_t count : {0U, 1U, 255U, 256U}) {
     const HardwareProfile& profile = profiles::nv2a;
-    const Program program = normalize(random_state(random, profile), profile);
+    const BatchProgram program(normalize(random_state(random, profile), profile), {.registers = true});
     std::memset(static_cast<void*>(guarded.get()), 0x5A, sizeof(Guarded));
     for (std::size_t lane = 0; lane < kBatchSize; ++lane) {
       fill(guarded->registers, lane, random_registers(random, profile));
     }
     for (const std::int64_t target : simd_targets()) {
       const OnTarget on_target(target);
-      evaluate(program, guarded->registers, count, guarded->out);
+      program.run(guarded->registers, count, guarded->out);
       for (const auto* guard : {&guarded->before, &guarded->between, &guarded->after}) {
         for (const std::uint8_t byte : *guard) ASSERT_EQ(byte, 0x5A) << simd_target_name(target) << ' ' << count;
       }
@@ -121,7 +122,7 @@ TEST(Batch, NothingIsWrittenOutsideTheBatch) {
 }
 
 TEST(Batch, AnEmptyBatchChangesNothing) {
-  const Program program = normalize(CombinerState{}, profiles::geforce2);
+  const BatchProgram program(normalize(CombinerState{}, profiles::geforce2), {.registers = true});
   const auto batch = std::make_unique<RegisterBatch>();
   const auto copy = std::make_unique<RegisterBatch>();
   const auto out = std::make_unique<OutputBatch>();
@@ -129,7 +130,7 @@ TEST(Batch, AnEmptyBatchChangesNothing) {
   std::memset(static_cast<void*>(copy.get()), 0x11, sizeof(RegisterBatch));
   for (const std::int64_t target : simd_targets()) {
     const OnTarget on_target(target);
-    evaluate(program, *batch, 0, *out);
+    program.run(*batch, 0, *out);
     EXPECT_EQ(batch->plane, copy->plane);
   }
 }

@@ -58,7 +58,7 @@ TEST(FinalArithmetic, EveryBlendOfThreeValuesOnEverySimdTarget) {
   const auto batch = std::make_unique<RegisterBatch>();
   const auto out = std::make_unique<OutputBatch>();
   for (const HardwareProfile& p : profiles_and_truncation()) {
-    const Program program = compile(state, p).value();
+    const BatchProgram program(compile(state, p).value());
     const int one = p.one;
     const auto values = static_cast<std::size_t>(one + 1);
     for (std::size_t c = 0; c < values; ++c) {
@@ -75,7 +75,7 @@ TEST(FinalArithmetic, EveryBlendOfThreeValuesOnEverySimdTarget) {
           for (int channel = 0; channel < 3; ++channel) {
             std::fill_n((*batch)(Register::secondary, channel), values, static_cast<s9>(b));
           }
-          evaluate(program, *batch, values, *out);
+          program.run(*batch, values, *out);
           for (int channel = 0; channel < 3; ++channel) {
             const int value = std::min(a + channel, one);
             for (int c = 0; c <= one; ++c) {

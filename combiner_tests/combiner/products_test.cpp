@@ -56,7 +56,7 @@ std::vector<s9> outputs_by_oracle(const HardwareProfile& p, Scale scale, Bias bi
 }
 
 // spare1 = A·B of primary and secondary, as they are.
-Program product_program(const HardwareProfile& p, Scale scale, Bias bias, bool dot) {
+BatchProgram product_program(const HardwareProfile& p, Scale scale, Bias bias, bool dot) {
   CombinerState state = silent_state(1);
   Portion& rgb = state.general[0].rgb;
   rgb.a = rgb_of(Register::primary, InputMapping::signed_identity);
@@ -65,7 +65,7 @@ Program product_program(const HardwareProfile& p, Scale scale, Bias bias, bool d
   rgb.out.ab_dot_product = dot;
   rgb.out.scale = scale;
   rgb.out.bias = bias;
-  return compile(state, p).value();
+  return BatchProgram(compile(state, p).value(), {.registers = true});
 }
 
 TEST(Products, EveryProductOfTwoMappedValues) {
@@ -97,7 +97,7 @@ TEST(Products, EveryProductOfTwoMappedValuesOnEverySimdTarget) {
   for (const HardwareProfile& p : profiles_and_rivals()) {
     const int most = largest_mapped(p);
     for (const auto& [scale, bias] : kScaleBias) {
-      const Program program = product_program(p, scale, bias, false);
+      const BatchProgram program = product_program(p, scale, bias, false);
       const std::vector<s9> by_wide = outputs_by_oracle(p, scale, bias, most * most);
       for (const std::int64_t target : simd_targets()) {
         const OnTarget on_target(target);
@@ -113,7 +113,7 @@ TEST(Products, EveryProductOfTwoMappedValuesOnEverySimdTarget) {
                 (*batch)(Register::secondary, c)[i] = static_cast<s9>(first + static_cast<int>(i));
               }
             }
-            evaluate(program, *batch, count, *out);
+            program.run(*batch, count, *out);
             for (int c = 0; c < 3; ++c) {
               const int factor = std::min(a + c, most);
               for (std::size_t i = 0; i < count; ++i) {
@@ -164,7 +164,7 @@ bool split(int wide, int one, std::array<int, 6>& factor, int& last_partner) {
 }
 
 // spare1 = A·B + C·D, both dot products of registers as they are.
-Program dot_products_program(const HardwareProfile& p, Scale scale, Bias bias) {
+BatchProgram dot_products_program(const HardwareProfile& p, Scale scale, Bias bias) {
   CombinerState state = silent_state(1);
   Portion& rgb = state.general[0].rgb;
   rgb.a = rgb_of(Register::primary, InputMapping::signed_identity);
@@ -175,7 +175,7 @@ Program dot_products_program(const HardwareProfile& p, Scale scale, Bias bias) {
   rgb.out.ab_dot_product = rgb.out.cd_dot_product = true;
   rgb.out.scale = scale;
   rgb.out.bias = bias;
-  return compile(state, p).value();
+  return BatchProgram(compile(state, p).value(), {.registers = true});
 }
 
 TEST(Products, EverySumOfTwoDotProductsOnEverySimdTarget) {
@@ -183,7 +183,7 @@ TEST(Products, EverySumOfTwoDotProductsOnEverySimdTarget) {
   const auto out = std::make_unique<OutputBatch>();
   for (const HardwareProfile& p : profiles_and_rivals()) {
     const int one = p.one, most = 6 * one * one;
-    std::vector<Program> programs;
+    std::vector<BatchProgram> programs;
     std::vector<std::vector<s9>> by_wide;
     for (const auto& [scale, bias] : kScaleBias) {
       programs.push_back(dot_products_program(p, scale, bias));
@@ -196,7 +196,7 @@ TEST(Products, EverySumOfTwoDotProductsOnEverySimdTarget) {
       for (const std::int64_t target : simd_targets()) {
         const OnTarget on_target(target);
         for (std::size_t k = 0; k < programs.size(); ++k) {
-          evaluate(programs[k], *batch, wides.size(), *out);
+          programs[k].run(*batch, wides.size(), *out);
           int difference = 0;
           for (int c = 0; c < 3; ++c) {
             const s9* const actual = (*batch)(Register::spare1, c);

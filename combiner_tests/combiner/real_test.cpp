@@ -224,12 +224,12 @@ TEST(EvaluateReal, PowersOfEveryCode) {
 }
 
 TEST(EvaluateReal, LanesPastTheCountAreLeftAlone) {
-  const Program program = normalize(CombinerState{}, profiles::ideal);
+  const BatchProgram program(normalize(CombinerState{}, profiles::ideal), {.registers = true});
   auto batch = std::make_unique<RegisterBatch>();
   auto out = std::make_unique<OutputBatch>();
   std::memset(static_cast<void*>(batch.get()), 0x11, sizeof(RegisterBatch));
   const RegisterBatch before = *batch;
-  evaluate(program, *batch, 0, *out);
+  program.run(*batch, 0, *out);
   EXPECT_EQ(batch->plane, before.plane);
 }
 

@@ -67,7 +67,7 @@ struct Inner {
 
 // Stage 0: spare0 = primary · secondary + texture0 · texture1. Stage 1: spare1 = -primary · secondary + the same. So a
 // fragment sums two first products with a second one in each of its four components.
-Program sums_program(const HardwareProfile& profile, Scale scale, Bias bias) {
+BatchProgram sums_program(const HardwareProfile& profile, Scale scale, Bias bias) {
   CombinerState state = silent_state(2);
   for (std::size_t i = 0; i < 2; ++i) {
     for (Portion* const portion : {&state.general[i].rgb, &state.general[i].alpha}) {
@@ -82,7 +82,7 @@ Program sums_program(const HardwareProfile& profile, Scale scale, Bias bias) {
       portion->out.bias = bias;
     }
   }
-  return compile(state, profile).value();
+  return BatchProgram(compile(state, profile).value(), {.registers = true});
 }
 
 // Whether all 256 sums of `first` with the second products in `value` came out as expected.
@@ -96,7 +96,7 @@ bool all_as_expected(const s9* actual, const s9* expected_of_zero, int first, co
 class Sums : public testing::TestWithParam<std::tuple<const char*, std::size_t>> {
  protected:
   // Every `stride`-th group of four first products with every second product. Returns the number of sums.
-  std::uint64_t run(const Program& program, const std::vector<Product>& positive, const Inner& inner,
+  std::uint64_t run(const BatchProgram& program, const std::vector<Product>& positive, const Inner& inner,
                     const std::vector<s9>& expected, std::size_t stride, std::size_t offset) {
     const s9* const expected_of_zero = expected.data() + expected.size() / 2;
     const auto batch = std::make_unique<RegisterBatch>();
@@ -114,7 +114,7 @@ class Sums : public testing::TestWithParam<std::tuple<const char*, std::size_t>>
           std::copy_n(inner.x.data() + at, kBatchSize, (*batch)(Register::texture0, c));
           std::copy_n(inner.y.data() + at, kBatchSize, (*batch)(Register::texture1, c));
         }
-        evaluate(program, *batch, kBatchSize, *out);
+        program.run(*batch, kBatchSize, *out);
         for (std::size_t c = 0; c < 4; ++c) {
           const auto component = static_cast<int>(c);
           const int* const value = inner.value.data() + at;
@@ -143,7 +143,7 @@ TEST_P(Sums, EveryPairOfDistinctProducts) {
   ASSERT_EQ(positive.size() * 2 - 1, inner.distinct);
   ASSERT_EQ(inner.distinct, one == 255 ? 35155U : 9293U);
 
-  const Program program = sums_program(profile, scale, bias);
+  const BatchProgram program = sums_program(profile, scale, bias);
   std::vector<s9> expected;
   for (int wide = -2 * one * one; wide <= 2 * one * one; ++wide) {
     expected.push_back(static_cast<s9>(oracle::general_output(profile, scale, bias, {wide, one * one})));

@@ -142,6 +142,45 @@ RegisterFile from_oracle(const oracle::Registers& registers) {
   return result;
 }
 
+namespace {
+
+// The colour without the registers, from a batch in which only the components stand that the batch program says it
+// reads; nothing else is written. All of the colour at once, then one component that depends on what it is.
+void check_color_alone(const CombinerState& state, const HardwareProfile& profile, const RegisterBatch& first,
+                       const std::vector<Fragment>& expected) {
+  const Program program = normalize(state, profile);
+  const auto batch = std::make_unique<RegisterBatch>();
+  const auto out = std::make_unique<OutputBatch>();
+  const std::size_t only = static_cast<std::size_t>(expected[0].color[0] & 3);
+  std::array<bool, 4> one{};
+  one[only] = true;
+  for (const std::array<bool, 4>& wanted : {std::array{true, true, true, true}, one}) {
+    const BatchProgram compiled(program, {.color = wanted});
+    for (std::size_t r = 0; r < kRegisterCount; ++r) {
+      for (std::size_t c = 0; c < 4; ++c) {
+        batch->plane[r][c] = first.plane[r][c];
+        if (!compiled.reads().contains(static_cast<Register>(r), static_cast<int>(c))) batch->plane[r][c].fill(0x5A5A);
+      }
+    }
+    for (auto& plane : out->plane) plane.fill(0x5A5A);
+    const auto before = batch->plane;
+    compiled.run(*batch, expected.size(), *out);
+    bool is_right = batch->plane == before;
+    for (std::size_t c = 0; c < 4; ++c) {
+      for (std::size_t i = 0; i < expected.size(); ++i) {
+        is_right = is_right && out->plane[c][i] == (wanted[c] ? expected[i].color[c] : 0x5A5A);
+      }
+    }
+    if (!is_right) {
+      ADD_FAILURE() << "the colour without the registers, components " << wanted[0] << wanted[1] << wanted[2]
+                    << wanted[3] << '\n'
+                    << describe(state, profile) << compiled.describe();
+    }
+  }
+}
+
+}  // namespace
+
 std::vector<Fragment> judged(const CombinerState& state, const HardwareProfile& profile,
                              const std::vector<RegisterFile>& initial) {
   EXPECT_LE(initial.size(), kBatchSize);
@@ -182,10 +221,11 @@ std::vector<Fragment> judged(const CombinerState& state, const HardwareProfile& 
   }
   const auto batch = std::make_unique<RegisterBatch>();
   const auto out = std::make_unique<OutputBatch>();
+  const BatchProgram compiled(*program, {.registers = true});
   for (const std::int64_t target : simd_targets()) {
     const OnTarget on_target(target);
     *batch = *first;
-    evaluate(*program, *batch, initial.size(), *out);
+    compiled.run(*batch, initial.size(), *out);
     if (on_target.ran() != integer) ADD_FAILURE() << "wrongly dispatched on " << simd_target_name(target);
     for (std::size_t i = 0; i < initial.size(); ++i) {
       RegisterFile registers;
@@ -197,6 +237,7 @@ std::vector<Fragment> judged(const CombinerState& state, const HardwareProfile& 
     }
     if (!integer) break;  // real numbers have no vectors
   }
+  if (integer) check_color_alone(state, profile, *first, expected);
   return expected;
 }
 

@@ -10,7 +10,7 @@
 
 #include "combiner_tests/combiner/random_state.h"
 #include "combiner_tests/oracle/combiner_oracle.h"
-#include "ninebit/combiner/evaluate.h"
+#include "ninebit/combiner/batch_program.h"
 #include "ninebit/combiner/state.h"
 #include "ninebit/numerics/hardware_profile.h"
 

@@ -5,7 +5,7 @@
 
 #include "combiner_tests/fuzz/checks.h"
 #include "combiner_tests/fuzz/common.h"
-#include "ninebit/combiner/evaluate.h"
+#include "ninebit/combiner/batch_program.h"
 #include "ninebit/language/profile_json.h"
 
 namespace ninebit::fuzz {
@@ -119,7 +119,7 @@ std::string wrong_with_arithmetic(const HardwareProfile& profile) {
       }
     }
   }
-  evaluate(*program, *batch, count, *out);
+  BatchProgram(*program, {.registers = true}).run(*batch, count, *out);
   for (std::size_t i = 0; i < count; ++i) {
     const Rgba9 color = evaluate(*program, fragments[i]);
     for (std::size_t c = 0; c < 4; ++c) {

@@ -9,12 +9,15 @@ std::size_t index_of(int component) {
   return static_cast<std::size_t>(component);
 }
 
-// Copies `count` fragments of all registers and outputs.
-void copy(const RegisterBatch& from, std::size_t from_row, RegisterBatch& to, std::size_t to_row, std::size_t count) {
-  for (std::size_t i = 0; i < kRegisterCount; ++i) {
-    const auto reg = static_cast<Register>(i);
-    for (int c = 0; c < 4; ++c) std::copy_n(from(reg, c) + from_row, count, to(reg, c) + to_row);
+// The constants that the rows have.
+ComponentSet varying_constants(const EvalRows& rows) {
+  ComponentSet varying;
+  for (const Register reg : {Register::constant0, Register::constant1}) {
+    for (int c = 0; c < 4; ++c) {
+      if (rows.has({reg, c})) varying.add(reg, c);
+    }
   }
+  return varying;
 }
 
 }  // namespace
@@ -29,6 +32,7 @@ void replace_constant(Program& program, const EvalColumn& column, s9 code) {
 EvalRunner::EvalRunner(const CombinerState& state, const HardwareProfile& profile, const EvalRows& rows,
                        EvalEngine engine)
     : program_(normalize(state, profile)),
+      batch_program_(program_, {.registers = true}, varying_constants(rows)),
       engine_(engine),
       constant0_(detail::constant_codes(profile, state.constant0)),
       constant1_(detail::constant_codes(profile, state.constant1)) {
@@ -43,19 +47,15 @@ void EvalRunner::set_constants(const EvalBatch& batch, std::size_t row) {
   }
 }
 
-bool EvalRunner::same_constants(const EvalBatch& batch, std::size_t row, std::size_t other) const {
-  return std::all_of(constants_.begin(), constants_.end(), [&](const EvalColumn& column) {
-    const s9* const plane = batch.registers(column.reg, column.component);
-    return plane[row] == plane[other];
-  });
-}
-
 void EvalRunner::run(EvalBatch& batch) {
   for (const EvalColumn& column : own_constants_) {
     const Rgba9& own = column.reg == Register::constant0 ? constant0_ : constant1_;
     std::fill_n(batch.registers(column.reg, column.component), kBatchSize, own[index_of(column.component)]);
   }
-  engine_ == EvalEngine::simd ? run_simd(batch) : run_reference(batch);
+  // Real numbers know no constants but the program's.
+  const bool by_row =
+      engine_ == EvalEngine::reference || (!constants_.empty() && program_.datapath.arithmetic != Arithmetic::integer);
+  by_row ? run_reference(batch) : batch_program_.run(batch.registers, batch.count, batch.out);
 }
 
 void EvalRunner::run_reference(EvalBatch& batch) {
@@ -71,28 +71,6 @@ void EvalRunner::run_reference(EvalBatch& batch) {
         batch.registers(static_cast<Register>(i), c)[row] = result.registers.value[i][index_of(c)];
     }
     for (std::size_t c = 0; c < 4; ++c) batch.out.plane[c][row] = result.color[c];
-  }
-}
-
-// A batch has one set of constants; rows with others are evaluated run by run.
-void EvalRunner::run_simd(EvalBatch& batch) {
-  std::size_t first = 0;
-  while (first < batch.count) {
-    std::size_t last = first + 1;
-    if (constants_.empty()) last = batch.count;
-    while (last < batch.count && same_constants(batch, first, last)) ++last;
-    set_constants(batch, first);
-    const std::size_t count = last - first;
-    if (count == batch.count) {
-      evaluate(program_, batch.registers, count, batch.out);
-      return;
-    }
-    copy(batch.registers, first, part_, 0, count);
-    evaluate(program_, part_, count, part_out_);
-    copy(part_, 0, batch.registers, first, count);
-    for (std::size_t c = 0; c < 4; ++c)
-      std::copy_n(part_out_.plane[c].data(), count, batch.out.plane[c].data() + first);
-    first = last;
   }
 }
 

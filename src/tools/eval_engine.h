@@ -1,6 +1,7 @@
 // Running a program over eval's batches, by either engine.
 #pragma once
 
+#include "ninebit/combiner/batch_program.h"
 #include "ninebit/combiner/program.h"
 #include "src/tools/eval_table.h"
 
@@ -22,17 +23,14 @@ class EvalRunner {
 
  private:
   void set_constants(const EvalBatch& batch, std::size_t row);
-  [[nodiscard]] bool same_constants(const EvalBatch& batch, std::size_t row, std::size_t other) const;
   void run_reference(EvalBatch& batch);
-  void run_simd(EvalBatch& batch);
 
   Program program_;
+  BatchProgram batch_program_;
   EvalEngine engine_;
   Rgba9 constant0_, constant1_;            // the program's, for the table of registers
   std::vector<EvalColumn> constants_;      // that the rows have
   std::vector<EvalColumn> own_constants_;  // that they do not have
-  RegisterBatch part_{};
-  OutputBatch part_out_{};
 };
 
 }  // namespace ninebit::tools

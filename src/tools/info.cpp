@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "ninebit/combiner/evaluate.h"
+#include "ninebit/combiner/batch_program.h"
 #include "ninebit/shadow/technique.h"
 #include "src/tools/program.h"
 

@@ -1,4 +1,5 @@
-// Running a program: one fragment by the constexpr reference, or a batch of fragments by SIMD. Both give the same bits.
+// Running a program over one fragment by the constexpr reference, and what a batch of fragments is. batch_program.h runs
+// batches by SIMD, with the same bits.
 //
 // Registers and colours are codes here with every arithmetic. A program whose arithmetic is not integer computes in
 // real numbers from the first stage to the last; each register that it wrote and each colour then leaves as the nearest
@@ -216,12 +217,7 @@ struct alignas(64) OutputBatch {
   std::array<std::array<s9, kBatchSize>, 4> plane;
 };
 
-// Evaluates the first `count` (at most kBatchSize) fragments; on return `registers` holds what the general combiners
-// left. Lanes from `count` on may be overwritten with values without meaning. Integer arithmetic runs on the best SIMD
-// target of this machine, chosen at run time; the others run a fragment at a time.
+// Compiles the program and runs it once, with the registers among the outputs: BatchProgram is for more than one batch.
 void evaluate(const Program& program, RegisterBatch& registers, std::size_t count, OutputBatch& out);
-
-// The name of the SIMD target that the batch evaluator runs on here, such as "AVX2".
-[[nodiscard]] const char* simd_target();
 
 }  // namespace ninebit

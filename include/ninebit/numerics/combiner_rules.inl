@@ -1,9 +1,10 @@
 // THE arithmetic of the register combiners, written once. No include guard: it is included once inside a constexpr
-// namespace (the reference) and once inside Highway's namespace of every SIMD target, so that all give the same bits.
+// namespace (the reference) and once where programs are emitted as text. Batches are compiled to other formulas, which
+// take their mappings, ranges and constants from the reference and are tested against it.
 //
-// The includer provides the macro NINEBIT_RULE (the functions' attributes), the type V (one int32 lane, or a vector of
-// them) and these primitives:
-//   V set(int); V add(V, V); V sub(V, V); V mul(V, V) (low 32 bits); V min_of(V, V); V max_of(V, V); V abs_of(V);
+// The includer provides the macro NINEBIT_RULE (the functions' attributes), the type V (an int, or an expression of
+// ints) and these primitives:
+//   V set(int); V add(V, V); V sub(V, V); V mul(V, V); V min_of(V, V); V max_of(V, V); V abs_of(V);
 //   V divide(V n, int d)          n / d rounded down, for 0 <= n < 2^24, 1 <= d <= 510 and n / d < 2^13
 //   V negate_where_negative(V sign, V x)      sign < 0 ? -x : x
 //   V select_where_at_least(V v, V limit, V yes, V no)      v >= limit ? yes : no

@@ -1,0 +1,228 @@
+// How programs compile to vector operations: what is folded, what is left out, and that nothing of it shows in a code.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "combiner_tests/combiner/sanitized.h"
+#include "combiner_tests/combiner/simd_targets.h"
+#include "combiner_tests/combiner/support.h"
+
+namespace ninebit::test {
+namespace {
+
+std::string compiled(const CombinerState& state, const HardwareProfile& profile = profiles::geforce2,
+                     const BatchOutputs& outputs = {}) {
+  return BatchProgram(compile(state, profile).value(), outputs).describe();
+}
+
+// The article's two stages: spare0 = 4 (primary - texture0), spare1 = 4 (spare0 · spare0), alpha = spare1.blue.
+CombinerState index_comparison() {
+  CombinerState state = silent_state(2);
+  Portion& difference = state.general[0].rgb;
+  difference.a = rgb_of(Register::primary);
+  difference.b = kOne;
+  difference.c = rgb_of(Register::texture0);
+  difference.d = kMinusOne;
+  difference.out.sum = Register::spare0;
+  difference.out.scale = Scale::by_four;
+  Portion& square = state.general[1].rgb;
+  square.a = square.b = rgb_of(Register::spare0, InputMapping::signed_identity);
+  square.out.ab = Register::spare1;
+  square.out.ab_dot_product = true;
+  square.out.scale = Scale::by_four;
+  state.final_combiner.g = blue_of(Register::spare1);
+  return state;
+}
+
+TEST(BatchProgram, TheArticlesProgramIsFourOperations) {
+  const BatchOutputs alpha{.color = {false, false, false, true}};
+  EXPECT_EQ(compiled(index_comparison(), profiles::geforce2, alpha),
+            "t0 = clamp(4*max(primary_color.r, 0) + -4*max(texture0.r, 0), -255, 255)\n"
+            "t1 = clamp(4*max(primary_color.g, 0) + -4*max(texture0.g, 0), -255, 255)\n"
+            "t2 = clamp(4*max(primary_color.b, 0) + -4*max(texture0.b, 0), -255, 255)\n"
+            "out.a = clamp(u16:truncate((t0*t0 + t1*t1 + t2*t2)*4 / 255), 0, 255)\n");
+}
+
+TEST(BatchProgram, ReadsWhatTheWantedOutputsNeed) {
+  const Program program = compile(index_comparison(), profiles::geforce2).value();
+  const BatchProgram alpha(program, {.color = {false, false, false, true}});
+  const BatchProgram red(program, {.color = {true, false, false, false}});
+  for (std::size_t r = 0; r < kRegisterCount; ++r) {
+    for (int c = 0; c < 4; ++c) {
+      const auto reg = static_cast<Register>(r);
+      const bool compared = c != kAlpha && (reg == Register::primary || reg == Register::texture0);
+      EXPECT_EQ(alpha.reads().contains(reg, c), compared) << name_of(reg) << c;
+      EXPECT_FALSE(red.reads().contains(reg, c)) << "red is 0";
+    }
+  }
+  EXPECT_EQ(red.describe(), "out.r = 0\n");
+}
+
+// One stage that leaves A·B of two inputs in spare0's red, which is wanted.
+std::string product_of(const CombinerInput& a, const CombinerInput& b, Scale scale = Scale::none,
+                       const HardwareProfile& profile = profiles::geforce2) {
+  CombinerState state = silent_state(1);
+  state.general[0].rgb.a = a;
+  state.general[0].rgb.b = b;
+  state.general[0].rgb.out.ab = Register::spare0;
+  state.general[0].rgb.out.scale = scale;
+  state.final_combiner = final_of(Register::spare0);
+  return compiled(state, profile, {.color = {true, false, false, false}});
+}
+
+TEST(BatchProgram, TakesTheNarrowestOperation) {
+  const CombinerInput positive = rgb_of(Register::primary), any = rgb_of(Register::fog, InputMapping::signed_identity);
+  EXPECT_EQ(product_of(positive, kOne), "out.r = 1*max(primary_color.r, 0)\n");
+  EXPECT_EQ(product_of(positive, kZero), "out.r = 0\n");
+  EXPECT_EQ(product_of(positive, kMinusOne), "out.r = 0\n") << "what is never positive is black";
+  EXPECT_EQ(product_of(any, kOne), "out.r = 1*max(fog.r, 0)\n");
+  EXPECT_EQ(product_of(positive, positive, Scale::by_four),
+            "out.r = clamp(u16:truncate((max(primary_color.r, 0)*max(primary_color.r, 0))*4 / 255), 0, 255)\n");
+  EXPECT_EQ(product_of(any, any), "out.r = u16:truncate((fog.r*fog.r) / 255)\n") << "a square is not negative";
+  EXPECT_EQ(product_of(positive, any),
+            "t0 = s16:truncate((fog.r*max(primary_color.r, 0)) / 255)\nout.r = 1*max(t0, 0)\n");
+  EXPECT_EQ(product_of(positive, any, Scale::by_one_half),
+            "t0 = s32:truncate((fog.r*max(primary_color.r, 0)) / 510)\nout.r = 1*max(t0, 0)\n");
+  EXPECT_EQ(product_of(positive, any, Scale::none, profiles::geforce256_8bit),
+            "t0 = s32:truncate((fog.r*max(primary_color.r, 0)) / 127)\nout.r = 1*max(t0, 0)\n");
+}
+
+TEST(BatchProgram, EqualOperationsRunOnce) {
+  CombinerState state = silent_state(1);
+  Portion& rgb = state.general[0].rgb;
+  rgb.a = rgb_of(Register::primary);
+  rgb.b = rgb_of(Register::secondary);
+  rgb.out.ab = Register::spare0;
+  rgb.out.ab_dot_product = true;
+  state.final_combiner = final_of(Register::spare0);
+  EXPECT_EQ(compiled(state, profiles::geforce2, {.color = {true, true, true, false}}),
+            "out.r = clamp(u16:truncate((max(primary_color.r, 0)*max(secondary_color.r, 0) + "
+            "max(primary_color.g, 0)*max(secondary_color.g, 0) + "
+            "max(primary_color.b, 0)*max(secondary_color.b, 0)) / 255), 0, 255)\n"
+            "out.g = out.r\nout.b = out.r\n");
+}
+
+// Each mapping of each code, alone and as a factor, on every target.
+TEST(BatchProgram, EveryMappingOfEveryCode) {
+  for (const HardwareProfile& profile : profiles_and_rivals()) {
+    for (const InputMapping mapping : kInputMappings) {
+      CombinerState state = silent_state(1);
+      Portion& rgb = state.general[0].rgb;
+      rgb.a = rgb_of(Register::primary, mapping);
+      rgb.b = kOne;
+      rgb.c = rgb_of(Register::primary, mapping);
+      rgb.d = rgb_of(Register::secondary, InputMapping::signed_identity);
+      rgb.out.ab = Register::spare0;
+      rgb.out.cd = Register::spare1;
+      std::vector<RegisterFile> fragments;
+      for (int code = profile.lowest; code <= profile.one; ++code) {
+        RegisterFile& registers = fragments.emplace_back();
+        registers[Register::primary] = codes(code, code, std::min(code + 1, profile.one.value), 0);
+        registers[Register::secondary] = codes(profile.one, profile.one - 1, profile.lowest, 0);
+        if (fragments.size() < kBatchSize && code < profile.one) continue;
+        judged(state, profile, fragments);
+        fragments.clear();
+      }
+    }
+  }
+}
+
+// Registers that exchange their contents, and colours that are registers: nothing is overwritten before it is read.
+TEST(BatchProgram, RegistersThatChangePlaces) {
+  CombinerState state = silent_state(1);
+  Portion& rgb = state.general[0].rgb;
+  rgb.a = rgb_of(Register::spare0, InputMapping::signed_identity);
+  rgb.c = rgb_of(Register::spare1, InputMapping::signed_identity);
+  rgb.b = rgb.d = kOne;
+  rgb.out.ab = Register::spare1;
+  rgb.out.cd = Register::spare0;
+  state.final_combiner = final_of(Register::spare0);
+  RegisterFile registers;
+  registers[Register::spare0] = codes(-7, 8, 9, 10);
+  registers[Register::spare1] = codes(11, 12, -13, 14);
+  const Fragment after = judged(state, profiles::geforce2, registers);
+  EXPECT_EQ(after.registers[Register::spare0], codes(11, 12, -13, 10));
+  EXPECT_EQ(after.registers[Register::spare1], codes(-7, 8, 9, 14));
+  EXPECT_EQ(after.color, codes(11, 12, 0, 10));
+}
+
+// Stages 0 to 3 map each texture in four ways, stages 4 to 7 multiply the same mapped values otherwise: all of them
+// wait at once, more than the first cache would hold with 256 lanes.
+TEST(BatchProgram, ManyTemporaries) {
+  const HardwareProfile& profile = profiles::nv2a;
+  CombinerState state = silent_state(8);
+  const std::array<Register, 8> to{Register::primary,  Register::secondary, Register::spare0,   Register::spare1,
+                                   Register::texture0, Register::texture1,  Register::texture2, Register::texture3};
+  for (std::size_t i = 0; i < 8; ++i) {
+    for (Portion* const portion : {&state.general[i].rgb, &state.general[i].alpha}) {
+      const ComponentUsage usage = portion == &state.general[i].rgb ? ComponentUsage::rgb : ComponentUsage::alpha;
+      const auto texture = [&](InputMapping mapping) { return CombinerInput{to[4 + i % 4], mapping, usage}; };
+      portion->a = texture(InputMapping::expand_normal);
+      portion->b = texture(i < 4 ? InputMapping::half_bias_normal : InputMapping::half_bias_negate);
+      portion->c = texture(InputMapping::expand_negate);
+      portion->d = texture(i < 4 ? InputMapping::half_bias_negate : InputMapping::half_bias_normal);
+      portion->out.sum = to[i];
+    }
+  }
+  state.final_combiner = final_of(Register::spare0);
+  const Program program = compile(state, profile).value();
+  EXPECT_NE(BatchProgram(program, {.registers = true}).describe().find("t64 = "), std::string::npos) << "64 are 32 KiB";
+  Random random(0x7E3905);
+  std::vector<RegisterFile> fragments(kBatchSize);
+  for (RegisterFile& registers : fragments) registers = random_registers(random, profile);
+  judged(state, profile, fragments);
+}
+
+TEST(BatchProgram, ConstantsThatVaryComeFromTheBatch) {
+  const auto batch = std::make_unique<RegisterBatch>();
+  const auto out = std::make_unique<OutputBatch>();
+  for (std::uint64_t index = 0; index < (kSanitized ? 40 : 400); ++index) {
+    Random random(0xC0457, index);
+    const HardwareProfile profile = random_profile(random);
+    Program program = normalize(random_state(random, profile), profile);
+    ComponentSet varying;
+    for (const Register reg : {Register::constant0, Register::constant1}) {
+      for (int c = 0; c < 4; ++c) {
+        if (random.one_in(2)) varying.add(reg, c);
+      }
+    }
+    constexpr std::size_t kCount = 40;
+    std::vector<RegisterFile> initial(kCount);
+    for (std::size_t i = 0; i < kCount; ++i) {
+      initial[i] = random_registers(random, profile);
+      for (std::size_t r = 0; r < kRegisterCount; ++r) {
+        for (std::size_t c = 0; c < 4; ++c) batch->plane[r][c][i] = initial[i].value[r][c];
+      }
+    }
+    BatchProgram(program, {}, varying).run(*batch, kCount, *out);
+    for (std::size_t i = 0; i < kCount; ++i) {
+      const auto replace = [&](Register reg, Rgba9& constant) {
+        for (int c = 0; c < 4; ++c) {
+          const auto at = static_cast<std::size_t>(c);
+          if (varying.contains(reg, c)) constant[at] = initial[i][reg][at];
+        }
+      };
+      for (ProgramStage& stage : program.general) {
+        replace(Register::constant0, stage.constant0);
+        replace(Register::constant1, stage.constant1);
+      }
+      replace(Register::constant0, program.constant0);
+      replace(Register::constant1, program.constant1);
+      const Rgba9 expected = evaluate(program, initial[i]);
+      for (std::size_t c = 0; c < 4; ++c) ASSERT_EQ(out->plane[c][i], expected[c]) << index << ' ' << i << ' ' << c;
+    }
+  }
+}
+
+TEST(BatchProgram, RealNumbersHaveNoOperations) {
+  const BatchProgram program(normalize(CombinerState{}, profiles::ideal));
+  EXPECT_EQ(program.describe(), "");
+  EXPECT_TRUE(program.reads().contains(Register::primary, kRed));
+  EXPECT_FALSE(program.reads().contains(Register::constant0, kRed));
+}
+
+}  // namespace
+}  // namespace ninebit::test

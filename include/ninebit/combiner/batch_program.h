@@ -1,0 +1,76 @@
+// The batch evaluator: a program made into a short list of vector operations once, and run over batches of fragments.
+//
+// The bits are those of the reference in evaluate.h. docs/numerics.md, "Batches", tells how a program is compiled and
+// why nothing changes.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <string>
+
+#include "ninebit/combiner/evaluate.h"
+#include "ninebit/combiner/program.h"
+#include "ninebit/combiner/registers.h"
+
+namespace ninebit {
+
+// A set of register components, such as texture0's blue.
+class ComponentSet {
+ public:
+  constexpr void add(Register reg, int component) { bits_ |= bit(reg, component); }
+  [[nodiscard]] constexpr bool contains(Register reg, int component) const {
+    return (bits_ & bit(reg, component)) != 0;
+  }
+  friend constexpr bool operator==(const ComponentSet&, const ComponentSet&) = default;
+
+ private:
+  static constexpr std::uint64_t bit(Register reg, int component) {
+    return std::uint64_t{1} << (static_cast<unsigned>(reg) * 4U + static_cast<unsigned>(component));
+  }
+  std::uint64_t bits_ = 0;
+};
+
+// What is wanted of a batch. What nothing wanted depends on is not computed.
+struct BatchOutputs {
+  std::array<bool, 4> color{true, true, true, true};  // red, green, blue, alpha of what leaves the final combiner
+  bool registers = false;                             // all registers as the last general combiner leaves them
+};
+
+namespace detail {
+struct VectorCode;
+}
+
+// Immutable: one object may run in any number of threads at once. Copies share what they are made of.
+class BatchProgram {
+ public:
+  // For integer arithmetic, components of constant0 and constant1 that are in `varying_constants` are read from the
+  // batch, a value for each fragment, in every stage and in the final combiner, instead of from the program.
+  explicit BatchProgram(const Program& program, const BatchOutputs& outputs = {},
+                        const ComponentSet& varying_constants = {});
+
+  // The components that run() reads before it writes them. The others need not be filled.
+  [[nodiscard]] const ComponentSet& reads() const { return reads_; }
+
+  // Evaluates the first `count` (at most kBatchSize) fragments. Their registers hold codes in [lowest, one].
+  // On return the wanted components of `out` hold the colours, codes in [0, one]; the others have no meaning.
+  // `registers` holds what the general combiners left, if that was wanted; otherwise it is as it was with integer
+  // arithmetic, and has no meaning with another one. Lanes from `count` on may be overwritten with values without
+  // meaning. Integer arithmetic runs on the best SIMD target of this machine, chosen at run time; real numbers run a
+  // fragment at a time.
+  void run(RegisterBatch& registers, std::size_t count, OutputBatch& out) const;
+
+  // The vector operations as text, one a line, in the order in which they run; empty for real numbers.
+  [[nodiscard]] std::string describe() const;
+
+ private:
+  Program program_;
+  ComponentSet reads_;
+  std::shared_ptr<const detail::VectorCode> code_;  // none for real numbers
+};
+
+// The name of the SIMD target that batches run on here, such as "AVX2".
+[[nodiscard]] const char* simd_target();
+
+}  // namespace ninebit

@@ -1,0 +1,21 @@
+// From a program of integer arithmetic to vector operations.
+#pragma once
+
+#include "ninebit/combiner/batch_program.h"
+#include "src/combiner/value_graph.h"
+#include "src/combiner/vector_code.h"
+
+namespace ninebit::detail {
+
+// Which value each wanted plane holds in the end.
+struct WantedValue {
+  Plane plane;
+  Value value = 0;
+};
+
+VectorCode compile_batch(const Program& program, const BatchOutputs& outputs, const ComponentSet& varying_constants);
+
+// Orders what the wanted values need and gives it planes.
+VectorCode schedule(const ValueGraph& graph, const std::vector<WantedValue>& wanted);
+
+}  // namespace ninebit::detail

@@ -1,0 +1,358 @@
+// The vector operations of vector_code.h, each in 16-bit lanes where that suffices. Each gives the bits of the rules in
+// combiner_rules.inl by other formulas; what makes them exact stands here, and tests try every input.
+#include "src/combiner/batch_kernels.h"
+
+#include <algorithm>
+#include <array>
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "src/combiner/batch_kernels.cpp"
+#include "hwy/foreach_target.h"  // IWYU pragma: keep
+#include "hwy/highway.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace ninebit::detail::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+using D16 = hn::CappedTag<std::int16_t, 32>;
+using U16 = hn::RebindToUnsigned<D16>;
+#if HWY_TARGET == HWY_SCALAR
+using D32 = hn::Rebind<std::int32_t, D16>;
+#else
+using D32 = hn::RepartitionToWide<D16>;
+#endif
+using F32 = hn::RebindToFloat<D32>;
+constexpr D16 kD16;
+constexpr U16 kU16;
+constexpr D32 kD32;
+constexpr F32 kF32;
+using V16 = hn::Vec<D16>;
+using VU16 = hn::Vec<U16>;
+using V32 = hn::Vec<D32>;
+using VF32 = hn::Vec<F32>;
+
+// Where an operation finds its planes, and for how many lanes it runs.
+struct Batch {
+  std::array<s9*, 4> base;
+  std::array<unsigned, 4> shift;  // planes are so far apart, as a power of two
+  std::size_t lanes;
+
+  HWY_INLINE s9* operator()(const Plane& plane) const {
+    const auto space = static_cast<std::size_t>(plane.space);
+    return base[space] + (static_cast<std::size_t>(plane.index) << shift[space]);
+  }
+};
+
+HWY_INLINE V16 set(int v) {
+  return hn::Set(kD16, static_cast<std::int16_t>(v));
+}
+HWY_INLINE VU16 set_unsigned(int v) {
+  return hn::Set(kU16, static_cast<std::uint16_t>(v));
+}
+
+class Clamp {
+ public:
+  explicit HWY_INLINE Clamp(const Formula& f) : clamps_(f.low < f.high), low_(set(f.low)), high_(set(f.high)) {}
+  HWY_INLINE V16 operator()(V16 v) const { return clamps_ ? hn::Min(hn::Max(v, low_), high_) : v; }
+
+ private:
+  bool clamps_;
+  V16 low_, high_;
+};
+
+// The planes that an operation reads, found once, and what is the least that it takes of each.
+template <std::size_t kSources, bool kFloors>
+class Sources {
+ public:
+  HWY_INLINE Sources(const Operation& operation, const Batch& batch) {
+    for (std::size_t k = 0; k < kSources; ++k) {
+      plane_[k] = batch(operation.source[k]);
+      if (kFloors) floor_[k] = set(operation.formula.is_floored(k) ? 0 : hwy::LimitsMin<std::int16_t>());
+    }
+  }
+  HWY_INLINE V16 get(std::size_t k, std::size_t lane) const {
+    const V16 v = hn::LoadU(kD16, plane_[k] + lane);
+    return kFloors ? hn::Max(v, floor_[k]) : v;
+  }
+  HWY_INLINE VU16 get_unsigned(std::size_t k, std::size_t lane) const { return hn::BitCast(kU16, get(k, lane)); }
+
+ private:
+  const s9* plane_[kSources];
+  V16 floor_[kFloors ? kSources : 1];
+};
+
+// target = f(sources, lane), vector by vector.
+template <std::size_t kSources, bool kFloors, class F>
+HWY_INLINE void for_lanes(const Operation& operation, const Batch& batch, const F& f) {
+  const Sources<kSources, kFloors> sources(operation, batch);
+  s9* const target = batch(operation.target);
+  const std::size_t lanes = batch.lanes;
+  for (std::size_t lane = 0; lane < lanes; lane += hn::MaxLanes(kD16)) {
+    hn::StoreU(f(sources, lane), kD16, target + lane);
+  }
+}
+
+template <int kTerms, bool kFloors>
+HWY_NOINLINE void affine(const Operation& operation, const Batch& batch) {
+  const Formula& f = operation.formula;
+  const Clamp clamp(f);
+  const V16 factor0 = set(f.factor[0]), factor1 = set(f.factor[1]), offset = set(f.offset);
+  const bool halves = f.halves, nearest = f.nearest;
+  for_lanes<kTerms, kFloors>(operation, batch, [&](const auto& x, std::size_t lane) HWY_ATTR {
+    V16 sum = hn::Add(hn::Mul(x.get(0, lane), factor0), offset);
+    if (kTerms == 2) sum = hn::Add(sum, hn::Mul(x.get(1, lane), factor1));
+    if (halves) {
+      // Halves up is the shift of one more; toward zero is that for what is negative alone.
+      const V16 more = nearest ? set(1) : hn::BitCast(kD16, hn::ShiftRight<15>(hn::BitCast(kU16, sum)));
+      sum = hn::ShiftRight<1>(hn::Add(sum, more));
+    }
+    return clamp(sum);
+  });
+}
+
+// n / 255 rounded down, exact for all of 16 bits: 0x8081 / 2^23 = (1 + 127 / 2^23) / 255.
+HWY_INLINE VU16 divide_by_255(VU16 n) {
+  return hn::ShiftRight<7>(hn::MulHigh(n, set_unsigned(0x8081)));
+}
+
+HWY_INLINE VU16 doubled(VU16 n, int doublings) {
+  if (doublings > 0) n = hn::SaturatedAdd(n, n);
+  if (doublings > 1) n = hn::SaturatedAdd(n, n);
+  return n;
+}
+
+template <int kTerms, bool kAdds, bool kFloors>
+HWY_NOINLINE void unsigned_products(const Operation& operation, const Batch& batch) {
+  const Formula& f = operation.formula;
+  const VU16 high = set_unsigned(f.high), half = set_unsigned(127);
+  const bool clamps = f.low < f.high, nearest = f.nearest;
+  const int doublings = f.doublings;
+  for_lanes<2 * kTerms + (kAdds ? 1 : 0), kFloors>(operation, batch, [&](const auto& x, std::size_t lane) HWY_ATTR {
+    const auto product = [&](std::size_t k)
+                             HWY_ATTR { return hn::Mul(x.get_unsigned(2 * k, lane), x.get_unsigned(2 * k + 1, lane)); };
+    VU16 sum = product(0);
+    if (kTerms > 1) sum = hn::SaturatedAdd(sum, product(1));
+    if (kTerms > 2) sum = hn::SaturatedAdd(sum, product(2));
+    sum = doubled(sum, doublings);
+    if (nearest) sum = hn::SaturatedAdd(sum, half);
+    VU16 code = divide_by_255(sum);
+    if constexpr (kAdds) code = hn::Add(code, x.get_unsigned(2 * kTerms, lane));
+    if (clamps) code = hn::Min(code, high);
+    return hn::BitCast(kD16, code);
+  });
+}
+
+// Signs apart: 255 is odd, so that no quotient is a tie, and to nearest is as symmetric as toward zero.
+template <bool kFloors>
+HWY_NOINLINE void signed_product(const Operation& operation, const Batch& batch) {
+  const Formula& f = operation.formula;
+  const Clamp clamp(f);
+  const VU16 half = set_unsigned(127);
+  const bool nearest = f.nearest;
+  const int doublings = f.doublings;
+  for_lanes<2, kFloors>(operation, batch, [&](const auto& x, std::size_t lane) HWY_ATTR {
+    const V16 a = x.get(0, lane), b = x.get(1, lane);
+    VU16 n = hn::Mul(hn::BitCast(kU16, hn::Abs(a)), hn::BitCast(kU16, hn::Abs(b)));
+    n = doubled(n, doublings);
+    if (nearest) n = hn::SaturatedAdd(n, half);
+    const V16 sign = hn::ShiftRight<15>(hn::Xor(a, b));
+    return clamp(hn::Sub(hn::Xor(hn::BitCast(kD16, divide_by_255(n)), sign), sign));
+  });
+}
+
+// One vector of 16-bit lanes as two of 32-bit lanes, in an order that narrow_to_16 undoes.
+struct Wide {
+  V32 first, second;
+};
+
+#if HWY_TARGET == HWY_SCALAR || HWY_HAVE_SCALABLE
+#if HWY_TARGET == HWY_SCALAR
+HWY_INLINE Wide widen(V16 v) {
+  return {hn::PromoteTo(kD32, v), hn::Zero(kD32)};
+}
+HWY_INLINE V16 narrow_to_16(V32 first, V32 /*second*/) {
+  return hn::DemoteTo(kD16, first);
+}
+#else
+HWY_INLINE Wide widen(V16 v) {
+  return {hn::PromoteTo(kD32, hn::LowerHalf(v)), hn::PromoteTo(kD32, hn::UpperHalf(hn::Half<D16>(), v))};
+}
+HWY_INLINE V16 narrow_to_16(V32 first, V32 second) {
+  const hn::Half<D16> half;
+  return hn::Combine(kD16, hn::DemoteTo(half, second), hn::DemoteTo(half, first));
+}
+#endif
+HWY_INLINE Wide multiply(V16 x, V16 y) {
+  const Wide a = widen(x), b = widen(y);
+  return {hn::Mul(a.first, b.first), hn::Mul(a.second, b.second)};
+}
+HWY_INLINE Wide multiply(V16 x0, V16 y0, V16 x1, V16 y1) {
+  const Wide a = multiply(x0, y0), b = multiply(x1, y1);
+  return {hn::Add(a.first, b.first), hn::Add(a.second, b.second)};
+}
+#else
+HWY_INLINE Wide multiply(V16 x, V16 y) {
+  const V16 low = hn::Mul(x, y), high = hn::MulHigh(x, y);
+  return {hn::BitCast(kD32, hn::InterleaveLower(kD16, low, high)),
+          hn::BitCast(kD32, hn::InterleaveUpper(kD16, low, high))};
+}
+HWY_INLINE V32 sum_of_pairs(V16 x, V16 y) {
+  V32 other = hn::Zero(kD32);
+  const V32 sum = hn::ReorderWidenMulAccumulate(kD32, x, y, hn::Zero(kD32), other);
+  return hn::RearrangeToOddPlusEven(sum, other);
+}
+HWY_INLINE Wide multiply(V16 x0, V16 y0, V16 x1, V16 y1) {
+  return {sum_of_pairs(hn::InterleaveLower(kD16, x0, x1), hn::InterleaveLower(kD16, y0, y1)),
+          sum_of_pairs(hn::InterleaveUpper(kD16, x0, x1), hn::InterleaveUpper(kD16, y0, y1))};
+}
+// Interleaving and packing both stay within blocks of 128 bits.
+HWY_INLINE V16 narrow_to_16(V32 first, V32 second) {
+  return hn::ReorderDemote2To(kD16, first, second);
+}
+#endif
+
+// Floats to integers, toward zero or to nearest. Highway's own repair those that no int32 holds, for two more
+// instructions; here all are small.
+#if HWY_TARGET == HWY_AVX3 || HWY_TARGET == HWY_AVX3_DL
+HWY_INLINE V32 to_integers(VF32 v, bool nearest) {
+  return V32{nearest ? _mm512_cvtps_epi32(v.raw) : _mm512_cvttps_epi32(v.raw)};
+}
+#elif HWY_TARGET == HWY_AVX2
+HWY_INLINE V32 to_integers(VF32 v, bool nearest) {
+  return V32{nearest ? _mm256_cvtps_epi32(v.raw) : _mm256_cvttps_epi32(v.raw)};
+}
+#elif HWY_TARGET == HWY_SSE4 || HWY_TARGET == HWY_SSSE3
+HWY_INLINE V32 to_integers(VF32 v, bool nearest) {
+  return V32{nearest ? _mm_cvtps_epi32(v.raw) : _mm_cvttps_epi32(v.raw)};
+}
+#else
+HWY_INLINE V32 to_integers(VF32 v, bool nearest) {
+  return nearest ? hn::NearestInt(v) : hn::ConvertTo(kD32, v);
+}
+#endif
+
+// Let n be the sum with its bias, and the reciprocal 2^k / one, rounded up to a float: at most 2^-23 of itself too
+// large. |2^k n| is below 2^21 (six products of 256² times four) and its quotient below 2^13, where a number is at most
+// 2^-12 away from a float. A float holds n exactly. So n · reciprocal is too large by less than 1 / (4 one), and is
+// then moved by 2^-12 at most:
+// - Where the quotient is whole the product is not below it, and neither is the float; else the next whole number is at
+//   least 1 / (2 one) above, out of reach. So truncating is exact; for negative n the same with the signs changed.
+// - One is odd. So with k >= 0 no quotient is a tie, but at least 1 / (2 one) away from one. With k = -1 the bias has
+// one
+//   half more: a tie is 1 / (4 one) away, and n being below 2^19, the product at most 1 / (32 one) too large.
+template <int kTerms, bool kFloors>
+HWY_NOINLINE void products(const Operation& operation, const Batch& batch) {
+  const Formula& f = operation.formula;
+  const Clamp clamp(f);
+  const VF32 bias = hn::Set(kF32, f.bias), reciprocal = hn::Set(kF32, f.reciprocal);
+  const bool biased = f.bias != 0, nearest = f.nearest;
+  for_lanes<2 * kTerms, kFloors>(operation, batch, [&](const auto& x, std::size_t lane) HWY_ATTR {
+    const auto factor = [&](std::size_t k) HWY_ATTR { return x.get(k, lane); };
+    Wide sum;
+    if constexpr (kTerms == 1) {
+      sum = multiply(factor(0), factor(1));
+    } else {
+      sum = multiply(factor(0), factor(1), factor(2), factor(3));
+    }
+    for (std::size_t k = 2; k < kTerms; k += 2) {
+      const Wide more = k + 1 < kTerms
+                            ? multiply(factor(2 * k), factor(2 * k + 1), factor(2 * k + 2), factor(2 * k + 3))
+                            : multiply(factor(2 * k), factor(2 * k + 1));
+      sum = {hn::Add(sum.first, more.first), hn::Add(sum.second, more.second)};
+    }
+    const auto code = [&](V32 n) HWY_ATTR {
+      VF32 v = hn::ConvertTo(kF32, n);
+      if (biased) v = hn::Add(v, bias);
+      return to_integers(hn::Mul(v, reciprocal), nearest);
+    };
+    return clamp(narrow_to_16(code(sum.first), code(sum.second)));
+  });
+}
+
+template <bool kFloors>
+HWY_NOINLINE void select(const Operation& operation, const Batch& batch) {
+  const V16 limit = set(operation.formula.low);
+  for_lanes<3, kFloors>(operation, batch, [&](const auto& x, std::size_t lane) HWY_ATTR {
+    return hn::IfThenElse(hn::Lt(x.get(0, lane), limit), x.get(1, lane), x.get(2, lane));
+  });
+}
+
+HWY_NOINLINE void copy(const Operation& operation, const Batch& batch) {
+  for_lanes<1, false>(operation, batch, [&](const auto& x, std::size_t lane) HWY_ATTR { return x.get(0, lane); });
+}
+
+using Run = void (*)(const Operation&, const Batch&);
+
+template <bool kFloors>
+HWY_INLINE Run kernel_of(const Formula& f) {
+  static constexpr Run kAffine[] = {affine<1, kFloors>, affine<2, kFloors>};
+  static constexpr Run kUnsigned[][2] = {{unsigned_products<1, false, kFloors>, unsigned_products<1, true, kFloors>},
+                                         {unsigned_products<2, false, kFloors>, unsigned_products<2, true, kFloors>},
+                                         {unsigned_products<3, false, kFloors>, unsigned_products<3, true, kFloors>}};
+  static constexpr Run kProducts[] = {products<1, kFloors>, products<2, kFloors>, products<3, kFloors>,
+                                      products<4, kFloors>, products<5, kFloors>, products<6, kFloors>};
+  const auto last = static_cast<std::size_t>(f.terms - 1);
+  switch (f.kernel) {
+    case Kernel::affine:
+      return kAffine[last];
+    case Kernel::unsigned_products:
+      return kUnsigned[last][f.adds ? 1 : 0];
+    case Kernel::signed_product:
+      return signed_product<kFloors>;
+    case Kernel::products:
+      return kProducts[last];
+    case Kernel::select:
+      return select<kFloors>;
+    case Kernel::copy:
+      break;
+  }
+  return copy;
+}
+
+// 32 KiB: with the planes that are read they stay in the first cache.
+constexpr std::size_t kTemporaryLanes = 16384;
+constexpr unsigned kBatchShift = 8;
+static_assert(kBatchSize == std::size_t{1} << kBatchShift);
+
+void run_code(const VectorCode& code, RegisterBatch& registers, std::size_t count, OutputBatch& out) {
+  alignas(64) s9 temporaries[kTemporaryLanes];
+  // As many lanes at once as leave room for all temporaries. A stage makes at most 60, so that 512 are enough.
+  unsigned shift = kBatchShift;
+  while ((code.temporaries << shift) > kTemporaryLanes) --shift;
+  s9* const constants = const_cast<s9*>(code.constants.empty() ? nullptr : code.constants[0].lane.data());
+  Batch batch{{registers.plane[0][0].data(), out.plane[0].data(), constants, temporaries},
+              {kBatchShift, kBatchShift, kBatchShift, shift},
+              0};
+  for (std::size_t first = 0; first < count; first += batch.lanes) {
+    batch.lanes = std::min(std::size_t{1} << shift, count - first);
+    for (const Operation& operation : code.operations) {
+      const Formula& f = operation.formula;
+      (f.floors == 0 ? kernel_of<false>(f) : kernel_of<true>(f))(operation, batch);
+    }
+    batch.base[0] += batch.lanes;
+    batch.base[1] += batch.lanes;
+  }
+}
+
+}  // namespace ninebit::detail::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace ninebit {
+
+namespace detail {
+HWY_EXPORT(run_code);
+
+void run_vector_code(const VectorCode& code, RegisterBatch& registers, std::size_t count, OutputBatch& out) {
+  HWY_DYNAMIC_DISPATCH(run_code)(code, registers, count, out);
+}
+}  // namespace detail
+
+const char* simd_target() {
+  // Highway numbers targets so that the lowest set bit is the best one.
+  const std::int64_t usable = hwy::SupportedTargets() & HWY_TARGETS;
+  return hwy::TargetName(usable & -usable);
+}
+
+}  // namespace ninebit
+#endif

@@ -1,0 +1,39 @@
+#include "ninebit/combiner/batch_program.h"
+
+#include "src/combiner/batch_compiler.h"
+#include "src/combiner/batch_kernels.h"
+#include "src/combiner/real_batch.h"
+
+namespace ninebit {
+namespace {
+
+ComponentSet all_that_varies() {
+  ComponentSet all;
+  for (std::size_t r = static_cast<std::size_t>(Register::fog); r < kRegisterCount; ++r) {
+    for (int c = 0; c < 4; ++c) all.add(static_cast<Register>(r), c);
+  }
+  return all;
+}
+
+}  // namespace
+
+BatchProgram::BatchProgram(const Program& program, const BatchOutputs& outputs, const ComponentSet& varying_constants)
+    : program_(program) {
+  if (program.datapath.arithmetic != Arithmetic::integer) {
+    reads_ = all_that_varies();
+    return;
+  }
+  code_ = std::make_shared<const detail::VectorCode>(detail::compile_batch(program, outputs, varying_constants));
+  reads_ = code_->reads;
+}
+
+void BatchProgram::run(RegisterBatch& registers, std::size_t count, OutputBatch& out) const {
+  if (!code_) return evaluate_real_batch(program_, registers, count, out);
+  detail::run_vector_code(*code_, registers, count, out);
+}
+
+void evaluate(const Program& program, RegisterBatch& registers, std::size_t count, OutputBatch& out) {
+  BatchProgram(program, {.registers = true}).run(registers, count, out);
+}
+
+}  // namespace ninebit

@@ -1,0 +1,95 @@
+// A program as a list of vector operations over planes of int16 codes: what batch programs are compiled to.
+#pragma once
+
+#include <array>
+#include <compare>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "ninebit/combiner/batch_program.h"
+#include "ninebit/numerics/fixed9.h"
+
+namespace ninebit::detail {
+
+// What an operation computes, lane by lane, of its sources x0, x1, …, each without its negative part where `floors` has
+// its bit:
+enum class Kernel : std::uint8_t {
+  // clamp(factor[0] · x0 + factor[1] · x1 + offset). With `halves` one half of the sum, toward zero or, with `nearest`,
+  // halves up. One or two terms.
+  affine,
+  // Products of values that are not negative, in 16 bits: min((x0·x1 + x2·x3 + …) · 2^doublings / 255, high), the
+  // quotient rounded down or to nearest. With `adds` a last source is added to the quotient. One to three terms. The
+  // sum saturates at 65535, whose quotient is 257.
+  unsigned_products,
+  // One product of values of any sign, in 16 bits: clamp(x0·x1 · 2^doublings / 255), toward zero or to nearest.
+  signed_product,
+  // clamp((x0·x1 + x2·x3 + … + bias) · reciprocal), in 32 bits and floats, toward zero or to nearest. One to six terms.
+  products,
+  // x0 >= low ? x2 : x1
+  select,
+  copy
+};
+
+struct Formula {
+  Kernel kernel = Kernel::copy;
+  int terms = 1;
+  std::uint32_t floors = 0;
+  bool adds = false;
+  bool halves = false;
+  bool nearest = false;
+  int doublings = 0;
+  std::array<int, 2> factor{};
+  int offset = 0;
+  int low = 0, high = 0;  // of the clamp, if low < high; of `select`, low is the limit
+  float bias = 0;
+  float reciprocal = 0;
+
+  [[nodiscard]] int sources() const {
+    switch (kernel) {
+      case Kernel::affine:
+        return terms;
+      case Kernel::unsigned_products:
+        return 2 * terms + (adds ? 1 : 0);
+      case Kernel::signed_product:
+        return 2;
+      case Kernel::products:
+        return 2 * terms;
+      case Kernel::select:
+        return 3;
+      case Kernel::copy:
+        return 1;
+    }
+    return 0;
+  }
+  [[nodiscard]] bool is_floored(std::size_t source) const { return (floors >> source & 1U) != 0; }
+  friend auto operator<=>(const Formula&, const Formula&) = default;
+};
+inline constexpr std::size_t kMostSources = 12;
+
+// Where a plane lies.
+enum class Space : std::uint8_t { registers, colors, constants, temporaries };
+struct Plane {
+  Space space = Space::temporaries;
+  std::uint16_t index = 0;
+  friend bool operator==(const Plane&, const Plane&) = default;
+};
+
+struct Operation {
+  Formula formula;
+  std::array<Plane, kMostSources> source{};
+  Plane target;
+};
+
+struct alignas(64) ConstantPlane {
+  std::array<s9, kBatchSize> lane;
+};
+
+struct VectorCode {
+  std::vector<Operation> operations;
+  std::vector<ConstantPlane> constants;
+  std::size_t temporaries = 0;  // planes
+  ComponentSet reads;
+};
+
+}  // namespace ninebit::detail
