@@ -62,7 +62,32 @@ DrawContext::DrawContext(const PipelineState& pipeline, const VertexArrays& vert
       !for_probe && outputs.need_fragment_alone() && (!operations.needs_color() || (!state.program && shades_flat()));
   fills_registers = for_probe || state.program.has_value() || outputs.needs_registers() || outputs.needs_output();
   initial = initial_of(*this);
-  if (state.program) refilled = overwritten(*state.program);
+  look_at_program(target, for_probe);
+}
+
+void DrawContext::look_at_program(const RenderTarget& target, bool for_probe) {
+  const bool needs_registers = for_probe || outputs.needs_registers();
+  if (state.program) {
+    BatchOutputs wanted{.registers = needs_registers};
+    if (!for_probe && !outputs.needs_output() && !outputs.needs_colors() && !state.blend.enabled) {
+      for (std::size_t k = 0; k < 4; ++k) wanted.color[k] = state.color_mask[k] && target.color[k];
+      wanted.color[kAlpha] = wanted.color[kAlpha] || state.alpha_test.enabled;
+    }
+    program.emplace(*state.program, wanted);
+    const bool keeps_registers = state.program->datapath.arithmetic == Arithmetic::integer && !needs_registers;
+    if (!keeps_registers) refilled = overwritten(*state.program);
+  }
+  for (std::size_t r = 0; r < kRegisterCount; ++r) {
+    const auto reg = static_cast<Register>(r);
+    reads[r] = needs_registers || (fills_registers && !program);
+    for (int k = 0; k < 4 && program; ++k) reads[r] = reads[r] || program->reads().contains(reg, k);
+  }
+  for (std::size_t unit = 0; unit < reads_unit.size(); ++unit) {
+    const auto reg = static_cast<std::size_t>(texture_register(static_cast<int>(unit)));
+    // (Before the first general combiner, spare0's alpha is that of unit 0.)
+    const bool as_spare0 = unit == 0 && reads[static_cast<std::size_t>(Register::spare0)];
+    reads_unit[unit] = samplers[unit] && (reads[reg] || as_spare0);
+  }
 }
 
 ColorBytes DrawContext::flat_primary(std::uint32_t primitive) const {

@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "ninebit/combiner/batch_program.h"
 #include "ninebit/combiner/evaluate.h"
 #include "ninebit/raster/rasterizer.h"
 #include "ninebit/raster/sampler.h"
@@ -47,11 +48,17 @@ struct DrawContext {
 
   // Whether every fragment leaves the draw with its primitive's flat_primary, and no plane asks for more of it.
   bool has_flat_result = false;
-  // Whether registers have to be filled at all.
+  // Whether registers have to be filled at all, and then which units and registers are read.
   bool fills_registers = false;
+  std::optional<BatchProgram> program;  // of the state, made ready for batches
+  std::array<bool, kRegisterCount> reads{};
+  std::array<bool, kMaxTextureUnits> reads_unit{};
   RegisterFile initial;  // of every fragment, but for what is its own
-  // Components of constant registers that the program overwrites: to be filled again for each batch.
+  // Components of constant registers that running the program overwrites: to be filled again for each batch.
   std::vector<RegisterComponent> refilled;
+
+ private:
+  void look_at_program(const RenderTarget& target, bool for_probe);
 };
 
 }  // namespace ninebit

@@ -114,9 +114,9 @@ void FragmentBatch::fill_registers() {
   if (!context_.arrays.secondary_colors.empty()) fill_secondary();
   if (context_.state.fog.enabled && !context_.arrays.fog_factors.empty()) fill_fog();
   for (std::size_t unit = 0; unit < context_.samplers.size(); ++unit) {
-    if (context_.samplers[unit]) fill_texture(unit);
+    if (context_.reads_unit[unit]) fill_texture(unit);
   }
-  if (context_.samplers[0]) {
+  if (context_.reads_unit[0]) {
     std::copy_n(registers_(Register::texture0, kAlpha), count_, registers_(Register::spare0, kAlpha));
   }
 }
@@ -143,7 +143,7 @@ void FragmentBatch::run_program() {
     }
     return;
   }
-  evaluate(*state.program, registers_, count_, out_);
+  context_.program->run(registers_, count_, out_);
   for (std::size_t k = 0; k < 4; ++k) {
     for (std::size_t i = 0; i < count_; ++i) color_[i][k] = to_byte(state.profile, out_.plane[k][i]);
   }

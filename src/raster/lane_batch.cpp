@@ -18,7 +18,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 #if HWY_TARGET == HWY_SCALAR
 
-void flush_batch(LaneTile&) {}
+void flush_batch(LaneTile&, LanePass&) {}
 
 #else
 
@@ -68,8 +68,8 @@ HWY_INLINE void fill_smooth_colors(LaneBatch& batch, std::span<const ColorBytes>
     for (std::size_t i = batch.run[r].first; i < batch.run[r + 1].first; i += kLanes) {
       V color = hn::Zero(kD);
       for (std::size_t k = 4; k-- > 0;) {
-        const VF value = interpolate(batch, i, static_cast<float>(a[k]), static_cast<float>(b[k]),
-                                     static_cast<float>(c[k]));
+        const VF value =
+            interpolate(batch, i, static_cast<float>(a[k]), static_cast<float>(b[k]), static_cast<float>(c[k]));
         const VF byte = hn::Min(hn::Max(hn::Add(value, hn::Set(kDF, 0.5F)), hn::Zero(kDF)), hn::Set(kDF, 255.0F));
         color = hn::Or(hn::ShiftLeft<8>(color), hn::ConvertTo(kD, byte));
       }
@@ -84,7 +84,8 @@ HWY_INLINE void fill_coordinates(LaneBatch& batch, std::span<const glm::vec3> at
     const glm::vec3 &a = at_vertex[v[0]], &b = at_vertex[v[1]], &c = at_vertex[v[2]];
     for (std::size_t i = batch.run[r].first; i < batch.run[r + 1].first; i += kLanes) {
       for (int k = 0; k < components; ++k) {
-        hn::StoreU(interpolate(batch, i, a[k], b[k], c[k]), kDF, batch.coordinate[static_cast<std::size_t>(k)].data() + i);
+        hn::StoreU(interpolate(batch, i, a[k], b[k], c[k]), kDF,
+                   batch.coordinate[static_cast<std::size_t>(k)].data() + i);
       }
     }
   }
@@ -110,8 +111,8 @@ HWY_INLINE void output_to_colors(LaneBatch& batch, const HardwareProfile& profil
     V color = hn::Zero(kD);
     for (std::size_t k = 4; k-- > 0;) {
       const V code = hn::Max(hn::PromoteTo(kD, hn::LoadU(kD16, batch.out.plane[k].data() + i)), hn::Zero(kD));
-      const V wide = shift == 0 ? code
-                                : hn::Or(hn::ShiftLeftSame(code, shift), hn::ShiftRightSame(code, 8 - 2 * shift));
+      const V wide =
+          shift == 0 ? code : hn::Or(hn::ShiftLeftSame(code, shift), hn::ShiftRightSame(code, 8 - 2 * shift));
       const V byte = hn::IfThenElse(hn::Lt(code, one), wide, hn::Set(kD, 255));
       color = hn::Or(hn::ShiftLeft<8>(color), byte);
     }
@@ -128,8 +129,8 @@ HWY_INLINE LaneResult<D> operate(const LaneBatch& batch, const LaneDraw<D>& draw
 }
 
 // Spans of fragments, a vector for each.
-HWY_INLINE void operate_on_spans(LaneTile& tile, const LaneDraw<D>& draw, std::size_t first, std::size_t end) {
-  const LaneBatch& batch = *tile.batch;
+HWY_INLINE void operate_on_spans(LaneTile& tile, const LaneBatch& batch, const LaneDraw<D>& draw, std::size_t first,
+                                 std::size_t end) {
   const LaneOperations& operations = draw.operations;
   for (std::size_t s = first; s < end; ++s) {
     const LaneBatch::Span& span = batch.span[s];
@@ -144,8 +145,8 @@ HWY_INLINE void operate_on_spans(LaneTile& tile, const LaneDraw<D>& draw, std::s
 }
 
 // Fragments at any places, a full vector at a time. What is beyond the last one is done to a word behind the planes.
-HWY_INLINE void operate_on_places(LaneTile& tile, const LaneDraw<D>& draw, std::size_t first, std::size_t end) {
-  LaneBatch& batch = *tile.batch;
+HWY_INLINE void operate_on_places(LaneTile& tile, const LaneBatch& batch, const LaneDraw<D>& draw, std::size_t first,
+                                  std::size_t end) {
   const LaneOperations& operations = draw.operations;
   std::int32_t* const stored = lanes_of(tile.tile.depth_stencil.data());
   std::int32_t* const colors = lanes_of(tile.tile.color.data());
@@ -163,11 +164,11 @@ HWY_INLINE void operate_on_places(LaneTile& tile, const LaneDraw<D>& draw, std::
   }
 }
 
-void flush_batch(LaneTile& tile) {
-  LaneBatch& batch = *tile.batch;
-  const DrawContext& context = tile.context;
+void flush_batch(LaneTile& tile, LanePass& pass) {
+  LaneBatch& batch = *pass.batch;
+  const DrawContext& context = pass.context;
   const PipelineState& state = context.state;
-  const bool needs_color = tile.operations.needs_color();
+  const bool needs_color = pass.operations.needs_color();
   if (needs_color) {
     normalize(batch);
     unclip(batch);
@@ -178,30 +179,32 @@ void flush_batch(LaneTile& tile) {
     }
     if (state.program) {
       refill_constants(batch, context);
-      colors_to_codes(batch, state.profile.byte_shift, Register::primary);
+      if (context.reads[static_cast<std::size_t>(Register::primary)]) {
+        colors_to_codes(batch, state.profile.byte_shift, Register::primary);
+      }
       for (std::size_t unit = 0; unit < context.samplers.size(); ++unit) {
-        if (!context.samplers[unit]) continue;
+        if (!context.reads_unit[unit]) continue;
         fill_coordinates(batch, context.arrays.texture_coordinates[unit], context.samplers[unit]->needs_r() ? 3 : 2);
         sample(batch, context, unit);
       }
-      evaluate(*state.program, batch.registers, batch.count, batch.out);
+      context.program->run(batch.registers, batch.count, batch.out);
       output_to_colors(batch, state.profile);
     }
   }
-  if (tile.operations.two_sided) {
+  if (pass.operations.two_sided) {
     std::size_t r = 0;
     for (std::size_t s = 0; s < batch.spans; ++s) {
       while (batch.span[s].first >= batch.run[r + 1].first) ++r;
-      operate_on_spans(tile, LaneDraw<D>(kD, tile.operations, batch.run[r].primitive->front_facing), s, s + 1);
+      operate_on_spans(tile, batch, LaneDraw<D>(kD, pass.operations, batch.run[r].primitive->front_facing), s, s + 1);
     }
     return;
   }
-  const LaneDraw<D> draw(kD, tile.operations, true);
+  const LaneDraw<D> draw(kD, pass.operations, true);
   constexpr std::size_t kShort = 3;  // for the mean span; below it gathering is faster
   if (batch.count >= kShort * batch.spans) {
-    operate_on_spans(tile, draw, 0, batch.spans);
+    operate_on_spans(tile, batch, draw, 0, batch.spans);
   } else {
-    operate_on_places(tile, draw, 0, batch.count);
+    operate_on_places(tile, batch, draw, 0, batch.count);
   }
 }
 
@@ -215,11 +218,11 @@ namespace ninebit {
 
 HWY_EXPORT(flush_batch);
 
-void flush_lanes(LaneTile& tile) {
-  LaneBatch& batch = *tile.batch;
+void flush_lanes(LaneTile& tile, LanePass& pass) {
+  LaneBatch& batch = *pass.batch;
   if (batch.count == 0) return;
   batch.run[batch.runs].first = batch.count;
-  HWY_DYNAMIC_DISPATCH(flush_batch)(tile);
+  HWY_DYNAMIC_DISPATCH(flush_batch)(tile, pass);
   batch.count = batch.runs = batch.spans = 0;
   batch.occupied.fill(0);
 }

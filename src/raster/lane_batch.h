@@ -34,14 +34,14 @@ struct LaneBatch {
   std::size_t count = 0;
   std::size_t runs = 0;
   std::size_t spans = 0;
-  std::array<Span, kBatchSize> span;                  // all fragments, in their order
-  std::array<Run, kBatchSize + 1> run;                // one more than there are: its `first` is `count`
-  std::array<std::uint64_t, kTileSize> occupied{};    // a bit for each pixel of a row that has a fragment here
-  alignas(64) Lanes<std::uint32_t> place;             // of the pixel in TilePlanes
-  alignas(64) Lanes<std::uint32_t> depth;             // codes
-  alignas(64) std::array<Lanes<float>, 3> weight;     // of the vertices: first edge function / w, then their shares
-  alignas(64) Lanes<std::uint32_t> color;             // as in TilePlanes: primary, then what leaves the combiners
-  alignas(64) std::array<Lanes<float>, 3> coordinate; // of a texture
+  std::array<Span, kBatchSize> span;                   // all fragments, in their order
+  std::array<Run, kBatchSize + 1> run;                 // one more than there are: its `first` is `count`
+  std::array<std::uint64_t, kTileSize> occupied{};     // a bit for each pixel of a row that has a fragment here
+  alignas(64) Lanes<std::uint32_t> place;              // of the pixel in TilePlanes
+  alignas(64) Lanes<std::uint32_t> depth;              // codes
+  alignas(64) std::array<Lanes<float>, 3> weight;      // of the vertices: first edge function / w, then their shares
+  alignas(64) Lanes<std::uint32_t> color;              // as in TilePlanes: primary, then what leaves the combiners
+  alignas(64) std::array<Lanes<float>, 3> coordinate;  // of a texture
   bool has_constants = false;                          // whether constant registers have been filled
   RegisterBatch registers;
   OutputBatch out;

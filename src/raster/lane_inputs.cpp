@@ -47,9 +47,9 @@ void sample(LaneBatch& batch, const DrawContext& context, std::size_t unit) {
   TextureCoordinates coordinates;
   for (std::size_t k = 0; k < 3; ++k) coordinates.value[k] = batch.coordinate[k].data();
   const Register reg = texture_register(static_cast<int>(unit));
-  context.samplers[unit]->sample(
-      coordinates, batch.count,
-      {batch.registers(reg, kRed), batch.registers(reg, kGreen), batch.registers(reg, kBlue), batch.registers(reg, kAlpha)});
+  context.samplers[unit]->sample(coordinates, batch.count,
+                                 {batch.registers(reg, kRed), batch.registers(reg, kGreen), batch.registers(reg, kBlue),
+                                  batch.registers(reg, kAlpha)});
   if (unit == 0) {
     std::copy_n(batch.registers(reg, kAlpha), batch.count, batch.registers(Register::spare0, kAlpha));
   }

@@ -49,7 +49,7 @@ struct LaneOperations {
   bool stencil_write = false;
   bool tests_change = false;  // whether a fragment that is drawn may change the outcome of a later one's tests
 
-  // Whether a fragment is drawn where it is nearer than what is stored, and no other test is made: stencil values are 0.
+  // Whether a fragment is drawn where it is nearer than what is stored, and no other test is made.
   bool is_nearest_alone = false;
 
   // Whether the fragments' colours are looked at.

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <deque>
 #include <string>
 #include <utility>
 #include <vector>
@@ -172,20 +173,51 @@ Status prepare(const PipelineState& state, const glm::mat4& clip_from_object, co
   return {};
 }
 
-Status rasterize(const PipelineState& state, const PreparedDraw& prepared, const VertexArrays& arrays,
-                 std::span<const TextureUnit> units, RenderTarget& target) {
+namespace {
+
+// Draws passes that share tiles, or one pass of any kind.
+void draw(const PreparedDraw::Geometry& g, std::span<const DrawPass> passes,
+          std::span<const DrawContext* const> contexts, const ClearValues* clear, RenderTarget& target) {
+  std::unique_ptr<PixelProbe> probe;
+  if (target.probe != nullptr) {
+    probe = std::make_unique<PixelProbe>(*passes[0].state, passes[0].arrays, passes[0].units, target);
+  }
+  const TileGrid grid(target.width, target.height);
+  const bool is_timed = std::any_of(passes.begin(), passes.end(), [](const DrawPass& p) { return p.time != nullptr; });
+  TileLoop loop(grid, g.drawn, contexts, target, clear, is_timed, probe.get());
+  loop.draw(g.blocks, g.work);
+  for (std::size_t i = 0; i < passes.size(); ++i) {
+    if (passes[i].time != nullptr) *passes[i].time = loop.busy(i);
+  }
+}
+
+}  // namespace
+
+Status rasterize(std::span<const DrawPass> passes, const PreparedDraw& prepared, const ClearValues* clear,
+                 RenderTarget& target) {
   if (!prepared.geometry_ || !prepared.geometry_->is_valid) return Diagnostic{.message = "no draw has been prepared"};
   const PreparedDraw::Geometry& g = *prepared.geometry_;
-  if (Status checked = check_draw(state, arrays, units, target); !checked) return checked;
-  if (Status checked = check_prepared(g, state, arrays, target); !checked) return checked;
-  const DrawContext context(state, arrays, units, target);
-  if (Status checked = check_units(context); !checked) return checked;
-  if (g.work.tiles().empty()) return {};
-
-  std::unique_ptr<PixelProbe> probe;
-  if (target.probe != nullptr) probe = std::make_unique<PixelProbe>(state, arrays, units, target);
-  const TileGrid grid(target.width, target.height);
-  TileLoop(grid, g.drawn, context, target, probe.get()).draw(g.blocks, g.work);
+  std::deque<DrawContext> contexts;
+  std::vector<const DrawContext*> pointers;
+  for (const DrawPass& pass : passes) {
+    if (Status checked = check_draw(*pass.state, pass.arrays, pass.units, target); !checked) return checked;
+    if (Status checked = check_prepared(g, *pass.state, pass.arrays, target); !checked) return checked;
+    const DrawContext& context = contexts.emplace_back(*pass.state, pass.arrays, pass.units, target);
+    if (Status checked = check_units(context); !checked) return checked;
+    pointers.push_back(&context);
+  }
+  const bool share_tiles = TileRasterizer::can_share_tiles(pointers, target);
+  const bool fills_tiles = clear != nullptr && share_tiles && !passes.empty() && target.outputs.empty() &&
+                           same(g.drawn, PixelBox{0, 0, target.width, target.height});
+  if (clear != nullptr && !fills_tiles) {
+    if (Status cleared = ninebit::clear({}, {}, *clear, target); !cleared) return cleared;
+  }
+  if (g.work.tiles().empty() && !fills_tiles) return {};
+  if (share_tiles && !passes.empty()) {
+    draw(g, passes, pointers, fills_tiles ? clear : nullptr, target);
+    return {};
+  }
+  for (std::size_t i = 0; i < passes.size(); ++i) draw(g, passes.subspan(i, 1), {&pointers[i], 1}, nullptr, target);
   return {};
 }
 

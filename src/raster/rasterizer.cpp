@@ -53,7 +53,8 @@ Status rasterize(const PipelineState& state, const glm::mat4& clip_from_object, 
   const DrawGeometry geometry(setup, clip_from_object, arrays, grid, scratch->packed);
   std::unique_ptr<PixelProbe> probe;
   if (target.probe != nullptr) probe = std::make_unique<PixelProbe>(state, arrays, units, target);
-  TileLoop tiles(grid, drawn, context, target, probe.get());
+  const DrawContext* const pass = &context;
+  TileLoop tiles(grid, drawn, {&pass, 1}, target, nullptr, false, probe.get());
   draw(geometry, tiles, *scratch);
   return {};
 }

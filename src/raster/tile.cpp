@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 
 #include "src/raster/floor_divider.h"
 #include "src/raster/line_walk.h"
@@ -147,37 +148,68 @@ void draw_in_tile(const DrawContext& context, const PixelBox& tile, const SetupB
   }
 }
 
-TileRasterizer::TileRasterizer(const DrawContext& context, const RenderTarget& target) : context_(&context) {
-  if (lanes_can_draw(context, target)) {
-    lanes_ = std::make_unique<LaneTile>(context, target);
-  } else if (!context.has_flat_result) {
-    batch_ = std::make_unique<FragmentBatch>(context);
+bool TileRasterizer::can_share_tiles(std::span<const DrawContext* const> passes, const RenderTarget& target) {
+  // The tile holds pixels with all their colour components: a pass writes either all that any does, or none.
+  std::optional<std::array<bool, 4>> written;
+  for (const DrawContext* pass : passes) {
+    if (!lanes_can_draw(*pass, target)) return false;
+    std::array<bool, 4> color{};
+    for (std::size_t k = 0; k < 4; ++k) color[k] = pass->state.color_mask[k] && target.color[k];
+    if (color == std::array<bool, 4>{}) continue;
+    if (written.value_or(color) != color) return false;
+    written = color;
   }
+  return true;
+}
+
+TileRasterizer::TileRasterizer(std::span<const DrawContext* const> passes, const RenderTarget& target,
+                               const ClearValues* clear)
+    : context_(passes[0]), clear_(clear) {
+  if (!lanes_can_draw(*context_, target)) {
+    if (!context_->has_flat_result) batch_ = std::make_unique<FragmentBatch>(*context_);
+    return;
+  }
+  lanes_ = std::make_unique<LaneTile>(target);
+  LaneTile& t = *lanes_;
+  passes_.reserve(passes.size());
+  for (const DrawContext* pass : passes) {
+    const LaneOperations& operations = passes_.emplace_back(*pass, target).operations;
+    t.depth = t.depth || operations.depth;
+    t.stencil = t.stencil || operations.stencil;
+    t.writes_depth = t.writes_depth || operations.depth_write;
+    t.writes_stencil = t.writes_stencil || operations.stencil_write;
+    for (std::size_t k = 0; k < 4; ++k) t.color[k] = t.color[k] || (pass->state.color_mask[k] && target.color[k]);
+  }
+  if (clear == nullptr) return;
+  t.depth = t.writes_depth = static_cast<bool>(target.depth);
+  t.stencil = t.writes_stencil = static_cast<bool>(target.stencil);
+  for (std::size_t k = 0; k < 4; ++k) t.color[k] = static_cast<bool>(target.color[k]);
 }
 
 void TileRasterizer::begin(const PixelBox& pixels) {
   pixels_ = pixels;
-  if (lanes_) {
-    lanes_->pixels = pixels;
-    lanes_->left = pixels.left & -kTileSize;
-    lanes_->bottom = pixels.bottom & -kTileSize;
-    lanes_->is_loaded = false;
-  }
+  if (!lanes_) return;
+  lanes_->pixels = pixels;
+  lanes_->left = pixels.left & -kTileSize;
+  lanes_->bottom = pixels.bottom & -kTileSize;
+  clear_ != nullptr ? fill_tile(*lanes_, *clear_) : load_tile(*lanes_);
 }
 
-void TileRasterizer::draw(const SetupBlock& block, std::span<const std::uint32_t> indices) {
+void TileRasterizer::draw(std::size_t pass, const SetupBlock& block, std::span<const std::uint32_t> indices) {
   if (lanes_) {
-    draw_lanes(*lanes_, block, indices);
+    draw_lanes(*lanes_, passes_[pass], block, indices);
   } else {
     draw_in_tile(*context_, pixels_, block, indices, batch_.get());
   }
 }
 
-void TileRasterizer::end() {
+void TileRasterizer::end_pass(std::size_t pass) {
   if (batch_) batch_->flush();
-  if (!lanes_ || !lanes_->is_loaded) return;
-  if (lanes_->batch) flush_lanes(*lanes_);
-  store_tile(*lanes_);
+  if (lanes_ && passes_[pass].batch) flush_lanes(*lanes_, passes_[pass]);
+}
+
+void TileRasterizer::end() {
+  if (lanes_) store_tile(*lanes_);
 }
 
 }  // namespace ninebit

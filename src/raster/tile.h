@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <vector>
 
 #include "src/raster/draw_context.h"
 #include "src/raster/fragment_batch.h"
@@ -20,20 +21,28 @@ namespace ninebit {
 void draw_in_tile(const DrawContext& context, const PixelBox& tile, const SetupBlock& block,
                   std::span<const std::uint32_t> indices, FragmentBatch* batch);
 
-// Draws tile after tile, in one thread: large, and to be used again for many tiles.
+// Draws tile after tile, in one thread: large, and to be used again for many tiles. Passes are drawn one after the
+// other in each tile.
 class TileRasterizer {
  public:
-  // The arguments must outlive it.
-  TileRasterizer(const DrawContext& context, const RenderTarget& target);
+  // The arguments must outlive it. Several passes only where can_share_tiles. `clear`: what all planes are filled with
+  // first, then too only where vectors draw; nullptr: nothing.
+  TileRasterizer(std::span<const DrawContext* const> passes, const RenderTarget& target, const ClearValues* clear);
 
-  // `pixels` lie in one tile. Blocks must stay until `end`.
+  // Whether passes can be drawn tile by tile as if each were drawn by itself, and be cleared for.
+  [[nodiscard]] static bool can_share_tiles(std::span<const DrawContext* const> passes, const RenderTarget& target);
+
+  // `pixels` lie in one tile. Blocks must stay until end_pass.
   void begin(const PixelBox& pixels);
-  void draw(const SetupBlock& block, std::span<const std::uint32_t> indices);
+  void draw(std::size_t pass, const SetupBlock& block, std::span<const std::uint32_t> indices);
+  void end_pass(std::size_t pass);
   void end();
 
  private:
-  const DrawContext* context_;
+  const DrawContext* context_;  // of the only pass, where not vectors draw
+  const ClearValues* clear_;
   PixelBox pixels_;
+  std::vector<LanePass> passes_;
   std::unique_ptr<LaneTile> lanes_;       // where vectors draw; else
   std::unique_ptr<FragmentBatch> batch_;  // none where the draw's result is flat
 };

@@ -18,7 +18,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 #if HWY_TARGET == HWY_SCALAR  // has no wider words than 32 bits in its single lane
 
-void draw_triangles(LaneTile&, const SetupBlock&, std::span<const std::uint32_t>) {}
+void draw_triangles(LaneTile&, LanePass&, const SetupBlock&, std::span<const std::uint32_t>) {}
 
 #else
 
@@ -42,6 +42,7 @@ constexpr int kLanes = static_cast<int>(hn::MaxLanes(kD));
 // Fragments of one primitive at places of the tile, as far as they are the same for all.
 struct Pen {
   LaneTile& tile;
+  LanePass& pass;
   const SetupPrimitive& primitive;
   const SetupBlock& block;
   std::uint32_t color;  // of a flat result
@@ -52,7 +53,8 @@ HWY_INLINE std::int32_t* lanes_of(T* words) {
   return reinterpret_cast<std::int32_t*>(words);  // signed and unsigned words may alias
 }
 
-// --- without a batch --------------------------------------------------------------------------------------------------
+// --- without a batch
+// --------------------------------------------------------------------------------------------------
 
 template <class D>
 HWY_INLINE void draw_flat(D d, const LaneDraw<D>& draw, const Pen& pen, std::size_t place, hn::Mask<D> mask,
@@ -68,31 +70,32 @@ HWY_INLINE void draw_flat(D d, const LaneDraw<D>& draw, const Pen& pen, std::siz
   hn::StoreU(hn::IfThenElse(result.drawn, color, hn::LoadU(d, color_at)), d, color_at);
 }
 
-// --- into the batch ---------------------------------------------------------------------------------------------------
+// --- into the batch
+// ---------------------------------------------------------------------------------------------------
 
 // Those of the fragments that have to go into the batch, which then has room for them and no other at their pixels.
 template <class D>
 HWY_INLINE hn::Mask<D> gathered(D d, const LaneDraw<D>& draw, const Pen& pen, std::size_t place, hn::Mask<D> mask,
                                 hn::Vec<D> depth) {
   LaneTile& tile = pen.tile;
-  LaneBatch& batch = *tile.batch;
+  LaneBatch& batch = *pen.pass.batch;
   const std::int32_t* const at = lanes_of(tile.tile.depth_stencil.data()) + place;
   const std::size_t row = place / kTileSize, column = place % kTileSize;
   const bool waits = batch.occupied[row] != 0;
   // What waits may still change the outcome of tests.
-  if (waits && tile.operations.tests_change && (batch.occupied[row] & (bits_of(d, mask) << column)) != 0) {
-    flush_lanes(tile);
+  if (waits && draw.operations.tests_change && (batch.occupied[row] & (bits_of(d, mask) << column)) != 0) {
+    flush_lanes(tile, pen.pass);
   }
   mask = not_lost(d, draw, mask, depth, hn::LoadU(d, at));
-  if (waits && (batch.occupied[row] & (bits_of(d, mask) << column)) != 0) flush_lanes(tile);
-  if (batch.count + hn::CountTrue(d, mask) > kBatchSize) flush_lanes(tile);
+  if (waits && (batch.occupied[row] & (bits_of(d, mask) << column)) != 0) flush_lanes(tile, pen.pass);
+  if (batch.count + hn::CountTrue(d, mask) > kBatchSize) flush_lanes(tile, pen.pass);
   return mask;
 }
 
 template <class D>
 HWY_INLINE void push(D d, const Pen& pen, std::size_t place, hn::Mask<D> mask, hn::Vec<D> depth,
-                     const hn::Vec<hn::Rebind<float, D>> weight[3]) {
-  LaneBatch& batch = *pen.tile.batch;
+                     const hn::Vec<hn::Rebind<float, D> > weight[3]) {
+  LaneBatch& batch = *pen.pass.batch;
   const hn::Rebind<float, D> df;
   if (batch.runs == 0 || batch.run[batch.runs - 1].primitive != &pen.primitive) {
     batch.run[batch.runs++] = {&pen.primitive, &pen.block, batch.count};
@@ -127,12 +130,13 @@ HWY_INLINE void push(D d, const Pen& pen, std::size_t place, hn::Mask<D> mask, h
   batch.count = span_first;
 }
 
-// --- triangles --------------------------------------------------------------------------------------------------------
+// --- triangles
+// --------------------------------------------------------------------------------------------------------
 
 // Window depths as codes of the target, see WindowDepth::code.
 template <class D>
-HWY_INLINE hn::Vec<D> depth_codes(D d, const LaneTile& tile, const SetupPrimitive& p, hn::Vec<D> z24) {
-  const WindowDepth& depth = tile.context.depth;
+HWY_INLINE hn::Vec<D> depth_codes(D d, const LanePass& pass, const SetupPrimitive& p, hn::Vec<D> z24) {
+  const WindowDepth& depth = pass.context.depth;
   if (p.offset_z24 == 0 && depth.step_z24() == 1) return z24;
   constexpr std::int32_t kBeyond = 1 << 25;
   const auto offset = hn::Set(d, std::clamp(p.offset_z24, -kBeyond, kBeyond));
@@ -202,23 +206,26 @@ HWY_INLINE void draw_fragments(const LaneDraw<D>& draw, const Pen& pen, const Ti
   const auto place = static_cast<std::size_t>((y - pen.tile.bottom) * kTileSize + (x - pen.tile.left));
   if constexpr (kDrawing == Drawing::nearest) {
     std::int32_t* const at = lanes_of(pen.tile.tile.depth_stencil.data()) + place;
-    const auto depth = hn::ShiftLeft<8>(hn::BitCast(du, z24)), stored = hn::BitCast(du, hn::LoadU(kD, at));
+    // Whatever the stencil value is: depth × 256 + 255 is less where the depth is.
+    const auto stencil_bits = hn::Set(du, 0xFF), stored = hn::BitCast(du, hn::LoadU(kD, at));
+    const auto depth = hn::Or(hn::ShiftLeft<8>(hn::BitCast(du, z24)), stencil_bits);
     const M drawn = hn::And(mask, hn::RebindMask(kD, hn::Lt(depth, stored)));
-    hn::BlendedStore(hn::BitCast(kD, depth), drawn, kD, at);
+    const auto after = hn::Or(hn::AndNot(stencil_bits, depth), hn::And(stencil_bits, stored));
+    hn::BlendedStore(hn::BitCast(kD, after), drawn, kD, at);
     if (draw.operations.color) {
       hn::BlendedStore(hn::Set(kD, static_cast<std::int32_t>(pen.color)), drawn, kD,
                        lanes_of(pen.tile.tile.color.data()) + place);
     }
   } else if constexpr (kDrawing == Drawing::flat) {
-    draw_flat(kD, draw, pen, place, mask, depth_codes(kD, pen.tile, p, z24));
+    draw_flat(kD, draw, pen, place, mask, depth_codes(kD, pen.pass, p, z24));
   } else {
-    const V depth = depth_codes(kD, pen.tile, p, z24);
+    const V depth = depth_codes(kD, pen.pass, p, z24);
     mask = gathered(kD, draw, pen, place, mask, depth);
     if (hn::AllFalse(kD, mask)) return;
     hn::Vec<DF> weight[3];
     for (std::size_t i = 0; i < 3; ++i) {
-      const auto edge = t.is_narrow[k] ? hn::ConvertTo(kDF, hn::Add(e[i], hn::Set(kD, t.threshold[i][k])))
-                                       : wide_edge(t, k, i, x, y);
+      const auto edge =
+          t.is_narrow[k] ? hn::ConvertTo(kDF, hn::Add(e[i], hn::Set(kD, t.threshold[i][k]))) : wide_edge(t, k, i, x, y);
       weight[i] = hn::Mul(edge, hn::Set(kDF, p.inv_w[i]));
     }
     push(kD, pen, place, mask, depth, weight);
@@ -227,7 +234,7 @@ HWY_INLINE void draw_fragments(const LaneDraw<D>& draw, const Pen& pen, const Ti
 
 template <Drawing kDrawing>
 HWY_NOINLINE void draw_triangle(const Pen& pen, const TileTriangles& t, std::size_t k) {
-  const LaneDraw<D> draw(kD, pen.tile.operations, pen.primitive.front_facing);
+  const LaneDraw<D> draw(kD, pen.pass.operations, pen.primitive.front_facing);
   const V lane = hn::Iota(kD, 0);
   V row[3];
   for (std::size_t i = 0; i < 3; ++i) {
@@ -264,14 +271,14 @@ HWY_INLINE void draw_pixel(const Pen& pen) {
   const int x = p.box.left, y = p.box.bottom;
   const auto place = static_cast<std::size_t>((y - tile.bottom) * kTileSize + (x - tile.left));
   if constexpr (kDrawing == Drawing::nearest) {
-    const std::uint32_t depth = p.pixel_z24 << 8;
-    if (depth >= tile.tile.depth_stencil[place]) return;
-    tile.tile.depth_stencil[place] = depth;
-    if (tile.operations.color) tile.tile.color[place] = pen.color;
+    std::uint32_t& stored = tile.tile.depth_stencil[place];
+    if (p.pixel_z24 >= stored >> 8) return;
+    stored = (p.pixel_z24 << 8) | (stored & 0xFF);
+    if (pen.pass.operations.color) tile.tile.color[place] = pen.color;
     return;
   }
-  const LaneDraw<D1> draw(kD1, tile.operations, p.front_facing);
-  const auto depth = depth_codes(kD1, tile, p, hn::Set(kD1, static_cast<std::int32_t>(p.pixel_z24)));
+  const LaneDraw<D1> draw(kD1, pen.pass.operations, p.front_facing);
+  const auto depth = depth_codes(kD1, pen.pass, p, hn::Set(kD1, static_cast<std::int32_t>(p.pixel_z24)));
   auto mask = hn::FirstN(kD1, 1);
   if constexpr (kDrawing == Drawing::gathers) {
     mask = gathered(kD1, draw, pen, place, mask, depth);
@@ -287,8 +294,8 @@ HWY_INLINE void draw_pixel(const Pen& pen) {
 }
 
 template <Drawing kDrawing>
-void draw_all(LaneTile& tile, const SetupBlock& block, std::span<const std::uint32_t> indices) {
-  const bool needs_color = kDrawing != Drawing::gathers && tile.operations.needs_color();
+void draw_all(LaneTile& tile, LanePass& pass, const SetupBlock& block, std::span<const std::uint32_t> indices) {
+  const bool needs_color = kDrawing != Drawing::gathers && pass.operations.needs_color();
   TileTriangles t;
   constexpr std::size_t kGroup = kLanes;
   for (std::size_t first = 0; first < indices.size(); first += kGroup) {
@@ -300,9 +307,9 @@ void draw_all(LaneTile& tile, const SetupBlock& block, std::span<const std::uint
     const std::uint64_t drawn = bits_of(kD, drawn_mask);
     for (std::size_t i = 0; i < count; ++i) {
       const SetupPrimitive& p = block.primitives[index[i]];
-      Pen pen{tile, p, block, 0};
+      Pen pen{tile, pass, p, block, 0};
       if (needs_color) {
-        const ColorBytes color = tile.context.flat_primary(p.primitive);
+        const ColorBytes color = pass.context.flat_primary(p.primitive);
         std::memcpy(&pen.color, color.data(), sizeof(pen.color));
       }
       if (p.kind == SetupKind::pixel) {
@@ -314,13 +321,13 @@ void draw_all(LaneTile& tile, const SetupBlock& block, std::span<const std::uint
   }
 }
 
-void draw_triangles(LaneTile& tile, const SetupBlock& block, std::span<const std::uint32_t> indices) {
-  if (tile.batch != nullptr) {
-    draw_all<Drawing::gathers>(tile, block, indices);
-  } else if (tile.operations.is_nearest_alone && tile.depths_are_codes) {
-    draw_all<Drawing::nearest>(tile, block, indices);
+void draw_triangles(LaneTile& tile, LanePass& pass, const SetupBlock& block, std::span<const std::uint32_t> indices) {
+  if (pass.batch != nullptr) {
+    draw_all<Drawing::gathers>(tile, pass, block, indices);
+  } else if (pass.operations.is_nearest_alone && pass.depths_are_codes) {
+    draw_all<Drawing::nearest>(tile, pass, block, indices);
   } else {
-    draw_all<Drawing::flat>(tile, block, indices);
+    draw_all<Drawing::flat>(tile, pass, block, indices);
   }
 }
 
@@ -357,19 +364,15 @@ bool lanes_can_draw(const DrawContext& context, const RenderTarget& target) {
   return target.probe == nullptr && HWY_DYNAMIC_DISPATCH(are_lanes_there)();
 }
 
-LaneTile::LaneTile(const DrawContext& draw, const RenderTarget& planes)
+LanePass::LanePass(const DrawContext& draw, const RenderTarget& target)
     : context(draw),
-      target(planes),
-      operations(draw.state, planes),
+      operations(draw.state, target),
       depths_are_codes(!draw.state.polygon_offset.fill && draw.depth.step_z24() == 1) {
-  for (std::size_t k = 0; k < 4; ++k) writes_color[k] = draw.state.color_mask[k] && planes.color[k];
   if (!draw.has_flat_result) batch = std::make_unique<LaneBatch>();
 }
 
-void draw_lanes(LaneTile& tile, const SetupBlock& block, std::span<const std::uint32_t> indices) {
-  if (indices.empty()) return;
-  if (!tile.is_loaded) load_tile(tile);
-  HWY_DYNAMIC_DISPATCH(draw_triangles)(tile, block, indices);
+void draw_lanes(LaneTile& tile, LanePass& pass, const SetupBlock& block, std::span<const std::uint32_t> indices) {
+  HWY_DYNAMIC_DISPATCH(draw_triangles)(tile, pass, block, indices);
 }
 
 }  // namespace ninebit

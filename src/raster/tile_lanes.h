@@ -15,20 +15,28 @@
 
 namespace ninebit {
 
-// One thread's working state: large.
-struct LaneTile {
-  LaneTile(const DrawContext& draw, const RenderTarget& planes);
+// One draw call as vectors draw it in one thread.
+struct LanePass {
+  LanePass(const DrawContext& draw, const RenderTarget& target);
 
   const DrawContext& context;
-  const RenderTarget& target;
   const LaneOperations operations;
-  const bool depths_are_codes;         // window depths, without a polygon offset
-  std::array<bool, 4> writes_color{};  // color planes
-  std::unique_ptr<LaneBatch> batch;    // none where the draw's result is flat
+  const bool depths_are_codes;       // window depths, without a polygon offset
+  std::unique_ptr<LaneBatch> batch;  // none where the draw's result is flat
+};
+
+// One thread's tile, which passes draw into one after the other: large.
+struct LaneTile {
+  explicit LaneTile(const RenderTarget& planes) : target(planes) {}
+
+  const RenderTarget& target;
+  // Planes of the target that the tile holds, and those of them that it is written back to.
+  bool depth = false, stencil = false, writes_depth = false, writes_stencil = false;
+  std::array<bool, 4> color{};
+  [[nodiscard]] bool has_color() const { return color[0] || color[1] || color[2] || color[3]; }
 
   PixelBox pixels{};         // of this tile, may be drawn
   int left = 0, bottom = 0;  // the tile's lowest corner
-  bool is_loaded = false;
   TilePlanes tile;
 };
 
@@ -36,13 +44,14 @@ struct LaneTile {
 [[nodiscard]] bool lanes_can_draw(const DrawContext& context, const RenderTarget& target);
 
 // Draws triangles of one block; the block must stay until the batch is flushed.
-void draw_lanes(LaneTile& tile, const SetupBlock& block, std::span<const std::uint32_t> indices);
+void draw_lanes(LaneTile& tile, LanePass& pass, const SetupBlock& block, std::span<const std::uint32_t> indices);
 
-// Sends what the batch has gathered through the combiners and the fragment operations.
-void flush_lanes(LaneTile& tile);
+// Sends what the pass's batch has gathered through the combiners and the fragment operations.
+void flush_lanes(LaneTile& tile, LanePass& pass);
 
-// Takes over the pixels that may be drawn from the planes of the target, and gives them back.
+// Takes over the pixels that may be drawn from the planes of the target, or fills the tile, and gives them back.
 void load_tile(LaneTile& tile);
+void fill_tile(LaneTile& tile, const ClearValues& values);
 void store_tile(const LaneTile& tile);
 
 }  // namespace ninebit

@@ -3,6 +3,7 @@
 
 #include <cstring>
 
+#include "src/raster/clear_values.h"
 #include "src/raster/tile_lanes.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -29,27 +30,26 @@ constexpr D8 kD8;
 constexpr Bytes kBytes;
 
 void load_row(LaneTile& tile, const TileRow& from, std::size_t place) {
-  const LaneOperations& operations = tile.operations;
-  if (operations.depth || operations.stencil) {
+  if (tile.depth || tile.stencil) {
     for (std::size_t i = 0; i < kTileSize; i += hn::Lanes(kD32)) {
       auto v = hn::Zero(kD32);
-      if (operations.depth) v = hn::ShiftLeft<8>(hn::LoadU(kD32, from.depth + i));
-      if (operations.stencil) v = hn::Or(v, hn::PromoteTo(kD32, hn::LoadU(kD8, from.stencil + i)));
+      if (tile.depth) v = hn::ShiftLeft<8>(hn::LoadU(kD32, from.depth + i));
+      if (tile.stencil) v = hn::Or(v, hn::PromoteTo(kD32, hn::LoadU(kD8, from.stencil + i)));
       hn::Store(v, kD32, tile.tile.depth_stencil.data() + place + i);
     }
   }
-  if (!operations.color) return;
+  if (!tile.has_color()) return;
   auto* const to = reinterpret_cast<std::uint8_t*>(tile.tile.color.data() + place);
   for (std::size_t i = 0; i < kTileSize; i += hn::Lanes(kBytes)) {
     const auto samples = [&](std::size_t k) HWY_ATTR {
-      return tile.writes_color[k] ? hn::LoadU(kBytes, from.color[k] + i) : hn::Zero(kBytes);
+      return tile.color[k] ? hn::LoadU(kBytes, from.color[k] + i) : hn::Zero(kBytes);
     };
     hn::StoreInterleaved4(samples(0), samples(1), samples(2), samples(3), kBytes, to + 4 * i);
   }
 }
 
 void store_row(const LaneTile& tile, const TileRow& to, std::size_t place) {
-  const bool stencil = tile.operations.stencil_write, depth = tile.operations.depth_write;
+  const bool stencil = tile.writes_stencil, depth = tile.writes_depth;
   if (stencil || depth) {
     for (std::size_t i = 0; i < kTileSize; i += hn::Lanes(kD32)) {
       const auto v = hn::Load(kD32, tile.tile.depth_stencil.data() + place + i);
@@ -57,15 +57,15 @@ void store_row(const LaneTile& tile, const TileRow& to, std::size_t place) {
       if (stencil) hn::StoreU(hn::U8FromU32(hn::And(v, hn::Set(kD32, 0xFF))), kD8, to.stencil + i);
     }
   }
-  if (!tile.operations.color) return;
+  if (!tile.has_color()) return;
   const auto* const from = reinterpret_cast<const std::uint8_t*>(tile.tile.color.data() + place);
   for (std::size_t i = 0; i < kTileSize; i += hn::Lanes(kBytes)) {
     hn::Vec<Bytes> v0, v1, v2, v3;
     hn::LoadInterleaved4(kBytes, from + 4 * i, v0, v1, v2, v3);
-    if (tile.writes_color[0]) hn::StoreU(v0, kBytes, to.color[0] + i);
-    if (tile.writes_color[1]) hn::StoreU(v1, kBytes, to.color[1] + i);
-    if (tile.writes_color[2]) hn::StoreU(v2, kBytes, to.color[2] + i);
-    if (tile.writes_color[3]) hn::StoreU(v3, kBytes, to.color[3] + i);
+    if (tile.color[0]) hn::StoreU(v0, kBytes, to.color[0] + i);
+    if (tile.color[1]) hn::StoreU(v1, kBytes, to.color[1] + i);
+    if (tile.color[2]) hn::StoreU(v2, kBytes, to.color[2] + i);
+    if (tile.color[3]) hn::StoreU(v3, kBytes, to.color[3] + i);
   }
 }
 
@@ -97,10 +97,10 @@ TileRow row_of(const LaneTile& tile, int y) {
   const RenderTarget& target = tile.target;
   const auto start = [&](const auto& plane) { return plane.row(y) + tile.left; };
   TileRow row;
-  if (tile.operations.depth) row.depth = start(target.depth);
-  if (tile.operations.stencil) row.stencil = start(target.stencil);
+  if (tile.depth) row.depth = start(target.depth);
+  if (tile.stencil) row.stencil = start(target.stencil);
   for (std::size_t k = 0; k < 4; ++k) {
-    if (tile.writes_color[k]) row.color[k] = start(target.color[k]);
+    if (tile.color[k]) row.color[k] = start(target.color[k]);
   }
   return row;
 }
@@ -109,10 +109,10 @@ TileRow row_of(const LaneTile& tile, int y) {
 void copy(const LaneTile& tile, const TileRow& from, const TileRow& to) {
   const int first = tile.pixels.left - tile.left;
   const auto count = static_cast<std::size_t>(tile.pixels.right - tile.pixels.left);
-  if (tile.operations.depth) std::memcpy(to.depth + first, from.depth + first, count * sizeof(*to.depth));
-  if (tile.operations.stencil) std::memcpy(to.stencil + first, from.stencil + first, count);
+  if (tile.depth) std::memcpy(to.depth + first, from.depth + first, count * sizeof(*to.depth));
+  if (tile.stencil) std::memcpy(to.stencil + first, from.stencil + first, count);
   for (std::size_t k = 0; k < 4; ++k) {
-    if (tile.writes_color[k]) std::memcpy(to.color[k] + first, from.color[k] + first, count);
+    if (tile.color[k]) std::memcpy(to.color[k] + first, from.color[k] + first, count);
   }
 }
 
@@ -136,7 +136,14 @@ void load_tile(LaneTile& tile) {
     }
     HWY_DYNAMIC_DISPATCH(load_row)(tile, row, place_of_row(tile, y));
   }
-  tile.is_loaded = true;
+}
+
+void fill_tile(LaneTile& tile, const ClearValues& values) {
+  const DepthStencilFormat format = tile.target.format;
+  tile.tile.depth_stencil.fill(depth_code(format, values.depth) << 8 | stencil_value(format, values.stencil));
+  std::uint32_t color = 0;
+  std::memcpy(&color, values.color.data(), sizeof(color));
+  tile.tile.color.fill(color);
 }
 
 void store_tile(const LaneTile& tile) {

@@ -11,8 +11,8 @@ namespace ninebit {
 
 inline constexpr std::size_t kTilePixels = std::size_t{kTileSize} * kTileSize;
 
-// Row by row, the lowest first, whether or not the target reaches so far. A vector that starts in the last row may reach
-// beyond it.
+// Row by row, the lowest first, whether or not the target reaches so far. A vector that starts in the last row may
+// reach beyond it.
 struct TilePlanes {
   static constexpr std::size_t kWords = kTilePixels + 16;
   alignas(64) std::array<std::uint32_t, kWords> depth_stencil{};  // depth code × 256 + stencil value

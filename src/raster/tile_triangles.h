@@ -44,8 +44,8 @@ struct TileTriangles {
 };
 
 // z = z0 + (e1 (z1 - z0) + e2 (z2 - z0)) / area + 1/2, the steps likewise. Products of steps and depths are exact in
-// doubles, and each of the others is off by a few 2^-53 of itself: within these limits the sum is good to 2^-18 at every
-// pixel of a tile.
+// doubles, and each of the others is off by a few 2^-53 of itself: within these limits the sum is good to 2^-18 at
+// every pixel of a tile.
 inline constexpr double kSteepestDepth = 0x1p24, kFarthestDepth = 64.0, kHighestDepth = 0x1p29, kDepthOne = 0x1p32;
 
 inline bool TileTriangles::place(std::size_t k, const SetupPrimitive& p) {

@@ -1,5 +1,5 @@
-// Several triangles placed in a tile at a time. No include guard: included once inside Highway's namespace of every SIMD
-// target, with `hn` for its operations, D the tag of up to 16 words and DD that of half as many doubles.
+// Several triangles placed in a tile at a time. No include guard: included once inside Highway's namespace of every
+// SIMD target, with `hn` for its operations, D the tag of up to 16 words and DD that of half as many doubles.
 
 // Triangles of which all corners lie within 2^14 sixteenths of a pixel of their region's origin: the rest is
 // TileTriangles::place.
@@ -8,9 +8,8 @@ HWY_INLINE hn::Mask<D> place_small(TileTriangles& t, const SetupBlock& block, co
   const V record = hn::Mul(hn::LoadU(kD, reinterpret_cast<const std::int32_t*>(indices)),
                            hn::Set(kD, static_cast<std::int32_t>(sizeof(SetupPrimitive))));
   const SetupPrimitive& first = block.primitives[0];
-  const auto field = [&](const void* of_first) HWY_ATTR {
-    return hn::GatherOffset(kD, static_cast<const std::int32_t*>(of_first), record);
-  };
+  const auto field = [&](const void* of_first)
+                         HWY_ATTR { return hn::GatherOffset(kD, static_cast<const std::int32_t*>(of_first), record); };
   for (std::size_t i = 0; i < hn::Lanes(kD); ++i) {
     const PixelBounds& box = block.primitives[indices[i]].box;
     t.left[i] = box.left;
@@ -76,9 +75,9 @@ HWY_INLINE hn::Mask<D> place_small(TileTriangles& t, const SetupBlock& block, co
     const auto origin = hn::Add(hn::Add(r(z0), plane(e1, e2)), hn::Set(kDD, 0.5));
     const auto steep = hn::Max(hn::Abs(slope_x), hn::Abs(slope_y));
     const auto far = hn::Mul(hn::Add(hn::Abs(e1), hn::Abs(e2)), scale);
-    const auto is_sure = hn::And(hn::And(hn::Le(steep, hn::Set(kDD, kSteepestDepth)),
-                                         hn::Le(far, hn::Set(kDD, kFarthestDepth))),
-                                 hn::Le(hn::Abs(origin), hn::Set(kDD, kHighestDepth)));
+    const auto is_sure =
+        hn::And(hn::And(hn::Le(steep, hn::Set(kDD, kSteepestDepth)), hn::Le(far, hn::Set(kDD, kFarthestDepth))),
+                hn::Le(hn::Abs(origin), hn::Set(kDD, kHighestDepth)));
     const auto kept = hn::IfThenElseZero(is_sure, hn::Set(kDD, kDepthOne));
     const std::size_t at = upper ? hn::Lanes(kDD) : 0;
     hn::Store(hn::Mul(origin, kept), kDD, t.depth.data() + at);

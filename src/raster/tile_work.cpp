@@ -73,7 +73,7 @@ void TileWork::look_at(std::span<const BinnedBlock> blocks) {
 }
 
 void TileLoop::draw_tile(std::span<const BinnedBlock> blocks, const TileWork& work, const TileWork::Tile& tile,
-                         TileRasterizer& rasterizer) const {
+                         TileRasterizer& rasterizer) {
   const PixelBox pixels = grid_.pixels(tile.tile, drawn_);
   if (pixels.empty()) return;
   const std::span<const std::uint32_t> in_tile = work.blocks_of(tile);
@@ -82,15 +82,32 @@ void TileLoop::draw_tile(std::span<const BinnedBlock> blocks, const TileWork& wo
     for (const std::uint32_t b : in_tile) probe_->run(blocks[b].setup, blocks[b].in_tile(tile.tile));
   }
   rasterizer.begin(pixels);
-  for (const std::uint32_t b : in_tile) rasterizer.draw(blocks[b].setup, blocks[b].in_tile(tile.tile));
+  for (std::size_t pass = 0; pass < passes_.size(); ++pass) {
+    using Clock = std::chrono::steady_clock;
+    const auto start = is_timed_ ? Clock::now() : Clock::time_point();
+    for (const std::uint32_t b : in_tile) rasterizer.draw(pass, blocks[b].setup, blocks[b].in_tile(tile.tile));
+    rasterizer.end_pass(pass);
+    if (is_timed_) busy_[pass] += std::chrono::nanoseconds(Clock::now() - start).count();
+  }
   rasterizer.end();
 }
 
 void TileLoop::draw(std::span<const BinnedBlock> blocks, const TileWork& work) {
-  const std::span<const TileWork::Tile> tiles = work.tiles();
+  std::span<const TileWork::Tile> tiles = work.tiles();
+  std::vector<TileWork::Tile> all;
+  if (clear_ != nullptr) {
+    std::vector<bool> has_work(grid_.count());
+    for (const TileWork::Tile& tile : tiles) has_work[tile.tile] = true;
+    all.assign(tiles.begin(), tiles.end());
+    for (std::uint32_t t = 0; t < grid_.count(); ++t) {
+      if (!has_work[t]) all.push_back({.tile = t});
+    }
+    tiles = all;
+  }
   if (tiles.empty()) return;
+  const bool is_little = work.is_little() && clear_ == nullptr;
   const std::size_t workers =
-      work.is_little() ? 1 : std::min(tiles.size(), static_cast<std::size_t>(tbb::this_task_arena::max_concurrency()));
+      is_little ? 1 : std::min(tiles.size(), static_cast<std::size_t>(tbb::this_task_arena::max_concurrency()));
   if (rasterizers_.size() < workers) rasterizers_.resize(workers);
   // Tiles cost differently: each worker takes the next one when it is done with the last.
   std::atomic<std::size_t> next = 0;
@@ -98,7 +115,7 @@ void TileLoop::draw(std::span<const BinnedBlock> blocks, const TileWork& work) {
     std::size_t i = next++;
     if (i >= tiles.size()) return;
     std::unique_ptr<TileRasterizer>& rasterizer = rasterizers_[worker];
-    if (!rasterizer) rasterizer = std::make_unique<TileRasterizer>(context_, target_);
+    if (!rasterizer) rasterizer = std::make_unique<TileRasterizer>(passes_, target_, clear_);
     for (; i < tiles.size(); i = next++) draw_tile(blocks, work, tiles[i], *rasterizer);
   };
   if (workers == 1) return work_off(0);

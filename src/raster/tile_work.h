@@ -1,6 +1,8 @@
 // Blocks of binned primitives drawn tile by tile.
 #pragma once
 
+#include <atomic>
+#include <chrono>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -39,27 +41,43 @@ class TileWork {
   bool is_little_ = true;
 };
 
-// Draws with one draw call's state, in as many threads as there are.
+// Draws with the state of one draw call, or of several passes over the same primitives, in as many threads as there
+// are.
 class TileLoop {
  public:
-  // The arguments must outlive the loop. No probe: nullptr.
-  TileLoop(const TileGrid& grid, const PixelBox& drawn, const DrawContext& context, const RenderTarget& target,
-           PixelProbe* probe)
-      : grid_(grid), drawn_(drawn), context_(context), target_(target), probe_(probe) {}
+  // The arguments must outlive the loop; see TileRasterizer. No probe: nullptr.
+  TileLoop(const TileGrid& grid, const PixelBox& drawn, std::span<const DrawContext* const> passes,
+           const RenderTarget& target, const ClearValues* clear, bool is_timed, PixelProbe* probe)
+      : grid_(grid),
+        drawn_(drawn),
+        passes_(passes),
+        target_(target),
+        clear_(clear),
+        is_timed_(is_timed),
+        probe_(probe),
+        busy_(passes.size()) {}
 
   // In drawing order within each tile: blocks in theirs, after those of earlier calls.
   void draw(std::span<const BinnedBlock> blocks, const TileWork& work);
 
+  // How long threads have drawn a pass, together, if that is timed.
+  [[nodiscard]] std::chrono::nanoseconds busy(std::size_t pass) const {
+    return std::chrono::nanoseconds(busy_[pass].load());
+  }
+
  private:
   void draw_tile(std::span<const BinnedBlock> blocks, const TileWork& work, const TileWork::Tile& tile,
-                 TileRasterizer& rasterizer) const;
+                 TileRasterizer& rasterizer);
 
   const TileGrid& grid_;
   const PixelBox& drawn_;
-  const DrawContext& context_;
+  std::span<const DrawContext* const> passes_;
   const RenderTarget& target_;
+  const ClearValues* clear_;
+  bool is_timed_;
   PixelProbe* probe_;
   std::vector<std::unique_ptr<TileRasterizer>> rasterizers_;  // one for each that works at a time
+  std::vector<std::atomic<std::int64_t>> busy_;
 };
 
 }  // namespace ninebit

@@ -41,13 +41,12 @@ HWY_INLINE void find_pixel_depths(const Candidates& c, Depths& to) {
 // As depth_plane() and polygon_offset_z24().
 HWY_INLINE void find_offsets(const SetupContext& context, const Candidates& c, Depths& to) {
   const auto factor = hn::Set(kDD, static_cast<double>(context.offset.factor));
-  const auto units = hn::Set(kDD, static_cast<double>(context.offset.units) *
-                                      static_cast<double>(context.window.depth().step_z24()));
+  const auto units =
+      hn::Set(kDD, static_cast<double>(context.offset.units) * static_cast<double>(context.window.depth().step_z24()));
   const VD limit = hn::Set(kDD, 0x1p25), sixteen = hn::Set(kDD, 16.0);
   for (std::size_t i = 0; i < c.count; i += hn::Lanes(kDD)) {
-    const auto difference = [i](const Candidates::Lanes(&v)[3], int k) HWY_ATTR {
-      return hn::Sub(as_double(v[k] + i), as_double(v[0] + i));
-    };
+    const auto difference = [i](const Candidates::Lanes(&v)[3], int k)
+                                HWY_ATTR { return hn::Sub(as_double(v[k] + i), as_double(v[0] + i)); };
     const VD bx = difference(c.x, 1), by = difference(c.y, 1), cx = difference(c.x, 2), cy = difference(c.y, 2);
     const VD bz = difference(to.corner, 1), cz = difference(to.corner, 2);
     const VD area = hn::Abs(hn::Sub(hn::Mul(bx, cy), hn::Mul(by, cx)));

@@ -1,12 +1,21 @@
 // Geometry that is set up once and drawn several times.
 #pragma once
 
+#include <chrono>
 #include <memory>
 #include <span>
 
 #include "ninebit/raster/rasterizer.h"
 
 namespace ninebit {
+
+// One draw of prepared geometry.
+struct DrawPass {
+  const PipelineState* state = nullptr;
+  VertexArrays arrays{};  // type, positions and indices as they were prepared
+  std::span<const TextureUnit> units{};
+  std::chrono::nanoseconds* time = nullptr;  // gets the time that threads spent on the pass, together; nullptr: unasked
+};
 
 // What becomes of a draw call's vertices before its fragments are drawn: transformed, clipped, culled, snapped to the
 // window and sorted into tiles. Passes over the same geometry from the same view, each with its own tests, textures,
@@ -25,8 +34,8 @@ class PreparedDraw {
  private:
   friend Status prepare(const PipelineState& state, const glm::mat4& clip_from_object, const VertexArrays& arrays,
                         const RenderTarget& target, PreparedDraw& prepared);
-  friend Status rasterize(const PipelineState& state, const PreparedDraw& prepared, const VertexArrays& arrays,
-                          std::span<const TextureUnit> units, RenderTarget& target);
+  friend Status rasterize(std::span<const DrawPass> passes, const PreparedDraw& prepared, const ClearValues* clear,
+                          RenderTarget& target);
   std::unique_ptr<Geometry> geometry_;
 };
 
@@ -37,15 +46,29 @@ class PreparedDraw {
 [[nodiscard]] Status prepare(const PipelineState& state, const glm::mat4& clip_from_object, const VertexArrays& arrays,
                              const RenderTarget& target, PreparedDraw& prepared);
 
-// Draws what was prepared, as rasterize() with the matrix of its preparation does. The arrays have the type, the
-// positions and the indices that were prepared, the latter in the same memory, unchanged; all else in them may differ.
-// One PreparedDraw may be drawn by several threads at a time.
+// Draws what was prepared in one pass after the other, as rasterize() with the matrix of its preparation and the state
+// of each pass does; before the first pass, with `clear`, the target's colour, depth and stencil planes are filled with
+// its values, through no mask. The arrays' positions and indices are those that were prepared, the latter in the same
+// memory, unchanged; all else in them may differ. No pass may read a plane of the target as a texture. One PreparedDraw
+// may be drawn by several threads at a time.
 //
-// Reports, besides what rasterize() reports, that nothing has been prepared, and whatever differs from the
-// preparation of: size and depth format of the target; viewport, scissor, depth range; culling, front face, polygon
-// modes, polygon offset (and profile.polygon_offset_slope), point size, line width, profile.subpixel_bits; the type,
-// the number of positions and the indices.
-[[nodiscard]] Status rasterize(const PipelineState& state, const PreparedDraw& prepared, const VertexArrays& arrays,
-                               std::span<const TextureUnit> units, RenderTarget& target);
+// Passes are drawn tile by tile, so that the target's planes are read and written once, where no pass draws lines or
+// points, blends, or writes other colour components than another one, and the target has neither output planes nor a
+// probe. This changes nothing but the time.
+//
+// Reports, before anything is drawn, besides what rasterize() reports, that nothing has been prepared, and whatever
+// differs from the preparation of: size and depth format of the target; viewport, scissor, depth range; culling, front
+// face, polygon modes, polygon offset (and profile.polygon_offset_slope), point size, line width,
+// profile.subpixel_bits; the type, the number of positions and the indices.
+[[nodiscard]] Status rasterize(std::span<const DrawPass> passes, const PreparedDraw& prepared, const ClearValues* clear,
+                               RenderTarget& target);
+
+// The same in one pass.
+[[nodiscard]] inline Status rasterize(const PipelineState& state, const PreparedDraw& prepared,
+                                      const VertexArrays& arrays, std::span<const TextureUnit> units,
+                                      RenderTarget& target) {
+  const DrawPass pass{.state = &state, .arrays = arrays, .units = units};
+  return rasterize({&pass, 1}, prepared, nullptr, target);
+}
 
 }  // namespace ninebit
