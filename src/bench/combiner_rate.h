@@ -23,7 +23,8 @@ inline constexpr std::array kEngines{Engine::simd, Engine::reference, Engine::sc
 // caches: the best of the short runs that fit into `seconds`, of at least three. Registers start from random codes.
 [[nodiscard]] double combiner_rate(const Program& program, Engine engine, int threads, double seconds);
 
-// 10^9 bytes a second that one thread reads from `bytes` of memory, once through; the best of the runs that fit.
+// 10^9 bytes a second that one thread reads when it goes through so much memory again and again: the best piece of
+// 2 MiB. What is larger than a cache is not read from it.
 [[nodiscard]] double read_rate(std::size_t bytes, double seconds);
 
 // The names of the SIMD targets that were compiled and that this processor can run, best first.
