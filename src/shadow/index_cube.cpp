@@ -20,19 +20,18 @@ Result<Rendering> render_index_cube(const Scene& scene, const RenderSettings& se
     return {};
   };
   PassTimes times;
-  const auto run = [&](std::string_view name, double done, double& milliseconds, const auto& work) -> Status {
+  const auto run = [&](std::string_view name, double done, double* milliseconds, const auto& work) -> Status {
     if (progress && !progress(name, done)) return Diagnostic{.message = "interrupted", .fault = Fault::cancelled};
     const auto start = Clock::now();
     Status status = work();
-    milliseconds = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+    if (milliseconds != nullptr) {
+      *milliseconds = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+    }
     return status;
   };
-  Status status = run("indices", 0.0, times.transform, make);
-  if (status) status = run("index cube map", 0.1, times.maps, [&] { return renderer->draw_maps(); });
-  if (status) status = run("camera depth", 0.5, times.camera, [&] { return renderer->draw_depth(); });
-  if (status) status = run("index comparison", 0.6, times.compare, [&] { return renderer->draw_comparison(); });
-  if (status) status = run("lit pass", 0.8, times.lit, [&] { return renderer->draw_lit(); });
-  if (status) status = run("shadow pass", 0.9, times.shadow, [&] { return renderer->draw_shadow(); });
+  Status status = run("indices", 0.0, &times.transform, make);
+  if (status) status = run("index cube map", 0.1, &times.maps, [&] { return renderer->draw_maps(); });
+  if (status) status = run("camera's passes", 0.5, nullptr, [&] { return renderer->draw_camera(times); });
   if (!status) return status.error();
   renderer->count();
   renderer->rendering().times = times;

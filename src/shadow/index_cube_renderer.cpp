@@ -5,6 +5,7 @@
 #include <oneapi/tbb/parallel_for.h>
 
 #include <bit>
+#include <chrono>
 #include <string>
 #include <utility>
 
@@ -15,6 +16,9 @@
 
 namespace ninebit {
 namespace {
+
+using Clock = std::chrono::steady_clock;
+using Milliseconds = std::chrono::duration<double, std::milli>;
 
 Diagnostic invalid(std::string message) {
   return Diagnostic{.message = std::move(message)};
@@ -103,16 +107,18 @@ Status IndexCubeRenderer::draw_maps() {
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, from_light_.size(), 16384), [&](const auto& range) {
     for (std::size_t i = range.begin(); i != range.end(); ++i) from_light_[i] = scene_->positions[i] - light;
   });
-  VertexArrays arrays{.positions = from_light_, .indices = index_list(scene_->triangles)};
+  VertexArrays arrays = all_triangles(from_light_);
   arrays.primitive_colors = index_colors_;
+  const DrawPass pass{.state = &passes_.map, .arrays = arrays};
+  const ClearValues nothing;
   for (std::size_t i = 0; i < 6; ++i) {
     RenderTarget target{.width = settings_.map_size, .height = settings_.map_size};
     for (std::size_t c = 0; c < 3; ++c) {
       target.color[c] = {rendering_.index_map[i].color[c].data(), settings_.map_size};
     }
     target.depth = {map_depth_.data(), settings_.map_size};
-    if (Status cleared = clear(passes_.map, {}, {}, target); !cleared) return cleared;
-    if (Status drawn = rasterize(passes_.map, face_projections_[i], arrays, {}, target); !drawn) return drawn;
+    if (Status made = prepare(passes_.map, face_projections_[i], arrays, target, prepared_); !made) return made;
+    if (Status drawn = rasterize({&pass, 1}, prepared_, &nothing, target); !drawn) return drawn;
   }
   return {};
 }
@@ -123,6 +129,55 @@ Status IndexCubeRenderer::draw_camera_pass(CameraPass pass, RenderTarget& target
   if (pass.arrays.indices.empty()) pass.arrays.indices = index_list(scene_->triangles);
   return CameraPasses{settings_, rendering_, camera_projection_}.draw(pass.name, pass.state, pass.arrays, pass.units,
                                                                       target, pass.scene_triangles);
+}
+
+// Of a scene that has triangles, as validate demands.
+VertexArrays IndexCubeRenderer::all_triangles(std::span<const glm::vec3> positions) const {
+  return {.positions = positions, .indices = index_list(scene_->triangles)};
+}
+
+Status IndexCubeRenderer::draw_camera(PassTimes& times) {
+  if (!settings_.layers && !settings_.pixel && !settings_.light_facing) return draw_camera_together(times);
+  const auto timed = [&](double& milliseconds, Status (IndexCubeRenderer::*draw)()) {
+    const auto start = Clock::now();
+    Status status = (this->*draw)();
+    milliseconds = Milliseconds(Clock::now() - start).count();
+    return status;
+  };
+  if (Status drawn = timed(times.camera, &IndexCubeRenderer::draw_depth); !drawn) return drawn;
+  if (Status drawn = timed(times.compare, &IndexCubeRenderer::draw_comparison); !drawn) return drawn;
+  if (Status drawn = timed(times.lit, &IndexCubeRenderer::draw_lit); !drawn) return drawn;
+  return timed(times.shadow, &IndexCubeRenderer::draw_shadow);
+}
+
+Status IndexCubeRenderer::draw_camera_together(PassTimes& times) {
+  const auto start = Clock::now();
+  RenderTarget target = rendering_.frame.target();
+  const VertexArrays geometry = all_triangles(scene_->positions);
+  const std::array<TextureUnit, 1> units{TextureUnit{&map_, kNearestSampler}};
+  std::array<std::chrono::nanoseconds, 4> busy{};
+  std::array<DrawPass, 4> passes{DrawPass{.state = &passes_.depth}, DrawPass{.state = &passes_.comparison},
+                                 DrawPass{.state = &passes_.lit}, DrawPass{.state = &passes_.shadow}};
+  for (std::size_t i = 0; i < passes.size(); ++i) {
+    passes[i].arrays = geometry;
+    passes[i].time = &busy[i];
+  }
+  passes[1].units = units;
+  passes[1].arrays.texture_coordinates[0] = from_light_;
+  passes[1].arrays.primitive_colors = index_colors_;
+  passes[2].arrays.vertex_colors = shading_.lit;
+  passes[3].arrays.vertex_colors = shading_.shadowed;
+  if (Status made = prepare(passes_.depth, camera_projection_, geometry, target, prepared_); !made) return made;
+  const ClearValues background{.color = kBackground};
+  if (Status drawn = rasterize(passes, prepared_, &background, target); !drawn) return drawn;
+  const double whole = Milliseconds(Clock::now() - start).count();
+  const double all = Milliseconds(busy[0] + busy[1] + busy[2] + busy[3]).count();
+  const auto share = [&](std::size_t i) { return all > 0.0 ? whole * Milliseconds(busy[i]).count() / all : whole / 4; };
+  times.camera = share(0);
+  times.compare = share(1);
+  times.lit = share(2);
+  times.shadow = share(3);
+  return {};
 }
 
 Status IndexCubeRenderer::draw_depth() {

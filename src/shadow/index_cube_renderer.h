@@ -6,24 +6,26 @@
 #include <string_view>
 #include <vector>
 
+#include "ninebit/raster/prepared_draw.h"
 #include "ninebit/shadow/index_cube.h"
 #include "src/shadow/shading.h"
 
 namespace ninebit {
 
 // One scene seen from its camera, lit by its light. Made once: index colours, vertex colours, projections, surfaces.
-// Drawn each frame, pass by pass and in this order: draw_maps, draw_depth, draw_comparison, draw_lit, draw_shadow.
-// Each pass clears what it begins with, so that a frame follows another in the same surfaces.
+// Drawn each frame: draw_maps, then draw_camera. Each clears what it begins with, so that a frame follows another in the
+// same surfaces.
 class IndexCubeRenderer {
  public:
   // The scene must outlive the renderer. Reports what render_index_cube reports.
   [[nodiscard]] static Result<IndexCubeRenderer> make(const Scene& scene, const RenderSettings& settings);
 
-  Status draw_maps();        // indices, from the light into the six faces
-  Status draw_depth();       // the camera's depth
-  Status draw_comparison();  // shadows into the stencil buffer
-  Status draw_lit();         // colour where the stencil is 0
-  Status draw_shadow();      // colour where the stencil is 1
+  // Indices, from the light into the six faces.
+  Status draw_maps();
+  // The camera's passes: depth; shadows into the stencil buffer; colour where the stencil is 0, and where it is 1. They
+  // are drawn tile by tile together, unless layers, a watched pixel or light_facing ask for each by itself. The times
+  // of the passes are then their shares of the whole.
+  Status draw_camera(PassTimes& times);
 
   // Counts lit, shadowed and background pixels, and names the polygons of the layers.
   void count();
@@ -53,6 +55,12 @@ class IndexCubeRenderer {
     std::span<const std::uint32_t> scene_triangles{};  // numbers of the triangles drawn; empty: all
   };
   Status draw_camera_pass(CameraPass pass, RenderTarget& target);
+  Status draw_camera_together(PassTimes& times);
+  Status draw_depth();
+  Status draw_comparison();
+  Status draw_lit();
+  Status draw_shadow();
+  [[nodiscard]] VertexArrays all_triangles(std::span<const glm::vec3> positions) const;
 
   void assign_indices();
   void make_map();
@@ -79,6 +87,7 @@ class IndexCubeRenderer {
   std::vector<glm::vec3> from_light_;     // positions relative to the light, of the frame being drawn
   std::vector<std::uint32_t> map_depth_;  // of the face being drawn
   Texture map_;                           // views the faces in rendering_
+  PreparedDraw prepared_;                 // memory that every view uses again
 };
 
 }  // namespace ninebit

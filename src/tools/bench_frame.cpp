@@ -30,19 +30,18 @@ struct FrameTimes {
 
 Status draw_frame(IndexCubeRenderer& renderer, FrameTimes& times) {
   Status status;
-  const auto pass = [&](std::vector<double>& to, Status (IndexCubeRenderer::*draw)()) {
-    if (status) to.push_back(1e3 * bench::seconds_of([&] { status = (renderer.*draw)(); }));
-  };
-  pass(times.maps, &IndexCubeRenderer::draw_maps);
-  pass(times.depth, &IndexCubeRenderer::draw_depth);
-  pass(times.compare, &IndexCubeRenderer::draw_comparison);
-  pass(times.lit, &IndexCubeRenderer::draw_lit);
-  pass(times.shadow, &IndexCubeRenderer::draw_shadow);
-  if (status) {
-    times.total.push_back(times.maps.back() + times.depth.back() + times.compare.back() + times.lit.back() +
-                          times.shadow.back());
-  }
-  return status;
+  PassTimes pass;
+  const double maps = 1e3 * bench::seconds_of([&] { status = renderer.draw_maps(); });
+  if (!status) return status;
+  const double camera = 1e3 * bench::seconds_of([&] { status = renderer.draw_camera(pass); });
+  if (!status) return status;
+  times.total.push_back(maps + camera);
+  times.maps.push_back(maps);
+  times.depth.push_back(pass.camera);
+  times.compare.push_back(pass.compare);
+  times.lit.push_back(pass.lit);
+  times.shadow.push_back(pass.shadow);
+  return {};
 }
 
 // Draws frames for that long, the first one, which is not counted, aside.
