@@ -1,6 +1,14 @@
 // The fragment operations for a vector of fragments, no two of them at the same pixel. No include guard: included once
 // inside Highway's namespace of every SIMD target, with `hn` for its operations. D is a tag of 32-bit integers.
 
+// 0, 1, 2, … (Highway's Iota makes it word by word, in memory, each time.)
+template <class D>
+HWY_INLINE hn::Vec<D> lane_numbers(D d) {
+  alignas(64) static constexpr std::array<std::int32_t, 16> kNumbers{0, 1, 2,  3,  4,  5,  6,  7,
+                                                                    8, 9, 10, 11, 12, 13, 14, 15};
+  return hn::Load(d, kNumbers.data());
+}
+
 // A bit for each lane, the first one lowest.
 template <class D>
 HWY_INLINE std::uint64_t bits_of(D d, hn::Mask<D> mask) {

@@ -113,7 +113,7 @@ HWY_INLINE void push(D d, const Pen& pen, std::size_t place, hn::Mask<D> mask, h
     span_first += length;
     bits = begin + length < 64 ? bits >> (begin + length) << (begin + length) : 0;
   } while (bits != 0);
-  const auto places = hn::Iota(d, static_cast<std::int32_t>(place));
+  const auto places = hn::Add(hn::Set(d, static_cast<std::int32_t>(place)), lane_numbers(d));
   float* const weights[3] = {batch.weight[pen.primitive.corner[0]].data() + at,
                              batch.weight[pen.primitive.corner[1]].data() + at,
                              batch.weight[pen.primitive.corner[2]].data() + at};
@@ -159,12 +159,17 @@ HWY_NOINLINE V exact_depth(const SetupPrimitive& p, int x, int y, M doubtful, V 
   return hn::Load(kD, z.data());
 }
 
+HWY_INLINE hn::Vec<DD> real_lane_numbers() {
+  alignas(64) static constexpr std::array<double, 8> kNumbers{0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0};
+  return hn::Load(kDD, kNumbers.data());
+}
+
 // Edge functions too large for 32 bits, as floats, from pixel (x, y) on.
 HWY_INLINE hn::Vec<DF> wide_edge(const TileTriangles& t, std::size_t k, std::size_t i, int x, int y) {
   const hn::Rebind<float, DD> half;
   const double first = t.edge[i][k] + (x - t.left[k]) * t.edge_x[i][k] + (y - t.bottom[k]) * t.edge_y[i][k];
   const auto step = hn::Set(kDD, t.edge_x[i][k]);
-  const auto low = hn::Add(hn::Set(kDD, first), hn::Mul(hn::Iota(kDD, 0.0), step));
+  const auto low = hn::Add(hn::Set(kDD, first), hn::Mul(real_lane_numbers(), step));
   const auto high = hn::Add(low, hn::Mul(hn::Set(kDD, static_cast<double>(hn::Lanes(kDD))), step));
   return hn::Combine(kDF, hn::DemoteTo(half, high), hn::DemoteTo(half, low));
 }
@@ -183,7 +188,7 @@ struct DepthLanes {
   V64 row;  // the lower half of the lanes
   V64 half, step, up;
   HWY_INLINE DepthLanes(const TileTriangles& t, std::size_t k) {
-    const auto along = hn::Mul(hn::Iota(kDD, 0.0), hn::Set(kDD, t.depth_x[k]));
+    const auto along = hn::Mul(real_lane_numbers(), hn::Set(kDD, t.depth_x[k]));
     row = hn::ConvertTo(kD64, hn::Add(hn::Set(kDD, t.depth[k]), along));
     const auto step_x = static_cast<std::int64_t>(t.depth_x[k]);
     half = hn::Set(kD64, step_x * (kLanes / 2));
@@ -235,7 +240,7 @@ HWY_INLINE void draw_fragments(const LaneDraw<D>& draw, const Pen& pen, const Ti
 template <Drawing kDrawing>
 HWY_NOINLINE void draw_triangle(const Pen& pen, const TileTriangles& t, std::size_t k) {
   const LaneDraw<D> draw(kD, pen.pass.operations, pen.primitive.front_facing);
-  const V lane = hn::Iota(kD, 0);
+  const V lane = lane_numbers(kD);
   V row[3];
   for (std::size_t i = 0; i < 3; ++i) {
     row[i] = hn::Add(hn::Set(kD, t.inside[i][k]), hn::Mul(lane, hn::Set(kD, t.inside_x[i][k])));
