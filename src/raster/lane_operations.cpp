@@ -45,12 +45,16 @@ LaneOperations::LaneOperations(const PipelineState& state, const RenderTarget& t
   for (std::size_t i = 0; i < 4; ++i) color = color || (state.color_mask[i] && target.color[i]);
   tests_change = depth_write;
   is_nearest_alone = depth_write && state.depth_test.function == CompareFunction::less && !alpha && !stencil;
+  const CompareFunction function = state.depth_test.function;
+  loses_farther = depth && (function == CompareFunction::less || function == CompareFunction::lequal ||
+                            function == CompareFunction::equal || function == CompareFunction::never);
   if (!stencil) return;
   const int bits = stencil_bits(target.format);
   front = ninebit::stencil(state.stencil_test.front, bits);
   back = ninebit::stencil(state.stencil_test.back.value_or(state.stencil_test.front), bits);
   two_sided = state.stencil_test.back.has_value();
   for (const LaneStencil* s : {&front, &back}) {
+    loses_farther = loses_farther && s->fail_keeps && s->depth_fail_keeps;
     stencil_write = stencil_write || !s->fail_keeps || !s->depth_fail_keeps || !s->depth_pass_keeps;
   }
   const auto is_constant = [](const LaneComparison& test) { return test.less == 0 && test.equal == 0; };

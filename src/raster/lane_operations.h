@@ -52,6 +52,9 @@ struct LaneOperations {
   // Whether a fragment is drawn where it is nearer than what is stored, and no other test is made.
   bool is_nearest_alone = false;
 
+  // Whether a fragment that is farther than what is stored leaves no trace.
+  bool loses_farther = false;
+
   // Whether the fragments' colours are looked at.
   [[nodiscard]] bool needs_color() const { return alpha || color; }
 

@@ -195,6 +195,10 @@ void TileRasterizer::begin(const PixelBox& pixels) {
   clear_ != nullptr ? fill_tile(*lanes_, *clear_) : load_tile(*lanes_);
 }
 
+void TileRasterizer::begin_pass(std::size_t pass) {
+  if (lanes_) ninebit::begin_pass(*lanes_, passes_[pass]);
+}
+
 void TileRasterizer::draw(std::size_t pass, const SetupBlock& block, std::span<const std::uint32_t> indices) {
   if (lanes_) {
     draw_lanes(*lanes_, passes_[pass], block, indices);

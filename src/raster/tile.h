@@ -34,6 +34,7 @@ class TileRasterizer {
 
   // `pixels` lie in one tile. Blocks must stay until end_pass.
   void begin(const PixelBox& pixels);
+  void begin_pass(std::size_t pass);
   void draw(std::size_t pass, const SetupBlock& block, std::span<const std::uint32_t> indices);
   void end_pass(std::size_t pass);
   void end();

@@ -19,6 +19,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 #if HWY_TARGET == HWY_SCALAR  // has no wider words than 32 bits in its single lane
 
 void draw_triangles(LaneTile&, LanePass&, const SetupBlock&, std::span<const std::uint32_t>) {}
+void find_farthest(LaneTile&) {}
 
 #else
 
@@ -302,6 +303,7 @@ template <Drawing kDrawing>
 void draw_all(LaneTile& tile, LanePass& pass, const SetupBlock& block, std::span<const std::uint32_t> indices) {
   const bool needs_color = kDrawing != Drawing::gathers && pass.operations.needs_color();
   TileTriangles t;
+  const bool loses_farther = tile.knows_farthest && pass.depths_are_codes;
   constexpr std::size_t kGroup = kLanes;
   for (std::size_t first = 0; first < indices.size(); first += kGroup) {
     const std::size_t count = std::min(kGroup, indices.size() - first);
@@ -312,6 +314,11 @@ void draw_all(LaneTile& tile, LanePass& pass, const SetupBlock& block, std::span
     const std::uint64_t drawn = bits_of(kD, drawn_mask);
     for (std::size_t i = 0; i < count; ++i) {
       const SetupPrimitive& p = block.primitives[index[i]];
+      if (loses_farther && t.has_region(i) &&
+          tile.farthest.are_nearer(t.left[i] - tile.left, t.bottom[i] - tile.bottom, t.right[i] - tile.left,
+                                   t.top[i] - tile.bottom, std::min({p.z24[0], p.z24[1], p.z24[2]}))) {
+        continue;
+      }
       Pen pen{tile, pass, p, block, 0};
       if (needs_color) {
         const ColorBytes color = pass.context.flat_primary(p.primitive);
@@ -336,6 +343,25 @@ void draw_triangles(LaneTile& tile, LanePass& pass, const SetupBlock& block, std
   }
 }
 
+void find_farthest(LaneTile& tile) {
+  constexpr std::size_t kRows = FarthestDepths::kBlock, kWidth = FarthestDepths::kBlock;
+  alignas(64) std::array<std::int32_t, kTileSize> column;
+  for (std::size_t row = 0; row < FarthestDepths::kBlocks; ++row) {
+    for (std::size_t x = 0; x < kTileSize; x += hn::Lanes(kD)) {
+      auto farthest = hn::Zero(hn::RebindToUnsigned<D>());
+      for (std::size_t y = row * kRows; y < (row + 1) * kRows; ++y) {
+        farthest = hn::Max(farthest, hn::Load(hn::RebindToUnsigned<D>(), &tile.tile.depth_stencil[y * kTileSize + x]));
+      }
+      hn::Store(hn::BitCast(kD, hn::ShiftRight<8>(farthest)), kD, column.data() + x);
+    }
+    for (std::size_t b = 0; b < FarthestDepths::kBlocks; ++b) {
+      const auto* const first = column.data() + b * kWidth;
+      tile.farthest.code[row * FarthestDepths::kBlocks + b] =
+          static_cast<std::uint32_t>(*std::max_element(first, first + kWidth));
+    }
+  }
+}
+
 #endif  // HWY_TARGET != HWY_SCALAR
 
 bool are_lanes_there() {
@@ -350,6 +376,7 @@ namespace ninebit {
 
 HWY_EXPORT(are_lanes_there);
 HWY_EXPORT(draw_triangles);
+HWY_EXPORT(find_farthest);
 
 bool lanes_can_draw(const DrawContext& context, const RenderTarget& target) {
   const PipelineState& state = context.state;
@@ -374,6 +401,12 @@ LanePass::LanePass(const DrawContext& draw, const RenderTarget& target)
       operations(draw.state, target),
       depths_are_codes(!draw.state.polygon_offset.fill && draw.depth.step_z24() == 1) {
   if (!draw.has_flat_result) batch = std::make_unique<LaneBatch>();
+}
+
+// Not for a pass that has just begun to fill the tile with depths.
+void begin_pass(LaneTile& tile, const LanePass& pass) {
+  tile.knows_farthest = pass.operations.loses_farther && !pass.operations.depth_write;
+  if (tile.knows_farthest) HWY_DYNAMIC_DISPATCH(find_farthest)(tile);
 }
 
 void draw_lanes(LaneTile& tile, LanePass& pass, const SetupBlock& block, std::span<const std::uint32_t> indices) {

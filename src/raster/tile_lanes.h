@@ -38,6 +38,9 @@ struct LaneTile {
   PixelBox pixels{};         // of this tile, may be drawn
   int left = 0, bottom = 0;  // the tile's lowest corner
   TilePlanes tile;
+  // Of the depths as they were when a pass began that asks: no depth can have become farther since.
+  bool knows_farthest = false;
+  FarthestDepths farthest;
 };
 
 // Whether vectors can draw all of a draw.
@@ -45,6 +48,9 @@ struct LaneTile {
 
 // Draws triangles of one block; the block must stay until the batch is flushed.
 void draw_lanes(LaneTile& tile, LanePass& pass, const SetupBlock& block, std::span<const std::uint32_t> indices);
+
+// To be called before each pass of a tile.
+void begin_pass(LaneTile& tile, const LanePass& pass);
 
 // Sends what the pass's batch has gathered through the combiners and the fragment operations.
 void flush_lanes(LaneTile& tile, LanePass& pass);

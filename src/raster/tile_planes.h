@@ -19,6 +19,22 @@ struct TilePlanes {
   alignas(64) std::array<std::uint32_t, kWords> color{};          // red in the lowest byte, alpha in the highest
 };
 
+// The farthest depth code in each block of 8 × 8 pixels of a tile, or one beyond it.
+struct FarthestDepths {
+  static constexpr int kBlock = 8, kBlocks = kTileSize / kBlock;
+  alignas(64) std::array<std::uint32_t, std::size_t{kBlocks} * kBlocks> code;
+
+  // Whether all pixels of a region of the tile, both ends included, are nearer than `depth`.
+  [[nodiscard]] bool are_nearer(int left, int bottom, int right, int top, std::uint32_t depth) const {
+    for (int y = bottom / kBlock; y <= top / kBlock; ++y) {
+      for (int x = left / kBlock; x <= right / kBlock; ++x) {
+        if (code[static_cast<std::size_t>(y * kBlocks + x)] >= depth) return false;
+      }
+    }
+    return true;
+  }
+};
+
 // A row of samples in each of the target's planes.
 struct TileRow {
   std::uint32_t* depth = nullptr;

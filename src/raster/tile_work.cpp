@@ -85,6 +85,7 @@ void TileLoop::draw_tile(std::span<const BinnedBlock> blocks, const TileWork& wo
   for (std::size_t pass = 0; pass < passes_.size(); ++pass) {
     using Clock = std::chrono::steady_clock;
     const auto start = is_timed_ ? Clock::now() : Clock::time_point();
+    rasterizer.begin_pass(pass);
     for (const std::uint32_t b : in_tile) rasterizer.draw(pass, blocks[b].setup, blocks[b].in_tile(tile.tile));
     rasterizer.end_pass(pass);
     if (is_timed_) busy_[pass] += std::chrono::nanoseconds(Clock::now() - start).count();
