@@ -123,9 +123,15 @@ HWY_INLINE void output_to_colors(LaneBatch& batch, const HardwareProfile& profil
 // What the operations make of fragments from i on, all of one facing: `mask` of them, whose pixels hold `stored`.
 HWY_INLINE LaneResult<D> operate(const LaneBatch& batch, const LaneDraw<D>& draw, std::size_t i, hn::Mask<D> mask,
                                  V color, V stored) {
-  const V depth = hn::LoadU(kD, lanes_of(batch.depth.data()) + i);
   const V alpha = hn::BitCast(kD, hn::ShiftRight<24>(hn::BitCast(hn::RebindToUnsigned<D>(), color)));
-  return apply_lanes(kD, draw, mask, depth, alpha, stored);
+  if (!draw.operations.are_tests_final) {
+    return apply_lanes(kD, draw, mask, hn::LoadU(kD, lanes_of(batch.depth.data()) + i), alpha, stored);
+  }
+  mask = alpha_passes(kD, draw, mask, alpha);
+  if (!draw.operations.stencil_write) return {stored, mask};
+  const V bits = hn::Set(kD, 0xFF);
+  const V value = stencil_lanes(kD, draw.side.depth_pass, draw.side, hn::And(stored, bits));
+  return {hn::IfThenElse(mask, hn::Or(hn::AndNot(bits, stored), value), stored), mask};
 }
 
 // Spans of fragments, a vector for each.

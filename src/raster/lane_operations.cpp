@@ -48,6 +48,7 @@ LaneOperations::LaneOperations(const PipelineState& state, const RenderTarget& t
   const CompareFunction function = state.depth_test.function;
   loses_farther = depth && (function == CompareFunction::less || function == CompareFunction::lequal ||
                             function == CompareFunction::equal || function == CompareFunction::never);
+  are_tests_final = !tests_change;
   if (!stencil) return;
   const int bits = stencil_bits(target.format);
   front = ninebit::stencil(state.stencil_test.front, bits);
@@ -59,6 +60,7 @@ LaneOperations::LaneOperations(const PipelineState& state, const RenderTarget& t
   }
   const auto is_constant = [](const LaneComparison& test) { return test.less == 0 && test.equal == 0; };
   tests_change = tests_change || (stencil_write && !(is_constant(front.test) && is_constant(back.test)));
+  are_tests_final = !tests_change && front.fail_keeps && front.depth_fail_keeps && back.fail_keeps && back.depth_fail_keeps;
 }
 
 }  // namespace ninebit

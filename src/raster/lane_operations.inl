@@ -140,14 +140,19 @@ struct LaneResult {
   hn::Mask<D> drawn;
 };
 
+// The fragments of `mask` that pass the alpha test.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE hn::Mask<D> alpha_passes(D d, const LaneDraw<D>& draw, hn::Mask<D> mask, V alpha) {
+  if (!draw.operations.alpha) return mask;
+  const auto reference = hn::Set(d, static_cast<std::int32_t>(draw.operations.alpha_reference));
+  return hn::And(mask, draw.alpha_test(alpha, reference));
+}
+
 // Alpha, stencil and depth test of the fragments of `mask`; what then stands in the planes, and which fragments passed.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE LaneResult<D> apply_lanes(D d, const LaneDraw<D>& draw, hn::Mask<D> mask, V depth, V alpha, V stored) {
   const LaneOperations& operations = draw.operations;
-  if (operations.alpha) {
-    const auto reference = hn::Set(d, static_cast<std::int32_t>(operations.alpha_reference));
-    mask = hn::And(mask, draw.alpha_test(alpha, reference));
-  }
+  mask = alpha_passes(d, draw, mask, alpha);
   const LaneTests<D> tests = test_lanes(d, draw, depth, stored);
   const auto drawn = hn::And(mask, hn::And(tests.stencil, tests.depth));
   V after = stored;

@@ -177,14 +177,14 @@ namespace {
 
 // Draws passes that share tiles, or one pass of any kind.
 void draw(const PreparedDraw::Geometry& g, std::span<const DrawPass> passes,
-          std::span<const DrawContext* const> contexts, const ClearValues* clear, RenderTarget& target) {
+          std::span<const DrawContext* const> contexts, const TileActions& actions, RenderTarget& target) {
   std::unique_ptr<PixelProbe> probe;
   if (target.probe != nullptr) {
     probe = std::make_unique<PixelProbe>(*passes[0].state, passes[0].arrays, passes[0].units, target);
   }
   const TileGrid grid(target.width, target.height);
   const bool is_timed = std::any_of(passes.begin(), passes.end(), [](const DrawPass& p) { return p.time != nullptr; });
-  TileLoop loop(grid, g.drawn, contexts, target, clear, is_timed, probe.get());
+  TileLoop loop(grid, g.drawn, contexts, target, actions, is_timed, probe.get());
   loop.draw(g.blocks, g.work);
   for (std::size_t i = 0; i < passes.size(); ++i) {
     if (passes[i].time != nullptr) *passes[i].time = loop.busy(i);
@@ -193,7 +193,7 @@ void draw(const PreparedDraw::Geometry& g, std::span<const DrawPass> passes,
 
 }  // namespace
 
-Status rasterize(std::span<const DrawPass> passes, const PreparedDraw& prepared, const ClearValues* clear,
+Status rasterize(std::span<const DrawPass> passes, const PreparedDraw& prepared, const DrawActions& actions,
                  RenderTarget& target) {
   if (!prepared.geometry_ || !prepared.geometry_->is_valid) return Diagnostic{.message = "no draw has been prepared"};
   const PreparedDraw::Geometry& g = *prepared.geometry_;
@@ -207,6 +207,7 @@ Status rasterize(std::span<const DrawPass> passes, const PreparedDraw& prepared,
     pointers.push_back(&context);
   }
   const bool share_tiles = TileRasterizer::can_share_tiles(pointers, target);
+  const ClearValues* const clear = actions.clear ? &*actions.clear : nullptr;
   const bool fills_tiles = clear != nullptr && share_tiles && !passes.empty() && target.outputs.empty() &&
                            same(g.drawn, PixelBox{0, 0, target.width, target.height});
   if (clear != nullptr && !fills_tiles) {
@@ -214,10 +215,10 @@ Status rasterize(std::span<const DrawPass> passes, const PreparedDraw& prepared,
   }
   if (g.work.tiles().empty() && !fills_tiles) return {};
   if (share_tiles && !passes.empty()) {
-    draw(g, passes, pointers, fills_tiles ? clear : nullptr, target);
+    draw(g, passes, pointers, {fills_tiles ? clear : nullptr, actions.discard_depth}, target);
     return {};
   }
-  for (std::size_t i = 0; i < passes.size(); ++i) draw(g, passes.subspan(i, 1), {&pointers[i], 1}, nullptr, target);
+  for (std::size_t i = 0; i < passes.size(); ++i) draw(g, passes.subspan(i, 1), {&pointers[i], 1}, {}, target);
   return {};
 }
 

@@ -54,7 +54,7 @@ Status rasterize(const PipelineState& state, const glm::mat4& clip_from_object, 
   std::unique_ptr<PixelProbe> probe;
   if (target.probe != nullptr) probe = std::make_unique<PixelProbe>(state, arrays, units, target);
   const DrawContext* const pass = &context;
-  TileLoop tiles(grid, drawn, {&pass, 1}, target, nullptr, false, probe.get());
+  TileLoop tiles(grid, drawn, {&pass, 1}, target, {}, false, probe.get());
   draw(geometry, tiles, *scratch);
   return {};
 }

@@ -163,8 +163,8 @@ bool TileRasterizer::can_share_tiles(std::span<const DrawContext* const> passes,
 }
 
 TileRasterizer::TileRasterizer(std::span<const DrawContext* const> passes, const RenderTarget& target,
-                               const ClearValues* clear)
-    : context_(passes[0]), clear_(clear) {
+                               const TileActions& actions)
+    : context_(passes[0]), clear_(actions.clear) {
   if (!lanes_can_draw(*context_, target)) {
     if (!context_->has_flat_result) batch_ = std::make_unique<FragmentBatch>(*context_);
     return;
@@ -180,8 +180,10 @@ TileRasterizer::TileRasterizer(std::span<const DrawContext* const> passes, const
     t.writes_stencil = t.writes_stencil || operations.stencil_write;
     for (std::size_t k = 0; k < 4; ++k) t.color[k] = t.color[k] || (pass->state.color_mask[k] && target.color[k]);
   }
-  if (clear == nullptr) return;
-  t.depth = t.writes_depth = static_cast<bool>(target.depth);
+  if (actions.discards_depth) t.writes_depth = false;
+  if (clear_ == nullptr) return;
+  t.depth = static_cast<bool>(target.depth);
+  t.writes_depth = t.depth && !actions.discards_depth;
   t.stencil = t.writes_stencil = static_cast<bool>(target.stencil);
   for (std::size_t k = 0; k < 4; ++k) t.color[k] = static_cast<bool>(target.color[k]);
 }

@@ -21,13 +21,18 @@ namespace ninebit {
 void draw_in_tile(const DrawContext& context, const PixelBox& tile, const SetupBlock& block,
                   std::span<const std::uint32_t> indices, FragmentBatch* batch);
 
+// What is done with a tile before and after its passes.
+struct TileActions {
+  const ClearValues* clear = nullptr;  // what all planes are filled with first; nullptr: they keep what they hold
+  bool discards_depth = false;         // the depth plane need not hold what was drawn
+};
+
 // Draws tile after tile, in one thread: large, and to be used again for many tiles. Passes are drawn one after the
 // other in each tile.
 class TileRasterizer {
  public:
-  // The arguments must outlive it. Several passes only where can_share_tiles. `clear`: what all planes are filled with
-  // first, then too only where vectors draw; nullptr: nothing.
-  TileRasterizer(std::span<const DrawContext* const> passes, const RenderTarget& target, const ClearValues* clear);
+  // The arguments must outlive it. Several passes only where can_share_tiles, and actions only there.
+  TileRasterizer(std::span<const DrawContext* const> passes, const RenderTarget& target, const TileActions& actions);
 
   // Whether passes can be drawn tile by tile as if each were drawn by itself, and be cleared for.
   [[nodiscard]] static bool can_share_tiles(std::span<const DrawContext* const> passes, const RenderTarget& target);

@@ -118,13 +118,14 @@ HWY_INLINE void push(D d, const Pen& pen, std::size_t place, hn::Mask<D> mask, h
   float* const weights[3] = {batch.weight[pen.primitive.corner[0]].data() + at,
                              batch.weight[pen.primitive.corner[1]].data() + at,
                              batch.weight[pen.primitive.corner[2]].data() + at};
+  const bool has_depth = !pen.pass.operations.are_tests_final;
   if (hn::AllTrue(d, mask)) {
     hn::StoreU(places, d, lanes_of(batch.place.data()) + at);
-    hn::StoreU(depth, d, lanes_of(batch.depth.data()) + at);
+    if (has_depth) hn::StoreU(depth, d, lanes_of(batch.depth.data()) + at);
     for (std::size_t i = 0; i < 3; ++i) hn::StoreU(weight[i], df, weights[i]);
   } else {
     hn::CompressStore(places, mask, d, lanes_of(batch.place.data()) + at);
-    hn::CompressStore(depth, mask, d, lanes_of(batch.depth.data()) + at);
+    if (has_depth) hn::CompressStore(depth, mask, d, lanes_of(batch.depth.data()) + at);
     const auto float_mask = hn::RebindMask(df, mask);
     for (std::size_t i = 0; i < 3; ++i) hn::CompressStore(weight[i], float_mask, df, weights[i]);
   }

@@ -57,7 +57,7 @@ void flush_lanes(LaneTile& tile, LanePass& pass);
 
 // Takes over the pixels that may be drawn from the planes of the target, or fills the tile, and gives them back.
 void load_tile(LaneTile& tile);
-void fill_tile(LaneTile& tile, const ClearValues& values);
+void fill_tile(LaneTile& tile, const ClearValues& values);  // and has the target's lines fetched meanwhile
 void store_tile(const LaneTile& tile);
 
 }  // namespace ninebit

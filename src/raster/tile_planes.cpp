@@ -139,6 +139,20 @@ void load_tile(LaneTile& tile) {
 }
 
 void fill_tile(LaneTile& tile, const ClearValues& values) {
+  const auto fetch = [](const auto* first) {
+    constexpr std::size_t kLine = 64;
+    for (std::size_t i = 0; i < sizeof(*first) * kTileSize; i += kLine) {
+      __builtin_prefetch(reinterpret_cast<const char*>(first) + i, 1, 2);
+    }
+  };
+  for (int y = tile.pixels.bottom; y < tile.pixels.top && has_whole_rows(tile); ++y) {
+    const TileRow row = row_of(tile, y);
+    if (tile.writes_depth) fetch(row.depth);
+    if (tile.writes_stencil) fetch(row.stencil);
+    for (std::size_t k = 0; k < 4; ++k) {
+      if (tile.color[k]) fetch(row.color[k]);
+    }
+  }
   const DepthStencilFormat format = tile.target.format;
   tile.tile.depth_stencil.fill(depth_code(format, values.depth) << 8 | stencil_value(format, values.stencil));
   std::uint32_t color = 0;

@@ -96,7 +96,7 @@ void TileLoop::draw_tile(std::span<const BinnedBlock> blocks, const TileWork& wo
 void TileLoop::draw(std::span<const BinnedBlock> blocks, const TileWork& work) {
   std::span<const TileWork::Tile> tiles = work.tiles();
   std::vector<TileWork::Tile> all;
-  if (clear_ != nullptr) {
+  if (actions_.clear != nullptr) {
     std::vector<bool> has_work(grid_.count());
     for (const TileWork::Tile& tile : tiles) has_work[tile.tile] = true;
     all.assign(tiles.begin(), tiles.end());
@@ -106,7 +106,7 @@ void TileLoop::draw(std::span<const BinnedBlock> blocks, const TileWork& work) {
     tiles = all;
   }
   if (tiles.empty()) return;
-  const bool is_little = work.is_little() && clear_ == nullptr;
+  const bool is_little = work.is_little() && actions_.clear == nullptr;
   const std::size_t workers =
       is_little ? 1 : std::min(tiles.size(), static_cast<std::size_t>(tbb::this_task_arena::max_concurrency()));
   if (rasterizers_.size() < workers) rasterizers_.resize(workers);
@@ -116,7 +116,7 @@ void TileLoop::draw(std::span<const BinnedBlock> blocks, const TileWork& work) {
     std::size_t i = next++;
     if (i >= tiles.size()) return;
     std::unique_ptr<TileRasterizer>& rasterizer = rasterizers_[worker];
-    if (!rasterizer) rasterizer = std::make_unique<TileRasterizer>(passes_, target_, clear_);
+    if (!rasterizer) rasterizer = std::make_unique<TileRasterizer>(passes_, target_, actions_);
     for (; i < tiles.size(); i = next++) draw_tile(blocks, work, tiles[i], *rasterizer);
   };
   if (workers == 1) return work_off(0);

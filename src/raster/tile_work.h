@@ -47,12 +47,12 @@ class TileLoop {
  public:
   // The arguments must outlive the loop; see TileRasterizer. No probe: nullptr.
   TileLoop(const TileGrid& grid, const PixelBox& drawn, std::span<const DrawContext* const> passes,
-           const RenderTarget& target, const ClearValues* clear, bool is_timed, PixelProbe* probe)
+           const RenderTarget& target, const TileActions& actions, bool is_timed, PixelProbe* probe)
       : grid_(grid),
         drawn_(drawn),
         passes_(passes),
         target_(target),
-        clear_(clear),
+        actions_(actions),
         is_timed_(is_timed),
         probe_(probe),
         busy_(passes.size()) {}
@@ -73,7 +73,7 @@ class TileLoop {
   const PixelBox& drawn_;
   std::span<const DrawContext* const> passes_;
   const RenderTarget& target_;
-  const ClearValues* clear_;
+  TileActions actions_;
   bool is_timed_;
   PixelProbe* probe_;
   std::vector<std::unique_ptr<TileRasterizer>> rasterizers_;  // one for each that works at a time

@@ -110,7 +110,6 @@ Status IndexCubeRenderer::draw_maps() {
   VertexArrays arrays = all_triangles(from_light_);
   arrays.primitive_colors = index_colors_;
   const DrawPass pass{.state = &passes_.map, .arrays = arrays};
-  const ClearValues nothing;
   for (std::size_t i = 0; i < 6; ++i) {
     RenderTarget target{.width = settings_.map_size, .height = settings_.map_size};
     for (std::size_t c = 0; c < 3; ++c) {
@@ -118,7 +117,7 @@ Status IndexCubeRenderer::draw_maps() {
     }
     target.depth = {map_depth_.data(), settings_.map_size};
     if (Status made = prepare(passes_.map, face_projections_[i], arrays, target, prepared_); !made) return made;
-    if (Status drawn = rasterize({&pass, 1}, prepared_, &nothing, target); !drawn) return drawn;
+    if (Status drawn = rasterize({&pass, 1}, prepared_, {.clear = ClearValues{}, .discard_depth = true}, target); !drawn) return drawn;
   }
   return {};
 }
@@ -169,7 +168,7 @@ Status IndexCubeRenderer::draw_camera_together(PassTimes& times) {
   passes[3].arrays.vertex_colors = shading_.shadowed;
   if (Status made = prepare(passes_.depth, camera_projection_, geometry, target, prepared_); !made) return made;
   const ClearValues background{.color = kBackground};
-  if (Status drawn = rasterize(passes, prepared_, &background, target); !drawn) return drawn;
+  if (Status drawn = rasterize(passes, prepared_, {.clear = background}, target); !drawn) return drawn;
   const double whole = Milliseconds(Clock::now() - start).count();
   const double all = Milliseconds(busy[0] + busy[1] + busy[2] + busy[3]).count();
   const auto share = [&](std::size_t i) { return all > 0.0 ? whole * Milliseconds(busy[i]).count() / all : whole / 4; };

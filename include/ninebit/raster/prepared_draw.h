@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <memory>
+#include <optional>
 #include <span>
 
 #include "ninebit/raster/rasterizer.h"
@@ -15,6 +16,12 @@ struct DrawPass {
   VertexArrays arrays{};  // type, positions and indices as they were prepared
   std::span<const TextureUnit> units{};
   std::chrono::nanoseconds* time = nullptr;  // gets the time that threads spent on the pass, together; nullptr: unasked
+};
+
+// What else is done with the target's planes.
+struct DrawActions {
+  std::optional<ClearValues> clear{};  // before the first pass, colour, depth and stencil are filled, through no mask
+  bool discard_depth = false;          // after the last one, what the depth plane holds has no meaning
 };
 
 // What becomes of a draw call's vertices before its fragments are drawn: transformed, clipped, culled, snapped to the
@@ -34,8 +41,8 @@ class PreparedDraw {
  private:
   friend Status prepare(const PipelineState& state, const glm::mat4& clip_from_object, const VertexArrays& arrays,
                         const RenderTarget& target, PreparedDraw& prepared);
-  friend Status rasterize(std::span<const DrawPass> passes, const PreparedDraw& prepared, const ClearValues* clear,
-                          RenderTarget& target);
+  friend Status rasterize(std::span<const DrawPass> passes, const PreparedDraw& prepared,
+                               const DrawActions& actions, RenderTarget& target);
   std::unique_ptr<Geometry> geometry_;
 };
 
@@ -60,15 +67,15 @@ class PreparedDraw {
 // differs from the preparation of: size and depth format of the target; viewport, scissor, depth range; culling, front
 // face, polygon modes, polygon offset (and profile.polygon_offset_slope), point size, line width,
 // profile.subpixel_bits; the type, the number of positions and the indices.
-[[nodiscard]] Status rasterize(std::span<const DrawPass> passes, const PreparedDraw& prepared, const ClearValues* clear,
-                               RenderTarget& target);
+[[nodiscard]] Status rasterize(std::span<const DrawPass> passes, const PreparedDraw& prepared,
+                               const DrawActions& actions, RenderTarget& target);
 
 // The same in one pass.
 [[nodiscard]] inline Status rasterize(const PipelineState& state, const PreparedDraw& prepared,
                                       const VertexArrays& arrays, std::span<const TextureUnit> units,
                                       RenderTarget& target) {
   const DrawPass pass{.state = &state, .arrays = arrays, .units = units};
-  return rasterize({&pass, 1}, prepared, nullptr, target);
+  return rasterize({&pass, 1}, prepared, {}, target);
 }
 
 }  // namespace ninebit
