@@ -1,5 +1,5 @@
-// Running a program over one fragment by the constexpr reference, and what a batch of fragments is. batch_program.h runs
-// batches by SIMD, with the same bits.
+// Running a program over one fragment by the constexpr reference, and what a batch of fragments is. batch_program.h
+// runs batches by SIMD, with the same bits.
 //
 // Registers and colours are codes here with every arithmetic. A program whose arithmetic is not integer computes in
 // real numbers from the first stage to the last; each register that it wrote and each colour then leaves as the nearest
