@@ -130,6 +130,37 @@ TEST(BatchProgram, EveryMappingOfEveryCode) {
   }
 }
 
+// Terms of one register are joined where they are alike; a value and its positive part are not.
+TEST(BatchProgram, SumsOfTermsOfOneRegister) {
+  const HardwareProfile& profile = profiles::geforce2;
+  for (const InputMapping mapping : kInputMappings) {
+    for (const CombinerInput& sign : {kOne, kMinusOne}) {
+      CombinerState state = silent_state(1);
+      Portion& rgb = state.general[0].rgb;
+      rgb.a = rgb_of(Register::primary, InputMapping::signed_identity);
+      rgb.b = kOne;
+      rgb.c = rgb_of(Register::primary, mapping);
+      rgb.d = sign;
+      rgb.out.sum = Register::spare0;
+      for (int first = -255; first <= 255; first += 256) {
+        std::vector<RegisterFile> fragments;
+        for (int code = first; code <= std::min(first + 255, 255); ++code) {
+          fragments.emplace_back()[Register::primary] = codes(code, code, code, 0);
+        }
+        judged(state, profile, fragments);
+      }
+    }
+  }
+  CombinerState state = silent_state(1);
+  Portion& rgb = state.general[0].rgb;
+  rgb.a = rgb.c = rgb_of(Register::primary);
+  rgb.b = kOne;
+  rgb.d = kMinusOne;
+  rgb.out.sum = Register::spare0;
+  state.final_combiner = final_of(Register::spare0);
+  EXPECT_EQ(compiled(state, profile, {.color = {true, false, false, false}}), "out.r = 0\n");
+}
+
 // Registers that exchange their contents, and colours that are registers: nothing is overwritten before it is read.
 TEST(BatchProgram, RegistersThatChangePlaces) {
   CombinerState state = silent_state(1);

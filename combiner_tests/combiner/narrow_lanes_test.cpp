@@ -62,8 +62,7 @@ TEST(NarrowLanes, EverySumOfProductsThatAreNotNegative) {
     const int one = p.one;
     for (int products = 1; products <= 3; ++products) {
       const int most = products * one * one;
-      for (const auto& [scale, bias] : kScaleBias) {
-        if (bias != Bias::none) continue;
+      for (const Scale scale : {Scale::none, Scale::by_two, Scale::by_four, Scale::by_one_half}) {
         CombinerState state = silent_state(1);
         state.general[0].rgb = portion_of(products, InputMapping::unsigned_identity);
         state.general[0].rgb.out.scale = scale;
@@ -71,7 +70,7 @@ TEST(NarrowLanes, EverySumOfProductsThatAreNotNegative) {
         if (one == 255 && scale != Scale::by_one_half) {
           EXPECT_NE(program.describe().find("u16:"), std::string::npos) << p.name << ' ' << name_of(scale);
         }
-        const std::vector<s9> expected = outputs_by_oracle(p, scale, bias, 0, most, 1);
+        const std::vector<s9> expected = outputs_by_oracle(p, scale, Bias::none, 0, most, 1);
         std::vector<int> wides;
         const auto flush = [&] {
           for (const std::int64_t target : simd_targets()) {

@@ -52,7 +52,7 @@ class Text {
   }
 
   static std::string clamped(const Formula& f, const std::string& value) {
-    if (f.kernel == Kernel::select || f.low >= f.high) return value;
+    if (f.kernel == Kernel::select || !f.clamps()) return value;
     return "clamp(" + value + ", " + std::to_string(f.low) + ", " + std::to_string(f.high) + ")";
   }
 

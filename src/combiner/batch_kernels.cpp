@@ -4,32 +4,21 @@
 
 #include <algorithm>
 #include <array>
+#include <type_traits>
 
+// Kernels keep vectors in objects, which those of a size unknown to the compiler do not allow.
+#ifndef HWY_DISABLED_TARGETS
+#define HWY_DISABLED_TARGETS (HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV)
+#endif
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "src/combiner/batch_kernels.cpp"
 #include "hwy/foreach_target.h"  // IWYU pragma: keep
 #include "hwy/highway.h"
+#include "src/combiner/lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace ninebit::detail::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
-
-using D16 = hn::CappedTag<std::int16_t, 32>;
-using U16 = hn::RebindToUnsigned<D16>;
-#if HWY_TARGET == HWY_SCALAR
-using D32 = hn::Rebind<std::int32_t, D16>;
-#else
-using D32 = hn::RepartitionToWide<D16>;
-#endif
-using F32 = hn::RebindToFloat<D32>;
-constexpr D16 kD16;
-constexpr U16 kU16;
-constexpr D32 kD32;
-constexpr F32 kF32;
-using V16 = hn::Vec<D16>;
-using VU16 = hn::Vec<U16>;
-using V32 = hn::Vec<D32>;
-using VF32 = hn::Vec<F32>;
 
 // Where an operation finds its planes, and for how many lanes it runs.
 struct Batch {
@@ -43,20 +32,15 @@ struct Batch {
   }
 };
 
-HWY_INLINE V16 set(int v) {
-  return hn::Set(kD16, static_cast<std::int16_t>(v));
-}
-HWY_INLINE VU16 set_unsigned(int v) {
-  return hn::Set(kU16, static_cast<std::uint16_t>(v));
-}
-
+// A formula's limits; without a clamp all that 16 bits hold, which is cheaper than to ask in each vector.
 class Clamp {
  public:
-  explicit HWY_INLINE Clamp(const Formula& f) : clamps_(f.low < f.high), low_(set(f.low)), high_(set(f.high)) {}
-  HWY_INLINE V16 operator()(V16 v) const { return clamps_ ? hn::Min(hn::Max(v, low_), high_) : v; }
+  explicit HWY_INLINE Clamp(const Formula& f)
+      : low_(set(f.clamps() ? f.low : hwy::LimitsMin<std::int16_t>())),
+        high_(set(f.clamps() ? f.high : hwy::LimitsMax<std::int16_t>())) {}
+  HWY_INLINE V16 operator()(V16 v) const { return hn::Min(hn::Max(v, low_), high_); }
 
  private:
-  bool clamps_;
   V16 low_, high_;
 };
 
@@ -93,143 +77,71 @@ HWY_INLINE void for_lanes(const Operation& operation, const Batch& batch, const 
 }
 
 template <int kTerms, bool kFloors>
+class Affine {
+ public:
+  explicit HWY_INLINE Affine(const Formula& f)
+      : factor0_(set(f.factor[0])), factor1_(set(f.factor[1])), offset_(set(f.offset)) {}
+  template <class X>
+  HWY_INLINE V16 operator()(const X& x, std::size_t lane) const {
+    const V16 sum = hn::Add(hn::Mul(x.get(0, lane), factor0_), offset_);
+    return kTerms == 2 ? hn::Add(sum, hn::Mul(x.get(1, lane), factor1_)) : sum;
+  }
+
+ private:
+  V16 factor0_, factor1_, offset_;
+};
+
+template <int kTerms, bool kFloors, bool kClamps>
 HWY_NOINLINE void affine(const Operation& operation, const Batch& batch) {
-  const Formula& f = operation.formula;
-  const Clamp clamp(f);
-  const V16 factor0 = set(f.factor[0]), factor1 = set(f.factor[1]), offset = set(f.offset);
-  const bool halves = f.halves, nearest = f.nearest;
+  const Affine<kTerms, kFloors> sum(operation.formula);
+  const Clamp clamp(operation.formula);
   for_lanes<kTerms, kFloors>(operation, batch, [&](const auto& x, std::size_t lane) HWY_ATTR {
-    V16 sum = hn::Add(hn::Mul(x.get(0, lane), factor0), offset);
-    if (kTerms == 2) sum = hn::Add(sum, hn::Mul(x.get(1, lane), factor1));
-    if (halves) {
-      // Halves up is the shift of one more; toward zero is that for what is negative alone.
-      const V16 more = nearest ? set(1) : hn::BitCast(kD16, hn::ShiftRight<15>(hn::BitCast(kU16, sum)));
-      sum = hn::ShiftRight<1>(hn::Add(sum, more));
-    }
-    return clamp(sum);
+    const V16 v = sum(x, lane);
+    return kClamps ? clamp(v) : v;
   });
 }
 
-// n / 255 rounded down, exact for all of 16 bits: 0x8081 / 2^23 = (1 + 127 / 2^23) / 255.
-HWY_INLINE VU16 divide_by_255(VU16 n) {
-  return hn::ShiftRight<7>(hn::MulHigh(n, set_unsigned(0x8081)));
+// Halves up is the shift of one more; toward zero is that for what is negative alone.
+template <int kTerms>
+HWY_NOINLINE void half_of_affine(const Operation& operation, const Batch& batch) {
+  const Affine<kTerms, true> sum(operation.formula);
+  const Clamp clamp(operation.formula);
+  const bool nearest = operation.formula.nearest;
+  for_lanes<kTerms, true>(operation, batch, [&](const auto& x, std::size_t lane) HWY_ATTR {
+    const V16 v = sum(x, lane);
+    const V16 more = nearest ? set(1) : hn::BitCast(kD16, hn::ShiftRight<15>(hn::BitCast(kU16, v)));
+    return clamp(hn::ShiftRight<1>(hn::Add(v, more)));
+  });
 }
 
-HWY_INLINE VU16 doubled(VU16 n, int doublings) {
-  if (doublings > 0) n = hn::SaturatedAdd(n, n);
-  if (doublings > 1) n = hn::SaturatedAdd(n, n);
-  return n;
-}
-
-template <int kTerms, bool kAdds, bool kFloors>
+template <int kTerms, bool kFloors, bool kNearest, int kDoublings, bool kAdds>
 HWY_NOINLINE void unsigned_products(const Operation& operation, const Batch& batch) {
   const Formula& f = operation.formula;
-  const VU16 high = set_unsigned(f.high), half = set_unsigned(127);
-  const bool clamps = f.low < f.high, nearest = f.nearest;
-  const int doublings = f.doublings;
+  const VU16 high = set_unsigned(f.clamps() ? f.high : hwy::LimitsMax<std::uint16_t>());
   for_lanes<2 * kTerms + (kAdds ? 1 : 0), kFloors>(operation, batch, [&](const auto& x, std::size_t lane) HWY_ATTR {
     const auto product = [&](std::size_t k)
                              HWY_ATTR { return hn::Mul(x.get_unsigned(2 * k, lane), x.get_unsigned(2 * k + 1, lane)); };
     VU16 sum = product(0);
     if (kTerms > 1) sum = hn::SaturatedAdd(sum, product(1));
     if (kTerms > 2) sum = hn::SaturatedAdd(sum, product(2));
-    sum = doubled(sum, doublings);
-    if (nearest) sum = hn::SaturatedAdd(sum, half);
-    VU16 code = divide_by_255(sum);
+    VU16 code = narrowed<kNearest>(doubled<kDoublings>(sum));
     if constexpr (kAdds) code = hn::Add(code, x.get_unsigned(2 * kTerms, lane));
-    if (clamps) code = hn::Min(code, high);
-    return hn::BitCast(kD16, code);
+    return hn::BitCast(kD16, hn::Min(code, high));
   });
 }
 
 // Signs apart: 255 is odd, so that no quotient is a tie, and to nearest is as symmetric as toward zero.
-template <bool kFloors>
+template <bool kFloors, bool kNearest, int kDoublings>
 HWY_NOINLINE void signed_product(const Operation& operation, const Batch& batch) {
-  const Formula& f = operation.formula;
-  const Clamp clamp(f);
-  const VU16 half = set_unsigned(127);
-  const bool nearest = f.nearest;
-  const int doublings = f.doublings;
+  const Clamp clamp(operation.formula);
   for_lanes<2, kFloors>(operation, batch, [&](const auto& x, std::size_t lane) HWY_ATTR {
     const V16 a = x.get(0, lane), b = x.get(1, lane);
-    VU16 n = hn::Mul(hn::BitCast(kU16, hn::Abs(a)), hn::BitCast(kU16, hn::Abs(b)));
-    n = doubled(n, doublings);
-    if (nearest) n = hn::SaturatedAdd(n, half);
+    const VU16 n = hn::Mul(hn::BitCast(kU16, hn::Abs(a)), hn::BitCast(kU16, hn::Abs(b)));
+    const VU16 code = narrowed<kNearest>(doubled<kDoublings>(n));
     const V16 sign = hn::ShiftRight<15>(hn::Xor(a, b));
-    return clamp(hn::Sub(hn::Xor(hn::BitCast(kD16, divide_by_255(n)), sign), sign));
+    return clamp(hn::Sub(hn::Xor(hn::BitCast(kD16, code), sign), sign));
   });
 }
-
-// One vector of 16-bit lanes as two of 32-bit lanes, in an order that narrow_to_16 undoes.
-struct Wide {
-  V32 first, second;
-};
-
-#if HWY_TARGET == HWY_SCALAR || HWY_HAVE_SCALABLE
-#if HWY_TARGET == HWY_SCALAR
-HWY_INLINE Wide widen(V16 v) {
-  return {hn::PromoteTo(kD32, v), hn::Zero(kD32)};
-}
-HWY_INLINE V16 narrow_to_16(V32 first, V32 /*second*/) {
-  return hn::DemoteTo(kD16, first);
-}
-#else
-HWY_INLINE Wide widen(V16 v) {
-  return {hn::PromoteTo(kD32, hn::LowerHalf(v)), hn::PromoteTo(kD32, hn::UpperHalf(hn::Half<D16>(), v))};
-}
-HWY_INLINE V16 narrow_to_16(V32 first, V32 second) {
-  const hn::Half<D16> half;
-  return hn::Combine(kD16, hn::DemoteTo(half, second), hn::DemoteTo(half, first));
-}
-#endif
-HWY_INLINE Wide multiply(V16 x, V16 y) {
-  const Wide a = widen(x), b = widen(y);
-  return {hn::Mul(a.first, b.first), hn::Mul(a.second, b.second)};
-}
-HWY_INLINE Wide multiply(V16 x0, V16 y0, V16 x1, V16 y1) {
-  const Wide a = multiply(x0, y0), b = multiply(x1, y1);
-  return {hn::Add(a.first, b.first), hn::Add(a.second, b.second)};
-}
-#else
-HWY_INLINE Wide multiply(V16 x, V16 y) {
-  const V16 low = hn::Mul(x, y), high = hn::MulHigh(x, y);
-  return {hn::BitCast(kD32, hn::InterleaveLower(kD16, low, high)),
-          hn::BitCast(kD32, hn::InterleaveUpper(kD16, low, high))};
-}
-HWY_INLINE V32 sum_of_pairs(V16 x, V16 y) {
-  V32 other = hn::Zero(kD32);
-  const V32 sum = hn::ReorderWidenMulAccumulate(kD32, x, y, hn::Zero(kD32), other);
-  return hn::RearrangeToOddPlusEven(sum, other);
-}
-HWY_INLINE Wide multiply(V16 x0, V16 y0, V16 x1, V16 y1) {
-  return {sum_of_pairs(hn::InterleaveLower(kD16, x0, x1), hn::InterleaveLower(kD16, y0, y1)),
-          sum_of_pairs(hn::InterleaveUpper(kD16, x0, x1), hn::InterleaveUpper(kD16, y0, y1))};
-}
-// Interleaving and packing both stay within blocks of 128 bits.
-HWY_INLINE V16 narrow_to_16(V32 first, V32 second) {
-  return hn::ReorderDemote2To(kD16, first, second);
-}
-#endif
-
-// Floats to integers, toward zero or to nearest. Highway's own repair those that no int32 holds, for two more
-// instructions; here all are small.
-#if HWY_TARGET == HWY_AVX3 || HWY_TARGET == HWY_AVX3_DL
-HWY_INLINE V32 to_integers(VF32 v, bool nearest) {
-  return V32{nearest ? _mm512_cvtps_epi32(v.raw) : _mm512_cvttps_epi32(v.raw)};
-}
-#elif HWY_TARGET == HWY_AVX2
-HWY_INLINE V32 to_integers(VF32 v, bool nearest) {
-  return V32{nearest ? _mm256_cvtps_epi32(v.raw) : _mm256_cvttps_epi32(v.raw)};
-}
-#elif HWY_TARGET == HWY_SSE4 || HWY_TARGET == HWY_SSSE3
-HWY_INLINE V32 to_integers(VF32 v, bool nearest) {
-  return V32{nearest ? _mm_cvtps_epi32(v.raw) : _mm_cvttps_epi32(v.raw)};
-}
-#else
-HWY_INLINE V32 to_integers(VF32 v, bool nearest) {
-  return nearest ? hn::NearestInt(v) : hn::ConvertTo(kD32, v);
-}
-#endif
 
 // Let n be the sum with its bias, and the reciprocal 2^k / one, rounded up to a float: at most 2^-23 of itself too
 // large. |2^k n| is below 2^21 (six products of 256² times four) and its quotient below 2^13, where a number is at most
@@ -240,12 +152,11 @@ HWY_INLINE V32 to_integers(VF32 v, bool nearest) {
 // - One is odd. So with k >= 0 no quotient is a tie, but at least 1 / (2 one) away from one. With k = -1 the bias has
 // one
 //   half more: a tie is 1 / (4 one) away, and n being below 2^19, the product at most 1 / (32 one) too large.
-template <int kTerms, bool kFloors>
+template <int kTerms, bool kFloors, bool kNearest, bool kBiased>
 HWY_NOINLINE void products(const Operation& operation, const Batch& batch) {
   const Formula& f = operation.formula;
   const Clamp clamp(f);
   const VF32 bias = hn::Set(kF32, f.bias), reciprocal = hn::Set(kF32, f.reciprocal);
-  const bool biased = f.bias != 0, nearest = f.nearest;
   for_lanes<2 * kTerms, kFloors>(operation, batch, [&](const auto& x, std::size_t lane) HWY_ATTR {
     const auto factor = [&](std::size_t k) HWY_ATTR { return x.get(k, lane); };
     Wide sum;
@@ -262,8 +173,8 @@ HWY_NOINLINE void products(const Operation& operation, const Batch& batch) {
     }
     const auto code = [&](V32 n) HWY_ATTR {
       VF32 v = hn::ConvertTo(kF32, n);
-      if (biased) v = hn::Add(v, bias);
-      return to_integers(hn::Mul(v, reciprocal), nearest);
+      if (kBiased) v = hn::Add(v, bias);
+      return to_integers(hn::Mul(v, reciprocal), kNearest);
     };
     return clamp(narrow_to_16(code(sum.first), code(sum.second)));
   });
@@ -283,24 +194,62 @@ HWY_NOINLINE void copy(const Operation& operation, const Batch& batch) {
 
 using Run = void (*)(const Operation&, const Batch&);
 
+template <class F>
+HWY_INLINE Run choose(bool flag, const F& f) {
+  return flag ? f(std::true_type()) : f(std::false_type());
+}
+
+template <int kTerms, bool kFloors>
+HWY_INLINE Run unsigned_products_of(const Formula& f) {
+  return choose(f.nearest, [&](auto nearest) -> Run {
+    constexpr bool kNearest = decltype(nearest)::value;
+    if (f.adds) return unsigned_products<kTerms, kFloors, kNearest, 0, true>;
+    return f.doublings == 0   ? unsigned_products<kTerms, kFloors, kNearest, 0, false>
+           : f.doublings == 1 ? unsigned_products<kTerms, kFloors, kNearest, 1, false>
+                              : unsigned_products<kTerms, kFloors, kNearest, 2, false>;
+  });
+}
+
+template <bool kFloors>
+HWY_INLINE Run signed_product_of(const Formula& f) {
+  return choose(f.nearest, [&](auto nearest) -> Run {
+    constexpr bool kNearest = decltype(nearest)::value;
+    return f.doublings == 0   ? signed_product<kFloors, kNearest, 0>
+           : f.doublings == 1 ? signed_product<kFloors, kNearest, 1>
+                              : signed_product<kFloors, kNearest, 2>;
+  });
+}
+
+template <bool kFloors>
+HWY_INLINE Run products_of(const Formula& f) {
+  return choose(f.nearest, [&](auto nearest) {
+    constexpr bool kNearest = decltype(nearest)::value;
+    // More than two products are dot products: their bias, mostly none, matters less.
+    static constexpr Run kRuns[] = {products<3, kFloors, kNearest, true>, products<4, kFloors, kNearest, true>,
+                                    products<5, kFloors, kNearest, true>, products<6, kFloors, kNearest, true>};
+    if (f.terms > 2) return kRuns[f.terms - 3];
+    return choose(f.bias != 0, [&](auto biased) -> Run {
+      constexpr bool kBiased = decltype(biased)::value;
+      return f.terms == 1 ? products<1, kFloors, kNearest, kBiased> : products<2, kFloors, kNearest, kBiased>;
+    });
+  });
+}
+
 template <bool kFloors>
 HWY_INLINE Run kernel_of(const Formula& f) {
-  static constexpr Run kAffine[] = {affine<1, kFloors>, affine<2, kFloors>};
-  static constexpr Run kUnsigned[][2] = {{unsigned_products<1, false, kFloors>, unsigned_products<1, true, kFloors>},
-                                         {unsigned_products<2, false, kFloors>, unsigned_products<2, true, kFloors>},
-                                         {unsigned_products<3, false, kFloors>, unsigned_products<3, true, kFloors>}};
-  static constexpr Run kProducts[] = {products<1, kFloors>, products<2, kFloors>, products<3, kFloors>,
-                                      products<4, kFloors>, products<5, kFloors>, products<6, kFloors>};
-  const auto last = static_cast<std::size_t>(f.terms - 1);
   switch (f.kernel) {
     case Kernel::affine:
-      return kAffine[last];
+      if (f.halves) return f.terms == 1 ? half_of_affine<1> : half_of_affine<2>;
+      if (f.clamps()) return f.terms == 1 ? affine<1, kFloors, true> : affine<2, kFloors, true>;
+      return f.terms == 1 ? affine<1, kFloors, false> : affine<2, kFloors, false>;
     case Kernel::unsigned_products:
-      return kUnsigned[last][f.adds ? 1 : 0];
+      return f.terms == 1   ? unsigned_products_of<1, kFloors>(f)
+             : f.terms == 2 ? unsigned_products_of<2, kFloors>(f)
+                            : unsigned_products_of<3, kFloors>(f);
     case Kernel::signed_product:
-      return signed_product<kFloors>;
+      return signed_product_of<kFloors>(f);
     case Kernel::products:
-      return kProducts[last];
+      return products_of<kFloors>(f);
     case Kernel::select:
       return select<kFloors>;
     case Kernel::copy:

@@ -90,7 +90,7 @@ Value ValueGraph::affine(std::span<const Linear> terms, Scale scale, Narrowing n
   const Range result{std::clamp(sum.low, low, high), std::clamp(sum.high, low, high)};
   if (result.low == result.high) return constant(result.low);
   const bool is_itself = f.terms == 1 && f.factor[0] == 1 && f.offset == 0 && !of[0].floored && !f.halves;
-  if (is_itself && f.low == f.high) return of[0].value;
+  if (is_itself && !f.clamps()) return of[0].value;
   return add(f, of, result);
 }
 

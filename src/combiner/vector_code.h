@@ -62,6 +62,7 @@ struct Formula {
     }
     return 0;
   }
+  [[nodiscard]] bool clamps() const { return low < high; }
   [[nodiscard]] bool is_floored(std::size_t source) const { return (floors >> source & 1U) != 0; }
   friend auto operator<=>(const Formula&, const Formula&) = default;
 };

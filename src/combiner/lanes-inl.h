@@ -1,0 +1,123 @@
+// Vectors of 16-bit lanes and the arithmetic that they need beyond Highway's. Included once for every SIMD target.
+#if defined(NINEBIT_COMBINER_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef NINEBIT_COMBINER_LANES_INL_H
+#undef NINEBIT_COMBINER_LANES_INL_H
+#else
+#define NINEBIT_COMBINER_LANES_INL_H
+#endif
+
+#include <cstdint>
+
+#include "hwy/highway.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace ninebit::detail::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+using D16 = hn::CappedTag<std::int16_t, 32>;
+using U16 = hn::RebindToUnsigned<D16>;
+#if HWY_TARGET == HWY_SCALAR
+using D32 = hn::Rebind<std::int32_t, D16>;
+#else
+using D32 = hn::RepartitionToWide<D16>;
+#endif
+using F32 = hn::RebindToFloat<D32>;
+constexpr D16 kD16;
+constexpr U16 kU16;
+constexpr D32 kD32;
+constexpr F32 kF32;
+using V16 = hn::Vec<D16>;
+using VU16 = hn::Vec<U16>;
+using V32 = hn::Vec<D32>;
+using VF32 = hn::Vec<F32>;
+
+HWY_INLINE V16 set(int v) {
+  return hn::Set(kD16, static_cast<std::int16_t>(v));
+}
+HWY_INLINE VU16 set_unsigned(int v) {
+  return hn::Set(kU16, static_cast<std::uint16_t>(v));
+}
+
+// n / 255 rounded down, exact for all of 16 bits: 0x8081 / 2^23 = (1 + 127 / 2^23) / 255.
+HWY_INLINE VU16 divide_by_255(VU16 n) {
+  return hn::ShiftRight<7>(hn::MulHigh(n, set_unsigned(0x8081)));
+}
+
+template <int kDoublings>
+HWY_INLINE VU16 doubled(VU16 n) {
+  if (kDoublings > 0) n = hn::SaturatedAdd(n, n);
+  if (kDoublings > 1) n = hn::SaturatedAdd(n, n);
+  return n;
+}
+
+// The quotient of a sum by 255, rounded down or to nearest.
+template <bool kNearest>
+HWY_INLINE VU16 narrowed(VU16 n) {
+  return divide_by_255(kNearest ? hn::SaturatedAdd(n, set_unsigned(127)) : n);
+}
+
+// One vector of 16-bit lanes as two of 32-bit lanes, in an order that narrow_to_16 undoes.
+struct Wide {
+  V32 first, second;
+};
+
+#if HWY_TARGET == HWY_SCALAR
+HWY_INLINE Wide widen(V16 v) {
+  return {hn::PromoteTo(kD32, v), hn::Zero(kD32)};
+}
+HWY_INLINE V16 narrow_to_16(V32 first, V32 /*second*/) {
+  return hn::DemoteTo(kD16, first);
+}
+HWY_INLINE Wide multiply(V16 x, V16 y) {
+  const Wide a = widen(x), b = widen(y);
+  return {hn::Mul(a.first, b.first), hn::Mul(a.second, b.second)};
+}
+HWY_INLINE Wide multiply(V16 x0, V16 y0, V16 x1, V16 y1) {
+  const Wide a = multiply(x0, y0), b = multiply(x1, y1);
+  return {hn::Add(a.first, b.first), hn::Add(a.second, b.second)};
+}
+#else
+HWY_INLINE Wide multiply(V16 x, V16 y) {
+  const V16 low = hn::Mul(x, y), high = hn::MulHigh(x, y);
+  return {hn::BitCast(kD32, hn::InterleaveLower(kD16, low, high)),
+          hn::BitCast(kD32, hn::InterleaveUpper(kD16, low, high))};
+}
+HWY_INLINE V32 sum_of_pairs(V16 x, V16 y) {
+  V32 other = hn::Zero(kD32);
+  const V32 sum = hn::ReorderWidenMulAccumulate(kD32, x, y, hn::Zero(kD32), other);
+  return hn::RearrangeToOddPlusEven(sum, other);
+}
+HWY_INLINE Wide multiply(V16 x0, V16 y0, V16 x1, V16 y1) {
+  return {sum_of_pairs(hn::InterleaveLower(kD16, x0, x1), hn::InterleaveLower(kD16, y0, y1)),
+          sum_of_pairs(hn::InterleaveUpper(kD16, x0, x1), hn::InterleaveUpper(kD16, y0, y1))};
+}
+// Interleaving and packing both stay within blocks of 128 bits.
+HWY_INLINE V16 narrow_to_16(V32 first, V32 second) {
+  return hn::ReorderDemote2To(kD16, first, second);
+}
+#endif
+
+// Floats to integers, toward zero or to nearest. Highway's own repair those that no int32 holds, for two more
+// instructions; here all are small.
+#if HWY_TARGET <= HWY_AVX3
+HWY_INLINE V32 to_integers(VF32 v, bool nearest) {
+  return V32{nearest ? _mm512_cvtps_epi32(v.raw) : _mm512_cvttps_epi32(v.raw)};
+}
+#elif HWY_TARGET == HWY_AVX2
+HWY_INLINE V32 to_integers(VF32 v, bool nearest) {
+  return V32{nearest ? _mm256_cvtps_epi32(v.raw) : _mm256_cvttps_epi32(v.raw)};
+}
+#elif HWY_TARGET == HWY_SSE4 || HWY_TARGET == HWY_SSSE3
+HWY_INLINE V32 to_integers(VF32 v, bool nearest) {
+  return V32{nearest ? _mm_cvtps_epi32(v.raw) : _mm_cvttps_epi32(v.raw)};
+}
+#else
+HWY_INLINE V32 to_integers(VF32 v, bool nearest) {
+  return nearest ? hn::NearestInt(v) : hn::ConvertTo(kD32, v);
+}
+#endif
+
+}  // namespace ninebit::detail::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif
