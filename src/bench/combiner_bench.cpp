@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "ninebit/combiner/evaluate.h"
+#include "ninebit/combiner/batch_program.h"
 #include "src/bench/programs.h"
 
 namespace {
@@ -16,7 +16,7 @@ Program program_of(std::size_t number) {
 }
 
 void batch(benchmark::State& state, std::size_t number) {
-  const Program program = program_of(number);
+  const BatchProgram program(program_of(number));
   const auto registers = std::make_unique<RegisterBatch>();
   const auto out = std::make_unique<OutputBatch>();
   s9 code = 0;
@@ -26,7 +26,7 @@ void batch(benchmark::State& state, std::size_t number) {
     }
   }
   for (auto _ : state) {
-    evaluate(program, *registers, kBatchSize, *out);
+    program.run(*registers, kBatchSize, *out);
     benchmark::DoNotOptimize(out->plane);
   }
   state.SetItemsProcessed(static_cast<std::int64_t>(state.iterations()) * static_cast<std::int64_t>(kBatchSize));

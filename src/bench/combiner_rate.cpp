@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "hwy/highway.h"
+#include "ninebit/combiner/batch_program.h"
 #include "ninebit/combiner/evaluate.h"
 #include "src/bench/scalar_float.h"
 #include "src/bench/timing.h"
@@ -34,11 +35,19 @@ struct Fragments {
   }
 };
 
+// A program and what evaluates it.
+struct Evaluator {
+  const Program& program;
+  Engine engine;
+  BatchProgram batch{program};
+};
+
 // What is timed.
-void evaluate_batch(const Program& program, Engine engine, Fragments& fragments) {
-  switch (engine) {
+void evaluate_batch(const Evaluator& evaluator, Fragments& fragments) {
+  const Program& program = evaluator.program;
+  switch (evaluator.engine) {
     case Engine::simd:
-      evaluate(program, fragments.planes, kBatchSize, fragments.plane_colors);
+      evaluator.batch.run(fragments.planes, kBatchSize, fragments.plane_colors);
       break;
     case Engine::reference:
       for (std::size_t i = 0; i < kBatchSize; ++i) fragments.colors[i] = evaluate(program, fragments.files[i]);
@@ -49,14 +58,14 @@ void evaluate_batch(const Program& program, Engine engine, Fragments& fragments)
   }
 }
 
-void evaluate_batches(const Program& program, Engine engine, Fragments& fragments, std::size_t batches) {
-  for (std::size_t i = 0; i < batches; ++i) evaluate_batch(program, engine, fragments);
+void evaluate_batches(const Evaluator& evaluator, Fragments& fragments, std::size_t batches) {
+  for (std::size_t i = 0; i < batches; ++i) evaluate_batch(evaluator, fragments);
 }
 
 // As many batches as take about so long.
-std::size_t batches_in(double seconds, const Program& program, Engine engine, Fragments& fragments) {
+std::size_t batches_in(double seconds, const Evaluator& evaluator, Fragments& fragments) {
   std::size_t batches = 1;
-  while (seconds_of([&] { evaluate_batches(program, engine, fragments, batches); }) < seconds) batches *= 2;
+  while (seconds_of([&] { evaluate_batches(evaluator, fragments, batches); }) < seconds) batches *= 2;
   return batches;
 }
 
@@ -78,7 +87,8 @@ double combiner_rate(const Program& program, Engine engine, int threads, double 
   const auto count = static_cast<std::size_t>(threads);
   std::vector<std::unique_ptr<Fragments>> fragments(count);
   for (std::size_t i = 0; i < count; ++i) fragments[i] = std::make_unique<Fragments>(static_cast<unsigned>(i));
-  const std::size_t batches = batches_in(std::min(2e-3, seconds / 8), program, engine, *fragments[0]);
+  const Evaluator evaluator{program, engine};
+  const std::size_t batches = batches_in(std::min(2e-3, seconds / 8), evaluator, *fragments[0]);
 
   // All threads begin a run together; it lasts until the last one is done.
   std::vector<Clock::time_point> begin(count), end(count);
@@ -88,7 +98,7 @@ double combiner_rate(const Program& program, Engine engine, int threads, double 
     gate.arrive_and_wait();
     if (over) return false;
     begin[i] = Clock::now();
-    evaluate_batches(program, engine, *fragments[i], batches);
+    evaluate_batches(evaluator, *fragments[i], batches);
     end[i] = Clock::now();
     gate.arrive_and_wait();
     return true;

@@ -32,8 +32,4 @@ void BatchProgram::run(RegisterBatch& registers, std::size_t count, OutputBatch&
   detail::run_vector_code(*code_, registers, count, out);
 }
 
-void evaluate(const Program& program, RegisterBatch& registers, std::size_t count, OutputBatch& out) {
-  BatchProgram(program, {.registers = true}).run(registers, count, out);
-}
-
 }  // namespace ninebit

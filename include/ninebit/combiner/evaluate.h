@@ -217,7 +217,4 @@ struct alignas(64) OutputBatch {
   std::array<std::array<s9, kBatchSize>, 4> plane;
 };
 
-// Compiles the program and runs it once, with the registers among the outputs: BatchProgram is for more than one batch.
-void evaluate(const Program& program, RegisterBatch& registers, std::size_t count, OutputBatch& out);
-
 }  // namespace ninebit
