@@ -60,7 +60,8 @@ LaneOperations::LaneOperations(const PipelineState& state, const RenderTarget& t
   }
   const auto is_constant = [](const LaneComparison& test) { return test.less == 0 && test.equal == 0; };
   tests_change = tests_change || (stencil_write && !(is_constant(front.test) && is_constant(back.test)));
-  are_tests_final = !tests_change && front.fail_keeps && front.depth_fail_keeps && back.fail_keeps && back.depth_fail_keeps;
+  are_tests_final =
+      !tests_change && front.fail_keeps && front.depth_fail_keeps && back.fail_keeps && back.depth_fail_keeps;
 }
 
 }  // namespace ninebit

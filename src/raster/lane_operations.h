@@ -52,8 +52,8 @@ struct LaneOperations {
   // Whether a fragment is drawn where it is nearer than what is stored, and no other test is made.
   bool is_nearest_alone = false;
 
-  // Whether what the tests say of a fragment when it is gathered is final: nothing that waits changes it, and those that
-  // fail leave no trace.
+  // Whether what the tests say of a fragment when it is gathered is final: nothing that waits changes it, and those
+  // that fail leave no trace.
   bool are_tests_final = false;
   // Whether a fragment that is farther than what is stored leaves no trace.
   bool loses_farther = false;

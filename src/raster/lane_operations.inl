@@ -5,7 +5,7 @@
 template <class D>
 HWY_INLINE hn::Vec<D> lane_numbers(D d) {
   alignas(64) static constexpr std::array<std::int32_t, 16> kNumbers{0, 1, 2,  3,  4,  5,  6,  7,
-                                                                    8, 9, 10, 11, 12, 13, 14, 15};
+                                                                     8, 9, 10, 11, 12, 13, 14, 15};
   return hn::Load(d, kNumbers.data());
 }
 

@@ -117,7 +117,9 @@ Status IndexCubeRenderer::draw_maps() {
     }
     target.depth = {map_depth_.data(), settings_.map_size};
     if (Status made = prepare(passes_.map, face_projections_[i], arrays, target, prepared_); !made) return made;
-    if (Status drawn = rasterize({&pass, 1}, prepared_, {.clear = ClearValues{}, .discard_depth = true}, target); !drawn) return drawn;
+    if (Status drawn = rasterize({&pass, 1}, prepared_, {.clear = ClearValues{}, .discard_depth = true}, target);
+        !drawn)
+      return drawn;
   }
   return {};
 }

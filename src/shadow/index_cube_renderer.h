@@ -13,8 +13,8 @@
 namespace ninebit {
 
 // One scene seen from its camera, lit by its light. Made once: index colours, vertex colours, projections, surfaces.
-// Drawn each frame: draw_maps, then draw_camera. Each clears what it begins with, so that a frame follows another in the
-// same surfaces.
+// Drawn each frame: draw_maps, then draw_camera. Each clears what it begins with, so that a frame follows another in
+// the same surfaces.
 class IndexCubeRenderer {
  public:
   // The scene must outlive the renderer. Reports what render_index_cube reports.

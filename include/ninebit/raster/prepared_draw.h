@@ -41,8 +41,8 @@ class PreparedDraw {
  private:
   friend Status prepare(const PipelineState& state, const glm::mat4& clip_from_object, const VertexArrays& arrays,
                         const RenderTarget& target, PreparedDraw& prepared);
-  friend Status rasterize(std::span<const DrawPass> passes, const PreparedDraw& prepared,
-                               const DrawActions& actions, RenderTarget& target);
+  friend Status rasterize(std::span<const DrawPass> passes, const PreparedDraw& prepared, const DrawActions& actions,
+                          RenderTarget& target);
   std::unique_ptr<Geometry> geometry_;
 };
 
