@@ -100,12 +100,13 @@ Status check_arrays(const PipelineState& state, const VertexArrays& arrays, std:
 }
 
 Status check_indices(const VertexArrays& arrays) {
-  const std::size_t vertices = arrays.positions.size();
+  const auto vertices = static_cast<std::uint32_t>(arrays.positions.size());
   constexpr std::size_t kGrain = 65536;
   const auto are_in_range = [&](std::size_t begin, std::size_t end) {
-    // Without an early end: compilers make vectors of it.
-    unsigned beyond = 0;
-    for (std::size_t i = begin; i < end; ++i) beyond |= arrays.indices[i] >= vertices ? 1U : 0U;
+    // Without an early end and in 32 bits: compilers make vectors of it.
+    std::uint32_t beyond = 0;
+    const std::uint32_t* const indices = arrays.indices.data();
+    for (std::size_t i = begin; i < end; ++i) beyond |= indices[i] >= vertices ? 1U : 0U;
     return beyond == 0;
   };
   std::atomic<bool> in_range = true;

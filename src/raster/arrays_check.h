@@ -17,7 +17,7 @@ namespace ninebit {
 [[nodiscard]] Status check_arrays(const PipelineState& state, const VertexArrays& arrays,
                                   std::span<const TextureUnit> units);
 
-// Reports indices out of range.
+// Reports indices out of range. There are at most 2^32 - 1 positions (check_arrays).
 [[nodiscard]] Status check_indices(const VertexArrays& arrays);
 
 // Reports a unit that is on and has no texture coordinates.

@@ -1,33 +1,12 @@
 // Set-up of several triangles at a time, compiled once for every SIMD target and chosen at run time.
 #include "src/raster/triangle_batch.h"
 
-#include <array>
 #include <bit>
 #include <cstddef>
 #include <cstring>
 
+#include "src/raster/lanes_of_bits.h"
 #include "src/raster/tile_bins.h"
-
-#ifndef NINEBIT_LANES_OF_BITS
-#define NINEBIT_LANES_OF_BITS
-namespace ninebit {
-
-// For each set of eight bits the numbers of those that are set, ascending, then the others.
-inline constexpr auto kLanesOfBits = [] {
-  std::array<std::array<std::uint8_t, 8>, 256> lanes{};
-  for (unsigned bits = 0; bits < 256; ++bits) {
-    std::size_t count = 0;
-    for (const unsigned wanted : {1U, 0U}) {
-      for (unsigned i = 0; i < 8; ++i) {
-        if (((bits >> i) & 1U) == wanted) lanes[bits][count++] = static_cast<std::uint8_t>(i);
-      }
-    }
-  }
-  return lanes;
-}();
-
-}  // namespace ninebit
-#endif
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "src/raster/triangle_batch.cpp"
@@ -76,90 +55,32 @@ struct Candidates {
 // The first corner stays where it is, the others change places in a clockwise triangle.
 constexpr int kInOrder = 1 << 24, kSwapped = 2 << 24;  // `corner`'s second entry in Candidates::kind
 
-struct Corners {
-  VI v[3];
-};
-
-// The vertex numbers of the triangles [first, first + lanes).
-HWY_INLINE Corners corners_of(const TriangleBatch& batch, std::size_t first, std::size_t lanes) {
-  const PrimitiveType type = batch.assembly.type();
-  if (lanes < hn::Lanes(kDI)) {
-    alignas(64) std::int32_t v[3][16];
-    for (std::size_t i = 0; i < hn::Lanes(kDI); ++i) {
-      const std::array<std::uint32_t, 3> t = batch.assembly.triangle(first + (i < lanes ? i : 0));
-      for (std::size_t k = 0; k < 3; ++k) v[k][i] = static_cast<std::int32_t>(t[k]);
-    }
-    return {{hn::Load(kDI, v[0]), hn::Load(kDI, v[1]), hn::Load(kDI, v[2])}};
-  }
-  const auto* const list = reinterpret_cast<const std::int32_t*>(batch.assembly.indices().data());
-  const VI number = hn::Iota(kDI, static_cast<std::int32_t>(first));
-  if (type == PrimitiveType::triangles) {
-    Corners c;
-    if (list != nullptr) {
-      hn::LoadInterleaved3(kDI, list + 3 * first, c.v[0], c.v[1], c.v[2]);
-    } else {
-      c.v[0] = hn::Mul(number, set(3));
-      c.v[1] = hn::Add(c.v[0], set(1));
-      c.v[2] = hn::Add(c.v[0], set(2));
-    }
-    return c;
-  }
-  const VI a = list != nullptr ? hn::LoadU(kDI, list + first) : number;
-  const VI b = list != nullptr ? hn::LoadU(kDI, list + first + 1) : hn::Add(number, set(1));
-  const VI c = list != nullptr ? hn::LoadU(kDI, list + first + 2) : hn::Add(number, set(2));
-  if (type == PrimitiveType::triangle_fan) return {{set(list != nullptr ? list[0] : 0), b, c}};
-  const MI odd = hn::TestBit(number, set(1));
-  return {{hn::IfThenElse(odd, b, a), hn::IfThenElse(odd, a, b), c}};
-}
-
-HWY_INLINE VI word_of(const TriangleBatch& batch, int word, VI vertex) {
-  return hn::GatherIndex(kDI, &batch.vertices.data()->x_q4_and_code + word, hn::ShiftLeft<2>(vertex));
-}
-
-HWY_INLINE VI min_of(const VI (&v)[3]) {
-  return hn::Min(hn::Min(v[0], v[1]), v[2]);
-}
-HWY_INLINE VI max_of(const VI (&v)[3]) {
-  return hn::Max(hn::Max(v[0], v[1]), v[2]);
-}
-
-HWY_INLINE std::uint64_t bits_of(MI mask) {
-  std::uint8_t bytes[8] = {};
-  hn::StoreMaskBits(kDI, mask, bytes);
-  std::uint64_t bits = 0;
-  std::memcpy(&bits, bytes, sizeof bits);
-  return bits;
-}
-
-// Stores the lanes of a mask one after the other, and something after them, up to a vector. (Highway's CompressStore
-// copies a table at every call where there is no instruction for it.)
-class Compressor {
- public:
-  HWY_INLINE explicit Compressor(MI mask) : mask_(mask), order_(order_of(mask)) {}
-  HWY_INLINE void operator()(VI v, std::int32_t* to) const {
-    if constexpr (kHasInstruction) {
-      hn::CompressStore(v, mask_, kDI, to);
-    } else {
-      hn::StoreU(hn::TableLookupLanes(v, hn::IndicesFromVec(kDI, order_)), kDI, to);
-    }
-  }
-
- private:
-  static constexpr bool kHasInstruction = hn::MaxLanes(kDI) > 8;
-  static HWY_INLINE VI order_of(MI mask) {
-    if constexpr (kHasInstruction) return hn::Zero(kDI);
-    const hn::Rebind<std::uint8_t, DI> bytes;
-    return hn::PromoteTo(kDI, hn::LoadU(bytes, kLanesOfBits[bits_of(mask) & 0xFF].data()));
-  }
-  MI mask_;
-  VI order_;
-};
+#include "src/raster/triangle_batch_input.inl"
 
 enum class Verdict { done, left_over, beyond_vertices };
 
-// Adds what is to be drawn of the triangles [first, first + lanes), or leaves them over: those of `alive` may be drawn.
+// Where looking at triangles stopped: `left_over` names those that have to be set up one by one before it goes on.
+struct Stop {
+  std::uint64_t left_over = 0;
+  std::size_t next_lane = 0;
+};
+
+// The first of the triangles that have to be set up one by one, and those that follow it before one of the others.
+HWY_INLINE Stop first_run(MI one_by_one, MI others, std::size_t lanes) {
+  const std::uint64_t bits = bits_of(one_by_one), other_bits = bits_of(others);
+  const int first = std::countr_zero(bits);
+  const std::uint64_t after = other_bits >> first;
+  Stop stop{.left_over = bits, .next_lane = lanes};
+  if (after != 0) {
+    stop.next_lane = static_cast<std::size_t>(first + std::countr_zero(after));
+    stop.left_over &= (std::uint64_t{1} << stop.next_lane) - 1;
+  }
+  return stop;
+}
+
+// Adds what is to be drawn of the triangles [first, first + lanes), or of the first of them, and says where to stop.
 HWY_INLINE Verdict look_at(const TriangleBatch& batch, std::size_t first, std::size_t lanes, Candidates& to,
-                           MI& alive) {
+                           Stop& stop) {
   const SetupContext& context = batch.context;
   const Corners place = corners_of(batch, first, lanes);
   const MI beyond = hn::Or(hn::Lt(min_of(place.v), set(0)),
@@ -168,10 +89,10 @@ HWY_INLINE Verdict look_at(const TriangleBatch& batch, std::size_t first, std::s
   VI x[3], y[3];
   for (int k = 0; k < 3; ++k) x[k] = word_of(batch, 0, place.v[k]);
   const VI all = hn::And(hn::And(x[0], x[1]), x[2]), any = hn::Or(hn::Or(x[0], x[1]), x[2]);
-  alive = hn::Eq(hn::And(all, set(kBeyondAny)), set(0));
+  MI alive = hn::Eq(hn::And(all, set(kBeyondAny)), set(0));
   if (lanes < hn::Lanes(kDI)) alive = hn::And(alive, hn::FirstN(kDI, lanes));
   if (hn::AllFalse(kDI, alive)) return Verdict::done;
-  if (!hn::AllFalse(kDI, hn::And(alive, hn::TestBit(any, set(kNeedsCare))))) return Verdict::left_over;
+  const MI needs_care = hn::And(alive, hn::TestBit(any, set(kNeedsCare)));
 
   for (int k = 0; k < 3; ++k) {
     x[k] = hn::ShiftRight<kCodeBits>(x[k]);
@@ -185,9 +106,15 @@ HWY_INLINE Verdict look_at(const TriangleBatch& batch, std::size_t first, std::s
   const VI last_y = hn::Min(hn::ShiftRight<4>(hn::Sub(high, set(8))), set(context.drawn.top - 1));
   const VI columns = hn::Sub(last_x, first_x), rows = hn::Sub(last_y, first_y);  // less one
   alive = hn::And(alive, hn::Gt(hn::Min(columns, rows), set(-1)));
-  if (hn::AllFalse(kDI, alive)) return Verdict::done;
   const MI large = hn::Gt(hn::Max(hn::Sub(right, left), hn::Sub(high, low)), set(kMaxExtent - 1));
-  if (!hn::AllFalse(kDI, hn::And(alive, large))) return Verdict::left_over;
+  const MI one_by_one = hn::Or(needs_care, hn::And(alive, large));
+  Verdict verdict = Verdict::done;
+  if (!hn::AllFalse(kDI, one_by_one)) {
+    verdict = Verdict::left_over;
+    stop = first_run(one_by_one, hn::AndNot(one_by_one, alive), lanes);
+    alive = hn::And(alive, hn::FirstN(kDI, static_cast<std::size_t>(std::countr_zero(stop.left_over))));
+  }
+  if (hn::AllFalse(kDI, alive)) return verdict;
 
   const VI area =
       hn::Sub(hn::Mul(hn::Sub(x[1], x[0]), hn::Sub(y[2], y[0])), hn::Mul(hn::Sub(y[1], y[0]), hn::Sub(x[2], x[0])));
@@ -233,7 +160,7 @@ HWY_INLINE Verdict look_at(const TriangleBatch& batch, std::size_t first, std::s
   const MI small = hn::Lt(hn::Max(columns, rows), set(2));
   const VI drawn = hn::Neg(hn::Add(hn::Add(in00, in10), hn::Add(in01, in11)));
   alive = hn::AndNot(hn::And(small, hn::Eq(drawn, set(0))), alive);
-  if (hn::AllFalse(kDI, alive)) return Verdict::done;
+  if (hn::AllFalse(kDI, alive)) return verdict;
   const MI pixel = hn::And(small, hn::Eq(drawn, set(1)));
   const VI right_by = hn::Not(hn::Or(in00, in01)), up_by = hn::Not(hn::Or(in00, in10));  // -1 or 0
   const VI small_low = hn::Or(hn::Sub(first_x, right_by), hn::ShiftLeft<16>(hn::Sub(first_y, up_by)));
@@ -258,7 +185,7 @@ HWY_INLINE Verdict look_at(const TriangleBatch& batch, std::size_t first, std::s
   keep(hn::Iota(kDI, static_cast<std::int32_t>(first)), to.primitive);
   to.count += hn::CountTrue(kDI, alive);
   to.has_pixels = to.has_pixels || !hn::AllFalse(kDI, hn::And(pixel, alive));
-  return Verdict::done;
+  return verdict;
 }
 
 #include "src/raster/triangle_batch_output.inl"
@@ -272,13 +199,13 @@ TriangleBatchResult set_up_range(const TriangleBatch& batch, std::size_t begin, 
   TriangleBatchResult result{.next = end};
   for (std::size_t i = begin; i < end; i += hn::Lanes(kDI)) {
     const std::size_t lanes = end - i < hn::Lanes(kDI) ? end - i : hn::Lanes(kDI);
-    MI alive;
-    const Verdict verdict = look_at(batch, i, lanes, candidates, alive);
+    Stop stop;
+    const Verdict verdict = look_at(batch, i, lanes, candidates, stop);
     if (verdict != Verdict::done) {
       result.is_beyond_vertices = verdict == Verdict::beyond_vertices;
-      result.left_over = result.is_beyond_vertices ? 0 : bits_of(alive);
+      result.left_over = stop.left_over;
       result.first_left_over = i;
-      result.next = i + lanes;
+      result.next = i + stop.next_lane;
       break;
     }
     if (candidates.count + hn::Lanes(kDI) > Candidates::kRoom) write_candidates(batch, candidates, out);

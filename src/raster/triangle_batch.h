@@ -31,8 +31,8 @@ struct TriangleBatchOutput {
 
 struct TriangleBatchResult {
   std::size_t count = 0;  // primitives written
-  // What was written comes of the triangles before `first_left_over`. Of those from there to `next`, the bits of
-  // `left_over` name the ones that may be drawn, and set_up_triangle has to set up: some are clipped or large.
+  // The range has been done up to `next`, but for the triangles first_left_over + i of the bits i of `left_over`: those
+  // come after all that was written, and set_up_triangle has to set them up, because they are clipped or large.
   std::size_t first_left_over = 0;
   std::uint64_t left_over = 0;
   std::size_t next = 0;

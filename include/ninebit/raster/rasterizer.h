@@ -65,7 +65,7 @@ struct TextureUnit {
   Sampler sampler;
 };
 
-// Draws the primitives in their order.
+// Draws the primitives in their order. (Passes over the same geometry from the same view: prepared_draw.h.)
 //
 // - Clip coordinates are clip_from_object * (position, 1), computed in floats in a fixed order. Primitives are clipped
 //   against the near and far planes and against a guard band that keeps window positions within 8,192 pixels of the
