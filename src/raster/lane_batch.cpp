@@ -138,6 +138,15 @@ HWY_INLINE LaneResult<D> operate(const LaneBatch& batch, const LaneDraw<D>& draw
 HWY_INLINE void operate_on_spans(LaneTile& tile, const LaneBatch& batch, const LaneDraw<D>& draw, std::size_t first,
                                  std::size_t end) {
   const LaneOperations& operations = draw.operations;
+  const bool writes = operations.depth_write || operations.stencil_write;
+  if (operations.are_tests_final && !operations.alpha && !writes) {
+    for (std::size_t s = first; s < end; ++s) {
+      const LaneBatch::Span& span = batch.span[s];
+      hn::BlendedStore(hn::LoadU(kD, lanes_of(batch.color.data()) + span.first), hn::FirstN(kD, span.count), kD,
+                       lanes_of(tile.tile.color.data()) + span.place);
+    }
+    return;
+  }
   for (std::size_t s = first; s < end; ++s) {
     const LaneBatch::Span& span = batch.span[s];
     std::int32_t* const stored = lanes_of(tile.tile.depth_stencil.data()) + span.place;
@@ -145,7 +154,7 @@ HWY_INLINE void operate_on_spans(LaneTile& tile, const LaneBatch& batch, const L
     const V color = hn::LoadU(kD, lanes_of(batch.color.data()) + span.first);
     const LaneResult<D> result =
         operate(batch, draw, span.first, hn::FirstN(kD, span.count), color, hn::LoadU(kD, stored));
-    if (operations.depth_write || operations.stencil_write) hn::StoreU(result.depth_stencil, kD, stored);
+    if (writes) hn::StoreU(result.depth_stencil, kD, stored);
     if (operations.color) hn::BlendedStore(color, result.drawn, kD, colors);
   }
 }
