@@ -90,8 +90,7 @@ void DrawContext::look_at_program(const RenderTarget& target, bool for_probe) {
   }
 }
 
-ColorBytes DrawContext::flat_primary(std::uint32_t primitive) const {
-  if (!arrays.primitive_colors.empty()) return arrays.primitive_colors[primitive];
+ColorBytes DrawContext::flat_primary_of_vertex(std::uint32_t primitive) const {
   if (!arrays.vertex_colors.empty()) return arrays.vertex_colors[assembly.provoking_vertex(primitive)];
   return kWhite;
 }

@@ -33,7 +33,9 @@ struct DrawContext {
     return state.shade_model == ShadeModel::flat || (arrays.vertex_colors.empty() && arrays.secondary_colors.empty());
   }
   // The primary colour that flat shading gives a primitive.
-  [[nodiscard]] ColorBytes flat_primary(std::uint32_t primitive) const;
+  [[nodiscard]] ColorBytes flat_primary(std::uint32_t primitive) const {
+    return arrays.primitive_colors.empty() ? flat_primary_of_vertex(primitive) : arrays.primitive_colors[primitive];
+  }
 
   const PipelineState& state;
   const VertexArrays& arrays;
@@ -58,6 +60,7 @@ struct DrawContext {
   std::vector<RegisterComponent> refilled;
 
  private:
+  [[nodiscard]] ColorBytes flat_primary_of_vertex(std::uint32_t primitive) const;
   void look_at_program(const RenderTarget& target, bool for_probe);
 };
 

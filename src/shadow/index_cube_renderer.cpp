@@ -85,7 +85,7 @@ void IndexCubeRenderer::assign_indices() {
 
 void IndexCubeRenderer::make_map() {
   const auto size = static_cast<std::size_t>(settings_.map_size);
-  map_depth_.resize(size * size);
+  for (std::vector<std::uint32_t>& depth : map_depth_) depth.resize(size * size);
   rendering_.index_map.resize(6);
   std::vector<TextureImage> faces;
   for (IndexMapFace& face : rendering_.index_map) {
@@ -110,16 +110,19 @@ Status IndexCubeRenderer::draw_maps() {
   VertexArrays arrays = all_triangles(from_light_);
   arrays.primitive_colors = index_colors_;
   const DrawPass pass{.state = &passes_.map, .arrays = arrays};
-  for (std::size_t i = 0; i < 6; ++i) {
+  std::array<Status, 6> drawn;
+  tbb::parallel_for(std::size_t{0}, std::size_t{6}, [&](std::size_t i) {
     RenderTarget target{.width = settings_.map_size, .height = settings_.map_size};
     for (std::size_t c = 0; c < 3; ++c) {
       target.color[c] = {rendering_.index_map[i].color[c].data(), settings_.map_size};
     }
-    target.depth = {map_depth_.data(), settings_.map_size};
-    if (Status made = prepare(passes_.map, face_projections_[i], arrays, target, prepared_); !made) return made;
-    if (Status drawn = rasterize({&pass, 1}, prepared_, {.clear = ClearValues{}, .discard_depth = true}, target);
-        !drawn)
-      return drawn;
+    target.depth = {map_depth_[i].data(), settings_.map_size};
+    drawn[i] = prepare(passes_.map, face_projections_[i], arrays, target, prepared_[i]);
+    if (!drawn[i]) return;
+    drawn[i] = rasterize({&pass, 1}, prepared_[i], {.clear = ClearValues{}, .discard_depth = true}, target);
+  });
+  for (Status& status : drawn) {
+    if (!status) return std::move(status);
   }
   return {};
 }
@@ -168,9 +171,9 @@ Status IndexCubeRenderer::draw_camera_together(PassTimes& times) {
   passes[1].arrays.primitive_colors = index_colors_;
   passes[2].arrays.vertex_colors = shading_.lit;
   passes[3].arrays.vertex_colors = shading_.shadowed;
-  if (Status made = prepare(passes_.depth, camera_projection_, geometry, target, prepared_); !made) return made;
+  if (Status made = prepare(passes_.depth, camera_projection_, geometry, target, prepared_[0]); !made) return made;
   const ClearValues background{.color = kBackground};
-  if (Status drawn = rasterize(passes, prepared_, {.clear = background}, target); !drawn) return drawn;
+  if (Status drawn = rasterize(passes, prepared_[0], {.clear = background}, target); !drawn) return drawn;
   const double whole = Milliseconds(Clock::now() - start).count();
   const double all = Milliseconds(busy[0] + busy[1] + busy[2] + busy[3]).count();
   const auto share = [&](std::size_t i) { return all > 0.0 ? whole * Milliseconds(busy[i]).count() / all : whole / 4; };
