@@ -19,7 +19,6 @@ namespace hn = hwy::HWY_NAMESPACE;
 #if HWY_TARGET == HWY_SCALAR  // has no wider words than 32 bits in its single lane
 
 void draw_triangles(LaneTile&, LanePass&, const SetupBlock&, std::span<const std::uint32_t>) {}
-void find_farthest(LaneTile&) {}
 
 #else
 
@@ -54,9 +53,6 @@ HWY_INLINE std::int32_t* lanes_of(T* words) {
   return reinterpret_cast<std::int32_t*>(words);  // signed and unsigned words may alias
 }
 
-// --- without a batch
-// --------------------------------------------------------------------------------------------------
-
 template <class D>
 HWY_INLINE void draw_flat(D d, const LaneDraw<D>& draw, const Pen& pen, std::size_t place, hn::Mask<D> mask,
                           hn::Vec<D> depth) {
@@ -71,78 +67,7 @@ HWY_INLINE void draw_flat(D d, const LaneDraw<D>& draw, const Pen& pen, std::siz
   hn::StoreU(hn::IfThenElse(result.drawn, color, hn::LoadU(d, color_at)), d, color_at);
 }
 
-// --- into the batch
-// ---------------------------------------------------------------------------------------------------
-
-// Those of the fragments that have to go into the batch, which then has room for them and no other at their pixels.
-template <class D>
-HWY_INLINE hn::Mask<D> gathered(D d, const LaneDraw<D>& draw, const Pen& pen, std::size_t place, hn::Mask<D> mask,
-                                hn::Vec<D> depth) {
-  const LaneOperations& operations = draw.operations;
-  LaneTile& tile = pen.tile;
-  LaneBatch& batch = *pen.pass.batch;
-  const std::int32_t* const at = lanes_of(tile.tile.depth_stencil.data()) + place;
-  const std::size_t row = place / kTileSize, column = place % kTileSize;
-  if (operations.is_equal_alone) {
-    const auto counts = hn::Set(d, static_cast<std::int32_t>(operations.equal_bits));
-    const auto wanted = hn::Or(hn::ShiftLeft<8>(depth), hn::Set(d, static_cast<std::int32_t>(operations.equal_value)));
-    mask = hn::And(mask, hn::Eq(hn::And(hn::LoadU(d, at), counts), wanted));
-  } else {
-    // What waits may still change the outcome of tests.
-    if (operations.tests_change && (batch.occupied[row] & (bits_of(d, mask) << column)) != 0) {
-      flush_lanes(tile, pen.pass);
-    }
-    mask = not_lost(d, draw, mask, depth, hn::LoadU(d, at));
-  }
-  const std::uint64_t bits = bits_of(d, mask) << column;
-  if ((batch.occupied[row] & bits) != 0 || batch.count + hn::Lanes(d) > kBatchSize) flush_lanes(tile, pen.pass);
-  batch.occupied[row] |= bits;
-  return mask;
-}
-
-template <class D>
-HWY_INLINE void push(D d, const Pen& pen, std::size_t place, hn::Mask<D> mask, hn::Vec<D> depth,
-                     const hn::Vec<hn::Rebind<float, D>> weight[3]) {
-  LaneBatch& batch = *pen.pass.batch;
-  const hn::Rebind<float, D> df;
-  const std::size_t at = batch.count;
-  if (batch.runs == 0 || batch.run[batch.runs - 1].primitive != &pen.primitive) {
-    batch.run[batch.runs++] = {&pen.primitive, &pen.block, at};
-  }
-  std::uint64_t bits = bits_of(d, mask);
-  std::size_t span_first = at;
-  do {  // mostly once
-    const auto begin = static_cast<std::size_t>(__builtin_ctzll(bits));
-    const auto length = static_cast<std::size_t>(__builtin_ctzll(~(bits >> begin)));
-    batch.span[batch.spans++] = {static_cast<std::uint16_t>(place + begin), static_cast<std::uint8_t>(length),
-                                 static_cast<std::uint16_t>(span_first)};
-    span_first += length;
-    bits = begin + length < 64 ? bits >> (begin + length) << (begin + length) : 0;
-  } while (bits != 0);
-  batch.count = span_first;
-  const auto places = hn::Add(hn::Set(d, static_cast<std::int32_t>(place)), lane_numbers(d));
-  const bool has_depth = !pen.pass.operations.are_tests_final;
-  float* const weights = batch.weight[0].data() + at;
-  const std::size_t stride = LaneBatch::kRoom;
-  const auto& corner = pen.primitive.corner;
-  if (hn::AllTrue(d, mask)) {
-    hn::StoreU(places, d, lanes_of(batch.place.data()) + at);
-    if (has_depth) hn::StoreU(depth, d, lanes_of(batch.depth.data()) + at);
-    for (std::size_t i = 0; i < 3; ++i) hn::StoreU(weight[i], df, weights + corner[i] * stride);
-  } else {
-    // Compressed in registers: to memory it would be slow on some processors. What follows the last lane is written
-    // again by the next fragments.
-    hn::StoreU(hn::Compress(places, mask), d, lanes_of(batch.place.data()) + at);
-    if (has_depth) hn::StoreU(hn::Compress(depth, mask), d, lanes_of(batch.depth.data()) + at);
-    const auto float_mask = hn::RebindMask(df, mask);
-    for (std::size_t i = 0; i < 3; ++i) {
-      hn::StoreU(hn::Compress(weight[i], float_mask), df, weights + corner[i] * stride);
-    }
-  }
-}
-
-// --- triangles
-// --------------------------------------------------------------------------------------------------------
+#include "src/raster/lane_gather.inl"
 
 // Window depths as codes of the target, see WindowDepth::code.
 template <class D>
@@ -353,25 +278,6 @@ void draw_triangles(LaneTile& tile, LanePass& pass, const SetupBlock& block, std
   }
 }
 
-void find_farthest(LaneTile& tile) {
-  constexpr std::size_t kRows = FarthestDepths::kBlock, kWidth = FarthestDepths::kBlock;
-  alignas(64) std::array<std::int32_t, kTileSize> column;
-  for (std::size_t row = 0; row < FarthestDepths::kBlocks; ++row) {
-    for (std::size_t x = 0; x < kTileSize; x += hn::Lanes(kD)) {
-      auto farthest = hn::Zero(hn::RebindToUnsigned<D>());
-      for (std::size_t y = row * kRows; y < (row + 1) * kRows; ++y) {
-        farthest = hn::Max(farthest, hn::Load(hn::RebindToUnsigned<D>(), &tile.tile.depth_stencil[y * kTileSize + x]));
-      }
-      hn::Store(hn::BitCast(kD, hn::ShiftRight<8>(farthest)), kD, column.data() + x);
-    }
-    for (std::size_t b = 0; b < FarthestDepths::kBlocks; ++b) {
-      const auto* const first = column.data() + b * kWidth;
-      tile.farthest.code[row * FarthestDepths::kBlocks + b] =
-          static_cast<std::uint32_t>(*std::max_element(first, first + kWidth));
-    }
-  }
-}
-
 #endif  // HWY_TARGET != HWY_SCALAR
 
 bool are_lanes_there() {
@@ -386,7 +292,6 @@ namespace ninebit {
 
 HWY_EXPORT(are_lanes_there);
 HWY_EXPORT(draw_triangles);
-HWY_EXPORT(find_farthest);
 
 bool lanes_can_draw(const DrawContext& context, const RenderTarget& target) {
   const PipelineState& state = context.state;
@@ -411,12 +316,6 @@ LanePass::LanePass(const DrawContext& draw, const RenderTarget& target)
       operations(draw.state, target),
       depths_are_codes(!draw.state.polygon_offset.fill && draw.depth.step_z24() == 1) {
   if (!draw.has_flat_result) batch = std::make_unique<LaneBatch>();
-}
-
-// Not for a pass that has just begun to fill the tile with depths.
-void begin_pass(LaneTile& tile, const LanePass& pass) {
-  tile.knows_farthest = pass.operations.loses_farther && !pass.operations.depth_write;
-  if (tile.knows_farthest) HWY_DYNAMIC_DISPATCH(find_farthest)(tile);
 }
 
 void draw_lanes(LaneTile& tile, LanePass& pass, const SetupBlock& block, std::span<const std::uint32_t> indices) {

@@ -1,6 +1,7 @@
-// Rows of a target's planes to rows of a tile and back.
+// Rows of a target's planes to rows of a tile and back, and what is known of a tile as a whole.
 #include "src/raster/tile_planes.h"
 
+#include <algorithm>
 #include <cstring>
 
 #include "src/raster/clear_values.h"
@@ -19,6 +20,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 void load_row(LaneTile&, const TileRow&, std::size_t) {}
 void store_row(const LaneTile&, const TileRow&, std::size_t) {}
+void find_farthest(LaneTile&) {}
 
 #else
 
@@ -69,6 +71,24 @@ void store_row(const LaneTile& tile, const TileRow& to, std::size_t place) {
   }
 }
 
+void find_farthest(LaneTile& tile) {
+  constexpr std::size_t kRows = FarthestDepths::kBlock, kWidth = FarthestDepths::kBlock;
+  alignas(64) std::array<std::uint32_t, kTileSize> column;
+  for (std::size_t row = 0; row < FarthestDepths::kBlocks; ++row) {
+    for (std::size_t x = 0; x < kTileSize; x += hn::Lanes(kD32)) {
+      auto farthest = hn::Zero(kD32);
+      for (std::size_t y = row * kRows; y < (row + 1) * kRows; ++y) {
+        farthest = hn::Max(farthest, hn::Load(kD32, &tile.tile.depth_stencil[y * kTileSize + x]));
+      }
+      hn::Store(hn::ShiftRight<8>(farthest), kD32, column.data() + x);
+    }
+    for (std::size_t b = 0; b < FarthestDepths::kBlocks; ++b) {
+      const auto* const first = column.data() + b * kWidth;
+      tile.farthest.code[row * FarthestDepths::kBlocks + b] = *std::max_element(first, first + kWidth);
+    }
+  }
+}
+
 #endif
 
 }  // namespace ninebit::HWY_NAMESPACE
@@ -80,6 +100,7 @@ namespace {
 
 HWY_EXPORT(load_row);
 HWY_EXPORT(store_row);
+HWY_EXPORT(find_farthest);
 
 // A row of which only some pixels are the draw's.
 struct Staging {
@@ -172,6 +193,12 @@ void store_tile(const LaneTile& tile) {
     HWY_DYNAMIC_DISPATCH(store_row)(tile, staging.row(), place_of_row(tile, y));
     copy(tile, staging.row(), row);
   }
+}
+
+// Not for a pass that has just begun to fill the tile with depths.
+void begin_pass(LaneTile& tile, const LanePass& pass) {
+  tile.knows_farthest = pass.operations.loses_farther && !pass.operations.depth_write;
+  if (tile.knows_farthest) HWY_DYNAMIC_DISPATCH(find_farthest)(tile);
 }
 
 }  // namespace ninebit

@@ -84,7 +84,7 @@ class IndexCubeRenderer {
   VertexShading shading_;
   glm::mat4 camera_projection_{1.0F};
   std::array<glm::mat4, 6> face_projections_{};
-  std::vector<glm::vec3> from_light_;     // positions relative to the light, of the frame being drawn
+  std::vector<glm::vec3> from_light_;  // positions relative to the light, of the frame being drawn
   std::array<std::vector<std::uint32_t>, 6> map_depth_;
   Texture map_;                           // views the faces in rendering_
   std::array<PreparedDraw, 6> prepared_;  // one a face; the camera uses the first one's memory again
