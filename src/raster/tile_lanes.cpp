@@ -135,16 +135,14 @@ struct DepthLanes {
 
 template <Drawing kDrawing>
 HWY_INLINE void draw_fragments(const LaneDraw<D>& draw, const Pen& pen, const TileTriangles& t, std::size_t k, int x,
-                               int y, M mask, V64 z_low, V64 z_high, const V e[3]) {
+                               int y, std::size_t place, M mask, V64 z_low, V64 z_high, const V e[3]) {
   const SetupPrimitive& p = pen.primitive;
   const hn::RebindToUnsigned<D> du;
   const auto low = hn::BitCast(du, z_low), high = hn::BitCast(du, z_high);
   V z24 = hn::BitCast(kD, hn::ConcatOdd(du, high, low));
   const auto fraction = hn::Add(hn::ConcatEven(du, high, low), hn::Set(du, kDepthDoubt));
-  M doubtful = hn::And(mask, hn::RebindMask(kD, hn::Lt(fraction, hn::Set(du, 2 * kDepthDoubt))));
-  if (t.is_depth_exact_only[k]) doubtful = mask;
+  const M doubtful = hn::And(mask, hn::RebindMask(kD, hn::Lt(fraction, hn::Set(du, 2 * kDepthDoubt))));
   if (HWY_UNLIKELY(!hn::AllFalse(kD, doubtful))) z24 = exact_depth(p, x, y, doubtful, z24);
-  const auto place = static_cast<std::size_t>((y - pen.tile.bottom) * kTileSize + (x - pen.tile.left));
   if constexpr (kDrawing == Drawing::nearest) {
     std::int32_t* const at = lanes_of(pen.tile.tile.depth_stencil.data()) + place;
     // Whatever the stencil value is: depth × 256 + 255 is less where the depth is.
@@ -185,15 +183,17 @@ HWY_NOINLINE void draw_triangle(const Pen& pen, const TileTriangles& t, std::siz
   const int left = t.left[k], right = t.right[k], top = t.top[k];
   // Where the region ends, the triangle may go on.
   const M last = hn::FirstN(kD, static_cast<std::size_t>((right - left) % kLanes + 1));
-  for (int y = t.bottom[k];; ++y) {
+  auto row_place = static_cast<std::size_t>((t.bottom[k] - pen.tile.bottom) * kTileSize + (left - pen.tile.left));
+  for (int y = t.bottom[k];; ++y, row_place += kTileSize) {
     V e[3] = {row[0], row[1], row[2]};
     V64 z_low = z.row;
-    for (int x = left;; x += kLanes) {
+    std::size_t place = row_place;
+    for (int x = left;; x += kLanes, place += kLanes) {
       M mask = hn::Gt(hn::Or(hn::Or(e[0], e[1]), e[2]), hn::Set(kD, -1));
       const bool is_last = x + kLanes > right;
       if (is_last) mask = hn::And(mask, last);
       if (!hn::AllFalse(kD, mask)) {
-        draw_fragments<kDrawing>(draw, pen, t, k, x, y, mask, z_low, hn::Add(z_low, z.half), e);
+        draw_fragments<kDrawing>(draw, pen, t, k, x, y, place, mask, z_low, hn::Add(z_low, z.half), e);
       }
       if (is_last) break;
       for (std::size_t i = 0; i < 3; ++i) e[i] = hn::Add(e[i], hn::Set(kD, t.inside_x[i][k] * kLanes));

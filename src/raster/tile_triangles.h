@@ -31,10 +31,9 @@ struct TileTriangles {
   alignas(64) std::array<Each<std::int32_t>, 3> inside, inside_x, inside_y;
   // `inside` + threshold is the edge function.
   alignas(64) std::array<Each<std::int32_t>, 3> threshold;
-  // Depth with 32 fraction bits, and 1/2.
+  // Depth with 32 fraction bits, and 1/2. Where only the exact plane will do, zeros, whose fraction is in doubt.
   alignas(64) Each<double> depth, depth_x, depth_y;
-  Each<bool> is_depth_exact_only;  // only the exact plane will do
-  Each<bool> is_narrow;            // whether all of the region's vectors keep the edge functions within 32 bits
+  Each<bool> is_narrow;  // whether all of the region's vectors keep the edge functions within 32 bits
   std::array<Each<double>, 3> edge, edge_x, edge_y;  // unless is_narrow, the edge functions themselves
 
   [[nodiscard]] bool has_region(std::size_t k) const { return left[k] <= right[k] && bottom[k] <= top[k]; }
@@ -79,7 +78,6 @@ inline bool TileTriangles::place(std::size_t k, const SetupPrimitive& p) {
   const bool is_sure = std::fabs(slope_x) <= kSteepestDepth && std::fabs(slope_y) <= kSteepestDepth &&
                        (std::fabs(edge[1][k]) + std::fabs(edge[2][k])) * scale <= kFarthestDepth &&
                        std::fabs(origin) <= kHighestDepth;
-  is_depth_exact_only[k] = !is_sure;
   depth[k] = is_sure ? origin * kDepthOne : 0.0;
   depth_x[k] = is_sure ? slope_x * kDepthOne : 0.0;
   depth_y[k] = is_sure ? slope_y * kDepthOne : 0.0;

@@ -83,11 +83,7 @@ HWY_INLINE hn::Mask<D> place_small(TileTriangles& t, const SetupBlock& block, co
     hn::Store(hn::Mul(origin, kept), kDD, t.depth.data() + at);
     hn::Store(hn::Mul(slope_x, kept), kDD, t.depth_x.data() + at);
     hn::Store(hn::Mul(slope_y, kept), kDD, t.depth_y.data() + at);
-    const std::uint64_t sure = bits_of(kDD, is_sure);
-    for (std::size_t i = 0; i < hn::Lanes(kDD); ++i) {
-      t.is_depth_exact_only[at + i] = ((sure >> i) & 1U) == 0;
-      t.is_narrow[at + i] = true;
-    }
   }
+  t.is_narrow.fill(true);
   return hn::Lt(reach, hn::Set(kD, 1 << 14));
 }
