@@ -4,6 +4,11 @@ HWY_INLINE VD as_double(const std::int32_t* lanes) {
   return hn::PromoteTo(kDD, hn::Load(kHalfI, lanes));
 }
 
+// Lanes beyond the last candidate hold anything, NaN too, which is no number to convert.
+HWY_INLINE void store_numbers(VD v, std::int32_t* to) {
+  hn::Store(hn::DemoteTo(kHalfI, hn::IfThenElseZero(hn::Eq(v, v), v)), kHalfI, to);
+}
+
 struct Depths {
   alignas(64) Candidates::Lanes corner[3];
   alignas(64) Candidates::Lanes inv_w[3];
@@ -34,7 +39,7 @@ HWY_INLINE void find_pixel_depths(const Candidates& c, Depths& to) {
     const VD wide = hn::Add(hn::Add(hn::Mul(e0, as_double(to.corner[0] + i)), hn::Mul(e1, as_double(to.corner[1] + i))),
                             hn::Mul(e2, as_double(to.corner[2] + i)));
     const VD z = hn::Div(hn::Add(hn::Add(wide, wide), area), hn::Add(area, area));
-    hn::Store(hn::DemoteTo(kHalfI, z), kHalfI, to.pixel + i);
+    store_numbers(z, to.pixel + i);
   }
 }
 
@@ -59,7 +64,7 @@ HWY_INLINE void find_offsets(const SetupContext& context, const Candidates& c, D
     }
     const VD sum = hn::Add(hn::Mul(factor, m), units);
     const VD within = hn::Min(hn::Max(sum, hn::Neg(limit)), limit);
-    hn::Store(hn::DemoteTo(kHalfI, hn::Floor(hn::Add(within, hn::Set(kDD, 0.5)))), kHalfI, to.offset + i);
+    store_numbers(hn::Floor(hn::Add(within, hn::Set(kDD, 0.5))), to.offset + i);
   }
 }
 
