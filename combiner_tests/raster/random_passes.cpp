@@ -37,9 +37,9 @@ PipelineState random_view(Random& random, const PassScene& scene) {
 
 // Triangles from less than a pixel to more than their edge functions have room for in 32 bits.
 void add_flat_triangle(Random& random, PassScene& scene, bool only_small) {
-  const int kind = random.below(only_small ? 2 : 6);
-  const int reach = random.pick({14, 90, 500, 16 * scene.width, 16 * 4000, 1600});
-  const int spread = kind == 4 ? 16 * 4000 : kind < 2 ? 14 + 80 * kind : reach;
+  const int kind = random.below(only_small ? 2 : 5);
+  const int any = random.pick({500, 1600, 16 * scene.width, 16 * 1800, 16 * 4000});
+  const int spread = kind < 2 ? 14 + 80 * kind : any;
   const auto depth = [&]() -> std::int64_t {
     return random.one_in(3) ? random.pick({0, 1, 1 << 22, 1 << 23, (1 << 24) - 1}) : random.below(1 << 24);
   };
@@ -51,7 +51,7 @@ void add_flat_triangle(Random& random, PassScene& scene, bool only_small) {
     if (corner > 0) {
       v = {first.x_q4 + random.between(-spread, spread), first.y_q4 + random.between(-spread, spread),
            level ? first.z24 : depth()};
-      if (kind == 5 && corner == 1) v.x_q4 = first.x_q4 + random.between(-9, 9);
+      if (kind == 2 && corner == 1) v.x_q4 = first.x_q4 + random.between(-9, 9);
     }
     scene.positions.push_back(clip_position(v, scene.width, scene.height));
   }
@@ -212,6 +212,13 @@ PassScene random_passes(Random& random, int passes) {
                                random.one_in(2)};
     }
     add_colors(random, scene, pass);
+    // The nearest fragment alone, of one colour a primitive, which has a short way of its own.
+    if (random.one_in(5)) {
+      pass.state.program.reset();
+      pass.state.shade_model = ShadeModel::flat;
+      pass.state.depth_test = {true, CompareFunction::less, true};
+      pass.state.alpha_test.enabled = pass.state.stencil_test.enabled = false;
+    }
   }
   if (random.one_in(2)) {
     scene.clear = ClearValues{.color = {random.byte(), random.byte(), random.byte(), random.byte()},
