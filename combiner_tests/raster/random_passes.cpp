@@ -35,25 +35,48 @@ PipelineState random_view(Random& random, const PassScene& scene) {
   return state;
 }
 
-// Triangles from less than a pixel to more than their edge functions have room for in 32 bits.
-void add_flat_triangle(Random& random, PassScene& scene, bool only_small) {
-  const int kind = random.below(only_small ? 2 : 5);
+// Corners in 1/16 pixel: of triangles from less than a pixel to more than their edge functions have room for in 32
+// bits.
+std::array<oracle::WindowVertex, 3> random_corners(Random& random, const PassScene& scene, bool only_small) {
+  std::array<oracle::WindowVertex, 3> v;
+  v[0].x_q4 = random.between(-80, 16 * scene.width + 80);
+  v[0].y_q4 = random.between(-80, 16 * scene.height + 80);
+  const int kind = random.below(only_small ? 2 : 6);
+  if (kind == 4) {  // far around the target: areas beyond 2^31, of corners within 2^15
+    for (oracle::WindowVertex& corner : v) {
+      corner.x_q4 = random.pick({-1, 1}) * random.between(20000, 32000);
+      corner.y_q4 = random.pick({-1, 1}) * random.between(20000, 32000);
+    }
+    return v;
+  }
+  if (kind == 5) {  // a sliver along pixel centres: nothing is steeper
+    v[0] = {16 * random.below(scene.width) + 8, 16 * random.below(scene.height) + 8, 0};
+    const int steps = random.between(1, 60), at = random.below(steps + 1);
+    const std::int64_t dx = 16 * random.between(-2, 2), dy = 16 * random.between(-2, 2);
+    v[1] = {v[0].x_q4 + steps * dx, v[0].y_q4 + steps * dy, 0};
+    v[2] = {v[0].x_q4 + at * dx + random.between(-1, 1), v[0].y_q4 + at * dy + random.between(-1, 1), 0};
+    return v;
+  }
   const int any = random.pick({500, 1600, 16 * scene.width, 16 * 1800, 16 * 4000});
   const int spread = kind < 2 ? 14 + 80 * kind : any;
-  const auto depth = [&]() -> std::int64_t {
-    return random.one_in(3) ? random.pick({0, 1, 1 << 22, 1 << 23, (1 << 24) - 1}) : random.below(1 << 24);
-  };
-  oracle::WindowVertex v{random.between(-80, 16 * scene.width + 80), random.between(-80, 16 * scene.height + 80),
-                         depth()};
-  const oracle::WindowVertex first = v;
+  for (std::size_t i = 1; i < 3; ++i) {
+    v[i].x_q4 = v[0].x_q4 + random.between(-spread, spread);
+    v[i].y_q4 = v[0].y_q4 + random.between(-spread, spread);
+    if (kind == 2 && i == 1) v[i].x_q4 = v[0].x_q4 + random.between(-9, 9);
+  }
+  return v;
+}
+
+void add_flat_triangle(Random& random, PassScene& scene, bool only_small) {
   const bool level = random.one_in(4);
-  for (int corner = 0; corner < 3; ++corner) {
-    if (corner > 0) {
-      v = {first.x_q4 + random.between(-spread, spread), first.y_q4 + random.between(-spread, spread),
-           level ? first.z24 : depth()};
-      if (kind == 2 && corner == 1) v.x_q4 = first.x_q4 + random.between(-9, 9);
+  std::int64_t depth = 0;
+  std::array<oracle::WindowVertex, 3> corners = random_corners(random, scene, only_small);
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (i == 0 || !level) {
+      depth = random.one_in(3) ? random.pick({0, 1, 1 << 22, 1 << 23, (1 << 24) - 1}) : random.below(1 << 24);
     }
-    scene.positions.push_back(clip_position(v, scene.width, scene.height));
+    corners[i].z24 = depth;
+    scene.positions.push_back(clip_position(corners[i], scene.width, scene.height));
   }
 }
 

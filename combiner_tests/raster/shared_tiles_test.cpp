@@ -107,7 +107,7 @@ struct Range {
 };
 
 TEST(SharedTiles, PassesDrawWhatTheyDrawAloneOnEveryTarget) {
-  const Range range(kSlowBuild ? 40 : 400);
+  const Range range(kSlowBuild ? 30 : 300);
   std::uint64_t shared = 0, cleared = 0, changed = 0, runs = 0;
   for (std::uint64_t index = range.first; index < range.end; ++index) {
     Random random(0x54A9ED, index);
@@ -153,7 +153,7 @@ TEST(SharedTiles, OutputsOrAProbeChangeNothing) {
 
 // One pass, by vectors and a fragment at a time.
 TEST(Lanes, DrawWhatSingleFragmentsDraw) {
-  const Range range(kSlowBuild ? 250 : 2500);
+  const Range range(kSlowBuild ? 200 : 2000);
   const std::vector<std::int64_t>& targets = simd_targets();
   std::uint64_t by_lanes = 0, changed = 0;
   for (std::uint64_t index = range.first; index < range.end; ++index) {
