@@ -150,6 +150,9 @@ void run_case(std::uint64_t index, Seen& seen) {
   Random random(kSeed, index);
   const RandomScene scene = random_scene(random);
   PicturePlanes planes(scene.start, scene.captures);
+  // Without output planes, vectors draw what they can; with them, single fragments.
+  const bool has_outputs = scene.captures || index % 2 == 0;
+  if (!has_outputs) planes.target.outputs.clear();
   oracle::Picture expected = scene.start;
   int tolerance = 0;
   for (std::size_t i = 0; i < scene.draws.size(); ++i) {
@@ -165,6 +168,7 @@ void run_case(std::uint64_t index, Seen& seen) {
     ASSERT_TRUE(status.ok()) << status.error().message;
     const oracle::Picture actual = planes.picture();
     if (!scene.captures) expected.captured = actual.captured;
+    if (!has_outputs) expected.primitive = actual.primitive;
     const bool same = actual.depth == expected.depth && actual.stencil == expected.stencil &&
                       actual.primitive == expected.primitive && colors_agree(actual, expected, tolerance);
     ASSERT_TRUE(same) << "planes differ after draw " << i << ": depth " << (actual.depth != expected.depth)

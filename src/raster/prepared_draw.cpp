@@ -208,10 +208,13 @@ Status rasterize(std::span<const DrawPass> passes, const PreparedDraw& prepared,
   }
   const bool share_tiles = TileRasterizer::can_share_tiles(pointers, target);
   const ClearValues* const clear = actions.clear ? &*actions.clear : nullptr;
-  const bool fills_tiles = clear != nullptr && share_tiles && !passes.empty() && target.outputs.empty() &&
+  const bool fills_tiles = clear != nullptr && !passes.empty() && TileRasterizer::can_clear_tiles(pointers, target) &&
                            same(g.drawn, PixelBox{0, 0, target.width, target.height});
   if (clear != nullptr && !fills_tiles) {
     if (Status cleared = ninebit::clear({}, {}, *clear, target); !cleared) return cleared;
+  }
+  for (const DrawPass& pass : passes) {
+    if (pass.time != nullptr) *pass.time = {};
   }
   if (g.work.tiles().empty() && !fills_tiles) return {};
   if (share_tiles && !passes.empty()) {

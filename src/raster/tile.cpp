@@ -11,6 +11,13 @@
 namespace ninebit {
 namespace {
 
+// The colour planes that a pass writes.
+std::array<bool, 4> planes_written(const DrawContext& pass, const RenderTarget& target) {
+  std::array<bool, 4> written{};
+  for (std::size_t k = 0; k < 4; ++k) written[k] = pass.state.color_mask[k] && target.color[k];
+  return written;
+}
+
 // Takes a primitive's fragments on their way: depth code and early tests, then what `Next` does with them. (A copy of
 // what is asked for each fragment: writing bytes could change anything else, as far as a compiler can know.)
 template <class Next>
@@ -153,13 +160,25 @@ bool TileRasterizer::can_share_tiles(std::span<const DrawContext* const> passes,
   std::optional<std::array<bool, 4>> written;
   for (const DrawContext* pass : passes) {
     if (!lanes_can_draw(*pass, target)) return false;
-    std::array<bool, 4> color{};
-    for (std::size_t k = 0; k < 4; ++k) color[k] = pass->state.color_mask[k] && target.color[k];
+    const std::array<bool, 4> color = planes_written(*pass, target);
     if (color == std::array<bool, 4>{}) continue;
     if (written.value_or(color) != color) return false;
     written = color;
   }
   return true;
+}
+
+bool TileRasterizer::can_clear_tiles(std::span<const DrawContext* const> passes, const RenderTarget& target) {
+  if (!can_share_tiles(passes, target)) return false;
+  // Memory beyond the stencil bits is not cleared.
+  if (target.stencil && stencil_bits(target.format) < 8) return false;
+  // The tile then holds every colour plane, which a pass writes all or none of, see above.
+  std::array<bool, 4> all{};
+  for (std::size_t k = 0; k < 4; ++k) all[k] = static_cast<bool>(target.color[k]);
+  return std::all_of(passes.begin(), passes.end(), [&](const DrawContext* pass) {
+    const std::array<bool, 4> written = planes_written(*pass, target);
+    return written == all || written == std::array<bool, 4>{};
+  });
 }
 
 TileRasterizer::TileRasterizer(std::span<const DrawContext* const> passes, const RenderTarget& target,
@@ -178,7 +197,8 @@ TileRasterizer::TileRasterizer(std::span<const DrawContext* const> passes, const
     t.stencil = t.stencil || operations.stencil;
     t.writes_depth = t.writes_depth || operations.depth_write;
     t.writes_stencil = t.writes_stencil || operations.stencil_write;
-    for (std::size_t k = 0; k < 4; ++k) t.color[k] = t.color[k] || (pass->state.color_mask[k] && target.color[k]);
+    const std::array<bool, 4> color = planes_written(*pass, target);
+    for (std::size_t k = 0; k < 4; ++k) t.color[k] = t.color[k] || color[k];
   }
   if (actions.discards_depth) t.writes_depth = false;
   if (clear_ == nullptr) return;

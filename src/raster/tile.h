@@ -31,11 +31,14 @@ struct TileActions {
 // other in each tile.
 class TileRasterizer {
  public:
-  // The arguments must outlive it. Several passes only where can_share_tiles, and actions only there.
+  // The arguments must outlive it. Several passes only where can_share_tiles, discards_depth only
+  // there, clear only where can_clear_tiles.
   TileRasterizer(std::span<const DrawContext* const> passes, const RenderTarget& target, const TileActions& actions);
 
-  // Whether passes can be drawn tile by tile as if each were drawn by itself, and be cleared for.
+  // Whether passes can be drawn tile by tile as if each were drawn by itself.
   [[nodiscard]] static bool can_share_tiles(std::span<const DrawContext* const> passes, const RenderTarget& target);
+  // Whether, besides, all planes can be cleared in the tiles.
+  [[nodiscard]] static bool can_clear_tiles(std::span<const DrawContext* const> passes, const RenderTarget& target);
 
   // `pixels` lie in one tile. Blocks must stay until end_pass.
   void begin(const PixelBox& pixels);

@@ -8,7 +8,7 @@
 
 #include "src/raster/raw_vector.h"
 #include "src/raster/setup_primitive.h"
-#include "src/raster/tile.h"
+#include "src/raster/tile_size.h"
 #include "src/raster/window_transform.h"
 
 namespace ninebit {

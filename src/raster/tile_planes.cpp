@@ -113,28 +113,29 @@ struct Staging {
   }
 };
 
-// Where row y of the tile starts in the target's planes, those that the draw does not concern left out.
-TileRow row_of(const LaneTile& tile, int y) {
+// Where row y of the tile starts in the target's planes, of depth and stencil in those that are asked for.
+TileRow row_of(const LaneTile& tile, int y, bool depth, bool stencil) {
   const RenderTarget& target = tile.target;
   const auto start = [&](const auto& plane) { return plane.row(y) + tile.left; };
   TileRow row;
-  if (tile.depth) row.depth = start(target.depth);
-  if (tile.stencil) row.stencil = start(target.stencil);
+  if (depth) row.depth = start(target.depth);
+  if (stencil) row.stencil = start(target.stencil);
   for (std::size_t k = 0; k < 4; ++k) {
     if (tile.color[k]) row.color[k] = start(target.color[k]);
   }
   return row;
 }
 
-// Copies the pixels that may be drawn.
+// Copies the pixels that may be drawn, of the planes that both rows have.
 void copy(const LaneTile& tile, const TileRow& from, const TileRow& to) {
-  const int first = tile.pixels.left - tile.left;
-  const auto count = static_cast<std::size_t>(tile.pixels.right - tile.pixels.left);
-  if (tile.depth) std::memcpy(to.depth + first, from.depth + first, count * sizeof(*to.depth));
-  if (tile.stencil) std::memcpy(to.stencil + first, from.stencil + first, count);
-  for (std::size_t k = 0; k < 4; ++k) {
-    if (tile.color[k]) std::memcpy(to.color[k] + first, from.color[k] + first, count);
-  }
+  const auto copy_samples = [&](const auto* samples, auto* target) {
+    if (samples == nullptr || target == nullptr) return;
+    const int first = tile.pixels.left - tile.left, count = tile.pixels.right - tile.pixels.left;
+    std::memcpy(target + first, samples + first, static_cast<std::size_t>(count) * sizeof(*samples));
+  };
+  copy_samples(from.depth, to.depth);
+  copy_samples(from.stencil, to.stencil);
+  for (std::size_t k = 0; k < 4; ++k) copy_samples(from.color[k], to.color[k]);
 }
 
 bool has_whole_rows(const LaneTile& tile) {
@@ -150,7 +151,7 @@ std::size_t place_of_row(const LaneTile& tile, int y) {
 void load_tile(LaneTile& tile) {
   Staging staging;
   for (int y = tile.pixels.bottom; y < tile.pixels.top; ++y) {
-    TileRow row = row_of(tile, y);
+    TileRow row = row_of(tile, y, tile.depth, tile.stencil);
     if (!has_whole_rows(tile)) {
       copy(tile, row, staging.row());
       row = staging.row();
@@ -167,11 +168,11 @@ void fill_tile(LaneTile& tile, const ClearValues& values) {
     }
   };
   for (int y = tile.pixels.bottom; y < tile.pixels.top && has_whole_rows(tile); ++y) {
-    const TileRow row = row_of(tile, y);
-    if (tile.writes_depth) fetch(row.depth);
-    if (tile.writes_stencil) fetch(row.stencil);
-    for (std::size_t k = 0; k < 4; ++k) {
-      if (tile.color[k]) fetch(row.color[k]);
+    const TileRow row = row_of(tile, y, tile.writes_depth, tile.writes_stencil);
+    if (row.depth != nullptr) fetch(row.depth);
+    if (row.stencil != nullptr) fetch(row.stencil);
+    for (const std::uint8_t* samples : row.color) {
+      if (samples != nullptr) fetch(samples);
     }
   }
   const DepthStencilFormat format = tile.target.format;
@@ -184,12 +185,11 @@ void fill_tile(LaneTile& tile, const ClearValues& values) {
 void store_tile(const LaneTile& tile) {
   Staging staging;
   for (int y = tile.pixels.bottom; y < tile.pixels.top; ++y) {
-    const TileRow row = row_of(tile, y);
+    const TileRow row = row_of(tile, y, tile.writes_depth, tile.writes_stencil);
     if (has_whole_rows(tile)) {
       HWY_DYNAMIC_DISPATCH(store_row)(tile, row, place_of_row(tile, y));
       continue;
     }
-    copy(tile, row, staging.row());  // planes that the draw reads alone stay as they are
     HWY_DYNAMIC_DISPATCH(store_row)(tile, staging.row(), place_of_row(tile, y));
     copy(tile, staging.row(), row);
   }

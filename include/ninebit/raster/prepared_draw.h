@@ -60,8 +60,10 @@ class PreparedDraw {
 // may be drawn by several threads at a time.
 //
 // Passes are drawn tile by tile, so that the target's planes are read and written once, where no pass draws lines or
-// points, blends, or writes other colour components than another one, and the target has neither output planes nor a
-// probe. This changes nothing but the time.
+// points, blends, has secondary colours, fog factors or mip-maps, or writes other colour components than another one,
+// and the target has neither output planes nor a probe. The clearing is part of that where, besides, the scissor and
+// the viewport leave out no pixel, those components are all that the target has, and its stencil, if it has one, has
+// eight bits. This changes nothing but the time.
 //
 // Reports, before anything is drawn, besides what rasterize() reports, that nothing has been prepared, and whatever
 // differs from the preparation of: size and depth format of the target; viewport, scissor, depth range; culling, front

@@ -1,0 +1,276 @@
+// Passes drawn together, tile by tile, leave what the same passes leave when they are drawn one after the other, a
+// fragment at a time: on every SIMD target, in any number of threads.
+//
+// One case again, alone: NINEBIT_RASTER_INDEX=123.
+#include <gtest/gtest.h>
+#include <oneapi/tbb/global_control.h>
+#include <oneapi/tbb/task_arena.h>
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "combiner_tests/combiner/simd_targets.h"
+#include "combiner_tests/raster/random_passes.h"
+#include "src/raster/tile.h"
+
+namespace ninebit::test {
+namespace {
+
+template <class Function>
+void with_threads(int threads, Function run) {
+  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
+  tbb::task_arena arena(threads);
+  arena.execute(run);
+}
+
+// What rasterize() leaves, called once for each pass; with an output plane no vectors draw.
+oracle::Picture drawn_alone(const PassScene& scene, bool with_outputs) {
+  Canvas canvas(scene.width, scene.height);
+  scene.begin(canvas, with_outputs);
+  if (scene.clear) {
+    EXPECT_TRUE(clear({}, {}, *scene.clear, canvas.target).ok());
+  }
+  for (const RandomPass& pass : scene.passes) {
+    const Status status = rasterize(pass.state, scene.matrix, scene.arrays(pass), pass.units(), canvas.target);
+    EXPECT_TRUE(status.ok()) << status.error().message;
+  }
+  EXPECT_TRUE(canvas.padding_is_whole());
+  return canvas.picture();
+}
+
+// The passes as rasterize() takes them.
+struct Passes {
+  explicit Passes(const PassScene& scene) {
+    units.reserve(scene.passes.size());
+    for (const RandomPass& pass : scene.passes) {
+      units.push_back(pass.units());
+      passes.push_back({.state = &pass.state, .arrays = scene.arrays(pass), .units = units.back()});
+    }
+  }
+  std::vector<std::vector<TextureUnit>> units;
+  std::vector<DrawPass> passes;
+};
+
+struct Ways {
+  bool discard_depth = false;
+  bool with_outputs = false;
+  bool with_probe = false;
+};
+
+oracle::Picture drawn_together(const PassScene& scene, const Ways& ways = {}) {
+  Canvas canvas(scene.width, scene.height);
+  scene.begin(canvas, ways.with_outputs);
+  FragmentProbe probe{.x = scene.width / 2, .y = scene.height / 2};
+  if (ways.with_probe) canvas.target.probe = &probe;
+  const Passes passes(scene);
+  PreparedDraw prepared;
+  const VertexArrays& arrays = passes.passes[0].arrays;
+  EXPECT_TRUE(prepare(scene.passes[0].state, scene.matrix, arrays, canvas.target, prepared).ok());
+  const DrawActions actions{.clear = scene.clear, .discard_depth = ways.discard_depth};
+  const Status status = rasterize(passes.passes, prepared, actions, canvas.target);
+  EXPECT_TRUE(status.ok()) << status.error().message;
+  EXPECT_TRUE(canvas.padding_is_whole());
+  return canvas.picture();
+}
+
+// How many of the scene's passes vectors can draw, and whether they share tiles.
+struct Kind {
+  int by_lanes = 0;
+  bool shares = false;
+};
+Kind kind_of(const PassScene& scene) {
+  Canvas canvas(scene.width, scene.height);
+  scene.begin(canvas, false);
+  const Passes passes(scene);
+  std::vector<std::unique_ptr<DrawContext>> contexts;
+  std::vector<const DrawContext*> pointers;
+  Kind kind;
+  for (const DrawPass& pass : passes.passes) {
+    contexts.push_back(std::make_unique<DrawContext>(*pass.state, pass.arrays, pass.units, canvas.target));
+    pointers.push_back(contexts.back().get());
+    kind.by_lanes += lanes_can_draw(*pointers.back(), canvas.target) ? 1 : 0;
+  }
+  kind.shares = TileRasterizer::can_share_tiles(pointers, canvas.target);
+  return kind;
+}
+
+// The indices of a run, or the one that is asked for.
+struct Range {
+  explicit Range(std::uint64_t count) {
+    const char* const only = std::getenv("NINEBIT_RASTER_INDEX");
+    first = only != nullptr ? std::strtoull(only, nullptr, 10) : 0;
+    end = only != nullptr ? first + 1 : count;
+    is_whole = only == nullptr;
+  }
+  std::uint64_t first, end;
+  bool is_whole;
+};
+
+TEST(SharedTiles, PassesDrawWhatTheyDrawAloneOnEveryTarget) {
+  const Range range(kSlowBuild ? 30 : 300);
+  std::uint64_t shared = 0, cleared = 0, changed = 0, runs = 0;
+  for (std::uint64_t index = range.first; index < range.end; ++index) {
+    Random random(0x54A9ED, index);
+    const PassScene scene = random_passes(random, random.between(2, 4));
+    const oracle::Picture expected = drawn_alone(scene, true);
+    const Kind kind = kind_of(scene);
+    shared += kind.shares ? 1U : 0U;
+    cleared += kind.shares && scene.clear ? 1U : 0U;
+    changed += same_planes(expected, scene.start) ? 0U : 1U;
+    for (const std::int64_t target : simd_targets()) {
+      const OnTarget only(target);
+      const int threads = random.pick({1, 2, 7});
+      const bool discard_depth = random.one_in(3);
+      oracle::Picture actual;
+      with_threads(threads, [&] { actual = drawn_together(scene, {.discard_depth = discard_depth}); });
+      ASSERT_TRUE(same_planes(actual, expected, !discard_depth) && !HasFailure())
+          << "case " << index << ", " << simd_target_name(target) << ", " << threads << " threads, depth "
+          << (actual.depth == expected.depth) << " stencil " << (actual.stencil == expected.stencil) << " colour "
+          << (actual.color == expected.color) << '\n'
+          << describe(scene);
+      runs += kind.by_lanes > 0 && only.ran() ? 1U : 0U;
+    }
+  }
+  if (!range.is_whole) return;
+  EXPECT_GT(shared, range.end / 4);
+  EXPECT_GT(cleared, range.end / 10);
+  EXPECT_GT(changed, range.end / 2);
+  EXPECT_GT(runs, range.end / 4 * simd_targets().size());
+}
+
+TEST(SharedTiles, OutputsOrAProbeChangeNothing) {
+  const Range range(kSlowBuild ? 20 : 150);
+  for (std::uint64_t index = range.first; index < range.end; ++index) {
+    Random random(0x54A9EE, index);
+    const PassScene scene = random_passes(random, random.between(1, 3));
+    const oracle::Picture plain = drawn_together(scene);
+    const oracle::Picture watched = drawn_together(scene, {.with_probe = true});
+    const oracle::Picture with_outputs = drawn_together(scene, {.with_outputs = true, .with_probe = random.one_in(2)});
+    ASSERT_TRUE(same_planes(watched, plain)) << "case " << index << '\n' << describe(scene);
+    ASSERT_TRUE(same_planes(with_outputs, plain)) << "case " << index << '\n' << describe(scene);
+  }
+}
+
+// One pass, by vectors and a fragment at a time.
+TEST(Lanes, DrawWhatSingleFragmentsDraw) {
+  const Range range(kSlowBuild ? 200 : 2000);
+  const std::vector<std::int64_t>& targets = simd_targets();
+  std::uint64_t by_lanes = 0, changed = 0;
+  for (std::uint64_t index = range.first; index < range.end; ++index) {
+    Random random(0x1A4E5, index);
+    const PassScene scene = random_passes(random, 1);
+    if (kind_of(scene).by_lanes == 0) continue;
+    ++by_lanes;
+    const oracle::Picture expected = drawn_alone(scene, true);
+    changed += same_planes(expected, scene.start) ? 0U : 1U;
+    const std::int64_t target = targets[static_cast<std::size_t>(random.below(static_cast<int>(targets.size())))];
+    const OnTarget only(target);
+    const oracle::Picture actual = drawn_alone(scene, false);
+    ASSERT_TRUE(same_planes(actual, expected) && !HasFailure())
+        << "case " << index << ", " << simd_target_name(target) << ", depth " << (actual.depth == expected.depth)
+        << " stencil " << (actual.stencil == expected.stencil) << " colour " << (actual.color == expected.color) << '\n'
+        << describe(scene);
+  }
+  if (!range.is_whole) return;
+  EXPECT_GT(by_lanes, range.end / 2);
+  EXPECT_GT(changed, by_lanes / 2);
+}
+
+// What both ways take from the draw: before the first general combiner, spare0's alpha is that of texture unit 0,
+// though the program does not read texture0.
+TEST(Lanes, Spare0StartsWithTheAlphaOfTexture0) {
+  const std::vector<glm::vec3> positions{{-3, -1, 0}, {3, -1, 0}, {0, 5, 0}}, coordinates(3, glm::vec3(0.0F));
+  const Texture texture =
+      make_texture(TextureTarget::texture_2d, InternalFormat::rgba8, {{{1, 1, std::vector<std::uint8_t>{1, 2, 3, 77}}}})
+          .value();
+  const std::array<TextureUnit, 1> units{TextureUnit{&texture, kNearestSampler}};
+  PipelineState state;
+  state.program = pass_through(Register::primary, Register::spare0);
+  VertexArrays arrays{.positions = positions};
+  arrays.texture_coordinates[0] = coordinates;
+  for (const bool with_primitive : {false, true}) {
+    Surface surface = Surface::make(20, 20, {.with_primitive = with_primitive}).value();
+    RenderTarget target = surface.target();
+    ASSERT_TRUE(rasterize(state, kIdentity, arrays, units, target).ok());
+    EXPECT_EQ(std::count(surface.color(kAlpha).begin(), surface.color(kAlpha).end(), 77), 400);
+  }
+}
+
+// Whatever is wrong with any pass is said before the first one draws, or anything is cleared.
+TEST(SharedTiles, ReportsWhatIsWrongWithAnyPassBeforeItDraws) {
+  const std::vector<glm::vec3> positions{{-1, -1, 0}, {1, -1, 0}, {0, 1, 0}};
+  const std::vector<ColorBytes> colors(3, ColorBytes{9, 9, 9, 9}), too_few(2, ColorBytes{9, 9, 9, 9});
+  PipelineState good, wrong_state, other_view, with_texture;
+  wrong_state.point_size = 0;
+  other_view.cull_face = CullFace::front;
+  Random random(5);
+  const Texture texture =
+      make_texture(TextureTarget::texture_2d, InternalFormat::alpha8, {{{1, 1, std::vector<std::uint8_t>{1}}}}).value();
+  const std::array<TextureUnit, 1> units{TextureUnit{&texture, kNearestSampler}};
+  const VertexArrays arrays{.positions = positions, .vertex_colors = colors};
+  VertexArrays short_arrays = arrays;
+  short_arrays.vertex_colors = too_few;
+  const std::vector<DrawPass> wrong{{.state = &wrong_state, .arrays = arrays},
+                                    {.state = &other_view, .arrays = arrays},
+                                    {.state = &good, .arrays = short_arrays},
+                                    {.state = &with_texture, .arrays = arrays, .units = units}};
+  for (const DrawPass& bad : wrong) {
+    for (std::size_t at = 0; at < 3; ++at) {
+      for (const bool clears : {false, true}) {
+        Surface surface = Surface::make(70, 70).value();
+        surface.fill({.color = {1, 2, 3, 4}, .depth = 0.5, .stencil = 7});
+        RenderTarget target = surface.target();
+        PreparedDraw prepared;
+        ASSERT_TRUE(prepare(good, kIdentity, arrays, target, prepared).ok());
+        std::vector<DrawPass> passes(3, DrawPass{.state = &good, .arrays = arrays});
+        passes[at] = bad;
+        DrawActions actions;
+        if (clears) actions.clear = ClearValues{};
+        EXPECT_FALSE(rasterize(passes, prepared, actions, target).ok());
+        for (int k = 0; k < 4; ++k) {
+          const std::vector<std::uint8_t>& plane = surface.color(k);
+          EXPECT_EQ(std::count(plane.begin(), plane.end(), k + 1), 70 * 70);
+        }
+        EXPECT_EQ(std::count(surface.stencil().begin(), surface.stencil().end(), 7), 70 * 70);
+      }
+    }
+  }
+}
+
+// No passes, or passes without a primitive, draw nothing; what is to be cleared is cleared all the same.
+TEST(SharedTiles, NothingToDrawIsStillCleared) {
+  const std::vector<glm::vec3> outside{{9, 9, 0}, {10, 9, 0}, {9, 10, 0}};
+  const PipelineState state;
+  for (const bool has_pass : {false, true}) {
+    for (const bool has_positions : {false, true}) {
+      for (const bool clears : {false, true}) {
+        Surface surface = Surface::make(70, 65).value();
+        surface.fill({.color = {1, 2, 3, 4}, .depth = 0.5, .stencil = 7});
+        RenderTarget target = surface.target();
+        const std::vector<std::uint32_t> depth = surface.depth();
+        VertexArrays arrays;
+        if (has_positions) arrays.positions = outside;
+        PreparedDraw prepared;
+        ASSERT_TRUE(prepare(state, kIdentity, arrays, target, prepared).ok());
+        std::vector<DrawPass> passes(has_pass ? 2 : 0, DrawPass{.state = &state, .arrays = arrays});
+        std::chrono::nanoseconds time{-1};
+        if (has_pass) passes[1].time = &time;
+        DrawActions actions;
+        if (clears) actions.clear = ClearValues{.color = {5, 6, 7, 8}, .depth = 0.0, .stencil = 9};
+        ASSERT_TRUE(rasterize(passes, prepared, actions, target).ok());
+        for (int k = 0; k < 4; ++k) {
+          const std::vector<std::uint8_t>& plane = surface.color(k);
+          EXPECT_EQ(std::count(plane.begin(), plane.end(), k + (clears ? 5 : 1)), 70 * 65);
+        }
+        EXPECT_EQ(std::count(surface.stencil().begin(), surface.stencil().end(), clears ? 9 : 7), 70 * 65);
+        EXPECT_TRUE(surface.depth() == (clears ? std::vector<std::uint32_t>(70 * 65, 0U) : depth));
+        if (has_pass) {
+          EXPECT_GE(time.count(), 0);
+        }
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace ninebit::test
