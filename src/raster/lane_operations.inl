@@ -165,3 +165,15 @@ HWY_INLINE LaneResult<D> apply_lanes(D d, const LaneDraw<D>& draw, hn::Mask<D> m
   }
   return {after, drawn};
 }
+
+// Window depths as codes of the target, see WindowDepth::code.
+template <class D>
+HWY_INLINE hn::Vec<D> depth_codes(D d, const LanePass& pass, const SetupPrimitive& p, hn::Vec<D> z24) {
+  const WindowDepth& depth = pass.context.depth;
+  if (p.offset_z24 == 0 && depth.step_z24() == 1) return z24;
+  const auto offset = hn::Set(d, p.offset_z24);  // within ±2^25
+  const auto largest = hn::Set(d, static_cast<std::int32_t>(depth.max_z24()));
+  const auto z = hn::Min(hn::Max(hn::Add(z24, offset), hn::Zero(d)), largest);
+  const auto step = static_cast<std::int32_t>(depth.step_z24());
+  return hn::ShiftRightSame(hn::Add(z, hn::Set(d, step >> 1)), depth.fraction_bits());
+}

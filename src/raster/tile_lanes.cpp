@@ -69,19 +69,6 @@ HWY_INLINE void draw_flat(D d, const LaneDraw<D>& draw, const Pen& pen, std::siz
 
 #include "src/raster/lane_gather.inl"
 
-// Window depths as codes of the target, see WindowDepth::code.
-template <class D>
-HWY_INLINE hn::Vec<D> depth_codes(D d, const LanePass& pass, const SetupPrimitive& p, hn::Vec<D> z24) {
-  const WindowDepth& depth = pass.context.depth;
-  if (p.offset_z24 == 0 && depth.step_z24() == 1) return z24;
-  constexpr std::int32_t kBeyond = 1 << 25;
-  const auto offset = hn::Set(d, std::clamp(p.offset_z24, -kBeyond, kBeyond));
-  const auto largest = hn::Set(d, static_cast<std::int32_t>(depth.max_z24()));
-  const auto z = hn::Min(hn::Max(hn::Add(z24, offset), hn::Zero(d)), largest);
-  const auto step = static_cast<std::int32_t>(depth.step_z24());
-  return hn::ShiftRightSame(hn::Add(z, hn::Set(d, step >> 1)), depth.fraction_bits());
-}
-
 // The lanes of `doubtful`, asked of the exact plane.
 HWY_NOINLINE V exact_depth(const SetupPrimitive& p, int x, int y, M doubtful, V z24) {
   const TriangleEdges edges(p);
