@@ -94,6 +94,30 @@ TEST(Bench, RasterHasARowForEachWorkloadAndThreadCount) {
   }
 }
 
+TEST(Bench, RasterGrowthHasARowForEachNumberOfTrianglesSizeAndCall) {
+  const Json out = bench({"raster", "--growth"});
+  EXPECT_EQ(keys_of(out), (Keys{"command", "version", "profile", "rows"}));
+  EXPECT_EQ(out["command"], "bench raster --growth");
+  ASSERT_EQ(out["rows"].size(), 8U);
+  for (std::size_t i = 0; i < 8; ++i) {
+    const Json& row = out["rows"][i];
+    EXPECT_EQ(keys_of(row), (Keys{"workload", "call", "threads", "triangles", "covered_pixels", "ms", "ns_per_triangle",
+                                  "bytes_per_triangle"}));
+    EXPECT_EQ(row["workload"], i / 2 % 2 == 0 ? "legs-1" : "legs-4");
+    EXPECT_EQ(row["call"], i % 2 == 0 ? "rasterize" : "prepare");
+    EXPECT_EQ(row["threads"], 2);
+    const double triangles = i < 4 ? 1e3 : 1e4;
+    EXPECT_GT(row["triangles"], 0.7 * triangles);
+    EXPECT_LT(row["triangles"], 1.3 * triangles);
+    const double pixels_per_triangle = row["covered_pixels"].get<double>() / row["triangles"].get<double>();
+    EXPECT_GT(pixels_per_triangle, i / 2 % 2 == 0 ? 0.4 : 6.0);
+    EXPECT_LT(pixels_per_triangle, i / 2 % 2 == 0 ? 0.6 : 10.0);
+    EXPECT_NEAR(row["ns_per_triangle"].get<double>() * row["triangles"].get<double>(), row["ms"].get<double>() * 1e6,
+                1.0);
+    EXPECT_GE(row["bytes_per_triangle"], 0.0);
+  }
+}
+
 void expect_frame(const Json& out, const Keys& more) {
   Keys keys{"command", "version",  "profile",      "scene",  "triangles", "threads",
             "size",    "map_size", "ms_per_frame", "passes", "frames",    "setup_ms"};
@@ -155,6 +179,9 @@ TEST(Bench, TablesForPeople) {
   const Outcome raster = ninebit({"bench", "raster", "--quick", "--threads", "1"});
   EXPECT_EQ(raster.code, 0);
   EXPECT_NE(raster.out.find("legs-4"), std::string::npos) << raster.out;
+  const Outcome growth = ninebit({"bench", "raster", "--growth", "--quick", "--threads", "1"});
+  EXPECT_EQ(growth.code, 0);
+  EXPECT_NE(growth.out.find("bytes/triangle"), std::string::npos) << growth.out;
   const Outcome frame = ninebit({"bench", "frame", kRoom, "--quick", "--size", "48x36", "--map-size", "32"});
   EXPECT_EQ(frame.code, 0);
   EXPECT_NE(frame.out.find("ms a frame"), std::string::npos) << frame.out;

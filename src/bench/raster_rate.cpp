@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "ninebit/raster/prepared_draw.h"
 #include "src/bench/timing.h"
 
 namespace ninebit::bench {
@@ -24,19 +25,40 @@ Result<std::uint64_t> covered_pixels(const Mesh& mesh, int width, int height) {
   return std::accumulate(surface->stencil().begin(), surface->stencil().end(), std::uint64_t{0});
 }
 
-Result<double> seconds_to_draw(const Mesh& mesh, Surface& surface, double seconds) {
-  const PipelineState state = flat_depth_state();
-  const VertexArrays arrays = mesh.arrays();
-  RenderTarget target = surface.target();
+namespace {
+
+// The shortest of the calls of `draw`, before each of which the surface is cleared.
+template <class Draw>
+Result<double> shortest_seconds(Surface& surface, double seconds, const Draw& draw) {
   double shortest = 1e9;
   const auto start = Clock::now();
   for (int runs = 0; runs < 2 || seconds_since(start) < seconds; ++runs) {
     surface.fill({});
     Status drawn;
-    shortest = std::min(shortest, seconds_of([&] { drawn = rasterize(state, glm::mat4(1.0F), arrays, {}, target); }));
+    shortest = std::min(shortest, seconds_of([&] { drawn = draw(); }));
     if (!drawn) return drawn.error();
   }
   return shortest;
+}
+
+}  // namespace
+
+Result<double> seconds_to_draw(const Mesh& mesh, Surface& surface, double seconds) {
+  const PipelineState state = flat_depth_state();
+  const VertexArrays arrays = mesh.arrays();
+  RenderTarget target = surface.target();
+  return shortest_seconds(surface, seconds, [&] { return rasterize(state, glm::mat4(1.0F), arrays, {}, target); });
+}
+
+Result<double> seconds_to_prepare_and_draw(const Mesh& mesh, Surface& surface, double seconds) {
+  const PipelineState state = flat_depth_state();
+  const VertexArrays arrays = mesh.arrays();
+  RenderTarget target = surface.target();
+  PreparedDraw prepared;
+  return shortest_seconds(surface, seconds, [&] {
+    Status made = prepare(state, glm::mat4(1.0F), arrays, target, prepared);
+    return made ? rasterize(state, prepared, arrays, {}, target) : made;
+  });
 }
 
 }  // namespace ninebit::bench

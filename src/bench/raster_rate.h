@@ -19,4 +19,7 @@ namespace ninebit::bench {
 // before each the surface is cleared, which is not timed.
 [[nodiscard]] Result<double> seconds_to_draw(const Mesh& mesh, Surface& surface, double seconds);
 
+// The same with prepare() and a drawing of what it prepared, into memory that stays for the next run.
+[[nodiscard]] Result<double> seconds_to_prepare_and_draw(const Mesh& mesh, Surface& surface, double seconds);
+
 }  // namespace ninebit::bench
