@@ -16,11 +16,11 @@ DrawGeometry::DrawGeometry(const SetupContext& context, const glm::mat4& clip_fr
   }
   setup_.emplace(context, assembly_, clip_, vertices);
   items_ = setup_->items();
-  // A chunk's lists stay within 2^28 entries even if as much as possible comes of every item and all of that covers
+  // Their lists stay within 2^28 entries even if as much as possible comes of every item and all of that covers
   // every tile.
   const std::size_t items = (std::size_t{1} << 28) / grid.count() / setup_->most_of_an_item();
   items_per_block_ = std::clamp(items, std::size_t{64}, std::size_t{1024});
-  blocks_per_chunk_ = std::clamp(items / items_per_block_, std::size_t{1}, std::size_t{64});
+  blocks_at_a_time_ = std::clamp(items / items_per_block_, std::size_t{1}, std::size_t{64});
 }
 
 bool DrawGeometry::set_up(std::size_t number, BinnedBlock& block) const {

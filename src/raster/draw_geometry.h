@@ -24,8 +24,8 @@ class DrawGeometry {
 
   [[nodiscard]] const TileGrid& grid() const { return grid_; }
   [[nodiscard]] std::size_t blocks() const { return (items_ + items_per_block_ - 1) / items_per_block_; }
-  // So many blocks keep the threads busy, and take bounded memory.
-  [[nodiscard]] std::size_t blocks_per_chunk() const { return blocks_per_chunk_; }
+  // So many blocks keep the threads busy, and take bounded memory whatever they hold.
+  [[nodiscard]] std::size_t blocks_at_a_time() const { return blocks_at_a_time_; }
   // Replaces what is in `block`. As PrimitiveSetup::set_up, false: an index is out of range.
   [[nodiscard]] bool set_up(std::size_t number, BinnedBlock& block) const;
 
@@ -36,7 +36,7 @@ class DrawGeometry {
   std::optional<PrimitiveSetup> setup_;
   std::size_t items_ = 0;
   std::size_t items_per_block_ = 1;
-  std::size_t blocks_per_chunk_ = 1;
+  std::size_t blocks_at_a_time_ = 1;
 };
 
 }  // namespace ninebit

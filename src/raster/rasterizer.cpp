@@ -18,21 +18,35 @@
 namespace ninebit {
 namespace {
 
-// Blocks are set up and binned in parallel, a chunk of blocks is then drawn tile by tile. The indices are in range.
-void draw(const DrawGeometry& geometry, TileLoop& tiles, DrawScratch& scratch) {
-  const std::size_t blocks = geometry.blocks(), chunk = std::min(blocks, geometry.blocks_per_chunk());
-  if (scratch.blocks.size() < chunk) scratch.blocks.resize(chunk);
-  for (std::size_t first = 0; first < blocks; first += chunk) {
-    const std::size_t count = std::min(chunk, blocks - first);
-    const auto set_up = [&](std::size_t b) { static_cast<void>(geometry.set_up(first + b, scratch.blocks[b])); };
-    if (count == 1) {
-      set_up(0);
+// As many blocks as are worth a walk over all tiles; fewer where their primitives are in so many tiles.
+constexpr std::size_t kBlocksPerChunk = 64, kEntriesPerChunk = std::size_t{1} << 22;
+
+// Sets blocks up in parallel, as many as memory allows for whatever they hold; the number of blocks.
+std::size_t set_up_chunk(const DrawGeometry& geometry, std::size_t first, std::vector<BinnedBlock>& to) {
+  const std::size_t most = std::min(geometry.blocks() - first, kBlocksPerChunk);
+  if (to.size() < most) to.resize(most);
+  std::size_t count = 0, entries = 0;
+  while (count < most && entries < kEntriesPerChunk) {
+    const std::size_t end = std::min(count + geometry.blocks_at_a_time(), most);
+    const auto set_up = [&](std::size_t b) { static_cast<void>(geometry.set_up(first + b, to[b])); };
+    if (end - count == 1) {
+      set_up(count);
     } else {
-      tbb::parallel_for(std::size_t{0}, count, set_up);
+      tbb::parallel_for(count, end, set_up);
     }
+    for (; count < end; ++count) entries += to[count].indices.size();
+  }
+  return count;
+}
+
+// A chunk of blocks at a time is set up and drawn tile by tile. The indices are in range.
+void draw(const DrawGeometry& geometry, TileLoop& tiles, DrawScratch& scratch) {
+  for (std::size_t first = 0; first < geometry.blocks();) {
+    const std::size_t count = set_up_chunk(geometry, first, scratch.blocks);
     const std::span<const BinnedBlock> set(scratch.blocks.data(), count);
     scratch.work.look_at(set);
     tiles.draw(set, scratch.work);
+    first += count;
   }
 }
 
