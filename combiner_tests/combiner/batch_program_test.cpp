@@ -18,25 +18,6 @@ std::string compiled(const CombinerState& state, const HardwareProfile& profile 
   return BatchProgram(compile(state, profile).value(), outputs).describe();
 }
 
-// The article's two stages: spare0 = 4 (primary - texture0), spare1 = 4 (spare0 · spare0), alpha = spare1.blue.
-CombinerState index_comparison() {
-  CombinerState state = silent_state(2);
-  Portion& difference = state.general[0].rgb;
-  difference.a = rgb_of(Register::primary);
-  difference.b = kOne;
-  difference.c = rgb_of(Register::texture0);
-  difference.d = kMinusOne;
-  difference.out.sum = Register::spare0;
-  difference.out.scale = Scale::by_four;
-  Portion& square = state.general[1].rgb;
-  square.a = square.b = rgb_of(Register::spare0, InputMapping::signed_identity);
-  square.out.ab = Register::spare1;
-  square.out.ab_dot_product = true;
-  square.out.scale = Scale::by_four;
-  state.final_combiner.g = blue_of(Register::spare1);
-  return state;
-}
-
 TEST(BatchProgram, TheArticlesProgramIsFourOperations) {
   const BatchOutputs alpha{.color = {false, false, false, true}};
   EXPECT_EQ(compiled(index_comparison(), profiles::geforce2, alpha),

@@ -13,26 +13,6 @@
 namespace ninebit::test {
 namespace {
 
-// Stage 0: spare0 = (primary - texture 0) × 4. Stage 1: spare1 = (spare0 · spare0) × 4. Alpha = spare1's blue: 0 means
-// that the indices are equal and the fragment is lit.
-CombinerState index_compare(Scale scale) {
-  CombinerState state = silent_state(2);
-  Portion& difference = state.general[0].rgb;
-  difference.a = rgb_of(Register::primary);
-  difference.b = kOne;
-  difference.c = rgb_of(Register::texture0);
-  difference.d = kMinusOne;
-  difference.out.sum = Register::spare0;
-  difference.out.scale = scale;
-  Portion& square = state.general[1].rgb;
-  square.a = square.b = rgb_of(Register::spare0, InputMapping::signed_identity);
-  square.out.ab = Register::spare1;
-  square.out.ab_dot_product = true;
-  square.out.scale = scale;
-  state.final_combiner.g = blue_of(Register::spare1);
-  return state;
-}
-
 // lit[a * 256 + b] for one channel's bytes a and b.
 std::vector<bool> lit_pairs(const HardwareProfile& profile, Scale scale) {
   std::vector<bool> lit;
@@ -44,7 +24,7 @@ std::vector<bool> lit_pairs(const HardwareProfile& profile, Scale scale) {
       inputs.texture[0] = Texel{.value = {static_cast<std::uint8_t>(b), 0, 0, 0}};
       fragments.push_back(initial_registers(profile, inputs));
     }
-    for (const Fragment& f : judged(index_compare(scale), profile, fragments)) lit.push_back(f.color[kAlpha] == 0);
+    for (const Fragment& f : judged(index_comparison(scale), profile, fragments)) lit.push_back(f.color[kAlpha] == 0);
   }
   return lit;
 }
@@ -100,7 +80,7 @@ TEST(IndexCompare, RealNumbersLoseOneStepWhereTheFrameBufferStoresThem) {
 TEST(IndexCompare, RealNumbersThemselvesTellAllIndicesApart) {
   for (const Scale scale : {Scale::by_four, Scale::none}) {
     for (const Arithmetic arithmetic : {Arithmetic::exact, Arithmetic::float32}) {
-      const Program program = normalize(index_compare(scale), profiles::ideal);
+      const Program program = normalize(index_comparison(scale), profiles::ideal);
       int mistakes_of_all = 0;
       for (int a = 0; a < 256; a += kSanitized ? 15 : 1) {
         for (int b = 0; b < 256; b += kSanitized ? 3 : 1) {

@@ -69,6 +69,24 @@ CombinerState silent_state(int stages) {
   return state;
 }
 
+CombinerState index_comparison(Scale scale) {
+  CombinerState state = silent_state(2);
+  Portion& difference = state.general[0].rgb;
+  difference.a = rgb_of(Register::primary);
+  difference.b = kOne;
+  difference.c = rgb_of(Register::texture0);
+  difference.d = kMinusOne;
+  difference.out.sum = Register::spare0;
+  difference.out.scale = scale;
+  Portion& square = state.general[1].rgb;
+  square.a = square.b = rgb_of(Register::spare0, InputMapping::signed_identity);
+  square.out.ab = Register::spare1;
+  square.out.ab_dot_product = true;
+  square.out.scale = scale;
+  state.final_combiner.g = blue_of(Register::spare1);
+  return state;
+}
+
 FinalCombiner final_of(Register r) {
   return {kZero, kZero, kZero, rgb_of(r), kZero, kZero, alpha_of(r)};
 }

@@ -48,6 +48,10 @@ constexpr CombinerInput blue_of(Register r, InputMapping mapping = InputMapping:
 // A valid state of so many stages in which no portion writes; the final combiner gives 0 and spare0's alpha.
 CombinerState silent_state(int stages);
 
+// The article's two stages: spare0 = (primary - texture 0) × scale, spare1 = (spare0 · spare0) × scale. Alpha =
+// spare1's blue: 0 means that the indices are equal and the fragment is lit.
+CombinerState index_comparison(Scale scale = Scale::by_four);
+
 // A final combiner whose output is register `r` itself.
 FinalCombiner final_of(Register r);
 

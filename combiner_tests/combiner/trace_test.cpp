@@ -231,26 +231,11 @@ TEST(Trace, EveryStepOfRandomProgramsOfNumbers) {
   }
 }
 
-CombinerState article_state() {
-  CombinerState state = silent_state(2);
-  Portion& difference = state.general[0].rgb;
-  difference.a = rgb_of(Register::primary);
-  difference.b = kOne;
-  difference.c = rgb_of(Register::texture0);
-  difference.d = kMinusOne;
-  difference.out = {.sum = Register::spare0, .scale = Scale::by_four};
-  Portion& square = state.general[1].rgb;
-  square.a = square.b = rgb_of(Register::spare0, InputMapping::signed_identity);
-  square.out = {.ab = Register::spare1, .sum = Register::discard, .scale = Scale::by_four, .ab_dot_product = true};
-  state.final_combiner.g = blue_of(Register::spare1);
-  return state;
-}
-
 Trace article_trace(int primary, int texture, const HardwareProfile& profile = profiles::geforce2) {
   RegisterFile registers;
   registers[Register::primary] = codes(primary, 0, 0, 0);
   registers[Register::texture0] = codes(texture, 0, 0, 255);
-  return trace(normalize(article_state(), profile), profile, registers);
+  return trace(normalize(index_comparison(), profile), profile, registers);
 }
 
 TEST(Trace, TheArticlesDifferenceOfTwoSurvives) {

@@ -2,23 +2,15 @@
 #include "ninebit/raster/prepared_draw.h"
 
 #include <gtest/gtest.h>
-#include <oneapi/tbb/global_control.h>
-#include <oneapi/tbb/task_arena.h>
 
 #include <functional>
 
 #include "combiner_tests/raster/fragment_support.h"
+#include "combiner_tests/raster/in_threads.h"
 #include "combiner_tests/raster/random_scene.h"
 
 namespace ninebit::test {
 namespace {
-
-template <class Function>
-void with_threads(int threads, Function run) {
-  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
-  tbb::task_arena arena(threads);
-  arena.execute(run);
-}
 
 // Prepared with each draw's own state, drawn with it and with other fragment operations; one PreparedDraw for all.
 TEST(PreparedDraw, RandomScenesAreDrawnAsWithoutIt) {

@@ -3,25 +3,17 @@
 //
 // One case again, alone: NINEBIT_RASTER_INDEX=123.
 #include <gtest/gtest.h>
-#include <oneapi/tbb/global_control.h>
-#include <oneapi/tbb/task_arena.h>
 
 #include <algorithm>
 #include <cstdlib>
 
 #include "combiner_tests/combiner/simd_targets.h"
+#include "combiner_tests/raster/in_threads.h"
 #include "combiner_tests/raster/random_passes.h"
 #include "src/raster/tile.h"
 
 namespace ninebit::test {
 namespace {
-
-template <class Function>
-void with_threads(int threads, Function run) {
-  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
-  tbb::task_arena arena(threads);
-  arena.execute(run);
-}
 
 // What rasterize() leaves, called once for each pass; with an output plane no vectors draw.
 oracle::Picture drawn_alone(const PassScene& scene, bool with_outputs) {

@@ -1,9 +1,6 @@
 // What a batch of fragments goes through: interpolation, combiners, fragment operations.
 #include "src/raster/lane_batch.h"
 
-#include <algorithm>
-#include <cstring>
-
 #include "src/raster/lane_inputs.h"
 #include "src/raster/tile_lanes.h"
 
@@ -33,13 +30,6 @@ constexpr D kD;
 constexpr DF kDF;
 constexpr D16 kD16;
 constexpr std::size_t kLanes = hn::MaxLanes(kD);
-
-HWY_INLINE std::int32_t* lanes_of(std::uint32_t* words) {
-  return reinterpret_cast<std::int32_t*>(words);  // signed and unsigned words may alias
-}
-HWY_INLINE const std::int32_t* lanes_of(const std::uint32_t* words) {
-  return reinterpret_cast<const std::int32_t*>(words);
-}
 
 // Divides the weights by their sum.
 HWY_INLINE void normalize(LaneBatch& batch) {

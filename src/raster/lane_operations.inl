@@ -1,6 +1,13 @@
 // The fragment operations for a vector of fragments, no two of them at the same pixel. No include guard: included once
 // inside Highway's namespace of every SIMD target, with `hn` for its operations. D is a tag of 32-bit integers.
 
+HWY_INLINE std::int32_t* lanes_of(std::uint32_t* words) {
+  return reinterpret_cast<std::int32_t*>(words);  // signed and unsigned words may alias
+}
+HWY_INLINE const std::int32_t* lanes_of(const std::uint32_t* words) {
+  return reinterpret_cast<const std::int32_t*>(words);
+}
+
 // 0, 1, 2, … (Highway's Iota makes it word by word, in memory, each time.)
 template <class D>
 HWY_INLINE hn::Vec<D> lane_numbers(D d) {

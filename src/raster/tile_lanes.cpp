@@ -48,11 +48,6 @@ struct Pen {
   std::uint32_t color;  // of a flat result
 };
 
-template <class T>
-HWY_INLINE std::int32_t* lanes_of(T* words) {
-  return reinterpret_cast<std::int32_t*>(words);  // signed and unsigned words may alias
-}
-
 template <class D>
 HWY_INLINE void draw_flat(D d, const LaneDraw<D>& draw, const Pen& pen, std::size_t place, hn::Mask<D> mask,
                           hn::Vec<D> depth) {

@@ -195,7 +195,8 @@ void store_tile(const LaneTile& tile) {
   }
 }
 
-// Not for a pass that has just begun to fill the tile with depths.
+// Depths that the pass itself writes only come nearer: looking for the farthest is left out there because it finds
+// little.
 void begin_pass(LaneTile& tile, const LanePass& pass) {
   tile.knows_farthest = pass.operations.loses_farther && !pass.operations.depth_write;
   if (tile.knows_farthest) HWY_DYNAMIC_DISPATCH(find_farthest)(tile);
