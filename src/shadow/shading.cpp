@@ -17,8 +17,7 @@ constexpr float kDiffuseInShadow = 0.25F;  // of the diffuse light
 
 }  // namespace
 
-VertexShading shade_vertices(const Scene& scene, const PointLight& light, bool light_facing,
-                             const HardwareProfile& profile) {
+VertexShading shade_vertices(const Scene& scene, const Light& light, const RenderSettings& settings) {
   const std::size_t count = scene.positions.size();
   std::vector<std::uint32_t> material(count, 0);
   for (std::size_t t = 0; t < scene.triangles.size(); ++t) {
@@ -27,19 +26,21 @@ VertexShading shade_vertices(const Scene& scene, const PointLight& light, bool l
   VertexShading shading{std::vector<ColorBytes>(count), std::vector<ColorBytes>(count)};
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, 4096), [&](const auto& range) {
     for (std::size_t v = range.begin(); v != range.end(); ++v) {
-      const glm::vec3 to_light = light.position - scene.positions[v];
+      const glm::vec3 to_light =
+          light.kind == LightKind::directional ? -light.direction : light.position - scene.positions[v];
       const glm::vec3& normal = scene.normals[v];
       const float length = std::sqrt(glm::dot(to_light, to_light));
       float cosine = length > 0.0F ? glm::dot(normal, to_light) / length : 1.0F;
       // A vertex without a normal is lit as if it faced the light.
       if (glm::dot(normal, normal) == 0.0F) cosine = 1.0F;
-      cosine = light_facing ? std::max(cosine, 0.0F) : std::fabs(cosine);
+      cosine = settings.light_facing ? std::max(cosine, 0.0F) : std::fabs(cosine);
       const glm::vec3 base = scene.materials[material[v]].base_color;
       for (int c = 0; c < 3; ++c) {
         const float diffuse = kDiffuse * cosine * light.color[c];
         const auto i = static_cast<std::size_t>(c);
-        shading.lit[v][i] = byte_of_vertex_color(profile, base[c] * (kAmbient + diffuse));
-        shading.shadowed[v][i] = byte_of_vertex_color(profile, base[c] * (kAmbient + diffuse * kDiffuseInShadow));
+        shading.lit[v][i] = byte_of_vertex_color(settings.profile, base[c] * (kAmbient + diffuse));
+        shading.shadowed[v][i] =
+            byte_of_vertex_color(settings.profile, base[c] * (kAmbient + diffuse * kDiffuseInShadow));
       }
       shading.lit[v][3] = shading.shadowed[v][3] = 255;
     }

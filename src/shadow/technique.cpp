@@ -8,7 +8,9 @@ namespace ninebit {
 namespace {
 
 constexpr std::array kTechniques{
-    Technique{"index-cube", "index cube shadow mapping: polygon indices compared by two general combiners",
+    Technique{"index-cube",
+              "index cube shadow mapping: polygon indices compared by two general combiners",
+              {.point = true},
               &render_index_cube},
 };
 
