@@ -47,6 +47,7 @@ int run(int argc, char** argv) {
   add_convert(app, exit_code);
   add_validate(app, exit_code);
   add_bench(app, exit_code);
+  add_study(app, exit_code);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

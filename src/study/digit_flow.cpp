@@ -1,0 +1,80 @@
+#include "src/study/digit_flow.h"
+
+#include "ninebit/combiner/evaluate.h"
+
+namespace ninebit {
+namespace {
+
+class Reads {
+ public:
+  void add(const CombinerInput& in, int first, int channels) {
+    if (in.reg == Register::spare0_plus_secondary) {
+      for (std::size_t c = 0; c < 3; ++c) at(Register::spare0)[c] = at(Register::secondary)[c] = true;
+      return;
+    }
+    if (static_cast<std::size_t>(in.reg) >= kRegisterCount) return;  // E times F: E and F are looked at themselves
+    for (int c = 0; c < channels; ++c) {
+      at(in.reg)[static_cast<std::size_t>(reference::component_of(in.usage, first + c))] = true;
+    }
+  }
+  void add(const Portion& portion, int first, int channels) {
+    if (!is_live(portion.out)) return;
+    for (const CombinerInput* in : {&portion.a, &portion.b, &portion.c, &portion.d}) add(*in, first, channels);
+    if (portion.out.mux_sum) at(Register::spare0)[kAlpha] = true;
+  }
+  [[nodiscard]] const ByComponent<bool>& set() const { return set_; }
+
+ private:
+  std::array<bool, 4>& at(Register r) { return set_[static_cast<std::size_t>(r)]; }
+  ByComponent<bool> set_{};
+};
+
+}  // namespace
+
+ByComponent<unsigned> digits_after_first_stage(const Program& program, const ByComponent<unsigned>& before) {
+  const ProgramStage& stage = program.general[0];
+  ByComponent<unsigned> after = before;
+  const auto write = [&](const Portion& portion, int first, int channels) {
+    if (!is_live(portion.out)) return;
+    const auto digits = [&](const CombinerInput& in, int c) {
+      return before[static_cast<std::size_t>(in.reg)]
+                   [static_cast<std::size_t>(reference::component_of(in.usage, first + c))];
+    };
+    std::array<unsigned, 3> ab{}, cd{};
+    unsigned all_ab = 0, all_cd = 0;
+    for (int c = 0; c < channels; ++c) {
+      const auto i = static_cast<std::size_t>(c);
+      all_ab |= ab[i] = digits(portion.a, c) | digits(portion.b, c);
+      all_cd |= cd[i] = digits(portion.c, c) | digits(portion.d, c);
+    }
+    if (portion.out.ab_dot_product) ab.fill(all_ab);
+    if (portion.out.cd_dot_product) cd.fill(all_cd);
+    const unsigned choice = portion.out.mux_sum ? before[static_cast<std::size_t>(Register::spare0)][kAlpha] : 0;
+    const auto put = [&](Register to, int c, unsigned set) {
+      if (to != Register::discard) after[static_cast<std::size_t>(to)][static_cast<std::size_t>(first + c)] = set;
+    };
+    for (int c = 0; c < channels; ++c) {
+      const auto i = static_cast<std::size_t>(c);
+      put(portion.out.ab, c, ab[i]);
+      put(portion.out.cd, c, cd[i]);
+      put(portion.out.sum, c, ab[i] | cd[i] | choice);
+    }
+  };
+  write(stage.rgb, kRed, 3);
+  write(stage.alpha, kAlpha, 1);
+  return after;
+}
+
+ByComponent<bool> read_from_stage(const Program& program, int first) {
+  Reads reads;
+  for (int i = first; i < program.num_general_combiners; ++i) {
+    reads.add(program.general[static_cast<std::size_t>(i)].rgb, kRed, 3);
+    reads.add(program.general[static_cast<std::size_t>(i)].alpha, kAlpha, 1);
+  }
+  const FinalCombiner& f = program.final_combiner;
+  // Only the final combiner's alpha decides a comparison.
+  reads.add(f.g, kAlpha, 1);
+  return reads.set();
+}
+
+}  // namespace ninebit
