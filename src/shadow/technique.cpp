@@ -3,6 +3,7 @@
 #include <array>
 
 #include "ninebit/shadow/index_cube.h"
+#include "ninebit/shadow/shadow_volume.h"
 
 namespace ninebit {
 namespace {
@@ -12,6 +13,10 @@ constexpr std::array kTechniques{
               "index cube shadow mapping: polygon indices compared by two general combiners",
               {.point = true},
               &render_index_cube},
+    Technique{"shadow-volume",
+              "shadow volumes: infinite volumes of the silhouettes, counted in the stencil buffer",
+              {.point = true, .spot = true, .directional = true},
+              &render_shadow_volume},
 };
 
 }  // namespace
