@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "ninebit/shadow/depth_cube.h"
 #include "ninebit/shadow/index_cube.h"
 
 namespace ninebit {
@@ -12,6 +13,10 @@ constexpr std::array kTechniques{
               "index cube shadow mapping: polygon indices compared by two general combiners",
               {.point = true},
               &render_index_cube},
+    Technique{"depth-cube",
+              "depth cube shadow mapping: distances to the light, compared in one or two passes a cube-map face",
+              {.point = true},
+              &render_depth_cube},
 };
 
 }  // namespace
