@@ -102,6 +102,7 @@ CameraFrame::CameraFrame(const Scene& scene, const RenderSettings& settings, Sur
       shading_(shade_vertices(scene, scene.lights[0], settings)) {
   const float aspect = static_cast<float>(settings.width) / static_cast<float>(settings.height);
   projection_ = camera_projection(scene, scene.cameras[0], aspect);
+  if (settings.evidence) rendering_.evidence.emplace();
 }
 
 Status CameraFrame::draw(std::string_view name, const PipelineState& state, VertexArrays arrays,

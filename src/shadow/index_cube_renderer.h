@@ -27,6 +27,9 @@ class IndexCubeRenderer {
   // of the passes, which go into the rendering's, are then their shares of the whole.
   Status draw_camera();
 
+  // With settings.evidence, after a frame: what each pixel's shadow was decided by.
+  Status add_evidence();
+
   // Counts pixels and completes the layers.
   void finish() { frame_.finish(); }
 
