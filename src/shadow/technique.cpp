@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "ninebit/shadow/depth_cube.h"
 #include "ninebit/shadow/index_cube.h"
 #include "ninebit/shadow/shadow_volume.h"
 
@@ -13,6 +14,10 @@ constexpr std::array kTechniques{
               "index cube shadow mapping: polygon indices compared by two general combiners",
               {.point = true},
               &render_index_cube},
+    Technique{"depth-cube",
+              "depth cube shadow mapping: distances to the light, compared in one or two passes a cube-map face",
+              {.point = true},
+              &render_depth_cube},
     Technique{"shadow-volume",
               "shadow volumes: infinite volumes of the silhouettes, counted in the stencil buffer",
               {.point = true, .spot = true, .directional = true},
