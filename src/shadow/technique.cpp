@@ -3,6 +3,7 @@
 #include <array>
 
 #include "ninebit/shadow/index_cube.h"
+#include "ninebit/shadow/light_cookie.h"
 
 namespace ninebit {
 namespace {
@@ -12,6 +13,10 @@ constexpr std::array kTechniques{
               "index cube shadow mapping: polygon indices compared by two general combiners",
               {.point = true},
               &render_index_cube},
+    Technique{"light-cookie",
+              "a point light that shines as a cube map says, with index cube shadows or without",
+              {.point = true},
+              &render_light_cookie},
 };
 
 }  // namespace
