@@ -102,12 +102,13 @@ CameraFrame::CameraFrame(const Scene& scene, const RenderSettings& settings, Sur
       shading_(shade_vertices(scene, scene.lights[0], settings)) {
   const float aspect = static_cast<float>(settings.width) / static_cast<float>(settings.height);
   projection_ = camera_projection(scene, scene.cameras[0], aspect);
+  if (settings.evidence) rendering_.evidence.emplace();
 }
 
 Status CameraFrame::draw(std::string_view name, const PipelineState& state, VertexArrays arrays,
                          std::span<const TextureUnit> units, RenderTarget& target,
                          std::span<const std::uint32_t> scene_triangles) {
-  if (arrays.positions.empty()) arrays.positions = scene_->positions;
+  if (arrays.vertex_count() == 0) arrays.positions = scene_->positions;
   // Of a scene that has triangles, as validate demands.
   if (arrays.indices.empty()) arrays.indices = index_list(scene_->triangles);
   if (!settings_.pixel) return rasterize(state, projection_, arrays, units, target);

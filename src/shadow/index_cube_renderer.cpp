@@ -11,6 +11,7 @@
 
 #include "ninebit/raster/rasterizer.h"
 #include "ninebit/raster/sampler.h"
+#include "src/shadow/map_evidence.h"
 #include "src/shadow/views.h"
 
 namespace ninebit {
@@ -176,6 +177,19 @@ Status IndexCubeRenderer::draw_comparison() {
   VertexArrays away;
   away.indices = index_list(averted.triangles);
   return frame_.draw("averted", passes_.averted, away, {}, target, averted.numbers);
+}
+
+Status IndexCubeRenderer::add_evidence() {
+  const LightMap map{.pass = passes_.map,
+                     .positions = from_light_,
+                     .projections = face_projections_,
+                     .size = frame_.settings().map_size};
+  Status added = add_map_evidence(frame_, map);
+  if (!added || !rendering().evidence) return added;
+  for (const ColorBytes& c : index_colors_) {
+    rendering().evidence->index_of_triangle.push_back(rendering().codes.number(c[kRed], c[kGreen], c[kBlue]));
+  }
+  return {};
 }
 
 bool IndexCubeRenderer::faces_light(const glm::uvec3& t) const {

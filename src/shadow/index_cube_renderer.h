@@ -29,6 +29,9 @@ class IndexCubeRenderer {
   // The first two of these passes alone, each by itself, for a technique that goes on otherwise.
   Status draw_shadows();
 
+  // With settings.evidence, after a frame: what each pixel's shadow was decided by.
+  Status add_evidence();
+
   // Counts pixels and completes the layers.
   void finish() { frame_.finish(); }
 

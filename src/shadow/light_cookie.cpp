@@ -65,6 +65,8 @@ class LightCookieFrame {
   Status draw_maps() { return indices_ ? indices_->draw_maps() : Status(); }
   Status draw_shadows() { return indices_ ? indices_->draw_shadows() : frame().draw_depth(); }
 
+  Status add_evidence() { return indices_ ? indices_->add_evidence() : Status(); }
+
   Status draw_lit() {
     RenderTarget target = lit_target();
     VertexArrays arrays;
@@ -121,6 +123,7 @@ Result<Rendering> render_light_cookie(const Scene& scene, const RenderSettings& 
   if (status) status = timer.run("depth and shadows", 0.4, shadows, [&] { return passes.draw_shadows(); });
   if (status) status = timer.run("lit", 0.6, shading, [&] { return passes.draw_lit(); });
   if (status) status = timer.run("shadow", 0.9, shadow, [&] { return passes.frame().draw_shadow(); });
+  if (status) status = passes.add_evidence();
   if (!status) return status.error();
 
   CameraFrame& frame = passes.frame();

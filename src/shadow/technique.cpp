@@ -4,6 +4,7 @@
 
 #include "ninebit/shadow/index_cube.h"
 #include "ninebit/shadow/light_cookie.h"
+#include "ninebit/shadow/shadow_volume.h"
 
 namespace ninebit {
 namespace {
@@ -17,6 +18,10 @@ constexpr std::array kTechniques{
               "a point light that shines as a cube map says, with index cube shadows or without",
               {.point = true},
               &render_light_cookie},
+    Technique{"shadow-volume",
+              "shadow volumes: infinite volumes of the silhouettes, counted in the stencil buffer",
+              {.point = true, .spot = true, .directional = true},
+              &render_shadow_volume},
 };
 
 }  // namespace
