@@ -4,6 +4,7 @@
 
 #include "ninebit/shadow/depth_cube.h"
 #include "ninebit/shadow/index_cube.h"
+#include "ninebit/shadow/light_cookie.h"
 #include "ninebit/shadow/shadow_volume.h"
 
 namespace ninebit {
@@ -22,6 +23,10 @@ constexpr std::array kTechniques{
               "shadow volumes: infinite volumes of the silhouettes, counted in the stencil buffer",
               {.point = true, .spot = true, .directional = true},
               &render_shadow_volume},
+    Technique{"light-cookie",
+              "a point light that shines as a cube map says, with index cube shadows or without",
+              {.point = true},
+              &render_light_cookie},
 };
 
 }  // namespace
