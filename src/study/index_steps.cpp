@@ -155,6 +155,24 @@ std::span<const IndexVariant> index_variants() {
   return kVariants;
 }
 
+Result<CombinerState> index_variant_state(const HardwareProfile& profile, StudyFormat format,
+                                          const IndexVariant& variant) {
+  const IndexFormat held = format == StudyFormat::luminance_alpha ? IndexFormat::luminance_alpha
+                           : format == StudyFormat::luminance     ? IndexFormat::luminance
+                           : format == StudyFormat::alpha         ? IndexFormat::alpha
+                                                                  : IndexFormat::rgb;
+  auto state = index_comparison_state(profile, held);
+  if (!state) return state;
+  const auto rescale = [](GeneralCombiner& stage, Scale scale) {
+    for (Portion* portion : {&stage.rgb, &stage.alpha}) {
+      if (is_live(portion->out)) portion->out.scale = scale;
+    }
+  };
+  rescale(state->general[0], variant.first);
+  rescale(state->general[1], variant.second);
+  return state;
+}
+
 Result<FalseMatches> count_false_matches(const Program& program, const HardwareProfile& profile, StudyFormat format,
                                          int step, bool separate, const GoOn& go_on) {
   if (step < 1 || step > 255) {
