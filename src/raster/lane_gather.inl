@@ -7,30 +7,33 @@ HWY_INLINE hn::Mask<D> gathered(D d, const LaneDraw<D>& draw, const Pen& pen, st
                                 hn::Vec<D> depth) {
   const LaneOperations& operations = draw.operations;
   LaneTile& tile = pen.tile;
-  LaneBatch& batch = *pen.pass.batch;
   const std::int32_t* const at = lanes_of(tile.tile.depth_stencil.data()) + place;
   const std::size_t row = place / kTileSize, column = place % kTileSize;
   if (operations.is_equal_alone) {
-    const auto counts = hn::Set(d, static_cast<std::int32_t>(operations.equal_bits));
-    const auto wanted = hn::Or(hn::ShiftLeft<8>(depth), hn::Set(d, static_cast<std::int32_t>(operations.equal_value)));
+    // Fragments that are kept are those of all stencil values.
+    const auto set = [&](std::uint32_t v) HWY_ATTR { return hn::Set(d, static_cast<std::int32_t>(v)); };
+    const auto counts = set(pen.pass.keeps ? 0xFFFFFF00 : operations.equal_bits);
+    const auto wanted = hn::Or(hn::ShiftLeft<8>(depth), set(pen.pass.keeps ? 0 : operations.equal_value));
     mask = hn::And(mask, hn::Eq(hn::And(hn::LoadU(d, at), counts), wanted));
   } else {
     // What waits may still change the outcome of tests.
-    if (operations.tests_change && (batch.occupied[row] & (bits_of(d, mask) << column)) != 0) {
+    if (operations.tests_change && (tile.occupied[row] & (bits_of(d, mask) << column)) != 0) {
       flush_lanes(tile, pen.pass);
     }
     mask = not_lost(d, draw, mask, depth, hn::LoadU(d, at));
   }
   const std::uint64_t bits = bits_of(d, mask) << column;
-  if ((batch.occupied[row] & bits) != 0 || batch.count + hn::Lanes(d) > kBatchSize) flush_lanes(tile, pen.pass);
-  batch.occupied[row] |= bits;
+  if ((tile.occupied[row] & bits) != 0 || tile.fragments->count + hn::Lanes(d) > kBatchSize) {
+    flush_lanes(tile, pen.pass);
+  }
+  tile.occupied[row] |= bits;
   return mask;
 }
 
 template <class D>
 HWY_INLINE void push(D d, const Pen& pen, std::size_t place, hn::Mask<D> mask, hn::Vec<D> depth,
                      const hn::Vec<hn::Rebind<float, D>> weight[3]) {
-  LaneBatch& batch = *pen.pass.batch;
+  LaneFragments& batch = *pen.tile.fragments;
   const hn::Rebind<float, D> df;
   const std::size_t at = batch.count;
   if (batch.runs == 0 || batch.run[batch.runs - 1].primitive != &pen.primitive) {
@@ -50,7 +53,7 @@ HWY_INLINE void push(D d, const Pen& pen, std::size_t place, hn::Mask<D> mask, h
   const auto places = hn::Add(hn::Set(d, static_cast<std::int32_t>(place)), lane_numbers(d));
   const bool has_depth = !pen.pass.operations.are_tests_final;
   float* const weights = batch.weight[0].data() + at;
-  const std::size_t stride = LaneBatch::kRoom;
+  const std::size_t stride = LaneFragments::kRoom;
   const auto& corner = pen.primitive.corner;
   if (hn::AllTrue(d, mask)) {
     hn::StoreU(places, d, lanes_of(batch.place.data()) + at);

@@ -301,6 +301,7 @@ LanePass::LanePass(const DrawContext& draw, const RenderTarget& target)
 }
 
 void draw_lanes(LaneTile& tile, LanePass& pass, const SetupBlock& block, std::span<const std::uint32_t> indices) {
+  if (pass.repeats && tile.has_kept_all) return;
   HWY_DYNAMIC_DISPATCH(draw_triangles)(tile, pass, block, indices);
 }
 
