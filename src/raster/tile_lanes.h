@@ -52,10 +52,10 @@ struct LaneTile {
   static constexpr std::size_t kMostKept = 64;
   std::vector<std::unique_ptr<LaneFragments>> batches;
   std::size_t kept = 0;
-  bool has_kept_all = false;                        // or there were too many
-  LaneFragments* fragments = nullptr;               // being gathered
-  std::array<std::uint64_t, kTileSize> occupied{};  // a bit for each pixel of a row that has one of them
-  LaneFragments some;                               // of a batch
+  bool has_kept_all = false;                            // or there were too many
+  LaneFragments* fragments = nullptr;                   // being gathered
+  std::array<std::uint64_t, kTileSize + 1> occupied{};  // a bit for each pixel of a row that has one of them
+  LaneFragments some;                                   // of a batch
 
   void keep_none();
   // Starts with the next batch, which may replace the last one if that need not stay.
