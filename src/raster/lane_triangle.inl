@@ -13,12 +13,14 @@ struct DepthLanes {
   V64 row;  // the lower half of the lanes
   V64 half, step, up;
   HWY_INLINE DepthLanes(const TileTriangles& t, std::size_t k) {
-    const auto along = hn::Mul(real_lane_numbers(), hn::Set(kDD, t.depth_x[k]));
-    row = hn::ConvertTo(kD64, hn::Add(hn::Set(kDD, t.depth[k]), along));
+    row = at_first_lanes(t, k, hn::Mul(real_lane_numbers(), hn::Set(kDD, t.depth_x[k])));
     const auto step_x = static_cast<std::int64_t>(t.depth_x[k]);
     half = hn::Set(kD64, step_x * (kLanes / 2));
     step = hn::Set(kD64, step_x * kLanes);
     up = hn::Set(kD64, static_cast<std::int64_t>(t.depth_y[k]));
+  }
+  static HWY_INLINE V64 at_first_lanes(const TileTriangles& t, std::size_t k, hn::Vec<DD> from_origin) {
+    return hn::ConvertTo(kD64, hn::Add(hn::Set(kDD, t.depth[k]), from_origin));
   }
 };
 
@@ -94,34 +96,51 @@ HWY_NOINLINE void draw_triangle(const Pen& pen, const TileTriangles& t, std::siz
   }
 }
 
-// The same for a triangle whose region is no wider than half a vector: two rows at a time.
-template <Drawing kDrawing>
+// The same for a triangle whose region is no wider than a row of Rows.
+template <Drawing kDrawing, class Rows>
 HWY_NOINLINE void draw_slim_triangle(const Pen& pen, const TileTriangles& t, std::size_t k) {
+  constexpr int kRows = static_cast<int>(Rows::kRows);
   const LaneDraw<D> draw(kD, pen.pass.operations, pen.primitive.front_facing);
-  const V column = TwoRows::columns();
-  const M in_second = hn::Gt(lane_numbers(kD), hn::Set(kD, TwoRows::kColumns - 1));
+  const V column = Rows::columns(), row = Rows::rows(kD);
   V e[3], up[3];
   for (std::size_t i = 0; i < 3; ++i) {
-    const V step = hn::Set(kD, t.inside_y[i][k]);
-    const V first = hn::Add(hn::Set(kD, t.inside[i][k]), hn::Mul(column, hn::Set(kD, t.inside_x[i][k])));
-    e[i] = hn::IfThenElse(in_second, hn::Add(first, step), first);
-    up[i] = hn::Add(step, step);
+    e[i] = hn::Add(hn::Set(kD, t.inside[i][k]), hn::Mul(column, hn::Set(kD, t.inside_x[i][k])));
+    up[i] = hn::Set(kD, t.inside_y[i][k]);
+    for (int bit = 1; bit < kRows; bit *= 2) {
+      e[i] = hn::IfThenElse(hn::TestBit(row, hn::Set(kD, bit)), hn::Add(e[i], up[i]), e[i]);
+      up[i] = hn::Add(up[i], up[i]);
+    }
   }
-  const DepthLanes z(t, k);
-  V64 z_low = z.row, z_high = hn::Add(z.row, z.up);
-  const V64 z_up = hn::Add(z.up, z.up);
+  V64 z_low = DepthLanes::at_first_lanes(t, k, Rows::in_lower_half(t.depth_x[k], t.depth_y[k]));
+  const auto step_y = static_cast<std::int64_t>(t.depth_y[k]);
+  V64 z_high = hn::Add(z_low, hn::Set(kD64, step_y * (kRows / 2)));
+  const V64 z_up = hn::Set(kD64, step_y * kRows);
   const int left = t.left[k], top = t.top[k];
   const M within = hn::Lt(column, hn::Set(kD, t.right[k] - left + 1));
   auto place = static_cast<std::size_t>((t.bottom[k] - pen.tile.bottom) * kTileSize + (left - pen.tile.left));
-  for (int y = t.bottom[k];; y += 2, place += 2 * kTileSize) {
+  for (int y = t.bottom[k];; y += kRows, place += Rows::kRows * kTileSize) {
     M mask = hn::And(within, hn::Gt(hn::Or(hn::Or(e[0], e[1]), e[2]), hn::Set(kD, -1)));
-    if (y == top) mask = hn::AndNot(in_second, mask);
+    mask = hn::And(mask, hn::Lt(row, hn::Set(kD, top - y + 1)));
     if (!hn::AllFalse(kD, mask)) {
-      draw_fragments<kDrawing, TwoRows>(draw, pen, t, k, left, y, place, mask, z_low, z_high, e);
+      draw_fragments<kDrawing, Rows>(draw, pen, t, k, left, y, place, mask, z_low, z_high, e);
     }
-    if (y + 2 > top) break;
+    if (y + kRows > top) break;
     for (std::size_t i = 0; i < 3; ++i) e[i] = hn::Add(e[i], up[i]);
     z_low = hn::Add(z_low, z_up);
     z_high = hn::Add(z_high, z_up);
   }
+}
+
+template <Drawing kDrawing>
+HWY_INLINE void draw_in_rows(const Pen& pen, const TileTriangles& t, std::size_t k) {
+  const int columns = t.right[k] - t.left[k] + 1;
+  if constexpr (kLanes == 16) {
+    using Rows = SeveralRows<4>;
+    if (columns <= Rows::kColumns && t.is_narrow[k]) return draw_slim_triangle<kDrawing, Rows>(pen, t, k);
+  }
+  if constexpr (kLanes >= 8) {
+    using Rows = SeveralRows<2>;
+    if (columns <= Rows::kColumns && t.is_narrow[k]) return draw_slim_triangle<kDrawing, Rows>(pen, t, k);
+  }
+  draw_triangle<kDrawing>(pen, t, k);
 }

@@ -48,6 +48,11 @@ struct Pen {
   std::uint32_t color;  // of a flat result
 };
 
+HWY_INLINE hn::Vec<DD> real_lane_numbers() {
+  alignas(64) static constexpr std::array<double, 8> kNumbers{0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0};
+  return hn::Load(kDD, kNumbers.data());
+}
+
 #include "src/raster/lane_rows.inl"
 
 template <class Rows, class D>
@@ -79,11 +84,6 @@ HWY_NOINLINE V exact_depth(const SetupPrimitive& p, int x, int y, M doubtful, V 
         static_cast<std::int32_t>(edges.z24(edges.at(x + Rows::column(lane), y + Rows::row(lane))));
   }
   return hn::Load(kD, z.data());
-}
-
-HWY_INLINE hn::Vec<DD> real_lane_numbers() {
-  alignas(64) static constexpr std::array<double, 8> kNumbers{0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0};
-  return hn::Load(kDD, kNumbers.data());
 }
 
 // Edge functions too large for 32 bits, as floats, from pixel (x, y) on.
@@ -156,8 +156,7 @@ void draw_all(LaneTile& tile, LanePass& pass, const SetupBlock& block, std::span
       if (p.kind == SetupKind::pixel) {
         draw_pixel<kDrawing>(pen);
       } else if (((small >> i) & 1U) != 0 ? ((drawn >> i) & 1U) != 0 : t.has_region(i) && t.place(i, p)) {
-        const bool is_slim = kLanes >= 8 && t.is_narrow[i] && t.right[i] - t.left[i] < TwoRows::kColumns;
-        is_slim ? draw_slim_triangle<kDrawing>(pen, t, i) : draw_triangle<kDrawing>(pen, t, i);
+        draw_in_rows<kDrawing>(pen, t, i);
       }
     }
   }

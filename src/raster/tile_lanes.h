@@ -54,7 +54,7 @@ struct LaneTile {
   std::size_t kept = 0;
   bool has_kept_all = false;                            // or there were too many
   LaneFragments* fragments = nullptr;                   // being gathered
-  std::array<std::uint64_t, kTileSize + 1> occupied{};  // a bit for each pixel of a row that has one of them
+  std::array<std::uint64_t, kTileSize + 3> occupied{};  // a bit for each pixel of a row that has one of them
   LaneFragments some;                                   // of a batch
 
   void keep_none();
