@@ -22,6 +22,7 @@ Result<Rendering> render_index_cube(const Scene& scene, const RenderSettings& se
   Status status = timer.run("indices", 0.0, times.transform, make);
   if (status) status = timer.run("index cube map", 0.1, times.maps, [&] { return renderer->draw_maps(); });
   if (status) status = timer.run("camera's passes", 0.5, camera, [&] { return renderer->draw_camera(); });
+  if (status) status = renderer->add_evidence();
   if (!status) return status.error();
   renderer->finish();
   renderer->rendering().times.transform = times.transform;

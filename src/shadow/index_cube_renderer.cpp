@@ -11,6 +11,7 @@
 
 #include "ninebit/raster/rasterizer.h"
 #include "ninebit/raster/sampler.h"
+#include "src/shadow/map_evidence.h"
 #include "src/shadow/views.h"
 
 namespace ninebit {
@@ -110,14 +111,16 @@ VertexArrays IndexCubeRenderer::all_triangles(std::span<const glm::vec3> positio
 Status IndexCubeRenderer::draw_camera() {
   const RenderSettings& settings = frame_.settings();
   if (!settings.layers && !settings.pixel && !settings.light_facing) return draw_camera_together();
+  if (Status drawn = draw_shadows(); !drawn) return drawn;
+  return frame_.draw_lit_and_shadow();
+}
+
+Status IndexCubeRenderer::draw_shadows() {
   PassTimes& times = rendering().times;
   times.camera = times.compare = 0.0;
   PassTimer timer({});
   if (Status drawn = timer.run("depth", 0.0, times.camera, [&] { return frame_.draw_depth(); }); !drawn) return drawn;
-  if (Status drawn = timer.run("comparison", 0.0, times.compare, [&] { return draw_comparison(); }); !drawn) {
-    return drawn;
-  }
-  return frame_.draw_lit_and_shadow();
+  return timer.run("comparison", 0.0, times.compare, [&] { return draw_comparison(); });
 }
 
 Status IndexCubeRenderer::draw_camera_together() {
@@ -174,6 +177,19 @@ Status IndexCubeRenderer::draw_comparison() {
   VertexArrays away;
   away.indices = index_list(averted.triangles);
   return frame_.draw("averted", passes_.averted, away, {}, target, averted.numbers);
+}
+
+Status IndexCubeRenderer::add_evidence() {
+  const LightMap map{.pass = passes_.map,
+                     .positions = from_light_,
+                     .projections = face_projections_,
+                     .size = frame_.settings().map_size};
+  Status added = add_map_evidence(frame_, map);
+  if (!added || !rendering().evidence) return added;
+  for (const ColorBytes& c : index_colors_) {
+    rendering().evidence->index_of_triangle.push_back(rendering().codes.number(c[kRed], c[kGreen], c[kBlue]));
+  }
+  return {};
 }
 
 bool IndexCubeRenderer::faces_light(const glm::uvec3& t) const {

@@ -57,6 +57,9 @@ struct ShadowEvidence {
   std::vector<std::uint32_t> fetched;
   // The triangles that own at least one texel of the map; empty where the technique has no map.
   std::vector<bool> in_map;
+  // Of each triangle its index, from 1 (0 is the cleared map), by which the map tells triangles apart; empty where the
+  // technique compares no indices.
+  std::vector<std::uint32_t> index_of_triangle;
 };
 
 // Milliseconds of wall-clock time.
@@ -96,7 +99,7 @@ struct Rendering {
   std::deque<Layer> maps{};               // what the light drew, besides index_map
   std::vector<NamedPicture> pictures{};   // besides those of every rendering
   std::vector<Fact> facts{};
-  std::optional<ShadowEvidence> evidence{};  // with settings.evidence
+  std::optional<ShadowEvidence> evidence{};  // with settings.evidence, of techniques that draw shadows
   std::vector<ProbedPass> probed{};          // in the order of drawing; empty unless a pixel was watched
   PassTimes times{};
 };
