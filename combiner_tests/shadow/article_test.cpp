@@ -70,11 +70,11 @@ TEST(Article, StepOneDropsTheShadowOfTheNextPolygon) {
   std::swap(scene.triangles[2], scene.triangles[3]);
   RenderSettings settings = shadow_test::small_settings();
   const auto lost_pixels = [&](int step) {
-    settings.index_step = step;
+    settings.index.step = step;
     const Rendering r = render(scene, settings);
     int lost = 0, seen = 0;
     for (std::size_t i = 0; i < r.frame.stencil().size(); ++i) {
-      const auto& layers = *r.layers;
+      const auto layers = shadow_test::comparison_layers(r);
       const std::uint32_t fetched = r.codes.number(static_cast<std::uint8_t>(layers.texture0[0][i]),
                                                    static_cast<std::uint8_t>(layers.texture0[1][i]),
                                                    static_cast<std::uint8_t>(layers.texture0[2][i]));
@@ -101,10 +101,11 @@ TEST(Article, JointErrorsVanishWithObjectIndices) {
   // A convex body: whatever of it the light meets first is lit.
   const auto joint_errors = [&] {
     const Rendering r = render(scene, settings);
+    const auto layers = shadow_test::comparison_layers(r);
     int count = 0;
     for (std::size_t i = 0; i < r.frame.stencil().size(); ++i) {
-      const std::uint32_t polygon = r.layers->polygon[i];
-      if (polygon == 0 || r.frame.stencil()[i] == 0 || r.layers->texture0[0][i] == 0) continue;
+      const std::uint32_t polygon = layers.polygon[i];
+      if (polygon == 0 || r.frame.stencil()[i] == 0 || layers.texture0[0][i] == 0) continue;
       const glm::uvec3 t = scene.triangles[polygon - 1];
       const glm::vec3 normal =
           glm::cross(scene.positions[t.y] - scene.positions[t.x], scene.positions[t.z] - scene.positions[t.x]);
@@ -113,7 +114,7 @@ TEST(Article, JointErrorsVanishWithObjectIndices) {
     return count;
   };
   EXPECT_GT(joint_errors(), 20);
-  settings.index_scope = IndexScope::object;
+  settings.index.scope = IndexScope::object;
   EXPECT_EQ(joint_errors(), 0);
 }
 

@@ -33,7 +33,7 @@ TEST(BadInput, SettingsAndScenesThatCannotBeDrawn) {
     expect(fault_of(scene, s), "power of two");
   }
   s = small_settings();
-  s.index_step = 0;
+  s.index.step = 0;
   expect(fault_of(scene, s), "expected 1 to 16");
   Scene dark = scene;
   dark.lights.clear();
@@ -49,12 +49,12 @@ TEST(BadInput, TooManyPolygons) {
     shadow_test::add_quad(scene, "more", {{{0, 0, 0}, {1, 0, 0}, {1, 0, 1}, {0, 0, 1}}});
   }
   RenderSettings s = small_settings();
-  s.index_step = 16;
+  s.index.step = 16;
   EXPECT_NE(fault_of(scene, s).find("4096 of them"), std::string::npos);
-  s.index_step = 15;
+  s.index.step = 15;
   EXPECT_EQ(fault_of(scene, s), "");
-  s.index_step = 16;
-  s.index_scope = IndexScope::object;
+  s.index.step = 16;
+  s.index.scope = IndexScope::object;
   EXPECT_EQ(fault_of(scene, s), "");
 }
 

@@ -21,13 +21,14 @@ TEST(IndexCube, SquareOverFloorCastsTheSquareOfTheFormula) {
   const Scene scene = shadow_test::square_over_floor();
   RenderSettings settings = small_settings();
   const Rendering r = render(scene, settings);
+  const auto layers = shadow_test::comparison_layers(r);
   // One map texel on the floor: the -Y face spans 2 × 3 units there; a step aside for the triangles' diagonals.
   const float texel = 6.0F / static_cast<float>(settings.map_size) * 1.5F;
   int inside = 0, outside = 0, background = 0;
   for (int y = 0; y < settings.height; ++y) {
     for (int x = 0; x < settings.width; ++x) {
       const std::size_t i = static_cast<std::size_t>(y * settings.width + x);
-      const std::uint32_t object = r.layers->object[i];
+      const std::uint32_t object = layers.object[i];
       if (object == 0) ++background;
       if (object != 1) continue;
       const glm::vec3 p = shadow_test::on_plane(scene, settings, x, y, 0.0F);
@@ -48,7 +49,7 @@ TEST(IndexCube, SquareOverFloorCastsTheSquareOfTheFormula) {
 TEST(IndexCube, LayersTellOneStory) {
   const Scene scene = shadow_test::square_over_floor();
   const Rendering r = render(scene, small_settings());
-  const ComparisonLayers& l = *r.layers;
+  const shadow_test::ComparisonLayers l = shadow_test::comparison_layers(r);
   std::uint64_t shadowed = 0, drawn = 0;
   for (std::size_t i = 0; i < l.polygon.size(); ++i) {
     const bool is_drawn = r.frame.depth()[i] != max_depth(r.frame.format());
@@ -97,7 +98,7 @@ TEST(IndexCube, MapFacesFollowTheExtensionsTable) {
     }
   }
   RenderSettings settings = small_settings();
-  settings.index_scope = IndexScope::object;
+  settings.index.scope = IndexScope::object;
   const Rendering r = render(scene, settings);
   // sc, tc, ma of ARB_texture_cube_map, faces +X -X +Y -Y +Z -Z, for the direction r.
   const auto table = [](int face, const glm::vec3& d) -> glm::vec3 {
@@ -150,7 +151,7 @@ TEST(IndexCube, SameBitsForAnyNumberOfThreads) {
     for (int c = 0; c < 4; ++c) ASSERT_EQ(r.frame.color(c), first->frame.color(c)) << threads;
     ASSERT_EQ(r.frame.stencil(), first->frame.stencil()) << threads;
     ASSERT_EQ(r.frame.depth(), first->frame.depth()) << threads;
-    ASSERT_EQ(r.layers->spare1, first->layers->spare1) << threads;
+    ASSERT_EQ(shadow_test::comparison_layers(r).spare1, shadow_test::comparison_layers(*first).spare1) << threads;
     for (std::size_t f = 0; f < 6; ++f) {
       ASSERT_EQ(r.index_map[f].color, first->index_map[f].color) << threads;
     }
@@ -170,14 +171,15 @@ TEST(IndexCube, TorusShadowsItselfOnlyByPolygon) {
   RenderSettings settings = small_settings();
   const auto self_shadowed = [&] {
     const Rendering r = render(*scene, settings);
+    const auto layers = shadow_test::comparison_layers(r);
     int count = 0;
     for (std::size_t i = 0; i < r.frame.stencil().size(); ++i) {
-      if (r.layers->object[i] != number || r.frame.stencil()[i] == 0) continue;
-      const auto& texel = r.layers->texture0;
+      if (layers.object[i] != number || r.frame.stencil()[i] == 0) continue;
+      const auto& texel = layers.texture0;
       const std::uint32_t fetched =
           r.codes.number(static_cast<std::uint8_t>(texel[0][i]), static_cast<std::uint8_t>(texel[1][i]),
                          static_cast<std::uint8_t>(texel[2][i]));
-      const std::uint32_t object = settings.index_scope == IndexScope::object ? fetched
+      const std::uint32_t object = settings.index.scope == IndexScope::object ? fetched
                                    : fetched == 0                             ? 0
                                                                               : scene->triangle_object[fetched - 1] + 1;
       count += object == number ? 1 : 0;
@@ -185,7 +187,7 @@ TEST(IndexCube, TorusShadowsItselfOnlyByPolygon) {
     return count;
   };
   EXPECT_GT(self_shadowed(), 200);
-  settings.index_scope = IndexScope::object;
+  settings.index.scope = IndexScope::object;
   EXPECT_EQ(self_shadowed(), 0);
 }
 
@@ -196,8 +198,9 @@ TEST(IndexCube, LightFacingShadowsWhatTurnsAway) {
   // The sides stand edge-on to the light's ray through the middle, but turn away from it as seen from above the box.
   settings.light_facing = true;
   const Rendering r = render(scene, settings);
+  const auto layers = shadow_test::comparison_layers(r);
   for (std::size_t i = 0; i < r.frame.stencil().size(); ++i) {
-    const std::uint32_t polygon = r.layers->polygon[i];
+    const std::uint32_t polygon = layers.polygon[i];
     if (polygon == 0) continue;
     const glm::uvec3 t = scene.triangles[polygon - 1];
     const bool top = std::min({scene.positions[t.x].y, scene.positions[t.y].y, scene.positions[t.z].y}) == 1.0F;

@@ -27,6 +27,7 @@ TEST(ProbedPasses, AgreeWithTheFrame) {
   const Scene scene = shadow_test::square_over_floor();
   const RenderSettings settings = tiny_settings();
   const Rendering whole = render(scene, settings);
+  const auto layers = shadow_test::comparison_layers(whole);
   int lit = 0, shadowed = 0, background = 0;
   for (int y = 1; y < settings.height; y += 4) {
     for (int x = 2; x < settings.width; x += 4) {
@@ -39,19 +40,19 @@ TEST(ProbedPasses, AgreeWithTheFrame) {
       const auto at = static_cast<std::size_t>(y * settings.width + x);
       const ProbedPass& comparison = r.probed[1];
       const ProbedFragment* decided = deciding_fragment(comparison);
-      if (whole.layers->polygon[at] == 0) {
+      if (layers.polygon[at] == 0) {
         ASSERT_EQ(decided, nullptr);
         ++background;
         continue;
       }
       ASSERT_NE(decided, nullptr);
-      ASSERT_EQ(decided->primitive + 1, whole.layers->polygon[at]);
+      ASSERT_EQ(decided->primitive + 1, layers.polygon[at]);
       ASSERT_TRUE(decided->depth_passes);
       for (std::size_t c = 0; c < 3; ++c) {
-        ASSERT_EQ(decided->registers[Register::primary][c], whole.layers->primary[c][at]);
-        ASSERT_EQ(decided->registers[Register::texture0][c], whole.layers->texture0[c][at]);
+        ASSERT_EQ(decided->registers[Register::primary][c], layers.primary[c][at]);
+        ASSERT_EQ(decided->registers[Register::texture0][c], layers.texture0[c][at]);
       }
-      ASSERT_EQ(evaluate(*comparison.program, decided->registers)[kAlpha], whole.layers->output_alpha[at]);
+      ASSERT_EQ(evaluate(*comparison.program, decided->registers)[kAlpha], layers.output_alpha[at]);
       const bool shadow = whole.frame.stencil()[at] == 1;
       ASSERT_EQ(decided->fate, shadow ? FragmentFate::written : FragmentFate::alpha_failed);
       const ProbedFragment* colored = deciding_fragment(r.probed[shadow ? 3 : 2]);
@@ -76,6 +77,7 @@ TEST(ProbedPasses, NameTheScenesTriangles) {
   RenderSettings settings = tiny_settings();
   settings.light_facing = true;
   const Rendering whole = render(scene, settings);
+  const auto layers = shadow_test::comparison_layers(whole);
   int compared = 0, averted = 0;
   for (int y = 0; y < settings.height; y += 3) {
     for (int x = 0; x < settings.width; x += 3) {
@@ -83,7 +85,7 @@ TEST(ProbedPasses, NameTheScenesTriangles) {
       watched.pixel = glm::ivec2(x, y);
       const Rendering r = render(scene, watched);
       ASSERT_EQ(names_of(r), (std::vector<std::string>{"depth", "comparison", "averted", "lit", "shadow"}));
-      const std::uint32_t polygon = whole.layers->polygon[static_cast<std::size_t>(y * settings.width + x)];
+      const std::uint32_t polygon = layers.polygon[static_cast<std::size_t>(y * settings.width + x)];
       for (std::size_t pass = 1; pass <= 2; ++pass) {
         const ProbedFragment* decided = deciding_fragment(r.probed[pass]);
         if (decided == nullptr) continue;

@@ -58,6 +58,29 @@ Scene square_over_floor(float half) {
   return scene;
 }
 
+ComparisonLayers comparison_layers(const ninebit::Rendering& rendering) {
+  const auto samples = [&](const std::string& part, const std::string& channel) -> const auto& {
+    for (const ninebit::Layer& layer : rendering.layers) {
+      if (layer.part == part && layer.channel == channel) return layer.samples;
+    }
+    throw std::runtime_error("no layer " + part + "." + channel);
+  };
+  using Codes = std::vector<ninebit::s9>;
+  using Numbers = std::vector<std::uint32_t>;
+  ComparisonLayers out;
+  for (std::size_t c = 0; c < 4; ++c) {
+    const std::string channel(1, "RGBA"[c]);
+    if (c < 3) out.primary[c] = std::get<Codes>(samples("primary", channel));
+    if (c < 3) out.texture0[c] = std::get<Codes>(samples("texture0", channel));
+    out.spare0[c] = std::get<Codes>(samples("spare0", channel));
+    out.spare1[c] = std::get<Codes>(samples("spare1", channel));
+  }
+  out.output_alpha = std::get<Codes>(samples("output", "A"));
+  out.polygon = std::get<Numbers>(samples("polygon", "polygon"));
+  out.object = std::get<Numbers>(samples("object", "object"));
+  return out;
+}
+
 ninebit::RenderSettings small_settings() {
   ninebit::RenderSettings settings;
   settings.width = 200;

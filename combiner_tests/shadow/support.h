@@ -6,6 +6,7 @@
 #include <array>
 #include <glm/glm.hpp>
 #include <string>
+#include <vector>
 
 #include "ninebit/scene/scene.h"
 #include "ninebit/shadow/technique.h"
@@ -24,6 +25,15 @@ void add_box(ninebit::Scene& scene, const std::string& name, const glm::vec3& lo
 // A level floor of side 2 * half at y = 0 and a level square of side 2 at y = 1 above its middle, lit from (0, 3, 0):
 // the shadow on the floor is the square |x|, |z| < 1.5. The camera stands to the side and sees both.
 ninebit::Scene square_over_floor(float half = 4.0F);
+
+// The layers of the index comparison, copied out of a rendering; throws where one is missing.
+struct ComparisonLayers {
+  std::array<std::vector<ninebit::s9>, 3> primary, texture0;
+  std::array<std::vector<ninebit::s9>, 4> spare0, spare1;
+  std::vector<ninebit::s9> output_alpha;
+  std::vector<std::uint32_t> polygon, object;
+};
+ComparisonLayers comparison_layers(const ninebit::Rendering& rendering);
 
 // Renders, failing the test where that fails. The default settings are those of the tests: small.
 ninebit::Rendering render(const ninebit::Scene& scene, const ninebit::RenderSettings& settings);

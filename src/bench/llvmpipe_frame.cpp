@@ -59,7 +59,7 @@ class Frame final : public LlvmpipeFrame {
     draw_maps();
     gl_.BindFramebuffer(GL_FRAMEBUFFER, frame_);
     gl_.Viewport(0, 0, settings_.width, settings_.height);
-    const auto& b = IndexCubeRenderer::kBackground;
+    const auto& b = CameraFrame::kBackground;
     gl_.ClearColor(static_cast<float>(b[0]) / 255.0F, static_cast<float>(b[1]) / 255.0F,
                    static_cast<float>(b[2]) / 255.0F, 1.0F);
     gl_.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);

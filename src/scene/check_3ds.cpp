@@ -103,7 +103,7 @@ std::optional<Diagnostic> check_mesh(std::string_view data, const std::string& n
 
 std::optional<Diagnostic> read_light(std::string_view data, const std::string& name, FileFacts& facts) {
   if (data.size() < 12) return fault_of(kShortChunk);
-  PointLight light{name, point(data, 0), glm::vec3(1.0F)};
+  Light light{.name = name, .position = point(data, 0)};
   data.remove_prefix(12);
   bool broken = false;
   bool shines_everywhere = true;

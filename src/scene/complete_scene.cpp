@@ -14,6 +14,8 @@ constexpr float kTooClose = 1e-6F;    // of the bounding diagonal
 constexpr double kMinExtent = 1e-12;  // what is smaller counts as a point: its squares would vanish in floats
 constexpr float kMinFov = 0.01F;
 constexpr float kMaxFov = 170.0F;
+constexpr float kNarrowestSpot = 1.0F;
+constexpr float kWidestSpot = 170.0F;
 
 // What everything is measured by. A scene that is next to a single point still needs some length, which must not drown
 // in its coordinates.
@@ -34,6 +36,11 @@ Status check_setup(const SceneSetup& setup, float aspect_ratio) {
   if (setup.camera && !is_finite(*setup.camera)) return invalid("the camera's position must be finite");
   if (setup.look_at && !is_finite(*setup.look_at)) return invalid("the point to look at must be finite");
   if (setup.light && !is_finite(*setup.light)) return invalid("the light's position must be finite");
+  if (setup.light_target && !is_finite(*setup.light_target)) return invalid("the light's target must be finite");
+  if (setup.spot_degrees && !(*setup.spot_degrees >= kNarrowestSpot && *setup.spot_degrees <= kWidestSpot)) {
+    return invalid(fmt::format("the spot light's opening angle is {} degrees; expected one from {} to {} degrees",
+                               *setup.spot_degrees, kNarrowestSpot, kWidestSpot));
+  }
   if (setup.floor == FloorChoice::at_height && !std::isfinite(setup.floor_height))
     return invalid("the floor's height must be finite");
   return {};
@@ -69,14 +76,53 @@ Camera framing_camera(const Bounds& bounds, float fov_degrees, float aspect_rati
 }
 
 // Above, to the left of and a little toward the camera, outside the box: the shadow falls away to the right, in view.
-PointLight framing_light(const Bounds& bounds, const Camera& camera) {
+Light framing_light(const Bounds& bounds, const Camera& camera) {
   glm::vec3 toward_eye = camera.position - camera.look_at;
   toward_eye.y = 0.0F;
   const float length = glm::length(toward_eye);
   toward_eye = length > 0.0F && std::isfinite(length) ? toward_eye / length : glm::vec3(0.0F, 0.0F, 1.0F);
   const glm::vec3 right = glm::cross(glm::vec3(0.0F, 1.0F, 0.0F), toward_eye);
   const glm::vec3 direction = glm::normalize(glm::vec3(0.0F, 1.0F, 0.0F) - 0.55F * right + 0.35F * toward_eye);
-  return {"light", bounds.center() + direction * (1.3F * scale_of(bounds)), glm::vec3(1.0F)};
+  return {.name = "light", .position = bounds.center() + direction * (1.3F * scale_of(bounds))};
+}
+
+// The light that complete_scene's contract names, not yet moved or aimed. `aimed` says whether the file gives its
+// direction.
+Light choose_light(const Scene& scene, const LightKinds& kinds, const Light& framing, bool& aimed) {
+  aimed = false;
+  for (const Light& light : scene.lights) {
+    if (!kinds.has(light.kind)) continue;
+    aimed = light.kind != LightKind::point;
+    return light;
+  }
+  if (kinds.point) return framing;
+  Light light = framing;
+  for (std::size_t i = scene.lights.size(); i-- > 0;) {
+    if (scene.lights[i].kind == LightKind::point) light = scene.lights[i];
+  }
+  light.kind = kinds.spot ? LightKind::spot : LightKind::directional;
+  return light;
+}
+
+// Moves and aims it as the setup asks.
+Status place_light(Light& light, bool aimed, const SceneSetup& setup, const Bounds& bounds) {
+  light.position = setup.light.value_or(light.position);
+  if (light.kind == LightKind::point) {
+    if (!setup.light_target) return {};
+    return invalid("a point light shines everywhere; expected no target, or a spot or directional light");
+  }
+  light.spot_degrees = setup.spot_degrees.value_or(light.spot_degrees);
+  if (light.kind == LightKind::directional && setup.light) aimed = false;
+  if (aimed && !setup.light_target) return {};
+  const glm::vec3 target = setup.light_target.value_or(bounds.center());
+  if (Status checked = check_range("the point that the light shines at,", target); !checked) return checked;
+  const glm::dvec3 direction = glm::dvec3(target) - glm::dvec3(light.position);
+  const double length = glm::length(direction);
+  if (!(length > static_cast<double>(kTooClose * scale_of(bounds)))) {
+    return invalid("the light shines in no direction: it stands at the point that it shines at");
+  }
+  light.direction = glm::vec3(direction / length);
+  return {};
 }
 
 void add_floor(Scene& scene, const Bounds& bounds, float height) {
@@ -98,7 +144,7 @@ void add_floor(Scene& scene, const Bounds& bounds, float height) {
   }
 }
 
-Status check_places(const Camera& camera, const PointLight& light) {
+Status check_places(const Camera& camera, const Light& light) {
   if (Status checked = check_range("the camera", camera.position); !checked) return checked;
   if (Status checked = check_range("the point that the camera looks at,", camera.look_at); !checked) return checked;
   return check_range("the light", light.position);
@@ -135,15 +181,17 @@ Result<Scene> complete_scene(Scene scene, const SceneSetup& setup, float aspect_
   camera.vertical_fov_degrees = fov;
   // The default light follows the file's or the default view, not the user's, so that walking around the scene does not
   // move its shadows.
-  PointLight light = scene.lights.empty() ? framing_light(bounds, camera) : scene.lights[0];
-  light.position = setup.light.value_or(light.position);
+  bool aimed = false;
+  Light light = choose_light(scene, setup.light_kinds, framing_light(bounds, camera), aimed);
+  if (Status placed = place_light(light, aimed, setup, bounds); !placed) return placed.error();
   camera.position = setup.camera.value_or(camera.position);
   camera.look_at = setup.look_at.value_or(camera.look_at);
 
   if (Status checked = check_places(camera, light); !checked) return checked.error();
   if (glm::distance(camera.position, camera.look_at) <= kTooClose * scale)
     return invalid("the camera stands at the point that it looks at");
-  if (glm::distance(camera.position, light.position) <= kTooClose * scale)
+  const bool somewhere = light.kind != LightKind::directional;
+  if (somewhere && glm::distance(camera.position, light.position) <= kTooClose * scale)
     return invalid("the camera stands at the light: no shadow could be seen");
   fix_up(camera, setup.camera.has_value() || setup.look_at.has_value());
 
@@ -158,7 +206,9 @@ Result<Scene> complete_scene(Scene scene, const SceneSetup& setup, float aspect_
   scene.cameras = {camera};
   scene.lights = {light};
   if (Status checked = validate(scene); !checked) return checked.error();
-  if (Status checked = check_light_in_the_open(scene, light, camera); !checked) return checked.error();
+  if (somewhere) {
+    if (Status checked = check_light_in_the_open(scene, light, camera); !checked) return checked.error();
+  }
   return scene;
 }
 

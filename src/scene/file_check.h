@@ -21,9 +21,9 @@ struct FileFacts {
   std::optional<std::uint64_t> triangles;  // what the nodes of the file place, polygons counted as n - 2 triangles
   bool at_least = false;                   // nodes may place a mesh again: the number is a lower limit
   std::vector<Camera> cameras;             // perspective ones only; look_at is one unit ahead
-  std::vector<PointLight> lights;
-  std::optional<std::string> for_assimp;  // in place of the file: the same without what Assimp trips over
-  bool in_root_space = false;             // cameras and lights still lack the transform of Assimp's root node
+  std::vector<Light> lights;               // directions not yet of unit length
+  std::optional<std::string> for_assimp;   // in place of the file: the same without what Assimp trips over
+  bool in_root_space = false;              // cameras and lights still lack the transform of Assimp's root node
 };
 
 // Each takes the whole content of the file. Diagnostics come without a file name: the caller adds it.

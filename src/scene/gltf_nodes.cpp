@@ -13,6 +13,7 @@ namespace {
 
 // Assimp walks nodes by recursion too: what nests deeper could use up its stack.
 constexpr int kDeepest = 500;
+constexpr float kWidestSpot = 179.0F;  // degrees: the file may say 180, which no map can show
 
 Diagnostic fault_of(std::string message) {
   return {std::move(message), "", 0, Fault::invalid_input};
@@ -137,8 +138,20 @@ class NodeWalk {
   std::optional<Diagnostic> add_light(const Json& node, const Json& reference, const glm::dmat4& world) {
     const Json& light = target_of(item(root_, "extensions", "KHR_lights_punctual", "lights"), reference);
     if (light.is_null()) return fault_of("names a light that is not there");
-    if (text_of(item(light, "type")) != "point") return std::nullopt;
-    PointLight out;
+    const std::string type = text_of(item(light, "type"));
+    Light out;
+    if (type == "spot") {
+      const double half = number_or(item(light, "spot", "outerConeAngle"), std::numbers::pi / 4);
+      if (half <= 0.0 || half > std::numbers::pi / 2)
+        return fault_of("a spot light's outerConeAngle is not between 0 and pi/2");
+      out.kind = LightKind::spot;
+      out.spot_degrees = std::min(static_cast<float>(half * 360.0 / std::numbers::pi), kWidestSpot);
+    } else if (type == "directional") {
+      out.kind = LightKind::directional;
+    } else if (type != "point") {
+      return std::nullopt;
+    }
+    out.direction = glm::vec3(-glm::dvec3(world[2]));
     out.name = text_of(item(light, "name")).empty() ? text_of(item(node, "name")) : text_of(item(light, "name"));
     out.position = glm::vec3(glm::dvec3(world[3]));
     out.color = glm::vec3(vector_of<3>(item(light, "color"), glm::dvec3(1.0)));

@@ -88,9 +88,15 @@ std::optional<Diagnostic> add_viewpoints(const FileFacts& facts, const glm::dmat
     if (!facts.in_root_space) move_look_at(camera, bounds);
     scene.cameras.push_back(camera);
   }
-  for (PointLight light : facts.lights) {
+  for (Light light : facts.lights) {
     light.position = moved(place, light.position);
     if (!is_finite(light.position)) return fault_of("a light's position is not finite");
+    if (light.kind != LightKind::point) {
+      const glm::dvec3 direction = glm::dmat3(place) * glm::dvec3(light.direction);
+      const double length = glm::length(direction);
+      if (!(length > 0.0) || !std::isfinite(length)) return fault_of("a spot or directional light has no direction");
+      light.direction = glm::vec3(direction / length);
+    }
     const glm::vec3 color = is_finite(light.color) ? glm::max(light.color, 0.0F) : glm::vec3(1.0F);
     const float largest = std::max({color.r, color.g, color.b});
     light.color = largest > 0.0F ? glm::min(color / largest, 1.0F) : glm::vec3(0.0F);

@@ -47,7 +47,7 @@ Status check_positions(const Scene& scene, std::size_t first_vertex, const std::
   return {};
 }
 
-Status check_light_in_the_open(const Scene& scene, const PointLight& light, const Camera& camera) {
+Status check_light_in_the_open(const Scene& scene, const Light& light, const Camera& camera) {
   for (const SceneObject& object : scene.objects) {
     // Sheets that lie one behind the other fill any solid angle, but outside of their box no point is inside.
     const Bounds bounds = bounds_of(scene, object);

@@ -28,6 +28,6 @@ namespace ninebit {
 
 // Reports a light inside a solid that the camera is outside of. A light within 1e-6 of the object's diagonal from its
 // surface is as good as on it, and in the open.
-[[nodiscard]] Status check_light_in_the_open(const Scene& scene, const PointLight& light, const Camera& camera);
+[[nodiscard]] Status check_light_in_the_open(const Scene& scene, const Light& light, const Camera& camera);
 
 }  // namespace ninebit

@@ -86,6 +86,22 @@ Status check_values(const Scene& scene) {
   return {};
 }
 
+Status check_light(const Light& light) {
+  if (!is_finite(light.position) || !is_finite(light.color)) {
+    return invalid(fmt::format("the position or colour of light \"{}\" is not finite", light.name));
+  }
+  if (light.kind == LightKind::point) return {};
+  const float length = is_finite(light.direction) ? glm::length(light.direction) : 0.0F;
+  if (!(length > 0.999F && length < 1.001F)) {
+    return invalid(fmt::format("light \"{}\" shines in no direction; expected a vector of length 1", light.name));
+  }
+  if (light.kind == LightKind::spot && !(light.spot_degrees > 0.0F && light.spot_degrees < 180.0F)) {
+    return invalid(fmt::format("the opening angle of light \"{}\" is {} degrees; expected one between 0 and 180",
+                               light.name, light.spot_degrees));
+  }
+  return {};
+}
+
 Status check_camera(const Camera& camera, std::size_t i) {
   if (!is_finite(camera.position) || !is_finite(camera.look_at) || !is_finite(camera.up)) {
     return invalid(fmt::format("the position, look-at point or up vector of camera {} is not finite", i));
@@ -122,10 +138,8 @@ Status validate(const Scene& scene) {
   for (std::size_t i = 0; i < scene.cameras.size(); ++i) {
     if (Status checked = check_camera(scene.cameras[i], i); !checked) return checked;
   }
-  for (const PointLight& light : scene.lights) {
-    if (!is_finite(light.position) || !is_finite(light.color)) {
-      return invalid(fmt::format("the position or colour of light \"{}\" is not finite", light.name));
-    }
+  for (const Light& light : scene.lights) {
+    if (Status checked = check_light(light); !checked) return checked;
   }
   return {};
 }

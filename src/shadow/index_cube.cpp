@@ -1,8 +1,6 @@
 // The technique: one frame.
 #include "ninebit/shadow/index_cube.h"
 
-#include <array>
-#include <chrono>
 #include <optional>
 #include <utility>
 
@@ -11,7 +9,6 @@
 namespace ninebit {
 
 Result<Rendering> render_index_cube(const Scene& scene, const RenderSettings& settings, const Progress& progress) {
-  using Clock = std::chrono::steady_clock;
   std::optional<IndexCubeRenderer> renderer;
   const auto make = [&]() -> Status {
     auto made = IndexCubeRenderer::make(scene, settings);
@@ -19,22 +16,17 @@ Result<Rendering> render_index_cube(const Scene& scene, const RenderSettings& se
     renderer.emplace(std::move(*made));
     return {};
   };
+  PassTimer timer(progress);
   PassTimes times;
-  const auto run = [&](std::string_view name, double done, double* milliseconds, const auto& work) -> Status {
-    if (progress && !progress(name, done)) return Diagnostic{.message = "interrupted", .fault = Fault::cancelled};
-    const auto start = Clock::now();
-    Status status = work();
-    if (milliseconds != nullptr) {
-      *milliseconds = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-    }
-    return status;
-  };
-  Status status = run("indices", 0.0, &times.transform, make);
-  if (status) status = run("index cube map", 0.1, &times.maps, [&] { return renderer->draw_maps(); });
-  if (status) status = run("camera's passes", 0.5, nullptr, [&] { return renderer->draw_camera(times); });
+  double camera = 0.0;
+  Status status = timer.run("indices", 0.0, times.transform, make);
+  if (status) status = timer.run("index cube map", 0.1, times.maps, [&] { return renderer->draw_maps(); });
+  if (status) status = timer.run("camera's passes", 0.5, camera, [&] { return renderer->draw_camera(); });
+  if (status) status = renderer->add_evidence();
   if (!status) return status.error();
-  renderer->count();
-  renderer->rendering().times = times;
+  renderer->finish();
+  renderer->rendering().times.transform = times.transform;
+  renderer->rendering().times.maps = times.maps;
   return std::move(renderer->rendering());
 }
 

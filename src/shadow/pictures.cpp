@@ -7,11 +7,10 @@
 #include <string>
 #include <utility>
 
+#include "src/shadow/cube_cross.h"
+
 namespace ninebit {
 namespace {
-
-// Larger faces are shown by every second, fourth, … texel: the cross is for people.
-constexpr std::size_t kLargestCrossFace = 1024;
 
 // Where sample i of a plane, lowest row first, stands in a picture, highest row first.
 std::size_t upright_index(std::size_t i, int width, int height) {
@@ -63,53 +62,16 @@ Status write_index_cube(const Rendering& rendering, const std::filesystem::path&
   return write_exr_cube(file, size, faces);
 }
 
-// The parts of layers.exr. Planes have their lowest row first, EXR parts their highest; the planes must outlive this.
-class LayerParts {
- public:
-  LayerParts(int width, int height) : width_(width), height_(height) {}
-
-  template <std::size_t N>
-  void add_codes(const std::string& name, const std::array<std::vector<s9>, N>& planes) {
-    ExrPart& part = add(name);
-    for (std::size_t c = 0; c < N; ++c) part.channels.push_back(upright<float>(std::string(1, "RGBA"[c]), planes[c]));
+// Layers as the parts of a file, each part at the place of its first layer; the layers must outlive them.
+std::vector<ExrPart> parts_of(const std::deque<Layer>& layers) {
+  std::vector<ExrPart> parts;
+  for (const Layer& layer : layers) {
+    auto part = std::find_if(parts.begin(), parts.end(), [&](const ExrPart& p) { return p.name == layer.part; });
+    if (part == parts.end()) part = parts.insert(part, ExrPart{layer.part, layer.width, layer.height, {}});
+    const auto plane = [&](const auto& samples) { return upside_down(samples.data(), layer.width, layer.height); };
+    part->channels.push_back(exr_channel(layer.channel, std::visit(plane, layer.samples)));
   }
-  void add_codes(const std::string& name, const std::string& channel_name, const std::vector<s9>& plane) {
-    add(name).channels.push_back(upright<float>(channel_name, plane));
-  }
-  template <class T>
-  void add_integers(const std::string& name, const std::vector<T>& plane) {
-    add(name).channels.push_back(upright<std::uint32_t>(name, plane));
-  }
-  [[nodiscard]] const std::vector<ExrPart>& parts() const { return parts_; }
-
- private:
-  ExrPart& add(const std::string& name) { return parts_.emplace_back(ExrPart{name, width_, height_, {}}); }
-
-  template <class To, class From>
-  ExrChannel upright(const std::string& name, const std::vector<From>& plane) const {
-    return channel<To>(name, [&plane, height = height_](int row, std::span<To> out) {
-      const From* const from = plane.data() + static_cast<std::size_t>(height - 1 - row) * out.size();
-      std::transform(from, from + out.size(), out.begin(), [](From v) { return static_cast<To>(v); });
-    });
-  }
-
-  int width_, height_;
-  std::vector<ExrPart> parts_;
-};
-
-Status write_layers(const Rendering& rendering, const std::filesystem::path& file) {
-  const ComparisonLayers& layers = *rendering.layers;
-  LayerParts parts(rendering.frame.width(), rendering.frame.height());
-  parts.add_codes("primary", layers.primary);
-  parts.add_codes("texture0", layers.texture0);
-  parts.add_codes("spare0", layers.spare0);
-  parts.add_codes("spare1", layers.spare1);
-  parts.add_codes("output", "A", layers.output_alpha);
-  parts.add_integers("stencil", rendering.frame.stencil());
-  parts.add_integers("depth", rendering.frame.depth());
-  parts.add_integers("polygon", layers.polygon);
-  parts.add_integers("object", layers.object);
-  return write_exr_parts(file, parts.parts());
+  return parts;
 }
 
 }  // namespace
@@ -136,22 +98,9 @@ Image8 stencil_picture(const Rendering& rendering) {
 }
 
 Image8 index_cross_picture(const Rendering& rendering) {
-  constexpr std::array<std::array<int, 2>, 6> place{{{2, 1}, {0, 1}, {1, 0}, {1, 2}, {1, 1}, {3, 1}}};
-  const auto texels = static_cast<std::size_t>(rendering.index_map.front().size);
-  const std::size_t n = std::min(texels, kLargestCrossFace), stride = texels / n;
-  Image8 image{static_cast<int>(4 * n), static_cast<int>(3 * n), 3, {}};
-  image.pixels.assign(12 * n * n * 3, 24);
-  for (std::size_t f = 0; f < 6; ++f) {
-    const std::size_t left = static_cast<std::size_t>(place[f][0]) * n, top = static_cast<std::size_t>(place[f][1]) * n;
-    for (std::size_t y = 0; y < n; ++y) {
-      for (std::size_t x = 0; x < n; ++x) {
-        const auto color = hue_of(code_number(rendering, f, (y * texels + x) * stride));
-        std::copy(color.begin(), color.end(),
-                  image.pixels.begin() + static_cast<std::ptrdiff_t>(((top + y) * 4 * n + left + x) * 3));
-      }
-    }
-  }
-  return image;
+  return cube_cross(rendering.index_map.front().size, [&](std::size_t face, std::size_t texel) {
+    return hue_of(code_number(rendering, face, texel));
+  });
 }
 
 Status write_rendering(const Rendering& rendering, StagedFiles& files) {
@@ -170,8 +119,13 @@ Status write_rendering(const Rendering& rendering, StagedFiles& files) {
     s = write("index_cube.png", [&](const Path& file) { return write_png(file, index_cross_picture(rendering)); });
     if (s) s = write("index_cube.exr", [&](const Path& file) { return write_index_cube(rendering, file); });
   }
-  if (s && rendering.layers) s = write("layers.exr", [&](const Path& file) { return write_layers(rendering, file); });
-  return s;
+  for (const NamedPicture& picture : rendering.pictures) {
+    if (s) s = write(picture.file.c_str(), [&](const Path& file) { return write_png(file, picture.image); });
+  }
+  if (!s || rendering.layers.empty()) return s;
+  s = write("layers.exr", [&](const Path& file) { return write_exr_parts(file, parts_of(rendering.layers)); });
+  if (!s || rendering.maps.empty()) return s;
+  return write("maps.exr", [&](const Path& file) { return write_exr_parts(file, parts_of(rendering.maps)); });
 }
 
 }  // namespace ninebit

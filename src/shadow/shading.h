@@ -5,6 +5,7 @@
 
 #include "ninebit/raster/rasterizer.h"
 #include "ninebit/scene/scene.h"
+#include "ninebit/shadow/settings.h"
 
 namespace ninebit {
 
@@ -13,10 +14,17 @@ struct VertexShading {
   std::vector<ColorBytes> shadowed;
 };
 
-// Base colour × (ambient + diffuse · cos), with the profile's conversion of float colours to bytes. With `light_facing`
-// surfaces that turn away from the light get no diffuse light; otherwise both sides are lit alike, as in the article's
-// pictures. In shadow, a quarter of the diffuse light stays, so that shapes can be told apart.
-[[nodiscard]] VertexShading shade_vertices(const Scene& scene, const PointLight& light, bool light_facing,
-                                           const HardwareProfile& profile);
+// Base colour × (ambient + diffuse · cos), with the profile's conversion of float colours to bytes. With
+// `settings.light_facing` surfaces that turn away from the light get no diffuse light; otherwise both sides are lit
+// alike, as in the article's pictures. In shadow, a quarter of the diffuse light stays, so that shapes can be told
+// apart.
+[[nodiscard]] VertexShading shade_vertices(const Scene& scene, const Light& light, const RenderSettings& settings);
+
+// The summands of the lit colours one by one, for passes that change the light on its way to the vertex.
+struct VertexLight {
+  std::vector<ColorBytes> ambient;  // base colour × ambient
+  std::vector<ColorBytes> diffuse;  // base colour × diffuse · cos, what the light adds
+};
+[[nodiscard]] VertexLight light_vertices(const Scene& scene, const Light& light, const RenderSettings& settings);
 
 }  // namespace ninebit

@@ -21,6 +21,14 @@ struct DepthRange {
 // World space to clip space of a camera, with window y up.
 [[nodiscard]] glm::mat4 camera_projection(const Scene& scene, const Camera& camera, float aspect_ratio);
 
+// The same without a far plane: a point of homogeneous coordinate w = 0 has the window depth 1, without any rounding, as
+// clip z and clip w of a direction are the same sum.
+[[nodiscard]] glm::mat4 infinite_camera_projection(const Scene& scene, const Camera& camera, float aspect_ratio);
+
+// World space to clip space of a spot or directional light's map: the square pyramid of the spot's opening angle, which
+// is all that the light shines through, or a parallel beam around the whole scene.
+[[nodiscard]] glm::mat4 light_projection(const Scene& scene, const Light& light);
+
 // Clip space of one cube-map face, from positions relative to the cube's middle: window x follows the face's s, window
 // y its t.
 [[nodiscard]] glm::mat4 cube_face_projection(CubeFace face, const DepthRange& range);

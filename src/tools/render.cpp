@@ -2,8 +2,12 @@
 #include <fmt/format.h>
 
 #include <chrono>
+#include <map>
 #include <memory>
 #include <optional>
+#include <span>
+#include <string>
+#include <variant>
 
 #include "ninebit/shadow/pictures.h"
 #include "src/tools/scene_flags.h"
@@ -25,7 +29,26 @@ Json hashes(const Rendering& rendering) {
   for (const IndexMapFace& face : rendering.index_map) {
     for (const auto& plane : face.color) index_map.add(plane);
   }
-  return {{"color", color.finish()}, {"stencil", stencil.finish()}, {"index_map", index_map.finish()}};
+  Json out{{"color", color.finish()}, {"stencil", stencil.finish()}};
+  if (!rendering.index_map.empty()) out["index_map"] = index_map.finish();
+  std::map<std::string, Sha256> maps;  // all planes of one name together
+  for (const Layer& map : rendering.maps) {
+    const auto add = [&](const auto& samples) {
+      const auto bytes = std::as_bytes(std::span(samples));
+      maps[map.part].add({reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size()});
+    };
+    std::visit(add, map.samples);
+  }
+  for (auto& [name, hash] : maps) out[name] = hash.finish();
+  return out;
+}
+
+Json facts(const Rendering& rendering) {
+  Json out = Json::object();
+  for (const Fact& fact : rendering.facts) {
+    std::visit([&](const auto& value) { out[fact.name] = value; }, fact.value);
+  }
+  return out;
 }
 
 double milliseconds(std::chrono::steady_clock::duration d) {
@@ -81,9 +104,9 @@ int render(const RenderFlags& flags) {
                  {"size", {settings.width, settings.height}},
                  {"map_size", settings.map_size},
                  {"index",
-                  {{"format", flags.scene.index_format},
-                   {"scope", flags.scene.index_scope},
-                   {"step", settings.index_step},
+                  {{"format", name_in(kIndexFormats, settings.index.format)},
+                   {"scope", name_in(kIndexScopes, settings.index.scope)},
+                   {"step", settings.index.step},
                    {"used", r.codes_used},
                    {"capacity", r.codes.capacity()}}},
                  {"pixels", {{"background", r.background}, {"lit", r.lit}, {"shadowed", r.shadowed}}},
@@ -96,6 +119,7 @@ int render(const RenderFlags& flags) {
                    {"shade", r.times.lit + r.times.shadow},
                    {"write", milliseconds(end - rendered)},
                    {"total", milliseconds(end - start)}}},
+                 {"facts", facts(r)},
                  {"files", std::move(names)},
                  {"hash", hashes(r)}};
   return answer(out.dump(2) + "\n");

@@ -8,6 +8,7 @@
 
 #include "ninebit/image/image_io.h"
 #include "ninebit/scene/scene_io.h"
+#include "src/tools/cookie_file.h"
 #include "src/tools/number_list.h"
 
 namespace ninebit::tools {
@@ -45,6 +46,24 @@ std::string check_fov(const std::string& text) {
   return fmt::format("'{}' is no field of view; expected degrees from 0.01 to 170", text);
 }
 
+std::string check_spot_angle(const std::string& text) {
+  const auto n = numbers<float>(text, ',');
+  if (n && n->size() == 1 && n->at(0) >= 1.0F && n->at(0) <= 170.0F) return {};
+  return fmt::format("'{}' is no opening angle; expected degrees from 1 to 170", text);
+}
+
+std::string check_bias(const std::string& text) {
+  const auto n = numbers<float>(text, ',');
+  if (n && n->size() == 1 && std::isfinite(n->at(0)) && n->at(0) >= 0.0F) return {};
+  return fmt::format("'{}' is no bias; expected a distance of 0 or more", text);
+}
+
+std::string check_offset(const std::string& text) {
+  const auto n = numbers<float>(text, ',');
+  if (n && n->size() == 2 && std::isfinite(n->at(0)) && std::isfinite(n->at(1))) return {};
+  return fmt::format("'{}' is no polygon offset; expected FACTOR,UNITS", text);
+}
+
 std::string check_file_name(const std::string& text) {
   return text.empty() ? "the file name is empty" : "";
 }
@@ -55,11 +74,26 @@ std::optional<glm::vec3> point(const std::string& text) {
   return glm::vec3(n->at(0), n->at(1), n->at(2));
 }
 
-SceneSetup setup_of(const SceneFlags& flags) {
+Result<SceneSetup> setup_of(const SceneFlags& flags) {
   SceneSetup setup;
   setup.camera = point(flags.camera);
   setup.look_at = point(flags.look_at);
   setup.light = point(flags.light);
+  setup.light_kinds = find_technique(flags.technique)->lights;
+  if (!flags.light_type.empty()) {
+    const LightKind kind = flags.light_type == "point"  ? LightKind::point
+                           : flags.light_type == "spot" ? LightKind::spot
+                                                        : LightKind::directional;
+    if (!setup.light_kinds.has(kind)) {
+      return Diagnostic{.message = fmt::format("--light-type {}: technique {} cannot draw with such a light",
+                                               flags.light_type, flags.technique)};
+    }
+    setup.light_kinds = {.point = kind == LightKind::point,
+                         .spot = kind == LightKind::spot,
+                         .directional = kind == LightKind::directional};
+  }
+  setup.light_target = point(flags.light_target);
+  if (flags.spot_angle) setup.spot_degrees = static_cast<float>(*flags.spot_angle);
   if (flags.fov) setup.fov_degrees = static_cast<float>(*flags.fov);
   if (flags.floor == "none") {
     setup.floor = FloorChoice::none;
@@ -83,7 +117,97 @@ CLI::Validator checked(std::string (*check)(const std::string&)) {
   return CLI::Validator([check](std::string& text) { return check(text); }, "");
 }
 
+// A flag that takes one of the names.
+template <class E>
+void add_choice(CLI::App& verb, const std::string& flag, E& value, const Names<E>& names, const std::string& help) {
+  std::vector<std::string> all;
+  for (const auto& [name, v] : names) all.push_back(name);
+  const auto set = [&value, &names](const std::string& text) {
+    for (const auto& [name, v] : names) {
+      if (name == text) value = v;
+    }
+  };
+  verb.add_option_function<std::string>(flag, set, help)->default_str(name_in(names, value))->check(CLI::IsMember(all));
+}
+
+const Names<DepthCubeBits> kDepthBits{
+    {"8", DepthCubeBits::eight}, {"16", DepthCubeBits::sixteen}, {"float", DepthCubeBits::real}};
+const Names<DepthEncoding> kDepthEncodings{{"d24", DepthEncoding::d24},
+                                           {"d16", DepthEncoding::d16},
+                                           {"rgba8-fract", DepthEncoding::rgba8_fract},
+                                           {"rgba8-mod", DepthEncoding::rgba8_mod},
+                                           {"rgba8-256over255", DepthEncoding::rgba8_256over255},
+                                           {"rgba8-modf", DepthEncoding::rgba8_modf}};
+const Names<ChannelStorage> kStorages{{"round", ChannelStorage::round}, {"truncate", ChannelStorage::truncate}};
+const Names<VolumeMethod> kVolumeMethods{{"depth-fail", VolumeMethod::depth_fail},
+                                         {"depth-pass", VolumeMethod::depth_pass}};
+const Names<bool> kStencilSides{{"two", true}, {"one", false}};
+const Names<SamplePattern> kPatterns{{"poisson", SamplePattern::poisson}, {"polar", SamplePattern::polar}};
+const Names<bool> kStyles{{"plain", false}, {"cartoon", true}};
+const Names<bool> kCookieShadows{{"index", true}, {"none", false}};
+const Names<CullFace> kCulls{{"none", CullFace::none}, {"back", CullFace::back}, {"front", CullFace::front}};
+const Names<DepthStencilFormat> kDepthStencils{
+    {"d24s8", DepthStencilFormat::d24s8}, {"d16", DepthStencilFormat::d16}, {"d15s1", DepthStencilFormat::d15s1}};
+
+// The flags that one technique alone reads.
+void add_technique_flags(CLI::App& verb, SceneFlags& flags) {
+  RenderSettings& s = flags.settings;
+  add_choice(verb, "--index-format", s.index.format, kIndexFormats, "What holds an index");
+  add_choice(verb, "--index-scope", s.index.scope, kIndexScopes, "What gets an index of its own");
+  verb.add_option("--index-step", s.index.step, "Step between indices in a channel")
+      ->capture_default_str()
+      ->check(CLI::Range(1, kMaxIndexStep));
+  verb.add_option("--section-size", s.index.section_size, "Triangles a section at most")
+      ->capture_default_str()
+      ->type_name("N")
+      ->check(CLI::Range(1, kMaxSectionSize));
+  add_choice(verb, "--depth-bits", s.depth_cube.bits, kDepthBits, "What the depth cube map holds");
+  verb.add_option("--bias", flags.bias, "World units that a surface may lie behind the depth cube map's")
+      ->type_name("DISTANCE")
+      ->check(checked(check_bias));
+  verb.add_option("--polygon-offset", flags.polygon_offset, "Polygon offset while the shadow map is drawn")
+      ->type_name("FACTOR,UNITS")
+      ->check(checked(check_offset));
+  add_choice(verb, "--depth-encoding", s.shadow_map.encoding, kDepthEncodings, "How the shadow map holds depth");
+  add_choice(verb, "--depth-storage", s.shadow_map.storage, kStorages,
+             "How components of rgba8 encodings become bytes");
+  add_choice(verb, "--volume-method", s.shadow_volume.method, kVolumeMethods, "Where shadow volumes are counted");
+  add_choice(verb, "--stencil-sides", s.shadow_volume.two_sided, kStencilSides, "Faces of a volume in one pass");
+  verb.add_option("--samples", s.reflective.samples, "Pixel lights that a pixel gathers from")
+      ->capture_default_str()
+      ->type_name("N")
+      ->check(CLI::Range(1, kMaxPixelLights));
+  verb.add_option("--kernel", s.reflective.kernel, "Radius of the gathering pattern in texels")
+      ->capture_default_str()
+      ->type_name("TEXELS")
+      ->check(CLI::Range(1.0F, static_cast<float>(kMaxSurfaceSize)));
+  add_choice(verb, "--pattern", s.reflective.pattern, kPatterns, "The gathering pattern");
+  verb.add_option("--gather-scale", s.reflective.gather_scale, "Pixels a side that share one gathering")
+      ->capture_default_str()
+      ->type_name("N")
+      ->check(CLI::Range(1, 16));
+  verb.add_option("--cookie", flags.cookie, "Cube map of the light: a DDS file, or six pictures +X,-X,+Y,-Y,+Z,-Z")
+      ->type_name("FILE[,FILE...]")
+      ->check(checked(check_cookie));
+  verb.add_option("--light-rotate", flags.light_rotate, "Degrees that the light is turned about x, then y, then z")
+      ->type_name("X,Y,Z")
+      ->check(checked(check_point));
+  add_choice(verb, "--cookie-shadows", s.light_cookie.shadows, kCookieShadows, "Shadows of the light cookie");
+  verb.parse_complete_callback([&flags] {
+    if (flags.technique == "light-cookie" && flags.cookie.empty()) {
+      throw CLI::ValidationError("--technique light-cookie needs --cookie FILE");
+    }
+  });
+}
+
 }  // namespace
+
+const Names<IndexFormat> kIndexFormats{{"rgb", IndexFormat::rgb},
+                                       {"la", IndexFormat::luminance_alpha},
+                                       {"l", IndexFormat::luminance},
+                                       {"a", IndexFormat::alpha}};
+const Names<IndexScope> kIndexScopes{
+    {"polygon", IndexScope::polygon}, {"object", IndexScope::object}, {"section", IndexScope::section}};
 
 ThreadLimit::ThreadLimit(int threads) {
   if (threads > 0) {
@@ -113,15 +237,6 @@ std::vector<CLI::Option*> add_scene_flags(CLI::App& verb, SceneFlags& flags) {
       ->type_name("N")
       ->capture_default_str()
       ->check(checked(check_map_size));
-  verb.add_option("--index-format", flags.index_format, "What holds an index")
-      ->capture_default_str()
-      ->check(CLI::IsMember({"rgb"}));
-  verb.add_option("--index-scope", flags.index_scope, "What gets an index of its own")
-      ->capture_default_str()
-      ->check(CLI::IsMember({"polygon", "object"}));
-  verb.add_option("--index-step", flags.settings.index_step, "Step between indices in a channel")
-      ->capture_default_str()
-      ->check(CLI::Range(1, kMaxIndexStep));
   verb.add_flag("--light-facing", flags.settings.light_facing, "Shadow what faces away from the light");
   verb.add_option("--camera", flags.camera, "Camera position")->type_name("X,Y,Z")->check(checked(check_point));
   verb.add_option("--look-at", flags.look_at, "Point that the camera looks at")
@@ -133,9 +248,19 @@ std::vector<CLI::Option*> add_scene_flags(CLI::App& verb, SceneFlags& flags) {
       ->type_name("auto|none|HEIGHT")
       ->capture_default_str()
       ->check(checked(check_floor));
-  verb.add_option("--cull", flags.cull, "Faces to leave out, in every pass")
-      ->capture_default_str()
-      ->check(CLI::IsMember({"none", "back", "front"}));
+  verb.add_option("--light-type", flags.light_type, "Kind of light (default: the file's, or the technique's)")
+      ->check(CLI::IsMember({"point", "spot", "directional"}));
+  verb.add_option("--light-target", flags.light_target, "Point that a spot or directional light shines at")
+      ->type_name("X,Y,Z")
+      ->check(checked(check_point));
+  verb.add_option("--spot-angle", flags.spot_angle, "Opening angle of a spot light")
+      ->type_name("DEGREES")
+      ->check(checked(check_spot_angle));
+  add_choice(verb, "--cull", flags.settings.cull_face, kCulls, "Faces to leave out, in every pass");
+  add_choice(verb, "--depth-stencil", flags.settings.depth_stencil, kDepthStencils,
+             "Depth and stencil bits of the frame");
+  add_choice(verb, "--style", flags.settings.cartoon, kStyles, "plain, or flat colours with shadows in ink");
+  add_technique_flags(verb, flags);
   std::vector<CLI::Option*> added = verb.get_options();
   added.erase(added.begin(), added.begin() + static_cast<std::ptrdiff_t>(before));
   return added;
@@ -147,8 +272,12 @@ RenderSettings settings_of(const SceneFlags& flags, const CommonFlags& common) {
   settings.width = size[0];
   settings.height = size[1];
   settings.profile = profile_of(common);
-  settings.index_scope = flags.index_scope == "object" ? IndexScope::object : IndexScope::polygon;
-  settings.cull_face = flags.cull == "back" ? CullFace::back : flags.cull == "front" ? CullFace::front : CullFace::none;
+  if (!flags.bias.empty()) settings.depth_cube.bias = numbers<float>(flags.bias, ',')->at(0);
+  if (!flags.polygon_offset.empty()) {
+    const auto offset = *numbers<float>(flags.polygon_offset, ',');
+    settings.shadow_map.polygon_offset = {offset[0], offset[1]};
+  }
+  settings.light_cookie.rotate_degrees = point(flags.light_rotate).value_or(glm::vec3(0.0F));
   return settings;
 }
 
@@ -160,12 +289,20 @@ Result<Scene> load_scene(const SceneFlags& flags, const RenderSettings& settings
 
 Result<Scene> complete_scene_of(const SceneFlags& flags, const RenderSettings& settings, Scene scene) {
   const float aspect = static_cast<float>(settings.width) / static_cast<float>(settings.height);
-  return naming(flags, complete_scene(std::move(scene), setup_of(flags), aspect));
+  const auto setup = setup_of(flags);
+  if (!setup) return setup.error();
+  return naming(flags, complete_scene(std::move(scene), *setup, aspect));
 }
 
 Result<Rendering> render_scene(const SceneFlags& flags, const Scene& scene, const RenderSettings& settings,
                                const Progress& progress) {
-  return naming(flags, find_technique(flags.technique)->render(scene, settings, progress));
+  RenderSettings complete = settings;
+  if (!flags.cookie.empty()) {
+    auto cookie = read_cookie(settings.profile, flags.cookie);
+    if (!cookie) return cookie.error();
+    complete.light_cookie.cookie = std::move(cookie).value();
+  }
+  return naming(flags, find_technique(flags.technique)->render(scene, complete, progress));
 }
 
 }  // namespace ninebit::tools

@@ -18,13 +18,25 @@ struct SceneFlags {
   std::string file;
   std::string technique = "index-cube";
   std::string size = "1024x768";
-  std::string index_format = "rgb";
-  std::string index_scope = "polygon";
-  std::string cull = "none";
-  std::string camera, look_at, light, floor = "auto";
-  std::optional<double> fov;
+  std::string camera, look_at, light, light_type, light_target, floor = "auto";
+  std::string bias, polygon_offset, cookie, light_rotate;
+  std::optional<double> fov, spot_angle;
   RenderSettings settings;  // what stands in no text above; settings_of completes it
 };
+
+// The names of enumerators, as flags take them and JSON gives them.
+template <class E>
+using Names = std::vector<std::pair<std::string, E>>;
+extern const Names<IndexFormat> kIndexFormats;
+extern const Names<IndexScope> kIndexScopes;
+
+template <class E>
+[[nodiscard]] std::string name_in(const Names<E>& names, E value) {
+  for (const auto& [name, v] : names) {
+    if (v == value) return name;
+  }
+  return {};
+}
 
 // Adds the scene's file as an argument or a flag of that name.
 CLI::Option* add_scene_file(CLI::App& verb, const std::string& name, SceneFlags& flags);
@@ -41,7 +53,7 @@ class ThreadLimit {
   std::optional<tbb::global_control> limit_;
 };
 
-// The settings of flags that were checked while they were parsed.
+// The settings of flags that were checked while they were parsed, but for the cookie, which render_scene reads.
 [[nodiscard]] RenderSettings settings_of(const SceneFlags& flags, const CommonFlags& common);
 
 // Gives a scene the camera, light and floor that the flags ask for.
@@ -50,7 +62,7 @@ class ThreadLimit {
 // Reads the scene and completes it.
 [[nodiscard]] Result<Scene> load_scene(const SceneFlags& flags, const RenderSettings& settings);
 
-// Renders it with the technique that the flags name.
+// Renders it with the technique that the flags name, and with the cookie where they name one.
 [[nodiscard]] Result<Rendering> render_scene(const SceneFlags& flags, const Scene& scene,
                                              const RenderSettings& settings, const Progress& progress);
 

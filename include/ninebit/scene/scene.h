@@ -24,10 +24,15 @@ struct SceneObject {
   std::uint32_t triangle_count = 0;
 };
 
-struct PointLight {
+enum class LightKind : std::uint8_t { point, spot, directional };
+
+struct Light {
   std::string name;
-  glm::vec3 position{0.0F};  // world space
+  glm::vec3 position{0.0F};  // world space; of a directional light any point that it shines from
   glm::vec3 color{1.0F};     // relative, each channel in [0, 1]; intensity units of the file are not kept
+  LightKind kind = LightKind::point;
+  glm::vec3 direction{0.0F, -1.0F, 0.0F};  // where a spot or directional light shines to: unit length
+  float spot_degrees = 90.0F;              // the whole opening angle of a spot light, in (0, 180)
 };
 
 struct Camera {
@@ -55,8 +60,8 @@ struct Scene {
   std::vector<std::uint32_t> triangle_material;  // for each triangle, an index into materials
   std::vector<SceneObject> objects;
   std::vector<Material> materials;
-  std::vector<PointLight> lights;  // from the file, in its order; may be empty
-  std::vector<Camera> cameras;     // from the file, in its order; may be empty
+  std::vector<Light> lights;    // from the file, in its order; may be empty
+  std::vector<Camera> cameras;  // from the file, in its order; may be empty
 };
 
 // The smallest axis-parallel box around all positions that a triangle uses; zero for a scene without triangles.

@@ -10,14 +10,14 @@
 
 namespace ninebit {
 
-// Reads glTF 2.0 (.gltf, .glb: node hierarchy, materials' base colours, cameras, KHR_lights_punctual point lights),
+// Reads glTF 2.0 (.gltf, .glb: node hierarchy, materials' base colours, cameras, KHR_lights_punctual),
 // OBJ, PLY, OFF and 3DS. All nodes are flattened into world space. Degenerate triangles are kept: they count as
 // polygons and cover no pixel. Reports, naming the file: missing, empty, truncated or malformed files, no triangles,
 // positions that are NaN or infinite, indices out of range, more than 2^32 - 1 vertices or triangles.
 //
 // The triangles keep the file's count and order; polygons are cut into n - 2 triangles. Corners of one object with
 // equal position and normal share a vertex; where the file gives no normal it is the area-weighted mean of the object's
-// triangles at that position. Spot and directional lights, orthographic cameras, skins, morph targets, animations and
+// triangles at that position. Spot lights of 3DS files, orthographic cameras, skins, morph targets, animations and
 // pictures are left out; sparse glTF accessors are refused. A text file that is cut exactly between two faces cannot be
 // told from a whole OBJ file, which declares no counts.
 [[nodiscard]] Result<Scene> read_scene(const std::filesystem::path& file);
@@ -28,12 +28,25 @@ enum class FloorChoice {
   at_height
 };
 
+// The kinds of light that will do.
+struct LightKinds {
+  bool point = true;
+  bool spot = false;
+  bool directional = false;
+  [[nodiscard]] constexpr bool has(LightKind kind) const {
+    return kind == LightKind::point ? point : kind == LightKind::spot ? spot : directional;
+  }
+};
+
 // What the user may override; everything else comes from the file or from a default framing.
 struct SceneSetup {
-  std::optional<glm::vec3> camera;   // world space
-  std::optional<glm::vec3> look_at;  // world space
-  std::optional<float> fov_degrees;  // vertical, from 0.01 to 170
-  std::optional<glm::vec3> light;    // world space
+  std::optional<glm::vec3> camera;        // world space
+  std::optional<glm::vec3> look_at;       // world space
+  std::optional<float> fov_degrees;       // vertical, from 0.01 to 170
+  std::optional<glm::vec3> light;         // world space
+  LightKinds light_kinds;                 // at least one
+  std::optional<glm::vec3> light_target;  // a point that a spot or directional light shines at
+  std::optional<float> spot_degrees;      // the opening angle of a spot light, from 1 to 170
   FloorChoice floor = FloorChoice::automatic;
   float floor_height = 0.0F;  // world y, for FloorChoice::at_height
 };
@@ -42,9 +55,15 @@ struct SceneSetup {
 // the setup asks for one (or where it is automatic). Without a camera in the file: a three-quarter view that frames
 // the whole bounding box. Without a light: one above and to the side of the camera, outside the box.
 //
+// The light is the file's first one of a kind that will do. Where there is none and a point light will do, the default
+// light; otherwise the file's first point light, or else the default light, becomes a spot light (a directional one
+// where that alone will do) at its place. It shines at the target, else as the file says, else at the middle of the
+// bounding box; a directional light that the setup moves shines at its target or at that middle, too.
+//
 // Reports what validate() reports; a camera at the light, or at the point that it looks at; a field of view outside of
 // 0.01 to 170 degrees; a scene, floor, camera, look-at point or light with a coordinate outside of -1e12 to 1e12, so
-// that squares and triple products of what is made of them stay finite in floats; and a light inside a solid, which is
+// that squares and triple products of what is made of them stay finite in floats; a light that stands at its target, or
+// a target for a point light; and a point or spot light inside a solid, which is
 // an object with a winding number above 3/4 at the light (an open one, too, if it closes off that much of the view) but
 // not at the camera: in a room that is wound the wrong way around, both are inside. A light on an object's surface is
 // not inside. A scene less than 1e-12 across counts as a single point, which is framed from some distance.

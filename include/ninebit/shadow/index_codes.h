@@ -11,10 +11,20 @@ namespace ninebit {
 // What gets an index of its own.
 enum class IndexScope : std::uint8_t {
   polygon,  // every triangle
-  object    // every mesh instance: no joint errors, and no shadow of an object upon itself
+  object,   // every mesh instance: no joint errors, and no shadow of an object upon itself
+  section   // every cluster of neighbouring triangles of an object
+};
+
+// What holds an index in the map and in the polygon's colour.
+enum class IndexFormat : std::uint8_t {
+  rgb,              // three channels
+  luminance_alpha,  // two
+  luminance,        // one
+  alpha             // one
 };
 
 inline constexpr int kMaxIndexStep = 16;
+inline constexpr int kMaxSectionSize = 65'535;
 
 // RGB index codes with a step: a channel holds 0, step, 2 step … up to 255, red fastest. Code number 0 is the cleared
 // map, so numbers from 1 on are given to polygons.

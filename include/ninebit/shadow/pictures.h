@@ -19,9 +19,10 @@ namespace ninebit {
 // above 1,024 texels only every second, fourth, … texel is shown.
 [[nodiscard]] Image8 index_cross_picture(const Rendering& rendering);
 
-// Writes color.png, shadow.png, index_cube.png and index_cube.exr (channels index, UINT, and R G B, half: the codes'
-// bytes over 255); with layers also layers.exr: parts primary, texture0, spare0, spare1 (R G B, A where there is one),
-// output (A), each register codes as half, and stencil, depth, polygon, object as UINT; upright.
+// Writes color.png, shadow.png, the rendering's own pictures and, where there are indices, index_cube.png and
+// index_cube.exr (channels index, UINT, and R G B, half: the codes' bytes over 255). With layers also layers.exr and,
+// where the light drew other maps, maps.exr: a part for each name and a channel for each layer, register codes and
+// halves as half, bytes and integers as UINT, floats as FLOAT; upright.
 [[nodiscard]] Status write_rendering(const Rendering& rendering, StagedFiles& files);
 
 }  // namespace ninebit

@@ -3,50 +3,63 @@
 
 #include <array>
 #include <cstdint>
+#include <deque>
 #include <functional>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
+#include <variant>
 #include <vector>
 
-#include "ninebit/numerics/hardware_profile.h"
+#include "ninebit/image/image_io.h"
 #include "ninebit/numerics/result.h"
 #include "ninebit/raster/fragment_probe.h"
-#include "ninebit/raster/pipeline_state.h"
 #include "ninebit/raster/surface.h"
 #include "ninebit/scene/scene.h"
+#include "ninebit/scene/scene_io.h"
 #include "ninebit/shadow/index_codes.h"
+#include "ninebit/shadow/settings.h"
 
 namespace ninebit {
-
-struct RenderSettings {
-  int width = 1024;  // pixels, 1 to kMaxSurfaceSize
-  int height = 768;
-  int map_size = 512;  // texels a side of a cube-map face: a power of two, 1 to kMaxSurfaceSize
-  IndexScope index_scope = IndexScope::polygon;
-  int index_step = 2;         // 1 to kMaxIndexStep
-  bool light_facing = false;  // polygons that face away from the light are shadowed (the article leaves them lit)
-  CullFace cull_face = CullFace::none;  // in every pass, from the light as from the camera
-  bool layers = false;                  // keep every intermediate value of the camera's view
-  std::optional<glm::ivec2> pixel;      // to be watched: window coordinates of the frame, y up
-  HardwareProfile profile = profiles::geforce2;
-};
 
 // Asked between passes: what has been done (0 to 1) and what comes next. Returning false ends the work with
 // Fault::cancelled. May be empty.
 using Progress = std::function<bool(std::string_view pass, double done)>;
 
-// Every intermediate value of the comparison at each pixel, rows from the lowest up; zero where nothing was drawn.
-// Register codes as the combiners hold them, -255 to 255 with nine bits.
-struct ComparisonLayers {
-  std::array<std::vector<s9>, 3> primary;   // the polygon's own index colour
-  std::array<std::vector<s9>, 3> texture0;  // the index colour fetched from the cube map
-  std::array<std::vector<s9>, 4> spare0;    // after the last general combiner
-  std::array<std::vector<s9>, 4> spare1;
-  std::vector<s9> output_alpha;
-  std::vector<std::uint32_t> polygon;  // 1 + number of the triangle; 0: background
-  std::vector<std::uint32_t> object;   // 1 + number of the object; 0: background
+// A plane of samples, rows from the lowest up (of a cube-map face: from t = 0).
+struct Layer {
+  std::string part;     // what it belongs to: "spare0", "depth_cube"
+  std::string channel;  // "R"; of a cube map the face: "+X"
+  int width = 0;
+  int height = 0;
+  std::variant<std::vector<s9>, std::vector<std::uint8_t>, std::vector<std::uint32_t>, std::vector<Half>,
+               std::vector<float>>
+      samples{};
+};
+
+// A picture for people, upright.
+struct NamedPicture {
+  std::string file;  // "error.png"
+  Image8 image;
+};
+
+// Something that a technique counted or measured besides the pixels, such as "open_edges".
+struct Fact {
+  std::string name;
+  std::variant<std::uint64_t, double, std::string> value;
+};
+
+// What each pixel's shadow was decided by, for the judge of ground_truth.h; lowest row first.
+struct ShadowEvidence {
+  // The scene's triangle that the light's map holds at the texel that the fragment looked up, plus 1; 0: none, or no
+  // map.
+  std::vector<std::uint32_t> fetched;
+  // The triangles that own at least one texel of the map; empty where the technique has no map.
+  std::vector<bool> in_map;
+  // Of each triangle its index, from 1 (0 is the cleared map), by which the map tells triangles apart; empty where the
+  // technique compares no indices.
+  std::vector<std::uint32_t> index_of_triangle;
 };
 
 // Milliseconds of wall-clock time.
@@ -77,21 +90,26 @@ struct ProbedPass {
 [[nodiscard]] const ProbedFragment* deciding_fragment(const ProbedPass& pass);
 
 struct Rendering {
-  Surface frame;                                        // colour, depth and stencil: stencil 1 is shadow
+  Surface frame;                                        // colour, depth and stencil: a stencil of 0 is light
   std::uint64_t background = 0, lit = 0, shadowed = 0;  // pixels of the frame
   IndexCodes codes{2};
-  std::uint64_t codes_used = 0;           // polygons or objects that have an index; the cleared map is not counted
-  std::vector<IndexMapFace> index_map{};  // six faces in the order of CubeFace
-  std::optional<ComparisonLayers> layers{};
-  std::vector<ProbedPass> probed{};  // in the order of drawing; empty unless a pixel was watched
+  std::uint64_t codes_used = 0;           // polygons, objects or sections with an index; the cleared map is not counted
+  std::vector<IndexMapFace> index_map{};  // six faces in the order of CubeFace; empty without indices
+  std::deque<Layer> layers{};             // of the frame, with settings.layers: a layer never moves once it is there
+  std::deque<Layer> maps{};               // what the light drew, besides index_map
+  std::vector<NamedPicture> pictures{};   // besides those of every rendering
+  std::vector<Fact> facts{};
+  std::optional<ShadowEvidence> evidence{};  // with settings.evidence, of techniques that draw shadows
+  std::vector<ProbedPass> probed{};          // in the order of drawing; empty unless a pixel was watched
   PassTimes times{};
 };
 
 struct Technique {
   std::string_view name;     // as `ninebit render --technique` takes it
   std::string_view summary;  // one line
-  // The scene has exactly one camera and one light (complete_scene). Reports settings out of range and scenes that the
-  // technique cannot draw.
+  LightKinds lights;         // that it can draw with
+  // The scene has exactly one camera and one light of these kinds (complete_scene). Reports settings out of range and
+  // scenes that the technique cannot draw.
   Result<Rendering> (*render)(const Scene& scene, const RenderSettings& settings, const Progress& progress);
 };
 
