@@ -139,7 +139,7 @@ Status CameraFrame::draw_lit_and_shadow() {
     return PassTimer({}).run(name, 0.0, milliseconds, [&] {
       RenderTarget target = rendering_.frame.target();
       VertexArrays arrays;
-      arrays.vertex_colors = colors;
+      set_colors(arrays, colors);
       return draw(name, state, arrays, {}, target);
     });
   };
