@@ -30,6 +30,9 @@ std::vector<Golden> goldens() {
        {"--size 320x240 --map-size 256 --technique light-cookie --cookie scenes/cookies/labels_dxt1.dds",
         "--size 320x240 --technique light-cookie --cookie scenes/cookies/labels.dds --cookie-shadows none "
         "--light-rotate 20,30,40"}},
+      {kRoom, {"--size 320x240 --map-size 256 --index-format la", "--size 320x240 --map-size 256 --style cartoon"}},
+      {kRoom, {"--size 320x240 --map-size 256 --index-format l --index-scope object --index-step 3"}},
+      {kRoom, {"--size 320x240 --map-size 256 --index-format a --index-scope object"}},
       {kBunny, {"", "--size 320x240 --map-size 256", "--size 320x240 --map-size 256 --floor none --light-facing"}},
       {kEngine, {"", "--size 320x240 --map-size 256"}},
   };

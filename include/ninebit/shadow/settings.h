@@ -18,8 +18,10 @@ namespace ninebit {
 struct IndexSettings {
   IndexFormat format = IndexFormat::rgb;
   IndexScope scope = IndexScope::polygon;
-  int step = 2;           // 1 to kMaxIndexStep
-  int section_size = 64;  // triangles a section at most, with IndexScope::section: 1 to kMaxSectionSize
+  int step = 2;  // 1 to kMaxIndexStep
+  // Triangles a section at most, with IndexScope::section: kMinSectionSize to kMaxSectionSize, taken down to a multiple
+  // of four.
+  int section_size = 64;
 };
 
 enum class DepthCubeBits : std::uint8_t {
@@ -86,6 +88,7 @@ struct RenderSettings {
   bool layers = false;                                           // keep every intermediate value of the camera's view
   bool evidence = false;                                         // keep what ground_truth.h judges by
   std::optional<glm::ivec2> pixel;                               // to be watched: window coordinates of the frame, y up
+  std::optional<glm::ivec2> pick;                                // whose index is to be read: likewise
   HardwareProfile profile = profiles::geforce2;
 
   IndexSettings index{};
