@@ -26,6 +26,11 @@ std::vector<Golden> goldens() {
       {kRoom, {"--size 320x240 --map-size 256 --index-scope object", "--size 320x240 --map-size 256 --index-step 1"}},
       {kRoom, {"--size 320x240 --map-size 256 --cull back", "--size 320x240 --map-size 256 --profile nv2a"}},
       {kRoom, {"--size 199x301 --map-size 32 --camera -3,4,2.5 --look-at 0,1,0 --fov 70 --light 1,3,-1"}},
+      {kRoom,
+       {"--size 320x240 --map-size 256 --technique depth-cube",
+        "--size 320x240 --map-size 256 --technique depth-cube --depth-bits 16",
+        "--size 320x240 --map-size 256 --technique depth-cube --depth-bits float",
+        "--size 320x240 --map-size 256 --technique depth-cube --depth-bits 16 --bias 0 --profile nv2a"}},
       {kBunny, {"", "--size 320x240 --map-size 256", "--size 320x240 --map-size 256 --floor none --light-facing"}},
       {kEngine, {"", "--size 320x240 --map-size 256"}},
   };
