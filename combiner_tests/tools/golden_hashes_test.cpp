@@ -27,6 +27,11 @@ std::vector<Golden> goldens() {
       {kRoom, {"--size 320x240 --map-size 256 --cull back", "--size 320x240 --map-size 256 --profile nv2a"}},
       {kRoom, {"--size 199x301 --map-size 32 --camera -3,4,2.5 --look-at 0,1,0 --fov 70 --light 1,3,-1"}},
       {kRoom,
+       {"--size 320x240 --map-size 256 --technique depth-cube",
+        "--size 320x240 --map-size 256 --technique depth-cube --depth-bits 16",
+        "--size 320x240 --map-size 256 --technique depth-cube --depth-bits float",
+        "--size 320x240 --map-size 256 --technique depth-cube --depth-bits 16 --bias 0 --profile nv2a"}},
+      {kRoom,
        {"--size 320x240 --map-size 256 --technique light-cookie --cookie scenes/cookies/labels_dxt1.dds",
         "--size 320x240 --technique light-cookie --cookie scenes/cookies/labels.dds --cookie-shadows none "
         "--light-rotate 20,30,40"}},

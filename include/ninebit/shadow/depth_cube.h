@@ -55,11 +55,12 @@ struct DepthCubeComparison {
 
 // The pipeline state of each pass, in the order of drawing.
 struct DepthCubePasses {
-  PipelineState map;                             // from the light: distances, depth-tested, into a face
-  PipelineState depth;                           // from the camera: depth alone
-  std::vector<DepthCubeComparison> comparisons;  // from the camera: stencil 1 behind what the map holds; none for floats
-  PipelineState averted;                         // from the camera, with light_facing: stencil 1 where a polygon turns
-                                                 // away from the light
+  PipelineState map;    // from the light: distances, depth-tested, into a face
+  PipelineState depth;  // from the camera: depth alone
+  std::vector<DepthCubeComparison>
+      comparisons;        // from the camera: stencil 1 behind what the map holds; none for floats
+  PipelineState averted;  // from the camera, with light_facing: stencil 1 where a polygon turns
+                          // away from the light
 };
 
 // The passes for these settings. Reports what the combiners' states report.
