@@ -81,6 +81,23 @@ HWY_INLINE void fill_coordinates(LaneBatch& batch, std::span<const glm::vec3> at
   }
 }
 
+// (s, t, r) / q.
+HWY_INLINE void divide_coordinates(LaneBatch& batch, std::span<const float> q_at_vertex, int components) {
+  for (std::size_t r = 0; r < batch.runs; ++r) {
+    const std::array<std::uint32_t, 3>& v = batch.run[r].primitive->vertex;
+    const float a = q_at_vertex[v[0]], b = q_at_vertex[v[1]], c = q_at_vertex[v[2]];
+    for (std::size_t i = batch.run[r].first; i < batch.run[r + 1].first; i += kLanes) {
+      // The fragments beyond the run's end are another one's, which has its own q.
+      const auto mask = hn::FirstN(kDF, batch.run[r + 1].first - i);
+      const VF q = interpolate(batch, i, a, b, c);
+      for (int k = 0; k < components; ++k) {
+        float* const at = batch.coordinate[static_cast<std::size_t>(k)].data() + i;
+        hn::BlendedStore(hn::Div(hn::LoadU(kDF, at), q), mask, kDF, at);
+      }
+    }
+  }
+}
+
 // Byte k of each colour as register codes.
 HWY_INLINE void colors_to_codes(LaneBatch& batch, int byte_shift, Register reg) {
   for (std::size_t i = 0; i < batch.count; i += kLanes) {
@@ -189,7 +206,9 @@ void flush_batch(LaneTile& tile, LanePass& pass) {
       }
       for (std::size_t unit = 0; unit < context.samplers.size(); ++unit) {
         if (!context.reads_unit[unit]) continue;
-        fill_coordinates(batch, context.arrays.texture_coordinates[unit], context.samplers[unit]->needs_r() ? 3 : 2);
+        const int components = context.samplers[unit]->needs_r() ? 3 : 2;
+        fill_coordinates(batch, context.arrays.texture_coordinates[unit], components);
+        if (context.reads_q(unit)) divide_coordinates(batch, context.arrays.texture_q[unit], components);
         sample(batch, context, unit);
       }
       context.program->run(batch.registers, batch.count, batch.out);
