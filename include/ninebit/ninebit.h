@@ -25,6 +25,8 @@
 #include "ninebit/raster/rasterizer.h"
 #include "ninebit/raster/s3tc.h"
 #include "ninebit/scene/scene_io.h"
+#include "ninebit/shadow/depth_packing.h"
 #include "ninebit/shadow/index_cube.h"
 #include "ninebit/shadow/pictures.h"
+#include "ninebit/shadow/shadow_map.h"
 #include "ninebit/shadow/technique.h"

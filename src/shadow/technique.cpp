@@ -3,6 +3,7 @@
 #include <array>
 
 #include "ninebit/shadow/index_cube.h"
+#include "ninebit/shadow/shadow_map.h"
 
 namespace ninebit {
 namespace {
@@ -12,6 +13,10 @@ constexpr std::array kTechniques{
               "index cube shadow mapping: polygon indices compared by two general combiners",
               {.point = true},
               &render_index_cube},
+    Technique{"shadow-map",
+              "projective shadow map: depth from the light, drawn with a polygon offset",
+              {.point = false, .spot = true, .directional = true},
+              &render_shadow_map},
 };
 
 }  // namespace
