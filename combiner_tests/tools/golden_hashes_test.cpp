@@ -26,6 +26,10 @@ std::vector<Golden> goldens() {
       {kRoom, {"--size 320x240 --map-size 256 --index-scope object", "--size 320x240 --map-size 256 --index-step 1"}},
       {kRoom, {"--size 320x240 --map-size 256 --cull back", "--size 320x240 --map-size 256 --profile nv2a"}},
       {kRoom, {"--size 199x301 --map-size 32 --camera -3,4,2.5 --look-at 0,1,0 --fov 70 --light 1,3,-1"}},
+      {kRoom, {"--technique shadow-map --size 320x240 --map-size 256 --light-target 1,0,1 --spot-angle 100"}},
+      {kRoom, {"--technique shadow-map --size 320x240 --map-size 256 --light-type directional --depth-encoding d16"}},
+      {kRoom, {"--technique shadow-map --size 320x240 --map-size 256 --depth-encoding rgba8-fract"}},
+      {kBunny, {"--technique shadow-map --size 320x240 --map-size 256 --depth-stencil d15s1"}},
       {kBunny, {"", "--size 320x240 --map-size 256", "--size 320x240 --map-size 256 --floor none --light-facing"}},
       {kEngine, {"", "--size 320x240 --map-size 256"}},
   };
