@@ -79,8 +79,8 @@ TEST_P(Pictures, FilesHaveTheirShapes) {
     EXPECT_EQ(picture.channels, channels) << name;
   }
   const std::vector<std::pair<std::string, std::map<std::string, char>>> wanted{
-      {"primary", {{"R", 'h'}, {"G", 'h'}, {"B", 'h'}}},
-      {"texture0", {{"R", 'h'}, {"G", 'h'}, {"B", 'h'}}},
+      {"primary", {{"R", 'h'}, {"G", 'h'}, {"B", 'h'}, {"A", 'h'}}},
+      {"texture0", {{"R", 'h'}, {"G", 'h'}, {"B", 'h'}, {"A", 'h'}}},
       {"spare0", {{"R", 'h'}, {"G", 'h'}, {"B", 'h'}, {"A", 'h'}}},
       {"spare1", {{"R", 'h'}, {"G", 'h'}, {"B", 'h'}, {"A", 'h'}}},
       {"output", {{"A", 'h'}}},

@@ -27,6 +27,8 @@
 #include "ninebit/scene/scene_io.h"
 #include "ninebit/shadow/depth_packing.h"
 #include "ninebit/shadow/index_cube.h"
+#include "ninebit/shadow/light_cookie.h"
 #include "ninebit/shadow/pictures.h"
 #include "ninebit/shadow/shadow_map.h"
+#include "ninebit/shadow/shadow_volume.h"
 #include "ninebit/shadow/technique.h"

@@ -91,7 +91,7 @@ Status check_prepared(const PreparedDraw::Geometry& g, const PipelineState& stat
       Part{p.line_width == state.line_width, "line width"},
       Part{p.profile.subpixel_bits.value == state.profile.subpixel_bits.value, "number of subpixel bits"},
       Part{g.type == arrays.type, "type of primitives"},
-      Part{g.positions == arrays.positions.size(), "number of positions"},
+      Part{g.positions == arrays.vertex_count(), "number of positions"},
       Part{g.indices.data() == arrays.indices.data() && g.indices.size() == arrays.indices.size(), "list of indices"},
   };
   for (const Part& part : parts) {
@@ -142,21 +142,24 @@ Status prepare(const PipelineState& state, const glm::mat4& clip_from_object, co
   g.is_valid = false;
   g.state = geometry_state(state);
   const RenderTarget bare_target{.width = target.width, .height = target.height, .format = target.format};
-  const VertexArrays bare_arrays{.type = arrays.type, .positions = arrays.positions, .indices = arrays.indices};
+  const VertexArrays bare_arrays{.type = arrays.type,
+                                 .positions = arrays.positions,
+                                 .homogeneous_positions = arrays.homogeneous_positions,
+                                 .indices = arrays.indices};
   if (Status checked = check_draw(g.state, bare_arrays, {}, bare_target); !checked) return checked;
   g.width = target.width;
   g.height = target.height;
   g.format = target.format;
   g.drawn = drawn_pixels(state, target);
   g.type = arrays.type;
-  g.positions = arrays.positions.size();
+  g.positions = arrays.vertex_count();
   g.indices = arrays.indices;
   const PrimitiveAssembly assembly(arrays);
   const SetupContext setup(state, viewport_of(state, target), g.drawn, target.format);
   const bool is_drawn = !g.drawn.empty() && assembly.primitives() > 0;
   // Packed vertices are set up with a look at their indices: what that does not see are those left over at the end.
   const bool looks_at_indices =
-      is_drawn && PrimitiveSetup::takes_packed_vertices(setup, assembly, arrays.positions.size());
+      is_drawn && PrimitiveSetup::takes_packed_vertices(setup, assembly, arrays.vertex_count());
   VertexArrays unseen = bare_arrays;
   if (looks_at_indices) unseen.indices = arrays.indices.last(std::min<std::size_t>(2, arrays.indices.size()));
   if (Status checked = check_indices(unseen); !checked) return checked;
