@@ -24,8 +24,8 @@ Status check_cookie(const Texture* cookie) {
   return Diagnostic{.message = "the cookie is incomplete; expected six faces of one size"};
 }
 
-// Positions in the light's own space, where the cube map is fetched along them. Their lengths do not matter, so they are
-// not normalized: a cube map's face and its coordinates are quotients of the components.
+// Positions in the light's own space, where the cube map is fetched along them. Their lengths do not matter, so they
+// are not normalized: a cube map's face and its coordinates are quotients of the components.
 std::vector<glm::vec3> light_space(const Scene& scene, const Light& light, const glm::mat3& rotation) {
   std::vector<glm::vec3> out;
   out.reserve(scene.positions.size());
