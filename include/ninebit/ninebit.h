@@ -25,6 +25,7 @@
 #include "ninebit/raster/rasterizer.h"
 #include "ninebit/raster/s3tc.h"
 #include "ninebit/scene/scene_io.h"
+#include "ninebit/shadow/ground_truth.h"
 #include "ninebit/shadow/index_cube.h"
 #include "ninebit/shadow/pictures.h"
 #include "ninebit/shadow/technique.h"
