@@ -27,4 +27,5 @@
 #include "ninebit/scene/scene_io.h"
 #include "ninebit/shadow/index_cube.h"
 #include "ninebit/shadow/pictures.h"
+#include "ninebit/shadow/reflective.h"
 #include "ninebit/shadow/technique.h"

@@ -1,6 +1,7 @@
 // The colours of the lit and the shadow pass: per-vertex diffuse lighting, as OpenGL of that time did it.
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "ninebit/raster/rasterizer.h"
@@ -8,6 +9,12 @@
 #include "ninebit/shadow/settings.h"
 
 namespace ninebit {
+
+// How bright a white light makes a white surface that faces it.
+inline constexpr float kDiffuseLight = 0.78F;
+
+// The material of each vertex: that of the last triangle that uses it.
+[[nodiscard]] std::vector<std::uint32_t> vertex_materials(const Scene& scene);
 
 struct VertexShading {
   std::vector<ColorBytes> lit;

@@ -3,6 +3,7 @@
 #include <array>
 
 #include "ninebit/shadow/index_cube.h"
+#include "ninebit/shadow/reflective.h"
 
 namespace ninebit {
 namespace {
@@ -12,6 +13,10 @@ constexpr std::array kTechniques{
               "index cube shadow mapping: polygon indices compared by two general combiners",
               {.point = true},
               &render_index_cube},
+    Technique{"reflective",
+              "reflective shadow maps: one bounce of diffuse light gathered from what the light sees",
+              {.point = false, .spot = true, .directional = true},
+              &render_reflective},
 };
 
 }  // namespace
