@@ -30,6 +30,7 @@
 #include "ninebit/shadow/index_cube.h"
 #include "ninebit/shadow/light_cookie.h"
 #include "ninebit/shadow/pictures.h"
+#include "ninebit/shadow/reflective.h"
 #include "ninebit/shadow/shadow_map.h"
 #include "ninebit/shadow/shadow_volume.h"
 #include "ninebit/shadow/technique.h"

@@ -5,6 +5,7 @@
 #include "ninebit/shadow/depth_cube.h"
 #include "ninebit/shadow/index_cube.h"
 #include "ninebit/shadow/light_cookie.h"
+#include "ninebit/shadow/reflective.h"
 #include "ninebit/shadow/shadow_map.h"
 #include "ninebit/shadow/shadow_volume.h"
 
@@ -28,6 +29,10 @@ constexpr std::array kTechniques{
               "shadow volumes: infinite volumes of the silhouettes, counted in the stencil buffer",
               {.point = true, .spot = true, .directional = true},
               &render_shadow_volume},
+    Technique{"reflective",
+              "reflective shadow maps: one bounce of diffuse light gathered from what the light sees",
+              {.point = false, .spot = true, .directional = true},
+              &render_reflective},
     Technique{"light-cookie",
               "a point light that shines as a cube map says, with index cube shadows or without",
               {.point = true},

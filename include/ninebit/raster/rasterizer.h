@@ -77,7 +77,8 @@ struct TextureUnit {
 
 // Draws the primitives in their order. (Passes over the same geometry from the same view: prepared_draw.h.)
 //
-// - Clip coordinates are clip_from_object * (position, 1), computed in floats in a fixed order, with w in place of 1 for
+// - Clip coordinates are clip_from_object * (position, 1), computed in floats in a fixed order, with w in place of 1
+// for
 //   homogeneous positions: those of (x, y, z, 1) are those of (x, y, z). Primitives are clipped against the near and
 //   far planes, both of which belong to what remains, and against a guard band that keeps window positions within 8,192
 //   pixels of the viewport's centre; the viewport's own sides cut pixels, not primitives. Primitives with a position
