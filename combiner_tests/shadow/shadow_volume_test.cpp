@@ -194,11 +194,12 @@ TEST(ShadowVolume, BallInABall) {
                                                                : Seen::lit);
     }
   }
-  in_every_way([&](const RenderSettings& settings) {
+  in_every_way([&](RenderSettings settings) {
+    settings.layers = true;
     const Rendering r = render_volumes(scene, settings);
     int lit = 0, shadowed = 0, wrong = 0;
     for (std::size_t i = 0; i < expected.size(); ++i) {
-      if (expected[i] == Seen::near_a_border) continue;
+      if (expected[i] == Seen::near_a_border || r.frame.primitive()[i] >= walls) continue;
       ++(expected[i] == Seen::shadowed ? shadowed : lit);
       if ((r.frame.stencil()[i] != 0) != (expected[i] == Seen::shadowed)) ++wrong;
     }
