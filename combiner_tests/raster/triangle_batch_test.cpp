@@ -23,7 +23,7 @@ class DrawSetup {
       : grid_(width, height),
         context_(state, PixelRect{0, 0, width, height}, drawn, DepthStencilFormat::d24s8),
         assembly_(arrays),
-        clip_(matrix, arrays.positions) {
+        clip_(matrix, arrays) {
     if (packed) {
       vertices_.resize(arrays.positions.size());
       transform_vertices(clip_, context_.window, vertices_.data());
@@ -237,7 +237,15 @@ TEST(TriangleBatch, VerticesAreTransformedAsOneByOne) {
                                random.between(1, 16384 - 900)};
       const WindowTransform window(any_state(random), viewport, format);
       const GuardBand guard{window.guard_x(), window.guard_y()};
-      const ClipPositions clip(v.matrix, v.positions);
+      std::vector<glm::vec4> homogeneous;
+      for (const glm::vec3& p : v.positions) homogeneous.emplace_back(p, random.pick({0.0F, 0.0F, 1.0F, 0.3F, -2.0F}));
+      VertexArrays arrays;
+      if (index % 2 == 0) {
+        arrays.positions = v.positions;
+      } else {
+        arrays.homogeneous_positions = homogeneous;
+      }
+      const ClipPositions clip(v.matrix, arrays);
       std::vector<PackedVertex> packed(v.positions.size() + 1, PackedVertex{77, 77, 77, 77});
       transform_vertices(clip, window, packed.data());
       for (std::size_t i = 0; i < v.positions.size(); ++i) {

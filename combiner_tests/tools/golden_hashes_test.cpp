@@ -26,6 +26,22 @@ std::vector<Golden> goldens() {
       {kRoom, {"--size 320x240 --map-size 256 --index-scope object", "--size 320x240 --map-size 256 --index-step 1"}},
       {kRoom, {"--size 320x240 --map-size 256 --cull back", "--size 320x240 --map-size 256 --profile nv2a"}},
       {kRoom, {"--size 199x301 --map-size 32 --camera -3,4,2.5 --look-at 0,1,0 --fov 70 --light 1,3,-1"}},
+      {kRoom, {"--technique shadow-map --size 320x240 --map-size 256 --light-target 1,0,1 --spot-angle 100"}},
+      {kRoom, {"--technique shadow-map --size 320x240 --map-size 256 --light-type directional --depth-encoding d16"}},
+      {kRoom, {"--technique shadow-map --size 320x240 --map-size 256 --depth-encoding rgba8-fract"}},
+      {kBunny, {"--technique shadow-map --size 320x240 --map-size 256 --depth-stencil d15s1"}},
+      {kRoom,
+       {"--size 320x240 --map-size 256 --technique depth-cube",
+        "--size 320x240 --map-size 256 --technique depth-cube --depth-bits 16",
+        "--size 320x240 --map-size 256 --technique depth-cube --depth-bits float",
+        "--size 320x240 --map-size 256 --technique depth-cube --depth-bits 16 --bias 0 --profile nv2a"}},
+      {kRoom,
+       {"--size 320x240 --map-size 256 --technique light-cookie --cookie scenes/cookies/labels_dxt1.dds",
+        "--size 320x240 --technique light-cookie --cookie scenes/cookies/labels.dds --cookie-shadows none "
+        "--light-rotate 20,30,40"}},
+      {kRoom, {"--size 320x240 --map-size 256 --index-format la", "--size 320x240 --map-size 256 --style cartoon"}},
+      {kRoom, {"--size 320x240 --map-size 256 --index-format l --index-scope object --index-step 3"}},
+      {kRoom, {"--size 320x240 --map-size 256 --index-format a --index-scope object"}},
       {kBunny, {"", "--size 320x240 --map-size 256", "--size 320x240 --map-size 256 --floor none --light-facing"}},
       {kEngine, {"", "--size 320x240 --map-size 256"}},
   };
@@ -38,7 +54,9 @@ Json rendered() {
     for (const std::string& flags : golden.flags) {
       std::vector<std::string> arguments{"render", golden.scene, "-o", folder / "out", "--json", "--quiet"};
       std::istringstream words(flags);
-      for (std::string word; words >> word;) arguments.push_back(word);
+      for (std::string word; words >> word;) {
+        arguments.push_back((word.starts_with("scenes/") ? NINEBIT_SOURCE_DIR "/" : "") + word);
+      }
       const Json answer = json_of(ninebit(arguments));
       if (answer.is_null()) return {};
       const std::string name = std::filesystem::path(golden.scene).filename().string();

@@ -27,12 +27,15 @@ Status check_length(const char* what, std::size_t length, std::size_t vertices) 
 }
 
 Status check_lengths(const VertexArrays& arrays, std::size_t primitives) {
-  const std::size_t vertices = arrays.positions.size();
+  const std::size_t vertices = arrays.vertex_count();
   Status s = check_length("vertex colours", arrays.vertex_colors.size(), vertices);
   if (s) s = check_length("secondary colours", arrays.secondary_colors.size(), vertices);
   if (s) s = check_length("fog factors", arrays.fog_factors.size(), vertices);
   for (const auto& coordinates : arrays.texture_coordinates) {
     if (s) s = check_length("texture coordinates of one unit", coordinates.size(), vertices);
+  }
+  for (const auto& q : arrays.texture_q) {
+    if (s) s = check_length("texture coordinates q of one unit", q.size(), vertices);
   }
   for (const auto& attribute : arrays.attributes) {
     if (s) s = check_length("values of one attribute", attribute.size(), vertices);
@@ -81,7 +84,10 @@ Status check_state(const PipelineState& state, const RenderTarget& target) {
 }
 
 Status check_arrays(const PipelineState& state, const VertexArrays& arrays, std::span<const TextureUnit> units) {
-  if (arrays.positions.size() > 0xFFFFFFFF) return fault("one draw call takes at most 4,294,967,295 vertices");
+  if (!arrays.positions.empty() && !arrays.homogeneous_positions.empty()) {
+    return fault("positions are given both with and without w; give one of them");
+  }
+  if (arrays.vertex_count() > 0xFFFFFFFF) return fault("one draw call takes at most 4,294,967,295 vertices");
   const std::size_t primitives = PrimitiveAssembly(arrays).primitives();
   if (primitives > 0xFFFFFFFE) return fault("one draw call takes at most 4,294,967,294 primitives");
   if (Status lengths = check_lengths(arrays, primitives); !lengths) return lengths;
@@ -100,7 +106,7 @@ Status check_arrays(const PipelineState& state, const VertexArrays& arrays, std:
 }
 
 Status check_indices(const VertexArrays& arrays) {
-  const auto vertices = static_cast<std::uint32_t>(arrays.positions.size());
+  const auto vertices = static_cast<std::uint32_t>(arrays.vertex_count());
   constexpr std::size_t kGrain = 65536;
   const auto are_in_range = [&](std::size_t begin, std::size_t end) {
     // Without an early end and in 32 bits: compilers make vectors of it.
@@ -122,10 +128,10 @@ Status check_indices(const VertexArrays& arrays) {
 }
 
 Status check_coordinates(const VertexArrays& arrays, std::size_t unit) {
-  if (arrays.texture_coordinates[unit].size() == arrays.positions.size()) return {};
+  if (arrays.texture_coordinates[unit].size() == arrays.vertex_count()) return {};
   return fault("texture unit " + std::to_string(unit) + " has " +
                std::to_string(arrays.texture_coordinates[unit].size()) + " texture coordinates for " +
-               std::to_string(arrays.positions.size()) + " vertices");
+               std::to_string(arrays.vertex_count()) + " vertices");
 }
 
 }  // namespace ninebit

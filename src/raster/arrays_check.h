@@ -11,9 +11,9 @@ namespace ninebit {
 // Reports numbers of the state out of their ranges, a program of another profile, a viewport beyond the target.
 [[nodiscard]] Status check_state(const PipelineState& state, const RenderTarget& target);
 
-// Reports arrays of unequal lengths, colours both a vertex and a primitive, more primitives than numbers, more texture
-// units than the profile has, textures that GL would refuse. (What a unit that turns out to be on needs besides:
-// check_coordinates.)
+// Reports positions of both kinds, arrays of unequal lengths, colours both a vertex and a primitive, more primitives
+// than numbers, more texture units than the profile has, textures that GL would refuse. (What a unit that turns out to
+// be on needs besides: check_coordinates.)
 [[nodiscard]] Status check_arrays(const PipelineState& state, const VertexArrays& arrays,
                                   std::span<const TextureUnit> units);
 

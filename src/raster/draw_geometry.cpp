@@ -7,10 +7,10 @@ namespace ninebit {
 
 DrawGeometry::DrawGeometry(const SetupContext& context, const glm::mat4& clip_from_object, const VertexArrays& arrays,
                            const TileGrid& grid, RawVector<PackedVertex>& packed)
-    : grid_(grid), assembly_(arrays), clip_(clip_from_object, arrays.positions) {
+    : grid_(grid), assembly_(arrays), clip_(clip_from_object, arrays) {
   std::span<const PackedVertex> vertices;
-  if (PrimitiveSetup::takes_packed_vertices(context, assembly_, arrays.positions.size())) {
-    packed.resize(arrays.positions.size());
+  if (PrimitiveSetup::takes_packed_vertices(context, assembly_, arrays.vertex_count())) {
+    packed.resize(arrays.vertex_count());
     transform_vertices(clip_, context.window, packed.data());
     vertices = packed;
   }

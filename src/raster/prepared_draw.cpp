@@ -19,6 +19,7 @@
 #include "src/raster/setup_context.h"
 #include "src/raster/target_check.h"
 #include "src/raster/tile_work.h"
+#include "src/raster/triangle_edges.h"
 
 namespace ninebit {
 
@@ -91,7 +92,7 @@ Status check_prepared(const PreparedDraw::Geometry& g, const PipelineState& stat
       Part{p.line_width == state.line_width, "line width"},
       Part{p.profile.subpixel_bits.value == state.profile.subpixel_bits.value, "number of subpixel bits"},
       Part{g.type == arrays.type, "type of primitives"},
-      Part{g.positions == arrays.positions.size(), "number of positions"},
+      Part{g.positions == arrays.vertex_count(), "number of positions"},
       Part{g.indices.data() == arrays.indices.data() && g.indices.size() == arrays.indices.size(), "list of indices"},
   };
   for (const Part& part : parts) {
@@ -142,21 +143,24 @@ Status prepare(const PipelineState& state, const glm::mat4& clip_from_object, co
   g.is_valid = false;
   g.state = geometry_state(state);
   const RenderTarget bare_target{.width = target.width, .height = target.height, .format = target.format};
-  const VertexArrays bare_arrays{.type = arrays.type, .positions = arrays.positions, .indices = arrays.indices};
+  const VertexArrays bare_arrays{.type = arrays.type,
+                                 .positions = arrays.positions,
+                                 .homogeneous_positions = arrays.homogeneous_positions,
+                                 .indices = arrays.indices};
   if (Status checked = check_draw(g.state, bare_arrays, {}, bare_target); !checked) return checked;
   g.width = target.width;
   g.height = target.height;
   g.format = target.format;
   g.drawn = drawn_pixels(state, target);
   g.type = arrays.type;
-  g.positions = arrays.positions.size();
+  g.positions = arrays.vertex_count();
   g.indices = arrays.indices;
   const PrimitiveAssembly assembly(arrays);
   const SetupContext setup(state, viewport_of(state, target), g.drawn, target.format);
   const bool is_drawn = !g.drawn.empty() && assembly.primitives() > 0;
   // Packed vertices are set up with a look at their indices: what that does not see are those left over at the end.
   const bool looks_at_indices =
-      is_drawn && PrimitiveSetup::takes_packed_vertices(setup, assembly, arrays.positions.size());
+      is_drawn && PrimitiveSetup::takes_packed_vertices(setup, assembly, arrays.vertex_count());
   VertexArrays unseen = bare_arrays;
   if (looks_at_indices) unseen.indices = arrays.indices.last(std::min<std::size_t>(2, arrays.indices.size()));
   if (Status checked = check_indices(unseen); !checked) return checked;
@@ -192,6 +196,24 @@ void draw(const PreparedDraw::Geometry& g, std::span<const DrawPass> passes,
 }
 
 }  // namespace
+
+void mark_covering_polygons(const PreparedDraw& prepared, std::vector<bool>& covering) {
+  if (!prepared.geometry_ || !prepared.geometry_->is_valid) return;
+  const auto has_pixel = [](const SetupPrimitive& p) {
+    if (p.kind != SetupKind::triangle) return p.kind == SetupKind::pixel;
+    const TriangleEdges edges(p);
+    for (int y = p.box.bottom; y <= p.box.top; ++y) {
+      int first = p.box.left, last = p.box.right;
+      if (edges.span(y, first, last)) return true;
+    }
+    return false;
+  };
+  for (const BinnedBlock& block : prepared.geometry_->blocks) {
+    for (const SetupPrimitive& p : block.setup.primitives) {
+      if (!covering[p.primitive] && has_pixel(p)) covering[p.primitive] = true;
+    }
+  }
+}
 
 Status rasterize(std::span<const DrawPass> passes, const PreparedDraw& prepared, const DrawActions& actions,
                  RenderTarget& target) {

@@ -5,7 +5,7 @@ namespace ninebit {
 PrimitiveAssembly::PrimitiveAssembly(const VertexArrays& arrays)
     : type_(arrays.type),
       indices_(arrays.indices),
-      count_(arrays.indices.empty() ? arrays.positions.size() : arrays.indices.size()) {
+      count_(arrays.indices.empty() ? arrays.vertex_count() : arrays.indices.size()) {
   const auto beyond = [this](std::size_t first) { return count_ > first ? count_ - first : 0; };
   switch (type_) {
     case PrimitiveType::points:

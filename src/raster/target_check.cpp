@@ -152,7 +152,7 @@ Status check_output_attributes(const RenderTarget& target, const VertexArrays& a
     const OutputPlane& output = target.outputs[i];
     const bool holds = std::visit([](const auto& plane) { return static_cast<bool>(plane); }, output.plane);
     if (!holds || output.source != OutputSource::attribute) continue;
-    if (!arrays.attributes[static_cast<std::size_t>(output.attribute)].empty() || arrays.positions.empty()) continue;
+    if (!arrays.attributes[static_cast<std::size_t>(output.attribute)].empty() || arrays.vertex_count() == 0) continue;
     return fault("output plane " + std::to_string(i) + " takes attribute " + std::to_string(output.attribute) +
                  ", which the vertices do not have");
   }

@@ -68,15 +68,41 @@ HWY_INLINE VI snapped(const WindowScale& s, VF v, float guard, float half, float
   return hn::Mul(hn::ConvertTo(kDI, steps), hn::Set(kDI, s.to_q4));
 }
 
-HWY_INLINE void transform_positions(const glm::mat4& m, const WindowScale& s, const glm::vec3* in, Step& step) {
-  const auto row = [&m](int i, VF x, VF y, VF z) HWY_ATTR {
-    const VF xy = hn::Add(hn::Mul(set(m[0][i]), x), hn::Mul(set(m[1][i]), y));
-    return hn::Add(hn::Add(xy, hn::Mul(set(m[2][i]), z)), set(m[3][i]));
-  };
+// Each takes a row of the matrix to a vector of positions that it has loaded.
+class Points {
+ public:
+  HWY_INLINE explicit Points(const glm::vec3* in) { hn::LoadInterleaved3(kDF, &in->x, x_, y_, z_); }
+  HWY_INLINE VF row(const glm::mat4& m, int i) const {
+    const VF xy = hn::Add(hn::Mul(set(m[0][i]), x_), hn::Mul(set(m[1][i]), y_));
+    return hn::Add(hn::Add(xy, hn::Mul(set(m[2][i]), z_)), set(m[3][i]));
+  }
+
+ private:
+  VF x_, y_, z_;
+};
+class HomogeneousPoints {
+ public:
+  HWY_INLINE explicit HomogeneousPoints(const glm::vec4* in) { hn::LoadInterleaved4(kDF, &in->x, x_, y_, z_, w_); }
+  HWY_INLINE VF row(const glm::mat4& m, int i) const {
+    const VF xy = hn::Add(hn::Mul(set(m[0][i]), x_), hn::Mul(set(m[1][i]), y_));
+    return hn::Add(hn::Add(xy, hn::Mul(set(m[2][i]), z_)), hn::Mul(set(m[3][i]), w_));
+  }
+
+ private:
+  VF x_, y_, z_, w_;
+};
+HWY_INLINE Points load(const glm::vec3* in) {
+  return Points(in);
+}
+HWY_INLINE HomogeneousPoints load(const glm::vec4* in) {
+  return HomogeneousPoints(in);
+}
+
+template <class Position>
+HWY_INLINE void transform_positions(const glm::mat4& m, const WindowScale& s, const Position* in, Step& step) {
   for (std::size_t v = 0; v < kVertices; v += hn::Lanes(kDF)) {
-    VF px, py, pz;
-    hn::LoadInterleaved3(kDF, &in[v].x, px, py, pz);
-    const VF x = row(0, px, py, pz), y = row(1, px, py, pz), z = row(2, px, py, pz), w = row(3, px, py, pz);
+    const auto p = load(in + v);
+    const VF x = p.row(m, 0), y = p.row(m, 1), z = p.row(m, 2), w = p.row(m, 3);
     const VF inv_w = hn::Div(set(1.0F), w);
     const VI x_q4 = snapped(s, hn::Mul(x, inv_w), s.guard_x, s.half_width, s.centre_x);
     const VI y_q4 = snapped(s, hn::Mul(y, inv_w), s.guard_y, s.half_height, s.centre_y);
@@ -99,20 +125,20 @@ HWY_INLINE void transform_depths(const WindowScale& s, double largest, Step& ste
   }
 }
 
-void transform_range(const ClipPositions& positions, const WindowTransform& window, std::size_t begin, std::size_t end,
-                     PackedVertex* out) {
+template <class Position>
+HWY_INLINE void transform_each(const Position* object, const glm::mat4& matrix, const WindowTransform& window,
+                               std::size_t begin, std::size_t end, PackedVertex* out) {
   const WindowScale scale = window.scale();
-  const glm::mat4 matrix = positions.matrix();
   const auto largest = static_cast<double>(window.depth().max_z24());
   Step step;
   for (std::size_t first = begin; first < end; first += kVertices) {
-    const glm::vec3* in = positions.object().data() + first;
+    const Position* in = object + first;
     PackedVertex* to = out + first;
     const std::size_t count = std::min(kVertices, end - first);
-    glm::vec3 last_in[kVertices];
+    Position last_in[kVertices];
     PackedVertex last_out[kVertices];
     if (count < kVertices) {
-      std::fill(std::copy(in, in + count, last_in), last_in + kVertices, glm::vec3(0.0F));
+      std::fill(std::copy(in, in + count, last_in), last_in + kVertices, Position(0.0F));
       in = last_in;
       to = last_out;
     }
@@ -126,6 +152,16 @@ void transform_range(const ClipPositions& positions, const WindowTransform& wind
   }
 }
 
+void transform_range(const ClipPositions& positions, const WindowTransform& window, std::size_t begin, std::size_t end,
+                     PackedVertex* out) {
+  const glm::mat4 matrix = positions.matrix();
+  if (positions.points().empty()) {
+    transform_each(positions.homogeneous().data(), matrix, window, begin, end, out);
+  } else {
+    transform_each(positions.points().data(), matrix, window, begin, end, out);
+  }
+}
+
 }  // namespace ninebit::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
@@ -136,7 +172,7 @@ HWY_EXPORT(transform_range);
 
 void transform_vertices(const ClipPositions& positions, const WindowTransform& window, PackedVertex* out) {
   constexpr std::size_t kGrain = 4096;
-  const std::size_t count = positions.object().size();
+  const std::size_t count = positions.size();
   const auto transform = HWY_DYNAMIC_DISPATCH(transform_range);
   if (count <= kGrain) return transform(positions, window, 0, count, out);
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, kGrain),

@@ -6,6 +6,7 @@
 #include <glm/glm.hpp>
 #include <span>
 
+#include "ninebit/raster/rasterizer.h"
 #include "src/raster/window_transform.h"
 
 namespace ninebit {
@@ -13,23 +14,28 @@ namespace ninebit {
 // Positions in clip coordinates, computed where they are asked for: floats in a fixed order.
 class ClipPositions {
  public:
-  ClipPositions(const glm::mat4& clip_from_object, std::span<const glm::vec3> positions)
-      : matrix_(clip_from_object), positions_(positions) {}
+  // The arrays have been checked.
+  ClipPositions(const glm::mat4& clip_from_object, const VertexArrays& arrays)
+      : matrix_(clip_from_object), points_(arrays.positions), homogeneous_(arrays.homogeneous_positions) {}
 
   [[nodiscard]] const glm::mat4& matrix() const { return matrix_; }
-  [[nodiscard]] std::span<const glm::vec3> object() const { return positions_; }
+  [[nodiscard]] std::size_t size() const { return points_.empty() ? homogeneous_.size() : points_.size(); }
+  // One of them is empty.
+  [[nodiscard]] std::span<const glm::vec3> points() const { return points_; }
+  [[nodiscard]] std::span<const glm::vec4> homogeneous() const { return homogeneous_; }
   [[nodiscard]] glm::vec4 operator[](std::size_t vertex) const {
-    const glm::vec3& p = positions_[vertex];
+    const glm::vec4 p = points_.empty() ? homogeneous_[vertex] : glm::vec4(points_[vertex], 1.0F);
     glm::vec4 clip;
     for (int i = 0; i < 4; ++i) {
-      clip[i] = ((matrix_[0][i] * p.x + matrix_[1][i] * p.y) + matrix_[2][i] * p.z) + matrix_[3][i];
+      clip[i] = ((matrix_[0][i] * p.x + matrix_[1][i] * p.y) + matrix_[2][i] * p.z) + matrix_[3][i] * p.w;
     }
     return clip;
   }
 
  private:
   glm::mat4 matrix_;
-  std::span<const glm::vec3> positions_;
+  std::span<const glm::vec3> points_;
+  std::span<const glm::vec4> homogeneous_;
 };
 
 // What setting up several triangles at a time reads of a vertex. Where kNeedsCare is set, all but the code is without

@@ -42,6 +42,8 @@ class CameraFrame {
   Status draw_depth();
   // Draws colour where the stencil is 0, then where it is not. The times of both passes go into the rendering's.
   Status draw_lit_and_shadow();
+  // The latter alone, for a technique whose lit pass is its own.
+  Status draw_shadow();
   // Counts lit, shadowed and background pixels; with settings.layers adds stencil, depth, polygon and object.
   void finish();
 
@@ -64,9 +66,14 @@ class CameraFrame {
   [[nodiscard]] const glm::mat4& projection() const { return projection_; }
   // Another projection of the camera's for all passes that are still to be drawn.
   void set_projection(const glm::mat4& projection) { projection_ = projection; }
-  // Colours of the vertices, to be changed before draw_lit_and_shadow by a technique that lights otherwise.
+  // Colours of the vertices (with settings.cartoon of the triangles), to be changed before draw_lit_and_shadow by a
+  // technique that lights otherwise.
   [[nodiscard]] VertexShading& shading() { return shading_; }
   [[nodiscard]] const VertexShading& shading() const { return shading_; }
+  // Gives a draw of all the scene's triangles colours of shading().
+  void set_colors(VertexArrays& arrays, const std::vector<ColorBytes>& colors) const {
+    (settings_.cartoon ? arrays.primitive_colors : arrays.vertex_colors) = colors;
+  }
   [[nodiscard]] Rendering& rendering() { return rendering_; }
   [[nodiscard]] const Rendering& rendering() const { return rendering_; }
 
@@ -74,6 +81,9 @@ class CameraFrame {
 
  private:
   CameraFrame(const Scene& scene, const RenderSettings& settings, Surface frame);
+
+  Status draw_shaded(std::string_view name, const PipelineState& state, const std::vector<ColorBytes>& colors,
+                     double& milliseconds);
 
   const Scene* scene_;
   RenderSettings settings_;

@@ -15,14 +15,29 @@ DepthRange depth_range(const Scene& scene, const glm::vec3& eye, float cos_corne
   return {std::max(nearest * cos_corner * 0.9F, far_plane / 65536.0F), far_plane};
 }
 
-glm::mat4 camera_projection(const Scene& scene, const Camera& camera, float aspect_ratio) {
+namespace {
+
+DepthRange camera_range(const Scene& scene, const Camera& camera, float aspect_ratio) {
   const float half_height = std::tan(glm::radians(camera.vertical_fov_degrees) * 0.5F);
   const float half_width = half_height * aspect_ratio;
   const float cos_corner = 1.0F / std::sqrt(1.0F + half_height * half_height + half_width * half_width);
-  const DepthRange range = depth_range(scene, camera.position, cos_corner);
+  return depth_range(scene, camera.position, cos_corner);
+}
+
+}  // namespace
+
+glm::mat4 camera_projection(const Scene& scene, const Camera& camera, float aspect_ratio) {
+  const DepthRange range = camera_range(scene, camera, aspect_ratio);
   const glm::mat4 projection =
       glm::perspective(glm::radians(camera.vertical_fov_degrees), aspect_ratio, range.near_plane, range.far_plane);
   return projection * glm::lookAt(camera.position, camera.look_at, camera.up);
+}
+
+glm::mat4 infinite_camera_projection(const Scene& scene, const Camera& camera, float aspect_ratio) {
+  glm::mat4 m = camera_projection(scene, camera, aspect_ratio);
+  for (int column = 0; column < 4; ++column) m[column][2] = m[column][3];
+  m[3][2] -= 2.0F * camera_range(scene, camera, aspect_ratio).near_plane;
+  return m;
 }
 
 namespace {

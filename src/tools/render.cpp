@@ -13,6 +13,8 @@
 
 #include "ninebit/shadow/ground_truth.h"
 #include "ninebit/shadow/pictures.h"
+#include "src/tools/number_list.h"
+#include "src/tools/pixel_flag.h"
 #include "src/tools/scene_flags.h"
 #include "src/tools/sha256.h"
 
@@ -23,8 +25,14 @@ struct RenderFlags {
   CommonFlags common;
   SceneFlags scene;
   std::string folder;
+  std::string pick;
   bool ground_truth = false;
 };
+
+int wrong_usage(const std::string& message) {
+  say(fmt::format("ninebit: error: {} (see: ninebit render --help)\n", message));
+  return kWrongUsage;
+}
 
 Json hashes(const Rendering& rendering) {
   Sha256 color, stencil, index_map;
@@ -53,6 +61,29 @@ Json facts(const Rendering& rendering) {
     std::visit([&](const auto& value) { out[fact.name] = value; }, fact.value);
   }
   return out;
+}
+
+// Numbers count from 1, as in layers.exr.
+Json json_of(const RenderFlags& flags, const Scene& scene, const PickedIndex& picked) {
+  const auto from_1 = [](const std::optional<std::uint32_t>& number) { return number ? Json(*number + 1) : Json(); };
+  const auto at = *numbers<int>(flags.pick, ',');
+  return {{"x", at[0]},
+          {"y", at[1]},
+          {"index", picked.number},
+          {"polygon", from_1(picked.polygon)},
+          {"section", from_1(picked.section)},
+          {"object", from_1(picked.object)},
+          {"object_name", picked.object ? Json(scene.objects[*picked.object].name) : Json()}};
+}
+
+std::string text_of(const RenderFlags& flags, const Scene& scene, const PickedIndex& picked) {
+  if (!picked.object) return fmt::format("pixel {}: background\n", flags.pick);
+  const std::string what = picked.polygon   ? fmt::format("polygon {} of ", *picked.polygon + 1)
+                           : picked.section ? fmt::format("section {} of ", *picked.section + 1)
+                                            : "";
+  return fmt::format("pixel {}: index {}, {}object {} '{}'{}\n", flags.pick, picked.number, what, *picked.object + 1,
+                     scene.objects[*picked.object].name,
+                     picked.polygon ? "" : "; the index does not tell which polygon");
 }
 
 // Judges the rendering and shows what is wrong; empty where the technique drew no shadows.
@@ -100,6 +131,15 @@ int render(const RenderFlags& flags) {
   using Clock = std::chrono::steady_clock;
   const ThreadLimit limit(flags.common.threads);
   RenderSettings settings = settings_of(flags.scene, flags.common);
+  if (!flags.pick.empty()) {
+    if (flags.scene.technique != "index-cube") {
+      return wrong_usage(
+          fmt::format("--pick needs the indices of technique index-cube, not {}", flags.scene.technique));
+    }
+    const auto pixel = window_pixel("--pick", flags.pick, settings);
+    if (!pixel) return wrong_usage(pixel.error().message);
+    settings.pick = *pixel;
+  }
   settings.evidence = flags.ground_truth;
 
   const auto start = Clock::now();
@@ -146,7 +186,7 @@ int render(const RenderFlags& flags) {
                       r.lit, r.shadowed, r.background, milliseconds(end - start)));
       if (flags.ground_truth) say(error_line(r, truth));
     }
-    return kDone;
+    return r.picked ? answer(text_of(flags, *scene, *r.picked)) : kDone;
   }
   Json out{{"command", "render"},
            {"version", NINEBIT_VERSION},
@@ -175,6 +215,7 @@ int render(const RenderFlags& flags) {
            {"facts", facts(r)},
            {"files", std::move(names)},
            {"hash", hashes(r)}};
+  if (r.picked) out["pick"] = json_of(flags, *scene, *r.picked);
   if (truth) out["errors"] = errors(*r.evidence, *truth);
   return answer(out.dump(2) + "\n");
 }
@@ -193,6 +234,7 @@ void add_render(CLI::App& app, int& exit_code) {
   verb->add_option("-o,--output", flags->folder, "Folder to write into; made if missing")->required()->type_name("DIR");
   add_scene_flags(*verb, flags->scene);
   verb->add_flag("--layers", flags->scene.settings.layers, "Write layers.exr with every intermediate value");
+  add_pixel_flag(*verb, "--pick", flags->pick, "Tell which polygon and object is seen at this pixel, by its index");
   verb->add_flag("--ground-truth", flags->ground_truth, "Judge each pixel by rays: errors, their causes, error.png");
   verb->callback([flags, &exit_code] { exit_code = render(*flags); });
 }
