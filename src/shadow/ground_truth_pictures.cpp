@@ -29,7 +29,7 @@ Image8 error_picture(const Rendering& rendering, const GroundTruth& truth) {
     for (std::size_t x = 0; x < width; ++x) {
       std::uint8_t* const pixel = &image.pixels[(row * width + x) * 3];
       const std::size_t i = (height - 1 - row) * width + x;
-      const int grey = (pixel[0] + pixel[1] + pixel[2]) / 8;
+      const int grey = (pixel[0] + pixel[1] + pixel[2]) / 6;
       Rgb shown;
       shown.fill(static_cast<std::uint8_t>(grey));
       if (truth.cause[i] != ErrorCause::none) {
