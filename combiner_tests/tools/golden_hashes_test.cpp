@@ -42,6 +42,8 @@ std::vector<Golden> goldens() {
       {kRoom, {"--size 320x240 --map-size 256 --index-format la", "--size 320x240 --map-size 256 --style cartoon"}},
       {kRoom, {"--size 320x240 --map-size 256 --index-format l --index-scope object --index-step 3"}},
       {kRoom, {"--size 320x240 --map-size 256 --index-format a --index-scope object"}},
+      {kRoom, {"--size 640x480 --technique shadow-volume"}},
+      {kRoom, {"--size 320x240 --technique shadow-volume --volume-method depth-pass --stencil-sides one"}},
       {kBunny, {"", "--size 320x240 --map-size 256", "--size 320x240 --map-size 256 --floor none --light-facing"}},
       {kEngine, {"", "--size 320x240 --map-size 256"}},
   };
