@@ -60,7 +60,7 @@ TEST_F(SceneFiles, GltfNodeWithoutExtentKeepsItsTriangles) {
   EXPECT_EQ(scene->triangles.size(), 1U);
 }
 
-TEST_F(SceneFiles, GltfCamerasAndPointLightsInWorldSpace) {
+TEST_F(SceneFiles, GltfCamerasAndLightsInWorldSpace) {
   const std::string more = R"(, "cameras": [
       {"type": "orthographic", "orthographic": {"xmag": 1, "ymag": 1, "zfar": 9, "znear": 0.1}},
       {"type": "perspective", "perspective": {"yfov": 0.9, "aspectRatio": 2.5, "znear": 0.1}}],
@@ -83,11 +83,54 @@ TEST_F(SceneFiles, GltfCamerasAndPointLightsInWorldSpace) {
   expect_near(glm::normalize(camera.look_at - camera.position), {-1, 0, 0});
   expect_near(camera.up, {0, 1, 0});
   EXPECT_FLOAT_EQ(camera.vertical_fov_degrees, static_cast<float>(0.9 * 180.0 / std::numbers::pi));
-  ASSERT_EQ(scene->lights.size(), 2U) << "only point lights count, one for each node";
-  expect_near(scene->lights[0].position, {0, 1, 4});
-  expect_near(scene->lights[1].position, {4, 1, 7});
-  EXPECT_EQ(scene->lights[0].name, "bulb");
-  expect_near(scene->lights[0].color, {0.5F, 1, 0.25F});
+  ASSERT_EQ(scene->lights.size(), 4U) << "one for each node";
+  using enum LightKind;
+  constexpr std::array kKinds{directional, point, spot, point};
+  for (std::size_t i = 0; i < 4; ++i) EXPECT_EQ(scene->lights[i].kind, kKinds[i]) << i;
+  expect_near(scene->lights[1].position, {0, 1, 4});
+  expect_near(scene->lights[3].position, {4, 1, 7});
+  EXPECT_EQ(scene->lights[1].name, "bulb");
+  expect_near(scene->lights[1].color, {0.5F, 1, 0.25F});
+  // They shine along -z of their node, which looks along -x.
+  expect_near(scene->lights[0].direction, {-1, 0, 0});
+  expect_near(scene->lights[2].direction, {-1, 0, 0});
+  EXPECT_FLOAT_EQ(scene->lights[2].spot_degrees, 90.0F) << "the extension's default is pi/4 to each side";
+}
+
+// One lamp below a turned, unevenly scaled, mirrored parent, with this spot.
+std::string spot_gltf(const std::string& spot, const std::string& scale) {
+  return triangle_gltf(
+      R"({"mesh": 0}, {"children": [2], "scale": [)" + scale + R"(]},
+      {"rotation": [0.38268343, 0, 0, 0.92387953], "extensions": {"KHR_lights_punctual": {"light": 0}}})",
+      "0, 1", R"(, "extensions": {"KHR_lights_punctual": {"lights": [{"type": "spot", "spot": )" + spot + "}]}}");
+}
+
+TEST_F(SceneFiles, GltfSpotLightsHaveDirectionAndAngle) {
+  // 45 degrees about x take -z to (0, 1, -1); the parent stretches y by 3 and mirrors z.
+  const Result<Scene> scene =
+      read("s.gltf", spot_gltf(R"({"innerConeAngle": 0.1, "outerConeAngle": 0.3})", "5, 3, -1"));
+  ASSERT_TRUE(scene) << scene.error().text();
+  expect_contract(*scene);
+  ASSERT_EQ(scene->lights.size(), 1U);
+  EXPECT_EQ(scene->lights[0].kind, LightKind::spot);
+  expect_near(scene->lights[0].direction, glm::normalize(glm::vec3(0, 3, 1)));
+  EXPECT_FLOAT_EQ(scene->lights[0].spot_degrees, static_cast<float>(0.6 * 180.0 / std::numbers::pi));
+  const Result<Scene> widest = read("w.gltf", spot_gltf(R"({"outerConeAngle": 1.5707963})", "1, 1, 1"));
+  ASSERT_TRUE(widest) << widest.error().text();
+  expect_contract(*widest);
+  EXPECT_GT(widest->lights[0].spot_degrees, 170.0F);
+}
+
+TEST_F(SceneFiles, GltfSpotLightsThatShineNowhereAreRefused) {
+  for (const char* angle : {"0", "-0.5", "1.6"}) {
+    const Result<Scene> scene =
+        read("a.gltf", spot_gltf(std::string(R"({"outerConeAngle": )") + angle + "}", "1, 1, 1"));
+    ASSERT_FALSE(scene) << angle;
+    EXPECT_NE(scene.error().message.find("outerConeAngle"), std::string::npos) << scene.error().message;
+  }
+  const Result<Scene> flat = read("f.gltf", spot_gltf("{}", "1, 0, 0"));
+  ASSERT_FALSE(flat);
+  EXPECT_NE(flat.error().message.find("no direction"), std::string::npos) << flat.error().message;
 }
 
 TEST_F(SceneFiles, GltfPrimitivesOfOneNodeAreOneObject) {

@@ -14,7 +14,9 @@ Scene two_boxes() {
   Scene scene = box({0, 0, 0}, {1, 1, 1});
   add_box(scene, {3, 0, 0}, {4, 1, 1}, "second");
   scene.cameras = {{{9, 9, 9}, {0, 0, 0}, {0, 1, 0}, 50.0F}};
-  scene.lights = {{"lamp", {0, 9, 0}, {1, 1, 1}}};
+  scene.lights = {{"lamp", {0, 9, 0}, {1, 1, 1}},
+                  {.name = "spot", .kind = LightKind::spot},
+                  {.name = "sun", .kind = LightKind::directional}};
   return scene;
 }
 
@@ -28,6 +30,11 @@ class BrokenScene : public ::testing::TestWithParam<Broken> {};
 
 TEST(Validate, AWholeScene) {
   EXPECT_TRUE(validate(two_boxes()));
+  // What a kind of light does not use may be anything.
+  Scene unused = two_boxes();
+  unused.lights[0].direction = {kNan, 0, 0};
+  unused.lights[0].spot_degrees = unused.lights[2].spot_degrees = -1.0F;
+  EXPECT_TRUE(validate(unused));
   Scene bare = two_boxes();
   bare.cameras.clear();
   bare.lights.clear();
@@ -82,7 +89,14 @@ INSTANTIATE_TEST_SUITE_P(
         Broken{"CameraWithoutUp", [](Scene& s) { s.cameras[0].up = {0, 0, 0}; }, "camera 0 looks along"},
         Broken{"SecondCamera", [](Scene& s) { s.cameras.push_back({{0, kNan, 0}}); }, "camera 1"},
         Broken{"LightPosition", [](Scene& s) { s.lights[0].position.y = kInfinity; }, "light \"lamp\""},
-        Broken{"LightColor", [](Scene& s) { s.lights[0].color.y = kNan; }, "light \"lamp\""}),
+        Broken{"LightColor", [](Scene& s) { s.lights[0].color.y = kNan; }, "light \"lamp\""},
+        Broken{"SpotDirectionNan", [](Scene& s) { s.lights[1].direction.z = kNan; }, "\"spot\" shines in no direction"},
+        Broken{"SpotDirectionLong", [](Scene& s) { s.lights[1].direction *= 1.01F; },
+               "\"spot\" shines in no direction"},
+        Broken{"SpotAngleZero", [](Scene& s) { s.lights[1].spot_degrees = 0.0F; }, "\"spot\" is 0 degrees"},
+        Broken{"SpotAngleStraight", [](Scene& s) { s.lights[1].spot_degrees = 180.0F; }, "\"spot\" is 180 degrees"},
+        Broken{"SpotAngleNan", [](Scene& s) { s.lights[1].spot_degrees = kNan; }, "opening angle of light \"spot\""},
+        Broken{"SunWithoutDirection", [](Scene& s) { s.lights[2].direction = {0, 0, 0}; }, "\"sun\" shines in no"}),
     [](const auto& param) { return std::string(param.param.name); });
 
 TEST(Validate, CompleteSceneRefusesBrokenGeometry) {

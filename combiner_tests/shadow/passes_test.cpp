@@ -65,17 +65,18 @@ TEST(Passes, AvertedPolygonsAreMarkedWithoutComparison) {
   EXPECT_EQ(s.stencil_test.front.depth_fail, StencilOperation::keep);
 }
 
-TEST(Passes, LitWhereTheStencilIsZeroShadowWhereItIsOne) {
+TEST(Passes, LitWhereTheStencilIsZeroShadowWhereItIsNot) {
   const IndexCubePasses passes = *index_cube_passes({});
-  int reference = 0;
+  EXPECT_EQ(passes.lit.stencil_test.front.function, CompareFunction::equal);
+  EXPECT_EQ(passes.shadow.stencil_test.front.function, CompareFunction::notequal);
   for (const PipelineState& s : {passes.lit, passes.shadow}) {
     EXPECT_EQ(s.shade_model, ShadeModel::smooth);
     EXPECT_TRUE(writes_color(s));
     EXPECT_EQ(s.depth_test.function, CompareFunction::equal);
     EXPECT_TRUE(s.depth_test.enabled && !s.depth_test.write);
     EXPECT_TRUE(s.stencil_test.enabled);
-    EXPECT_EQ(s.stencil_test.front.function, CompareFunction::equal);
-    EXPECT_EQ(s.stencil_test.front.reference, reference++);
+    EXPECT_EQ(s.stencil_test.front.reference, 0);
+    EXPECT_EQ(s.stencil_test.front.mask, 0xFF);
     EXPECT_EQ(s.stencil_test.front.depth_pass, StencilOperation::keep);
     EXPECT_FALSE(s.program || s.alpha_test.enabled);
   }

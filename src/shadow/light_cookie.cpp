@@ -65,7 +65,11 @@ class LightCookieFrame {
   Status draw_maps() { return indices_ ? indices_->draw_maps() : Status(); }
   Status draw_shadows() { return indices_ ? indices_->draw_shadows() : frame().draw_depth(); }
 
-  Status add_evidence() { return indices_ ? indices_->add_evidence() : Status(); }
+  Status add_evidence() {
+    if (indices_) return indices_->add_evidence();
+    frame().rendering().evidence.reset();  // of no shadow
+    return {};
+  }
 
   Status draw_lit() {
     RenderTarget target = lit_target();
