@@ -206,6 +206,28 @@ TEST(LightCookie, ShadowsAreThoseOfIndexCube) {
   }
 }
 
+// Flat light on each polygon, and the ink of index-cube's cartoon.
+TEST(LightCookie, ACartoonIsFlatAndItsShadowsAreInk) {
+  const Scene scene = shadow_test::square_over_floor();
+  RenderSettings settings = cookie_settings();
+  settings.light_cookie.shadows = true;
+  settings.cartoon = true;
+  const Rendering r = render_cookie(scene, settings);
+  const Rendering index = shadow_test::render(scene, settings);
+  ASSERT_EQ(r.frame.stencil(), index.frame.stencil());
+  std::set<int> lights;
+  const auto& primary = shadow_test::codes_of(r, "lit_primary", 'R');
+  for (std::size_t i = 0; i < primary.size(); ++i) {
+    if (r.frame.stencil()[i] != 0) {
+      for (int c = 0; c < 3; ++c) ASSERT_EQ(r.frame.color(c)[i], index.frame.color(c)[i]);
+    } else if (r.frame.depth()[i] != max_depth(r.frame.format())) {
+      lights.insert(primary[i]);
+    }
+  }
+  EXPECT_GE(lights.size(), 2U);
+  EXPECT_LE(lights.size(), scene.triangles.size());
+}
+
 TEST(LightCookie, SameBitsForAnyNumberOfThreadsAndWithLayers) {
   const auto read = read_scene(std::string(NINEBIT_SOURCE_DIR) + "/scenes/index_room.gltf");
   ASSERT_TRUE(read.ok()) << read.error().text();

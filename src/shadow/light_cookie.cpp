@@ -55,8 +55,8 @@ class LightCookieFrame {
     const Light& light = scene.lights[0];
     colors_ = light_vertices(scene, light, settings);
     from_light_ = light_space(scene, light, light_rotation(settings.light_cookie.rotate_degrees));
-    // Where no light comes, none is left to be seen by: in shadow as in the cookie's dark parts.
-    frame().shading().shadowed = colors_.ambient;
+    // In shadow as in the cookie's dark parts there is ambient light alone. A cartoon's shadow is ink.
+    if (!settings.cartoon) frame().shading().shadowed = colors_.ambient;
     return {};
   }
 
