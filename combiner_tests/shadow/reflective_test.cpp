@@ -348,15 +348,16 @@ TEST(IndirectLight, PolarPatternConvergesAndThePublishedWeightDoesNot) {
         EXPECT_NEAR(sum.x, whole_map_irradiance(square.lights, at, {0, -1, 0}).x, 1e-9);
       }
       EXPECT_NEAR(gathered(square, even, kernel, point).x, sum.x, 0.03 * sum.x) << x << ' ' << kernel;
-      const glm::dvec3 biased = weighted_map(square, at, kernel, [](const glm::dvec2& o) { return 1.5 * glm::length(o); });
+      const glm::dvec3 biased =
+          weighted_map(square, at, kernel, [](const glm::dvec2& o) { return 1.5 * glm::length(o); });
       EXPECT_NEAR(gathered(square, published, kernel, point).x, biased.x, 0.03 * biased.x) << x << ' ' << kernel;
       EXPECT_GT(std::fabs(biased.x - sum.x), 0.05 * sum.x);
     }
   }
 }
 
-// The text's weight is the square of the turned offset's x, so it favours lights to the left and right in the map; turns
-// make the samples equally dense in all directions, not the weight. Nothing is divided by the number of samples.
+// The text's weight is the square of the turned offset's x, so it favours lights to the left and right in the map;
+// turns make the samples equally dense in all directions, not the weight. Nothing is divided by the number of samples.
 TEST(IndirectLight, PoissonPatternOnAverage) {
   const SquareLight square;
   const float kernel = 80.0F;
