@@ -41,6 +41,10 @@ struct PassScene {
 
 PassScene random_passes(Random& random, int passes);
 
+// Two passes or more: the first leaves the nearest depths, the others ask for the same, and stencil values tell their
+// fragments apart.
+PassScene random_equal_passes(Random& random, int passes);
+
 // The states, enough to know what a case is about.
 std::string describe(const PassScene& scene);
 

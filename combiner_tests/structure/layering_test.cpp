@@ -35,7 +35,8 @@ const std::vector<Library> kLibraries{
     {std::regex("CLI/.*|openssl/.*"), {"tools"}},
     {std::regex("nlohmann/.*"), {"language", "scene", "study", "tools"}},
     {std::regex("unistd\\.h|fcntl\\.h|poll\\.h|sys/.*"), {"image", "tools"}},
-    {std::regex("benchmark/.*|EGL/.*|GL/glcorearb\\.h|dlfcn\\.h|stdlib\\.h"), {"bench"}},
+    {std::regex("dlfcn\\.h"), {"image", "bench"}},
+    {std::regex("benchmark/.*|EGL/.*|GL/glcorearb\\.h|stdlib\\.h"), {"bench"}},
 };
 
 // The room that a path of ours belongs to: "ninebit/ROOM/…" or "src/ROOM/…".

@@ -29,6 +29,10 @@ std::vector<Golden> goldens() {
       {kRoom, {"--size 320x240 --map-size 256 --index-format la", "--size 320x240 --map-size 256 --style cartoon"}},
       {kRoom, {"--size 320x240 --map-size 256 --index-format l --index-scope object --index-step 3"}},
       {kRoom, {"--size 320x240 --map-size 256 --index-format a --index-scope object"}},
+      {kRoom,
+       {"--size 320x240 --map-size 256 --technique light-cookie --cookie scenes/cookies/labels_dxt1.dds",
+        "--size 320x240 --technique light-cookie --cookie scenes/cookies/labels.dds --cookie-shadows none "
+        "--light-rotate 20,30,40"}},
       {kBunny, {"", "--size 320x240 --map-size 256", "--size 320x240 --map-size 256 --floor none --light-facing"}},
       {kEngine, {"", "--size 320x240 --map-size 256"}},
   };
@@ -41,7 +45,9 @@ Json rendered() {
     for (const std::string& flags : golden.flags) {
       std::vector<std::string> arguments{"render", golden.scene, "-o", folder / "out", "--json", "--quiet"};
       std::istringstream words(flags);
-      for (std::string word; words >> word;) arguments.push_back(word);
+      for (std::string word; words >> word;) {
+        arguments.push_back((word.starts_with("scenes/") ? NINEBIT_SOURCE_DIR "/" : "") + word);
+      }
       const Json answer = json_of(ninebit(arguments));
       if (answer.is_null()) return {};
       const std::string name = std::filesystem::path(golden.scene).filename().string();

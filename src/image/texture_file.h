@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "ninebit/image/texture_io.h"
 #include "ninebit/numerics/hardware_profile.h"
 #include "ninebit/numerics/result.h"
 #include "ninebit/raster/texture.h"
@@ -29,7 +30,18 @@ struct FileTexture {
 [[nodiscard]] Result<FileTexture> parse_dds(const HardwareProfile& profile, const std::filesystem::path& file,
                                             std::span<const std::uint8_t> bytes);
 
+// Who reads files that are no DDS files. OpenImageIO does it, but it brings 250 shared libraries along: the library links
+// it, the program loads it when it is asked for a picture (picture_loader.h).
+using PictureReader = Result<FileTexture> (*)(const std::filesystem::path& file);
+
 // Any picture, by OpenImageIO.
 [[nodiscard]] Result<FileTexture> read_picture(const std::filesystem::path& file);
+
+// The functions of texture_io.h, pictures read by `reader`.
+[[nodiscard]] Result<Texture> read_texture(const HardwareProfile& profile, const std::filesystem::path& file,
+                                           const TextureReadOptions& options, PictureReader reader);
+[[nodiscard]] Result<Texture> read_cube_texture(const HardwareProfile& profile,
+                                                std::span<const std::filesystem::path, 6> files,
+                                                const TextureReadOptions& options, PictureReader reader);
 
 }  // namespace ninebit::image_detail

@@ -1,3 +1,4 @@
+// Textures out of files, whoever reads the pictures.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -5,15 +6,11 @@
 #include <system_error>
 #include <utility>
 
-#include "ninebit/image/texture_io.h"
 #include "src/image/faults.h"
 #include "src/image/texture_file.h"
 
-namespace ninebit {
+namespace ninebit::image_detail {
 namespace {
-
-using image_detail::FileTexture;
-using image_detail::invalid_input;
 
 // The largest DDS file that there can be: six faces of floats with all levels, and the header.
 constexpr std::uint64_t kLargestFile = std::uint64_t{6} * kMaxSurfaceSize * kMaxSurfaceSize * 16 * 4 / 3 + 1024;
@@ -44,7 +41,8 @@ void flip_planes(std::vector<T>& samples, int width, int height) {
   }
 }
 
-Result<FileTexture> read_file(const HardwareProfile& profile, const std::filesystem::path& file, bool flip) {
+Result<FileTexture> read_file(const HardwareProfile& profile, const std::filesystem::path& file, bool flip,
+                              PictureReader reader) {
   std::error_code error;
   if (std::filesystem::is_directory(file, error)) return invalid_input(file, "is a folder; expected a picture");
   std::ifstream in(file, std::ios::binary);
@@ -55,13 +53,13 @@ Result<FileTexture> read_file(const HardwareProfile& profile, const std::filesys
   if (found == 0) return invalid_input(file, "is empty or cannot be read; expected a picture");
   in.clear();
   Result<FileTexture> texture = [&]() -> Result<FileTexture> {
-    if (!image_detail::is_dds({reinterpret_cast<const std::uint8_t*>(start.data()), found})) {
+    if (!is_dds({reinterpret_cast<const std::uint8_t*>(start.data()), found})) {
       in.close();
-      return image_detail::read_picture(file);
+      return reader(file);
     }
     const auto bytes = read_whole(file, in);
     if (!bytes) return bytes.error();
-    return image_detail::parse_dds(profile, file, *bytes);
+    return parse_dds(profile, file, *bytes);
   }();
   if (texture && flip) {
     for (std::vector<TextureSamples>& levels : texture.value().faces) {
@@ -102,17 +100,17 @@ std::string complain_about_face(const FileTexture& face, const FileTexture& firs
 }  // namespace
 
 Result<Texture> read_texture(const HardwareProfile& profile, const std::filesystem::path& file,
-                             const TextureReadOptions& options) {
-  Result<FileTexture> parts = read_file(profile, file, options.flip);
+                             const TextureReadOptions& options, PictureReader reader) {
+  Result<FileTexture> parts = read_file(profile, file, options.flip, reader);
   if (!parts) return parts.error();
   return finish(file, std::move(parts).value(), options.mipmaps);
 }
 
 Result<Texture> read_cube_texture(const HardwareProfile& profile, std::span<const std::filesystem::path, 6> files,
-                                  const TextureReadOptions& options) {
+                                  const TextureReadOptions& options, PictureReader reader) {
   FileTexture cube;
   for (const std::filesystem::path& file : files) {
-    Result<FileTexture> face = read_file(profile, file, options.flip);
+    Result<FileTexture> face = read_file(profile, file, options.flip, reader);
     if (!face) return face.error();
     if (std::string complaint = complain_about_face(*face, cube.faces.empty() ? *face : cube); !complaint.empty()) {
       return invalid_input(file, std::move(complaint));
@@ -127,4 +125,4 @@ Result<Texture> read_cube_texture(const HardwareProfile& profile, std::span<cons
   return finish(files[0], std::move(cube), options.mipmaps);
 }
 
-}  // namespace ninebit
+}  // namespace ninebit::image_detail

@@ -132,19 +132,24 @@ Status CameraFrame::draw_depth() {
   return draw("depth", passes_.depth, {}, {}, target);
 }
 
+Status CameraFrame::draw_shaded(std::string_view name, const PipelineState& state,
+                                const std::vector<ColorBytes>& colors, double& milliseconds) {
+  milliseconds = 0.0;
+  return PassTimer({}).run(name, 0.0, milliseconds, [&] {
+    RenderTarget target = rendering_.frame.target();
+    VertexArrays arrays;
+    set_colors(arrays, colors);
+    return draw(name, state, arrays, {}, target);
+  });
+}
+
 Status CameraFrame::draw_lit_and_shadow() {
-  const auto timed = [&](std::string_view name, const PipelineState& state, const std::vector<ColorBytes>& colors,
-                         double& milliseconds) {
-    milliseconds = 0.0;
-    return PassTimer({}).run(name, 0.0, milliseconds, [&] {
-      RenderTarget target = rendering_.frame.target();
-      VertexArrays arrays;
-      set_colors(arrays, colors);
-      return draw(name, state, arrays, {}, target);
-    });
-  };
-  if (Status drawn = timed("lit", passes_.lit, shading_.lit, rendering_.times.lit); !drawn) return drawn;
-  return timed("shadow", passes_.shadow, shading_.shadowed, rendering_.times.shadow);
+  if (Status drawn = draw_shaded("lit", passes_.lit, shading_.lit, rendering_.times.lit); !drawn) return drawn;
+  return draw_shadow();
+}
+
+Status CameraFrame::draw_shadow() {
+  return draw_shaded("shadow", passes_.shadow, shading_.shadowed, rendering_.times.shadow);
 }
 
 RenderTarget CameraFrame::capturing_target(int units, const std::string& prefix) {

@@ -42,6 +42,8 @@ class CameraFrame {
   Status draw_depth();
   // Draws colour where the stencil is 0, then where it is not. The times of both passes go into the rendering's.
   Status draw_lit_and_shadow();
+  // The latter alone, for a technique whose lit pass is its own.
+  Status draw_shadow();
   // Counts lit, shadowed and background pixels; with settings.layers adds stencil, depth, polygon and object.
   void finish();
 
@@ -79,6 +81,9 @@ class CameraFrame {
 
  private:
   CameraFrame(const Scene& scene, const RenderSettings& settings, Surface frame);
+
+  Status draw_shaded(std::string_view name, const PipelineState& state, const std::vector<ColorBytes>& colors,
+                     double& milliseconds);
 
   const Scene* scene_;
   RenderSettings settings_;

@@ -111,14 +111,16 @@ VertexArrays IndexCubeRenderer::all_triangles(std::span<const glm::vec3> positio
 Status IndexCubeRenderer::draw_camera() {
   const RenderSettings& settings = frame_.settings();
   if (!settings.layers && !settings.pixel && !settings.light_facing) return draw_camera_together();
+  if (Status drawn = draw_shadows(); !drawn) return drawn;
+  return frame_.draw_lit_and_shadow();
+}
+
+Status IndexCubeRenderer::draw_shadows() {
   PassTimes& times = rendering().times;
   times.camera = times.compare = 0.0;
   PassTimer timer({});
   if (Status drawn = timer.run("depth", 0.0, times.camera, [&] { return frame_.draw_depth(); }); !drawn) return drawn;
-  if (Status drawn = timer.run("comparison", 0.0, times.compare, [&] { return draw_comparison(); }); !drawn) {
-    return drawn;
-  }
-  return frame_.draw_lit_and_shadow();
+  return timer.run("comparison", 0.0, times.compare, [&] { return draw_comparison(); });
 }
 
 Status IndexCubeRenderer::draw_camera_together() {

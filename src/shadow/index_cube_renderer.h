@@ -28,6 +28,8 @@ class IndexCubeRenderer {
   // are drawn tile by tile together, unless layers, a watched pixel or light_facing ask for each by itself. The times
   // of the passes, which go into the rendering's, are then their shares of the whole.
   Status draw_camera();
+  // The first two of these passes alone, each by itself, for a technique that goes on otherwise.
+  Status draw_shadows();
 
   // Between draw_maps and draw_camera: finds the polygons that vanish from the map.
   void find_vanished();
@@ -41,6 +43,7 @@ class IndexCubeRenderer {
   [[nodiscard]] Rendering& rendering() { return frame_.rendering(); }
 
   // What the passes draw with, for another renderer of the same frame.
+  [[nodiscard]] CameraFrame& frame() { return frame_; }
   [[nodiscard]] const glm::mat4& camera_projection() const { return frame_.projection(); }
   [[nodiscard]] const std::array<glm::mat4, 6>& face_projections() const { return face_projections_; }
   [[nodiscard]] const std::vector<ColorBytes>& index_colors() const { return indices_.color; }  // one a triangle

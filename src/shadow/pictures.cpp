@@ -7,11 +7,10 @@
 #include <string>
 #include <utility>
 
+#include "src/shadow/cube_cross.h"
+
 namespace ninebit {
 namespace {
-
-// Larger faces are shown by every second, fourth, … texel: the cross is for people.
-constexpr std::size_t kLargestCrossFace = 1024;
 
 // Where sample i of a plane, lowest row first, stands in a picture, highest row first.
 std::size_t upright_index(std::size_t i, int width, int height) {
@@ -100,22 +99,9 @@ Image8 stencil_picture(const Rendering& rendering) {
 }
 
 Image8 index_cross_picture(const Rendering& rendering) {
-  constexpr std::array<std::array<int, 2>, 6> place{{{2, 1}, {0, 1}, {1, 0}, {1, 2}, {1, 1}, {3, 1}}};
-  const auto texels = static_cast<std::size_t>(rendering.index_map.front().size);
-  const std::size_t n = std::min(texels, kLargestCrossFace), stride = texels / n;
-  Image8 image{static_cast<int>(4 * n), static_cast<int>(3 * n), 3, {}};
-  image.pixels.assign(12 * n * n * 3, 24);
-  for (std::size_t f = 0; f < 6; ++f) {
-    const std::size_t left = static_cast<std::size_t>(place[f][0]) * n, top = static_cast<std::size_t>(place[f][1]) * n;
-    for (std::size_t y = 0; y < n; ++y) {
-      for (std::size_t x = 0; x < n; ++x) {
-        const auto color = hue_of(code_number(rendering, f, (y * texels + x) * stride));
-        std::copy(color.begin(), color.end(),
-                  image.pixels.begin() + static_cast<std::ptrdiff_t>(((top + y) * 4 * n + left + x) * 3));
-      }
-    }
-  }
-  return image;
+  return cube_cross(rendering.index_map.front().size, [&](std::size_t face, std::size_t texel) {
+    return hue_of(code_number(rendering, face, texel));
+  });
 }
 
 Status write_rendering(const Rendering& rendering, StagedFiles& files) {

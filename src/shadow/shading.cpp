@@ -56,16 +56,14 @@ VertexShading shade_flat(const Scene& scene, const Light& light, const RenderSet
   return shading;
 }
 
-}  // namespace
-
-VertexShading shade_vertices(const Scene& scene, const Light& light, const RenderSettings& settings) {
-  if (settings.cartoon) return shade_flat(scene, light, settings);
+// Calls `visit` for each vertex with its number, its base colour and the diffuse light of each channel that reaches it.
+template <class Visit>
+void for_each_vertex(const Scene& scene, const Light& light, const RenderSettings& settings, const Visit& visit) {
   const std::size_t count = scene.positions.size();
   std::vector<std::uint32_t> material(count, 0);
   for (std::size_t t = 0; t < scene.triangles.size(); ++t) {
     for (int corner = 0; corner < 3; ++corner) material[scene.triangles[t][corner]] = scene.triangle_material[t];
   }
-  VertexShading shading{std::vector<ColorBytes>(count), std::vector<ColorBytes>(count)};
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, 4096), [&](const auto& range) {
     for (std::size_t v = range.begin(); v != range.end(); ++v) {
       const glm::vec3 toward = to_light(light, scene.positions[v]);
@@ -75,13 +73,32 @@ VertexShading shade_vertices(const Scene& scene, const Light& light, const Rende
       // A vertex without a normal is lit as if it faced the light.
       if (glm::dot(normal, normal) == 0.0F) cosine = 1.0F;
       cosine = settings.light_facing ? std::max(cosine, 0.0F) : std::fabs(cosine);
-      const glm::vec3 base = scene.materials[material[v]].base_color;
-      const glm::vec3 diffuse = kDiffuse * cosine * light.color;
-      shading.lit[v] = bytes_of(settings.profile, base * (kAmbient + diffuse));
-      shading.shadowed[v] = bytes_of(settings.profile, base * (kAmbient + diffuse * kDiffuseInShadow));
+      visit(v, scene.materials[material[v]].base_color, kDiffuse * cosine * light.color);
     }
   });
+}
+
+}  // namespace
+
+VertexShading shade_vertices(const Scene& scene, const Light& light, const RenderSettings& settings) {
+  if (settings.cartoon) return shade_flat(scene, light, settings);
+  const std::size_t count = scene.positions.size();
+  VertexShading shading{std::vector<ColorBytes>(count), std::vector<ColorBytes>(count)};
+  for_each_vertex(scene, light, settings, [&](std::size_t v, const glm::vec3& base, const glm::vec3& diffuse) {
+    shading.lit[v] = bytes_of(settings.profile, base * (kAmbient + diffuse));
+    shading.shadowed[v] = bytes_of(settings.profile, base * (kAmbient + diffuse * kDiffuseInShadow));
+  });
   return shading;
+}
+
+VertexLight light_vertices(const Scene& scene, const Light& light, const RenderSettings& settings) {
+  const std::size_t count = scene.positions.size();
+  VertexLight parts{std::vector<ColorBytes>(count), std::vector<ColorBytes>(count)};
+  for_each_vertex(scene, light, settings, [&](std::size_t v, const glm::vec3& base, const glm::vec3& diffuse) {
+    parts.ambient[v] = bytes_of(settings.profile, base * kAmbient);
+    parts.diffuse[v] = bytes_of(settings.profile, base * diffuse);
+  });
+  return parts;
 }
 
 }  // namespace ninebit

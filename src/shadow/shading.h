@@ -25,4 +25,11 @@ struct VertexShading {
 // which it meets the light. In shadow it is ink: nearly black, with a trace of the base colour.
 [[nodiscard]] VertexShading shade_vertices(const Scene& scene, const Light& light, const RenderSettings& settings);
 
+// The summands of the lit colours one by one, for passes that change the light on its way to the vertex.
+struct VertexLight {
+  std::vector<ColorBytes> ambient;  // base colour × ambient
+  std::vector<ColorBytes> diffuse;  // base colour × diffuse · cos, what the light adds
+};
+[[nodiscard]] VertexLight light_vertices(const Scene& scene, const Light& light, const RenderSettings& settings);
+
 }  // namespace ninebit

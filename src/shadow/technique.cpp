@@ -2,7 +2,9 @@
 
 #include <array>
 
+#include "ninebit/shadow/depth_cube.h"
 #include "ninebit/shadow/index_cube.h"
+#include "ninebit/shadow/light_cookie.h"
 #include "ninebit/shadow/shadow_volume.h"
 
 namespace ninebit {
@@ -13,10 +15,18 @@ constexpr std::array kTechniques{
               "index cube shadow mapping: polygon indices compared by two general combiners",
               {.point = true},
               &render_index_cube},
+    Technique{"depth-cube",
+              "depth cube shadow mapping: distances to the light, compared in one or two passes a cube-map face",
+              {.point = true},
+              &render_depth_cube},
     Technique{"shadow-volume",
               "shadow volumes: infinite volumes of the silhouettes, counted in the stencil buffer",
               {.point = true, .spot = true, .directional = true},
               &render_shadow_volume},
+    Technique{"light-cookie",
+              "a point light that shines as a cube map says, with index cube shadows or without",
+              {.point = true},
+              &render_light_cookie},
 };
 
 }  // namespace

@@ -8,6 +8,7 @@
 
 #include "ninebit/image/image_io.h"
 #include "ninebit/scene/scene_io.h"
+#include "src/tools/cookie_file.h"
 #include "src/tools/number_list.h"
 
 namespace ninebit::tools {
@@ -187,11 +188,16 @@ void add_technique_flags(CLI::App& verb, SceneFlags& flags) {
       ->check(CLI::Range(1, 16));
   verb.add_option("--cookie", flags.cookie, "Cube map of the light: a DDS file, or six pictures +X,-X,+Y,-Y,+Z,-Z")
       ->type_name("FILE[,FILE...]")
-      ->check(checked(check_file_name));
+      ->check(checked(check_cookie));
   verb.add_option("--light-rotate", flags.light_rotate, "Degrees that the light is turned about x, then y, then z")
       ->type_name("X,Y,Z")
       ->check(checked(check_point));
   add_choice(verb, "--cookie-shadows", s.light_cookie.shadows, kCookieShadows, "Shadows of the light cookie");
+  verb.parse_complete_callback([&flags] {
+    if (flags.technique == "light-cookie" && flags.cookie.empty()) {
+      throw CLI::ValidationError("--technique light-cookie needs --cookie FILE");
+    }
+  });
 }
 
 }  // namespace
@@ -290,7 +296,13 @@ Result<Scene> complete_scene_of(const SceneFlags& flags, const RenderSettings& s
 
 Result<Rendering> render_scene(const SceneFlags& flags, const Scene& scene, const RenderSettings& settings,
                                const Progress& progress) {
-  return naming(flags, find_technique(flags.technique)->render(scene, settings, progress));
+  RenderSettings complete = settings;
+  if (!flags.cookie.empty()) {
+    auto cookie = read_cookie(settings.profile, flags.cookie);
+    if (!cookie) return cookie.error();
+    complete.light_cookie.cookie = std::move(cookie).value();
+  }
+  return naming(flags, find_technique(flags.technique)->render(scene, complete, progress));
 }
 
 }  // namespace ninebit::tools

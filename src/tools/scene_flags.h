@@ -53,7 +53,7 @@ class ThreadLimit {
   std::optional<tbb::global_control> limit_;
 };
 
-// The settings of flags that were checked while they were parsed.
+// The settings of flags that were checked while they were parsed, but for the cookie, which render_scene reads.
 [[nodiscard]] RenderSettings settings_of(const SceneFlags& flags, const CommonFlags& common);
 
 // Gives a scene the camera, light and floor that the flags ask for.
@@ -62,7 +62,7 @@ class ThreadLimit {
 // Reads the scene and completes it.
 [[nodiscard]] Result<Scene> load_scene(const SceneFlags& flags, const RenderSettings& settings);
 
-// Renders it with the technique that the flags name.
+// Renders it with the technique that the flags name, and with the cookie where they name one.
 [[nodiscard]] Result<Rendering> render_scene(const SceneFlags& flags, const Scene& scene,
                                              const RenderSettings& settings, const Progress& progress);
 

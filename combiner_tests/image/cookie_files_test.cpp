@@ -1,0 +1,58 @@
+// The cubes that the project ships: made by their generator, and the same texels in both.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstdio>
+#include <fstream>
+#include <iterator>
+#include <string>
+
+#include "ninebit/image/texture_io.h"
+
+namespace {
+
+using namespace ninebit;
+
+const std::string kScenes = NINEBIT_SOURCE_DIR "/scenes/";
+
+TEST(CookieFiles, AreWhatTheirGeneratorMakes) {
+  for (const std::string name : {"labels.dds", "labels_dxt1.dds"}) {
+    const std::string command = "/usr/bin/python3 '" + kScenes + "make_cookie_cube.py' --stdout " + name;
+    FILE* pipe = popen(command.c_str(), "r");
+    ASSERT_NE(pipe, nullptr);
+    std::string made;
+    std::array<char, 4096> part{};
+    for (std::size_t size = 0; (size = std::fread(part.data(), 1, part.size(), pipe)) > 0;) {
+      made.append(part.data(), size);
+    }
+    ASSERT_EQ(pclose(pipe), 0) << command;
+    std::ifstream file(kScenes + "cookies/" + name, std::ios::binary);
+    const std::string kept((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
+    EXPECT_GT(made.size(), 10000U);
+    EXPECT_TRUE(made == kept) << "run scenes/make_cookie_cube.py";
+  }
+}
+
+TEST(CookieFiles, HoldTheSameCube) {
+  for (const HardwareProfile& profile : hardware_profiles()) {
+    const auto plain = read_texture(profile, kScenes + "cookies/labels.dds");
+    const auto blocks = read_texture(profile, kScenes + "cookies/labels_dxt1.dds");
+    ASSERT_TRUE(plain.ok() && blocks.ok());
+    ASSERT_EQ(plain->target, TextureTarget::cube_map);
+    ASSERT_EQ(blocks->target, TextureTarget::cube_map);
+    for (std::size_t face = 0; face < 6; ++face) {
+      ASSERT_EQ(plain->faces[face].size(), 1U);
+      const TextureImage &a = plain->faces[face][0], &b = blocks->faces[face][0];
+      ASSERT_EQ(a.width, 64);
+      ASSERT_EQ(b.width, 64);
+      const auto &p = std::get<0>(a.planes), &q = std::get<0>(b.planes);
+      for (int y = 0; y < 64; ++y) {
+        for (int x = 0; x < 64; ++x) {
+          for (std::size_t c = 0; c < 3; ++c) ASSERT_EQ(p[c].at(x, y), q[c].at(x, y)) << profile.name << face;
+        }
+      }
+    }
+  }
+}
+
+}  // namespace

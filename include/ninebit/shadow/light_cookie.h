@@ -1,0 +1,46 @@
+// A light cookie: a point light that shines differently in each direction, as a cube map says (Jason McKesson's
+// "Cube Point Light").
+#pragma once
+
+#include <glm/glm.hpp>
+
+#include "ninebit/combiner/state.h"
+#include "ninebit/numerics/hardware_profile.h"
+#include "ninebit/raster/pipeline_state.h"
+#include "ninebit/raster/sampler.h"
+#include "ninebit/shadow/technique.h"
+
+namespace ninebit {
+
+// What the cube map's colours are multiplied by: 1/6 is the light's own intensity.
+inline constexpr int kCookieScale = 6;
+
+// How the cube map is read: its level 0 alone, whatever other levels it has.
+inline constexpr Sampler kCookieSampler{.min_filter = MinFilter::linear,
+                                        .mag_filter = MagFilter::linear,
+                                        .wrap_s = Wrap::clamp_to_edge,
+                                        .wrap_t = Wrap::clamp_to_edge};
+
+// The rotation from a light's own space to the world's: by so many degrees about the world's x axis, then y, then z,
+// each counter-clockwise for who looks against the axis. Its columns are the light's axes in the world. Quarter turns
+// are exact, other angles correct to a float; the same bits on every machine. The angles are finite.
+[[nodiscard]] glm::mat3 light_rotation(const glm::vec3& degrees);
+
+// Two general combiners and a final combiner: RGB = min(1, kCookieScale · primary · texture 0) + secondary, clamped;
+// alpha = 1. With `geforce2` the product is at most one code of 255 off. Reports a profile that refuses the set-up.
+[[nodiscard]] Result<CombinerState> light_cookie_state(const HardwareProfile& profile);
+
+// The lit pass: FramePasses::lit with that program. Reports what light_cookie_state reports.
+[[nodiscard]] Result<PipelineState> light_cookie_pass(const RenderSettings& settings);
+
+// Draws the scene in the light of settings.light_cookie.cookie:
+//   1. with settings.light_cookie.shadows, passes 1 to 3 of render_index_cube; without, the camera's depth alone;
+//   2. the lit pass where the stencil is 0: diffuse light as primary colour, ambient light as secondary, the cube map on
+//      unit 0, fetched along the vector from the light in the light's own space, which is interpolated;
+//   3. the shadow pass where it is 1: ambient light.
+// Besides what Technique::render says and, with shadows, render_index_cube, reports a cookie that is missing, no cube
+// map, or a cube map that check_texture or is_complete refuses.
+[[nodiscard]] Result<Rendering> render_light_cookie(const Scene& scene, const RenderSettings& settings,
+                                                    const Progress& progress);
+
+}  // namespace ninebit

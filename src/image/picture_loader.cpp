@@ -1,0 +1,65 @@
+#include "src/image/picture_loader.h"
+
+#include <dlfcn.h>
+#include <fmt/format.h>
+
+#include <string_view>
+#include <system_error>
+
+#include "src/image/faults.h"
+#include "src/image/picture_module.h"
+
+namespace ninebit::image_detail {
+namespace {
+
+namespace fs = std::filesystem;
+
+Result<fs::path> find_module() {
+  std::error_code error;
+  const fs::path program = fs::read_symlink("/proc/self/exe", error);
+  if (error) {
+    return Diagnostic{fmt::format("the program's own path, beside which {} is looked for, is unknown: {}",
+                                  kPictureModuleFile, error.message())};
+  }
+  const fs::path folder = program.parent_path();
+  const fs::path beside = folder / kPictureModuleFile;
+  const fs::path installed = folder.parent_path() / "lib/ninebit" / kPictureModuleFile;
+  if (fs::exists(beside, error)) return beside;
+  if (fs::exists(installed, error)) return installed;
+  return Diagnostic{fmt::format("pictures other than DDS are read by a module that is missing: neither {} nor {} exists",
+                                beside.string(), installed.string())};
+}
+
+struct PictureModule {
+  PictureModuleRead read;
+};
+
+// It stays loaded until the program ends.
+Result<PictureModule> load_module() {
+  const auto path = find_module();
+  if (!path) return path.error();
+  void* const module = ::dlopen(path->c_str(), RTLD_NOW | RTLD_LOCAL);
+  if (module == nullptr) {
+    return Diagnostic{fmt::format("the module {}, which reads pictures other than DDS, cannot be loaded: {}",
+                                  path->string(), ::dlerror())};
+  }
+  const auto build = reinterpret_cast<const char* (*)()>(::dlsym(module, kPictureBuildSymbol));
+  const auto read = reinterpret_cast<PictureModuleRead>(::dlsym(module, kPictureReadSymbol));
+  if (build == nullptr || read == nullptr || std::string_view(build()) != kPictureModuleBuild) {
+    return Diagnostic{fmt::format("the module {} is not of this build of the program ({})", path->string(),
+                                  kPictureModuleBuild)};
+  }
+  return PictureModule{read};
+}
+
+}  // namespace
+
+Result<FileTexture> load_picture(const std::filesystem::path& file) {
+  static const Result<PictureModule> pictures = load_module();
+  if (!pictures) return invalid_input(file, "cannot be read: " + pictures.error().message);
+  Result<FileTexture> texture = FileTexture{};
+  pictures->read(file, texture);
+  return texture;
+}
+
+}  // namespace ninebit::image_detail

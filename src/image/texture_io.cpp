@@ -1,0 +1,17 @@
+#include "ninebit/image/texture_io.h"
+
+#include "src/image/texture_file.h"
+
+namespace ninebit {
+
+Result<Texture> read_texture(const HardwareProfile& profile, const std::filesystem::path& file,
+                             const TextureReadOptions& options) {
+  return image_detail::read_texture(profile, file, options, &image_detail::read_picture);
+}
+
+Result<Texture> read_cube_texture(const HardwareProfile& profile, std::span<const std::filesystem::path, 6> files,
+                                  const TextureReadOptions& options) {
+  return image_detail::read_cube_texture(profile, files, options, &image_detail::read_picture);
+}
+
+}  // namespace ninebit
