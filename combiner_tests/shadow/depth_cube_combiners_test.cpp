@@ -15,7 +15,7 @@ namespace {
 
 using namespace ninebit;
 
-constexpr std::array kBoundaries{0, 1, 2, 126, 127, 128, 129, 253, 254, 255};
+constexpr std::array kBoundaries{0, 1, 127, 128, 254, 255};
 
 // A comparison's program, and what it says of two luminance-alpha texels.
 class Comparison {

@@ -99,9 +99,8 @@ Image8 stencil_picture(const Rendering& rendering) {
 }
 
 Image8 index_cross_picture(const Rendering& rendering) {
-  return cube_cross(rendering.index_map.front().size, [&](std::size_t face, std::size_t texel) {
-    return hue_of(code_number(rendering, face, texel));
-  });
+  return cube_cross(rendering.index_map.front().size,
+                    [&](std::size_t face, std::size_t texel) { return hue_of(code_number(rendering, face, texel)); });
 }
 
 Status write_rendering(const Rendering& rendering, StagedFiles& files) {

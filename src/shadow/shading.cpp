@@ -13,7 +13,6 @@ namespace ninebit {
 namespace {
 
 constexpr float kAmbient = 0.22F;
-constexpr float kDiffuse = 0.78F;
 constexpr float kDiffuseInShadow = 0.25F;  // of the diffuse light
 
 // A cartoon's brightness from a cosine on.
@@ -60,10 +59,7 @@ VertexShading shade_flat(const Scene& scene, const Light& light, const RenderSet
 template <class Visit>
 void for_each_vertex(const Scene& scene, const Light& light, const RenderSettings& settings, const Visit& visit) {
   const std::size_t count = scene.positions.size();
-  std::vector<std::uint32_t> material(count, 0);
-  for (std::size_t t = 0; t < scene.triangles.size(); ++t) {
-    for (int corner = 0; corner < 3; ++corner) material[scene.triangles[t][corner]] = scene.triangle_material[t];
-  }
+  const std::vector<std::uint32_t> material = vertex_materials(scene);
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, 4096), [&](const auto& range) {
     for (std::size_t v = range.begin(); v != range.end(); ++v) {
       const glm::vec3 toward = to_light(light, scene.positions[v]);
@@ -73,12 +69,20 @@ void for_each_vertex(const Scene& scene, const Light& light, const RenderSetting
       // A vertex without a normal is lit as if it faced the light.
       if (glm::dot(normal, normal) == 0.0F) cosine = 1.0F;
       cosine = settings.light_facing ? std::max(cosine, 0.0F) : std::fabs(cosine);
-      visit(v, scene.materials[material[v]].base_color, kDiffuse * cosine * light.color);
+      visit(v, scene.materials[material[v]].base_color, kDiffuseLight * cosine * light.color);
     }
   });
 }
 
 }  // namespace
+
+std::vector<std::uint32_t> vertex_materials(const Scene& scene) {
+  std::vector<std::uint32_t> material(scene.positions.size(), 0);
+  for (std::size_t t = 0; t < scene.triangles.size(); ++t) {
+    for (int corner = 0; corner < 3; ++corner) material[scene.triangles[t][corner]] = scene.triangle_material[t];
+  }
+  return material;
+}
 
 VertexShading shade_vertices(const Scene& scene, const Light& light, const RenderSettings& settings) {
   if (settings.cartoon) return shade_flat(scene, light, settings);
@@ -95,8 +99,12 @@ VertexLight light_vertices(const Scene& scene, const Light& light, const RenderS
   const std::size_t count = scene.positions.size();
   VertexLight parts{std::vector<ColorBytes>(count), std::vector<ColorBytes>(count)};
   for_each_vertex(scene, light, settings, [&](std::size_t v, const glm::vec3& base, const glm::vec3& diffuse) {
-    parts.ambient[v] = bytes_of(settings.profile, base * kAmbient);
-    parts.diffuse[v] = bytes_of(settings.profile, base * diffuse);
+    for (int c = 0; c < 3; ++c) {
+      const auto i = static_cast<std::size_t>(c);
+      parts.ambient[v][i] = byte_of_vertex_color(settings.profile, base[c] * kAmbient);
+      parts.diffuse[v][i] = byte_of_vertex_color(settings.profile, base[c] * diffuse[c]);
+    }
+    parts.ambient[v][3] = parts.diffuse[v][3] = 255;
   });
   return parts;
 }

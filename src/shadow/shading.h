@@ -2,6 +2,7 @@
 // colours as in a cartoon.
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "ninebit/raster/rasterizer.h"
@@ -9,6 +10,12 @@
 #include "ninebit/shadow/settings.h"
 
 namespace ninebit {
+
+// How bright a white light makes a white surface that faces it.
+inline constexpr float kDiffuseLight = 0.78F;
+
+// The material of each vertex: that of the last triangle that uses it.
+[[nodiscard]] std::vector<std::uint32_t> vertex_materials(const Scene& scene);
 
 // One colour a vertex, or with settings.cartoon one a triangle.
 struct VertexShading {

@@ -10,6 +10,7 @@
 #include "ninebit/raster/surface.h"
 #include "ninebit/raster/texture.h"
 #include "ninebit/scene/scene.h"
+#include "ninebit/shadow/depth_packing.h"
 #include "ninebit/shadow/index_codes.h"
 
 namespace ninebit {
@@ -34,10 +35,6 @@ struct DepthCubeSettings {
   DepthCubeBits bits = DepthCubeBits::eight;
   std::optional<float> bias{};  // world units by which a surface may lie behind the map's; empty: the technique's own
 };
-
-// How a depth in [0, 1] stands in the texels of a shadow map (depth_packing.h).
-enum class DepthEncoding : std::uint8_t { d24, d16, rgba8_fract, rgba8_mod, rgba8_256over255, rgba8_modf };
-enum class ChannelStorage : std::uint8_t { round, truncate };  // how a component becomes a byte
 
 // glPolygonOffset's arguments.
 struct OffsetArguments {
