@@ -42,6 +42,10 @@ std::vector<Golden> goldens() {
       {kRoom, {"--size 320x240 --map-size 256 --index-format la", "--size 320x240 --map-size 256 --style cartoon"}},
       {kRoom, {"--size 320x240 --map-size 256 --index-format l --index-scope object --index-step 3"}},
       {kRoom, {"--size 320x240 --map-size 256 --index-format a --index-scope object"}},
+      {kRoom, {"--technique reflective --size 160x120 --map-size 256 --samples 100 --light-type directional"}},
+      {kCornell,
+       {"--technique reflective --size 160x120 --map-size 256 --kernel 71.68",
+        "--technique reflective --size 160x120 --map-size 256 --kernel 71.68 --pattern polar --gather-scale 4"}},
       {kBunny, {"", "--size 320x240 --map-size 256", "--size 320x240 --map-size 256 --floor none --light-facing"}},
       {kEngine, {"", "--size 320x240 --map-size 256"}},
   };

@@ -1,4 +1,6 @@
 // A reflective shadow map's texels as lights.
+#include <oneapi/tbb/parallel_for.h>
+
 #include <cmath>
 #include <numbers>
 
@@ -45,18 +47,18 @@ PixelLights pixel_lights(const ReflectiveMap& map, const Light& light, SamplePat
   constexpr float kPerFlux = kDiffuseLight / kFluxOfWhiteLight / std::numbers::pi_v<float>;
   PixelLights lights{.size = map.size};
   lights.values.resize(map.depth.size() * PixelLights::kStride);
-  for (std::size_t i = 0; i < map.depth.size(); ++i) {
-    if (map.depth[i] == max_depth(DepthStencilFormat::d24s8)) continue;
+  tbb::parallel_for(std::size_t{0}, map.depth.size(), [&](std::size_t i) {
+    if (map.depth[i] == max_depth(DepthStencilFormat::d24s8)) return;
     float* const out = &lights.values[i * PixelLights::kStride];
     for (std::size_t c = 0; c < 3; ++c) {
       out[c] = float_of(map.position[c][i]);
       out[3 + c] = float_of(map.normal[c][i]);
       out[6 + c] = float_of(map.flux[c][i]);
     }
-    if (pattern != SamplePattern::polar) continue;
+    if (pattern != SamplePattern::polar) return;
     const float scale = kPerFlux * area({out[0], out[1], out[2]});
     for (std::size_t c = 6; c < 9; ++c) out[c] *= scale;
-  }
+  });
   return lights;
 }
 

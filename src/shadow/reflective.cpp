@@ -21,7 +21,7 @@ namespace {
 constexpr int kMaxGatherScale = 16;
 
 // Of the scene's diagonal: how far apart two pixels may lie that share light.
-constexpr float kSimilarDistance = 1.0F / 32.0F;
+constexpr float kSimilarDistance = 1.0F / 16.0F;
 
 Status check_settings(const ReflectiveSettings& s) {
   const auto outside = [](std::string message) { return Diagnostic{.message = std::move(message)}; };
