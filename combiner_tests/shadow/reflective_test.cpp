@@ -301,6 +301,22 @@ TEST(IndirectLight, WholeMapOfASpotLight) {
   }
 }
 
+// A point behind a spot light has no place in its map, though the projection would mirror it there.
+TEST(IndirectLight, NothingBehindASpotLight) {
+  Scene scene = lit_square();
+  scene.lights[0].kind = LightKind::spot;
+  scene.lights[0].position = {0, 2, 0};
+  const RenderSettings settings = small_settings();
+  const ReflectiveMap map = draw_reflective_map(scene, settings).value();
+  const PixelLights lights = pixel_lights(map, scene.lights[0], SamplePattern::polar);
+  VisibleSurface surface = points_over_square({0.0F, 0.0F});
+  surface.position[1] = {1.5F, 2.5F};
+  IndirectLight light(map, lights, surface, make_pattern(settings.reflective), 60.0F);
+  ASSERT_TRUE(light.compute({true, true}, 1, 0.0F, [](double) { return true; }).ok());
+  EXPECT_GT(light.irradiance()[0][0], 0.0F);
+  EXPECT_EQ(light.irradiance()[0][1], 0.0F);
+}
+
 // What a pattern comes to on average: the sum over all texels, each with a factor of its distance from the pixel's
 // place in the map, in kernel radii.
 template <class Factor>
