@@ -78,9 +78,9 @@ TEST(DistanceCode, RampsAreStepsOfOneCodeAndLagByTheBias) {
       ASSERT_EQ(code.camera_code(i), i < code.offset ? 0 : code.map_code(i - code.offset));
     }
     settings.depth_cube.bias.reset();
-    EXPECT_NEAR(default_depth_cube_bias(scene, settings), 4.0F * code.high / 64.0F, 1e-5F);
+    EXPECT_NEAR(default_depth_cube_bias(scene, settings), 6.0F * code.high / 64.0F, 1e-5F);
     settings.map_size = 128;
-    EXPECT_NEAR(default_depth_cube_bias(scene, settings), 4.0F * code.high / 128.0F, 1e-5F);
+    EXPECT_NEAR(default_depth_cube_bias(scene, settings), 6.0F * code.high / 128.0F, 1e-5F);
   }
 }
 

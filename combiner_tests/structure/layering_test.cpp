@@ -31,6 +31,7 @@ const std::vector<Library> kLibraries{
     {std::regex("glm/.*"), {"raster", "scene", "shadow", "study", "tools", "bench"}},
     {std::regex("assimp/.*"), {"scene"}},
     {std::regex("meshoptimizer\\.h"), {"shadow"}},
+    {std::regex("embree3/.*"), {"shadow"}},
     {std::regex("OpenImageIO/.*|png\\.h|Imf.*|OpenEXR/.*|Iex.*|half\\.h|Imath.*"), {"image"}},
     {std::regex("CLI/.*|openssl/.*"), {"tools"}},
     {std::regex("nlohmann/.*"), {"language", "scene", "study", "tools"}},

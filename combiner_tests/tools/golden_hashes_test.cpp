@@ -46,6 +46,8 @@ std::vector<Golden> goldens() {
       {kCornell,
        {"--technique reflective --size 160x120 --map-size 256 --kernel 71.68",
         "--technique reflective --size 160x120 --map-size 256 --kernel 71.68 --pattern polar --gather-scale 4"}},
+      {kRoom, {"--size 640x480 --technique shadow-volume"}},
+      {kRoom, {"--size 320x240 --technique shadow-volume --volume-method depth-pass --stencil-sides one"}},
       {kBunny, {"", "--size 320x240 --map-size 256", "--size 320x240 --map-size 256 --floor none --light-facing"}},
       {kEngine, {"", "--size 320x240 --map-size 256"}},
   };

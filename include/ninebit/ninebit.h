@@ -26,6 +26,7 @@
 #include "ninebit/raster/s3tc.h"
 #include "ninebit/scene/scene_io.h"
 #include "ninebit/shadow/depth_packing.h"
+#include "ninebit/shadow/ground_truth.h"
 #include "ninebit/shadow/index_cube.h"
 #include "ninebit/shadow/light_cookie.h"
 #include "ninebit/shadow/pictures.h"

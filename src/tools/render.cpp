@@ -7,8 +7,11 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <variant>
+#include <vector>
 
+#include "ninebit/shadow/ground_truth.h"
 #include "ninebit/shadow/pictures.h"
 #include "src/tools/number_list.h"
 #include "src/tools/pixel_flag.h"
@@ -23,6 +26,7 @@ struct RenderFlags {
   SceneFlags scene;
   std::string folder;
   std::string pick;
+  bool ground_truth = false;
 };
 
 int wrong_usage(const std::string& message) {
@@ -82,6 +86,43 @@ std::string text_of(const RenderFlags& flags, const Scene& scene, const PickedIn
                      picked.polygon ? "" : "; the index does not tell which polygon");
 }
 
+// Judges the rendering and shows what is wrong; empty where the technique drew no shadows.
+Result<std::optional<GroundTruth>> judge(const Scene& scene, const RenderSettings& settings, Rendering& rendering,
+                                         const Progress& progress) {
+  if (!rendering.evidence) return std::optional<GroundTruth>();
+  const auto rays = GroundTruthScene::make(scene);
+  if (!rays) return rays.error();
+  auto truth = measure(*rays, settings, rendering, progress);
+  if (!truth) return truth.error();
+  add_ground_truth(rendering, settings, *truth);
+  return std::optional(std::move(*truth));
+}
+
+std::vector<std::pair<std::string, std::uint64_t>> errors_by_cause(const ShadowEvidence& evidence,
+                                                                   const GroundTruth& truth) {
+  std::vector<std::pair<std::string, std::uint64_t>> counts;
+  for (const ErrorCause cause : causes_of(evidence)) {
+    counts.emplace_back(name_of(cause), truth.by_cause[static_cast<std::size_t>(cause)]);
+  }
+  return counts;
+}
+
+Json errors(const ShadowEvidence& evidence, const GroundTruth& truth) {
+  Json by_cause = Json::object();
+  for (const auto& [cause, count] : errors_by_cause(evidence, truth)) by_cause[cause] = count;
+  return {{"false_lit", truth.false_lit}, {"false_shadowed", truth.false_shadowed}, {"by_cause", std::move(by_cause)}};
+}
+
+std::string error_line(const Rendering& rendering, const std::optional<GroundTruth>& truth) {
+  if (!truth) return "ground truth: not applicable, no shadows were drawn\n";
+  std::string causes;
+  for (const auto& [cause, count] : errors_by_cause(*rendering.evidence, *truth)) {
+    if (count != 0) causes += fmt::format("{}{} {}", causes.empty() ? ": " : ", ", count, cause);
+  }
+  return fmt::format("ground truth: {} pixels falsely lit, {} falsely shadowed{}\n", truth->false_lit,
+                     truth->false_shadowed, causes);
+}
+
 double milliseconds(std::chrono::steady_clock::duration d) {
   return std::chrono::duration<double, std::milli>(d).count();
 }
@@ -99,6 +140,7 @@ int render(const RenderFlags& flags) {
     if (!pixel) return wrong_usage(pixel.error().message);
     settings.pick = *pixel;
   }
+  settings.evidence = flags.ground_truth;
 
   const auto start = Clock::now();
   std::optional<ProgressLine> line(std::in_place, flags.common.quiet);
@@ -110,9 +152,19 @@ int render(const RenderFlags& flags) {
   if (!files) return line.reset(), report(files.error());
   const auto loaded = Clock::now();
 
-  const auto progress = [&](std::string_view pass, double done) { return line->step(pass, 0.1 + 0.8 * done); };
-  const auto rendering = render_scene(flags.scene, *scene, settings, progress);
+  const double judging = flags.ground_truth ? 0.4 : 0.0;
+  const auto progress = [&](std::string_view pass, double done) {
+    return line->step(pass, 0.1 + (0.8 - judging) * done);
+  };
+  auto rendering = render_scene(flags.scene, *scene, settings, progress);
   if (!rendering) return line.reset(), report(rendering.error());
+  std::optional<GroundTruth> truth;
+  if (flags.ground_truth) {
+    const auto further = [&](std::string_view pass, double done) { return line->step(pass, 0.5 + judging * done); };
+    auto judged = judge(*scene, settings, *rendering, further);
+    if (!judged) return line.reset(), report(judged.error());
+    truth = std::move(*judged);
+  }
 
   const auto rendered = Clock::now();
   if (!line->step("writing", 0.9)) return line.reset(), report({.message = "interrupted", .fault = Fault::cancelled});
@@ -132,6 +184,7 @@ int render(const RenderFlags& flags) {
     if (!flags.common.quiet) {
       say(fmt::format("{} triangles; pixels: {} lit, {} shadowed, {} background; {:.0f} ms\n", scene->triangles.size(),
                       r.lit, r.shadowed, r.background, milliseconds(end - start)));
+      if (flags.ground_truth) say(error_line(r, truth));
     }
     return r.picked ? answer(text_of(flags, *scene, *r.picked)) : kDone;
   }
@@ -163,6 +216,7 @@ int render(const RenderFlags& flags) {
            {"files", std::move(names)},
            {"hash", hashes(r)}};
   if (r.picked) out["pick"] = json_of(flags, *scene, *r.picked);
+  if (truth) out["errors"] = errors(*r.evidence, *truth);
   return answer(out.dump(2) + "\n");
 }
 
@@ -181,6 +235,7 @@ void add_render(CLI::App& app, int& exit_code) {
   add_scene_flags(*verb, flags->scene);
   verb->add_flag("--layers", flags->scene.settings.layers, "Write layers.exr with every intermediate value");
   add_pixel_flag(*verb, "--pick", flags->pick, "Tell which polygon and object is seen at this pixel, by its index");
+  verb->add_flag("--ground-truth", flags->ground_truth, "Judge each pixel by rays: errors, their causes, error.png");
   verb->callback([flags, &exit_code] { exit_code = render(*flags); });
 }
 
