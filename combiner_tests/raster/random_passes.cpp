@@ -131,6 +131,9 @@ void add_texture(Random& random, RandomPass& pass, std::size_t unit, std::size_t
   for (std::size_t i = 0; i < vertices; ++i) {
     pass.coordinates[unit].emplace_back(random.real_f(-2, 2), random.real_f(-2, 2), random.real_f(-1, 2));
   }
+  const bool in_front = random.one_in(2);
+  if (random.one_in(2)) return;
+  for (std::size_t i = 0; i < vertices; ++i) pass.q[unit].push_back(random.real_f(in_front ? 0.2 : -1, 3));
 }
 
 void add_program(Random& random, RandomPass& pass, std::size_t vertices) {
@@ -182,7 +185,10 @@ VertexArrays PassScene::arrays(const RandomPass& pass) const {
   a.vertex_colors = pass.vertex_colors;
   a.primitive_colors = pass.primitive_colors;
   a.secondary_colors = pass.secondary_colors;
-  for (std::size_t i = 0; i < kMaxTextureUnits; ++i) a.texture_coordinates[i] = pass.coordinates[i];
+  for (std::size_t i = 0; i < kMaxTextureUnits; ++i) {
+    a.texture_coordinates[i] = pass.coordinates[i];
+    a.texture_q[i] = pass.q[i];
+  }
   return a;
 }
 
@@ -247,6 +253,51 @@ PassScene random_passes(Random& random, int passes) {
     scene.clear = ClearValues{.color = {random.byte(), random.byte(), random.byte(), random.byte()},
                               .depth = random.one_in(2) ? 1.0 : random.real(0, 1),
                               .stencil = random.below(256)};
+  }
+  return scene;
+}
+
+PassScene random_equal_passes(Random& random, int passes) {
+  PassScene scene = random_passes(random, passes);
+  scene.passes[0].state.depth_test = {true, CompareFunction::less, true};
+  scene.passes[0].state.alpha_test.enabled = false;
+  scene.passes[0].state.stencil_test = {.enabled = true, .front = {.depth_pass = StencilOperation::incr}};
+  for (std::size_t i = 1; i < scene.passes.size(); ++i) {
+    PipelineState& state = scene.passes[i].state;
+    state.blend = {};
+    state.color_mask = scene.passes[1].state.color_mask;
+    if (!state.program) state.shade_model = ShadeModel::smooth;
+    scene.passes[i].secondary_colors.clear();
+    state.depth_test = {true, CompareFunction::equal, false};
+    state.stencil_test.enabled = !random.one_in(4);
+    state.stencil_test.back.reset();
+    StencilFace& face = state.stencil_test.front;
+    face.fail = face.depth_fail = StencilOperation::keep;
+    face.mask = random.one_in(4) ? 0xFFU : 1U;
+    face.write_mask = random.one_in(2) ? 1U : 0xFFU;
+    face.reference = random.below(3);
+    face.function = random.one_in(3) ? CompareFunction::always : CompareFunction::equal;
+    // (A pass whose stencil test depends on what it writes cannot repeat another's fragments.)
+    const bool writes = face.function == CompareFunction::always ? !random.one_in(4) : random.one_in(6);
+    face.depth_pass = writes
+                          ? random.pick({StencilOperation::replace, StencilOperation::incr, StencilOperation::invert})
+                          : StencilOperation::keep;
+  }
+  if (scene.clear) scene.clear = ClearValues{.color = scene.clear->color, .stencil = random.below(3)};
+  if (!random.one_in(4)) return scene;
+  // More fragments of equal depth than are kept.
+  const auto corners = std::min<std::size_t>(scene.positions.size(), 30);
+  const int copies = random.between(4, 9);
+  scene.indices.clear();
+  for (int i = 0; i < copies; ++i) {
+    for (std::size_t k = 0; k < corners; ++k) scene.indices.push_back(static_cast<std::uint32_t>(k));
+  }
+  scene.type = PrimitiveType::triangles;
+  for (RandomPass& pass : scene.passes) {
+    while (!pass.primitive_colors.empty() && pass.primitive_colors.size() < scene.indices.size() / 3) {
+      pass.primitive_colors.push_back({random.byte(), random.byte(), random.byte(), random.byte()});
+    }
+    pass.primitive_colors.resize(std::min(pass.primitive_colors.size(), scene.indices.size() / 3));
   }
   return scene;
 }

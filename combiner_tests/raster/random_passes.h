@@ -13,7 +13,8 @@ struct RandomPass {
   PipelineState state;
   std::vector<ColorBytes> vertex_colors, primitive_colors, secondary_colors;
   std::array<std::vector<glm::vec3>, kMaxTextureUnits> coordinates;
-  std::array<Texture, kMaxTextureUnits> textures;  // without a level: the unit is off
+  std::array<std::vector<float>, kMaxTextureUnits> q;  // or none
+  std::array<Texture, kMaxTextureUnits> textures;      // without a level: the unit is off
   std::array<Sampler, kMaxTextureUnits> samplers;
 
   [[nodiscard]] std::vector<TextureUnit> units() const;  // up to the last that is on
@@ -40,6 +41,10 @@ struct PassScene {
 };
 
 PassScene random_passes(Random& random, int passes);
+
+// Two passes or more: the first leaves the nearest depths, the others ask for the same, and stencil values tell their
+// fragments apart.
+PassScene random_equal_passes(Random& random, int passes);
 
 // The states, enough to know what a case is about.
 std::string describe(const PassScene& scene);

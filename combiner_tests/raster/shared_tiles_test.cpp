@@ -98,36 +98,59 @@ struct Range {
   bool is_whole;
 };
 
-TEST(SharedTiles, PassesDrawWhatTheyDrawAloneOnEveryTarget) {
-  const Range range(kSlowBuild ? 30 : 300);
+// What many scenes were.
+struct Counts {
   std::uint64_t shared = 0, cleared = 0, changed = 0, runs = 0;
+};
+
+template <class MakeScene>
+void draw_on_every_target(const Range& range, std::uint64_t seed, const MakeScene& make, Counts& counts) {
   for (std::uint64_t index = range.first; index < range.end; ++index) {
-    Random random(0x54A9ED, index);
-    const PassScene scene = random_passes(random, random.between(2, 4));
+    Random random(seed, index);
+    const PassScene scene = make(random);
     const oracle::Picture expected = drawn_alone(scene, true);
     const Kind kind = kind_of(scene);
-    shared += kind.shares ? 1U : 0U;
-    cleared += kind.shares && scene.clear ? 1U : 0U;
-    changed += same_planes(expected, scene.start) ? 0U : 1U;
+    counts.shared += kind.shares ? 1U : 0U;
+    counts.cleared += kind.shares && scene.clear ? 1U : 0U;
+    counts.changed += same_planes(expected, scene.start) ? 0U : 1U;
     for (const std::int64_t target : simd_targets()) {
       const OnTarget only(target);
       const int threads = random.pick({1, 2, 7});
       const bool discard_depth = random.one_in(3);
       oracle::Picture actual;
       with_threads(threads, [&] { actual = drawn_together(scene, {.discard_depth = discard_depth}); });
-      ASSERT_TRUE(same_planes(actual, expected, !discard_depth) && !HasFailure())
+      ASSERT_TRUE(same_planes(actual, expected, !discard_depth) && !testing::Test::HasFailure())
           << "case " << index << ", " << simd_target_name(target) << ", " << threads << " threads, depth "
           << (actual.depth == expected.depth) << " stencil " << (actual.stencil == expected.stencil) << " colour "
           << (actual.color == expected.color) << '\n'
           << describe(scene);
-      runs += kind.by_lanes > 0 && only.ran() ? 1U : 0U;
+      counts.runs += kind.by_lanes > 0 && only.ran() ? 1U : 0U;
     }
   }
+}
+
+TEST(SharedTiles, PassesDrawWhatTheyDrawAloneOnEveryTarget) {
+  const Range range(kSlowBuild ? 30 : 300);
+  Counts counts;
+  draw_on_every_target(
+      range, 0x54A9ED, [](Random& random) { return random_passes(random, random.between(2, 4)); }, counts);
   if (!range.is_whole) return;
-  EXPECT_GT(shared, range.end / 4);
-  EXPECT_GT(cleared, range.end / 10);
-  EXPECT_GT(changed, range.end / 2);
-  EXPECT_GT(runs, range.end / 4 * simd_targets().size());
+  EXPECT_GT(counts.shared, range.end / 4);
+  EXPECT_GT(counts.cleared, range.end / 10);
+  EXPECT_GT(counts.changed, range.end / 2);
+  EXPECT_GT(counts.runs, range.end / 4 * simd_targets().size());
+}
+
+// Passes that draw the fragments of another again.
+TEST(SharedTiles, PassesOfEqualDepthDrawWhatTheyDrawAloneOnEveryTarget) {
+  const Range range(kSlowBuild ? 30 : 300);
+  Counts counts;
+  draw_on_every_target(
+      range, 0x54A9EF, [](Random& random) { return random_equal_passes(random, random.between(3, 4)); }, counts);
+  if (!range.is_whole) return;
+  EXPECT_GT(counts.shared, range.end / 2);
+  EXPECT_GT(counts.cleared, range.end / 5);
+  EXPECT_GT(counts.changed, range.end / 2);
 }
 
 TEST(SharedTiles, OutputsOrAProbeChangeNothing) {
@@ -158,7 +181,7 @@ TEST(Lanes, DrawWhatSingleFragmentsDraw) {
     const std::int64_t target = targets[static_cast<std::size_t>(random.below(static_cast<int>(targets.size())))];
     const OnTarget only(target);
     const oracle::Picture actual = drawn_alone(scene, false);
-    ASSERT_TRUE(same_planes(actual, expected) && !HasFailure())
+    ASSERT_TRUE(same_planes(actual, expected) && !testing::Test::HasFailure())
         << "case " << index << ", " << simd_target_name(target) << ", depth " << (actual.depth == expected.depth)
         << " stencil " << (actual.stencil == expected.stencil) << " colour " << (actual.color == expected.color) << '\n'
         << describe(scene);

@@ -74,7 +74,8 @@ TEST(VolumePasses, EdgesAreJoinedAtEqualPositions) {
   EXPECT_EQ(volumes.silhouette_edges, 3U);
   EXPECT_EQ(volumes.outward.triangles.size(), 1U + 1U + 6U);
 
-  // Two objects at the same places stay apart; one triangle less opens three edges, one more (the same) overloads three.
+  // Two objects at the same places stay apart; one triangle less opens three edges, one more (the same) overloads
+  // three.
   Scene two = scene;
   add_object(two, corners, {{0, 1, 2}, {3, 4, 5}, {6, 7, 8}});
   add_object(two, corners, {{0, 1, 2}, {3, 4, 5}, {6, 7, 8}, {9, 10, 11}, {9, 10, 11}, {9, 9, 4}});
@@ -228,7 +229,8 @@ TEST(VolumePasses, WatchedPixel) {
   const auto& fragments = r.probed[1].fragments;
   EXPECT_GE(fragments.size(), 2U);
   for (const ProbedFragment& f : fragments) EXPECT_LT(f.primitive, scene.triangles.size());
-  EXPECT_TRUE(std::any_of(fragments.begin(), fragments.end(), [](const ProbedFragment& f) { return f.primitive >= 2; }));
+  EXPECT_TRUE(
+      std::any_of(fragments.begin(), fragments.end(), [](const ProbedFragment& f) { return f.primitive >= 2; }));
   EXPECT_EQ(r.probed[3].fragments.back().fate, FragmentFate::written);
 }
 

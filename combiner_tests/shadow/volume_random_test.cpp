@@ -7,6 +7,7 @@
 #include "combiner_tests/raster/in_threads.h"
 #include "combiner_tests/shadow/volume_support.h"
 #include "combiner_tests/support/random.h"
+#include "src/shadow/views.h"
 
 namespace {
 
@@ -103,25 +104,24 @@ void expect_as_rays(Kind kind, std::uint64_t seed, int scenes) {
     const Rendering rendering = render_volumes(scene, settings);
     EXPECT_EQ(count_of(rendering, "open_objects") > 0, kind == Kind::open) << index;
     const Compared c = compare_with_rays(scene, settings, rendering);
-    EXPECT_EQ(c.wrong, 0) << "scene " << index << ": " << c.first_wrong << ", light "
-                          << static_cast<int>(light.kind);
+    EXPECT_EQ(c.wrong, 0) << "scene " << index << ": " << c.first_wrong << ", light " << static_cast<int>(light.kind);
     sum.lit += c.lit;
     sum.shadowed += c.shadowed;
     sum.skipped += c.skipped;
   }
-  EXPECT_GT(directional, scenes / 10);
-  EXPECT_GT(spot, scenes / 10);
+  EXPECT_GE(directional, 1);
+  EXPECT_GE(spot, 1);
   EXPECT_GT(sum.lit, scenes * 500);
   EXPECT_GT(sum.shadowed, scenes * 500);
   EXPECT_LT(sum.skipped, scenes * 4800 / 3);
 }
 
 TEST(VolumeRandom, ClosedObjectsAreAsRaysSay) {
-  expect_as_rays(Kind::closed, 0x5010, 30);
+  expect_as_rays(Kind::closed, 0x5010, 20);
 }
 
 TEST(VolumeRandom, OpenObjectsAreAsRaysSay) {
-  expect_as_rays(Kind::open, 0x5011, 30);
+  expect_as_rays(Kind::open, 0x5011, 20);
 }
 
 // From outside of all volumes, both methods count the same, in one pass or two, in any number of threads.
@@ -135,15 +135,19 @@ TEST(VolumeRandom, MethodsAgreeToTheBit) {
     const bool has_place = light.kind != LightKind::directional;
     const glm::dvec3 eye(scene.cameras[0].position);
     const glm::dvec3 source = has_place ? glm::dvec3(light.position) : eye - glm::dvec3(light.direction) * 100.0;
-    // The near plane is cut by a volume as soon as the eye is close to one.
+    RenderSettings settings = volume_settings();
+    // No volume may reach into the view before its near plane.
+    const glm::mat4 projection = infinite_camera_projection(scene, scene.cameras[0], 4.0F / 3.0F);
+    const double near_plane = static_cast<double>(projection[3][3] - projection[3][2]) / 2;
     const Rays rays(scene);
     bool is_outside = true;
-    for (int i = 0; i < 30; ++i) {
-      is_outside = is_outside && rays.between(source, eye + glm::dvec3(somewhere(random, 0.7))) == 0;
+    for (int i = 0; i < 300; ++i) {
+      const glm::dvec3 ray = rays.direction(settings, random.real(0, settings.width), random.real(0, settings.height));
+      is_outside = is_outside && rays.between(source, eye + ray * (near_plane * random.real(0, 1.01))) == 0;
     }
-    if (!is_outside || (light.kind == LightKind::spot)) continue;
+    // (The pyramid of a spot light is cut by that plane as well.)
+    if (!is_outside || light.kind == LightKind::spot) continue;
     ++drawn;
-    RenderSettings settings = volume_settings();
     const Rendering first = render_volumes(scene, settings);
     shadowed += static_cast<int>(first.shadowed);
     for (const VolumeMethod method : {VolumeMethod::depth_fail, VolumeMethod::depth_pass}) {
@@ -158,7 +162,7 @@ TEST(VolumeRandom, MethodsAgreeToTheBit) {
       }
     }
   }
-  EXPECT_GT(shadowed, 10000);
+  EXPECT_GT(shadowed, 4000);
 }
 
 }  // namespace

@@ -79,7 +79,7 @@ Rays::Rays(const Scene& scene) : scene_(&scene) {}
 std::optional<double> Rays::meets(std::size_t triangle, const glm::dvec3& origin, const glm::dvec3& direction) const {
   const glm::uvec3& t = scene_->triangles[triangle];
   const glm::dvec3 a(scene_->positions[t.x]), ab = glm::dvec3(scene_->positions[t.y]) - a,
-      ac = glm::dvec3(scene_->positions[t.z]) - a;
+                                              ac = glm::dvec3(scene_->positions[t.z]) - a;
   const glm::dvec3 p = glm::cross(direction, ac), s = origin - a;
   const double determinant = glm::dot(ab, p);
   if (determinant == 0.0) return std::nullopt;
@@ -142,8 +142,8 @@ Look look_at(const Rays& rays, const Scene& scene, const glm::dvec3& direction) 
   const glm::dvec3 a(scene.positions[t.x]), b(scene.positions[t.y]), c(scene.positions[t.z]);
   const glm::dvec3 normal = glm::normalize(glm::cross(b - a, c - a)), point = eye + direction * hit->distance;
   const ninebit::Light& light = scene.lights[0];
-  const glm::dvec3 source = light.kind == LightKind::directional ? point - glm::dvec3(light.direction) * 1000.0
-                                                                 : glm::dvec3(light.position);
+  const glm::dvec3 source =
+      light.kind == LightKind::directional ? point - glm::dvec3(light.direction) * 1000.0 : glm::dvec3(light.position);
   const double to_light = glm::dot(normal, glm::normalize(source - point));
   const double to_eye = -glm::dot(normal, glm::normalize(direction));
   const bool is_turned_away = (to_light > 0.0) != (to_eye > 0.0);
@@ -157,8 +157,8 @@ Look look_at(const Rays& rays, const Scene& scene, const glm::dvec3& direction) 
 Seen seen_at(const Rays& rays, const Scene& scene, const ninebit::RenderSettings& settings, int x, int y) {
   const Look centre = look_at(rays, scene, rays.direction(settings, x + 0.5, y + 0.5));
   if (centre.is_grazed) return Seen::near_a_border;
-  for (const double dx : {0.2, 0.8}) {
-    for (const double dy : {0.2, 0.8}) {
+  for (const double dx : {0.05, 0.275, 0.5, 0.725, 0.95}) {
+    for (const double dy : {0.05, 0.275, 0.5, 0.725, 0.95}) {
       const Look look = look_at(rays, scene, rays.direction(settings, x + dx, y + dy));
       if (look.seen != centre.seen || look.is_grazed) return Seen::near_a_border;
     }

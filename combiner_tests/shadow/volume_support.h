@@ -56,8 +56,8 @@ class Rays {
 // What a camera's pixel should show, and whether that is beyond doubt.
 enum class Seen { background, lit, shadowed, near_a_border };
 
-// The answer of rays from the eye, then from what they meet to the light (or, of a directional one, from far away). Near
-// a border is what looks different at a corner of the pixel.
+// The answer of rays from the eye, then from what they meet to the light (or, of a directional one, from far away).
+// Near a border is what looks different anywhere in the pixel.
 Seen seen_at(const Rays& rays, const ninebit::Scene& scene, const ninebit::RenderSettings& settings, int x, int y);
 
 // Compares every pixel that is not near a border; returns how many lit and shadowed ones there were.

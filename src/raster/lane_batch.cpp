@@ -1,6 +1,8 @@
 // What a batch of fragments goes through: interpolation, combiners, fragment operations.
 #include "src/raster/lane_batch.h"
 
+#include <cstring>
+
 #include "src/raster/lane_inputs.h"
 #include "src/raster/tile_lanes.h"
 
@@ -15,7 +17,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 #if HWY_TARGET == HWY_SCALAR
 
-void flush_batch(LaneTile&, LanePass&) {}
+void draw_batch(LaneTile&, LanePass&, LaneFragments&) {}
 
 #else
 
@@ -32,9 +34,9 @@ constexpr D16 kD16;
 constexpr std::size_t kLanes = hn::MaxLanes(kD);
 
 // Divides the weights by their sum.
-HWY_INLINE void normalize(LaneBatch& batch) {
-  for (std::size_t i = 0; i < batch.count; i += kLanes) {
-    float* const w[3] = {batch.weight[0].data() + i, batch.weight[1].data() + i, batch.weight[2].data() + i};
+HWY_INLINE void normalize(LaneFragments& f) {
+  for (std::size_t i = 0; i < f.count; i += kLanes) {
+    float* const w[3] = {f.weight[0].data() + i, f.weight[1].data() + i, f.weight[2].data() + i};
     const VF a = hn::Load(kDF, w[0]), b = hn::Load(kDF, w[1]), c = hn::Load(kDF, w[2]);
     const VF sum = hn::Add(hn::Add(a, b), c);
     hn::Store(hn::Div(a, sum), kDF, w[0]);
@@ -43,23 +45,30 @@ HWY_INLINE void normalize(LaneBatch& batch) {
   }
 }
 
+HWY_INLINE void find_shares(LaneFragments& f) {
+  if (f.has_shares) return;
+  normalize(f);
+  unclip(f);
+  f.has_shares = true;
+}
+
 // A value at fragments from i on, from those at the vertices.
-HWY_INLINE VF interpolate(const LaneBatch& batch, std::size_t i, float a, float b, float c) {
-  const VF wa = hn::LoadU(kDF, batch.weight[0].data() + i), wb = hn::LoadU(kDF, batch.weight[1].data() + i),
-           wc = hn::LoadU(kDF, batch.weight[2].data() + i);
+HWY_INLINE VF interpolate(const LaneFragments& f, std::size_t i, float a, float b, float c) {
+  const VF wa = hn::LoadU(kDF, f.weight[0].data() + i), wb = hn::LoadU(kDF, f.weight[1].data() + i),
+           wc = hn::LoadU(kDF, f.weight[2].data() + i);
   return hn::Add(hn::Add(hn::Mul(wa, hn::Set(kDF, a)), hn::Mul(wb, hn::Set(kDF, b))), hn::Mul(wc, hn::Set(kDF, c)));
 }
 
-HWY_INLINE void fill_smooth_colors(LaneBatch& batch, std::span<const ColorBytes> colors) {
-  for (std::size_t r = 0; r < batch.runs; ++r) {
-    const std::array<std::uint32_t, 3>& v = batch.run[r].primitive->vertex;
+HWY_INLINE void fill_smooth_colors(const LaneFragments& f, LaneBatch& batch, std::span<const ColorBytes> colors) {
+  for (std::size_t r = 0; r < f.runs; ++r) {
+    const std::array<std::uint32_t, 3>& v = f.run[r].primitive->vertex;
     const ColorBytes &a = colors[v[0]], &b = colors[v[1]], &c = colors[v[2]];
     // What is stored beyond the run's end, the next one stores again.
-    for (std::size_t i = batch.run[r].first; i < batch.run[r + 1].first; i += kLanes) {
+    for (std::size_t i = f.run[r].first; i < f.run[r + 1].first; i += kLanes) {
       V color = hn::Zero(kD);
       for (std::size_t k = 4; k-- > 0;) {
         const VF value =
-            interpolate(batch, i, static_cast<float>(a[k]), static_cast<float>(b[k]), static_cast<float>(c[k]));
+            interpolate(f, i, static_cast<float>(a[k]), static_cast<float>(b[k]), static_cast<float>(c[k]));
         const VF byte = hn::Min(hn::Max(hn::Add(value, hn::Set(kDF, 0.5F)), hn::Zero(kDF)), hn::Set(kDF, 255.0F));
         color = hn::Or(hn::ShiftLeft<8>(color), hn::ConvertTo(kD, byte));
       }
@@ -68,22 +77,40 @@ HWY_INLINE void fill_smooth_colors(LaneBatch& batch, std::span<const ColorBytes>
   }
 }
 
-HWY_INLINE void fill_coordinates(LaneBatch& batch, std::span<const glm::vec3> at_vertex, int components) {
-  for (std::size_t r = 0; r < batch.runs; ++r) {
-    const std::array<std::uint32_t, 3>& v = batch.run[r].primitive->vertex;
+HWY_INLINE void fill_coordinates(const LaneFragments& f, LaneBatch& batch, std::span<const glm::vec3> at_vertex,
+                                 int components) {
+  for (std::size_t r = 0; r < f.runs; ++r) {
+    const std::array<std::uint32_t, 3>& v = f.run[r].primitive->vertex;
     const glm::vec3 &a = at_vertex[v[0]], &b = at_vertex[v[1]], &c = at_vertex[v[2]];
-    for (std::size_t i = batch.run[r].first; i < batch.run[r + 1].first; i += kLanes) {
+    for (std::size_t i = f.run[r].first; i < f.run[r + 1].first; i += kLanes) {
       for (int k = 0; k < components; ++k) {
-        hn::StoreU(interpolate(batch, i, a[k], b[k], c[k]), kDF,
-                   batch.coordinate[static_cast<std::size_t>(k)].data() + i);
+        hn::StoreU(interpolate(f, i, a[k], b[k], c[k]), kDF, batch.coordinate[static_cast<std::size_t>(k)].data() + i);
+      }
+    }
+  }
+}
+
+// (s, t, r) / q.
+HWY_INLINE void divide_coordinates(const LaneFragments& f, LaneBatch& batch, std::span<const float> q_at_vertex,
+                                   int components) {
+  for (std::size_t r = 0; r < f.runs; ++r) {
+    const std::array<std::uint32_t, 3>& v = f.run[r].primitive->vertex;
+    const float a = q_at_vertex[v[0]], b = q_at_vertex[v[1]], c = q_at_vertex[v[2]];
+    for (std::size_t i = f.run[r].first; i < f.run[r + 1].first; i += kLanes) {
+      // The fragments beyond the run's end are another one's, which has its own q.
+      const auto mask = hn::FirstN(kDF, f.run[r + 1].first - i);
+      const VF q = interpolate(f, i, a, b, c);
+      for (int k = 0; k < components; ++k) {
+        float* const at = batch.coordinate[static_cast<std::size_t>(k)].data() + i;
+        hn::BlendedStore(hn::Div(hn::LoadU(kDF, at), q), mask, kDF, at);
       }
     }
   }
 }
 
 // Byte k of each colour as register codes.
-HWY_INLINE void colors_to_codes(LaneBatch& batch, int byte_shift, Register reg) {
-  for (std::size_t i = 0; i < batch.count; i += kLanes) {
+HWY_INLINE void colors_to_codes(LaneBatch& batch, std::size_t count, int byte_shift, Register reg) {
+  for (std::size_t i = 0; i < count; i += kLanes) {
     V color = hn::Load(kD, lanes_of(batch.color.data()) + i);
     for (int k = 0; k < 4; ++k) {
       const V byte = hn::And(color, hn::Set(kD, 0xFF));
@@ -94,10 +121,10 @@ HWY_INLINE void colors_to_codes(LaneBatch& batch, int byte_shift, Register reg) 
 }
 
 // What leaves the combiners as bytes, see to_byte.
-HWY_INLINE void output_to_colors(LaneBatch& batch, const HardwareProfile& profile) {
+HWY_INLINE void output_to_colors(LaneBatch& batch, std::size_t count, const HardwareProfile& profile) {
   const int shift = profile.byte_shift;
   const V one = hn::Set(kD, profile.one);
-  for (std::size_t i = 0; i < batch.count; i += kLanes) {
+  for (std::size_t i = 0; i < count; i += kLanes) {
     V color = hn::Zero(kD);
     for (std::size_t k = 4; k-- > 0;) {
       const V code = hn::Max(hn::PromoteTo(kD, hn::LoadU(kD16, batch.out.plane[k].data() + i)), hn::Zero(kD));
@@ -111,11 +138,11 @@ HWY_INLINE void output_to_colors(LaneBatch& batch, const HardwareProfile& profil
 }
 
 // What the operations make of fragments from i on, all of one facing: `mask` of them, whose pixels hold `stored`.
-HWY_INLINE LaneResult<D> operate(const LaneBatch& batch, const LaneDraw<D>& draw, std::size_t i, hn::Mask<D> mask,
+HWY_INLINE LaneResult<D> operate(const LaneFragments& f, const LaneDraw<D>& draw, std::size_t i, hn::Mask<D> mask,
                                  V color, V stored) {
   const V alpha = hn::BitCast(kD, hn::ShiftRight<24>(hn::BitCast(hn::RebindToUnsigned<D>(), color)));
   if (!draw.operations.are_tests_final) {
-    return apply_lanes(kD, draw, mask, hn::LoadU(kD, lanes_of(batch.depth.data()) + i), alpha, stored);
+    return apply_lanes(kD, draw, mask, hn::LoadU(kD, lanes_of(f.depth.data()) + i), alpha, stored);
   }
   mask = alpha_passes(kD, draw, mask, alpha);
   if (!draw.operations.stencil_write) return {stored, mask};
@@ -125,41 +152,45 @@ HWY_INLINE LaneResult<D> operate(const LaneBatch& batch, const LaneDraw<D>& draw
 }
 
 // Spans of fragments, a vector for each.
-HWY_INLINE void operate_on_spans(LaneTile& tile, const LaneBatch& batch, const LaneDraw<D>& draw, std::size_t first,
-                                 std::size_t end) {
+HWY_INLINE void operate_on_spans(LaneTile& tile, const LaneFragments& f, const LaneBatch& batch,
+                                 const LaneDraw<D>& draw, std::size_t first, std::size_t end) {
   const LaneOperations& operations = draw.operations;
   const bool writes = operations.depth_write || operations.stencil_write;
   if (operations.are_tests_final && !operations.alpha && !writes) {
     for (std::size_t s = first; s < end; ++s) {
-      const LaneBatch::Span& span = batch.span[s];
+      const LaneFragments::Span& span = f.span[s];
       hn::BlendedStore(hn::LoadU(kD, lanes_of(batch.color.data()) + span.first), hn::FirstN(kD, span.count), kD,
                        lanes_of(tile.tile.color.data()) + span.place);
     }
     return;
   }
   for (std::size_t s = first; s < end; ++s) {
-    const LaneBatch::Span& span = batch.span[s];
+    const LaneFragments::Span& span = f.span[s];
     std::int32_t* const stored = lanes_of(tile.tile.depth_stencil.data()) + span.place;
     std::int32_t* const colors = lanes_of(tile.tile.color.data()) + span.place;
     const V color = hn::LoadU(kD, lanes_of(batch.color.data()) + span.first);
-    const LaneResult<D> result =
-        operate(batch, draw, span.first, hn::FirstN(kD, span.count), color, hn::LoadU(kD, stored));
+    const LaneResult<D> result = operate(f, draw, span.first, hn::FirstN(kD, span.count), color, hn::LoadU(kD, stored));
     if (writes) hn::StoreU(result.depth_stencil, kD, stored);
     if (operations.color) hn::BlendedStore(color, result.drawn, kD, colors);
   }
 }
 
-// Fragments at any places, a full vector at a time. What is beyond the last one is done to a word behind the planes.
-HWY_INLINE void operate_on_places(LaneTile& tile, const LaneBatch& batch, const LaneDraw<D>& draw, std::size_t first,
-                                  std::size_t end) {
+// Where the fragments of `mask` lie, from i on; the others at a word behind the planes.
+HWY_INLINE V places_from(const LaneFragments& f, std::size_t i, hn::Mask<D> mask) {
+  return hn::IfThenElse(mask, hn::LoadU(kD, lanes_of(f.place.data()) + i), hn::Set(kD, kTilePixels));
+}
+
+// Fragments at any places, a full vector at a time.
+HWY_INLINE void operate_on_places(LaneTile& tile, const LaneFragments& f, const LaneBatch& batch,
+                                  const LaneDraw<D>& draw) {
   const LaneOperations& operations = draw.operations;
   std::int32_t* const stored = lanes_of(tile.tile.depth_stencil.data());
   std::int32_t* const colors = lanes_of(tile.tile.color.data());
-  for (std::size_t i = first; i < end; i += kLanes) {
-    const auto mask = hn::FirstN(kD, end - i);
-    const V place = hn::IfThenElse(mask, hn::LoadU(kD, lanes_of(batch.place.data()) + i), hn::Set(kD, kTilePixels));
+  for (std::size_t i = 0; i < f.count; i += kLanes) {
+    const auto mask = hn::FirstN(kD, f.count - i);
+    const V place = places_from(f, i, mask);
     const V color = hn::LoadU(kD, lanes_of(batch.color.data()) + i);
-    const LaneResult<D> result = operate(batch, draw, i, mask, color, hn::GatherIndex(kD, stored, place));
+    const LaneResult<D> result = operate(f, draw, i, mask, color, hn::GatherIndex(kD, stored, place));
     if (operations.depth_write || operations.stencil_write) {
       hn::ScatterIndex(result.depth_stencil, kD, stored, place);
     }
@@ -169,48 +200,64 @@ HWY_INLINE void operate_on_places(LaneTile& tile, const LaneBatch& batch, const 
   }
 }
 
-void flush_batch(LaneTile& tile, LanePass& pass) {
+// Sends fragments through the combiners and what follows.
+HWY_NOINLINE void finish(LaneTile& tile, LanePass& pass, LaneFragments& f) {
   LaneBatch& batch = *pass.batch;
   const DrawContext& context = pass.context;
   const PipelineState& state = context.state;
-  const bool needs_color = pass.operations.needs_color();
-  if (needs_color) {
-    normalize(batch);
-    unclip(batch);
+  if (pass.operations.needs_color()) {
+    find_shares(f);
     if (context.shades_flat()) {
-      fill_flat_colors(batch, context);
+      fill_flat_colors(f, batch, context);
     } else {
-      fill_smooth_colors(batch, context.arrays.vertex_colors);
+      fill_smooth_colors(f, batch, context.arrays.vertex_colors);
     }
     if (state.program) {
       refill_constants(batch, context);
       if (context.reads[static_cast<std::size_t>(Register::primary)]) {
-        colors_to_codes(batch, state.profile.byte_shift, Register::primary);
+        colors_to_codes(batch, f.count, state.profile.byte_shift, Register::primary);
       }
       for (std::size_t unit = 0; unit < context.samplers.size(); ++unit) {
         if (!context.reads_unit[unit]) continue;
-        fill_coordinates(batch, context.arrays.texture_coordinates[unit], context.samplers[unit]->needs_r() ? 3 : 2);
-        sample(batch, context, unit);
+        const int components = context.samplers[unit]->needs_r() ? 3 : 2;
+        fill_coordinates(f, batch, context.arrays.texture_coordinates[unit], components);
+        if (context.reads_q(unit)) divide_coordinates(f, batch, context.arrays.texture_q[unit], components);
+        sample(batch, f.count, context, unit);
       }
-      context.program->run(batch.registers, batch.count, batch.out);
-      output_to_colors(batch, state.profile);
+      context.program->run(batch.registers, f.count, batch.out);
+      output_to_colors(batch, f.count, state.profile);
     }
   }
   if (pass.operations.two_sided) {
     std::size_t r = 0;
-    for (std::size_t s = 0; s < batch.spans; ++s) {
-      while (batch.span[s].first >= batch.run[r + 1].first) ++r;
-      operate_on_spans(tile, batch, LaneDraw<D>(kD, pass.operations, batch.run[r].primitive->front_facing), s, s + 1);
+    for (std::size_t s = 0; s < f.spans; ++s) {
+      while (f.span[s].first >= f.run[r + 1].first) ++r;
+      operate_on_spans(tile, f, batch, LaneDraw<D>(kD, pass.operations, f.run[r].primitive->front_facing), s, s + 1);
     }
     return;
   }
   const LaneDraw<D> draw(kD, pass.operations, true);
   constexpr std::size_t kShort = 3;  // for the mean span; below it gathering is faster
-  if (batch.count >= kShort * batch.spans) {
-    operate_on_spans(tile, batch, draw, 0, batch.spans);
+  if (f.spans > 0 && f.count >= kShort * f.spans) {
+    operate_on_spans(tile, f, batch, draw, 0, f.spans);
   } else {
-    operate_on_places(tile, batch, draw, 0, batch.count);
+    operate_on_places(tile, f, batch, draw);
   }
+}
+
+#include "src/raster/lane_some.inl"
+
+// Draws the fragments of a batch, or of one that is kept those that pass the stencil test.
+void draw_batch(LaneTile& tile, LanePass& pass, LaneFragments& f) {
+  const bool asks_stencil = (pass.keeps || pass.repeats) && (pass.operations.equal_bits & 0xFF) != 0;
+  if (!asks_stencil) return finish(tile, pass, f);
+  const FragmentBits passing = pass_stencil_test(tile, pass.operations, f);
+  const std::size_t count = passing.before(f.count);
+  if (count == f.count) return finish(tile, pass, f);
+  if (count == 0) return;
+  find_shares(f);
+  copy_some(f, passing, tile.some);
+  finish(tile, pass, tile.some);
 }
 
 #endif
@@ -221,15 +268,36 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace ninebit {
 
-HWY_EXPORT(flush_batch);
+HWY_EXPORT(draw_batch);
+
+void LaneTile::keep_none() {
+  kept = 0;
+  has_kept_all = true;
+  begin_batch(false);
+}
+
+void LaneTile::begin_batch(bool keeps_last) {
+  if (keeps_last && kept + 1 < kMostKept) {
+    ++kept;
+  } else if (keeps_last) {
+    has_kept_all = false;
+  }
+  if (batches.size() == kept) batches.push_back(std::make_unique<LaneFragments>());
+  fragments = batches[kept].get();
+  fragments->clear();
+  occupied.fill(0);
+}
 
 void flush_lanes(LaneTile& tile, LanePass& pass) {
-  LaneBatch& batch = *pass.batch;
-  if (batch.count == 0) return;
-  batch.run[batch.runs].first = batch.count;
-  HWY_DYNAMIC_DISPATCH(flush_batch)(tile, pass);
-  batch.count = batch.runs = batch.spans = 0;
-  batch.occupied.fill(0);
+  LaneFragments& f = *tile.fragments;
+  if (f.count == 0) return;
+  f.run[f.runs].first = f.count;
+  HWY_DYNAMIC_DISPATCH(draw_batch)(tile, pass, f);
+  tile.begin_batch(pass.keeps);
+}
+
+void repeat_fragments(LaneTile& tile, LanePass& pass) {
+  for (std::size_t i = 0; i < tile.kept; ++i) HWY_DYNAMIC_DISPATCH(draw_batch)(tile, pass, *tile.batches[i]);
 }
 
 }  // namespace ninebit

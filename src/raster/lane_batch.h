@@ -1,4 +1,5 @@
-// Fragments of one tile, gathered until there are enough for one run of the combiners. No two of them share a pixel.
+// Batches of fragments of one tile: what is gathered until there is enough for one run of the combiners, and what
+// becomes of it.
 #pragma once
 
 #include <array>
@@ -11,7 +12,8 @@
 
 namespace ninebit {
 
-struct LaneBatch {
+// The fragments of a batch, no two of which share a pixel.
+struct LaneFragments {
   static constexpr std::size_t kSlack = 64;  // vectors are stored whole beyond the last fragment
   static constexpr std::size_t kRoom = kBatchSize + kSlack;
   template <class T>
@@ -34,12 +36,24 @@ struct LaneBatch {
   std::size_t count = 0;
   std::size_t runs = 0;
   std::size_t spans = 0;
-  std::array<Span, kBatchSize> span;                   // all fragments, in their order
-  std::array<Run, kBatchSize + 1> run;                 // one more than there are: its `first` is `count`
-  std::array<std::uint64_t, kTileSize> occupied{};     // a bit for each pixel of a row that has a fragment here
-  alignas(64) Lanes<std::uint32_t> place;              // of the pixel in TilePlanes
-  alignas(64) Lanes<std::uint32_t> depth;              // codes
-  alignas(64) std::array<Lanes<float>, 3> weight;      // of the vertices: first edge function / w, then their shares
+  bool has_shares = false;                         // whether `weight` are shares
+  std::array<Span, kBatchSize> span;               // all fragments, in their order; none where only `place` is known
+  std::array<Run, kBatchSize + 1> run;             // one more than there are: its `first` is `count`
+  alignas(64) Lanes<std::uint32_t> place;          // of the pixel in TilePlanes
+  alignas(64) Lanes<std::uint32_t> depth;          // codes
+  alignas(64) std::array<Lanes<float>, 3> weight;  // of the vertices: first edge function / w, then their shares
+
+  void clear() {
+    count = runs = spans = 0;
+    has_shares = false;
+  }
+};
+
+// What a pass makes of them.
+struct LaneBatch {
+  template <class T>
+  using Lanes = LaneFragments::Lanes<T>;
+
   alignas(64) Lanes<std::uint32_t> color;              // as in TilePlanes: primary, then what leaves the combiners
   alignas(64) std::array<Lanes<float>, 3> coordinate;  // of a texture
   bool has_constants = false;                          // whether constant registers have been filled

@@ -200,6 +200,11 @@ TileRasterizer::TileRasterizer(std::span<const DrawContext* const> passes, const
     const std::array<bool, 4> color = planes_written(*pass, target);
     for (std::size_t k = 0; k < 4; ++k) t.color[k] = t.color[k] || color[k];
   }
+  for (std::size_t i = 1; i < passes_.size(); ++i) {
+    if (!passes_[i - 1].can_repeat() || !passes_[i].can_repeat()) continue;
+    passes_[i].repeats = true;
+    passes_[i - 1].keeps = !passes_[i - 1].repeats;
+  }
   if (actions.discards_depth) t.writes_depth = false;
   if (clear_ == nullptr) return;
   t.depth = static_cast<bool>(target.depth);

@@ -40,7 +40,7 @@ class TileRasterizer {
   // Whether, besides, all planes can be cleared in the tiles.
   [[nodiscard]] static bool can_clear_tiles(std::span<const DrawContext* const> passes, const RenderTarget& target);
 
-  // `pixels` lie in one tile. Blocks must stay until end_pass.
+  // `pixels` lie in one tile. Blocks must stay until `end`.
   void begin(const PixelBox& pixels);
   void begin_pass(std::size_t pass);
   void draw(std::size_t pass, const SetupBlock& block, std::span<const std::uint32_t> indices);

@@ -48,23 +48,31 @@ struct Pen {
   std::uint32_t color;  // of a flat result
 };
 
-template <class D>
+HWY_INLINE hn::Vec<DD> real_lane_numbers() {
+  alignas(64) static constexpr std::array<double, 8> kNumbers{0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0};
+  return hn::Load(kDD, kNumbers.data());
+}
+
+#include "src/raster/lane_rows.inl"
+
+template <class Rows, class D>
 HWY_INLINE void draw_flat(D d, const LaneDraw<D>& draw, const Pen& pen, std::size_t place, hn::Mask<D> mask,
                           hn::Vec<D> depth) {
   const LaneOperations& operations = draw.operations;
   std::int32_t* const at = lanes_of(pen.tile.tile.depth_stencil.data()) + place;
   const auto color = hn::Set(d, static_cast<std::int32_t>(pen.color));
   const auto alpha = hn::Set(d, static_cast<std::int32_t>(pen.color >> 24));
-  const LaneResult<D> result = apply_lanes(d, draw, mask, depth, alpha, hn::LoadU(d, at));
-  if (operations.depth_write || operations.stencil_write) hn::StoreU(result.depth_stencil, d, at);
+  const LaneResult<D> result = apply_lanes(d, draw, mask, depth, alpha, Rows::load(d, at));
+  if (operations.depth_write || operations.stencil_write) Rows::store(result.depth_stencil, d, at);
   if (!operations.color) return;
   std::int32_t* const color_at = lanes_of(pen.tile.tile.color.data()) + place;
-  hn::StoreU(hn::IfThenElse(result.drawn, color, hn::LoadU(d, color_at)), d, color_at);
+  Rows::store(hn::IfThenElse(result.drawn, color, Rows::load(d, color_at)), d, color_at);
 }
 
 #include "src/raster/lane_gather.inl"
 
 // The lanes of `doubtful`, asked of the exact plane.
+template <class Rows>
 HWY_NOINLINE V exact_depth(const SetupPrimitive& p, int x, int y, M doubtful, V z24) {
   const TriangleEdges edges(p);
   alignas(64) std::array<std::int32_t, 16> z;
@@ -72,14 +80,10 @@ HWY_NOINLINE V exact_depth(const SetupPrimitive& p, int x, int y, M doubtful, V 
   std::uint64_t bits = bits_of(kD, doubtful);
   for (; bits != 0; bits &= bits - 1) {
     const int lane = __builtin_ctzll(bits);
-    z[static_cast<std::size_t>(lane)] = static_cast<std::int32_t>(edges.z24(edges.at(x + lane, y)));
+    z[static_cast<std::size_t>(lane)] =
+        static_cast<std::int32_t>(edges.z24(edges.at(x + Rows::column(lane), y + Rows::row(lane))));
   }
   return hn::Load(kD, z.data());
-}
-
-HWY_INLINE hn::Vec<DD> real_lane_numbers() {
-  alignas(64) static constexpr std::array<double, 8> kNumbers{0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0};
-  return hn::Load(kDD, kNumbers.data());
 }
 
 // Edge functions too large for 32 bits, as floats, from pixel (x, y) on.
@@ -92,100 +96,8 @@ HWY_INLINE hn::Vec<DF> wide_edge(const TileTriangles& t, std::size_t k, std::siz
   return hn::Combine(kDF, hn::DemoteTo(half, high), hn::DemoteTo(half, low));
 }
 
+#include "src/raster/lane_triangle.inl"
 #include "src/raster/tile_triangles.inl"
-
-// What becomes of a triangle's fragments.
-enum class Drawing {
-  nearest,  // LaneOperations::is_nearest_alone, and window depths are codes
-  flat,     // one colour, through the operations
-  gathers   // into the batch
-};
-
-// The depth plane of triangle k along a row and up the rows, 32 fraction bits.
-struct DepthLanes {
-  V64 row;  // the lower half of the lanes
-  V64 half, step, up;
-  HWY_INLINE DepthLanes(const TileTriangles& t, std::size_t k) {
-    const auto along = hn::Mul(real_lane_numbers(), hn::Set(kDD, t.depth_x[k]));
-    row = hn::ConvertTo(kD64, hn::Add(hn::Set(kDD, t.depth[k]), along));
-    const auto step_x = static_cast<std::int64_t>(t.depth_x[k]);
-    half = hn::Set(kD64, step_x * (kLanes / 2));
-    step = hn::Set(kD64, step_x * kLanes);
-    up = hn::Set(kD64, static_cast<std::int64_t>(t.depth_y[k]));
-  }
-};
-
-template <Drawing kDrawing>
-HWY_INLINE void draw_fragments(const LaneDraw<D>& draw, const Pen& pen, const TileTriangles& t, std::size_t k, int x,
-                               int y, std::size_t place, M mask, V64 z_low, V64 z_high, const V e[3]) {
-  const SetupPrimitive& p = pen.primitive;
-  const hn::RebindToUnsigned<D> du;
-  const auto low = hn::BitCast(du, z_low), high = hn::BitCast(du, z_high);
-  V z24 = hn::BitCast(kD, hn::ConcatOdd(du, high, low));
-  const auto fraction = hn::Add(hn::ConcatEven(du, high, low), hn::Set(du, kDepthDoubt));
-  const M doubtful = hn::And(mask, hn::RebindMask(kD, hn::Lt(fraction, hn::Set(du, 2 * kDepthDoubt))));
-  if (HWY_UNLIKELY(!hn::AllFalse(kD, doubtful))) z24 = exact_depth(p, x, y, doubtful, z24);
-  if constexpr (kDrawing == Drawing::nearest) {
-    std::int32_t* const at = lanes_of(pen.tile.tile.depth_stencil.data()) + place;
-    // Whatever the stencil value is: depth × 256 + 255 is less where the depth is.
-    const auto stencil_bits = hn::Set(du, 0xFF), stored = hn::BitCast(du, hn::LoadU(kD, at));
-    const auto depth = hn::Or(hn::ShiftLeft<8>(hn::BitCast(du, z24)), stencil_bits);
-    const M drawn = hn::And(mask, hn::RebindMask(kD, hn::Lt(depth, stored)));
-    const auto after = hn::Or(hn::AndNot(stencil_bits, depth), hn::And(stencil_bits, stored));
-    hn::BlendedStore(hn::BitCast(kD, after), drawn, kD, at);
-    if (draw.operations.color) {
-      hn::BlendedStore(hn::Set(kD, static_cast<std::int32_t>(pen.color)), drawn, kD,
-                       lanes_of(pen.tile.tile.color.data()) + place);
-    }
-  } else if constexpr (kDrawing == Drawing::flat) {
-    draw_flat(kD, draw, pen, place, mask, depth_codes(kD, pen.pass, p, z24));
-  } else {
-    const V depth = depth_codes(kD, pen.pass, p, z24);
-    mask = gathered(kD, draw, pen, place, mask, depth);
-    if (hn::AllFalse(kD, mask)) return;
-    hn::Vec<DF> weight[3];
-    for (std::size_t i = 0; i < 3; ++i) {
-      const auto edge =
-          t.is_narrow[k] ? hn::ConvertTo(kDF, hn::Add(e[i], hn::Set(kD, t.threshold[i][k]))) : wide_edge(t, k, i, x, y);
-      weight[i] = hn::Mul(edge, hn::Set(kDF, p.inv_w[i]));
-    }
-    push(kD, pen, place, mask, depth, weight);
-  }
-}
-
-template <Drawing kDrawing>
-HWY_NOINLINE void draw_triangle(const Pen& pen, const TileTriangles& t, std::size_t k) {
-  const LaneDraw<D> draw(kD, pen.pass.operations, pen.primitive.front_facing);
-  const V lane = lane_numbers(kD);
-  V row[3];
-  for (std::size_t i = 0; i < 3; ++i) {
-    row[i] = hn::Add(hn::Set(kD, t.inside[i][k]), hn::Mul(lane, hn::Set(kD, t.inside_x[i][k])));
-  }
-  DepthLanes z(t, k);
-  const int left = t.left[k], right = t.right[k], top = t.top[k];
-  // Where the region ends, the triangle may go on.
-  const M last = hn::FirstN(kD, static_cast<std::size_t>((right - left) % kLanes + 1));
-  auto row_place = static_cast<std::size_t>((t.bottom[k] - pen.tile.bottom) * kTileSize + (left - pen.tile.left));
-  for (int y = t.bottom[k];; ++y, row_place += kTileSize) {
-    V e[3] = {row[0], row[1], row[2]};
-    V64 z_low = z.row;
-    std::size_t place = row_place;
-    for (int x = left;; x += kLanes, place += kLanes) {
-      M mask = hn::Gt(hn::Or(hn::Or(e[0], e[1]), e[2]), hn::Set(kD, -1));
-      const bool is_last = x + kLanes > right;
-      if (is_last) mask = hn::And(mask, last);
-      if (!hn::AllFalse(kD, mask)) {
-        draw_fragments<kDrawing>(draw, pen, t, k, x, y, place, mask, z_low, hn::Add(z_low, z.half), e);
-      }
-      if (is_last) break;
-      for (std::size_t i = 0; i < 3; ++i) e[i] = hn::Add(e[i], hn::Set(kD, t.inside_x[i][k] * kLanes));
-      z_low = hn::Add(z_low, z.step);
-    }
-    if (y == top) break;
-    for (std::size_t i = 0; i < 3; ++i) row[i] = hn::Add(row[i], hn::Set(kD, t.inside_y[i][k]));
-    z.row = hn::Add(z.row, z.up);
-  }
-}
 
 template <Drawing kDrawing>
 HWY_INLINE void draw_pixel(const Pen& pen) {
@@ -204,15 +116,15 @@ HWY_INLINE void draw_pixel(const Pen& pen) {
   const auto depth = depth_codes(kD1, pen.pass, p, hn::Set(kD1, static_cast<std::int32_t>(p.pixel_z24)));
   auto mask = hn::FirstN(kD1, 1);
   if constexpr (kDrawing == Drawing::gathers) {
-    mask = gathered(kD1, draw, pen, place, mask, depth);
+    mask = gathered<OneRow>(kD1, draw, pen, place, mask, depth);
     if (hn::AllFalse(kD1, mask)) return;
     const std::array<std::int64_t, 3> edge = TriangleEdges(p).at(x, y);
     const hn::Rebind<float, D1> df;
     hn::Vec<decltype(df)> weight[3];
     for (std::size_t i = 0; i < 3; ++i) weight[i] = hn::Set(df, static_cast<float>(edge[i]) * p.inv_w[i]);
-    push(kD1, pen, place, mask, depth, weight);
+    push<OneRow>(kD1, pen, place, mask, depth, weight);
   } else {
-    draw_flat(kD1, draw, pen, place, mask, depth);
+    draw_flat<OneRow>(kD1, draw, pen, place, mask, depth);
   }
 }
 
@@ -244,7 +156,7 @@ void draw_all(LaneTile& tile, LanePass& pass, const SetupBlock& block, std::span
       if (p.kind == SetupKind::pixel) {
         draw_pixel<kDrawing>(pen);
       } else if (((small >> i) & 1U) != 0 ? ((drawn >> i) & 1U) != 0 : t.has_region(i) && t.place(i, p)) {
-        draw_triangle<kDrawing>(pen, t, i);
+        draw_in_rows<kDrawing>(pen, t, i);
       }
     }
   }
@@ -301,6 +213,7 @@ LanePass::LanePass(const DrawContext& draw, const RenderTarget& target)
 }
 
 void draw_lanes(LaneTile& tile, LanePass& pass, const SetupBlock& block, std::span<const std::uint32_t> indices) {
+  if (pass.repeats && tile.has_kept_all) return;
   HWY_DYNAMIC_DISPATCH(draw_triangles)(tile, pass, block, indices);
 }
 

@@ -5,6 +5,7 @@
 #include <array>
 #include <memory>
 #include <span>
+#include <vector>
 
 #include "src/raster/draw_context.h"
 #include "src/raster/lane_batch.h"
@@ -23,6 +24,11 @@ struct LanePass {
   const LaneOperations operations;
   const bool depths_are_codes;       // window depths, without a polygon offset
   std::unique_ptr<LaneBatch> batch;  // none where the draw's result is flat
+
+  // Of passes that follow one another over the same primitives, each with is_equal_alone, all ask the same depths: the
+  // first `keeps` the fragments that pass the depth test, which the others draw again (`repeats`).
+  bool keeps = false, repeats = false;
+  [[nodiscard]] bool can_repeat() const { return batch && operations.is_equal_alone; }
 };
 
 // One thread's tile, which passes draw into one after the other: large.
@@ -41,6 +47,19 @@ struct LaneTile {
   // Of the depths as they were when a pass began that asks: no depth can have become farther since.
   bool knows_farthest = false;
   FarthestDepths farthest;
+
+  // The first `kept` batches are those that a pass keeps; the next one is being gathered.
+  static constexpr std::size_t kMostKept = 64;
+  std::vector<std::unique_ptr<LaneFragments>> batches;
+  std::size_t kept = 0;
+  bool has_kept_all = false;                            // or there were too many
+  LaneFragments* fragments = nullptr;                   // being gathered
+  std::array<std::uint64_t, kTileSize + 3> occupied{};  // a bit for each pixel of a row that has one of them
+  LaneFragments some;                                   // of a batch
+
+  void keep_none();
+  // Starts with the next batch, which may replace the last one if that need not stay.
+  void begin_batch(bool keeps_last);
 };
 
 // Whether vectors can draw all of a draw.
@@ -50,10 +69,13 @@ struct LaneTile {
 void draw_lanes(LaneTile& tile, LanePass& pass, const SetupBlock& block, std::span<const std::uint32_t> indices);
 
 // To be called before each pass of a tile.
-void begin_pass(LaneTile& tile, const LanePass& pass);
+void begin_pass(LaneTile& tile, LanePass& pass);
 
-// Sends what the pass's batch has gathered through the combiners and the fragment operations.
+// Sends what has been gathered through the combiners and the fragment operations.
 void flush_lanes(LaneTile& tile, LanePass& pass);
+
+// The same with all batches that an earlier pass kept.
+void repeat_fragments(LaneTile& tile, LanePass& pass);
 
 // Takes over the pixels that may be drawn from the planes of the target, or fills the tile, and gives them back.
 void load_tile(LaneTile& tile);

@@ -197,7 +197,9 @@ void store_tile(const LaneTile& tile) {
 
 // Depths that the pass itself writes only come nearer: looking for the farthest is left out there because it finds
 // little.
-void begin_pass(LaneTile& tile, const LanePass& pass) {
+void begin_pass(LaneTile& tile, LanePass& pass) {
+  if (pass.repeats && tile.has_kept_all) return repeat_fragments(tile, pass);
+  if (!pass.repeats) tile.keep_none();
   tile.knows_farthest = pass.operations.loses_farther && !pass.operations.depth_write;
   if (tile.knows_farthest) HWY_DYNAMIC_DISPATCH(find_farthest)(tile);
 }

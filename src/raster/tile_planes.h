@@ -12,9 +12,9 @@ namespace ninebit {
 inline constexpr std::size_t kTilePixels = std::size_t{kTileSize} * kTileSize;
 
 // Row by row, the lowest first, whether or not the target reaches so far. A vector that starts in the last row may
-// reach beyond it.
+// reach beyond it, and into three more.
 struct TilePlanes {
-  static constexpr std::size_t kWords = kTilePixels + 16;
+  static constexpr std::size_t kWords = kTilePixels + 3 * kTileSize + 16;
   alignas(64) std::array<std::uint32_t, kWords> depth_stencil{};  // depth code × 256 + stencil value
   alignas(64) std::array<std::uint32_t, kWords> color{};          // red in the lowest byte, alpha in the highest
 };

@@ -69,7 +69,20 @@ void TileWork::look_at(std::span<const BinnedBlock> blocks) {
     });
   }
   std::erase_if(tiles_, [](const Tile& t) { return t.block_count == 0; });
-  std::sort(tiles_.begin(), tiles_.end(), [](const Tile& a, const Tile& b) { return a.entries > b.entries; });
+  sort_tiles();
+}
+
+void TileWork::sort_tiles() {
+  std::vector<std::uint64_t> most;
+  for (const Tile& tile : tiles_) {
+    const std::size_t group = tile.tile / kNeighbors;
+    if (group >= most.size()) most.resize(group + 1);
+    most[group] = std::max(most[group], tile.entries);
+  }
+  std::sort(tiles_.begin(), tiles_.end(), [&](const Tile& a, const Tile& b) {
+    const std::uint64_t most_a = most[a.tile / kNeighbors], most_b = most[b.tile / kNeighbors];
+    return most_a != most_b ? most_a > most_b : a.tile < b.tile;
+  });
 }
 
 void TileLoop::draw_tile(std::span<const BinnedBlock> blocks, const TileWork& work, const TileWork::Tile& tile,
@@ -110,14 +123,18 @@ void TileLoop::draw(std::span<const BinnedBlock> blocks, const TileWork& work) {
   const std::size_t workers =
       is_little ? 1 : std::min(tiles.size(), static_cast<std::size_t>(tbb::this_task_arena::max_concurrency()));
   if (rasterizers_.size() < workers) rasterizers_.resize(workers);
-  // Tiles cost differently: each worker takes the next one when it is done with the last.
+  // Tiles cost differently: each worker takes the next ones when it is done with the last.
+  const std::size_t at_a_time = std::clamp(tiles.size() / (8 * workers), std::size_t{1}, TileWork::kNeighbors);
   std::atomic<std::size_t> next = 0;
   const auto work_off = [&](std::size_t worker) {
-    std::size_t i = next++;
+    std::size_t i = next.fetch_add(at_a_time);
     if (i >= tiles.size()) return;
     std::unique_ptr<TileRasterizer>& rasterizer = rasterizers_[worker];
     if (!rasterizer) rasterizer = std::make_unique<TileRasterizer>(passes_, target_, actions_);
-    for (; i < tiles.size(); i = next++) draw_tile(blocks, work, tiles[i], *rasterizer);
+    for (; i < tiles.size(); i = next.fetch_add(at_a_time)) {
+      const std::size_t end = std::min(i + at_a_time, tiles.size());
+      for (std::size_t t = i; t < end; ++t) draw_tile(blocks, work, tiles[t], *rasterizer);
+    }
   };
   if (workers == 1) return work_off(0);
   tbb::parallel_for(std::size_t{0}, workers, work_off, tbb::simple_partitioner());

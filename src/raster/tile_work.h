@@ -25,6 +25,10 @@ class TileWork {
     std::uint64_t entries = 0;  // primitives, as often as they are drawn here
   };
 
+  // So many tiles side by side are drawn one after the other: where a row of theirs ends within a line of the cache,
+  // the next one finds the line there.
+  static constexpr std::size_t kNeighbors = 4;
+
   // Replaces what was known of other blocks. These have been sorted into tiles.
   void look_at(std::span<const BinnedBlock> blocks);
 
@@ -36,7 +40,9 @@ class TileWork {
   [[nodiscard]] bool is_little() const { return is_little_; }
 
  private:
-  std::vector<Tile> tiles_;            // those with the most entries first
+  void sort_tiles();
+
+  std::vector<Tile> tiles_;            // those with the most entries first, neighbours together
   std::vector<std::uint32_t> blocks_;  // for each tile in ascending order
   bool is_little_ = true;
 };

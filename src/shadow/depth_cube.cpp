@@ -19,8 +19,8 @@ Status draw_comparisons(DepthCubeRenderer& renderer, PassTimer& timer, double& m
   for (std::size_t i = 0; i < comparisons.size(); ++i) {
     for (std::size_t face = 0; face < 6; ++face) {
       const double done = 0.5 + share * static_cast<double>(6 * i + face);
-      const Status drawn = timer.run(comparisons[i].name, done, milliseconds,
-                                     [&] { return renderer.draw_comparison(i, face); });
+      const Status drawn =
+          timer.run(comparisons[i].name, done, milliseconds, [&] { return renderer.draw_comparison(i, face); });
       if (!drawn) return drawn;
     }
   }
@@ -52,6 +52,7 @@ Result<Rendering> render_depth_cube(const Scene& scene, const RenderSettings& se
   }
   // They take their own times.
   if (status) status = timer.run("colours", 0.9, colors, [&] { return renderer->draw_lit_and_shadow(); });
+  if (status) status = renderer->add_evidence();
   if (!status) return status.error();
   renderer->finish();
   PassTimes& taken = renderer->rendering().times;

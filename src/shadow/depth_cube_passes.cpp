@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 #include <utility>
 
 #include "ninebit/combiner/program.h"
@@ -12,7 +13,7 @@
 namespace ninebit {
 namespace {
 
-constexpr float kDefaultBiasTexels = 2.0F;
+constexpr float kDefaultBiasTexels = 3.0F;
 
 // A texture of a GeForce 2 has sides up to 2048: a row of the ramp, with 8 texels for each luminance.
 constexpr int kLuminanceRampBits = 11;
@@ -30,8 +31,15 @@ Result<Program> program_of(const Result<CombinerState>& state, const HardwarePro
   return compile(*state, profile);
 }
 
+// Where the ramp begins and ends: the planar distance is nowhere larger than the largest component.
 DepthRange range_of(const Scene& scene) {
-  return depth_range(scene, scene.lights[0].position, kCubeCornerCosine);
+  const glm::vec3& light = scene.lights[0].position;
+  const Bounds bounds = bounds_of(scene);
+  const glm::vec3 farthest = glm::max(glm::abs(bounds.low - light), glm::abs(bounds.high - light));
+  const DepthRange views = depth_range(scene, light, kCubeCornerCosine);
+  // Where the near plane is as near as it can be, something of the scene may be nearer still.
+  const bool limited = views.near_plane <= views.far_plane / 65536.0F;
+  return {limited ? 0.0F : views.near_plane, std::max({farthest.x, farthest.y, farthest.z, 1e-6F}) * 1.01F};
 }
 
 }  // namespace
@@ -43,8 +51,7 @@ float default_depth_cube_bias(const Scene& scene, const RenderSettings& settings
 DistanceCode distance_code(const Scene& scene, const RenderSettings& settings) {
   const DepthRange range = range_of(scene);
   DistanceCode code;
-  // Where the near plane is as near as it can be, something of the scene may be nearer still.
-  code.low = range.near_plane > range.far_plane / 65536.0F ? range.near_plane : 0.0F;
+  code.low = range.near_plane;
   code.high = range.far_plane;
   const bool sixteen = settings.depth_cube.bits == DepthCubeBits::sixteen;
   code.code_bits = sixteen ? 16 : 8;

@@ -11,6 +11,8 @@
 
 #include "ninebit/raster/rasterizer.h"
 #include "ninebit/raster/sampler.h"
+#include "src/raster/texture_wrap.h"
+#include "src/shadow/map_evidence.h"
 
 namespace ninebit {
 namespace {
@@ -43,9 +45,9 @@ Texture ramp_texture(const DistanceCode& distance, const Code& code) {
     if (wide) samples[size + i] = static_cast<std::uint8_t>(value >> 8U);
   }
   const int width = wide ? static_cast<int>(kWideRampSide) : static_cast<int>(size);
-  auto made = make_texture(TextureTarget::texture_2d,
-                           wide ? InternalFormat::luminance8_alpha8 : InternalFormat::luminance8,
-                           {{{width, static_cast<int>(size) / width, std::move(samples)}}});
+  auto made =
+      make_texture(TextureTarget::texture_2d, wide ? InternalFormat::luminance8_alpha8 : InternalFormat::luminance8,
+                   {{{width, static_cast<int>(size) / width, std::move(samples)}}});
   return std::move(made).value();  // nothing of it comes from outside
 }
 
@@ -68,6 +70,7 @@ DepthCubeRenderer::DepthCubeRenderer(CameraFrame frame, DepthCubePasses passes)
     : frame_(std::move(frame)),
       passes_(std::move(passes)),
       range_(depth_range(frame_.scene(), frame_.light().position, kCubeCornerCosine)) {
+  for (std::size_t i = 0; i < 6; ++i) face_projections_[i] = cube_face_projection(kCubeFaces[i], range_);
   const auto& positions = frame_.scene().positions;
   const glm::vec3 light = frame_.light().position;
   from_light_.resize(positions.size());
@@ -140,8 +143,7 @@ Status DepthCubeRenderer::draw_map(std::size_t face) {
     target.color[kRed] = {into.luminance.data(), size};
     if (code_.code_bits == 16) target.color[kAlpha] = {into.alpha.data(), size};
   }
-  const glm::mat4 projection = cube_face_projection(kCubeFaces[face], range_);
-  if (Status made = prepare(passes_.map, projection, arrays, target, prepared_map_); !made) return made;
+  if (Status made = prepare(passes_.map, face_projections_[face], arrays, target, prepared_map_); !made) return made;
   const DrawPass pass{.state = &passes_.map, .arrays = arrays, .units = units};
   const DrawActions actions{.clear = ClearValues{.color = {255, 255, 255, 255}}, .discard_depth = true};
   if (Status drawn = rasterize({&pass, 1}, prepared_map_, actions, target); !drawn) return drawn;
@@ -158,6 +160,12 @@ Status DepthCubeRenderer::draw_depth() {
   const VertexArrays arrays = all_triangles(frame_.scene().positions);
   if (Status made = prepare(passes_.depth, frame_.projection(), arrays, target, prepared_camera_); !made) return made;
   return needs_directions() ? draw_directions() : Status{};
+}
+
+Status DepthCubeRenderer::add_evidence() {
+  const LightMap map{
+      .pass = passes_.map, .positions = from_light_, .projections = face_projections_, .size = settings().map_size};
+  return add_map_evidence(frame_, map);
 }
 
 // Interpolated as the cube map's texture coordinates are, so that they select the same texels.
@@ -184,11 +192,11 @@ std::size_t DepthCubeRenderer::face_at(std::size_t pixel) const {
 
 std::size_t DepthCubeRenderer::texel_at(std::size_t pixel) const {
   const CubeCoordinate at = cube_coordinate(directions_[0][pixel], directions_[1][pixel], directions_[2][pixel]);
-  const auto size = static_cast<float>(settings().map_size);
-  const auto texel = [&](float coordinate) {
-    return static_cast<std::size_t>(std::clamp(std::floor(coordinate * size), 0.0F, size - 1.0F));
+  const int size = settings().map_size;
+  const auto texel = [size](float coordinate) {
+    return static_cast<std::size_t>(nearest_texel(coordinate, size, Wrap::clamp_to_edge));
   };
-  return texel(at.t) * static_cast<std::size_t>(settings().map_size) + texel(at.s);
+  return texel(at.t) * static_cast<std::size_t>(size) + texel(at.s);
 }
 
 // One face of the map; the five others are blank, which restricts the pass to the directions of this one.

@@ -34,6 +34,8 @@ class DepthCubeRenderer {
   // With light_facing: marks what turns away from the light.
   Status draw_averted();
   Status draw_lit_and_shadow() { return frame_.draw_lit_and_shadow(); }
+  // With settings.evidence: the triangles of the map, and those that the pixels met.
+  Status add_evidence();
   // Counts pixels, completes layers, maps, pictures and facts.
   void finish();
 
@@ -62,6 +64,7 @@ class DepthCubeRenderer {
   CameraFrame frame_;
   DepthCubePasses passes_;
   DepthRange range_;
+  std::array<glm::mat4, 6> face_projections_{};
   DistanceCode code_{};  // of 8 and 16 bits
   float bias_ = 0.0F;    // of floats, in world units
   Texture map_ramp_, camera_ramp_;

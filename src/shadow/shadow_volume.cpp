@@ -133,8 +133,7 @@ Status VolumeRenderer::mark_averted(RenderTarget& target) {
   }
   if (averted.triangles.empty()) return {};
   PipelineState state = marking_pass(settings_);
-  state.stencil_test.front = {
-      .function = CompareFunction::equal, .reference = 0, .depth_pass = StencilOperation::incr};
+  state.stencil_test.front = {.function = CompareFunction::equal, .reference = 0, .depth_pass = StencilOperation::incr};
   VertexArrays arrays;
   arrays.indices = index_list(averted.triangles);
   return frame_.draw("averted", state, arrays, {}, target, averted.casters);
@@ -225,7 +224,6 @@ Result<Rendering> render_shadow_volume(const Scene& scene, const RenderSettings&
   renderer.add_facts();
   renderer.add_picture();
   frame.finish();
-  if (settings.evidence) frame.rendering().evidence.emplace();
   return std::move(frame.rendering());
 }
 

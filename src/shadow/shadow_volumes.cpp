@@ -18,8 +18,8 @@ std::vector<std::int8_t> facing_of(const VolumeMesh& mesh, const glm::dvec4& lig
     if (has_corner_twice(corners)) continue;
     const glm::dvec3 a(mesh.positions[corners.x]), b(mesh.positions[corners.y]), c(mesh.positions[corners.z]);
     // The volume of the tetrahedron on the triangle with its tip at the light: 0 if a corner is the light itself.
-    const double volume = light.w == 0.0 ? glm::dot(glm::cross(b - a, c - a), l)
-                                         : -glm::dot(a - l, glm::cross(b - l, c - l));
+    const double volume =
+        light.w == 0.0 ? glm::dot(glm::cross(b - a, c - a), l) : -glm::dot(a - l, glm::cross(b - l, c - l));
     facing[t] = static_cast<std::int8_t>(volume > 0.0 ? 1 : volume < 0.0 ? -1 : 0);
   }
   return facing;
@@ -64,10 +64,13 @@ class SideMaker {
   bool is_directional_;
 };
 
-void add_sides(const VolumeMesh& mesh, std::span<const std::int8_t> casters, const SideMaker& sides, ShadowVolumes& to) {
+void add_sides(const VolumeMesh& mesh, std::span<const std::int8_t> casters, const SideMaker& sides,
+               ShadowVolumes& to) {
   for (std::size_t first = 0, end = 0; first < mesh.uses.size(); first = end) {
     end = end_of_edge(mesh.uses, first);
-    const auto direction = [&](const EdgeUse& use) { return use.rises ? casters[use.triangle] : -casters[use.triangle]; };
+    const auto direction = [&](const EdgeUse& use) {
+      return use.rises ? casters[use.triangle] : -casters[use.triangle];
+    };
     int surplus = 0;
     for (std::size_t i = first; i < end; ++i) surplus += direction(mesh.uses[i]);
     if (surplus == 0) continue;

@@ -15,14 +15,15 @@ namespace ninebit {
 // The light in homogeneous coordinates: its position with w = 1, or the direction to it with w = 0.
 [[nodiscard]] glm::dvec4 homogeneous_light(const Light& light);
 
-// For each triangle 1 where its front is turned to the light, -1 where its back is, 0 where it is seen edge-on or has no
-// area. Everything about a volume that depends on this takes it from here, so that a rounding error in it opens no gap.
+// For each triangle 1 where its front is turned to the light, -1 where its back is, 0 where it is seen edge-on or has
+// no area. Everything about a volume that depends on this takes it from here, so that a rounding error in it opens no
+// gap.
 [[nodiscard]] std::vector<std::int8_t> facing_of(const VolumeMesh& mesh, const glm::dvec4& light);
 
 // Which triangles cast a shadow: 1 as they are, -1 with the order of their corners reversed, which then turns their
 // front to the light; 0: none. Of a closed object those whose front is turned to the light, which cover the others;
-// of any other object all. What `cull` leaves out as seen from the light casts none; where it leaves out the fronts of a
-// closed object, its backs cast.
+// of any other object all. What `cull` leaves out as seen from the light casts none; where it leaves out the fronts of
+// a closed object, its backs cast.
 [[nodiscard]] std::vector<std::int8_t> casters_of(const Scene& scene, const VolumeMesh& mesh,
                                                   std::span<const std::int8_t> facing, CullFace cull);
 

@@ -21,8 +21,8 @@ struct DepthRange {
 // World space to clip space of a camera, with window y up.
 [[nodiscard]] glm::mat4 camera_projection(const Scene& scene, const Camera& camera, float aspect_ratio);
 
-// The same without a far plane: a point of homogeneous coordinate w = 0 has the window depth 1, without any rounding, as
-// clip z and clip w of a direction are the same sum.
+// The same without a far plane: a point of homogeneous coordinate w = 0 has the window depth 1, without any rounding,
+// as clip z and clip w of a direction are the same sum.
 [[nodiscard]] glm::mat4 infinite_camera_projection(const Scene& scene, const Camera& camera, float aspect_ratio);
 
 // World space to clip space of a spot or directional light's map: the square pyramid of the spot's opening angle, which

@@ -36,7 +36,8 @@ enum class PrimitiveType : std::uint8_t {
 struct VertexArrays {
   PrimitiveType type = PrimitiveType::triangles;
   std::span<const glm::vec3> positions{};
-  // Instead of `positions`: (x, y, z, w) of any w. With w = 0, (x, y, z) is a direction, and the vertex lies at infinity.
+  // Instead of `positions`: (x, y, z, w) of any w. With w = 0, (x, y, z) is a direction, and the vertex lies at
+  // infinity.
   std::span<const glm::vec4> homogeneous_positions{};
   // Which vertices, in which order; empty: all in theirs. What is left over at the end of the list is not drawn, as in
   // GL.
@@ -49,8 +50,11 @@ struct VertexArrays {
   std::span<const ColorBytes> secondary_colors{};  // one a vertex; empty: black
   std::span<const float> fog_factors{};            // one a vertex, clamped to [0, 1]; empty: 1
 
-  // Texture coordinates (s, t, r, q) a vertex, for each unit with a texture; (s, t, r) with q = 1.
+  // Texture coordinates (s, t, r) a vertex, for each unit with a texture, and q: empty, it is 1. All four are
+  // interpolated in perspective; 2D textures are read at (s/q, t/q), a depth comparison takes r/q, cube maps do not
+  // look at q.
   std::array<std::span<const glm::vec3>, kMaxTextureUnits> texture_coordinates{};
+  std::array<std::span<const float>, kMaxTextureUnits> texture_q{};
   // Four floats a vertex, interpolated in perspective, for output planes.
   std::array<std::span<const glm::vec4>, kMaxAttributes> attributes{};
 
@@ -73,8 +77,9 @@ struct TextureUnit {
 
 // Draws the primitives in their order. (Passes over the same geometry from the same view: prepared_draw.h.)
 //
-// - Clip coordinates are clip_from_object * (position, 1), computed in floats in a fixed order, with w in the place of 1
-//   for homogeneous positions: those of (x, y, z, 1) are those of (x, y, z). Primitives are clipped against the near and
+// - Clip coordinates are clip_from_object * (position, 1), computed in floats in a fixed order, with w in place of 1
+// for
+//   homogeneous positions: those of (x, y, z, 1) are those of (x, y, z). Primitives are clipped against the near and
 //   far planes, both of which belong to what remains, and against a guard band that keeps window positions within 8,192
 //   pixels of the viewport's centre; the viewport's own sides cut pixels, not primitives. Primitives with a position
 //   that is not finite, points outside the view volume, and polygons without area after snapping, draw nothing.
@@ -98,8 +103,9 @@ struct TextureUnit {
 // - Each fragment then goes through scissor, program, alpha test, stencil test, depth test, blending and masks, in GL's
 //   order; where primitives overlap, earlier ones come first, whatever the number of threads.
 //
-// Reports positions of both kinds, arrays of unequal lengths, indices out of range, a target without the planes that the
-// state needs, numbers outside the ranges that pipeline_state.h gives. A texture that is not complete counts as off, as in GL.
+// Reports positions of both kinds, arrays of unequal lengths, indices out of range, a target without the planes that
+// the state needs, numbers outside the ranges that pipeline_state.h gives. A texture that is not complete counts as
+// off, as in GL.
 [[nodiscard]] Status rasterize(const PipelineState& state, const glm::mat4& clip_from_object,
                                const VertexArrays& arrays, std::span<const TextureUnit> units, RenderTarget& target);
 

@@ -33,9 +33,9 @@ struct DistanceCode {
   [[nodiscard]] std::uint32_t camera_code(std::uint32_t i) const { return i < offset ? 0 : map_code(i - offset); }
 };
 
-// The code for a scene around its light, and the bias that is used where the settings name none: two texels of the map
-// as wide as they are at the far end of the range. A bias in the settings is rounded up to whole texels of the ramp.
-// The settings ask for 8 or 16 bits; those of `real` have no code.
+// The code for a scene around its light, and the bias that is used where the settings name none: three texels of the
+// map as wide as they are at the far end of the range. A bias in the settings is rounded up to whole texels of the
+// ramp. The settings ask for 8 or 16 bits; those of `real` have no code.
 [[nodiscard]] DistanceCode distance_code(const Scene& scene, const RenderSettings& settings);
 [[nodiscard]] float default_depth_cube_bias(const Scene& scene, const RenderSettings& settings);
 
@@ -55,11 +55,12 @@ struct DepthCubeComparison {
 
 // The pipeline state of each pass, in the order of drawing.
 struct DepthCubePasses {
-  PipelineState map;                             // from the light: distances, depth-tested, into a face
-  PipelineState depth;                           // from the camera: depth alone
-  std::vector<DepthCubeComparison> comparisons;  // from the camera: stencil 1 behind what the map holds; none for floats
-  PipelineState averted;                         // from the camera, with light_facing: stencil 1 where a polygon turns
-                                                 // away from the light
+  PipelineState map;    // from the light: distances, depth-tested, into a face
+  PipelineState depth;  // from the camera: depth alone
+  std::vector<DepthCubeComparison>
+      comparisons;        // from the camera: stencil 1 behind what the map holds; none for floats
+  PipelineState averted;  // from the camera, with light_facing: stencil 1 where a polygon turns
+                          // away from the light
 };
 
 // The passes for these settings. Reports what the combiners' states report.

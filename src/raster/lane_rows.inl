@@ -1,0 +1,80 @@
+// How the lanes of a vector lie in a tile. No include guard: included once inside Highway's namespace of every SIMD
+// target, in tile_lanes.cpp.
+
+// Side by side in a row.
+struct OneRow {
+  static constexpr std::size_t kRows = 1;
+  static constexpr int column(int lane) { return lane; }
+  static constexpr int row(int) { return 0; }
+
+  // From the first one's place on, here and below.
+  template <class D>
+  static HWY_INLINE hn::Vec<D> load(D d, const std::int32_t* at) {
+    return hn::LoadU(d, at);
+  }
+  template <class D>
+  static HWY_INLINE void store(hn::Vec<D> v, D d, std::int32_t* at) {
+    hn::StoreU(v, d, at);
+  }
+  // Stores the lanes of the mask alone.
+  template <class D>
+  static HWY_INLINE void blend(hn::Vec<D> v, hn::Mask<D> mask, D d, std::int32_t* at) {
+    hn::BlendedStore(v, mask, d, at);
+  }
+  // How much farther the places of the others are.
+  template <class D>
+  static HWY_INLINE hn::Vec<D> places(D d) {
+    return lane_numbers(d);
+  }
+};
+
+// A half, or a quarter, in each of as many rows, one above the other.
+template <int kCount>
+struct SeveralRows {
+  static_assert(kCount == 2 || kCount == 4);
+  static constexpr std::size_t kRows = kCount;
+  static constexpr int kColumns = std::max(kLanes / kCount, 1);
+  static constexpr int column(int lane) { return lane % kColumns; }
+  static constexpr int row(int lane) { return lane / kColumns; }
+
+  static HWY_INLINE V load(D d, const std::int32_t* at) {
+    const hn::Half<D> half;
+    if constexpr (kCount == 2) {
+      return hn::Combine(d, hn::LoadU(half, at + kTileSize), hn::LoadU(half, at));
+    } else {
+      const hn::Half<decltype(half)> part;
+      const auto two = [&](const std::int32_t* first) HWY_ATTR {
+        return hn::Combine(half, hn::LoadU(part, first + kTileSize), hn::LoadU(part, first));
+      };
+      return hn::Combine(d, two(at + 2 * kTileSize), two(at));
+    }
+  }
+  static HWY_INLINE void store(V v, D, std::int32_t* at) {
+    const hn::Half<D> half;
+    const auto low = hn::LowerHalf(half, v), high = hn::UpperHalf(half, v);
+    if constexpr (kCount == 2) {
+      hn::StoreU(low, half, at);
+      hn::StoreU(high, half, at + kTileSize);
+    } else {
+      const hn::Half<decltype(half)> part;
+      hn::StoreU(hn::LowerHalf(part, low), part, at);
+      hn::StoreU(hn::UpperHalf(part, low), part, at + kTileSize);
+      hn::StoreU(hn::LowerHalf(part, high), part, at + 2 * kTileSize);
+      hn::StoreU(hn::UpperHalf(part, high), part, at + 3 * kTileSize);
+    }
+  }
+  static HWY_INLINE void blend(V v, M mask, D d, std::int32_t* at) {
+    store(hn::IfThenElse(mask, v, load(d, at)), d, at);
+  }
+  // A sum of steps along and up the rows, for the lower half of the lanes.
+  static HWY_INLINE hn::Vec<DD> in_lower_half(double step_x, double step_y) {
+    const auto along = [&](hn::Vec<DD> column) HWY_ATTR { return hn::Mul(column, hn::Set(kDD, step_x)); };
+    if constexpr (kCount == 2) return along(real_lane_numbers());
+    alignas(64) static constexpr std::array<double, 8> kColumn{0, 1, 2, 3, 0, 1, 2, 3}, kRow{0, 0, 0, 0, 1, 1, 1, 1};
+    static_assert(kCount == 2 || kLanes == 16);
+    return hn::Add(along(hn::Load(kDD, kColumn.data())), hn::Mul(hn::Load(kDD, kRow.data()), hn::Set(kDD, step_y)));
+  }
+  static HWY_INLINE V columns() { return hn::And(lane_numbers(kD), hn::Set(kD, kColumns - 1)); }
+  static HWY_INLINE V rows(D d) { return hn::ShiftRightSame(lane_numbers(d), __builtin_ctz(kColumns)); }
+  static HWY_INLINE V places(D d) { return hn::Add(columns(), hn::Mul(rows(d), hn::Set(d, kTileSize))); }
+};
