@@ -104,7 +104,7 @@ TEST(DatapathErrors, ProfilesDifferWhereTheyShould) {
 }
 
 TEST(DatapathErrors, StopsWhenAsked) {
-  const auto stopped = measure_datapath({&profiles::geforce2, 1}, [](double) { return false; });
+  const auto stopped = measure_datapath({&profiles::geforce256_8bit, 1}, [](double) { return false; });
   ASSERT_FALSE(stopped.ok());
   EXPECT_EQ(stopped.error().fault, Fault::cancelled);
 }
