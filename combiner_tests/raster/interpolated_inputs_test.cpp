@@ -243,5 +243,114 @@ TEST(InterpolatedInputs, ChangesOfTextureCoordinatesGiveTheLevelOfDetail) {
   for (std::size_t level = 0; level < 7; ++level) EXPECT_GE(reached[level], 300) << level;
 }
 
+// A texture whose texels are their own numbers, at (s/q, t/q), and the level that the changes of s/q and t/q ask for.
+TEST(InterpolatedInputs, ProjectiveCoordinatesAreDividedByQ) {
+  std::vector<std::uint8_t> numbers(256);
+  for (std::size_t i = 0; i < numbers.size(); ++i) numbers[i] = static_cast<std::uint8_t>(i);
+  const Texture ramp =
+      make_texture(TextureTarget::texture_2d, InternalFormat::luminance8, {{{256, 1, numbers}}}).value();
+  const Texture levels = level_texture();
+  Sampler by_level = kNearestSampler;
+  by_level.min_filter = MinFilter::nearest_mipmap_nearest;
+  by_level.wrap_s = by_level.wrap_t = Wrap::repeat;
+  const std::array<TextureUnit, 2> units{TextureUnit{&ramp, kNearestSampler}, TextureUnit{&levels, by_level}};
+  std::int64_t checked = 0, told = 0, levels_checked = 0;
+  for (std::uint64_t index = 0; index < 200; ++index) {
+    Random random(95, index);
+    const Case c = random_case(random);
+    std::array<glm::vec3, 3> coordinates{}, fine{};
+    std::array<float, 3> q{};
+    const float scale = static_cast<float>(std::exp2(random.real(-2, 4)));
+    for (std::size_t i = 0; i < 3; ++i) {
+      q[i] = random.real_f(0.5, 4);
+      coordinates[i] = glm::vec3(random.real_f(0, 1) * q[i], 0.3F * q[i], 0);
+      fine[i] = glm::vec3(random.real_f(-scale, scale), random.real_f(-scale, scale), 0);
+    }
+    Surface surface = Surface::make(kSize, kSize, {.with_primitive = true}).value();
+    RenderTarget target = surface.target();
+    PipelineState state;
+    state.program = pass_through(Register::texture0, Register::texture1);
+    VertexArrays arrays{.positions = c.positions};
+    arrays.texture_coordinates = {coordinates, fine};
+    arrays.texture_q = {q, q};
+    ASSERT_TRUE(rasterize(state, c.matrix, arrays, units, target).ok());
+    state.program = pass_through(Register::texture1, Register::texture1);
+    Surface second = Surface::make(kSize, kSize).value();
+    RenderTarget second_target = second.target();
+    ASSERT_TRUE(rasterize(state, c.matrix, arrays, units, second_target).ok());
+    const auto over_q = [&](const glm::dvec3& w, double s0, double s1, double s2) {
+      return mix(w, s0, s1, s2) / mix(w, q[0], q[1], q[2]);
+    };
+    const auto texel = [&](double x, double y) {
+      const glm::dvec3 w = c.in_space(x, y);
+      return 256.0 * glm::dvec2(over_q(w, fine[0].x, fine[1].x, fine[2].x), over_q(w, fine[0].y, fine[1].y, fine[2].y));
+    };
+    for (int y = 0; y < kSize; ++y) {
+      for (int x = 0; x < kSize; ++x) {
+        const auto at = static_cast<std::size_t>(y * kSize + x);
+        const glm::dvec3 w = c.in_space(x + 0.5, y + 0.5);
+        if (surface.primitive()[at] != 0 || std::min({w.x, w.y, w.z}) < 0.05) continue;
+        ++checked;
+        const int drawn = surface.color(kRed)[at];
+        const auto within = [&](auto&& value) {
+          const auto [low, high] =
+              range_around(x, y, [&](double px, double py) { return 256.0 * value(c.in_space(px, py)); });
+          return drawn >= std::floor(low - 0.01) && drawn <= std::floor(high + 0.01);
+        };
+        ASSERT_TRUE(within([&](const glm::dvec3& v) {
+          return over_q(v, coordinates[0].x, coordinates[1].x, coordinates[2].x);
+        })) << index
+            << ' ' << x << ' ' << y;
+        told += within([&](const glm::dvec3& v) {
+          return mix(v, coordinates[0].x / q[0], coordinates[1].x / q[1], coordinates[2].x / q[2]);
+        })
+                    ? 0
+                    : 1;
+        const auto [low, high] = range_around(x, y, [&](double px, double py) {
+          constexpr double h = 1e-4;
+          const double along_x = glm::length(texel(px + h, py) - texel(px - h, py)) / (2 * h);
+          const double along_y = glm::length(texel(px, py + h) - texel(px, py - h)) / (2 * h);
+          return std::log2(std::max(along_x, along_y));
+        });
+        const auto level = [](double lambda) {
+          return std::clamp(static_cast<int>(std::ceil(lambda + 0.5)) - 1, 0, 8);
+        };
+        if (level(low - 0.15) != level(high + 0.15)) continue;
+        ++levels_checked;
+        ASSERT_EQ(second.color(kRed)[at], 20 * level(low) + 10) << index << ' ' << x << ' ' << y << ' ' << low;
+      }
+    }
+  }
+  EXPECT_GE(checked, 30000);
+  EXPECT_GE(told, checked / 4);  // dividing at the vertices is something else
+  EXPECT_GE(levels_checked, 20000);
+}
+
+TEST(InterpolatedInputs, CubeMapsDoNotLookAtQ) {
+  std::vector<std::vector<TextureSamples>> faces;
+  for (int face = 0; face < 6; ++face) {
+    faces.push_back({{1, 1, std::vector<std::uint8_t>{static_cast<std::uint8_t>(40 * face + 5)}}});
+  }
+  const Texture cube = make_texture(TextureTarget::cube_map, InternalFormat::luminance8, faces).value();
+  const std::array<TextureUnit, 1> units{TextureUnit{&cube, kNearestSampler}};
+  const std::array<glm::vec3, 3> positions{glm::vec3(-1, -1, 0), glm::vec3(3, -1, 0), glm::vec3(-1, 3, 0)};
+  const std::array<glm::vec3, 3> directions{glm::vec3(-2, 0.1F, 1), glm::vec3(2, 0.1F, 1), glm::vec3(0.3F, 2, -3)};
+  const std::array<float, 3> q{-2.0F, -0.5F, -1.0F};
+  PipelineState state;
+  state.program = pass_through(Register::texture0, Register::texture0);
+  std::array<std::vector<std::uint8_t>, 2> drawn;
+  for (const bool with_q : {false, true}) {
+    Surface surface = Surface::make(32, 32).value();
+    RenderTarget target = surface.target();
+    VertexArrays arrays{.positions = positions};
+    arrays.texture_coordinates[0] = directions;
+    if (with_q) arrays.texture_q[0] = q;
+    ASSERT_TRUE(rasterize(state, kIdentity, arrays, units, target).ok());
+    drawn[with_q ? 1 : 0] = surface.color(kRed);
+  }
+  EXPECT_EQ(drawn[0], drawn[1]);
+  EXPECT_NE(*std::min_element(drawn[0].begin(), drawn[0].end()), *std::max_element(drawn[0].begin(), drawn[0].end()));
+}
+
 }  // namespace
 }  // namespace ninebit::test

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <functional>
 
 #include "combiner_tests/raster/fragment_support.h"
@@ -281,6 +282,46 @@ TEST(PreparedDraw, LargeTrianglesReachEveryTileThatTheyCover) {
     }
   }
   EXPECT_GT(covered, 100000);
+}
+
+// Against each triangle drawn alone, without any test, into a plane of its own.
+TEST(PreparedDraw, CoveringPolygonsAreThoseThatDrawAPixelAlone) {
+  constexpr int kSize = 48, kTriangles = 400;
+  Random random(0xC0FE, 1);
+  std::vector<glm::vec3> positions;
+  for (int t = 0; t < kTriangles; ++t) {
+    // From far smaller than a pixel to larger than the target; some around its sides and behind the near plane.
+    const glm::vec3 at(random.real_f(-1.2, 1.2), random.real_f(-1.2, 1.2), random.real_f(-1.2, 1.2));
+    const float size = t % 4 == 0 ? 0.7F : 0.05F;
+    for (int i = 0; i < 3; ++i) {
+      positions.push_back(at + size * glm::vec3(random.real_f(-1, 1), random.real_f(-1, 1), random.real_f(-1, 1)));
+    }
+  }
+  for (const CullFace cull : {CullFace::none, CullFace::back}) {
+    PipelineState state;
+    state.cull_face = cull;
+    const RenderTarget size{.width = kSize, .height = kSize};
+    PreparedDraw prepared;
+    ASSERT_TRUE(prepare(state, kIdentity, {.positions = positions}, size, prepared).ok());
+    std::vector<bool> covering(kTriangles);
+    mark_covering_polygons(prepared, covering);
+    int count = 0;
+    for (std::size_t t = 0; t < kTriangles; ++t) {
+      std::vector<std::uint32_t> drawn(kSize * kSize, 1);
+      RenderTarget target = size;
+      target.outputs.push_back({.source = OutputSource::primitive, .plane = Plane<std::uint32_t>{drawn.data(), kSize}});
+      const std::span<const glm::vec3> one(&positions[3 * t], 3);
+      ASSERT_TRUE(rasterize(state, kIdentity, {.positions = one}, {}, target).ok());
+      const bool expected = std::count(drawn.begin(), drawn.end(), 0U) > 0;
+      ASSERT_EQ(covering[t], expected) << t;
+      count += expected ? 1 : 0;
+    }
+    EXPECT_GT(count, 50);
+    EXPECT_LT(count, kTriangles - 50);
+  }
+  std::vector<bool> none(3, true);
+  mark_covering_polygons(PreparedDraw(), none);
+  EXPECT_EQ(none, std::vector<bool>(3, true)) << "of no draw";
 }
 
 }  // namespace

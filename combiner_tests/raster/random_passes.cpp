@@ -131,6 +131,9 @@ void add_texture(Random& random, RandomPass& pass, std::size_t unit, std::size_t
   for (std::size_t i = 0; i < vertices; ++i) {
     pass.coordinates[unit].emplace_back(random.real_f(-2, 2), random.real_f(-2, 2), random.real_f(-1, 2));
   }
+  const bool in_front = random.one_in(2);
+  if (random.one_in(2)) return;
+  for (std::size_t i = 0; i < vertices; ++i) pass.q[unit].push_back(random.real_f(in_front ? 0.2 : -1, 3));
 }
 
 void add_program(Random& random, RandomPass& pass, std::size_t vertices) {
@@ -182,7 +185,10 @@ VertexArrays PassScene::arrays(const RandomPass& pass) const {
   a.vertex_colors = pass.vertex_colors;
   a.primitive_colors = pass.primitive_colors;
   a.secondary_colors = pass.secondary_colors;
-  for (std::size_t i = 0; i < kMaxTextureUnits; ++i) a.texture_coordinates[i] = pass.coordinates[i];
+  for (std::size_t i = 0; i < kMaxTextureUnits; ++i) {
+    a.texture_coordinates[i] = pass.coordinates[i];
+    a.texture_q[i] = pass.q[i];
+  }
   return a;
 }
 

@@ -13,7 +13,8 @@ struct RandomPass {
   PipelineState state;
   std::vector<ColorBytes> vertex_colors, primitive_colors, secondary_colors;
   std::array<std::vector<glm::vec3>, kMaxTextureUnits> coordinates;
-  std::array<Texture, kMaxTextureUnits> textures;  // without a level: the unit is off
+  std::array<std::vector<float>, kMaxTextureUnits> q;  // or none
+  std::array<Texture, kMaxTextureUnits> textures;      // without a level: the unit is off
   std::array<Sampler, kMaxTextureUnits> samplers;
 
   [[nodiscard]] std::vector<TextureUnit> units() const;  // up to the last that is on

@@ -1,4 +1,4 @@
-// The scene that the project ships: made by its generator, and fit for every technique.
+// The scenes that the project ships: made by their generators, and fit for the techniques.
 #include <array>
 #include <cstdio>
 #include <map>
@@ -17,18 +17,20 @@ Scene index_room() {
   return std::move(scene).value();
 }
 
-TEST(IndexRoom, IsWhatItsGeneratorMakes) {
-  const std::string command = "/usr/bin/python3 '" + (kScenes / "make_index_room.py").string() + "' --stdout";
-  FILE* pipe = popen(command.c_str(), "r");
-  ASSERT_NE(pipe, nullptr);
-  std::string made;
-  std::array<char, 4096> part{};
-  for (std::size_t size = 0; (size = std::fread(part.data(), 1, part.size(), pipe)) > 0;)
-    made.append(part.data(), size);
-  ASSERT_EQ(pclose(pipe), 0) << command;
-  const std::string kept = file_content(kScenes / "index_room.gltf");
-  EXPECT_GT(made.size(), 10000U);
-  EXPECT_TRUE(made == kept) << "run scenes/make_index_room.py";
+TEST(ShippedScenes, AreWhatTheirGeneratorsMake) {
+  for (const std::string name : {"index_room", "cornell_box"}) {
+    const std::string command = "/usr/bin/python3 '" + (kScenes / ("make_" + name + ".py")).string() + "' --stdout";
+    FILE* pipe = popen(command.c_str(), "r");
+    ASSERT_NE(pipe, nullptr);
+    std::string made;
+    std::array<char, 4096> part{};
+    for (std::size_t size = 0; (size = std::fread(part.data(), 1, part.size(), pipe)) > 0;)
+      made.append(part.data(), size);
+    ASSERT_EQ(pclose(pipe), 0) << command;
+    const std::string kept = file_content(kScenes / (name + ".gltf"));
+    EXPECT_GT(made.size(), 10000U);
+    EXPECT_TRUE(made == kept) << "run scenes/make_" << name << ".py";
+  }
 }
 
 TEST(IndexRoom, HasItsParts) {
@@ -146,6 +148,35 @@ TEST(IndexRoom, TheTorusShadowsItself) {
   }
   EXPECT_GT(toward_light, 200);
   EXPECT_GT(shadowed_by_itself, 40);
+}
+
+TEST(CornellBox, HasItsWallsBoxesCameraAndSpotLight) {
+  Result<Scene> read = read_scene(kScenes / "cornell_box.gltf");
+  ASSERT_TRUE(read) << read.error().text();
+  const Scene& scene = *read;
+  expect_contract(scene);
+  std::vector<std::string> names;
+  for (const SceneObject& object : scene.objects) names.push_back(object.name);
+  EXPECT_EQ(names, (std::vector<std::string>{"room", "tall box", "low box"}));
+  // The left wall is red, the right one green, and both face inward.
+  int left = 0, right = 0;
+  for (std::uint32_t i = 0; i < scene.objects[0].triangle_count; ++i) {
+    const glm::vec3 at = scene.positions[scene.triangles[i].x], front = front_of(scene, i);
+    const glm::vec3 color = scene.materials[scene.triangle_material[i]].base_color;
+    EXPECT_GT(glm::dot(front, glm::vec3(0, 3, 0) - at), 0.0F);
+    if (front.x > 0.9F && color.r > 3.0F * color.g) ++left;
+    if (front.x < -0.9F && color.g > 3.0F * color.r) ++right;
+  }
+  EXPECT_EQ(left, 72);
+  EXPECT_EQ(right, 72);
+  ASSERT_EQ(scene.cameras.size(), 1U);
+  ASSERT_EQ(scene.lights.size(), 1U);
+  EXPECT_EQ(scene.lights[0].kind, LightKind::spot);
+  EXPECT_NEAR(scene.lights[0].spot_degrees, 100.0F, 1e-3F);
+  EXPECT_LT(scene.lights[0].direction.y, -0.9F);
+  SceneSetup setup;
+  setup.light_kinds = {.point = false, .spot = true};
+  EXPECT_TRUE(complete_scene(scene, setup, 1.0F));
 }
 
 }  // namespace

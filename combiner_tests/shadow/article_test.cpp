@@ -73,12 +73,9 @@ TEST(Article, StepOneDropsTheShadowOfTheNextPolygon) {
     settings.index.step = step;
     const Rendering r = render(scene, settings);
     int lost = 0, seen = 0;
+    const auto layers = shadow_test::comparison_layers(r);
     for (std::size_t i = 0; i < r.frame.stencil().size(); ++i) {
-      const auto layers = shadow_test::comparison_layers(r);
-      const std::uint32_t fetched = r.codes.number(static_cast<std::uint8_t>(layers.texture0[0][i]),
-                                                   static_cast<std::uint8_t>(layers.texture0[1][i]),
-                                                   static_cast<std::uint8_t>(layers.texture0[2][i]));
-      if (layers.polygon[i] != 2 || fetched != 3) continue;
+      if (layers.polygon[i] != 2 || layers.fetched(r.codes, i) != 3) continue;
       ++seen;
       lost += r.frame.stencil()[i] == 0 ? 1 : 0;
     }

@@ -35,6 +35,16 @@ TEST(BadInput, SettingsAndScenesThatCannotBeDrawn) {
   s = small_settings();
   s.index.step = 0;
   expect(fault_of(scene, s), "expected 1 to 16");
+  for (const int size : {kMinSectionSize - 1, kMaxSectionSize + 1, -8}) {
+    s = small_settings();
+    s.index.section_size = size;
+    expect(fault_of(scene, s), "expected 4 to 512");
+  }
+  for (const glm::ivec2 pixel : {glm::ivec2(-1, 0), glm::ivec2(0, -1), glm::ivec2(200, 0), glm::ivec2(0, 150)}) {
+    s = small_settings();
+    s.pick = pixel;
+    expect(fault_of(scene, s), "outside of the frame of 200 x 150");
+  }
   Scene dark = scene;
   dark.lights.clear();
   expect(fault_of(dark, small_settings()), "0 lights");
@@ -79,7 +89,7 @@ TEST(BadInput, LightOnAPlaneIsHarmless) {
   const Rendering r = shadow_test::render(scene, small_settings());
   for (const IndexMapFace& face : r.index_map) {
     for (std::size_t i = 0; i < face.color[0].size(); ++i) {
-      const std::uint32_t number = r.codes.number(face.color[0][i], face.color[1][i], face.color[2][i]);
+      const std::uint32_t number = r.codes.number(face.texel(i));
       ASSERT_LE(number, 2U) << "the square in the light's plane was drawn";
     }
   }

@@ -119,14 +119,14 @@ std::shared_ptr<const ninebit::Texture> labels() {
 
 std::optional<std::array<int, 3>> even_texel(const ninebit::Texture& cookie, const glm::dvec3& direction) {
   const CubePlace place = cube_place(direction);
-  constexpr double kEdge = 1e-5;  // where rounding decides which face it is
-  if (std::min({place.s, place.t, 1.0 - place.s, 1.0 - place.t}) < kEdge) return std::nullopt;
   const ninebit::TextureImage& image = cookie.faces[static_cast<std::size_t>(place.face)][0];
   const auto& planes = std::get<std::array<ninebit::Plane<const std::uint8_t>, 4>>(image.planes);
   const int x = static_cast<int>(place.s * image.width), y = static_cast<int>(place.t * image.height);
+  // The next face begins within a texel.
+  if (std::min(x, y) < 1 || std::max(x, y) > image.width - 2) return std::nullopt;
   std::optional<std::array<int, 3>> color;
-  for (int v = std::max(y - 1, 0); v <= std::min(y + 1, image.height - 1); ++v) {
-    for (int u = std::max(x - 1, 0); u <= std::min(x + 1, image.width - 1); ++u) {
+  for (int v = y - 1; v <= y + 1; ++v) {
+    for (int u = x - 1; u <= x + 1; ++u) {
       std::array<int, 3> here{};
       for (std::size_t c = 0; c < 3; ++c) here[c] = planes[c].at(u, v);
       if (color && *color != here) return std::nullopt;

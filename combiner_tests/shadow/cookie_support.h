@@ -38,7 +38,8 @@ glm::dvec3 in_light_space(glm::dvec3 direction, const glm::dvec3& degrees);
 // scenes/cookies/labels.dds; throws where it cannot be read.
 std::shared_ptr<const ninebit::Texture> labels();
 
-// Red, green and blue of the texel in which a direction ends, or nothing where the texels about it differ.
+// Red, green and blue of the texel in which a direction ends, or nothing where the texels about it differ or the face
+// ends.
 std::optional<std::array<int, 3>> even_texel(const ninebit::Texture& cookie, const glm::dvec3& direction);
 
 // The settings of the tests: small, with layers and the cube of labels, without shadows.

@@ -2,13 +2,38 @@
 
 #include <gtest/gtest.h>
 
-#include <set>
+#include <array>
+#include <string>
+#include <vector>
+
+#include "ninebit/combiner/initial_registers.h"
 
 namespace {
 
 using namespace ninebit;
 
-TEST(IndexCodes, CapacityIsTheNumberOfLevelsCubed) {
+constexpr std::array kFormats{IndexFormat::rgb, IndexFormat::luminance_alpha, IndexFormat::luminance,
+                              IndexFormat::alpha};
+
+// As a register reads the texel that holds this colour: what the format's texture does not store is gone.
+ColorBytes through_the_texture(const ColorBytes& color, IndexFormat format) {
+  Texel texel{.value = color, .format = base_format(map_format(format))};
+  for (std::size_t c = 0; c < 4; ++c) {
+    if (!stored_components(map_format(format))[c]) texel.value[c] = 77;
+  }
+  const Rgba9 codes = texel_codes(profiles::geforce2, texel);
+  ColorBytes read;
+  for (std::size_t c = 0; c < 4; ++c) read[c] = static_cast<std::uint8_t>(codes[c]);
+  return read;
+}
+
+TEST(IndexCodes, CapacityIsTheNumberOfLevelsToThePowerOfTheChannels) {
+  EXPECT_EQ(IndexCodes(2, IndexFormat::luminance_alpha).capacity(), 1U << 14);
+  EXPECT_EQ(IndexCodes(2, IndexFormat::luminance).capacity(), 1U << 7);
+  EXPECT_EQ(IndexCodes(2, IndexFormat::alpha).capacity(), 1U << 7);
+  EXPECT_EQ(IndexCodes(3, IndexFormat::luminance_alpha).capacity(), 86U * 86U);
+  EXPECT_EQ(IndexCodes(1, IndexFormat::alpha).capacity(), 256U);
+
   EXPECT_EQ(IndexCodes(1).capacity(), 1U << 24);
   EXPECT_EQ(IndexCodes(2).capacity(), 1U << 21);  // the article's seven bits a channel
   EXPECT_EQ(IndexCodes(3).capacity(), 86U * 86U * 86U);
@@ -26,34 +51,68 @@ TEST(IndexCodes, RedCountsFastestAndZeroIsTheClearedMap) {
   EXPECT_EQ(codes.color(codes.capacity() - 1), (ColorBytes{254, 254, 254, 255}));
 }
 
+TEST(IndexCodes, LuminanceCountsFasterThanAlpha) {
+  const IndexCodes codes(2, IndexFormat::luminance_alpha);
+  EXPECT_EQ(codes.color(0), (ColorBytes{0, 0, 0, 0}));
+  EXPECT_EQ(codes.color(127), (ColorBytes{254, 254, 254, 0}));
+  EXPECT_EQ(codes.color(128), (ColorBytes{0, 0, 0, 2}));
+  EXPECT_EQ(codes.color(128 * 128 - 1), (ColorBytes{254, 254, 254, 254}));
+  EXPECT_EQ(IndexCodes(2, IndexFormat::luminance).color(5), (ColorBytes{10, 10, 10, 255}));
+  EXPECT_EQ(IndexCodes(2, IndexFormat::alpha).color(5), (ColorBytes{0, 0, 0, 10}));
+}
+
+// The primary colour is what a texel of the map puts into its register, so that equal indices have no difference.
 TEST(IndexCodes, EveryCodeIsItsOwnMultipleOfTheStep) {
-  for (int step = 1; step <= kMaxIndexStep; ++step) {
-    const IndexCodes codes(step);
-    // All codes of the larger steps; of the smaller ones every 97th, which meets every digit.
-    const std::uint32_t stride = step >= 4 ? 1 : 97;
-    for (std::uint32_t n = 0; n < codes.capacity(); n += stride) {
-      const ColorBytes c = codes.color(n);
-      ASSERT_EQ(c[0] % step + c[1] % step + c[2] % step, 0) << "step " << step << ", number " << n;
-      ASSERT_EQ(codes.number(c[0], c[1], c[2]), n) << "step " << step;
+  for (const IndexFormat format : kFormats) {
+    for (int step = 1; step <= kMaxIndexStep; ++step) {
+      const IndexCodes codes(step, format);
+      // All codes of the larger steps; of the smaller ones every 97th, which meets every digit.
+      const std::uint32_t stride = step >= 4 || format != IndexFormat::rgb ? 1 : 97;
+      for (std::uint32_t n = 0; n < codes.capacity(); n += stride) {
+        const ColorBytes c = codes.color(n);
+        const auto stored = stored_components(map_format(format));
+        for (std::size_t i = 0; i < 4; ++i) ASSERT_TRUE(!stored[i] || c[i] % step == 0) << step << ' ' << n;
+        ASSERT_EQ(codes.number(c), n) << "step " << step;
+        ASSERT_EQ(through_the_texture(c, format), c) << "step " << step;
+      }
     }
   }
 }
 
-TEST(IndexCodes, TooManyPolygonsNameCountsAndRemedies) {
-  EXPECT_TRUE(check_index_codes(16, IndexScope::polygon, 4095, 3).ok());
-  const Status full = check_index_codes(16, IndexScope::polygon, 4096, 3);
-  ASSERT_FALSE(full.ok());
-  const std::string text = full.error().message;
-  for (const char* part :
-       {"4096 of them", "4097 codes", "index step 16 has 4096", "index step 15", "index scope object"}) {
-    EXPECT_NE(text.find(part), std::string::npos) << "'" << part << "' is missing in: " << text;
+void expect_parts(const Status& status, const std::vector<std::string>& parts) {
+  ASSERT_FALSE(status.ok());
+  for (const std::string& part : parts) {
+    EXPECT_NE(status.error().message.find(part), std::string::npos)
+        << "'" << part << "' is missing in: " << status.error().message;
   }
-  EXPECT_EQ(check_index_codes(1, IndexScope::polygon, 1U << 24, 1U << 25).error().message.find("index scope"),
+}
+
+TEST(IndexCodes, TooManyPolygonsNameCountsAndRemedies) {
+  using enum IndexFormat;
+  using enum IndexScope;
+  EXPECT_TRUE(check_index_codes(rgb, 16, polygon, {4095, 0, 3}).ok());
+  expect_parts(check_index_codes(rgb, 16, polygon, {4096, 0, 3}),
+               {"too many polygons", "4096 of them", "4097 codes", "index format rgb with step 16 has 4096",
+                "index step 15 would do (5832 codes)", ", or index scope object (3 objects)"});
+  EXPECT_EQ(check_index_codes(rgb, 1, polygon, {1U << 24, 0, 1U << 25}).error().message.find("index scope"),
             std::string::npos);
-  EXPECT_NE(check_index_codes(1, IndexScope::object, 1U << 24, 1U << 24).error().message.find("no step or scope"),
-            std::string::npos);
-  EXPECT_FALSE(check_index_codes(0, IndexScope::polygon, 1, 1).ok());
-  EXPECT_FALSE(check_index_codes(17, IndexScope::polygon, 1, 1).ok());
+  expect_parts(check_index_codes(rgb, 1, object, {1U << 24, 0, 1U << 24}), {"no other step, format or scope alone"});
+  EXPECT_FALSE(check_index_codes(rgb, 0, polygon, {1, 1, 1}).ok());
+  EXPECT_FALSE(check_index_codes(rgb, 17, polygon, {1, 1, 1}).ok());
+}
+
+TEST(IndexCodes, ASmallFormatNamesTheNextThatWouldDo) {
+  using enum IndexFormat;
+  using enum IndexScope;
+  EXPECT_TRUE(check_index_codes(luminance, 2, polygon, {127, 0, 9}).ok());
+  expect_parts(check_index_codes(luminance, 2, polygon, {128, 20, 9}),
+               {"index format l with step 2 has 128", "index step 1 would do (256 codes)",
+                ", or index format la (16384 codes)", ", or index scope section (20 sections)"});
+  expect_parts(check_index_codes(alpha, 2, polygon, {20'000, 128, 127}),
+               {"index format a", "index format rgb would do (2097152 codes)", "index scope object (127 objects)"});
+  expect_parts(check_index_codes(luminance_alpha, 4, section, {1U << 20, 4096, 4095}),
+               {"too many sections: 4096 of them", "index step 3 would do (7396 codes)", "index scope object (4095"});
+  expect_parts(check_index_codes(alpha, 4, object, {1U << 20, 4096, 64}), {"too many objects", "index step 3"});
 }
 
 }  // namespace

@@ -121,11 +121,11 @@ TEST(IndexCube, MapFacesFollowTheExtensionsTable) {
     const glm::vec3 c = table(face, directions[static_cast<std::size_t>(face)]);
     const int s = static_cast<int>((c.x / c.z + 1.0F) / 2.0F * static_cast<float>(settings.map_size));
     const int t = static_cast<int>((c.y / c.z + 1.0F) / 2.0F * static_cast<float>(settings.map_size));
-    const auto& map = r.index_map[static_cast<std::size_t>(face)].color;
+    const IndexMapFace& map = r.index_map[static_cast<std::size_t>(face)];
     const std::size_t at = static_cast<std::size_t>(t * settings.map_size + s);
-    EXPECT_EQ(r.codes.number(map[0][at], map[1][at], map[2][at]), static_cast<std::uint32_t>(face + 1));
+    EXPECT_EQ(r.codes.number(map.texel(at)), static_cast<std::uint32_t>(face + 1));
     std::size_t set = 0;
-    for (const std::uint8_t red : map[0]) set += red != 0 ? 1 : 0;
+    for (const std::uint8_t red : map.color[0]) set += red != 0 ? 1 : 0;
     EXPECT_GT(set, 20U);
     EXPECT_LT(set, 1000U);
   }
@@ -175,10 +175,7 @@ TEST(IndexCube, TorusShadowsItselfOnlyByPolygon) {
     int count = 0;
     for (std::size_t i = 0; i < r.frame.stencil().size(); ++i) {
       if (layers.object[i] != number || r.frame.stencil()[i] == 0) continue;
-      const auto& texel = layers.texture0;
-      const std::uint32_t fetched =
-          r.codes.number(static_cast<std::uint8_t>(texel[0][i]), static_cast<std::uint8_t>(texel[1][i]),
-                         static_cast<std::uint8_t>(texel[2][i]));
+      const std::uint32_t fetched = layers.fetched(r.codes, i);
       const std::uint32_t object = settings.index.scope == IndexScope::object ? fetched
                                    : fetched == 0                             ? 0
                                                                               : scene->triangle_object[fetched - 1] + 1;

@@ -21,9 +21,7 @@ void expect_what_was_read(const Scene& scene, const RenderSettings& settings) {
   ASSERT_EQ(r.evidence->fetched.size(), layers.polygon.size());
   std::size_t looked_up = 0, wrong = 0;
   for (std::size_t i = 0; i < layers.polygon.size(); ++i) {
-    const auto channel = [&](std::size_t c) { return static_cast<std::uint8_t>(layers.texture0[c][i]); };
-    const std::uint32_t read =
-        layers.polygon[i] == 0 ? 0 : r.codes.number(channel(kRed), channel(kGreen), channel(kBlue));
+    const std::uint32_t read = layers.polygon[i] == 0 ? 0 : layers.fetched(r.codes, i);
     looked_up += read != 0 ? 1U : 0U;
     wrong += read != r.evidence->fetched[i] ? 1U : 0U;
   }
@@ -33,7 +31,7 @@ void expect_what_was_read(const Scene& scene, const RenderSettings& settings) {
   std::set<std::uint32_t> in_map;
   for (const IndexMapFace& face : r.index_map) {
     for (std::size_t i = 0; i < face.color[0].size(); ++i) {
-      in_map.insert(r.codes.number(face.color[0][i], face.color[1][i], face.color[2][i]));
+      in_map.insert(r.codes.number(face.texel(i)));
     }
   }
   ASSERT_EQ(r.evidence->in_map.size(), scene.triangles.size());

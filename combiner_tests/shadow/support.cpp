@@ -70,8 +70,8 @@ ComparisonLayers comparison_layers(const ninebit::Rendering& rendering) {
   ComparisonLayers out;
   for (std::size_t c = 0; c < 4; ++c) {
     const std::string channel(1, "RGBA"[c]);
-    if (c < 3) out.primary[c] = std::get<Codes>(samples("primary", channel));
-    if (c < 3) out.texture0[c] = std::get<Codes>(samples("texture0", channel));
+    out.primary[c] = std::get<Codes>(samples("primary", channel));
+    out.texture0[c] = std::get<Codes>(samples("texture0", channel));
     out.spare0[c] = std::get<Codes>(samples("spare0", channel));
     out.spare1[c] = std::get<Codes>(samples("spare1", channel));
   }
@@ -79,6 +79,25 @@ ComparisonLayers comparison_layers(const ninebit::Rendering& rendering) {
   out.polygon = std::get<Numbers>(samples("polygon", "polygon"));
   out.object = std::get<Numbers>(samples("object", "object"));
   return out;
+}
+
+namespace {
+
+std::uint32_t number_in(const ninebit::IndexCodes& codes, const std::array<std::vector<ninebit::s9>, 4>& planes,
+                        std::size_t pixel) {
+  ninebit::ColorBytes color;
+  for (std::size_t c = 0; c < 4; ++c) color[c] = static_cast<std::uint8_t>(planes[c][pixel]);
+  return codes.number(color);
+}
+
+}  // namespace
+
+std::uint32_t ComparisonLayers::own(const ninebit::IndexCodes& codes, std::size_t pixel) const {
+  return number_in(codes, primary, pixel);
+}
+
+std::uint32_t ComparisonLayers::fetched(const ninebit::IndexCodes& codes, std::size_t pixel) const {
+  return number_in(codes, texture0, pixel);
 }
 
 ninebit::RenderSettings small_settings() {

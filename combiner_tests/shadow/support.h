@@ -28,10 +28,13 @@ ninebit::Scene square_over_floor(float half = 4.0F);
 
 // The layers of the index comparison, copied out of a rendering; throws where one is missing.
 struct ComparisonLayers {
-  std::array<std::vector<ninebit::s9>, 3> primary, texture0;
-  std::array<std::vector<ninebit::s9>, 4> spare0, spare1;
+  std::array<std::vector<ninebit::s9>, 4> primary, texture0, spare0, spare1;
   std::vector<ninebit::s9> output_alpha;
   std::vector<std::uint32_t> polygon, object;
+
+  // The code numbers of a pixel: its polygon's own, and the one that was fetched from the map.
+  [[nodiscard]] std::uint32_t own(const ninebit::IndexCodes& codes, std::size_t pixel) const;
+  [[nodiscard]] std::uint32_t fetched(const ninebit::IndexCodes& codes, std::size_t pixel) const;
 };
 ComparisonLayers comparison_layers(const ninebit::Rendering& rendering);
 

@@ -145,7 +145,8 @@ TEST(VolumeRandom, MethodsAgreeToTheBit) {
       const glm::dvec3 ray = rays.direction(settings, random.real(0, settings.width), random.real(0, settings.height));
       is_outside = is_outside && rays.between(source, eye + ray * (near_plane * random.real(0, 1.01))) == 0;
     }
-    if (!is_outside) continue;
+    // (The pyramid of a spot light is cut by that plane as well.)
+    if (!is_outside || light.kind == LightKind::spot) continue;
     ++drawn;
     const Rendering first = render_volumes(scene, settings);
     shadowed += static_cast<int>(first.shadowed);
@@ -161,7 +162,7 @@ TEST(VolumeRandom, MethodsAgreeToTheBit) {
       }
     }
   }
-  EXPECT_GT(shadowed, 5000);
+  EXPECT_GT(shadowed, 4000);
 }
 
 }  // namespace

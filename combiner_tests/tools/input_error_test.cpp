@@ -117,8 +117,15 @@ TEST_F(InputError, TooManyPolygonsSaysWhatWouldDo) {
       {"too many polygons", "69668", "69669 codes", "step 16 has 4096", "index step 6 would do (79507", "scope object"},
       {"--index-step", "16"});
   expect_refused(kBunny, {"step 7 has 50653", "index step 6 would do"}, {"--index-step", "7"});
-  for (const std::vector<std::string>& remedy : std::vector<std::vector<std::string>>{
-           {"--index-step", "6"}, {"--index-step", "16", "--index-scope", "object"}}) {
+  expect_refused(kBunny,
+                 {"index format la with step 2 has 16384", "index format rgb would do", "index scope section ("},
+                 {"--index-format", "la"});
+  expect_refused(kBunny, {"too many sections", "index format l with step 2 has 128", "index format la would do"},
+                 {"--index-format", "l", "--index-scope", "section"});
+  for (const std::vector<std::string>& remedy :
+       std::vector<std::vector<std::string>>{{"--index-step", "6"},
+                                             {"--index-step", "16", "--index-scope", "object"},
+                                             {"--index-format", "la", "--index-scope", "section"}}) {
     const Outcome outcome = ninebit(small_render(kBunny, folder_ / "done", remedy));
     EXPECT_EQ(outcome.code, 0) << outcome.err;
   }

@@ -23,6 +23,7 @@ struct Case {
   std::vector<std::string> flags;
   int step = 2;
   bool objects = false;  // what has the indices
+  std::string format = "rgb";
 };
 
 void PrintTo(const Case& c, std::ostream* out) {
@@ -33,11 +34,29 @@ constexpr int kWidth = 120, kHeight = 90, kMap = 64;
 constexpr std::size_t kPixels = std::size_t{kWidth} * kHeight;
 constexpr double kFar = 0xFFFFFF;
 
-// The number whose digits, to the base of how many codes a channel has, are the channels in steps; red is the lowest.
-double code_number(double red, double green, double blue, int step) {
+// The number whose digits, to the base of how many codes a channel has, are the channels in steps; the first is the
+// lowest.
+double code_number(const std::vector<double>& channels, int step) {
   const double levels = 255 / step + 1;
-  for (const double c : {red, green, blue}) EXPECT_EQ(std::fmod(c, step), 0.0);
-  return (red + levels * (green + levels * blue)) / step;
+  double number = 0.0, weight = 1.0;
+  for (const double c : channels) {
+    EXPECT_EQ(std::fmod(c, step), 0.0);
+    number += weight * c / step;
+    weight *= levels;
+  }
+  return number;
+}
+
+// What holds an index of a format: the channels of a register, and those of index_cube.exr.
+std::vector<std::string> register_channels(const std::string& format) {
+  if (format == "rgb") return {"R", "G", "B"};
+  if (format == "la") return {"B", "A"};
+  return {format == "l" ? "B" : "A"};
+}
+std::vector<std::string> map_channels(const std::string& format) {
+  if (format == "rgb") return {"R", "G", "B"};
+  if (format == "la") return {"Y", "A"};
+  return {format == "l" ? "Y" : "A"};
 }
 
 class Pictures : public testing::TestWithParam<Case> {
@@ -57,17 +76,35 @@ class Pictures : public testing::TestWithParam<Case> {
     return planes_.at(part).at(channel);
   }
 
+  // The code number in that layer.
+  [[nodiscard]] double number_in(const std::string& part, std::size_t pixel) const {
+    std::vector<double> channels;
+    for (const std::string& channel : register_channels(GetParam().format)) {
+      channels.push_back(plane(part, channel)[pixel]);
+    }
+    return code_number(channels, GetParam().step);
+  }
+
   TempFolder folder_;
   Json answer_;
   std::vector<StoredPart> layers_;
   std::map<std::string, std::map<std::string, std::vector<double>>> planes_;  // of the layers, by part and channel
 };
 
-INSTANTIATE_TEST_SUITE_P(All, Pictures,
-                         testing::Values(Case{"room", kRoom, {}}, Case{"engine", kEngine, {}},
-                                         Case{"room_step_5", kRoom, {"--index-step", "5"}, 5},
-                                         Case{"bunny_objects", kBunny, {"--index-scope", "object"}, 2, true}),
-                         [](const auto& test) { return std::string(test.param.name); });
+INSTANTIATE_TEST_SUITE_P(
+    All, Pictures,
+    testing::Values(Case{"room", kRoom, {}}, Case{"engine", kEngine, {}},
+                    Case{"room_step_5", kRoom, {"--index-step", "5"}, 5},
+                    Case{"bunny_objects", kBunny, {"--index-scope", "object"}, 2, true},
+                    Case{"room_la", kRoom, {"--index-format", "la"}, 2, false, "la"},
+                    Case{"room_l_objects",
+                         kRoom,
+                         {"--index-format", "l", "--index-scope", "object", "--index-step", "3"},
+                         3,
+                         true,
+                         "l"},
+                    Case{"room_a_objects", kRoom, {"--index-format", "a", "--index-scope", "object"}, 2, true, "a"}),
+    [](const auto& test) { return std::string(test.param.name); });
 
 TEST_P(Pictures, FilesHaveTheirShapes) {
   for (const auto& [name, width, height, channels] : {std::tuple{"color.png", kWidth, kHeight, 3},
@@ -101,7 +138,6 @@ TEST_P(Pictures, FilesHaveTheirShapes) {
 
 // What the article's stages make of the two indices, pixel by pixel.
 TEST_P(Pictures, LayersAgreeWithEachOther) {
-  const int step = GetParam().step;
   const auto& stencil = plane("stencil", "stencil");
   const auto& depth = plane("depth", "depth");
   const auto& polygon = plane("polygon", "polygon");
@@ -113,18 +149,20 @@ TEST_P(Pictures, LayersAgreeWithEachOther) {
   std::uint64_t background = 0, lit = 0, shadowed = 0;
   for (std::size_t i = 0; i < kPixels; ++i) {
     SCOPED_TRACE("pixel " + std::to_string(i % kWidth) + ", " + std::to_string(i / kWidth));
-    std::array<double, 3> own{}, fetched{};
-    for (std::size_t c = 0; c < 3; ++c) {
-      const std::string channel(1, "RGB"[c]);
-      own[c] = plane("primary", channel)[i];
-      fetched[c] = plane("texture0", channel)[i];
-      ASSERT_EQ(plane("spare0", channel)[i], std::clamp(4.0 * (own[c] - fetched[c]), -255.0, 255.0));
-      ASSERT_EQ(plane("spare1", channel)[i], plane("spare1", "B")[i]);
+    double squares = 0.0;
+    for (const std::string& channel : register_channels(GetParam().format)) {
+      const double difference = plane("primary", channel)[i] - plane("texture0", channel)[i];
+      const double scaled = std::clamp(4.0 * difference, -255.0, 255.0);
+      // A luminance alone is compared in the alpha portions.
+      ASSERT_EQ(plane("spare0", GetParam().format == "l" ? "A" : channel)[i], scaled);
+      squares += scaled * scaled;
     }
-    ASSERT_EQ(alpha[i], std::max(plane("spare1", "B")[i], 0.0));
+    ASSERT_EQ(plane("spare1", GetParam().format == "rgb" ? "B" : "A")[i],
+              depth[i] == kFar ? 0.0 : std::min(std::floor(4.0 * squares / 255.0), 255.0));
+    ASSERT_EQ(alpha[i], plane("spare1", GetParam().format == "rgb" ? "B" : "A")[i]);
     if (depth[i] == kFar) {
       ++background;
-      for (const double value : {polygon[i], object[i], alpha[i], stencil[i], own[0] + own[1] + own[2]})
+      for (const double value : {polygon[i], object[i], alpha[i], stencil[i], number_in("primary", i)})
         ASSERT_EQ(value, 0);
       continue;
     }
@@ -132,8 +170,8 @@ TEST_P(Pictures, LayersAgreeWithEachOther) {
     ASSERT_LE(polygon[i], triangles);
     ASSERT_GE(object[i], 1);
     ASSERT_EQ(object_of.try_emplace(polygon[i], object[i]).first->second, object[i]);
-    ASSERT_EQ(code_number(own[0], own[1], own[2], step), index[i]);
-    const bool same = code_number(fetched[0], fetched[1], fetched[2], step) == index[i];
+    ASSERT_EQ(number_in("primary", i), index[i]);
+    const bool same = number_in("texture0", i) == index[i];
     ASSERT_EQ(alpha[i] == 0, same);
     ASSERT_EQ(stencil[i], same ? 0 : 1);
     ++(same ? lit : shadowed);
@@ -166,19 +204,23 @@ TEST_P(Pictures, TheCubeHoldsTheIndicesThatWereFetched) {
   EXPECT_TRUE(cube.cube);
   ASSERT_EQ(cube.width, kMap);
   ASSERT_EQ(cube.height, 6 * kMap);
-  EXPECT_EQ(cube.types(), (std::map<std::string, char>{{"index", 'u'}, {"R", 'h'}, {"G", 'h'}, {"B", 'h'}}));
+  std::map<std::string, char> types{{"index", 'u'}};
+  for (const std::string& channel : map_channels(GetParam().format)) types[channel] = 'h';
+  EXPECT_EQ(cube.types(), types);
   const std::vector<double> index = cube.channels.at("index").numbers();
   std::set<double> seen;
   for (std::size_t i = 0; i < index.size(); ++i) {
-    const auto byte = [&](const char* channel) { return std::round(cube.channels.at(channel).reals[i] * 255.0); };
-    ASSERT_EQ(code_number(byte("R"), byte("G"), byte("B"), GetParam().step), index[i]) << i;
+    std::vector<double> bytes;
+    for (const std::string& channel : map_channels(GetParam().format)) {
+      bytes.push_back(std::round(cube.channels.at(channel).reals[i] * 255.0));
+    }
+    ASSERT_EQ(code_number(bytes, GetParam().step), index[i]) << i;
     seen.insert(index[i]);
   }
   EXPECT_LE(*seen.rbegin(), answer_["index"]["used"].get<double>());
   for (std::size_t i = 0; i < kPixels; ++i) {
     if (plane("depth", "depth")[i] == kFar) continue;
-    const double number =
-        code_number(plane("texture0", "R")[i], plane("texture0", "G")[i], plane("texture0", "B")[i], GetParam().step);
+    const double number = number_in("texture0", i);
     ASSERT_TRUE(seen.contains(number)) << "pixel " << i << " fetched " << number;
   }
 }

@@ -58,6 +58,11 @@ TEST_P(RealScenes, AnswersWithTheContractsKeys) {
   EXPECT_EQ(
       answer["index"],
       (Json{{"format", "rgb"}, {"scope", "polygon"}, {"step", 2}, {"used", scene.triangles}, {"capacity", 1 << 21}}));
+  EXPECT_EQ(keys_of(answer["facts"]), (Keys{"vanished_polygons", "vanished_texels", "vanished_pixels"}));
+  EXPECT_GT(answer["facts"]["vanished_polygons"], 0);
+  EXPECT_LT(answer["facts"]["vanished_polygons"], scene.triangles);
+  EXPECT_GT(answer["facts"]["vanished_texels"], 0.0);
+  EXPECT_LE(answer["facts"]["vanished_pixels"], answer["pixels"]["shadowed"]);
   const Json& pixels = answer["pixels"];
   EXPECT_EQ(pixels["background"].get<int>() + pixels["lit"].get<int>() + pixels["shadowed"].get<int>(), 200 * 150);
   EXPECT_GT(pixels["lit"], 0);
@@ -137,6 +142,67 @@ TEST(Render, TellsPeopleOnStderrAndIsQuietWhenAsked) {
   const Outcome quiet = ninebit(small_render(kRoom, folder / "out", {"--quiet"}));
   EXPECT_EQ(quiet.code, 0);
   EXPECT_EQ(quiet.out + quiet.err, "");
+}
+
+TEST(Render, IndexSaysFormatScopeAndCapacity) {
+  const TempFolder folder;
+  const auto index = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> flags{"--json", "--quiet"};
+    flags.insert(flags.end(), more.begin(), more.end());
+    return json_of(ninebit(small_render(kRoom, folder / "out", flags))).at("index");
+  };
+  const auto expected = [](const char* format, const char* scope, int step, int used, int capacity) {
+    return Json{{"format", format}, {"scope", scope}, {"step", step}, {"used", used}, {"capacity", capacity}};
+  };
+  EXPECT_EQ(index({"--index-format", "la"}), expected("la", "polygon", 2, 2096, 1 << 14));
+  const Json l = index({"--index-format", "l", "--index-scope", "object", "--index-step", "4"});
+  EXPECT_EQ(l, expected("l", "object", 4, l["used"], 64));
+  EXPECT_EQ(index({"--index-format", "a", "--index-scope", "object"}), expected("a", "object", 2, l["used"], 128));
+  const Json sections = index({"--index-scope", "section", "--section-size", "64"});
+  EXPECT_EQ(sections, expected("rgb", "section", 2, sections["used"], 1 << 21));
+  EXPECT_GE(sections["used"], 2096 / 64);
+  EXPECT_LT(sections["used"], 2096 / 8);
+}
+
+// Pixel 420,560 of this picture is on the floor, in the sphere's shadow: the example of docs/techniques/index-cube.md.
+TEST(Render, PickTellsPolygonAndObject) {
+  const TempFolder folder;
+  const auto pick = [&](const char* pixel, const std::vector<std::string>& more) {
+    std::vector<std::string> arguments{"render",     kRoom, "-o",     folder / "out", "--size", "800x600",
+                                       "--map-size", "64",  "--pick", pixel,          "--quiet"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return ninebit(arguments);
+  };
+  const auto json = [&](const char* pixel, std::vector<std::string> more) {
+    more.emplace_back("--json");
+    return json_of(pick(pixel, more)).at("pick");
+  };
+  const Json polygon = json("420,560", {});
+  EXPECT_EQ(keys_of(polygon), (Keys{"x", "y", "index", "polygon", "section", "object", "object_name"}));
+  EXPECT_EQ(polygon["x"], 420);
+  EXPECT_EQ(polygon["y"], 560);
+  EXPECT_EQ(polygon["index"], 348);
+  EXPECT_EQ(polygon["polygon"], 348);
+  EXPECT_TRUE(polygon["section"].is_null());
+  const std::string name = polygon["object_name"];
+  EXPECT_EQ(pick("420,560", {}).out, "pixel 420,560: index 348, polygon 348 of object " +
+                                         std::to_string(polygon["object"].get<int>()) + " '" + name + "'\n");
+  const Json object = json("420,560", {"--index-scope", "object", "--index-format", "l"});
+  EXPECT_EQ(object["index"], polygon["object"]);
+  EXPECT_EQ(object["object_name"], name);
+  EXPECT_TRUE(object["polygon"].is_null());
+  const Json section = json("420,560", {"--index-scope", "section"});
+  EXPECT_EQ(section["section"], section["index"]);
+  EXPECT_EQ(section["object"], polygon["object"]);
+  EXPECT_TRUE(section["polygon"].is_null());
+  const Outcome words = pick("420,560", {"--index-scope", "section"});
+  EXPECT_NE(words.out.find("does not tell which polygon"), std::string::npos) << words.out;
+  // The camera turned away.
+  const std::vector<std::string> away{"--camera", "0,1,40", "--look-at", "0,1,80"};
+  const Json nothing = json("5,5", away);
+  EXPECT_EQ(nothing["index"], 0);
+  for (const char* key : {"polygon", "section", "object", "object_name"}) EXPECT_TRUE(nothing[key].is_null()) << key;
+  EXPECT_EQ(pick("5,5", away).out, "pixel 5,5: background\n");
 }
 
 // A floor of the user's, and none: two triangles more or fewer.

@@ -17,6 +17,7 @@ using Json = nlohmann::ordered_json;
 using Files = std::map<std::string, std::string>;  // name: bytes
 
 inline const std::string kRoom = NINEBIT_SOURCE_DIR "/scenes/index_room.gltf";
+inline const std::string kCornell = NINEBIT_SOURCE_DIR "/scenes/cornell_box.gltf";
 inline const std::string kBunny = "/usr/share/glmark2/models/bunny.obj";
 inline const std::string kEngine = "/usr/share/assimp/models/glTF2/2CylinderEngine-glTF-Binary/2CylinderEngine.glb";
 

@@ -51,7 +51,9 @@ TEST(UsageError, ValuesOfRender) {
       {"--map-size", {"0", "3", "500", "32768", "-2", "2.0", "64,64", ""}, map_size},
       {"--index-step", {"0", "17", "1.5", "99999999999"}, "1 to 16"},
       {"--index-format", {"bgr"}, "rgb"},
-      {"--index-scope", {"pixel"}, "polygon,object"},
+      {"--index-scope", {"pixel"}, "polygon,object,section"},
+      {"--section-size", {"3", "513", "64.5"}, "4 to 512"},
+      {"--pick", {"-1,0", "0,-1", "5", "1,2,3", "1.5,2"}, "X,Y, counted from the top left"},
       {"--technique", {"magic"}, "index-cube"},
       {"--profile", {"geforce7"}, "geforce2"},
       {"--threads", {"-1", "1025", "many"}, "0 to 1024"},
@@ -72,12 +74,23 @@ TEST(UsageError, ValuesOfRender) {
   EXPECT_TRUE(files_in(folder.path()).empty());
 }
 
+TEST(UsageError, PickedPixel) {
+  const TempFolder folder;
+  for (const char* pixel : {"60,0", "0,45", "99999,1"}) {
+    expect_error(ninebit({"render", kRoom, "-o", folder / "out", "--size", "60x45", "--pick", pixel}), 2,
+                 {"--pick", pixel, "X from 0 to 59 and Y from 0 to 44", "(see: ninebit render --help)"});
+  }
+  EXPECT_TRUE(files_in(folder.path()).empty());
+}
+
 // The other side of the same limits, and points that begin with a minus sign.
 TEST(UsageError, LimitsThemselvesAreFine) {
   const TempFolder folder;
   const std::vector<std::vector<std::string>> fine{
       {"--size", "1x1", "--map-size", "1", "--index-step", "1", "--threads", "1024", "--floor", "none"},
       {"--size", "16384x1", "--index-step", "16", "--floor", "-1.5", "--fov", "170"},
+      {"--size", "8x6", "--pick", "7,5", "--index-scope", "section", "--section-size", "4"},
+      {"--size", "8x6", "--pick", "0,0", "--index-scope", "section", "--section-size", "512"},
       {"--camera", "-1,-2,-3.5", "--look-at", "-1,0.5,-2", "--light", "-1,1e-1,-2", "--threads", "0"},
   };
   for (const std::vector<std::string>& flags : fine) {

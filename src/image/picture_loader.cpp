@@ -26,8 +26,9 @@ Result<fs::path> find_module() {
   const fs::path installed = folder.parent_path() / "lib/ninebit" / kPictureModuleFile;
   if (fs::exists(beside, error)) return beside;
   if (fs::exists(installed, error)) return installed;
-  return Diagnostic{fmt::format("pictures other than DDS are read by a module that is missing: neither {} nor {} exists",
-                                beside.string(), installed.string())};
+  return Diagnostic{
+      fmt::format("pictures other than DDS are read by a module that is missing: neither {} nor {} exists",
+                  beside.string(), installed.string())};
 }
 
 struct PictureModule {
@@ -46,8 +47,8 @@ Result<PictureModule> load_module() {
   const auto build = reinterpret_cast<const char* (*)()>(::dlsym(module, kPictureBuildSymbol));
   const auto read = reinterpret_cast<PictureModuleRead>(::dlsym(module, kPictureReadSymbol));
   if (build == nullptr || read == nullptr || std::string_view(build()) != kPictureModuleBuild) {
-    return Diagnostic{fmt::format("the module {} is not of this build of the program ({})", path->string(),
-                                  kPictureModuleBuild)};
+    return Diagnostic{
+        fmt::format("the module {} is not of this build of the program ({})", path->string(), kPictureModuleBuild)};
   }
   return PictureModule{read};
 }

@@ -13,8 +13,8 @@ inline constexpr const char* kPictureModuleFile = "ninebit_pictures.so";
 inline constexpr const char* kPictureModuleBuild = NINEBIT_VERSION ", " __VERSION__;
 
 // The module's two symbols.
-inline constexpr const char* kPictureBuildSymbol = "ninebit_pictures_build";    // const char* (): kPictureModuleBuild
-inline constexpr const char* kPictureReadSymbol = "ninebit_pictures_read";      // PictureModuleRead
+inline constexpr const char* kPictureBuildSymbol = "ninebit_pictures_build";  // const char* (): kPictureModuleBuild
+inline constexpr const char* kPictureReadSymbol = "ninebit_pictures_read";    // PictureModuleRead
 using PictureModuleRead = void (*)(const std::filesystem::path& file, Result<FileTexture>& out);
 
 }  // namespace ninebit::image_detail

@@ -30,8 +30,8 @@ struct FileTexture {
 [[nodiscard]] Result<FileTexture> parse_dds(const HardwareProfile& profile, const std::filesystem::path& file,
                                             std::span<const std::uint8_t> bytes);
 
-// Who reads files that are no DDS files. OpenImageIO does it, but it brings 250 shared libraries along: the library links
-// it, the program loads it when it is asked for a picture (picture_loader.h).
+// Who reads files that are no DDS files. OpenImageIO does it, but it brings 250 shared libraries along: the library
+// links it, the program loads it when it is asked for a picture (picture_loader.h).
 using PictureReader = Result<FileTexture> (*)(const std::filesystem::path& file);
 
 // Any picture, by OpenImageIO.

@@ -34,6 +34,9 @@ Status check_lengths(const VertexArrays& arrays, std::size_t primitives) {
   for (const auto& coordinates : arrays.texture_coordinates) {
     if (s) s = check_length("texture coordinates of one unit", coordinates.size(), vertices);
   }
+  for (const auto& q : arrays.texture_q) {
+    if (s) s = check_length("texture coordinates q of one unit", q.size(), vertices);
+  }
   for (const auto& attribute : arrays.attributes) {
     if (s) s = check_length("values of one attribute", attribute.size(), vertices);
   }

@@ -37,6 +37,11 @@ struct DrawContext {
     return arrays.primitive_colors.empty() ? flat_primary_of_vertex(primitive) : arrays.primitive_colors[primitive];
   }
 
+  // Whether a unit's coordinates, of a texture that is on, have to be divided by q.
+  [[nodiscard]] bool reads_q(std::size_t unit) const {
+    return !arrays.texture_q[unit].empty() && samplers[unit]->divides_by_q();
+  }
+
   const PipelineState& state;
   const VertexArrays& arrays;
   const PrimitiveAssembly assembly;

@@ -63,6 +63,25 @@ void FragmentBatch::fill_fog() {
   }
 }
 
+// (s, t, r) / q, and what s/q changes by: (s' - (s/q) q') / q.
+void FragmentBatch::divide_coordinates(std::size_t unit, std::size_t components, std::size_t kinds) {
+  const std::span<const float> at_vertex = context_.arrays.texture_q[unit];
+  const std::array<const WeightPlanes*, 3> weights{&weights_.perspective(), &weights_.dx(), &weights_.dy()};
+  for (std::size_t i = 0; i < count_; ++i) {
+    const std::array<std::uint32_t, 3>& v = place_[i].primitive->vertex;
+    const float a = at_vertex[v[0]], b = at_vertex[v[1]], c = at_vertex[v[2]];
+    const float q = interpolate(*weights[0], i, a, b, c);
+    for (std::size_t k = 0; k < components; ++k) coordinates_[0][k][i] /= q;
+    for (std::size_t kind = 1; kind < kinds; ++kind) {
+      const float change = interpolate(*weights[kind], i, a, b, c);
+      for (std::size_t k = 0; k < components; ++k) {
+        float& value = coordinates_[kind][k][i];
+        value = (value - coordinates_[0][k][i] * change) / q;
+      }
+    }
+  }
+}
+
 void FragmentBatch::fill_texture(std::size_t unit) {
   const TextureSampler& sampler = *context_.samplers[unit];
   const std::span<const glm::vec3> at_vertex = context_.arrays.texture_coordinates[unit];
@@ -78,9 +97,10 @@ void FragmentBatch::fill_texture(std::size_t unit) {
         coordinates_[kind][k][i] = interpolate(*weights[kind], i, a[n], b[n], c[n]);
       }
     }
-    if (kinds > 1 && place_[i].primitive->kind == SetupKind::point) {
-      coordinates_[1][0][i] = context_.point_change[unit];
-    }
+  }
+  if (context_.reads_q(unit)) divide_coordinates(unit, components, kinds);
+  for (std::size_t i = 0; i < count_ && kinds > 1; ++i) {
+    if (place_[i].primitive->kind == SetupKind::point) coordinates_[1][0][i] = context_.point_change[unit];
   }
   TextureCoordinates coordinates;
   for (std::size_t k = 0; k < components; ++k) {

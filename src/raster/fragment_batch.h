@@ -46,6 +46,7 @@ class FragmentBatch {
   void fill_secondary();
   void fill_fog();
   void fill_texture(std::size_t unit);
+  void divide_coordinates(std::size_t unit, std::size_t components, std::size_t kinds);
   void fill_registers();
   void interpolate_attributes();
   void run_program();

@@ -90,6 +90,24 @@ HWY_INLINE void fill_coordinates(const LaneFragments& f, LaneBatch& batch, std::
   }
 }
 
+// (s, t, r) / q.
+HWY_INLINE void divide_coordinates(const LaneFragments& f, LaneBatch& batch, std::span<const float> q_at_vertex,
+                                   int components) {
+  for (std::size_t r = 0; r < f.runs; ++r) {
+    const std::array<std::uint32_t, 3>& v = f.run[r].primitive->vertex;
+    const float a = q_at_vertex[v[0]], b = q_at_vertex[v[1]], c = q_at_vertex[v[2]];
+    for (std::size_t i = f.run[r].first; i < f.run[r + 1].first; i += kLanes) {
+      // The fragments beyond the run's end are another one's, which has its own q.
+      const auto mask = hn::FirstN(kDF, f.run[r + 1].first - i);
+      const VF q = interpolate(f, i, a, b, c);
+      for (int k = 0; k < components; ++k) {
+        float* const at = batch.coordinate[static_cast<std::size_t>(k)].data() + i;
+        hn::BlendedStore(hn::Div(hn::LoadU(kDF, at), q), mask, kDF, at);
+      }
+    }
+  }
+}
+
 // Byte k of each colour as register codes.
 HWY_INLINE void colors_to_codes(LaneBatch& batch, std::size_t count, int byte_shift, Register reg) {
   for (std::size_t i = 0; i < count; i += kLanes) {
@@ -201,7 +219,9 @@ HWY_NOINLINE void finish(LaneTile& tile, LanePass& pass, LaneFragments& f) {
       }
       for (std::size_t unit = 0; unit < context.samplers.size(); ++unit) {
         if (!context.reads_unit[unit]) continue;
-        fill_coordinates(f, batch, context.arrays.texture_coordinates[unit], context.samplers[unit]->needs_r() ? 3 : 2);
+        const int components = context.samplers[unit]->needs_r() ? 3 : 2;
+        fill_coordinates(f, batch, context.arrays.texture_coordinates[unit], components);
+        if (context.reads_q(unit)) divide_coordinates(f, batch, context.arrays.texture_q[unit], components);
         sample(batch, f.count, context, unit);
       }
       context.program->run(batch.registers, f.count, batch.out);

@@ -19,6 +19,7 @@
 #include "src/raster/setup_context.h"
 #include "src/raster/target_check.h"
 #include "src/raster/tile_work.h"
+#include "src/raster/triangle_edges.h"
 
 namespace ninebit {
 
@@ -195,6 +196,24 @@ void draw(const PreparedDraw::Geometry& g, std::span<const DrawPass> passes,
 }
 
 }  // namespace
+
+void mark_covering_polygons(const PreparedDraw& prepared, std::vector<bool>& covering) {
+  if (!prepared.geometry_ || !prepared.geometry_->is_valid) return;
+  const auto has_pixel = [](const SetupPrimitive& p) {
+    if (p.kind != SetupKind::triangle) return p.kind == SetupKind::pixel;
+    const TriangleEdges edges(p);
+    for (int y = p.box.bottom; y <= p.box.top; ++y) {
+      int first = p.box.left, last = p.box.right;
+      if (edges.span(y, first, last)) return true;
+    }
+    return false;
+  };
+  for (const BinnedBlock& block : prepared.geometry_->blocks) {
+    for (const SetupPrimitive& p : block.setup.primitives) {
+      if (!covering[p.primitive] && has_pixel(p)) covering[p.primitive] = true;
+    }
+  }
+}
 
 Status rasterize(std::span<const DrawPass> passes, const PreparedDraw& prepared, const DrawActions& actions,
                  RenderTarget& target) {

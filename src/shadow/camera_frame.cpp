@@ -138,7 +138,7 @@ Status CameraFrame::draw_shaded(std::string_view name, const PipelineState& stat
   return PassTimer({}).run(name, 0.0, milliseconds, [&] {
     RenderTarget target = rendering_.frame.target();
     VertexArrays arrays;
-    arrays.vertex_colors = colors;
+    set_colors(arrays, colors);
     return draw(name, state, arrays, {}, target);
   });
 }

@@ -66,9 +66,14 @@ class CameraFrame {
   [[nodiscard]] const glm::mat4& projection() const { return projection_; }
   // Another projection of the camera's for all passes that are still to be drawn.
   void set_projection(const glm::mat4& projection) { projection_ = projection; }
-  // Colours of the vertices, to be changed before draw_lit_and_shadow by a technique that lights otherwise.
+  // Colours of the vertices (with settings.cartoon of the triangles), to be changed before draw_lit_and_shadow by a
+  // technique that lights otherwise.
   [[nodiscard]] VertexShading& shading() { return shading_; }
   [[nodiscard]] const VertexShading& shading() const { return shading_; }
+  // Gives a draw of all the scene's triangles colours of shading().
+  void set_colors(VertexArrays& arrays, const std::vector<ColorBytes>& colors) const {
+    (settings_.cartoon ? arrays.primitive_colors : arrays.vertex_colors) = colors;
+  }
   [[nodiscard]] Rendering& rendering() { return rendering_; }
   [[nodiscard]] const Rendering& rendering() const { return rendering_; }
 

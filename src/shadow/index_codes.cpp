@@ -2,30 +2,106 @@
 
 #include <fmt/format.h>
 
-namespace ninebit {
+#include <array>
+#include <string>
+#include <string_view>
+#include <vector>
 
-Status check_index_codes(int step, IndexScope scope, std::uint64_t used, std::uint64_t objects) {
+namespace ninebit {
+namespace {
+
+constexpr std::array kFormats{IndexFormat::rgb, IndexFormat::luminance_alpha, IndexFormat::luminance,
+                              IndexFormat::alpha};
+constexpr std::array kScopes{IndexScope::polygon, IndexScope::section, IndexScope::object};
+
+// As the command line calls them.
+std::string_view name_of(IndexFormat format) {
+  switch (format) {
+    case IndexFormat::rgb:
+      return "rgb";
+    case IndexFormat::luminance_alpha:
+      return "la";
+    case IndexFormat::luminance:
+      return "l";
+    case IndexFormat::alpha:
+      break;
+  }
+  return "a";
+}
+
+std::string_view name_of(IndexScope scope) {
+  return scope == IndexScope::polygon ? "polygon" : scope == IndexScope::section ? "section" : "object";
+}
+
+bool fits(IndexFormat format, int step, std::uint64_t count) {
+  return count < IndexCodes(step, format).capacity();
+}
+
+struct Remedy {
+  std::string change;
+  std::string why;
+};
+
+// What would do instead.
+std::vector<Remedy> remedies(IndexFormat format, int step, IndexScope scope, const IndexCounts& counts) {
+  std::vector<Remedy> found;
+  for (int smaller = step - 1; smaller >= 1; --smaller) {
+    if (!fits(format, smaller, counts.of(scope))) continue;
+    found.push_back(
+        {fmt::format("index step {}", smaller), fmt::format("{} codes", IndexCodes(smaller, format).capacity())});
+    break;
+  }
+  // The smallest format that will do.
+  for (auto other = kFormats.rbegin(); other != kFormats.rend(); ++other) {
+    if (!fits(*other, step, counts.of(scope))) continue;
+    found.push_back({fmt::format("index format {}", name_of(*other)),
+                     fmt::format("{} codes", IndexCodes(step, *other).capacity())});
+    break;
+  }
+  // Scopes that are coarser.
+  bool coarser = false;
+  for (const IndexScope other : kScopes) {
+    if (coarser && counts.of(other) > 0 && fits(format, step, counts.of(other))) {
+      found.push_back(
+          {fmt::format("index scope {}", name_of(other)), fmt::format("{} {}s", counts.of(other), name_of(other))});
+    }
+    coarser = coarser || other == scope;
+  }
+  return found;
+}
+
+}  // namespace
+
+InternalFormat map_format(IndexFormat format) {
+  switch (format) {
+    case IndexFormat::rgb:
+      return InternalFormat::rgb8;
+    case IndexFormat::luminance_alpha:
+      return InternalFormat::luminance8_alpha8;
+    case IndexFormat::luminance:
+      return InternalFormat::luminance8;
+    case IndexFormat::alpha:
+      break;
+  }
+  return InternalFormat::alpha8;
+}
+
+Status check_index_codes(IndexFormat format, int step, IndexScope scope, const IndexCounts& counts) {
   if (step < 1 || step > kMaxIndexStep) {
     return Diagnostic{.message = fmt::format("index step {} is out of range; expected 1 to {}", step, kMaxIndexStep)};
   }
-  const auto fits = [](int s, std::uint64_t count) { return count + 1 <= IndexCodes(s).capacity(); };
-  if (fits(step, used)) return {};
-
-  std::string remedy;
-  for (int smaller = step - 1; smaller >= 1; --smaller) {
-    if (!fits(smaller, used)) continue;
-    remedy = fmt::format("index step {} would do ({} codes)", smaller, IndexCodes(smaller).capacity());
-    break;
+  const std::uint64_t used = counts.of(scope);
+  if (fits(format, step, used)) return {};
+  std::string would_do;
+  for (const Remedy& remedy : remedies(format, step, scope, counts)) {
+    would_do += would_do.empty() ? fmt::format("{} would do ({})", remedy.change, remedy.why)
+                                 : fmt::format(", or {} ({})", remedy.change, remedy.why);
   }
-  if (scope == IndexScope::polygon && fits(step, objects)) {
-    if (!remedy.empty()) remedy += ", or ";
-    remedy += fmt::format("index scope object ({} objects)", objects);
-  }
-  if (remedy.empty()) remedy = "no step or scope would do";
-  return Diagnostic{
-      .message = fmt::format("too many {}: {} of them and the cleared map need {} codes, index step {} has {}; {}",
-                             scope == IndexScope::polygon ? "polygons" : "objects", used, used + 1, step,
-                             IndexCodes(step).capacity(), remedy)};
+  return Diagnostic{.message = fmt::format(
+                        "too many {0}s: {1} of them and the cleared map need {2} codes, index format {3} with step "
+                        "{4} has {5}; {6}",
+                        name_of(scope), used, used + 1, name_of(format), step, IndexCodes(step, format).capacity(),
+                        would_do.empty() ? "no other step, format or scope alone would do" : would_do)};
 }
 
 }  // namespace ninebit

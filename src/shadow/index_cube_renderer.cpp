@@ -4,7 +4,7 @@
 #include <oneapi/tbb/blocked_range.h>
 #include <oneapi/tbb/parallel_for.h>
 
-#include <bit>
+#include <algorithm>
 #include <chrono>
 #include <string>
 #include <utility>
@@ -20,8 +20,17 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using Milliseconds = std::chrono::duration<double, std::milli>;
 
-std::uint64_t codes_used(const Scene& scene, const RenderSettings& settings) {
-  return settings.index.scope == IndexScope::polygon ? scene.triangles.size() : scene.objects.size();
+// What of red, green, blue and alpha a map of that format stores.
+std::array<bool, 4> stored_in(IndexFormat format) {
+  return stored_components(map_format(format));
+}
+
+Status check_pick(const RenderSettings& settings) {
+  if (!settings.pick) return {};
+  const glm::ivec2 p = *settings.pick;
+  if (p.x >= 0 && p.y >= 0 && p.x < settings.width && p.y < settings.height) return {};
+  return Diagnostic{.message = fmt::format("pixel {}, {} is outside of the frame of {} x {}", p.x, p.y, settings.width,
+                                           settings.height)};
 }
 
 }  // namespace
@@ -30,33 +39,22 @@ Result<IndexCubeRenderer> IndexCubeRenderer::make(const Scene& scene, const Rend
   auto frame = CameraFrame::make(scene, settings, {.point = true});
   if (!frame) return frame.error();
   if (Status checked = check_map_size(settings.map_size); !checked) return checked.error();
-  const Status enough =
-      check_index_codes(settings.index.step, settings.index.scope, codes_used(scene, settings), scene.objects.size());
-  if (!enough) return enough.error();
+  if (Status checked = check_pick(settings); !checked) return checked.error();
+  auto indices = assign_indices(scene, settings.index);
+  if (!indices) return indices.error();
   auto passes = index_cube_passes(settings);
   if (!passes) return passes.error();
-  return IndexCubeRenderer(std::move(*frame), std::move(*passes));
+  return IndexCubeRenderer(std::move(*frame), std::move(*passes), std::move(*indices));
 }
 
-IndexCubeRenderer::IndexCubeRenderer(CameraFrame frame, IndexCubePasses passes)
-    : frame_(std::move(frame)), passes_(std::move(passes)) {
-  rendering().codes = IndexCodes(frame_.settings().index.step);
-  rendering().codes_used = codes_used(frame_.scene(), frame_.settings());
-  assign_indices();
+IndexCubeRenderer::IndexCubeRenderer(CameraFrame frame, IndexCubePasses passes, IndexAssignment indices)
+    : frame_(std::move(frame)), passes_(std::move(passes)), indices_(std::move(indices)) {
+  rendering().codes = indices_.codes;
+  rendering().codes_used = indices_.used;
   const DepthRange range = depth_range(frame_.scene(), frame_.light().position, kCubeCornerCosine);
+  near_plane_ = range.near_plane;
   for (std::size_t i = 0; i < 6; ++i) face_projections_[i] = cube_face_projection(kCubeFaces[i], range);
   make_map();
-}
-
-// Indices are counted afresh for each scene, from 1: 0 is the cleared map.
-void IndexCubeRenderer::assign_indices() {
-  const Scene& scene = frame_.scene();
-  const bool by_polygon = frame_.settings().index.scope == IndexScope::polygon;
-  index_colors_.resize(scene.triangles.size());
-  for (std::size_t t = 0; t < index_colors_.size(); ++t) {
-    const std::uint32_t number = by_polygon ? static_cast<std::uint32_t>(t) : scene.triangle_object[t];
-    index_colors_[t] = rendering().codes.color(number + 1);
-  }
 }
 
 void IndexCubeRenderer::make_map() {
@@ -67,13 +65,14 @@ void IndexCubeRenderer::make_map() {
   for (IndexMapFace& face : rendering().index_map) {
     face.size = frame_.settings().map_size;
     std::array<Plane<const std::uint8_t>, 4> planes;
-    for (std::size_t c = 0; c < 3; ++c) {
+    for (std::size_t c = 0; c < 4; ++c) {
+      if (!stored_in(rendering().codes.format())[c]) continue;
       face.color[c].resize(size * size);
       planes[c] = {face.color[c].data(), frame_.settings().map_size};
     }
     faces.push_back({frame_.settings().map_size, frame_.settings().map_size, planes});
   }
-  map_ = texture_view(InternalFormat::rgb8, faces);
+  map_ = texture_view(map_format(rendering().codes.format()), faces);
 }
 
 // The cleared map is index 0. Vertices are taken relative to the light, as they are for the fetch of the comparison.
@@ -84,13 +83,14 @@ Status IndexCubeRenderer::draw_maps() {
     for (std::size_t i = range.begin(); i != range.end(); ++i) from_light_[i] = frame_.scene().positions[i] - light;
   });
   VertexArrays arrays = all_triangles(from_light_);
-  arrays.primitive_colors = index_colors_;
+  arrays.primitive_colors = indices_.color;
   const DrawPass pass{.state = &passes_.map, .arrays = arrays};
   std::array<Status, 6> drawn;
   tbb::parallel_for(std::size_t{0}, std::size_t{6}, [&](std::size_t i) {
     RenderTarget target{.width = frame_.settings().map_size, .height = frame_.settings().map_size};
-    for (std::size_t c = 0; c < 3; ++c) {
-      target.color[c] = {rendering().index_map[i].color[c].data(), frame_.settings().map_size};
+    for (std::size_t c = 0; c < 4; ++c) {
+      std::vector<std::uint8_t>& plane = rendering().index_map[i].color[c];
+      if (!plane.empty()) target.color[c] = {plane.data(), frame_.settings().map_size};
     }
     target.depth = {map_depth_[i].data(), frame_.settings().map_size};
     drawn[i] = prepare(passes_.map, face_projections_[i], arrays, target, prepared_[i]);
@@ -138,9 +138,9 @@ Status IndexCubeRenderer::draw_camera_together() {
   }
   passes[1].units = units;
   passes[1].arrays.texture_coordinates[0] = from_light_;
-  passes[1].arrays.primitive_colors = index_colors_;
-  passes[2].arrays.vertex_colors = frame_.shading().lit;
-  passes[3].arrays.vertex_colors = frame_.shading().shadowed;
+  passes[1].arrays.primitive_colors = indices_.color;
+  frame_.set_colors(passes[2].arrays, frame_.shading().lit);
+  frame_.set_colors(passes[3].arrays, frame_.shading().shadowed);
   if (Status made = prepare(passes_.depth, frame_.projection(), geometry, target, prepared_[0]); !made) return made;
   const ClearValues background{.color = CameraFrame::kBackground};
   if (Status drawn = rasterize(passes, prepared_[0], {.clear = background}, target); !drawn) return drawn;
@@ -161,7 +161,7 @@ Status IndexCubeRenderer::draw_comparison() {
   const std::array<TextureUnit, 1> units{TextureUnit{&map_, kNearestSampler}};
   VertexArrays arrays;
   arrays.texture_coordinates[0] = from_light_;
-  arrays.primitive_colors = index_colors_;
+  arrays.primitive_colors = indices_.color;
   if (!frame_.settings().light_facing) return frame_.draw("comparison", passes_.comparison, arrays, units, target);
 
   TriangleSet compared, averted;
@@ -186,9 +186,7 @@ Status IndexCubeRenderer::add_evidence() {
                      .size = frame_.settings().map_size};
   Status added = add_map_evidence(frame_, map);
   if (!added || !rendering().evidence) return added;
-  for (const ColorBytes& c : index_colors_) {
-    rendering().evidence->index_of_triangle.push_back(rendering().codes.number(c[kRed], c[kGreen], c[kBlue]));
-  }
+  rendering().evidence->index_of_triangle = indices_.number;
   return {};
 }
 
@@ -202,9 +200,64 @@ void IndexCubeRenderer::split_by_facing(TriangleSet& compared, TriangleSet& aver
   for (std::size_t t = 0; t < frame_.scene().triangles.size(); ++t) {
     TriangleSet& set = faces_light(frame_.scene().triangles[t]) ? compared : averted;
     set.triangles.push_back(frame_.scene().triangles[t]);
-    set.index_colors.push_back(index_colors_[t]);
+    set.index_colors.push_back(indices_.color[t]);
     set.numbers.push_back(static_cast<std::uint32_t>(t));
   }
+}
+
+void IndexCubeRenderer::find_vanished() {
+  vanished_ = find_vanished_polygons(frame_.scene(), from_light_, prepared_, frame_.settings().map_size, near_plane_,
+                                     frame_.settings().cull_face);
+}
+
+// Those of the vanished polygons that are seen meet their own depth again.
+Result<std::uint64_t> IndexCubeRenderer::count_vanished_pixels() {
+  if (vanished_.triangles.empty()) return std::uint64_t{0};
+  std::vector<glm::uvec3> triangles;
+  triangles.reserve(vanished_.triangles.size());
+  for (const std::uint32_t t : vanished_.triangles) triangles.push_back(frame_.scene().triangles[t]);
+  const std::vector<ColorBytes> white(triangles.size(), ColorBytes{255, 255, 255, 255});
+  std::vector<std::uint8_t> seen(rendering().frame.depth().size());
+  PipelineState state = passes_.selection;
+  state.scissor = {};
+  RenderTarget target = rendering().frame.target();
+  target.color = {Plane<std::uint8_t>{seen.data(), frame_.settings().width}};
+  target.outputs.clear();
+  const VertexArrays arrays{
+      .positions = frame_.scene().positions, .indices = index_list(triangles), .primitive_colors = white};
+  if (Status drawn = rasterize(state, frame_.projection(), arrays, {}, target); !drawn) return drawn.error();
+  return static_cast<std::uint64_t>(std::count(seen.begin(), seen.end(), std::uint8_t{255}));
+}
+
+// Every polygon in the colour of its index, as a selection buffer is drawn, but for one pixel alone.
+Status IndexCubeRenderer::pick(const glm::ivec2& pixel) {
+  std::array<std::vector<std::uint8_t>, 4> planes;
+  RenderTarget target = rendering().frame.target();
+  target.outputs.clear();
+  for (std::size_t c = 0; c < 4; ++c) {
+    planes[c].resize(rendering().frame.depth().size());
+    target.color[c] = {planes[c].data(), frame_.settings().width};
+  }
+  VertexArrays arrays = all_triangles(frame_.scene().positions);
+  arrays.primitive_colors = indices_.color;
+  const Status drawn = rasterize(passes_.selection, frame_.projection(), arrays, {}, target);
+  if (!drawn) return drawn;
+  const auto at = static_cast<std::size_t>(pixel.y) * static_cast<std::size_t>(frame_.settings().width) +
+                  static_cast<std::size_t>(pixel.x);
+  const ColorBytes color{planes[0][at], planes[1][at], planes[2][at], planes[3][at]};
+  rendering().picked = owner_of(indices_.codes.number(color), frame_.scene(), frame_.settings().index.scope, indices_);
+  return {};
+}
+
+Status IndexCubeRenderer::finish() {
+  frame_.finish();
+  const auto pixels = count_vanished_pixels();
+  if (!pixels) return pixels.error();
+  rendering().facts = {{"vanished_polygons", std::uint64_t{vanished_.triangles.size()}},
+                       {"vanished_texels", vanished_.texels},
+                       {"vanished_pixels", *pixels}};
+  if (!frame_.settings().pick) return {};
+  return pick(*frame_.settings().pick);
 }
 
 }  // namespace ninebit

@@ -9,6 +9,8 @@
 #include "ninebit/raster/prepared_draw.h"
 #include "ninebit/shadow/index_cube.h"
 #include "src/shadow/camera_frame.h"
+#include "src/shadow/index_assignment.h"
+#include "src/shadow/vanished_polygons.h"
 
 namespace ninebit {
 
@@ -29,11 +31,12 @@ class IndexCubeRenderer {
   // The first two of these passes alone, each by itself, for a technique that goes on otherwise.
   Status draw_shadows();
 
+  // Between draw_maps and draw_camera: finds the polygons that vanish from the map.
+  void find_vanished();
   // With settings.evidence, after a frame: what each pixel's shadow was decided by.
   Status add_evidence();
-
-  // Counts pixels and completes the layers.
-  void finish() { frame_.finish(); }
+  // After draw_camera: counts pixels, completes layers and facts, and reads the picked pixel.
+  Status finish();
 
   // What has been drawn so far; its times are the caller's.
   [[nodiscard]] const Rendering& rendering() const { return frame_.rendering(); }
@@ -43,18 +46,19 @@ class IndexCubeRenderer {
   [[nodiscard]] CameraFrame& frame() { return frame_; }
   [[nodiscard]] const glm::mat4& camera_projection() const { return frame_.projection(); }
   [[nodiscard]] const std::array<glm::mat4, 6>& face_projections() const { return face_projections_; }
-  [[nodiscard]] const std::vector<ColorBytes>& index_colors() const { return index_colors_; }  // one a triangle
+  [[nodiscard]] const std::vector<ColorBytes>& index_colors() const { return indices_.color; }  // one a triangle
   [[nodiscard]] const VertexShading& shading() const { return frame_.shading(); }
 
  private:
-  IndexCubeRenderer(CameraFrame frame, IndexCubePasses passes);
+  IndexCubeRenderer(CameraFrame frame, IndexCubePasses passes, IndexAssignment indices);
 
   Status draw_camera_together();
   Status draw_comparison();
   [[nodiscard]] VertexArrays all_triangles(std::span<const glm::vec3> positions) const;
 
-  void assign_indices();
   void make_map();
+  Result<std::uint64_t> count_vanished_pixels();
+  Status pick(const glm::ivec2& pixel);
   [[nodiscard]] bool faces_light(const glm::uvec3& triangle) const;
 
   // A share of the scene's triangles with their index colours.
@@ -67,12 +71,14 @@ class IndexCubeRenderer {
 
   CameraFrame frame_;
   IndexCubePasses passes_;
-  std::vector<ColorBytes> index_colors_;
+  IndexAssignment indices_;
   std::array<glm::mat4, 6> face_projections_{};
+  float near_plane_ = 0.0F;            // of the faces
   std::vector<glm::vec3> from_light_;  // positions relative to the light, of the frame being drawn
   std::array<std::vector<std::uint32_t>, 6> map_depth_;
   Texture map_;                           // views the faces in the rendering
   std::array<PreparedDraw, 6> prepared_;  // one a face; the camera uses the first one's memory again
+  VanishedPolygons vanished_;
 };
 
 }  // namespace ninebit

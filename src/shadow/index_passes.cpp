@@ -6,18 +6,27 @@
 namespace ninebit {
 
 Result<IndexCubePasses> index_cube_passes(const RenderSettings& settings) {
-  const auto state = index_comparison_state(settings.profile);
+  const auto state = index_comparison_state(settings.profile, settings.index.format);
   if (!state) return state.error();
   const auto program = compile(*state, settings.profile);
   if (!program) return program.error();
   FramePasses frame = frame_passes(settings);
-  IndexCubePasses passes{frame.depth, frame.depth, marking_pass(settings), marking_pass(settings),
-                         frame.lit,   frame.shadow};
+  IndexCubePasses passes{.map = frame.depth,
+                         .depth = frame.depth,
+                         .comparison = marking_pass(settings),
+                         .averted = marking_pass(settings),
+                         .lit = frame.lit,
+                         .shadow = frame.shadow,
+                         .selection = frame.lit};
   passes.map.shade_model = ShadeModel::flat;
   passes.map.color_mask = {true, true, true, true};
 
   passes.comparison.program = *program;
   passes.comparison.alpha_test = {.enabled = true, .function = CompareFunction::greater, .reference = 0};
+
+  passes.selection.shade_model = ShadeModel::flat;
+  passes.selection.stencil_test = {};
+  if (settings.pick) passes.selection.scissor = PixelRect{settings.pick->x, settings.pick->y, 1, 1};
   return passes;
 }
 

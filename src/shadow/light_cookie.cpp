@@ -24,8 +24,8 @@ Status check_cookie(const Texture* cookie) {
   return Diagnostic{.message = "the cookie is incomplete; expected six faces of one size"};
 }
 
-// Positions in the light's own space, where the cube map is fetched along them. Their lengths do not matter, so they are
-// not normalized: a cube map's face and its coordinates are quotients of the components.
+// Positions in the light's own space, where the cube map is fetched along them. Their lengths do not matter, so they
+// are not normalized: a cube map's face and its coordinates are quotients of the components.
 std::vector<glm::vec3> light_space(const Scene& scene, const Light& light, const glm::mat3& rotation) {
   std::vector<glm::vec3> out;
   out.reserve(scene.positions.size());
@@ -55,8 +55,8 @@ class LightCookieFrame {
     const Light& light = scene.lights[0];
     colors_ = light_vertices(scene, light, settings);
     from_light_ = light_space(scene, light, light_rotation(settings.light_cookie.rotate_degrees));
-    // Where no light comes, none is left to be seen by: in shadow as in the cookie's dark parts.
-    frame().shading().shadowed = colors_.ambient;
+    // In shadow as in the cookie's dark parts there is ambient light alone. A cartoon's shadow is ink.
+    if (!settings.cartoon) frame().shading().shadowed = colors_.ambient;
     return {};
   }
 
@@ -65,7 +65,11 @@ class LightCookieFrame {
   Status draw_maps() { return indices_ ? indices_->draw_maps() : Status(); }
   Status draw_shadows() { return indices_ ? indices_->draw_shadows() : frame().draw_depth(); }
 
-  Status add_evidence() { return indices_ ? indices_->add_evidence() : Status(); }
+  Status add_evidence() {
+    if (indices_) return indices_->add_evidence();
+    frame().rendering().evidence.reset();  // of no shadow
+    return {};
+  }
 
   Status draw_lit() {
     RenderTarget target = lit_target();

@@ -12,8 +12,8 @@ namespace {
 
 // A register cannot hold 6 · product: it ends at 1, as the result does, but a factor of 6 that is made of rounded parts
 // multiplies their errors. So the last stage takes the product afresh, in full, and only the smaller summand of
-// 6 = 4 + 2 out of a register: 4 (product + spare0 / 8), with spare0 = 4 · product. Where spare0 is cut to 1, the result
-// is 1 all the same.
+// 6 = 4 + 2 out of a register: 4 (product + spare0 / 8), with spare0 = 4 · product. Where spare0 is cut to 1, the
+// result is 1 all the same.
 constexpr float kEighth = 32.0F / 255.0F;
 
 // Where narrowing drops fractions, stage 0 adds (8/255)², which times 4 is one code: half of one after the eighth and
@@ -63,8 +63,8 @@ Result<CombinerState> light_cookie_state(const HardwareProfile& profile) {
 
   glEnable(GL_REGISTER_COMBINERS_NV);
   if (context.error() != GlError::no_error) {
-    return Diagnostic{.message = "profile " + std::string(profile.name) + " refuses the two stages of light-cookie: " +
-                                 std::string(name_of(context.error()))};
+    return Diagnostic{.message = "profile " + std::string(profile.name) +
+                                 " refuses the two stages of light-cookie: " + std::string(name_of(context.error()))};
   }
   return context.state();
 }

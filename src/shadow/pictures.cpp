@@ -34,8 +34,7 @@ std::array<std::uint8_t, 3> hue_of(std::uint32_t number) {
 }
 
 std::uint32_t code_number(const Rendering& rendering, std::size_t face, std::size_t texel) {
-  const auto& color = rendering.index_map[face].color;
-  return rendering.codes.number(color[kRed][texel], color[kGreen][texel], color[kBlue][texel]);
+  return rendering.codes.number(rendering.index_map[face].texel(texel));
 }
 
 // Rows of an EXR channel, made from a plane's samples as they are asked for.
@@ -52,8 +51,10 @@ Status write_index_cube(const Rendering& rendering, const std::filesystem::path&
     faces[f].push_back(channel<std::uint32_t>("index", [&rendering, f, n](int row, std::span<std::uint32_t> out) {
       for (std::size_t x = 0; x < n; ++x) out[x] = code_number(rendering, f, static_cast<std::size_t>(row) * n + x);
     }));
-    for (std::size_t c = 0; c < 3; ++c) {
-      faces[f].push_back(channel<float>(std::string(1, "RGB"[c]), [&rendering, f, c, n](int row, std::span<float> out) {
+    for (std::size_t c = 0; c < 4; ++c) {
+      if (rendering.index_map[f].color[c].empty()) continue;
+      const char name = c == 0 && rendering.codes.format() != IndexFormat::rgb ? 'Y' : "RGBA"[c];
+      faces[f].push_back(channel<float>(std::string(1, name), [&rendering, f, c, n](int row, std::span<float> out) {
         const std::uint8_t* const bytes = rendering.index_map[f].color[c].data() + static_cast<std::size_t>(row) * n;
         for (std::size_t x = 0; x < n; ++x) out[x] = static_cast<float>(bytes[x]) / 255.0F;
       }));

@@ -1,6 +1,8 @@
-// The colours of the lit and the shadow pass: per-vertex diffuse lighting, as OpenGL of that time did it.
+// The colours of the lit and the shadow pass: per-vertex diffuse lighting, as OpenGL of that time did it, or flat
+// colours as in a cartoon.
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "ninebit/raster/rasterizer.h"
@@ -9,6 +11,13 @@
 
 namespace ninebit {
 
+// How bright a white light makes a white surface that faces it.
+inline constexpr float kDiffuseLight = 0.78F;
+
+// The material of each vertex: that of the last triangle that uses it.
+[[nodiscard]] std::vector<std::uint32_t> vertex_materials(const Scene& scene);
+
+// One colour a vertex, or with settings.cartoon one a triangle.
 struct VertexShading {
   std::vector<ColorBytes> lit;
   std::vector<ColorBytes> shadowed;
@@ -18,6 +27,9 @@ struct VertexShading {
 // `settings.light_facing` surfaces that turn away from the light get no diffuse light; otherwise both sides are lit
 // alike, as in the article's pictures. In shadow, a quarter of the diffuse light stays, so that shapes can be told
 // apart.
+//
+// With `settings.cartoon` a triangle has a single colour: its base colour at one of a few brightnesses, by the angle at
+// which it meets the light. In shadow it is ink: nearly black, with a trace of the base colour.
 [[nodiscard]] VertexShading shade_vertices(const Scene& scene, const Light& light, const RenderSettings& settings);
 
 // The summands of the lit colours one by one, for passes that change the light on its way to the vertex.

@@ -224,7 +224,6 @@ Result<Rendering> render_shadow_volume(const Scene& scene, const RenderSettings&
   renderer.add_facts();
   renderer.add_picture();
   frame.finish();
-  if (settings.evidence) frame.rendering().evidence.emplace();
   return std::move(frame.rendering());
 }
 

@@ -5,6 +5,8 @@
 #include "ninebit/shadow/depth_cube.h"
 #include "ninebit/shadow/index_cube.h"
 #include "ninebit/shadow/light_cookie.h"
+#include "ninebit/shadow/reflective.h"
+#include "ninebit/shadow/shadow_map.h"
 #include "ninebit/shadow/shadow_volume.h"
 
 namespace ninebit {
@@ -19,10 +21,18 @@ constexpr std::array kTechniques{
               "depth cube shadow mapping: distances to the light, compared in one or two passes a cube-map face",
               {.point = true},
               &render_depth_cube},
+    Technique{"shadow-map",
+              "projective shadow map: depth from the light, drawn with a polygon offset",
+              {.point = false, .spot = true, .directional = true},
+              &render_shadow_map},
     Technique{"shadow-volume",
               "shadow volumes: infinite volumes of the silhouettes, counted in the stencil buffer",
               {.point = true, .spot = true, .directional = true},
               &render_shadow_volume},
+    Technique{"reflective",
+              "reflective shadow maps: one bounce of diffuse light gathered from what the light sees",
+              {.point = false, .spot = true, .directional = true},
+              &render_reflective},
     Technique{"light-cookie",
               "a point light that shines as a cube map says, with index cube shadows or without",
               {.point = true},

@@ -193,7 +193,8 @@ void add_bench_frame(CLI::App& bench, int& exit_code) {
       verb->add_option("--rival", flags->rival, "Also draw the same frame by Mesa's llvmpipe, with as many threads")
           ->check(CLI::IsMember({"llvmpipe"}));
   add_scene_flags(*verb, flags->scene);
-  rival->excludes(verb->get_option("--light-facing"));
+  // What the rival's shaders do not know.
+  for (const char* flag : {"--light-facing", "--index-format", "--style"}) rival->excludes(verb->get_option(flag));
   verb->callback([flags, &exit_code] { exit_code = bench_frame(*flags); });
 }
 

@@ -160,7 +160,7 @@ void add_technique_flags(CLI::App& verb, SceneFlags& flags) {
   verb.add_option("--section-size", s.index.section_size, "Triangles a section at most")
       ->capture_default_str()
       ->type_name("N")
-      ->check(CLI::Range(1, kMaxSectionSize));
+      ->check(CLI::Range(kMinSectionSize, kMaxSectionSize));
   add_choice(verb, "--depth-bits", s.depth_cube.bits, kDepthBits, "What the depth cube map holds");
   verb.add_option("--bias", flags.bias, "World units that a surface may lie behind the depth cube map's")
       ->type_name("DISTANCE")

@@ -9,7 +9,7 @@
 #include <optional>
 
 #include "src/tools/eval_engine.h"
-#include "src/tools/number_list.h"
+#include "src/tools/pixel_flag.h"
 #include "src/tools/program_file.h"
 #include "src/tools/trace_inputs.h"
 #include "src/tools/trace_pixel.h"
@@ -64,13 +64,10 @@ int trace_set(const TraceFlags& flags, std::optional<Program> program) {
 
 int trace_pixel(const TraceFlags& flags, const std::optional<Program>& program) {
   const RenderSettings settings = settings_of(flags.scene, flags.common);
-  const auto at = *numbers<int>(flags.pixel, ',');
-  if (at[0] >= settings.width || at[1] >= settings.height) {
-    return wrong_usage(
-        fmt::format("--pixel: {} lies outside of the picture; expected X from 0 to {} and Y from 0 to {}", flags.pixel,
-                    settings.width - 1, settings.height - 1));
-  }
-  const auto pixel = render_pixel(flags.scene, flags.common, at[0], at[1], program.has_value());
+  const auto at = window_pixel("--pixel", flags.pixel, settings);
+  if (!at) return wrong_usage(at.error().message);
+  const int y = settings.height - 1 - at->y;
+  const auto pixel = render_pixel(flags.scene, flags.common, at->x, y, program.has_value());
   if (!pixel) return report(pixel.error());
   if (!pixel->fragment) return print(flags, *pixel, nullptr, {});
   const ProbedPass& pass = pixel->passes[*pixel->pass];
@@ -89,12 +86,6 @@ int run(const TraceFlags& flags) {
     program = normalize(*state, profile);
   }
   return flags.scene.file.empty() ? trace_set(flags, program) : trace_pixel(flags, program);
-}
-
-std::string check_pixel(const std::string& text) {
-  const auto n = numbers<int>(text, ',');
-  if (n && n->size() == 2 && n->at(0) >= 0 && n->at(1) >= 0) return {};
-  return fmt::format("'{}' is no pixel; expected X,Y, counted from the top left", text);
 }
 
 }  // namespace
@@ -118,10 +109,7 @@ void add_trace(CLI::App& app, int& exit_code) {
           ->type_name("REGISTER=R,G,B,A")
           ->allow_extra_args(false);
   CLI::Option* const scene = add_scene_file(*verb, "--scene", flags->scene)->excludes(set);
-  verb->add_option("--pixel", flags->pixel, "Pixel of the picture, counted from its top left")
-      ->type_name("X,Y")
-      ->needs(scene)
-      ->check(CLI::Validator([](std::string& text) { return check_pixel(text); }, ""));
+  add_pixel_flag(*verb, "--pixel", flags->pixel, "Pixel of the picture, counted from its top left")->needs(scene);
   for (CLI::Option* const option : add_scene_flags(*verb, flags->scene)) option->needs(scene);
   verb->callback([flags, &exit_code] { exit_code = run(*flags); });
 }

@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "ninebit/raster/rasterizer.h"
 
@@ -43,6 +44,7 @@ class PreparedDraw {
                         const RenderTarget& target, PreparedDraw& prepared);
   friend Status rasterize(std::span<const DrawPass> passes, const PreparedDraw& prepared, const DrawActions& actions,
                           RenderTarget& target);
+  friend void mark_covering_polygons(const PreparedDraw& prepared, std::vector<bool>& covering);
   std::unique_ptr<Geometry> geometry_;
 };
 
@@ -72,7 +74,11 @@ class PreparedDraw {
 [[nodiscard]] Status rasterize(std::span<const DrawPass> passes, const PreparedDraw& prepared,
                                const DrawActions& actions, RenderTarget& target);
 
-// The same in one pass.
+// Sets `covering`, which has an element for each primitive of the draw that was prepared, where a filled polygon covers
+// the centre of at least one pixel, whatever the tests would say of its fragments. The other elements stay as they are.
+void mark_covering_polygons(const PreparedDraw& prepared, std::vector<bool>& covering);
+
+// rasterize() in one pass.
 [[nodiscard]] inline Status rasterize(const PipelineState& state, const PreparedDraw& prepared,
                                       const VertexArrays& arrays, std::span<const TextureUnit> units,
                                       RenderTarget& target) {

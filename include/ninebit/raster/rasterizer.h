@@ -50,8 +50,11 @@ struct VertexArrays {
   std::span<const ColorBytes> secondary_colors{};  // one a vertex; empty: black
   std::span<const float> fog_factors{};            // one a vertex, clamped to [0, 1]; empty: 1
 
-  // Texture coordinates (s, t, r, q) a vertex, for each unit with a texture; (s, t, r) with q = 1.
+  // Texture coordinates (s, t, r) a vertex, for each unit with a texture, and q: empty, it is 1. All four are
+  // interpolated in perspective; 2D textures are read at (s/q, t/q), a depth comparison takes r/q, cube maps do not
+  // look at q.
   std::array<std::span<const glm::vec3>, kMaxTextureUnits> texture_coordinates{};
+  std::array<std::span<const float>, kMaxTextureUnits> texture_q{};
   // Four floats a vertex, interpolated in perspective, for output planes.
   std::array<std::span<const glm::vec4>, kMaxAttributes> attributes{};
 
@@ -74,7 +77,8 @@ struct TextureUnit {
 
 // Draws the primitives in their order. (Passes over the same geometry from the same view: prepared_draw.h.)
 //
-// - Clip coordinates are clip_from_object * (position, 1), computed in floats in a fixed order, with w in place of 1 for
+// - Clip coordinates are clip_from_object * (position, 1), computed in floats in a fixed order, with w in place of 1
+// for
 //   homogeneous positions: those of (x, y, z, 1) are those of (x, y, z). Primitives are clipped against the near and
 //   far planes, both of which belong to what remains, and against a guard band that keeps window positions within 8,192
 //   pixels of the viewport's centre; the viewport's own sides cut pixels, not primitives. Primitives with a position

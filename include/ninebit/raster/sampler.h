@@ -83,6 +83,9 @@ class TextureSampler {
   // Whether r is read, and the changes of r where derivatives are.
   [[nodiscard]] bool needs_r() const { return cube_ || comparison_ != DepthComparison::none; }
 
+  // Whether s, t and r are divided by q: for all but cube maps.
+  [[nodiscard]] bool divides_by_q() const { return !cube_; }
+
   // The base internal format that the texels have for texel_codes: depth_comparison with a comparison.
   [[nodiscard]] TextureFormat format() const { return format_; }
 

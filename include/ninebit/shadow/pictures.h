@@ -20,9 +20,9 @@ namespace ninebit {
 [[nodiscard]] Image8 index_cross_picture(const Rendering& rendering);
 
 // Writes color.png, shadow.png, the rendering's own pictures and, where there are indices, index_cube.png and
-// index_cube.exr (channels index, UINT, and R G B, half: the codes' bytes over 255). With layers also layers.exr and,
-// where the light drew other maps, maps.exr: a part for each name and a channel for each layer, register codes and
-// halves as half, bytes and integers as UINT, floats as FLOAT; upright.
+// index_cube.exr (channels index, UINT, and as half the codes' bytes over 255: R G B, or Y for a luminance, and A for
+// an alpha). With layers also layers.exr and, where the light drew other maps, maps.exr: a part for each name and a
+// channel for each layer, register codes and halves as half, bytes and integers as UINT, floats as FLOAT; upright.
 [[nodiscard]] Status write_rendering(const Rendering& rendering, StagedFiles& files);
 
 }  // namespace ninebit

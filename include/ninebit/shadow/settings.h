@@ -10,6 +10,7 @@
 #include "ninebit/raster/surface.h"
 #include "ninebit/raster/texture.h"
 #include "ninebit/scene/scene.h"
+#include "ninebit/shadow/depth_packing.h"
 #include "ninebit/shadow/index_codes.h"
 
 namespace ninebit {
@@ -18,8 +19,10 @@ namespace ninebit {
 struct IndexSettings {
   IndexFormat format = IndexFormat::rgb;
   IndexScope scope = IndexScope::polygon;
-  int step = 2;           // 1 to kMaxIndexStep
-  int section_size = 64;  // triangles a section at most, with IndexScope::section: 1 to kMaxSectionSize
+  int step = 2;  // 1 to kMaxIndexStep
+  // Triangles a section at most, with IndexScope::section: kMinSectionSize to kMaxSectionSize, taken down to a multiple
+  // of four.
+  int section_size = 64;
 };
 
 enum class DepthCubeBits : std::uint8_t {
@@ -32,10 +35,6 @@ struct DepthCubeSettings {
   DepthCubeBits bits = DepthCubeBits::eight;
   std::optional<float> bias{};  // world units by which a surface may lie behind the map's; empty: the technique's own
 };
-
-// How a depth in [0, 1] stands in the texels of a shadow map (depth_packing.h).
-enum class DepthEncoding : std::uint8_t { d24, d16, rgba8_fract, rgba8_mod, rgba8_256over255, rgba8_modf };
-enum class ChannelStorage : std::uint8_t { round, truncate };  // how a component becomes a byte
 
 // glPolygonOffset's arguments.
 struct OffsetArguments {
@@ -86,6 +85,7 @@ struct RenderSettings {
   bool layers = false;                                           // keep every intermediate value of the camera's view
   bool evidence = false;                                         // keep what ground_truth.h judges by
   std::optional<glm::ivec2> pixel;                               // to be watched: window coordinates of the frame, y up
+  std::optional<glm::ivec2> pick;                                // whose index is to be read: likewise
   HardwareProfile profile = profiles::geforce2;
 
   IndexSettings index{};

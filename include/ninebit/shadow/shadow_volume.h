@@ -33,7 +33,8 @@ struct VolumePass {
 // its back to the light is in shadow on both sides.
 //
 // A spot light shines through the square pyramid of its opening angle: the stencil begins with 1, and the pyramid takes
-// 1 away inside. With depth_pass the camera has to be outside of all shadow volumes (though not of the pyramid).
+// 1 away inside. With depth_pass no shadow volume, and no side of the pyramid, may reach into the view before its near
+// plane.
 //
 // Facts: closed_objects, open_objects; where there are such, open_object_names, and open_edges (of one triangle) and
 // nonmanifold_edges (of more than two, or of two in one direction) of them; silhouette_edges and volume_triangles that

@@ -72,10 +72,26 @@ struct PassTimes {
   double shadow = 0.0;     // colour where there is none
 };
 
-// One face of the index cube map: planes red, green, blue of size × size texels, row 0 at t = 0.
+// One face of the index cube map: planes of size × size texels, row 0 at t = 0, for red, green, blue and alpha; those
+// that the map's format does not store are empty. A luminance stands in red.
 struct IndexMapFace {
   int size = 0;
-  std::array<std::vector<std::uint8_t>, 3> color;
+  std::array<std::vector<std::uint8_t>, 4> color;
+
+  // A texel as IndexCodes::number reads it.
+  [[nodiscard]] ColorBytes texel(std::size_t i) const {
+    ColorBytes bytes{};
+    for (std::size_t c = 0; c < 4; ++c) bytes[c] = color[c].empty() ? std::uint8_t{0} : color[c][i];
+    return bytes;
+  }
+};
+
+// What the index of a pixel says of the polygon that is seen there. Numbers in the scene count from 0.
+struct PickedIndex {
+  std::uint32_t number = 0;                // the index's code number; 0: the background
+  std::optional<std::uint32_t> polygon{};  // with IndexScope::polygon
+  std::optional<std::uint32_t> section{};  // with IndexScope::section
+  std::optional<std::uint32_t> object{};
 };
 
 // What one of the camera's passes drew at the pixel that the settings watch.
@@ -101,6 +117,7 @@ struct Rendering {
   std::vector<Fact> facts{};
   std::optional<ShadowEvidence> evidence{};  // with settings.evidence, of techniques that draw shadows
   std::vector<ProbedPass> probed{};          // in the order of drawing; empty unless a pixel was watched
+  std::optional<PickedIndex> picked{};       // with settings.pick, by techniques that draw indices
   PassTimes times{};
 };
 

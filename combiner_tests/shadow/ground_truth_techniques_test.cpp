@@ -1,0 +1,98 @@
+// Every technique judged by rays.
+#include <memory>
+
+#include "combiner_tests/shadow/ground_truth_support.h"
+
+namespace shadow_test {
+namespace {
+
+using namespace ninebit;
+
+struct Judged {
+  Rendering rendering;
+  GroundTruth truth;
+};
+
+Scene room_for(const Technique& technique) {
+  auto read = read_scene(NINEBIT_SOURCE_DIR "/scenes/index_room.gltf");
+  if (!read) throw std::runtime_error(read.error().text());
+  SceneSetup setup;
+  setup.light_kinds = technique.lights;
+  auto scene = complete_scene(std::move(*read), setup, 4.0F / 3.0F);
+  if (!scene) throw std::runtime_error(scene.error().text());
+  return std::move(*scene);
+}
+
+RenderSettings room_settings() {
+  RenderSettings settings = judged_settings(160, 120);
+  settings.reflective.samples = 1;
+  std::vector<std::vector<TextureSamples>> faces(
+      6, {TextureSamples{.width = 1, .height = 1, .samples = std::vector<std::uint8_t>(3, 255)}});
+  auto white = make_texture(TextureTarget::cube_map, InternalFormat::rgb8, std::move(faces));
+  if (!white) throw std::runtime_error(white.error().text());
+  settings.light_cookie.cookie = std::make_shared<Texture>(std::move(*white));
+  return settings;
+}
+
+Judged judged_by(std::string_view name, const RenderSettings& settings) {
+  const Technique& technique = *find_technique(name);
+  const Scene scene = room_for(technique);
+  auto rendering = technique.render(scene, settings, {});
+  if (!rendering) throw std::runtime_error(rendering.error().text());
+  GroundTruth truth = judged(scene, settings, *rendering);
+  return {std::move(*rendering), std::move(truth)};
+}
+
+TEST(JudgedTechniques, HaveTheCausesOfTheirKind) {
+  for (const Technique& technique : techniques()) {
+    SCOPED_TRACE(technique.name);
+    const Judged j = judged_by(technique.name, room_settings());
+    const bool by_index = technique.name == "index-cube" || technique.name == "light-cookie";
+    const std::size_t kinds = by_index ? 5 : technique.name == "shadow-volume" ? 1 : 3;
+    EXPECT_EQ(causes_of(*j.rendering.evidence).size(), kinds);
+    std::uint64_t all = 0;
+    for (const ErrorCause cause : causes_of(*j.rendering.evidence)) all += count(j.truth, cause);
+    EXPECT_EQ(all, j.truth.false_lit + j.truth.false_shadowed);
+    EXPECT_LT(all, 160U * 120U / 5) << "most pixels are right";
+  }
+}
+
+// Two ways to the same shadows that have nothing in common: volumes counted in the stencil buffer, and rays.
+TEST(JudgedTechniques, ShadowVolumesAgreeWithRays) {
+  const Judged j = judged_by("shadow-volume", room_settings());
+  EXPECT_LT(j.truth.false_lit + j.truth.false_shadowed, 160U * 120U / 200);
+  EXPECT_GT(j.rendering.shadowed, 1000U);
+}
+
+TEST(JudgedTechniques, WithoutABiasThereIsAcneWithTooMuchOfItShadowsAreDetached) {
+  RenderSettings none = room_settings(), much = room_settings();
+  none.depth_cube.bits = much.depth_cube.bits = DepthCubeBits::real;
+  none.depth_cube.bias = 0.0F;
+  much.depth_cube.bias = 0.5F;
+  none.shadow_map.polygon_offset = OffsetArguments{0.0F, 0.0F};
+  much.shadow_map.polygon_offset = OffsetArguments{0.0F, 1e6F};
+  for (const char* name : {"depth-cube", "shadow-map"}) {
+    SCOPED_TRACE(name);
+    const Judged bare = judged_by(name, none), biased = judged_by(name, much);
+    EXPECT_GT(count(bare.truth, ErrorCause::acne), 1000U);
+    EXPECT_EQ(count(bare.truth, ErrorCause::detached), 0U);
+    EXPECT_LT(count(biased.truth, ErrorCause::acne), 5U);  // next to nothing, at the rim of a spot light's map
+    EXPECT_GT(count(biased.truth, ErrorCause::detached), 100U);
+  }
+}
+
+TEST(JudgedTechniques, ACookieWithoutShadowsCannotBeJudged) {
+  RenderSettings settings = room_settings();
+  settings.light_cookie.shadows = false;
+  const Technique& technique = *find_technique("light-cookie");
+  const Scene scene = room_for(technique);
+  const auto rendering = technique.render(scene, settings, {});
+  ASSERT_TRUE(rendering) << rendering.error().text();
+  EXPECT_FALSE(rendering->evidence);
+  const auto rays = GroundTruthScene::make(scene);
+  ASSERT_TRUE(rays);
+  EXPECT_FALSE(measure(*rays, settings, *rendering));
+}
+
+}  // namespace
+}  // namespace shadow_test

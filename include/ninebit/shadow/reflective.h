@@ -1,0 +1,73 @@
+// Reflective shadow maps: one bounce of diffuse light, gathered from what the light sees, after Dachsbacher and
+// Stamminger (2005) and a text that follows them.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <vector>
+
+#include "ninebit/numerics/half.h"
+#include "ninebit/numerics/result.h"
+#include "ninebit/raster/pipeline_state.h"
+#include "ninebit/shadow/technique.h"
+
+namespace ninebit {
+
+// The light colour of a white light in the flux; the scene's light colour is multiplied by it.
+inline constexpr float kFluxOfWhiteLight = 0.3F;
+inline constexpr int kMaxReflectiveMapSize = 8192;
+
+// What the light sees: a texel each, rows from t = 0 (the lowest). Texels without a surface hold zeros, and the
+// farthest depth.
+struct ReflectiveMap {
+  int size = 0;                                 // texels a side
+  glm::mat4 clip_from_world{1.0F};              // of the light
+  std::array<std::vector<Half>, 3> position{};  // x, y, z in world space
+  std::array<std::vector<Half>, 3> normal{};    // x, y, z in world space, interpolated, then unit length
+  std::array<std::vector<Half>, 3> flux{};      // base colour × light colour × kFluxOfWhiteLight: no cosine
+  std::vector<std::uint32_t> depth{};           // codes of 24 bits
+};
+
+// Reports a map size that is no power of two or above kMaxReflectiveMapSize, and scenes with a coordinate beyond
+// 65,504, the largest half float.
+[[nodiscard]] Status check_reflective_map(const Scene& scene, int map_size);
+
+// The pipeline state of the map's one pass: nearest depth, no polygon offset.
+[[nodiscard]] PipelineState reflective_map_pass(const RenderSettings& settings);
+
+// Draws the map of settings.map_size from the scene's first light, which is a spot or a directional light. Reports what
+// check_reflective_map reports.
+[[nodiscard]] Result<ReflectiveMap> draw_reflective_map(const Scene& scene, const RenderSettings& settings);
+
+// The pipeline state of the camera's pass for position, normal and colour of what its depth pass left: depth test
+// EQUAL, nothing written but output planes.
+[[nodiscard]] PipelineState visible_surface_pass(const RenderSettings& settings);
+
+// The world positions of all texels as depth and the inverse of clip_from_world give them, computed in doubles; the
+// origin where there is no surface.
+[[nodiscard]] std::vector<glm::dvec3> positions_from_depth(const ReflectiveMap& map);
+
+// The direct light and its shadows as render_shadow_map draws them, from a depth map of the same view with polygon
+// offset, and the light that comes by one diffuse bounce, without any occlusion of the latter:
+//   E(x, n) = sum over samples p of w_p Φ_p max(0, n_p · (x - x_p)) max(0, n · (x_p - x)) / |x - x_p|^4
+// The picture is the direct light plus base colour × E, E clamped to [0, 1]. settings.reflective says which samples:
+//   poisson  a Poisson disk turned at each pixel, w_p the square of the turned offset's x in the unit disk, Φ_p the
+//            map's flux, with lengths in units of the world; no normalisation
+//   polar    radius ξ1 and angle ξ2, w_p = ξ1², normalised so that a constant field gives the sum over all texels in
+//            the kernel; Φ_p is the map's flux scaled to what a texel's beam carries of the light that the direct
+//            passes show
+// The pictures are direct.png, indirect.png (E) and difference.png (the picture without direct.png). Layers besides
+// those of render_shadow_map: surface_position, surface_normal, surface_color, direct, indirect. Maps besides its map:
+// rsm_position, rsm_normal, rsm_flux, rsm_depth. Facts besides its facts: pixel_lights (texels that hold a surface),
+// gathered_pixels and interpolated_pixels; with settings.evidence also indirect_reference_pixels,
+// indirect_reference_mean, indirect_mean_error and indirect_max_error (E against the sum over the whole map, on a
+// coarse grid of pixels, before clamping), and position_max_difference (between the map's positions and those of its
+// depth).
+//
+// Besides what render_shadow_map and check_reflective_map report, reports samples, kernel and gather_scale out of
+// range.
+[[nodiscard]] Result<Rendering> render_reflective(const Scene& scene, const RenderSettings& settings,
+                                                  const Progress& progress);
+
+}  // namespace ninebit

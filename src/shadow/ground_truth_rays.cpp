@@ -1,0 +1,124 @@
+#include "src/shadow/ground_truth_rays.h"
+
+#include <embree3/rtcore.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <utility>
+
+namespace ninebit {
+namespace {
+
+using Rays = GroundTruthScene::Rays;
+
+// What travels with a ray to the callback.
+struct Query {
+  RTCIntersectContext context;  // the first: Embree hands its address on
+  const Rays* rays;
+  const LightRay* ray;
+  std::uint32_t own;
+  std::vector<Crossed>* all;  // nullptr: the first one that is found ends the ray
+};
+
+void bounds_of_triangle(const RTCBoundsFunctionArguments* arguments) {
+  const Rays& rays = *static_cast<const Rays*>(arguments->geometryUserPtr);
+  const glm::uvec3& t = rays.scene->triangles[arguments->primID];
+  const auto& p = rays.scene->positions;
+  const glm::vec3 margin(static_cast<float>(rays.margin));
+  const glm::vec3 low = glm::min(glm::min(p[t.x], p[t.y]), p[t.z]) - margin;
+  const glm::vec3 high = glm::max(glm::max(p[t.x], p[t.y]), p[t.z]) + margin;
+  RTCBounds& bounds = *arguments->bounds_o;
+  bounds.lower_x = low.x;
+  bounds.lower_y = low.y;
+  bounds.lower_z = low.z;
+  bounds.upper_x = high.x;
+  bounds.upper_y = high.y;
+  bounds.upper_z = high.z;
+}
+
+void test_triangle(const RTCOccludedFunctionNArguments* arguments) {
+  if (arguments->valid[0] == 0) return;
+  const auto* query = reinterpret_cast<const Query*>(arguments->context);
+  const std::uint32_t triangle = arguments->primID;
+  if (triangle == query->own) return;
+  const Rays& rays = *query->rays;
+  const auto at = crossing(*query->ray, corners_of(*rays.scene, triangle), rays.touching);
+  if (!at) return;
+  if (query->all != nullptr) {
+    query->all->push_back({triangle, *at});
+  } else {
+    RTCRayN_tfar(arguments->ray, arguments->N, 0) = -std::numeric_limits<float>::infinity();
+  }
+}
+
+// Lets the callback see the triangles whose boxes the ray meets; whether it ended the ray.
+bool trace(const Rays& rays, const LightRay& ray, std::uint32_t own, std::vector<Crossed>* all) {
+  Query query{{}, &rays, &ray, own, all};
+  rtcInitIntersectContext(&query.context);
+  const double length = std::sqrt(glm::dot(ray.way, ray.way));
+  if (length == 0.0) return false;  // at the light
+  const glm::vec3 from(ray.from), way(ray.way / length);
+  RTCRay boxed{};
+  boxed.org_x = from.x;
+  boxed.org_y = from.y;
+  boxed.org_z = from.z;
+  boxed.dir_x = way.x;
+  boxed.dir_y = way.y;
+  boxed.dir_z = way.z;
+  boxed.tfar = ray.endless ? std::numeric_limits<float>::infinity() : static_cast<float>(length + rays.margin);
+  boxed.mask = 0xFFFFFFFFU;
+  rtcOccluded1(rays.boxes.get(), &query.context, &boxed);
+  return boxed.tfar < 0.0F;
+}
+
+Diagnostic refused(RTCError code) {
+  return Diagnostic{.message = "Embree cannot prepare the scene for rays: error " + std::to_string(code)};
+}
+
+}  // namespace
+
+void Rays::SceneReleaser::operator()(RTCSceneTy* released) const {
+  rtcReleaseScene(released);
+}
+
+Result<std::unique_ptr<Rays>> Rays::make(const Scene& scene) {
+  auto rays = std::make_unique<Rays>();
+  rays->scene = &scene;
+  rays->touching = touching_distance(scene);
+  // Origin and direction of a ray become floats, each rounded by half a unit in the last place; across the scene the
+  // direction moves it by as much again.
+  rays->margin = 8.0 * rays->touching;
+  const RTCDevice device = rtcNewDevice(nullptr);
+  if (device == nullptr) return refused(rtcGetDeviceError(nullptr));
+  rays->boxes.reset(rtcNewScene(device));
+  const RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_USER);
+  rtcSetGeometryUserPrimitiveCount(geometry, static_cast<unsigned>(scene.triangles.size()));
+  rtcSetGeometryUserData(geometry, rays.get());
+  const auto bounds = [](const RTCBoundsFunctionArguments* arguments) { bounds_of_triangle(arguments); };
+  rtcSetGeometryBoundsFunction(geometry, bounds, nullptr);
+  rtcSetGeometryOccludedFunction(geometry, &test_triangle);
+  rtcCommitGeometry(geometry);
+  rtcAttachGeometry(rays->boxes.get(), geometry);
+  rtcReleaseGeometry(geometry);
+  rtcSetSceneFlags(rays->boxes.get(), RTC_SCENE_FLAG_ROBUST);
+  rtcCommitScene(rays->boxes.get());
+  const RTCError error = rtcGetDeviceError(device);
+  rtcReleaseDevice(device);  // the scene keeps it
+  if (error != RTC_ERROR_NONE) return refused(error);
+  return rays;
+}
+
+bool Rays::blocked(const LightRay& ray, std::uint32_t own) const {
+  return trace(*this, ray, own, nullptr);
+}
+
+void Rays::find_all(const LightRay& ray, std::uint32_t own, std::vector<Crossed>& crossed) const {
+  crossed.clear();
+  trace(*this, ray, own, &crossed);
+  const auto by_number = [](const Crossed& l, const Crossed& r) { return l.triangle < r.triangle; };
+  std::sort(crossed.begin(), crossed.end(), by_number);
+}
+
+}  // namespace ninebit

@@ -1,0 +1,49 @@
+// The light's view of a scene: where things lie in its shadow map.
+#pragma once
+
+#include <glm/glm.hpp>
+#include <span>
+#include <vector>
+
+#include "ninebit/scene/scene.h"
+
+namespace ninebit {
+
+// How fine the map is at a place: world units that a texel spans across the light's axis, and that a step of the depth
+// codes spans along it.
+struct MapResolution {
+  double texel_size;
+  double depth_step;
+};
+
+// A spot or directional light's beam.
+class LightBeam {
+ public:
+  // The scene has triangles.
+  LightBeam(const Scene& scene, const Light& light);
+
+  // World space to the map's clip space.
+  [[nodiscard]] const glm::mat4& projection() const { return projection_; }
+
+  // One entry a position: (s, t, r) and q of the map, so that inside the beam s/q, t/q and r/q go from 0 to 1 and q is
+  // positive; and the direction whose major axis is +z inside the beam alone.
+  struct Coordinates {
+    std::vector<glm::vec3> str;
+    std::vector<float> q;
+    std::vector<glm::vec3> direction;
+  };
+  [[nodiscard]] Coordinates coordinates(std::span<const glm::vec3> positions) const;
+
+  // At the middle of the scene's bounding box, or where its distance along the axis enters the light's range.
+  [[nodiscard]] MapResolution resolution(int map_size, std::uint32_t depth_codes) const;
+
+  // Whether a triangle's front faces the light.
+  [[nodiscard]] bool lights_front(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) const;
+
+ private:
+  Light light_;
+  glm::mat4 projection_;
+  glm::vec3 middle_;
+};
+
+}  // namespace ninebit
