@@ -146,6 +146,21 @@ TEST(ShadowMap, PolygonOffsetTradesAcneForLeaks) {
   EXPECT_GT(large.leaks, 300);
 }
 
+// Where surfaces face the light, rounding alone makes acne, and a unit or two suffice.
+TEST(ShadowMap, UnitsServeWhereSurfacesFaceTheLight) {
+  Scene scene = shadow_test::square_over_floor();
+  scene.lights[0] = shadow_test::directional_light({0, -1, 0});
+  const auto shadowed = [&](float units) {
+    RenderSettings settings = small_settings();
+    settings.shadow_map.polygon_offset = OffsetArguments{0.0F, units};
+    return render_map(scene, settings).shadowed;
+  };
+  const std::uint64_t right = render_map(scene, small_settings()).shadowed;
+  EXPECT_GT(shadowed(0.0F), right + 1000);
+  EXPECT_LT(shadowed(1.0F), right + 100);
+  EXPECT_EQ(shadowed(4.0F), right);
+}
+
 // The text's case: a plane through the depth of a scene 256 units deep. Packed by fract, it shades itself beyond the
 // middle, by up to half a unit; before it, what should be hidden stays lit; the other packings do neither.
 TEST(ShadowMap, FractShadesAPlaneBehindTheMiddleOf256Units) {
