@@ -349,6 +349,25 @@ TEST(ShadowMap, FactsTellTheResolution) {
   EXPECT_EQ(shadow_test::fact_of(beam, "polygon_offset_units"), -3.0);
 }
 
+// As three.js clears its maps: such a texel reads as a depth of 1 or more, whatever the packing.
+TEST(ShadowMap, TexelsThatNothingWasDrawnToAreWhite) {
+  Scene scene = shadow_test::square_over_floor(2.0F);
+  scene.lights[0] = shadow_test::spot_light({0, 3, 0}, {0, 0, 0}, 90.0F);
+  RenderSettings settings = small_settings();
+  settings.shadow_map.encoding = DepthEncoding::rgba8_fract;
+  const Rendering r = render_map(scene, settings);
+  const auto& map = samples_of<std::uint32_t>(r.maps, "shadow_map", "depth");
+  int cleared = 0;
+  for (std::size_t i = 0; i < map.size(); ++i) {
+    if (map[i] != 0xFFFFFF) continue;
+    ++cleared;
+    for (const char* channel : {"R", "G", "B", "A"}) {
+      ASSERT_EQ(samples_of<std::uint8_t>(r.maps, "packed_depth", channel)[i], 255);
+    }
+  }
+  EXPECT_GT(cleared, 10000);
+}
+
 // Nearest white, farthest dark grey, nothing black; upright.
 TEST(ShadowMap, PictureShowsTheMap) {
   Scene scene = shadow_test::square_over_floor(2.0F);
