@@ -60,9 +60,9 @@ TEST(DepthCubeCombiners, LuminancesAreComparedExactly) {
 TEST(DepthCubeCombiners, HighBytesAreComparedWhateverTheLowOnesAre) {
   for (const HardwareProfile* profile : kExact) {
     const Comparison compare(*profile, high_byte_above_state(*profile));
-    for (const auto& [own_low, map_low] : {std::pair(0, 255), std::pair(255, 0), std::pair(128, 128)}) {
+    for (const std::pair<int, int>& low : {std::pair(0, 255), std::pair(255, 0), std::pair(128, 128)}) {
       for_all_pairs([&](int own, int map) {
-        ASSERT_EQ(compare.alpha(own_low, own, map_low, map), std::max(0, own - map)) << own << " " << map;
+        ASSERT_EQ(compare.alpha(low.first, own, low.second, map), std::max(0, own - map)) << own << " " << map;
       });
     }
   }

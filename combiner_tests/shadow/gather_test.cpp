@@ -222,18 +222,18 @@ TEST(Gather, WholeMapIsTheSumOverAllTexels) {
     r.cosine[lane] = 1.0F;
   }
   gather(lights, all, 8.0F, Receivers::kCapacity, r);
-  std::size_t lit = 0;
+  int reached = 0;
   for (std::size_t lane = 0; lane < Receivers::kCapacity; ++lane) {
     const glm::dvec3 whole =
         whole_map_irradiance(lights, {r.position[0][lane], r.position[1][lane], r.position[2][lane]},
                              {r.normal[0][lane], r.normal[1][lane], r.normal[2][lane]});
-    lit += whole.x > 0.0 ? 1 : 0;
+    if (whole.x > 0.0) ++reached;
     for (std::size_t c = 0; c < 3; ++c) {
       const double expected = whole[static_cast<glm::length_t>(c)];
       EXPECT_NEAR(r.irradiance[c][lane], expected, 1e-4 * expected);
     }
   }
-  EXPECT_GT(lit, Receivers::kCapacity / 2);
+  EXPECT_GT(reached, 40);
 }
 
 }  // namespace

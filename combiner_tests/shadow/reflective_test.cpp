@@ -301,7 +301,23 @@ TEST(IndirectLight, WholeMapOfASpotLight) {
   }
 }
 
-// What a pattern comes to on average: the sum over all texels, each with a factor of where it lies from the pixel's
+// A point behind a spot light has no place in its map, though the projection would mirror it there.
+TEST(IndirectLight, NothingBehindASpotLight) {
+  Scene scene = lit_square();
+  scene.lights[0].kind = LightKind::spot;
+  scene.lights[0].position = {0, 2, 0};
+  const RenderSettings settings = small_settings();
+  const ReflectiveMap map = draw_reflective_map(scene, settings).value();
+  const PixelLights lights = pixel_lights(map, scene.lights[0], SamplePattern::polar);
+  VisibleSurface surface = points_over_square({0.0F, 0.0F});
+  surface.position[1] = {1.5F, 2.5F};
+  IndirectLight light(map, lights, surface, make_pattern(settings.reflective), 60.0F);
+  ASSERT_TRUE(light.compute({true, true}, 1, 0.0F, [](double) { return true; }).ok());
+  EXPECT_GT(light.irradiance()[0][0], 0.0F);
+  EXPECT_EQ(light.irradiance()[0][1], 0.0F);
+}
+
+// What a pattern comes to on average: the sum over all texels, each with a factor of its distance from the pixel's
 // place in the map, in kernel radii.
 template <class Factor>
 glm::dvec3 weighted_map(const SquareLight& square, const glm::dvec3& point, double kernel, const Factor& factor) {
@@ -348,15 +364,16 @@ TEST(IndirectLight, PolarPatternConvergesAndThePublishedWeightDoesNot) {
         EXPECT_NEAR(sum.x, whole_map_irradiance(square.lights, at, {0, -1, 0}).x, 1e-9);
       }
       EXPECT_NEAR(gathered(square, even, kernel, point).x, sum.x, 0.03 * sum.x) << x << ' ' << kernel;
-      const glm::dvec3 biased = weighted_map(square, at, kernel, [](const glm::dvec2& o) { return 1.5 * glm::length(o); });
+      const glm::dvec3 biased =
+          weighted_map(square, at, kernel, [](const glm::dvec2& offset) { return 1.5 * glm::length(offset); });
       EXPECT_NEAR(gathered(square, published, kernel, point).x, biased.x, 0.03 * biased.x) << x << ' ' << kernel;
       EXPECT_GT(std::fabs(biased.x - sum.x), 0.05 * sum.x);
     }
   }
 }
 
-// The text's weight is the square of the turned offset's x, so it favours lights to the left and right in the map; turns
-// make the samples equally dense in all directions, not the weight. Nothing is divided by the number of samples.
+// The text's weight is the square of the turned offset's x, whatever the turn: a light counts by how far it lies beside
+// the pixel along the map's s axis. Nothing is divided by the number of samples.
 TEST(IndirectLight, PoissonPatternOnAverage) {
   const SquareLight square;
   const float kernel = 80.0F;
@@ -365,7 +382,8 @@ TEST(IndirectLight, PoissonPatternOnAverage) {
   const glm::dvec3 found = gathered(square, pattern, kernel, points);
   const double samples_a_texel = 400.0 / (std::numbers::pi * kernel * kernel);
   const glm::dvec3 expected =
-      weighted_map(square, {0.25, 1, 0}, kernel, [](const glm::dvec2& o) { return o.x * o.x; }) * samples_a_texel;
+      weighted_map(square, {0.25, 1, 0}, kernel, [](const glm::dvec2& offset) { return offset.x * offset.x; }) *
+      samples_a_texel;
   EXPECT_NEAR(found.x, expected.x, 0.03 * expected.x);
   EXPECT_NEAR(found.y, expected.y, 0.03 * expected.y);
 }
@@ -456,6 +474,8 @@ TEST(Reflective, SameBitsForAnyNumberOfThreads) {
 TEST(Reflective, LowResolutionGatheringIsCloseToTheFullOne) {
   const Scene scene = cornell_box();
   RenderSettings settings = small_settings();
+  settings.width = 240;
+  settings.height = 180;
   settings.layers = true;
   const Rendering full = rendered(scene, settings);
   for (const int scale : {2, 4, 16}) {
@@ -464,13 +484,13 @@ TEST(Reflective, LowResolutionGatheringIsCloseToTheFullOne) {
     const auto count = fact<std::uint64_t>(low, "gathered_pixels");
     EXPECT_EQ(count + fact<std::uint64_t>(low, "interpolated_pixels"), low.lit + low.shadowed);
     if (scale < 16) {  // those are too far apart here to share light
-      EXPECT_LT(count, (low.lit + low.shadowed) * 9 / 10) << scale;
+      EXPECT_LT(count, (low.lit + low.shadowed) * 6 / 10) << scale;
     }
     double difference = 0.0, sum = 0.0;
     for (std::size_t i = 0; i < indirect(full, "R").size(); ++i) {
       difference += std::fabs(indirect(low, "R")[i] - indirect(full, "R")[i]);
       sum += indirect(full, "R")[i];
-      const int x = static_cast<int>(i) % 96, y = static_cast<int>(i) / 96;
+      const int x = static_cast<int>(i) % settings.width, y = static_cast<int>(i) / settings.width;
       if (x % scale == scale / 2 && y % scale == scale / 2) {
         ASSERT_EQ(indirect(low, "R")[i], indirect(full, "R")[i]) << x << ", " << y << ": one of the low resolution's";
       }
@@ -478,6 +498,47 @@ TEST(Reflective, LowResolutionGatheringIsCloseToTheFullOne) {
     EXPECT_LT(difference, 0.06 * sum) << scale;
     EXPECT_EQ(difference > 0.0, fact<std::uint64_t>(low, "interpolated_pixels") > 0) << scale;
   }
+}
+
+// On the floor, away from everything, a pixel between four of the low resolution's is their bilinear mean.
+TEST(Reflective, InterpolationIsBilinear) {
+  RenderSettings settings = small_settings();
+  settings.width = 240;
+  settings.height = 180;
+  settings.layers = true;
+  settings.reflective.gather_scale = 4;
+  const Rendering r = rendered(cornell_box(), settings);
+  const auto& red = indirect(r, "R");
+  const auto plane = [&](const char* part, const char* axis) -> const std::vector<float>& {
+    return std::get<std::vector<float>>(layer_of(r.layers, part, axis).samples);
+  };
+  const auto &x = plane("surface_position", "X"), &z = plane("surface_position", "Z");
+  const auto &height = plane("surface_position", "Y"), &up = plane("surface_normal", "Y");
+  int compared = 0;
+  for (int row = 2; row + 4 < settings.height; row += 4) {
+    for (int column = 2; column + 4 < settings.width; column += 4) {
+      const auto at = [&](int dx, int dy) {
+        return static_cast<std::size_t>((row + dy) * settings.width + column + dx);
+      };
+      const std::array<std::size_t, 4> corner{at(0, 0), at(4, 0), at(0, 4), at(4, 4)};
+      // All within half a unit of each other: below a sixteenth of the box's diagonal of 10.4.
+      const bool floor = std::all_of(corner.begin(), corner.end(), [&](std::size_t i) {
+        return up[i] > 0.99F && height[i] == 0.0F && std::hypot(x[i] - x[corner[0]], z[i] - z[corner[0]]) < 0.5F;
+      });
+      if (!floor) continue;
+      for (int dy = 0; dy < 4; ++dy) {
+        for (int dx = 0; dx < 4; ++dx) {
+          if (up[at(dx, dy)] < 0.99F || height[at(dx, dy)] != 0.0F) continue;  // a box stands there
+          const double low = red[corner[0]] * (1.0 - dx * 0.25) + red[corner[1]] * (dx * 0.25);
+          const double high = red[corner[2]] * (1.0 - dx * 0.25) + red[corner[3]] * (dx * 0.25);
+          const double expected = low * (1.0 - dy * 0.25) + high * (dy * 0.25);
+          ASSERT_NEAR(red[at(dx, dy)], expected, 1e-5 * expected + 1e-7) << column + dx << ", " << row + dy;
+          ++compared;
+        }
+      }
+    }
+  }
+  EXPECT_GT(compared, 500);
 }
 
 TEST(Reflective, EvidenceComparesWithTheWholeMap) {
@@ -507,9 +568,12 @@ TEST(Reflective, BiasOfThePublishedWeight) {
     surface.position[c] = std::get<std::vector<float>>(layer_of(r.layers, "surface_position", axis).samples);
     surface.normal[c] = std::get<std::vector<float>>(layer_of(r.layers, "surface_normal", axis).samples);
   }
-  std::vector<bool> drawn;
-  for (const std::uint32_t depth : r.frame.depth()) drawn.push_back(depth != 0xFFFFFF);
   const ReflectiveMap map = draw_reflective_map(scene, settings).value();
+  std::vector<bool> drawn;  // inside the beam: beside it the kernel does not reach the whole map
+  for (std::size_t i = 0; i < r.frame.depth().size(); ++i) {
+    const glm::vec4 clip = map.clip_from_world * glm::vec4(surface.position_at(i), 1.0F);
+    drawn.push_back(r.frame.depth()[i] != 0xFFFFFF && std::max(std::fabs(clip.x), std::fabs(clip.y)) < clip.w);
+  }
   const PixelLights lights = pixel_lights(map, scene.lights[0], SamplePattern::polar);
   const auto go_on = [](double) { return true; };
   GatherPattern pattern = make_pattern({.samples = 4096, .pattern = SamplePattern::polar});
@@ -524,9 +588,8 @@ TEST(Reflective, BiasOfThePublishedWeight) {
   }
   RecordProperty("published_weight_error", std::to_string(share[0]));
   RecordProperty("even_weight_error", std::to_string(share[1]));
-  // In the corners of the box a few near lights decide, which even 4,096 samples meet or miss.
-  EXPECT_LT(share[1], 0.4);
-  EXPECT_GT(share[0], 2.0 * share[1]);
+  EXPECT_LT(share[1], 0.05);
+  EXPECT_GT(share[0], 5.0 * share[1]);
 }
 
 TEST(Reflective, SettingsOutOfRange) {

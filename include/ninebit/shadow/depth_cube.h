@@ -33,9 +33,9 @@ struct DistanceCode {
   [[nodiscard]] std::uint32_t camera_code(std::uint32_t i) const { return i < offset ? 0 : map_code(i - offset); }
 };
 
-// The code for a scene around its light, and the bias that is used where the settings name none: three texels of the map
-// as wide as they are at the far end of the range. A bias in the settings is rounded up to whole texels of the ramp.
-// The settings ask for 8 or 16 bits; those of `real` have no code.
+// The code for a scene around its light, and the bias that is used where the settings name none: three texels of the
+// map as wide as they are at the far end of the range. A bias in the settings is rounded up to whole texels of the
+// ramp. The settings ask for 8 or 16 bits; those of `real` have no code.
 [[nodiscard]] DistanceCode distance_code(const Scene& scene, const RenderSettings& settings);
 [[nodiscard]] float default_depth_cube_bias(const Scene& scene, const RenderSettings& settings);
 
