@@ -146,6 +146,21 @@ TEST(ShadowMap, PolygonOffsetTradesAcneForLeaks) {
   EXPECT_GT(large.leaks, 300);
 }
 
+// Where surfaces face the light, rounding alone makes acne, and a unit or two suffice.
+TEST(ShadowMap, UnitsServeWhereSurfacesFaceTheLight) {
+  Scene scene = shadow_test::square_over_floor();
+  scene.lights[0] = shadow_test::directional_light({0, -1, 0});
+  const auto shadowed = [&](float units) {
+    RenderSettings settings = small_settings();
+    settings.shadow_map.polygon_offset = OffsetArguments{0.0F, units};
+    return render_map(scene, settings).shadowed;
+  };
+  const std::uint64_t right = render_map(scene, small_settings()).shadowed;
+  EXPECT_GT(shadowed(0.0F), right + 1000);
+  EXPECT_LT(shadowed(1.0F), right + 100);
+  EXPECT_EQ(shadowed(4.0F), right);
+}
+
 // The text's case: a plane through the depth of a scene 256 units deep. Packed by fract, it shades itself beyond the
 // middle, by up to half a unit; before it, what should be hidden stays lit; the other packings do neither.
 TEST(ShadowMap, FractShadesAPlaneBehindTheMiddleOf256Units) {
@@ -332,6 +347,25 @@ TEST(ShadowMap, FactsTellTheResolution) {
   EXPECT_NEAR(shadow_test::fact_of(beam, "depth_step"), diameter / 65535.0, 1e-8);
   EXPECT_EQ(shadow_test::fact_of(beam, "polygon_offset_factor"), 2.0);
   EXPECT_EQ(shadow_test::fact_of(beam, "polygon_offset_units"), -3.0);
+}
+
+// As three.js clears its maps: such a texel reads as a depth of 1 or more, whatever the packing.
+TEST(ShadowMap, TexelsThatNothingWasDrawnToAreWhite) {
+  Scene scene = shadow_test::square_over_floor(2.0F);
+  scene.lights[0] = shadow_test::spot_light({0, 3, 0}, {0, 0, 0}, 90.0F);
+  RenderSettings settings = small_settings();
+  settings.shadow_map.encoding = DepthEncoding::rgba8_fract;
+  const Rendering r = render_map(scene, settings);
+  const auto& map = samples_of<std::uint32_t>(r.maps, "shadow_map", "depth");
+  int cleared = 0;
+  for (std::size_t i = 0; i < map.size(); ++i) {
+    if (map[i] != 0xFFFFFF) continue;
+    ++cleared;
+    for (const char* channel : {"R", "G", "B", "A"}) {
+      ASSERT_EQ(samples_of<std::uint8_t>(r.maps, "packed_depth", channel)[i], 255);
+    }
+  }
+  EXPECT_GT(cleared, 10000);
 }
 
 // Nearest white, farthest dark grey, nothing black; upright.

@@ -16,8 +16,9 @@ TEST(ShadowMapProgram, AnswersWithFactsAndHashesTheMap) {
   const TempFolder folder;
   const Json d24 = json_of(ninebit(shadow_map_render(folder / "a", {"--json"})));
   EXPECT_EQ(d24["technique"], "shadow-map");
-  EXPECT_EQ(keys_of(d24["facts"]),
-            (std::vector<std::string>{"polygon_offset_factor", "polygon_offset_units", "texel_size", "depth_step"}));
+  EXPECT_EQ(keys_of(d24["facts"]), (std::vector<std::string>{"polygon_offset_factor", "polygon_offset_units",
+                                                             "texel_size", "depth_step", "texture_units"}));
+  EXPECT_EQ(d24["facts"]["texture_units"], 2);
   EXPECT_EQ(keys_of(d24["hash"]), (std::vector<std::string>{"color", "stencil", "shadow_map"}));
   EXPECT_GT(d24["pixels"]["lit"], 0);
   EXPECT_GT(d24["pixels"]["shadowed"], 0);
@@ -31,7 +32,7 @@ TEST(ShadowMapProgram, AnswersWithFactsAndHashesTheMap) {
   EXPECT_EQ(names, (std::vector<std::string>{"color.png", "layers.exr", "maps.exr", "shadow.png", "shadow_map.png"}));
 }
 
-// The lamp moved by a polygon offset's flag: the offset reaches the map.
+// The flag reaches the map.
 TEST(ShadowMapProgram, TakesTheOffset) {
   const TempFolder folder;
   const Json none = json_of(ninebit(shadow_map_render(folder / "a", {"--json", "--polygon-offset", "0,0"})));

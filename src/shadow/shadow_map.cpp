@@ -12,6 +12,7 @@
 #include "src/shadow/light_beam.h"
 #include "src/shadow/map_evidence.h"
 #include "src/shadow/packed_map.h"
+#include "src/shadow/texture_units.h"
 
 namespace ninebit {
 namespace {
@@ -237,7 +238,12 @@ Rendering ShadowMapRenderer::finish() {
              {"polygon_offset_units", static_cast<double>(passes_.map.polygon_offset.units)},
              {"texel_size", resolution.texel_size},
              {"depth_step", resolution.depth_step}};
-  if (packed_) r.facts.push_back({"encoding_error", packed_->largest_error()});
+  if (packed_) {
+    r.facts.push_back({"encoding_error", packed_->largest_error()});
+  } else {
+    const int units = texture_units_read(*passes_.comparison.program);
+    r.facts.push_back({"texture_units", static_cast<std::uint64_t>(units)});
+  }
   r.pictures.push_back({"shadow_map.png", map_picture(*depth_, settings().map_size, cleared())});
   return std::move(r);
 }

@@ -40,8 +40,9 @@ struct ShadowMapPasses {
 //   4. the lit pass where the stencil is 0, then the shadow pass where it is 1.
 // The map goes into Rendering::maps as shadow_map (channel depth: codes, with the offset) and, packed, as packed_depth
 // (R G B A); the picture is shadow_map.png. Facts: polygon_offset_factor, polygon_offset_units; texel_size and
-// depth_step, in world units across and along the light's axis at the middle of the scene's bounding box; packed also
-// encoding_error, the largest change of a depth of the map by packing it, of the range [0, 1].
+// depth_step, in world units across and along the light's axis at the middle of the scene's bounding box; with d24 and
+// d16 texture_units, that the comparison reads; packed instead encoding_error, the largest change of a depth of the map
+// by packing it, of the range [0, 1].
 [[nodiscard]] Result<Rendering> render_shadow_map(const Scene& scene, const RenderSettings& settings,
                                                   const Progress& progress);
 
