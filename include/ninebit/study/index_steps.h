@@ -18,6 +18,7 @@
 #include "ninebit/combiner/state.h"
 #include "ninebit/numerics/hardware_profile.h"
 #include "ninebit/numerics/result.h"
+#include "ninebit/study/study.h"
 
 namespace ninebit {
 
@@ -51,9 +52,6 @@ struct FalseMatches {
   std::uint64_t pairs = 0;          // ordered pairs of two different ones
   std::uint64_t false_matches = 0;  // those whose alpha leaves the final combiner as byte 0
 };
-
-// Asked now and then whether to go on; may be empty.
-using GoOn = std::function<bool()>;
 
 // Counts over all pairs. primary holds one index, texture0 the other. `step` is 1 to 255. Reports a program whose second
 // stage sees digits mixed by the first, where the pairs are more than can be counted one by one; and

@@ -1,0 +1,54 @@
+// What all studies have in common: a question, units of work whose rows answer it, and a report made of all rows.
+//
+// A unit's rows depend on the question alone, so units may be done in any order, on any machine, in any number of runs:
+// the report is the same bytes. study_part.h keeps units on the disk; report.h says what a report holds.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "ninebit/numerics/result.h"
+#include "ninebit/study/report.h"
+
+namespace ninebit {
+
+// Asked now and then, by any thread, whether to go on; may be empty.
+using GoOn = std::function<bool()>;
+
+// What was asked: everything that can change a row, as the flags of a command line that asks the same.
+struct StudyQuestion {
+  std::string study;    // "index-steps"
+  std::string profile;  // a profile's name, or "all"
+  // Flags with their values in a fixed order, completed by the defaults: {"--steps", "1-16"}. Files that a flag names
+  // are followed by {"sha256 of FILE", …}, so that a part made from other content is told apart.
+  std::vector<std::pair<std::string, std::string>> options{};
+  std::string arguments{};  // what stands before the flags: a scene's file
+
+  // "ninebit study index-steps --steps 1-16 --profile geforce2"
+  [[nodiscard]] std::string command() const;
+  friend bool operator==(const StudyQuestion&, const StudyQuestion&) = default;
+};
+
+class Study {
+ public:
+  virtual ~Study() = default;
+
+  [[nodiscard]] virtual const StudyQuestion& question() const = 0;
+  // Units are numbered from 0 and take seconds at most, where the work allows.
+  [[nodiscard]] virtual std::size_t units() const = 0;
+  // What a unit works on, for people: "geforce2, rgb".
+  [[nodiscard]] virtual std::string unit_name(std::size_t unit) const = 0;
+  // The rows of one unit, which may use all threads. Reports Fault::cancelled where go_on says no.
+  [[nodiscard]] virtual Result<std::vector<StudyRow>> run(std::size_t unit, const GoOn& go_on) const = 0;
+  // The report on all rows in the order of their units; `done` of units() units were run. Reports what it cannot read or
+  // draw, such as pictures of a scene.
+  [[nodiscard]] virtual Result<StudyReport> report(std::span<const StudyRow> rows, std::size_t done) const = 0;
+};
+
+}  // namespace ninebit
