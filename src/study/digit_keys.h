@@ -14,8 +14,9 @@
 namespace ninebit {
 
 // Makes keys: pairs of equal keys cannot be told apart. With a DigitSum a key is the digit's product of the second
-// stage, otherwise all that the first stage left in components that depend on the digit and are read later. Doubles hold
-// the numbers exactly: codes, 32-bit floats, or numerators over one common denominator. An object belongs to a thread.
+// stage, otherwise all that the first stage left in components that depend on the digit and are read later. Doubles
+// hold the numbers exactly: codes, 32-bit floats, or numerators over one common denominator. An object belongs to a
+// thread.
 class DigitKeys {
  public:
   // The program and the sum must live as long.

@@ -182,8 +182,8 @@ FalseMatchCounter::Found FalseMatchCounter::found_in_order(const Classes& classe
   for (const PairClass& a : digit[0]) {
     std::size_t border = most;
     for (const PairClass& b : digit[1]) {
-      while (border > 0 && !comes_out_equal({a.own, b.own, last[border - 1].own},
-                                            {a.other, b.other, last[border - 1].other})) {
+      while (border > 0 &&
+             !comes_out_equal({a.own, b.own, last[border - 1].own}, {a.other, b.other, last[border - 1].other})) {
         --border;
       }
       if (&b == digit[1].data()) most = border;

@@ -24,8 +24,7 @@ class FalseMatchCounter {
 
   // `profile` must live as long. Reports what DigitClasses::of does.
   [[nodiscard]] static Result<FalseMatchCounter> prepare(const Program& program, const HardwareProfile& profile,
-                                                         StudyFormat format, const GoOn& go_on,
-                                                         Way way = Way::fastest);
+                                                         StudyFormat format, const GoOn& go_on, Way way = Way::fastest);
 
   // Counts where each digit holds any of these values, which differ from each other. `separate`: each digit has a
   // comparison of its own, the others being 0 in both indices. Reports more cases than can be counted one by one, and

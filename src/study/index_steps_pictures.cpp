@@ -25,9 +25,8 @@ std::vector<std::uint8_t> alphas_of(const Program& program, const HardwareProfil
   std::vector<std::uint8_t> alphas;
   for (int own = 0; own < kBytes; ++own) {
     for (std::size_t other = 0; other < kBytes; ++other) {
-      const RegisterFile file =
-          comparison_registers(profile, StudyFormat::channel, {static_cast<std::uint8_t>(own)},
-                               {static_cast<std::uint8_t>(other)});
+      const RegisterFile file = comparison_registers(profile, StudyFormat::channel, {static_cast<std::uint8_t>(own)},
+                                                     {static_cast<std::uint8_t>(other)});
       for (std::size_t r = 0; r < kRegisterCount; ++r) {
         for (std::size_t c = 0; c < 4; ++c) registers->plane[r][c][other] = file.value[r][c];
       }
@@ -73,8 +72,9 @@ HeatMap step_map(const IndexStepsOptions& options, const std::string& name, std:
               .values = {},
               .low = -1.0F,
               .high = 1.0F,
-              .caption = "The share of the step's pairs with that difference that come out equal: only 0 should. -1: "
-                         "the step has no such pair."};
+              .caption =
+                  "The share of the step's pairs with that difference that come out equal: only 0 should. -1: "
+                  "the step has no such pair."};
   for (int step = options.first_step; step <= options.last_step; ++step) {
     std::vector<int> pairs(static_cast<std::size_t>(width)), equal(pairs);
     for (int own = 0; own < kBytes; own += step) {

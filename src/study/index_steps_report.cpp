@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <map>
@@ -52,54 +53,80 @@ std::vector<Ladder> ladders_of(std::span<const StudyRow> rows) {
   return ladders;
 }
 
-// "step 2 is the smallest safe one: 128 codes in l, …; step 3 …", for the formats of one profile and variant.
+// Formats of which the same can be said, in order of first appearance.
+class Sayings {
+ public:
+  void add(const std::string& saying, StudyFormat format) {
+    auto found = std::find_if(list_.begin(), list_.end(), [&](const auto& one) { return one.first == saying; });
+    if (found == list_.end()) found = list_.insert(list_.end(), {saying, {}});
+    found->second.push_back(name_of(format));
+  }
+  // "128 codes in channel, l, a and 2,097,152 codes in rgb"
+  [[nodiscard]] std::string text() const {
+    std::string text;
+    for (const auto& [saying, formats] : list_) {
+      if (!text.empty()) text += " and ";
+      text += fmt::format("{} in {}", saying, fmt::join(formats, ", "));
+    }
+    return text;
+  }
+
+ private:
+  std::vector<std::pair<std::string, std::vector<std::string_view>>> list_;
+};
+
+// Which steps are safe, and what they leave, in the formats of one profile and variant.
 std::string safe_steps(std::span<const Ladder* const> ladders) {
-  std::map<int, std::string> by_step;
-  std::string unsafe;
+  std::map<int, Sayings> by_step;
+  Sayings unsafe;
   for (const Ladder* ladder : ladders) {
     const IndexStepRow* const safe = ladder->safe();
-    std::string& text = safe != nullptr ? by_step[safe->step] : unsafe;
-    if (!text.empty()) text += ", ";
-    if (safe != nullptr) text += grouped(safe->count.codes) + " codes in ";
-    text += name_of(ladder->format);
+    if (safe != nullptr) by_step[safe->step].add(grouped(safe->count.codes) + " codes", ladder->format);
+    if (safe == nullptr) unsafe.add("no step asked for is safe", ladder->format);
   }
-  std::string text;
-  for (const auto& [step, formats] : by_step) {
-    text += fmt::format("{}step {} is the smallest safe one ({})", text.empty() ? "" : ", ", step, formats);
+  std::string text = unsafe.text();
+  for (const auto& [step, codes] : by_step) {
+    text += fmt::format("{}step {} is the smallest safe one ({})", text.empty() ? "" : ", ", step, codes.text());
   }
-  if (!unsafe.empty()) text += fmt::format("{}no step asked for is safe in {}", text.empty() ? "" : ", ", unsafe);
   return text;
 }
 
-// "step 1 loses 0.78 % of the pairs in l, …": what the largest steps that lose pairs lose.
+// What the largest steps that lose pairs lose.
 std::string losses(std::span<const Ladder* const> ladders) {
-  std::map<int, std::string> by_step;
+  std::map<int, Sayings> by_step;
   for (const Ladder* ladder : ladders) {
     const IndexStepRow* const lossy = ladder->lossy();
     if (lossy == nullptr) continue;
-    std::string& text = by_step[lossy->step];
-    text += fmt::format("{}{:.3g} % in {}", text.empty() ? "" : ", ", 100.0 * share(lossy->count),
-                        name_of(ladder->format));
+    by_step[lossy->step].add(fmt::format("{:.3g} %", 100.0 * share(lossy->count)), ladder->format);
   }
   std::string text;
-  for (const auto& [step, formats] : by_step) {
-    text += fmt::format("{}step {} takes {} of all pairs of different indices for equal", text.empty() ? "" : "; ",
-                        step, formats);
+  for (const auto& [step, shares] : by_step) {
+    text += fmt::format("{}of the pairs of different indices, step {} takes {} for equal", text.empty() ? "" : "; ",
+                        step, shares.text());
   }
   return text.empty() ? "no step asked for takes different indices for equal" : text;
 }
 
+// One answer for each profile and variant; profiles of which a variant has the same to say share it.
 std::vector<std::string> answers_of(const std::vector<Ladder>& ladders) {
-  std::vector<std::pair<std::string, std::vector<const Ladder*>>> groups;  // by profile and variant
+  std::vector<std::pair<const Ladder*, std::vector<const Ladder*>>> groups;  // by profile and variant: the first, all
   for (const Ladder& ladder : ladders) {
-    const std::string name = ladder.profile + ", " + ladder.variant;
-    auto group = std::find_if(groups.begin(), groups.end(), [&](const auto& g) { return g.first == name; });
-    if (group == groups.end()) group = groups.insert(groups.end(), {name, {}});
+    auto group = std::find_if(groups.begin(), groups.end(), [&](const auto& g) {
+      return g.first->profile == ladder.profile && g.first->variant == ladder.variant;
+    });
+    if (group == groups.end()) group = groups.insert(groups.end(), {&ladder, {}});
     group->second.push_back(&ladder);
   }
-  std::vector<std::string> answers;
-  for (const auto& [name, of] : groups) answers.push_back(fmt::format("{}: {}; {}.", name, safe_steps(of), losses(of)));
-  return answers;
+  std::vector<std::pair<std::string, std::string>> answers;  // profiles, what is said of them
+  for (const auto& [head, of] : groups) {
+    std::string said = fmt::format("{}: {}; {}.", head->variant, safe_steps(of), losses(of));
+    const auto same = std::find_if(answers.begin(), answers.end(), [&](const auto& a) { return a.second == said; });
+    if (same != answers.end()) same->first += ", " + head->profile;
+    if (same == answers.end()) answers.emplace_back(head->profile, std::move(said));
+  }
+  std::vector<std::string> text;
+  for (const auto& [profiles, said] : answers) text.push_back(fmt::format("{} with {}", profiles, said));
+  return text;
 }
 
 ReportTable table_of_safe_steps(const std::vector<Ladder>& ladders) {

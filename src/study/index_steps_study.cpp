@@ -148,8 +148,9 @@ Result<std::unique_ptr<Study>> index_steps_study(IndexStepsOptions options) {
     }
   }
   if (units.empty()) {
-    return Diagnostic{.message = "separate comparisons differ from others only where an index has several channels; "
-                                 "expected the format rgb or la, or another variant"};
+    return Diagnostic{.message =
+                          "separate comparisons differ from others only where an index has several channels; "
+                          "expected the format rgb or la, or another variant"};
   }
   return std::unique_ptr<Study>(std::make_unique<IndexSteps>(std::move(options), std::move(units)));
 }

@@ -23,8 +23,8 @@ struct IndexStepsUnit {
 [[nodiscard]] StudyRow study_row(const IndexStepRow& row);
 [[nodiscard]] IndexStepRow index_step_row(const StudyRow& row);
 
-// The report on all rows: answers, tables and plots from the rows, pictures of what becomes of one channel's differences
-// from the units' programs.
+// The report on all rows: answers, tables and plots from the rows, pictures of what becomes of one channel's
+// differences from the units' programs.
 [[nodiscard]] StudyReport index_steps_report(const IndexStepsOptions& options, std::span<const IndexStepsUnit> units,
                                              std::span<const StudyRow> rows);
 

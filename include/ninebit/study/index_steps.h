@@ -1,8 +1,8 @@
 // How often an index comparison takes two different indices for the same one: by step, format, profile and program.
 //
-// Nothing is sampled. Two indices come out equal or not by their digits (the channels that hold an index), and most pairs
-// of a digit's values leave the same number behind: a class of such pairs is evaluated once and counted as often as it
-// has members. docs/study/index-steps.md tells how, and why the counts are those of all pairs.
+// Nothing is sampled. Two indices come out equal or not by their digits (the channels that hold an index), and most
+// pairs of a digit's values leave the same number behind: a class of such pairs is evaluated once and counted as often
+// as it has members. docs/study/index-steps.md tells how, and why the counts are those of all pairs.
 #pragma once
 
 #include <array>
@@ -78,8 +78,8 @@ struct IndexStepRow {
 
 // A program of the caller's own in place of the variants: primary against texture 0, alpha 0 where they are equal.
 struct IndexProgram {
-  std::string file;                    // its name, for the question and for faults
-  std::vector<CombinerState> states;   // one for each profile
+  std::string file;                   // its name, for the question and for faults
+  std::vector<CombinerState> states;  // one for each profile
 };
 
 struct IndexStepsOptions {
