@@ -1,15 +1,19 @@
-// Index steps: the table of docs/numerics.md, and the classes against brute force.
+// Index steps: the counts of one channel, and counting by classes against brute force.
 #include "ninebit/study/index_steps.h"
 
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cstdlib>
+#include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "ninebit/combiner/evaluate.h"
 #include "ninebit/combiner/initial_registers.h"
 #include "ninebit/shadow/index_cube.h"
+#include "src/study/false_matches.h"
 
 namespace {
 
@@ -30,94 +34,193 @@ Program program_of(const HardwareProfile& profile, StudyFormat format, std::stri
   return *program;
 }
 
-std::uint64_t losses(const HardwareProfile& profile, StudyFormat format, std::string_view name, int step) {
-  const auto count = count_false_matches(program_of(profile, format, name), profile, format, step,
-                                         variant(name).separate);
-  if (!count) throw std::runtime_error(count.error().text());
-  return count->false_matches;
-}
-
-HardwareProfile early_to_nearest() {
-  HardwareProfile p = profiles::geforce2_early_truncation;
-  p.general_narrowing.value = Narrowing::nearest_halves_up;
-  return p;
-}
-
-// The article's ladder, as the design of the arithmetic demands it.
-TEST(IndexSteps, OneChannelLosesWhatTheTableSays) {
-  constexpr std::array steps{1, 2, 3, 4, 8, 16};
-  const auto expect = [&](const HardwareProfile& profile, std::string_view name,
-                          const std::array<std::uint64_t, 6>& lost) {
-    for (std::size_t i = 0; i < steps.size(); ++i) {
-      EXPECT_EQ(losses(profile, StudyFormat::channel, name, steps[i]), lost[i])
-          << profile.name << ' ' << name << " step " << steps[i];
-    }
-  };
-  expect(profiles::geforce2, "both-x4", {510, 0, 0, 0, 0, 0});
-  expect(early_to_nearest(), "both-x4", {1018, 254, 0, 0, 0, 0});
-  expect(profiles::geforce2_early_truncation, "both-x4", {1524, 254, 170, 0, 0, 0});
-  expect(profiles::geforce256_8bit, "both-x4", {1272, 254, 86, 0, 0, 0});
-  expect(profiles::geforce2, "no-scale", {7440, 1736, 830, 372, 62, 0});
-}
-
-// Every ordered pair of two different indices, one by one.
-std::uint64_t by_brute_force(const Program& program, const HardwareProfile& profile, StudyFormat format, int step) {
-  std::vector<FragmentInputs> all;
-  for (int r = 0; r <= 255; r += step) {
-    if (format == StudyFormat::luminance) {
-      const auto l = static_cast<std::uint8_t>(r);
-      all.push_back({.primary = {l, l, l, 255}});
-      continue;
-    }
-    if (format == StudyFormat::alpha) {
-      all.push_back({.primary = {0, 0, 0, static_cast<std::uint8_t>(r)}});
-      continue;
-    }
-    for (int g = 0; g <= 255; g += step) {
-      const auto l = static_cast<std::uint8_t>(r), second = static_cast<std::uint8_t>(g);
-      if (format == StudyFormat::luminance_alpha) {
-        all.push_back({.primary = {l, l, l, second}});
-        continue;
+// Every ordered pair of two different indices, one by one; or each digit's pairs alone, the others being 0.
+std::uint64_t by_brute_force(const Program& program, const HardwareProfile& profile, StudyFormat format,
+                             const std::vector<std::uint8_t>& values, bool separate) {
+  using Index = std::array<std::uint8_t, 3>;
+  const auto digits = static_cast<std::size_t>(channels_of(format));
+  std::vector<Index> all{Index{}};
+  for (std::size_t d = 0; d < digits; ++d) {
+    std::vector<Index> longer;
+    for (const Index& index : all) {
+      for (const std::uint8_t value : values) {
+        longer.push_back(index);
+        longer.back()[d] = value;
       }
-      for (int b = 0; b <= 255; b += step) all.push_back({.primary = {l, second, static_cast<std::uint8_t>(b), 255}});
     }
+    all = longer;
   }
-  const TextureFormat texture = format == StudyFormat::rgb               ? TextureFormat::rgb
-                                : format == StudyFormat::luminance_alpha ? TextureFormat::luminance_alpha
-                                : format == StudyFormat::luminance       ? TextureFormat::luminance
-                                                                         : TextureFormat::alpha;
+  const auto color = [&](const Index& i) -> Bytes4 {
+    switch (format) {
+      case StudyFormat::channel:
+        return {i[0], 0, 0, 255};
+      case StudyFormat::rgb:
+        return {i[0], i[1], i[2], 255};
+      case StudyFormat::luminance_alpha:
+        return {i[0], i[0], i[0], i[1]};
+      case StudyFormat::luminance:
+        return {i[0], i[0], i[0], 255};
+      case StudyFormat::alpha:
+        break;
+    }
+    return {0, 0, 0, i[0]};
+  };
+  const TextureFormat texture = format == StudyFormat::luminance_alpha ? TextureFormat::luminance_alpha
+                                : format == StudyFormat::luminance     ? TextureFormat::luminance
+                                : format == StudyFormat::alpha         ? TextureFormat::alpha
+                                                                       : TextureFormat::rgb;
+  const auto equal = [&](const Index& own, const Index& other) {
+    FragmentInputs in{.primary = color(own)};
+    in.texture[0] = Texel{.value = color(other), .format = texture};
+    return to_byte(profile, evaluate(program, initial_registers(profile, in))[kAlpha]) == 0;
+  };
+  const auto each_equal = [&](const Index& own, const Index& other) {
+    for (std::size_t d = 0; d < digits; ++d) {
+      Index a{}, b{};
+      a[d] = own[d];
+      b[d] = other[d];
+      if (!equal(a, b)) return false;
+    }
+    return true;
+  };
   std::uint64_t lost = 0;
-  for (const FragmentInputs& own : all) {
-    for (const FragmentInputs& other : all) {
-      if (own.primary == other.primary) continue;
-      FragmentInputs in = own;
-      in.texture[0] = Texel{.value = other.primary, .format = texture};
-      if (to_byte(profile, evaluate(program, initial_registers(profile, in))[kAlpha]) == 0) ++lost;
+  for (const Index& own : all) {
+    for (const Index& other : all) {
+      if (own != other && (separate ? each_equal(own, other) : equal(own, other))) ++lost;
     }
   }
   return lost;
 }
 
-TEST(IndexSteps, ClassesCountWhatBruteForceCounts) {
-  std::uint64_t all_lost = 0;
+using Way = FalseMatchCounter::Way;
+
+FalseMatches counted(const Program& program, const HardwareProfile& profile, StudyFormat format,
+                     const std::vector<std::uint8_t>& values, bool separate = false, Way way = Way::fastest) {
+  const auto counter = FalseMatchCounter::prepare(program, profile, format, {}, way);
+  if (!counter) throw std::runtime_error(counter.error().text());
+  const auto count = counter->count(values, separate, {});
+  if (!count) throw std::runtime_error(count.error().text());
+  return *count;
+}
+
+// Small sets of values with small differences, which are what gets lost, and large ones; every step of one channel.
+TEST(IndexSteps, CountsAreThoseOfBruteForce) {
+  const std::vector<std::vector<std::uint8_t>> few{
+      {0, 1, 2, 4, 11}, {100, 101, 103, 110, 255}, {0, 127, 128, 254, 255}};
+  const std::vector<std::vector<std::uint8_t>> more{{0, 1, 2, 3, 5, 8, 13, 21, 22}, {17, 84, 85, 86, 170, 171, 254}};
   for (const HardwareProfile& profile : hardware_profiles()) {
-    const bool slow = profile.arithmetic != Arithmetic::integer;
+    std::uint64_t all_lost = 0;
+    for (const IndexVariant& v : index_variants()) {
+      for (const StudyFormat format : kStudyFormats) {
+        if (v.separate && channels_of(format) == 1) continue;
+        const Program program = program_of(profile, format, v.name);
+        const auto counter = FalseMatchCounter::prepare(program, profile, format, {});
+        ASSERT_TRUE(counter.ok()) << counter.error().text();
+        std::vector<std::vector<std::uint8_t>> sets = channels_of(format) == 3 ? few : more;
+        if (channels_of(format) == 3) sets.push_back(values_of_step(51));
+        if (channels_of(format) == 2) sets.push_back(values_of_step(16));
+        for (const int step : {1, 3, 5, 7, 16, 255}) {
+          if (channels_of(format) == 1 || step == 255) sets.push_back(values_of_step(step));
+        }
+        for (const auto& values : sets) {
+          const auto count = counter->count(values, v.separate, {});
+          ASSERT_TRUE(count.ok()) << count.error().text();
+          ASSERT_EQ(count->false_matches, by_brute_force(program, profile, format, values, v.separate))
+              << profile.name << ' ' << v.name << ' ' << name_of(format) << ", " << values.size() << " values from "
+              << int{values[0]} << ", " << int{values[1]};
+          all_lost += count->false_matches;
+        }
+      }
+    }
+    EXPECT_GT(all_lost, 1000U) << profile.name;
+  }
+}
+
+// The order of the classes' products is used, not only assumed: every combination of classes gives the same, with rgb
+// all 511³ triples of differences.
+TEST(IndexSteps, EveryCombinationOfClassesCountsTheSame) {
+  for (const HardwareProfile& profile : hardware_profiles()) {
+    const bool integer = profile.arithmetic == Arithmetic::integer;
     for (const char* name : {"both-x4", "first-x4", "second-x4", "no-scale"}) {
-      for (const auto& [format, step] : std::vector<std::pair<StudyFormat, int>>{{StudyFormat::rgb, slow ? 85 : 40},
-                                                                               {StudyFormat::rgb, slow ? 127 : 51},
-                                                                               {StudyFormat::luminance_alpha, slow ? 60 : 12},
-                                                                               {StudyFormat::luminance, slow ? 9 : 1},
-                                                                               {StudyFormat::alpha, slow ? 9 : 1}}) {
-        const Program program = program_of(profile, format, name);
-        const auto counted = count_false_matches(program, profile, format, step);
-        ASSERT_TRUE(counted.ok()) << counted.error().text();
-        ASSERT_EQ(counted->false_matches, by_brute_force(program, profile, format, step))
-            << profile.name << ' ' << name << ' ' << name_of(format) << " step " << step;
-        all_lost += counted->false_matches;
+      for (const int step : {1, 3, 5, 7, 16, 255}) {
+        for (const StudyFormat format : kStudyFormats) {
+          // What runs through all is a matter of seconds in integers, of hours in real numbers.
+          const bool whole = profile.name == "geforce2" && (std::string_view(name) == "both-x4" || step > 1);
+          if (channels_of(format) == 3 && step < (whole ? 1 : integer ? 5 : 16)) continue;
+          if (channels_of(format) == 2 && step < (integer ? 1 : 7)) continue;
+          const Program program = program_of(profile, format, name);
+          const std::vector<std::uint8_t> values = values_of_step(step);
+          ASSERT_EQ(counted(program, profile, format, values).false_matches,
+                    counted(program, profile, format, values, false, Way::every_combination).false_matches)
+              << profile.name << ' ' << name << ' ' << name_of(format) << " step " << step;
+        }
       }
     }
   }
-  EXPECT_GT(all_lost, 1000U);
+}
+
+// Programs of other forms than the article's: one is its inverse, the others do not sum a product of each digit.
+TEST(IndexSteps, OtherPrograms) {
+  struct Other {
+    CombinerState state;
+    StudyFormat format = StudyFormat::rgb;
+    bool summed = false;
+  };
+  std::array<std::uint64_t, 5> lost{};
+  for (const HardwareProfile* profile :
+       {&profiles::geforce2, &profiles::nv2a, &profiles::ideal, &profiles::float_shader}) {
+    const CombinerState article = *index_comparison_state(*profile);
+    CombinerState upside_down = article;
+    upside_down.final_combiner.g.mapping = InputMapping::unsigned_invert;
+    CombinerState blue_alone = article;  // no dot product: the final combiner takes blue's square
+    blue_alone.general[1].rgb.out.ab_dot_product = false;
+    CombinerState chosen = article;  // blue's square or, where texture 0's alpha says so, 0
+    chosen.general[1].rgb.out = {.ab = Register::discard,
+                                 .cd = Register::discard,
+                                 .sum = Register::spare1,
+                                 .scale = Scale::by_four,
+                                 .mux_sum = true};
+    CombinerState crossed = *index_comparison_state(*profile, IndexFormat::luminance_alpha);  // luminance times alpha
+    crossed.general[1].alpha.b.usage = ComponentUsage::blue;
+    crossed.general[1].alpha.d.usage = ComponentUsage::alpha;
+    const std::vector<Other> programs{{upside_down, StudyFormat::rgb, true},
+                                      {blue_alone, StudyFormat::rgb, true},
+                                      {chosen, StudyFormat::rgb, false},
+                                      {article, StudyFormat::luminance, false},  // the same square three times
+                                      {crossed, StudyFormat::luminance_alpha, false}};
+    for (std::size_t i = 0; i < programs.size(); ++i) {
+      const auto program = compile(programs[i].state, *profile);
+      ASSERT_TRUE(program.ok()) << program.error().text();
+      const StudyFormat format = programs[i].format;
+      const auto sum = digit_sum(*program, digits_after_first_stage(*program, digits_before_first_stage(format)));
+      EXPECT_EQ(sum.has_value(), programs[i].summed) << i;
+      const std::vector<std::uint8_t> values{0, 1, 2, 5, 70};
+      const FalseMatches count = counted(*program, *profile, format, values);
+      EXPECT_EQ(count.false_matches, by_brute_force(*program, *profile, format, values, false)) << profile->name << i;
+      lost[i] += count.false_matches;
+    }
+  }
+  for (const std::uint64_t of_program : lost) EXPECT_GT(of_program, 0U);
+}
+
+// A program may copy indices into its last stage: then no two pairs are alike, and three channels of such have more
+// combinations than can be evaluated.
+TEST(IndexSteps, TooManyCombinationsAreRefused) {
+  for (const HardwareProfile* profile : {&profiles::geforce2, &profiles::float_shader}) {
+    CombinerState late = *index_comparison_state(*profile);
+    late.general[1].rgb = late.general[0].rgb;
+    late.general[1].rgb.out = {
+        .ab = Register::discard, .cd = Register::discard, .sum = Register::spare1, .mux_sum = true};
+    late.general[0] = GeneralCombiner{};
+    late.final_combiner.g = {Register::spare1, InputMapping::unsigned_identity, ComponentUsage::blue};
+    const Program program = normalize(late, *profile);
+    const auto counter = FalseMatchCounter::prepare(program, *profile, StudyFormat::rgb, {});
+    ASSERT_TRUE(counter.ok()) << counter.error().text();
+    const auto count = counter->count(values_of_step(1), false, {});
+    ASSERT_FALSE(count.ok());
+    EXPECT_NE(count.error().message.find("too many cases"), std::string::npos) << count.error().message;
+    EXPECT_TRUE(counter->count(values_of_step(85), false, {}).ok());
+  }
 }
 
 // Small channel differences are what gets lost: RGB codes with channels near each other, some of them far.

@@ -1,5 +1,7 @@
 #include "src/study/digit_flow.h"
 
+#include <bit>
+
 #include "ninebit/combiner/evaluate.h"
 
 namespace ninebit {
@@ -27,6 +29,33 @@ class Reads {
  private:
   std::array<bool, 4>& at(Register r) { return set_[static_cast<std::size_t>(r)]; }
   ByComponent<bool> set_{};
+};
+
+// Collects the terms of a DigitSum; fails on a product of two digits, and on a second one of a digit.
+class Terms {
+ public:
+  Terms(const ProgramStage& stage, const ByComponent<unsigned>& after) : stage_(stage), after_(after) {}
+
+  [[nodiscard]] bool add(const ProductTerm& term) {
+    const Portion& portion = term.channel == kAlpha ? stage_.alpha : stage_.rgb;
+    const auto channel = static_cast<int>(term.channel);
+    const auto digits = [&](const CombinerInput& in) {
+      return after_[static_cast<std::size_t>(in.reg)]
+                   [static_cast<std::size_t>(reference::component_of(in.usage, channel))];
+    };
+    const unsigned set = term.cd ? digits(portion.c) | digits(portion.d) : digits(portion.a) | digits(portion.b);
+    if (set == 0) return true;
+    auto& place = sum_.of_digit[static_cast<std::size_t>(std::countr_zero(set))];
+    if (std::popcount(set) > 1 || place) return false;
+    place = term;
+    return true;
+  }
+  [[nodiscard]] DigitSum& sum() { return sum_; }
+
+ private:
+  const ProgramStage& stage_;
+  const ByComponent<unsigned>& after_;
+  DigitSum sum_;
 };
 
 }  // namespace
@@ -75,6 +104,29 @@ ByComponent<bool> read_from_stage(const Program& program, int first) {
   // Only the final combiner's alpha decides a comparison.
   reads.add(f.g, kAlpha, 1);
   return reads.set();
+}
+
+std::optional<DigitSum> digit_sum(const Program& program, const ByComponent<unsigned>& after) {
+  const CombinerInput& g = program.final_combiner.g;
+  if (program.num_general_combiners != 2 || static_cast<std::size_t>(g.reg) >= kRegisterCount) return std::nullopt;
+  if (g.mapping != InputMapping::unsigned_identity && g.mapping != InputMapping::unsigned_invert) return std::nullopt;
+  const auto component = static_cast<std::size_t>(reference::component_of(g.usage, kAlpha));
+  const ProgramStage& stage = program.general[1];
+  const PortionOutput& out = component == kAlpha ? stage.alpha.out : stage.rgb.out;
+  const bool third = out.sum == g.reg;
+  const std::array<bool, 2> takes{third || out.ab == g.reg, third || out.cd == g.reg};
+  if (g.reg == Register::zero || (!takes[0] && !takes[1]) || (third && out.mux_sum)) return std::nullopt;
+
+  Terms terms(stage, after);
+  terms.sum().falling = g.mapping == InputMapping::unsigned_invert;
+  const std::array<bool, 2> dot{out.ab_dot_product, out.cd_dot_product};
+  for (std::size_t k = 0; k < 2; ++k) {
+    for (std::size_t channel = 0; channel < 4; ++channel) {
+      const bool summed = channel == component || (dot[k] && component != kAlpha && channel != kAlpha);
+      if (takes[k] && summed && !terms.add({channel, k == 1})) return std::nullopt;
+    }
+  }
+  return terms.sum();
 }
 
 }  // namespace ninebit

@@ -1,38 +1,37 @@
-// The digits of an index and the classes that their pairs fall into.
+// The digits of an index: the channels that hold it.
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
-#include <vector>
+#include <span>
 
 #include "ninebit/combiner/evaluate.h"
-#include "ninebit/combiner/program.h"
-#include "ninebit/numerics/result.h"
+#include "ninebit/numerics/hardware_profile.h"
 #include "ninebit/study/index_steps.h"
+#include "src/study/digit_flow.h"
 
 namespace ninebit {
 
+inline constexpr std::size_t kMostDigits = 3;
+
+// A byte for each digit; those that a format does not have are not read.
+using DigitBytes = std::array<std::uint8_t, kMostDigits>;
+
 // The components of a colour that hold one digit, all with the same value.
 struct Digit {
-  std::vector<int> components;
+  std::array<int, 3> component{};
+  std::size_t count = 1;
+  [[nodiscard]] std::span<const int> components() const { return {component.data(), count}; }
 };
 
-[[nodiscard]] std::vector<Digit> digits_of(StudyFormat format);
+[[nodiscard]] std::span<const Digit> digits_of(StudyFormat format);
 
-// The registers before the first stage: own index in primary, the other in texture0, a byte for each digit.
+// The registers before the first stage: own index in primary, the other in texture0.
 [[nodiscard]] RegisterFile comparison_registers(const HardwareProfile& profile, StudyFormat format,
-                                                std::span<const std::uint8_t> own, std::span<const std::uint8_t> other);
+                                                const DigitBytes& own, const DigitBytes& other);
 
-// Pairs of a digit's values that no stage after the first can tell apart.
-struct DigitClass {
-  std::uint8_t own = 0, other = 0;  // one of them
-  std::uint64_t pairs = 0;          // how many there are
-  std::uint64_t equal = 0;          // how many of them pair a value with itself
-};
-
-// The classes of each digit. Reports a program whose first stage mixes digits in something that is read later.
-[[nodiscard]] Result<std::vector<std::vector<DigitClass>>> digit_classes(const Program& program,
-                                                                         const HardwareProfile& profile,
-                                                                         StudyFormat format, int step);
+// The digits that each register component depends on before the first stage, a bit for each.
+[[nodiscard]] ByComponent<unsigned> digits_before_first_stage(StudyFormat format);
 
 }  // namespace ninebit

@@ -1,13 +1,15 @@
 // `ninebit study index-steps`: how many pairs of different indices a comparison takes for equal.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
 #include <optional>
+#include <tuple>
+#include <utility>
 
 #include "ninebit/study/index_steps.h"
 #include "src/tools/number_list.h"
 #include "src/tools/program_file.h"
-#include "src/tools/scene_flags.h"
 #include "src/tools/study.h"
 
 namespace ninebit::tools {
@@ -35,131 +37,60 @@ std::vector<std::string> all_variants() {
 // "N" or "FIRST-LAST".
 std::optional<std::pair<int, int>> steps_of(const std::string& text) {
   const auto n = numbers<int>(text, '-');
-  if (!n || n->empty() || n->size() > 2 || n->front() < 1 || n->back() > 255 || n->front() > n->back()) {
-    return std::nullopt;
-  }
+  if (!n || n->size() > 2 || n->front() < 1 || n->back() > 255 || n->front() > n->back()) return std::nullopt;
   return std::pair{n->front(), n->back()};
 }
 
-// What is counted for one profile and format: a program, and whether its digits are compared one by one.
-struct Question {
-  std::string variant;
-  Program program;
-  bool separate = false;
-};
+// Keeps those that a list names, in their own order; all where there is no list.
+template <class T, class Name>
+void keep_named(std::vector<T>& all, const std::string& list, const Name& name) {
+  if (list.empty()) return;
+  const std::vector<std::string> wanted = items_of(list);
+  std::erase_if(all, [&](const T& one) { return std::find(wanted.begin(), wanted.end(), name(one)) == wanted.end(); });
+}
 
-// Every question that the flags ask of a profile and a format; empty with `exit_code` set where one cannot be asked.
-std::optional<std::vector<Question>> questions(const IndexStepsFlags& flags, const HardwareProfile& profile,
-                                               StudyFormat format, int& exit_code) {
-  std::vector<Question> out;
-  const auto ask = [&](std::string name, const Result<CombinerState>& state, bool separate) {
-    const auto program = state ? compile(*state, profile) : Result<Program>(state.error());
-    if (!program) return exit_code = report(program.error()), false;
-    out.push_back({std::move(name), *program, separate});
-    return true;
-  };
+// The file's program for a profile; with a faulty text, its first fault.
+Result<CombinerState> read_state(const std::string& name, const HardwareProfile& profile) {
+  auto file = read_program_file({.file = name, .from = "", .chip = ""}, profile);
+  if (!file) return file.error();
+  if (file->parsed) return *std::move(file->parsed.value);
+  const std::vector<TextFault>& faults = file->parsed.faults;
+  TextFault first = faults.front();
+  first.file.clear();
+  std::string message = first.text();
+  if (faults.size() > 1) message += fmt::format(" (the first of {} faults)", faults.size());
+  return Diagnostic{.message = std::move(message), .file = file->name};
+}
+
+Result<std::unique_ptr<Study>> make_index_steps(const IndexStepsFlags& flags) {
+  auto question = question_of(flags.study, "index-steps");
+  if (!question) return question.error();
+  IndexStepsOptions options{.profiles = profiles_of(flags.study), .question = *std::move(question)};
+  if (flags.study.common.own_profile) options.profile_text = flags.study.common.own_profile->text;
+  std::tie(options.first_step, options.last_step) = *steps_of(flags.steps);
+  keep_named(options.formats, flags.formats, [](StudyFormat format) { return name_of(format); });
+  keep_named(options.variants, flags.variants, [](const IndexVariant& variant) { return variant.name; });
   if (!flags.program.empty()) {
-    const auto state = load_program({.file = flags.program, .from = "", .chip = ""}, profile, exit_code);
-    if (!state || !ask("program", *state, false)) return std::nullopt;
-    return out;
-  }
-  const std::vector<std::string> wanted = flags.variants.empty() ? all_variants() : items_of(flags.variants);
-  const bool one_digit = format != StudyFormat::rgb && format != StudyFormat::luminance_alpha;
-  for (const IndexVariant& variant : index_variants()) {
-    if (std::find(wanted.begin(), wanted.end(), variant.name) == wanted.end()) continue;
-    if (one_digit && variant.separate) continue;  // the same as together
-    const auto state = index_variant_state(profile, format, variant);
-    if (!ask(std::string(variant.name), state, variant.separate)) return std::nullopt;
-  }
-  return out;
-}
-
-Json json_of(const IndexStepRow& row) {
-  return {{"profile", row.profile},         {"format", name_of(row.format)},
-          {"variant", row.variant},         {"step", row.step},
-          {"codes", row.count.codes},       {"pairs", row.count.pairs},
-          {"false_matches", row.count.false_matches}};
-}
-
-// One line for each profile, format and variant: the smallest safe step, what it leaves, what the step below loses.
-std::string words(const std::vector<IndexStepRow>& rows) {
-  std::string text;
-  for (std::size_t first = 0; first < rows.size();) {
-    const IndexStepRow& head = rows[first];
-    std::size_t end = first;
-    const IndexStepRow* safe = nullptr;
-    const IndexStepRow* lossy = nullptr;  // the largest step that loses a pair
-    const auto same = [&](const IndexStepRow& r) {
-      return r.profile == head.profile && r.format == head.format && r.variant == head.variant;
-    };
-    const std::optional<int> smallest = smallest_safe_step(rows, head.profile, head.format, head.variant);
-    for (; end < rows.size() && same(rows[end]); ++end) {
-      if (smallest && rows[end].step == *smallest) safe = &rows[end];
-      if (rows[end].count.false_matches > 0) lossy = &rows[end];
-    }
-    text += fmt::format("{:<25} {:<8} {:<19}", head.profile, name_of(head.format), head.variant);
-    text += safe != nullptr ? fmt::format("step {:>2} is safe: {} codes", safe->step, safe->count.codes)
-                            : std::string("no step asked for is safe");
-    if (lossy != nullptr) {
-      const double share = static_cast<double>(lossy->count.false_matches) / static_cast<double>(lossy->count.pairs);
-      text += fmt::format("; step {} loses {} of {} pairs ({:.3g} %)", lossy->step, lossy->count.false_matches,
-                          lossy->count.pairs, 100.0 * share);
-    }
-    text += '\n';
-    first = end;
-  }
-  return text;
-}
-
-int index_steps(const IndexStepsFlags& flags) {
-  const ThreadLimit limit(flags.study.common.threads);
-  const auto [first, last] = *steps_of(flags.steps);
-  std::vector<std::string> formats = flags.formats.empty() ? all_formats() : items_of(flags.formats);
-  const std::vector<HardwareProfile> profiles = profiles_of(flags.study);
-  std::vector<IndexStepRow> rows;
-  ProgressLine line(flags.study.common.quiet);
-  const double all = static_cast<double>(profiles.size() * kStudyFormats.size());
-  double done = 0.0;
-  for (const HardwareProfile& profile : profiles) {
-    for (const StudyFormat format : kStudyFormats) {
-      done += 1.0;
-      if (std::find(formats.begin(), formats.end(), name_of(format)) == formats.end()) continue;
-      int exit_code = kDone;
-      const auto asked = questions(flags, profile, format, exit_code);
-      if (!asked) return exit_code;
-      for (const Question& question : *asked) {
-        for (int step = first; step <= last; ++step) {
-          if (!line.step(fmt::format("{}, {}", profile.name, name_of(format)), (done - 1.0) / all)) {
-            return report({.message = "interrupted", .fault = Fault::cancelled});
-          }
-          const auto count = count_false_matches(question.program, profile, format, step, question.separate,
-                                                 [] { return !ProgressLine::stopped(); });
-          if (!count) {
-            Diagnostic fault = count.error();
-            if (fault.file.empty()) fault.file = flags.program;
-            return report(fault);
-          }
-          rows.push_back({std::string(profile.name), format, question.variant, step, *count});
-        }
-      }
+    if (const Status added = add_content(options.question, flags.program); !added) return added.error();
+    options.program = IndexProgram{.file = flags.program, .states = {}};
+    for (const HardwareProfile& profile : options.profiles) {
+      auto state = read_state(flags.program, profile);
+      if (!state) return state.error();
+      options.program->states.push_back(*std::move(state));
     }
   }
-  if (!flags.study.common.json) return answer(words(rows));
-  Json out{{"command", "study index-steps"}, {"version", NINEBIT_VERSION}};
-  out["profile"] = flags.study.profile->count() > 0 ? flags.study.common.profile : "all";
-  for (const IndexStepRow& row : rows) out["rows"].push_back(json_of(row));
-  return answer(out.dump(2) + "\n");
+  return index_steps_study(std::move(options));
 }
 
 }  // namespace
 
-void add_study_index_steps(CLI::App& study, int& exit_code) {
-  CLI::App* verb = study.add_subcommand("index-steps", "False matches of index comparisons, by step");
+void add_study_index_steps(CLI::App& verbs, StudyRequest& request) {
+  CLI::App* verb = verbs.add_subcommand("index-steps", "False matches of index comparisons, by step");
   verb->footer(
       "Examples:\n"
       "  ninebit study index-steps\n"
       "  ninebit study index-steps --profile geforce2 --formats channel,rgb --steps 1-4 --json\n"
-      "  ninebit study index-steps --program docs/programs/index_compare.gl --formats rgb");
+      "  ninebit study index-steps --program docs/programs/index_compare.gl --formats rgb -o out");
   auto flags = std::make_shared<IndexStepsFlags>();
   add_study_flags(*verb, flags->study);
   const auto check_steps = [](const std::string& text) -> std::string {
@@ -176,10 +107,17 @@ void add_study_index_steps(CLI::App& study, int& exit_code) {
       verb->add_option("--variants", flags->variants, "Forms of the article's program (default: all)")
           ->type_name("LIST")
           ->check(list_of(all_variants()));
+  const auto check_file = [](const std::string& text) -> std::string {
+    return text.empty() || text == "-" ? "a study reads its program more than once; expected a file's name" : "";
+  };
   verb->add_option("--program", flags->program, "A program of your own: primary against texture 0, alpha 0 where equal")
       ->type_name("FILE")
+      ->check(CLI::Validator(check_file, ""))
       ->excludes(variants);
-  verb->callback([flags, &exit_code] { exit_code = index_steps(*flags); });
+  verb->callback([flags, &request] {
+    request.flags = &flags->study;
+    request.make = [flags] { return make_index_steps(*flags); };
+  });
 }
 
 }  // namespace ninebit::tools

@@ -1,17 +1,18 @@
 // How often an index comparison takes two different indices for the same one: by step, format, profile and program.
 //
-// Nothing is sampled. Two indices come out equal or not by their digits (the channels that hold an index), and after
-// the first general combiner most pairs of digits can no longer be told apart: a class of pairs is evaluated once and
-// counted as often as it has members. docs/study.md tells how, and why the counts are those of all pairs.
+// Nothing is sampled. Two indices come out equal or not by their digits (the channels that hold an index), and most
+// pairs of a digit's values leave the same number behind: a class of such pairs is evaluated once and counted as often
+// as it has members. docs/study/index-steps.md tells how, and why the counts are those of all pairs.
 #pragma once
 
 #include <array>
 #include <cstdint>
-#include <functional>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "ninebit/combiner/program.h"
@@ -29,6 +30,9 @@ inline constexpr std::array kStudyFormats{StudyFormat::channel, StudyFormat::rgb
 
 // "channel", "rgb", "la", "l", "a".
 [[nodiscard]] std::string_view name_of(StudyFormat format);
+
+// How many 8-bit channels hold an index: 3 for rgb, 2 for la, otherwise 1.
+[[nodiscard]] int channels_of(StudyFormat format);
 
 // A form of the article's program.
 struct IndexVariant {
@@ -53,9 +57,8 @@ struct FalseMatches {
   std::uint64_t false_matches = 0;  // those whose alpha leaves the final combiner as byte 0
 };
 
-// Counts over all pairs. primary holds one index, texture0 the other. `step` is 1 to 255. Reports a program whose second
-// stage sees digits mixed by the first, where the pairs are more than can be counted one by one; and
-// Fault::cancelled where go_on says no.
+// Counts over all pairs. primary holds one index, texture0 the other. `step` is 1 to 255. Reports a program whose first
+// stage mixes digits, or whose classes are more than can be evaluated; and Fault::cancelled where go_on says no.
 [[nodiscard]] Result<FalseMatches> count_false_matches(const Program& program, const HardwareProfile& profile,
                                                        StudyFormat format, int step, bool separate = false,
                                                        const GoOn& go_on = {});
@@ -72,5 +75,28 @@ struct IndexStepRow {
 // largest step still loses some.
 [[nodiscard]] std::optional<int> smallest_safe_step(std::span<const IndexStepRow> rows, std::string_view profile,
                                                     StudyFormat format, std::string_view variant);
+
+// A program of the caller's own in place of the variants: primary against texture 0, alpha 0 where they are equal.
+struct IndexProgram {
+  std::string file;                   // its name, for the question and for faults
+  std::vector<CombinerState> states;  // one for each profile
+};
+
+struct IndexStepsOptions {
+  std::vector<HardwareProfile> profiles;
+  std::shared_ptr<const void> profile_text{};  // what owns their strings, where these do not live for the whole run
+  std::vector<StudyFormat> formats{kStudyFormats.begin(), kStudyFormats.end()};
+  std::vector<IndexVariant> variants{index_variants().begin(), index_variants().end()};
+  int first_step = 1, last_step = 16;  // 1 to 255
+  std::optional<IndexProgram> program{};
+  // How the question names the profiles, and the contents of files that were read; the other options are added to it.
+  StudyQuestion question{.study = "index-steps", .profile = "all"};
+};
+
+// The study: a unit for each profile, format and variant, with a row {profile, format, variant, step, codes, pairs,
+// false_matches} for each step. A separate comparison of a format with one channel is left out, being the same as the
+// other; a program of the caller's own is the variant "program". Reports an empty list, steps out of range, a program
+// that a profile refuses, and what count_false_matches reports.
+[[nodiscard]] Result<std::unique_ptr<Study>> index_steps_study(IndexStepsOptions options);
 
 }  // namespace ninebit
