@@ -49,6 +49,7 @@ SumTotals by_hand(const HardwareProfile& p, const OutputForm& form, const std::v
       out.sum_of_sizes += std::abs(error);
       out.sum_of_errors += error;
       out.sum_of_codes += code;
+      out.sum_of_squares += code * code;
     }
   }
   return out;
@@ -57,7 +58,8 @@ SumTotals by_hand(const HardwareProfile& p, const OutputForm& form, const std::v
 std::string said(const SumTotals& t) {
   return std::to_string(t.cases) + " cases, " + std::to_string(t.inexact) + " inexact, at most " +
          std::to_string(t.max_error) + ", sizes " + std::to_string(t.sum_of_sizes) + ", errors " +
-         std::to_string(t.sum_of_errors) + ", codes " + std::to_string(t.sum_of_codes);
+         std::to_string(t.sum_of_errors) + ", codes " + std::to_string(t.sum_of_codes) + ", squares " +
+         std::to_string(t.sum_of_squares);
 }
 
 // The choices that the lanes read, and their rivals.

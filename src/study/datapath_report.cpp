@@ -59,7 +59,7 @@ class Writer {
           profile.name, form.name, percent(product->count("exact"), product->count("cases")), product->count("cases"),
           product->number("max_error") * profile.one, product->text("worst"), product->text("worst_code"),
           product->number("worst_exact") * profile.one, product->number("mean_error") * profile.one,
-          product->number("mean_bias") * profile.one));
+          plain(product->number("mean_bias") * profile.one)));
     }
     const StudyRow* worst = nullptr;
     for (const StudyRow& row : rows_) {
@@ -68,8 +68,8 @@ class Writer {
       if (worst == nullptr || row.number("max_error") > worst->number("max_error") + 1e-12) worst = &row;
     }
     if (worst == nullptr) return;
-    out_.answers.push_back(fmt::format("{}: no operation is off by more than {} is: {:.3f} codes, at {}.", profile.name,
-                                       name_of_row(*worst), worst->number("max_error") * profile.one,
+    out_.answers.push_back(fmt::format("{}: the largest error of any operation is {:.3f} codes, of {} at {}.",
+                                       profile.name, worst->number("max_error") * profile.one, name_of_row(*worst),
                                        worst->text("worst")));
   }
 

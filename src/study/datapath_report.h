@@ -17,6 +17,11 @@ namespace ninebit {
 // where each pair of profiles with the same `one` differs. Maps on which nothing is to be seen are left out.
 [[nodiscard]] std::vector<HeatMap> datapath_maps(std::span<const HardwareProfile> profiles);
 
+// A value for a sentence: nothing that prints as -0.000.
+[[nodiscard]] inline double plain(double value) {
+  return value > -0.0005 && value < 0.0005 ? 0.0 : value;
+}
+
 // 0 of 0 is 0 %.
 [[nodiscard]] double percent(std::uint64_t part, std::uint64_t whole);
 

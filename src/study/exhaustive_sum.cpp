@@ -52,14 +52,15 @@ class ExhaustiveSum final : public Study {
                                              {"max_error", static_cast<double>(all.max_error) / units_of_one()},
                                              {"sum_of_sizes", all.sum_of_sizes},
                                              {"sum_of_errors", all.sum_of_errors},
-                                             {"sum_of_codes", all.sum_of_codes}}}};
+                                             {"sum_of_codes", all.sum_of_codes},
+                                             {"sum_of_squares", all.sum_of_squares}}}};
   }
 
   [[nodiscard]] Result<StudyReport> report(std::span<const StudyRow> rows, std::size_t done) const override {
     StudyReport out{.title = "AB + CD, every case", .answers = {}};
     ReportTable table{.title = "All cases by output form",
                       .columns = {"profile", "form", "values of A", "cases", "exact", "inexact", "exact, %", "max",
-                                  "mean", "bias", "sum of codes"},
+                                  "mean", "bias", "sum of codes", "sum of squares"},
                       .rows = {},
                       .caption = "Max, mean and bias in codes."};
     Plot exact{.file = "exact-by-a",
@@ -87,13 +88,13 @@ class ExhaustiveSum final : public Study {
       out.answers.push_back(
           fmt::format("{}, {}: {} of {} cases of AB + CD come out exact ({:.3f} %); the others are off by {:.4f} codes "
                       "at most, all "
-                      "together by {:.4f} on average; the sum of all codes is {}.",
+                      "together by {:.4f} on average; the sum of the codes' squares is {}.",
                       profile_, form.name, sum.exact, sum.cases, percent(sum.exact, sum.cases),
-                      sum.max_error * datapath_.one, sum.per_case(sum.sizes) * codes_of_unit(), sum.codes));
+                      sum.max_error * datapath_.one, sum.per_case(sum.sizes) * codes_of_unit(), sum.squares));
       table.rows.push_back({profile_, std::string(form.name), sum.values, sum.cases, sum.exact, sum.cases - sum.exact,
                             percent(sum.exact, sum.cases), sum.max_error * datapath_.one,
                             sum.per_case(sum.sizes) * codes_of_unit(), sum.per_case(sum.errors) * codes_of_unit(),
-                            sum.codes});
+                            sum.codes, sum.squares});
       exact.series.push_back(std::move(shares));
       mean.series.push_back(std::move(means));
     }
@@ -111,7 +112,7 @@ class ExhaustiveSum final : public Study {
   struct Sum {
     std::uint64_t values = 0, cases = 0, exact = 0;
     double max_error = 0.0;
-    std::int64_t sizes = 0, errors = 0, codes = 0;
+    std::int64_t sizes = 0, errors = 0, codes = 0, squares = 0;
 
     void add(const StudyRow& row) {
       ++values;
@@ -121,6 +122,7 @@ class ExhaustiveSum final : public Study {
       sizes += static_cast<std::int64_t>(row.number("sum_of_sizes"));
       errors += static_cast<std::int64_t>(row.number("sum_of_errors"));
       codes += static_cast<std::int64_t>(row.number("sum_of_codes"));
+      squares += static_cast<std::int64_t>(row.number("sum_of_squares"));
     }
     [[nodiscard]] double per_case(std::int64_t sum) const {
       return static_cast<double>(sum) / static_cast<double>(cases);

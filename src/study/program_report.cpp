@@ -116,7 +116,7 @@ class Writer {
         "{}: exact for {:.2f} % of {} fragments; off by {:.3f} codes at most, where {}: {} comes out, {:.3f} is exact; "
         "by {:.3f} on average, with a bias of {:.3f}.",
         kComponentNames[c], percent(exact, fragments), fragments, sum.most * one_, sum.worst->text("worst"),
-        sum.worst->text("worst_code"), worst_exact, sum.mean() * one_, sum.bias() * one_));
+        sum.worst->text("worst_code"), worst_exact, sum.mean() * one_, plain(sum.bias() * one_)));
     return true;
   }
 

@@ -93,7 +93,7 @@ HWY_NOINLINE SumTotals totals(const Datapath& given, Bias bias, int a, int b) {
   const V32 ab = lanes::mul(lanes::set(a), lanes::set(b)), unit = lanes::set(4 * one), yes = lanes::set(1);
   const V32 half = lanes::set(bias == Bias::none ? 0 : square);  // in units of 1 / (2 one²)
   const V32 lowest = lanes::set(-4 * square), highest = lanes::set(4 * square);
-  V32 most = lanes::set(0), inexact = most, sizes = most, errors = most, codes = most;
+  V32 most = lanes::set(0), inexact = most, sizes = most, errors = most, codes = most, squares = most;
 
   // `some` keeps the lanes that are cases.
   const auto visit = [&](V32 product, const auto& some) HWY_ATTR {
@@ -109,6 +109,7 @@ HWY_NOINLINE SumTotals totals(const Datapath& given, Bias bias, int a, int b) {
     sizes = hn::Add(sizes, size);
     errors = hn::Add(errors, error);
     codes = hn::Add(codes, code);
+    squares = hn::Add(squares, hn::Mul(code, code));
   };
 
   const int n = 2 * one + 1, count = static_cast<int>(hn::Lanes(kD32)), rest = n % count;
@@ -118,7 +119,7 @@ HWY_NOINLINE SumTotals totals(const Datapath& given, Bias bias, int a, int b) {
   for (int c = -one; c <= one; ++c) {
     const V32 factor = lanes::set(c);
     V32 ds = hn::Iota(kD32, -one);
-    inexact = sizes = errors = codes = lanes::set(0);
+    inexact = sizes = errors = codes = squares = lanes::set(0);
     for (int i = 0; i < n / count; ++i) {
       visit(hn::Mul(factor, ds), [](V32 v) HWY_ATTR { return v; });
       ds = hn::Add(ds, step);
@@ -129,6 +130,7 @@ HWY_NOINLINE SumTotals totals(const Datapath& given, Bias bias, int a, int b) {
     out.sum_of_sizes += sum_of_lanes(sizes);
     out.sum_of_errors += sum_of_lanes(errors);
     out.sum_of_codes += sum_of_lanes(codes);
+    out.sum_of_squares += sum_of_lanes(squares);
   }
   out.cases = static_cast<std::uint64_t>(n) * static_cast<std::uint64_t>(n);
   out.max_error = hn::GetLane(hn::MaxOfLanes(kD32, most));
@@ -179,6 +181,7 @@ void SumTotals::add(const SumTotals& other) {
   sum_of_sizes += other.sum_of_sizes;
   sum_of_errors += other.sum_of_errors;
   sum_of_codes += other.sum_of_codes;
+  sum_of_squares += other.sum_of_squares;
 }
 
 }  // namespace ninebit

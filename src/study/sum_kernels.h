@@ -16,6 +16,7 @@ struct SumTotals {
   std::int64_t sum_of_sizes = 0;
   std::int64_t sum_of_errors = 0;  // with their signs
   std::int64_t sum_of_codes = 0;
+  std::int64_t sum_of_squares = 0;  // of codes
 
   void add(const SumTotals& other);
   friend bool operator==(const SumTotals&, const SumTotals&) = default;

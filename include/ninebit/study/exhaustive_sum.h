@@ -24,7 +24,9 @@ namespace ninebit {
 //   max_error               the largest size of an error, in real numbers
 //   sum_of_sizes            of all errors' sizes, in units of 1 / (4 one²)
 //   sum_of_errors           the same with their signs
-//   sum_of_codes            of all results: two runs that agree here computed the same
+//   sum_of_codes, sum_of_squares   of all results and of their squares: checksums. Where narrowing is symmetric the
+//   first
+//                           is 0, as each case has one with all signs changed.
 [[nodiscard]] Result<std::unique_ptr<Study>> exhaustive_sum_study(StudyQuestion question,
                                                                   const HardwareProfile& profile,
                                                                   std::span<const OutputForm> forms);
