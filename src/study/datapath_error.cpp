@@ -40,6 +40,7 @@ StudyRow errors_of(const HardwareProfile& profile, const Operation& operation) {
       worst = i;
     }
   }
+  const double bias = sum / static_cast<double>(cases);
   return {.table = "rows",
           .fields = {{"profile", std::string(profile.name)},
                      {"operation", std::string(operation.name)},
@@ -49,7 +50,7 @@ StudyRow errors_of(const HardwareProfile& profile, const Operation& operation) {
                      {"distinct", static_cast<std::uint64_t>(codes.size())},
                      {"max_error", most},
                      {"mean_error", sum_of_sizes / static_cast<double>(cases)},
-                     {"mean_bias", sum / static_cast<double>(cases)},
+                     {"mean_bias", std::fabs(bias) < 1e-12 ? 0.0 : bias},
                      {"worst", operation.inputs(worst)},
                      {"worst_code", static_cast<std::int64_t>(operation.code(d, worst))},
                      {"worst_exact", operation.exact(worst)}}};
