@@ -5,6 +5,7 @@
 
 #include <atomic>
 #include <cmath>
+#include <deque>
 #include <map>
 #include <set>
 #include <utility>
@@ -77,6 +78,8 @@ class DatapathStudy final : public Study {
  public:
   DatapathStudy(StudyQuestion question, std::vector<HardwareProfile> profiles)
       : question_(std::move(question)), profiles_(std::move(profiles)) {
+    // A profile from a file shows a name that may not live as long as this.
+    for (HardwareProfile& profile : profiles_) profile.name = names_.emplace_back(profile.name);
     for (const HardwareProfile& profile : profiles_) operations_.try_emplace(profile.one, profile.one);
     const auto add = [&](const HardwareProfile& first, const HardwareProfile* second) {
       for (std::size_t kind = 0; kind < kOperations.size(); ++kind) units_.push_back({&first, second, kind});
@@ -124,6 +127,7 @@ class DatapathStudy final : public Study {
   };
 
   StudyQuestion question_;
+  std::deque<std::string> names_;
   std::vector<HardwareProfile> profiles_;
   mutable std::map<int, Operations> operations_;  // by `one`
   std::vector<Unit> units_;

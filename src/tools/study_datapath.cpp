@@ -1,6 +1,7 @@
 // `ninebit study datapath`: how far each operation is from exact arithmetic, and whole programs.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
 
 #include "ninebit/study/datapath_error.h"
@@ -8,8 +9,6 @@
 #include "ninebit/study/program_error.h"
 #include "src/tools/eval_table.h"
 #include "src/tools/program_file.h"
-#include "src/tools/scene_flags.h"
-#include "src/tools/sha256.h"
 #include "src/tools/study.h"
 
 namespace ninebit::tools {
@@ -36,21 +35,11 @@ std::vector<std::string> all_forms() {
   return names;
 }
 
-void add_text(Sha256& hash, std::string_view text) {
-  hash.add({reinterpret_cast<const unsigned char*>(text.data()), text.size()});
-}
-
-std::string hash_of(std::string_view text) {
-  Sha256 hash;
-  add_text(hash, text);
-  return hash.finish();
-}
-
 Result<Program> read_program(const DatapathFlags& flags, const HardwareProfile& profile, StudyQuestion& question) {
   const auto file = read_program_file({.file = flags.program, .from = "", .chip = ""}, profile);
   if (!file) return file.error();
   question.options.emplace_back("--program", flags.program);
-  question.options.emplace_back("sha256 of " + file->name, hash_of(file->text));
+  if (Status added = add_content(question, flags.program); !added) return added.error();
   if (!file->parsed) {
     std::string faults;
     for (const TextFault& fault : file->parsed.faults) {
@@ -83,16 +72,7 @@ Result<ProgramInputs> read_inputs(const DatapathFlags& flags, const HardwareProf
   auto input = InputFile::open(flags.inputs);
   if (!input) return input.error();
   CsvLines lines(std::move(*input));
-  Sha256 hash;
-  const auto next = [&]() -> Result<std::optional<CsvLine>> {
-    auto line = lines.next();
-    if (line && *line) {
-      add_text(hash, (*line)->text);
-      add_text(hash, "\n");
-    }
-    return line;
-  };
-  auto header = next();
+  auto header = lines.next();
   if (!header) return header.error();
   if (!*header) return csv_fault(lines.name(), 1, 1, "the table is empty; expected a header such as primary.r,tex0.a");
   auto columns = read_header(**header, lines.name(), profile);
@@ -102,7 +82,7 @@ Result<ProgramInputs> read_inputs(const DatapathFlags& flags, const HardwareProf
   const auto batch = std::make_unique<EvalBatch>();
   std::vector<s9> codes;
   while (true) {
-    auto line = next();
+    auto line = lines.next();
     if (!line) return line.error();
     if (!*line) break;
     rows.begin(*batch);
@@ -114,14 +94,18 @@ Result<ProgramInputs> read_inputs(const DatapathFlags& flags, const HardwareProf
   }
   if (codes.empty()) return csv_fault(lines.name(), 2, 1, "the table has no rows");
   question.options.emplace_back("--inputs", flags.inputs);
-  question.options.emplace_back("sha256 of the lines of " + lines.name(), hash.finish());
+  if (Status added = add_content(question, flags.inputs); !added) return added.error();
   return ProgramInputs{.components = components_of(*columns), .codes = std::move(codes)};
 }
 
 // The study that the flags ask for.
 Result<std::unique_ptr<Study>> make_datapath(const DatapathFlags& flags) {
-  StudyQuestion question{.study = "datapath", .profile = flags.study.common.profile};
+  auto asked = question_of(flags.study, "datapath");
+  if (!asked) return asked.error();
+  StudyQuestion question = *std::move(asked);
   const HardwareProfile& profile = profile_of(flags.study.common);
+  const bool one_profile = !flags.program.empty() || flags.exhaustive_sum;
+  if (one_profile && flags.study.profile->count() == 0) question.profile = profile.name;
   if (!flags.program.empty()) {
     auto program = read_program(flags, profile, question);
     if (!program) return program.error();
@@ -130,73 +114,31 @@ Result<std::unique_ptr<Study>> make_datapath(const DatapathFlags& flags) {
     return program_error_study(std::move(question), profile, *program, std::move(*inputs));
   }
   if (flags.exhaustive_sum) {
-    std::vector<OutputForm> forms;
-    for (const std::string& name : items_of(flags.forms)) {
-      for (const OutputForm& form : kOutputForms) {
-        if (form_flag(form) == name) forms.push_back(form);
-      }
+    const std::vector<std::string> wanted = items_of(flags.forms);
+    std::vector<OutputForm> forms;  // each once
+    std::vector<std::string> names;
+    for (const OutputForm& form : kOutputForms) {
+      if (std::find(wanted.begin(), wanted.end(), form_flag(form)) == wanted.end()) continue;
+      forms.push_back(form);
+      names.push_back(form_flag(form));
     }
     question.options.emplace_back("--exhaustive-sum", "");
-    question.options.emplace_back("--forms", flags.forms);
+    question.options.emplace_back("--forms", fmt::format("{}", fmt::join(names, ",")));
     return exhaustive_sum_study(std::move(question), profile, forms);
   }
-  const std::vector<HardwareProfile> profiles = profiles_of(flags.study);
-  if (flags.study.profile->count() == 0) question.profile = "all";
-  return datapath_study(std::move(question), profiles);
+  return datapath_study(std::move(question), profiles_of(flags.study));
 }
 
-Json json_of(const StudyRow& row) {
-  Json out = Json::object();
-  for (const auto& [name, value] : row.fields) {
-    out[name] = std::visit(
-        [](const auto& v) {
-          if constexpr (std::is_same_v<std::decay_t<decltype(v)>, std::monostate>) {
-            return Json(nullptr);
-          } else {
-            return Json(v);
-          }
-        },
-        value);
-  }
-  return out;
-}
-
-int run_all(const Study& study, const StudyFlags& flags) {
-  const ThreadLimit limit(flags.common.threads);
-  std::vector<StudyRow> rows;
-  {
-    ProgressLine line(flags.common.quiet);
-    for (std::size_t unit = 0; unit < study.units(); ++unit) {
-      if (!line.step(study.unit_name(unit), static_cast<double>(unit) / static_cast<double>(study.units()))) {
-        return report({.message = "interrupted", .fault = Fault::cancelled});
-      }
-      auto more = study.run(unit, [] { return !ProgressLine::stopped(); });
-      if (!more) return report(more.error());
-      rows.insert(rows.end(), more->begin(), more->end());
-    }
-  }
-  if (flags.common.json) {
-    Json out{{"command", "study datapath"}, {"version", NINEBIT_VERSION}, {"profile", study.question().profile}};
-    out["rows"] = Json::array();
-    for (const StudyRow& row : rows) out[row.table].push_back(json_of(row));
-    return answer(out.dump(2) + "\n");
-  }
-  const auto told = study.report(rows, study.units());
-  if (!told) return report(told.error());
-  std::string text;
-  for (const std::string& sentence : told->answers) text += sentence + "\n";
-  return answer(text);
-}
-
-int datapath(const DatapathFlags& flags) {
-  const auto study = make_datapath(flags);
-  return study ? run_all(**study, flags.study) : report(study.error());
+// Files alone: a question is asked again when its parts are joined.
+std::string check_file(const std::string& text) {
+  if (!text.empty() && text != "-") return {};
+  return fmt::format("'{}' is no file; a study reads its files more than once", text);
 }
 
 }  // namespace
 
-void add_study_datapath(CLI::App& study, int& exit_code) {
-  CLI::App* verb = study.add_subcommand("datapath", "Errors of every operation of the datapath, over all inputs");
+void add_study_datapath(CLI::App& verbs, StudyRequest& request) {
+  CLI::App* verb = verbs.add_subcommand("datapath", "Errors of every operation of the datapath, over all inputs");
   verb->footer(
       "With --program the error of a whole program and of each of its stages, with --exhaustive-sum AB + CD case by\n"
       "case; both for one profile, geforce2 where none is given.\n"
@@ -207,11 +149,13 @@ void add_study_datapath(CLI::App& study, int& exit_code) {
       "  ninebit study datapath --exhaustive-sum --forms x1,x4");
   auto flags = std::make_shared<DatapathFlags>();
   add_study_flags(*verb, flags->study);
-  CLI::Option* program =
-      verb->add_option("--program", flags->program, "A program to measure as a whole")->type_name("FILE");
+  CLI::Option* program = verb->add_option("--program", flags->program, "A program to measure as a whole")
+                             ->type_name("FILE")
+                             ->check(CLI::Validator(check_file, ""));
   CLI::Option* inputs =
       verb->add_option("--inputs", flags->inputs, "Its inputs: a table of register codes as `ninebit eval` takes it")
           ->type_name("FILE.csv")
+          ->check(CLI::Validator(check_file, ""))
           ->needs(program);
   CLI::Option* over =
       verb->add_option("--over", flags->over, "Its inputs: all values of these components, such as tex0.r,primary.r")
@@ -225,11 +169,11 @@ void add_study_datapath(CLI::App& study, int& exit_code) {
       ->capture_default_str()
       ->check(list_of(all_forms()))
       ->needs(sum);
-  verb->callback([flags, program, inputs, over, &exit_code] {
+  verb->callback([flags, program, inputs, over, &request] {
     if (program->count() > 0 && inputs->count() + over->count() == 0) {
       throw CLI::ValidationError("--program needs --inputs FILE.csv or --over LIST");
     }
-    exit_code = datapath(*flags);
+    request = {.make = [flags] { return make_datapath(*flags); }, .flags = &flags->study};
   });
 }
 
