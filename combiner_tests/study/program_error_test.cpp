@@ -181,6 +181,40 @@ TEST(ProgramErrors, ATableOfAllFragmentsIsTheSame) {
   EXPECT_EQ(row_of(rows, "rows", "a").count("fragments"), 128U * 255U);
 }
 
+// More fragments than a unit holds: the report is on all of them.
+TEST(ProgramErrors, UnitsAddUpInTheReport) {
+  const HardwareProfile& profile = profiles::geforce2;
+  const Program program = comparison(profile);
+  ProgramInputs inputs{.components = {{Register::primary, kRed}}, .codes = std::vector<s9>{}};
+  constexpr int kFragments = (1 << 18) + 1000;
+  for (int i = 0; i < kFragments; ++i) inputs.codes->push_back(static_cast<s9>(i < (1 << 18) ? i % 64 : 65));
+  double sizes = 0.0, most = 0.0;
+  const auto size_of = [&](int code) {
+    RegisterFile registers;
+    registers[Register::primary][kRed] = static_cast<s9>(code);
+    return std::fabs(to_real(profile, evaluate(program, registers)[kAlpha]) -
+                     evaluate_real(program, registers).color[kAlpha]);
+  };
+  for (int code = 0; code < 64; ++code) {
+    sizes += size_of(code) * (1 << 12);
+    most = std::max(most, size_of(code));
+  }
+  sizes += size_of(65) * 1000;
+  most = std::max(most, size_of(65));
+
+  const auto study = valid(program_error_study({}, profile, program, inputs));
+  ASSERT_EQ(study->units(), 2U);
+  const std::vector<StudyRow> rows = all_rows(*study);
+  EXPECT_EQ(rows.size(), 2U * (4U + 4U * 3U));
+  const auto report = study->report(rows, 2);
+  ASSERT_TRUE(report.ok());
+  const std::vector<StudyValue>& alpha = report->tables.at(0).rows.at(3);
+  EXPECT_EQ(std::get<std::uint64_t>(alpha.at(1)), static_cast<std::uint64_t>(kFragments));
+  EXPECT_NEAR(std::get<double>(alpha.at(3)), most * 255.0, 1e-8);
+  EXPECT_NEAR(std::get<double>(alpha.at(4)), sizes * 255.0 / kFragments, 1e-8);
+  EXPECT_TRUE(report->heat_maps.empty());
+}
+
 // A constant among the components stands in for the program's own.
 TEST(ProgramErrors, ConstantsVary) {
   const HardwareProfile& profile = profiles::geforce2;
