@@ -47,6 +47,8 @@ void add_study(CLI::App& app, int& exit_code) {
   verb->footer("Example: ninebit study index-steps\n`ninebit study PART --help` tells a part's flags.");
   add_study_index_steps(*verb, exit_code);
   add_study_datapath(*verb, exit_code);
+  add_study_depth_packing(*verb, exit_code);
+  add_study_shadows(*verb, exit_code);
 }
 
 }  // namespace ninebit::tools

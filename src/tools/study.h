@@ -26,5 +26,7 @@ void add_study_flags(CLI::App& verb, StudyFlags& flags);
 
 void add_study_index_steps(CLI::App& study, int& exit_code);
 void add_study_datapath(CLI::App& study, int& exit_code);
+void add_study_depth_packing(CLI::App& study, int& exit_code);
+void add_study_shadows(CLI::App& study, int& exit_code);
 
 }  // namespace ninebit::tools
