@@ -26,14 +26,15 @@ struct Library {
 };
 const std::vector<Library> kLibraries{
     {std::regex("hwy/.*"), {"combiner", "raster", "shadow", "bench"}},
-    {std::regex("oneapi/tbb/.*"), {"raster", "shadow", "tools"}},
+    {std::regex("oneapi/tbb/.*"), {"raster", "shadow", "study", "tools"}},
     {std::regex("fmt/.*"), {"scene", "image", "shadow", "study", "tools"}},
     {std::regex("glm/.*"), {"raster", "scene", "shadow", "study", "tools", "bench"}},
     {std::regex("assimp/.*"), {"scene"}},
     {std::regex("meshoptimizer\\.h"), {"shadow"}},
     {std::regex("embree3/.*"), {"shadow"}},
     {std::regex("OpenImageIO/.*|png\\.h|Imf.*|OpenEXR/.*|Iex.*|half\\.h|Imath.*"), {"image"}},
-    {std::regex("CLI/.*|openssl/.*"), {"tools"}},
+    {std::regex("CLI/.*"), {"tools"}},
+    {std::regex("openssl/.*"), {"study"}},
     {std::regex("nlohmann/.*"), {"language", "scene", "study", "tools"}},
     {std::regex("unistd\\.h|fcntl\\.h|poll\\.h|sys/.*"), {"image", "tools"}},
     {std::regex("dlfcn\\.h"), {"image", "bench"}},

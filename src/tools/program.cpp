@@ -50,6 +50,7 @@ OwnedProfile read_profile(const std::string& path) {
 // Takes a shipped profile's name, or replaces a file's path by the name that the profile in it has.
 std::string check_profile(CommonFlags& flags, std::string& text) {
   flags.own_profile.reset();
+  flags.profile_file.clear();
   if (find_profile(text) != nullptr) return {};
   if (!text.ends_with(".json")) {
     std::vector<std::string_view> names;
@@ -57,6 +58,7 @@ std::string check_profile(CommonFlags& flags, std::string& text) {
     return fmt::format("'{}' is no profile; expected {}, or the path of a .json file", text, fmt::join(names, ", "));
   }
   flags.own_profile = read_profile(text);
+  flags.profile_file = text;
   text = flags.own_profile->profile.name;
   return {};
 }

@@ -34,6 +34,7 @@ struct CommonFlags {
   bool quiet = false;
   std::string profile = "geforce2";         // the profile's name
   std::optional<OwnedProfile> own_profile;  // if it came from a file
+  std::string profile_file;                 // that file
   int threads = 0;                          // 0: all
 };
 

@@ -13,10 +13,11 @@
 
 #include "ninebit/shadow/ground_truth.h"
 #include "ninebit/shadow/pictures.h"
+#include "src/study/sha256.h"
 #include "src/tools/number_list.h"
 #include "src/tools/pixel_flag.h"
 #include "src/tools/scene_flags.h"
-#include "src/tools/sha256.h"
+
 
 namespace ninebit::tools {
 namespace {

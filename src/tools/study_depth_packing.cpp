@@ -2,9 +2,7 @@
 #include <memory>
 
 #include "ninebit/study/depth_packing_error.h"
-#include "src/tools/scene_flags.h"
 #include "src/tools/study.h"
-#include "src/tools/study_run.h"
 
 namespace ninebit::tools {
 namespace {
@@ -42,16 +40,10 @@ Result<std::unique_ptr<Study>> make_study(const DepthPackingFlags& flags) {
   return make_depth_packing_study(options);
 }
 
-int depth_packing(const DepthPackingFlags& flags) {
-  const ThreadLimit limit(flags.study.common.threads);
-  const auto study = make_study(flags);
-  return study ? run_study(**study, flags.study) : report(study.error());
-}
-
 }  // namespace
 
-void add_study_depth_packing(CLI::App& study, int& exit_code) {
-  CLI::App* verb = study.add_subcommand("depth-packing", "Round trips of depths packed into bytes, as three.js did it");
+void add_study_depth_packing(CLI::App& verbs, StudyRequest& request) {
+  CLI::App* verb = verbs.add_subcommand("depth-packing", "Round trips of depths packed into bytes, as three.js did it");
   verb->footer(
       "Examples:\n"
       "  ninebit study depth-packing\n"
@@ -72,7 +64,10 @@ void add_study_depth_packing(CLI::App& study, int& exit_code) {
       ->type_name("N")
       ->capture_default_str()
       ->check(CLI::Range(1U, 1U << 24));
-  verb->callback([flags, &exit_code] { exit_code = depth_packing(*flags); });
+  verb->callback([flags, &request] {
+    request.flags = &flags->study;
+    request.make = [flags] { return make_study(*flags); };
+  });
 }
 
 }  // namespace ninebit::tools

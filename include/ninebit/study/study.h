@@ -10,7 +10,7 @@
 #include <span>
 #include <string>
 #include <string_view>
-#include <variant>
+#include <utility>
 #include <vector>
 
 #include "ninebit/numerics/result.h"
@@ -25,12 +25,15 @@ using GoOn = std::function<bool()>;
 struct StudyQuestion {
   std::string study;    // "index-steps"
   std::string profile;  // a profile's name, or "all"
-  // Flags with their values in a fixed order, completed by the defaults: {"--steps", "1-16"}. Files that a flag names
-  // are followed by {"sha256 of FILE", …}, so that a part made from other content is told apart.
+  // Flags with their values in a fixed order, completed by the defaults: {"--steps", "1-16"}; a flag that takes no value
+  // has the empty one. What does not begin with '-' is no flag but a fact, such as {"sha256 of room.gltf", "…"}: a part
+  // that was made from other content is another question.
   std::vector<std::pair<std::string, std::string>> options{};
   std::string arguments{};  // what stands before the flags: a scene's file
 
-  // "ninebit study index-steps --steps 1-16 --profile geforce2"
+  // {"index-steps", "--steps", "1-16", "--profile", "geforce2"}: what the program takes after `ninebit study`.
+  [[nodiscard]] std::vector<std::string> words() const;
+  // The same as one line for a shell.
   [[nodiscard]] std::string command() const;
   friend bool operator==(const StudyQuestion&, const StudyQuestion&) = default;
 };

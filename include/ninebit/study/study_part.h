@@ -45,13 +45,14 @@ struct FinishedUnit {
 };
 
 struct StudyPart {
+  std::filesystem::path file;  // that it stands in
   PartHeader header;
   std::vector<FinishedUnit> units;
   bool complete = false;  // has its last line
 };
 
 // Reads a part. Reports, with file and line, what is no part, damaged (a hash that does not fit, a line that is not the
-// last and not complete) or longer than a part of its units may be.
+// last and not complete) or of lines longer than 64 MiB.
 [[nodiscard]] Result<StudyPart> read_part(const std::filesystem::path& file);
 
 // What a run is told between units: what comes next, and how much is done (0 to 1). False ends the work.
@@ -59,6 +60,7 @@ using StudyProgress = std::function<bool(const std::string& unit, double done)>;
 
 struct PartLimits {
   std::optional<double> seconds{};  // no unit is begun after so many; the part then stays incomplete
+  GoOn go_on{};                     // asked within units
 };
 
 // Does the shard's units that the part in `folder` does not hold yet, and appends each as soon as it is finished.
@@ -67,6 +69,9 @@ struct PartLimits {
 [[nodiscard]] Result<StudyPart> run_part(const Study& study, std::string_view build, const Shard& shard,
                                          const std::filesystem::path& folder, const PartLimits& limits,
                                          const StudyProgress& progress);
+
+// The rows of the units that a part holds, in the order of the units.
+[[nodiscard]] std::vector<StudyRow> rows_of(const StudyPart& part);
 
 // The rows of all units in their order. Reports parts that are incomplete, of another question or build than the first,
 // doubled, and units that none has.

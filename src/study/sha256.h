@@ -1,10 +1,11 @@
-// SHA-256 of raw planes, so that two runs can be compared by eye.
+// SHA-256: of raw planes, so that two runs can be compared by eye, and of what a study leaves on the disk.
 #pragma once
 
 #include <span>
 #include <string>
+#include <string_view>
 
-namespace ninebit::tools {
+namespace ninebit {
 
 class Sha256 {
  public:
@@ -22,4 +23,7 @@ class Sha256 {
   void* context_;
 };
 
-}  // namespace ninebit::tools
+// Of a whole text.
+[[nodiscard]] std::string sha256(std::string_view text);
+
+}  // namespace ninebit

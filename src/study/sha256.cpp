@@ -1,4 +1,4 @@
-#include "src/tools/sha256.h"
+#include "src/study/sha256.h"
 
 #include <fmt/format.h>
 #include <openssl/evp.h>
@@ -6,7 +6,7 @@
 #include <array>
 #include <new>
 
-namespace ninebit::tools {
+namespace ninebit {
 
 Sha256::Sha256() : context_(EVP_MD_CTX_new()) {
   if (context_ == nullptr || EVP_DigestInit_ex(static_cast<EVP_MD_CTX*>(context_), EVP_sha256(), nullptr) != 1) {
@@ -30,4 +30,10 @@ std::string Sha256::finish() {
   return text;
 }
 
-}  // namespace ninebit::tools
+std::string sha256(std::string_view text) {
+  Sha256 hash;
+  hash.add({reinterpret_cast<const unsigned char*>(text.data()), text.size()});
+  return hash.finish();
+}
+
+}  // namespace ninebit

@@ -1,0 +1,204 @@
+#include "ninebit/study/study_part.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <chrono>
+#include <fstream>
+#include <iterator>
+#include <system_error>
+#include <utility>
+
+#include "src/study/part_state.h"
+#include "src/study/part_text.h"
+
+namespace ninebit {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Why one part does not belong to what another, or a run, says of itself; empty if it does.
+std::string foreign(const PartHeader& part, const PartHeader& expected) {
+  if (part.question != expected.question) {
+    return fmt::format("answers another question, `{}`{}; expected `{}`", part.question.command(),
+                       part.question.command() == expected.question.command() ? " about other files" : "",
+                       expected.question.command());
+  }
+  if (part.build != expected.build) {
+    return fmt::format("comes from another build of the program, {}; expected {}", part.build, expected.build);
+  }
+  if (part.units != expected.units || part.shard.count != expected.shard.count) {
+    return fmt::format("is one of {} shards of {} units; expected {} of {}", part.shard.count, part.units,
+                       expected.shard.count, expected.units);
+  }
+  return {};
+}
+
+Diagnostic cannot_write(const fs::path& file, const std::string& why) {
+  return {.message = "could not be written: " + why, .file = file.string(), .fault = Fault::cannot_write};
+}
+
+// What stands in a file that has no whole line.
+std::string beginning_of(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+// Appends lines to a part; each is on its way to the disk when append() returns.
+class PartWriter {
+ public:
+  PartWriter(fs::path file, PartState& state) : file_(std::move(file)), state_(state) {}
+
+  // Drops a line that is not whole, and begins a part that has none.
+  Status open(const PartHeader& header) {
+    std::error_code error;
+    if (fs::exists(file_, error)) {
+      fs::resize_file(file_, state_.whole_bytes, error);
+      if (error) return cannot_write(file_, error.message());
+    }
+    errno = 0;
+    stream_.open(file_, std::ios::binary | std::ios::app);
+    if (!stream_) return failed();
+    if (state_.whole_bytes != 0) return {};
+    state_.part.file = file_;
+    state_.part.header = header;
+    state_.hash = std::make_unique<Sha256>();
+    return append(header_line(header));
+  }
+
+  Status append(FinishedUnit unit) {
+    if (Status written = append(unit_line(unit)); !written) return written;
+    state_.part.units.push_back(std::move(unit));
+    return {};
+  }
+
+  Status end() {
+    if (Status written = write(end_line(state_.part.units.size(), state_.hash->finish())); !written) return written;
+    state_.part.complete = true;
+    stream_.close();
+    return stream_ ? Status() : failed();
+  }
+
+ private:
+  Status append(const std::string& line) {
+    state_.hash->add({reinterpret_cast<const unsigned char*>(line.data()), line.size()});
+    return write(line);
+  }
+
+  Status write(const std::string& line) {
+    errno = 0;
+    stream_.write(line.data(), static_cast<std::streamsize>(line.size()));
+    stream_.flush();
+    return stream_ ? Status() : failed();
+  }
+
+  [[nodiscard]] Status failed() const {
+    return cannot_write(file_, errno != 0 ? std::generic_category().message(errno) : "the reason is unknown");
+  }
+
+  fs::path file_;
+  PartState& state_;
+  std::ofstream stream_;
+};
+
+// The part that a run finds in its folder, if any, and that it may go on with.
+Result<PartState> find_part(const fs::path& file, const PartHeader& header) {
+  std::error_code error;
+  if (!fs::exists(file, error)) return PartState{};
+  auto state = read_part_state(file);
+  if (!state) return state.error();
+  if (state->whole_bytes == 0) {
+    if (header_line(header).starts_with(beginning_of(file))) return state;
+    return Diagnostic{.message = "is no part of a study; expected one, or no file", .file = file.string()};
+  }
+  // Compared as they are written: what a line cannot hold, such as a name that is not UTF-8, tells nothing apart.
+  if (header_line(state->part.header) == header_line(header)) return state;
+  return Diagnostic{.message = foreign(state->part.header, header) + ", or another folder", .file = file.string()};
+}
+
+}  // namespace
+
+std::string part_file_name(const Shard& shard) {
+  return fmt::format("part-{}-of-{}.jsonl", shard.index, shard.count);
+}
+
+Result<StudyPart> run_part(const Study& study, std::string_view build, const Shard& shard, const fs::path& folder,
+                           const PartLimits& limits, const StudyProgress& progress) {
+  using Clock = std::chrono::steady_clock;
+  const auto begin = Clock::now();
+  const PartHeader header{study.question(), std::string(build), study.units(), shard};
+  if (shard.index < 1 || shard.index > shard.count || shard.count > header.units) {
+    return Diagnostic{.message = fmt::format("shard {}/{} of {} units; expected 1/1 to {}/{}", shard.index, shard.count,
+                                             header.units, header.units, header.units)};
+  }
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error) return cannot_write(folder, error.message());
+  const fs::path file = folder / part_file_name(shard);
+  auto state = find_part(file, header);
+  if (!state) return state.error();
+  if (state->part.complete) return std::move(state->part);
+
+  std::vector<bool> done(header.units);
+  for (const FinishedUnit& unit : state->part.units) done[unit.unit] = true;
+  PartWriter writer(file, *state);
+  if (Status opened = writer.open(header); !opened) return opened.error();
+  const auto all = static_cast<double>(units_of(header));
+  for (std::size_t unit = shard.index - 1; unit < header.units; unit += shard.count) {
+    if (done[unit]) continue;
+    const std::chrono::duration<double> spent = Clock::now() - begin;
+    if (limits.seconds && spent.count() >= *limits.seconds) return std::move(state->part);
+    if (progress && !progress(study.unit_name(unit), static_cast<double>(state->part.units.size()) / all)) {
+      return Diagnostic{.message = "interrupted", .fault = Fault::cancelled};
+    }
+    auto rows = study.run(unit, limits.go_on);
+    if (!rows) return rows.error();
+    if (Status written = writer.append({unit, *std::move(rows)}); !written) return written.error();
+  }
+  if (Status ended = writer.end(); !ended) return ended.error();
+  return std::move(state->part);
+}
+
+std::vector<StudyRow> rows_of(const StudyPart& part) {
+  std::vector<const FinishedUnit*> units;
+  for (const FinishedUnit& unit : part.units) units.push_back(&unit);
+  std::sort(units.begin(), units.end(), [](const auto* a, const auto* b) { return a->unit < b->unit; });
+  std::vector<StudyRow> rows;
+  for (const FinishedUnit* unit : units) rows.insert(rows.end(), unit->rows.begin(), unit->rows.end());
+  return rows;
+}
+
+Result<std::vector<StudyRow>> join_parts(std::span<const StudyPart> parts) {
+  if (parts.empty()) return Diagnostic{.message = "no part is given; expected all parts of a study"};
+  const PartHeader& first = parts.front().header;
+  std::vector<const FinishedUnit*> units(first.units);
+  for (const StudyPart& part : parts) {
+    const auto fault = [&](std::string why) {
+      return Diagnostic{.message = std::move(why), .file = part.file.string()};
+    };
+    if (const std::string why = foreign(part.header, first); !why.empty()) return fault(why);
+    if (!part.complete) {
+      return fault(fmt::format("is not complete: it holds {} of {} units; expected that its run goes on first",
+                               part.units.size(), units_of(part.header)));
+    }
+    for (const FinishedUnit& unit : part.units) {
+      if (units[unit.unit] != nullptr) {
+        return fault(fmt::format("holds shard {}/{} for the second time; expected each part once",
+                                 part.header.shard.index, part.header.shard.count));
+      }
+      units[unit.unit] = &unit;
+    }
+  }
+  std::vector<StudyRow> rows;
+  for (std::size_t unit = 0; unit < units.size(); ++unit) {
+    if (units[unit] == nullptr) {
+      return Diagnostic{.message = fmt::format("the part of shard {}/{} is missing", unit % first.shard.count + 1,
+                                               first.shard.count)};
+    }
+    rows.insert(rows.end(), units[unit]->rows.begin(), units[unit]->rows.end());
+  }
+  return rows;
+}
+
+}  // namespace ninebit

@@ -1,0 +1,194 @@
+// How every study is run: answered at once, or kept in a folder, in parts that are joined later.
+#include <fmt/format.h>
+
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <memory>
+#include <utility>
+
+#include "ninebit/study/report_files.h"
+#include "src/study/sha256.h"
+#include "src/tools/scene_flags.h"
+#include "src/tools/study.h"
+
+namespace ninebit::tools {
+namespace {
+
+// Tells builds apart: two programs that differ in a byte are two. Their parts are not joined, whatever they say.
+std::string build_of_program() {
+  std::ifstream program("/proc/self/exe", std::ios::binary);
+  Sha256 hash;
+  std::vector<char> piece(1 << 16);
+  while (program.read(piece.data(), static_cast<std::streamsize>(piece.size())), program.gcount() > 0) {
+    hash.add({reinterpret_cast<const unsigned char*>(piece.data()), static_cast<std::size_t>(program.gcount())});
+  }
+  return fmt::format("{} {}", NINEBIT_VERSION, hash.finish().substr(0, 16));
+}
+
+// A progress line that also says how fast the units come and how long the rest will take.
+class UnitProgress {
+ public:
+  UnitProgress(bool quiet, std::size_t units) : line_(quiet), units_(static_cast<double>(units)) {}
+
+  // `done` of all units; false from an interrupt on.
+  bool step(const std::string& unit, double done) {
+    if (first_ < 0.0) first_ = done;
+    const std::chrono::duration<double> spent = Clock::now() - begin_;
+    const double fresh = done - first_;  // what an earlier run has done says nothing of this one's speed
+    std::string rate;
+    if (fresh > 0.0) {
+      rate = fmt::format(", {:.3g} units/s, {:.0f} s left", fresh * units_ / spent.count(),
+                         spent.count() * (1.0 - done) / fresh);
+    }
+    return line_.step(fmt::format("{} ({:.0f} of {:.0f}{})", unit, done * units_, units_, rate), done);
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  ProgressLine line_;
+  double units_;
+  double first_ = -1.0;
+  Clock::time_point begin_ = Clock::now();
+};
+
+bool go_on() {
+  return !ProgressLine::stopped();
+}
+
+// The rows of all units, kept nowhere.
+Result<std::vector<StudyRow>> run_whole(const Study& study, bool quiet) {
+  UnitProgress progress(quiet, study.units());
+  std::vector<StudyRow> rows;
+  for (std::size_t unit = 0; unit < study.units(); ++unit) {
+    const double done = static_cast<double>(unit) / static_cast<double>(study.units());
+    if (!progress.step(study.unit_name(unit), done)) {
+      return Diagnostic{.message = "interrupted", .fault = Fault::cancelled};
+    }
+    auto more = study.run(unit, go_on);
+    if (!more) return more.error();
+    rows.insert(rows.end(), std::make_move_iterator(more->begin()), std::make_move_iterator(more->end()));
+  }
+  return rows;
+}
+
+int answer_rows(const Study& study, const StudyReport& made, std::span<const StudyRow> rows, const CommonFlags& flags) {
+  if (flags.json) return answer(report_json(study.question(), NINEBIT_VERSION, rows));
+  std::string text;
+  for (const std::string& line : made.answers) text += line + '\n';
+  return answer(text);
+}
+
+// Writes the report on the rows of so many units, and answers.
+int finish(const Study& study, const std::string& folder, std::span<const StudyRow> rows, std::size_t done,
+           const CommonFlags& flags) {
+  const auto made = study.report(rows, done);
+  if (!made) return report(made.error());
+  if (!folder.empty()) {
+    const auto files = write_report(folder, study.question(), NINEBIT_VERSION, *made, rows);
+    if (!files) return report(files.error());
+    for (const auto& file : *files) {
+      if (!flags.quiet) say(fmt::format("wrote {}\n", file.string()));
+    }
+  }
+  return answer_rows(study, *made, rows, flags);
+}
+
+int run_in_folder(const Study& study, const StudyFlags& flags) {
+  const Shard shard = shard_of(flags);
+  Result<StudyPart> part = StudyPart();
+  {
+    UnitProgress progress(flags.common.quiet, (study.units() - shard.index) / shard.count + 1);
+    part = run_part(study, build_of_program(), shard, flags.folder, {.seconds = flags.budget, .go_on = go_on},
+                    [&](const std::string& unit, double done) { return progress.step(unit, done); });
+  }
+  if (!part) {
+    if (part.error().fault == Fault::cancelled && !flags.common.quiet) {
+      say("What was finished is kept: the same command goes on there.\n");
+    }
+    return report(part.error());
+  }
+  if (!flags.common.quiet) say(fmt::format("wrote {}\n", part->file.string()));
+  if (!part->complete && !flags.common.quiet) {
+    say(fmt::format("The time is up after {} units of {}: the same command goes on.\n", part->units.size(),
+                    study.units()));
+  }
+  if (shard.count > 1) return kDone;
+  return finish(study, flags.folder, rows_of(*part), part->units.size(), flags.common);
+}
+
+// The study that a part's question asks for: its command line is read as the user's was.
+Result<std::unique_ptr<Study>> study_of(const StudyQuestion& question) {
+  CLI::App verbs("", "study");
+  StudyRequest request;
+  add_studies(verbs, request);
+  std::vector<std::string> words = question.words();
+  std::reverse(words.begin(), words.end());  // as CLI11 takes them
+  try {
+    verbs.parse(std::move(words));
+  } catch (const CLI::ParseError& error) {
+    return Diagnostic{.message = fmt::format("its question, `{}`, cannot be asked: {}", question.command(), error.what())};
+  }
+  if (!request.make) return Diagnostic{.message = fmt::format("its question, `{}`, names no study", question.command())};
+  auto study = request.make();
+  if (study && (*study)->question() != question) {
+    return Diagnostic{.message = fmt::format("the files that `{}` names have changed since; expected them as they were",
+                                             question.command())};
+  }
+  return study;
+}
+
+struct MergeFlags {
+  CommonFlags common;
+  std::vector<std::string> parts;
+  std::string folder;
+};
+
+int merge(const MergeFlags& flags) {
+  const ThreadLimit limit(flags.common.threads);
+  std::vector<StudyPart> parts;
+  for (const std::string& file : flags.parts) {
+    auto part = read_part(file);
+    if (!part) return report(part.error());
+    parts.push_back(*std::move(part));
+  }
+  const auto rows = join_parts(parts);
+  if (!rows) return report(rows.error());
+  const PartHeader& header = parts.front().header;
+  const auto fault = [&](std::string message) {
+    return report({.message = std::move(message), .file = flags.parts.front()});
+  };
+  if (const std::string own = build_of_program(); header.build != own) {
+    return fault(fmt::format("comes from another build of the program, {}; expected this one, {}", header.build, own));
+  }
+  const auto study = study_of(header.question);
+  if (!study) return fault(study.error().message);
+  if ((*study)->units() != header.units) return fault("has another number of units than its question");
+  return finish(**study, flags.folder, *rows, header.units, flags.common);
+}
+
+}  // namespace
+
+int run_study(const StudyRequest& request) {
+  const StudyFlags& flags = *request.flags;
+  const ThreadLimit limit(flags.common.threads);
+  const auto study = request.make();
+  if (!study) return report(study.error());
+  if (!flags.folder.empty()) return run_in_folder(**study, flags);
+  const auto rows = run_whole(**study, flags.common.quiet);
+  if (!rows) return report(rows.error());
+  return finish(**study, "", *rows, (*study)->units(), flags.common);
+}
+
+void add_study_merge(CLI::App& verbs, int& exit_code) {
+  CLI::App* verb = verbs.add_subcommand("merge", "Join the parts that --shard made");
+  verb->footer("Example: ninebit study merge out/part-*-of-4.jsonl -o out");
+  auto flags = std::make_shared<MergeFlags>();
+  add_common_flags(*verb, flags->common);
+  verb->add_option("parts", flags->parts, "All parts of one study, in any order")->required()->type_name("PART");
+  verb->add_option("-o,--output", flags->folder, "Folder to write into; made if missing")->required()->type_name("DIR");
+  verb->callback([flags, &exit_code] { exit_code = merge(*flags); });
+}
+
+}  // namespace ninebit::tools
