@@ -72,10 +72,10 @@ std::vector<std::string> errors_in_words(const DepthPackingOptions& options, std
       std::vector<std::string> parts;
       for (const StudyRow* row : found) {
         const bool exact = row->count("exact") == row->count("count");
-        parts.push_back(row->text("packing") + (exact ? " is exact"
-                                                      : fmt::format(" is up to {:.3g} off ({:.3g} in the mean{})",
-                                                                    row->number("max_error"), row->number("mean_error"),
-                                                                    order_sentence(*row))));
+        parts.push_back(row->text("packing") +
+                        (exact ? " is exact"
+                               : fmt::format(" is up to {:.3g} off ({:.3g} in the mean{})", row->number("max_error"),
+                                             row->number("mean_error"), order_sentence(*row))));
       }
       sentences.push_back(fmt::format(
           "{}, components {}: {}.",
@@ -228,8 +228,7 @@ HeatMap digits_map(const Grid& grid) {
 StudyReport depth_packing_report(const DepthPackingOptions& options, std::span<const StudyRow> rows) {
   StudyReport report{.title = "Depth packing", .answers = {}};
   const std::vector<Grid> grids = grids_of(options);
-  for (const auto& sentences :
-       {errors_in_words(options, rows), ends_in_words(rows), digits_in_words(grids, rows)}) {
+  for (const auto& sentences : {errors_in_words(options, rows), ends_in_words(rows), digits_in_words(grids, rows)}) {
     report.answers.insert(report.answers.end(), sentences.begin(), sentences.end());
   }
   report.tables.push_back(error_table(rows));

@@ -64,9 +64,10 @@ class DepthPackingStudy final : public Study {
 
   [[nodiscard]] std::string unit_name(std::size_t unit) const override {
     const Unit u = at(unit);
-    const std::string what = u.part == options_.sets.size()                 ? fmt::format("highest digit {}", kChartDigit)
-                             : options_.sets[u.part] == DepthSet::floats ? "floats"
-                                                                            : fmt::format("{} bits", name_of(options_.sets[u.part]));
+    const std::string what = u.part == options_.sets.size() ? fmt::format("highest digit {}", kChartDigit)
+                             : options_.sets[u.part] == DepthSet::floats
+                                 ? "floats"
+                                 : fmt::format("{} bits", name_of(options_.sets[u.part]));
     return fmt::format("{}, {}, {}", u.packing->name, name_of(u.storage), what);
   }
 

@@ -69,8 +69,9 @@ struct DepthPackingOptions {
 // Everything: all packings, storages and sets.
 [[nodiscard]] DepthPackingOptions all_depth_packings();
 
-// A unit for each packing, storage and set, with one row; and one for each packing and storage with the 256 depths whose
-// highest digit is 128, in the table "second_digit". Reports an unknown packing, a list without entries, a step of 0.
+// A unit for each packing, storage and set, with one row; and one for each packing and storage with the 256 depths
+// whose highest digit is 128, in the table "second_digit". Reports an unknown packing, a list without entries, a step
+// of 0.
 [[nodiscard]] Result<std::unique_ptr<Study>> make_depth_packing_study(const DepthPackingOptions& options);
 
 }  // namespace ninebit
