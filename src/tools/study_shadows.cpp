@@ -23,9 +23,16 @@ struct ShadowsFlags {
   StudyFlags study;
   SceneFlags scene;
   std::vector<CLI::Option*> scene_options;
-  std::vector<CLI::Option*> axis_options;
   std::string map_sizes, formats, scopes, steps, depth_bits, biases, encodings, polygon_offsets;
   bool find_offset = false;
+
+  // The axes as flags with their lists, empty where they are not swept.
+  [[nodiscard]] std::vector<std::pair<const char*, const std::string*>> axes() const {
+    return {{"--map-sizes", &map_sizes},   {"--formats", &formats},
+            {"--scopes", &scopes},         {"--steps", &steps},
+            {"--depth-bits", &depth_bits}, {"--biases", &biases},
+            {"--encodings", &encodings},   {"--polygon-offsets", &polygon_offsets}};
+  }
 };
 
 bool is_map_size(int n) {
@@ -79,9 +86,9 @@ std::vector<E> values_in(const Names<E>& names, const std::string& list) {
   return values;
 }
 
-ShadowGrid grid_of(const ShadowsFlags& flags, const std::string& map_sizes) {
+ShadowGrid grid_of(const ShadowsFlags& flags) {
   ShadowGrid grid;
-  if (!map_sizes.empty()) grid.map_sizes = *numbers<int>(map_sizes, ',');
+  if (!flags.map_sizes.empty()) grid.map_sizes = *numbers<int>(flags.map_sizes, ',');
   if (!flags.steps.empty()) grid.index_steps = *numbers<int>(flags.steps, ',');
   if (!flags.biases.empty()) grid.biases = *numbers<float>(flags.biases, ',');
   if (!flags.polygon_offsets.empty()) grid.polygon_offsets = *offsets_in(flags.polygon_offsets);
@@ -94,7 +101,7 @@ ShadowGrid grid_of(const ShadowsFlags& flags, const std::string& map_sizes) {
 }
 
 // A flag as it was given, unless it says what the default says.
-void add_option(StudyQuestion& question, const CLI::Option& option, bool always = false) {
+void add_option(StudyQuestion& question, const CLI::Option& option, bool always) {
   const std::string given = option.count() > 0 ? option.results().front() : option.get_default_str();
   if (option.get_items_expected_max() == 0) {
     if (option.count() > 0) question.options.emplace_back(option.get_name(), "");
@@ -103,7 +110,7 @@ void add_option(StudyQuestion& question, const CLI::Option& option, bool always 
   }
 }
 
-Result<StudyQuestion> question_of(const ShadowsFlags& flags, const std::string& map_sizes) {
+Result<StudyQuestion> question_of(const ShadowsFlags& flags) {
   auto question = question_of(flags.study, "shadows");
   if (!question) return question;
   if (question->profile == "all") question->profile = flags.study.common.profile;
@@ -111,10 +118,10 @@ Result<StudyQuestion> question_of(const ShadowsFlags& flags, const std::string& 
   for (const CLI::Option* option : flags.scene_options) {
     add_option(*question, *option, option->get_name() == "--technique" || option->get_name() == "--size");
   }
-  if (!map_sizes.empty()) question->options.emplace_back("--map-sizes", map_sizes);
-  for (const CLI::Option* option : flags.axis_options) {
-    if (option->get_name() != "--map-sizes") add_option(*question, *option);
+  for (const auto& [flag, list] : flags.axes()) {
+    if (!list->empty()) question->options.emplace_back(flag, *list);
   }
+  if (flags.find_offset) question->options.emplace_back("--find-offset", "");
   std::vector<std::string> files{flags.scene.file};
   if (!flags.scene.cookie.empty()) {
     for (std::string& file : items_of(flags.scene.cookie)) files.push_back(std::move(file));
@@ -125,17 +132,20 @@ Result<StudyQuestion> question_of(const ShadowsFlags& flags, const std::string& 
   return question;
 }
 
+// Completes the grid; what the technique does not know is wrong usage.
+void complete_grid(ShadowsFlags& flags) {
+  const auto known = swept_settings(*find_technique(flags.scene.technique), flags.scene.settings);
+  if (!known) throw CLI::ValidationError(known.error().message);
+  const auto axes = flags.axes();
+  const bool none = std::all_of(axes.begin(), axes.end(), [](const auto& axis) { return axis.second->empty(); });
+  if (none && !flags.find_offset && known->map_size) flags.map_sizes = kDefaultMapSizes;
+  const ShadowGrid grid = grid_of(flags);
+  if (const auto found = axes_of(*known, grid); !found) throw CLI::ValidationError(found.error().message);
+}
+
 Result<std::unique_ptr<Study>> make_study(const ShadowsFlags& flags) {
-  const Technique& technique = *find_technique(flags.scene.technique);
   RenderSettings settings = settings_of(flags.scene, flags.study.common);
-  const auto known = swept_settings(technique, settings);
-  if (!known) return known.error();
-  const auto given = [](const CLI::Option* option) { return option->count() > 0; };
-  std::string map_sizes = flags.map_sizes;
-  if (known->map_size && std::none_of(flags.axis_options.begin(), flags.axis_options.end(), given)) {
-    map_sizes = kDefaultMapSizes;
-  }
-  auto question = question_of(flags, map_sizes);
+  auto question = question_of(flags);
   if (!question) return question.error();
   if (!flags.scene.cookie.empty()) {
     auto cookie = read_cookie(settings.profile, flags.scene.cookie);
@@ -144,8 +154,8 @@ Result<std::unique_ptr<Study>> make_study(const ShadowsFlags& flags) {
   }
   auto scene = load_scene(flags.scene, settings);
   if (!scene) return scene.error();
-  return make_shadow_sweep(std::move(question).value(), std::move(scene).value(), technique, settings,
-                           grid_of(flags, map_sizes));
+  return make_shadow_sweep(std::move(question).value(), std::move(scene).value(),
+                           *find_technique(flags.scene.technique), settings, grid_of(flags));
 }
 
 // A list that is checked as a whole.
@@ -162,7 +172,6 @@ void add_axes(CLI::App& verb, ShadowsFlags& flags) {
                        const CLI::Validator& check) {
     CLI::Option* option = verb.add_option(flag, text, help)->type_name("LIST")->check(check);
     if (single != nullptr) option->excludes(verb.get_option(single));
-    flags.axis_options.push_back(option);
     return option;
   };
   add("--map-sizes", "--map-size", flags.map_sizes, "Texels a side of the map (default without any axis: 128 to 1024)",
@@ -181,10 +190,9 @@ void add_axes(CLI::App& verb, ShadowsFlags& flags) {
   CLI::Option* offsets = add("--polygon-offsets", "--polygon-offset", flags.polygon_offsets,
                              "Polygon offsets while the shadow map is drawn, such as '0,0;1,16'",
                              list_by(offsets_in, "FACTOR,UNITS;FACTOR,UNITS"));
-  flags.axis_options.push_back(
-      verb.add_flag("--find-offset", flags.find_offset, "Try factors from 0 to 4 with units from 0 to 4096")
-          ->excludes(offsets)
-          ->excludes(verb.get_option("--polygon-offset")));
+  verb.add_flag("--find-offset", flags.find_offset, "Try factors from 0 to 4 with units from 0 to 4096")
+      ->excludes(offsets)
+      ->excludes(verb.get_option("--polygon-offset"));
 }
 
 }  // namespace
@@ -206,6 +214,7 @@ void add_study_shadows(CLI::App& verbs, StudyRequest& request) {
   verb->remove_option(bits);
   add_axes(*verb, *flags);
   verb->callback([flags, &request] {
+    complete_grid(*flags);
     request.flags = &flags->study;
     request.make = [flags] { return make_study(*flags); };
   });
