@@ -25,7 +25,9 @@ const Technique& technique(std::string_view name) {
 Scene room_for(const Technique& drawn) {
   auto read = read_scene(NINEBIT_SOURCE_DIR "/scenes/index_room.gltf");
   if (!read) throw std::runtime_error(read.error().text());
-  auto scene = complete_scene(std::move(read).value(), {.light_kinds = drawn.lights}, 4.0F / 3.0F);
+  SceneSetup setup;
+  setup.light_kinds = drawn.lights;
+  auto scene = complete_scene(std::move(read).value(), setup, 4.0F / 3.0F);
   if (!scene) throw std::runtime_error(scene.error().text());
   return std::move(scene).value();
 }

@@ -18,7 +18,7 @@ constexpr std::uint64_t kChunk = 1U << 16;  // depths that one thread takes at a
 // Which floats of [0, 2) have been seen: a bit each.
 class SeenFloats {
  public:
-  // calloc, because the memory is 128 MiB and hardly any of its pages is touched.
+  // calloc, because the memory is 128 MiB and few of its pages are touched.
   SeenFloats() : words_(static_cast<std::uint64_t*>(std::calloc(kWords, sizeof(std::uint64_t)))) {
     if (words_ == nullptr) throw std::bad_alloc();
   }
@@ -30,19 +30,27 @@ class SeenFloats {
     const std::uint32_t bits = std::bit_cast<std::uint32_t>(value) & (kFloats - 1);
     std::atomic_ref<std::uint64_t> word(words_[bits / 64]);
     const std::uint64_t bit = std::uint64_t{1} << bits % 64;
-    if ((word.load(std::memory_order_relaxed) & bit) == 0) word.fetch_or(bit, std::memory_order_relaxed);
+    if ((word.load(std::memory_order_relaxed) & bit) != 0) return;
+    word.fetch_or(bit, std::memory_order_relaxed);
+    std::atomic_ref<char>(touched_[bits / 64 / kBlock]).store(1, std::memory_order_relaxed);
   }
 
   [[nodiscard]] std::uint64_t count() const {
     std::uint64_t n = 0;
-    for (std::size_t i = 0; i < kWords; ++i) n += static_cast<std::uint64_t>(std::popcount(words_[i]));
+    for (std::size_t block = 0; block < touched_.size(); ++block) {
+      if (touched_[block] == 0) continue;
+      const std::uint64_t* const words = words_ + block * kBlock;
+      for (std::size_t i = 0; i < kBlock; ++i) n += static_cast<std::uint64_t>(std::popcount(words[i]));
+    }
     return n;
   }
 
  private:
   static constexpr std::uint32_t kFloats = 1U << 30;  // below 2.0F, which no packing reaches
   static constexpr std::size_t kWords = kFloats / 64;
+  static constexpr std::size_t kBlock = 512;  // words: a page
   std::uint64_t* words_;
+  std::vector<char> touched_ = std::vector<char>(kWords / kBlock);  // blocks with a bit that is set
 };
 
 // A stretch of depths. Sums of doubles depend on their order, so that stretches are joined from the first to the last.
