@@ -34,6 +34,7 @@ const std::vector<Library> kLibraries{
     {std::regex("embree3/.*"), {"shadow"}},
     {std::regex("OpenImageIO/.*|png\\.h|Imf.*|OpenEXR/.*|Iex.*|half\\.h|Imath.*"), {"image"}},
     {std::regex("CLI/.*"), {"tools"}},
+    {std::regex("cairo\\.h"), {"study"}},
     {std::regex("openssl/.*"), {"study"}},
     {std::regex("nlohmann/.*"), {"language", "scene", "study", "tools"}},
     {std::regex("unistd\\.h|fcntl\\.h|poll\\.h|sys/.*"), {"image", "tools"}},

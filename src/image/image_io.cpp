@@ -9,6 +9,8 @@
 #include <cstring>
 #include <filesystem>
 #include <new>
+#include <string>
+#include <utility>
 
 #include "src/image/faults.h"
 #include "src/image/posix_file.h"
@@ -25,18 +27,19 @@ using image_detail::invalid_input;
 // This and no filters: on flat pictures two to three times as fast as libpng's defaults, and about as small.
 constexpr int kZipLevel = 4;
 
-// libpng at work on one file. It reports errors by longjmp, which must not cross an object with a destructor: what may
+// libpng at work on one picture, whose bytes go to `Sink::write`. It reports errors by longjmp, which must not cross an object with a destructor: what may
 // jump stands in functions that have none.
+template <class Sink>
 class PngEncoder {
  public:
-  explicit PngEncoder(CheckedFile& file)
+  explicit PngEncoder(Sink& sink)
       : png_(png_create_write_struct(PNG_LIBPNG_VER_STRING, this, &PngEncoder::fail, &PngEncoder::ignore)),
         info_(png_ == nullptr ? nullptr : png_create_info_struct(png_)) {
     if (info_ == nullptr) {
       png_destroy_write_struct(&png_, nullptr);
       throw std::bad_alloc();
     }
-    png_set_write_fn(png_, &file, &PngEncoder::write, &PngEncoder::flush);
+    png_set_write_fn(png_, &sink, &PngEncoder::write, &PngEncoder::flush);
   }
   PngEncoder(const PngEncoder&) = delete;
   PngEncoder& operator=(const PngEncoder&) = delete;
@@ -74,13 +77,24 @@ class PngEncoder {
   }
   static void ignore(png_structp, png_const_charp) {}  // warnings speak of chunks that are not written here
   static void write(png_structp png, png_bytep bytes, std::size_t size) {
-    if (!static_cast<CheckedFile*>(png_get_io_ptr(png))->write(bytes, size)) png_error(png, "the file is not writable");
+    if (!static_cast<Sink*>(png_get_io_ptr(png))->write(bytes, size)) png_error(png, "its bytes cannot be kept");
   }
   static void flush(png_structp) {}
 
   std::array<char, 128> reason_{};
   png_structp png_;
   png_infop info_;
+};
+
+// Bytes kept in memory. An exception must not cross libpng.
+struct TextSink {
+  std::string text{};
+  bool write(const void* bytes, std::size_t size) noexcept try {
+    text.append(static_cast<const char*>(bytes), size);
+    return true;
+  } catch (const std::bad_alloc&) {
+    return false;
+  }
 };
 
 template <class Sample>
@@ -122,6 +136,16 @@ Status write_png(const std::filesystem::path& file, const Image8& image) {
 
 Status write_png(const std::filesystem::path& file, const Image16& image) {
   return write_image(file, image);
+}
+
+Result<std::string> encode_png(const Image8& image) {
+  if (Status status = check({}, image); !status) return status.error();
+  TextSink sink;
+  PngEncoder encoder(sink);
+  if (!encoder.encode(image)) {
+    return Diagnostic{fmt::format("a picture could not be encoded as PNG: {}", encoder.reason())};
+  }
+  return std::move(sink.text);
 }
 
 }  // namespace ninebit

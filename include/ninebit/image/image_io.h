@@ -38,6 +38,9 @@ using Image16 = Image<std::uint16_t>;
 [[nodiscard]] Status write_png(const std::filesystem::path& file, const Image8& image);
 [[nodiscard]] Status write_png(const std::filesystem::path& file, const Image16& image);
 
+// The bytes that write_png would write.
+[[nodiscard]] Result<std::string> encode_png(const Image8& image);
+
 // Samples in memory, one channel of a picture: `top` is the first sample of the top row, and `stride` samples further
 // is the first of the row below. Surfaces hold their lowest row first; see upside_down.
 struct SamplePlane {

@@ -1,0 +1,287 @@
+// A report's files: what they hold, and that they appear together or not at all.
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "combiner_tests/study/report_example.h"
+#include "ninebit/study/report_files.h"
+#include "src/study/page_data.h"
+#include "src/study/report_colors.h"
+#include "src/study/sha256.h"
+
+namespace {
+
+using namespace ninebit;
+using report_test::example;
+using report_test::ExampleReport;
+namespace fs = std::filesystem;
+
+class Folder {
+ public:
+  Folder() : path_(fs::temp_directory_path() / ("ninebit-report-" + std::to_string(::getpid()))) {
+    fs::remove_all(path_);
+    fs::create_directory(path_);
+  }
+  Folder(const Folder&) = delete;
+  Folder& operator=(const Folder&) = delete;
+  ~Folder() {
+    std::error_code ignored;
+    fs::permissions(path_, fs::perms::owner_all, ignored);
+    fs::remove_all(path_, ignored);
+  }
+  [[nodiscard]] const fs::path& path() const { return path_; }
+
+ private:
+  fs::path path_;
+};
+
+std::string bytes_of(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+std::string html_of(const ExampleReport& made) {
+  const auto html = report_html(made.question, "1.2.3", made.report, made.rows);
+  return html ? *html : html.error().text();
+}
+
+std::size_t times(const std::string& text, const std::string& part) {
+  std::size_t found = 0;
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++found;
+  return found;
+}
+
+TEST(StudyRow, ValuesByName) {
+  const StudyRow row{"rows",
+                     {{"whole", std::int64_t{-3}},
+                      {"large", std::numeric_limits<std::uint64_t>::max()},
+                      {"real", 0.1},
+                      {"text", std::string("nine")},
+                      {"nothing", StudyValue{}}}};
+  EXPECT_EQ(row["whole"], StudyValue(std::int64_t{-3}));
+  EXPECT_EQ(row["unknown"], StudyValue());
+  EXPECT_EQ(row.number("whole"), -3.0);
+  EXPECT_EQ(row.number("real"), 0.1);
+  EXPECT_EQ(row.number("text"), 0.0);
+  EXPECT_EQ(row.count("large"), std::numeric_limits<std::uint64_t>::max());
+  EXPECT_EQ(row.count("whole"), 0U);
+  EXPECT_EQ(row.count("real"), 0U);
+  EXPECT_EQ(row.text("large"), "18446744073709551615");
+  EXPECT_EQ(row.text("whole"), "-3");
+  EXPECT_EQ(row.text("text"), "nine");
+  EXPECT_EQ(row.text("nothing"), "");
+}
+
+TEST(StudyRow, RealsComeBackTheSame) {
+  for (const double value : {0.1, 1.0 / 3.0, 1e-300, 5e-324, 123456789.123456789, 1e22, -0.0}) {
+    const std::string text = text_of(value);
+    EXPECT_EQ(std::signbit(std::strtod(text.c_str(), nullptr)), std::signbit(value)) << text;
+    EXPECT_EQ(std::strtod(text.c_str(), nullptr), value) << text;
+  }
+  EXPECT_EQ(text_of(0.5), "0.5");
+}
+
+TEST(Report, JsonHoldsEveryRowExactly) {
+  const ExampleReport made = example();
+  const auto json = nlohmann::json::parse(report_json(made.question, "1.2.3", made.rows));
+  EXPECT_EQ(json["command"], "study index-steps");
+  EXPECT_EQ(json["version"], "1.2.3");
+  EXPECT_EQ(json["profile"], "all");
+  EXPECT_EQ(json["question"], made.question.command());
+  ASSERT_EQ(json["rows"].size(), made.rows.size() - 1);
+  for (std::size_t i = 0; i < json["rows"].size(); ++i) {
+    EXPECT_EQ(json["rows"][i]["profile"], made.rows[i].text("profile"));
+    EXPECT_EQ(json["rows"][i]["step"], made.rows[i].number("step"));
+    EXPECT_EQ(json["rows"][i]["false_matches"].get<std::uint64_t>(), made.rows[i].count("false_matches"));
+    EXPECT_EQ(json["rows"][i]["share"].get<double>(), made.rows[i].number("share"));
+  }
+  EXPECT_EQ(json["rows"][0]["note"], "a \"quote\", a comma\nand </script>");
+  EXPECT_TRUE(json["rows"][1]["note"].is_null());
+  ASSERT_EQ(json["worst"].size(), 1U);
+  EXPECT_EQ(json["worst"][0]["error"].get<double>(), 1.0 / 3.0);
+  // No row: still an object with rows.
+  EXPECT_EQ(nlohmann::json::parse(report_json(made.question, "1", {}))["rows"].size(), 0U);
+}
+
+TEST(Report, JsonTakesNamesThatAreNoUtf8) {
+  const std::vector<StudyRow> rows{{"rows", {{"file", std::string("\xff\xfe.gl")}}}};
+  const auto json = nlohmann::json::parse(report_json(example().question, "1", rows));
+  EXPECT_EQ(json["rows"][0]["file"], "\uFFFD\uFFFD.gl");
+}
+
+TEST(Report, CsvIsThatOfRfc4180) {
+  const std::vector<StudyRow> rows{{"rows", {{"name", std::string("plain")}, {"n", std::int64_t{-1}}}},
+                                   {"other", {{"a,b", 0.1}}},
+                                   {"rows", {{"name", std::string("a \"b\", c\r\nd")}, {"n", StudyValue{}}}}};
+  const auto tables = report_csv(rows);
+  ASSERT_EQ(tables.size(), 2U);
+  EXPECT_EQ(tables[0].first, "rows");
+  EXPECT_EQ(tables[0].second, "name,n\r\nplain,-1\r\n\"a \"\"b\"\", c\r\nd\",\r\n");
+  EXPECT_EQ(tables[1].first, "other");
+  EXPECT_EQ(tables[1].second, "\"a,b\"\r\n0.1\r\n");
+}
+
+TEST(Report, PageTellsHowItWasMade) {
+  const ExampleReport made = example();
+  const std::string html = html_of(made);
+  EXPECT_NE(html.find("<h1>Index steps &lt;example&gt;</h1>"), std::string::npos);
+  EXPECT_NE(html.find("ninebit study index-steps &#39;a&lt;/script&gt;&lt;b&gt;.gl&#39; --steps 1-16"),
+            std::string::npos);
+  EXPECT_NE(html.find("ninebit 1.2.3"), std::string::npos);
+  EXPECT_NE(html.find("0123abcd"), std::string::npos);
+  for (const auto& [table, text] : report_csv(made.rows)) {
+    EXPECT_NE(html.find(sha256(text)), std::string::npos) << table;
+  }
+  // Answers come first.
+  EXPECT_LT(html.find("step 2 is the smallest"), html.find("How it was made"));
+  EXPECT_LT(html.find("How it was made"), html.find("False matches by step"));
+}
+
+TEST(Report, PageStandsAlone) {
+  const std::string html = html_of(example());
+  // Only data: URLs and places in the page.
+  for (const char* attribute : {"src=\"", "href=\""}) {
+    for (std::size_t at = html.find(attribute); at != std::string::npos; at = html.find(attribute, at + 1)) {
+      const std::string target = html.substr(at + std::string(attribute).size(), 5);
+      EXPECT_TRUE(target == "data:" || target[0] == '#') << html.substr(at, 80);
+    }
+  }
+  EXPECT_EQ(times(html, "@import"), 0U);
+  EXPECT_EQ(times(html, "url("), 0U);
+  EXPECT_NE(html.find("Chart.js v3"), std::string::npos);
+  EXPECT_NE(html.find("default-src 'none'"), std::string::npos);
+}
+
+TEST(Report, NothingBreaksOutOfThePage) {
+  ExampleReport made = example();
+  const std::string evil = "\"></script><script>alert('1')</script><b title='&";
+  made.report.title = made.report.answers[0] = made.question.profile = made.question.study = evil;
+  made.question.options = {{evil, evil}, {"--program", evil}};
+  made.report.tables[0].title = made.report.tables[0].caption = made.report.tables[0].columns[0] = evil;
+  made.report.tables[0].rows[0][0] = evil;
+  made.report.plots[0].title = made.report.plots[0].caption = made.report.plots[0].x_label = evil;
+  made.report.plots[0].series[0].name = made.report.plots[0].y_label = made.report.plots[0].file = evil;
+  made.report.heat_maps[0].title = made.report.heat_maps[0].caption = made.report.heat_maps[0].x_label = evil;
+  made.report.heat_maps[0].y_label = made.report.heat_maps[0].file = evil;
+  made.report.pictures[0].title = made.report.pictures[0].caption = made.report.pictures[0].file = evil;
+  made.rows[0].table = evil;
+  const std::string html = html_of(made);
+  EXPECT_EQ(times(html, "<script>alert"), 0U);
+  EXPECT_EQ(times(html, "<b title"), 0U);
+  EXPECT_EQ(times(html, "</script>"), 3U);  // the data, Chart.js and the page's own
+  EXPECT_EQ(times(html, "<script"), 3U);
+  EXPECT_GT(times(html, "&quot;&gt;&lt;/script&gt;&lt;script&gt;alert(&#39;1&#39;)"), 15U);
+}
+
+TEST(Report, TablesSortByKeyboardToo) {
+  const ExampleReport made = example();
+  const std::string html = html_of(made);
+  const std::size_t columns = made.report.tables[0].columns.size();
+  EXPECT_EQ(times(html, "<th scope=\"col\""), columns);
+  EXPECT_EQ(times(html, "aria-sort=\"none\"><button type=\"button\">"), columns);
+  EXPECT_EQ(times(html, "<tr>"), made.report.tables[0].rows.size() + 1);
+  // Numbers keep their exact values beside those that people read.
+  EXPECT_NE(html.find("data-v=\"12000\" title=\"12000\">12\u202f000</td>"), std::string::npos);
+  EXPECT_NE(html.find("data-v=\"0.18382352941176472\" title=\"0.18382352941176472\">0.183824</td>"), std::string::npos);
+}
+
+TEST(Report, DataOfPlotsAndMaps) {
+  const ExampleReport made = example();
+  const auto text = page_data(made.report);
+  ASSERT_TRUE(text.ok());
+  const auto data = nlohmann::json::parse(*text);
+  ASSERT_EQ(data["plots"].size(), 2U);
+  // Zeros have no place on a logarithmic axis.
+  EXPECT_EQ(data["plots"][0]["series"][0]["points"].size(), 8U);
+  EXPECT_EQ(data["plots"][0]["series"][0]["points"][0]["y"], 12000.0);
+  EXPECT_EQ(data["plots"][1]["labels"], nlohmann::json({"1", "2", "3"}));
+  EXPECT_EQ(data["plots"][1]["series"][1]["points"], nlohmann::json({-0.5, nullptr, 1.0}));
+  // Values that are few are listed; the others are floats, four bytes each.
+  EXPECT_EQ(data["maps"][1]["known"].size(), 32U);
+  EXPECT_TRUE(data["maps"][1]["known"][5].is_null());
+  EXPECT_EQ(data["maps"][1]["values"], base64(std::string("\0\1\2\3\4\5\6\7", 8) + "\x08\x09\x0a\x0b\x0c\x0d\x0e\x0f" +
+                                              "\x10\x11\x12\x13\x14\x15\x16\x17\x18\x19\x1a\x1b\x1c\x1d\x1e\x1f"));
+  EXPECT_FALSE(data["maps"][0].contains("known"));
+  EXPECT_EQ(data["maps"][0]["values"].get<std::string>().size(), (511U * 511U * 4U + 2U) / 3U * 4U);
+  EXPECT_EQ(base64("Man"), "TWFu");
+  EXPECT_EQ(base64(""), "");
+}
+
+TEST(Report, AMapOfAnotherSizeIsReported) {
+  ExampleReport made = example();
+  made.report.heat_maps[0].width = 510;
+  const auto html = report_html(made.question, "1", made.report, made.rows);
+  ASSERT_FALSE(html.ok());
+  EXPECT_NE(html.error().message.find("261121 values where 510 x 511"), std::string::npos) << html.error().text();
+}
+
+TEST(Report, FilesAreTheSameEachTime) {
+  const ExampleReport made = example();
+  const Folder folder;
+  const auto first = write_report(folder.path() / "1", made.question, "1.2.3", made.report, made.rows);
+  const auto second = write_report(folder.path() / "2", made.question, "1.2.3", made.report, made.rows);
+  ASSERT_TRUE(first.ok()) << first.error().text();
+  ASSERT_TRUE(second.ok());
+  const std::vector<std::string> names{"report.html",       "rows.json",           "rows.csv",
+                                       "worst.csv",         "false-matches.png",   "errors-by-stage.png",
+                                       "product-errors.png", "by-step.png",         "wrong-pixels.png"};
+  ASSERT_EQ(first->size(), names.size());
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    EXPECT_EQ((*first)[i], folder.path() / "1" / names[i]);
+    const std::string bytes = bytes_of((*first)[i]);
+    EXPECT_FALSE(bytes.empty()) << names[i];
+    EXPECT_EQ(bytes, bytes_of((*second)[i])) << names[i];
+  }
+  EXPECT_EQ(bytes_of(folder.path() / "1/rows.csv"), report_csv(made.rows)[0].second);
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder.path() / "1"), {}), 9);
+}
+
+TEST(Report, AllFilesOrNone) {
+  ExampleReport made = example();
+  const Folder folder;
+  ASSERT_TRUE(write_report(folder.path(), made.question, "old", made.report, made.rows).ok());
+  const std::string old = bytes_of(folder.path() / "report.html");
+  // A folder stands where a file should go: nothing changes.
+  fs::create_directory(folder.path() / "late.png");
+  made.report.pictures[0].file = "late";
+  const auto failed = write_report(folder.path(), made.question, "new", made.report, made.rows);
+  ASSERT_FALSE(failed.ok());
+  EXPECT_EQ(failed.error().fault, Fault::cannot_write);
+  EXPECT_NE(failed.error().text().find("late.png"), std::string::npos) << failed.error().text();
+  EXPECT_EQ(bytes_of(folder.path() / "report.html"), old);
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder.path()), {}), 10);  // and nothing is left over
+  // Two of the same name would be one file.
+  made.report.pictures[0].file = made.report.plots[0].file;
+  const auto doubled = write_report(folder.path(), made.question, "new", made.report, made.rows);
+  ASSERT_FALSE(doubled.ok());
+  EXPECT_NE(doubled.error().text().find("false-matches.png: two files"), std::string::npos) << doubled.error().text();
+  EXPECT_EQ(bytes_of(folder.path() / "report.html"), old);
+}
+
+TEST(Report, AFolderThatCannotBeWrittenIsReported) {
+  const ExampleReport made = example();
+  for (const char* folder : {"/proc/ninebit", "/dev/null/report"}) {
+    const auto failed = write_report(folder, made.question, "1", made.report, made.rows);
+    ASSERT_FALSE(failed.ok());
+    EXPECT_EQ(failed.error().fault, Fault::cannot_write);
+    EXPECT_NE(failed.error().text().find(folder), std::string::npos) << failed.error().text();
+  }
+}
+
+// For report_in_browser.py, which says where.
+TEST(Report, LeavesTheExampleWhereAsked) {
+  const char* const folder = std::getenv("NINEBIT_REPORT_EXAMPLE");
+  if (folder == nullptr) GTEST_SKIP() << "NINEBIT_REPORT_EXAMPLE names no folder";
+  const ExampleReport made = example();
+  const auto files = write_report(folder, made.question, "1.2.3", made.report, made.rows);
+  ASSERT_TRUE(files.ok()) << files.error().text();
+}
+
+}  // namespace
