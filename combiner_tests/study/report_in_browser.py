@@ -139,6 +139,14 @@ def check(browser, url):
                         "})))")
     expect(tip[0] == 1 and len(tip[2]) >= 1 and "step: " in tip[1][0], f"a plot tells the value under the pointer: {tip}")
 
+    # Its legend hides a series and shows it again.
+    shown = "[0, 1, 2].map(series => Chart.getChart('plot-0').isDatasetVisible(series)).join()"
+    second = ".legend li:nth-child(2) button"
+    for expected in ("true,false,true", "true,true,true"):
+        x, y, width, height = browser.box(second)
+        browser.click(x + width / 2, y + height / 2)
+        expect(browser.value(shown) == expected, f"a click in the legend: {expected}")
+
     # A heat map: drawn, and read by pointer and by keys. The pixel under the pointer is column 255 + 100, row 255 - 50.
     expect(browser.value(COLOURS % "'#map-0 canvas'") > 100, "a heat map is drawn")
     told = "document.querySelector('#map-0 output').textContent"
