@@ -3,6 +3,7 @@
 
 The test program leaves its example of a report in a folder. Exit status 77: there is no Chromium here.
 """
+import base64
 import json
 import os
 import select
@@ -11,6 +12,7 @@ import subprocess
 import sys
 import tempfile
 import time
+import zlib
 
 PATIENCE = 120  # seconds for any one answer: a busy machine starts a browser slowly
 
@@ -120,7 +122,29 @@ def column(number):
            f"row.cells[{number}].textContent)"
 
 
-def check(browser, url):
+# A canvas's red, green and blue bytes in base64.
+PIXELS = """(canvas => {
+    const data = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height).data;
+    return btoa(Array.from(data, (byte, i) => i %% 4 < 3 ? String.fromCharCode(byte) : "").join(""));
+})(document.querySelector(%s))"""
+
+
+def png_pixels(path):
+    """The bytes of an RGB picture as this project writes it: 8 bits, no filters."""
+    with open(path, "rb") as file:
+        png = file.read()
+    width, at, packed = int.from_bytes(png[16:20], "big"), 8, b""
+    while at < len(png):
+        size, kind = int.from_bytes(png[at:at + 4], "big"), png[at + 4:at + 8]
+        if kind == b"IDAT":
+            packed += png[at + 8:at + 8 + size]
+        at += size + 12
+    rows, line = zlib.decompress(packed), 1 + 3 * width
+    return b"".join(rows[i + 1:i + line] for i in range(0, len(rows), line))
+
+
+def check(browser, folder):
+    url = f"file://{folder}/report.html"
     target = browser.call("Target.createTarget", url="about:blank")["targetId"]
     browser.session = browser.call("Target.attachToTarget", targetId=target, flatten=True)["sessionId"]
     for domain in ("Runtime", "Log", "Page", "Network"):
@@ -135,14 +159,25 @@ def check(browser, url):
     x, y, width, height = browser.box("#plot-0")
     browser.move_to(x + 0.5 * width, y + 0.5 * height)
     tip = browser.value("new Promise(done => requestAnimationFrame(() => requestAnimationFrame(() => { const tip = "
-                        "Chart.getChart('plot-0').tooltip; done([tip.opacity, tip.title, tip.body.map(b => b.lines)]); "
+                        "Chart.getChart('plot-0').tooltip; done([tip.opacity, tip.title ?? [], "
+                        "(tip.body ?? []).map(b => b.lines)]); "
                         "})))")
-    expect(tip[0] == 1 and len(tip[2]) >= 1 and "step: " in tip[1][0], f"a plot tells the value under the pointer: {tip}")
+    expect(tip[0] == 1 and tip[2] and "step: " in "".join(tip[1]), f"a plot tells the value under the pointer: {tip}")
+
+    # Its legend hides a series and shows it again.
+    shown = "[0, 1, 2].map(series => Chart.getChart('plot-0').isDatasetVisible(series)).join()"
+    second = ".legend li:nth-child(2) button"
+    for expected in ("true,false,true", "true,true,true"):
+        x, y, width, height = browser.box(second)
+        browser.click(x + width / 2, y + height / 2)
+        expect(browser.value(shown) == expected, f"a click in the legend: {expected}")
 
     # A heat map: drawn, and read by pointer and by keys. The pixel under the pointer is column 255 + 100, row 255 - 50.
-    expect(browser.value(COLOURS % "'#map-0 canvas'") > 100, "a heat map is drawn")
+    expect(browser.value(COLOURS % "'#map-0 .field canvas'") > 100, "a heat map is drawn")
     told = "document.querySelector('#map-0 output').textContent"
     before = browser.value(told)
+    pixels = base64.b64decode(browser.value(PIXELS % "'#map-0 .field canvas'"))
+    expect(pixels == png_pixels(f"{folder}/product-errors.png"), "a heat map has the pixels of its PNG file")
     x, y, width, height = browser.box("#map-0 canvas")
     browser.move_to(x + (355.5 / 511) * width, y + (205.5 / 511) * height)
     # trunc(100 * 50 / 255) - 100 * 50 / 255 = 19 - 19.6078…
@@ -185,7 +220,7 @@ def check(browser, url):
     expect(wide <= 390, f"the page fits a phone's screen: {wide} of 390 pixels")
 
     trouble = [e for e in browser.events if e.get("method") == "Runtime.exceptionThrown"
-               or e.get("method") == "Log.entryAdded" and e["params"]["entry"]["level"] in ("error", "warning")
+               or e.get("method") == "Log.entryAdded" and e["params"]["entry"]["level"] == "error"
                or e.get("method") == "Runtime.consoleAPICalled" and e["params"]["type"] in ("error", "warning")]
     expect(not trouble, f"the console has no error: {trouble}")
     asked = [e["params"]["request"]["url"] for e in browser.events if e.get("method") == "Network.requestWillBeSent"]
@@ -204,7 +239,7 @@ def main():
                        stdout=subprocess.DEVNULL, env={**os.environ, "NINEBIT_REPORT_EXAMPLE": report})
         browser = Browser(program, os.path.join(folder, "profile"))
         try:
-            check(browser, f"file://{report}/report.html")
+            check(browser, report)
         finally:
             browser.close()
     return 1 if failures else 0

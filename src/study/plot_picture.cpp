@@ -14,12 +14,11 @@ namespace {
 
 constexpr int kWidth = 1280, kHeight = 800;
 constexpr double kMargin = 36.0;
-constexpr double kRowHeight = 30.0;  // of the legend
-constexpr double kWidestLegend = 380.0;
+constexpr double kWidestLegend = 460.0;
 constexpr std::size_t kMostMarkers = 60;  // points of a series that still have one each
 constexpr std::size_t kMostBarLabels = 16;
 constexpr Rgb kGrid{0xe4, 0xe4, 0xe4}, kFineGrid{0xf2, 0xf2, 0xf2}, kFrame{0x66, 0x66, 0x66};
-const TextStyle kTitle{26.0, true}, kLabel{20.0}, kTickText{18.0, false, {0x44, 0x44, 0x44}}, kLegend{18.0};
+const TextStyle kTitle{26.0, true}, kLabel{20.0}, kTickText{18.0, false, {0x44, 0x44, 0x44}};
 
 // What tells series apart: its colour, and its markers and dashes for who sees no colours.
 struct SeriesLook {
@@ -84,16 +83,25 @@ class PlotPainter {
     double widest = 0.0;
     for (const Tick& tick : frame_.y.ticks) widest = std::max(widest, canvas_.width_of(tick.label, kTickText));
     frame_.left = kMargin + (plot_.y_label.empty() ? 0.0 : 34.0) + widest + 14.0;
-    legend_width_ = 0.0;
-    if (plot_.series.size() > 1) {
-      for (const PlotSeries& series : plot_.series) {
-        legend_width_ = std::max(legend_width_, 52.0 + canvas_.width_of(series.name, kLegend));
-      }
-      legend_width_ = std::min(legend_width_, kWidestLegend);
-    }
+    if (plot_.series.size() > 1) lay_out_legend();
     frame_.right = kWidth - kMargin - (legend_width_ > 0.0 ? legend_width_ + 28.0 : 0.0);
     frame_.top = plot_.title.empty() ? kMargin : 92.0;
     frame_.bottom = kHeight - kMargin - (plot_.x_label.empty() ? 34.0 : 74.0);
+  }
+
+  // In smaller letters where names are long or many.
+  void lay_out_legend() {
+    const auto widest = [this] {
+      double width = 0.0;
+      for (const PlotSeries& series : plot_.series) width = std::max(width, canvas_.width_of(series.name, legend_));
+      return width + 52.0;
+    };
+    legend_width_ = widest();
+    if (legend_width_ > 340.0 || plot_.series.size() > 20) {
+      legend_.size = 15.0;
+      row_height_ = 24.0;
+      legend_width_ = std::min(widest(), kWidestLegend);
+    }
   }
 
   void draw_axes() {
@@ -175,23 +183,23 @@ class PlotPainter {
   void draw_legend() {
     if (legend_width_ == 0.0) return;
     const double left = frame_.right + 28.0;
-    const auto room = static_cast<std::size_t>((frame_.bottom - frame_.top) / kRowHeight);
+    const auto room = static_cast<std::size_t>((frame_.bottom - frame_.top) / row_height_);
     const std::size_t all = plot_.series.size(), shown = all <= room ? all : room - 1;
     for (std::size_t s = 0; s < shown; ++s) {
       const SeriesLook look = look_of(s);
-      const double y = frame_.top + 8.0 + static_cast<double>(s) * kRowHeight;
+      const double y = frame_.top + 8.0 + static_cast<double>(s) * row_height_;
       if (plot_.bars) {
         canvas_.box({left + 8.0, y - 9.0}, 22.0, 18.0, look.color);
       } else {
         canvas_.line(std::array{Place{left + 2.0, y}, Place{left + 36.0, y}}, look.color, 3.0, look.dashed);
         canvas_.marker(look.marker, {left + 19.0, y}, look.color);
       }
-      canvas_.text(canvas_.shortened(plot_.series[s].name, legend_width_ - 50.0, kLegend), {left + 48.0, y + 6.0},
-                   Align::begin, kLegend);
+      canvas_.text(canvas_.shortened(plot_.series[s].name, legend_width_ - 50.0, legend_), {left + 48.0, y + 6.0},
+                   Align::begin, legend_);
     }
     if (shown < all) {
       canvas_.text(fmt::format("and {} more", all - shown),
-                   {left, frame_.top + 14.0 + static_cast<double>(shown) * kRowHeight}, Align::begin, kLegend);
+                   {left, frame_.top + 14.0 + static_cast<double>(shown) * row_height_}, Align::begin, legend_);
     }
   }
 
@@ -199,7 +207,9 @@ class PlotPainter {
   Canvas canvas_;
   Frame frame_;
   std::vector<double> groups_;  // where bars stand
-  double legend_width_ = 0.0;
+  TextStyle legend_{18.0};
+  double row_height_ = 30.0;
+  double legend_width_ = 0.0;  // 0: there is no legend
   bool empty_ = false;
 };
 

@@ -81,8 +81,9 @@ std::string how_it_was_made(const StudyQuestion& question, std::string_view vers
     if (!name.starts_with('-')) fact(name, fmt::format("<span class=\"hash\">{}</span>", escaped(value)));
   }
   for (const auto& [table, text] : report_csv(rows)) {
-    const auto count = std::count_if(rows.begin(), rows.end(), [&](const StudyRow& row) { return row.table == table; });
-    fact(table + ".csv", fmt::format("{} {}, SHA-256 <span class=\"hash\">{}</span>", readable(std::int64_t{count}),
+    const std::int64_t count =
+        std::count_if(rows.begin(), rows.end(), [&name = table](const StudyRow& row) { return row.table == name; });
+    fact(table + ".csv", fmt::format("{} {}, SHA-256 <span class=\"hash\">{}</span>", readable(count),
                                      count == 1 ? "row" : "rows", sha256(text)));
   }
   return out + "</dl>\n</section>\n";

@@ -25,9 +25,10 @@ function logLabel(value) {
 function axis(plot, letter) {
   const logarithmic = plot["log_" + letter] && !(plot.bars && letter === "x");
   const label = plot[letter + "_label"];
-  const ticks = { color: css("--quiet") };
   const line = css("--rule");
-  if (logarithmic) ticks.callback = logLabel;
+  const ticks = { color: css("--quiet") };
+  if (logarithmic) Object.assign(ticks, { callback: logLabel, autoSkip: false, maxRotation: 0 });
+  if (!logarithmic && !(plot.bars && letter === "x")) ticks.callback = (value) => shown(+value.toPrecision(10));
   const made = {
     title: { display: label !== "", text: label, color: css("--ink") },
     // On a logarithmic axis Chart.js thins out the lines without a label unevenly.
@@ -47,11 +48,7 @@ function optionsOf(plot) {
     interaction: isBars ? { mode: "index", intersect: false } : { mode: "nearest", axis: "x", intersect: false },
     scales: { x: axis(plot, "x"), y: { ...axis(plot, "y"), ...(isBars && !plot.log_y ? { beginAtZero: true } : {}) } },
     plugins: {
-      legend: {
-        display: plot.series.length > 1,
-        position: "bottom",
-        labels: { color: css("--ink"), usePointStyle: true, boxWidth: 8, boxHeight: 8, padding: 14 },
-      },
+      legend: { display: false },
       tooltip: {
         usePointStyle: true,
         callbacks: {
@@ -70,15 +67,22 @@ function optionsOf(plot) {
   };
 }
 
+// What tells a series apart: its colour, and its points and dashes for who sees no colours.
+const lookOf = (number) => ({
+  color: data.palette[number % data.palette.length],
+  point: number % 4,
+  dashes: Math.floor(number / data.palette.length) % 2 === 1 ? [6, 5] : [],
+});
+
 function datasetOf(series, number, plot) {
-  const color = data.palette[number % data.palette.length];
+  const { color, point, dashes } = lookOf(number);
   return {
     label: series.name,
     data: series.points,
     borderColor: color,
     backgroundColor: color,
-    pointStyle: plot.bars ? "rect" : ["circle", "rect", "triangle", "rectRot"][number % 4],
-    borderDash: Math.floor(number / data.palette.length) % 2 === 1 ? [6, 5] : [],
+    pointStyle: plot.bars ? "rect" : ["circle", "rect", "triangle", "rectRot"][point],
+    borderDash: dashes,
     borderWidth: plot.bars ? 0 : 2,
     pointRadius: series.points.length > 60 ? 0 : 3.5,
     pointHoverRadius: 5,
@@ -87,18 +91,50 @@ function datasetOf(series, number, plot) {
   };
 }
 
+function svg(name, attributes) {
+  const element = document.createElementNS("http://www.w3.org/2000/svg", name);
+  for (const [key, value] of Object.entries(attributes)) element.setAttribute(key, value);
+  return element;
+}
+
+// A button for each series, which hides it and shows it again. Chart.js's own legend is part of the picture: no key
+// reaches it, and it leaves out what does not fit.
+function legendOf(plot, chart) {
+  const list = document.createElement("ul");
+  list.className = "legend";
+  plot.series.forEach((series, number) => {
+    const { color, point, dashes } = lookOf(number);
+    const sample = svg("svg", { width: 30, height: 12, "aria-hidden": "true" });
+    if (!plot.bars) {
+      sample.append(svg("path", { d: "M1 6H29", stroke: color, "stroke-width": 2, "stroke-dasharray": dashes.join(" ") }));
+    }
+    const shapes = ["M15 2a4 4 0 0 1 0 8a4 4 0 0 1 0-8", "M11 2h8v8h-8z", "M15 1l5 9h-10z", "M15 1l5 5l-5 5l-5-5z"];
+    sample.append(svg("path", { d: plot.bars ? "M9 0h12v12h-12z" : shapes[point], fill: color }));
+    const button = document.createElement("button");
+    button.type = "button";
+    button.setAttribute("aria-pressed", "true");
+    button.append(sample, series.name);
+    button.addEventListener("click", () => {
+      chart.setDatasetVisibility(number, !chart.isDatasetVisible(number));
+      button.setAttribute("aria-pressed", chart.isDatasetVisible(number));
+      chart.update();
+    });
+    list.append(document.createElement("li"));
+    list.lastChild.append(button);
+  });
+  return list;
+}
+
+Chart.defaults.font.family = css("--sans");
+Chart.defaults.font.size = 13;
 const charts = data.plots.map((plot, number) => {
   const canvas = document.getElementById("plot-" + number);
-  // Room for the legend, which stands below in rows.
-  const rows = plot.series.length > 1 ? Math.ceil((plot.series.length * 190) / Math.max(canvas.parentNode.clientWidth, 300)) : 0;
-  canvas.parentNode.style.height = `${370 + Math.min(rows, 20) * 26}px`;
-  Chart.defaults.font.family = css("--sans");
-  Chart.defaults.font.size = 13;
   const chart = new Chart(canvas, {
     type: plot.bars ? "bar" : "scatter",
     data: { labels: plot.labels, datasets: plot.series.map((series, i) => datasetOf(series, i, plot)) },
     options: optionsOf(plot),
   });
+  if (plot.series.length > 1) canvas.parentNode.after(legendOf(plot, chart));
   return { chart, plot };
 });
 matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => {

@@ -1,0 +1,206 @@
+// How the program runs a study: parts, merging, going on after an interruption, and what it refuses.
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
+#include <thread>
+
+#include "combiner_tests/tools/support.h"
+
+namespace tools_test {
+namespace {
+
+using Words = std::vector<std::string>;
+
+// A study of 30 units or so that is over in a moment.
+Words small_study(const std::string& folder, const Words& more = {}) {
+  Words words{"study", "index-steps", "--formats", "channel,la", "--steps", "1-4", "--quiet"};
+  if (!folder.empty()) words.insert(words.end(), {"-o", folder});
+  words.insert(words.end(), more.begin(), more.end());
+  return words;
+}
+
+// One that takes seconds: 511 units of millions of cases each.
+Words long_study(const std::string& folder) {
+  return {"study", "datapath", "--exhaustive-sum", "--profile", "geforce2", "--quiet", "-o", folder};
+}
+
+Files without_parts(Files files) {
+  std::erase_if(files, [](const auto& file) { return file.first.ends_with(".jsonl"); });
+  return files;
+}
+
+Outcome merge(const Words& parts, const std::string& folder) {
+  Words words{"study", "merge", "--quiet", "-o", folder};
+  words.insert(words.end(), parts.begin(), parts.end());
+  return ninebit(words);
+}
+
+TEST(StudyRun, WritesAReportAndItsRows) {
+  const TempFolder folder;
+  const Outcome outcome = ninebit(small_study(folder / "out"));
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const Files files = files_in(folder / "out");
+  for (const char* name : {"report.html", "rows.json", "rows.csv", "part-1-of-1.jsonl"}) {
+    EXPECT_TRUE(files.contains(name)) << name;
+  }
+  EXPECT_NE(files.at("report.html").find("ninebit study index-steps"), std::string::npos);
+  // Again, and with other threads: the same bytes.
+  ASSERT_EQ(ninebit(small_study(folder / "out")).code, 0);
+  EXPECT_EQ(files_in(folder / "out"), files);
+  ASSERT_EQ(ninebit(small_study(folder / "other", {"--threads", "3"})).code, 0);
+  EXPECT_EQ(files_in(folder / "other"), files);
+  // The rows of the file are those of stdout.
+  EXPECT_EQ(Json::parse(files.at("rows.json")), json_of(ninebit(small_study("", {"--json"}))));
+}
+
+class StudyParts : public testing::Test {
+ protected:
+  void SetUp() override {
+    ASSERT_EQ(ninebit(small_study(whole_)).code, 0);
+    for (int i = 1; i <= 3; ++i) {
+      const std::string shard = std::to_string(i) + "/3";
+      ASSERT_EQ(ninebit(small_study(parts_, {"--shard", shard})).code, 0);
+      part_.push_back(parts_ + "/part-" + std::to_string(i) + "-of-3.jsonl");
+    }
+    ASSERT_EQ(files_in(parts_).size(), 3U) << "a part alone makes no report";
+  }
+
+  void expect_refused(const Words& parts, const Words& words) const {
+    expect_error(merge(parts, merged_), 3, words);
+    EXPECT_FALSE(std::filesystem::exists(merged_));
+  }
+
+  TempFolder folder_;
+  std::string whole_ = folder_ / "whole", parts_ = folder_ / "parts", merged_ = folder_ / "merged";
+  Words part_;
+};
+
+TEST_F(StudyParts, MergeToTheBytesOfOneRun) {
+  const Outcome outcome = merge({part_[2], part_[0], part_[1]}, merged_);
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_EQ(files_in(merged_), without_parts(files_in(whole_)));
+}
+
+TEST_F(StudyParts, ThatDoNotBelongTogetherAreRefused) {
+  expect_refused({part_[0], part_[1]}, {"shard 3/3", "missing"});
+  expect_refused({part_[0], part_[1], part_[2], part_[1]}, {part_[1], "second time"});
+  ASSERT_EQ(ninebit(small_study(folder_ / "foreign", {"--shard", "3/3", "--steps", "1-5"})).code, 2)
+      << "a flag may stand once";
+  const Words foreign{"study", "index-steps", "--formats", "channel,la", "--steps",           "1-5",
+                      "--quiet", "--shard",   "3/3",       "-o",         folder_ / "foreign"};
+  ASSERT_EQ(ninebit(foreign).code, 0);
+  const std::string other = folder_ / "foreign/part-3-of-3.jsonl";
+  expect_refused({part_[0], part_[1], other}, {other, "another question", "1-5"});
+  expect_refused({part_[0], part_[1], folder_ / "none.jsonl"}, {"none.jsonl", "cannot be read"});
+  expect_refused({part_[0], part_[1], kRoom}, {kRoom + ":1", "SHA-256"});
+}
+
+TEST_F(StudyParts, DamageIsRefused) {
+  const std::string bytes = read_bytes(part_[1]);
+  std::string damaged = bytes;
+  damaged[bytes.size() / 2] = damaged[bytes.size() / 2] == '1' ? '2' : '1';
+  write_bytes(part_[1], damaged);
+  expect_refused(part_, {part_[1] + ":", "SHA-256"});
+  // Nor does a run go on in it, or touch it.
+  expect_error(ninebit(small_study(parts_, {"--shard", "2/3"})), 3, {part_[1] + ":", "SHA-256"});
+  EXPECT_EQ(read_bytes(part_[1]), damaged);
+  // What was cut off is another matter: merging tells how much there is, and the run goes on to the same bytes.
+  write_bytes(part_[1], bytes.substr(0, bytes.size() / 2));
+  expect_refused(part_, {part_[1], "not complete"});
+  ASSERT_EQ(ninebit(small_study(parts_, {"--shard", "2/3"})).code, 0);
+  EXPECT_EQ(read_bytes(part_[1]), bytes);
+}
+
+TEST_F(StudyParts, OfAnotherBuildAreRefused) {
+  // As another build would have written it: the same line with another build and a hash that fits is not at hand, but
+  // the answer of this program is that its own is expected.
+  std::string bytes = read_bytes(part_[0]);
+  const auto at = bytes.find("\"build\":\"");
+  ASSERT_NE(at, std::string::npos);
+  bytes[at + 9] = bytes[at + 9] == '9' ? '8' : '9';
+  write_bytes(part_[0], bytes);
+  expect_refused(part_, {part_[0] + ":1"});
+}
+
+TEST_F(StudyParts, ByGnuParallel) {
+  if (std::system("command -v parallel >/dev/null") != 0) GTEST_SKIP() << "GNU parallel is not installed";
+  const std::string command = "PATH=" NINEBIT_BINARY_DIR ":$PATH " NINEBIT_SOURCE_DIR
+                              "/docs/scaling/with_parallel.sh 3 " +
+                              merged_ + " index-steps --formats channel,la --steps 1-4 >/dev/null 2>&1";
+  ASSERT_EQ(std::system(command.c_str()), 0);
+  EXPECT_EQ(without_parts(files_in(merged_)), without_parts(files_in(whole_)));
+}
+
+TEST(StudyRun, AQuestionGoesIntoAFolderOfItsOwn) {
+  const TempFolder folder;
+  ASSERT_EQ(ninebit(small_study(folder / "out")).code, 0);
+  const Files before = files_in(folder / "out");
+  expect_error(ninebit({"study", "datapath", "--quiet", "-o", folder / "out"}), 3,
+               {"part-1-of-1.jsonl", "another question", "index-steps", "datapath"});
+  EXPECT_EQ(files_in(folder / "out"), before);
+}
+
+TEST(StudyRun, WrongUsage) {
+  const TempFolder folder;
+  for (const Words& wrong : {Words{"--shard", "2/3"}, Words{"--budget", "3"}}) {
+    EXPECT_EQ(ninebit(small_study("", wrong)).code, 2) << wrong[0];
+  }
+  for (const char* shard : {"0/3", "4/3", "1", "a/b", "1/0", "-1/2"}) {
+    expect_error(ninebit(small_study(folder / "out", {"--shard", shard})), 2, {"--shard"});
+  }
+  expect_error(ninebit(small_study(folder / "out", {"--shard", "1/100000"})), 3, {"shard", "units"});
+  expect_error(ninebit({"study", "merge", "-o", folder / "out"}), 2, {"parts"});
+  EXPECT_FALSE(std::filesystem::exists(folder / "out"));
+}
+
+// Killed at moments spread over the run, it goes on each time, and ends with the bytes of a run that nobody killed.
+TEST(StudyRun, KilledAndGoneOnGivesTheSameBytes) {
+  const TempFolder folder;
+  ASSERT_EQ(ninebit(long_study(folder / "whole")).code, 0);
+  const std::string part = folder / "killed/part-1-of-1.jsonl";
+  for (int i = 0; i < 10; ++i) {
+    Child child(long_study(folder / "killed"));
+    std::this_thread::sleep_for(std::chrono::milliseconds(30 + 70 * i));
+    child.send(i % 2 == 0 ? SIGKILL : SIGINT);
+    const Outcome outcome = child.wait();
+    if (outcome.code == 0) break;
+    ASSERT_EQ(outcome.code, i % 2 == 0 ? 137 : 130) << outcome.err;
+    EXPECT_FALSE(std::filesystem::exists(folder / "killed/report.html"));
+  }
+  ASSERT_EQ(ninebit(long_study(folder / "killed")).code, 0);
+  EXPECT_EQ(files_in(folder / "killed"), files_in(folder / "whole"));
+}
+
+TEST(StudyRun, ABudgetEndsARunThatGoesOnLater) {
+  const TempFolder folder;
+  Words words = long_study(folder / "out");
+  words.insert(words.end(), {"--budget", "0"});
+  const Outcome first = ninebit(words);
+  ASSERT_EQ(first.code, 0) << first.err;
+  const std::string part = folder / "out/part-1-of-1.jsonl";
+  const std::string begun = read_bytes(part);
+  EXPECT_EQ(std::count(begun.begin(), begun.end(), '\n'), 1) << "nothing is begun after no time";
+  EXPECT_TRUE(std::filesystem::exists(folder / "out/report.html"));
+}
+
+TEST(StudyRun, NoRoomKeepsWhatWasFinished) {
+  const TempFolder folder;
+  ASSERT_EQ(ninebit(small_study(folder / "whole")).code, 0);
+  const std::uint64_t size = read_bytes(folder / "whole/part-1-of-1.jsonl").size();
+  const std::string out = folder / "out", part = out + "/part-1-of-1.jsonl";
+  for (const std::uint64_t limit : {std::uint64_t{0}, std::uint64_t{100}, size / 3, size - 1}) {
+    SCOPED_TRACE(limit);
+    EXPECT_EQ(ninebit(small_study(out), {.file_size_limit = limit, .err = "/dev/null"}).code, 4);
+    EXPECT_LE(files_in(out).size(), 1U);
+  }
+  // The part has room, the report has none: nothing of it is there.
+  EXPECT_EQ(ninebit(small_study(out), {.file_size_limit = size + 1, .err = "/dev/null"}).code, 4);
+  EXPECT_EQ(files_in(out).size(), 1U);
+  ASSERT_EQ(ninebit(small_study(out)).code, 0);
+  EXPECT_EQ(files_in(out), files_in(folder / "whole"));
+}
+
+}  // namespace
+}  // namespace tools_test
