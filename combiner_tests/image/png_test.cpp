@@ -45,6 +45,18 @@ TEST_P(PngChannels, WritesWhatOpenImageIoReads) {
   }
 }
 
+TEST_P(PngChannels, EncodesWhatItWrites) {
+  const TempFolder folder;
+  const Image8 image = test_picture(129, 67, GetParam());
+  ASSERT_TRUE(ninebit::write_png(folder.path() / "a.png", image).ok());
+  const auto bytes = ninebit::encode_png(image);
+  ASSERT_TRUE(bytes.ok()) << bytes.error().text();
+  EXPECT_EQ(*bytes, image_test::read_bytes(folder.path() / "a.png"));
+  Image8 short_of_one = image;
+  short_of_one.pixels.pop_back();
+  EXPECT_FALSE(ninebit::encode_png(short_of_one).ok());
+}
+
 TEST_P(PngChannels, HoldsNothingButThePicture) {
   const TempFolder folder;
   const Image8 image = test_picture(64, 64, GetParam());

@@ -1,14 +1,21 @@
 // Random scenes: every plane as the oracle draws it.
 //
-// One case again, alone: NINEBIT_RASTER_INDEX=123. More cases: NINEBIT_RASTER_COUNT=100000, shared by the shards.
+// One case again, alone: NINEBIT_RASTER_INDEX=123 (and NINEBIT_RASTER_SEED, if it was set). More cases:
+// NINEBIT_RASTER_COUNT=100000, shared by the shards. NINEBIT_RASTER_THREADS=5 and NINEBIT_RASTER_TARGET=1 draw with so
+// many threads and on the SIMD target with that number, of those that the machine has; NINEBIT_RASTER_TABLE=1 prints
+// how many fragments met each value of each state.
 #include "combiner_tests/raster/random_scene.h"
 
 #include <gtest/gtest.h>
 
 #include <cstdlib>
+#include <iostream>
 #include <map>
+#include <optional>
 
+#include "combiner_tests/combiner/simd_targets.h"
 #include "combiner_tests/raster/fragment_support.h"
+#include "combiner_tests/raster/in_threads.h"
 
 namespace ninebit::test {
 namespace {
@@ -66,6 +73,21 @@ class StateTable {
     add("stencil fail", number(s.stencil_test.front.fail), t.stencil_fail);
     add("depth fail", number(s.stencil_test.front.depth_fail), t.depth_fail);
     add("depth pass", number(s.stencil_test.front.depth_pass), t.drawn);
+    const int function = 8 * number(s.stencil_test.front.function);
+    add("stencil function, then stencil fail", function + number(s.stencil_test.front.fail), t.stencil_fail);
+    add("stencil function, then depth fail", function + number(s.stencil_test.front.depth_fail), t.depth_fail);
+    add("stencil function, then depth pass", function + number(s.stencil_test.front.depth_pass), t.drawn);
+  }
+
+  [[nodiscard]] std::string text() const {
+    std::string out;
+    for (const auto& [state, values] : count_) {
+      out += state + ':';
+      for (const auto& [value, fragments] : values)
+        out += "  " + std::to_string(value) + ' ' + std::to_string(fragments);
+      out += '\n';
+    }
+    return out;
   }
 
   void expect_full(std::uint64_t least) const {
@@ -146,8 +168,8 @@ void run_clear(const RandomDraw& draw, PicturePlanes& planes, oracle::Picture& e
   ASSERT_TRUE(status.ok()) << status.error().message;
 }
 
-void run_case(std::uint64_t index, Seen& seen) {
-  Random random(kSeed, index);
+void run_case(std::uint64_t seed, std::uint64_t index, Seen& seen) {
+  Random random(seed, index);
   const RandomScene scene = random_scene(random);
   PicturePlanes planes(scene.start, scene.captures);
   // Without output planes, vectors draw what they can; with them, single fragments.
@@ -191,12 +213,28 @@ TEST_P(RandomScenes, EveryPlaneIsAsTheOracleDrawsIt) {
   const std::uint64_t first = number_from_environment("NINEBIT_RASTER_INDEX", GetParam() * count);
   if (replay && GetParam() != 0) GTEST_SKIP() << "one case is run by the first shard";
 
-  Seen seen;
-  for (std::uint64_t index = first; index < first + count; ++index) {
-    run_case(index, seen);
-    if (HasFailure()) FAIL() << "case " << index << "; again with NINEBIT_RASTER_INDEX=" << index;
+  const std::uint64_t seed = number_from_environment("NINEBIT_RASTER_SEED", kSeed);
+  std::optional<OnTarget> on_target;
+  if (std::getenv("NINEBIT_RASTER_TARGET") != nullptr) {
+    const std::int64_t target =
+        simd_targets()[number_from_environment("NINEBIT_RASTER_TARGET", 0) % simd_targets().size()];
+    std::cout << "target " << simd_target_name(target) << '\n';
+    on_target.emplace(target);
   }
-  if (replay) return;
+
+  Seen seen;
+  const auto run = [&] {
+    for (std::uint64_t index = first; index < first + count; ++index) {
+      run_case(seed, index, seen);
+      if (HasFailure()) {
+        FAIL() << "case " << index << "; again with NINEBIT_RASTER_SEED=" << seed << " NINEBIT_RASTER_INDEX=" << index;
+      }
+    }
+  };
+  const auto threads = static_cast<int>(number_from_environment("NINEBIT_RASTER_THREADS", 0));
+  threads == 0 ? run() : with_threads(threads, run);
+  if (replay || HasFailure()) return;
+  if (std::getenv("NINEBIT_RASTER_TABLE") != nullptr) std::cout << seen.states.text();
   RecordProperty("fragments", std::to_string(seen.tally.fragments));
   RecordProperty("drawn", std::to_string(seen.tally.drawn));
 

@@ -149,12 +149,7 @@ ninebit::Rendering render_cookie(const Scene& scene, const RenderSettings& setti
 }
 
 const std::vector<ninebit::s9>& codes_of(const ninebit::Rendering& rendering, const std::string& part, char channel) {
-  for (const ninebit::Layer& layer : rendering.layers) {
-    if (layer.part == part && layer.channel == std::string(1, channel)) {
-      return std::get<std::vector<ninebit::s9>>(layer.samples);
-    }
-  }
-  throw std::runtime_error("no layer " + part + "." + channel);
+  return samples_of<ninebit::s9>(rendering.layers, part, std::string(1, channel));
 }
 
 }  // namespace shadow_test

@@ -14,6 +14,8 @@
 namespace {
 
 using namespace ninebit;
+using shadow_test::fact;
+using shadow_test::samples_of;
 
 constexpr std::array kCodes{DepthCubeBits::eight, DepthCubeBits::sixteen};
 
@@ -40,24 +42,10 @@ Scene box_over_floor() {
   return scene;
 }
 
-template <class Sample>
-const std::vector<Sample>& layer(const std::deque<Layer>& layers, const std::string& part, const std::string& channel) {
-  for (const Layer& l : layers) {
-    if (l.part == part && l.channel == channel) return std::get<std::vector<Sample>>(l.samples);
-  }
-  throw std::runtime_error("no layer " + part + "." + channel);
-}
-
-const Fact& fact(const Rendering& r, const std::string& name) {
-  const auto found = std::find_if(r.facts.begin(), r.facts.end(), [&](const Fact& f) { return f.name == name; });
-  if (found == r.facts.end()) throw std::runtime_error("no fact " + name);
-  return *found;
-}
-
 // The code in a texture register's layers at a pixel.
 int code_at(const Rendering& r, const std::string& prefix, const std::string& texture, std::size_t i) {
-  const int luminance = layer<s9>(r.layers, prefix + texture, "R")[i];
-  return prefix.empty() ? luminance : 256 * layer<s9>(r.layers, prefix + texture, "A")[i] + luminance;
+  const int luminance = samples_of<s9>(r.layers, prefix + texture, "R")[i];
+  return prefix.empty() ? luminance : 256 * samples_of<s9>(r.layers, prefix + texture, "A")[i] + luminance;
 }
 
 TEST(DistanceCode, RampsAreStepsOfOneCodeAndLagByTheBias) {
@@ -92,7 +80,7 @@ TEST(DepthCubeLayers, HoldWhatDecidedEachPixel) {
     const Rendering r = draw(scene, settings);
     const DistanceCode code = distance_code(scene, settings);
     const std::string prefix = bits == DepthCubeBits::eight ? "" : "low byte ";
-    const auto& object = layer<std::uint32_t>(r.layers, "object", "object");
+    const auto& object = samples_of<std::uint32_t>(r.layers, "object", "object");
     std::array<int, 6> faces{};
     for (int y = 0; y < settings.height; ++y) {
       for (int x = 0; x < settings.width; ++x) {
@@ -103,8 +91,8 @@ TEST(DepthCubeLayers, HoldWhatDecidedEachPixel) {
         if (bits == DepthCubeBits::sixteen) {
           ASSERT_EQ(code_at(r, "high byte ", "texture0", i), own);
           ASSERT_EQ(code_at(r, "high byte ", "texture1", i), map);
-          const int high = layer<s9>(r.layers, "high byte output", "A")[i];
-          const int low = layer<s9>(r.layers, "low byte output", "A")[i];
+          const int high = samples_of<s9>(r.layers, "high byte output", "A")[i];
+          const int low = samples_of<s9>(r.layers, "low byte output", "A")[i];
           ASSERT_EQ(high > 0 || low > 0, own > map);
         }
         if (object[i] != 2) continue;
@@ -129,8 +117,8 @@ TEST(DepthCubeLayers, HoldWhatDecidedEachPixel) {
         const std::size_t t = texel(at.t) * static_cast<std::size_t>(settings.map_size) + texel(at.s);
         const char* const name = std::array{"+X", "-X", "+Y", "-Y", "+Z", "-Z"}[static_cast<std::size_t>(at.face)];
         const int held = bits == DepthCubeBits::eight
-                             ? layer<std::uint8_t>(r.maps, "depth_cube", name)[t]
-                             : static_cast<int>(layer<std::uint32_t>(r.maps, "depth_cube", name)[t]);
+                             ? samples_of<std::uint8_t>(r.maps, "depth_cube", name)[t]
+                             : static_cast<int>(samples_of<std::uint32_t>(r.maps, "depth_cube", name)[t]);
         ASSERT_EQ(map, held) << x << "," << y;
       }
     }
@@ -164,8 +152,8 @@ TEST(DepthCubeLayers, FloatsDecideByTheBias) {
   RenderSettings settings = settings_of(DepthCubeBits::real);
   settings.depth_cube.bias = 0.25F;
   const Rendering r = draw(box_over_floor(), settings);
-  const auto& own = layer<float>(r.layers, "own_distance", "distance");
-  const auto& map = layer<float>(r.layers, "map_distance", "distance");
+  const auto& own = samples_of<float>(r.layers, "own_distance", "distance");
+  const auto& map = samples_of<float>(r.layers, "map_distance", "distance");
   for (std::size_t i = 0; i < own.size(); ++i) ASSERT_EQ(r.frame.stencil()[i] != 0, own[i] - 0.25F > map[i]);
   EXPECT_GT(r.shadowed, 200U);
 }
@@ -192,8 +180,8 @@ TEST(DepthCubeProbe, KeepsThePassesOfThePixelsFace) {
         marked = marked || decided->fate == FragmentFate::written;
         const std::string prefix = bits == DepthCubeBits::eight ? "" : pass->name.substr(0, pass->name.size() - 2);
         for (const auto& [reg, part] : {std::pair(Register::texture0, "texture0"), {Register::texture1, "texture1"}}) {
-          EXPECT_EQ(decided->registers[reg][kRed], layer<s9>(whole.layers, prefix + part, "R")[i]);
-          EXPECT_EQ(decided->registers[reg][kAlpha], layer<s9>(whole.layers, prefix + part, "A")[i]);
+          EXPECT_EQ(decided->registers[reg][kRed], samples_of<s9>(whole.layers, prefix + part, "R")[i]);
+          EXPECT_EQ(decided->registers[reg][kAlpha], samples_of<s9>(whole.layers, prefix + part, "A")[i]);
         }
       }
       EXPECT_EQ(marked, whole.frame.stencil()[i] != 0);
@@ -209,7 +197,7 @@ TEST(DepthCubeEvidence, NamesTheTriangleThatTheMapHolds) {
   const Rendering r = draw(scene, settings);
   ASSERT_TRUE(r.evidence.has_value());
   ASSERT_EQ(r.evidence->fetched.size(), r.frame.stencil().size());
-  const auto& object = layer<std::uint32_t>(r.layers, "object", "object");
+  const auto& object = samples_of<std::uint32_t>(r.layers, "object", "object");
   int shadowed = 0;
   for (std::size_t i = 0; i < object.size(); ++i) {
     if (object[i] == 0) continue;
@@ -228,18 +216,18 @@ TEST(DepthCubeFacts, AreThoseOfThePasses) {
     const Rendering r = draw(box_over_floor(), settings);
     const DistanceCode code = distance_code(box_over_floor(), settings);
     const bool eight = bits == DepthCubeBits::eight;
-    EXPECT_EQ(std::get<std::string>(fact(r, "depth_bits").value), eight ? "8" : "16");
-    EXPECT_EQ(std::get<std::uint64_t>(fact(r, "texture_units").value), 2U);
-    EXPECT_EQ(std::get<std::uint64_t>(fact(r, "comparison_passes").value), eight ? 6U : 12U);
-    EXPECT_EQ(std::get<std::uint64_t>(fact(r, "general_combiners").value), eight ? 1U : 2U);
-    EXPECT_EQ(std::get<double>(fact(r, "distance_step").value), code.code_step());
-    EXPECT_EQ(std::get<double>(fact(r, "distance_near").value), double{code.low});
-    EXPECT_EQ(std::get<double>(fact(r, "distance_far").value), double{code.high});
-    EXPECT_EQ(std::get<double>(fact(r, "bias").value), code.bias());
+    EXPECT_EQ(fact<std::string>(r, "depth_bits"), eight ? "8" : "16");
+    EXPECT_EQ(fact<std::uint64_t>(r, "texture_units"), 2U);
+    EXPECT_EQ(fact<std::uint64_t>(r, "comparison_passes"), eight ? 6U : 12U);
+    EXPECT_EQ(fact<std::uint64_t>(r, "general_combiners"), eight ? 1U : 2U);
+    EXPECT_EQ(fact<double>(r, "distance_step"), code.code_step());
+    EXPECT_EQ(fact<double>(r, "distance_near"), double{code.low});
+    EXPECT_EQ(fact<double>(r, "distance_far"), double{code.high});
+    EXPECT_EQ(fact<double>(r, "bias"), code.bias());
   }
   const Rendering floats = draw(box_over_floor(), settings_of(DepthCubeBits::real));
-  EXPECT_EQ(std::get<std::uint64_t>(fact(floats, "texture_units").value), 0U);
-  EXPECT_EQ(std::get<std::uint64_t>(fact(floats, "comparison_passes").value), 0U);
+  EXPECT_EQ(fact<std::uint64_t>(floats, "texture_units"), 0U);
+  EXPECT_EQ(fact<std::uint64_t>(floats, "comparison_passes"), 0U);
 }
 
 }  // namespace

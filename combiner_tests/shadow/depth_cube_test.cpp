@@ -16,6 +16,7 @@ namespace {
 
 using namespace ninebit;
 using shadow_test::on_plane;
+using shadow_test::samples_of;
 
 constexpr std::array kAllBits{DepthCubeBits::eight, DepthCubeBits::sixteen, DepthCubeBits::real};
 
@@ -31,16 +32,8 @@ RenderSettings settings_of(DepthCubeBits bits) {
   return settings;
 }
 
-template <class Sample>
-const std::vector<Sample>& layer(const std::deque<Layer>& layers, const std::string& part, const std::string& channel) {
-  for (const Layer& l : layers) {
-    if (l.part == part && l.channel == channel) return std::get<std::vector<Sample>>(l.samples);
-  }
-  throw std::runtime_error("no layer " + part + "." + channel);
-}
-
 const std::vector<std::uint32_t>& objects(const Rendering& r) {
-  return layer<std::uint32_t>(r.layers, "object", "object");
+  return samples_of<std::uint32_t>(r.layers, "object", "object");
 }
 
 // Pixels of the floor of square_over_floor, away from the shadow's edge by more than one and a half texels of the map:
@@ -230,7 +223,7 @@ TEST(DepthCube, LightFacingShadowsWhatTurnsAway) {
     RenderSettings settings = settings_of(bits);
     settings.light_facing = true;
     const Rendering r = draw(scene, settings);
-    const auto& polygon = layer<std::uint32_t>(r.layers, "polygon", "polygon");
+    const auto& polygon = samples_of<std::uint32_t>(r.layers, "polygon", "polygon");
     for (std::size_t i = 0; i < polygon.size(); ++i) {
       if (polygon[i] == 0) continue;
       const glm::uvec3 t = scene.triangles[polygon[i] - 1];

@@ -19,6 +19,8 @@
 namespace {
 
 using namespace ninebit;
+using shadow_test::fact;
+using shadow_test::samples_of;
 
 RenderSettings small_settings(SamplePattern pattern = SamplePattern::polar) {
   RenderSettings settings;
@@ -49,15 +51,8 @@ Rendering rendered(const Scene& scene, const RenderSettings& settings) {
   return std::move(*rendering);
 }
 
-const Layer& layer_of(const std::deque<Layer>& layers, const std::string& part, const std::string& channel) {
-  for (const Layer& layer : layers) {
-    if (layer.part == part && layer.channel == channel) return layer;
-  }
-  throw std::runtime_error("no layer " + part + "." + channel);
-}
-
 const std::vector<float>& indirect(const Rendering& rendering, const char* channel) {
-  return std::get<std::vector<float>>(layer_of(rendering.layers, "indirect", channel).samples);
+  return samples_of<float>(rendering.layers, "indirect", channel);
 }
 
 const Image8& picture(const Rendering& rendering, const std::string& file) {
@@ -65,14 +60,6 @@ const Image8& picture(const Rendering& rendering, const std::string& file) {
     if (p.file == file) return p.image;
   }
   throw std::runtime_error("no picture " + file);
-}
-
-template <class T>
-T fact(const Rendering& rendering, const std::string& name) {
-  for (const Fact& f : rendering.facts) {
-    if (f.name == name) return std::get<T>(f.value);
-  }
-  throw std::runtime_error("no fact " + name);
 }
 
 // A level square of side 2 at y = 0, its left half red, its right half green, in parallel light from straight above.
@@ -414,7 +401,7 @@ TEST(Reflective, IsDirectLightPlusIndirect) {
         const float e = indirect(r, channel.c_str())[i];
         ASSERT_TRUE(e >= 0.0F && e <= 1.0F);
         ASSERT_EQ(light.pixels[at], static_cast<int>(e * 255.0F + 0.5F));
-        const float surface = std::get<std::vector<float>>(layer_of(r.layers, "surface_color", channel).samples)[i];
+        const float surface = samples_of<float>(r.layers, "surface_color", channel)[i];
         ASSERT_EQ(difference.pixels[at], std::min(255 - off.pixels[at], static_cast<int>(surface * e * 255.0F + 0.5F)));
         if (difference.pixels[at] > 0) ++brighter;
       }
@@ -425,10 +412,10 @@ TEST(Reflective, IsDirectLightPlusIndirect) {
   EXPECT_EQ(fact<std::uint64_t>(r, "gathered_pixels"), r.lit + r.shadowed);
   EXPECT_EQ(fact<std::uint64_t>(r, "interpolated_pixels"), 0U);
   for (const char* part : {"rsm_position", "rsm_normal"}) {
-    EXPECT_EQ(std::get<std::vector<Half>>(layer_of(r.maps, part, "Z").samples).size(), 128U * 128U);
+    EXPECT_EQ(samples_of<Half>(r.maps, part, "Z").size(), 128U * 128U);
   }
-  EXPECT_EQ(std::get<std::vector<Half>>(layer_of(r.maps, "rsm_flux", "R").samples).size(), 128U * 128U);
-  EXPECT_EQ(std::get<std::vector<std::uint32_t>>(layer_of(r.maps, "rsm_depth", "depth").samples).size(), 128U * 128U);
+  EXPECT_EQ(samples_of<Half>(r.maps, "rsm_flux", "R").size(), 128U * 128U);
+  EXPECT_EQ(samples_of<std::uint32_t>(r.maps, "rsm_depth", "depth").size(), 128U * 128U);
 }
 
 // The red wall is on the left: light from there is redder than light from the green one.
@@ -437,8 +424,8 @@ TEST(Reflective, WallsBleedTheirColours) {
     RenderSettings settings = small_settings(pattern);
     settings.layers = true;
     const Rendering r = rendered(cornell_box(), settings);
-    const auto& x = std::get<std::vector<float>>(layer_of(r.layers, "surface_position", "X").samples);
-    const auto& up = std::get<std::vector<float>>(layer_of(r.layers, "surface_normal", "Y").samples);
+    const auto& x = samples_of<float>(r.layers, "surface_position", "X");
+    const auto& up = samples_of<float>(r.layers, "surface_normal", "Y");
     std::array<double, 2> red{}, green{};
     for (std::size_t i = 0; i < x.size(); ++i) {
       if (up[i] < 0.9F || std::fabs(x[i]) < 2.0F) continue;  // the floor beside the walls
@@ -510,7 +497,7 @@ TEST(Reflective, InterpolationIsBilinear) {
   const Rendering r = rendered(cornell_box(), settings);
   const auto& red = indirect(r, "R");
   const auto plane = [&](const char* part, const char* axis) -> const std::vector<float>& {
-    return std::get<std::vector<float>>(layer_of(r.layers, part, axis).samples);
+    return samples_of<float>(r.layers, part, axis);
   };
   const auto &x = plane("surface_position", "X"), &z = plane("surface_position", "Z");
   const auto &height = plane("surface_position", "Y"), &up = plane("surface_normal", "Y");
@@ -565,8 +552,8 @@ TEST(Reflective, BiasOfThePublishedWeight) {
   VisibleSurface surface{.width = settings.width, .height = settings.height};
   for (std::size_t c = 0; c < 3; ++c) {
     const std::string axis(1, "XYZ"[c]);
-    surface.position[c] = std::get<std::vector<float>>(layer_of(r.layers, "surface_position", axis).samples);
-    surface.normal[c] = std::get<std::vector<float>>(layer_of(r.layers, "surface_normal", axis).samples);
+    surface.position[c] = samples_of<float>(r.layers, "surface_position", axis);
+    surface.normal[c] = samples_of<float>(r.layers, "surface_normal", axis);
   }
   const ReflectiveMap map = draw_reflective_map(scene, settings).value();
   std::vector<bool> drawn;  // inside the beam: beside it the kernel does not reach the whole map

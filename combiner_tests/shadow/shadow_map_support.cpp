@@ -31,13 +31,6 @@ ninebit::Rendering render_map(const Scene& scene, const ninebit::RenderSettings&
   return std::move(*result);
 }
 
-double fact_of(const ninebit::Rendering& rendering, const std::string& name) {
-  for (const ninebit::Fact& fact : rendering.facts) {
-    if (fact.name == name) return std::get<double>(fact.value);
-  }
-  throw std::runtime_error("no fact " + name);
-}
-
 namespace {
 
 const glm::dvec3 kLow(-0.1, 0.0, -0.8), kHigh(0.1, 1.2, 0.8);  // the wall

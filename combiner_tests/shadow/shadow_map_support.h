@@ -17,18 +17,6 @@ ninebit::Light directional_light(const glm::vec3& direction);
 // Renders by the technique shadow-map, throwing where that fails.
 ninebit::Rendering render_map(const ninebit::Scene& scene, const ninebit::RenderSettings& settings);
 
-// The samples of a layer or map; throws where it is missing.
-template <class Sample>
-const std::vector<Sample>& samples_of(const std::deque<ninebit::Layer>& layers, const std::string& part,
-                                      const std::string& channel) {
-  for (const ninebit::Layer& layer : layers) {
-    if (layer.part == part && layer.channel == channel) return std::get<std::vector<Sample>>(layer.samples);
-  }
-  throw std::runtime_error("no layer " + part + "." + channel);
-}
-
-double fact_of(const ninebit::Rendering& rendering, const std::string& name);
-
 // A thin wall that stands on a floor under a spot light, seen from its dark side.
 ninebit::Scene wall_on_floor();
 

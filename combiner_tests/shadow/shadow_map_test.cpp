@@ -16,6 +16,7 @@
 namespace {
 
 using namespace ninebit;
+using shadow_test::fact;
 using shadow_test::render_map;
 using shadow_test::samples_of;
 using shadow_test::small_settings;
@@ -128,11 +129,11 @@ TEST(ShadowMap, PolygonOffsetTradesAcneForLeaks) {
   const auto errors = [&](std::optional<OffsetArguments> offset) {
     settings.shadow_map.polygon_offset = offset;
     const Rendering r = render_map(scene, settings);
-    return shadow_test::wall_errors(scene, settings, r, 3.0 * shadow_test::fact_of(r, "texel_size"));
+    return shadow_test::wall_errors(scene, settings, r, 3.0 * fact<double>(r, "texel_size"));
   };
   const auto none = errors(OffsetArguments{0.0F, 0.0F}), least = errors(OffsetArguments{0.0F, 1.0F});
   const auto own = errors(std::nullopt);
-  const double step = shadow_test::fact_of(render_map(scene, settings), "depth_step");
+  const double step = fact<double>(render_map(scene, settings), "depth_step");
   const auto large = errors(OffsetArguments{0.0F, static_cast<float>(0.5 / step)});
   EXPECT_GT(own.judged_lit, 10000);
   EXPECT_GT(own.judged_shadowed, 10000);
@@ -196,9 +197,9 @@ TEST(ShadowMap, FractShadesAPlaneBehindTheMiddleOf256Units) {
   EXPECT_EQ(shadowed_between(fract, 0.0F, 128.9F, pixels), 0);
   EXPECT_EQ(shadowed_between(fract, 129.2F, 170.0F, pixels), pixels);
   EXPECT_GT(pixels, 500);
-  EXPECT_NEAR(shadow_test::fact_of(fract, "encoding_error"), 0.5 / 256.0, 0.01 / 256.0);
+  EXPECT_NEAR(fact<double>(fract, "encoding_error"), 0.5 / 256.0, 0.01 / 256.0);
   settings.shadow_map.encoding = DepthEncoding::rgba8_modf;
-  EXPECT_LE(shadow_test::fact_of(render_map(scene, settings), "encoding_error"), 6e-8);
+  EXPECT_LE(fact<double>(render_map(scene, settings), "encoding_error"), 6e-8);
 }
 
 // Every intermediate value of the comparison follows from the one before it.
@@ -298,7 +299,7 @@ TEST(ShadowMap, SameBitsForAnyNumberOfThreads) {
       for (std::size_t i = 0; i < r.layers.size(); ++i) ASSERT_EQ(r.layers[i].samples, first->layers[i].samples);
       ASSERT_EQ(r.maps.size(), first->maps.size());
       for (std::size_t i = 0; i < r.maps.size(); ++i) ASSERT_EQ(r.maps[i].samples, first->maps[i].samples);
-      ASSERT_EQ(shadow_test::fact_of(r, "texel_size"), shadow_test::fact_of(*first, "texel_size"));
+      ASSERT_EQ(fact<double>(r, "texel_size"), fact<double>(*first, "texel_size"));
     }
   }
 }
@@ -332,21 +333,21 @@ TEST(ShadowMap, FactsTellTheResolution) {
   // The middle of the bounding box is (0, 0.5, 0), 2.5 below the light; its beam is 5 wide there.
   scene.lights[0] = shadow_test::spot_light({0, 3, 0}, {0, 0, 0}, 90.0F);
   const Rendering spot = render_map(scene, settings);
-  EXPECT_NEAR(shadow_test::fact_of(spot, "texel_size"), 5.0 / 256.0, 1e-6);
+  EXPECT_NEAR(fact<double>(spot, "texel_size"), 5.0 / 256.0, 1e-6);
   // Window depth is f (d - n) / (d (f - n)), with the range that views.h promises.
   const double f = 1.01 * std::sqrt(16.0 + 16.0 + 9.0), n = 2.0 * 0.9 / std::sqrt(3.0);
-  EXPECT_NEAR(shadow_test::fact_of(spot, "depth_step") * 16777215.0, 2.5 * 2.5 * (f - n) / (f * n), 1e-4);
-  EXPECT_EQ(shadow_test::fact_of(spot, "polygon_offset_factor"), static_cast<double>(kShadowMapOffset.factor));
-  EXPECT_EQ(shadow_test::fact_of(spot, "polygon_offset_units"), static_cast<double>(kShadowMapOffset.units));
+  EXPECT_NEAR(fact<double>(spot, "depth_step") * 16777215.0, 2.5 * 2.5 * (f - n) / (f * n), 1e-4);
+  EXPECT_EQ(fact<double>(spot, "polygon_offset_factor"), static_cast<double>(kShadowMapOffset.factor));
+  EXPECT_EQ(fact<double>(spot, "polygon_offset_units"), static_cast<double>(kShadowMapOffset.units));
   scene.lights[0] = shadow_test::directional_light({0.3F, -1, 0.1F});
   settings.shadow_map.encoding = DepthEncoding::d16;
   settings.shadow_map.polygon_offset = OffsetArguments{2.0F, -3.0F};
   const Rendering beam = render_map(scene, settings);
   const double diameter = 1.01 * std::sqrt(64.0 + 64.0 + 1.0);
-  EXPECT_NEAR(shadow_test::fact_of(beam, "texel_size"), diameter / 256.0, 1e-6);
-  EXPECT_NEAR(shadow_test::fact_of(beam, "depth_step"), diameter / 65535.0, 1e-8);
-  EXPECT_EQ(shadow_test::fact_of(beam, "polygon_offset_factor"), 2.0);
-  EXPECT_EQ(shadow_test::fact_of(beam, "polygon_offset_units"), -3.0);
+  EXPECT_NEAR(fact<double>(beam, "texel_size"), diameter / 256.0, 1e-6);
+  EXPECT_NEAR(fact<double>(beam, "depth_step"), diameter / 65535.0, 1e-8);
+  EXPECT_EQ(fact<double>(beam, "polygon_offset_factor"), 2.0);
+  EXPECT_EQ(fact<double>(beam, "polygon_offset_units"), -3.0);
 }
 
 // As three.js clears its maps: such a texel reads as a depth of 1 or more, whatever the packing.

@@ -65,12 +65,12 @@ TEST(ShadowVolume, SquareOverFloorIsExact) {
                  [](float x, float z) { return std::fabs(x) < 1.5F && std::fabs(z) < 1.5F; });
     const Rendering r = render_volumes(scene, settings);
     const bool has_caps = settings.shadow_volume.method == VolumeMethod::depth_fail;
-    EXPECT_EQ(count_of(r, "open_objects"), 2U);
-    EXPECT_EQ(count_of(r, "closed_objects"), 0U);
-    EXPECT_EQ(count_of(r, "open_edges"), 8U);
-    EXPECT_EQ(count_of(r, "nonmanifold_edges"), 0U);
-    EXPECT_EQ(count_of(r, "silhouette_edges"), 8U);  // the diagonals' sides cancel
-    EXPECT_EQ(count_of(r, "volume_triangles"), has_caps ? 4U + 4U + 16U : 16U);
+    EXPECT_EQ(shadow_test::fact<std::uint64_t>(r, "open_objects"), 2U);
+    EXPECT_EQ(shadow_test::fact<std::uint64_t>(r, "closed_objects"), 0U);
+    EXPECT_EQ(shadow_test::fact<std::uint64_t>(r, "open_edges"), 8U);
+    EXPECT_EQ(shadow_test::fact<std::uint64_t>(r, "nonmanifold_edges"), 0U);
+    EXPECT_EQ(shadow_test::fact<std::uint64_t>(r, "silhouette_edges"), 8U);  // the diagonals' sides cancel
+    EXPECT_EQ(shadow_test::fact<std::uint64_t>(r, "volume_triangles"), has_caps ? 4U + 4U + 16U : 16U);
   });
 }
 
@@ -95,10 +95,10 @@ TEST(ShadowVolume, BoxOverFloorIsExact) {
     expect_plane(scene, settings, 0.0F, 0, 1, 300,
                  [](float x, float z) { return std::fabs(x) < 1.5F && std::fabs(z) < 1.5F; });
     const Rendering r = render_volumes(scene, settings);
-    EXPECT_EQ(count_of(r, "closed_objects"), 1U);
-    EXPECT_EQ(count_of(r, "open_objects"), 1U);
-    EXPECT_EQ(count_of(r, "open_edges"), 4U);
-    EXPECT_EQ(count_of(r, "silhouette_edges"), 4U + 4U);
+    EXPECT_EQ(shadow_test::fact<std::uint64_t>(r, "closed_objects"), 1U);
+    EXPECT_EQ(shadow_test::fact<std::uint64_t>(r, "open_objects"), 1U);
+    EXPECT_EQ(shadow_test::fact<std::uint64_t>(r, "open_edges"), 4U);
+    EXPECT_EQ(shadow_test::fact<std::uint64_t>(r, "silhouette_edges"), 4U + 4U);
   });
 }
 
@@ -111,7 +111,7 @@ TEST(ShadowVolume, DirectionalLightIsExact) {
                  [](float x, float z) { return std::fabs(x - 0.5F) < 1.0F && std::fabs(z - 0.25F) < 1.0F; });
     const Rendering r = render_volumes(scene, settings);
     const bool has_caps = settings.shadow_volume.method == VolumeMethod::depth_fail;
-    EXPECT_EQ(count_of(r, "volume_triangles"), has_caps ? 4U + 8U : 8U);
+    EXPECT_EQ(shadow_test::fact<std::uint64_t>(r, "volume_triangles"), has_caps ? 4U + 8U : 8U);
   });
 }
 
@@ -163,9 +163,9 @@ TEST(ShadowVolume, WallWithAHoleIsExact) {
       return far_out > 0.75F && far_out < 3.0F;
     });
     const Rendering r = render_volumes(scene, settings);
-    EXPECT_EQ(count_of(r, "open_edges"), 4U + 8U);
-    EXPECT_EQ(count_of(r, "nonmanifold_edges"), 0U);
-    EXPECT_EQ(count_of(r, "silhouette_edges"), 4U + 8U);
+    EXPECT_EQ(shadow_test::fact<std::uint64_t>(r, "open_edges"), 4U + 8U);
+    EXPECT_EQ(shadow_test::fact<std::uint64_t>(r, "nonmanifold_edges"), 0U);
+    EXPECT_EQ(shadow_test::fact<std::uint64_t>(r, "silhouette_edges"), 4U + 8U);
   });
 }
 
@@ -206,8 +206,10 @@ TEST(ShadowVolume, BallInABall) {
     EXPECT_EQ(wrong, 0);
     EXPECT_GT(lit, 3000);
     EXPECT_GT(shadowed, 500);
-    EXPECT_EQ(count_of(r, "closed_objects"), 2U);
-    EXPECT_EQ(count_of(r, "open_edges") + count_of(r, "nonmanifold_edges"), 0U);
+    EXPECT_EQ(shadow_test::fact<std::uint64_t>(r, "closed_objects"), 2U);
+    EXPECT_EQ(
+        shadow_test::fact<std::uint64_t>(r, "open_edges") + shadow_test::fact<std::uint64_t>(r, "nonmanifold_edges"),
+        0U);
   });
 }
 

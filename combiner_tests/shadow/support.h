@@ -4,8 +4,11 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <deque>
 #include <glm/glm.hpp>
+#include <stdexcept>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "ninebit/scene/scene.h"
@@ -37,6 +40,25 @@ struct ComparisonLayers {
   [[nodiscard]] std::uint32_t fetched(const ninebit::IndexCodes& codes, std::size_t pixel) const;
 };
 ComparisonLayers comparison_layers(const ninebit::Rendering& rendering);
+
+// The samples of a layer or map; throws where it is missing.
+template <class Sample>
+const std::vector<Sample>& samples_of(const std::deque<ninebit::Layer>& layers, const std::string& part,
+                                      const std::string& channel) {
+  for (const ninebit::Layer& layer : layers) {
+    if (layer.part == part && layer.channel == channel) return std::get<std::vector<Sample>>(layer.samples);
+  }
+  throw std::runtime_error("no layer " + part + "." + channel);
+}
+
+// What a rendering counted or measured, of that type; throws where it is missing.
+template <class T>
+const T& fact(const ninebit::Rendering& rendering, const std::string& name) {
+  for (const ninebit::Fact& f : rendering.facts) {
+    if (f.name == name) return std::get<T>(f.value);
+  }
+  throw std::runtime_error("no fact " + name);
+}
 
 // Renders, failing the test where that fails. The default settings are those of the tests: small.
 ninebit::Rendering render(const ninebit::Scene& scene, const ninebit::RenderSettings& settings);

@@ -128,7 +128,7 @@ TEST(VolumePasses, EdgeOnTrianglesCastNothing) {
   const VolumeMesh mesh = volume_mesh(scene);
   EXPECT_EQ(facing_of(mesh, homogeneous_light(scene.lights[0])), (std::vector<std::int8_t>{0, 0, 1, 1}));
   const Rendering r = render_volumes(scene, volume_settings());
-  EXPECT_EQ(count_of(r, "silhouette_edges"), 4U);
+  EXPECT_EQ(shadow_test::fact<std::uint64_t>(r, "silhouette_edges"), 4U);
   EXPECT_EQ(r.shadowed, 0U);
   scene.lights[0].position.y = std::nextafter(0.3F, 1.0F);
   EXPECT_EQ(facing_of(mesh, homogeneous_light(scene.lights[0])), (std::vector<std::int8_t>{1, 1, 1, 1}));
@@ -206,11 +206,7 @@ TEST(VolumePasses, WhatARenderingHolds) {
     }
   }
   EXPECT_GT(r.background, 1000U);
-  for (const Fact& fact : r.facts) {
-    if (fact.name == "open_object_names") {
-      EXPECT_EQ(std::get<std::string>(fact.value), "floor, square");
-    }
-  }
+  EXPECT_EQ(shadow_test::fact<std::string>(r, "open_object_names"), "floor, square");
 }
 
 // A watched pixel in the shadow on the floor: the volume's faces there, each with the triangle that casts it.

@@ -102,7 +102,7 @@ void expect_as_rays(Kind kind, std::uint64_t seed, int scenes) {
     settings.height = 60;
     settings.shadow_volume.two_sided = random.one_in(2);
     const Rendering rendering = render_volumes(scene, settings);
-    EXPECT_EQ(count_of(rendering, "open_objects") > 0, kind == Kind::open) << index;
+    EXPECT_EQ(shadow_test::fact<std::uint64_t>(rendering, "open_objects") > 0, kind == Kind::open) << index;
     const Compared c = compare_with_rays(scene, settings, rendering);
     EXPECT_EQ(c.wrong, 0) << "scene " << index << ": " << c.first_wrong << ", light " << static_cast<int>(light.kind);
     sum.lit += c.lit;

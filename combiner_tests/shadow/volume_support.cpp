@@ -25,13 +25,6 @@ ninebit::Rendering render_volumes(const Scene& scene, const ninebit::RenderSetti
   return std::move(*result);
 }
 
-std::uint64_t count_of(const ninebit::Rendering& rendering, const std::string& name) {
-  for (const ninebit::Fact& fact : rendering.facts) {
-    if (fact.name == name) return std::get<std::uint64_t>(fact.value);
-  }
-  throw std::runtime_error("no fact " + name);
-}
-
 void add_object(Scene& scene, const std::vector<glm::vec3>& positions, const std::vector<glm::uvec3>& triangles) {
   const auto first = static_cast<std::uint32_t>(scene.positions.size());
   const auto object = static_cast<std::uint32_t>(scene.objects.size());

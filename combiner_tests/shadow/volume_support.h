@@ -19,9 +19,6 @@ ninebit::RenderSettings volume_settings(ninebit::VolumeMethod method = ninebit::
 // Renders, failing the test where that fails.
 ninebit::Rendering render_volumes(const ninebit::Scene& scene, const ninebit::RenderSettings& settings);
 
-// A count among the facts; fails where there is none of that name.
-std::uint64_t count_of(const ninebit::Rendering& rendering, const std::string& name);
-
 // Adds a closed ball of rings × 2 rings quads, cut into triangles; `inward` turns its faces to the middle. Vertices at
 // its seam and poles are there several times, as with normals of their own.
 void add_ball(ninebit::Scene& scene, const glm::vec3& middle, float radius, int rings, bool inward = false);

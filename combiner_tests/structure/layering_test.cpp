@@ -25,7 +25,7 @@ struct Library {
   std::vector<std::string> rooms;
 };
 const std::vector<Library> kLibraries{
-    {std::regex("hwy/.*"), {"combiner", "raster", "shadow", "bench"}},
+    {std::regex("hwy/.*"), {"combiner", "raster", "shadow", "study", "bench"}},
     {std::regex("oneapi/tbb/.*"), {"raster", "shadow", "study", "tools"}},
     {std::regex("fmt/.*"), {"scene", "image", "shadow", "study", "tools"}},
     {std::regex("glm/.*"), {"raster", "scene", "shadow", "study", "tools", "bench"}},

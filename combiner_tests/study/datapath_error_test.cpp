@@ -3,25 +3,38 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <string>
+#include <vector>
 
+#include "combiner_tests/study/support.h"
 #include "ninebit/combiner/evaluate.h"
 #include "src/study/wide_counts.h"
 
 namespace {
 
 using namespace ninebit;
+using namespace ninebit::test;
 
-const DatapathErrors& all_errors() {
-  static const DatapathErrors errors = *measure_datapath(hardware_profiles(), {});
-  return errors;
+const Study& study() {
+  static const std::unique_ptr<Study> all =
+      valid(datapath_study({.study = "datapath", .profile = "all"}, hardware_profiles()));
+  return *all;
 }
 
-const OperationError& error_of(std::string_view profile, std::string_view operation, std::string_view form) {
-  for (const OperationError& e : all_errors().errors) {
-    if (e.profile == profile && e.operation == operation && e.form == form) return e;
+const std::vector<StudyRow>& rows() {
+  static const std::vector<StudyRow> all = all_rows(study());
+  return all;
+}
+
+const StudyRow& error_of(std::string_view profile, std::string_view operation, std::string_view form) {
+  for (const StudyRow& row : rows()) {
+    if (row.table == "rows" && row.text("profile") == profile && row.text("operation") == operation &&
+        row.text("form") == form) {
+      return row;
+    }
   }
   throw std::runtime_error("no such operation");
 }
@@ -55,58 +68,182 @@ TEST(DatapathErrors, ProductsMatchDirectEnumeration) {
         sum += error;
       }
     }
-    const OperationError& e = error_of(profile->name, "product", "-1/2, x2");
-    EXPECT_EQ(e.cases, 511U * 511U);
-    EXPECT_EQ(e.exact, exact) << profile->name;
-    EXPECT_NEAR(e.max_error, largest, 1e-12);
-    EXPECT_NEAR(e.mean_bias, sum / (511.0 * 511.0), 1e-12);
+    const StudyRow& e = error_of(profile->name, "product", "-1/2, x2");
+    EXPECT_EQ(e.count("cases"), 511U * 511U);
+    EXPECT_EQ(e.count("exact"), exact) << profile->name;
+    EXPECT_NEAR(e.number("max_error"), largest, 1e-12);
+    EXPECT_NEAR(e.number("mean_bias"), sum / (511.0 * 511.0), 1e-12);
   }
+}
+
+// Every operation at a size that allows all inputs one by one: the sums of one, two and three products.
+TEST(DatapathErrors, SumsMatchDirectEnumerationOfSmallCodes) {
+  HardwareProfile profile = small_profile(3);
+  profile.general_narrowing.value = Narrowing::nearest_halves_up;
+  const Datapath d = datapath_of(profile);
+  const auto small = valid(datapath_study({.study = "datapath", .profile = "small"}, {&profile, 1}));
+  std::map<std::string, const StudyRow*> found;
+  const std::vector<StudyRow> all = all_rows(*small);
+  for (const StudyRow& row : all) found[row.text("operation") + " " + row.text("form")] = &row;
+  for (const OutputForm& form : kOutputForms) {
+    std::vector<int> wides{0};
+    for (const char* operation : {"product", "AB + CD", "dot product"}) {
+      std::vector<int> next;
+      for (const int wide : wides)
+        for (int a = -3; a <= 3; ++a)
+          for (int b = -3; b <= 3; ++b) next.push_back(wide + a * b);
+      wides = next;
+      std::uint64_t exact = 0;
+      std::map<int, int> codes;
+      double largest = 0.0, sizes = 0.0;
+      for (const int wide : wides) {
+        const int code = reference::combiner_output(d, form.scale, form.bias, wide);
+        const double scale = form.name.ends_with("x4")   ? 4
+                             : form.name.ends_with("x2") ? 2
+                             : form.name == "x1/2"       ? 0.5
+                                                         : 1;
+        const double should = std::clamp((wide / 9.0 - (form.bias == Bias::none ? 0.0 : 0.5)) * scale, -1.0, 1.0);
+        const double error = std::fabs(code / 3.0 - should);
+        if (error < 1e-12) ++exact;
+        largest = std::max(largest, error);
+        sizes += error;
+        ++codes[code];
+      }
+      const StudyRow& row = *found.at(std::string(operation) + " " + std::string(form.name));
+      EXPECT_EQ(row.count("cases"), wides.size());
+      EXPECT_EQ(row.count("exact"), exact) << operation << ' ' << form.name;
+      EXPECT_EQ(row.count("distinct"), codes.size()) << operation << ' ' << form.name;
+      EXPECT_NEAR(row.number("max_error"), largest, 1e-12) << operation << ' ' << form.name;
+      EXPECT_NEAR(row.number("mean_error"), sizes / static_cast<double>(wides.size()), 1e-12);
+    }
+  }
+}
+
+// A·B + (1 - A)·C + D and E·F of all small codes, as the extension writes them.
+TEST(DatapathErrors, FinalCombinerMatchesDirectEnumerationOfSmallCodes) {
+  const HardwareProfile profile = small_profile(5);
+  const Datapath d = datapath_of(profile);
+  const auto small = valid(datapath_study({.study = "datapath", .profile = "small"}, {&profile, 1}));
+  std::uint64_t exact = 0, exact_products = 0;
+  double sum = 0.0, products = 0.0;
+  for (int a = 0; a <= 5; ++a)
+    for (int b = 0; b <= 5; ++b) {
+      const double error = reference::e_times_f(d, a, b) / 5.0 - a * b / 25.0;
+      if (std::fabs(error) < 1e-12) ++exact_products;
+      products += error;
+      for (int c = 0; c <= 5; ++c)
+        for (int added = 0; added <= 5; ++added) {
+          const double should = std::min((a * b + (5 - a) * c) / 25.0 + added / 5.0, 1.0);
+          const double wrong = reference::final_rgb(d, a, b, c, added) / 5.0 - should;
+          if (std::fabs(wrong) < 1e-12) ++exact;
+          sum += wrong;
+        }
+    }
+  int seen = 0;
+  for (const StudyRow& row : all_rows(*small)) {
+    if (row.text("operation") == "final lerp") {
+      ++seen;
+      EXPECT_EQ(row.count("cases"), 1296U);
+      EXPECT_EQ(row.count("exact"), exact);
+      EXPECT_NEAR(row.number("mean_bias"), sum / 1296.0, 1e-12);
+    }
+    if (row.text("operation") == "E times F") {
+      ++seen;
+      EXPECT_EQ(row.count("exact"), exact_products);
+      EXPECT_NEAR(row.number("mean_bias"), products / 36.0, 1e-12);
+    }
+  }
+  EXPECT_EQ(seen, 2);
 }
 
 TEST(DatapathErrors, KnownFactsComeOut) {
   // The GeForce 2 cuts products toward zero: never more than a code, and no bias on the whole, as both signs occur.
-  const OperationError& product = error_of("geforce2", "product", "x1");
-  EXPECT_LT(product.max_error, 1.0 / 255.0);
-  EXPECT_GT(product.max_error, 0.99 / 255.0);
-  EXPECT_NEAR(product.mean_bias, 0.0, 1e-15);
+  const StudyRow& product = error_of("geforce2", "product", "x1");
+  EXPECT_LT(product.number("max_error"), 1.0 / 255.0);
+  EXPECT_GT(product.number("max_error"), 0.99 / 255.0);
+  EXPECT_NEAR(product.number("mean_bias"), 0.0, 1e-15);
   // To nearest it is half of that, but for halves.
-  EXPECT_LE(error_of("nv2a", "product", "x1").max_error, 0.5 / 255.0 + 1e-12);
+  EXPECT_LE(error_of("nv2a", "product", "x1").number("max_error"), 0.5 / 255.0 + 1e-12);
   // signed_identity is exact, and one half is 128 of 255.
-  EXPECT_EQ(error_of("geforce2", "mapping", "signed_identity").exact, 511U);
-  EXPECT_NEAR(error_of("geforce2", "mapping", "half_bias_normal").max_error, 0.5 / 255.0, 1e-12);
-  EXPECT_EQ(error_of("geforce2", "dot product", "x1").cases,
-            std::uint64_t{511} * 511 * 511 * 511 * 511 * 511);
-  EXPECT_EQ(error_of("geforce2", "AB + CD", "x4").cases, std::uint64_t{511} * 511 * 511 * 511);
-  EXPECT_EQ(error_of("geforce2", "final lerp", "A B + (1 - A) C + D").cases, std::uint64_t{1} << 32);
-  EXPECT_EQ(error_of("geforce2", "mux takes CD", "").max_error, 0.0);
-  EXPECT_EQ(error_of("geforce2", "product", "x1").distinct, 511U);
+  EXPECT_EQ(error_of("geforce2", "mapping", "signed_identity").count("exact"), 511U);
+  EXPECT_NEAR(error_of("geforce2", "mapping", "half_bias_normal").number("max_error"), 0.5 / 255.0, 1e-12);
+  EXPECT_EQ(error_of("geforce2", "dot product", "x1").count("cases"), std::uint64_t{511} * 511 * 511 * 511 * 511 * 511);
+  EXPECT_EQ(error_of("geforce2", "AB + CD", "x4").count("cases"), std::uint64_t{511} * 511 * 511 * 511);
+  EXPECT_EQ(error_of("geforce2", "final lerp", "A B + (1 - A) C + D").count("cases"), std::uint64_t{1} << 32);
+  EXPECT_EQ(error_of("geforce2", "mux takes CD", "").number("max_error"), 0.0);
+  EXPECT_EQ(error_of("geforce2", "product", "x1").count("distinct"), 511U);
 }
 
 TEST(DatapathErrors, TheWorstCaseIsOne) {
-  const OperationError& e = error_of("geforce2", "product", "x1");
+  const StudyRow& e = error_of("geforce2", "product", "x1");
   int a = 0, b = 0;
-  ASSERT_EQ(std::sscanf(e.worst.c_str(), "%d * %d", &a, &b), 2) << e.worst;
-  EXPECT_EQ(reference::combiner_output(datapath_of(profiles::geforce2), Scale::none, Bias::none, a * b), e.worst_code);
-  EXPECT_NEAR(std::fabs(e.worst_code / 255.0 - a * b / 65025.0), e.max_error, 1e-12);
+  ASSERT_EQ(std::sscanf(e.text("worst").c_str(), "%d * %d", &a, &b), 2) << e.text("worst");
+  const int code = reference::combiner_output(datapath_of(profiles::geforce2), Scale::none, Bias::none, a * b);
+  EXPECT_EQ(e.number("worst_code"), code);
+  EXPECT_NEAR(std::fabs(code / 255.0 - a * b / 65025.0), e.number("max_error"), 1e-12);
 }
 
 TEST(DatapathErrors, ProfilesDifferWhereTheyShould) {
-  for (const OperationDifference& d : all_errors().differences) {
-    if (d.first != "geforce2" || d.second != "geforce2-early-truncation") continue;
-    // Truncation before the scale matters only where something is scaled up.
-    if (d.operation == "mapping" || d.form == "x1" || d.form == "-1/2, x1") {
-      EXPECT_EQ(d.differ, 0U) << d.operation << ' ' << d.form;
+  int compared = 0;
+  for (const StudyRow& d : rows()) {
+    if (d.table != "differences" || d.text("first") != "geforce2" || d.text("second") != "geforce2-early-truncation") {
+      continue;
     }
-    if (d.operation == "product" && d.form == "x4") {
-      EXPECT_GT(d.differ, 10'000U);
+    ++compared;
+    // Truncation before the scale matters only where something is scaled up.
+    const std::string operation = d.text("operation"), form = d.text("form");
+    if (operation == "mapping" || form == "x1" || form == "-1/2, x1") {
+      EXPECT_EQ(d.count("differ"), 0U) << operation << ' ' << form;
+    }
+    if (operation == "product" && form == "x4") {
+      EXPECT_GT(d.count("differ"), 10'000U);
     }
   }
+  EXPECT_EQ(compared, 8 + 4 * 6 + 1 + 2 + 1 + 1);
 }
 
 TEST(DatapathErrors, StopsWhenAsked) {
-  const auto stopped = measure_datapath({&profiles::geforce256_8bit, 1}, [](double) { return false; });
+  const auto stopped = study().run(0, [] { return false; });
   ASSERT_FALSE(stopped.ok());
   EXPECT_EQ(stopped.error().fault, Fault::cancelled);
+}
+
+TEST(DatapathErrors, RealNumbersHaveNoDatapath) {
+  const auto none = datapath_study({.study = "datapath", .profile = "ideal"}, {&profiles::ideal, 1});
+  ASSERT_FALSE(none.ok());
+  EXPECT_NE(none.error().text().find("ideal"), std::string::npos);
+}
+
+// One pixel a case, the error of that very case under it.
+TEST(DatapathErrors, ReportsMapsAndTables) {
+  const auto report = study().report(rows(), study().units());
+  ASSERT_TRUE(report.ok());
+  EXPECT_EQ(report->tables.size(), 5U);  // four profiles, and the differences
+  EXPECT_EQ(report->plots.size(), 3U);
+  int products = 0, small = 0;
+  for (const HeatMap& map : report->heat_maps) {
+    ASSERT_EQ(map.values.size(), static_cast<std::size_t>(map.width * map.height)) << map.file;
+    if (map.file == "product-x4-geforce2") {
+      ++products;
+      EXPECT_EQ(map.width, 511);
+      // A = -255 on the left, B = 255 on top.
+      const int a = 100, b = 7;
+      const int code = reference::combiner_output(datapath_of(profiles::geforce2), Scale::by_four, Bias::none, a * b);
+      EXPECT_NEAR(map.values[static_cast<std::size_t>((255 - b) * 511 + a + 255)], code - a * b * 4 / 255.0, 1e-6);
+      EXPECT_EQ(map.x_first, -255.0);
+      EXPECT_EQ(map.y_first, 255.0);
+    }
+    if (map.file == "e-times-f-geforce2") {
+      ++small;
+      EXPECT_EQ(map.width, 256);
+    }
+  }
+  EXPECT_EQ(products, 1);
+  EXPECT_EQ(small, 1);
+  // Half of what there is, for a run that was interrupted.
+  const auto part = study().report(std::span(rows()).first(8), 1);
+  ASSERT_TRUE(part.ok());
+  EXPECT_NE(part->answers.front().find("Only 1 of"), std::string::npos);
 }
 
 }  // namespace

@@ -42,19 +42,20 @@ TEST(PlotAxis, TicksAreRound) {
   EXPECT_EQ(labels(linear_axis({1, 16}, 8, false)), (Labels{"0", "2", "4", "6", "8", "10", "12", "14", "16"}));
   EXPECT_EQ(labels(linear_axis({0.31, 0.29}, 5, false)), (Labels{"0.290", "0.295", "0.300", "0.305", "0.310"}));
   EXPECT_EQ(labels(linear_axis({-1, 1}, 4, false)), (Labels{"-1.0", "-0.5", "0", "0.5", "1.0"}));
-  EXPECT_EQ(labels(linear_axis({0, 2500000}, 5, false)), (Labels{"0", "500 000", "1 000 000", "1 500 000", "2 000 000",
-                                                                  "2 500 000"}));
+  EXPECT_EQ(labels(linear_axis({0, 2500000}, 5, false)),
+            (Labels{"0", "500 000", "1 000 000", "1 500 000", "2 000 000", "2 500 000"}));
   EXPECT_EQ(labels(linear_axis({100, 101}, 2, false)).front(), "100.0");
   EXPECT_EQ(labels(linear_axis({100, 101}, 2, true)).front(), "0");
   EXPECT_EQ(labels(linear_axis({0.3}, 3, false)).empty(), false);
-  EXPECT_EQ(labels(logarithmic_axis({3, 4000}, 8)), (Labels{"1", "10", "100", "1000", "10000"}));
+  EXPECT_EQ(labels(logarithmic_axis({3, 4000}, 8)), (Labels{"1", "10", "100", "1000", "10⁴"}));
   EXPECT_EQ(labels(logarithmic_axis({1e-6, 1e-4}, 8)),
-            (Labels{"10⁻⁶", "2e-06", "5e-06", "10⁻⁵", "0.00002", "0.00005", "10⁻⁴"}));
+            (Labels{"10⁻⁶", "0.000002", "0.000005", "10⁻⁵", "0.00002", "0.00005", "10⁻⁴"}));
   EXPECT_EQ(labels(logarithmic_axis({1, 100}, 8)), (Labels{"1", "2", "5", "10", "20", "50", "100"}));
 }
 
 TEST(PlotAxis, HoldsWhatItIsMadeFor) {
-  std::vector<std::vector<double>> cases{{}, {0}, {7}, {-7}, {1, 1 + 1e-15}, {-1e149, 1e149}, {5e-324}, {1e-100, 2e-100}};
+  std::vector<std::vector<double>> cases{
+      {}, {0}, {7}, {-7}, {1, 1 + 1e-15}, {-1e149, 1e149}, {5e-324}, {1e-100, 2e-100}};
   for (int i = 0; i < 200; ++i) cases.push_back({std::sin(i) * std::pow(10.0, i % 17 - 8), std::cos(3 * i)});
   for (const auto& values : cases) {
     for (const bool from_zero : {false, true}) {
@@ -125,8 +126,15 @@ TEST(PlotPictureDeathTest, DrawsWithoutAnyFont) {
 }
 
 TEST(HeatMapPicture, ColoursAreThoseOfTheirValues) {
-  HeatMap map{.file = "a", .title = "a", .x_label = "", .y_label = "", .width = 3, .height = 2,
-              .values = {-2, 0, 1, 0.5F, 9, std::numeric_limits<float>::quiet_NaN()}, .low = -2.0F, .high = 1.0F};
+  HeatMap map{.file = "a",
+              .title = "a",
+              .x_label = "",
+              .y_label = "",
+              .width = 3,
+              .height = 2,
+              .values = {-2, 0, 1, 0.5F, 9, std::numeric_limits<float>::quiet_NaN()},
+              .low = -2.0F,
+              .high = 1.0F};
   const auto image = picture_of(map, 1);
   ASSERT_TRUE(image.ok());
   EXPECT_EQ(image->width, 3);

@@ -72,10 +72,8 @@ ReportPicture picture() {
 
 ExampleReport example() {
   ExampleReport made;
-  made.question = {"index-steps",
-                   "all",
-                   {{"--steps", "1-16"}, {"sha256 of a</script><b>.gl", "0123abcd"}},
-                   "a</script><b>.gl"};
+  made.question = {
+      "index-steps", "all", {{"--steps", "1-16"}, {"sha256 of a</script><b>.gl", "0123abcd"}}, "a</script><b>.gl"};
   const std::vector<std::string> profiles{"geforce2", "geforce2-early-truncation", "geforce256-8bit"};
   Plot lines{.file = "false-matches",
              .title = "False matches by step",

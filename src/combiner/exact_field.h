@@ -163,6 +163,8 @@ class ExactField {
     const int above = static_cast<int>(border);
     return less(mul(x, whole(2 * one_)), whole(2 * above - 1)) ? above - 1 : above;
   }
+  // Within 2^-40 of x, times x.
+  double approximate(const Number& x) { return integers_.approximate(x.n, x.twos, x.ones); }
   double to_double(const Number& x) { return integers_.nearest_double(x.n, x.twos, x.ones); }
 
  private:

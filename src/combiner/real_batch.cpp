@@ -76,6 +76,12 @@ class Runner {
     for (std::size_t c = 0; c < 4; ++c) put_color(c, static_cast<s9>(field_.nearest_code(final_.out[c])));
   }
 
+  RealColor color() {
+    RealColor result{};
+    for (std::size_t c = 0; c < 4; ++c) result[c] = field_.approximate(final_.out[c]);
+    return result;
+  }
+
  private:
   const Program& program_;
   Field field_;
@@ -150,6 +156,34 @@ EvaluatedFragment evaluate_fragment(const Program& program, const RegisterFile& 
            [&](std::size_t r, std::size_t c, s9 code) { result.registers.value[r][c] = code; },
            [&](std::size_t c, s9 code) { result.color[c] = code; });
   return result;
+}
+
+struct ExactColors::Runners {
+  explicit Runners(const Program& p) : program(p), registers(p), small(p) {}
+
+  const Program& program;
+  UsedRegisters registers;
+  Runner<ExactField<SmallIntegers>> small;
+  std::optional<Runner<ExactField<BigIntegers>>> big{};
+  int tries = 16;  // as RealProgram's
+};
+
+ExactColors::ExactColors(const Program& program) : runners_(std::make_unique<Runners>(program)) {}
+ExactColors::~ExactColors() = default;
+ExactColors::ExactColors(ExactColors&&) noexcept = default;
+
+RealColor ExactColors::operator()(const RegisterFile& initial) {
+  Runners& r = *runners_;
+  const auto code = [&](std::size_t reg, std::size_t c) { return initial.value[reg][c]; };
+  if (r.tries > 0) {
+    r.small.field().integers().forget_overflow();
+    r.small.compute(r.registers, code);
+    if (!r.small.field().integers().overflowed()) return r.small.color();
+    --r.tries;
+  }
+  if (!r.big) r.big.emplace(r.program);
+  r.big->compute(r.registers, code);
+  return r.big->color();
 }
 
 Rgba9 detail::evaluate_real_final(const Program& program, const RegisterFile& registers) {

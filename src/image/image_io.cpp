@@ -27,8 +27,8 @@ using image_detail::invalid_input;
 // This and no filters: on flat pictures two to three times as fast as libpng's defaults, and about as small.
 constexpr int kZipLevel = 4;
 
-// libpng at work on one picture, whose bytes go to `Sink::write`. It reports errors by longjmp, which must not cross an object with a destructor: what may
-// jump stands in functions that have none.
+// libpng at work on one picture, whose bytes go to `Sink::write`. It reports errors by longjmp, which must not cross an
+// object with a destructor: what may jump stands in functions that have none.
 template <class Sink>
 class PngEncoder {
  public:

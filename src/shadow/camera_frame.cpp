@@ -82,6 +82,12 @@ PipelineState marking_pass(const RenderSettings& settings) {
   return state;
 }
 
+PipelineState surface_pass(const RenderSettings& settings) {
+  PipelineState state = marking_pass(settings);
+  state.stencil_test = {};
+  return state;
+}
+
 Result<CameraFrame> CameraFrame::make(const Scene& scene, const RenderSettings& settings, const LightKinds& lights) {
   if (Status checked = check_scene(scene, lights); !checked) return checked.error();
   if (stencil_bits(settings.depth_stencil) == 0) {
@@ -121,6 +127,17 @@ Status CameraFrame::draw(std::string_view name, const PipelineState& state, Vert
   }
   rendering_.probed.push_back({std::string(name), state.program, std::move(probe.fragments)});
   return drawn;
+}
+
+Status CameraFrame::draw_averted(const PipelineState& state, const std::vector<std::uint32_t>& scene_triangles) {
+  if (scene_triangles.empty()) return {};
+  std::vector<glm::uvec3> triangles;
+  for (const std::uint32_t t : scene_triangles) triangles.push_back(scene_->triangles[t]);
+  RenderTarget target = rendering_.frame.target();
+  target.outputs.clear();
+  VertexArrays arrays;
+  arrays.indices = index_list(triangles);
+  return draw("averted", state, arrays, {}, target, scene_triangles);
 }
 
 Status CameraFrame::draw_depth() {

@@ -30,6 +30,9 @@ struct FramePasses {
 // colour, depth test EQUAL without writing, stencil REPLACE 1.
 [[nodiscard]] PipelineState marking_pass(const RenderSettings& settings);
 
+// The state of a pass that meets the same surfaces and changes nothing, for what it captures.
+[[nodiscard]] PipelineState surface_pass(const RenderSettings& settings);
+
 // One scene seen from its camera, lit by its light.
 class CameraFrame {
  public:
@@ -53,6 +56,10 @@ class CameraFrame {
   Status draw(std::string_view name, const PipelineState& state, VertexArrays arrays,
               std::span<const TextureUnit> units, RenderTarget& target,
               std::span<const std::uint32_t> scene_triangles = {});
+
+  // Draws the triangles with these numbers in the scene as the pass "averted": they turn away from the light, so that
+  // light_facing puts them in shadow whatever else says.
+  Status draw_averted(const PipelineState& state, const std::vector<std::uint32_t>& scene_triangles);
 
   // The frame as a target. With settings.layers it captures, at each fragment that passes the depth test, primary,
   // texture0 and texture1 where `units` has them, spare0, spare1 and the final combiner's alpha, as layers whose parts

@@ -1,32 +1,12 @@
 // The register-combiner set-ups of the depth cube, through the GL-named entry points.
-#include <string>
-#include <string_view>
-
 #include "ninebit/language/gl_nv.h"
 #include "ninebit/shadow/depth_cube.h"
+#include "src/shadow/combiner_setup.h"
 
 namespace ninebit {
 namespace {
 
 using namespace gl;
-
-// The state after `set`, or what the profile refused.
-template <class SetUp>
-Result<CombinerState> state_after(const HardwareProfile& profile, std::string_view what, const SetUp& set) {
-  Context context(profile);
-  const CurrentContext current(context);
-  set();
-  glEnable(GL_REGISTER_COMBINERS_NV);
-  if (context.error() == GlError::no_error) return context.state();
-  return Diagnostic{.message = "profile " + std::string(profile.name) + " refuses the " + std::string(what) + ": " +
-                               std::string(name_of(context.error()))};
-}
-
-// What a portion of a stage computes is not stored.
-void discard(GLenum stage, GLenum portion) {
-  glCombinerOutputNV(stage, portion, GL_DISCARD_NV, GL_DISCARD_NV, GL_DISCARD_NV, GL_NONE, GL_NONE, GL_FALSE, GL_FALSE,
-                     GL_FALSE);
-}
 
 // spare0 = texture0 · 1 + texture1 · (-1), of the portion's own components.
 void subtract_textures(GLenum stage, GLenum portion) {
@@ -50,34 +30,34 @@ void final_combiner(GLenum d, GLenum g, GLenum g_usage) {
 }  // namespace
 
 Result<CombinerState> ramp_copy_state(const HardwareProfile& profile) {
-  return state_after(profile, "copy of the ramp", [] {
+  return combiner_state_after(profile, "copy of the ramp", [] {
     glCombinerParameteriNV(GL_NUM_GENERAL_COMBINERS_NV, 1);
-    discard(GL_COMBINER0_NV, GL_RGB);
-    discard(GL_COMBINER0_NV, GL_ALPHA);
+    discard_portion(GL_COMBINER0_NV, GL_RGB);
+    discard_portion(GL_COMBINER0_NV, GL_ALPHA);
     final_combiner(GL_TEXTURE0_ARB, GL_TEXTURE0_ARB, GL_ALPHA);
   });
 }
 
 Result<CombinerState> luminance_above_state(const HardwareProfile& profile) {
-  return state_after(profile, "comparison of luminances", [] {
+  return combiner_state_after(profile, "comparison of luminances", [] {
     glCombinerParameteriNV(GL_NUM_GENERAL_COMBINERS_NV, 1);
     subtract_textures(GL_COMBINER0_NV, GL_RGB);
-    discard(GL_COMBINER0_NV, GL_ALPHA);
+    discard_portion(GL_COMBINER0_NV, GL_ALPHA);
     final_combiner(GL_ZERO, GL_SPARE0_NV, GL_BLUE);
   });
 }
 
 Result<CombinerState> high_byte_above_state(const HardwareProfile& profile) {
-  return state_after(profile, "comparison of high bytes", [] {
+  return combiner_state_after(profile, "comparison of high bytes", [] {
     glCombinerParameteriNV(GL_NUM_GENERAL_COMBINERS_NV, 1);
-    discard(GL_COMBINER0_NV, GL_RGB);
+    discard_portion(GL_COMBINER0_NV, GL_RGB);
     subtract_textures(GL_COMBINER0_NV, GL_ALPHA);
     final_combiner(GL_ZERO, GL_SPARE0_NV, GL_ALPHA);
   });
 }
 
 Result<CombinerState> low_byte_above_state(const HardwareProfile& profile) {
-  return state_after(profile, "comparison of low bytes", [] {
+  return combiner_state_after(profile, "comparison of low bytes", [] {
     glCombinerParameteriNV(GL_NUM_GENERAL_COMBINERS_NV, 2);
 
     // Stage 0, RGB: the difference of the low bytes. Alpha: texture1 · 1 + (1 - texture0) · 1 - 1/2, which reaches one
@@ -91,7 +71,7 @@ Result<CombinerState> low_byte_above_state(const HardwareProfile& profile) {
                        GL_BIAS_BY_NEGATIVE_ONE_HALF_NV, GL_FALSE, GL_FALSE, GL_FALSE);
 
     // Stage 1, alpha: 0 where the mux finds that half, else the difference of the low bytes.
-    discard(GL_COMBINER1_NV, GL_RGB);
+    discard_portion(GL_COMBINER1_NV, GL_RGB);
     glCombinerInputNV(GL_COMBINER1_NV, GL_ALPHA, GL_VARIABLE_A_NV, GL_SPARE0_NV, GL_SIGNED_IDENTITY_NV, GL_BLUE);
     glCombinerInputNV(GL_COMBINER1_NV, GL_ALPHA, GL_VARIABLE_B_NV, GL_ZERO, GL_UNSIGNED_INVERT_NV, GL_ALPHA);
     glCombinerInputNV(GL_COMBINER1_NV, GL_ALPHA, GL_VARIABLE_C_NV, GL_ZERO, GL_UNSIGNED_IDENTITY_NV, GL_ALPHA);

@@ -178,8 +178,7 @@ Status DepthCubeRenderer::draw_directions() {
                               .component = static_cast<int>(c),
                               .plane = Plane<float>{directions_[c].data(), target.width}});
   }
-  PipelineState state = passes_.averted;
-  state.stencil_test.enabled = false;
+  const PipelineState state = surface_pass(settings());
   VertexArrays arrays = all_triangles(frame_.scene().positions);
   arrays.attributes[0] = from_light_four_;
   return rasterize(state, prepared_camera_, arrays, {}, target);
@@ -283,21 +282,13 @@ Status DepthCubeRenderer::compare_floats() {
 
 Status DepthCubeRenderer::draw_averted() {
   const Scene& scene = frame_.scene();
-  std::vector<glm::uvec3> triangles;
-  std::vector<std::uint32_t> numbers;
+  std::vector<std::uint32_t> averted;
   for (std::size_t t = 0; t < scene.triangles.size(); ++t) {
     const glm::uvec3& v = scene.triangles[t];
     const glm::vec3 a = from_light_[v.x], b = from_light_[v.y], c = from_light_[v.z];
-    if (glm::dot(glm::cross(b - a, c - a), -a) > 0.0F) continue;
-    triangles.push_back(v);
-    numbers.push_back(static_cast<std::uint32_t>(t));
+    if (!(glm::dot(glm::cross(b - a, c - a), -a) > 0.0F)) averted.push_back(static_cast<std::uint32_t>(t));
   }
-  if (triangles.empty()) return {};
-  RenderTarget target = rendering().frame.target();
-  target.outputs.clear();
-  VertexArrays arrays;
-  arrays.indices = index_list(triangles);
-  return frame_.draw("averted", passes_.averted, arrays, {}, target, numbers);
+  return frame_.draw_averted(passes_.averted, averted);
 }
 
 }  // namespace ninebit

@@ -5,6 +5,7 @@
 #include "ninebit/shadow/ground_truth.h"
 #include "ninebit/shadow/pictures.h"
 #include "src/shadow/camera_frame.h"
+#include "src/shadow/upright.h"
 
 namespace ninebit {
 namespace {
@@ -24,19 +25,15 @@ void add_plane(Rendering& rendering, const char* name, const std::vector<Value>&
 
 Image8 error_picture(const Rendering& rendering, const GroundTruth& truth) {
   Image8 image = color_picture(rendering);
-  const auto width = static_cast<std::size_t>(image.width), height = static_cast<std::size_t>(image.height);
-  for (std::size_t row = 0; row < height; ++row) {
-    for (std::size_t x = 0; x < width; ++x) {
-      std::uint8_t* const pixel = &image.pixels[(row * width + x) * 3];
-      const std::size_t i = (height - 1 - row) * width + x;
-      const int grey = (pixel[0] + pixel[1] + pixel[2]) / 6;
-      Rgb shown;
-      shown.fill(static_cast<std::uint8_t>(grey));
-      if (truth.cause[i] != ErrorCause::none) {
-        shown = truth.truth[i] == PixelTruth::shadowed ? kFalseLit : kFalseShadowed;
-      }
-      std::copy(shown.begin(), shown.end(), pixel);
+  for (std::size_t i = 0; i < truth.cause.size(); ++i) {
+    std::uint8_t* const pixel = &image.pixels[upright_index(i, image.width, image.height) * 3];
+    const int grey = (pixel[0] + pixel[1] + pixel[2]) / 6;
+    Rgb shown;
+    shown.fill(static_cast<std::uint8_t>(grey));
+    if (truth.cause[i] != ErrorCause::none) {
+      shown = truth.truth[i] == PixelTruth::shadowed ? kFalseLit : kFalseShadowed;
     }
+    std::copy(shown.begin(), shown.end(), pixel);
   }
   return image;
 }

@@ -14,25 +14,6 @@ constexpr std::array kFormats{IndexFormat::rgb, IndexFormat::luminance_alpha, In
                               IndexFormat::alpha};
 constexpr std::array kScopes{IndexScope::polygon, IndexScope::section, IndexScope::object};
 
-// As the command line calls them.
-std::string_view name_of(IndexFormat format) {
-  switch (format) {
-    case IndexFormat::rgb:
-      return "rgb";
-    case IndexFormat::luminance_alpha:
-      return "la";
-    case IndexFormat::luminance:
-      return "l";
-    case IndexFormat::alpha:
-      break;
-  }
-  return "a";
-}
-
-std::string_view name_of(IndexScope scope) {
-  return scope == IndexScope::polygon ? "polygon" : scope == IndexScope::section ? "section" : "object";
-}
-
 bool fits(IndexFormat format, int step, std::uint64_t count) {
   return count < IndexCodes(step, format).capacity();
 }
@@ -71,6 +52,24 @@ std::vector<Remedy> remedies(IndexFormat format, int step, IndexScope scope, con
 }
 
 }  // namespace
+
+std::string_view name_of(IndexFormat format) {
+  switch (format) {
+    case IndexFormat::rgb:
+      return "rgb";
+    case IndexFormat::luminance_alpha:
+      return "la";
+    case IndexFormat::luminance:
+      return "l";
+    case IndexFormat::alpha:
+      break;
+  }
+  return "a";
+}
+
+std::string_view name_of(IndexScope scope) {
+  return scope == IndexScope::polygon ? "polygon" : scope == IndexScope::section ? "section" : "object";
+}
 
 InternalFormat map_format(IndexFormat format) {
   switch (format) {

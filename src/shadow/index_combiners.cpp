@@ -1,19 +1,13 @@
 // The register-combiner set-ups that compare indices, through the GL-named entry points: the article's, and its like
 // for the smaller formats.
-#include <string>
-
 #include "ninebit/language/gl_nv.h"
 #include "ninebit/shadow/index_cube.h"
+#include "src/shadow/combiner_setup.h"
 
 namespace ninebit {
 namespace {
 
 using namespace gl;
-
-void discard(GLenum stage, GLenum portion) {
-  glCombinerOutputNV(stage, portion, GL_DISCARD_NV, GL_DISCARD_NV, GL_DISCARD_NV, GL_NONE, GL_NONE, GL_FALSE, GL_FALSE,
-                     GL_FALSE);
-}
 
 // spare0 = 4 (primary · 1 + texture0 · -1) in that portion, of these components.
 void set_difference(GLenum portion, GLenum component) {
@@ -30,20 +24,20 @@ void set_difference(GLenum portion, GLenum component) {
 // differs. Gives the component that holds the result.
 GLenum compare_rgb() {
   set_difference(GL_RGB, GL_RGB);
-  discard(GL_COMBINER0_NV, GL_ALPHA);
+  discard_portion(GL_COMBINER0_NV, GL_ALPHA);
   glCombinerInputNV(GL_COMBINER1_NV, GL_RGB, GL_VARIABLE_A_NV, GL_SPARE0_NV, GL_SIGNED_IDENTITY_NV, GL_RGB);
   glCombinerInputNV(GL_COMBINER1_NV, GL_RGB, GL_VARIABLE_B_NV, GL_SPARE0_NV, GL_SIGNED_IDENTITY_NV, GL_RGB);
   glCombinerInputNV(GL_COMBINER1_NV, GL_RGB, GL_VARIABLE_C_NV, GL_ZERO, GL_UNSIGNED_IDENTITY_NV, GL_RGB);
   glCombinerInputNV(GL_COMBINER1_NV, GL_RGB, GL_VARIABLE_D_NV, GL_ZERO, GL_UNSIGNED_IDENTITY_NV, GL_RGB);
   glCombinerOutputNV(GL_COMBINER1_NV, GL_RGB, GL_SPARE1_NV, GL_DISCARD_NV, GL_DISCARD_NV, GL_SCALE_BY_FOUR_NV, GL_NONE,
                      GL_TRUE, GL_FALSE, GL_FALSE);
-  discard(GL_COMBINER1_NV, GL_ALPHA);
+  discard_portion(GL_COMBINER1_NV, GL_ALPHA);
   return GL_BLUE;
 }
 
 // Stage 1's alpha portion: spare1.alpha = 4 (spare0.alpha² + spare0.blue²), or without the blue term.
 GLenum square_differences(bool with_blue) {
-  discard(GL_COMBINER1_NV, GL_RGB);
+  discard_portion(GL_COMBINER1_NV, GL_RGB);
   glCombinerInputNV(GL_COMBINER1_NV, GL_ALPHA, GL_VARIABLE_A_NV, GL_SPARE0_NV, GL_SIGNED_IDENTITY_NV, GL_ALPHA);
   glCombinerInputNV(GL_COMBINER1_NV, GL_ALPHA, GL_VARIABLE_B_NV, GL_SPARE0_NV, GL_SIGNED_IDENTITY_NV, GL_ALPHA);
   const GLenum other = with_blue ? GL_SPARE0_NV : GL_ZERO;
@@ -65,7 +59,7 @@ GLenum compare_luminance_alpha() {
 // One channel needs the alpha portion alone, which reads blue as well as alpha: of a luminance that is the channel
 // itself. The article's dot product would sum its square three times.
 GLenum compare_one_channel(GLenum component) {
-  discard(GL_COMBINER0_NV, GL_RGB);
+  discard_portion(GL_COMBINER0_NV, GL_RGB);
   set_difference(GL_ALPHA, component);
   return square_differences(false);
 }
@@ -87,27 +81,16 @@ GLenum compare_in(IndexFormat format) {
 }  // namespace
 
 Result<CombinerState> index_comparison_state(const HardwareProfile& profile, IndexFormat format) {
-  Context context(profile);
-  const CurrentContext current(context);
+  return combiner_state_after(profile, "two-stage index comparison", [format] {
+    glCombinerParameteriNV(GL_NUM_GENERAL_COMBINERS_NV, 2);
+    const GLenum result = compare_in(format);
 
-  glCombinerParameteriNV(GL_NUM_GENERAL_COMBINERS_NV, 2);
-  const GLenum result = compare_in(format);
-
-  // RGB 0, alpha = spare1's result. E and F keep their defaults: nothing reads E·F.
-  for (const GLenum variable : {GL_VARIABLE_A_NV, GL_VARIABLE_B_NV, GL_VARIABLE_C_NV, GL_VARIABLE_D_NV}) {
-    glFinalCombinerInputNV(variable, GL_ZERO, GL_UNSIGNED_IDENTITY_NV, GL_RGB);
-  }
-  glFinalCombinerInputNV(GL_VARIABLE_G_NV, GL_SPARE1_NV, GL_UNSIGNED_IDENTITY_NV, result);
-
-  glEnable(GL_REGISTER_COMBINERS_NV);
-  if (context.error() != GlError::no_error) {
-    return Diagnostic{.message = "profile " + std::string(profile.name) +
-                                 " refuses the two-stage index comparison: " + std::string(name_of(context.error()))};
-  }
-  if (!context.register_combiners_enabled()) {
-    return Diagnostic{.message = "the register combiners of the index comparison are not enabled"};
-  }
-  return context.state();
+    // RGB 0, alpha = spare1's result. E and F keep their defaults: nothing reads E·F.
+    for (const GLenum variable : {GL_VARIABLE_A_NV, GL_VARIABLE_B_NV, GL_VARIABLE_C_NV, GL_VARIABLE_D_NV}) {
+      glFinalCombinerInputNV(variable, GL_ZERO, GL_UNSIGNED_IDENTITY_NV, GL_RGB);
+    }
+    glFinalCombinerInputNV(GL_VARIABLE_G_NV, GL_SPARE1_NV, GL_UNSIGNED_IDENTITY_NV, result);
+  });
 }
 
 }  // namespace ninebit

@@ -164,7 +164,8 @@ Status IndexCubeRenderer::draw_comparison() {
   arrays.primitive_colors = indices_.color;
   if (!frame_.settings().light_facing) return frame_.draw("comparison", passes_.comparison, arrays, units, target);
 
-  TriangleSet compared, averted;
+  TriangleSet compared;
+  std::vector<std::uint32_t> averted;
   split_by_facing(compared, averted);
   if (!compared.triangles.empty()) {
     arrays.indices = index_list(compared.triangles);
@@ -172,11 +173,7 @@ Status IndexCubeRenderer::draw_comparison() {
     const Status drawn = frame_.draw("comparison", passes_.comparison, arrays, units, target, compared.numbers);
     if (!drawn) return drawn;
   }
-  if (averted.triangles.empty()) return {};
-  target.outputs.clear();
-  VertexArrays away;
-  away.indices = index_list(averted.triangles);
-  return frame_.draw("averted", passes_.averted, away, {}, target, averted.numbers);
+  return frame_.draw_averted(passes_.averted, averted);
 }
 
 Status IndexCubeRenderer::add_evidence() {
@@ -196,12 +193,16 @@ bool IndexCubeRenderer::faces_light(const glm::uvec3& t) const {
   return glm::dot(normal_times_area, frame_.scene().lights[0].position - p[t.x]) > 0.0F;
 }
 
-void IndexCubeRenderer::split_by_facing(TriangleSet& compared, TriangleSet& averted) const {
+void IndexCubeRenderer::split_by_facing(TriangleSet& compared, std::vector<std::uint32_t>& averted) const {
   for (std::size_t t = 0; t < frame_.scene().triangles.size(); ++t) {
-    TriangleSet& set = faces_light(frame_.scene().triangles[t]) ? compared : averted;
-    set.triangles.push_back(frame_.scene().triangles[t]);
-    set.index_colors.push_back(indices_.color[t]);
-    set.numbers.push_back(static_cast<std::uint32_t>(t));
+    const auto number = static_cast<std::uint32_t>(t);
+    if (!faces_light(frame_.scene().triangles[t])) {
+      averted.push_back(number);
+      continue;
+    }
+    compared.triangles.push_back(frame_.scene().triangles[t]);
+    compared.index_colors.push_back(indices_.color[t]);
+    compared.numbers.push_back(number);
   }
 }
 

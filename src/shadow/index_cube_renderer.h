@@ -67,7 +67,7 @@ class IndexCubeRenderer {
     std::vector<ColorBytes> index_colors;
     std::vector<std::uint32_t> numbers;  // in the scene
   };
-  void split_by_facing(TriangleSet& compared, TriangleSet& averted) const;
+  void split_by_facing(TriangleSet& compared, std::vector<std::uint32_t>& averted) const;
 
   CameraFrame frame_;
   IndexCubePasses passes_;

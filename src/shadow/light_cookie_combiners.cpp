@@ -1,11 +1,11 @@
 // The register-combiner set-up of the lit pass, through the GL-named entry points.
 #include <array>
-#include <string>
 
 #include "ninebit/combiner/program.h"
 #include "ninebit/language/gl_nv.h"
 #include "ninebit/shadow/light_cookie.h"
 #include "src/shadow/camera_frame.h"
+#include "src/shadow/combiner_setup.h"
 
 namespace ninebit {
 namespace {
@@ -24,49 +24,42 @@ constexpr float kRounding = 8.0F / 255.0F;
 
 Result<CombinerState> light_cookie_state(const HardwareProfile& profile) {
   using namespace gl;
-  Context context(profile);
-  const CurrentContext current(context);
+  return combiner_state_after(profile, "two stages of light-cookie", [&profile] {
+    glCombinerParameteriNV(GL_NUM_GENERAL_COMBINERS_NV, 2);
+    const float rounding = profile.general_narrowing.value == Narrowing::toward_zero ? kRounding : 0.0F;
+    const std::array<GLfloat, 4> constant0{kEighth, kEighth, kEighth, 0.0F};
+    const std::array<GLfloat, 4> constant1{rounding, rounding, rounding, 0.0F};
+    glCombinerParameterfvNV(GL_CONSTANT_COLOR0_NV, constant0.data());
+    glCombinerParameterfvNV(GL_CONSTANT_COLOR1_NV, constant1.data());
 
-  glCombinerParameteriNV(GL_NUM_GENERAL_COMBINERS_NV, 2);
-  const float rounding = profile.general_narrowing.value == Narrowing::toward_zero ? kRounding : 0.0F;
-  const std::array<GLfloat, 4> constant0{kEighth, kEighth, kEighth, 0.0F};
-  const std::array<GLfloat, 4> constant1{rounding, rounding, rounding, 0.0F};
-  glCombinerParameterfvNV(GL_CONSTANT_COLOR0_NV, constant0.data());
-  glCombinerParameterfvNV(GL_CONSTANT_COLOR1_NV, constant1.data());
+    // Stage 0, RGB: spare0 = 4 (primary · texture0 + constant1 · constant1).
+    glCombinerInputNV(GL_COMBINER0_NV, GL_RGB, GL_VARIABLE_A_NV, GL_PRIMARY_COLOR_NV, GL_UNSIGNED_IDENTITY_NV, GL_RGB);
+    glCombinerInputNV(GL_COMBINER0_NV, GL_RGB, GL_VARIABLE_B_NV, GL_TEXTURE0_ARB, GL_UNSIGNED_IDENTITY_NV, GL_RGB);
+    glCombinerInputNV(GL_COMBINER0_NV, GL_RGB, GL_VARIABLE_C_NV, GL_CONSTANT_COLOR1_NV, GL_UNSIGNED_IDENTITY_NV,
+                      GL_RGB);
+    glCombinerInputNV(GL_COMBINER0_NV, GL_RGB, GL_VARIABLE_D_NV, GL_CONSTANT_COLOR1_NV, GL_UNSIGNED_IDENTITY_NV,
+                      GL_RGB);
+    glCombinerOutputNV(GL_COMBINER0_NV, GL_RGB, GL_DISCARD_NV, GL_DISCARD_NV, GL_SPARE0_NV, GL_SCALE_BY_FOUR_NV,
+                       GL_NONE, GL_FALSE, GL_FALSE, GL_FALSE);
+    discard_portion(GL_COMBINER0_NV, GL_ALPHA);
 
-  // Stage 0, RGB: spare0 = 4 (primary · texture0 + constant1 · constant1).
-  glCombinerInputNV(GL_COMBINER0_NV, GL_RGB, GL_VARIABLE_A_NV, GL_PRIMARY_COLOR_NV, GL_UNSIGNED_IDENTITY_NV, GL_RGB);
-  glCombinerInputNV(GL_COMBINER0_NV, GL_RGB, GL_VARIABLE_B_NV, GL_TEXTURE0_ARB, GL_UNSIGNED_IDENTITY_NV, GL_RGB);
-  glCombinerInputNV(GL_COMBINER0_NV, GL_RGB, GL_VARIABLE_C_NV, GL_CONSTANT_COLOR1_NV, GL_UNSIGNED_IDENTITY_NV, GL_RGB);
-  glCombinerInputNV(GL_COMBINER0_NV, GL_RGB, GL_VARIABLE_D_NV, GL_CONSTANT_COLOR1_NV, GL_UNSIGNED_IDENTITY_NV, GL_RGB);
-  glCombinerOutputNV(GL_COMBINER0_NV, GL_RGB, GL_DISCARD_NV, GL_DISCARD_NV, GL_SPARE0_NV, GL_SCALE_BY_FOUR_NV, GL_NONE,
-                     GL_FALSE, GL_FALSE, GL_FALSE);
-  glCombinerOutputNV(GL_COMBINER0_NV, GL_ALPHA, GL_DISCARD_NV, GL_DISCARD_NV, GL_DISCARD_NV, GL_NONE, GL_NONE, GL_FALSE,
-                     GL_FALSE, GL_FALSE);
+    // Stage 1, RGB: spare0 = 4 (primary · texture0 + spare0 · constant0).
+    glCombinerInputNV(GL_COMBINER1_NV, GL_RGB, GL_VARIABLE_A_NV, GL_PRIMARY_COLOR_NV, GL_UNSIGNED_IDENTITY_NV, GL_RGB);
+    glCombinerInputNV(GL_COMBINER1_NV, GL_RGB, GL_VARIABLE_B_NV, GL_TEXTURE0_ARB, GL_UNSIGNED_IDENTITY_NV, GL_RGB);
+    glCombinerInputNV(GL_COMBINER1_NV, GL_RGB, GL_VARIABLE_C_NV, GL_SPARE0_NV, GL_UNSIGNED_IDENTITY_NV, GL_RGB);
+    glCombinerInputNV(GL_COMBINER1_NV, GL_RGB, GL_VARIABLE_D_NV, GL_CONSTANT_COLOR0_NV, GL_UNSIGNED_IDENTITY_NV,
+                      GL_RGB);
+    glCombinerOutputNV(GL_COMBINER1_NV, GL_RGB, GL_DISCARD_NV, GL_DISCARD_NV, GL_SPARE0_NV, GL_SCALE_BY_FOUR_NV,
+                       GL_NONE, GL_FALSE, GL_FALSE, GL_FALSE);
+    discard_portion(GL_COMBINER1_NV, GL_ALPHA);
 
-  // Stage 1, RGB: spare0 = 4 (primary · texture0 + spare0 · constant0).
-  glCombinerInputNV(GL_COMBINER1_NV, GL_RGB, GL_VARIABLE_A_NV, GL_PRIMARY_COLOR_NV, GL_UNSIGNED_IDENTITY_NV, GL_RGB);
-  glCombinerInputNV(GL_COMBINER1_NV, GL_RGB, GL_VARIABLE_B_NV, GL_TEXTURE0_ARB, GL_UNSIGNED_IDENTITY_NV, GL_RGB);
-  glCombinerInputNV(GL_COMBINER1_NV, GL_RGB, GL_VARIABLE_C_NV, GL_SPARE0_NV, GL_UNSIGNED_IDENTITY_NV, GL_RGB);
-  glCombinerInputNV(GL_COMBINER1_NV, GL_RGB, GL_VARIABLE_D_NV, GL_CONSTANT_COLOR0_NV, GL_UNSIGNED_IDENTITY_NV, GL_RGB);
-  glCombinerOutputNV(GL_COMBINER1_NV, GL_RGB, GL_DISCARD_NV, GL_DISCARD_NV, GL_SPARE0_NV, GL_SCALE_BY_FOUR_NV, GL_NONE,
-                     GL_FALSE, GL_FALSE, GL_FALSE);
-  glCombinerOutputNV(GL_COMBINER1_NV, GL_ALPHA, GL_DISCARD_NV, GL_DISCARD_NV, GL_DISCARD_NV, GL_NONE, GL_NONE, GL_FALSE,
-                     GL_FALSE, GL_FALSE);
-
-  // Final combiner: RGB = spare0 · 1 + secondary, alpha = 1.
-  glFinalCombinerInputNV(GL_VARIABLE_A_NV, GL_SPARE0_NV, GL_UNSIGNED_IDENTITY_NV, GL_RGB);
-  glFinalCombinerInputNV(GL_VARIABLE_B_NV, GL_ZERO, GL_UNSIGNED_INVERT_NV, GL_RGB);
-  glFinalCombinerInputNV(GL_VARIABLE_C_NV, GL_ZERO, GL_UNSIGNED_IDENTITY_NV, GL_RGB);
-  glFinalCombinerInputNV(GL_VARIABLE_D_NV, GL_SECONDARY_COLOR_NV, GL_UNSIGNED_IDENTITY_NV, GL_RGB);
-  glFinalCombinerInputNV(GL_VARIABLE_G_NV, GL_ZERO, GL_UNSIGNED_INVERT_NV, GL_ALPHA);
-
-  glEnable(GL_REGISTER_COMBINERS_NV);
-  if (context.error() != GlError::no_error) {
-    return Diagnostic{.message = "profile " + std::string(profile.name) +
-                                 " refuses the two stages of light-cookie: " + std::string(name_of(context.error()))};
-  }
-  return context.state();
+    // Final combiner: RGB = spare0 · 1 + secondary, alpha = 1.
+    glFinalCombinerInputNV(GL_VARIABLE_A_NV, GL_SPARE0_NV, GL_UNSIGNED_IDENTITY_NV, GL_RGB);
+    glFinalCombinerInputNV(GL_VARIABLE_B_NV, GL_ZERO, GL_UNSIGNED_INVERT_NV, GL_RGB);
+    glFinalCombinerInputNV(GL_VARIABLE_C_NV, GL_ZERO, GL_UNSIGNED_IDENTITY_NV, GL_RGB);
+    glFinalCombinerInputNV(GL_VARIABLE_D_NV, GL_SECONDARY_COLOR_NV, GL_UNSIGNED_IDENTITY_NV, GL_RGB);
+    glFinalCombinerInputNV(GL_VARIABLE_G_NV, GL_ZERO, GL_UNSIGNED_INVERT_NV, GL_ALPHA);
+  });
 }
 
 Result<PipelineState> light_cookie_pass(const RenderSettings& settings) {

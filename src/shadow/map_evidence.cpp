@@ -64,8 +64,7 @@ Status find_texels(CameraFrame& frame, const LightMap& map, std::vector<TexelPla
                               .component = components[c],
                               .plane = Plane<float>{planes[c].data(), target.width}});
   }
-  PipelineState seen = marking_pass(frame.settings());
-  seen.stencil_test.enabled = false;
+  const PipelineState seen = surface_pass(frame.settings());
   if (Status drawn = rasterize(seen, frame.projection(), arrays, {}, target); !drawn) return drawn;
   for (std::size_t i = 0; i < places.size(); ++i) {
     if (surface.depth()[i] == max_depth(surface.format())) continue;

@@ -8,15 +8,10 @@
 #include <utility>
 
 #include "src/shadow/cube_cross.h"
+#include "src/shadow/upright.h"
 
 namespace ninebit {
 namespace {
-
-// Where sample i of a plane, lowest row first, stands in a picture, highest row first.
-std::size_t upright_index(std::size_t i, int width, int height) {
-  const auto row = static_cast<std::size_t>(width);
-  return (static_cast<std::size_t>(height) - 1 - i / row) * row + i % row;
-}
 
 // A visible colour for each code number. Steps of the golden ratio put neighbouring numbers far apart on the circle of
 // hues, and three brightnesses tell apart what comes close again.

@@ -13,6 +13,7 @@
 #include "src/shadow/indirect_light.h"
 #include "src/shadow/reflective_reference.h"
 #include "src/shadow/surface_planes.h"
+#include "src/shadow/upright.h"
 #include "src/shadow/views.h"
 
 namespace ninebit {
@@ -105,7 +106,7 @@ Status ReflectiveRenderer::draw_surface() {
   arrays.indices = index_list(scene_.triangles);
   const float aspect = static_cast<float>(frame.width()) / static_cast<float>(frame.height());
   const glm::mat4 projection = camera_projection(scene_, scene_.cameras[0], aspect);
-  if (Status drawn = rasterize(visible_surface_pass(settings_), projection, arrays, {}, target); !drawn) return drawn;
+  if (Status drawn = rasterize(surface_pass(settings_), projection, arrays, {}, target); !drawn) return drawn;
   drawn_.resize(frame.depth().size());
   for (std::size_t i = 0; i < drawn_.size(); ++i) drawn_[i] = frame.depth()[i] != max_depth(frame.format());
   return {};
@@ -139,11 +140,11 @@ void ReflectiveRenderer::compose() {
 
 template <class Byte>
 void ReflectiveRenderer::add_picture(const char* file, const Byte& byte_at) {
-  const auto width = static_cast<std::size_t>(surface_.width), height = static_cast<std::size_t>(surface_.height);
+  const auto size = static_cast<std::size_t>(surface_.width) * static_cast<std::size_t>(surface_.height);
   Image8 image{surface_.width, surface_.height, 3, {}};
-  image.pixels.resize(width * height * 3);
-  for (std::size_t i = 0; i < width * height; ++i) {
-    const std::size_t to = ((height - 1 - i / width) * width + i % width) * 3;
+  image.pixels.resize(size * 3);
+  for (std::size_t i = 0; i < size; ++i) {
+    const std::size_t to = upright_index(i, surface_.width, surface_.height) * 3;
     for (std::size_t c = 0; c < 3; ++c) image.pixels[to + c] = byte_at(c, i);
   }
   rendering_.pictures.push_back({file, std::move(image)});
@@ -221,12 +222,6 @@ Status ReflectiveRenderer::render() {
 }
 
 }  // namespace
-
-PipelineState visible_surface_pass(const RenderSettings& settings) {
-  PipelineState state = marking_pass(settings);
-  state.stencil_test = {};
-  return state;
-}
 
 Result<Rendering> render_reflective(const Scene& scene, const RenderSettings& settings, const Progress& progress) {
   if (Status checked = check_settings(settings.reflective); !checked) return checked.error();

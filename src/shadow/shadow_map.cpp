@@ -204,20 +204,13 @@ Status ShadowMapRenderer::compare_packed() {
 // Whatever the map says of a surface that turns away from the light, with light_facing it is in shadow.
 Status ShadowMapRenderer::draw_averted() {
   const Scene& scene = frame_.scene();
-  std::vector<glm::uvec3> averted;
-  std::vector<std::uint32_t> numbers;
+  std::vector<std::uint32_t> averted;
   for (std::size_t i = 0; i < scene.triangles.size(); ++i) {
     const glm::uvec3& t = scene.triangles[i];
     if (beam_.lights_front(scene.positions[t.x], scene.positions[t.y], scene.positions[t.z])) continue;
-    averted.push_back(t);
-    numbers.push_back(static_cast<std::uint32_t>(i));
+    averted.push_back(static_cast<std::uint32_t>(i));
   }
-  if (averted.empty()) return {};
-  RenderTarget target = rendering().frame.target();
-  target.outputs.clear();
-  VertexArrays arrays;
-  arrays.indices = index_list(averted);
-  return frame_.draw("averted", passes_.averted, arrays, {}, target, numbers);
+  return frame_.draw_averted(passes_.averted, averted);
 }
 
 Status ShadowMapRenderer::add_evidence() {

@@ -70,7 +70,7 @@ class VolumeRenderer {
   }
   Status begin_stencil(RenderTarget& target);
   Status draw_pass(const VolumePass& pass, RenderTarget& target);
-  Status mark_averted(RenderTarget& target);
+  Status mark_averted();
   Status clear_background(RenderTarget& target);
 
   CameraFrame& frame_;
@@ -126,17 +126,14 @@ Status VolumeRenderer::draw_pass(const VolumePass& pass, RenderTarget& target) {
 }
 
 // Triangles with their back to the light, or edge-on: whatever is lit of them no longer is.
-Status VolumeRenderer::mark_averted(RenderTarget& target) {
-  VolumeTriangles averted;
+Status VolumeRenderer::mark_averted() {
+  std::vector<std::uint32_t> averted;
   for (std::size_t t = 0; t < facing_.size(); ++t) {
-    if (facing_[t] <= 0) averted.add(frame_.scene().triangles[t], static_cast<std::uint32_t>(t));
+    if (facing_[t] <= 0) averted.push_back(static_cast<std::uint32_t>(t));
   }
-  if (averted.triangles.empty()) return {};
   PipelineState state = marking_pass(settings_);
   state.stencil_test.front = {.function = CompareFunction::equal, .reference = 0, .depth_pass = StencilOperation::incr};
-  VertexArrays arrays;
-  arrays.indices = index_list(averted.triangles);
-  return frame_.draw("averted", state, arrays, {}, target, averted.casters);
+  return frame_.draw_averted(state, averted);
 }
 
 // Volumes reach behind everything; what they leave where no surface is would only look like a shadow.
@@ -162,7 +159,7 @@ Status VolumeRenderer::count_volumes() {
     add_layer<std::uint8_t>(frame_.rendering().layers, "stencil_fronts", "stencil", target.width, target.height) =
         frame_.rendering().frame.stencil();
   }
-  if (status && settings_.light_facing) status = mark_averted(target);
+  if (status && settings_.light_facing) status = mark_averted();
   return status ? clear_background(target) : status;
 }
 

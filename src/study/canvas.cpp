@@ -62,10 +62,18 @@ void Canvas::marker(Marker shape, Place middle, Rgb color) {
   ink(color);
   cairo_new_path(c);
   switch (shape) {
-    case Marker::circle: cairo_arc(c, middle.x, middle.y, 0.95 * kReach, 0.0, 2.0 * std::numbers::pi); break;
-    case Marker::square: polygon({{-0.85, -0.85}, {0.85, -0.85}, {0.85, 0.85}, {-0.85, 0.85}}); break;
-    case Marker::triangle: polygon({{0.0, -1.15}, {1.1, 0.8}, {-1.1, 0.8}}); break;
-    case Marker::diamond: polygon({{0.0, -1.2}, {1.2, 0.0}, {0.0, 1.2}, {-1.2, 0.0}}); break;
+    case Marker::circle:
+      cairo_arc(c, middle.x, middle.y, 0.95 * kReach, 0.0, 2.0 * std::numbers::pi);
+      break;
+    case Marker::square:
+      polygon({{-0.85, -0.85}, {0.85, -0.85}, {0.85, 0.85}, {-0.85, 0.85}});
+      break;
+    case Marker::triangle:
+      polygon({{0.0, -1.15}, {1.1, 0.8}, {-1.1, 0.8}});
+      break;
+    case Marker::diamond:
+      polygon({{0.0, -1.2}, {1.2, 0.0}, {0.0, 1.2}, {-1.2, 0.0}});
+      break;
   }
   cairo_fill(c);
 }
@@ -128,9 +136,9 @@ Result<Image8> Canvas::picture() {
     for (std::ptrdiff_t x = 0; x < image.width; ++x) {
       std::uint32_t pixel = 0;  // 0x00RRGGBB, in the machine's order of bytes
       std::memcpy(&pixel, row + x * 4, sizeof(pixel));
-      image.pixels.insert(image.pixels.end(), {static_cast<std::uint8_t>(pixel >> 16U & 0xFFU),
-                                               static_cast<std::uint8_t>(pixel >> 8U & 0xFFU),
-                                               static_cast<std::uint8_t>(pixel & 0xFFU)});
+      image.pixels.insert(image.pixels.end(),
+                          {static_cast<std::uint8_t>(pixel >> 16U & 0xFFU),
+                           static_cast<std::uint8_t>(pixel >> 8U & 0xFFU), static_cast<std::uint8_t>(pixel & 0xFFU)});
     }
   }
   return image;

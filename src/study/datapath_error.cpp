@@ -1,28 +1,27 @@
 #include "ninebit/study/datapath_error.h"
 
+#include <fmt/format.h>
 #include <oneapi/tbb/parallel_for.h>
 
 #include <atomic>
 #include <cmath>
+#include <deque>
 #include <map>
-#include <mutex>
 #include <set>
 #include <utility>
 
+#include "src/study/datapath_report.h"
 #include "src/study/operations.h"
 
 namespace ninebit {
 namespace {
 
-OperationError measure(const HardwareProfile& profile, const Operation& operation) {
-  OperationError out;
-  out.profile = profile.name;
-  out.operation = operation.name;
-  out.form = operation.form;
+StudyRow errors_of(const HardwareProfile& profile, const Operation& operation) {
   const Datapath d = datapath_of(profile);
+  std::uint64_t cases = 0, exact = 0;
   std::set<int> codes;
   int last = 0;
-  double sum = 0.0, sum_of_sizes = 0.0;
+  double most = 0.0, sum = 0.0, sum_of_sizes = 0.0;
   std::size_t worst = 0;
   for (std::size_t i = 0; i < operation.cases; ++i) {
     const std::uint64_t weight = operation.weight(i);
@@ -32,94 +31,120 @@ OperationError measure(const HardwareProfile& profile, const Operation& operatio
     const double error = static_cast<double>(code) / d.one - operation.exact(i);
     // What is exact in real numbers may differ by the last bit of a double.
     const double size = std::fabs(error) < 1e-12 ? 0.0 : std::fabs(error);
-    out.cases += weight;
-    if (size == 0.0) out.exact += weight;
+    cases += weight;
+    if (size == 0.0) exact += weight;
     sum_of_sizes += static_cast<double>(weight) * size;
     if (size != 0.0) sum += static_cast<double>(weight) * error;
     // A larger one by more than rounding.
-    if (size > out.max_error + 1e-12) {
-      out.max_error = size;
+    if (size > most + 1e-12) {
+      most = size;
       worst = i;
     }
   }
-  out.distinct = codes.size();
-  out.mean_error = sum_of_sizes / static_cast<double>(out.cases);
-  out.mean_bias = sum / static_cast<double>(out.cases);
-  out.worst = operation.inputs(worst);
-  out.worst_code = operation.code(d, worst);
-  out.worst_exact = operation.exact(worst);
-  return out;
+  const double bias = sum / static_cast<double>(cases);
+  return {.table = "rows",
+          .fields = {{"profile", std::string(profile.name)},
+                     {"operation", std::string(operation.name)},
+                     {"form", operation.form},
+                     {"cases", cases},
+                     {"exact", exact},
+                     {"distinct", static_cast<std::uint64_t>(codes.size())},
+                     {"max_error", most},
+                     {"mean_error", sum_of_sizes / static_cast<double>(cases)},
+                     {"mean_bias", std::fabs(bias) < 1e-12 ? 0.0 : bias},
+                     {"worst", operation.inputs(worst)},
+                     {"worst_code", static_cast<std::int64_t>(operation.code(d, worst))},
+                     {"worst_exact", operation.exact(worst)}}};
 }
 
-OperationDifference compare(const HardwareProfile& first, const HardwareProfile& second, const Operation& operation) {
-  OperationDifference out{std::string(first.name), std::string(second.name), operation.name, operation.form, 0, 0};
+StudyRow differences_of(const HardwareProfile& first, const HardwareProfile& second, const Operation& operation) {
   const Datapath a = datapath_of(first), b = datapath_of(second);
+  std::uint64_t cases = 0, differ = 0;
   for (std::size_t i = 0; i < operation.cases; ++i) {
     const std::uint64_t weight = operation.weight(i);
-    out.cases += weight;
-    if (operation.code(a, i) != operation.code(b, i)) out.differ += weight;
+    cases += weight;
+    if (operation.code(a, i) != operation.code(b, i)) differ += weight;
   }
-  return out;
+  return {.table = "differences",
+          .fields = {{"first", std::string(first.name)},
+                     {"second", std::string(second.name)},
+                     {"operation", std::string(operation.name)},
+                     {"form", operation.form},
+                     {"cases", cases},
+                     {"differ", differ}}};
 }
 
-}  // namespace
-
-Result<DatapathErrors> measure_datapath(std::span<const HardwareProfile> profiles,
-                                        const std::function<bool(double done)>& progress) {
-  std::map<int, std::vector<Operation>> operations;  // by `one`
-  std::vector<const HardwareProfile*> measured;
-  for (const HardwareProfile& profile : profiles) {
-    if (profile.arithmetic != Arithmetic::integer) continue;
-    measured.push_back(&profile);
-    if (operations.count(profile.one) == 0) operations[profile.one] = datapath_operations(profile.one);
-  }
-
-  // Every piece of work has a place of its own for its result, so that threads change nothing.
-  struct Work {
-    const HardwareProfile* first;
-    const HardwareProfile* second;  // nullptr: errors of the first
-    const Operation* operation;
-    OperationError error{};
-    OperationDifference difference{};
-  };
-  std::vector<Work> work;
-  for (const HardwareProfile* profile : measured) {
-    for (const Operation& operation : operations[profile->one]) work.push_back({profile, nullptr, &operation});
-  }
-  for (std::size_t i = 0; i < measured.size(); ++i) {
-    for (std::size_t k = i + 1; k < measured.size(); ++k) {
-      if (measured[i]->one != measured[k]->one) continue;
-      for (const Operation& operation : operations[measured[i]->one]) {
-        work.push_back({measured[i], measured[k], &operation});
+class DatapathStudy final : public Study {
+ public:
+  DatapathStudy(StudyQuestion question, std::vector<HardwareProfile> profiles)
+      : question_(std::move(question)), profiles_(std::move(profiles)) {
+    // A profile from a file shows a name that may not live as long as this.
+    for (HardwareProfile& profile : profiles_) profile.name = names_.emplace_back(profile.name);
+    for (const HardwareProfile& profile : profiles_) operations_.try_emplace(profile.one, profile.one);
+    const auto add = [&](const HardwareProfile& first, const HardwareProfile* second) {
+      for (std::size_t kind = 0; kind < kOperations.size(); ++kind) units_.push_back({&first, second, kind});
+    };
+    for (const HardwareProfile& profile : profiles_) add(profile, nullptr);
+    for (std::size_t i = 0; i < profiles_.size(); ++i) {
+      for (std::size_t k = i + 1; k < profiles_.size(); ++k) {
+        if (profiles_[i].one.value == profiles_[k].one.value) add(profiles_[i], &profiles_[k]);
       }
     }
   }
-  std::atomic<std::size_t> done = 0;
-  std::atomic<bool> stopped = false;
-  std::mutex asking;
-  tbb::parallel_for(std::size_t{0}, work.size(), [&](std::size_t i) {
-    if (stopped) return;
-    Work& w = work[i];
-    if (w.second == nullptr) {
-      w.error = measure(*w.first, *w.operation);
-    } else {
-      w.difference = compare(*w.first, *w.second, *w.operation);
-    }
-    const double share = static_cast<double>(++done) / static_cast<double>(work.size());
-    if (!progress) return;
-    const std::scoped_lock lock(asking);
-    if (!progress(share)) stopped = true;
-  });
-  if (stopped) return Diagnostic{.message = "interrupted", .fault = Fault::cancelled};
-  DatapathErrors out;
-  for (Work& w : work) {
-    if (w.second == nullptr) {
-      out.errors.push_back(std::move(w.error));
-    } else {
-      out.differences.push_back(std::move(w.difference));
-    }
+
+  [[nodiscard]] const StudyQuestion& question() const override { return question_; }
+  [[nodiscard]] std::size_t units() const override { return units_.size(); }
+  [[nodiscard]] std::string unit_name(std::size_t unit) const override {
+    const Unit& u = units_[unit];
+    if (u.second == nullptr) return fmt::format("{}, {}", u.first->name, kOperations[u.kind]);
+    return fmt::format("{} against {}, {}", u.first->name, u.second->name, kOperations[u.kind]);
   }
-  return out;
+
+  [[nodiscard]] Result<std::vector<StudyRow>> run(std::size_t unit, const GoOn& go_on) const override {
+    const Unit& u = units_[unit];
+    const std::vector<Operation>& forms = operations_.at(u.first->one).of(u.kind);
+    // Every form has a place of its own for its row, so that threads change nothing.
+    std::vector<StudyRow> rows(forms.size());
+    std::atomic<bool> stopped = false;
+    tbb::parallel_for(std::size_t{0}, forms.size(), [&](std::size_t i) {
+      if (stopped) return;
+      rows[i] = u.second == nullptr ? errors_of(*u.first, forms[i]) : differences_of(*u.first, *u.second, forms[i]);
+      if (go_on && !go_on()) stopped = true;
+    });
+    if (stopped) return Diagnostic{.message = "interrupted", .fault = Fault::cancelled};
+    return rows;
+  }
+
+  [[nodiscard]] Result<StudyReport> report(std::span<const StudyRow> rows, std::size_t done) const override {
+    return datapath_report(profiles_, rows, done, units_.size());
+  }
+
+ private:
+  struct Unit {
+    const HardwareProfile* first;
+    const HardwareProfile* second;  // nullptr: errors of the first
+    std::size_t kind;               // of kOperations
+  };
+
+  StudyQuestion question_;
+  std::deque<std::string> names_;
+  std::vector<HardwareProfile> profiles_;
+  mutable std::map<int, Operations> operations_;  // by `one`
+  std::vector<Unit> units_;
+};
+
+}  // namespace
+
+Result<std::unique_ptr<Study>> datapath_study(StudyQuestion question, std::span<const HardwareProfile> profiles) {
+  std::vector<HardwareProfile> measured;
+  for (const HardwareProfile& profile : profiles) {
+    if (profile.arithmetic == Arithmetic::integer) measured.push_back(profile);
+  }
+  if (measured.empty()) {
+    return Diagnostic{.message = fmt::format("the profile {} has no datapath to measure: it computes in real numbers",
+                                             profiles.empty() ? "" : profiles.front().name)};
+  }
+  return std::unique_ptr<Study>(std::make_unique<DatapathStudy>(std::move(question), std::move(measured)));
 }
 
 }  // namespace ninebit

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <utility>
 
@@ -13,33 +12,12 @@
 namespace ninebit {
 namespace {
 
-struct OutputForm {
-  Scale scale;
-  Bias bias;
-  const char* name;
-};
-// The six legal pairs of scale and bias.
-constexpr std::array kForms{OutputForm{Scale::none, Bias::none, "x1"},
-                            OutputForm{Scale::by_two, Bias::none, "x2"},
-                            OutputForm{Scale::by_four, Bias::none, "x4"},
-                            OutputForm{Scale::by_one_half, Bias::none, "x1/2"},
-                            OutputForm{Scale::none, Bias::by_negative_one_half, "-1/2, x1"},
-                            OutputForm{Scale::by_two, Bias::by_negative_one_half, "-1/2, x2"}};
-
 std::uint64_t once(std::size_t) {
   return 1;
 }
 
 double clamped(double v, double low, double high) {
   return std::clamp(v, low, high);
-}
-
-double exact_output(const OutputForm& form, double value) {
-  const double scale = form.scale == Scale::by_two        ? 2.0
-                       : form.scale == Scale::by_four     ? 4.0
-                       : form.scale == Scale::by_one_half ? 0.5
-                                                          : 1.0;
-  return clamped((value - (form.bias == Bias::none ? 0.0 : 0.5)) * scale, -1.0, 1.0);
 }
 
 double exact_mapping(InputMapping mapping, double e) {
@@ -65,13 +43,15 @@ double exact_mapping(InputMapping mapping, double e) {
   return e;
 }
 
-class Operations {
+// The forms of one operation, as they are added.
+class Forms {
  public:
-  explicit Operations(int one) : one_(one), codes_(static_cast<std::size_t>(2 * one + 1)) {}
+  Forms(std::string_view name, int one) : name_(name), one_(one), codes_(static_cast<std::size_t>(2 * one + 1)) {}
 
   void mappings() {
     for (const InputMapping mapping : kInputMappings) {
-      add("mapping", std::string(name_of(mapping)), codes_, once,
+      add(
+          std::string(name_of(mapping)), codes_, once,
           [this_one = one_, mapping](const Datapath& d, std::size_t i) {
             return reference::map_input(d, mapping, static_cast<int>(i) - this_one);
           },
@@ -82,8 +62,9 @@ class Operations {
 
   // Products of 1 with a register: what scale and bias alone do.
   void scales_and_biases() {
-    for (const OutputForm& form : kForms) {
-      add("scale and bias", form.name, codes_, once,
+    for (const OutputForm& form : kOutputForms) {
+      add(
+          std::string(form.name), codes_, once,
           [o = one_, form](const Datapath& d, std::size_t i) {
             return reference::combiner_output(d, form.scale, form.bias, (static_cast<int>(i) - o) * d.one);
           },
@@ -93,14 +74,15 @@ class Operations {
   }
 
   // An output whose wide value is a sum of so many products.
-  void sums(const std::string& name, std::size_t terms, const std::shared_ptr<const WideCounts>& counts) {
+  void sums(std::size_t terms, const std::shared_ptr<const WideCounts>& counts) {
     // Most numbers are no sum of products: cases are those that are.
     const auto wides = std::make_shared<std::vector<int>>();
     for (int w = -counts->limit; w <= counts->limit; ++w) {
       if (counts->of(w) != 0) wides->push_back(w);
     }
-    for (const OutputForm& form : kForms) {
-      add(name, form.name, wides->size(), [counts, wides](std::size_t i) { return counts->of((*wides)[i]); },
+    for (const OutputForm& form : kOutputForms) {
+      add(
+          std::string(form.name), wides->size(), [counts, wides](std::size_t i) { return counts->of((*wides)[i]); },
           [wides, form](const Datapath& d, std::size_t i) {
             return reference::combiner_output(d, form.scale, form.bias, (*wides)[i]);
           },
@@ -112,10 +94,9 @@ class Operations {
   }
 
   void mux() {
-    add("mux takes CD", "", codes_, once,
-        [o = one_](const Datapath& d, std::size_t i) {
-          return reference::mux(d, static_cast<int>(i) - o, 0, d.one);
-        },
+    add(
+        "", codes_, once,
+        [o = one_](const Datapath& d, std::size_t i) { return reference::mux(d, static_cast<int>(i) - o, 0, d.one); },
         [o = one_](std::size_t i) { return 2 * (static_cast<int>(i) - o) >= o ? 1.0 : 0.0; },
         [o = one_](std::size_t i) { return fmt::format("spare0.a {}", static_cast<int>(i) - o); });
   }
@@ -123,7 +104,8 @@ class Operations {
   void color_sum() {
     const std::size_t n = codes_;
     for (const bool clamp : {true, false}) {
-      add("color sum", clamp ? "clamped" : "not clamped", n * n, once,
+      add(
+          clamp ? "clamped" : "not clamped", n * n, once,
           [o = one_, n, clamp](const Datapath& d, std::size_t i) {
             return reference::color_sum(d, clamp, static_cast<int>(i / n) - o, static_cast<int>(i % n) - o);
           },
@@ -140,7 +122,8 @@ class Operations {
 
   void e_times_f() {
     const std::size_t n = static_cast<std::size_t>(one_) + 1;
-    add("E times F", "", n * n, once,
+    add(
+        "", n * n, once,
         [n](const Datapath& d, std::size_t i) {
           return reference::e_times_f(d, static_cast<int>(i / n), static_cast<int>(i % n));
         },
@@ -168,7 +151,8 @@ class Operations {
     for (const Mix& mix : by_value) {
       if (mix.count != 0) mixes->push_back(mix);
     }
-    add("final lerp", "A B + (1 - A) C + D", mixes->size() * n, [mixes, n](std::size_t i) { return (*mixes)[i / n].count; },
+    add(
+        "A B + (1 - A) C + D", mixes->size() * n, [mixes, n](std::size_t i) { return (*mixes)[i / n].count; },
         [mixes, n](const Datapath& d, std::size_t i) {
           const Mix& m = (*mixes)[i / n];
           return reference::final_rgb(d, m.a, m.b, m.c, static_cast<int>(i % n));
@@ -189,11 +173,11 @@ class Operations {
  private:
   static double real(int code, int one) { return static_cast<double>(code) / one; }
 
-  void add(std::string name, std::string form, std::size_t cases, std::function<std::uint64_t(std::size_t)> weight,
+  void add(std::string form, std::size_t cases, std::function<std::uint64_t(std::size_t)> weight,
            std::function<int(const Datapath&, std::size_t)> code, std::function<double(std::size_t)> exact,
            std::function<std::string(std::size_t)> inputs) {
-    all_.push_back({std::move(name), std::move(form), cases, std::move(weight), std::move(code), std::move(exact),
-                    std::move(inputs)});
+    all_.push_back(
+        {name_, std::move(form), cases, std::move(weight), std::move(code), std::move(exact), std::move(inputs)});
   }
 
   // Products of codes from -one to one, so many, that sum up to `wide`: greedily the largest product first.
@@ -218,6 +202,7 @@ class Operations {
     return {};
   }
 
+  std::string_view name_;
   int one_;
   std::size_t codes_;
   std::vector<Operation> all_;
@@ -225,21 +210,54 @@ class Operations {
 
 }  // namespace
 
-std::vector<Operation> datapath_operations(int one) {
-  const auto product = std::make_shared<const WideCounts>(product_counts(one));
-  const auto sum = std::make_shared<const WideCounts>(sum_counts(*product, *product));
-  const auto dot = std::make_shared<const WideCounts>(sum_counts(*sum, *product));
-  Operations all(one);
-  all.mappings();
-  all.scales_and_biases();
-  all.sums("product", 1, product);
-  all.sums("AB + CD", 2, sum);
-  all.sums("dot product", 3, dot);
-  all.mux();
-  all.color_sum();
-  all.e_times_f();
-  all.final_lerp();
-  return all.take();
+double exact_output(const OutputForm& form, double value) {
+  const double scale = form.scale == Scale::by_two        ? 2.0
+                       : form.scale == Scale::by_four     ? 4.0
+                       : form.scale == Scale::by_one_half ? 0.5
+                                                          : 1.0;
+  return clamped((value - (form.bias == Bias::none ? 0.0 : 0.5)) * scale, -1.0, 1.0);
+}
+
+// Sums of `terms` products: each from the one before, which the longer sums need as well.
+const std::shared_ptr<const WideCounts>& Operations::counts(std::size_t terms) {
+  const std::size_t i = terms - 1;
+  std::call_once(counted_[i], [&] {
+    counts_[i] = std::make_shared<const WideCounts>(terms == 1 ? product_counts(one_)
+                                                               : sum_counts(*counts(terms - 1), *counts(1)));
+  });
+  return counts_[i];
+}
+
+const std::vector<Operation>& Operations::of(std::size_t kind) {
+  std::call_once(made_[kind], [&] {
+    Forms forms(kOperations[kind], one_);
+    switch (kind) {
+      case 0:
+        forms.mappings();
+        break;
+      case 1:
+        forms.scales_and_biases();
+        break;
+      case 2:
+      case 3:
+      case 4:
+        forms.sums(kind - 1, counts(kind - 1));
+        break;
+      case 5:
+        forms.mux();
+        break;
+      case 6:
+        forms.color_sum();
+        break;
+      case 7:
+        forms.e_times_f();
+        break;
+      default:
+        forms.final_lerp();
+    }
+    operations_[kind] = forms.take();
+  });
+  return operations_[kind];
 }
 
 }  // namespace ninebit

@@ -1,28 +1,56 @@
 // The operations of the datapath as lists of cases.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <mutex>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "ninebit/numerics/datapath.h"
+#include "ninebit/study/datapath_error.h"
 
 namespace ninebit {
 
 // One operation in one form. A case stands for all inputs that give the same intermediate value.
 struct Operation {
-  std::string name;
+  std::string_view name;
   std::string form;
   std::size_t cases = 0;
-  std::function<std::uint64_t(std::size_t)> weight;                // inputs that a case stands for
-  std::function<int(const Datapath&, std::size_t)> code;           // what the datapath gives
-  std::function<double(std::size_t)> exact;                        // what the extension's real numbers give, clamped
-  std::function<std::string(std::size_t)> inputs;                  // one of the inputs, as codes
+  std::function<std::uint64_t(std::size_t)> weight;       // inputs that a case stands for
+  std::function<int(const Datapath&, std::size_t)> code;  // what the datapath gives
+  std::function<double(std::size_t)> exact;               // what the extension's real numbers give, clamped
+  std::function<std::string(std::size_t)> inputs;         // one of the inputs, as codes
 };
 
-// All operations on registers whose 1.0 is the code `one`.
-[[nodiscard]] std::vector<Operation> datapath_operations(int one);
+inline constexpr std::array<std::string_view, 9> kOperations{"mapping",   "scale and bias", "product",
+                                                             "AB + CD",   "dot product",    "mux takes CD",
+                                                             "color sum", "E times F",      "final lerp"};
+
+// What an output's real number is: (value + bias) · scale, clamped to [-1, 1].
+[[nodiscard]] double exact_output(const OutputForm& form, double value);
+
+struct WideCounts;
+
+// The operations on registers whose 1.0 is the code `one`. Those of a name are made when they are first asked for.
+class Operations {
+ public:
+  explicit Operations(int one) : one_(one) {}
+
+  // All forms of kOperations[kind]. For any thread, but not from within a parallel loop: it may run one itself.
+  [[nodiscard]] const std::vector<Operation>& of(std::size_t kind);
+
+ private:
+  const std::shared_ptr<const WideCounts>& counts(std::size_t terms);
+
+  int one_;
+  std::array<std::once_flag, kOperations.size()> made_;
+  std::array<std::vector<Operation>, kOperations.size()> operations_;
+  std::array<std::once_flag, 3> counted_;
+  std::array<std::shared_ptr<const WideCounts>, 3> counts_;  // of sums of one, two and three products
+};
 
 }  // namespace ninebit

@@ -11,7 +11,8 @@ namespace ninebit {
 [[nodiscard]] std::string base64(std::string_view bytes);
 
 // {"palette": […], "ramps": […], "plots": […], "maps": […]}, without the character '<', so that nothing in it can end a
-// <script> element. Points that a plot cannot show are left out. Reports a heat map whose size is not that of its values.
+// <script> element. Points that a plot cannot show are left out. Reports a heat map whose size is not that of its
+// values.
 [[nodiscard]] Result<std::string> page_data(const StudyReport& report);
 
 }  // namespace ninebit

@@ -42,7 +42,7 @@ std::string step_label(double value, int exponent) {
 }
 
 std::string power_label(int exponent) {
-  if (exponent >= -3 && exponent <= 4) return fmt::format("{:.{}f}", power_of_ten(exponent), std::max(0, -exponent));
+  if (exponent >= -3 && exponent <= 3) return fmt::format("{:.{}f}", power_of_ten(exponent), std::max(0, -exponent));
   static constexpr const char* kRaised[] = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
   std::string text = "10";
   if (exponent < 0) text += "⁻";
@@ -68,11 +68,14 @@ Axis linear_axis(const std::vector<double>& values, int wanted, bool from_zero) 
   if (from_zero || (axis.low > 0.0 && axis.low <= reach)) axis.low = std::min(axis.low, 0.0);
   if (from_zero || (axis.high < 0.0 && -axis.high <= reach)) axis.high = std::max(axis.high, 0.0);
   // Values that are equal or nearly so: ticks between them could not be told apart.
-  const double narrow = std::max(1e-9 * std::max(std::fabs(axis.low), std::fabs(axis.high)), 1e-290);
-  if (axis.high - axis.low < narrow) {
-    const double around = axis.low == 0.0 ? 1.0 : std::fabs(axis.low) / 2.0;
-    if (axis.low != 0.0) axis.low -= around;
-    axis.high += around;
+  constexpr double kNothing = 1e-290;
+  const double size = std::max(std::fabs(axis.low), std::fabs(axis.high));
+  if (size < kNothing) {
+    axis.low = 0.0;
+    axis.high = 1.0;
+  } else if (axis.high - axis.low < 1e-9 * size) {
+    axis.low -= size / 2.0;
+    axis.high += size / 2.0;
   }
   int exponent = 0;
   const double step = round_step((axis.high - axis.low) / wanted, exponent);

@@ -20,8 +20,8 @@ struct Axis {
   [[nodiscard]] double place(double value) const;
 };
 
-// An axis that holds all `values`, with about `wanted` ticks at 1, 2 or 5 times a power of ten. `from_zero`: 0 belongs to
-// it, whatever the values; it does anyway where it is near. No value: 0 to 1.
+// An axis that holds all `values`, with about `wanted` ticks at 1, 2 or 5 times a power of ten. `from_zero`: 0 belongs
+// to it, whatever the values; it does anyway where it is near. No value: 0 to 1.
 [[nodiscard]] Axis linear_axis(const std::vector<double>& values, int wanted, bool from_zero);
 
 // The same with ticks at powers of ten, and at 2 and 5 times them where there are few of them. Values must be positive.

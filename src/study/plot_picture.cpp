@@ -14,9 +14,9 @@ namespace {
 
 constexpr int kWidth = 1280, kHeight = 800;
 constexpr double kMargin = 36.0;
-constexpr double kRowHeight = 30.0;        // of the legend
+constexpr double kRowHeight = 30.0;  // of the legend
 constexpr double kWidestLegend = 380.0;
-constexpr std::size_t kMostMarkers = 60;   // points of a series that still have one each
+constexpr std::size_t kMostMarkers = 60;  // points of a series that still have one each
 constexpr std::size_t kMostBarLabels = 16;
 constexpr Rgb kGrid{0xe4, 0xe4, 0xe4}, kFineGrid{0xf2, 0xf2, 0xf2}, kFrame{0x66, 0x66, 0x66};
 const TextStyle kTitle{26.0, true}, kLabel{20.0}, kTickText{18.0, false, {0x44, 0x44, 0x44}}, kLegend{18.0};
@@ -59,6 +59,7 @@ class PlotPainter {
       for (std::size_t s = 0; s < plot_.series.size(); ++s) draw_line(s);
     }
     canvas_.clip_off();
+    label_bars();
     draw_legend();
     return canvas_.picture();
   }
@@ -100,12 +101,12 @@ class PlotPainter {
     // Labelled lines of the grid over the others.
     for (const bool labelled : {false, true}) {
       for (const Tick& tick : frame_.y.ticks) {
-        if (tick.label.empty() != labelled) grid_line(frame_.at(0.0, frame_.y.place(tick.value)),
-                                                      frame_.at(1.0, frame_.y.place(tick.value)), labelled);
+        if (tick.label.empty() != labelled)
+          grid_line(frame_.at(0.0, frame_.y.place(tick.value)), frame_.at(1.0, frame_.y.place(tick.value)), labelled);
       }
       for (const Tick& tick : frame_.x.ticks) {
-        if (tick.label.empty() != labelled) grid_line(frame_.at(frame_.x.place(tick.value), 0.0),
-                                                      frame_.at(frame_.x.place(tick.value), 1.0), labelled);
+        if (tick.label.empty() != labelled)
+          grid_line(frame_.at(frame_.x.place(tick.value), 0.0), frame_.at(frame_.x.place(tick.value), 1.0), labelled);
       }
     }
     for (const Tick& tick : frame_.y.ticks) {
@@ -160,11 +161,15 @@ class PlotPainter {
         canvas_.box({low.x + gap, high.y}, high.x - low.x - 2.0 * gap, low.y - high.y, look_of(s).color);
       }
     }
+    if (base > 0.0) canvas_.line(std::array{frame_.at(0.0, base), frame_.at(1.0, base)}, kFrame, 1.5);
+  }
+
+  void label_bars() {
+    const double group = 1.0 / static_cast<double>(std::max<std::size_t>(groups_.size(), 1));
     const std::size_t every = (groups_.size() + kMostBarLabels - 1) / kMostBarLabels;
     for (std::size_t i = 0; i < groups_.size(); i += every) {
       x_tick_label((static_cast<double>(i) + 0.5) * group, text_of(groups_[i]));
     }
-    if (base > 0.0) canvas_.line(std::array{frame_.at(0.0, base), frame_.at(1.0, base)}, kFrame, 1.5);
   }
 
   void draw_legend() {

@@ -16,8 +16,8 @@ namespace ninebit {
 [[nodiscard]] std::vector<double> bar_groups(const Plot& plot);
 
 // The plot on white, 1280 x 800: title, axes with round ticks, a legend where there is more than one series. The same
-// bytes for the same plot and the same fonts; without any font Cairo's own strokes stand in. Reports what Cairo cannot do
-// (no memory).
+// bytes for the same plot and the same fonts; without any font Cairo's own strokes stand in. Reports what Cairo cannot
+// do (no memory).
 [[nodiscard]] Result<Image8> picture_of(const Plot& plot);
 
 }  // namespace ninebit

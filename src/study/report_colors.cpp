@@ -82,9 +82,9 @@ Result<Image8> picture_of(const HeatMap& map, int least_side) {
   image.pixels.reserve(static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height) * 3);
   for (int y = 0; y < image.height; ++y) {
     for (int x = 0; x < image.width; ++x) {
-      const Rgb color = color_of(map, map.values[static_cast<std::size_t>(y / factor) *
-                                                     static_cast<std::size_t>(map.width) +
-                                                 static_cast<std::size_t>(x / factor)]);
+      const Rgb color =
+          color_of(map, map.values[static_cast<std::size_t>(y / factor) * static_cast<std::size_t>(map.width) +
+                                   static_cast<std::size_t>(x / factor)]);
       image.pixels.insert(image.pixels.end(), {color.r, color.g, color.b});
     }
   }

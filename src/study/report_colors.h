@@ -24,8 +24,8 @@ inline constexpr std::array kSeriesColors{Rgb{0x44, 0x77, 0xaa}, Rgb{0xee, 0x66,
                                           Rgb{0xcc, 0xbb, 0x44}, Rgb{0xaa, 0x33, 0x77}, Rgb{0x66, 0xcc, 0xee},
                                           Rgb{0x99, 0x99, 0x99}};
 
-// What a heat map's values look like: entry 0 stands for -1 or below, 255 for 0, 510 for 1 and above, of the value's share
-// of the end on its side. Without negative values only the upper half is used.
+// What a heat map's values look like: entry 0 stands for -1 or below, 255 for 0, 510 for 1 and above, of the value's
+// share of the end on its side. Without negative values only the upper half is used.
 inline constexpr std::size_t kRampSize = 511;
 inline constexpr Rgb kNoValue{0x80, 0x80, 0x80};  // a NaN
 using ColorRamp = std::array<Rgb, kRampSize>;

@@ -17,12 +17,23 @@ std::string escaped(std::string_view text) {
   std::string out;
   for (const char c : text) {
     switch (c) {
-      case '&': out += "&amp;"; break;
-      case '<': out += "&lt;"; break;
-      case '>': out += "&gt;"; break;
-      case '"': out += "&quot;"; break;
-      case '\'': out += "&#39;"; break;
-      default: out += c;
+      case '&':
+        out += "&amp;";
+        break;
+      case '<':
+        out += "&lt;";
+        break;
+      case '>':
+        out += "&gt;";
+        break;
+      case '"':
+        out += "&quot;";
+        break;
+      case '\'':
+        out += "&#39;";
+        break;
+      default:
+        out += c;
     }
   }
   return out;
@@ -109,9 +120,11 @@ std::string heat_maps(const StudyReport& report) {
         "values\"></canvas><div class=\"at\" hidden></div></div>\n",
         escaped(map.title));
     out += fmt::format("<div class=\"x\">{}{}{}</div>\n</div>\n", end(map.x_first), name(map.x_label), end(map.x_last));
-    out += "<output class=\"value\">Point at the map, or move through it with the arrow keys, to read a value.</output>\n";
-    out += fmt::format("<div class=\"scale\">{}<canvas role=\"img\" aria-label=\"scale of colours\"></canvas>{}</div>\n",
-                       end(static_cast<double>(map.low)), end(static_cast<double>(map.high)));
+    out +=
+        "<output class=\"value\">Point at the map, or move through it with the arrow keys, to read a value.</output>\n";
+    out +=
+        fmt::format("<div class=\"scale\">{}<canvas role=\"img\" aria-label=\"scale of colours\"></canvas>{}</div>\n",
+                    end(static_cast<double>(map.low)), end(static_cast<double>(map.high)));
     out += file_line(map.file);
   }
   return out;
@@ -122,10 +135,10 @@ Result<std::string> pictures(const StudyReport& report) {
   for (const ReportPicture& picture : report.pictures) {
     const auto png = encode_png(picture.image);
     if (!png) return png.error();
-    out += fmt::format("<figure>\n<figcaption><h3>{0}</h3>{1}</figcaption>\n<img class=\"picture\" alt=\"{0}\" "
-                       "width=\"{2}\" height=\"{3}\" src=\"data:image/png;base64,{4}\">\n",
-                       escaped(picture.title), caption(picture.caption), picture.image.width, picture.image.height,
-                       base64(*png));
+    out += fmt::format(
+        "<figure>\n<figcaption><h3>{0}</h3>{1}</figcaption>\n<img class=\"picture\" alt=\"{0}\" "
+        "width=\"{2}\" height=\"{3}\" src=\"data:image/png;base64,{4}\">\n",
+        escaped(picture.title), caption(picture.caption), picture.image.width, picture.image.height, base64(*png));
     out += file_line(picture.file);
   }
   return out;
@@ -139,9 +152,10 @@ std::string cell(const StudyValue& value) {
 }
 
 void append_table(std::string& out, const ReportTable& table) {
-  out += fmt::format("<div class=\"table\">\n<h3>{0}</h3>{1}\n<div class=\"scroll\" role=\"region\" aria-label=\"{0}\" "
-                     "tabindex=\"0\">\n<table class=\"sorts\" aria-label=\"{0}\">\n<thead><tr>",
-                     escaped(table.title), caption(table.caption));
+  out += fmt::format(
+      "<div class=\"table\">\n<h3>{0}</h3>{1}\n<div class=\"scroll\" role=\"region\" aria-label=\"{0}\" "
+      "tabindex=\"0\">\n<table class=\"sorts\" aria-label=\"{0}\">\n<thead><tr>",
+      escaped(table.title), caption(table.caption));
   for (std::size_t c = 0; c < table.columns.size(); ++c) {
     const bool number = std::any_of(table.rows.begin(), table.rows.end(),
                                     [c](const auto& row) { return c < row.size() && is_number(row[c]); });

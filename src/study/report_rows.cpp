@@ -23,7 +23,8 @@ Json json_of(const StudyValue& value) {
       Overloaded{[](std::monostate) { return Json(nullptr); }, [](const auto& known) { return Json(known); }}, value);
 }
 
-// RFC 4180: what has a comma, a quotation mark or an end of line stands in quotation marks, and those in it are doubled.
+// RFC 4180: what has a comma, a quotation mark or an end of line stands in quotation marks, and those in it are
+// doubled.
 std::string csv_field(const std::string& text) {
   if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
   std::string quoted = "\"";
@@ -58,9 +59,10 @@ void append_csv_line(std::string& out, const StudyRow& row) {
 }  // namespace
 
 std::string text_of(const StudyValue& value) {
-  return std::visit(Overloaded{[](std::monostate) { return std::string(); }, [](const std::string& text) { return text; },
-                               [](const auto& number) { return fmt::format("{}", number); }},
-                    value);
+  return std::visit(
+      Overloaded{[](std::monostate) { return std::string(); }, [](const std::string& text) { return text; },
+                 [](const auto& number) { return fmt::format("{}", number); }},
+      value);
 }
 
 const StudyValue& StudyRow::operator[](std::string_view name) const {

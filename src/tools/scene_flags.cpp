@@ -130,14 +130,6 @@ void add_choice(CLI::App& verb, const std::string& flag, E& value, const Names<E
   verb.add_option_function<std::string>(flag, set, help)->default_str(name_in(names, value))->check(CLI::IsMember(all));
 }
 
-const Names<DepthCubeBits> kDepthBits{
-    {"8", DepthCubeBits::eight}, {"16", DepthCubeBits::sixteen}, {"float", DepthCubeBits::real}};
-const Names<DepthEncoding> kDepthEncodings{{"d24", DepthEncoding::d24},
-                                           {"d16", DepthEncoding::d16},
-                                           {"rgba8-fract", DepthEncoding::rgba8_fract},
-                                           {"rgba8-mod", DepthEncoding::rgba8_mod},
-                                           {"rgba8-256over255", DepthEncoding::rgba8_256over255},
-                                           {"rgba8-modf", DepthEncoding::rgba8_modf}};
 const Names<ChannelStorage> kStorages{{"round", ChannelStorage::round}, {"truncate", ChannelStorage::truncate}};
 const Names<VolumeMethod> kVolumeMethods{{"depth-fail", VolumeMethod::depth_fail},
                                          {"depth-pass", VolumeMethod::depth_pass}};
@@ -208,6 +200,14 @@ const Names<IndexFormat> kIndexFormats{{"rgb", IndexFormat::rgb},
                                        {"a", IndexFormat::alpha}};
 const Names<IndexScope> kIndexScopes{
     {"polygon", IndexScope::polygon}, {"object", IndexScope::object}, {"section", IndexScope::section}};
+const Names<DepthCubeBits> kDepthBits{
+    {"8", DepthCubeBits::eight}, {"16", DepthCubeBits::sixteen}, {"float", DepthCubeBits::real}};
+const Names<DepthEncoding> kDepthEncodings{{"d24", DepthEncoding::d24},
+                                           {"d16", DepthEncoding::d16},
+                                           {"rgba8-fract", DepthEncoding::rgba8_fract},
+                                           {"rgba8-mod", DepthEncoding::rgba8_mod},
+                                           {"rgba8-256over255", DepthEncoding::rgba8_256over255},
+                                           {"rgba8-modf", DepthEncoding::rgba8_modf}};
 
 ThreadLimit::ThreadLimit(int threads) {
   if (threads > 0) {

@@ -29,6 +29,8 @@ template <class E>
 using Names = std::vector<std::pair<std::string, E>>;
 extern const Names<IndexFormat> kIndexFormats;
 extern const Names<IndexScope> kIndexScopes;
+extern const Names<DepthCubeBits> kDepthBits;
+extern const Names<DepthEncoding> kDepthEncodings;
 
 template <class E>
 [[nodiscard]] std::string name_in(const Names<E>& names, E value) {

@@ -102,6 +102,8 @@ CLI::Validator list_of(std::vector<std::string> known) {
 void add_studies(CLI::App& verbs, StudyRequest& request) {
   add_study_index_steps(verbs, request);
   add_study_datapath(verbs, request);
+  add_study_depth_packing(verbs, request);
+  add_study_shadows(verbs, request);
 }
 
 void add_study(CLI::App& app, int& exit_code) {

@@ -48,6 +48,8 @@ void add_study_flags(CLI::App& verb, StudyFlags& flags);
 // Each study adds its verb.
 void add_study_index_steps(CLI::App& verbs, StudyRequest& request);
 void add_study_datapath(CLI::App& verbs, StudyRequest& request);
+void add_study_depth_packing(CLI::App& verbs, StudyRequest& request);
+void add_study_shadows(CLI::App& verbs, StudyRequest& request);
 
 // Adds the verbs of all studies; also for a question that a part holds.
 void add_studies(CLI::App& verbs, StudyRequest& request);

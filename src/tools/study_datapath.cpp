@@ -1,79 +1,180 @@
-// `ninebit study datapath`: how far each operation is from exact arithmetic.
+// `ninebit study datapath`: how far each operation is from exact arithmetic, and whole programs.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
 
 #include "ninebit/study/datapath_error.h"
-#include "src/tools/scene_flags.h"
+#include "ninebit/study/exhaustive_sum.h"
+#include "ninebit/study/program_error.h"
+#include "src/tools/eval_table.h"
+#include "src/tools/program_file.h"
 #include "src/tools/study.h"
 
 namespace ninebit::tools {
 namespace {
 
-Json json_of(const OperationError& e) {
-  return {{"profile", e.profile},       {"operation", e.operation},   {"form", e.form},
-          {"cases", e.cases},           {"exact", e.exact},           {"distinct", e.distinct},
-          {"max_error", e.max_error},   {"mean_error", e.mean_error}, {"mean_bias", e.mean_bias},
-          {"worst", e.worst},           {"worst_code", e.worst_code}, {"worst_exact", e.worst_exact}};
+struct DatapathFlags {
+  StudyFlags study;
+  bool exhaustive_sum = false;
+  std::string forms = "x1";
+  std::string program, inputs, over;
+};
+
+// A form's name without what a list in a command line cannot have: "-1/2,x2" of "-1/2, x2" is no item of one.
+std::string form_flag(const OutputForm& form) {
+  return std::string(form.bias == Bias::none ? "" : "biased-") + (form.scale == Scale::none      ? "x1"
+                                                                  : form.scale == Scale::by_two  ? "x2"
+                                                                  : form.scale == Scale::by_four ? "x4"
+                                                                                                 : "x1/2");
 }
 
-Json json_of(const OperationDifference& d) {
-  return {{"first", d.first}, {"second", d.second}, {"operation", d.operation},
-          {"form", d.form},   {"cases", d.cases},   {"differ", d.differ}};
+std::vector<std::string> all_forms() {
+  std::vector<std::string> names;
+  for (const OutputForm& form : kOutputForms) names.push_back(form_flag(form));
+  return names;
 }
 
-double percent(std::uint64_t part, std::uint64_t whole) {
-  return 100.0 * static_cast<double>(part) / static_cast<double>(whole);
-}
-
-std::string words(const DatapathErrors& errors) {
-  std::string text;
-  std::string profile;
-  for (const OperationError& e : errors.errors) {
-    if (e.profile != profile) {
-      text += fmt::format("{}{}\n  {:<15} {:<20} {:>20} {:>8} {:>9} {:>10} {:>10} {:>11}  {}\n", profile.empty() ? "" : "\n",
-                          e.profile, "operation", "form", "inputs", "codes", "exact %", "max error", "mean", "bias",
-                          "worst");
-      profile = e.profile;
+Result<Program> read_program(const DatapathFlags& flags, const HardwareProfile& profile, StudyQuestion& question) {
+  const auto file = read_program_file({.file = flags.program, .from = "", .chip = ""}, profile);
+  if (!file) return file.error();
+  question.options.emplace_back("--program", flags.program);
+  if (Status added = add_content(question, flags.program); !added) return added.error();
+  if (!file->parsed) {
+    std::string faults;
+    for (const TextFault& fault : file->parsed.faults) {
+      if (!faults.empty()) faults += "\nninebit: error: ";
+      faults += fault.text();
     }
-    text += fmt::format("  {:<15} {:<20} {:>20} {:>8} {:>9.3f} {:>10.6f} {:>10.6f} {:>11.2e}  {} -> {}, exact {:.6f}\n",
-                        e.operation, e.form, e.cases, e.distinct, percent(e.exact, e.cases), e.max_error, e.mean_error,
-                        e.mean_bias, e.worst, e.worst_code, e.worst_exact);
+    return Diagnostic{.message = faults};
   }
-  if (!errors.differences.empty()) text += "\ninputs on which two profiles give different codes\n";
-  for (const OperationDifference& d : errors.differences) {
-    if (d.differ == 0) continue;
-    text += fmt::format("  {} and {}: {} {}: {} of {} ({:.3g} %)\n", d.first, d.second, d.operation, d.form, d.differ,
-                        d.cases, percent(d.differ, d.cases));
-  }
-  return text;
+  auto program = compile(*file->parsed.value, profile);
+  if (program) return program;
+  Diagnostic fault = program.error();
+  if (fault.file.empty()) fault.file = file->name;
+  return fault;
 }
 
-int datapath(const StudyFlags& flags) {
-  const ThreadLimit limit(flags.common.threads);
-  const std::vector<HardwareProfile> profiles = profiles_of(flags);
-  ProgressLine line(flags.common.quiet);
-  const auto errors =
-      measure_datapath(profiles, [&](double done) { return line.step("operations of the datapath", done); });
-  if (!errors) return report(errors.error());
-  if (!flags.common.json) return answer(words(*errors));
-  Json out{{"command", "study datapath"}, {"version", NINEBIT_VERSION}};
-  out["profile"] = flags.profile->count() > 0 ? flags.common.profile : "all";
-  out["rows"] = Json::array();
-  out["differences"] = Json::array();
-  for (const OperationError& e : errors->errors) out["rows"].push_back(json_of(e));
-  for (const OperationDifference& d : errors->differences) out["differences"].push_back(json_of(d));
-  return answer(out.dump(2) + "\n");
+std::vector<RegisterComponent> components_of(const std::vector<EvalColumn>& columns) {
+  std::vector<RegisterComponent> out;
+  for (const EvalColumn& column : columns) out.push_back({column.reg, column.component});
+  return out;
+}
+
+// The table of `ninebit eval`: a header of register components, and a row of codes for each fragment.
+Result<ProgramInputs> read_inputs(const DatapathFlags& flags, const HardwareProfile& profile, StudyQuestion& question) {
+  if (!flags.over.empty()) {
+    question.options.emplace_back("--over", flags.over);
+    auto columns = read_header({.text = flags.over, .number = 1}, "--over", profile);
+    if (!columns) return columns.error();
+    return ProgramInputs{.components = components_of(*columns)};
+  }
+  auto input = InputFile::open(flags.inputs);
+  if (!input) return input.error();
+  CsvLines lines(std::move(*input));
+  auto header = lines.next();
+  if (!header) return header.error();
+  if (!*header) return csv_fault(lines.name(), 1, 1, "the table is empty; expected a header such as primary.r,tex0.a");
+  auto columns = read_header(**header, lines.name(), profile);
+  if (!columns) return columns.error();
+  constexpr std::size_t kMostCodes = std::size_t{1} << 28;
+  const EvalRows rows(*columns, profile);
+  const auto batch = std::make_unique<EvalBatch>();
+  std::vector<s9> codes;
+  while (true) {
+    auto line = lines.next();
+    if (!line) return line.error();
+    if (!*line) break;
+    rows.begin(*batch);
+    if (Status added = rows.add(**line, lines.name(), *batch); !added) return added.error();
+    for (const EvalColumn& column : *columns) codes.push_back(batch->registers(column.reg, column.component)[0]);
+    if (codes.size() > kMostCodes) {
+      return csv_fault(lines.name(), (*line)->number, 1, fmt::format("more than {} codes are too many", kMostCodes));
+    }
+  }
+  if (codes.empty()) return csv_fault(lines.name(), 2, 1, "the table has no rows");
+  question.options.emplace_back("--inputs", flags.inputs);
+  if (Status added = add_content(question, flags.inputs); !added) return added.error();
+  return ProgramInputs{.components = components_of(*columns), .codes = std::move(codes)};
+}
+
+// The study that the flags ask for.
+Result<std::unique_ptr<Study>> make_datapath(const DatapathFlags& flags) {
+  auto asked = question_of(flags.study, "datapath");
+  if (!asked) return asked.error();
+  StudyQuestion question = *std::move(asked);
+  const HardwareProfile& profile = profile_of(flags.study.common);
+  const bool one_profile = !flags.program.empty() || flags.exhaustive_sum;
+  if (one_profile && flags.study.profile->count() == 0) question.profile = profile.name;
+  if (!flags.program.empty()) {
+    auto program = read_program(flags, profile, question);
+    if (!program) return program.error();
+    auto inputs = read_inputs(flags, profile, question);
+    if (!inputs) return inputs.error();
+    return program_error_study(std::move(question), profile, *program, std::move(*inputs));
+  }
+  if (flags.exhaustive_sum) {
+    const std::vector<std::string> wanted = items_of(flags.forms);
+    std::vector<OutputForm> forms;  // each once
+    std::vector<std::string> names;
+    for (const OutputForm& form : kOutputForms) {
+      if (std::find(wanted.begin(), wanted.end(), form_flag(form)) == wanted.end()) continue;
+      forms.push_back(form);
+      names.push_back(form_flag(form));
+    }
+    question.options.emplace_back("--exhaustive-sum", "");
+    question.options.emplace_back("--forms", fmt::format("{}", fmt::join(names, ",")));
+    return exhaustive_sum_study(std::move(question), profile, forms);
+  }
+  return datapath_study(std::move(question), profiles_of(flags.study));
+}
+
+// Files alone: a question is asked again when its parts are joined.
+std::string check_file(const std::string& text) {
+  if (!text.empty() && text != "-") return {};
+  return fmt::format("'{}' is no file; a study reads its files more than once", text);
 }
 
 }  // namespace
 
-void add_study_datapath(CLI::App& study, int& exit_code) {
-  CLI::App* verb = study.add_subcommand("datapath", "Errors of every operation of the datapath, over all inputs");
-  verb->footer("Example: ninebit study datapath --profile geforce2");
-  auto flags = std::make_shared<StudyFlags>();
-  add_study_flags(*verb, *flags);
-  verb->callback([flags, &exit_code] { exit_code = datapath(*flags); });
+void add_study_datapath(CLI::App& verbs, StudyRequest& request) {
+  CLI::App* verb = verbs.add_subcommand("datapath", "Errors of every operation of the datapath, over all inputs");
+  verb->footer(
+      "With --program the error of a whole program and of each of its stages, with --exhaustive-sum AB + CD case by\n"
+      "case; both for one profile, geforce2 where none is given.\n"
+      "Examples:\n"
+      "  ninebit study datapath --profile geforce2\n"
+      "  ninebit study datapath --program docs/programs/index_compare.gl --over primary.r,tex0.r\n"
+      "  ninebit study datapath --program compare.gl --inputs codes.csv --json\n"
+      "  ninebit study datapath --exhaustive-sum --forms x1,x4");
+  auto flags = std::make_shared<DatapathFlags>();
+  add_study_flags(*verb, flags->study);
+  CLI::Option* program = verb->add_option("--program", flags->program, "A program to measure as a whole")
+                             ->type_name("FILE")
+                             ->check(CLI::Validator(check_file, ""));
+  CLI::Option* inputs =
+      verb->add_option("--inputs", flags->inputs, "Its inputs: a table of register codes as `ninebit eval` takes it")
+          ->type_name("FILE.csv")
+          ->check(CLI::Validator(check_file, ""))
+          ->needs(program);
+  CLI::Option* over =
+      verb->add_option("--over", flags->over, "Its inputs: all values of these components, such as tex0.r,primary.r")
+          ->type_name("LIST")
+          ->needs(program)
+          ->excludes(inputs);
+  CLI::Option* sum = verb->add_flag("--exhaustive-sum", flags->exhaustive_sum, "Evaluate all 511^4 cases of AB + CD")
+                         ->excludes(program);
+  verb->add_option("--forms", flags->forms, "Outputs of the sum: x1,x2,x4,x1/2,biased-x1,biased-x2")
+      ->type_name("LIST")
+      ->capture_default_str()
+      ->check(list_of(all_forms()))
+      ->needs(sum);
+  verb->callback([flags, program, inputs, over, &request] {
+    if (program->count() > 0 && inputs->count() + over->count() == 0) {
+      throw CLI::ValidationError("--program needs --inputs FILE.csv or --over LIST");
+    }
+    request = {.make = [flags] { return make_datapath(*flags); }, .flags = &flags->study};
+  });
 }
 
 }  // namespace ninebit::tools

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string_view>
 
 #include "ninebit/numerics/result.h"
 #include "ninebit/raster/rasterizer.h"
@@ -22,6 +23,10 @@ enum class IndexFormat : std::uint8_t {
   luminance,        // one
   alpha             // one
 };
+
+// "rgb", "la", "l", "a"; "polygon", "object", "section".
+[[nodiscard]] std::string_view name_of(IndexFormat format);
+[[nodiscard]] std::string_view name_of(IndexScope scope);
 
 inline constexpr int kMaxIndexStep = 16;
 // meshoptimizer's meshlets, which sections are, have at most so many triangles and vertices; it counts triangles in

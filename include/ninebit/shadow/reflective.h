@@ -40,10 +40,6 @@ struct ReflectiveMap {
 // check_reflective_map reports.
 [[nodiscard]] Result<ReflectiveMap> draw_reflective_map(const Scene& scene, const RenderSettings& settings);
 
-// The pipeline state of the camera's pass for position, normal and colour of what its depth pass left: depth test
-// EQUAL, nothing written but output planes.
-[[nodiscard]] PipelineState visible_surface_pass(const RenderSettings& settings);
-
 // The world positions of all texels as depth and the inverse of clip_from_world give them, computed in doubles; the
 // origin where there is no surface.
 [[nodiscard]] std::vector<glm::dvec3> positions_from_depth(const ReflectiveMap& map);

@@ -1,53 +1,53 @@
 // How far each operation of the datapath is from exact arithmetic, over all of its inputs.
 //
 // Nothing is sampled. A sum of products depends on its wide value alone, so that a wide value is evaluated once and
-// counted as often as inputs give it: a dot product's 511^6 inputs have 390,151 wide values.
+// counted as often as inputs give it: a dot product's 511^6 inputs have 390,151 wide values. exhaustive_sum.h evaluates
+// the inputs of AB + CD one by one.
 #pragma once
 
-#include <cstdint>
-#include <functional>
+#include <array>
+#include <memory>
 #include <span>
-#include <string>
-#include <vector>
+#include <string_view>
 
+#include "ninebit/combiner/registers.h"
 #include "ninebit/numerics/hardware_profile.h"
 #include "ninebit/numerics/result.h"
+#include "ninebit/study/study.h"
 
 namespace ninebit {
 
-// Errors are in real numbers, a result's code / one minus the exact value clamped as the extension clamps.
-struct OperationError {
-  std::string profile;
-  std::string operation;      // "mapping", "product", "dot product", …
-  std::string form;           // the mapping, or the output's scale and bias; empty where there is none
-  std::uint64_t cases = 0;    // inputs, each counted once
-  std::uint64_t exact = 0;    // those with an error of 0
-  std::uint64_t distinct = 0;  // different codes that come out
-  double max_error = 0.0;     // largest size of an error
-  double mean_error = 0.0;    // mean size
-  double mean_bias = 0.0;     // mean with its sign
-  std::string worst;          // inputs with the largest error, as codes: the first such case
-  int worst_code = 0;         // what comes out there
-  double worst_exact = 0.0;   // and what should
+// What a general combiner does to a wide value before it is narrowed: one of the six legal pairs of scale and bias.
+struct OutputForm {
+  Scale scale = Scale::none;
+  Bias bias = Bias::none;
+  std::string_view name;
 };
+inline constexpr std::array kOutputForms{OutputForm{Scale::none, Bias::none, "x1"},
+                                         OutputForm{Scale::by_two, Bias::none, "x2"},
+                                         OutputForm{Scale::by_four, Bias::none, "x4"},
+                                         OutputForm{Scale::by_one_half, Bias::none, "x1/2"},
+                                         OutputForm{Scale::none, Bias::by_negative_one_half, "-1/2, x1"},
+                                         OutputForm{Scale::by_two, Bias::by_negative_one_half, "-1/2, x2"}};
 
-// On how many inputs two profiles whose codes stand for the same numbers give different codes.
-struct OperationDifference {
-  std::string first, second;  // the profiles
-  std::string operation;
-  std::string form;
-  std::uint64_t cases = 0;
-  std::uint64_t differ = 0;
-};
-
-struct DatapathErrors {
-  std::vector<OperationError> errors;           // by profile, in the order given
-  std::vector<OperationDifference> differences;  // of each pair of profiles with the same `one`
-};
-
-// Measures every operation of every profile with integer arithmetic; the others have no errors of operations to count.
-// `progress` is told how much is done, 0 to 1, and answers whether to go on; may be empty. Reports Fault::cancelled.
-[[nodiscard]] Result<DatapathErrors> measure_datapath(std::span<const HardwareProfile> profiles,
-                                                      const std::function<bool(double done)>& progress);
+// Measures every operation of every profile with integer arithmetic, over all codes from -one to one; and of each pair
+// of them whose codes stand for the same numbers, on how many inputs they give different codes. Other profiles have no
+// errors of operations to count; reports where there is none left. A unit is one kind of operation of a profile or
+// pair.
+//
+// An error is a result's code / one minus the exact value, which is clamped where the extension clamps.
+//
+// Rows of the table "rows", one for each operation and form of a profile:
+//   profile
+//   operation, form          "mapping", "product", "dot product", …; the mapping, or the output's scale and bias
+//   cases, exact, distinct   inputs, each counted once; those without an error; different codes that come out
+//   max_error, mean_error    the largest size of an error, and the mean one
+//   mean_bias                the mean error with its sign
+//   worst, worst_code, worst_exact   the first inputs with the largest error, as codes; what comes out; what should
+//
+// Rows of the table "differences": first, second (the profiles), operation, form, cases, differ (inputs with different
+// codes).
+[[nodiscard]] Result<std::unique_ptr<Study>> datapath_study(StudyQuestion question,
+                                                            std::span<const HardwareProfile> profiles);
 
 }  // namespace ninebit

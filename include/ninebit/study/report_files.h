@@ -21,13 +21,13 @@ namespace ninebit {
 // The rows of each table as CSV with a header line: the table's name and its text, in the order of first appearance.
 [[nodiscard]] std::vector<std::pair<std::string, std::string>> report_csv(std::span<const StudyRow> rows);
 
-// The report as one self-contained HTML page: it opens without a network. Its tables sort by a click on a column's head,
-// its plots and heat maps tell the value under the pointer.
+// The report as one self-contained HTML page: it opens without a network. Its tables sort by a click on a column's
+// head, its plots and heat maps tell the value under the pointer.
 [[nodiscard]] Result<std::string> report_html(const StudyQuestion& question, std::string_view version,
                                               const StudyReport& report, std::span<const StudyRow> rows);
 
-// Writes report.html, rows.json, a CSV for each table, and a PNG for each plot, heat map and picture into the folder, all
-// together or none; the same bytes for the same rows. Gives their paths. Reports what could not be written.
+// Writes report.html, rows.json, a CSV for each table, and a PNG for each plot, heat map and picture into the folder,
+// all together or none; the same bytes for the same rows. Gives their paths. Reports what could not be written.
 [[nodiscard]] Result<std::vector<std::filesystem::path>> write_report(const std::filesystem::path& folder,
                                                                       const StudyQuestion& question,
                                                                       std::string_view version,

@@ -6,6 +6,7 @@ const css = (name) => getComputedStyle(document.documentElement).getPropertyValu
 
 // As many digits as people read: whole numbers in full, others with seven that count.
 function shown(value) {
+  if (Number.isInteger(value) && Math.abs(value) < 1e4) return String(value);
   if (Number.isInteger(value) && Math.abs(value) < 1e15) return value.toLocaleString("en").replace(/,/g, "\u202f");
   return Number.isFinite(value) ? String(Number(value.toPrecision(7))) : String(value);
 }
@@ -18,17 +19,19 @@ function logLabel(value) {
   const factor = Math.round(value / 10 ** exponent);
   const decades = Math.log10(this.max / this.min);
   if (factor !== 1 && !(decades <= 2 && (factor === 2 || factor === 5))) return "";
-  return exponent >= -3 && exponent <= 5 ? shown(value) : `${factor === 1 ? "" : factor + " · "}10${raised(exponent)}`;
+  return exponent >= -3 && exponent <= 3 ? shown(value) : `${factor === 1 ? "" : factor + " · "}10${raised(exponent)}`;
 }
 
 function axis(plot, letter) {
   const logarithmic = plot["log_" + letter] && !(plot.bars && letter === "x");
   const label = plot[letter + "_label"];
   const ticks = { color: css("--quiet") };
+  const line = css("--rule");
   if (logarithmic) ticks.callback = logLabel;
   const made = {
     title: { display: label !== "", text: label, color: css("--ink") },
-    grid: { color: css("--rule"), borderColor: css("--quiet") },
+    // On a logarithmic axis Chart.js thins out the lines without a label unevenly.
+    grid: { color: (context) => (context.tick?.label === "" ? "transparent" : line), borderColor: css("--quiet") },
     ticks,
   };
   if (!(plot.bars && letter === "x")) made.type = logarithmic ? "logarithmic" : "linear";
@@ -47,7 +50,7 @@ function optionsOf(plot) {
       legend: {
         display: plot.series.length > 1,
         position: "bottom",
-        labels: { color: css("--ink"), usePointStyle: true, boxWidth: 9, padding: 14 },
+        labels: { color: css("--ink"), usePointStyle: true, boxWidth: 8, boxHeight: 8, padding: 14 },
       },
       tooltip: {
         usePointStyle: true,
@@ -163,7 +166,9 @@ data.maps.forEach((map, number) => {
     const x = shown(along(map.x_first, map.x_last, column, map.width));
     const y = shown(along(map.y_first, map.y_last, row, map.height));
     const strong = document.createElement("b");
-    strong.textContent = Number.isNaN(value) ? "none" : shown(value);
+    // Floats have no seventh digit to show.
+    strong.textContent = Number.isNaN(value) ? "none" : shown(Number.isInteger(value) ? value : +value.toPrecision(6));
+    told.classList.add("told");
     told.replaceChildren(`${map.x_label || "x"} ${x}, ${map.y_label || "y"} ${y}: `, strong);
     mark.hidden = false;
     mark.style.left = `${((column + 0.5) / map.width) * 100}%`;

@@ -1,0 +1,270 @@
+// Errors of whole programs: colours between the real and the ideal one, and what the stages add.
+#include "ninebit/study/program_error.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "combiner_tests/combiner/random_state.h"
+#include "combiner_tests/study/support.h"
+#include "ninebit/combiner/trace.h"
+#include "ninebit/study/index_steps.h"
+
+namespace {
+
+using namespace ninebit;
+using namespace ninebit::test;
+
+Program compiled(const CombinerState& state, const HardwareProfile& profile) {
+  const auto program = compile(state, profile);
+  if (!program) throw std::runtime_error(program.error().text());
+  return *program;
+}
+
+// The article's comparison of one channel.
+Program comparison(const HardwareProfile& profile) {
+  const auto state = index_variant_state(profile, StudyFormat::channel, index_variants()[0]);
+  if (!state) throw std::runtime_error(state.error().text());
+  return compiled(*state, profile);
+}
+
+const StudyRow& row_of(const std::vector<StudyRow>& rows, std::string_view table, std::string_view component,
+                       std::uint64_t stage = 0) {
+  for (const StudyRow& row : rows) {
+    if (row.table == table && row.text("component") == component && row.count("stage") == stage) return row;
+  }
+  throw std::runtime_error("no such row");
+}
+
+// The ends and the sum, and each colour between against the trace's codes run through what is left of the state.
+TEST(ProgramErrors, StagesAddUpToTheErrorOfRandomPrograms) {
+  int several = 0, wrong = 0;
+  for (std::uint64_t i = 0; i < 400; ++i) {
+    Random random(0xE44011, i);
+    const HardwareProfile profile = random_profile(random);
+    const CombinerState state = random_state(random, profile);
+    const Program program = compiled(state, profile);
+    const RegisterFile registers = random_registers(random, profile);
+    const std::vector<RealColor> colors = colors_by_stage(program, registers);
+    const auto n = static_cast<std::size_t>(program.num_general_combiners);
+    ASSERT_EQ(colors.size(), n + 2);
+    if (n > 1) ++several;
+
+    const RealColor ideal = evaluate_real(program, registers).color;
+    const Rgba9 real = evaluate(program, registers);
+    const Trace steps = trace(program, profile, registers);
+    for (std::size_t c = 0; c < 4; ++c) {
+      EXPECT_NEAR(colors[0][c], ideal[c], 1e-11) << "program " << i;
+      double sum = 0.0;
+      for (std::size_t k = 1; k < colors.size(); ++k) sum += colors[k][c] - colors[k - 1][c];
+      EXPECT_NEAR(sum, to_real(profile, real[c]) - ideal[c], 1e-10) << "program " << i;
+      if (std::fabs(sum) > 1e-6) ++wrong;
+    }
+    for (std::size_t k = 1; k <= n; ++k) {
+      Program rest = program;
+      rest.num_general_combiners = static_cast<int>(n - k);
+      std::copy(program.general.begin() + static_cast<std::ptrdiff_t>(k), program.general.end(), rest.general.begin());
+      const RealColor expected = evaluate_real(rest, steps.stage[k - 1].after.codes).color;
+      for (std::size_t c = 0; c < 4; ++c) {
+        EXPECT_NEAR(colors[k][c], expected[c], 1e-11) << "program " << i << ", stage " << k;
+      }
+    }
+  }
+  EXPECT_GT(several, 100);
+  EXPECT_GT(wrong, 100);
+}
+
+// All values of two components, each fragment by the reference and by exact numbers.
+TEST(ProgramErrors, AllCombinationsMatchDirectEvaluation) {
+  const HardwareProfile& profile = profiles::geforce256_8bit;
+  const Program program = comparison(profile);
+  const auto study = valid(program_error_study(
+      {}, profile, program, {.components = {{Register::primary, kRed}, {Register::texture0, kRed}}, .codes = {}}));
+  EXPECT_EQ(study->units(), 1U);
+  const std::vector<StudyRow> rows = all_rows(*study);
+  EXPECT_EQ(rows.size(), 4U + 4U * 3U);
+
+  std::uint64_t exact = 0;
+  double most = 0.0, sizes = 0.0, errors = 0.0;
+  std::string worst;
+  for (int a = 0; a <= 127; ++a) {
+    for (int b = 0; b <= 127; ++b) {
+      RegisterFile registers;
+      for (const Register r : {Register::texture0, Register::texture1, Register::texture2, Register::texture3,
+                               Register::fog, Register::spare0}) {
+        registers[r][kAlpha] = 127;
+      }
+      registers[Register::primary][kRed] = static_cast<s9>(a);
+      registers[Register::texture0][kRed] = static_cast<s9>(b);
+      const double error =
+          to_real(profile, evaluate(program, registers)[kAlpha]) - evaluate_real(program, registers).color[kAlpha];
+      if (std::fabs(error) < 1e-12) ++exact;
+      sizes += std::fabs(error);
+      errors += error;
+      if (std::fabs(error) > most + 1e-10) {
+        most = std::fabs(error);
+        worst = "primary.r " + std::to_string(a) + ", tex0.r " + std::to_string(b);
+      }
+    }
+  }
+  const StudyRow& alpha = row_of(rows, "rows", "a");
+  EXPECT_EQ(alpha.count("fragments"), 128U * 128U);
+  EXPECT_EQ(alpha.count("exact"), exact);
+  EXPECT_NEAR(alpha.number("max_error"), most, 1e-11);
+  EXPECT_NEAR(alpha.number("mean_error"), sizes / 16384.0, 1e-11);
+  EXPECT_NEAR(alpha.number("mean_bias"), errors / 16384.0, 1e-11);
+  EXPECT_EQ(alpha.text("worst"), worst);
+  EXPECT_GT(most, 0.0);
+
+  // The first stage is exact but for its clamp, which is none of a difference's; the second cuts; the last passes on.
+  EXPECT_EQ(row_of(rows, "stages", "a", 1).number("added_max"), 0.0);
+  EXPECT_NEAR(row_of(rows, "stages", "a", 2).number("added_mean"), sizes / 16384.0, 1e-11);
+  EXPECT_NEAR(row_of(rows, "stages", "a", 2).number("remaining_max"), most, 1e-11);
+  EXPECT_EQ(row_of(rows, "stages", "a", 3).number("added_max"), 0.0);
+  EXPECT_EQ(row_of(rows, "stages", "a", 3).text("name"), "final");
+
+  const auto report = study->report(rows, 1);
+  ASSERT_TRUE(report.ok());
+  ASSERT_EQ(report->heat_maps.size(), 1U);  // alpha's: the colour is 0
+  const HeatMap& map = report->heat_maps[0];
+  EXPECT_EQ(map.width, 128);
+  RegisterFile registers;
+  registers[Register::primary][kRed] = 9;
+  registers[Register::texture0][kRed] = 4;
+  const double error =
+      to_real(profile, evaluate(program, registers)[kAlpha]) - evaluate_real(program, registers).color[kAlpha];
+  EXPECT_NEAR(map.values[(127 - 4) * 128 + 9], error * 127.0, 1e-5);
+}
+
+TEST(ProgramErrors, BiasesOfStagesAddUpOnAnyProfile) {
+  for (std::uint64_t i = 0; i < 12; ++i) {
+    Random random(0xB1A5, i);
+    const HardwareProfile profile = random_profile(random);
+    const Program program = compiled(random_state(random, profile), profile);
+    ProgramInputs inputs{.components = {{Register::primary, kGreen},
+                                        {Register::spare1, kRed},
+                                        {Register::texture1, kAlpha},
+                                        {Register::constant0, kBlue}},
+                         .codes = std::vector<s9>{}};
+    for (int k = 0; k < 4 * 5000; ++k) inputs.codes->push_back(static_cast<s9>(random_code(random, profile)));
+    const std::vector<StudyRow> rows = all_rows(*valid(program_error_study({}, profile, program, inputs)));
+    for (const char* component : {"r", "g", "b", "a"}) {
+      double sum = 0.0;
+      const auto stages = static_cast<std::uint64_t>(program.num_general_combiners) + 1;
+      for (std::uint64_t k = 1; k <= stages; ++k) sum += row_of(rows, "stages", component, k).number("added_bias");
+      const StudyRow& total = row_of(rows, "rows", component);
+      EXPECT_EQ(total.count("fragments"), 5000U);
+      EXPECT_NEAR(sum, total.number("mean_bias"), 1e-10) << "program " << i << ", " << component;
+      EXPECT_NEAR(row_of(rows, "stages", component, stages).number("remaining_mean"), total.number("mean_error"),
+                  1e-12);
+    }
+  }
+}
+
+// A table has the fragments of --over: the same rows but for the way they were asked.
+TEST(ProgramErrors, ATableOfAllFragmentsIsTheSame) {
+  const HardwareProfile& profile = profiles::geforce256_8bit;
+  const Program program = comparison(profile);
+  const std::vector<RegisterComponent> components{{Register::texture0, kBlue}, {Register::spare0, kRed}};
+  ProgramInputs table{.components = components, .codes = std::vector<s9>{}};
+  for (int a = 0; a <= 127; ++a) {
+    for (int b = -127; b <= 127; ++b) {
+      table.codes->push_back(static_cast<s9>(a));
+      table.codes->push_back(static_cast<s9>(b));
+    }
+  }
+  const auto rows = all_rows(*valid(program_error_study({}, profile, program, table)));
+  EXPECT_EQ(rows, all_rows(*valid(program_error_study({}, profile, program, {.components = components, .codes = {}}))));
+  EXPECT_EQ(row_of(rows, "rows", "a").count("fragments"), 128U * 255U);
+}
+
+// More fragments than a unit holds: the report is on all of them.
+TEST(ProgramErrors, UnitsAddUpInTheReport) {
+  const HardwareProfile& profile = profiles::geforce2;
+  const Program program = comparison(profile);
+  ProgramInputs inputs{.components = {{Register::primary, kRed}}, .codes = std::vector<s9>{}};
+  constexpr int kFragments = (1 << 18) + 1000;
+  for (int i = 0; i < kFragments; ++i) inputs.codes->push_back(static_cast<s9>(i < (1 << 18) ? i % 64 : 65));
+  double sizes = 0.0, most = 0.0;
+  const auto size_of = [&](int code) {
+    RegisterFile registers;
+    registers[Register::primary][kRed] = static_cast<s9>(code);
+    return std::fabs(to_real(profile, evaluate(program, registers)[kAlpha]) -
+                     evaluate_real(program, registers).color[kAlpha]);
+  };
+  for (int code = 0; code < 64; ++code) {
+    sizes += size_of(code) * (1 << 12);
+    most = std::max(most, size_of(code));
+  }
+  sizes += size_of(65) * 1000;
+  most = std::max(most, size_of(65));
+
+  const auto study = valid(program_error_study({}, profile, program, inputs));
+  ASSERT_EQ(study->units(), 2U);
+  const std::vector<StudyRow> rows = all_rows(*study);
+  EXPECT_EQ(rows.size(), 2U * (4U + 4U * 3U));
+  const auto report = study->report(rows, 2);
+  ASSERT_TRUE(report.ok());
+  const std::vector<StudyValue>& alpha = report->tables.at(0).rows.at(3);
+  EXPECT_EQ(std::get<std::uint64_t>(alpha.at(1)), static_cast<std::uint64_t>(kFragments));
+  EXPECT_NEAR(std::get<double>(alpha.at(3)), most * 255.0, 1e-8);
+  EXPECT_NEAR(std::get<double>(alpha.at(4)), sizes * 255.0 / kFragments, 1e-8);
+  EXPECT_TRUE(report->heat_maps.empty());
+}
+
+// A constant among the components stands in for the program's own.
+TEST(ProgramErrors, ConstantsVary) {
+  const HardwareProfile& profile = profiles::geforce2;
+  CombinerState state;
+  state.num_general_combiners = 1;
+  Portion& rgb = state.general[0].rgb;
+  rgb.a = {Register::primary, InputMapping::unsigned_identity, ComponentUsage::rgb};
+  rgb.b = {Register::constant0, InputMapping::unsigned_identity, ComponentUsage::rgb};
+  rgb.c = rgb.d = {Register::zero, InputMapping::unsigned_identity, ComponentUsage::rgb};
+  rgb.out = {.ab = Register::spare0, .cd = Register::discard, .sum = Register::discard};
+  state.final_combiner.a = state.final_combiner.b = state.final_combiner.c = {};
+  state.final_combiner.d = {Register::spare0, InputMapping::unsigned_identity, ComponentUsage::rgb};
+  state.constant0 = {200.0F / 255.0F, 0.0F, 0.0F, 0.0F};
+  const auto red = [&](const Program& program, ProgramInputs inputs) {
+    return row_of(all_rows(*valid(program_error_study({}, profile, program, std::move(inputs)))), "rows", "r");
+  };
+  const StudyRow own =
+      red(compiled(state, profile), {.components = {{Register::primary, kRed}}, .codes = std::vector<s9>{77, 130}});
+  state.constant0 = {};
+  const StudyRow replaced =
+      red(compiled(state, profile), {.components = {{Register::primary, kRed}, {Register::constant0, kRed}},
+                                     .codes = std::vector<s9>{77, 200, 130, 200}});
+  EXPECT_GT(own.number("max_error"), 0.0);
+  EXPECT_EQ(own.number("max_error"), replaced.number("max_error"));
+  EXPECT_EQ(own.number("mean_bias"), replaced.number("mean_bias"));
+  EXPECT_EQ(own.number("worst_exact"), replaced.number("worst_exact"));
+  EXPECT_EQ(replaced.text("worst").find("primary.r 77, const0.r 200") != std::string::npos,
+            own.text("worst") == "primary.r 77");
+}
+
+TEST(ProgramErrors, RefusesWhatItCannotRunOver) {
+  const HardwareProfile& profile = profiles::geforce2;
+  const Program program = comparison(profile);
+  const auto refusal = [&](const HardwareProfile& p, ProgramInputs inputs) {
+    const auto study = program_error_study({}, p, program, std::move(inputs));
+    return study ? std::string() : study.error().text();
+  };
+  ProgramInputs many;
+  for (int c = 0; c < 4; ++c) many.components.push_back({Register::primary, c});
+  EXPECT_NE(refusal(profile, many).find("more than 67108864 combinations"), std::string::npos);
+  EXPECT_NE(refusal(profile, {}).find("no register component"), std::string::npos);
+  many.codes = std::vector<s9>{};
+  EXPECT_NE(refusal(profile, many).find("no fragment"), std::string::npos);
+  EXPECT_NE(refusal(profiles::ideal, {.components = {{Register::fog, kRed}}, .codes = {}}).find("ideal"),
+            std::string::npos);
+  const auto study =
+      valid(program_error_study({}, profile, program, {.components = {{Register::fog, kRed}}, .codes = {}}));
+  const auto stopped = study->run(0, [] { return false; });
+  ASSERT_FALSE(stopped.ok());
+  EXPECT_EQ(stopped.error().fault, Fault::cancelled);
+}
+
+}  // namespace

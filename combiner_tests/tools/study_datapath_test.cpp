@@ -1,0 +1,79 @@
+// `ninebit study datapath`: operations, whole programs and AB + CD as users ask for them, and what is refused.
+#include <gtest/gtest.h>
+
+#include "combiner_tests/tools/program_support.h"
+
+namespace tools_test {
+namespace {
+
+class StudyDatapath : public testing::Test {
+ protected:
+  static Outcome study(std::vector<std::string> more) {
+    more.insert(more.begin(), {"study", "datapath"});
+    return ninebit(more);
+  }
+  TempFolder folder_;
+};
+
+TEST_F(StudyDatapath, OperationsOfOneProfile) {
+  const Json json = json_of(study({"--profile", "geforce256-8bit", "--json"}));
+  EXPECT_EQ(json["command"], "study datapath");
+  EXPECT_EQ(json["profile"], "geforce256-8bit");
+  ASSERT_EQ(json["rows"].size(), 8U + 4U * 6U + 1U + 2U + 1U + 1U);
+  EXPECT_EQ(keys_of(json["rows"][0]),
+            (std::vector<std::string>{"profile", "operation", "form", "cases", "exact", "distinct", "max_error",
+                                      "mean_error", "mean_bias", "worst", "worst_code", "worst_exact"}));
+  const Outcome words = study({"--profile", "geforce256-8bit"});
+  EXPECT_EQ(words.code, 0) << words.err;
+  EXPECT_NE(words.out.find("geforce256-8bit: a product"), std::string::npos) << words.out;
+}
+
+// The same fragments as all combinations and as a table: the same rows.
+TEST_F(StudyDatapath, ProgramsOverCombinationsAndTables) {
+  std::string table = "tex0.g\n";
+  for (int code = 0; code <= 255; ++code) table += std::to_string(code) + "\n";
+  const std::string file = write_bytes(folder_ / "codes.csv", table);
+  const Json over = json_of(study({"--program", kArticle, "--over", "tex0.g", "--json"}));
+  const Json inputs = json_of(study({"--program", kArticle, "--inputs", file, "--json"}));
+  EXPECT_EQ(over["profile"], "geforce2");
+  ASSERT_EQ(over["rows"].size(), 4U);
+  ASSERT_EQ(over["stages"].size(), 12U);
+  EXPECT_EQ(over["rows"][3]["component"], "a");
+  EXPECT_EQ(over["rows"][3]["fragments"], 256);
+  EXPECT_GT(over["rows"][3]["max_error"], 0.0);
+  EXPECT_EQ(over["rows"], inputs["rows"]);
+  EXPECT_EQ(over["stages"], inputs["stages"]);
+}
+
+TEST_F(StudyDatapath, EveryCaseOfTheSum) {
+  const std::string profile = write_bytes(folder_ / "small.json", R"({"base": "geforce2", "name": "small",
+      "byte_shift": 4, "one": 15, "lowest": -15, "half": 8, "expand_offset": 15})");
+  const Json json = json_of(study({"--exhaustive-sum", "--forms", "x4,biased-x2", "--profile", profile, "--json"}));
+  ASSERT_EQ(json["rows"].size(), 62U);
+  EXPECT_EQ(json["rows"][0]["form"], "x4");
+  EXPECT_EQ(json["rows"][31]["form"], "-1/2, x2");
+  EXPECT_EQ(json["rows"][31]["a"], -15);
+  EXPECT_EQ(json["rows"][31]["cases"], 31 * 31 * 31);
+}
+
+TEST_F(StudyDatapath, Refusals) {
+  const std::string table = write_bytes(folder_ / "codes.csv", "tex0.g\n12\n900\n");
+  expect_error(study({"--program", kArticle}), 2, {"--inputs", "--over"});
+  expect_error(study({"--over", "tex0.r"}), 2, {"--program"});
+  expect_error(study({"--program", kArticle, "--over", "tex0.r", "--inputs", table}), 2, {"--inputs", "--over"});
+  expect_error(study({"--exhaustive-sum", "--program", kArticle, "--over", "tex0.r"}), 2, {"--program"});
+  expect_error(study({"--exhaustive-sum", "--forms", "x3"}), 2, {"x3", "biased-x2"});
+  expect_error(study({"--forms", "x1"}), 2, {"--exhaustive-sum"});
+  expect_error(study({"--program", kArticle, "--over", "tex0.x"}), 3, {"--over:1:1", "tex0.x"});
+  expect_error(study({"--program", kArticle, "--over", "tex0.r,tex0.g,tex0.b,tex1.r"}), 3, {"combinations"});
+  expect_error(study({"--program", kArticle, "--inputs", table}), 3, {"codes.csv:3:1", "900"});
+  expect_error(study({"--program", kArticle, "--inputs", write_bytes(folder_ / "none.csv", "tex0.g\n")}), 3,
+               {"no rows"});
+  expect_error(study({"--program", folder_ / "none.gl", "--over", "tex0.r"}), 3, {"none.gl"});
+  expect_error(study({"--program", write_bytes(folder_ / "bad.gl", "glNothing();\n"), "--over", "tex0.r"}), 3,
+               {"bad.gl:1"});
+  expect_error(study({"--profile", "ideal"}), 3, {"ideal"});
+}
+
+}  // namespace
+}  // namespace tools_test

@@ -1,0 +1,110 @@
+// `ninebit study shadows` and `ninebit study depth-packing` as people call them: the same numbers as other verbs give,
+// and wrong grids refused.
+#include <gtest/gtest.h>
+
+#include "combiner_tests/tools/support.h"
+
+namespace tools_test {
+namespace {
+
+std::vector<std::string> small_study(const std::vector<std::string>& more) {
+  std::vector<std::string> arguments{"study", "shadows", kRoom, "--size", "80x60"};
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  return arguments;
+}
+
+TEST(StudyShadows, RowsAreWhatRenderCounts) {
+  const Json answer = json_of(ninebit(small_study({"--map-sizes", "32,64", "--steps", "1,2", "--json"})));
+  EXPECT_EQ(answer["command"], "study shadows");
+  EXPECT_EQ(answer["profile"], "geforce2");
+  ASSERT_EQ(answer["rows"].size(), 4U);
+  const TempFolder folder;
+  const Json render = json_of(ninebit({"render", kRoom, "-o", folder / "out", "--size", "80x60", "--map-size", "64",
+                                       "--index-step", "1", "--ground-truth", "--json"}));
+  const Json& row = answer["rows"][2];
+  EXPECT_EQ(row["map_size"], 64);
+  EXPECT_EQ(row["index_step"], 1);
+  for (const char* count : {"lit", "shadowed"}) EXPECT_EQ(row[count], render["pixels"][count]) << count;
+  for (const char* count : {"false_lit", "false_shadowed"}) EXPECT_EQ(row[count], render["errors"][count]) << count;
+  for (const auto& [cause, count] : render["errors"]["by_cause"].items()) EXPECT_EQ(row[cause], count) << cause;
+}
+
+TEST(StudyShadows, WithoutAxesMapSizesAreSwept) {
+  const Json rows = json_of(ninebit(small_study({"--json"})))["rows"];
+  ASSERT_EQ(rows.size(), 4U);
+  EXPECT_EQ(rows[0]["map_size"], 128);
+  EXPECT_EQ(rows[3]["map_size"], 1024);
+  EXPECT_EQ(json_of(ninebit(small_study({"--technique", "shadow-volume", "--json"})))["rows"].size(), 1U);
+}
+
+TEST(StudyShadows, TheQuestionIsACommandThatAsksTheSame) {
+  const std::vector<std::string> flags{"--technique",    "shadow-map",        "--light",  "-1,4,2",
+                                       "--light-facing", "--map-sizes",       "64",       "--cull",
+                                       "none",           "--polygon-offsets", "0,0;1,16", "--json"};
+  const Json answer = json_of(ninebit(small_study(flags)));
+  const std::string question = answer["question"];
+  EXPECT_EQ(question, "ninebit study shadows " + kRoom +
+                          " --technique shadow-map --size 80x60 --light-facing --light -1,4,2 --map-sizes 64 "
+                          "--polygon-offsets '0,0;1,16' --profile geforce2");
+  EXPECT_EQ(json_of(ninebit({"study", "shadows", kRoom, "--technique", "shadow-map", "--size", "80x60",
+                             "--light-facing", "--light", "-1,4,2", "--map-sizes", "64", "--polygon-offsets",
+                             "0,0;1,16", "--profile", "geforce2", "--json"})),
+            answer);
+}
+
+TEST(StudyShadows, WrongGrids) {
+  struct Case {
+    std::vector<std::string> flags;
+    int code;
+    std::vector<std::string> words;
+  };
+  const std::vector<Case> cases{
+      {{"--map-sizes", "100"}, 2, {"--map-sizes", "'100' is no list", "powers of two"}},
+      {{"--map-sizes="}, 2, {"--map-sizes"}},
+      {{"--map-sizes", "64,,128"}, 2, {"--map-sizes", "64,,128"}},
+      {{"--steps", "0,1"}, 2, {"--steps", "from 1 to 16"}},
+      {{"--scopes", "polygon,pixel"}, 2, {"--scopes", "'pixel' is none of polygon, object, section"}},
+      {{"--formats="}, 2, {"--formats"}},
+      {{"--technique", "depth-cube", "--depth-bits", "8,12"}, 2, {"--depth-bits", "'12' is none of 8, 16, float"}},
+      {{"--technique", "depth-cube", "--biases", "0,-1"}, 2, {"--biases", "0 or more"}},
+      {{"--technique", "shadow-map", "--polygon-offsets", "0,0;1"}, 2, {"--polygon-offsets", "FACTOR,UNITS"}},
+      {{"--technique", "shadow-map", "--polygon-offsets", "0,nan"}, 2, {"--polygon-offsets", "FACTOR,UNITS"}},
+      {{"--technique", "shadow-map", "--find-offset", "--polygon-offsets", "0,0"}, 2, {"excludes"}},
+      {{"--map-sizes", "64", "--map-size", "64"}, 2, {"excludes"}},
+      {{"--technique", "shadow-map", "--steps", "1,2"}, 2, {"technique shadow-map does not know --steps"}},
+      {{"--polygon-offsets", "0,0"}, 2, {"technique index-cube does not know --polygon-offsets"}},
+      {{"--technique", "reflective"}, 2, {"technique reflective draws no shadows"}},
+      {{"--formats", "l"}, 3, {"no point can be drawn"}},
+  };
+  for (const Case& c : cases) {
+    SCOPED_TRACE(testing::PrintToString(c.flags));
+    expect_error(ninebit(small_study(c.flags)), c.code, c.words);
+  }
+  expect_error(ninebit({"study", "shadows", "missing.gltf"}), 3, {"missing.gltf"});
+}
+
+TEST(StudyDepthPacking, AnswersItsQuestion) {
+  const Json answer = json_of(ninebit({"study", "depth-packing", "--packings", "rgba8-mod,rgba8-fract", "--storages",
+                                       "round", "--depths", "16", "--json"}));
+  EXPECT_EQ(answer["command"], "study depth-packing");
+  ASSERT_EQ(answer["rows"].size(), 2U);
+  EXPECT_EQ(answer["rows"][1]["packing"], "rgba8-fract");
+  EXPECT_EQ(answer["rows"][1]["one_reads_as"], 0.0);
+  EXPECT_EQ(answer["second_digit"].size(), 512U);
+}
+
+TEST(StudyDepthPacking, WrongGrids) {
+  const std::vector<std::pair<std::string, std::string>> cases{{"--packings=rgba8", "'rgba8' is none of rgba8-fract"},
+                                                               {"--packings=", "--packings"},
+                                                               {"--storages=cut", "round"},
+                                                               {"--depths=32", "16, 24, floats"},
+                                                               {"--float-step=0", "--float-step"},
+                                                               {"--float-step=1.5", "--float-step"}};
+  for (const auto& [flag, words] : cases) {
+    SCOPED_TRACE(flag);
+    expect_error(ninebit({"study", "depth-packing", flag}), 2, {words});
+  }
+}
+
+}  // namespace
+}  // namespace tools_test

@@ -1,0 +1,35 @@
+// What the techniques' register-combiner set-ups have in common: GL calls in, a state out.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "ninebit/language/gl_nv.h"
+
+namespace ninebit {
+
+// The state after the GL calls that `set` makes, with the register combiners enabled; or what the profile refused.
+template <class SetUp>
+Result<CombinerState> combiner_state_after(const HardwareProfile& profile, std::string_view what, const SetUp& set) {
+  gl::Context context(profile);
+  const gl::CurrentContext current(context);
+  set();
+  gl::glEnable(gl::GL_REGISTER_COMBINERS_NV);
+  if (context.error() != GlError::no_error) {
+    return Diagnostic{.message = "profile " + std::string(profile.name) + " refuses the " + std::string(what) + ": " +
+                                 std::string(name_of(context.error()))};
+  }
+  if (!context.register_combiners_enabled()) {
+    return Diagnostic{.message = "the register combiners of the " + std::string(what) + " are not enabled"};
+  }
+  return context.state();
+}
+
+// Stores nothing that a portion of a stage computes.
+inline void discard_portion(gl::GLenum stage, gl::GLenum portion) {
+  using namespace gl;
+  glCombinerOutputNV(stage, portion, GL_DISCARD_NV, GL_DISCARD_NV, GL_DISCARD_NV, GL_NONE, GL_NONE, GL_FALSE, GL_FALSE,
+                     GL_FALSE);
+}
+
+}  // namespace ninebit

@@ -1,0 +1,151 @@
+#include "ninebit/study/depth_packing_error.h"
+
+#include <oneapi/tbb/parallel_for.h>
+
+#include <algorithm>
+#include <atomic>
+#include <bit>
+#include <cmath>
+#include <cstdlib>
+#include <new>
+
+namespace ninebit {
+namespace {
+
+constexpr std::uint32_t kOne = 0x3F800000;  // the bits of 1.0F; those of smaller floats are smaller numbers
+constexpr std::uint64_t kChunk = 1U << 16;  // depths that one thread takes at a time
+
+// Which floats of [0, 2) have been seen: a bit each.
+class SeenFloats {
+ public:
+  // calloc, because the memory is 128 MiB and few of its pages are touched.
+  SeenFloats() : words_(static_cast<std::uint64_t*>(std::calloc(kWords, sizeof(std::uint64_t)))) {
+    if (words_ == nullptr) throw std::bad_alloc();
+  }
+  ~SeenFloats() { std::free(words_); }
+  SeenFloats(const SeenFloats&) = delete;
+  SeenFloats& operator=(const SeenFloats&) = delete;
+
+  void add(float value) {
+    const std::uint32_t bits = std::bit_cast<std::uint32_t>(value) & (kFloats - 1);
+    std::atomic_ref<std::uint64_t> word(words_[bits / 64]);
+    const std::uint64_t bit = std::uint64_t{1} << bits % 64;
+    if ((word.load(std::memory_order_relaxed) & bit) != 0) return;
+    word.fetch_or(bit, std::memory_order_relaxed);
+    std::atomic_ref<char>(touched_[bits / 64 / kBlock]).store(1, std::memory_order_relaxed);
+  }
+
+  [[nodiscard]] std::uint64_t count() const {
+    std::uint64_t n = 0;
+    for (std::size_t block = 0; block < touched_.size(); ++block) {
+      if (touched_[block] == 0) continue;
+      const std::uint64_t* const words = words_ + block * kBlock;
+      for (std::size_t i = 0; i < kBlock; ++i) n += static_cast<std::uint64_t>(std::popcount(words[i]));
+    }
+    return n;
+  }
+
+ private:
+  static constexpr std::uint32_t kFloats = 1U << 30;  // below 2.0F, which no packing reaches
+  static constexpr std::size_t kWords = kFloats / 64;
+  static constexpr std::size_t kBlock = 512;  // words: a page
+  std::uint64_t* words_;
+  std::vector<char> touched_ = std::vector<char>(kWords / kBlock);  // blocks with a bit that is set
+};
+
+// A stretch of depths. Sums of doubles depend on their order, so that stretches are joined from the first to the last.
+struct Stretch {
+  std::uint64_t exact = 0, inversions = 0;
+  double sum = 0.0, sum_of_sizes = 0.0, largest = -1.0;
+  float worst_depth = 0.0F, worst_back = 0.0F;
+};
+
+}  // namespace
+
+std::string_view name_of(DepthSet set) {
+  return set == DepthSet::bits16 ? "16" : set == DepthSet::bits24 ? "24" : "floats";
+}
+
+std::string_view name_of(ChannelStorage storage) {
+  return storage == ChannelStorage::round ? "round" : "truncate";
+}
+
+std::uint64_t depth_count(DepthSet set, std::uint32_t float_step) {
+  if (set == DepthSet::bits16) return 1U << 16;
+  if (set == DepthSet::bits24) return 1U << 24;
+  return (std::uint64_t{kOne} + float_step - 1) / float_step + 1;
+}
+
+float depth_at(DepthSet set, std::uint32_t float_step, std::uint64_t i) {
+  if (set == DepthSet::bits16) return static_cast<float>(static_cast<double>(i) / 65535.0);
+  if (set == DepthSet::bits24) return static_cast<float>(static_cast<double>(i) / 16777215.0);
+  return std::bit_cast<float>(static_cast<std::uint32_t>(std::min<std::uint64_t>(i * float_step, kOne)));
+}
+
+Result<RoundTripError> measure_round_trip(const DepthPacking& packing, ChannelStorage storage, DepthSet set,
+                                          std::uint32_t float_step, const GoOn& go_on) {
+  const auto back_of = [&](float depth) { return read_depth(packing, store_depth(packing, depth, storage)); };
+  const std::uint64_t depths = depth_count(set, float_step);
+  std::vector<Stretch> stretches((depths + kChunk - 1) / kChunk);
+  SeenFloats seen;
+  std::atomic<bool> stopped = false;
+  tbb::parallel_for(std::size_t{0}, stretches.size(), [&](std::size_t s) {
+    if (stopped || (go_on && !go_on())) {
+      stopped = true;
+      return;
+    }
+    Stretch here;
+    const std::uint64_t first = s * kChunk, last = std::min(first + kChunk, depths);
+    float before = first == 0 ? 0.0F : back_of(depth_at(set, float_step, first - 1));
+    for (std::uint64_t i = first; i < last; ++i) {
+      const float depth = depth_at(set, float_step, i), back = back_of(depth);
+      const double error = static_cast<double>(back) - static_cast<double>(depth), size = std::fabs(error);
+      here.exact += back == depth ? 1U : 0U;
+      here.inversions += back < before ? 1U : 0U;
+      here.sum += error;
+      here.sum_of_sizes += size;
+      if (size > here.largest) {
+        here.largest = size;
+        here.worst_depth = depth;
+        here.worst_back = back;
+      }
+      seen.add(back);
+      before = back;
+    }
+    stretches[s] = here;
+  });
+  if (stopped) return Diagnostic{.message = "interrupted", .fault = Fault::cancelled};
+
+  RoundTripError out;
+  out.depths = depths;
+  out.distinct = seen.count();
+  out.zero_back = back_of(0.0F);
+  out.one_back = back_of(1.0F);
+  out.max_error = -1.0;
+  for (const Stretch& s : stretches) {
+    out.exact += s.exact;
+    out.inversions += s.inversions;
+    out.mean_error += s.sum_of_sizes;
+    out.mean_bias += s.sum;
+    if (s.largest > out.max_error) {
+      out.max_error = s.largest;
+      out.worst_depth = s.worst_depth;
+      out.worst_back = s.worst_back;
+    }
+  }
+  out.mean_error /= static_cast<double>(depths);
+  out.mean_bias /= static_cast<double>(depths);
+  return out;
+}
+
+TwoDigits store_two_digits(const DepthPacking& packing, ChannelStorage storage, int highest, int second) {
+  const float depth = static_cast<float>(highest * 256 + second) / 65536.0F;
+  const DepthBytes bytes = store_depth(packing, depth, storage);
+  const auto last = static_cast<std::size_t>(packing.channels - 1);
+  const double error = static_cast<double>(read_depth(packing, bytes)) - static_cast<double>(depth);
+  return {.highest_byte = bytes[packing.red_is_highest ? 0 : last],
+          .second_byte = bytes[packing.red_is_highest ? 1 : last - 1],
+          .shift = error * 65536.0};
+}
+
+}  // namespace ninebit

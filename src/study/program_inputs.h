@@ -1,0 +1,49 @@
+// The fragments of a program's error study, one by one.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "ninebit/numerics/result.h"
+#include "ninebit/study/program_error.h"
+
+namespace ninebit {
+
+class Fragments {
+ public:
+  // Reports what program_error_study says of inputs.
+  [[nodiscard]] static Result<Fragments> of(const Datapath& datapath, ProgramInputs inputs);
+
+  [[nodiscard]] std::size_t count() const { return count_; }
+  [[nodiscard]] const std::vector<RegisterComponent>& components() const { return inputs_.components; }
+  // Whether the fragments are all combinations of their components' values.
+  [[nodiscard]] bool all() const { return !inputs_.codes; }
+
+  // The lowest value that a component takes among all combinations, and how many it takes.
+  [[nodiscard]] int lowest(std::size_t component) const;
+  [[nodiscard]] std::size_t values(std::size_t component) const {
+    return static_cast<std::size_t>(one_ - lowest(component) + 1);
+  }
+
+  // The code of a component of a fragment.
+  [[nodiscard]] s9 code(std::size_t fragment, std::size_t component) const;
+  // "primary.r 3, tex0.r 255".
+  [[nodiscard]] std::string text(std::size_t fragment) const;
+  // A fragment's registers as they enter the first stage; constants, too, where they are among the components.
+  [[nodiscard]] RegisterFile registers(std::size_t fragment) const;
+  [[nodiscard]] bool have_constants() const;
+  // Puts a fragment's constants into a program.
+  void put_constants(std::size_t fragment, Program& program) const;
+
+ private:
+  Fragments(const Datapath& datapath, ProgramInputs inputs)
+      : inputs_(std::move(inputs)), lowest_(datapath.lowest), one_(datapath.one) {}
+
+  ProgramInputs inputs_;
+  int lowest_, one_;
+  std::size_t count_ = 0;
+};
+
+}  // namespace ninebit
