@@ -49,9 +49,12 @@ HeatMap pair_map(const std::string& name, std::string_view file, const std::vect
               .width = kBytes,
               .height = kBytes,
               .values = {alphas.begin(), alphas.end()},
-              .low = 0.0F,
+              .low = -255.0F,
               .high = 255.0F,
-              .caption = "0 means equal: the diagonal, and whatever else has its colour."};
+              .caption = "-255 stands for different values that come out equal, with an alpha of 0."};
+  for (std::size_t i = 0; i < map.values.size(); ++i) {
+    if (i / kBytes != i % kBytes && alphas[i] == 0) map.values[i] = -255.0F;
+  }
   return map;
 }
 
@@ -86,22 +89,27 @@ HeatMap step_map(const IndexStepsOptions& options, const std::string& name, std:
       }
     }
     for (std::size_t i = 0; i < pairs.size(); ++i) {
-      map.values.push_back(pairs[i] == 0 ? -1.0F : static_cast<float>(equal[i]) / static_cast<float>(pairs[i]));
+      const float share = static_cast<float>(equal[i]) / static_cast<float>(std::max(pairs[i], 1));
+      map.values.push_back(pairs[i] > 0 && equal[i] == 0 ? -1.0F : share);
     }
   }
   return map;
 }
 
-// The smallest alpha that a pair with each difference gives.
+// The smallest alpha that a pair gives whose values differ by so much.
 PlotSeries smallest_alphas(const std::string& name, const std::vector<std::uint8_t>& alphas) {
-  constexpr int kReach = 40;
-  PlotSeries series{name, {}};
-  for (int difference = -kReach; difference <= kReach; ++difference) {
-    int least = 255;
-    for (int own = std::max(0, difference); own < kBytes && own - difference < kBytes; ++own) {
-      least = std::min(least, int{alphas[static_cast<std::size_t>(kBytes * own + own - difference)]});
+  constexpr int kReach = 32;
+  std::array<int, kReach + 1> least{};
+  least.fill(255);
+  for (int own = 0; own < kBytes; ++own) {
+    for (int other = std::max(0, own - kReach); other <= std::min(kBytes - 1, own + kReach); ++other) {
+      int& of_difference = least[static_cast<std::size_t>(std::abs(own - other))];
+      of_difference = std::min(of_difference, int{alphas[static_cast<std::size_t>(kBytes * own + other)]});
     }
-    series.points.emplace_back(difference, least);
+  }
+  PlotSeries series{name, {}};
+  for (std::size_t difference = 1; difference < least.size(); ++difference) {
+    series.points.emplace_back(static_cast<double>(difference), least[difference]);
   }
   return series;
 }
@@ -117,8 +125,9 @@ void add_channel_pictures(const IndexStepsOptions& options, std::span<const Inde
               .title = fmt::format("What becomes of a channel's difference: {}", profile.name),
               .x_label = "difference of the channel values",
               .y_label = "smallest alpha",
+              .log_y = true,
               .series = {},
-              .caption = "An alpha of 0 means equal. What is flat around 0 is what a step has to jump over."};
+              .caption = "Smaller differences than a line begins with have the alpha 0: they come out equal."};
     for (const IndexStepsUnit& unit : units) {
       if (unit.profile != p || unit.format != StudyFormat::channel) continue;
       const std::vector<std::uint8_t> alphas = alphas_of(unit.program, profile);

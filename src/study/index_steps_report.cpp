@@ -101,7 +101,7 @@ std::string losses(std::span<const Ladder* const> ladders) {
   }
   std::string text;
   for (const auto& [step, shares] : by_step) {
-    text += fmt::format("{}of the pairs of different indices, step {} takes {} for equal", text.empty() ? "" : "; ",
+    text += fmt::format("{} step {} takes {} for equal", text.empty() ? "of the pairs of different indices," : ",",
                         step, shares.text());
   }
   return text.empty() ? "no step asked for takes different indices for equal" : text;
