@@ -12,6 +12,7 @@
 #include "combiner_tests/study/support.h"
 #include "ninebit/combiner/trace.h"
 #include "ninebit/study/index_steps.h"
+#include "src/study/program_inputs.h"
 
 namespace {
 
@@ -75,6 +76,58 @@ TEST(ProgramErrors, StagesAddUpToTheErrorOfRandomPrograms) {
   }
   EXPECT_GT(several, 100);
   EXPECT_GT(wrong, 100);
+}
+
+// Eight squarings: the exact numbers outgrow 128 bits.
+TEST(ProgramErrors, DeepProgramsStayExact) {
+  const HardwareProfile& profile = profiles::nv2a;
+  CombinerState state;
+  state.num_general_combiners = 8;
+  for (int k = 0; k < 8; ++k) {
+    Portion& rgb = state.general[static_cast<std::size_t>(k)].rgb;
+    const Register from = k == 0 ? Register::primary : Register::spare0;
+    rgb.a = rgb.b = {from, InputMapping::unsigned_identity, ComponentUsage::rgb};
+    rgb.c = rgb.d = {Register::zero, InputMapping::unsigned_identity, ComponentUsage::rgb};
+    rgb.out = {.ab = Register::spare0, .cd = Register::discard, .sum = Register::discard};
+  }
+  state.final_combiner.a = state.final_combiner.b = state.final_combiner.c = {};
+  state.final_combiner.d = {Register::spare0, InputMapping::unsigned_identity, ComponentUsage::rgb};
+  const Program program = compiled(state, profile);
+  RegisterFile registers;
+  registers[Register::primary] = {254, 253, 200, 0};
+  const std::vector<RealColor> colors = colors_by_stage(program, registers);
+  ASSERT_EQ(colors.size(), 10U);
+  EXPECT_NEAR(colors[0][kRed], std::pow(254.0 / 255.0, 256.0), 1e-11);
+  EXPECT_NEAR(colors[0][kGreen], std::pow(253.0 / 255.0, 256.0), 1e-11);
+  // A square of 254 codes is 253.004, to nearest 253; and so on.
+  EXPECT_NEAR(colors[1][kRed], std::pow(253.0 / 255.0, 128.0), 1e-11);
+  EXPECT_NEAR(colors[2][kRed], std::pow(251.0 / 255.0, 64.0), 1e-11);
+}
+
+TEST(ProgramErrors, WhatIsNotNamedReadsAsInEval) {
+  const Datapath d = datapath_of(profiles::geforce2);
+  const auto alphas = Fragments::of(d, {.components = {{Register::texture0, kAlpha}}, .codes = {}});
+  ASSERT_TRUE(alphas.ok());
+  EXPECT_EQ(alphas->count(), 256U);
+  RegisterFile registers = alphas->registers(7);
+  EXPECT_EQ(registers[Register::texture0], (Rgba9{0, 0, 0, 7}));
+  EXPECT_EQ(registers[Register::spare0], (Rgba9{0, 0, 0, 7}));
+  EXPECT_EQ(registers[Register::texture3], (Rgba9{0, 0, 0, 255}));
+  EXPECT_EQ(registers[Register::fog], (Rgba9{0, 0, 0, 255}));
+  EXPECT_EQ(registers[Register::primary], Rgba9{});
+  const auto own = Fragments::of(
+      d, {.components = {{Register::texture0, kAlpha}, {Register::spare0, kAlpha}}, .codes = std::vector<s9>{7, -3}});
+  ASSERT_TRUE(own.ok());
+  registers = own->registers(0);
+  EXPECT_EQ(registers[Register::texture0][kAlpha], 7);
+  EXPECT_EQ(registers[Register::spare0][kAlpha], -3);
+  // All combinations, the last component fastest; spare0 from -255 on.
+  const auto all = Fragments::of(d, {.components = {{Register::fog, kRed}, {Register::spare0, kRed}}, .codes = {}});
+  ASSERT_TRUE(all.ok());
+  EXPECT_EQ(all->count(), 256U * 511U);
+  EXPECT_EQ(all->text(0), "fog.r 0, spare0.r -255");
+  EXPECT_EQ(all->text(511), "fog.r 1, spare0.r -255");
+  EXPECT_EQ(all->text(512), "fog.r 1, spare0.r -254");
 }
 
 // All values of two components, each fragment by the reference and by exact numbers.
