@@ -1,15 +1,14 @@
 // Units of a study on the disk: a run goes on where it was stopped, parts join to what one run gives, and whatever does
 // not belong together is told apart.
-#include <gtest/gtest.h>
+#include "ninebit/study/study_part.h"
 
+#include <gtest/gtest.h>
 #include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <set>
-
-#include "ninebit/study/study_part.h"
 
 namespace {
 
@@ -243,8 +242,7 @@ TEST(StudyQuestion, IsTheCommandLineThatAsksIt) {
                                .profile = "geforce2",
                                .options = {{"--steps", "1 2"}, {"sha256 of a.gltf", "abc"}, {"--find-offset", ""}},
                                .arguments = "it's.gltf"};
-  EXPECT_EQ(question.command(),
-            "ninebit study shadows 'it'\\''s.gltf' --steps '1 2' --find-offset --profile geforce2");
+  EXPECT_EQ(question.command(), "ninebit study shadows 'it'\\''s.gltf' --steps '1 2' --find-offset --profile geforce2");
   EXPECT_EQ(question.words(), (std::vector<std::string>{"shadows", "it's.gltf", "--steps", "1 2", "--find-offset",
                                                         "--profile", "geforce2"}));
 }

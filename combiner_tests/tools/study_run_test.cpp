@@ -88,8 +88,8 @@ TEST_F(StudyParts, ThatDoNotBelongTogetherAreRefused) {
   expect_refused({part_[0], part_[1], part_[2], part_[1]}, {part_[1], "second time"});
   ASSERT_EQ(ninebit(small_study(folder_ / "foreign", {"--shard", "3/3", "--steps", "1-5"})).code, 2)
       << "a flag may stand once";
-  const Words foreign{"study", "index-steps", "--formats", "channel,la", "--steps",           "1-5",
-                      "--quiet", "--shard",   "3/3",       "-o",         folder_ / "foreign"};
+  const Words foreign{"study",   "index-steps", "--formats", "channel,la", "--steps",          "1-5",
+                      "--quiet", "--shard",     "3/3",       "-o",         folder_ / "foreign"};
   ASSERT_EQ(ninebit(foreign).code, 0);
   const std::string other = folder_ / "foreign/part-3-of-3.jsonl";
   expect_refused({part_[0], part_[1], other}, {other, "another question", "1-5"});

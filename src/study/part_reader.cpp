@@ -114,8 +114,8 @@ Result<PartState> read_part_state(const std::filesystem::path& file) {
       seen.resize(part.header.units);
     } else if (is_end_line(text)) {
       if (part.units.size() != units_of(part.header)) {
-        return fault(fmt::format("the last line comes after {} units; expected {}", part.units.size(),
-                                 units_of(part.header)));
+        return fault(
+            fmt::format("the last line comes after {} units; expected {}", part.units.size(), units_of(part.header)));
       }
       if (Status fits = check_end_line(text, part.units.size(), state.hash->finish()); !fits) {
         return fault(fits.error().message);
@@ -140,7 +140,8 @@ Result<StudyPart> read_part(const std::filesystem::path& file) {
   auto state = read_part_state(file);
   if (!state) return state.error();
   if (state->whole_bytes == 0) {
-    return Diagnostic{.message = "has no whole line; expected a part that `ninebit study` has written", .file = file.string()};
+    return Diagnostic{.message = "has no whole line; expected a part that `ninebit study` has written",
+                      .file = file.string()};
   }
   return std::move(state->part);
 }

@@ -18,7 +18,6 @@
 #include "src/tools/pixel_flag.h"
 #include "src/tools/scene_flags.h"
 
-
 namespace ninebit::tools {
 namespace {
 

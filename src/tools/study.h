@@ -23,8 +23,8 @@ struct StudyFlags {
   std::optional<double> budget;  // seconds
 };
 
-// What a command line asks of `ninebit study`: which study, and the flags that say what becomes of it. Each study's verb
-// fills it in while the command line is parsed; `flags` lives as long as `make` does.
+// What a command line asks of `ninebit study`: which study, and the flags that say what becomes of it. Each study's
+// verb fills it in while the command line is parsed; `flags` lives as long as `make` does.
 struct StudyRequest {
   std::function<Result<std::unique_ptr<Study>>()> make;
   const StudyFlags* flags = nullptr;

@@ -128,9 +128,11 @@ Result<std::unique_ptr<Study>> study_of(const StudyQuestion& question) {
   try {
     verbs.parse(std::move(words));
   } catch (const CLI::ParseError& error) {
-    return Diagnostic{.message = fmt::format("its question, `{}`, cannot be asked: {}", question.command(), error.what())};
+    return Diagnostic{.message =
+                          fmt::format("its question, `{}`, cannot be asked: {}", question.command(), error.what())};
   }
-  if (!request.make) return Diagnostic{.message = fmt::format("its question, `{}`, names no study", question.command())};
+  if (!request.make)
+    return Diagnostic{.message = fmt::format("its question, `{}`, names no study", question.command())};
   auto study = request.make();
   if (study && (*study)->question() != question) {
     return Diagnostic{.message = fmt::format("the files that `{}` names have changed since; expected them as they were",

@@ -25,9 +25,9 @@ using GoOn = std::function<bool()>;
 struct StudyQuestion {
   std::string study;    // "index-steps"
   std::string profile;  // a profile's name, or "all"
-  // Flags with their values in a fixed order, completed by the defaults: {"--steps", "1-16"}; a flag that takes no value
-  // has the empty one. What does not begin with '-' is no flag but a fact, such as {"sha256 of room.gltf", "…"}: a part
-  // that was made from other content is another question.
+  // Flags with their values in a fixed order, completed by the defaults: {"--steps", "1-16"}; a flag that takes no
+  // value has the empty one. What does not begin with '-' is no flag but a fact, such as {"sha256 of room.gltf", "…"}:
+  // a part that was made from other content is another question.
   std::vector<std::pair<std::string, std::string>> options{};
   std::string arguments{};  // what stands before the flags: a scene's file
 
@@ -49,8 +49,8 @@ class Study {
   [[nodiscard]] virtual std::string unit_name(std::size_t unit) const = 0;
   // The rows of one unit, which may use all threads. Reports Fault::cancelled where go_on says no.
   [[nodiscard]] virtual Result<std::vector<StudyRow>> run(std::size_t unit, const GoOn& go_on) const = 0;
-  // The report on all rows in the order of their units; `done` of units() units were run. Reports what it cannot read or
-  // draw, such as pictures of a scene.
+  // The report on all rows in the order of their units; `done` of units() units were run. Reports what it cannot read
+  // or draw, such as pictures of a scene.
   [[nodiscard]] virtual Result<StudyReport> report(std::span<const StudyRow> rows, std::size_t done) const = 0;
 };
 
