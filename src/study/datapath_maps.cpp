@@ -37,19 +37,13 @@ HeatMap map_of(int first, int one, const std::function<double(int x, int y)>& va
   return map;
 }
 
-std::string file_part(std::string_view text) {
-  std::string out;
-  for (const char c : text) {
-    const bool plain = (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9');
-    if (plain || c == '-') {
-      out += c;
-    } else if (c == '/') {
-      out += "by";
-    } else if (c == ' ' && !out.empty() && out.back() != '-') {
-      out += '-';
-    }
-  }
-  return out;
+// A form as a part of a file's name: "x4", "x1by2", "biased-x2".
+std::string file_part(const OutputForm& form) {
+  const char* scale = form.scale == Scale::none      ? "x1"
+                      : form.scale == Scale::by_two  ? "x2"
+                      : form.scale == Scale::by_four ? "x4"
+                                                     : "x1by2";
+  return std::string(form.bias == Bias::none ? "" : "biased-") + scale;
 }
 
 int output_code(const Datapath& d, const OutputForm& form, int wide) {
@@ -85,14 +79,14 @@ class Maps {
           const int wide = operation.wide(d.one, x, y);
           return error_in_codes(output_code(d, form, wide), exact_output(form, wide / square), d.one);
         });
-        add(std::move(map), fmt::format("{}-{}-{}", operation.file, file_part(form.name), file_part(profile.name)),
+        add(std::move(map), fmt::format("{}-{}-{}", operation.file, file_part(form), profile.name),
             fmt::format("Error of {}, {}, on {}", operation.name, form.name, profile.name), operation);
       }
     }
     HeatMap map = map_of(
         0, d.one, [&](int x, int y) { return error_in_codes(reference::e_times_f(d, x, y), x * y / square, d.one); });
-    add(std::move(map), fmt::format("e-times-f-{}", file_part(profile.name)),
-        fmt::format("Error of E · F on {}", profile.name), {"", "", "E, as code", "F, as code", nullptr});
+    add(std::move(map), fmt::format("e-times-f-{}", profile.name), fmt::format("Error of E · F on {}", profile.name),
+        {"", "", "E, as code", "F, as code", nullptr});
   }
 
   void add_differences(const HardwareProfile& first, const HardwareProfile& second) {
@@ -101,8 +95,7 @@ class Maps {
     for (const OutputForm& form : {kOutputForms[0], kOutputForms[2]}) {
       HeatMap map = map_of(-a.one, a.one,
                            [&](int x, int y) { return output_code(b, form, x * y) - output_code(a, form, x * y); });
-      add(std::move(map),
-          fmt::format("product-{}-{}-minus-{}", file_part(form.name), file_part(second.name), file_part(first.name)),
+      add(std::move(map), fmt::format("product-{}-{}-minus-{}", file_part(form), second.name, first.name),
           fmt::format("A · B, {}: {} minus {}", form.name, second.name, first.name), kTwoInputs[0]);
     }
   }

@@ -68,10 +68,11 @@ class Writer {
                    .title = "Error that remains if all later stages are exact",
                    .x_label = "stages as they are (the last is the final combiner)",
                    .y_label = "mean size, in codes",
+                   .bars = true,
                    .series = {}};
     for (std::size_t c = 0; c < 4; ++c) {
       const bool wrong = add_total(c, totals);
-      PlotSeries adds{kComponentNames[c], {}}, remains{kComponentNames[c], {{0.0, 0.0}}};
+      PlotSeries adds{kComponentNames[c], {}}, remains = adds;
       std::string sentence;
       for (int k = 1; k <= program_.num_general_combiners + 1; ++k) {
         sentence += add_stage(c, k, stages, adds, remains);
