@@ -123,7 +123,7 @@ void add_channel_pictures(const IndexStepsOptions& options, std::span<const Inde
     const HardwareProfile& profile = options.profiles[p];
     Plot plot{.file = fmt::format("alpha-of-difference-{}", profile.name),
               .title = fmt::format("What becomes of a channel's difference: {}", profile.name),
-              .x_label = "difference of the channel values",
+              .x_label = "size of the difference",
               .y_label = "smallest alpha",
               .log_y = true,
               .series = {},
