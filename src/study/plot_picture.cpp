@@ -176,7 +176,9 @@ class PlotPainter {
     const double group = 1.0 / static_cast<double>(std::max<std::size_t>(groups_.size(), 1));
     const std::size_t every = (groups_.size() + kMostBarLabels - 1) / kMostBarLabels;
     for (std::size_t i = 0; i < groups_.size(); i += every) {
-      x_tick_label((static_cast<double>(i) + 0.5) * group, text_of(groups_[i]));
+      const double room = group * static_cast<double>(every) * (frame_.right - frame_.left) - 6.0;
+      x_tick_label((static_cast<double>(i) + 0.5) * group,
+                   canvas_.shortened(bar_label(plot_, groups_[i]), room, kTickText));
     }
   }
 
@@ -219,6 +221,11 @@ bool can_be_shown(const Plot& plot, const std::pair<double, double>& point) {
   constexpr double kGreatest = 1e150;  // so that lengths of axes are finite, too
   if (!(std::fabs(point.first) < kGreatest) || !(std::fabs(point.second) < kGreatest)) return false;
   return (!plot.log_x || plot.bars || point.first > 1.0 / kGreatest) && (!plot.log_y || point.second > 1.0 / kGreatest);
+}
+
+std::string bar_label(const Plot& plot, double x) {
+  const bool named = x >= 1.0 && x <= static_cast<double>(plot.x_names.size());
+  return named ? plot.x_names[static_cast<std::size_t>(x) - 1] : text_of(x);
 }
 
 std::vector<double> bar_groups(const Plot& plot) {
