@@ -4,9 +4,10 @@
 #include <cstdint>
 
 #include "ninebit/numerics/result.h"
+#include "ninebit/numerics/visibility.h"
 #include "ninebit/raster/rasterizer.h"
 
-namespace ninebit {
+namespace NINEBIT_PUBLIC ninebit {
 
 // What gets an index of its own.
 enum class IndexScope : std::uint8_t {

@@ -12,8 +12,9 @@
 
 #include "ninebit/numerics/hardware_profile.h"
 #include "ninebit/numerics/result.h"
+#include "ninebit/numerics/visibility.h"
 
-namespace ninebit {
+namespace NINEBIT_PUBLIC ninebit {
 
 // Errors are in real numbers, a result's code / one minus the exact value clamped as the extension clamps.
 struct OperationError {
