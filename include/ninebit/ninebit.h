@@ -1,10 +1,12 @@
 /* Everything: to C the C interface; to C++ the whole library but its JSON forms (language/json.h,
-   language/profile_json.h, language/trace_json.h). C++ that wants the C interface alone includes capi/combiner.h. */
+   language/profile_json.h, language/trace_json.h). C++ that wants the C interface includes capi/combiner.h and links
+   with ninebit_capi. */
 #pragma once
 
+#ifndef __cplusplus
 #include "ninebit/capi/combiner.h"
-
-#ifdef __cplusplus
+#else
+#include "ninebit/combiner/batch_program.h"
 #include "ninebit/combiner/evaluate.h"
 #include "ninebit/combiner/evaluate_real.h"
 #include "ninebit/combiner/initial_registers.h"
