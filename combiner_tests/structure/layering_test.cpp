@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 // A room knows the rooms of a lower rank and itself. scene and image do not know each other, nor do capi and raster.
 const std::map<std::string, int> kRank{{"numerics", 0}, {"combiner", 1}, {"language", 2}, {"capi", 3},
                                        {"raster", 3},   {"scene", 4},    {"image", 4},    {"shadow", 5},
-                                       {"study", 6},    {"bench", 7},    {"tools", 8}};
+                                       {"study", 6},    {"bench", 7},    {"tools", 8},    {"python", 8}};
 
 // Outside libraries and the rooms that may include them. Besides these there is only the standard library, whose
 // headers have neither a dot nor a slash in their names.
@@ -35,6 +35,7 @@ const std::vector<Library> kLibraries{
     {std::regex("embree3/.*"), {"shadow"}},
     {std::regex("OpenImageIO/.*|png\\.h|Imf.*|OpenEXR/.*|Iex.*|half\\.h|Imath.*"), {"image"}},
     {std::regex("CLI/.*|openssl/.*"), {"tools"}},
+    {std::regex("pybind11/.*"), {"python"}},
     {std::regex("nlohmann/.*"), {"language", "scene", "study", "tools"}},
     {std::regex("unistd\\.h|fcntl\\.h|poll\\.h|sys/.*"), {"image", "tools"}},
     {std::regex("dlfcn\\.h"), {"image", "bench"}},
