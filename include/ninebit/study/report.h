@@ -15,8 +15,9 @@
 
 #include "ninebit/image/image_io.h"
 #include "ninebit/numerics/result.h"
+#include "ninebit/numerics/visibility.h"
 
-namespace ninebit {
+namespace NINEBIT_PUBLIC ninebit {
 
 // Nothing is what a row does not have: an error count without a ground truth.
 using StudyValue = std::variant<std::monostate, std::int64_t, std::uint64_t, double, std::string>;
