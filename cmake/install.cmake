@@ -5,15 +5,17 @@ set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/ninebit)
 
 set(components combiner)
 set(rooms numerics combiner language)
+set(without PATTERN *json.h EXCLUDE)  # they are of another library
 if(NOT NINEBIT_COMBINER_ONLY)
   list(APPEND components json capi raster ninebit)
   list(APPEND rooms capi raster scene image shadow study)
+  set(without)
   install(EXPORT ninebit-glm NAMESPACE ninebit:: DESTINATION ${package_dir})
   install(FILES ${PROJECT_SOURCE_DIR}/include/ninebit/ninebit.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/ninebit)
 endif()
 foreach(room IN LISTS rooms)
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/ninebit/${room} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/ninebit
-          FILES_MATCHING PATTERN *.h PATTERN *.inl)
+          FILES_MATCHING PATTERN *.h PATTERN *.inl ${without})
 endforeach()
 
 # --- CMake packages: one file of targets for each component and kind of library.
