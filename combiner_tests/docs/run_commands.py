@@ -5,7 +5,7 @@ usage: run_commands.py PROGRAM PAGE ...
 
 In fenced blocks without a language, a line that begins with `ninebit ` is a command, `cat > FILE <<END` is one with all
 lines to END, and so is a line that begins with `$ ninebit `; the lines below the latter are what it prints, on both
-streams. Commands run from top to bottom in a new folder with copies of docs/ and scenes/, those of one page in the same
+streams. Commands run from top to bottom in a new folder with copies of docs/, scenes/ and combiner_tests/hardware/, a page's in the same
 folder. Output is compared word by word, so that a page may break lines; `…` stands for whatever a page leaves out. A
 command must exit with 0, or, where the page shows its output, with 1 after a found fault or 3 after `ninebit: error:`.
 
@@ -103,7 +103,7 @@ def run_page(program, page):
     """How many of a page's commands ran, and how many of them failed."""
     ran = failed = 0
     with tempfile.TemporaryDirectory() as folder:
-        for name in ('docs', 'scenes'):
+        for name in ('docs', 'scenes', 'combiner_tests/hardware'):
             shutil.copytree(os.path.join(ROOT, name), os.path.join(folder, name))
         for command in commands_of(page):
             where = f'{os.path.relpath(page, ROOT)}:{command.line_number}: ' + ' '.join(command.text.split())
