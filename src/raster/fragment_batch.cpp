@@ -141,15 +141,19 @@ void FragmentBatch::fill_registers() {
   }
 }
 
+// A component at a time: of the three loops the other way round GCC 12 makes wrong code (its -fivopts), once functions
+// are hidden from other libraries and so inlined here.
 void FragmentBatch::interpolate_attributes() {
   for (std::size_t n = 0; n < attributes_.size(); ++n) {
     if (!context_.outputs.needs_attribute(static_cast<int>(n))) continue;
     const std::span<const glm::vec4> at_vertex = context_.arrays.attributes[n];
-    for (std::size_t i = 0; i < count_; ++i) {
-      const std::array<std::uint32_t, 3>& v = place_[i].primitive->vertex;
-      const glm::vec4 &a = at_vertex[v[0]], &b = at_vertex[v[1]], &c = at_vertex[v[2]];
-      for (int k = 0; k < 4; ++k) {
-        attributes_[n][static_cast<std::size_t>(k)][i] = interpolate(weights_.perspective(), i, a[k], b[k], c[k]);
+    for (std::size_t k = 0; k < 4; ++k) {
+      const auto component = static_cast<int>(k);
+      Lanes& values = attributes_[n][k];
+      for (std::size_t i = 0; i < count_; ++i) {
+        const std::array<std::uint32_t, 3>& v = place_[i].primitive->vertex;
+        values[i] = interpolate(weights_.perspective(), i, at_vertex[v[0]][component], at_vertex[v[1]][component],
+                                at_vertex[v[2]][component]);
       }
     }
   }
