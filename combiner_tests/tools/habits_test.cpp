@@ -85,9 +85,10 @@ std::set<std::string> verbs_of(const std::vector<std::string>& path) {
   std::set<std::string> verbs;
   const std::size_t list = help.find("Subcommands:");
   if (list == std::string::npos) return verbs;
+  // An empty line ends the list; examples may follow.
+  const std::string listed = help.substr(list, help.find("\n\n", list) - list);
   const std::regex line("\n  ([a-z-]+) ");
-  for (std::sregex_iterator it(help.begin() + static_cast<std::ptrdiff_t>(list), help.end(), line), end; it != end;
-       ++it) {
+  for (std::sregex_iterator it(listed.begin(), listed.end(), line), end; it != end; ++it) {
     std::vector<std::string> part = path;
     part.push_back((*it)[1]);
     std::string name;
