@@ -6,8 +6,9 @@
 
 #include "ninebit/combiner/evaluate.h"
 #include "ninebit/combiner/evaluate_real.h"
+#include "ninebit/numerics/visibility.h"
 
-namespace ninebit {
+namespace NINEBIT_PUBLIC ninebit {
 
 void evaluate_real_batch(const Program& program, RegisterBatch& registers, std::size_t count, OutputBatch& out);
 
