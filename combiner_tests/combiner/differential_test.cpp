@@ -27,8 +27,8 @@
 namespace ninebit::test {
 namespace {
 
-constexpr std::uint64_t kSeed = 0x6E696E65626974U;
-constexpr std::size_t kFragments = 64;
+constexpr std::uint64_t kProgramSeed = 0x6E696E65626974U;
+constexpr std::size_t kFragmentsEach = 64;
 constexpr std::uint64_t kShards = 8;
 
 struct Run {
@@ -52,7 +52,7 @@ std::uint64_t number_from_environment(const char* name, std::uint64_t otherwise)
 }
 
 // What a shard has seen: a differential test of constant outputs would prove nothing.
-struct Seen {
+struct StatesSeen {
   Coverage coverage;
   std::vector<Rgba9> colors;
   std::bitset<1024> codes;  // 512 + code
@@ -90,16 +90,16 @@ struct Seen {
   }
 };
 
-void run_case(const Run& run, std::uint64_t seed, std::uint64_t index, Seen& seen) {
+void run_case(const Run& run, std::uint64_t seed, std::uint64_t index, StatesSeen& seen) {
   Random random(seed, index);
   const HardwareProfile profile = profile_of(run, random);
   const CombinerState state = random_state(random, profile);
   const std::vector<StateDiagnostic> faults = validate(state, profile);
   ASSERT_TRUE(faults.empty()) << faults[0].message << '\n' << describe(state, profile);
-  std::vector<RegisterFile> initial(kFragments);
+  std::vector<RegisterFile> initial(kFragmentsEach);
   for (RegisterFile& registers : initial) registers = random_registers(random, profile);
   const std::vector<Fragment> fragments = judged(state, profile, initial);
-  for (std::size_t i = 0; i < kFragments; ++i) seen.add(initial[i], fragments[i]);
+  for (std::size_t i = 0; i < kFragmentsEach; ++i) seen.add(initial[i], fragments[i]);
   seen.coverage.add(state, profile);
 }
 
@@ -107,14 +107,14 @@ class Differential : public testing::TestWithParam<std::tuple<Run, std::uint64_t
 
 TEST_P(Differential, OracleReferenceAndEverySimdTargetAgree) {
   const auto& [run, shard] = GetParam();
-  const std::uint64_t seed = number_from_environment("NINEBIT_DIFFERENTIAL_SEED", kSeed);
+  const std::uint64_t seed = number_from_environment("NINEBIT_DIFFERENTIAL_SEED", kProgramSeed);
   const std::uint64_t cases =
       number_from_environment("NINEBIT_DIFFERENTIAL_COUNT", kSanitized ? run.sanitized_cases : run.cases);
   const bool replay = std::getenv("NINEBIT_DIFFERENTIAL_INDEX") != nullptr;
   const std::uint64_t replayed = number_from_environment("NINEBIT_DIFFERENTIAL_INDEX", 0);
   if (replay && replayed % kShards != shard) GTEST_SKIP() << "the case belongs to another shard";
 
-  Seen seen;
+  StatesSeen seen;
   const std::uint64_t end = replay ? replayed + 1 : cases;
   for (std::uint64_t index = replay ? replayed : shard; index < end; index += kShards) {
     run_case(run, seed, index, seen);
@@ -148,7 +148,7 @@ INSTANTIATE_TEST_SUITE_P(Shards, Differential,
                          });
 
 TEST(RandomCases, DependOnSeedAndIndexAlone) {
-  Random first(kSeed, 7), again(kSeed, 7), other_index(kSeed, 8), other_seed(kSeed + 1, 7);
+  Random first(kProgramSeed, 7), again(kProgramSeed, 7), other_index(kProgramSeed, 8), other_seed(kProgramSeed + 1, 7);
   const HardwareProfile& p = profiles::nv2a;
   const CombinerState state = random_state(first, p);
   EXPECT_EQ(state, random_state(again, p));

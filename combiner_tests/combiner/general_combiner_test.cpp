@@ -11,7 +11,7 @@ namespace {
 
 const HardwareProfile& kCard = profiles::geforce2;
 
-RegisterFile sample_registers() {
+RegisterFile mixed_registers() {
   RegisterFile r;
   r[Register::fog] = codes(90, 91, 92, 93);
   r[Register::primary] = codes(10, 20, 30, 40);
@@ -41,7 +41,7 @@ Portion move_alpha(Register from, Register to) {
 }
 
 TEST(GeneralCombiner, TheDefaultStateIsColorSumAndFog) {
-  RegisterFile r = sample_registers();
+  RegisterFile r = mixed_registers();
   const Fragment out = judged(CombinerState{}, kCard, r);
   EXPECT_EQ(out.registers[Register::spare0], codes(10, 20, 30, 40)) << "spare0 = primary";
   // f (spare0 + secondary) + (1 - f) fog, f = 93: (93 · 60 + 162 · 90) / 255 = 79.06 and so on.
@@ -64,15 +64,15 @@ TEST(GeneralCombiner, DiscardWritesNothing) {
 TEST(GeneralCombiner, EachPortionWritesItsOwnComponents) {
   CombinerState state = silent_state(1);
   state.general[0].rgb = move_rgb(Register::texture0, Register::spare0);
-  RegisterFile expected = sample_registers();
+  RegisterFile expected = mixed_registers();
   expected[Register::spare0] = codes(180, 190, 200, 130);
-  EXPECT_EQ(judged(state, kCard, sample_registers()).registers, expected);
+  EXPECT_EQ(judged(state, kCard, mixed_registers()).registers, expected);
 
   state = silent_state(1);
   state.general[0].alpha = move_alpha(Register::texture0, Register::spare0);
-  expected = sample_registers();
+  expected = mixed_registers();
   expected[Register::spare0] = codes(100, -110, 120, 210);
-  EXPECT_EQ(judged(state, kCard, sample_registers()).registers, expected);
+  EXPECT_EQ(judged(state, kCard, mixed_registers()).registers, expected);
 }
 
 TEST(GeneralCombiner, EveryWritableRegisterTakesEachOfTheThreeOutputs) {
@@ -86,11 +86,11 @@ TEST(GeneralCombiner, EveryWritableRegisterTakesEachOfTheThreeOutputs) {
         rgb.c = rgb_of(Register::secondary);
         rgb.b = rgb.d = kOne;
         (which == 0 ? rgb.out.ab : which == 1 ? rgb.out.cd : rgb.out.sum) = static_cast<Register>(to);
-        RegisterFile expected = sample_registers();
+        RegisterFile expected = mixed_registers();
         const Rgba9 values[3] = {codes(10, 20, 30, 0), codes(50, 60, 70, 0), codes(60, 80, 100, 0)};
         Rgba9& written = expected[static_cast<Register>(to)];
         for (std::size_t c = 0; c < 3; ++c) written[c] = values[which][c];
-        EXPECT_EQ(judged(state, profile, sample_registers()).registers, expected) << to << ' ' << which;
+        EXPECT_EQ(judged(state, profile, mixed_registers()).registers, expected) << to << ' ' << which;
       }
     }
   }
@@ -112,7 +112,7 @@ TEST(GeneralCombiner, ComponentUsage) {
   alpha.d = blue_of(Register::zero, InputMapping::unsigned_invert);
   alpha.out.ab = Register::spare0;
   alpha.out.cd = Register::spare1;
-  const RegisterFile after = judged(state, kCard, sample_registers()).registers;
+  const RegisterFile after = judged(state, kCard, mixed_registers()).registers;
   EXPECT_EQ(after[Register::spare0], codes(40, 40, 40, 30));
   EXPECT_EQ(after[Register::spare1], codes(10, 20, 30, 92));
 }
@@ -121,10 +121,10 @@ TEST(GeneralCombiner, AStageSeesWhatTheStageBeforeItWrote) {
   CombinerState state = silent_state(2);
   state.general[0].rgb = move_rgb(Register::texture1, Register::spare1);
   state.general[1].rgb = move_rgb(Register::spare1, Register::primary);
-  EXPECT_EQ(judged(state, kCard, sample_registers()).registers[Register::primary], codes(220, 230, 240, 40));
+  EXPECT_EQ(judged(state, kCard, mixed_registers()).registers[Register::primary], codes(220, 230, 240, 40));
   // With one stage the second does not run.
   state.num_general_combiners = 1;
-  EXPECT_EQ(judged(state, kCard, sample_registers()).registers[Register::primary], codes(10, 20, 30, 40));
+  EXPECT_EQ(judged(state, kCard, mixed_registers()).registers[Register::primary], codes(10, 20, 30, 40));
 }
 
 TEST(GeneralCombiner, TheSumIsNotClampedBeforeBiasAndScale) {
@@ -135,12 +135,12 @@ TEST(GeneralCombiner, TheSumIsNotClampedBeforeBiasAndScale) {
   rgb.out.ab = Register::spare1;
   rgb.out.sum = Register::spare0;
   rgb.out.scale = Scale::by_one_half;
-  const RegisterFile after = judged(state, profiles::nv2a, sample_registers()).registers;
+  const RegisterFile after = judged(state, profiles::nv2a, mixed_registers()).registers;
   EXPECT_EQ(after[Register::spare0], codes(220, 230, 240, 130)) << "(x + x) / 2";
   EXPECT_EQ(after[Register::spare1], codes(110, 115, 120, -170)) << "the scale is every output's";
   rgb.out.scale = Scale::none;
   rgb.out.bias = Bias::by_negative_one_half;
-  EXPECT_EQ(judged(state, profiles::nv2a, sample_registers()).registers[Register::spare0], codes(255, 255, 255, 130));
+  EXPECT_EQ(judged(state, profiles::nv2a, mixed_registers()).registers[Register::spare0], codes(255, 255, 255, 130));
   // 2 · 128 - 128 = 128: clamped first it would be 127.
   RegisterFile r;
   r[Register::texture1] = codes(128, 150, 191, 0);
@@ -158,7 +158,7 @@ TEST(GeneralCombiner, NegativeAndPositiveProductsCancelBeforeTheClamp) {
   rgb.out.cd = Register::spare1;
   rgb.out.sum = Register::primary;
   rgb.out.scale = Scale::by_four;
-  const RegisterFile after = judged(state, kCard, sample_registers()).registers;
+  const RegisterFile after = judged(state, kCard, mixed_registers()).registers;
   EXPECT_EQ(after[Register::primary], codes(160, 160, 160, 40)) << "4 (220 - 180), from the unclamped products";
   EXPECT_EQ(after[Register::spare0], codes(255, 255, 255, 130));
   EXPECT_EQ(after[Register::spare1], codes(-255, -255, -255, -170));
@@ -224,7 +224,7 @@ TEST(GeneralCombiner, TheMuxReadsSpare0AlphaAsItEnteredTheStage) {
     rgb.out.sum = i == 0 ? Register::spare1 : Register::secondary;
     rgb.out.mux_sum = true;
   }
-  RegisterFile r = sample_registers();
+  RegisterFile r = mixed_registers();
   r[Register::spare0][kAlpha] = 255;
   const RegisterFile after = judged(state, kCard, r).registers;
   EXPECT_EQ(after[Register::spare1], codes(220, 230, 240, -170)) << "255 picks CD";
@@ -240,7 +240,7 @@ TEST(GeneralCombiner, TheAlphaPortionMuxesToo) {
     alpha.b = alpha.d = kOneAlpha;
     alpha.out.sum = Register::spare0;
     alpha.out.mux_sum = true;
-    RegisterFile r = sample_registers();
+    RegisterFile r = mixed_registers();
     r[Register::spare0][kAlpha] = static_cast<s9>(select);
     EXPECT_EQ(judged(state, kCard, r).registers[Register::spare0][kAlpha], select == 127 ? 210 : 250);
   }
@@ -258,12 +258,12 @@ TEST(GeneralCombiner, PerStageConstantsAreTheStagesAndTheFinalCombinerUsesTheGlo
   state.general[1].alpha = move_alpha(Register::constant1, Register::spare1);
   state.final_combiner = final_of(Register::constant1);
   state.per_stage_constants = true;
-  Fragment out = judged(state, profiles::nv2a, sample_registers());
+  Fragment out = judged(state, profiles::nv2a, mixed_registers());
   EXPECT_EQ(out.registers[Register::spare0], codes(11, 12, 13, 14));
   EXPECT_EQ(out.registers[Register::spare1], codes(21, 22, 23, 24));
   EXPECT_EQ(out.color, codes(5, 6, 7, 8));
   state.per_stage_constants = false;
-  out = judged(state, profiles::nv2a, sample_registers());
+  out = judged(state, profiles::nv2a, mixed_registers());
   EXPECT_EQ(out.registers[Register::spare0], codes(1, 2, 3, 4));
   EXPECT_EQ(out.registers[Register::spare1], codes(5, 6, 7, 8));
   EXPECT_EQ(out.color, codes(5, 6, 7, 8));

@@ -16,13 +16,13 @@
 namespace ninebit::test {
 namespace {
 
-constexpr std::uint64_t kSeed = 0x5EA1;
+constexpr std::uint64_t kRealSeed = 0x5EA1;
 
 // Every number that evaluate_real reports of the registers and the colour is the double nearest to the oracle's.
 TEST(EvaluateReal, ReportsTheNearestDoubles) {
   std::uint64_t inexact = 0, checked = 0;
   for (std::uint64_t index = 0; index < (kSanitized ? 40U : 400U); ++index) {
-    Random random(kSeed + 1, index);
+    Random random(kRealSeed + 1, index);
     const HardwareProfile profile = random_real_profile(random, profiles::ideal);
     const CombinerState state = random_state(random, profile);
     const Program program = normalize(state, profile);
@@ -51,7 +51,7 @@ TEST(EvaluateReal, ReportsTheNearestDoubles) {
 
 TEST(EvaluateReal, FloatsAreTheOraclesBitForBit) {
   for (std::uint64_t index = 0; index < (kSanitized ? 200U : 4000U); ++index) {
-    Random random(kSeed + 2, index);
+    Random random(kRealSeed + 2, index);
     const HardwareProfile profile = random_real_profile(random, profiles::float_shader);
     const CombinerState state = random_state(random, profile);
     const Program program = normalize(state, profile);

@@ -14,11 +14,11 @@
 namespace ninebit::test {
 namespace {
 
-constexpr std::uint64_t kSeed = 0x72AC;
-constexpr std::uint64_t kCases = kSanitized ? 400 : 3000;
+constexpr std::uint64_t kTraceSeed = 0x72AC;
+constexpr std::uint64_t kTraceCases = kSanitized ? 400 : 3000;
 
 // What a run has met, so that one in which nothing happens fails.
-struct Seen {
+struct TracesSeen {
   std::uint64_t outputs = 0, dropped = 0, cut = 0, final_dropped = 0, final_cut = 0, muxes = 0, differing_muxes = 0;
   std::uint64_t dots = 0, dead_portions = 0, early = 0, halves = 0;
 };
@@ -35,7 +35,7 @@ std::int64_t twice(double units) {
 }
 
 void check_output(const Datapath& d, const PortionOutput& state, const TracedWide& wide, const TracedOutput& out,
-                  Seen& seen) {
+                  TracesSeen& seen) {
   const std::int64_t one = d.one;
   ASSERT_EQ(out.wide.units, wide.units);
   ASSERT_EQ(out.wide.ideal, wide.ideal);
@@ -68,7 +68,7 @@ void check_output(const Datapath& d, const PortionOutput& state, const TracedWid
 }
 
 // The steps of one portion of a program of integer arithmetic, from its mapped inputs on.
-void check_portion(const Datapath& d, const TracedStage& stage, const TracedPortion& portion, Seen& seen) {
+void check_portion(const Datapath& d, const TracedStage& stage, const TracedPortion& portion, TracesSeen& seen) {
   const PortionOutput& out = portion.state.out;
   ASSERT_EQ(portion.channel.empty(), !is_live(out));
   double dot_ab = 0, dot_cd = 0;
@@ -99,7 +99,7 @@ void check_portion(const Datapath& d, const TracedStage& stage, const TracedPort
   seen.differing_muxes += stage.takes_cd != stage.ideal_takes_cd ? 1U : 0U;
 }
 
-void check_final(const Program& program, const Trace& t, Seen& seen) {
+void check_final(const Program& program, const Trace& t, TracesSeen& seen) {
   const Datapath& d = program.datapath;
   const RegisterFile& registers = t.registers().codes;
   for (std::size_t c = 0; c < 3; ++c) {
@@ -153,9 +153,9 @@ void check_against_evaluators(const Program& program, const HardwareProfile& pro
 }
 
 TEST(Trace, EveryStepOfRandomProgramsOfCodes) {
-  Seen seen;
-  for (std::uint64_t index = 0; index < kCases; ++index) {
-    Random random(kSeed, index);
+  TracesSeen seen;
+  for (std::uint64_t index = 0; index < kTraceCases; ++index) {
+    Random random(kTraceSeed, index);
     const auto profiles = integer_profiles();
     const HardwareProfile profile = index % 2 == 0 ? profiles[index / 2 % profiles.size()] : random_profile(random);
     const CombinerState state = random_state(random, profile);
@@ -170,20 +170,20 @@ TEST(Trace, EveryStepOfRandomProgramsOfCodes) {
     check_final(program, t, seen);
     ASSERT_FALSE(HasFailure()) << "case " << index << '\n' << describe(state, profile) << describe(initial);
   }
-  EXPECT_GT(seen.outputs, 10 * kCases);
+  EXPECT_GT(seen.outputs, 10 * kTraceCases);
   EXPECT_GT(seen.dropped, seen.outputs / 8);
   EXPECT_GT(seen.cut, seen.outputs / 20);
   for (const std::uint64_t count :
        {seen.final_dropped, seen.final_cut, seen.muxes, seen.dots, seen.dead_portions, seen.early, seen.halves}) {
-    EXPECT_GT(count, kCases / 10);
+    EXPECT_GT(count, kTraceCases / 10);
   }
   EXPECT_TRUE(seen.differing_muxes > 0 || kSanitized) << "rare, so that it is not asked of a small run";
 }
 
 // A product of two floats, or a sum, is rounded once.
 TEST(Trace, EveryStepOfRandomProgramsOfNumbers) {
-  for (std::uint64_t index = 0; index < kCases / 6; ++index) {
-    Random random(kSeed + 1, index);
+  for (std::uint64_t index = 0; index < kTraceCases / 6; ++index) {
+    Random random(kTraceSeed + 1, index);
     const HardwareProfile& profile = index % 2 == 0 ? profiles::ideal : profiles::float_shader;
     const CombinerState state = random_state(random, profile);
     const Program program = normalize(state, profile);

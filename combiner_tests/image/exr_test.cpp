@@ -2,15 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <new>
 #include <string>
 
 #include "combiner_tests/image/read_back.h"
 #include "combiner_tests/image/rows.h"
+#include "combiner_tests/support/special_floats.h"
 #include "ninebit/image/image_io.h"
 
 namespace {
+
+using ninebit::test::kInfinity;
 
 using image_test::read_exr;
 using image_test::RowLog;
@@ -91,7 +93,6 @@ TEST(Exr, StoresOnePart) {
 
 TEST(Exr, RoundsRealsToHalf) {
   const TempFolder folder;
-  constexpr float kInfinity = std::numeric_limits<float>::infinity();
   const Reals given = {0.0F,       -0.0F, 1.0F,    0.1F,    65504.0F,  65505.0F,   70000.0F,
                        -100000.0F, 1e-9F, 6.0e-8F, 2049.0F, kInfinity, -kInfinity, std::nanf("")};
   // By hand: 10 bits of fraction, largest 65504, smallest 2^-24, ties to even.

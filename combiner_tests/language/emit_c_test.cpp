@@ -19,9 +19,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::uint64_t kSeed = 0x632D736F75726365U;
-constexpr int kRandomCases = 600;
-constexpr std::size_t kFragments = 64;
+constexpr std::uint64_t kCSeed = 0x632D736F75726365U;
+constexpr int kCCases = 600;
+constexpr std::size_t kCFragments = 64;
 
 using Argument = const std::int32_t*;
 using Function = void (*)(Argument, Argument, Argument, Argument, Argument, Argument, Argument, std::int32_t,
@@ -105,7 +105,7 @@ void compare(const std::vector<EmitCase>& cases, std::size_t fragments, Outputs&
   for (std::size_t i = 0; i < cases.size(); ++i) {
     const Function function = compiled.find("program" + std::to_string(i));
     ASSERT_NE(function, nullptr);
-    for (const RegisterFile& input : emit_inputs(cases[i].profile, kSeed + i, fragments)) {
+    for (const RegisterFile& input : emit_inputs(cases[i].profile, kCSeed + i, fragments)) {
       const Rgba9 expected = evaluate(cases[i].program, input), actual = call(function, input);
       ASSERT_EQ(expected, actual) << mismatch(cases[i], input, expected, actual) << emit_c(cases[i].program).value();
       outputs.add(expected);
@@ -115,8 +115,8 @@ void compare(const std::vector<EmitCase>& cases, std::size_t fragments, Outputs&
 
 TEST(EmitC, RandomProgramsGiveTheBitsOfTheReference) {
   Outputs outputs;
-  compare(random_cases(kSeed, kRandomCases), kFragments, outputs);
-  if (!HasFailure()) outputs.expect_meaning(kRandomCases * kFragments);
+  compare(random_cases(kCSeed, kCCases), kCFragments, outputs);
+  if (!HasFailure()) outputs.expect_meaning(kCCases * kCFragments);
 }
 
 TEST(EmitC, KnownProgramsAndEveryMappingScaleAndBiasGiveTheBitsOfTheReference) {

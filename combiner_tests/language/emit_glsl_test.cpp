@@ -16,9 +16,9 @@
 namespace ninebit::test {
 namespace {
 
-constexpr std::uint64_t kSeed = 0x676C736C206F7574U;
-constexpr int kRandomCases = 120;
-constexpr std::size_t kFragments = 256;
+constexpr std::uint64_t kGlslSeed = 0x676C736C206F7574U;
+constexpr int kGlslCases = 120;
+constexpr std::size_t kGlslFragments = 256;
 
 class EmitGlsl : public ::testing::TestWithParam<GlslVersion> {
  protected:
@@ -45,7 +45,7 @@ class EmitGlsl : public ::testing::TestWithParam<GlslVersion> {
         ASSERT_TRUE(source.ok()) << cases[i].name << ": " << source.error().text();
         text += i == first ? *source : source->substr(source->find('\n') + 1);
       }
-      const std::vector<RegisterFile> inputs = emit_inputs(cases[first].profile, kSeed + first, fragments);
+      const std::vector<RegisterFile> inputs = emit_inputs(cases[first].profile, kGlslSeed + first, fragments);
       const auto colors = runner_->run(text, names, inputs, message);
       ASSERT_TRUE(colors.has_value()) << cases[first].name << '\n' << message;
       for (std::size_t i = first; i < end; ++i) {
@@ -64,8 +64,8 @@ class EmitGlsl : public ::testing::TestWithParam<GlslVersion> {
 
 TEST_P(EmitGlsl, RandomProgramsGiveTheBitsOfTheReference) {
   Outputs outputs;
-  compare(random_cases(kSeed, kRandomCases), kFragments, 1, outputs);
-  if (!HasFailure()) outputs.expect_meaning(kRandomCases * kFragments);
+  compare(random_cases(kGlslSeed, kGlslCases), kGlslFragments, 1, outputs);
+  if (!HasFailure()) outputs.expect_meaning(kGlslCases * kGlslFragments);
 }
 
 TEST_P(EmitGlsl, KnownProgramsGiveTheBitsOfTheReference) {
@@ -76,14 +76,14 @@ TEST_P(EmitGlsl, KnownProgramsGiveTheBitsOfTheReference) {
 
 TEST_P(EmitGlsl, EveryMappingScaleAndBiasGivesTheBitsOfTheReference) {
   Outputs outputs;
-  compare(row_cases(), kFragments, 12, outputs);
+  compare(row_cases(), kGlslFragments, 12, outputs);
   outputs.expect_distinct(10000);
 }
 
 TEST_P(EmitGlsl, TheRunnerTellsWrongResultsAndWrongShadersApart) {
   const std::vector<EmitCase> cases = known_cases();
   std::string source = emit_glsl(cases[1].program, GetParam()).value(), message;
-  const std::vector<RegisterFile> inputs = emit_inputs(cases[1].profile, kSeed, kFragments);
+  const std::vector<RegisterFile> inputs = emit_inputs(cases[1].profile, kGlslSeed, kGlslFragments);
   const std::size_t at = source.find("return ivec4(");
   ASSERT_NE(at, std::string::npos);
   const std::string good = source;

@@ -17,12 +17,12 @@ std::string faults_of(std::string_view text, const HardwareProfile& profile = pr
   return all;
 }
 
-struct Case {
+struct GlFault {
   const char* text;
   const char* faults;
 };
 
-const std::vector<Case> kWords{
+const std::vector<GlFault> kWords{
     {"glClear(0);", "f:1:1: 'glClear' is no call of the register combiners\n"},
     {"int x;", "f:1:6: expected '[', found ';'\n"},
     {"\n  hello", "f:2:3: expected a GL call, found 'hello'\n"},
@@ -80,10 +80,10 @@ const std::vector<Case> kWords{
 };
 
 TEST(GlCallsFaults, NameTheirPlace) {
-  for (const Case& c : kWords) EXPECT_EQ(faults_of(c.text), c.faults) << c.text;
+  for (const GlFault& c : kWords) EXPECT_EQ(faults_of(c.text), c.faults) << c.text;
 }
 
-const std::vector<Case> kRefused{
+const std::vector<GlFault> kRefused{
     {"glEnable(GL_FOG);",
      "f:1:1: GL_INVALID_ENUM: expected GL_REGISTER_COMBINERS_NV or GL_PER_STAGE_CONSTANTS_NV, not 'GL_FOG'\n"},
     {"glDisable(GL_PER_STAGE_CONSTANTS_NV);",
@@ -125,7 +125,7 @@ const std::vector<Case> kRefused{
 };
 
 TEST(GlCallsFaults, GiveGlsErrorAndItsReason) {
-  for (const Case& c : kRefused) EXPECT_EQ(faults_of(c.text), c.faults) << c.text;
+  for (const GlFault& c : kRefused) EXPECT_EQ(faults_of(c.text), c.faults) << c.text;
 }
 
 TEST(GlCallsFaults, NulBytesAreNoSpaces) {

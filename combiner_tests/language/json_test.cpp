@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "combiner_tests/combiner/random_state.h"
+#include "combiner_tests/language/all_faults.h"
 #include "ninebit/combiner/validate.h"
 
 namespace ninebit::test {
@@ -16,12 +17,6 @@ namespace {
 
 const HardwareProfile& kCard = profiles::geforce2;
 const HardwareProfile& kXbox = profiles::nv2a;
-
-std::string all_faults(const Parsed<CombinerState>& parsed) {
-  std::string text;
-  for (const TextFault& fault : parsed.faults) text += fault.text() + '\n';
-  return text;
-}
 
 // A program of these keys.
 std::string with(const std::string& keys) {

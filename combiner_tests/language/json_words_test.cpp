@@ -4,18 +4,13 @@
 #include <algorithm>
 
 #include "combiner_tests/combiner/random_state.h"
+#include "combiner_tests/language/all_faults.h"
 #include "ninebit/language/json.h"
 
 namespace ninebit::test {
 namespace {
 
 constexpr ChipClass k10 = ChipClass::nv10, k20 = ChipClass::nv20;
-
-std::string all_faults(const Parsed<CombinerState>& parsed) {
-  std::string text;
-  for (const TextFault& fault : parsed.faults) text += fault.text() + '\n';
-  return text;
-}
 
 TEST(JsonWords, TheSameAsByLines) {
   for (int i = 0; i < 2000; ++i) {

@@ -17,27 +17,27 @@ std::string faults_of(std::string_view text, const HardwareProfile& profile) {
   return all;
 }
 
-struct Case {
+struct Rc10Fault {
   std::string text;
   const char* faults;
 };
 
 // On the line after the header, before `out.rgb = spare0;`.
-Case general(const std::string& text, const char* faults) {
+Rc10Fault general(const std::string& text, const char* faults) {
   return {"!!RC1.0\n" + text + "\nout.rgb = spare0;", faults};
 }
-Case rgb(const std::string& statements, const char* faults) {
+Rc10Fault rgb(const std::string& statements, const char* faults) {
   return general("{rgb{\n" + statements + "\n}}", faults);
 }
-Case alpha(const std::string& statements, const char* faults) {
+Rc10Fault alpha(const std::string& statements, const char* faults) {
   return general("{alpha{\n" + statements + "\n}}", faults);
 }
-Case last(const std::string& statements, const char* faults) {
+Rc10Fault last(const std::string& statements, const char* faults) {
   return {"!!RC1.0\n" + statements, faults};
 }
 
-void expect(const std::vector<Case>& cases, const HardwareProfile& profile = profiles::nv2a) {
-  for (const Case& c : cases) EXPECT_EQ(faults_of(c.text, profile), c.faults) << c.text;
+void expect(const std::vector<Rc10Fault>& cases, const HardwareProfile& profile = profiles::nv2a) {
+  for (const Rc10Fault& c : cases) EXPECT_EQ(faults_of(c.text, profile), c.faults) << c.text;
 }
 
 TEST(Rc10Faults, OfTheWholeProgram) {

@@ -8,6 +8,7 @@
 
 #include "combiner_tests/combiner/random_state.h"
 #include "combiner_tests/hardware/csv.h"
+#include "combiner_tests/language/all_faults.h"
 #include "ninebit/combiner/evaluate.h"
 #include "ninebit/combiner/program.h"
 
@@ -16,12 +17,6 @@ namespace {
 
 const HardwareProfile& kCard = profiles::geforce2;
 const HardwareProfile& kXbox = profiles::nv2a;
-
-std::string all_faults(const Parsed<CombinerState>& parsed) {
-  std::string text;
-  for (const TextFault& fault : parsed.faults) text += fault.text() + '\n';
-  return text;
-}
 
 CombinerState decoded(const std::string& text, ChipClass chip = ChipClass::nv10) {
   const HardwareProfile& profile = chip == ChipClass::nv10 ? kCard : kXbox;

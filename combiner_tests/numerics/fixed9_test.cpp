@@ -9,13 +9,14 @@
 #include <limits>
 
 #include "combiner_tests/hardware/csv.h"
+#include "combiner_tests/support/special_floats.h"
 #include "ninebit/numerics/hardware_profile.h"
 
 namespace ninebit {
 namespace {
 
-constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
-constexpr float kInfinity = std::numeric_limits<float>::infinity();
+using ninebit::test::kInfinity;
+using ninebit::test::kNan;
 
 // The definition of rule 17 in integers: `bits` fraction bits kept, times 255, a half rounded up.
 int vertex_byte_by_integers(float component, int bits) {

@@ -9,10 +9,10 @@
 #include <limits>
 #include <vector>
 
+#include "combiner_tests/support/special_floats.h"
+
 namespace ninebit::test {
 namespace {
-
-constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
 Half half(unsigned bits) {
   return Half{static_cast<std::uint16_t>(bits)};

@@ -6,12 +6,11 @@
 #include <limits>
 
 #include "combiner_tests/raster/support.h"
+#include "combiner_tests/support/special_floats.h"
 
 namespace ninebit::test {
 namespace {
 
-constexpr float kInfinity = std::numeric_limits<float>::infinity();
-constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 constexpr float kMax = std::numeric_limits<float>::max();
 
 Mesh covering_triangle() {

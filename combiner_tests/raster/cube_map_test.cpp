@@ -6,12 +6,10 @@
 #include <limits>
 
 #include "combiner_tests/raster/texture_support.h"
+#include "combiner_tests/support/special_floats.h"
 
 namespace ninebit::test {
 namespace {
-
-constexpr float kInfinity = std::numeric_limits<float>::infinity();
-constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 
 struct Expected {
   CubeFace face;

@@ -82,7 +82,7 @@ std::int64_t inverse_modulo(std::int64_t value, std::int64_t modulus) {
 // Depths that lie one part in 2^37 below a half: a quotient in floating point calls them a half. Found by solving
 // e1 * dz1 + e2 * dz2 = (area - 1) / 2 modulo the area for a depth difference that fits.
 TEST(Depth, JustBelowAHalfIsRoundedDown) {
-  __extension__ using WideInt = __int128;
+  __extension__ using WideInteger = __int128;
   WideDepth wide;
   int found = 0;
   Random random(32);
@@ -101,7 +101,7 @@ TEST(Depth, JustBelowAHalfIsRoundedDown) {
     if (inverse == 0) continue;
     for (int tries = 0; tries < 4000; ++tries) {
       const std::int64_t dz2 = -static_cast<std::int64_t>(random.next() & kDeepest);
-      const WideInt right = ((WideInt{(area - 1) / 2} - WideInt{e2} * dz2) % area + area) % area;
+      const WideInteger right = ((WideInteger{(area - 1) / 2} - WideInteger{e2} * dz2) % area + area) % area;
       const std::int64_t dz1 = static_cast<std::int64_t>(right * inverse % area) - area;
       if (dz1 < -std::int64_t{kDeepest}) continue;
       t[0].z24 = kDeepest;

@@ -11,9 +11,9 @@
 namespace ninebit::test {
 namespace {
 
-constexpr int kWidth = 4, kHeight = 3;
+constexpr int kRejectionWidth = 4, kRejectionHeight = 3;
 
-struct Case {
+struct RejectionCase {
   PipelineState state;
   oracle::Picture start;
   bool at_depth_pass = false;
@@ -21,18 +21,18 @@ struct Case {
   std::vector<oracle::Incoming> fragments;
 };
 
-Case random_case(std::uint64_t index) {
+RejectionCase random_case(std::uint64_t index) {
   Random random(71, index);
-  Case c;
+  RejectionCase c;
   const DepthStencilFormat format = kFormats[random.below(3)];
   randomize_fragment_operations(random, c.state);
-  c.start = random_picture(random, kWidth, kHeight, format);
+  c.start = random_picture(random, kRejectionWidth, kRejectionHeight, format);
   c.start.has_alpha = !random.one_in(4);
   c.at_depth_pass = random.one_in(3);
   c.batch = static_cast<std::size_t>(random.pick({1, 2, 7, 64, 256}));
   for (int i = random.between(1, 150); i > 0; --i) {
-    c.fragments.push_back({.x = random.below(kWidth),
-                           .y = random.below(kHeight),
+    c.fragments.push_back({.x = random.below(kRejectionWidth),
+                           .y = random.below(kRejectionHeight),
                            .depth = some_depth(random, format),
                            .number = static_cast<std::uint32_t>(c.fragments.size()),
                            .front_facing = random.one_in(2),
@@ -58,7 +58,7 @@ void flush(const FragmentOperations& operations, const OutputPlanes& outputs, Wa
 }
 
 // Returns how many fragments were lost early.
-int run(const Case& c, bool reject_early, oracle::Picture& result) {
+int run(const RejectionCase& c, bool reject_early, oracle::Picture& result) {
   PicturePlanes planes(c.start, c.at_depth_pass);
   const FragmentOperations operations(c.state, planes.target, reject_early);
   const OutputPlanes outputs(planes.target);
@@ -79,7 +79,7 @@ int run(const Case& c, bool reject_early, oracle::Picture& result) {
   return lost;
 }
 
-std::string describe(const Case& c, std::uint64_t index) {
+std::string describe(const RejectionCase& c, std::uint64_t index) {
   return "case " + std::to_string(index) + ", NINEBIT_RASTER_INDEX=" + std::to_string(index) +
          " runs it alone: " + describe_operations(c.state) + ", format " +
          std::to_string(static_cast<int>(c.start.format)) + ", batch of " + std::to_string(c.batch) +
@@ -93,7 +93,7 @@ TEST(EarlyRejection, ChangesNothingWhateverWaits) {
   std::uint64_t lost = 0, lost_two_sided = 0, lost_blending = 0, lost_at_depth_pass = 0;
   oracle::Tally tally;
   for (std::uint64_t index = first; index < first + count; ++index) {
-    const Case c = random_case(index);
+    const RejectionCase c = random_case(index);
     oracle::Picture expected = c.start, late, early;
     for (const oracle::Incoming& f : c.fragments) oracle::process(c.state, f, expected, tally);
     if (!c.at_depth_pass) expected.captured = c.start.captured;

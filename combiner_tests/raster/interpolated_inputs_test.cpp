@@ -10,16 +10,16 @@
 namespace ninebit::test {
 namespace {
 
-constexpr int kSize = 96;
+constexpr int kInputsSize = 96;
 constexpr double kTangent = 0.8;
 
-struct Case {
+struct Input {
   std::array<glm::vec3, 3> positions;
   glm::mat4 matrix = perspective(kTangent, 1.0, 0.2, 40);
 
   // Weights of the vertices where the ray through a window position meets the triangle's plane.
   [[nodiscard]] glm::dvec3 in_space(double x, double y) const {
-    const glm::dvec3 ray((x / kSize * 2 - 1) * kTangent, (y / kSize * 2 - 1) * kTangent, -1);
+    const glm::dvec3 ray((x / kInputsSize * 2 - 1) * kTangent, (y / kInputsSize * 2 - 1) * kTangent, -1);
     const glm::dvec3 a(positions[0]), b(positions[1]), c(positions[2]);
     const glm::dvec3 w(glm::dot(ray, glm::cross(b, c)), glm::dot(ray, glm::cross(c, a)),
                        glm::dot(ray, glm::cross(a, b)));
@@ -27,7 +27,7 @@ struct Case {
   }
   [[nodiscard]] glm::dvec2 window(std::size_t i) const {
     const glm::dvec3 p(positions[i]);
-    return glm::dvec2(p.x, p.y) / (-p.z * kTangent) * (kSize / 2.0) + kSize / 2.0;
+    return glm::dvec2(p.x, p.y) / (-p.z * kTangent) * (kInputsSize / 2.0) + kInputsSize / 2.0;
   }
   // The same as if there were no perspective.
   [[nodiscard]] glm::dvec3 in_window(double x, double y) const {
@@ -39,8 +39,8 @@ struct Case {
   }
 };
 
-Case random_case(Random& random) {
-  Case c;
+Input random_case(Random& random) {
+  Input c;
   for (glm::vec3& p : c.positions) {
     const float depth = random.real_f(1, 12), reach = depth * 0.8F;
     p = {random.real_f(-reach, reach), random.real_f(-reach, reach), -depth};
@@ -56,14 +56,14 @@ void expect_secondary_and_fog(ColorInterpolation interpolation, std::uint64_t se
   std::int64_t checked = 0, told = 0;
   for (std::uint64_t index = 0; index < 150; ++index) {
     Random random(seed, index);
-    const Case c = random_case(random);
+    const Input c = random_case(random);
     std::array<ColorBytes, 3> colors{};
     std::array<float, 3> fog{};
     for (std::size_t i = 0; i < 3; ++i) {
       colors[i] = {random.byte(), random.byte(), random.byte(), random.byte()};
       fog[i] = random.real_f(-0.2, 1.2);
     }
-    Surface surface = Surface::make(kSize, kSize, {.with_primitive = true}).value();
+    Surface surface = Surface::make(kInputsSize, kInputsSize, {.with_primitive = true}).value();
     RenderTarget target = surface.target();
     PipelineState state;
     state.profile.color_interpolation.value = interpolation;
@@ -73,9 +73,9 @@ void expect_secondary_and_fog(ColorInterpolation interpolation, std::uint64_t se
                           {}, target)
                     .ok());
     const bool affine = interpolation == ColorInterpolation::affine;
-    for (int y = 0; y < kSize; ++y) {
-      for (int x = 0; x < kSize; ++x) {
-        const auto at = static_cast<std::size_t>(y * kSize + x);
+    for (int y = 0; y < kInputsSize; ++y) {
+      for (int x = 0; x < kInputsSize; ++x) {
+        const auto at = static_cast<std::size_t>(y * kInputsSize + x);
         const glm::dvec3 w = c.in_space(x + 0.5, y + 0.5);
         if (surface.primitive()[at] != 0 || std::min({w.x, w.y, w.z}) < 0.02) continue;
         ++checked;
@@ -142,26 +142,26 @@ TEST(InterpolatedInputs, AttributesInPerspective) {
   std::int64_t checked = 0;
   for (std::uint64_t index = 0; index < 100; ++index) {
     Random random(93, index);
-    const Case c = random_case(random);
+    const Input c = random_case(random);
     std::array<glm::vec4, 3> attribute{};
     for (glm::vec4& a : attribute) a = {random.real_f(-100, 100), random.real_f(0, 1), 1.0F, random.real_f(-1, 1)};
     std::array<std::vector<float>, 4> planes;
     RenderTarget target;
-    target.width = target.height = kSize;
+    target.width = target.height = kInputsSize;
     for (int k = 0; k < 4; ++k) {
       auto& plane = planes[static_cast<std::size_t>(k)];
-      plane.assign(kSize * kSize, 1e9F);
+      plane.assign(kInputsSize * kInputsSize, 1e9F);
       target.outputs.push_back({.source = OutputSource::attribute,
                                 .attribute = 1,
                                 .component = k,
-                                .plane = Plane<float>{plane.data(), kSize}});
+                                .plane = Plane<float>{plane.data(), kInputsSize}});
     }
     VertexArrays arrays{.positions = c.positions};
     arrays.attributes[1] = attribute;
     ASSERT_TRUE(rasterize({}, c.matrix, arrays, {}, target).ok());
-    for (int y = 0; y < kSize; ++y) {
-      for (int x = 0; x < kSize; ++x) {
-        const auto at = static_cast<std::size_t>(y * kSize + x);
+    for (int y = 0; y < kInputsSize; ++y) {
+      for (int x = 0; x < kInputsSize; ++x) {
+        const auto at = static_cast<std::size_t>(y * kInputsSize + x);
         const glm::dvec3 w = c.in_space(x + 0.5, y + 0.5);
         if (planes[0][at] == 1e9F || std::min({w.x, w.y, w.z}) < 0.02) continue;
         ++checked;
@@ -202,11 +202,11 @@ TEST(InterpolatedInputs, ChangesOfTextureCoordinatesGiveTheLevelOfDetail) {
   std::array<int, 9> reached{};
   for (std::uint64_t index = 0; index < 200; ++index) {
     Random random(94, index);
-    const Case c = random_case(random);
+    const Input c = random_case(random);
     const float spread = static_cast<float>(std::exp2(random.real(-3, 5)));
     std::array<glm::vec3, 3> coordinates{};
     for (glm::vec3& t : coordinates) t = {random.real_f(-spread, spread), random.real_f(-spread, spread), 0};
-    Surface surface = Surface::make(kSize, kSize, {.with_primitive = true}).value();
+    Surface surface = Surface::make(kInputsSize, kInputsSize, {.with_primitive = true}).value();
     RenderTarget target = surface.target();
     PipelineState state;
     state.program = pass_through(Register::texture0, Register::texture0);
@@ -218,9 +218,9 @@ TEST(InterpolatedInputs, ChangesOfTextureCoordinatesGiveTheLevelOfDetail) {
       return 256.0 * glm::dvec2(mix(w, coordinates[0].x, coordinates[1].x, coordinates[2].x),
                                 mix(w, coordinates[0].y, coordinates[1].y, coordinates[2].y));
     };
-    for (int y = 0; y < kSize; ++y) {
-      for (int x = 0; x < kSize; ++x) {
-        const auto at = static_cast<std::size_t>(y * kSize + x);
+    for (int y = 0; y < kInputsSize; ++y) {
+      for (int x = 0; x < kInputsSize; ++x) {
+        const auto at = static_cast<std::size_t>(y * kInputsSize + x);
         const glm::dvec3 w = c.in_space(x + 0.5, y + 0.5);
         if (surface.primitive()[at] != 0 || std::min({w.x, w.y, w.z}) < 0.05) continue;
         const auto [low, high] = range_around(x, y, [&](double px, double py) {
@@ -257,7 +257,7 @@ TEST(InterpolatedInputs, ProjectiveCoordinatesAreDividedByQ) {
   std::int64_t checked = 0, told = 0, levels_checked = 0;
   for (std::uint64_t index = 0; index < 200; ++index) {
     Random random(95, index);
-    const Case c = random_case(random);
+    const Input c = random_case(random);
     std::array<glm::vec3, 3> coordinates{}, fine{};
     std::array<float, 3> q{};
     const float scale = static_cast<float>(std::exp2(random.real(-2, 4)));
@@ -266,7 +266,7 @@ TEST(InterpolatedInputs, ProjectiveCoordinatesAreDividedByQ) {
       coordinates[i] = glm::vec3(random.real_f(0, 1) * q[i], 0.3F * q[i], 0);
       fine[i] = glm::vec3(random.real_f(-scale, scale), random.real_f(-scale, scale), 0);
     }
-    Surface surface = Surface::make(kSize, kSize, {.with_primitive = true}).value();
+    Surface surface = Surface::make(kInputsSize, kInputsSize, {.with_primitive = true}).value();
     RenderTarget target = surface.target();
     PipelineState state;
     state.program = pass_through(Register::texture0, Register::texture1);
@@ -275,7 +275,7 @@ TEST(InterpolatedInputs, ProjectiveCoordinatesAreDividedByQ) {
     arrays.texture_q = {q, q};
     ASSERT_TRUE(rasterize(state, c.matrix, arrays, units, target).ok());
     state.program = pass_through(Register::texture1, Register::texture1);
-    Surface second = Surface::make(kSize, kSize).value();
+    Surface second = Surface::make(kInputsSize, kInputsSize).value();
     RenderTarget second_target = second.target();
     ASSERT_TRUE(rasterize(state, c.matrix, arrays, units, second_target).ok());
     const auto over_q = [&](const glm::dvec3& w, double s0, double s1, double s2) {
@@ -285,9 +285,9 @@ TEST(InterpolatedInputs, ProjectiveCoordinatesAreDividedByQ) {
       const glm::dvec3 w = c.in_space(x, y);
       return 256.0 * glm::dvec2(over_q(w, fine[0].x, fine[1].x, fine[2].x), over_q(w, fine[0].y, fine[1].y, fine[2].y));
     };
-    for (int y = 0; y < kSize; ++y) {
-      for (int x = 0; x < kSize; ++x) {
-        const auto at = static_cast<std::size_t>(y * kSize + x);
+    for (int y = 0; y < kInputsSize; ++y) {
+      for (int x = 0; x < kInputsSize; ++x) {
+        const auto at = static_cast<std::size_t>(y * kInputsSize + x);
         const glm::dvec3 w = c.in_space(x + 0.5, y + 0.5);
         if (surface.primitive()[at] != 0 || std::min({w.x, w.y, w.z}) < 0.05) continue;
         ++checked;

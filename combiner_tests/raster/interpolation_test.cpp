@@ -16,15 +16,15 @@ glm::dvec3 barycentric(const Mesh& mesh, double x, double y, int width, int heig
   return w / (w.x + w.y + w.z);
 }
 
-struct Case {
+struct Slope {
   Mesh mesh;
   int width, height;
   double tangent;
   glm::mat4 matrix;
 };
 
-Case random_case(Random& random, bool clipped) {
-  Case c;
+Slope random_case(Random& random, bool clipped) {
+  Slope c;
   c.width = random.between(64, 256);
   c.height = random.between(64, 256);
   c.tangent = random.real(0.4, 1.5);
@@ -43,7 +43,7 @@ void expect_colors(bool clipped, std::uint64_t seed) {
   std::int64_t checked = 0;
   for (std::uint64_t index = 0; index < 150; ++index) {
     Random random(seed, index);
-    const Case c = random_case(random, clipped);
+    const Slope c = random_case(random, clipped);
     Surface surface = Surface::make(c.width, c.height, {.with_primitive = true}).value();
     RenderTarget target = surface.target();
     ASSERT_TRUE(rasterize({}, c.matrix, c.mesh.arrays(), {}, target).ok());
@@ -109,7 +109,7 @@ void expect_texels(bool clipped, std::uint64_t seed) {
   std::int64_t checked = 0;
   for (std::uint64_t index = 0; index < 100; ++index) {
     Random random(seed, index);
-    const Case c = random_case(random, clipped);
+    const Slope c = random_case(random, clipped);
     Surface surface = Surface::make(c.width, c.height, {.with_primitive = true}).value();
     RenderTarget target = surface.target();
     ASSERT_TRUE(rasterize(state, c.matrix, c.mesh.arrays(), textures, target).ok());

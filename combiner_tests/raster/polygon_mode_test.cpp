@@ -9,7 +9,7 @@
 namespace ninebit::test {
 namespace {
 
-constexpr int kSize = 48;
+constexpr int kModeWindow = 48;
 
 struct Drawn {
   std::vector<std::uint8_t> count;
@@ -17,7 +17,7 @@ struct Drawn {
 };
 
 Drawn draw(PipelineState state, const VertexArrays& arrays, const glm::mat4& matrix = kIdentity) {
-  Surface surface = Surface::make(kSize, kSize).value();
+  Surface surface = Surface::make(kModeWindow, kModeWindow).value();
   RenderTarget target = surface.target();
   state.stencil_test = counting_state().stencil_test;
   const Status status = rasterize(state, matrix, arrays, {}, target);
@@ -27,7 +27,7 @@ Drawn draw(PipelineState state, const VertexArrays& arrays, const glm::mat4& mat
 
 std::vector<glm::vec3> clip_positions(const std::vector<oracle::WindowVertex>& vertices) {
   std::vector<glm::vec3> positions;
-  for (const oracle::WindowVertex& v : vertices) positions.push_back(clip_position(v, kSize, kSize));
+  for (const oracle::WindowVertex& v : vertices) positions.push_back(clip_position(v, kModeWindow, kModeWindow));
   return positions;
 }
 
@@ -46,10 +46,10 @@ TEST(Point, SquaresOfEverySizeStandWhereTheSpecificationPutsThem) {
       const auto count = draw(state, {.type = PrimitiveType::points, .positions = positions}).count;
       // Odd: around the pixel. Even: around its nearest corner.
       const int left = size % 2 == 1 ? 20 - size / 2 : (q4 < 328 ? 20 : 21) - size / 2;
-      for (int y = 0; y < kSize; ++y) {
-        for (int x = 0; x < kSize; ++x) {
+      for (int y = 0; y < kModeWindow; ++y) {
+        for (int x = 0; x < kModeWindow; ++x) {
           const bool in = x >= left && x < left + size && y > left && y <= left + size;
-          ASSERT_EQ(count[static_cast<std::size_t>(y * kSize + x)], in ? 1 : 0) << size << ' ' << q4 << ' ' << x;
+          ASSERT_EQ(count[static_cast<std::size_t>(y * kModeWindow + x)], in ? 1 : 0) << size << ' ' << q4 << ' ' << x;
         }
       }
     }
@@ -135,11 +135,14 @@ TEST(PolygonMode, ClippingAddsEdgesAndCorners) {
   const auto outline = draw(state, mesh.arrays()).count;
   // z = -1 is halfway up, at y = 0: row 24, between x = -0.375 and 0.375.
   for (int x = 16; x < 32; ++x) {
-    EXPECT_EQ(outline[static_cast<std::size_t>(23 * kSize + x)] + outline[static_cast<std::size_t>(24 * kSize + x)], 1)
+    EXPECT_EQ(outline[static_cast<std::size_t>(23 * kModeWindow + x)] +
+                  outline[static_cast<std::size_t>(24 * kModeWindow + x)],
+              1)
         << x;
   }
-  for (int y = 26; y < kSize; ++y) {
-    for (int x = 0; x < kSize; ++x) EXPECT_EQ(outline[static_cast<std::size_t>(y * kSize + x)], 0) << x << ' ' << y;
+  for (int y = 26; y < kModeWindow; ++y) {
+    for (int x = 0; x < kModeWindow; ++x)
+      EXPECT_EQ(outline[static_cast<std::size_t>(y * kModeWindow + x)], 0) << x << ' ' << y;
   }
 }
 
@@ -149,7 +152,7 @@ TEST(PolygonMode, CutsThroughAPolygonAreNotDrawnAsEdges) {
   state.front_mode = PolygonMode::line;
   for (const PrimitiveType type : {PrimitiveType::quads, PrimitiveType::polygon}) {
     const auto count = draw(state, {.type = type, .positions = positions}).count;
-    for (int i = 6; i < 38; ++i) EXPECT_EQ(count[static_cast<std::size_t>(i * kSize + i)], 0) << i;
+    for (int i = 6; i < 38; ++i) EXPECT_EQ(count[static_cast<std::size_t>(i * kModeWindow + i)], 0) << i;
     EXPECT_EQ(total(count), 4 * 36);
   }
 }
@@ -178,10 +181,10 @@ TEST(ShadeModel, FlatColorsComeFromTheProvokingVertex) {
     colors.push_back({static_cast<std::uint8_t>(10 + i), 0, 0, 255});
   }
   for (const Row& row : rows) {
-    std::vector<std::uint32_t> number(kSize * kSize, 0xFFFFFFFF);
-    Surface surface = Surface::make(kSize, kSize).value();
+    std::vector<std::uint32_t> number(kModeWindow * kModeWindow, 0xFFFFFFFF);
+    Surface surface = Surface::make(kModeWindow, kModeWindow).value();
     RenderTarget target = surface.target();
-    target.outputs = {{.source = OutputSource::primitive, .plane = Plane<std::uint32_t>{number.data(), kSize}}};
+    target.outputs = {{.source = OutputSource::primitive, .plane = Plane<std::uint32_t>{number.data(), kModeWindow}}};
     PipelineState state;
     state.shade_model = ShadeModel::flat;
     ASSERT_TRUE(

@@ -10,7 +10,7 @@
 namespace ninebit::test {
 namespace {
 
-constexpr int kSize = 64;
+constexpr int kOffsetWindow = 64;
 
 // "VALUE:PIXELS;VALUE:PIXELS": the values, the most frequent first.
 std::vector<int> values_of(const std::string& histogram) {
@@ -23,11 +23,12 @@ std::vector<int> values_of(const std::string& histogram) {
 // Depth of every pixel of a quad over the whole target with these gradients in sixteenths of a depth step a pixel.
 std::vector<std::uint32_t> plane_depth(int dx_16, int dy_16, const PipelineState& base) {
   std::vector<glm::vec3> positions;
-  for (const auto& [x, y] : {std::pair(0, 0), std::pair(kSize, 0), std::pair(kSize, kSize), std::pair(0, kSize)}) {
+  for (const auto& [x, y] : {std::pair(0, 0), std::pair(kOffsetWindow, 0), std::pair(kOffsetWindow, kOffsetWindow),
+                             std::pair(0, kOffsetWindow)}) {
     const std::int64_t z = 1000000 + (dx_16 * x + dy_16 * y) / 16;
-    positions.push_back(clip_position({16 * x, 16 * y, z}, kSize, kSize));
+    positions.push_back(clip_position({16 * x, 16 * y, z}, kOffsetWindow, kOffsetWindow));
   }
-  Surface surface = Surface::make(kSize, kSize).value();
+  Surface surface = Surface::make(kOffsetWindow, kOffsetWindow).value();
   RenderTarget target = surface.target();
   PipelineState state = base;
   state.depth_test = {true, CompareFunction::always, true};
@@ -88,25 +89,26 @@ TEST(PolygonOffset, SlopeIsTheLargerGradientOrTheRoot) {
 
 // A quad that is not flat: one offset for all of it, from the larger of its two triangles, of equals from the first.
 TEST(PolygonOffset, IsOneForAllTrianglesOfAPolygon) {
-  for (const int middle : {kSize, kSize - 16, kSize + 16}) {  // where the third corner stands in y
+  for (const int middle :
+       {kOffsetWindow, kOffsetWindow - 16, kOffsetWindow + 16}) {  // where the third corner stands in y
     const std::array<oracle::WindowVertex, 4> corners{{{0, 0, 1000},
-                                                       {16 * kSize, 0, 1000},
-                                                       {16 * kSize, 16 * middle, 1000 + 100 * middle},
-                                                       {0, 16 * kSize, 1000 + 200 * kSize}}};
+                                                       {16 * kOffsetWindow, 0, 1000},
+                                                       {16 * kOffsetWindow, 16 * middle, 1000 + 100 * middle},
+                                                       {0, 16 * kOffsetWindow, 1000 + 200 * kOffsetWindow}}};
     std::vector<glm::vec3> positions;
-    for (const auto& v : corners) positions.push_back(clip_position(v, kSize, kSize));
+    for (const auto& v : corners) positions.push_back(clip_position(v, kOffsetWindow, kOffsetWindow));
     PipelineState state;
     state.depth_test = {true, CompareFunction::always, true};
     std::array<std::vector<std::uint32_t>, 2> depth;
     for (int moved = 0; moved < 2; ++moved) {
       state.polygon_offset = {.fill = true, .factor = static_cast<float>(moved)};
-      Surface surface = Surface::make(kSize, kSize).value();
+      Surface surface = Surface::make(kOffsetWindow, kOffsetWindow).value();
       RenderTarget target = surface.target();
       ASSERT_TRUE(rasterize(state, kIdentity, {.type = PrimitiveType::quads, .positions = positions}, {}, target).ok());
       depth[static_cast<std::size_t>(moved)] = surface.depth();
     }
     // The triangles' slopes are 100 and 200; the first one's area grows with `middle`.
-    const std::uint32_t expected = middle >= kSize ? 100 : 200;
+    const std::uint32_t expected = middle >= kOffsetWindow ? 100 : 200;
     for (std::size_t i = 0; i < depth[0].size(); ++i) {
       if (depth[0][i] == 0xFFFFFF) continue;
       ASSERT_EQ(depth[1][i], depth[0][i] + expected) << middle;
@@ -161,7 +163,7 @@ TEST(PolygonOffset, EachModeHasItsEnableAndRealLinesAndPointsNone) {
         state.depth_test = {true, CompareFunction::always, true};
         state.front_mode = static_cast<PolygonMode>(mode);
         state.polygon_offset = {(enables & 4) != 0, (enables & 2) != 0, (enables & 1) != 0, 0, 5};
-        Surface surface = Surface::make(kSize, kSize).value();
+        Surface surface = Surface::make(kOffsetWindow, kOffsetWindow).value();
         RenderTarget target = surface.target();
         ASSERT_TRUE(rasterize(state, kIdentity, {.type = type, .positions = positions}, {}, target).ok());
         const bool moved = type == PrimitiveType::triangles && (enables & (1 << mode)) != 0;

@@ -76,14 +76,14 @@ Mixture mixture(int i) {
   return m;
 }
 
-struct Drawn {
+struct DrawnPlanes {
   std::vector<std::uint8_t> red, stencil;
   std::vector<std::uint32_t> depth, primitive;
-  friend bool operator==(const Drawn&, const Drawn&) = default;
+  friend bool operator==(const DrawnPlanes&, const DrawnPlanes&) = default;
 };
 
 template <class Draw>
-Drawn drawn_by(Draw draw) {
+DrawnPlanes drawn_by(Draw draw) {
   Surface surface = Surface::make(300, 200, {.with_primitive = true}).value();
   RenderTarget target = surface.target();
   const Status status = draw(target);
@@ -98,14 +98,14 @@ TEST(PreparedDraw, AnyThreadsDrawTheSameOfAnyPrimitives) {
     m.arrays.positions = m.positions;
     m.arrays.vertex_colors = m.colors;
     if (i % 3 != 0) m.arrays.indices = m.indices;
-    Drawn direct;
+    DrawnPlanes direct;
     with_threads(1, [&] {
       direct = drawn_by([&](RenderTarget& target) { return rasterize(m.state, matrix, m.arrays, {}, target); });
     });
     EXPECT_GT(std::count_if(direct.stencil.begin(), direct.stencil.end(), [](auto s) { return s != 0; }), 300) << i;
     for (const int threads : {1, 2, 7}) {
       with_threads(threads, [&] {
-        const Drawn prepared = drawn_by([&](RenderTarget& target) {
+        const DrawnPlanes prepared = drawn_by([&](RenderTarget& target) {
           PreparedDraw draw;
           if (Status s = prepare(m.state, matrix, m.arrays, target, draw); !s) return s;
           return rasterize(m.state, draw, m.arrays, {}, target);
@@ -116,7 +116,7 @@ TEST(PreparedDraw, AnyThreadsDrawTheSameOfAnyPrimitives) {
   }
 }
 
-struct Case {
+struct PreparedCase {
   PipelineState state;
   VertexArrays arrays;
   Surface surface = Surface::make(40, 30).value();
@@ -128,67 +128,67 @@ const std::vector<std::uint32_t> kIndices{0, 1, 2, 3, 4, 5}, kOtherIndices = kIn
 
 TEST(PreparedDraw, ReportsWhatItWasNotPreparedFor) {
   const auto usual = [] {
-    Case c;
+    PreparedCase c;
     c.arrays.positions = kPositions;
     c.arrays.indices = kIndices;
     return c;
   };
   struct Change {
     const char* word;  // in the message
-    std::function<void(Case&)> change;
+    std::function<void(PreparedCase&)> change;
   };
   const std::vector<Change> changes{
       {"size",
-       [](Case& c) {
+       [](PreparedCase& c) {
          c.surface = Surface::make(40, 31).value();
          c.target = c.surface.target();
        }},
       {"format",
-       [](Case& c) {
+       [](PreparedCase& c) {
          c.surface = Surface::make(40, 30, {.depth_stencil = DepthStencilFormat::d16}).value();
          c.target = c.surface.target();
        }},
       {"viewport",
-       [](Case& c) {
+       [](PreparedCase& c) {
          c.state.viewport = PixelRect{0, 0, 39, 30};
        }},
       {"scissor",
-       [](Case& c) {
+       [](PreparedCase& c) {
          c.state.scissor = PixelRect{1, 0, 40, 30};
        }},
-      {"depth range", [](Case& c) { c.state.depth_near = 0.5F; }},
-      {"depth range", [](Case& c) { c.state.depth_far = 0.5F; }},
-      {"culling", [](Case& c) { c.state.cull_face = CullFace::back; }},
-      {"front face", [](Case& c) { c.state.front_face = FrontFace::clockwise; }},
-      {"polygon mode", [](Case& c) { c.state.front_mode = PolygonMode::line; }},
-      {"polygon mode", [](Case& c) { c.state.back_mode = PolygonMode::point; }},
-      {"polygon offset", [](Case& c) { c.state.polygon_offset.fill = true; }},
-      {"polygon offset", [](Case& c) { c.state.polygon_offset.line = true; }},
-      {"polygon offset", [](Case& c) { c.state.polygon_offset.point = true; }},
-      {"polygon offset", [](Case& c) { c.state.polygon_offset.factor = 1; }},
-      {"polygon offset", [](Case& c) { c.state.polygon_offset.units = 1; }},
-      {"slope", [](Case& c) { c.state.profile.polygon_offset_slope.value = OffsetSlope::root; }},
-      {"point size", [](Case& c) { c.state.point_size = 2; }},
-      {"line width", [](Case& c) { c.state.line_width = 2; }},
-      {"subpixel bits", [](Case& c) { c.state.profile.subpixel_bits.value = 3; }},
-      {"type", [](Case& c) { c.arrays.type = PrimitiveType::triangle_strip; }},
-      {"positions", [](Case& c) { c.arrays.positions = c.arrays.positions.first(5); }},
-      {"indices", [](Case& c) { c.arrays.indices = c.arrays.indices.first(3); }},
-      {"indices", [](Case& c) { c.arrays.indices = {}; }},
-      {"indices", [](Case& c) { c.arrays.indices = kOtherIndices; }},
+      {"depth range", [](PreparedCase& c) { c.state.depth_near = 0.5F; }},
+      {"depth range", [](PreparedCase& c) { c.state.depth_far = 0.5F; }},
+      {"culling", [](PreparedCase& c) { c.state.cull_face = CullFace::back; }},
+      {"front face", [](PreparedCase& c) { c.state.front_face = FrontFace::clockwise; }},
+      {"polygon mode", [](PreparedCase& c) { c.state.front_mode = PolygonMode::line; }},
+      {"polygon mode", [](PreparedCase& c) { c.state.back_mode = PolygonMode::point; }},
+      {"polygon offset", [](PreparedCase& c) { c.state.polygon_offset.fill = true; }},
+      {"polygon offset", [](PreparedCase& c) { c.state.polygon_offset.line = true; }},
+      {"polygon offset", [](PreparedCase& c) { c.state.polygon_offset.point = true; }},
+      {"polygon offset", [](PreparedCase& c) { c.state.polygon_offset.factor = 1; }},
+      {"polygon offset", [](PreparedCase& c) { c.state.polygon_offset.units = 1; }},
+      {"slope", [](PreparedCase& c) { c.state.profile.polygon_offset_slope.value = OffsetSlope::root; }},
+      {"point size", [](PreparedCase& c) { c.state.point_size = 2; }},
+      {"line width", [](PreparedCase& c) { c.state.line_width = 2; }},
+      {"subpixel bits", [](PreparedCase& c) { c.state.profile.subpixel_bits.value = 3; }},
+      {"type", [](PreparedCase& c) { c.arrays.type = PrimitiveType::triangle_strip; }},
+      {"positions", [](PreparedCase& c) { c.arrays.positions = c.arrays.positions.first(5); }},
+      {"indices", [](PreparedCase& c) { c.arrays.indices = c.arrays.indices.first(3); }},
+      {"indices", [](PreparedCase& c) { c.arrays.indices = {}; }},
+      {"indices", [](PreparedCase& c) { c.arrays.indices = kOtherIndices; }},
   };
-  const Case prepared_with = usual();
+  const PreparedCase prepared_with = usual();
   PreparedDraw prepared;
   ASSERT_TRUE(prepare(prepared_with.state, kIdentity, prepared_with.arrays, prepared_with.target, prepared).ok());
   for (const Change& change : changes) {
-    Case c = usual();
+    PreparedCase c = usual();
     change.change(c);
     const Status status = rasterize(c.state, prepared, c.arrays, {}, c.target);
     ASSERT_FALSE(status.ok()) << change.word;
     EXPECT_NE(status.error().message.find(change.word), std::string::npos) << status.error().message;
   }
   // All else may be another.
-  Case c = usual();
+  PreparedCase c = usual();
   c.state.depth_test.enabled = true;
   c.state.shade_model = ShadeModel::flat;
   c.state.viewport = PixelRect{0, 0, 40, 30};
@@ -204,7 +204,7 @@ TEST(PreparedDraw, ReportsWhatItWasNotPreparedFor) {
 }
 
 TEST(PreparedDraw, OfNoDrawDrawsNothing) {
-  Case c;
+  PreparedCase c;
   c.arrays.positions = kPositions;
   PreparedDraw prepared;
   EXPECT_FALSE(rasterize(c.state, prepared, c.arrays, {}, c.target).ok());

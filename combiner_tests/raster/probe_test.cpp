@@ -39,14 +39,14 @@ PipelineState at_pixel(PipelineState state, int x, int y) {
   return state;
 }
 
-struct Seen {
+struct ProbesSeen {
   std::array<std::uint64_t, 4> fates{};
   std::uint64_t lost = 0;  // fragments that passed the depth test in vain
 };
 
 // One primitive's fragments at the pixel, from `next` on: as many of each fate as the oracle counts.
 void compare_primitive(const oracle::Tally& tally, const RandomDraw& draw, const FragmentProbe& probe,
-                       std::size_t& next, Seen& seen) {
+                       std::size_t& next, ProbesSeen& seen) {
   ASSERT_LE(next + tally.fragments, probe.fragments.size());
   std::array<std::uint64_t, 4> fates{};
   for (std::uint64_t i = 0; i < tally.fragments; ++i, ++next) {
@@ -61,7 +61,7 @@ void compare_primitive(const oracle::Tally& tally, const RandomDraw& draw, const
 }
 
 void compare_draw(const RandomDraw& draw, int x, int y, const FragmentProbe& probe, oracle::Picture& picture,
-                  Seen& seen) {
+                  ProbesSeen& seen) {
   const auto at = static_cast<std::size_t>(y * picture.width + x);
   const PipelineState state = at_pixel(draw.state, x, y);
   const std::vector<oracle::DrawCall> primitives = primitives_of(for_oracle(draw));
@@ -83,10 +83,10 @@ void compare_draw(const RandomDraw& draw, int x, int y, const FragmentProbe& pro
 }
 
 TEST(Probe, EveryFragmentMeetsTheFateThatTheOracleTells) {
-  constexpr std::uint64_t kSeed = 0x9120BE;
-  Seen seen;
+  constexpr std::uint64_t kProbeSeed = 0x9120BE;
+  ProbesSeen seen;
   for (std::uint64_t index = 0; index < (kSlowBuild ? 200U : 6000U); ++index) {
-    Random random(kSeed, index);
+    Random random(kProbeSeed, index);
     const RandomScene scene = random_scene(random);
     const int x = random.below(scene.width), y = random.below(scene.height);
     PicturePlanes watched(scene.start, scene.captures), plain(scene.start, scene.captures);

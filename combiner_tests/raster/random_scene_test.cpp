@@ -20,9 +20,9 @@
 namespace ninebit::test {
 namespace {
 
-constexpr std::uint64_t kSeed = 0x7261737465720001U;
+constexpr std::uint64_t kSceneSeed = 0x7261737465720001U;
 constexpr std::uint64_t kShards = 8;
-constexpr std::uint64_t kCases = kSlowBuild ? 1600 : 64000;
+constexpr std::uint64_t kSceneCases = kSlowBuild ? 1600 : 64000;
 
 std::uint64_t number_from_environment(const char* name, std::uint64_t otherwise) {
   const char* const text = std::getenv(name);
@@ -132,7 +132,7 @@ class StateTable {
   std::map<std::string, std::map<int, std::uint64_t>> count_;
 };
 
-struct Seen {
+struct StatesSeen {
   oracle::Tally tally;
   StateTable states;
   std::uint64_t changed_planes[4]{};  // scenes in which colour, depth, stencil, primitive changed
@@ -168,7 +168,7 @@ void run_clear(const RandomDraw& draw, PicturePlanes& planes, oracle::Picture& e
   ASSERT_TRUE(status.ok()) << status.error().message;
 }
 
-void run_case(std::uint64_t seed, std::uint64_t index, Seen& seen) {
+void run_case(std::uint64_t seed, std::uint64_t index, StatesSeen& seen) {
   Random random(seed, index);
   const RandomScene scene = random_scene(random);
   PicturePlanes planes(scene.start, scene.captures);
@@ -209,11 +209,11 @@ class RandomScenes : public testing::TestWithParam<std::uint64_t> {};
 
 TEST_P(RandomScenes, EveryPlaneIsAsTheOracleDrawsIt) {
   const bool replay = std::getenv("NINEBIT_RASTER_INDEX") != nullptr;
-  const std::uint64_t count = replay ? 1 : number_from_environment("NINEBIT_RASTER_COUNT", kCases) / kShards;
+  const std::uint64_t count = replay ? 1 : number_from_environment("NINEBIT_RASTER_COUNT", kSceneCases) / kShards;
   const std::uint64_t first = number_from_environment("NINEBIT_RASTER_INDEX", GetParam() * count);
   if (replay && GetParam() != 0) GTEST_SKIP() << "one case is run by the first shard";
 
-  const std::uint64_t seed = number_from_environment("NINEBIT_RASTER_SEED", kSeed);
+  const std::uint64_t seed = number_from_environment("NINEBIT_RASTER_SEED", kSceneSeed);
   std::optional<OnTarget> on_target;
   if (std::getenv("NINEBIT_RASTER_TARGET") != nullptr) {
     const std::int64_t target =
@@ -222,7 +222,7 @@ TEST_P(RandomScenes, EveryPlaneIsAsTheOracleDrawsIt) {
     on_target.emplace(target);
   }
 
-  Seen seen;
+  StatesSeen seen;
   const auto run = [&] {
     for (std::uint64_t index = first; index < first + count; ++index) {
       run_case(seed, index, seen);
@@ -253,7 +253,7 @@ INSTANTIATE_TEST_SUITE_P(Shard, RandomScenes, testing::Range(std::uint64_t{0}, k
 TEST(RandomScenesOracle, TellsStatesApart) {
   int told = 0, cases = 0;
   for (std::uint64_t index = 0; index < 200; ++index) {
-    Random random(kSeed, index);
+    Random random(kSceneSeed, index);
     const RandomScene scene = random_scene(random);
     oracle::Picture right = scene.start, bent = scene.start;
     oracle::Tally tally;

@@ -2,15 +2,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 
 #include "combiner_tests/raster/texture_support.h"
+#include "combiner_tests/support/special_floats.h"
 
 namespace ninebit::test {
 namespace {
-
-constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
-constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
 Texture luminance(int width, int height, std::vector<std::uint8_t> bytes) {
   return make_texture(TextureTarget::texture_2d, InternalFormat::luminance8, {{{width, height, std::move(bytes)}}})

@@ -11,27 +11,28 @@
 namespace ninebit::test {
 namespace {
 
-constexpr std::uint64_t kSeed = 7001;
-constexpr int kFragments = kSlowBuild ? 10 : 120;
+constexpr std::uint64_t kTextureSeed = 7001;
+constexpr int kTextureFragments = kSlowBuild ? 10 : 120;
 
-struct Case {
+struct TextureCase {
   HardwareProfile profile = profiles::geforce2;
   Texture texture;
   Sampler sampler;
   CoordinateArrays fragments;
 };
 
-// Case `index` has the index's own format, target, filters and wrap modes; the rest is random.
-constexpr std::uint64_t kCases = kInternalFormats.size() * 2 * kMinFilters.size() * 2 * kWraps.size() * kWraps.size();
-Case make_case(std::uint64_t index) {
-  Random random(kSeed, index);
+// TextureCase `index` has the index's own format, target, filters and wrap modes; the rest is random.
+constexpr std::uint64_t kTextureCases =
+    kInternalFormats.size() * 2 * kMinFilters.size() * 2 * kWraps.size() * kWraps.size();
+TextureCase make_case(std::uint64_t index) {
+  Random random(kTextureSeed, index);
   std::uint64_t rest = index;
   const auto take = [&](const auto& list) {
     const auto value = list[rest % list.size()];
     rest /= list.size();
     return value;
   };
-  Case c;
+  TextureCase c;
   const InternalFormat format = take(kInternalFormats);
   TextureTarget target = take(std::array{TextureTarget::texture_2d, TextureTarget::cube_map});
   if (is_depth(format)) target = TextureTarget::texture_2d;
@@ -48,7 +49,7 @@ Case make_case(std::uint64_t index) {
   const int width = 1 << random.below(6);
   const int height = target == TextureTarget::cube_map || random.one_in(3) ? width : 1 << random.below(6);
   c.texture = random_texture(random, target, format, width, height, mipmaps || random.one_in(4));
-  for (int i = 0; i < kFragments; ++i) {
+  for (int i = 0; i < kTextureFragments; ++i) {
     std::array<float, 3> at{}, dx{}, dy{};
     for (std::size_t k = 0; k < 3; ++k) {
       at[k] = target == TextureTarget::cube_map && random.one_in(2)
@@ -63,7 +64,7 @@ Case make_case(std::uint64_t index) {
   return c;
 }
 
-std::string describe(const Case& c, std::uint64_t index, std::size_t i) {
+std::string describe(const TextureCase& c, std::uint64_t index, std::size_t i) {
   const TextureImage& base = c.texture.faces[0][0];
   std::string text = "case " + std::to_string(index) + " fragment " + std::to_string(i) + ": format " +
                      std::to_string(static_cast<int>(c.texture.format)) + ", " + std::to_string(base.width) + " x " +
@@ -90,11 +91,11 @@ bool near(float actual, long double expected, long double magnitude) {
   return std::fabs(static_cast<long double>(actual) - expected) <= 0.5001L * step + magnitude * 0x1p-48L;
 }
 
-struct Seen {
+struct TexturesSeen {
   int fragments = 0, border = 0, coarse = 0, ambiguous = 0, incomplete = 0;
 };
 
-bool agrees(const Case& c, const TextureSampler& sampler, const oracle::TextureAnswer& answer, std::size_t i) {
+bool agrees(const TextureCase& c, const TextureSampler& sampler, const oracle::TextureAnswer& answer, std::size_t i) {
   const Texel texel = sampler.texel(c.fragments.view(), i);
   const std::array<bool, 4> stored = stored_components(c.texture.format);
   if (is_real(c.texture.format)) {
@@ -111,8 +112,8 @@ bool agrees(const Case& c, const TextureSampler& sampler, const oracle::TextureA
   return true;
 }
 
-void run(std::uint64_t index, Seen& seen) {
-  const Case c = make_case(index);
+void run(std::uint64_t index, TexturesSeen& seen) {
+  const TextureCase c = make_case(index);
   const auto sampler = TextureSampler::make(c.profile, c.texture, c.sampler);
   CodeArrays codes(c.fragments.size());
   if (sampler) sampler->sample(c.fragments.view(), c.fragments.size(), codes.at());
@@ -145,17 +146,17 @@ void run(std::uint64_t index, Seen& seen) {
 }
 
 TEST(RandomTextures, EveryFilterAndWrapIsAsTheOracleHasIt) {
-  Seen seen;
+  TexturesSeen seen;
   if (const char* const only = std::getenv("NINEBIT_TEXTURE_INDEX")) {
     run(std::strtoull(only, nullptr, 10), seen);
     return;
   }
-  for (std::uint64_t index = 0; index < kCases; ++index) {
+  for (std::uint64_t index = 0; index < kTextureCases; ++index) {
     run(index, seen);
     if (HasFatalFailure()) return;
   }
   EXPECT_EQ(seen.incomplete, 0);
-  EXPECT_GE(seen.fragments, static_cast<int>(kCases) * kFragments);
+  EXPECT_GE(seen.fragments, static_cast<int>(kTextureCases) * kTextureFragments);
   EXPECT_GE(seen.border, seen.fragments / 50);
   EXPECT_GE(seen.coarse, seen.fragments / 5);
   EXPECT_LE(seen.ambiguous, seen.fragments / 1000);
@@ -165,8 +166,8 @@ TEST(RandomTextures, EveryFilterAndWrapIsAsTheOracleHasIt) {
 // The register codes do not depend on the run that a fragment comes in.
 TEST(RandomTextures, AnyCutGivesTheSameBits) {
   for (std::uint64_t index = 0; index < 60; ++index) {
-    Random random(kSeed + 1, index);
-    Case c = make_case(static_cast<std::uint64_t>(random.below(static_cast<int>(kCases))));
+    Random random(kTextureSeed + 1, index);
+    TextureCase c = make_case(static_cast<std::uint64_t>(random.below(static_cast<int>(kTextureCases))));
     if (index % 2 == 0) {  // the short way for bytes without a filter
       c.sampler.min_filter = MinFilter::nearest;
       c.sampler.mag_filter = MagFilter::nearest;

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "combiner_tests/support/special_floats.h"
+
 namespace ninebit::test {
 namespace {
 
@@ -58,7 +60,6 @@ Texture random_texture(Random& random, TextureTarget target, InternalFormat form
 }
 
 float random_coordinate(Random& random, int size) {
-  constexpr float kInfinity = std::numeric_limits<float>::infinity();
   switch (random.below(8)) {
     case 0:
     case 1: {  // an edge or a middle of a texel, or a neighbouring float

@@ -11,7 +11,7 @@
 namespace ninebit::test {
 namespace {
 
-constexpr int kWidth = 300, kHeight = 200;
+constexpr int kWindowWidth = 300, kWindowHeight = 200;
 
 Texture noise_texture() {
   Random random(3);
@@ -37,13 +37,13 @@ Drawn draw_all(int threads) {
   arena.execute([&] {
     const Texture texture = noise_texture();
     const std::array<TextureUnit, 1> units{TextureUnit{&texture, {.min_filter = MinFilter::linear_mipmap_linear}}};
-    Surface surface = Surface::make(kWidth, kHeight, {.with_primitive = true}).value();
+    Surface surface = Surface::make(kWindowWidth, kWindowHeight, {.with_primitive = true}).value();
     RenderTarget target = surface.target();
-    drawn.attribute.assign(kWidth * kHeight, -1.0F);
+    drawn.attribute.assign(kWindowWidth * kWindowHeight, -1.0F);
     target.outputs.push_back({.source = OutputSource::attribute,
                               .attribute = 0,
                               .component = 1,
-                              .plane = Plane<float>{drawn.attribute.data(), kWidth}});
+                              .plane = Plane<float>{drawn.attribute.data(), kWindowWidth}});
     for (int i = 0; i < 20; ++i) {
       Random random(71, static_cast<std::uint64_t>(i));
       const PrimitiveType type = static_cast<PrimitiveType>(i % 10);
@@ -71,7 +71,7 @@ Drawn draw_all(int threads) {
       VertexArrays arrays{.type = type, .positions = positions, .vertex_colors = colors};
       arrays.texture_coordinates[0] = coordinates;
       arrays.attributes[0] = attributes;
-      const glm::mat4 matrix = perspective(0.8, static_cast<double>(kWidth) / kHeight, 0.1, 10);
+      const glm::mat4 matrix = perspective(0.8, static_cast<double>(kWindowWidth) / kWindowHeight, 0.1, 10);
       const Status status = rasterize(state, matrix, arrays, units, target);
       EXPECT_TRUE(status.ok()) << status.error().message;
     }

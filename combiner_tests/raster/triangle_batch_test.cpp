@@ -5,10 +5,10 @@
 #include <bit>
 #include <cmath>
 #include <cstring>
-#include <limits>
 
 #include "combiner_tests/combiner/simd_targets.h"
 #include "combiner_tests/raster/support.h"
+#include "combiner_tests/support/special_floats.h"
 #include "src/raster/clip.h"
 #include "src/raster/primitive_setup.h"
 
@@ -71,7 +71,7 @@ Coverage coverage_of(const oracle::WindowTriangle& t, const PixelBox& drawn) {
 
 // Corners on places that matter around the centre (24, 24): on it, on its neighbours' and beside them.
 constexpr std::array kPlaces{8, 13, 23, 24, 25, 38, 40};
-constexpr int kSize = 3;
+constexpr int kBatchWindow = 3;
 
 struct SmallTriangles {
   std::vector<glm::vec3> positions;
@@ -87,7 +87,7 @@ SmallTriangles all_small_triangles(std::uint64_t seed) {
     for (const int x : kPlaces) {
       const int z = random.one_in(3) ? random.pick({0, 1, 0xFFFFFE, 0xFFFFFF}) : random.below(1 << 24);
       t.vertices.push_back({x, y, z});
-      t.positions.push_back(clip_position(t.vertices.back(), kSize, kSize));
+      t.positions.push_back(clip_position(t.vertices.back(), kBatchWindow, kBatchWindow));
     }
   }
   const auto count = static_cast<std::uint32_t>(t.vertices.size());
@@ -155,7 +155,7 @@ TEST(TriangleBatch, SmallTrianglesAreDecidedAsTheOracleDecides) {
       for (const CullFace cull : {CullFace::none, CullFace::back, CullFace::front}) {
         PipelineState state;
         state.cull_face = cull;
-        DrawSetup setup(state, drawn, kIdentity, arrays, kSize, kSize, true);
+        DrawSetup setup(state, drawn, kIdentity, arrays, kBatchWindow, kBatchWindow, true);
         setup.run(0, setup.items());
         compare_small(t, drawn, state, setup.block, found);
         ASSERT_FALSE(HasFatalFailure()) << simd_target_name(target);
@@ -170,7 +170,6 @@ TEST(TriangleBatch, SmallTrianglesAreDecidedAsTheOracleDecides) {
 
 // A position of any kind: in view, at a plane or side of the view volume, far beyond, not finite, behind the eye.
 float any_number(Random& random) {
-  constexpr float kInfinity = std::numeric_limits<float>::infinity();
   switch (random.below(8)) {
     case 0:
       return random.pick({0.0F, -0.0F, 1.0F, -1.0F, 1e-30F, 1e-45F, 0x1p-80F, 0x1p-81F});

@@ -9,11 +9,11 @@
 namespace ninebit::test {
 namespace {
 
-constexpr int kSize = 64;
+constexpr int kWindow = 64;
 
 std::vector<std::uint8_t> counts(PrimitiveType type, const std::vector<glm::vec3>& positions,
                                  const std::vector<std::uint32_t>& indices, const glm::mat4& matrix = kIdentity) {
-  Surface surface = Surface::make(kSize, kSize).value();
+  Surface surface = Surface::make(kWindow, kWindow).value();
   RenderTarget target = surface.target();
   const Status status =
       rasterize(counting_state(), matrix, {.type = type, .positions = positions, .indices = indices}, {}, target);
@@ -39,7 +39,7 @@ Grid random_grid(Random& random) {
         const std::int64_t q4 = i * cell - 32 + random.between(-20, 20);
         return random.one_in(3) ? (q4 & ~std::int64_t{15}) + 8 : q4;
       };
-      grid.positions.push_back(clip_position({place(column), place(row), 0}, kSize, kSize));
+      grid.positions.push_back(clip_position({place(column), place(row), 0}, kWindow, kWindow));
     }
   }
   return grid;
@@ -50,7 +50,7 @@ TEST(WatertightPolygons, GridsOfEveryTypeDrawEveryPixelOnce) {
     Random random(101, index);
     const Grid grid = random_grid(random);
     std::vector<std::uint32_t> quads;
-    std::vector<std::uint8_t> strips(kSize * kSize), quad_strips(kSize * kSize), polygons(kSize * kSize);
+    std::vector<std::uint8_t> strips(kWindow * kWindow), quad_strips(kWindow * kWindow), polygons(kWindow * kWindow);
     const auto add = [](std::vector<std::uint8_t>& sum, const std::vector<std::uint8_t>& more) {
       for (std::size_t i = 0; i < sum.size(); ++i) sum[i] = static_cast<std::uint8_t>(sum[i] + more[i]);
     };
@@ -68,7 +68,7 @@ TEST(WatertightPolygons, GridsOfEveryTypeDrawEveryPixelOnce) {
       add(strips, counts(PrimitiveType::triangle_strip, grid.positions, zigzag));
       add(quad_strips, counts(PrimitiveType::quad_strip, grid.positions, zigzag));
     }
-    const std::vector<std::uint8_t> once(kSize * kSize, 1);
+    const std::vector<std::uint8_t> once(kWindow * kWindow, 1);
     ASSERT_EQ(counts(PrimitiveType::quads, grid.positions, quads), once) << index;
     ASSERT_EQ(strips, once) << index;
     ASSERT_EQ(quad_strips, once) << index;
@@ -89,14 +89,14 @@ TEST(WatertightPolygons, SharedEdgesStayClosedWhereTheyAreClipped) {
     const auto both = counts(PrimitiveType::quads, positions, {0, 1, 2, 3, 1, 4, 5, 2}, perspective(1, 1, 0.1, 100));
     const auto whole = counts(PrimitiveType::quads, positions, {0, 4, 5, 3}, perspective(1, 1, 0.1, 100));
     // Rows that both reach fully: from the bottom to below the far edge.
-    const int rows = static_cast<int>(std::floor(kSize / 2.0 * (1 - 1 / double{-z}))) - 1;
-    for (int i = 0; i < rows * kSize; ++i) {
-      ASSERT_EQ(both[static_cast<std::size_t>(i)], 1) << index << " pixel " << i % kSize << ' ' << i / kSize;
-      ASSERT_EQ(whole[static_cast<std::size_t>(i)], 1) << index << " pixel " << i % kSize << ' ' << i / kSize;
+    const int rows = static_cast<int>(std::floor(kWindow / 2.0 * (1 - 1 / double{-z}))) - 1;
+    for (int i = 0; i < rows * kWindow; ++i) {
+      ASSERT_EQ(both[static_cast<std::size_t>(i)], 1) << index << " pixel " << i % kWindow << ' ' << i / kWindow;
+      ASSERT_EQ(whole[static_cast<std::size_t>(i)], 1) << index << " pixel " << i % kWindow << ' ' << i / kWindow;
       ++drawn;
     }
   }
-  EXPECT_GE(drawn, 400 * 20 * kSize);
+  EXPECT_GE(drawn, 400 * 20 * kWindow);
 }
 
 }  // namespace

@@ -1,14 +1,14 @@
 // Cameras, lights and floors that the file does not bring, and what the user overrides.
 #include <algorithm>
-#include <limits>
 
 #include "combiner_tests/scene/scene_test_support.h"
+#include "combiner_tests/support/special_floats.h"
 
 namespace ninebit::scene_tests {
 namespace {
 
-constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
-constexpr float kInfinity = std::numeric_limits<float>::infinity();
+using ninebit::test::kInfinity;
+using ninebit::test::kNan;
 
 // A tetrahedron that spans the box from low to high.
 Scene solid(const glm::vec3& low, const glm::vec3& high) {

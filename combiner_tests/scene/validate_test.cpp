@@ -1,14 +1,14 @@
 // Every promise of Scene, broken one at a time.
 #include <functional>
-#include <limits>
 
 #include "combiner_tests/scene/scene_test_support.h"
+#include "combiner_tests/support/special_floats.h"
 
 namespace ninebit::scene_tests {
 namespace {
 
-constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
-constexpr float kInfinity = std::numeric_limits<float>::infinity();
+using ninebit::test::kInfinity;
+using ninebit::test::kNan;
 
 Scene two_boxes() {
   Scene scene = box({0, 0, 0}, {1, 1, 1});

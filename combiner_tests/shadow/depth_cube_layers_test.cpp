@@ -6,6 +6,7 @@
 #include <cmath>
 #include <string>
 
+#include "combiner_tests/shadow/depth_cube_support.h"
 #include "combiner_tests/shadow/support.h"
 #include "ninebit/combiner/evaluate.h"
 #include "ninebit/raster/texture.h"
@@ -14,25 +15,19 @@
 namespace {
 
 using namespace ninebit;
+using shadow_test::draw_depth_cube;
 using shadow_test::fact;
 using shadow_test::samples_of;
 
-constexpr std::array kCodes{DepthCubeBits::eight, DepthCubeBits::sixteen};
-
-Rendering draw(const Scene& scene, const RenderSettings& settings) {
-  auto result = render_depth_cube(scene, settings, {});
-  if (!result) throw std::runtime_error(result.error().text());
-  return std::move(*result);
-}
-
-RenderSettings settings_of(DepthCubeBits bits) {
-  RenderSettings settings = shadow_test::small_settings();
+RenderSettings tiny_settings_of(DepthCubeBits bits) {
+  RenderSettings settings = shadow_test::depth_cube_settings(bits);
   settings.width = 100;
   settings.height = 75;
   settings.map_size = 64;
-  settings.depth_cube.bits = bits;
   return settings;
 }
+
+constexpr std::array kCodes{DepthCubeBits::eight, DepthCubeBits::sixteen};
 
 // A box above a floor that reaches far around the light: all faces of the map but +Y are looked up.
 Scene box_over_floor() {
@@ -51,7 +46,7 @@ int code_at(const Rendering& r, const std::string& prefix, const std::string& te
 TEST(DistanceCode, RampsAreStepsOfOneCodeAndLagByTheBias) {
   const Scene scene = box_over_floor();
   for (const DepthCubeBits bits : kCodes) {
-    RenderSettings settings = settings_of(bits);
+    RenderSettings settings = tiny_settings_of(bits);
     settings.depth_cube.bias = 0.3F;
     const DistanceCode code = distance_code(scene, settings);
     EXPECT_GE(code.bias(), 0.3);
@@ -76,8 +71,8 @@ TEST(DistanceCode, RampsAreStepsOfOneCodeAndLagByTheBias) {
 TEST(DepthCubeLayers, HoldWhatDecidedEachPixel) {
   const Scene scene = box_over_floor();
   for (const DepthCubeBits bits : kCodes) {
-    const RenderSettings settings = settings_of(bits);
-    const Rendering r = draw(scene, settings);
+    const RenderSettings settings = tiny_settings_of(bits);
+    const Rendering r = draw_depth_cube(scene, settings);
     const DistanceCode code = distance_code(scene, settings);
     const std::string prefix = bits == DepthCubeBits::eight ? "" : "low byte ";
     const auto& object = samples_of<std::uint32_t>(r.layers, "object", "object");
@@ -127,7 +122,9 @@ TEST(DepthCubeLayers, HoldWhatDecidedEachPixel) {
 }
 
 TEST(DepthCubeLayers, AreOneSetForEachComparison) {
-  const auto count = [](DepthCubeBits bits) { return draw(box_over_floor(), settings_of(bits)).layers.size(); };
+  const auto count = [](DepthCubeBits bits) {
+    return draw_depth_cube(box_over_floor(), tiny_settings_of(bits)).layers.size();
+  };
   constexpr std::size_t kSet = 5 * 4 + 1, kFrame = 4;
   EXPECT_EQ(count(DepthCubeBits::eight), kSet + kFrame);
   EXPECT_EQ(count(DepthCubeBits::sixteen), 2 * kSet + kFrame);
@@ -136,10 +133,10 @@ TEST(DepthCubeLayers, AreOneSetForEachComparison) {
 
 TEST(DepthCubeLayers, ChangeNoBit) {
   for (const DepthCubeBits bits : {DepthCubeBits::eight, DepthCubeBits::sixteen, DepthCubeBits::real}) {
-    RenderSettings settings = settings_of(bits);
-    const Rendering with = draw(box_over_floor(), settings);
+    RenderSettings settings = tiny_settings_of(bits);
+    const Rendering with = draw_depth_cube(box_over_floor(), settings);
     settings.layers = false;
-    const Rendering without = draw(box_over_floor(), settings);
+    const Rendering without = draw_depth_cube(box_over_floor(), settings);
     EXPECT_EQ(with.frame.stencil(), without.frame.stencil());
     EXPECT_EQ(with.frame.color(kRed), without.frame.color(kRed));
     EXPECT_TRUE(without.layers.empty());
@@ -149,9 +146,9 @@ TEST(DepthCubeLayers, ChangeNoBit) {
 
 // With floats, the planes are those of the comparison.
 TEST(DepthCubeLayers, FloatsDecideByTheBias) {
-  RenderSettings settings = settings_of(DepthCubeBits::real);
+  RenderSettings settings = tiny_settings_of(DepthCubeBits::real);
   settings.depth_cube.bias = 0.25F;
-  const Rendering r = draw(box_over_floor(), settings);
+  const Rendering r = draw_depth_cube(box_over_floor(), settings);
   const auto& own = samples_of<float>(r.layers, "own_distance", "distance");
   const auto& map = samples_of<float>(r.layers, "map_distance", "distance");
   for (std::size_t i = 0; i < own.size(); ++i) ASSERT_EQ(r.frame.stencil()[i] != 0, own[i] - 0.25F > map[i]);
@@ -161,11 +158,11 @@ TEST(DepthCubeLayers, FloatsDecideByTheBias) {
 TEST(DepthCubeProbe, KeepsThePassesOfThePixelsFace) {
   const Scene scene = box_over_floor();
   for (const DepthCubeBits bits : kCodes) {
-    const Rendering whole = draw(scene, settings_of(bits));
+    const Rendering whole = draw_depth_cube(scene, tiny_settings_of(bits));
     for (const auto& [x, y] : {std::pair(50, 30), std::pair(10, 20), std::pair(90, 35), std::pair(50, 5)}) {
-      RenderSettings settings = settings_of(bits);
+      RenderSettings settings = tiny_settings_of(bits);
       settings.pixel = glm::ivec2(x, y);
-      const Rendering r = draw(scene, settings);
+      const Rendering r = draw_depth_cube(scene, settings);
       EXPECT_EQ(r.frame.stencil(), whole.frame.stencil());
       std::vector<const ProbedPass*> compared;
       for (const ProbedPass& pass : r.probed) {
@@ -192,9 +189,9 @@ TEST(DepthCubeProbe, KeepsThePassesOfThePixelsFace) {
 // What lies in shadow met another triangle in the map, nearer to the light; the judge asks for it.
 TEST(DepthCubeEvidence, NamesTheTriangleThatTheMapHolds) {
   const Scene scene = shadow_test::square_over_floor();
-  RenderSettings settings = settings_of(DepthCubeBits::sixteen);
+  RenderSettings settings = tiny_settings_of(DepthCubeBits::sixteen);
   settings.evidence = true;
-  const Rendering r = draw(scene, settings);
+  const Rendering r = draw_depth_cube(scene, settings);
   ASSERT_TRUE(r.evidence.has_value());
   ASSERT_EQ(r.evidence->fetched.size(), r.frame.stencil().size());
   const auto& object = samples_of<std::uint32_t>(r.layers, "object", "object");
@@ -212,8 +209,8 @@ TEST(DepthCubeEvidence, NamesTheTriangleThatTheMapHolds) {
 
 TEST(DepthCubeFacts, AreThoseOfThePasses) {
   for (const DepthCubeBits bits : kCodes) {
-    const RenderSettings settings = settings_of(bits);
-    const Rendering r = draw(box_over_floor(), settings);
+    const RenderSettings settings = tiny_settings_of(bits);
+    const Rendering r = draw_depth_cube(box_over_floor(), settings);
     const DistanceCode code = distance_code(box_over_floor(), settings);
     const bool eight = bits == DepthCubeBits::eight;
     EXPECT_EQ(fact<std::string>(r, "depth_bits"), eight ? "8" : "16");
@@ -225,7 +222,7 @@ TEST(DepthCubeFacts, AreThoseOfThePasses) {
     EXPECT_EQ(fact<double>(r, "distance_far"), double{code.high});
     EXPECT_EQ(fact<double>(r, "bias"), code.bias());
   }
-  const Rendering floats = draw(box_over_floor(), settings_of(DepthCubeBits::real));
+  const Rendering floats = draw_depth_cube(box_over_floor(), tiny_settings_of(DepthCubeBits::real));
   EXPECT_EQ(fact<std::uint64_t>(floats, "texture_units"), 0U);
   EXPECT_EQ(fact<std::uint64_t>(floats, "comparison_passes"), 0U);
 }

@@ -10,27 +10,18 @@
 #include <limits>
 #include <string>
 
+#include "combiner_tests/shadow/depth_cube_support.h"
 #include "combiner_tests/shadow/support.h"
 
 namespace {
 
 using namespace ninebit;
+using shadow_test::depth_cube_settings;
+using shadow_test::draw_depth_cube;
 using shadow_test::on_plane;
 using shadow_test::samples_of;
 
 constexpr std::array kAllBits{DepthCubeBits::eight, DepthCubeBits::sixteen, DepthCubeBits::real};
-
-Rendering draw(const Scene& scene, const RenderSettings& settings) {
-  auto result = render_depth_cube(scene, settings, {});
-  if (!result) throw std::runtime_error(result.error().text());
-  return std::move(*result);
-}
-
-RenderSettings settings_of(DepthCubeBits bits) {
-  RenderSettings settings = shadow_test::small_settings();
-  settings.depth_cube.bits = bits;
-  return settings;
-}
 
 const std::vector<std::uint32_t>& objects(const Rendering& r) {
   return samples_of<std::uint32_t>(r.layers, "object", "object");
@@ -64,8 +55,8 @@ Judged judge_square(const Scene& scene, const RenderSettings& settings, const Re
 TEST(DepthCube, SquareOverFloorCastsTheSquareOfTheFormula) {
   const Scene scene = shadow_test::square_over_floor(6.0F);
   for (const DepthCubeBits bits : kAllBits) {
-    const RenderSettings settings = settings_of(bits);
-    const Rendering r = draw(scene, settings);
+    const RenderSettings settings = depth_cube_settings(bits);
+    const Rendering r = draw_depth_cube(scene, settings);
     const Judged judged = judge_square(scene, settings, r);
     EXPECT_GT(judged.inside, 1000);
     EXPECT_GT(judged.outside, 3000);
@@ -84,9 +75,9 @@ TEST(DepthCube, SquareOverFloorCastsTheSquareOfTheFormula) {
 TEST(DepthCube, WithoutBiasThereIsAcne) {
   const Scene scene = shadow_test::square_over_floor(6.0F);
   for (const DepthCubeBits bits : kAllBits) {
-    RenderSettings settings = settings_of(bits);
+    RenderSettings settings = depth_cube_settings(bits);
     settings.depth_cube.bias = 0.0F;
-    const Judged judged = judge_square(scene, settings, draw(scene, settings));
+    const Judged judged = judge_square(scene, settings, draw_depth_cube(scene, settings));
     EXPECT_GT(judged.false_shadowed, 100);
     EXPECT_EQ(judged.false_lit, 0);
   }
@@ -111,9 +102,9 @@ TEST(DepthCube, EachFaceOfTheMapCastsItsShadow) {
           shadow_test::add_quad(scene, "square", {{middle - a - b, middle + a - b, middle + a + b, middle - a + b}});
         }
       }
-      RenderSettings settings = settings_of(bits);
+      RenderSettings settings = depth_cube_settings(bits);
       settings.width = settings.height = 80;
-      const Rendering r = draw(scene, settings);
+      const Rendering r = draw_depth_cube(scene, settings);
       const float texel = 6.0F / static_cast<float>(settings.map_size);
       int inside = 0, outside = 0;
       for (int y = 0; y < 80; ++y) {
@@ -144,9 +135,9 @@ TEST(DepthCube, MoreBitsLoseLessOfACloseShadow) {
     shadow_test::add_quad(scene, "slope", {{{-1, 0.001F, 1}, {1, 0.2F, 1}, {1, 0.2F, -1}, {-1, 0.001F, -1}}});
     std::array<std::vector<std::uint8_t>, 3> stencil;
     for (std::size_t b = 0; b < 3; ++b) {
-      RenderSettings settings = settings_of(kAllBits[b]);
+      RenderSettings settings = depth_cube_settings(kAllBits[b]);
       settings.depth_cube.bias = 0.01F;
-      const Rendering r = draw(scene, settings);
+      const Rendering r = draw_depth_cube(scene, settings);
       stencil[b] = r.frame.stencil();
       for (int y = 0; y < settings.height; ++y) {
         for (int x = 0; x < settings.width; ++x) {
@@ -186,9 +177,9 @@ TEST(DepthCube, AgreesWithTheIndexCubeByObject) {
   shadow_test::add_quad(wall, "back", {{{-6, -5, -3}, {6, -5, -3}, {6, 5, -3}, {-6, 5, -3}}});
   for (const Scene& scene : {shadow_test::square_over_floor(), wall}) {
     for (const DepthCubeBits bits : kAllBits) {
-      RenderSettings settings = settings_of(bits);
+      RenderSettings settings = depth_cube_settings(bits);
       settings.index.scope = IndexScope::object;
-      const Rendering by_index = shadow_test::render(scene, settings), by_depth = draw(scene, settings);
+      const Rendering by_index = shadow_test::render(scene, settings), by_depth = draw_depth_cube(scene, settings);
       const auto uniform = [&](int x, int y) {
         for (int dy = -3; dy <= 3; ++dy) {
           for (int dx = -3; dx <= 3; ++dx) {
@@ -220,9 +211,9 @@ TEST(DepthCube, LightFacingShadowsWhatTurnsAway) {
   Scene scene = shadow_test::scene_with({3.0F, 2.0F, 6.0F}, {0.0F, 0.0F, 0.0F}, {0.0F, 6.0F, 0.0F});
   shadow_test::add_box(scene, "box", {-1, -1, -1}, {1, 1, 1});
   for (const DepthCubeBits bits : kAllBits) {
-    RenderSettings settings = settings_of(bits);
+    RenderSettings settings = depth_cube_settings(bits);
     settings.light_facing = true;
-    const Rendering r = draw(scene, settings);
+    const Rendering r = draw_depth_cube(scene, settings);
     const auto& polygon = samples_of<std::uint32_t>(r.layers, "polygon", "polygon");
     for (std::size_t i = 0; i < polygon.size(); ++i) {
       if (polygon[i] == 0) continue;
@@ -238,11 +229,11 @@ TEST(DepthCube, LightFacingShadowsWhatTurnsAway) {
 TEST(DepthCube, AnyNumberOfThreadsGivesTheSameBits) {
   const Scene scene = shadow_test::square_over_floor();
   for (const DepthCubeBits bits : kAllBits) {
-    const RenderSettings settings = settings_of(bits);
-    const Rendering first = draw(scene, settings);
+    const RenderSettings settings = depth_cube_settings(bits);
+    const Rendering first = draw_depth_cube(scene, settings);
     for (const std::size_t threads : {1U, 2U, 5U}) {
       const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
-      const Rendering r = draw(scene, settings);
+      const Rendering r = draw_depth_cube(scene, settings);
       for (int c = 0; c < 4; ++c) ASSERT_EQ(r.frame.color(c), first.frame.color(c));
       ASSERT_EQ(r.frame.stencil(), first.frame.stencil());
       ASSERT_EQ(r.layers.size(), first.layers.size());
@@ -258,7 +249,7 @@ TEST(DepthCube, BadSettingsAreReported) {
     const auto r = render_depth_cube(of, settings, {});
     return r.ok() ? std::string() : r.error().message;
   };
-  RenderSettings settings = settings_of(DepthCubeBits::eight);
+  RenderSettings settings = depth_cube_settings(DepthCubeBits::eight);
   settings.depth_cube.bias = -0.5F;
   EXPECT_EQ(message(scene, settings), "bias -0.5 is no distance of 0 or more");
   settings.depth_cube.bias = std::numeric_limits<float>::quiet_NaN();
@@ -272,11 +263,11 @@ TEST(DepthCube, BadSettingsAreReported) {
   EXPECT_NE(message(directional, settings).find("expected a point light"), std::string::npos);
   // A bias beyond the whole range shadows nothing.
   settings.depth_cube.bias = 1e30F;
-  EXPECT_EQ(draw(scene, settings).shadowed, 0U);
+  EXPECT_EQ(draw_depth_cube(scene, settings).shadowed, 0U);
 }
 
 TEST(DepthCube, StopsBetweenPasses) {
-  const RenderSettings settings = settings_of(DepthCubeBits::sixteen);
+  const RenderSettings settings = depth_cube_settings(DepthCubeBits::sixteen);
   const Scene scene = shadow_test::square_over_floor();
   std::vector<std::string> passes;
   const auto count = [&](std::string_view pass, double) {

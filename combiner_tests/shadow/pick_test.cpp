@@ -14,7 +14,7 @@ Scene boxes_on_a_floor() {
   return scene;
 }
 
-RenderSettings tiny_settings() {
+RenderSettings pick_settings() {
   RenderSettings settings = shadow_test::small_settings();
   settings.width = 48;
   settings.height = 36;
@@ -27,7 +27,7 @@ TEST(Pick, TellsWhatTheLayersShow) {
   const Sections sections = cut_into_sections(scene, 4);
   for (const IndexScope scope : {IndexScope::polygon, IndexScope::object, IndexScope::section}) {
     for (const IndexFormat format : {IndexFormat::rgb, IndexFormat::luminance_alpha, IndexFormat::alpha}) {
-      RenderSettings settings = tiny_settings();
+      RenderSettings settings = pick_settings();
       settings.index = {.format = format, .scope = scope, .section_size = 4};
       const auto layers = shadow_test::comparison_layers(shadow_test::render(scene, settings));
       settings.layers = false;
@@ -62,7 +62,7 @@ TEST(Pick, TellsWhatTheLayersShow) {
 
 TEST(Pick, ChangesNothing) {
   const Scene scene = boxes_on_a_floor();
-  RenderSettings settings = tiny_settings();
+  RenderSettings settings = pick_settings();
   settings.layers = false;
   const Rendering plain = shadow_test::render(scene, settings);
   EXPECT_FALSE(plain.picked.has_value());

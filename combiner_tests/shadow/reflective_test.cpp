@@ -22,7 +22,7 @@ using namespace ninebit;
 using shadow_test::fact;
 using shadow_test::samples_of;
 
-RenderSettings small_settings(SamplePattern pattern = SamplePattern::polar) {
+RenderSettings reflective_settings(SamplePattern pattern = SamplePattern::polar) {
   RenderSettings settings;
   settings.width = 96;
   settings.height = 72;
@@ -77,7 +77,7 @@ Scene lit_square() {
 TEST(ReflectiveMap, HoldsPositionNormalFluxAndDepth) {
   Scene scene = lit_square();
   scene.lights[0].color = {1.0F, 0.5F, 0.25F};
-  const auto map = draw_reflective_map(scene, small_settings());
+  const auto map = draw_reflective_map(scene, reflective_settings());
   ASSERT_TRUE(map.ok());
   ASSERT_EQ(map->size, 128);
   // The beam is 1.01 times as wide as the diagonal.
@@ -151,7 +151,7 @@ class PositionBound {
 };
 
 void expect_positions_agree(const Scene& scene, double largest_bound) {
-  const auto map = draw_reflective_map(scene, small_settings());
+  const auto map = draw_reflective_map(scene, reflective_settings());
   ASSERT_TRUE(map.ok());
   const std::vector<glm::dvec3> rebuilt = positions_from_depth(*map);
   const PositionBound bound(*map);
@@ -231,7 +231,7 @@ double form_factor(double x, double x0, double x1) {
 }
 
 struct SquareLight {
-  RenderSettings settings = small_settings();
+  RenderSettings settings = reflective_settings();
   Scene scene = lit_square();
   ReflectiveMap map;
   PixelLights lights;
@@ -266,7 +266,7 @@ TEST(IndirectLight, WholeMapOfASpotLight) {
   scene.lights[0].kind = LightKind::spot;
   scene.lights[0].position = {1.5F, 2.0F, 0.5F};
   scene.lights[0].direction = glm::normalize(glm::vec3(0.3F, 0, 0) - scene.lights[0].position);
-  RenderSettings settings = small_settings();
+  RenderSettings settings = reflective_settings();
   settings.map_size = 512;
   const auto map = draw_reflective_map(scene, settings);
   ASSERT_TRUE(map.ok());
@@ -293,7 +293,7 @@ TEST(IndirectLight, NothingBehindASpotLight) {
   Scene scene = lit_square();
   scene.lights[0].kind = LightKind::spot;
   scene.lights[0].position = {0, 2, 0};
-  const RenderSettings settings = small_settings();
+  const RenderSettings settings = reflective_settings();
   const ReflectiveMap map = draw_reflective_map(scene, settings).value();
   const PixelLights lights = pixel_lights(map, scene.lights[0], SamplePattern::polar);
   VisibleSurface surface = points_over_square({0.0F, 0.0F});
@@ -377,7 +377,7 @@ TEST(IndirectLight, PoissonPatternOnAverage) {
 
 TEST(Reflective, IsDirectLightPlusIndirect) {
   const Scene scene = cornell_box();
-  RenderSettings settings = small_settings(SamplePattern::poisson);
+  RenderSettings settings = reflective_settings(SamplePattern::poisson);
   settings.layers = true;
   const Rendering r = rendered(scene, settings);
   const auto direct = render_shadow_map(scene, settings, {});
@@ -421,7 +421,7 @@ TEST(Reflective, IsDirectLightPlusIndirect) {
 // The red wall is on the left: light from there is redder than light from the green one.
 TEST(Reflective, WallsBleedTheirColours) {
   for (const SamplePattern pattern : {SamplePattern::poisson, SamplePattern::polar}) {
-    RenderSettings settings = small_settings(pattern);
+    RenderSettings settings = reflective_settings(pattern);
     settings.layers = true;
     const Rendering r = rendered(cornell_box(), settings);
     const auto& x = samples_of<float>(r.layers, "surface_position", "X");
@@ -440,7 +440,7 @@ TEST(Reflective, WallsBleedTheirColours) {
 
 TEST(Reflective, SameBitsForAnyNumberOfThreads) {
   for (const SamplePattern pattern : {SamplePattern::poisson, SamplePattern::polar}) {
-    RenderSettings settings = small_settings(pattern);
+    RenderSettings settings = reflective_settings(pattern);
     settings.reflective.gather_scale = pattern == SamplePattern::polar ? 3 : 1;
     settings.layers = true;
     std::optional<Rendering> first;
@@ -460,7 +460,7 @@ TEST(Reflective, SameBitsForAnyNumberOfThreads) {
 
 TEST(Reflective, LowResolutionGatheringIsCloseToTheFullOne) {
   const Scene scene = cornell_box();
-  RenderSettings settings = small_settings();
+  RenderSettings settings = reflective_settings();
   settings.width = 240;
   settings.height = 180;
   settings.layers = true;
@@ -489,7 +489,7 @@ TEST(Reflective, LowResolutionGatheringIsCloseToTheFullOne) {
 
 // On the floor, away from everything, a pixel between four of the low resolution's is their bilinear mean.
 TEST(Reflective, InterpolationIsBilinear) {
-  RenderSettings settings = small_settings();
+  RenderSettings settings = reflective_settings();
   settings.width = 240;
   settings.height = 180;
   settings.layers = true;
@@ -529,7 +529,7 @@ TEST(Reflective, InterpolationIsBilinear) {
 }
 
 TEST(Reflective, EvidenceComparesWithTheWholeMap) {
-  RenderSettings settings = small_settings();
+  RenderSettings settings = reflective_settings();
   settings.evidence = true;
   settings.reflective.samples = 1024;
   settings.reflective.kernel = 182.0F;
@@ -546,7 +546,7 @@ TEST(Reflective, EvidenceComparesWithTheWholeMap) {
 // What the published weight costs on a whole picture, where the kernel covers the whole map.
 TEST(Reflective, BiasOfThePublishedWeight) {
   const Scene scene = cornell_box();
-  RenderSettings settings = small_settings();
+  RenderSettings settings = reflective_settings();
   settings.layers = true;
   const Rendering r = rendered(scene, settings);
   VisibleSurface surface{.width = settings.width, .height = settings.height};
@@ -582,7 +582,7 @@ TEST(Reflective, BiasOfThePublishedWeight) {
 TEST(Reflective, SettingsOutOfRange) {
   const Scene scene = lit_square();
   const auto fault = [&](const ReflectiveSettings& reflective) {
-    RenderSettings settings = small_settings();
+    RenderSettings settings = reflective_settings();
     settings.reflective = reflective;
     const auto result = render_reflective(scene, settings, {});
     return result ? std::string() : result.error().message;
@@ -596,14 +596,14 @@ TEST(Reflective, SettingsOutOfRange) {
   EXPECT_NE(fault({.gather_scale = 17}).find("1 to 16"), std::string::npos);
   Scene point = scene;
   point.lights[0].kind = LightKind::point;
-  const auto result = render_reflective(point, small_settings(), {});
+  const auto result = render_reflective(point, reflective_settings(), {});
   ASSERT_FALSE(result.ok());
   EXPECT_NE(result.error().message.find("spot or directional"), std::string::npos);
 }
 
 TEST(Reflective, CancellingEndsTheWork) {
   const Scene scene = lit_square();
-  RenderSettings settings = small_settings();
+  RenderSettings settings = reflective_settings();
   settings.evidence = true;
   int all = 0;
   double last = 0.0;

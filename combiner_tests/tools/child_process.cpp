@@ -14,8 +14,6 @@
 namespace tools_test {
 namespace {
 
-const char* const kProgram = NINEBIT_BINARY_DIR "/ninebit";
-
 std::FILE* open_file(const std::string& path) {
   std::FILE* file = path.empty() ? std::tmpfile() : std::fopen(path.c_str(), "w");
   if (file == nullptr) throw std::runtime_error("cannot open " + (path.empty() ? "a temporary file" : path));
@@ -39,7 +37,7 @@ std::string content_of(std::FILE* file) {
   }
   const int in = ::open(settings.in.empty() ? "/dev/null" : settings.in.c_str(), O_RDONLY);
   ready = ready && ::dup2(in, STDIN_FILENO) >= 0 && ::dup2(out, STDOUT_FILENO) >= 0 && ::dup2(err, STDERR_FILENO) >= 0;
-  if (ready) ::execv(kProgram, arguments);
+  if (ready) ::execv(kProgram.c_str(), arguments);
   ::_exit(126);
 }
 

@@ -10,6 +10,8 @@
 
 namespace tools_test {
 
+inline const std::string kProgram = NINEBIT_BINARY_DIR "/ninebit";
+
 // How a process ended. `code` is what a shell would tell: the exit code, or 128 + the signal that killed it.
 struct Outcome {
   int code = -1;

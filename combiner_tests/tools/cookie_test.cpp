@@ -14,7 +14,6 @@ namespace fs = std::filesystem;
 
 const std::string kPlain = NINEBIT_SOURCE_DIR "/scenes/cookies/labels.dds";
 const std::string kDxt1 = NINEBIT_SOURCE_DIR "/scenes/cookies/labels_dxt1.dds";
-const std::string kProgram = NINEBIT_BINARY_DIR "/ninebit";
 const std::string kModule = NINEBIT_BINARY_DIR "/ninebit_pictures.so";
 
 class Cookie : public testing::Test {

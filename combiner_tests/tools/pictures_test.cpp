@@ -17,7 +17,7 @@ using ninebit::test::read_exr;
 using ninebit::test::read_png;
 using ninebit::test::StoredPart;
 
-struct Case {
+struct PictureCase {
   const char* name;
   std::string scene;
   std::vector<std::string> flags;
@@ -26,7 +26,7 @@ struct Case {
   std::string format = "rgb";
 };
 
-void PrintTo(const Case& c, std::ostream* out) {
+void PrintTo(const PictureCase& c, std::ostream* out) {
   *out << c.name;
 }
 
@@ -59,7 +59,7 @@ std::vector<std::string> map_channels(const std::string& format) {
   return {format == "l" ? "Y" : "A"};
 }
 
-class Pictures : public testing::TestWithParam<Case> {
+class Pictures : public testing::TestWithParam<PictureCase> {
  protected:
   void SetUp() override {
     std::vector<std::string> flags{"--size", "120x90", "--map-size", "64", "--layers", "--json"};
@@ -93,17 +93,18 @@ class Pictures : public testing::TestWithParam<Case> {
 
 INSTANTIATE_TEST_SUITE_P(
     All, Pictures,
-    testing::Values(Case{"room", kRoom, {}}, Case{"engine", kEngine, {}},
-                    Case{"room_step_5", kRoom, {"--index-step", "5"}, 5},
-                    Case{"bunny_objects", kBunny, {"--index-scope", "object"}, 2, true},
-                    Case{"room_la", kRoom, {"--index-format", "la"}, 2, false, "la"},
-                    Case{"room_l_objects",
-                         kRoom,
-                         {"--index-format", "l", "--index-scope", "object", "--index-step", "3"},
-                         3,
-                         true,
-                         "l"},
-                    Case{"room_a_objects", kRoom, {"--index-format", "a", "--index-scope", "object"}, 2, true, "a"}),
+    testing::Values(PictureCase{"room", kRoom, {}}, PictureCase{"engine", kEngine, {}},
+                    PictureCase{"room_step_5", kRoom, {"--index-step", "5"}, 5},
+                    PictureCase{"bunny_objects", kBunny, {"--index-scope", "object"}, 2, true},
+                    PictureCase{"room_la", kRoom, {"--index-format", "la"}, 2, false, "la"},
+                    PictureCase{"room_l_objects",
+                                kRoom,
+                                {"--index-format", "l", "--index-scope", "object", "--index-step", "3"},
+                                3,
+                                true,
+                                "l"},
+                    PictureCase{
+                        "room_a_objects", kRoom, {"--index-format", "a", "--index-scope", "object"}, 2, true, "a"}),
     [](const auto& test) { return std::string(test.param.name); });
 
 TEST_P(Pictures, FilesHaveTheirShapes) {

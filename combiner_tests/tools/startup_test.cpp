@@ -11,8 +11,6 @@
 namespace tools_test {
 namespace {
 
-const std::string kProgram = NINEBIT_BINARY_DIR "/ninebit";
-
 // What a shell command writes to stdout; empty if it fails.
 std::string output_of(const std::string& command) {
   std::FILE* const pipe = popen(command.c_str(), "r");

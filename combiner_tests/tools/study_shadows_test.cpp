@@ -7,14 +7,14 @@
 namespace tools_test {
 namespace {
 
-std::vector<std::string> small_study(const std::vector<std::string>& more) {
+std::vector<std::string> small_sweep(const std::vector<std::string>& more) {
   std::vector<std::string> arguments{"study", "shadows", kRoom, "--size", "80x60"};
   arguments.insert(arguments.end(), more.begin(), more.end());
   return arguments;
 }
 
 TEST(StudyShadows, RowsAreWhatRenderCounts) {
-  const Json answer = json_of(ninebit(small_study({"--map-sizes", "32,64", "--steps", "1,2", "--json"})));
+  const Json answer = json_of(ninebit(small_sweep({"--map-sizes", "32,64", "--steps", "1,2", "--json"})));
   EXPECT_EQ(answer["command"], "study shadows");
   EXPECT_EQ(answer["profile"], "geforce2");
   ASSERT_EQ(answer["rows"].size(), 4U);
@@ -30,18 +30,18 @@ TEST(StudyShadows, RowsAreWhatRenderCounts) {
 }
 
 TEST(StudyShadows, WithoutAxesMapSizesAreSwept) {
-  const Json rows = json_of(ninebit(small_study({"--json"})))["rows"];
+  const Json rows = json_of(ninebit(small_sweep({"--json"})))["rows"];
   ASSERT_EQ(rows.size(), 4U);
   EXPECT_EQ(rows[0]["map_size"], 128);
   EXPECT_EQ(rows[3]["map_size"], 1024);
-  EXPECT_EQ(json_of(ninebit(small_study({"--technique", "shadow-volume", "--json"})))["rows"].size(), 1U);
+  EXPECT_EQ(json_of(ninebit(small_sweep({"--technique", "shadow-volume", "--json"})))["rows"].size(), 1U);
 }
 
 TEST(StudyShadows, TheQuestionIsACommandThatAsksTheSame) {
   const std::vector<std::string> flags{"--technique",    "shadow-map",        "--light",  "-1,4,2",
                                        "--light-facing", "--map-sizes",       "64",       "--cull",
                                        "none",           "--polygon-offsets", "0,0;1,16", "--json"};
-  const Json answer = json_of(ninebit(small_study(flags)));
+  const Json answer = json_of(ninebit(small_sweep(flags)));
   const std::string question = answer["question"];
   EXPECT_EQ(question, "ninebit study shadows " + kRoom +
                           " --technique shadow-map --size 80x60 --light-facing --light -1,4,2 --map-sizes 64 "
@@ -78,7 +78,7 @@ TEST(StudyShadows, WrongGrids) {
   };
   for (const Case& c : cases) {
     SCOPED_TRACE(testing::PrintToString(c.flags));
-    expect_error(ninebit(small_study(c.flags)), c.code, c.words);
+    expect_error(ninebit(small_sweep(c.flags)), c.code, c.words);
   }
   expect_error(ninebit({"study", "shadows", "missing.gltf"}), 3, {"missing.gltf"});
 }

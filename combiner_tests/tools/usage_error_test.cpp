@@ -6,14 +6,14 @@
 namespace tools_test {
 namespace {
 
-struct Case {
+struct WrongUsage {
   std::vector<std::string> arguments;
   std::vector<std::string> words;  // of the message
 };
 
 TEST(UsageError, VerbsAndArguments) {
   const TempFolder folder;
-  const std::vector<Case> cases{
+  const std::vector<WrongUsage> cases{
       {{}, {"no verb is given", "render, profiles, info", "ninebit --help"}},
       {{"rendr", "x"}, {"'rendr' is no verb", "render, profiles, info"}},
       {{"--bogus"}, {"'--bogus' is no verb or flag"}},
@@ -29,7 +29,7 @@ TEST(UsageError, VerbsAndArguments) {
       {{"profiles", "--profile", "voodoo"}, {"--profile", "voodoo", "geforce2"}},
       {{"info", "--bogus"}, {"not expected", "--bogus", "ninebit info --help"}},
   };
-  for (const Case& c : cases) {
+  for (const WrongUsage& c : cases) {
     SCOPED_TRACE(testing::PrintToString(c.arguments));
     expect_error(ninebit(c.arguments, {.folder = folder.path()}), 2, c.words);
   }

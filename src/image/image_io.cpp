@@ -25,7 +25,7 @@ using image_detail::complain_about_size;
 using image_detail::invalid_input;
 
 // This and no filters: on flat pictures two to three times as fast as libpng's defaults, and about as small.
-constexpr int kZipLevel = 4;
+constexpr int kPngZipLevel = 4;
 
 // libpng at work on one picture, whose bytes go to `Sink::write`. It reports errors by longjmp, which must not cross an
 // object with a destructor: what may jump stands in functions that have none.
@@ -55,7 +55,7 @@ class PngEncoder {
     png_set_IHDR(png_, info_, static_cast<png_uint_32>(image.width), static_cast<png_uint_32>(image.height),
                  8 * sizeof(Sample), color_type, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT,
                  PNG_FILTER_TYPE_DEFAULT);
-    png_set_compression_level(png_, kZipLevel);
+    png_set_compression_level(png_, kPngZipLevel);
     png_set_filter(png_, PNG_FILTER_TYPE_BASE, PNG_FILTER_NONE);
     png_write_info(png_, info_);
     if (sizeof(Sample) == 2 && std::endian::native == std::endian::little) png_set_swap(png_);

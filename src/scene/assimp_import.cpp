@@ -12,15 +12,12 @@
 #include <limits>
 #include <new>
 
+#include "src/scene/fault_of.h"
 #include "src/scene/mesh_builder.h"
 #include "src/scene/polygon.h"
 
 namespace ninebit {
 namespace {
-
-Diagnostic fault_of(std::string message) {
-  return {std::move(message), "", 0, Fault::invalid_input};
-}
 
 glm::dmat4 matrix_of(const aiMatrix4x4& m) {
   // aiMatrix4x4 is row by row, glm column by column.

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "src/scene/fault_of.h"
 #include "src/scene/file_check.h"
 
 namespace ninebit {
@@ -29,10 +30,6 @@ enum ChunkId : std::uint32_t {
   kFirstTrack = 0xB020,  // of position; then rotation, scale, angle and roll
   kLastTrack = 0xB024
 };
-
-Diagnostic fault_of(std::string message) {
-  return {std::move(message), "", 0, Fault::invalid_input};
-}
 
 std::uint32_t little(std::string_view data, std::size_t at, std::size_t bytes) {
   std::uint32_t value = 0;

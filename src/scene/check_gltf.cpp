@@ -3,6 +3,7 @@
 #include <cstring>
 #include <system_error>
 
+#include "src/scene/fault_of.h"
 #include "src/scene/file_check.h"
 #include "src/scene/gltf_geometry.h"
 #include "src/scene/gltf_nodes.h"
@@ -10,10 +11,6 @@
 
 namespace ninebit {
 namespace {
-
-Diagnostic fault_of(std::string message) {
-  return {std::move(message), "", 0, Fault::invalid_input};
-}
 
 std::string numbered(const char* what, std::size_t number) {
   return fmt::format("{} {}", what, number);

@@ -8,16 +8,14 @@
 #include <initializer_list>
 #include <numbers>
 
+#include "src/scene/fault_of.h"
+
 namespace ninebit {
 namespace {
 
 // Assimp walks nodes by recursion too: what nests deeper could use up its stack.
-constexpr int kDeepest = 500;
-constexpr float kWidestSpot = 179.0F;  // degrees: the file may say 180, which no map can show
-
-Diagnostic fault_of(std::string message) {
-  return {std::move(message), "", 0, Fault::invalid_input};
-}
+constexpr int kDeepestNode = 500;
+constexpr float kWidestFileSpot = 179.0F;  // degrees: the file may say 180, which no map can show
 
 template <glm::length_t N>
 glm::vec<N, double> vector_of(const Json& value, glm::vec<N, double> fallback) {
@@ -64,7 +62,7 @@ class NodeWalk {
     const Json& node = item(root_, "nodes", index);
     if (node.is_null()) return fault_of("names a node that is not there");
     if (visited_[index]) return fault_of(fmt::format("node {} is reached twice: nodes must form a tree", index));
-    if (depth > kDeepest) return fault_of(fmt::format("its nodes nest more than {} deep", kDeepest));
+    if (depth > kDeepestNode) return fault_of(fmt::format("its nodes nest more than {} deep", kDeepestNode));
     visited_[index] = true;
     const glm::dmat4 world = parent * local_transform(node);
     if (!item(node, "mesh").is_null()) {
@@ -145,7 +143,7 @@ class NodeWalk {
       if (half <= 0.0 || half > std::numbers::pi / 2)
         return fault_of("a spot light's outerConeAngle is not between 0 and pi/2");
       out.kind = LightKind::spot;
-      out.spot_degrees = std::min(static_cast<float>(half * 360.0 / std::numbers::pi), kWidestSpot);
+      out.spot_degrees = std::min(static_cast<float>(half * 360.0 / std::numbers::pi), kWidestFileSpot);
     } else if (type == "directional") {
       out.kind = LightKind::directional;
     } else if (type != "point") {

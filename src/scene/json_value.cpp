@@ -9,7 +9,7 @@
 namespace ninebit {
 namespace {
 
-constexpr int kDeepest = 64;
+constexpr int kDeepestValue = 64;
 constexpr int kNumberOverflow = 406;  // nlohmann's id of it
 
 Diagnostic fault_at(std::string message, std::string_view text, std::size_t at) {
@@ -54,8 +54,8 @@ class FaultFinder : public nlohmann::json_sax<Json> {
   bool string(std::string&) override { return true; }
   bool binary(Json::binary_t&) override { return true; }
   bool key(std::string&) override { return true; }
-  bool start_object(std::size_t) override { return ++depth_ <= kDeepest; }
-  bool start_array(std::size_t) override { return ++depth_ <= kDeepest; }
+  bool start_object(std::size_t) override { return ++depth_ <= kDeepestValue; }
+  bool start_array(std::size_t) override { return ++depth_ <= kDeepestValue; }
   bool end_object() override { return --depth_ >= 0; }
   bool end_array() override { return --depth_ >= 0; }
 

@@ -9,14 +9,11 @@
 
 #include "ninebit/scene/scene_io.h"
 #include "src/scene/assimp_import.h"
+#include "src/scene/fault_of.h"
 #include "src/scene/file_check.h"
 
 namespace ninebit {
 namespace {
-
-Diagnostic fault_of(std::string message) {
-  return {std::move(message), "", 0, Fault::invalid_input};
-}
 
 Result<std::string> read_file(const std::filesystem::path& file) {
   std::error_code error;

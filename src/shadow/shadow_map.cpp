@@ -17,7 +17,7 @@
 namespace ninebit {
 namespace {
 
-constexpr LightKinds kLights{.point = false, .spot = true, .directional = true};
+constexpr LightKinds kMapLights{.point = false, .spot = true, .directional = true};
 
 // Larger maps are shown by every second, fourth, … texel.
 constexpr int kLargestPicture = 1024;
@@ -58,7 +58,7 @@ Texture beam_texture() {
 class ShadowMapRenderer {
  public:
   static Result<ShadowMapRenderer> make(const Scene& scene, const RenderSettings& settings) {
-    auto frame = CameraFrame::make(scene, settings, kLights);
+    auto frame = CameraFrame::make(scene, settings, kMapLights);
     if (!frame) return frame.error();
     if (Status checked = check_map_size(settings.map_size); !checked) return checked.error();
     auto passes = shadow_map_passes(settings);

@@ -20,7 +20,7 @@
 namespace ninebit {
 namespace {
 
-constexpr LightKinds kLights{.point = true, .spot = true, .directional = true};
+constexpr LightKinds kVolumeLights{.point = true, .spot = true, .directional = true};
 
 PipelineState silent_state(const RenderSettings& settings) {
   PipelineState state;
@@ -204,7 +204,7 @@ void VolumeRenderer::add_picture() {
 }  // namespace
 
 Result<Rendering> render_shadow_volume(const Scene& scene, const RenderSettings& settings, const Progress& progress) {
-  auto made = CameraFrame::make(scene, settings, kLights);
+  auto made = CameraFrame::make(scene, settings, kVolumeLights);
   if (!made) return made.error();
   CameraFrame& frame = *made;
   const float aspect = static_cast<float>(settings.width) / static_cast<float>(settings.height);

@@ -20,7 +20,7 @@ struct Overloaded : Cases... {
 template <class... Cases>
 Overloaded(Cases...) -> Overloaded<Cases...>;
 
-Json json_of(const StudyValue& value) {
+Json json_value(const StudyValue& value) {
   return std::visit(
       Overloaded{[](std::monostate) { return Json(nullptr); }, [](const auto& known) { return Json(known); }}, value);
 }
@@ -101,7 +101,7 @@ std::string report_json(const StudyQuestion& question, std::string_view version,
            {"rows", Json::array()}};
   for (const StudyRow& row : rows) {
     Json object = Json::object();
-    for (const auto& [name, value] : row.fields) object[name] = json_of(value);
+    for (const auto& [name, value] : row.fields) object[name] = json_value(value);
     out[row.table].push_back(std::move(object));
   }
   // A file's name may be no UTF-8; what is not becomes the replacement character.

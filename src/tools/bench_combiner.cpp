@@ -20,15 +20,15 @@ struct CombinerFlags {
   std::string print;
 };
 
-struct Row {
+struct CombinerRow {
   std::string program, engine, target, profile;
   int threads = 1;
   double mpixels_per_s = 0.0;
 };
 
 // What a row is found again by: the rate of a program's engine on one thread, on its first target.
-double rate_of(const std::vector<Row>& rows, std::string_view program, bench::Engine engine) {
-  const auto row = std::find_if(rows.begin(), rows.end(), [&](const Row& r) {
+double rate_of(const std::vector<CombinerRow>& rows, std::string_view program, bench::Engine engine) {
+  const auto row = std::find_if(rows.begin(), rows.end(), [&](const CombinerRow& r) {
     return r.program == program && r.engine == name_of(engine) && r.threads == 1;
   });
   return row->mpixels_per_s;
@@ -36,7 +36,7 @@ double rate_of(const std::vector<Row>& rows, std::string_view program, bench::En
 
 // All rows of one program; false if a signal has ended it.
 bool measure(const CombinerFlags& flags, const bench::MeasuredProgram& measured, double done, ProgressLine& line,
-             std::vector<Row>& rows) {
+             std::vector<CombinerRow>& rows) {
   const Program program = normalize(measured.state, measured.profile);
   std::vector<std::string> targets = bench::simd_target_names();
   if (!flags.every_target) targets.resize(1);
@@ -56,10 +56,10 @@ bool measure(const CombinerFlags& flags, const bench::MeasuredProgram& measured,
   return true;
 }
 
-std::string table(const std::vector<Row>& rows, const Json& ratio, double read_rate) {
+std::string table(const std::vector<CombinerRow>& rows, const Json& ratio, double read_rate) {
   std::string text =
       fmt::format("{:<8} {:<13} {:<10} {:>7} {:>12}\n", "program", "engine", "target", "threads", "Mpixel/s");
-  for (const Row& r : rows) {
+  for (const CombinerRow& r : rows) {
     text +=
         fmt::format("{:<8} {:<13} {:<10} {:>7} {:>12.1f}\n", r.program, r.engine, r.target, r.threads, r.mpixels_per_s);
   }
@@ -78,7 +78,7 @@ int bench_combiner(const CombinerFlags& flags) {
     }
   }
   std::optional<ProgressLine> line(std::in_place, flags.bench.common.quiet);
-  std::vector<Row> rows;
+  std::vector<CombinerRow> rows;
   Json ratio = Json::object();
   for (std::size_t i = 0; i < programs->size(); ++i) {
     const bench::MeasuredProgram& program = programs->at(i);
@@ -93,7 +93,7 @@ int bench_combiner(const CombinerFlags& flags) {
   line.reset();
   if (!flags.bench.common.json) return answer(table(rows, ratio, read_rate));
   Json list = Json::array();
-  for (const Row& r : rows) {
+  for (const CombinerRow& r : rows) {
     list.push_back({{"program", r.program},
                     {"engine", r.engine},
                     {"target", r.target},

@@ -19,7 +19,7 @@ struct Workload {
   float leg;  // pixels; 0: large triangles
 };
 
-struct Row {
+struct RasterRow {
   std::string workload;
   int threads = 1;
   double mtriangles_per_s = 0.0, mpixels_per_s = 0.0;
@@ -33,7 +33,7 @@ struct Size {
 
 // The rows of one workload, one and all threads.
 Status measure(const BenchFlags& flags, const Workload& workload, const Size& size, double done, ProgressLine& line,
-               std::vector<Row>& rows) {
+               std::vector<RasterRow>& rows) {
   const bench::Mesh mesh =
       workload.leg > 0.0F ? bench::small_triangles(size.width, size.height, workload.leg) : bench::large_triangles();
   const auto covered = bench::covered_pixels(mesh, size.width, size.height);
@@ -51,10 +51,10 @@ Status measure(const BenchFlags& flags, const Workload& workload, const Size& si
   return {};
 }
 
-std::string table(const std::vector<Row>& rows) {
+std::string table(const std::vector<RasterRow>& rows) {
   std::string text = fmt::format("{:<9} {:>7} {:>12} {:>10} {:>10} {:>12}\n", "workload", "threads", "Mtriangle/s",
                                  "Mpixel/s", "triangles", "pixels");
-  for (const Row& r : rows) {
+  for (const RasterRow& r : rows) {
     text += fmt::format("{:<9} {:>7} {:>12.3f} {:>10.1f} {:>10} {:>12}\n", r.workload, r.threads, r.mtriangles_per_s,
                         r.mpixels_per_s, r.triangles, r.covered_pixels);
   }
@@ -65,7 +65,7 @@ int bench_raster(const BenchFlags& flags) {
   const Size size = flags.quick ? Size{128, 96} : Size{1024, 768};
   const std::vector<Workload> workloads{{"legs-1", 1.0F}, {"legs-4", 4.0F}, {"legs-16", 16.0F}, {"large", 0.0F}};
   std::optional<ProgressLine> line(std::in_place, flags.common.quiet);
-  std::vector<Row> rows;
+  std::vector<RasterRow> rows;
   for (std::size_t i = 0; i < workloads.size(); ++i) {
     const double done = static_cast<double>(i) / static_cast<double>(workloads.size());
     if (Status measured = measure(flags, workloads[i], size, done, *line, rows); !measured) {
@@ -75,7 +75,7 @@ int bench_raster(const BenchFlags& flags) {
   line.reset();
   if (!flags.common.json) return answer(table(rows));
   Json list = Json::array();
-  for (const Row& r : rows) {
+  for (const RasterRow& r : rows) {
     list.push_back({{"workload", r.workload},
                     {"threads", r.threads},
                     {"mtriangles_per_s", r.mtriangles_per_s},

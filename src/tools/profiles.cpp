@@ -38,12 +38,12 @@ std::string text_of(Dxt1Palette v) {
   return v == Dxt1Palette::rgb565 ? "5, 6, 5 bits" : "8, 8, 8 bits";
 }
 
-struct Row {
+struct ProfileRow {
   std::string field, value, evidence, source;
 };
 
-std::vector<Row> rows_of(const HardwareProfile& p) {
-  std::vector<Row> rows;
+std::vector<ProfileRow> rows_of(const HardwareProfile& p) {
+  std::vector<ProfileRow> rows;
   const auto add = [&](const char* field, const auto& choice) {
     rows.push_back({field, text_of(choice.value), std::string(name_of(choice.evidence)), std::string(choice.source)});
   };
@@ -81,7 +81,7 @@ int print_profiles(const CommonFlags& flags) {
     const auto out = std::back_inserter(text);
     for (const HardwareProfile& profile : profiles) {
       fmt::format_to(out, "{}: {}\n", profile.name, profile.chip);
-      for (const Row& r : rows_of(profile)) {
+      for (const ProfileRow& r : rows_of(profile)) {
         fmt::format_to(out, "  {:<30} {:<22} {:<10} {}\n", r.field, r.value, r.evidence, r.source);
       }
       text += '\n';
@@ -90,7 +90,7 @@ int print_profiles(const CommonFlags& flags) {
   }
   Json rows = Json::array();
   for (const HardwareProfile& profile : profiles) {
-    for (const Row& r : rows_of(profile)) {
+    for (const ProfileRow& r : rows_of(profile)) {
       rows.push_back({{"profile", profile.name},
                       {"field", r.field},
                       {"value", r.value},

@@ -11,7 +11,7 @@ namespace ninebit::tools {
 namespace {
 
 constexpr std::array<std::string_view, 4> kChannels{"red", "green", "blue", "alpha"};
-constexpr std::array<std::string_view, 7> kVariables{"A", "B", "C", "D", "E", "F", "G"};
+constexpr std::array<std::string_view, 7> kVariableLetters{"A", "B", "C", "D", "E", "F", "G"};
 
 std::string spaced(std::string_view name) {
   std::string text(name);
@@ -109,7 +109,7 @@ class TextWriter {
   // The variable as it is read and, where that changes it, as it is mapped.
   void input(std::size_t variable, std::span<const TracedInput> channels) {
     const CombinerInput& in = channels.front().from;
-    const std::string label = fmt::format("{} = {}", kVariables[variable], source_of(in));
+    const std::string label = fmt::format("{} = {}", kVariableLetters[variable], source_of(in));
     const std::string mapping = spaced(name_of(in.mapping));
     TraceCells read, mapped;
     bool changes = false;
