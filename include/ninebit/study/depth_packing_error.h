@@ -10,10 +10,11 @@
 #include <vector>
 
 #include "ninebit/numerics/result.h"
+#include "ninebit/numerics/visibility.h"
 #include "ninebit/shadow/depth_packing.h"
 #include "ninebit/study/study.h"
 
-namespace ninebit {
+namespace NINEBIT_PUBLIC ninebit {
 
 // Depths in [0, 1] in rising order, 0 and 1 among them.
 enum class DepthSet : std::uint8_t {

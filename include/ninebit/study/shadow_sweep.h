@@ -7,11 +7,12 @@
 #include <vector>
 
 #include "ninebit/numerics/result.h"
+#include "ninebit/numerics/visibility.h"
 #include "ninebit/scene/scene.h"
 #include "ninebit/shadow/technique.h"
 #include "ninebit/study/study.h"
 
-namespace ninebit {
+namespace NINEBIT_PUBLIC ninebit {
 
 // The axes of a grid; one without values stays at what the settings say. A point is drawn for each combination, the
 // first axis changing slowest.
