@@ -47,8 +47,8 @@ void draw(const std::string& file, const Way& way) {
   settings.map_size = slow ? 128 : 256;
   settings.depth_cube.bits = DepthCubeBits::sixteen;
   settings.reflective.samples = 40;
-  settings.light_cookie.cookie =
-      std::make_shared<Texture>(valid(image_detail::read_texture(settings.profile, "scenes/cookies/labels.dds", {}, nullptr)));
+  settings.light_cookie.cookie = std::make_shared<Texture>(
+      valid(image_detail::read_texture(settings.profile, "scenes/cookies/labels.dds", {}, nullptr)));
   SceneSetup setup;
   setup.light_kinds = technique.lights;
   if (slow) setup.light_kinds = {.point = false, .spot = false, .directional = true};
