@@ -4,6 +4,8 @@ set(CMAKE_SYSTEM_NAME Linux)
 set(CMAKE_SYSTEM_PROCESSOR aarch64)
 set(CMAKE_C_COMPILER aarch64-linux-gnu-gcc)
 set(CMAKE_CXX_COMPILER aarch64-linux-gnu-g++)
+# Highway's NEON has the AES instructions, and GCC inlines its functions only where the whole file has them, too.
+set(CMAKE_CXX_FLAGS_INIT -march=armv8-a+crypto)
 set(CMAKE_CROSSCOMPILING_EMULATOR qemu-aarch64 -L /usr/aarch64-linux-gnu)
 
 get_filename_component(packages ${CMAKE_CURRENT_LIST_DIR}/../../build/arm-packages ABSOLUTE)

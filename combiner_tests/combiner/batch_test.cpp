@@ -38,7 +38,7 @@ TEST(Batch, EveryTargetOfThisProcessorIsDispatchedTo) {
   std::set<std::string> ran;
   for (const std::int64_t target : simd_targets()) {
     const OnTarget on_target(target);
-    EXPECT_FALSE(on_target.ran()) << "nothing was dispatched yet";
+    EXPECT_TRUE(!chosen_at_run_time() || !on_target.ran()) << "nothing was dispatched yet";
     program.run(*batch, 1, *out);
     for (const std::int64_t other : simd_targets()) {
       EXPECT_EQ(on_target.ran_on(other), other == target) << simd_target_name(other);

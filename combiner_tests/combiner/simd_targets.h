@@ -12,6 +12,10 @@ const std::vector<std::int64_t>& simd_targets();
 
 std::string simd_target_name(std::int64_t target);
 
+// Whether there are several targets; with one, as on Arm, nothing is dispatched, and what ran cannot be told from what
+// did not.
+bool chosen_at_run_time();
+
 // While it lives, the batch evaluator runs on this target.
 class OnTarget {
  public:
