@@ -1,6 +1,7 @@
 #include "src/raster/tile_lanes.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <cstring>
 
 #include "src/raster/blend.h"
