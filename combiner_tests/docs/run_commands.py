@@ -3,9 +3,9 @@
 
 usage: run_commands.py PROGRAM PAGE ...
 
-In fenced blocks without a language, a line that begins with `ninebit ` is a command, `cat > FILE <<END` is one with all
-lines to END, and so is a line that begins with `$ ninebit `; the lines below the latter are what it prints, on both
-streams. Commands run from top to bottom in a new folder with copies of docs/, scenes/ and combiner_tests/hardware/, a page's in the same
+In fenced blocks without a language, a line that begins with `ninebit `, `python3 `, `cp ` or `sed ` is a command,
+`cat > FILE <<END` is one with all lines to END, and so is a line that begins with `$ ninebit `; the lines below the
+latter are what it prints, on both streams. Commands run from top to bottom in a new folder with copies of docs/, scenes/ and combiner_tests/hardware/, a page's in the same
 folder. Output is compared word by word, so that a page may break lines; `…` stands for whatever a page leaves out. A
 command must exit with 0, or, where the page shows its output, with 1 after a found fault or 3 after `ninebit: error:`.
 
@@ -26,6 +26,7 @@ import time
 
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 REMARK = re.compile(r'<!-- (not run|run with): (.*?) -->$')
+COMMANDS = ('ninebit ', 'python3 ', 'cp ', 'sed ', 'cat > ')
 LIMIT_S = 300
 
 
@@ -41,7 +42,7 @@ def read_block(lines, begin):
     while at < len(lines) and lines[at] != '```':
         text, number = lines[at], at + 1
         shown = text.startswith('$ ninebit ')
-        if shown or text.startswith('ninebit ') or text.startswith('cat > '):
+        if shown or text.startswith(COMMANDS):
             while text.endswith('\\') or (text.startswith('cat > ') and not text.endswith('\nEND')):
                 at += 1
                 text += '\n' + lines[at]
