@@ -1,6 +1,5 @@
 // The tables of combiner_tests/hardware: what pictures from an NV2A show, run under the profile nv2a by every path.
-// Rows that use what OpenGL cannot express (least-significant-bit mux, inverted colour sum, blue to alpha) are left
-// out.
+// Rows that use the inverted colour sum are left out.
 #include <gtest/gtest.h>
 
 #include <cstdint>
@@ -56,11 +55,11 @@ TEST(HardwareRows, GeneralCombinerOutputOptions) {
   EXPECT_EQ(rows, 24);
 }
 
-TEST(HardwareRows, MuxByTheMostSignificantBit) {
+TEST(HardwareRows, MuxByTheHighestAndByTheLowestBit) {
   int rows = 0;
   for (const auto& row : read_hardware_table("nv2a_mux")) {
-    if (row.at("mux_select") != "MSB") continue;
     CombinerState state = silent_state(2);
+    state.mux_by_lowest_bit = row.at("mux_select") == "LSB";
     state.per_stage_constants = true;
     state.general[0].constant0 = color_of(0, 0, 0, std::stoi(row.at("spare0_alpha_byte")));
     state.general[0].alpha.a = alpha_of(Register::constant0);
@@ -78,10 +77,10 @@ TEST(HardwareRows, MuxByTheMostSignificantBit) {
     state.final_combiner.g = alpha_of(Register::zero, InputMapping::unsigned_invert);
     EXPECT_EQ(judged(state, kXbox, RegisterFile{}).color,
               codes(std::stoi(row.at("R")), std::stoi(row.at("G")), std::stoi(row.at("B")), std::stoi(row.at("A"))))
-        << row.at("spare0_alpha_byte");
+        << row.at("mux_select") << ' ' << row.at("spare0_alpha_byte");
     ++rows;
   }
-  EXPECT_EQ(rows, 3);
+  EXPECT_EQ(rows, 6);
 }
 
 // The state and registers that a row's case describes, or false if OpenGL cannot express it.
@@ -136,6 +135,28 @@ bool case_of(const std::string& name, CombinerState& state, RegisterFile& regist
     f.a = alpha_of(Register::spare0);
     f.b = rgb_of(Register::spare0);
     f.c = rgb_of(Register::primary);
+  } else if (name == "blue->alpha CD" || name == "blue->alpha AB") {
+    state = silent_state(3);
+    state.per_stage_constants = true;
+    state.general[0].constant0 = color_of(0, 0, 63, 0);
+    state.general[1].constant0 = color_of(0, 0, 191, 0);
+    for (const std::size_t i : {0U, 1U}) {
+      Portion& rgb = state.general[i].rgb;
+      rgb.a = rgb_of(Register::constant0);
+      rgb.b = kOne;
+      rgb.out.ab = Register::spare0;
+    }
+    Portion& both = state.general[1].rgb;
+    both.c = rgb_of(Register::spare0);
+    both.d = kOne;
+    both.out.cd = Register::spare1;
+    both.out.ab_blue_to_alpha = both.out.cd_blue_to_alpha = true;
+    const Register shown = name == "blue->alpha AB" ? Register::spare0 : Register::spare1;
+    Portion& show = state.general[2].rgb;
+    show.a = alpha_of(shown);
+    show.b = kOne;
+    show.out.ab = shown;
+    f = final_of(shown);
   } else if (name == "tex0 rgb unbound" || name == "tex0 alpha unbound") {
     registers = initial_registers(kXbox, {});
     f = final_of(Register::texture0);
@@ -158,7 +179,7 @@ TEST(HardwareRows, FinalCombinerFlagsAndSpecialInputs) {
         << row.at("case");
     ++rows;
   }
-  EXPECT_EQ(rows, 10);
+  EXPECT_EQ(rows, 12);
 }
 
 TEST(HardwareRows, FinalCombinerProductOfTexelAndVertexColor) {

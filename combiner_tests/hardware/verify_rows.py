@@ -3,8 +3,8 @@
 
 usage: verify_rows.py [--check]    --check writes nothing, and fails where the files differ from what would be written
 
-Rows that use what OpenGL cannot express (mux by the lowest bit, inverted colour sum, blue to alpha) are left out, and
-so are tables of other things than the combiners.
+Programs that OpenGL can express are !!RC1.0 texts, others register words. Rows that use the inverted colour sum or blue
+to alpha are left out, and so are tables of other things than the combiners.
 """
 import csv
 import io
@@ -25,6 +25,11 @@ def table(name):
 def program(name, *body):
     programs.setdefault(f"{name}.rc", "\n".join(("!!RC1.0",) + body) + "\n")
     return f"{name}.rc"
+
+
+def words(name, **values):
+    programs.setdefault(f"{name}.words", "".join(f"{word} = {value:#010x}\n" for word, value in values.items()))
+    return f"{name}.words"
 
 
 def row(name, file, values):
@@ -71,11 +76,27 @@ mux = program(
     "out.rgb = spare1;",
     "out.a = unsigned_invert(zero);",
 )
+# The same, but for the mux's bit in RC_ENABLE.
+mux_by_lowest_bit = words(
+    "mux_by_lowest_bit",
+    RC_IN_ALPHA_0=0x11300000,
+    RC_OUT_ALPHA_0=0x000000C0,
+    RC_OUT_RGB_0=0,
+    RC_IN_RGB_1=0x01200220,
+    RC_OUT_RGB_1=0x00004D00,
+    RC_OUT_ALPHA_1=0,
+    RC_CONSTANT_COLOR0_1=0x00FF0000,
+    RC_CONSTANT_COLOR1_1=0x000000FF,
+    RC_FINAL0=0x0000000D,
+    RC_FINAL1=0x00003000,
+    RC_ENABLE=0x00011002,
+)
 for r in table("nv2a_mux"):
-    if r["mux_select"] == "MSB":
-        alpha = r["spare0_alpha_byte"]
-        expected = {f"out.{c.lower()}": r[c] for c in "RGBA"}
-        row(f"mux at {alpha}", mux, {"const0.a": alpha, "stage0.spare0.a": alpha, **expected})
+    alpha = r["spare0_alpha_byte"]
+    expected = {f"out.{c.lower()}": r[c] for c in "RGBA"}
+    highest = r["mux_select"] == "MSB"
+    row(f"mux {'' if highest else 'by the lowest bit '}at {alpha}", mux if highest else mux_by_lowest_bit,
+        {"const0.a": alpha, "stage0.spare0.a": alpha, **expected})
 
 opaque = "out.a = unsigned_invert(zero);"
 color_sum = "out.rgb = const0 * color_sum;"

@@ -48,7 +48,8 @@ class Fragment {
   void run_stage(const ProgramStage& stage) {
     load(Register::constant0, stage.constant0);
     load(Register::constant1, stage.constant1);
-    const bool takes_cd = at(Register::spare0)[kAlpha] >= 0.5F;
+    const float spare0_alpha = at(Register::spare0)[kAlpha];
+    const bool takes_cd = stage.mux_by_lowest_bit ? code(spare0_alpha) % 2 == 1 : spare0_alpha >= 0.5F;
     Outputs rgb, alpha;
     if (is_live(stage.rgb.out)) compute(stage.rgb, 0, 3, takes_cd, rgb);
     if (is_live(stage.alpha.out)) compute(stage.alpha, 3, 1, takes_cd, alpha);
@@ -138,6 +139,8 @@ class Fragment {
       if (out.cd != Register::discard) at(out.cd)[c] = result.cd[c];
       if (out.sum != Register::discard) at(out.sum)[c] = result.sum[c];
     }
+    if (out.ab_blue_to_alpha) at(out.ab)[kAlpha] = result.ab[kBlue];
+    if (out.cd_blue_to_alpha) at(out.cd)[kAlpha] = result.cd[kBlue];
   }
 
   const Program& program_;

@@ -188,6 +188,14 @@ HWY_NOINLINE void select(const Operation& operation, const Batch& batch) {
   });
 }
 
+template <bool kFloors>
+HWY_NOINLINE void select_odd(const Operation& operation, const Batch& batch) {
+  for_lanes<3, kFloors>(operation, batch, [&](const auto& x, std::size_t lane) HWY_ATTR {
+    const V16 bit = hn::And(x.get(0, lane), set(1));
+    return hn::IfThenElse(hn::Eq(bit, set(1)), x.get(2, lane), x.get(1, lane));
+  });
+}
+
 HWY_NOINLINE void copy(const Operation& operation, const Batch& batch) {
   for_lanes<1, false>(operation, batch, [&](const auto& x, std::size_t lane) HWY_ATTR { return x.get(0, lane); });
 }
@@ -252,6 +260,8 @@ HWY_INLINE Run kernel_of(const Formula& f) {
       return products_of<kFloors>(f);
     case Kernel::select:
       return select<kFloors>;
+    case Kernel::select_odd:
+      return select_odd<kFloors>;
     case Kernel::copy:
       break;
   }

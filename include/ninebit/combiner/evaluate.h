@@ -123,7 +123,9 @@ constexpr PortionResult evaluate_portion(const Datapath& d, const ProgramStage& 
 
   PortionResult result;
   for (std::size_t c = 0; c < static_cast<std::size_t>(channels); ++c) {
-    const V third = portion.out.mux_sum ? mux(d, registers[Register::spare0][kAlpha], ab[c], cd[c]) : add(ab[c], cd[c]);
+    const V third = portion.out.mux_sum
+                        ? mux(d, stage.mux_by_lowest_bit, registers[Register::spare0][kAlpha], ab[c], cd[c])
+                        : add(ab[c], cd[c]);
     result.ab[c] = combiner_output(d, portion.out.scale, portion.out.bias, ab[c]);
     result.cd[c] = combiner_output(d, portion.out.scale, portion.out.bias, cd[c]);
     result.sum[c] = combiner_output(d, portion.out.scale, portion.out.bias, third);
@@ -133,15 +135,16 @@ constexpr PortionResult evaluate_portion(const Datapath& d, const ProgramStage& 
 
 constexpr void write_portion(const Portion& portion, int first, int channels, const PortionResult& result,
                              RegisterFile& registers) {
-  const auto write = [&](Register reg, const std::array<V, 3>& value) {
+  const auto write = [&](Register reg, const std::array<V, 3>& value, bool blue_to_alpha) {
     if (reg == Register::discard) return;
     for (int c = 0; c < channels; ++c) {
       registers[reg][static_cast<std::size_t>(first + c)] = static_cast<s9>(value[static_cast<std::size_t>(c)]);
     }
+    if (blue_to_alpha) registers[reg][kAlpha] = static_cast<s9>(value[kBlue]);  // rule 23
   };
-  write(portion.out.ab, result.ab);
-  write(portion.out.cd, result.cd);
-  write(portion.out.sum, result.sum);
+  write(portion.out.ab, result.ab, portion.out.ab_blue_to_alpha);
+  write(portion.out.cd, result.cd, portion.out.cd_blue_to_alpha);
+  write(portion.out.sum, result.sum, false);
 }
 
 }  // namespace reference

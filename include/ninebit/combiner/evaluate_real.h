@@ -34,6 +34,7 @@ struct RealChannel {
 
 struct RealStage {
   bool takes_cd = false;             // whether a mux takes CD: spare0's alpha, as it enters the stage, is at least 1/2
+                                     // or, by the lowest bit, its nearest code is odd
   std::array<RealChannel, 3> rgb{};  // all 0 if the RGB portion writes nothing
   RealChannel alpha{};               // likewise
   RealRegisters after;               // the registers with the stage's outputs

@@ -17,6 +17,7 @@ namespace NINEBIT_PUBLIC ninebit {
 struct ProgramStage {
   Portion rgb, alpha;
   Rgba9 constant0{}, constant1{};  // codes
+  bool mux_by_lowest_bit = false;
   friend constexpr bool operator==(const ProgramStage&, const ProgramStage&) = default;
 };
 
@@ -52,11 +53,25 @@ constexpr Portion normalize_portion(Portion p) {
     p.c = p.d = CombinerInput{};
     out.cd_dot_product = false;
   }
+  if (out.ab == Register::discard) out.ab_blue_to_alpha = false;
+  if (out.cd == Register::discard) out.cd_blue_to_alpha = false;
   if (!is_live(out)) {
     out.scale = Scale::none;
     out.bias = Bias::none;
   }
   return p;
+}
+
+// Leaves to an RGB portion's blue the alphas that the alpha portion does not write.
+constexpr void normalize_blue_to_alpha(PortionOutput& rgb, const PortionOutput& alpha) {
+  const auto writes = [&](Register r) { return alpha.ab == r || alpha.cd == r || alpha.sum == r; };
+  if (writes(rgb.ab)) rgb.ab_blue_to_alpha = false;
+  if (writes(rgb.cd)) rgb.cd_blue_to_alpha = false;
+}
+
+// Of a normalized one.
+constexpr bool has_mux(const ProgramStage& stage) {
+  return stage.rgb.out.mux_sum || stage.alpha.out.mux_sum;
 }
 
 constexpr bool reads(const Portion& p, Register r) {
@@ -100,6 +115,8 @@ constexpr Rgba9 constant_codes(const HardwareProfile& profile, const ColorF& col
     }
     stage.rgb = detail::normalize_portion(from.rgb);
     stage.alpha = detail::normalize_portion(from.alpha);
+    detail::normalize_blue_to_alpha(stage.rgb.out, stage.alpha.out);
+    stage.mux_by_lowest_bit = state.mux_by_lowest_bit && detail::has_mux(stage);
     const auto read = [&](Register r) { return detail::reads(stage.rgb, r) || detail::reads(stage.alpha, r); };
     stage.constant0 = codes_if(read(Register::constant0), state.per_stage_constants ? from.constant0 : state.constant0);
     stage.constant1 = codes_if(read(Register::constant1), state.per_stage_constants ? from.constant1 : state.constant1);

@@ -1,4 +1,5 @@
-// The register combiners' state exactly as GL holds it, with GL's defaults. Plain data: nothing here is checked.
+// The register combiners' state exactly as GL holds it, with GL's defaults, and what the NV2A's registers add to it.
+// Plain data: nothing here is checked.
 #pragma once
 
 #include <array>
@@ -26,6 +27,10 @@ struct PortionOutput {
   bool ab_dot_product = false;
   bool cd_dot_product = false;
   bool mux_sum = false;  // the third output is mux(AB, CD) instead of AB + CD
+  // NV2A, not in GL, RGB portions alone: the alpha of AB's (CD's) register gets the blue that is written there, unless
+  // the alpha portion writes it.
+  bool ab_blue_to_alpha = false;
+  bool cd_blue_to_alpha = false;
   friend constexpr bool operator==(const PortionOutput&, const PortionOutput&) = default;
 };
 
@@ -70,6 +75,8 @@ struct CombinerState {
   int num_general_combiners = 1;
   bool color_sum_clamp = true;
   bool per_stage_constants = false;
+  bool mux_by_lowest_bit =
+      false;  // NV2A, not in GL: muxes look at the lowest bit of spare0's alpha, not at its highest
   ColorF constant0{};
   ColorF constant1{};
   std::array<GeneralCombiner, kMaxGeneralCombiners> general{};

@@ -82,9 +82,10 @@ struct TracedRegisters {
 };
 
 struct TracedStage {
-  TracedCode spare0_alpha;      // as it enters the stage; the muxes look at it
-  bool takes_cd = false;        // what a mux does: CD, because that is at least one half, or AB
-  bool ideal_takes_cd = false;  // what it would do in exact arithmetic
+  TracedCode spare0_alpha;         // as it enters the stage; the muxes look at it
+  bool mux_by_lowest_bit = false;  // whether they look at its lowest bit
+  bool takes_cd = false;           // what a mux does: CD, because that is at least one half, or odd; or AB
+  bool ideal_takes_cd = false;     // what it would do in exact arithmetic
   TracedPortion rgb, alpha;
   TracedRegisters after;
 };
