@@ -76,6 +76,8 @@ void Coverage::add(const CombinerState& state, const HardwareProfile& profile) {
   count_enum(color_sum_clamp_, state.color_sum_clamp);
   count_enum(per_stage_constants_, state.per_stage_constants);
   count_enum(mux_by_lowest_bit_, state.mux_by_lowest_bit);
+  count_enum(color_sum_invert_spare0_, state.color_sum_invert_spare0);
+  count_enum(color_sum_invert_secondary_, state.color_sum_invert_secondary);
   for (int i = 0; i < state.num_general_combiners; ++i) {
     rgb_.add(state.general[static_cast<std::size_t>(i)].rgb);
     alpha_.add(state.general[static_cast<std::size_t>(i)].alpha);
@@ -115,6 +117,8 @@ std::vector<Coverage::Row> Coverage::rows(Arithmetic arithmetic) const {
   out.add_flag("colour sum clamp", color_sum_clamp_);
   out.add_flag("constants per stage", per_stage_constants_);
   out.add_flag("mux by the lowest bit", mux_by_lowest_bit_);
+  out.add_flag("colour sum: 1 - spare0", color_sum_invert_spare0_);
+  out.add_flag("colour sum: 1 - secondary", color_sum_invert_secondary_);
 
   for (const Writing* const portion : {&rgb_, &alpha_}) {
     const std::string name = portion == &rgb_ ? "RGB " : "alpha ";

@@ -1,5 +1,4 @@
 // The tables of combiner_tests/hardware: what pictures from an NV2A show, run under the profile nv2a by every path.
-// Rows that use the inverted colour sum are left out.
 #include <gtest/gtest.h>
 
 #include <cstdint>
@@ -83,7 +82,7 @@ TEST(HardwareRows, MuxByTheHighestAndByTheLowestBit) {
   EXPECT_EQ(rows, 6);
 }
 
-// The state and registers that a row's case describes, or false if OpenGL cannot express it.
+// The state and registers that a row's case describes; false: no such case.
 bool case_of(const std::string& name, CombinerState& state, RegisterFile& registers) {
   state = silent_state(1);
   registers = {};
@@ -95,15 +94,19 @@ bool case_of(const std::string& name, CombinerState& state, RegisterFile& regist
     state.color_sum_clamp = name == "Capped";
     state.constant0 = color_of(127, 127, 127, 0);
     registers[Register::spare0] = registers[Register::secondary] = codes(255, 255, 255, 0);
-  } else if (name == "Normal R0" || name == "V1") {
+  } else if (name == "Normal R0" || name == "V1" || name == "1-R0" || name == "1-V1") {
     state.constant0 = color_of(255, 255, 255, 0);
-    registers[name == "V1" ? Register::secondary : Register::spare0] = codes(191, 191, 191, 0);
+    registers[name.ends_with("V1") ? Register::secondary : Register::spare0] = codes(191, 191, 191, 0);
+    state.color_sum_invert_spare0 = name == "1-R0";
+    state.color_sum_invert_secondary = name == "1-V1";
   } else if (name == "EFProd") {
     f.a = f.b = kZero;
     f.d = rgb_of(Register::e_times_f);
     state.constant0 = color_of(255, 191, 127, 0);
     state.constant1 = color_of(127, 127, 127, 0);
-  } else if (name == "SUM") {
+  } else if (name == "SUM" || name == "SUM inv R0" || name == "SUM inv V1") {
+    state.color_sum_invert_spare0 = name == "SUM inv R0";
+    state.color_sum_invert_secondary = name == "SUM inv V1";
     f.a = f.b = kZero;
     f.d = rgb_of(Register::spare0_plus_secondary);
     registers[Register::spare0] = codes(63, 127, 191, 0);
@@ -172,14 +175,14 @@ TEST(HardwareRows, FinalCombinerFlagsAndSpecialInputs) {
   for (const auto& row : read_hardware_table("nv2a_final_flags_special")) {
     CombinerState state;
     RegisterFile registers;
-    if (!case_of(row.at("case"), state, registers)) continue;
+    ASSERT_TRUE(case_of(row.at("case"), state, registers)) << row.at("case");
     const Rgba9 color = judged(state, kXbox, registers).color;
     EXPECT_EQ(codes(color[0], color[1], color[2], 0),
               codes(std::stoi(row.at("R")), std::stoi(row.at("G")), std::stoi(row.at("B")), 0))
         << row.at("case");
     ++rows;
   }
-  EXPECT_EQ(rows, 12);
+  EXPECT_EQ(rows, 16);
 }
 
 TEST(HardwareRows, FinalCombinerProductOfTexelAndVertexColor) {

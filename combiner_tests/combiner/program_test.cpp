@@ -113,6 +113,18 @@ TEST(Program, BlueToAlphaMattersOnlyWhereItIsWritten) {
   expect_equal(state, other, "the alpha portion writes spare0's alpha");
 }
 
+TEST(Program, InvertsMatterOnlyIfTheColorSumIsRead) {
+  for (bool CombinerState::*const invert :
+       {&CombinerState::color_sum_invert_spare0, &CombinerState::color_sum_invert_secondary}) {
+    CombinerState state = products_state();
+    CombinerState other = state;
+    other.*invert = true;
+    expect_equal(state, other, "nothing reads the colour sum");
+    state.final_combiner.d = other.final_combiner.d = rgb_of(Register::spare0_plus_secondary);
+    expect_different(state, other, "the colour sum is read");
+  }
+}
+
 TEST(Program, EAndFMatterOnlyIfTheirProductIsRead) {
   CombinerState state = products_state();
   CombinerState other = state;
@@ -194,7 +206,7 @@ TEST(Program, EqualProgramsMeanEqualResults) {
     const auto i = static_cast<std::size_t>(random.below(state.num_general_combiners));
     Portion& portion = random.one_in(2) ? other.general[i].rgb : other.general[i].alpha;
     const Portion& from = &portion == &other.general[i].rgb ? donor.general[i].rgb : donor.general[i].alpha;
-    switch (random.below(14)) {
+    switch (random.below(15)) {
       case 0:
         portion.a = from.a;
         break;
@@ -233,6 +245,10 @@ TEST(Program, EqualProgramsMeanEqualResults) {
         other.general[i].rgb.out.cd_blue_to_alpha = donor.general[i].rgb.out.cd_blue_to_alpha;
         break;
       case 12:
+        other.color_sum_invert_spare0 = donor.color_sum_invert_spare0;
+        other.color_sum_invert_secondary = donor.color_sum_invert_secondary;
+        break;
+      case 13:
         other.final_combiner.e = donor.final_combiner.e;
         break;
       default:

@@ -132,6 +132,8 @@ CombinerState random_state(Random& random, const HardwareProfile& profile) {
   state.color_sum_clamp = random.one_in(2);
   state.per_stage_constants = profile.per_stage_constants && random.one_in(2);
   state.mux_by_lowest_bit = profile.mux_by_lowest_bit && random.one_in(2);
+  state.color_sum_invert_spare0 = profile.color_sum_inverts && random.one_in(3);
+  state.color_sum_invert_secondary = profile.color_sum_inverts && random.one_in(3);
   state.constant0 = random_color(random);
   state.constant1 = random_color(random);
   for (GeneralCombiner& stage : state.general) {

@@ -103,7 +103,9 @@ std::string describe(const CombinerState& state, const HardwareProfile& p) {
       << (p.narrowing_point.value == NarrowingPoint::after_scale ? "after_scale" : "before_scale")
       << " final_narrowing=" << (p.final_narrowing.value == Narrowing::toward_zero ? "toward_zero" : "nearest")
       << "\nstages=" << state.num_general_combiners << " color_sum_clamp=" << state.color_sum_clamp
-      << " per_stage_constants=" << state.per_stage_constants << " mux_by_lowest_bit=" << state.mux_by_lowest_bit;
+      << " per_stage_constants=" << state.per_stage_constants << " mux_by_lowest_bit=" << state.mux_by_lowest_bit
+      << " color_sum_invert_spare0=" << state.color_sum_invert_spare0
+      << " color_sum_invert_secondary=" << state.color_sum_invert_secondary;
   print(out, "constant0", state.constant0);
   print(out, "constant1", state.constant1);
   out << '\n';

@@ -107,8 +107,12 @@ void check_final(const Program& program, const Trace& t, TracesSeen& seen) {
     const auto in = [&](std::size_t v) { return f.input[v].mapped.code; };
     ASSERT_EQ(f.e_times_f_product.units, in(4) * in(5));
     ASSERT_EQ(f.e_times_f_product.units, f.e_times_f_dropped.units + f.e_times_f.code * d.one);
-    ASSERT_EQ(f.color_sum_unclamped.code,
-              std::max<int>(registers[Register::spare0][c], 0) + std::max<int>(registers[Register::secondary][c], 0));
+    const auto part = [&](Register r, bool inverted) {
+      const int positive = std::max<int>(registers[r][c], 0);
+      return inverted ? d.one - positive : positive;
+    };
+    ASSERT_EQ(f.color_sum_unclamped.code, part(Register::spare0, program.color_sum_invert_spare0) +
+                                              part(Register::secondary, program.color_sum_invert_secondary));
     ASSERT_EQ(f.color_sum.code,
               program.color_sum_clamp ? std::min(f.color_sum_unclamped.code, d.one) : f.color_sum_unclamped.code);
     ASSERT_EQ(f.a_times_b.units, in(0) * in(1));

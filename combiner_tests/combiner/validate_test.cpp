@@ -100,6 +100,21 @@ TEST(Validate, AProfileWithoutTheBitRefusesIt) {
   }
 }
 
+TEST(Validate, AColorSumWithoutInvertsRefusesThem) {
+  for (const bool spare0 : {true, false}) {
+    CombinerState state;
+    (spare0 ? state.color_sum_invert_spare0 : state.color_sum_invert_secondary) = true;
+    for (const HardwareProfile& profile : hardware_profiles()) {
+      const std::vector<StateDiagnostic> all = validate(state, profile);
+      ASSERT_EQ(all.size(), profile.color_sum_inverts ? 0U : 1U) << profile.name;
+      if (all.empty()) continue;
+      EXPECT_EQ(all[0].parameter, StateParameter::color_sum_inverts);
+      EXPECT_EQ(all[0].gl_error, GlError::invalid_enum);
+      EXPECT_EQ(all[0].message, "profile " + std::string(profile.name) + " has no 1 - x in the colour sum (NV2A)");
+    }
+  }
+}
+
 TEST(Validate, BlueToAlphaIsOfRgbPortionsAndOfProfilesThatHaveIt) {
   CombinerState state;
   state.general[1].rgb.out.ab_blue_to_alpha = true;

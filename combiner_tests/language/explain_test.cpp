@@ -174,6 +174,15 @@ TEST(Explain, AMuxByTheLowestBit) {
   EXPECT_FALSE(mentions(e.legend, "½"));
 }
 
+TEST(Explain, AnInvertedColorSum) {
+  CombinerState state = silent_state(1);
+  state.color_sum_clamp = false;
+  state.final_combiner.d = rgb_of(Register::spare0_plus_secondary);
+  state.color_sum_invert_secondary = true;
+  const HardwareProfile& xbox = profiles::nv2a;
+  EXPECT_EQ(explain(normalize(state, xbox), xbox).equations.at(0).expression, "spare0 + 1 − secondary");
+}
+
 // An equation of its own, in terms of blue: the same stage reads the register's old blue.
 TEST(Explain, BlueToAlpha) {
   CombinerState state = silent_state(2);
@@ -192,7 +201,7 @@ TEST(Explain, BlueToAlpha) {
                           {},
                           {},
                           {.ab = Register::spare0, .sum = Register::discard}};
-  state.final_combiner = final_of(Register::spare0);
+  state.final_combiner.d = rgb_of(Register::spare0);
   const HardwareProfile& xbox = profiles::nv2a;
   const std::vector<std::string> lines = lines_of(explain(normalize(state, xbox), xbox));
   EXPECT_EQ(lines.at(0), "spare0 = 0");

@@ -17,7 +17,7 @@ using test::Random;
 // A state that GL calls can reach: what a profile lacks has its default.
 CombinerState reachable_state(Random& random, const HardwareProfile& profile) {
   CombinerState state = test::random_state(random, profile);
-  state.mux_by_lowest_bit = false;
+  state.mux_by_lowest_bit = state.color_sum_invert_spare0 = state.color_sum_invert_secondary = false;
   const auto stages = static_cast<std::size_t>(profile.general_combiners.value);
   for (std::size_t i = 0; i < state.general.size(); ++i) {
     PortionOutput& out = state.general[i].rgb.out;
@@ -69,11 +69,13 @@ TEST(GlCallsRoundTrip, SaysWhatOpenGlLacks) {
   state.general[1].rgb.out.mux_sum = state.general[2].alpha.out.mux_sum = true;
   state.general[2].rgb.out.cd = Register::spare1;
   state.general[2].rgb.out.cd_blue_to_alpha = true;
+  state.color_sum_invert_spare0 = state.color_sum_invert_secondary = true;
   const auto text = print_gl_calls(state, profiles::nv2a);
   ASSERT_FALSE(text);
   EXPECT_EQ(text.error().message,
             "OpenGL has no mux by the lowest bit of spare0's alpha (general combiner 1); mux by the lowest bit of "
-            "spare0's alpha (general combiner 2); blue-to-alpha output (general combiner 2)");
+            "spare0's alpha (general combiner 2); blue-to-alpha output (general combiner 2); "
+            "1 - spare0 in the colour sum; 1 - secondary in the colour sum");
 }
 
 TEST(GlCallsRoundTrip, BrokenTextsEndInAStateOrInFaults) {

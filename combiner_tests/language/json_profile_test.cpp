@@ -58,7 +58,7 @@ TEST(JsonProfile, EveryFieldCanBeReplaced) {
     "arithmetic": "integer", "byte_shift": 1, "one": 127, "lowest": -128, "half": 63, "expand_offset": 128,
     "general_narrowing": "nearest-halves-up", "narrowing_point": "before-scale", "final_narrowing": "toward-zero",
     "general_combiners": 5, "texture_units": 3, "per_stage_constants": true, "blue_to_alpha": true,
-    "mux_by_lowest_bit": true, "spare0_alpha_without_texture0": 1, "disabled_texture_alpha": 2, "secondary_alpha": "as-given",
+    "mux_by_lowest_bit": true, "color_sum_inverts": true, "spare0_alpha_without_texture0": 1, "disabled_texture_alpha": 2, "secondary_alpha": "as-given",
     "fog_alpha_without_fog": 3, "subpixel_bits": 0, "vertex_color_mantissa_bits": 23,
     "polygon_offset_slope": "root", "color_interpolation": "affine", "texture_weight_bits": 5,
     "dxt1_palette": "rgb888"})");
@@ -79,6 +79,7 @@ TEST(JsonProfile, EveryFieldCanBeReplaced) {
   EXPECT_TRUE(p.per_stage_constants.value);
   EXPECT_TRUE(p.blue_to_alpha.value);
   EXPECT_TRUE(p.mux_by_lowest_bit.value);
+  EXPECT_TRUE(p.color_sum_inverts.value);
   EXPECT_EQ(p.spare0_alpha_without_texture0.value, 1);
   EXPECT_EQ(p.disabled_texture_alpha.value, 2);
   EXPECT_EQ(p.secondary_alpha.value, SecondaryAlpha::as_given);

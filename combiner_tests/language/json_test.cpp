@@ -48,15 +48,26 @@ TEST(JsonProgram, RandomStatesComeBackTheSame) {
 }
 
 TEST(JsonProgram, WhatGlDoesNotHaveIsThereWhereItIsAskedForAlone) {
-  const std::string keys = "\"mux_by_lowest_bit\": true";
-  CombinerState state;
-  state.mux_by_lowest_bit = true;
-  EXPECT_EQ(print_json_program({}).find("mux_by_lowest_bit"), std::string::npos);
-  EXPECT_NE(print_json_program(state).find(keys), std::string::npos);
-  EXPECT_EQ(parse_json_program({with(keys), ""}, kXbox).value, state);
-  const auto refused = parse_json_program({with(keys), "f.json"}, kCard);
-  EXPECT_EQ(all_faults(refused),
-            "f.json:2:22: GL_INVALID_ENUM: profile geforce2 has no mux by the lowest bit of spare0's alpha (NV2A)\n");
+  struct Key {
+    std::string name;
+    bool CombinerState::*flag;
+    std::string fault;
+  };
+  const std::string sum = "no 1 - x in the colour sum", mux = "no mux by the lowest bit of spare0's alpha";
+  for (const auto& [name, flag, fault] :
+       {Key{"mux_by_lowest_bit", &CombinerState::mux_by_lowest_bit, mux},
+        Key{"color_sum_invert_spare0", &CombinerState::color_sum_invert_spare0, sum},
+        Key{"color_sum_invert_secondary", &CombinerState::color_sum_invert_secondary, sum}}) {
+    const std::string keys = '"' + name + "\": true";
+    CombinerState state;
+    state.*flag = true;
+    EXPECT_EQ(print_json_program({}).find(name), std::string::npos);
+    EXPECT_NE(print_json_program(state).find(keys), std::string::npos);
+    EXPECT_EQ(parse_json_program({with(keys), ""}, kXbox).value, state);
+    const auto refused = parse_json_program({with(keys), "f.json"}, kCard);
+    EXPECT_EQ(all_faults(refused), "f.json:2:" + std::to_string(name.size() + 5) +
+                                       ": GL_INVALID_ENUM: profile geforce2 has " + fault + " (NV2A)\n");
+  }
 }
 
 TEST(JsonProgram, BlueToAlpha) {

@@ -17,6 +17,11 @@ using test::Random;
 
 // What the language lacks.
 bool is_beyond_words(const CombinerState& state) {
+  const FinalCombiner& f = state.final_combiner;
+  for (const CombinerInput& in : {f.b, f.c, f.d}) {
+    const bool inverts = state.color_sum_invert_spare0 || state.color_sum_invert_secondary;
+    if (in.reg == Register::spare0_plus_secondary && inverts) return true;
+  }
   for (int i = 0; i < state.num_general_combiners; ++i) {
     const PortionOutput& out = state.general[static_cast<std::size_t>(i)].rgb.out;
     const bool third = out.sum != Register::discard;
@@ -44,7 +49,7 @@ void simplify(Random& random, CombinerState& state) {
   }
   // What OpenGL does not have would leave little else.
   if (random.one_in(4)) return;
-  state.mux_by_lowest_bit = false;
+  state.mux_by_lowest_bit = state.color_sum_invert_spare0 = state.color_sum_invert_secondary = false;
   for (GeneralCombiner& stage : state.general) {
     stage.rgb.out.ab_blue_to_alpha = stage.rgb.out.cd_blue_to_alpha = false;
   }

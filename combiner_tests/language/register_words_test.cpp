@@ -199,6 +199,18 @@ TEST(RegisterWords, ALeastSignificantMuxWithoutAMuxSaysNothing) {
                                    ChipClass::nv20, kXbox));
 }
 
+TEST(RegisterWords, InvertedColorSum) {
+  CombinerState state;
+  state.color_sum_invert_spare0 = true;
+  EXPECT_EQ(decoded("RC_FINAL1 = 0x00001ca0\n", ChipClass::nv20), state);
+  EXPECT_NE(print_register_words(state, ChipClass::nv20, kXbox).value().find("RC_FINAL1 = 0x00001ca0\n"),
+            std::string::npos);
+  state.color_sum_invert_spare0 = false;
+  state.color_sum_invert_secondary = true;
+  EXPECT_EQ(decoded("RC_FINAL1 = 0x00001cc0\n", ChipClass::nv20), state);
+  EXPECT_EQ(parse_register_words({"RC_FINAL1 = 0x00001cc0", ""}, ChipClass::nv10, kXbox).value, state);
+}
+
 TEST(RegisterWords, BlueToAlpha) {
   CombinerState state;
   state.general[3].rgb.out = {.ab = Register::spare1, .cd = Register::primary, .ab_blue_to_alpha = true};
@@ -289,10 +301,9 @@ const WordFault kFaults[] = {
     {k20, "RC_ENABLE = 0x100", 1, 1, "are 0; NV20 has 1 to 8"},
     {k20, "RC_ENABLE = 0x109", 1, 1, "are 9; NV20 has 1 to 8"},
     {k20, "RC_ENABLE = 0x01000101", 1, 1, "bit 24 must be 0; the mask of the word is 0x0001110f"},
-    // What the chip has and OpenGL has not.
+    // What the chip has and the profile has not.
     {k20, "RC_OUT_ALPHA[0] = 0x00080c40", 1, 1, "bit 19 must be 0; the mask of the word is 0x0003cfff"},
-    {k10, "RC_FINAL1 = 0x00001cc0", 1, 1, "bit 6 (1 - x in the colour sum: 5 of spare0, 6 of secondary)"},
-    {k20, "RC_FINAL1 = 0x00001ca0", 1, 1, "bit 5 (1 - x in the colour sum"},
+    {k10, "\nRC_FINAL1 = 0x00001cc0", 2, 1, "GL_INVALID_ENUM: profile geforce2 has no 1 - x in the colour sum"},
     {k10, "RC_OUT_RGB[1] = 0x20004c00", 1, 1, "GL_INVALID_ENUM: profile geforce2 has no mux by the lowest bit"},
     // What OpenGL refuses.
     {k10, "\nRC_IN_RGB[1] = 0x13000000", 2, 1, "GL_INVALID_OPERATION: general combiner 1, RGB portion, variable A"},

@@ -220,8 +220,12 @@ Outcome run(const CombinerState& state, const HardwareProfile& profile, const Re
     const Fraction product = times(view.input(f.e, channel), view.input(f.f, channel));
     const std::int64_t ef = narrowed(profile.final_narrowing, times(product, whole(profile.one)));
     view.e_times_f[c] = real(profile, static_cast<int>(ef));
-    const Fraction sum = plus(larger(whole(0), view.content(Register::spare0, c)),
-                              larger(whole(0), view.content(Register::secondary, c)));
+    const auto summand = [&](Register reg, bool from_one) {
+      const Fraction positive = larger(whole(0), view.content(reg, c));
+      return from_one ? minus(whole(1), positive) : positive;
+    };
+    const Fraction sum = plus(summand(Register::spare0, state.color_sum_invert_spare0),
+                              summand(Register::secondary, state.color_sum_invert_secondary));
     view.color_sum[c] = state.color_sum_clamp ? smaller(sum, whole(1)) : sum;
   }
   for (int channel = 0; channel < 3; ++channel) {

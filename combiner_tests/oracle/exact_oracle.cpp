@@ -275,8 +275,12 @@ ExactOutcome run_exact(const CombinerState& state, const HardwareProfile& profil
   std::array<Whole, 3> product, sum;
   for (std::size_t c = 0; c < 3; ++c) {
     product[c] = times(bench.mapped(f.e, static_cast<int>(c)), bench.mapped(f.f, static_cast<int>(c)));
-    sum[c] = plus(larger(bench.registers[static_cast<std::size_t>(Register::spare0)][c], 0),
-                  larger(bench.registers[static_cast<std::size_t>(Register::secondary)][c], 0));
+    const auto summand = [&](Register reg, bool from_one) {
+      const Whole positive = larger(bench.registers[static_cast<std::size_t>(reg)][c], 0);
+      return from_one ? minus(bench.den, positive) : positive;
+    };
+    sum[c] = plus(summand(Register::spare0, state.color_sum_invert_spare0),
+                  summand(Register::secondary, state.color_sum_invert_secondary));
     if (state.color_sum_clamp) sum[c] = smaller(sum[c], bench.den);
   }
   const auto value = [&](const CombinerInput& in, int channel) {

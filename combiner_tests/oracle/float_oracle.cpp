@@ -129,7 +129,11 @@ FloatOutcome run_float(const CombinerState& state, const HardwareProfile& profil
     read.product[c] = read(f.e, c) * read(f.f, c);
     const auto spare0 = static_cast<std::size_t>(Register::spare0);
     const auto secondary = static_cast<std::size_t>(Register::secondary);
-    read.sum[c] = limited(file[spare0][c], 0, 1) + limited(file[secondary][c], 0, 1);
+    const auto summand = [&](std::size_t reg, bool from_one) {
+      const Single positive = limited(file[reg][c], 0, 1);
+      return from_one ? Single(1) - positive : positive;
+    };
+    read.sum[c] = summand(spare0, state.color_sum_invert_spare0) + summand(secondary, state.color_sum_invert_secondary);
     if (state.color_sum_clamp) read.sum[c] = limited(read.sum[c], 0, 1);
   }
   for (std::size_t c = 0; c < 3; ++c) {

@@ -65,7 +65,11 @@ class Fragment {
     Color& sum = at(Register::spare0_plus_secondary);
     for (std::size_t c = 0; c < 3; ++c) {
       product[c] = input(f.e, c) * input(f.f, c);
-      sum[c] = std::max(at(Register::spare0)[c], 0.0F) + std::max(at(Register::secondary)[c], 0.0F);
+      const auto part = [&](Register r, bool inverted) {
+        return mapped(inverted ? InputMapping::unsigned_invert : InputMapping::unsigned_identity, at(r)[c]);
+      };
+      sum[c] = part(Register::spare0, program_.color_sum_invert_spare0) +
+               part(Register::secondary, program_.color_sum_invert_secondary);
       if (program_.color_sum_clamp) sum[c] = std::min(sum[c], 1.0F);
     }
     Rgba9 out{};

@@ -140,11 +140,13 @@ class Compiler {
 
   // Rule 13.
   Value color_sum(int channel) {
-    const auto part = [&](Register reg) {
-      return Linear{registers_[static_cast<std::size_t>(reg)][at(channel)], true, 1, 0};
+    const auto part = [&](Register reg, bool inverted) {
+      const Value value = registers_[static_cast<std::size_t>(reg)][at(channel)];
+      return inverted ? mapped(value, InputMapping::unsigned_invert) : Linear{value, true, 1, 0};
     };
     const int one = program_.datapath.one;
-    const std::array<Linear, 2> terms{part(Register::spare0), part(Register::secondary)};
+    const std::array<Linear, 2> terms{part(Register::spare0, program_.color_sum_invert_spare0),
+                                      part(Register::secondary, program_.color_sum_invert_secondary)};
     return graph_.affine(terms, Scale::none, Narrowing::toward_zero, 0, program_.color_sum_clamp ? one : 2 * one);
   }
 

@@ -72,7 +72,11 @@ class RealCombiners {
       auto& in = result.input;
       for (std::size_t v = 4; v < 6; ++v) in[v][i] = mapped(*inputs[v], channel);
       result.e_times_f[i] = f_.mul(in[4][i], in[5][i]);
-      const Number sum = f_.add(positive(spare0[i]), positive(secondary[i]));
+      const auto part = [&](const Number& x, bool inverted) {
+        return map_input(inverted ? InputMapping::unsigned_invert : InputMapping::unsigned_identity, x);
+      };
+      const Number sum = f_.add(part(spare0[i], program.color_sum_invert_spare0),
+                                part(secondary[i], program.color_sum_invert_secondary));
       result.color_sum[i] = program.color_sum_clamp ? at_most_one(sum) : sum;
     }
     for (std::size_t i = 0; i < 3; ++i) {

@@ -197,6 +197,9 @@ std::vector<StateDiagnostic> validate(const CombinerState& state, const Hardware
   if (state.mux_by_lowest_bit && !profile.mux_by_lowest_bit) {
     lacks(StateParameter::mux_by_lowest_bit, " has no mux by the lowest bit of spare0's alpha (NV2A)");
   }
+  if ((state.color_sum_invert_spare0 || state.color_sum_invert_secondary) && !profile.color_sum_inverts) {
+    lacks(StateParameter::color_sum_inverts, " has no 1 - x in the colour sum (NV2A)");
+  }
   const int stages = profile.general_combiners;
   for (int i = 0; i < stages && i < kMaxGeneralCombiners; ++i) {
     for (const PortionName name : {PortionName::rgb, PortionName::alpha}) {

@@ -63,7 +63,10 @@ std::vector<std::string> comments_of_final(const Program& program) {
   std::vector<std::string> lines{"Final combiner", pair_of('A', f.a, 'B', f.b), pair_of('C', f.c, 'D', f.d)};
   if (detail::reads_directly(f, Register::e_times_f)) lines.push_back(pair_of('E', f.e, 'F', f.f));
   if (detail::reads_directly(f, Register::spare0_plus_secondary)) {
-    lines.push_back(std::string("  spare0_plus_secondary_color is ") +
+    const bool invert0 = program.color_sum_invert_spare0, invert1 = program.color_sum_invert_secondary;
+    const std::string sum = std::string(invert0 ? "(1 - spare0)" : "spare0") + " + " +
+                            (invert1 ? "(1 - secondary_color)" : "secondary_color");
+    lines.push_back("  spare0_plus_secondary_color is " + (invert0 || invert1 ? sum + ", " : "") +
                     (program.color_sum_clamp ? "at most one" : "not clamped"));
   }
   lines.push_back("  " + text_of('G', f.g));

@@ -136,8 +136,10 @@ class Lister {
         return map_input(d_, in.mapping, e_times_f(d_, plain(f.e, channel), plain(f.f, channel)));
       }
       if (in.reg == Register::spare0_plus_secondary) {
-        const V sum = color_sum(d_, program_.color_sum_clamp, registers_(Register::spare0, channel),
-                                registers_(Register::secondary, channel));
+        const V spare0 = registers_(Register::spare0, channel), secondary = registers_(Register::secondary, channel);
+        const V sum =
+            color_sum(d_, program_.color_sum_clamp, color_sum_part(d_, program_.color_sum_invert_spare0, spare0),
+                      color_sum_part(d_, program_.color_sum_invert_secondary, secondary));
         return map_input(d_, in.mapping, sum);
       }
       return plain(in, channel);

@@ -32,9 +32,9 @@ class ProgramReader {
   ProgramReader(std::string_view text, TextFaults& faults) : read_(text, faults) {}
 
   CombinerState read(const Value& root) {
-    if (!read_.object(
-            root, {"ninebit", "version", "num_general_combiners", "color_sum_clamp", "per_stage_constants",
-                   "mux_by_lowest_bit", "constant_color0", "constant_color1", "general_combiners", "final_combiner"})) {
+    if (!read_.object(root, {"ninebit", "version", "num_general_combiners", "color_sum_clamp", "per_stage_constants",
+                             "mux_by_lowest_bit", "color_sum_invert_spare0", "color_sum_invert_secondary",
+                             "constant_color0", "constant_color1", "general_combiners", "final_combiner"})) {
       return state_;
     }
     read_.heading(root, "program", true);
@@ -50,6 +50,14 @@ class ProgramReader {
     with(root, "mux_by_lowest_bit", [&](const Value& value) {
       mux_ = value.offset;
       read_.boolean(value, state_.mux_by_lowest_bit);
+    });
+    with(root, "color_sum_invert_spare0", [&](const Value& value) {
+      inverts_ = value.offset;
+      read_.boolean(value, state_.color_sum_invert_spare0);
+    });
+    with(root, "color_sum_invert_secondary", [&](const Value& value) {
+      if (inverts_ == 0) inverts_ = value.offset;
+      read_.boolean(value, state_.color_sum_invert_secondary);
     });
     with(root, "constant_color0", [&](const Value& value) { color(value, state_.constant0); });
     with(root, "constant_color1", [&](const Value& value) { color(value, state_.constant1); });
@@ -74,6 +82,8 @@ class ProgramReader {
         return read_.place(per_stage_);
       case StateParameter::mux_by_lowest_bit:
         return read_.place(mux_);
+      case StateParameter::color_sum_inverts:
+        return read_.place(inverts_);
     }
     return {};
   }
@@ -173,7 +183,7 @@ class ProgramReader {
 
   Reader read_;
   CombinerState state_{};
-  std::size_t count_ = 0, per_stage_ = 0, mux_ = 0;
+  std::size_t count_ = 0, per_stage_ = 0, mux_ = 0, inverts_ = 0;
   std::array<std::array<std::array<std::size_t, 5>, 2>, kMaxGeneralCombiners> general_{};
   std::array<std::size_t, 7> final_{};
 };

@@ -67,6 +67,8 @@ std::string print_json_program(const CombinerState& state) {
   text += "  " + member("color_sum_clamp", state.color_sum_clamp) + ",\n";
   text += "  " + member("per_stage_constants", state.per_stage_constants) + ",\n";
   if (state.mux_by_lowest_bit) text += "  " + member("mux_by_lowest_bit", true) + ",\n";
+  if (state.color_sum_invert_spare0) text += "  " + member("color_sum_invert_spare0", true) + ",\n";
+  if (state.color_sum_invert_secondary) text += "  " + member("color_sum_invert_secondary", true) + ",\n";
   text += "  \"constant_color0\": " + array(state.constant0) + ",\n";
   text += "  \"constant_color1\": " + array(state.constant1) + ",\n";
   std::size_t stages = state.general.size();

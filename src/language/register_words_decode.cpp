@@ -73,6 +73,8 @@ class Decoder {
       if (slot.index >= stages_of(chip_)) return {};
     } else if (found.variable) {
       slot = {*found.variable <= Variable::d ? Kind::final0 : Kind::final1, 0};
+    } else if (found.parameter == StateParameter::color_sum_inverts) {
+      slot = {Kind::final1, 0};
     }
     const RegisterWord* const word = at(slot);
     return word == nullptr ? TextPlace{} : word->place;
@@ -186,12 +188,8 @@ class Decoder {
     const Slot slot{Kind::final1, 0};
     if (at(slot) == nullptr) return;
     const std::uint32_t word = at(slot)->value;
-    const std::uint32_t inverts = word & (1U << kSumInvertSpare0Bit | 1U << kSumInvertSecondaryBit);
-    if (inverts != 0) {
-      fault(slot, bits_text(inverts) + " (1 - x in the colour sum: " + std::to_string(kSumInvertSpare0Bit) +
-                      " of spare0, " + std::to_string(kSumInvertSecondaryBit) +
-                      " of secondary): OpenGL has no such sum");
-    }
+    state_.color_sum_invert_spare0 = bits(word, kSumInvertSpare0Bit, 1) != 0;
+    state_.color_sum_invert_secondary = bits(word, kSumInvertSecondaryBit, 1) != 0;
     state_.color_sum_clamp = bits(word, kColorSumClampBit, 1) != 0;
   }
 

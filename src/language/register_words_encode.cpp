@@ -39,8 +39,10 @@ std::uint32_t argb_of(const ColorF& color) {
 
 std::uint32_t final1_word(const CombinerState& state) {
   const FinalCombiner& f = state.final_combiner;
+  const auto flag = [](bool set, int bit) { return static_cast<std::uint32_t>(set) << bit; };
   return input_byte(f.e) << 24 | input_byte(f.f) << 16 | input_byte(f.g) << 8 |
-         static_cast<std::uint32_t>(state.color_sum_clamp) << kColorSumClampBit;
+         flag(state.color_sum_clamp, kColorSumClampBit) | flag(state.color_sum_invert_spare0, kSumInvertSpare0Bit) |
+         flag(state.color_sum_invert_secondary, kSumInvertSecondaryBit);
 }
 
 bool has_texture_beyond(std::initializer_list<Register> registers, int units) {

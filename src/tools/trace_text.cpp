@@ -235,7 +235,9 @@ class TextWriter {
       }
     }
     if (f.uses_color_sum) {
-      table_.codes("spare0 + secondary", cells(&F::color_sum_unclamped));
+      const char* const spare0 = program_.color_sum_invert_spare0 ? "(1 - spare0)" : "spare0";
+      const char* const secondary = program_.color_sum_invert_secondary ? "(1 - secondary)" : "secondary";
+      table_.codes(fmt::format("{} + {}", spare0, secondary), cells(&F::color_sum_unclamped));
       if (program_.color_sum_clamp) table_.codes("    clamped", cells(&F::color_sum));
     }
     const FinalCombiner& from = program_.final_combiner;

@@ -185,8 +185,12 @@ constexpr void evaluate_general(const Program& program, RegisterFile& registers)
   for (int c = 0; c < 3; ++c) {
     const auto i = static_cast<std::size_t>(c);
     ef[i] = static_cast<s9>(reference::e_times_f(d, mapped(f.e, c, {}, {}), mapped(f.f, c, {}, {})));
-    sum[i] = static_cast<s9>(reference::color_sum(d, program.color_sum_clamp, registers[Register::spare0][i],
-                                                  registers[Register::secondary][i]));
+    const auto part = [&](bool inverted, Register r) {
+      return reference::color_sum_part(d, inverted, registers[r][i]);
+    };
+    sum[i] = static_cast<s9>(reference::color_sum(d, program.color_sum_clamp,
+                                                  part(program.color_sum_invert_spare0, Register::spare0),
+                                                  part(program.color_sum_invert_secondary, Register::secondary)));
   }
   for (int c = 0; c < 3; ++c) {
     out[static_cast<std::size_t>(c)] = static_cast<s9>(reference::final_rgb(

@@ -45,7 +45,7 @@ struct RealFinal {
   std::array<RealColor, 6> input{};  // A to F, mapped; no alpha
   double g = 0;                      // mapped
   RealColor e_times_f{};             // no alpha
-  RealColor color_sum{};             // spare0 + secondary, clamped where the program says so; no alpha
+  RealColor color_sum{};             // spare0 + secondary, inverted and clamped where the program says so; no alpha
   RealColor unclamped{};             // A·B + (1 - A)·C + D, and G
 };
 

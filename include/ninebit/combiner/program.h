@@ -28,6 +28,8 @@ struct Program {
   Datapath datapath;
   int num_general_combiners = 1;
   bool color_sum_clamp = true;
+  bool color_sum_invert_spare0 = false;
+  bool color_sum_invert_secondary = false;
   std::array<ProgramStage, kMaxGeneralCombiners> general{};
   FinalCombiner final_combiner{};
   Rgba9 constant0{}, constant1{};  // of the final combiner, codes
@@ -125,7 +127,10 @@ constexpr Rgba9 constant_codes(const HardwareProfile& profile, const ColorF& col
   const auto read = [&](Register r) { return detail::reads_directly(f, r) || f.e.reg == r || f.f.reg == r; };
   program.constant0 = codes_if(read(Register::constant0), state.constant0);
   program.constant1 = codes_if(read(Register::constant1), state.constant1);
-  program.color_sum_clamp = state.color_sum_clamp || !read(Register::spare0_plus_secondary);
+  const bool sums = read(Register::spare0_plus_secondary);
+  program.color_sum_clamp = state.color_sum_clamp || !sums;
+  program.color_sum_invert_spare0 = state.color_sum_invert_spare0 && sums;
+  program.color_sum_invert_secondary = state.color_sum_invert_secondary && sums;
   return program;
 }
 

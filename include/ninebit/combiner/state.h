@@ -74,6 +74,9 @@ struct FinalCombiner {
 struct CombinerState {
   int num_general_combiners = 1;
   bool color_sum_clamp = true;
+  // NV2A, not in GL: spare0 (the secondary colour) goes into the colour sum as 1 - x.
+  bool color_sum_invert_spare0 = false;
+  bool color_sum_invert_secondary = false;
   bool per_stage_constants = false;
   bool mux_by_lowest_bit =
       false;  // NV2A, not in GL: muxes look at the lowest bit of spare0's alpha, not at its highest

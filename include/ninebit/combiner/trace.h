@@ -96,7 +96,7 @@ struct TracedFinalChannel {
   TracedWide e_times_f_product;      // E·F, exactly
   TracedWide e_times_f_dropped;      // what narrowing took away from that
   TracedCode e_times_f;              // what it left
-  TracedCode color_sum_unclamped;    // spare0 + secondary
+  TracedCode color_sum_unclamped;    // spare0 + secondary, or 1 - x of them
   TracedCode color_sum;              // the same, clamped if the program says so
   TracedWide a_times_b;
   TracedWide one_minus_a_times_c;

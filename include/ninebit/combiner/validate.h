@@ -24,7 +24,12 @@ enum class GlError : std::uint16_t {
 [[nodiscard]] std::string_view name_of(GlError error);
 
 // What stands once in a state.
-enum class StateParameter : std::uint8_t { num_general_combiners, per_stage_constants, mux_by_lowest_bit };
+enum class StateParameter : std::uint8_t {
+  num_general_combiners,
+  per_stage_constants,
+  mux_by_lowest_bit,
+  color_sum_inverts
+};
 
 struct StateDiagnostic {
   std::optional<int> stage;                 // 0-based general combiner; empty: final combiner or global

@@ -89,6 +89,11 @@ NINEBIT_RULE V mux(const Datapath& d, bool by_lowest_bit, V spare0_alpha, V ab, 
   return select_where_at_least(sub(positive, mul(divide(positive, 2), set(2))), set(1), cd, ab);
 }
 
+// Rule 13: what a register gives to the colour sum; `inverted`: 1 - x.
+NINEBIT_RULE V color_sum_part(const Datapath& d, bool inverted, V v) {
+  return inverted ? map_input(d, InputMapping::unsigned_invert, v) : v;
+}
+
 // Rule 13: spare0 + secondary, each without its negative part; up to 2.0 without the clamp.
 NINEBIT_RULE V color_sum(const Datapath& d, bool clamp, V spare0, V secondary) {
   const V sum = add(max_of(spare0, set(0)), max_of(secondary, set(0)));
