@@ -204,8 +204,8 @@ TEST(Explain, BlueToAlpha) {
   state.final_combiner.d = rgb_of(Register::spare0);
   const HardwareProfile& xbox = profiles::nv2a;
   const std::vector<std::string> lines = lines_of(explain(normalize(state, xbox), xbox));
-  EXPECT_EQ(lines.at(0), "spare0 = 0");
-  EXPECT_EQ(lines.at(1), "spare0.a = 0");
+  EXPECT_EQ(lines.at(0), "spare0 = spare0 × tex0.a");
+  EXPECT_EQ(lines.at(1), "spare0.a = spare0.blue × tex0.a");
   EXPECT_EQ(lines.at(2), "spare1 = primary · tex1");
   EXPECT_EQ(lines.at(3), "spare1.a = primary · tex1");
   state.general[0].rgb.a = rgb_of(Register::primary);

@@ -175,7 +175,7 @@ TEST(JsonProfile, EveryFaultHasItsPlace) {
       "mine.json:4:3: unknown key \"haf\"; the keys here are ninebit, version, base, name, chip, arithmetic, one, "
       "lowest, half, expand_offset, byte_shift, general_narrowing, narrowing_point, final_narrowing, "
       "general_combiners, texture_units, per_stage_constants, blue_to_alpha, mux_by_lowest_bit, "
-      "spare0_alpha_without_texture0, "
+      "color_sum_inverts, spare0_alpha_without_texture0, "
       "disabled_texture_alpha, secondary_alpha, fog_alpha_without_fog, subpixel_bits, "
       "vertex_color_mantissa_bits, polygon_offset_slope, color_interpolation, texture_weight_bits, dxt1_palette\n"
       "mine.json:5:10: one must be a whole number, not a string\n"

@@ -78,7 +78,7 @@ TEST(JsonProgram, BlueToAlpha) {
   EXPECT_EQ(print_json_program({}).find("blue_to_alpha"), std::string::npos);
   EXPECT_NE(print_json_program(state).find(R"("mux_sum": false, "ab_blue_to_alpha": true})"), std::string::npos);
   EXPECT_EQ(parse_json_program({with(keys), ""}, kXbox).value, state);
-  EXPECT_NE(all_faults(parse_json_program({with(keys), "f.json"}, kCard)).find("f.json:2:43: GL_INVALID_ENUM: "),
+  EXPECT_NE(all_faults(parse_json_program({with(keys), "f.json"}, kCard)).find("f.json:2:42: GL_INVALID_ENUM: "),
             std::string::npos);
 }
 
