@@ -154,9 +154,8 @@ HWY_NOINLINE void signed_product(const Operation& operation, const Batch& batch)
 // then moved by 2^-12 at most:
 // - Where the quotient is whole the product is not below it, and neither is the float; else the next whole number is at
 //   least 1 / (2 one) above, out of reach. So truncating is exact; for negative n the same with the signs changed.
-// - One is odd. So with k >= 0 no quotient is a tie, but at least 1 / (2 one) away from one. With k = -1 the bias has
-// one
-//   half more: a tie is 1 / (4 one) away, and n being below 2^19, the product at most 1 / (32 one) too large.
+// - One is odd. So with k >= 0 no quotient is a tie, but at least 1 / (2 one) away from one. With k = -1 the bias
+//   has one half more: a tie is 1 / (4 one) away, and n being below 2^19, the product at most 1 / (32 one) too large.
 template <int kTerms, bool kFloors, bool kNearest, bool kBiased>
 HWY_NOINLINE void products(const Operation& operation, const Batch& batch) {
   const Formula& f = operation.formula;
@@ -190,6 +189,13 @@ HWY_NOINLINE void select(const Operation& operation, const Batch& batch) {
   const V16 limit = set(operation.formula.low);
   for_lanes<3, kFloors>(operation, batch, [&](const auto& x, std::size_t lane) HWY_ATTR {
     return hn::IfThenElse(hn::Lt(x.get(0, lane), limit), x.get(1, lane), x.get(2, lane));
+  });
+}
+
+template <bool kFloors>
+HWY_NOINLINE void select_odd(const Operation& operation, const Batch& batch) {
+  for_lanes<3, kFloors>(operation, batch, [&](const auto& x, std::size_t lane) HWY_ATTR {
+    return hn::IfThenElse(hn::TestBit(x.get(0, lane), set(1)), x.get(2, lane), x.get(1, lane));
   });
 }
 
@@ -257,6 +263,8 @@ HWY_INLINE Run kernel_of(const Formula& f) {
       return products_of<kFloors>(f);
     case Kernel::select:
       return select<kFloors>;
+    case Kernel::select_odd:
+      return select_odd<kFloors>;
     case Kernel::copy:
       break;
   }

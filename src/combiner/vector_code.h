@@ -30,6 +30,8 @@ enum class Kernel : std::uint8_t {
   products,
   // x0 >= low ? x2 : x1
   select,
+  // x0 odd ? x2 : x1
+  select_odd,
   copy
 };
 
@@ -59,6 +61,7 @@ struct Formula {
       case Kernel::products:
         return 2 * terms;
       case Kernel::select:
+      case Kernel::select_odd:
         return 3;
       case Kernel::copy:
         return 1;

@@ -126,7 +126,9 @@ constexpr PortionResult evaluate_portion(const Datapath& d, const ProgramStage& 
 
   PortionResult result;
   for (std::size_t c = 0; c < static_cast<std::size_t>(channels); ++c) {
-    const V third = portion.out.mux_sum ? mux(d, registers[Register::spare0][kAlpha], ab[c], cd[c]) : add(ab[c], cd[c]);
+    const V third = portion.out.mux_sum
+                        ? mux(d, stage.mux_by_lowest_bit, registers[Register::spare0][kAlpha], ab[c], cd[c])
+                        : add(ab[c], cd[c]);
     result.ab[c] = combiner_output(d, portion.out.scale, portion.out.bias, ab[c]);
     result.cd[c] = combiner_output(d, portion.out.scale, portion.out.bias, cd[c]);
     result.sum[c] = combiner_output(d, portion.out.scale, portion.out.bias, third);
@@ -136,15 +138,16 @@ constexpr PortionResult evaluate_portion(const Datapath& d, const ProgramStage& 
 
 constexpr void write_portion(const Portion& portion, int first, int channels, const PortionResult& result,
                              RegisterFile& registers) {
-  const auto write = [&](Register reg, const std::array<V, 3>& value) {
+  const auto write = [&](Register reg, const std::array<V, 3>& value, bool blue_to_alpha) {
     if (reg == Register::discard) return;
     for (int c = 0; c < channels; ++c) {
       registers[reg][static_cast<std::size_t>(first + c)] = static_cast<s9>(value[static_cast<std::size_t>(c)]);
     }
+    if (blue_to_alpha) registers[reg][kAlpha] = static_cast<s9>(value[kBlue]);  // rule 23
   };
-  write(portion.out.ab, result.ab);
-  write(portion.out.cd, result.cd);
-  write(portion.out.sum, result.sum);
+  write(portion.out.ab, result.ab, portion.out.ab_blue_to_alpha);
+  write(portion.out.cd, result.cd, portion.out.cd_blue_to_alpha);
+  write(portion.out.sum, result.sum, false);
 }
 
 }  // namespace reference
@@ -185,8 +188,12 @@ constexpr void evaluate_general(const Program& program, RegisterFile& registers)
   for (int c = 0; c < 3; ++c) {
     const auto i = static_cast<std::size_t>(c);
     ef[i] = static_cast<s9>(reference::e_times_f(d, mapped(f.e, c, {}, {}), mapped(f.f, c, {}, {})));
-    sum[i] = static_cast<s9>(reference::color_sum(d, program.color_sum_clamp, registers[Register::spare0][i],
-                                                  registers[Register::secondary][i]));
+    const auto part = [&](bool inverted, Register r) {
+      return reference::color_sum_part(d, inverted, registers[r][i]);
+    };
+    sum[i] = static_cast<s9>(reference::color_sum(d, program.color_sum_clamp,
+                                                  part(program.color_sum_invert_spare0, Register::spare0),
+                                                  part(program.color_sum_invert_secondary, Register::secondary)));
   }
   for (int c = 0; c < 3; ++c) {
     out[static_cast<std::size_t>(c)] = static_cast<s9>(reference::final_rgb(

@@ -37,6 +37,7 @@ struct RealChannel {
 // A general combiner: its products and outputs, and the registers behind it.
 struct RealStage {
   bool takes_cd = false;             // whether a mux takes CD: spare0's alpha, as it enters the stage, is at least 1/2
+                                     // or, by the lowest bit, its nearest code is odd
   std::array<RealChannel, 3> rgb{};  // all 0 if the RGB portion writes nothing
   RealChannel alpha{};               // likewise
   RealRegisters after;               // the registers with the stage's outputs
@@ -48,7 +49,7 @@ struct RealFinal {
   std::array<RealColor, 6> input{};  // A to F, mapped; no alpha
   double g = 0;                      // mapped
   RealColor e_times_f{};             // no alpha
-  RealColor color_sum{};             // spare0 + secondary, clamped where the program says so; no alpha
+  RealColor color_sum{};             // spare0 + secondary, inverted and clamped where the program says so; no alpha
   RealColor unclamped{};             // A·B + (1 - A)·C + D, and G
 };
 

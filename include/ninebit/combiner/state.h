@@ -1,4 +1,5 @@
-// The register combiners' state exactly as GL holds it, with GL's defaults. Plain data: nothing here is checked.
+// The register combiners' state exactly as GL holds it, with GL's defaults, and what the NV2A's registers add to it.
+// Plain data: nothing here is checked.
 #pragma once
 
 #include <array>
@@ -29,6 +30,10 @@ struct PortionOutput {
   bool ab_dot_product = false;      // A·B is the sum over red, green and blue; RGB portions only
   bool cd_dot_product = false;      // likewise C·D
   bool mux_sum = false;             // the third output is mux(AB, CD) instead of AB + CD
+  // NV2A, not in GL, RGB portions alone: the alpha of AB's (CD's) register gets the blue that is written there, unless
+  // the alpha portion writes it.
+  bool ab_blue_to_alpha = false;
+  bool cd_blue_to_alpha = false;
   friend constexpr bool operator==(const PortionOutput&, const PortionOutput&) = default;
 };
 
@@ -75,11 +80,14 @@ struct FinalCombiner {
 
 // All of it: the values that GL's Get calls would return.
 struct CombinerState {
-  int num_general_combiners = 1;     // GL_NUM_GENERAL_COMBINERS_NV: 1 to the profile's number
-  bool color_sum_clamp = true;       // GL_COLOR_SUM_CLAMP_NV: spare0 + secondary is clamped to [0, 1]
-  bool per_stage_constants = false;  // GL_PER_STAGE_CONSTANTS_NV, of NV_register_combiners2
-  ColorF constant0{};                // GL_CONSTANT_COLOR0_NV
-  ColorF constant1{};                // GL_CONSTANT_COLOR1_NV
+  int num_general_combiners = 1;            // GL_NUM_GENERAL_COMBINERS_NV: 1 to the profile's number
+  bool color_sum_clamp = true;              // GL_COLOR_SUM_CLAMP_NV: spare0 + secondary is clamped to [0, 1]
+  bool color_sum_invert_spare0 = false;     // NV2A, not in GL: spare0 goes into the colour sum as 1 - x
+  bool color_sum_invert_secondary = false;  // likewise the secondary colour
+  bool per_stage_constants = false;         // GL_PER_STAGE_CONSTANTS_NV, of NV_register_combiners2
+  bool mux_by_lowest_bit = false;           // NV2A, not in GL: muxes ask the lowest bit of spare0's alpha
+  ColorF constant0{};                       // GL_CONSTANT_COLOR0_NV
+  ColorF constant1{};                       // GL_CONSTANT_COLOR1_NV
   std::array<GeneralCombiner, kMaxGeneralCombiners>
       general{};                   // those past num_general_combiners are kept, and do nothing
   FinalCombiner final_combiner{};  // what makes the colour

@@ -86,11 +86,12 @@ struct TracedRegisters {
 
 // A general combiner: what it read, made and left.
 struct TracedStage {
-  TracedCode spare0_alpha;      // as it enters the stage; the muxes look at it
-  bool takes_cd = false;        // what a mux does: CD, because that is at least one half, or AB
-  bool ideal_takes_cd = false;  // what it would do in exact arithmetic
-  TracedPortion rgb, alpha;     // both read the registers as they entered the stage
-  TracedRegisters after;        // with the stage's outputs
+  TracedCode spare0_alpha;         // as it enters the stage; the muxes look at it
+  bool mux_by_lowest_bit = false;  // whether they look at its lowest bit
+  bool takes_cd = false;           // what a mux does: CD, because that is at least one half, or odd; or AB
+  bool ideal_takes_cd = false;     // what it would do in exact arithmetic
+  TracedPortion rgb, alpha;        // both read the registers as they entered the stage
+  TracedRegisters after;           // with the stage's outputs
 };
 
 // The final combiner in red, green or blue.
@@ -99,7 +100,7 @@ struct TracedFinalChannel {
   TracedWide e_times_f_product;      // E·F, exactly
   TracedWide e_times_f_dropped;      // what narrowing took away from that
   TracedCode e_times_f;              // what it left
-  TracedCode color_sum_unclamped;    // spare0 + secondary
+  TracedCode color_sum_unclamped;    // spare0 + secondary, or 1 - x of them
   TracedCode color_sum;              // the same, clamped if the program says so
   TracedWide a_times_b;              // A·B, exactly
   TracedWide one_minus_a_times_c;    // (1 - A)·C, exactly

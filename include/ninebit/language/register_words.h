@@ -29,9 +29,9 @@ struct RegisterWord {
 };
 
 // Decodes `NAME = 0x…` lines in any order (comments from # or //; names in either case). A word with bits outside its
-// valid mask, a reserved register code, an unknown or repeated name, a setting that OpenGL does not have and a state
-// that it would refuse are faults. Words that are missing keep the value that encodes GL's default state. The same as a
-// JSON object is parse_json_register_words of json.h.
+// valid mask, a reserved register code, an unknown or repeated name, a setting that the profile does not have and a
+// state that OpenGL would refuse are faults. Words that are missing keep the value that encodes GL's default state. The
+// same as a JSON object is parse_json_register_words of json.h.
 [[nodiscard]] Parsed<CombinerState> parse_register_words(const SourceText& source, ChipClass chip,
                                                          const HardwareProfile& profile);
 

@@ -87,6 +87,8 @@ struct HardwareProfile {
   Choice<int> texture_units;         // 1 to 4
   Choice<bool> per_stage_constants;  // NV_register_combiners2
   Choice<bool> blue_to_alpha;        // an RGB portion may write its blue to a register's alpha
+  Choice<bool> mux_by_lowest_bit;    // the mux may look at the lowest bit of spare0's alpha
+  Choice<bool> color_sum_inverts;    // spare0 and the secondary colour may go into the colour sum as 1 - x
 
   // What registers hold before the first general combiner.
   Choice<int> spare0_alpha_without_texture0;  // byte, when texture unit 0 is off
@@ -129,6 +131,8 @@ inline constexpr HardwareProfile geforce2{
     .texture_units = {2, Evidence::specified, "ARB_multitexture on NV1x"},
     .per_stage_constants = {false, Evidence::specified, "NV_register_combiners2 is absent"},
     .blue_to_alpha = {false, Evidence::specified, "NV_register_combiners has no such output"},
+    .mux_by_lowest_bit = {false, Evidence::specified, "NV_register_combiners has the threshold of one half alone"},
+    .color_sum_inverts = {false, Evidence::specified, "NV_register_combiners has no such sum"},
     .spare0_alpha_without_texture0 = {255, Evidence::assumed, "the extension leaves it unspecified"},
     .disabled_texture_alpha = {255, Evidence::inferred, "rule 16, measured on NV2A"},
     .secondary_alpha = {SecondaryAlpha::one, Evidence::inferred, "drivers up to 56.90 gave 1.0"},
@@ -177,6 +181,8 @@ constexpr HardwareProfile xbox() {
   p.texture_units = {4, Evidence::specified, "NV20 class"};
   p.per_stage_constants = {true, Evidence::specified, "NV_register_combiners2"};
   p.blue_to_alpha = {true, Evidence::measured, "NV2A output flag"};
+  p.mux_by_lowest_bit = {true, Evidence::measured, "rule 11: 129 takes CD, 130 and 0 take AB"};
+  p.color_sum_inverts = {true, Evidence::measured, "rule 13: 1 - 191/255 is 64/255, by either"};
   p.disabled_texture_alpha = {255, Evidence::measured, "rule 16"};
   p.secondary_alpha = {SecondaryAlpha::as_given, Evidence::specified, "NV_register_combiners2"};
   p.subpixel_bits = {4, Evidence::measured, "rule 21"};
@@ -204,6 +210,8 @@ constexpr HardwareProfile real_numbers(std::string_view name, std::string_view c
   p.final_narrowing = {Narrowing::nearest_halves_up, Evidence::assumed, not_read};
   p.texture_units = {4, Evidence::assumed, as_nv2a};
   p.blue_to_alpha = {true, Evidence::assumed, as_nv2a};
+  p.mux_by_lowest_bit = {true, Evidence::assumed, as_nv2a};
+  p.color_sum_inverts = {true, Evidence::assumed, as_nv2a};
   p.disabled_texture_alpha = {255, Evidence::assumed, as_nv2a};
   p.subpixel_bits = {4, Evidence::assumed, as_nv2a};
   p.vertex_color_mantissa_bits = {23, Evidence::assumed, "no bit of a float is cut before it is rounded to a byte"};
