@@ -29,6 +29,8 @@ TEST(Habits, DidYouMean) {
       {{"render", kRoom, "-o", "out", "--technique", "shadow-mop"}, "shadow-map"},
       {{"profiles", "--profile", "geforce"}, "geforce2"},
       {{"convert", "x.gl", "--to", "glls"}, "glsl"},
+      {{"eval", "x.gl", "--profle", "nv2a"}, "--profile"},  // although --inputs is missing, too
+      {{"study", "index-steps", "--formats", "rgb,chanel"}, "channel"},
   };
   for (const Case& c : cases) {
     SCOPED_TRACE(testing::PrintToString(c.arguments));
