@@ -14,9 +14,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A room knows the rooms of a lower rank and itself. scene and image do not know each other.
-const std::map<std::string, int> kRank{{"numerics", 0}, {"combiner", 1}, {"language", 2}, {"raster", 3}, {"scene", 4},
-                                       {"image", 4},    {"shadow", 5},   {"study", 6},    {"bench", 7},  {"tools", 8}};
+// A room knows the rooms of a lower rank and itself. scene and image do not know each other, nor do capi and raster.
+const std::map<std::string, int> kRank{{"numerics", 0}, {"combiner", 1}, {"language", 2}, {"capi", 3},
+                                       {"raster", 3},   {"scene", 4},    {"image", 4},    {"shadow", 5},
+                                       {"study", 6},    {"bench", 7},    {"tools", 8},    {"python", 8}};
 
 // Outside libraries and the rooms that may include them. Besides these there is only the standard library, whose
 // headers have neither a dot nor a slash in their names.
@@ -36,9 +37,11 @@ const std::vector<Library> kLibraries{
     {std::regex("CLI/.*"), {"tools"}},
     {std::regex("cairo\\.h"), {"study"}},
     {std::regex("openssl/.*"), {"study"}},
+    {std::regex("pybind11/.*"), {"python"}},
     {std::regex("nlohmann/.*"), {"language", "scene", "study", "tools"}},
     {std::regex("unistd\\.h|fcntl\\.h|poll\\.h|sys/.*"), {"image", "tools"}},
     {std::regex("dlfcn\\.h"), {"image", "bench"}},
+    {std::regex("stddef\\.h|stdint\\.h"), {"capi"}},
     {std::regex("benchmark/.*|EGL/.*|GL/glcorearb\\.h|stdlib\\.h"), {"bench"}},
 };
 
@@ -110,9 +113,28 @@ TEST(Layering, NoticesWhatIsForbidden) {
   EXPECT_NE(complaint("combiner", "glm/glm.hpp"), "");
   EXPECT_NE(complaint("numerics", "boost/any.hpp"), "");
   EXPECT_NE(complaint("raster", "unistd.h"), "");
+  EXPECT_NE(complaint("capi", "ninebit/raster/surface.h"), "");
+  EXPECT_NE(complaint("raster", "ninebit/capi/combiner.h"), "");
   EXPECT_EQ(complaint("shadow", "ninebit/raster/surface.h"), "");
   EXPECT_EQ(complaint("scene", "assimp/scene.h"), "");
   EXPECT_EQ(complaint("scene", "vector"), "");
+}
+
+// What a public header declares can be linked to in the shared libraries, and only that.
+TEST(Layering, PublicHeadersSayThatTheyAre) {
+  const fs::path top = NINEBIT_SOURCE_DIR;
+  int headers = 0;
+  for (const auto& entry : fs::recursive_directory_iterator(top / "include/ninebit")) {
+    if (entry.path().extension() != ".h") continue;
+    std::ifstream in(entry.path());
+    for (std::string line; std::getline(in, line);) {
+      if (line.rfind("namespace ", 0) != 0 || line.rfind("namespace NINEBIT_PUBLIC ninebit {", 0) == 0) continue;
+      const bool nested = line.find("ninebit") == std::string::npos;
+      EXPECT_TRUE(nested) << entry.path() << " should say: namespace NINEBIT_PUBLIC ninebit {";
+    }
+    ++headers;
+  }
+  EXPECT_GT(headers, 40);
 }
 
 TEST(Layering, FilesStayReadable) {

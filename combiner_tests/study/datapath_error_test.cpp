@@ -53,7 +53,7 @@ TEST(WideCounts, SumsOfProductsAreCountedLikeByHand) {
 }
 
 // All 511 x 511 products, one by one, in the extension's real numbers.
-TEST(DatapathErrors, ProductsMatchDirectEnumeration) {
+void products_match_direct_enumeration() {
   for (const HardwareProfile* profile : {&profiles::geforce2, &profiles::nv2a}) {
     const Datapath d = datapath_of(*profile);
     std::uint64_t exact = 0;
@@ -156,7 +156,7 @@ TEST(DatapathErrors, FinalCombinerMatchesDirectEnumerationOfSmallCodes) {
   EXPECT_EQ(seen, 2);
 }
 
-TEST(DatapathErrors, KnownFactsComeOut) {
+void known_facts_come_out() {
   // The GeForce 2 cuts products toward zero: never more than a code, and no bias on the whole, as both signs occur.
   const StudyRow& product = error_of("geforce2", "product", "x1");
   EXPECT_LT(product.number("max_error"), 1.0 / 255.0);
@@ -174,7 +174,7 @@ TEST(DatapathErrors, KnownFactsComeOut) {
   EXPECT_EQ(error_of("geforce2", "product", "x1").count("distinct"), 511U);
 }
 
-TEST(DatapathErrors, TheWorstCaseIsOne) {
+void the_worst_case_is_one() {
   const StudyRow& e = error_of("geforce2", "product", "x1");
   int a = 0, b = 0;
   ASSERT_EQ(std::sscanf(e.text("worst").c_str(), "%d * %d", &a, &b), 2) << e.text("worst");
@@ -183,7 +183,7 @@ TEST(DatapathErrors, TheWorstCaseIsOne) {
   EXPECT_NEAR(std::fabs(code / 255.0 - a * b / 65025.0), e.number("max_error"), 1e-12);
 }
 
-TEST(DatapathErrors, ProfilesDifferWhereTheyShould) {
+void profiles_differ_where_they_should() {
   int compared = 0;
   for (const StudyRow& d : rows()) {
     if (d.table != "differences" || d.text("first") != "geforce2" || d.text("second") != "geforce2-early-truncation") {
@@ -215,7 +215,7 @@ TEST(DatapathErrors, RealNumbersHaveNoDatapath) {
 }
 
 // One pixel a case, the error of that very case under it.
-TEST(DatapathErrors, ReportsMapsAndTables) {
+void the_report_has_maps_and_tables() {
   const auto report = study().report(rows(), study().units());
   ASSERT_TRUE(report.ok());
   EXPECT_EQ(report->tables.size(), 5U);  // four profiles, and the differences
@@ -244,6 +244,30 @@ TEST(DatapathErrors, ReportsMapsAndTables) {
   const auto part = study().report(std::span(rows()).first(8), 1);
   ASSERT_TRUE(part.ok());
   EXPECT_NE(part->answers.front().find("Only 1 of"), std::string::npos);
+}
+
+// One test, because the study that it looks at takes seconds.
+TEST(DatapathErrors, OfAllProfiles) {
+  {
+    SCOPED_TRACE("products match direct enumeration");
+    products_match_direct_enumeration();
+  }
+  {
+    SCOPED_TRACE("known facts come out");
+    known_facts_come_out();
+  }
+  {
+    SCOPED_TRACE("the worst case is one");
+    the_worst_case_is_one();
+  }
+  {
+    SCOPED_TRACE("profiles differ where they should");
+    profiles_differ_where_they_should();
+  }
+  {
+    SCOPED_TRACE("the report has maps and tables");
+    the_report_has_maps_and_tables();
+  }
 }
 
 }  // namespace

@@ -298,6 +298,8 @@ TEST(ShadowSweepReport, FindsTheBestOffsetAndItsPrice) {
                    "offset changes falsely shadowed pixels by -7900, at the cost of +40 falsely lit."),
       std::string::npos)
       << answers;
+  EXPECT_NE(answers.find(" Larger units were not tried."), std::string::npos) << answers;
+  EXPECT_EQ(answers.find("Larger factors"), std::string::npos) << answers;
   ASSERT_EQ(report.heat_maps.size(), 1U);
   EXPECT_EQ(report.heat_maps[0].width, 2);
   EXPECT_EQ(report.heat_maps[0].height, 3);

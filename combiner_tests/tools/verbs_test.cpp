@@ -55,7 +55,7 @@ TEST(Verbs, RowsAnswerWithOneObject) {
     EXPECT_EQ(keys_of(object), (std::vector<std::string>{"command", "version", "profile", "rows"}));
     EXPECT_EQ(object["command"], verb);
     EXPECT_EQ(object["profile"], "nv2a");
-    EXPECT_EQ("ninebit " + object["version"].get<std::string>() + "\n", ninebit({"--version"}).out);
+    EXPECT_TRUE(ninebit({"--version"}).out.starts_with("ninebit " + object["version"].get<std::string>() + "\n"));
     EXPECT_TRUE(object["rows"].is_array() && !object["rows"].empty());
   }
 }

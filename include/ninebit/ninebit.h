@@ -1,7 +1,12 @@
-// Everything of ninebit but the JSON forms (language/json.h, language/profile_json.h), which have a library of their
-// own.
+/* Everything: to C the C interface; to C++ the whole library but its JSON forms (language/json.h,
+   language/profile_json.h, language/trace_json.h). C++ that wants the C interface includes capi/combiner.h and links
+   with ninebit_capi. */
 #pragma once
 
+#ifndef __cplusplus
+#include "ninebit/capi/combiner.h"
+#else
+#include "ninebit/combiner/batch_program.h"
 #include "ninebit/combiner/evaluate.h"
 #include "ninebit/combiner/evaluate_real.h"
 #include "ninebit/combiner/initial_registers.h"
@@ -25,6 +30,7 @@
 #include "ninebit/raster/rasterizer.h"
 #include "ninebit/raster/s3tc.h"
 #include "ninebit/scene/scene_io.h"
+#include "ninebit/shadow/depth_cube.h"
 #include "ninebit/shadow/depth_packing.h"
 #include "ninebit/shadow/ground_truth.h"
 #include "ninebit/shadow/index_cube.h"
@@ -34,3 +40,4 @@
 #include "ninebit/shadow/shadow_map.h"
 #include "ninebit/shadow/shadow_volume.h"
 #include "ninebit/shadow/technique.h"
+#endif

@@ -53,4 +53,20 @@ std::string_view name_of(Bias bias) {
   return name_in(names, bias);
 }
 
+std::string_view short_name(Register r) {
+  constexpr std::array<std::string_view, 4> textures{"tex0", "tex1", "tex2", "tex3"};
+  switch (r) {
+    case Register::constant0:
+      return "const0";
+    case Register::constant1:
+      return "const1";
+    case Register::primary:
+      return "primary";
+    case Register::secondary:
+      return "secondary";
+    default:
+      return is_texture(r) ? textures[static_cast<std::size_t>(texture_unit_of(r))] : name_of(r);
+  }
+}
+
 }  // namespace ninebit

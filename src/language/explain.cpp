@@ -72,7 +72,7 @@ void add_portion(const Program& program, int stage, PortionName name, const Rang
   const auto add = [&](Register target, std::string output, const Expression& wide) {
     if (target == Register::discard) return;
     Equation equation{.stage = stage, .portion = name, .output = std::move(output)};
-    equation.target = short_name(target) + (rgb ? "" : ".a");
+    equation.target = std::string(short_name(target)) + (rgb ? "" : ".a");
     Fact fact = fact_of(d, combiner_output(d, p.out.scale, p.out.bias, wide), std::move(equation), {d.lowest, d.one});
     fact.target = target;
     facts.push_back(std::move(fact));

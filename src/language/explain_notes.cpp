@@ -102,7 +102,7 @@ std::vector<std::string> constant_sentences(const Program& program, const std::v
       }
     }
     for (const auto& [value, readers] : values) {
-      std::string sentence = short_name(reg) + " = (";
+      std::string sentence = std::string(short_name(reg)) + " = (";
       for (std::size_t c = 0; c < 4; ++c) sentence += (c > 0 ? ", " : "") + std::to_string(value[c]);
       sentence += ")/" + std::to_string(program.datapath.one);
       if (values.size() > 1) sentence += " in " + readers;

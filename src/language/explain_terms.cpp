@@ -79,21 +79,6 @@ Expression fetched(const Scope& scope, const CombinerInput& in, bool in_dot_prod
 
 }  // namespace
 
-std::string short_name(Register reg) {
-  switch (reg) {
-    case Register::constant0:
-      return "const0";
-    case Register::constant1:
-      return "const1";
-    case Register::primary:
-      return "primary";
-    case Register::secondary:
-      return "secondary";
-    default:
-      return is_texture(reg) ? "tex" + std::to_string(texture_unit_of(reg)) : std::string(name_of(reg));
-  }
-}
-
 std::string with_sign(const Expression& e) {
   if (!e.negative) return e.text;
   return kMinus + factor(e);

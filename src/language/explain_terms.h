@@ -58,9 +58,6 @@ struct Scope {
   bool per_channel = true;  // the reader has red, green and blue of its own
 };
 
-// "primary", "tex0", "const0", …
-[[nodiscard]] std::string short_name(Register reg);
-
 [[nodiscard]] std::string with_sign(const Expression& e);
 
 // A constant code: "0", "1", "−1", "½", "−½" or "64/255".

@@ -8,7 +8,8 @@
 
 #include "ninebit/language/source_text.h"
 
-namespace ninebit {
+// The JSON forms stand in a shared library of their own and use these.
+namespace NINEBIT_PUBLIC ninebit {
 
 class TextFaults {
  public:

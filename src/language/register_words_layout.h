@@ -11,7 +11,9 @@
 #include "ninebit/combiner/validate.h"
 #include "ninebit/language/register_words.h"
 
-namespace ninebit::words {
+// The JSON forms stand in a shared library of their own and use these.
+namespace NINEBIT_PUBLIC ninebit {
+namespace words {
 
 // The words that there are. An index follows where a chip has several: the stage, or the constant (0 or 1) for `color`.
 enum class Kind : std::uint8_t {
@@ -87,4 +89,5 @@ inline constexpr int kSumInvertSpare0Bit = 5, kSumInvertSecondaryBit = 6, kColor
 // is no register's.
 [[nodiscard]] GlError error_of_misplaced(std::uint32_t code, Kind kind);
 
-}  // namespace ninebit::words
+}  // namespace words
+}  // namespace ninebit

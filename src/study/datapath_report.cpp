@@ -140,10 +140,7 @@ class Writer {
               .y_label = label,
               .bars = true,
               .series = {}};
-    for (std::size_t kind = 0; kind < kOperations.size(); ++kind) {
-      plot.caption += fmt::format("{}{}: {}", kind == 0 ? "" : ", ", kind + 1, kOperations[kind]);
-    }
-    plot.caption += ".";
+    plot.x_names.assign(kOperations.begin(), kOperations.end());
     for (const HardwareProfile& profile : profiles_) {
       PlotSeries series{std::string(profile.name), {}};
       for (std::size_t kind = 0; kind < kOperations.size(); ++kind) {
@@ -169,10 +166,7 @@ class Writer {
               .y_label = "mean error, in codes",
               .bars = true,
               .series = {}};
-    for (std::size_t i = 0; i < kOutputForms.size(); ++i) {
-      plot.caption += fmt::format("{}{}: {}", i == 0 ? "" : "; ", i + 1, kOutputForms[i].name);
-    }
-    plot.caption += ".";
+    for (const auto& form : kOutputForms) plot.x_names.emplace_back(form.name);
     for (const HardwareProfile& profile : profiles_) {
       PlotSeries series{std::string(profile.name), {}};
       for (std::size_t i = 0; i < kOutputForms.size(); ++i) {

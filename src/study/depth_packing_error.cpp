@@ -104,7 +104,7 @@ Result<RoundTripError> measure_round_trip(const DepthPacking& packing, ChannelSt
       here.inversions += back < before ? 1U : 0U;
       here.sum += error;
       here.sum_of_sizes += size;
-      if (size > here.largest) {
+      if (size > here.largest && depth < 1.0F) {
         here.largest = size;
         here.worst_depth = depth;
         here.worst_back = back;

@@ -56,7 +56,7 @@ std::vector<const StudyRow*> rows_of(std::span<const StudyRow> rows, std::string
 
 std::string order_sentence(const StudyRow& row) {
   const std::uint64_t inversions = row.count("inversions");
-  return inversions == 0 ? "" : fmt::format(", {} neighbours in the wrong order", inversions);
+  return inversions == 0 ? "" : fmt::format(", {} inversion{}", inversions, inversions == 1 ? "" : "s");
 }
 
 // What each packing makes of one set of depths, the best first.
@@ -114,9 +114,9 @@ std::vector<std::string> digits_in_words(const std::vector<Grid>& grids, std::sp
         shifts.push_back(row.number("shift"));
       }
     }
-    if (shifts.empty()) continue;
+    if (shifts.empty() || !grid.keeps_depth()) continue;
     const auto [low, high] = std::minmax_element(shifts.begin(), shifts.end());
-    if (std::max(-*low, *high) < 1.0) continue;
+    if (std::max(-*low, *high) < 2.0) continue;
     sentences.push_back(
         fmt::format("Where the highest digit is {}, {} ({}) shifts the depth by {:.4g} to {:.4g} steps of the second.",
                     kChartDigit, grid.packing->name, name_of(grid.storage), *low, *high));
@@ -137,7 +137,9 @@ ReportTable error_table(std::span<const StudyRow> rows) {
     table.rows.push_back(std::move(values));
   }
   table.caption =
-      "Depths go from 0 to 1. An error is what a depth reads as, less the depth; mean_error is the mean of its size. "
+      "Depths go from 0 to 1. An error is what a depth reads as, less the depth: max_error is the largest size of "
+      "depths "
+      "below 1, mean_error the mean size of all. "
       "inversions: depths that read as less than the one before them.";
   return table;
 }

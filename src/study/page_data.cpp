@@ -22,7 +22,7 @@ Json json_of(const Plot& plot) {
   // Bars stand in named groups, in each of which a series has a value or none.
   const std::vector<double> groups = plot.bars ? bar_groups(plot) : std::vector<double>();
   Json labels = Json::array(), all = Json::array();
-  for (const double x : groups) labels.push_back(text_of(x));
+  for (const double x : groups) labels.push_back(bar_label(plot, x));
   for (const PlotSeries& series : plot.series) {
     Json points = Json::array();
     if (plot.bars) points = Json::array_t(groups.size(), nullptr);

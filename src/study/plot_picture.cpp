@@ -18,7 +18,8 @@ constexpr double kWidestLegend = 460.0;
 constexpr std::size_t kMostMarkers = 60;  // points of a series that still have one each
 constexpr std::size_t kMostBarLabels = 16;
 constexpr Rgb kGrid{0xe4, 0xe4, 0xe4}, kFineGrid{0xf2, 0xf2, 0xf2}, kFrame{0x66, 0x66, 0x66};
-const TextStyle kTitle{26.0, true}, kLabel{20.0}, kTickText{18.0, false, {0x44, 0x44, 0x44}};
+const TextStyle kTitle{26.0, true}, kLabel{20.0}, kTickText{18.0, false, {0x44, 0x44, 0x44}},
+    kNameText{13.5, false, {0x44, 0x44, 0x44}};
 
 // What tells series apart: its colour, and its markers and dashes for who sees no colours.
 struct SeriesLook {
@@ -136,9 +137,9 @@ class PlotPainter {
     canvas_.line(std::array{from, to}, labelled ? kGrid : kFineGrid, 1.0);
   }
 
-  void x_tick_label(double share, const std::string& label) {
+  void x_tick_label(double share, const std::string& label, const TextStyle& style = kTickText) {
     const Place place = frame_.at(share, 0.0);
-    canvas_.text(label, {place.x, place.y + 27.0}, Align::middle, kTickText);
+    canvas_.text(label, {place.x, place.y + 27.0}, Align::middle, style);
   }
 
   void draw_line(std::size_t number) {
@@ -176,7 +177,10 @@ class PlotPainter {
     const double group = 1.0 / static_cast<double>(std::max<std::size_t>(groups_.size(), 1));
     const std::size_t every = (groups_.size() + kMostBarLabels - 1) / kMostBarLabels;
     for (std::size_t i = 0; i < groups_.size(); i += every) {
-      x_tick_label((static_cast<double>(i) + 0.5) * group, text_of(groups_[i]));
+      const TextStyle& style = plot_.x_names.empty() ? kTickText : kNameText;
+      const double room = group * static_cast<double>(every) * (frame_.right - frame_.left) - 6.0;
+      x_tick_label((static_cast<double>(i) + 0.5) * group, canvas_.shortened(bar_label(plot_, groups_[i]), room, style),
+                   style);
     }
   }
 
@@ -219,6 +223,11 @@ bool can_be_shown(const Plot& plot, const std::pair<double, double>& point) {
   constexpr double kGreatest = 1e150;  // so that lengths of axes are finite, too
   if (!(std::fabs(point.first) < kGreatest) || !(std::fabs(point.second) < kGreatest)) return false;
   return (!plot.log_x || plot.bars || point.first > 1.0 / kGreatest) && (!plot.log_y || point.second > 1.0 / kGreatest);
+}
+
+std::string bar_label(const Plot& plot, double x) {
+  const bool named = x >= 1.0 && x <= static_cast<double>(plot.x_names.size());
+  return named ? plot.x_names[static_cast<std::size_t>(x) - 1] : text_of(x);
 }
 
 std::vector<double> bar_groups(const Plot& plot) {

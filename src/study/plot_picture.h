@@ -1,6 +1,7 @@
 // Plots as pictures.
 #pragma once
 
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -14,6 +15,9 @@ namespace ninebit {
 
 // Where a plot with bars has them: each x that a point has, ascending.
 [[nodiscard]] std::vector<double> bar_groups(const Plot& plot);
+
+// What stands under the bars at x: its name or its number.
+[[nodiscard]] std::string bar_label(const Plot& plot, double x);
 
 // The plot on white, 1280 x 800: title, axes with round ticks, a legend where there is more than one series. The same
 // bytes for the same plot and the same fonts; without any font Cairo's own strokes stand in. Reports what Cairo cannot

@@ -60,16 +60,19 @@ class Writer {
                            "their biases add up to its bias."};
     Plot added{.file = "added-by-stage",
                .title = "Error that each stage adds",
-               .x_label = "stage (the last is the final combiner)",
+               .x_label = "stage",
                .y_label = "mean size, in codes",
                .bars = true,
                .series = {}};
     Plot remaining{.file = "remaining-by-stage",
                    .title = "Error that remains if all later stages are exact",
-                   .x_label = "stages as they are (the last is the final combiner)",
+                   .x_label = "stages as they are, up to this",
                    .y_label = "mean size, in codes",
                    .bars = true,
                    .series = {}};
+    for (int k = 0; k < program_.num_general_combiners; ++k) added.x_names.push_back(fmt::format("general {}", k + 1));
+    added.x_names.emplace_back("final");
+    remaining.x_names = added.x_names;
     for (std::size_t c = 0; c < 4; ++c) {
       const bool wrong = add_total(c, totals);
       PlotSeries adds{kComponentNames[c], {}}, remains = adds;

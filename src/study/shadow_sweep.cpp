@@ -17,7 +17,7 @@ namespace ninebit {
 namespace {
 
 constexpr std::array kFactors{0.0F, 0.5F, 1.0F, 1.125F, 1.5F, 2.0F, 4.0F};
-constexpr std::array kUnits{0.0F, 1.0F, 4.0F, 16.0F, 64.0F, 256.0F, 1024.0F, 4096.0F};
+constexpr std::array kUnits{0.0F, 1.0F, 16.0F, 64.0F, 256.0F, 1024.0F, 4096.0F, 16384.0F, 65536.0F};
 
 constexpr std::array<OffsetArguments, kFactors.size() * kUnits.size()> search_grid() {
   std::array<OffsetArguments, kFactors.size() * kUnits.size()> grid{};

@@ -137,6 +137,18 @@ std::string difference(const StudyRow& row, const StudyRow& none, const char* co
                      static_cast<std::int64_t>(row.count(column)) - static_cast<std::int64_t>(none.count(column)));
 }
 
+// A best value at the end of its axis may not be the best of all.
+std::string at_the_end(const SweepView& view, const StudyRow& best) {
+  std::string text;
+  for (const auto& [column, name] : {std::pair{kOffsetColumns[0], "factors"}, std::pair{kOffsetColumns[1], "units"}}) {
+    const auto larger = [&, in = column](const StudyRow* row) { return row->number(in) > best.number(in); };
+    if (view.changes(column) && std::none_of(view.rows.begin(), view.rows.end(), larger)) {
+      text += fmt::format(" Larger {} were not tried.", name);
+    }
+  }
+  return text;
+}
+
 std::string offset_in_words(const SweepView& view, const OffsetChoice& choice) {
   const StudyRow& best = *choice.best;
   std::string text = fmt::format("Best polygon offset{}: {}, with {}.", with(view.label(best, kOffsetColumns)),
@@ -148,7 +160,7 @@ std::string offset_in_words(const SweepView& view, const OffsetChoice& choice) {
         wrong_in_words(*choice.none), difference(best, *choice.none, "false_shadowed"),
         difference(best, *choice.none, "false_lit"));
   }
-  return text;
+  return text + at_the_end(view, best);
 }
 
 ReportTable offset_table(const SweepView& view, const std::vector<OffsetChoice>& choices) {

@@ -31,16 +31,8 @@ std::size_t column_of(const CsvLine& line, std::string_view field) {
 
 }  // namespace
 
-std::string short_name(Register reg) {
-  if (reg == Register::constant0) return "const0";
-  if (reg == Register::constant1) return "const1";
-  if (reg == Register::primary) return "primary";
-  if (reg == Register::secondary) return "secondary";
-  return is_texture(reg) ? fmt::format("tex{}", texture_unit_of(reg)) : std::string(name_of(reg));
-}
-
 std::string EvalColumn::name() const {
-  return short_name(reg) + '.' + kComponents[static_cast<std::size_t>(component)];
+  return std::string(short_name(reg)) + '.' + kComponents[static_cast<std::size_t>(component)];
 }
 
 std::vector<EvalColumn> eval_columns(const HardwareProfile& profile) {

@@ -20,9 +20,6 @@ struct EvalColumn {
   friend bool operator==(const EvalColumn&, const EvalColumn&) = default;
 };
 
-// As tables name a register: "tex0", "const1", …
-[[nodiscard]] std::string short_name(Register reg);
-
 // Every register component that a table may have with the profile, in the order of the registers.
 [[nodiscard]] std::vector<EvalColumn> eval_columns(const HardwareProfile& profile);
 

@@ -5,6 +5,7 @@
 
 #include "ninebit/combiner/batch_program.h"
 #include "ninebit/shadow/technique.h"
+#include "src/tools/build_facts.h"
 #include "src/tools/program.h"
 
 namespace ninebit::tools {
@@ -17,12 +18,13 @@ int print_info(const CommonFlags& flags) {
                  {"version", NINEBIT_VERSION},
                  {"profile", flags.profile},
                  {"rows", Json::array({{{"compiler", __VERSION__},
+                                        {"build", NINEBIT_BUILD_TYPE},
+                                        {"processor", NINEBIT_PROCESSOR},
                                         {"simd_target", simd_target()},
                                         {"batch", kBatchSize},
                                         {"techniques", names}}})}};
   if (flags.json) return answer(out.dump(2) + "\n");
-  return answer(fmt::format("ninebit {}\ncompiler: {}\nSIMD target: {}\ntechniques: {}\n", NINEBIT_VERSION, __VERSION__,
-                            simd_target(), fmt::join(names, ", ")));
+  return answer(fmt::format("{}\ntechniques: {}\n", version_text(), fmt::join(names, ", ")));
 }
 
 }  // namespace

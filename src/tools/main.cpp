@@ -1,44 +1,21 @@
 // The ninebit program: one file a verb, this one chooses among them.
-#include <fmt/format.h>
-
 #include <exception>
 #include <new>
 #include <string>
 #include <string_view>
 #include <system_error>
 
+#include "src/tools/build_facts.h"
 #include "src/tools/program.h"
+#include "src/tools/usage.h"
 
 namespace ninebit::tools {
 namespace {
 
-// One line that says what is wrong with the arguments and whose help to ask.
-std::string usage_message(const CLI::App& app, const CLI::ParseError& error) {
-  const CLI::App* at = &app;
-  std::string command = app.get_name();
-  while (!at->get_subcommands().empty()) {
-    at = at->get_subcommands()[0];
-    command += ' ' + at->get_name();
-  }
-  std::string message = error.what();
-  if (const std::string unmet = " missing"; error.get_name() == "ArgumentMismatch" && message.ends_with(unmet)) {
-    message = message.substr(0, message.find(':')) + " needs a value";
-  } else if (const auto verbs = at->get_subcommands({}); error.get_name() == "RequiredError" && !verbs.empty()) {
-    std::vector<std::string> names;
-    for (const CLI::App* verb : verbs) names.push_back(verb->get_name());
-    const std::vector<std::string> unknown = at->remaining();
-    message = fmt::format(
-        "{}; expected one of {}",
-        unknown.empty() ? "no verb is given" : fmt::format("'{}' is no verb or flag of {}", unknown[0], command),
-        fmt::join(names, ", "));
-  }
-  return fmt::format("ninebit: error: {} (see: {} --help)\n", message, command);
-}
-
 int run(int argc, char** argv) {
   CLI::App app{"GeForce 2 register combiners to the bit, and the shadow techniques built on them", "ninebit"};
   app.require_subcommand(1);
-  app.set_version_flag("--version", "ninebit " NINEBIT_VERSION);
+  app.set_version_flag("--version", version_text, "Version and build of this program");
   app.footer("Example: ninebit render scenes/index_room.gltf -o out\n`ninebit VERB --help` tells a verb's flags.");
   int exit_code = kDone;
   add_render(app, exit_code);
@@ -51,6 +28,8 @@ int run(int argc, char** argv) {
   add_validate(app, exit_code);
   add_bench(app, exit_code);
   add_study(app, exit_code);
+  add_verify(app, exit_code);
+  add_generate(app, exit_code);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

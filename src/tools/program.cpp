@@ -9,10 +9,12 @@
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <system_error>
 #include <utility>
 
 #include "src/tools/input_file.h"
+#include "src/tools/nearest_name.h"
 
 namespace ninebit::tools {
 namespace {
@@ -53,9 +55,10 @@ std::string check_profile(CommonFlags& flags, std::string& text) {
   flags.profile_file.clear();
   if (find_profile(text) != nullptr) return {};
   if (!text.ends_with(".json")) {
-    std::vector<std::string_view> names;
-    for (const HardwareProfile& profile : hardware_profiles()) names.push_back(profile.name);
-    return fmt::format("'{}' is no profile; expected {}, or the path of a .json file", text, fmt::join(names, ", "));
+    std::vector<std::string> names;
+    for (const HardwareProfile& profile : hardware_profiles()) names.emplace_back(profile.name);
+    return fmt::format("'{}' is no profile; expected {}, or the path of a .json file{}", text, fmt::join(names, ", "),
+                       did_you_mean(text, names));
   }
   flags.own_profile = read_profile(text);
   flags.profile_file = text;
@@ -91,8 +94,28 @@ void guard_streams() {
   }
 }
 
+bool wants_colors(int stream) {
+  const char* const no_color = std::getenv("NO_COLOR");
+  return ::isatty(stream) != 0 && (no_color == nullptr || *no_color == '\0');
+}
+
 void say(const std::string& text) noexcept {
-  std::fwrite(text.data(), 1, text.size(), stderr);
+  // Piece by piece, so that nothing has to be allocated to say that memory has run out.
+  constexpr std::string_view kError = "ninebit: error:", kRed = "\x1b[1;31m", kPlain = "\x1b[0m";
+  const auto write = [](std::string_view piece) { std::fwrite(piece.data(), 1, piece.size(), stderr); };
+  const bool colored = wants_colors(STDERR_FILENO);
+  for (std::string_view rest = text; !rest.empty();) {
+    const std::string_view line = rest.substr(0, std::min(rest.find('\n'), rest.size() - 1) + 1);
+    rest.remove_prefix(line.size());
+    if (colored && line.starts_with(kError)) {
+      write(kRed);
+      write(kError);
+      write(kPlain);
+      write(line.substr(kError.size()));
+    } else {
+      write(line);
+    }
+  }
   std::fflush(stderr);
 }
 

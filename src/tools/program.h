@@ -55,7 +55,11 @@ void add_common_flags(CLI::App& verb, CommonFlags& flags);
 // closed does not lend its number to an output file, which would then receive the messages.
 void guard_streams();
 
-// Writes to stderr. That it is full or that nobody reads it is no error: the results do not depend on it.
+// Whether text that goes to the stream of this number is to be coloured: it is a terminal, and NO_COLOR is not set.
+[[nodiscard]] bool wants_colors(int stream);
+
+// Writes to stderr, "error:" in red where it wants colours. That it is full or that nobody reads it is no error: the
+// results do not depend on it.
 void say(const std::string& text) noexcept;
 
 // Writes what a verb answers to stdout; gives kDone, or kCannotWrite after saying why.
@@ -92,5 +96,7 @@ void add_explain(CLI::App& app, int& exit_code);
 void add_trace(CLI::App& app, int& exit_code);
 void add_bench(CLI::App& app, int& exit_code);
 void add_study(CLI::App& app, int& exit_code);
+void add_verify(CLI::App& app, int& exit_code);
+void add_generate(CLI::App& app, int& exit_code);  // not shown by the help
 
 }  // namespace ninebit::tools

@@ -190,7 +190,7 @@ void add_axes(CLI::App& verb, ShadowsFlags& flags) {
   CLI::Option* offsets = add("--polygon-offsets", "--polygon-offset", flags.polygon_offsets,
                              "Polygon offsets while the shadow map is drawn, such as '0,0;1,16'",
                              list_by(offsets_in, "FACTOR,UNITS;FACTOR,UNITS"));
-  verb.add_flag("--find-offset", flags.find_offset, "Try factors from 0 to 4 with units from 0 to 4096")
+  verb.add_flag("--find-offset", flags.find_offset, "Try factors from 0 to 4 with units from 0 to 65536")
       ->excludes(offsets)
       ->excludes(verb.get_option("--polygon-offset"));
 }

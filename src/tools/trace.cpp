@@ -4,10 +4,10 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <cstdlib>
 #include <memory>
 #include <optional>
 
+#include "ninebit/language/trace_json.h"
 #include "src/tools/eval_engine.h"
 #include "src/tools/pixel_flag.h"
 #include "src/tools/program_file.h"
@@ -31,11 +31,6 @@ int wrong_usage(const std::string& message) {
   return kWrongUsage;
 }
 
-bool wants_colors() {
-  const char* const no_color = std::getenv("NO_COLOR");
-  return ::isatty(STDOUT_FILENO) != 0 && (no_color == nullptr || *no_color == '\0');
-}
-
 int print(const TraceFlags& flags, const std::optional<TracedPixel>& pixel, const Program* program,
           const RegisterFile& registers) {
   std::optional<Trace> traced;
@@ -44,13 +39,14 @@ int print(const TraceFlags& flags, const std::optional<TracedPixel>& pixel, cons
     Json out{{"command", "trace"}, {"version", NINEBIT_VERSION}, {"profile", flags.common.profile}};
     out["program"] = flags.program.file.empty() ? Json() : Json(flags.program.file);
     if (pixel) out["scene"] = pixel_json(*pixel, flags.scene);
-    if (traced) out.update(trace_json(*program, *traced));
+    if (traced) out.update(Json::parse(print_json_trace(*program, *traced)));
     return answer(out.dump(2) + "\n");
   }
   std::string text = pixel ? pixel_text(*pixel, flags.scene) : "";
   if (traced) {
     if (!flags.program.file.empty()) text += fmt::format("program {}, ", flags.program.file);
-    text += fmt::format("profile {}\n", flags.common.profile) + trace_text(*program, *traced, wants_colors());
+    text +=
+        fmt::format("profile {}\n", flags.common.profile) + trace_text(*program, *traced, wants_colors(STDOUT_FILENO));
   }
   return answer(text);
 }

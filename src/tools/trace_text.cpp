@@ -22,7 +22,7 @@ std::string spaced(std::string_view name) {
 std::string name_of_register(Register reg) {
   return reg == Register::e_times_f               ? "E·F"
          : reg == Register::spare0_plus_secondary ? "spare0 + secondary"
-                                                  : short_name(reg);
+                                                  : std::string(short_name(reg));
 }
 
 // "tex0", "tex0.a" where it is not the channel's own component.
@@ -188,7 +188,7 @@ class TextWriter {
       dropped(cells(&TracedOutput::dropped), cells(&TracedOutput::scaled), cells(&TracedOutput::narrowed));
     }
     cut(cells(&TracedOutput::cut));
-    table_.codes("  " + short_name(to), cells(&TracedOutput::written), TraceEmphasis::result);
+    table_.codes("  " + std::string(short_name(to)), cells(&TracedOutput::written), TraceEmphasis::result);
   }
 
   // What narrowing took and what it left, with a mark where that is everything.

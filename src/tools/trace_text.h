@@ -1,4 +1,4 @@
-// A trace as people read it and as programs read it.
+// A trace as people read it.
 #pragma once
 
 #include <string>
@@ -11,8 +11,5 @@ namespace ninebit::tools {
 // Tables of aligned columns, one for each portion: what the hardware holds, the number that this is, and the ideal one.
 // `colors`: with escape sequences that make losses and cuts stand out.
 [[nodiscard]] std::string trace_text(const Program& program, const Trace& trace, bool colors);
-
-// The members of the answer that tell of the trace; docs/languages.md lists them.
-[[nodiscard]] Json trace_json(const Program& program, const Trace& trace);
 
 }  // namespace ninebit::tools

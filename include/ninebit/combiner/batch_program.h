@@ -13,8 +13,9 @@
 #include "ninebit/combiner/evaluate.h"
 #include "ninebit/combiner/program.h"
 #include "ninebit/combiner/registers.h"
+#include "ninebit/numerics/visibility.h"
 
-namespace ninebit {
+namespace NINEBIT_PUBLIC ninebit {
 
 // A set of register components, such as texture0's blue.
 class ComponentSet {

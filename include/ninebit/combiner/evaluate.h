@@ -14,7 +14,7 @@
 #include "ninebit/combiner/registers.h"
 #include "ninebit/numerics/fixed9.h"
 
-namespace ninebit {
+namespace NINEBIT_PUBLIC ninebit {
 
 // The register file of one fragment. `zero` and the constants are the program's affair: what stands there is not read.
 struct RegisterFile {
@@ -76,6 +76,7 @@ constexpr V select_where_at_least(V v, V limit, V yes, V no) {
 
 #define NINEBIT_RULE constexpr
 #include "ninebit/numerics/combiner_rules.inl"
+#include "ninebit/numerics/visibility.h"
 #undef NINEBIT_RULE
 
 // The component of a register that portion channel `channel` reads.

@@ -7,8 +7,9 @@
 
 #include "ninebit/combiner/evaluate.h"
 #include "ninebit/combiner/program.h"
+#include "ninebit/numerics/visibility.h"
 
-namespace ninebit {
+namespace NINEBIT_PUBLIC ninebit {
 
 using RealColor = std::array<double, 4>;
 

@@ -8,8 +8,9 @@
 #include "ninebit/combiner/evaluate.h"
 #include "ninebit/numerics/fixed9.h"
 #include "ninebit/numerics/hardware_profile.h"
+#include "ninebit/numerics/visibility.h"
 
-namespace ninebit {
+namespace NINEBIT_PUBLIC ninebit {
 
 // A texture's base internal format. The combiners read texels by a table of their own, unlike that of the texture
 // environment: alpha textures are black, not transparent to colour, and GL_DEPTH_TEXTURE_MODE is not looked at.

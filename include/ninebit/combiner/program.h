@@ -10,8 +10,9 @@
 #include "ninebit/numerics/datapath.h"
 #include "ninebit/numerics/fixed9.h"
 #include "ninebit/numerics/result.h"
+#include "ninebit/numerics/visibility.h"
 
-namespace ninebit {
+namespace NINEBIT_PUBLIC ninebit {
 
 struct ProgramStage {
   Portion rgb, alpha;

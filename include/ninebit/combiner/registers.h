@@ -6,7 +6,9 @@
 #include <cstdint>
 #include <string_view>
 
-namespace ninebit {
+#include "ninebit/numerics/visibility.h"
+
+namespace NINEBIT_PUBLIC ninebit {
 
 // The registers that hold a value in a stage come first: their number is the size of a register file.
 enum class Register : std::uint8_t {
@@ -68,5 +70,8 @@ inline constexpr std::array kInputMappings{InputMapping::unsigned_identity, Inpu
 [[nodiscard]] std::string_view name_of(ComponentUsage usage);
 [[nodiscard]] std::string_view name_of(Scale scale);
 [[nodiscard]] std::string_view name_of(Bias bias);
+
+// A register's name in tables, equations and traces: "tex0", "const1", "primary"; of the others name_of().
+[[nodiscard]] std::string_view short_name(Register r);
 
 }  // namespace ninebit

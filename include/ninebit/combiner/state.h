@@ -4,8 +4,9 @@
 #include <array>
 
 #include "ninebit/combiner/registers.h"
+#include "ninebit/numerics/visibility.h"
 
-namespace ninebit {
+namespace NINEBIT_PUBLIC ninebit {
 
 inline constexpr int kMaxGeneralCombiners = 8;
 

@@ -21,8 +21,9 @@
 #include "ninebit/combiner/evaluate_real.h"
 #include "ninebit/combiner/program.h"
 #include "ninebit/numerics/hardware_profile.h"
+#include "ninebit/numerics/visibility.h"
 
-namespace ninebit {
+namespace NINEBIT_PUBLIC ninebit {
 
 struct TracedCode {
   int code = 0;  // units of 1 / one; between units not limited to the register range

@@ -9,8 +9,9 @@
 
 #include "ninebit/combiner/state.h"
 #include "ninebit/numerics/hardware_profile.h"
+#include "ninebit/numerics/visibility.h"
 
-namespace ninebit {
+namespace NINEBIT_PUBLIC ninebit {
 
 enum class GlError : std::uint16_t {
   no_error = 0,

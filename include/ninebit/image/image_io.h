@@ -18,8 +18,9 @@
 #include "ninebit/numerics/fixed9.h"
 #include "ninebit/numerics/half.h"
 #include "ninebit/numerics/result.h"
+#include "ninebit/numerics/visibility.h"
 
-namespace ninebit {
+namespace NINEBIT_PUBLIC ninebit {
 
 // Every side of a picture, a part or a cube face is 1 to 16384; sizes, sample counts and names that do not fit, and
 // channels without a function, are reported as Fault::invalid_input, before any file is touched or any row asked for.

@@ -7,8 +7,9 @@
 #include <vector>
 
 #include "ninebit/numerics/result.h"
+#include "ninebit/numerics/visibility.h"
 
-namespace ninebit {
+namespace NINEBIT_PUBLIC ninebit {
 
 // A set of output files in one folder. Files that are not committed are removed by the destructor, and so are folders
 // that open() made when nothing was committed into them; older files of the same names stay whole until commit()

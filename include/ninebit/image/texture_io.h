@@ -20,9 +20,10 @@
 
 #include "ninebit/numerics/hardware_profile.h"
 #include "ninebit/numerics/result.h"
+#include "ninebit/numerics/visibility.h"
 #include "ninebit/raster/texture.h"
 
-namespace ninebit {
+namespace NINEBIT_PUBLIC ninebit {
 
 struct TextureReadOptions {
   bool mipmaps = false;  // adds with_mipmaps() where the file has level 0 alone

@@ -6,8 +6,9 @@
 
 #include "ninebit/combiner/program.h"
 #include "ninebit/numerics/result.h"
+#include "ninebit/numerics/visibility.h"
 
-namespace ninebit {
+namespace NINEBIT_PUBLIC ninebit {
 
 // A source that needs nothing but <stdint.h> and holds one function,
 //

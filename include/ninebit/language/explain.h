@@ -7,8 +7,9 @@
 
 #include "ninebit/combiner/program.h"
 #include "ninebit/numerics/hardware_profile.h"
+#include "ninebit/numerics/visibility.h"
 
-namespace ninebit {
+namespace NINEBIT_PUBLIC ninebit {
 
 // "TARGET = EXPRESSION". A register's bare name stands for its red, green and blue, ".a" and ".blue" for one component;
 // a × b multiplies component by component, a · b is the dot product, ½ is the profile's code for one half.

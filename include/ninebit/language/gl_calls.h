@@ -5,8 +5,9 @@
 
 #include "ninebit/combiner/state.h"
 #include "ninebit/language/source_text.h"
+#include "ninebit/numerics/visibility.h"
 
-namespace ninebit {
+namespace NINEBIT_PUBLIC ninebit {
 
 // Executes the calls of a text in their order on a fresh GL context of the profile, as a driver would: state that
 // earlier calls left stays. Accepted: glCombinerParameter{i,f,iv,fv}NV, glCombinerInputNV, glCombinerOutputNV,

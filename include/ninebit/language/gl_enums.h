@@ -9,8 +9,10 @@
 #include <optional>
 
 #include "ninebit/combiner/registers.h"
+#include "ninebit/numerics/visibility.h"
 
-namespace ninebit::gl {
+namespace NINEBIT_PUBLIC ninebit {
+namespace gl {
 
 using GLenum = unsigned int;
 using GLboolean = unsigned char;
@@ -121,4 +123,5 @@ inline constexpr GLenum GL_PER_STAGE_CONSTANTS_NV = 0x8535;
 // GL_COMBINER0_NV + i as i, 0 to 7; empty: none of them.
 [[nodiscard]] std::optional<int> to_stage(GLenum value);
 
-}  // namespace ninebit::gl
+}  // namespace gl
+}  // namespace ninebit

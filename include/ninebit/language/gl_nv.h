@@ -19,8 +19,10 @@
 #include "ninebit/combiner/validate.h"
 #include "ninebit/language/gl_enums.h"
 #include "ninebit/numerics/hardware_profile.h"
+#include "ninebit/numerics/visibility.h"
 
-namespace ninebit::gl {
+namespace NINEBIT_PUBLIC ninebit {
+namespace gl {
 
 // What a GL context knows of the register combiners: their state, whether they are enabled, and the pending error.
 // A value: copies are independent. One thread at a time may use it.
@@ -113,4 +115,5 @@ void glGetCombinerOutputParameterfvNV(GLenum stage, GLenum portion, GLenum pname
 // NV_register_combiners2; the four values as they were stored, clamped.
 void glGetCombinerStageParameterfvNV(GLenum stage, GLenum pname, GLfloat* params);
 
-}  // namespace ninebit::gl
+}  // namespace gl
+}  // namespace ninebit

@@ -6,8 +6,9 @@
 
 #include "ninebit/combiner/program.h"
 #include "ninebit/numerics/result.h"
+#include "ninebit/numerics/visibility.h"
 
-namespace ninebit {
+namespace NINEBIT_PUBLIC ninebit {
 
 enum class GlslVersion : std::uint8_t {
   glsl_330,  // OpenGL 3.3 core

@@ -8,8 +8,9 @@
 #include "ninebit/language/register_words.h"
 #include "ninebit/language/source_text.h"
 #include "ninebit/numerics/result.h"
+#include "ninebit/numerics/visibility.h"
 
-namespace ninebit {
+namespace NINEBIT_PUBLIC ninebit {
 
 // Reads {"ninebit": "program", "version": 1, …}. Keys that are missing have GL's defaults; unknown and repeated keys,
 // unknown names and versions, values of a wrong type or range and states that GL refuses are faults that name their

@@ -5,8 +5,9 @@
 
 #include "ninebit/language/source_text.h"
 #include "ninebit/numerics/hardware_profile.h"
+#include "ninebit/numerics/visibility.h"
 
-namespace ninebit {
+namespace NINEBIT_PUBLIC ninebit {
 
 // A profile and the text that its string views show. Copies share the text: a copy of `profile` is valid while any copy
 // of its OwnedProfile lives.

@@ -6,8 +6,9 @@
 #include "ninebit/combiner/state.h"
 #include "ninebit/language/source_text.h"
 #include "ninebit/numerics/result.h"
+#include "ninebit/numerics/visibility.h"
 
-namespace ninebit {
+namespace NINEBIT_PUBLIC ninebit {
 
 // Translates a program as nvparse did (docs/languages.md says where it was wrong and what ninebit does instead: `one`
 // means one in every spelling). Every error check of the language is made; all faults are reported.

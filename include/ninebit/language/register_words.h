@@ -11,8 +11,9 @@
 #include "ninebit/combiner/state.h"
 #include "ninebit/language/source_text.h"
 #include "ninebit/numerics/result.h"
+#include "ninebit/numerics/visibility.h"
 
-namespace ninebit {
+namespace NINEBIT_PUBLIC ninebit {
 
 enum class ChipClass : std::uint8_t { nv10, nv20 };
 

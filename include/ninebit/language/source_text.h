@@ -9,8 +9,9 @@
 
 #include "ninebit/combiner/validate.h"
 #include "ninebit/numerics/hardware_profile.h"
+#include "ninebit/numerics/visibility.h"
 
-namespace ninebit {
+namespace NINEBIT_PUBLIC ninebit {
 
 struct SourceText {
   std::string_view text;

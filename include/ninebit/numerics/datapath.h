@@ -2,8 +2,9 @@
 #pragma once
 
 #include "ninebit/numerics/hardware_profile.h"
+#include "ninebit/numerics/visibility.h"
 
-namespace ninebit {
+namespace NINEBIT_PUBLIC ninebit {
 
 struct Datapath {
   Arithmetic arithmetic = Arithmetic::integer;

@@ -5,8 +5,9 @@
 #include <cstdint>
 
 #include "ninebit/numerics/hardware_profile.h"
+#include "ninebit/numerics/visibility.h"
 
-namespace ninebit {
+namespace NINEBIT_PUBLIC ninebit {
 
 // One component of a register. With every shipped profile it lies in [-256, 255].
 using s9 = std::int16_t;

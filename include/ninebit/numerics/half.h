@@ -3,7 +3,9 @@
 
 #include <cstdint>
 
-namespace ninebit {
+#include "ninebit/numerics/visibility.h"
+
+namespace NINEBIT_PUBLIC ninebit {
 
 struct Half {
   std::uint16_t bits = 0;

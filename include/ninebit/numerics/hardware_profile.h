@@ -8,7 +8,9 @@
 #include <span>
 #include <string_view>
 
-namespace ninebit {
+#include "ninebit/numerics/visibility.h"
+
+namespace NINEBIT_PUBLIC ninebit {
 
 enum class Evidence : std::uint8_t {
   specified,  // the OpenGL extension says so

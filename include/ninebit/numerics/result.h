@@ -6,7 +6,9 @@
 #include <utility>
 #include <variant>
 
-namespace ninebit {
+#include "ninebit/numerics/visibility.h"
+
+namespace NINEBIT_PUBLIC ninebit {
 
 // What kind of fault a Diagnostic describes; the program turns it into its exit code.
 enum class Fault {

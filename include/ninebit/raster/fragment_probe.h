@@ -6,8 +6,9 @@
 #include <vector>
 
 #include "ninebit/combiner/evaluate.h"
+#include "ninebit/numerics/visibility.h"
 
-namespace ninebit {
+namespace NINEBIT_PUBLIC ninebit {
 
 // Which test ended a fragment, in GL's order of tests; `written` passed them all.
 enum class FragmentFate : std::uint8_t { alpha_failed, stencil_failed, depth_failed, written };

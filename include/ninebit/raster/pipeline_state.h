@@ -7,8 +7,9 @@
 
 #include "ninebit/combiner/program.h"
 #include "ninebit/numerics/hardware_profile.h"
+#include "ninebit/numerics/visibility.h"
 
-namespace ninebit {
+namespace NINEBIT_PUBLIC ninebit {
 
 enum class CompareFunction : std::uint8_t { never, less, equal, lequal, greater, notequal, gequal, always };
 enum class StencilOperation : std::uint8_t { keep, zero, replace, incr, decr, invert, incr_wrap, decr_wrap };

@@ -7,9 +7,10 @@
 #include <span>
 #include <vector>
 
+#include "ninebit/numerics/visibility.h"
 #include "ninebit/raster/rasterizer.h"
 
-namespace ninebit {
+namespace NINEBIT_PUBLIC ninebit {
 
 // One draw of prepared geometry.
 struct DrawPass {

@@ -6,13 +6,14 @@
 #include <glm/glm.hpp>
 #include <span>
 
+#include "ninebit/numerics/visibility.h"
 #include "ninebit/raster/fragment_probe.h"
 #include "ninebit/raster/pipeline_state.h"
 #include "ninebit/raster/sampler.h"
 #include "ninebit/raster/surface.h"
 #include "ninebit/raster/texture.h"
 
-namespace ninebit {
+namespace NINEBIT_PUBLIC ninebit {
 
 using ColorBytes = std::array<std::uint8_t, 4>;  // red, green, blue, alpha
 

@@ -16,9 +16,10 @@
 
 #include "ninebit/numerics/hardware_profile.h"
 #include "ninebit/numerics/result.h"
+#include "ninebit/numerics/visibility.h"
 #include "ninebit/raster/texture.h"
 
-namespace ninebit {
+namespace NINEBIT_PUBLIC ninebit {
 
 enum class S3tcFormat : std::uint8_t { dxt1_rgb, dxt1_rgba, dxt3, dxt5 };
 

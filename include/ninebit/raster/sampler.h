@@ -26,9 +26,10 @@
 
 #include "ninebit/combiner/initial_registers.h"
 #include "ninebit/numerics/hardware_profile.h"
+#include "ninebit/numerics/visibility.h"
 #include "ninebit/raster/texture.h"
 
-namespace ninebit {
+namespace NINEBIT_PUBLIC ninebit {
 
 enum class MinFilter : std::uint8_t {
   nearest,

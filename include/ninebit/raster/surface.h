@@ -14,8 +14,9 @@
 #include "ninebit/numerics/fixed9.h"
 #include "ninebit/numerics/half.h"
 #include "ninebit/numerics/result.h"
+#include "ninebit/numerics/visibility.h"
 
-namespace ninebit {
+namespace NINEBIT_PUBLIC ninebit {
 
 // Sizes from 1 to this are drawn: a position then lies within 8,192 pixels of the viewport's centre.
 inline constexpr int kMaxSurfaceSize = 16384;

@@ -15,9 +15,10 @@
 
 #include "ninebit/combiner/initial_registers.h"
 #include "ninebit/numerics/result.h"
+#include "ninebit/numerics/visibility.h"
 #include "ninebit/raster/surface.h"
 
-namespace ninebit {
+namespace NINEBIT_PUBLIC ninebit {
 
 // The faces in the order of ARB_texture_cube_map.
 enum class CubeFace : std::uint8_t { positive_x, negative_x, positive_y, negative_y, positive_z, negative_z };

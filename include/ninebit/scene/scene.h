@@ -9,8 +9,9 @@
 #include <vector>
 
 #include "ninebit/numerics/result.h"
+#include "ninebit/numerics/visibility.h"
 
-namespace ninebit {
+namespace NINEBIT_PUBLIC ninebit {
 
 struct Material {
   std::string name;

@@ -6,9 +6,10 @@
 #include <optional>
 
 #include "ninebit/numerics/result.h"
+#include "ninebit/numerics/visibility.h"
 #include "ninebit/scene/scene.h"
 
-namespace ninebit {
+namespace NINEBIT_PUBLIC ninebit {
 
 // Reads glTF 2.0 (.gltf, .glb: node hierarchy, materials' base colours, cameras, KHR_lights_punctual),
 // OBJ, PLY, OFF and 3DS. All nodes are flattened into world space. Degenerate triangles are kept: they count as

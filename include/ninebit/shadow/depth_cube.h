@@ -7,10 +7,11 @@
 
 #include "ninebit/combiner/state.h"
 #include "ninebit/numerics/hardware_profile.h"
+#include "ninebit/numerics/visibility.h"
 #include "ninebit/raster/pipeline_state.h"
 #include "ninebit/shadow/technique.h"
 
-namespace ninebit {
+namespace NINEBIT_PUBLIC ninebit {
 
 // How a distance becomes the luminance, or the high and the low byte, of a texel: by a ramp, a texture whose texel i
 // holds the code of the i-th equal part of the range. All is whole ramp texels, so that nothing but the ramp decides.

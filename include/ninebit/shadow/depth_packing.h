@@ -10,7 +10,9 @@
 #include <span>
 #include <string_view>
 
-namespace ninebit {
+#include "ninebit/numerics/visibility.h"
+
+namespace NINEBIT_PUBLIC ninebit {
 
 // How a depth in [0, 1] stands in the texels of a shadow map: as a code of 24 or 16 bits, or packed.
 enum class DepthEncoding : std::uint8_t { d24, d16, rgba8_fract, rgba8_mod, rgba8_256over255, rgba8_modf };

@@ -11,11 +11,12 @@
 
 #include "ninebit/image/image_io.h"
 #include "ninebit/numerics/result.h"
+#include "ninebit/numerics/visibility.h"
 #include "ninebit/scene/scene.h"
 #include "ninebit/shadow/settings.h"
 #include "ninebit/shadow/technique.h"
 
-namespace ninebit {
+namespace NINEBIT_PUBLIC ninebit {
 
 enum class PixelTruth : std::uint8_t { background, lit, shadowed };
 

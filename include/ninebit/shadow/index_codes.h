@@ -5,9 +5,10 @@
 #include <string_view>
 
 #include "ninebit/numerics/result.h"
+#include "ninebit/numerics/visibility.h"
 #include "ninebit/raster/rasterizer.h"
 
-namespace ninebit {
+namespace NINEBIT_PUBLIC ninebit {
 
 // What gets an index of its own.
 enum class IndexScope : std::uint8_t {

@@ -3,10 +3,11 @@
 
 #include "ninebit/combiner/state.h"
 #include "ninebit/numerics/hardware_profile.h"
+#include "ninebit/numerics/visibility.h"
 #include "ninebit/raster/pipeline_state.h"
 #include "ninebit/shadow/technique.h"
 
-namespace ninebit {
+namespace NINEBIT_PUBLIC ninebit {
 
 // Two general combiners and the final combiner, set through the entry points of gl_nv.h: alpha is 0 where the primary
 // colour and texture 0 agree in all channels of the format, and above 0 where the combiners can tell a difference. For

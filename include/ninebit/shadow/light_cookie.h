@@ -6,11 +6,12 @@
 
 #include "ninebit/combiner/state.h"
 #include "ninebit/numerics/hardware_profile.h"
+#include "ninebit/numerics/visibility.h"
 #include "ninebit/raster/pipeline_state.h"
 #include "ninebit/raster/sampler.h"
 #include "ninebit/shadow/technique.h"
 
-namespace ninebit {
+namespace NINEBIT_PUBLIC ninebit {
 
 // What the cube map's colours are multiplied by: 1/6 is the light's own intensity.
 inline constexpr int kCookieScale = 6;

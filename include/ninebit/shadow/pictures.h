@@ -4,9 +4,10 @@
 #include "ninebit/image/image_io.h"
 #include "ninebit/image/staged_files.h"
 #include "ninebit/numerics/result.h"
+#include "ninebit/numerics/visibility.h"
 #include "ninebit/shadow/technique.h"
 
-namespace ninebit {
+namespace NINEBIT_PUBLIC ninebit {
 
 // The frame's colours, upright.
 [[nodiscard]] Image8 color_picture(const Rendering& rendering);

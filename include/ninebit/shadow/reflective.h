@@ -9,10 +9,11 @@
 
 #include "ninebit/numerics/half.h"
 #include "ninebit/numerics/result.h"
+#include "ninebit/numerics/visibility.h"
 #include "ninebit/raster/pipeline_state.h"
 #include "ninebit/shadow/technique.h"
 
-namespace ninebit {
+namespace NINEBIT_PUBLIC ninebit {
 
 // The light colour of a white light in the flux; the scene's light colour is multiplied by it.
 inline constexpr float kFluxOfWhiteLight = 0.3F;

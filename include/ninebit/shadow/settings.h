@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "ninebit/numerics/hardware_profile.h"
+#include "ninebit/numerics/visibility.h"
 #include "ninebit/raster/pipeline_state.h"
 #include "ninebit/raster/surface.h"
 #include "ninebit/raster/texture.h"
@@ -13,7 +14,7 @@
 #include "ninebit/shadow/depth_packing.h"
 #include "ninebit/shadow/index_codes.h"
 
-namespace ninebit {
+namespace NINEBIT_PUBLIC ninebit {
 
 // index-cube, and the index shadows of light-cookie.
 struct IndexSettings {

@@ -3,10 +3,11 @@
 
 #include "ninebit/combiner/state.h"
 #include "ninebit/numerics/hardware_profile.h"
+#include "ninebit/numerics/visibility.h"
 #include "ninebit/raster/pipeline_state.h"
 #include "ninebit/shadow/technique.h"
 
-namespace ninebit {
+namespace NINEBIT_PUBLIC ninebit {
 
 // The polygon offset while the map is drawn, where the settings name none. A fragment lies at most half a texel away
 // from the centre of the texel that it looks up, in s and in t: its depth differs by at most (|dz/ds| + |dz/dt|) / 2,

@@ -4,10 +4,11 @@
 #include <string_view>
 #include <vector>
 
+#include "ninebit/numerics/visibility.h"
 #include "ninebit/raster/pipeline_state.h"
 #include "ninebit/shadow/technique.h"
 
-namespace ninebit {
+namespace NINEBIT_PUBLIC ninebit {
 
 struct VolumePass {
   std::string_view name;

@@ -14,6 +14,7 @@
 
 #include "ninebit/image/image_io.h"
 #include "ninebit/numerics/result.h"
+#include "ninebit/numerics/visibility.h"
 #include "ninebit/raster/fragment_probe.h"
 #include "ninebit/raster/surface.h"
 #include "ninebit/scene/scene.h"
@@ -21,7 +22,7 @@
 #include "ninebit/shadow/index_codes.h"
 #include "ninebit/shadow/settings.h"
 
-namespace ninebit {
+namespace NINEBIT_PUBLIC ninebit {
 
 // Asked between passes: what has been done (0 to 1) and what comes next. Returning false ends the work with
 // Fault::cancelled. May be empty.

@@ -13,9 +13,10 @@
 #include "ninebit/combiner/registers.h"
 #include "ninebit/numerics/hardware_profile.h"
 #include "ninebit/numerics/result.h"
+#include "ninebit/numerics/visibility.h"
 #include "ninebit/study/study.h"
 
-namespace ninebit {
+namespace NINEBIT_PUBLIC ninebit {
 
 // What a general combiner does to a wide value before it is narrowed: one of the six legal pairs of scale and bias.
 struct OutputForm {

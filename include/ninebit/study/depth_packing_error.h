@@ -10,10 +10,11 @@
 #include <vector>
 
 #include "ninebit/numerics/result.h"
+#include "ninebit/numerics/visibility.h"
 #include "ninebit/shadow/depth_packing.h"
 #include "ninebit/study/study.h"
 
-namespace ninebit {
+namespace NINEBIT_PUBLIC ninebit {
 
 // Depths in [0, 1] in rising order, 0 and 1 among them.
 enum class DepthSet : std::uint8_t {
@@ -38,10 +39,10 @@ struct RoundTripError {
   std::uint64_t exact = 0;       // those that come back to the bit
   std::uint64_t distinct = 0;    // different floats that come back
   std::uint64_t inversions = 0;  // neighbours of the set of which the larger one comes back as the smaller
-  double max_error = 0.0;        // largest size of an error
+  double max_error = 0.0;        // largest size of an error of depths below 1
   double mean_error = 0.0;       // mean size
   double mean_bias = 0.0;        // mean with its sign
-  float worst_depth = 0.0F;      // the first depth with the largest error
+  float worst_depth = 0.0F;      // the first of them with that error
   float worst_back = 0.0F;       // what it reads as
   float zero_back = 0.0F;        // what 0 and 1 read as
   float one_back = 0.0F;

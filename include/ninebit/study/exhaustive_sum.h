@@ -11,10 +11,11 @@
 
 #include "ninebit/numerics/hardware_profile.h"
 #include "ninebit/numerics/result.h"
+#include "ninebit/numerics/visibility.h"
 #include "ninebit/study/datapath_error.h"
 #include "ninebit/study/study.h"
 
-namespace ninebit {
+namespace NINEBIT_PUBLIC ninebit {
 
 // One unit for each form and each value of A. Reports a profile whose arithmetic is not integer, and a missing form.
 //

@@ -19,9 +19,10 @@
 #include "ninebit/combiner/state.h"
 #include "ninebit/numerics/hardware_profile.h"
 #include "ninebit/numerics/result.h"
+#include "ninebit/numerics/visibility.h"
 #include "ninebit/study/study.h"
 
-namespace ninebit {
+namespace NINEBIT_PUBLIC ninebit {
 
 // What holds an index. `channel` is one 8-bit channel of an RGB colour, the other two being 0.
 enum class StudyFormat : std::uint8_t { channel, rgb, luminance_alpha, luminance, alpha };

@@ -18,9 +18,10 @@
 #include "ninebit/combiner/program.h"
 #include "ninebit/numerics/hardware_profile.h"
 #include "ninebit/numerics/result.h"
+#include "ninebit/numerics/visibility.h"
 #include "ninebit/study/study.h"
 
-namespace ninebit {
+namespace NINEBIT_PUBLIC ninebit {
 
 // One component of a register.
 struct RegisterComponent {

@@ -15,8 +15,9 @@
 
 #include "ninebit/image/image_io.h"
 #include "ninebit/numerics/result.h"
+#include "ninebit/numerics/visibility.h"
 
-namespace ninebit {
+namespace NINEBIT_PUBLIC ninebit {
 
 // Nothing is what a row does not have: an error count without a ground truth.
 using StudyValue = std::variant<std::monostate, std::int64_t, std::uint64_t, double, std::string>;
@@ -49,8 +50,9 @@ struct Plot {
   std::string file;  // its PNG's name without ".png": "false-matches-rgb"
   std::string title;
   std::string x_label, y_label;
-  bool bars = false;                  // bars at each x instead of lines between points
-  bool log_x = false, log_y = false;  // points at 0 or below are left out of a logarithmic axis
+  std::vector<std::string> x_names{};  // of bars at x = 1, 2, …; empty: they show their numbers
+  bool bars = false;                   // bars at each x instead of lines between points
+  bool log_x = false, log_y = false;   // points at 0 or below are left out of a logarithmic axis
   std::vector<PlotSeries> series;
   std::string caption{};
 };

@@ -8,10 +8,11 @@
 #include <vector>
 
 #include "ninebit/numerics/result.h"
+#include "ninebit/numerics/visibility.h"
 #include "ninebit/study/report.h"
 #include "ninebit/study/study.h"
 
-namespace ninebit {
+namespace NINEBIT_PUBLIC ninebit {
 
 // The rows as one JSON object: {"command": "study index-steps", "version": …, "profile": …, "question": "ninebit study
 // …", "rows": [{…}, …]}; rows of other tables stand beside "rows" under their table's name.

@@ -7,11 +7,12 @@
 #include <vector>
 
 #include "ninebit/numerics/result.h"
+#include "ninebit/numerics/visibility.h"
 #include "ninebit/scene/scene.h"
 #include "ninebit/shadow/technique.h"
 #include "ninebit/study/study.h"
 
-namespace ninebit {
+namespace NINEBIT_PUBLIC ninebit {
 
 // The axes of a grid; one without values stays at what the settings say. A point is drawn for each combination, the
 // first axis changing slowest.
@@ -26,7 +27,7 @@ struct ShadowGrid {
   std::vector<OffsetArguments> polygon_offsets{};  // likewise
 };
 
-// Offsets to look for the best one among: factors from 0 to 4 with units from 0 to 4096, no offset at all the first.
+// Offsets to look for the best one among: factors from 0 to 4 with units from 0 to 65536, no offset at all the first.
 [[nodiscard]] std::span<const OffsetArguments> offsets_to_search();
 
 // A unit for each point of the grid, with one row: the settings, what was drawn, what of it is wrong and why. Settings

@@ -14,9 +14,10 @@
 #include <vector>
 
 #include "ninebit/numerics/result.h"
+#include "ninebit/numerics/visibility.h"
 #include "ninebit/study/report.h"
 
-namespace ninebit {
+namespace NINEBIT_PUBLIC ninebit {
 
 // Asked now and then, by any thread, whether to go on; may be empty.
 using GoOn = std::function<bool()>;

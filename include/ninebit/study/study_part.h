@@ -16,9 +16,10 @@
 #include <vector>
 
 #include "ninebit/numerics/result.h"
+#include "ninebit/numerics/visibility.h"
 #include "ninebit/study/study.h"
 
-namespace ninebit {
+namespace NINEBIT_PUBLIC ninebit {
 
 // Which units a run does: those whose number leaves the remainder index - 1 when divided by count.
 struct Shard {

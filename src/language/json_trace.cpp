@@ -1,10 +1,15 @@
 #include <cmath>
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string_view>
 
-#include "src/tools/eval_table.h"
-#include "src/tools/trace_text.h"
+#include "ninebit/language/trace_json.h"
 
-namespace ninebit::tools {
+namespace ninebit {
 namespace {
+
+using Json = nlohmann::ordered_json;
 
 constexpr std::string_view kComponents = "rgba";
 
@@ -46,7 +51,7 @@ Json json_of(const TracedOutput& out) {
 Json json_of(const TracedRegisters& registers) {
   Json json = Json::object();
   for (std::size_t r = static_cast<std::size_t>(Register::fog); r < kRegisterCount; ++r) {
-    json[short_name(static_cast<Register>(r))] = {
+    json[std::string(short_name(static_cast<Register>(r)))] = {
         {"codes", registers.codes.value[r]}, {"real", registers.real.value[r]}, {"ideal", registers.ideal.value[r]}};
   }
   return json;
@@ -72,7 +77,7 @@ Json json_of(const TracedPortion& portion) {
     Json outputs = Json::array();
     const auto add = [&](const char* name, Register to, const std::optional<TracedOutput>& output) {
       if (!output) return;
-      Json one{{"output", name}, {"target", EvalColumn{to, channel.component}.name()}};
+      Json one{{"output", name}, {"target", std::string(short_name(to)) + '.' + component_name(channel.component)}};
       one.update(json_of(*output));
       outputs.push_back(std::move(one));
     };
@@ -126,7 +131,7 @@ std::string_view name_of_arithmetic(Arithmetic arithmetic) {
 
 }  // namespace
 
-Json trace_json(const Program& program, const Trace& trace) {
+std::string print_json_trace(const Program& program, const Trace& trace) {
   const auto product_name = [](bool cd) { return cd ? "cd" : "ab"; };
   Json stages = Json::array();
   for (std::size_t i = 0; i < trace.stage.size(); ++i) {
@@ -139,12 +144,13 @@ Json trace_json(const Program& program, const Trace& trace) {
                       {"alpha", json_of(stage.alpha)},
                       {"after", json_of(stage.after)}});
   }
-  return {{"arithmetic", name_of_arithmetic(program.datapath.arithmetic)},
-          {"one", program.datapath.one},
-          {"before", json_of(trace.before)},
-          {"stages", std::move(stages)},
-          {"final", json_of(trace.final_combiner)},
-          {"out", {{"codes", trace.color}, {"bytes", trace.bytes}}}};
+  const Json json{{"arithmetic", name_of_arithmetic(program.datapath.arithmetic)},
+                  {"one", program.datapath.one},
+                  {"before", json_of(trace.before)},
+                  {"stages", std::move(stages)},
+                  {"final", json_of(trace.final_combiner)},
+                  {"out", {{"codes", trace.color}, {"bytes", trace.bytes}}}};
+  return json.dump(2);
 }
 
-}  // namespace ninebit::tools
+}  // namespace ninebit

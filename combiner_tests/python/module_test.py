@@ -1,0 +1,151 @@
+"""import ninebit: programs on NumPy arrays, traces, renderings, and a stub that tells of all of it."""
+import ast
+import pathlib
+import threading
+import unittest
+
+import ninebit
+import numpy as np
+
+top = pathlib.Path(__file__).resolve().parents[2]
+compare = (top / "docs/programs/index_compare.gl").read_text()
+double = """!!RC1.0
+{ rgb { spare0 = col0 * tex0; scale_by_two(); } }
+out.rgb = spare0;
+out.a = unsigned_invert(zero);
+"""
+
+
+def program(text, form="rc10", profile="geforce2"):
+    return ninebit.Program(ninebit.State.parse(text, form, profile))
+
+
+class States(unittest.TestCase):
+    def test_forms_there_and_back(self):
+        state = ninebit.State.parse(compare, "gl")
+        for form in ("gl", "rc10", "words", "words-json", "json"):
+            again = ninebit.State.parse(state.print(form), form)
+            one, two = (ninebit.Program(s).explain() for s in (state, again))
+            self.assertEqual(one.split("how to read")[0].splitlines()[:6], two.splitlines()[:6])
+        self.assertEqual(ninebit.State.parse(state.print("json"), "json"), state)
+        self.assertEqual(state.validate(), [])
+        self.assertEqual(ninebit.State("nv2a").profile, "nv2a")
+
+    def test_what_is_wrong_is_told(self):
+        with self.assertRaisesRegex(ninebit.Error, "2:11: .*spare2"):
+            ninebit.State.parse("!!RC1.0\nout.rgb = spare2;", "rc10")
+        with self.assertRaisesRegex(ninebit.Error, "voodoo.*geforce2"):
+            ninebit.State("voodoo")
+        with self.assertRaisesRegex(ninebit.Error, "form is"):
+            ninebit.State.parse("", "basic")
+        self.assertTrue(issubclass(ninebit.Error, ValueError))
+
+
+class Programs(unittest.TestCase):
+    def test_every_pair_of_bytes(self):
+        a, b = (x.astype(np.int16) for x in np.meshgrid(np.arange(256), np.arange(256)))
+        a, b = np.ascontiguousarray(a.ravel()), np.ascontiguousarray(b.ravel())
+        color = program(double).evaluate({"primary.r": a, "tex0.r": b})
+        self.assertEqual((color.dtype, color.shape), (np.int16, (4, 65536)))
+        # A GeForce 2 scales before it cuts toward zero.
+        expected = np.minimum(255, 2 * a.astype(np.int64) * b // 255)
+        np.testing.assert_array_equal(color[0], expected)
+        np.testing.assert_array_equal(color[3], 255)
+
+    def test_whole_registers_and_what_is_left_in_them(self):
+        codes = np.arange(-255, 256, dtype=np.int16)
+        register = np.ascontiguousarray(np.stack([codes, -codes, codes, codes]))
+        left = program("!!RC1.0\n{ rgb { spare1 = -spare0; } }\nout.rgb = spare1;\nout.a = spare0.a;\n").evaluate_registers(
+            {"spare0": register})
+        np.testing.assert_array_equal(left["spare1"][:3], -register[:3])
+        np.testing.assert_array_equal(left["spare0"], register)
+        np.testing.assert_array_equal(left["color"][0], np.maximum(0, -codes))
+
+    def test_nothing_is_copied_and_nothing_wrong_is_taken(self):
+        p = program(double)
+        codes = np.zeros(16, dtype=np.int16)
+        for wrong in (codes.astype(np.int32), codes.astype(float), [0] * 16, codes[::2]):
+            with self.assertRaises(TypeError):
+                p.evaluate({"primary.r": wrong})
+        for wrong in ({"primary": codes}, {"primary.r": codes.reshape(4, 4)}, {}, {"primary.r": codes, "tex0.r": codes[:3]}):
+            with self.assertRaises(ValueError):
+                p.evaluate(wrong)
+        with self.assertRaisesRegex(ninebit.Error, "256; expected -255 to 255"):
+            p.evaluate({"primary.r": np.full(3, 256, dtype=np.int16)})
+        with self.assertRaisesRegex(ninebit.Error, "'primry.r' is no register"):
+            p.evaluate({"primry.r": codes})
+        self.assertEqual(p.evaluate({"primary.r": codes[:0]}).shape, (4, 0))
+
+    def test_trace_is_what_evaluate_gives(self):
+        p = program(compare, "gl")
+        trace = p.trace({"primary.r": 101, "tex0": (100, 0, 0, 255)})
+        one = lambda code: np.array([code], dtype=np.int16)
+        color = p.evaluate({"primary.r": one(101), "tex0.r": one(100), "tex0.a": one(255)})
+        self.assertEqual(trace["out"]["codes"], color[:, 0].tolist())
+        self.assertEqual(trace["one"], p.one)
+        self.assertEqual(len(trace["stages"]), 2)
+        self.assertIn("spare0", p.explain())
+        self.assertTrue(p.glsl("mine").startswith("#version 330"))
+        self.assertTrue(p.glsl(es=True).startswith("#version 300 es"))
+
+    def test_threads(self):
+        p = program(compare, "gl")
+        codes = np.arange(256, dtype=np.int16).repeat(40)
+        expected = p.evaluate({"primary.r": codes})
+        found = [None] * 4
+
+        def work(i):
+            found[i] = p.evaluate({"primary.r": codes})
+
+        threads = [threading.Thread(target=work, args=(i,)) for i in range(4)]
+        for thread in threads:
+            thread.start()
+        for thread in threads:
+            thread.join()
+        for color in found:
+            np.testing.assert_array_equal(color, expected)
+
+
+class Renderings(unittest.TestCase):
+    def test_planes_are_the_renderings(self):
+        scene = str(top / "scenes/index_room.gltf")
+        drawn = ninebit.render(scene, size=(64, 48), map_size=64)
+        for name in ("red", "green", "blue", "alpha", "stencil", "depth"):
+            self.assertEqual(drawn[name].shape, (48, 64), name)
+            self.assertFalse(drawn[name].flags.owndata, name)
+        self.assertEqual(drawn["lit"] + drawn["shadowed"] + drawn["background"], 64 * 48)
+        self.assertEqual(np.count_nonzero(drawn["stencil"]), drawn["shadowed"])
+        self.assertGreater(drawn["shadowed"], 0)
+        # A plane outlives the dictionary.
+        red = drawn["red"]
+        copy = red.copy()
+        del drawn
+        np.testing.assert_array_equal(red, copy)
+        # Upright: what the light stands above is darker at the bottom than a white frame would be; and the step matters.
+        self.assertNotEqual(ninebit.render(scene, size=(64, 48), map_size=64, index_step=1)["shadowed"],
+                            ninebit.render(scene, size=(64, 48), map_size=64)["shadowed"])
+
+    def test_what_is_wrong_is_told(self):
+        with self.assertRaisesRegex(ninebit.Error, "missing.obj"):
+            ninebit.render("missing.obj")
+        with self.assertRaisesRegex(ninebit.Error, "index-cube"):
+            ninebit.render("x.obj", technique="magic")
+
+
+class Stubs(unittest.TestCase):
+    def test_they_tell_of_everything(self):
+        stub = ast.parse((pathlib.Path(ninebit.__file__).parent / "__init__.pyi").read_text())
+        told = {node.name: node for node in stub.body if isinstance(node, (ast.ClassDef, ast.FunctionDef))}
+        for name in set(ninebit.__all__) - {"__version__"}:
+            self.assertIn(name, told)
+            self.assertTrue(getattr(ninebit, name).__doc__, name)
+        for cls in (ninebit.State, ninebit.Program):
+            methods = {node.name for node in told[cls.__name__].body if isinstance(node, ast.FunctionDef)}
+            public = {name for name in vars(cls) if not name.startswith("_")}
+            self.assertEqual(public, {name for name in methods if not name.startswith("_")}, cls)
+            for name in public:
+                self.assertTrue(getattr(cls, name).__doc__, name)
+
+
+if __name__ == "__main__":
+    unittest.main()

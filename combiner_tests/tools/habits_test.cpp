@@ -1,0 +1,140 @@
+// What people expect of a program: suggestions for misspelled names, colours where they can be seen, a manual page and
+// completions that tell of every verb and flag.
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <regex>
+#include <set>
+
+#include "combiner_tests/tools/support.h"
+
+namespace tools_test {
+namespace {
+
+TEST(Habits, DidYouMean) {
+  struct Case {
+    std::vector<std::string> arguments;
+    std::string meant;
+  };
+  const std::vector<Case> cases{
+      {{"rendr", "x"}, "render"},
+      {{"Verify"}, "verify"},
+      {{"sutdy"}, "study"},
+      {{"study", "index-step"}, "index-steps"},
+      {{"render", kRoom, "-o", "out", "--techniqe", "shadow-map"}, "--technique"},
+      {{"render", kRoom, "-o", "out", "--map-sise=64"}, "--map-size"},
+      {{"info", "--jsn"}, "--json"},
+      {{"render", kRoom, "-o", "out", "--technique", "shadow-mop"}, "shadow-map"},
+      {{"profiles", "--profile", "geforce"}, "geforce2"},
+      {{"convert", "x.gl", "--to", "glls"}, "glsl"},
+  };
+  for (const Case& c : cases) {
+    SCOPED_TRACE(testing::PrintToString(c.arguments));
+    expect_error(ninebit(c.arguments), 2, {"; did you mean '" + c.meant + "'?"});
+  }
+  // Nothing that was meant is made up.
+  for (const std::vector<std::string>& arguments : std::vector<std::vector<std::string>>{
+           {"xyzzy"}, {"info", "--bogus"}, {"profiles", "--profile", "voodoo"}, {"generat"}}) {
+    EXPECT_EQ(ninebit(arguments).err.find("did you mean"), std::string::npos) << testing::PrintToString(arguments);
+  }
+}
+
+TEST(Habits, VersionWithTheBuildsFacts) {
+  const std::string text = ninebit({"--version"}).out;
+  EXPECT_TRUE(std::regex_search(text, std::regex("^ninebit [0-9]+\\.[0-9]+\\.[0-9]+\ncompiler: (GCC|Clang) [0-9]")))
+      << text;
+  for (const char* fact : {"\nbuild: ", "\nprocessor: ", "\nSIMD target: "})
+    EXPECT_NE(text.find(fact), std::string::npos);
+  const Json info = json_of(ninebit({"info", "--json"}))["rows"][0];
+  EXPECT_NE(text.find("\nSIMD target: " + info["simd_target"].get<std::string>() + "\n"), std::string::npos);
+  EXPECT_NE(text.find("\nbuild: " + info["build"].get<std::string>() + "\n"), std::string::npos);
+}
+
+// What the program writes to a terminal as its stderr.
+std::string seen_on_a_terminal(const std::vector<std::string>& arguments) {
+  const int terminal = ::posix_openpt(O_RDWR | O_NOCTTY | O_NONBLOCK);
+  if (terminal < 0 || ::grantpt(terminal) != 0 || ::unlockpt(terminal) != 0) return "no terminal";
+  // Held open, so that what was written is not lost when the program ends.
+  const int held = ::open(::ptsname(terminal), O_RDWR | O_NOCTTY);
+  (void)ninebit(arguments, {.err = ::ptsname(terminal)});
+  std::string seen(4096, '\0');
+  const ssize_t count = ::read(terminal, seen.data(), seen.size());
+  seen.resize(count > 0 ? static_cast<std::size_t>(count) : 0);
+  ::close(held);
+  ::close(terminal);
+  return seen;
+}
+
+TEST(Habits, ColoursOnTerminalsAlone) {
+  const std::string red = "\x1b[1;31mninebit: error:\x1b[0m ";
+  ::unsetenv("NO_COLOR");
+  EXPECT_TRUE(seen_on_a_terminal({"xyzzy"}).starts_with(red)) << seen_on_a_terminal({"xyzzy"});
+  EXPECT_TRUE(ninebit({"xyzzy"}).err.starts_with("ninebit: error: ")) << "into a file";
+  ::setenv("NO_COLOR", "1", 1);
+  EXPECT_TRUE(seen_on_a_terminal({"xyzzy"}).starts_with("ninebit: error: "));
+  ::unsetenv("NO_COLOR");
+}
+
+// The verbs that the help lists, "study index-steps" among them.
+std::set<std::string> verbs_of(const std::vector<std::string>& path) {
+  std::vector<std::string> arguments = path;
+  arguments.emplace_back("--help");
+  const std::string help = ninebit(arguments).out;
+  std::set<std::string> verbs;
+  const std::size_t list = help.find("Subcommands:");
+  if (list == std::string::npos) return verbs;
+  const std::regex line("\n  ([a-z-]+) ");
+  for (std::sregex_iterator it(help.begin() + static_cast<std::ptrdiff_t>(list), help.end(), line), end; it != end;
+       ++it) {
+    std::vector<std::string> part = path;
+    part.push_back((*it)[1]);
+    std::string name;
+    for (const std::string& word : part) name += (name.empty() ? "" : " ") + word;
+    verbs.insert(name);
+    verbs.merge(verbs_of(part));
+  }
+  return verbs;
+}
+
+TEST(Habits, EveryVerbHasAnExample) {
+  const std::set<std::string> verbs = verbs_of({});
+  EXPECT_GE(verbs.size(), 14U);
+  for (const std::string& verb : verbs) {
+    std::vector<std::string> arguments;
+    for (std::size_t begin = 0; begin <= verb.size();) {
+      const std::size_t end = std::min(verb.find(' ', begin), verb.size());
+      arguments.push_back(verb.substr(begin, end - begin));
+      begin = end + 1;
+    }
+    arguments.emplace_back("--help");
+    const std::string help = ninebit(arguments).out;
+    const std::size_t example = help.find("Example");
+    ASSERT_NE(example, std::string::npos) << verb;
+    EXPECT_NE(help.find("ninebit " + verb, example), std::string::npos) << verb;
+  }
+}
+
+TEST(Habits, ManualAndCompletionsTellOfEveryVerb) {
+  const std::set<std::string> verbs = verbs_of({});
+  for (const char* form : {"man", "bash", "zsh", "fish"}) {
+    SCOPED_TRACE(form);
+    const Outcome outcome = ninebit({"generate", form});
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    for (const std::string& verb : verbs) {
+      const std::string name = verb.substr(verb.rfind(' ') + 1);
+      const std::string written = std::string(form) == "man" ? std::regex_replace(name, std::regex("-"), "\\-") : name;
+      EXPECT_NE(outcome.out.find(written), std::string::npos) << verb;
+    }
+    for (const char* flag : {"technique", "shadow-volume", "threads", "nv2a"}) {
+      const std::string written =
+          std::string(form) == "man" ? std::regex_replace(std::string(flag), std::regex("-"), "\\-") : flag;
+      EXPECT_NE(outcome.out.find(written), std::string::npos) << flag;
+    }
+  }
+  EXPECT_EQ(ninebit({"--help"}).out.find("generate"), std::string::npos) << "it is for the build";
+}
+
+}  // namespace
+}  // namespace tools_test

@@ -1,0 +1,126 @@
+// `ninebit verify`: the NV2A's pictures agree with its profile, and what differs is told by place and by rule.
+#include <gtest/gtest.h>
+
+#include "combiner_tests/tools/program_support.h"
+
+namespace tools_test {
+namespace {
+
+const std::string kNv2aRows = NINEBIT_SOURCE_DIR "/combiner_tests/hardware/verify/rows.csv";
+
+class Verify : public testing::Test {
+ protected:
+  // Of a table whose rows run a program that halves the primary colour, then squares it.
+  Outcome verify(const std::string& table, const std::vector<std::string>& more = {}) {
+    write_bytes(folder_ / "square.rc",
+                "!!RC1.0\n{ rgb { spare0 = col0; scale_by_one_half(); } }\n{ rgb { spare1 = spare0 * spare0; } }\n"
+                "out.rgb = spare1;\nout.a = unsigned_invert(zero);\n");
+    std::vector<std::string> arguments{"verify", write_bytes(folder_ / "rows.csv", table)};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return ninebit(arguments);
+  }
+  TempFolder folder_;
+};
+
+TEST_F(Verify, ThePicturesOfAnNv2a) {
+  const Outcome nv2a = ninebit({"verify", kNv2aRows, "--profile", "nv2a"});
+  EXPECT_EQ(nv2a.code, 0) << nv2a.out << nv2a.err;
+  EXPECT_EQ(nv2a.out, "583 rows: 583 agree, 0 differ\n");
+}
+
+// An NV2A that cut toward zero, as the GeForce 2 does: the scale of one half shows it, and the rule is found.
+TEST_F(Verify, AnotherRuleIsFound) {
+  const std::string own = folder_ / "own.json";
+  write_bytes(own, R"({"base": "nv2a", "name": "mine", "general_narrowing": "toward-zero"})");
+  const Json object = [&] {
+    const Outcome outcome = ninebit({"verify", kNv2aRows, "--profile", own, "--json"});
+    EXPECT_EQ(outcome.code, 1);
+    return Json::parse(outcome.out);
+  }();
+  EXPECT_EQ(object["count"], 583);
+  EXPECT_EQ(object["differ"], 4);
+  EXPECT_EQ(object["agree"], 579);
+  ASSERT_EQ(object["rows"].size(), 4U);
+  for (const Json& row : object["rows"]) EXPECT_TRUE(row["name"].get<std::string>().starts_with("SHR1")) << row;
+  ASSERT_FALSE(object["rules"].empty());
+  EXPECT_EQ(object["rules"][0]["field"], "general_narrowing");
+  EXPECT_EQ(object["rules"][0]["value"], "nearest-halves-up");
+  EXPECT_EQ(object["rules"][0]["explains"], 4);
+  EXPECT_EQ(object["rules"][0]["agree_then"], 583);
+}
+
+TEST_F(Verify, TheFirstPlaceThatDiffers) {
+  // 101 / 2 is 50 on a GeForce 2; 50 squared is 9. What follows from a wrong 51 is not counted again.
+  const std::string table =
+      "program,primary.r,stage0.spare0.r,stage1.spare1.r,out.r\n"
+      "square.rc,101,50,9,9\n"
+      "square.rc,101,51,10,10\n"
+      "square.rc,101,50,10,10\n"
+      "square.rc,101,,,11|12\n"
+      "square.rc,101,50|51,9,\n";
+  const Outcome outcome = verify(table, {"--json"});
+  ASSERT_EQ(outcome.code, 1) << outcome.err;
+  const Json object = Json::parse(outcome.out);
+  EXPECT_EQ(object["count"], 5);
+  EXPECT_EQ(object["agree"], 2);
+  EXPECT_EQ(object["places"], Json::parse(R"([{"place": "general combiner 0, rgb", "rows": 1},
+                            {"place": "general combiner 1, rgb", "rows": 1}, {"place": "output, rgb", "rows": 1}])"));
+  ASSERT_EQ(object["rows"].size(), 3U);
+  EXPECT_EQ(object["rows"][0]["line"], 3);
+  EXPECT_EQ(object["rows"][0]["differences"].size(), 3U);
+  EXPECT_EQ(object["rows"][0]["differences"][0],
+            Json::parse(R"({"column": "stage0.spare0.r", "expected": [51], "computed": 50})"));
+  EXPECT_EQ(object["rows"][2]["differences"][0]["expected"], Json::array({11, 12}));
+
+  const Outcome text = verify(table, {"--most", "1"});
+  EXPECT_NE(text.out.find("rows.csv:3: "), std::string::npos) << text.out;
+  EXPECT_NE(text.out.find("stage0.spare0.r is 50, expected 51; stage1.spare1.r is 9, expected 10"), std::string::npos);
+  EXPECT_NE(text.out.find("and 2 rows more"), std::string::npos);
+  EXPECT_NE(text.out.find("general_narrowing = nearest-halves-up (rules 5, 8)"), std::string::npos);
+}
+
+TEST_F(Verify, WhatNoRuleExplains) {
+  const Outcome outcome = verify("program,primary.r,out.r\nsquare.rc,101,200\n");
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_NE(outcome.out.find("No other value of one rule explains"), std::string::npos) << outcome.out;
+}
+
+TEST_F(Verify, AProgramForAllRowsAndStandardInput) {
+  EXPECT_EQ(verify("primary.r,out.r\n101,9\n", {"--program", folder_ / "square.rc"}).code, 0);
+  const std::string table = write_bytes(folder_ / "in.csv", "# a comment\nprimary.r,out.r\n\n101,9\n");
+  const Outcome outcome = ninebit({"verify", "-", "--program", folder_ / "square.rc"}, {.in = table});
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_EQ(outcome.out, "1 rows: 1 agree, 0 differ\n");
+}
+
+TEST_F(Verify, WrongTables) {
+  struct Case {
+    std::string table;
+    std::vector<std::string> words;
+  };
+  const std::vector<Case> cases{
+      {"", {"rows.csv:1:1", "empty"}},
+      {"program,primry.r,out.r\n", {"rows.csv:1:9", "'primry.r' is no column", "did you mean 'primary.r'?"}},
+      {"program,primary.r\n", {"no column says what should come out"}},
+      {"primary.r,out.r\n1,1\n", {"no column `program`"}},
+      {"program,out.r,out.r\n", {"rows.csv:1:15", "twice"}},
+      {"program,stage2.spare0.r\n", {"'stage2.spare0.r' is no column", "there are 2"}},
+      {"program,stage0.const0.r\n", {"'stage0.const0.r' is no column"}},
+      {"program,out.r\n", {"the table has no rows"}},
+      {"program,out.r\nsquare.rc\n", {"rows.csv:2:1", "1 fields, the header 2"}},
+      {"program,primary.r,out.r\nsquare.rc,256,1\n", {"rows.csv:2:11", "primary.r", "-255 to 255", "'256'"}},
+      {"program,primary.r,out.r\nsquare.rc,1,1|x\n", {"rows.csv:2:13", "out.r", "'1|x'"}},
+      {"program,primary.r,out.r\nsquare.rc,1,\n", {"does not say what should come out"}},
+      {"program,out.r\nmissing.rc,1\n", {"missing.rc"}},
+      {"program,out.r\nrows.csv,1\n", {"rows.csv:1:1"}},
+  };
+  for (const Case& c : cases) {
+    SCOPED_TRACE(c.table);
+    expect_error(verify(c.table), 3, c.words);
+  }
+  write_bytes(folder_ / "one.rc", "!!RC1.0\nout.rgb = col0;\nout.a = zero;\n");
+  expect_error(verify("program,stage1.spare0.r\none.rc,1\n"), 3, {"stage1.spare0.r", "1 general combiners"});
+}
+
+}  // namespace
+}  // namespace tools_test

@@ -1,0 +1,86 @@
+// What stands behind the handles of the C interface, and the way from C++ results to its own.
+#pragma once
+
+#include <cstring>
+#include <exception>
+#include <new>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "ninebit/capi/combiner.h"
+#include "ninebit/combiner/batch_program.h"
+#include "ninebit/combiner/program.h"
+#include "ninebit/combiner/validate.h"
+#include "ninebit/language/gl_nv.h"
+#include "ninebit/numerics/hardware_profile.h"
+
+struct ninebit_state {
+  ninebit::gl::Context context;
+};
+
+struct ninebit_program {
+  const ninebit::HardwareProfile* profile;  // a shipped one, which lives as long as the program that runs
+  ninebit::Program program;
+  ninebit::BatchProgram batch;
+};
+
+struct ninebit_report {
+  std::vector<ninebit::StateDiagnostic> found;
+};
+
+namespace ninebit::capi {
+
+// A text that the caller frees, or nullptr when memory runs out.
+[[nodiscard]] inline char* copy_text(std::string_view text) noexcept {
+  char* const copy = new (std::nothrow) char[text.size() + 1];
+  if (copy == nullptr) return nullptr;
+  std::memcpy(copy, text.data(), text.size());
+  copy[text.size()] = '\0';
+  return copy;
+}
+
+// Sets what a failing function leaves behind; gives `result`.
+inline ninebit_result fail(ninebit_result result, std::string_view message, char** error) noexcept {
+  if (error != nullptr) *error = copy_text(message);
+  return result;
+}
+inline ninebit_result wrong_argument(std::string_view message, char** error) noexcept {
+  return fail(NINEBIT_WRONG_ARGUMENT, message, error);
+}
+inline ninebit_result invalid_input(std::string_view message, char** error) noexcept {
+  return fail(NINEBIT_INVALID_INPUT, message, error);
+}
+
+// Hands a text out.
+inline ninebit_result give(std::string_view text, char** out, char** error) noexcept {
+  *out = copy_text(text);
+  return *out != nullptr ? NINEBIT_OK : fail(NINEBIT_OUT_OF_MEMORY, "out of memory", error);
+}
+
+// Runs a function's body so that nothing is thrown into C. `error` is empty where the body ends well.
+template <class Body>
+ninebit_result guarded(char** error, const Body& body) noexcept {
+  if (error != nullptr) *error = nullptr;
+  try {
+    return body();
+  } catch (const std::bad_alloc&) {
+    return fail(NINEBIT_OUT_OF_MEMORY, "out of memory", error);
+  } catch (const std::exception& fault) {
+    return fail(NINEBIT_INTERNAL_ERROR, fault.what(), error);
+  } catch (...) {
+    return fail(NINEBIT_INTERNAL_ERROR, "unknown fault", error);
+  }
+}
+
+// The sizes that structures had in their first version.
+inline constexpr std::size_t kRegistersSize = sizeof(ninebit_registers);
+inline constexpr std::size_t kInputsSize = sizeof(ninebit_inputs);
+inline constexpr std::size_t kPlanesSize = sizeof(ninebit_planes);
+inline constexpr std::size_t kDiagnosticSize = sizeof(ninebit_diagnostic);
+
+// A fragment's registers, or the result for an argument that is none: NULL, too short, codes out of range.
+[[nodiscard]] ninebit_result read_registers(const ninebit_program& program, const ninebit_registers* from,
+                                            RegisterFile& to, char** error);
+
+}  // namespace ninebit::capi

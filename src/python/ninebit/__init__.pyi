@@ -1,0 +1,71 @@
+from typing import Any, Literal, Mapping, Sequence, TypedDict
+
+import numpy as np
+from numpy.typing import NDArray
+
+Form = Literal["gl", "rc10", "words", "words-json", "json"]
+Point = tuple[float, float, float]
+
+__version__: str
+
+class Error(ValueError): ...
+
+class Diagnostic(TypedDict):
+    gl_error: str
+    stage: int | None
+    portion: Literal["rgb", "alpha"] | None
+    variable: str | None
+    message: str
+
+class Rendering(TypedDict):
+    red: NDArray[np.uint8]
+    green: NDArray[np.uint8]
+    blue: NDArray[np.uint8]
+    alpha: NDArray[np.uint8]
+    depth: NDArray[np.uint32]
+    stencil: NDArray[np.uint8]
+    background: int
+    lit: int
+    shadowed: int
+    facts: dict[str, int | float | str]
+
+class State:
+    def __init__(self, profile: str = "geforce2") -> None: ...
+    @staticmethod
+    def parse(text: str, form: Form, profile: str = "geforce2") -> State: ...
+    def print(self, form: Form) -> str: ...
+    def validate(self) -> list[Diagnostic]: ...
+    @property
+    def profile(self) -> str: ...
+    def __eq__(self, other: object) -> bool: ...
+
+class Program:
+    def __init__(self, state: State) -> None: ...
+    @property
+    def profile(self) -> str: ...
+    @property
+    def one(self) -> int: ...
+    @property
+    def lowest(self) -> int: ...
+    def evaluate(self, inputs: Mapping[str, NDArray[np.int16]]) -> NDArray[np.int16]: ...
+    def evaluate_registers(self, inputs: Mapping[str, NDArray[np.int16]]) -> dict[str, NDArray[np.int16]]: ...
+    def trace(self, registers: Mapping[str, int | Sequence[int]]) -> dict[str, Any]: ...
+    def explain(self) -> str: ...
+    def glsl(self, function: str = "ninebit_combine", es: bool = False) -> str: ...
+
+def profiles() -> list[str]: ...
+def techniques() -> list[str]: ...
+def simd_target() -> str: ...
+def render(
+    scene: str,
+    *,
+    technique: str = "index-cube",
+    size: tuple[int, int] = (1024, 768),
+    map_size: int = 512,
+    profile: str = "geforce2",
+    index_step: int = 2,
+    camera: Point | None = None,
+    look_at: Point | None = None,
+    fov: float | None = None,
+    light: Point | None = None,
+) -> Rendering: ...

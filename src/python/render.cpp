@@ -1,0 +1,111 @@
+// Scenes drawn with a shadow technique; their planes as arrays, which are the rendering's own memory.
+#include <pybind11/numpy.h>
+#include <pybind11/stl.h>
+
+#include <memory>
+#include <optional>
+#include <variant>
+
+#include "ninebit/scene/scene_io.h"
+#include "ninebit/shadow/technique.h"
+#include "src/python/module.h"
+
+namespace py = pybind11;
+
+namespace ninebit::python {
+namespace {
+
+using Point = std::array<float, 3>;
+
+glm::vec3 vector_of(const Point& p) {
+  return {p[0], p[1], p[2]};
+}
+
+// A plane of the rendering, upright, that keeps the rendering alive. Rows lie there from the lowest up.
+template <class T>
+py::array upright(const std::vector<T>& plane, int width, int height, const std::shared_ptr<Rendering>& owner) {
+  if (plane.empty()) return py::array_t<T>(std::vector<py::ssize_t>{0, 0});
+  const py::capsule keeps(new std::shared_ptr<Rendering>(owner),
+                          [](void* kept) { delete static_cast<std::shared_ptr<Rendering>*>(kept); });
+  const auto row = static_cast<py::ssize_t>(sizeof(T)) * width;
+  return py::array_t<T>(std::vector<py::ssize_t>{height, width},
+                        std::vector<py::ssize_t>{-row, static_cast<py::ssize_t>(sizeof(T))},
+                        plane.data() + static_cast<std::size_t>(height - 1) * static_cast<std::size_t>(width), keeps);
+}
+
+py::dict render(const std::string& scene_file, const std::string& technique_name, std::pair<int, int> size,
+                int map_size, const std::string& profile, int index_step, const std::optional<Point>& camera,
+                const std::optional<Point>& look_at, std::optional<float> fov, const std::optional<Point>& light) {
+  const Technique* const technique = find_technique(technique_name);
+  if (technique == nullptr) {
+    std::string message = "there is no technique '" + technique_name + "'; expected one of";
+    for (const Technique& one : techniques()) message += ' ' + std::string(one.name);
+    throw Error{message};
+  }
+  RenderSettings settings;
+  settings.width = size.first;
+  settings.height = size.second;
+  settings.map_size = map_size;
+  settings.index.step = index_step;
+  settings.profile = profile_named(profile);
+  SceneSetup setup;
+  setup.light_kinds = technique->lights;
+  if (camera) setup.camera = vector_of(*camera);
+  if (look_at) setup.look_at = vector_of(*look_at);
+  if (light) setup.light = vector_of(*light);
+  setup.fov_degrees = fov;
+
+  std::optional<Result<Rendering>> drawn;
+  {
+    const py::gil_scoped_release others_may_run;
+    if (size.first < 1 || size.second < 1) throw Error{"size is width and height, each at least 1"};
+    auto scene = read_scene(scene_file);
+    if (!scene) throw Error{scene.error().text()};
+    const float aspect_ratio = static_cast<float>(size.first) / static_cast<float>(size.second);
+    const auto complete = complete_scene(std::move(*scene), setup, aspect_ratio);
+    if (!complete) throw Error{complete.error().text()};
+    drawn.emplace(technique->render(*complete, settings, {}));
+  }
+  if (!*drawn) throw Error{drawn->error().text()};
+  const auto rendering = std::make_shared<Rendering>(std::move(drawn->value()));
+  const Surface& frame = rendering->frame;
+  py::dict answer;
+  constexpr std::array kColors{"red", "green", "blue", "alpha"};
+  for (int c = 0; c < 4; ++c) {
+    answer[kColors[static_cast<std::size_t>(c)]] = upright(frame.color(c), frame.width(), frame.height(), rendering);
+  }
+  answer["depth"] = upright(frame.depth(), frame.width(), frame.height(), rendering);
+  answer["stencil"] = upright(frame.stencil(), frame.width(), frame.height(), rendering);
+  answer["background"] = rendering->background;
+  answer["lit"] = rendering->lit;
+  answer["shadowed"] = rendering->shadowed;
+  py::dict facts;
+  for (const Fact& fact : rendering->facts) {
+    facts[py::str(fact.name)] = std::visit([](const auto& value) { return py::cast(value); }, fact.value);
+  }
+  answer["facts"] = facts;
+  return answer;
+}
+
+}  // namespace
+
+void add_render(py::module_& module) {
+  module.def(
+      "techniques",
+      [] {
+        std::vector<std::string> names;
+        for (const Technique& technique : techniques()) names.emplace_back(technique.name);
+        return names;
+      },
+      "The names of the shadow techniques, the default first.");
+  module.def(
+      "render", &render, py::arg("scene"), py::kw_only(), py::arg("technique") = "index-cube",
+      py::arg("size") = std::pair{1024, 768}, py::arg("map_size") = 512, py::arg("profile") = "geforce2",
+      py::arg("index_step") = 2, py::arg("camera") = py::none(), py::arg("look_at") = py::none(),
+      py::arg("fov") = py::none(), py::arg("light") = py::none(),
+      "Draws a scene's shadows. Gives 'red', 'green', 'blue', 'alpha', 'stencil' (uint8; a stencil of 0 is light) and "
+      "'depth' (uint32 codes) as upright arrays of the shape (height, width), the rendering's own memory; the pixels "
+      "that are 'background', 'lit' and 'shadowed'; and the technique's 'facts'.");
+}
+
+}  // namespace ninebit::python

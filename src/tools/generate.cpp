@@ -1,0 +1,24 @@
+// `ninebit generate man|bash|zsh|fish`, which the build runs and the help does not show: the manual page and the
+// completions, from the very app that parses the command line.
+#include <memory>
+
+#include "src/tools/program.h"
+#include "src/tools/verb_text.h"
+
+namespace ninebit::tools {
+
+void add_generate(CLI::App& app, int& exit_code) {
+  CLI::App* verb = app.add_subcommand("generate", "Write the manual page or a shell's completions")->group("");
+  verb->footer("Example: ninebit generate bash > ~/.local/share/bash-completion/completions/ninebit");
+  auto form = std::make_shared<std::string>();
+  verb->add_option("form", *form, "What to write")->required()->check(CLI::IsMember({"man", "bash", "zsh", "fish"}));
+  verb->callback([form, &app, &exit_code] {
+    const VerbText program = describe(app);
+    exit_code = answer(*form == "man"    ? manual_page(program)
+                       : *form == "bash" ? bash_completion(program)
+                       : *form == "zsh"  ? zsh_completion(program)
+                                         : fish_completion(program));
+  });
+}
+
+}  // namespace ninebit::tools

@@ -1,0 +1,222 @@
+// `ninebit verify`: somebody else's combiner, or a chip's pictures, against ninebit, row by row.
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <map>
+#include <memory>
+#include <optional>
+
+#include "src/tools/verify_rules.h"
+#include "src/tools/verify_table.h"
+
+namespace ninebit::tools {
+namespace {
+
+struct VerifyFlags {
+  CommonFlags common;
+  std::string table;
+  ProgramFlags program;
+  int most = 20;
+};
+
+// A row that does not agree.
+struct Difference {
+  VerifyRow row;
+  std::vector<int> codes;
+  std::vector<std::size_t> explained_by;  // rivals under which it would agree
+};
+
+struct Verdict {
+  std::size_t rows = 0, agree = 0;
+  std::vector<Difference> differences;             // the first ones
+  std::map<std::string, std::size_t> where;        // rows by the first place that differs
+  std::vector<std::size_t> explained, agree_then;  // by rival: of the differing rows; of all rows
+};
+
+// Where a value stands: "general combiner 0, rgb", "output, alpha".
+std::string place_of(const Expectation& expected) {
+  const char* const portion = expected.component == kAlpha ? "alpha" : "rgb";
+  if (!expected.stage) return fmt::format("output, {}", portion);
+  return fmt::format("general combiner {}, {}", *expected.stage, portion);
+}
+
+void judge(const VerifyRow& row, const HardwareProfile& profile, const std::vector<Rival>& rivals, std::size_t most,
+           Verdict& verdict) {
+  ++verdict.rows;
+  std::vector<int> codes = computed(row, profile);
+  const bool agree = agrees(row, codes);
+  std::vector<std::size_t> explained_by;
+  for (std::size_t i = 0; i < rivals.size(); ++i) {
+    if (!agrees(row, computed(row, rivals[i].profile))) continue;
+    ++verdict.agree_then[i];
+    if (agree) continue;
+    ++verdict.explained[i];
+    explained_by.push_back(i);
+  }
+  if (agree) {
+    ++verdict.agree;
+    return;
+  }
+  std::size_t first = 0;
+  while (row.expected[first].allows(codes[first])) ++first;
+  ++verdict.where[place_of(row.expected[first])];
+  if (verdict.differences.size() < most) verdict.differences.push_back({row, std::move(codes), explained_by});
+}
+
+Result<Verdict> judge_table(const VerifyFlags& flags, const std::vector<Rival>& rivals) {
+  const HardwareProfile& profile = profile_of(flags.common);
+  auto table = VerifyTable::open(flags.table, flags.program, profile);
+  if (!table) return table.error();
+  Verdict verdict;
+  verdict.explained.resize(rivals.size());
+  verdict.agree_then.resize(rivals.size());
+  ProgressLine progress(flags.common.quiet);
+  while (true) {
+    auto row = table->next();
+    if (!row) return row.error();
+    if (!*row) break;
+    // The programs' states belong to the table: differences keep what they need of them, their file's name.
+    judge(**row, profile, rivals, static_cast<std::size_t>(flags.most), verdict);
+    constexpr std::size_t kRowsPerStep = 1024;
+    const bool goes_on = verdict.rows % kRowsPerStep == 0 ? progress.step(fmt::format("{} rows", verdict.rows), 0.0)
+                                                          : !ProgressLine::stopped();
+    if (!goes_on) return Diagnostic{.message = "interrupted", .fault = Fault::cancelled};
+  }
+  if (verdict.rows == 0) return csv_fault(table->name(), 1, 1, "the table has no rows");
+  return verdict;
+}
+
+// Rivals that explain something, those that explain most first.
+std::vector<std::size_t> explaining(const Verdict& verdict) {
+  std::vector<std::size_t> found;
+  for (std::size_t i = 0; i < verdict.explained.size(); ++i) {
+    if (verdict.explained[i] > 0) found.push_back(i);
+  }
+  std::stable_sort(found.begin(), found.end(), [&](std::size_t a, std::size_t b) {
+    return std::pair(verdict.explained[a], verdict.agree_then[a]) >
+           std::pair(verdict.explained[b], verdict.agree_then[b]);
+  });
+  return found;
+}
+
+std::string rule_text(const Rival& rival) {
+  const std::string numbers =
+      rival.rules.empty() ? "" : fmt::format(" (rule{} {})", rival.rules.size() > 1 ? "s" : "", rival.rules);
+  return fmt::format("{} = {}{}", rival.field, rival.value, numbers);
+}
+
+std::string difference_text(const Difference& d, const std::string& table, const std::vector<Rival>& rivals) {
+  std::string text = fmt::format("{}:{}: {}", table, d.row.line, d.row.name.empty() ? d.row.program_file : d.row.name);
+  const char* separator = ": ";
+  for (std::size_t i = 0; i < d.codes.size(); ++i) {
+    const Expectation& expected = d.row.expected[i];
+    if (expected.allows(d.codes[i])) continue;
+    text += fmt::format("{}{} is {}, expected {}", separator, expected.column, d.codes[i],
+                        fmt::join(expected.allowed, " or "));
+    separator = "; ";
+  }
+  std::vector<std::string> names;
+  for (const std::size_t i : d.explained_by) names.push_back(fmt::format("{} = {}", rivals[i].field, rivals[i].value));
+  return text + (names.empty() ? "\n" : fmt::format(" [as with {}]\n", fmt::join(names, ", or ")));
+}
+
+std::string text_of(const Verdict& verdict, const std::string& table, const std::vector<Rival>& rivals) {
+  const std::size_t differ = verdict.rows - verdict.agree;
+  std::string text;
+  for (const Difference& difference : verdict.differences) text += difference_text(difference, table, rivals);
+  if (differ > verdict.differences.size()) {
+    text += fmt::format("… and {} rows more\n", differ - verdict.differences.size());
+  }
+  text += fmt::format("{} rows: {} agree, {} differ\n", verdict.rows, verdict.agree, differ);
+  if (differ == 0) return text;
+  text += fmt::format("\n{:<54}{:>8}\n", "first difference in", "rows");
+  for (const auto& [place, count] : verdict.where) text += fmt::format("  {:<52}{:>8}\n", place, count);
+  const auto found = explaining(verdict);
+  if (found.empty()) return text + "\nNo other value of one rule explains any of them.\n";
+  text += fmt::format("\n{:<54}{:>8}  {}\n", "if this were the rule", "explains", "rows that agree then");
+  for (const std::size_t i : found) {
+    text += fmt::format("  {:<52}{:>8}{:>22}\n", rule_text(rivals[i]), verdict.explained[i], verdict.agree_then[i]);
+  }
+  return text;
+}
+
+Json json_of(const Verdict& verdict, const VerifyFlags& flags, const std::vector<Rival>& rivals) {
+  Json places = Json::array(), rules = Json::array(), rows = Json::array();
+  for (const auto& [place, count] : verdict.where) places.push_back({{"place", place}, {"rows", count}});
+  for (const std::size_t i : explaining(verdict)) {
+    rules.push_back({{"field", rivals[i].field},
+                     {"value", rivals[i].value},
+                     {"rules", rivals[i].rules},
+                     {"explains", verdict.explained[i]},
+                     {"agree_then", verdict.agree_then[i]}});
+  }
+  for (const Difference& d : verdict.differences) {
+    Json values = Json::array(), by = Json::array();
+    for (std::size_t i = 0; i < d.codes.size(); ++i) {
+      const Expectation& expected = d.row.expected[i];
+      if (expected.allows(d.codes[i])) continue;
+      values.push_back({{"column", expected.column}, {"expected", expected.allowed}, {"computed", d.codes[i]}});
+    }
+    for (const std::size_t i : d.explained_by) by.push_back(rivals[i].field);
+    rows.push_back({{"line", d.row.line},
+                    {"name", d.row.name},
+                    {"program", d.row.program_file},
+                    {"differences", std::move(values)},
+                    {"explained_by", std::move(by)}});
+  }
+  return {{"command", "verify"},
+          {"version", NINEBIT_VERSION},
+          {"profile", flags.common.profile},
+          {"table", flags.table},
+          {"count", verdict.rows},
+          {"agree", verdict.agree},
+          {"differ", verdict.rows - verdict.agree},
+          {"places", std::move(places)},
+          {"rules", std::move(rules)},
+          {"rows", std::move(rows)}};
+}
+
+int run(const VerifyFlags& flags) {
+  const std::vector<Rival> rivals = rivals_of(profile_of(flags.common));
+  const auto verdict = judge_table(flags, rivals);
+  if (!verdict) return report(verdict.error());
+  const bool agree = verdict->agree == verdict->rows;
+  const std::string text =
+      flags.common.json ? json_of(*verdict, flags, rivals).dump(2, ' ', false, Json::error_handler_t::replace) + "\n"
+                        : text_of(*verdict, flags.table == "-" ? "standard input" : flags.table, rivals);
+  if (const int code = answer(text); code != kDone) return code;
+  return agree ? kDone : kDifference;
+}
+
+}  // namespace
+
+void add_verify(CLI::App& app, int& exit_code) {
+  CLI::App* verb = app.add_subcommand("verify", "Check another combiner's results, or a chip's, against these");
+  verb->footer(
+      "The table has a header and whole numbers: `program` (a file beside the table, in any form), `name`, inputs as\n"
+      "in `ninebit eval` (tex0.r, const0.a), and what should come out: out.r, or stage0.spare0.r for a register after\n"
+      "general combiner 0. 62|63 allows either; nothing is an input's default, or nothing expected.\n"
+      "It tells where rows first differ, and which rule of the profile, had it another value, would explain them.\n"
+      "Exit codes: 0 all rows agree, 1 some differ, 3 no table or no program.\n"
+      "Examples:\n"
+      "  ninebit verify results.csv --profile nv2a\n"
+      "  ninebit verify results.csv --program compare.gl --json");
+  auto flags = std::make_shared<VerifyFlags>();
+  add_common_flags(*verb, flags->common);
+  verb->add_option("table", flags->table, "Table of rows, - for standard input")
+      ->required()
+      ->type_name("FILE.csv")
+      ->check(CLI::Validator(
+          [](const std::string& text) { return std::string(text.empty() ? "the file name is empty" : ""); }, ""));
+  verb->add_option("--program", flags->program.file, "Program of rows that name none")->type_name("PROGRAM");
+  verb->add_option("--from", flags->program.from, "The programs' form; told by their content where not given")
+      ->check(CLI::IsMember({"gl", "rc10", "words", "json"}));
+  verb->add_option("--chip", flags->program.chip, "The chip whose register words are meant; follows the profile")
+      ->check(CLI::IsMember({"nv10", "nv20"}));
+  verb->add_option("--most", flags->most, "Rows that differ to list at most")
+      ->capture_default_str()
+      ->check(CLI::Range(0, 1'000'000));
+  verb->callback([flags, &exit_code] { exit_code = run(*flags); });
+}
+
+}  // namespace ninebit::tools
