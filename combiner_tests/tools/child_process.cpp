@@ -35,6 +35,10 @@ std::string content_of(std::FILE* file) {
     const rlimit limit{*settings.file_size_limit, *settings.file_size_limit};
     ready = ready && ::setrlimit(RLIMIT_FSIZE, &limit) == 0;
   }
+  if (settings.address_space) {
+    const rlimit limit{*settings.address_space, *settings.address_space}, no_core{0, 0};
+    ready = ready && ::setrlimit(RLIMIT_AS, &limit) == 0 && ::setrlimit(RLIMIT_CORE, &no_core) == 0;
+  }
   const int in = ::open(settings.in.empty() ? "/dev/null" : settings.in.c_str(), O_RDONLY);
   ready = ready && ::dup2(in, STDIN_FILENO) >= 0 && ::dup2(out, STDOUT_FILENO) >= 0 && ::dup2(err, STDERR_FILENO) >= 0;
   if (ready) ::execv(kProgram.c_str(), arguments);

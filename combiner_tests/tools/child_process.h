@@ -23,6 +23,7 @@ struct Outcome {
 struct ChildSettings {
   std::string folder{};                            // to run in; empty: the caller's
   std::optional<std::uint64_t> file_size_limit{};  // bytes that any file may have, as RLIMIT_FSIZE
+  std::optional<std::uint64_t> address_space{};    // bytes that it may map, as RLIMIT_AS; then it dumps no core, too
   std::string in{};                                // what stdin reads; empty: nothing
   std::string out{};                               // where stdout goes instead of into the Outcome
   std::string err{};                               // the same for stderr

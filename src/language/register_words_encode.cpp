@@ -71,6 +71,7 @@ bool differs(const GeneralCombiner& stage, bool with_constants) {
   return stage.rgb != plain.rgb || stage.alpha != plain.alpha;
 }
 
+// `state` holds GL's defaults in the general combiners that its profile lacks: nothing has checked what stood there.
 std::vector<RegisterWord> encode(const CombinerState& state, ChipClass chip) {
   std::vector<RegisterWord> found;
   const auto put = [&](Kind kind, int index, std::uint32_t value) {
@@ -113,11 +114,13 @@ Result<std::vector<RegisterWord>> encode_register_words(const CombinerState& sta
                                                         const HardwareProfile& profile) {
   const std::vector<StateDiagnostic> wrong = validate(state, profile);
   if (!wrong.empty()) return Diagnostic{"register words: the state is not valid: " + wrong.front().message};
+  CombinerState held = state;
+  for (int i = profile.general_combiners; i < kMaxGeneralCombiners; ++i) held.general[static_cast<std::size_t>(i)] = {};
   if (chip == ChipClass::nv10) {
-    const std::string lacks = words::nv10_lacks(state);
+    const std::string lacks = words::nv10_lacks(held);
     if (!lacks.empty()) return Diagnostic{"register words: " + lacks};
   }
-  return words::encode(state, chip);
+  return words::encode(held, chip);
 }
 
 }  // namespace ninebit

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <new>
 #include <string>
 #include <utility>
 
@@ -73,7 +74,9 @@ bool trace(const Rays& rays, const LightRay& ray, std::uint32_t own, std::vector
   return boxed.tfar < 0.0F;
 }
 
+// Throws std::bad_alloc where that is what Embree lacks.
 Diagnostic refused(RTCError code) {
+  if (code == RTC_ERROR_OUT_OF_MEMORY) throw std::bad_alloc();
   return Diagnostic{.message = "Embree cannot prepare the scene for rays: error " + std::to_string(code)};
 }
 
