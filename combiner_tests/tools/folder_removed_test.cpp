@@ -1,6 +1,7 @@
 // The output folder removed while a verb works: exit code 4 and one line, never a success whose files nobody has.
 #include <gtest/gtest.h>
 #include <sys/stat.h>
+#include <sys/syscall.h>
 
 #include <atomic>
 #include <chrono>
@@ -8,6 +9,7 @@
 #include <functional>
 #include <thread>
 
+#include "combiner_tests/combiner/sanitized.h"
 #include "combiner_tests/tools/program_support.h"
 
 namespace tools_test {
@@ -55,6 +57,30 @@ TEST_F(FolderRemoved, WhileAStudyRuns) {
     return name == "part-1-of-1.jsonl" && std::filesystem::file_size(out_ + '/' + name) > 2000;
   };
   expect_error(run({"study", "index-steps", "--quiet", "-o", out_}, begun), 4, {"part-1-of-1.jsonl", "was removed"});
+  EXPECT_FALSE(std::filesystem::exists(out_));
+}
+
+TEST_F(FolderRemoved, WhileAReportIsWritten) {
+  const std::string parts = folder_ / "parts";
+  ASSERT_EQ(ninebit({"study", "index-steps", "--formats", "la", "--steps", "1-2", "--quiet", "-o", parts}).code, 0);
+  const auto begun = [](const std::string& name) { return name.starts_with(".report"); };
+  expect_error(run({"study", "merge", parts + "/part-1-of-1.jsonl", "--quiet", "-o", out_}, begun), 4, {out_});
+  EXPECT_FALSE(std::filesystem::exists(out_));
+}
+
+// That is over too soon to be seen from outside: the program is held where it brings its file to the disk.
+TEST_F(FolderRemoved, WhileAProgramIsConverted) {
+  if (ninebit::test::kSanitized) GTEST_SKIP() << "the leak sanitizer does not work in a traced program";
+  Child child({"convert", kArticle, "--to", "rc10", "-o", out_ + "/article.rc"}, {.traced = true});
+  if (!child.run_to([](std::uint64_t call) { return call == SYS_fsync; })) {
+    const Outcome outcome = child.wait();
+    if (outcome.code == 126) GTEST_SKIP() << "tracing is not allowed here";
+    FAIL() << "it ended before it wrote: " << outcome.err;
+  }
+  EXPECT_EQ(files_in(out_).size(), 1U);
+  std::filesystem::remove_all(out_);
+  child.let_go();
+  expect_error(child.wait(), 4, {out_ + "/article.rc"});
   EXPECT_FALSE(std::filesystem::exists(out_));
 }
 

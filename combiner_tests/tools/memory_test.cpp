@@ -8,21 +8,22 @@
 namespace tools_test {
 namespace {
 
-constexpr std::uint64_t kMiB = std::uint64_t{1} << 20U;
+constexpr std::uint64_t kMebibyte = std::uint64_t{1} << 20U;
 
 class Memory : public testing::Test {
  protected:
   void SetUp() override {
     if (ninebit::test::kSanitized) GTEST_SKIP() << "sanitizers map more than any limit";
     // The least that the program's libraries are loaded into.
-    while (start_ < 4096 * kMiB && ninebit({"--help"}, {.address_space = start_}).code != 0) start_ += 4 * kMiB;
-    ASSERT_LT(start_, 4096 * kMiB);
+    while (start_ < 4096 * kMebibyte && ninebit({"--help"}, {.address_space = start_}).code != 0)
+      start_ += 4 * kMebibyte;
+    ASSERT_LT(start_, 4096 * kMebibyte);
   }
 
   // Runs with ever more memory, until it is enough twice.
-  void expect_result_or_error(const std::vector<std::string>& arguments) const {
+  void expect_result_or_error(const std::vector<std::string>& arguments, std::uint64_t step) const {
     int lacked = 0, done = 0;
-    for (std::uint64_t more = 0; more < 4096 * kMiB && done < 2; more += kMiB + more / 8) {
+    for (std::uint64_t more = 0; more < 4096 * kMebibyte && done < 2; more += step) {
       SCOPED_TRACE(testing::Message() << start_ + more << " bytes");
       const std::filesystem::path out = folder_.path() / "out";
       const Outcome outcome = ninebit(arguments, {.address_space = start_ + more});
@@ -41,27 +42,30 @@ class Memory : public testing::Test {
   }
 
   TempFolder folder_;
-  std::uint64_t start_ = 8 * kMiB;
+  std::uint64_t start_ = 8 * kMebibyte;
 };
 
 TEST_F(Memory, OfARendering) {
   expect_result_or_error(
-      small_render(kRoom, folder_ / "out", {"--quiet", "--ground-truth", "--layers", "--threads", "6"}));
+      small_render(kRoom, folder_ / "out", {"--quiet", "--ground-truth", "--layers", "--threads", "6"}), 4 * kMebibyte);
 }
 
 TEST_F(Memory, OfALargerScene) {
-  expect_result_or_error(small_render(
-      kBunny, folder_ / "out", {"--quiet", "--ground-truth", "--layers", "--size", "800x600", "--threads", "3"}));
+  expect_result_or_error(small_render(kBunny, folder_ / "out",
+                                      {"--quiet", "--ground-truth", "--layers", "--size", "200x150", "--threads", "3"}),
+                         16 * kMebibyte);
 }
 
 TEST_F(Memory, OfAStudy) {
-  expect_result_or_error({"study", "index-steps", "--formats", "la", "--steps", "1-4", "--quiet", "--threads", "6",
-                          "-o", folder_ / "out"});
+  expect_result_or_error({"study", "index-steps", "--formats", "channel", "--steps", "1-4", "--quiet", "--threads", "6",
+                          "-o", folder_ / "out"},
+                         kMebibyte);
 }
 
 TEST_F(Memory, OfAStudyOfRenderings) {
   expect_result_or_error({"study", "shadows", kRoom, "--map-sizes", "32", "--steps", "2", "--size", "48x36", "--quiet",
-                          "--threads", "6", "-o", folder_ / "out"});
+                          "--threads", "6", "-o", folder_ / "out"},
+                         4 * kMebibyte);
 }
 
 }  // namespace

@@ -87,6 +87,10 @@ int finish(const Study& study, const std::string& folder, std::span<const StudyR
   const auto made = study.report(rows, done);
   if (!made) return report(made.error());
   if (!folder.empty()) {
+    // From here on a first signal lets the report be finished.
+    if (!ProgressLine(flags.quiet).step("report", 1.0)) {
+      return report({.message = "interrupted", .fault = Fault::cancelled});
+    }
     const auto files = write_report(folder, study.question(), NINEBIT_VERSION, *made, rows);
     if (!files) return report(files.error());
     for (const auto& file : *files) {
