@@ -59,7 +59,7 @@ TEST_F(Memory, OfALargerScene) {
 TEST_F(Memory, OfAStudy) {
   expect_result_or_error({"study", "index-steps", "--formats", "channel", "--steps", "1-4", "--quiet", "--threads", "6",
                           "-o", folder_ / "out"},
-                         kMebibyte);
+                         4 * kMebibyte);
 }
 
 TEST_F(Memory, OfAStudyOfRenderings) {
