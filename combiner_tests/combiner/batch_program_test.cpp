@@ -64,7 +64,7 @@ TEST(BatchProgram, TakesTheNarrowestOperation) {
             "out.r = clamp(u16:truncate((max(primary_color.r, 0)*max(primary_color.r, 0))*4 / 255), 0, 255)\n");
   EXPECT_EQ(product_of(any, any), "out.r = u16:truncate((fog.r*fog.r) / 255)\n") << "a square is not negative";
   EXPECT_EQ(product_of(positive, any),
-            "t0 = s16:truncate((fog.r*max(primary_color.r, 0)) / 255)\nout.r = 1*max(t0, 0)\n");
+            "t0 = s16:truncate((max(primary_color.r, 0)*fog.r) / 255)\nout.r = 1*max(t0, 0)\n");
   EXPECT_EQ(product_of(positive, any, Scale::by_one_half),
             "t0 = s32:truncate((fog.r*max(primary_color.r, 0)) / 510)\nout.r = 1*max(t0, 0)\n");
   EXPECT_EQ(product_of(positive, any, Scale::none, profiles::geforce256_8bit),
@@ -162,7 +162,7 @@ TEST(BatchProgram, RegistersThatChangePlaces) {
 }
 
 // Stages 0 to 3 map each texture in four ways, stages 4 to 7 multiply the same mapped values otherwise: all of them
-// wait at once, more than the first cache would hold with 256 lanes.
+// wait at once, more than the first cache would hold with 512 lanes.
 TEST(BatchProgram, ManyTemporaries) {
   const HardwareProfile& profile = profiles::nv2a;
   CombinerState state = silent_state(8);
@@ -181,7 +181,8 @@ TEST(BatchProgram, ManyTemporaries) {
   }
   state.final_combiner = final_of(Register::spare0);
   const Program program = compile(state, profile).value();
-  EXPECT_NE(BatchProgram(program, {.registers = true}).describe().find("t64 = "), std::string::npos) << "64 are 32 KiB";
+  EXPECT_NE(BatchProgram(program, {.registers = true}).describe().find("t64 = "), std::string::npos)
+      << "64 of 512 lanes are 64 KiB";
   Random random(0x7E3905);
   std::vector<RegisterFile> fragments(kBatchSize);
   for (RegisterFile& registers : fragments) registers = random_registers(random, profile);

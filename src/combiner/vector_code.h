@@ -22,7 +22,9 @@ enum class Kernel : std::uint8_t {
   // quotient rounded down or to nearest. With `adds` a last source is added to the quotient. One to three terms. The
   // sum saturates at 65535, whose quotient is 257.
   unsigned_products,
-  // One product of values of any sign, in 16 bits: clamp(x0·x1 · 2^doublings / 255), toward zero or to nearest.
+  // One product of values of any sign, in 16 bits: x0·x1 · 2^doublings / 255, toward zero or to nearest, no farther
+  // from
+  // zero than `high` where it clamps. With `positive_first` x0 is not negative; without it there are no floors.
   signed_product,
   // clamp((x0·x1 + x2·x3 + … + bias) · reciprocal), in 32 bits and floats, toward zero or to nearest. One to six terms.
   products,
@@ -38,6 +40,7 @@ struct Formula {
   bool adds = false;
   bool halves = false;
   bool nearest = false;
+  bool positive_first = false;
   int doublings = 0;
   std::array<int, 2> factor{};
   int offset = 0;

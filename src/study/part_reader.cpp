@@ -130,7 +130,7 @@ Result<PartState> read_part_state(const std::filesystem::path& file) {
       seen[unit->unit] = true;
       part.units.push_back(*std::move(unit));
     }
-    state.hash->add({reinterpret_cast<const unsigned char*>(line.data()), line.size()});
+    state.hash->add(line);
     state.whole_bytes += line.size();
   }
   return state;

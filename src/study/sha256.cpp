@@ -18,7 +18,7 @@ Sha256::~Sha256() {
   EVP_MD_CTX_free(static_cast<EVP_MD_CTX*>(context_));
 }
 
-void Sha256::add(std::span<const unsigned char> bytes) {
+void Sha256::add_bytes(std::span<const std::byte> bytes) {
   EVP_DigestUpdate(static_cast<EVP_MD_CTX*>(context_), bytes.data(), bytes.size());
 }
 
@@ -32,7 +32,7 @@ std::string Sha256::finish() {
 
 std::string sha256(std::string_view text) {
   Sha256 hash;
-  hash.add({reinterpret_cast<const unsigned char*>(text.data()), text.size()});
+  hash.add(text);
   return hash.finish();
 }
 

@@ -1,6 +1,7 @@
 // SHA-256: of raw planes, so that two runs can be compared by eye, and of what a study leaves on the disk.
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <string>
 #include <string_view>
@@ -14,12 +15,18 @@ class Sha256 {
   Sha256(const Sha256&) = delete;
   Sha256& operator=(const Sha256&) = delete;
 
-  void add(std::span<const unsigned char> bytes);
+  // Values that lie side by side, with the bytes that they have in memory.
+  template <class Values>
+  void add(const Values& values) {
+    add_bytes(std::as_bytes(std::span(values)));
+  }
 
   // Lower-case hexadecimal; call once.
   [[nodiscard]] std::string finish();
 
  private:
+  void add_bytes(std::span<const std::byte> bytes);
+
   void* context_;
 };
 

@@ -29,13 +29,9 @@ constexpr auto kOffsets = search_grid();
 // Of the triangles, wherever the file keeps them.
 std::string hash_of(const Scene& scene) {
   Sha256 hash;
-  const auto add = [&](const auto& values) {
-    const auto bytes = std::as_bytes(std::span(values));
-    hash.add({reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size()});
-  };
-  add(scene.positions);
-  add(scene.triangles);
-  add(scene.triangle_object);
+  hash.add(scene.positions);
+  hash.add(scene.triangles);
+  hash.add(scene.triangle_object);
   return hash.finish();
 }
 

@@ -84,7 +84,7 @@ class PartWriter {
 
  private:
   Status append(const std::string& line) {
-    state_.hash->add({reinterpret_cast<const unsigned char*>(line.data()), line.size()});
+    state_.hash->add(line);
     return write(line);
   }
 

@@ -6,6 +6,12 @@
 
 namespace ninebit::tools {
 
+std::string_view trimmed(std::string_view text) {
+  const std::size_t first = text.find_first_not_of(" \t");
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(" \t") - first + 1);
+}
+
 Diagnostic csv_fault(const std::string& file, int line, std::size_t column, std::string message) {
   return {.message = std::move(message), .file = fmt::format("{}:{}:{}", file, line, column)};
 }

@@ -19,6 +19,9 @@ struct CsvLine {
 // "FILE:LINE:COLUMN: MESSAGE".
 [[nodiscard]] Diagnostic csv_fault(const std::string& file, int line, std::size_t column, std::string message);
 
+// Without the blanks around it.
+[[nodiscard]] std::string_view trimmed(std::string_view text);
+
 class CsvLines {
  public:
   // There is a ProgressLine: interrupts are noticed while waiting.

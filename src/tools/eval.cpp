@@ -114,21 +114,15 @@ Result<std::size_t> stream(CsvLines& lines, const EvalRows& rows, EvalRunner& ru
 
 Result<std::size_t> evaluate_table(const EvalFlags& flags, const CombinerState& state, ProgressLine& progress) {
   const HardwareProfile& profile = profile_of(flags.common);
-  auto input = InputFile::open(flags.inputs);
-  if (!input) return input.error();
-  CsvLines lines(std::move(*input));
-  auto header = lines.next();
-  if (!header) return header.error();
-  if (!*header) return csv_fault(lines.name(), 1, 1, "the table is empty; expected a header such as primary.r,tex0.a");
-  auto columns = read_header(**header, lines.name(), profile);
-  if (!columns) return columns.error();
-  const EvalRows rows(std::move(*columns), profile);
+  auto table = EvalTable::open(flags.inputs, profile);
+  if (!table) return table.error();
+  const EvalRows rows(table->columns, profile);
   EvalRunner runner(state, profile, rows, flags.engine == "simd" ? EvalEngine::simd : EvalEngine::reference);
 
   auto output = OutputFile::open(flags.output);
   if (!output) return output.error();
   Writer writer(flags, profile, *output);
-  auto total = stream(lines, rows, runner, writer, progress);
+  auto total = stream(table->lines, rows, runner, writer, progress);
   if (!total) return total;
   if (Status finished = writer.finish(); !finished) return finished.error();
   return total;

@@ -9,14 +9,6 @@
 namespace ninebit::tools {
 namespace {
 
-constexpr std::string_view kComponents = "rgba";
-
-std::string_view trimmed(std::string_view text) {
-  const std::size_t first = text.find_first_not_of(" \t");
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(" \t") - first + 1);
-}
-
 // Foreign bytes as they can be shown on one line.
 std::string shown(std::string_view text) {
   constexpr std::size_t kMost = 40;
@@ -69,6 +61,18 @@ Result<std::vector<EvalColumn>> read_header(const CsvLine& line, const std::stri
     if (comma == std::string_view::npos) return columns;
     rest.remove_prefix(comma + 1);
   }
+}
+
+Result<EvalTable> EvalTable::open(const std::string& file, const HardwareProfile& profile) {
+  auto input = InputFile::open(file);
+  if (!input) return input.error();
+  CsvLines lines(std::move(*input));
+  auto header = lines.next();
+  if (!header) return header.error();
+  if (!*header) return csv_fault(lines.name(), 1, 1, "the table is empty; expected a header such as primary.r,tex0.a");
+  auto columns = read_header(**header, lines.name(), profile);
+  if (!columns) return columns.error();
+  return EvalTable{std::move(lines), *std::move(columns)};
 }
 
 EvalRows::EvalRows(std::vector<EvalColumn> columns, const HardwareProfile& profile)

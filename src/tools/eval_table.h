@@ -12,6 +12,8 @@
 
 namespace ninebit::tools {
 
+inline constexpr std::string_view kComponents = "rgba";
+
 // One component of a register, named as in "tex0.a".
 struct EvalColumn {
   Register reg = Register::zero;
@@ -32,6 +34,15 @@ struct EvalBatch {
   RegisterBatch registers{};  // constants included; those of columns that the table has
   OutputBatch out{};
   std::size_t count = 0;
+};
+
+// A table of which the header has been read.
+struct EvalTable {
+  CsvLines lines;
+  std::vector<EvalColumn> columns;
+
+  // There is a ProgressLine: interrupts are noticed while waiting.
+  [[nodiscard]] static Result<EvalTable> open(const std::string& file, const HardwareProfile& profile);
 };
 
 class EvalRows {

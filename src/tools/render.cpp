@@ -45,11 +45,7 @@ Json hashes(const Rendering& rendering) {
   if (!rendering.index_map.empty()) out["index_map"] = index_map.finish();
   std::map<std::string, Sha256> maps;  // all planes of one name together
   for (const Layer& map : rendering.maps) {
-    const auto add = [&](const auto& samples) {
-      const auto bytes = std::as_bytes(std::span(samples));
-      maps[map.part].add({reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size()});
-    };
-    std::visit(add, map.samples);
+    std::visit([&](const auto& samples) { maps[map.part].add(samples); }, map.samples);
   }
   for (auto& [name, hash] : maps) out[name] = hash.finish();
   return out;

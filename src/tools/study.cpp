@@ -70,7 +70,7 @@ Status add_content(StudyQuestion& question, const std::string& file) {
     const auto piece = input->read();
     if (!piece) return piece.error();
     if (piece->empty()) break;
-    hash.add({reinterpret_cast<const unsigned char*>(piece->data()), piece->size()});
+    hash.add(*piece);
   }
   question.options.emplace_back("sha256 of " + file, hash.finish());
   return {};

@@ -69,16 +69,11 @@ Result<ProgramInputs> read_inputs(const DatapathFlags& flags, const HardwareProf
     if (!columns) return columns.error();
     return ProgramInputs{.components = components_of(*columns)};
   }
-  auto input = InputFile::open(flags.inputs);
-  if (!input) return input.error();
-  CsvLines lines(std::move(*input));
-  auto header = lines.next();
-  if (!header) return header.error();
-  if (!*header) return csv_fault(lines.name(), 1, 1, "the table is empty; expected a header such as primary.r,tex0.a");
-  auto columns = read_header(**header, lines.name(), profile);
-  if (!columns) return columns.error();
+  auto table = EvalTable::open(flags.inputs, profile);
+  if (!table) return table.error();
+  auto& [lines, columns] = *table;
   constexpr std::size_t kMostCodes = std::size_t{1} << 28;
-  const EvalRows rows(*columns, profile);
+  const EvalRows rows(columns, profile);
   const auto batch = std::make_unique<EvalBatch>();
   std::vector<s9> codes;
   while (true) {
@@ -87,7 +82,7 @@ Result<ProgramInputs> read_inputs(const DatapathFlags& flags, const HardwareProf
     if (!*line) break;
     rows.begin(*batch);
     if (Status added = rows.add(**line, lines.name(), *batch); !added) return added.error();
-    for (const EvalColumn& column : *columns) codes.push_back(batch->registers(column.reg, column.component)[0]);
+    for (const EvalColumn& column : columns) codes.push_back(batch->registers(column.reg, column.component)[0]);
     if (codes.size() > kMostCodes) {
       return csv_fault(lines.name(), (*line)->number, 1, fmt::format("more than {} codes are too many", kMostCodes));
     }
@@ -95,7 +90,7 @@ Result<ProgramInputs> read_inputs(const DatapathFlags& flags, const HardwareProf
   if (codes.empty()) return csv_fault(lines.name(), 2, 1, "the table has no rows");
   question.options.emplace_back("--inputs", flags.inputs);
   if (Status added = add_content(question, flags.inputs); !added) return added.error();
-  return ProgramInputs{.components = components_of(*columns), .codes = std::move(codes)};
+  return ProgramInputs{.components = components_of(columns), .codes = std::move(codes)};
 }
 
 // The study that the flags ask for.

@@ -23,7 +23,7 @@ std::string build_of_program() {
   Sha256 hash;
   std::vector<char> piece(1 << 16);
   while (program.read(piece.data(), static_cast<std::streamsize>(piece.size())), program.gcount() > 0) {
-    hash.add({reinterpret_cast<const unsigned char*>(piece.data()), static_cast<std::size_t>(program.gcount())});
+    hash.add(std::span(piece).first(static_cast<std::size_t>(program.gcount())));
   }
   return fmt::format("{} {}", NINEBIT_VERSION, hash.finish().substr(0, 16));
 }

@@ -18,16 +18,18 @@ namespace NINEBIT_PUBLIC ninebit {
 
 // The register file of one fragment. `zero` and the constants are the program's affair: what stands there is not read.
 struct RegisterFile {
-  std::array<Rgba9, kRegisterCount> value{};
-  constexpr Rgba9& operator[](Register r) { return value[static_cast<std::size_t>(r)]; }
-  constexpr const Rgba9& operator[](Register r) const { return value[static_cast<std::size_t>(r)]; }
+  std::array<Rgba9, kRegisterCount> value{};  // by Register
+  constexpr Rgba9& operator[](Register r) {
+    return value[static_cast<std::size_t>(r)];
+  }  // one of the first kRegisterCount
+  constexpr const Rgba9& operator[](Register r) const { return value[static_cast<std::size_t>(r)]; }  // likewise
   friend constexpr bool operator==(const RegisterFile&, const RegisterFile&) = default;
 };
 
 // One fragment's registers after the last general combiner, and the colour that leaves the final combiner.
 struct EvaluatedFragment {
-  RegisterFile registers;
-  Rgba9 color{};
+  RegisterFile registers;  // `zero` and constants as they were given
+  Rgba9 color{};           // codes in [0, one]
 };
 
 // Runs a program of any arithmetic over one fragment. Not constexpr; for integer arithmetic the same as the functions
@@ -74,6 +76,7 @@ constexpr V select_where_at_least(V v, V limit, V yes, V no) {
   return v >= limit ? yes : no;
 }
 
+// How the functions of combiner_rules.inl are declared here; not defined after this header.
 #define NINEBIT_RULE constexpr
 #include "ninebit/numerics/combiner_rules.inl"
 #include "ninebit/numerics/visibility.h"
@@ -200,11 +203,13 @@ constexpr void evaluate_general(const Program& program, RegisterFile& registers)
   return evaluate_final(program, registers);
 }
 
-inline constexpr std::size_t kBatchSize = 256;
+// Fragments in a batch.
+inline constexpr std::size_t kBatchSize = 512;
 
-// Registers of up to kBatchSize fragments, planar: a few tens of KiB that stay in the first caches.
+// Registers of up to kBatchSize fragments, planar: 64 KiB, of which a program touches the planes that it names.
 struct alignas(64) RegisterBatch {
-  std::array<std::array<std::array<s9, kBatchSize>, 4>, kRegisterCount> plane;
+  std::array<std::array<std::array<s9, kBatchSize>, 4>, kRegisterCount> plane;  // by Register, component, fragment
+  // The kBatchSize codes of one component (kRed to kAlpha) of one of the first kRegisterCount registers.
   [[nodiscard]] s9* operator()(Register r, int component) {
     return plane[static_cast<std::size_t>(r)][static_cast<std::size_t>(component)].data();
   }
@@ -215,7 +220,7 @@ struct alignas(64) RegisterBatch {
 
 // What leaves the combiners, planar: red, green, blue, alpha codes in [0, one].
 struct alignas(64) OutputBatch {
-  std::array<std::array<s9, kBatchSize>, 4> plane;
+  std::array<std::array<s9, kBatchSize>, 4> plane;  // by component, fragment
 };
 
 }  // namespace ninebit

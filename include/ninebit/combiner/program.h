@@ -14,8 +14,9 @@
 
 namespace NINEBIT_PUBLIC ninebit {
 
+// A general combiner of a program: its portions, and its constants as codes.
 struct ProgramStage {
-  Portion rgb, alpha;
+  Portion rgb, alpha;              // normalized
   Rgba9 constant0{}, constant1{};  // codes
   friend constexpr bool operator==(const ProgramStage&, const ProgramStage&) = default;
 };
@@ -24,12 +25,12 @@ struct ProgramStage {
 // programs: inputs whose product is not used, constants that nothing reads, flags without effect and stages past the
 // last are set to fixed values.
 struct Program {
-  Datapath datapath;
-  int num_general_combiners = 1;
-  bool color_sum_clamp = true;
-  std::array<ProgramStage, kMaxGeneralCombiners> general{};
-  FinalCombiner final_combiner{};
-  Rgba9 constant0{}, constant1{};  // of the final combiner, codes
+  Datapath datapath;                                         // the arithmetic of the profile it was compiled for
+  int num_general_combiners = 1;                             // stages that run: 1 to kMaxGeneralCombiners
+  bool color_sum_clamp = true;                               // true also where nothing reads the colour sum
+  std::array<ProgramStage, kMaxGeneralCombiners> general{};  // those past the last do nothing
+  FinalCombiner final_combiner{};                            // normalized
+  Rgba9 constant0{}, constant1{};                            // of the final combiner, codes
   friend constexpr bool operator==(const Program&, const Program&) = default;
 };
 

@@ -13,6 +13,7 @@
 
 namespace NINEBIT_PUBLIC ninebit {
 
+// OpenGL's error codes, by GL's numbers.
 enum class GlError : std::uint16_t {
   no_error = 0,
   invalid_enum = 0x0500,
@@ -23,12 +24,13 @@ enum class GlError : std::uint16_t {
 // "GL_NO_ERROR", "GL_INVALID_ENUM", …
 [[nodiscard]] std::string_view name_of(GlError error);
 
+// One thing that is wrong with a state, and where.
 struct StateDiagnostic {
-  std::optional<int> stage;            // 0-based general combiner; empty: final combiner or global
-  std::optional<PortionName> portion;  // empty: not about one portion
-  std::optional<Variable> variable;    // empty: an output, a parameter
-  GlError gl_error = GlError::no_error;
-  std::string message;  // one sentence: what is wrong and what is allowed
+  std::optional<int> stage;              // 0-based general combiner; empty: final combiner or global
+  std::optional<PortionName> portion;    // empty: not about one portion
+  std::optional<Variable> variable;      // empty: an output, a parameter
+  GlError gl_error = GlError::no_error;  // what the setter would have raised
+  std::string message;                   // one sentence: what is wrong and what is allowed
 };
 
 // The diagnostics of a whole state, in the order stages, portions, variables, outputs, final combiner; empty: valid.

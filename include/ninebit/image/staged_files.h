@@ -20,6 +20,7 @@ class StagedFiles {
   // empty path is the current folder.
   [[nodiscard]] static Result<StagedFiles> open(const std::filesystem::path& folder);
 
+  // What was moved from has no files and removes nothing.
   StagedFiles(StagedFiles&& other) noexcept;
   StagedFiles& operator=(StagedFiles&& other) noexcept;
   StagedFiles(const StagedFiles&) = delete;

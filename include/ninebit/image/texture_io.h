@@ -25,9 +25,10 @@
 
 namespace NINEBIT_PUBLIC ninebit {
 
+// What is made of a file's picture beyond reading it.
 struct TextureReadOptions {
   bool mipmaps = false;  // adds with_mipmaps() where the file has level 0 alone
-  bool flip = false;
+  bool flip = false;     // the file's last row is at t = 0
 };
 
 // A 2D texture, or from a DDS file of six faces a cube map. Reports, naming the file: what cannot be read or is cut

@@ -15,6 +15,7 @@
 
 namespace NINEBIT_PUBLIC ninebit {
 
+// Whose register layout: GeForce 256 and GeForce 2, or GeForce3 and NV2A.
 enum class ChipClass : std::uint8_t { nv10, nv20 };
 
 // "nv10" or "nv20".
@@ -22,9 +23,9 @@ enum class ChipClass : std::uint8_t { nv10, nv20 };
 
 // One word by its name ("RC_IN_RGB[0]"; docs/languages.md lists the aliases), and where a text has it.
 struct RegisterWord {
-  std::string name{};
-  std::uint32_t value = 0;
-  TextPlace place{};
+  std::string name{};       // such as "RC_IN_RGB[0]"
+  std::uint32_t value = 0;  // all 32 bits
+  TextPlace place{};        // 1:1 where there is no text
 };
 
 // Decodes `NAME = 0x…` lines in any order (comments from # or //; names in either case). A word with bits outside its
