@@ -1,6 +1,8 @@
 // Random states to register words and back, and random damage to their text.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "combiner_tests/combiner/random_state.h"
 #include "ninebit/combiner/program.h"
 #include "ninebit/language/register_words.h"
@@ -25,12 +27,13 @@ bool has_mux(const CombinerState& state) {
   return false;
 }
 
-// What of a state the chip's words can hold.
-CombinerState held_by(ChipClass chip, CombinerState state) {
+// What of a state the chip's words can hold; general combiners that the profile lacks are not written.
+CombinerState held_by(ChipClass chip, const HardwareProfile& profile, CombinerState state) {
   state.constant0 = byte_exact(state.constant0);
   state.constant1 = byte_exact(state.constant1);
   state.mux_by_lowest_bit = state.mux_by_lowest_bit && has_mux(state);
-  const std::size_t stages = chip == ChipClass::nv10 ? 2 : 8;
+  const auto stages =
+      static_cast<std::size_t>(std::min(chip == ChipClass::nv10 ? 2 : 8, profile.general_combiners.value));
   for (std::size_t i = 0; i < state.general.size(); ++i) {
     GeneralCombiner& stage = state.general[i];
     if (i >= stages) stage = {};
@@ -50,7 +53,7 @@ void expect_round_trips(ChipClass chip, const HardwareProfile& profile, std::uin
     ASSERT_TRUE(printed.ok()) << "state " << i << ": " << printed.error().message;
     const auto parsed = parse_register_words({printed.value(), "printed"}, chip, profile);
     ASSERT_TRUE(parsed) << "state " << i << '\n' << parsed.faults.front().text() << '\n' << printed.value();
-    ASSERT_EQ(*parsed.value, held_by(chip, state)) << "state " << i << '\n' << printed.value();
+    ASSERT_EQ(*parsed.value, held_by(chip, profile, state)) << "state " << i << '\n' << printed.value();
     ASSERT_EQ(normalize(*parsed.value, profile), normalize(state, profile)) << "state " << i;
     ASSERT_EQ(print_register_words(*parsed.value, chip, profile).value(), printed.value()) << "state " << i;
     by_lowest_bit += parsed.value->mux_by_lowest_bit ? 1 : 0;
@@ -70,6 +73,16 @@ TEST(RegisterWordsRoundTrip, Nv20OfAnNv2a) {
 
 TEST(RegisterWordsRoundTrip, Nv20OfAGeForce2) {
   expect_round_trips(ChipClass::nv20, profiles::geforce2, 13);
+}
+
+TEST(RegisterWordsRoundTrip, OfCombinersThatTheProfileLacksNothingIsWritten) {
+  CombinerState state;
+  state.general[2].alpha.out = {.scale = Scale::by_four, .bias = Bias::by_negative_one_half};  // no chip has it
+  const auto printed = print_register_words(state, ChipClass::nv20, profiles::geforce2);
+  ASSERT_TRUE(printed) << printed.error().message;
+  const auto parsed = parse_register_words({*printed, "printed"}, ChipClass::nv20, profiles::geforce2);
+  ASSERT_TRUE(parsed) << parsed.faults.front().text();
+  EXPECT_EQ(*parsed.value, CombinerState{});
 }
 
 TEST(RegisterWordsRoundTrip, Nv10OfWhatFitsOfAnNv2aProgram) {

@@ -81,6 +81,7 @@ bool differs(const GeneralCombiner& stage, bool with_constants) {
   return stage.rgb != plain.rgb || stage.alpha != plain.alpha;
 }
 
+// `state` holds GL's defaults in the general combiners that its profile lacks: nothing has checked what stood there.
 std::vector<RegisterWord> encode(const CombinerState& state, bool mux_by_lowest_bit, ChipClass chip) {
   std::vector<RegisterWord> found;
   const auto put = [&](Kind kind, int index, std::uint32_t value) {
@@ -124,15 +125,17 @@ Result<std::vector<RegisterWord>> encode_register_words(const CombinerState& sta
                                                         const HardwareProfile& profile) {
   const std::vector<StateDiagnostic> wrong = validate(state, profile);
   if (!wrong.empty()) return Diagnostic{"register words: the state is not valid: " + wrong.front().message};
+  CombinerState held = state;
+  for (int i = profile.general_combiners; i < kMaxGeneralCombiners; ++i) held.general[static_cast<std::size_t>(i)] = {};
   if (chip == ChipClass::nv10) {
-    const std::string lacks = words::nv10_lacks(state);
+    const std::string lacks = words::nv10_lacks(held);
     if (!lacks.empty()) return Diagnostic{"register words: " + lacks};
   }
   // Where no mux looks at it, the bit is that of OpenGL.
   const Program program = normalize(state, profile);
   const bool mux_by_lowest_bit = std::any_of(program.general.begin(), program.general.end(),
                                              [](const ProgramStage& stage) { return stage.mux_by_lowest_bit; });
-  return words::encode(state, mux_by_lowest_bit, chip);
+  return words::encode(held, mux_by_lowest_bit, chip);
 }
 
 }  // namespace ninebit

@@ -14,7 +14,7 @@ namespace NINEBIT_PUBLIC ninebit {
 // Reads glTF 2.0 (.gltf, .glb: node hierarchy, materials' base colours, cameras, KHR_lights_punctual),
 // OBJ, PLY, OFF and 3DS. All nodes are flattened into world space. Degenerate triangles are kept: they count as
 // polygons and cover no pixel. Reports, naming the file: missing, empty, truncated or malformed files, no triangles,
-// positions that are NaN or infinite, indices out of range, more than 2^32 - 1 vertices or triangles.
+// positions that are NaN or infinite, indices out of range, more than 2^27 triangles, files beyond docs/limits.md.
 //
 // The triangles keep the file's count and order; polygons are cut into n - 2 triangles. Corners of one object with
 // equal position and normal share a vertex; where the file gives no normal it is the area-weighted mean of the object's
