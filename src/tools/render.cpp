@@ -2,10 +2,8 @@
 #include <fmt/format.h>
 
 #include <chrono>
-#include <map>
 #include <memory>
 #include <optional>
-#include <span>
 #include <string>
 #include <utility>
 #include <variant>
@@ -13,8 +11,8 @@
 
 #include "ninebit/shadow/ground_truth.h"
 #include "ninebit/shadow/pictures.h"
-#include "src/study/sha256.h"
 #include "src/tools/number_list.h"
+#include "src/tools/picture_hashes.h"
 #include "src/tools/pixel_flag.h"
 #include "src/tools/scene_flags.h"
 
@@ -35,19 +33,8 @@ int wrong_usage(const std::string& message) {
 }
 
 Json hashes(const Rendering& rendering) {
-  Sha256 color, stencil, index_map;
-  for (int c = 0; c < 4; ++c) color.add(rendering.frame.color(c));
-  stencil.add(rendering.frame.stencil());
-  for (const IndexMapFace& face : rendering.index_map) {
-    for (const auto& plane : face.color) index_map.add(plane);
-  }
-  Json out{{"color", color.finish()}, {"stencil", stencil.finish()}};
-  if (!rendering.index_map.empty()) out["index_map"] = index_map.finish();
-  std::map<std::string, Sha256> maps;  // all planes of one name together
-  for (const Layer& map : rendering.maps) {
-    std::visit([&](const auto& samples) { maps[map.part].add(samples); }, map.samples);
-  }
-  for (auto& [name, hash] : maps) out[name] = hash.finish();
+  Json out = Json::object();
+  for (auto& [name, hash] : picture_hashes(rendering)) out[name] = hash;
   return out;
 }
 

@@ -147,7 +147,7 @@ inline constexpr HardwareProfile geforce2{
 };
 
 namespace detail {
-constexpr HardwareProfile early_truncation() {
+consteval HardwareProfile early_truncation() {
   HardwareProfile p = geforce2;
   p.name = "geforce2-early-truncation";
   p.chip = "none: the rival of rule 7";
@@ -155,7 +155,7 @@ constexpr HardwareProfile early_truncation() {
   return p;
 }
 
-constexpr HardwareProfile eight_bit() {
+consteval HardwareProfile eight_bit() {
   HardwareProfile p = geforce2;
   p.name = "geforce256-8bit";
   p.chip = "none: an 8-bit card, as the article fears";
@@ -168,7 +168,7 @@ constexpr HardwareProfile eight_bit() {
   return p;
 }
 
-constexpr HardwareProfile xbox() {
+consteval HardwareProfile xbox() {
   HardwareProfile p = geforce2;
   p.name = "nv2a";
   p.chip = "NV2A (Xbox), GeForce3 class";
@@ -193,7 +193,7 @@ constexpr HardwareProfile xbox() {
 }
 
 // What a profile without a chip has around its arithmetic: all that the extensions allow, and the NV2A's choices.
-constexpr HardwareProfile real_numbers(std::string_view name, std::string_view chip, Choice<Arithmetic> arithmetic) {
+consteval HardwareProfile real_numbers(std::string_view name, std::string_view chip, Choice<Arithmetic> arithmetic) {
   constexpr std::string_view not_read = "not read by this arithmetic";
   constexpr std::string_view as_nv2a = "no chip decides; as nv2a";
   HardwareProfile p = xbox();
