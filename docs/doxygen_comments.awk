@@ -1,6 +1,7 @@
-# Doxygen's input filter for the headers, whose comments are plain `//` lines. What stands directly above a declaration,
-# or behind one on its line, documents it. A comment above declarations that follow each other without an empty line
-# documents all of them.
+# Doxygen's input filter for the headers, whose comments are plain `//` lines, or `/* */` in those for C. What stands
+# directly above a declaration, or behind one on its line, documents it. A `//` comment above declarations that follow
+# each other without an empty line documents all of them, and so does one of either place where a declaration names
+# several things. Lines keep their numbers, so that Doxygen's warnings name the right ones.
 
 # A comment with the characters that Doxygen takes for commands or HTML made plain; what stands between backquotes is
 # left alone.
@@ -18,34 +19,92 @@ function indent(text) {
   return RLENGTH
 }
 
-FNR == 1 { top = 1; shown = 0; block = ""; level = -1 }
+# Whether a declaration begins here; otherwise it goes on from the line above, or is none.
+function fresh(text) { return text !~ /^ *([})&|?:+*\/<>=]|public:|private:|protected:|#)/ || text ~ /^ *#define / }
 
-# The file's own comment.
-top && /^\/\// { print "/// " (FNR == 1 ? "@file\n/// " : "") plain(substr($0, 4)); next }
-{ top = 0 }
+# Prints the block in its place: as documentation, or to keep the count of lines.
+function flush(documents,    i) {
+  for (i = 1; i <= lines; ++i) print documents ? "/// " plain(block[i]) : "//"
+  lines = 0
+}
 
-/^ *\/\/ clang-format/ { next }
-/^ *\/\// {
-  if (!open) { block = ""; level = indent($0) }
-  open = 1
-  text = $0
-  sub(/^ *\/\/ ?/, "", text)
-  block = block "/// " plain(text) "\n"
+# `TYPE a, b = 1;` as `TYPE a; TYPE b = 1;`, each with the comments of all: `before` but for the first, and `behind`.
+function declaration(code, before, behind,    depth, i, c, n, part, type, out) {
+  if (code !~ /^ *[A-Za-z].*;$/ || code ~ /^ *(using|return|friend|template|typedef) /) return code behind
+  n = 1
+  for (i = 1; i < length(code); ++i) {
+    c = substr(code, i, 1)
+    if (index("<({[", c)) ++depth
+    if (index(">)}]", c) && --depth < 0) return code behind
+    if (c == "," && depth == 0) ++n
+    else part[n] = part[n] c
+  }
+  if (n == 1) return code behind
+  type = part[1]
+  sub(/( = |\{|\[).*/, "", type)
+  sub(/[A-Za-z0-9_]+$/, "", type)
+  out = part[1] ";" behind
+  for (i = 2; i <= n; ++i) out = out " " before type part[i] ";" behind
+  return out
+}
+
+FNR == 1 { top = 1; lines = 0; said = ""; level = -1; trailed = 0; kept = 0; within = 0 }
+
+# The file's own comment, up to #pragma once.
+top && /^\/\// { print "/// " plain(substr($0, 4)); next }
+top && /^#pragma once/ { print "/// @file"; top = 0; next }
+top && /^\/\*/ { within = 1; print "/** " plain(substr($0, 4)); next }
+top && within {
+  if (sub(/\*\/$/, "")) { print plain($0) " @file */"; top = within = 0 } else print plain($0)
   next
 }
-/^ *$/ { open = 0; block = ""; level = -1; print; next }
-{
-  # A statement of its own at the comment's depth; one that goes on from the line above ends it.
-  if (block != "" && indent($0) == level && fresh($0)) printf "%s", block
-  open = 0
-  print trailing($0)
+top { top = 0 }
+
+# C comments, each of one declaration; those that begin with --- divide the file.
+kept || /^ *\/\* ---/ { kept = !/\*\/ *$/; print; next }
+within || /^ *\/\*/ {
+  within = !/\*\/ *$/
+  sub(/^ *\/\*/, "/**")
+  ending = sub(/\*\/ *$/, "") ? "*/" : ""
+  opening = sub(/^\/\*\*/, "") ? "/**" : ""
+  print opening plain($0) ending
+  next
+}
+/[;,a-z0-9] +\/\* .*\*\/$/ {
+  match($0, / +\/\* /)
+  print substr($0, 1, RSTART) "/**< " plain(substr($0, RSTART + RLENGTH, length($0) - RSTART - RLENGTH - 1)) "*/"
+  next
 }
 
-function fresh(text) { return text !~ /^ *[})&|?:+*\/<>=]/ && text !~ /^ *#/ && text !~ /^ *(public|private|protected):/ }
-
-# `code  // text` as `code  ///< text`.
-function trailing(text,    at) {
-  at = match(text, /[;,({}A-Za-z0-9_] +\/\/ /)
-  if (!at) return text
-  return substr(text, 1, RSTART) "  ///< " plain(substr(text, RSTART + RLENGTH))
+/^ *\/\/ clang-format/ { print ""; next }
+/^ *\/\// {
+  text = $0
+  sub(/^ *\/\/ ?/, "", text)
+  if (trailed && indent($0) > trailed) { print "///< " plain(text); next }  # it goes on from the line above
+  if (!lines) { said = ""; level = indent($0) }
+  block[++lines] = text
+  said = said (said == "" ? "" : " ") text
+  trailed = 0
+  next
+}
+/^ *$/ { flush(0); said = ""; level = -1; trailed = 0; print; next }
+{
+  before = behind = prefix = ""
+  trailed = 0
+  if (said != "" && indent($0) == level && fresh($0)) {
+    before = "/** " plain(said) " */ "
+    if (!lines) prefix = before
+    flush(1)
+  } else {
+    flush(0)
+  }
+  at = match($0, /[;,({}A-Za-z0-9_] +\/\/ /)
+  if (at) {
+    behind = " /**< " plain(substr($0, RSTART + RLENGTH)) " */"
+    $0 = substr($0, 1, RSTART)
+    trailed = indent($0) + 1
+  } else if (/operator==\(.*= default;$/) {
+    prefix = "/** Compares all members. */ "
+  }
+  print prefix declaration($0, before, behind)
 }

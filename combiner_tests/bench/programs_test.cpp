@@ -35,7 +35,7 @@ TEST(MeasuredPrograms, EveryProfileTakesThem) {
 TEST(MeasuredPrograms, PrintAsGlCalls) {
   const auto programs = bench::measured_programs(profiles::geforce2);
   for (const bench::MeasuredProgram& p : *programs) {
-    const std::string text = print_gl_calls(p.state, p.profile);
+    const std::string text = print_gl_calls(p.state, p.profile).value();
     const auto parsed = parse_gl_calls({text, "printed"}, p.profile);
     ASSERT_TRUE(parsed.value.has_value()) << p.name;
     EXPECT_EQ(normalize(*parsed.value, p.profile), normalize(p.state, p.profile)) << p.name;

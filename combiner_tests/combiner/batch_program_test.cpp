@@ -64,11 +64,50 @@ TEST(BatchProgram, TakesTheNarrowestOperation) {
             "out.r = clamp(u16:truncate((max(primary_color.r, 0)*max(primary_color.r, 0))*4 / 255), 0, 255)\n");
   EXPECT_EQ(product_of(any, any), "out.r = u16:truncate((fog.r*fog.r) / 255)\n") << "a square is not negative";
   EXPECT_EQ(product_of(positive, any),
-            "t0 = s16:truncate((fog.r*max(primary_color.r, 0)) / 255)\nout.r = 1*max(t0, 0)\n");
+            "t0 = s16:truncate((max(primary_color.r, 0)*fog.r) / 255)\nout.r = 1*max(t0, 0)\n");
   EXPECT_EQ(product_of(positive, any, Scale::by_one_half),
             "t0 = s32:truncate((fog.r*max(primary_color.r, 0)) / 510)\nout.r = 1*max(t0, 0)\n");
   EXPECT_EQ(product_of(positive, any, Scale::none, profiles::geforce256_8bit),
             "t0 = s32:truncate((fog.r*max(primary_color.r, 0)) / 127)\nout.r = 1*max(t0, 0)\n");
+}
+
+TEST(BatchProgram, AMuxByTheLowestBitIsOneChoice) {
+  CombinerState state = silent_state(2);
+  state.mux_by_lowest_bit = true;
+  Portion& rgb = state.general[1].rgb;
+  rgb.a = rgb_of(Register::primary, InputMapping::signed_identity);
+  rgb.c = rgb_of(Register::fog, InputMapping::signed_identity);
+  rgb.b = rgb.d = kOne;
+  rgb.out = {.sum = Register::spare1, .mux_sum = true};
+  state.final_combiner = final_of(Register::spare1);
+  const BatchOutputs red{.color = {true, false, false, false}};
+  EXPECT_EQ(compiled(state, profiles::nv2a, red),
+            "t0 = (odd(max(spare0.a, 0)) ? fog.r : primary_color.r)\nout.r = 1*max(t0, 0)\n");
+  // Where spare0's alpha can be one code only, nothing is chosen.
+  state.general[0].alpha.a = alpha_of(Register::constant0, InputMapping::signed_negate);
+  state.general[0].alpha.b = kOneAlpha;
+  state.general[0].alpha.out.ab = Register::spare0;
+  for (const int code : {0, 128, 129}) {
+    state.constant0 = color_of(0, 0, 0, code);
+    EXPECT_EQ(compiled(state, profiles::nv2a, red), "out.r = 1*max(primary_color.r, 0)\n") << -code;
+  }
+  state.general[0].alpha.a.mapping = InputMapping::signed_identity;
+  EXPECT_EQ(compiled(state, profiles::nv2a, red), "out.r = 1*max(fog.r, 0)\n") << 129;
+}
+
+TEST(BatchProgram, BlueToAlphaIsNoOperation) {
+  CombinerState state = silent_state(1);
+  Portion& rgb = state.general[0].rgb;
+  rgb.a = rgb_of(Register::primary);
+  rgb.b = rgb_of(Register::fog);
+  rgb.out = {.ab = Register::spare1, .sum = Register::discard, .ab_blue_to_alpha = true};
+  state.final_combiner = final_of(Register::spare1);
+  const BatchOutputs blue{.color = {false, false, true, false}}, alpha{.color = {false, false, false, true}};
+  const std::string one = compiled(state, profiles::nv2a, blue), other = compiled(state, profiles::nv2a, alpha);
+  EXPECT_EQ(one.substr(0, 8), "out.b = ");
+  EXPECT_EQ(other.substr(0, 8), "out.a = ");
+  EXPECT_EQ(one.substr(8), other.substr(8));
+  EXPECT_EQ(std::count(one.begin(), one.end(), '\n'), 1);
 }
 
 TEST(BatchProgram, EqualOperationsRunOnce) {
@@ -162,7 +201,7 @@ TEST(BatchProgram, RegistersThatChangePlaces) {
 }
 
 // Stages 0 to 3 map each texture in four ways, stages 4 to 7 multiply the same mapped values otherwise: all of them
-// wait at once, more than the first cache would hold with 256 lanes.
+// wait at once, more than the first cache would hold with 512 lanes.
 TEST(BatchProgram, ManyTemporaries) {
   const HardwareProfile& profile = profiles::nv2a;
   CombinerState state = silent_state(8);
@@ -181,7 +220,8 @@ TEST(BatchProgram, ManyTemporaries) {
   }
   state.final_combiner = final_of(Register::spare0);
   const Program program = compile(state, profile).value();
-  EXPECT_NE(BatchProgram(program, {.registers = true}).describe().find("t64 = "), std::string::npos) << "64 are 32 KiB";
+  EXPECT_NE(BatchProgram(program, {.registers = true}).describe().find("t64 = "), std::string::npos)
+      << "64 of 512 lanes are 64 KiB";
   Random random(0x7E3905);
   std::vector<RegisterFile> fragments(kBatchSize);
   for (RegisterFile& registers : fragments) registers = random_registers(random, profile);

@@ -68,7 +68,7 @@ TEST(Batch, SizesAndLanesPastTheCount) {
     for (RegisterFile& registers : initial) registers = random_registers(random, profile);
     for (const std::int64_t target : simd_targets()) {
       const OnTarget on_target(target);
-      for (const std::size_t count : {1U, 2U, 3U, 7U, 8U, 9U, 15U, 16U, 17U, 31U, 33U, 255U, 256U}) {
+      for (const std::size_t count : {1U, 2U, 3U, 7U, 8U, 9U, 15U, 16U, 17U, 31U, 33U, 255U, 256U, 257U, 511U, 512U}) {
         for (std::size_t lane = 0; lane < kBatchSize; ++lane) fill(*batch, lane, initial[lane]);
         for (auto& reg : batch->plane) {
           for (auto& plane : reg) {
@@ -104,7 +104,7 @@ TEST(Batch, NothingIsWrittenOutsideTheBatch) {
   };
   const auto guarded = std::make_unique<Guarded>();
   Random random(0x6A7D);
-  for (const std::size_t count : {0U, 1U, 255U, 256U}) {
+  for (const std::size_t count : {0U, 1U, 255U, 511U, 512U}) {
     const HardwareProfile& profile = profiles::nv2a;
     const BatchProgram program(normalize(random_state(random, profile), profile), {.registers = true});
     std::memset(static_cast<void*>(guarded.get()), 0x5A, sizeof(Guarded));

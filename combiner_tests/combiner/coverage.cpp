@@ -67,12 +67,17 @@ void Coverage::Writing::add(const Portion& portion) {
   count_enum(flag[0], out.ab_dot_product);
   count_enum(flag[1], out.cd_dot_product);
   if (out.sum != Register::discard) count_enum(flag[2], out.mux_sum);
+  if (out.ab != Register::discard) count_enum(flag[3], out.ab_blue_to_alpha);
+  if (out.cd != Register::discard) count_enum(flag[4], out.cd_blue_to_alpha);
 }
 
 void Coverage::add(const CombinerState& state, const HardwareProfile& profile) {
   count(stages_, static_cast<std::size_t>(state.num_general_combiners));
   count_enum(color_sum_clamp_, state.color_sum_clamp);
   count_enum(per_stage_constants_, state.per_stage_constants);
+  count_enum(mux_by_lowest_bit_, state.mux_by_lowest_bit);
+  count_enum(color_sum_invert_spare0_, state.color_sum_invert_spare0);
+  count_enum(color_sum_invert_secondary_, state.color_sum_invert_secondary);
   for (int i = 0; i < state.num_general_combiners; ++i) {
     rgb_.add(state.general[static_cast<std::size_t>(i)].rgb);
     alpha_.add(state.general[static_cast<std::size_t>(i)].alpha);
@@ -111,6 +116,9 @@ std::vector<Coverage::Row> Coverage::rows(Arithmetic arithmetic) const {
   for (std::size_t i = 1; i < stages_.size(); ++i) out.add("stages", std::to_string(i), stages_[i]);
   out.add_flag("colour sum clamp", color_sum_clamp_);
   out.add_flag("constants per stage", per_stage_constants_);
+  out.add_flag("mux by the lowest bit", mux_by_lowest_bit_);
+  out.add_flag("colour sum: 1 - spare0", color_sum_invert_spare0_);
+  out.add_flag("colour sum: 1 - secondary", color_sum_invert_secondary_);
 
   for (const Writing* const portion : {&rgb_, &alpha_}) {
     const std::string name = portion == &rgb_ ? "RGB " : "alpha ";
@@ -133,6 +141,8 @@ std::vector<Coverage::Row> Coverage::rows(Arithmetic arithmetic) const {
     }
     if (portion == &rgb_) out.add_flag(name + "AB dot product", portion->flag[0]);
     if (portion == &rgb_) out.add_flag(name + "CD dot product", portion->flag[1]);
+    if (portion == &rgb_) out.add_flag(name + "AB blue to alpha", portion->flag[3]);
+    if (portion == &rgb_) out.add_flag(name + "CD blue to alpha", portion->flag[4]);
     out.add_flag(name + "mux", portion->flag[2]);
   }
 

@@ -44,12 +44,13 @@ class Coverage {
     std::array<Input, 4> input{};
     std::array<std::array<std::uint64_t, 16>, 3> to{};
     std::array<std::array<std::uint64_t, 2>, 4> option{};
-    std::array<std::array<std::uint64_t, 2>, 3> flag{};
+    std::array<std::array<std::uint64_t, 2>, 5> flag{};
     void add(const Portion& portion);
   };
 
   std::array<std::uint64_t, kMaxGeneralCombiners + 1> stages_{};
-  std::array<std::uint64_t, 2> color_sum_clamp_{}, per_stage_constants_{};
+  std::array<std::uint64_t, 2> color_sum_clamp_{}, per_stage_constants_{}, mux_by_lowest_bit_{};
+  std::array<std::uint64_t, 2> color_sum_invert_spare0_{}, color_sum_invert_secondary_{};
   Writing rgb_, alpha_;
   std::array<Input, 7> final_{};
   std::map<std::string, std::uint64_t, std::less<>> profiles_;

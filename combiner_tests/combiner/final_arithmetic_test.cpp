@@ -163,6 +163,32 @@ TEST(FinalArithmetic, ColorSumOfAllPairsWithoutTheClamp) {
   }
 }
 
+// 1 - x of either or both, of every pair of register values; with the clamp, and without it by halves.
+TEST(FinalArithmetic, InvertedColorSumOfAllPairs) {
+  const HardwareProfile& p = profiles::nv2a;
+  for (const bool clamp : {true, false}) {
+    for (const int inverts : {1, 2, 3}) {
+      CombinerState state = silent_state(1);
+      state.color_sum_clamp = clamp;
+      state.color_sum_invert_spare0 = (inverts & 1) != 0;
+      state.color_sum_invert_secondary = (inverts & 2) != 0;
+      if (clamp) {
+        state.final_combiner.d = rgb_of(Register::spare0_plus_secondary);
+      } else {
+        state.constant0 = {0.5F, 0.5F, 0.5F, 0.5F};
+        state.final_combiner.a = rgb_of(Register::constant0);
+        state.final_combiner.b = rgb_of(Register::spare0_plus_secondary);
+      }
+      const int low = kSanitized ? -3 : p.lowest.value;
+      for_all_pairs(state, p, Register::spare0, Register::secondary, low, [&](int x, int y) {
+        const auto part = [](int v, bool inverted) { return inverted ? (v > 0 ? 255 - v : 255) : (v > 0 ? v : 0); };
+        const int sum = part(x, (inverts & 1) != 0) + part(y, (inverts & 2) != 0);
+        return clamp ? std::min(sum, 255) : std::min((2 * 128 * sum + 255) / 510, 255);
+      });
+    }
+  }
+}
+
 TEST(FinalArithmetic, DIsAddedAfterTheNarrowingAndTheSumIsClamped) {
   const Datapath d = datapath_of(profiles::geforce2);
   for (int a = 0; a < 256; a += 5) {

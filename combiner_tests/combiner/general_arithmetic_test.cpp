@@ -74,18 +74,24 @@ TEST(GeneralArithmetic, EveryMappingOfEveryRegisterValueInARunningProgram) {
   }
 }
 
+// Both portions of a stage choose between the primary (AB) and the secondary colour (CD).
+CombinerState mux_state() {
+  CombinerState state = silent_state(1);
+  Portion& rgb = state.general[0].rgb;
+  rgb.a = rgb_of(Register::primary);
+  rgb.b = rgb.d = kOne;
+  rgb.c = rgb_of(Register::secondary);
+  rgb.out.sum = Register::spare1;
+  rgb.out.mux_sum = true;
+  state.general[0].alpha = rgb;
+  Portion& alpha = state.general[0].alpha;
+  alpha.a.usage = alpha.b.usage = alpha.c.usage = alpha.d.usage = ComponentUsage::alpha;
+  return state;
+}
+
 TEST(GeneralArithmetic, MuxOfEverySpare0Alpha) {
+  const CombinerState state = mux_state();
   for (const HardwareProfile& p : integer_profiles()) {
-    CombinerState state = silent_state(1);
-    Portion& rgb = state.general[0].rgb;
-    rgb.a = rgb_of(Register::primary);
-    rgb.b = rgb.d = kOne;
-    rgb.c = rgb_of(Register::secondary);
-    rgb.out.sum = Register::spare1;
-    rgb.out.mux_sum = true;
-    state.general[0].alpha = rgb;
-    Portion& alpha = state.general[0].alpha;
-    alpha.a.usage = alpha.b.usage = alpha.c.usage = alpha.d.usage = ComponentUsage::alpha;
     for (int select = p.lowest; select <= p.one; ++select) {
       RegisterFile registers;
       registers[Register::primary] = codes(1, 2, 3, 4);
@@ -95,6 +101,34 @@ TEST(GeneralArithmetic, MuxOfEverySpare0Alpha) {
       ASSERT_EQ(judged(state, p, registers).registers[Register::spare1], expected) << p.name << ' ' << select;
     }
   }
+}
+
+// The lowest bit of the eight that have the highest one, which is 0 of all that is negative.
+TEST(GeneralArithmetic, MuxByTheLowestBitOfEverySpare0Alpha) {
+  int cases = 0;
+  for (HardwareProfile p : profiles_and_rivals()) {
+    p.mux_by_lowest_bit.value = true;
+    // Once as factors are chosen before they are multiplied, once as codes are chosen.
+    for (const bool products : {false, true}) {
+      CombinerState state = mux_state();
+      state.mux_by_lowest_bit = true;
+      if (products) {
+        state.general[0].rgb.b = state.general[0].rgb.d = rgb_of(Register::texture0);
+        state.general[0].alpha.b = state.general[0].alpha.d = alpha_of(Register::texture0);
+      }
+      for (int select = p.lowest; select <= p.one; ++select, ++cases) {
+        RegisterFile registers;
+        registers[Register::primary] = codes(1, 2, 3, 4);
+        registers[Register::secondary] = codes(5, 6, 7, 8);
+        registers[Register::texture0] = codes(p.one, p.one, p.one, p.one);
+        registers[Register::spare0][kAlpha] = static_cast<s9>(select);
+        const bool odd = select == 1 || (select > 1 && select % 2 == 1);
+        const Rgba9 expected = registers[odd ? Register::secondary : Register::primary];
+        ASSERT_EQ(judged(state, p, registers).registers[Register::spare1], expected) << p.name << ' ' << select;
+      }
+    }
+  }
+  EXPECT_EQ(cases, 2 * (4 * 511 + 255 + 512));
 }
 
 TEST(GeneralArithmetic, TheReferenceRunsAtCompileTime) {

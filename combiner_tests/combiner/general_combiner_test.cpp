@@ -295,5 +295,85 @@ TEST(GeneralCombiner, ConstantsAreRoundedToBytes) {
   EXPECT_EQ(judged(state, kCard, RegisterFile{}).color, codes(0, 255, 64, 0));
 }
 
+// Rule 23: what is written in blue, with bias, scale and clamp, is written to the same register's alpha.
+TEST(GeneralCombiner, BlueToAlphaOfEveryOutputAndOption) {
+  const HardwareProfile& p = profiles::nv2a;
+  for (const auto& [scale, bias] : kScaleBias) {
+    for (int flags = 0; flags < 16; ++flags) {
+      const bool ab = (flags & 1) != 0, cd = (flags & 2) != 0, ab_dot = (flags & 4) != 0, cd_dot = (flags & 8) != 0;
+      CombinerState state = silent_state(1);
+      Portion& rgb = state.general[0].rgb;
+      rgb.a = rgb_of(Register::primary, InputMapping::signed_identity);
+      rgb.c = rgb_of(Register::secondary, InputMapping::signed_identity);
+      rgb.b = rgb.d = rgb_of(Register::fog, InputMapping::signed_identity);
+      rgb.out = {.ab = Register::spare0,
+                 .cd = Register::spare1,
+                 .sum = Register::texture2,
+                 .scale = scale,
+                 .bias = bias,
+                 .ab_dot_product = ab_dot,
+                 .cd_dot_product = cd_dot,
+                 .ab_blue_to_alpha = ab,
+                 .cd_blue_to_alpha = cd};
+      RegisterFile registers;
+      registers[Register::primary] = codes(10, -20, 30, 40);
+      registers[Register::secondary] = codes(-50, 160, -70, 80);
+      registers[Register::fog] = codes(255, 100, 200, 0);
+      for (const Register r : {Register::spare0, Register::spare1, Register::texture2})
+        registers[r] = codes(1, 2, 3, 4);
+      const RegisterFile after = judged(state, p, registers).registers;
+      EXPECT_EQ(after[Register::spare0][kAlpha], ab ? after[Register::spare0][kBlue] : 4) << flags;
+      EXPECT_EQ(after[Register::spare1][kAlpha], cd ? after[Register::spare1][kBlue] : 4) << flags;
+      EXPECT_EQ(after[Register::texture2][kAlpha], 4) << "the sum's blue stays blue";
+    }
+  }
+}
+
+// The mux of the next stage sees the blue; that of the same stage does not (rule 12).
+TEST(GeneralCombiner, BlueToAlphaComesAfterAllReads) {
+  CombinerState state = silent_state(2);
+  for (const std::size_t i : {0U, 1U}) {
+    Portion& rgb = state.general[i].rgb;
+    rgb.a = rgb_of(Register::primary);
+    rgb.c = rgb_of(Register::secondary);
+    rgb.b = rgb.d = kOne;
+    rgb.out = {.ab = i == 0 ? Register::spare0 : Register::discard,
+               .sum = i == 0 ? Register::spare1 : Register::texture3,
+               .mux_sum = true,
+               .ab_blue_to_alpha = i == 0};
+  }
+  RegisterFile registers;
+  registers[Register::primary] = codes(1, 2, 200, 0);
+  registers[Register::secondary] = codes(7, 8, 9, 0);
+  const RegisterFile after = judged(state, profiles::nv2a, registers).registers;
+  EXPECT_EQ(after[Register::spare1], codes(1, 2, 200, 0)) << "spare0's alpha was 0: AB";
+  EXPECT_EQ(after[Register::texture3], codes(7, 8, 9, 0)) << "and is 200 then: CD";
+}
+
+// Whichever of its outputs it is.
+TEST(GeneralCombiner, TheAlphaPortionHasTheLastWordOnBlueToAlpha) {
+  for (Register PortionOutput::*const alpha_output : {&PortionOutput::ab, &PortionOutput::cd, &PortionOutput::sum}) {
+    CombinerState state = silent_state(1);
+    GeneralCombiner& stage = state.general[0];
+    stage.rgb.a = stage.rgb.c = rgb_of(Register::primary);
+    stage.rgb.b = stage.rgb.d = kOne;
+    stage.rgb.out = {.ab = Register::spare0,
+                     .cd = Register::spare1,
+                     .sum = Register::discard,
+                     .ab_blue_to_alpha = true,
+                     .cd_blue_to_alpha = true};
+    stage.alpha.a = stage.alpha.c = alpha_of(Register::primary);
+    stage.alpha.b = kOneAlpha;
+    stage.alpha.d = alpha_output == &PortionOutput::cd ? kOneAlpha : kZeroAlpha;
+    stage.alpha.out = {.sum = Register::discard};
+    stage.alpha.out.*alpha_output = Register::spare0;
+    RegisterFile registers;
+    registers[Register::primary] = codes(1, 2, 3, 40);
+    const RegisterFile after = judged(state, profiles::nv2a, registers).registers;
+    EXPECT_EQ(after[Register::spare0], codes(1, 2, 3, 40));
+    EXPECT_EQ(after[Register::spare1], codes(1, 2, 3, 3));
+  }
+}
+
 }  // namespace
 }  // namespace ninebit::test

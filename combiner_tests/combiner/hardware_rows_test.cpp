@@ -1,6 +1,4 @@
 // The tables of combiner_tests/hardware: what pictures from an NV2A show, run under the profile nv2a by every path.
-// Rows that use what OpenGL cannot express (least-significant-bit mux, inverted colour sum, blue to alpha) are left
-// out.
 #include <gtest/gtest.h>
 
 #include <cstdint>
@@ -56,11 +54,11 @@ TEST(HardwareRows, GeneralCombinerOutputOptions) {
   EXPECT_EQ(rows, 24);
 }
 
-TEST(HardwareRows, MuxByTheMostSignificantBit) {
+TEST(HardwareRows, MuxByTheHighestAndByTheLowestBit) {
   int rows = 0;
   for (const auto& row : read_hardware_table("nv2a_mux")) {
-    if (row.at("mux_select") != "MSB") continue;
     CombinerState state = silent_state(2);
+    state.mux_by_lowest_bit = row.at("mux_select") == "LSB";
     state.per_stage_constants = true;
     state.general[0].constant0 = color_of(0, 0, 0, std::stoi(row.at("spare0_alpha_byte")));
     state.general[0].alpha.a = alpha_of(Register::constant0);
@@ -78,13 +76,13 @@ TEST(HardwareRows, MuxByTheMostSignificantBit) {
     state.final_combiner.g = alpha_of(Register::zero, InputMapping::unsigned_invert);
     EXPECT_EQ(judged(state, kXbox, RegisterFile{}).color,
               codes(std::stoi(row.at("R")), std::stoi(row.at("G")), std::stoi(row.at("B")), std::stoi(row.at("A"))))
-        << row.at("spare0_alpha_byte");
+        << row.at("mux_select") << ' ' << row.at("spare0_alpha_byte");
     ++rows;
   }
-  EXPECT_EQ(rows, 3);
+  EXPECT_EQ(rows, 6);
 }
 
-// The state and registers that a row's case describes, or false if OpenGL cannot express it.
+// The state and registers that a row's case describes; false: no such case.
 bool case_of(const std::string& name, CombinerState& state, RegisterFile& registers) {
   state = silent_state(1);
   registers = {};
@@ -96,15 +94,19 @@ bool case_of(const std::string& name, CombinerState& state, RegisterFile& regist
     state.color_sum_clamp = name == "Capped";
     state.constant0 = color_of(127, 127, 127, 0);
     registers[Register::spare0] = registers[Register::secondary] = codes(255, 255, 255, 0);
-  } else if (name == "Normal R0" || name == "V1") {
+  } else if (name == "Normal R0" || name == "V1" || name == "1-R0" || name == "1-V1") {
     state.constant0 = color_of(255, 255, 255, 0);
-    registers[name == "V1" ? Register::secondary : Register::spare0] = codes(191, 191, 191, 0);
+    registers[name.ends_with("V1") ? Register::secondary : Register::spare0] = codes(191, 191, 191, 0);
+    state.color_sum_invert_spare0 = name == "1-R0";
+    state.color_sum_invert_secondary = name == "1-V1";
   } else if (name == "EFProd") {
     f.a = f.b = kZero;
     f.d = rgb_of(Register::e_times_f);
     state.constant0 = color_of(255, 191, 127, 0);
     state.constant1 = color_of(127, 127, 127, 0);
-  } else if (name == "SUM") {
+  } else if (name == "SUM" || name == "SUM inv R0" || name == "SUM inv V1") {
+    state.color_sum_invert_spare0 = name == "SUM inv R0";
+    state.color_sum_invert_secondary = name == "SUM inv V1";
     f.a = f.b = kZero;
     f.d = rgb_of(Register::spare0_plus_secondary);
     registers[Register::spare0] = codes(63, 127, 191, 0);
@@ -136,6 +138,28 @@ bool case_of(const std::string& name, CombinerState& state, RegisterFile& regist
     f.a = alpha_of(Register::spare0);
     f.b = rgb_of(Register::spare0);
     f.c = rgb_of(Register::primary);
+  } else if (name == "blue->alpha CD" || name == "blue->alpha AB") {
+    state = silent_state(3);
+    state.per_stage_constants = true;
+    state.general[0].constant0 = color_of(0, 0, 63, 0);
+    state.general[1].constant0 = color_of(0, 0, 191, 0);
+    for (const std::size_t i : {0U, 1U}) {
+      Portion& rgb = state.general[i].rgb;
+      rgb.a = rgb_of(Register::constant0);
+      rgb.b = kOne;
+      rgb.out.ab = Register::spare0;
+    }
+    Portion& both = state.general[1].rgb;
+    both.c = rgb_of(Register::spare0);
+    both.d = kOne;
+    both.out.cd = Register::spare1;
+    both.out.ab_blue_to_alpha = both.out.cd_blue_to_alpha = true;
+    const Register shown = name == "blue->alpha AB" ? Register::spare0 : Register::spare1;
+    Portion& show = state.general[2].rgb;
+    show.a = alpha_of(shown);
+    show.b = kOne;
+    show.out.ab = shown;
+    f = final_of(shown);
   } else if (name == "tex0 rgb unbound" || name == "tex0 alpha unbound") {
     registers = initial_registers(kXbox, {});
     f = final_of(Register::texture0);
@@ -151,14 +175,14 @@ TEST(HardwareRows, FinalCombinerFlagsAndSpecialInputs) {
   for (const auto& row : read_hardware_table("nv2a_final_flags_special")) {
     CombinerState state;
     RegisterFile registers;
-    if (!case_of(row.at("case"), state, registers)) continue;
+    ASSERT_TRUE(case_of(row.at("case"), state, registers)) << row.at("case");
     const Rgba9 color = judged(state, kXbox, registers).color;
     EXPECT_EQ(codes(color[0], color[1], color[2], 0),
               codes(std::stoi(row.at("R")), std::stoi(row.at("G")), std::stoi(row.at("B")), 0))
         << row.at("case");
     ++rows;
   }
-  EXPECT_EQ(rows, 10);
+  EXPECT_EQ(rows, 16);
 }
 
 TEST(HardwareRows, FinalCombinerProductOfTexelAndVertexColor) {

@@ -56,10 +56,11 @@ std::vector<s9> outputs_by_oracle(const HardwareProfile& p, Scale scale, Bias bi
 }
 
 // spare1 = A·B of primary and secondary, as they are.
-BatchProgram product_program(const HardwareProfile& p, Scale scale, Bias bias, bool dot) {
+BatchProgram product_program(const HardwareProfile& p, Scale scale, Bias bias, bool dot,
+                             InputMapping of_a = InputMapping::signed_identity) {
   CombinerState state = silent_state(1);
   Portion& rgb = state.general[0].rgb;
-  rgb.a = rgb_of(Register::primary, InputMapping::signed_identity);
+  rgb.a = rgb_of(Register::primary, of_a);
   rgb.b = rgb_of(Register::secondary, InputMapping::signed_identity);
   rgb.out.ab = Register::spare1;
   rgb.out.ab_dot_product = dot;
@@ -91,42 +92,54 @@ TEST(Products, EveryProductOfTwoMappedValues) {
   EXPECT_EQ(cases, 6 * (4 * 511 * 511 + 255 * 255 + 513 * 513));
 }
 
-TEST(Products, EveryProductOfTwoMappedValuesOnEverySimdTarget) {
+// All products of B with A mapped so, and with any sign or with none.
+void expect_products(const HardwareProfile& p, InputMapping of_a, std::int64_t target) {
   const auto batch = std::make_unique<RegisterBatch>();
   const auto out = std::make_unique<OutputBatch>();
-  for (const HardwareProfile& p : profiles_and_rivals()) {
-    const int most = largest_mapped(p);
-    for (const auto& [scale, bias] : kScaleBias) {
-      const BatchProgram program = product_program(p, scale, bias, false);
-      const std::vector<s9> by_wide = outputs_by_oracle(p, scale, bias, most * most);
-      for (const std::int64_t target : simd_targets()) {
-        const OnTarget on_target(target);
-        // Three values of A at once, one a channel.
-        for (int a = -most; a <= most; a += 3) {
-          for (int c = 0; c < 3; ++c) {
-            std::fill_n((*batch)(Register::primary, c), kBatchSize, static_cast<s9>(std::min(a + c, most)));
-          }
-          for (int first = -most; first <= most; first += static_cast<int>(kBatchSize)) {
-            const std::size_t count = std::min(kBatchSize, static_cast<std::size_t>(most - first + 1));
-            for (int c = 0; c < 3; ++c) {
-              for (std::size_t i = 0; i < count; ++i) {
-                (*batch)(Register::secondary, c)[i] = static_cast<s9>(first + static_cast<int>(i));
-              }
-            }
-            program.run(*batch, count, *out);
-            for (int c = 0; c < 3; ++c) {
-              const int factor = std::min(a + c, most);
-              for (std::size_t i = 0; i < count; ++i) {
-                const int wide = factor * (first + static_cast<int>(i));
-                ASSERT_EQ((*batch)(Register::spare1, c)[i], by_wide[static_cast<std::size_t>(wide + most * most)])
-                    << p.name << ' ' << name_of(scale) << ' ' << name_of(bias) << ' ' << factor << ' '
-                    << first + static_cast<int>(i) << " on " << simd_target_name(target);
-              }
-            }
+  const Datapath d = datapath_of(p);
+  const int most = largest_mapped(p);
+  // Unmapped, they stand for what any mapping makes; else they are what a register holds.
+  const bool plain = of_a == InputMapping::signed_identity;
+  const int lowest = plain ? -most : p.lowest.value, highest = plain ? most : p.one.value;
+  for (const auto& [scale, bias] : kScaleBias) {
+    const BatchProgram program = product_program(p, scale, bias, false, of_a);
+    const std::vector<s9> by_wide = outputs_by_oracle(p, scale, bias, most * most);
+    // Three values of A at once, one a channel.
+    for (int a = lowest; a <= highest; a += 3) {
+      for (int c = 0; c < 3; ++c) {
+        std::fill_n((*batch)(Register::primary, c), kBatchSize, static_cast<s9>(std::min(a + c, highest)));
+      }
+      for (int first = lowest; first <= highest; first += static_cast<int>(kBatchSize)) {
+        const std::size_t count = std::min(kBatchSize, static_cast<std::size_t>(highest - first + 1));
+        for (int c = 0; c < 3; ++c) {
+          for (std::size_t i = 0; i < count; ++i) {
+            (*batch)(Register::secondary, c)[i] = static_cast<s9>(first + static_cast<int>(i));
           }
         }
-        ASSERT_TRUE(on_target.ran()) << simd_target_name(target);
+        program.run(*batch, count, *out);
+        for (int c = 0; c < 3; ++c) {
+          const int factor = reference::map_input(d, of_a, std::min(a + c, highest));
+          for (std::size_t i = 0; i < count; ++i) {
+            const int wide = factor * (first + static_cast<int>(i));
+            ASSERT_EQ((*batch)(Register::spare1, c)[i], by_wide[static_cast<std::size_t>(wide + most * most)])
+                << p.name << ' ' << name_of(of_a) << ' ' << name_of(scale) << ' ' << name_of(bias) << ' ' << factor
+                << ' ' << first + static_cast<int>(i) << " on " << simd_target_name(target);
+          }
+        }
       }
+    }
+  }
+}
+
+TEST(Products, EveryProductOfTwoMappedValuesOnEverySimdTarget) {
+  for (const HardwareProfile& p : profiles_and_rivals()) {
+    for (const std::int64_t target : simd_targets()) {
+      const OnTarget on_target(target);
+      for (const InputMapping of_a :
+           {InputMapping::signed_identity, InputMapping::unsigned_identity, InputMapping::unsigned_invert}) {
+        expect_products(p, of_a, target);
+      }
+      ASSERT_TRUE(on_target.ran()) << simd_target_name(target);
     }
   }
 }

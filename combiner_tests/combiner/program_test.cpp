@@ -85,6 +85,46 @@ TEST(Program, FlagsWithoutEffectDoNotMatter) {
   expect_different(sum, other, "the colour sum is read");
 }
 
+TEST(Program, TheMuxesBitMattersOnlyWhereThereIsAMux) {
+  CombinerState state = products_state();
+  CombinerState other = state;
+  other.mux_by_lowest_bit = true;
+  expect_equal(state, other, "no mux at all");
+  for (CombinerState* s : {&state, &other}) {
+    s->general[0].alpha.out.mux_sum = true;  // whose third output is discarded
+    s->general[2].rgb.out = {.sum = Register::spare0, .mux_sum = true};
+  }
+  expect_equal(state, other, "none in use");
+  for (CombinerState* s : {&state, &other}) s->general[1].alpha.out = {.sum = Register::spare0, .mux_sum = true};
+  expect_different(state, other, "the second stage has one");
+  EXPECT_FALSE(normalize(other, kXbox).general[0].mux_by_lowest_bit);
+  EXPECT_TRUE(normalize(other, kXbox).general[1].mux_by_lowest_bit);
+}
+
+TEST(Program, BlueToAlphaMattersOnlyWhereItIsWritten) {
+  CombinerState state = products_state();
+  CombinerState other = state;
+  other.general[0].rgb.out.cd_blue_to_alpha = true;
+  expect_equal(state, other, "CD goes nowhere");
+  other = state;
+  other.general[0].rgb.out.ab_blue_to_alpha = true;
+  expect_different(state, other, "AB goes to spare0");
+  for (CombinerState* s : {&state, &other}) s->general[0].alpha.out.cd = Register::spare0;
+  expect_equal(state, other, "the alpha portion writes spare0's alpha");
+}
+
+TEST(Program, InvertsMatterOnlyIfTheColorSumIsRead) {
+  for (bool CombinerState::*const invert :
+       {&CombinerState::color_sum_invert_spare0, &CombinerState::color_sum_invert_secondary}) {
+    CombinerState state = products_state();
+    CombinerState other = state;
+    other.*invert = true;
+    expect_equal(state, other, "nothing reads the colour sum");
+    state.final_combiner.d = other.final_combiner.d = rgb_of(Register::spare0_plus_secondary);
+    expect_different(state, other, "the colour sum is read");
+  }
+}
+
 TEST(Program, EAndFMatterOnlyIfTheirProductIsRead) {
   CombinerState state = products_state();
   CombinerState other = state;
@@ -166,7 +206,7 @@ TEST(Program, EqualProgramsMeanEqualResults) {
     const auto i = static_cast<std::size_t>(random.below(state.num_general_combiners));
     Portion& portion = random.one_in(2) ? other.general[i].rgb : other.general[i].alpha;
     const Portion& from = &portion == &other.general[i].rgb ? donor.general[i].rgb : donor.general[i].alpha;
-    switch (random.below(12)) {
+    switch (random.below(15)) {
       case 0:
         portion.a = from.a;
         break;
@@ -198,6 +238,17 @@ TEST(Program, EqualProgramsMeanEqualResults) {
         other.general[i].constant1 = donor.general[i].constant1;
         break;
       case 10:
+        other.mux_by_lowest_bit = profile.mux_by_lowest_bit && !other.mux_by_lowest_bit;
+        break;
+      case 11:
+        other.general[i].rgb.out.ab_blue_to_alpha = donor.general[i].rgb.out.ab_blue_to_alpha;
+        other.general[i].rgb.out.cd_blue_to_alpha = donor.general[i].rgb.out.cd_blue_to_alpha;
+        break;
+      case 12:
+        other.color_sum_invert_spare0 = donor.color_sum_invert_spare0;
+        other.color_sum_invert_secondary = donor.color_sum_invert_secondary;
+        break;
+      case 13:
         other.final_combiner.e = donor.final_combiner.e;
         break;
       default:

@@ -102,6 +102,8 @@ PortionOutput random_output(Random& random, PortionName portion, const HardwareP
   if (portion == PortionName::rgb) {
     out.ab_dot_product = random.one_in(4);
     out.cd_dot_product = random.one_in(4);
+    out.ab_blue_to_alpha = profile.blue_to_alpha && random.one_in(3);
+    out.cd_blue_to_alpha = profile.blue_to_alpha && random.one_in(3);
   }
   out.mux_sum = random.one_in(3);
   return out;
@@ -129,6 +131,9 @@ CombinerState random_state(Random& random, const HardwareProfile& profile) {
   state.num_general_combiners = 1 + random.below(random.one_in(2) ? 2 : profile.general_combiners.value);
   state.color_sum_clamp = random.one_in(2);
   state.per_stage_constants = profile.per_stage_constants && random.one_in(2);
+  state.mux_by_lowest_bit = profile.mux_by_lowest_bit && random.one_in(2);
+  state.color_sum_invert_spare0 = profile.color_sum_inverts && random.one_in(3);
+  state.color_sum_invert_secondary = profile.color_sum_inverts && random.one_in(3);
   state.constant0 = random_color(random);
   state.constant1 = random_color(random);
   for (GeneralCombiner& stage : state.general) {

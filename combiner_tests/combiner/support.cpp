@@ -22,9 +22,11 @@ void print(std::ostream& out, const char* name, const Portion& portion) {
   print(out, "C", portion.c);
   print(out, "D", portion.d);
   const PortionOutput& o = portion.out;
-  out << "\n    AB->" << name_of(o.ab) << (o.ab_dot_product ? " (dot)" : "") << " CD->" << name_of(o.cd)
-      << (o.cd_dot_product ? " (dot)" : "") << (o.mux_sum ? " mux->" : " sum->") << name_of(o.sum)
-      << " scale=" << name_of(o.scale) << " bias=" << name_of(o.bias) << '\n';
+  out << "\n    AB->" << name_of(o.ab) << (o.ab_dot_product ? " (dot)" : "")
+      << (o.ab_blue_to_alpha ? " (blue to alpha)" : "") << " CD->" << name_of(o.cd)
+      << (o.cd_dot_product ? " (dot)" : "") << (o.cd_blue_to_alpha ? " (blue to alpha)" : "")
+      << (o.mux_sum ? " mux->" : " sum->") << name_of(o.sum) << " scale=" << name_of(o.scale)
+      << " bias=" << name_of(o.bias) << '\n';
 }
 
 void print(std::ostream& out, const char* name, const ColorF& color) {
@@ -101,7 +103,9 @@ std::string describe(const CombinerState& state, const HardwareProfile& p) {
       << (p.narrowing_point.value == NarrowingPoint::after_scale ? "after_scale" : "before_scale")
       << " final_narrowing=" << (p.final_narrowing.value == Narrowing::toward_zero ? "toward_zero" : "nearest")
       << "\nstages=" << state.num_general_combiners << " color_sum_clamp=" << state.color_sum_clamp
-      << " per_stage_constants=" << state.per_stage_constants;
+      << " per_stage_constants=" << state.per_stage_constants << " mux_by_lowest_bit=" << state.mux_by_lowest_bit
+      << " color_sum_invert_spare0=" << state.color_sum_invert_spare0
+      << " color_sum_invert_secondary=" << state.color_sum_invert_secondary;
   print(out, "constant0", state.constant0);
   print(out, "constant1", state.constant1);
   out << '\n';

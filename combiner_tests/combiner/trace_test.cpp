@@ -107,8 +107,12 @@ void check_final(const Program& program, const Trace& t, TracesSeen& seen) {
     const auto in = [&](std::size_t v) { return f.input[v].mapped.code; };
     ASSERT_EQ(f.e_times_f_product.units, in(4) * in(5));
     ASSERT_EQ(f.e_times_f_product.units, f.e_times_f_dropped.units + f.e_times_f.code * d.one);
-    ASSERT_EQ(f.color_sum_unclamped.code,
-              std::max<int>(registers[Register::spare0][c], 0) + std::max<int>(registers[Register::secondary][c], 0));
+    const auto part = [&](Register r, bool inverted) {
+      const int positive = std::max<int>(registers[r][c], 0);
+      return inverted ? d.one - positive : positive;
+    };
+    ASSERT_EQ(f.color_sum_unclamped.code, part(Register::spare0, program.color_sum_invert_spare0) +
+                                              part(Register::secondary, program.color_sum_invert_secondary));
     ASSERT_EQ(f.color_sum.code,
               program.color_sum_clamp ? std::min(f.color_sum_unclamped.code, d.one) : f.color_sum_unclamped.code);
     ASSERT_EQ(f.a_times_b.units, in(0) * in(1));
@@ -314,6 +318,47 @@ TEST(Trace, AMuxSeesOtherAlphaThanTheIdeal) {
   EXPECT_TRUE(t.stage[1].ideal_takes_cd);
   EXPECT_EQ(t.stage[1].alpha.channel.at(0).third_output->written.code, 255);
   EXPECT_EQ(t.stage[1].alpha.channel.at(0).third_output->written.ideal, 0.0);
+}
+
+TEST(Trace, AMuxByTheLowestBitIsToldSo) {
+  CombinerState state = silent_state(1);
+  state.mux_by_lowest_bit = true;
+  Portion& alpha = state.general[0].alpha;
+  alpha.a = alpha_of(Register::primary);
+  alpha.c = alpha_of(Register::secondary);
+  alpha.b = alpha.d = kOneAlpha;
+  alpha.out = {.sum = Register::spare1, .mux_sum = true};
+  for (const HardwareProfile& profile : {profiles::nv2a, profiles::ideal, profiles::float_shader}) {
+    for (const int select : {-3, 0, 1, 128, 129, 255}) {
+      RegisterFile registers;
+      registers[Register::primary] = codes(0, 0, 0, 10);
+      registers[Register::secondary] = codes(0, 0, 0, 20);
+      registers[Register::spare0][kAlpha] = static_cast<s9>(select);
+      const Trace t = trace(normalize(state, profile), profile, registers);
+      const bool odd = select > 0 && select % 2 == 1;
+      EXPECT_TRUE(t.stage[0].mux_by_lowest_bit);
+      EXPECT_EQ(t.stage[0].takes_cd, odd) << profile.name << select;
+      EXPECT_EQ(t.stage[0].ideal_takes_cd, odd) << profile.name << select;
+      EXPECT_EQ(t.stage[0].alpha.channel.at(0).third_output->written.code, odd ? 20 : 10) << profile.name << select;
+    }
+  }
+}
+
+TEST(Trace, BlueGoesToAlphaInTheRegistersAfterTheStage) {
+  CombinerState state = silent_state(1);
+  Portion& rgb = state.general[0].rgb;
+  rgb.a = rgb_of(Register::primary);
+  rgb.b = kOne;
+  rgb.out = {.ab = Register::spare1, .sum = Register::discard, .scale = Scale::by_two, .ab_blue_to_alpha = true};
+  RegisterFile registers;
+  registers[Register::primary] = codes(10, 20, 30, 40);
+  for (const HardwareProfile& profile : {profiles::nv2a, profiles::ideal, profiles::float_shader}) {
+    const Trace t = trace(normalize(state, profile), profile, registers);
+    EXPECT_TRUE(t.stage[0].rgb.state.out.ab_blue_to_alpha);
+    EXPECT_EQ(t.stage[0].after.codes[Register::spare1], codes(20, 40, 60, 60)) << profile.name;
+    EXPECT_NEAR(t.stage[0].after.real[Register::spare1][kAlpha], 60 / 255.0, 1e-7) << profile.name;
+    EXPECT_EQ(t.stage[0].after.ideal[Register::spare1][kAlpha], 60 / 255.0) << profile.name;
+  }
 }
 
 }  // namespace

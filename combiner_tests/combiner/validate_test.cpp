@@ -82,6 +82,55 @@ TEST(Validate, AllFaultsOfAStateAreReportedWithTheirPlaces) {
   EXPECT_TRUE(found(all, {}, {}, Variable::g, invalid_operation)) << "rgb in G";
 }
 
+// What the NV2A's registers can ask for, and GL cannot.
+TEST(Validate, AProfileWithoutTheBitRefusesIt) {
+  CombinerState state;
+  state.mux_by_lowest_bit = true;
+  for (const HardwareProfile& profile : hardware_profiles()) {
+    const std::vector<StateDiagnostic> all = validate(state, profile);
+    if (profile.mux_by_lowest_bit) {
+      EXPECT_TRUE(all.empty()) << profile.name;
+      continue;
+    }
+    ASSERT_EQ(all.size(), 1U) << profile.name;
+    EXPECT_EQ(all[0].parameter, StateParameter::mux_by_lowest_bit);
+    EXPECT_EQ(all[0].gl_error, GlError::invalid_enum);
+    EXPECT_EQ(all[0].message,
+              "profile " + std::string(profile.name) + " has no mux by the lowest bit of spare0's alpha (NV2A)");
+  }
+}
+
+TEST(Validate, AColorSumWithoutInvertsRefusesThem) {
+  for (const bool spare0 : {true, false}) {
+    CombinerState state;
+    (spare0 ? state.color_sum_invert_spare0 : state.color_sum_invert_secondary) = true;
+    for (const HardwareProfile& profile : hardware_profiles()) {
+      const std::vector<StateDiagnostic> all = validate(state, profile);
+      ASSERT_EQ(all.size(), profile.color_sum_inverts ? 0U : 1U) << profile.name;
+      if (all.empty()) continue;
+      EXPECT_EQ(all[0].parameter, StateParameter::color_sum_inverts);
+      EXPECT_EQ(all[0].gl_error, GlError::invalid_enum);
+      EXPECT_EQ(all[0].message, "profile " + std::string(profile.name) + " has no 1 - x in the colour sum (NV2A)");
+    }
+  }
+}
+
+TEST(Validate, BlueToAlphaIsOfRgbPortionsAndOfProfilesThatHaveIt) {
+  CombinerState state;
+  state.general[1].rgb.out.ab_blue_to_alpha = true;
+  for (const HardwareProfile& profile : hardware_profiles()) {
+    const std::vector<StateDiagnostic> all = validate(state, profile);
+    ASSERT_EQ(all.size(), profile.blue_to_alpha ? 0U : 1U) << profile.name;
+    if (all.empty()) continue;
+    EXPECT_TRUE(found(all, 1, PortionName::rgb, {}, GlError::invalid_enum));
+    EXPECT_NE(all[0].message.find("has no blue-to-alpha outputs (NV2A)"), std::string::npos);
+  }
+  state.general[1].alpha.out.cd_blue_to_alpha = true;
+  const std::vector<StateDiagnostic> all = validate(state, profiles::nv2a);
+  EXPECT_EQ(all.size(), 1U);
+  EXPECT_TRUE(found(all, 1, PortionName::alpha, {}, GlError::invalid_value));
+}
+
 TEST(Validate, MessagesNameThePlace) {
   const std::vector<StateDiagnostic> all = validate(faulty_state(), kCard);
   const auto message_of = [&](std::optional<int> stage, std::optional<Variable> variable) {

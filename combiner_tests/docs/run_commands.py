@@ -1,13 +1,14 @@
 #!/usr/bin/env python3
 """Runs the commands that pages of the documentation show, as a reader would who has just cloned the tree.
 
-usage: run_commands.py PROGRAM PAGE ...
+usage: run_commands.py [--here] PROGRAM PAGE ...
 
-In fenced blocks without a language, a line that begins with `ninebit ` is a command, `cat > FILE <<END` is one with all
-lines to END, and so is a line that begins with `$ ninebit `; the lines below the latter are what it prints, on both
-streams. Commands run from top to bottom in a new folder with copies of docs/, scenes/ and combiner_tests/hardware/, a page's in the same
-folder. Output is compared word by word, so that a page may break lines; `…` stands for whatever a page leaves out. A
-command must exit with 0, or, where the page shows its output, with 1 after a found fault or 3 after `ninebit: error:`.
+In fenced blocks without a language, a line that begins with `ninebit `, `python3 `, `cp ` or `sed ` is a command,
+`cat > FILE <<END` is one with all lines to END, and so is a line that begins with `$ ninebit `; the lines below the
+latter are what it prints, on both streams. Commands run from top to bottom, a page's in the same folder: a new one with
+copies of docs/, scenes/ and combiner_tests/hardware/, or with --here the current one. Output is compared word by word, so
+that a page may break lines; `…` stands for whatever a page leaves out. A command must exit with 0, or, where the page
+shows its output, with 1 after a found fault or 3 after `ninebit: error:`.
 
 HTML comments in front of a block, which readers do not see:
   <!-- not run: WHY -->      none of the block's commands is run
@@ -26,6 +27,7 @@ import time
 
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 REMARK = re.compile(r'<!-- (not run|run with): (.*?) -->$')
+COMMANDS = ('ninebit ', 'python3 ', 'cp ', 'sed ', 'cat > ')
 LIMIT_S = 300
 
 
@@ -41,7 +43,7 @@ def read_block(lines, begin):
     while at < len(lines) and lines[at] != '```':
         text, number = lines[at], at + 1
         shown = text.startswith('$ ninebit ')
-        if shown or text.startswith('ninebit ') or text.startswith('cat > '):
+        if shown or text.startswith(COMMANDS):
             while text.endswith('\\') or (text.startswith('cat > ') and not text.endswith('\nEND')):
                 at += 1
                 text += '\n' + lines[at]
@@ -85,7 +87,7 @@ def agree(shown, printed):
 def run(command, folder, program):
     """What is wrong with a command, or None."""
     environment = dict(os.environ, NO_COLOR='1')
-    function = f'ninebit() {{ {shlex.quote(os.path.abspath(program))} "$@" {command.flags}; }}\n'
+    function = f'ninebit() {{ {shlex.quote(program)} "$@" {command.flags}; }}\n'
     result = subprocess.run(['bash', '-o', 'pipefail', '-c', function + command.text], cwd=folder, env=environment,
                             stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
                             timeout=LIMIT_S, check=False)
@@ -99,31 +101,39 @@ def run(command, folder, program):
     return None
 
 
-def run_page(program, page):
+def run_page(program, page, folder):
     """How many of a page's commands ran, and how many of them failed."""
     ran = failed = 0
-    with tempfile.TemporaryDirectory() as folder:
-        for name in ('docs', 'scenes', 'combiner_tests/hardware'):
-            shutil.copytree(os.path.join(ROOT, name), os.path.join(folder, name))
-        for command in commands_of(page):
-            where = f'{os.path.relpath(page, ROOT)}:{command.line_number}: ' + ' '.join(command.text.split())
-            if command.reason is not None:
-                print(f'not run  {where} ({command.reason})')
-                continue
-            begin = time.monotonic()
-            fault = run(command, folder, program)
-            ran += 1
-            failed += fault is not None
-            print(f'{"FAILED" if fault else "passed"} {time.monotonic() - begin:5.1f} s  {where}', flush=True)
-            if fault:
-                print(f'  {fault}')
+    for command in commands_of(page):
+        where = f'{os.path.relpath(page, ROOT)}:{command.line_number}: ' + ' '.join(command.text.split())
+        if command.reason is not None:
+            print(f'not run  {where} ({command.reason})')
+            continue
+        begin = time.monotonic()
+        fault = run(command, folder, program)
+        ran += 1
+        failed += fault is not None
+        print(f'{"FAILED" if fault else "passed"} {time.monotonic() - begin:5.1f} s  {where}', flush=True)
+        if fault:
+            print(f'  {fault}')
     return ran, failed
 
 
+def run_in_copies(program, page):
+    with tempfile.TemporaryDirectory() as folder:
+        for name in ('docs', 'scenes', 'combiner_tests/hardware'):
+            shutil.copytree(os.path.join(ROOT, name), os.path.join(folder, name))
+        return run_page(program, page, folder)
+
+
 def main():
-    if len(sys.argv) < 3:
+    words = sys.argv[1:]
+    here = words[:1] == ['--here']
+    program, *pages = words[here:] or ['']
+    if not pages:
         raise SystemExit(__doc__)
-    counts = [run_page(sys.argv[1], page) for page in sys.argv[2:]]
+    program = os.path.abspath(program)
+    counts = [run_page(program, page, '.') if here else run_in_copies(program, page) for page in pages]
     ran, failed = (sum(column) for column in zip(*counts))
     print(f'{ran} commands, {failed} failed')
     sys.exit(1 if failed else 0 if ran else 77)

@@ -45,6 +45,8 @@ std::string print(const HardwareProfile& p) {
   }
   text += member("general_combiners", p.general_combiners.value) + member("texture_units", p.texture_units.value);
   text += member("per_stage_constants", p.per_stage_constants.value) + member("blue_to_alpha", p.blue_to_alpha.value);
+  text +=
+      member("mux_by_lowest_bit", p.mux_by_lowest_bit.value) + member("color_sum_inverts", p.color_sum_inverts.value);
   text += member("spare0_alpha_without_texture0", p.spare0_alpha_without_texture0.value);
   text += member("disabled_texture_alpha", p.disabled_texture_alpha.value);
   text += member("secondary_alpha", p.secondary_alpha == SecondaryAlpha::one ? "one" : "as-given");

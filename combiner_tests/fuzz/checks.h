@@ -1,5 +1,5 @@
-// What must hold of each parser, whatever bytes it is given. The fuzzers call these functions with what libFuzzer makes
-// up, and the tests of the rooms with the kept corpora.
+// What must hold of each parser, and of the evaluators, whatever bytes they are given. The fuzzers call these functions
+// with what libFuzzer makes up, and the tests of the rooms with the kept corpora.
 #pragma once
 
 #include <string>
@@ -18,5 +18,19 @@ std::string check_words(std::string_view bytes);    // register words as NAME = 
 std::string check_json(std::string_view bytes);     // the canonical form, and register words as JSON
 std::string check_profile(std::string_view bytes);  // a hardware profile, which must compute alike in both evaluators
 std::string check_csv(std::string_view bytes);      // a table for `eval`, which reads alike in any pieces
+
+// A state, a profile and registers made of the bytes as random numbers; every evaluator must give what the reference
+// does, and a state that GL refuses must not compile.
+std::string check_state(std::string_view bytes);
+
+// A part of a study, as it is and with each line's hash made to fit. What is read must come back when it is written,
+// and join; a run must go on with it to its end or say why not, and leave it alone then.
+std::string check_part(std::string_view bytes);
+// What check_part reads after it has read the bytes themselves: a line gets the hash that fits it; one that begins with
+// '!' stays as it is, without that.
+std::string with_hashes(std::string_view bytes);
+
+std::string check_dds(std::string_view bytes);    // a DDS file: texture or refusal, and mip-maps that are all there
+std::string check_scene(std::string_view bytes);  // a scene file of each format: our own checks, before Assimp
 
 }  // namespace ninebit::fuzz

@@ -3,8 +3,8 @@
 
 usage: verify_rows.py [--check]    --check writes nothing, and fails where the files differ from what would be written
 
-Rows that use what OpenGL cannot express (mux by the lowest bit, inverted colour sum, blue to alpha) are left out, and
-so are tables of other things than the combiners.
+Programs that OpenGL can express are !!RC1.0 texts, others register words. Tables of other things than the combiners are
+left out.
 """
 import csv
 import io
@@ -13,7 +13,7 @@ import sys
 
 here = pathlib.Path(__file__).resolve().parent
 inputs = [f"{reg}.{c}" for reg in ("const0", "const1", "primary", "secondary", "spare0", "tex3") for c in "rgba"]
-outputs = ["stage0.spare0.a", "out.r", "out.g", "out.b", "out.a"]
+outputs = ["stage0.spare0.a", "stage1.spare0.a", "stage1.spare1.a", "out.r", "out.g", "out.b", "out.a"]
 rows, programs = [], {}
 
 
@@ -25,6 +25,11 @@ def table(name):
 def program(name, *body):
     programs.setdefault(f"{name}.rc", "\n".join(("!!RC1.0",) + body) + "\n")
     return f"{name}.rc"
+
+
+def words(name, **values):
+    programs.setdefault(f"{name}.words", "".join(f"{word} = {value:#010x}\n" for word, value in values.items()))
+    return f"{name}.words"
 
 
 def row(name, file, values):
@@ -71,11 +76,54 @@ mux = program(
     "out.rgb = spare1;",
     "out.a = unsigned_invert(zero);",
 )
+# The same, but for the mux's bit in RC_ENABLE.
+mux_by_lowest_bit = words(
+    "mux_by_lowest_bit",
+    RC_IN_ALPHA_0=0x11300000,
+    RC_OUT_ALPHA_0=0x000000C0,
+    RC_OUT_RGB_0=0,
+    RC_IN_RGB_1=0x01200220,
+    RC_OUT_RGB_1=0x00004D00,
+    RC_OUT_ALPHA_1=0,
+    RC_CONSTANT_COLOR0_1=0x00FF0000,
+    RC_CONSTANT_COLOR1_1=0x000000FF,
+    RC_FINAL0=0x0000000D,
+    RC_FINAL1=0x00003000,
+    RC_ENABLE=0x00011002,
+)
 for r in table("nv2a_mux"):
-    if r["mux_select"] == "MSB":
-        alpha = r["spare0_alpha_byte"]
-        expected = {f"out.{c.lower()}": r[c] for c in "RGBA"}
-        row(f"mux at {alpha}", mux, {"const0.a": alpha, "stage0.spare0.a": alpha, **expected})
+    alpha = r["spare0_alpha_byte"]
+    expected = {f"out.{c.lower()}": r[c] for c in "RGBA"}
+    highest = r["mux_select"] == "MSB"
+    row(f"mux {'' if highest else 'by the lowest bit '}at {alpha}", mux if highest else mux_by_lowest_bit,
+        {"const0.a": alpha, "stage0.spare0.a": alpha, **expected})
+
+
+def inverted_sum(name, abcd, flags):
+    return words(name, RC_OUT_RGB_0=0, RC_OUT_ALPHA_0=0, RC_FINAL0=abcd, RC_FINAL1=0x00003000 | flags)
+
+
+# Stage 0 leaves blue 63 in spare0, stage 1 blue 191 there and the old one in spare1, both to alpha, too; stage 2 spreads
+# the alpha of one of them.
+def blue_to_alpha(name, shown):
+    return words(
+        name,
+        RC_IN_RGB_0=0x01200000,
+        RC_OUT_RGB_0=0x000000C0,
+        RC_OUT_ALPHA_0=0,
+        RC_IN_RGB_1=0x01200C20,
+        RC_OUT_RGB_1=0x000C00CD,
+        RC_OUT_ALPHA_1=0,
+        RC_IN_RGB_2=0x10200000 | shown << 24,
+        RC_OUT_RGB_2=shown << 4,
+        RC_OUT_ALPHA_2=0,
+        RC_CONSTANT_COLOR0_0=63,
+        RC_CONSTANT_COLOR0_1=191,
+        RC_FINAL0=shown,
+        RC_FINAL1=0x00003000,
+        RC_ENABLE=0x00011103,
+    )
+
 
 opaque = "out.a = unsigned_invert(zero);"
 color_sum = "out.rgb = const0 * color_sum;"
@@ -96,6 +144,15 @@ cases = {
         program("old_blue", "{", "  rgb { spare0 = const0; }", "  alpha { spare0 = spare0.b; }", "}",
                 "out.rgb = lerp(spare0.a, spare0, col0);", opaque),
         {**rgb("const0", (0, 0, 255)), **rgb("primary", (25, 255, 25)), "stage0.spare0.a": 0}),
+    "1-R0": (inverted_sum("sum_inverted_spare0", 0x010E0000, 0x20), {**rgb("const0", [255] * 3), **rgb("spare0", [191] * 3)}),
+    "1-V1": (inverted_sum("sum_inverted_secondary", 0x010E0000, 0x40),
+             {**rgb("const0", [255] * 3), **rgb("secondary", [191] * 3)}),
+    "SUM inv R0": (inverted_sum("sum_alone_inverted_spare0", 0x0000000E, 0x20),
+                   {**rgb("spare0", (63, 127, 191)), **rgb("secondary", (178, 127, 38))}),
+    "SUM inv V1": (inverted_sum("sum_alone_inverted_secondary", 0x0000000E, 0x40),
+                   {**rgb("spare0", (63, 127, 191)), **rgb("secondary", (178, 127, 38))}),
+    "blue->alpha CD": (blue_to_alpha("blue_to_alpha_cd", 0xD), {"stage1.spare1.a": 63}),
+    "blue->alpha AB": (blue_to_alpha("blue_to_alpha_ab", 0xC), {"stage1.spare0.a": 191}),
     "tex0 rgb unbound": (program("texture", "out.rgb = tex0;", opaque), {}),
     "tex0 alpha unbound": (program("texture_alpha", "out.rgb = tex0.a;", opaque), {}),
 }

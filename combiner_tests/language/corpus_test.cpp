@@ -25,6 +25,11 @@ TEST(Corpus, Words) {
   });
 }
 
+TEST(Corpus, State) {
+  // Any bytes are a state, which need not be valid.
+  replay("state", check_state, [](std::string_view bytes) { return bytes.size() < 300; });
+}
+
 TEST(Corpus, PlacesOutsideTheTextAreSeen) {
   EXPECT_EQ(wrong_with_place({1, 1}, ""), "");
   EXPECT_EQ(wrong_with_place({2, 3}, "a\nbc"), "");

@@ -62,7 +62,8 @@ void check_equations(const Program& program, const Explanation& e, const Registe
     const double tolerance = !equation.stage ? 2.0 : early ? 4.0 : 1.0;
     for (std::size_t c = 0; c < 3; ++c) {
       const double code = said[c] * d.one;
-      const std::size_t at = equation.portion == PortionName::rgb ? c : kAlpha;
+      const bool to_alpha = equation.portion == PortionName::alpha || equation.target.ends_with(".a");
+      const std::size_t at = to_alpha ? kAlpha : c;
       ASSERT_NEAR(std::clamp(code, lowest, static_cast<double>(d.one)), wrote[at], tolerance + 1e-6)
           << equation.target << " = " << equation.expression << " in\n"
           << print_explanation(e);
@@ -84,6 +85,17 @@ void check_unused(const Program& program, const Explanation& e, const RegisterFi
     if (equation.used) continue;
     ProgramStage& stage = less.general[static_cast<std::size_t>(equation.stage.value())];
     PortionOutput& out = (equation.portion == PortionName::rgb ? stage.rgb : stage.alpha).out;
+    if (equation.portion == PortionName::rgb && equation.target.ends_with(".a")) {
+      (equation.output == "AB" ? out.ab_blue_to_alpha : out.cd_blue_to_alpha) = false;
+      ++checked.removed;
+    }
+  }
+  for (const Equation& equation : e.equations) {
+    if (equation.used || equation.target.ends_with(".a") != (equation.portion == PortionName::alpha)) continue;
+    ProgramStage& stage = less.general[static_cast<std::size_t>(equation.stage.value())];
+    PortionOutput& out = (equation.portion == PortionName::rgb ? stage.rgb : stage.alpha).out;
+    // An output whose blue goes on as alpha cannot be taken away alone.
+    if (equation.output == "AB" ? out.ab_blue_to_alpha : equation.output == "CD" && out.cd_blue_to_alpha) continue;
     (equation.output == "AB" ? out.ab : equation.output == "CD" ? out.cd : out.sum) = Register::discard;
     ++checked.removed;
   }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <string>
 
 namespace ninebit::test {
@@ -41,6 +42,14 @@ class Reader {
   }
 
   Real3 expression() {
+    if (accept("odd(")) {
+      const Real3 code = named();
+      expect(") ? ");
+      const Real3 yes = expression();
+      expect(" : ");
+      const Real3 no = expression();
+      return std::lround(std::max(code[0], 0.0) * d_.one) % 2 != 0 ? yes : no;
+    }
     const Real3 left = sum();
     if (!accept(" ≥ ")) return left;
     const Real3 right = product();

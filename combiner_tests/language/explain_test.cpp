@@ -161,6 +161,62 @@ TEST(Explain, TheMuxAndTheAlphaItReads) {
   EXPECT_TRUE(mentions(written.notes, "stage 0's alpha portion is GL's default: spare0.a = primary.a"));
 }
 
+TEST(Explain, AMuxByTheLowestBit) {
+  CombinerState state = silent_state(1);
+  state.mux_by_lowest_bit = true;
+  state.general[0].rgb = {
+      rgb_of(Register::texture0), kOne, rgb_of(Register::texture1), kOne, {.sum = Register::spare0, .mux_sum = true}};
+  state.final_combiner.d = rgb_of(Register::spare0);
+  const HardwareProfile& xbox = profiles::nv2a;
+  const Explanation e = explain(normalize(state, xbox), xbox);
+  EXPECT_EQ(lines_of(e).front(), "spare0 = odd(spare0.a) ? tex1 : tex0");
+  EXPECT_TRUE(mentions(e.legend, "odd(x): the lowest bit of x's code, of 0 where x is negative"));
+  EXPECT_FALSE(mentions(e.legend, "½"));
+}
+
+TEST(Explain, AnInvertedColorSum) {
+  CombinerState state = silent_state(1);
+  state.color_sum_clamp = false;
+  state.final_combiner.d = rgb_of(Register::spare0_plus_secondary);
+  state.color_sum_invert_secondary = true;
+  const HardwareProfile& xbox = profiles::nv2a;
+  EXPECT_EQ(explain(normalize(state, xbox), xbox).equations.at(0).expression, "spare0 + 1 − secondary");
+}
+
+// An equation of its own, in terms of blue: the same stage reads the register's old blue.
+TEST(Explain, BlueToAlpha) {
+  CombinerState state = silent_state(2);
+  state.general[0].rgb = {rgb_of(Register::spare0),
+                          alpha_of(Register::texture0),
+                          rgb_of(Register::primary),
+                          rgb_of(Register::texture1),
+                          {.ab = Register::spare0,
+                           .cd = Register::spare1,
+                           .sum = Register::discard,
+                           .cd_dot_product = true,
+                           .ab_blue_to_alpha = true,
+                           .cd_blue_to_alpha = true}};
+  state.general[1].rgb = {alpha_of(Register::spare0),
+                          alpha_of(Register::spare1),
+                          {},
+                          {},
+                          {.ab = Register::spare0, .sum = Register::discard}};
+  state.final_combiner.d = rgb_of(Register::spare0);
+  const HardwareProfile& xbox = profiles::nv2a;
+  const std::vector<std::string> lines = lines_of(explain(normalize(state, xbox), xbox));
+  EXPECT_EQ(lines.at(0), "spare0 = spare0 × tex0.a");
+  EXPECT_EQ(lines.at(1), "spare0.a = spare0.blue × tex0.a");
+  EXPECT_EQ(lines.at(2), "spare1 = primary · tex1");
+  EXPECT_EQ(lines.at(3), "spare1.a = primary · tex1");
+  state.general[0].rgb.a = rgb_of(Register::primary);
+  const Explanation e = explain(normalize(state, xbox), xbox);
+  EXPECT_EQ(lines_of(e).at(1), "spare0.a = primary.blue × tex0.a");
+  EXPECT_FALSE(e.equations.at(0).used) << "the second stage reads alphas alone";
+  EXPECT_TRUE(e.equations.at(1).used);
+  EXPECT_FALSE(e.equations.at(2).used);
+  EXPECT_TRUE(e.equations.at(3).used);
+}
+
 TEST(Explain, NegativePartsAreToldWhereTheyCanBe) {
   CombinerState state = silent_state(2);
   state.general[0].rgb = {rgb_of(Register::texture0, InputMapping::expand_normal),

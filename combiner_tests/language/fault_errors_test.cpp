@@ -103,11 +103,16 @@ TEST(FaultErrors, OfRegisterWords) {
   EXPECT_EQ(of_words("RC_ENABLE = 0x109", ChipClass::nv20), Errors{invalid_value});
 }
 
+// As where stage constants are asked for, which GL refuses by the names of their parameters.
+TEST(FaultErrors, OfWhatAProfileHasNot) {
+  EXPECT_EQ(of_words("RC_FINAL1 = 0x00001cc0"), Errors{invalid_enum});      // 1 - x in the colour sum
+  EXPECT_EQ(of_words("RC_OUT_RGB[1] = 0x20004c00"), Errors{invalid_enum});  // mux by the lowest bit
+}
+
 TEST(FaultErrors, NoneOfWhatAChipAloneRefuses) {
   EXPECT_EQ(of_words("RC_IN_RGB[0] = 0x06000000"), Errors{no_error});  // no register has this code
   EXPECT_EQ(of_words("RC_OUT_RGB[0] = 0x00000600"), Errors{no_error});
   EXPECT_EQ(of_words("RC_FINAL0 = 0x40000000"), Errors{no_error});  // outside the mask
-  EXPECT_EQ(of_words("RC_FINAL1 = 0x00001cc0"), Errors{no_error});  // 1 - x in the colour sum
   EXPECT_EQ(of_words("RC_IN_RGB[0] = zero\nFOO = 1"), (Errors{no_error, no_error}));
 }
 

@@ -58,7 +58,7 @@ TEST(JsonProfile, EveryFieldCanBeReplaced) {
     "arithmetic": "integer", "byte_shift": 1, "one": 127, "lowest": -128, "half": 63, "expand_offset": 128,
     "general_narrowing": "nearest-halves-up", "narrowing_point": "before-scale", "final_narrowing": "toward-zero",
     "general_combiners": 5, "texture_units": 3, "per_stage_constants": true, "blue_to_alpha": true,
-    "spare0_alpha_without_texture0": 1, "disabled_texture_alpha": 2, "secondary_alpha": "as-given",
+    "mux_by_lowest_bit": true, "color_sum_inverts": true, "spare0_alpha_without_texture0": 1, "disabled_texture_alpha": 2, "secondary_alpha": "as-given",
     "fog_alpha_without_fog": 3, "subpixel_bits": 0, "vertex_color_mantissa_bits": 23,
     "polygon_offset_slope": "root", "color_interpolation": "affine", "texture_weight_bits": 5,
     "dxt1_palette": "rgb888"})");
@@ -78,6 +78,8 @@ TEST(JsonProfile, EveryFieldCanBeReplaced) {
   EXPECT_EQ(p.texture_units.value, 3);
   EXPECT_TRUE(p.per_stage_constants.value);
   EXPECT_TRUE(p.blue_to_alpha.value);
+  EXPECT_TRUE(p.mux_by_lowest_bit.value);
+  EXPECT_TRUE(p.color_sum_inverts.value);
   EXPECT_EQ(p.spare0_alpha_without_texture0.value, 1);
   EXPECT_EQ(p.disabled_texture_alpha.value, 2);
   EXPECT_EQ(p.secondary_alpha.value, SecondaryAlpha::as_given);
@@ -172,7 +174,8 @@ TEST(JsonProfile, EveryFaultHasItsPlace) {
       "mine.json:3:11: \"nv2a\" is the name of a shipped profile\n"
       "mine.json:4:3: unknown key \"haf\"; the keys here are ninebit, version, base, name, chip, arithmetic, one, "
       "lowest, half, expand_offset, byte_shift, general_narrowing, narrowing_point, final_narrowing, "
-      "general_combiners, texture_units, per_stage_constants, blue_to_alpha, spare0_alpha_without_texture0, "
+      "general_combiners, texture_units, per_stage_constants, blue_to_alpha, mux_by_lowest_bit, "
+      "color_sum_inverts, spare0_alpha_without_texture0, "
       "disabled_texture_alpha, secondary_alpha, fog_alpha_without_fog, subpixel_bits, "
       "vertex_color_mantissa_bits, polygon_offset_slope, color_interpolation, texture_weight_bits, dxt1_palette\n"
       "mine.json:5:10: one must be a whole number, not a string\n"

@@ -47,6 +47,41 @@ TEST(JsonProgram, RandomStatesComeBackTheSame) {
   EXPECT_GT(more_than_used, 100);
 }
 
+TEST(JsonProgram, WhatGlDoesNotHaveIsThereWhereItIsAskedForAlone) {
+  struct Key {
+    std::string name;
+    bool CombinerState::*flag;
+    std::string fault;
+  };
+  const std::string sum = "no 1 - x in the colour sum", mux = "no mux by the lowest bit of spare0's alpha";
+  for (const auto& [name, flag, fault] :
+       {Key{"mux_by_lowest_bit", &CombinerState::mux_by_lowest_bit, mux},
+        Key{"color_sum_invert_spare0", &CombinerState::color_sum_invert_spare0, sum},
+        Key{"color_sum_invert_secondary", &CombinerState::color_sum_invert_secondary, sum}}) {
+    const std::string keys = '"' + name + "\": true";
+    CombinerState state;
+    state.*flag = true;
+    EXPECT_EQ(print_json_program({}).find(name), std::string::npos);
+    EXPECT_NE(print_json_program(state).find(keys), std::string::npos);
+    EXPECT_EQ(parse_json_program({with(keys), ""}, kXbox).value, state);
+    const auto refused = parse_json_program({with(keys), "f.json"}, kCard);
+    EXPECT_EQ(all_faults(refused), "f.json:2:" + std::to_string(name.size() + 5) +
+                                       ": GL_INVALID_ENUM: profile geforce2 has " + fault + " (NV2A)\n");
+  }
+}
+
+TEST(JsonProgram, BlueToAlpha) {
+  const std::string keys = R"("general_combiners": [{"rgb": {"output": {"ab": "spare1", "ab_blue_to_alpha": true}}}])";
+  CombinerState state;
+  state.general[0].rgb.out.ab = Register::spare1;
+  state.general[0].rgb.out.ab_blue_to_alpha = true;
+  EXPECT_EQ(print_json_program({}).find("blue_to_alpha"), std::string::npos);
+  EXPECT_NE(print_json_program(state).find(R"("mux_sum": false, "ab_blue_to_alpha": true})"), std::string::npos);
+  EXPECT_EQ(parse_json_program({with(keys), ""}, kXbox).value, state);
+  EXPECT_NE(all_faults(parse_json_program({with(keys), "f.json"}, kCard)).find("f.json:2:42: GL_INVALID_ENUM: "),
+            std::string::npos);
+}
+
 TEST(JsonProgram, MissingKeysAreTheDefaults) {
   for (const char* keys : {"", R"("general_combiners": [])", R"("general_combiners": [{}, {"rgb": {"a": {}}}])",
                            R"("final_combiner": {"g": {}}, "constant_color0": [0, 0.0, 0e5, -0.0])"}) {

@@ -199,6 +199,46 @@ TEST(RegisterWords, ALeastSignificantMuxWithoutAMuxSaysNothing) {
                                    ChipClass::nv20, kXbox));
 }
 
+TEST(RegisterWords, InvertedColorSum) {
+  CombinerState state;
+  state.color_sum_invert_spare0 = true;
+  EXPECT_EQ(decoded("RC_FINAL1 = 0x00001ca0\n", ChipClass::nv20), state);
+  EXPECT_NE(print_register_words(state, ChipClass::nv20, kXbox).value().find("RC_FINAL1 = 0x00001ca0\n"),
+            std::string::npos);
+  state.color_sum_invert_spare0 = false;
+  state.color_sum_invert_secondary = true;
+  EXPECT_EQ(decoded("RC_FINAL1 = 0x00001cc0\n", ChipClass::nv20), state);
+  EXPECT_EQ(parse_register_words({"RC_FINAL1 = 0x00001cc0", ""}, ChipClass::nv10, kXbox).value, state);
+}
+
+TEST(RegisterWords, BlueToAlpha) {
+  CombinerState state;
+  state.general[3].rgb.out = {.ab = Register::spare1, .cd = Register::primary, .ab_blue_to_alpha = true};
+  EXPECT_EQ(decoded("RC_OUT_RGB[3] = 0x00080cd4\n", ChipClass::nv20), state);
+  EXPECT_NE(print_register_words(state, ChipClass::nv20, kXbox).value().find("RC_OUT_RGB[3] = 0x00080cd4\n"),
+            std::string::npos);
+  state.general[3].rgb.out.ab_blue_to_alpha = false;
+  state.general[3].rgb.out.cd_blue_to_alpha = true;
+  EXPECT_EQ(decoded("RC_OUT_RGB[3] = 0x00040cd4\n", ChipClass::nv20), state);
+  const auto refused = parse_register_words({"\nRC_OUT_RGB[1] = 0x00080c40", ""}, ChipClass::nv20, kCard);
+  EXPECT_NE(all_faults(refused).find("2:1: GL_INVALID_ENUM: general combiner 1, RGB portion: profile geforce2 has no "
+                                     "blue-to-alpha outputs (NV2A)"),
+            std::string::npos)
+      << all_faults(refused);
+}
+
+TEST(RegisterWords, MuxByTheLowestBit) {
+  CombinerState state;
+  state.mux_by_lowest_bit = state.general[0].rgb.out.mux_sum = true;
+  EXPECT_EQ(decoded("RC_OUT_RGB[0] = 0x4c00\nRC_ENABLE = 0x1\n", ChipClass::nv20), state);
+  EXPECT_NE(print_register_words(state, ChipClass::nv20, kXbox).value().find("RC_ENABLE = 0x00000001\n"),
+            std::string::npos);
+  // NV10 has the bit, too: of a profile that has what it asks for.
+  const std::string nv10 = print_register_words(state, ChipClass::nv10, kXbox).value();
+  EXPECT_NE(nv10.find("RC_OUT_RGB[1] = 0x10000c00\n"), std::string::npos);
+  EXPECT_EQ(parse_register_words({nv10, ""}, ChipClass::nv10, kXbox).value, state);
+}
+
 struct WordFault {
   ChipClass chip;
   const char* text;
@@ -261,13 +301,10 @@ const WordFault kFaults[] = {
     {k20, "RC_ENABLE = 0x100", 1, 1, "are 0; NV20 has 1 to 8"},
     {k20, "RC_ENABLE = 0x109", 1, 1, "are 9; NV20 has 1 to 8"},
     {k20, "RC_ENABLE = 0x01000101", 1, 1, "bit 24 must be 0; the mask of the word is 0x0001110f"},
-    // What the chip has and OpenGL has not.
-    {k20, "RC_OUT_RGB[0] = 0x00080c40", 1, 1, "bit 19 (blue to alpha: 18 of CD, 19 of AB): OpenGL has no such output"},
-    {k20, "RC_OUT_RGB[0] = 0x000c0c40", 1, 1, "bits 19 and 18 (blue to alpha"},
-    {k10, "RC_FINAL1 = 0x00001cc0", 1, 1, "bit 6 (1 - x in the colour sum: 5 of spare0, 6 of secondary)"},
-    {k20, "RC_FINAL1 = 0x00001ca0", 1, 1, "bit 5 (1 - x in the colour sum"},
-    {k20, "RC_OUT_RGB[0] = 0x4c00\nRC_ENABLE = 0x1", 2, 1, "bit 8 is 0, so the mux of general combiner 0"},
-    {k10, "RC_OUT_RGB[1] = 0x20004c00", 1, 1, "bit 27 is 0, so the mux of general combiner 1"},
+    // What the chip has and the profile has not.
+    {k20, "RC_OUT_ALPHA[0] = 0x00080c40", 1, 1, "bit 19 must be 0; the mask of the word is 0x0003cfff"},
+    {k10, "\nRC_FINAL1 = 0x00001cc0", 2, 1, "GL_INVALID_ENUM: profile geforce2 has no 1 - x in the colour sum"},
+    {k10, "RC_OUT_RGB[1] = 0x20004c00", 1, 1, "GL_INVALID_ENUM: profile geforce2 has no mux by the lowest bit"},
     // What OpenGL refuses.
     {k10, "\nRC_IN_RGB[1] = 0x13000000", 2, 1, "GL_INVALID_OPERATION: general combiner 1, RGB portion, variable A"},
     {k10, "RC_IN_ALPHA[0] = 0x00001300", 1, 1, "variable C: fog's alpha"},
@@ -310,6 +347,9 @@ TEST(RegisterWords, WhatNv10CannotHold) {
   state = {};
   state.per_stage_constants = true;
   EXPECT_NE(lacks(state).find("no constants of a stage"), std::string::npos);
+  state = {};
+  state.general[1].rgb.out.ab_blue_to_alpha = true;
+  EXPECT_NE(lacks(state).find("NV10 has no blue-to-alpha outputs"), std::string::npos);
   state = {};
   state.final_combiner.d.reg = Register::texture2;
   EXPECT_NE(lacks(state).find("2 texture units"), std::string::npos);

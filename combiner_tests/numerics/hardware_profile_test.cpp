@@ -69,6 +69,8 @@ TEST(Profiles, Geforce2IsTheTable) {
   expect_choice(p.per_stage_constants, false, specified, "per_stage_constants");
   // The measurement is the NV2A's; that this chip's extension has no such output is specified.
   expect_choice(p.blue_to_alpha, false, specified, "blue_to_alpha");
+  expect_choice(p.mux_by_lowest_bit, false, specified, "mux_by_lowest_bit");
+  expect_choice(p.color_sum_inverts, false, specified, "color_sum_inverts");
   expect_choice(p.spare0_alpha_without_texture0, 255, assumed, "spare0_alpha_without_texture0");
   expect_choice(p.disabled_texture_alpha, 255, inferred, "disabled_texture_alpha");
   expect_choice(p.secondary_alpha, SecondaryAlpha::one, inferred, "secondary_alpha");
@@ -96,6 +98,8 @@ TEST(Profiles, Nv2aIsTheTable) {
   expect_choice(p.texture_units, 4, specified, "texture_units");
   expect_choice(p.per_stage_constants, true, specified, "per_stage_constants");
   expect_choice(p.blue_to_alpha, true, measured, "blue_to_alpha");
+  expect_choice(p.mux_by_lowest_bit, true, measured, "mux_by_lowest_bit");
+  expect_choice(p.color_sum_inverts, true, measured, "color_sum_inverts");
   expect_choice(p.spare0_alpha_without_texture0, 255, assumed, "spare0_alpha_without_texture0");
   expect_choice(p.disabled_texture_alpha, 255, measured, "disabled_texture_alpha");
   expect_choice(p.secondary_alpha, SecondaryAlpha::as_given, specified, "secondary_alpha");
@@ -142,6 +146,8 @@ TEST(Profiles, RealNumbersAreTheTable) {
     expect_choice(p.texture_units, 4, assumed, "texture_units");
     expect_choice(p.per_stage_constants, true, specified, "per_stage_constants");
     expect_choice(p.blue_to_alpha, true, assumed, "blue_to_alpha");
+    expect_choice(p.mux_by_lowest_bit, true, assumed, "mux_by_lowest_bit");
+    expect_choice(p.color_sum_inverts, true, assumed, "color_sum_inverts");
     expect_choice(p.disabled_texture_alpha, 255, assumed, "disabled_texture_alpha");
     expect_choice(p.secondary_alpha, SecondaryAlpha::as_given, specified, "secondary_alpha");
     expect_choice(p.subpixel_bits, 4, assumed, "subpixel_bits");

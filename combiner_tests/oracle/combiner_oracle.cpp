@@ -78,11 +78,17 @@ void multiply_rgb(const View& view, const CombinerInput& x, const CombinerInput&
   product[0] = product[1] = product[2] = sum;
 }
 
-void write(const View& view, const PortionOutput& out, std::size_t component, Fraction ab, Fraction cd,
-           Registers& after) {
-  // The mux reads the alpha that spare0 has when the stage begins.
+// The mux reads the alpha that spare0 has when the stage begins: its highest bit, which is that it reaches one half, or
+// the lowest of its bits as they are without a negative part.
+bool picks_second(const View& view, bool by_lowest_bit) {
   const Fraction select = view.content(Register::spare0, 3);
-  const bool picks_cd = !less(select, real(view.profile, view.profile.half));
+  if (!by_lowest_bit) return !less(select, real(view.profile, view.profile.half));
+  const std::int64_t code = floor_of(times(larger(select, whole(0)), whole(view.profile.one)));
+  return (code & 1) != 0;
+}
+
+void write(const View& view, const PortionOutput& out, std::size_t component, bool picks_cd, Fraction ab, Fraction cd,
+           Registers& after) {
   const Fraction third = !out.mux_sum ? plus(ab, cd) : picks_cd ? cd : ab;
   const auto assign = [&](Register to, Fraction value) {
     if (to == Register::discard) return;
@@ -191,9 +197,17 @@ Outcome run(const CombinerState& state, const HardwareProfile& profile, const Re
     p.ab[3] = times(view.input(stage.alpha.a, 3), view.input(stage.alpha.b, 3));
     p.cd[3] = times(view.input(stage.alpha.c, 3), view.input(stage.alpha.d, 3));
     Registers after = current;
+    // The blue that an RGB portion also writes to an alpha comes first: what the alpha portion writes there stays.
+    const PortionOutput& rgb = stage.rgb.out;
+    const auto blue_to_alpha = [&](bool asked, Register to, Fraction blue) {
+      if (!asked || to == Register::discard) return;
+      after[static_cast<std::size_t>(to)][3] = general_output(profile, rgb.scale, rgb.bias, blue);
+    };
+    blue_to_alpha(rgb.ab_blue_to_alpha, rgb.ab, p.ab[2]);
+    blue_to_alpha(rgb.cd_blue_to_alpha, rgb.cd, p.cd[2]);
     for (std::size_t component = 0; component < 4; ++component) {
       const PortionOutput& out = component == 3 ? stage.alpha.out : stage.rgb.out;
-      write(view, out, component, p.ab[component], p.cd[component], after);
+      write(view, out, component, picks_second(view, state.mux_by_lowest_bit), p.ab[component], p.cd[component], after);
     }
     current = after;
   }
@@ -206,8 +220,12 @@ Outcome run(const CombinerState& state, const HardwareProfile& profile, const Re
     const Fraction product = times(view.input(f.e, channel), view.input(f.f, channel));
     const std::int64_t ef = narrowed(profile.final_narrowing, times(product, whole(profile.one)));
     view.e_times_f[c] = real(profile, static_cast<int>(ef));
-    const Fraction sum = plus(larger(whole(0), view.content(Register::spare0, c)),
-                              larger(whole(0), view.content(Register::secondary, c)));
+    const auto summand = [&](Register reg, bool from_one) {
+      const Fraction positive = larger(whole(0), view.content(reg, c));
+      return from_one ? minus(whole(1), positive) : positive;
+    };
+    const Fraction sum = plus(summand(Register::spare0, state.color_sum_invert_spare0),
+                              summand(Register::secondary, state.color_sum_invert_secondary));
     view.color_sum[c] = state.color_sum_clamp ? smaller(sum, whole(1)) : sum;
   }
   for (int channel = 0; channel < 3; ++channel) {

@@ -108,15 +108,20 @@ Whole option(const PortionOutput& out, const Whole& value, const Whole& product_
   return smaller(larger(biased, negated(most)), most);
 }
 
-void run_stage(const GeneralCombiner& stage, Bench& bench) {
+// spare0.alpha >= 1/2, or its nearest code odd
+bool second_chosen(const HardwareProfile& profile, bool by_lowest_bit, const Bench& bench) {
+  const Whole& alpha = bench.registers[static_cast<std::size_t>(Register::spare0)][3];
+  if (!by_lowest_bit) return !less(times(2, alpha), bench.den);
+  return nearest_code(profile, {larger(alpha, 0), bench.den}) % 2 != 0;
+}
+
+void run_stage(const GeneralCombiner& stage, bool cd_chosen, Bench& bench) {
   const Whole product_den = times(times(2, bench.den), times(2, bench.den));
   const Whole growth = times(16, bench.den);  // (4 product_den) / den
   Numerators after = bench.registers;
   for (auto& reg : after) {
     for (Whole& n : reg) n = times(n, growth);
   }
-  // spare0.alpha >= 1/2
-  const bool cd_chosen = !less(times(2, bench.registers[static_cast<std::size_t>(Register::spare0)][3]), bench.den);
   const auto portion = [&](const Portion& p, int first, int channels) {
     std::array<Whole, 3> ab, cd;
     for (int c = 0; c < channels; ++c) {
@@ -138,6 +143,13 @@ void run_stage(const GeneralCombiner& stage, Bench& bench) {
     }
   };
   portion(stage.rgb, 0, 3);
+  const auto raise_blue = [&](bool asked, Register reg) {
+    if (!asked || reg == Register::discard) return;
+    auto& written = after[static_cast<std::size_t>(reg)];
+    written[3] = written[2];
+  };
+  raise_blue(stage.rgb.out.ab_blue_to_alpha, stage.rgb.out.ab);
+  raise_blue(stage.rgb.out.cd_blue_to_alpha, stage.rgb.out.cd);
   portion(stage.alpha, 3, 1);
   bench.registers = after;
   bench.unit = times(bench.unit, growth);
@@ -252,7 +264,7 @@ ExactOutcome run_exact(const CombinerState& state, const HardwareProfile& profil
     const GeneralCombiner& stage = state.general[static_cast<std::size_t>(i)];
     bench.constant0 = state.per_stage_constants ? codes_of(profile, stage.constant0) : global0;
     bench.constant1 = state.per_stage_constants ? codes_of(profile, stage.constant1) : global1;
-    run_stage(stage, bench);
+    run_stage(stage, second_chosen(profile, state.mux_by_lowest_bit, bench), bench);
   }
   bench.constant0 = global0;
   bench.constant1 = global1;
@@ -263,8 +275,12 @@ ExactOutcome run_exact(const CombinerState& state, const HardwareProfile& profil
   std::array<Whole, 3> product, sum;
   for (std::size_t c = 0; c < 3; ++c) {
     product[c] = times(bench.mapped(f.e, static_cast<int>(c)), bench.mapped(f.f, static_cast<int>(c)));
-    sum[c] = plus(larger(bench.registers[static_cast<std::size_t>(Register::spare0)][c], 0),
-                  larger(bench.registers[static_cast<std::size_t>(Register::secondary)][c], 0));
+    const auto summand = [&](Register reg, bool from_one) {
+      const Whole positive = larger(bench.registers[static_cast<std::size_t>(reg)][c], 0);
+      return from_one ? minus(bench.den, positive) : positive;
+    };
+    sum[c] = plus(summand(Register::spare0, state.color_sum_invert_spare0),
+                  summand(Register::secondary, state.color_sum_invert_secondary));
     if (state.color_sum_clamp) sum[c] = smaller(sum[c], bench.den);
   }
   const auto value = [&](const CombinerInput& in, int channel) {

@@ -98,6 +98,9 @@ FloatOutcome run_float(const CombinerState& state, const HardwareProfile& profil
     const File before = file;
     const Reader read{before, state.per_stage_constants ? color_of(profile, stage.constant0) : global0,
                       state.per_stage_constants ? color_of(profile, stage.constant1) : global1};
+    const double select = before[static_cast<std::size_t>(Register::spare0)][3].value;
+    const int select_code = static_cast<int>(std::floor(std::fmax(select, 0) * profile.one + 0.5));
+    const bool cd_chosen = state.mux_by_lowest_bit ? select_code % 2 != 0 : select >= 0.5;
     for (std::size_t c = 0; c < 4; ++c) {
       const Portion& p = c < 3 ? stage.rgb : stage.alpha;
       const auto product = [&](const CombinerInput& x, const CombinerInput& y, bool dot) {
@@ -105,11 +108,18 @@ FloatOutcome run_float(const CombinerState& state, const HardwareProfile& profil
         return read(x, 0) * read(y, 0) + read(x, 1) * read(y, 1) + read(x, 2) * read(y, 2);
       };
       const Single ab = product(p.a, p.b, p.out.ab_dot_product), cd = product(p.c, p.d, p.out.cd_dot_product);
-      const bool cd_chosen = before[static_cast<std::size_t>(Register::spare0)][3].value >= 0.5;
       const Single third = !p.out.mux_sum ? ab + cd : cd_chosen ? cd : ab;
       if (p.out.ab != Register::discard) file[static_cast<std::size_t>(p.out.ab)][c] = option(p.out, ab);
       if (p.out.cd != Register::discard) file[static_cast<std::size_t>(p.out.cd)][c] = option(p.out, cd);
       if (p.out.sum != Register::discard) file[static_cast<std::size_t>(p.out.sum)][c] = option(p.out, third);
+      // After blue comes alpha, whose portion has the last word.
+      if (c != 2) continue;
+      if (p.out.ab_blue_to_alpha && p.out.ab != Register::discard) {
+        file[static_cast<std::size_t>(p.out.ab)][3] = option(p.out, ab);
+      }
+      if (p.out.cd_blue_to_alpha && p.out.cd != Register::discard) {
+        file[static_cast<std::size_t>(p.out.cd)][3] = option(p.out, cd);
+      }
     }
   }
   const FinalCombiner& f = state.final_combiner;
@@ -119,7 +129,11 @@ FloatOutcome run_float(const CombinerState& state, const HardwareProfile& profil
     read.product[c] = read(f.e, c) * read(f.f, c);
     const auto spare0 = static_cast<std::size_t>(Register::spare0);
     const auto secondary = static_cast<std::size_t>(Register::secondary);
-    read.sum[c] = limited(file[spare0][c], 0, 1) + limited(file[secondary][c], 0, 1);
+    const auto summand = [&](std::size_t reg, bool from_one) {
+      const Single positive = limited(file[reg][c], 0, 1);
+      return from_one ? Single(1) - positive : positive;
+    };
+    read.sum[c] = summand(spare0, state.color_sum_invert_spare0) + summand(secondary, state.color_sum_invert_secondary);
     if (state.color_sum_clamp) read.sum[c] = limited(read.sum[c], 0, 1);
   }
   for (std::size_t c = 0; c < 3; ++c) {

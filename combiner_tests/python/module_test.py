@@ -1,6 +1,8 @@
 """import ninebit: programs on NumPy arrays, traces, renderings, and a stub that tells of all of it."""
 import ast
+import contextlib
 import pathlib
+import re
 import threading
 import unittest
 
@@ -130,6 +132,63 @@ class Renderings(unittest.TestCase):
             ninebit.render("missing.obj")
         with self.assertRaisesRegex(ninebit.Error, "index-cube"):
             ninebit.render("x.obj", technique="magic")
+
+
+class Studies(unittest.TestCase):
+    def test_index_steps_counts_what_programs_compute(self):
+        rows = ninebit.index_steps_study(profiles=["geforce2", "ideal"], formats=["channel"], variants=["both-x4"],
+                                         steps=(1, 3))["rows"]
+        self.assertEqual(rows.dtype.names, ("profile", "format", "variant", "step", "codes", "pairs", "false_matches"))
+        self.assertEqual(rows["profile"].tolist(), ["geforce2"] * 3 + ["ideal"] * 3)
+        self.assertEqual((rows["step"].tolist(), rows["step"].dtype), ([1, 2, 3] * 2, np.int64))
+        self.assertEqual(rows["codes"].tolist()[:3], [256, 128, 86])
+        # The same by the program itself, pair by pair.
+        a, b = (np.ascontiguousarray(x.astype(np.int16).ravel()) for x in np.meshgrid(np.arange(256), np.arange(256)))
+        equal = program(compare, "gl").evaluate({"primary.r": a, "tex0.r": b})[3] == 0
+        self.assertEqual(rows["false_matches"][0], np.count_nonzero(equal & (a != b)))
+        self.assertGreater(rows["false_matches"][0], 0)
+        self.assertFalse(rows[rows["step"] >= 2]["false_matches"].any())
+
+    def test_datapath(self):
+        tables = ninebit.datapath_study(profiles=["geforce256-8bit", "geforce2-early-truncation", "geforce2"])
+        rows, differences = tables["rows"], tables["differences"]
+        product = rows[(rows["profile"] == "geforce2") & (rows["operation"] == "product") & (rows["form"] == "x1")]
+        self.assertEqual(product["cases"].tolist(), [511 * 511])
+        a, b = np.meshgrid(np.arange(-255, 256), np.arange(-255, 256))
+        error = np.abs(np.trunc(a * b / 255) - a * b / 255) / 255
+        self.assertAlmostEqual(product["max_error"][0], error.max(), places=12)
+        self.assertAlmostEqual(product["mean_error"][0], error.mean(), places=12)
+        self.assertEqual(set(differences["first"]), {"geforce2-early-truncation"})
+        self.assertTrue((differences["differ"] <= differences["cases"]).all())
+
+    def test_depth_packing(self):
+        tables = ninebit.depth_packing_study(packings=["rgba8-fract"], storages=["round"], sets=["16"])
+        self.assertEqual(tables["rows"]["count"].tolist(), [65536])
+        self.assertEqual(len(tables["second_digit"]), 256)
+        self.assertEqual(tables["rows"].dtype["max_error"], np.float64)
+
+    def test_what_is_wrong_is_told(self):
+        with self.assertRaisesRegex(ninebit.Error, "there is no format 'rgba'; expected one of channel rgb la l a"):
+            ninebit.index_steps_study(formats=["rgba"])
+        with self.assertRaisesRegex(ninebit.Error, "step"):
+            ninebit.index_steps_study(profiles=["geforce2"], steps=(0, 3))
+        with self.assertRaisesRegex(ninebit.Error, "voodoo"):
+            ninebit.datapath_study(profiles=["voodoo"])
+        with self.assertRaises(ninebit.Error):
+            ninebit.datapath_study(profiles=["ideal"])
+        with self.assertRaises(ninebit.Error):
+            ninebit.depth_packing_study(float_step=0)
+
+
+class Readme(unittest.TestCase):
+    def test_its_example_runs(self):
+        code = re.search(r"```python\n(.*?)```", (top / "README.md").read_text(), re.DOTALL)[1]
+        names = {}
+        with contextlib.chdir(top):
+            exec(code, names)
+        self.assertEqual(names["red"].shape, (256,))
+        self.assertEqual(names["shadow"].shape, (480, 640))
+        self.assertEqual(names["safe"], 2)
 
 
 class Stubs(unittest.TestCase):

@@ -228,6 +228,25 @@ TEST(StudyPart, WhatCannotBeWrittenIsTold) {
   EXPECT_EQ(part.error().fault, Fault::cannot_write);
 }
 
+TEST(StudyPart, AFileThatVanishesOrGrowsMeanwhileIsTold) {
+  for (const bool vanishes : {true, false}) {
+    const Folder folder;
+    std::size_t asked = 0;
+    const auto meddle = [&](const std::string&, double) {
+      if (++asked == 3 && vanishes) fs::remove_all(folder.path());
+      if (asked == 3 && !vanishes) std::ofstream(folder.part(), std::ios::app) << "another run's line\n";
+      return true;
+    };
+    const auto part = run_part(Squares(6), "build", {}, folder.path(), {}, meddle);
+    ASSERT_FALSE(part);
+    EXPECT_EQ(part.error().fault, Fault::cannot_write);
+    EXPECT_EQ(part.error().file, folder.part().string());
+    EXPECT_NE(part.error().message.find(vanishes ? "was removed" : "was altered"), std::string::npos)
+        << part.error().text();
+    EXPECT_EQ(asked, 3U);
+  }
+}
+
 TEST(StudyPart, ShardsOutOfRangeAreTold) {
   const Folder folder;
   for (const Shard shard : {Shard{0, 2}, Shard{3, 2}, Shard{5, 5}}) {

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <initializer_list>
+#include <string_view>
 
 namespace ninebit::test {
 
@@ -13,7 +14,17 @@ class Random {
   // Case `index` of a run with `seed`; it needs no earlier case.
   Random(std::uint64_t seed, std::uint64_t index) : state_(seed) { state_ = next() ^ (index * 0xD1342543DE82EF95U); }
 
+  // The numbers are those bytes, one a number and repeated to fill it, and zeros behind the last: what a fuzzer changes
+  // in a byte changes one number. 0x01010101 has no factor below 257, so below(n) can be everything.
+  explicit Random(std::string_view bytes) : bytes_(bytes), of_bytes_(true) {}
+
   std::uint64_t next() {
+    if (of_bytes_) {
+      if (bytes_.empty()) return 0;
+      const auto byte = static_cast<unsigned char>(bytes_.front());
+      bytes_.remove_prefix(1);
+      return byte * std::uint64_t{0x0101010101010101U};
+    }
     state_ += 0x9E3779B97F4A7C15U;
     std::uint64_t z = state_;
     z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9U;
@@ -35,7 +46,9 @@ class Random {
   }
 
  private:
-  std::uint64_t state_;
+  std::uint64_t state_ = 0;
+  std::string_view bytes_{};
+  bool of_bytes_ = false;
 };
 
 }  // namespace ninebit::test

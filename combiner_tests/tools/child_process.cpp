@@ -1,6 +1,7 @@
 #include "combiner_tests/tools/child_process.h"
 
 #include <fcntl.h>
+#include <sys/ptrace.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -35,6 +36,11 @@ std::string content_of(std::FILE* file) {
     const rlimit limit{*settings.file_size_limit, *settings.file_size_limit};
     ready = ready && ::setrlimit(RLIMIT_FSIZE, &limit) == 0;
   }
+  if (settings.address_space) {
+    const rlimit limit{*settings.address_space, *settings.address_space}, no_core{0, 0};
+    ready = ready && ::setrlimit(RLIMIT_AS, &limit) == 0 && ::setrlimit(RLIMIT_CORE, &no_core) == 0;
+  }
+  if (settings.traced) ready = ready && ::ptrace(PTRACE_TRACEME, 0, nullptr, nullptr) == 0;
   const int in = ::open(settings.in.empty() ? "/dev/null" : settings.in.c_str(), O_RDONLY);
   ready = ready && ::dup2(in, STDIN_FILENO) >= 0 && ::dup2(out, STDOUT_FILENO) >= 0 && ::dup2(err, STDERR_FILENO) >= 0;
   if (ready) ::execv(kProgram.c_str(), arguments);
@@ -85,6 +91,31 @@ Outcome Child::wait() {
   outcome.out = content_of(out_.get());
   outcome.err = content_of(err_.get());
   return outcome;
+}
+
+bool Child::run_to(const std::function<bool(std::uint64_t call)>& stops_at) const {
+  while (true) {
+    siginfo_t about{};
+    if (::waitid(P_PID, static_cast<id_t>(process_), &about, WEXITED | WSTOPPED | WNOWAIT) != 0) return false;
+    if (about.si_code != CLD_TRAPPED && about.si_code != CLD_STOPPED) return false;
+    int status = 0;
+    ::waitpid(process_, &status, 0);
+    int signal = WSTOPSIG(status);
+    if (signal == (SIGTRAP | 0x80)) {
+      signal = 0;
+      __ptrace_syscall_info info{};
+      ::ptrace(PTRACE_GET_SYSCALL_INFO, process_, sizeof info, &info);
+      if (info.op == PTRACE_SYSCALL_INFO_ENTRY && stops_at(info.entry.nr)) return true;
+    } else if (signal == SIGTRAP) {  // it has become the program
+      signal = 0;
+      ::ptrace(PTRACE_SETOPTIONS, process_, nullptr, PTRACE_O_TRACESYSGOOD | PTRACE_O_EXITKILL);
+    }
+    ::ptrace(PTRACE_SYSCALL, process_, nullptr, signal);
+  }
+}
+
+void Child::let_go() const {
+  ::ptrace(PTRACE_DETACH, process_, nullptr, nullptr);
 }
 
 Outcome ninebit(const std::vector<std::string>& arguments, const ChildSettings& settings) {

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <cstdio>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -23,9 +24,11 @@ struct Outcome {
 struct ChildSettings {
   std::string folder{};                            // to run in; empty: the caller's
   std::optional<std::uint64_t> file_size_limit{};  // bytes that any file may have, as RLIMIT_FSIZE
+  std::optional<std::uint64_t> address_space{};    // bytes that it may map, as RLIMIT_AS; then it dumps no core, too
   std::string in{};                                // what stdin reads; empty: nothing
   std::string out{};                               // where stdout goes instead of into the Outcome
   std::string err{};                               // the same for stderr
+  bool traced = false;                             // for run_to(); where that is not allowed it ends with code 126
 };
 
 // A running `ninebit ARGUMENTS...`. The destructor kills it if nobody has waited for it.
@@ -39,6 +42,11 @@ class Child {
   [[nodiscard]] bool ended() const;
   void send(int signal) const;  // does nothing to a program that has ended
   Outcome wait();
+
+  // Lets a traced program go on until its main thread enters a system call to whose number (SYS_...) `stops_at` says
+  // yes, and holds it there; false where it ended before.
+  bool run_to(const std::function<bool(std::uint64_t call)>& stops_at) const;
+  void let_go() const;  // of a program that run_to() holds
 
  private:
   using File = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;

@@ -88,6 +88,40 @@ TEST(Convert, WhatAFormLacksIsTold) {
   expect_error(ninebit({"convert", program, "--to", "pascal"}), 2, {"--to"});
 }
 
+// All that the NV2A's registers have and OpenGL has not, in one program.
+TEST(Convert, WhatOpenGlLacksComesOnlyThroughWordsJsonAndCode) {
+  const TempFolder folder;
+  const std::string words =
+      write_bytes(folder / "x.words", "RC_OUT_RGB[0] = 0x000c4c4d\nRC_FINAL1 = 0x00001ce0\nRC_ENABLE = 0x00000001\n");
+  const std::string lacks =
+      "mux by the lowest bit of spare0's alpha (general combiner 0); blue-to-alpha output (general combiner 0); 1 - "
+      "spare0 in the colour sum; 1 - secondary in the colour sum";
+  expect_error(ninebit({"convert", words, "--to", "gl", "--profile", "nv2a"}), 3,
+               {"x.words", "cannot be written as gl: OpenGL has no " + lacks});
+  expect_error(ninebit({"convert", words, "--to", "rc10", "--profile", "nv2a"}), 3,
+               {"cannot be written as rc10: !!RC1.0 has no words for this: " + lacks});
+  const Outcome json = ninebit({"convert", words, "--to", "json", "--profile", "nv2a"});
+  ASSERT_EQ(json.code, 0) << json.err;
+  const std::string file = write_bytes(folder / "x.json", json.out);
+  const Outcome back = ninebit({"convert", file, "--to", "words", "--profile", "nv2a"});
+  for (const char* word : {"RC_OUT_RGB[0] = 0x000c4c4d\n", "RC_FINAL1 = 0x00001ce0\n", "RC_ENABLE = 0x00000001\n"}) {
+    EXPECT_NE(back.out.find(word), std::string::npos) << word << back.out;
+  }
+  for (const char* form : {"glsl", "glsl-es", "c"}) {
+    EXPECT_EQ(ninebit({"convert", words, "--to", form, "--profile", "nv2a"}).code, 0) << form;
+  }
+  // A GeForce 2's profile says of each that it has no such thing, at its word.
+  const Outcome refused = ninebit({"validate", words, "--chip", "nv20"});
+  EXPECT_EQ(refused.code, 1) << refused.err;
+  const std::string place = words + ':';
+  EXPECT_EQ(refused.out,
+            place +
+                "1:1: GL_INVALID_ENUM: general combiner 0, RGB portion: profile geforce2 has no blue-to-alpha "
+                "outputs (NV2A)\n" +
+                place + "2:1: GL_INVALID_ENUM: profile geforce2 has no 1 - x in the colour sum (NV2A)\n" + place +
+                "3:1: GL_INVALID_ENUM: profile geforce2 has no mux by the lowest bit of spare0's alpha (NV2A)\n");
+}
+
 TEST(Convert, JsonAndOutputs) {
   const TempFolder folder;
   const std::string program = write_program(folder, "a.json", article_state());

@@ -1,10 +1,7 @@
 // Outputs that cannot be written: exit code 4, one line that says where and why, older files whole, nothing left over.
 #include <gtest/gtest.h>
-#include <sys/mount.h>
 
-#include <cerrno>
-#include <cstring>
-
+#include "combiner_tests/tools/small_disk.h"
 #include "combiner_tests/tools/support.h"
 
 namespace tools_test {
@@ -77,41 +74,14 @@ TEST_F(WriteError, FilesMayNotGrow) {
   EXPECT_EQ(files_in(out_), newer);
 }
 
-// A file system of its own, of so many bytes.
-class SmallDisk {
- public:
-  explicit SmallDisk(const std::string& folder) : folder_(folder) {
-    std::filesystem::create_directory(folder);
-    mounted_ = ::mount("ninebit-test", folder.c_str(), "tmpfs", 0, "size=200k") == 0;
-    error_ = errno;
-  }
-  SmallDisk(const SmallDisk&) = delete;
-  SmallDisk& operator=(const SmallDisk&) = delete;
-  ~SmallDisk() {
-    if (mounted_) ::umount2(folder_.c_str(), MNT_DETACH);
-  }
-  [[nodiscard]] bool mounted() const { return mounted_; }
-  [[nodiscard]] std::string error() const { return std::strerror(error_); }
-
- private:
-  std::string folder_;
-  bool mounted_ = false;
-  int error_ = 0;
-};
-
 TEST_F(WriteError, FullDisk) {
   const std::string disk = folder_ / "disk";
   const SmallDisk small(disk);
   if (!small.mounted()) GTEST_SKIP() << "mounting is not allowed here: " << small.error();
   for (const auto& [name, bytes] : older_) write_bytes(disk + '/' + name, bytes);
-  // Fills the rest: nothing at all, and only a little, can be written.
+  // Nothing at all, and only a little, can be written.
   const std::string ballast = disk + "/ballast";
-  std::ignore = [&] {
-    std::FILE* file = std::fopen(ballast.c_str(), "w");
-    while (std::fputc('x', file) != EOF && std::fflush(file) == 0) {
-    }
-    return std::fclose(file);
-  }();
+  small.fill("ballast");
   Files before = files_in(disk);
   expect_error(ninebit(small_render(kRoom, disk, {"--layers"})), 4, {disk, "No space left on device"});
   EXPECT_EQ(files_in(disk), before);

@@ -48,7 +48,8 @@ class Fragment {
   void run_stage(const ProgramStage& stage) {
     load(Register::constant0, stage.constant0);
     load(Register::constant1, stage.constant1);
-    const bool takes_cd = at(Register::spare0)[kAlpha] >= 0.5F;
+    const float spare0_alpha = at(Register::spare0)[kAlpha];
+    const bool takes_cd = stage.mux_by_lowest_bit ? code(spare0_alpha) % 2 == 1 : spare0_alpha >= 0.5F;
     Outputs rgb, alpha;
     if (is_live(stage.rgb.out)) compute(stage.rgb, 0, 3, takes_cd, rgb);
     if (is_live(stage.alpha.out)) compute(stage.alpha, 3, 1, takes_cd, alpha);
@@ -64,7 +65,11 @@ class Fragment {
     Color& sum = at(Register::spare0_plus_secondary);
     for (std::size_t c = 0; c < 3; ++c) {
       product[c] = input(f.e, c) * input(f.f, c);
-      sum[c] = std::max(at(Register::spare0)[c], 0.0F) + std::max(at(Register::secondary)[c], 0.0F);
+      const auto part = [&](Register r, bool inverted) {
+        return mapped(inverted ? InputMapping::unsigned_invert : InputMapping::unsigned_identity, at(r)[c]);
+      };
+      sum[c] = part(Register::spare0, program_.color_sum_invert_spare0) +
+               part(Register::secondary, program_.color_sum_invert_secondary);
       if (program_.color_sum_clamp) sum[c] = std::min(sum[c], 1.0F);
     }
     Rgba9 out{};
@@ -138,6 +143,8 @@ class Fragment {
       if (out.cd != Register::discard) at(out.cd)[c] = result.cd[c];
       if (out.sum != Register::discard) at(out.sum)[c] = result.sum[c];
     }
+    if (out.ab_blue_to_alpha) at(out.ab)[kAlpha] = result.ab[kBlue];
+    if (out.cd_blue_to_alpha) at(out.cd)[kAlpha] = result.cd[kBlue];
   }
 
   const Program& program_;

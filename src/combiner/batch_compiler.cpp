@@ -91,15 +91,18 @@ class Compiler {
     };
     const std::array<WideSum, 3> ab = products(portion.a, portion.b, out.ab_dot_product);
     const std::array<WideSum, 3> cd = products(portion.c, portion.d, out.cd_dot_product);
-    const auto write = [&](Register reg, int c, const auto& value) {
-      if (reg != Register::discard) next[static_cast<std::size_t>(reg)][at(first + c)] = value();
+    const auto write = [&](Register reg, int c, bool blue_to_alpha, const auto& value) {
+      if (reg == Register::discard) return;
+      auto& target = next[static_cast<std::size_t>(reg)];
+      target[at(first + c)] = value();
+      if (blue_to_alpha && c == kBlue) target[kAlpha] = target[kBlue];
     };
     for (int c = 0; c < channels; ++c) {
       const WideSum &x = ab[at(c)], &y = cd[at(c)];
-      write(out.ab, c, [&] { return combiner_output(graph_, x, out.scale, out.bias); });
-      write(out.cd, c, [&] { return combiner_output(graph_, y, out.scale, out.bias); });
-      write(out.sum, c, [&] {
-        if (out.mux_sum) return mux(x, y, out);
+      write(out.ab, c, out.ab_blue_to_alpha, [&] { return combiner_output(graph_, x, out.scale, out.bias); });
+      write(out.cd, c, out.cd_blue_to_alpha, [&] { return combiner_output(graph_, y, out.scale, out.bias); });
+      write(out.sum, c, false, [&] {
+        if (out.mux_sum) return mux(x, y, out, stage.mux_by_lowest_bit);
         WideSum sum = x;
         sum.add(y);
         return combiner_output(graph_, sum, out.scale, out.bias);
@@ -109,18 +112,21 @@ class Compiler {
 
   // Rule 11. What is computed lane by lane may be computed before or after the choice: two products are only one if
   // their factors are chosen first.
-  Value mux(const WideSum& ab, const WideSum& cd, const PortionOutput& out) {
+  Value mux(const WideSum& ab, const WideSum& cd, const PortionOutput& out, bool by_lowest_bit) {
     const Value by = registers_[static_cast<std::size_t>(Register::spare0)][kAlpha];
+    const auto select = [&](const Operand& no, const Operand& yes) {
+      return by_lowest_bit ? graph_.select_odd(by, no, yes) : graph_.select(by, no, yes);
+    };
     const auto is_product = [&](const WideSum& w) {
       return w.products().size() == 1 && w.constant() == 0 && !is_affine(graph_, w);
     };
     if (out.ab != Register::discard || out.cd != Register::discard || !is_product(ab) || !is_product(cd)) {
-      return graph_.select(by, {combiner_output(graph_, ab, out.scale, out.bias), false},
-                           {combiner_output(graph_, cd, out.scale, out.bias), false});
+      return select({combiner_output(graph_, ab, out.scale, out.bias), false},
+                    {combiner_output(graph_, cd, out.scale, out.bias), false});
     }
     const WideSum::Product &p = ab.products()[0], &q = cd.products()[0];
     const auto chosen = [&](const Linear& no, const Linear& yes) {
-      const Value value = graph_.select(by, graph_.operand(no), graph_.operand(yes));
+      const Value value = select(graph_.operand(no), graph_.operand(yes));
       return Linear{value, false, 1, 0};
     };
     WideSum sum;
@@ -134,11 +140,13 @@ class Compiler {
 
   // Rule 13.
   Value color_sum(int channel) {
-    const auto part = [&](Register reg) {
-      return Linear{registers_[static_cast<std::size_t>(reg)][at(channel)], true, 1, 0};
+    const auto part = [&](Register reg, bool inverted) {
+      const Value value = registers_[static_cast<std::size_t>(reg)][at(channel)];
+      return inverted ? mapped(value, InputMapping::unsigned_invert) : Linear{value, true, 1, 0};
     };
     const int one = program_.datapath.one;
-    const std::array<Linear, 2> terms{part(Register::spare0), part(Register::secondary)};
+    const std::array<Linear, 2> terms{part(Register::spare0, program_.color_sum_invert_spare0),
+                                      part(Register::secondary, program_.color_sum_invert_secondary)};
     return graph_.affine(terms, Scale::none, Narrowing::toward_zero, 0, program_.color_sum_clamp ? one : 2 * one);
   }
 

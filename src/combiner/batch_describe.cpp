@@ -96,6 +96,8 @@ class Text {
       case Kernel::select:
         return "(" + name(operation.source[0]) + " >= " + std::to_string(f.low) + " ? " + operand(operation, 2) +
                " : " + operand(operation, 1) + ")";
+      case Kernel::select_odd:
+        return "(odd(" + operand(operation, 0) + ") ? " + operand(operation, 2) + " : " + operand(operation, 1) + ")";
       case Kernel::copy:
         break;
     }

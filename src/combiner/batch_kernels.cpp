@@ -44,36 +44,41 @@ class Clamp {
   V16 low_, high_;
 };
 
-// The planes that an operation reads, found once, and what is the least that it takes of each.
-template <std::size_t kSources, bool kFloors>
+// The planes that an operation reads, found once, and what is the least that it takes of each of the first kFloors.
+template <std::size_t kSources, std::size_t kFloors>
 class Sources {
  public:
   HWY_INLINE Sources(const Operation& operation, const Batch& batch) {
     for (std::size_t k = 0; k < kSources; ++k) {
       plane_[k] = batch(operation.source[k]);
-      if (kFloors) floor_[k] = set(operation.formula.is_floored(k) ? 0 : hwy::LimitsMin<std::int16_t>());
+      if (k < kFloors) floor_[k] = set(operation.formula.is_floored(k) ? 0 : hwy::LimitsMin<std::int16_t>());
     }
   }
   HWY_INLINE V16 get(std::size_t k, std::size_t lane) const {
     const V16 v = hn::LoadU(kD16, plane_[k] + lane);
-    return kFloors ? hn::Max(v, floor_[k]) : v;
+    return k < kFloors ? hn::Max(v, floor_[k]) : v;
   }
   HWY_INLINE VU16 get_unsigned(std::size_t k, std::size_t lane) const { return hn::BitCast(kU16, get(k, lane)); }
 
  private:
   const s9* plane_[kSources];
-  V16 floor_[kFloors ? kSources : 1];
+  V16 floor_[kFloors > 0 ? kFloors : 1];
 };
 
 // target = f(sources, lane), vector by vector.
-template <std::size_t kSources, bool kFloors, class F>
-HWY_INLINE void for_lanes(const Operation& operation, const Batch& batch, const F& f) {
+template <std::size_t kSources, std::size_t kFloors, class F>
+HWY_INLINE void for_floored_lanes(const Operation& operation, const Batch& batch, const F& f) {
   const Sources<kSources, kFloors> sources(operation, batch);
   s9* const target = batch(operation.target);
   const std::size_t lanes = batch.lanes;
   for (std::size_t lane = 0; lane < lanes; lane += hn::MaxLanes(kD16)) {
     hn::StoreU(f(sources, lane), kD16, target + lane);
   }
+}
+
+template <std::size_t kSources, bool kFloors, class F>
+HWY_INLINE void for_lanes(const Operation& operation, const Batch& batch, const F& f) {
+  for_floored_lanes<kSources, kFloors ? kSources : 0>(operation, batch, f);
 }
 
 template <int kTerms, bool kFloors>
@@ -131,15 +136,15 @@ HWY_NOINLINE void unsigned_products(const Operation& operation, const Batch& bat
 }
 
 // Signs apart: 255 is odd, so that no quotient is a tie, and to nearest is as symmetric as toward zero.
-template <bool kFloors, bool kNearest, int kDoublings>
+template <bool kFloors, bool kPositiveFirst, bool kNearest, int kDoublings>
 HWY_NOINLINE void signed_product(const Operation& operation, const Batch& batch) {
-  const Clamp clamp(operation.formula);
-  for_lanes<2, kFloors>(operation, batch, [&](const auto& x, std::size_t lane) HWY_ATTR {
+  const Formula& f = operation.formula;
+  const VU16 farthest = set_unsigned(f.clamps() ? f.high : hwy::LimitsMax<std::uint16_t>());
+  for_floored_lanes<2, kFloors ? 1 : 0>(operation, batch, [&](const auto& x, std::size_t lane) HWY_ATTR {
     const V16 a = x.get(0, lane), b = x.get(1, lane);
-    const VU16 n = hn::Mul(hn::BitCast(kU16, hn::Abs(a)), hn::BitCast(kU16, hn::Abs(b)));
-    const VU16 code = narrowed<kNearest>(doubled<kDoublings>(n));
-    const V16 sign = hn::ShiftRight<15>(hn::Xor(a, b));
-    return clamp(hn::Sub(hn::Xor(hn::BitCast(kD16, code), sign), sign));
+    const VU16 n = hn::Mul(hn::BitCast(kU16, kPositiveFirst ? a : hn::Abs(a)), hn::BitCast(kU16, hn::Abs(b)));
+    const VU16 code = hn::Min(narrowed<kNearest>(doubled<kDoublings>(n)), farthest);
+    return kPositiveFirst ? with_sign(code, b) : with_signs(code, a, b);
   });
 }
 
@@ -149,9 +154,8 @@ HWY_NOINLINE void signed_product(const Operation& operation, const Batch& batch)
 // then moved by 2^-12 at most:
 // - Where the quotient is whole the product is not below it, and neither is the float; else the next whole number is at
 //   least 1 / (2 one) above, out of reach. So truncating is exact; for negative n the same with the signs changed.
-// - One is odd. So with k >= 0 no quotient is a tie, but at least 1 / (2 one) away from one. With k = -1 the bias has
-// one
-//   half more: a tie is 1 / (4 one) away, and n being below 2^19, the product at most 1 / (32 one) too large.
+// - One is odd. So with k >= 0 no quotient is a tie, but at least 1 / (2 one) away from one. With k = -1 the bias
+//   has one half more: a tie is 1 / (4 one) away, and n being below 2^19, the product at most 1 / (32 one) too large.
 template <int kTerms, bool kFloors, bool kNearest, bool kBiased>
 HWY_NOINLINE void products(const Operation& operation, const Batch& batch) {
   const Formula& f = operation.formula;
@@ -188,6 +192,13 @@ HWY_NOINLINE void select(const Operation& operation, const Batch& batch) {
   });
 }
 
+template <bool kFloors>
+HWY_NOINLINE void select_odd(const Operation& operation, const Batch& batch) {
+  for_lanes<3, kFloors>(operation, batch, [&](const auto& x, std::size_t lane) HWY_ATTR {
+    return hn::IfThenElse(hn::TestBit(x.get(0, lane), set(1)), x.get(2, lane), x.get(1, lane));
+  });
+}
+
 HWY_NOINLINE void copy(const Operation& operation, const Batch& batch) {
   for_lanes<1, false>(operation, batch, [&](const auto& x, std::size_t lane) HWY_ATTR { return x.get(0, lane); });
 }
@@ -210,13 +221,13 @@ HWY_INLINE Run unsigned_products_of(const Formula& f) {
   });
 }
 
-template <bool kFloors>
+template <bool kFloors, bool kPositiveFirst>
 HWY_INLINE Run signed_product_of(const Formula& f) {
   return choose(f.nearest, [&](auto nearest) -> Run {
     constexpr bool kNearest = decltype(nearest)::value;
-    return f.doublings == 0   ? signed_product<kFloors, kNearest, 0>
-           : f.doublings == 1 ? signed_product<kFloors, kNearest, 1>
-                              : signed_product<kFloors, kNearest, 2>;
+    return f.doublings == 0   ? signed_product<kFloors, kPositiveFirst, kNearest, 0>
+           : f.doublings == 1 ? signed_product<kFloors, kPositiveFirst, kNearest, 1>
+                              : signed_product<kFloors, kPositiveFirst, kNearest, 2>;
   });
 }
 
@@ -247,11 +258,13 @@ HWY_INLINE Run kernel_of(const Formula& f) {
              : f.terms == 2 ? unsigned_products_of<2, kFloors>(f)
                             : unsigned_products_of<3, kFloors>(f);
     case Kernel::signed_product:
-      return signed_product_of<kFloors>(f);
+      return f.positive_first ? signed_product_of<kFloors, true>(f) : signed_product_of<false, false>(f);
     case Kernel::products:
       return products_of<kFloors>(f);
     case Kernel::select:
       return select<kFloors>;
+    case Kernel::select_odd:
+      return select_odd<kFloors>;
     case Kernel::copy:
       break;
   }
@@ -260,12 +273,12 @@ HWY_INLINE Run kernel_of(const Formula& f) {
 
 // 32 KiB: with the planes that are read they stay in the first cache.
 constexpr std::size_t kTemporaryLanes = 16384;
-constexpr unsigned kBatchShift = 8;
+constexpr unsigned kBatchShift = 9;
 static_assert(kBatchSize == std::size_t{1} << kBatchShift);
 
 void run_code(const VectorCode& code, RegisterBatch& registers, std::size_t count, OutputBatch& out) {
   alignas(64) s9 temporaries[kTemporaryLanes];
-  // As many lanes at once as leave room for all temporaries. A stage makes at most 60, so that 512 are enough.
+  // As many lanes at once as leave room for all temporaries. A stage makes at most 60: there are never more than 512.
   unsigned shift = kBatchShift;
   while ((code.temporaries << shift) > kTemporaryLanes) --shift;
   s9* const constants = const_cast<s9*>(code.constants.empty() ? nullptr : code.constants[0].lane.data());

@@ -56,6 +56,29 @@ HWY_INLINE VU16 narrowed(VU16 n) {
   return divide_by_255(kNearest ? hn::SaturatedAdd(n, set_unsigned(127)) : n);
 }
 
+// A magnitude with the sign of `v`; it is 0 where v is.
+HWY_INLINE V16 with_sign(VU16 magnitude, V16 v) {
+#if HWY_TARGET <= HWY_AVX3
+  return V16{_mm512_mask_sub_epi16(magnitude.raw, _mm512_movepi16_mask(v.raw), _mm512_setzero_si512(), magnitude.raw)};
+#elif HWY_TARGET == HWY_AVX2
+  return V16{_mm256_sign_epi16(magnitude.raw, v.raw)};
+#elif HWY_TARGET == HWY_SSE4 || HWY_TARGET == HWY_SSSE3
+  return V16{_mm_sign_epi16(magnitude.raw, v.raw)};
+#else
+  const V16 sign = hn::ShiftRight<15>(v);
+  return hn::Sub(hn::Xor(hn::BitCast(kD16, magnitude), sign), sign);
+#endif
+}
+
+// With that of a product; it is 0 where a factor is.
+HWY_INLINE V16 with_signs(VU16 magnitude, V16 a, V16 b) {
+#if HWY_TARGET == HWY_AVX2 || HWY_TARGET == HWY_SSE4 || HWY_TARGET == HWY_SSSE3
+  return with_sign(hn::BitCast(kU16, with_sign(magnitude, a)), b);  // which makes 0 where a equals b, of their Xor
+#else
+  return with_sign(magnitude, hn::Xor(a, b));
+#endif
+}
+
 // One vector of 16-bit lanes as two of 32-bit lanes, in an order that narrow_to_16 undoes.
 struct Wide {
   V32 first, second;

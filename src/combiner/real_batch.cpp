@@ -25,6 +25,8 @@ class UsedRegisters {
           use(r);
           for (std::size_t c = first; c < end; ++c) written[static_cast<std::size_t>(r)][c] = true;
         }
+        if (p->out.ab_blue_to_alpha) written[static_cast<std::size_t>(p->out.ab)][kAlpha] = true;
+        if (p->out.cd_blue_to_alpha) written[static_cast<std::size_t>(p->out.cd)][kAlpha] = true;
       }
     }
     const FinalCombiner& f = program.final_combiner;

@@ -1,5 +1,6 @@
 // The equations of NV_register_combiners in real numbers, over any kind of numbers: a Field has a type Number and
-//   whole(int), half(), of_code(int), add, sub, mul, scaled(x, exponent) = x · 2^exponent, is_negative(x), less(x, y).
+//   whole(int), half(), of_code(int), add, sub, mul, scaled(x, exponent) = x · 2^exponent, is_negative(x), less(x, y),
+//   nearest_code(x).
 // The order of all operations is fixed, because floats feel it. Nothing is narrowed; registers are clamped to [-1, 1].
 #pragma once
 
@@ -45,7 +46,10 @@ class RealCombiners {
 
   // Computes one general combiner and writes its outputs into the registers.
   void run_general(const ProgramStage& stage, Registers& registers, Stage& result) {
-    result.takes_cd = !f_.less(registers[static_cast<std::size_t>(Register::spare0)][kAlpha], f_.half());
+    const Number& spare0_alpha = registers[static_cast<std::size_t>(Register::spare0)][kAlpha];
+    // A number has no bits: those of the nearest code stand for them.
+    result.takes_cd =
+        stage.mux_by_lowest_bit ? f_.nearest_code(positive(spare0_alpha)) % 2 == 1 : !f_.less(spare0_alpha, f_.half());
     compute_portion(stage, stage.rgb, 0, 3, registers, result);
     compute_portion(stage, stage.alpha, 3, 1, registers, result);
     write_portion(stage.rgb, 0, 3, result, registers);
@@ -68,7 +72,11 @@ class RealCombiners {
       auto& in = result.input;
       for (std::size_t v = 4; v < 6; ++v) in[v][i] = mapped(*inputs[v], channel);
       result.e_times_f[i] = f_.mul(in[4][i], in[5][i]);
-      const Number sum = f_.add(positive(spare0[i]), positive(secondary[i]));
+      const auto part = [&](const Number& x, bool inverted) {
+        return map_input(inverted ? InputMapping::unsigned_invert : InputMapping::unsigned_identity, x);
+      };
+      const Number sum = f_.add(part(spare0[i], program.color_sum_invert_spare0),
+                                part(secondary[i], program.color_sum_invert_secondary));
       result.color_sum[i] = program.color_sum_clamp ? at_most_one(sum) : sum;
     }
     for (std::size_t i = 0; i < 3; ++i) {
@@ -183,11 +191,12 @@ class RealCombiners {
   static void write_portion(const Portion& portion, std::size_t first, std::size_t channels, const Stage& result,
                             Registers& registers) {
     const std::array<Register, 3> to{portion.out.ab, portion.out.cd, portion.out.sum};
+    const std::array<bool, 3> blue_to_alpha{portion.out.ab_blue_to_alpha, portion.out.cd_blue_to_alpha, false};
     for (std::size_t k = 0; k < 3; ++k) {
       if (to[k] == Register::discard) continue;
-      for (std::size_t c = first; c < first + channels; ++c) {
-        registers[static_cast<std::size_t>(to[k])][c] = result.channel[c].output[k].written;
-      }
+      Color& target = registers[static_cast<std::size_t>(to[k])];
+      for (std::size_t c = first; c < first + channels; ++c) target[c] = result.channel[c].output[k].written;
+      if (blue_to_alpha[k]) target[kAlpha] = target[kBlue];
     }
   }
 

@@ -48,8 +48,9 @@ class StageTracer {
       if (out.cd != Register::discard) to.cd_output = output(out, cd, real[c].cd, ideal[c].cd);
       if (out.sum == Register::discard) continue;
       const int third = !values_.integer() ? 0
-                        : out.mux_sum      ? reference::mux(d_, before_.codes[Register::spare0][kAlpha], ab, cd)
-                                           : reference::add(ab, cd);
+                        : !out.mux_sum     ? reference::add(ab, cd)
+                                           : reference::mux(d_, stage_.mux_by_lowest_bit,
+                                                            before_.codes[Register::spare0][kAlpha], ab, cd);
       to.third = values_.wide(third, real[c].third.wide, ideal[c].third.wide);
       to.third_output = output(out, third, real[c].third, ideal[c].third);
     }
@@ -117,13 +118,16 @@ class StageTracer {
 
 void write(const TracedPortion& portion, RegisterFile& registers) {
   for (const TracedChannel& channel : portion.channel) {
-    const auto put = [&](Register to, const std::optional<TracedOutput>& output) {
+    const PortionOutput& out = portion.state.out;
+    const auto put = [&](Register to, const std::optional<TracedOutput>& output, bool blue_to_alpha) {
       if (!output) return;
-      registers[to][static_cast<std::size_t>(channel.component)] = static_cast<s9>(output->written.code);
+      const auto code = static_cast<s9>(output->written.code);
+      registers[to][static_cast<std::size_t>(channel.component)] = code;
+      if (blue_to_alpha && channel.component == kBlue) registers[to][kAlpha] = code;
     };
-    put(portion.state.out.ab, channel.ab_output);
-    put(portion.state.out.cd, channel.cd_output);
-    put(portion.state.out.sum, channel.third_output);
+    put(out.ab, channel.ab_output, out.ab_blue_to_alpha);
+    put(out.cd, channel.cd_output, out.cd_blue_to_alpha);
+    put(out.sum, channel.third_output, false);
   }
 }
 
@@ -155,10 +159,12 @@ Trace trace(const Program& program, const HardwareProfile& profile, const Regist
     const auto spare0 = [](const auto& registers) { return registers[Register::spare0][kAlpha]; };
     TracedStage& to = result.stage.emplace_back();
     to.spare0_alpha = values.known_code(spare0(before.codes), spare0(before.real), spare0(before.ideal));
-    to.takes_cd = values.integer() ? reference::mux(d, spare0(before.codes), 0, 1) == 1 : real_stage.takes_cd;
+    const ProgramStage& stage = program.general[i];
+    to.mux_by_lowest_bit = stage.mux_by_lowest_bit;
+    to.takes_cd = values.integer() ? reference::mux(d, stage.mux_by_lowest_bit, spare0(before.codes), 0, 1) == 1
+                                   : real_stage.takes_cd;
     to.ideal_takes_cd = ideal_stage.takes_cd;
 
-    const ProgramStage& stage = program.general[i];
     const StageTracer tracer(d, stage, before);
     to.rgb = tracer.portion(stage.rgb, kRed, 3, real_stage.rgb, ideal_stage.rgb);
     to.alpha = tracer.portion(stage.alpha, kAlpha, 1, {&real_stage.alpha, 1}, {&ideal_stage.alpha, 1});

@@ -55,13 +55,22 @@ class FinalTracer {
     to.e_times_f = values_.code(narrowed, real_.e_times_f[c], ideal_.e_times_f[c]);
 
     const auto sum = [&](bool clamp) {
-      return reference::color_sum(d_, clamp, before_.codes[Register::spare0][c], before_.codes[Register::secondary][c]);
+      const auto part = [&](bool inverted, Register r) {
+        return reference::color_sum_part(d_, inverted, before_.codes[r][c]);
+      };
+      return reference::color_sum(d_, clamp, part(program_.color_sum_invert_spare0, Register::spare0),
+                                  part(program_.color_sum_invert_secondary, Register::secondary));
     };
-    const auto parts = [&](const RealRegisters& r) {
-      return std::pair(std::max(r[Register::spare0][c], 0.0), std::max(r[Register::secondary][c], 0.0));
+    const auto part = [&](const RealRegisters& r, Register reg, bool inverted, const auto& sub) {
+      const double x = std::max(r[reg][c], 0.0);
+      return inverted ? sub(1.0, x) : x;
     };
-    const auto [spare0, secondary] = parts(before_.real);
-    const auto [ideal_spare0, ideal_secondary] = parts(before_.ideal);
+    const auto parts = [&](const RealRegisters& r, const auto& sub) {
+      return std::pair(part(r, Register::spare0, program_.color_sum_invert_spare0, sub),
+                       part(r, Register::secondary, program_.color_sum_invert_secondary, sub));
+    };
+    const auto [spare0, secondary] = parts(before_.real, [&](double x, double y) { return values_.sub(x, y); });
+    const auto [ideal_spare0, ideal_secondary] = parts(before_.ideal, [](double x, double y) { return x - y; });
     to.color_sum_unclamped = values_.code(sum(false), values_.add(spare0, secondary), ideal_spare0 + ideal_secondary);
     to.color_sum = values_.code(sum(program_.color_sum_clamp), real_.color_sum[c], ideal_.color_sum[c]);
   }

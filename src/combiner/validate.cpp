@@ -20,7 +20,7 @@ std::string quoted(Register r) {
 class Findings {
  public:
   Findings(std::optional<int> stage, std::optional<PortionName> portion, std::optional<Variable> variable)
-      : prototype_{stage, portion, variable, GlError::no_error, {}} {
+      : prototype_{stage, portion, variable, {}, GlError::no_error, {}} {
     if (stage) place_ = place(*stage, portion.value_or(PortionName::rgb));
     if (!stage && variable) place_ = "final combiner";
     if (variable) place_ += ", " + variable_name(*variable);
@@ -132,6 +132,13 @@ std::vector<StateDiagnostic> validate_output(int stage, PortionName portion, con
   if (portion == PortionName::alpha && (output.ab_dot_product || output.cd_dot_product)) {
     findings.add(GlError::invalid_value, "an alpha portion has no dot product");
   }
+  if (output.ab_blue_to_alpha || output.cd_blue_to_alpha) {
+    if (portion == PortionName::alpha) findings.add(GlError::invalid_value, "an alpha portion has no blue");
+    if (!profile.blue_to_alpha) {
+      findings.add(GlError::invalid_enum,
+                   "profile " + std::string(profile.name) + " has no blue-to-alpha outputs (NV2A)");
+    }
+  }
   if (output.bias != Bias::none && (output.scale == Scale::by_four || output.scale == Scale::by_one_half)) {
     findings.add(GlError::invalid_operation,
                  "a bias of minus one half goes with no scale or with scale_by_two, not with " +
@@ -176,16 +183,22 @@ std::vector<StateDiagnostic> validate(const CombinerState& state, const Hardware
     all.push_back({{},
                    {},
                    {},
+                   StateParameter::num_general_combiners,
                    GlError::invalid_value,
                    "num_general_combiners is " + std::to_string(state.num_general_combiners) + "; profile " +
                        std::string(profile.name) + " has 1 to " + std::to_string(profile.general_combiners.value)});
   }
+  const auto lacks = [&](StateParameter parameter, const std::string& what) {
+    all.push_back({{}, {}, {}, parameter, GlError::invalid_enum, "profile " + std::string(profile.name) + what});
+  };
   if (state.per_stage_constants && !profile.per_stage_constants) {
-    all.push_back({{},
-                   {},
-                   {},
-                   GlError::invalid_enum,
-                   "profile " + std::string(profile.name) + " has no per-stage constants (NV_register_combiners2)"});
+    lacks(StateParameter::per_stage_constants, " has no per-stage constants (NV_register_combiners2)");
+  }
+  if (state.mux_by_lowest_bit && !profile.mux_by_lowest_bit) {
+    lacks(StateParameter::mux_by_lowest_bit, " has no mux by the lowest bit of spare0's alpha (NV2A)");
+  }
+  if ((state.color_sum_invert_spare0 || state.color_sum_invert_secondary) && !profile.color_sum_inverts) {
+    lacks(StateParameter::color_sum_inverts, " has no 1 - x in the colour sum (NV2A)");
   }
   const int stages = profile.general_combiners;
   for (int i = 0; i < stages && i < kMaxGeneralCombiners; ++i) {

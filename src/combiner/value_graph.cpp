@@ -100,16 +100,26 @@ Operand ValueGraph::operand(const Linear& linear) {
   return {affine({&linear, 1}, Scale::none, Narrowing::toward_zero, r.low, r.high), false};
 }
 
+// An operand as a value of its own.
+Value ValueGraph::chosen(const Operand& operand) {
+  const Range r = range(operand);
+  const Linear linear{operand.value, operand.floored, 1, 0};
+  return affine({&linear, 1}, Scale::none, Narrowing::toward_zero, r.low, r.high);
+}
+
 Value ValueGraph::select(Value by, const Operand& no, const Operand& yes) {
   const bool is_no = no == yes || range(by).high < datapath_.half, is_yes = range(by).low >= datapath_.half;
-  if (is_no || is_yes) {
-    const Operand& chosen = is_no ? no : yes;
-    const Range r = range(chosen);
-    const Linear linear{chosen.value, chosen.floored, 1, 0};
-    return affine({&linear, 1}, Scale::none, Narrowing::toward_zero, r.low, r.high);
-  }
+  if (is_no || is_yes) return chosen(is_no ? no : yes);
   const Range a = range(no), b = range(yes);
   return add({.kernel = Kernel::select, .low = datapath_.half}, std::array{Operand{by}, no, yes},
+             {std::min(a.low, b.low), std::max(a.high, b.high)});
+}
+
+Value ValueGraph::select_odd(Value by, const Operand& no, const Operand& yes) {
+  const Range bits = range(Operand{by, true});
+  if (no == yes || bits.low == bits.high) return chosen(no == yes || bits.low % 2 == 0 ? no : yes);
+  const Range a = range(no), b = range(yes);
+  return add({.kernel = Kernel::select_odd}, std::array{Operand{by, true}, no, yes},
              {std::min(a.low, b.low), std::max(a.high, b.high)});
 }
 

@@ -64,6 +64,8 @@ class ValueGraph {
 
   // `by` >= one half ? yes : no
   Value select(Value by, const Operand& no, const Operand& yes);
+  // `by` odd, without its negative part ? yes : no
+  Value select_odd(Value by, const Operand& no, const Operand& yes);
 
   // An operation whose results are known to lie in `range`.
   Value add(Formula formula, std::span<const Operand> of, const Range& range);
@@ -77,6 +79,7 @@ class ValueGraph {
 
  private:
   Value find_or_add(const Node& node, const Range& range);
+  Value chosen(const Operand& operand);
 
   Datapath datapath_;
   std::vector<Node> nodes_;

@@ -22,12 +22,16 @@ enum class Kernel : std::uint8_t {
   // quotient rounded down or to nearest. With `adds` a last source is added to the quotient. One to three terms. The
   // sum saturates at 65535, whose quotient is 257.
   unsigned_products,
-  // One product of values of any sign, in 16 bits: clamp(x0·x1 · 2^doublings / 255), toward zero or to nearest.
+  // One product of values of any sign, in 16 bits: x0·x1 · 2^doublings / 255, toward zero or to nearest, no farther
+  // from
+  // zero than `high` where it clamps. With `positive_first` x0 is not negative; without it there are no floors.
   signed_product,
   // clamp((x0·x1 + x2·x3 + … + bias) · reciprocal), in 32 bits and floats, toward zero or to nearest. One to six terms.
   products,
   // x0 >= low ? x2 : x1
   select,
+  // x0 odd ? x2 : x1
+  select_odd,
   copy
 };
 
@@ -38,6 +42,7 @@ struct Formula {
   bool adds = false;
   bool halves = false;
   bool nearest = false;
+  bool positive_first = false;
   int doublings = 0;
   std::array<int, 2> factor{};
   int offset = 0;
@@ -56,6 +61,7 @@ struct Formula {
       case Kernel::products:
         return 2 * terms;
       case Kernel::select:
+      case Kernel::select_odd:
         return 3;
       case Kernel::copy:
         return 1;

@@ -115,16 +115,19 @@ std::optional<Value> as_signed_product(ValueGraph& graph, const WideSum& sum, co
   }
   const Range& r = factors[0].range;
   const int most = std::max(-r.low, r.high);
-  if (most > 65535 || ((most << doublings_of(how.scale)) > 65535 - 127 && (how.high > 257 || how.low < -257)))
-    return {};
+  if (most > 65535 || ((most << doublings_of(how.scale)) > 65535 - 127 && how.high > 257)) return {};
   Formula f{.kernel = Kernel::signed_product,
             .nearest = how.narrowing == Narrowing::nearest_halves_up,
             .doublings = doublings_of(how.scale)};
   if (quotient.low < how.low || quotient.high > how.high) {
+    if (how.low != -how.high) return {};
     f.low = how.low;
     f.high = how.high;
   }
-  return graph.add(f, operands_of(factors), clamped(quotient, how));
+  std::vector<Operand> of = operands_of(factors);
+  if (graph.range(of[0]).low < 0) std::swap(of[0], of[1]);
+  f.positive_first = graph.range(of[0]).low >= 0;
+  return graph.add(f, of, clamped(quotient, how));
 }
 
 // 1 / divisor as a float that is not below it.

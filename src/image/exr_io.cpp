@@ -8,13 +8,17 @@
 #include <ImfStandardAttributes.h>
 #include <ImfThreading.h>
 #include <fmt/format.h>
+#include <sys/resource.h>
 
 #include <algorithm>
 #include <exception>
+#include <future>
 #include <new>
 #include <set>
 #include <string_view>
+#include <thread>
 #include <utility>
+#include <vector>
 
 #include "ninebit/image/image_io.h"
 #include "src/image/exr_blocks.h"
@@ -102,6 +106,11 @@ std::string complain_about_faces(int size, std::span<const std::vector<ExrChanne
   return {};
 }
 
+// OpenEXR turns what its threads throw into texts. Compression of rows that are there can fail for nothing else.
+bool lacks_memory(std::string_view what) {
+  return what.find("bad_alloc") != std::string_view::npos || what.find("(zlib) failed") != std::string_view::npos;
+}
+
 // Runs write(stream) on a new file; nothing incomplete stays behind.
 template <class Write>
 Status write_checked(const std::filesystem::path& file, const Write& write) {
@@ -114,9 +123,31 @@ Status write_checked(const std::filesystem::path& file, const Write& write) {
   } catch (const std::bad_alloc&) {
     throw;
   } catch (const std::exception& error) {
-    if (!output.failed()) return cannot_write(file, fmt::format("could not be written as EXR: {}", error.what()));
+    if (output.failed()) return output.close();
+    if (lacks_memory(error.what())) throw std::bad_alloc();
+    return cannot_write(file, fmt::format("could not be written as EXR: {}", error.what()));
   }
   return output.close();
+}
+
+// Whether so many threads more can run at once. In a limited address space none is tried: what the memory of one leaves
+// for the next cannot be told.
+bool can_start(int threads) {
+  rlimit space{};
+  if (::getrlimit(RLIMIT_AS, &space) != 0 || space.rlim_cur != RLIM_INFINITY) return false;
+  std::promise<void> end;
+  const std::shared_future<void> ended = end.get_future().share();
+  std::vector<std::thread> started;
+  bool all = true;
+  try {
+    started.reserve(static_cast<std::size_t>(threads));
+    for (int i = 0; i < threads; ++i) started.emplace_back([&ended] { ended.wait(); });
+  } catch (const std::exception&) {
+    all = false;
+  }
+  end.set_value();
+  for (std::thread& thread : started) thread.join();
+  return all;
 }
 
 }  // namespace
@@ -167,7 +198,8 @@ Status write_exr_cube(const std::filesystem::path& file, int size, std::span<con
 
 void set_image_threads(int threads) {
   try {
-    Imf::setGlobalThreadCount(threads > 1 ? threads : 0);
+    // OpenEXR aborts the program where a thread of its pool cannot be started, so that is tried before.
+    Imf::setGlobalThreadCount(threads > 1 && can_start(threads) ? threads : 0);
   } catch (const std::bad_alloc&) {
     throw;
   } catch (const std::exception&) {

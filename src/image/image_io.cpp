@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <new>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "src/image/faults.h"
@@ -45,9 +46,19 @@ class PngEncoder {
   PngEncoder& operator=(const PngEncoder&) = delete;
   ~PngEncoder() { png_destroy_write_struct(&png_, &info_); }
 
-  // False: libpng gave up, for the reason().
+  // False: libpng gave up, for the reason(). Throws where that is a want of memory.
   template <class Sample>
-  bool encode(const Image<Sample>& image) noexcept {
+  bool encode(const Image<Sample>& image) {
+    if (encode_or_jump(image)) return true;
+    if (std::string_view(reason()).find("memory") != std::string_view::npos) throw std::bad_alloc();
+    return false;
+  }
+
+  [[nodiscard]] const char* reason() const { return reason_.data(); }
+
+ private:
+  template <class Sample>
+  bool encode_or_jump(const Image<Sample>& image) noexcept {
     if (setjmp(png_jmpbuf(png_)) != 0) return false;
     const int color_type = image.channels == 1   ? PNG_COLOR_TYPE_GRAY
                            : image.channels == 3 ? PNG_COLOR_TYPE_RGB
@@ -66,10 +77,6 @@ class PngEncoder {
     png_write_end(png_, nullptr);
     return true;
   }
-
-  [[nodiscard]] const char* reason() const { return reason_.data(); }
-
- private:
   [[noreturn]] static void fail(png_structp png, png_const_charp message) {
     auto& reason = static_cast<PngEncoder*>(png_get_error_ptr(png))->reason_;
     std::strncpy(reason.data(), message, reason.size() - 1);
@@ -89,10 +96,12 @@ class PngEncoder {
 // Bytes kept in memory. An exception must not cross libpng.
 struct TextSink {
   std::string text{};
+  bool full = false;
   bool write(const void* bytes, std::size_t size) noexcept try {
     text.append(static_cast<const char*>(bytes), size);
     return true;
   } catch (const std::bad_alloc&) {
+    full = true;
     return false;
   }
 };
@@ -143,6 +152,7 @@ Result<std::string> encode_png(const Image8& image) {
   TextSink sink;
   PngEncoder encoder(sink);
   if (!encoder.encode(image)) {
+    if (sink.full) throw std::bad_alloc();
     return Diagnostic{fmt::format("a picture could not be encoded as PNG: {}", encoder.reason())};
   }
   return std::move(sink.text);

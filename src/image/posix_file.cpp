@@ -1,11 +1,16 @@
 #include "src/image/posix_file.h"
 
 #include <fcntl.h>
+#include <sys/mman.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <cerrno>
+#include <csignal>
+#include <cstdio>
 #include <cstring>
+#include <new>
 #include <utility>
 
 #include "src/image/faults.h"
@@ -19,6 +24,31 @@ constexpr mode_t kMode = 0666;  // what the user's umask leaves of it
 
 std::error_code last_error() noexcept {
   return {errno, std::generic_category()};
+}
+
+// Runs in a child of a process with threads as well: system calls only.
+MoveFailure move_here(std::span<const Move> moves) noexcept {
+  MoveFailure failure;
+  while (failure.move < moves.size() && failure.error == 0) {
+    const Move& move = moves[failure.move];
+    if (::rename(move.from.c_str(), move.to.c_str()) == 0) {
+      ++failure.move;
+    } else {
+      failure.error = errno;
+    }
+  }
+  for (std::size_t i = failure.error == 0 ? 0 : failure.move; i-- > 0;) {
+    const Move& move = moves[i];
+    if (!move.replaces) {
+      ::unlink(move.to.c_str());
+    } else if (!move.older.empty()) {
+      ::rename(move.older.c_str(), move.to.c_str());
+    }
+  }
+  for (const Move& move : moves) {
+    if (!move.older.empty()) ::unlink(move.older.c_str());
+  }
+  return failure;
 }
 
 }  // namespace
@@ -107,6 +137,31 @@ std::error_code create_new(const std::filesystem::path& file) {
 
 std::uint64_t process_id() {
   return static_cast<std::uint64_t>(::getpid());
+}
+
+MoveFailure move_all(std::span<const Move> moves) {
+  if (moves.size() < 2) return move_here(moves);
+  constexpr int kReadWrite = PROT_READ | PROT_WRITE;
+  void* const shared = ::mmap(nullptr, sizeof(MoveFailure), kReadWrite, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+  if (shared == MAP_FAILED) return move_here(moves);
+  auto* const told = new (shared) MoveFailure{0, ECANCELED};  // what holds if the child does not come to tell
+  sigset_t all, before;
+  ::sigfillset(&all);
+  ::pthread_sigmask(SIG_SETMASK, &all, &before);
+  const pid_t child = ::fork();
+  if (child == 0) {
+    ::setsid();  // signals to a group of processes do not mean this one
+    *told = move_here(moves);
+    ::_exit(0);
+  }
+  ::pthread_sigmask(SIG_SETMASK, &before, nullptr);
+  // Without memory for another process, this one has to do.
+  if (child < 0) *told = move_here(moves);
+  while (child > 0 && ::waitpid(child, nullptr, 0) < 0 && errno == EINTR) {
+  }
+  const MoveFailure failure = *told;
+  ::munmap(shared, sizeof(MoveFailure));
+  return failure;
 }
 
 }  // namespace ninebit::image_detail

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <span>
 #include <system_error>
 #include <vector>
 
@@ -55,5 +56,23 @@ class CheckedFile {
 [[nodiscard]] std::error_code create_new(const std::filesystem::path& file);
 
 [[nodiscard]] std::uint64_t process_id();
+
+// A file on its way to its name.
+struct Move {
+  std::filesystem::path from, to;
+  std::filesystem::path older;  // a hard link to what stands at `to`; empty: nothing does, or there is no such link
+  bool replaces = false;        // something stands at `to`
+};
+
+// Which move failed, and why; 0: none did.
+struct MoveFailure {
+  std::size_t move = 0;
+  int error = 0;
+};
+
+// Renames all files, or none: what was renamed before a failure is taken back, as far as there are links to what was
+// replaced; these are removed. Several files are renamed by a process of its own, which goes on where this one is
+// killed meanwhile: so no signal leaves some renamed and some not.
+[[nodiscard]] MoveFailure move_all(std::span<const Move> moves);
 
 }  // namespace ninebit::image_detail

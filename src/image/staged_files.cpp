@@ -46,35 +46,16 @@ void remove_quietly(const fs::path& path) noexcept {
   fs::remove(path, ignored);
 }
 
-// One file on its way to its name, and what it takes to undo that.
-struct Replacement {
-  fs::path target;
-  fs::path older;         // a hard link to what stood there; empty: nothing did, or there is no such link
-  bool replaces = false;  // something stood there
-};
-
 // Keeps what stands at the target within reach; where the file system has no hard links, it cannot be brought back.
-Replacement prepare(const fs::path& folder, const std::string& name) {
-  Replacement step;
-  step.target = folder / name;
+image_detail::Move prepare(const fs::path& folder, const std::string& name, const fs::path& temporary) {
+  image_detail::Move move{temporary, folder / name, {}, false};
   std::error_code error;
-  step.replaces = fs::exists(fs::symlink_status(step.target, error));
-  if (!step.replaces) return step;
-  step.older = unused_name(folder, name);
-  fs::create_hard_link(step.target, step.older, error);
-  if (error) step.older.clear();
-  return step;
-}
-
-void undo(const std::vector<Replacement>& done) noexcept {
-  for (auto step = done.rbegin(); step != done.rend(); ++step) {
-    std::error_code ignored;
-    if (!step->replaces) {
-      fs::remove(step->target, ignored);
-    } else if (!step->older.empty()) {
-      fs::rename(step->older, step->target, ignored);
-    }
-  }
+  move.replaces = fs::exists(fs::symlink_status(move.to, error));
+  if (!move.replaces) return move;
+  move.older = unused_name(folder, name);
+  fs::create_hard_link(move.to, move.older, error);
+  if (error) move.older.clear();
+  return move;
 }
 
 }  // namespace
@@ -154,22 +135,15 @@ Status StagedFiles::check_before_commit() const {
 
 Status StagedFiles::commit() {
   if (Status status = check_before_commit(); !status) return status;
-  std::vector<Replacement> done;
-  done.reserve(entries_.size());
-  std::error_code error;
+  std::vector<image_detail::Move> moves;
+  moves.reserve(entries_.size());
   for (const Entry& entry : entries_) {
-    if (entry.committed) continue;
-    Replacement step = prepare(folder_, entry.name);
-    fs::rename(entry.temporary, step.target, error);
-    if (error) {
-      remove_quietly(step.older);
-      undo(done);
-      return cannot_write(step.target, "could not be renamed into place: " + error.message());
-    }
-    done.push_back(std::move(step));
+    if (!entry.committed) moves.push_back(prepare(folder_, entry.name, entry.temporary));
+  }
+  if (const auto [move, error] = image_detail::move_all(moves); error != 0) {
+    return cannot_write(moves[move].to, "could not be renamed into place: " + std::generic_category().message(error));
   }
   for (Entry& entry : entries_) entry.committed = true;
-  for (const Replacement& step : done) remove_quietly(step.older);
   return {};
 }
 

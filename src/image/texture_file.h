@@ -30,6 +30,9 @@ struct FileTexture {
 [[nodiscard]] Result<FileTexture> parse_dds(const HardwareProfile& profile, const std::filesystem::path& file,
                                             std::span<const std::uint8_t> bytes);
 
+// What a compressed picture may hold, 8192 x 8192: a few KiB of one can say that they are any number of pixels.
+inline constexpr std::int64_t kMostPicturePixels = std::int64_t{1} << 26;
+
 // Who reads files that are no DDS files. OpenImageIO does it, but it brings 250 shared libraries along: the library
 // links it, the program loads it when it is asked for a picture (picture_loader.h).
 using PictureReader = Result<FileTexture> (*)(const std::filesystem::path& file);

@@ -27,6 +27,9 @@ std::string complain_about_spec(const OIIO::ImageSpec& spec) {
   if (std::string complaint = complain_about_texture_size(spec.width, spec.height); !complaint.empty()) {
     return "the picture " + complaint;
   }
+  if (const std::int64_t pixels = std::int64_t{spec.width} * spec.height; pixels > kMostPicturePixels) {
+    return fmt::format("the picture has {} pixels; at most {} are read", pixels, kMostPicturePixels);
+  }
   if (spec.nchannels < 1 || spec.nchannels > 4) {
     return fmt::format("has {} channels; expected 1 to 4", spec.nchannels);
   }

@@ -36,8 +36,11 @@ void read_by_portion(const Portion& portion, int first, int channels, const Live
   };
   for (int c = 0; c < channels; ++c) {
     const bool third = after.has(out.sum, first + c);
-    if (third || after.has(out.ab, first + c)) read(portion.a, portion.b, c, out.ab_dot_product);
-    if (third || after.has(out.cd, first + c)) read(portion.c, portion.d, c, out.cd_dot_product);
+    const auto is_read = [&](Register to, bool blue_to_alpha) {
+      return third || after.has(to, first + c) || (blue_to_alpha && c == kBlue && after.has(to, kAlpha));
+    };
+    if (is_read(out.ab, out.ab_blue_to_alpha)) read(portion.a, portion.b, c, out.ab_dot_product);
+    if (is_read(out.cd, out.cd_blue_to_alpha)) read(portion.c, portion.d, c, out.cd_dot_product);
     if (third && out.mux_sum) live.add(Register::spare0, kAlpha);
   }
 }
@@ -47,6 +50,8 @@ void remove_written(const Portion& portion, int first, int channels, LiveSet& li
     if (r == Register::discard) continue;
     for (int c = first; c < first + channels; ++c) live.remove(r, c);
   }
+  if (portion.out.ab_blue_to_alpha) live.remove(portion.out.ab, kAlpha);
+  if (portion.out.cd_blue_to_alpha) live.remove(portion.out.cd, kAlpha);
 }
 
 }  // namespace

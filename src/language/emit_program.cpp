@@ -93,29 +93,33 @@ class Lister {
     const Values cd = products(portion.c, portion.d, out.cd_dot_product, "_dot_cd");
 
     Block block;
-    const auto write = [&](Register to, const auto& wide_of) {
+    const auto write_component = [&](Register to, int component, const auto& wide) {
+      V& value = registers_(to, component);
+      if (!after.has(to, component)) {
+        value = set(0);  // not read before it is written again
+        return false;
+      }
+      value = combiner_output(d_, out.scale, out.bias, wide());
+      const char letter = kComponentLetters[static_cast<std::size_t>(component)];
+      const std::string target(short_name_of(to));
+      Line line{target + '.' + letter, "s" + std::to_string(stage) + '_' + target + '_' + letter, value};
+      Graph::name(value, line.name);
+      block.lines.push_back(std::move(line));
+      return true;
+    };
+    const auto write = [&](Register to, bool blue_to_alpha, const auto& wide_of) {
       bool any = false;
       for (int c = 0; to != Register::discard && c < channels; ++c) {
-        V& value = registers_(to, first + c);
-        if (!after.has(to, first + c)) {
-          value = set(0);  // not read before it is written again
-          continue;
-        }
-        any = true;
-        value = combiner_output(d_, out.scale, out.bias, wide_of(static_cast<std::size_t>(c)));
-        const char letter = kComponentLetters[static_cast<std::size_t>(first + c)];
-        const std::string target(short_name_of(to));
-        Line line{target + '.' + letter, "s" + std::to_string(stage) + '_' + target + '_' + letter, value};
-        Graph::name(value, line.name);
-        block.lines.push_back(std::move(line));
+        any = write_component(to, first + c, [&] { return wide_of(static_cast<std::size_t>(c)); }) || any;
       }
-      return any;
+      return (blue_to_alpha && write_component(to, kAlpha, [&] { return wide_of(kBlue); })) || any;
     };
     LiveOutputs live;
-    live.ab = write(out.ab, [&](std::size_t c) { return ab[c]; });
-    live.cd = write(out.cd, [&](std::size_t c) { return cd[c]; });
-    live.sum = write(out.sum, [&](std::size_t c) {
-      return out.mux_sum ? mux(d_, before(Register::spare0, kAlpha), ab[c], cd[c]) : add(ab[c], cd[c]);
+    live.ab = write(out.ab, out.ab_blue_to_alpha, [&](std::size_t c) { return ab[c]; });
+    live.cd = write(out.cd, out.cd_blue_to_alpha, [&](std::size_t c) { return cd[c]; });
+    live.sum = write(out.sum, false, [&](std::size_t c) {
+      return out.mux_sum ? mux(d_, from.mux_by_lowest_bit, before(Register::spare0, kAlpha), ab[c], cd[c])
+                         : add(ab[c], cd[c]);
     });
     block.comments = comments_of(program_, stage, portion_name, live);
     listing.blocks.push_back(std::move(block));
@@ -132,8 +136,10 @@ class Lister {
         return map_input(d_, in.mapping, e_times_f(d_, plain(f.e, channel), plain(f.f, channel)));
       }
       if (in.reg == Register::spare0_plus_secondary) {
-        const V sum = color_sum(d_, program_.color_sum_clamp, registers_(Register::spare0, channel),
-                                registers_(Register::secondary, channel));
+        const V spare0 = registers_(Register::spare0, channel), secondary = registers_(Register::secondary, channel);
+        const V sum =
+            color_sum(d_, program_.color_sum_clamp, color_sum_part(d_, program_.color_sum_invert_spare0, spare0),
+                      color_sum_part(d_, program_.color_sum_invert_secondary, secondary));
         return map_input(d_, in.mapping, sum);
       }
       return plain(in, channel);

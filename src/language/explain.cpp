@@ -69,26 +69,36 @@ void add_portion(const Program& program, int stage, PortionName name, const Rang
     const Expression right = mapped_input(scope, y, dot);
     return dot ? dot_product(d, left, right) : product(d, left, right);
   };
-  const auto add = [&](Register target, std::string output, const Expression& wide) {
+  // A product's blue alone; a dot product is the same in all components.
+  const auto blue_of = [&](CombinerInput x, CombinerInput y, bool dot) {
+    if (!dot && x.usage == ComponentUsage::rgb) x.usage = ComponentUsage::blue;
+    if (!dot && y.usage == ComponentUsage::rgb) y.usage = ComponentUsage::blue;
+    return term(x, y, dot);
+  };
+  const auto add = [&](Register target, unsigned components, std::string output, const Expression& wide) {
     if (target == Register::discard) return;
     Equation equation{.stage = stage, .portion = name, .output = std::move(output)};
-    equation.target = std::string(short_name(target)) + (rgb ? "" : ".a");
+    equation.target = std::string(short_name(target)) + (components == kRgbBits ? "" : ".a");
     Fact fact = fact_of(d, combiner_output(d, p.out.scale, p.out.bias, wide), std::move(equation), {d.lowest, d.one});
     fact.target = target;
+    fact.components = components;
     facts.push_back(std::move(fact));
   };
+  const unsigned own = rgb ? kRgbBits : kAlphaBit;
   const Expression ab = term(p.a, p.b, p.out.ab_dot_product);
   const Expression cd = term(p.c, p.d, p.out.cd_dot_product);
-  add(p.out.ab, "AB", ab);
-  add(p.out.cd, "CD", cd);
+  add(p.out.ab, own, "AB", ab);
+  if (p.out.ab_blue_to_alpha) add(p.out.ab, kAlphaBit, "AB", blue_of(p.a, p.b, p.out.ab_dot_product));
+  add(p.out.cd, own, "CD", cd);
+  if (p.out.cd_blue_to_alpha) add(p.out.cd, kAlphaBit, "CD", blue_of(p.c, p.d, p.out.cd_dot_product));
   if (p.out.sum == Register::discard) return;
   const Range spare0_alpha = ranges[index_of(Register::spare0)][1];
   if (p.out.mux_sum) {
-    add(p.out.sum, "mux", choice(d, ab, cd, spare0_alpha));
-    if (spare0_alpha.high < d.half) facts.back().mux_picks = "AB";
-    if (spare0_alpha.low >= d.half) facts.back().mux_picks = "CD";
+    add(p.out.sum, own, "mux", choice(d, ab, cd, from.mux_by_lowest_bit, spare0_alpha));
+    const Picks picks = mux_picks(d, from.mux_by_lowest_bit, spare0_alpha);
+    if (picks != Picks::either) facts.back().mux_picks = picks == Picks::ab ? "AB" : "CD";
   } else {
-    add(p.out.sum, "sum", sum(d, ab, cd, d.one));
+    add(p.out.sum, own, "sum", sum(d, ab, cd, d.one));
   }
 }
 
@@ -100,10 +110,6 @@ void add_final(const Program& program, const Ranges& ranges, std::vector<Fact>& 
   scope.per_channel = false;
   facts.push_back(fact_of(d, final_alpha(program, scope),
                           {.portion = PortionName::alpha, .output = "alpha", .target = "alpha"}, {0, d.one}));
-}
-
-unsigned target_bits(const Fact& fact) {
-  return fact.equation.portion == PortionName::rgb ? kRgbBits : kAlphaBit;
 }
 
 // Marks, from the last to the first, what reaches the final result.
@@ -118,11 +124,11 @@ void mark_used(int stages, std::vector<Fact>& facts) {
   for (int stage = stages - 1; stage >= 0; --stage) {
     const std::array<unsigned, kRegisterCount> after = needed;
     for (const Fact& fact : facts) {
-      if (fact.equation.stage == stage) needed[index_of(fact.target)] &= ~target_bits(fact);
+      if (fact.equation.stage == stage) needed[index_of(fact.target)] &= ~fact.components;
     }
     for (Fact& fact : facts) {
       if (fact.equation.stage != stage) continue;
-      const unsigned channels = after[index_of(fact.target)] & target_bits(fact);
+      const unsigned channels = after[index_of(fact.target)] & fact.components;
       fact.equation.used = channels != 0;
       read(fact, channels);
     }
@@ -141,7 +147,7 @@ Explanation explain(const Program& program, const HardwareProfile& profile) {
     add_portion(exact, stage, PortionName::rgb, ranges, facts);
     add_portion(exact, stage, PortionName::alpha, ranges, facts);
     for (std::size_t i = first; i < facts.size(); ++i) {
-      ranges[index_of(facts[i].target)][target_bits(facts[i]) == kAlphaBit ? 1 : 0] = facts[i].range;
+      ranges[index_of(facts[i].target)][facts[i].components == kAlphaBit ? 1 : 0] = facts[i].range;
     }
   }
   add_final(exact, ranges, facts);

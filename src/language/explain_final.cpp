@@ -33,10 +33,12 @@ class FinalInputs {
   }
 
   [[nodiscard]] Expression color_sum() const {
-    const auto rgb = [&](Register reg) {
-      return mapped_input(scope_, {reg, InputMapping::unsigned_identity, ComponentUsage::rgb}, false);
+    const auto rgb = [&](Register reg, bool inverted) {
+      const auto mapping = inverted ? InputMapping::unsigned_invert : InputMapping::unsigned_identity;
+      return mapped_input(scope_, {reg, mapping, ComponentUsage::rgb}, false);
     };
-    Expression e = sum(d(), rgb(Register::spare0), rgb(Register::secondary), 1);
+    Expression e = sum(d(), rgb(Register::spare0, program_.color_sum_invert_spare0),
+                       rgb(Register::secondary, program_.color_sum_invert_secondary), 1);
     if (program_.color_sum_clamp && e.range.high > d().one) {
       e.text = "min(1, " + e.text + ")";
       e.binding = Binding::atom;

@@ -41,8 +41,7 @@ std::optional<std::string> reader_of_initial(const std::vector<Fact>& facts, Reg
     const std::optional<int>& stage = fact.equation.stage;
     if (written_in && (!stage || *stage > *written_in)) return std::nullopt;
     if (fact.equation.used && reads(fact, reg, components)) return reader_of(fact.equation);
-    const unsigned bits = fact.equation.portion == PortionName::rgb ? kRgbBits : kAlphaBit;
-    if (stage && fact.target == reg && (bits & components) != 0) written_in = stage;
+    if (stage && fact.target == reg && (fact.components & components) != 0) written_in = stage;
   }
   return std::nullopt;
 }
@@ -123,8 +122,9 @@ std::vector<std::string> notes_of(const Program& program, const HardwareProfile&
       notes.push_back(reader_of(equation) + " is GL's default: " + equation.target + " = " + equation.expression);
     }
     if (!fact.mux_picks.empty()) {
+      const bool by_bit = program.general[static_cast<std::size_t>(*equation.stage)].mux_by_lowest_bit;
       notes.push_back("the mux of " + reader_of(equation) + " always picks " + fact.mux_picks +
-                      ": spare0 alpha can only be on that side of ½");
+                      ": spare0 alpha can only be " + (by_bit ? "one code" : "on that side of ½"));
     }
   }
   const FinalCombiner gl;
@@ -147,6 +147,7 @@ std::vector<std::string> legend_of(const Datapath& d, const std::vector<Fact>& f
       {Mark::half, d.arithmetic == Arithmetic::integer
                        ? "½ is the code " + std::to_string(d.half) + " of " + std::to_string(d.one)
                        : "½ is one half exactly"},
+      {Mark::odd, "odd(x): the lowest bit of x's code, of 0 where x is negative"},
       {Mark::product, "a × b multiplies component by component"},
       {Mark::dot, "a · b is the dot product of red, green and blue, in every component"},
       {Mark::swizzle, "x.aaa, x.blue.blue.blue: one component in place of red, green and blue"},

@@ -13,6 +13,7 @@ namespace ninebit::explain_detail {
 struct Fact {
   Equation equation;
   Register target = Register::discard;  // general combiners
+  unsigned components = 0;              // of the target: kRgbBits or kAlphaBit
   std::vector<Read> reads;
   Marks marks;
   Range range;              // of the value written, codes

@@ -222,11 +222,24 @@ Expression sum(const Datapath& d, const Expression& a, const Expression& b, int 
   return e;
 }
 
-Expression choice(const Datapath& d, const Expression& ab, const Expression& cd, Range spare0_alpha) {
+Picks mux_picks(const Datapath& d, bool by_lowest_bit, Range spare0_alpha) {
+  const auto pick = [](bool cd) { return cd ? Picks::cd : Picks::ab; };
+  if (by_lowest_bit) {
+    const int low = std::max(0, spare0_alpha.low), high = std::max(0, spare0_alpha.high);
+    // The codes that stand for real numbers here are finer than theirs; only zero is the same one.
+    const bool is_known = low == high && (low == 0 || d.arithmetic == Arithmetic::integer);
+    return is_known ? pick(low % 2 == 1) : Picks::either;
+  }
+  const bool cd = spare0_alpha.low >= d.half;
+  return cd || spare0_alpha.high < d.half ? pick(cd) : Picks::either;
+}
+
+Expression choice(const Datapath& d, const Expression& ab, const Expression& cd, bool by_lowest_bit,
+                  Range spare0_alpha) {
   if ((ab.constant && ab.constant == cd.constant) || same(ab, cd)) return ab;
   const Read reads_alpha{Register::spare0, false, kAlphaBit};
-  if (spare0_alpha.high < d.half || spare0_alpha.low >= d.half) {
-    Expression side = spare0_alpha.high < d.half ? ab : cd;
+  if (const Picks picks = mux_picks(d, by_lowest_bit, spare0_alpha); picks != Picks::either) {
+    Expression side = picks == Picks::ab ? ab : cd;
     side.reads.push_back(reads_alpha);  // that it can be on one side only is the doing of what wrote it
     return side;
   }
@@ -235,17 +248,18 @@ Expression choice(const Datapath& d, const Expression& ab, const Expression& cd,
   const auto branch = [&](const Expression& x) {
     return x.constant ? constant_text(d, *x.constant, d.one, e.marks) : with_sign(x);
   };
-  e.text = "spare0.a ≥ ½ ? " + branch(cd) + " : " + branch(ab);
+  e.text = (by_lowest_bit ? "odd(spare0.a) ? " : "spare0.a ≥ ½ ? ") + branch(cd) + " : " + branch(ab);
   e.binding = Binding::choice;
-  e.marks.insert(Mark::half);
+  e.marks.insert(by_lowest_bit ? Mark::odd : Mark::half);
   e.reads.push_back(reads_alpha);
   return e;
 }
 
 Expression combiner_output(const Datapath& d, Scale scale, Bias bias, const Expression& wide) {
   if (wide.constant) {
-    const int unclamped = *wide.constant;
-    return constant_of(reference::combiner_output(d, scale, bias, unclamped));
+    Expression e = constant_of(reference::combiner_output(d, scale, bias, *wide.constant));
+    e.reads = wide.reads;  // a mux that can only pick this one has read what decides it
+    return e;
   }
   Expression e = bias == Bias::none ? wide : sum(d, wide, constant_of(-d.half * d.one), d.one);
   const int twice = scale == Scale::by_one_half ? 1 : scale == Scale::none ? 2 : scale == Scale::by_two ? 4 : 8;

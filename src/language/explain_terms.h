@@ -32,7 +32,7 @@ inline constexpr unsigned kRgbBits = 7U;
 inline constexpr unsigned kAlphaBit = 8U;
 
 // Marks that need a word in the legend.
-enum class Mark { expand, half, product, dot, swizzle, max };
+enum class Mark { expand, half, odd, product, dot, swizzle, max };
 using Marks = std::set<Mark>;
 
 // How tightly an expression holds together, loosest first.
@@ -76,8 +76,13 @@ struct Scope {
 // Of two wide values with unit `one`, or of two codes with unit 1.
 [[nodiscard]] Expression sum(const Datapath& d, const Expression& a, const Expression& b, int unit);
 
-// The mux of two wide values, decided where spare0's alpha can only be on one side of one half.
-[[nodiscard]] Expression choice(const Datapath& d, const Expression& ab, const Expression& cd, Range spare0_alpha);
+// What a mux does where its spare0 alpha leaves it no choice.
+enum class Picks { either, ab, cd };
+[[nodiscard]] Picks mux_picks(const Datapath& d, bool by_lowest_bit, Range spare0_alpha);
+
+// The mux of two wide values, decided where it can only pick one.
+[[nodiscard]] Expression choice(const Datapath& d, const Expression& ab, const Expression& cd, bool by_lowest_bit,
+                                Range spare0_alpha);
 
 // What a general combiner writes for a wide value: the expression with bias and scale, and its range as codes before
 // the clamp.

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "ninebit/language/gl_calls.h"
+#include "src/language/beyond_opengl.h"
 #include "src/language/gl_calls_names.h"
 #include "src/language/gl_nv_access.h"
 
@@ -117,7 +118,10 @@ class Printer {
 
 }  // namespace
 
-std::string print_gl_calls(const CombinerState& state, const HardwareProfile& profile) {
+Result<std::string> print_gl_calls(const CombinerState& state, const HardwareProfile& profile) {
+  if (const std::string beyond = beyond_opengl(normalize(state, profile)); !beyond.empty()) {
+    return Diagnostic{.message = "OpenGL has no " + beyond};
+  }
   return Printer().print(state, profile);
 }
 

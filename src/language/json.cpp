@@ -33,6 +33,7 @@ class ProgramReader {
 
   CombinerState read(const Value& root) {
     if (!read_.object(root, {"ninebit", "version", "num_general_combiners", "color_sum_clamp", "per_stage_constants",
+                             "mux_by_lowest_bit", "color_sum_invert_spare0", "color_sum_invert_secondary",
                              "constant_color0", "constant_color1", "general_combiners", "final_combiner"})) {
       return state_;
     }
@@ -46,6 +47,18 @@ class ProgramReader {
       per_stage_ = value.offset;
       read_.boolean(value, state_.per_stage_constants);
     });
+    with(root, "mux_by_lowest_bit", [&](const Value& value) {
+      mux_ = value.offset;
+      read_.boolean(value, state_.mux_by_lowest_bit);
+    });
+    with(root, "color_sum_invert_spare0", [&](const Value& value) {
+      inverts_ = value.offset;
+      read_.boolean(value, state_.color_sum_invert_spare0);
+    });
+    with(root, "color_sum_invert_secondary", [&](const Value& value) {
+      if (inverts_ == 0) inverts_ = value.offset;
+      read_.boolean(value, state_.color_sum_invert_secondary);
+    });
     with(root, "constant_color0", [&](const Value& value) { color(value, state_.constant0); });
     with(root, "constant_color1", [&](const Value& value) { color(value, state_.constant1); });
     with(root, "general_combiners", [&](const Value& value) { stages(value); });
@@ -54,8 +67,7 @@ class ProgramReader {
   }
 
   // Where the text has what a diagnostic is about.
-  [[nodiscard]] TextPlace place_of(const StateDiagnostic& found, const CombinerState& state,
-                                   const HardwareProfile& profile) const {
+  [[nodiscard]] TextPlace place_of(const StateDiagnostic& found) const {
     if (found.stage && found.portion) {
       const auto stage = static_cast<std::size_t>(*found.stage);
       const auto portion = static_cast<std::size_t>(*found.portion);
@@ -63,8 +75,17 @@ class ProgramReader {
       return read_.place(general_[stage][portion][part]);
     }
     if (found.variable) return read_.place(final_[static_cast<std::size_t>(*found.variable)]);
-    const bool too_many = state.num_general_combiners < 1 || state.num_general_combiners > profile.general_combiners;
-    return read_.place(too_many && found.gl_error == GlError::invalid_value ? count_ : per_stage_);
+    switch (found.parameter.value_or(StateParameter::num_general_combiners)) {
+      case StateParameter::num_general_combiners:
+        return read_.place(count_);
+      case StateParameter::per_stage_constants:
+        return read_.place(per_stage_);
+      case StateParameter::mux_by_lowest_bit:
+        return read_.place(mux_);
+      case StateParameter::color_sum_inverts:
+        return read_.place(inverts_);
+    }
+    return {};
   }
 
  private:
@@ -127,7 +148,8 @@ class ProgramReader {
   }
 
   void output(const Value& value, PortionOutput& into) {
-    if (!read_.object(value, {"ab", "cd", "sum", "scale", "bias", "ab_dot_product", "cd_dot_product", "mux_sum"}))
+    if (!read_.object(value, {"ab", "cd", "sum", "scale", "bias", "ab_dot_product", "cd_dot_product", "mux_sum",
+                              "ab_blue_to_alpha", "cd_blue_to_alpha"}))
       return;
     with(value, "ab", [&](const Value& part) { name<Register>(part, kOutputs, "output", into.ab); });
     with(value, "cd", [&](const Value& part) { name<Register>(part, kOutputs, "output", into.cd); });
@@ -137,6 +159,8 @@ class ProgramReader {
     with(value, "ab_dot_product", [&](const Value& part) { read_.boolean(part, into.ab_dot_product); });
     with(value, "cd_dot_product", [&](const Value& part) { read_.boolean(part, into.cd_dot_product); });
     with(value, "mux_sum", [&](const Value& part) { read_.boolean(part, into.mux_sum); });
+    with(value, "ab_blue_to_alpha", [&](const Value& part) { read_.boolean(part, into.ab_blue_to_alpha); });
+    with(value, "cd_blue_to_alpha", [&](const Value& part) { read_.boolean(part, into.cd_blue_to_alpha); });
   }
 
   void final_combiner(const Value& value) {
@@ -159,7 +183,7 @@ class ProgramReader {
 
   Reader read_;
   CombinerState state_{};
-  std::size_t count_ = 0, per_stage_ = 0;
+  std::size_t count_ = 0, per_stage_ = 0, mux_ = 0, inverts_ = 0;
   std::array<std::array<std::array<std::size_t, 5>, 2>, kMaxGeneralCombiners> general_{};
   std::array<std::size_t, 7> final_{};
 };
@@ -174,7 +198,7 @@ Parsed<CombinerState> parse_json_program(const SourceText& source, const Hardwar
   ProgramReader reader(source.text, faults);
   const CombinerState state = reader.read(*root);
   for (const StateDiagnostic& found : validate(state, profile)) {
-    faults.add(reader.place_of(found, state, profile), found.message, found.gl_error);
+    faults.add(reader.place_of(found), found.message, found.gl_error);
   }
   if (!faults.empty()) return {std::nullopt, faults.take()};
   return {state, {}};

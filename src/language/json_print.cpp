@@ -32,11 +32,17 @@ std::string object(const CombinerInput& in) {
          member("usage", name_of(in.usage)) + '}';
 }
 
+// What GL does not have is not there unless it is asked for.
+std::string if_set(std::string_view key, bool value) {
+  return value ? ", " + member(key, true) : "";
+}
+
 std::string object(const PortionOutput& out) {
   return "{" + member("ab", name_of(out.ab)) + ", " + member("cd", name_of(out.cd)) + ", " +
          member("sum", name_of(out.sum)) + ", " + member("scale", name_of(out.scale)) + ", " +
          member("bias", name_of(out.bias)) + ", " + member("ab_dot_product", out.ab_dot_product) + ", " +
-         member("cd_dot_product", out.cd_dot_product) + ", " + member("mux_sum", out.mux_sum) + '}';
+         member("cd_dot_product", out.cd_dot_product) + ", " + member("mux_sum", out.mux_sum) +
+         if_set("ab_blue_to_alpha", out.ab_blue_to_alpha) + if_set("cd_blue_to_alpha", out.cd_blue_to_alpha) + '}';
 }
 
 std::string portion_text(std::string_view key, const Portion& p) {
@@ -60,6 +66,9 @@ std::string print_json_program(const CombinerState& state) {
   text += "  \"num_general_combiners\": " + std::to_string(state.num_general_combiners) + ",\n";
   text += "  " + member("color_sum_clamp", state.color_sum_clamp) + ",\n";
   text += "  " + member("per_stage_constants", state.per_stage_constants) + ",\n";
+  if (state.mux_by_lowest_bit) text += "  " + member("mux_by_lowest_bit", true) + ",\n";
+  if (state.color_sum_invert_spare0) text += "  " + member("color_sum_invert_spare0", true) + ",\n";
+  if (state.color_sum_invert_secondary) text += "  " + member("color_sum_invert_secondary", true) + ",\n";
   text += "  \"constant_color0\": " + array(state.constant0) + ",\n";
   text += "  \"constant_color1\": " + array(state.constant1) + ",\n";
   std::size_t stages = state.general.size();

@@ -55,6 +55,8 @@ class ProfileReader {
                              "texture_units",
                              "per_stage_constants",
                              "blue_to_alpha",
+                             "mux_by_lowest_bit",
+                             "color_sum_inverts",
                              "spare0_alpha_without_texture0",
                              "disabled_texture_alpha",
                              "secondary_alpha",
@@ -171,6 +173,8 @@ class ProfileReader {
     integer("texture_units", profile_.texture_units, 1, 4);
     boolean("per_stage_constants", profile_.per_stage_constants);
     boolean("blue_to_alpha", profile_.blue_to_alpha);
+    boolean("mux_by_lowest_bit", profile_.mux_by_lowest_bit);
+    boolean("color_sum_inverts", profile_.color_sum_inverts);
     integer("spare0_alpha_without_texture0", profile_.spare0_alpha_without_texture0, 0, 255);
     integer("disabled_texture_alpha", profile_.disabled_texture_alpha, 0, 255);
     choose("secondary_alpha", profile_.secondary_alpha,

@@ -92,6 +92,8 @@ Json json_of(const TracedPortion& portion) {
           {"bias", name_of(out.bias)},
           {"ab_dot_product", out.ab_dot_product},
           {"cd_dot_product", out.cd_dot_product},
+          {"ab_blue_to_alpha", out.ab_blue_to_alpha},
+          {"cd_blue_to_alpha", out.cd_blue_to_alpha},
           {"channels", std::move(channels)}};
 }
 
@@ -138,6 +140,7 @@ std::string print_json_trace(const Program& program, const Trace& trace) {
     const TracedStage& stage = trace.stage[i];
     stages.push_back({{"stage", i},
                       {"spare0_alpha", json_of(stage.spare0_alpha)},
+                      {"mux_by_lowest_bit", stage.mux_by_lowest_bit},
                       {"mux_takes", product_name(stage.takes_cd)},
                       {"ideal_mux_takes", product_name(stage.ideal_takes_cd)},
                       {"rgb", json_of(stage.rgb)},

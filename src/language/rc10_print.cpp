@@ -7,6 +7,7 @@
 
 #include "ninebit/combiner/program.h"
 #include "ninebit/language/rc10.h"
+#include "src/language/beyond_opengl.h"
 #include "src/language/gl_nv_access.h"
 #include "src/language/rc10_parser.h"
 
@@ -137,6 +138,8 @@ bool reads_in(const ProgramStage& stage, Register reg) {
 
 // What of a valid program the language cannot say; empty: nothing.
 std::string inexpressible(const Program& program) {
+  const std::string_view no_words = "!!RC1.0 has no words for this: ";
+  if (const std::string beyond = beyond_opengl(program); !beyond.empty()) return std::string(no_words) + beyond;
   std::string places;
   for (std::size_t i = 0; i < program.general.size(); ++i) {
     const PortionOutput& out = program.general[i].rgb.out;
@@ -145,7 +148,7 @@ std::string inexpressible(const Program& program) {
     places += std::string(places.empty() ? "" : "; ") + "general combiner " + std::to_string(i) +
               ", RGB portion: " + (out.mux_sum ? "mux()" : "sum()") + " beside a dot product";
   }
-  return places.empty() ? places : "!!RC1.0 has no words for this: " + places;
+  return places.empty() ? places : std::string(no_words) + places;
 }
 
 class Printer {

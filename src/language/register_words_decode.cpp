@@ -58,13 +58,8 @@ class Decoder {
     final_flags();
     state_.constant0 = color({Kind::color, 0});
     state_.constant1 = color({Kind::color, 1});
-    bool mux_msb = true;
-    if (chip_ == ChipClass::nv10) {
-      mux_msb = nv10_control();
-    } else {
-      mux_msb = nv20_control();
-    }
-    if (!mux_msb) check_mux();
+    const bool mux_by_highest_bit = chip_ == ChipClass::nv10 ? nv10_control() : nv20_control();
+    state_.mux_by_lowest_bit = !mux_by_highest_bit && uses_mux();
     return state_;
   }
 
@@ -78,6 +73,8 @@ class Decoder {
       if (slot.index >= stages_of(chip_)) return {};
     } else if (found.variable) {
       slot = {*found.variable <= Variable::d ? Kind::final0 : Kind::final1, 0};
+    } else if (found.parameter == StateParameter::color_sum_inverts) {
+      slot = {Kind::final1, 0};
     }
     const RegisterWord* const word = at(slot);
     return word == nullptr ? TextPlace{} : word->place;
@@ -147,14 +144,9 @@ class Decoder {
     const std::uint32_t word = at(slot)->value;
     const bool rgb = slot.kind == Kind::out_rgb;
     const std::uint32_t dots = 1U << kCdDotBit | 1U << kAbDotBit;
-    const std::uint32_t blues = 1U << kCdBlueToAlphaBit | 1U << kAbBlueToAlphaBit;
     check_mask(slot, rgb ? 0 : dots);
     if (!rgb && (word & dots) != 0) {
       fault(slot, bits_text(word & dots) + ": an alpha portion has no dot product", GlError::invalid_value);
-    }
-    if (rgb && chip_ == ChipClass::nv20 && (word & blues) != 0) {
-      fault(slot, bits_text(word & blues) + " (blue to alpha: " + std::to_string(kCdBlueToAlphaBit) + " of CD, " +
-                      std::to_string(kAbBlueToAlphaBit) + " of AB): OpenGL has no such output");
     }
     const std::pair<int, Register*> destinations[] = {{kAbShift, &out.ab}, {kCdShift, &out.cd}, {kSumShift, &out.sum}};
     for (const auto& [low, into] : destinations) {
@@ -186,24 +178,24 @@ class Decoder {
       out.ab_dot_product = bits(word, kAbDotBit, 1) != 0;
       out.cd_dot_product = bits(word, kCdDotBit, 1) != 0;
     }
+    if (rgb && chip_ == ChipClass::nv20) {
+      out.ab_blue_to_alpha = bits(word, kAbBlueToAlphaBit, 1) != 0;
+      out.cd_blue_to_alpha = bits(word, kCdBlueToAlphaBit, 1) != 0;
+    }
   }
 
   void final_flags() {
     const Slot slot{Kind::final1, 0};
     if (at(slot) == nullptr) return;
     const std::uint32_t word = at(slot)->value;
-    const std::uint32_t inverts = word & (1U << kSumInvertSpare0Bit | 1U << kSumInvertSecondaryBit);
-    if (inverts != 0) {
-      fault(slot, bits_text(inverts) + " (1 - x in the colour sum: " + std::to_string(kSumInvertSpare0Bit) +
-                      " of spare0, " + std::to_string(kSumInvertSecondaryBit) +
-                      " of secondary): OpenGL has no such sum");
-    }
+    state_.color_sum_invert_spare0 = bits(word, kSumInvertSpare0Bit, 1) != 0;
+    state_.color_sum_invert_secondary = bits(word, kSumInvertSecondaryBit, 1) != 0;
     state_.color_sum_clamp = bits(word, kColorSumClampBit, 1) != 0;
   }
 
   ColorF color(Slot slot) { return at(slot) == nullptr ? ColorF{} : color_of(at(slot)->value); }
 
-  // Whether the mux looks at the most significant bit.
+  // Whether muxes look at the highest bit.
   bool nv10_control() {
     const Slot slot = control_slot();
     if (at(slot) == nullptr) return true;
@@ -273,18 +265,15 @@ class Decoder {
     return false;
   }
 
-  // OpenGL's mux looks at the most significant bit. Where no stage in use has a mux, the bit says nothing.
-  void check_mux() {
+  // Where no stage in use has a mux, its bit says nothing, and a word that is 0 but for the number of stages means no
+  // more than that.
+  [[nodiscard]] bool uses_mux() const {
+    const auto muxes = [](const PortionOutput& out) { return out.mux_sum && out.sum != Register::discard; };
     for (int i = 0; i < state_.num_general_combiners; ++i) {
       const GeneralCombiner& stage = state_.general[static_cast<std::size_t>(i)];
-      const auto muxes = [](const PortionOutput& out) { return out.mux_sum && out.sum != Register::discard; };
-      if (!muxes(stage.rgb.out) && !muxes(stage.alpha.out)) continue;
-      fault(control_slot(), "bit " + std::to_string(chip_ == ChipClass::nv10 ? kNv10MuxMsbBit : kNv20MuxMsbBit) +
-                                " is 0, so the mux of general combiner " + std::to_string(i) +
-                                " looks at the least significant bit of spare0's alpha; OpenGL has the most "
-                                "significant bit alone");
-      return;
+      if (muxes(stage.rgb.out) || muxes(stage.alpha.out)) return true;
     }
+    return false;
   }
 
   ChipClass chip_;

@@ -1,4 +1,7 @@
 // From a state to words.
+#include <algorithm>
+
+#include "ninebit/combiner/program.h"
 #include "ninebit/combiner/validate.h"
 #include "ninebit/numerics/fixed9.h"
 #include "src/language/register_words_layout.h"
@@ -25,7 +28,8 @@ std::uint32_t output_word(const PortionOutput& out) {
   const auto flag = [](bool set, int bit) { return static_cast<std::uint32_t>(set) << bit; };
   return code_of(out.cd) << kCdShift | code_of(out.ab) << kAbShift | code_of(out.sum) << kSumShift |
          flag(out.cd_dot_product, kCdDotBit) | flag(out.ab_dot_product, kAbDotBit) | flag(out.mux_sum, kMuxBit) |
-         flag(out.bias != Bias::none, kBiasBit) | static_cast<std::uint32_t>(out.scale) << kScaleShift;
+         flag(out.bias != Bias::none, kBiasBit) | static_cast<std::uint32_t>(out.scale) << kScaleShift |
+         flag(out.cd_blue_to_alpha, kCdBlueToAlphaBit) | flag(out.ab_blue_to_alpha, kAbBlueToAlphaBit);
 }
 
 std::uint32_t argb_of(const ColorF& color) {
@@ -35,8 +39,10 @@ std::uint32_t argb_of(const ColorF& color) {
 
 std::uint32_t final1_word(const CombinerState& state) {
   const FinalCombiner& f = state.final_combiner;
+  const auto flag = [](bool set, int bit) { return static_cast<std::uint32_t>(set) << bit; };
   return input_byte(f.e) << 24 | input_byte(f.f) << 16 | input_byte(f.g) << 8 |
-         static_cast<std::uint32_t>(state.color_sum_clamp) << kColorSumClampBit;
+         flag(state.color_sum_clamp, kColorSumClampBit) | flag(state.color_sum_invert_spare0, kSumInvertSpare0Bit) |
+         flag(state.color_sum_invert_secondary, kSumInvertSecondaryBit);
 }
 
 bool has_texture_beyond(std::initializer_list<Register> registers, int units) {
@@ -57,6 +63,10 @@ std::string nv10_lacks(const CombinerState& state) {
   }
   if (state.per_stage_constants) return "NV10 has no constants of a stage, the program has per_stage_constants on";
   const FinalCombiner& f = state.final_combiner;
+  for (std::size_t i = 0; i < 2; ++i) {
+    const PortionOutput& out = state.general[i].rgb.out;
+    if (out.ab_blue_to_alpha || out.cd_blue_to_alpha) return "NV10 has no blue-to-alpha outputs, the program uses them";
+  }
   bool beyond = has_texture_beyond({f.a.reg, f.b.reg, f.c.reg, f.d.reg, f.e.reg, f.f.reg, f.g.reg}, 2);
   for (std::size_t i = 0; i < 2; ++i) {
     beyond = beyond || has_texture_beyond(state.general[i].rgb, 2) || has_texture_beyond(state.general[i].alpha, 2);
@@ -71,17 +81,19 @@ bool differs(const GeneralCombiner& stage, bool with_constants) {
   return stage.rgb != plain.rgb || stage.alpha != plain.alpha;
 }
 
-std::vector<RegisterWord> encode(const CombinerState& state, ChipClass chip) {
+// `state` holds GL's defaults in the general combiners that its profile lacks: nothing has checked what stood there.
+std::vector<RegisterWord> encode(const CombinerState& state, bool mux_by_lowest_bit, ChipClass chip) {
   std::vector<RegisterWord> found;
   const auto put = [&](Kind kind, int index, std::uint32_t value) {
     found.push_back({canonical_name({kind, index}, chip), value, {}});
   };
   const bool nv10 = chip == ChipClass::nv10;
   const auto count = static_cast<std::uint32_t>(state.num_general_combiners);
+  const auto mux_msb = static_cast<std::uint32_t>(!mux_by_lowest_bit);
   for (int i = 0; i < stages_of(chip); ++i) {
     const GeneralCombiner& stage = state.general[static_cast<std::size_t>(i)];
     const bool used = i < state.num_general_combiners || differs(stage, state.per_stage_constants);
-    const std::uint32_t control = nv10 && i == 1 ? count << kNv10CountShift | 1U << kNv10MuxMsbBit : 0;
+    const std::uint32_t control = nv10 && i == 1 ? count << kNv10CountShift | mux_msb << kNv10MuxMsbBit : 0;
     if (used) {
       put(Kind::in_alpha, i, input_word(stage.alpha));
       put(Kind::in_rgb, i, input_word(stage.rgb));
@@ -101,7 +113,7 @@ std::vector<RegisterWord> encode(const CombinerState& state, ChipClass chip) {
   if (!nv10) {
     const auto unique = static_cast<std::uint32_t>(state.per_stage_constants);
     put(Kind::enable, 0,
-        count << kNv20CountShift | 1U << kNv20MuxMsbBit | unique << kNv20Unique0Bit | unique << kNv20Unique1Bit);
+        count << kNv20CountShift | mux_msb << kNv20MuxMsbBit | unique << kNv20Unique0Bit | unique << kNv20Unique1Bit);
   }
   return found;
 }
@@ -113,11 +125,17 @@ Result<std::vector<RegisterWord>> encode_register_words(const CombinerState& sta
                                                         const HardwareProfile& profile) {
   const std::vector<StateDiagnostic> wrong = validate(state, profile);
   if (!wrong.empty()) return Diagnostic{"register words: the state is not valid: " + wrong.front().message};
+  CombinerState held = state;
+  for (int i = profile.general_combiners; i < kMaxGeneralCombiners; ++i) held.general[static_cast<std::size_t>(i)] = {};
   if (chip == ChipClass::nv10) {
-    const std::string lacks = words::nv10_lacks(state);
+    const std::string lacks = words::nv10_lacks(held);
     if (!lacks.empty()) return Diagnostic{"register words: " + lacks};
   }
-  return words::encode(state, chip);
+  // Where no mux looks at it, the bit is that of OpenGL.
+  const Program program = normalize(state, profile);
+  const bool mux_by_lowest_bit = std::any_of(program.general.begin(), program.general.end(),
+                                             [](const ProgramStage& stage) { return stage.mux_by_lowest_bit; });
+  return words::encode(held, mux_by_lowest_bit, chip);
 }
 
 }  // namespace ninebit

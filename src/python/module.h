@@ -20,5 +20,6 @@ struct Error {
 
 void add_programs(pybind11::module_& module);
 void add_render(pybind11::module_& module);
+void add_studies(pybind11::module_& module);
 
 }  // namespace ninebit::python

@@ -57,9 +57,9 @@ State parse(const std::string& text, const std::string& form, const std::string&
 
 std::string print(const State& state, const std::string& form) {
   const HardwareProfile& profile = *state.profile;
-  if (form == "gl") return print_gl_calls(state.state, profile);
   if (form == "json") return print_json_program(state.state);
-  const auto text = form == "rc10"         ? print_rc10(state.state, profile)
+  const auto text = form == "gl"           ? print_gl_calls(state.state, profile)
+                    : form == "rc10"       ? print_rc10(state.state, profile)
                     : form == "words"      ? print_register_words(state.state, chip_of(profile), profile)
                     : form == "words-json" ? print_json_register_words(state.state, chip_of(profile), profile)
                                            : throw Error{"form is 'gl', 'rc10', 'words', 'words-json' or 'json'"};

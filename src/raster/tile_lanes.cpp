@@ -1,6 +1,7 @@
 #include "src/raster/tile_lanes.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <cstring>
 
 #include "src/raster/blend.h"
@@ -131,33 +132,48 @@ HWY_INLINE void draw_pixel(const Pen& pen) {
 template <Drawing kDrawing>
 void draw_all(LaneTile& tile, LanePass& pass, const SetupBlock& block, std::span<const std::uint32_t> indices) {
   const bool needs_color = kDrawing != Drawing::gathers && pass.operations.needs_color();
-  TileTriangles t;
   const bool loses_farther = tile.knows_farthest && pass.depths_are_codes;
+  const auto is_lost = [&](const SetupPrimitive& p, int left, int bottom, int right, int top) {
+    return loses_farther && tile.farthest.are_nearer(left - tile.left, bottom - tile.bottom, right - tile.left,
+                                                     top - tile.bottom, std::min({p.z24[0], p.z24[1], p.z24[2]}));
+  };
+  TileTriangles t;
   constexpr std::size_t kGroup = kLanes;
-  for (std::size_t first = 0; first < indices.size(); first += kGroup) {
-    const std::size_t count = std::min(kGroup, indices.size() - first);
+  for (std::size_t first = 0; first < indices.size();) {
+    // A group of triangles, and the single pixels among them, which need not be placed.
     alignas(64) std::array<std::uint32_t, kGroup> index;
-    for (std::size_t i = 0; i < kGroup; ++i) index[i] = indices[first + std::min(i, count - 1)];
-    M drawn_mask;
-    const std::uint64_t small = bits_of(kD, place_small(t, block, index.data(), tile.pixels, drawn_mask));
-    const std::uint64_t drawn = bits_of(kD, drawn_mask);
-    for (std::size_t i = 0; i < count; ++i) {
-      const SetupPrimitive& p = block.primitives[index[i]];
-      if (loses_farther && t.has_region(i) &&
-          tile.farthest.are_nearer(t.left[i] - tile.left, t.bottom[i] - tile.bottom, t.right[i] - tile.left,
-                                   t.top[i] - tile.bottom, std::min({p.z24[0], p.z24[1], p.z24[2]}))) {
-        continue;
-      }
+    std::size_t count = 0, end = first;
+    for (; end < indices.size() && count < kGroup; ++end) {
+      index[count] = indices[end];
+      count += block.primitives[indices[end]].kind != SetupKind::pixel ? 1 : 0;
+    }
+    std::uint64_t small = 0, drawn = 0;
+    if (count > 0) {
+      std::fill(index.begin() + static_cast<std::ptrdiff_t>(count), index.end(), index[0]);
+      M drawn_mask;
+      small = bits_of(kD, place_small(t, block, index.data(), tile.pixels, drawn_mask));
+      drawn = bits_of(kD, drawn_mask);
+    }
+    std::size_t i = 0;  // the next triangle
+    for (; first < end; ++first) {
+      const SetupPrimitive& p = block.primitives[indices[first]];
       Pen pen{tile, pass, p, block, 0};
-      if (needs_color) {
+      const auto find_color = [&] {
+        if (!needs_color) return;
         const ColorBytes color = pass.context.flat_primary(p.primitive);
         std::memcpy(&pen.color, color.data(), sizeof(pen.color));
-      }
+      };
       if (p.kind == SetupKind::pixel) {
+        if (is_lost(p, p.box.left, p.box.bottom, p.box.right, p.box.top)) continue;
+        find_color();
         draw_pixel<kDrawing>(pen);
-      } else if (((small >> i) & 1U) != 0 ? ((drawn >> i) & 1U) != 0 : t.has_region(i) && t.place(i, p)) {
-        draw_in_rows<kDrawing>(pen, t, i);
+        continue;
       }
+      const std::size_t k = i++;
+      if (!t.has_region(k) || is_lost(p, t.left[k], t.bottom[k], t.right[k], t.top[k])) continue;
+      if (((small >> k) & 1U) != 0 ? ((drawn >> k) & 1U) == 0 : !t.place(k, p)) continue;
+      find_color();
+      draw_in_rows<kDrawing>(pen, t, k);
     }
   }
 }

@@ -10,17 +10,14 @@ HWY_INLINE hn::Mask<D> place_small(TileTriangles& t, const SetupBlock& block, co
   const SetupPrimitive& first = block.primitives[0];
   const auto field = [&](const void* of_first)
                          HWY_ATTR { return hn::GatherOffset(kD, static_cast<const std::int32_t*>(of_first), record); };
-  for (std::size_t i = 0; i < hn::Lanes(kD); ++i) {
-    const PixelBounds& box = block.primitives[indices[i]].box;
-    t.left[i] = box.left;
-    t.right[i] = box.right;
-    t.bottom[i] = box.bottom;
-    t.top[i] = box.top;
-  }
-  const V left = hn::Max(hn::Load(kD, t.left.data()), hn::Set(kD, tile.left));
-  const V right = hn::Min(hn::Load(kD, t.right.data()), hn::Set(kD, tile.right - 1));
-  const V bottom = hn::Max(hn::Load(kD, t.bottom.data()), hn::Set(kD, tile.bottom));
-  const V top = hn::Min(hn::Load(kD, t.top.data()), hn::Set(kD, tile.top - 1));
+  // Two bounds in a word, the first one in its lower half.
+  static_assert(offsetof(PixelBounds, bottom) == 2 && offsetof(PixelBounds, right) == 4 &&
+                offsetof(PixelBounds, top) == 6);
+  const V low = field(&first.box.left), high = field(&first.box.right);
+  const auto lower = [](V word) HWY_ATTR { return hn::ShiftRight<16>(hn::ShiftLeft<16>(word)); };
+  const V left = hn::Max(lower(low), hn::Set(kD, tile.left)), right = hn::Min(lower(high), hn::Set(kD, tile.right - 1));
+  const V bottom = hn::Max(hn::ShiftRight<16>(low), hn::Set(kD, tile.bottom));
+  const V top = hn::Min(hn::ShiftRight<16>(high), hn::Set(kD, tile.top - 1));
   hn::Store(left, kD, t.left.data());
   hn::Store(right, kD, t.right.data());
   hn::Store(bottom, kD, t.bottom.data());

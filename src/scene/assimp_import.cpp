@@ -173,6 +173,7 @@ Result<Imported> import_or_throw(const std::filesystem::path& file, std::string_
   // No post-processing: Assimp's own joins vertices within a tolerance, drops faces and gives normals that part
   // vertices which the file shares.
   const aiScene* from = importer.ReadFile(file.string(), 0);
+  if (importer.GetException() != nullptr) std::rethrow_exception(importer.GetException());
   if (from == nullptr) return fault_of(std::string("cannot be read: ") + importer.GetErrorString());
   Result<Scene> scene = SceneFlattener(*from).flatten();
   if (!scene) return scene.error();
@@ -187,7 +188,7 @@ Result<Imported> import_geometry(const std::filesystem::path& file, std::string_
   try {
     return import_or_throw(file, content);
   } catch (const std::bad_alloc&) {
-    return fault_of("needs more memory than there is; a damaged count is the usual cause");
+    throw;
   } catch (const std::exception& error) {
     return fault_of(std::string("cannot be read: ") + error.what());
   } catch (...) {

@@ -83,6 +83,9 @@ std::optional<Diagnostic> check_buffer(const Json& buffer, std::size_t number, c
                                        const std::optional<std::uint64_t>& binary_size) {
   const std::optional<std::uint64_t> declared = index_of(item(buffer, "byteLength"));
   if (!declared) return fault_of(fmt::format("{} has no length", numbered("buffer", number)));
+  if (*declared > kMostSceneBytes)
+    return fault_of(fmt::format("{} declares {} bytes; at most {} are read", numbered("buffer", number), *declared,
+                                kMostSceneBytes));
   const std::string& uri = text_of(item(buffer, "uri"));
   std::uint64_t present = 0;
   if (uri.empty()) {

@@ -69,6 +69,7 @@ Result<FileFacts> check_obj(std::string_view content) {
   if (content.size() >= 2 && (content.substr(0, 2) == "\xFF\xFE" || content.substr(0, 2) == "\xFE\xFF"))
     return at_line(0, "is UTF-16 text; OBJ files are read as ASCII or UTF-8");
   if (content.find('\0') != std::string_view::npos) return at_line(0, "is not an OBJ file: it holds binary data");
+  if (auto fault = overlong_line(content)) return *fault;
   ObjScan scan;
   std::string plain;
   plain.reserve(content.size());
@@ -84,6 +85,7 @@ Result<FileFacts> check_obj(std::string_view content) {
       bool more = true;
       while (more && !line.empty() && line.back() == '\\') {
         joined.append(line.substr(0, line.size() - 1)).push_back(' ');
+        if (joined.size() > kLongestTextLine) return overlong(number);
         more = lines.next(line);
       }
       if (more) joined.append(line);

@@ -25,6 +25,7 @@ Diagnostic ends_early(const char* what, std::uint64_t read, std::uint64_t declar
 Result<FileFacts> check_off(std::string_view content) {
   FileFacts facts;
   std::string& plain = facts.for_assimp.emplace();
+  if (auto fault = overlong_line(content)) return *fault;
   LineScanner lines(content);
   std::vector<std::string_view> words;
   if (!next_words(lines, words) || !words[0].ends_with("OFF"))

@@ -196,8 +196,12 @@ std::optional<Diagnostic> check_element(const PlyHeader& header, const PlyElemen
                                         BinaryReader& data, std::uint64_t& triangles) {
   std::string_view line;
   std::vector<std::string_view> words;
-  // Rows without properties take no room, so their count alone must not cost time.
-  if (element.properties.empty()) return std::nullopt;
+  // Rows without properties take no room, so their count alone must cost neither time nor, in Assimp, memory.
+  if (element.properties.empty()) {
+    if (element.count == 0) return std::nullopt;
+    return at_line(
+        0, fmt::format("declares {} rows of element '{}', which has no properties", element.count, element.name));
+  }
   for (std::uint64_t row = 0; row < element.count; ++row) {
     std::optional<Diagnostic> fault;
     if (header.binary) {
@@ -217,9 +221,13 @@ std::optional<Diagnostic> check_element(const PlyHeader& header, const PlyElemen
 }  // namespace
 
 Result<FileFacts> check_ply(std::string_view content) {
+  if (auto fault = overlong_line(content.substr(0, content.find("end_header")))) return *fault;
   LineScanner lines(content);
   Result<PlyHeader> header = read_header(lines);
   if (!header) return header.error();
+  if (!header->binary) {
+    if (auto fault = overlong_line(content)) return *fault;
+  }
   BinaryReader data(content.substr(lines.offset()), header->big_endian);
   std::uint64_t triangles = 0;
   bool strips = false;

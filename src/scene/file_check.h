@@ -17,6 +17,12 @@
 
 namespace ninebit {
 
+// A scene's file, and each file of its buffers, in bytes: its lines can be counted in an int.
+inline constexpr std::uint64_t kMostSceneBytes = (std::uint64_t{1} << 31U) - 1;
+
+// What a file may place of triangles, and of meshes without any: a few nodes can place a large mesh again and again.
+inline constexpr std::uint64_t kMostTriangles = std::uint64_t{1} << 27U;
+
 struct FileFacts {
   std::optional<std::uint64_t> triangles;  // what the nodes of the file place, polygons counted as n - 2 triangles
   bool at_least = false;                   // nodes may place a mesh again: the number is a lower limit

@@ -41,9 +41,15 @@ glm::dmat4 local_transform(const Json& node) {
   return out;
 }
 
+struct MeshSize {
+  std::uint64_t triangles = 0;
+  std::uint64_t primitives = 0;
+};
+
 class NodeWalk {
  public:
-  explicit NodeWalk(const Json& root) : root_(root), visited_(list_of(item(root, "nodes")).size()) {
+  explicit NodeWalk(const Json& root)
+      : root_(root), visited_(list_of(item(root, "nodes")).size()), sizes_(list_of(item(root, "meshes")).size()) {
     facts_.triangles = 0;
   }
 
@@ -66,7 +72,7 @@ class NodeWalk {
     visited_[index] = true;
     const glm::dmat4 world = parent * local_transform(node);
     if (!item(node, "mesh").is_null()) {
-      if (auto fault = count_mesh(item(node, "mesh"))) return fault;
+      if (auto fault = place_mesh(item(node, "mesh"))) return fault;
     }
     if (!item(node, "camera").is_null()) {
       if (auto fault = add_camera(item(node, "camera"), world)) return fault;
@@ -97,10 +103,28 @@ class NodeWalk {
     return std::nullopt;
   }
 
-  std::optional<Diagnostic> count_mesh(const Json& reference) {
-    const Json& mesh = target_of(item(root_, "meshes"), reference);
+  // A mesh is looked at once, however many nodes place it.
+  std::optional<Diagnostic> place_mesh(const Json& reference) {
+    const std::uint64_t index = index_of(reference).value_or(~0ULL);
+    const Json& mesh = item(root_, "meshes", index);
     if (mesh.is_null()) return fault_of("names a mesh that is not there");
+    std::optional<MeshSize>& size = sizes_[index];
+    if (!size) {
+      size.emplace();
+      if (auto fault = measure(mesh, *size)) return fault;
+    }
+    *facts_.triangles += size->triangles;
+    placed_ += std::max(size->triangles, size->primitives);
+    return placed_ > kMostTriangles ? too_many() : std::nullopt;
+  }
+
+  static std::optional<Diagnostic> too_many() {
+    return fault_of(fmt::format("its nodes place more than {} triangles", kMostTriangles));
+  }
+
+  std::optional<Diagnostic> measure(const Json& mesh, MeshSize& size) const {
     for (const Json& primitive : list_of(item(mesh, "primitives"))) {
+      ++size.primitives;
       const std::uint64_t mode = index_of(item(primitive, "mode")).value_or(4);
       const Json& positions = item(primitive, "attributes", "POSITION");
       if (mode < 4 || positions.is_null()) continue;
@@ -112,7 +136,8 @@ class NodeWalk {
       if (auto fault = check_use(indices, "SCALAR", {5121, 5123, 5125}, packed)) return fault;
       const Json& counted = accessor(indices.is_null() ? positions : indices);
       const std::uint64_t corners = index_of(item(counted, "count")).value_or(0);
-      *facts_.triangles += mode == 4 ? corners / 3 : std::max<std::uint64_t>(corners, 2) - 2;
+      size.triangles += mode == 4 ? corners / 3 : std::max<std::uint64_t>(corners, 2) - 2;
+      if (size.triangles > kMostTriangles) return too_many();
     }
     return std::nullopt;
   }
@@ -159,6 +184,8 @@ class NodeWalk {
 
   const Json& root_;
   std::vector<bool> visited_;
+  std::vector<std::optional<MeshSize>> sizes_;  // of the meshes that were placed
+  std::uint64_t placed_ = 0;                    // triangles, or primitives where those are more
   FileFacts facts_;
 };
 

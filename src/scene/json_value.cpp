@@ -37,38 +37,43 @@ class FaultFinder : public nlohmann::json_sax<Json> {
       if (zero == std::string_view::npos) return std::nullopt;
       return fault_at("the JSON text is malformed: it holds a byte 0", text, zero);
     }
-    // Events have no position, but the stream stands just behind the bracket that opens too much.
-    if (message_.empty())
-      return fault_at("the JSON text nests too deep", text,
-                      static_cast<std::size_t>(std::max<std::streamoff>(in.tellg(), 0)));
+    // Events have no position, but the stream stands just behind what is too much.
+    if (position_ == 0)
+      return fault_at(depth_ > kDeepestValue
+                          ? "the JSON text nests too deep"
+                          : fmt::format("the JSON text holds more than {} values and names", kMostJsonValues),
+                      text, static_cast<std::size_t>(std::max<std::streamoff>(in.tellg(), 0)));
     // A position counts the bytes that were read, the one at fault included, and the end as one more.
     if (position_ > text.size()) return fault_at("the JSON text ends early", text, text.size());
-    return fault_at(message_, text, position_ - std::min<std::size_t>(position_, 1));
+    return fault_at(message_, text, position_ - 1);
   }
 
-  bool null() override { return true; }
-  bool boolean(bool) override { return true; }
-  bool number_integer(Json::number_integer_t) override { return true; }
-  bool number_unsigned(Json::number_unsigned_t) override { return true; }
-  bool number_float(Json::number_float_t, const std::string&) override { return true; }
-  bool string(std::string&) override { return true; }
-  bool binary(Json::binary_t&) override { return true; }
-  bool key(std::string&) override { return true; }
-  bool start_object(std::size_t) override { return ++depth_ <= kDeepestValue; }
-  bool start_array(std::size_t) override { return ++depth_ <= kDeepestValue; }
+  bool null() override { return one_more(); }
+  bool boolean(bool) override { return one_more(); }
+  bool number_integer(Json::number_integer_t) override { return one_more(); }
+  bool number_unsigned(Json::number_unsigned_t) override { return one_more(); }
+  bool number_float(Json::number_float_t, const std::string&) override { return one_more(); }
+  bool string(std::string&) override { return one_more(); }
+  bool binary(Json::binary_t&) override { return one_more(); }
+  bool key(std::string&) override { return one_more(); }
+  bool start_object(std::size_t) override { return ++depth_ <= kDeepestValue && one_more(); }
+  bool start_array(std::size_t) override { return ++depth_ <= kDeepestValue && one_more(); }
   bool end_object() override { return --depth_ >= 0; }
   bool end_array() override { return --depth_ >= 0; }
 
   bool parse_error(std::size_t position, const std::string&, const Json::exception& error) override {
-    position_ = position;
+    position_ = std::max<std::size_t>(position, 1);
     message_ = error.id == kNumberOverflow ? "a JSON number is too large"
                                            : fmt::format("the JSON text is malformed{}", reason(error.what()));
     return false;
   }
 
  private:
+  bool one_more() { return ++values_ <= kMostJsonValues; }
+
   int depth_ = 0;
-  std::size_t position_ = 0;
+  std::uint64_t values_ = 0;
+  std::size_t position_ = 0;  // of what is malformed; 0: nothing is
   std::string message_;
 };
 

@@ -13,6 +13,10 @@ namespace ninebit {
 
 using Json = nlohmann::json;
 
+// What a JSON text may hold of values and of members' names, all told: in memory each takes up to fifty times its
+// bytes.
+inline constexpr std::uint64_t kMostJsonValues = std::uint64_t{1} << 22;
+
 // Arrays and objects nest at most 64 deep, far more than glTF needs. The Diagnostic names the line.
 [[nodiscard]] Result<Json> parse_json(std::string_view text);
 

@@ -27,6 +27,7 @@ Result<std::string> read_file(const std::filesystem::path& file) {
   const std::uintmax_t size = std::filesystem::file_size(file, error);
   if (error) return fault_of(fmt::format("cannot be opened: {}", error.message()));
   if (size == 0) return fault_of("is empty");
+  if (size > kMostSceneBytes) return fault_of(fmt::format("has {} bytes; at most {} are read", size, kMostSceneBytes));
   std::ifstream stream(file, std::ios::binary);
   if (!stream) return fault_of("cannot be opened for reading");
   std::string content(static_cast<std::size_t>(size), '\0');
@@ -125,6 +126,8 @@ Result<Scene> read_unnamed(const std::filesystem::path& file) {
   Result<FileFacts> facts = check_content(*content, file, extension);
   if (!facts) return facts.error();
   if (facts->triangles && *facts->triangles == 0) return fault_of("has no triangles");
+  if (facts->triangles && *facts->triangles > kMostTriangles)
+    return fault_of(fmt::format("has {} triangles; at most {} are read", *facts->triangles, kMostTriangles));
   Result<Imported> imported = import_geometry(file, facts->for_assimp ? *facts->for_assimp : *content);
   if (!imported) return imported.error();
   Scene& scene = imported->scene;

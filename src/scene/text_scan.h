@@ -61,6 +61,28 @@ inline void split_words(std::string_view line, std::vector<std::string_view>& wo
   }
 }
 
+// The longest line of a text format: what is made of a line takes several times its bytes.
+inline constexpr std::size_t kLongestTextLine = std::size_t{1} << 24;
+
+inline Diagnostic at_line(int line, std::string message) {
+  return {std::move(message), "", line, Fault::invalid_input};
+}
+
+inline Diagnostic overlong(int line) {
+  return at_line(line, fmt::format("the line is longer than {} bytes", kLongestTextLine));
+}
+
+// The first line that is longer, if there is one.
+inline std::optional<Diagnostic> overlong_line(std::string_view text) {
+  if (text.size() <= kLongestTextLine) return std::nullopt;
+  LineScanner lines(text);
+  std::string_view line;
+  while (lines.next(line)) {
+    if (line.size() > kLongestTextLine) return overlong(lines.number());
+  }
+  return std::nullopt;
+}
+
 // Adds the words as one line, without comments, continuations or odd blanks: Assimp's readers trip over those.
 inline void append_line(std::string& text, const std::vector<std::string_view>& words) {
   for (const std::string_view word : words) text.append(word).push_back(' ');
@@ -75,10 +97,6 @@ std::optional<Number> number_of(std::string_view word) {
   const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
   if (error != std::errc() || end != word.data() + word.size()) return std::nullopt;
   return value;
-}
-
-inline Diagnostic at_line(int line, std::string message) {
-  return {std::move(message), "", line, Fault::invalid_input};
 }
 
 // The fault of a word that should be a coordinate, if there is one. Coordinates are single precision.

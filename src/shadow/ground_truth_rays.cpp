@@ -3,9 +3,13 @@
 #include <embree3/rtcore.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstring>
 #include <limits>
+#include <new>
 #include <string>
+#include <string_view>
 #include <utility>
 
 namespace ninebit {
@@ -73,8 +77,28 @@ bool trace(const Rays& rays, const LightRay& ray, std::uint32_t own, std::vector
   return boxed.tfar < 0.0F;
 }
 
-Diagnostic refused(RTCError code) {
-  return Diagnostic{.message = "Embree cannot prepare the scene for rays: error " + std::to_string(code)};
+// The first thing that Embree complains of.
+struct Complaint {
+  RTCError code = RTC_ERROR_NONE;
+  std::array<char, 200> text{};
+};
+
+void keep_first(void* complaint, RTCError code, const char* text) noexcept {
+  auto& first = *static_cast<Complaint*>(complaint);
+  if (first.code != RTC_ERROR_NONE) return;
+  first.code = code;
+  if (text != nullptr) std::strncpy(first.text.data(), text, first.text.size() - 1);
+}
+
+// Throws std::bad_alloc where that is what Embree lacks, or its threads do.
+Diagnostic refused(const Complaint& complaint) {
+  const std::string_view text = complaint.text.data();
+  if (complaint.code == RTC_ERROR_OUT_OF_MEMORY || text.find("bad_alloc") != std::string_view::npos ||
+      text.find("pthread_create has failed") != std::string_view::npos) {
+    throw std::bad_alloc();
+  }
+  return Diagnostic{.message = "Embree cannot prepare the scene for rays: error " + std::to_string(complaint.code) +
+                               ", " + std::string(text)};
 }
 
 }  // namespace
@@ -91,7 +115,12 @@ Result<std::unique_ptr<Rays>> Rays::make(const Scene& scene) {
   // direction moves it by as much again.
   rays->margin = 8.0 * rays->touching;
   const RTCDevice device = rtcNewDevice(nullptr);
-  if (device == nullptr) return refused(rtcGetDeviceError(nullptr));
+  Complaint complaint;
+  if (device == nullptr) {
+    complaint.code = rtcGetDeviceError(nullptr);
+    return refused(complaint);
+  }
+  rtcSetDeviceErrorFunction(device, keep_first, &complaint);
   rays->boxes.reset(rtcNewScene(device));
   const RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_USER);
   rtcSetGeometryUserPrimitiveCount(geometry, static_cast<unsigned>(scene.triangles.size()));
@@ -104,9 +133,13 @@ Result<std::unique_ptr<Rays>> Rays::make(const Scene& scene) {
   rtcReleaseGeometry(geometry);
   rtcSetSceneFlags(rays->boxes.get(), RTC_SCENE_FLAG_ROBUST);
   rtcCommitScene(rays->boxes.get());
-  const RTCError error = rtcGetDeviceError(device);
+  rtcSetDeviceErrorFunction(device, nullptr, nullptr);
   rtcReleaseDevice(device);  // the scene keeps it
-  if (error != RTC_ERROR_NONE) return refused(error);
+  if (complaint.code != RTC_ERROR_NONE) {
+    // Releasing a scene whose preparation failed ends the program where memory lacked, so it stays.
+    static_cast<void>(rays->boxes.release());
+    return refused(complaint);
+  }
   return rays;
 }
 

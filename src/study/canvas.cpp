@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstring>
+#include <new>
 #include <numbers>
 
 namespace ninebit {
@@ -126,6 +127,7 @@ void Canvas::clip_off() {
 Result<Image8> Canvas::picture() {
   cairo_surface_flush(surface_.get());
   if (const cairo_status_t status = cairo_status(context_.get()); status != CAIRO_STATUS_SUCCESS) {
+    if (status == CAIRO_STATUS_NO_MEMORY) throw std::bad_alloc();
     return Diagnostic{std::string("a plot could not be drawn: ") + cairo_status_to_string(status)};
   }
   Image8 image{cairo_image_surface_get_width(surface_.get()), cairo_image_surface_get_height(surface_.get()), 3, {}};

@@ -88,6 +88,8 @@ ByComponent<unsigned> digits_after_first_stage(const Program& program, const ByC
       put(portion.out.cd, c, cd[i]);
       put(portion.out.sum, c, ab[i] | cd[i] | choice);
     }
+    if (portion.out.ab_blue_to_alpha) put(portion.out.ab, kAlpha, ab[kBlue]);
+    if (portion.out.cd_blue_to_alpha) put(portion.out.cd, kAlpha, cd[kBlue]);
   };
   write(stage.rgb, kRed, 3);
   write(stage.alpha, kAlpha, 1);
@@ -110,8 +112,11 @@ std::optional<DigitSum> digit_sum(const Program& program, const ByComponent<unsi
   const CombinerInput& g = program.final_combiner.g;
   if (program.num_general_combiners != 2 || static_cast<std::size_t>(g.reg) >= kRegisterCount) return std::nullopt;
   if (g.mapping != InputMapping::unsigned_identity && g.mapping != InputMapping::unsigned_invert) return std::nullopt;
-  const auto component = static_cast<std::size_t>(reference::component_of(g.usage, kAlpha));
   const ProgramStage& stage = program.general[1];
+  const PortionOutput& rgb = stage.rgb.out;
+  const bool alpha_is_blue = (rgb.ab_blue_to_alpha && rgb.ab == g.reg) || (rgb.cd_blue_to_alpha && rgb.cd == g.reg);
+  const auto component =
+      alpha_is_blue ? std::size_t{kBlue} : static_cast<std::size_t>(reference::component_of(g.usage, kAlpha));
   const PortionOutput& out = component == kAlpha ? stage.alpha.out : stage.rgb.out;
   const bool third = out.sum == g.reg;
   const std::array<bool, 2> takes{third || out.ab == g.reg, third || out.cd == g.reg};

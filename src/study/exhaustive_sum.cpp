@@ -119,10 +119,14 @@ class ExhaustiveSum final : public Study {
       cases += row.count("cases");
       exact += row.count("exact");
       max_error = std::max(max_error, row.number("max_error"));
-      sizes += static_cast<std::int64_t>(row.number("sum_of_sizes"));
-      errors += static_cast<std::int64_t>(row.number("sum_of_errors"));
-      codes += static_cast<std::int64_t>(row.number("sum_of_codes"));
-      squares += static_cast<std::int64_t>(row.number("sum_of_squares"));
+      sizes += sum_in(row, "sum_of_sizes");
+      errors += sum_in(row, "sum_of_errors");
+      codes += sum_in(row, "sum_of_codes");
+      squares += sum_in(row, "sum_of_squares");
+    }
+    // A part that somebody altered can hold any number.
+    static std::int64_t sum_in(const StudyRow& row, std::string_view name) {
+      return static_cast<std::int64_t>(std::clamp(row.number(name), -0x1p47, 0x1p47));
     }
     [[nodiscard]] double per_case(std::int64_t sum) const {
       return static_cast<double>(sum) / static_cast<double>(cases);

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 #include <oneapi/tbb/parallel_for.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "ninebit/combiner/validate.h"
@@ -112,7 +113,7 @@ IndexStepRow index_step_row(const StudyRow& row) {
   IndexStepRow out{row.text("profile"),
                    StudyFormat::channel,
                    row.text("variant"),
-                   static_cast<int>(row.number("step")),
+                   static_cast<int>(std::clamp(row.number("step"), 0.0, 255.0)),
                    {row.count("codes"), row.count("pairs"), row.count("false_matches")}};
   const std::string name = row.text("format");
   for (const StudyFormat format : kStudyFormats) {

@@ -96,7 +96,9 @@ class Forms {
   void mux() {
     add(
         "", codes_, once,
-        [o = one_](const Datapath& d, std::size_t i) { return reference::mux(d, static_cast<int>(i) - o, 0, d.one); },
+        [o = one_](const Datapath& d, std::size_t i) {
+          return reference::mux(d, false, static_cast<int>(i) - o, 0, d.one);
+        },
         [o = one_](std::size_t i) { return 2 * (static_cast<int>(i) - o) >= o ? 1.0 : 0.0; },
         [o = one_](std::size_t i) { return fmt::format("spare0.a {}", static_cast<int>(i) - o); });
   }

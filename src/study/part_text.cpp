@@ -72,11 +72,20 @@ auto read_json(std::string_view line, const Read& read) -> Result<decltype(read(
   try {
     return read(Json::parse(*text));
   } catch (const nlohmann::json::exception& error) {
-    return Diagnostic{.message = fmt::format("is no line of a study's part: {}", error.what())};
+    return Diagnostic{.message = fmt::format("is no line of a study's part: {}", quotable(error.what()))};
   }
 }
 
 }  // namespace
+
+std::string quotable(std::string text) {
+  constexpr std::size_t kLongest = 400;
+  if (text.size() > kLongest) text.replace(kLongest, std::string::npos, "...");
+  for (char& c : text) {
+    if (static_cast<unsigned char>(c) < 32 || c == 127) c = '?';
+  }
+  return text;
+}
 
 std::string header_line(const PartHeader& header) {
   Json options = Json::array();

@@ -14,6 +14,9 @@ namespace ninebit {
 // How long a line may be, so that a file of anything else costs no more memory than this.
 inline constexpr std::size_t kMaxPartLine = std::size_t{1} << 26;
 
+// What a message quotes of a part, which can hold anything: at most 400 bytes, '?' for control characters.
+[[nodiscard]] std::string quotable(std::string text);
+
 // Each with its newline; the first ends in the hash of itself, as those of units do.
 [[nodiscard]] std::string header_line(const PartHeader& header);
 [[nodiscard]] std::string unit_line(const FinishedUnit& unit);

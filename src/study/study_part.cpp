@@ -21,12 +21,13 @@ namespace fs = std::filesystem;
 // Why one part does not belong to what another, or a run, says of itself; empty if it does.
 std::string foreign(const PartHeader& part, const PartHeader& expected) {
   if (part.question != expected.question) {
-    return fmt::format("answers another question, `{}`{}; expected `{}`", part.question.command(),
-                       part.question.command() == expected.question.command() ? " about other files" : "",
-                       expected.question.command());
+    const std::string asked = part.question.command(), wanted = expected.question.command();
+    return fmt::format("answers another question, `{}`{}; expected `{}`", quotable(asked),
+                       asked == wanted ? " about other files" : "", quotable(wanted));
   }
   if (part.build != expected.build) {
-    return fmt::format("comes from another build of the program, {}; expected {}", part.build, expected.build);
+    return fmt::format("comes from another build of the program, {}; expected {}", quotable(part.build),
+                       quotable(expected.build));
   }
   if (part.units != expected.units || part.shard.count != expected.shard.count) {
     return fmt::format("is one of {} shards of {} units; expected {} of {}", part.shard.count, part.units,
@@ -60,7 +61,8 @@ class PartWriter {
     errno = 0;
     stream_.open(file_, std::ios::binary | std::ios::app);
     if (!stream_) return failed();
-    if (state_.whole_bytes != 0) return {};
+    size_ = state_.whole_bytes;
+    if (size_ != 0) return {};
     state_.part.file = file_;
     state_.part.header = header;
     state_.hash = std::make_unique<Sha256>();
@@ -90,7 +92,15 @@ class PartWriter {
     errno = 0;
     stream_.write(line.data(), static_cast<std::streamsize>(line.size()));
     stream_.flush();
-    return stream_ ? Status() : failed();
+    if (!stream_) return failed();
+    size_ += line.size();
+    // A file that was removed or replaced meanwhile takes what is written, and nobody ever sees it.
+    std::error_code error;
+    const std::uintmax_t found = fs::file_size(file_, error);
+    if (error) return cannot_write(file_, "was removed while it was written: " + error.message());
+    if (found == size_) return {};
+    return cannot_write(file_,
+                        fmt::format("was altered while it was written: it has {} bytes; expected {}", found, size_));
   }
 
   [[nodiscard]] Status failed() const {
@@ -100,6 +110,7 @@ class PartWriter {
   fs::path file_;
   PartState& state_;
   std::ofstream stream_;
+  std::uintmax_t size_ = 0;
 };
 
 // The part that a run finds in its folder, if any, and that it may go on with.

@@ -74,7 +74,7 @@ int bench_combiner(const CombinerFlags& flags) {
   if (!programs) return report(programs.error());
   if (!flags.print.empty()) {
     for (const bench::MeasuredProgram& p : *programs) {
-      if (p.name == flags.print) return answer(print_gl_calls(p.state, p.profile));
+      if (p.name == flags.print) return answer(print_gl_calls(p.state, p.profile).value());
     }
   }
   std::optional<ProgressLine> line(std::in_place, flags.bench.common.quiet);

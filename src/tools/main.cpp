@@ -2,6 +2,8 @@
 #include <exception>
 #include <new>
 #include <string>
+#include <string_view>
+#include <system_error>
 
 #include "src/tools/build_facts.h"
 #include "src/tools/program.h"
@@ -38,6 +40,13 @@ int run(int argc, char** argv) {
   return exit_code;
 }
 
+// A thread that could not be started. oneTBB has no type for it.
+bool lacks_threads(const std::exception& error) {
+  const auto* const system = dynamic_cast<const std::system_error*>(&error);
+  return (system != nullptr && system->code() == std::errc::resource_unavailable_try_again) ||
+         std::string_view(error.what()).starts_with("pthread_create has failed");
+}
+
 }  // namespace
 }  // namespace ninebit::tools
 
@@ -50,6 +59,10 @@ int main(int argc, char** argv) {
     say("ninebit: error: out of memory\n");
     return kOutOfMemory;
   } catch (const std::exception& error) {
+    if (lacks_threads(error)) {
+      say(std::string("ninebit: error: out of memory or threads: ") + error.what() + "\n");
+      return kOutOfMemory;
+    }
     say(std::string("ninebit: error: ") + error.what() + "\n");
   }
   return kInvalidInput;

@@ -60,6 +60,8 @@ std::vector<ProfileRow> rows_of(const HardwareProfile& p) {
   add("texture_units", p.texture_units);
   add("per_stage_constants", p.per_stage_constants);
   add("blue_to_alpha", p.blue_to_alpha);
+  add("mux_by_lowest_bit", p.mux_by_lowest_bit);
+  add("color_sum_inverts", p.color_sum_inverts);
   add("spare0_alpha_without_texture0", p.spare0_alpha_without_texture0);
   add("disabled_texture_alpha", p.disabled_texture_alpha);
   add("secondary_alpha", p.secondary_alpha);

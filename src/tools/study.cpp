@@ -8,6 +8,7 @@
 
 #include "src/study/sha256.h"
 #include "src/tools/input_file.h"
+#include "src/tools/nearest_name.h"
 #include "src/tools/number_list.h"
 
 namespace ninebit::tools {
@@ -92,7 +93,7 @@ CLI::Validator list_of(std::vector<std::string> known) {
   const auto check = [known = std::move(known)](const std::string& text) -> std::string {
     for (const std::string& item : items_of(text)) {
       if (std::find(known.begin(), known.end(), item) != known.end()) continue;
-      return fmt::format("'{}' is none of {}", item, fmt::join(known, ", "));
+      return fmt::format("'{}' is none of {}{}", item, fmt::join(known, ", "), did_you_mean(item, known));
     }
     return {};
   };

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "ninebit/study/report_files.h"
+#include "src/study/part_text.h"
 #include "src/study/sha256.h"
 #include "src/tools/scene_flags.h"
 #include "src/tools/study.h"
@@ -86,6 +87,10 @@ int finish(const Study& study, const std::string& folder, std::span<const StudyR
   const auto made = study.report(rows, done);
   if (!made) return report(made.error());
   if (!folder.empty()) {
+    // From here on a first signal lets the report be finished.
+    if (!ProgressLine(flags.quiet).step("report", 1.0)) {
+      return report({.message = "interrupted", .fault = Fault::cancelled});
+    }
     const auto files = write_report(folder, study.question(), NINEBIT_VERSION, *made, rows);
     if (!files) return report(files.error());
     for (const auto& file : *files) {
@@ -128,15 +133,15 @@ Result<std::unique_ptr<Study>> study_of(const StudyQuestion& question) {
   try {
     verbs.parse(std::move(words));
   } catch (const CLI::ParseError& error) {
-    return Diagnostic{.message =
-                          fmt::format("its question, `{}`, cannot be asked: {}", question.command(), error.what())};
+    return Diagnostic{.message = fmt::format("its question, `{}`, cannot be asked: {}", quotable(question.command()),
+                                             quotable(error.what()))};
   }
   if (!request.make)
-    return Diagnostic{.message = fmt::format("its question, `{}`, names no study", question.command())};
+    return Diagnostic{.message = fmt::format("its question, `{}`, names no study", quotable(question.command()))};
   auto study = request.make();
   if (study && (*study)->question() != question) {
     return Diagnostic{.message = fmt::format("the files that `{}` names have changed since; expected them as they were",
-                                             question.command())};
+                                             quotable(question.command()))};
   }
   return study;
 }
@@ -162,7 +167,8 @@ int merge(const MergeFlags& flags) {
     return report({.message = std::move(message), .file = flags.parts.front()});
   };
   if (const std::string own = build_of_program(); header.build != own) {
-    return fault(fmt::format("comes from another build of the program, {}; expected this one, {}", header.build, own));
+    return fault(
+        fmt::format("comes from another build of the program, {}; expected this one, {}", quotable(header.build), own));
   }
   const auto study = study_of(header.question);
   if (!study) return fault(study.error().message);

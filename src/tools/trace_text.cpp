@@ -154,27 +154,28 @@ class TextWriter {
       if (out.mux_sum) mux(stage);
       table_.wide(out.mux_sum ? "mux" : "A·B + C·D", cells(&TracedChannel::third));
     }
-    output("A·B", out, out.ab, channels, &TracedChannel::ab_output);
-    output("C·D", out, out.cd, channels, &TracedChannel::cd_output);
+    const char* const blue = ", blue also to its alpha";
+    output("A·B", out, out.ab, channels, &TracedChannel::ab_output, out.ab_blue_to_alpha ? blue : "");
+    output("C·D", out, out.cd, channels, &TracedChannel::cd_output, out.cd_blue_to_alpha ? blue : "");
     output(out.mux_sum ? "mux" : "A·B + C·D", out, out.sum, channels, &TracedChannel::third_output);
   }
 
   void mux(const TracedStage& stage) {
     const bool differs = stage.takes_cd != stage.ideal_takes_cd;
-    const std::string choice =
-        fmt::format("  spare0.alpha is {} ({:.5f}, ideal {:.5f}): the mux takes {}{}", stage.spare0_alpha.code,
-                    stage.spare0_alpha.real, stage.spare0_alpha.ideal, stage.takes_cd ? "C·D" : "A·B",
-                    differs ? stage.ideal_takes_cd ? ", the ideal C·D" : ", the ideal A·B" : "");
+    const std::string choice = fmt::format(
+        "  spare0.alpha is {} ({:.5f}, ideal {:.5f}): the mux{} takes {}{}", stage.spare0_alpha.code,
+        stage.spare0_alpha.real, stage.spare0_alpha.ideal, stage.mux_by_lowest_bit ? ", by the lowest bit," : "",
+        stage.takes_cd ? "C·D" : "A·B", differs ? stage.ideal_takes_cd ? ", the ideal C·D" : ", the ideal A·B" : "");
     table_.line(choice, differs ? TraceEmphasis::cut : TraceEmphasis::none);
   }
 
   void output(const std::string& what, const PortionOutput& state, Register to, std::span<const TracedChannel> channels,
-              std::optional<TracedOutput> TracedChannel::*which) {
+              std::optional<TracedOutput> TracedChannel::*which, const char* more = "") {
     if (to == Register::discard) return;
     std::vector<TracedOutput> outputs;
     for (const TracedChannel& channel : channels) outputs.push_back(*(channel.*which));
     const auto cells = [&](auto member) { return cells_of(std::span<const TracedOutput>(outputs), member); };
-    table_.line(fmt::format("  {} to {}", what, short_name(to)));
+    table_.line(fmt::format("  {} to {}{}", what, short_name(to), more));
     if (state.bias != Bias::none) table_.wide("  - 1/2", cells(&TracedOutput::biased));
     if (outputs[0].early) {
       TraceCells early;
@@ -234,7 +235,9 @@ class TextWriter {
       }
     }
     if (f.uses_color_sum) {
-      table_.codes("spare0 + secondary", cells(&F::color_sum_unclamped));
+      const char* const spare0 = program_.color_sum_invert_spare0 ? "(1 - spare0)" : "spare0";
+      const char* const secondary = program_.color_sum_invert_secondary ? "(1 - secondary)" : "secondary";
+      table_.codes(fmt::format("{} + {}", spare0, secondary), cells(&F::color_sum_unclamped));
       if (program_.color_sum_clamp) table_.codes("    clamped", cells(&F::color_sum));
     }
     const FinalCombiner& from = program_.final_combiner;

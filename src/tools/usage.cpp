@@ -75,7 +75,8 @@ std::string usage_message(const CLI::App& app, const CLI::ParseError& error) {
       message = fmt::format("'{}' is no verb or flag of {}; expected one of {}{}{}", unknown[0], command, list,
                             did_you_mean(unknown[0], verbs), meant_flag(at));
     }
-  } else if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::ExtrasError)) {  // its name is the verb's
+  } else if (error.get_name() == "RequiredError" ||  // CLI11 looks for what is missing before it looks at the rest
+             error.get_exit_code() == static_cast<int>(CLI::ExitCodes::ExtrasError)) {  // its name is the verb's
     message += meant_flag(at);
   } else if (error.get_name() == "ValidationError") {
     message += meant_choice(message);

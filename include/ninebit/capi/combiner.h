@@ -31,12 +31,13 @@
 extern "C" {
 #endif
 
+/* How a call went. */
 typedef enum ninebit_result {
   NINEBIT_OK = 0,
   NINEBIT_INVALID_INPUT = 1,  /* a text, words or a state that is wrong: the error says what and where */
   NINEBIT_WRONG_ARGUMENT = 2, /* a call that cannot be meant: a NULL, an unknown number, a code out of range */
-  NINEBIT_OUT_OF_MEMORY = 3,
-  NINEBIT_INTERNAL_ERROR = 4 /* a fault of this library */
+  NINEBIT_OUT_OF_MEMORY = 3,  /* nothing was made */
+  NINEBIT_INTERNAL_ERROR = 4  /* a fault of this library */
 } ninebit_result;
 
 /* The forms that a program has as text; docs/languages.md describes them. */
@@ -50,6 +51,7 @@ typedef enum ninebit_form {
   NINEBIT_FORM_JSON = 6 /* {"ninebit": "program", …} */
 } ninebit_form;
 
+/* Whose register words: GeForce 256 and GeForce 2, or GeForce3 and NV2A. */
 typedef enum ninebit_chip { NINEBIT_CHIP_NV10 = 0, NINEBIT_CHIP_NV20 = 1 } ninebit_chip;
 
 /* The rows of ninebit_registers and of the input planes. `zero` and the constants are the program's affair: what stands
@@ -68,6 +70,7 @@ typedef enum ninebit_register {
   NINEBIT_TEXTURE2 = 10,
   NINEBIT_TEXTURE3 = 11
 } ninebit_register;
+/* How many they are. */
 #define NINEBIT_REGISTERS 12
 
 typedef struct ninebit_state ninebit_state;     /* the combiners as GL holds them, and the profile they are of */
@@ -81,6 +84,7 @@ NINEBIT_PUBLIC const char* ninebit_version(void);
  */
 NINEBIT_PUBLIC const char* ninebit_profile_name(size_t index);
 
+/* Frees a text that a char ** received; NULL is allowed. */
 NINEBIT_PUBLIC void ninebit_free_text(char* text);
 
 /* --- States ----------------------------------------------------------------------------------------------------------
@@ -93,16 +97,20 @@ NINEBIT_PUBLIC ninebit_result ninebit_state_create(const char* profile, ninebit_
 NINEBIT_PUBLIC ninebit_result ninebit_state_parse(const char* profile, int form, const char* text, size_t length,
                                                   ninebit_state** state, char** error);
 
-/* The state that registers of a chip hold. Names are those of docs/languages.md, such as "RC_IN_RGB[0]"; words that are
-   missing have the value that encodes GL's default. */
+/* A word of the chip's registers. */
 typedef struct ninebit_word {
-  const char* name;
-  uint32_t value;
+  const char* name; /* such as "RC_IN_RGB[0]" */
+  uint32_t value;   /* all 32 bits */
 } ninebit_word;
+/* The state that `count` registers of a chip hold. Names are those of docs/languages.md; words that are missing have
+   the value that encodes GL's default. NINEBIT_INVALID_INPUT: a name that is unknown or repeated, bits without meaning,
+   a state that GL refuses. */
 NINEBIT_PUBLIC ninebit_result ninebit_state_from_words(const char* profile, int chip, const ninebit_word* words,
                                                        size_t count, ninebit_state** state, char** error);
 
+/* A copy that is independent of the first. */
 NINEBIT_PUBLIC ninebit_result ninebit_state_copy(const ninebit_state* from, ninebit_state** state, char** error);
+/* Frees a state; programs that were compiled from it stay. */
 NINEBIT_PUBLIC void ninebit_state_free(ninebit_state* state);
 
 /* The state in one of the forms. NINEBIT_INVALID_INPUT: the form cannot express it; the error says what it lacks. */
@@ -113,24 +121,31 @@ NINEBIT_PUBLIC ninebit_result ninebit_state_print(const ninebit_state* state, in
    (0x0501) for NULL params. ninebit_gl_enable takes GL_PER_STAGE_CONSTANTS_NV (and GL_REGISTER_COMBINERS_NV, without
    effect). */
 NINEBIT_PUBLIC unsigned ninebit_gl_combiner_parameteri(ninebit_state* state, unsigned pname, int param);
+/* glCombinerParameterfvNV: four floats for a constant colour, one for the others. */
 NINEBIT_PUBLIC unsigned ninebit_gl_combiner_parameterfv(ninebit_state* state, unsigned pname, const float* params);
+/* glCombinerInputNV. */
 NINEBIT_PUBLIC unsigned ninebit_gl_combiner_input(ninebit_state* state, unsigned stage, unsigned portion,
                                                   unsigned variable, unsigned input, unsigned mapping,
                                                   unsigned component_usage);
+/* glCombinerOutputNV; for the flags any value but 0 is true. */
 NINEBIT_PUBLIC unsigned ninebit_gl_combiner_output(ninebit_state* state, unsigned stage, unsigned portion,
                                                    unsigned ab_output, unsigned cd_output, unsigned sum_output,
                                                    unsigned scale, unsigned bias, int ab_dot_product,
                                                    int cd_dot_product, int mux_sum);
+/* glFinalCombinerInputNV. */
 NINEBIT_PUBLIC unsigned ninebit_gl_final_combiner_input(ninebit_state* state, unsigned variable, unsigned input,
                                                         unsigned mapping, unsigned component_usage);
+/* glCombinerStageParameterfvNV: four floats. */
 NINEBIT_PUBLIC unsigned ninebit_gl_combiner_stage_parameterfv(ninebit_state* state, unsigned stage, unsigned pname,
                                                               const float* params);
+/* glEnable where `enabled` is not 0, else glDisable. */
 NINEBIT_PUBLIC unsigned ninebit_gl_enable(ninebit_state* state, unsigned capability, int enabled);
 
 /* --- Validation --------------------------------------------------------------------------------------------------- */
 
+/* One thing that GL would refuse, and where. */
 typedef struct ninebit_diagnostic {
-  size_t struct_size;
+  size_t struct_size;  /* set by the caller */
   int32_t stage;       /* general combiner from 0; -1: final combiner or global */
   int32_t portion;     /* 0 RGB, 1 alpha; -1: not about one portion */
   int32_t variable;    /* 0 to 6 for A to G; -1: an output, a parameter */
@@ -142,33 +157,37 @@ typedef struct ninebit_diagnostic {
 NINEBIT_PUBLIC ninebit_result ninebit_validate(const ninebit_state* state, ninebit_report** report, char** error);
 /* How many diagnostics there are; 0: the state is valid. */
 NINEBIT_PUBLIC size_t ninebit_report_count(const ninebit_report* report);
+/* A diagnostic, by its number from 0; NINEBIT_WRONG_ARGUMENT past the last. */
 NINEBIT_PUBLIC ninebit_result ninebit_report_get(const ninebit_report* report, size_t index,
                                                  ninebit_diagnostic* diagnostic);
+/* Frees a report and its messages. */
 NINEBIT_PUBLIC void ninebit_report_free(ninebit_report* report);
 
 /* --- Programs ----------------------------------------------------------------------------------------------------- */
 
 /* NINEBIT_INVALID_INPUT: the state is not valid; the error has a line for each reason. */
 NINEBIT_PUBLIC ninebit_result ninebit_compile(const ninebit_state* state, ninebit_program** program, char** error);
+/* Frees a program; no other thread may be using it. */
 NINEBIT_PUBLIC void ninebit_program_free(ninebit_program* program);
 
 /* Codes of a register are whole numbers from ninebit_lowest to ninebit_one, which stands for 1.0: -255 and 255 with
    most profiles. */
 NINEBIT_PUBLIC int ninebit_one(const ninebit_program* program);
+/* The lowest code of a register. */
 NINEBIT_PUBLIC int ninebit_lowest(const ninebit_program* program);
 
 /* The registers of one fragment: red, green, blue, alpha. */
 typedef struct ninebit_registers {
-  size_t struct_size;
-  int16_t code[NINEBIT_REGISTERS][4];
+  size_t struct_size;                 /* set by the caller */
+  int16_t code[NINEBIT_REGISTERS][4]; /* by ninebit_register and component */
 } ninebit_registers;
 
 /* What reaches the combiners for one fragment, as bytes red, green, blue, alpha. */
 typedef struct ninebit_inputs {
-  size_t struct_size;
-  uint8_t primary[4];
-  uint8_t secondary[4];
-  uint8_t fog_color[3];
+  size_t struct_size;         /* set by the caller */
+  uint8_t primary[4];         /* the primary colour */
+  uint8_t secondary[4];       /* the secondary colour; its alpha counts where the profile says so */
+  uint8_t fog_color[3];       /* red, green, blue, whether or not fog is enabled */
   uint8_t fog_factor;         /* 255: no fog at this fragment */
   uint8_t fog_enabled;        /* 0 or 1 */
   uint8_t texture_enabled[4]; /* 0 or 1 */
@@ -186,8 +205,8 @@ NINEBIT_PUBLIC ninebit_result ninebit_evaluate(const ninebit_program* program, c
 
 /* Fragments by the thousand: a plane holds one component of one register, or of the colour, for `count` fragments. */
 typedef struct ninebit_planes {
-  size_t struct_size;
-  size_t count;
+  size_t struct_size;                         /* set by the caller */
+  size_t count;                               /* fragments in every plane */
   const int16_t* input[NINEBIT_REGISTERS][4]; /* NULL: 0 for every fragment */
   int16_t* color[4];                          /* NULL: not wanted; else no plane of the input */
 } ninebit_planes;

@@ -20,7 +20,9 @@ namespace NINEBIT_PUBLIC ninebit {
 // A set of register components, such as texture0's blue.
 class ComponentSet {
  public:
+  // `reg` holds a value, component is kRed to kAlpha: so for both functions.
   constexpr void add(Register reg, int component) { bits_ |= bit(reg, component); }
+  // Whether it was added.
   [[nodiscard]] constexpr bool contains(Register reg, int component) const {
     return (bits_ & bit(reg, component)) != 0;
   }

@@ -18,16 +18,18 @@ namespace NINEBIT_PUBLIC ninebit {
 
 // The register file of one fragment. `zero` and the constants are the program's affair: what stands there is not read.
 struct RegisterFile {
-  std::array<Rgba9, kRegisterCount> value{};
-  constexpr Rgba9& operator[](Register r) { return value[static_cast<std::size_t>(r)]; }
-  constexpr const Rgba9& operator[](Register r) const { return value[static_cast<std::size_t>(r)]; }
+  std::array<Rgba9, kRegisterCount> value{};  // by Register
+  constexpr Rgba9& operator[](Register r) {
+    return value[static_cast<std::size_t>(r)];
+  }  // one of the first kRegisterCount
+  constexpr const Rgba9& operator[](Register r) const { return value[static_cast<std::size_t>(r)]; }  // likewise
   friend constexpr bool operator==(const RegisterFile&, const RegisterFile&) = default;
 };
 
 // One fragment's registers after the last general combiner, and the colour that leaves the final combiner.
 struct EvaluatedFragment {
-  RegisterFile registers;
-  Rgba9 color{};
+  RegisterFile registers;  // `zero` and constants as they were given
+  Rgba9 color{};           // codes in [0, one]
 };
 
 // Runs a program of any arithmetic over one fragment. Not constexpr; for integer arithmetic the same as the functions
@@ -74,6 +76,7 @@ constexpr V select_where_at_least(V v, V limit, V yes, V no) {
   return v >= limit ? yes : no;
 }
 
+// How the functions of combiner_rules.inl are declared here; not defined after this header.
 #define NINEBIT_RULE constexpr
 #include "ninebit/numerics/combiner_rules.inl"
 #include "ninebit/numerics/visibility.h"
@@ -123,7 +126,9 @@ constexpr PortionResult evaluate_portion(const Datapath& d, const ProgramStage& 
 
   PortionResult result;
   for (std::size_t c = 0; c < static_cast<std::size_t>(channels); ++c) {
-    const V third = portion.out.mux_sum ? mux(d, registers[Register::spare0][kAlpha], ab[c], cd[c]) : add(ab[c], cd[c]);
+    const V third = portion.out.mux_sum
+                        ? mux(d, stage.mux_by_lowest_bit, registers[Register::spare0][kAlpha], ab[c], cd[c])
+                        : add(ab[c], cd[c]);
     result.ab[c] = combiner_output(d, portion.out.scale, portion.out.bias, ab[c]);
     result.cd[c] = combiner_output(d, portion.out.scale, portion.out.bias, cd[c]);
     result.sum[c] = combiner_output(d, portion.out.scale, portion.out.bias, third);
@@ -133,15 +138,16 @@ constexpr PortionResult evaluate_portion(const Datapath& d, const ProgramStage& 
 
 constexpr void write_portion(const Portion& portion, int first, int channels, const PortionResult& result,
                              RegisterFile& registers) {
-  const auto write = [&](Register reg, const std::array<V, 3>& value) {
+  const auto write = [&](Register reg, const std::array<V, 3>& value, bool blue_to_alpha) {
     if (reg == Register::discard) return;
     for (int c = 0; c < channels; ++c) {
       registers[reg][static_cast<std::size_t>(first + c)] = static_cast<s9>(value[static_cast<std::size_t>(c)]);
     }
+    if (blue_to_alpha) registers[reg][kAlpha] = static_cast<s9>(value[kBlue]);  // rule 23
   };
-  write(portion.out.ab, result.ab);
-  write(portion.out.cd, result.cd);
-  write(portion.out.sum, result.sum);
+  write(portion.out.ab, result.ab, portion.out.ab_blue_to_alpha);
+  write(portion.out.cd, result.cd, portion.out.cd_blue_to_alpha);
+  write(portion.out.sum, result.sum, false);
 }
 
 }  // namespace reference
@@ -182,8 +188,12 @@ constexpr void evaluate_general(const Program& program, RegisterFile& registers)
   for (int c = 0; c < 3; ++c) {
     const auto i = static_cast<std::size_t>(c);
     ef[i] = static_cast<s9>(reference::e_times_f(d, mapped(f.e, c, {}, {}), mapped(f.f, c, {}, {})));
-    sum[i] = static_cast<s9>(reference::color_sum(d, program.color_sum_clamp, registers[Register::spare0][i],
-                                                  registers[Register::secondary][i]));
+    const auto part = [&](bool inverted, Register r) {
+      return reference::color_sum_part(d, inverted, registers[r][i]);
+    };
+    sum[i] = static_cast<s9>(reference::color_sum(d, program.color_sum_clamp,
+                                                  part(program.color_sum_invert_spare0, Register::spare0),
+                                                  part(program.color_sum_invert_secondary, Register::secondary)));
   }
   for (int c = 0; c < 3; ++c) {
     out[static_cast<std::size_t>(c)] = static_cast<s9>(reference::final_rgb(
@@ -200,11 +210,13 @@ constexpr void evaluate_general(const Program& program, RegisterFile& registers)
   return evaluate_final(program, registers);
 }
 
-inline constexpr std::size_t kBatchSize = 256;
+// Fragments in a batch.
+inline constexpr std::size_t kBatchSize = 512;
 
-// Registers of up to kBatchSize fragments, planar: a few tens of KiB that stay in the first caches.
+// Registers of up to kBatchSize fragments, planar: 64 KiB, of which a program touches the planes that it names.
 struct alignas(64) RegisterBatch {
-  std::array<std::array<std::array<s9, kBatchSize>, 4>, kRegisterCount> plane;
+  std::array<std::array<std::array<s9, kBatchSize>, 4>, kRegisterCount> plane;  // by Register, component, fragment
+  // The kBatchSize codes of one component (kRed to kAlpha) of one of the first kRegisterCount registers.
   [[nodiscard]] s9* operator()(Register r, int component) {
     return plane[static_cast<std::size_t>(r)][static_cast<std::size_t>(component)].data();
   }
@@ -215,7 +227,7 @@ struct alignas(64) RegisterBatch {
 
 // What leaves the combiners, planar: red, green, blue, alpha codes in [0, one].
 struct alignas(64) OutputBatch {
-  std::array<std::array<s9, kBatchSize>, 4> plane;
+  std::array<std::array<s9, kBatchSize>, 4> plane;  // by component, fragment
 };
 
 }  // namespace ninebit

@@ -11,12 +11,14 @@
 
 namespace NINEBIT_PUBLIC ninebit {
 
+// Red, green, blue, alpha in real numbers, 1.0 being full.
 using RealColor = std::array<double, 4>;
 
+// Every register's components in real numbers.
 struct RealRegisters {
-  std::array<RealColor, kRegisterCount> value{};
-  RealColor& operator[](Register r) { return value[static_cast<std::size_t>(r)]; }
-  const RealColor& operator[](Register r) const { return value[static_cast<std::size_t>(r)]; }
+  std::array<RealColor, kRegisterCount> value{};                                    // by Register
+  RealColor& operator[](Register r) { return value[static_cast<std::size_t>(r)]; }  // one of the first kRegisterCount
+  const RealColor& operator[](Register r) const { return value[static_cast<std::size_t>(r)]; }  // likewise
 };
 
 // One of the three outputs of a portion, in one channel.
@@ -32,27 +34,31 @@ struct RealChannel {
   RealOutput ab, cd, third;       // third.wide is 0 if the third output is discarded
 };
 
+// A general combiner: its products and outputs, and the registers behind it.
 struct RealStage {
   bool takes_cd = false;             // whether a mux takes CD: spare0's alpha, as it enters the stage, is at least 1/2
+                                     // or, by the lowest bit, its nearest code is odd
   std::array<RealChannel, 3> rgb{};  // all 0 if the RGB portion writes nothing
   RealChannel alpha{};               // likewise
   RealRegisters after;               // the registers with the stage's outputs
   RegisterFile codes;                // their nearest codes, decided like RealEvaluation::codes
 };
 
+// The final combiner: its inputs, mapped, and what it makes of them.
 struct RealFinal {
   std::array<RealColor, 6> input{};  // A to F, mapped; no alpha
   double g = 0;                      // mapped
   RealColor e_times_f{};             // no alpha
-  RealColor color_sum{};             // spare0 + secondary, clamped where the program says so; no alpha
+  RealColor color_sum{};             // spare0 + secondary, inverted and clamped where the program says so; no alpha
   RealColor unclamped{};             // A·B + (1 - A)·C + D, and G
 };
 
+// A fragment's way through a program, in real numbers.
 struct RealEvaluation {
   RealRegisters before;          // what the codes stand for; zero and the constants are not read, and stay
   std::vector<RealStage> stage;  // one for each general combiner
-  RealFinal final_combiner;
-  RealColor color{};  // clamped to [0, 1]
+  RealFinal final_combiner;      // what makes the colour
+  RealColor color{};             // clamped to [0, 1]
 
   // The nearest codes, halves up, decided by the real numbers themselves and not by the doubles that report them.
   EvaluatedFragment codes;

@@ -29,13 +29,14 @@ enum class TextureFormat : std::uint8_t {
   dsdt_mag_intensity  // (0, 0, 0, I)
 };
 
+// Red, green, blue, alpha as bytes.
 using Bytes4 = std::array<std::uint8_t, 4>;
 
 // A filtered texel.
 struct Texel {
   Bytes4 value{};  // red, green, blue, alpha; luminance, intensity or depth stands in the first; what the format does
                    // not have is not read
-  TextureFormat format = TextureFormat::rgba;
+  TextureFormat format = TextureFormat::rgba;  // which components of the register the value fills
   bool is_signed = false;  // NV_texture_shader: each byte is a two's complement, which chips of the NV20 class have
 };
 
@@ -45,7 +46,7 @@ struct Texel {
 
 // What reaches the combiners for one fragment, as bytes red, green, blue, alpha.
 struct FragmentInputs {
-  Bytes4 primary{};
+  Bytes4 primary{};                               // the primary colour
   Bytes4 secondary{};                             // its alpha is read where the profile's `secondary_alpha` is as_given
   std::array<std::uint8_t, 3> fog_color{};        // GL_FOG_COLOR, whether or not fog is enabled
   std::optional<std::uint8_t> fog_factor{};       // 255: no fog at this fragment; empty: GL_FOG is disabled

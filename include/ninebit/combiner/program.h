@@ -14,9 +14,11 @@
 
 namespace NINEBIT_PUBLIC ninebit {
 
+// A general combiner of a program: its portions, and its constants as codes.
 struct ProgramStage {
-  Portion rgb, alpha;
+  Portion rgb, alpha;              // normalized
   Rgba9 constant0{}, constant1{};  // codes
+  bool mux_by_lowest_bit = false;  // whether muxes ask the lowest bit of spare0.alpha, not the highest
   friend constexpr bool operator==(const ProgramStage&, const ProgramStage&) = default;
 };
 
@@ -24,12 +26,14 @@ struct ProgramStage {
 // programs: inputs whose product is not used, constants that nothing reads, flags without effect and stages past the
 // last are set to fixed values.
 struct Program {
-  Datapath datapath;
-  int num_general_combiners = 1;
-  bool color_sum_clamp = true;
-  std::array<ProgramStage, kMaxGeneralCombiners> general{};
-  FinalCombiner final_combiner{};
-  Rgba9 constant0{}, constant1{};  // of the final combiner, codes
+  Datapath datapath;                                         // the arithmetic of the profile it was compiled for
+  int num_general_combiners = 1;                             // stages that run: 1 to kMaxGeneralCombiners
+  bool color_sum_clamp = true;                               // true also where nothing reads the colour sum
+  bool color_sum_invert_spare0 = false;                      // whether 1 - x of spare0 goes into the colour sum
+  bool color_sum_invert_secondary = false;                   // likewise of the secondary colour
+  std::array<ProgramStage, kMaxGeneralCombiners> general{};  // those past the last do nothing
+  FinalCombiner final_combiner{};                            // normalized
+  Rgba9 constant0{}, constant1{};                            // of the final combiner, codes
   friend constexpr bool operator==(const Program&, const Program&) = default;
 };
 
@@ -52,11 +56,25 @@ constexpr Portion normalize_portion(Portion p) {
     p.c = p.d = CombinerInput{};
     out.cd_dot_product = false;
   }
+  if (out.ab == Register::discard) out.ab_blue_to_alpha = false;
+  if (out.cd == Register::discard) out.cd_blue_to_alpha = false;
   if (!is_live(out)) {
     out.scale = Scale::none;
     out.bias = Bias::none;
   }
   return p;
+}
+
+// Leaves to an RGB portion's blue the alphas that the alpha portion does not write.
+constexpr void normalize_blue_to_alpha(PortionOutput& rgb, const PortionOutput& alpha) {
+  const auto writes = [&](Register r) { return alpha.ab == r || alpha.cd == r || alpha.sum == r; };
+  if (writes(rgb.ab)) rgb.ab_blue_to_alpha = false;
+  if (writes(rgb.cd)) rgb.cd_blue_to_alpha = false;
+}
+
+// Of a normalized one.
+constexpr bool has_mux(const ProgramStage& stage) {
+  return stage.rgb.out.mux_sum || stage.alpha.out.mux_sum;
 }
 
 constexpr bool reads(const Portion& p, Register r) {
@@ -100,6 +118,8 @@ constexpr Rgba9 constant_codes(const HardwareProfile& profile, const ColorF& col
     }
     stage.rgb = detail::normalize_portion(from.rgb);
     stage.alpha = detail::normalize_portion(from.alpha);
+    detail::normalize_blue_to_alpha(stage.rgb.out, stage.alpha.out);
+    stage.mux_by_lowest_bit = state.mux_by_lowest_bit && detail::has_mux(stage);
     const auto read = [&](Register r) { return detail::reads(stage.rgb, r) || detail::reads(stage.alpha, r); };
     stage.constant0 = codes_if(read(Register::constant0), state.per_stage_constants ? from.constant0 : state.constant0);
     stage.constant1 = codes_if(read(Register::constant1), state.per_stage_constants ? from.constant1 : state.constant1);
@@ -108,7 +128,10 @@ constexpr Rgba9 constant_codes(const HardwareProfile& profile, const ColorF& col
   const auto read = [&](Register r) { return detail::reads_directly(f, r) || f.e.reg == r || f.f.reg == r; };
   program.constant0 = codes_if(read(Register::constant0), state.constant0);
   program.constant1 = codes_if(read(Register::constant1), state.constant1);
-  program.color_sum_clamp = state.color_sum_clamp || !read(Register::spare0_plus_secondary);
+  const bool sums = read(Register::spare0_plus_secondary);
+  program.color_sum_clamp = state.color_sum_clamp || !sums;
+  program.color_sum_invert_spare0 = state.color_sum_invert_spare0 && sums;
+  program.color_sum_invert_secondary = state.color_sum_invert_secondary && sums;
   return program;
 }
 

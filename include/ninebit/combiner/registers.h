@@ -28,14 +28,18 @@ enum class Register : std::uint8_t {
   spare0_plus_secondary,  // final combiner only
   discard                 // output only
 };
+// Registers that hold a value: zero to texture3.
 inline constexpr std::size_t kRegisterCount = 12;
 
+// Whether it is one of the four texture registers.
 [[nodiscard]] constexpr bool is_texture(Register r) {
   return r >= Register::texture0 && r <= Register::texture3;
 }
+// The unit, 0 to 3, of a texture register.
 [[nodiscard]] constexpr int texture_unit_of(Register r) {
   return static_cast<int>(r) - static_cast<int>(Register::texture0);
 }
+// The register of texture unit 0 to 3.
 [[nodiscard]] constexpr Register texture_register(int unit) {
   return static_cast<Register>(static_cast<int>(Register::texture0) + unit);
 }
@@ -52,12 +56,18 @@ enum class InputMapping : std::uint8_t {
   signed_negate       // -e
 };
 
+// Which components of a register an input reads: red, green and blue; alpha for all; blue, into alpha portions alone.
 enum class ComponentUsage : std::uint8_t { rgb, alpha, blue };
+// What a portion multiplies its outputs by, after the bias.
 enum class Scale : std::uint8_t { none, by_two, by_four, by_one_half };
+// What a portion adds to its outputs: nothing or -1/2.
 enum class Bias : std::uint8_t { none, by_negative_one_half };
+// A general combiner's two halves of arithmetic, for RGB and for alpha.
 enum class PortionName : std::uint8_t { rgb, alpha };
+// An input: A to D of a general combiner, A to G of the final combiner.
 enum class Variable : std::uint8_t { a, b, c, d, e, f, g };
 
+// All of them, in the order of their numbers.
 inline constexpr std::array kInputMappings{InputMapping::unsigned_identity, InputMapping::unsigned_invert,
                                            InputMapping::expand_normal,     InputMapping::expand_negate,
                                            InputMapping::half_bias_normal,  InputMapping::half_bias_negate,

@@ -1,4 +1,5 @@
-// The register combiners' state exactly as GL holds it, with GL's defaults. Plain data: nothing here is checked.
+// The register combiners' state exactly as GL holds it, with GL's defaults, and what the NV2A's registers add to it.
+// Plain data: nothing here is checked.
 #pragma once
 
 #include <array>
@@ -8,30 +9,38 @@
 
 namespace NINEBIT_PUBLIC ninebit {
 
+// The most that a profile may have: those of NV_register_combiners2's chips.
 inline constexpr int kMaxGeneralCombiners = 8;
 
+// One variable's source, as CombinerInputNV and FinalCombinerInputNV set it.
 struct CombinerInput {
-  Register reg = Register::zero;
-  InputMapping mapping = InputMapping::unsigned_identity;
-  ComponentUsage usage = ComponentUsage::rgb;
+  Register reg = Register::zero;                           // what is read
+  InputMapping mapping = InputMapping::unsigned_identity;  // what is made of it before it is multiplied
+  ComponentUsage usage = ComponentUsage::rgb;              // which of its components
   friend constexpr bool operator==(const CombinerInput&, const CombinerInput&) = default;
 };
 
+// What a portion does with its products, as CombinerOutputNV sets it.
 struct PortionOutput {
-  Register ab = Register::discard;
-  Register cd = Register::discard;
-  Register sum = Register::spare0;
-  Scale scale = Scale::none;
-  Bias bias = Bias::none;
-  bool ab_dot_product = false;
-  bool cd_dot_product = false;
-  bool mux_sum = false;  // the third output is mux(AB, CD) instead of AB + CD
+  Register ab = Register::discard;  // where A·B goes
+  Register cd = Register::discard;  // where C·D goes
+  Register sum = Register::spare0;  // where the third output goes: AB + CD or the mux
+  Scale scale = Scale::none;        // of all three outputs
+  Bias bias = Bias::none;           // likewise, added before the scale
+  bool ab_dot_product = false;      // A·B is the sum over red, green and blue; RGB portions only
+  bool cd_dot_product = false;      // likewise C·D
+  bool mux_sum = false;             // the third output is mux(AB, CD) instead of AB + CD
+  // NV2A, not in GL, RGB portions alone: the alpha of AB's (CD's) register gets the blue that is written there, unless
+  // the alpha portion writes it.
+  bool ab_blue_to_alpha = false;
+  bool cd_blue_to_alpha = false;
   friend constexpr bool operator==(const PortionOutput&, const PortionOutput&) = default;
 };
 
+// One half of a general combiner: two products and what becomes of them.
 struct Portion {
-  CombinerInput a, b, c, d;
-  PortionOutput out;
+  CombinerInput a, b, c, d;  // the factors of A·B and C·D
+  PortionOutput out;         // what becomes of the products
   friend constexpr bool operator==(const Portion&, const Portion&) = default;
 };
 
@@ -46,34 +55,42 @@ struct Portion {
   return portion;
 }
 
+// Red, green, blue, alpha as GL stores them: clamped to [0, 1].
 using ColorF = std::array<float, 4>;  // red, green, blue, alpha as GL stores them: clamped to [0, 1]
 
+// One stage. Both portions read the registers as the stage before left them.
 struct GeneralCombiner {
-  Portion rgb = default_portion(PortionName::rgb);
-  Portion alpha = default_portion(PortionName::alpha);
+  Portion rgb = default_portion(PortionName::rgb);      // of red, green and blue
+  Portion alpha = default_portion(PortionName::alpha);  // of alpha
   ColorF constant0{};  // used instead of the global ones while per_stage_constants is set
-  ColorF constant1{};
+  ColorF constant1{};  // likewise
   friend constexpr bool operator==(const GeneralCombiner&, const GeneralCombiner&) = default;
 };
 
 // RGB = A·B + (1 - A)·C + D, alpha = G. The defaults are colour sum and fog.
 struct FinalCombiner {
-  CombinerInput a{Register::fog, InputMapping::unsigned_identity, ComponentUsage::alpha};
-  CombinerInput b{Register::spare0_plus_secondary, InputMapping::unsigned_identity, ComponentUsage::rgb};
-  CombinerInput c{Register::fog, InputMapping::unsigned_identity, ComponentUsage::rgb};
-  CombinerInput d, e, f;
-  CombinerInput g{Register::spare0, InputMapping::unsigned_identity, ComponentUsage::alpha};
+  CombinerInput a{Register::fog, InputMapping::unsigned_identity, ComponentUsage::alpha};  // the weight of the mix
+  CombinerInput b{Register::spare0_plus_secondary, InputMapping::unsigned_identity,
+                  ComponentUsage::rgb};                                                  // taken where A is 1
+  CombinerInput c{Register::fog, InputMapping::unsigned_identity, ComponentUsage::rgb};  // taken where A is 0
+  CombinerInput d, e, f;  // what is added, and the factors of E·F
+  CombinerInput g{Register::spare0, InputMapping::unsigned_identity, ComponentUsage::alpha};  // alpha
   friend constexpr bool operator==(const FinalCombiner&, const FinalCombiner&) = default;
 };
 
+// All of it: the values that GL's Get calls would return.
 struct CombinerState {
-  int num_general_combiners = 1;
-  bool color_sum_clamp = true;
-  bool per_stage_constants = false;
-  ColorF constant0{};
-  ColorF constant1{};
-  std::array<GeneralCombiner, kMaxGeneralCombiners> general{};
-  FinalCombiner final_combiner{};
+  int num_general_combiners = 1;            // GL_NUM_GENERAL_COMBINERS_NV: 1 to the profile's number
+  bool color_sum_clamp = true;              // GL_COLOR_SUM_CLAMP_NV: spare0 + secondary is clamped to [0, 1]
+  bool color_sum_invert_spare0 = false;     // NV2A, not in GL: spare0 goes into the colour sum as 1 - x
+  bool color_sum_invert_secondary = false;  // likewise the secondary colour
+  bool per_stage_constants = false;         // GL_PER_STAGE_CONSTANTS_NV, of NV_register_combiners2
+  bool mux_by_lowest_bit = false;           // NV2A, not in GL: muxes ask the lowest bit of spare0's alpha
+  ColorF constant0{};                       // GL_CONSTANT_COLOR0_NV
+  ColorF constant1{};                       // GL_CONSTANT_COLOR1_NV
+  std::array<GeneralCombiner, kMaxGeneralCombiners>
+      general{};                   // those past num_general_combiners are kept, and do nothing
+  FinalCombiner final_combiner{};  // what makes the colour
   friend constexpr bool operator==(const CombinerState&, const CombinerState&) = default;
 };
 

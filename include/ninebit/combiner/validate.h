@@ -13,6 +13,7 @@
 
 namespace NINEBIT_PUBLIC ninebit {
 
+// OpenGL's error codes, by GL's numbers.
 enum class GlError : std::uint16_t {
   no_error = 0,
   invalid_enum = 0x0500,
@@ -23,18 +24,28 @@ enum class GlError : std::uint16_t {
 // "GL_NO_ERROR", "GL_INVALID_ENUM", …
 [[nodiscard]] std::string_view name_of(GlError error);
 
+// What stands once in a state.
+enum class StateParameter : std::uint8_t {
+  num_general_combiners,
+  per_stage_constants,
+  mux_by_lowest_bit,
+  color_sum_inverts
+};
+
+// One thing that is wrong with a state, and where.
 struct StateDiagnostic {
-  std::optional<int> stage;            // 0-based general combiner; empty: final combiner or global
-  std::optional<PortionName> portion;  // empty: not about one portion
-  std::optional<Variable> variable;    // empty: an output, a parameter
-  GlError gl_error = GlError::no_error;
-  std::string message;  // one sentence: what is wrong and what is allowed
+  std::optional<int> stage;                 // 0-based general combiner; empty: final combiner or global
+  std::optional<PortionName> portion;       // empty: not about one portion
+  std::optional<Variable> variable;         // empty: an output, a parameter
+  std::optional<StateParameter> parameter;  // empty: about a portion or the final combiner
+  GlError gl_error = GlError::no_error;     // what the setter would have raised
+  std::string message;                      // one sentence: what is wrong and what is allowed
 };
 
 // The diagnostics of a whole state, in the order stages, portions, variables, outputs, final combiner; empty: valid.
 // Stages past num_general_combiners are checked too: GL would have refused them when they were set.
 // Rules: NV_register_combiners, errors of CombinerInputNV, CombinerOutputNV, FinalCombinerInputNV,
-// CombinerParameter*NV.
+// CombinerParameter*NV. What only the NV2A's registers can ask for is GL_INVALID_ENUM with a profile that has it not.
 [[nodiscard]] std::vector<StateDiagnostic> validate(const CombinerState& state, const HardwareProfile& profile);
 
 // The same for a single setter's arguments, as the GL entry points need it. GL_INVALID_ENUM stands before other errors.

@@ -28,16 +28,18 @@ namespace NINEBIT_PUBLIC ninebit {
 // A picture of 8 or 16 bits a channel, interleaved.
 template <class Sample>
 struct Image {
-  int width = 0;
-  int height = 0;
+  int width = 0;               // pixels
+  int height = 0;              // pixels
   int channels = 0;            // 1 grey, 3 RGB, 4 RGBA (alpha not premultiplied)
   std::vector<Sample> pixels;  // width * height * channels
 };
+// Samples from 0 to 255, or 65535.
 using Image8 = Image<std::uint8_t>;
 using Image16 = Image<std::uint16_t>;
 
+// Writes a picture. Reports what the head of this file says.
 [[nodiscard]] Status write_png(const std::filesystem::path& file, const Image8& image);
-[[nodiscard]] Status write_png(const std::filesystem::path& file, const Image16& image);
+[[nodiscard]] Status write_png(const std::filesystem::path& file, const Image<std::uint16_t>& image);
 
 // The bytes that write_png would write.
 [[nodiscard]] Result<std::string> encode_png(const Image8& image);
@@ -45,9 +47,10 @@ using Image16 = Image<std::uint16_t>;
 // Samples in memory, one channel of a picture: `top` is the first sample of the top row, and `stride` samples further
 // is the first of the row below. Surfaces hold their lowest row first; see upside_down.
 struct SamplePlane {
+  // The top row's first sample; not nullptr.
   std::variant<const std::uint8_t*, const std::uint16_t*, const std::uint32_t*, const s9*, const Half*, const float*>
       top;
-  std::ptrdiff_t stride = 0;
+  std::ptrdiff_t stride = 0;  // samples, negative where rows are stored upward
 };
 
 // The plane whose lowest row comes first in memory, at `lowest`, and whose rows follow upward, each `stride` further.
@@ -68,25 +71,26 @@ using ExrIntegerRow = std::function<void(int row, std::span<std::uint32_t> out)>
 using ExrRealRow = std::function<void(int row, std::span<float> out)>;             // stored as half
 struct ExrFloatRow {                                                               // FLOAT, stored exactly
   std::function<void(int row, std::span<float> out)> fill{};
-  explicit operator bool() const { return static_cast<bool>(fill); }
+  explicit operator bool() const { return static_cast<bool>(fill); }  // whether there is a function
 };
 
 // One channel of an EXR part. A writer asks for each of its rows once, and holds no more than some dozens of them, so
 // that pictures of any size can be converted on their way into the file.
 struct ExrChannel {
-  std::string name;  // "R", "G", "index", …
-  std::variant<ExrIntegerRow, ExrRealRow, ExrFloatRow> rows;
+  std::string name;                                           // "R", "G", "index", …
+  std::variant<ExrIntegerRow, ExrRealRow, ExrFloatRow> rows;  // what the channel is stored as, and who fills it
 };
 
 // A plane as a channel, each sample exactly: 8, 16 and 32 bits as UINT, register codes and halves as half, floats as
 // FLOAT. The plane's samples must outlive the channel, and hold each row that the part's size asks for.
 [[nodiscard]] ExrChannel exr_channel(std::string name, const SamplePlane& plane);
 
+// One picture of a multi-part file.
 struct ExrPart {
-  std::string name;  // unique in the file
-  int width = 0;
-  int height = 0;
-  std::vector<ExrChannel> channels;
+  std::string name;                  // unique in the file
+  int width = 0;                     // pixels
+  int height = 0;                    // pixels
+  std::vector<ExrChannel> channels;  // of any kinds
 };
 
 // A multi-part scan-line EXR, ZIP compressed. The display window of all parts is that of the first. Values that half

@@ -20,6 +20,7 @@ class StagedFiles {
   // empty path is the current folder.
   [[nodiscard]] static Result<StagedFiles> open(const std::filesystem::path& folder);
 
+  // What was moved from has no files and removes nothing.
   StagedFiles(StagedFiles&& other) noexcept;
   StagedFiles& operator=(StagedFiles&& other) noexcept;
   StagedFiles(const StagedFiles&) = delete;
@@ -32,7 +33,8 @@ class StagedFiles {
 
   // Brings every staged file to the disk and renames it to its name, in the order of staging. Reports a staged file
   // that was not written, a name that is taken by a folder, and what could not be renamed; the files that were renamed
-  // before are then taken back and the older ones restored, as far as the file system has hard links.
+  // before are then taken back and the older ones restored, as far as the file system has hard links. A process of its
+  // own renames several files, so that a signal that ends this one, SIGKILL too, leaves all of them renamed or none.
   [[nodiscard]] Status commit();
 
   // The final paths, in the order of staging.

@@ -25,14 +25,16 @@
 
 namespace NINEBIT_PUBLIC ninebit {
 
+// What is made of a file's picture beyond reading it.
 struct TextureReadOptions {
   bool mipmaps = false;  // adds with_mipmaps() where the file has level 0 alone
-  bool flip = false;
+  bool flip = false;     // the file's last row is at t = 0
 };
 
 // A 2D texture, or from a DDS file of six faces a cube map. Reports, naming the file: what cannot be read or is cut
-// short; sides that are no powers of two from 1 to 16384; a header that contradicts itself or the file's size; a chain
-// of mip-maps that is neither one level nor all; cube maps with faces missing or not square; formats beyond the above.
+// short; sides that are no powers of two from 1 to 16384; other files than DDS of more than 2^26 pixels; a header that
+// contradicts itself or the file's size; a chain of mip-maps that is neither one level nor all; cube maps with faces
+// missing or not square; formats beyond the above.
 [[nodiscard]] Result<Texture> read_texture(const HardwareProfile& profile, const std::filesystem::path& file,
                                            const TextureReadOptions& options = {});
 

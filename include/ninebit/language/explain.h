@@ -14,27 +14,28 @@ namespace NINEBIT_PUBLIC ninebit {
 // "TARGET = EXPRESSION". A register's bare name stands for its red, green and blue, ".a" and ".blue" for one component;
 // a × b multiplies component by component, a · b is the dot product, ½ is the profile's code for one half.
 struct Equation {
-  std::optional<int> stage{};  // 0-based general combiner; empty: final combiner
-  PortionName portion = PortionName::rgb;
-  std::string output{};      // "AB", "CD", "sum", "mux"; of the final combiner "color", "alpha"
-  std::string target{};      // "spare0", "spare0.a"; of the final combiner "rgb", "alpha"
-  std::string expression{};  // "4·(primary − tex0)"
-  bool used = true;          // something that reaches the final result reads it
-  bool clamps = false;       // the expression can leave what its target can hold, and is then cut
+  std::optional<int> stage{};              // 0-based general combiner; empty: final combiner
+  PortionName portion = PortionName::rgb;  // which half of a general combiner
+  std::string output{};                    // "AB", "CD", "sum", "mux"; of the final combiner "color", "alpha"
+  std::string target{};                    // "spare0", "spare0.a"; of the final combiner "rgb", "alpha"
+  std::string expression{};                // "4·(primary − tex0)"
+  bool used = true;                        // something that reaches the final result reads it
+  bool clamps = false;                     // the expression can leave what its target can hold, and is then cut
 };
 
 // A general combiner's portion that adds nothing to the result, with the reason as the end of a sentence about it.
 struct DeadPortion {
-  int stage = 0;
-  PortionName portion = PortionName::rgb;
-  std::string reason;
+  int stage = 0;                           // 0-based general combiner
+  PortionName portion = PortionName::rgb;  // which half of it
+  std::string reason;                      // "dead, nothing reads what it writes"
 };
 
+// A program as equations, and what a reader should know beside them.
 struct Explanation {
-  int num_general_combiners = 1;
-  std::string profile;
-  std::vector<Equation> equations;  // stages in order, RGB before alpha; then the final combiner's two
-  std::vector<DeadPortion> dead;
+  int num_general_combiners = 1;       // stages that run
+  std::string profile;                 // its name
+  std::vector<Equation> equations;     // stages in order, RGB before alpha; then the final combiner's two
+  std::vector<DeadPortion> dead;       // stages in order
   std::vector<std::string> constants;  // what const0 and const1 hold where an equation reads them, a sentence each
   std::vector<std::string> notes;      // defaults that take part, a sentence each
   std::vector<std::string> legend;     // the marks that the equations use, a sentence each

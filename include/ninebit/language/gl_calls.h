@@ -5,6 +5,7 @@
 
 #include "ninebit/combiner/state.h"
 #include "ninebit/language/source_text.h"
+#include "ninebit/numerics/result.h"
 #include "ninebit/numerics/visibility.h"
 
 namespace NINEBIT_PUBLIC ninebit {
@@ -23,7 +24,8 @@ namespace NINEBIT_PUBLIC ninebit {
 // for stages beyond num_general_combiners only, and for a stage's constants, whose call a profile may lack. What the
 // profile lacks altogether (its last stages, the stages' constants) is left out: it has no effect, and GL would refuse
 // the calls. But for that, parse_gl_calls gives the same state again if the state is valid (see validate.h) and its
-// colours are in [0, 1].
-[[nodiscard]] std::string print_gl_calls(const CombinerState& state, const HardwareProfile& profile);
+// colours are in [0, 1]. What only the NV2A's registers can ask for, and has an effect, gives a Diagnostic that names
+// it.
+[[nodiscard]] Result<std::string> print_gl_calls(const CombinerState& state, const HardwareProfile& profile);
 
 }  // namespace ninebit

@@ -14,6 +14,7 @@
 namespace NINEBIT_PUBLIC ninebit {
 namespace gl {
 
+// OpenGL's types, as its own headers have them.
 using GLenum = unsigned int;
 using GLboolean = unsigned char;
 using GLint = int;
@@ -40,6 +41,7 @@ inline constexpr GLenum GL_TEXTURE1 = GL_TEXTURE1_ARB;
 inline constexpr GLenum GL_TEXTURE2 = GL_TEXTURE2_ARB;
 inline constexpr GLenum GL_TEXTURE3 = GL_TEXTURE3_ARB;
 
+// What glGetError returns.
 inline constexpr GLenum GL_NO_ERROR = 0;
 inline constexpr GLenum GL_INVALID_ENUM = 0x0500;
 inline constexpr GLenum GL_INVALID_VALUE = 0x0501;

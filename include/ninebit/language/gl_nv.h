@@ -31,6 +31,7 @@ class Context {
   // The profile says how many general combiners and texture units there are, and whether NV_register_combiners2 is.
   explicit Context(const HardwareProfile& profile = profiles::geforce2) : profile_(profile) {}
 
+  // As it was given.
   [[nodiscard]] const HardwareProfile& profile() const { return profile_; }
 
   // What is written through state() is not checked.
@@ -57,6 +58,7 @@ class Context {
 // objects end on the thread and in the reverse order of their making, as local variables do; the context outlives them.
 class CurrentContext {
  public:
+  // `context` must outlive this object.
   explicit CurrentContext(Context& context);
   ~CurrentContext();
   CurrentContext(const CurrentContext&) = delete;
@@ -78,10 +80,13 @@ void glCombinerParameterfNV(GLenum pname, GLfloat param);
 void glCombinerParameterivNV(GLenum pname, const GLint* params);
 void glCombinerParameterfvNV(GLenum pname, const GLfloat* params);
 
+// One variable of a general combiner's portion.
 void glCombinerInputNV(GLenum stage, GLenum portion, GLenum variable, GLenum input, GLenum mapping,
                        GLenum componentUsage);
+// What a general combiner's portion does with its products.
 void glCombinerOutputNV(GLenum stage, GLenum portion, GLenum abOutput, GLenum cdOutput, GLenum sumOutput, GLenum scale,
                         GLenum bias, GLboolean abDotProduct, GLboolean cdDotProduct, GLboolean muxSum);
+// One variable of the final combiner.
 void glFinalCombinerInputNV(GLenum variable, GLenum input, GLenum mapping, GLenum componentUsage);
 
 // NV_register_combiners2: one stage's GL_CONSTANT_COLOR0_NV or GL_CONSTANT_COLOR1_NV, floats as above. Legal whether

@@ -10,6 +10,7 @@
 
 namespace NINEBIT_PUBLIC ninebit {
 
+// Which GLSL is written; they differ in the #version line and precision qualifiers.
 enum class GlslVersion : std::uint8_t {
   glsl_330,  // OpenGL 3.3 core
   es_300     // OpenGL ES 3.0

@@ -12,8 +12,8 @@ namespace NINEBIT_PUBLIC ninebit {
 // A profile and the text that its string views show. Copies share the text: a copy of `profile` is valid while any copy
 // of its OwnedProfile lives.
 struct OwnedProfile {
-  HardwareProfile profile;
-  std::shared_ptr<const void> text;
+  HardwareProfile profile;           // its strings are views
+  std::shared_ptr<const void> text;  // what the views show; not to be looked into
 };
 
 // Reads {"base": "geforce2", "name": "mine", "half": 127, "general_narrowing": "nearest-halves-up", …}: a shipped

@@ -15,6 +15,7 @@
 
 namespace NINEBIT_PUBLIC ninebit {
 
+// Whose register layout: GeForce 256 and GeForce 2, or GeForce3 and NV2A.
 enum class ChipClass : std::uint8_t { nv10, nv20 };
 
 // "nv10" or "nv20".
@@ -22,15 +23,15 @@ enum class ChipClass : std::uint8_t { nv10, nv20 };
 
 // One word by its name ("RC_IN_RGB[0]"; docs/languages.md lists the aliases), and where a text has it.
 struct RegisterWord {
-  std::string name{};
-  std::uint32_t value = 0;
-  TextPlace place{};
+  std::string name{};       // such as "RC_IN_RGB[0]"
+  std::uint32_t value = 0;  // all 32 bits
+  TextPlace place{};        // 1:1 where there is no text
 };
 
 // Decodes `NAME = 0x…` lines in any order (comments from # or //; names in either case). A word with bits outside its
-// valid mask, a reserved register code, an unknown or repeated name, a setting that OpenGL does not have and a state
-// that it would refuse are faults. Words that are missing keep the value that encodes GL's default state. The same as a
-// JSON object is parse_json_register_words of json.h.
+// valid mask, a reserved register code, an unknown or repeated name, a setting that the profile does not have and a
+// state that OpenGL would refuse are faults. Words that are missing keep the value that encodes GL's default state. The
+// same as a JSON object is parse_json_register_words of json.h.
 [[nodiscard]] Parsed<CombinerState> parse_register_words(const SourceText& source, ChipClass chip,
                                                          const HardwareProfile& profile);
 

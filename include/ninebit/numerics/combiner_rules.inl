@@ -81,9 +81,17 @@ NINEBIT_RULE V combiner_output(const Datapath& d, Scale scale, Bias bias, V wide
   return clamp_output(d, narrow_output(d, clamp_to(scaled, -limit, limit), most));
 }
 
-// Rule 11: CD where spare0's alpha is at least one half, else AB. All wide values.
-NINEBIT_RULE V mux(const Datapath& d, V spare0_alpha, V ab, V cd) {
-  return select_where_at_least(spare0_alpha, set(d.half), cd, ab);
+// Rule 11: CD where spare0's alpha is at least one half or, by its lowest bit, odd without its negative part; else AB.
+// AB and CD are wide values.
+NINEBIT_RULE V mux(const Datapath& d, bool by_lowest_bit, V spare0_alpha, V ab, V cd) {
+  if (!by_lowest_bit) return select_where_at_least(spare0_alpha, set(d.half), cd, ab);
+  const V positive = max_of(spare0_alpha, set(0));
+  return select_where_at_least(sub(positive, mul(divide(positive, 2), set(2))), set(1), cd, ab);
+}
+
+// Rule 13: what a register gives to the colour sum; `inverted`: 1 - x.
+NINEBIT_RULE V color_sum_part(const Datapath& d, bool inverted, V v) {
+  return inverted ? map_input(d, InputMapping::unsigned_invert, v) : v;
 }
 
 // Rule 13: spare0 + secondary, each without its negative part; up to 2.0 without the clamp.

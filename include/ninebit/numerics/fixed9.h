@@ -14,6 +14,7 @@ using s9 = std::int16_t;
 
 // Four components: red, green, blue, alpha.
 using Rgba9 = std::array<s9, 4>;
+// Components by their number in every array of four.
 inline constexpr int kRed = 0, kGreen = 1, kBlue = 2, kAlpha = 3;
 
 // The code as which a byte (texel, vertex colour, constant) enters a register: 255 becomes 1.0 (rule 1).

@@ -7,8 +7,10 @@
 
 namespace NINEBIT_PUBLIC ninebit {
 
+// A value as its 16 bits: sign, five bits of exponent, ten of fraction. Compared by bits: -0 is not 0, a NaN may be
+// itself.
 struct Half {
-  std::uint16_t bits = 0;
+  std::uint16_t bits = 0;  // IEEE 754 binary16
   friend constexpr bool operator==(Half, Half) = default;
 };
 

@@ -12,6 +12,7 @@
 
 namespace NINEBIT_PUBLIC ninebit {
 
+// How well a choice is known.
 enum class Evidence : std::uint8_t {
   specified,  // the OpenGL extension says so
   seed,       // the article on index cube shadow mapping, tested by its author on a GeForce 2, implies it
@@ -26,10 +27,10 @@ enum class Evidence : std::uint8_t {
 // One choice: its value, how well it is known, and where that comes from.
 template <class T>
 struct Choice {
-  T value;
-  Evidence evidence;
-  std::string_view source;
-  constexpr operator T() const { return value; }
+  T value;                  // what the hardware does, or is taken to do
+  Evidence evidence;        // how well that is known
+  std::string_view source;  // where from, and the rival hypothesis if there is one; "rule N" is of docs/numerics.md
+  constexpr operator T() const { return value; }  // a choice reads as its value
 };
 
 // In what numbers the combiners compute. Registers start as codes with each of them, and outputs leave as codes.
@@ -53,15 +54,20 @@ enum class NarrowingPoint : std::uint8_t {
 
 // What alpha a secondary colour has.
 enum class SecondaryAlpha : std::uint8_t { one, as_given };
+// What stands for a polygon's slope in its polygon offset (OpenGL 1.3, 3.5.5 allows both).
 enum class OffsetSlope : std::uint8_t { larger, root };  // max(|dz/dx|, |dz/dy|), or the root of the sum of squares
+// How smooth colours run over a primitive: as texture coordinates do, or linearly in the window.
 enum class ColorInterpolation : std::uint8_t { perspective, affine };
+// In how many bits S3TC's two middle colours of a block are computed.
 enum class Dxt1Palette : std::uint8_t { rgb565, rgb888 };  // in which a block's two middle colours are computed
 
+// A choice for every question that the extensions leave to the hardware. Nothing is checked here; parse_json_profile
+// says which values make sense.
 struct HardwareProfile {
-  std::string_view name;
-  std::string_view chip;
+  std::string_view name;  // as --profile takes it
+  std::string_view chip;  // for people
 
-  Choice<Arithmetic> arithmetic;
+  Choice<Arithmetic> arithmetic;  // in what numbers the combiners compute
 
   // Codes. A register component is an integer; `one` is the code of 1.0. With an arithmetic other than integer, `one`
   // and `byte_shift` say how codes stand for numbers, and the other three are not read.
@@ -81,12 +87,14 @@ struct HardwareProfile {
   Choice<int> texture_units;         // 1 to 4
   Choice<bool> per_stage_constants;  // NV_register_combiners2
   Choice<bool> blue_to_alpha;        // an RGB portion may write its blue to a register's alpha
+  Choice<bool> mux_by_lowest_bit;    // the mux may look at the lowest bit of spare0's alpha
+  Choice<bool> color_sum_inverts;    // spare0 and the secondary colour may go into the colour sum as 1 - x
 
   // What registers hold before the first general combiner.
   Choice<int> spare0_alpha_without_texture0;  // byte, when texture unit 0 is off
   Choice<int> disabled_texture_alpha;         // byte, with RGB 0
-  Choice<SecondaryAlpha> secondary_alpha;
-  Choice<int> fog_alpha_without_fog;  // byte
+  Choice<SecondaryAlpha> secondary_alpha;     // 1.0, or that of the colour
+  Choice<int> fog_alpha_without_fog;          // byte
 
   // The rasterizer.
   Choice<int> subpixel_bits;                 // window positions are truncated toward zero to 1/2^this pixel
@@ -94,7 +102,7 @@ struct HardwareProfile {
   Choice<OffsetSlope> polygon_offset_slope;  // m of the polygon offset factor × m + r × units
   Choice<ColorInterpolation> color_interpolation;  // of smooth primary and secondary colours
   Choice<int> texture_weight_bits;                 // fraction bits of the weights of linear filters
-  Choice<Dxt1Palette> dxt1_palette;
+  Choice<Dxt1Palette> dxt1_palette;                // of compressed textures
 };
 
 // All shipped profiles, the default (geforce2) first. Addresses and names stay valid for the whole run.
@@ -123,6 +131,8 @@ inline constexpr HardwareProfile geforce2{
     .texture_units = {2, Evidence::specified, "ARB_multitexture on NV1x"},
     .per_stage_constants = {false, Evidence::specified, "NV_register_combiners2 is absent"},
     .blue_to_alpha = {false, Evidence::specified, "NV_register_combiners has no such output"},
+    .mux_by_lowest_bit = {false, Evidence::specified, "NV_register_combiners has the threshold of one half alone"},
+    .color_sum_inverts = {false, Evidence::specified, "NV_register_combiners has no such sum"},
     .spare0_alpha_without_texture0 = {255, Evidence::assumed, "the extension leaves it unspecified"},
     .disabled_texture_alpha = {255, Evidence::inferred, "rule 16, measured on NV2A"},
     .secondary_alpha = {SecondaryAlpha::one, Evidence::inferred, "drivers up to 56.90 gave 1.0"},
@@ -171,6 +181,8 @@ consteval HardwareProfile xbox() {
   p.texture_units = {4, Evidence::specified, "NV20 class"};
   p.per_stage_constants = {true, Evidence::specified, "NV_register_combiners2"};
   p.blue_to_alpha = {true, Evidence::measured, "NV2A output flag"};
+  p.mux_by_lowest_bit = {true, Evidence::measured, "rule 11: 129 takes CD, 130 and 0 take AB"};
+  p.color_sum_inverts = {true, Evidence::measured, "rule 13: 1 - 191/255 is 64/255, by either"};
   p.disabled_texture_alpha = {255, Evidence::measured, "rule 16"};
   p.secondary_alpha = {SecondaryAlpha::as_given, Evidence::specified, "NV_register_combiners2"};
   p.subpixel_bits = {4, Evidence::measured, "rule 21"};
@@ -198,6 +210,8 @@ consteval HardwareProfile real_numbers(std::string_view name, std::string_view c
   p.final_narrowing = {Narrowing::nearest_halves_up, Evidence::assumed, not_read};
   p.texture_units = {4, Evidence::assumed, as_nv2a};
   p.blue_to_alpha = {true, Evidence::assumed, as_nv2a};
+  p.mux_by_lowest_bit = {true, Evidence::assumed, as_nv2a};
+  p.color_sum_inverts = {true, Evidence::assumed, as_nv2a};
   p.disabled_texture_alpha = {255, Evidence::assumed, as_nv2a};
   p.subpixel_bits = {4, Evidence::assumed, as_nv2a};
   p.vertex_color_mantissa_bits = {23, Evidence::assumed, "no bit of a float is cut before it is rounded to a byte"};
@@ -210,12 +224,17 @@ consteval HardwareProfile real_numbers(std::string_view name, std::string_view c
 }
 }  // namespace detail
 
+// "geforce2-early-truncation": geforce2 with low bits dropped before the scale, the hypothesis that rule 7 rejects.
 inline constexpr HardwareProfile geforce2_early_truncation = detail::early_truncation();
+// "geforce256-8bit": the less precise card that the article fears; registers keep seven bits and a sign.
 inline constexpr HardwareProfile geforce256_8bit = detail::eight_bit();
+// "nv2a": the Xbox's chip of the GeForce3 class, the one that was measured.
 inline constexpr HardwareProfile nv2a = detail::xbox();
+// "ideal": the extension's equations in exact fractions; what other profiles' errors are measured against.
 inline constexpr HardwareProfile ideal =
     detail::real_numbers("ideal", "none: what the algebra says",
                          {Arithmetic::exact, Evidence::specified, "NV_register_combiners writes real numbers"});
+// "float-shader": the equations in 32-bit floats, as emulators' shaders compute them.
 inline constexpr HardwareProfile float_shader =
     detail::real_numbers("float-shader", "none: emulators that run combiners as float shaders",
                          {Arithmetic::float32, Evidence::assumed, "xemu, MAME, Cxbx-Reloaded compute so"});

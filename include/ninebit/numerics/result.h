@@ -19,10 +19,10 @@ enum class Fault {
 
 // One fault, in one sentence that says what is wrong and what was expected.
 struct Diagnostic {
-  std::string message{};  // no trailing newline, no "error:" prefix
-  std::string file{};     // the file at fault, as the caller named it; empty: none
-  int line = 0;           // 1-based; 0: unknown or not a text file
-  Fault fault = Fault::invalid_input;
+  std::string message{};               // no trailing newline, no "error:" prefix
+  std::string file{};                  // the file at fault, as the caller named it; empty: none
+  int line = 0;                        // 1-based; 0: unknown or not a text file
+  Fault fault = Fault::invalid_input;  // its kind
 
   // "FILE:LINE: MESSAGE", with the parts that are known.
   [[nodiscard]] std::string text() const {
@@ -41,17 +41,23 @@ struct Diagnostic {
 template <class T>
 class [[nodiscard]] Result {
  public:
+  // A good result.
   Result(T value) : content_(std::in_place_index<0>, std::move(value)) {}
+  // A failed one.
   Result(Diagnostic error) : content_(std::in_place_index<1>, std::move(error)) {}
 
+  // Whether there is a value.
   [[nodiscard]] bool ok() const { return content_.index() == 0; }
   explicit operator bool() const { return ok(); }
 
+  // The value; only of a good result.
   [[nodiscard]] const T& value() const& { return std::get<0>(content_); }
   [[nodiscard]] T& value() & { return std::get<0>(content_); }
   [[nodiscard]] T&& value() && { return std::get<0>(std::move(content_)); }
+  // Why there is no value; only of a failed result.
   [[nodiscard]] const Diagnostic& error() const { return std::get<1>(content_); }
 
+  // The value as value() gives it.
   const T* operator->() const { return &value(); }
   T* operator->() { return &value(); }
   const T& operator*() const& { return value(); }
@@ -64,11 +70,15 @@ class [[nodiscard]] Result {
 // The same for an operation without a value: empty means that it was done.
 class [[nodiscard]] Status {
  public:
+  // Done.
   Status() = default;
+  // Not done.
   Status(Diagnostic error) : error_(std::move(error)) {}
 
+  // Whether it was done.
   [[nodiscard]] bool ok() const { return !error_.has_value(); }
   explicit operator bool() const { return ok(); }
+  // Why it was not done; only where ok() is false.
   [[nodiscard]] const Diagnostic& error() const { return error_.value(); }
 
  private:

@@ -3,6 +3,7 @@
    after the word by themselves. Also C99. */
 #pragma once
 
+/* Marks what a shared library shows; nothing with other compilers than GCC and Clang. */
 #if defined(__cplusplus) && defined(__GNUC__)
 #define NINEBIT_PUBLIC [[gnu::visibility("default")]]
 #elif defined(__GNUC__)

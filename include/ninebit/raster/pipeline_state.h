@@ -11,11 +11,17 @@
 
 namespace NINEBIT_PUBLIC ninebit {
 
+// GL_NEVER, GL_LESS, … GL_ALWAYS, numbered in GL's order.
 enum class CompareFunction : std::uint8_t { never, less, equal, lequal, greater, notequal, gequal, always };
+// GL_KEEP, GL_ZERO, …: incr and decr stop at the ends, incr_wrap and decr_wrap (EXT_stencil_wrap) go around.
 enum class StencilOperation : std::uint8_t { keep, zero, replace, incr, decr, invert, incr_wrap, decr_wrap };
+// flat: every fragment has the colours of the primitive's provoking vertex.
 enum class ShadeModel : std::uint8_t { flat, smooth };
+// Which polygons are not drawn; none: GL_CULL_FACE is disabled.
 enum class CullFace : std::uint8_t { none, front, back, front_and_back };
+// The winding of a front face, as seen in the window, y up.
 enum class FrontFace : std::uint8_t { counter_clockwise, clockwise };  // as seen in the window, y up
+// What a polygon draws: points at its vertices, its boundary, or its area.
 enum class PolygonMode : std::uint8_t { point, line, fill };
 
 // `left function right`. The functions are numbered as in GL (GL_NEVER + n), which makes each a set of three bits:
@@ -27,50 +33,52 @@ enum class PolygonMode : std::uint8_t { point, line, fill };
 
 // A rectangle of pixels; x and y name its lower left corner. Width and height are not negative.
 struct PixelRect {
-  int x = 0;
-  int y = 0;
-  int width = 0;
-  int height = 0;
+  int x = 0;       // pixels from the left
+  int y = 0;       // pixels from the lowest row up
+  int width = 0;   // pixels
+  int height = 0;  // pixels
 };
 
+// Fragments go on where `alpha function reference` holds for bytes.
 struct AlphaTest {
-  bool enabled = false;
-  CompareFunction function = CompareFunction::always;
-  std::uint8_t reference = 0;
+  bool enabled = false;                                // GL_ALPHA_TEST
+  CompareFunction function = CompareFunction::always;  // fragment's alpha on the left
+  std::uint8_t reference = 0;                          // on the right
 };
 
 // What the stencil test does with fragments of one facing: (reference & mask) function (stored & mask).
 struct StencilFace {
-  CompareFunction function = CompareFunction::always;
+  CompareFunction function = CompareFunction::always;  // reference on the left
   int reference = 0;  // clamped to [0, 2^s - 1], s being the stencil bits of the target; REPLACE writes it unmasked
-  std::uint8_t mask = 0xFF;
-  std::uint8_t write_mask = 0xFF;
-  StencilOperation fail = StencilOperation::keep;
-  StencilOperation depth_fail = StencilOperation::keep;
-  StencilOperation depth_pass = StencilOperation::keep;
+  std::uint8_t mask = 0xFF;                              // bits that are compared
+  std::uint8_t write_mask = 0xFF;                        // bits that an operation may change
+  StencilOperation fail = StencilOperation::keep;        // where the stencil test fails
+  StencilOperation depth_fail = StencilOperation::keep;  // where it passes and the depth test fails
+  StencilOperation depth_pass = StencilOperation::keep;  // where both pass, or depth is not tested
 };
 
+// The stencil test, for each facing (EXT_stencil_two_side).
 struct StencilTest {
-  bool enabled = false;
+  bool enabled = false;               // GL_STENCIL_TEST
   StencilFace front;                  // also points, lines, and what has no facing
   std::optional<StencilFace> back{};  // back-facing polygons in any polygon mode; empty: the same as front
 };
 
 // While the test is disabled, depth is neither compared nor written.
 struct DepthTest {
-  bool enabled = false;
-  CompareFunction function = CompareFunction::less;
-  bool write = true;
+  bool enabled = false;                              // GL_DEPTH_TEST
+  CompareFunction function = CompareFunction::less;  // fragment's depth on the left, stored depth on the right
+  bool write = true;                                 // GL_DEPTH_WRITEMASK
 };
 
 // factor × m + r × units is added to the depth of a polygon's fragments; the sum is clamped to [0, 1]. m is the
 // polygon's slope in the form of profile.polygon_offset_slope, r one step of the target's depth format.
 struct PolygonOffset {
-  bool fill = false;   // GL_POLYGON_OFFSET_FILL: for polygons in that polygon mode
-  bool line = false;   // GL_POLYGON_OFFSET_LINE
-  bool point = false;  // GL_POLYGON_OFFSET_POINT
-  float factor = 0.0F;
-  float units = 0.0F;
+  bool fill = false;    // GL_POLYGON_OFFSET_FILL: for polygons in that polygon mode
+  bool line = false;    // GL_POLYGON_OFFSET_LINE
+  bool point = false;   // GL_POLYGON_OFFSET_POINT
+  float factor = 0.0F;  // of the slope
+  float units = 0.0F;   // of the depth format's steps
 };
 
 // GL 1.2's factors, those of its imaging subset included. src_color and dst_color are legal on both sides, as NV_blend_
@@ -92,50 +100,52 @@ enum class BlendFactor : std::uint8_t {
   one_minus_constant_alpha,
   src_alpha_saturate  // source only: min(As, 1 - Ad) for colours, 1 for alpha
 };
+// How the two products become one: their sum, a difference, or, without the factors, the smaller or larger colour.
 enum class BlendEquation : std::uint8_t { add, subtract, reverse_subtract, min, max };
 
 // In bytes: (source × factor + destination × factor) / 255, one sum, rounded once to nearest, clamped (rule 19; for
 // other factors than the measured pair inferred). A target without an alpha plane has a destination alpha of 255.
 struct Blend {
-  bool enabled = false;
-  BlendFactor source = BlendFactor::one;
-  BlendFactor destination = BlendFactor::zero;
-  BlendEquation equation = BlendEquation::add;
-  std::array<std::uint8_t, 4> color{};  // the constant colour
+  bool enabled = false;                         // GL_BLEND
+  BlendFactor source = BlendFactor::one;        // of the fragment's colour
+  BlendFactor destination = BlendFactor::zero;  // of the stored colour
+  BlendEquation equation = BlendEquation::add;  // how both are combined
+  std::array<std::uint8_t, 4> color{};          // the constant colour
 };
 
 // The fog registers: its colour is there in any case, the fragments' factors are read while it is enabled.
 struct Fog {
-  bool enabled = false;
-  std::array<std::uint8_t, 3> color{};
+  bool enabled = false;                 // GL_FOG
+  std::array<std::uint8_t, 3> color{};  // red, green, blue
 };
 
+// What a draw depends on. rasterize() reports values outside of the ranges that stand here.
 struct PipelineState {
-  HardwareProfile profile = profiles::geforce2;
+  HardwareProfile profile = profiles::geforce2;  // of the rasterizer; the program has its own arithmetic
 
   std::optional<PixelRect> viewport;  // within the target; empty: the whole target
   float depth_near = 0.0F;            // glDepthRange, each clamped to [0, 1]
-  float depth_far = 1.0F;
+  float depth_far = 1.0F;             // likewise
 
-  ShadeModel shade_model = ShadeModel::smooth;
-  CullFace cull_face = CullFace::none;  // of polygons, before their mode is looked at
-  FrontFace front_face = FrontFace::counter_clockwise;
-  PolygonMode front_mode = PolygonMode::fill;
-  PolygonMode back_mode = PolygonMode::fill;
-  PolygonOffset polygon_offset;
-  int point_size = 1;  // pixels, 1 to 64
-  int line_width = 1;  // pixels, 1 to 64
+  ShadeModel shade_model = ShadeModel::smooth;          // of primary and secondary colours
+  CullFace cull_face = CullFace::none;                  // of polygons, before their mode is looked at
+  FrontFace front_face = FrontFace::counter_clockwise;  // decides facing, and with it culling, modes and stencil
+  PolygonMode front_mode = PolygonMode::fill;           // of front faces
+  PolygonMode back_mode = PolygonMode::fill;            // of back faces
+  PolygonOffset polygon_offset;                         // of polygons in any mode that it names
+  int point_size = 1;                                   // pixels, 1 to 64
+  int line_width = 1;                                   // pixels, 1 to 64
 
-  Fog fog;
+  Fog fog;  // read by programs
   // The register combiners; empty: they are disabled and the fragment's colour is its primary colour.
   std::optional<Program> program;
 
-  std::optional<PixelRect> scissor;  // empty: GL_SCISSOR_TEST is disabled
-  AlphaTest alpha_test;
-  StencilTest stencil_test;
-  DepthTest depth_test;
-  Blend blend;
-  std::array<bool, 4> color_mask{true, true, true, true};
+  std::optional<PixelRect> scissor;                        // empty: GL_SCISSOR_TEST is disabled
+  AlphaTest alpha_test;                                    // the first test
+  StencilTest stencil_test;                                // the second
+  DepthTest depth_test;                                    // the third
+  Blend blend;                                             // of fragments that passed them all
+  std::array<bool, 4> color_mask{true, true, true, true};  // red, green, blue, alpha: which are written
 };
 
 }  // namespace ninebit

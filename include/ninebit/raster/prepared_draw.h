@@ -14,9 +14,9 @@ namespace NINEBIT_PUBLIC ninebit {
 
 // One draw of prepared geometry.
 struct DrawPass {
-  const PipelineState* state = nullptr;
-  VertexArrays arrays{};  // type, positions and indices as they were prepared
-  std::span<const TextureUnit> units{};
+  const PipelineState* state = nullptr;      // not nullptr; agrees with the preparation
+  VertexArrays arrays{};                     // type, positions and indices as they were prepared
+  std::span<const TextureUnit> units{};      // as rasterize() takes them
   std::chrono::nanoseconds* time = nullptr;  // gets the time that threads spent on the pass, together; nullptr: unasked
 };
 

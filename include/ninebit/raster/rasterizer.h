@@ -17,9 +17,11 @@ namespace NINEBIT_PUBLIC ninebit {
 
 using ColorBytes = std::array<std::uint8_t, 4>;  // red, green, blue, alpha
 
+// The most texture units and attributes that a draw may have.
 inline constexpr int kMaxTextureUnits = 4;
 inline constexpr int kMaxAttributes = 4;
 
+// glBegin's modes.
 enum class PrimitiveType : std::uint8_t {
   points,
   lines,
@@ -35,8 +37,8 @@ enum class PrimitiveType : std::uint8_t {
 
 // The vertices of one draw call. The spans must outlive it.
 struct VertexArrays {
-  PrimitiveType type = PrimitiveType::triangles;
-  std::span<const glm::vec3> positions{};
+  PrimitiveType type = PrimitiveType::triangles;  // what the vertices make
+  std::span<const glm::vec3> positions{};         // (x, y, z), w being 1
   // Instead of `positions`: (x, y, z, w) of any w. With w = 0, (x, y, z) is a direction, and the vertex lies at
   // infinity.
   std::span<const glm::vec4> homogeneous_positions{};
@@ -59,6 +61,7 @@ struct VertexArrays {
   // Four floats a vertex, interpolated in perspective, for output planes.
   std::array<std::span<const glm::vec4>, kMaxAttributes> attributes{};
 
+  // Of whichever positions there are.
   [[nodiscard]] std::size_t vertex_count() const {
     return positions.empty() ? homogeneous_positions.size() : positions.size();
   }
@@ -73,7 +76,7 @@ struct VertexArrays {
 // A texture unit: what it samples, and how.
 struct TextureUnit {
   const Texture* texture = nullptr;  // nullptr: the unit is off
-  Sampler sampler;
+  Sampler sampler;                   // how it is read
 };
 
 // Draws the primitives in their order. (Passes over the same geometry from the same view: prepared_draw.h.)
@@ -110,10 +113,11 @@ struct TextureUnit {
 [[nodiscard]] Status rasterize(const PipelineState& state, const glm::mat4& clip_from_object,
                                const VertexArrays& arrays, std::span<const TextureUnit> units, RenderTarget& target);
 
+// Which planes clear() fills.
 struct ClearBuffers {
-  bool color = true;
-  bool depth = true;
-  bool stencil = true;
+  bool color = true;    // GL_COLOR_BUFFER_BIT
+  bool depth = true;    // GL_DEPTH_BUFFER_BIT
+  bool stencil = true;  // GL_STENCIL_BUFFER_BIT
 };
 
 // GL's clear: writes the values into the named planes of the target, through the colour mask, the depth test's `write`

@@ -21,6 +21,7 @@
 
 namespace NINEBIT_PUBLIC ninebit {
 
+// EXT_texture_compression_s3tc's formats; of DXT1 without and with the transparent fourth colour.
 enum class S3tcFormat : std::uint8_t { dxt1_rgb, dxt1_rgba, dxt3, dxt5 };
 
 // Of one block of 4 × 4 texels: 8, or 16 with DXT3 and DXT5.

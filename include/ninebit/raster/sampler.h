@@ -31,6 +31,7 @@
 
 namespace NINEBIT_PUBLIC ninebit {
 
+// Where a texture is shrunk: within a level, then between levels.
 enum class MinFilter : std::uint8_t {
   nearest,
   linear,
@@ -39,16 +40,19 @@ enum class MinFilter : std::uint8_t {
   nearest_mipmap_linear,
   linear_mipmap_linear
 };
+// Where a texture is enlarged.
 enum class MagFilter : std::uint8_t { nearest, linear };
+// What a coordinate outside of [0, 1] reads. clamp mixes in the border's colour where the filter is linear.
 enum class Wrap : std::uint8_t { repeat, clamp, clamp_to_edge, mirrored_repeat };
+// GL_TEXTURE_COMPARE_FUNC: what makes a texel 1, r <= depth or r >= depth; none reads the depth itself.
 enum class DepthComparison : std::uint8_t { none, lequal, gequal };  // r <= depth, r >= depth
 
 // A texture object's parameters and the unit's bias, with GL's defaults.
 struct Sampler {
-  MinFilter min_filter = MinFilter::nearest_mipmap_linear;
-  MagFilter mag_filter = MagFilter::linear;
-  Wrap wrap_s = Wrap::repeat;
-  Wrap wrap_t = Wrap::repeat;
+  MinFilter min_filter = MinFilter::nearest_mipmap_linear;  // above the magnification's end
+  MagFilter mag_filter = MagFilter::linear;                 // at levels of detail up to it
+  Wrap wrap_s = Wrap::repeat;                               // of s
+  Wrap wrap_t = Wrap::repeat;                               // of t
   // Clamped to [0, 1] and stored as the texture's format would: luminance, intensity and depth from red.
   std::array<float, 4> border_color{};
   DepthComparison comparison = DepthComparison::none;  // of depth textures; for others it does nothing
@@ -65,9 +69,9 @@ inline constexpr Sampler kNearestSampler{.min_filter = MinFilter::nearest,
 // changes to the next fragment in x and y are read where a sampler needs_derivatives(); r is read for cube maps and
 // depth comparisons, its changes for cube maps.
 struct TextureCoordinates {
-  std::array<const float*, 3> value{};
-  std::array<const float*, 3> dx{};
-  std::array<const float*, 3> dy{};
+  std::array<const float*, 3> value{};  // of the fragments
+  std::array<const float*, 3> dx{};     // to the fragment on the right
+  std::array<const float*, 3> dy{};     // to the fragment above
 };
 
 // A texture and the way to read it, looked at once a draw. The texture must outlive it. Results depend on the fragment

@@ -24,11 +24,11 @@ inline constexpr int kMaxSurfaceSize = 16384;
 // A view of rows of samples; it owns nothing. An empty plane (data == nullptr) is not drawn into.
 template <class T>
 struct Plane {
-  T* data = nullptr;
-  std::ptrdiff_t stride = 0;  // samples from one row to the next
-  [[nodiscard]] T* row(int y) const { return data + stride * y; }
-  [[nodiscard]] T& at(int x, int y) const { return row(y)[x]; }
-  explicit operator bool() const { return data != nullptr; }
+  T* data = nullptr;                                               // the lowest row's first sample
+  std::ptrdiff_t stride = 0;                                       // samples from one row to the next
+  [[nodiscard]] T* row(int y) const { return data + stride * y; }  // the first sample of row y; nothing is checked
+  [[nodiscard]] T& at(int x, int y) const { return row(y)[x]; }    // nothing is checked
+  explicit operator bool() const { return data != nullptr; }       // whether it is drawn into
 };
 
 // How depth and stencil are stored. A depth code k of m bits stands for the window depth k / (2^m - 1); stencil values
@@ -59,6 +59,7 @@ enum class OutputTime : std::uint8_t {
   at_depth_pass  // by every fragment that would pass the depth test, whatever the alpha and stencil tests say
 };
 
+// A plane of any of the types that OutputSource names.
 using OutputSamples =
     std::variant<Plane<s9>, Plane<std::uint8_t>, Plane<std::uint16_t>, Plane<std::uint32_t>, Plane<Half>, Plane<float>>;
 
@@ -66,38 +67,41 @@ using OutputSamples =
 // concern it, the scissor does. An output_code in bytes is the colour before blending; without a program, the primary
 // colour's own byte.
 struct OutputPlane {
-  OutputSource source = OutputSource::output_code;
-  Register reg = Register::spare0;  // of register_code
-  int attribute = 0;                // of attribute: 0 to kMaxAttributes - 1
-  int component = kRed;
-  OutputTime time = OutputTime::when_drawn;
-  OutputSamples plane{};
+  OutputSource source = OutputSource::output_code;  // what the plane receives
+  Register reg = Register::spare0;                  // of register_code
+  int attribute = 0;                                // of attribute: 0 to kMaxAttributes - 1
+  int component = kRed;                             // of a register, output or attribute: kRed to kAlpha
+  OutputTime time = OutputTime::when_drawn;         // which fragments are written
+  OutputSamples plane{};                            // of the sample type that the source names
 };
+// The most that a target may have.
 inline constexpr std::size_t kMaxOutputPlanes = 32;
 
 struct FragmentProbe;
 
 // Where a draw goes. All planes have the size of the target, and any may be the caller's own memory.
 struct RenderTarget {
-  int width = 0;
-  int height = 0;
+  int width = 0;                               // pixels, 1 to kMaxSurfaceSize
+  int height = 0;                              // pixels, 1 to kMaxSurfaceSize
   std::array<Plane<std::uint8_t>, 4> color{};  // red, green, blue, alpha
-  DepthStencilFormat format = DepthStencilFormat::d24s8;
-  Plane<std::uint32_t> depth{};   // codes of format's depth bits: 0 near, max_depth(format) far
-  Plane<std::uint8_t> stencil{};  // values of format's stencil bits
-  std::vector<OutputPlane> outputs{};
-  FragmentProbe* probe = nullptr;  // not owned; nullptr: no pixel is watched (fragment_probe.h)
+  DepthStencilFormat format =
+      DepthStencilFormat::d24s8;       // of depth and stencil, and of the arithmetic even without their planes
+  Plane<std::uint32_t> depth{};        // codes of format's depth bits: 0 near, max_depth(format) far
+  Plane<std::uint8_t> stencil{};       // values of format's stencil bits
+  std::vector<OutputPlane> outputs{};  // at most kMaxOutputPlanes
+  FragmentProbe* probe = nullptr;      // not owned; nullptr: no pixel is watched (fragment_probe.h)
 };
 
 // What a surface starts with and what clear() writes.
 struct ClearValues {
-  std::array<std::uint8_t, 4> color{};
-  double depth = 1.0;  // clamped to [0, 1], then rounded to the nearest code
-  int stencil = 0;     // its low bits
+  std::array<std::uint8_t, 4> color{};  // red, green, blue, alpha
+  double depth = 1.0;                   // clamped to [0, 1], then rounded to the nearest code
+  int stencil = 0;                      // its low bits
 };
 
+// Which planes a surface has besides colour.
 struct SurfaceFormat {
-  DepthStencilFormat depth_stencil = DepthStencilFormat::d24s8;
+  DepthStencilFormat depth_stencil = DepthStencilFormat::d24s8;  // of its depth, and whether there is stencil
   bool with_primitive = false;  // adds a plane of primitive numbers, 0xFFFFFFFF where nothing was drawn
 };
 
@@ -108,8 +112,10 @@ class Surface {
   // Reports sizes outside 1 to kMaxSurfaceSize.
   [[nodiscard]] static Result<Surface> make(int width, int height, SurfaceFormat format = {});
 
+  // Pixels, as they were asked for.
   [[nodiscard]] int width() const { return width_; }
   [[nodiscard]] int height() const { return height_; }
+  // As it was asked for.
   [[nodiscard]] DepthStencilFormat format() const { return format_; }
 
   // Views of all planes, valid as long as this surface is neither moved from nor destroyed.

@@ -27,9 +27,9 @@ inline constexpr std::array kCubeFaces{CubeFace::positive_x, CubeFace::negative_
 
 // Where a direction meets the cube: the face and the position on it, both in [0, 1].
 struct CubeCoordinate {
-  CubeFace face = CubeFace::positive_x;
-  float s = 0.5F;
-  float t = 0.5F;
+  CubeFace face = CubeFace::positive_x;  // that the direction meets
+  float s = 0.5F;                        // on the face
+  float t = 0.5F;                        // on the face
 };
 
 // The major-axis table of ARB_texture_cube_map; s is (sc / |ma| + 1) × 0.5 in floats, in this order. The extension
@@ -40,12 +40,13 @@ struct CubeCoordinate {
 
 // The six axes of a face in the extension's table: s grows along `s`, t along `t`, the face looks along `major`.
 struct CubeFaceAxes {
-  std::array<int, 3> s;
-  std::array<int, 3> t;
-  std::array<int, 3> major;
+  std::array<int, 3> s;      // x, y, z, each -1, 0 or 1
+  std::array<int, 3> t;      // likewise
+  std::array<int, 3> major;  // likewise
 };
 [[nodiscard]] const CubeFaceAxes& cube_face_axes(CubeFace face);
 
+// One face, or the six of ARB_texture_cube_map.
 enum class TextureTarget : std::uint8_t { texture_2d, cube_map };
 
 // How texels are stored. The last two are beyond the hardware: floats, which reach a combiner register clamped to
@@ -74,10 +75,11 @@ enum class InternalFormat : std::uint8_t {
 // not read. Bytes for the formats ending in 8, 32-bit codes for depth.
 using TexelPlanes = std::variant<std::array<Plane<const std::uint8_t>, 4>, std::array<Plane<const std::uint32_t>, 4>,
                                  std::array<Plane<const Half>, 4>, std::array<Plane<const float>, 4>>;
+// One level of one face.
 struct TextureImage {
-  int width = 0;
-  int height = 0;
-  TexelPlanes planes{};
+  int width = 0;         // texels
+  int height = 0;        // texels
+  TexelPlanes planes{};  // row 0 at t = 0
 };
 
 inline constexpr int kMaxTextureLevels = 15;  // 16384 to 1
@@ -85,12 +87,12 @@ inline constexpr int kMaxTextureLevels = 15;  // 16384 to 1
 // A texture views planes that somebody else owns, such as six surfaces that were drawn, or planes that `storage` keeps
 // alive; copies share it. Level 0 comes first, each next one has half its width and height, at least 1.
 struct Texture {
-  TextureTarget target = TextureTarget::texture_2d;
-  InternalFormat format = InternalFormat::rgb8;
+  TextureTarget target = TextureTarget::texture_2d;  // how many faces there are
+  InternalFormat format = InternalFormat::rgb8;      // of all levels and faces
   std::array<std::vector<TextureImage>, 6> faces{};  // by CubeFace; of texture_2d the first alone
-  std::shared_ptr<const void> storage{};
+  std::shared_ptr<const void> storage{};             // keeps the planes alive; empty: the caller does
 
-  [[nodiscard]] std::size_t face_count() const { return target == TextureTarget::cube_map ? 6 : 1; }
+  [[nodiscard]] std::size_t face_count() const { return target == TextureTarget::cube_map ? 6 : 1; }  // 1 or 6
 };
 
 // Reports what GL would have refused when the texture was made: sides that are no powers of two from 1 to
@@ -109,9 +111,10 @@ struct Texture {
 
 // Samples of one image, row by row from t = 0, plane after plane: those of stored_components in their order.
 struct TextureSamples {
-  int width = 0;
-  int height = 0;
-  std::variant<std::vector<std::uint8_t>, std::vector<std::uint32_t>, std::vector<Half>, std::vector<float>> samples{};
+  int width = 0;   // texels
+  int height = 0;  // texels
+  std::variant<std::vector<std::uint8_t>, std::vector<std::uint32_t>, std::vector<Half>, std::vector<float>>
+      samples{};  // of the format's type
 };
 
 // A texture that owns its samples: faces[face][level]. Reports samples that are too many, too few or of another type

@@ -13,41 +13,46 @@
 
 namespace NINEBIT_PUBLIC ninebit {
 
+// What a surface looks like: its colour, and no more.
 struct Material {
-  std::string name;
+  std::string name;            // the file's; may be empty
   glm::vec3 base_color{0.8F};  // linear factor as the file gives it, each channel in [0, 1]
 };
 
 // A mesh instance: one node of the file with all its triangles, whatever their materials.
 struct SceneObject {
-  std::string name;
-  std::uint32_t first_triangle = 0;
-  std::uint32_t triangle_count = 0;
+  std::string name;                  // the file's; may be empty
+  std::uint32_t first_triangle = 0;  // its number in the scene
+  std::uint32_t triangle_count = 0;  // that many follow each other
 };
 
+// KHR_lights_punctual's kinds.
 enum class LightKind : std::uint8_t { point, spot, directional };
 
+// A light as small as a point.
 struct Light {
-  std::string name;
-  glm::vec3 position{0.0F};  // world space; of a directional light any point that it shines from
-  glm::vec3 color{1.0F};     // relative, each channel in [0, 1]; intensity units of the file are not kept
-  LightKind kind = LightKind::point;
+  std::string name;                        // the file's; may be empty
+  glm::vec3 position{0.0F};                // world space; of a directional light any point that it shines from
+  glm::vec3 color{1.0F};                   // relative, each channel in [0, 1]; intensity units of the file are not kept
+  LightKind kind = LightKind::point;       // what of the rest is read
   glm::vec3 direction{0.0F, -1.0F, 0.0F};  // where a spot or directional light shines to: unit length
   float spot_degrees = 90.0F;              // the whole opening angle of a spot light, in (0, 180)
 };
 
+// A perspective view of the scene.
 struct Camera {
-  glm::vec3 position{0.0F, 0.0F, 1.0F};
-  glm::vec3 look_at{0.0F};             // any point on the view axis, different from position
-  glm::vec3 up{0.0F, 1.0F, 0.0F};      // not parallel to the view axis
-  float vertical_fov_degrees = 50.0F;  // in (0, 180)
+  glm::vec3 position{0.0F, 0.0F, 1.0F};  // world space
+  glm::vec3 look_at{0.0F};               // any point on the view axis, different from position
+  glm::vec3 up{0.0F, 1.0F, 0.0F};        // not parallel to the view axis
+  float vertical_fov_degrees = 50.0F;    // in (0, 180)
 };
 
+// A box with its sides along the axes, in world space.
 struct Bounds {
-  glm::vec3 low{0.0F};
-  glm::vec3 high{0.0F};
-  [[nodiscard]] glm::vec3 center() const { return (low + high) * 0.5F; }
-  [[nodiscard]] float diagonal() const { return glm::length(high - low); }
+  glm::vec3 low{0.0F};                                                      // smallest coordinates
+  glm::vec3 high{0.0F};                                                     // largest coordinates
+  [[nodiscard]] glm::vec3 center() const { return (low + high) * 0.5F; }    // halfway between both
+  [[nodiscard]] float diagonal() const { return glm::length(high - low); }  // the distance between both
 };
 
 // Vertices are shared by index. Every triangle index is < positions.size(); normals has the size of positions; the
@@ -59,10 +64,10 @@ struct Scene {
   std::vector<glm::uvec3> triangles;             // counter-clockwise seen from the front
   std::vector<std::uint32_t> triangle_object;    // for each triangle, an index into objects
   std::vector<std::uint32_t> triangle_material;  // for each triangle, an index into materials
-  std::vector<SceneObject> objects;
-  std::vector<Material> materials;
-  std::vector<Light> lights;    // from the file, in its order; may be empty
-  std::vector<Camera> cameras;  // from the file, in its order; may be empty
+  std::vector<SceneObject> objects;              // in the order of their triangles
+  std::vector<Material> materials;               // at least one where there are triangles
+  std::vector<Light> lights;                     // from the file, in its order; may be empty
+  std::vector<Camera> cameras;                   // from the file, in its order; may be empty
 };
 
 // The smallest axis-parallel box around all positions that a triangle uses; zero for a scene without triangles.

@@ -14,7 +14,7 @@ namespace NINEBIT_PUBLIC ninebit {
 // Reads glTF 2.0 (.gltf, .glb: node hierarchy, materials' base colours, cameras, KHR_lights_punctual),
 // OBJ, PLY, OFF and 3DS. All nodes are flattened into world space. Degenerate triangles are kept: they count as
 // polygons and cover no pixel. Reports, naming the file: missing, empty, truncated or malformed files, no triangles,
-// positions that are NaN or infinite, indices out of range, more than 2^32 - 1 vertices or triangles.
+// positions that are NaN or infinite, indices out of range, more than 2^27 triangles, files beyond docs/limits.md.
 //
 // The triangles keep the file's count and order; polygons are cut into n - 2 triangles. Corners of one object with
 // equal position and normal share a vertex; where the file gives no normal it is the area-weighted mean of the object's
@@ -23,6 +23,7 @@ namespace NINEBIT_PUBLIC ninebit {
 // told from a whole OBJ file, which declares no counts.
 [[nodiscard]] Result<Scene> read_scene(const std::filesystem::path& file);
 
+// Whether a floor is put under the scene.
 enum class FloorChoice {
   automatic,  // a floor below a scene that has neither camera nor light of its own; none otherwise
   none,
@@ -31,25 +32,25 @@ enum class FloorChoice {
 
 // The kinds of light that will do.
 struct LightKinds {
-  bool point = true;
-  bool spot = false;
-  bool directional = false;
-  [[nodiscard]] constexpr bool has(LightKind kind) const {
+  bool point = true;                                        // shines everywhere
+  bool spot = false;                                        // shines into a square pyramid
+  bool directional = false;                                 // shines in one direction
+  [[nodiscard]] constexpr bool has(LightKind kind) const {  // whether it is one of them
     return kind == LightKind::point ? point : kind == LightKind::spot ? spot : directional;
   }
 };
 
 // What the user may override; everything else comes from the file or from a default framing.
 struct SceneSetup {
-  std::optional<glm::vec3> camera;        // world space
-  std::optional<glm::vec3> look_at;       // world space
-  std::optional<float> fov_degrees;       // vertical, from 0.01 to 170
-  std::optional<glm::vec3> light;         // world space
-  LightKinds light_kinds;                 // at least one
-  std::optional<glm::vec3> light_target;  // a point that a spot or directional light shines at
-  std::optional<float> spot_degrees;      // the opening angle of a spot light, from 1 to 170
-  FloorChoice floor = FloorChoice::automatic;
-  float floor_height = 0.0F;  // world y, for FloorChoice::at_height
+  std::optional<glm::vec3> camera;             // world space
+  std::optional<glm::vec3> look_at;            // world space
+  std::optional<float> fov_degrees;            // vertical, from 0.01 to 170
+  std::optional<glm::vec3> light;              // world space
+  LightKinds light_kinds;                      // at least one
+  std::optional<glm::vec3> light_target;       // a point that a spot or directional light shines at
+  std::optional<float> spot_degrees;           // the opening angle of a spot light, from 1 to 170
+  FloorChoice floor = FloorChoice::automatic;  // whether there is one
+  float floor_height = 0.0F;                   // world y, for FloorChoice::at_height
 };
 
 // A scene that can be rendered: exactly one camera and one light, and the floor added as an object named "floor" where

@@ -22,6 +22,7 @@ struct DistanceCode {
   int ramp_bits = 11;        // the ramp has 2^ramp_bits texels; not fewer than codes
   std::uint32_t offset = 0;  // ramp texels by which the camera's ramp lags behind that of the map: the bias
 
+  // Texels of the ramp.
   [[nodiscard]] std::uint32_t ramp_size() const { return std::uint32_t{1} << ramp_bits; }
   // World units of one ramp texel, and of one code.
   [[nodiscard]] double ramp_step() const { return (double{high} - double{low}) / ramp_size(); }
@@ -50,8 +51,8 @@ struct DistanceCode {
 
 // A pass that marks shadow, drawn once for each face of the cube map.
 struct DepthCubeComparison {
-  std::string name;  // "comparison"; with 16 bits "high byte", then "low byte"
-  PipelineState state;
+  std::string name;     // "comparison"; with 16 bits "high byte", then "low byte"
+  PipelineState state;  // marks in the stencil plane alone
 };
 
 // The pipeline state of each pass, in the order of drawing.

@@ -23,6 +23,7 @@ enum class ChannelStorage : std::uint8_t { round, truncate };  // how a componen
 using DepthComponents = std::array<float, 4>;
 using DepthBytes = std::array<std::uint8_t, 4>;
 
+// A way to take a depth apart into components and to put it together again.
 struct DepthPacking {
   std::string_view name;                           // "rgba8-fract"
   std::string_view releases;                       // of three.js

@@ -18,6 +18,7 @@
 
 namespace NINEBIT_PUBLIC ninebit {
 
+// What a pixel should be; background: no triangle is seen there.
 enum class PixelTruth : std::uint8_t { background, lit, shadowed };
 
 // Why a pixel is wrong. docs/techniques/ground-truth.md has the rules in full.
@@ -60,6 +61,7 @@ class GroundTruthScene {
   GroundTruthScene& operator=(GroundTruthScene&& other) noexcept;
 
   struct Rays;
+  // What measure() asks; of no use elsewhere.
   [[nodiscard]] const Rays& rays() const { return *rays_; }
 
  private:

@@ -29,6 +29,7 @@ enum class IndexFormat : std::uint8_t {
 [[nodiscard]] std::string_view name_of(IndexFormat format);
 [[nodiscard]] std::string_view name_of(IndexScope scope);
 
+// The largest distance between the codes of neighbouring indices in a channel.
 inline constexpr int kMaxIndexStep = 16;
 // meshoptimizer's meshlets, which sections are, have at most so many triangles and vertices; it counts triangles in
 // fours.
@@ -44,6 +45,7 @@ class IndexCodes {
   constexpr explicit IndexCodes(int step, IndexFormat format = IndexFormat::rgb)
       : format_(format), step_(static_cast<std::uint32_t>(step)), levels_(255 / step_ + 1) {}
 
+  // As the codes were made.
   [[nodiscard]] constexpr int step() const { return static_cast<int>(step_); }
   [[nodiscard]] constexpr IndexFormat format() const { return format_; }
 
@@ -109,10 +111,10 @@ class IndexCodes {
 
 // How many indices each scope needs in a scene.
 struct IndexCounts {
-  std::uint64_t polygons = 0;
-  std::uint64_t sections = 0;  // 0: not counted
-  std::uint64_t objects = 0;
-  [[nodiscard]] constexpr std::uint64_t of(IndexScope scope) const {
+  std::uint64_t polygons = 0;                                         // the scene's triangles
+  std::uint64_t sections = 0;                                         // 0: not counted
+  std::uint64_t objects = 0;                                          // the scene's objects
+  [[nodiscard]] constexpr std::uint64_t of(IndexScope scope) const {  // those that the scope numbers
     return scope == IndexScope::polygon ? polygons : scope == IndexScope::section ? sections : objects;
   }
 };

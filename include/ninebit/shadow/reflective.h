@@ -17,6 +17,7 @@ namespace NINEBIT_PUBLIC ninebit {
 
 // The light colour of a white light in the flux; the scene's light colour is multiplied by it.
 inline constexpr float kFluxOfWhiteLight = 0.3F;
+// The largest light's view, in texels a side.
 inline constexpr int kMaxReflectiveMapSize = 8192;
 
 // What the light sees: a texel each, rows from t = 0 (the lowest). Texels without a surface hold zeros, and the

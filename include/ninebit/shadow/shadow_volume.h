@@ -10,9 +10,10 @@
 
 namespace NINEBIT_PUBLIC ninebit {
 
+// A draw of all volumes.
 struct VolumePass {
-  std::string_view name;
-  PipelineState state;
+  std::string_view name;  // for reports
+  PipelineState state;    // changes the stencil plane alone
 };
 
 // The passes that count volumes in the stencil buffer, over the depth that the camera sees: neither colour nor depth is

@@ -32,9 +32,11 @@ using Progress = std::function<bool(std::string_view pass, double done)>;
 struct Layer {
   std::string part;     // what it belongs to: "spare0", "depth_cube"
   std::string channel;  // "R"; of a cube map the face: "+X"
-  int width = 0;
-  int height = 0;
-  std::variant<std::vector<s9>, std::vector<std::uint8_t>, std::vector<std::uint32_t>, std::vector<Half>,
+  int width = 0;        // samples a row
+  int height = 0;       // rows
+  // width × height of one type.
+  std::variant<std::vector<s9>, std::vector<std::uint8_t>, std::vector<std::uint32_t>,
+               std::vector<Half>,  // width * height
                std::vector<float>>
       samples{};
 };
@@ -42,13 +44,13 @@ struct Layer {
 // A picture for people, upright.
 struct NamedPicture {
   std::string file;  // "error.png"
-  Image8 image;
+  Image8 image;      // the top row first
 };
 
 // Something that a technique counted or measured besides the pixels, such as "open_edges".
 struct Fact {
-  std::string name;
-  std::variant<std::uint64_t, double, std::string> value;
+  std::string name;                                        // a key of the JSON report
+  std::variant<std::uint64_t, double, std::string> value;  // a count, a measure or a list in words
 };
 
 // What each pixel's shadow was decided by, for the judge of ground_truth.h; lowest row first.
@@ -76,8 +78,8 @@ struct PassTimes {
 // One face of the index cube map: planes of size × size texels, row 0 at t = 0, for red, green, blue and alpha; those
 // that the map's format does not store are empty. A luminance stands in red.
 struct IndexMapFace {
-  int size = 0;
-  std::array<std::vector<std::uint8_t>, 4> color;
+  int size = 0;                                    // texels a side
+  std::array<std::vector<std::uint8_t>, 4> color;  // size × size each, or empty
 
   // A texel as IndexCodes::number reads it.
   [[nodiscard]] ColorBytes texel(std::size_t i) const {
@@ -92,12 +94,12 @@ struct PickedIndex {
   std::uint32_t number = 0;                // the index's code number; 0: the background
   std::optional<std::uint32_t> polygon{};  // with IndexScope::polygon
   std::optional<std::uint32_t> section{};  // with IndexScope::section
-  std::optional<std::uint32_t> object{};
+  std::optional<std::uint32_t> object{};   // empty: the background
 };
 
 // What one of the camera's passes drew at the pixel that the settings watch.
 struct ProbedPass {
-  std::string name;
+  std::string name;                       // of the pass, such as "comparison"
   std::optional<Program> program;         // none: the register combiners are disabled
   std::vector<ProbedFragment> fragments;  // in drawing order; `primitive` is the number of the scene's triangle
 };
@@ -106,22 +108,24 @@ struct ProbedPass {
 // passes the depth test; nullptr if there is none either.
 [[nodiscard]] const ProbedFragment* deciding_fragment(const ProbedPass& pass);
 
+// What a technique made of a scene.
 struct Rendering {
   Surface frame;                                        // colour, depth and stencil: a stencil of 0 is light
   std::uint64_t background = 0, lit = 0, shadowed = 0;  // pixels of the frame
-  IndexCodes codes{2};
+  IndexCodes codes{2};                                  // in which index_map is to be read
   std::uint64_t codes_used = 0;           // polygons, objects or sections with an index; the cleared map is not counted
   std::vector<IndexMapFace> index_map{};  // six faces in the order of CubeFace; empty without indices
   std::deque<Layer> layers{};             // of the frame, with settings.layers: a layer never moves once it is there
   std::deque<Layer> maps{};               // what the light drew, besides index_map
   std::vector<NamedPicture> pictures{};   // besides those of every rendering
-  std::vector<Fact> facts{};
+  std::vector<Fact> facts{};              // in the order of reports
   std::optional<ShadowEvidence> evidence{};  // with settings.evidence, of techniques that draw shadows
   std::vector<ProbedPass> probed{};          // in the order of drawing; empty unless a pixel was watched
   std::optional<PickedIndex> picked{};       // with settings.pick, by techniques that draw indices
-  PassTimes times{};
+  PassTimes times{};                         // of the whole rendering
 };
 
+// A way to draw shadows: an entry of the table techniques().
 struct Technique {
   std::string_view name;     // as `ninebit render --technique` takes it
   std::string_view summary;  // one line

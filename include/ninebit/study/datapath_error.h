@@ -20,9 +20,9 @@ namespace NINEBIT_PUBLIC ninebit {
 
 // What a general combiner does to a wide value before it is narrowed: one of the six legal pairs of scale and bias.
 struct OutputForm {
-  Scale scale = Scale::none;
-  Bias bias = Bias::none;
-  std::string_view name;
+  Scale scale = Scale::none;  // after the bias
+  Bias bias = Bias::none;     // before the scale
+  std::string_view name;      // "-1/2, x2"
 };
 inline constexpr std::array kOutputForms{OutputForm{Scale::none, Bias::none, "x1"},
                                          OutputForm{Scale::by_two, Bias::none, "x2"},

@@ -35,7 +35,7 @@ inline constexpr std::array kDepthSets{DepthSet::bits16, DepthSet::bits24, Depth
 
 // An error is what a depth reads as, less the depth: both are floats, the difference is exact.
 struct RoundTripError {
-  std::uint64_t depths = 0;
+  std::uint64_t depths = 0;      // how many the set has
   std::uint64_t exact = 0;       // those that come back to the bit
   std::uint64_t distinct = 0;    // different floats that come back
   std::uint64_t inversions = 0;  // neighbours of the set of which the larger one comes back as the smaller
@@ -44,8 +44,8 @@ struct RoundTripError {
   double mean_bias = 0.0;        // mean with its sign
   float worst_depth = 0.0F;      // the first of them with that error
   float worst_back = 0.0F;       // what it reads as
-  float zero_back = 0.0F;        // what 0 and 1 read as
-  float one_back = 0.0F;
+  float zero_back = 0.0F;        // what 0 reads as
+  float one_back = 0.0F;         // what 1 reads as
 };
 
 // Over all depths of a set. The same for any number of threads. Reports Fault::cancelled where go_on says no.
@@ -54,17 +54,18 @@ struct RoundTripError {
 
 // What becomes of a depth of two digits in base 256, `highest` and `second`: (highest + second / 256) / 256.
 struct TwoDigits {
-  int highest_byte = 0;  // as stored, the most significant component and the next
-  int second_byte = 0;
-  double shift = 0.0;  // the error in steps of the second digit, 1/65536
+  int highest_byte = 0;  // the most significant component as it is stored
+  int second_byte = 0;   // likewise the next one
+  double shift = 0.0;    // the error in steps of the second digit, 1/65536
 };
 [[nodiscard]] TwoDigits store_two_digits(const DepthPacking& packing, ChannelStorage storage, int highest, int second);
 
+// What the study is made over: all combinations of the lists.
 struct DepthPackingOptions {
-  std::vector<std::string> packings;  // names of depth_packings()
-  std::vector<ChannelStorage> storages;
-  std::vector<DepthSet> sets;
-  std::uint32_t float_step = 64;
+  std::vector<std::string> packings;     // names of depth_packings()
+  std::vector<ChannelStorage> storages;  // how components become bytes
+  std::vector<DepthSet> sets;            // which depths
+  std::uint32_t float_step = 64;         // of DepthSet::floats, 1 or more
 };
 
 // Everything: all packings, storages and sets.

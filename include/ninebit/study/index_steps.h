@@ -37,7 +37,7 @@ inline constexpr std::array kStudyFormats{StudyFormat::channel, StudyFormat::rgb
 
 // A form of the article's program.
 struct IndexVariant {
-  std::string_view name;
+  std::string_view name;          // "both-x4"
   Scale first = Scale::by_four;   // of the differences
   Scale second = Scale::by_four;  // of their squares
   // Each digit has a comparison of its own, and the indices count as different where one of them says so. Otherwise the
@@ -52,6 +52,7 @@ struct IndexVariant {
 [[nodiscard]] Result<CombinerState> index_variant_state(const HardwareProfile& profile, StudyFormat format,
                                                         const IndexVariant& variant);
 
+// How many pairs of indices a comparison cannot tell apart.
 struct FalseMatches {
   std::uint64_t codes = 0;          // indices of this format and step, number 0 included
   std::uint64_t pairs = 0;          // ordered pairs of two different ones
@@ -64,12 +65,13 @@ struct FalseMatches {
                                                        StudyFormat format, int step, bool separate = false,
                                                        const GoOn& go_on = {});
 
+// One row of the study.
 struct IndexStepRow {
-  std::string profile;
-  StudyFormat format = StudyFormat::channel;
-  std::string variant;
-  int step = 1;
-  FalseMatches count;
+  std::string profile;                        // its name
+  StudyFormat format = StudyFormat::channel;  // of the indices
+  std::string variant;                        // its name
+  int step = 1;                               // between indices, 1 to 255
+  FalseMatches count;                         // over all pairs
 };
 
 // The smallest step of the rows with that profile, format and variant from which on no step loses a pair; empty if the
@@ -83,13 +85,15 @@ struct IndexProgram {
   std::vector<CombinerState> states;  // one for each profile
 };
 
+// What the study is made over: all combinations of the lists.
 struct IndexStepsOptions {
-  std::vector<HardwareProfile> profiles;
+  std::vector<HardwareProfile> profiles;       // at least one
   std::shared_ptr<const void> profile_text{};  // what owns their strings, where these do not live for the whole run
-  std::vector<StudyFormat> formats{kStudyFormats.begin(), kStudyFormats.end()};
-  std::vector<IndexVariant> variants{index_variants().begin(), index_variants().end()};
-  int first_step = 1, last_step = 16;  // 1 to 255
-  std::optional<IndexProgram> program{};
+  std::vector<StudyFormat> formats{kStudyFormats.begin(), kStudyFormats.end()};  // at least one
+  std::vector<IndexVariant> variants{index_variants().begin(),
+                                     index_variants().end()};  // not read where there is a program
+  int first_step = 1, last_step = 16;                          // 1 to 255
+  std::optional<IndexProgram> program{};                       // instead of the variants
   // How the question names the profiles, and the contents of files that were read; the other options are added to it.
   StudyQuestion question{.study = "index-steps", .profile = "all"};
 };

@@ -25,8 +25,8 @@ namespace NINEBIT_PUBLIC ninebit {
 
 // One component of a register.
 struct RegisterComponent {
-  Register reg = Register::zero;
-  int component = kRed;
+  Register reg = Register::zero;  // one that holds a value
+  int component = kRed;           // kRed to kAlpha
   // As tables name it: "tex0.r".
   [[nodiscard]] std::string name() const;
   friend bool operator==(const RegisterComponent&, const RegisterComponent&) = default;
@@ -36,7 +36,7 @@ struct RegisterComponent {
 // alpha of textures and fog, which read one, spare0's alpha, which reads texture 0's, and constants, which are the
 // program's; a constant among the components replaces it in every stage.
 struct ProgramInputs {
-  std::vector<RegisterComponent> components;
+  std::vector<RegisterComponent> components;  // at least one
   // A code for each component, fragment after fragment. Nothing: all combinations of the components' values, the last
   // component changing fastest; from 0 to one, what a byte can bring, and of spare0 and spare1 from lowest to one.
   std::optional<std::vector<s9>> codes{};

@@ -39,10 +39,12 @@ struct StudyQuestion {
   friend bool operator==(const StudyQuestion&, const StudyQuestion&) = default;
 };
 
+// A question that can be answered in pieces.
 class Study {
  public:
   virtual ~Study() = default;
 
+  // What was asked; valid as long as the study.
   [[nodiscard]] virtual const StudyQuestion& question() const = 0;
   // Units are numbered from 0 and take seconds at most, where the work allows.
   [[nodiscard]] virtual std::size_t units() const = 0;

@@ -24,7 +24,7 @@ namespace NINEBIT_PUBLIC ninebit {
 // Which units a run does: those whose number leaves the remainder index - 1 when divided by count.
 struct Shard {
   std::size_t index = 1;  // 1 to count
-  std::size_t count = 1;
+  std::size_t count = 1;  // shards of the whole
   friend bool operator==(const Shard&, const Shard&) = default;
 };
 
@@ -33,23 +33,25 @@ struct Shard {
 
 // What a part says of itself in its first line.
 struct PartHeader {
-  StudyQuestion question;
-  std::string build;      // tells builds of the program apart: parts of two builds are not joined
-  std::size_t units = 0;  // of the whole study
-  Shard shard;
+  StudyQuestion question;  // what the rows answer
+  std::string build;       // tells builds of the program apart: parts of two builds are not joined
+  std::size_t units = 0;   // of the whole study
+  Shard shard;             // whose units these are
   friend bool operator==(const PartHeader&, const PartHeader&) = default;
 };
 
+// A unit that was run to its end.
 struct FinishedUnit {
-  std::size_t unit = 0;
-  std::vector<StudyRow> rows;
+  std::size_t unit = 0;        // its number in the study
+  std::vector<StudyRow> rows;  // in its order
 };
 
+// A part as it was read.
 struct StudyPart {
-  std::filesystem::path file;  // that it stands in
-  PartHeader header;
-  std::vector<FinishedUnit> units;
-  bool complete = false;  // has its last line
+  std::filesystem::path file;       // that it stands in
+  PartHeader header;                // its first line
+  std::vector<FinishedUnit> units;  // in the order of their ending
+  bool complete = false;            // has its last line
 };
 
 // Reads a part. Reports, with file and line, what is no part, damaged (a hash that does not fit, a line that is not the
@@ -59,6 +61,7 @@ struct StudyPart {
 // What a run is told between units: what comes next, and how much is done (0 to 1). False ends the work.
 using StudyProgress = std::function<bool(const std::string& unit, double done)>;
 
+// What may end a run early.
 struct PartLimits {
   std::optional<double> seconds{};  // no unit is begun after so many; the part then stays incomplete
   GoOn go_on{};                     // asked within units

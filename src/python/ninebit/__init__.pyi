@@ -69,3 +69,18 @@ def render(
     fov: float | None = None,
     light: Point | None = None,
 ) -> Rendering: ...
+def index_steps_study(
+    *,
+    profiles: Sequence[str] | None = None,
+    formats: Sequence[Literal["channel", "rgb", "la", "l", "a"]] | None = None,
+    variants: Sequence[str] | None = None,
+    steps: tuple[int, int] = (1, 16),
+) -> dict[str, NDArray[np.void]]: ...
+def datapath_study(*, profiles: Sequence[str] | None = None) -> dict[str, NDArray[np.void]]: ...
+def depth_packing_study(
+    *,
+    packings: Sequence[str] | None = None,
+    storages: Sequence[Literal["round", "truncate"]] | None = None,
+    sets: Sequence[Literal["16", "24", "floats"]] | None = None,
+    float_step: int = 64,
+) -> dict[str, NDArray[np.void]]: ...
