@@ -19,7 +19,7 @@
 #include "ninebit/image/image_io.h"
 #include "src/image/exr_blocks.h"
 #include "src/image/faults.h"
-#include "src/image/posix_file.h"
+#include "src/image/posix.h"
 
 namespace ninebit {
 

@@ -3,6 +3,7 @@
 #include <new>
 #include <string>
 
+#include "src/image/posix.h"
 #include "src/tools/build_facts.h"
 #include "src/tools/program.h"
 #include "src/tools/usage.h"
@@ -43,7 +44,7 @@ int run(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   using namespace ninebit::tools;
-  guard_streams();
+  ninebit::posix::guard_streams();
   try {
     return run(argc, argv);
   } catch (const std::bad_alloc&) {
