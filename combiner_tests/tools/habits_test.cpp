@@ -2,6 +2,7 @@
 // completions that tell of every verb and flag.
 #include <fcntl.h>
 #include <gtest/gtest.h>
+#include <poll.h>
 #include <unistd.h>
 
 #include <cstdlib>
@@ -61,9 +62,14 @@ std::string seen_on_a_terminal(const std::vector<std::string>& arguments) {
   // Held open, so that what was written is not lost when the program ends.
   const int held = ::open(::ptsname(terminal), O_RDWR | O_NOCTTY);
   (void)ninebit(arguments, {.err = ::ptsname(terminal)});
-  std::string seen(4096, '\0');
-  const ssize_t count = ::read(terminal, seen.data(), seen.size());
-  seen.resize(count > 0 ? static_cast<std::size_t>(count) : 0);
+  // Up to the line's end: a terminal hands on piece by piece, and late, what was written to it.
+  std::string seen;
+  for (pollfd wait{terminal, POLLIN, 0}; seen.find('\n') == std::string::npos && ::poll(&wait, 1, 10000) > 0;) {
+    char piece[4096];
+    const ssize_t count = ::read(terminal, piece, sizeof piece);
+    if (count <= 0) break;
+    seen.append(piece, static_cast<std::size_t>(count));
+  }
   ::close(held);
   ::close(terminal);
   return seen;
