@@ -39,10 +39,9 @@ const std::vector<Library> kLibraries{
     {std::regex("openssl/.*"), {"study"}},
     {std::regex("pybind11/.*"), {"python"}},
     {std::regex("nlohmann/.*"), {"language", "scene", "study", "tools"}},
-    {std::regex("unistd\\.h|fcntl\\.h|poll\\.h|sys/.*"), {"image", "tools"}},
-    {std::regex("dlfcn\\.h"), {"image", "bench"}},
+    {std::regex("(dlfcn|fcntl|poll|stdlib|unistd)\\.h|sys/.*"), {"image"}},  // there in one file: posix_test.cpp
     {std::regex("stddef\\.h|stdint\\.h"), {"capi"}},
-    {std::regex("benchmark/.*|EGL/.*|GL/glcorearb\\.h|stdlib\\.h"), {"bench"}},
+    {std::regex("benchmark/.*|EGL/.*|GL/glcorearb\\.h"), {"bench"}},
 };
 
 // The room that a path of ours belongs to: "ninebit/ROOM/…" or "src/ROOM/…".

@@ -4,10 +4,10 @@
 #define EGL_EGL_PROTOTYPES 0
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
-#include <dlfcn.h>
-#include <stdlib.h>
 
 #include <array>
+
+#include "src/image/posix.h"
 
 // Of the leak sanitizer, where the program is built with it.
 extern "C" {
@@ -46,7 +46,7 @@ class Context final : public EglContext {
 
   Status open() {
     const DriverCode driver_code;
-    library_ = dlopen("libEGL.so.1", RTLD_NOW | RTLD_LOCAL);
+    library_ = posix::load_library("libEGL.so.1");
     if (library_ == nullptr) return fault("there is no EGL on this machine; install libegl1");
     PFNEGLGETPLATFORMDISPLAYPROC get_platform_display = nullptr;
     PFNEGLINITIALIZEPROC initialize = nullptr;
@@ -81,7 +81,7 @@ class Context final : public EglContext {
 
   template <class Entry>
   bool load(Entry& entry, const char* name) {
-    entry = reinterpret_cast<Entry>(dlsym(library_, name));
+    entry = reinterpret_cast<Entry>(posix::find_symbol(library_, name));
     return entry != nullptr;
   }
 
@@ -104,11 +104,11 @@ DriverCode::~DriverCode() {
 }
 
 Result<std::unique_ptr<EglContext>> EglContext::make(int threads) {
-  setenv("LIBGL_ALWAYS_SOFTWARE", "true", 1);
-  setenv("GALLIUM_DRIVER", "llvmpipe", 1);
-  setenv("LP_NUM_THREADS", std::to_string(threads).c_str(), 1);
+  posix::set_environment("LIBGL_ALWAYS_SOFTWARE", "true");
+  posix::set_environment("GALLIUM_DRIVER", "llvmpipe");
+  posix::set_environment("LP_NUM_THREADS", std::to_string(threads));
   // Nothing is left behind in the user's home; shaders are compiled before anything is timed.
-  setenv("MESA_SHADER_CACHE_DISABLE", "true", 1);
+  posix::set_environment("MESA_SHADER_CACHE_DISABLE", "true");
   auto context = std::make_unique<Context>();
   if (Status opened = context->open(); !opened) return opened.error();
   return std::unique_ptr<EglContext>(std::move(context));

@@ -8,7 +8,6 @@
 #include <ImfStandardAttributes.h>
 #include <ImfThreading.h>
 #include <fmt/format.h>
-#include <sys/resource.h>
 
 #include <algorithm>
 #include <exception>
@@ -23,7 +22,7 @@
 #include "ninebit/image/image_io.h"
 #include "src/image/exr_blocks.h"
 #include "src/image/faults.h"
-#include "src/image/posix_file.h"
+#include "src/image/posix.h"
 
 namespace ninebit {
 
@@ -133,8 +132,7 @@ Status write_checked(const std::filesystem::path& file, const Write& write) {
 // Whether so many threads more can run at once. In a limited address space none is tried: what the memory of one leaves
 // for the next cannot be told.
 bool can_start(int threads) {
-  rlimit space{};
-  if (::getrlimit(RLIMIT_AS, &space) != 0 || space.rlim_cur != RLIM_INFINITY) return false;
+  if (posix::is_address_space_limited()) return false;
   std::promise<void> end;
   const std::shared_future<void> ended = end.get_future().share();
   std::vector<std::thread> started;

@@ -1,6 +1,5 @@
 #include "src/image/picture_loader.h"
 
-#include <dlfcn.h>
 #include <fmt/format.h>
 
 #include <string_view>
@@ -8,6 +7,7 @@
 
 #include "src/image/faults.h"
 #include "src/image/picture_module.h"
+#include "src/image/posix.h"
 
 namespace ninebit::image_detail {
 namespace {
@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 
 Result<fs::path> find_module() {
   std::error_code error;
-  const fs::path program = fs::read_symlink("/proc/self/exe", error);
+  const fs::path program = fs::read_symlink(posix::program_file(), error);
   if (error) {
     return Diagnostic{fmt::format("the program's own path, beside which {} is looked for, is unknown: {}",
                                   kPictureModuleFile, error.message())};
@@ -39,13 +39,13 @@ struct PictureModule {
 Result<PictureModule> load_module() {
   const auto path = find_module();
   if (!path) return path.error();
-  void* const module = ::dlopen(path->c_str(), RTLD_NOW | RTLD_LOCAL);
+  void* const module = posix::load_library(*path);
   if (module == nullptr) {
     return Diagnostic{fmt::format("the module {}, which reads pictures other than DDS, cannot be loaded: {}",
-                                  path->string(), ::dlerror())};
+                                  path->string(), posix::library_error())};
   }
-  const auto build = reinterpret_cast<const char* (*)()>(::dlsym(module, kPictureBuildSymbol));
-  const auto read = reinterpret_cast<PictureModuleRead>(::dlsym(module, kPictureReadSymbol));
+  const auto build = reinterpret_cast<const char* (*)()>(posix::find_symbol(module, kPictureBuildSymbol));
+  const auto read = reinterpret_cast<PictureModuleRead>(posix::find_symbol(module, kPictureReadSymbol));
   if (build == nullptr || read == nullptr || std::string_view(build()) != kPictureModuleBuild) {
     return Diagnostic{
         fmt::format("the module {} is not of this build of the program ({})", path->string(), kPictureModuleBuild)};

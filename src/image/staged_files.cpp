@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "src/image/faults.h"
-#include "src/image/posix_file.h"
+#include "src/image/posix.h"
 
 namespace ninebit {
 

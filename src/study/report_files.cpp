@@ -6,7 +6,7 @@
 #include <set>
 
 #include "ninebit/image/staged_files.h"
-#include "src/image/posix_file.h"
+#include "src/image/posix.h"
 #include "src/study/plot_picture.h"
 #include "src/study/report_colors.h"
 

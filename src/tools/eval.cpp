@@ -1,12 +1,12 @@
 // `ninebit eval`: a program over the rows of a table of register codes.
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <charconv>
 #include <memory>
 #include <optional>
 #include <utility>
 
+#include "src/image/posix.h"
 #include "src/tools/eval_engine.h"
 #include "src/tools/output_file.h"
 #include "src/tools/program_file.h"
@@ -137,7 +137,7 @@ int run(const EvalFlags& flags) {
   const auto state = load_program(flags.program, profile_of(flags.common), exit_code);
   if (!state) return exit_code;
 
-  std::optional<ProgressLine> progress(std::in_place, flags.common.quiet || ::isatty(STDOUT_FILENO) != 0);
+  std::optional<ProgressLine> progress(std::in_place, flags.common.quiet || posix::is_terminal(posix::kStandardOutput));
   const auto total = evaluate_table(flags, *state, *progress);
   progress.reset();
   if (!total) return report(total.error());

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "ninebit/numerics/result.h"
+#include "src/image/posix.h"
 #include "src/tools/program.h"
 
 namespace ninebit::tools {
@@ -15,12 +16,6 @@ class InputFile {
   // "-" is standard input. A folder is refused here, too.
   [[nodiscard]] static Result<InputFile> open(const std::string& path);
 
-  InputFile(InputFile&& other) noexcept;
-  InputFile& operator=(InputFile&&) = delete;
-  InputFile(const InputFile&) = delete;
-  InputFile& operator=(const InputFile&) = delete;
-  ~InputFile();
-
   [[nodiscard]] const std::string& name() const { return name_; }
 
   // The next bytes, valid until the next call; empty at the end. With `stoppable`, for verbs that have a ProgressLine,
@@ -28,10 +23,10 @@ class InputFile {
   [[nodiscard]] Result<std::string_view> read(bool stoppable = false);
 
  private:
-  explicit InputFile(std::string name, int descriptor);
+  InputFile(std::string name, posix::Stream stream);
 
   std::string name_;
-  int descriptor_ = -1;
+  posix::Stream stream_;
   std::vector<char> buffer_;
 };
 

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <system_error>
 
+#include "src/image/posix.h"
 #include "src/tools/build_facts.h"
 #include "src/tools/program.h"
 #include "src/tools/usage.h"
@@ -52,7 +53,7 @@ bool lacks_threads(const std::exception& error) {
 
 int main(int argc, char** argv) {
   using namespace ninebit::tools;
-  guard_streams();
+  ninebit::posix::guard_streams();
   try {
     return run(argc, argv);
   } catch (const std::bad_alloc&) {

@@ -7,6 +7,7 @@
 
 #include "ninebit/image/staged_files.h"
 #include "ninebit/numerics/result.h"
+#include "src/image/posix.h"
 
 namespace ninebit::tools {
 
@@ -16,20 +17,14 @@ class OutputFile {
   // takes its name in finish(), through symbolic links, so that an older one stays whole until then.
   [[nodiscard]] static Result<OutputFile> open(const std::string& path);
 
-  OutputFile(OutputFile&& other) noexcept;
-  OutputFile& operator=(OutputFile&&) = delete;
-  OutputFile(const OutputFile&) = delete;
-  OutputFile& operator=(const OutputFile&) = delete;
-  ~OutputFile();
-
   [[nodiscard]] Status write(std::string_view bytes);
   [[nodiscard]] Status finish();
 
  private:
-  OutputFile(std::string name, int descriptor, std::optional<StagedFiles> staged);
+  OutputFile(std::string name, posix::Stream stream, std::optional<StagedFiles> staged);
 
   std::string name_;
-  int descriptor_ = -1;
+  posix::Stream stream_;
   std::optional<StagedFiles> staged_;
 };
 

@@ -1,11 +1,8 @@
 #include "src/tools/program.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
@@ -13,6 +10,7 @@
 #include <system_error>
 #include <utility>
 
+#include "src/image/posix.h"
 #include "src/tools/input_file.h"
 #include "src/tools/nearest_name.h"
 
@@ -20,8 +18,6 @@ namespace ninebit::tools {
 namespace {
 
 volatile std::sig_atomic_t interrupted = 0;
-
-constexpr std::array kInterrupts{SIGINT, SIGTERM, SIGHUP};
 
 // The second signal ends the program at once: outputs that are not complete have temporary names.
 extern "C" void on_interrupt(int signal) {
@@ -84,26 +80,16 @@ const HardwareProfile& profile_of(const CommonFlags& flags) {
   return flags.own_profile ? flags.own_profile->profile : *find_profile(flags.profile);
 }
 
-void guard_streams() {
-  std::signal(SIGXFSZ, SIG_IGN);
-  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
-    if (::fcntl(stream, F_GETFD) >= 0) continue;
-    // Writing to a closed stdout stays an error, to a closed stderr it is none. open() takes the lowest free number,
-    // and if it fails there is nothing better to do.
-    (void)::open("/dev/null", stream == STDERR_FILENO ? O_WRONLY : O_RDONLY);
-  }
-}
-
 bool wants_colors(int stream) {
   const char* const no_color = std::getenv("NO_COLOR");
-  return ::isatty(stream) != 0 && (no_color == nullptr || *no_color == '\0');
+  return posix::is_terminal(stream) && (no_color == nullptr || *no_color == '\0');
 }
 
 void say(const std::string& text) noexcept {
   // Piece by piece, so that nothing has to be allocated to say that memory has run out.
   constexpr std::string_view kError = "ninebit: error:", kRed = "\x1b[1;31m", kPlain = "\x1b[0m";
   const auto write = [](std::string_view piece) { std::fwrite(piece.data(), 1, piece.size(), stderr); };
-  const bool colored = wants_colors(STDERR_FILENO);
+  const bool colored = wants_colors(posix::kStandardError);
   for (std::string_view rest = text; !rest.empty();) {
     const std::string_view line = rest.substr(0, std::min(rest.find('\n'), rest.size() - 1) + 1);
     rest.remove_prefix(line.size());
@@ -138,8 +124,8 @@ int report(const Diagnostic& diagnostic) {
   return kInvalidInput;
 }
 
-ProgressLine::ProgressLine(bool quiet) : visible_(!quiet && isatty(STDERR_FILENO) != 0) {
-  for (const int signal : kInterrupts) std::signal(signal, on_interrupt);
+ProgressLine::ProgressLine(bool quiet) : visible_(!quiet && posix::is_terminal(posix::kStandardError)) {
+  for (const int signal : posix::interrupts()) std::signal(signal, on_interrupt);
 }
 
 ProgressLine::~ProgressLine() {

@@ -51,10 +51,6 @@ void add_common_flags(CLI::App& verb, CommonFlags& flags);
 // The profile that add_common_flags has checked. Valid as long as the flags.
 [[nodiscard]] const HardwareProfile& profile_of(const CommonFlags& flags);
 
-// To be called first: output beyond a limit becomes an error instead of a signal, and a standard stream that the caller
-// closed does not lend its number to an output file, which would then receive the messages.
-void guard_streams();
-
 // Whether text that goes to the stream of this number is to be coloured: it is a terminal, and NO_COLOR is not set.
 [[nodiscard]] bool wants_colors(int stream);
 

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "ninebit/study/report_files.h"
+#include "src/image/posix.h"
 #include "src/study/part_text.h"
 #include "src/study/sha256.h"
 #include "src/tools/scene_flags.h"
@@ -19,7 +20,7 @@ namespace {
 
 // Tells builds apart: two programs that differ in a byte are two. Their parts are not joined, whatever they say.
 std::string build_of_program() {
-  std::ifstream program("/proc/self/exe", std::ios::binary);
+  std::ifstream program(posix::program_file(), std::ios::binary);
   Sha256 hash;
   std::vector<char> piece(1 << 16);
   while (program.read(piece.data(), static_cast<std::streamsize>(piece.size())), program.gcount() > 0) {

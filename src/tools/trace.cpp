@@ -2,12 +2,12 @@
 #include "ninebit/combiner/trace.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <memory>
 #include <optional>
 
 #include "ninebit/language/trace_json.h"
+#include "src/image/posix.h"
 #include "src/tools/eval_engine.h"
 #include "src/tools/pixel_flag.h"
 #include "src/tools/program_file.h"
@@ -45,8 +45,8 @@ int print(const TraceFlags& flags, const std::optional<TracedPixel>& pixel, cons
   std::string text = pixel ? pixel_text(*pixel, flags.scene) : "";
   if (traced) {
     if (!flags.program.file.empty()) text += fmt::format("program {}, ", flags.program.file);
-    text +=
-        fmt::format("profile {}\n", flags.common.profile) + trace_text(*program, *traced, wants_colors(STDOUT_FILENO));
+    text += fmt::format("profile {}\n", flags.common.profile) +
+            trace_text(*program, *traced, wants_colors(posix::kStandardOutput));
   }
   return answer(text);
 }

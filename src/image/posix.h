@@ -1,11 +1,12 @@
-// Output files whose every error is kept until somebody looks. The only file of this room that speaks POSIX is its
-// .cpp.
+// What the standard library does not have of the system: its .cpp is the only file of ninebit that speaks POSIX.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <span>
+#include <string>
+#include <string_view>
 #include <system_error>
 #include <vector>
 
@@ -13,8 +14,9 @@
 
 namespace ninebit::image_detail {
 
-// A file being written. The first error sticks: whatever the libraries in between do with a failed write, close()
-// reports it. A file that was not closed without error is removed by the destructor, if it is a regular file.
+// An output file whose every error is kept until somebody looks. The first error sticks: whatever the libraries in
+// between do with a failed write, close() reports it. A file that was not closed without error is removed by the
+// destructor, if it is a regular file.
 class CheckedFile {
  public:
   // Creates the file or empties an existing one. A failure is reported by close(), or asked for by failed().
@@ -76,3 +78,62 @@ struct MoveFailure {
 [[nodiscard]] MoveFailure move_all(std::span<const Move> moves);
 
 }  // namespace ninebit::image_detail
+
+namespace ninebit::posix {
+
+inline constexpr int kStandardInput = 0, kStandardOutput = 1, kStandardError = 2;
+
+enum class Access : std::uint8_t {
+  read,
+  write,  // as it is, which is meant for devices and pipes
+  create  // an existing file is an error
+};
+
+// An open file, closed at the end, or a standard stream, which stays open.
+class Stream {
+ public:
+  explicit Stream(int standard_stream) : descriptor_(standard_stream) {}
+  // A folder is an error.
+  Stream(const std::filesystem::path& file, Access access, std::error_code& error);
+  Stream(Stream&& other) noexcept;
+  Stream& operator=(Stream&&) = delete;
+  Stream(const Stream&) = delete;
+  Stream& operator=(const Stream&) = delete;
+  ~Stream();
+
+  // Waits for something to read, an end or an error; false where there is none after so long, or a signal came.
+  [[nodiscard]] bool wait(int milliseconds) const;
+  // How many bytes were read; 0: the end, or an error.
+  [[nodiscard]] std::size_t read(std::span<char> to, std::error_code& error) const;
+  void write(std::string_view bytes, std::error_code& error) const;
+  // Tells of what could not be written so far.
+  void close(std::error_code& error);
+
+ private:
+  int descriptor_;
+};
+
+// Or nobody knows.
+[[nodiscard]] bool is_address_space_limited();
+
+[[nodiscard]] bool is_terminal(int standard_stream);
+
+// Opens those of the standard streams that are closed, so that no file takes their place. Has a write beyond the limit
+// of a file's size fail, instead of ending the program.
+void guard_streams();
+
+// The signals that ask a program to end.
+[[nodiscard]] std::span<const int> interrupts();
+
+// This program's own file, which may be a link to it.
+[[nodiscard]] std::filesystem::path program_file();
+
+void set_environment(const char* name, const std::string& value);
+
+// A shared library that stays loaded until the program ends; nullptr: library_error() says why. find_symbol() gives
+// nullptr for what it does not have.
+[[nodiscard]] void* load_library(const std::filesystem::path& file);
+[[nodiscard]] void* find_symbol(void* library, const char* name);
+[[nodiscard]] std::string library_error();
+
+}  // namespace ninebit::posix

@@ -1,11 +1,16 @@
-#include "src/image/posix_file.h"
+#include "src/image/posix.h"
 
+#include <dlfcn.h>
 #include <fcntl.h>
+#include <poll.h>
+#include <stdlib.h>
 #include <sys/mman.h>
+#include <sys/resource.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <array>
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
@@ -15,9 +20,11 @@
 
 #include "src/image/faults.h"
 
-namespace ninebit::image_detail {
-
+namespace ninebit {
 namespace {
+
+using image_detail::Move;
+using image_detail::MoveFailure;
 
 constexpr std::size_t kBufferBytes = std::size_t{1} << 18;
 constexpr mode_t kMode = 0666;  // what the user's umask leaves of it
@@ -52,6 +59,8 @@ MoveFailure move_here(std::span<const Move> moves) noexcept {
 }
 
 }  // namespace
+
+namespace image_detail {
 
 CheckedFile::CheckedFile(std::filesystem::path file) : file_(std::move(file)), buffer_(kBufferBytes) {
   descriptor_ = ::open(file_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, kMode);
@@ -164,4 +173,105 @@ MoveFailure move_all(std::span<const Move> moves) {
   return failure;
 }
 
-}  // namespace ninebit::image_detail
+}  // namespace image_detail
+
+namespace posix {
+
+Stream::Stream(const std::filesystem::path& file, Access access, std::error_code& error) : descriptor_(-1) {
+  const int flags = access == Access::read    ? O_RDONLY | O_NOCTTY
+                    : access == Access::write ? O_WRONLY | O_NOCTTY
+                                              : O_WRONLY | O_CREAT | O_EXCL;
+  descriptor_ = ::open(file.c_str(), flags | O_CLOEXEC, kMode);
+  struct stat about = {};
+  if (descriptor_ < 0 || ::fstat(descriptor_, &about) != 0) {
+    error = last_error();
+  } else if (S_ISDIR(about.st_mode)) {
+    error = std::make_error_code(std::errc::is_a_directory);
+  }
+}
+
+Stream::Stream(Stream&& other) noexcept : descriptor_(std::exchange(other.descriptor_, -1)) {}
+
+Stream::~Stream() {
+  if (descriptor_ > kStandardError) ::close(descriptor_);
+}
+
+bool Stream::wait(int milliseconds) const {
+  pollfd one{descriptor_, POLLIN, 0};
+  const int ready = ::poll(&one, 1, milliseconds);
+  return ready > 0 || (ready < 0 && errno != EINTR);
+}
+
+std::size_t Stream::read(std::span<char> to, std::error_code& error) const {
+  while (true) {
+    const ssize_t count = ::read(descriptor_, to.data(), to.size());
+    if (count >= 0) return static_cast<std::size_t>(count);
+    if (errno == EINTR) continue;
+    error = last_error();
+    return 0;
+  }
+}
+
+void Stream::write(std::string_view bytes, std::error_code& error) const {
+  while (!bytes.empty()) {
+    const ssize_t count = ::write(descriptor_, bytes.data(), bytes.size());
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) {
+      error = last_error();
+      return;
+    }
+    bytes.remove_prefix(static_cast<std::size_t>(count));
+  }
+}
+
+void Stream::close(std::error_code& error) {
+  if (descriptor_ > kStandardError && ::close(std::exchange(descriptor_, -1)) != 0) error = last_error();
+}
+
+bool is_address_space_limited() {
+  rlimit space{};
+  return ::getrlimit(RLIMIT_AS, &space) != 0 || space.rlim_cur != RLIM_INFINITY;
+}
+
+bool is_terminal(int standard_stream) {
+  return ::isatty(standard_stream) != 0;
+}
+
+void guard_streams() {
+  std::signal(SIGXFSZ, SIG_IGN);
+  for (const int stream : {kStandardInput, kStandardOutput, kStandardError}) {
+    if (::fcntl(stream, F_GETFD) >= 0) continue;
+    // Writing to a closed stdout stays an error, to a closed stderr it is none. open() takes the lowest free number,
+    // and if it fails there is nothing better to do.
+    (void)::open("/dev/null", stream == kStandardError ? O_WRONLY : O_RDONLY);
+  }
+}
+
+std::span<const int> interrupts() {
+  static constexpr std::array kSignals{SIGINT, SIGTERM, SIGHUP};
+  return kSignals;
+}
+
+std::filesystem::path program_file() {
+  return "/proc/self/exe";
+}
+
+void set_environment(const char* name, const std::string& value) {
+  ::setenv(name, value.c_str(), 1);
+}
+
+void* load_library(const std::filesystem::path& file) {
+  return ::dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
+}
+
+void* find_symbol(void* library, const char* name) {
+  return ::dlsym(library, name);
+}
+
+std::string library_error() {
+  const char* const why = ::dlerror();
+  return why == nullptr ? "" : why;
+}
+
+}  // namespace posix
+}  // namespace ninebit

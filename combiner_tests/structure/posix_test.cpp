@@ -1,0 +1,48 @@
+// What is not in the standard library of every system stands in one file.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <regex>
+#include <string>
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// The first POSIX header that a text includes, or POSIX function that it calls by its global name; or nothing.
+std::string posix_in(const std::string& text) {
+  static const std::regex header(
+      R"(#include <((?:sys|arpa|netinet)/[a-z]+\.h|(?:dlfcn|fcntl|poll|pthread|pwd|signal|spawn|stdlib|termios|unistd)\.h)>)");
+  static const std::regex call(
+      R"([^A-Za-z0-9_>]::((?:close|dl[a-z]+|fcntl|fsync|isatty|open|poll|p?read|p?write|stat)\())");
+  std::smatch found;
+  if (std::regex_search(text, found, header) || std::regex_search(text, found, call)) return found[1];
+  return "";
+}
+
+TEST(Posix, StandsInOneFile) {
+  const fs::path root = NINEBIT_SOURCE_DIR;
+  std::string where;
+  for (const char* folder : {"include", "src"}) {
+    for (const auto& entry : fs::recursive_directory_iterator(root / folder)) {
+      const std::string kind = entry.path().extension().string();
+      if (kind != ".h" && kind != ".cpp" && kind != ".inl") continue;
+      std::ifstream in(entry.path());
+      const std::string text{std::istreambuf_iterator<char>(in), {}};
+      const std::string name = fs::relative(entry.path(), root).generic_string();
+      if (const std::string found = posix_in(text); !found.empty()) where += name + ' ';
+    }
+  }
+  EXPECT_EQ(where, "src/image/posix.cpp ");
+}
+
+TEST(Posix, IsFound) {
+  EXPECT_EQ(posix_in("#include <unistd.h>\n"), "unistd.h");
+  EXPECT_EQ(posix_in("#include <sys/stat.h>\n"), "sys/stat.h");
+  EXPECT_EQ(posix_in("  (void)::open(name);\n"), "open(");
+  EXPECT_EQ(posix_in("#include <cstdio>\nauto f = InputFile::open(name);\n"), "");
+}
+
+}  // namespace
