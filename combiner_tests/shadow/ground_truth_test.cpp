@@ -2,10 +2,14 @@
 #include "ninebit/shadow/ground_truth.h"
 
 #include <oneapi/tbb/global_control.h>
+#include <oneapi/tbb/parallel_for.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <limits>
 #include <numbers>
+#include <thread>
 
 #include "combiner_tests/shadow/ground_truth_support.h"
 
@@ -55,6 +59,21 @@ void expect_on_floor(const Scene& scene, float border, const InShadow& in_shadow
 
 TEST(GroundTruth, SquareOverFloor) {
   expect_on_floor(square_over_floor(), 1.5F, [](float d) { return d < 1.5F; });
+}
+
+// Embree sets the processor to flush denormals while it works. A thread whose first parallel work that was would do all
+// later one so.
+TEST(GroundTruth, LeavesTheArithmeticOfOtherParallelWorkAlone) {
+  std::atomic<int> flushed = 0;
+  std::thread([&] {
+    const Scene scene = square_over_floor();
+    ASSERT_TRUE(GroundTruthScene::make(scene).ok());
+    oneapi::tbb::parallel_for(0, 1000, [&](int) {
+      const volatile float small = std::numeric_limits<float>::min();
+      if (small * 0.25F == 0.0F) ++flushed;
+    });
+  }).join();
+  EXPECT_EQ(flushed, 0);
 }
 
 TEST(GroundTruth, BehindASpotLightsSidesIsNoLight) {

@@ -1,6 +1,7 @@
 #include "src/shadow/ground_truth_rays.h"
 
 #include <embree3/rtcore.h>
+#include <oneapi/tbb/parallel_for.h>
 
 #include <algorithm>
 #include <array>
@@ -114,6 +115,9 @@ Result<std::unique_ptr<Rays>> Rays::make(const Scene& scene) {
   // Origin and direction of a ray become floats, each rounded by half a unit in the last place; across the scene the
   // direction moves it by as much again.
   rays->margin = 8.0 * rays->touching;
+  // oneTBB keeps a thread's floating-point settings from its first parallel work on, for all that follows. Were that
+  // Embree's, which flushes denormals, all would.
+  oneapi::tbb::parallel_for(0, 2, [](int) {});
   const RTCDevice device = rtcNewDevice(nullptr);
   Complaint complaint;
   if (device == nullptr) {
