@@ -167,6 +167,21 @@ class Studies(unittest.TestCase):
         self.assertEqual(len(tables["second_digit"]), 256)
         self.assertEqual(tables["rows"].dtype["max_error"], np.float64)
 
+    def test_shadows_are_judged(self):
+        room = str(top / "scenes/index_room.gltf")
+        rows = ninebit.shadows_study(room, size=(160, 120), map_sizes=[64, 256], steps=[1, 2])["rows"]
+        self.assertEqual(rows["map_size"].tolist(), [64, 64, 256, 256])
+        self.assertEqual(rows["index_step"].tolist(), [1, 2, 1, 2])
+        wrong = dict(zip(zip(rows["map_size"].tolist(), rows["index_step"].tolist()), rows["wrong"].tolist()))
+        self.assertLess(wrong[256, 2], wrong[64, 2])
+        self.assertTrue(np.array_equal(rows["false_lit"] + rows["false_shadowed"], rows["wrong"]))
+        depth = ninebit.shadows_study(room, technique="depth-cube", size=(160, 120), depth_bits=["8", "float"])["rows"]
+        self.assertEqual(len(depth), 2)
+        with self.assertRaisesRegex(ninebit.Error, "there is no number of depth bits '9'"):
+            ninebit.shadows_study(room, technique="depth-cube", depth_bits=["9"])
+        with self.assertRaisesRegex(ninebit.Error, "shadow-volume"):
+            ninebit.shadows_study(room, technique="shadow-volume", steps=[1])
+
     def test_what_is_wrong_is_told(self):
         with self.assertRaisesRegex(ninebit.Error, "there is no format 'rgba'; expected one of channel rgb la l a"):
             ninebit.index_steps_study(formats=["rgba"])

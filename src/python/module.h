@@ -4,9 +4,14 @@
 
 #include <pybind11/pybind11.h>
 
+#include <array>
+#include <optional>
 #include <string>
+#include <utility>
 
 #include "ninebit/numerics/hardware_profile.h"
+#include "ninebit/scene/scene.h"
+#include "ninebit/shadow/technique.h"
 
 namespace ninebit::python {
 
@@ -17,6 +22,21 @@ struct Error {
 
 // The shipped profile of a name, or Error.
 [[nodiscard]] const HardwareProfile& profile_named(const std::string& name);
+
+// The technique of a name, or Error.
+[[nodiscard]] const Technique& technique_named(const std::string& name);
+
+// Where a scene is seen and lit from; without a value as the file says, or as complete_scene() chooses.
+using Point = std::array<float, 3>;
+struct View {
+  std::optional<Point> camera, look_at;
+  std::optional<float> fov;  // degrees
+  std::optional<Point> light;
+};
+
+// A file's scene, complete for a picture of this width and height, or Error.
+[[nodiscard]] Scene scene_for(const Technique& technique, const std::string& file, const std::pair<int, int>& size,
+                              const View& view);
 
 void add_programs(pybind11::module_& module);
 void add_render(pybind11::module_& module);

@@ -15,8 +15,6 @@ namespace py = pybind11;
 namespace ninebit::python {
 namespace {
 
-using Point = std::array<float, 3>;
-
 glm::vec3 vector_of(const Point& p) {
   return {p[0], p[1], p[2]};
 }
@@ -36,35 +34,19 @@ py::array upright(const std::vector<T>& plane, int width, int height, const std:
 py::dict render(const std::string& scene_file, const std::string& technique_name, std::pair<int, int> size,
                 int map_size, const std::string& profile, int index_step, const std::optional<Point>& camera,
                 const std::optional<Point>& look_at, std::optional<float> fov, const std::optional<Point>& light) {
-  const Technique* const technique = find_technique(technique_name);
-  if (technique == nullptr) {
-    std::string message = "there is no technique '" + technique_name + "'; expected one of";
-    for (const Technique& one : techniques()) message += ' ' + std::string(one.name);
-    throw Error{message};
-  }
+  const Technique& technique = technique_named(technique_name);
   RenderSettings settings;
   settings.width = size.first;
   settings.height = size.second;
   settings.map_size = map_size;
   settings.index.step = index_step;
   settings.profile = profile_named(profile);
-  SceneSetup setup;
-  setup.light_kinds = technique->lights;
-  if (camera) setup.camera = vector_of(*camera);
-  if (look_at) setup.look_at = vector_of(*look_at);
-  if (light) setup.light = vector_of(*light);
-  setup.fov_degrees = fov;
 
   std::optional<Result<Rendering>> drawn;
   {
     const py::gil_scoped_release others_may_run;
-    if (size.first < 1 || size.second < 1) throw Error{"size is width and height, each at least 1"};
-    auto scene = read_scene(scene_file);
-    if (!scene) throw Error{scene.error().text()};
-    const float aspect_ratio = static_cast<float>(size.first) / static_cast<float>(size.second);
-    const auto complete = complete_scene(std::move(*scene), setup, aspect_ratio);
-    if (!complete) throw Error{complete.error().text()};
-    drawn.emplace(technique->render(*complete, settings, {}));
+    const Scene scene = scene_for(technique, scene_file, size, {camera, look_at, fov, light});
+    drawn.emplace(technique.render(scene, settings, {}));
   }
   if (!*drawn) throw Error{drawn->error().text()};
   const auto rendering = std::make_shared<Rendering>(std::move(drawn->value()));
@@ -88,6 +70,31 @@ py::dict render(const std::string& scene_file, const std::string& technique_name
 }
 
 }  // namespace
+
+const Technique& technique_named(const std::string& name) {
+  const Technique* const technique = find_technique(name);
+  if (technique != nullptr) return *technique;
+  std::string message = "there is no technique '" + name + "'; expected one of";
+  for (const Technique& one : techniques()) message += ' ' + std::string(one.name);
+  throw Error{message};
+}
+
+Scene scene_for(const Technique& technique, const std::string& file, const std::pair<int, int>& size,
+                const View& view) {
+  if (size.first < 1 || size.second < 1) throw Error{"size is width and height, each at least 1"};
+  SceneSetup setup;
+  setup.light_kinds = technique.lights;
+  if (view.camera) setup.camera = vector_of(*view.camera);
+  if (view.look_at) setup.look_at = vector_of(*view.look_at);
+  if (view.light) setup.light = vector_of(*view.light);
+  setup.fov_degrees = view.fov;
+  auto scene = read_scene(file);
+  if (!scene) throw Error{scene.error().text()};
+  const float aspect_ratio = static_cast<float>(size.first) / static_cast<float>(size.second);
+  auto complete = complete_scene(std::move(*scene), setup, aspect_ratio);
+  if (!complete) throw Error{complete.error().text()};
+  return std::move(*complete);
+}
 
 void add_render(py::module_& module) {
   module.def(

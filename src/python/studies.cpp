@@ -15,6 +15,7 @@
 #include "ninebit/study/datapath_error.h"
 #include "ninebit/study/depth_packing_error.h"
 #include "ninebit/study/index_steps.h"
+#include "ninebit/study/shadow_sweep.h"
 #include "src/python/module.h"
 
 namespace py = pybind11;
@@ -131,6 +132,54 @@ py::dict depth_packing(const Names& packings, const Names& storages, const Names
   return run(make_depth_packing_study(options));
 }
 
+// The values of an axis by their names; none where it is not swept.
+template <class T>
+std::vector<T> swept(const std::vector<std::pair<const char*, T>>& all, const Names& names, const char* what) {
+  std::vector<T> values;
+  if (!names) return values;
+  for (const auto& [name, value] : chosen(all, names, what, [](const auto& one) { return std::string(one.first); })) {
+    values.push_back(value);
+  }
+  return values;
+}
+
+py::dict shadows(const std::string& file, const std::string& technique_name, std::pair<int, int> size,
+                 const std::string& profile, const std::vector<int>& map_sizes, const Names& formats,
+                 const Names& scopes, const std::vector<int>& steps, const Names& depth_bits,
+                 const std::vector<float>& biases, const Names& encodings,
+                 const std::vector<std::pair<float, float>>& polygon_offsets, const std::optional<Point>& camera,
+                 const std::optional<Point>& look_at, std::optional<float> fov, const std::optional<Point>& light) {
+  const Technique& technique = technique_named(technique_name);
+  RenderSettings settings;
+  settings.width = size.first;
+  settings.height = size.second;
+  settings.profile = profile_named(profile);
+  ShadowGrid grid{.map_sizes = map_sizes, .index_steps = steps, .biases = biases};
+  grid.index_formats = swept<IndexFormat>({{"rgb", IndexFormat::rgb},
+                                           {"la", IndexFormat::luminance_alpha},
+                                           {"l", IndexFormat::luminance},
+                                           {"a", IndexFormat::alpha}},
+                                          formats, "format");
+  grid.index_scopes = swept<IndexScope>(
+      {{"polygon", IndexScope::polygon}, {"object", IndexScope::object}, {"section", IndexScope::section}}, scopes,
+      "scope");
+  grid.depth_bits = swept<DepthCubeBits>(
+      {{"8", DepthCubeBits::eight}, {"16", DepthCubeBits::sixteen}, {"float", DepthCubeBits::real}}, depth_bits,
+      "number of depth bits");
+  grid.encodings = swept<DepthEncoding>({{"d24", DepthEncoding::d24},
+                                         {"d16", DepthEncoding::d16},
+                                         {"rgba8-fract", DepthEncoding::rgba8_fract},
+                                         {"rgba8-mod", DepthEncoding::rgba8_mod},
+                                         {"rgba8-256over255", DepthEncoding::rgba8_256over255},
+                                         {"rgba8-modf", DepthEncoding::rgba8_modf}},
+                                        encodings, "encoding");
+  for (const auto& [factor, units] : polygon_offsets) grid.polygon_offsets.push_back({factor, units});
+  StudyQuestion question{.study = "shadows", .profile = profile};
+  question.arguments = file;
+  return run(make_shadow_sweep(std::move(question), scene_for(technique, file, size, {camera, look_at, fov, light}),
+                               technique, settings, grid));
+}
+
 }  // namespace
 
 void add_studies(py::module_& module) {
@@ -150,6 +199,16 @@ void add_studies(py::module_& module) {
              "What a depth is after a round trip through bytes: {'rows': array, 'second_digit': array}. Storages are "
              "'round' and 'truncate', sets '16', '24' and 'floats', of which every `float_step`th is taken. As "
              "`ninebit study depth-packing`.");
+  module.def(
+      "shadows_study", &shadows, py::arg("scene"), py::kw_only(), py::arg("technique") = "index-cube",
+      py::arg("size") = std::pair{1024, 768}, py::arg("profile") = "geforce2",
+      py::arg("map_sizes") = std::vector<int>{}, py::arg("formats") = py::none(), py::arg("scopes") = py::none(),
+      py::arg("steps") = std::vector<int>{}, py::arg("depth_bits") = py::none(),
+      py::arg("biases") = std::vector<float>{}, py::arg("encodings") = py::none(),
+      py::arg("polygon_offsets") = std::vector<std::pair<float, float>>{}, py::arg("camera") = py::none(),
+      py::arg("look_at") = py::none(), py::arg("fov") = py::none(), py::arg("light") = py::none(),
+      "A technique's wrong pixels by their causes against the ground truth, for each combination of the settings that "
+      "are given as lists: {'rows': array}. As `ninebit study shadows`.");
 }
 
 }  // namespace ninebit::python

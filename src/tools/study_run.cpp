@@ -103,9 +103,10 @@ int finish(const Study& study, const std::string& folder, std::span<const StudyR
 
 int run_in_folder(const Study& study, const StudyFlags& flags) {
   const Shard shard = shard_of(flags);
+  const std::size_t units = (study.units() - shard.index) / shard.count + 1;
   Result<StudyPart> part = StudyPart();
   {
-    UnitProgress progress(flags.common.quiet, (study.units() - shard.index) / shard.count + 1);
+    UnitProgress progress(flags.common.quiet, units);
     part = run_part(study, build_of_program(), shard, flags.folder, {.seconds = flags.budget, .go_on = go_on},
                     [&](const std::string& unit, double done) { return progress.step(unit, done); });
   }
@@ -117,8 +118,7 @@ int run_in_folder(const Study& study, const StudyFlags& flags) {
   }
   if (!flags.common.quiet) say(fmt::format("wrote {}\n", part->file.string()));
   if (!part->complete && !flags.common.quiet) {
-    say(fmt::format("The time is up after {} units of {}: the same command goes on.\n", part->units.size(),
-                    study.units()));
+    say(fmt::format("The time is up after {} units of {}: the same command goes on.\n", part->units.size(), units));
   }
   if (shard.count > 1) return kDone;
   return finish(study, flags.folder, rows_of(*part), part->units.size(), flags.common);

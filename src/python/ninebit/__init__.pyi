@@ -77,6 +77,25 @@ def index_steps_study(
     steps: tuple[int, int] = (1, 16),
 ) -> dict[str, NDArray[np.void]]: ...
 def datapath_study(*, profiles: Sequence[str] | None = None) -> dict[str, NDArray[np.void]]: ...
+def shadows_study(
+    scene: str,
+    *,
+    technique: str = "index-cube",
+    size: tuple[int, int] = (1024, 768),
+    profile: str = "geforce2",
+    map_sizes: Sequence[int] = (),
+    formats: Sequence[Literal["rgb", "la", "l", "a"]] | None = None,
+    scopes: Sequence[Literal["polygon", "object", "section"]] | None = None,
+    steps: Sequence[int] = (),
+    depth_bits: Sequence[Literal["8", "16", "float"]] | None = None,
+    biases: Sequence[float] = (),
+    encodings: Sequence[str] | None = None,
+    polygon_offsets: Sequence[tuple[float, float]] = (),
+    camera: tuple[float, float, float] | None = None,
+    look_at: tuple[float, float, float] | None = None,
+    fov: float | None = None,
+    light: tuple[float, float, float] | None = None,
+) -> dict[str, NDArray[np.void]]: ...
 def depth_packing_study(
     *,
     packings: Sequence[str] | None = None,
