@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "combiner_tests/support/stored_pictures.h"
+#include "combiner_tests/support/temp_folder.h"
 
 namespace image_test {
 
@@ -17,21 +18,7 @@ using ninebit::test::read_png;
 using ninebit::test::read_png16;
 using ninebit::test::StoredChannel;
 using ninebit::test::StoredPart;
-
-// A new folder, removed with everything in it.
-class TempFolder {
- public:
-  TempFolder();
-  TempFolder(const TempFolder&) = delete;
-  TempFolder& operator=(const TempFolder&) = delete;
-  ~TempFolder();
-  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-  // The names in the folder, sorted.
-  [[nodiscard]] std::vector<std::string> names() const;
-
- private:
-  std::filesystem::path path_;
-};
+using ninebit::test::TempFolder;
 
 std::string read_bytes(const std::filesystem::path& file);
 void write_bytes(const std::filesystem::path& file, std::string_view bytes);

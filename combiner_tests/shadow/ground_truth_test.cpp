@@ -68,7 +68,7 @@ TEST(GroundTruth, LeavesTheArithmeticOfOtherParallelWorkAlone) {
   std::thread([&] {
     const Scene scene = square_over_floor();
     ASSERT_TRUE(GroundTruthScene::make(scene).ok());
-    oneapi::tbb::parallel_for(0, 1000, [&](int) {
+    tbb::parallel_for(0, 1000, [&](int) {
       const volatile float small = std::numeric_limits<float>::min();
       if (small * 0.25F == 0.0F) ++flushed;
     });

@@ -1,6 +1,5 @@
 // A report's files: what they hold, and that they appear together or not at all.
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <cstdlib>
 #include <filesystem>
@@ -11,6 +10,7 @@
 #include <set>
 
 #include "combiner_tests/study/report_example.h"
+#include "combiner_tests/support/temp_folder.h"
 #include "ninebit/study/report_files.h"
 #include "src/study/page_data.h"
 #include "src/study/report_colors.h"
@@ -21,31 +21,9 @@ namespace {
 using namespace ninebit;
 using report_test::example;
 using report_test::ExampleReport;
+using test::read_bytes;
+using test::TempFolder;
 namespace fs = std::filesystem;
-
-class Folder {
- public:
-  Folder() : path_(fs::temp_directory_path() / ("ninebit-report-" + std::to_string(::getpid()))) {
-    fs::remove_all(path_);
-    fs::create_directory(path_);
-  }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-  ~Folder() {
-    std::error_code ignored;
-    fs::permissions(path_, fs::perms::owner_all, ignored);
-    fs::remove_all(path_, ignored);
-  }
-  [[nodiscard]] const fs::path& path() const { return path_; }
-
- private:
-  fs::path path_;
-};
-
-std::string bytes_of(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
 
 std::string html_of(const ExampleReport& made) {
   const auto html = report_html(made.question, "1.2.3", made.report, made.rows);
@@ -224,7 +202,7 @@ TEST(Report, AMapOfAnotherSizeIsReported) {
 
 TEST(Report, FilesAreTheSameEachTime) {
   const ExampleReport made = example();
-  const Folder folder;
+  const TempFolder folder;
   const auto first = write_report(folder.path() / "1", made.question, "1.2.3", made.report, made.rows);
   const auto second = write_report(folder.path() / "2", made.question, "1.2.3", made.report, made.rows);
   ASSERT_TRUE(first.ok()) << first.error().text();
@@ -235,19 +213,19 @@ TEST(Report, FilesAreTheSameEachTime) {
   ASSERT_EQ(first->size(), names.size());
   for (std::size_t i = 0; i < names.size(); ++i) {
     EXPECT_EQ((*first)[i], folder.path() / "1" / names[i]);
-    const std::string bytes = bytes_of((*first)[i]);
+    const std::string bytes = read_bytes((*first)[i]);
     EXPECT_FALSE(bytes.empty()) << names[i];
-    EXPECT_EQ(bytes, bytes_of((*second)[i])) << names[i];
+    EXPECT_EQ(bytes, read_bytes((*second)[i])) << names[i];
   }
-  EXPECT_EQ(bytes_of(folder.path() / "1/rows.csv"), report_csv(made.rows)[0].second);
+  EXPECT_EQ(read_bytes(folder.path() / "1/rows.csv"), report_csv(made.rows)[0].second);
   EXPECT_EQ(std::distance(fs::directory_iterator(folder.path() / "1"), {}), 9);
 }
 
 TEST(Report, AllFilesOrNone) {
   ExampleReport made = example();
-  const Folder folder;
+  const TempFolder folder;
   ASSERT_TRUE(write_report(folder.path(), made.question, "old", made.report, made.rows).ok());
-  const std::string old = bytes_of(folder.path() / "report.html");
+  const std::string old = read_bytes(folder.path() / "report.html");
   // A folder stands where a file should go: nothing changes.
   fs::create_directory(folder.path() / "late.png");
   made.report.pictures[0].file = "late";
@@ -255,14 +233,14 @@ TEST(Report, AllFilesOrNone) {
   ASSERT_FALSE(failed.ok());
   EXPECT_EQ(failed.error().fault, Fault::cannot_write);
   EXPECT_NE(failed.error().text().find("late.png"), std::string::npos) << failed.error().text();
-  EXPECT_EQ(bytes_of(folder.path() / "report.html"), old);
+  EXPECT_EQ(read_bytes(folder.path() / "report.html"), old);
   EXPECT_EQ(std::distance(fs::directory_iterator(folder.path()), {}), 10);  // and nothing is left over
   // Two of the same name would be one file.
   made.report.pictures[0].file = made.report.plots[0].file;
   const auto doubled = write_report(folder.path(), made.question, "new", made.report, made.rows);
   ASSERT_FALSE(doubled.ok());
   EXPECT_NE(doubled.error().text().find("false-matches.png: two files"), std::string::npos) << doubled.error().text();
-  EXPECT_EQ(bytes_of(folder.path() / "report.html"), old);
+  EXPECT_EQ(read_bytes(folder.path() / "report.html"), old);
 }
 
 TEST(Report, AFolderThatCannotBeWrittenIsReported) {
@@ -277,7 +255,7 @@ TEST(Report, AFolderThatCannotBeWrittenIsReported) {
 
 // report_in_browser.py says where it wants it.
 TEST(Report, LeavesTheExampleWhereAsked) {
-  const Folder folder;
+  const TempFolder folder;
   const char* const asked = std::getenv("NINEBIT_REPORT_EXAMPLE");
   const ExampleReport made = example();
   const auto files = write_report(asked != nullptr ? fs::path(asked) : folder.path() / "example", made.question,

@@ -3,12 +3,13 @@
 #include "ninebit/study/study_part.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <set>
+
+#include "combiner_tests/support/temp_folder.h"
 
 namespace {
 
@@ -50,33 +51,17 @@ class Squares : public Study {
   StudyQuestion question_;
 };
 
-class Folder {
+// A folder that is not there yet.
+class PartsFolder {
  public:
-  Folder() {
-    static int made = 0;
-    path_ = fs::temp_directory_path() / ("ninebit-parts-" + std::to_string(::getpid()) + "-" + std::to_string(++made));
-    fs::remove_all(path_);
-  }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-  ~Folder() { fs::remove_all(path_); }
-  [[nodiscard]] const fs::path& path() const { return path_; }
+  [[nodiscard]] fs::path path() const { return made_.path() / "parts"; }
   [[nodiscard]] fs::path part(std::size_t index = 1, std::size_t count = 1) const {
-    return path_ / part_file_name({index, count});
+    return path() / part_file_name({index, count});
   }
 
  private:
-  fs::path path_;
+  test::TempFolder made_;
 };
-
-std::string bytes_of(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
-
-void put(const fs::path& file, const std::string& bytes) {
-  std::ofstream(file, std::ios::binary) << bytes;
-}
 
 std::vector<StudyRow> all_rows(const Squares& study) {
   std::vector<StudyRow> rows;
@@ -87,12 +72,13 @@ std::vector<StudyRow> all_rows(const Squares& study) {
   return rows;
 }
 
-Result<StudyPart> run(const Squares& study, const Folder& folder, Shard shard = {}, const PartLimits& limits = {}) {
+Result<StudyPart> run(const Squares& study, const PartsFolder& folder, Shard shard = {},
+                      const PartLimits& limits = {}) {
   return run_part(study, "build", shard, folder.path(), limits, {});
 }
 
 TEST(StudyPart, HoldsWhatTheUnitsGave) {
-  const Folder folder;
+  const PartsFolder folder;
   const Squares study(11);
   const auto part = run(study, folder);
   ASSERT_TRUE(part) << part.error().text();
@@ -109,7 +95,7 @@ TEST(StudyPart, HoldsWhatTheUnitsGave) {
 }
 
 TEST(StudyPart, StoppedAfterEachUnitItGoesOnToTheSameBytes) {
-  const Folder whole, stopped;
+  const PartsFolder whole, stopped;
   ASSERT_TRUE(run(Squares(7), whole));
   for (std::size_t first = 0; first < 7; ++first) {
     const Squares study(7);
@@ -125,31 +111,31 @@ TEST(StudyPart, StoppedAfterEachUnitItGoesOnToTheSameBytes) {
     EXPECT_EQ(part.error().fault, Fault::cancelled);
     EXPECT_FALSE(read_part(stopped.part())->complete);
   }
-  EXPECT_EQ(bytes_of(stopped.part()), bytes_of(whole.part()));
+  EXPECT_EQ(test::read_bytes(stopped.part()), test::read_bytes(whole.part()));
 }
 
 TEST(StudyPart, EndedAtEveryByteItGoesOnToTheSameBytes) {
-  const Folder folder;
+  const PartsFolder folder;
   ASSERT_TRUE(run(Squares(5), folder));
-  const std::string whole = bytes_of(folder.part());
+  const std::string whole = test::read_bytes(folder.part());
   for (std::size_t size = 0; size < whole.size(); ++size) {
-    put(folder.part(), whole.substr(0, size));
+    test::write_bytes(folder.part(), whole.substr(0, size));
     const Squares study(5);
     const auto part = run(study, folder);
     ASSERT_TRUE(part) << size << ": " << part.error().text();
-    ASSERT_EQ(bytes_of(folder.part()), whole) << size;
+    ASSERT_EQ(test::read_bytes(folder.part()), whole) << size;
     ASSERT_EQ(rows_of(*part), all_rows(Squares(5))) << size;
   }
 }
 
 TEST(StudyPart, EveryAlteredByteIsReported) {
-  const Folder folder;
+  const PartsFolder folder;
   ASSERT_TRUE(run(Squares(4), folder));
-  const std::string whole = bytes_of(folder.part());
+  const std::string whole = test::read_bytes(folder.part());
   for (std::size_t at = 0; at < whole.size(); ++at) {
     std::string altered = whole;
     altered[at] = static_cast<char>(altered[at] ^ 1);
-    put(folder.part(), altered);
+    test::write_bytes(folder.part(), altered);
     const auto part = read_part(folder.part());
     if (part) {
       // The last newline: what stands before it is then not whole, as after an interruption.
@@ -164,7 +150,7 @@ TEST(StudyPart, EveryAlteredByteIsReported) {
 }
 
 TEST(StudyPart, NoUnitIsBegunAfterTheTimeIsUp) {
-  const Folder folder;
+  const PartsFolder folder;
   const Squares study(3);
   const auto part = run(study, folder, {}, {.seconds = 0.0, .go_on = {}});
   ASSERT_TRUE(part);
@@ -173,7 +159,7 @@ TEST(StudyPart, NoUnitIsBegunAfterTheTimeIsUp) {
 }
 
 TEST(StudyPart, PartsInAnyOrderJoinToAWholeRun) {
-  const Folder folder;
+  const PartsFolder folder;
   std::vector<StudyPart> parts;
   for (const std::size_t index : {3U, 1U, 4U, 2U}) parts.push_back(*run(Squares(10), folder, {index, 4}));
   const auto rows = join_parts(parts);
@@ -187,7 +173,7 @@ void expect_fault(const Result<std::vector<StudyRow>>& joined, const std::string
 }
 
 TEST(StudyPart, MissingDoubledAndForeignPartsAreTold) {
-  const Folder folder, other;
+  const PartsFolder folder, other;
   const StudyPart first = *run(Squares(10), folder, {1, 2}), second = *run(Squares(10), folder, {2, 2});
   expect_fault(join_parts(std::vector{first}), "shard 2/2 is missing");
   expect_fault(join_parts(std::vector{first, second, first}), "second time");
@@ -205,24 +191,24 @@ TEST(StudyPart, MissingDoubledAndForeignPartsAreTold) {
 }
 
 TEST(StudyPart, AFolderOfAnotherQuestionOrBuildIsLeftAsItIs) {
-  const Folder folder;
+  const PartsFolder folder;
   ASSERT_TRUE(run(Squares(4), folder));
-  const std::string before = bytes_of(folder.part());
+  const std::string before = test::read_bytes(folder.part());
   const auto question = run(Squares(4, "1-3"), folder);
   ASSERT_FALSE(question);
   EXPECT_NE(question.error().message.find("--steps 1-3"), std::string::npos) << question.error().text();
   const auto build = run_part(Squares(4), "newer", {}, folder.path(), {}, {});
   ASSERT_FALSE(build);
   EXPECT_NE(build.error().message.find("another build"), std::string::npos) << build.error().text();
-  EXPECT_EQ(bytes_of(folder.part()), before);
-  put(folder.part(), "a letter");
+  EXPECT_EQ(test::read_bytes(folder.part()), before);
+  test::write_bytes(folder.part(), "a letter");
   ASSERT_FALSE(run(Squares(4), folder));
-  EXPECT_EQ(bytes_of(folder.part()), "a letter");
+  EXPECT_EQ(test::read_bytes(folder.part()), "a letter");
 }
 
 TEST(StudyPart, WhatCannotBeWrittenIsTold) {
-  const Folder folder;
-  put(folder.path(), "a file where the folder should be");
+  const PartsFolder folder;
+  test::write_bytes(folder.path(), "a file where the folder should be");
   const auto part = run(Squares(4), folder);
   ASSERT_FALSE(part);
   EXPECT_EQ(part.error().fault, Fault::cannot_write);
@@ -230,7 +216,7 @@ TEST(StudyPart, WhatCannotBeWrittenIsTold) {
 
 TEST(StudyPart, AFileThatVanishesOrGrowsMeanwhileIsTold) {
   for (const bool vanishes : {true, false}) {
-    const Folder folder;
+    const PartsFolder folder;
     std::size_t asked = 0;
     const auto meddle = [&](const std::string&, double) {
       if (++asked == 3 && vanishes) fs::remove_all(folder.path());
@@ -248,7 +234,7 @@ TEST(StudyPart, AFileThatVanishesOrGrowsMeanwhileIsTold) {
 }
 
 TEST(StudyPart, ShardsOutOfRangeAreTold) {
-  const Folder folder;
+  const PartsFolder folder;
   for (const Shard shard : {Shard{0, 2}, Shard{3, 2}, Shard{5, 5}}) {
     const auto part = run(Squares(4), folder, shard);
     ASSERT_FALSE(part);

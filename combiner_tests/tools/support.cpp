@@ -1,39 +1,12 @@
 #include "combiner_tests/tools/support.h"
 
 #include <gtest/gtest.h>
-#include <stdlib.h>
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
-#include <stdexcept>
 
 namespace tools_test {
 
 namespace fs = std::filesystem;
-
-TempFolder::TempFolder() {
-  std::string name = (fs::temp_directory_path() / "ninebit-tools-XXXXXX").string();
-  if (::mkdtemp(name.data()) == nullptr) throw std::runtime_error("cannot make " + name);
-  path_ = name;
-}
-
-TempFolder::~TempFolder() {
-  std::error_code ignored;
-  fs::remove_all(path_, ignored);
-}
-
-std::string read_bytes(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  if (!in) throw std::runtime_error("cannot read " + file.string());
-  return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
-}
-
-std::string write_bytes(const fs::path& file, std::string_view bytes) {
-  std::ofstream out(file, std::ios::binary);
-  if (!(out << bytes << std::flush)) throw std::runtime_error("cannot write " + file.string());
-  return file.string();
-}
 
 Files files_in(const fs::path& folder) {
   Files files;

@@ -9,10 +9,14 @@
 #include <string_view>
 #include <vector>
 
+#include "combiner_tests/support/temp_folder.h"
 #include "combiner_tests/tools/child_process.h"
 
 namespace tools_test {
 
+using ninebit::test::read_bytes;
+using ninebit::test::TempFolder;
+using ninebit::test::write_bytes;
 using Json = nlohmann::ordered_json;
 using Files = std::map<std::string, std::string>;  // name: bytes
 
@@ -20,23 +24,6 @@ inline const std::string kRoom = NINEBIT_SOURCE_DIR "/scenes/index_room.gltf";
 inline const std::string kCornell = NINEBIT_SOURCE_DIR "/scenes/cornell_box.gltf";
 inline const std::string kBunny = "/usr/share/glmark2/models/bunny.obj";
 inline const std::string kEngine = "/usr/share/assimp/models/glTF2/2CylinderEngine-glTF-Binary/2CylinderEngine.glb";
-
-// A new folder, removed with everything in it.
-class TempFolder {
- public:
-  TempFolder();
-  TempFolder(const TempFolder&) = delete;
-  TempFolder& operator=(const TempFolder&) = delete;
-  ~TempFolder();
-  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-  [[nodiscard]] std::string operator/(std::string_view name) const { return (path_ / name).string(); }
-
- private:
-  std::filesystem::path path_;
-};
-
-std::string read_bytes(const std::filesystem::path& file);
-std::string write_bytes(const std::filesystem::path& file, std::string_view bytes);  // gives the file's path
 
 // All files of a folder, hidden ones included; none where there is no such folder.
 Files files_in(const std::filesystem::path& folder);

@@ -117,7 +117,7 @@ Result<std::unique_ptr<Rays>> Rays::make(const Scene& scene) {
   rays->margin = 8.0 * rays->touching;
   // oneTBB keeps a thread's floating-point settings from its first parallel work on, for all that follows. Were that
   // Embree's, which flushes denormals, all would.
-  oneapi::tbb::parallel_for(0, 2, [](int) {});
+  tbb::parallel_for(0, 2, [](int) {});
   const RTCDevice device = rtcNewDevice(nullptr);
   Complaint complaint;
   if (device == nullptr) {
