@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "combiner_tests/language/all_faults.h"
 #include "ninebit/combiner/evaluate.h"
 #include "ninebit/language/profile_json.h"
 
@@ -30,9 +31,7 @@ HardwareProfile good(const std::string& text) {
 std::string faults_of(const std::string& text) {
   const auto parsed = parse(text);
   EXPECT_FALSE(parsed) << text;
-  std::string all;
-  for (const TextFault& fault : parsed.faults) all += fault.text() + '\n';
-  return all;
+  return test::all_faults(parsed);
 }
 
 // A profile on geforce2 with more keys.

@@ -24,8 +24,11 @@ std::uint32_t input_word(const Portion& p) {
   return input_word(p.a, p.b, p.c, p.d);
 }
 
+std::uint32_t flag(bool set, int bit) {
+  return static_cast<std::uint32_t>(set) << bit;
+}
+
 std::uint32_t output_word(const PortionOutput& out) {
-  const auto flag = [](bool set, int bit) { return static_cast<std::uint32_t>(set) << bit; };
   return code_of(out.cd) << kCdShift | code_of(out.ab) << kAbShift | code_of(out.sum) << kSumShift |
          flag(out.cd_dot_product, kCdDotBit) | flag(out.ab_dot_product, kAbDotBit) | flag(out.mux_sum, kMuxBit) |
          flag(out.bias != Bias::none, kBiasBit) | static_cast<std::uint32_t>(out.scale) << kScaleShift |
@@ -39,7 +42,6 @@ std::uint32_t argb_of(const ColorF& color) {
 
 std::uint32_t final1_word(const CombinerState& state) {
   const FinalCombiner& f = state.final_combiner;
-  const auto flag = [](bool set, int bit) { return static_cast<std::uint32_t>(set) << bit; };
   return input_byte(f.e) << 24 | input_byte(f.f) << 16 | input_byte(f.g) << 8 |
          flag(state.color_sum_clamp, kColorSumClampBit) | flag(state.color_sum_invert_spare0, kSumInvertSpare0Bit) |
          flag(state.color_sum_invert_secondary, kSumInvertSecondaryBit);

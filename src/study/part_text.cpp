@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "src/study/json_value.h"
 #include "src/study/sha256.h"
 
 namespace ninebit {
@@ -41,18 +42,6 @@ std::optional<std::string> without_hash(std::string_view line) {
 
 Diagnostic damaged() {
   return {.message = "the line does not fit its own SHA-256; expected it as it was written"};
-}
-
-Json json_of(const StudyValue& value) {
-  return std::visit(
-      [](const auto& v) -> Json {
-        if constexpr (std::is_same_v<std::decay_t<decltype(v)>, std::monostate>) {
-          return nullptr;
-        } else {
-          return v;
-        }
-      },
-      value);
 }
 
 StudyValue value_of(const Json& json) {
@@ -104,7 +93,7 @@ std::string unit_line(const FinishedUnit& unit) {
   Json rows = Json::array();
   for (const StudyRow& row : unit.rows) {
     Json fields = Json::object();
-    for (const auto& [name, value] : row.fields) fields[name] = json_of(value);
+    for (const auto& [name, value] : row.fields) fields[name] = json_value(value);
     rows.push_back({row.table, std::move(fields)});
   }
   return with_hash({{"unit", unit.unit}, {"rows", std::move(rows)}});

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "ninebit/study/report_files.h"
+#include "src/study/json_value.h"
 
 namespace ninebit {
 namespace {
@@ -19,11 +20,6 @@ struct Overloaded : Cases... {
 };
 template <class... Cases>
 Overloaded(Cases...) -> Overloaded<Cases...>;
-
-Json json_value(const StudyValue& value) {
-  return std::visit(
-      Overloaded{[](std::monostate) { return Json(nullptr); }, [](const auto& known) { return Json(known); }}, value);
-}
 
 // RFC 4180: what has a comma, a quotation mark or an end of line stands in quotation marks, and those in it are
 // doubled.
