@@ -239,7 +239,10 @@ TEST(Explain, NegativePartsAreToldWhereTheyCanBe) {
 TEST(Explain, FinalCombinerForms) {
   CombinerState state = silent_state(1);
   FinalCombiner& f = state.final_combiner;
-  const auto color = [&] { return lines_of(explained(state)).end()[-2]; };
+  const auto color = [&] {
+    const auto lines = lines_of(explained(state));
+    return lines[lines.size() - 2];
+  };
   const CombinerInput one = rgb_of(Register::zero, InputMapping::unsigned_invert);
   f.a = rgb_of(Register::texture0);
   f.b = rgb_of(Register::texture1);

@@ -181,7 +181,7 @@ void process(const PipelineState& state, const Incoming& f, Picture& picture, Ta
   if (!picture.has_alpha) there[3] = 255;
   const Bytes color = state.blend.enabled ? blended(state.blend, f.color, there) : f.color;
   for (std::size_t i = 0; i < 4; ++i) {
-    if (state.color_mask[i] && (i < 3 || picture.has_alpha)) picture.color[at][i] = color[i];
+    if ((i < 3 || picture.has_alpha) && state.color_mask[i]) picture.color[at][i] = color[i];
   }
   picture.primitive[at] = f.number;
 }

@@ -269,7 +269,7 @@ void clear(const PipelineState& state, const Clear& values, Picture& picture) {
       if (x < s.x || y < s.y || x - s.x >= s.width || y - s.y >= s.height) continue;
       const auto at = static_cast<std::size_t>(y * picture.width + x);
       for (std::size_t i = 0; i < 4 && values.clears_color; ++i) {
-        if (state.color_mask[i] && (i < 3 || picture.has_alpha)) picture.color[at][i] = values.color[i];
+        if ((i < 3 || picture.has_alpha) && state.color_mask[i]) picture.color[at][i] = values.color[i];
       }
       if (values.clears_depth && state.depth_test.write) picture.depth[at] = values.depth;
       if (!values.clears_stencil) continue;

@@ -145,9 +145,9 @@ long double half_value(std::uint16_t bits) {
 // The whole answer for one level of detail.
 class Model {
  public:
-  Model(const TextureQuestion& q, int lambda) : q_(q), texture_(*q.texture), lambda_(lambda) {
+  Model(const TextureQuestion& q, int lambda)
+      : q_(q), texture_(*q.texture), lambda_(lambda), place_{q.coordinate[0], q.coordinate[1]} {
     cube_ = texture_.target == TextureTarget::cube_map;
-    place_ = {q.coordinate[0], q.coordinate[1]};
     if (cube_) {
       const Direction d = face_of(q.coordinate);
       face_ = d.face;

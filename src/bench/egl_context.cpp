@@ -11,8 +11,8 @@
 
 // Of the leak sanitizer, where the program is built with it.
 extern "C" {
-__attribute__((weak)) void __lsan_disable();
-__attribute__((weak)) void __lsan_enable();
+__attribute__((weak)) void __lsan_disable();  // NOLINT(bugprone-reserved-identifier): its name for it
+__attribute__((weak)) void __lsan_enable();   // NOLINT(bugprone-reserved-identifier)
 }
 #endif
 

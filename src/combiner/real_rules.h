@@ -174,7 +174,7 @@ class RealCombiners {
   }
 
   Number scaled(Scale scale, Bias bias, const Number& wide) {
-    const Number biased = bias == Bias::none ? wide : f_.sub(wide, f_.half());
+    Number biased = bias == Bias::none ? wide : f_.sub(wide, f_.half());
     switch (scale) {
       case Scale::none:
         return biased;

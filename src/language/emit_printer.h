@@ -50,7 +50,7 @@ class Printer {
 
   void count(const V& v);
   [[nodiscard]] bool wants_name(int node) const;
-  void declare(int node, const std::string& name_of_parts);
+  void declare(int index, const std::string& name_of_parts);
   Text expression(const V& v);
   Text operation(const Node& node);
   std::string text(const V& v, Strength least);

@@ -213,9 +213,9 @@ class Call {
   // Why GL refused what is neither an input nor an output.
   [[nodiscard]] std::string reason() const {
     const HardwareProfile& profile = context_.profile();
-    const std::string combiners = "profile " + std::string(profile.name) + " has " +
-                                  std::to_string(profile.general_combiners.value) + " general combiners";
-    const std::string no_stage_constants =
+    std::string combiners = "profile " + std::string(profile.name) + " has " +
+                            std::to_string(profile.general_combiners.value) + " general combiners";
+    std::string no_stage_constants =
         "profile " + std::string(profile.name) + " has no per-stage constants (NV_register_combiners2)";
     const GLenum pname = converted_.e[0];
     switch (call_.command) {

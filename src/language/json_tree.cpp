@@ -52,7 +52,7 @@ std::string sentence_of(std::string_view what) {
   const std::size_t last = text.find("; last read: ");
   if (last != std::string::npos) {
     const std::size_t expected = text.rfind("; expected ");
-    text = text.substr(0, last) + (expected != std::string::npos && expected > last ? text.substr(expected) : "");
+    text.erase(last, expected != std::string::npos && expected > last ? expected - last : std::string::npos);
   }
   for (char& c : text) {
     if (c < ' ' || c > '~') c = '?';

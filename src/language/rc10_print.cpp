@@ -107,7 +107,8 @@ std::string portion_text(PortionName which, const Portion& portion) {
 
 std::string rgb_text(const FinalCombiner& f) {
   const CombinerInput zero = rc10_zero(ComponentUsage::rgb);
-  const auto a = final_operand(f.a), b = final_operand(f.b), c = final_operand(f.c), d = final_operand(f.d);
+  const auto a = final_operand(f.a), b = final_operand(f.b), c = final_operand(f.c);
+  auto d = final_operand(f.d);
   const std::string plus_d = f.d == zero ? "" : " + " + d;
   if (f.c != zero) return "lerp(" + a + ", " + b + ", " + c + ")" + plus_d;
   if (f.a == zero && f.b == zero) return d;

@@ -209,7 +209,8 @@ Result<FileFacts> check_gltf(std::string_view content, const std::filesystem::pa
   Result<FileFacts> facts = read_gltf_nodes(*root);
   if (facts) {
     std::string json = gltf_geometry(*root);
-    facts->for_assimp = binary ? join_glb(std::move(json), parts.binary) : std::move(json);
+    if (binary) json = join_glb(std::move(json), parts.binary);
+    facts->for_assimp = std::move(json);
   }
   return facts;
 }

@@ -105,9 +105,9 @@ CameraFrame::CameraFrame(const Scene& scene, const RenderSettings& settings, Sur
       settings_(settings),
       passes_(frame_passes(settings)),
       rendering_{.frame = std::move(frame)},
-      shading_(shade_vertices(scene, scene.lights[0], settings)) {
-  const float aspect = static_cast<float>(settings.width) / static_cast<float>(settings.height);
-  projection_ = camera_projection(scene, scene.cameras[0], aspect);
+      shading_(shade_vertices(scene, scene.lights[0], settings)),
+      projection_(camera_projection(scene, scene.cameras[0],
+                                    static_cast<float>(settings.width) / static_cast<float>(settings.height))) {
   if (settings.evidence) rendering_.evidence.emplace();
 }
 
@@ -132,6 +132,7 @@ Status CameraFrame::draw(std::string_view name, const PipelineState& state, Vert
 Status CameraFrame::draw_averted(const PipelineState& state, const std::vector<std::uint32_t>& scene_triangles) {
   if (scene_triangles.empty()) return {};
   std::vector<glm::uvec3> triangles;
+  triangles.reserve(scene_triangles.size());
   for (const std::uint32_t t : scene_triangles) triangles.push_back(scene_->triangles[t]);
   RenderTarget target = rendering_.frame.target();
   target.outputs.clear();

@@ -97,7 +97,7 @@ class CameraFrame {
   FramePasses passes_;
   Rendering rendering_;
   VertexShading shading_;
-  glm::mat4 projection_{1.0F};
+  glm::mat4 projection_;
 };
 
 // Reports a map size that is no power of two from 1 to kMaxSurfaceSize.

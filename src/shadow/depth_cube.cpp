@@ -19,7 +19,7 @@ Status draw_comparisons(DepthCubeRenderer& renderer, PassTimer& timer, double& m
   for (std::size_t i = 0; i < comparisons.size(); ++i) {
     for (std::size_t face = 0; face < 6; ++face) {
       const double done = 0.5 + share * static_cast<double>(6 * i + face);
-      const Status drawn =
+      Status drawn =
           timer.run(comparisons[i].name, done, milliseconds, [&] { return renderer.draw_comparison(i, face); });
       if (!drawn) return drawn;
     }

@@ -30,7 +30,7 @@ struct GroundTruthScene::Rays {
   double touching;  // touching_distance
   double margin;    // by which boxes are larger than their triangles
   struct SceneReleaser {
-    void operator()(RTCSceneTy* scene) const;
+    void operator()(RTCSceneTy* released) const;
   };
   std::unique_ptr<RTCSceneTy, SceneReleaser> boxes;
 };

@@ -170,7 +170,7 @@ Status IndexCubeRenderer::draw_comparison() {
   if (!compared.triangles.empty()) {
     arrays.indices = index_list(compared.triangles);
     arrays.primitive_colors = compared.index_colors;
-    const Status drawn = frame_.draw("comparison", passes_.comparison, arrays, units, target, compared.numbers);
+    Status drawn = frame_.draw("comparison", passes_.comparison, arrays, units, target, compared.numbers);
     if (!drawn) return drawn;
   }
   return frame_.draw_averted(passes_.averted, averted);
@@ -241,7 +241,7 @@ Status IndexCubeRenderer::pick(const glm::ivec2& pixel) {
   }
   VertexArrays arrays = all_triangles(frame_.scene().positions);
   arrays.primitive_colors = indices_.color;
-  const Status drawn = rasterize(passes_.selection, frame_.projection(), arrays, {}, target);
+  Status drawn = rasterize(passes_.selection, frame_.projection(), arrays, {}, target);
   if (!drawn) return drawn;
   const auto at = static_cast<std::size_t>(pixel.y) * static_cast<std::size_t>(frame_.settings().width) +
                   static_cast<std::size_t>(pixel.x);

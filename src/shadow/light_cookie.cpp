@@ -86,7 +86,7 @@ class LightCookieFrame {
   // Besides what the frame captures: the secondary colour, and the final combiner's colour.
   RenderTarget lit_target() {
     Rendering& rendering = frame().rendering();
-    const RenderTarget whole = rendering.frame.target();
+    RenderTarget whole = rendering.frame.target();
     if (!frame().settings().layers) return whole;
     RenderTarget target = frame().capturing_target(1, "lit_");
     const auto add = [&](OutputSource source, Register reg, int component, const char* part) {

@@ -76,8 +76,8 @@ std::vector<glm::dvec3> positions_from_depth(const ReflectiveMap& map) {
   for (std::size_t i = 0; i < positions.size(); ++i) {
     if (map.depth[i] == farthest) continue;
     const auto size = static_cast<std::size_t>(map.size);
-    const glm::dvec3 window((static_cast<double>(i % size) + 0.5) / map.size,
-                            (static_cast<double>(i / size) + 0.5) / map.size,
+    const glm::dvec2 pixel(i % size, i / size);  // column and row
+    const glm::dvec3 window((pixel + 0.5) / static_cast<double>(map.size),
                             static_cast<double>(map.depth[i]) / farthest);
     const glm::dvec4 world = world_from_clip * glm::dvec4(window * 2.0 - 1.0, 1.0);
     positions[i] = glm::dvec3(world) / world.w;

@@ -11,8 +11,8 @@
 #include "src/study/report_colors.h"
 
 // Cairo's own, so that its header stays in canvas.cpp.
-struct _cairo;
-struct _cairo_surface;
+struct _cairo;          // NOLINT(bugprone-reserved-identifier): its name for it
+struct _cairo_surface;  // NOLINT(bugprone-reserved-identifier)
 
 namespace ninebit {
 

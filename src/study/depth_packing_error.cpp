@@ -19,10 +19,12 @@ constexpr std::uint64_t kChunk = 1U << 16;  // depths that one thread takes at a
 class SeenFloats {
  public:
   // calloc, because the memory is 128 MiB and few of its pages are touched.
+  // NOLINTBEGIN(cppcoreguidelines-no-malloc)
   SeenFloats() : words_(static_cast<std::uint64_t*>(std::calloc(kWords, sizeof(std::uint64_t)))) {
     if (words_ == nullptr) throw std::bad_alloc();
   }
   ~SeenFloats() { std::free(words_); }
+  // NOLINTEND(cppcoreguidelines-no-malloc)
   SeenFloats(const SeenFloats&) = delete;
   SeenFloats& operator=(const SeenFloats&) = delete;
 

@@ -42,6 +42,7 @@ std::vector<StudyRow> second_digit_rows(const DepthPacking& packing, ChannelStor
 template <class Value>
 std::string names_of(const std::vector<Value>& values) {
   std::vector<std::string> names;
+  names.reserve(values.size());
   for (const Value value : values) names.emplace_back(name_of(value));
   return fmt::format("{}", fmt::join(names, ","));
 }

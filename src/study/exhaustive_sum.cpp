@@ -75,7 +75,8 @@ class ExhaustiveSum final : public Study {
               .series = {}};
     for (const OutputForm& form : forms_) {
       Sum sum;
-      PlotSeries shares{std::string(form.name), {}}, means = shares;
+      PlotSeries shares{std::string(form.name), {}};
+      PlotSeries means = shares;
       for (const StudyRow& row : rows) {
         if (row.text("form") != form.name) continue;
         Sum one_a;

@@ -125,6 +125,7 @@ std::vector<std::string> answers_of(const std::vector<Ladder>& ladders) {
     if (same == answers.end()) answers.emplace_back(head->profile, std::move(said));
   }
   std::vector<std::string> text;
+  text.reserve(answers.size());
   for (const auto& [profiles, said] : answers) text.push_back(fmt::format("{} with {}", profiles, said));
   return text;
 }

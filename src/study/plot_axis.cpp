@@ -81,8 +81,8 @@ Axis linear_axis(const std::vector<double>& values, int wanted, bool from_zero) 
   const double step = round_step((axis.high - axis.low) / wanted, exponent);
   // To the next tick on either side, counted in steps so that no rounding adds up.
   const double first = std::floor(axis.low / step + 1e-9), last = std::ceil(axis.high / step - 1e-9);
-  for (double i = first; i <= last; i += 1.0) {
-    const double value = decimal(fmt::format("{:.14g}", i * step));  // 0.3, not 0.30000000000000004
+  for (int i = 0; i <= static_cast<int>(last - first); ++i) {
+    const double value = decimal(fmt::format("{:.14g}", (first + i) * step));  // 0.3, not 0.30000000000000004
     axis.ticks.push_back({value, step_label(value, exponent)});
   }
   axis.low = std::min(axis.low, axis.ticks.front().value);

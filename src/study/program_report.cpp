@@ -75,7 +75,8 @@ class Writer {
     remaining.x_names = added.x_names;
     for (std::size_t c = 0; c < 4; ++c) {
       const bool wrong = add_total(c, totals);
-      PlotSeries adds{kComponentNames[c], {}}, remains = adds;
+      PlotSeries adds{kComponentNames[c], {}};
+      PlotSeries remains = adds;
       std::string sentence;
       for (int k = 1; k <= program_.num_general_combiners + 1; ++k) {
         sentence += add_stage(c, k, stages, adds, remains);

@@ -51,11 +51,12 @@ Result<SweptSettings> swept_settings(const Technique& technique, const RenderSet
 Result<std::vector<SweepAxis>> axes_of(const SweptSettings& known, const ShadowGrid& grid) {
   std::vector<SweepAxis> axes;
   std::string unknown;
-  const auto add = [&](const char* flag, std::vector<std::string> columns, bool knows, const auto& values, auto set) {
+  const auto add = [&](const char* flag, const std::vector<std::string>& columns, bool knows, const auto& values,
+                       auto set) {
     if (values.empty()) return;
     if (!knows) unknown += fmt::format("{}{}", unknown.empty() ? "" : ", ", flag);
     axes.push_back({.flag = flag,
-                    .columns = std::move(columns),
+                    .columns = columns,
                     .size = values.size(),
                     .set = [&values, set](RenderSettings& s, std::size_t i) { set(s, values[i]); }});
   };

@@ -116,7 +116,7 @@ Status EvalRows::add(const CsvLine& line, const std::string& file, EvalBatch& ba
     if (last != (at == end)) {
       const auto fields = 1 + std::count(line.text.begin(), line.text.end(), ',');
       return csv_fault(
-          file, line.number, column_of(line, {at, 0}),
+          file, line.number, column_of(line, {at, at}),
           fmt::format("the row has {} field{}, the header {}", fields, fields == 1 ? "" : "s", columns_.size()));
     }
     if (!last) ++at;

@@ -31,6 +31,7 @@ std::string form_flag(const OutputForm& form) {
 
 std::vector<std::string> all_forms() {
   std::vector<std::string> names;
+  names.reserve(kOutputForms.size());
   for (const OutputForm& form : kOutputForms) names.push_back(form_flag(form));
   return names;
 }
@@ -57,6 +58,7 @@ Result<Program> read_program(const DatapathFlags& flags, const HardwareProfile& 
 
 std::vector<RegisterComponent> components_of(const std::vector<EvalColumn>& columns) {
   std::vector<RegisterComponent> out;
+  out.reserve(columns.size());
   for (const EvalColumn& column : columns) out.push_back({column.reg, column.component});
   return out;
 }

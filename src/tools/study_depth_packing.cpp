@@ -15,6 +15,7 @@ struct DepthPackingFlags {
 
 std::vector<std::string> all_sets() {
   std::vector<std::string> names;
+  names.reserve(kDepthSets.size());
   for (const DepthSet set : kDepthSets) names.emplace_back(name_of(set));
   return names;
 }

@@ -24,6 +24,7 @@ struct IndexStepsFlags {
 
 std::vector<std::string> all_formats() {
   std::vector<std::string> names;
+  names.reserve(kStudyFormats.size());
   for (const StudyFormat format : kStudyFormats) names.emplace_back(name_of(format));
   return names;
 }

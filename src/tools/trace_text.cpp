@@ -27,7 +27,7 @@ std::string name_of_register(Register reg) {
 
 // "tex0", "tex0.a" where it is not the channel's own component.
 std::string source_of(const CombinerInput& in) {
-  const std::string name = name_of_register(in.reg);
+  std::string name = name_of_register(in.reg);
   if (in.reg == Register::zero || in.usage == ComponentUsage::rgb) return name;
   return name + (in.usage == ComponentUsage::alpha ? ".alpha" : ".blue");
 }

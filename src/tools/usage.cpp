@@ -2,6 +2,7 @@
 
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <regex>
 #include <vector>
 
@@ -65,7 +66,8 @@ std::string usage_message(const CLI::App& app, const CLI::ParseError& error) {
   std::string message = error.what();
   const std::string unmet = " missing";
   if (error.get_name() == "ArgumentMismatch" && message.ends_with(unmet)) {
-    message = message.substr(0, message.find(':')) + " needs a value";
+    message.resize(std::min(message.find(':'), message.size()));
+    message += " needs a value";
   } else if (const auto verbs = verbs_of(at); error.get_name() == "RequiredError" && !verbs.empty()) {
     const std::vector<std::string> unknown = at.remaining();
     const std::string list = fmt::format("{}", fmt::join(verbs, ", "));

@@ -33,6 +33,7 @@ void for_each_verb(const VerbText& verb, const Visit& visit) {
 
 std::vector<std::string> names_of(const std::vector<VerbText>& verbs) {
   std::vector<std::string> names;
+  names.reserve(verbs.size());
   for (const VerbText& verb : verbs) names.push_back(verb.name());
   return names;
 }

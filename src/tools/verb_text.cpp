@@ -19,7 +19,7 @@ void read_type(const std::string& type, FlagText& flag) {
   std::string rest = type.substr(colon + 1);
   if (const std::size_t open = rest.find('{'); open != std::string::npos) {
     std::string list = rest.substr(open + 1);
-    list = list.substr(0, list.find('}'));
+    list.resize(std::min(list.find('}'), list.size()));
     for (std::size_t begin = 0; begin <= list.size();) {
       const std::size_t end = std::min(list.find(',', begin), list.size());
       flag.choices.push_back(list.substr(begin, end - begin));

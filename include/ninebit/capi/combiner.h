@@ -22,8 +22,8 @@
  */
 #pragma once
 
-#include <stddef.h>
-#include <stdint.h>
+#include <stddef.h> /* NOLINT(modernize-deprecated-headers): for C */
+#include <stdint.h> /* NOLINT(modernize-deprecated-headers) */
 
 #include "ninebit/numerics/visibility.h"
 

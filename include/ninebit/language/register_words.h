@@ -36,7 +36,7 @@ struct RegisterWord {
                                                          const HardwareProfile& profile);
 
 // The same of words that are already apart; `file` is for messages.
-[[nodiscard]] Parsed<CombinerState> decode_register_words(std::span<const RegisterWord> words, std::string_view file,
+[[nodiscard]] Parsed<CombinerState> decode_register_words(std::span<const RegisterWord> given, std::string_view file,
                                                           ChipClass chip, const HardwareProfile& profile);
 
 // The words of a state under their canonical names, or a Diagnostic that says what the chip cannot hold. Constants are

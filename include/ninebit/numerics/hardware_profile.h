@@ -193,7 +193,8 @@ consteval HardwareProfile xbox() {
 }
 
 // What a profile without a chip has around its arithmetic: all that the extensions allow, and the NV2A's choices.
-consteval HardwareProfile real_numbers(std::string_view name, std::string_view chip, Choice<Arithmetic> arithmetic) {
+consteval HardwareProfile real_numbers(std::string_view name, std::string_view chip,
+                                       const Choice<Arithmetic>& arithmetic) {
   constexpr std::string_view not_read = "not read by this arithmetic";
   constexpr std::string_view as_nv2a = "no chip decides; as nv2a";
   HardwareProfile p = xbox();
