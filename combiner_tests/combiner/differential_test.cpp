@@ -95,7 +95,6 @@ void run_case(const Run& run, std::uint64_t seed, std::uint64_t index, StatesSee
   const HardwareProfile profile = profile_of(run, random);
   const CombinerState state = random_state(random, profile);
   const std::vector<StateDiagnostic> faults = validate(state, profile);
-  // cppcheck-suppress containerOutOfBounds  // reads it only where the assertion fails
   ASSERT_TRUE(faults.empty()) << faults[0].message << '\n' << describe(state, profile);
   std::vector<RegisterFile> initial(kFragmentsEach);
   for (RegisterFile& registers : initial) registers = random_registers(random, profile);

@@ -39,7 +39,9 @@ TEST(ProgramThreads, OneProgramRunsInSeveralAtOnce) {
       std::vector<std::jthread> threads;
       for (Lanes& run : runs) {
         threads.emplace_back([&program, &run] {
-          const BatchProgram copy = program;  // shares what it is made of
+          // Shares what it is made of. NOLINTNEXTLINE(performance-unnecessary-copy-initialization): each thread has its
+          // own
+          const BatchProgram copy = program;
           copy.run(*run.registers, kBatchSize, *run.out);
         });
       }

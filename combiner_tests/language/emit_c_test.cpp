@@ -1,7 +1,6 @@
 // Programs emitted as C, compiled by the machine's C compiler, against the reference.
 #include <dlfcn.h>
 #include <gtest/gtest.h>
-#include <stdlib.h>
 
 #include <array>
 #include <cstdint>

@@ -4,15 +4,15 @@
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
 #include <GL/glcorearb.h>
-#include <stdlib.h>
 
 #include <array>
 #include <cstdint>
+#include <cstdlib>
 
 // Of the leak sanitizer, where the program is built with it.
 extern "C" {
-__attribute__((weak)) void __lsan_disable();
-__attribute__((weak)) void __lsan_enable();
+__attribute__((weak)) void __lsan_disable();  // NOLINT(bugprone-reserved-identifier): its name for it
+__attribute__((weak)) void __lsan_enable();   // NOLINT(bugprone-reserved-identifier)
 }
 #endif
 

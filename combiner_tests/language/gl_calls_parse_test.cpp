@@ -151,8 +151,8 @@ TEST(GlCalls, ArraysAreBracesLiteralsOrDeclared) {
         "glCombinerParameterfvNV(GL_CONSTANT_COLOR1_NV, (GLfloat[]){0.25f, 1.f, 0.0f, 1e-1f,});",
         "glCombinerParameterfvNV(GL_CONSTANT_COLOR1_NV, (const GLfloat[4]){2.5E-1F, 7, -0.0f, 0.1F});",
         "GLfloat c[] = {.25, 1., 0, 0.1f}; glCombinerParameterfvNV(GL_CONSTANT_COLOR1_NV, c);",
-        "static const float a[4] = {1}, c[4] = {.25f, 1, -3, 100e-3f};"
-        "glCombinerParameterfvNV(GL_CONSTANT_COLOR1_NV, &c[0]);",
+        ("static const float a[4] = {1}, c[4] = {.25f, 1, -3, 100e-3f};"
+         "glCombinerParameterfvNV(GL_CONSTANT_COLOR1_NV, &c[0]);"),
         "const GLfloat c[6] = {0.25f, +1, 0, .1f}; glCombinerParameterfvNV(GL_CONSTANT_COLOR1_NV, c);"}) {
     EXPECT_TRUE(parsed(text) == wanted) << text;
   }

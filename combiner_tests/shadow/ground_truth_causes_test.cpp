@@ -14,7 +14,7 @@ struct JudgedRoom {
   Rendering rendering;
   GroundTruth truth;
 };
-JudgedRoom judged_room(const Scene& scene, RenderSettings settings) {
+JudgedRoom judged_room(const Scene& scene, const RenderSettings& settings) {
   Rendering rendering = render(scene, settings);
   GroundTruth truth = judged(scene, settings, rendering);
   return {std::move(rendering), std::move(truth)};

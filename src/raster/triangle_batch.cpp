@@ -195,6 +195,7 @@ TriangleBatchResult set_up_range(const TriangleBatch& batch, std::size_t begin, 
   const SetupPrimitive* const first_written = out.primitives;
   Candidates candidates;
   for (auto& lanes : candidates.vertex)
+    // cppcheck-suppress pointerSize  // lanes is an array
     std::memset(lanes, 0, sizeof lanes);  // what is beyond the last one is read, too
   TriangleBatchResult result{.next = end};
   for (std::size_t i = begin; i < end; i += hn::Lanes(kDI)) {
