@@ -216,7 +216,8 @@ TEST(TextureFilter, EveryDepthOf16BitsBecomesTheNearestByte) {
       make_texture(TextureTarget::texture_2d, InternalFormat::depth16, {{{256, 256, codes}}}).value();
   const auto made = TextureSampler::make(profiles::geforce2, texture, kNearestSampler);
   for (int i = 0; i < 65536; ++i) {
-    const float s = (static_cast<float>(i % 256) + 0.5F) / 256, t = (static_cast<float>(i / 256) + 0.5F) / 256;
+    const int x = i % 256, y = i / 256;
+    const float s = (static_cast<float>(x) + 0.5F) / 256, t = (static_cast<float>(y) + 0.5F) / 256;
     ASSERT_EQ(texel_at(*made, {s, t, 0}).value[0], std::lround(i * 255 / 65535.0)) << i;
   }
 }

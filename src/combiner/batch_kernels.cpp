@@ -281,6 +281,7 @@ void run_code(const VectorCode& code, RegisterBatch& registers, std::size_t coun
   // As many lanes at once as leave room for all temporaries. A stage makes at most 60: there are never more than 512.
   unsigned shift = kBatchShift;
   while ((code.temporaries << shift) > kTemporaryLanes) --shift;
+  // Beside planes that are written; no operation writes these. NOLINTNEXTLINE(cppcoreguidelines-pro-type-const-cast)
   s9* const constants = const_cast<s9*>(code.constants.empty() ? nullptr : code.constants[0].lane.data());
   Batch batch{{registers.plane[0][0].data(), out.plane[0].data(), constants, temporaries},
               {kBatchShift, kBatchShift, kBatchShift, shift},

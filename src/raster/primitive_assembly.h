@@ -26,14 +26,14 @@ class PrimitiveAssembly {
   [[nodiscard]] std::uint32_t vertex(std::size_t place) const {
     return indices_.empty() ? static_cast<std::uint32_t>(place) : indices_[place];
   }
-  // The vertex whose colours flat shading takes.
-  [[nodiscard]] std::uint32_t provoking_vertex(std::size_t primitive) const;
+  // Of primitive i, the vertex whose colours flat shading takes.
+  [[nodiscard]] std::uint32_t provoking_vertex(std::size_t i) const;
 
-  [[nodiscard]] std::array<std::uint32_t, 2> line(std::size_t primitive) const;
+  [[nodiscard]] std::array<std::uint32_t, 2> line(std::size_t i) const;
   // Vertices in the order in which the primitive counts as counter-clockwise or not.
-  [[nodiscard]] std::array<std::uint32_t, 3> triangle(std::size_t primitive) const;
+  [[nodiscard]] std::array<std::uint32_t, 3> triangle(std::size_t i) const;
   // Triangle `cut` of a quad or polygon, from 0 to triangles_each() - 1.
-  [[nodiscard]] std::array<std::uint32_t, 3> triangle_of(std::size_t primitive, std::size_t cut) const;
+  [[nodiscard]] std::array<std::uint32_t, 3> triangle_of(std::size_t i, std::size_t cut) const;
   // Which of its edges 0-1, 1-2, 2-0 are edges of the quad or polygon.
   [[nodiscard]] std::array<bool, 3> boundary_of(std::size_t cut) const {
     return {cut == 0, true, cut + 1 == triangles_each_};
