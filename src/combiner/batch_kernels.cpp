@@ -302,7 +302,6 @@ HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 namespace ninebit {
-
 namespace detail {
 HWY_EXPORT(run_code);
 
