@@ -249,7 +249,7 @@ HWY_NOINLINE void finish(LaneTile& tile, LanePass& pass, LaneFragments& f) {
 
 // Draws the fragments of a batch, or of one that is kept those that pass the stencil test.
 void draw_batch(LaneTile& tile, LanePass& pass, LaneFragments& f) {
-  const bool asks_stencil = (pass.keeps || pass.repeats) && (pass.operations.equal_bits & 0xFF) != 0;
+  const bool asks_stencil = (pass.keeps || pass.repeats) && pass.operations.stencil_decides;
   if (!asks_stencil) return finish(tile, pass, f);
   const FragmentBits passing = pass_stencil_test(tile, pass.operations, f);
   const std::size_t count = passing.before(f.count);

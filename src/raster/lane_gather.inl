@@ -26,12 +26,12 @@ HWY_INLINE hn::Mask<D> gathered(D d, const LaneDraw<D>& draw, const Pen& pen, st
     });
     return any;
   };
-  if (operations.is_equal_alone) {
+  if (operations.asks_equal_depth) {
+    const auto stored = Rows::load(d, at);
+    const auto difference = hn::Xor(hn::ShiftLeft<8>(depth), stored);
+    mask = hn::And(mask, hn::Eq(hn::AndNot(hn::Set(d, 0xFF), difference), hn::Zero(d)));
     // Fragments that are kept are those of all stencil values.
-    const auto set = [&](std::uint32_t v) HWY_ATTR { return hn::Set(d, static_cast<std::int32_t>(v)); };
-    const auto counts = set(pen.pass.keeps ? 0xFFFFFF00 : operations.equal_bits);
-    const auto wanted = hn::Or(hn::ShiftLeft<8>(depth), set(pen.pass.keeps ? 0 : operations.equal_value));
-    mask = hn::And(mask, hn::Eq(hn::And(Rows::load(d, at), counts), wanted));
+    if (operations.stencil_decides && !pen.pass.keeps) mask = hn::And(mask, stencil_passes(d, draw, stored));
   } else {
     // What waits may still change the outcome of tests.
     if (operations.tests_change && meet(mask)) flush_lanes(tile, pen.pass);

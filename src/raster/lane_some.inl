@@ -23,13 +23,11 @@ struct FragmentBits {
 HWY_INLINE FragmentBits pass_stencil_test(const LaneTile& tile, const LaneOperations& operations,
                                           const LaneFragments& f) {
   FragmentBits passing;
-  const std::uint32_t counts = operations.equal_bits & 0xFF;
-  const V bits = hn::Set(kD, static_cast<std::int32_t>(counts));
-  const V wanted = hn::Set(kD, static_cast<std::int32_t>(operations.equal_value));
+  const LaneDraw<D> draw(kD, operations, true);
   for (std::size_t i = 0; i < f.count; i += kLanes) {
     const auto mask = hn::FirstN(kD, f.count - i);
     const V stored = hn::GatherIndex(kD, lanes_of(tile.tile.depth_stencil.data()), places_from(f, i, mask));
-    passing.set(i, bits_of(kD, hn::And(mask, hn::Eq(hn::And(stored, bits), wanted))));
+    passing.set(i, bits_of(kD, hn::And(mask, stencil_passes(kD, draw, stored))));
   }
   return passing;
 }
