@@ -1,8 +1,6 @@
 // What a batch of fragments goes through: interpolation, combiners, fragment operations.
 #include "src/raster/lane_batch.h"
 
-#include <cstring>
-
 #include "src/raster/lane_inputs.h"
 #include "src/raster/tile_lanes.h"
 
@@ -65,14 +63,19 @@ HWY_INLINE void fill_smooth_colors(const LaneFragments& f, LaneBatch& batch, std
     const ColorBytes &a = colors[v[0]], &b = colors[v[1]], &c = colors[v[2]];
     // What is stored beyond the run's end, the next one stores again.
     for (std::size_t i = f.run[r].first; i < f.run[r + 1].first; i += kLanes) {
-      V color = hn::Zero(kD);
-      for (std::size_t k = 4; k-- > 0;) {
+      const auto byte = [&](std::size_t k) HWY_ATTR {
         const VF value =
             interpolate(f, i, static_cast<float>(a[k]), static_cast<float>(b[k]), static_cast<float>(c[k]));
-        const VF byte = hn::Min(hn::Max(hn::Add(value, hn::Set(kDF, 0.5F)), hn::Zero(kDF)), hn::Set(kDF, 255.0F));
-        color = hn::Or(hn::ShiftLeft<8>(color), hn::ConvertTo(kD, byte));
-      }
-      hn::StoreU(color, kD, lanes_of(batch.color.data()) + i);
+        return hn::Floor(
+            hn::Min(hn::Max(hn::Add(value, hn::Set(kDF, 0.5F)), hn::Zero(kDF)), hn::Set(kDF, 255.0F)));
+      };
+      // Two bytes side by side, in the low bits of a float that is beyond 2^23: exact, and faster than conversions.
+      const auto two_bytes = [&](std::size_t k) HWY_ATTR {
+        const VF both = hn::Add(byte(k), hn::Mul(byte(k + 1), hn::Set(kDF, 256.0F)));
+        return hn::BitCast(kD, hn::Add(both, hn::Set(kDF, 0x1p23F)));
+      };
+      const V low = hn::And(two_bytes(0), hn::Set(kD, 0xFFFF));
+      hn::StoreU(hn::Or(hn::ShiftLeft<16>(two_bytes(2)), low), kD, lanes_of(batch.color.data()) + i);
     }
   }
 }
@@ -137,13 +140,19 @@ HWY_INLINE void output_to_colors(LaneBatch& batch, std::size_t count, const Hard
   }
 }
 
+// Whether of a batch's fragments, which were gathered whatever the stencil says, those count that pass its test.
+bool asks_stencil(const LanePass& pass) {
+  return (pass.keeps || pass.repeats) && pass.operations.stencil_decides;
+}
+
 // What the operations make of fragments from i on, all of one facing: `mask` of them, whose pixels hold `stored`.
-HWY_INLINE LaneResult<D> operate(const LaneFragments& f, const LaneDraw<D>& draw, std::size_t i, hn::Mask<D> mask,
-                                 V color, V stored) {
+HWY_INLINE LaneResult<D> operate(const LaneFragments& f, const LaneDraw<D>& draw, bool asks_stencil, std::size_t i,
+                                 hn::Mask<D> mask, V color, V stored) {
   const V alpha = hn::BitCast(kD, hn::ShiftRight<24>(hn::BitCast(hn::RebindToUnsigned<D>(), color)));
   if (!draw.operations.are_tests_final) {
     return apply_lanes(kD, draw, mask, hn::LoadU(kD, lanes_of(f.depth.data()) + i), alpha, stored);
   }
+  if (asks_stencil) mask = hn::And(mask, stencil_passes(kD, draw, stored));
   mask = alpha_passes(kD, draw, mask, alpha);
   if (!draw.operations.stencil_write) return {stored, mask};
   const V bits = hn::Set(kD, 0xFF);
@@ -151,15 +160,23 @@ HWY_INLINE LaneResult<D> operate(const LaneFragments& f, const LaneDraw<D>& draw
   return {hn::IfThenElse(mask, hn::Or(hn::AndNot(bits, stored), value), stored), mask};
 }
 
+HWY_INLINE V load_stored(const LaneTile& tile, const LaneFragments::Span& span) {
+  return hn::LoadU(kD, lanes_of(tile.tile.depth_stencil.data()) + span.place);
+}
+
 // Spans of fragments, a vector for each.
-HWY_INLINE void operate_on_spans(LaneTile& tile, const LaneFragments& f, const LaneBatch& batch,
-                                 const LaneDraw<D>& draw, std::size_t first, std::size_t end) {
+HWY_INLINE void operate_on_spans(LaneTile& tile, const LaneFragments& f, const LanePass& pass, const LaneDraw<D>& draw,
+                                 std::size_t first, std::size_t end) {
   const LaneOperations& operations = draw.operations;
+  const LaneBatch& batch = *pass.batch;
+  const bool asks = asks_stencil(pass);
   const bool writes = operations.depth_write || operations.stencil_write;
   if (operations.are_tests_final && !operations.alpha && !writes) {
     for (std::size_t s = first; s < end; ++s) {
       const LaneFragments::Span& span = f.span[s];
-      hn::BlendedStore(hn::LoadU(kD, lanes_of(batch.color.data()) + span.first), hn::FirstN(kD, span.count), kD,
+      auto mask = hn::FirstN(kD, span.count);
+      if (asks) mask = hn::And(mask, stencil_passes(kD, draw, load_stored(tile, span)));
+      hn::BlendedStore(hn::LoadU(kD, lanes_of(batch.color.data()) + span.first), mask, kD,
                        lanes_of(tile.tile.color.data()) + span.place);
     }
     return;
@@ -169,10 +186,17 @@ HWY_INLINE void operate_on_spans(LaneTile& tile, const LaneFragments& f, const L
     std::int32_t* const stored = lanes_of(tile.tile.depth_stencil.data()) + span.place;
     std::int32_t* const colors = lanes_of(tile.tile.color.data()) + span.place;
     const V color = hn::LoadU(kD, lanes_of(batch.color.data()) + span.first);
-    const LaneResult<D> result = operate(f, draw, span.first, hn::FirstN(kD, span.count), color, hn::LoadU(kD, stored));
+    const LaneResult<D> result =
+        operate(f, draw, asks, span.first, hn::FirstN(kD, span.count), color, hn::LoadU(kD, stored));
     if (writes) hn::StoreU(result.depth_stencil, kD, stored);
     if (operations.color) hn::BlendedStore(color, result.drawn, kD, colors);
   }
+}
+
+// Whether spans are worth a vector each: gathering is faster below this mean length.
+HWY_INLINE bool has_long_spans(const LaneFragments& f) {
+  constexpr std::size_t kShort = 3;
+  return f.count >= kShort * f.spans;
 }
 
 // Where the fragments of `mask` lie, from i on; the others at a word behind the planes.
@@ -181,8 +205,9 @@ HWY_INLINE V places_from(const LaneFragments& f, std::size_t i, hn::Mask<D> mask
 }
 
 // Fragments at any places, a full vector at a time.
-HWY_INLINE void operate_on_places(LaneTile& tile, const LaneFragments& f, const LaneBatch& batch,
+HWY_INLINE void operate_on_places(LaneTile& tile, const LaneFragments& f, const LanePass& pass,
                                   const LaneDraw<D>& draw) {
+  const LaneBatch& batch = *pass.batch;
   const LaneOperations& operations = draw.operations;
   std::int32_t* const stored = lanes_of(tile.tile.depth_stencil.data());
   std::int32_t* const colors = lanes_of(tile.tile.color.data());
@@ -190,7 +215,8 @@ HWY_INLINE void operate_on_places(LaneTile& tile, const LaneFragments& f, const 
     const auto mask = hn::FirstN(kD, f.count - i);
     const V place = places_from(f, i, mask);
     const V color = hn::LoadU(kD, lanes_of(batch.color.data()) + i);
-    const LaneResult<D> result = operate(f, draw, i, mask, color, hn::GatherIndex(kD, stored, place));
+    const LaneResult<D> result =
+        operate(f, draw, asks_stencil(pass), i, mask, color, hn::GatherIndex(kD, stored, place));
     if (operations.depth_write || operations.stencil_write) {
       hn::ScatterIndex(result.depth_stencil, kD, stored, place);
     }
@@ -232,32 +258,39 @@ HWY_NOINLINE void finish(LaneTile& tile, LanePass& pass, LaneFragments& f) {
     std::size_t r = 0;
     for (std::size_t s = 0; s < f.spans; ++s) {
       while (f.span[s].first >= f.run[r + 1].first) ++r;
-      operate_on_spans(tile, f, batch, LaneDraw<D>(kD, pass.operations, f.run[r].primitive->front_facing), s, s + 1);
+      operate_on_spans(tile, f, pass, LaneDraw<D>(kD, pass.operations, f.run[r].primitive->front_facing), s, s + 1);
     }
     return;
   }
   const LaneDraw<D> draw(kD, pass.operations, true);
-  constexpr std::size_t kShort = 3;  // for the mean span; below it gathering is faster
-  if (f.spans > 0 && f.count >= kShort * f.spans) {
-    operate_on_spans(tile, f, batch, draw, 0, f.spans);
+  if (has_long_spans(f)) {
+    operate_on_spans(tile, f, pass, draw, 0, f.spans);
   } else {
-    operate_on_places(tile, f, batch, draw);
+    operate_on_places(tile, f, pass, draw);
   }
 }
 
-#include "src/raster/lane_some.inl"
+// Whether any fragment passes the stencil test.
+HWY_INLINE bool any_passes_stencil(const LaneTile& tile, const LanePass& pass, const LaneFragments& f) {
+  const LaneDraw<D> draw(kD, pass.operations, true);
+  if (has_long_spans(f)) {
+    for (std::size_t s = 0; s < f.spans; ++s) {
+      const auto passing = stencil_passes(kD, draw, load_stored(tile, f.span[s]));
+      if (!hn::AllFalse(kD, hn::And(hn::FirstN(kD, f.span[s].count), passing))) return true;
+    }
+    return false;
+  }
+  for (std::size_t i = 0; i < f.count; i += kLanes) {
+    const auto mask = hn::FirstN(kD, f.count - i);
+    const V stored = hn::GatherIndex(kD, lanes_of(tile.tile.depth_stencil.data()), places_from(f, i, mask));
+    if (!hn::AllFalse(kD, hn::And(mask, stencil_passes(kD, draw, stored)))) return true;
+  }
+  return false;
+}
 
 // Draws the fragments of a batch, or of one that is kept those that pass the stencil test.
 void draw_batch(LaneTile& tile, LanePass& pass, LaneFragments& f) {
-  const bool asks_stencil = (pass.keeps || pass.repeats) && pass.operations.stencil_decides;
-  if (!asks_stencil) return finish(tile, pass, f);
-  const FragmentBits passing = pass_stencil_test(tile, pass.operations, f);
-  const std::size_t count = passing.before(f.count);
-  if (count == f.count) return finish(tile, pass, f);
-  if (count == 0) return;
-  find_shares(f);
-  copy_some(f, passing, tile.some);
-  finish(tile, pass, tile.some);
+  if (!asks_stencil(pass) || any_passes_stencil(tile, pass, f)) finish(tile, pass, f);
 }
 
 #endif

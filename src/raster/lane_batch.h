@@ -37,7 +37,7 @@ struct LaneFragments {
   std::size_t runs = 0;
   std::size_t spans = 0;
   bool has_shares = false;                         // whether `weight` are shares
-  std::array<Span, kBatchSize> span;               // all fragments, in their order; none where only `place` is known
+  std::array<Span, kBatchSize> span;               // all fragments, in their order
   std::array<Run, kBatchSize + 1> run;             // one more than there are: its `first` is `count`
   alignas(64) Lanes<std::uint32_t> place;          // of the pixel in TilePlanes
   alignas(64) Lanes<std::uint32_t> depth;          // codes

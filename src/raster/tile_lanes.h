@@ -55,7 +55,6 @@ struct LaneTile {
   bool has_kept_all = false;                            // or there were too many
   LaneFragments* fragments = nullptr;                   // being gathered
   std::array<std::uint64_t, kTileSize + 3> occupied{};  // a bit for each pixel of a row that has one of them
-  LaneFragments some;                                   // of a batch
 
   void keep_none();
   // Starts with the next batch, which may replace the last one if that need not stay.
