@@ -66,8 +66,7 @@ HWY_INLINE void fill_smooth_colors(const LaneFragments& f, LaneBatch& batch, std
       const auto byte = [&](std::size_t k) HWY_ATTR {
         const VF value =
             interpolate(f, i, static_cast<float>(a[k]), static_cast<float>(b[k]), static_cast<float>(c[k]));
-        return hn::Floor(
-            hn::Min(hn::Max(hn::Add(value, hn::Set(kDF, 0.5F)), hn::Zero(kDF)), hn::Set(kDF, 255.0F)));
+        return hn::Floor(hn::Min(hn::Max(hn::Add(value, hn::Set(kDF, 0.5F)), hn::Zero(kDF)), hn::Set(kDF, 255.0F)));
       };
       // Two bytes side by side, in the low bits of a float that is beyond 2^23: exact, and faster than conversions.
       const auto two_bytes = [&](std::size_t k) HWY_ATTR {

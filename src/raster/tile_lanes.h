@@ -25,8 +25,8 @@ struct LanePass {
   const bool depths_are_codes;       // window depths, without a polygon offset
   std::unique_ptr<LaneBatch> batch;  // none where the draw's result is flat
 
-  // Of passes that follow one another over the same primitives, each with asks_equal_depth, all ask the same depths: the
-  // first `keeps` the fragments that pass the depth test, which the others draw again (`repeats`).
+  // Of passes that follow one another over the same primitives, each with asks_equal_depth, all ask the same depths:
+  // the first `keeps` the fragments that pass the depth test, which the others draw again (`repeats`).
   bool keeps = false, repeats = false;
   [[nodiscard]] bool can_repeat() const { return batch && operations.asks_equal_depth; }
 };
