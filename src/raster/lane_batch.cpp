@@ -60,12 +60,15 @@ HWY_INLINE VF interpolate(const LaneFragments& f, std::size_t i, float a, float 
 HWY_INLINE void fill_smooth_colors(const LaneFragments& f, LaneBatch& batch, std::span<const ColorBytes> colors) {
   for (std::size_t r = 0; r < f.runs; ++r) {
     const std::array<std::uint32_t, 3>& v = f.run[r].primitive->vertex;
-    const ColorBytes &a = colors[v[0]], &b = colors[v[1]], &c = colors[v[2]];
+    // Not read again for each vector, as what is stored might be a colour for all that the compiler knows.
+    std::array<std::array<float, 3>, 4> corner;
+    for (std::size_t k = 0; k < 4; ++k) {
+      for (std::size_t n = 0; n < 3; ++n) corner[k][n] = static_cast<float>(colors[v[n]][k]);
+    }
     // What is stored beyond the run's end, the next one stores again.
     for (std::size_t i = f.run[r].first; i < f.run[r + 1].first; i += kLanes) {
       const auto byte = [&](std::size_t k) HWY_ATTR {
-        const VF value =
-            interpolate(f, i, static_cast<float>(a[k]), static_cast<float>(b[k]), static_cast<float>(c[k]));
+        const VF value = interpolate(f, i, corner[k][0], corner[k][1], corner[k][2]);
         return hn::Floor(hn::Min(hn::Max(hn::Add(value, hn::Set(kDF, 0.5F)), hn::Zero(kDF)), hn::Set(kDF, 255.0F)));
       };
       // Two bytes side by side, in the low bits of a float that is beyond 2^23: exact, and faster than conversions.
@@ -83,7 +86,7 @@ HWY_INLINE void fill_coordinates(const LaneFragments& f, LaneBatch& batch, std::
                                  int components) {
   for (std::size_t r = 0; r < f.runs; ++r) {
     const std::array<std::uint32_t, 3>& v = f.run[r].primitive->vertex;
-    const glm::vec3 &a = at_vertex[v[0]], &b = at_vertex[v[1]], &c = at_vertex[v[2]];
+    const glm::vec3 a = at_vertex[v[0]], b = at_vertex[v[1]], c = at_vertex[v[2]];
     for (std::size_t i = f.run[r].first; i < f.run[r + 1].first; i += kLanes) {
       for (int k = 0; k < components; ++k) {
         hn::StoreU(interpolate(f, i, a[k], b[k], c[k]), kDF, batch.coordinate[static_cast<std::size_t>(k)].data() + i);
@@ -110,30 +113,34 @@ HWY_INLINE void divide_coordinates(const LaneFragments& f, LaneBatch& batch, std
   }
 }
 
-// Byte k of each colour as register codes.
-HWY_INLINE void colors_to_codes(LaneBatch& batch, std::size_t count, int byte_shift, Register reg) {
-  for (std::size_t i = 0; i < count; i += kLanes) {
-    V color = hn::Load(kD, lanes_of(batch.color.data()) + i);
-    for (int k = 0; k < 4; ++k) {
-      const V byte = hn::And(color, hn::Set(kD, 0xFF));
-      hn::StoreU(hn::DemoteTo(kD16, hn::ShiftRightSame(byte, byte_shift)), kD16, batch.registers(reg, k) + i);
-      color = hn::ShiftRight<8>(color);
+// The bytes of each colour that the program reads, as register codes.
+HWY_INLINE void colors_to_codes(LaneBatch& batch, std::size_t count, const DrawContext& context) {
+  for (int k = 0; k < 4; ++k) {
+    if (!context.program->reads().contains(Register::primary, k)) continue;
+    s9* const to = batch.registers(Register::primary, k);
+    const int shift = 8 * k, byte_shift = context.state.profile.byte_shift;
+    for (std::size_t i = 0; i < count; i += kLanes) {
+      const V color = hn::Load(kD, lanes_of(batch.color.data()) + i);
+      const V byte = hn::And(hn::ShiftRightSame(color, shift), hn::Set(kD, 0xFF));
+      hn::StoreU(hn::DemoteTo(kD16, hn::ShiftRightSame(byte, byte_shift)), kD16, to + i);
     }
   }
 }
 
-// What leaves the combiners as bytes, see to_byte.
-HWY_INLINE void output_to_colors(LaneBatch& batch, std::size_t count, const HardwareProfile& profile) {
+// What leaves the combiners as bytes, see to_byte; those that nothing looks at as 0.
+HWY_INLINE void output_to_colors(LaneBatch& batch, std::size_t count, const DrawContext& context) {
+  const HardwareProfile& profile = context.state.profile;
   const int shift = profile.byte_shift;
   const V one = hn::Set(kD, profile.one);
   for (std::size_t i = 0; i < count; i += kLanes) {
     V color = hn::Zero(kD);
     for (std::size_t k = 4; k-- > 0;) {
+      color = hn::ShiftLeft<8>(color);
+      if (!context.wanted_color[k]) continue;
       const V code = hn::Max(hn::PromoteTo(kD, hn::LoadU(kD16, batch.out.plane[k].data() + i)), hn::Zero(kD));
       const V wide =
           shift == 0 ? code : hn::Or(hn::ShiftLeftSame(code, shift), hn::ShiftRightSame(code, 8 - 2 * shift));
-      const V byte = hn::IfThenElse(hn::Lt(code, one), wide, hn::Set(kD, 255));
-      color = hn::Or(hn::ShiftLeft<8>(color), byte);
+      color = hn::Or(color, hn::IfThenElse(hn::Lt(code, one), wide, hn::Set(kD, 255)));
     }
     hn::Store(color, kD, lanes_of(batch.color.data()) + i);
   }
@@ -225,33 +232,43 @@ HWY_INLINE void operate_on_places(LaneTile& tile, const LaneFragments& f, const 
   }
 }
 
+// The registers that the program reads.
+HWY_INLINE void fill_registers(LaneFragments& f, LaneBatch& batch, const DrawContext& context) {
+  refill_constants(batch, context);
+  if (context.reads[static_cast<std::size_t>(Register::primary)]) {
+    if (context.shades_flat()) {
+      fill_flat_codes(f, batch, context);
+    } else {
+      find_shares(f);
+      fill_smooth_colors(f, batch, context.arrays.vertex_colors);
+      colors_to_codes(batch, f.count, context);
+    }
+  }
+  for (std::size_t unit = 0; unit < context.samplers.size(); ++unit) {
+    if (!context.reads_unit[unit]) continue;
+    find_shares(f);
+    const int components = context.samplers[unit]->needs_r() ? 3 : 2;
+    fill_coordinates(f, batch, context.arrays.texture_coordinates[unit], components);
+    if (context.reads_q(unit)) divide_coordinates(f, batch, context.arrays.texture_q[unit], components);
+    sample(batch, f.count, context, unit);
+  }
+}
+
 // Sends fragments through the combiners and what follows.
 HWY_NOINLINE void finish(LaneTile& tile, LanePass& pass, LaneFragments& f) {
   LaneBatch& batch = *pass.batch;
   const DrawContext& context = pass.context;
-  const PipelineState& state = context.state;
-  if (pass.operations.needs_color()) {
+  if (!pass.operations.needs_color()) {
+    // Nothing is looked at.
+  } else if (context.state.program) {
+    fill_registers(f, batch, context);
+    context.program->run(batch.registers, f.count, batch.out);
+    output_to_colors(batch, f.count, context);
+  } else if (context.shades_flat()) {
+    fill_flat_colors(f, batch, context);
+  } else {
     find_shares(f);
-    if (context.shades_flat()) {
-      fill_flat_colors(f, batch, context);
-    } else {
-      fill_smooth_colors(f, batch, context.arrays.vertex_colors);
-    }
-    if (state.program) {
-      refill_constants(batch, context);
-      if (context.reads[static_cast<std::size_t>(Register::primary)]) {
-        colors_to_codes(batch, f.count, state.profile.byte_shift, Register::primary);
-      }
-      for (std::size_t unit = 0; unit < context.samplers.size(); ++unit) {
-        if (!context.reads_unit[unit]) continue;
-        const int components = context.samplers[unit]->needs_r() ? 3 : 2;
-        fill_coordinates(f, batch, context.arrays.texture_coordinates[unit], components);
-        if (context.reads_q(unit)) divide_coordinates(f, batch, context.arrays.texture_q[unit], components);
-        sample(batch, f.count, context, unit);
-      }
-      context.program->run(batch.registers, f.count, batch.out);
-      output_to_colors(batch, f.count, state.profile);
-    }
+    fill_smooth_colors(f, batch, context.arrays.vertex_colors);
   }
   if (pass.operations.two_sided) {
     std::size_t r = 0;
