@@ -42,15 +42,20 @@ HWY_INLINE hn::Mask<D> gathered(D d, const LaneDraw<D>& draw, const Pen& pen, st
   return mask;
 }
 
+// Unless the last fragments are the same primitive's.
+HWY_INLINE void begin_run(LaneFragments& batch, const Pen& pen) {
+  if (batch.runs == 0 || batch.run[batch.runs - 1].primitive != &pen.primitive) {
+    batch.run[batch.runs++] = {&pen.primitive, &pen.block, batch.count};
+  }
+}
+
 template <class Rows, class D>
 HWY_INLINE void push(D d, const Pen& pen, std::size_t place, hn::Mask<D> mask, hn::Vec<D> depth,
                      const hn::Vec<hn::Rebind<float, D>> weight[3]) {
   LaneFragments& batch = *pen.tile.fragments;
   const hn::Rebind<float, D> df;
   const std::size_t at = batch.count;
-  if (batch.runs == 0 || batch.run[batch.runs - 1].primitive != &pen.primitive) {
-    batch.run[batch.runs++] = {&pen.primitive, &pen.block, at};
-  }
+  begin_run(batch, pen);
   std::size_t span_first = at;
   for_rows<Rows>(d, place, mask, [&](std::size_t row, std::uint64_t bits) HWY_ATTR {
     while (bits != 0) {  // mostly once

@@ -1,6 +1,7 @@
 #include "src/raster/tile_lanes.h"
 
 #include <algorithm>
+#include <bit>
 #include <cstddef>
 #include <cstring>
 
