@@ -121,7 +121,7 @@ HWY_INLINE void push_row(const Pen& pen, const TileTriangles& t, std::size_t k, 
   tile.occupied[row_place / kTileSize] |= columns;
   LaneFragments& batch = *tile.fragments;
   begin_run(batch, pen);
-  for (int column = 0; bits != 0; ) {
+  for (int column = 0; bits != 0;) {
     column = std::countr_zero(bits);
     const int length = std::min(std::countr_one(bits >> column), kLanes);
     bits &= ~(((std::uint64_t{1} << length) - 1) << column);
