@@ -22,7 +22,8 @@ struct LaneFragments {
   // Fragments of one primitive, from `first` on.
   struct Run {
     const SetupPrimitive* primitive = nullptr;
-    const SetupBlock* block = nullptr;
+    const SetupCorners* corners = nullptr;
+    const glm::mat3* weights = nullptr;  // see SetupBlock::weights_of
     std::size_t first = 0;
   };
 

@@ -45,7 +45,7 @@ HWY_INLINE hn::Mask<D> gathered(D d, const LaneDraw<D>& draw, const Pen& pen, st
 // Unless the last fragments are the same primitive's.
 HWY_INLINE void begin_run(LaneFragments& batch, const Pen& pen) {
   if (batch.runs == 0 || batch.run[batch.runs - 1].primitive != &pen.primitive) {
-    batch.run[batch.runs++] = {&pen.primitive, &pen.block, batch.count};
+    batch.run[batch.runs++] = {&pen.primitive, pen.corners, pen.block.weights_of(*pen.corners), batch.count};
   }
 }
 
@@ -72,7 +72,7 @@ HWY_INLINE void push(D d, const Pen& pen, std::size_t place, hn::Mask<D> mask, h
   const bool has_depth = !pen.pass.operations.are_tests_final;
   float* const weights = batch.weight[0].data() + at;
   const std::size_t stride = LaneFragments::kRoom;
-  const auto& corner = pen.primitive.corner;
+  const auto& corner = pen.corners->corner;
   if (hn::AllTrue(d, mask)) {
     hn::StoreU(places, d, lanes_of(batch.place.data()) + at);
     if (has_depth) hn::StoreU(depth, d, lanes_of(batch.depth.data()) + at);

@@ -8,8 +8,8 @@ namespace ninebit {
 void unclip(LaneFragments& f) {
   for (std::size_t r = 0; r < f.runs; ++r) {
     const LaneFragments::Run& run = f.run[r];
-    if (run.primitive->weights == kNoWeights) continue;
-    const glm::mat3& m = run.block->weights[run.primitive->weights];
+    if (run.weights == nullptr) continue;
+    const glm::mat3& m = *run.weights;
     for (std::size_t i = run.first; i < f.run[r + 1].first; ++i) {
       const std::array<float, 3> w{f.weight[0][i], f.weight[1][i], f.weight[2][i]};
       for (int k = 0; k < 3; ++k) {

@@ -29,7 +29,7 @@ HWY_INLINE VF interpolate(const LaneFragments& f, std::size_t i, float a, float 
 
 HWY_INLINE void fill_smooth_colors(const LaneFragments& f, LaneBatch& batch, std::span<const ColorBytes> colors) {
   for (std::size_t r = 0; r < f.runs; ++r) {
-    const std::array<std::uint32_t, 3>& v = f.run[r].primitive->vertex;
+    const std::array<std::uint32_t, 3>& v = f.run[r].corners->vertex;
     // Not read again for each vector, as what is stored might be a colour for all that the compiler knows.
     std::array<std::array<float, 3>, 4> corner;
     for (std::size_t k = 0; k < 4; ++k) {
@@ -55,7 +55,7 @@ HWY_INLINE void fill_smooth_colors(const LaneFragments& f, LaneBatch& batch, std
 HWY_INLINE void fill_coordinates(const LaneFragments& f, LaneBatch& batch, std::span<const glm::vec3> at_vertex,
                                  int components) {
   for (std::size_t r = 0; r < f.runs; ++r) {
-    const std::array<std::uint32_t, 3>& v = f.run[r].primitive->vertex;
+    const std::array<std::uint32_t, 3>& v = f.run[r].corners->vertex;
     const glm::vec3 a = at_vertex[v[0]], b = at_vertex[v[1]], c = at_vertex[v[2]];
     for (std::size_t i = f.run[r].first; i < f.run[r + 1].first; i += kLanes) {
       for (int k = 0; k < components; ++k) {
@@ -69,7 +69,7 @@ HWY_INLINE void fill_coordinates(const LaneFragments& f, LaneBatch& batch, std::
 HWY_INLINE void divide_coordinates(const LaneFragments& f, LaneBatch& batch, std::span<const float> q_at_vertex,
                                    int components) {
   for (std::size_t r = 0; r < f.runs; ++r) {
-    const std::array<std::uint32_t, 3>& v = f.run[r].primitive->vertex;
+    const std::array<std::uint32_t, 3>& v = f.run[r].corners->vertex;
     const float a = q_at_vertex[v[0]], b = q_at_vertex[v[1]], c = q_at_vertex[v[2]];
     for (std::size_t i = f.run[r].first; i < f.run[r + 1].first; i += kLanes) {
       // The fragments beyond the run's end are another one's, which has its own q.

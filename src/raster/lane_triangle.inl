@@ -42,7 +42,7 @@ HWY_INLINE hn::Vec<DF> weight_of(const Pen& pen, const TileTriangles& t, std::si
                                  V inside) {
   const auto edge =
       t.is_narrow[k] ? hn::ConvertTo(kDF, hn::Add(inside, hn::Set(kD, t.threshold[i][k]))) : wide_edge(t, k, i, x, y);
-  return hn::Mul(edge, hn::Set(kDF, pen.primitive.inv_w[i]));
+  return hn::Mul(edge, hn::Set(kDF, pen.corners->inv_w[i]));
 }
 
 template <Drawing kDrawing, class Rows>
@@ -134,7 +134,7 @@ HWY_INLINE void push_row(const Pen& pen, const TileTriangles& t, std::size_t k, 
     for (std::size_t i = 0; i < 3; ++i) {
       const V inside = hn::Add(row[i], hn::Set(kD, t.inside_x[i][k] * column));
       hn::StoreU(weight_of(pen, t, k, i, t.left[k] + column, y, inside), kDF,
-                 batch.weight[pen.primitive.corner[i]].data() + at);
+                 batch.weight[pen.corners->corner[i]].data() + at);
     }
     batch.count += static_cast<std::size_t>(length);
   }
