@@ -63,7 +63,8 @@ Status rasterize(const PipelineState& state, const glm::mat4& clip_from_object, 
 
   const ScratchLease scratch;
   const TileGrid grid(target.width, target.height);
-  const SetupContext setup(state, viewport_of(state, target), drawn, target.format);
+  const SetupContext setup(state, viewport_of(state, target), drawn, target.format,
+                           !context.has_flat_result || target.probe != nullptr);
   const DrawGeometry geometry(setup, clip_from_object, arrays, grid, scratch->packed);
   std::unique_ptr<PixelProbe> probe;
   if (target.probe != nullptr) probe = std::make_unique<PixelProbe>(state, arrays, units, target);
