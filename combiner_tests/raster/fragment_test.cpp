@@ -160,7 +160,7 @@ TEST(Outputs, HoldAttributes) {
     if (surface.color(0)[n] == 0) continue;
     ++drawn;
     // The quad lies in the plane z = -x/2 - 7/2, and a pixel looks along (px, py, -1).
-    const double px = (at % kSize + 0.5) / (kSize / 2) - 1, depth = 3.5 / (1 - px / 2);
+    const double px = (at % kSize + 0.5) / (kSize / 2.0) - 1, depth = 3.5 / (1 - px / 2);
     ASSERT_NEAR(x[n], px * depth, 0.02) << at;
     ASSERT_NEAR(z[n], -1000 * depth, 20) << at;
     ASSERT_EQ(half_z[n], half_of(z[n])) << at;
