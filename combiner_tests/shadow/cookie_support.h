@@ -30,7 +30,7 @@ struct CubePlace {
   double s = 0.0;
   double t = 0.0;
 };
-CubePlace cube_place(const glm::dvec3& direction);
+CubePlace cube_place(const glm::dvec3& r);
 
 // A direction of the world in the space of a light that was turned about x, then y, then z.
 glm::dvec3 in_light_space(glm::dvec3 direction, const glm::dvec3& degrees);

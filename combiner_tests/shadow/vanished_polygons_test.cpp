@@ -36,8 +36,9 @@ double area_of(const std::array<glm::dvec2, 3>& c) {
 
 // The texel centres inside, grown or shrunk by a margin; centres lie at halves.
 bool has_centre(const std::array<glm::dvec2, 3>& c, double margin) {
-  for (double y = -kTexels / 2 + 0.5; y < kTexels / 2; ++y) {
-    for (double x = -kTexels / 2 + 0.5; x < kTexels / 2; ++x) {
+  for (int row = -kTexels / 2; row < kTexels / 2; ++row) {
+    for (int column = -kTexels / 2; column < kTexels / 2; ++column) {
+      const double x = column + 0.5, y = row + 0.5;
       bool inside = true;
       const double sign = (c[1].x - c[0].x) * (c[2].y - c[0].y) > (c[2].x - c[0].x) * (c[1].y - c[0].y) ? 1.0 : -1.0;
       for (std::size_t i = 0; i < 3; ++i) {

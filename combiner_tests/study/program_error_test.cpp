@@ -281,8 +281,9 @@ TEST(ProgramErrors, ConstantsVary) {
   state.final_combiner.a = state.final_combiner.b = state.final_combiner.c = {};
   state.final_combiner.d = {Register::spare0, InputMapping::unsigned_identity, ComponentUsage::rgb};
   state.constant0 = {200.0F / 255.0F, 0.0F, 0.0F, 0.0F};
-  const auto red = [&](const Program& program, ProgramInputs inputs) {
-    return row_of(all_rows(*valid(program_error_study({}, profile, program, std::move(inputs)))), "rows", "r");
+  const auto red = [](const Program& program, ProgramInputs inputs) {
+    const auto study = valid(program_error_study({}, profiles::geforce2, program, std::move(inputs)));
+    return row_of(all_rows(*study), "rows", "r");
   };
   const StudyRow own =
       red(compiled(state, profile), {.components = {{Register::primary, kRed}}, .codes = std::vector<s9>{77, 130}});

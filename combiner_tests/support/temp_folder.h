@@ -1,9 +1,8 @@
 // A folder for a test's files, and whole files.
 #pragma once
 
-#include <stdlib.h>
-
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
