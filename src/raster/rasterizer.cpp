@@ -19,7 +19,7 @@ namespace ninebit {
 namespace {
 
 // As many blocks as are worth a walk over all tiles; fewer where their primitives are in so many tiles.
-constexpr std::size_t kBlocksPerChunk = 64, kEntriesPerChunk = std::size_t{1} << 22;
+constexpr std::size_t kBlocksPerChunk = 128, kEntriesPerChunk = std::size_t{1} << 22;
 
 // Sets blocks up in parallel, as many as memory allows for whatever they hold; the number of blocks.
 std::size_t set_up_chunk(const DrawGeometry& geometry, std::size_t first, std::vector<BinnedBlock>& to) {

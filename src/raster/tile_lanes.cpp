@@ -134,6 +134,7 @@ HWY_INLINE void draw_pixel(const Pen& pen) {
 template <Drawing kDrawing>
 void draw_all(LaneTile& tile, LanePass& pass, const SetupBlock& block, std::span<const std::uint32_t> indices) {
   const bool needs_color = kDrawing != Drawing::gathers && pass.operations.needs_color();
+  const std::span<const ColorBytes> colors = pass.context.arrays.primitive_colors;
   const bool loses_farther = tile.knows_farthest && pass.depths_are_codes;
   const auto is_lost = [&](const SetupPrimitive& p, int left, int bottom, int right, int top) {
     return loses_farther && tile.farthest.are_nearer(left - tile.left, bottom - tile.bottom, right - tile.left,
@@ -146,8 +147,12 @@ void draw_all(LaneTile& tile, LanePass& pass, const SetupBlock& block, std::span
     alignas(64) std::array<std::uint32_t, kGroup> index;
     std::size_t count = 0, end = first;
     for (; end < indices.size() && count < kGroup; ++end) {
+      // Of large meshes neither this nor the colours are in the nearer caches.
+      if (end + 2 * kGroup < indices.size()) __builtin_prefetch(&block.primitives[indices[end + 2 * kGroup]]);
+      const SetupPrimitive& p = block.primitives[indices[end]];
+      if (needs_color && !colors.empty()) __builtin_prefetch(&colors[p.primitive]);
       index[count] = indices[end];
-      count += block.primitives[indices[end]].kind != SetupKind::pixel ? 1 : 0;
+      count += p.kind != SetupKind::pixel ? 1 : 0;
     }
     std::uint64_t small = 0, drawn = 0;
     if (count > 0) {
