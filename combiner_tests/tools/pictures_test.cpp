@@ -37,7 +37,7 @@ constexpr double kFar = 0xFFFFFF;
 // The number whose digits, to the base of how many codes a channel has, are the channels in steps; the first is the
 // lowest.
 double code_number(const std::vector<double>& channels, int step) {
-  const double levels = 255 / step + 1;
+  const int levels = 255 / step + 1;
   double number = 0.0, weight = 1.0;
   for (const double c : channels) {
     EXPECT_EQ(std::fmod(c, step), 0.0);
