@@ -45,9 +45,10 @@ Texture ramp_texture(const DistanceCode& distance, const Code& code) {
     if (wide) samples[size + i] = static_cast<std::uint8_t>(value >> 8U);
   }
   const int width = wide ? static_cast<int>(kWideRampSide) : static_cast<int>(size);
+  const int height = wide ? static_cast<int>(size) / width : 1;
   auto made =
       make_texture(TextureTarget::texture_2d, wide ? InternalFormat::luminance8_alpha8 : InternalFormat::luminance8,
-                   {{{width, static_cast<int>(size) / width, std::move(samples)}}});
+                   {{{width, height, std::move(samples)}}});
   return std::move(made).value();  // nothing of it comes from outside
 }
 
