@@ -19,9 +19,9 @@ namespace {
 class DrawSetup {
  public:
   DrawSetup(const PipelineState& state, const PixelBox& drawn, const glm::mat4& matrix, const VertexArrays& arrays,
-            int width, int height, bool packed)
+            int width, int height, bool packed, bool corners = true)
       : grid_(width, height),
-        context_(state, PixelRect{0, 0, width, height}, drawn, DepthStencilFormat::d24s8),
+        context_(state, PixelRect{0, 0, width, height}, drawn, DepthStencilFormat::d24s8, corners),
         assembly_(arrays),
         clip_(matrix, arrays) {
     if (packed) {
@@ -282,6 +282,20 @@ TEST(TriangleBatch, VerticesAreTransformedAsOneByOne) {
   }
 }
 
+void compare_corners(const SetupBlock& block, const SetupCorners& c, const SetupBlock& other,
+                     const SetupCorners& expected) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    ASSERT_EQ(std::bit_cast<std::uint32_t>(c.inv_w[k]), std::bit_cast<std::uint32_t>(expected.inv_w[k]));
+  }
+  ASSERT_EQ(c.corner, expected.corner);
+  ASSERT_EQ(c.vertex, expected.vertex);
+  const glm::mat3 *weights = block.weights_of(c), *other_weights = other.weights_of(expected);
+  ASSERT_EQ(weights == nullptr, other_weights == nullptr);
+  if (weights != nullptr) {
+    ASSERT_EQ(*weights, *other_weights);
+  }
+}
+
 // The primitives of both, but for what covers nothing, and for boxes.
 void compare_blocks(const SetupBlock& batch, const SetupBlock& single, const PixelBox& drawn) {
   std::size_t next = 0;
@@ -297,17 +311,9 @@ void compare_blocks(const SetupBlock& batch, const SetupBlock& single, const Pix
     }
     const SetupPrimitive& p = batch.primitives[next++];
     ASSERT_EQ(p.z24, expected.z24);
-    for (std::size_t k = 0; k < 3; ++k) {
-      ASSERT_EQ(std::bit_cast<std::uint32_t>(p.inv_w[k]), std::bit_cast<std::uint32_t>(expected.inv_w[k]));
-    }
-    ASSERT_EQ(p.corner, expected.corner);
-    ASSERT_EQ(p.vertex, expected.vertex);
     ASSERT_EQ(p.front_facing, expected.front_facing);
     ASSERT_EQ(p.offset_z24, expected.offset_z24);
-    ASSERT_EQ(p.weights == kNoWeights, expected.weights == kNoWeights);
-    if (p.weights != kNoWeights) {
-      ASSERT_EQ(batch.weights[p.weights], single.weights[expected.weights]);
-    }
+    if (!single.corners.empty()) compare_corners(batch, batch.corners_of(p), single, single.corners_of(expected));
     if (p.kind == SetupKind::pixel) {
       ASSERT_EQ(c.pixels, 1);
       ASSERT_EQ(p.pixel_z24, oracle::depth_at(window_of(p), c.x, c.y));
@@ -346,8 +352,9 @@ TEST(TriangleBatch, AnyTrianglesAreSetUpAsOneByOne) {
           .positions = v.positions,
           .indices = indices};
       const PixelBox drawn = random.one_in(2) ? PixelBox{0, 0, kWidth, kHeight} : PixelBox{31, 20, 97, 71};
-      DrawSetup batch(state, drawn, v.matrix, arrays, kWidth, kHeight, true);
-      DrawSetup single(state, drawn, v.matrix, arrays, kWidth, kHeight, false);
+      const bool corners = !random.one_in(4);
+      DrawSetup batch(state, drawn, v.matrix, arrays, kWidth, kHeight, true, corners);
+      DrawSetup single(state, drawn, v.matrix, arrays, kWidth, kHeight, false, corners);
       const std::size_t cut = static_cast<std::size_t>(random.below(static_cast<int>(batch.items()) + 1));
       batch.run(0, cut);
       batch.run(cut, batch.items());
@@ -355,10 +362,14 @@ TEST(TriangleBatch, AnyTrianglesAreSetUpAsOneByOne) {
       compare_blocks(batch.block.setup, single.block.setup, drawn);
       ASSERT_FALSE(HasFatalFailure()) << simd_target_name(target) << ", case " << index;
       ASSERT_EQ(batch.block.tile.size(), batch.block.setup.primitives.size());
-      for (const SetupPrimitive& p : batch.block.setup.primitives) {
-        pixels += p.kind == SetupKind::pixel ? 1U : 0U;
-        clipped += p.weights != kNoWeights ? 1U : 0U;
-        triangles += p.kind == SetupKind::triangle && p.weights == kNoWeights ? 1U : 0U;
+      ASSERT_EQ(batch.block.setup.corners.size(), corners ? batch.block.setup.primitives.size() : 0);
+      for (std::size_t i = 0; i < batch.block.setup.primitives.size(); ++i) {
+        const bool is_pixel = batch.block.setup.primitives[i].kind == SetupKind::pixel;
+        pixels += is_pixel ? 1U : 0U;
+        if (!corners) continue;
+        const bool is_clipped = batch.block.setup.corners[i].weights != kNoWeights;
+        clipped += is_clipped ? 1U : 0U;
+        triangles += !is_pixel && !is_clipped ? 1U : 0U;
       }
       for (std::size_t i = 0; i < batch.block.tile.size(); ++i) {
         const PixelBounds& box = batch.block.setup.primitives[i].box;

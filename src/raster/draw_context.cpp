@@ -73,6 +73,7 @@ void DrawContext::look_at_program(const RenderTarget& target, bool for_probe) {
       for (std::size_t k = 0; k < 4; ++k) wanted.color[k] = state.color_mask[k] && target.color[k];
       wanted.color[kAlpha] = wanted.color[kAlpha] || state.alpha_test.enabled;
     }
+    wanted_color = wanted.color;
     program.emplace(*state.program, wanted);
     const bool keeps_registers = state.program->datapath.arithmetic == Arithmetic::integer && !needs_registers;
     if (!keeps_registers) refilled = overwritten(*state.program);

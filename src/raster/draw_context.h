@@ -57,7 +57,8 @@ struct DrawContext {
   bool has_flat_result = false;
   // Whether registers have to be filled at all, and then which units and registers are read.
   bool fills_registers = false;
-  std::optional<BatchProgram> program;  // of the state, made ready for batches
+  std::optional<BatchProgram> program;                       // of the state, made ready for batches
+  std::array<bool, 4> wanted_color{true, true, true, true};  // components of what leaves it that are looked at
   std::array<bool, kRegisterCount> reads{};
   std::array<bool, kMaxTextureUnits> reads_unit{};
   RegisterFile initial;  // of every fragment, but for what is its own

@@ -20,7 +20,7 @@ DrawGeometry::DrawGeometry(const SetupContext& context, const glm::mat4& clip_fr
   // every tile.
   const std::size_t items = (std::size_t{1} << 28) / grid.count() / setup_->most_of_an_item();
   items_per_block_ = std::clamp(items, std::size_t{64}, std::size_t{1024});
-  blocks_at_a_time_ = std::clamp(items / items_per_block_, std::size_t{1}, std::size_t{64});
+  blocks_at_a_time_ = std::clamp(items / items_per_block_, std::size_t{1}, std::size_t{128});
 }
 
 bool DrawGeometry::set_up(std::size_t number, BinnedBlock& block) const {

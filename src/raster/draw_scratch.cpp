@@ -14,7 +14,8 @@ constexpr std::size_t kMostBytes = std::size_t{48} << 20;
 std::size_t bytes_of(const DrawScratch& scratch) {
   std::size_t bytes = scratch.packed.capacity() * sizeof(PackedVertex);
   for (const BinnedBlock& b : scratch.blocks) {
-    bytes += b.setup.primitives.capacity() * sizeof(SetupPrimitive) + b.setup.weights.capacity() * sizeof(glm::mat3) +
+    bytes += b.setup.primitives.capacity() * sizeof(SetupPrimitive) +
+             b.setup.corners.capacity() * sizeof(SetupCorners) + b.setup.weights.capacity() * sizeof(glm::mat3) +
              (b.tile.capacity() + b.indices.capacity() + b.first.capacity()) * sizeof(std::uint32_t);
   }
   return bytes;

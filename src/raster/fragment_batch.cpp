@@ -18,7 +18,7 @@ bool FragmentBatch::has_smooth_colors() const {
 ColorBytes FragmentBatch::smooth_color(std::span<const ColorBytes> colors, std::size_t i) const {
   const bool affine = context_.state.profile.color_interpolation.value == ColorInterpolation::affine;
   const WeightPlanes& weight = affine ? weights_.affine() : weights_.perspective();
-  const std::array<std::uint32_t, 3>& v = place_[i].primitive->vertex;
+  const std::array<std::uint32_t, 3>& v = place_[i].corners->vertex;
   const ColorBytes &a = colors[v[0]], &b = colors[v[1]], &c = colors[v[2]];
   ColorBytes bytes;
   for (std::size_t k = 0; k < 4; ++k) {
@@ -56,7 +56,7 @@ void FragmentBatch::fill_fog() {
   const std::span<const float> factors = context_.arrays.fog_factors;
   s9* const codes = registers_(Register::fog, kAlpha);
   for (std::size_t i = 0; i < count_; ++i) {
-    const std::array<std::uint32_t, 3>& v = place_[i].primitive->vertex;
+    const std::array<std::uint32_t, 3>& v = place_[i].corners->vertex;
     const float factor = interpolate(weights_.perspective(), i, unit_range(factors[v[0]]), unit_range(factors[v[1]]),
                                      unit_range(factors[v[2]]));
     codes[i] = from_byte(profile, byte_of_color(factor));
@@ -68,7 +68,7 @@ void FragmentBatch::divide_coordinates(std::size_t unit, std::size_t components,
   const std::span<const float> at_vertex = context_.arrays.texture_q[unit];
   const std::array<const WeightPlanes*, 3> weights{&weights_.perspective(), &weights_.dx(), &weights_.dy()};
   for (std::size_t i = 0; i < count_; ++i) {
-    const std::array<std::uint32_t, 3>& v = place_[i].primitive->vertex;
+    const std::array<std::uint32_t, 3>& v = place_[i].corners->vertex;
     const float a = at_vertex[v[0]], b = at_vertex[v[1]], c = at_vertex[v[2]];
     const float q = interpolate(*weights[0], i, a, b, c);
     for (std::size_t k = 0; k < components; ++k) coordinates_[0][k][i] /= q;
@@ -89,7 +89,7 @@ void FragmentBatch::fill_texture(std::size_t unit) {
   const std::array<const WeightPlanes*, 3> weights{&weights_.perspective(), &weights_.dx(), &weights_.dy()};
   const std::size_t kinds = sampler.needs_derivatives() ? 3 : 1;
   for (std::size_t i = 0; i < count_; ++i) {
-    const std::array<std::uint32_t, 3>& v = place_[i].primitive->vertex;
+    const std::array<std::uint32_t, 3>& v = place_[i].corners->vertex;
     const glm::vec3 &a = at_vertex[v[0]], &b = at_vertex[v[1]], &c = at_vertex[v[2]];
     for (std::size_t kind = 0; kind < kinds; ++kind) {
       for (std::size_t k = 0; k < components; ++k) {
@@ -151,7 +151,7 @@ void FragmentBatch::interpolate_attributes() {
       const auto component = static_cast<int>(k);
       Lanes& values = attributes_[n][k];
       for (std::size_t i = 0; i < count_; ++i) {
-        const std::array<std::uint32_t, 3>& v = place_[i].primitive->vertex;
+        const std::array<std::uint32_t, 3>& v = place_[i].corners->vertex;
         values[i] = interpolate(weights_.perspective(), i, at_vertex[v[0]][component], at_vertex[v[1]][component],
                                 at_vertex[v[2]][component]);
       }

@@ -25,7 +25,8 @@ class FragmentBatch {
     fragment_[count_] = fragment;
     FragmentPlace& place = place_[count_];
     place.primitive = &primitive;
-    place.corners = primitive.weights == kNoWeights ? nullptr : &block.weights[primitive.weights];
+    place.corners = &block.corners_of(primitive);
+    place.weights = block.weights_of(*place.corners);
     for (std::size_t i = 0; i < 3; ++i) place.edge[i] = static_cast<float>(edge[i]);
     if (++count_ == kBatchSize) flush();
   }

@@ -17,8 +17,8 @@ void normalize(std::size_t count, WeightPlanes& weight, std::array<float, kBatch
 // From weights of clipped corners to weights of the vertices.
 void unclip(std::span<const FragmentPlace> places, WeightPlanes& weight) {
   for (std::size_t i = 0; i < places.size(); ++i) {
-    if (places[i].corners == nullptr) continue;
-    const glm::mat3& m = *places[i].corners;
+    if (places[i].weights == nullptr) continue;
+    const glm::mat3& m = *places[i].weights;
     const std::array<float, 3> w{weight[0][i], weight[1][i], weight[2][i]};
     for (int k = 0; k < 3; ++k) {
       weight[static_cast<std::size_t>(k)][i] = (w[0] * m[0][k] + w[1] * m[1][k]) + w[2] * m[2][k];
@@ -55,7 +55,7 @@ void Interpolation::compute(std::span<const FragmentPlace> places, bool affine, 
   if (affine) {
     for (std::size_t i = 0; i < places.size(); ++i) {
       const FragmentPlace& place = places[i];
-      for (std::size_t k = 0; k < 3; ++k) affine_[place.primitive->corner[k]][i] = place.edge[k];
+      for (std::size_t k = 0; k < 3; ++k) affine_[place.corners->corner[k]][i] = place.edge[k];
     }
     normalize(places.size(), affine_, sum_);
     unclip(places, affine_);
@@ -63,7 +63,7 @@ void Interpolation::compute(std::span<const FragmentPlace> places, bool affine, 
   for (std::size_t i = 0; i < places.size(); ++i) {
     const FragmentPlace& place = places[i];
     for (std::size_t k = 0; k < 3; ++k) {
-      perspective_[place.primitive->corner[k]][i] = place.edge[k] * place.primitive->inv_w[k];
+      perspective_[place.corners->corner[k]][i] = place.edge[k] * place.corners->inv_w[k];
     }
   }
   normalize(places.size(), perspective_, sum_);
@@ -73,18 +73,16 @@ void Interpolation::compute(std::span<const FragmentPlace> places, bool affine, 
 
 // A weight is g / sum, g being edge / w, which is linear in the window: its derivative is (g' - weight × sum') / sum.
 void Interpolation::compute_changes(std::span<const FragmentPlace> places) {
-  const auto derive = [this](std::size_t i, const SetupPrimitive& p, const std::array<float, 3>& step,
-                             WeightPlanes& to) {
+  const auto derive = [this](std::size_t i, const SetupCorners& c, const std::array<float, 3>& step, WeightPlanes& to) {
     std::array<float, 3> change{};
-    for (std::size_t k = 0; k < 3; ++k) change[p.corner[k]] = step[k] * p.inv_w[k];
+    for (std::size_t k = 0; k < 3; ++k) change[c.corner[k]] = step[k] * c.inv_w[k];
     const float sum_change = (change[0] + change[1]) + change[2];
     for (std::size_t k = 0; k < 3; ++k) to[k][i] = (change[k] - perspective_[k][i] * sum_change) / sum_[i];
   };
   for (std::size_t i = 0; i < places.size(); ++i) {
-    const SetupPrimitive& p = *places[i].primitive;
-    const EdgeSteps steps = edge_steps(p);
-    derive(i, p, steps.x, dx_);
-    derive(i, p, steps.y, dy_);
+    const EdgeSteps steps = edge_steps(*places[i].primitive);
+    derive(i, *places[i].corners, steps.x, dx_);
+    derive(i, *places[i].corners, steps.y, dy_);
   }
   unclip(places, dx_);
   unclip(places, dy_);

@@ -15,7 +15,8 @@ namespace ninebit {
 // Where a fragment lies in its primitive.
 struct FragmentPlace {
   const SetupPrimitive* primitive = nullptr;
-  const glm::mat3* corners = nullptr;  // of what was clipped: SetupBlock::weights
+  const SetupCorners* corners = nullptr;
+  const glm::mat3* weights = nullptr;  // see SetupBlock::weights_of
   // Barycentric coordinates up to a factor: a triangle's edge functions, each twice the area opposite its corner; of a
   // line's ends the distances along it; of a point 1, 0, 0.
   std::array<float, 3> edge{};

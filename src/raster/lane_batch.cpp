@@ -1,8 +1,6 @@
 // What a batch of fragments goes through: interpolation, combiners, fragment operations.
 #include "src/raster/lane_batch.h"
 
-#include <cstring>
-
 #include "src/raster/lane_inputs.h"
 #include "src/raster/tile_lanes.h"
 
@@ -33,117 +31,54 @@ constexpr DF kDF;
 constexpr D16 kD16;
 constexpr std::size_t kLanes = hn::MaxLanes(kD);
 
-// Divides the weights by their sum.
-HWY_INLINE void normalize(LaneFragments& f) {
-  for (std::size_t i = 0; i < f.count; i += kLanes) {
-    float* const w[3] = {f.weight[0].data() + i, f.weight[1].data() + i, f.weight[2].data() + i};
-    const VF a = hn::Load(kDF, w[0]), b = hn::Load(kDF, w[1]), c = hn::Load(kDF, w[2]);
-    const VF sum = hn::Add(hn::Add(a, b), c);
-    hn::Store(hn::Div(a, sum), kDF, w[0]);
-    hn::Store(hn::Div(b, sum), kDF, w[1]);
-    hn::Store(hn::Div(c, sum), kDF, w[2]);
-  }
-}
+#include "src/raster/lane_interpolation.inl"
 
-HWY_INLINE void find_shares(LaneFragments& f) {
-  if (f.has_shares) return;
-  normalize(f);
-  unclip(f);
-  f.has_shares = true;
-}
-
-// A value at fragments from i on, from those at the vertices.
-HWY_INLINE VF interpolate(const LaneFragments& f, std::size_t i, float a, float b, float c) {
-  const VF wa = hn::LoadU(kDF, f.weight[0].data() + i), wb = hn::LoadU(kDF, f.weight[1].data() + i),
-           wc = hn::LoadU(kDF, f.weight[2].data() + i);
-  return hn::Add(hn::Add(hn::Mul(wa, hn::Set(kDF, a)), hn::Mul(wb, hn::Set(kDF, b))), hn::Mul(wc, hn::Set(kDF, c)));
-}
-
-HWY_INLINE void fill_smooth_colors(const LaneFragments& f, LaneBatch& batch, std::span<const ColorBytes> colors) {
-  for (std::size_t r = 0; r < f.runs; ++r) {
-    const std::array<std::uint32_t, 3>& v = f.run[r].primitive->vertex;
-    const ColorBytes &a = colors[v[0]], &b = colors[v[1]], &c = colors[v[2]];
-    // What is stored beyond the run's end, the next one stores again.
-    for (std::size_t i = f.run[r].first; i < f.run[r + 1].first; i += kLanes) {
-      V color = hn::Zero(kD);
-      for (std::size_t k = 4; k-- > 0;) {
-        const VF value =
-            interpolate(f, i, static_cast<float>(a[k]), static_cast<float>(b[k]), static_cast<float>(c[k]));
-        const VF byte = hn::Min(hn::Max(hn::Add(value, hn::Set(kDF, 0.5F)), hn::Zero(kDF)), hn::Set(kDF, 255.0F));
-        color = hn::Or(hn::ShiftLeft<8>(color), hn::ConvertTo(kD, byte));
-      }
-      hn::StoreU(color, kD, lanes_of(batch.color.data()) + i);
+// The bytes of each colour that the program reads, as register codes.
+HWY_INLINE void colors_to_codes(LaneBatch& batch, std::size_t count, const DrawContext& context) {
+  for (int k = 0; k < 4; ++k) {
+    if (!context.program->reads().contains(Register::primary, k)) continue;
+    s9* const to = batch.registers(Register::primary, k);
+    const int shift = 8 * k, byte_shift = context.state.profile.byte_shift;
+    for (std::size_t i = 0; i < count; i += kLanes) {
+      const V color = hn::Load(kD, lanes_of(batch.color.data()) + i);
+      const V byte = hn::And(hn::ShiftRightSame(color, shift), hn::Set(kD, 0xFF));
+      hn::StoreU(hn::DemoteTo(kD16, hn::ShiftRightSame(byte, byte_shift)), kD16, to + i);
     }
   }
 }
 
-HWY_INLINE void fill_coordinates(const LaneFragments& f, LaneBatch& batch, std::span<const glm::vec3> at_vertex,
-                                 int components) {
-  for (std::size_t r = 0; r < f.runs; ++r) {
-    const std::array<std::uint32_t, 3>& v = f.run[r].primitive->vertex;
-    const glm::vec3 &a = at_vertex[v[0]], &b = at_vertex[v[1]], &c = at_vertex[v[2]];
-    for (std::size_t i = f.run[r].first; i < f.run[r + 1].first; i += kLanes) {
-      for (int k = 0; k < components; ++k) {
-        hn::StoreU(interpolate(f, i, a[k], b[k], c[k]), kDF, batch.coordinate[static_cast<std::size_t>(k)].data() + i);
-      }
-    }
-  }
-}
-
-// (s, t, r) / q.
-HWY_INLINE void divide_coordinates(const LaneFragments& f, LaneBatch& batch, std::span<const float> q_at_vertex,
-                                   int components) {
-  for (std::size_t r = 0; r < f.runs; ++r) {
-    const std::array<std::uint32_t, 3>& v = f.run[r].primitive->vertex;
-    const float a = q_at_vertex[v[0]], b = q_at_vertex[v[1]], c = q_at_vertex[v[2]];
-    for (std::size_t i = f.run[r].first; i < f.run[r + 1].first; i += kLanes) {
-      // The fragments beyond the run's end are another one's, which has its own q.
-      const auto mask = hn::FirstN(kDF, f.run[r + 1].first - i);
-      const VF q = interpolate(f, i, a, b, c);
-      for (int k = 0; k < components; ++k) {
-        float* const at = batch.coordinate[static_cast<std::size_t>(k)].data() + i;
-        hn::BlendedStore(hn::Div(hn::LoadU(kDF, at), q), mask, kDF, at);
-      }
-    }
-  }
-}
-
-// Byte k of each colour as register codes.
-HWY_INLINE void colors_to_codes(LaneBatch& batch, std::size_t count, int byte_shift, Register reg) {
-  for (std::size_t i = 0; i < count; i += kLanes) {
-    V color = hn::Load(kD, lanes_of(batch.color.data()) + i);
-    for (int k = 0; k < 4; ++k) {
-      const V byte = hn::And(color, hn::Set(kD, 0xFF));
-      hn::StoreU(hn::DemoteTo(kD16, hn::ShiftRightSame(byte, byte_shift)), kD16, batch.registers(reg, k) + i);
-      color = hn::ShiftRight<8>(color);
-    }
-  }
-}
-
-// What leaves the combiners as bytes, see to_byte.
-HWY_INLINE void output_to_colors(LaneBatch& batch, std::size_t count, const HardwareProfile& profile) {
+// What leaves the combiners as bytes, see to_byte; those that nothing looks at as 0.
+HWY_INLINE void output_to_colors(LaneBatch& batch, std::size_t count, const DrawContext& context) {
+  const HardwareProfile& profile = context.state.profile;
   const int shift = profile.byte_shift;
   const V one = hn::Set(kD, profile.one);
   for (std::size_t i = 0; i < count; i += kLanes) {
     V color = hn::Zero(kD);
     for (std::size_t k = 4; k-- > 0;) {
+      color = hn::ShiftLeft<8>(color);
+      if (!context.wanted_color[k]) continue;
       const V code = hn::Max(hn::PromoteTo(kD, hn::LoadU(kD16, batch.out.plane[k].data() + i)), hn::Zero(kD));
       const V wide =
           shift == 0 ? code : hn::Or(hn::ShiftLeftSame(code, shift), hn::ShiftRightSame(code, 8 - 2 * shift));
-      const V byte = hn::IfThenElse(hn::Lt(code, one), wide, hn::Set(kD, 255));
-      color = hn::Or(hn::ShiftLeft<8>(color), byte);
+      color = hn::Or(color, hn::IfThenElse(hn::Lt(code, one), wide, hn::Set(kD, 255)));
     }
     hn::Store(color, kD, lanes_of(batch.color.data()) + i);
   }
 }
 
+// Whether of a batch's fragments, which were gathered whatever the stencil says, those count that pass its test.
+bool asks_stencil(const LanePass& pass) {
+  return (pass.keeps || pass.repeats) && pass.operations.stencil_decides;
+}
+
 // What the operations make of fragments from i on, all of one facing: `mask` of them, whose pixels hold `stored`.
-HWY_INLINE LaneResult<D> operate(const LaneFragments& f, const LaneDraw<D>& draw, std::size_t i, hn::Mask<D> mask,
-                                 V color, V stored) {
+HWY_INLINE LaneResult<D> operate(const LaneFragments& f, const LaneDraw<D>& draw, bool asks_stencil, std::size_t i,
+                                 hn::Mask<D> mask, V color, V stored) {
   const V alpha = hn::BitCast(kD, hn::ShiftRight<24>(hn::BitCast(hn::RebindToUnsigned<D>(), color)));
   if (!draw.operations.are_tests_final) {
     return apply_lanes(kD, draw, mask, hn::LoadU(kD, lanes_of(f.depth.data()) + i), alpha, stored);
   }
+  if (asks_stencil) mask = hn::And(mask, stencil_passes(kD, draw, stored));
   mask = alpha_passes(kD, draw, mask, alpha);
   if (!draw.operations.stencil_write) return {stored, mask};
   const V bits = hn::Set(kD, 0xFF);
@@ -151,15 +86,23 @@ HWY_INLINE LaneResult<D> operate(const LaneFragments& f, const LaneDraw<D>& draw
   return {hn::IfThenElse(mask, hn::Or(hn::AndNot(bits, stored), value), stored), mask};
 }
 
+HWY_INLINE V load_stored(const LaneTile& tile, const LaneFragments::Span& span) {
+  return hn::LoadU(kD, lanes_of(tile.tile.depth_stencil.data()) + span.place);
+}
+
 // Spans of fragments, a vector for each.
-HWY_INLINE void operate_on_spans(LaneTile& tile, const LaneFragments& f, const LaneBatch& batch,
-                                 const LaneDraw<D>& draw, std::size_t first, std::size_t end) {
+HWY_INLINE void operate_on_spans(LaneTile& tile, const LaneFragments& f, const LanePass& pass, const LaneDraw<D>& draw,
+                                 std::size_t first, std::size_t end) {
   const LaneOperations& operations = draw.operations;
+  const LaneBatch& batch = *pass.batch;
+  const bool asks = asks_stencil(pass);
   const bool writes = operations.depth_write || operations.stencil_write;
   if (operations.are_tests_final && !operations.alpha && !writes) {
     for (std::size_t s = first; s < end; ++s) {
       const LaneFragments::Span& span = f.span[s];
-      hn::BlendedStore(hn::LoadU(kD, lanes_of(batch.color.data()) + span.first), hn::FirstN(kD, span.count), kD,
+      auto mask = hn::FirstN(kD, span.count);
+      if (asks) mask = hn::And(mask, stencil_passes(kD, draw, load_stored(tile, span)));
+      hn::BlendedStore(hn::LoadU(kD, lanes_of(batch.color.data()) + span.first), mask, kD,
                        lanes_of(tile.tile.color.data()) + span.place);
     }
     return;
@@ -169,10 +112,17 @@ HWY_INLINE void operate_on_spans(LaneTile& tile, const LaneFragments& f, const L
     std::int32_t* const stored = lanes_of(tile.tile.depth_stencil.data()) + span.place;
     std::int32_t* const colors = lanes_of(tile.tile.color.data()) + span.place;
     const V color = hn::LoadU(kD, lanes_of(batch.color.data()) + span.first);
-    const LaneResult<D> result = operate(f, draw, span.first, hn::FirstN(kD, span.count), color, hn::LoadU(kD, stored));
+    const LaneResult<D> result =
+        operate(f, draw, asks, span.first, hn::FirstN(kD, span.count), color, hn::LoadU(kD, stored));
     if (writes) hn::StoreU(result.depth_stencil, kD, stored);
     if (operations.color) hn::BlendedStore(color, result.drawn, kD, colors);
   }
+}
+
+// Whether spans are worth a vector each: gathering is faster below this mean length.
+HWY_INLINE bool has_long_spans(const LaneFragments& f) {
+  constexpr std::size_t kShort = 3;
+  return f.count >= kShort * f.spans;
 }
 
 // Where the fragments of `mask` lie, from i on; the others at a word behind the planes.
@@ -181,8 +131,9 @@ HWY_INLINE V places_from(const LaneFragments& f, std::size_t i, hn::Mask<D> mask
 }
 
 // Fragments at any places, a full vector at a time.
-HWY_INLINE void operate_on_places(LaneTile& tile, const LaneFragments& f, const LaneBatch& batch,
+HWY_INLINE void operate_on_places(LaneTile& tile, const LaneFragments& f, const LanePass& pass,
                                   const LaneDraw<D>& draw) {
+  const LaneBatch& batch = *pass.batch;
   const LaneOperations& operations = draw.operations;
   std::int32_t* const stored = lanes_of(tile.tile.depth_stencil.data());
   std::int32_t* const colors = lanes_of(tile.tile.color.data());
@@ -190,7 +141,8 @@ HWY_INLINE void operate_on_places(LaneTile& tile, const LaneFragments& f, const 
     const auto mask = hn::FirstN(kD, f.count - i);
     const V place = places_from(f, i, mask);
     const V color = hn::LoadU(kD, lanes_of(batch.color.data()) + i);
-    const LaneResult<D> result = operate(f, draw, i, mask, color, hn::GatherIndex(kD, stored, place));
+    const LaneResult<D> result =
+        operate(f, draw, asks_stencil(pass), i, mask, color, hn::GatherIndex(kD, stored, place));
     if (operations.depth_write || operations.stencil_write) {
       hn::ScatterIndex(result.depth_stencil, kD, stored, place);
     }
@@ -200,64 +152,81 @@ HWY_INLINE void operate_on_places(LaneTile& tile, const LaneFragments& f, const 
   }
 }
 
+// The registers that the program reads.
+HWY_INLINE void fill_registers(LaneFragments& f, LaneBatch& batch, const DrawContext& context) {
+  refill_constants(batch, context);
+  if (context.reads[static_cast<std::size_t>(Register::primary)]) {
+    if (context.shades_flat()) {
+      fill_flat_codes(f, batch, context);
+    } else {
+      find_shares(f);
+      fill_smooth_colors(f, batch, context.arrays.vertex_colors);
+      colors_to_codes(batch, f.count, context);
+    }
+  }
+  for (std::size_t unit = 0; unit < context.samplers.size(); ++unit) {
+    if (!context.reads_unit[unit]) continue;
+    find_shares(f);
+    const int components = context.samplers[unit]->needs_r() ? 3 : 2;
+    fill_coordinates(f, batch, context.arrays.texture_coordinates[unit], components);
+    if (context.reads_q(unit)) divide_coordinates(f, batch, context.arrays.texture_q[unit], components);
+    sample(batch, f.count, context, unit);
+  }
+}
+
 // Sends fragments through the combiners and what follows.
 HWY_NOINLINE void finish(LaneTile& tile, LanePass& pass, LaneFragments& f) {
   LaneBatch& batch = *pass.batch;
   const DrawContext& context = pass.context;
-  const PipelineState& state = context.state;
-  if (pass.operations.needs_color()) {
+  if (!pass.operations.needs_color()) {
+    // Nothing is looked at.
+  } else if (context.state.program) {
+    fill_registers(f, batch, context);
+    context.program->run(batch.registers, f.count, batch.out);
+    output_to_colors(batch, f.count, context);
+  } else if (context.shades_flat()) {
+    fill_flat_colors(f, batch, context);
+  } else {
     find_shares(f);
-    if (context.shades_flat()) {
-      fill_flat_colors(f, batch, context);
-    } else {
-      fill_smooth_colors(f, batch, context.arrays.vertex_colors);
-    }
-    if (state.program) {
-      refill_constants(batch, context);
-      if (context.reads[static_cast<std::size_t>(Register::primary)]) {
-        colors_to_codes(batch, f.count, state.profile.byte_shift, Register::primary);
-      }
-      for (std::size_t unit = 0; unit < context.samplers.size(); ++unit) {
-        if (!context.reads_unit[unit]) continue;
-        const int components = context.samplers[unit]->needs_r() ? 3 : 2;
-        fill_coordinates(f, batch, context.arrays.texture_coordinates[unit], components);
-        if (context.reads_q(unit)) divide_coordinates(f, batch, context.arrays.texture_q[unit], components);
-        sample(batch, f.count, context, unit);
-      }
-      context.program->run(batch.registers, f.count, batch.out);
-      output_to_colors(batch, f.count, state.profile);
-    }
+    fill_smooth_colors(f, batch, context.arrays.vertex_colors);
   }
   if (pass.operations.two_sided) {
     std::size_t r = 0;
     for (std::size_t s = 0; s < f.spans; ++s) {
       while (f.span[s].first >= f.run[r + 1].first) ++r;
-      operate_on_spans(tile, f, batch, LaneDraw<D>(kD, pass.operations, f.run[r].primitive->front_facing), s, s + 1);
+      operate_on_spans(tile, f, pass, LaneDraw<D>(kD, pass.operations, f.run[r].primitive->front_facing), s, s + 1);
     }
     return;
   }
   const LaneDraw<D> draw(kD, pass.operations, true);
-  constexpr std::size_t kShort = 3;  // for the mean span; below it gathering is faster
-  if (f.spans > 0 && f.count >= kShort * f.spans) {
-    operate_on_spans(tile, f, batch, draw, 0, f.spans);
+  if (has_long_spans(f)) {
+    operate_on_spans(tile, f, pass, draw, 0, f.spans);
   } else {
-    operate_on_places(tile, f, batch, draw);
+    operate_on_places(tile, f, pass, draw);
   }
 }
 
-#include "src/raster/lane_some.inl"
+// Whether any fragment passes the stencil test.
+HWY_INLINE bool any_passes_stencil(const LaneTile& tile, const LanePass& pass, const LaneFragments& f) {
+  const LaneDraw<D> draw(kD, pass.operations, true);
+  if (has_long_spans(f)) {
+    for (std::size_t s = 0; s < f.spans; ++s) {
+      const auto passing = stencil_passes(kD, draw, load_stored(tile, f.span[s]));
+      if (!hn::AllFalse(kD, hn::And(hn::FirstN(kD, f.span[s].count), passing))) return true;
+    }
+    return false;
+  }
+  for (std::size_t i = 0; i < f.count; i += kLanes) {
+    const auto mask = hn::FirstN(kD, f.count - i);
+    const V stored = hn::GatherIndex(kD, lanes_of(tile.tile.depth_stencil.data()), places_from(f, i, mask));
+    if (!hn::AllFalse(kD, hn::And(mask, stencil_passes(kD, draw, stored)))) return true;
+  }
+  return false;
+}
 
 // Draws the fragments of a batch, or of one that is kept those that pass the stencil test.
 void draw_batch(LaneTile& tile, LanePass& pass, LaneFragments& f) {
-  const bool asks_stencil = (pass.keeps || pass.repeats) && (pass.operations.equal_bits & 0xFF) != 0;
-  if (!asks_stencil) return finish(tile, pass, f);
-  const FragmentBits passing = pass_stencil_test(tile, pass.operations, f);
-  const std::size_t count = passing.before(f.count);
-  if (count == f.count) return finish(tile, pass, f);
-  if (count == 0) return;
-  find_shares(f);
-  copy_some(f, passing, tile.some);
-  finish(tile, pass, tile.some);
+  if (!asks_stencil(pass) || any_passes_stencil(tile, pass, f)) finish(tile, pass, f);
 }
 
 #endif

@@ -22,7 +22,8 @@ struct LaneFragments {
   // Fragments of one primitive, from `first` on.
   struct Run {
     const SetupPrimitive* primitive = nullptr;
-    const SetupBlock* block = nullptr;
+    const SetupCorners* corners = nullptr;
+    const glm::mat3* weights = nullptr;  // see SetupBlock::weights_of
     std::size_t first = 0;
   };
 
@@ -37,7 +38,7 @@ struct LaneFragments {
   std::size_t runs = 0;
   std::size_t spans = 0;
   bool has_shares = false;                         // whether `weight` are shares
-  std::array<Span, kBatchSize> span;               // all fragments, in their order; none where only `place` is known
+  std::array<Span, kBatchSize> span;               // all fragments, in their order
   std::array<Run, kBatchSize + 1> run;             // one more than there are: its `first` is `count`
   alignas(64) Lanes<std::uint32_t> place;          // of the pixel in TilePlanes
   alignas(64) Lanes<std::uint32_t> depth;          // codes

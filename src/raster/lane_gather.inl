@@ -26,12 +26,12 @@ HWY_INLINE hn::Mask<D> gathered(D d, const LaneDraw<D>& draw, const Pen& pen, st
     });
     return any;
   };
-  if (operations.is_equal_alone) {
+  if (operations.asks_equal_depth) {
+    const auto stored = Rows::load(d, at);
+    const auto difference = hn::Xor(hn::ShiftLeft<8>(depth), stored);
+    mask = hn::And(mask, hn::Eq(hn::AndNot(hn::Set(d, 0xFF), difference), hn::Zero(d)));
     // Fragments that are kept are those of all stencil values.
-    const auto set = [&](std::uint32_t v) HWY_ATTR { return hn::Set(d, static_cast<std::int32_t>(v)); };
-    const auto counts = set(pen.pass.keeps ? 0xFFFFFF00 : operations.equal_bits);
-    const auto wanted = hn::Or(hn::ShiftLeft<8>(depth), set(pen.pass.keeps ? 0 : operations.equal_value));
-    mask = hn::And(mask, hn::Eq(hn::And(Rows::load(d, at), counts), wanted));
+    if (operations.stencil_decides && !pen.pass.keeps) mask = hn::And(mask, stencil_passes(d, draw, stored));
   } else {
     // What waits may still change the outcome of tests.
     if (operations.tests_change && meet(mask)) flush_lanes(tile, pen.pass);
@@ -42,15 +42,20 @@ HWY_INLINE hn::Mask<D> gathered(D d, const LaneDraw<D>& draw, const Pen& pen, st
   return mask;
 }
 
+// Unless the last fragments are the same primitive's.
+HWY_INLINE void begin_run(LaneFragments& batch, const Pen& pen) {
+  if (batch.runs == 0 || batch.run[batch.runs - 1].primitive != &pen.primitive) {
+    batch.run[batch.runs++] = {&pen.primitive, pen.corners, pen.block.weights_of(*pen.corners), batch.count};
+  }
+}
+
 template <class Rows, class D>
 HWY_INLINE void push(D d, const Pen& pen, std::size_t place, hn::Mask<D> mask, hn::Vec<D> depth,
                      const hn::Vec<hn::Rebind<float, D>> weight[3]) {
   LaneFragments& batch = *pen.tile.fragments;
   const hn::Rebind<float, D> df;
   const std::size_t at = batch.count;
-  if (batch.runs == 0 || batch.run[batch.runs - 1].primitive != &pen.primitive) {
-    batch.run[batch.runs++] = {&pen.primitive, &pen.block, at};
-  }
+  begin_run(batch, pen);
   std::size_t span_first = at;
   for_rows<Rows>(d, place, mask, [&](std::size_t row, std::uint64_t bits) HWY_ATTR {
     while (bits != 0) {  // mostly once
@@ -67,7 +72,7 @@ HWY_INLINE void push(D d, const Pen& pen, std::size_t place, hn::Mask<D> mask, h
   const bool has_depth = !pen.pass.operations.are_tests_final;
   float* const weights = batch.weight[0].data() + at;
   const std::size_t stride = LaneFragments::kRoom;
-  const auto& corner = pen.primitive.corner;
+  const auto& corner = pen.corners->corner;
   if (hn::AllTrue(d, mask)) {
     hn::StoreU(places, d, lanes_of(batch.place.data()) + at);
     if (has_depth) hn::StoreU(depth, d, lanes_of(batch.depth.data()) + at);

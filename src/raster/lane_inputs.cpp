@@ -8,8 +8,8 @@ namespace ninebit {
 void unclip(LaneFragments& f) {
   for (std::size_t r = 0; r < f.runs; ++r) {
     const LaneFragments::Run& run = f.run[r];
-    if (run.primitive->weights == kNoWeights) continue;
-    const glm::mat3& m = run.block->weights[run.primitive->weights];
+    if (run.weights == nullptr) continue;
+    const glm::mat3& m = *run.weights;
     for (std::size_t i = run.first; i < f.run[r + 1].first; ++i) {
       const std::array<float, 3> w{f.weight[0][i], f.weight[1][i], f.weight[2][i]};
       for (int k = 0; k < 3; ++k) {
@@ -26,6 +26,18 @@ void fill_flat_colors(const LaneFragments& f, LaneBatch& batch, const DrawContex
     std::uint32_t word = 0;
     std::memcpy(&word, color.data(), sizeof(word));
     std::fill_n(batch.color.begin() + static_cast<std::ptrdiff_t>(run.first), f.run[r + 1].first - run.first, word);
+  }
+}
+
+void fill_flat_codes(const LaneFragments& f, LaneBatch& batch, const DrawContext& context) {
+  for (std::size_t r = 0; r < f.runs; ++r) {
+    const std::size_t first = f.run[r].first, count = f.run[r + 1].first - first;
+    const ColorBytes color = context.flat_primary(f.run[r].primitive->primitive);
+    for (int k = 0; k < 4; ++k) {
+      if (!context.program->reads().contains(Register::primary, k)) continue;
+      const int code = color[static_cast<std::size_t>(k)] >> context.state.profile.byte_shift;
+      std::fill_n(batch.registers(Register::primary, k) + first, count, static_cast<s9>(code));
+    }
   }
 }
 

@@ -49,8 +49,7 @@ LaneOperations::LaneOperations(const PipelineState& state, const RenderTarget& t
   loses_farther = depth && (function == CompareFunction::less || function == CompareFunction::lequal ||
                             function == CompareFunction::equal || function == CompareFunction::never);
   are_tests_final = !tests_change;
-  is_equal_alone = are_tests_final && depth && function == CompareFunction::equal;
-  equal_bits = 0xFFFFFF00;
+  asks_equal_depth = are_tests_final && depth && function == CompareFunction::equal;
   if (!stencil) return;
   const int bits = stencil_bits(target.format);
   front = ninebit::stencil(state.stencil_test.front, bits);
@@ -64,13 +63,9 @@ LaneOperations::LaneOperations(const PipelineState& state, const RenderTarget& t
   tests_change = tests_change || (stencil_write && !(is_constant(front.test) && is_constant(back.test)));
   are_tests_final =
       !tests_change && front.fail_keeps && front.depth_fail_keeps && back.fail_keeps && back.depth_fail_keeps;
-  const CompareFunction test = state.stencil_test.front.function;
-  is_equal_alone = are_tests_final && depth && function == CompareFunction::equal && !two_sided &&
-                   (test == CompareFunction::equal || test == CompareFunction::always);
-  if (test == CompareFunction::equal) {
-    equal_bits |= front.mask;
-    equal_value = front.reference;
-  }
+  asks_equal_depth = are_tests_final && depth && function == CompareFunction::equal && !two_sided;
+  const auto may_fail = [](const StencilFace& face) { return face.function != CompareFunction::always; };
+  stencil_decides = may_fail(state.stencil_test.front) || (two_sided && may_fail(*state.stencil_test.back));
 }
 
 }  // namespace ninebit

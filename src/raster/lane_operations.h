@@ -55,11 +55,9 @@ struct LaneOperations {
   // Whether what the tests say of a fragment when it is gathered is final: nothing that waits changes it, and those
   // that fail leave no trace.
   bool are_tests_final = false;
-  // Whether, besides, the tests come to one comparison: stored depth × 256 + stencil, of which `equal_bits` count, with
-  // the fragment's depth × 256 + `equal_value`.
-  bool is_equal_alone = false;
-  std::uint32_t equal_bits = 0;
-  std::uint32_t equal_value = 0;
+  // Whether, besides, the depth test is EQUAL and the stencil test the same for both facings.
+  bool asks_equal_depth = false;
+  bool stencil_decides = false;  // whether the stencil test is any but ALWAYS
   // Whether a fragment that is farther than what is stored leaves no trace.
   bool loses_farther = false;
 

@@ -102,17 +102,19 @@ struct LaneDraw {
         alpha_test(d, all.alpha_test) {}
 };
 
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE hn::Mask<D> stencil_passes(D d, const LaneDraw<D>& draw, V stored) {
+  return draw.stencil_test(hn::Set(d, static_cast<std::int32_t>(draw.side.reference)),
+                           hn::And(stored, hn::Set(d, static_cast<std::int32_t>(draw.side.mask))));
+}
+
 // The tests against stored depth × 256 + stencil. What is disabled passes.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE LaneTests<D> test_lanes(D d, const LaneDraw<D>& draw, V depth, V stored) {
   const LaneOperations& operations = draw.operations;
-  const LaneStencil& side = draw.side;
   const auto all = hn::FirstN(d, hn::Lanes(d));
   LaneTests<D> tests{all, all};
-  if (operations.stencil) {
-    tests.stencil = draw.stencil_test(hn::Set(d, static_cast<std::int32_t>(side.reference)),
-                                      hn::And(stored, hn::Set(d, static_cast<std::int32_t>(side.mask))));
-  }
+  if (operations.stencil) tests.stencil = stencil_passes(d, draw, stored);
   if (operations.depth) {
     const hn::RebindToUnsigned<D> du;
     tests.depth = draw.depth_test(depth, hn::BitCast(d, hn::ShiftRight<8>(hn::BitCast(du, stored))));

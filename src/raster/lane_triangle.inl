@@ -24,16 +24,33 @@ struct DepthLanes {
   }
 };
 
+// Window depths of the lanes of the mask, the first of which is pixel (x, y).
+template <class Rows>
+HWY_INLINE V find_depths(const SetupPrimitive& p, int x, int y, M mask, V64 z_low, V64 z_high) {
+  const hn::RebindToUnsigned<D> du;
+  const auto low = hn::BitCast(du, z_low), high = hn::BitCast(du, z_high);
+  const V z24 = hn::BitCast(kD, hn::ConcatOdd(du, high, low));
+  const auto fraction = hn::Add(hn::ConcatEven(du, high, low), hn::Set(du, kDepthDoubt));
+  const M doubtful = hn::And(mask, hn::RebindMask(kD, hn::Lt(fraction, hn::Set(du, 2 * kDepthDoubt))));
+  if (HWY_UNLIKELY(!hn::AllFalse(kD, doubtful))) return exact_depth<Rows>(p, x, y, doubtful, z24);
+  return z24;
+}
+
+// An edge function × 1/w of its corner at a vector of pixels, the first of which is (x, y); `inside` is that of
+// TileTriangles there.
+HWY_INLINE hn::Vec<DF> weight_of(const Pen& pen, const TileTriangles& t, std::size_t k, std::size_t i, int x, int y,
+                                 V inside) {
+  const auto edge =
+      t.is_narrow[k] ? hn::ConvertTo(kDF, hn::Add(inside, hn::Set(kD, t.threshold[i][k]))) : wide_edge(t, k, i, x, y);
+  return hn::Mul(edge, hn::Set(kDF, pen.corners->inv_w[i]));
+}
+
 template <Drawing kDrawing, class Rows>
 HWY_INLINE void draw_fragments(const LaneDraw<D>& draw, const Pen& pen, const TileTriangles& t, std::size_t k, int x,
                                int y, std::size_t place, M mask, V64 z_low, V64 z_high, const V e[3]) {
   const SetupPrimitive& p = pen.primitive;
   const hn::RebindToUnsigned<D> du;
-  const auto low = hn::BitCast(du, z_low), high = hn::BitCast(du, z_high);
-  V z24 = hn::BitCast(kD, hn::ConcatOdd(du, high, low));
-  const auto fraction = hn::Add(hn::ConcatEven(du, high, low), hn::Set(du, kDepthDoubt));
-  const M doubtful = hn::And(mask, hn::RebindMask(kD, hn::Lt(fraction, hn::Set(du, 2 * kDepthDoubt))));
-  if (HWY_UNLIKELY(!hn::AllFalse(kD, doubtful))) z24 = exact_depth<Rows>(p, x, y, doubtful, z24);
+  const V z24 = find_depths<Rows>(p, x, y, mask, z_low, z_high);
   if constexpr (kDrawing == Drawing::nearest) {
     std::int32_t* const at = lanes_of(pen.tile.tile.depth_stencil.data()) + place;
     // Whatever the stencil value is: depth × 256 + 255 is less where the depth is.
@@ -53,11 +70,7 @@ HWY_INLINE void draw_fragments(const LaneDraw<D>& draw, const Pen& pen, const Ti
     mask = gathered<Rows>(kD, draw, pen, place, mask, depth);
     if (hn::AllFalse(kD, mask)) return;
     hn::Vec<DF> weight[3];
-    for (std::size_t i = 0; i < 3; ++i) {
-      const auto edge =
-          t.is_narrow[k] ? hn::ConvertTo(kDF, hn::Add(e[i], hn::Set(kD, t.threshold[i][k]))) : wide_edge(t, k, i, x, y);
-      weight[i] = hn::Mul(edge, hn::Set(kDF, p.inv_w[i]));
-    }
+    for (std::size_t i = 0; i < 3; ++i) weight[i] = weight_of(pen, t, k, i, x, y, e[i]);
     push<Rows>(kD, pen, place, mask, depth, weight);
   }
 }
@@ -92,6 +105,80 @@ HWY_NOINLINE void draw_triangle(const Pen& pen, const TileTriangles& t, std::siz
     }
     if (y == top) break;
     for (std::size_t i = 0; i < 3; ++i) row[i] = hn::Add(row[i], hn::Set(kD, t.inside_y[i][k]));
+    z.row = hn::Add(z.row, z.up);
+  }
+}
+
+// Fragments of a row, a bit for each from the region's left side on, into the batch: a span at a time.
+HWY_INLINE void push_row(const Pen& pen, const TileTriangles& t, std::size_t k, int y, std::size_t row_place,
+                         const V row[3], std::uint64_t bits) {
+  LaneTile& tile = pen.tile;
+  const std::uint64_t columns = bits << row_place % kTileSize;
+  const auto count = static_cast<std::size_t>(std::popcount(bits));
+  if ((tile.occupied[row_place / kTileSize] & columns) != 0 || tile.fragments->count + count > kBatchSize) {
+    flush_lanes(tile, pen.pass);
+  }
+  tile.occupied[row_place / kTileSize] |= columns;
+  LaneFragments& batch = *tile.fragments;
+  begin_run(batch, pen);
+  for (int column = 0; bits != 0;) {
+    column = std::countr_zero(bits);
+    const int length = std::min(std::countr_one(bits >> column), kLanes);
+    bits &= ~(((std::uint64_t{1} << length) - 1) << column);
+    const std::size_t at = batch.count, place = row_place + static_cast<std::size_t>(column);
+    batch.span[batch.spans++] = {static_cast<std::uint16_t>(place), static_cast<std::uint8_t>(length),
+                                 static_cast<std::uint16_t>(at)};
+    // What follows the last lane is written again by the next fragments.
+    hn::StoreU(hn::Add(hn::Set(kD, static_cast<std::int32_t>(place)), lane_numbers(kD)), kD,
+               lanes_of(batch.place.data()) + at);
+    for (std::size_t i = 0; i < 3; ++i) {
+      const V inside = hn::Add(row[i], hn::Set(kD, t.inside_x[i][k] * column));
+      hn::StoreU(weight_of(pen, t, k, i, t.left[k] + column, y, inside), kDF,
+                 batch.weight[pen.corners->corner[i]].data() + at);
+    }
+    batch.count += static_cast<std::size_t>(length);
+  }
+}
+
+// The same for a pass that asks_equal_depth: rows are looked at whole before their fragments are gathered.
+HWY_NOINLINE void gather_rows(const Pen& pen, const TileTriangles& t, std::size_t k) {
+  const LaneDraw<D> draw(kD, pen.pass.operations, pen.primitive.front_facing);
+  const bool asks_stencil = draw.operations.stencil_decides && !pen.pass.keeps;
+  const hn::RebindToUnsigned<D> du;
+  const V lane = lane_numbers(kD);
+  V row[3], step[3], up[3];
+  for (std::size_t i = 0; i < 3; ++i) {
+    row[i] = hn::Add(hn::Set(kD, t.inside[i][k]), hn::Mul(lane, hn::Set(kD, t.inside_x[i][k])));
+    step[i] = hn::Set(kD, t.inside_x[i][k] * kLanes);
+    up[i] = hn::Set(kD, t.inside_y[i][k]);
+  }
+  DepthLanes z(t, k);
+  const int left = t.left[k], columns = t.right[k] - left + 1, top = t.top[k];
+  // Where the region ends, the triangle may go on.
+  const std::uint64_t region = ~std::uint64_t{0} >> (kTileSize - columns);
+  auto row_place = static_cast<std::size_t>((t.bottom[k] - pen.tile.bottom) * kTileSize + (left - pen.tile.left));
+  const std::int32_t* const stored = lanes_of(pen.tile.tile.depth_stencil.data());
+  for (int y = t.bottom[k];; ++y, row_place += kTileSize) {
+    V e[3] = {row[0], row[1], row[2]};
+    V64 z_low = z.row;
+    std::uint64_t bits = 0;
+    for (int column = 0; column < columns; column += kLanes) {
+      M mask = hn::Gt(hn::Or(hn::Or(e[0], e[1]), e[2]), hn::Set(kD, -1));
+      const V z24 = find_depths<OneRow>(pen.primitive, left + column, y, mask, z_low, hn::Add(z_low, z.half));
+      const V depth = depth_codes(kD, pen.pass, pen.primitive, z24);
+      const V here = hn::LoadU(kD, stored + row_place + static_cast<std::size_t>(column));
+      // Less where depth × 256 and depth × 256 + stencil are alike but for the stencil.
+      const auto difference = hn::BitCast(du, hn::Xor(hn::ShiftLeft<8>(depth), here));
+      mask = hn::And(mask, hn::RebindMask(kD, hn::Lt(difference, hn::Set(du, 0x100))));
+      if (asks_stencil) mask = hn::And(mask, stencil_passes(kD, draw, here));
+      bits |= bits_of(kD, mask) << column;
+      for (std::size_t i = 0; i < 3; ++i) e[i] = hn::Add(e[i], step[i]);
+      z_low = hn::Add(z_low, z.step);
+    }
+    bits &= region;
+    if (bits != 0) push_row(pen, t, k, y, row_place, row, bits);
+    if (y == top) break;
+    for (std::size_t i = 0; i < 3; ++i) row[i] = hn::Add(row[i], up[i]);
     z.row = hn::Add(z.row, z.up);
   }
 }
@@ -142,5 +229,6 @@ HWY_INLINE void draw_in_rows(const Pen& pen, const TileTriangles& t, std::size_t
     using Rows = SeveralRows<2>;
     if (columns <= Rows::kColumns && t.is_narrow[k]) return draw_slim_triangle<kDrawing, Rows>(pen, t, k);
   }
+  if (kDrawing == Drawing::gathers && pen.pass.operations.asks_equal_depth) return gather_rows(pen, t, k);
   draw_triangle<kDrawing>(pen, t, k);
 }

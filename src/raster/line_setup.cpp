@@ -7,23 +7,29 @@
 namespace ninebit {
 namespace {
 
-SetupPrimitive start(SetupKind kind, const SetupSource& source) {
-  SetupPrimitive p{};
-  p.kind = kind;
-  p.vertex = source.vertex;
-  p.corner = {0, 1, 2};
-  p.front_facing = source.front_facing;
-  p.primitive = source.primitive;
-  p.offset_z24 = source.offset_z24;
-  p.weights = kNoWeights;
+struct Piece {
+  SetupPrimitive primitive{};
+  SetupCorners corners{};
+};
+
+Piece start(SetupKind kind, const SetupSource& source, const PixelBounds& box) {
+  Piece p;
+  p.primitive.kind = kind;
+  p.primitive.box = box;
+  p.primitive.front_facing = source.front_facing;
+  p.primitive.primitive = source.primitive;
+  p.primitive.offset_z24 = source.offset_z24;
+  p.corners.vertex = source.vertex;
+  p.corners.corner = {0, 1, 2};
+  p.corners.weights = kNoWeights;
   return p;
 }
 
-void put(const WindowVertex& from, std::size_t i, SetupPrimitive& to) {
-  to.x_q4[i] = from.x_q4;
-  to.y_q4[i] = from.y_q4;
-  to.z24[i] = from.z24;
-  to.inv_w[i] = from.inv_w;
+void put(const WindowVertex& from, std::size_t i, Piece& to) {
+  to.primitive.x_q4[i] = from.x_q4;
+  to.primitive.y_q4[i] = from.y_q4;
+  to.primitive.z24[i] = from.z24;
+  to.corners.inv_w[i] = from.inv_w;
 }
 
 // The corner that is neither.
@@ -31,12 +37,14 @@ std::uint8_t third(std::uint8_t a, std::uint8_t b) {
   return static_cast<std::uint8_t>(3 - a - b);
 }
 
-void append(SetupPrimitive& p, const std::optional<glm::mat3>& weights, SetupBlock& block) {
+void append(const SetupContext& context, Piece& p, const std::optional<glm::mat3>& weights, SetupBlock& block) {
+  block.primitives.push_back(p.primitive);
+  if (!context.needs_corners) return;
   if (weights) {
-    p.weights = static_cast<std::uint32_t>(block.weights.size());
+    p.corners.weights = static_cast<std::uint32_t>(block.weights.size());
     block.weights.push_back(*weights);
   }
-  block.primitives.push_back(p);
+  block.corners.push_back(p.corners);
 }
 
 }  // namespace
@@ -59,12 +67,11 @@ void add_line(const SetupContext& context, const SetupEnd& a, const SetupEnd& b,
   const PixelBounds box = context.pixels_in(left - 16, low - 16, right + wide, high + wide);
   if (box.empty()) return;
 
-  SetupPrimitive p = start(SetupKind::line, source);
-  p.box = box;
+  Piece p = start(SetupKind::line, source, box);
   put(from, 0, p);
   put(to, 1, p);
-  if (!clipped) p.corner = {a.corner, b.corner, third(a.corner, b.corner)};
-  append(p, clipped ? std::optional(glm::mat3(a.weights, b.weights, glm::vec3(0.0F))) : std::nullopt, block);
+  if (!clipped) p.corners.corner = {a.corner, b.corner, third(a.corner, b.corner)};
+  append(context, p, clipped ? std::optional(glm::mat3(a.weights, b.weights, glm::vec3(0.0F))) : std::nullopt, block);
 }
 
 void add_point(const SetupContext& context, const SetupEnd& at, bool clipped, const SetupSource& source,
@@ -77,13 +84,14 @@ void add_point(const SetupContext& context, const SetupEnd& at, bool clipped, co
   v.y_q4 = 16 * (((v.y_q4 + half_up) >> 4) - size / 2);
   const PixelBounds box = context.pixels_in(v.x_q4, v.y_q4, v.x_q4 + 16 * size, v.y_q4 + 16 * size);
   if (box.empty()) return;
-  SetupPrimitive p = start(SetupKind::point, source);
-  p.box = box;
+  Piece p = start(SetupKind::point, source, box);
   put(v, 0, p);
-  if (!clipped)
-    p.corner = {at.corner, static_cast<std::uint8_t>((at.corner + 1) % 3),
-                static_cast<std::uint8_t>((at.corner + 2) % 3)};
-  append(p, clipped ? std::optional(glm::mat3(at.weights, glm::vec3(0.0F), glm::vec3(0.0F))) : std::nullopt, block);
+  if (!clipped) {
+    p.corners.corner = {at.corner, static_cast<std::uint8_t>((at.corner + 1) % 3),
+                        static_cast<std::uint8_t>((at.corner + 2) % 3)};
+  }
+  append(context, p, clipped ? std::optional(glm::mat3(at.weights, glm::vec3(0.0F), glm::vec3(0.0F))) : std::nullopt,
+         block);
 }
 
 void set_up_line(const SetupContext& context, const std::array<glm::vec4, 2>& clip,

@@ -105,6 +105,7 @@ Status check_prepared(const PreparedDraw::Geometry& g, const PipelineState& stat
 // What drawing needs, in memory of its size.
 void keep(const BinnedBlock& block, BinnedBlock& to) {
   to.setup.primitives.assign(block.setup.primitives.begin(), block.setup.primitives.end());
+  to.setup.corners.assign(block.setup.corners.begin(), block.setup.corners.end());
   to.setup.weights = block.setup.weights;
   to.indices.assign(block.indices.begin(), block.indices.end());
   to.first_tile = block.first_tile;
@@ -156,7 +157,7 @@ Status prepare(const PipelineState& state, const glm::mat4& clip_from_object, co
   g.positions = arrays.vertex_count();
   g.indices = arrays.indices;
   const PrimitiveAssembly assembly(arrays);
-  const SetupContext setup(state, viewport_of(state, target), g.drawn, target.format);
+  const SetupContext setup(state, viewport_of(state, target), g.drawn, target.format, true);
   const bool is_drawn = !g.drawn.empty() && assembly.primitives() > 0;
   // Packed vertices are set up with a look at their indices: what that does not see are those left over at the end.
   const bool looks_at_indices =

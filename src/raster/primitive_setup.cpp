@@ -87,12 +87,18 @@ bool PrimitiveSetup::set_up_packed(std::size_t begin, std::size_t end, const Til
   const TriangleBatch batch{context_, assembly_, packed_, grid.columns};
   while (begin < end) {
     const std::size_t count = block.tile.size();
-    block.setup.primitives.resize(count + end - begin);
-    block.tile.resize(count + end - begin);
+    const auto resize = [&](std::size_t size) {
+      block.setup.primitives.resize(size);
+      if (context_.needs_corners) block.setup.corners.resize(size);
+      block.tile.resize(size);
+    };
+    resize(count + end - begin);
     const TriangleBatchResult done =
-        set_up_triangles(batch, begin, end, {&block.setup.primitives[count], &block.tile[count]});
-    block.setup.primitives.resize(count + done.count);
-    block.tile.resize(count + done.count);
+        set_up_triangles(batch, begin, end,
+                         {.primitives = &block.setup.primitives[count],
+                          .corners = context_.needs_corners ? &block.setup.corners[count] : nullptr,
+                          .tile = &block.tile[count]});
+    resize(count + done.count);
     for (std::uint64_t left = done.left_over; left != 0; left &= left - 1) {
       const std::size_t i = done.first_left_over + static_cast<std::size_t>(std::countr_zero(left));
       set_up_polygons(i, i + 1, block.setup);

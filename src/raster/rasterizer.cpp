@@ -19,7 +19,7 @@ namespace ninebit {
 namespace {
 
 // As many blocks as are worth a walk over all tiles; fewer where their primitives are in so many tiles.
-constexpr std::size_t kBlocksPerChunk = 64, kEntriesPerChunk = std::size_t{1} << 22;
+constexpr std::size_t kBlocksPerChunk = 128, kEntriesPerChunk = std::size_t{1} << 22;
 
 // Sets blocks up in parallel, as many as memory allows for whatever they hold; the number of blocks.
 std::size_t set_up_chunk(const DrawGeometry& geometry, std::size_t first, std::vector<BinnedBlock>& to) {
@@ -63,7 +63,8 @@ Status rasterize(const PipelineState& state, const glm::mat4& clip_from_object, 
 
   const ScratchLease scratch;
   const TileGrid grid(target.width, target.height);
-  const SetupContext setup(state, viewport_of(state, target), drawn, target.format);
+  const SetupContext setup(state, viewport_of(state, target), drawn, target.format,
+                           !context.has_flat_result || target.probe != nullptr);
   const DrawGeometry geometry(setup, clip_from_object, arrays, grid, scratch->packed);
   std::unique_ptr<PixelProbe> probe;
   if (target.probe != nullptr) probe = std::make_unique<PixelProbe>(state, arrays, units, target);

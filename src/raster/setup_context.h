@@ -13,8 +13,9 @@ namespace ninebit {
 
 struct SetupContext {
   // `viewport` has pixels; `drawn` are those that may be drawn: the target's within viewport and scissor.
+  // `corners`: whether fragments take more from their primitives than depths and flat colours.
   SetupContext(const PipelineState& state, const PixelRect& viewport, const PixelBox& drawn_pixels,
-               DepthStencilFormat format)
+               DepthStencilFormat format, bool corners)
       : window(state, viewport, format),
         guard{window.guard_x(), window.guard_y()},
         drawn(drawn_pixels),
@@ -26,7 +27,8 @@ struct SetupContext {
         point_size(state.point_size),
         line_width(state.line_width),
         offset(state.polygon_offset),
-        slope(state.profile.polygon_offset_slope) {}
+        slope(state.profile.polygon_offset_slope),
+        needs_corners(corners) {}
 
   [[nodiscard]] bool is_front(bool counter_clockwise) const { return counter_clockwise == counter_clockwise_is_front; }
   [[nodiscard]] bool is_culled(bool front) const { return front ? cull_front : cull_back; }
@@ -56,6 +58,7 @@ struct SetupContext {
   int line_width;
   PolygonOffset offset;
   OffsetSlope slope;
+  bool needs_corners;
 };
 
 }  // namespace ninebit

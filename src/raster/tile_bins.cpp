@@ -81,6 +81,7 @@ PixelBox TileGrid::pixels(std::size_t tile, const PixelBox& drawn) const {
 
 void BinnedBlock::clear() {
   setup.primitives.clear();
+  setup.corners.clear();
   setup.weights.clear();
   tile.clear();
   indices.clear();

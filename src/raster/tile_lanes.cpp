@@ -1,6 +1,7 @@
 #include "src/raster/tile_lanes.h"
 
 #include <algorithm>
+#include <bit>
 #include <cstddef>
 #include <cstring>
 
@@ -46,7 +47,8 @@ struct Pen {
   LanePass& pass;
   const SetupPrimitive& primitive;
   const SetupBlock& block;
-  std::uint32_t color;  // of a flat result
+  const SetupCorners* corners;  // unless the result is flat
+  std::uint32_t color;          // of a flat result
 };
 
 HWY_INLINE hn::Vec<DD> real_lane_numbers() {
@@ -122,7 +124,7 @@ HWY_INLINE void draw_pixel(const Pen& pen) {
     const std::array<std::int64_t, 3> edge = TriangleEdges(p).at(x, y);
     const hn::Rebind<float, D1> df;
     hn::Vec<decltype(df)> weight[3];
-    for (std::size_t i = 0; i < 3; ++i) weight[i] = hn::Set(df, static_cast<float>(edge[i]) * p.inv_w[i]);
+    for (std::size_t i = 0; i < 3; ++i) weight[i] = hn::Set(df, static_cast<float>(edge[i]) * pen.corners->inv_w[i]);
     push<OneRow>(kD1, pen, place, mask, depth, weight);
   } else {
     draw_flat<OneRow>(kD1, draw, pen, place, mask, depth);
@@ -132,6 +134,7 @@ HWY_INLINE void draw_pixel(const Pen& pen) {
 template <Drawing kDrawing>
 void draw_all(LaneTile& tile, LanePass& pass, const SetupBlock& block, std::span<const std::uint32_t> indices) {
   const bool needs_color = kDrawing != Drawing::gathers && pass.operations.needs_color();
+  const std::span<const ColorBytes> colors = pass.context.arrays.primitive_colors;
   const bool loses_farther = tile.knows_farthest && pass.depths_are_codes;
   const auto is_lost = [&](const SetupPrimitive& p, int left, int bottom, int right, int top) {
     return loses_farther && tile.farthest.are_nearer(left - tile.left, bottom - tile.bottom, right - tile.left,
@@ -144,8 +147,12 @@ void draw_all(LaneTile& tile, LanePass& pass, const SetupBlock& block, std::span
     alignas(64) std::array<std::uint32_t, kGroup> index;
     std::size_t count = 0, end = first;
     for (; end < indices.size() && count < kGroup; ++end) {
+      // Of large meshes neither this nor the colours are in the nearer caches.
+      if (end + 2 * kGroup < indices.size()) __builtin_prefetch(&block.primitives[indices[end + 2 * kGroup]]);
+      const SetupPrimitive& p = block.primitives[indices[end]];
+      if (needs_color && !colors.empty()) __builtin_prefetch(&colors[p.primitive]);
       index[count] = indices[end];
-      count += block.primitives[indices[end]].kind != SetupKind::pixel ? 1 : 0;
+      count += p.kind != SetupKind::pixel ? 1 : 0;
     }
     std::uint64_t small = 0, drawn = 0;
     if (count > 0) {
@@ -157,7 +164,7 @@ void draw_all(LaneTile& tile, LanePass& pass, const SetupBlock& block, std::span
     std::size_t i = 0;  // the next triangle
     for (; first < end; ++first) {
       const SetupPrimitive& p = block.primitives[indices[first]];
-      Pen pen{tile, pass, p, block, 0};
+      Pen pen{tile, pass, p, block, kDrawing == Drawing::gathers ? &block.corners_of(p) : nullptr, 0};
       const auto find_color = [&] {
         if (!needs_color) return;
         const ColorBytes color = pass.context.flat_primary(p.primitive);

@@ -25,10 +25,10 @@ struct LanePass {
   const bool depths_are_codes;       // window depths, without a polygon offset
   std::unique_ptr<LaneBatch> batch;  // none where the draw's result is flat
 
-  // Of passes that follow one another over the same primitives, each with is_equal_alone, all ask the same depths: the
-  // first `keeps` the fragments that pass the depth test, which the others draw again (`repeats`).
+  // Of passes that follow one another over the same primitives, each with asks_equal_depth, all ask the same depths:
+  // the first `keeps` the fragments that pass the depth test, which the others draw again (`repeats`).
   bool keeps = false, repeats = false;
-  [[nodiscard]] bool can_repeat() const { return batch && operations.is_equal_alone; }
+  [[nodiscard]] bool can_repeat() const { return batch && operations.asks_equal_depth; }
 };
 
 // One thread's tile, which passes draw into one after the other: large.
@@ -55,7 +55,6 @@ struct LaneTile {
   bool has_kept_all = false;                            // or there were too many
   LaneFragments* fragments = nullptr;                   // being gathered
   std::array<std::uint64_t, kTileSize + 3> occupied{};  // a bit for each pixel of a row that has one of them
-  LaneFragments some;                                   // of a batch
 
   void keep_none();
   // Starts with the next batch, which may replace the last one if that need not stay.

@@ -46,14 +46,15 @@ struct Candidates {
   alignas(64) Lanes edge[3];    // of a pixel: the edge functions there
   alignas(64) Lanes vertex[3];  // as the primitive has them
   alignas(64) Lanes low, high;  // the box
-  alignas(64) Lanes kind;       // kind, front_facing and the first two corners, as they lie in SetupPrimitive
+  alignas(64) Lanes kind;       // kind and front_facing, as they lie in SetupPrimitive, and kSwapped
   alignas(64) Lanes primitive;
   std::size_t count = 0;
   bool has_pixels = false;
 };
 
 // The first corner stays where it is, the others change places in a clockwise triangle.
-constexpr int kInOrder = 1 << 24, kSwapped = 2 << 24;  // `corner`'s second entry in Candidates::kind
+constexpr int kSwapped = 1 << 16;
+constexpr int kCorners = 0x020100, kSwappedCorners = 0x010200;  // as SetupCorners::corner lies in a word
 
 #include "src/raster/triangle_batch_input.inl"
 
@@ -180,7 +181,7 @@ HWY_INLINE Verdict look_at(const TriangleBatch& batch, std::size_t first, std::s
   keep(hn::IfThenElse(small, small_low, box_low), to.low);
   keep(hn::IfThenElse(small, small_high, box_high), to.high);
   const int front = context.is_front(false) ? 1 << 8 : 0, other_front = context.is_front(true) ? 1 << 8 : 0;
-  const VI kind = hn::IfThenElse(clockwise, set(kSwapped | front), set(kInOrder | other_front));
+  const VI kind = hn::IfThenElse(clockwise, set(kSwapped | front), set(other_front));
   keep(hn::Or(kind, hn::IfThenElseZero(pixel, set(static_cast<int>(SetupKind::pixel)))), to.kind);
   keep(hn::Iota(kDI, static_cast<std::int32_t>(first)), to.primitive);
   to.count += hn::CountTrue(kDI, alive);

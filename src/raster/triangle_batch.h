@@ -26,7 +26,8 @@ struct TriangleBatch {
 // Where to write: room for every triangle of the range.
 struct TriangleBatchOutput {
   SetupPrimitive* primitives;
-  std::uint32_t* tile;  // of each, see BinnedBlock::tile
+  SetupCorners* corners;  // null where the context does not need them
+  std::uint32_t* tile;    // of each, see BinnedBlock::tile
 };
 
 struct TriangleBatchResult {

@@ -24,7 +24,7 @@ HWY_INLINE void gather_depths(const TriangleBatch& batch, const Candidates& c, D
                           hn::IfThenElse(swapped, second, third)};
     for (int k = 0; k < 3; ++k) {
       hn::Store(word_of(batch, 2, vertex[k]), kDI, to.corner[k] + i);
-      hn::Store(word_of(batch, 3, vertex[k]), kDI, to.inv_w[k] + i);
+      if (batch.context.needs_corners) hn::Store(word_of(batch, 3, vertex[k]), kDI, to.inv_w[k] + i);
     }
   }
 }
@@ -68,27 +68,47 @@ HWY_INLINE void find_offsets(const SetupContext& context, const Candidates& c, D
   }
 }
 
+// Vectors of four words side by side: a row of `count` records, each of which has kRows of them.
+template <std::size_t kRows, class Record>
+HWY_INLINE void copy_rows(const std::int32_t (&rows)[kRows][4 * 16], std::size_t count, Record* to) {
+  constexpr std::size_t kRow = 16;
+  static_assert(sizeof(Record) == kRow * kRows);
+  for (std::size_t k = 0; k < count; ++k) {
+    for (std::size_t r = 0; r < kRows; ++r) {
+      std::memcpy(reinterpret_cast<unsigned char*>(to + k) + kRow * r, rows[r] + 4 * k, kRow);
+    }
+  }
+}
+
+HWY_INLINE void write_corners(const Candidates& c, const Depths& d, std::size_t i, std::size_t count,
+                              SetupCorners* to) {
+  static_assert(offsetof(SetupCorners, weights) == 12 && offsetof(SetupCorners, corner) == 28);
+  const auto load = [i](const Candidates::Lanes& lanes) HWY_ATTR { return hn::Load(kDI, lanes + i); };
+  alignas(64) std::int32_t rows[2][4 * 16];
+  const VI corner = hn::IfThenElse(hn::TestBit(load(c.kind), set(kSwapped)), set(kSwappedCorners), set(kCorners));
+  hn::StoreInterleaved4(load(d.inv_w[0]), load(d.inv_w[1]), load(d.inv_w[2]),
+                        set(static_cast<std::int32_t>(kNoWeights)), kDI, rows[0]);
+  hn::StoreInterleaved4(load(c.vertex[0]), load(c.vertex[1]), load(c.vertex[2]), corner, kDI, rows[1]);
+  copy_rows(rows, count, to);
+}
+
 // Writes the candidates where `out` points, and moves it.
 HWY_INLINE void write(const TriangleBatch& batch, const Candidates& c, const Depths& d, TriangleBatchOutput& out) {
-  constexpr std::size_t kRow = 16, kRows = sizeof(SetupPrimitive) / kRow;
-  static_assert(kRows == 6 && offsetof(SetupPrimitive, weights) == 28 && offsetof(SetupPrimitive, vertex) == 80);
+  static_assert(offsetof(SetupPrimitive, offset_z24) == 16 && offsetof(SetupPrimitive, z24) == 24 &&
+                offsetof(SetupPrimitive, y_q4) == 48);
   static_assert(std::endian::native == std::endian::little);
   static_assert(kTileSize == 64);
   const bool is_offset = batch.context.is_offset(PolygonMode::fill);
   for (std::size_t i = 0; i < c.count; i += hn::Lanes(kDI)) {
     const auto load = [i](const Candidates::Lanes& lanes) HWY_ATTR { return hn::Load(kDI, lanes + i); };
-    const VI low = load(c.low), high = load(c.high), kind = load(c.kind);
+    const VI low = load(c.low), high = load(c.high), kind = hn::And(load(c.kind), set(0xFFFF));
     const MI is_pixel = hn::Ne(hn::And(kind, set(0xFF)), set(0));
-    const MI is_swapped = hn::TestBit(kind, set(kSwapped));
-    alignas(64) std::int32_t rows[kRows][4 * 16];
+    alignas(64) std::int32_t rows[4][4 * 16];
     const VI zero = set(0);
     hn::StoreInterleaved4(low, high, hn::IfThenElseZero(is_pixel, load(d.pixel)), load(c.primitive), kDI, rows[0]);
-    hn::StoreInterleaved4(is_offset ? load(d.offset) : zero, kind, hn::IfThenElse(is_swapped, set(1), set(2)),
-                          set(static_cast<std::int32_t>(kNoWeights)), kDI, rows[1]);
-    hn::StoreInterleaved4(load(c.x[0]), load(c.x[1]), load(c.x[2]), load(c.y[0]), kDI, rows[2]);
-    hn::StoreInterleaved4(load(c.y[1]), load(c.y[2]), load(d.corner[0]), load(d.corner[1]), kDI, rows[3]);
-    hn::StoreInterleaved4(load(d.corner[2]), load(d.inv_w[0]), load(d.inv_w[1]), load(d.inv_w[2]), kDI, rows[4]);
-    hn::StoreInterleaved4(load(c.vertex[0]), load(c.vertex[1]), load(c.vertex[2]), zero, kDI, rows[5]);
+    hn::StoreInterleaved4(is_offset ? load(d.offset) : zero, kind, load(d.corner[0]), load(d.corner[1]), kDI, rows[1]);
+    hn::StoreInterleaved4(load(d.corner[2]), load(c.x[0]), load(c.x[1]), load(c.x[2]), kDI, rows[2]);
+    hn::StoreInterleaved4(load(c.y[0]), load(c.y[1]), load(c.y[2]), zero, kDI, rows[3]);
     const auto tile_at = [&batch](VI corner) HWY_ATTR {
       const VI row = hn::Mul(hn::ShiftRight<22>(corner), set(batch.tile_columns));
       return hn::Add(row, hn::ShiftRight<6>(hn::And(corner, set(0xFFFF))));
@@ -99,10 +119,10 @@ HWY_INLINE void write(const TriangleBatch& batch, const Candidates& c, const Dep
     hn::Store(hn::IfThenElse(hn::Eq(tile, tile_at(high)), tile, set(static_cast<std::int32_t>(kSeveralTiles))), kDI,
               tiles);
     std::memcpy(out.tile, tiles, count * sizeof(std::int32_t));
-    for (std::size_t k = 0; k < count; ++k) {
-      for (std::size_t r = 0; r < kRows; ++r) {
-        std::memcpy(reinterpret_cast<unsigned char*>(out.primitives + k) + kRow * r, rows[r] + 4 * k, kRow);
-      }
+    copy_rows(rows, count, out.primitives);
+    if (out.corners != nullptr) {
+      write_corners(c, d, i, count, out.corners);
+      out.corners += count;
     }
     out.primitives += count;
     out.tile += count;

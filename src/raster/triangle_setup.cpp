@@ -26,33 +26,36 @@ void emit(const SetupContext& context, const PolygonTriangle& triangle, std::arr
   const bool front = context.is_front(area > 0);
   if (area == 0 || context.is_culled(front)) return;
   SetupPrimitive t;
+  SetupCorners c;
   t.box = box;
   t.pixel_z24 = 0;
-  t.corner = {0, 1, 2};
+  c.corner = {0, 1, 2};
   if (area < 0) {
     std::swap(v[1], v[2]);
-    std::swap(t.corner[1], t.corner[2]);
+    std::swap(c.corner[1], c.corner[2]);
   }
   for (std::size_t i = 0; i < 3; ++i) {
     t.x_q4[i] = v[i].x_q4;
     t.y_q4[i] = v[i].y_q4;
     t.z24[i] = v[i].z24;
-    t.inv_w[i] = v[i].inv_w;
+    c.inv_w[i] = v[i].inv_w;
   }
-  t.vertex = triangle.vertex;
   t.kind = SetupKind::triangle;
   t.front_facing = front;
-  t.weights = kNoWeights;
   t.primitive = triangle.primitive;
   t.offset_z24 = offset_z24;
+  block.primitives.push_back(t);
+  if (!context.needs_corners) return;
+  c.vertex = triangle.vertex;
+  c.weights = kNoWeights;
   if (weights != nullptr) {
     glm::mat3 columns = *weights;
     if (area < 0) std::swap(columns[1], columns[2]);
-    t.corner = {0, 1, 2};
-    t.weights = static_cast<std::uint32_t>(block.weights.size());
+    c.corner = {0, 1, 2};
+    c.weights = static_cast<std::uint32_t>(block.weights.size());
     block.weights.push_back(columns);
   }
-  block.primitives.push_back(t);
+  block.corners.push_back(c);
 }
 
 std::array<WindowVertex, 3> to_window(const SetupContext& context, const std::array<glm::vec4, 3>& clip) {

@@ -46,6 +46,13 @@ Result<std::optional<std::string_view>> CsvLines::next_raw() {
   }
 }
 
+std::string shown(std::string_view field) {
+  constexpr std::size_t kMost = 40;
+  std::string out;
+  for (const char c : field.substr(0, kMost)) out += c >= ' ' && c <= '~' ? c : '?';
+  return field.size() > kMost ? out + "..." : out;
+}
+
 Result<std::optional<CsvLine>> CsvLines::next() {
   while (true) {
     auto raw = next_raw();

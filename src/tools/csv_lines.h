@@ -22,6 +22,9 @@ struct CsvLine {
 // Without the blanks around it.
 [[nodiscard]] std::string_view trimmed(std::string_view text);
 
+// Foreign bytes as they can be shown on one line.
+[[nodiscard]] std::string shown(std::string_view field);
+
 class CsvLines {
  public:
   // There is a ProgressLine: interrupts are noticed while waiting.

@@ -9,14 +9,6 @@
 namespace ninebit::tools {
 namespace {
 
-// Foreign bytes as they can be shown on one line.
-std::string shown(std::string_view text) {
-  constexpr std::size_t kMost = 40;
-  std::string out;
-  for (const char c : text.substr(0, kMost)) out += c >= ' ' && c <= '~' ? c : '?';
-  return text.size() > kMost ? out + "..." : out;
-}
-
 std::size_t column_of(const CsvLine& line, std::string_view field) {
   return static_cast<std::size_t>(field.data() - line.text.data()) + 1;
 }

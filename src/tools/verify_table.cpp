@@ -39,12 +39,6 @@ RegisterFile default_registers(const HardwareProfile& profile) {
   return file;
 }
 
-std::string shown(std::string_view text) {
-  std::string out;
-  for (const char c : text.substr(0, 40)) out += c >= ' ' && c <= '~' ? c : '?';
-  return out;
-}
-
 }  // namespace
 
 bool Expectation::allows(int code) const {
