@@ -137,6 +137,10 @@ TEST(Line, ALoopDrawsTheCornersOnceAndIsAStripWithOneMoreLine) {
   }
 }
 
+std::uint8_t level_color(int level) {
+  return static_cast<std::uint8_t>(10 * (level + 1));
+}
+
 // A line seen in perspective, also through the near plane: an attribute that is the place along it in space.
 void expect_attribute(bool clipped, std::uint64_t seed) {
   const int size = 128;
@@ -188,6 +192,47 @@ TEST(Line, AttributesAreInterpolatedInPerspective) {
 }
 TEST(Line, ClippedLinesInterpolateLikeWholeOnes) {
   expect_attribute(true, 64);
+}
+
+// OpenGL 1.3, 3.8.8: what counts for a line is how many texels a pixel along it spans, whatever its direction.
+TEST(Line, MipmapsFollowTheTexelsPerPixelAlongIt) {
+  constexpr int kTexels = 64, kLevels = 7;
+  std::vector<TextureSamples> levels;
+  for (int k = 0; k < kLevels; ++k) {
+    const int side = kTexels >> k;
+    levels.push_back({side, side, std::vector<std::uint8_t>(static_cast<std::size_t>(side * side), level_color(k))});
+  }
+  const Texture texture = make_texture(TextureTarget::texture_2d, InternalFormat::luminance8, {levels}).value();
+  const std::array<TextureUnit, 1> units{
+      TextureUnit{&texture, {.min_filter = MinFilter::nearest_mipmap_nearest, .mag_filter = MagFilter::nearest}}};
+  PipelineState state;
+  state.program = pass_through(Register::texture0, Register::primary);
+  constexpr std::array<std::array<int, 2>, 6> kDirections{{{40, 0}, {0, 40}, {-40, 0}, {24, 32}, {-32, 24}, {30, -40}}};
+  for (const auto& [dx, dy] : kDirections) {
+    const float length = std::hypot(static_cast<float>(dx), static_cast<float>(dy));
+    const int left = dx < 0 ? 55 : 8, bottom = dy < 0 ? 55 : 8;
+    const auto centre = [](int x, int y) { return oracle::WindowVertex{16 * x + 8, 16 * y + 8, 0}; };
+    const std::vector<glm::vec3> positions{clip_position(centre(left, bottom), kTexels, kTexels),
+                                           clip_position(centre(left + dx, bottom + dy), kTexels, kTexels)};
+    for (int k = 0; k < kLevels; ++k) {
+      for (const float factor : {0.75F, 1.35F}) {  // the switch points are at the square roots of 1/2 and 2
+        const float end = factor * std::exp2(static_cast<float>(k)) * length / kTexels;
+        for (const bool along_t : {false, true}) {
+          const std::vector<glm::vec3> coordinates{{0, 0, 0}, along_t ? glm::vec3(0, end, 0) : glm::vec3(end, 0, 0)};
+          VertexArrays arrays{.type = PrimitiveType::lines, .positions = positions};
+          arrays.texture_coordinates[0] = coordinates;
+          Surface surface = Surface::make(kTexels, kTexels).value();
+          RenderTarget target = surface.target();
+          ASSERT_TRUE(rasterize(state, kIdentity, arrays, units, target).ok());
+          const std::vector<std::uint8_t>& red = surface.color(kRed);
+          const auto drawn = std::max(std::abs(dx), std::abs(dy));
+          EXPECT_EQ(std::count(red.begin(), red.end(), level_color(k)), drawn)
+              << dx << ' ' << dy << ", level " << k << ", " << factor;
+          EXPECT_EQ(std::count(red.begin(), red.end(), 0), kTexels * kTexels - drawn);
+        }
+      }
+    }
+  }
 }
 
 TEST(Line, DepthIsExactAlongTheLine) {

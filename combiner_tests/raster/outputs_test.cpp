@@ -235,6 +235,10 @@ TEST_F(TargetCheck, PlanesThatTheStateNeeds) {
   target_.depth.stride = 3;
   expect("the depth plane has rows that overlap: 3 samples from one to the next, 4 in each");
   target_.depth.stride = 4;
+  target_.stencil = {bytes.data(), -3};
+  expect("the stencil plane has rows that overlap: -3 samples from one to the next, 4 in each");
+  target_.stencil.stride = -4;
+  expect("");
   target_.color[1] = {bytes.data(), 0};
   expect("the green plane has rows that overlap: 0 samples from one to the next, 4 in each");
   target_.height = 1;

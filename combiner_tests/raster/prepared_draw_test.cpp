@@ -217,6 +217,10 @@ TEST(PreparedDraw, OfNoDrawDrawsNothing) {
   EXPECT_FALSE(rasterize(c.state, prepared, c.arrays, {}, c.target).ok());  // NOLINT(bugprone-use-after-move)
   ASSERT_TRUE(prepare(c.state, kIdentity, c.arrays, c.target, prepared).ok());
   EXPECT_TRUE(rasterize(c.state, prepared, c.arrays, {}, c.target).ok());
+  prepared = PreparedDraw();
+  EXPECT_FALSE(rasterize(c.state, prepared, c.arrays, {}, c.target).ok());
+  prepared = std::move(other);
+  EXPECT_TRUE(rasterize(c.state, prepared, c.arrays, {}, c.target).ok());
   // After an error nothing of the last draw is left.
   c.state.point_size = 0;
   EXPECT_FALSE(prepare(c.state, kIdentity, c.arrays, c.target, prepared).ok());

@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "combiner_tests/combiner/sanitized.h"
 #include "combiner_tests/oracle/raster_oracle.h"
 #include "combiner_tests/support/random.h"
 #include "ninebit/combiner/program.h"
@@ -18,14 +19,8 @@
 
 namespace ninebit::test {
 
-// Tests that loop long do less where a sanitizer slows the build down.
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-inline constexpr bool kSlowBuild = true;
-#elif defined(__has_feature)
-inline constexpr bool kSlowBuild = __has_feature(address_sanitizer) || __has_feature(thread_sanitizer);
-#else
-inline constexpr bool kSlowBuild = false;
-#endif
+// Tests that loop long do less then.
+inline constexpr bool kSlowBuild = kSanitized;
 
 // A position with w = 1 that the identity matrix puts into the middle of the snapping cell of this window position
 // (multiples of 2^(4 - subpixel_bits) sixteenths) and exactly onto this depth, with the whole depth range.

@@ -49,6 +49,12 @@ class OverOlder : public testing::TestWithParam<const char*> {
               small_render(kRoom, out_, {"--layers", "--quiet"})};
     }
     if (verb == "merge") return {merge_of("2"), merge_of("1")};
+    if (verb == "study") {
+      // Its part is whole, and beside another one's report: that one is written over.
+      const Words study = study_of("1", out_);
+      EXPECT_EQ(ninebit(study).code, 0);
+      return {merge_of("2"), study};
+    }
     if (verb == "eval") return {eval_of("100"), eval_of("200")};
     const auto conversion = [this](const char* form) {
       return Words{"convert", kArticle, "--to", form, "--quiet", "-o", out_ + "/article"};
@@ -63,12 +69,14 @@ class OverOlder : public testing::TestWithParam<const char*> {
             "--quiet", "-o",     out_ + "/table.csv"};
   }
 
+  static Words study_of(const std::string& steps, const std::string& folder) {
+    return {"study", "shadows", kRoom, "--map-sizes", "32", "--size",
+            "48x36", "--steps", steps, "--quiet",     "-o", folder};
+  }
+
   [[nodiscard]] Words merge_of(const std::string& steps) const {
     const std::string parts = folder_ / ("steps-" + steps);
-    EXPECT_EQ(ninebit({"study", "shadows", kRoom, "--map-sizes", "32", "--size", "48x36", "--steps", steps, "--quiet",
-                       "-o", parts})
-                  .code,
-              0);
+    EXPECT_EQ(ninebit(study_of(steps, parts)).code, 0);
     return {"study", "merge", parts + "/part-1-of-1.jsonl", "--quiet", "-o", out_};
   }
 
@@ -144,7 +152,8 @@ TEST_P(OverOlder, ByKillAtTenMoments) {
 TEST_P(OverOlder, ByInterruptAtTenMoments) {
   const int ended = end_at_ten_moments(SIGINT);
   // A report that is begun is finished.
-  EXPECT_TRUE(ended >= 1 || GetParam() == std::string("merge"));
+  const std::string verb = GetParam();
+  EXPECT_TRUE(ended >= 1 || verb == "merge" || verb == "study");
   expect_next_run_undisturbed();
 }
 
@@ -210,7 +219,7 @@ TEST_P(OverOlder, OnAFullDisk) {
   expect_next_run_undisturbed();
 }
 
-INSTANTIATE_TEST_SUITE_P(Verbs, OverOlder, testing::Values("render", "merge", "eval", "convert"),
+INSTANTIATE_TEST_SUITE_P(Verbs, OverOlder, testing::Values("render", "study", "merge", "eval", "convert"),
                          [](const auto& verb) { return std::string(verb.param); });
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <thread>
 
+#include "combiner_tests/tools/small_disk.h"
 #include "combiner_tests/tools/support.h"
 
 namespace tools_test {
@@ -200,6 +201,45 @@ TEST(StudyRun, NoRoomKeepsWhatWasFinished) {
   EXPECT_EQ(files_in(out).size(), 1U);
   ASSERT_EQ(ninebit(small_study(out)).code, 0);
   EXPECT_EQ(files_in(out), files_in(folder / "whole"));
+}
+
+// Room for a little more of the part each time, then for all of it and not for the report, at last for both.
+TEST(StudyRun, AFullDiskKeepsWhatWasFinished) {
+  const TempFolder folder;
+  ASSERT_EQ(ninebit(small_study(folder / "whole")).code, 0);
+  const Files whole = files_in(folder / "whole");
+  const std::string name = "part-1-of-1.jsonl", out = folder / "out", ballast = out + "/ballast";
+  const SmallDisk disk(out);
+  if (!disk.mounted()) GTEST_SKIP() << "mounting is not allowed here: " << disk.error();
+  // The older report, on nothing yet.
+  ASSERT_EQ(ninebit(small_study(out, {"--budget", "0"})).code, 0);
+  const Files older = without_parts(files_in(out));
+  ASSERT_TRUE(older.contains("report.html"));
+  disk.fill("ballast");
+  const auto expect_no_room = [&] {
+    const std::uint64_t filled = std::filesystem::file_size(ballast);
+    expect_error(ninebit(small_study(out)), 4, {out, "No space left on device"});
+    Files found = files_in(out);
+    EXPECT_TRUE(whole.at(name).starts_with(found[name]));
+    const std::size_t kept = found[name].size();
+    EXPECT_EQ(found["ballast"].size(), filled);
+    found.erase("ballast");
+    EXPECT_EQ(without_parts(found), older);
+    return kept;
+  };
+  std::size_t kept = expect_no_room();
+  for (int i = 0; i < 3; ++i) {
+    std::filesystem::resize_file(ballast, std::filesystem::file_size(ballast) - 8192);
+    const std::size_t more = expect_no_room();
+    EXPECT_GT(more, kept);
+    EXPECT_LT(more, whole.at(name).size());
+    kept = more;
+  }
+  std::filesystem::resize_file(ballast, std::filesystem::file_size(ballast) - whole.at(name).size());
+  EXPECT_EQ(expect_no_room(), whole.at(name).size());
+  std::filesystem::remove(ballast);
+  ASSERT_EQ(ninebit(small_study(out)).code, 0);
+  EXPECT_EQ(files_in(out), whole);
 }
 
 }  // namespace

@@ -65,10 +65,6 @@ class OutputPlanes {
 // One fragment of a draw whose colour and planes need no batch, through the operations and into the planes.
 inline void draw_fragment(const FragmentOperations& operations, const OutputPlanes& outputs, const Fragment& fragment,
                           const ColorBytes& color) {
-  if (outputs.empty()) {
-    operations.apply(fragment, color);
-    return;
-  }
   FragmentOutcome outcome{.depth_passed = operations.depth_passes(fragment)};
   outcome.drawn = operations.apply(fragment, color);
   outputs.write(fragment, outcome);
