@@ -39,8 +39,8 @@ TEST(ProgramThreads, OneProgramRunsInSeveralAtOnce) {
       std::vector<std::jthread> threads;
       for (Lanes& run : runs) {
         threads.emplace_back([&program, &run] {
-          // Shares what it is made of. NOLINTNEXTLINE(performance-unnecessary-copy-initialization): each thread has its
-          // own
+          // Shares what it is made of; each thread has its own.
+          // NOLINTNEXTLINE(performance-unnecessary-copy-initialization)
           const BatchProgram copy = program;
           copy.run(*run.registers, kBatchSize, *run.out);
         });

@@ -25,7 +25,7 @@ void batch(benchmark::State& state, std::size_t number) {
       for (s9& value : component) value = code = static_cast<s9>((code + 37) % 256);
     }
   }
-  for (auto _ : state) {
+  for ([[maybe_unused]] auto _ : state) {
     program.run(*registers, kBatchSize, *out);
     benchmark::DoNotOptimize(out->plane);
   }
@@ -41,7 +41,7 @@ void reference_fragment(benchmark::State& state, std::size_t number) {
   RegisterFile registers;
   registers[Register::primary] = {100, 50, 25, 255};
   registers[Register::texture0] = {102, 50, 25, 255};
-  for (auto _ : state) benchmark::DoNotOptimize(evaluate(program, registers));
+  for ([[maybe_unused]] auto _ : state) benchmark::DoNotOptimize(evaluate(program, registers));
   state.SetItemsProcessed(static_cast<std::int64_t>(state.iterations()));
 }
 BENCHMARK_CAPTURE(reference_fragment, index, 0);

@@ -14,7 +14,7 @@ void flat_triangles(benchmark::State& state) {
   const VertexArrays arrays = mesh.arrays();
   auto surface = Surface::make(kWidth, kHeight);
   RenderTarget target = surface->target();
-  for (auto _ : state) {
+  for ([[maybe_unused]] auto _ : state) {
     surface->fill({});
     if (!rasterize(pipeline, glm::mat4(1.0F), arrays, {}, target)) state.SkipWithError("not drawn");
   }

@@ -34,8 +34,9 @@ std::array<std::vector<float>, 3> coordinates(TextureTarget target) {
   for (int square = 0; square < kWidth * kHeight / (kSquare * kSquare); ++square) {
     const int left = square % (kWidth / kSquare) * kSquare, bottom = square / (kWidth / kSquare) * kSquare;
     for (int i = 0; i < kSquare * kSquare; ++i) {
-      const float x = (static_cast<float>(left + i % kSquare) + 0.5F) / kWidth;
-      const float y = (static_cast<float>(bottom + i / kSquare) + 0.5F) / kHeight;
+      const int column = left + i % kSquare, row = bottom + i / kSquare;
+      const float x = (static_cast<float>(column) + 0.5F) / kWidth;
+      const float y = (static_cast<float>(row) + 0.5F) / kHeight;
       const bool cube = target == TextureTarget::cube_map;
       at[0].push_back(cube ? 4.0F * x - 2.0F : x);
       at[1].push_back(cube ? 3.0F * y - 1.5F : y);
@@ -55,7 +56,7 @@ void sample(benchmark::State& state, TextureTarget target, InternalFormat format
   const TextureSampler sampler = TextureSampler::make(profiles::geforce2, texture, parameters).value();
   const auto at = coordinates(target);
   std::array<std::array<s9, kBatchSize>, 4> codes;
-  for (auto _ : state) {
+  for ([[maybe_unused]] auto _ : state) {
     for (std::size_t first = 0; first < at[0].size(); first += kBatchSize) {
       const TextureCoordinates batch{.value = {at[0].data() + first, at[1].data() + first, at[2].data() + first}};
       sampler.sample(batch, kBatchSize, {codes[0].data(), codes[1].data(), codes[2].data(), codes[3].data()});

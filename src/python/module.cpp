@@ -27,6 +27,7 @@ PYBIND11_MODULE(_ninebit, module) {
   static PyObject* const error =
       PyErr_NewExceptionWithDoc("ninebit.Error", "A wrong program, state or file.", PyExc_ValueError, nullptr);
   module.attr("Error") = py::handle(error);
+  // NOLINTNEXTLINE(performance-unnecessary-value-param): the function's type is pybind11's
   py::register_exception_translator([](std::exception_ptr fault) {
     try {
       if (fault) std::rethrow_exception(fault);
