@@ -15,6 +15,7 @@
 #include "src/scene/fault_of.h"
 #include "src/scene/mesh_builder.h"
 #include "src/scene/polygon.h"
+#include "src/scene/scene_check.h"
 
 namespace ninebit {
 namespace {
@@ -31,10 +32,6 @@ glm::dmat3 normal_transform(const glm::dmat4& world, double determinant) {
   const glm::dvec3 z(world[2]);
   const glm::dmat3 cofactors(glm::cross(y, z), glm::cross(z, x), glm::cross(x, y));
   return determinant < 0.0 ? -cofactors : cofactors;
-}
-
-bool is_finite(const glm::vec3& v) {
-  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
 Material material_of(const aiMaterial& from) {

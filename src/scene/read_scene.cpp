@@ -11,6 +11,7 @@
 #include "src/scene/assimp_import.h"
 #include "src/scene/fault_of.h"
 #include "src/scene/file_check.h"
+#include "src/scene/scene_check.h"
 
 namespace ninebit {
 namespace {
@@ -51,10 +52,6 @@ Result<FileFacts> check_content(std::string_view content, const std::filesystem:
   if (extension == ".ply") return check_ply(content);
   if (extension == ".3ds") return check_3ds(content);
   return check_gltf(content, file, extension == ".glb");
-}
-
-bool is_finite(const glm::vec3& v) {
-  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
 glm::vec3 moved(const glm::dmat4& by, const glm::vec3& point) {
