@@ -174,13 +174,9 @@ HWY_INLINE void fill_registers(LaneFragments& f, LaneBatch& batch, const DrawCon
   }
 }
 
-// Sends fragments through the combiners and what follows.
-HWY_NOINLINE void finish(LaneTile& tile, LanePass& pass, LaneFragments& f) {
-  LaneBatch& batch = *pass.batch;
-  const DrawContext& context = pass.context;
-  if (!pass.operations.needs_color()) {
-    // Nothing is looked at.
-  } else if (context.state.program) {
+// What leaves the combiners.
+HWY_INLINE void find_colors(LaneFragments& f, LaneBatch& batch, const DrawContext& context) {
+  if (context.state.program) {
     fill_registers(f, batch, context);
     context.program->run(batch.registers, f.count, batch.out);
     output_to_colors(batch, f.count, context);
@@ -190,6 +186,11 @@ HWY_NOINLINE void finish(LaneTile& tile, LanePass& pass, LaneFragments& f) {
     find_shares(f);
     fill_smooth_colors(f, batch, context.arrays.vertex_colors);
   }
+}
+
+// Sends fragments through the combiners and what follows.
+HWY_NOINLINE void finish(LaneTile& tile, LanePass& pass, LaneFragments& f) {
+  if (pass.operations.needs_color()) find_colors(f, *pass.batch, pass.context);
   if (pass.operations.two_sided) {
     std::size_t r = 0;
     for (std::size_t s = 0; s < f.spans; ++s) {

@@ -121,8 +121,8 @@ HWY_INLINE void push_row(const Pen& pen, const TileTriangles& t, std::size_t k, 
   tile.occupied[row_place / kTileSize] |= columns;
   LaneFragments& batch = *tile.fragments;
   begin_run(batch, pen);
-  for (int column = 0; bits != 0;) {
-    column = std::countr_zero(bits);
+  while (bits != 0) {
+    const int column = std::countr_zero(bits);
     const int length = std::min(std::countr_one(bits >> column), kLanes);
     bits &= ~(((std::uint64_t{1} << length) - 1) << column);
     const std::size_t at = batch.count, place = row_place + static_cast<std::size_t>(column);
@@ -140,7 +140,7 @@ HWY_INLINE void push_row(const Pen& pen, const TileTriangles& t, std::size_t k, 
   }
 }
 
-// The same for a pass that asks_equal_depth: rows are looked at whole before their fragments are gathered.
+// A triangle of a pass that asks_equal_depth: rows are looked at whole before their fragments are gathered.
 HWY_NOINLINE void gather_rows(const Pen& pen, const TileTriangles& t, std::size_t k) {
   const LaneDraw<D> draw(kD, pen.pass.operations, pen.primitive.front_facing);
   const bool asks_stencil = draw.operations.stencil_decides && !pen.pass.keeps;
@@ -183,7 +183,7 @@ HWY_NOINLINE void gather_rows(const Pen& pen, const TileTriangles& t, std::size_
   }
 }
 
-// The same for a triangle whose region is no wider than a row of Rows.
+// As draw_triangle, for a triangle whose region is no wider than a row of Rows.
 template <Drawing kDrawing, class Rows>
 HWY_NOINLINE void draw_slim_triangle(const Pen& pen, const TileTriangles& t, std::size_t k) {
   constexpr int kRows = static_cast<int>(Rows::kRows);
