@@ -2,6 +2,7 @@
 // becomes of it.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -25,6 +26,14 @@ struct LaneFragments {
     const SetupCorners* corners = nullptr;
     const glm::mat3* weights = nullptr;  // see SetupBlock::weights_of
     std::size_t first = 0;
+
+    // Whether its weights, edge functions of at most 2^37 times 1/w, are 0 or stay so far from the ends of floats that
+    // no step of a quotient by their sum overflows or is lost.
+    [[nodiscard]] bool is_plain() const {
+      constexpr float kLeast = 0x1p-40F, kMost = 0x1p40F;
+      return weights == nullptr && std::all_of(corners->inv_w.begin(), corners->inv_w.end(),
+                                               [](float inv_w) { return inv_w >= kLeast && inv_w <= kMost; });
+    }
   };
 
   // Fragments side by side in a row of the tile, at most a vector of them.
@@ -44,6 +53,10 @@ struct LaneFragments {
   alignas(64) Lanes<std::uint32_t> depth;          // codes
   alignas(64) std::array<Lanes<float>, 3> weight;  // of the vertices: first edge function / w, then their shares
 
+  // Whether all runs are.
+  [[nodiscard]] bool are_plain() const {
+    return std::all_of(run.data(), run.data() + runs, [](const Run& r) { return r.is_plain(); });
+  }
   void clear() {
     count = runs = spans = 0;
     has_shares = false;

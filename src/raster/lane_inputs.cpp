@@ -29,18 +29,6 @@ void fill_flat_colors(const LaneFragments& f, LaneBatch& batch, const DrawContex
   }
 }
 
-void fill_flat_codes(const LaneFragments& f, LaneBatch& batch, const DrawContext& context) {
-  for (std::size_t r = 0; r < f.runs; ++r) {
-    const std::size_t first = f.run[r].first, count = f.run[r + 1].first - first;
-    const ColorBytes color = context.flat_primary(f.run[r].primitive->primitive);
-    for (int k = 0; k < 4; ++k) {
-      if (!context.program->reads().contains(Register::primary, k)) continue;
-      const int code = color[static_cast<std::size_t>(k)] >> context.state.profile.byte_shift;
-      std::fill_n(batch.registers(Register::primary, k) + first, count, static_cast<s9>(code));
-    }
-  }
-}
-
 void refill_constants(LaneBatch& batch, const DrawContext& context) {
   const auto fill = [&](Register reg, int component) {
     std::fill_n(batch.registers(reg, component), kBatchSize, context.initial[reg][static_cast<std::size_t>(component)]);

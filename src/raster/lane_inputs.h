@@ -14,9 +14,6 @@ void unclip(LaneFragments& fragments);
 // Primary colours that are constant over each primitive.
 void fill_flat_colors(const LaneFragments& fragments, LaneBatch& batch, const DrawContext& context);
 
-// The same as codes of the primary colour, as far as the program reads them.
-void fill_flat_codes(const LaneFragments& fragments, LaneBatch& batch, const DrawContext& context);
-
 // Registers that are the same for all fragments; the first time all of them, then those that the program overwrites.
 void refill_constants(LaneBatch& batch, const DrawContext& context);
 

@@ -1,22 +1,50 @@
 // What the fragments of a batch have of their vertices' values. No include guard: included once inside Highway's
 // namespace of every SIMD target, in lane_batch.cpp.
 
+// Whether three divisions by one sum are done by its reciprocal: where vectors divide slowly.
+#if HWY_NATIVE_FMA
+constexpr bool kHasQuotients = kLanes == 16;
+#else
+constexpr bool kHasQuotients = false;
+#endif
+
+// a / b, rounded as the division is, from b's reciprocal, so rounded too, for weights that are_plain() (Markstein,
+// Computation of elementary functions on the IBM RISC System/6000 processor, 1990: a quotient that is off by at most
+// one unit in the last place becomes the nearest one; the first line's may be off by two).
+HWY_INLINE VF quotient(VF a, VF b, VF reciprocal) {
+  VF q = hn::Mul(a, reciprocal);
+  q = hn::MulAdd(hn::NegMulAdd(q, b, a), reciprocal, q);
+  return hn::MulAdd(hn::NegMulAdd(q, b, a), reciprocal, q);
+}
+
+// Where the next vector of a run begins: all but the first one where a line of the cache may. Fragments of the first
+// one may be in the second again.
+constexpr std::size_t next_vector(std::size_t i, std::size_t lanes) {
+  return (i / lanes + 1) * lanes;
+}
+
 // Divides the weights by their sum.
+template <bool kQuotients>
 HWY_INLINE void normalize(LaneFragments& f) {
   for (std::size_t i = 0; i < f.count; i += kLanes) {
-    float* const w[3] = {f.weight[0].data() + i, f.weight[1].data() + i, f.weight[2].data() + i};
-    const VF a = hn::Load(kDF, w[0]), b = hn::Load(kDF, w[1]), c = hn::Load(kDF, w[2]);
-    const VF sum = hn::Add(hn::Add(a, b), c);
-    hn::Store(hn::Div(a, sum), kDF, w[0]);
-    hn::Store(hn::Div(b, sum), kDF, w[1]);
-    hn::Store(hn::Div(c, sum), kDF, w[2]);
+    const VF w[3] = {hn::Load(kDF, f.weight[0].data() + i), hn::Load(kDF, f.weight[1].data() + i),
+                     hn::Load(kDF, f.weight[2].data() + i)};
+    const VF sum = hn::Add(hn::Add(w[0], w[1]), w[2]);
+    const VF reciprocal = kQuotients ? hn::Div(hn::Set(kDF, 1.0F), sum) : sum;
+    for (std::size_t k = 0; k < 3; ++k) {
+      hn::Store(kQuotients ? quotient(w[k], sum, reciprocal) : hn::Div(w[k], sum), kDF, f.weight[k].data() + i);
+    }
   }
 }
 
 HWY_INLINE void find_shares(LaneFragments& f) {
   if (f.has_shares) return;
-  normalize(f);
-  unclip(f);
+  if (kHasQuotients && f.are_plain()) {
+    normalize<kHasQuotients>(f);
+  } else {
+    normalize<false>(f);
+    unclip(f);
+  }
   f.has_shares = true;
 }
 
@@ -27,27 +55,72 @@ HWY_INLINE VF interpolate(const LaneFragments& f, std::size_t i, float a, float 
   return hn::Add(hn::Add(hn::Mul(wa, hn::Set(kDF, a)), hn::Mul(wb, hn::Set(kDF, b))), hn::Mul(wc, hn::Set(kDF, c)));
 }
 
+// The colours of a run's vertices, as floats: not read again for each vector, as what is stored might be a colour for
+// all that the compiler knows.
+struct CornerColors {
+  std::array<std::array<float, 3>, 4> value;  // by component and vertex
+  bool has_one_alpha;
+  HWY_INLINE CornerColors(const LaneFragments::Run& run, std::span<const ColorBytes> colors) {
+    for (std::size_t n = 0; n < 3; ++n) {
+      const ColorBytes color = colors[run.corners->vertex[n]];
+      for (std::size_t k = 0; k < 4; ++k) value[k][n] = static_cast<float>(color[k]);
+    }
+    has_one_alpha = value[kAlpha][0] == value[kAlpha][1] && value[kAlpha][0] == value[kAlpha][2];
+  }
+};
+
+// kPlain: of a run that is_plain(), whose values are within 2^-20 of those between the corners', with one alpha, which
+// all of its fragments have.
+template <bool kPlain>
+HWY_INLINE void fill_smooth_run(const LaneFragments& f, LaneBatch& batch, std::size_t r, const CornerColors& corner) {
+  const VF alpha = hn::Set(kDF, corner.value[kAlpha][0]);
+  // What is stored beyond the run's end, the next one stores again.
+  for (std::size_t i = f.run[r].first; i < f.run[r + 1].first; i = next_vector(i, kLanes)) {
+    const auto byte = [&](std::size_t k) HWY_ATTR {
+      VF value = interpolate(f, i, corner.value[k][0], corner.value[k][1], corner.value[k][2]);
+      value = hn::Add(value, hn::Set(kDF, 0.5F));
+      if (!kPlain) value = hn::Min(hn::Max(value, hn::Zero(kDF)), hn::Set(kDF, 255.0F));
+      return hn::Floor(value);
+    };
+    // Two bytes side by side, in the low bits of a float that is beyond 2^23: exact, and faster than conversions.
+    const auto two_bytes = [&](VF low, VF high) HWY_ATTR {
+      const VF both = hn::Add(low, hn::Mul(high, hn::Set(kDF, 256.0F)));
+      return hn::BitCast(kD, hn::Add(both, hn::Set(kDF, 0x1p23F)));
+    };
+    const V low = hn::And(two_bytes(byte(0), byte(1)), hn::Set(kD, 0xFFFF));
+    const V high = two_bytes(byte(2), kPlain ? alpha : byte(3));
+    hn::StoreU(hn::Or(hn::ShiftLeft<16>(high), low), kD, lanes_of(batch.color.data()) + i);
+  }
+}
+
 HWY_INLINE void fill_smooth_colors(const LaneFragments& f, LaneBatch& batch, std::span<const ColorBytes> colors) {
   for (std::size_t r = 0; r < f.runs; ++r) {
-    const std::array<std::uint32_t, 3>& v = f.run[r].corners->vertex;
-    // Not read again for each vector, as what is stored might be a colour for all that the compiler knows.
-    std::array<std::array<float, 3>, 4> corner;
-    for (std::size_t k = 0; k < 4; ++k) {
-      for (std::size_t n = 0; n < 3; ++n) corner[k][n] = static_cast<float>(colors[v[n]][k]);
+    const CornerColors corner(f.run[r], colors);
+    if (corner.has_one_alpha && f.run[r].is_plain()) {
+      fill_smooth_run<true>(f, batch, r, corner);
+    } else {
+      fill_smooth_run<false>(f, batch, r, corner);
     }
-    // What is stored beyond the run's end, the next one stores again.
-    for (std::size_t i = f.run[r].first; i < f.run[r + 1].first; i += kLanes) {
-      const auto byte = [&](std::size_t k) HWY_ATTR {
-        const VF value = interpolate(f, i, corner[k][0], corner[k][1], corner[k][2]);
-        return hn::Floor(hn::Min(hn::Max(hn::Add(value, hn::Set(kDF, 0.5F)), hn::Zero(kDF)), hn::Set(kDF, 255.0F)));
-      };
-      // Two bytes side by side, in the low bits of a float that is beyond 2^23: exact, and faster than conversions.
-      const auto two_bytes = [&](std::size_t k) HWY_ATTR {
-        const VF both = hn::Add(byte(k), hn::Mul(byte(k + 1), hn::Set(kDF, 256.0F)));
-        return hn::BitCast(kD, hn::Add(both, hn::Set(kDF, 0x1p23F)));
-      };
-      const V low = hn::And(two_bytes(0), hn::Set(kD, 0xFFFF));
-      hn::StoreU(hn::Or(hn::ShiftLeft<16>(two_bytes(2)), low), kD, lanes_of(batch.color.data()) + i);
+  }
+}
+
+// Primary colours that are constant over each primitive, as codes, as far as the program reads them.
+HWY_NOINLINE void fill_flat_codes(const LaneFragments& f, LaneBatch& batch, const DrawContext& context) {
+  constexpr hn::CappedTag<s9, 32> kCodes;
+  constexpr std::size_t kLanesOfCodes = hn::MaxLanes(kCodes);
+  for (std::size_t r = 0; r < f.runs; ++r) {
+    const ColorBytes color = context.flat_primary(f.run[r].primitive->primitive);
+    for (std::size_t k = 0; k < 4; ++k) {
+      if (!context.program->reads().contains(Register::primary, static_cast<int>(k))) continue;
+      s9* const to = batch.registers(Register::primary, static_cast<int>(k));
+      const auto code = static_cast<s9>(color[k] >> context.state.profile.byte_shift);
+      const std::size_t end = f.run[r + 1].first;
+      std::size_t i = f.run[r].first;
+      // What is stored beyond the run's end, the next one stores again.
+      for (; i < end && i + kLanesOfCodes <= kBatchSize; i = next_vector(i, kLanesOfCodes)) {
+        hn::StoreU(hn::Set(kCodes, code), kCodes, to + i);
+      }
+      for (; i < end; ++i) to[i] = code;
     }
   }
 }
@@ -57,10 +130,17 @@ HWY_INLINE void fill_coordinates(const LaneFragments& f, LaneBatch& batch, std::
   for (std::size_t r = 0; r < f.runs; ++r) {
     const std::array<std::uint32_t, 3>& v = f.run[r].corners->vertex;
     const glm::vec3 a = at_vertex[v[0]], b = at_vertex[v[1]], c = at_vertex[v[2]];
-    for (std::size_t i = f.run[r].first; i < f.run[r + 1].first; i += kLanes) {
-      for (int k = 0; k < components; ++k) {
-        hn::StoreU(interpolate(f, i, a[k], b[k], c[k]), kDF, batch.coordinate[static_cast<std::size_t>(k)].data() + i);
-      }
+    for (std::size_t i = f.run[r].first; i < f.run[r + 1].first; i = next_vector(i, kLanes)) {
+      const VF wa = hn::LoadU(kDF, f.weight[0].data() + i), wb = hn::LoadU(kDF, f.weight[1].data() + i),
+               wc = hn::LoadU(kDF, f.weight[2].data() + i);
+      const auto store = [&](std::size_t k, float at_a, float at_b, float at_c) HWY_ATTR {
+        const VF value = hn::Add(hn::Add(hn::Mul(wa, hn::Set(kDF, at_a)), hn::Mul(wb, hn::Set(kDF, at_b))),
+                                 hn::Mul(wc, hn::Set(kDF, at_c)));
+        hn::StoreU(value, kDF, batch.coordinate[k].data() + i);
+      };
+      store(0, a.x, b.x, c.x);
+      store(1, a.y, b.y, c.y);
+      if (components == 3) store(2, a.z, b.z, c.z);
     }
   }
 }
