@@ -18,64 +18,118 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 #if HWY_TARGET == HWY_SCALAR
 
-void load_row(LaneTile&, const TileRow&, std::size_t) {}
-void store_row(const LaneTile&, const TileRow&, std::size_t) {}
+void load_rows(LaneTile&, TileRow, int, int) {}
+void store_rows(const LaneTile&, TileRow, int, int) {}
 void find_farthest(LaneTile&) {}
 
 #else
 
 using D32 = hn::CappedTag<std::uint32_t, 16>;
 using D8 = hn::Rebind<std::uint8_t, D32>;
-using Bytes = hn::CappedTag<std::uint8_t, 64>;
+using Bytes = hn::Repartition<std::uint8_t, D32>;
+using Pairs = hn::Repartition<std::uint16_t, D32>;
+using V32 = hn::Vec<D32>;
 constexpr D32 kD32;
 constexpr D8 kD8;
 constexpr Bytes kBytes;
+constexpr Pairs kPairs;
+constexpr std::size_t kLanes = hn::MaxLanes(kD32), kQuads = 4;  // vectors of words that a vector of bytes makes
+
+// Bytes of the same significance side by side in each block of four words.
+HWY_INLINE V32 sorted_bytes(V32 words) {
+  alignas(16) static constexpr std::array<std::uint8_t, 16> kOrder{0, 4, 8,  12, 1, 5, 9,  13,
+                                                                   2, 6, 10, 14, 3, 7, 11, 15};
+  return hn::BitCast(kD32, hn::TableLookupBytes(hn::BitCast(kBytes, words), hn::LoadDup128(kBytes, kOrder.data())));
+}
+
+// Words of the colours from those of their bytes and back: four vectors for four.
+struct ColorLanes {
+  V32 v[kQuads];
+
+  HWY_INLINE void load(const std::uint32_t* from) {
+    for (std::size_t q = 0; q < kQuads; ++q) v[q] = sorted_bytes(hn::Load(kD32, from + q * kLanes));
+    const V32 even_low = hn::ConcatEven(kD32, v[1], v[0]), even_high = hn::ConcatEven(kD32, v[3], v[2]);
+    const V32 odd_low = hn::ConcatOdd(kD32, v[1], v[0]), odd_high = hn::ConcatOdd(kD32, v[3], v[2]);
+    v[0] = hn::ConcatEven(kD32, even_high, even_low);
+    v[1] = hn::ConcatEven(kD32, odd_high, odd_low);
+    v[2] = hn::ConcatOdd(kD32, even_high, even_low);
+    v[3] = hn::ConcatOdd(kD32, odd_high, odd_low);
+  }
+
+  HWY_INLINE void store(std::uint32_t* to) const {
+    // Interleaving goes on within blocks of 16 bytes: block b gets what vector q needs there at word q.
+    alignas(64) std::array<std::uint32_t, kLanes> word;
+    for (std::size_t i = 0; i < kLanes; ++i) word[i] = static_cast<std::uint32_t>(i % 4 * (kLanes / 4) + i / 4);
+    const auto order = hn::SetTableIndices(kD32, word.data());
+    hn::Vec<Bytes> plane[kQuads];
+    for (std::size_t k = 0; k < kQuads; ++k) plane[k] = hn::BitCast(kBytes, hn::TableLookupLanes(v[k], order));
+    const auto pairs = [](hn::Vec<Bytes> bytes) HWY_ATTR { return hn::BitCast(kPairs, bytes); };
+    const auto low = pairs(hn::InterleaveLower(kBytes, plane[0], plane[1]));
+    const auto high = pairs(hn::InterleaveUpper(kBytes, plane[0], plane[1]));
+    const auto next_low = pairs(hn::InterleaveLower(kBytes, plane[2], plane[3]));
+    const auto next_high = pairs(hn::InterleaveUpper(kBytes, plane[2], plane[3]));
+    hn::Store(hn::BitCast(kD32, hn::InterleaveLower(kPairs, low, next_low)), kD32, to);
+    hn::Store(hn::BitCast(kD32, hn::InterleaveUpper(kPairs, low, next_low)), kD32, to + kLanes);
+    hn::Store(hn::BitCast(kD32, hn::InterleaveLower(kPairs, high, next_high)), kD32, to + 2 * kLanes);
+    hn::Store(hn::BitCast(kD32, hn::InterleaveUpper(kPairs, high, next_high)), kD32, to + 3 * kLanes);
+  }
+};
 
 void load_row(LaneTile& tile, const TileRow& from, std::size_t place) {
   if (tile.depth || tile.stencil) {
-    for (std::size_t i = 0; i < kTileSize; i += hn::Lanes(kD32)) {
+    for (std::size_t i = 0; i < kTileSize; i += kLanes) {
       auto v = hn::Zero(kD32);
-      if (tile.depth) v = hn::ShiftLeft<8>(hn::LoadU(kD32, from.depth + i));
-      if (tile.stencil) v = hn::Or(v, hn::PromoteTo(kD32, hn::LoadU(kD8, from.stencil + i)));
+      if (tile.depth) v = hn::ShiftLeft<8>(hn::LoadU(kD32, from.depth.data + i));
+      if (tile.stencil) v = hn::Or(v, hn::PromoteTo(kD32, hn::LoadU(kD8, from.stencil.data + i)));
       hn::Store(v, kD32, tile.tile.depth_stencil.data() + place + i);
     }
   }
   if (!tile.has_color()) return;
-  auto* const to = reinterpret_cast<std::uint8_t*>(tile.tile.color.data() + place);
-  for (std::size_t i = 0; i < kTileSize; i += hn::Lanes(kBytes)) {
-    const auto samples = [&](std::size_t k) HWY_ATTR {
-      return tile.color[k] ? hn::LoadU(kBytes, from.color[k] + i) : hn::Zero(kBytes);
-    };
-    hn::StoreInterleaved4(samples(0), samples(1), samples(2), samples(3), kBytes, to + 4 * i);
+  for (std::size_t i = 0; i < kTileSize; i += kQuads * kLanes) {
+    ColorLanes color;
+    for (std::size_t k = 0; k < 4; ++k) {
+      const auto bytes = tile.color[k] ? hn::LoadU(kBytes, from.color[k].data + i) : hn::Zero(kBytes);
+      color.v[k] = hn::BitCast(kD32, bytes);
+    }
+    color.store(tile.tile.color.data() + place + i);
   }
 }
 
 void store_row(const LaneTile& tile, const TileRow& to, std::size_t place) {
-  const bool stencil = tile.writes_stencil, depth = tile.writes_depth;
-  if (stencil || depth) {
-    for (std::size_t i = 0; i < kTileSize; i += hn::Lanes(kD32)) {
-      const auto v = hn::Load(kD32, tile.tile.depth_stencil.data() + place + i);
-      if (depth) hn::StoreU(hn::ShiftRight<8>(v), kD32, to.depth + i);
-      if (stencil) hn::StoreU(hn::U8FromU32(hn::And(v, hn::Set(kD32, 0xFF))), kD8, to.stencil + i);
-    }
+  const std::uint32_t* const depth_stencil = tile.tile.depth_stencil.data() + place;
+  for (std::size_t i = 0; i < kTileSize && tile.writes_depth; i += kLanes) {
+    hn::StoreU(hn::ShiftRight<8>(hn::Load(kD32, depth_stencil + i)), kD32, to.depth.data + i);
+  }
+  for (std::size_t i = 0; i < kTileSize && tile.writes_stencil; i += kQuads * kLanes) {
+    V32 v[kQuads];
+    for (std::size_t q = 0; q < kQuads; ++q) v[q] = sorted_bytes(hn::Load(kD32, depth_stencil + i + q * kLanes));
+    const V32 values = hn::ConcatEven(kD32, hn::ConcatEven(kD32, v[3], v[2]), hn::ConcatEven(kD32, v[1], v[0]));
+    hn::StoreU(hn::BitCast(kBytes, values), kBytes, to.stencil.data + i);
   }
   if (!tile.has_color()) return;
-  const auto* const from = reinterpret_cast<const std::uint8_t*>(tile.tile.color.data() + place);
-  for (std::size_t i = 0; i < kTileSize; i += hn::Lanes(kBytes)) {
-    hn::Vec<Bytes> v0, v1, v2, v3;
-    hn::LoadInterleaved4(kBytes, from + 4 * i, v0, v1, v2, v3);
-    if (tile.color[0]) hn::StoreU(v0, kBytes, to.color[0] + i);
-    if (tile.color[1]) hn::StoreU(v1, kBytes, to.color[1] + i);
-    if (tile.color[2]) hn::StoreU(v2, kBytes, to.color[2] + i);
-    if (tile.color[3]) hn::StoreU(v3, kBytes, to.color[3] + i);
+  for (std::size_t i = 0; i < kTileSize; i += kQuads * kLanes) {
+    ColorLanes color;
+    color.load(tile.tile.color.data() + place + i);
+    for (std::size_t k = 0; k < 4; ++k) {
+      if (tile.color[k]) hn::StoreU(hn::BitCast(kBytes, color.v[k]), kBytes, to.color[k].data + i);
+    }
   }
+}
+
+// Rows from one of the tile's on.
+void load_rows(LaneTile& tile, TileRow from, int row, int count) {
+  for (int y = row; y < row + count; ++y, from.move_up()) load_row(tile, from, static_cast<std::size_t>(y * kTileSize));
+}
+
+void store_rows(const LaneTile& tile, TileRow to, int row, int count) {
+  for (int y = row; y < row + count; ++y, to.move_up()) store_row(tile, to, static_cast<std::size_t>(y * kTileSize));
 }
 
 void find_farthest(LaneTile& tile) {
   constexpr std::size_t kRows = FarthestDepths::kBlock, kWidth = FarthestDepths::kBlock;
   alignas(64) std::array<std::uint32_t, kTileSize> column;
   for (std::size_t row = 0; row < FarthestDepths::kBlocks; ++row) {
-    for (std::size_t x = 0; x < kTileSize; x += hn::Lanes(kD32)) {
+    for (std::size_t x = 0; x < kTileSize; x += kLanes) {
       auto farthest = hn::Zero(kD32);
       for (std::size_t y = row * kRows; y < (row + 1) * kRows; ++y) {
         farthest = hn::Max(farthest, hn::Load(kD32, &tile.tile.depth_stencil[y * kTileSize + x]));
@@ -98,8 +152,8 @@ HWY_AFTER_NAMESPACE();
 namespace ninebit {
 namespace {
 
-HWY_EXPORT(load_row);
-HWY_EXPORT(store_row);
+HWY_EXPORT(load_rows);
+HWY_EXPORT(store_rows);
 HWY_EXPORT(find_farthest);
 
 // A row of which only some pixels are the draw's.
@@ -109,14 +163,19 @@ struct Staging {
   alignas(64) std::array<std::array<std::uint8_t, kTileSize>, 4> color{};
 
   TileRow row() {
-    return {depth.data(), stencil.data(), {color[0].data(), color[1].data(), color[2].data(), color[3].data()}};
+    return {{depth.data()},
+            {stencil.data()},
+            {{{color[0].data()}, {color[1].data()}, {color[2].data()}, {color[3].data()}}}};
   }
 };
 
-// Where row y of the tile starts in the target's planes, of depth and stencil in those that are asked for.
-TileRow row_of(const LaneTile& tile, int y, bool depth, bool stencil) {
+// The tile's first row that may be drawn in the target's planes, of depth and stencil in those that are asked for.
+TileRow first_row(const LaneTile& tile, bool depth, bool stencil) {
   const RenderTarget& target = tile.target;
-  const auto start = [&](const auto& plane) { return plane.row(y) + tile.left; };
+  const auto start = [&](auto plane) {
+    plane.data = plane.row(tile.pixels.bottom) + tile.left;
+    return plane;
+  };
   TileRow row;
   if (depth) row.depth = start(target.depth);
   if (stencil) row.stencil = start(target.stencil);
@@ -128,10 +187,10 @@ TileRow row_of(const LaneTile& tile, int y, bool depth, bool stencil) {
 
 // Copies the pixels that may be drawn, of the planes that both rows have.
 void copy(const LaneTile& tile, const TileRow& from, const TileRow& to) {
-  const auto copy_samples = [&](const auto* samples, auto* target) {
-    if (samples == nullptr || target == nullptr) return;
+  const auto copy_samples = [&](const auto& samples, const auto& target) {
+    if (!samples || !target) return;
     const int first = tile.pixels.left - tile.left, count = tile.pixels.right - tile.pixels.left;
-    std::memcpy(target + first, samples + first, static_cast<std::size_t>(count) * sizeof(*samples));
+    std::memcpy(target.data + first, samples.data + first, static_cast<std::size_t>(count) * sizeof(*samples.data));
   };
   copy_samples(from.depth, to.depth);
   copy_samples(from.stencil, to.stencil);
@@ -142,38 +201,31 @@ bool has_whole_rows(const LaneTile& tile) {
   return tile.pixels.right - tile.pixels.left == kTileSize;
 }
 
-std::size_t place_of_row(const LaneTile& tile, int y) {
-  return static_cast<std::size_t>(y - tile.bottom) * kTileSize;
-}
-
 }  // namespace
 
 void load_tile(LaneTile& tile) {
+  TileRow row = first_row(tile, tile.depth, tile.stencil);
+  const int first = tile.pixels.bottom - tile.bottom, end = tile.pixels.top - tile.bottom;
+  if (has_whole_rows(tile)) return HWY_DYNAMIC_DISPATCH(load_rows)(tile, row, first, end - first);
   Staging staging;
-  for (int y = tile.pixels.bottom; y < tile.pixels.top; ++y) {
-    TileRow row = row_of(tile, y, tile.depth, tile.stencil);
-    if (!has_whole_rows(tile)) {
-      copy(tile, row, staging.row());
-      row = staging.row();
-    }
-    HWY_DYNAMIC_DISPATCH(load_row)(tile, row, place_of_row(tile, y));
+  for (int y = first; y < end; ++y, row.move_up()) {
+    copy(tile, row, staging.row());
+    HWY_DYNAMIC_DISPATCH(load_rows)(tile, staging.row(), y, 1);
   }
 }
 
 void fill_tile(LaneTile& tile, const ClearValues& values) {
-  const auto fetch = [](const auto* first) {
+  const auto fetch = [](const auto& plane) {
     constexpr std::size_t kLine = 64;
-    for (std::size_t i = 0; i < sizeof(*first) * kTileSize; i += kLine) {
-      __builtin_prefetch(reinterpret_cast<const char*>(first) + i, 1, 2);
+    for (std::size_t i = 0; i < sizeof(*plane.data) * kTileSize && plane; i += kLine) {
+      __builtin_prefetch(reinterpret_cast<const char*>(plane.data) + i, 1, 2);
     }
   };
-  for (int y = tile.pixels.bottom; y < tile.pixels.top && has_whole_rows(tile); ++y) {
-    const TileRow row = row_of(tile, y, tile.writes_depth, tile.writes_stencil);
-    if (row.depth != nullptr) fetch(row.depth);
-    if (row.stencil != nullptr) fetch(row.stencil);
-    for (const std::uint8_t* samples : row.color) {
-      if (samples != nullptr) fetch(samples);
-    }
+  TileRow row = first_row(tile, tile.writes_depth, tile.writes_stencil);
+  for (int y = tile.pixels.bottom; y < tile.pixels.top && has_whole_rows(tile); ++y, row.move_up()) {
+    fetch(row.depth);
+    fetch(row.stencil);
+    for (const Plane<std::uint8_t>& plane : row.color) fetch(plane);
   }
   const DepthStencilFormat format = tile.target.format;
   tile.tile.depth_stencil.fill(depth_code(format, values.depth) << 8 | stencil_value(format, values.stencil));
@@ -183,14 +235,12 @@ void fill_tile(LaneTile& tile, const ClearValues& values) {
 }
 
 void store_tile(const LaneTile& tile) {
+  TileRow row = first_row(tile, tile.writes_depth, tile.writes_stencil);
+  const int first = tile.pixels.bottom - tile.bottom, end = tile.pixels.top - tile.bottom;
+  if (has_whole_rows(tile)) return HWY_DYNAMIC_DISPATCH(store_rows)(tile, row, first, end - first);
   Staging staging;
-  for (int y = tile.pixels.bottom; y < tile.pixels.top; ++y) {
-    const TileRow row = row_of(tile, y, tile.writes_depth, tile.writes_stencil);
-    if (has_whole_rows(tile)) {
-      HWY_DYNAMIC_DISPATCH(store_row)(tile, row, place_of_row(tile, y));
-      continue;
-    }
-    HWY_DYNAMIC_DISPATCH(store_row)(tile, staging.row(), place_of_row(tile, y));
+  for (int y = first; y < end; ++y, row.move_up()) {
+    HWY_DYNAMIC_DISPATCH(store_rows)(tile, staging.row(), y, 1);
     copy(tile, staging.row(), row);
   }
 }

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "ninebit/raster/surface.h"
 #include "src/raster/tile_size.h"
 
 namespace ninebit {
@@ -35,11 +36,17 @@ struct FarthestDepths {
   }
 };
 
-// A row of samples in each of the target's planes.
+// A row of samples in each of the target's planes, and how far it is from there to the next.
 struct TileRow {
-  std::uint32_t* depth = nullptr;
-  std::uint8_t* stencil = nullptr;
-  std::array<std::uint8_t*, 4> color{};
+  Plane<std::uint32_t> depth;
+  Plane<std::uint8_t> stencil;
+  std::array<Plane<std::uint8_t>, 4> color;
+
+  void move_up() {
+    depth.data += depth.stride;
+    stencil.data += stencil.stride;
+    for (Plane<std::uint8_t>& plane : color) plane.data += plane.stride;
+  }
 };
 
 }  // namespace ninebit
