@@ -135,7 +135,7 @@ TEST(Surfaces, StartAndFillByFormat) {
   for (const DepthStencilFormat format : kFormats) {
     Surface surface = Surface::make(3, 2, {.depth_stencil = format, .with_primitive = true}).value();
     EXPECT_EQ(surface.format(), format);
-    EXPECT_EQ(surface.depth(), std::vector<std::uint32_t>(6, max_depth(format)));
+    EXPECT_EQ(surface.depth(), PlaneSamples<std::uint32_t>(6, max_depth(format)));
     EXPECT_EQ(surface.stencil().size(), format == DepthStencilFormat::d16 ? 0U : 6U);
     RenderTarget target = surface.target();
     EXPECT_EQ(target.format, format);
@@ -146,11 +146,11 @@ TEST(Surfaces, StartAndFillByFormat) {
 
     surface.fill({.color = {1, 2, 3, 4}, .depth = 0.5, .stencil = 0x1FF});
     for (int i = 0; i < 4; ++i) {
-      EXPECT_EQ(surface.color(i), std::vector<std::uint8_t>(6, static_cast<std::uint8_t>(i + 1)));
+      EXPECT_EQ(surface.color(i), PlaneSamples<std::uint8_t>(6, static_cast<std::uint8_t>(i + 1)));
     }
-    EXPECT_EQ(surface.depth(), std::vector<std::uint32_t>(6, max_depth(format) / 2 + 1));
+    EXPECT_EQ(surface.depth(), PlaneSamples<std::uint32_t>(6, max_depth(format) / 2 + 1));
     for (const std::uint8_t value : surface.stencil()) EXPECT_EQ(value, format == DepthStencilFormat::d24s8 ? 255 : 1);
-    EXPECT_EQ(surface.primitive(), std::vector<std::uint32_t>(6, 0xFFFFFFFF));
+    EXPECT_EQ(surface.primitive(), PlaneSamples<std::uint32_t>(6, 0xFFFFFFFF));
   }
   EXPECT_TRUE(Surface::make(3, 2).value().target().outputs.empty());
   EXPECT_FALSE(Surface::make(0, 2).ok());

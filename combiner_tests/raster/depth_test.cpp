@@ -162,7 +162,7 @@ TEST(Depth, EndsOfTheRange) {
       PipelineState state;
       state.depth_test = {true, CompareFunction::always, true};
       ASSERT_TRUE(rasterize(state, kIdentity, level_triangle(row.z).arrays(), {}, target).ok());
-      EXPECT_EQ(surface.depth(), std::vector<std::uint32_t>(6, row.code[i])) << row.z;
+      EXPECT_EQ(surface.depth(), PlaneSamples<std::uint32_t>(6, row.code[i])) << row.z;
     }
   }
 }
@@ -202,7 +202,7 @@ TEST(Depth, TestAndMaskAreApart) {
     for (const bool write : {false, true}) {
       Surface surface = Surface::make(3, 2).value();
       surface.fill({.depth = 0.25});
-      const std::vector<std::uint32_t> before = surface.depth();
+      const PlaneSamples<std::uint32_t> before = surface.depth();
       RenderTarget target = surface.target();
       PipelineState state;
       state.depth_test = {enabled, CompareFunction::less, write};
@@ -242,7 +242,7 @@ TEST(Depth, IsTheSameForEveryOrderOfAnUnclippedTrianglesVertices) {
     Mesh mesh;
     for (int k = 0; k < 3; ++k) mesh.add({random.real_f(-4, 4), random.real_f(-4, 4), random.real_f(-6, -0.2)});
     std::array<std::uint32_t, 3> order{0, 1, 2};
-    std::vector<std::uint32_t> first;
+    PlaneSamples<std::uint32_t> first;
     do {
       mesh.triangles.clear();
       mesh.add_triangle(order[0], order[1], order[2]);
@@ -274,7 +274,7 @@ TEST(Depth, EqualMeetsWhatAnEarlierPassWrote) {
     depth_pass.color_mask = {};
     depth_pass.depth_test.enabled = true;
     ASSERT_TRUE(rasterize(depth_pass, matrix, mesh.arrays(), {}, target).ok());
-    const std::vector<std::uint32_t> depth = surface.depth();
+    const PlaneSamples<std::uint32_t> depth = surface.depth();
 
     PipelineState color_pass = counting_state();
     color_pass.color_mask = {true, true, true, true};

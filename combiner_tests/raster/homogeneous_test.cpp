@@ -97,7 +97,7 @@ TEST(Homogeneous, APlaneReachesTheHorizon) {
       const double a = turn + i * 1.5707963;
       positions.emplace_back(std::cos(a), 0, std::sin(a), 0);
     }
-    const std::vector<std::uint32_t> indices{0, 1, 2, 0, 2, 3, 0, 3, 4, 0, 4, 1};
+    const PlaneSamples<std::uint32_t> indices{0, 1, 2, 0, 2, 3, 0, 3, 4, 0, 4, 1};
     Surface surface = Surface::make(width, height).value();
     RenderTarget target = surface.target();
     PipelineState state = counting_state();
@@ -170,7 +170,7 @@ TEST(Homogeneous, TheSameForAnyNumberOfThreads) {
   arrays.homogeneous_positions = positions;
   PipelineState state = counting_state();
   state.stencil_test.front.depth_pass = StencilOperation::incr_wrap;
-  std::vector<std::uint8_t> first;
+  PlaneSamples<std::uint8_t> first;
   for (const int threads : {1, 2, 5}) {
     Surface surface = Surface::make(150, 90).value();
     RenderTarget target = surface.target();
@@ -201,7 +201,7 @@ TEST(Homogeneous, BadPositions) {
   arrays.vertex_colors = two_colors;
   EXPECT_FALSE(rasterize({}, kIdentity, arrays, {}, target).ok());
   arrays.vertex_colors = {};
-  const std::vector<std::uint32_t> beyond{0, 1, 3};
+  const PlaneSamples<std::uint32_t> beyond{0, 1, 3};
   arrays.indices = beyond;
   EXPECT_FALSE(rasterize({}, kIdentity, arrays, {}, target).ok());
   arrays.indices = {};

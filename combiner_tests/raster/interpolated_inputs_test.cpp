@@ -338,7 +338,7 @@ TEST(InterpolatedInputs, CubeMapsDoNotLookAtQ) {
   const std::array<float, 3> q{-2.0F, -0.5F, -1.0F};
   PipelineState state;
   state.program = pass_through(Register::texture0, Register::texture0);
-  std::array<std::vector<std::uint8_t>, 2> drawn;
+  std::array<PlaneSamples<std::uint8_t>, 2> drawn;
   for (const bool with_q : {false, true}) {
     Surface surface = Surface::make(32, 32).value();
     RenderTarget target = surface.target();

@@ -12,8 +12,8 @@ namespace {
 using Pixels = std::vector<std::array<int, 2>>;
 
 // How often each pixel is drawn by one call of this type.
-std::vector<std::uint8_t> counts(PrimitiveType type, const std::vector<oracle::WindowVertex>& vertices, int size,
-                                 int line_width = 1) {
+PlaneSamples<std::uint8_t> counts(PrimitiveType type, const std::vector<oracle::WindowVertex>& vertices, int size,
+                                  int line_width = 1) {
   std::vector<glm::vec3> positions;
   for (const oracle::WindowVertex& v : vertices) positions.push_back(clip_position(v, size, size));
   Surface surface = Surface::make(size, size).value();
@@ -25,7 +25,7 @@ std::vector<std::uint8_t> counts(PrimitiveType type, const std::vector<oracle::W
   return surface.stencil();
 }
 
-Pixels drawn_pixels(const std::vector<std::uint8_t>& count, int size) {
+Pixels drawn_pixels(const PlaneSamples<std::uint8_t>& count, int size) {
   Pixels pixels;
   for (std::size_t i = 0; i < count.size(); ++i) {
     for (int n = 0; n < count[i]; ++n) {
@@ -224,7 +224,7 @@ TEST(Line, MipmapsFollowTheTexelsPerPixelAlongIt) {
           Surface surface = Surface::make(kTexels, kTexels).value();
           RenderTarget target = surface.target();
           ASSERT_TRUE(rasterize(state, kIdentity, arrays, units, target).ok());
-          const std::vector<std::uint8_t>& red = surface.color(kRed);
+          const PlaneSamples<std::uint8_t>& red = surface.color(kRed);
           const auto drawn = std::max(std::abs(dx), std::abs(dy));
           EXPECT_EQ(std::count(red.begin(), red.end(), level_color(k)), drawn)
               << dx << ' ' << dy << ", level " << k << ", " << factor;

@@ -12,8 +12,8 @@ namespace {
 constexpr int kModeWindow = 48;
 
 struct Drawn {
-  std::vector<std::uint8_t> count;
-  std::vector<std::uint8_t> red;
+  PlaneSamples<std::uint8_t> count;
+  PlaneSamples<std::uint8_t> red;
 };
 
 Drawn draw(PipelineState state, const VertexArrays& arrays, const glm::mat4& matrix = kIdentity) {
@@ -31,7 +31,7 @@ std::vector<glm::vec3> clip_positions(const std::vector<oracle::WindowVertex>& v
   return positions;
 }
 
-std::int64_t total(const std::vector<std::uint8_t>& count) {
+std::int64_t total(const PlaneSamples<std::uint8_t>& count) {
   std::int64_t sum = 0;
   for (const std::uint8_t c : count) sum += c;
   return sum;
@@ -181,7 +181,7 @@ TEST(ShadeModel, FlatColorsComeFromTheProvokingVertex) {
     colors.push_back({static_cast<std::uint8_t>(10 + i), 0, 0, 255});
   }
   for (const Row& row : rows) {
-    std::vector<std::uint32_t> number(kModeWindow * kModeWindow, 0xFFFFFFFF);
+    PlaneSamples<std::uint32_t> number(kModeWindow * kModeWindow, 0xFFFFFFFF);
     Surface surface = Surface::make(kModeWindow, kModeWindow).value();
     RenderTarget target = surface.target();
     target.outputs = {{.source = OutputSource::primitive, .plane = Plane<std::uint32_t>{number.data(), kModeWindow}}};

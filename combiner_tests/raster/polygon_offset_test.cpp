@@ -21,7 +21,7 @@ std::vector<int> values_of(const std::string& histogram) {
 }
 
 // Depth of every pixel of a quad over the whole target with these gradients in sixteenths of a depth step a pixel.
-std::vector<std::uint32_t> plane_depth(int dx_16, int dy_16, const PipelineState& base) {
+PlaneSamples<std::uint32_t> plane_depth(int dx_16, int dy_16, const PipelineState& base) {
   std::vector<glm::vec3> positions;
   for (const auto& [x, y] : {std::pair(0, 0), std::pair(kOffsetWindow, 0), std::pair(kOffsetWindow, kOffsetWindow),
                              std::pair(0, kOffsetWindow)}) {
@@ -99,7 +99,7 @@ TEST(PolygonOffset, IsOneForAllTrianglesOfAPolygon) {
     for (const auto& v : corners) positions.push_back(clip_position(v, kOffsetWindow, kOffsetWindow));
     PipelineState state;
     state.depth_test = {true, CompareFunction::always, true};
-    std::array<std::vector<std::uint32_t>, 2> depth;
+    std::array<PlaneSamples<std::uint32_t>, 2> depth;
     for (int moved = 0; moved < 2; ++moved) {
       state.polygon_offset = {.fill = true, .factor = static_cast<float>(moved)};
       Surface surface = Surface::make(kOffsetWindow, kOffsetWindow).value();

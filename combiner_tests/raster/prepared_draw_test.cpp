@@ -48,7 +48,7 @@ TEST(PreparedDraw, RandomScenesAreDrawnAsWithoutIt) {
 struct Mixture {
   PipelineState state;
   std::vector<glm::vec3> positions;
-  std::vector<std::uint32_t> indices;
+  PlaneSamples<std::uint32_t> indices;
   std::vector<ColorBytes> colors;
   VertexArrays arrays;
 };
@@ -78,8 +78,8 @@ Mixture mixture(int i) {
 }
 
 struct DrawnPlanes {
-  std::vector<std::uint8_t> red, stencil;
-  std::vector<std::uint32_t> depth, primitive;
+  PlaneSamples<std::uint8_t> red, stencil;
+  PlaneSamples<std::uint32_t> depth, primitive;
   friend bool operator==(const DrawnPlanes&, const DrawnPlanes&) = default;
 };
 
@@ -126,7 +126,7 @@ struct PreparedCase {
 };
 
 const std::vector<glm::vec3> kPositions{{-1, -1, 0}, {1, -1, 0}, {0, 1, 0}, {1, 1, 0}, {0.5, 0, 0}, {0, 0.5, 0}};
-const std::vector<std::uint32_t> kIndices{0, 1, 2, 3, 4, 5}, kOtherIndices = kIndices;
+const PlaneSamples<std::uint32_t> kIndices{0, 1, 2, 3, 4, 5}, kOtherIndices = kIndices;
 
 TEST(PreparedDraw, ReportsWhatItWasNotPreparedFor) {
   const auto usual = [] {
@@ -248,7 +248,7 @@ TEST(PreparedDraw, ReportsWhatTheDrawWouldReport) {
   for (int type = 0; type < 10; ++type) {
     for (const std::uint32_t bad : {40U, 0x7FFFFFFFU, 0x80000000U, 0xFFFFFFFFU}) {
       for (std::size_t at = 0; at < 38; ++at) {
-        std::vector<std::uint32_t> indices(38, 39U);
+        PlaneSamples<std::uint32_t> indices(38, 39U);
         const VertexArrays arrays{.type = static_cast<PrimitiveType>(type), .positions = many, .indices = indices};
         ASSERT_TRUE(report(arrays, {}, 8)) << type;
         indices[at] = bad;
@@ -278,7 +278,7 @@ TEST(PreparedDraw, LargeTrianglesReachEveryTileThatTheyCover) {
       mesh.add(clip_position(v, kWidth, kHeight));
     }
     mesh.add_triangle(0, 1, 2);
-    const std::vector<std::uint8_t> counts = coverage(mesh, kIdentity, kWidth, kHeight);
+    const PlaneSamples<std::uint8_t> counts = coverage(mesh, kIdentity, kWidth, kHeight);
     for (int y = 0; y < kHeight; ++y) {
       for (int x = 0; x < kWidth; ++x) {
         const bool covers = oracle::covers(t, x, y);
@@ -313,7 +313,7 @@ TEST(PreparedDraw, CoveringPolygonsAreThoseThatDrawAPixelAlone) {
     mark_covering_polygons(prepared, covering);
     int count = 0;
     for (std::size_t t = 0; t < kTriangles; ++t) {
-      std::vector<std::uint32_t> drawn(kSize * kSize, 1);
+      PlaneSamples<std::uint32_t> drawn(kSize * kSize, 1);
       RenderTarget target = size;
       target.outputs.push_back({.source = OutputSource::primitive, .plane = Plane<std::uint32_t>{drawn.data(), kSize}});
       const std::span<const glm::vec3> one(&positions[3 * t], 3);

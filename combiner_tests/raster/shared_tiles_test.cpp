@@ -243,7 +243,7 @@ TEST(SharedTiles, ReportsWhatIsWrongWithAnyPassBeforeItDraws) {
         if (clears) actions.clear = ClearValues{};
         EXPECT_FALSE(rasterize(passes, prepared, actions, target).ok());
         for (int k = 0; k < 4; ++k) {
-          const std::vector<std::uint8_t>& plane = surface.color(k);
+          const PlaneSamples<std::uint8_t>& plane = surface.color(k);
           EXPECT_EQ(std::count(plane.begin(), plane.end(), k + 1), 70 * 70);
         }
         EXPECT_EQ(std::count(surface.stencil().begin(), surface.stencil().end(), 7), 70 * 70);
@@ -262,7 +262,7 @@ TEST(SharedTiles, NothingToDrawIsStillCleared) {
         Surface surface = Surface::make(70, 65).value();
         surface.fill({.color = {1, 2, 3, 4}, .depth = 0.5, .stencil = 7});
         RenderTarget target = surface.target();
-        const std::vector<std::uint32_t> depth = surface.depth();
+        const PlaneSamples<std::uint32_t> depth = surface.depth();
         VertexArrays arrays;
         if (has_positions) arrays.positions = outside;
         PreparedDraw prepared;
@@ -274,11 +274,11 @@ TEST(SharedTiles, NothingToDrawIsStillCleared) {
         if (clears) actions.clear = ClearValues{.color = {5, 6, 7, 8}, .depth = 0.0, .stencil = 9};
         ASSERT_TRUE(rasterize(passes, prepared, actions, target).ok());
         for (int k = 0; k < 4; ++k) {
-          const std::vector<std::uint8_t>& plane = surface.color(k);
+          const PlaneSamples<std::uint8_t>& plane = surface.color(k);
           EXPECT_EQ(std::count(plane.begin(), plane.end(), k + (clears ? 5 : 1)), 70 * 65);
         }
         EXPECT_EQ(std::count(surface.stencil().begin(), surface.stencil().end(), clears ? 9 : 7), 70 * 65);
-        EXPECT_TRUE(surface.depth() == (clears ? std::vector<std::uint32_t>(70 * 65, 0U) : depth));
+        EXPECT_TRUE(surface.depth() == (clears ? PlaneSamples<std::uint32_t>(70 * 65, 0U) : depth));
         if (has_pass) {
           EXPECT_GE(time.count(), 0);
         }

@@ -121,7 +121,7 @@ PipelineState counting_state() {
   return state;
 }
 
-std::vector<std::uint8_t> coverage(const Mesh& mesh, const glm::mat4& matrix, int width, int height, CullFace cull) {
+PlaneSamples<std::uint8_t> coverage(const Mesh& mesh, const glm::mat4& matrix, int width, int height, CullFace cull) {
   Surface surface = Surface::make(width, height).value();
   RenderTarget target = surface.target();
   PipelineState state = counting_state();

@@ -68,8 +68,8 @@ struct Mesh {
 PipelineState counting_state();
 
 // Draws the mesh with counting_state() onto a cleared surface and returns the stencil: how often each pixel was drawn.
-std::vector<std::uint8_t> coverage(const Mesh& mesh, const glm::mat4& matrix, int width, int height,
-                                   CullFace cull = CullFace::none);
+PlaneSamples<std::uint8_t> coverage(const Mesh& mesh, const glm::mat4& matrix, int width, int height,
+                                    CullFace cull = CullFace::none);
 
 // The least and the largest value that a function takes within the reach of snapping around a pixel's centre.
 template <class Function>

@@ -24,9 +24,9 @@ Texture noise_texture() {
 }
 
 struct Drawn {
-  std::array<std::vector<std::uint8_t>, 4> color;
-  std::vector<std::uint32_t> depth, primitive;
-  std::vector<std::uint8_t> stencil;
+  std::array<PlaneSamples<std::uint8_t>, 4> color;
+  PlaneSamples<std::uint32_t> depth, primitive;
+  PlaneSamples<std::uint8_t> stencil;
   std::vector<float> attribute;
   friend bool operator==(const Drawn&, const Drawn&) = default;
 };

@@ -11,8 +11,8 @@ namespace {
 
 constexpr int kWindow = 64;
 
-std::vector<std::uint8_t> counts(PrimitiveType type, const std::vector<glm::vec3>& positions,
-                                 const std::vector<std::uint32_t>& indices, const glm::mat4& matrix = kIdentity) {
+PlaneSamples<std::uint8_t> counts(PrimitiveType type, const std::vector<glm::vec3>& positions,
+                                  const std::vector<std::uint32_t>& indices, const glm::mat4& matrix = kIdentity) {
   Surface surface = Surface::make(kWindow, kWindow).value();
   RenderTarget target = surface.target();
   const Status status =
@@ -50,8 +50,8 @@ TEST(WatertightPolygons, GridsOfEveryTypeDrawEveryPixelOnce) {
     Random random(101, index);
     const Grid grid = random_grid(random);
     std::vector<std::uint32_t> quads;
-    std::vector<std::uint8_t> strips(kWindow * kWindow), quad_strips(kWindow * kWindow), polygons(kWindow * kWindow);
-    const auto add = [](std::vector<std::uint8_t>& sum, const std::vector<std::uint8_t>& more) {
+    PlaneSamples<std::uint8_t> strips(kWindow * kWindow), quad_strips(kWindow * kWindow), polygons(kWindow * kWindow);
+    const auto add = [](PlaneSamples<std::uint8_t>& sum, const PlaneSamples<std::uint8_t>& more) {
       for (std::size_t i = 0; i < sum.size(); ++i) sum[i] = static_cast<std::uint8_t>(sum[i] + more[i]);
     };
     for (int row = 0; row < Grid::kCells; ++row) {
@@ -68,7 +68,7 @@ TEST(WatertightPolygons, GridsOfEveryTypeDrawEveryPixelOnce) {
       add(strips, counts(PrimitiveType::triangle_strip, grid.positions, zigzag));
       add(quad_strips, counts(PrimitiveType::quad_strip, grid.positions, zigzag));
     }
-    const std::vector<std::uint8_t> once(kWindow * kWindow, 1);
+    const PlaneSamples<std::uint8_t> once(kWindow * kWindow, 1);
     ASSERT_EQ(counts(PrimitiveType::quads, grid.positions, quads), once) << index;
     ASSERT_EQ(strips, once) << index;
     ASSERT_EQ(quad_strips, once) << index;

@@ -51,7 +51,7 @@ TEST(Watertight, JitteredGridsDrawEveryPixelOnce) {
     const int width = random.between(1, 200), height = random.between(1, 200);
     const int cell_x = random.pick({16, 33, 80, 128, 400}), cell_y = random.pick({16, 33, 80, 128, 400});
     const Mesh mesh = jittered_grid(random, width, height, cell_x, cell_y, cell_x / 8, cell_y / 8);
-    const std::vector<std::uint8_t> count = coverage(mesh, kIdentity, width, height);
+    const PlaneSamples<std::uint8_t> count = coverage(mesh, kIdentity, width, height);
     EXPECT_EQ(std::count(count.begin(), count.end(), 1), width * height) << "grid " << index;
   }
 }
@@ -62,7 +62,7 @@ TEST(Watertight, GridsOfSliversDrawEveryPixelOnce) {
     const bool upright = random.one_in(2);
     const int thin = random.between(1, 3), wide = 700;
     const Mesh mesh = jittered_grid(random, 70, 70, upright ? thin : wide, upright ? wide : thin, 0, upright ? 60 : 0);
-    const std::vector<std::uint8_t> count = coverage(mesh, kIdentity, 70, 70);
+    const PlaneSamples<std::uint8_t> count = coverage(mesh, kIdentity, 70, 70);
     EXPECT_EQ(std::count(count.begin(), count.end(), 1), 70 * 70) << "grid " << index;
   }
 }
@@ -87,7 +87,7 @@ TEST(Watertight, FansAroundAPixelCentreDrawItOnce) {
       const auto ring = [&](int k) { return centre + 1 + static_cast<std::uint32_t>(k % spokes); };
       mesh.add_triangle(centre, ring(i), ring(i + 1));
     }
-    const std::vector<std::uint8_t> count = coverage(mesh, kIdentity, size, size);
+    const PlaneSamples<std::uint8_t> count = coverage(mesh, kIdentity, size, size);
     EXPECT_EQ(count[static_cast<std::size_t>(cy * size + cx)], 1) << "fan " << index;
     EXPECT_LE(*std::max_element(count.begin(), count.end()), 1) << "fan " << index;
     if (large) {

@@ -133,7 +133,7 @@ TEST(DepthCube, MoreBitsLoseLessOfACloseShadow) {
     Scene scene = shadow_test::scene_with({0.0F, -3.0F, 2.0F}, {0.0F, 0.0F, 0.0F}, {0.0F, height, 0.0F});
     shadow_test::add_quad(scene, "floor", {{{-4, 0, 4}, {4, 0, 4}, {4, 0, -4}, {-4, 0, -4}}});
     shadow_test::add_quad(scene, "slope", {{{-1, 0.001F, 1}, {1, 0.2F, 1}, {1, 0.2F, -1}, {-1, 0.001F, -1}}});
-    std::array<std::vector<std::uint8_t>, 3> stencil;
+    std::array<PlaneSamples<std::uint8_t>, 3> stencil;
     for (std::size_t b = 0; b < 3; ++b) {
       RenderSettings settings = depth_cube_settings(kAllBits[b]);
       settings.depth_cube.bias = 0.01F;

@@ -21,7 +21,7 @@ glm::vec3 vector_of(const Point& p) {
 
 // A plane of the rendering, upright, that keeps the rendering alive. Rows lie there from the lowest up.
 template <class T>
-py::array upright(const std::vector<T>& plane, int width, int height, const std::shared_ptr<Rendering>& owner) {
+py::array upright(const PlaneSamples<T>& plane, int width, int height, const std::shared_ptr<Rendering>& owner) {
   if (plane.empty()) return py::array_t<T>(std::vector<py::ssize_t>{0, 0});
   const py::capsule keeps(new std::shared_ptr<Rendering>(owner),
                           [](void* kept) { delete static_cast<std::shared_ptr<Rendering>*>(kept); });

@@ -1,6 +1,7 @@
 #include "ninebit/raster/surface.h"
 
 #include <algorithm>
+#include <atomic>
 #include <string>
 
 #include "src/raster/clear_values.h"
@@ -11,6 +12,13 @@ namespace {
 constexpr std::uint32_t kNoPrimitive = 0xFFFFFFFF;
 
 }  // namespace
+
+std::size_t next_plane_offset() {
+  // 13 lines farther each time, modulo 64: neither the same place nor the next line soon again.
+  constexpr std::size_t kLine = 64, kLines = 64, kStep = 13;
+  static std::atomic<std::size_t> next = 0;
+  return next.fetch_add(kStep, std::memory_order_relaxed) % kLines * kLine;
+}
 
 Surface::Surface(int width, int height, SurfaceFormat format)
     : width_(width), height_(height), format_(format.depth_stencil) {

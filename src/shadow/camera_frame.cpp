@@ -212,8 +212,8 @@ void CameraFrame::finish() {
     return add_layer<std::uint32_t>(rendering_.layers, name, name, frame.width(), frame.height());
   };
   auto& stencil = add_layer<std::uint8_t>(rendering_.layers, "stencil", "stencil", frame.width(), frame.height());
-  stencil = frame.stencil();
-  add("depth") = frame.depth();
+  stencil.assign(frame.stencil().begin(), frame.stencil().end());
+  add("depth").assign(frame.depth().begin(), frame.depth().end());
   auto& polygon = add("polygon");
   auto& object = add("object");
   // From the triangles that the lit and shadow passes drew.

@@ -256,7 +256,7 @@ void DepthCubeRenderer::keep_layers_of_face(std::size_t face, std::size_t first,
 Status DepthCubeRenderer::compare_floats() {
   const RenderTarget target = rendering().frame.target();
   const std::uint32_t background = max_depth(target.format);
-  const std::vector<std::uint32_t>& depth = rendering().frame.depth();
+  const PlaneSamples<std::uint32_t>& depth = rendering().frame.depth();
   std::vector<float>*own_layer = nullptr, *map_layer = nullptr;
   if (settings().layers) {
     const auto add = [&](const char* part) {

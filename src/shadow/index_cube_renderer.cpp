@@ -89,7 +89,7 @@ Status IndexCubeRenderer::draw_maps() {
   tbb::parallel_for(std::size_t{0}, std::size_t{6}, [&](std::size_t i) {
     RenderTarget target{.width = frame_.settings().map_size, .height = frame_.settings().map_size};
     for (std::size_t c = 0; c < 4; ++c) {
-      std::vector<std::uint8_t>& plane = rendering().index_map[i].color[c];
+      PlaneSamples<std::uint8_t>& plane = rendering().index_map[i].color[c];
       if (!plane.empty()) target.color[c] = {plane.data(), frame_.settings().map_size};
     }
     target.depth = {map_depth_[i].data(), frame_.settings().map_size};

@@ -77,7 +77,7 @@ class ReflectiveRenderer {
   VisibleSurface surface_;
   std::vector<bool> drawn_;
   std::optional<IndirectLight> indirect_;
-  std::array<std::vector<std::uint8_t>, 3> direct_;
+  std::array<PlaneSamples<std::uint8_t>, 3> direct_;
 };
 
 Status ReflectiveRenderer::draw_map() {
@@ -175,7 +175,7 @@ void ReflectiveRenderer::keep_layers() {
     for (std::size_t c = 0; c < 3; ++c) {
       auto& layer = add_layer<typename Samples::value_type>(rendering_.layers, part, std::string(1, channels[c]),
                                                             surface_.width, surface_.height);
-      layer = planes[c];
+      layer.assign(planes[c].begin(), planes[c].end());
     }
   };
   keep("surface_position", "XYZ", surface_.position);

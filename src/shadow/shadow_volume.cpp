@@ -156,8 +156,9 @@ Status VolumeRenderer::count_volumes() {
   for (std::size_t i = 0; i < passes.size() && status; ++i) {
     status = draw_pass(passes[i], target);
     if (!settings_.layers || i + 1 == passes.size()) continue;
-    add_layer<std::uint8_t>(frame_.rendering().layers, "stencil_fronts", "stencil", target.width, target.height) =
-        frame_.rendering().frame.stencil();
+    const PlaneSamples<std::uint8_t>& fronts = frame_.rendering().frame.stencil();
+    add_layer<std::uint8_t>(frame_.rendering().layers, "stencil_fronts", "stencil", target.width, target.height)
+        .assign(fronts.begin(), fronts.end());
   }
   if (status && settings_.light_facing) status = mark_averted();
   return status ? clear_background(target) : status;
@@ -189,7 +190,7 @@ void VolumeRenderer::add_facts() {
 
 void VolumeRenderer::add_picture() {
   const Surface& surface = frame_.rendering().frame;
-  const std::vector<std::uint8_t>& counts = surface.stencil();
+  const PlaneSamples<std::uint8_t>& counts = surface.stencil();
   const int largest = std::max(1, static_cast<int>(*std::max_element(counts.begin(), counts.end())));
   Image8 image{surface.width(), surface.height(), 1, {}};
   image.pixels.reserve(counts.size());

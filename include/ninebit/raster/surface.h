@@ -15,6 +15,7 @@
 #include "ninebit/numerics/half.h"
 #include "ninebit/numerics/result.h"
 #include "ninebit/numerics/visibility.h"
+#include "ninebit/raster/plane_samples.h"
 
 namespace NINEBIT_PUBLIC ninebit {
 
@@ -125,27 +126,27 @@ class Surface {
   void fill(const ClearValues& values);
 
   // Gives one colour plane away; the surface must not be drawn into any more.
-  [[nodiscard]] std::vector<std::uint8_t> take_color(int component) {
+  [[nodiscard]] PlaneSamples<std::uint8_t> take_color(int component) {
     return std::move(color_[static_cast<std::size_t>(component)]);
   }
 
   // Samples row by row, the lowest row first; component is kRed to kAlpha.
-  [[nodiscard]] const std::vector<std::uint8_t>& color(int component) const {
+  [[nodiscard]] const PlaneSamples<std::uint8_t>& color(int component) const {
     return color_[static_cast<std::size_t>(component)];
   }
-  [[nodiscard]] const std::vector<std::uint32_t>& depth() const { return depth_; }
-  [[nodiscard]] const std::vector<std::uint8_t>& stencil() const { return stencil_; }
-  [[nodiscard]] const std::vector<std::uint32_t>& primitive() const { return primitive_; }
+  [[nodiscard]] const PlaneSamples<std::uint32_t>& depth() const { return depth_; }
+  [[nodiscard]] const PlaneSamples<std::uint8_t>& stencil() const { return stencil_; }
+  [[nodiscard]] const PlaneSamples<std::uint32_t>& primitive() const { return primitive_; }
 
  private:
   Surface(int width, int height, SurfaceFormat format);
   int width_;
   int height_;
   DepthStencilFormat format_;
-  std::array<std::vector<std::uint8_t>, 4> color_;
-  std::vector<std::uint32_t> depth_;
-  std::vector<std::uint8_t> stencil_;
-  std::vector<std::uint32_t> primitive_;
+  std::array<PlaneSamples<std::uint8_t>, 4> color_;
+  PlaneSamples<std::uint32_t> depth_;
+  PlaneSamples<std::uint8_t> stencil_;
+  PlaneSamples<std::uint32_t> primitive_;
 };
 
 }  // namespace ninebit

@@ -78,8 +78,8 @@ struct PassTimes {
 // One face of the index cube map: planes of size × size texels, row 0 at t = 0, for red, green, blue and alpha; those
 // that the map's format does not store are empty. A luminance stands in red.
 struct IndexMapFace {
-  int size = 0;                                    // texels a side
-  std::array<std::vector<std::uint8_t>, 4> color;  // size × size each, or empty
+  int size = 0;                                     // texels a side
+  std::array<PlaneSamples<std::uint8_t>, 4> color;  // size × size each, or empty
 
   // A texel as IndexCodes::number reads it.
   [[nodiscard]] ColorBytes texel(std::size_t i) const {
