@@ -260,7 +260,7 @@ struct Drawn {
         mesh.add_triangle(3 * i, 3 * i + 1, 3 * i + 2);
       }
       const int width = 333, height = 257;
-      Canvas canvas(width, height, true);
+      Canvas canvas(width, height, true, random.pick(kSampleLayouts));
       const glm::mat4 matrix = perspective(0.9, static_cast<double>(width) / height, 0.1, 10);
       PipelineState state;
       state.stencil_test.enabled = true;

@@ -239,6 +239,12 @@ TEST_F(TargetCheck, PlanesThatTheStateNeeds) {
   expect("the stencil plane has rows that overlap: -3 samples from one to the next, 4 in each");
   target_.stencil.stride = -4;
   expect("");
+  target_.stencil = {bytes.data(), 9, 3};
+  expect("the stencil plane has rows that overlap: 9 samples from one to the next, 10 in each");
+  target_.stencil = {bytes.data(), 10, 0};
+  expect("the stencil plane has 0 samples from one pixel to the next; that goes from 1 to 4096");
+  target_.stencil = {bytes.data(), 10, 3};
+  expect("");
   target_.color[1] = {bytes.data(), 0};
   expect("the green plane has rows that overlap: 0 samples from one to the next, 4 in each");
   target_.height = 1;

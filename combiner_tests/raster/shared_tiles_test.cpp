@@ -16,8 +16,8 @@ namespace ninebit::test {
 namespace {
 
 // What rasterize() leaves, called once for each pass; with an output plane no vectors draw.
-oracle::Picture drawn_alone(const PassScene& scene, bool with_outputs) {
-  Canvas canvas(scene.width, scene.height);
+oracle::Picture drawn_alone(const PassScene& scene, bool with_outputs, SampleLayout layout = SampleLayout::planes) {
+  Canvas canvas(scene.width, scene.height, false, layout);
   scene.begin(canvas, with_outputs);
   if (scene.clear) {
     EXPECT_TRUE(clear({}, {}, *scene.clear, canvas.target).ok());
@@ -47,10 +47,11 @@ struct Ways {
   bool discard_depth = false;
   bool with_outputs = false;
   bool with_probe = false;
+  SampleLayout layout = SampleLayout::planes;
 };
 
 oracle::Picture drawn_together(const PassScene& scene, const Ways& ways = {}) {
-  Canvas canvas(scene.width, scene.height);
+  Canvas canvas(scene.width, scene.height, false, ways.layout);
   scene.begin(canvas, ways.with_outputs);
   FragmentProbe probe{.x = scene.width / 2, .y = scene.height / 2};
   if (ways.with_probe) canvas.target.probe = &probe;
@@ -116,13 +117,13 @@ void draw_on_every_target(const Range& range, std::uint64_t seed, const MakeScen
     for (const std::int64_t target : simd_targets()) {
       const OnTarget only(target);
       const int threads = random.pick({1, 2, 7});
-      const bool discard_depth = random.one_in(3);
+      const Ways ways{.discard_depth = random.one_in(3), .layout = random.pick(kSampleLayouts)};
       oracle::Picture actual;
-      with_threads(threads, [&] { actual = drawn_together(scene, {.discard_depth = discard_depth}); });
-      ASSERT_TRUE(same_planes(actual, expected, !discard_depth) && !testing::Test::HasFailure())
-          << "case " << index << ", " << simd_target_name(target) << ", " << threads << " threads, depth "
-          << (actual.depth == expected.depth) << " stencil " << (actual.stencil == expected.stencil) << " colour "
-          << (actual.color == expected.color) << '\n'
+      with_threads(threads, [&] { actual = drawn_together(scene, ways); });
+      ASSERT_TRUE(same_planes(actual, expected, !ways.discard_depth) && !testing::Test::HasFailure())
+          << "case " << index << ", " << simd_target_name(target) << ", " << threads << " threads, layout "
+          << static_cast<int>(ways.layout) << ", depth " << (actual.depth == expected.depth) << " stencil "
+          << (actual.stencil == expected.stencil) << " colour " << (actual.color == expected.color) << '\n'
           << describe(scene);
       counts.runs += kind.by_lanes > 0 && only.ran() ? 1U : 0U;
     }
@@ -160,7 +161,8 @@ TEST(SharedTiles, OutputsOrAProbeChangeNothing) {
     const PassScene scene = random_passes(random, random.between(1, 3));
     const oracle::Picture plain = drawn_together(scene);
     const oracle::Picture watched = drawn_together(scene, {.with_probe = true});
-    const oracle::Picture with_outputs = drawn_together(scene, {.with_outputs = true, .with_probe = random.one_in(2)});
+    const oracle::Picture with_outputs = drawn_together(
+        scene, {.with_outputs = true, .with_probe = random.one_in(2), .layout = random.pick(kSampleLayouts)});
     ASSERT_TRUE(same_planes(watched, plain)) << "case " << index << '\n' << describe(scene);
     ASSERT_TRUE(same_planes(with_outputs, plain)) << "case " << index << '\n' << describe(scene);
   }
@@ -180,7 +182,7 @@ TEST(Lanes, DrawWhatSingleFragmentsDraw) {
     changed += same_planes(expected, scene.start) ? 0U : 1U;
     const std::int64_t target = targets[static_cast<std::size_t>(random.below(static_cast<int>(targets.size())))];
     const OnTarget only(target);
-    const oracle::Picture actual = drawn_alone(scene, false);
+    const oracle::Picture actual = drawn_alone(scene, false, random.pick(kSampleLayouts));
     ASSERT_TRUE(same_planes(actual, expected) && !testing::Test::HasFailure())
         << "case " << index << ", " << simd_target_name(target) << ", depth " << (actual.depth == expected.depth)
         << " stencil " << (actual.stencil == expected.stencil) << " colour " << (actual.color == expected.color) << '\n'

@@ -8,10 +8,14 @@ namespace {
 constexpr int kPadding = 3;
 constexpr std::uint8_t kUntouched = 0xA5;
 
+// Samples of which a group of `group` side by side belongs to each pixel.
 template <class T>
-bool is_padding_whole(const std::vector<T>& plane, int width, int stride) {
-  for (std::size_t i = 0; i < plane.size(); ++i) {
-    if (static_cast<int>(i % static_cast<std::size_t>(stride)) >= width && plane[i] != T{kUntouched}) return false;
+bool is_padding_whole(const std::vector<T>& samples, const Plane<T>& plane, int width, std::size_t group = 1) {
+  const auto stride = static_cast<std::size_t>(plane.stride), step = static_cast<std::size_t>(plane.step);
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    const std::size_t column = i % stride;
+    const bool is_sample = column / step < static_cast<std::size_t>(width) && column % step < group;
+    if (!is_sample && samples[i] != T{kUntouched}) return false;
   }
   return true;
 }
@@ -35,27 +39,34 @@ glm::vec3 clip_position(const oracle::WindowVertex& v, int width, int height, in
   return clip_position(v, {0, 0, width, height}, subpixel_bits);
 }
 
-Canvas::Canvas(int width, int height, bool with_capture) : stride_(width + kPadding) {
-  const auto count = static_cast<std::size_t>(stride_) * static_cast<std::size_t>(height);
+Canvas::Canvas(int width, int height, bool with_capture, SampleLayout layout) {
+  const auto plane_of = [&](auto& samples, int step) {
+    const int stride = step * (width + kPadding);
+    samples.assign(static_cast<std::size_t>(stride) * static_cast<std::size_t>(height), kUntouched);
+    return Plane<typename std::decay_t<decltype(samples)>::value_type>{samples.data(), stride, step};
+  };
+  const bool gaps = layout == SampleLayout::gaps;
   target.width = width;
   target.height = height;
   for (std::size_t i = 0; i < 4; ++i) {
-    color_[i].assign(count, kUntouched);
-    target.color[i] = {color_[i].data(), stride_};
+    if (layout == SampleLayout::words && i > 0) {
+      target.color[i] = target.color[0];
+      target.color[i].data += i;
+    } else {
+      target.color[i] = plane_of(color_[i], layout == SampleLayout::words ? 4 : gaps ? 3 : 1);
+    }
   }
-  depth_.assign(count, kUntouched);
-  primitive_.assign(count, kUntouched);
-  stencil_.assign(count, kUntouched);
-  captured_.assign(count, kUntouched);
-  target.depth = {depth_.data(), stride_};
-  target.stencil = {stencil_.data(), stride_};
-  target.outputs.push_back(
-      {.source = OutputSource::primitive, .plane = Plane<std::uint32_t>{primitive_.data(), stride_}});
+  target.depth = plane_of(depth_, gaps ? 2 : 1);
+  target.stencil = plane_of(stencil_, gaps ? 5 : 1);
+  primitive_plane_ = plane_of(primitive_, gaps ? 2 : 1);
+  captured_plane_ = plane_of(captured_, gaps ? 3 : 1);
+  whole_ = target;
+  target.outputs.push_back({.source = OutputSource::primitive, .plane = primitive_plane_});
   if (with_capture) {
     target.outputs.push_back({.source = OutputSource::output_code,
                               .component = kRed,
                               .time = OutputTime::at_depth_pass,
-                              .plane = Plane<s9>{captured_.data(), stride_}});
+                              .plane = captured_plane_});
   }
 }
 
@@ -65,12 +76,12 @@ oracle::Picture Canvas::picture() const {
   p.height = target.height;
   for (int y = 0; y < p.height; ++y) {
     for (int x = 0; x < p.width; ++x) {
-      const auto at = static_cast<std::size_t>(y * stride_ + x);
-      p.color.push_back({color_[0][at], color_[1][at], color_[2][at], color_[3][at]});
-      p.depth.push_back(depth_[at]);
-      p.stencil.push_back(stencil_[at]);
-      p.primitive.push_back(primitive_[at]);
-      p.captured.push_back(captured_[at]);
+      const auto& color = whole_.color;
+      p.color.push_back({color[0].at(x, y), color[1].at(x, y), color[2].at(x, y), color[3].at(x, y)});
+      p.depth.push_back(whole_.depth.at(x, y));
+      p.stencil.push_back(whole_.stencil.at(x, y));
+      p.primitive.push_back(primitive_plane_.at(x, y));
+      p.captured.push_back(captured_plane_.at(x, y));
     }
   }
   return p;
@@ -80,21 +91,22 @@ void Canvas::load(const oracle::Picture& p) {
   std::size_t from = 0;
   for (int y = 0; y < p.height; ++y) {
     for (int x = 0; x < p.width; ++x, ++from) {
-      const auto at = static_cast<std::size_t>(y * stride_ + x);
-      for (std::size_t i = 0; i < 4; ++i) color_[i][at] = p.color[from][i];
-      depth_[at] = p.depth[from];
-      stencil_[at] = p.stencil[from];
-      primitive_[at] = p.primitive[from];
-      captured_[at] = static_cast<s9>(p.captured[from]);
+      for (std::size_t i = 0; i < 4; ++i) whole_.color[i].at(x, y) = p.color[from][i];
+      whole_.depth.at(x, y) = p.depth[from];
+      whole_.stencil.at(x, y) = p.stencil[from];
+      primitive_plane_.at(x, y) = p.primitive[from];
+      captured_plane_.at(x, y) = static_cast<s9>(p.captured[from]);
     }
   }
 }
 
 bool Canvas::padding_is_whole() const {
-  bool whole = is_padding_whole(depth_, target.width, stride_) && is_padding_whole(stencil_, target.width, stride_) &&
-               is_padding_whole(primitive_, target.width, stride_) &&
-               is_padding_whole(captured_, target.width, stride_);
-  for (const auto& plane : color_) whole = whole && is_padding_whole(plane, target.width, stride_);
+  const int width = whole_.width;
+  bool whole = is_padding_whole(depth_, whole_.depth, width) && is_padding_whole(stencil_, whole_.stencil, width) &&
+               is_padding_whole(primitive_, primitive_plane_, width) &&
+               is_padding_whole(captured_, captured_plane_, width);
+  const std::size_t group = color_[1].empty() ? 4 : 1;
+  for (std::size_t i = 0; i < 4; ++i) whole = whole && is_padding_whole(color_[i], whole_.color[i], width, group);
   return whole;
 }
 

@@ -30,11 +30,16 @@ glm::vec3 clip_position(const oracle::WindowVertex& v, int width, int height, in
 
 inline const glm::mat4 kIdentity{1.0F};
 
+// How a canvas's samples lie: planes without gaps; colours in words of RGBA; gaps between all samples of a plane.
+enum class SampleLayout { planes, words, gaps };
+inline constexpr std::initializer_list<SampleLayout> kSampleLayouts{SampleLayout::planes, SampleLayout::words,
+                                                                    SampleLayout::gaps};
+
 // Owned planes with a few samples of padding after each row, which no draw may touch; an output plane of primitive
 // numbers and, if wanted, one of the output's red at depth pass.
 class Canvas {
  public:
-  Canvas(int width, int height, bool with_capture = false);
+  explicit Canvas(int width, int height, bool with_capture = false, SampleLayout layout = SampleLayout::planes);
   Canvas(const Canvas&) = delete;
   Canvas& operator=(const Canvas&) = delete;
 
@@ -44,8 +49,10 @@ class Canvas {
   bool padding_is_whole() const;
 
  private:
-  int stride_;
-  std::array<std::vector<std::uint8_t>, 4> color_;
+  RenderTarget whole_;  // the target as it was made
+  Plane<std::uint32_t> primitive_plane_;
+  Plane<s9> captured_plane_;
+  std::array<std::vector<std::uint8_t>, 4> color_;  // of words all in the first
   std::vector<std::uint32_t> depth_, primitive_;
   std::vector<std::uint8_t> stencil_;
   std::vector<s9> captured_;

@@ -266,6 +266,73 @@ TEST(TextureLanes, RowsOfEveryLength) {
   }
 }
 
+// Words of RGBA, and samples interleaved otherwise.
+TEST(TextureLanes, TexelsOfEveryStep) {
+  struct Layout {
+    InternalFormat format;
+    int step, gap;  // from one texel to the next; bytes after a row
+    std::array<int, 4> place;
+    bool with_alpha;  // whether the texture is told where alpha is
+  };
+  using enum InternalFormat;
+  const std::vector<Layout> layouts{{rgb8, 4, 0, {0, 1, 2, 3}, true},
+                                    {rgb8, 4, 0, {0, 1, 2, 3}, false},
+                                    {rgba8, 4, 0, {0, 1, 2, 3}, true},
+                                    {rgba8, 4, 8, {0, 1, 2, 3}, true},
+                                    {rgba8, 4, 3, {0, 1, 2, 3}, true},
+                                    {rgba8, 4, 0, {2, 1, 0, 3}, true},
+                                    {rgb8, 3, 0, {0, 1, 2, 0}, false},
+                                    {rgb8, 5, 1, {4, 0, 2, 0}, false},
+                                    {luminance8_alpha8, 2, 0, {0, 0, 0, 1}, true},
+                                    {luminance8, 4, 4, {1, 0, 0, 0}, false}};
+  Random random(57);
+  constexpr int kSize = 16;
+  for (const Layout& layout : layouts) {
+    for (const TextureTarget target : kTargets) {
+      const std::array<bool, 4> stored = stored_components(layout.format);
+      const int stride = layout.step * kSize + layout.gap;
+      std::vector<std::vector<std::uint8_t>> samples;
+      std::vector<TextureImage> faces, apart;
+      for (std::size_t f = 0; f < (target == TextureTarget::cube_map ? 6U : 1U); ++f) {
+        std::vector<std::uint8_t>& own = samples.emplace_back(static_cast<std::size_t>(stride * kSize));
+        for (std::uint8_t& sample : own) sample = random.byte();
+        std::array<Plane<const std::uint8_t>, 4> planes{};
+        for (std::size_t k = 0; k < 4; ++k) {
+          if (!stored[k] && !(k == kAlpha && layout.with_alpha)) continue;
+          planes[k] = {own.data() + layout.place[k], stride, layout.step};
+        }
+        faces.push_back({kSize, kSize, planes});
+      }
+      const Texture texture = texture_view(layout.format, faces);
+      ASSERT_TRUE(check_texture(texture).ok());
+      CoordinateArrays many, one;
+      for (int i = 0; i < 1000; ++i) {
+        many.push({random.real_f(-1, 1), random.real_f(-1, 1), random.real_f(-1, 1)});
+        one.push({random.real_f(-1, 1), random.real_f(-1, 1), -1});
+      }
+      int changes = 0;
+      expect_as_scalar(profiles::geforce2, texture, kNearestSampler, many, changes);
+      expect_as_scalar(profiles::geforce256_8bit, texture, kNearestSampler, one, changes);
+      expect_as_scalar(profiles::geforce2, texture, linear(Wrap::repeat, Wrap::clamp_to_edge), many, changes);
+      if (HasFatalFailure()) return;
+      EXPECT_GE(changes, 2000);
+      // The scalar side reads the bytes that the layout says.
+      const auto sampler = TextureSampler::make(profiles::geforce2, texture, kNearestSampler);
+      for (int y = 0; y < kSize; ++y) {
+        for (int x = 0; x < kSize && target == TextureTarget::texture_2d; ++x) {
+          const Texel texel =
+              texel_at(*sampler, {(static_cast<float>(x) + 0.5F) / kSize, (static_cast<float>(y) + 0.5F) / kSize, 0});
+          for (std::size_t k = 0; k < 4; ++k) {
+            if (!stored[k]) continue;
+            ASSERT_EQ(texel.value[k],
+                      samples[0][static_cast<std::size_t>(stride * y + layout.step * x + layout.place[k])]);
+          }
+        }
+      }
+    }
+  }
+}
+
 // Rows farther apart than 32 bits can say. Only the pages that are touched become memory.
 TEST(TextureLanes, RowsFarApart) {
   constexpr std::ptrdiff_t kStride = std::ptrdiff_t{1} << 32;

@@ -36,6 +36,12 @@ TEST(TextureCheck, RefusesWhatGlWouldHaveRefused) {
   EXPECT_EQ(complaint(bad), "level 0 lacks a plane that its format needs");
   bad.format = InternalFormat::depth24;
   EXPECT_EQ(complaint(bad), "level 0 has samples of another type than its format's");
+  for (const std::ptrdiff_t step : {-1, 0, 4097}) {
+    bad = good;
+    std::get<0>(bad.faces[0][0].planes)[1].step = step;
+    EXPECT_EQ(complaint(bad), "level 0 has a plane of " + std::to_string(step) +
+                                  " samples from one texel to the next; that goes from 1 to 4096");
+  }
   bad = good;
   bad.faces[0].resize(16, bad.faces[0][0]);
   EXPECT_EQ(complaint(bad), "a texture has 16 levels; there can be 15");
@@ -45,6 +51,32 @@ TEST(TextureCheck, RefusesWhatGlWouldHaveRefused) {
   EXPECT_EQ(complaint(bad), "level 0 of cube-map face 5 is 4 x 2; the faces of a cube map must be square");
   bad.format = InternalFormat::depth16;
   EXPECT_EQ(complaint(bad), "a cube map has a depth format; only 2D textures can");
+}
+
+// The same texels, interleaved, have the same mip-maps.
+TEST(TextureStorage, MipmapsOfInterleavedTexels) {
+  Random random(58);
+  const Texture apart = random_texture(random, TextureTarget::texture_2d, InternalFormat::rgb8, 16, 8, false);
+  std::vector<std::uint8_t> words(std::size_t{4} * 16 * 8);
+  std::array<Plane<const std::uint8_t>, 4> planes{};
+  const auto& from = std::get<0>(apart.faces[0][0].planes);
+  for (std::size_t k = 0; k < 3; ++k) {
+    planes[k] = {words.data() + k, 4 * 16, 4};
+    for (int i = 0; i < 16 * 8; ++i) words[static_cast<std::size_t>(4 * i) + k] = from[k].at(i % 16, i / 16);
+  }
+  const Texture together = texture_view(InternalFormat::rgb8, std::vector<TextureImage>{{16, 8, planes}});
+  const Texture expected = with_mipmaps(apart).value(), actual = with_mipmaps(together).value();
+  ASSERT_EQ(actual.faces[0].size(), 5U);
+  for (std::size_t level = 0; level < 5; ++level) {
+    const TextureImage &a = actual.faces[0][level], &e = expected.faces[0][level];
+    for (int y = 0; y < e.height; ++y) {
+      for (int x = 0; x < e.width; ++x) {
+        for (std::size_t k = 0; k < 3; ++k) {
+          ASSERT_EQ(std::get<0>(a.planes)[k].at(x, y), std::get<0>(e.planes)[k].at(x, y)) << level;
+        }
+      }
+    }
+  }
 }
 
 TEST(TextureCheck, CompletenessIsThatOfTheSpecification) {

@@ -11,14 +11,22 @@ namespace {
 template <class T>
 void fill(const PixelRect& rect, const Plane<T>& plane, T value) {
   if (!plane) return;
-  for (int y = rect.y; y < rect.y + rect.height; ++y) std::fill_n(plane.row(y) + rect.x, rect.width, value);
+  for (int y = rect.y; y < rect.y + rect.height; ++y) {
+    if (plane.step == 1) {
+      std::fill_n(plane.row(y) + rect.x, rect.width, value);
+      continue;
+    }
+    for (int x = rect.x; x < rect.x + rect.width; ++x) plane.at(x, y) = value;
+  }
 }
 
 void fill_masked(const PixelRect& rect, const Plane<std::uint8_t>& plane, unsigned value, unsigned mask) {
   if (!plane || mask == 0) return;
   for (int y = rect.y; y < rect.y + rect.height; ++y) {
-    std::uint8_t* const row = plane.row(y) + rect.x;
-    for (int x = 0; x < rect.width; ++x) row[x] = static_cast<std::uint8_t>((row[x] & ~mask) | (value & mask));
+    for (int x = rect.x; x < rect.x + rect.width; ++x) {
+      std::uint8_t& stored = plane.at(x, y);
+      stored = static_cast<std::uint8_t>((stored & ~mask) | (value & mask));
+    }
   }
 }
 

@@ -164,14 +164,16 @@ HWY_NOINLINE void gather_rows(const Pen& pen, const TileTriangles& t, std::size_
     std::uint64_t bits = 0;
     for (int column = 0; column < columns; column += kLanes) {
       M mask = hn::Gt(hn::Or(hn::Or(e[0], e[1]), e[2]), hn::Set(kD, -1));
-      const V z24 = find_depths<OneRow>(pen.primitive, left + column, y, mask, z_low, hn::Add(z_low, z.half));
-      const V depth = depth_codes(kD, pen.pass, pen.primitive, z24);
-      const V here = hn::LoadU(kD, stored + row_place + static_cast<std::size_t>(column));
-      // Less where depth × 256 and depth × 256 + stencil are alike but for the stencil.
-      const auto difference = hn::BitCast(du, hn::Xor(hn::ShiftLeft<8>(depth), here));
-      mask = hn::And(mask, hn::RebindMask(kD, hn::Lt(difference, hn::Set(du, 0x100))));
-      if (asks_stencil) mask = hn::And(mask, stencil_passes(kD, draw, here));
-      bits |= bits_of(kD, mask) << column;
+      if (!hn::AllFalse(kD, mask)) {
+        const V z24 = find_depths<OneRow>(pen.primitive, left + column, y, mask, z_low, hn::Add(z_low, z.half));
+        const V depth = depth_codes(kD, pen.pass, pen.primitive, z24);
+        const V here = hn::LoadU(kD, stored + row_place + static_cast<std::size_t>(column));
+        // Less where depth × 256 and depth × 256 + stencil are alike but for the stencil.
+        const auto difference = hn::BitCast(du, hn::Xor(hn::ShiftLeft<8>(depth), here));
+        mask = hn::And(mask, hn::RebindMask(kD, hn::Lt(difference, hn::Set(du, 0x100))));
+        if (asks_stencil) mask = hn::And(mask, stencil_passes(kD, draw, here));
+        bits |= bits_of(kD, mask) << column;
+      }
       for (std::size_t i = 0; i < 3; ++i) e[i] = hn::Add(e[i], step[i]);
       z_low = hn::Add(z_low, z.step);
     }

@@ -1,5 +1,8 @@
 // Textures of bytes without mip-maps: the texels are found and weighed in SIMD lanes, and fetched byte by byte.
 #include <algorithm>
+#include <bit>
+#include <cstring>
+#include <type_traits>
 #include <variant>
 
 #include "src/raster/texture_lanes.h"
@@ -15,9 +18,21 @@ constexpr std::int32_t kUpperHalf = 0x10000;
 // Level 0's planes of all faces, by component.
 struct LevelPlanes {
   std::array<std::array<BytePlane, 6>, 4> plane{};
-  bool alike = true;  // all have rows of one length, and offsets fit 32 bits
+  bool alike = true;   // all have rows and steps of one length, a row is whole steps, and offsets fit 32 bits
+  bool words = false;  // and each texel is a word of memory, red in its first byte, alpha in its last
   std::int32_t stride = 0;
+  std::ptrdiff_t step = 1;
 };
+
+bool are_words(const LevelPlanes& level, std::size_t face) {
+  if (level.step != 4) return false;
+  const std::uint8_t* const first = level.plane[0][face].data;
+  for (std::size_t k = 0; k < 4; ++k) {
+    const BytePlane& plane = level.plane[k][face];
+    if (first == nullptr || plane.data != first + k || plane.stride != level.plane[0][face].stride) return false;
+  }
+  return true;
+}
 
 LevelPlanes level_planes(const Texture& texture) {
   constexpr std::ptrdiff_t kLongestRow = 0x1FFFF;  // kMaxSurfaceSize times this is less than 2^31
@@ -27,28 +42,62 @@ LevelPlanes level_planes(const Texture& texture) {
     const auto& of_face = *std::get_if<std::array<BytePlane, 4>>(&texture.faces[f][0].planes);
     for (std::size_t k = 0; k < 4; ++k) level.plane[k][f] = of_face[k];
   }
-  const std::ptrdiff_t stride = level.plane[stored[0] ? 0 : 3][0].stride;
-  level.alike = stride >= -kLongestRow && stride <= kLongestRow;
+  const BytePlane& first = level.plane[stored[0] ? 0 : 3][0];
+  level.step = first.step;
+  const std::ptrdiff_t stride = first.stride / first.step;
+  level.alike = stride >= -kLongestRow && stride <= kLongestRow && first.stride % first.step == 0;
+  level.words = stored[0] && stored[1] && stored[2] && std::endian::native == std::endian::little;
   for (std::size_t f = 0; f < texture.face_count(); ++f) {
-    for (std::size_t k = 0; k < 4; ++k) level.alike = level.alike && (!stored[k] || level.plane[k][f].stride == stride);
+    for (std::size_t k = 0; k < 4; ++k) {
+      const BytePlane& plane = level.plane[k][f];
+      level.alike = level.alike && (!stored[k] || (plane.stride == first.stride && plane.step == first.step));
+    }
+    level.words = level.words && are_words(level, f);
   }
+  level.words = level.words && level.alike;
   level.stride = level.alike ? static_cast<std::int32_t>(stride) : kUpperHalf;
   return level;
 }
 
-// One component of every fragment's texel. Loads of single bytes: gathers are no faster, nor may they read beyond a
-// plane; an interleaved copy of the texture takes as long as it saves in a frame.
-void fetch(const std::array<BytePlane, 6>& faces, bool alike, const LaneIntegers& offset, const LaneIntegers& face,
-           bool one_face, std::size_t count, s9* to) {
-  const auto plane_of = [&](std::size_t i) -> const BytePlane& { return faces[static_cast<std::size_t>(face[i])]; };
-  if (!alike) {
-    for (std::size_t i = 0; i < count; ++i) to[i] = plane_of(i).at(offset[i] % kUpperHalf, offset[i] / kUpperHalf);
-  } else if (one_face) {
-    const std::uint8_t* const plane = plane_of(0).data;
-    for (std::size_t i = 0; i < count; ++i) to[i] = plane[offset[i]];
+// Calls take(i, texel) with the address of every fragment's texel in the planes of one component.
+template <class Lanes, class Take>
+void visit_texels(const LevelPlanes& level, std::size_t component, const Lanes& lanes, const LaneIntegers& offset,
+                  std::size_t count, Take take) {
+  const std::array<BytePlane, 6>& faces = level.plane[component];
+  const auto plane_of = [&](std::size_t i) -> const BytePlane& {
+    return faces[static_cast<std::size_t>(lanes.face[i])];
+  };
+  const auto visit = [&](auto step) {
+    if (lanes.one_face) {
+      const std::uint8_t* const plane = plane_of(0).data;
+      for (std::size_t i = 0; i < count; ++i) take(i, plane + step * offset[i]);
+    } else {
+      for (std::size_t i = 0; i < count; ++i) take(i, plane_of(i).data + step * offset[i]);
+    }
+  };
+  if (!level.alike) {
+    for (std::size_t i = 0; i < count; ++i) take(i, &plane_of(i).at(offset[i] % kUpperHalf, offset[i] / kUpperHalf));
+  } else if (level.step == 1) {
+    visit(std::integral_constant<std::ptrdiff_t, 1>());
+  } else if (level.step == 4) {
+    visit(std::integral_constant<std::ptrdiff_t, 4>());
   } else {
-    for (std::size_t i = 0; i < count; ++i) to[i] = plane_of(i).data[offset[i]];
+    visit(level.step);
   }
+}
+
+// One component of every fragment's texel. Loads of single bytes: gathers are no faster, nor may they read beyond a
+// plane.
+template <class Lanes>
+void fetch(const LevelPlanes& level, std::size_t component, const Lanes& lanes, const LaneIntegers& offset,
+           std::size_t count, s9* to) {
+  visit_texels(level, component, lanes, offset, count,
+               [to](std::size_t i, const std::uint8_t* texel) { to[i] = *texel; });
+}
+
+void fetch_words(const LevelPlanes& level, const NearestLanes& lanes, std::size_t count, LaneWords& to) {
+  visit_texels(level, 0, lanes, lanes.offset, count,
+               [&to](std::size_t i, const std::uint8_t* texel) { std::memcpy(&to[i], texel, sizeof(to[i])); });
 }
 
 // Whole batches are read where they stand; what follows fewer coordinates is not ours to read.
@@ -89,10 +138,12 @@ void TextureSampler::sample_bytes(const TextureCoordinates& at, std::size_t firs
   const bool linear = sampler_.min_filter == MinFilter::linear;
   NearestLanes nearest;
   LinearLanes quads;
+  alignas(64) LaneWords words;
   if (linear) {
     find_linear(level, weight_bits_, batch, count, quads);
   } else {
     find_nearest(level, batch, count, nearest);
+    if (planes.words) fetch_words(planes, nearest, count, words);
   }
   for (std::size_t out = 0; out < 4; ++out) {
     s9* const to = codes[out] + first;
@@ -106,18 +157,20 @@ void TextureSampler::sample_bytes(const TextureCoordinates& at, std::size_t firs
       std::copy_n(codes[twin] + first, count, to);
       continue;
     }
-    const std::array<BytePlane, 6>& faces = planes.plane[static_cast<std::size_t>(source_[out])];
+    const auto component = static_cast<std::size_t>(source_[out]);
     if (linear) {
       CornerBytes corner;
       std::array<s9, kBatchSize> sum;
       for (std::size_t k = 0; k < 4; ++k) {
-        fetch(faces, planes.alike, quads.offset[k], quads.face, quads.one_face, count, corner[k].data());
+        fetch(planes, component, quads, quads.offset[k], count, corner[k].data());
         std::fill(corner[k].begin() + static_cast<std::ptrdiff_t>(count), corner[k].end(), s9{0});
       }
       weigh_linear(quads, corner, weight_bits_, count, sum);
       std::copy_n(sum.begin(), count, to);
+    } else if (planes.words) {
+      split_words(words, source_[out], count, to);
     } else {
-      fetch(faces, planes.alike, nearest.offset, nearest.face, nearest.one_face, count, to);
+      fetch(planes, component, nearest, nearest.offset, count, to);
     }
     if (byte_shift_ == 0) continue;
     for (std::size_t i = 0; i < count; ++i) to[i] = static_cast<s9>(to[i] >> byte_shift_);

@@ -65,12 +65,18 @@ bool is_fragment_register(Register reg) {
   return reg >= Register::fog && reg <= Register::texture3;
 }
 
-// Empty, or what is wrong with the way from one row of a plane to the next.
+// Empty, or what is wrong with the way from one sample of a plane to the next.
 template <class T>
 std::string stride_complaint(const RenderTarget& target, const Plane<T>& plane) {
-  if (!plane || target.height == 1 || std::abs(plane.stride) >= target.width) return {};
+  if (!plane) return {};
+  if (plane.step < 1 || plane.step > kMaxStep) {
+    return "has " + std::to_string(plane.step) + " samples from one pixel to the next; that goes from 1 to " +
+           std::to_string(kMaxStep);
+  }
+  const std::ptrdiff_t row = (target.width - 1) * plane.step + 1;
+  if (target.height == 1 || std::abs(plane.stride) >= row) return {};
   return "has rows that overlap: " + std::to_string(plane.stride) + " samples from one to the next, " +
-         std::to_string(target.width) + " in each";
+         std::to_string(row) + " in each";
 }
 
 // Empty, or what is wrong with an output plane.

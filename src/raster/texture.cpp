@@ -51,15 +51,18 @@ std::string complaint_about(const Texture& texture, const TextureImage& image) {
   }
   if (image.planes.index() != planes_index(texture.format)) return " has samples of another type than its format's";
   const std::array<bool, 4> stored = stored_components(texture.format);
-  const bool whole = std::visit(
-      [&](const auto& planes) {
+  return std::visit(
+      [&](const auto& planes) -> std::string {
         for (std::size_t i = 0; i < 4; ++i) {
-          if (stored[i] && !planes[i]) return false;
+          if (!stored[i]) continue;
+          if (!planes[i]) return " lacks a plane that its format needs";
+          if (planes[i].step >= 1 && planes[i].step <= kMaxStep) continue;
+          return " has a plane of " + std::to_string(planes[i].step) +
+                 " samples from one texel to the next; that goes from 1 to " + std::to_string(kMaxStep);
         }
-        return true;
+        return {};
       },
       image.planes);
-  return whole ? std::string() : " lacks a plane that its format needs";
 }
 
 }  // namespace

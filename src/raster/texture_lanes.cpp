@@ -188,6 +188,16 @@ void find_linear(const LaneLevel& level, int weight_bits, const std::array<const
   to.one_face = all_like_first(to.face, count);
 }
 
+void split_words(const LaneWords& words, int byte, std::size_t count, s9* to) {
+  std::size_t lane = 0;
+  for (; lane + hn::Lanes(kDF) <= count; lane += hn::Lanes(kDF)) {
+    const VI word = hn::BitCast(kDI, hn::LoadU(hn::RebindToUnsigned<DI>(), words.data() + lane));
+    const VI value = hn::And(hn::ShiftRightSame(word, 8 * byte), hn::Set(kDI, 0xFF));
+    hn::StoreU(hn::DemoteTo(kD16, value), kD16, to + lane);
+  }
+  for (; lane < count; ++lane) to[lane] = static_cast<s9>(words[lane] >> (8 * byte) & 0xFF);
+}
+
 void weigh_linear(const LinearLanes& lanes, const CornerBytes& corner, int weight_bits, std::size_t count,
                   std::array<s9, kBatchSize>& to) {
   const VI half = hn::Set(kDI, 1 << (2 * weight_bits - 1));
@@ -213,6 +223,7 @@ namespace ninebit {
 
 HWY_EXPORT(find_nearest);
 HWY_EXPORT(find_linear);
+HWY_EXPORT(split_words);
 HWY_EXPORT(weigh_linear);
 
 void find_nearest(const LaneLevel& level, const std::array<const float*, 3>& at, std::size_t count, NearestLanes& to) {
@@ -222,6 +233,10 @@ void find_nearest(const LaneLevel& level, const std::array<const float*, 3>& at,
 void find_linear(const LaneLevel& level, int weight_bits, const std::array<const float*, 3>& at, std::size_t count,
                  LinearLanes& to) {
   HWY_DYNAMIC_DISPATCH(find_linear)(level, weight_bits, at, count, to);
+}
+
+void split_words(const LaneWords& words, int byte, std::size_t count, s9* to) {
+  HWY_DYNAMIC_DISPATCH(split_words)(words, byte, count, to);
 }
 
 void weigh_linear(const LinearLanes& lanes, const CornerBytes& corner, int weight_bits, std::size_t count,

@@ -44,6 +44,10 @@ void find_nearest(const LaneLevel& level, const std::array<const float*, 3>& at,
 void find_linear(const LaneLevel& level, int weight_bits, const std::array<const float*, 3>& at, std::size_t count,
                  LinearLanes& to);
 
+// One byte of each of `count` words, the lowest being byte 0.
+using LaneWords = std::array<std::uint32_t, kBatchSize>;
+void split_words(const LaneWords& words, int byte, std::size_t count, s9* to);
+
 // The weighed sum of the texels' bytes, rounded to nearest, halves up, for all lanes of the `count` and some beyond.
 using CornerBytes = std::array<std::array<s9, kBatchSize>, 4>;
 void weigh_linear(const LinearLanes& lanes, const CornerBytes& corner, int weight_bits, std::size_t count,

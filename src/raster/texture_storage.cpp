@@ -82,11 +82,11 @@ TextureSamples next_level(InternalFormat format, const TextureImage& image) {
         for (std::size_t k = 0; k < 4; ++k) {
           if (!stored[k]) continue;
           for (int y = 0; y < next.height; ++y) {
-            const T* const upper = planes[k].row(2 * y);
-            const T* const lower = planes[k].row(std::min(2 * y + 1, image.height - 1));
+            const int above = std::min(2 * y + 1, image.height - 1);
             for (int x = 0; x < next.width; ++x) {
               const int right = std::min(2 * x + 1, image.width - 1);
-              samples.push_back(mean(upper[2 * x], upper[right], lower[2 * x], lower[right]));
+              samples.push_back(mean(planes[k].at(2 * x, 2 * y), planes[k].at(right, 2 * y), planes[k].at(2 * x, above),
+                                     planes[k].at(right, above)));
             }
           }
         }

@@ -205,12 +205,13 @@ TileRasterizer::TileRasterizer(std::span<const DrawContext* const> passes, const
     passes_[i].repeats = true;
     passes_[i - 1].keeps = !passes_[i - 1].repeats;
   }
+  if (clear_ != nullptr) {
+    t.depth = t.writes_depth = static_cast<bool>(target.depth);
+    t.stencil = t.writes_stencil = static_cast<bool>(target.stencil);
+    for (std::size_t k = 0; k < 4; ++k) t.color[k] = static_cast<bool>(target.color[k]);
+  }
   if (actions.discards_depth) t.writes_depth = false;
-  if (clear_ == nullptr) return;
-  t.depth = static_cast<bool>(target.depth);
-  t.writes_depth = t.depth && !actions.discards_depth;
-  t.stencil = t.writes_stencil = static_cast<bool>(target.stencil);
-  for (std::size_t k = 0; k < 4; ++k) t.color[k] = static_cast<bool>(target.color[k]);
+  t.look_at_steps();
 }
 
 void TileRasterizer::begin(const PixelBox& pixels) {

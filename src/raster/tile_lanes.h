@@ -40,6 +40,9 @@ struct LaneTile {
   bool depth = false, stencil = false, writes_depth = false, writes_stencil = false;
   std::array<bool, 4> color{};
   [[nodiscard]] bool has_color() const { return color[0] || color[1] || color[2] || color[3]; }
+  // Where the target's colours lie as the tile's; where planes have other gaps, through which vectors do not reach.
+  bool has_words = false, has_gaps = false;
+  void look_at_steps();  // when the planes are known
 
   PixelBox pixels{};         // of this tile, may be drawn
   int left = 0, bottom = 0;  // the tile's lowest corner

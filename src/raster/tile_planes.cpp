@@ -2,6 +2,7 @@
 #include "src/raster/tile_planes.h"
 
 #include <algorithm>
+#include <bit>
 #include <cstring>
 
 #include "src/raster/clear_values.h"
@@ -75,6 +76,14 @@ struct ColorLanes {
   }
 };
 
+// A row of them, at any address.
+HWY_INLINE void copy_words(const void* from, void* to) {
+  for (std::size_t i = 0; i < kTileSize; i += kLanes) {
+    const auto words = hn::LoadU(kBytes, static_cast<const std::uint8_t*>(from) + 4 * i);
+    hn::StoreU(words, kBytes, static_cast<std::uint8_t*>(to) + 4 * i);
+  }
+}
+
 void load_row(LaneTile& tile, const TileRow& from, std::size_t place) {
   if (tile.depth || tile.stencil) {
     for (std::size_t i = 0; i < kTileSize; i += kLanes) {
@@ -85,6 +94,7 @@ void load_row(LaneTile& tile, const TileRow& from, std::size_t place) {
     }
   }
   if (!tile.has_color()) return;
+  if (tile.has_words) return copy_words(from.color[0].data, tile.tile.color.data() + place);
   for (std::size_t i = 0; i < kTileSize; i += kQuads * kLanes) {
     ColorLanes color;
     for (std::size_t k = 0; k < 4; ++k) {
@@ -107,6 +117,7 @@ void store_row(const LaneTile& tile, const TileRow& to, std::size_t place) {
     hn::StoreU(hn::BitCast(kBytes, values), kBytes, to.stencil.data + i);
   }
   if (!tile.has_color()) return;
+  if (tile.has_words) return copy_words(tile.tile.color.data() + place, to.color[0].data);
   for (std::size_t i = 0; i < kTileSize; i += kQuads * kLanes) {
     ColorLanes color;
     color.load(tile.tile.color.data() + place + i);
@@ -160,12 +171,15 @@ HWY_EXPORT(find_farthest);
 struct Staging {
   alignas(64) std::array<std::uint32_t, kTileSize> depth{};
   alignas(64) std::array<std::uint8_t, kTileSize> stencil{};
-  alignas(64) std::array<std::array<std::uint8_t, kTileSize>, 4> color{};
+  alignas(64) std::array<std::uint8_t, std::size_t{4} * kTileSize> color{};
 
-  TileRow row() {
-    return {{depth.data()},
-            {stencil.data()},
-            {{{color[0].data()}, {color[1].data()}, {color[2].data()}, {color[3].data()}}}};
+  // With colours as the tile wants them.
+  TileRow row(const LaneTile& tile) {
+    TileRow row{.depth = {depth.data()}, .stencil = {stencil.data()}, .color = {}};
+    for (std::size_t k = 0; k < 4; ++k) {
+      row.color[k] = {.data = color.data() + k * (tile.has_words ? 1 : kTileSize), .step = tile.has_words ? 4 : 1};
+    }
+    return row;
   }
 };
 
@@ -173,7 +187,7 @@ struct Staging {
 TileRow first_row(const LaneTile& tile, bool depth, bool stencil) {
   const RenderTarget& target = tile.target;
   const auto start = [&](auto plane) {
-    plane.data = plane.row(tile.pixels.bottom) + tile.left;
+    plane.data = &plane.at(tile.left, tile.pixels.bottom);
     return plane;
   };
   TileRow row;
@@ -187,21 +201,39 @@ TileRow first_row(const LaneTile& tile, bool depth, bool stencil) {
 
 // Copies the pixels that may be drawn, of the planes that both rows have.
 void copy(const LaneTile& tile, const TileRow& from, const TileRow& to) {
+  const int first = tile.pixels.left - tile.left, end = tile.pixels.right - tile.left;
   const auto copy_samples = [&](const auto& samples, const auto& target) {
     if (!samples || !target) return;
-    const int first = tile.pixels.left - tile.left, count = tile.pixels.right - tile.pixels.left;
-    std::memcpy(target.data + first, samples.data + first, static_cast<std::size_t>(count) * sizeof(*samples.data));
+    if (samples.step == 1 && target.step == 1) {
+      std::copy(samples.data + first, samples.data + end, target.data + first);
+    } else {
+      for (int x = first; x < end; ++x) target.at(x, 0) = samples.at(x, 0);
+    }
   };
   copy_samples(from.depth, to.depth);
   copy_samples(from.stencil, to.stencil);
   for (std::size_t k = 0; k < 4; ++k) copy_samples(from.color[k], to.color[k]);
 }
 
+// Whether vectors read and write the target's rows.
 bool has_whole_rows(const LaneTile& tile) {
-  return tile.pixels.right - tile.pixels.left == kTileSize;
+  return tile.pixels.right - tile.pixels.left == kTileSize && !tile.has_gaps;
 }
 
 }  // namespace
+
+void LaneTile::look_at_steps() {
+  const std::array<Plane<std::uint8_t>, 4>& planes = target.color;
+  has_words = std::endian::native == std::endian::little;
+  has_gaps = (depth && target.depth.step != 1) || (stencil && target.stencil.step != 1);
+  bool color_has_gaps = false;
+  for (std::size_t k = 0; k < 4; ++k) {
+    has_words = has_words && color[k] && planes[k].step == 4 && planes[k].stride == planes[0].stride &&
+                planes[k].data == planes[0].data + k;
+    color_has_gaps = color_has_gaps || (color[k] && planes[k].step != 1);
+  }
+  has_gaps = has_gaps || (color_has_gaps && !has_words);
+}
 
 void load_tile(LaneTile& tile) {
   TileRow row = first_row(tile, tile.depth, tile.stencil);
@@ -209,15 +241,16 @@ void load_tile(LaneTile& tile) {
   if (has_whole_rows(tile)) return HWY_DYNAMIC_DISPATCH(load_rows)(tile, row, first, end - first);
   Staging staging;
   for (int y = first; y < end; ++y, row.move_up()) {
-    copy(tile, row, staging.row());
-    HWY_DYNAMIC_DISPATCH(load_rows)(tile, staging.row(), y, 1);
+    copy(tile, row, staging.row(tile));
+    HWY_DYNAMIC_DISPATCH(load_rows)(tile, staging.row(tile), y, 1);
   }
 }
 
 void fill_tile(LaneTile& tile, const ClearValues& values) {
   const auto fetch = [](const auto& plane) {
     constexpr std::size_t kLine = 64;
-    for (std::size_t i = 0; i < sizeof(*plane.data) * kTileSize && plane; i += kLine) {
+    const std::size_t size = sizeof(*plane.data) * static_cast<std::size_t>(plane.step) * kTileSize;
+    for (std::size_t i = 0; i < size && plane; i += kLine) {
       __builtin_prefetch(reinterpret_cast<const char*>(plane.data) + i, 1, 2);
     }
   };
@@ -225,7 +258,7 @@ void fill_tile(LaneTile& tile, const ClearValues& values) {
   for (int y = tile.pixels.bottom; y < tile.pixels.top && has_whole_rows(tile); ++y, row.move_up()) {
     fetch(row.depth);
     fetch(row.stencil);
-    for (const Plane<std::uint8_t>& plane : row.color) fetch(plane);
+    for (std::size_t k = 0; k < (tile.has_words ? 1 : 4); ++k) fetch(row.color[k]);
   }
   const DepthStencilFormat format = tile.target.format;
   tile.tile.depth_stencil.fill(depth_code(format, values.depth) << 8 | stencil_value(format, values.stencil));
@@ -240,8 +273,8 @@ void store_tile(const LaneTile& tile) {
   if (has_whole_rows(tile)) return HWY_DYNAMIC_DISPATCH(store_rows)(tile, row, first, end - first);
   Staging staging;
   for (int y = first; y < end; ++y, row.move_up()) {
-    HWY_DYNAMIC_DISPATCH(store_rows)(tile, staging.row(), y, 1);
-    copy(tile, staging.row(), row);
+    HWY_DYNAMIC_DISPATCH(store_rows)(tile, staging.row(tile), y, 1);
+    copy(tile, staging.row(tile), row);
   }
 }
 

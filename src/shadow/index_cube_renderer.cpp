@@ -60,19 +60,47 @@ IndexCubeRenderer::IndexCubeRenderer(CameraFrame frame, IndexCubePasses passes, 
 void IndexCubeRenderer::make_map() {
   const auto size = static_cast<std::size_t>(frame_.settings().map_size);
   for (std::vector<std::uint32_t>& depth : map_depth_) depth.resize(size * size);
+  const IndexFormat format = rendering().codes.format();
   rendering().index_map.resize(6);
   std::vector<TextureImage> faces;
-  for (IndexMapFace& face : rendering().index_map) {
+  for (std::size_t f = 0; f < 6; ++f) {
+    IndexMapFace& face = rendering().index_map[f];
     face.size = frame_.settings().map_size;
-    std::array<Plane<const std::uint8_t>, 4> planes;
     for (std::size_t c = 0; c < 4; ++c) {
-      if (!stored_in(rendering().codes.format())[c]) continue;
-      face.color[c].resize(size * size);
-      planes[c] = {face.color[c].data(), frame_.settings().map_size};
+      if (stored_in(format)[c]) face.color[c].resize(size * size);
     }
-    faces.push_back({frame_.settings().map_size, frame_.settings().map_size, planes});
+    if (format == IndexFormat::rgb) map_words_[f].resize(4 * size * size);
+    const std::array<Plane<std::uint8_t>, 4> drawn = face_planes(f);
+    faces.push_back({face.size, face.size, std::array<Plane<const std::uint8_t>, 4>{}});
+    auto& planes = std::get<0>(faces.back().planes);
+    for (std::size_t c = 0; c < 4; ++c) planes[c] = {drawn[c].data, drawn[c].stride, drawn[c].step};
   }
-  map_ = texture_view(map_format(rendering().codes.format()), faces);
+  map_ = texture_view(map_format(format), faces);
+}
+
+// Red, green and blue are looked up together: they lie in words, alpha along with them.
+std::array<Plane<std::uint8_t>, 4> IndexCubeRenderer::face_planes(std::size_t face) {
+  const int size = frame_.settings().map_size;
+  std::array<Plane<std::uint8_t>, 4> planes;
+  for (std::size_t c = 0; c < 4; ++c) {
+    PlaneSamples<std::uint8_t>& own = rendering().index_map[face].color[c];
+    if (!map_words_[face].empty()) {
+      planes[c] = {map_words_[face].data() + c, std::ptrdiff_t{4} * size, 4};
+    } else if (!own.empty()) {
+      planes[c] = {own.data(), size};
+    }
+  }
+  return planes;
+}
+
+void IndexCubeRenderer::give_maps() {
+  for (std::size_t f = 0; f < 6; ++f) {
+    const PlaneSamples<std::uint8_t>& words = map_words_[f];
+    for (std::size_t c = 0; c < 4; ++c) {
+      PlaneSamples<std::uint8_t>& plane = rendering().index_map[f].color[c];
+      for (std::size_t i = 0; i < plane.size() && !words.empty(); ++i) plane[i] = words[4 * i + c];
+    }
+  }
 }
 
 // The cleared map is index 0. Vertices are taken relative to the light, as they are for the fetch of the comparison.
@@ -88,10 +116,7 @@ Status IndexCubeRenderer::draw_maps() {
   std::array<Status, 6> drawn;
   tbb::parallel_for(std::size_t{0}, std::size_t{6}, [&](std::size_t i) {
     RenderTarget target{.width = frame_.settings().map_size, .height = frame_.settings().map_size};
-    for (std::size_t c = 0; c < 4; ++c) {
-      PlaneSamples<std::uint8_t>& plane = rendering().index_map[i].color[c];
-      if (!plane.empty()) target.color[c] = {plane.data(), frame_.settings().map_size};
-    }
+    target.color = face_planes(i);
     target.depth = {map_depth_[i].data(), frame_.settings().map_size};
     drawn[i] = prepare(passes_.map, face_projections_[i], arrays, target, prepared_[i]);
     if (!drawn[i]) return;
@@ -252,6 +277,7 @@ Status IndexCubeRenderer::pick(const glm::ivec2& pixel) {
 
 Status IndexCubeRenderer::finish() {
   frame_.finish();
+  give_maps();
   const auto pixels = count_vanished_pixels();
   if (!pixels) return pixels.error();
   rendering().facts = {{"vanished_polygons", std::uint64_t{vanished_.triangles.size()}},

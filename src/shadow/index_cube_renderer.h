@@ -35,7 +35,9 @@ class IndexCubeRenderer {
   void find_vanished();
   // With settings.evidence, after a frame: what each pixel's shadow was decided by.
   Status add_evidence();
-  // After draw_camera: counts pixels, completes layers and facts, and reads the picked pixel.
+  // After draw_maps: copies them into the rendering, of which they are no part while frames are drawn.
+  void give_maps();
+  // After draw_camera: gives the maps, counts pixels, completes layers and facts, and reads the picked pixel.
   Status finish();
 
   // What has been drawn so far; its times are the caller's.
@@ -57,6 +59,8 @@ class IndexCubeRenderer {
   [[nodiscard]] VertexArrays all_triangles(std::span<const glm::vec3> positions) const;
 
   void make_map();
+  // What of a face is drawn and looked up.
+  [[nodiscard]] std::array<Plane<std::uint8_t>, 4> face_planes(std::size_t face);
   Result<std::uint64_t> count_vanished_pixels();
   Status pick(const glm::ivec2& pixel);
   [[nodiscard]] bool faces_light(const glm::uvec3& triangle) const;
@@ -76,8 +80,9 @@ class IndexCubeRenderer {
   float near_plane_ = 0.0F;            // of the faces
   std::vector<glm::vec3> from_light_;  // positions relative to the light, of the frame being drawn
   std::array<std::vector<std::uint32_t>, 6> map_depth_;
-  Texture map_;                           // views the faces in the rendering
-  std::array<PreparedDraw, 6> prepared_;  // one a face; the camera uses the first one's memory again
+  std::array<PlaneSamples<std::uint8_t>, 6> map_words_;  // of a map of red, green and blue; else none
+  Texture map_;                                          // views the faces
+  std::array<PreparedDraw, 6> prepared_;                 // one a face; the camera uses the first one's memory again
   VanishedPolygons vanished_;
 };
 

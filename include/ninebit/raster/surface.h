@@ -19,17 +19,24 @@
 
 namespace NINEBIT_PUBLIC ninebit {
 
+// Samples from one pixel to the next, at most.
+inline constexpr int kMaxStep = 4096;
+
 // Sizes from 1 to this are drawn: a position then lies within 8,192 pixels of the viewport's centre.
 inline constexpr int kMaxSurfaceSize = 16384;
 
 // A view of rows of samples; it owns nothing. An empty plane (data == nullptr) is not drawn into.
+//
+// Interleaved memory is several planes with gaps: words of RGBA are four of step 4, each of which begins a byte after
+// the one before. Colours that lie so are drawn and sampled as fast as planes of their own; other gaps take longer.
 template <class T>
 struct Plane {
   T* data = nullptr;                                               // the lowest row's first sample
   std::ptrdiff_t stride = 0;                                       // samples from one row to the next
+  std::ptrdiff_t step = 1;                                         // samples from one pixel to the next: 1 to kMaxStep
   [[nodiscard]] T* row(int y) const { return data + stride * y; }  // the first sample of row y; nothing is checked
-  [[nodiscard]] T& at(int x, int y) const { return row(y)[x]; }    // nothing is checked
-  explicit operator bool() const { return data != nullptr; }       // whether it is drawn into
+  [[nodiscard]] T& at(int x, int y) const { return row(y)[step * x]; }  // nothing is checked
+  explicit operator bool() const { return data != nullptr; }            // whether it is drawn into
 };
 
 // How depth and stencil are stored. A depth code k of m bits stands for the window depth k / (2^m - 1); stencil values
