@@ -19,9 +19,10 @@ namespace NINEBIT_PUBLIC ninebit {
 // Allocates what begins with a line of the cache and, if it is large, at next_plane_offset().
 template <class T>
 struct PlaneAllocator {
-  using value_type = T;
-  using is_always_equal = std::true_type;
+  using value_type = T;                    // a sample
+  using is_always_equal = std::true_type;  // any of them frees what another one has allocated
   PlaneAllocator() = default;
+  // For containers that allocate other types as well; nothing is taken over.
   template <class U>
   explicit PlaneAllocator(const PlaneAllocator<U>&) noexcept {}
 
