@@ -262,6 +262,11 @@ PassScene random_equal_passes(Random& random, int passes) {
   scene.passes[0].state.depth_test = {true, CompareFunction::less, true};
   scene.passes[0].state.alpha_test.enabled = false;
   scene.passes[0].state.stencil_test = {.enabled = true, .front = {.depth_pass = StencilOperation::incr}};
+  if (random.one_in(2)) {  // the nearest depth alone
+    scene.passes[0].state.stencil_test.enabled = false;
+    scene.passes[0].state.color_mask = {};
+    for (RandomPass& pass : scene.passes) pass.state.polygon_offset.fill = false;
+  }
   for (std::size_t i = 1; i < scene.passes.size(); ++i) {
     PipelineState& state = scene.passes[i].state;
     state.blend = {};

@@ -3,10 +3,15 @@
 
 // What becomes of a triangle's fragments.
 enum class Drawing {
-  nearest,  // LaneOperations::is_nearest_alone, and window depths are codes
+  nearest,  // LanePass::draws_nearest_alone
+  noted,    // the same, and notes_owners
   flat,     // one colour, through the operations
   gathers   // into the batch
 };
+
+constexpr bool is_nearest(Drawing drawing) {
+  return drawing == Drawing::nearest || drawing == Drawing::noted;
+}
 
 // The depth plane of triangle k along a row and up the rows, 32 fraction bits.
 struct DepthLanes {
@@ -51,7 +56,7 @@ HWY_INLINE void draw_fragments(const LaneDraw<D>& draw, const Pen& pen, const Ti
   const SetupPrimitive& p = pen.primitive;
   const hn::RebindToUnsigned<D> du;
   const V z24 = find_depths<Rows>(p, x, y, mask, z_low, z_high);
-  if constexpr (kDrawing == Drawing::nearest) {
+  if constexpr (is_nearest(kDrawing)) {
     std::int32_t* const at = lanes_of(pen.tile.tile.depth_stencil.data()) + place;
     // Whatever the stencil value is: depth × 256 + 255 is less where the depth is.
     const auto stencil_bits = hn::Set(du, 0xFF), stored = hn::BitCast(du, Rows::load(kD, at));
@@ -59,6 +64,13 @@ HWY_INLINE void draw_fragments(const LaneDraw<D>& draw, const Pen& pen, const Ti
     const M drawn = hn::And(mask, hn::RebindMask(kD, hn::Lt(depth, stored)));
     const auto after = hn::Or(hn::AndNot(stencil_bits, depth), hn::And(stencil_bits, stored));
     Rows::blend(hn::BitCast(kD, after), drawn, kD, at);
+    if constexpr (kDrawing == Drawing::noted) {
+      const auto difference = hn::Xor(hn::ShiftLeft<8>(hn::BitCast(du, z24)), stored);
+      const M equal = hn::And(mask, hn::RebindMask(kD, hn::Lt(difference, hn::Set(du, 0x100))));
+      if (HWY_UNLIKELY(!hn::AllFalse(kD, equal))) pen.tile.knows_owners = false;
+      Rows::blend(hn::Set(kD, static_cast<std::int32_t>(pen.number)), drawn, kD,
+                  lanes_of(pen.tile.tile.owner.data()) + place);
+    }
     if (draw.operations.color) {
       Rows::blend(hn::Set(kD, static_cast<std::int32_t>(pen.color)), drawn, kD,
                   lanes_of(pen.tile.tile.color.data()) + place);
@@ -140,7 +152,9 @@ HWY_INLINE void push_row(const Pen& pen, const TileTriangles& t, std::size_t k, 
   }
 }
 
-// A triangle of a pass that asks_equal_depth: rows are looked at whole before their fragments are gathered.
+// A triangle of a pass that asks_equal_depth: rows are looked at whole before their fragments are gathered. kOwned: of
+// a tile that knows_owners.
+template <bool kOwned>
 HWY_NOINLINE void gather_rows(const Pen& pen, const TileTriangles& t, std::size_t k) {
   const LaneDraw<D> draw(kD, pen.pass.operations, pen.primitive.front_facing);
   const bool asks_stencil = draw.operations.stencil_decides && !pen.pass.keeps;
@@ -158,11 +172,20 @@ HWY_NOINLINE void gather_rows(const Pen& pen, const TileTriangles& t, std::size_
   const std::uint64_t region = ~std::uint64_t{0} >> (kTileSize - columns);
   auto row_place = static_cast<std::size_t>((t.bottom[k] - pen.tile.bottom) * kTileSize + (left - pen.tile.left));
   const std::int32_t* const stored = lanes_of(pen.tile.tile.depth_stencil.data());
+  const std::int32_t* const owner = lanes_of(pen.tile.tile.owner.data());
+  const V number = hn::Set(kD, static_cast<std::int32_t>(pen.number));
   for (int y = t.bottom[k];; ++y, row_place += kTileSize) {
     V e[3] = {row[0], row[1], row[2]};
     V64 z_low = z.row;
     std::uint64_t bits = 0;
     for (int column = 0; column < columns; column += kLanes) {
+      if constexpr (kOwned) {
+        const std::size_t at = row_place + static_cast<std::size_t>(column);
+        M mask = hn::Eq(hn::LoadU(kD, owner + at), number);
+        if (asks_stencil) mask = hn::And(mask, stencil_passes(kD, draw, hn::LoadU(kD, stored + at)));
+        bits |= bits_of(kD, mask) << column;
+        continue;
+      }
       M mask = hn::Gt(hn::Or(hn::Or(e[0], e[1]), e[2]), hn::Set(kD, -1));
       if (!hn::AllFalse(kD, mask)) {
         const V z24 = find_depths<OneRow>(pen.primitive, left + column, y, mask, z_low, hn::Add(z_low, z.half));
@@ -231,6 +254,8 @@ HWY_INLINE void draw_in_rows(const Pen& pen, const TileTriangles& t, std::size_t
     using Rows = SeveralRows<2>;
     if (columns <= Rows::kColumns && t.is_narrow[k]) return draw_slim_triangle<kDrawing, Rows>(pen, t, k);
   }
-  if (kDrawing == Drawing::gathers && pen.pass.operations.asks_equal_depth) return gather_rows(pen, t, k);
+  if (kDrawing == Drawing::gathers && pen.pass.operations.asks_equal_depth) {
+    return pen.tile.knows_owners ? gather_rows<true>(pen, t, k) : gather_rows<false>(pen, t, k);
+  }
   draw_triangle<kDrawing>(pen, t, k);
 }

@@ -96,6 +96,10 @@ void fetch(const LevelPlanes& level, std::size_t component, const Lanes& lanes, 
 }
 
 void fetch_words(const LevelPlanes& level, const NearestLanes& lanes, std::size_t count, LaneWords& to) {
+  const std::uint8_t* const first = level.plane[0][static_cast<std::size_t>(lanes.face[0])].data;
+  if (lanes.one_face && reinterpret_cast<std::uintptr_t>(first) % alignof(std::uint32_t) == 0) {
+    return gather_words(first, lanes.offset, count, to);
+  }
   visit_texels(level, 0, lanes, lanes.offset, count,
                [&to](std::size_t i, const std::uint8_t* texel) { std::memcpy(&to[i], texel, sizeof(to[i])); });
 }

@@ -2,6 +2,8 @@
 // chosen at run time.
 #include "src/raster/texture_lanes.h"
 
+#include <cstring>
+
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "src/raster/texture_lanes.cpp"
 #include "hwy/foreach_target.h"  // IWYU pragma: keep
@@ -188,6 +190,18 @@ void find_linear(const LaneLevel& level, int weight_bits, const std::array<const
   to.one_face = all_like_first(to.face, count);
 }
 
+void gather_words(const std::uint8_t* first, const LaneIntegers& offset, std::size_t count, LaneWords& to) {
+  std::size_t lane = 0;
+#if HWY_TARGET <= HWY_AVX2  // which have an instruction for it
+  constexpr hn::RebindToUnsigned<DI> du;
+  const auto* const words = reinterpret_cast<const std::uint32_t*>(first);
+  for (; lane + hn::Lanes(kDF) <= count; lane += hn::Lanes(kDF)) {
+    hn::StoreU(hn::GatherIndex(du, words, hn::LoadU(kDI, offset.data() + lane)), du, to.data() + lane);
+  }
+#endif
+  for (; lane < count; ++lane) std::memcpy(&to[lane], first + std::ptrdiff_t{4} * offset[lane], 4);
+}
+
 void split_words(const LaneWords& words, int byte, std::size_t count, s9* to) {
   std::size_t lane = 0;
   for (; lane + hn::Lanes(kDF) <= count; lane += hn::Lanes(kDF)) {
@@ -223,6 +237,7 @@ namespace ninebit {
 
 HWY_EXPORT(find_nearest);
 HWY_EXPORT(find_linear);
+HWY_EXPORT(gather_words);
 HWY_EXPORT(split_words);
 HWY_EXPORT(weigh_linear);
 
@@ -233,6 +248,10 @@ void find_nearest(const LaneLevel& level, const std::array<const float*, 3>& at,
 void find_linear(const LaneLevel& level, int weight_bits, const std::array<const float*, 3>& at, std::size_t count,
                  LinearLanes& to) {
   HWY_DYNAMIC_DISPATCH(find_linear)(level, weight_bits, at, count, to);
+}
+
+void gather_words(const std::uint8_t* first, const LaneIntegers& offset, std::size_t count, LaneWords& to) {
+  HWY_DYNAMIC_DISPATCH(gather_words)(first, offset, count, to);
 }
 
 void split_words(const LaneWords& words, int byte, std::size_t count, s9* to) {

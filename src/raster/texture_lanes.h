@@ -22,6 +22,8 @@ struct LaneLevel {
 
 using LaneIntegers = std::array<std::int32_t, kBatchSize>;
 
+using LaneWords = std::array<std::uint32_t, kBatchSize>;
+
 // Of each fragment y × stride + x, and the face: 0 where there is but one.
 struct NearestLanes {
   alignas(64) LaneIntegers offset;
@@ -44,8 +46,10 @@ void find_nearest(const LaneLevel& level, const std::array<const float*, 3>& at,
 void find_linear(const LaneLevel& level, int weight_bits, const std::array<const float*, 3>& at, std::size_t count,
                  LinearLanes& to);
 
+// The words at `count` offsets from an aligned one.
+void gather_words(const std::uint8_t* first, const LaneIntegers& offset, std::size_t count, LaneWords& to);
+
 // One byte of each of `count` words, the lowest being byte 0.
-using LaneWords = std::array<std::uint32_t, kBatchSize>;
 void split_words(const LaneWords& words, int byte, std::size_t count, s9* to);
 
 // The weighed sum of the texels' bytes, rounded to nearest, halves up, for all lanes of the `count` and some beyond.

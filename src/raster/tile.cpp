@@ -205,6 +205,9 @@ TileRasterizer::TileRasterizer(std::span<const DrawContext* const> passes, const
     passes_[i].repeats = true;
     passes_[i - 1].keeps = !passes_[i - 1].repeats;
   }
+  for (std::size_t i = 1; i < passes_.size(); ++i) {
+    passes_[i - 1].notes_owners = passes_[i - 1].draws_nearest_alone() && passes_[i].can_repeat();
+  }
   if (clear_ != nullptr) {
     t.depth = t.writes_depth = static_cast<bool>(target.depth);
     t.stencil = t.writes_stencil = static_cast<bool>(target.stencil);
@@ -217,6 +220,7 @@ TileRasterizer::TileRasterizer(std::span<const DrawContext* const> passes, const
 void TileRasterizer::begin(const PixelBox& pixels) {
   pixels_ = pixels;
   if (!lanes_) return;
+  lanes_->knows_owners = false;
   lanes_->pixels = pixels;
   lanes_->left = pixels.left & -kTileSize;
   lanes_->bottom = pixels.bottom & -kTileSize;

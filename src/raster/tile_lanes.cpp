@@ -49,6 +49,7 @@ struct Pen {
   const SetupBlock& block;
   const SetupCorners* corners;  // unless the result is flat
   std::uint32_t color;          // of a flat result
+  std::uint32_t number;         // see LaneTile::knows_owners
 };
 
 HWY_INLINE hn::Vec<DD> real_lane_numbers() {
@@ -108,9 +109,10 @@ HWY_INLINE void draw_pixel(const Pen& pen) {
   const SetupPrimitive& p = pen.primitive;
   const int x = p.box.left, y = p.box.bottom;
   const auto place = static_cast<std::size_t>((y - tile.bottom) * kTileSize + (x - tile.left));
-  if constexpr (kDrawing == Drawing::nearest) {
+  if constexpr (is_nearest(kDrawing)) {
     std::uint32_t& stored = tile.tile.depth_stencil[place];
     if (p.pixel_z24 >= stored >> 8) return;
+    if (kDrawing == Drawing::noted) tile.tile.owner[place] = pen.number;
     stored = (p.pixel_z24 << 8) | (stored & 0xFF);
     if (pen.pass.operations.color) tile.tile.color[place] = pen.color;
     return;
@@ -135,6 +137,8 @@ template <Drawing kDrawing>
 void draw_all(LaneTile& tile, LanePass& pass, const SetupBlock& block, std::span<const std::uint32_t> indices) {
   const bool needs_color = kDrawing != Drawing::gathers && pass.operations.needs_color();
   const std::span<const ColorBytes> colors = pass.context.arrays.primitive_colors;
+  const std::uint32_t first_number = tile.next_number;
+  tile.next_number += static_cast<std::uint32_t>(indices.size());
   const bool loses_farther = tile.knows_farthest && pass.depths_are_codes;
   const auto is_lost = [&](const SetupPrimitive& p, int left, int bottom, int right, int top) {
     return loses_farther && tile.farthest.are_nearer(left - tile.left, bottom - tile.bottom, right - tile.left,
@@ -164,7 +168,13 @@ void draw_all(LaneTile& tile, LanePass& pass, const SetupBlock& block, std::span
     std::size_t i = 0;  // the next triangle
     for (; first < end; ++first) {
       const SetupPrimitive& p = block.primitives[indices[first]];
-      Pen pen{tile, pass, p, block, kDrawing == Drawing::gathers ? &block.corners_of(p) : nullptr, 0};
+      Pen pen{tile,
+              pass,
+              p,
+              block,
+              kDrawing == Drawing::gathers ? &block.corners_of(p) : nullptr,
+              0,
+              first_number + static_cast<std::uint32_t>(first)};
       const auto find_color = [&] {
         if (!needs_color) return;
         const ColorBytes color = pass.context.flat_primary(p.primitive);
@@ -188,7 +198,9 @@ void draw_all(LaneTile& tile, LanePass& pass, const SetupBlock& block, std::span
 void draw_triangles(LaneTile& tile, LanePass& pass, const SetupBlock& block, std::span<const std::uint32_t> indices) {
   if (pass.batch != nullptr) {
     draw_all<Drawing::gathers>(tile, pass, block, indices);
-  } else if (pass.operations.is_nearest_alone && pass.depths_are_codes) {
+  } else if (pass.notes_owners) {
+    draw_all<Drawing::noted>(tile, pass, block, indices);
+  } else if (pass.draws_nearest_alone()) {
     draw_all<Drawing::nearest>(tile, pass, block, indices);
   } else {
     draw_all<Drawing::flat>(tile, pass, block, indices);

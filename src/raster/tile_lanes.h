@@ -29,6 +29,10 @@ struct LanePass {
   // the first `keeps` the fragments that pass the depth test, which the others draw again (`repeats`).
   bool keeps = false, repeats = false;
   [[nodiscard]] bool can_repeat() const { return batch && operations.asks_equal_depth; }
+
+  [[nodiscard]] bool draws_nearest_alone() const { return !batch && operations.is_nearest_alone && depths_are_codes; }
+  // Whether this draws the nearest depth alone and the next pass asks for it: who leaves it is noted.
+  bool notes_owners = false;
 };
 
 // One thread's tile, which passes draw into one after the other: large.
@@ -50,6 +54,13 @@ struct LaneTile {
   // Of the depths as they were when a pass began that asks: no depth can have become farther since.
   bool knows_farthest = false;
   FarthestDepths farthest;
+
+  // The numbers of the primitives that left the depths of a pass that notes them, from 0 in the order of the tile's, or
+  // kNoOwner. As long as no depth changes, fragments of equal depth are these alone, unless some came as near as what
+  // was there already: then owners are no longer known. (But for single pixels, which are asked for their depth.)
+  static constexpr std::uint32_t kNoOwner = 0xFFFFFFFF;
+  bool knows_owners = false;
+  std::uint32_t next_number = 0;  // of the primitives that are drawn next
 
   // The first `kept` batches are those that a pass keeps; the next one is being gathered.
   static constexpr std::size_t kMostKept = 64;

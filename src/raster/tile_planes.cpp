@@ -283,6 +283,9 @@ void store_tile(const LaneTile& tile) {
 void begin_pass(LaneTile& tile, LanePass& pass) {
   if (pass.repeats && tile.has_kept_all) return repeat_fragments(tile, pass);
   if (!pass.repeats) tile.keep_none();
+  tile.next_number = 0;
+  if (pass.operations.depth_write) tile.knows_owners = pass.notes_owners;
+  if (pass.notes_owners) tile.tile.owner.fill(LaneTile::kNoOwner);
   tile.knows_farthest = pass.operations.loses_farther && !pass.operations.depth_write;
   if (tile.knows_farthest) HWY_DYNAMIC_DISPATCH(find_farthest)(tile);
 }

@@ -18,6 +18,7 @@ struct TilePlanes {
   static constexpr std::size_t kWords = kTilePixels + 3 * kTileSize + 16;
   alignas(64) std::array<std::uint32_t, kWords> depth_stencil{};  // depth code × 256 + stencil value
   alignas(64) std::array<std::uint32_t, kWords> color{};          // red in the lowest byte, alpha in the highest
+  alignas(64) std::array<std::uint32_t, kWords> owner{};          // see LaneTile::knows_owners
 };
 
 // The farthest depth code in each block of 8 × 8 pixels of a tile, or one beyond it.
