@@ -5,13 +5,15 @@
 #include <utility>
 #include <vector>
 
+#include "ninebit/raster/plane_samples.h"
+
 namespace ninebit {
 
-template <class T>
-struct RawAllocator : std::allocator<T> {
+template <class T, template <class> class Allocator = std::allocator>
+struct RawAllocator : Allocator<T> {
   template <class U>
   struct rebind {
-    using other = RawAllocator<U>;
+    using other = RawAllocator<U, Allocator>;
   };
   template <class U>
   void construct(U*) noexcept {}
@@ -24,5 +26,9 @@ struct RawAllocator : std::allocator<T> {
 // Of plain data: resize() leaves what it adds without a value.
 template <class T>
 using RawVector = std::vector<T, RawAllocator<T>>;
+
+// The same in memory for planes.
+template <class T>
+using RawPlaneSamples = std::vector<T, RawAllocator<T, PlaneAllocator>>;
 
 }  // namespace ninebit

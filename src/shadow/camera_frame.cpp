@@ -197,16 +197,17 @@ RenderTarget CameraFrame::capturing_target(int units, const std::string& prefix)
 
 void CameraFrame::finish() {
   const Surface& frame = rendering_.frame;
-  rendering_.background = rendering_.lit = rendering_.shadowed = 0;
+  const std::uint32_t *const depth = frame.depth().data(), farthest = max_depth(frame.format());
+  const std::uint8_t* const shadow = frame.stencil().data();
+  std::uint32_t background = 0, shadowed = 0;  // without a branch: in vectors
   for (std::size_t i = 0; i < frame.stencil().size(); ++i) {
-    if (frame.depth()[i] == max_depth(frame.format())) {
-      ++rendering_.background;
-    } else if (frame.stencil()[i] == 0) {
-      ++rendering_.lit;
-    } else {
-      ++rendering_.shadowed;
-    }
+    const bool is_background = depth[i] == farthest;
+    background += is_background ? 1U : 0U;
+    shadowed += !is_background && shadow[i] != 0 ? 1U : 0U;
   }
+  rendering_.background = background;
+  rendering_.shadowed = shadowed;
+  rendering_.lit = frame.stencil().size() - background - shadowed;
   if (!settings_.layers) return;
   const auto add = [&](const char* name) -> std::vector<std::uint32_t>& {
     return add_layer<std::uint32_t>(rendering_.layers, name, name, frame.width(), frame.height());

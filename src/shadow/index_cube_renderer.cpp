@@ -59,17 +59,18 @@ IndexCubeRenderer::IndexCubeRenderer(CameraFrame frame, IndexCubePasses passes, 
 
 void IndexCubeRenderer::make_map() {
   const auto size = static_cast<std::size_t>(frame_.settings().map_size);
-  for (std::vector<std::uint32_t>& depth : map_depth_) depth.resize(size * size);
+  for (RawPlaneSamples<std::uint32_t>& depth : map_depth_) depth.resize(size * size);
   const IndexFormat format = rendering().codes.format();
   rendering().index_map.resize(6);
   std::vector<TextureImage> faces;
   for (std::size_t f = 0; f < 6; ++f) {
     IndexMapFace& face = rendering().index_map[f];
     face.size = frame_.settings().map_size;
+    const bool has_words = format == IndexFormat::rgb;  // which give_maps() makes planes of
+    if (has_words) map_words_[f].resize(4 * size * size);
     for (std::size_t c = 0; c < 4; ++c) {
-      if (stored_in(format)[c]) face.color[c].resize(size * size);
+      if (stored_in(format)[c] && !has_words) face.color[c].resize(size * size);
     }
-    if (format == IndexFormat::rgb) map_words_[f].resize(4 * size * size);
     const std::array<Plane<std::uint8_t>, 4> drawn = face_planes(f);
     faces.push_back({face.size, face.size, std::array<Plane<const std::uint8_t>, 4>{}});
     auto& planes = std::get<0>(faces.back().planes);
@@ -94,13 +95,19 @@ std::array<Plane<std::uint8_t>, 4> IndexCubeRenderer::face_planes(std::size_t fa
 }
 
 void IndexCubeRenderer::give_maps() {
-  for (std::size_t f = 0; f < 6; ++f) {
-    const PlaneSamples<std::uint8_t>& words = map_words_[f];
-    for (std::size_t c = 0; c < 4; ++c) {
-      PlaneSamples<std::uint8_t>& plane = rendering().index_map[f].color[c];
-      for (std::size_t i = 0; i < plane.size() && !words.empty(); ++i) plane[i] = words[4 * i + c];
+  tbb::parallel_for(std::size_t{0}, std::size_t{6}, [&](std::size_t f) {
+    const std::size_t count = map_words_[f].size() / 4;
+    const std::uint8_t* const words = map_words_[f].data();
+    std::array<PlaneSamples<std::uint8_t>, 4>& planes = rendering().index_map[f].color;
+    for (std::size_t c = 0; c < 3 && count > 0; ++c) planes[c].resize(count);
+    std::uint8_t *const red = planes[kRed].data(), *const green = planes[kGreen].data(),
+                        *const blue = planes[kBlue].data();
+    for (std::size_t i = 0; i < count; ++i) {
+      red[i] = words[4 * i];
+      green[i] = words[4 * i + 1];
+      blue[i] = words[4 * i + 2];
     }
-  }
+  });
 }
 
 // The cleared map is index 0. Vertices are taken relative to the light, as they are for the fetch of the comparison.

@@ -8,6 +8,7 @@
 
 #include "ninebit/raster/prepared_draw.h"
 #include "ninebit/shadow/index_cube.h"
+#include "src/raster/raw_vector.h"
 #include "src/shadow/camera_frame.h"
 #include "src/shadow/index_assignment.h"
 #include "src/shadow/vanished_polygons.h"
@@ -79,10 +80,10 @@ class IndexCubeRenderer {
   std::array<glm::mat4, 6> face_projections_{};
   float near_plane_ = 0.0F;            // of the faces
   std::vector<glm::vec3> from_light_;  // positions relative to the light, of the frame being drawn
-  std::array<std::vector<std::uint32_t>, 6> map_depth_;
-  std::array<PlaneSamples<std::uint8_t>, 6> map_words_;  // of a map of red, green and blue; else none
-  Texture map_;                                          // views the faces
-  std::array<PreparedDraw, 6> prepared_;                 // one a face; the camera uses the first one's memory again
+  std::array<RawPlaneSamples<std::uint32_t>, 6> map_depth_;  // discarded: never touched where tiles share it
+  std::array<RawPlaneSamples<std::uint8_t>, 6> map_words_;   // of a map of red, green and blue; else none
+  Texture map_;                                              // views the faces
+  std::array<PreparedDraw, 6> prepared_;                     // one a face; the camera uses the first one's memory again
   VanishedPolygons vanished_;
 };
 
