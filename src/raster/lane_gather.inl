@@ -28,8 +28,7 @@ HWY_INLINE hn::Mask<D> gathered(D d, const LaneDraw<D>& draw, const Pen& pen, st
   };
   if (operations.asks_equal_depth) {
     const auto stored = Rows::load(d, at);
-    const auto difference = hn::Xor(hn::ShiftLeft<8>(depth), stored);
-    mask = hn::And(mask, hn::Eq(hn::AndNot(hn::Set(d, 0xFF), difference), hn::Zero(d)));
+    mask = hn::And(mask, has_depth(d, stored, depth));
     // Fragments that are kept are those of all stencil values.
     if (operations.stencil_decides && !pen.pass.keeps) mask = hn::And(mask, stencil_passes(d, draw, stored));
   } else {

@@ -48,12 +48,20 @@ HWY_INLINE void find_shares(LaneFragments& f) {
   f.has_shares = true;
 }
 
-// A value at fragments from i on, from those at the vertices.
-HWY_INLINE VF interpolate(const LaneFragments& f, std::size_t i, float a, float b, float c) {
-  const VF wa = hn::LoadU(kDF, f.weight[0].data() + i), wb = hn::LoadU(kDF, f.weight[1].data() + i),
-           wc = hn::LoadU(kDF, f.weight[2].data() + i);
-  return hn::Add(hn::Add(hn::Mul(wa, hn::Set(kDF, a)), hn::Mul(wb, hn::Set(kDF, b))), hn::Mul(wc, hn::Set(kDF, c)));
-}
+// The vertices' shares of fragments from i on.
+struct ShareLanes {
+  VF a, b, c;
+  HWY_INLINE ShareLanes(const LaneFragments& f, std::size_t i)
+      : a(hn::LoadU(kDF, f.weight[0].data() + i)),
+        b(hn::LoadU(kDF, f.weight[1].data() + i)),
+        c(hn::LoadU(kDF, f.weight[2].data() + i)) {}
+
+  // A value at these fragments, from those at the vertices.
+  [[nodiscard]] HWY_INLINE VF interpolate(float at_a, float at_b, float at_c) const {
+    return hn::Add(hn::Add(hn::Mul(a, hn::Set(kDF, at_a)), hn::Mul(b, hn::Set(kDF, at_b))),
+                   hn::Mul(c, hn::Set(kDF, at_c)));
+  }
+};
 
 // The colours of a run's vertices, as floats: not read again for each vector, as what is stored might be a colour for
 // all that the compiler knows.
@@ -76,8 +84,9 @@ HWY_INLINE void fill_smooth_run(const LaneFragments& f, LaneBatch& batch, std::s
   const VF alpha = hn::Set(kDF, corner.value[kAlpha][0]);
   // What is stored beyond the run's end, the next one stores again.
   for (std::size_t i = f.run[r].first; i < f.run[r + 1].first; i = next_vector(i, kLanes)) {
+    const ShareLanes shares(f, i);
     const auto byte = [&](std::size_t k) HWY_ATTR {
-      VF value = interpolate(f, i, corner.value[k][0], corner.value[k][1], corner.value[k][2]);
+      VF value = shares.interpolate(corner.value[k][0], corner.value[k][1], corner.value[k][2]);
       value = hn::Add(value, hn::Set(kDF, 0.5F));
       if (!kPlain) value = hn::Min(hn::Max(value, hn::Zero(kDF)), hn::Set(kDF, 255.0F));
       return hn::Floor(value);
@@ -131,16 +140,10 @@ HWY_INLINE void fill_coordinates(const LaneFragments& f, LaneBatch& batch, std::
     const std::array<std::uint32_t, 3>& v = f.run[r].corners->vertex;
     const glm::vec3 a = at_vertex[v[0]], b = at_vertex[v[1]], c = at_vertex[v[2]];
     for (std::size_t i = f.run[r].first; i < f.run[r + 1].first; i = next_vector(i, kLanes)) {
-      const VF wa = hn::LoadU(kDF, f.weight[0].data() + i), wb = hn::LoadU(kDF, f.weight[1].data() + i),
-               wc = hn::LoadU(kDF, f.weight[2].data() + i);
-      const auto store = [&](std::size_t k, float at_a, float at_b, float at_c) HWY_ATTR {
-        const VF value = hn::Add(hn::Add(hn::Mul(wa, hn::Set(kDF, at_a)), hn::Mul(wb, hn::Set(kDF, at_b))),
-                                 hn::Mul(wc, hn::Set(kDF, at_c)));
-        hn::StoreU(value, kDF, batch.coordinate[k].data() + i);
-      };
-      store(0, a.x, b.x, c.x);
-      store(1, a.y, b.y, c.y);
-      if (components == 3) store(2, a.z, b.z, c.z);
+      const ShareLanes shares(f, i);
+      hn::StoreU(shares.interpolate(a.x, b.x, c.x), kDF, batch.coordinate[0].data() + i);
+      hn::StoreU(shares.interpolate(a.y, b.y, c.y), kDF, batch.coordinate[1].data() + i);
+      if (components == 3) hn::StoreU(shares.interpolate(a.z, b.z, c.z), kDF, batch.coordinate[2].data() + i);
     }
   }
 }
@@ -154,7 +157,7 @@ HWY_INLINE void divide_coordinates(const LaneFragments& f, LaneBatch& batch, std
     for (std::size_t i = f.run[r].first; i < f.run[r + 1].first; i += kLanes) {
       // The fragments beyond the run's end are another one's, which has its own q.
       const auto mask = hn::FirstN(kDF, f.run[r + 1].first - i);
-      const VF q = interpolate(f, i, a, b, c);
+      const VF q = ShareLanes(f, i).interpolate(a, b, c);
       for (int k = 0; k < components; ++k) {
         float* const at = batch.coordinate[static_cast<std::size_t>(k)].data() + i;
         hn::BlendedStore(hn::Div(hn::LoadU(kDF, at), q), mask, kDF, at);

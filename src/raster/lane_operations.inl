@@ -82,6 +82,14 @@ HWY_INLINE V stencil_lanes(D d, StencilOperation operation, const LaneStencil& s
   return hn::Or(hn::And(result, writable), hn::AndNot(writable, stored));
 }
 
+// Whether stored depth × 256 + stencil has this depth: such words are alike but for the lowest byte.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE hn::Mask<D> has_depth(D d, V stored, V depth) {
+  const hn::RebindToUnsigned<D> du;
+  const auto difference = hn::BitCast(du, hn::Xor(hn::ShiftLeft<8>(depth), stored));
+  return hn::RebindMask(d, hn::Lt(difference, hn::Set(du, 0x100)));
+}
+
 template <class D>
 struct LaneTests {
   hn::Mask<D> stencil;  // passed

@@ -65,8 +65,7 @@ HWY_INLINE void draw_fragments(const LaneDraw<D>& draw, const Pen& pen, const Ti
     const auto after = hn::Or(hn::AndNot(stencil_bits, depth), hn::And(stencil_bits, stored));
     Rows::blend(hn::BitCast(kD, after), drawn, kD, at);
     if constexpr (kDrawing == Drawing::noted) {
-      const auto difference = hn::Xor(hn::ShiftLeft<8>(hn::BitCast(du, z24)), stored);
-      const M equal = hn::And(mask, hn::RebindMask(kD, hn::Lt(difference, hn::Set(du, 0x100))));
+      const M equal = hn::And(mask, has_depth(kD, hn::BitCast(kD, stored), z24));
       if (HWY_UNLIKELY(!hn::AllFalse(kD, equal))) pen.tile.knows_owners = false;
       Rows::blend(hn::Set(kD, static_cast<std::int32_t>(pen.number)), drawn, kD,
                   lanes_of(pen.tile.tile.owner.data()) + place);
@@ -158,7 +157,6 @@ template <bool kOwned>
 HWY_NOINLINE void gather_rows(const Pen& pen, const TileTriangles& t, std::size_t k) {
   const LaneDraw<D> draw(kD, pen.pass.operations, pen.primitive.front_facing);
   const bool asks_stencil = draw.operations.stencil_decides && !pen.pass.keeps;
-  const hn::RebindToUnsigned<D> du;
   const V lane = lane_numbers(kD);
   V row[3], step[3], up[3];
   for (std::size_t i = 0; i < 3; ++i) {
@@ -191,9 +189,7 @@ HWY_NOINLINE void gather_rows(const Pen& pen, const TileTriangles& t, std::size_
         const V z24 = find_depths<OneRow>(pen.primitive, left + column, y, mask, z_low, hn::Add(z_low, z.half));
         const V depth = depth_codes(kD, pen.pass, pen.primitive, z24);
         const V here = hn::LoadU(kD, stored + row_place + static_cast<std::size_t>(column));
-        // Less where depth × 256 and depth × 256 + stencil are alike but for the stencil.
-        const auto difference = hn::BitCast(du, hn::Xor(hn::ShiftLeft<8>(depth), here));
-        mask = hn::And(mask, hn::RebindMask(kD, hn::Lt(difference, hn::Set(du, 0x100))));
+        mask = hn::And(mask, has_depth(kD, here, depth));
         if (asks_stencil) mask = hn::And(mask, stencil_passes(kD, draw, here));
         bits |= bits_of(kD, mask) << column;
       }

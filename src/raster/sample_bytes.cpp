@@ -1,10 +1,10 @@
 // Textures of bytes without mip-maps: the texels are found and weighed in SIMD lanes, and fetched byte by byte.
 #include <algorithm>
-#include <bit>
 #include <cstring>
 #include <type_traits>
 #include <variant>
 
+#include "src/raster/color_words.h"
 #include "src/raster/texture_lanes.h"
 
 namespace ninebit {
@@ -24,35 +24,25 @@ struct LevelPlanes {
   std::ptrdiff_t step = 1;
 };
 
-bool are_words(const LevelPlanes& level, std::size_t face) {
-  if (level.step != 4) return false;
-  const std::uint8_t* const first = level.plane[0][face].data;
-  for (std::size_t k = 0; k < 4; ++k) {
-    const BytePlane& plane = level.plane[k][face];
-    if (first == nullptr || plane.data != first + k || plane.stride != level.plane[0][face].stride) return false;
-  }
-  return true;
-}
-
 LevelPlanes level_planes(const Texture& texture) {
   constexpr std::ptrdiff_t kLongestRow = 0x1FFFF;  // kMaxSurfaceSize times this is less than 2^31
   const std::array<bool, 4> stored = stored_components(texture.format);
   LevelPlanes level;
+  level.words = stored[0] && stored[1] && stored[2];
   for (std::size_t f = 0; f < texture.face_count(); ++f) {
     const auto& of_face = *std::get_if<std::array<BytePlane, 4>>(&texture.faces[f][0].planes);
     for (std::size_t k = 0; k < 4; ++k) level.plane[k][f] = of_face[k];
+    level.words = level.words && are_words(of_face);
   }
   const BytePlane& first = level.plane[stored[0] ? 0 : 3][0];
   level.step = first.step;
   const std::ptrdiff_t stride = first.stride / first.step;
   level.alike = stride >= -kLongestRow && stride <= kLongestRow && first.stride % first.step == 0;
-  level.words = stored[0] && stored[1] && stored[2] && std::endian::native == std::endian::little;
   for (std::size_t f = 0; f < texture.face_count(); ++f) {
     for (std::size_t k = 0; k < 4; ++k) {
       const BytePlane& plane = level.plane[k][f];
       level.alike = level.alike && (!stored[k] || (plane.stride == first.stride && plane.step == first.step));
     }
-    level.words = level.words && are_words(level, f);
   }
   level.words = level.words && level.alike;
   level.stride = level.alike ? static_cast<std::int32_t>(stride) : kUpperHalf;

@@ -201,12 +201,10 @@ TileRasterizer::TileRasterizer(std::span<const DrawContext* const> passes, const
     for (std::size_t k = 0; k < 4; ++k) t.color[k] = t.color[k] || color[k];
   }
   for (std::size_t i = 1; i < passes_.size(); ++i) {
+    passes_[i - 1].notes_owners = passes_[i - 1].draws_nearest_alone() && passes_[i].can_repeat();
     if (!passes_[i - 1].can_repeat() || !passes_[i].can_repeat()) continue;
     passes_[i].repeats = true;
     passes_[i - 1].keeps = !passes_[i - 1].repeats;
-  }
-  for (std::size_t i = 1; i < passes_.size(); ++i) {
-    passes_[i - 1].notes_owners = passes_[i - 1].draws_nearest_alone() && passes_[i].can_repeat();
   }
   if (clear_ != nullptr) {
     t.depth = t.writes_depth = static_cast<bool>(target.depth);

@@ -2,10 +2,10 @@
 #include "src/raster/tile_planes.h"
 
 #include <algorithm>
-#include <bit>
 #include <cstring>
 
 #include "src/raster/clear_values.h"
+#include "src/raster/color_words.h"
 #include "src/raster/tile_lanes.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -223,16 +223,9 @@ bool has_whole_rows(const LaneTile& tile) {
 }  // namespace
 
 void LaneTile::look_at_steps() {
-  const std::array<Plane<std::uint8_t>, 4>& planes = target.color;
-  has_words = std::endian::native == std::endian::little;
+  has_words = color[0] && color[1] && color[2] && color[3] && are_words(target.color);
   has_gaps = (depth && target.depth.step != 1) || (stencil && target.stencil.step != 1);
-  bool color_has_gaps = false;
-  for (std::size_t k = 0; k < 4; ++k) {
-    has_words = has_words && color[k] && planes[k].step == 4 && planes[k].stride == planes[0].stride &&
-                planes[k].data == planes[0].data + k;
-    color_has_gaps = color_has_gaps || (color[k] && planes[k].step != 1);
-  }
-  has_gaps = has_gaps || (color_has_gaps && !has_words);
+  for (std::size_t k = 0; k < 4 && !has_words; ++k) has_gaps = has_gaps || (color[k] && target.color[k].step != 1);
 }
 
 void load_tile(LaneTile& tile) {
