@@ -88,7 +88,7 @@ TEST(BadInput, LightOnAPlaneIsHarmless) {
   scene.lights[0].position = {0.25F, 1.0F, 0.1F};
   const Rendering r = shadow_test::render(scene, small_settings());
   for (const IndexMapFace& face : r.index_map) {
-    for (std::size_t i = 0; i < face.color[0].size(); ++i) {
+    for (std::size_t i = 0; i < face.texels(); ++i) {
       const std::uint32_t number = r.codes.number(face.texel(i));
       ASSERT_LE(number, 2U) << "the square in the light's plane was drawn";
     }

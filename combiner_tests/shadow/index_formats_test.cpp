@@ -115,7 +115,7 @@ TEST(IndexFormats, TheShadowsDoNotDependOnTheFormat) {
       ASSERT_EQ(r.frame.stencil()[i] != 0, layers.fetched(r.codes, i) != layers.polygon[i]);
     }
     for (std::size_t face = 0; face < 6; ++face) {
-      for (std::size_t i = 0; i < first.index_map[face].color[0].size(); ++i) {
+      for (std::size_t i = 0; i < first.index_map[face].texels(); ++i) {
         ASSERT_EQ(r.codes.number(r.index_map[face].texel(i)), first.codes.number(first.index_map[face].texel(i)));
       }
     }

@@ -198,7 +198,7 @@ TEST(LightCookie, ShadowsAreThoseOfIndexCube) {
     ASSERT_EQ(r.shadowed, index.shadowed);
     ASSERT_GT(r.shadowed, 300U);
     ASSERT_GT(r.lit, 5000U);
-    for (std::size_t f = 0; f < 6; ++f) ASSERT_EQ(r.index_map[f].color, index.index_map[f].color);
+    for (std::size_t f = 0; f < 6; ++f) ASSERT_EQ(r.index_map[f].samples, index.index_map[f].samples);
     for (std::size_t i = 0; i < r.frame.stencil().size(); ++i) {
       if (r.frame.stencil()[i] == 0) continue;
       for (int c = 0; c < 3; ++c) ASSERT_EQ(r.frame.color(c)[i], 56);

@@ -30,7 +30,7 @@ void expect_what_was_read(const Scene& scene, const RenderSettings& settings) {
 
   std::set<std::uint32_t> in_map;
   for (const IndexMapFace& face : r.index_map) {
-    for (std::size_t i = 0; i < face.color[0].size(); ++i) {
+    for (std::size_t i = 0; i < face.texels(); ++i) {
       in_map.insert(r.codes.number(face.texel(i)));
     }
   }

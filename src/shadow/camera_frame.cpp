@@ -1,6 +1,8 @@
 #include "src/shadow/camera_frame.h"
 
 #include <fmt/format.h>
+#include <oneapi/tbb/blocked_range.h>
+#include <oneapi/tbb/parallel_reduce.h>
 
 #include <bit>
 #include <utility>
@@ -199,15 +201,25 @@ void CameraFrame::finish() {
   const Surface& frame = rendering_.frame;
   const std::uint32_t *const depth = frame.depth().data(), farthest = max_depth(frame.format());
   const std::uint8_t* const shadow = frame.stencil().data();
-  std::uint32_t background = 0, shadowed = 0;  // without a branch: in vectors
-  for (std::size_t i = 0; i < frame.stencil().size(); ++i) {
-    const bool is_background = depth[i] == farthest;
-    background += is_background ? 1U : 0U;
-    shadowed += !is_background && shadow[i] != 0 ? 1U : 0U;
-  }
-  rendering_.background = background;
-  rendering_.shadowed = shadowed;
-  rendering_.lit = frame.stencil().size() - background - shadowed;
+  struct Count {
+    std::uint64_t background = 0, shadowed = 0;
+  };
+  const auto count = [&](const tbb::blocked_range<std::size_t>& pixels, Count before) {
+    std::uint32_t background = 0, shadowed = 0;  // without a branch: in vectors
+    for (std::size_t i = pixels.begin(); i != pixels.end(); ++i) {
+      const bool is_background = depth[i] == farthest;
+      background += is_background ? 1U : 0U;
+      shadowed += !is_background && shadow[i] != 0 ? 1U : 0U;
+    }
+    return Count{before.background + background, before.shadowed + shadowed};
+  };
+  const Count all = tbb::parallel_reduce(tbb::blocked_range<std::size_t>(0, frame.stencil().size(), 65536), Count{},
+                                         count, [](const Count& a, const Count& b) {
+                                           return Count{a.background + b.background, a.shadowed + b.shadowed};
+                                         });
+  rendering_.background = all.background;
+  rendering_.shadowed = all.shadowed;
+  rendering_.lit = frame.stencil().size() - all.background - all.shadowed;
   if (!settings_.layers) return;
   const auto add = [&](const char* name) -> std::vector<std::uint32_t>& {
     return add_layer<std::uint32_t>(rendering_.layers, name, name, frame.width(), frame.height());

@@ -20,9 +20,21 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using Milliseconds = std::chrono::duration<double, std::milli>;
 
-// What of red, green, blue and alpha a map of that format stores.
-std::array<bool, 4> stored_in(IndexFormat format) {
-  return stored_components(map_format(format));
+// A face whose texels have no values yet, for maps of that format.
+IndexMapFace undrawn_face(IndexFormat format, int size) {
+  IndexMapFace face;
+  face.size = size;
+  const std::array<bool, 4> stored = stored_components(map_format(format));
+  const bool has_words = stored[kRed] && stored[kGreen] && stored[kBlue];
+  if (has_words) face.step = 4;
+  std::size_t planes = 0;
+  for (std::size_t c = 0; c < 4; ++c) {
+    if (!stored[c]) continue;
+    face.first[c] = static_cast<std::ptrdiff_t>(has_words ? c : planes * face.texels());
+    ++planes;
+  }
+  face.samples.resize((has_words ? 4 : planes) * face.texels());
+  return face;
 }
 
 Status check_pick(const RenderSettings& settings) {
@@ -60,54 +72,27 @@ IndexCubeRenderer::IndexCubeRenderer(CameraFrame frame, IndexCubePasses passes, 
 void IndexCubeRenderer::make_map() {
   const auto size = static_cast<std::size_t>(frame_.settings().map_size);
   for (RawPlaneSamples<std::uint32_t>& depth : map_depth_) depth.resize(size * size);
-  const IndexFormat format = rendering().codes.format();
-  rendering().index_map.resize(6);
   std::vector<TextureImage> faces;
   for (std::size_t f = 0; f < 6; ++f) {
-    IndexMapFace& face = rendering().index_map[f];
-    face.size = frame_.settings().map_size;
-    const bool has_words = format == IndexFormat::rgb;  // which give_maps() makes planes of
-    if (has_words) map_words_[f].resize(4 * size * size);
-    for (std::size_t c = 0; c < 4; ++c) {
-      if (stored_in(format)[c] && !has_words) face.color[c].resize(size * size);
-    }
-    const std::array<Plane<std::uint8_t>, 4> drawn = face_planes(f);
-    faces.push_back({face.size, face.size, std::array<Plane<const std::uint8_t>, 4>{}});
+    rendering().index_map.push_back(undrawn_face(rendering().codes.format(), frame_.settings().map_size));
+    faces.push_back(
+        {frame_.settings().map_size, frame_.settings().map_size, std::array<Plane<const std::uint8_t>, 4>{}});
     auto& planes = std::get<0>(faces.back().planes);
+    const std::array<Plane<std::uint8_t>, 4> drawn = face_planes(f);
     for (std::size_t c = 0; c < 4; ++c) planes[c] = {drawn[c].data, drawn[c].stride, drawn[c].step};
   }
-  map_ = texture_view(map_format(format), faces);
+  map_ = texture_view(map_format(rendering().codes.format()), faces);
 }
 
-// Red, green and blue are looked up together: they lie in words, alpha along with them.
-std::array<Plane<std::uint8_t>, 4> IndexCubeRenderer::face_planes(std::size_t face) {
-  const int size = frame_.settings().map_size;
+// Where there are words, alpha is drawn along with them.
+std::array<Plane<std::uint8_t>, 4> IndexCubeRenderer::face_planes(std::size_t f) {
+  IndexMapFace& face = rendering().index_map[f];
   std::array<Plane<std::uint8_t>, 4> planes;
   for (std::size_t c = 0; c < 4; ++c) {
-    PlaneSamples<std::uint8_t>& own = rendering().index_map[face].color[c];
-    if (!map_words_[face].empty()) {
-      planes[c] = {map_words_[face].data() + c, std::ptrdiff_t{4} * size, 4};
-    } else if (!own.empty()) {
-      planes[c] = {own.data(), size};
-    }
+    const std::ptrdiff_t first = face.step == 4 ? static_cast<std::ptrdiff_t>(c) : face.first[c];
+    if (first >= 0) planes[c] = {face.samples.data() + first, std::ptrdiff_t{face.step} * face.size, face.step};
   }
   return planes;
-}
-
-void IndexCubeRenderer::give_maps() {
-  tbb::parallel_for(std::size_t{0}, std::size_t{6}, [&](std::size_t f) {
-    const std::size_t count = map_words_[f].size() / 4;
-    const std::uint8_t* const words = map_words_[f].data();
-    std::array<PlaneSamples<std::uint8_t>, 4>& planes = rendering().index_map[f].color;
-    for (std::size_t c = 0; c < 3 && count > 0; ++c) planes[c].resize(count);
-    std::uint8_t *const red = planes[kRed].data(), *const green = planes[kGreen].data(),
-                        *const blue = planes[kBlue].data();
-    for (std::size_t i = 0; i < count; ++i) {
-      red[i] = words[4 * i];
-      green[i] = words[4 * i + 1];
-      blue[i] = words[4 * i + 2];
-    }
-  });
 }
 
 // The cleared map is index 0. Vertices are taken relative to the light, as they are for the fetch of the comparison.
@@ -284,7 +269,6 @@ Status IndexCubeRenderer::pick(const glm::ivec2& pixel) {
 
 Status IndexCubeRenderer::finish() {
   frame_.finish();
-  give_maps();
   const auto pixels = count_vanished_pixels();
   if (!pixels) return pixels.error();
   rendering().facts = {{"vanished_polygons", std::uint64_t{vanished_.triangles.size()}},

@@ -6,9 +6,9 @@
 #include <string_view>
 #include <vector>
 
+#include "ninebit/raster/plane_samples.h"
 #include "ninebit/raster/prepared_draw.h"
 #include "ninebit/shadow/index_cube.h"
-#include "src/raster/raw_vector.h"
 #include "src/shadow/camera_frame.h"
 #include "src/shadow/index_assignment.h"
 #include "src/shadow/vanished_polygons.h"
@@ -36,9 +36,7 @@ class IndexCubeRenderer {
   void find_vanished();
   // With settings.evidence, after a frame: what each pixel's shadow was decided by.
   Status add_evidence();
-  // After draw_maps: copies them into the rendering, of which they are no part while frames are drawn.
-  void give_maps();
-  // After draw_camera: gives the maps, counts pixels, completes layers and facts, and reads the picked pixel.
+  // After draw_camera: counts pixels, completes layers and facts, and reads the picked pixel.
   Status finish();
 
   // What has been drawn so far; its times are the caller's.
@@ -81,7 +79,6 @@ class IndexCubeRenderer {
   float near_plane_ = 0.0F;            // of the faces
   std::vector<glm::vec3> from_light_;  // positions relative to the light, of the frame being drawn
   std::array<RawPlaneSamples<std::uint32_t>, 6> map_depth_;  // discarded: never touched where tiles share it
-  std::array<RawPlaneSamples<std::uint8_t>, 6> map_words_;   // of a map of red, green and blue; else none
   Texture map_;                                              // views the faces
   std::array<PreparedDraw, 6> prepared_;                     // one a face; the camera uses the first one's memory again
   VanishedPolygons vanished_;

@@ -71,10 +71,6 @@ class LightCookieFrame {
     return {};
   }
 
-  void give_maps() {
-    if (indices_) indices_->give_maps();
-  }
-
   Status draw_lit() {
     RenderTarget target = lit_target();
     VertexArrays arrays;
@@ -136,7 +132,6 @@ Result<Rendering> render_light_cookie(const Scene& scene, const RenderSettings& 
 
   CameraFrame& frame = passes.frame();
   frame.finish();
-  passes.give_maps();
   Rendering& rendering = frame.rendering();
   rendering.times.transform = transform;
   rendering.times.maps = maps;

@@ -47,11 +47,11 @@ Status write_index_cube(const Rendering& rendering, const std::filesystem::path&
       for (std::size_t x = 0; x < n; ++x) out[x] = code_number(rendering, f, static_cast<std::size_t>(row) * n + x);
     }));
     for (std::size_t c = 0; c < 4; ++c) {
-      if (rendering.index_map[f].color[c].empty()) continue;
+      const Plane<const std::uint8_t> plane = rendering.index_map[f].plane(static_cast<int>(c));
+      if (!plane) continue;
       const char name = c == 0 && rendering.codes.format() != IndexFormat::rgb ? 'Y' : "RGBA"[c];
-      faces[f].push_back(channel<float>(std::string(1, name), [&rendering, f, c, n](int row, std::span<float> out) {
-        const std::uint8_t* const bytes = rendering.index_map[f].color[c].data() + static_cast<std::size_t>(row) * n;
-        for (std::size_t x = 0; x < n; ++x) out[x] = static_cast<float>(bytes[x]) / 255.0F;
+      faces[f].push_back(channel<float>(std::string(1, name), [plane, size](int row, std::span<float> out) {
+        for (int x = 0; x < size; ++x) out[static_cast<std::size_t>(x)] = static_cast<float>(plane.at(x, row)) / 255.0F;
       }));
     }
   }
@@ -94,8 +94,13 @@ Image8 stencil_picture(const Rendering& rendering) {
 }
 
 Image8 index_cross_picture(const Rendering& rendering) {
-  return cube_cross(rendering.index_map.front().size,
-                    [&](std::size_t face, std::size_t texel) { return hue_of(code_number(rendering, face, texel)); });
+  std::uint32_t last = 0;  // most texels have the index of the one before
+  std::array<std::uint8_t, 3> hue = hue_of(last);
+  return cube_cross(rendering.index_map.front().size, [&](std::size_t face, std::size_t texel) {
+    const std::uint32_t number = code_number(rendering, face, texel);
+    if (number != last) hue = hue_of(last = number);
+    return hue;
+  });
 }
 
 Status write_rendering(const Rendering& rendering, StagedFiles& files) {

@@ -2,17 +2,33 @@
 
 #include <map>
 #include <variant>
+#include <vector>
 
 #include "src/study/sha256.h"
 
 namespace ninebit::tools {
+namespace {
+
+std::vector<std::uint8_t> samples_of(const IndexMapFace& face, int component) {
+  const Plane<const std::uint8_t> plane = face.plane(component);
+  std::vector<std::uint8_t> samples;
+  samples.reserve(face.texels());
+  for (int y = 0; y < face.size; ++y) {
+    for (int x = 0; x < face.size; ++x) samples.push_back(plane.at(x, y));
+  }
+  return samples;
+}
+
+}  // namespace
 
 std::vector<std::pair<std::string, std::string>> picture_hashes(const Rendering& rendering) {
   Sha256 color, stencil, index_map;
   for (int c = 0; c < 4; ++c) color.add(rendering.frame.color(c));
   stencil.add(rendering.frame.stencil());
   for (const IndexMapFace& face : rendering.index_map) {
-    for (const auto& plane : face.color) index_map.add(plane);
+    for (int c = 0; c < 4; ++c) {
+      if (face.plane(c)) index_map.add(samples_of(face, c));
+    }
   }
   std::vector<std::pair<std::string, std::string>> out{{"color", color.finish()}, {"stencil", stencil.finish()}};
   if (!rendering.index_map.empty()) out.emplace_back("index_map", index_map.finish());

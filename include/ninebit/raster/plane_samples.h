@@ -3,8 +3,10 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <new>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "ninebit/numerics/visibility.h"
@@ -48,5 +50,28 @@ struct PlaneAllocator {
 // The samples of a plane.
 template <class T>
 using PlaneSamples = std::vector<T, PlaneAllocator<T>>;
+
+// Another allocator's memory for vectors of plain data whose new elements are written before they are read: resize()
+// leaves them without a value, so that memory is touched once.
+template <class T, template <class> class Allocator = std::allocator>
+struct RawAllocator : Allocator<T> {
+  // The same for elements of another type.
+  template <class U>
+  struct rebind {
+    using other = RawAllocator<U, Allocator>;  // as the standard's allocators name it
+  };
+  // Of an element without arguments: nothing.
+  template <class U>
+  void construct(U*) noexcept {}
+  // Of an element with a value: as any allocator.
+  template <class U, class... Arguments>
+  void construct(U* at, Arguments&&... arguments) {
+    std::construct_at(at, std::forward<Arguments>(arguments)...);
+  }
+};
+
+// The samples of a plane that is drawn before it is read.
+template <class T>
+using RawPlaneSamples = std::vector<T, RawAllocator<T, PlaneAllocator>>;
 
 }  // namespace ninebit

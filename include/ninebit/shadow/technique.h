@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <deque>
 #include <functional>
@@ -75,18 +76,30 @@ struct PassTimes {
   double shadow = 0.0;     // colour where there is none
 };
 
-// One face of the index cube map: planes of size × size texels, row 0 at t = 0, for red, green, blue and alpha; those
-// that the map's format does not store are empty. A luminance stands in red.
+// One face of the index cube map: size × size texels, row 0 at t = 0. Red, green and blue lie in words of four bytes,
+// as they are drawn and looked up together; luminance (in red) and alpha in planes one after the other.
 struct IndexMapFace {
-  int size = 0;                                     // texels a side
-  std::array<PlaneSamples<std::uint8_t>, 4> color;  // size × size each, or empty
+  int size = 0;                                         // texels a side
+  int step = 1;                                         // bytes from one texel of a component to the next
+  std::array<std::ptrdiff_t, 4> first{-1, -1, -1, -1};  // where in `samples` red, green, blue and alpha begin; -1: none
+  RawPlaneSamples<std::uint8_t> samples;                // of all components
 
-  // A texel as IndexCodes::number reads it.
+  // The rows of one component, kRed to kAlpha; an empty plane where the map's format does not store it.
+  [[nodiscard]] Plane<const std::uint8_t> plane(int component) const {
+    const std::ptrdiff_t begin = first[static_cast<std::size_t>(component)];
+    if (begin < 0) return {};
+    return {samples.data() + begin, std::ptrdiff_t{step} * size, step};
+  }
+  // A texel as IndexCodes::number reads it; components that are not stored are 0.
   [[nodiscard]] ColorBytes texel(std::size_t i) const {
     ColorBytes bytes{};
-    for (std::size_t c = 0; c < 4; ++c) bytes[c] = color[c].empty() ? std::uint8_t{0} : color[c][i];
+    for (std::size_t c = 0; c < 4; ++c) {
+      if (first[c] >= 0) bytes[c] = samples[static_cast<std::size_t>(first[c]) + i * static_cast<std::size_t>(step)];
+    }
     return bytes;
   }
+  // How many there are: size × size.
+  [[nodiscard]] std::size_t texels() const { return static_cast<std::size_t>(size) * static_cast<std::size_t>(size); }
 };
 
 // What the index of a pixel says of the polygon that is seen there. Numbers in the scene count from 0.
