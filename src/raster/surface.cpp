@@ -1,7 +1,5 @@
 #include "ninebit/raster/surface.h"
 
-#include <oneapi/tbb/parallel_invoke.h>
-
 #include <algorithm>
 #include <atomic>
 #include <string>
@@ -26,15 +24,17 @@ Surface::Surface(int width, int height, SurfaceFormat format)
     : width_(width), height_(height), format_(format.depth_stencil) {
   const std::size_t count = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
   const ClearValues start;
-  // Plane by plane in parallel: what takes its time is the memory that nobody has touched yet.
-  tbb::parallel_invoke([&] { depth_.resize(count, depth_code(format_, start.depth)); },
-                       [&] {
-                         for (std::size_t i = 0; i < 4; ++i) color_[i].resize(count, start.color[i]);
-                         if (stencil_bits(format_) > 0) stencil_.resize(count, stencil_value(format_, start.stencil));
-                       },
-                       [&] {
-                         if (format.with_primitive) primitive_.resize(count, kNoPrimitive);
-                       });
+  const auto make = [&]<class T>(PlaneSamples<T>& samples, T value) {
+    if (format.undrawn) {
+      samples = undrawn_samples<T>(count);
+    } else {
+      samples.resize(count, value);
+    }
+  };
+  for (std::size_t i = 0; i < 4; ++i) make(color_[i], start.color[i]);
+  make(depth_, depth_code(format_, start.depth));
+  if (stencil_bits(format_) > 0) make(stencil_, stencil_value(format_, start.stencil));
+  if (format.with_primitive) primitive_.resize(count, kNoPrimitive);
 }
 
 Result<Surface> Surface::make(int width, int height, SurfaceFormat format) {

@@ -95,9 +95,10 @@ Result<CameraFrame> CameraFrame::make(const Scene& scene, const RenderSettings& 
   if (stencil_bits(settings.depth_stencil) == 0) {
     return invalid("the depth-stencil format d16 has no stencil bits to hold shadows; expected d24s8 or d15s1");
   }
-  auto frame =
-      Surface::make(settings.width, settings.height,
-                    {.depth_stencil = settings.depth_stencil, .with_primitive = settings.layers || settings.evidence});
+  auto frame = Surface::make(settings.width, settings.height,
+                             {.depth_stencil = settings.depth_stencil,
+                              .with_primitive = settings.layers || settings.evidence,
+                              .undrawn = true});
   if (!frame) return frame.error();
   return CameraFrame(scene, settings, std::move(*frame));
 }

@@ -33,7 +33,7 @@ IndexMapFace undrawn_face(IndexFormat format, int size) {
     face.first[c] = static_cast<std::ptrdiff_t>(has_words ? c : planes * face.texels());
     ++planes;
   }
-  face.samples.resize((has_words ? 4 : planes) * face.texels());
+  face.samples = undrawn_samples<std::uint8_t>((has_words ? 4 : planes) * face.texels());
   return face;
 }
 
@@ -71,7 +71,7 @@ IndexCubeRenderer::IndexCubeRenderer(CameraFrame frame, IndexCubePasses passes, 
 
 void IndexCubeRenderer::make_map() {
   const auto size = static_cast<std::size_t>(frame_.settings().map_size);
-  for (RawPlaneSamples<std::uint32_t>& depth : map_depth_) depth.resize(size * size);
+  for (PlaneSamples<std::uint32_t>& depth : map_depth_) depth = undrawn_samples<std::uint32_t>(size * size);
   std::vector<TextureImage> faces;
   for (std::size_t f = 0; f < 6; ++f) {
     rendering().index_map.push_back(undrawn_face(rendering().codes.format(), frame_.settings().map_size));

@@ -76,11 +76,11 @@ class IndexCubeRenderer {
   IndexCubePasses passes_;
   IndexAssignment indices_;
   std::array<glm::mat4, 6> face_projections_{};
-  float near_plane_ = 0.0F;            // of the faces
-  std::vector<glm::vec3> from_light_;  // positions relative to the light, of the frame being drawn
-  std::array<RawPlaneSamples<std::uint32_t>, 6> map_depth_;  // discarded: never touched where tiles share it
-  Texture map_;                                              // views the faces
-  std::array<PreparedDraw, 6> prepared_;                     // one a face; the camera uses the first one's memory again
+  float near_plane_ = 0.0F;                               // of the faces
+  std::vector<glm::vec3> from_light_;                     // positions relative to the light, of the frame being drawn
+  std::array<PlaneSamples<std::uint32_t>, 6> map_depth_;  // discarded: never touched where tiles share it
+  Texture map_;                                           // views the faces
+  std::array<PreparedDraw, 6> prepared_;                  // one a face; the camera uses the first one's memory again
   VanishedPolygons vanished_;
 };
 

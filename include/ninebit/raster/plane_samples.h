@@ -6,7 +6,6 @@
 #include <memory>
 #include <new>
 #include <type_traits>
-#include <utility>
 #include <vector>
 
 #include "ninebit/numerics/visibility.h"
@@ -18,12 +17,18 @@ namespace NINEBIT_PUBLIC ninebit {
 // planes, and of several rows, are drawn together.
 [[nodiscard]] std::size_t next_plane_offset();
 
+// What becomes of samples that get no value when they are made.
+enum class NewSamples : std::uint8_t { zero, undrawn };
+
 // Allocates what begins with a line of the cache and, if it is large, at next_plane_offset().
 template <class T>
-struct PlaneAllocator {
+class PlaneAllocator {
+ public:
   using value_type = T;                    // a sample
   using is_always_equal = std::true_type;  // any of them frees what another one has allocated
   PlaneAllocator() = default;
+  // For samples that are zero, or left without a value until they are drawn.
+  explicit PlaneAllocator(NewSamples samples) : samples_(samples) {}
   // For containers that allocate other types as well; nothing is taken over.
   template <class U>
   explicit PlaneAllocator(const PlaneAllocator<U>&) noexcept {}
@@ -40,38 +45,28 @@ struct PlaneAllocator {
     std::byte* const first = reinterpret_cast<std::byte*>(samples);
     ::operator delete (first - reinterpret_cast<std::uintptr_t>(first) % kPage, std::align_val_t{kPage});
   }
-  bool operator==(const PlaneAllocator&) const = default;
+  // A sample without a value of its own.
+  template <class U>
+  void construct(U* at) noexcept {
+    if (samples_ == NewSamples::zero) std::construct_at(at);
+  }
+  bool operator==(const PlaneAllocator&) const { return true; }
 
  private:
   static constexpr std::size_t kLine = 64, kPage = 4096, kLarge = 16 * kPage;
   static bool is_large(std::size_t count) { return count >= kLarge / sizeof(T); }
+
+  NewSamples samples_ = NewSamples::zero;
 };
 
 // The samples of a plane.
 template <class T>
 using PlaneSamples = std::vector<T, PlaneAllocator<T>>;
 
-// Another allocator's memory for vectors of plain data whose new elements are written before they are read: resize()
-// leaves them without a value, so that memory is touched once.
-template <class T, template <class> class Allocator = std::allocator>
-struct RawAllocator : Allocator<T> {
-  // The same for elements of another type.
-  template <class U>
-  struct rebind {
-    using other = RawAllocator<U, Allocator>;  // as the standard's allocators name it
-  };
-  // Of an element without arguments: nothing.
-  template <class U>
-  void construct(U*) noexcept {}
-  // Of an element with a value: as any allocator.
-  template <class U, class... Arguments>
-  void construct(U* at, Arguments&&... arguments) {
-    std::construct_at(at, std::forward<Arguments>(arguments)...);
-  }
-};
-
-// The samples of a plane that is drawn before it is read.
+// A plane whose samples have no values until they are drawn: its memory is touched only then, by all threads that draw.
 template <class T>
-using RawPlaneSamples = std::vector<T, RawAllocator<T, PlaneAllocator>>;
+[[nodiscard]] PlaneSamples<T> undrawn_samples(std::size_t count) {
+  return PlaneSamples<T>(count, PlaneAllocator<T>(NewSamples::undrawn));
+}
 
 }  // namespace ninebit

@@ -82,7 +82,7 @@ struct IndexMapFace {
   int size = 0;                                         // texels a side
   int step = 1;                                         // bytes from one texel of a component to the next
   std::array<std::ptrdiff_t, 4> first{-1, -1, -1, -1};  // where in `samples` red, green, blue and alpha begin; -1: none
-  RawPlaneSamples<std::uint8_t> samples;                // of all components
+  PlaneSamples<std::uint8_t> samples;                   // of all components
 
   // The rows of one component, kRed to kAlpha; an empty plane where the map's format does not store it.
   [[nodiscard]] Plane<const std::uint8_t> plane(int component) const {
