@@ -3,8 +3,11 @@
 #include <oneapi/tbb/parallel_for.h>
 
 #include <algorithm>
+#include <atomic>
 #include <memory>
+#include <numeric>
 #include <span>
+#include <vector>
 
 #include "src/raster/arrays_check.h"
 #include "src/raster/draw_call.h"
@@ -18,17 +21,40 @@
 namespace ninebit {
 namespace {
 
-// As many blocks as are worth a walk over all tiles; fewer where their primitives are in so many tiles.
-constexpr std::size_t kBlocksPerChunk = 128, kEntriesPerChunk = std::size_t{1} << 22;
+// As many blocks as stay in the caches, and further ones as long as their tiles have so few primitives that reading
+// and writing them would take its time; fewer where primitives are in so many tiles.
+constexpr std::size_t kBlocksPerChunk = 128, kFewBlocks = 64, kMostBlocks = 1024, kEntriesPerTile = 1024;
+constexpr std::size_t kEntriesPerChunk = std::size_t{1} << 22;
+
+// The tiles in which blocks have primitives, noted by several threads.
+class MetTiles {
+ public:
+  explicit MetTiles(const TileGrid& grid) : met_(grid.count()) {}
+  void add(const BinnedBlock& block) {
+    for_each_tile(block, [this](std::uint32_t tile, std::uint32_t) {
+      std::atomic_ref(met_[tile]).store(1, std::memory_order_relaxed);
+    });
+  }
+  // Of those that have been added before.
+  [[nodiscard]] std::size_t count() const { return std::accumulate(met_.begin(), met_.end(), std::size_t{0}); }
+
+ private:
+  std::vector<std::uint8_t> met_;
+};
 
 // Sets blocks up in parallel, as many as memory allows for whatever they hold; the number of blocks.
 std::size_t set_up_chunk(const DrawGeometry& geometry, std::size_t first, std::vector<BinnedBlock>& to) {
-  const std::size_t most = std::min(geometry.blocks() - first, kBlocksPerChunk);
-  if (to.size() < most) to.resize(most);
+  const std::size_t most = std::min(geometry.blocks() - first, kMostBlocks);
   std::size_t count = 0, entries = 0;
-  while (count < most && entries < kEntriesPerChunk) {
+  MetTiles met(geometry.grid());
+  while (count < most && entries < kEntriesPerChunk &&
+         (count < kBlocksPerChunk || most - count < kFewBlocks || entries < kEntriesPerTile * met.count())) {
     const std::size_t end = std::min(count + geometry.blocks_at_a_time(), most);
-    const auto set_up = [&](std::size_t b) { static_cast<void>(geometry.set_up(first + b, to[b])); };
+    if (to.size() < end) to.resize(end);
+    const auto set_up = [&](std::size_t b) {
+      static_cast<void>(geometry.set_up(first + b, to[b]));
+      met.add(to[b]);
+    };
     if (end - count == 1) {
       set_up(count);
     } else {

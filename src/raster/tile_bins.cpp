@@ -4,6 +4,8 @@
 #include <array>
 #include <numeric>
 
+#include "src/raster/raw_vector.h"
+
 namespace ninebit {
 namespace {
 
@@ -37,38 +39,63 @@ class TriangleReach {
   std::array<std::int64_t, 3> dx_{}, dy_{}, origin_{};
 };
 
-// Calls visit(tile) for every tile that the primitive may draw into.
-template <class Visit>
-void for_each_tile(const TileGrid& grid, const SetupPrimitive& p, Visit visit) {
+// The primitives first to end - 1 of a block, all in one tile.
+struct TileRun {
+  std::uint32_t tile, first, end;
+};
+
+// Adds primitive `i` to `runs`, for every tile that it may draw into; there is room for four more.
+void add_to_several(const TileGrid& grid, const SetupPrimitive& p, std::uint32_t i, RawVector<TileRun>& runs,
+                    std::size_t& count) {
   const int left = p.box.left / kTileSize, right = p.box.right / kTileSize;
   const int bottom = p.box.bottom / kTileSize, top = p.box.top / kTileSize;
-  const bool is_large = right - left > 1 || top - bottom > 1;
-  const TriangleReach reach = is_large ? TriangleReach(p) : TriangleReach();
+  const auto across = static_cast<std::uint32_t>(right - left), up = static_cast<std::uint32_t>(top - bottom);
+  const auto columns = static_cast<std::uint32_t>(grid.columns);
+  const auto first = static_cast<std::uint32_t>(bottom) * columns + static_cast<std::uint32_t>(left);
+  if ((across | up) <= 1) {  // without a branch: all four are written, and kept if they are there
+    runs[count++] = {first, i, i + 1};
+    runs[count] = {first + 1, i, i + 1};
+    count += across;
+    runs[count] = {first + columns, i, i + 1};
+    count += up;
+    runs[count] = {first + columns + 1, i, i + 1};
+    count += across & up;
+    return;
+  }
+  if (left > right || bottom > top) return;
+  const TriangleReach reach(p);
+  runs.resize(runs.size() + (std::size_t{across} + 1) * (std::size_t{up} + 1));
   for (int row = bottom; row <= top; ++row) {
     for (int column = left; column <= right; ++column) {
-      if (reach.meets(column, row)) visit(static_cast<std::uint32_t>(row * grid.columns + column));
+      if (!reach.meets(column, row)) continue;
+      runs[count++] = {static_cast<std::uint32_t>(row * grid.columns + column), i, i + 1};
     }
   }
 }
 
-// Calls visit(tile, first, end) for the primitives first to end - 1 of the block, in order: neighbours lie in the same
-// tile most often, and a run's tile needs to be looked up but once.
-template <class Visit>
-void for_each_run(const TileGrid& grid, const BinnedBlock& block, Visit visit) {
+// The block's primitives in order, each as often as it is drawn: neighbours lie in the same tile most often.
+RawVector<TileRun> find_runs(const TileGrid& grid, const BinnedBlock& block) {
   const std::uint32_t* const tile = block.tile.data();
-  const auto count = static_cast<std::uint32_t>(block.tile.size());
-  for (std::uint32_t i = 0; i < count;) {
-    const std::uint32_t first = i;
-    do ++i;
-    while (i < count && tile[i] == tile[first]);
+  const auto primitives = static_cast<std::uint32_t>(block.tile.size());
+  RawVector<std::uint32_t> start(std::size_t{primitives} + 1);
+  std::size_t starts = 0;
+  for (std::uint32_t i = 0; i < primitives; ++i) {  // without a branch
+    start[starts] = i;
+    starts += i == 0 || tile[i] != tile[i - 1] || tile[i] == kSeveralTiles ? 1 : 0;
+  }
+  start[starts] = primitives;
+  RawVector<TileRun> runs(4 * starts);
+  std::size_t count = 0;
+  for (std::size_t s = 0; s < starts; ++s) {
+    const std::uint32_t first = start[s];
     if (tile[first] != kSeveralTiles) {
-      visit(tile[first], first, i);
-      continue;
-    }
-    for (std::uint32_t k = first; k < i; ++k) {
-      for_each_tile(grid, block.setup.primitives[k], [&](std::uint32_t t) { visit(t, k, k + 1); });
+      runs[count++] = {tile[first], first, start[s + 1]};
+    } else {
+      add_to_several(grid, block.setup.primitives[first], first, runs, count);
     }
   }
+  runs.resize(count);
+  return runs;
 }
 
 }  // namespace
@@ -99,26 +126,25 @@ void note_tiles(const TileGrid& grid, BinnedBlock& block) {
 
 void sort_into_tiles(const TileGrid& grid, BinnedBlock& block) {
   if (block.tile.empty()) return;
+  const RawVector<TileRun> runs = find_runs(grid, block);
+  if (runs.empty()) return;
   std::uint32_t low = 0xFFFFFFFF, high = 0;
-  for (std::size_t i = 0; i < block.tile.size(); ++i) {
-    const bool several = block.tile[i] == kSeveralTiles;
-    const PixelBounds& box = block.setup.primitives[i].box;
-    low = std::min(low, several ? grid.tile_of(box.left, box.bottom) : block.tile[i]);
-    high = std::max(high, several ? grid.tile_of(box.right, box.top) : block.tile[i]);
+  for (const TileRun& run : runs) {
+    low = std::min(low, run.tile);
+    high = std::max(high, run.tile);
   }
   block.first_tile = low;
   block.first.assign(std::size_t{high} - low + 2, 0);
   std::uint32_t* const places = block.first.data();
-  for_each_run(grid, block, [places, low](std::uint32_t tile, std::uint32_t first, std::uint32_t end) {
-    places[tile - low] += end - first;
-  });
+  for (const TileRun& run : runs) places[run.tile - low] += run.end - run.first;
   std::exclusive_scan(block.first.begin(), block.first.end(), block.first.begin(), std::uint32_t{0});
   block.indices.resize(block.first.back());
   std::uint32_t* const indices = block.indices.data();
-  for_each_run(grid, block, [places, low, indices](std::uint32_t tile, std::uint32_t first, std::uint32_t end) {
-    std::iota(indices + places[tile - low], indices + places[tile - low] + (end - first), first);
-    places[tile - low] += end - first;
-  });
+  for (const TileRun& run : runs) {
+    std::uint32_t place = places[run.tile - low];
+    for (std::uint32_t i = run.first; i != run.end; ++i) indices[place++] = i;
+    places[run.tile - low] = place;
+  }
   // Each tile's place has moved to the next one's.
   std::copy_backward(block.first.begin(), block.first.end() - 1, block.first.end());
   block.first.front() = 0;

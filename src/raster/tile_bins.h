@@ -47,6 +47,15 @@ struct BinnedBlock {
   }
 };
 
+// Calls visit(tile, entries) for the tiles in which the block has primitives.
+template <class Visit>
+void for_each_tile(const BinnedBlock& block, Visit visit) {
+  for (std::size_t i = 0; i + 1 < block.first.size(); ++i) {
+    const std::uint32_t entries = block.first[i + 1] - block.first[i];
+    if (entries > 0) visit(block.first_tile + static_cast<std::uint32_t>(i), entries);
+  }
+}
+
 // Fills `tile` for the primitives that have none yet.
 void note_tiles(const TileGrid& grid, BinnedBlock& block);
 
