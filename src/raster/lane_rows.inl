@@ -21,6 +21,10 @@ struct OneRow {
   static HWY_INLINE void blend(hn::Vec<D> v, hn::Mask<D> mask, D d, std::int32_t* at) {
     hn::BlendedStore(v, mask, d, at);
   }
+  template <class D>
+  static HWY_INLINE void put(hn::Vec<D> v, hn::Mask<D> mask, D d, std::int32_t* at) {
+    blend(v, mask, d, at);
+  }
   // How much farther the places of the others are.
   template <class D>
   static HWY_INLINE hn::Vec<D> places(D d) {
@@ -65,6 +69,17 @@ struct SeveralRows {
   }
   static HWY_INLINE void blend(V v, M mask, D d, std::int32_t* at) {
     store(hn::IfThenElse(mask, v, load(d, at)), d, at);
+  }
+  // The same of a vector whose lanes are all alike: nothing is read.
+  static HWY_INLINE void put(V v, M mask, D d, std::int32_t* at) {
+    if constexpr (kLanes < 16) return blend(v, mask, d, at);
+    const hn::CappedTag<std::int32_t, kColumns> part;
+    const auto value = hn::Set(part, hn::GetLane(v));
+    std::uint64_t bits = bits_of(d, mask);
+    for (std::size_t r = 0; r < kRows; ++r, bits >>= kColumns) {
+      const auto lanes = static_cast<std::uint8_t>(bits & ((1U << kColumns) - 1));
+      hn::BlendedStore(value, hn::LoadMaskBits(part, &lanes), part, at + r * kTileSize);
+    }
   }
   // A sum of steps along and up the rows, for the lower half of the lanes.
   static HWY_INLINE hn::Vec<DD> in_lower_half(double step_x, double step_y) {

@@ -19,10 +19,9 @@ struct DepthLanes {
   V64 half, step, up;
   HWY_INLINE DepthLanes(const TileTriangles& t, std::size_t k) {
     row = at_first_lanes(t, k, hn::Mul(real_lane_numbers(), hn::Set(kDD, t.depth_x[k])));
-    const auto step_x = static_cast<std::int64_t>(t.depth_x[k]);
-    half = hn::Set(kD64, step_x * (kLanes / 2));
-    step = hn::Set(kD64, step_x * kLanes);
-    up = hn::Set(kD64, static_cast<std::int64_t>(t.depth_y[k]));
+    half = hn::Set(kD64, t.depth_step_x[k] * (kLanes / 2));
+    step = hn::Set(kD64, t.depth_step_x[k] * kLanes);
+    up = hn::Set(kD64, t.depth_step_y[k]);
   }
   static HWY_INLINE V64 at_first_lanes(const TileTriangles& t, std::size_t k, hn::Vec<DD> from_origin) {
     return hn::ConvertTo(kD64, hn::Add(hn::Set(kDD, t.depth[k]), from_origin));
@@ -49,10 +48,16 @@ HWY_INLINE hn::Vec<DF> weight_of(const Pen& pen, const TileTriangles& t, std::si
       t.is_narrow[k] ? hn::ConvertTo(kDF, hn::Add(inside, hn::Set(kD, t.threshold[i][k]))) : wide_edge(t, k, i, x, y);
   return hn::Mul(edge, hn::Set(kDF, pen.corners->inv_w[i]));
 }
+// The same where `inside` is in floats.
+HWY_INLINE hn::Vec<DF> weight_of(const Pen& pen, const TileTriangles& t, std::size_t k, std::size_t i, int, int,
+                                 hn::Vec<DF> inside) {
+  const auto edge = hn::Add(inside, hn::ConvertTo(kDF, hn::Set(kD, t.threshold[i][k])));
+  return hn::Mul(edge, hn::Set(kDF, pen.corners->inv_w[i]));
+}
 
-template <Drawing kDrawing, class Rows>
+template <Drawing kDrawing, class Rows, class Inside>
 HWY_INLINE void draw_fragments(const LaneDraw<D>& draw, const Pen& pen, const TileTriangles& t, std::size_t k, int x,
-                               int y, std::size_t place, M mask, V64 z_low, V64 z_high, const V e[3]) {
+                               int y, std::size_t place, M mask, V64 z_low, V64 z_high, const Inside e[3]) {
   const SetupPrimitive& p = pen.primitive;
   const hn::RebindToUnsigned<D> du;
   const V z24 = find_depths<Rows>(p, x, y, mask, z_low, z_high);
@@ -71,8 +76,8 @@ HWY_INLINE void draw_fragments(const LaneDraw<D>& draw, const Pen& pen, const Ti
                   lanes_of(pen.tile.tile.owner.data()) + place);
     }
     if (draw.operations.color) {
-      Rows::blend(hn::Set(kD, static_cast<std::int32_t>(pen.color)), drawn, kD,
-                  lanes_of(pen.tile.tile.color.data()) + place);
+      Rows::put(hn::Set(kD, static_cast<std::int32_t>(pen.color)), drawn, kD,
+                lanes_of(pen.tile.tile.color.data()) + place);
     }
   } else if constexpr (kDrawing == Drawing::flat) {
     draw_flat<Rows>(kD, draw, pen, place, mask, depth_codes(kD, pen.pass, p, z24));
@@ -204,30 +209,29 @@ HWY_NOINLINE void gather_rows(const Pen& pen, const TileTriangles& t, std::size_
   }
 }
 
-// As draw_triangle, for a triangle whose region is no wider than a row of Rows.
+// As draw_triangle, for a triangle that has_floats and whose region is no wider than a row of Rows.
 template <Drawing kDrawing, class Rows>
-HWY_NOINLINE void draw_slim_triangle(const Pen& pen, const TileTriangles& t, std::size_t k) {
+HWY_INLINE void draw_slim_triangle(const Pen& pen, const TileTriangles& t, std::size_t k) {
   constexpr int kRows = static_cast<int>(Rows::kRows);
   const LaneDraw<D> draw(kD, pen.pass.operations, pen.primitive.front_facing);
   const V column = Rows::columns(), row = Rows::rows(kD);
-  V e[3], up[3];
+  const auto float_column = hn::ConvertTo(kDF, column), float_row = hn::ConvertTo(kDF, row);
+  hn::Vec<DF> e[3], up[3];
   for (std::size_t i = 0; i < 3; ++i) {
-    e[i] = hn::Add(hn::Set(kD, t.inside[i][k]), hn::Mul(column, hn::Set(kD, t.inside_x[i][k])));
-    up[i] = hn::Set(kD, t.inside_y[i][k]);
-    for (int bit = 1; bit < kRows; bit *= 2) {
-      e[i] = hn::IfThenElse(hn::TestBit(row, hn::Set(kD, bit)), hn::Add(e[i], up[i]), e[i]);
-      up[i] = hn::Add(up[i], up[i]);
-    }
+    const auto step_y = hn::Set(kDF, t.float_inside_y[i][k]);
+    const auto in_column = hn::MulAdd(float_row, step_y, hn::Set(kDF, t.float_inside[i][k]));
+    e[i] = hn::MulAdd(float_column, hn::Set(kDF, t.float_inside_x[i][k]), in_column);
+    up[i] = hn::Mul(step_y, hn::Set(kDF, kRows));
   }
   V64 z_low = DepthLanes::at_first_lanes(t, k, Rows::in_lower_half(t.depth_x[k], t.depth_y[k]));
-  const auto step_y = static_cast<std::int64_t>(t.depth_y[k]);
-  V64 z_high = hn::Add(z_low, hn::Set(kD64, step_y * (kRows / 2)));
-  const V64 z_up = hn::Set(kD64, step_y * kRows);
+  const V64 z_step = hn::Set(kD64, t.depth_step_y[k]);
+  V64 z_high = hn::Add(z_low, hn::ShiftLeft<kRows / 4>(z_step));
+  const V64 z_up = hn::ShiftLeft<kRows / 2>(z_step);
   const int left = t.left[k], top = t.top[k];
   const M within = hn::Lt(column, hn::Set(kD, t.right[k] - left + 1));
   auto place = static_cast<std::size_t>((t.bottom[k] - pen.tile.bottom) * kTileSize + (left - pen.tile.left));
   for (int y = t.bottom[k];; y += kRows, place += Rows::kRows * kTileSize) {
-    M mask = hn::And(within, hn::Gt(hn::Or(hn::Or(e[0], e[1]), e[2]), hn::Set(kD, -1)));
+    M mask = hn::And(within, hn::Gt(hn::BitCast(kD, hn::Or(hn::Or(e[0], e[1]), e[2])), hn::Set(kD, -1)));
     mask = hn::And(mask, hn::Lt(row, hn::Set(kD, top - y + 1)));
     if (!hn::AllFalse(kD, mask)) {
       draw_fragments<kDrawing, Rows>(draw, pen, t, k, left, y, place, mask, z_low, z_high, e);
@@ -244,11 +248,11 @@ HWY_INLINE void draw_in_rows(const Pen& pen, const TileTriangles& t, std::size_t
   const int columns = t.right[k] - t.left[k] + 1;
   if constexpr (kLanes == 16) {
     using Rows = SeveralRows<4>;
-    if (columns <= Rows::kColumns && t.is_narrow[k]) return draw_slim_triangle<kDrawing, Rows>(pen, t, k);
+    if (columns <= Rows::kColumns && t.has_floats[k] != 0) return draw_slim_triangle<kDrawing, Rows>(pen, t, k);
   }
   if constexpr (kLanes >= 8) {
     using Rows = SeveralRows<2>;
-    if (columns <= Rows::kColumns && t.is_narrow[k]) return draw_slim_triangle<kDrawing, Rows>(pen, t, k);
+    if (columns <= Rows::kColumns && t.has_floats[k] != 0) return draw_slim_triangle<kDrawing, Rows>(pen, t, k);
   }
   if (kDrawing == Drawing::gathers && pen.pass.operations.asks_equal_depth) {
     return pen.tile.knows_owners ? gather_rows<true>(pen, t, k) : gather_rows<false>(pen, t, k);

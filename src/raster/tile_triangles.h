@@ -31,9 +31,15 @@ struct TileTriangles {
   alignas(64) std::array<Each<std::int32_t>, 3> inside, inside_x, inside_y;
   // `inside` + threshold is the edge function.
   alignas(64) std::array<Each<std::int32_t>, 3> threshold;
-  // Depth with 32 fraction bits, and 1/2. Where only the exact plane will do, zeros, whose fraction is in doubt.
+  // Coverage once more: in floats, which a product and a sum take but one operation of. They hold the values of all of
+  // the region's vectors exactly where has_floats; else they are nothing.
+  alignas(64) std::array<Each<float>, 3> float_inside, float_inside_x, float_inside_y;
+  // Depth with 32 fraction bits, and 1/2; its steps, too. Where only the exact plane will do, zeros, whose fraction is
+  // in doubt.
   alignas(64) Each<double> depth, depth_x, depth_y;
+  alignas(64) Each<std::int64_t> depth_step_x, depth_step_y;
   Each<bool> is_narrow;  // whether all of the region's vectors keep the edge functions within 32 bits
+  alignas(64) Each<std::int32_t> has_floats;  // not 0: see above
   std::array<Each<double>, 3> edge, edge_x, edge_y;  // unless is_narrow, the edge functions themselves
 
   [[nodiscard]] bool has_region(std::size_t k) const { return left[k] <= right[k] && bottom[k] <= top[k]; }
@@ -51,8 +57,9 @@ inline bool TileTriangles::place(std::size_t k, const SetupPrimitive& p) {
   const TriangleEdges edges(p);
   const std::array<std::int64_t, 3> e = edges.at(left[k], bottom[k]);
   const std::int64_t columns = right[k] - left[k], rows = top[k] - bottom[k];
-  constexpr std::int64_t kNarrow = std::int64_t{1} << 30;
+  constexpr std::int64_t kNarrow = std::int64_t{1} << 30, kFloats = std::int64_t{1} << 24;
   is_narrow[k] = true;
+  has_floats[k] = 1;
   for (std::size_t i = 0; i < 3; ++i) {
     const std::int64_t across = edges.step_x(i) * columns, up = edges.step_y(i) * rows;
     threshold[i][k] = edges.threshold(i);
@@ -60,12 +67,17 @@ inline bool TileTriangles::place(std::size_t k, const SetupPrimitive& p) {
     if (at_origin + std::max<std::int64_t>(across, 0) + std::max<std::int64_t>(up, 0) < 0) return false;
     // Vectors reach a few pixels beyond the region.
     const std::int64_t steps = std::abs(edges.step_x(i)) + std::abs(edges.step_y(i));
-    const bool fits = std::abs(at_origin) + 2 * kTileSize * steps < kNarrow;
+    const std::int64_t farthest = std::abs(at_origin) + 2 * kTileSize * steps;
+    const bool fits = farthest < kNarrow;
     const bool crosses = at_origin + std::min<std::int64_t>(across, 0) + std::min<std::int64_t>(up, 0) < 0;
     is_narrow[k] = is_narrow[k] && fits;
+    if (farthest >= kFloats) has_floats[k] = 0;
     inside[i][k] = crosses || fits ? static_cast<std::int32_t>(at_origin) : 0;
     inside_x[i][k] = crosses || fits ? static_cast<std::int32_t>(edges.step_x(i)) : 0;
     inside_y[i][k] = crosses || fits ? static_cast<std::int32_t>(edges.step_y(i)) : 0;
+    float_inside[i][k] = static_cast<float>(inside[i][k]);
+    float_inside_x[i][k] = static_cast<float>(inside_x[i][k]);
+    float_inside_y[i][k] = static_cast<float>(inside_y[i][k]);
     edge[i][k] = static_cast<double>(e[i]);
     edge_x[i][k] = static_cast<double>(edges.step_x(i));
     edge_y[i][k] = static_cast<double>(edges.step_y(i));
@@ -81,6 +93,8 @@ inline bool TileTriangles::place(std::size_t k, const SetupPrimitive& p) {
   depth[k] = is_sure ? origin * kDepthOne : 0.0;
   depth_x[k] = is_sure ? slope_x * kDepthOne : 0.0;
   depth_y[k] = is_sure ? slope_y * kDepthOne : 0.0;
+  depth_step_x[k] = static_cast<std::int64_t>(depth_x[k]);
+  depth_step_y[k] = static_cast<std::int64_t>(depth_y[k]);
   return true;
 }
 

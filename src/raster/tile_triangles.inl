@@ -5,6 +5,9 @@
 // TileTriangles::place.
 HWY_INLINE hn::Mask<D> place_small(TileTriangles& t, const SetupBlock& block, const std::uint32_t* indices,
                                    const PixelBox& tile, hn::Mask<D>& is_drawn) {
+  const auto store_float = [](V v, TileTriangles::Each<float>& to) HWY_ATTR {
+    hn::Store(hn::ConvertTo(kDF, v), kDF, to.data());
+  };
   const V record = hn::Mul(hn::LoadU(kD, reinterpret_cast<const std::int32_t*>(indices)),
                            hn::Set(kD, static_cast<std::int32_t>(sizeof(SetupPrimitive))));
   const SetupPrimitive& first = block.primitives[0];
@@ -52,6 +55,9 @@ HWY_INLINE hn::Mask<D> place_small(TileTriangles& t, const SetupBlock& block, co
     hn::Store(step_x[i], kD, t.inside_x[i].data());
     hn::Store(step_y[i], kD, t.inside_y[i].data());
     hn::Store(threshold, kD, t.threshold[i].data());
+    store_float(inside, t.float_inside[i]);
+    store_float(step_x[i], t.float_inside_x[i]);
+    store_float(step_y[i], t.float_inside_y[i]);
   }
   const V z0 = field(&first.z24[0]);
   const V dz1 = hn::Sub(field(&first.z24[1]), z0), dz2 = hn::Sub(field(&first.z24[2]), z0);
@@ -78,9 +84,16 @@ HWY_INLINE hn::Mask<D> place_small(TileTriangles& t, const SetupBlock& block, co
     const auto kept = hn::IfThenElseZero(is_sure, hn::Set(kDD, kDepthOne));
     const std::size_t at = upper ? hn::Lanes(kDD) : 0;
     hn::Store(hn::Mul(origin, kept), kDD, t.depth.data() + at);
-    hn::Store(hn::Mul(slope_x, kept), kDD, t.depth_x.data() + at);
-    hn::Store(hn::Mul(slope_y, kept), kDD, t.depth_y.data() + at);
+    const auto kept_x = hn::Mul(slope_x, kept), kept_y = hn::Mul(slope_y, kept);
+    hn::Store(kept_x, kDD, t.depth_x.data() + at);
+    hn::Store(kept_y, kDD, t.depth_y.data() + at);
+    hn::Store(hn::ConvertTo(kD64, kept_x), kD64, t.depth_step_x.data() + at);
+    hn::Store(hn::ConvertTo(kD64, kept_y), kD64, t.depth_step_y.data() + at);
   }
   t.is_narrow.fill(true);
+  // A region's vectors reach 8 columns and 68 rows from its origin: differences of corners and their pixels stay below
+  // 2,700, twice the products below 2^24.
+  const V has_floats = hn::VecFromMask(kD, hn::Lt(reach, hn::Set(kD, 1536)));
+  hn::Store(hn::And(has_floats, one), kD, t.has_floats.data());
   return hn::Lt(reach, hn::Set(kD, 1 << 14));
 }
