@@ -15,43 +15,69 @@ using BytePlane = Plane<const std::uint8_t>;
 // How offsets count where planes have rows of several lengths: y in the upper half.
 constexpr std::int32_t kUpperHalf = 0x10000;
 
+}  // namespace
+
 // Level 0's planes of all faces, by component.
-struct LevelPlanes {
+struct TextureSampler::BytePlanes {
   std::array<std::array<BytePlane, 6>, 4> plane{};
   bool alike = true;   // all have rows and steps of one length, a row is whole steps, and offsets fit 32 bits
   bool words = false;  // and each texel is a word of memory, red in its first byte, alpha in its last
   std::int32_t stride = 0;
   std::ptrdiff_t step = 1;
+  FaceWords face_word{};  // of words: where each face begins, in words from the first one's beginning
+  bool are_near = false;  // whether there are such numbers
+
+  explicit BytePlanes(const Texture& texture);
+
+ private:
+  void find_face_words(std::size_t faces);
 };
 
-LevelPlanes level_planes(const Texture& texture) {
+TextureSampler::BytePlanes::BytePlanes(const Texture& texture) {
   constexpr std::ptrdiff_t kLongestRow = 0x1FFFF;  // kMaxSurfaceSize times this is less than 2^31
   const std::array<bool, 4> stored = stored_components(texture.format);
-  LevelPlanes level;
-  level.words = stored[0] && stored[1] && stored[2];
+  words = stored[0] && stored[1] && stored[2];
   for (std::size_t f = 0; f < texture.face_count(); ++f) {
     const auto& of_face = *std::get_if<std::array<BytePlane, 4>>(&texture.faces[f][0].planes);
-    for (std::size_t k = 0; k < 4; ++k) level.plane[k][f] = of_face[k];
-    level.words = level.words && are_words(of_face);
+    for (std::size_t k = 0; k < 4; ++k) plane[k][f] = of_face[k];
+    words = words && are_words(of_face);
   }
-  const BytePlane& first = level.plane[stored[0] ? 0 : 3][0];
-  level.step = first.step;
-  const std::ptrdiff_t stride = first.stride / first.step;
-  level.alike = stride >= -kLongestRow && stride <= kLongestRow && first.stride % first.step == 0;
+  const BytePlane& first = plane[stored[0] ? 0 : 3][0];
+  step = first.step;
+  const std::ptrdiff_t steps = first.stride / first.step;
+  alike = steps >= -kLongestRow && steps <= kLongestRow && first.stride % first.step == 0;
   for (std::size_t f = 0; f < texture.face_count(); ++f) {
     for (std::size_t k = 0; k < 4; ++k) {
-      const BytePlane& plane = level.plane[k][f];
-      level.alike = level.alike && (!stored[k] || (plane.stride == first.stride && plane.step == first.step));
+      const BytePlane& other = plane[k][f];
+      alike = alike && (!stored[k] || (other.stride == first.stride && other.step == first.step));
     }
   }
-  level.words = level.words && level.alike;
-  level.stride = level.alike ? static_cast<std::int32_t>(stride) : kUpperHalf;
-  return level;
+  words = words && alike;
+  stride = alike ? static_cast<std::int32_t>(steps) : kUpperHalf;
+  if (words) find_face_words(texture.face_count());
 }
 
+// Vectors reach words within 2^31 of one place, from an aligned one on.
+void TextureSampler::BytePlanes::find_face_words(std::size_t faces) {
+  constexpr std::int64_t kFarthest = std::int64_t{1} << 30;
+  const auto address = [this](std::size_t f) { return reinterpret_cast<std::intptr_t>(plane[0][f].data); };
+  are_near = std::abs(stride) <= kFarthest / kMaxSurfaceSize;
+  for (std::size_t f = 0; f < faces; ++f) {
+    const std::intptr_t bytes = address(f) - address(0), word = bytes / 4;
+    are_near = are_near && address(f) % 4 == 0 && word > -kFarthest && word < kFarthest;
+    if (are_near) face_word[f] = static_cast<std::int32_t>(word);
+  }
+}
+
+void TextureSampler::find_byte_planes() {
+  byte_planes_ = std::make_shared<const BytePlanes>(*texture_);
+}
+
+namespace {
+
 // Calls take(i, texel) with the address of every fragment's texel in the planes of one component.
-template <class Lanes, class Take>
-void visit_texels(const LevelPlanes& level, std::size_t component, const Lanes& lanes, const LaneIntegers& offset,
+template <class Planes, class Lanes, class Take>
+void visit_texels(const Planes& level, std::size_t component, const Lanes& lanes, const LaneIntegers& offset,
                   std::size_t count, Take take) {
   const std::array<BytePlane, 6>& faces = level.plane[component];
   const auto plane_of = [&](std::size_t i) -> const BytePlane& {
@@ -78,18 +104,16 @@ void visit_texels(const LevelPlanes& level, std::size_t component, const Lanes& 
 
 // One component of every fragment's texel. Loads of single bytes: gathers are no faster, nor may they read beyond a
 // plane.
-template <class Lanes>
-void fetch(const LevelPlanes& level, std::size_t component, const Lanes& lanes, const LaneIntegers& offset,
+template <class Planes, class Lanes>
+void fetch(const Planes& level, std::size_t component, const Lanes& lanes, const LaneIntegers& offset,
            std::size_t count, s9* to) {
   visit_texels(level, component, lanes, offset, count,
                [to](std::size_t i, const std::uint8_t* texel) { to[i] = *texel; });
 }
 
-void fetch_words(const LevelPlanes& level, const NearestLanes& lanes, std::size_t count, LaneWords& to) {
-  const std::uint8_t* const first = level.plane[0][static_cast<std::size_t>(lanes.face[0])].data;
-  if (lanes.one_face && reinterpret_cast<std::uintptr_t>(first) % alignof(std::uint32_t) == 0) {
-    return gather_words(first, lanes.offset, count, to);
-  }
+template <class Planes>
+void fetch_words(const Planes& level, const NearestLanes& lanes, std::size_t count, LaneWords& to) {
+  if (level.are_near) return gather_words(level.plane[0][0].data, level.face_word, lanes, count, to);
   visit_texels(level, 0, lanes, lanes.offset, count,
                [&to](std::size_t i, const std::uint8_t* texel) { std::memcpy(&to[i], texel, sizeof(to[i])); });
 }
@@ -119,7 +143,7 @@ bool TextureSampler::samples_bytes() const {
 
 void TextureSampler::sample_bytes(const TextureCoordinates& at, std::size_t first, std::size_t count,
                                   const std::array<s9*, 4>& codes) const {
-  const LevelPlanes planes = level_planes(*texture_);
+  const BytePlanes& planes = *byte_planes_;
   const TextureImage& base = texture_->faces[0][0];
   const LaneLevel level{.cube = cube_,
                         .width = base.width,

@@ -103,6 +103,7 @@ std::optional<TextureSampler> TextureSampler::make(const HardwareProfile& profil
       if (texel_codes(profile, probe)[out] != made.constant_[out]) made.source_[out] = static_cast<int>(in);
     }
   }
+  if (made.samples_bytes()) made.find_byte_planes();
   return made;
 }
 
@@ -212,7 +213,7 @@ TextureSampler::Filtered TextureSampler::weigh(const Taps& taps, float r) const 
 }
 
 void TextureSampler::sample(const TextureCoordinates& at, std::size_t count, const std::array<s9*, 4>& codes) const {
-  if (samples_bytes()) {
+  if (byte_planes_) {
     for (std::size_t first = 0; first < count; first += kBatchSize) {
       sample_bytes(at, first, std::min(kBatchSize, count - first), codes);
     }

@@ -190,16 +190,23 @@ void find_linear(const LaneLevel& level, int weight_bits, const std::array<const
   to.one_face = all_like_first(to.face, count);
 }
 
-void gather_words(const std::uint8_t* first, const LaneIntegers& offset, std::size_t count, LaneWords& to) {
+void gather_words(const std::uint8_t* first, const FaceWords& face_word, const NearestLanes& at, std::size_t count,
+                  LaneWords& to) {
   std::size_t lane = 0;
 #if HWY_TARGET <= HWY_AVX2  // which have an instruction for it
   constexpr hn::RebindToUnsigned<DI> du;
   const auto* const words = reinterpret_cast<const std::uint32_t*>(first);
+  const VI only_face = hn::Set(kDI, face_word[static_cast<std::size_t>(at.face[0])]);
   for (; lane + hn::Lanes(kDF) <= count; lane += hn::Lanes(kDF)) {
-    hn::StoreU(hn::GatherIndex(du, words, hn::LoadU(kDI, offset.data() + lane)), du, to.data() + lane);
+    const VI face = at.one_face ? only_face : hn::GatherIndex(kDI, face_word.data(), hn::Load(kDI, &at.face[lane]));
+    const VI offset = hn::Add(face, hn::Load(kDI, &at.offset[lane]));
+    hn::StoreU(hn::GatherIndex(du, words, offset), du, to.data() + lane);
   }
 #endif
-  for (; lane < count; ++lane) std::memcpy(&to[lane], first + std::ptrdiff_t{4} * offset[lane], 4);
+  for (; lane < count; ++lane) {
+    const std::ptrdiff_t word = face_word[static_cast<std::size_t>(at.face[lane])] + std::ptrdiff_t{at.offset[lane]};
+    std::memcpy(&to[lane], first + 4 * word, 4);
+  }
 }
 
 void split_words(const LaneWords& words, int byte, std::size_t count, s9* to) {
@@ -250,8 +257,9 @@ void find_linear(const LaneLevel& level, int weight_bits, const std::array<const
   HWY_DYNAMIC_DISPATCH(find_linear)(level, weight_bits, at, count, to);
 }
 
-void gather_words(const std::uint8_t* first, const LaneIntegers& offset, std::size_t count, LaneWords& to) {
-  HWY_DYNAMIC_DISPATCH(gather_words)(first, offset, count, to);
+void gather_words(const std::uint8_t* first, const FaceWords& face_word, const NearestLanes& at, std::size_t count,
+                  LaneWords& to) {
+  HWY_DYNAMIC_DISPATCH(gather_words)(first, face_word, at, count, to);
 }
 
 void split_words(const LaneWords& words, int byte, std::size_t count, s9* to) {

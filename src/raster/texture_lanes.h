@@ -46,8 +46,10 @@ void find_nearest(const LaneLevel& level, const std::array<const float*, 3>& at,
 void find_linear(const LaneLevel& level, int weight_bits, const std::array<const float*, 3>& at, std::size_t count,
                  LinearLanes& to);
 
-// The words at `count` offsets from an aligned one.
-void gather_words(const std::uint8_t* first, const LaneIntegers& offset, std::size_t count, LaneWords& to);
+// The words of `count` fragments, whose faces begin so many words after an aligned one.
+using FaceWords = std::array<std::int32_t, 8>;
+void gather_words(const std::uint8_t* first, const FaceWords& face_word, const NearestLanes& at, std::size_t count,
+                  LaneWords& to);
 
 // One byte of each of `count` words, the lowest being byte 0.
 void split_words(const LaneWords& words, int byte, std::size_t count, s9* to);

@@ -22,6 +22,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 void load_rows(LaneTile&, TileRow, int, int) {}
 void store_rows(const LaneTile&, TileRow, int, int) {}
 void find_farthest(LaneTile&) {}
+void fill_planes(LaneTile&, std::uint32_t, std::uint32_t) {}
 
 #else
 
@@ -136,6 +137,14 @@ void store_rows(const LaneTile& tile, TileRow to, int row, int count) {
   for (int y = row; y < row + count; ++y, to.move_up()) store_row(tile, to, static_cast<std::size_t>(y * kTileSize));
 }
 
+void fill_planes(LaneTile& tile, std::uint32_t depth_stencil, std::uint32_t color) {
+  static_assert(TilePlanes::kWords % kLanes == 0);
+  for (std::size_t i = 0; i < TilePlanes::kWords; i += kLanes) {
+    hn::Store(hn::Set(kD32, depth_stencil), kD32, tile.tile.depth_stencil.data() + i);
+    hn::Store(hn::Set(kD32, color), kD32, tile.tile.color.data() + i);
+  }
+}
+
 void find_farthest(LaneTile& tile) {
   constexpr std::size_t kRows = FarthestDepths::kBlock, kWidth = FarthestDepths::kBlock;
   alignas(64) std::array<std::uint32_t, kTileSize> column;
@@ -166,6 +175,7 @@ namespace {
 HWY_EXPORT(load_rows);
 HWY_EXPORT(store_rows);
 HWY_EXPORT(find_farthest);
+HWY_EXPORT(fill_planes);
 
 // A row of which only some pixels are the draw's.
 struct Staging {
@@ -254,10 +264,10 @@ void fill_tile(LaneTile& tile, const ClearValues& values) {
     for (std::size_t k = 0; k < (tile.has_words ? 1 : 4); ++k) fetch(row.color[k]);
   }
   const DepthStencilFormat format = tile.target.format;
-  tile.tile.depth_stencil.fill(depth_code(format, values.depth) << 8 | stencil_value(format, values.stencil));
   std::uint32_t color = 0;
   std::memcpy(&color, values.color.data(), sizeof(color));
-  tile.tile.color.fill(color);
+  HWY_DYNAMIC_DISPATCH(fill_planes)
+  (tile, depth_code(format, values.depth) << 8 | stencil_value(format, values.stencil), color);
 }
 
 void store_tile(const LaneTile& tile) {

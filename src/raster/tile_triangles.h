@@ -39,7 +39,7 @@ struct TileTriangles {
   alignas(64) Each<double> depth, depth_x, depth_y;
   alignas(64) Each<std::int64_t> depth_step_x, depth_step_y;
   Each<bool> is_narrow;  // whether all of the region's vectors keep the edge functions within 32 bits
-  alignas(64) Each<std::int32_t> has_floats;  // not 0: see above
+  alignas(64) Each<std::int32_t> has_floats;         // not 0: see above
   std::array<Each<double>, 3> edge, edge_x, edge_y;  // unless is_narrow, the edge functions themselves
 
   [[nodiscard]] bool has_region(std::size_t k) const { return left[k] <= right[k] && bottom[k] <= top[k]; }

@@ -5,9 +5,8 @@
 // TileTriangles::place.
 HWY_INLINE hn::Mask<D> place_small(TileTriangles& t, const SetupBlock& block, const std::uint32_t* indices,
                                    const PixelBox& tile, hn::Mask<D>& is_drawn) {
-  const auto store_float = [](V v, TileTriangles::Each<float>& to) HWY_ATTR {
-    hn::Store(hn::ConvertTo(kDF, v), kDF, to.data());
-  };
+  const auto store_float = [](V v, TileTriangles::Each<float>& to)
+                               HWY_ATTR { hn::Store(hn::ConvertTo(kDF, v), kDF, to.data()); };
   const V record = hn::Mul(hn::LoadU(kD, reinterpret_cast<const std::int32_t*>(indices)),
                            hn::Set(kD, static_cast<std::int32_t>(sizeof(SetupPrimitive))));
   const SetupPrimitive& first = block.primitives[0];
