@@ -5,6 +5,7 @@
 #include <bit>
 #include <cmath>
 #include <cstring>
+#include <random>
 
 #include "combiner_tests/combiner/simd_targets.h"
 #include "combiner_tests/raster/support.h"
@@ -50,7 +51,7 @@ class DrawSetup {
 
 oracle::WindowTriangle window_of(const SetupPrimitive& p) {
   oracle::WindowTriangle t;
-  for (std::size_t k = 0; k < 3; ++k) t[k] = {p.x_q4[k], p.y_q4[k], static_cast<std::int64_t>(p.z24[k])};
+  for (std::size_t k = 0; k < 3; ++k) t[k] = {p.x_q4()[k], p.y_q4()[k], static_cast<std::int64_t>(p.z24[k])};
   return t;
 }
 
@@ -130,7 +131,7 @@ void compare_small(const SmallTriangles& t, const PixelBox& drawn, const Pipelin
       ASSERT_EQ(p.box.right, c.x) << i;
       ASSERT_EQ(p.box.bottom, c.y) << i;
       ASSERT_EQ(p.box.top, c.y) << i;
-      ASSERT_EQ(p.pixel_z24, oracle::depth_at(triangle, c.x, c.y)) << i;
+      for (const std::uint32_t z : p.z24) ASSERT_EQ(z, oracle::depth_at(triangle, c.x, c.y)) << i;
       continue;
     }
     ASSERT_EQ(p.kind, SetupKind::triangle) << i;
@@ -301,7 +302,7 @@ void compare_blocks(const SetupBlock& batch, const SetupBlock& single, const Pix
   std::size_t next = 0;
   for (const SetupPrimitive& expected : single.primitives) {
     const bool is_there = next < batch.primitives.size() && batch.primitives[next].primitive == expected.primitive &&
-                          batch.primitives[next].x_q4 == expected.x_q4 && batch.primitives[next].y_q4 == expected.y_q4;
+                          batch.primitives[next].position.word == expected.position.word;
     const PixelBox box{expected.box.left, expected.box.bottom, expected.box.right + 1, expected.box.top + 1};
     const bool is_small = box.right - box.left <= 2 && box.top - box.bottom <= 2;
     const Coverage c = is_small || !is_there ? coverage_of(window_of(expected), drawn) : Coverage{};
@@ -310,21 +311,43 @@ void compare_blocks(const SetupBlock& batch, const SetupBlock& single, const Pix
       continue;
     }
     const SetupPrimitive& p = batch.primitives[next++];
-    ASSERT_EQ(p.z24, expected.z24);
     ASSERT_EQ(p.front_facing, expected.front_facing);
     ASSERT_EQ(p.offset_z24, expected.offset_z24);
     if (!single.corners.empty()) compare_corners(batch, batch.corners_of(p), single, single.corners_of(expected));
     if (p.kind == SetupKind::pixel) {
       ASSERT_EQ(c.pixels, 1);
-      ASSERT_EQ(p.pixel_z24, oracle::depth_at(window_of(p), c.x, c.y));
+      for (const std::uint32_t z : p.z24) ASSERT_EQ(z, oracle::depth_at(window_of(expected), c.x, c.y));
     } else {
       ASSERT_EQ(p.kind, expected.kind);
+      ASSERT_EQ(p.z24, expected.z24);
       if (!is_small) {
         ASSERT_EQ(std::memcmp(&p.box, &expected.box, sizeof p.box), 0);
       }
     }
   }
   ASSERT_EQ(next, batch.primitives.size());
+}
+
+TEST(TriangleBatch, PositionsArePackedExactly) {
+  constexpr int kLeast = -(1 << 19), kMost = (1 << 19) - 1;
+  std::mt19937 random(3);
+  std::uniform_int_distribution<int> any(kLeast, kMost), few(0, 5);
+  const auto value = [&] {
+    constexpr std::array kEdges{kLeast, -4097, -1, 0, 4095, kMost};
+    return few(random) == 0 ? kEdges[static_cast<std::size_t>(few(random))] : any(random);
+  };
+  for (int run = 0; run < 20000; ++run) {
+    std::array<std::array<int, 2>, 3> corner{};
+    SetupPrimitive p{};
+    for (std::size_t i = 0; i < 3; ++i) {
+      corner[i] = {value(), value()};
+      p.position.set(i, corner[i][0], corner[i][1]);
+    }
+    for (std::size_t i = 0; i < 3; ++i) {
+      ASSERT_EQ(p.x_q4()[i], corner[i][0]);
+      ASSERT_EQ(p.y_q4()[i], corner[i][1]);
+    }
+  }
 }
 
 // Degenerate, huge and not finite positions among others, in ranges of any length.

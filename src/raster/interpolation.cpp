@@ -33,15 +33,16 @@ struct EdgeSteps {
 
 EdgeSteps edge_steps(const SetupPrimitive& p) {
   EdgeSteps steps;
+  const std::array<std::int32_t, 3> x = p.x_q4(), y = p.y_q4();
   if (p.kind == SetupKind::triangle || p.kind == SetupKind::pixel) {
     for (std::size_t i = 0; i < 3; ++i) {
       const std::size_t a = (i + 1) % 3, b = (i + 2) % 3;
-      steps.x[i] = static_cast<float>((p.y_q4[a] - p.y_q4[b]) * 16);
-      steps.y[i] = static_cast<float>((p.x_q4[b] - p.x_q4[a]) * 16);
+      steps.x[i] = static_cast<float>((y[a] - y[b]) * 16);
+      steps.y[i] = static_cast<float>((x[b] - x[a]) * 16);
     }
   } else if (p.kind == SetupKind::line) {
     // The distances add up to the squared length and change by the length for each 1/16 pixel along the line.
-    const std::int64_t dx = p.x_q4[1] - p.x_q4[0], dy = p.y_q4[1] - p.y_q4[0];
+    const std::int64_t dx = x[1] - x[0], dy = y[1] - y[0];
     const float length = std::sqrt(static_cast<float>(dx * dx + dy * dy));
     steps.x[0] = -16.0F * length;
     steps.x[1] = 16.0F * length;

@@ -26,8 +26,7 @@ Piece start(SetupKind kind, const SetupSource& source, const PixelBounds& box) {
 }
 
 void put(const WindowVertex& from, std::size_t i, Piece& to) {
-  to.primitive.x_q4[i] = from.x_q4;
-  to.primitive.y_q4[i] = from.y_q4;
+  to.primitive.position.set(i, from.x_q4, from.y_q4);
   to.primitive.z24[i] = from.z24;
   to.corners.inv_w[i] = from.inv_w;
 }

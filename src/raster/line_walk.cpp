@@ -8,9 +8,9 @@
 namespace ninebit {
 
 LineWalk::LineWalk(const SetupPrimitive& line)
-    : x_major_(std::abs(line.x_q4[1] - line.x_q4[0]) >= std::abs(line.y_q4[1] - line.y_q4[0])) {
-  const auto& along = x_major_ ? line.x_q4 : line.y_q4;
-  const auto& across = x_major_ ? line.y_q4 : line.x_q4;
+    : x_major_(std::abs(line.x_q4()[1] - line.x_q4()[0]) >= std::abs(line.y_q4()[1] - line.y_q4()[0])) {
+  const std::array<std::int32_t, 3> along = x_major_ ? line.x_q4() : line.y_q4();
+  const std::array<std::int32_t, 3> across = x_major_ ? line.y_q4() : line.x_q4();
   major_ = {along[0], along[1]};
   minor_ = {across[0], across[1]};
   forward_ = major_[1] > major_[0];

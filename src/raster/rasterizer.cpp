@@ -23,7 +23,7 @@ namespace {
 
 // As many blocks as stay in the caches, and further ones as long as their tiles have so few primitives that reading
 // and writing them would take its time; fewer where primitives are in so many tiles.
-constexpr std::size_t kBlocksPerChunk = 128, kFewBlocks = 64, kMostBlocks = 1024, kEntriesPerTile = 1024;
+constexpr std::size_t kBlocksPerChunk = 128, kFewBlocks = 64, kMostBlocks = 512, kEntriesPerTile = 1024;
 constexpr std::size_t kEntriesPerChunk = std::size_t{1} << 22;
 
 // The tiles in which blocks have primitives, noted by several threads.

@@ -21,16 +21,15 @@ constexpr std::int32_t kUpperHalf = 0x10000;
 struct TextureSampler::BytePlanes {
   std::array<std::array<BytePlane, 6>, 4> plane{};
   bool alike = true;   // all have rows and steps of one length, a row is whole steps, and offsets fit 32 bits
-  bool words = false;  // and each texel is a word of memory, red in its first byte, alpha in its last
+  bool words = false;  // and each texel is a word of memory, red in its first byte, alpha in its last, all near enough
   std::int32_t stride = 0;
   std::ptrdiff_t step = 1;
   FaceWords face_word{};  // of words: where each face begins, in words from the first one's beginning
-  bool are_near = false;  // whether there are such numbers
 
   explicit BytePlanes(const Texture& texture);
 
  private:
-  void find_face_words(std::size_t faces);
+  [[nodiscard]] bool find_face_words(std::size_t faces);
 };
 
 TextureSampler::BytePlanes::BytePlanes(const Texture& texture) {
@@ -52,21 +51,21 @@ TextureSampler::BytePlanes::BytePlanes(const Texture& texture) {
       alike = alike && (!stored[k] || (other.stride == first.stride && other.step == first.step));
     }
   }
-  words = words && alike;
   stride = alike ? static_cast<std::int32_t>(steps) : kUpperHalf;
-  if (words) find_face_words(texture.face_count());
+  words = words && alike && find_face_words(texture.face_count());
 }
 
 // Vectors reach words within 2^31 of one place, from an aligned one on.
-void TextureSampler::BytePlanes::find_face_words(std::size_t faces) {
+bool TextureSampler::BytePlanes::find_face_words(std::size_t faces) {
   constexpr std::int64_t kFarthest = std::int64_t{1} << 30;
   const auto address = [this](std::size_t f) { return reinterpret_cast<std::intptr_t>(plane[0][f].data); };
-  are_near = std::abs(stride) <= kFarthest / kMaxSurfaceSize;
+  if (std::abs(stride) > kFarthest / kMaxSurfaceSize) return false;
   for (std::size_t f = 0; f < faces; ++f) {
     const std::intptr_t bytes = address(f) - address(0), word = bytes / 4;
-    are_near = are_near && address(f) % 4 == 0 && word > -kFarthest && word < kFarthest;
-    if (are_near) face_word[f] = static_cast<std::int32_t>(word);
+    if (address(f) % 4 != 0 || word <= -kFarthest || word >= kFarthest) return false;
+    face_word[f] = static_cast<std::int32_t>(word);
   }
+  return true;
 }
 
 void TextureSampler::find_byte_planes() {
@@ -111,14 +110,27 @@ void fetch(const Planes& level, std::size_t component, const Lanes& lanes, const
                [to](std::size_t i, const std::uint8_t* texel) { to[i] = *texel; });
 }
 
+// Groups of coordinates are read where they stand; what follows the last ones is not ours to read.
 template <class Planes>
-void fetch_words(const Planes& level, const NearestLanes& lanes, std::size_t count, LaneWords& to) {
-  if (level.are_near) return gather_words(level.plane[0][0].data, level.face_word, lanes, count, to);
-  visit_texels(level, 0, lanes, lanes.offset, count,
-               [&to](std::size_t i, const std::uint8_t* texel) { std::memcpy(&to[i], texel, sizeof(to[i])); });
+void fetch_words(const Planes& planes, const LaneLevel& level, const TextureCoordinates& at, std::size_t first,
+                 std::size_t count, LaneWords& to) {
+  const std::size_t whole = count / kMostLanes * kMostLanes, left = count - whole;
+  const auto fetch = [&](const std::array<const float*, 3>& from, std::size_t begin, std::size_t words) {
+    fetch_nearest_words(level, from, planes.plane[0][0].data, planes.face_word, words, to.data() + begin);
+  };
+  std::array<const float*, 3> from{};
+  for (std::size_t k = 0; k < (level.cube ? 3 : 2); ++k) from[k] = at.value[k] + first;
+  if (whole > 0) fetch(from, 0, whole);
+  if (left == 0) return;
+  std::array<std::array<float, kMostLanes>, 3> rest{};
+  for (std::size_t k = 0; k < (level.cube ? 3 : 2); ++k) {
+    std::copy_n(from[k] + whole, left, rest[k].begin());
+    from[k] = rest[k].data();
+  }
+  fetch(from, whole, left);
 }
 
-// Whole batches are read where they stand; what follows fewer coordinates is not ours to read.
+// The same, whole batches.
 using CoordinateRoom = std::array<std::array<float, kBatchSize>, 3>;
 std::array<const float*, 3> whole_batch(const TextureCoordinates& at, std::size_t first, std::size_t count,
                                         std::size_t components, CoordinateRoom& room) {
@@ -152,16 +164,17 @@ void TextureSampler::sample_bytes(const TextureCoordinates& at, std::size_t firs
                         .wrap_t = sampler_.wrap_t,
                         .stride = planes.stride};
   CoordinateRoom room;
-  const std::array<const float*, 3> batch = whole_batch(at, first, count, cube_ ? 3 : 2, room);
   const bool linear = sampler_.min_filter == MinFilter::linear;
   NearestLanes nearest;
   LinearLanes quads;
   alignas(64) LaneWords words;
+  const auto batch = [&] { return whole_batch(at, first, count, cube_ ? 3 : 2, room); };
   if (linear) {
-    find_linear(level, weight_bits_, batch, count, quads);
+    find_linear(level, weight_bits_, batch(), count, quads);
+  } else if (planes.words) {
+    fetch_words(planes, level, at, first, count, words);
   } else {
-    find_nearest(level, batch, count, nearest);
-    if (planes.words) fetch_words(planes, nearest, count, words);
+    find_nearest(level, batch(), count, nearest);
   }
   for (std::size_t out = 0; out < 4; ++out) {
     s9* const to = codes[out] + first;

@@ -139,13 +139,30 @@ HWY_INLINE void store(VI v, LaneIntegers& to, std::size_t lane) {
   hn::StoreU(v, kDI, to.data() + lane);
 }
 
-// The coordinates of the next fragments on their face, whose numbers are stored.
-HWY_INLINE void load_place(const LaneLevel& level, const std::array<const float*, 3>& at, std::size_t lane, VF& s,
-                           VF& t, LaneIntegers& face) {
+// The coordinates of the next fragments on their face, and the face's number.
+HWY_INLINE VI load_place(const LaneLevel& level, const std::array<const float*, 3>& at, std::size_t lane, VF& s,
+                         VF& t) {
   s = hn::LoadU(kDF, at[0] + lane);
   t = hn::LoadU(kDF, at[1] + lane);
-  store(level.cube ? cube_coordinates(s, t, hn::LoadU(kDF, at[2] + lane), s, t) : hn::Zero(kDI), face, lane);
+  return level.cube ? cube_coordinates(s, t, hn::LoadU(kDF, at[2] + lane), s, t) : hn::Zero(kDI);
 }
+
+// What find_nearest has of one axis and another.
+struct NearestAxes {
+  Axis across, up;
+  bool cube;
+  VI stride;
+  HWY_INLINE explicit NearestAxes(const LaneLevel& level)
+      : across{static_cast<float>(level.width), level.width - 1, level.wrap_s},
+        up{static_cast<float>(level.height), level.height - 1, level.wrap_t},
+        cube(level.cube),
+        stride(hn::Set(kDI, level.stride)) {}
+  [[nodiscard]] HWY_INLINE VI offset(VF s, VF t) const {
+    const VI x = cube ? texel_on_face(across, s) : texel_along(across, s);
+    const VI y = cube ? texel_on_face(up, t) : texel_along(up, t);
+    return hn::Add(hn::Mul(y, stride), x);
+  }
+};
 
 // Here, so that the compiler makes it a loop of the target's lanes.
 HWY_INLINE bool all_like_first(const LaneIntegers& values, std::size_t count) {
@@ -155,17 +172,36 @@ HWY_INLINE bool all_like_first(const LaneIntegers& values, std::size_t count) {
 }
 
 void find_nearest(const LaneLevel& level, const std::array<const float*, 3>& at, std::size_t count, NearestLanes& to) {
-  const Axis across{static_cast<float>(level.width), level.width - 1, level.wrap_s};
-  const Axis up{static_cast<float>(level.height), level.height - 1, level.wrap_t};
-  const VI stride = hn::Set(kDI, level.stride);
+  const NearestAxes axes(level);
   for (std::size_t lane = 0; lane < count; lane += hn::Lanes(kDF)) {
     VF s, t;
-    load_place(level, at, lane, s, t, to.face);
-    const VI x = level.cube ? texel_on_face(across, s) : texel_along(across, s);
-    const VI y = level.cube ? texel_on_face(up, t) : texel_along(up, t);
-    store(hn::Add(hn::Mul(y, stride), x), to.offset, lane);
+    store(load_place(level, at, lane, s, t), to.face, lane);
+    store(axes.offset(s, t), to.offset, lane);
   }
   to.one_face = all_like_first(to.face, count);
+}
+
+void fetch_nearest_words(const LaneLevel& level, const std::array<const float*, 3>& at, const std::uint8_t* first,
+                         const FaceWords& face_word, std::size_t count, std::uint32_t* to) {
+#if HWY_TARGET <= HWY_AVX2  // which have an instruction for it
+  const NearestAxes axes(level);
+  constexpr hn::RebindToUnsigned<DI> du;
+  const auto* const words = reinterpret_cast<const std::uint32_t*>(first);
+  const VI begin = hn::LoadU(kDI, face_word.data());
+  for (std::size_t lane = 0; lane < count; lane += hn::Lanes(kDF)) {
+    VF s, t;
+    const VI face = load_place(level, at, lane, s, t);
+    const VI of_face = hn::TableLookupLanes(begin, hn::IndicesFromVec(kDI, face));
+    hn::StoreU(hn::GatherIndex(du, words, hn::Add(of_face, axes.offset(s, t))), du, to + lane);
+  }
+#else
+  NearestLanes lanes;
+  HWY_NAMESPACE::find_nearest(level, at, count, lanes);
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::ptrdiff_t word = face_word[static_cast<std::size_t>(lanes.face[i])] + std::ptrdiff_t{lanes.offset[i]};
+    std::memcpy(&to[i], first + 4 * word, 4);
+  }
+#endif
 }
 
 void find_linear(const LaneLevel& level, int weight_bits, const std::array<const float*, 3>& at, std::size_t count,
@@ -175,7 +211,7 @@ void find_linear(const LaneLevel& level, int weight_bits, const std::array<const
   const VI stride = hn::Set(kDI, level.stride);
   for (std::size_t lane = 0; lane < count; lane += hn::Lanes(kDF)) {
     VF s, t;
-    load_place(level, at, lane, s, t, to.face);
+    store(load_place(level, at, lane, s, t), to.face, lane);
     VI right, above, u, v;
     const VI left = texels_along(across, s, weight_bits, right, u);
     const VI low = hn::Mul(texels_along(up, t, weight_bits, above, v), stride);
@@ -188,25 +224,6 @@ void find_linear(const LaneLevel& level, int weight_bits, const std::array<const
     store(v, to.v, lane);
   }
   to.one_face = all_like_first(to.face, count);
-}
-
-void gather_words(const std::uint8_t* first, const FaceWords& face_word, const NearestLanes& at, std::size_t count,
-                  LaneWords& to) {
-  std::size_t lane = 0;
-#if HWY_TARGET <= HWY_AVX2  // which have an instruction for it
-  constexpr hn::RebindToUnsigned<DI> du;
-  const auto* const words = reinterpret_cast<const std::uint32_t*>(first);
-  const VI only_face = hn::Set(kDI, face_word[static_cast<std::size_t>(at.face[0])]);
-  for (; lane + hn::Lanes(kDF) <= count; lane += hn::Lanes(kDF)) {
-    const VI face = at.one_face ? only_face : hn::GatherIndex(kDI, face_word.data(), hn::Load(kDI, &at.face[lane]));
-    const VI offset = hn::Add(face, hn::Load(kDI, &at.offset[lane]));
-    hn::StoreU(hn::GatherIndex(du, words, offset), du, to.data() + lane);
-  }
-#endif
-  for (; lane < count; ++lane) {
-    const std::ptrdiff_t word = face_word[static_cast<std::size_t>(at.face[lane])] + std::ptrdiff_t{at.offset[lane]};
-    std::memcpy(&to[lane], first + 4 * word, 4);
-  }
 }
 
 void split_words(const LaneWords& words, int byte, std::size_t count, s9* to) {
@@ -244,7 +261,7 @@ namespace ninebit {
 
 HWY_EXPORT(find_nearest);
 HWY_EXPORT(find_linear);
-HWY_EXPORT(gather_words);
+HWY_EXPORT(fetch_nearest_words);
 HWY_EXPORT(split_words);
 HWY_EXPORT(weigh_linear);
 
@@ -257,9 +274,9 @@ void find_linear(const LaneLevel& level, int weight_bits, const std::array<const
   HWY_DYNAMIC_DISPATCH(find_linear)(level, weight_bits, at, count, to);
 }
 
-void gather_words(const std::uint8_t* first, const FaceWords& face_word, const NearestLanes& at, std::size_t count,
-                  LaneWords& to) {
-  HWY_DYNAMIC_DISPATCH(gather_words)(first, face_word, at, count, to);
+void fetch_nearest_words(const LaneLevel& level, const std::array<const float*, 3>& at, const std::uint8_t* first,
+                         const FaceWords& face_word, std::size_t count, std::uint32_t* to) {
+  HWY_DYNAMIC_DISPATCH(fetch_nearest_words)(level, at, first, face_word, count, to);
 }
 
 void split_words(const LaneWords& words, int byte, std::size_t count, s9* to) {

@@ -46,10 +46,12 @@ void find_nearest(const LaneLevel& level, const std::array<const float*, 3>& at,
 void find_linear(const LaneLevel& level, int weight_bits, const std::array<const float*, 3>& at, std::size_t count,
                  LinearLanes& to);
 
-// The words of `count` fragments, whose faces begin so many words after an aligned one.
-using FaceWords = std::array<std::int32_t, 8>;
-void gather_words(const std::uint8_t* first, const FaceWords& face_word, const NearestLanes& at, std::size_t count,
-                  LaneWords& to);
+// The words of the texels that find_nearest selects: y × stride + x words from where their face begins, so many words
+// after an aligned one. Of up to kMostLanes fragments at a time all are read and written.
+inline constexpr std::size_t kMostLanes = 64;
+using FaceWords = std::array<std::int32_t, 16>;
+void fetch_nearest_words(const LaneLevel& level, const std::array<const float*, 3>& at, const std::uint8_t* first,
+                         const FaceWords& face_word, std::size_t count, std::uint32_t* to);
 
 // One byte of each of `count` words, the lowest being byte 0.
 void split_words(const LaneWords& words, int byte, std::size_t count, s9* to);

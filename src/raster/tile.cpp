@@ -72,8 +72,9 @@ template <class Sink>
 template <class Sink>
 void draw_line(const PixelBox& tile, const SetupPrimitive& line, int width, Sink sink) {
   const LineWalk walk(line);
+  const std::array<std::int32_t, 3> x_q4 = line.x_q4(), y_q4 = line.y_q4();
   const bool x_major = walk.is_x_major();
-  const std::int64_t dx = line.x_q4[1] - line.x_q4[0], dy = line.y_q4[1] - line.y_q4[0];
+  const std::int64_t dx = x_q4[1] - x_q4[0], dy = y_q4[1] - y_q4[0];
   const std::int64_t squared_length = dx * dx + dy * dy;
   const FloorDivider divide(2 * squared_length);
   const int first = std::max(walk.first(), x_major ? tile.left : tile.bottom);
@@ -83,8 +84,7 @@ void draw_line(const PixelBox& tile, const SetupPrimitive& line, int width, Sink
     int minor = 0;
     if (!walk.pixel_at(major, minor)) continue;
     const int x = x_major ? major : minor, y = x_major ? minor : major;
-    const std::int64_t along =
-        dx * (16 * std::int64_t{x} + 8 - line.x_q4[0]) + dy * (16 * std::int64_t{y} + 8 - line.y_q4[0]);
+    const std::int64_t along = dx * (16 * std::int64_t{x} + 8 - x_q4[0]) + dy * (16 * std::int64_t{y} + 8 - y_q4[0]);
     const std::int64_t from_start = std::clamp(along, std::int64_t{0}, squared_length);
     const std::array<std::int64_t, 3> edge{squared_length - from_start, from_start, 0};
     const std::int64_t wide = edge[0] * line.z24[0] + edge[1] * line.z24[1];
@@ -97,7 +97,7 @@ void draw_line(const PixelBox& tile, const SetupPrimitive& line, int width, Sink
 
 template <class Sink>
 void draw_point(const PixelBox& tile, const SetupPrimitive& point, int size, Sink sink) {
-  const int left = point.x_q4[0] >> 4, bottom = point.y_q4[0] >> 4;
+  const int left = point.x_q4()[0] >> 4, bottom = point.y_q4()[0] >> 4;
   for (int y = std::max(bottom, tile.bottom); y < std::min(bottom + size, tile.top); ++y) {
     for (int x = std::max(left, tile.left); x < std::min(left + size, tile.right); ++x) {
       sink(x, y, point.z24[0], {1, 0, 0});
@@ -109,7 +109,7 @@ template <class Sink>
 void draw_pixel(const PixelBox& tile, const SetupPrimitive& t, Sink sink) {
   const int x = t.box.left, y = t.box.bottom;
   if (x < tile.left || x >= tile.right || y < tile.bottom || y >= tile.top) return;  // (a probe's tile is one pixel)
-  sink(x, y, t.pixel_z24, TriangleEdges(t).at(x, y));
+  sink(x, y, t.z24[0], TriangleEdges(t).at(x, y));
 }
 
 template <class Next>

@@ -15,11 +15,12 @@ class TriangleReach {
  public:
   TriangleReach() = default;  // of what may reach everywhere
   explicit TriangleReach(const SetupPrimitive& t) : is_triangle_(t.kind == SetupKind::triangle) {
+    const std::array<std::int32_t, 3> x = t.x_q4(), y = t.y_q4();
     for (std::size_t i = 0; i < 3; ++i) {
       const std::size_t a = (i + 1) % 3, b = (i + 2) % 3;
-      dx_[i] = t.x_q4[b] - t.x_q4[a];
-      dy_[i] = t.y_q4[b] - t.y_q4[a];
-      origin_[i] = dy_[i] * t.x_q4[a] - dx_[i] * t.y_q4[a];
+      dx_[i] = x[b] - x[a];
+      dy_[i] = y[b] - y[a];
+      origin_[i] = dy_[i] * x[a] - dx_[i] * y[a];
     }
   }
 

@@ -111,14 +111,14 @@ HWY_INLINE void draw_pixel(const Pen& pen) {
   const auto place = static_cast<std::size_t>((y - tile.bottom) * kTileSize + (x - tile.left));
   if constexpr (is_nearest(kDrawing)) {
     std::uint32_t& stored = tile.tile.depth_stencil[place];
-    if (p.pixel_z24 >= stored >> 8) return;
+    if (p.z24[0] >= stored >> 8) return;
     if (kDrawing == Drawing::noted) tile.tile.owner[place] = pen.number;
-    stored = (p.pixel_z24 << 8) | (stored & 0xFF);
+    stored = (p.z24[0] << 8) | (stored & 0xFF);
     if (pen.pass.operations.color) tile.tile.color[place] = pen.color;
     return;
   }
   const LaneDraw<D1> draw(kD1, pen.pass.operations, p.front_facing);
-  const auto depth = depth_codes(kD1, pen.pass, p, hn::Set(kD1, static_cast<std::int32_t>(p.pixel_z24)));
+  const auto depth = depth_codes(kD1, pen.pass, p, hn::Set(kD1, static_cast<std::int32_t>(p.z24[0])));
   auto mask = hn::FirstN(kD1, 1);
   if constexpr (kDrawing == Drawing::gathers) {
     mask = gathered<OneRow>(kD1, draw, pen, place, mask, depth);

@@ -32,9 +32,14 @@ HWY_INLINE hn::Mask<D> place_small(TileTriangles& t, const SetupBlock& block, co
   const V centre_y = hn::Add(hn::ShiftLeft<4>(bottom), hn::Set(kD, 8));
   V x[3], y[3];
   V reach = zero;
+  const V high_y = field(&first.position.word[3]);
+  constexpr int kLow = PackedPositions::kLow, kHigh = PackedPositions::kHigh;
   for (std::size_t i = 0; i < 3; ++i) {
-    x[i] = hn::Sub(field(&first.x_q4[i]), centre_x);
-    y[i] = hn::Sub(field(&first.y_q4[i]), centre_y);
+    const V word = field(&first.position.word[i]);
+    const V high_part = hn::ShiftRight<32 - kHigh>(hn::ShiftLeftSame(high_y, 32 - kHigh - kHigh * static_cast<int>(i)));
+    const V low_part = hn::And(word, hn::Set(kD, (1 << kLow) - 1));
+    x[i] = hn::Sub(hn::ShiftRight<kLow>(word), centre_x);
+    y[i] = hn::Sub(hn::Or(hn::ShiftLeft<kLow>(high_part), low_part), centre_y);
     reach = hn::Max(reach, hn::Max(hn::Abs(x[i]), hn::Abs(y[i])));
   }
   V edge[3], step_x[3], step_y[3];

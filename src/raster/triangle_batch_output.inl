@@ -94,8 +94,8 @@ HWY_INLINE void write_corners(const Candidates& c, const Depths& d, std::size_t 
 
 // Writes the candidates where `out` points, and moves it.
 HWY_INLINE void write(const TriangleBatch& batch, const Candidates& c, const Depths& d, TriangleBatchOutput& out) {
-  static_assert(offsetof(SetupPrimitive, offset_z24) == 16 && offsetof(SetupPrimitive, z24) == 24 &&
-                offsetof(SetupPrimitive, y_q4) == 48);
+  static_assert(offsetof(SetupPrimitive, kind) == 12 && offsetof(SetupPrimitive, z24) == 16 &&
+                offsetof(SetupPrimitive, position) == 32);
   static_assert(std::endian::native == std::endian::little);
   static_assert(kTileSize == 64);
   const bool is_offset = batch.context.is_offset(PolygonMode::fill);
@@ -103,12 +103,19 @@ HWY_INLINE void write(const TriangleBatch& batch, const Candidates& c, const Dep
     const auto load = [i](const Candidates::Lanes& lanes) HWY_ATTR { return hn::Load(kDI, lanes + i); };
     const VI low = load(c.low), high = load(c.high), kind = hn::And(load(c.kind), set(0xFFFF));
     const MI is_pixel = hn::Ne(hn::And(kind, set(0xFF)), set(0));
-    alignas(64) std::int32_t rows[4][4 * 16];
-    const VI zero = set(0);
-    hn::StoreInterleaved4(low, high, hn::IfThenElseZero(is_pixel, load(d.pixel)), load(c.primitive), kDI, rows[0]);
-    hn::StoreInterleaved4(is_offset ? load(d.offset) : zero, kind, load(d.corner[0]), load(d.corner[1]), kDI, rows[1]);
-    hn::StoreInterleaved4(load(d.corner[2]), load(c.x[0]), load(c.x[1]), load(c.x[2]), kDI, rows[2]);
-    hn::StoreInterleaved4(load(c.y[0]), load(c.y[1]), load(c.y[2]), zero, kDI, rows[3]);
+    alignas(64) std::int32_t rows[3][4 * 16];
+    const VI pixel = load(d.pixel);
+    const auto depth = [&](int k) HWY_ATTR { return hn::IfThenElse(is_pixel, pixel, load(d.corner[k])); };
+    hn::StoreInterleaved4(low, high, load(c.primitive), kind, kDI, rows[0]);
+    hn::StoreInterleaved4(depth(0), depth(1), depth(2), is_offset ? load(d.offset) : set(0), kDI, rows[1]);
+    constexpr int kLow = PackedPositions::kLow, kHigh = PackedPositions::kHigh;
+    VI word[3], high_y = set(0);
+    for (int k = 0; k < 3; ++k) {
+      const VI y = load(c.y[k]), high_part = hn::And(hn::ShiftRight<kLow>(y), set((1 << kHigh) - 1));
+      word[k] = hn::Or(hn::ShiftLeft<kLow>(load(c.x[k])), hn::And(y, set((1 << kLow) - 1)));
+      high_y = hn::Or(high_y, hn::ShiftLeftSame(high_part, kHigh * k));
+    }
+    hn::StoreInterleaved4(word[0], word[1], word[2], high_y, kDI, rows[2]);
     const auto tile_at = [&batch](VI corner) HWY_ATTR {
       const VI row = hn::Mul(hn::ShiftRight<22>(corner), set(batch.tile_columns));
       return hn::Add(row, hn::ShiftRight<6>(hn::And(corner, set(0xFFFF))));

@@ -14,18 +14,7 @@ namespace ninebit {
 // the area of the triangle that the edge and the point make, positive inside, in square sixteenths of a pixel.
 class TriangleEdges {
  public:
-  explicit TriangleEdges(const SetupPrimitive& t) : triangle_(t), area_(area_of(t)), divide_(2 * area_) {
-    for (std::size_t i = 0; i < 3; ++i) {
-      const std::size_t a = (i + 1) % 3, b = (i + 2) % 3;
-      const std::int64_t dx = t.x_q4[b] - t.x_q4[a], dy = t.y_q4[b] - t.y_q4[a];
-      step_x_[i] = -dy * 16;
-      step_y_[i] = dx * 16;
-      // At the centre of pixel (0, 0).
-      origin_[i] = dx * (8 - t.y_q4[a]) - dy * (8 - t.x_q4[a]);
-      // Top-left rule: a centre on an edge is inside when the edge goes down (left) or, level, to the left (top).
-      threshold_[i] = dy < 0 || (dy == 0 && dx < 0) ? 0 : 1;
-    }
-  }
+  explicit TriangleEdges(const SetupPrimitive& t) : TriangleEdges(t, t.x_q4(), t.y_q4()) {}
 
   [[nodiscard]] std::array<std::int64_t, 3> at(int x, int y) const {
     std::array<std::int64_t, 3> e;
@@ -73,9 +62,24 @@ class TriangleEdges {
   [[nodiscard]] double inverse_area() const { return 2.0 * divide_.inverse; }
 
  private:
-  static std::int64_t area_of(const SetupPrimitive& t) {
-    return static_cast<std::int64_t>(t.x_q4[1] - t.x_q4[0]) * (t.y_q4[2] - t.y_q4[0]) -
-           static_cast<std::int64_t>(t.y_q4[1] - t.y_q4[0]) * (t.x_q4[2] - t.x_q4[0]);
+  using Positions = std::array<std::int32_t, 3>;
+  static std::int64_t area_of(const Positions& x, const Positions& y) {
+    return static_cast<std::int64_t>(x[1] - x[0]) * (y[2] - y[0]) -
+           static_cast<std::int64_t>(y[1] - y[0]) * (x[2] - x[0]);
+  }
+
+  TriangleEdges(const SetupPrimitive& t, const Positions& x, const Positions& y)
+      : triangle_(t), area_(area_of(x, y)), divide_(2 * area_) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::size_t a = (i + 1) % 3, b = (i + 2) % 3;
+      const std::int64_t dx = x[b] - x[a], dy = y[b] - y[a];
+      step_x_[i] = -dy * 16;
+      step_y_[i] = dx * 16;
+      // At the centre of pixel (0, 0).
+      origin_[i] = dx * (8 - y[a]) - dy * (8 - x[a]);
+      // Top-left rule: a centre on an edge is inside when the edge goes down (left) or, level, to the left (top).
+      threshold_[i] = dy < 0 || (dy == 0 && dx < 0) ? 0 : 1;
+    }
   }
 
   const SetupPrimitive& triangle_;

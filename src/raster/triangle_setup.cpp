@@ -28,15 +28,13 @@ void emit(const SetupContext& context, const PolygonTriangle& triangle, std::arr
   SetupPrimitive t;
   SetupCorners c;
   t.box = box;
-  t.pixel_z24 = 0;
   c.corner = {0, 1, 2};
   if (area < 0) {
     std::swap(v[1], v[2]);
     std::swap(c.corner[1], c.corner[2]);
   }
   for (std::size_t i = 0; i < 3; ++i) {
-    t.x_q4[i] = v[i].x_q4;
-    t.y_q4[i] = v[i].y_q4;
+    t.position.set(i, v[i].x_q4, v[i].y_q4);
     t.z24[i] = v[i].z24;
     c.inv_w[i] = v[i].inv_w;
   }

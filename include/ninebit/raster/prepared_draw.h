@@ -28,7 +28,7 @@ struct DrawActions {
 
 // What becomes of a draw call's vertices before its fragments are drawn: transformed, clipped, culled, snapped to the
 // window and sorted into tiles. Passes over the same geometry from the same view, each with its own tests, textures,
-// colours and planes, then share that work and draw exactly what rasterize() without it would. About 110 bytes for each
+// colours and planes, then share that work and draw exactly what rasterize() without it would. About 95 bytes for each
 // primitive that may be drawn.
 class PreparedDraw {
  public:
