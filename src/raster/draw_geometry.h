@@ -1,6 +1,7 @@
 // The geometry of one draw call: from vertex arrays to blocks of primitives sorted by tile.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <optional>
 
@@ -24,12 +25,18 @@ class DrawGeometry {
 
   [[nodiscard]] const TileGrid& grid() const { return grid_; }
   [[nodiscard]] std::size_t blocks() const { return (items_ + items_per_block_ - 1) / items_per_block_; }
+  // So many blocks stay in the caches, with most meshes.
+  [[nodiscard]] std::size_t blocks_per_chunk() const {
+    return std::min((std::size_t{1} << 17) / items_per_block_, kMostBlocks);
+  }
   // So many blocks keep the threads busy, and take bounded memory whatever they hold.
   [[nodiscard]] std::size_t blocks_at_a_time() const { return blocks_at_a_time_; }
   // Replaces what is in `block`. As PrimitiveSetup::set_up, false: an index is out of range.
   [[nodiscard]] bool set_up(std::size_t number, BinnedBlock& block) const;
 
  private:
+  static constexpr std::size_t kMostBlocks = 128;  // each lists tiles
+
   TileGrid grid_;
   PrimitiveAssembly assembly_;
   ClipPositions clip_;

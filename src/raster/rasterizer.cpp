@@ -21,10 +21,9 @@
 namespace ninebit {
 namespace {
 
-// As many blocks as stay in the caches, and further ones as long as their tiles have so few primitives that reading
-// and writing them would take its time; fewer where primitives are in so many tiles.
-constexpr std::size_t kBlocksPerChunk = 128, kFewBlocks = 64, kMostBlocks = 512, kEntriesPerTile = 1024;
-constexpr std::size_t kEntriesPerChunk = std::size_t{1} << 22;
+// A chunk has further blocks than are usual as long as its tiles have fewer primitives each, so that reading and writing
+// tiles would take its time; it has fewer where primitives are in so many tiles.
+constexpr std::size_t kEntriesPerTile = 1024, kEntriesPerChunk = std::size_t{1} << 22;
 
 // The tiles in which blocks have primitives, noted by several threads.
 class MetTiles {
@@ -44,11 +43,11 @@ class MetTiles {
 
 // Sets blocks up in parallel, as many as memory allows for whatever they hold; the number of blocks.
 std::size_t set_up_chunk(const DrawGeometry& geometry, std::size_t first, std::vector<BinnedBlock>& to) {
-  const std::size_t most = std::min(geometry.blocks() - first, kMostBlocks);
+  const std::size_t usual = geometry.blocks_per_chunk(), most = std::min(geometry.blocks() - first, 4 * usual);
   std::size_t count = 0, entries = 0;
   MetTiles met(geometry.grid());
   while (count < most && entries < kEntriesPerChunk &&
-         (count < kBlocksPerChunk || most - count < kFewBlocks || entries < kEntriesPerTile * met.count())) {
+         (count < usual || most - count < usual / 2 || entries < kEntriesPerTile * met.count())) {
     const std::size_t end = std::min(count + geometry.blocks_at_a_time(), most);
     if (to.size() < end) to.resize(end);
     const auto set_up = [&](std::size_t b) {
