@@ -54,6 +54,37 @@ TEST(Clear, StencilKeepsItsLowBits) {
   }
 }
 
+// Colour, depth and stencil of an undrawn surface are what it is filled or cleared with; the rest is there from the
+// start.
+TEST(Clear, UndrawnSurfacesAreFilled) {
+  const ClearValues values{.color = {1, 2, 3, 4}, .depth = 0.25, .stencil = 5};
+  for (const int size : {3, 300}) {  // in little memory and in memory of its own pages
+    Surface surface = Surface::make(size, size, {.with_primitive = true, .undrawn = true}).value();
+    Surface plain = Surface::make(size, size, {.with_primitive = true}).value();
+    const auto samples = static_cast<std::size_t>(size) * static_cast<std::size_t>(size);
+    ASSERT_EQ(surface.depth().size(), samples);
+    EXPECT_EQ(surface.primitive(), plain.primitive());
+    surface.fill(values);
+    plain.fill(values);
+    for (int c = 0; c < 4; ++c) EXPECT_EQ(surface.color(c), plain.color(c));
+    EXPECT_EQ(surface.depth(), plain.depth());
+    EXPECT_EQ(surface.stencil(), plain.stencil());
+  }
+}
+
+// Only the samples that it was made with are left without a value.
+TEST(Clear, UndrawnSamplesAreAPlane) {
+  for (const std::size_t count : {std::size_t{10}, std::size_t{100000}}) {
+    PlaneSamples<std::uint32_t> samples;
+    samples = undrawn_samples<std::uint32_t>(count);
+    ASSERT_EQ(samples.size(), count);
+    std::fill(samples.begin(), samples.end(), 7U);
+    samples.resize(2 * count);
+    EXPECT_EQ(std::count(samples.begin(), samples.end(), 7U), static_cast<std::ptrdiff_t>(count));
+    EXPECT_EQ(std::count(samples.begin(), samples.end(), 0U), static_cast<std::ptrdiff_t>(count));
+  }
+}
+
 // What clear() should leave, sample by sample.
 oracle::Picture cleared(const PipelineState& state, ClearBuffers buffers, const ClearValues& values,
                         oracle::Picture p) {

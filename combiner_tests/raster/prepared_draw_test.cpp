@@ -58,7 +58,7 @@ Mixture mixture(int i) {
   Mixture m;
   Random random(93, static_cast<std::uint64_t>(i));
   m.arrays.type = static_cast<PrimitiveType>(i % 10);
-  const int vertices = m.arrays.type == PrimitiveType::polygon ? 60 : 6000;
+  const int vertices = m.arrays.type == PrimitiveType::polygon ? 60 : 9000;
   for (int v = 0; v < vertices; ++v) {
     m.positions.emplace_back(random.real_f(-3, 3), random.real_f(-3, 3), random.real_f(-6, 0.1));
     if (v % 4 != 0) m.positions.back() = m.positions[m.positions.size() - 2] + m.positions.back() * 0.02F;

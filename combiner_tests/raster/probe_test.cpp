@@ -156,7 +156,7 @@ std::vector<ProbedFragment> probed_by(int threads, int x, int y) {
   arena.execute([&] {
     Random random(61);
     Mesh mesh;
-    for (std::uint32_t i = 0; i < 150000; ++i) {
+    for (std::uint32_t i = 0; i < 200000; ++i) {
       const glm::vec3 middle(random.real_f(-1, 1), random.real_f(-1, 1), random.real_f(-1, 1));
       const double spread = random.one_in(100) ? 1.5 : 0.01;
       for (int k = 0; k < 3; ++k) {

@@ -275,16 +275,13 @@ TEST(TextureLanes, TexelsOfEveryStep) {
     bool with_alpha;  // whether the texture is told where alpha is
   };
   using enum InternalFormat;
-  const std::vector<Layout> layouts{{rgb8, 4, 0, {0, 1, 2, 3}, true},
-                                    {rgb8, 4, 0, {0, 1, 2, 3}, false},
-                                    {rgba8, 4, 0, {0, 1, 2, 3}, true},
-                                    {rgba8, 4, 8, {0, 1, 2, 3}, true},
-                                    {rgba8, 4, 3, {0, 1, 2, 3}, true},
-                                    {rgba8, 4, 0, {2, 1, 0, 3}, true},
-                                    {rgb8, 3, 0, {0, 1, 2, 0}, false},
-                                    {rgb8, 5, 1, {4, 0, 2, 0}, false},
-                                    {luminance8_alpha8, 2, 0, {0, 0, 0, 1}, true},
-                                    {luminance8, 4, 4, {1, 0, 0, 0}, false}};
+  const std::vector<Layout> layouts{
+      {rgb8, 4, 0, {0, 1, 2, 3}, true},       {rgb8, 4, 0, {0, 1, 2, 3}, false},
+      {rgba8, 4, 0, {0, 1, 2, 3}, true},      {rgba8, 4, 8, {0, 1, 2, 3}, true},
+      {rgba8, 4, 3, {0, 1, 2, 3}, true},      {rgba8, 4, 8, {1, 2, 3, 4}, true},
+      {rgba8, 4, 0, {2, 1, 0, 3}, true},      {rgb8, 3, 0, {0, 1, 2, 0}, false},
+      {rgb8, 5, 1, {4, 0, 2, 0}, false},      {luminance8_alpha8, 2, 0, {0, 0, 0, 1}, true},
+      {luminance8, 4, 4, {1, 0, 0, 0}, false}};
   Random random(57);
   constexpr int kSize = 16;
   for (const Layout& layout : layouts) {
@@ -314,6 +311,17 @@ TEST(TextureLanes, TexelsOfEveryStep) {
       expect_as_scalar(profiles::geforce2, texture, kNearestSampler, many, changes);
       expect_as_scalar(profiles::geforce256_8bit, texture, kNearestSampler, one, changes);
       expect_as_scalar(profiles::geforce2, texture, linear(Wrap::repeat, Wrap::clamp_to_edge), many, changes);
+      // The same memory from its last row on, upside down; fewer coordinates than a group has.
+      for (TextureImage& face : faces) {
+        for (auto& plane : std::get<0>(face.planes)) {
+          if (plane) plane = {plane.row(kSize - 1), -plane.stride, plane.step};
+        }
+      }
+      const Texture turned = texture_view(layout.format, faces);
+      expect_as_scalar(profiles::geforce2, turned, kNearestSampler, many, changes);
+      CoordinateArrays few;
+      for (int i = 0; i < 5; ++i) few.push({random.real_f(-1, 1), random.real_f(-1, 1), random.real_f(-1, 1)});
+      expect_as_scalar(profiles::geforce2, turned, kNearestSampler, few, changes);
       if (HasFatalFailure()) return;
       EXPECT_GE(changes, 2000);
       // The scalar side reads the bytes that the layout says.

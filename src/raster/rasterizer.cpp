@@ -21,8 +21,8 @@
 namespace ninebit {
 namespace {
 
-// A chunk has further blocks than are usual as long as its tiles have fewer primitives each, so that reading and writing
-// tiles would take its time; it has fewer where primitives are in so many tiles.
+// A chunk has further blocks than are usual as long as its tiles have fewer primitives each, so that reading and
+// writing tiles would take its time; it has fewer where primitives are in so many tiles.
 constexpr std::size_t kEntriesPerTile = 1024, kEntriesPerChunk = std::size_t{1} << 22;
 
 // The tiles in which blocks have primitives, noted by several threads.
