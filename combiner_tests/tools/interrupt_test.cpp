@@ -3,7 +3,10 @@
 
 #include <chrono>
 #include <csignal>
+#include <optional>
+#include <stdexcept>
 #include <thread>
+#include <utility>
 
 #include "combiner_tests/tools/support.h"
 
@@ -27,6 +30,20 @@ bool has_come(const Moment& moment, const std::string& folder) {
     if (entry->path().filename().string().starts_with(std::string(".") + moment.file + ".ninebit-")) return true;
   }
   return false;
+}
+
+// Once nothing changes any more: the process that gives several files their names goes on where its parent is killed.
+Files settled_files_in(const std::string& folder) {
+  for (std::optional<Files> last;;) {
+    try {
+      Files now = files_in(folder);
+      if (last == now) return now;
+      last = std::move(now);
+    } catch (const std::runtime_error&) {  // a file got another name meanwhile
+      last.reset();
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  }
 }
 
 class Interrupt : public testing::Test {
@@ -101,7 +118,7 @@ TEST_F(Interrupt, NothingEndsInAHalfWrittenFile) {
       SCOPED_TRACE(moment.file != nullptr ? moment.file : std::to_string(moment.share));
       const Outcome outcome = interrupted(moment, signals, out_);
       killed += static_cast<int>(outcome.code != 0);
-      const Files files = files_in(out_);
+      const Files files = settled_files_in(out_);
       for (const auto& [name, bytes] : older_) {
         ASSERT_TRUE(files.contains(name)) << name;
         EXPECT_TRUE(files.at(name) == bytes || files.at(name) == newer_.at(name)) << name;

@@ -48,7 +48,7 @@ struct PackedPositions {
 // positions stay within 2^18 sixteenths of a pixel, edge functions, areas and squared lengths within 2^37, and these ×
 // window depth within 2^61.
 //
-// Meshes of many small ones are read from memory: three quarters of a line of the cache, of which every bit is needed.
+// Large meshes come from memory, so it is packed into three quarters of a line of the cache.
 struct alignas(16) SetupPrimitive {
   PixelBounds box;          // of a `pixel`: that pixel
   std::uint32_t primitive;  // number of the GL primitive in the draw call

@@ -52,6 +52,13 @@ StudyValue value_of(const Json& json) {
   return std::monostate{};
 }
 
+// The library would convert numbers of any kind and size.
+std::size_t count_of(const Json& json) {
+  if (!json.is_number_unsigned())
+    throw nlohmann::json::other_error::create(0, "no count where there should be one", nullptr);
+  return json.get<std::size_t>();
+}
+
 // Whoever computes a fitting hash for another content still gets an error, not a crash: the library throws on what is
 // missing or of another type.
 template <class Read>
@@ -114,15 +121,15 @@ Result<PartHeader> parse_header_line(std::string_view line) {
       header.question.options.emplace_back(option.at(0).get<std::string>(), option.at(1).get<std::string>());
     }
     header.build = json.at("build").get<std::string>();
-    header.units = json.at("units").get<std::size_t>();
-    header.shard = {json.at("shard").at(0).get<std::size_t>(), json.at("shard").at(1).get<std::size_t>()};
+    header.units = count_of(json.at("units"));
+    header.shard = {count_of(json.at("shard").at(0)), count_of(json.at("shard").at(1))};
     return header;
   });
 }
 
 Result<FinishedUnit> parse_unit_line(std::string_view line) {
   return read_json(line, [](const Json& json) {
-    FinishedUnit unit{json.at("unit").get<std::size_t>(), {}};
+    FinishedUnit unit{count_of(json.at("unit")), {}};
     for (const Json& row : json.at("rows")) {
       StudyRow& out = unit.rows.emplace_back();
       out.table = row.at(0).get<std::string>();
