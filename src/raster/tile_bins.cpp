@@ -13,7 +13,6 @@ namespace {
 // kept out so are the tiles in the corners of a large triangle's box.)
 class TriangleReach {
  public:
-  TriangleReach() = default;  // of what may reach everywhere
   explicit TriangleReach(const SetupPrimitive& t) : is_triangle_(t.kind == SetupKind::triangle) {
     const std::array<std::int32_t, 3> x = t.x_q4(), y = t.y_q4();
     for (std::size_t i = 0; i < 3; ++i) {
@@ -36,45 +35,49 @@ class TriangleReach {
   }
 
  private:
-  bool is_triangle_ = false;
+  bool is_triangle_;
   std::array<std::int64_t, 3> dx_{}, dy_{}, origin_{};
 };
 
-// The primitives first to end - 1 of a block, all in one tile.
-struct TileRun {
-  std::uint32_t tile, first, end;
-};
-
-// Adds primitive `i` to `runs`, for every tile that it may draw into; there is room for four more.
-void add_to_several(const TileGrid& grid, const SetupPrimitive& p, std::uint32_t i, RawVector<TileRun>& runs,
-                    std::size_t& count) {
-  const int left = p.box.left / kTileSize, right = p.box.right / kTileSize;
-  const int bottom = p.box.bottom / kTileSize, top = p.box.top / kTileSize;
-  const auto across = static_cast<std::uint32_t>(right - left), up = static_cast<std::uint32_t>(top - bottom);
-  const auto columns = static_cast<std::uint32_t>(grid.columns);
-  const auto first = static_cast<std::uint32_t>(bottom) * columns + static_cast<std::uint32_t>(left);
-  if ((across | up) <= 1) {  // without a branch: all four are written, and kept if they are there
-    runs[count++] = {first, i, i + 1};
-    runs[count] = {first + 1, i, i + 1};
-    count += across;
-    runs[count] = {first + columns, i, i + 1};
-    count += up;
-    runs[count] = {first + columns + 1, i, i + 1};
-    count += across & up;
-    return;
-  }
-  if (left > right || bottom > top) return;
+// Calls visit(tile) for every tile that the primitive may draw into.
+template <class Visit>
+void for_each_tile(const TileGrid& grid, const SetupPrimitive& p, Visit visit) {
   const TriangleReach reach(p);
-  runs.resize(runs.size() + (std::size_t{across} + 1) * (std::size_t{up} + 1));
-  for (int row = bottom; row <= top; ++row) {
-    for (int column = left; column <= right; ++column) {
-      if (!reach.meets(column, row)) continue;
-      runs[count++] = {static_cast<std::uint32_t>(row * grid.columns + column), i, i + 1};
+  for (int row = p.box.bottom / kTileSize; row <= p.box.top / kTileSize; ++row) {
+    for (int column = p.box.left / kTileSize; column <= p.box.right / kTileSize; ++column) {
+      if (reach.meets(column, row)) visit(static_cast<std::uint32_t>(row * grid.columns + column));
     }
   }
 }
 
-// The block's primitives in order, each as often as it is drawn: neighbours lie in the same tile most often.
+// The primitives first to end - 1 of a block, all in one tile; or one in more than 2 × 2, whose tile is kSeveralTiles.
+struct TileRun {
+  std::uint32_t tile, first, end;
+};
+
+// Adds primitive `i`, which is in several tiles, at `to`, where there is room for four; how many runs it takes.
+std::size_t add_to_several(const TileGrid& grid, const PixelBounds& box, std::uint32_t i, TileRun* to) {
+  const int left = box.left / kTileSize, bottom = box.bottom / kTileSize;
+  const auto across = static_cast<std::uint32_t>(box.right / kTileSize - left);
+  const auto up = static_cast<std::uint32_t>(box.top / kTileSize - bottom);
+  if ((across | up) > 1) {
+    *to = {kSeveralTiles, i, i + 1};
+    return 1;
+  }
+  const auto columns = static_cast<std::uint32_t>(grid.columns);
+  const std::uint32_t first = static_cast<std::uint32_t>(bottom) * columns + static_cast<std::uint32_t>(left);
+  // Without a branch: all four are written, and kept if they are there.
+  std::size_t count = 0;
+  to[count++] = {first, i, i + 1};
+  to[count] = {first + 1, i, i + 1};
+  count += across;
+  to[count] = {first + columns, i, i + 1};
+  count += up;
+  to[count] = {first + columns + 1, i, i + 1};
+  return count + (across & up);
+}
+
+// The block's primitives in order: neighbours lie in the same tile most often.
 RawVector<TileRun> find_runs(const TileGrid& grid, const BinnedBlock& block) {
   const std::uint32_t* const tile = block.tile.data();
   const auto primitives = static_cast<std::uint32_t>(block.tile.size());
@@ -92,11 +95,25 @@ RawVector<TileRun> find_runs(const TileGrid& grid, const BinnedBlock& block) {
     if (tile[first] != kSeveralTiles) {
       runs[count++] = {tile[first], first, start[s + 1]};
     } else {
-      add_to_several(grid, block.setup.primitives[first], first, runs, count);
+      count += add_to_several(grid, block.setup.primitives[first].box, first, &runs[count]);
     }
   }
   runs.resize(count);
   return runs;
+}
+
+// Calls visit(tile, first, end) for all runs in order, with each of the tiles that one in more than 2 × 2 may draw
+// into.
+template <class Visit>
+void for_each_run(const TileGrid& grid, const BinnedBlock& block, const RawVector<TileRun>& runs, Visit visit) {
+  for (const TileRun& run : runs) {
+    if (run.tile != kSeveralTiles) {
+      visit(run.tile, run.first, run.end);
+    } else {
+      for_each_tile(grid, block.setup.primitives[run.first],
+                    [&](std::uint32_t tile) { visit(tile, run.first, run.end); });
+    }
+  }
 }
 
 }  // namespace
@@ -128,24 +145,27 @@ void note_tiles(const TileGrid& grid, BinnedBlock& block) {
 void sort_into_tiles(const TileGrid& grid, BinnedBlock& block) {
   if (block.tile.empty()) return;
   const RawVector<TileRun> runs = find_runs(grid, block);
-  if (runs.empty()) return;
   std::uint32_t low = 0xFFFFFFFF, high = 0;
   for (const TileRun& run : runs) {
-    low = std::min(low, run.tile);
-    high = std::max(high, run.tile);
+    const bool several = run.tile == kSeveralTiles;
+    const PixelBounds& box = block.setup.primitives[run.first].box;
+    low = std::min(low, several ? grid.tile_of(box.left, box.bottom) : run.tile);
+    high = std::max(high, several ? grid.tile_of(box.right, box.top) : run.tile);
   }
   block.first_tile = low;
   block.first.assign(std::size_t{high} - low + 2, 0);
   std::uint32_t* const places = block.first.data();
-  for (const TileRun& run : runs) places[run.tile - low] += run.end - run.first;
+  for_each_run(grid, block, runs, [places, low](std::uint32_t tile, std::uint32_t first, std::uint32_t end) {
+    places[tile - low] += end - first;
+  });
   std::exclusive_scan(block.first.begin(), block.first.end(), block.first.begin(), std::uint32_t{0});
   block.indices.resize(block.first.back());
   std::uint32_t* const indices = block.indices.data();
-  for (const TileRun& run : runs) {
-    std::uint32_t place = places[run.tile - low];
-    for (std::uint32_t i = run.first; i != run.end; ++i) indices[place++] = i;
-    places[run.tile - low] = place;
-  }
+  for_each_run(grid, block, runs, [places, low, indices](std::uint32_t tile, std::uint32_t first, std::uint32_t end) {
+    std::uint32_t place = places[tile - low];
+    for (std::uint32_t i = first; i != end; ++i) indices[place++] = i;
+    places[tile - low] = place;
+  });
   // Each tile's place has moved to the next one's.
   std::copy_backward(block.first.begin(), block.first.end() - 1, block.first.end());
   block.first.front() = 0;
