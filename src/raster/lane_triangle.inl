@@ -72,8 +72,8 @@ HWY_INLINE void draw_fragments(const LaneDraw<D>& draw, const Pen& pen, const Ti
     if constexpr (kDrawing == Drawing::noted) {
       const M equal = hn::And(mask, has_depth(kD, hn::BitCast(kD, stored), z24));
       if (HWY_UNLIKELY(!hn::AllFalse(kD, equal))) pen.tile.knows_owners = false;
-      Rows::blend(hn::Set(kD, static_cast<std::int32_t>(pen.number)), drawn, kD,
-                  lanes_of(pen.tile.tile.owner.data()) + place);
+      Rows::put(hn::Set(kD, static_cast<std::int32_t>(pen.number)), drawn, kD,
+                lanes_of(pen.tile.tile.owner.data()) + place);
     }
     if (draw.operations.color) {
       Rows::put(hn::Set(kD, static_cast<std::int32_t>(pen.color)), drawn, kD,

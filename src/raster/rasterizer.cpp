@@ -25,10 +25,10 @@ namespace {
 // writing tiles would take its time; it has fewer where primitives are in so many tiles.
 constexpr std::size_t kEntriesPerTile = 1024, kEntriesPerChunk = std::size_t{1} << 22;
 
-// The tiles in which blocks have primitives, noted by several threads.
+// The tiles in which blocks have primitives, noted by several threads, of a grid of so many.
 class MetTiles {
  public:
-  explicit MetTiles(const TileGrid& grid) : met_(grid.count()) {}
+  explicit MetTiles(std::size_t tiles) : met_(tiles) {}
   void add(const BinnedBlock& block) {
     for_each_tile(block, [this](std::uint32_t tile, std::uint32_t) {
       std::atomic_ref(met_[tile]).store(1, std::memory_order_relaxed);
@@ -45,14 +45,15 @@ class MetTiles {
 std::size_t set_up_chunk(const DrawGeometry& geometry, std::size_t first, std::vector<BinnedBlock>& to) {
   const std::size_t usual = geometry.blocks_per_chunk(), most = std::min(geometry.blocks() - first, 4 * usual);
   std::size_t count = 0, entries = 0;
-  MetTiles met(geometry.grid());
+  const bool may_go_on = most > usual;  // of most draws there is no more
+  MetTiles met(may_go_on ? geometry.grid().count() : 0);
   while (count < most && entries < kEntriesPerChunk &&
          (count < usual || most - count < usual / 2 || entries < kEntriesPerTile * met.count())) {
     const std::size_t end = std::min(count + geometry.blocks_at_a_time(), most);
     if (to.size() < end) to.resize(end);
     const auto set_up = [&](std::size_t b) {
       static_cast<void>(geometry.set_up(first + b, to[b]));
-      met.add(to[b]);
+      if (may_go_on) met.add(to[b]);
     };
     if (end - count == 1) {
       set_up(count);

@@ -28,6 +28,14 @@ struct TextureSampler::BytePlanes {
 
   explicit BytePlanes(const Texture& texture);
 
+  // One component of every fragment's texel. Loads of single bytes: gathers are no faster, nor may they read beyond a
+  // plane.
+  template <class Lanes>
+  void fetch(std::size_t component, const Lanes& lanes, const LaneIntegers& offset, std::size_t count, s9* to) const;
+  // The texels of words.
+  void fetch_words(const LaneLevel& level, const TextureCoordinates& at, std::size_t first, std::size_t count,
+                   LaneWords& to) const;
+
  private:
   [[nodiscard]] bool find_face_words(std::size_t faces);
 };
@@ -72,65 +80,52 @@ void TextureSampler::find_byte_planes() {
   byte_planes_ = std::make_shared<const BytePlanes>(*texture_);
 }
 
-namespace {
-
-// Calls take(i, texel) with the address of every fragment's texel in the planes of one component.
-template <class Planes, class Lanes, class Take>
-void visit_texels(const Planes& level, std::size_t component, const Lanes& lanes, const LaneIntegers& offset,
-                  std::size_t count, Take take) {
-  const std::array<BytePlane, 6>& faces = level.plane[component];
+template <class Lanes>
+void TextureSampler::BytePlanes::fetch(std::size_t component, const Lanes& lanes, const LaneIntegers& offset,
+                                       std::size_t count, s9* to) const {
+  const std::array<BytePlane, 6>& faces = plane[component];
   const auto plane_of = [&](std::size_t i) -> const BytePlane& {
     return faces[static_cast<std::size_t>(lanes.face[i])];
   };
-  const auto visit = [&](auto step) {
+  const auto by_step = [&](auto samples) {
     if (lanes.one_face) {
-      const std::uint8_t* const plane = plane_of(0).data;
-      for (std::size_t i = 0; i < count; ++i) take(i, plane + step * offset[i]);
+      const std::uint8_t* const only = plane_of(0).data;
+      for (std::size_t i = 0; i < count; ++i) to[i] = only[samples * offset[i]];
     } else {
-      for (std::size_t i = 0; i < count; ++i) take(i, plane_of(i).data + step * offset[i]);
+      for (std::size_t i = 0; i < count; ++i) to[i] = plane_of(i).data[samples * offset[i]];
     }
   };
-  if (!level.alike) {
-    for (std::size_t i = 0; i < count; ++i) take(i, &plane_of(i).at(offset[i] % kUpperHalf, offset[i] / kUpperHalf));
-  } else if (level.step == 1) {
-    visit(std::integral_constant<std::ptrdiff_t, 1>());
-  } else if (level.step == 4) {
-    visit(std::integral_constant<std::ptrdiff_t, 4>());
+  if (!alike) {
+    for (std::size_t i = 0; i < count; ++i) to[i] = plane_of(i).at(offset[i] % kUpperHalf, offset[i] / kUpperHalf);
+  } else if (step == 1) {
+    by_step(std::integral_constant<std::ptrdiff_t, 1>());
+  } else if (step == 4) {
+    by_step(std::integral_constant<std::ptrdiff_t, 4>());
   } else {
-    visit(level.step);
+    by_step(step);
   }
-}
-
-// One component of every fragment's texel. Loads of single bytes: gathers are no faster, nor may they read beyond a
-// plane.
-template <class Planes, class Lanes>
-void fetch(const Planes& level, std::size_t component, const Lanes& lanes, const LaneIntegers& offset,
-           std::size_t count, s9* to) {
-  visit_texels(level, component, lanes, offset, count,
-               [to](std::size_t i, const std::uint8_t* texel) { to[i] = *texel; });
 }
 
 // Groups of coordinates are read where they stand; what follows the last ones is not ours to read.
-template <class Planes>
-void fetch_words(const Planes& planes, const LaneLevel& level, const TextureCoordinates& at, std::size_t first,
-                 std::size_t count, LaneWords& to) {
+inline void TextureSampler::BytePlanes::fetch_words(const LaneLevel& level, const TextureCoordinates& at,
+                                                    std::size_t first, std::size_t count, LaneWords& to) const {
+  const std::size_t components = level.cube ? 3 : 2;
   const std::size_t whole = count / kMostLanes * kMostLanes, left = count - whole;
-  const auto fetch = [&](const std::array<const float*, 3>& from, std::size_t begin, std::size_t words) {
-    fetch_nearest_words(level, from, planes.plane[0][0].data, planes.face_word, words, to.data() + begin);
-  };
   std::array<const float*, 3> from{};
-  for (std::size_t k = 0; k < (level.cube ? 3 : 2); ++k) from[k] = at.value[k] + first;
-  if (whole > 0) fetch(from, 0, whole);
+  for (std::size_t k = 0; k < components; ++k) from[k] = at.value[k] + first;
+  if (whole > 0) fetch_nearest_words(level, from, plane[0][0].data, face_word, whole, to.data());
   if (left == 0) return;
   std::array<std::array<float, kMostLanes>, 3> rest{};
-  for (std::size_t k = 0; k < (level.cube ? 3 : 2); ++k) {
+  for (std::size_t k = 0; k < components; ++k) {
     std::copy_n(from[k] + whole, left, rest[k].begin());
     from[k] = rest[k].data();
   }
-  fetch(from, whole, left);
+  fetch_nearest_words(level, from, plane[0][0].data, face_word, left, to.data() + whole);
 }
 
-// The same, whole batches.
+namespace {
+
+// Whole batches are read where they stand, too.
 using CoordinateRoom = std::array<std::array<float, kBatchSize>, 3>;
 std::array<const float*, 3> whole_batch(const TextureCoordinates& at, std::size_t first, std::size_t count,
                                         std::size_t components, CoordinateRoom& room) {
@@ -172,7 +167,7 @@ void TextureSampler::sample_bytes(const TextureCoordinates& at, std::size_t firs
   if (linear) {
     find_linear(level, weight_bits_, batch(), count, quads);
   } else if (planes.words) {
-    fetch_words(planes, level, at, first, count, words);
+    planes.fetch_words(level, at, first, count, words);
   } else {
     find_nearest(level, batch(), count, nearest);
   }
@@ -193,7 +188,7 @@ void TextureSampler::sample_bytes(const TextureCoordinates& at, std::size_t firs
       CornerBytes corner;
       std::array<s9, kBatchSize> sum;
       for (std::size_t k = 0; k < 4; ++k) {
-        fetch(planes, component, quads, quads.offset[k], count, corner[k].data());
+        planes.fetch(component, quads, quads.offset[k], count, corner[k].data());
         std::fill(corner[k].begin() + static_cast<std::ptrdiff_t>(count), corner[k].end(), s9{0});
       }
       weigh_linear(quads, corner, weight_bits_, count, sum);
@@ -201,7 +196,7 @@ void TextureSampler::sample_bytes(const TextureCoordinates& at, std::size_t firs
     } else if (planes.words) {
       split_words(words, source_[out], count, to);
     } else {
-      fetch(planes, component, nearest, nearest.offset, count, to);
+      planes.fetch(component, nearest, nearest.offset, count, to);
     }
     if (byte_shift_ == 0) continue;
     for (std::size_t i = 0; i < count; ++i) to[i] = static_cast<s9>(to[i] >> byte_shift_);

@@ -54,8 +54,7 @@ StudyValue value_of(const Json& json) {
 
 // The library would convert numbers of any kind and size.
 std::size_t count_of(const Json& json) {
-  if (!json.is_number_unsigned())
-    throw nlohmann::json::other_error::create(0, "no count where there should be one", nullptr);
+  if (!json.is_number_unsigned()) throw nlohmann::json::other_error::create(0, "no count where one is due", nullptr);
   return json.get<std::size_t>();
 }
 
