@@ -59,6 +59,8 @@ endif()
 
 # --- The program. Its manual and completions come from the program itself, so that they cannot differ from it.
 if(NINEBIT_BUILD_PROGRAM)
+  ninebit_installable(ninebit)
+  ninebit_installable(ninebit_pictures)
   install(TARGETS ninebit DESTINATION ${CMAKE_INSTALL_BINDIR})
   install(TARGETS ninebit_pictures DESTINATION lib/ninebit)  # where the program looks for it
   set(generated)
@@ -73,6 +75,9 @@ if(NINEBIT_BUILD_PROGRAM)
   ninebit_generated(zsh _ninebit ${CMAKE_INSTALL_DATADIR}/zsh/site-functions)
   ninebit_generated(fish ninebit.fish ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d)
   add_custom_target(ninebit_generated ALL DEPENDS ${generated})
+  foreach(file IN LISTS generated)
+    ninebit_installable(ninebit_generated ${file})
+  endforeach()
 endif()
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/README.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
 

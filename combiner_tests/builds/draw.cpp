@@ -48,7 +48,7 @@ void draw(const std::string& file, const Way& way) {
   settings.depth_cube.bits = DepthCubeBits::sixteen;
   settings.reflective.samples = 40;
   settings.light_cookie.cookie = std::make_shared<Texture>(
-      valid(image_detail::read_texture(settings.profile, "scenes/cookies/labels.dds", {}, nullptr)));
+      valid(image_detail::read_texture(settings.profile, "scenes/cookies/labels.dds", {}, {})));
   SceneSetup setup;
   setup.light_kinds = technique.lights;
   if (slow) setup.light_kinds = {.point = false, .spot = false, .directional = true};

@@ -23,7 +23,7 @@ std::string wrong_with_texture(const Texture& texture, bool mipmaps) {
 }
 
 std::string wrong_with_file(const std::string& file, const HardwareProfile& profile, TextureReadOptions options) {
-  const auto texture = image_detail::read_texture(profile, file, options, no_picture);
+  const auto texture = image_detail::read_texture(profile, file, options, {.read = no_picture});
   if (texture) return wrong_with_texture(*texture, options.mipmaps);
   if (texture.error().file != file) return "a fault names the file '" + texture.error().file + "'";
   return wrong_with_message(texture.error().message);
@@ -36,7 +36,7 @@ std::string check_dds(std::string_view bytes) {
   other.dxt1_palette.value = Dxt1Palette::rgb888;
   const MemoryFile file(bytes);
   for (const HardwareProfile& profile : {profiles::geforce2, other}) {
-    for (const TextureReadOptions options : {TextureReadOptions{}, {.mipmaps = true, .flip = true}}) {
+    for (const TextureReadOptions& options : {TextureReadOptions{}, {.mipmaps = true, .flip = true}}) {
       std::string wrong = wrong_with_file(file.path(), profile, options);
       if (!wrong.empty()) return wrong;
     }

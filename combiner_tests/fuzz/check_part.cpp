@@ -11,7 +11,7 @@
 #include "combiner_tests/fuzz/checks.h"
 #include "combiner_tests/fuzz/common.h"
 #include "combiner_tests/fuzz/memory_file.h"
-#include "ninebit/study/index_steps.h"
+#include "combiner_tests/fuzz/small_studies.h"
 #include "ninebit/study/report_files.h"
 #include "ninebit/study/study_part.h"
 #include "src/study/part_text.h"
@@ -33,6 +33,9 @@ class Counting : public Study {
   [[nodiscard]] Result<std::vector<StudyRow>> run(std::size_t unit, const GoOn&) const override {
     return std::vector<StudyRow>{{.table = "rows", .fields = {{"unit", std::uint64_t{unit}}}}};
   }
+  [[nodiscard]] std::vector<RowRule> row_rules(std::size_t unit) const override {
+    return {{.fields = {exactly("unit", std::uint64_t{unit})}}};
+  }
   [[nodiscard]] Result<StudyReport> report(std::span<const StudyRow>, std::size_t) const override {
     return StudyReport{};
   }
@@ -40,19 +43,6 @@ class Counting : public Study {
  private:
   StudyQuestion question_{.study = "counting", .profile = "all", .options = {{"--steps", "1-2"}}};
 };
-
-// The rows of an altered part may hold anything, so the report of a study must stand it.
-const Study& reporting() {
-  static const std::unique_ptr<Study> study = [] {
-    IndexStepsOptions options{.profiles = {profiles::geforce2}};
-    options.formats = {StudyFormat::luminance_alpha};
-    options.last_step = 4;
-    auto made = index_steps_study(std::move(options));
-    if (!made) std::abort();
-    return std::move(made).value();
-  }();
-  return *study;
-}
 
 std::string wrong_with_diagnostic(const Diagnostic& why, const fs::path& file) {
   if (why.file != file.string()) return "a fault names the file '" + why.file + "'";
@@ -68,11 +58,30 @@ std::string written(const StudyPart& part) {
 }
 
 std::string wrong_with_rows(const std::vector<StudyRow>& rows, const StudyQuestion& question) {
-  if (report_json(question, "1", rows).empty()) return "the rows are no JSON";
+  if (report_json(question, "1", rows).empty()) return "the rows are not JSON";
   for (const auto& [table, text] : report_csv(rows)) {
-    if (text.empty()) return "table '" + table + "' is no CSV";
+    if (text.empty()) return "table '" + table + "' is not CSV";
   }
-  const auto report = reporting().report(rows, reporting().units());
+  return "";
+}
+
+// Rows that are read for their study are those that its rules allow, and its report must stand them.
+std::string wrong_with_studying(std::string_view text) {
+  const MemoryFile file(text);
+  const Study* asked = nullptr;
+  const auto part = read_part(file.path(), [&](const PartHeader& header) -> Result<const Study*> {
+    for (const auto& study : small_studies()) {
+      if (study->question() == header.question) asked = study.get();
+    }
+    if (asked == nullptr) return Diagnostic{.message = "asks what no study answers"};
+    return asked;
+  });
+  if (!part) return wrong_with_diagnostic(part.error(), file.path());
+  for (const FinishedUnit& unit : part->units) {
+    const std::string wrong = ninebit::wrong_with_rows(asked->row_rules(unit.unit), unit.rows);
+    if (!wrong.empty()) return "rows are read that do not follow the rules: " + wrong;
+  }
+  const auto report = asked->report(rows_of(*part), part->units.size());
   return report ? "" : wrong_with_message(report.error().message);
 }
 
@@ -167,7 +176,8 @@ std::string check_part(std::string_view bytes) {
   const std::string fitting = with_hashes(bytes);
   return first_of(
       wrong_with_reading(bytes), [&] { return wrong_with_reading(fitting); },
-      [&] { return wrong_with_going_on(bytes); }, [&] { return wrong_with_going_on(fitting); });
+      [&] { return wrong_with_studying(fitting); }, [&] { return wrong_with_going_on(bytes); },
+      [&] { return wrong_with_going_on(fitting); });
 }
 
 }  // namespace ninebit::fuzz

@@ -1,11 +1,12 @@
-// Scene files, as far as our own code reads them: each format's check, and JSON.
+// Scene files through the whole of each reader, and JSON.
 #include <algorithm>
 #include <string>
 
 #include "combiner_tests/fuzz/checks.h"
 #include "combiner_tests/fuzz/common.h"
-#include "src/scene/file_check.h"
+#include "src/scene/file_kind.h"
 #include "src/scene/json_value.h"
+#include "src/scene/scene_readers.h"
 
 namespace ninebit::fuzz {
 namespace {
@@ -26,31 +27,48 @@ std::string wrong_with_json(std::string_view text) {
   return back->dump(-1, ' ', false, Json::error_handler_t::replace) == printed ? "" : "another JSON comes back";
 }
 
-// What goes to Assimp must say the same of itself as the file did.
-std::string wrong_with_gltf(std::string_view content, bool binary) {
-  const auto facts = check_gltf(content, kFile, binary);
-  if (!facts) return wrong_with_diagnostic(facts.error(), content);
-  if (!facts->for_assimp) return "nothing is left for the importer";
-  const auto again = check_gltf(*facts->for_assimp, kFile, binary);
-  if (!again) return "its geometry alone is refused: " + again.error().message + "\n" + *facts->for_assimp;
-  if (again->triangles != facts->triangles) return "its geometry alone has another number of triangles";
-  if (again->for_assimp != facts->for_assimp) return "its geometry is another one again";
-  return {};
+// What was read keeps what scene.h promises, but for cameras and lights, and follows from the bytes alone.
+std::string wrong_with(const char* format, const Result<Scene>& scene, const Result<Scene>& again,
+                       std::string_view content) {
+  const std::string where = std::string(format) + ": ";
+  if (scene.ok() != again.ok()) return where + "read once, and refused the second time";
+  if (!scene) {
+    const std::string wrong = wrong_with_diagnostic(scene.error(), content);
+    return wrong.empty() ? "" : where + wrong;
+  }
+  if (scene->triangles != again->triangles || scene->positions != again->positions) return where + "another scene";
+  if (scene->triangles.empty()) return {};
+  Scene geometry = *scene;
+  geometry.cameras.clear();
+  geometry.lights.clear();
+  const Status valid = validate(geometry);
+  return valid ? "" : where + valid.error().message;
 }
 
-std::string wrong_with_text(Result<FileFacts> (*check)(std::string_view), std::string_view content) {
-  const auto facts = check(content);
-  return facts ? "" : wrong_with_diagnostic(facts.error(), content);
+std::string wrong_with_kind(std::string_view content) {
+  for (const char* extension : {".obj", ".off", ".ply", ".3ds", ".gltf", ".glb"}) {
+    const auto kind = other_kind(content, extension);
+    if (kind && kind->empty()) return "a kind without a name";
+  }
+  return {};
 }
 
 }  // namespace
 
 std::string check_scene(std::string_view bytes) {
+  // Assimp may crash and leak; what counts is that nothing but a fault or a right scene comes back.
+  static const SceneReadOptions kIsolated{.isolated = true};
+  // No file stands where these names lead.
+  const NamedFiles beside("/nonexistent/scene.obj", false);
+  const auto each = [&](const char* format, auto read) { return wrong_with(format, read(), read(), bytes); };
   return first_of(
-      wrong_with_json(bytes), [&] { return wrong_with_gltf(bytes, false); },
-      [&] { return wrong_with_gltf(bytes, true); }, [&] { return wrong_with_text(check_obj, bytes); },
-      [&] { return wrong_with_text(check_off, bytes); }, [&] { return wrong_with_text(check_ply, bytes); },
-      [&] { return wrong_with_text(check_3ds, bytes); });
+      wrong_with_json(bytes), [&] { return wrong_with_kind(bytes); },
+      [&] { return each("gltf", [&] { return read_gltf(bytes, beside, false); }); },
+      [&] { return each("glb", [&] { return read_gltf(bytes, beside, true); }); },
+      [&] { return each("obj", [&] { return read_obj(bytes, beside); }); },
+      [&] { return each("off", [&] { return read_off(bytes); }); },
+      [&] { return each("ply", [&] { return read_ply(bytes); }); },
+      [&] { return each("3ds", [&] { return read_3ds(bytes, "scene.3ds", kIsolated); }); });
 }
 
 }  // namespace ninebit::fuzz

@@ -31,6 +31,6 @@ std::string check_part(std::string_view bytes);
 std::string with_hashes(std::string_view bytes);
 
 std::string check_dds(std::string_view bytes);    // a DDS file: texture or refusal, and mip-maps that are all there
-std::string check_scene(std::string_view bytes);  // a scene file of each format: our own checks, before Assimp
+std::string check_scene(std::string_view bytes);  // a scene file of each format, through its whole reader
 
 }  // namespace ninebit::fuzz

@@ -79,15 +79,18 @@ TEST(FaultErrors, OfTheFinalCombinerInRc10) {
   EXPECT_EQ(of_rc10("out.rgb = color_sum * color_sum;"), Errors{invalid_operation});
 }
 
+TEST(FaultErrors, OfWhatAProfileLacksInRc10) {
+  EXPECT_EQ(of_rc10("{ rgb { spare0 = tex0; } } { rgb { spare0 = tex0; } } { rgb { spare0 = tex0; } } out.a = zero;"),
+            Errors{invalid_value});
+  EXPECT_EQ(of_rc10("{ const0 = (0, 0, 0, 0); rgb { spare0 = tex0; } } out.a = zero;"), Errors{invalid_enum});
+}
+
 TEST(FaultErrors, NoneOfWhatRc10FindsByItself) {
   // Grammar, repetitions, and what nvparse leaves out of its calls.
   EXPECT_EQ(of_rc10("out.rgb = final_product;"), Errors{no_error});
   EXPECT_EQ(of_rc10("const0 = (0, 0, 0, 0); const0 = (0, 0, 0, 0); out.a = zero;"), Errors{no_error});
-  EXPECT_EQ(of_rc10("{ const0 = (0, 0, 0, 0); rgb { spare0 = tex0; } } out.a = zero;"), Errors{no_error});
   EXPECT_EQ(of_rgb("spare0 = expand tex0;"), Errors{no_error});
   EXPECT_EQ(of_rc10("out.a = expand(tex0);"), Errors{no_error});
-  EXPECT_EQ(of_rc10("{ rgb { spare0 = tex0; } } { rgb { spare0 = tex0; } } { rgb { spare0 = tex0; } } out.a = zero;"),
-            Errors{no_error});
 }
 
 TEST(FaultErrors, OfRegisterWords) {

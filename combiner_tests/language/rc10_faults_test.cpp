@@ -42,9 +42,12 @@ void expect(const std::vector<Rc10Fault>& cases, const HardwareProfile& profile 
 
 TEST(Rc10Faults, OfTheWholeProgram) {
   expect({
-      {"", "1:1: a program begins with !!RC1.0, without anything before it\n"},
-      {" !!RC1.0 out.a = zero;", "1:1: a program begins with !!RC1.0, without anything before it\n"},
-      {"!!rc1.0 out.a = zero;", "1:1: a program begins with !!RC1.0, without anything before it\n"},
+      {"", "1:1: a program begins with !!RC1.0; expected nothing but blanks and comments before it\n"},
+      {"; !!RC1.0 out.a = zero;",
+       "1:1: a program begins with !!RC1.0; expected nothing but blanks and comments before it\n"},
+      {"// a comment\n!!rc1.0 out.a = zero;",
+       "2:1: a program begins with !!RC1.0; expected nothing but blanks and comments before it\n"},
+      {"/* !!RC1.0 out.a = zero;", "1:1: the comment has no end; expected */\n"},
       {"!!RC1.0", "1:8: expected out.rgb or out.a, but the text ends\n"},
       {"!!RC1.0 {rgb{spare0=tex0;}}\n", "2:1: expected out.rgb or out.a, but the text ends\n"},
       {"!!RC1.0 clamp_color_sum();", "1:27: expected out.rgb or out.a, but the text ends\n"},
@@ -78,7 +81,8 @@ TEST(Rc10Faults, OfConstants) {
       general("const0 = (., 0,0,0);", "2:11: expected a number without exponent, found '.'\n"),
   });
   expect({general("{const1=(0,0,0,0); rgb{spare0=tex0;}}",
-                  "2:2: profile geforce2 has no constants of a general combiner's own (NV_register_combiners2)\n")},
+                  "2:2: GL_INVALID_ENUM: profile geforce2 has no constants of a general combiner's own "
+                  "(NV_register_combiners2)\n")},
          profiles::geforce2);
 }
 
@@ -97,7 +101,7 @@ TEST(Rc10Faults, OfStages) {
        "1:39: expected out.rgb or out.a, but the text ends\n"},
   });
   expect({general("{rgb{spare0=tex0;}}{rgb{spare0=tex0;}}{rgb{x}}{rgb{y}}",
-                  "2:39: profile geforce2 has 2 general combiners, and this is one more\n")},
+                  "2:39: GL_INVALID_VALUE: profile geforce2 has 2 general combiners, and this is one more\n")},
          profiles::geforce2);
   expect({rgb("spare0 = tex1 * tex2;\ntex3 = tex0;",
               "3:17: GL_INVALID_ENUM: 'tex2' is beyond the 2 texture units of profile geforce2\n"

@@ -244,5 +244,14 @@ TEST(Rc10, ReadsAProgramOfEightStages) {
   EXPECT_EQ(parsed(text + "out.rgb = spare0;").num_general_combiners, 8);
 }
 
+TEST(Rc10, CommentsMayStandBeforeTheHeader) {
+  const std::string program = "!!RC1.0\nout.rgb = tex0;\nout.a = unsigned_invert(zero);\n";
+  const CombinerState expected = parsed(program);
+  for (const char* heading : {" ", "\n\n", "# comment\n", "// comment\n", "/* comment\n of two lines */ ",
+                              "\xEF\xBB\xBF", "\xEF\xBB\xBF# comment\r\n\r\n", "# !!ARBfp1.0\n\n/**/"}) {
+    EXPECT_TRUE(parsed(heading + program) == expected) << heading;
+  }
+}
+
 }  // namespace
 }  // namespace ninebit

@@ -125,13 +125,13 @@ std::int64_t polygon_offset(const PolygonOffset& offset, OffsetSlope slope, Dept
   dx = dx < 0 ? -dx : dx;
   dy = dy < 0 ? -dy : dy;
   const Wide larger = std::max(dx, dy);
-  // Whole sixteenths are computed in exact fractions.
-  const double factor16 = static_cast<double>(offset.factor) * 16, units16 = static_cast<double>(offset.units) * 16;
-  const bool sixteenths = std::fabs(factor16) < 0x1p20 && std::fabs(units16) < 0x1p20 &&
-                          factor16 == std::floor(factor16) && units16 == std::floor(units16);
-  if (slope == OffsetSlope::larger && sixteenths) {
-    const Wide sum = static_cast<std::int64_t>(factor16) * larger + static_cast<std::int64_t>(units16) * step * area;
-    const Wide rounded = floor_of(sum + 8 * area, 16 * area);
+  // Whole multiples of 2^-20 are computed in exact fractions: all floats but small ones.
+  const double factor = static_cast<double>(offset.factor) * 0x1p20, units = static_cast<double>(offset.units) * 0x1p20;
+  const bool exact = std::fabs(factor) < 0x1p50 && std::fabs(units) < 0x1p50 && factor == std::floor(factor) &&
+                     units == std::floor(units);
+  if (slope == OffsetSlope::larger && exact) {
+    const Wide sum = static_cast<std::int64_t>(factor) * larger + static_cast<std::int64_t>(units) * step * area;
+    const Wide rounded = floor_of(sum + (area << 19), area << 20);
     return static_cast<std::int64_t>(std::clamp(rounded, -(Wide{1} << 25), Wide{1} << 25));
   }
   double m = static_cast<double>(larger) / static_cast<double>(area);

@@ -78,6 +78,66 @@ class Programs(unittest.TestCase):
             p.evaluate({"primry.r": codes})
         self.assertEqual(p.evaluate({"primary.r": codes[:0]}).shape, (4, 0))
 
+    def test_wrong_types_are_told_with_what_was_expected(self):
+        p = program(double)
+        codes = np.zeros(4, dtype=np.int16)
+        for wrong, expected in (({7: codes}, "name must be str.* not int"), ({b"tex0.r": codes}, "must be str.* not bytes"),
+                                ({"tex0.r": [0] * 4}, "tex0.r must be a C-contiguous array of int16.* list"),
+                                ({"tex0.r": None}, "tex0.r must be .* NoneType"),
+                                ({"tex0.r": np.frombuffer(bytes(9), dtype=np.int16, offset=1)}, "aligned")):
+            for evaluate in (p.evaluate, p.evaluate_registers):
+                with self.assertRaisesRegex(TypeError, expected):
+                    evaluate(wrong)
+        for wrong, expected in (({7: 1}, "name must be str.* not int"), ({"tex0.r": "1"}, "tex0.r must be a whole number, not str"),
+                                ({"tex0.r": (1, 2, 3, 4)}, "a whole number, not tuple"),
+                                ({"tex0": 1}, "tex0 must be a sequence of four whole numbers, not int"),
+                                ({"tex0": (1, 2, 3, None)}, "four whole numbers, not tuple")):
+            with self.assertRaisesRegex(TypeError, expected):
+                p.trace(wrong)
+        with self.assertRaises(TypeError):
+            p.evaluate([codes])
+        self.assertFalse(ninebit.State() == 3)
+        self.assertEqual(p.trace({"tex0.r": np.int16(7)})["one"], 255)
+
+    def test_objects_that_were_never_made(self):
+        raw_program, raw_state = (cls.__new__(cls) for cls in (ninebit.Program, ninebit.State))
+        codes = {"tex0.r": np.zeros(4, dtype=np.int16)}
+        uses = [lambda: raw_program.evaluate(codes), lambda: raw_program.evaluate_registers(codes),
+                lambda: raw_program.trace({}), raw_program.explain, raw_program.glsl, lambda: raw_program.one,
+                lambda: raw_program.lowest, lambda: raw_program.profile, lambda: raw_state.print("json"),
+                raw_state.validate, lambda: raw_state.profile, lambda: raw_state == ninebit.State(),
+                lambda: ninebit.State() == raw_state, lambda: ninebit.Program(raw_state)]
+        for use in uses:
+            with self.assertRaisesRegex(TypeError, "__init__.* has not run"):
+                use()
+
+    def test_arrays_live_as_long_as_they_are_read(self):
+        p = program(compare, "gl")
+        count = 2_000_000
+        expected = p.evaluate({"tex0.r": np.full(256, 77, dtype=np.int16)})[:, :1]
+        for _ in range(4):
+            inputs = {"tex0.r": np.full(count, 77, dtype=np.int16)}
+            found = []
+            worker = threading.Thread(target=lambda: found.append(p.evaluate(inputs)))
+            worker.start()
+            # The array is read while another thread drops it, and memory of its size is taken and filled.
+            while worker.is_alive():
+                inputs.clear()
+                np.full(count, -9999, dtype=np.int16)
+            worker.join()
+            if found:  # else the dictionary was empty before it was looked at
+                self.assertTrue((found[0] == expected).all())
+
+    def test_codes_are_checked_as_they_are_read(self):
+        p = program(double)
+        codes = np.zeros(1_000_000, dtype=np.int16)
+        for place in (0, 511, 512, 999_999):
+            codes[place] = -256
+            with self.assertRaisesRegex(ninebit.Error, "tex0.r has the code -256; expected -255 to 255"):
+                p.evaluate({"tex0.r": codes})
+            codes[place] = 0
+        self.assertEqual(p.evaluate({"tex0.r": codes}).shape, (4, 1_000_000))
+
     def test_trace_is_what_evaluate_gives(self):
         p = program(compare, "gl")
         trace = p.trace({"primary.r": 101, "tex0": (100, 0, 0, 255)})

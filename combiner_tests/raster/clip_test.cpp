@@ -1,4 +1,6 @@
 // Clipping at the near and far planes and at the guard band: what remains has no cracks and lies where it should.
+#include "src/raster/clip.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -104,6 +106,42 @@ TEST(Clip, FloorThroughTheNearPlaneIsDrawnOnce) {
 // The near plane so close that the floor there lies far beyond the guard band.
 TEST(Clip, FloorThroughTheGuardBandIsDrawnOnce) {
   expect_floor_once(22, 1e-6, 1e-3, 50000);
+}
+
+// An edge of what is left lies on the edge of the triangle across from a corner of which neither end has anything, and
+// is on the boundary if that edge is. All others run along clip planes and are on the boundary. Where an edge enters
+// the view volume counts as much as where it leaves it.
+TEST(Clip, PiecesOfAnEdgeAreOnTheBoundaryAsTheEdgeIs) {
+  constexpr GuardBand kGuard{1.5F, 1.5F};
+  int entering = 0, inner = 0, made = 0;
+  for (std::uint64_t index = 0; index < 4000; ++index) {
+    Random random(27, index);
+    std::array<glm::vec4, 3> clip;
+    for (glm::vec4& p : clip) {
+      p = {random.real_f(-3, 3), random.real_f(-3, 3), random.real_f(-2, 2), random.real_f(0.5, 2)};
+    }
+    const std::array<bool, 3> boundary{random.one_in(2), random.one_in(2), random.one_in(2)};
+    const auto crossed = crossed_planes(clip, kGuard);
+    if (!crossed || *crossed == 0) continue;
+    const ClipPolygon polygon = clip_triangle(clip, boundary, *crossed, kGuard);
+    for (int i = 0; i < polygon.count; ++i) {
+      const ClipVertex& a = polygon.vertex[static_cast<std::size_t>(i)];
+      const ClipVertex& b = polygon.vertex[static_cast<std::size_t>((i + 1) % polygon.count)];
+      bool expected = true;
+      for (int corner = 0; corner < 3; ++corner) {
+        if (a.weight[corner] == 0.0 && b.weight[corner] == 0.0) {
+          expected = boundary[static_cast<std::size_t>((corner + 1) % 3)];
+          inner += expected ? 0 : 1;
+          entering += !expected && a.weight[(corner + 1) % 3] < 1.0 ? 1 : 0;
+        }
+      }
+      made += a.weight[0] * a.weight[1] * a.weight[2] != 0.0 ? 1 : 0;
+      ASSERT_EQ(a.boundary, expected) << "case " << index << ", edge " << i;
+    }
+  }
+  EXPECT_GT(entering, 300);
+  EXPECT_GT(inner, 600);
+  EXPECT_GT(made, 100);
 }
 
 TEST(Clip, WhatLiesBeyondAPlaneIsNotDrawn) {

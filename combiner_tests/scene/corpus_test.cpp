@@ -3,15 +3,16 @@
 
 #include <gtest/gtest.h>
 
-#include "src/scene/file_check.h"
+#include "src/scene/scene_readers.h"
 
 namespace ninebit::fuzz {
 namespace {
 
 TEST(Corpus, Scene) {
   replay("scene", check_scene, [](std::string_view bytes) {
-    return check_off(bytes).ok() || check_ply(bytes).ok() || check_3ds(bytes).ok() ||
-           check_gltf(bytes, "", false).ok() || check_gltf(bytes, "", true).ok();
+    const NamedFiles beside("/nonexistent/scene.obj", false);
+    return read_off(bytes).ok() || read_ply(bytes).ok() || read_3ds(bytes, "scene.3ds", {}).ok() ||
+           read_gltf(bytes, beside, false).ok() || read_gltf(bytes, beside, true).ok();
   });
 }
 

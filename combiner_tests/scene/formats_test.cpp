@@ -26,6 +26,25 @@ TEST_P(RealFiles, ReadsEveryTriangle) {
   expect_contract(*scene);
 }
 
+// The scene that comes back from a child process is the one that is read here.
+TEST_P(RealFiles, AreTheSameInAChildProcess) {
+  const Result<Scene> here = read_scene(GetParam().path);
+  const Result<Scene> there = read_scene(GetParam().path, {.isolated = true});
+  ASSERT_TRUE(here && there) << (here ? there : here).error().text();
+  EXPECT_EQ(here->positions, there->positions);
+  EXPECT_EQ(here->normals, there->normals);
+  EXPECT_EQ(here->triangles, there->triangles);
+  EXPECT_EQ(here->triangle_object, there->triangle_object);
+  EXPECT_EQ(here->triangle_material, there->triangle_material);
+  EXPECT_EQ(here->materials.size(), there->materials.size());
+  EXPECT_EQ(here->lights.size(), there->lights.size());
+  ASSERT_EQ(here->cameras.size(), there->cameras.size());
+  for (std::size_t i = 0; i < here->cameras.size(); ++i) {
+    EXPECT_EQ(here->cameras[i].position, there->cameras[i].position);
+    EXPECT_EQ(here->cameras[i].look_at, there->cameras[i].look_at);
+  }
+}
+
 #define ASSIMP_MODELS "/usr/share/assimp/models/"
 #define GLMARK_MODELS "/usr/share/glmark2/models/"
 INSTANTIATE_TEST_SUITE_P(

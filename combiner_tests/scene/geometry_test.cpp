@@ -111,6 +111,44 @@ TEST(Polygon, SenselessShapesStillGiveEveryTriangle) {
   EXPECT_EQ(pieces.size(), 4U);
 }
 
+using Pieces = std::vector<std::array<std::uint32_t, 3>>;
+
+Pieces cut(const std::vector<glm::vec2>& outline) {
+  std::vector<glm::vec3> polygon;
+  for (const glm::vec2& at : outline) polygon.emplace_back(at, 0.0F);
+  Pieces pieces;
+  EXPECT_TRUE(triangulate(polygon, pieces));
+  return pieces;
+}
+
+// A corner on a straight side is no ear: it would be cut off as a triangle without area, and the rest be another shape.
+TEST(Polygon, FlatCornersAreNoEars) {
+  const Pieces pieces = cut({{0, 0}, {1, 0}, {3, 0}, {3, 3}, {2, 3}, {2, 1}, {0, 1}});
+  const Pieces expected{{2, 3, 4}, {2, 4, 5}, {2, 5, 6}, {6, 0, 1}, {1, 2, 6}};
+  EXPECT_EQ(pieces, expected);
+}
+
+// The order of triangles is the order of indices in a picture, so cuts stay as they were from the first. Corners on a
+// grid of five by five lie on sides, on each other and in the way of ears; the hash is that of the first program.
+TEST(Polygon, CutsStayAsTheyWere) {
+  const Pieces expected{{0, 1, 2}, {2, 3, 4}, {2, 4, 5}, {0, 2, 5}};
+  EXPECT_EQ(cut({{3, 0}, {3, 1}, {1, 1}, {1, 3}, {0, 3}, {0, 0}}), expected);
+  std::uint64_t hash = 0xCBF29CE484222325U;
+  std::uint32_t random = 1;
+  const auto next = [&random] { return (random = random * 1664525U + 1013904223U) >> 8U; };
+  for (int round = 0; round < 4000; ++round) {
+    std::vector<glm::vec2> outline(4 + next() % 9);
+    for (glm::vec2& corner : outline) {
+      corner.x = static_cast<float>(next() % 5);
+      corner.y = static_cast<float>(next() % 5);
+    }
+    for (const auto& piece : cut(outline)) {
+      for (const std::uint32_t corner : piece) hash = (hash ^ corner) * 0x100000001B3U;
+    }
+  }
+  EXPECT_EQ(hash, 0x6F6A8EF511F88945U);
+}
+
 TEST(Polygon, HugeOnes) {
   std::vector<glm::vec3> round;
   std::vector<glm::vec3> star;

@@ -29,7 +29,7 @@ class SceneFiles : public ::testing::Test {
   }
   void TearDown() override { std::filesystem::remove_all(folder_); }
 
-  [[nodiscard]] std::filesystem::path write(const std::string& name, std::string_view content) const {
+  std::filesystem::path write(const std::string& name, std::string_view content) const {
     std::filesystem::path file = folder_ / name;
     std::ofstream(file, std::ios::binary).write(content.data(), static_cast<std::streamsize>(content.size()));
     return file;

@@ -107,7 +107,7 @@ TEST(IndexCodes, ASmallFormatNamesTheNextThatWouldDo) {
   EXPECT_TRUE(check_index_codes(luminance, 2, polygon, {127, 0, 9}).ok());
   expect_parts(check_index_codes(luminance, 2, polygon, {128, 20, 9}),
                {"index format l with step 2 has 128", "index step 1 would do (256 codes)",
-                ", or index format la (16384 codes)", ", or index scope section (20 sections)"});
+                ", or index format la (16384 codes)", ", or index scope section (at most 20 sections)"});
   expect_parts(check_index_codes(alpha, 2, polygon, {20'000, 128, 127}),
                {"index format a", "index format rgb would do (2097152 codes)", "index scope object (127 objects)"});
   expect_parts(check_index_codes(luminance_alpha, 4, section, {1U << 20, 4096, 4095}),

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
+#include <cmath>
 #include <map>
 #include <set>
 #include <tuple>
@@ -63,6 +65,43 @@ TEST(Sections, StayWithinOneObjectAndTheirSize) {
   EXPECT_GT(count(64), count(512));
   EXPECT_GE(count(512), scene.objects.size());
   EXPECT_EQ(count(7), count(4)) << "counted in fours";
+}
+
+// A flat fan: its apex is a corner of every triangle.
+Scene fan(std::uint32_t triangles) {
+  Scene scene = shadow_test::scene_with({9, 9, 9}, {0, 0, 0}, {0, 9, 0});
+  scene.positions = {{0, 0, 0}};
+  for (std::uint32_t i = 0; i <= triangles; ++i) {
+    const double angle = 6.28 * i / triangles;
+    scene.positions.emplace_back(std::cos(angle), 0.0, std::sin(angle));
+  }
+  scene.normals.assign(scene.positions.size(), {0, 1, 0});
+  for (std::uint32_t i = 0; i < triangles; ++i) scene.triangles.emplace_back(0, i + 2, i + 1);
+  scene.triangle_object.assign(triangles, 0);
+  scene.triangle_material.assign(triangles, 0);
+  scene.objects = {{.name = "fan", .first_triangle = 0, .triangle_count = triangles}};
+  return scene;
+}
+
+// Time grows with the triangles, not with their square: half a second here, which took 24.
+TEST(Sections, TrianglesAroundOneVertexAreCutInLinearTime) {
+  expect_contract(fan(5000), 64);
+  const auto start = std::chrono::steady_clock::now();
+  const Sections sections = cut_into_sections(fan(100'000), 64);
+  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(8));
+  EXPECT_GE(sections.count, 100'000 / 64);
+}
+
+TEST(Sections, TheBoundHoldsAndIsNear) {
+  Scene box = shadow_test::scene_with({9, 9, 9}, {0, 0, 0}, {0, 9, 0});
+  shadow_test::add_box(box, "box", {-1, -1, -1}, {1, 1, 1});
+  for (const Scene& scene : {room(), fan(3000), box}) {
+    for (const int size : {kMinSectionSize, 7, 64, 130, kMaxSectionSize}) {
+      const std::uint64_t most = most_sections(scene, size), count = cut_into_sections(scene, size).count;
+      EXPECT_LE(count, most) << size;
+      EXPECT_LE(most, 4 * count + scene.objects.size()) << size;
+    }
+  }
 }
 
 // Triangles at one place count as many, degenerate ones too; corners that differ only in their normals are one.

@@ -350,6 +350,17 @@ TEST(ShadowMap, FactsTellTheResolution) {
   EXPECT_EQ(fact<double>(beam, "polygon_offset_units"), -3.0);
 }
 
+// A light in the middle of the bounding box has no depth there: the facts are those of the near plane.
+TEST(ShadowMap, FactsOfALightInTheMiddleAreOfTheNearPlane) {
+  Scene scene = shadow_test::square_over_floor();
+  RenderSettings settings = small_settings();
+  scene.lights[0] = shadow_test::spot_light({0, 0.5F, 0}, {0, 0, 0}, 90.0F);
+  const Rendering r = render_map(scene, settings);
+  const double f = 1.01 * std::sqrt(16.0 + 16.0 + 0.25), n = 0.5 * 0.9 / std::sqrt(3.0);
+  EXPECT_NEAR(fact<double>(r, "texel_size"), 2.0 * n / 256.0, 1e-7);
+  EXPECT_NEAR(fact<double>(r, "depth_step") * 16777215.0, n * (f - n) / f, 1e-5);
+}
+
 // As three.js clears its maps: such a texel reads as a depth of 1 or more, whatever the packing.
 TEST(ShadowMap, TexelsThatNothingWasDrawnToAreWhite) {
   Scene scene = shadow_test::square_over_floor(2.0F);

@@ -11,6 +11,7 @@
 
 #include "combiner_tests/study/support.h"
 #include "ninebit/combiner/evaluate.h"
+#include "src/study/operations.h"
 #include "src/study/wide_counts.h"
 
 namespace {
@@ -267,6 +268,17 @@ TEST(DatapathErrors, OfAllProfiles) {
   {
     SCOPED_TRACE("the report has maps and tables");
     the_report_has_maps_and_tables();
+  }
+}
+
+// A part's rows are checked by the names of the forms, which are there without the work of making the forms.
+TEST(DatapathForms, HaveTheirNamesWithoutBeingMade) {
+  constexpr int kSmallOne = 15;
+  Operations operations(kSmallOne);
+  for (std::size_t kind = 0; kind < kOperations.size(); ++kind) {
+    std::vector<std::string> made;
+    for (const Operation& form : operations.of(kind)) made.push_back(form.form);
+    EXPECT_EQ(forms_of(kind), made) << kOperations[kind];
   }
 }
 

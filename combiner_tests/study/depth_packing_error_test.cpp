@@ -46,13 +46,14 @@ void expect_like_a_plain_loop(const DepthPacking& packing, ChannelStorage storag
     seen.insert(back);
     if (error == 0.0) ++exact;
     if (back < before) ++inversions;
+    before = back;
+    if (depth == 1.0F) continue;
     sum += error;
     sizes += std::fabs(error);
-    if (depth < 1.0F) largest = std::max(largest, std::fabs(error));
-    before = back;
+    largest = std::max(largest, std::fabs(error));
   }
   const RoundTripError e = measured(packing.name, storage, set, float_step);
-  const auto n = static_cast<double>(depths.size());
+  const auto n = static_cast<double>(depths.size() - 1);  // depth 1 has rows of its own
   EXPECT_EQ(e.depths, depths.size());
   EXPECT_EQ(e.exact, exact) << packing.name;
   EXPECT_EQ(e.distinct, seen.size()) << packing.name;

@@ -44,6 +44,12 @@ TEST(PlotAxis, TicksAreRound) {
   EXPECT_EQ(labels(linear_axis({-1, 1}, 4, false)), (Labels{"-1.0", "-0.5", "0", "0.5", "1.0"}));
   EXPECT_EQ(labels(linear_axis({0, 2500000}, 5, false)),
             (Labels{"0", "500 000", "1 000 000", "1 500 000", "2 000 000", "2 500 000"}));
+  // Thousands stand apart from the fifth digit on, as 1024 is usual; a sign and decimals are no digits of theirs.
+  EXPECT_EQ(labels(linear_axis({0, 9000}, 3, false)), (Labels{"0", "5000", "10 000"}));
+  EXPECT_EQ(labels(linear_axis({-9000, 0}, 3, false)), (Labels{"-10 000", "-5000", "0"}));
+  EXPECT_EQ(labels(linear_axis({-200000, -100000}, 2, false)), (Labels{"-200 000", "-100 000", "0"}));
+  EXPECT_EQ(labels(linear_axis({12000, 12001}, 2, false)), (Labels{"12 000.0", "12 000.5", "12 001.0"}));
+  EXPECT_EQ(labels(linear_axis({1000, 1001}, 2, false)), (Labels{"1000.0", "1000.5", "1001.0"}));
   EXPECT_EQ(labels(linear_axis({100, 101}, 2, false)).front(), "100.0");
   EXPECT_EQ(labels(linear_axis({100, 101}, 2, true)).front(), "0");
   EXPECT_EQ(labels(linear_axis({0.3}, 3, false)).empty(), false);

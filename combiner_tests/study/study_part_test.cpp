@@ -40,6 +40,16 @@ class Squares : public Study {
     }
     return rows;
   }
+  [[nodiscard]] std::vector<RowRule> row_rules(std::size_t unit) const override {
+    std::vector<RowRule> rules;
+    for (std::size_t i = 0; i < unit % 3; ++i) {
+      rules.push_back({.table = i == 0 ? "rows" : "others",
+                       .fields = {exactly("unit", std::uint64_t{unit}), count_up_to("square", 1e6),
+                                  whole_in("below", -1e6, 0.0), real_in("third", 0.0, 1e6),
+                                  exactly("text", "\"quoted\", </script>\n"), exactly("none", std::monostate{})}});
+    }
+    return rules;
+  }
   [[nodiscard]] Result<StudyReport> report(std::span<const StudyRow>, std::size_t) const override {
     return StudyReport{};
   }

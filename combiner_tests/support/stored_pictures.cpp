@@ -103,4 +103,13 @@ Image16 read_png16(const std::filesystem::path& file) {
   return read_png_as<std::uint16_t>(file, OIIO::TypeDesc::UINT16);
 }
 
+void write_as(const std::filesystem::path& file, const Image8& image) {
+  const auto output = OIIO::ImageOutput::create(file.string());
+  const OIIO::ImageSpec spec(image.width, image.height, image.channels, OIIO::TypeDesc::UINT8);
+  if (!output || !output->open(file.string(), spec) ||
+      !output->write_image(OIIO::TypeDesc::UINT8, image.pixels.data()) || !output->close()) {
+    throw std::runtime_error(output ? output->geterror() : OIIO::geterror());
+  }
+}
+
 }  // namespace ninebit::test

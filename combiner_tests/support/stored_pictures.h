@@ -40,4 +40,7 @@ Image8 read_png(const std::filesystem::path& file);
 // The same of a 16-bit picture.
 Image16 read_png16(const std::filesystem::path& file);
 
+// Writes a picture in the format of the file's extension. Throws std::runtime_error where OpenImageIO does not.
+void write_as(const std::filesystem::path& file, const Image8& image);
+
 }  // namespace ninebit::test

@@ -40,6 +40,8 @@ std::string content_of(std::FILE* file) {
     const rlimit limit{*settings.address_space, *settings.address_space}, no_core{0, 0};
     ready = ready && ::setrlimit(RLIMIT_AS, &limit) == 0 && ::setrlimit(RLIMIT_CORE, &no_core) == 0;
   }
+  for (const int signal : {SIGHUP, SIGINT, SIGTERM}) std::signal(signal, SIG_DFL);
+  for (const int signal : settings.ignored) std::signal(signal, SIG_IGN);
   if (settings.traced) ready = ready && ::ptrace(PTRACE_TRACEME, 0, nullptr, nullptr) == 0;
   const int in = ::open(settings.in.empty() ? "/dev/null" : settings.in.c_str(), O_RDONLY);
   ready = ready && ::dup2(in, STDIN_FILENO) >= 0 && ::dup2(out, STDOUT_FILENO) >= 0 && ::dup2(err, STDERR_FILENO) >= 0;

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <cstdio>
+#include <cstdlib>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -11,7 +12,10 @@
 
 namespace tools_test {
 
-inline const std::string kProgram = NINEBIT_BINARY_DIR "/ninebit";
+// The program of the build, or the one that NINEBIT_TESTED_PROGRAM names.
+inline const std::string kProgram = std::getenv("NINEBIT_TESTED_PROGRAM") != nullptr
+                                        ? std::getenv("NINEBIT_TESTED_PROGRAM")
+                                        : NINEBIT_BINARY_DIR "/ninebit";
 
 // How a process ended. `code` is what a shell would tell: the exit code, or 128 + the signal that killed it.
 struct Outcome {
@@ -28,6 +32,7 @@ struct ChildSettings {
   std::string in{};                                // what stdin reads; empty: nothing
   std::string out{};                               // where stdout goes instead of into the Outcome
   std::string err{};                               // the same for stderr
+  std::vector<int> ignored{};                      // signals that it is started to ignore, as nohup does
   bool traced = false;                             // for run_to(); where that is not allowed it ends with code 126
 };
 

@@ -170,6 +170,11 @@ TEST_F(Eval, TablesAsTheyCome) {
     EXPECT_EQ(outcome.out, expected) << testing::PrintToString(table) << outcome.err;
   }
   EXPECT_EQ(eval(article_, "primary.r\n").out, "out.r,out.g,out.b,out.a\n");
+  // A byte order mark stands before the first line alone, and once.
+  const std::string mark = "\xEF\xBB\xBF";
+  expect_error(eval(article_, "primary.r\n" + mark + "10\n"), 3, {":2:1"});
+  expect_error(eval(article_, "\n" + mark + "primary.r\n10\n"), 3, {":2:1"});
+  expect_error(eval(article_, mark + mark + "primary.r\n10\n"), 3, {":1:"});
 }
 
 TEST_F(Eval, JsonRows) {

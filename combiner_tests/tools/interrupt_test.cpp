@@ -135,5 +135,18 @@ TEST_F(Interrupt, NothingEndsInAHalfWrittenFile) {
   EXPECT_EQ(files_in(out_), newer_);
 }
 
+// As `nohup` starts a program, or a shell one in the background.
+TEST_F(Interrupt, WhatWasIgnoredStaysIgnored) {
+  for (const int signal : {SIGHUP, SIGINT, SIGTERM}) {
+    SCOPED_TRACE(signal);
+    Child child(long_render(out_), {.ignored = {signal}});
+    while (!child.ended() && !has_come({"color"}, out_)) std::this_thread::sleep_for(std::chrono::microseconds(200));
+    for (int i = 0; i < 3; ++i) child.send(signal);
+    EXPECT_EQ(child.wait().code, 0);
+    EXPECT_EQ(files_in(out_), newer_);
+    for (const auto& [name, bytes] : older_) write_bytes(out_ + '/' + name, bytes);
+  }
+}
+
 }  // namespace
 }  // namespace tools_test

@@ -77,7 +77,7 @@ class OverOlder : public testing::TestWithParam<const char*> {
   [[nodiscard]] Words merge_of(const std::string& steps) const {
     const std::string parts = folder_ / ("steps-" + steps);
     EXPECT_EQ(ninebit(study_of(steps, parts)).code, 0);
-    return {"study", "merge", parts + "/part-1-of-1.jsonl", "--quiet", "-o", out_};
+    return {"study", "merge", parts + "/part-1-of-1.jsonl", "--allow-outside", "--quiet", "-o", out_};
   }
 
   void restore() const {

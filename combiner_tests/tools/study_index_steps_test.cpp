@@ -53,7 +53,7 @@ TEST(StudyIndexSteps, WhatItRefuses) {
   expect_error(index_steps({"--program", "-"}), 2, {"file"});
   expect_error(index_steps({"--program", kArticle, "--variants", "both-x4"}), 2, {"--program"});
   expect_error(index_steps({"--program", "/nonexistent.gl"}), 3, {"/nonexistent.gl"});
-  expect_error(index_steps({"--formats", "l", "--variants", "no-scale-separate"}), 3, {"several channels"});
+  expect_error(index_steps({"--formats", "l", "--variants", "no-scale-separate"}), 2, {"several channels"});
   const TempFolder folder;
   const std::string broken = write_bytes(folder.path() / "broken.gl", "glCombinerInputNV(1);\nglNonsense();\n");
   expect_error(index_steps({"--program", broken}), 3, {broken, "1:"});

@@ -59,14 +59,16 @@ TEST(StudyShadows, WrongGrids) {
     std::vector<std::string> words;
   };
   const std::vector<Case> cases{
-      {{"--map-sizes", "100"}, 2, {"--map-sizes", "'100' is no list", "powers of two"}},
+      {{"--map-sizes", "100"}, 2, {"--map-sizes", "'100' is not a list", "powers of two"}},
       {{"--map-sizes="}, 2, {"--map-sizes"}},
       {{"--map-sizes", "64,,128"}, 2, {"--map-sizes", "64,,128"}},
       {{"--steps", "0,1"}, 2, {"--steps", "from 1 to 16"}},
-      {{"--scopes", "polygon,pixel"}, 2, {"--scopes", "'pixel' is none of polygon, object, section"}},
+      {{"--scopes", "polygon,pixel"}, 2, {"--scopes", "'pixel' is unknown; expected some of polygon, object, section"}},
       {{"--formats="}, 2, {"--formats"}},
-      {{"--technique", "depth-cube", "--depth-bits", "8,12"}, 2, {"--depth-bits", "'12' is none of 8, 16, float"}},
-      {{"--technique", "depth-cube", "--biases", "0,-1"}, 2, {"--biases", "0 or more"}},
+      {{"--technique", "depth-cube", "--depth-bits", "8,12"},
+       2,
+       {"--depth-bits", "'12' is unknown; expected some of 8, 16, float"}},
+      {{"--technique", "depth-cube", "--biases", "0,-1"}, 2, {"--biases", "from 0 to 1e12"}},
       {{"--technique", "shadow-map", "--polygon-offsets", "0,0;1"}, 2, {"--polygon-offsets", "FACTOR,UNITS"}},
       {{"--technique", "shadow-map", "--polygon-offsets", "0,nan"}, 2, {"--polygon-offsets", "FACTOR,UNITS"}},
       {{"--technique", "shadow-map", "--find-offset", "--polygon-offsets", "0,0"}, 2, {"excludes"}},
@@ -94,12 +96,13 @@ TEST(StudyDepthPacking, AnswersItsQuestion) {
 }
 
 TEST(StudyDepthPacking, WrongGrids) {
-  const std::vector<std::pair<std::string, std::string>> cases{{"--packings=rgba8", "'rgba8' is none of rgba8-fract"},
-                                                               {"--packings=", "--packings"},
-                                                               {"--storages=cut", "round"},
-                                                               {"--depths=32", "16, 24, floats"},
-                                                               {"--float-step=0", "--float-step"},
-                                                               {"--float-step=1.5", "--float-step"}};
+  const std::vector<std::pair<std::string, std::string>> cases{
+      {"--packings=rgba8", "'rgba8' is unknown; expected some of rgba8-fract"},
+      {"--packings=", "--packings"},
+      {"--storages=cut", "round"},
+      {"--depths=32", "16, 24, floats"},
+      {"--float-step=0", "--float-step"},
+      {"--float-step=1.5", "--float-step"}};
   for (const auto& [flag, words] : cases) {
     SCOPED_TRACE(flag);
     expect_error(ninebit({"study", "depth-packing", flag}), 2, {words});

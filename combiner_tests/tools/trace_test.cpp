@@ -181,8 +181,8 @@ TEST_F(TraceVerb, WrongUsage) {
       {{article_, "--pixel", "1,1"}, {"--pixel requires --scene"}},
       {{article_, "--size", "64x64"}, {"--size requires --scene"}},
       {{"--scene", kRoom}, {"--scene needs --pixel X,Y"}},
-      {{"--scene", kRoom, "--pixel", "7"}, {"'7' is no pixel"}},
-      {{"--scene", kRoom, "--pixel", "-1,3"}, {"'-1,3' is no pixel"}},
+      {{"--scene", kRoom, "--pixel", "7"}, {"'7' is not a pixel"}},
+      {{"--scene", kRoom, "--pixel", "-1,3"}, {"'-1,3' is not a pixel"}},
       {{"--scene", kRoom, "--pixel", "64,0", "--size", "64x48"}, {"64,0 lies outside", "0 to 63", "0 to 47"}},
       {{"--scene", kRoom, "--pixel", "0,48", "--size", "64x48"}, {"0,48 lies outside"}},
   };

@@ -83,6 +83,35 @@ TEST_F(Validate, RefusalsInEveryForm) {
   EXPECT_EQ(of_words[0]["line"], 1);
 }
 
+// The same fault in every form: more general combiners than the profile has is what OpenGL refuses.
+TEST_F(Validate, TooManyCombinersAreARefusalInEveryForm) {
+  std::string json_stages = "{}";
+  for (int i = 1; i < 9; ++i) json_stages += ",{}";
+  const std::string begin = R"({"ninebit":"program","version":1,)";
+  const std::vector<std::string> programs{
+      "glCombinerParameteriNV(GL_NUM_GENERAL_COMBINERS_NV, 3);\n",
+      "glCombinerParameteriNV(GL_NUM_GENERAL_COMBINERS_NV, 1000000);\n",
+      "!!RC1.0\n{rgb{spare0=tex0;}}{rgb{spare0=tex0;}}{rgb{spare0=tex0;}}out.a=zero;\n",
+      begin + R"("num_general_combiners":3})",
+      begin + R"("num_general_combiners":9})",
+      begin + R"("num_general_combiners":99999999999999999999})",
+      begin + R"("general_combiners":[)" + json_stages + "]}",
+      "RC_OUT_RGB[1] = 0x30000000\n",
+  };
+  for (const std::string& program : programs) {
+    SCOPED_TRACE(program);
+    const Outcome outcome = validate(program);
+    EXPECT_EQ(outcome.code, 1) << outcome.err;
+    EXPECT_NE(outcome.out.find("GL_INVALID_VALUE"), std::string::npos) << outcome.out;
+  }
+  // So is a constant of one general combiner, on a profile that has none.
+  EXPECT_EQ(validate("!!RC1.0\n{const0=(0,0,0,0);rgb{spare0=const0;}}out.a=zero;\n").code, 1);
+  EXPECT_EQ(validate(begin + R"("per_stage_constants":true})").code, 1);
+  EXPECT_EQ(validate("glEnable(GL_PER_STAGE_CONSTANTS_NV);\n").code, 1);
+  // A number that is not a whole one is not a number of combiners in any language.
+  expect_error(validate(begin + R"("num_general_combiners":1.5})"), 3, {"whole number"});
+}
+
 // What one profile has the other has not.
 TEST_F(Validate, ByProfile) {
   CombinerState state;
@@ -102,7 +131,7 @@ TEST_F(Validate, WhatIsNoProgram) {
   EXPECT_NE(cut.err.find("program:2:"), std::string::npos) << cut.err;
   expect_error(validate("{\"ninebit\": \"program\", \"version\": 9}"), 3, {"program:1:"});
   expect_error(validate("RC_IN_RGB[0] = 0x00000006\n"), 3, {"program:1:"});
-  expect_error(validate(std::string("\0\0\0", 3)), 3, {"program:1:1: "});
+  expect_error(validate(std::string("\0\0\0", 3)), 3, {"program: seems to be a binary file; expected "});
   // A refusal beside a fault of the text: all of it is told, and there is no program.
   const Outcome both = validate(std::string(kRefused) + "glFoo();\n");
   EXPECT_EQ(both.code, 3);

@@ -86,6 +86,12 @@ TEST(Verbs, FullStandardStreams) {
                                              {"profiles", "--json"},
                                              {"info"},
                                              {"info", "--json"},
+                                             {"--help"},
+                                             {"--version"},
+                                             {"render", "--help"},
+                                             {"study", "index-steps", "--help"},
+                                             {"generate", "man"},
+                                             {"explain", NINEBIT_SOURCE_DIR "/docs/programs/index_compare.gl"},
                                              small_render(kRoom, folder / "a", {"--json", "--quiet"})}) {
     SCOPED_TRACE(testing::PrintToString(arguments));
     const Outcome outcome = ninebit(arguments, {.out = "/dev/full"});

@@ -1,5 +1,6 @@
 // `ninebit verify`: the NV2A's pictures agree with its profile, and what differs is told by place and by rule.
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include "combiner_tests/tools/program_support.h"
 
@@ -8,13 +9,15 @@ namespace {
 
 const std::string kNv2aRows = NINEBIT_SOURCE_DIR "/combiner_tests/hardware/verify/rows.csv";
 
+constexpr const char* kSquare =
+    "!!RC1.0\n{ rgb { spare0 = col0; scale_by_one_half(); } }\n{ rgb { spare1 = spare0 * spare0; } }\n"
+    "out.rgb = spare1;\nout.a = unsigned_invert(zero);\n";
+
 class Verify : public testing::Test {
  protected:
   // Of a table whose rows run a program that halves the primary colour, then squares it.
   Outcome verify(const std::string& table, const std::vector<std::string>& more = {}) {
-    write_bytes(folder_ / "square.rc",
-                "!!RC1.0\n{ rgb { spare0 = col0; scale_by_one_half(); } }\n{ rgb { spare1 = spare0 * spare0; } }\n"
-                "out.rgb = spare1;\nout.a = unsigned_invert(zero);\n");
+    write_bytes(folder_ / "square.rc", kSquare);
     std::vector<std::string> arguments{"verify", write_bytes(folder_ / "rows.csv", table)};
     arguments.insert(arguments.end(), more.begin(), more.end());
     return ninebit(arguments);
@@ -93,6 +96,33 @@ TEST_F(Verify, AProgramForAllRowsAndStandardInput) {
   EXPECT_EQ(outcome.out, "1 rows: 1 agree, 0 differ\n");
 }
 
+// Programs that rows name stand below the table's folder.
+TEST_F(Verify, ProgramsOfRowsStandBelowTheTable) {
+  std::filesystem::create_directories(folder_ / "in/deep");
+  write_bytes(folder_ / "in/deep/square.rc", kSquare);
+  write_bytes(folder_ / "square.rc", kSquare);
+  std::filesystem::create_symlink("../square.rc", folder_ / "in/link.rc");
+  ASSERT_EQ(::mkfifo((folder_ / "in/fifo").c_str(), 0600), 0);
+  const std::string file = folder_ / "in/rows.csv";
+  const auto verify_named = [&](const std::string& name, bool allow) {
+    write_bytes(file, "program,primary.r,out.r\n" + name + ",101,9\n");
+    std::vector<std::string> words{"verify", file};
+    if (allow) words.emplace_back("--allow-outside");
+    return ninebit(words);
+  };
+  EXPECT_EQ(verify_named("deep/square.rc", false).code, 0);
+  for (const std::string& name : {std::string("../square.rc"), folder_ / "square.rc", std::string("link.rc")}) {
+    SCOPED_TRACE(name);
+    expect_error(verify_named(name, false), 3, {file + ":2:1", "'" + name + "'", "--allow-outside"});
+    EXPECT_EQ(verify_named(name, true).code, 0);
+  }
+  expect_error(verify_named("fifo", false), 3, {file + ":2:1", "'fifo' is not a regular file"});
+  expect_error(verify_named("-", false), 3, {"-", "No such file"});
+  // Nor does a table from standard input name standard input.
+  const std::string table = write_bytes(folder_ / "stdin.csv", "program,primary.r,out.r\n-,101,9\n");
+  expect_error(ninebit({"verify", "-"}, {.folder = folder_ / "in", .in = table}), 3, {"./-", "No such file"});
+}
+
 TEST_F(Verify, WrongTables) {
   struct Case {
     std::string table;
@@ -112,7 +142,7 @@ TEST_F(Verify, WrongTables) {
       {"program,primary.r,out.r\nsquare.rc,1,1|x\n", {"rows.csv:2:13", "out.r", "'1|x'"}},
       {"program,primary.r,out.r\nsquare.rc,1,\n", {"does not say what should come out"}},
       {"program,out.r\nmissing.rc,1\n", {"missing.rc"}},
-      {"program,out.r\nrows.csv,1\n", {"rows.csv:1:1"}},
+      {"program,out.r\nrows.csv,1\n", {"rows.csv: seems to be a table", "expected a combiner program"}},
   };
   for (const Case& c : cases) {
     SCOPED_TRACE(c.table);

@@ -7,7 +7,8 @@
 
 #include <array>
 
-#include "src/image/posix.h"
+#include "src/system/process.h"
+#include "src/system/shared_library.h"
 
 // Of the leak sanitizer, where the program is built with it.
 extern "C" {

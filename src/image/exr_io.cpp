@@ -22,19 +22,21 @@
 #include "ninebit/image/image_io.h"
 #include "src/image/exr_blocks.h"
 #include "src/image/faults.h"
-#include "src/image/posix.h"
+#include "src/image/image_threads.h"
+#include "src/system/checked_file.h"
+#include "src/system/process.h"
 
 namespace ninebit {
 
 namespace {
 
 using image_detail::cannot_write;
-using image_detail::CheckedFile;
 using image_detail::complain_about_size;
 using image_detail::ExrBlocks;
 using image_detail::Flips;
 using image_detail::invalid_input;
 using image_detail::pixel_type;
+using posix::CheckedFile;
 
 constexpr std::size_t kLongestName = 255;  // of a channel, by the file format
 // On flat layers 1.7 times as fast as OpenEXR's default of 4 and no larger; on noisy ones a tenth faster.
@@ -122,11 +124,11 @@ Status write_checked(const std::filesystem::path& file, const Write& write) {
   } catch (const std::bad_alloc&) {
     throw;
   } catch (const std::exception& error) {
-    if (output.failed()) return output.close();
+    if (output.failed()) return image_detail::close_written(output);
     if (lacks_memory(error.what())) throw std::bad_alloc();
     return cannot_write(file, fmt::format("could not be written as EXR: {}", error.what()));
   }
-  return output.close();
+  return image_detail::close_written(output);
 }
 
 // Whether so many threads more can run at once. In a limited address space none is tried: what the memory of one leaves
@@ -204,5 +206,17 @@ void set_image_threads(int threads) {
     // A pool that could not be made larger only costs time.
   }
 }
+
+namespace image_detail {
+
+WithoutImageThreads::WithoutImageThreads() : threads_(Imf::globalThreadCount()) {
+  if (threads_ > 0) Imf::setGlobalThreadCount(0);
+}
+
+WithoutImageThreads::~WithoutImageThreads() {
+  if (threads_ > 0) set_image_threads(threads_);
+}
+
+}  // namespace image_detail
 
 }  // namespace ninebit

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "ninebit/numerics/result.h"
+#include "src/system/checked_file.h"
 
 namespace ninebit::image_detail {
 
@@ -13,6 +14,14 @@ inline constexpr int kLargestSide = 16384;  // of a picture, a part or a cube fa
 
 inline Diagnostic cannot_write(const std::filesystem::path& file, std::string message) {
   return {std::move(message), file.string(), 0, Fault::cannot_write};
+}
+
+// Closes an output file; reports whatever went wrong since it was opened.
+[[nodiscard]] inline Status close_written(posix::CheckedFile& file) {
+  if (const std::error_code error = file.close()) {
+    return cannot_write(file.path(), "could not be written: " + error.message());
+  }
+  return {};
 }
 
 inline Diagnostic invalid_input(const std::filesystem::path& file, std::string message) {

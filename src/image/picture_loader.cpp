@@ -7,7 +7,8 @@
 
 #include "src/image/faults.h"
 #include "src/image/picture_module.h"
-#include "src/image/posix.h"
+#include "src/system/process.h"
+#include "src/system/shared_library.h"
 
 namespace ninebit::image_detail {
 namespace {
@@ -53,13 +54,22 @@ Result<PictureModule> load_module() {
   return PictureModule{read};
 }
 
+const Result<PictureModule>& the_module() {
+  static const Result<PictureModule> module = load_module();
+  return module;
+}
+
 }  // namespace
 
+Status load_picture_module(const std::filesystem::path& file) {
+  const Result<PictureModule>& pictures = the_module();
+  return pictures ? Status() : invalid_input(file, "cannot be read: " + pictures.error().message);
+}
+
 Result<FileTexture> load_picture(const std::filesystem::path& file) {
-  static const Result<PictureModule> pictures = load_module();
-  if (!pictures) return invalid_input(file, "cannot be read: " + pictures.error().message);
+  if (Status loaded = load_picture_module(file); !loaded) return loaded.error();
   Result<FileTexture> texture = FileTexture{};
-  pictures->read(file, texture);
+  the_module()->read(file, texture);
   return texture;
 }
 

@@ -12,4 +12,9 @@ namespace ninebit::image_detail {
 // reports, a module that is missing, cannot be loaded or belongs to another build of the program, with its path.
 [[nodiscard]] Result<FileTexture> load_picture(const std::filesystem::path& file);
 
+// Loads the module alone.
+[[nodiscard]] Status load_picture_module(const std::filesystem::path& file);
+
+inline constexpr PictureReader kPictureModule{.read = &load_picture, .prepare = &load_picture_module};
+
 }  // namespace ninebit::image_detail

@@ -1,14 +1,14 @@
 #include "ninebit/image/staged_files.h"
 
 #include <algorithm>
-#include <atomic>
-#include <cstdint>
+#include <chrono>
 #include <string_view>
 #include <system_error>
 #include <utility>
 
 #include "src/image/faults.h"
-#include "src/image/posix.h"
+#include "src/system/files.h"
+#include "src/system/folder_lock.h"
 
 namespace ninebit {
 
@@ -21,19 +21,17 @@ using image_detail::cannot_write;
 constexpr std::size_t kLongestStem = 64;  // so that a long name does not become too long as a temporary one
 constexpr std::size_t kLongestExtension = 16;
 
-// A name in the folder that nothing has yet, with the extension of `name`, from which libraries tell the format.
+// How long another process may hold the folder. Renaming takes milliseconds.
+constexpr std::chrono::seconds kLongestWait{10};
+
+// A name in the folder that nothing has and nobody can guess, with the extension of `name`, from which libraries tell
+// the format.
 fs::path unused_name(const fs::path& folder, std::string name) {
-  static std::atomic<std::uint64_t> counter{0};
   std::replace_if(
       name.begin(), name.end(), [](char c) { return c == '/' || c == '\0'; }, '_');
   const std::string stem = fs::path(name).stem().string().substr(0, kLongestStem);
   const std::string extension = fs::path(name).extension().string().substr(0, kLongestExtension);
-  while (true) {
-    const std::string number = std::to_string(image_detail::process_id()) + "-" + std::to_string(counter++);
-    fs::path path = folder / ("." + stem + ".ninebit-" + number + extension);
-    std::error_code error;
-    if (!fs::exists(fs::symlink_status(path, error))) return path;
-  }
+  return folder / ("." + stem + ".ninebit-" + posix::unpredictable_digits() + extension);
 }
 
 bool is_plain_name(const std::string& name) {
@@ -47,8 +45,8 @@ void remove_quietly(const fs::path& path) noexcept {
 }
 
 // Keeps what stands at the target within reach; where the file system has no hard links, it cannot be brought back.
-image_detail::Move prepare(const fs::path& folder, const std::string& name, const fs::path& temporary) {
-  image_detail::Move move{temporary, folder / name, {}, false};
+posix::Move prepare(const fs::path& folder, const std::string& name, const fs::path& temporary) {
+  posix::Move move{temporary, folder / name, {}, false};
   std::error_code error;
   move.replaces = fs::exists(fs::symlink_status(move.to, error));
   if (!move.replaces) return move;
@@ -104,7 +102,7 @@ Result<StagedFiles> StagedFiles::open(const fs::path& folder) {
     }
   }
   const fs::path probe = unused_name(staged.folder_, "probe");
-  if (const std::error_code error = image_detail::create_new(probe)) {
+  if (const std::error_code error = posix::create_new(probe)) {
     return cannot_write(folder, "the folder cannot be written into: " + error.message());
   }
   remove_quietly(probe);
@@ -124,9 +122,10 @@ Status StagedFiles::check_before_commit() const {
     const fs::path target = folder_ / entry.name;
     std::error_code error;
     if (!is_plain_name(entry.name)) return cannot_write(target, "\"" + entry.name + "\" is not a plain file name");
-    if (!fs::is_regular_file(entry.temporary, error)) return cannot_write(target, "was not written");
+    if (!fs::is_regular_file(fs::symlink_status(entry.temporary, error)))
+      return cannot_write(target, "was not written");
     if (fs::is_directory(target, error)) return cannot_write(target, "a folder of that name is in the way");
-    if ((error = image_detail::flush_to_disk(entry.temporary))) {
+    if ((error = posix::finish_file(entry.temporary, target))) {
       return cannot_write(target, "could not be brought to the disk: " + error.message());
     }
   }
@@ -135,13 +134,16 @@ Status StagedFiles::check_before_commit() const {
 
 Status StagedFiles::commit() {
   if (Status status = check_before_commit(); !status) return status;
-  std::vector<image_detail::Move> moves;
+  std::error_code error;
+  const posix::FolderLock lock(folder_, kLongestWait, error);
+  if (error) return cannot_write(folder_, "another program is renaming files in the folder and does not end");
+  std::vector<posix::Move> moves;
   moves.reserve(entries_.size());
   for (const Entry& entry : entries_) {
     if (!entry.committed) moves.push_back(prepare(folder_, entry.name, entry.temporary));
   }
-  if (const auto [move, error] = image_detail::move_all(moves); error != 0) {
-    return cannot_write(moves[move].to, "could not be renamed into place: " + std::generic_category().message(error));
+  if (const auto [move, why] = posix::move_all(moves); why != 0) {
+    return cannot_write(moves[move].to, "could not be renamed into place: " + std::generic_category().message(why));
   }
   for (Entry& entry : entries_) entry.committed = true;
   return {};

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <span>
 #include <string>
 #include <vector>
@@ -33,18 +34,28 @@ struct FileTexture {
 // What a compressed picture may hold, 8192 x 8192: a few KiB of one can say that they are any number of pixels.
 inline constexpr std::int64_t kMostPicturePixels = std::int64_t{1} << 26;
 
-// Who reads files that are no DDS files. OpenImageIO does it, but it brings 250 shared libraries along: the library
+// The reader of all files but DDS files. OpenImageIO does it, but it brings 250 shared libraries along: the library
 // links it, the program loads it when it is asked for a picture (picture_loader.h).
-using PictureReader = Result<FileTexture> (*)(const std::filesystem::path& file);
+struct PictureReader {
+  Result<FileTexture> (*read)(const std::filesystem::path& file) = nullptr;
+  // Loads what read() needs, so that an isolated call finds it loaded; nullptr: there is nothing to load.
+  Status (*prepare)(const std::filesystem::path& file) = nullptr;
+};
 
 // Any picture, by OpenImageIO.
 [[nodiscard]] Result<FileTexture> read_picture(const std::filesystem::path& file);
 
+// reader.read() of each file in one isolated call (src/system/isolated_call.h). Reports what it reports, and the file
+// at which the reader crashed or was over its limits.
+[[nodiscard]] Result<std::vector<FileTexture>> read_isolated(std::span<const std::filesystem::path> files,
+                                                             const PictureReader& reader,
+                                                             const std::function<bool()>& go_on);
+
 // The functions of texture_io.h, pictures read by `reader`.
 [[nodiscard]] Result<Texture> read_texture(const HardwareProfile& profile, const std::filesystem::path& file,
-                                           const TextureReadOptions& options, PictureReader reader);
+                                           const TextureReadOptions& options, const PictureReader& reader);
 [[nodiscard]] Result<Texture> read_cube_texture(const HardwareProfile& profile,
                                                 std::span<const std::filesystem::path, 6> files,
-                                                const TextureReadOptions& options, PictureReader reader);
+                                                const TextureReadOptions& options, const PictureReader& reader);
 
 }  // namespace ninebit::image_detail

@@ -41,34 +41,72 @@ void flip_planes(std::vector<T>& samples, int width, int height) {
   }
 }
 
-Result<FileTexture> read_file(const HardwareProfile& profile, const std::filesystem::path& file, bool flip,
-                              PictureReader reader) {
+// Whether the file, which must be there and not be empty, is a DDS file.
+Result<bool> is_dds_file(const std::filesystem::path& file) {
   std::error_code error;
-  if (std::filesystem::is_directory(file, error)) return invalid_input(file, "is a folder; expected a picture");
+  const std::filesystem::file_status status = std::filesystem::status(file, error);
+  if (is_directory(status)) return invalid_input(file, "is a folder; expected a picture");
+  if (exists(status) && !is_regular_file(status)) return invalid_input(file, "is not a regular file");
   std::ifstream in(file, std::ios::binary);
   if (!in) return invalid_input(file, "cannot be opened");
   std::array<char, 4> start{};
   in.read(start.data(), start.size());
   const auto found = static_cast<std::size_t>(in.gcount());
   if (found == 0) return invalid_input(file, "is empty or cannot be read; expected a picture");
-  in.clear();
-  Result<FileTexture> texture = [&]() -> Result<FileTexture> {
-    if (!is_dds({reinterpret_cast<const std::uint8_t*>(start.data()), found})) {
-      in.close();
-      return reader(file);
-    }
-    const auto bytes = read_whole(file, in);
-    if (!bytes) return bytes.error();
-    return parse_dds(profile, file, *bytes);
-  }();
-  if (texture && flip) {
-    for (std::vector<TextureSamples>& levels : texture.value().faces) {
-      for (TextureSamples& image : levels) {
-        std::visit([&](auto& samples) { flip_planes(samples, image.width, image.height); }, image.samples);
-      }
+  return is_dds({reinterpret_cast<const std::uint8_t*>(start.data()), found});
+}
+
+Result<FileTexture> read_dds(const HardwareProfile& profile, const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  const auto bytes = read_whole(file, in);
+  if (!bytes) return bytes.error();
+  return parse_dds(profile, file, *bytes);
+}
+
+Result<std::vector<FileTexture>> read_pictures(std::span<const std::filesystem::path> files,
+                                               const TextureReadOptions& options, const PictureReader& reader) {
+  if (options.isolated) return read_isolated(files, reader, options.go_on);
+  std::vector<FileTexture> pictures;
+  for (const std::filesystem::path& file : files) {
+    Result<FileTexture> picture = reader.read(file);
+    if (!picture) return picture.error();
+    pictures.push_back(std::move(picture).value());
+  }
+  return pictures;
+}
+
+void flip(FileTexture& texture) {
+  for (std::vector<TextureSamples>& levels : texture.faces) {
+    for (TextureSamples& image : levels) {
+      std::visit([&](auto& samples) { flip_planes(samples, image.width, image.height); }, image.samples);
     }
   }
-  return texture;
+}
+
+// All files in their order. Pictures are read together, so that one child process serves for all of them.
+Result<std::vector<FileTexture>> read_files(const HardwareProfile& profile,
+                                            std::span<const std::filesystem::path> files,
+                                            const TextureReadOptions& options, const PictureReader& reader) {
+  std::vector<bool> dds;
+  std::vector<std::filesystem::path> others;
+  for (const std::filesystem::path& file : files) {
+    const Result<bool> found = is_dds_file(file);
+    if (!found) return found.error();
+    dds.push_back(*found);
+    if (!*found) others.push_back(file);
+  }
+  Result<std::vector<FileTexture>> pictures = std::vector<FileTexture>();
+  if (!others.empty()) pictures = read_pictures(others, options, reader);
+  if (!pictures) return pictures.error();
+  std::vector<FileTexture> textures;
+  std::size_t next = 0;
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    Result<FileTexture> texture = dds[i] ? read_dds(profile, files[i]) : std::move((*pictures)[next++]);
+    if (!texture) return texture.error();
+    if (options.flip) flip(*texture);
+    textures.push_back(std::move(texture).value());
+  }
+  return textures;
 }
 
 Result<Texture> finish(const std::filesystem::path& file, FileTexture parts, bool mipmaps) {
@@ -100,27 +138,23 @@ std::string complain_about_face(const FileTexture& face, const FileTexture& firs
 }  // namespace
 
 Result<Texture> read_texture(const HardwareProfile& profile, const std::filesystem::path& file,
-                             const TextureReadOptions& options, PictureReader reader) {
-  Result<FileTexture> parts = read_file(profile, file, options.flip, reader);
+                             const TextureReadOptions& options, const PictureReader& reader) {
+  Result<std::vector<FileTexture>> parts = read_files(profile, std::span(&file, 1), options, reader);
   if (!parts) return parts.error();
-  return finish(file, std::move(parts).value(), options.mipmaps);
+  return finish(file, std::move((*parts)[0]), options.mipmaps);
 }
 
 Result<Texture> read_cube_texture(const HardwareProfile& profile, std::span<const std::filesystem::path, 6> files,
-                                  const TextureReadOptions& options, PictureReader reader) {
-  FileTexture cube;
-  for (const std::filesystem::path& file : files) {
-    Result<FileTexture> face = read_file(profile, file, options.flip, reader);
-    if (!face) return face.error();
-    if (std::string complaint = complain_about_face(*face, cube.faces.empty() ? *face : cube); !complaint.empty()) {
-      return invalid_input(file, std::move(complaint));
-    }
-    if (cube.faces.empty()) {
-      cube = std::move(face).value();
-    } else {
-      cube.faces.push_back(std::move(face.value().faces[0]));
+                                  const TextureReadOptions& options, const PictureReader& reader) {
+  Result<std::vector<FileTexture>> faces = read_files(profile, files, options, reader);
+  if (!faces) return faces.error();
+  FileTexture& cube = (*faces)[0];
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    if (std::string complaint = complain_about_face((*faces)[i], cube); !complaint.empty()) {
+      return invalid_input(files[i], std::move(complaint));
     }
   }
+  for (std::size_t i = 1; i < files.size(); ++i) cube.faces.push_back(std::move((*faces)[i].faces[0]));
   cube.target = TextureTarget::cube_map;
   return finish(files[0], std::move(cube), options.mipmaps);
 }

@@ -8,7 +8,6 @@ namespace ninebit::detail {
 namespace {
 
 constexpr std::string_view kPunctuation = "(){}[],;=+-&*";
-constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 
 }  // namespace
 

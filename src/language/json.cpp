@@ -40,7 +40,7 @@ class ProgramReader {
     read_.heading(root, "program", true);
     with(root, "num_general_combiners", [&](const Value& value) {
       count_ = value.offset;
-      read_.integer(value, 1, kMaxGeneralCombiners, state_.num_general_combiners);
+      read_.integer(value, 1, kMaxGeneralCombiners, state_.num_general_combiners, GlError::invalid_value);
     });
     with(root, "color_sum_clamp", [&](const Value& value) { read_.boolean(value, state_.color_sum_clamp); });
     with(root, "per_stage_constants", [&](const Value& value) {
@@ -107,7 +107,7 @@ class ProgramReader {
     if (value.type != Type::array) return read_.wrong_type(value, "an array");
     for (std::size_t i = 0; i < value.children.size(); ++i) {
       if (i >= state_.general.size()) {
-        return read_.fault(value.children[i].offset, "there are at most 8 general combiners");
+        return read_.fault(value.children[i].offset, "there are at most 8 general combiners", GlError::invalid_value);
       }
       stage(value.children[i], i);
     }

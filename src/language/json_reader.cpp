@@ -15,14 +15,17 @@ bool underflows(std::string_view text) {
 
 }  // namespace
 
-void Reader::integer(const Value& value, int lowest, int highest, int& into) {
+void Reader::integer(const Value& value, int lowest, int highest, int& into, GlError beyond) {
   if (value.type != Type::number) return wrong_type(value, "a whole number");
   int number = 0;
   const char* const end = value.text.data() + value.text.size();
   const auto [stop, error] = std::from_chars(value.text.data(), end, number);
-  if (stop != end || error != std::errc{} || number < lowest || number > highest) {
-    return fault(value.offset, called(value) + " must be a whole number from " + std::to_string(lowest) + " to " +
-                                   std::to_string(highest));
+  const bool is_whole = stop == end && error != std::errc::invalid_argument;
+  if (!is_whole || error != std::errc{} || number < lowest || number > highest) {
+    return fault(
+        value.offset,
+        called(value) + " must be a whole number from " + std::to_string(lowest) + " to " + std::to_string(highest),
+        is_whole ? beyond : GlError::no_error);
   }
   into = number;
 }

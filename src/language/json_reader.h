@@ -16,7 +16,10 @@ class Reader {
  public:
   Reader(std::string_view text, TextFaults& faults) : places_(text), faults_(faults) {}
 
-  void fault(std::size_t offset, const std::string& message) { faults_.add(places_(offset), message); }
+  // `gl_error` is what OpenGL raises for the same state, where that is all that is wrong.
+  void fault(std::size_t offset, const std::string& message, GlError gl_error = GlError::no_error) {
+    faults_.add(places_(offset), message, gl_error);
+  }
 
   [[nodiscard]] TextPlace place(std::size_t offset) const { return places_(offset); }
 
@@ -54,7 +57,7 @@ class Reader {
   }
 
   // A whole number, written as one, in [lowest, highest].
-  void integer(const Value& value, int lowest, int highest, int& into);
+  void integer(const Value& value, int lowest, int highest, int& into, GlError beyond = GlError::no_error);
 
   // A real number in [0, 1].
   void fraction(const Value& value, float& into);

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <string_view>
 
+#include "src/language/source_blanks.h"
 #include "src/language/source_faults.h"
 
 namespace ninebit::detail {
@@ -32,7 +33,10 @@ struct Rc10Token {
 // One token ahead. A comment without its end is a fault, and the text is over; the header is a blank.
 class Rc10Lexer {
  public:
-  Rc10Lexer(std::string_view text, SourceFaults& faults) : text_(text), faults_(faults) { advance(); }
+  Rc10Lexer(std::string_view text, SourceFaults& faults)
+      : text_(text), faults_(faults), at_(text.starts_with(kByteOrderMark) ? kByteOrderMark.size() : 0) {
+    advance();
+  }
 
   [[nodiscard]] const Rc10Token& peek() const { return token_; }
   Rc10Token take();

@@ -4,6 +4,7 @@
 
 #include "ninebit/language/rc10.h"
 #include "src/language/rc10_parser.h"
+#include "src/language/source_blanks.h"
 
 namespace ninebit {
 namespace {
@@ -63,8 +64,10 @@ class Parser {
   void stage(const Rc10Token& token) {
     if (stages_ == profile_.general_combiners) {
       if (!too_many_) {
-        faults_.add(token.offset, "profile " + std::string(profile_.name) + " has " + std::to_string(stages_) +
-                                      " general combiners, and this is one more");
+        faults_.add(token.offset,
+                    "profile " + std::string(profile_.name) + " has " + std::to_string(stages_) +
+                        " general combiners, and this is one more",
+                    GlError::invalid_value);
       }
       too_many_ = true;
       in_.skip_block();
@@ -117,15 +120,22 @@ class Parser {
   bool too_many_ = false;
 };
 
+// The specification wants the header at the very beginning; files that people write have a comment before it. Where it
+// is missing, that is a fault.
+bool begins_with_header(std::string_view text, detail::SourceFaults& faults) {
+  std::size_t at = text.starts_with(detail::kByteOrderMark) ? detail::kByteOrderMark.size() : 0;
+  if (!detail::skip_blanks(text, at, {.hash_comments = true, .heading = {}}, faults)) return false;
+  if (text.substr(at).starts_with(detail::kRc10Header)) return true;
+  faults.add(at, "a program begins with !!RC1.0; expected nothing but blanks and comments before it");
+  return false;
+}
+
 }  // namespace
 
 Parsed<CombinerState> parse_rc10(const SourceText& source, const HardwareProfile& profile) {
   detail::SourceFaults faults(source);
   if (detail::too_long(source, faults)) return {std::nullopt, faults.take()};
-  if (!source.text.starts_with(detail::kRc10Header)) {
-    faults.add(0, "a program begins with !!RC1.0, without anything before it");
-    return {std::nullopt, faults.take()};
-  }
+  if (!begins_with_header(source.text, faults)) return {std::nullopt, faults.take()};
   return Parser(source, profile).parse();
 }
 

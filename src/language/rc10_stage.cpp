@@ -263,8 +263,10 @@ void read_rc10_stage(Rc10Reader& in, GeneralCombiner& stage, Rc10Constants& cons
     if (is_constant(token)) {
       if (seen[0] || seen[1]) in.faults.add(token.offset, "a general combiner's constants stand before its portions");
       if (!in.profile.per_stage_constants) {
-        in.faults.add(token.offset, "profile " + std::string(in.profile.name) +
-                                        " has no constants of a general combiner's own (NV_register_combiners2)");
+        in.faults.add(token.offset,
+                      "profile " + std::string(in.profile.name) +
+                          " has no constants of a general combiner's own (NV_register_combiners2)",
+                      GlError::invalid_enum);
       }
       if (!read_rc10_constant(in, constants, "local")) in.skip_statement();
     } else if (token.is("rgb") || token.is("alpha")) {

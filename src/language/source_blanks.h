@@ -8,6 +8,8 @@
 
 namespace ninebit::detail {
 
+inline constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";  // which a text may begin with
+
 // White space and comments of C and C++ are always skipped; these a language may have besides.
 struct Blanks {
   bool hash_comments = false;  // from # to the end of the line

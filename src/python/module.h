@@ -32,6 +32,7 @@ struct View {
   std::optional<Point> camera, look_at;
   std::optional<float> fov;  // degrees
   std::optional<Point> light;
+  bool allow_outside = false;  // files that the scene names may stand anywhere
 };
 
 // A file's scene, complete for a picture of this width and height, or Error.

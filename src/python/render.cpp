@@ -33,7 +33,8 @@ py::array upright(const PlaneSamples<T>& plane, int width, int height, const std
 
 py::dict render(const std::string& scene_file, const std::string& technique_name, std::pair<int, int> size,
                 int map_size, const std::string& profile, int index_step, const std::optional<Point>& camera,
-                const std::optional<Point>& look_at, std::optional<float> fov, const std::optional<Point>& light) {
+                const std::optional<Point>& look_at, std::optional<float> fov, const std::optional<Point>& light,
+                bool allow_outside) {
   const Technique& technique = technique_named(technique_name);
   RenderSettings settings;
   settings.width = size.first;
@@ -45,7 +46,7 @@ py::dict render(const std::string& scene_file, const std::string& technique_name
   std::optional<Result<Rendering>> drawn;
   {
     const py::gil_scoped_release others_may_run;
-    const Scene scene = scene_for(technique, scene_file, size, {camera, look_at, fov, light});
+    const Scene scene = scene_for(technique, scene_file, size, {camera, look_at, fov, light, allow_outside});
     drawn.emplace(technique.render(scene, settings, {}));
   }
   if (!*drawn) throw Error{drawn->error().text()};
@@ -88,7 +89,7 @@ Scene scene_for(const Technique& technique, const std::string& file, const std::
   if (view.look_at) setup.look_at = vector_of(*view.look_at);
   if (view.light) setup.light = vector_of(*view.light);
   setup.fov_degrees = view.fov;
-  auto scene = read_scene(file);
+  auto scene = read_scene(file, {.allow_outside = view.allow_outside, .isolated = true});
   if (!scene) throw Error{scene.error().text()};
   const float aspect_ratio = static_cast<float>(size.first) / static_cast<float>(size.second);
   auto complete = complete_scene(std::move(*scene), setup, aspect_ratio);
@@ -109,10 +110,12 @@ void add_render(py::module_& module) {
       "render", &render, py::arg("scene"), py::kw_only(), py::arg("technique") = "index-cube",
       py::arg("size") = std::pair{1024, 768}, py::arg("map_size") = 512, py::arg("profile") = "geforce2",
       py::arg("index_step") = 2, py::arg("camera") = py::none(), py::arg("look_at") = py::none(),
-      py::arg("fov") = py::none(), py::arg("light") = py::none(),
+      py::arg("fov") = py::none(), py::arg("light") = py::none(), py::arg("allow_outside") = false,
       "Draws a scene's shadows. Gives 'red', 'green', 'blue', 'alpha', 'stencil' (uint8; a stencil of 0 is light) and "
       "'depth' (uint32 codes) as upright arrays of the shape (height, width), the rendering's own memory; the pixels "
-      "that are 'background', 'lit' and 'shadowed'; and the technique's 'facts'.");
+      "that are 'background', 'lit' and 'shadowed'; and the technique's 'facts'. Files that the scene names are read "
+      "only below its "
+      "folder unless allow_outside is true.");
 }
 
 }  // namespace ninebit::python

@@ -148,7 +148,8 @@ py::dict shadows(const std::string& file, const std::string& technique_name, std
                  const Names& scopes, const std::vector<int>& steps, const Names& depth_bits,
                  const std::vector<float>& biases, const Names& encodings,
                  const std::vector<std::pair<float, float>>& polygon_offsets, const std::optional<Point>& camera,
-                 const std::optional<Point>& look_at, std::optional<float> fov, const std::optional<Point>& light) {
+                 const std::optional<Point>& look_at, std::optional<float> fov, const std::optional<Point>& light,
+                 bool allow_outside) {
   const Technique& technique = technique_named(technique_name);
   RenderSettings settings;
   settings.width = size.first;
@@ -176,7 +177,8 @@ py::dict shadows(const std::string& file, const std::string& technique_name, std
   for (const auto& [factor, units] : polygon_offsets) grid.polygon_offsets.push_back({factor, units});
   StudyQuestion question{.study = "shadows", .profile = profile};
   question.arguments = file;
-  return run(make_shadow_sweep(std::move(question), scene_for(technique, file, size, {camera, look_at, fov, light}),
+  return run(make_shadow_sweep(std::move(question),
+                               scene_for(technique, file, size, {camera, look_at, fov, light, allow_outside}),
                                technique, settings, grid));
 }
 
@@ -207,6 +209,7 @@ void add_studies(py::module_& module) {
       py::arg("biases") = std::vector<float>{}, py::arg("encodings") = py::none(),
       py::arg("polygon_offsets") = std::vector<std::pair<float, float>>{}, py::arg("camera") = py::none(),
       py::arg("look_at") = py::none(), py::arg("fov") = py::none(), py::arg("light") = py::none(),
+      py::arg("allow_outside") = false,
       "A technique's wrong pixels by their causes against the ground truth, for each combination of the settings that "
       "are given as lists: {'rows': array}. As `ninebit study shadows`.");
 }

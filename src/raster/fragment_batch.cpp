@@ -169,6 +169,7 @@ void FragmentBatch::run_program() {
   }
   context_.program->run(registers_, count_, out_);
   for (std::size_t k = 0; k < 4; ++k) {
+    if (!context_.wanted_color[k]) continue;  // its plane has no values
     for (std::size_t i = 0; i < count_; ++i) color_[i][k] = to_byte(state.profile, out_.plane[k][i]);
   }
 }

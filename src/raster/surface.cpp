@@ -24,16 +24,20 @@ Surface::Surface(int width, int height, SurfaceFormat format)
     : width_(width), height_(height), format_(format.depth_stencil) {
   const std::size_t count = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
   const ClearValues start;
-  const auto make = [&]<class T>(PlaneSamples<T>& samples, T value) {
-    if (format.undrawn) {
+  const auto make = [&]<class T>(PlaneSamples<T>& samples, T value, bool undrawn) {
+    if (undrawn) {
       samples = undrawn_samples<T>(count);
     } else {
       samples.resize(count, value);
     }
   };
-  for (std::size_t i = 0; i < 4; ++i) make(color_[i], start.color[i]);
-  make(depth_, depth_code(format_, start.depth));
-  if (stencil_bits(format_) > 0) make(stencil_, stencil_value(format_, start.stencil));
+  for (std::size_t i = 0; i < 4; ++i) make(color_[i], start.color[i], format.undrawn);
+  make(depth_, depth_code(format_, start.depth), format.undrawn);
+  // clear() writes the stencil bits and keeps the others. A byte with other bits therefore needs a value here.
+  const bool clear_fills_bytes = stencil_bits(format_) == 8;
+  if (stencil_bits(format_) > 0) {
+    make(stencil_, stencil_value(format_, start.stencil), format.undrawn && clear_fills_bytes);
+  }
   if (format.with_primitive) primitive_.resize(count, kNoPrimitive);
 }
 

@@ -6,6 +6,7 @@
 #include <cstring>
 
 #include "src/raster/lanes_of_bits.h"
+#include "src/raster/polygon_offset.h"
 #include "src/raster/tile_bins.h"
 
 #undef HWY_TARGET_INCLUDE

@@ -43,12 +43,22 @@ HWY_INLINE void find_pixel_depths(const Candidates& c, Depths& to) {
   }
 }
 
-// As depth_plane() and polygon_offset_z24().
+// The offset of candidate k, as of any other triangle.
+HWY_INLINE std::int32_t exact_offset(const SetupContext& context, const Candidates& c, const Depths& d, std::size_t k) {
+  WindowVertex v[3];
+  for (int i = 0; i < 3; ++i) {
+    v[i] = {.x_q4 = c.x[i][k], .y_q4 = c.y[i][k], .z24 = static_cast<std::uint32_t>(d.corner[i][k])};
+  }
+  return polygon_offset_z24(context.offset, context.slope, depth_plane(v[0], v[1], v[2]), context.window.depth());
+}
+
+// As depth_plane() and polygon_offset_z24(), which is called where the bounds of the sum round to different numbers.
 HWY_INLINE void find_offsets(const SetupContext& context, const Candidates& c, Depths& to) {
-  const auto factor = hn::Set(kDD, static_cast<double>(context.offset.factor));
-  const auto units =
+  const VD factor = hn::Set(kDD, static_cast<double>(context.offset.factor));
+  const VD units =
       hn::Set(kDD, static_cast<double>(context.offset.units) * static_cast<double>(context.window.depth().step_z24()));
-  const VD limit = hn::Set(kDD, 0x1p25), sixteen = hn::Set(kDD, 16.0);
+  const VD limit = hn::Set(kDD, static_cast<double>(kLargestOffset)), sixteen = hn::Set(kDD, 16.0);
+  const VD smallest_error = hn::Add(hn::Abs(units), hn::Set(kDD, 1.0));
   for (std::size_t i = 0; i < c.count; i += hn::Lanes(kDD)) {
     const auto difference = [i](const Candidates::Lanes(&v)[3], int k)
                                 HWY_ATTR { return hn::Sub(as_double(v[k] + i), as_double(v[0] + i)); };
@@ -62,9 +72,16 @@ HWY_INLINE void find_offsets(const SetupContext& context, const Candidates& c, D
       const VD sx = hn::Div(dx, area), sy = hn::Div(dy, area);
       m = hn::Sqrt(hn::Add(hn::Mul(sx, sx), hn::Mul(sy, sy)));
     }
-    const VD sum = hn::Add(hn::Mul(factor, m), units);
-    const VD within = hn::Min(hn::Max(sum, hn::Neg(limit)), limit);
-    store_numbers(hn::Floor(hn::Add(within, hn::Set(kDD, 0.5))), to.offset + i);
+    const VD moved = hn::Mul(factor, m), sum = hn::Add(moved, units);
+    const VD error = hn::Mul(hn::Set(kDD, kOffsetError), hn::Add(hn::Abs(moved), smallest_error));
+    const auto rounded = [limit](VD v) HWY_ATTR {
+      return hn::Floor(hn::Add(hn::Min(hn::Max(v, hn::Neg(limit)), limit), hn::Set(kDD, 0.5)));
+    };
+    const VD low = rounded(hn::Sub(sum, error)), high = rounded(hn::Add(sum, error));
+    store_numbers(low, to.offset + i);
+    if (HWY_LIKELY(hn::AllTrue(kDD, hn::Eq(low, high)))) continue;
+    const std::size_t end = i + hn::Lanes(kDD) < c.count ? i + hn::Lanes(kDD) : c.count;
+    for (std::size_t k = i; k < end; ++k) to.offset[k] = exact_offset(context, c, to, k);
   }
 }
 

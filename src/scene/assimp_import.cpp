@@ -1,11 +1,11 @@
 #include "src/scene/assimp_import.h"
 
-#include <assimp/DefaultIOSystem.h>
 #include <assimp/MemoryIOWrapper.h>
 #include <assimp/scene.h>
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <assimp/IOSystem.hpp>
 #include <assimp/Importer.hpp>
 #include <cmath>
 #include <exception>
@@ -148,16 +148,19 @@ class SceneFlattener {
   std::vector<std::array<std::uint32_t, 3>> pieces_;
 };
 
-// The disk, but for one file whose content is already here.
-class OneFileInMemory : public Assimp::DefaultIOSystem {
+// A file system of one file, whose content is already here.
+class OneFileInMemory : public Assimp::IOSystem {
  public:
   OneFileInMemory(std::string name, std::string_view content) : name_(std::move(name)), content_(content) {}
 
-  Assimp::IOStream* Open(const char* file, const char* mode) override {
-    if (name_ != file) return DefaultIOSystem::Open(file, mode);
+  [[nodiscard]] bool Exists(const char* file) const override { return name_ == file; }
+  [[nodiscard]] char getOsSeparator() const override { return '/'; }
+  Assimp::IOStream* Open(const char* file, const char*) override {
+    if (name_ != file) return nullptr;
     // Assimp deletes the stream through Close(); the bytes stay ours.
     return new Assimp::MemoryIOStream(reinterpret_cast<const std::uint8_t*>(content_.data()), content_.size(), false);
   }
+  void Close(Assimp::IOStream* stream) override { delete stream; }
 
  private:
   std::string name_;

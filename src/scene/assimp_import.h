@@ -14,8 +14,8 @@ struct Imported {
   glm::dmat4 root_transform{1.0};  // of the root node: importers put their change of axes there
 };
 
-// content stands for the file itself, so that what was checked is what is read; files that it names (buffers, material
-// libraries) are read from the folder of file. Diagnostics come without a file name: the caller adds it.
+// content stands for the file itself, so that what was checked is what is read. Diagnostics come without a file name:
+// the caller adds it.
 [[nodiscard]] Result<Imported> import_geometry(const std::filesystem::path& file, std::string_view content);
 
 }  // namespace ninebit

@@ -5,15 +5,15 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/gtc/quaternion.hpp>
-#include <initializer_list>
 #include <numbers>
+#include <utility>
 
 #include "src/scene/fault_of.h"
 
 namespace ninebit {
 namespace {
 
-// Assimp walks nodes by recursion too: what nests deeper could use up its stack.
+// Nodes are walked by recursion: what nests deeper could use up the stack.
 constexpr int kDeepestNode = 500;
 constexpr float kWidestFileSpot = 179.0F;  // degrees: the file may say 180, which no map can show
 
@@ -25,6 +25,7 @@ glm::vec<N, double> vector_of(const Json& value, glm::vec<N, double> fallback) {
   return fallback;
 }
 
+// Cameras and lights stand where the file's numbers say, in double precision.
 glm::dmat4 local_transform(const Json& node) {
   const Json& matrix = item(node, "matrix");
   glm::dmat4 out(1.0);
@@ -41,103 +42,66 @@ glm::dmat4 local_transform(const Json& node) {
   return out;
 }
 
-struct MeshSize {
-  std::uint64_t triangles = 0;
-  std::uint64_t primitives = 0;
+// Meshes stand where the file's numbers say in single precision, step by step in this order. All pictures of glTF files
+// depend on that.
+glm::dmat4 rounded_transform(const Json& node) {
+  if (list_of(item(node, "matrix")).size() == 16) return glm::dmat4(glm::mat4(local_transform(node)));
+  const glm::vec4 q(vector_of<4>(item(node, "rotation"), {0.0, 0.0, 0.0, 1.0}));
+  const glm::vec3 scale(vector_of<3>(item(node, "scale"), glm::dvec3(1.0)));
+  const glm::vec3 move(vector_of<3>(item(node, "translation"), glm::dvec3(0.0)));
+  glm::mat3 turn(1.0F);
+  turn[0] = {1.0F - 2.0F * (q.y * q.y + q.z * q.z), 2.0F * (q.x * q.y + q.z * q.w), 2.0F * (q.x * q.z - q.y * q.w)};
+  turn[1] = {2.0F * (q.x * q.y - q.z * q.w), 1.0F - 2.0F * (q.x * q.x + q.z * q.z), 2.0F * (q.y * q.z + q.x * q.w)};
+  turn[2] = {2.0F * (q.x * q.z + q.y * q.w), 2.0F * (q.y * q.z - q.x * q.w), 1.0F - 2.0F * (q.x * q.x + q.y * q.y)};
+  glm::dmat4 out(1.0);
+  for (glm::length_t i = 0; i < 3; ++i) out[i] = glm::dvec4(glm::dvec3(turn[i] * scale[i]), 0.0);
+  out[3] = glm::dvec4(glm::dvec3(move), 1.0);
+  return out;
+}
+
+// A node's place, for meshes and for the rest.
+struct NodePlace {
+  glm::dmat4 rounded{1.0};
+  glm::dmat4 exact{1.0};
 };
 
 class NodeWalk {
  public:
-  explicit NodeWalk(const Json& root)
-      : root_(root), visited_(list_of(item(root, "nodes")).size()), sizes_(list_of(item(root, "meshes")).size()) {
-    facts_.triangles = 0;
-  }
+  explicit NodeWalk(const Json& root) : root_(root), visited_(list_of(item(root, "nodes")).size()) {}
 
-  Result<FileFacts> walk() {
+  Result<GltfNodes> walk() {
     const Json& scene = item(root_, "scenes", index_of(item(root_, "scene")).value_or(0));
     if (scene.is_null()) return fault_of("has no scene");
     for (const Json& node : list_of(item(scene, "nodes"))) {
-      if (auto fault = visit(node, glm::dmat4(1.0), 0)) return *fault;
+      if (auto fault = visit(node, {}, 0)) return *fault;
     }
-    return facts_;
+    return std::move(out_);
   }
 
  private:
-  std::optional<Diagnostic> visit(const Json& reference, const glm::dmat4& parent, int depth) {
+  std::optional<Diagnostic> visit(const Json& reference, const NodePlace& parent, int depth) {
     const std::uint64_t index = index_of(reference).value_or(~0ULL);
     const Json& node = item(root_, "nodes", index);
     if (node.is_null()) return fault_of("names a node that is not there");
     if (visited_[index]) return fault_of(fmt::format("node {} is reached twice: nodes must form a tree", index));
     if (depth > kDeepestNode) return fault_of(fmt::format("its nodes nest more than {} deep", kDeepestNode));
     visited_[index] = true;
-    const glm::dmat4 world = parent * local_transform(node);
-    if (!item(node, "mesh").is_null()) {
-      if (auto fault = place_mesh(item(node, "mesh"))) return fault;
+    const NodePlace place{parent.rounded * rounded_transform(node), parent.exact * local_transform(node)};
+    const Json& mesh = item(node, "mesh");
+    if (!mesh.is_null()) {
+      const std::uint64_t number = index_of(mesh).value_or(~0ULL);
+      if (item(root_, "meshes", number).is_null()) return fault_of("names a mesh that is not there");
+      out_.placements.push_back({index, number, place.rounded});
     }
     if (!item(node, "camera").is_null()) {
-      if (auto fault = add_camera(item(node, "camera"), world)) return fault;
+      if (auto fault = add_camera(item(node, "camera"), place.exact)) return fault;
     }
     const Json& light = item(node, "extensions", "KHR_lights_punctual", "light");
     if (!light.is_null()) {
-      if (auto fault = add_light(node, light, world)) return fault;
+      if (auto fault = add_light(node, light, place.exact)) return fault;
     }
     for (const Json& child : list_of(item(node, "children"))) {
-      if (auto fault = visit(child, world, depth + 1)) return fault;
-    }
-    return std::nullopt;
-  }
-
-  const Json& accessor(const Json& reference) const { return target_of(item(root_, "accessors"), reference); }
-
-  // An accessor in a role that asks for one type and certain components; packed ones have their data elsewhere.
-  std::optional<Diagnostic> check_use(const Json& reference, const char* type,
-                                      std::initializer_list<std::uint64_t> components, bool packed) const {
-    if (reference.is_null()) return std::nullopt;
-    const Json& used = accessor(reference);
-    if (used.is_null()) return fault_of("names an accessor that is not there");
-    const std::uint64_t component = index_of(item(used, "componentType")).value_or(0);
-    if (text_of(item(used, "type")) != type ||
-        std::find(components.begin(), components.end(), component) == components.end())
-      return fault_of("uses an accessor of a type that does not fit its use");
-    if (!packed && item(used, "bufferView").is_null()) return fault_of("uses an accessor that has no data");
-    return std::nullopt;
-  }
-
-  // A mesh is looked at once, however many nodes place it.
-  std::optional<Diagnostic> place_mesh(const Json& reference) {
-    const std::uint64_t index = index_of(reference).value_or(~0ULL);
-    const Json& mesh = item(root_, "meshes", index);
-    if (mesh.is_null()) return fault_of("names a mesh that is not there");
-    std::optional<MeshSize>& size = sizes_[index];
-    if (!size) {
-      size.emplace();
-      if (auto fault = measure(mesh, *size)) return fault;
-    }
-    *facts_.triangles += size->triangles;
-    placed_ += std::max(size->triangles, size->primitives);
-    return placed_ > kMostTriangles ? too_many() : std::nullopt;
-  }
-
-  static std::optional<Diagnostic> too_many() {
-    return fault_of(fmt::format("its nodes place more than {} triangles", kMostTriangles));
-  }
-
-  std::optional<Diagnostic> measure(const Json& mesh, MeshSize& size) const {
-    for (const Json& primitive : list_of(item(mesh, "primitives"))) {
-      ++size.primitives;
-      const std::uint64_t mode = index_of(item(primitive, "mode")).value_or(4);
-      const Json& positions = item(primitive, "attributes", "POSITION");
-      if (mode < 4 || positions.is_null()) continue;
-      const Json& indices = item(primitive, "indices");
-      const bool packed = !item(primitive, "extensions", "KHR_draco_mesh_compression").is_null();
-      if (auto fault = check_use(positions, "VEC3", {5126}, packed)) return fault;
-      if (auto fault = check_use(item(primitive, "attributes", "NORMAL"), "VEC3", {5126, 5120, 5122}, packed))
-        return fault;
-      if (auto fault = check_use(indices, "SCALAR", {5121, 5123, 5125}, packed)) return fault;
-      const Json& counted = accessor(indices.is_null() ? positions : indices);
-      const std::uint64_t corners = index_of(item(counted, "count")).value_or(0);
-      size.triangles += mode == 4 ? corners / 3 : std::max<std::uint64_t>(corners, 2) - 2;
-      if (size.triangles > kMostTriangles) return too_many();
+      if (auto fault = visit(child, place, depth + 1)) return fault;
     }
     return std::nullopt;
   }
@@ -154,7 +118,7 @@ class NodeWalk {
     out.look_at = glm::vec3(glm::dvec3(world[3]) + ahead / std::max(glm::length(ahead), 1e-300));
     out.up = glm::vec3(glm::dvec3(world[1]));
     out.vertical_fov_degrees = static_cast<float>(angle * 180.0 / std::numbers::pi);
-    facts_.cameras.push_back(out);
+    out_.viewpoints.cameras.push_back(out);
     return std::nullopt;
   }
 
@@ -178,20 +142,18 @@ class NodeWalk {
     out.name = text_of(item(light, "name")).empty() ? text_of(item(node, "name")) : text_of(item(light, "name"));
     out.position = glm::vec3(glm::dvec3(world[3]));
     out.color = glm::vec3(vector_of<3>(item(light, "color"), glm::dvec3(1.0)));
-    facts_.lights.push_back(out);
+    out_.viewpoints.lights.push_back(out);
     return std::nullopt;
   }
 
   const Json& root_;
   std::vector<bool> visited_;
-  std::vector<std::optional<MeshSize>> sizes_;  // of the meshes that were placed
-  std::uint64_t placed_ = 0;                    // triangles, or primitives where those are more
-  FileFacts facts_;
+  GltfNodes out_;
 };
 
 }  // namespace
 
-Result<FileFacts> read_gltf_nodes(const Json& root) {
+Result<GltfNodes> read_gltf_nodes(const Json& root) {
   return NodeWalk(root).walk();
 }
 

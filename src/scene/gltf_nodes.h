@@ -1,13 +1,29 @@
 // The node hierarchy of a glTF file: what it places, and its cameras and lights in world space.
 #pragma once
 
-#include "src/scene/file_check.h"
+#include <glm/glm.hpp>
+#include <string>
+#include <vector>
+
 #include "src/scene/json_value.h"
+#include "src/scene/viewpoints.h"
 
 namespace ninebit {
 
-// Walks the file's scene. Perspective cameras with the file's own vertical angle; KHR_lights_punctual lights of type
-// "point", colours with their largest channel as 1. The number of triangles counts every mesh once a node that has it.
-[[nodiscard]] Result<FileFacts> read_gltf_nodes(const Json& root);
+// A mesh where a node places it.
+struct GltfPlacement {
+  std::uint64_t node = 0;
+  std::uint64_t mesh = 0;
+  glm::dmat4 world{1.0};
+};
+
+struct GltfNodes {
+  std::vector<GltfPlacement> placements;  // in the order of the walk: a node, then its children
+  Viewpoints viewpoints;
+};
+
+// Walks the file's scene. Perspective cameras with the file's own vertical angle, their look-at points one unit ahead;
+// KHR_lights_punctual lights.
+[[nodiscard]] Result<GltfNodes> read_gltf_nodes(const Json& root);
 
 }  // namespace ninebit

@@ -1,7 +1,14 @@
 #include "src/scene/mesh_builder.h"
 
+#include <fmt/format.h>
+
 #include <bit>
 #include <cmath>
+#include <initializer_list>
+
+#include "src/scene/polygon.h"
+#include "src/scene/read_limits.h"
+#include "src/scene/scene_check.h"
 
 namespace ninebit {
 namespace {
@@ -9,6 +16,26 @@ namespace {
 // Adding +0 makes -0 into +0: the two are one place.
 std::uint32_t bits(float value) {
   return std::bit_cast<std::uint32_t>(value + 0.0F);
+}
+
+bool same_bits(const glm::vec3& a, const glm::vec3& b) {
+  return bits(a.x) == bits(b.x) && bits(a.y) == bits(b.y) && bits(a.z) == bits(b.z);
+}
+
+std::uint64_t mix(std::uint64_t hash, const glm::vec3& value) {
+  for (const float part : {value.x, value.y, value.z}) {
+    hash = (hash ^ bits(part)) * 0x9E3779B97F4A7C15U;
+    hash ^= hash >> 29U;
+  }
+  return hash;
+}
+
+std::size_t place_hash(const glm::vec3& position) {
+  return static_cast<std::size_t>(mix(0xCBF29CE484222325U, position));
+}
+
+std::size_t vertex_hash(const glm::vec3& position, const glm::vec3& normal) {
+  return static_cast<std::size_t>(mix(mix(0xCBF29CE484222325U, position), normal));
 }
 
 glm::vec3 unit_or_zero(const glm::dvec3& vector) {
@@ -22,13 +49,48 @@ bool is_zero(const glm::vec3& vector) {
 
 }  // namespace
 
-std::size_t MeshBuilder::KeyHash::operator()(const Key& key) const {
-  std::uint64_t hash = 0xCBF29CE484222325U;
-  for (const std::uint32_t word : key) {
-    hash = (hash ^ word) * 0x9E3779B97F4A7C15U;
-    hash ^= hash >> 29U;
+MeshPlace MeshPlace::of(const glm::dmat4& world) {
+  const glm::dvec3 x(world[0]);
+  const glm::dvec3 y(world[1]);
+  const glm::dvec3 z(world[2]);
+  // The cofactors are the inverse transpose times the determinant, and defined for singular matrices, too.
+  const glm::dmat3 cofactors(glm::cross(y, z), glm::cross(z, x), glm::cross(x, y));
+  const bool mirrored = glm::determinant(glm::dmat3(world)) < 0.0;
+  return {world, mirrored ? -cofactors : cofactors, mirrored};
+}
+
+void VertexTable::clear() {
+  // A table of its usual size is emptied; one that a large object left is given back, or each small object after it
+  // would pay for its size.
+  constexpr std::size_t kUsual = 64;
+  if (slots_.size() > kUsual) {
+    slots_ = {};
+  } else {
+    slots_.assign(slots_.size(), kFree);
   }
-  return static_cast<std::size_t>(hash);
+  count = 0;
+}
+
+template <class HashOf>
+void VertexTable::reserve_one(HashOf hash_of) {
+  if (2 * (count + 1) <= slots_.size()) return;
+  std::vector<std::uint32_t> larger(std::max<std::size_t>(64, 2 * slots_.size()), kFree);
+  const std::size_t mask = larger.size() - 1;
+  for (const std::uint32_t vertex : slots_) {
+    if (vertex == kFree) continue;
+    std::size_t at = hash_of(vertex) & mask;
+    while (larger[at] != kFree) at = (at + 1) & mask;
+    larger[at] = vertex;
+  }
+  slots_ = std::move(larger);
+}
+
+template <class Matches>
+std::uint32_t& VertexTable::slot(std::size_t hash, Matches matches) {
+  const std::size_t mask = slots_.size() - 1;
+  std::size_t at = hash & mask;
+  while (slots_[at] != kFree && !matches(slots_[at])) at = (at + 1) & mask;
+  return slots_[at];
 }
 
 void MeshBuilder::begin_object(const std::string& name) {
@@ -39,13 +101,17 @@ void MeshBuilder::begin_object(const std::string& name) {
 
 std::uint32_t MeshBuilder::vertex(const glm::vec3& position, const glm::vec3& normal) {
   const glm::vec3 unit = unit_or_zero(glm::dvec3(normal));
-  const Key key{bits(position.x), bits(position.y), bits(position.z), bits(unit.x), bits(unit.y), bits(unit.z)};
-  const auto [place, added] = shared_.try_emplace(key, static_cast<std::uint32_t>(scene_.positions.size()));
-  if (added) {
+  shared_.reserve_one([this](std::uint32_t i) { return vertex_hash(scene_.positions[i], scene_.normals[i]); });
+  std::uint32_t& slot = shared_.slot(vertex_hash(position, unit), [&](std::uint32_t i) {
+    return same_bits(scene_.positions[i], position) && same_bits(scene_.normals[i], unit);
+  });
+  if (slot == VertexTable::kFree) {
+    slot = static_cast<std::uint32_t>(scene_.positions.size());
+    ++shared_.count;
     scene_.positions.push_back(position + 0.0F);
     scene_.normals.push_back(unit);
   }
-  return place->second;
+  return slot;
 }
 
 void MeshBuilder::triangle(const glm::uvec3& corners, std::uint32_t material) {
@@ -65,28 +131,69 @@ void MeshBuilder::end_object() {
   scene_.normals.resize(first_vertex_);
 }
 
-void MeshBuilder::fill_normals() {
-  std::unordered_map<Key, glm::dvec3, KeyHash> sums;
-  const auto key_of = [this](std::size_t vertex) {
-    const glm::vec3& at = scene_.positions[vertex];
-    return Key{bits(at.x), bits(at.y), bits(at.z), 0, 0, 0};
-  };
-  for (std::size_t i = first_vertex_; i < scene_.positions.size(); ++i) {
-    if (is_zero(scene_.normals[i])) sums.try_emplace(key_of(i), 0.0);
+std::optional<std::string> MeshBuilder::vertex_at(const MeshPlace& place, const glm::vec3& position,
+                                                  const glm::vec3& normal, std::uint32_t& vertex) {
+  const glm::vec3 at(glm::dvec3(place.world * glm::dvec4(glm::dvec3(position), 1.0)));
+  if (!is_finite(at)) return "the position of a vertex is not finite";
+  vertex = this->vertex(at, unit_or_zero(place.normals * glm::dvec3(normal)));
+  return std::nullopt;
+}
+
+std::optional<std::string> MeshBuilder::polygon(std::span<const std::uint32_t> corners, std::uint32_t material,
+                                                bool mirrored) {
+  if (scene_.triangles.size() + corners.size() - 2 > kMostTriangles)
+    return fmt::format("has more than {} triangles; at most so many are read", kMostTriangles);
+  pieces_.clear();
+  if (corners.size() == 3) {
+    pieces_.push_back({0, 1, 2});
+  } else {
+    outline_.clear();
+    for (const std::uint32_t corner : corners) outline_.push_back(scene_.positions[corner]);
+    if (!triangulate(outline_, pieces_, &effort_))
+      return fmt::format("has a concave polygon with more than {} corners", kMostConcaveCorners);
   }
-  if (sums.empty()) return;
+  if (effort_ > kMostConcaveEffort)
+    return fmt::format("has too many large concave polygons: the squares of their corners come to more than {}",
+                       kMostConcaveEffort);
+  for (const auto& [a, b, c] : pieces_) {
+    const std::uint32_t second = mirrored ? c : b;
+    const std::uint32_t third = mirrored ? b : c;
+    triangle({corners[a], corners[second], corners[third]}, material);
+  }
+  return std::nullopt;
+}
+
+void MeshBuilder::fill_normals() {
+  const std::vector<glm::vec3>& positions = scene_.positions;
+  VertexTable places;  // each place with a vertex that has no normal, by the first such vertex
+  const auto place_of = [&](std::uint32_t vertex) -> std::uint32_t& {
+    return places.slot(place_hash(positions[vertex]),
+                       [&](std::uint32_t i) { return same_bits(positions[i], positions[vertex]); });
+  };
+  for (std::size_t i = first_vertex_; i < positions.size(); ++i) {
+    if (!is_zero(scene_.normals[i])) continue;
+    places.reserve_one([&](std::uint32_t vertex) { return place_hash(positions[vertex]); });
+    std::uint32_t& slot = place_of(static_cast<std::uint32_t>(i));
+    if (slot != VertexTable::kFree) continue;
+    slot = static_cast<std::uint32_t>(i);
+    ++places.count;
+  }
+  if (places.count == 0) return;
+  std::vector<glm::dvec3> sums(positions.size() - first_vertex_, glm::dvec3(0.0));
   for (std::size_t i = scene_.objects.back().first_triangle; i < scene_.triangles.size(); ++i) {
     const glm::uvec3& corners = scene_.triangles[i];
-    const glm::dvec3 origin(scene_.positions[corners.x]);
+    const glm::dvec3 origin(positions[corners.x]);
     const glm::dvec3 area =
-        glm::cross(glm::dvec3(scene_.positions[corners.y]) - origin, glm::dvec3(scene_.positions[corners.z]) - origin);
+        glm::cross(glm::dvec3(positions[corners.y]) - origin, glm::dvec3(positions[corners.z]) - origin);
     for (glm::length_t k = 0; k < 3; ++k) {
-      const auto sum = sums.find(key_of(corners[k]));
-      if (sum != sums.end()) sum->second += area;
+      const std::uint32_t place = place_of(corners[k]);
+      if (place != VertexTable::kFree) sums[place - first_vertex_] += area;
     }
   }
-  for (std::size_t i = first_vertex_; i < scene_.positions.size(); ++i) {
-    if (is_zero(scene_.normals[i])) scene_.normals[i] = unit_or_zero(sums[key_of(i)]);
+  std::vector<glm::vec3> means(sums.size());
+  for (std::size_t i = 0; i < sums.size(); ++i) means[i] = unit_or_zero(sums[i]);
+  for (std::size_t i = first_vertex_; i < positions.size(); ++i) {
+    if (is_zero(scene_.normals[i])) scene_.normals[i] = means[place_of(static_cast<std::uint32_t>(i)) - first_vertex_];
   }
 }
 

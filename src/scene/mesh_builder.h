@@ -3,16 +3,44 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
-#include <unordered_map>
 #include <vector>
 
 #include "ninebit/scene/scene.h"
 
 namespace ninebit {
 
-// Corners of one object with the same position and normal, bit for bit, become one vertex: importers hand out corners,
+// Where a mesh stands in the world.
+struct MeshPlace {
+  glm::dmat4 world{1.0};    // from the mesh to the world
+  glm::dmat3 normals{1.0};  // the inverse transpose of its linear part, but for a positive factor
+  bool mirrored = false;    // whether fronts become backs
+
+  [[nodiscard]] static MeshPlace of(const glm::dmat4& world);
+};
+
+// A hash table of vertex numbers by the bits of what the vertices hold, which stands in the scene. Its memory follows
+// the number of its vertices, and so does the time that emptying it takes.
+class VertexTable {
+ public:
+  void clear();
+  // Makes room for one more; `hash_of` gives the hash of a vertex that the table holds.
+  template <class HashOf>
+  void reserve_one(HashOf hash_of);
+  // The slot of a vertex that `matches`, or the free slot where it belongs. Only after reserve_one().
+  template <class Matches>
+  [[nodiscard]] std::uint32_t& slot(std::size_t hash, Matches matches);
+
+  static constexpr std::uint32_t kFree = 0xFFFFFFFFU;
+  std::size_t count = 0;
+
+ private:
+  std::vector<std::uint32_t> slots_;  // a power of two, at most half of them taken
+};
+
+// Corners of one object with the same position and normal, bit for bit, become one vertex: files hand out corners,
 // techniques need shared vertices. A corner whose normal is zero or not finite gets the mean normal of the object's
 // triangles at exactly its position, weighted by area; its sharing is by position alone.
 class MeshBuilder {
@@ -25,17 +53,23 @@ class MeshBuilder {
   // Drops the object again if it got no triangle.
   void end_object();
 
- private:
-  using Key = std::array<std::uint32_t, 6>;
-  struct KeyHash {
-    std::size_t operator()(const Key& key) const;
-  };
+  // A vertex of a mesh at its place; the fault of a position that is not finite there.
+  [[nodiscard]] std::optional<std::string> vertex_at(const MeshPlace& place, const glm::vec3& position,
+                                                     const glm::vec3& normal, std::uint32_t& vertex);
+  // The triangles of a polygon with three corners or more, which are vertices of this object. Reports a concave polygon
+  // with too many corners and a scene with too many triangles.
+  [[nodiscard]] std::optional<std::string> polygon(std::span<const std::uint32_t> corners, std::uint32_t material,
+                                                   bool mirrored = false);
 
+ private:
   void fill_normals();
 
   Scene& scene_;
   std::size_t first_vertex_ = 0;
-  std::unordered_map<Key, std::uint32_t, KeyHash> shared_;
+  VertexTable shared_;
+  std::uint64_t effort_ = 0;  // of cutting concave polygons
+  std::vector<glm::vec3> outline_;
+  std::vector<std::array<std::uint32_t, 3>> pieces_;
 };
 
 }  // namespace ninebit

@@ -1,6 +1,7 @@
 #include "src/scene/polygon.h"
 
 #include <cmath>
+#include <optional>
 
 namespace ninebit {
 namespace {
@@ -38,44 +39,91 @@ bool fan_is_valid(const std::vector<glm::dvec2>& flat) {
   return true;
 }
 
-bool is_ear(const std::vector<glm::dvec2>& flat, const std::vector<std::uint32_t>& left, std::size_t at) {
-  const std::size_t count = left.size();
-  const glm::dvec2& a = flat[left[(at + count - 1) % count]];
-  const glm::dvec2& b = flat[left[at]];
-  const glm::dvec2& c = flat[left[(at + 1) % count]];
-  if (area2(a, b, c) <= 0.0) return false;
-  for (std::size_t i = 2; i + 1 < count; ++i) {
-    const glm::dvec2& p = flat[left[(at + i) % count]];
-    if (p == a || p == b || p == c) continue;
-    if (area2(a, b, p) >= 0.0 && area2(b, c, p) >= 0.0 && area2(c, a, p) >= 0.0) return false;
+// Cuts ears off a polygon. A corner that was found to be no ear stays none as long as it has the same neighbours and
+// the corner that lies in its way is still there: so it is not looked at again each time that the search comes by.
+class EarSearch {
+ public:
+  explicit EarSearch(const std::vector<glm::dvec2>& flat) : flat_(flat), refusals_(flat.size()), gone_(flat.size()) {}
+
+  // Whether the corner at this place of those that are left is one.
+  bool is_ear(const std::vector<std::uint32_t>& left, std::size_t at) {
+    const std::size_t count = left.size();
+    const std::uint32_t before = left[(at + count - 1) % count];
+    const std::uint32_t after = left[(at + 1) % count];
+    Refusal& refusal = refusals_[left[at]];
+    if (refusal.known && refusal.before == before && refusal.after == after && !gone_[refusal.witness]) return false;
+    const std::optional<std::uint32_t> witness = in_the_way(left, at);
+    if (witness) refusal = {true, before, after, *witness};
+    return !witness;
   }
-  return true;
+
+  void remove(std::uint32_t corner) { gone_[corner] = true; }
+
+ private:
+  struct Refusal {
+    bool known = false;
+    std::uint32_t before = 0, after = 0;  // its neighbours then
+    std::uint32_t witness = 0;            // why: a corner within the ear, or itself
+  };
+
+  // A corner that keeps this one from being an ear: one within its triangle, or itself if that has no area.
+  [[nodiscard]] std::optional<std::uint32_t> in_the_way(const std::vector<std::uint32_t>& left, std::size_t at) const {
+    const std::size_t count = left.size();
+    const glm::dvec2& a = flat_[left[(at + count - 1) % count]];
+    const glm::dvec2& b = flat_[left[at]];
+    const glm::dvec2& c = flat_[left[(at + 1) % count]];
+    if (area2(a, b, c) <= 0.0) return left[at];
+    const glm::dvec2 low = glm::min(glm::min(a, b), c);
+    const glm::dvec2 high = glm::max(glm::max(a, b), c);
+    for (const std::uint32_t corner : left) {
+      const glm::dvec2& p = flat_[corner];
+      if (p.x < low.x || p.x > high.x || p.y < low.y || p.y > high.y) continue;
+      if (p == a || p == b || p == c) continue;
+      if (area2(a, b, p) >= 0.0 && area2(b, c, p) >= 0.0 && area2(c, a, p) >= 0.0) return corner;
+    }
+    return std::nullopt;
+  }
+
+  const std::vector<glm::dvec2>& flat_;
+  std::vector<Refusal> refusals_;
+  std::vector<bool> gone_;
+};
+
+// Cuts ears until three corners are left, or none of them is an ear.
+void cut_ears(const std::vector<glm::dvec2>& flat, std::vector<std::uint32_t>& left,
+              std::vector<std::array<std::uint32_t, 3>>& triangles) {
+  EarSearch ears(flat);
+  // Searching on from the last ear, not from the start, keeps the usual polygon at one pass of tests per ear.
+  std::size_t at = 1;
+  std::size_t refused = 0;
+  while (left.size() > 3 && refused < left.size()) {
+    at %= left.size();
+    if (!ears.is_ear(left, at)) {
+      ++at;
+      ++refused;
+      continue;
+    }
+    const std::size_t size = left.size();
+    triangles.push_back({left[(at + size - 1) % size], left[at], left[(at + 1) % size]});
+    ears.remove(left[at]);
+    left.erase(left.begin() + static_cast<std::ptrdiff_t>(at));
+    refused = 0;
+  }
 }
 
 }  // namespace
 
-bool triangulate(std::span<const glm::vec3> corners, std::vector<std::array<std::uint32_t, 3>>& triangles) {
+bool triangulate(std::span<const glm::vec3> corners, std::vector<std::array<std::uint32_t, 3>>& triangles,
+                 std::uint64_t* effort) {
   const auto count = static_cast<std::uint32_t>(corners.size());
   std::vector<std::uint32_t> left(count);
   for (std::uint32_t i = 0; i < count; ++i) left[i] = i;
   if (count > 3) {
     const std::vector<glm::dvec2> flat = project(corners);
-    const bool concave = !fan_is_valid(flat);
-    if (concave && count > kMostConcaveCorners) return false;
-    // Searching on from the last ear, not from the start, keeps the usual polygon at one pass of tests per ear.
-    std::size_t at = 1;
-    std::size_t refused = 0;
-    while (concave && left.size() > 3 && refused < left.size()) {
-      at %= left.size();
-      if (!is_ear(flat, left, at)) {
-        ++at;
-        ++refused;
-        continue;
-      }
-      const std::size_t size = left.size();
-      triangles.push_back({left[(at + size - 1) % size], left[at], left[(at + 1) % size]});
-      left.erase(left.begin() + static_cast<std::ptrdiff_t>(at));
-      refused = 0;
+    if (!fan_is_valid(flat)) {
+      if (count > kMostConcaveCorners) return false;
+      if (effort != nullptr && count > kSmallPolygon) *effort += std::uint64_t{count} * count;
+      cut_ears(flat, left, triangles);
     }
   }
   for (std::size_t i = 1; i + 1 < left.size(); ++i) triangles.push_back({left[0], left[i], left[i + 1]});

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <charconv>
-#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -18,6 +17,12 @@ namespace ninebit {
 
 inline bool is_blank(char c) {
   return c == ' ' || c == '\t' || c == '\v' || c == '\f' || c == '\r';
+}
+
+// The text without the mark that some editors put before UTF-8.
+inline std::string_view without_mark(std::string_view text) {
+  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
+  return text;
 }
 
 // Walks through a text line by line; \n, \r\n and \r all end a line.
@@ -83,13 +88,7 @@ inline std::optional<Diagnostic> overlong_line(std::string_view text) {
   return std::nullopt;
 }
 
-// Adds the words as one line, without comments, continuations or odd blanks: Assimp's readers trip over those.
-inline void append_line(std::string& text, const std::vector<std::string_view>& words) {
-  for (const std::string_view word : words) text.append(word).push_back(' ');
-  text.push_back('\n');
-}
-
-// A whole word as a number; nothing if it is none. The result may be NaN or infinite where the word says so.
+// A whole word as a whole number; nothing if it is none.
 template <class Number>
 std::optional<Number> number_of(std::string_view word) {
   if (word.size() > 1 && word[0] == '+' && word[1] != '-') word.remove_prefix(1);
@@ -99,12 +98,23 @@ std::optional<Number> number_of(std::string_view word) {
   return value;
 }
 
-// The fault of a word that should be a coordinate, if there is one. Coordinates are single precision.
-inline std::optional<std::string> coordinate_fault(std::string_view word) {
-  const std::optional<double> value = number_of<double>(word);
-  if (!value) return fmt::format("'{}' is not a number", word);
-  if (!std::isfinite(static_cast<float>(*value))) return fmt::format("the position '{}' is not finite", word);
-  return std::nullopt;
-}
+// A whole word as a real number; nothing if it is none. It is infinite where the word says so or is too large, NaN
+// where the word says so, and 0 where it is too small.
+//
+// The value is the sum of the digits before the point and up to 15 behind it, each rounded on its own, times a power of
+// ten, in the precision of Real: usually the nearest number to the word, sometimes a neighbour of it. Pictures of
+// text files have depended on exactly this sum since they were first drawn; a word that it overflows for is rounded
+// once, as it should be.
+template <class Real>
+[[nodiscard]] std::optional<Real> real_of(std::string_view word);
+
+extern template std::optional<float> real_of<float>(std::string_view word);
+extern template std::optional<double> real_of<double>(std::string_view word);
+
+// A word that should be a coordinate, which is single precision; otherwise what is wrong with it.
+[[nodiscard]] std::optional<std::string> read_coordinate(std::string_view word, float& value);
+
+// The same for a part of a normal: it may be infinite or NaN.
+[[nodiscard]] std::optional<std::string> read_normal_part(std::string_view word, float& value);
 
 }  // namespace ninebit

@@ -104,7 +104,11 @@ Diagnostic refused(const Complaint& complaint) {
 
 }  // namespace
 
-void Rays::SceneReleaser::operator()(RTCSceneTy* released) const {
+void Rays::Releaser::operator()(RTCDeviceTy* released) const {
+  rtcReleaseDevice(released);
+}
+
+void Rays::Releaser::operator()(RTCSceneTy* released) const {
   rtcReleaseScene(released);
 }
 
@@ -118,7 +122,8 @@ Result<std::unique_ptr<Rays>> Rays::make(const Scene& scene) {
   // oneTBB keeps a thread's floating-point settings from its first parallel work on, for all that follows. Were that
   // Embree's, which flushes denormals, all would.
   tbb::parallel_for(0, 2, [](int) {});
-  const RTCDevice device = rtcNewDevice(nullptr);
+  rays->device.reset(rtcNewDevice(nullptr));
+  const RTCDevice device = rays->device.get();
   Complaint complaint;
   if (device == nullptr) {
     complaint.code = rtcGetDeviceError(nullptr);
@@ -138,7 +143,6 @@ Result<std::unique_ptr<Rays>> Rays::make(const Scene& scene) {
   rtcSetSceneFlags(rays->boxes.get(), RTC_SCENE_FLAG_ROBUST);
   rtcCommitScene(rays->boxes.get());
   rtcSetDeviceErrorFunction(device, nullptr, nullptr);
-  rtcReleaseDevice(device);  // the scene keeps it
   if (complaint.code != RTC_ERROR_NONE) {
     // Releasing a scene whose preparation failed ends the program where memory lacked, so it stays.
     static_cast<void>(rays->boxes.release());

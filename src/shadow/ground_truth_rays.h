@@ -9,6 +9,7 @@
 #include "ninebit/shadow/ground_truth.h"
 #include "src/shadow/ground_truth_geometry.h"
 
+struct RTCDeviceTy;
 struct RTCSceneTy;
 
 namespace ninebit {
@@ -29,10 +30,14 @@ struct GroundTruthScene::Rays {
   const Scene* scene;
   double touching;  // touching_distance
   double margin;    // by which boxes are larger than their triangles
-  struct SceneReleaser {
+  struct Releaser {
+    void operator()(RTCDeviceTy* released) const;
     void operator()(RTCSceneTy* released) const;
   };
-  std::unique_ptr<RTCSceneTy, SceneReleaser> boxes;
+  // Released after the scene: where the scene has the last reference to its device, Embree 3.13 frees the device and
+  // then reads it.
+  std::unique_ptr<RTCDeviceTy, Releaser> device;
+  std::unique_ptr<RTCSceneTy, Releaser> boxes;
 };
 
 }  // namespace ninebit

@@ -8,20 +8,28 @@
 
 namespace ninebit {
 
-Result<IndexAssignment> assign_indices(const Scene& scene, const IndexSettings& settings) {
+Status check_index_settings(const Scene& scene, const IndexSettings& settings) {
   if (settings.section_size < kMinSectionSize || settings.section_size > kMaxSectionSize) {
     return Diagnostic{.message = fmt::format("section size {} is out of range; expected {} to {}",
                                              settings.section_size, kMinSectionSize, kMaxSectionSize)};
   }
+  if (settings.scope == IndexScope::section) return {};
+  return check_index_codes(settings.format, settings.step, settings.scope,
+                           {.polygons = scene.triangles.size(),
+                            .sections = most_sections(scene, settings.section_size),
+                            .objects = scene.objects.size()});
+}
+
+Result<IndexAssignment> assign_indices(const Scene& scene, const IndexSettings& settings) {
+  if (Status checked = check_index_settings(scene, settings); !checked) return checked.error();
   IndexCounts counts{.polygons = scene.triangles.size(), .objects = scene.objects.size()};
-  const auto check = [&] { return check_index_codes(settings.format, settings.step, settings.scope, counts); };
   Sections sections;
-  // What the scope does not ask for may still be what would do.
-  if (settings.scope == IndexScope::section || (settings.scope == IndexScope::polygon && !check())) {
+  if (settings.scope == IndexScope::section) {
     sections = cut_into_sections(scene, settings.section_size);
     counts.sections = sections.count;
+    Status enough = check_index_codes(settings.format, settings.step, settings.scope, counts);
+    if (!enough) return enough.error();
   }
-  if (Status enough = check(); !enough) return enough.error();
 
   IndexAssignment assignment{.codes = IndexCodes(settings.step, settings.format),
                              .used = static_cast<std::uint32_t>(counts.of(settings.scope))};

@@ -18,6 +18,10 @@ struct IndexAssignment {
   std::vector<ColorBytes> color{};      // the same as primary colours
 };
 
+// Reports what assign_indices reports, without the time that it takes: of sections, which only cutting counts, their
+// size alone.
+[[nodiscard]] Status check_index_settings(const Scene& scene, const IndexSettings& settings);
+
 // Counts indices afresh, from 1, in the order of the scene's triangles. Reports what check_index_codes reports, and a
 // section size outside kMinSectionSize to kMaxSectionSize.
 [[nodiscard]] Result<IndexAssignment> assign_indices(const Scene& scene, const IndexSettings& settings);

@@ -44,7 +44,8 @@ std::vector<Remedy> remedies(IndexFormat format, int step, IndexScope scope, con
   for (const IndexScope other : kScopes) {
     if (coarser && counts.of(other) > 0 && fits(format, step, counts.of(other))) {
       found.push_back(
-          {fmt::format("index scope {}", name_of(other)), fmt::format("{} {}s", counts.of(other), name_of(other))});
+          {fmt::format("index scope {}", name_of(other)),
+           fmt::format("{}{} {}s", other == IndexScope::section ? "at most " : "", counts.of(other), name_of(other))});
     }
     coarser = coarser || other == scope;
   }

@@ -48,6 +48,8 @@ Status check_pick(const RenderSettings& settings) {
 }  // namespace
 
 Result<IndexCubeRenderer> IndexCubeRenderer::make(const Scene& scene, const RenderSettings& settings) {
+  // First of all, as the scene may be too large for its indices.
+  if (Status checked = check_index_settings(scene, settings.index); !checked) return checked.error();
   auto frame = CameraFrame::make(scene, settings, {.point = true});
   if (!frame) return frame.error();
   if (Status checked = check_map_size(settings.map_size); !checked) return checked.error();

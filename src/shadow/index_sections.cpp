@@ -16,9 +16,19 @@ namespace {
 // How much a section prefers triangles that face as it does to triangles that are near.
 constexpr float kFlatness = 0.5F;
 
+// A place with more triangles is cut as several. For each triangle that a section takes, meshoptimizer looks at all
+// that are left at the section's vertices: around the apex of a fan this would take the square of its triangles.
+constexpr unsigned int kMaxValence = 1024;
+
+// Meshoptimizer takes multiples of four.
+std::size_t triangles_in_section(int size) {
+  return static_cast<std::size_t>(size / 4 * 4);
+}
+
 using Corners = std::array<unsigned int, 3>;
 
-// One object's triangles with vertices of their own, one for each place, in a box of size 1.
+// One object's triangles with vertices of their own, one for each place or for kMaxValence corners there, in a box of
+// size 1.
 struct ObjectMesh {
   std::vector<unsigned int> indices;
   std::vector<glm::vec3> positions;
@@ -27,12 +37,13 @@ struct ObjectMesh {
 class SectionCutter {
  public:
   SectionCutter(const Scene& scene, int size)
-      : scene_(scene), size_(static_cast<std::size_t>(size / 4 * 4)), place_(scene.positions.size()) {
+      : scene_(scene), size_(triangles_in_section(size)), place_(scene.positions.size()) {
     sections_.of_triangle.resize(scene.triangles.size());
     const std::vector<unsigned int> all = numbers_of(scene);
     meshopt_generateVertexRemap(place_.data(), all.data(), all.size(), scene.positions.data(), scene.positions.size(),
                                 sizeof(glm::vec3));
     in_mesh_.assign(scene.positions.size(), kNowhere);
+    corners_at_.resize(scene.positions.size());
   }
 
   Sections cut() {
@@ -57,13 +68,15 @@ class SectionCutter {
     for (std::size_t t = object.first_triangle; t < std::size_t{object.first_triangle} + object.triangle_count; ++t) {
       for (glm::length_t corner = 0; corner < 3; ++corner) {
         const unsigned int vertex = scene_.triangles[t][corner], place = place_[vertex];
-        if (in_mesh_[place] == kNowhere) {
+        if (in_mesh_[place] == kNowhere || corners_at_[place] == kMaxValence) {
+          corners_at_[place] = 0;
           in_mesh_[place] = static_cast<unsigned int>(mesh.positions.size());
           met.push_back(place);
           mesh.positions.push_back(scene_.positions[vertex]);
           low = glm::min(low, mesh.positions.back());
           high = glm::max(high, mesh.positions.back());
         }
+        ++corners_at_[place];
         mesh.indices.push_back(in_mesh_[place]);
       }
     }
@@ -107,8 +120,9 @@ class SectionCutter {
 
   const Scene& scene_;
   std::size_t size_;
-  std::vector<unsigned int> place_;    // of a vertex of the scene
-  std::vector<unsigned int> in_mesh_;  // of a place, while its object is cut
+  std::vector<unsigned int> place_;       // of a vertex of the scene
+  std::vector<unsigned int> in_mesh_;     // of a place, while its object is cut: its latest vertex
+  std::vector<unsigned int> corners_at_;  // of that vertex
   Sections sections_;
 };
 
@@ -116,6 +130,15 @@ class SectionCutter {
 
 Sections cut_into_sections(const Scene& scene, int size) {
   return SectionCutter(scene, size).cut();
+}
+
+std::uint64_t most_sections(const Scene& scene, int size) {
+  std::uint64_t most = 0;
+  for (const SceneObject& object : scene.objects) {
+    most += meshopt_buildMeshletsBound(std::size_t{object.triangle_count} * 3, kMaxSectionVertices,
+                                       triangles_in_section(size));
+  }
+  return most;
 }
 
 }  // namespace ninebit

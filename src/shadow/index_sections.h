@@ -20,4 +20,7 @@ struct Sections {
 // version of meshoptimizer may cut otherwise.
 [[nodiscard]] Sections cut_into_sections(const Scene& scene, int size);
 
+// An upper bound of their number, found without cutting.
+[[nodiscard]] std::uint64_t most_sections(const Scene& scene, int size);
+
 }  // namespace ninebit

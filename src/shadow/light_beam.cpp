@@ -44,13 +44,10 @@ MapResolution LightBeam::resolution(int map_size, std::uint32_t depth_codes) con
   const auto gradient = [&](int row) { return glm::dvec3(m[0][row], m[1][row], m[2][row]); };
   const auto value = [&](int row, const glm::dvec3& p) { return glm::dot(gradient(row), p) + m[3][row]; };
   glm::dvec3 p(middle_);
-  // Along the axis z + w grows as it does at the near plane, where it is 0, and w - z at the far one.
-  const double near_slope = glm::dot(gradient(2) + gradient(3), axis),
-               far_slope = glm::dot(gradient(3) - gradient(2), axis);
+  // Along the axis z + w grows as it does at the near plane, where it is 0. The far plane lies behind the whole scene.
+  const double near_slope = glm::dot(gradient(2) + gradient(3), axis);
   const double to_near = -(value(2, p) + value(3, p)) / near_slope;
   if (to_near > 0.0) p += axis * to_near;
-  const double to_far = -(value(3, p) - value(2, p)) / far_slope;
-  if (to_far < 0.0) p += axis * to_far;
   const double z = value(2, p), w = value(3, p);
   // Window depth is (z/w + 1) / 2.
   const double depth_per_unit = 0.5 * (glm::dot(gradient(2), axis) * w - z * glm::dot(gradient(3), axis)) / (w * w);

@@ -34,7 +34,7 @@ class LightBeam {
   };
   [[nodiscard]] Coordinates coordinates(std::span<const glm::vec3> positions) const;
 
-  // At the middle of the scene's bounding box, or where its distance along the axis enters the light's range.
+  // At the middle of the scene's bounding box, or on the near plane where the middle lies before that.
   [[nodiscard]] MapResolution resolution(int map_size, std::uint32_t depth_codes) const;
 
   // Whether a triangle's front faces the light.

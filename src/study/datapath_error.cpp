@@ -74,6 +74,26 @@ StudyRow differences_of(const HardwareProfile& first, const HardwareProfile& sec
                      {"differ", differ}}};
 }
 
+// Results and exact values are clamped to [-1, 1]; a dot product's bias may go a little beyond.
+constexpr double kMostValue = 16.0, kMostCode = 65536.0, kMostCases = 0x1p63, kLongestInputs = 4096.0;
+
+RowRule errors_rule(const HardwareProfile& profile, std::string_view operation, const std::string& form) {
+  return {.fields = {exactly("profile", std::string(profile.name)), exactly("operation", std::string(operation)),
+                     exactly("form", form), count_up_to("cases", kMostCases), count_up_to("exact", kMostCases),
+                     count_up_to("distinct", kMostCode), real_in("max_error", 0.0, kMostValue),
+                     real_in("mean_error", 0.0, kMostValue), real_in("mean_bias", -kMostValue, kMostValue),
+                     text_up_to("worst", kLongestInputs), whole_in("worst_code", -kMostCode, kMostCode),
+                     real_in("worst_exact", -kMostValue, kMostValue)}};
+}
+
+RowRule differences_rule(const HardwareProfile& first, const HardwareProfile& second, std::string_view operation,
+                         const std::string& form) {
+  return {.table = "differences",
+          .fields = {exactly("first", std::string(first.name)), exactly("second", std::string(second.name)),
+                     exactly("operation", std::string(operation)), exactly("form", form),
+                     count_up_to("cases", kMostCases), count_up_to("differ", kMostCases)}};
+}
+
 class DatapathStudy final : public Study {
  public:
   DatapathStudy(StudyQuestion question, std::vector<HardwareProfile> profiles)
@@ -113,6 +133,16 @@ class DatapathStudy final : public Study {
     });
     if (stopped) return Diagnostic{.message = "interrupted", .fault = Fault::cancelled};
     return rows;
+  }
+
+  [[nodiscard]] std::vector<RowRule> row_rules(std::size_t unit) const override {
+    const Unit& u = units_[unit];
+    std::vector<RowRule> rules;
+    for (const std::string& form : forms_of(u.kind)) {
+      rules.push_back(u.second == nullptr ? errors_rule(*u.first, kOperations[u.kind], form)
+                                          : differences_rule(*u.first, *u.second, kOperations[u.kind], form));
+    }
+    return rules;
   }
 
   [[nodiscard]] Result<StudyReport> report(std::span<const StudyRow> rows, std::size_t done) const override {

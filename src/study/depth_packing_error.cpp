@@ -104,15 +104,16 @@ Result<RoundTripError> measure_round_trip(const DepthPacking& packing, ChannelSt
       const double error = static_cast<double>(back) - static_cast<double>(depth), size = std::fabs(error);
       here.exact += back == depth ? 1U : 0U;
       here.inversions += back < before ? 1U : 0U;
+      seen.add(back);
+      before = back;
+      if (depth >= 1.0F) continue;
       here.sum += error;
       here.sum_of_sizes += size;
-      if (size > here.largest && depth < 1.0F) {
+      if (size > here.largest) {
         here.largest = size;
         here.worst_depth = depth;
         here.worst_back = back;
       }
-      seen.add(back);
-      before = back;
     }
     stretches[s] = here;
   });
@@ -135,8 +136,9 @@ Result<RoundTripError> measure_round_trip(const DepthPacking& packing, ChannelSt
       out.worst_back = s.worst_back;
     }
   }
-  out.mean_error /= static_cast<double>(depths);
-  out.mean_bias /= static_cast<double>(depths);
+  // The last depth of every set, and it alone, is 1.
+  out.mean_error /= static_cast<double>(depths - 1);
+  out.mean_bias /= static_cast<double>(depths - 1);
   return out;
 }
 

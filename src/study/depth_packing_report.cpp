@@ -72,10 +72,13 @@ std::vector<std::string> errors_in_words(const DepthPackingOptions& options, std
       std::vector<std::string> parts;
       for (const StudyRow* row : found) {
         const bool exact = row->count("exact") == row->count("count");
+        const bool exact_below_one = row->number("max_error") == 0.0;
         parts.push_back(row->text("packing") +
                         (exact ? " is exact"
-                               : fmt::format(" is up to {:.3g} off ({:.3g} in the mean{})", row->number("max_error"),
-                                             row->number("mean_error"), order_sentence(*row))));
+                         : exact_below_one
+                             ? fmt::format(" is exact below depth 1{}", order_sentence(*row))
+                             : fmt::format(" is up to {:.3g} off ({:.3g} in the mean{})", row->number("max_error"),
+                                           row->number("mean_error"), order_sentence(*row))));
       }
       sentences.push_back(fmt::format(
           "{}, components {}: {}.",
@@ -137,9 +140,8 @@ ReportTable error_table(std::span<const StudyRow> rows) {
     table.rows.push_back(std::move(values));
   }
   table.caption =
-      "Depths go from 0 to 1. An error is what a depth reads as, less the depth: max_error is the largest size of "
-      "depths "
-      "below 1, mean_error the mean size of all. "
+      "Depths go from 0 to 1. An error is what a depth reads as, less the depth. Of depths below 1, max_error is the "
+      "largest size of an error, mean_error the mean size and mean_bias the mean with its sign. "
       "inversions: depths that read as less than the one before them.";
   return table;
 }

@@ -39,6 +39,33 @@ std::vector<StudyRow> second_digit_rows(const DepthPacking& packing, ChannelStor
   return rows;
 }
 
+// Depths go from 0 to 1; a packing that spoils the order of its digits reads back a few times that at most.
+constexpr double kMostDepth = 16.0;
+
+RowRule error_rule(const DepthPacking& packing, ChannelStorage storage, DepthSet set, std::uint64_t depths) {
+  const auto most = static_cast<double>(depths);
+  return {
+      .fields = {exactly("packing", std::string(packing.name)), exactly("storage", std::string(name_of(storage))),
+                 exactly("depths", std::string(name_of(set))), exactly("count", depths), count_up_to("exact", most),
+                 count_up_to("distinct", most), count_up_to("inversions", most), real_in("max_error", 0.0, kMostDepth),
+                 real_in("mean_error", 0.0, kMostDepth), real_in("mean_bias", -kMostDepth, kMostDepth),
+                 real_in("worst_depth", 0.0, 1.0), real_in("worst_reads_as", -kMostDepth, kMostDepth),
+                 real_in("zero_reads_as", -kMostDepth, kMostDepth), real_in("one_reads_as", -kMostDepth, kMostDepth)}};
+}
+
+std::vector<RowRule> second_digit_rules(const DepthPacking& packing, ChannelStorage storage) {
+  constexpr double kMostShift = 65536.0 * kMostDepth;
+  std::vector<RowRule> rules;
+  for (std::int64_t digit = 0; digit < 256; ++digit) {
+    rules.push_back(
+        {.table = std::string(kSecondDigitTable),
+         .fields = {exactly("packing", std::string(packing.name)), exactly("storage", std::string(name_of(storage))),
+                    exactly("digit", digit), whole_in("highest_byte", 0, 255), whole_in("second_byte", 0, 255),
+                    real_in("shift", -kMostShift, kMostShift)}});
+  }
+  return rules;
+}
+
 template <class Value>
 std::string names_of(const std::vector<Value>& values) {
   std::vector<std::string> names;
@@ -79,6 +106,20 @@ class DepthPackingStudy final : public Study {
     const auto error = measure_round_trip(*u.packing, u.storage, set, options_.float_step, go_on);
     if (!error) return error.error();
     return std::vector{error_row(*u.packing, u.storage, set, *error)};
+  }
+
+  // The digits take as long as a few depths.
+  [[nodiscard]] double weight(std::size_t unit) const override {
+    const Unit u = at(unit);
+    if (u.part == options_.sets.size()) return 1024.0;
+    return static_cast<double>(depth_count(options_.sets[u.part], options_.float_step));
+  }
+
+  [[nodiscard]] std::vector<RowRule> row_rules(std::size_t unit) const override {
+    const Unit u = at(unit);
+    if (u.part == options_.sets.size()) return second_digit_rules(*u.packing, u.storage);
+    const DepthSet set = options_.sets[u.part];
+    return {error_rule(*u.packing, u.storage, set, depth_count(set, options_.float_step))};
   }
 
   [[nodiscard]] Result<StudyReport> report(std::span<const StudyRow> rows, std::size_t) const override {

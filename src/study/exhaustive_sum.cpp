@@ -15,6 +15,9 @@
 namespace ninebit {
 namespace {
 
+// Beyond what a row's numbers can be: results are clamped to [-1, 1]; sums are whole numbers below 2^47.
+constexpr double kMostError = 16.0, kMostSum = 0x1p47;
+
 class ExhaustiveSum final : public Study {
  public:
   ExhaustiveSum(StudyQuestion question, const HardwareProfile& profile, std::span<const OutputForm> forms)
@@ -54,6 +57,16 @@ class ExhaustiveSum final : public Study {
                                              {"sum_of_errors", all.sum_of_errors},
                                              {"sum_of_codes", all.sum_of_codes},
                                              {"sum_of_squares", all.sum_of_squares}}}};
+  }
+
+  [[nodiscard]] std::vector<RowRule> row_rules(std::size_t unit) const override {
+    const std::uint64_t cases = std::uint64_t{codes()} * codes() * codes();
+    const auto most = static_cast<double>(cases);
+    return {{.fields = {exactly("profile", profile_), exactly("form", std::string(form_of(unit).name)),
+                        exactly("a", std::int64_t{a_of(unit)}), exactly("cases", cases), count_up_to("exact", most),
+                        count_up_to("inexact", most), real_in("max_error", 0.0, kMostError),
+                        whole_in("sum_of_sizes", 0.0, kMostSum), whole_in("sum_of_errors", -kMostSum, kMostSum),
+                        whole_in("sum_of_codes", -kMostSum, kMostSum), whole_in("sum_of_squares", 0.0, kMostSum)}}};
   }
 
   [[nodiscard]] Result<StudyReport> report(std::span<const StudyRow> rows, std::size_t done) const override {
@@ -127,7 +140,7 @@ class ExhaustiveSum final : public Study {
     }
     // A part that somebody altered can hold any number.
     static std::int64_t sum_in(const StudyRow& row, std::string_view name) {
-      return static_cast<std::int64_t>(std::clamp(row.number(name), -0x1p47, 0x1p47));
+      return static_cast<std::int64_t>(std::clamp(row.number(name), -kMostSum, kMostSum));
     }
     [[nodiscard]] double per_case(std::int64_t sum) const {
       return static_cast<double>(sum) / static_cast<double>(cases);

@@ -42,6 +42,21 @@ class IndexSteps final : public Study {
     return rows;
   }
 
+  [[nodiscard]] std::vector<RowRule> row_rules(std::size_t unit) const override {
+    const IndexStepsUnit& of = units_[unit];
+    std::vector<RowRule> rules;
+    for (int step = options_.first_step; step <= options_.last_step; ++step) {
+      std::uint64_t codes = 1;
+      for (int channel = 0; channel < channels_of(of.format); ++channel) codes *= values_of_step(step).size();
+      rules.push_back({.fields = {exactly("profile", std::string(profile_of(unit).name)),
+                                  exactly("format", std::string(name_of(of.format))), exactly("variant", of.variant),
+                                  exactly("step", std::int64_t{step}), exactly("codes", codes),
+                                  exactly("pairs", codes * (codes - 1)),
+                                  count_up_to("false_matches", static_cast<double>(codes * (codes - 1)))}});
+    }
+    return rules;
+  }
+
   [[nodiscard]] Result<StudyReport> report(std::span<const StudyRow> rows, std::size_t done) const override {
     StudyReport report = index_steps_report(options_, units_, rows);
     if (done < units_.size()) {

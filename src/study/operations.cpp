@@ -43,6 +43,12 @@ double exact_mapping(InputMapping mapping, double e) {
   return e;
 }
 
+constexpr const char* kFinalLerpForm = "A B + (1 - A) C + D";
+
+const char* color_sum_form(bool clamp) {
+  return clamp ? "clamped" : "not clamped";
+}
+
 // The forms of one operation, as they are added.
 class Forms {
  public:
@@ -107,7 +113,7 @@ class Forms {
     const std::size_t n = codes_;
     for (const bool clamp : {true, false}) {
       add(
-          clamp ? "clamped" : "not clamped", n * n, once,
+          color_sum_form(clamp), n * n, once,
           [o = one_, n, clamp](const Datapath& d, std::size_t i) {
             return reference::color_sum(d, clamp, static_cast<int>(i / n) - o, static_cast<int>(i % n) - o);
           },
@@ -154,7 +160,7 @@ class Forms {
       if (mix.count != 0) mixes->push_back(mix);
     }
     add(
-        "A B + (1 - A) C + D", mixes->size() * n, [mixes, n](std::size_t i) { return (*mixes)[i / n].count; },
+        kFinalLerpForm, mixes->size() * n, [mixes, n](std::size_t i) { return (*mixes)[i / n].count; },
         [mixes, n](const Datapath& d, std::size_t i) {
           const Mix& m = (*mixes)[i / n];
           return reference::final_rgb(d, m.a, m.b, m.c, static_cast<int>(i % n));
@@ -228,6 +234,27 @@ const std::shared_ptr<const WideCounts>& Operations::counts(std::size_t terms) {
                                                                : sum_counts(*counts(terms - 1), *counts(1)));
   });
   return counts_[i];
+}
+
+std::vector<std::string> forms_of(std::size_t kind) {
+  std::vector<std::string> names;
+  switch (kind) {
+    case 0:
+      for (const InputMapping mapping : kInputMappings) names.emplace_back(name_of(mapping));
+      return names;
+    case 1:
+    case 2:
+    case 3:
+    case 4:
+      for (const OutputForm& form : kOutputForms) names.emplace_back(form.name);
+      return names;
+    case 6:
+      return {color_sum_form(true), color_sum_form(false)};
+    case 8:
+      return {kFinalLerpForm};
+    default:
+      return {""};
+  }
 }
 
 const std::vector<Operation>& Operations::of(std::size_t kind) {

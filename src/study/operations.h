@@ -35,6 +35,9 @@ inline constexpr std::array<std::string_view, 9> kOperations{"mapping",   "scale
 
 struct WideCounts;
 
+// The names of the forms of kOperations[kind], as Operations::of() gives them, without the work of making the forms.
+[[nodiscard]] std::vector<std::string> forms_of(std::size_t kind);
+
 // The operations on registers whose 1.0 is the code `one`. Those of a name are made when they are first asked for.
 class Operations {
  public:

@@ -4,6 +4,7 @@
 #include <fstream>
 #include <memory>
 #include <system_error>
+#include <unordered_map>
 #include <utility>
 
 #include "ninebit/study/study_part.h"
@@ -51,28 +52,110 @@ bool belongs_to(const Shard& shard, std::size_t unit) {
   return unit % shard.count == shard.index - 1;
 }
 
-// What is wrong with a unit's place among the others; empty if nothing is.
-std::string misplaced(const PartHeader& header, const std::vector<bool>& seen, std::size_t unit) {
-  if (unit >= header.units) return fmt::format("unit {} of a study of {} units", unit, header.units);
-  if (!belongs_to(header.shard, unit)) {
-    return fmt::format("unit {} does not belong to shard {}/{}", unit, header.shard.index, header.shard.count);
-  }
-  return seen[unit] ? fmt::format("unit {} for the second time", unit) : std::string();
-}
-
-// More units than any study has: what a first line says must not decide how much memory is taken.
-constexpr std::size_t kMaxUnits = std::size_t{1} << 24;
-
 std::string senseless(const PartHeader& header) {
-  if (header.units == 0 || header.units > kMaxUnits) {
-    return fmt::format("{} units; expected 1 to {}", header.units, kMaxUnits);
+  if (header.units == 0 || header.units > kMaxStudyUnits) {
+    return fmt::format("{} units; expected 1 to {}", header.units, kMaxStudyUnits);
   }
   const Shard& s = header.shard;
   if (s.index < 1 || s.index > s.count || s.count > header.units) {
-    return fmt::format("shard {}/{} of {} units", s.index, s.count, header.units);
+    return fmt::format("shard {}/{} of {} units; expected 1/1 to {}/{}", s.index, s.count, header.units, header.units,
+                       header.units);
   }
   return {};
 }
+
+// A part while its lines are read. Memory is taken for lines that are there, never for numbers that they hold.
+class Reading {
+ public:
+  Reading(const std::filesystem::path& file, const StudyOfPart& study_of) : study_of_(study_of) {
+    state_.part.file = file;
+    state_.hash = std::make_unique<Sha256>();
+  }
+
+  // A whole line with its newline; gives what is wrong with it, or an empty text.
+  std::string add(const std::string& line) {
+    const std::string_view text = std::string_view(line).substr(0, line.size() - 1);
+    ++number_;
+    if (state_.part.complete)
+      return text == last_ ? keep(line) : "stands behind the part's last line; expected nothing";
+    if (number_ > 1 && is_end_line(text)) return end(line);
+    const std::string wrong = number_ == 1 ? add_header(text) : text == first_ ? std::string() : add_unit(text);
+    if (!wrong.empty()) return wrong;
+    state_.hash->add(line);
+    return keep(line);
+  }
+
+  [[nodiscard]] int line() const { return number_; }
+  [[nodiscard]] PartState take() { return std::move(state_); }
+
+ private:
+  std::string keep(const std::string& line) {
+    state_.whole_bytes += line.size();
+    return {};
+  }
+
+  std::string add_header(std::string_view text) {
+    auto header = parse_header_line(text);
+    if (!header) return header.error().message;
+    if (std::string why = senseless(*header); !why.empty()) return why;
+    if (study_of_) {
+      auto study = study_of_(*header);
+      if (!study) return study.error().message;
+      study_ = *study;
+      if (study_->units() != header->units) {
+        return fmt::format("{} units; expected {}, which `{}` has", header->units, study_->units(),
+                           quotable(header->question.command()));
+      }
+    }
+    state_.part.header = *std::move(header);
+    first_ = text;
+    return {};
+  }
+
+  std::string add_unit(std::string_view text) {
+    auto unit = parse_unit_line(text);
+    if (!unit) return unit.error().message;
+    const PartHeader& header = state_.part.header;
+    if (unit->unit >= header.units) return fmt::format("unit {} of a study of {} units", unit->unit, header.units);
+    if (!belongs_to(header.shard, unit->unit)) {
+      return fmt::format("unit {} does not belong to shard {}/{}", unit->unit, header.shard.index, header.shard.count);
+    }
+    // Two runs of one study in one folder leave the same line twice.
+    const auto [found, fresh] = seen_.try_emplace(unit->unit, sha256(text));
+    if (!fresh) {
+      if (found->second == sha256(text)) return {};
+      return fmt::format("unit {} for the second time, with other rows; expected each unit once", unit->unit);
+    }
+    if (study_ != nullptr) {
+      const std::string why = wrong_with_rows(study_->row_rules(unit->unit), unit->rows);
+      if (!why.empty()) return fmt::format("unit {}: {}", unit->unit, why);
+    }
+    unit->line = number_;
+    state_.part.units.push_back(*std::move(unit));
+    return {};
+  }
+
+  std::string end(const std::string& line) {
+    const std::string_view text = std::string_view(line).substr(0, line.size() - 1);
+    StudyPart& part = state_.part;
+    if (part.units.size() != units_of(part.header)) {
+      return fmt::format("the last line comes after {} units; expected {}", part.units.size(), units_of(part.header));
+    }
+    if (Status fits = check_end_line(text, part.units.size(), state_.hash->finish()); !fits) {
+      return fits.error().message;
+    }
+    part.complete = true;
+    last_ = text;
+    return keep(line);
+  }
+
+  const StudyOfPart& study_of_;
+  const Study* study_ = nullptr;
+  PartState state_;
+  int number_ = 0;
+  std::string first_, last_;                           // the lines of these places
+  std::unordered_map<std::size_t, std::string> seen_;  // hashes of the lines by unit
+};
 
 }  // namespace
 
@@ -80,64 +163,34 @@ std::size_t units_of(const PartHeader& header) {
   return (header.units - header.shard.index) / header.shard.count + 1;
 }
 
-Result<PartState> read_part_state(const std::filesystem::path& file) {
-  int number = 0;
-  const auto fault = [&](std::string message) {
-    return Diagnostic{.message = std::move(message), .file = file.string(), .line = number};
+Result<PartState> read_part_state(const std::filesystem::path& file, const StudyOfPart& study_of) {
+  Reading reading(file, study_of);
+  const auto fault = [&](std::string message, int line) {
+    return Diagnostic{.message = std::move(message), .file = file.string(), .line = line};
   };
   Lines lines(file);
   std::error_code error;
   if (!lines.open() || std::filesystem::is_directory(file, error)) {
-    return fault("cannot be read; expected a part that `ninebit study` has written");
+    return fault("cannot be read; expected a part that `ninebit study` has written", 0);
   }
-  PartState state;
-  state.part.file = file;
-  state.hash = std::make_unique<Sha256>();
-  std::vector<bool> seen;
   std::string line;
   while (true) {
-    const Lines::Next next = lines.next(line);
-    if (next == Lines::Next::none) break;
-    ++number;
-    if (next == Lines::Next::unreadable) return fault("cannot be read to its end");
-    if (next == Lines::Next::too_long) {
-      return fault(fmt::format("the line is longer than {} bytes; expected a part of a study", kMaxPartLine));
+    switch (lines.next(line)) {
+      case Lines::Next::none:
+        return reading.take();
+      case Lines::Next::unreadable:
+        return fault("cannot be read to its end", reading.line() + 1);
+      case Lines::Next::too_long:
+        return fault(fmt::format("the line is longer than {} bytes; expected a part of a study", kMaxPartLine),
+                     reading.line() + 1);
+      case Lines::Next::line:
+        if (std::string wrong = reading.add(line); !wrong.empty()) return fault(std::move(wrong), reading.line());
     }
-    const std::string_view text = std::string_view(line).substr(0, line.size() - 1);
-    StudyPart& part = state.part;
-    if (part.complete) return fault("stands behind the part's last line; expected nothing");
-    if (number == 1) {
-      auto header = parse_header_line(text);
-      if (!header) return fault(header.error().message);
-      if (const std::string why = senseless(*header); !why.empty()) return fault(why);
-      part.header = *std::move(header);
-      seen.resize(part.header.units);
-    } else if (is_end_line(text)) {
-      if (part.units.size() != units_of(part.header)) {
-        return fault(
-            fmt::format("the last line comes after {} units; expected {}", part.units.size(), units_of(part.header)));
-      }
-      if (Status fits = check_end_line(text, part.units.size(), state.hash->finish()); !fits) {
-        return fault(fits.error().message);
-      }
-      part.complete = true;
-      state.whole_bytes += line.size();
-      continue;
-    } else {
-      auto unit = parse_unit_line(text);
-      if (!unit) return fault(unit.error().message);
-      if (const std::string why = misplaced(part.header, seen, unit->unit); !why.empty()) return fault(why);
-      seen[unit->unit] = true;
-      part.units.push_back(*std::move(unit));
-    }
-    state.hash->add(line);
-    state.whole_bytes += line.size();
   }
-  return state;
 }
 
-Result<StudyPart> read_part(const std::filesystem::path& file) {
-  auto state = read_part_state(file);
+Result<StudyPart> read_part(const std::filesystem::path& file, const StudyOfPart& study_of) {
+  auto state = read_part_state(file, study_of);
   if (!state) return state.error();
   if (state->whole_bytes == 0) {
     return Diagnostic{.message = "has no whole line; expected a part that `ninebit study` has written",

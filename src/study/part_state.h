@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <string>
 
 #include "ninebit/numerics/result.h"
 #include "ninebit/study/study_part.h"
@@ -18,8 +19,11 @@ struct PartState {
   std::unique_ptr<Sha256> hash;    // of the whole lines
 };
 
-// Reads a part, which may end in a line that is not whole.
-[[nodiscard]] Result<PartState> read_part_state(const std::filesystem::path& file);
+// Reads a part, which may end in a line that is not whole. `study_of` as in read_part.
+[[nodiscard]] Result<PartState> read_part_state(const std::filesystem::path& file, const StudyOfPart& study_of);
+
+// Why a part does not belong to what another, or a run, says of itself; empty if it does. Shards are not compared.
+[[nodiscard]] std::string why_foreign(const PartHeader& part, const PartHeader& expected);
 
 // How many units a part holds when it is complete.
 [[nodiscard]] std::size_t units_of(const PartHeader& header);

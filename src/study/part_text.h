@@ -11,8 +11,8 @@
 
 namespace ninebit {
 
-// How long a line may be, so that a file of anything else costs no more memory than this.
-inline constexpr std::size_t kMaxPartLine = std::size_t{1} << 26;
+// How long a line may be, so that a file of anything else costs little memory: JSON takes up to 100 times its bytes.
+inline constexpr std::size_t kMaxPartLine = std::size_t{1} << 20;
 
 // What a message quotes of a part, which can hold anything: at most 400 bytes, '?' for control characters.
 [[nodiscard]] std::string quotable(std::string text);

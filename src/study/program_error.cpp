@@ -59,6 +59,9 @@ struct ComponentErrors {
 };
 using Errors = std::array<ComponentErrors, 4>;
 
+// Registers hold -1 to 1; the sums before the last clamp go a little beyond.
+constexpr double kMostValue = 64.0, kMostCode = 65536.0, kLongestInputs = 65536.0;
+
 class ProgramErrorStudy final : public Study {
  public:
   ProgramErrorStudy(StudyQuestion question, const HardwareProfile& profile, const Program& program, Fragments fragments)
@@ -86,12 +89,53 @@ class ProgramErrorStudy final : public Study {
     return rows_of(all, first, end - first);
   }
 
+  [[nodiscard]] std::vector<RowRule> row_rules(std::size_t unit) const override {
+    const std::size_t first = unit * kUnit, count = std::min(kUnit, fragments_.count() - first);
+    std::vector<RowRule> rules;
+    const auto begin = [&](const char* table, std::size_t c) -> std::vector<FieldRule>& {
+      const RowRule rule{
+          .table = table,
+          .fields = {exactly("profile", profile_), exactly("component", std::string(1, "rgba"[c])),
+                     exactly("first", std::uint64_t{first}), exactly("fragments", std::uint64_t{count})}};
+      return rules.emplace_back(rule).fields;
+    };
+    const auto add_errors = [](std::vector<FieldRule>& fields, std::array<const char*, 3> names) {
+      fields.push_back(real_in(names[0], 0.0, kMostValue));
+      fields.push_back(real_in(names[1], 0.0, kMostValue));
+      fields.push_back(real_in(names[2], -kMostValue, kMostValue));
+    };
+    for (std::size_t c = 0; c < 4; ++c) {
+      auto& fields = begin("rows", c);
+      fields.push_back(count_up_to("exact", static_cast<double>(count)));
+      add_errors(fields, {"max_error", "mean_error", "mean_bias"});
+      fields.push_back(text_up_to("worst", kLongestInputs));
+      fields.push_back(whole_in("worst_code", -kMostCode, kMostCode));
+      fields.push_back(real_in("worst_exact", -kMostValue, kMostValue));
+    }
+    for (std::size_t c = 0; c < 4; ++c) {
+      for (std::size_t k = 1; k <= stages(); ++k) {
+        auto& fields = begin("stages", c);
+        fields.push_back(exactly("stage", std::uint64_t{k}));
+        fields.push_back(exactly("name", name_of_stage(k)));
+        add_errors(fields, {"added_max", "added_mean", "added_bias"});
+        fields.push_back(text_up_to("worst", kLongestInputs));
+        add_errors(fields, {"remaining_max", "remaining_mean", "remaining_bias"});
+      }
+    }
+    return rules;
+  }
+
   [[nodiscard]] Result<StudyReport> report(std::span<const StudyRow> rows, std::size_t done) const override {
     return program_report(program_, fragments_, rows, done, units());
   }
 
  private:
   [[nodiscard]] std::size_t stages() const { return static_cast<std::size_t>(program_.num_general_combiners) + 1; }
+
+  // Of the stages from 1.
+  [[nodiscard]] std::string name_of_stage(std::size_t k) const {
+    return k == stages() ? "final" : fmt::format("general {}", k);
+  }
 
   [[nodiscard]] Errors no_errors(std::size_t first) const {
     Errors out;
@@ -159,7 +203,7 @@ class ProgramErrorStudy final : public Study {
         const ErrorSums &added = errors[c].added[k], &remaining = errors[c].remaining[k];
         auto& fields = begin("stages", c).fields;
         fields.emplace_back("stage", static_cast<std::uint64_t>(k + 1));
-        fields.emplace_back("name", k + 1 == stages() ? std::string("final") : fmt::format("general {}", k + 1));
+        fields.emplace_back("name", name_of_stage(k + 1));
         fields.emplace_back("added_max", added.most);
         fields.emplace_back("added_mean", mean(added.sizes));
         fields.emplace_back("added_bias", mean(added.errors));

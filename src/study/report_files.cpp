@@ -6,7 +6,7 @@
 #include <set>
 
 #include "ninebit/image/staged_files.h"
-#include "src/image/posix.h"
+#include "src/image/faults.h"
 #include "src/study/plot_picture.h"
 #include "src/study/report_colors.h"
 
@@ -23,9 +23,9 @@ class ReportFolder {
 
   [[nodiscard]] Status text(const std::string& name, std::string_view content) {
     return put(name, [&](const std::filesystem::path& path) {
-      image_detail::CheckedFile file(path);
+      posix::CheckedFile file(path);
       file.write(content.data(), content.size());
-      return file.close();
+      return image_detail::close_written(file);
     });
   }
 

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <array>
+#include <limits>
 #include <optional>
 #include <span>
 #include <utility>
@@ -35,6 +36,8 @@ std::string hash_of(const Scene& scene) {
   return hash.finish();
 }
 
+constexpr double kLongestReason = 65536.0;
+
 // A point drawn and judged.
 struct Judged {
   Rendering rendering;
@@ -60,6 +63,14 @@ class ShadowSweep final : public Study {
     auto axes = axes_of(known_, grid_);
     if (!axes) return axes.error();
     axes_ = std::move(axes).value();
+    std::size_t points = 1;
+    for (const SweepAxis& axis : axes_) {
+      if (axis.size > kMaxStudyUnits / points) {
+        return Diagnostic{
+            .message = fmt::format("the lists have more than {} combinations; expected fewer values", kMaxStudyUnits)};
+      }
+      points *= axis.size;
+    }
     auto truth = GroundTruthScene::make(scene_);
     if (!truth) return truth.error();
     truth_.emplace(std::move(truth).value());
@@ -85,6 +96,25 @@ class ShadowSweep final : public Study {
     const auto judged = judge(unit, go_on);
     if (!judged && judged.error().fault != Fault::invalid_input) return judged.error();
     return std::vector{row_of(unit, judged)};
+  }
+
+  [[nodiscard]] std::vector<RowRule> row_rules(std::size_t unit) const override {
+    RowRule rule{.fields = {exactly("point", std::uint64_t{unit}), exactly("technique", std::string(technique_.name))}};
+    for (auto& [name, value] : settings_fields(known_, settings_at(unit), nullptr)) {
+      // The rendering chooses what no setting says.
+      const bool chosen = std::holds_alternative<std::monostate>(value);
+      constexpr double kMost = std::numeric_limits<float>::max();
+      rule.fields.push_back(chosen ? or_nothing(real_in(name, -kMost, kMost)) : exactly(name, std::move(value)));
+    }
+    const double pixels = static_cast<double>(settings_.width) * settings_.height;
+    const auto add_count = [&](std::string name) {
+      rule.fields.push_back(or_nothing(count_up_to(std::move(name), pixels)));
+    };
+    for (const char* name : {"lit", "shadowed", "false_lit", "false_shadowed", "wrong"}) add_count(name);
+    rule.fields.push_back(or_nothing(real_in("wrong_share", 0.0, 1.0)));
+    for (const ErrorCause cause : causes_of(known_)) add_count(std::string(name_of(cause)));
+    rule.fields.push_back(or_nothing(text_up_to("refused", kLongestReason)));
+    return {rule};
   }
 
   [[nodiscard]] Result<StudyReport> report(std::span<const StudyRow> rows, std::size_t done) const override {

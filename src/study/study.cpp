@@ -15,6 +15,10 @@ std::string quoted(const std::string& word) {
 
 }  // namespace
 
+double Study::weight(std::size_t /*unit*/) const {
+  return 1.0;
+}
+
 std::vector<std::string> StudyQuestion::words() const {
   std::vector<std::string> words{study};
   if (!arguments.empty()) words.push_back(arguments);

@@ -7,34 +7,18 @@
 #include <chrono>
 #include <fstream>
 #include <iterator>
+#include <map>
 #include <system_error>
 #include <utility>
 
 #include "src/study/part_state.h"
 #include "src/study/part_text.h"
+#include "src/system/file_lock.h"
 
 namespace ninebit {
 namespace {
 
 namespace fs = std::filesystem;
-
-// Why one part does not belong to what another, or a run, says of itself; empty if it does.
-std::string foreign(const PartHeader& part, const PartHeader& expected) {
-  if (part.question != expected.question) {
-    const std::string asked = part.question.command(), wanted = expected.question.command();
-    return fmt::format("answers another question, `{}`{}; expected `{}`", quotable(asked),
-                       asked == wanted ? " about other files" : "", quotable(wanted));
-  }
-  if (part.build != expected.build) {
-    return fmt::format("comes from another build of the program, {}; expected {}", quotable(part.build),
-                       quotable(expected.build));
-  }
-  if (part.units != expected.units || part.shard.count != expected.shard.count) {
-    return fmt::format("is one of {} shards of {} units; expected {} of {}", part.shard.count, part.units,
-                       expected.shard.count, expected.units);
-  }
-  return {};
-}
 
 Diagnostic cannot_write(const fs::path& file, const std::string& why) {
   return {.message = "could not be written: " + why, .file = file.string(), .fault = Fault::cannot_write};
@@ -54,10 +38,8 @@ class PartWriter {
   // Drops a line that is not whole, and begins a part that has none.
   Status open(const PartHeader& header) {
     std::error_code error;
-    if (fs::exists(file_, error)) {
-      fs::resize_file(file_, state_.whole_bytes, error);
-      if (error) return cannot_write(file_, error.message());
-    }
+    fs::resize_file(file_, state_.whole_bytes, error);
+    if (error) return cannot_write(file_, error.message());
     errno = 0;
     stream_.open(file_, std::ios::binary | std::ios::app);
     if (!stream_) return failed();
@@ -84,6 +66,9 @@ class PartWriter {
 
  private:
   Status append(const std::string& line) {
+    if (line.size() > kMaxPartLine) {
+      return cannot_write(file_, fmt::format("a line of {} bytes; expected {} at most", line.size(), kMaxPartLine));
+    }
     state_.hash->add(line);
     return write(line);
   }
@@ -113,22 +98,36 @@ class PartWriter {
   std::uintmax_t size_ = 0;
 };
 
-// The part that a run finds in its folder, if any, and that it may go on with.
-Result<PartState> find_part(const fs::path& file, const PartHeader& header) {
-  std::error_code error;
-  if (!fs::exists(file, error)) return PartState{};
-  auto state = read_part_state(file);
-  if (!state) return state.error();
-  if (state->whole_bytes == 0) {
-    if (header_line(header).starts_with(beginning_of(file))) return state;
-    return Diagnostic{.message = "is no part of a study; expected one, or no file", .file = file.string()};
-  }
-  // Compared as they are written: what a line cannot hold, such as a name that is not UTF-8, tells nothing apart.
-  if (header_line(state->part.header) == header_line(header)) return state;
-  return Diagnostic{.message = foreign(state->part.header, header) + ", or another folder", .file = file.string()};
+// The part that a run finds in its folder, empty at first, and that it may go on with.
+Result<PartState> find_part(const fs::path& file, const PartHeader& header, const Study& study) {
+  const auto study_of = [&](const PartHeader& found) -> Result<const Study*> {
+    // Compared as they are written: what a line cannot hold, such as a name that is not UTF-8, tells nothing apart.
+    if (header_line(found) == header_line(header)) return &study;
+    return Diagnostic{.message = why_foreign(found, header) + ", or another folder"};
+  };
+  auto state = read_part_state(file, study_of);
+  if (!state || state->whole_bytes != 0 || header_line(header).starts_with(beginning_of(file))) return state;
+  return Diagnostic{.message = "is not a part of a study; expected one, or no file", .file = file.string()};
 }
 
 }  // namespace
+
+std::string why_foreign(const PartHeader& part, const PartHeader& expected) {
+  if (part.question != expected.question) {
+    const std::string asked = part.question.command(), wanted = expected.question.command();
+    return fmt::format("answers another question, `{}`{}; expected `{}`", quotable(asked),
+                       asked == wanted ? " about other files" : "", quotable(wanted));
+  }
+  if (part.build != expected.build) {
+    return fmt::format("comes from another build of the program, {}; expected {}", quotable(part.build),
+                       quotable(expected.build));
+  }
+  if (part.units != expected.units || part.shard.count != expected.shard.count) {
+    return fmt::format("is one of {} shards of {} units; expected {} of {}", part.shard.count, part.units,
+                       expected.shard.count, expected.units);
+  }
+  return {};
+}
 
 std::string part_file_name(const Shard& shard) {
   return fmt::format("part-{}-of-{}.jsonl", shard.index, shard.count);
@@ -147,7 +146,14 @@ Result<StudyPart> run_part(const Study& study, std::string_view build, const Sha
   fs::create_directories(folder, error);
   if (error) return cannot_write(folder, error.message());
   const fs::path file = folder / part_file_name(shard);
-  auto state = find_part(file, header);
+  const posix::FileLock lock(file);
+  if (lock.outcome() == posix::FileLock::Outcome::taken) {
+    return Diagnostic{.message = "another run is writing this part; wait for its end, or use another folder",
+                      .file = file.string(),
+                      .fault = Fault::cannot_write};
+  }
+  if (lock.outcome() == posix::FileLock::Outcome::failed) return cannot_write(file, lock.error().message());
+  auto state = find_part(file, header, study);
   if (!state) return state.error();
   if (state->part.complete) return std::move(state->part);
 
@@ -155,17 +161,22 @@ Result<StudyPart> run_part(const Study& study, std::string_view build, const Sha
   for (const FinishedUnit& unit : state->part.units) done[unit.unit] = true;
   PartWriter writer(file, *state);
   if (Status opened = writer.open(header); !opened) return opened.error();
-  const auto all = static_cast<double>(units_of(header));
+  double all_weight = 0.0, done_weight = 0.0;
+  for (std::size_t unit = shard.index - 1; unit < header.units; unit += shard.count) {
+    all_weight += study.weight(unit);
+    if (done[unit]) done_weight += study.weight(unit);
+  }
   for (std::size_t unit = shard.index - 1; unit < header.units; unit += shard.count) {
     if (done[unit]) continue;
     const std::chrono::duration<double> spent = Clock::now() - begin;
     if (limits.seconds && spent.count() >= *limits.seconds) return std::move(state->part);
-    if (progress && !progress(study.unit_name(unit), static_cast<double>(state->part.units.size()) / all)) {
+    if (progress && !progress(study.unit_name(unit), done_weight / all_weight)) {
       return Diagnostic{.message = "interrupted", .fault = Fault::cancelled};
     }
     auto rows = study.run(unit, limits.go_on);
     if (!rows) return rows.error();
     if (Status written = writer.append({unit, *std::move(rows)}); !written) return written.error();
+    done_weight += study.weight(unit);
   }
   if (Status ended = writer.end(); !ended) return ended.error();
   return std::move(state->part);
@@ -183,32 +194,33 @@ std::vector<StudyRow> rows_of(const StudyPart& part) {
 Result<std::vector<StudyRow>> join_parts(std::span<const StudyPart> parts) {
   if (parts.empty()) return Diagnostic{.message = "no part is given; expected all parts of a study"};
   const PartHeader& first = parts.front().header;
-  std::vector<const FinishedUnit*> units(first.units);
+  std::vector<const FinishedUnit*> units;
+  std::map<std::size_t, const StudyPart*> by_shard;
   for (const StudyPart& part : parts) {
     const auto fault = [&](std::string why) {
       return Diagnostic{.message = std::move(why), .file = part.file.string()};
     };
-    if (const std::string why = foreign(part.header, first); !why.empty()) return fault(why);
+    const Shard& shard = part.header.shard;
+    if (const std::string why = why_foreign(part.header, first); !why.empty()) return fault(why);
     if (!part.complete) {
-      return fault(fmt::format("is not complete: it holds {} of {} units; expected that its run goes on first",
+      return fault(fmt::format("is not complete: it holds {} of {} units; resume its run before merging",
                                part.units.size(), units_of(part.header)));
     }
-    for (const FinishedUnit& unit : part.units) {
-      if (units[unit.unit] != nullptr) {
-        return fault(fmt::format("holds shard {}/{} for the second time; expected each part once",
-                                 part.header.shard.index, part.header.shard.count));
-      }
-      units[unit.unit] = &unit;
+    if (!by_shard.emplace(shard.index, &part).second) {
+      return fault(
+          fmt::format("holds shard {}/{} for the second time; expected each part once", shard.index, shard.count));
     }
+    for (const FinishedUnit& unit : part.units) units.push_back(&unit);
   }
+  if (by_shard.size() < first.shard.count) {
+    std::size_t missing = 1;
+    while (by_shard.contains(missing)) ++missing;
+    return Diagnostic{.message = fmt::format("the part of shard {}/{} is missing", missing, first.shard.count)};
+  }
+  // Complete parts of all shards hold each unit once.
+  std::sort(units.begin(), units.end(), [](const auto* a, const auto* b) { return a->unit < b->unit; });
   std::vector<StudyRow> rows;
-  for (std::size_t unit = 0; unit < units.size(); ++unit) {
-    if (units[unit] == nullptr) {
-      return Diagnostic{.message = fmt::format("the part of shard {}/{} is missing", unit % first.shard.count + 1,
-                                               first.shard.count)};
-    }
-    rows.insert(rows.end(), units[unit]->rows.begin(), units[unit]->rows.end());
-  }
+  for (const FinishedUnit* unit : units) rows.insert(rows.end(), unit->rows.begin(), unit->rows.end());
   return rows;
 }
 

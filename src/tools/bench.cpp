@@ -3,13 +3,15 @@
 
 #include <oneapi/tbb/task_arena.h>
 
+#include "src/tools/number_flag.h"
+
 namespace ninebit::tools {
 
 void add_bench_flags(CLI::App& verb, BenchFlags& flags) {
   add_common_flags(verb, flags.common);
   verb.add_option("--seconds", flags.seconds, "How long to measure each thing")
       ->capture_default_str()
-      ->check(CLI::Range(0.001, 3600.0));
+      ->check(real_in_range(0.001, 3600.0));
   verb.add_flag("--quick", flags.quick, "Run everything, but too short for the numbers to mean much");
 }
 

@@ -108,7 +108,7 @@ int bench_combiner(const CombinerFlags& flags) {
                  {"rows", std::move(list)},
                  {"ratio", ratio},
                  {"memory_read_gb_per_s", read_rate}};
-  return answer(out.dump(2) + "\n");
+  return answer(out);
 }
 
 }  // namespace

@@ -96,7 +96,7 @@ int bench_frame(const FrameFlags& flags) {
   line->step("loading", 0.0);
   const auto scene = flags.scene.file.empty()
                          ? complete_scene_of(flags.scene, settings, bench::generated_scene(flags.triangles))
-                         : load_scene(flags.scene, settings);
+                         : load_scene(flags.scene, settings, common.quiet);
   if (!scene) return line.reset(), report(scene.error());
   const auto start = bench::Clock::now();
   auto renderer = IndexCubeRenderer::make(*scene, settings);
@@ -109,7 +109,7 @@ int bench_frame(const FrameFlags& flags) {
     auto made = bench::LlvmpipeFrame::make(*scene, settings, *renderer, thread_count(common));
     if (!made) {
       line.reset();
-      say(fmt::format("ninebit: error: --rival {} cannot be had: {}\n", flags.rival, made.error().text()));
+      say_error(fmt::format("--rival {} is not available: {}", flags.rival, made.error().text()));
       return kWrongUsage;
     }
     rival = std::move(*made);
@@ -171,7 +171,7 @@ int bench_frame(const FrameFlags& flags) {
                     {"ratio", theirs.median / total.median},
                     {"shadow_pixels_that_differ", rival_times.shadow_pixels_that_differ}};
   }
-  return answer(out.dump(2) + "\n");
+  return answer(out);
 }
 
 }  // namespace

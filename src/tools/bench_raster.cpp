@@ -88,7 +88,7 @@ int bench_raster(const BenchFlags& flags) {
                  {"profile", flags.common.profile},
                  {"size", {size.width, size.height}},
                  {"rows", std::move(list)}};
-  return answer(out.dump(2) + "\n");
+  return answer(out);
 }
 
 struct GrowthRow {
@@ -177,7 +177,7 @@ int bench_growth(const BenchFlags& flags) {
                  {"version", NINEBIT_VERSION},
                  {"profile", flags.common.profile},
                  {"rows", std::move(list)}};
-  return answer(out.dump(2) + "\n");
+  return answer(out);
 }
 
 }  // namespace

@@ -40,7 +40,7 @@ int write(const ConvertFlags& flags, const std::string& text) {
   if (!file) return report(file.error());
   if (Status written = file->write(text); !written) return report(written.error());
   if (Status finished = file->finish(); !finished) return report(finished.error());
-  if (!flags.output.empty() && !flags.common.quiet) say(fmt::format("wrote {}\n", flags.output));
+  if (!flags.output.empty() && !flags.common.quiet) say_written(flags.output);
   return kDone;
 }
 
@@ -67,7 +67,7 @@ int run(const ConvertFlags& flags) {
                  {"version", NINEBIT_VERSION},
                  {"profile", flags.common.profile},
                  {"rows", Json::array({std::move(row)})}};
-  return answer(out.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+  return answer(out);
 }
 
 }  // namespace

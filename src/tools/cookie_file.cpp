@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "src/image/picture_loader.h"
+#include "src/tools/program.h"
 
 namespace ninebit::tools {
 namespace {
@@ -35,11 +36,12 @@ std::string check_cookie(const std::string& text) {
 
 Result<std::shared_ptr<const Texture>> read_cookie(const HardwareProfile& profile, const std::string& text) {
   const auto files = files_of(text);
+  const TextureReadOptions options{.isolated = true, .go_on = [] { return !ProgressLine::stopped(); }};
   auto read = [&] {
-    if (files.size() == 1) return image_detail::read_texture(profile, files[0], {}, &image_detail::load_picture);
+    if (files.size() == 1) return image_detail::read_texture(profile, files[0], options, image_detail::kPictureModule);
     std::array<std::filesystem::path, 6> faces;
     std::copy(files.begin(), files.end(), faces.begin());
-    return image_detail::read_cube_texture(profile, faces, {}, &image_detail::load_picture);
+    return image_detail::read_cube_texture(profile, faces, options, image_detail::kPictureModule);
   }();
   if (!read) return read.error();
   if (read->target != TextureTarget::cube_map) {

@@ -4,7 +4,21 @@
 
 #include <algorithm>
 
+#include "src/tools/file_kind.h"
+
 namespace ninebit::tools {
+namespace {
+
+constexpr std::size_t kBeginning = 4096;
+
+}  // namespace
+
+Diagnostic table_fault(const CsvLines& lines, const Diagnostic& fault) {
+  const std::string kind = kind_of_file(lines.beginning());
+  if (fault.fault != Fault::invalid_input || kind.empty() || kind == kTableKind) return fault;
+  return {.message = fmt::format("seems to be {}; expected a table of comma-separated values", kind),
+          .file = lines.name()};
+}
 
 std::string_view trimmed(std::string_view text) {
   const std::size_t first = text.find_first_not_of(" \t");
@@ -37,6 +51,7 @@ Result<std::optional<std::string_view>> CsvLines::next_raw() {
       auto more = input_.read(true);
       if (!more) return more.error();
       piece_ = *more;
+      if (number_ == 0) beginning_ += piece_.substr(0, kBeginning - std::min(kBeginning, beginning_.size()));
       ended_ = piece_.empty();
       continue;
     }

@@ -32,6 +32,9 @@ class CsvLines {
 
   [[nodiscard]] const std::string& name() const { return input_.name(); }
 
+  // The file's first bytes, as far as they were read.
+  [[nodiscard]] std::string_view beginning() const { return beginning_; }
+
   // The next line that is not blank, without "\n", "\r\n" and, on the first, a byte-order mark; empty at the end.
   [[nodiscard]] Result<std::optional<CsvLine>> next();
 
@@ -42,8 +45,12 @@ class CsvLines {
   InputFile input_;
   std::string_view piece_;  // what of the last read has not been looked at
   std::string carried_;     // a line that spans pieces
+  std::string beginning_;   // what kind_of_file() needs
   bool ended_ = false;
   int number_ = 0;
 };
+
+// The fault of a table's header; where the file seems to be something else, that.
+[[nodiscard]] Diagnostic table_fault(const CsvLines& lines, const Diagnostic& fault);
 
 }  // namespace ninebit::tools

@@ -6,7 +6,8 @@
 #include <optional>
 #include <utility>
 
-#include "src/image/posix.h"
+#include "src/system/process.h"
+#include "src/system/stream.h"
 #include "src/tools/eval_engine.h"
 #include "src/tools/output_file.h"
 #include "src/tools/program_file.h"
@@ -142,11 +143,11 @@ int run(const EvalFlags& flags) {
   progress.reset();
   if (!total) return report(total.error());
   if (flags.output.empty()) return kDone;
-  if (!flags.common.quiet) say(fmt::format("wrote {}\n", flags.output));
+  if (!flags.common.quiet) say_written(flags.output);
   if (!flags.common.json) return kDone;
   const Json out{{"command", "eval"},      {"version", NINEBIT_VERSION}, {"profile", flags.common.profile},
                  {"engine", flags.engine}, {"fragments", *total},        {"files", Json::array({flags.output})}};
-  return answer(out.dump(2) + "\n");
+  return answer(out);
 }
 
 }  // namespace

@@ -60,10 +60,10 @@ Result<EvalTable> EvalTable::open(const std::string& file, const HardwareProfile
   if (!input) return input.error();
   CsvLines lines(std::move(*input));
   auto header = lines.next();
-  if (!header) return header.error();
+  if (!header) return table_fault(lines, header.error());
   if (!*header) return csv_fault(lines.name(), 1, 1, "the table is empty; expected a header such as primary.r,tex0.a");
   auto columns = read_header(**header, lines.name(), profile);
-  if (!columns) return columns.error();
+  if (!columns) return table_fault(lines, columns.error());
   return EvalTable{std::move(lines), *std::move(columns)};
 }
 

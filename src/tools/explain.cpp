@@ -45,7 +45,7 @@ int run(const ExplainFlags& flags) {
   const auto state = load_program(flags.program, profile, exit_code);
   if (!state) return exit_code;
   const Explanation explanation = explain(normalize(*state, profile), profile);
-  return answer(flags.common.json ? json_of(explanation, flags.common).dump(2) + "\n" : print_explanation(explanation));
+  return flags.common.json ? answer(json_of(explanation, flags.common)) : answer(print_explanation(explanation));
 }
 
 }  // namespace

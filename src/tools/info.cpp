@@ -23,7 +23,7 @@ int print_info(const CommonFlags& flags) {
                                         {"simd_target", simd_target()},
                                         {"batch", kBatchSize},
                                         {"techniques", names}}})}};
-  if (flags.json) return answer(out.dump(2) + "\n");
+  if (flags.json) return answer(out);
   return answer(fmt::format("{}\ntechniques: {}\n", version_text(), fmt::join(names, ", ")));
 }
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "ninebit/numerics/result.h"
-#include "src/image/posix.h"
+#include "src/system/stream.h"
 #include "src/tools/program.h"
 
 namespace ninebit::tools {

@@ -1,11 +1,12 @@
 // The ninebit program: one file a verb, this one chooses among them.
 #include <exception>
 #include <new>
+#include <sstream>
 #include <string>
 #include <string_view>
 #include <system_error>
 
-#include "src/image/posix.h"
+#include "src/system/process.h"
 #include "src/tools/build_facts.h"
 #include "src/tools/program.h"
 #include "src/tools/usage.h"
@@ -34,8 +35,12 @@ int run(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    if (error.get_exit_code() == 0) return app.exit(error);
-    say(usage_message(app, error));
+    if (error.get_exit_code() == 0) {  // --help or --version
+      std::ostringstream text;
+      app.exit(error, text, text);
+      return answer(text.str());
+    }
+    say_error(usage_message(app, error));
     return kWrongUsage;
   }
   return exit_code;
@@ -59,12 +64,14 @@ int main(int argc, char** argv) {
   } catch (const std::bad_alloc&) {
     say("ninebit: error: out of memory\n");
     return kOutOfMemory;
+  } catch (const InvalidInput& error) {
+    for (const std::string& fault : error.faults()) say_error(fault);
   } catch (const std::exception& error) {
     if (lacks_threads(error)) {
-      say(std::string("ninebit: error: out of memory or threads: ") + error.what() + "\n");
+      say_error(std::string("out of memory or threads: ") + error.what());
       return kOutOfMemory;
     }
-    say(std::string("ninebit: error: ") + error.what() + "\n");
+    say_error(error.what());
   }
   return kInvalidInput;
 }

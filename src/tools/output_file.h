@@ -7,14 +7,15 @@
 
 #include "ninebit/image/staged_files.h"
 #include "ninebit/numerics/result.h"
-#include "src/image/posix.h"
+#include "src/system/stream.h"
 
 namespace ninebit::tools {
 
 class OutputFile {
  public:
   // The empty path is standard output. Devices and pipes are written to as they are; any other file is made aside and
-  // takes its name in finish(), through symbolic links, so that an older one stays whole until then.
+  // takes its name in finish(), through symbolic links, so that an older one stays whole until then. The new file has
+  // the older one's permission bits.
   [[nodiscard]] static Result<OutputFile> open(const std::string& path);
 
   [[nodiscard]] Status write(std::string_view bytes);

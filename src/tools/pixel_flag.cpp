@@ -10,7 +10,7 @@ namespace {
 std::string check_pixel(const std::string& text) {
   const auto n = numbers<int>(text, ',');
   if (n && n->size() == 2 && n->at(0) >= 0 && n->at(1) >= 0) return {};
-  return fmt::format("'{}' is no pixel; expected X,Y, counted from the top left", text);
+  return fmt::format("'{}' is not a pixel; expected X,Y, counted from the top left", text);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <iterator>
 #include <memory>
 
+#include "src/tools/printable.h"
 #include "src/tools/program.h"
 
 namespace ninebit::tools {
@@ -82,9 +83,9 @@ int print_profiles(const CommonFlags& flags) {
     std::string text;
     const auto out = std::back_inserter(text);
     for (const HardwareProfile& profile : profiles) {
-      fmt::format_to(out, "{}: {}\n", profile.name, profile.chip);
+      fmt::format_to(out, "{}: {}\n", printable(profile.name), printable(profile.chip));
       for (const ProfileRow& r : rows_of(profile)) {
-        fmt::format_to(out, "  {:<30} {:<22} {:<10} {}\n", r.field, r.value, r.evidence, r.source);
+        fmt::format_to(out, "  {:<30} {:<22} {:<10} {}\n", r.field, r.value, r.evidence, printable(r.source));
       }
       text += '\n';
     }
@@ -102,7 +103,7 @@ int print_profiles(const CommonFlags& flags) {
   }
   const Json out{
       {"command", "profiles"}, {"version", NINEBIT_VERSION}, {"profile", flags.profile}, {"rows", std::move(rows)}};
-  return answer(out.dump(2) + "\n");
+  return answer(out);
 }
 
 }  // namespace

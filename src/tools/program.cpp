@@ -10,9 +10,12 @@
 #include <system_error>
 #include <utility>
 
-#include "src/image/posix.h"
+#include "src/system/process.h"
+#include "src/system/stream.h"
+#include "src/tools/file_kind.h"
 #include "src/tools/input_file.h"
 #include "src/tools/nearest_name.h"
+#include "src/tools/printable.h"
 
 namespace ninebit::tools {
 namespace {
@@ -37,11 +40,12 @@ OwnedProfile read_profile(const std::string& path) {
   } while (text.size() <= kMaxSourceBytes);
   auto parsed = parse_json_profile({text, path});
   if (parsed) return *std::move(parsed.value);
-  std::string faults;
-  for (const TextFault& fault : parsed.faults) {
-    if (!faults.empty()) faults += "\nninebit: error: ";
-    faults += fault.text();
+  const std::string kind = kind_of_file(text);
+  if (!kind.empty() && kind != kProfileKind && kind != kJsonKind) {
+    throw InvalidInput(path + ": seems to be " + kind + "; expected a profile as JSON");
   }
+  std::vector<std::string> faults;
+  for (const TextFault& fault : parsed.faults) faults.push_back(fault.text());
   throw InvalidInput(faults);
 }
 
@@ -62,7 +66,27 @@ std::string check_profile(CommonFlags& flags, std::string& text) {
   return {};
 }
 
+void write_to_stderr(std::string_view text) noexcept {
+  std::fwrite(text.data(), 1, text.size(), stderr);
+}
+
+// Piece by piece, so that nothing has to be allocated to say that memory has run out.
+void say_printable(std::string_view text) noexcept {
+  while (!text.empty()) {
+    const PrintablePiece piece = first_printable_piece(text, true);
+    write_to_stderr(text.substr(0, piece.plain));
+    for (const char byte : text.substr(piece.plain, piece.foreign)) {
+      const EscapedByte instead = escaped(byte);
+      write_to_stderr({instead.text, instead.size});
+    }
+    text.remove_prefix(piece.plain + piece.foreign);
+  }
+}
+
 }  // namespace
+
+InvalidInput::InvalidInput(const std::vector<std::string>& faults)
+    : std::runtime_error(faults.empty() ? "invalid input" : faults.front()), faults_(faults) {}
 
 void add_common_flags(CLI::App& verb, CommonFlags& flags) {
   verb.add_flag("--json", flags.json, "Machine-readable output on stdout, and nothing else there");
@@ -85,34 +109,51 @@ bool wants_colors(int stream) {
   return posix::is_terminal(stream) && (no_color == nullptr || *no_color == '\0');
 }
 
-void say(const std::string& text) noexcept {
-  // Piece by piece, so that nothing has to be allocated to say that memory has run out.
+void say(std::string_view text) noexcept {
   constexpr std::string_view kError = "ninebit: error:", kRed = "\x1b[1;31m", kPlain = "\x1b[0m";
-  const auto write = [](std::string_view piece) { std::fwrite(piece.data(), 1, piece.size(), stderr); };
   const bool colored = wants_colors(posix::kStandardError);
   for (std::string_view rest = text; !rest.empty();) {
-    const std::string_view line = rest.substr(0, std::min(rest.find('\n'), rest.size() - 1) + 1);
+    std::string_view line = rest.substr(0, std::min(rest.find('\n'), rest.size() - 1) + 1);
     rest.remove_prefix(line.size());
     if (colored && line.starts_with(kError)) {
-      write(kRed);
-      write(kError);
-      write(kPlain);
-      write(line.substr(kError.size()));
-    } else {
-      write(line);
+      write_to_stderr(kRed);
+      write_to_stderr(kError);
+      write_to_stderr(kPlain);
+      line.remove_prefix(kError.size());
     }
+    say_printable(line);
   }
   std::fflush(stderr);
 }
 
+void say_error(std::string_view message) {
+  say(fmt::format("ninebit: error: {}\n", printable_briefly(message)));
+}
+
+void say_written(const std::filesystem::path& file) {
+  say(fmt::format("wrote {}\n", printable(file.string())));
+}
+
 int answer(const std::string& text) {
+  return answer_exactly(printable_lines(text));
+}
+
+int answer(const Json& object) {
+  return answer_exactly(text_of(object));
+}
+
+int answer_exactly(const std::string& text) {
   if (std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0) return kDone;
   const std::string why = std::generic_category().message(errno);
   return report({.message = "could not be written: " + why, .file = "standard output", .fault = Fault::cannot_write});
 }
 
+std::string text_of(const Json& object) {
+  return object.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
 int report(const Diagnostic& diagnostic) {
-  say(fmt::format("ninebit: error: {}\n", diagnostic.text()));
+  say_error(diagnostic.text());
   switch (diagnostic.fault) {
     case Fault::invalid_input:
       return kInvalidInput;
@@ -125,19 +166,20 @@ int report(const Diagnostic& diagnostic) {
 }
 
 ProgressLine::ProgressLine(bool quiet) : visible_(!quiet && posix::is_terminal(posix::kStandardError)) {
-  for (const int signal : posix::interrupts()) std::signal(signal, on_interrupt);
+  posix::catch_interrupts(on_interrupt);
 }
 
 ProgressLine::~ProgressLine() {
-  if (visible_) say("\r\x1b[K");
+  if (visible_) write_to_stderr("\r\x1b[K");
 }
 
 bool ProgressLine::step(std::string_view what, double done) {
   if (visible_) {
     constexpr int kWidth = 30;
     const int filled = static_cast<int>(std::clamp(done, 0.0, 1.0) * kWidth);
-    say(fmt::format("\r\x1b[K[{}{}] {}", std::string(static_cast<std::size_t>(filled), '#'),
-                    std::string(static_cast<std::size_t>(kWidth - filled), '.'), what));
+    write_to_stderr(fmt::format("\r\x1b[K[{}{}] {}", std::string(static_cast<std::size_t>(filled), '#'),
+                                std::string(static_cast<std::size_t>(kWidth - filled), '.'), printable(what)));
+    std::fflush(stderr);
   }
   return interrupted == 0;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <filesystem>
 #include <functional>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -38,10 +39,17 @@ struct CommonFlags {
   int threads = 0;                          // 0: all
 };
 
-// A file that a flag names is unreadable or wrong; what() has a line for each fault. Ends the program with
-// kInvalidInput.
-struct InvalidInput : std::runtime_error {
-  using std::runtime_error::runtime_error;
+// A file that a flag names is unreadable or wrong. Ends the program with kInvalidInput; what() is the first fault.
+class InvalidInput : public std::runtime_error {
+ public:
+  explicit InvalidInput(const std::string& fault) : InvalidInput(std::vector{fault}) {}
+  explicit InvalidInput(const std::vector<std::string>& faults);
+
+  // One sentence each, without "ninebit: error: ".
+  [[nodiscard]] const std::vector<std::string>& faults() const { return faults_; }
+
+ private:
+  std::vector<std::string> faults_;
 };
 
 // Adds the common flags to a verb. A wrong profile name or thread count is a usage error; a profile's file that is
@@ -54,12 +62,24 @@ void add_common_flags(CLI::App& verb, CommonFlags& flags);
 // Whether text that goes to the stream of this number is to be coloured: it is a terminal, and NO_COLOR is not set.
 [[nodiscard]] bool wants_colors(int stream);
 
-// Writes to stderr, "error:" in red where it wants colours. That it is full or that nobody reads it is no error: the
-// results do not depend on it.
-void say(const std::string& text) noexcept;
+// Writes lines to stderr, "error:" in red where it wants colours, and control characters as printable.h has them. A
+// stream that is full or that nobody reads is not an error: the results do not depend on it.
+void say(std::string_view text) noexcept;
 
-// Writes what a verb answers to stdout; gives kDone, or kCannotWrite after saying why.
+// Says "ninebit: error: MESSAGE", or "wrote FILE", on one line, whatever stands in the message or in the name.
+void say_error(std::string_view message);
+void say_written(const std::filesystem::path& file);
+
+// Writes what a verb answers to stdout: lines for people, in which control characters are as printable.h has them, or
+// an object. Gives kDone, or kCannotWrite after saying why.
 [[nodiscard]] int answer(const std::string& text);
+[[nodiscard]] int answer(const Json& object);
+
+// The same for a text in which every foreign name was made printable or escaped before.
+[[nodiscard]] int answer_exactly(const std::string& text);
+
+// An object as it is answered. Names that are not UTF-8 have U+FFFD in their places.
+[[nodiscard]] std::string text_of(const Json& object);
 
 // Prints "ninebit: error: TEXT" to stderr and gives the exit code of the fault.
 [[nodiscard]] int report(const Diagnostic& diagnostic);

@@ -3,58 +3,60 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
+#include <array>
 #include <utility>
 
 #include "ninebit/combiner/validate.h"
 #include "ninebit/language/gl_calls.h"
 #include "ninebit/language/json.h"
 #include "ninebit/language/rc10.h"
+#include "src/tools/file_kind.h"
 #include "src/tools/input_file.h"
 
 namespace ninebit::tools {
 namespace {
 
-// The text without white space and comments at its beginning; every form but `!!RC1.0` and JSON may start with those.
-std::string_view without_heading(std::string_view text) {
-  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
-  while (true) {
-    const auto first = std::find_if(text.begin(), text.end(), [](unsigned char c) { return std::isspace(c) == 0; });
-    text.remove_prefix(static_cast<std::size_t>(first - text.begin()));
-    if (text.starts_with("/*")) {
-      const std::size_t end = text.find("*/", 2);
-      text.remove_prefix(end == std::string_view::npos ? text.size() : end + 2);
-    } else if (text.starts_with("//") || text.starts_with('#')) {
-      text.remove_prefix(std::min(text.find('\n'), text.size()));
-    } else {
-      return text;
-    }
-  }
-}
-
-std::string_view without_space(std::string_view text) {
-  while (!text.empty() && std::isspace(static_cast<unsigned char>(text.front())) != 0) text.remove_prefix(1);
-  return text;
-}
-
 // A JSON object: the canonical form says "ninebit": "program" (or tries to), register words need not say anything.
 ProgramForm json_form(std::string_view text) {
-  constexpr std::string_view kKey = "\"ninebit\"";
-  const std::size_t key = text.find(kKey);
-  if (key == std::string_view::npos) return ProgramForm::words_json;
-  std::string_view rest = without_space(text.substr(key + kKey.size()));
-  if (rest.starts_with(':')) rest = without_space(rest.substr(1));
-  return rest.starts_with("\"register_words\"") ? ProgramForm::words_json : ProgramForm::json;
+  const std::string_view said = json_kind(text);
+  return said.empty() || said == "register_words" ? ProgramForm::words_json : ProgramForm::json;
 }
 
-// "NAME =" with a name such as RC_IN_RGB[0].
-bool is_assignment(std::string_view text) {
-  std::size_t i = 0;
-  const auto is_name = [](unsigned char c) {
-    return std::isalnum(c) != 0 || std::string_view("_[]()").find(static_cast<char>(c)) != std::string_view::npos;
-  };
-  while (i < text.size() && is_name(static_cast<unsigned char>(text[i]))) ++i;
-  return i > 0 && without_space(text.substr(i)).starts_with('=');
+struct FormName {
+  ProgramForm form;
+  std::string_view kind;  // as kind_of_file() names it
+  std::string_view flag;  // of --from
+};
+constexpr std::array kForms{FormName{ProgramForm::gl, kGlKind, "gl"}, FormName{ProgramForm::rc10, kRc10Kind, "rc10"},
+                            FormName{ProgramForm::words, kWordsKind, "words"},
+                            FormName{ProgramForm::words_json, kJsonWordsKind, "words"},
+                            FormName{ProgramForm::json, kJsonProgramKind, "json"}};
+
+const FormName* form_of_kind(std::string_view kind) {
+  const auto found = std::find_if(kForms.begin(), kForms.end(), [&](const FormName& f) { return f.kind == kind; });
+  return found == kForms.end() ? nullptr : found;
+}
+
+std::string_view kind_of_form(ProgramForm form) {
+  return std::find_if(kForms.begin(), kForms.end(), [&](const FormName& f) { return f.form == form; })->kind;
+}
+
+// A file with faults, in one sentence where it is something else than the form in which it was read; or empty.
+std::string seems_to_be_else(const ProgramFile& file, const std::string& from) {
+  constexpr std::string_view kExpected = "expected a combiner program: GL calls, !!RC1.0, register words or JSON";
+  constexpr std::size_t kFewFaults = 3;  // which the text of a program may have, whatever it looks like
+  const std::string kind = kind_of_file(file.text);
+  const bool is_json = file.form == ProgramForm::json || file.form == ProgramForm::words_json;
+  if (kind.empty() || (is_json && kind == kJsonKind)) {
+    if (!from.empty() || file.parsed.faults.size() <= kFewFaults) return "";
+    return fmt::format("seems to be {}; {}", kind.empty() ? "some other text" : kind, kExpected);
+  }
+  if (kind == kind_of_form(file.form)) return "";
+  const FormName* const other = form_of_kind(kind);
+  if (other == nullptr) return fmt::format("seems to be {}; {}", kind, kExpected);
+  if (from.empty() || from == other->flag) return "";
+  return fmt::format("seems to be {}; expected {}, as --from {} says; leave out --from, or give --from {}", kind,
+                     kind_of_form(file.form), from, other->flag);
 }
 
 Parsed<CombinerState> parse(const ProgramFile& file, ChipClass chip, const HardwareProfile& profile) {
@@ -74,6 +76,7 @@ Parsed<CombinerState> parse(const ProgramFile& file, ChipClass chip, const Hardw
   return {};
 }
 
+// The text of a file. One that is too long for a program is at least named.
 Result<std::string> read_text(const std::string& path) {
   auto input = InputFile::open(path);
   if (!input) return input.error();
@@ -84,9 +87,10 @@ Result<std::string> read_text(const std::string& path) {
     if (more->empty()) return text;
     text.append(*more);
   }
-  return Diagnostic{
-      .message = fmt::format("is longer than {} bytes, the most that a program may have", kMaxSourceBytes),
-      .file = input->name()};
+  const std::string kind = kind_of_file(text);
+  return Diagnostic{.message = fmt::format("{}is longer than {} bytes, the most that a program may have",
+                                           kind.empty() ? "" : "seems to be " + kind + ", and ", kMaxSourceBytes),
+                    .file = input->name()};
 }
 
 }  // namespace
@@ -129,6 +133,10 @@ Result<ProgramFile> read_program_file(const ProgramFlags& flags, const HardwareP
   if (flags.from == "json") file.form = ProgramForm::json;
   if (flags.from == "words") file.form = is_json ? ProgramForm::words_json : ProgramForm::words;
   file.parsed = parse(file, chip_of(flags, profile), profile);
+  if (file.parsed) return file;
+  if (std::string message = seems_to_be_else(file, flags.from); !message.empty()) {
+    return Diagnostic{.message = std::move(message), .file = file.name};
+  }
   return file;
 }
 
@@ -151,7 +159,7 @@ std::optional<CombinerState> load_program(const ProgramFlags& flags, const Hardw
 }
 
 int report(const std::vector<TextFault>& faults) {
-  for (const TextFault& fault : faults) say(fmt::format("ninebit: error: {}\n", fault.text()));
+  for (const TextFault& fault : faults) say_error(fault.text());
   return kInvalidInput;
 }
 

@@ -36,7 +36,8 @@ struct ProgramFile {
   Parsed<CombinerState> parsed;
 };
 
-// Reads and parses. A file that cannot be read is the Diagnostic; faults in its text stand in `parsed`.
+// Reads and parses. A file that cannot be read, or that has faults and seems to be of another kind or language, is the
+// Diagnostic; faults in its text stand in `parsed`.
 [[nodiscard]] Result<ProgramFile> read_program_file(const ProgramFlags& flags, const HardwareProfile& profile);
 
 // The same for verbs that need a program that can run: everything wrong with it is printed, and `exit_code` set, where

@@ -14,6 +14,7 @@
 #include "src/tools/number_list.h"
 #include "src/tools/picture_hashes.h"
 #include "src/tools/pixel_flag.h"
+#include "src/tools/printable.h"
 #include "src/tools/scene_flags.h"
 
 namespace ninebit::tools {
@@ -28,7 +29,7 @@ struct RenderFlags {
 };
 
 int wrong_usage(const std::string& message) {
-  say(fmt::format("ninebit: error: {} (see: ninebit render --help)\n", message));
+  say_error(fmt::format("{} (see: ninebit render --help)", message));
   return kWrongUsage;
 }
 
@@ -65,7 +66,7 @@ std::string text_of(const RenderFlags& flags, const Scene& scene, const PickedIn
                            : picked.section ? fmt::format("section {} of ", *picked.section + 1)
                                             : "";
   return fmt::format("pixel {}: index {}, {}object {} '{}'{}\n", flags.pick, picked.number, what, *picked.object + 1,
-                     scene.objects[*picked.object].name,
+                     printable(scene.objects[*picked.object].name),
                      picked.polygon ? "" : "; the index does not tell which polygon");
 }
 
@@ -128,7 +129,7 @@ int render(const RenderFlags& flags) {
   const auto start = Clock::now();
   std::optional<ProgressLine> line(std::in_place, flags.common.quiet);
   line->step("loading", 0.0);
-  const auto scene = load_scene(flags.scene, settings);
+  const auto scene = load_scene(flags.scene, settings, flags.common.quiet);
   if (!scene) return line.reset(), report(scene.error());
   // Before the work, so that a folder that cannot be written into costs nobody a long rendering.
   auto files = StagedFiles::open(flags.folder);
@@ -160,7 +161,7 @@ int render(const RenderFlags& flags) {
   Json names = Json::array();
   for (const auto& file : files->files()) {
     names.push_back(file.string());
-    if (!flags.common.quiet) say(fmt::format("wrote {}\n", file.string()));
+    if (!flags.common.quiet) say_written(file);
   }
   const Rendering& r = *rendering;
   if (!flags.common.json) {
@@ -200,7 +201,7 @@ int render(const RenderFlags& flags) {
            {"hash", hashes(r)}};
   if (r.picked) out["pick"] = json_of(flags, *scene, *r.picked);
   if (truth) out["errors"] = errors(*r.evidence, *truth);
-  return answer(out.dump(2) + "\n");
+  return answer(out);
 }
 
 }  // namespace

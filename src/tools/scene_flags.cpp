@@ -3,12 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
+#include <limits>
 #include <utility>
 
 #include "ninebit/image/image_io.h"
 #include "ninebit/scene/scene_io.h"
 #include "src/tools/cookie_file.h"
+#include "src/tools/number_flag.h"
 #include "src/tools/number_list.h"
 
 namespace ninebit::tools {
@@ -18,50 +19,52 @@ std::string check_size(const std::string& text) {
   const auto n = numbers<int>(text, 'x');
   if (n && n->size() == 2 && n->at(0) >= 1 && n->at(1) >= 1 && std::max(n->at(0), n->at(1)) <= kMaxSurfaceSize)
     return {};
-  return fmt::format("'{}' is no picture size; expected WIDTHxHEIGHT, each from 1 to {}", text, kMaxSurfaceSize);
+  return fmt::format("'{}' is not a picture size; expected WIDTHxHEIGHT, each from 1 to {}", text, kMaxSurfaceSize);
 }
 
 std::string check_map_size(const std::string& text) {
   const auto n = numbers<int>(text, ',');
   if (n && n->size() == 1 && n->at(0) >= 1 && n->at(0) <= kMaxSurfaceSize && (n->at(0) & (n->at(0) - 1)) == 0)
     return {};
-  return fmt::format("'{}' is no map size; expected a power of two from 1 to {}", text, kMaxSurfaceSize);
+  return fmt::format("'{}' is not a map size; expected a power of two from 1 to {}", text, kMaxSurfaceSize);
 }
 
 std::string check_point(const std::string& text) {
-  const auto n = numbers<float>(text, ',');
-  if (n && n->size() == 3 && std::isfinite(n->at(0)) && std::isfinite(n->at(1)) && std::isfinite(n->at(2))) return {};
-  return fmt::format("'{}' is no point; expected X,Y,Z", text);
+  if (are_numbers_in<float>(text, ',', 3, -kMostDistance, kMostDistance)) return {};
+  return fmt::format("'{}' is not a point; expected X,Y,Z, each from -1e12 to 1e12", text);
+}
+
+std::string check_degrees(const std::string& text) {
+  constexpr double kMost = 1e6;
+  if (are_numbers_in<float>(text, ',', 3, -kMost, kMost)) return {};
+  return fmt::format("'{}' is not a rotation; expected X,Y,Z in degrees, each from -1e6 to 1e6", text);
 }
 
 std::string check_floor(const std::string& text) {
-  const auto n = numbers<float>(text, ',');
-  if (text == "auto" || text == "none" || (n && n->size() == 1 && std::isfinite(n->at(0)))) return {};
-  return fmt::format("'{}' is no floor; expected auto, none or a height", text);
+  if (text == "auto" || text == "none") return {};
+  if (are_numbers_in<float>(text, ',', 1, -kMostDistance, kMostDistance)) return {};
+  return fmt::format("'{}' is not a floor; expected auto, none or a height from -1e12 to 1e12", text);
 }
 
 std::string check_fov(const std::string& text) {
-  const auto n = numbers<float>(text, ',');
-  if (n && n->size() == 1 && n->at(0) >= 0.01F && n->at(0) <= 170.0F) return {};
-  return fmt::format("'{}' is no field of view; expected degrees from 0.01 to 170", text);
+  if (are_numbers_in<float>(text, ',', 1, 0.01F, 170.0)) return {};
+  return fmt::format("'{}' is not a field of view; expected degrees from 0.01 to 170", text);
 }
 
 std::string check_spot_angle(const std::string& text) {
-  const auto n = numbers<float>(text, ',');
-  if (n && n->size() == 1 && n->at(0) >= 1.0F && n->at(0) <= 170.0F) return {};
-  return fmt::format("'{}' is no opening angle; expected degrees from 1 to 170", text);
+  if (are_numbers_in<float>(text, ',', 1, 1.0, 170.0)) return {};
+  return fmt::format("'{}' is not an opening angle; expected degrees from 1 to 170", text);
 }
 
 std::string check_bias(const std::string& text) {
-  const auto n = numbers<float>(text, ',');
-  if (n && n->size() == 1 && std::isfinite(n->at(0)) && n->at(0) >= 0.0F) return {};
-  return fmt::format("'{}' is no bias; expected a distance of 0 or more", text);
+  if (are_numbers_in<float>(text, ',', 1, 0.0, kMostDistance)) return {};
+  return fmt::format("'{}' is not a bias; expected a distance from 0 to 1e12", text);
 }
 
 std::string check_offset(const std::string& text) {
-  const auto n = numbers<float>(text, ',');
-  if (n && n->size() == 2 && std::isfinite(n->at(0)) && std::isfinite(n->at(1))) return {};
-  return fmt::format("'{}' is no polygon offset; expected FACTOR,UNITS", text);
+  constexpr double kMost = std::numeric_limits<float>::max();
+  if (are_numbers_in<float>(text, ',', 2, -kMost, kMost)) return {};
+  return fmt::format("'{}' is not a polygon offset; expected FACTOR,UNITS, two finite numbers", text);
 }
 
 std::string check_file_name(const std::string& text) {
@@ -74,20 +77,20 @@ std::optional<glm::vec3> point(const std::string& text) {
   return glm::vec3(n->at(0), n->at(1), n->at(2));
 }
 
-Result<SceneSetup> setup_of(const SceneFlags& flags) {
+std::optional<LightKind> light_kind(const SceneFlags& flags) {
+  if (flags.light_type.empty()) return std::nullopt;
+  return flags.light_type == "point"  ? LightKind::point
+         : flags.light_type == "spot" ? LightKind::spot
+                                      : LightKind::directional;
+}
+
+SceneSetup setup_of(const SceneFlags& flags) {
   SceneSetup setup;
   setup.camera = point(flags.camera);
   setup.look_at = point(flags.look_at);
   setup.light = point(flags.light);
   setup.light_kinds = find_technique(flags.technique)->lights;
-  if (!flags.light_type.empty()) {
-    const LightKind kind = flags.light_type == "point"  ? LightKind::point
-                           : flags.light_type == "spot" ? LightKind::spot
-                                                        : LightKind::directional;
-    if (!setup.light_kinds.has(kind)) {
-      return Diagnostic{.message = fmt::format("--light-type {}: technique {} cannot draw with such a light",
-                                               flags.light_type, flags.technique)};
-    }
+  if (const auto kind = light_kind(flags)) {
     setup.light_kinds = {.point = kind == LightKind::point,
                          .spot = kind == LightKind::spot,
                          .directional = kind == LightKind::directional};
@@ -172,7 +175,7 @@ void add_technique_flags(CLI::App& verb, SceneFlags& flags) {
   verb.add_option("--kernel", s.reflective.kernel, "Radius of the gathering pattern in texels")
       ->capture_default_str()
       ->type_name("TEXELS")
-      ->check(CLI::Range(1.0F, static_cast<float>(kMaxSurfaceSize)));
+      ->check(real_in_range(1.0, kMaxSurfaceSize));
   add_choice(verb, "--pattern", s.reflective.pattern, kPatterns, "The gathering pattern");
   verb.add_option("--gather-scale", s.reflective.gather_scale, "Pixels a side that share one gathering")
       ->capture_default_str()
@@ -183,11 +186,16 @@ void add_technique_flags(CLI::App& verb, SceneFlags& flags) {
       ->check(checked(check_cookie));
   verb.add_option("--light-rotate", flags.light_rotate, "Degrees that the light is turned about x, then y, then z")
       ->type_name("X,Y,Z")
-      ->check(checked(check_point));
+      ->check(checked(check_degrees));
   add_choice(verb, "--cookie-shadows", s.light_cookie.shadows, kCookieShadows, "Shadows of the light cookie");
   verb.parse_complete_callback([&flags] {
     if (flags.technique == "light-cookie" && flags.cookie.empty()) {
       throw CLI::ValidationError("--technique light-cookie needs --cookie FILE");
+    }
+    const auto kind = light_kind(flags);
+    if (kind && !find_technique(flags.technique)->lights.has(*kind)) {
+      throw CLI::ValidationError(fmt::format("--light-type {}: technique {} cannot draw with such a light",
+                                             flags.light_type, flags.technique));
     }
   });
 }
@@ -217,6 +225,8 @@ ThreadLimit::ThreadLimit(int threads) {
 }
 
 CLI::Option* add_scene_file(CLI::App& verb, const std::string& name, SceneFlags& flags) {
+  verb.add_flag("--allow-outside", flags.allow_outside,
+                "Read buffers and material libraries that the scene names anywhere");
   return verb.add_option(name, flags.file, "glTF 2.0, OBJ, PLY, OFF or 3DS file")
       ->type_name("FILE")
       ->check(checked(check_file_name));
@@ -281,17 +291,19 @@ RenderSettings settings_of(const SceneFlags& flags, const CommonFlags& common) {
   return settings;
 }
 
-Result<Scene> load_scene(const SceneFlags& flags, const RenderSettings& settings) {
-  auto read = read_scene(flags.file);
+Result<Scene> load_scene(const SceneFlags& flags, const RenderSettings& settings, bool quiet) {
+  const auto go_on = [] { return !ProgressLine::stopped(); };
+  auto read = read_scene(flags.file, {.allow_outside = flags.allow_outside, .isolated = true, .go_on = go_on});
   if (!read) return read;
+  for (const std::string& note : read->notes) {
+    if (!quiet) say(fmt::format("{}: {}\n", flags.file, note));
+  }
   return complete_scene_of(flags, settings, std::move(*read));
 }
 
 Result<Scene> complete_scene_of(const SceneFlags& flags, const RenderSettings& settings, Scene scene) {
   const float aspect = static_cast<float>(settings.width) / static_cast<float>(settings.height);
-  const auto setup = setup_of(flags);
-  if (!setup) return setup.error();
-  return naming(flags, complete_scene(std::move(scene), *setup, aspect));
+  return naming(flags, complete_scene(std::move(scene), setup_of(flags), aspect));
 }
 
 Result<Rendering> render_scene(const SceneFlags& flags, const Scene& scene, const RenderSettings& settings,

@@ -16,6 +16,7 @@ namespace ninebit::tools {
 
 struct SceneFlags {
   std::string file;
+  bool allow_outside = false;
   std::string technique = "index-cube";
   std::string size = "1024x768";
   std::string camera, look_at, light, light_type, light_target, floor = "auto";
@@ -40,7 +41,7 @@ template <class E>
   return {};
 }
 
-// Adds the scene's file as an argument or a flag of that name.
+// Adds the scene's file as an argument or a flag of that name, and --allow-outside.
 CLI::Option* add_scene_file(CLI::App& verb, const std::string& name, SceneFlags& flags);
 
 // Adds the flags that say how it is rendered, and gives them.
@@ -61,8 +62,8 @@ class ThreadLimit {
 // Gives a scene the camera, light and floor that the flags ask for.
 [[nodiscard]] Result<Scene> complete_scene_of(const SceneFlags& flags, const RenderSettings& settings, Scene scene);
 
-// Reads the scene and completes it.
-[[nodiscard]] Result<Scene> load_scene(const SceneFlags& flags, const RenderSettings& settings);
+// Reads the scene and completes it. Unless quiet, stderr gets a line for each file that it names and that is missing.
+[[nodiscard]] Result<Scene> load_scene(const SceneFlags& flags, const RenderSettings& settings, bool quiet);
 
 // Renders it with the technique that the flags name, and with the cookie where they name one.
 [[nodiscard]] Result<Rendering> render_scene(const SceneFlags& flags, const Scene& scene,

@@ -4,11 +4,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 #include <utility>
 
 #include "src/study/sha256.h"
 #include "src/tools/input_file.h"
 #include "src/tools/nearest_name.h"
+#include "src/tools/number_flag.h"
 #include "src/tools/number_list.h"
 
 namespace ninebit::tools {
@@ -30,7 +32,8 @@ void add_study_flags(CLI::App& verb, StudyFlags& flags) {
                                         "that was interrupted goes on there")
                             ->type_name("DIR");
   const auto check_shard = [](const std::string& text) -> std::string {
-    return parse_shard(text) ? "" : fmt::format("'{}' is no shard; expected I/N, such as 2/8", text);
+    return parse_shard(text) ? ""
+                             : fmt::format("'{}' is not a shard; expected I/N with I from 1 to N, such as 2/8", text);
   };
   verb.add_option("--shard", flags.shard, "Do one of N parts of the work; `ninebit study merge` joins them")
       ->type_name("I/N")
@@ -38,7 +41,7 @@ void add_study_flags(CLI::App& verb, StudyFlags& flags) {
       ->needs(folder);
   verb.add_option("--budget", flags.budget, "Begin nothing new after so many seconds; the same command goes on")
       ->type_name("SECONDS")
-      ->check(CLI::NonNegativeNumber)
+      ->check(real_in_range(0.0, kMostSeconds))
       ->needs(folder);
 }
 
@@ -91,9 +94,13 @@ std::vector<std::string> items_of(const std::string& list) {
 
 CLI::Validator list_of(std::vector<std::string> known) {
   const auto check = [known = std::move(known)](const std::string& text) -> std::string {
+    std::set<std::string> given;
     for (const std::string& item : items_of(text)) {
-      if (std::find(known.begin(), known.end(), item) != known.end()) continue;
-      return fmt::format("'{}' is none of {}{}", item, fmt::join(known, ", "), did_you_mean(item, known));
+      if (std::find(known.begin(), known.end(), item) == known.end()) {
+        return fmt::format("'{}' is unknown; expected some of {}{}", item, fmt::join(known, ", "),
+                           did_you_mean(item, known));
+      }
+      if (!given.insert(item).second) return fmt::format("'{}' is given twice; expected each name once", item);
     }
     return {};
   };

@@ -42,12 +42,10 @@ Result<Program> read_program(const DatapathFlags& flags, const HardwareProfile& 
   question.options.emplace_back("--program", flags.program);
   if (Status added = add_content(question, flags.program); !added) return added.error();
   if (!file->parsed) {
-    std::string faults;
-    for (const TextFault& fault : file->parsed.faults) {
-      if (!faults.empty()) faults += "\nninebit: error: ";
-      faults += fault.text();
-    }
-    return Diagnostic{.message = faults};
+    const std::size_t more = file->parsed.faults.size() - 1;
+    const std::string first = file->parsed.faults.front().text();
+    if (more == 0) return Diagnostic{.message = first};
+    return Diagnostic{.message = fmt::format("{}; {} more, which `ninebit validate` lists", first, more)};
   }
   auto program = compile(*file->parsed.value, profile);
   if (program) return program;
@@ -126,6 +124,22 @@ Result<std::unique_ptr<Study>> make_datapath(const DatapathFlags& flags) {
   return datapath_study(std::move(question), profiles_of(flags.study));
 }
 
+// The components of --over for this profile; a wrong one is wrong usage.
+void check_over(const DatapathFlags& flags) {
+  if (flags.over.empty()) return;
+  const auto columns = read_header({.text = flags.over, .number = 1}, "--over", profile_of(flags.study.common));
+  if (!columns) throw CLI::ValidationError("--over " + flags.over + ": " + columns.error().message);
+}
+
+// A profile that computes in real numbers has no errors of codes.
+void check_profile(const StudyFlags& flags) {
+  if (flags.profile->count() == 0 || profile_of(flags.common).arithmetic == Arithmetic::integer) return;
+  throw CLI::ValidationError(
+      fmt::format("--profile {}: it computes in real numbers and has no datapath to measure; "
+                  "expected a profile of integers",
+                  flags.common.profile));
+}
+
 // Files alone: a question is asked again when its parts are joined.
 std::string check_file(const std::string& text) {
   if (!text.empty() && text != "-") return {};
@@ -170,6 +184,8 @@ void add_study_datapath(CLI::App& verbs, StudyRequest& request) {
     if (program->count() > 0 && inputs->count() + over->count() == 0) {
       throw CLI::ValidationError("--program needs --inputs FILE.csv or --over LIST");
     }
+    check_profile(flags->study);
+    check_over(*flags);
     request = {.make = [flags] { return make_datapath(*flags); }, .flags = &flags->study};
   });
 }

@@ -61,7 +61,8 @@ void add_study_depth_packing(CLI::App& verbs, StudyRequest& request) {
   verb->add_option("--depths", flags->depths, "Depths of 16 or 24 bits, or floats (default: all): 16,24,floats")
       ->type_name("LIST")
       ->check(list_of(all_sets()));
-  verb->add_option("--float-step", flags->float_step, "Every how many-th float; 1: every float from 0 to 1")
+  verb->add_option("--float-step", flags->float_step,
+                   "Every how many-th float, 1 to 16777216; 1 is every float from 0 to 1 and takes minutes")
       ->type_name("N")
       ->capture_default_str()
       ->check(CLI::Range(1U, 1U << 24));

@@ -83,6 +83,24 @@ Result<std::unique_ptr<Study>> make_index_steps(const IndexStepsFlags& flags) {
   return index_steps_study(std::move(options));
 }
 
+// Separate comparisons are a case of their own only where an index has several channels.
+void check_variants(const IndexStepsFlags& flags) {
+  if (flags.formats.empty() || flags.variants.empty()) return;
+  const std::vector<std::string> formats = items_of(flags.formats), variants = items_of(flags.variants);
+  const bool several = std::any_of(kStudyFormats.begin(), kStudyFormats.end(), [&](StudyFormat format) {
+    return channels_of(format) > 1 && std::find(formats.begin(), formats.end(), name_of(format)) != formats.end();
+  });
+  const auto all = index_variants();
+  const bool any = std::any_of(all.begin(), all.end(), [&](const IndexVariant& variant) {
+    return !variant.separate && std::find(variants.begin(), variants.end(), variant.name) != variants.end();
+  });
+  if (several || any) return;
+  throw CLI::ValidationError(
+      fmt::format("--variants {}: separate comparisons differ from others only where an index "
+                  "has several channels; expected --formats rgb or la, or another variant",
+                  flags.variants));
+}
+
 }  // namespace
 
 void add_study_index_steps(CLI::App& verbs, StudyRequest& request) {
@@ -95,7 +113,7 @@ void add_study_index_steps(CLI::App& verbs, StudyRequest& request) {
   auto flags = std::make_shared<IndexStepsFlags>();
   add_study_flags(*verb, flags->study);
   const auto check_steps = [](const std::string& text) -> std::string {
-    return steps_of(text) ? "" : fmt::format("'{}' is no step; expected N or FIRST-LAST, from 1 to 255", text);
+    return steps_of(text) ? "" : fmt::format("'{}' is not a step; expected N or FIRST-LAST, from 1 to 255", text);
   };
   verb->add_option("--steps", flags->steps, "Steps between indices")
       ->type_name("N|FIRST-LAST")
@@ -116,6 +134,7 @@ void add_study_index_steps(CLI::App& verbs, StudyRequest& request) {
       ->check(CLI::Validator(check_file, ""))
       ->excludes(variants);
   verb->callback([flags, &request] {
+    check_variants(*flags);
     request.flags = &flags->study;
     request.make = [flags] { return make_index_steps(*flags); };
   });

@@ -1,17 +1,21 @@
 // How every study is run: answered at once, or kept in a folder, in parts that are joined later.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <memory>
+#include <optional>
 #include <utility>
 
 #include "ninebit/study/report_files.h"
-#include "src/image/posix.h"
+#include "src/study/part_state.h"
 #include "src/study/part_text.h"
 #include "src/study/sha256.h"
+#include "src/system/inside_folder.h"
+#include "src/system/process.h"
 #include "src/tools/scene_flags.h"
 #include "src/tools/study.h"
 
@@ -29,28 +33,32 @@ std::string build_of_program() {
   return fmt::format("{} {}", NINEBIT_VERSION, hash.finish().substr(0, 16));
 }
 
-// A progress line that also says how fast the units come and how long the rest will take.
+// A progress line that also says how long the rest will take. Where that is more than ten seconds, one line says so
+// even if stderr is not a terminal.
 class UnitProgress {
  public:
-  UnitProgress(bool quiet, std::size_t units) : line_(quiet), units_(static_cast<double>(units)) {}
+  explicit UnitProgress(bool quiet) : line_(quiet), quiet_(quiet) {}
 
-  // `done` of all units; false from an interrupt on.
+  // Before a unit, with the share of the work that is done; false from an interrupt on.
   bool step(const std::string& unit, double done) {
     if (first_ < 0.0) first_ = done;
-    const std::chrono::duration<double> spent = Clock::now() - begin_;
     const double fresh = done - first_;  // what an earlier run has done says nothing of this one's speed
-    std::string rate;
-    if (fresh > 0.0) {
-      rate = fmt::format(", {:.3g} units/s, {:.0f} s left", fresh * units_ / spent.count(),
-                         spent.count() * (1.0 - done) / fresh);
+    if (fresh <= 0.0) return line_.step(fmt::format("{} ({:.0f} %)", unit, 100.0 * done), done);
+    const std::chrono::duration<double> spent = Clock::now() - begin_;
+    const double left = spent.count() * (1.0 - done) / fresh;
+    constexpr double kLong = 10.0;
+    if (left > kLong && !told_ && !quiet_) {
+      told_ = true;
+      say(fmt::format("{:.0f} % are done; the rest takes about {:.0f} s.\n", 100.0 * done, left));
     }
-    return line_.step(fmt::format("{} ({:.0f} of {:.0f}{})", unit, done * units_, units_, rate), done);
+    return line_.step(fmt::format("{} ({:.0f} %, {:.0f} s left)", unit, 100.0 * done, left), done);
   }
 
  private:
   using Clock = std::chrono::steady_clock;
   ProgressLine line_;
-  double units_;
+  bool quiet_;
+  bool told_ = false;
   double first_ = -1.0;
   Clock::time_point begin_ = Clock::now();
 };
@@ -61,13 +69,15 @@ bool go_on() {
 
 // The rows of all units, kept nowhere.
 Result<std::vector<StudyRow>> run_whole(const Study& study, bool quiet) {
-  UnitProgress progress(quiet, study.units());
+  UnitProgress progress(quiet);
+  double all = 0.0, done = 0.0;
+  for (std::size_t unit = 0; unit < study.units(); ++unit) all += study.weight(unit);
   std::vector<StudyRow> rows;
   for (std::size_t unit = 0; unit < study.units(); ++unit) {
-    const double done = static_cast<double>(unit) / static_cast<double>(study.units());
-    if (!progress.step(study.unit_name(unit), done)) {
+    if (!progress.step(study.unit_name(unit), done / all)) {
       return Diagnostic{.message = "interrupted", .fault = Fault::cancelled};
     }
+    done += study.weight(unit);
     auto more = study.run(unit, go_on);
     if (!more) return more.error();
     rows.insert(rows.end(), std::make_move_iterator(more->begin()), std::make_move_iterator(more->end()));
@@ -76,7 +86,7 @@ Result<std::vector<StudyRow>> run_whole(const Study& study, bool quiet) {
 }
 
 int answer_rows(const Study& study, const StudyReport& made, std::span<const StudyRow> rows, const CommonFlags& flags) {
-  if (flags.json) return answer(report_json(study.question(), NINEBIT_VERSION, rows));
+  if (flags.json) return answer_exactly(report_json(study.question(), NINEBIT_VERSION, rows));
   std::string text;
   for (const std::string& line : made.answers) text += line + '\n';
   return answer(text);
@@ -95,7 +105,7 @@ int finish(const Study& study, const std::string& folder, std::span<const StudyR
     const auto files = write_report(folder, study.question(), NINEBIT_VERSION, *made, rows);
     if (!files) return report(files.error());
     for (const auto& file : *files) {
-      if (!flags.quiet) say(fmt::format("wrote {}\n", file.string()));
+      if (!flags.quiet) say_written(file);
     }
   }
   return answer_rows(study, *made, rows, flags);
@@ -106,7 +116,7 @@ int run_in_folder(const Study& study, const StudyFlags& flags) {
   const std::size_t units = (study.units() - shard.index) / shard.count + 1;
   Result<StudyPart> part = StudyPart();
   {
-    UnitProgress progress(flags.common.quiet, units);
+    UnitProgress progress(flags.common.quiet);
     part = run_part(study, build_of_program(), shard, flags.folder, {.seconds = flags.budget, .go_on = go_on},
                     [&](const std::string& unit, double done) { return progress.step(unit, done); });
   }
@@ -116,7 +126,7 @@ int run_in_folder(const Study& study, const StudyFlags& flags) {
     }
     return report(part.error());
   }
-  if (!flags.common.quiet) say(fmt::format("wrote {}\n", part->file.string()));
+  if (!flags.common.quiet) say_written(part->file);
   if (!part->complete && !flags.common.quiet) {
     say(fmt::format("The time is up after {} units of {}: the same command goes on.\n", part->units.size(), units));
   }
@@ -124,12 +134,33 @@ int run_in_folder(const Study& study, const StudyFlags& flags) {
   return finish(study, flags.folder, rows_of(*part), part->units.size(), flags.common);
 }
 
+// Why a word of a question names a file that a part may not name: one that is not below the working folder, or is not a
+// regular file. A word may hold several names, so each of its pieces is looked at as one, whichever flag it belongs to.
+std::optional<std::string> why_refused(std::string_view word) {
+  constexpr std::string_view kBetweenNames = ",=";
+  while (!word.empty()) {
+    const std::size_t end = std::min(word.find_first_of(kBetweenNames), word.size());
+    const std::string_view piece = word.substr(0, end);
+    word.remove_prefix(std::min(end + 1, word.size()));
+    // A folder of the name of a study or a format is not read.
+    std::error_code error;
+    const bool is_folder = std::filesystem::is_directory(std::filesystem::symlink_status(piece, error));
+    if (piece.empty() || is_folder) continue;
+    if (auto why = posix::why_outside("", piece)) return why;
+  }
+  return std::nullopt;
+}
+
 // The study that a part's question asks for: its command line is read as the user's was.
-Result<std::unique_ptr<Study>> study_of(const StudyQuestion& question) {
+Result<std::unique_ptr<Study>> study_of(const StudyQuestion& question, bool allow_outside) {
   CLI::App verbs("", "study");
   StudyRequest request;
   add_studies(verbs, request);
   std::vector<std::string> words = question.words();
+  for (const std::string& word : words) {
+    const auto why = allow_outside ? std::nullopt : why_refused(word);
+    if (why) return Diagnostic{.message = fmt::format("its question names a file: {}, or --allow-outside", *why)};
+  }
   std::reverse(words.begin(), words.end());  // as CLI11 takes them
   try {
     verbs.parse(std::move(words));
@@ -151,30 +182,49 @@ struct MergeFlags {
   CommonFlags common;
   std::vector<std::string> parts;
   std::string folder;
+  bool allow_outside = false;
+};
+
+// What the first part asks, and whether the others ask the same.
+class MergedStudy {
+ public:
+  explicit MergedStudy(bool allow_outside) : allow_outside_(allow_outside) {}
+
+  Result<const Study*> of(const PartHeader& header) {
+    if (study_) {
+      const std::string why = why_foreign(header, first_);
+      return why.empty() ? Result<const Study*>(study_.get()) : Diagnostic{.message = why};
+    }
+    if (const std::string own = build_of_program(); header.build != own) {
+      return Diagnostic{.message = fmt::format("comes from another build of the program, {}; expected this one, {}",
+                                               quotable(header.build), own)};
+    }
+    auto study = study_of(header.question, allow_outside_);
+    if (!study) return Diagnostic{.message = study.error().text(), .fault = study.error().fault};
+    study_ = std::move(study).value();
+    first_ = header;
+    return study_.get();
+  }
+  [[nodiscard]] const Study& study() const { return *study_; }
+
+ private:
+  bool allow_outside_;
+  std::unique_ptr<Study> study_;
+  PartHeader first_;
 };
 
 int merge(const MergeFlags& flags) {
   const ThreadLimit limit(flags.common.threads);
+  MergedStudy merged(flags.allow_outside);
   std::vector<StudyPart> parts;
   for (const std::string& file : flags.parts) {
-    auto part = read_part(file);
+    auto part = read_part(file, [&](const PartHeader& header) { return merged.of(header); });
     if (!part) return report(part.error());
     parts.push_back(*std::move(part));
   }
   const auto rows = join_parts(parts);
   if (!rows) return report(rows.error());
-  const PartHeader& header = parts.front().header;
-  const auto fault = [&](std::string message) {
-    return report({.message = std::move(message), .file = flags.parts.front()});
-  };
-  if (const std::string own = build_of_program(); header.build != own) {
-    return fault(
-        fmt::format("comes from another build of the program, {}; expected this one, {}", quotable(header.build), own));
-  }
-  const auto study = study_of(header.question);
-  if (!study) return fault(study.error().message);
-  if ((*study)->units() != header.units) return fault("has another number of units than its question");
-  return finish(**study, flags.folder, *rows, header.units, flags.common);
+  return finish(merged.study(), flags.folder, *rows, merged.study().units(), flags.common);
 }
 
 }  // namespace
@@ -197,6 +247,8 @@ void add_study_merge(CLI::App& verbs, int& exit_code) {
   add_common_flags(*verb, flags->common);
   verb->add_option("parts", flags->parts, "All parts of one study, in any order")->required()->type_name("PART");
   verb->add_option("-o,--output", flags->folder, "Folder to write into; made if missing")->required()->type_name("DIR");
+  verb->add_flag("--allow-outside", flags->allow_outside,
+                 "Read the files that the parts' command names also where they are not below the working folder");
   verb->callback([flags, &exit_code] { exit_code = merge(*flags); });
 }
 

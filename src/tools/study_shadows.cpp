@@ -10,6 +10,7 @@
 #include "ninebit/study/shadow_sweep.h"
 #include "src/study/sweep_axes.h"
 #include "src/tools/cookie_file.h"
+#include "src/tools/number_flag.h"
 #include "src/tools/number_list.h"
 #include "src/tools/scene_flags.h"
 #include "src/tools/study.h"
@@ -42,7 +43,7 @@ bool is_step(int n) {
   return n >= 1 && n <= kMaxIndexStep;
 }
 bool is_bias(float b) {
-  return std::isfinite(b) && b >= 0.0F;
+  return b >= 0.0F && b <= static_cast<float>(kMostDistance);  // false for NaN
 }
 
 // The numbers of a list if all of them will do.
@@ -140,7 +141,15 @@ void complete_grid(ShadowsFlags& flags) {
   const bool none = std::all_of(axes.begin(), axes.end(), [](const auto& axis) { return axis.second->empty(); });
   if (none && !flags.find_offset && known->map_size) flags.map_sizes = kDefaultMapSizes;
   const ShadowGrid grid = grid_of(flags);
-  if (const auto found = axes_of(*known, grid); !found) throw CLI::ValidationError(found.error().message);
+  const auto found = axes_of(*known, grid);
+  if (!found) throw CLI::ValidationError(found.error().message);
+  std::size_t points = 1;
+  for (const SweepAxis& axis : *found) {
+    points *= axis.size;
+    if (points <= kMaxStudyUnits) continue;
+    throw CLI::ValidationError(
+        fmt::format("{}: the lists have more than {} combinations; expected fewer values", axis.flag, kMaxStudyUnits));
+  }
 }
 
 Result<std::unique_ptr<Study>> make_study(const ShadowsFlags& flags) {
@@ -152,7 +161,7 @@ Result<std::unique_ptr<Study>> make_study(const ShadowsFlags& flags) {
     if (!cookie) return cookie.error();
     settings.light_cookie.cookie = std::move(cookie).value();
   }
-  auto scene = load_scene(flags.scene, settings);
+  auto scene = load_scene(flags.scene, settings, flags.study.common.quiet);
   if (!scene) return scene.error();
   return make_shadow_sweep(std::move(question).value(), std::move(scene).value(),
                            *find_technique(flags.scene.technique), settings, grid_of(flags));
@@ -162,7 +171,7 @@ Result<std::unique_ptr<Study>> make_study(const ShadowsFlags& flags) {
 template <class Parse>
 CLI::Validator list_by(Parse parse, std::string expected) {
   const auto check = [parse, expected = std::move(expected)](const std::string& text) -> std::string {
-    return parse(text) ? "" : fmt::format("'{}' is no list; expected {}", text, expected);
+    return parse(text) ? "" : fmt::format("'{}' is not a list; expected {}", text, expected);
   };
   return CLI::Validator(check, "");
 }
@@ -184,7 +193,7 @@ void add_axes(CLI::App& verb, ShadowsFlags& flags) {
   add("--depth-bits", nullptr, flags.depth_bits, "What the depth cube map holds: 8,16,float",
       list_of(names_of(kDepthBits)));
   add("--biases", "--bias", flags.biases, "World units that a surface may lie behind the depth cube map's",
-      list_by([](const std::string& t) { return numbers_that<float>(t, is_bias); }, "distances of 0 or more"));
+      list_by([](const std::string& t) { return numbers_that<float>(t, is_bias); }, "distances from 0 to 1e12"));
   add("--encodings", "--depth-encoding", flags.encodings, "How the shadow map holds depth",
       list_of(names_of(kDepthEncodings)));
   CLI::Option* offsets = add("--polygon-offsets", "--polygon-offset", flags.polygon_offsets,

@@ -7,9 +7,11 @@
 #include <optional>
 
 #include "ninebit/language/trace_json.h"
-#include "src/image/posix.h"
+#include "src/system/process.h"
+#include "src/system/stream.h"
 #include "src/tools/eval_engine.h"
 #include "src/tools/pixel_flag.h"
+#include "src/tools/printable.h"
 #include "src/tools/program_file.h"
 #include "src/tools/trace_inputs.h"
 #include "src/tools/trace_pixel.h"
@@ -27,7 +29,7 @@ struct TraceFlags {
 };
 
 int wrong_usage(const std::string& message) {
-  say(fmt::format("ninebit: error: {} (see: ninebit trace --help)\n", message));
+  say_error(fmt::format("{} (see: ninebit trace --help)", message));
   return kWrongUsage;
 }
 
@@ -40,15 +42,17 @@ int print(const TraceFlags& flags, const std::optional<TracedPixel>& pixel, cons
     out["program"] = flags.program.file.empty() ? Json() : Json(flags.program.file);
     if (pixel) out["scene"] = pixel_json(*pixel, flags.scene);
     if (traced) out.update(Json::parse(print_json_trace(*program, *traced)));
-    return answer(out.dump(2) + "\n");
+    return answer(out);
   }
   std::string text = pixel ? pixel_text(*pixel, flags.scene) : "";
   if (traced) {
-    if (!flags.program.file.empty()) text += fmt::format("program {}, ", flags.program.file);
-    text += fmt::format("profile {}\n", flags.common.profile) +
-            trace_text(*program, *traced, wants_colors(posix::kStandardOutput));
+    if (!flags.program.file.empty()) text += fmt::format("program {}, ", printable(flags.program.file));
+    text += fmt::format("profile {}\n", printable(flags.common.profile));
   }
-  return answer(text);
+  text = printable_lines(text);
+  // What the trace itself says has no foreign names, but may have colours.
+  if (traced) text += trace_text(*program, *traced, wants_colors(posix::kStandardOutput));
+  return answer_exactly(text);
 }
 
 int trace_set(const TraceFlags& flags, std::optional<Program> program) {

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "src/tools/printable.h"
+
 namespace ninebit::tools {
 namespace {
 
@@ -44,7 +46,7 @@ void choose(TracedPixel& pixel, bool other_program) {
 std::string fragment_text(const TracedPixel& pixel, const ProbedFragment& f) {
   const std::uint32_t object = pixel.object_of[f.primitive];
   return fmt::format("polygon {} of object {} '{}': depth {} meets {}, {}", f.primitive + 1, object + 1,
-                     pixel.objects[object], f.depth, f.stored_depth, fate_text(f.fate));
+                     printable(pixel.objects[object]), f.depth, f.stored_depth, fate_text(f.fate));
 }
 
 }  // namespace
@@ -56,7 +58,7 @@ Result<TracedPixel> render_pixel(const SceneFlags& flags, const CommonFlags& com
   settings.pixel = glm::ivec2(x, row);
   ProgressLine line(common.quiet);
   line.step("loading", 0.0);
-  const auto scene = load_scene(flags, settings);
+  const auto scene = load_scene(flags, settings, common.quiet);
   if (!scene) return scene.error();
   auto rendering = render_scene(flags, *scene, settings,
                                 [&](std::string_view pass, double done) { return line.step(pass, 0.1 + 0.9 * done); });
@@ -76,8 +78,8 @@ Result<TracedPixel> render_pixel(const SceneFlags& flags, const CommonFlags& com
 }
 
 std::string pixel_text(const TracedPixel& pixel, const SceneFlags& flags) {
-  std::string text = fmt::format("pixel {},{} of {}, technique {}, size {}: {}\n", pixel.x, pixel.y, flags.file,
-                                 flags.technique, flags.size, pixel.state);
+  std::string text = fmt::format("pixel {},{} of {}, technique {}, size {}: {}\n", pixel.x, pixel.y,
+                                 printable(flags.file), flags.technique, flags.size, pixel.state);
   for (const ProbedPass& pass : pixel.passes) {
     const auto written = std::count_if(pass.fragments.begin(), pass.fragments.end(),
                                        [](const ProbedFragment& f) { return f.fate == FragmentFate::written; });

@@ -83,7 +83,7 @@ std::string usage_message(const CLI::App& app, const CLI::ParseError& error) {
   } else if (error.get_name() == "ValidationError") {
     message += meant_choice(message);
   }
-  return fmt::format("ninebit: error: {} (see: {} --help)\n", message, command);
+  return fmt::format("{} (see: {} --help)", message, command);
 }
 
 }  // namespace ninebit::tools

@@ -6,7 +6,7 @@
 
 namespace ninebit::tools {
 
-// One line: what is wrong with the arguments, what was expected or may have been meant, and whose help to ask.
+// One sentence: what is wrong with the arguments, what was expected or may have been meant, and whose help to ask.
 [[nodiscard]] std::string usage_message(const CLI::App& app, const CLI::ParseError& error);
 
 }  // namespace ninebit::tools

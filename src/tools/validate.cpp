@@ -8,6 +8,7 @@
 #include <optional>
 #include <string_view>
 
+#include "src/tools/printable.h"
 #include "src/tools/program_file.h"
 
 namespace ninebit::tools {
@@ -64,7 +65,7 @@ int run(const ValidateFlags& flags) {
     for (const StateDiagnostic& d : validate(*file->parsed.value, profile)) findings.push_back({d});
   }
 
-  std::string text;
+  int code = kDone;
   if (flags.common.json) {
     Json rows = Json::array();
     for (const Finding& finding : findings) rows.push_back(row_of(finding));
@@ -72,15 +73,20 @@ int run(const ValidateFlags& flags) {
                    {"version", NINEBIT_VERSION},
                    {"profile", flags.common.profile},
                    {"rows", std::move(rows)}};
-    text = out.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+    code = answer(out);
   } else {
+    std::string text;
+    const std::string name = printable(file->name);
     for (const Finding& f : findings) {
-      const std::string place = f.line > 0 ? fmt::format("{}:{}:{}", file->name, f.line, f.column) : file->name;
-      text += fmt::format("{}: {}: {}\n", place, name_of(f.what.gl_error), f.what.message);
+      const std::string place = f.line > 0 ? fmt::format("{}:{}:{}", name, f.line, f.column) : name;
+      text += fmt::format("{}: {}: {}\n", place, name_of(f.what.gl_error), printable(f.what.message));
     }
-    if (findings.empty() && !flags.common.quiet) text = fmt::format("{}: valid for {}\n", file->name, profile.name);
+    if (findings.empty() && !flags.common.quiet) {
+      text = fmt::format("{}: valid for {}\n", name, printable(profile.name));
+    }
+    code = answer(text);
   }
-  if (const int code = answer(text); code != kDone) return code;
+  if (code != kDone) return code;
   return findings.empty() ? kDone : kDifference;
 }
 

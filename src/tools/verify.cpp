@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 
+#include "src/tools/printable.h"
 #include "src/tools/verify_rules.h"
 #include "src/tools/verify_table.h"
 
@@ -17,6 +18,7 @@ struct VerifyFlags {
   std::string table;
   ProgramFlags program;
   int most = 20;
+  bool allow_outside = false;
 };
 
 // A row that does not agree.
@@ -65,7 +67,7 @@ void judge(const VerifyRow& row, const HardwareProfile& profile, const std::vect
 
 Result<Verdict> judge_table(const VerifyFlags& flags, const std::vector<Rival>& rivals) {
   const HardwareProfile& profile = profile_of(flags.common);
-  auto table = VerifyTable::open(flags.table, flags.program, profile);
+  auto table = VerifyTable::open(flags.table, flags.program, flags.allow_outside, profile);
   if (!table) return table.error();
   Verdict verdict;
   verdict.explained.resize(rivals.size());
@@ -106,7 +108,8 @@ std::string rule_text(const Rival& rival) {
 }
 
 std::string difference_text(const Difference& d, const std::string& table, const std::vector<Rival>& rivals) {
-  std::string text = fmt::format("{}:{}: {}", table, d.row.line, d.row.name.empty() ? d.row.program_file : d.row.name);
+  std::string text = fmt::format("{}:{}: {}", printable(table), d.row.line,
+                                 printable(d.row.name.empty() ? d.row.program_file : d.row.name));
   const char* separator = ": ";
   for (std::size_t i = 0; i < d.codes.size(); ++i) {
     const Expectation& expected = d.row.expected[i];
@@ -181,10 +184,10 @@ int run(const VerifyFlags& flags) {
   const auto verdict = judge_table(flags, rivals);
   if (!verdict) return report(verdict.error());
   const bool agree = verdict->agree == verdict->rows;
-  const std::string text =
-      flags.common.json ? json_of(*verdict, flags, rivals).dump(2, ' ', false, Json::error_handler_t::replace) + "\n"
-                        : text_of(*verdict, flags.table == "-" ? "standard input" : flags.table, rivals);
-  if (const int code = answer(text); code != kDone) return code;
+  const int code = flags.common.json
+                       ? answer(json_of(*verdict, flags, rivals))
+                       : answer(text_of(*verdict, flags.table == "-" ? "standard input" : flags.table, rivals));
+  if (code != kDone) return code;
   return agree ? kDone : kDifference;
 }
 
@@ -193,8 +196,10 @@ int run(const VerifyFlags& flags) {
 void add_verify(CLI::App& app, int& exit_code) {
   CLI::App* verb = app.add_subcommand("verify", "Check another combiner's results, or a chip's, against these");
   verb->footer(
-      "The table has a header and whole numbers: `program` (a file beside the table, in any form), `name`, inputs as\n"
-      "in `ninebit eval` (tex0.r, const0.a), and what should come out: out.r, or stage0.spare0.r for a register after\n"
+      "The table has a header and whole numbers: `program` (a file below the table's folder, in any form), `name`, "
+      "inputs\n"
+      "as in `ninebit eval` (tex0.r, const0.a), and what should come out: out.r, or stage0.spare0.r for a register "
+      "after\n"
       "general combiner 0. 62|63 allows either; nothing is an input's default, or nothing expected.\n"
       "It tells where rows first differ, and which rule of the profile, had it another value, would explain them.\n"
       "Exit codes: 0 all rows agree, 1 some differ, 3 no table or no program.\n"
@@ -213,6 +218,8 @@ void add_verify(CLI::App& app, int& exit_code) {
       ->check(CLI::IsMember({"gl", "rc10", "words", "json"}));
   verb->add_option("--chip", flags->program.chip, "The chip whose register words are meant; follows the profile")
       ->check(CLI::IsMember({"nv10", "nv20"}));
+  verb->add_flag("--allow-outside", flags->allow_outside,
+                 "Read the programs that rows name also where they are not below the table's folder");
   verb->add_option("--most", flags->most, "Rows that differ to list at most")
       ->capture_default_str()
       ->check(CLI::Range(0, 1'000'000));

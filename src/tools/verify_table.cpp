@@ -6,6 +6,7 @@
 #include <charconv>
 
 #include "ninebit/combiner/validate.h"
+#include "src/system/inside_folder.h"
 #include "src/tools/nearest_name.h"
 
 namespace ninebit::tools {
@@ -45,19 +46,20 @@ bool Expectation::allows(int code) const {
   return std::find(allowed.begin(), allowed.end(), code) != allowed.end();
 }
 
-Result<VerifyTable> VerifyTable::open(const std::string& file, const ProgramFlags& program,
+Result<VerifyTable> VerifyTable::open(const std::string& file, const ProgramFlags& program, bool allow_outside,
                                       const HardwareProfile& profile) {
   auto input = InputFile::open(file);
   if (!input) return input.error();
   VerifyTable table(CsvLines(std::move(*input)), program, profile);
+  table.allow_outside_ = allow_outside;
   if (file != "-") table.folder_ = std::filesystem::path(file).parent_path();
   while (true) {
     auto line = table.lines_.next();
-    if (!line) return line.error();
+    if (!line) return table_fault(table.lines_, line.error());
     if (!*line)
       return csv_fault(table.name(), 1, 1, "the table is empty; expected a header such as program,tex0.r,out.r");
     if ((*line)->text.starts_with('#')) continue;
-    if (Status read = table.read_header(**line); !read) return read.error();
+    if (Status read = table.read_header(**line); !read) return table_fault(table.lines_, read.error());
     return table;
   }
 }
@@ -166,13 +168,21 @@ Status VerifyTable::find_program(const CsvLine& line, VerifyRow& row) {
     return csv_fault(name(), line.number, 1, "the row names no program, and there is no --program that all rows run");
   }
   ProgramFlags flags = program_;
-  if (!row.program_file.empty()) flags.file = (folder_ / row.program_file).string();
+  const bool is_named_here = !row.program_file.empty();
+  const std::string named = row.program_file;
+  if (is_named_here) flags.file = (folder_ / named).string();
   row.program_file = flags.file;
   const auto known = programs_.find(flags.file);
   if (known != programs_.end()) {
     row.program = &known->second;
     return {};
   }
+  if (is_named_here && !allow_outside_) {
+    const auto why = posix::why_outside(folder_, named);
+    if (why) return csv_fault(name(), line.number, 1, *why + ", or --allow-outside");
+  }
+  // A row that names "-" means a file of that name, never standard input.
+  if (flags.file == "-" && is_named_here) flags.file = "./-";
   auto file = read_program_file(flags, *profile_);
   if (!file) return file.error();
   if (!file->parsed) {

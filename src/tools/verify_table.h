@@ -39,9 +39,9 @@ struct VerifyRow {
 class VerifyTable {
  public:
   // `program` is what rows without a program of their own run; its file may be empty. Programs of rows are looked for
-  // beside the table.
+  // beside the table, and refused where they are not regular files below its folder, unless `allow_outside`.
   [[nodiscard]] static Result<VerifyTable> open(const std::string& file, const ProgramFlags& program,
-                                                const HardwareProfile& profile);
+                                                bool allow_outside, const HardwareProfile& profile);
 
   // The next row, with at least one expectation; empty at the end. Reports what is no row and what is no program.
   [[nodiscard]] Result<std::optional<VerifyRow>> next();
@@ -66,6 +66,7 @@ class VerifyTable {
   ProgramFlags program_;
   const HardwareProfile* profile_;
   std::filesystem::path folder_;
+  bool allow_outside_ = false;
   std::vector<Column> columns_;
   std::map<std::string, CombinerState> programs_;  // by file: each is read once
 };

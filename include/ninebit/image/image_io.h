@@ -2,7 +2,8 @@
 //
 // All planes are row-major, row 0 at the TOP of the picture. Every writer reports an error (Fault::cannot_write, naming
 // the file) when the file could not be opened, written to the last byte or closed; it then leaves no complete-looking
-// file behind. Callers write to StagedFiles::stage() paths.
+// file behind. A file that exists is emptied first; a symbolic link is an error. Callers write to StagedFiles::stage()
+// paths.
 #pragma once
 
 #include <array>

@@ -28,13 +28,17 @@ class StagedFiles {
   ~StagedFiles();
 
   // The temporary path under which the writer must create the file that will be called `name` (a plain file name; any
-  // other is reported by commit). It ends in the extension of `name`. The same name gives the same path.
+  // other is reported by commit). It ends in the extension of `name`. The same name gives the same path. Nobody can
+  // guess the path before the file is there, so a writer that creates it exclusively writes into no file of others.
   [[nodiscard]] std::filesystem::path stage(const std::string& name);
 
-  // Brings every staged file to the disk and renames it to its name, in the order of staging. Reports a staged file
-  // that was not written, a name that is taken by a folder, and what could not be renamed; the files that were renamed
-  // before are then taken back and the older ones restored, as far as the file system has hard links. A process of its
-  // own renames several files, so that a signal that ends this one, SIGKILL too, leaves all of them renamed or none.
+  // Brings every staged file to the disk and renames it to its name, in the order of staging. A file that replaces
+  // another gets that one's permission bits. Reports a staged file that was not written, a name that is taken by a
+  // folder, and what could not be renamed; the files that were renamed before are then taken back and the older ones
+  // restored, as far as the file system has hard links. A process of its own renames several files, so that a signal
+  // that ends this one, SIGKILL too, leaves all of them renamed or none. The folder is locked meanwhile: of two
+  // programs that commit the same names, the folder holds the files of one. Reports a lock that is held for 10 s. A
+  // folder that cannot be locked, because it may not be read or its file system has no locks, is written without one.
   [[nodiscard]] Status commit();
 
   // The final paths, in the order of staging.

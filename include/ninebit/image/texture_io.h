@@ -16,6 +16,7 @@
 
 #include <array>
 #include <filesystem>
+#include <functional>
 #include <span>
 
 #include "ninebit/numerics/hardware_profile.h"
@@ -29,12 +30,18 @@ namespace NINEBIT_PUBLIC ninebit {
 struct TextureReadOptions {
   bool mipmaps = false;  // adds with_mipmaps() where the file has level 0 alone
   bool flip = false;     // the file's last row is at t = 0
+  // OpenImageIO reads in a child process, which can only read that file, and has 1.5 GiB of memory and 8 s of processor
+  // time (64 bytes more for each byte of the file, 1 s for each 4 MiB). A file that crashes it, or is beyond these, is
+  // reported like any other fault; without `isolated` it may end this process. The child is a fork of this one: no
+  // other thread may be inside OpenImageIO meanwhile. DDS files are read in this process always.
+  bool isolated = false;
+  std::function<bool()> go_on{};  // called while a child reads; false ends it with Fault::cancelled. Empty: it goes on
 };
 
 // A 2D texture, or from a DDS file of six faces a cube map. Reports, naming the file: what cannot be read or is cut
 // short; sides that are no powers of two from 1 to 16384; other files than DDS of more than 2^26 pixels; a header that
 // contradicts itself or the file's size; a chain of mip-maps that is neither one level nor all; cube maps with faces
-// missing or not square; formats beyond the above.
+// missing or not square; formats beyond the above; a file that is not a regular one.
 [[nodiscard]] Result<Texture> read_texture(const HardwareProfile& profile, const std::filesystem::path& file,
                                            const TextureReadOptions& options = {});
 

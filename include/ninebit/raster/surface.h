@@ -111,7 +111,9 @@ struct ClearValues {
 struct SurfaceFormat {
   DepthStencilFormat depth_stencil = DepthStencilFormat::d24s8;  // of its depth, and whether there is stencil
   bool with_primitive = false;  // adds a plane of primitive numbers, 0xFFFFFFFF where nothing was drawn
-  bool undrawn = false;  // colour, depth and stencil have no values: fill them, or clear them with what is drawn first
+  // Colour, depth and the stencil bits have no values: fill them, or clear them with what is drawn first. Where a
+  // stencil value has fewer than 8 bits, the other bits of its byte are 0, as clear() keeps them.
+  bool undrawn = false;
 };
 
 // A target that owns its planes: colour, depth, stencil where the format has it and, where asked for, primitive

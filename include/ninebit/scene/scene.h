@@ -68,6 +68,7 @@ struct Scene {
   std::vector<Material> materials;               // at least one where there are triangles
   std::vector<Light> lights;                     // from the file, in its order; may be empty
   std::vector<Camera> cameras;                   // from the file, in its order; may be empty
+  std::vector<std::string> notes;                // what the file names and the reader went without; one line each
 };
 
 // The smallest axis-parallel box around all positions that a triangle uses; zero for a scene without triangles.

@@ -111,9 +111,9 @@ class IndexCodes {
 
 // How many indices each scope needs in a scene.
 struct IndexCounts {
-  std::uint64_t polygons = 0;                                         // the scene's triangles
-  std::uint64_t sections = 0;                                         // 0: not counted
-  std::uint64_t objects = 0;                                          // the scene's objects
+  std::uint64_t polygons = 0;  // the scene's triangles
+  std::uint64_t sections = 0;  // an upper bound where another scope is asked for; 0: not counted
+  std::uint64_t objects = 0;   // the scene's objects
   [[nodiscard]] constexpr std::uint64_t of(IndexScope scope) const {  // those that the scope numbers
     return scope == IndexScope::polygon ? polygons : scope == IndexScope::section ? sections : objects;
   }

@@ -40,8 +40,8 @@ struct RoundTripError {
   std::uint64_t distinct = 0;    // different floats that come back
   std::uint64_t inversions = 0;  // neighbours of the set of which the larger one comes back as the smaller
   double max_error = 0.0;        // largest size of an error of depths below 1
-  double mean_error = 0.0;       // mean size
-  double mean_bias = 0.0;        // mean with its sign
+  double mean_error = 0.0;       // their mean size
+  double mean_bias = 0.0;        // their mean with its sign
   float worst_depth = 0.0F;      // the first of them with that error
   float worst_back = 0.0F;       // what it reads as
   float zero_back = 0.0F;        // what 0 reads as

@@ -16,6 +16,7 @@
 #include "ninebit/numerics/result.h"
 #include "ninebit/numerics/visibility.h"
 #include "ninebit/study/report.h"
+#include "ninebit/study/row_rules.h"
 
 namespace NINEBIT_PUBLIC ninebit {
 
@@ -39,6 +40,9 @@ struct StudyQuestion {
   friend bool operator==(const StudyQuestion&, const StudyQuestion&) = default;
 };
 
+// The most units that a study may have: what a part's first line says must not decide how much memory is taken.
+inline constexpr std::size_t kMaxStudyUnits = std::size_t{1} << 24;
+
 // A question that can be answered in pieces.
 class Study {
  public:
@@ -46,12 +50,16 @@ class Study {
 
   // What was asked; valid as long as the study.
   [[nodiscard]] virtual const StudyQuestion& question() const = 0;
-  // Units are numbered from 0 and take seconds at most, where the work allows.
+  // Units are numbered from 0 and take seconds at most, where the work allows. 1 to kMaxStudyUnits.
   [[nodiscard]] virtual std::size_t units() const = 0;
   // What a unit works on, for people: "geforce2, rgb".
   [[nodiscard]] virtual std::string unit_name(std::size_t unit) const = 0;
+  // How long a unit takes, in any measure, for estimates of the time that is left.
+  [[nodiscard]] virtual double weight(std::size_t unit) const;
   // The rows of one unit, which may use all threads. Reports Fault::cancelled where go_on says no.
   [[nodiscard]] virtual Result<std::vector<StudyRow>> run(std::size_t unit, const GoOn& go_on) const = 0;
+  // What the rows of one unit look like, known without running it. Rows from a file are used only if they follow this.
+  [[nodiscard]] virtual std::vector<RowRule> row_rules(std::size_t unit) const = 0;
   // The report on all rows in the order of their units; `done` of units() units were run. Reports what it cannot read
   // or draw, such as pictures of a scene.
   [[nodiscard]] virtual Result<StudyReport> report(std::span<const StudyRow> rows, std::size_t done) const = 0;

@@ -44,6 +44,7 @@ struct PartHeader {
 struct FinishedUnit {
   std::size_t unit = 0;        // its number in the study
   std::vector<StudyRow> rows;  // in its order
+  int line = 0;                // of the file that it was read from
 };
 
 // A part as it was read.
@@ -54,9 +55,14 @@ struct StudyPart {
   bool complete = false;            // has its last line
 };
 
-// Reads a part. Reports, with file and line, what is no part, damaged (a hash that does not fit, a line that is not the
-// last and not complete) or of lines longer than 64 MiB.
-[[nodiscard]] Result<StudyPart> read_part(const std::filesystem::path& file);
+// Gives the study that a part's first line asks for, or says why there is none. The study must outlive the reading.
+using StudyOfPart = std::function<Result<const Study*>(const PartHeader&)>;
+
+// Reads a part. A unit that stands there for the second time in the same bytes counts once. Reports, with file and
+// line, what is not a part, damaged (a hash that does not fit, a line that is not the last and not complete) or has
+// lines longer than 1 MiB; with `study_of`, also another number of units than its study has, and rows that do not
+// follow the study's row_rules(). Memory and time are bounded by a multiple of the file's bytes.
+[[nodiscard]] Result<StudyPart> read_part(const std::filesystem::path& file, const StudyOfPart& study_of = {});
 
 // What a run is told between units: what comes next, and how much is done (0 to 1). False ends the work.
 using StudyProgress = std::function<bool(const std::string& unit, double done)>;
@@ -68,8 +74,9 @@ struct PartLimits {
 };
 
 // Does the shard's units that the part in `folder` does not hold yet, and appends each as soon as it is finished.
-// Reports a part of another question or build, a damaged one, what cannot be written, and Fault::cancelled; whatever
-// was finished stays in the part. Gives the part, which is incomplete where the limits ended the run.
+// Reports a part that another run is writing, one of another question or build, a damaged one, what cannot be written,
+// and Fault::cancelled; whatever was finished stays in the part. Gives the part, which is incomplete where the limits
+// ended the run.
 [[nodiscard]] Result<StudyPart> run_part(const Study& study, std::string_view build, const Shard& shard,
                                          const std::filesystem::path& folder, const PartLimits& limits,
                                          const StudyProgress& progress);

@@ -68,6 +68,7 @@ def render(
     look_at: Point | None = None,
     fov: float | None = None,
     light: Point | None = None,
+    allow_outside: bool = False,
 ) -> Rendering: ...
 def index_steps_study(
     *,
@@ -95,6 +96,7 @@ def shadows_study(
     look_at: tuple[float, float, float] | None = None,
     fov: float | None = None,
     light: tuple[float, float, float] | None = None,
+    allow_outside: bool = False,
 ) -> dict[str, NDArray[np.void]]: ...
 def depth_packing_study(
     *,

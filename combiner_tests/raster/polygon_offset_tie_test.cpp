@@ -1,0 +1,212 @@
+// Polygon offsets that lie halfway between two numbers or next to it: in set-up, in vectors, and against whole numbers.
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cmath>
+#include <optional>
+
+#include "combiner_tests/combiner/simd_targets.h"
+#include "combiner_tests/raster/support.h"
+#include "src/raster/clip.h"
+#include "src/raster/polygon_offset.h"
+#include "src/raster/primitive_setup.h"
+
+namespace ninebit::test {
+namespace {
+
+__extension__ using Exact = __int128;
+
+constexpr int kTieWindow = 64;
+
+// factor and units are factor_16 / 16 and units_16 / 16.
+struct TieCase {
+  oracle::WindowTriangle triangle;
+  int factor_16 = 0;
+  int units_16 = 0;
+  DepthStencilFormat format = DepthStencilFormat::d24s8;
+};
+
+// Whether the exact sum reaches n - 1/2: factor_16 × M >= area × (8 (2 n - 1) - units_16 × step), the left side being a
+// root where M is. Numbers here are so small that squares fit.
+bool reaches_half_below(const TieCase& c, OffsetSlope slope, std::int64_t n) {
+  const auto& [p, q, r] = c.triangle;
+  const std::int64_t ux = q.x_q4 - p.x_q4, uy = q.y_q4 - p.y_q4, uz = q.z24 - p.z24;
+  const std::int64_t vx = r.x_q4 - p.x_q4, vy = r.y_q4 - p.y_q4, vz = r.z24 - p.z24;
+  const std::int64_t area = std::abs(ux * vy - uy * vx);
+  const Exact dx = 16 * std::abs(uz * vy - uy * vz), dy = 16 * std::abs(ux * vz - uz * vx);
+  const std::int64_t step = std::int64_t{1} << (24 - depth_bits(c.format));
+  const Exact right = Exact{area} * (8 * (2 * n - 1) - Exact{c.units_16} * step);
+  if (slope == OffsetSlope::larger) return Exact{c.factor_16} * std::max(dx, dy) >= right;
+  const Exact left_squared = Exact{c.factor_16} * c.factor_16 * (dx * dx + dy * dy), right_squared = right * right;
+  const bool left_negative = c.factor_16 < 0 && left_squared != 0;
+  if (left_negative != (right < 0)) return !left_negative;
+  return left_negative ? left_squared <= right_squared : left_squared >= right_squared;
+}
+
+void expect_exact(const TieCase& c, OffsetSlope slope, std::int32_t offset) {
+  EXPECT_TRUE(offset == -kLargestOffset || reaches_half_below(c, slope, offset)) << "rounded up too far: " << offset;
+  EXPECT_FALSE(offset != kLargestOffset && reaches_half_below(c, slope, std::int64_t{offset} + 1))
+      << "rounded down too far: " << offset;
+}
+
+// Whether the sum with the larger slope is exactly offset - 1/2.
+bool is_tie(const TieCase& c, std::int32_t offset) {
+  const auto& [p, q, r] = c.triangle;
+  const std::int64_t ux = q.x_q4 - p.x_q4, uy = q.y_q4 - p.y_q4, uz = q.z24 - p.z24;
+  const std::int64_t vx = r.x_q4 - p.x_q4, vy = r.y_q4 - p.y_q4, vz = r.z24 - p.z24;
+  const std::int64_t area = std::abs(ux * vy - uy * vx);
+  const std::int64_t larger = 16 * std::max(std::abs(uz * vy - uy * vz), std::abs(ux * vz - uz * vx));
+  const std::int64_t step = std::int64_t{1} << (24 - depth_bits(c.format));
+  return Exact{c.factor_16} * larger == Exact{area} * (8 * (2 * std::int64_t{offset} - 1) - Exact{c.units_16} * step);
+}
+
+PipelineState state_of(const TieCase& c, OffsetSlope slope) {
+  PipelineState state;
+  state.profile.polygon_offset_slope.value = slope;
+  state.polygon_offset = {
+      .fill = true, .factor = static_cast<float>(c.factor_16) / 16.0F, .units = static_cast<float>(c.units_16) / 16.0F};
+  return state;
+}
+
+// The triangle's offset as set-up finds it one by one (with packed vertices: in vectors); none where it is not drawn.
+std::optional<std::int32_t> offset_in_setup(const TieCase& c, OffsetSlope slope, bool packed) {
+  const PipelineState state = state_of(c, slope);
+  std::vector<glm::vec3> positions;
+  for (const auto& v : c.triangle) {
+    positions.push_back(clip_position(v, PixelRect{0, 0, kTieWindow, kTieWindow}, 4, c.format));
+  }
+  const VertexArrays arrays{.positions = positions};
+  const SetupContext context(state, PixelRect{0, 0, kTieWindow, kTieWindow}, PixelBox{0, 0, kTieWindow, kTieWindow},
+                             c.format, true);
+  const PrimitiveAssembly assembly(arrays);
+  const ClipPositions clip(kIdentity, arrays);
+  RawVector<PackedVertex> vertices;
+  if (packed) {
+    vertices.resize(positions.size());
+    transform_vertices(clip, context.window, vertices.data());
+  }
+  const TileGrid grid(kTieWindow, kTieWindow);
+  PrimitiveSetup setup(context, assembly, clip, vertices);
+  BinnedBlock block;
+  EXPECT_TRUE(setup.set_up(0, setup.items(), grid, block));
+  if (block.setup.primitives.empty()) return std::nullopt;
+  return block.setup.primitives[0].offset_z24;
+}
+
+// Corners on whole pixels, half pixels and elsewhere; depths and factors so that m and its product are often whole
+// halves, or miss them by the least that the area allows.
+TieCase near_a_tie(Random& random) {
+  TieCase c;
+  c.format = random.pick({DepthStencilFormat::d24s8, DepthStencilFormat::d24s8, DepthStencilFormat::d16});
+  const auto place = [&] {
+    const int grid = random.pick({16, 8, 16, 1});
+    return std::int64_t{grid} * random.below(16 * kTieWindow / grid);
+  };
+  const std::int64_t x = place(), y = place(), width = place() - x, height = place() - y;
+  const std::int64_t z = random.below(1 << 20), dz = random.pick({0, 1, 8, 1000, 4096, 300000});
+  const auto depth = [&] { return z + dz * random.below(4) + (random.one_in(3) ? random.between(0, 2) : 0); };
+  c.triangle = {
+      {{x, y, depth()}, {x + width, y + (random.one_in(3) ? place() / 2 : 0), depth()}, {x, y + height, depth()}}};
+  c.factor_16 = random.pick({1, 8, 16, 18, 38, -18, -8, random.between(-400, 400)});
+  c.units_16 = random.pick({0, 8, -8, 16 * random.between(-40, 40), random.between(-4000, 4000)});
+  return c;
+}
+
+// 2.375 m + 35 is 8088000.5 here. The quotient in doubles is a little less.
+TEST(PolygonOffsetTies, GoUpWhereDoublesFallShort) {
+  const TieCase c{.triangle = {{{328, 16, 5660128}, {160, 408, 14311071}, {312, 104, 12223871}}},
+                  .factor_16 = 38,
+                  .units_16 = 16 * 35};
+  ASSERT_TRUE(is_tie(c, 8088001));
+  EXPECT_EQ(offset_in_setup(c, OffsetSlope::larger, false), 8088001);
+  for (const std::int64_t target : simd_targets()) {
+    const OnTarget on(target);
+    EXPECT_EQ(offset_in_setup(c, OffsetSlope::larger, true), 8088001) << simd_target_name(target);
+  }
+}
+
+TEST(PolygonOffsetTies, RandomTrianglesAreRoundedExactly) {
+  const std::uint64_t count = kSlowBuild ? 3000 : 30000;
+  for (const OffsetSlope slope : {OffsetSlope::larger, OffsetSlope::root}) {
+    std::uint64_t drawn = 0, ties = 0;
+    for (std::uint64_t index = 0; index < count; ++index) {
+      Random random(0x71E5, index);
+      const TieCase c = near_a_tie(random);
+      const auto offset = offset_in_setup(c, slope, false);
+      if (!offset) continue;
+      ++drawn;
+      ties += is_tie(c, *offset) ? 1U : 0U;
+      expect_exact(c, slope, *offset);
+      ASSERT_FALSE(HasFailure()) << "case " << index;
+    }
+    EXPECT_GT(drawn, count / 2);
+    EXPECT_GT(ties, slope == OffsetSlope::larger ? count / 30 : 0);
+  }
+}
+
+TEST(PolygonOffsetTies, VectorsAgreeWithSetUpOneByOne) {
+  for (const std::int64_t target : simd_targets()) {
+    const OnTarget on(target);
+    for (std::uint64_t index = 0; index < (kSlowBuild ? 1000U : 8000U); ++index) {
+      Random random(0x71E5, index);
+      const TieCase c = near_a_tie(random);
+      const OffsetSlope slope = random.pick({OffsetSlope::larger, OffsetSlope::root});
+      const auto offset = offset_in_setup(c, slope, true);
+      // Vectors also drop what covers no pixel.
+      if (!offset) continue;
+      ASSERT_EQ(offset, offset_in_setup(c, slope, false)) << simd_target_name(target) << ", case " << index;
+    }
+    EXPECT_TRUE(on.ran());
+  }
+}
+
+// Terms of any size that cancel but for one step, or exactly: doubles lose that step.
+TEST(PolygonOffsetTies, HugeTermsThatCancelLeaveTheirDifference) {
+  const WindowDepth depth(DepthStencilFormat::d24s8);
+  // m = 16 × dx / area is 1, 3 and 1/3.
+  for (const auto& [dx, area, thirds] : {std::tuple(4, 64, 3), std::tuple(12, 64, 9), std::tuple(4, 192, 1)}) {
+    const DepthPlane plane{.area = area, .dx = dx, .dy = 0};
+    for (const float size : {0x1p20F, 0x1p60F, 0x1p100F, 0x1.8p126F}) {
+      for (const float sign : {1.0F, -1.0F}) {
+        // factor × m = thirds × size exactly, as units cannot be of every size.
+        const PolygonOffset cancels{
+            .fill = true, .factor = 3 * sign * size, .units = -static_cast<float>(thirds) * sign * size};
+        if (!std::isfinite(cancels.factor) || !std::isfinite(cancels.units)) continue;
+        EXPECT_EQ(polygon_offset_z24(cancels, OffsetSlope::larger, plane, depth), 0) << size;
+        EXPECT_EQ(polygon_offset_z24(cancels, OffsetSlope::root, plane, depth), 0) << size;
+        PolygonOffset more = cancels;
+        more.units = std::nextafter(more.units, 0.0F);
+        EXPECT_EQ(polygon_offset_z24(more, OffsetSlope::larger, plane, depth),
+                  size > 0x1p40F ? static_cast<int>(sign) * kLargestOffset
+                                 : std::lround(static_cast<double>(more.units) - static_cast<double>(cancels.units)))
+            << size;
+      }
+    }
+  }
+}
+
+// Subnormal terms decide a tie like any others: 0.5 less the least float is below it.
+TEST(PolygonOffsetTies, TheLeastFloatDecidesATie) {
+  const WindowDepth depth(DepthStencilFormat::d24s8);
+  const DepthPlane plane{.area = 16, .dx = 1, .dy = 1};  // m = 1
+  const float least = std::bit_cast<float>(1U);
+  const auto offset = [&](float factor, float units) {
+    return polygon_offset_z24({.fill = true, .factor = factor, .units = units}, OffsetSlope::larger, plane, depth);
+  };
+  EXPECT_EQ(offset(0.5F, 0.0F), 1);
+  EXPECT_EQ(offset(0.5F, least), 1);
+  EXPECT_EQ(offset(0.5F, -least), 0);
+  EXPECT_EQ(offset(least, 0.5F), 1);
+  EXPECT_EQ(offset(-least, 0.5F), 0);
+  EXPECT_EQ(offset(-0.5F, 0.0F), 0);
+  EXPECT_EQ(offset(-0.5F, -least), -1);
+  EXPECT_EQ(offset(-0.5F, least), 0);
+  EXPECT_EQ(offset(0.0F, 0.5F), 1);
+  EXPECT_EQ(offset(0.0F, -0.5F), 0);
+  EXPECT_EQ(offset(0.0F, -1.5F), -1);
+  EXPECT_EQ(offset(-0.0F, std::nextafter(1.5F, 0.0F)), 1);
+  EXPECT_EQ(offset(-0.0F, 1.5F), 2);
+}
+
+}  // namespace
+}  // namespace ninebit::test

@@ -1,0 +1,165 @@
+// Every flag of every verb that takes a value, found in the program's own help, with values that nobody means: the
+// program answers soon, by a line that names the flag, the value and what is expected, and takes none silently for
+// another.
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <map>
+#include <regex>
+#include <set>
+
+#include "combiner_tests/tools/support.h"
+
+namespace tools_test {
+namespace {
+
+using Words = std::vector<std::string>;
+
+const Words kValues{"nan", "inf", "-inf", "-1", "0", "1e308", "", "1000000000000000000000000000000", "1e-320"};
+const std::string kCompare = NINEBIT_SOURCE_DIR "/docs/programs/index_compare.gl";
+
+// What a flag may be, of all those values.
+const std::map<std::string, std::set<std::string>> kRight{
+    {"--threads", {"0"}}, {"--floor", {"-1", "0"}},      {"--bias", {"0"}},
+    {"--biases", {"0"}},  {"--budget", {"0", "1e-320"}}, {"--most", {"0"}},
+};
+
+struct Verb {
+  Words words;  // "study", "shadows"
+  std::string help;
+};
+
+void add_verbs(const Words& words, std::vector<Verb>& verbs) {
+  Words asked = words;
+  asked.emplace_back("--help");
+  const std::string help = ninebit(asked).out;
+  const std::size_t list = help.find("\nSubcommands:\n");
+  if (list == std::string::npos) {
+    verbs.push_back({words, help});
+    return;
+  }
+  static const std::regex name("\n  ([a-z0-9-]+)");
+  // The list ends with the first line that is not indented; examples follow.
+  static const std::regex end_of_list("\n(?! )");
+  std::string names = help.substr(list + 13);
+  std::smatch last;
+  if (std::regex_search(names, last, end_of_list)) names.resize(static_cast<std::size_t>(last.position()));
+  for (std::sregex_iterator found(names.begin(), names.end(), name), end; found != end; ++found) {
+    Words deeper = words;
+    deeper.push_back((*found)[1]);
+    add_verbs(deeper, verbs);
+  }
+}
+
+struct Flag {
+  std::string name, type;
+  [[nodiscard]] bool is_choice() const { return type.find('{') != std::string::npos; }
+};
+
+// Flags with values, but for those that name files: any text may be a file's name.
+std::vector<Flag> flags_in(const std::string& help) {
+  static const std::regex line("\n  (?:-[a-z],)?(--[a-z0-9-]+) ([^ \n]+)");
+  static const std::regex file("(DIR|FILE|PROGRAM)([,.\\[].*)?|Needs:|Excludes:");
+  std::vector<Flag> flags;
+  for (std::sregex_iterator found(help.begin(), help.end(), line), end; found != end; ++found) {
+    const Flag flag{(*found)[1], (*found)[2]};
+    if (!std::regex_match(flag.type, file)) flags.push_back(flag);
+  }
+  return flags;
+}
+
+// The rest of a command that is right without the flag, and over soon.
+Words command(const Verb& verb, const Flag& flag, const std::string& folder) {
+  const std::string name = verb.words.back();
+  std::map<std::string, std::string> given;
+  Words files;
+  const bool draws = name == "render" || name == "frame" || name == "shadows" ||
+                     (name == "trace" && flag.name != "--set" && !flag.is_choice());
+  if (draws) {
+    given["--size"] = "8x6";
+    if (flag.name != "--map-sizes") given["--map-size"] = "8";
+    if (name == "trace") {
+      given["--scene"] = kRoom;
+      given["--pixel"] = "1,1";
+    } else {
+      files = {kRoom};
+    }
+  }
+  if (flag.name == "--biases") given["--technique"] = "depth-cube";
+  if (name == "render" || verb.words.front() == "study") given["-o"] = folder + "/out";
+  const bool reads = name == "explain" || name == "convert" || name == "validate" || name == "eval";
+  if (reads || (name == "trace" && !draws)) files = {kCompare};
+  if (name == "convert") given["--to"] = "json";
+  if (name == "eval") given["--inputs"] = folder + "/in.csv";
+  if (name == "verify") {
+    files = {folder + "/rows.csv"};
+    given["--program"] = kCompare;
+  }
+  if (name == "merge") files = {folder + "/part.jsonl"};
+  if (name == "generate") files = {"man"};
+  if (name == "index-steps") given.insert({{"--formats", "channel"}, {"--steps", "1"}, {"--profile", "geforce2"}});
+  if (name == "datapath" && flag.name != "--forms") {
+    given.insert({{"--program", kCompare}, {"--over", "tex0.r"}});
+  }
+  if (name == "depth-packing") given.insert({{"--packings", "rgba8-mod"}, {"--storages", "round"}, {"--depths", "16"}});
+  given.erase(flag.name);
+  if (flag.name == "--variants") given.erase("--formats");
+  Words words = verb.words;
+  words.insert(words.end(), files.begin(), files.end());
+  for (const auto& [one, value] : given) words.insert(words.end(), {one, value});
+  if (verb.words.front() == "bench") words.emplace_back("--quick");
+  if (name == "datapath" && flag.name == "--forms") words.emplace_back("--exhaustive-sum");
+  words.emplace_back("--quiet");
+  return words;
+}
+
+void expect_answer(const Words& words, const Flag& flag, const std::string& value) {
+  const auto begin = std::chrono::steady_clock::now();
+  const Outcome outcome = ninebit(words);
+  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
+  EXPECT_LT(seconds.count(), 10.0);
+  const auto right = kRight.find(flag.name);
+  if (right != kRight.end() && right->second.contains(value)) {
+    // A table of no rows or a part that is not there is another matter.
+    EXPECT_EQ(outcome.code, words[1] == "merge" ? 3 : 0) << outcome.err;
+    return;
+  }
+  expect_error(outcome, 2, {flag.name, value.empty() ? "needs a value" : value});
+  if (value.empty()) return;
+  const bool says = outcome.err.find("expected") != std::string::npos || outcome.err.find(" in ") != std::string::npos;
+  EXPECT_TRUE(says) << outcome.err;
+}
+
+TEST(Flags, OfAllVerbsRefuseWhatNobodyMeans) {
+  const TempFolder folder;
+  write_bytes(folder / "in.csv", "primary.r\n1\n");
+  write_bytes(folder / "rows.csv", "primary.r,tex0.r,out.a\n1,1,0\n");
+  std::vector<Verb> verbs;
+  add_verbs({}, verbs);
+  EXPECT_GE(verbs.size(), 16U);
+  std::size_t runs = 0;
+  std::set<std::string> seen;
+  for (const Verb& verb : verbs) {
+    for (const Flag& flag : flags_in(verb.help)) {
+      // Flags that several verbs share are the same code: each kind of value at one of them, one value at the others.
+      const bool known = !seen.insert(flag.name + flag.type).second;
+      for (const std::string& value : known || flag.is_choice() ? Words{"nan"} : kValues) {
+        Words words = command(verb, flag, folder.path());
+        words.push_back(flag.name + '=' + value);
+        SCOPED_TRACE(testing::PrintToString(words));
+        expect_answer(words, flag, value);
+        std::filesystem::remove_all(folder / "out");
+        ++runs;
+      }
+    }
+  }
+  EXPECT_GT(runs, 300U);
+  for (const auto& [flag, values] : kRight) {
+    EXPECT_TRUE(std::any_of(seen.begin(), seen.end(), [&name = flag](const auto& one) {
+      return one.starts_with(name);
+    })) << flag;
+  }
+}
+
+}  // namespace
+}  // namespace tools_test

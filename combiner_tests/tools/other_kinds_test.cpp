@@ -1,0 +1,125 @@
+// Files of another kind or language: one line that names what they seem to be.
+#include <gtest/gtest.h>
+
+#include "combiner_tests/tools/program_support.h"
+
+namespace tools_test {
+namespace {
+
+const std::string kRc10Text = "!!RC1.0\nout.rgb = tex0;\nout.a = unsigned_invert(zero);\n";
+
+struct Kind {
+  std::string bytes, seems;
+};
+
+std::vector<Kind> foreign_kinds() {
+  return {
+      {read_bytes(NINEBIT_SOURCE_DIR "/docs/images/stencil.png"), "a PNG picture"},
+      {"\xFF\xD8\xFF\xE0 JFIF", "a JPEG picture"},
+      {std::string("\x76\x2F\x31\x01\x02\0\0\0", 8), "an OpenEXR picture"},
+      {std::string("DDS \x7C\0\0\0", 8), "a DDS texture"},
+      {std::string("PK\x03\x04\0\0", 6), "a ZIP archive"},
+      {"\x1F\x8B\x08", "a gzip file"},
+      {read_bytes(kProgram).substr(0, 5000), "a program or library (ELF)"},
+      {read_bytes(kRoom), "a glTF scene"},
+      {std::string("glTF\x02\0\0\0\0\0\0\0", 12), "a binary glTF scene"},
+      {"ply\nformat ascii 1.0\n", "a PLY mesh"},
+      {"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", "an OBJ mesh"},
+      {"#!/bin/sh\nfor i in 1 2; do\n  echo \"$i\";\ndone;\n", "a shell script"},
+      {"#!/usr/bin/env python3\nimport sys\n", "a Python script"},
+      {"<!DOCTYPE html>\n<p>;</p>\n", "an HTML page"},
+      {"<?xml version=\"1.0\"?>\n<x/>\n", "an XML file"},
+      {"#version 330\nvoid main() { gl_FragColor = vec4(1.0); }\n", "a GLSL shader"},
+      {"!!ARBfp1.0\nMOV result.color, fragment.color;\nEND\n", "a program in !!ARBfp1.0"},
+      {read_bytes(NINEBIT_SOURCE_DIR "/src/tools/main.cpp"), "C or C++ source"},
+      {read_bytes(NINEBIT_SOURCE_DIR "/README.md"), "a Markdown page"},
+      {std::string("a\0b\0c", 5), "a binary file"},
+      {"\xFF\xFEg\1l\1", "a text in UTF-16"},
+  };
+}
+
+TEST(OtherKinds, GivenAsAProgram) {
+  const TempFolder folder;
+  std::vector<Kind> kinds = foreign_kinds();
+  kinds.push_back({"tex0.r,out.r\n1,1\n", "a table of comma-separated values"});
+  kinds.push_back({"{\"ninebit\": \"profile\", \"version\": 1}", "a hardware profile"});
+  kinds.push_back({"{\"name\": \"x\", \"private\": true, \"main\": 1, \"type\": {}}", "JSON of another kind"});
+  kinds.push_back({"Dear reader,\nthis is a letter;\nit has\nmany; lines; but; no; calls;\n", "some other text"});
+  for (const Kind& kind : kinds) {
+    SCOPED_TRACE(kind.seems);
+    const std::string file = write_bytes(folder / "file", kind.bytes);
+    expect_error(ninebit({"validate", file}), 3,
+                 {"/file: seems to be " + kind.seems + "; expected a combiner program"});
+  }
+  // All verbs that read programs.
+  const std::string file = write_bytes(folder / "file", kinds.front().bytes);
+  const std::string table = write_bytes(folder / "t.csv", "tex0.r,out.r\n1,1\n");
+  for (const std::vector<std::string>& arguments :
+       std::vector<std::vector<std::string>>{{"explain", file},
+                                             {"convert", file, "--to", "json"},
+                                             {"trace", file, "--set", "tex0.r=1"},
+                                             {"eval", file, "--inputs", table},
+                                             {"verify", table, "--program", file}}) {
+    SCOPED_TRACE(arguments.front());
+    expect_error(ninebit(arguments), 3, {"/file: seems to be a PNG picture; expected a combiner program"});
+  }
+  // Whatever --from says.
+  for (const char* form : {"gl", "rc10", "words", "json"}) {
+    expect_error(ninebit({"validate", file, "--from", form}), 3, {"seems to be a PNG picture; expected"});
+  }
+}
+
+TEST(OtherKinds, AProgramInAnotherLanguage) {
+  const TempFolder folder;
+  std::map<std::string, std::string> files;
+  for (const char* form : {"gl", "rc10", "words", "json"}) {
+    files[form] = folder / form;
+    ASSERT_EQ(ninebit({"convert", write_bytes(folder / "p", kRc10Text), "--to", form, "-o", files[form]}).code, 0);
+  }
+  for (const auto& [from, ignored] : files) {
+    for (const auto& [form, file] : files) {
+      SCOPED_TRACE(form + " given as " + from);
+      const Outcome outcome = ninebit({"validate", file, "--from", from});
+      if (form == from) {
+        EXPECT_EQ(outcome.code, 0) << outcome.err;
+      } else if (form == "json" && from == "words") {
+        EXPECT_EQ(outcome.code, 3) << "words may be JSON, too";
+      } else {
+        expect_error(outcome, 3, {"as --from " + from + " says; leave out --from, or give --from " + form});
+      }
+    }
+  }
+}
+
+TEST(OtherKinds, GivenAsATableOrAProfile) {
+  const TempFolder folder;
+  const std::string program = write_bytes(folder / "p", kRc10Text);
+  std::vector<Kind> kinds = foreign_kinds();
+  kinds.push_back({kRc10Text, "an !!RC1.0 program"});
+  kinds.push_back({article_calls(), "GL calls"});
+  for (const Kind& kind : kinds) {
+    SCOPED_TRACE(kind.seems);
+    const std::string file = write_bytes(folder / "file.json", kind.bytes);
+    const std::string seems = "/file.json: seems to be " + kind.seems + "; expected ";
+    expect_error(ninebit({"eval", program, "--inputs", file}), 3, {seems + "a table"});
+    expect_error(ninebit({"verify", file, "--program", program}), 3, {seems + "a table"});
+    expect_error(ninebit({"profiles", "--profile", file}), 3, {seems + "a profile"});
+  }
+}
+
+// Faults of a text that is what it should be are told one by one, with their places.
+TEST(OtherKinds, AreNotWhatHasFaults) {
+  const TempFolder folder;
+  for (const auto& [text, places] : std::vector<std::pair<std::string, std::vector<std::string>>>{
+           {"glCombinerInputNV(1);\nglEnable(GL_FOO);\nglX();\nglY();\nglZ();\n", {":1:", ":2:", ":3:", ":4:", ":5:"}},
+           {"!!RC1.0\nout.rgb = spare2;\nout.a = spare3;\n", {":2:11:", ":3:9:"}},
+           {"lCombinerInputNV(GL_COMBINER0_NV);\n", {":1:1:"}},
+           {"RC_IN_RGB[0] = 0x1g\nRC_BAD = 1\n", {":1:"}}}) {
+    const Outcome outcome = ninebit({"validate", write_bytes(folder / "file", text)});
+    EXPECT_EQ(outcome.code, 3);
+    for (const std::string& place : places) EXPECT_NE(outcome.err.find(place), std::string::npos) << outcome.err;
+  }
+}
+
+}  // namespace
+}  // namespace tools_test

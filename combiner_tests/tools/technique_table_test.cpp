@@ -1,0 +1,82 @@
+// Every technique with every depth-stencil format in processes of their own: the same hashes in each.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+
+#include "combiner_tests/tools/support.h"
+
+namespace tools_test {
+namespace {
+
+const std::vector<std::pair<std::string, std::vector<std::string>>> kTechniques{
+    {"index-cube", {}},
+    {"depth-cube", {}},
+    {"shadow-map", {}},
+    {"shadow-volume", {}},
+    {"reflective", {"--light-type", "directional", "--samples", "10"}},
+    {"light-cookie", {"--cookie", NINEBIT_SOURCE_DIR "/scenes/cookies/labels.dds"}}};
+
+// While it lives, memory that a child of glibc allocates holds the complement of this byte.
+class ChildMemoryHolds {
+ public:
+  explicit ChildMemoryHolds(int byte) {
+    ::setenv("GLIBC_TUNABLES", ("glibc.malloc.perturb=" + std::to_string(byte)).c_str(), 1);
+  }
+  ~ChildMemoryHolds() { ::unsetenv("GLIBC_TUNABLES"); }
+  ChildMemoryHolds(const ChildMemoryHolds&) = delete;
+  ChildMemoryHolds& operator=(const ChildMemoryHolds&) = delete;
+};
+
+std::vector<std::string> operator+(std::vector<std::string> a, const std::vector<std::string>& b) {
+  a.insert(a.end(), b.begin(), b.end());
+  return a;
+}
+
+TEST(TechniqueTable, ProcessesPrintTheSameHashes) {
+  const TempFolder folder;
+  for (const auto& [technique, flags] : kTechniques) {
+    for (const std::string format : {"d24s8", "d15s1"}) {
+      for (const std::string size : {"128x64", "150x70"}) {
+        const std::vector<std::string> arguments =
+            std::vector<std::string>{"render",          kRoom, "-o",         folder / "out", "--json",      "--quiet",
+                                     "--size",          size,  "--map-size", "32",           "--technique", technique,
+                                     "--depth-stencil", format} +
+            flags;
+        std::vector<Json> answers;
+        for (const auto& [threads, memory] : {std::pair("1", 0x5A), std::pair("1", 0xA5), std::pair("3", 0x01)}) {
+          const ChildMemoryHolds holds(memory);
+          answers.push_back(json_of(ninebit(arguments + std::vector<std::string>{"--threads", threads})));
+          ASSERT_TRUE(answers.back().is_object()) << technique << ' ' << format;
+        }
+        for (const Json& answer : answers) {
+          EXPECT_EQ(answer.at("hash"), answers[0].at("hash")) << technique << ' ' << format << ' ' << size;
+          EXPECT_EQ(answer.at("pixels"), answers[0].at("pixels")) << technique << ' ' << format << ' ' << size;
+        }
+      }
+    }
+    expect_error(
+        ninebit(small_render(kRoom, folder / "out",
+                             std::vector<std::string>{"--technique", technique, "--depth-stencil", "d16"} + flags)),
+        3, {"d16 has no stencil bits", "expected d24s8 or d15s1"});
+  }
+}
+
+TEST(TechniqueTable, StudiesOfShadowsCountTheSamePixels) {
+  for (const std::string technique : {"index-cube", "shadow-map"}) {
+    std::vector<Json> rows;
+    for (const auto& [threads, memory] : {std::pair("1", 0x5A), std::pair("1", 0xA5), std::pair("3", 0x01)}) {
+      const ChildMemoryHolds holds(memory);
+      const Json answer =
+          json_of(ninebit({"study", "shadows", kRoom, "--json", "--quiet", "--size", "80x60", "--technique", technique,
+                           "--map-sizes", "32,64", "--depth-stencil", "d15s1", "--threads", threads}));
+      ASSERT_TRUE(answer.is_object()) << technique;
+      rows.push_back(answer.at("rows"));
+      ASSERT_FALSE(rows.back().empty());
+    }
+    EXPECT_EQ(rows[1], rows[0]) << technique;
+    EXPECT_EQ(rows[2], rows[0]) << technique;
+  }
+}
+
+}  // namespace
+}  // namespace tools_test

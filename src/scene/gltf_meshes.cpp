@@ -1,0 +1,171 @@
+#include "src/scene/gltf_meshes.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "src/scene/fault_of.h"
+#include "src/scene/read_limits.h"
+
+namespace ninebit {
+namespace {
+
+constexpr const char* kDraco = "KHR_draco_mesh_compression";
+
+Material material_from(const Json& from) {
+  Material out{text_of(item(from, "name")), glm::vec3(1.0F)};
+  const Json& factor = item(from, "pbrMetallicRoughness", "baseColorFactor");
+  if (list_of(factor).size() != 4) return out;
+  for (glm::length_t i = 0; i < 3; ++i) {
+    const double value = number_or(item(factor, static_cast<std::uint64_t>(i)), 1.0);
+    out.base_color[i] = std::clamp(static_cast<float>(value), 0.0F, 1.0F);
+  }
+  return out;
+}
+
+// The corners of a primitive's triangle, counted along its indices.
+std::array<std::uint64_t, 3> corners_of(std::uint64_t mode, std::uint64_t triangle) {
+  if (mode == 4) return {3 * triangle, 3 * triangle + 1, 3 * triangle + 2};
+  if (mode == 6) return {0, triangle + 1, triangle + 2};
+  // Every second triangle of a strip is turned around.
+  if (triangle % 2 == 1) return {triangle + 1, triangle, triangle + 2};
+  return {triangle, triangle + 1, triangle + 2};
+}
+
+std::string within(std::uint64_t mesh, std::size_t primitive, const std::string& fault) {
+  return fmt::format("primitive {} of mesh {} {}", primitive, mesh, fault);
+}
+
+}  // namespace
+
+GltfMeshes::GltfMeshes(const Json& root, GltfStorage& storage, Scene& scene)
+    : root_(root), storage_(storage), scene_(scene), builder_(scene), meshes_(list_of(item(root, "meshes")).size()) {
+  for (const Json& material : list_of(item(root, "materials"))) scene.materials.push_back(material_from(material));
+  scene.materials.push_back(material_from(Json()));
+}
+
+std::optional<Diagnostic> GltfMeshes::prepare(const std::vector<GltfPlacement>& placements, std::uint64_t file_bytes) {
+  const std::uint64_t most = std::min(kMostTriangles, file_bytes + kMostPlacedAgain);
+  std::uint64_t placed = 0;
+  for (const GltfPlacement& placement : placements) {
+    Mesh& mesh = meshes_[placement.mesh];
+    if (!mesh.known) {
+      if (auto fault = resolve(placement.mesh)) return fault;
+    }
+    placed += mesh.triangles;
+    if (placed > most) return fault_of(fmt::format("its nodes place more than {} triangles", most));
+  }
+  scene_.triangles.reserve(placed);
+  scene_.triangle_object.reserve(placed);
+  scene_.triangle_material.reserve(placed);
+  return std::nullopt;
+}
+
+std::optional<Diagnostic> GltfMeshes::resolve(std::uint64_t number) {
+  Mesh& mesh = meshes_[number];
+  mesh.known = true;
+  const Json& primitives = list_of(item(root_, "meshes", number, "primitives"));
+  for (std::size_t i = 0; i < primitives.size(); ++i) {
+    GltfPrimitive primitive;
+    if (auto fault = resolve_primitive(primitives[i], primitive)) return fault_of(within(number, i, *fault));
+    if (primitive.triangles == 0) continue;
+    mesh.triangles += primitive.triangles;
+    mesh.primitives.push_back(std::move(primitive));
+  }
+  return std::nullopt;
+}
+
+std::optional<std::string> GltfMeshes::resolve_primitive(const Json& from, GltfPrimitive& out) {
+  out.mode = index_of(item(from, "mode")).value_or(4);
+  const Json& attributes = item(from, "attributes");
+  if (out.mode < 4 || item(attributes, "POSITION").is_null()) return std::nullopt;  // points and lines are no surface
+  if (out.mode > 6) return fmt::format("is of the unknown mode {}", out.mode);
+  const Json& counted = target_of(item(root_, "accessors"), item(attributes, "POSITION"));
+  if (!item(from, "extensions", kDraco).is_null() && item(counted, "bufferView").is_null())
+    return fmt::format("is compressed ({}); expected a file without that extension", kDraco);
+  std::optional<GltfNumbers> positions;
+  if (auto fault = resolve_numbers(item(attributes, "POSITION"), "VEC3", {5126}, positions)) return fault;
+  if (auto fault = resolve_numbers(item(attributes, "NORMAL"), "VEC3", {5126, 5120, 5122}, out.normals)) return fault;
+  if (auto fault = resolve_numbers(item(from, "indices"), "SCALAR", {5121, 5123, 5125}, out.indices)) return fault;
+  out.positions = *positions;
+  if (out.normals && out.normals->count != out.positions.count) out.normals.reset();
+  const std::uint64_t corners = out.indices ? out.indices->count : out.positions.count;
+  out.triangles = out.mode == 4 ? corners / 3 : std::max<std::uint64_t>(corners, 2) - 2;
+  return material_of(item(from, "material"), out.material);
+}
+
+std::optional<std::string> GltfMeshes::resolve_numbers(const Json& reference, const char* type,
+                                                       std::initializer_list<std::uint64_t> components,
+                                                       std::optional<GltfNumbers>& out) {
+  if (reference.is_null()) return std::nullopt;
+  const Json& accessor = target_of(item(root_, "accessors"), reference);
+  if (accessor.is_null()) return "names an accessor that is not there";
+  const std::uint64_t component = index_of(item(accessor, "componentType")).value_or(0);
+  if (text_of(item(accessor, "type")) != type ||
+      std::find(components.begin(), components.end(), component) == components.end())
+    return "uses an accessor of a type that does not fit its use";
+  if (item(accessor, "bufferView").is_null()) return "uses an accessor that has no data";
+  const Result<GltfNumbers> numbers = storage_.numbers(accessor);
+  if (!numbers) return "cannot be read: " + numbers.error().message;
+  out = *numbers;
+  return std::nullopt;
+}
+
+std::optional<std::string> GltfMeshes::material_of(const Json& reference, std::uint32_t& material) {
+  const auto none = static_cast<std::uint32_t>(scene_.materials.size() - 1);
+  material = none;
+  if (reference.is_null()) return std::nullopt;
+  const std::uint64_t index = index_of(reference).value_or(~0ULL);
+  if (index >= none) return "names a material that is not there";
+  material = static_cast<std::uint32_t>(index);
+  return std::nullopt;
+}
+
+std::optional<Diagnostic> GltfMeshes::place(const GltfPlacement& placement) {
+  const Mesh& mesh = meshes_[placement.mesh];
+  if (mesh.triangles == 0) return std::nullopt;
+  const std::string& name = text_of(item(root_, "nodes", placement.node, "name"));
+  builder_.begin_object(name.empty() ? fmt::format("nodes[{}]", placement.node) : name);
+  const MeshPlace place = MeshPlace::of(placement.world);
+  for (const GltfPrimitive& primitive : mesh.primitives) {
+    if (auto fault = place_primitive(primitive, place))
+      return fault_of(fmt::format("node {}, mesh {}: {}", placement.node, placement.mesh, *fault));
+  }
+  builder_.end_object();
+  return std::nullopt;
+}
+
+std::optional<std::string> GltfMeshes::place_primitive(const GltfPrimitive& primitive, const MeshPlace& place) {
+  // Many primitives may share many vertices, of which each uses a few: a table of them is made only where it is small
+  // beside what is drawn.
+  const bool table = primitive.positions.count <= 4 * primitive.triangles + 64;
+  vertices_.assign(table ? primitive.positions.count : 0, VertexTable::kFree);
+  for (std::uint64_t i = 0; i < primitive.triangles; ++i) {
+    std::array<std::uint32_t, 3> corners{};
+    const std::array<std::uint64_t, 3> along = corners_of(primitive.mode, i);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint64_t corner = primitive.indices ? primitive.indices->index(along[k]) : along[k];
+      if (corner >= primitive.positions.count)
+        return fmt::format("a vertex index is out of range: the primitive has {} vertices, counted from 0",
+                           primitive.positions.count);
+      if (table && vertices_[corner] != VertexTable::kFree) {
+        corners[k] = vertices_[corner];
+        continue;
+      }
+      if (auto fault = place_corner(primitive, place, corner, corners[k])) return fault;
+      if (table) vertices_[corner] = corners[k];
+    }
+    if (auto fault = builder_.polygon(corners, primitive.material, place.mirrored)) return fault;
+  }
+  return std::nullopt;
+}
+
+std::optional<std::string> GltfMeshes::place_corner(const GltfPrimitive& primitive, const MeshPlace& place,
+                                                    std::uint64_t corner, std::uint32_t& vertex) {
+  const glm::vec3 normal = primitive.normals ? primitive.normals->vector(corner) : glm::vec3(0.0F);
+  return builder_.vertex_at(place, primitive.positions.vector(corner), normal, vertex);
+}
+
+}  // namespace ninebit

@@ -1,0 +1,61 @@
+// The meshes of a glTF file, and their triangles where nodes place them.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "src/scene/gltf_nodes.h"
+#include "src/scene/gltf_storage.h"
+#include "src/scene/mesh_builder.h"
+
+namespace ninebit {
+
+// One draw of a mesh that makes triangles.
+struct GltfPrimitive {
+  GltfNumbers positions;
+  std::optional<GltfNumbers> normals;
+  std::optional<GltfNumbers> indices;
+  std::uint32_t material = 0;  // of the scene
+  std::uint64_t mode = 4;      // 4: triangles, 5: a strip, 6: a fan
+  std::uint64_t triangles = 0;
+};
+
+class GltfMeshes {
+ public:
+  // The scene gets the file's materials, and one more for primitives without any.
+  GltfMeshes(const Json& root, GltfStorage& storage, Scene& scene);
+
+  // Looks at each mesh that is placed, and reports more triangles than may be. `file_bytes`: all that the file has.
+  [[nodiscard]] std::optional<Diagnostic> prepare(const std::vector<GltfPlacement>& placements,
+                                                  std::uint64_t file_bytes);
+
+  // Adds a node's mesh as an object. Only after prepare().
+  [[nodiscard]] std::optional<Diagnostic> place(const GltfPlacement& placement);
+
+ private:
+  struct Mesh {
+    bool known = false;
+    std::uint64_t triangles = 0;
+    std::vector<GltfPrimitive> primitives;
+  };
+
+  [[nodiscard]] std::optional<Diagnostic> resolve(std::uint64_t number);
+  [[nodiscard]] std::optional<std::string> resolve_primitive(const Json& from, GltfPrimitive& out);
+  [[nodiscard]] std::optional<std::string> resolve_numbers(const Json& reference, const char* type,
+                                                           std::initializer_list<std::uint64_t> components,
+                                                           std::optional<GltfNumbers>& out);
+  [[nodiscard]] std::optional<std::string> material_of(const Json& reference, std::uint32_t& material);
+  [[nodiscard]] std::optional<std::string> place_primitive(const GltfPrimitive& primitive, const MeshPlace& place);
+  [[nodiscard]] std::optional<std::string> place_corner(const GltfPrimitive& primitive, const MeshPlace& place,
+                                                        std::uint64_t corner, std::uint32_t& vertex);
+
+  const Json& root_;
+  GltfStorage& storage_;
+  Scene& scene_;
+  MeshBuilder builder_;
+  std::vector<Mesh> meshes_;
+  std::vector<std::uint32_t> vertices_;  // the scene's vertex for each of a primitive's, where that is worth it
+};
+
+}  // namespace ninebit

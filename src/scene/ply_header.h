@@ -1,0 +1,51 @@
+// The header of a PLY file: what its rows hold.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "ninebit/numerics/result.h"
+#include "src/scene/text_scan.h"
+
+namespace ninebit {
+
+struct PlyType {
+  std::size_t size = 0;  // bytes in a binary file; 0: not a PLY type
+  bool real = false;
+  bool is_signed = false;
+};
+
+// What a property means to us. The first of each three are numbered in their order.
+enum class PlyRole : std::uint8_t { x, y, z, nx, ny, nz, red, green, blue, corners, none };
+
+struct PlyProperty {
+  std::string name;
+  PlyType type;
+  PlyType count;  // size 0: not a list
+  PlyRole role = PlyRole::none;
+};
+
+enum class PlyKind : std::uint8_t { vertex, face, strip, material, other };
+
+struct PlyElement {
+  std::string name;
+  PlyKind kind = PlyKind::other;
+  std::uint64_t count = 0;
+  std::vector<PlyProperty> properties;
+
+  [[nodiscard]] bool has(PlyRole role) const;
+};
+
+struct PlyHeader {
+  bool binary = false;
+  bool big_endian = false;
+  std::vector<PlyElement> elements;
+};
+
+// Takes the header off the lines. Vertices come before what uses them, and each element that we read comes once.
+[[nodiscard]] Result<PlyHeader> read_ply_header(LineScanner& lines);
+
+}  // namespace ninebit

@@ -1,0 +1,39 @@
+#include <fmt/format.h>
+
+#include "src/scene/fault_of.h"
+#include "src/scene/gltf_meshes.h"
+#include "src/scene/gltf_nodes.h"
+#include "src/scene/gltf_storage.h"
+#include "src/scene/json_value.h"
+#include "src/scene/scene_readers.h"
+
+namespace ninebit {
+
+Result<Scene> read_gltf(std::string_view content, const NamedFiles& beside, bool binary) {
+  GlbParts parts{content, std::nullopt};
+  if (binary) {
+    Result<GlbParts> split = split_glb(content);
+    if (!split) return split.error();
+    parts = *split;
+  }
+  const Result<Json> root = parse_json(parts.json);
+  if (!root) return root.error();
+  const std::string& version = text_of(item(*root, "asset", "version"));
+  if (version.empty()) return fault_of("is not a glTF file: it states no version of its format");
+  if (!version.starts_with("2.")) return fault_of(fmt::format("is of glTF version {}; version 2.0 is read", version));
+  GltfStorage storage(*root, beside, parts.binary);
+  if (auto fault = storage.check()) return *fault;
+  const Result<GltfNodes> nodes = read_gltf_nodes(*root);
+  if (!nodes) return nodes.error();
+  Scene out;
+  GltfMeshes meshes(*root, storage, out);
+  if (auto fault = meshes.prepare(nodes->placements, content.size() + storage.bytes())) return *fault;
+  for (const GltfPlacement& placement : nodes->placements) {
+    if (auto fault = meshes.place(placement)) return *fault;
+  }
+  if (auto fault = add_viewpoints(nodes->viewpoints, glm::dmat4(1.0), out)) return *fault;
+  move_look_at_points(out);
+  return out;
+}
+
+}  // namespace ninebit

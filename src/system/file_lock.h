@@ -1,0 +1,35 @@
+// One process at a time for a file.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <system_error>
+
+namespace ninebit::posix {
+
+// An advisory lock on a file, held until the object ends or the process does, however it ends. It keeps out other
+// FileLocks only. A file system without locks is treated as if nobody else held one.
+class FileLock {
+ public:
+  enum class Outcome : std::uint8_t {
+    held,
+    taken,  // by another FileLock, of this or another process
+    failed  // error() says why: the file cannot be opened, or is not a regular file
+  };
+
+  // Makes the file if there is none; never waits.
+  explicit FileLock(const std::filesystem::path& file);
+  FileLock(const FileLock&) = delete;
+  FileLock& operator=(const FileLock&) = delete;
+  ~FileLock();
+
+  [[nodiscard]] Outcome outcome() const noexcept { return outcome_; }
+  [[nodiscard]] std::error_code error() const noexcept { return error_; }
+
+ private:
+  int descriptor_ = -1;
+  Outcome outcome_ = Outcome::failed;
+  std::error_code error_;
+};
+
+}  // namespace ninebit::posix

@@ -1,0 +1,197 @@
+#include "src/system/isolated_call.h"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <sys/mman.h>
+#include <sys/prctl.h>
+#include <sys/stat.h>
+#include <sys/syscall.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <chrono>
+#include <csignal>
+#include <ctime>
+#include <new>
+#include <optional>
+
+#include "src/system/process.h"
+#include "src/system/sandbox.h"
+
+namespace ninebit::posix {
+namespace {
+
+// The first descriptors of the child: what it has besides its standard streams.
+constexpr int kAnswerDescriptor = 3, kReportDescriptor = 4;
+
+// The child reports how its work ended, by one byte. Nothing is reported by a child that crashed.
+enum Report : char { kDone = 'd', kNoMemory = 'm' };
+
+[[noreturn]] void report_and_end(Report what) {
+  (void)!::write(kReportDescriptor, &what, 1);
+  ::_exit(0);
+}
+
+class Descriptor {
+ public:
+  explicit Descriptor(int number = -1) : number_(number) {}
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+  ~Descriptor() { close(); }
+  void close() {
+    if (number_ >= 0) ::close(std::exchange(number_, -1));
+  }
+  [[nodiscard]] int get() const { return number_; }
+  [[nodiscard]] int release() { return std::exchange(number_, -1); }
+
+ private:
+  int number_;
+};
+
+// Leaves the descriptors that the child needs, and makes /dev/null of its standard streams.
+void settle_descriptors(int answer, int report) {
+  // Copies beyond the places that they are to have, so that none overwrites another.
+  const int far_answer = ::fcntl(answer, F_DUPFD, kReportDescriptor + 1);
+  const int far_report = ::fcntl(report, F_DUPFD, kReportDescriptor + 1);
+  ::dup2(far_answer, kAnswerDescriptor);
+  ::dup2(far_report, kReportDescriptor);
+  const int nowhere = ::open("/dev/null", O_RDWR);
+  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) ::dup2(nowhere, stream);
+  if (::syscall(SYS_close_range, kReportDescriptor + 1, ~0U, 0) == 0) return;
+  for (int other = kReportDescriptor + 1; other < static_cast<int>(::sysconf(_SC_OPEN_MAX)); ++other) ::close(other);
+}
+
+// A handler of this process's must not run in the child; whoever ends the parent's group means the parent, which ends
+// the child.
+void settle_signals(const sigset_t& mask) {
+  for (int number = 1; number < 32; ++number) {  // no one handles real-time signals
+    const bool ends_group = number == SIGINT || number == SIGTERM || number == SIGHUP || number == SIGQUIT;
+    const bool is_checked = number == SIGXFSZ || number == SIGPIPE;  // the write fails, which is looked at
+    std::signal(number, ends_group || is_checked ? SIG_IGN : SIG_DFL);
+  }
+  ::pthread_sigmask(SIG_SETMASK, &mask, nullptr);
+}
+
+[[noreturn]] void run_child(const CallLimits& limits, std::span<const std::filesystem::path> readable,
+                            const std::function<void(AnswerWriter&)>& work) {
+  limit_resources(limits.memory_bytes, limits.seconds, limits.memory_bytes);
+  // Memory that is not there is reported at once: what foreign code does then is its weakest part.
+  std::set_new_handler([] { report_and_end(kNoMemory); });
+  allow_only_reading(readable);
+  forbid_system_calls();
+  try {
+    AnswerWriter answer(kAnswerDescriptor);
+    work(answer);
+  } catch (const std::bad_alloc&) {
+    report_and_end(kNoMemory);
+  } catch (...) {
+    ::_exit(1);
+  }
+  report_and_end(kDone);
+}
+
+// Whether the child has had no processor time for so many seconds: then it waits for what never comes.
+class IdleWatch {
+ public:
+  IdleWatch(pid_t child, int seconds) : limit_(seconds) { known_ = ::clock_getcpuclockid(child, &clock_) == 0; }
+
+  [[nodiscard]] bool is_over() {
+    timespec now{};
+    if (known_ && ::clock_gettime(clock_, &now) == 0 && (now.tv_sec != last_.tv_sec || now.tv_nsec != last_.tv_nsec)) {
+      last_ = now;
+      since_ = std::chrono::steady_clock::now();
+    }
+    return std::chrono::steady_clock::now() - since_ > limit_;
+  }
+
+ private:
+  std::chrono::seconds limit_;
+  std::chrono::steady_clock::time_point since_ = std::chrono::steady_clock::now();
+  clockid_t clock_{};
+  timespec last_{};
+  bool known_ = false;
+};
+
+// Waits for the child's report or its end, or ends it.
+CallEnd wait_for(pid_t child, int report, const CallLimits& limits, const std::function<bool()>& go_on) {
+  constexpr int kMilliseconds = 50;
+  std::optional<CallEnd> cut_short;
+  char what = 0;
+  IdleWatch idle(child, limits.seconds);
+  while (!cut_short) {
+    pollfd one{report, POLLIN, 0};
+    const int ready = ::poll(&one, 1, kMilliseconds);
+    if (ready > 0) {
+      if (::read(report, &what, 1) != 1) what = 0;
+      break;
+    }
+    if (go_on && !go_on()) cut_short = CallEnd::stopped;
+    if (idle.is_over()) cut_short = CallEnd::out_of_time;
+  }
+  // What has reported is done; nobody waits for one that only says so.
+  if (cut_short || what != 0) ::kill(child, SIGKILL);
+  int status = 0;
+  pid_t ended = 0;
+  while ((ended = ::waitpid(child, &status, 0)) < 0 && errno == EINTR) {
+  }
+  if (cut_short) return *cut_short;
+  if (what == kDone) return CallEnd::answered;
+  if (what == kNoMemory) return CallEnd::out_of_memory;
+  const bool by_time = ended == child && WIFSIGNALED(status) && (WTERMSIG(status) == SIGXCPU);
+  return by_time ? CallEnd::out_of_time : CallEnd::crashed;
+}
+
+CallResult not_started() {
+  if (errno == ENOMEM) throw std::bad_alloc();
+  return {};
+}
+
+}  // namespace
+
+CallResult call_isolated(const CallLimits& limits, std::span<const std::filesystem::path> readable,
+                         const std::function<void(AnswerWriter&)>& work, const std::function<bool()>& go_on) {
+  Descriptor answer(::memfd_create("ninebit", MFD_CLOEXEC));
+  std::array<int, 2> ends{-1, -1};
+  if (answer.get() < 0 || ::pipe2(ends.data(), O_CLOEXEC) != 0) return not_started();
+  Descriptor report(ends[0]);
+  Descriptor reporting(ends[1]);
+  const pid_t parent = ::getpid();
+  sigset_t all, before;
+  ::sigfillset(&all);
+  ::pthread_sigmask(SIG_SETMASK, &all, &before);
+  const pid_t child = ::fork();
+  if (child == 0) {
+    ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+    if (::getppid() != parent) ::_exit(1);  // it ended before that took effect
+    settle_descriptors(answer.get(), reporting.get());
+    settle_signals(before);
+    run_child(limits, readable, work);
+  }
+  ::pthread_sigmask(SIG_SETMASK, &before, nullptr);
+  if (child < 0) return not_started();
+  reporting.close();
+  const CallEnd end = wait_for(child, report.get(), limits, go_on);
+  if (end == CallEnd::out_of_memory && is_address_space_limited()) throw std::bad_alloc();
+  struct stat about = {};
+  if (::fstat(answer.get(), &about) != 0 || ::lseek(answer.get(), 0, SEEK_SET) != 0) return not_started();
+  return {end, AnswerReader(answer.release(), static_cast<std::uint64_t>(about.st_size))};
+}
+
+std::string describe(CallEnd end, const CallLimits& limits, const std::string& who) {
+  switch (end) {
+    case CallEnd::out_of_time:
+      return who + " took more than " + std::to_string(limits.seconds) + " s";
+    case CallEnd::out_of_memory:
+      return who + " asked for more than " + std::to_string(limits.memory_bytes >> 20U) + " MiB";
+    case CallEnd::stopped:
+      return "interrupted";
+    case CallEnd::not_started:
+      return "no process could be started for " + who;
+    default:
+      return who + " crashed";
+  }
+}
+
+}  // namespace ninebit::posix

@@ -1,0 +1,47 @@
+#include "src/system/process.h"
+
+#include <fcntl.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <cstdlib>
+
+namespace ninebit::posix {
+
+bool is_address_space_limited() {
+  rlimit space{};
+  return ::getrlimit(RLIMIT_AS, &space) != 0 || space.rlim_cur != RLIM_INFINITY;
+}
+
+bool is_terminal(int standard_stream) {
+  return ::isatty(standard_stream) != 0;
+}
+
+void guard_streams() {
+  std::signal(SIGXFSZ, SIG_IGN);
+  for (const int stream : {kStandardInput, kStandardOutput, kStandardError}) {
+    if (::fcntl(stream, F_GETFD) >= 0) continue;
+    // Writing to a closed stdout stays an error, to a closed stderr it is none. open() takes the lowest free number,
+    // and if it fails there is nothing better to do.
+    (void)::open("/dev/null", stream == kStandardError ? O_WRONLY : O_RDONLY);
+  }
+}
+
+void catch_interrupts(void (*handler)(int signal)) {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    struct sigaction current = {};
+    if (::sigaction(signal, nullptr, &current) == 0 && current.sa_handler == SIG_IGN) continue;
+    std::signal(signal, handler);
+  }
+}
+
+std::filesystem::path program_file() {
+  return "/proc/self/exe";
+}
+
+void set_environment(const char* name, const std::string& value) {
+  ::setenv(name, value.c_str(), 1);
+}
+
+}  // namespace ninebit::posix
