@@ -44,6 +44,20 @@ void remove_quietly(const fs::path& path) noexcept {
   fs::remove(path, ignored);
 }
 
+// The moves of one commit. Their links to older files go, whatever happens in between.
+struct Moves {
+  std::vector<posix::Move> all;
+
+  Moves() = default;
+  Moves(const Moves&) = delete;
+  Moves& operator=(const Moves&) = delete;
+  ~Moves() {
+    for (const posix::Move& move : all) {
+      if (!move.older.empty()) remove_quietly(move.older);
+    }
+  }
+};
+
 // Keeps what stands at the target within reach; where the file system has no hard links, it cannot be brought back.
 posix::Move prepare(const fs::path& folder, const std::string& name, const fs::path& temporary) {
   posix::Move move{temporary, folder / name, {}, false};
@@ -137,13 +151,13 @@ Status StagedFiles::commit() {
   std::error_code error;
   const posix::FolderLock lock(folder_, kLongestWait, error);
   if (error) return cannot_write(folder_, "another program is renaming files in the folder and does not end");
-  std::vector<posix::Move> moves;
-  moves.reserve(entries_.size());
+  Moves moves;
+  moves.all.reserve(entries_.size());
   for (const Entry& entry : entries_) {
-    if (!entry.committed) moves.push_back(prepare(folder_, entry.name, entry.temporary));
+    if (!entry.committed) moves.all.push_back(prepare(folder_, entry.name, entry.temporary));
   }
-  if (const auto [move, why] = posix::move_all(moves); why != 0) {
-    return cannot_write(moves[move].to, "could not be renamed into place: " + std::generic_category().message(why));
+  if (const auto [move, why] = posix::move_all(moves.all); why != 0) {
+    return cannot_write(moves.all[move].to, "could not be renamed into place: " + std::generic_category().message(why));
   }
   for (Entry& entry : entries_) entry.committed = true;
   return {};

@@ -7,7 +7,20 @@
 #include <new>
 #include <numbers>
 
+#include "src/system/memory.h"
+
 namespace ninebit {
+namespace {
+
+// What fontconfig takes for its settings and fonts, with a margin. It crashes where it gets less.
+constexpr std::uint64_t kRoomForFonts = std::uint64_t{8} << 20U;
+
+_cairo_surface* make_surface(int width, int height) {
+  if (!posix::has_room(kRoomForFonts)) throw std::bad_alloc();
+  return cairo_image_surface_create(CAIRO_FORMAT_RGB24, width, height);
+}
+
+}  // namespace
 
 void Canvas::Close::operator()(_cairo* context) const {
   cairo_destroy(context);
@@ -18,7 +31,7 @@ void Canvas::Close::operator()(_cairo_surface* surface) const {
 }
 
 Canvas::Canvas(int width, int height)
-    : surface_(cairo_image_surface_create(CAIRO_FORMAT_RGB24, width, height)), context_(cairo_create(surface_.get())) {
+    : surface_(make_surface(width, height)), context_(cairo_create(surface_.get())) {
   // Shapes of letters that do not depend on how this machine's screen likes them.
   cairo_font_options_t* const options = cairo_font_options_create();
   cairo_font_options_set_antialias(options, CAIRO_ANTIALIAS_GRAY);

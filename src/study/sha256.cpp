@@ -6,9 +6,17 @@
 #include <array>
 #include <new>
 
-namespace ninebit {
+#include "src/system/memory.h"
 
-Sha256::Sha256() : context_(EVP_MD_CTX_new()) {
+namespace ninebit {
+namespace {
+
+constexpr std::uint64_t kRoomToStart = std::uint64_t{1} << 20U;
+
+}  // namespace
+
+// OpenSSL crashes where it has no memory to start with.
+Sha256::Sha256() : context_(posix::has_room(kRoomToStart) ? EVP_MD_CTX_new() : nullptr) {
   if (context_ == nullptr || EVP_DigestInit_ex(static_cast<EVP_MD_CTX*>(context_), EVP_sha256(), nullptr) != 1) {
     throw std::bad_alloc();
   }

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <system_error>
 
+#include "src/system/memory.h"
 #include "src/system/process.h"
 #include "src/tools/build_facts.h"
 #include "src/tools/program.h"
@@ -59,6 +60,7 @@ bool lacks_threads(const std::exception& error) {
 int main(int argc, char** argv) {
   using namespace ninebit::tools;
   ninebit::posix::guard_streams();
+  ninebit::posix::keep_memory_for_errors();
   try {
     return run(argc, argv);
   } catch (const std::bad_alloc&) {
