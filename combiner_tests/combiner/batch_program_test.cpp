@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "combiner_tests/combiner/sanitized.h"
+#include "combiner_tests/combiner/slow_build.h"
 #include "combiner_tests/combiner/simd_targets.h"
 #include "combiner_tests/combiner/support.h"
 
@@ -231,7 +231,7 @@ TEST(BatchProgram, ManyTemporaries) {
 TEST(BatchProgram, ConstantsThatVaryComeFromTheBatch) {
   const auto batch = std::make_unique<RegisterBatch>();
   const auto out = std::make_unique<OutputBatch>();
-  for (std::uint64_t index = 0; index < (kSanitized ? 40 : 400); ++index) {
+  for (std::uint64_t index = 0; index < (kSlowBuild ? 40 : 400); ++index) {
     Random random(0xC0457, index);
     const HardwareProfile profile = random_profile(random);
     Program program = normalize(random_state(random, profile), profile);

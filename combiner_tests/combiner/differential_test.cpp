@@ -19,7 +19,7 @@
 
 #include "combiner_tests/combiner/coverage.h"
 #include "combiner_tests/combiner/random_state.h"
-#include "combiner_tests/combiner/sanitized.h"
+#include "combiner_tests/combiner/slow_build.h"
 #include "combiner_tests/combiner/simd_targets.h"
 #include "combiner_tests/combiner/support.h"
 #include "ninebit/combiner/validate.h"
@@ -109,7 +109,7 @@ TEST_P(Differential, OracleReferenceAndEverySimdTargetAgree) {
   const auto& [run, shard] = GetParam();
   const std::uint64_t seed = number_from_environment("NINEBIT_DIFFERENTIAL_SEED", kProgramSeed);
   const std::uint64_t cases =
-      number_from_environment("NINEBIT_DIFFERENTIAL_COUNT", kSanitized ? run.sanitized_cases : run.cases);
+      number_from_environment("NINEBIT_DIFFERENTIAL_COUNT", kSlowBuild ? run.sanitized_cases : run.cases);
   const bool replay = std::getenv("NINEBIT_DIFFERENTIAL_INDEX") != nullptr;
   const std::uint64_t replayed = number_from_environment("NINEBIT_DIFFERENTIAL_INDEX", 0);
   if (replay && replayed % kShards != shard) GTEST_SKIP() << "the case belongs to another shard";

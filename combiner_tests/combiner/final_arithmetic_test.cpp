@@ -6,7 +6,7 @@
 #include <memory>
 #include <vector>
 
-#include "combiner_tests/combiner/sanitized.h"
+#include "combiner_tests/combiner/slow_build.h"
 #include "combiner_tests/combiner/simd_targets.h"
 #include "combiner_tests/combiner/support.h"
 
@@ -67,7 +67,7 @@ TEST(FinalArithmetic, EveryBlendOfThreeValuesOnEverySimdTarget) {
     // Three values of A at once, one a channel. A sanitizer gets every fifteenth.
     for (const std::int64_t target : simd_targets()) {
       const OnTarget on_target(target);
-      for (int a = 0; a <= one; a += kSanitized ? 15 : 3) {
+      for (int a = 0; a <= one; a += kSlowBuild ? 15 : 3) {
         for (int channel = 0; channel < 3; ++channel) {
           std::fill_n((*batch)(Register::primary, channel), values, static_cast<s9>(std::min(a + channel, one)));
         }
@@ -99,7 +99,7 @@ template <class Expected>
 void for_all_pairs(const CombinerState& state, const HardwareProfile& p, Register first, Register second, int low,
                    const Expected& expected) {
   const int one = p.one;
-  const int step = kSanitized ? 17 : 1;
+  const int step = kSlowBuild ? 17 : 1;
   for (int x = low; x <= one; x += x >= one - step ? 1 : step) {
     std::vector<RegisterFile> fragments;
     std::vector<int> second_value;
@@ -143,7 +143,7 @@ TEST(FinalArithmetic, ColorSumOfAllPairsWithTheClamp) {
   for (const HardwareProfile& p : integer_profiles()) {
     CombinerState state = silent_state(1);
     state.final_combiner.d = rgb_of(Register::spare0_plus_secondary);
-    const int low = kSanitized ? -3 : p.lowest.value;
+    const int low = kSlowBuild ? -3 : p.lowest.value;
     for_all_pairs(state, p, Register::spare0, Register::secondary, low,
                   [&](int x, int y) { return std::min(std::max(x, 0) + std::max(y, 0), p.one.value); });
   }
@@ -179,7 +179,7 @@ TEST(FinalArithmetic, InvertedColorSumOfAllPairs) {
         state.final_combiner.a = rgb_of(Register::constant0);
         state.final_combiner.b = rgb_of(Register::spare0_plus_secondary);
       }
-      const int low = kSanitized ? -3 : p.lowest.value;
+      const int low = kSlowBuild ? -3 : p.lowest.value;
       for_all_pairs(state, p, Register::spare0, Register::secondary, low, [&](int x, int y) {
         const auto part = [](int v, bool inverted) { return inverted ? (v > 0 ? 255 - v : 255) : (v > 0 ? v : 0); };
         const int sum = part(x, (inverts & 1) != 0) + part(y, (inverts & 2) != 0);

@@ -5,7 +5,7 @@
 #include <array>
 #include <vector>
 
-#include "combiner_tests/combiner/sanitized.h"
+#include "combiner_tests/combiner/slow_build.h"
 #include "combiner_tests/combiner/support.h"
 #include "ninebit/combiner/evaluate_real.h"
 #include "ninebit/combiner/initial_registers.h"
@@ -69,7 +69,7 @@ TEST(IndexCompare, WithoutTheScalesStepsOf16AreNeeded) {
 // Where nothing is narrowed, the alpha test still compares bytes: 64 d² / 255 is rounded, and the difference 1 is lost.
 TEST(IndexCompare, RealNumbersLoseOneStepWhereTheFrameBufferStoresThem) {
   for (const HardwareProfile& p : {profiles::ideal, profiles::float_shader}) {
-    if (kSanitized && p.arithmetic == Arithmetic::exact) continue;  // too slow
+    if (kSlowBuild && p.arithmetic == Arithmetic::exact) continue;  // too slow
     EXPECT_EQ(mistakes(p), (Counts{510, 0, 0, 0, 0, 0})) << p.name;
     // d² / 255 rounds to 0 up to d = 11: 2 · (255 + 254 + … + 245) for the step of 1.
     EXPECT_EQ(mistakes(p, Scale::none), (Counts{5500, 1250, 504, 250, 62, 0})) << p.name;
@@ -82,8 +82,8 @@ TEST(IndexCompare, RealNumbersThemselvesTellAllIndicesApart) {
     for (const Arithmetic arithmetic : {Arithmetic::exact, Arithmetic::float32}) {
       const Program program = normalize(index_comparison(scale), profiles::ideal);
       int mistakes_of_all = 0;
-      for (int a = 0; a < 256; a += kSanitized ? 15 : 1) {
-        for (int b = 0; b < 256; b += kSanitized ? 3 : 1) {
+      for (int a = 0; a < 256; a += kSlowBuild ? 15 : 1) {
+        for (int b = 0; b < 256; b += kSlowBuild ? 3 : 1) {
           FragmentInputs inputs;
           inputs.primary = {static_cast<std::uint8_t>(a), 0, 0, 0};
           inputs.texture[0] = Texel{.value = {static_cast<std::uint8_t>(b), 0, 0, 0}};

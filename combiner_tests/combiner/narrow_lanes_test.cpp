@@ -6,7 +6,7 @@
 #include <memory>
 #include <vector>
 
-#include "combiner_tests/combiner/sanitized.h"
+#include "combiner_tests/combiner/slow_build.h"
 #include "combiner_tests/combiner/simd_targets.h"
 #include "combiner_tests/combiner/support.h"
 
@@ -85,7 +85,7 @@ TEST(NarrowLanes, EverySumOfProductsThatAreNotNegative) {
           wides.clear();
         };
         int tried = 0;
-        for (int wide = 0; wide <= most; wide += kSanitized ? 7 : 1) {
+        for (int wide = 0; wide <= most; wide += kSlowBuild ? 7 : 1) {
           if (!split(wide, products, one, *batch, wides.size())) continue;
           wides.push_back(wide);
           ++tried;
@@ -94,7 +94,7 @@ TEST(NarrowLanes, EverySumOfProductsThatAreNotNegative) {
         }
         flush();
         // The last factor takes any rest below one; beyond that it is one itself.
-        if (!kSanitized) {
+        if (!kSlowBuild) {
           EXPECT_EQ(tried, (products - 1) * one * one + 2 * one);
         }
       }
@@ -114,7 +114,7 @@ TEST(NarrowLanes, EveryProductOfTwoPositiveCodes) {
       state.general[0].rgb.out.scale = scale;
       const BatchProgram program(compile(state, p).value(), {.registers = true});
       const std::vector<s9> expected = outputs_by_oracle(p, scale, Bias::none, 0, one * one, 1);
-      for (int x = 0; x <= one; x += kSanitized ? 15 : 1) {
+      for (int x = 0; x <= one; x += kSlowBuild ? 15 : 1) {
         for (int y = 0; y <= one; ++y) {
           (*batch)(Register::primary, kRed)[y] = static_cast<s9>(x);
           (*batch)(Register::secondary, kRed)[y] = static_cast<s9>(y);
@@ -154,7 +154,7 @@ TEST(NarrowLanes, EverySumAndDifferenceOfTwoCodes) {
         rgb.out.bias = bias;
         const BatchProgram program(compile(state, p).value(), {.registers = true});
         EXPECT_EQ(program.describe().find(':'), std::string::npos) << "nothing is multiplied or divided";
-        for (int x = lowest; x <= one; x += kSanitized ? 15 : 1) {
+        for (int x = lowest; x <= one; x += kSlowBuild ? 15 : 1) {
           for (int first = lowest; first <= one; first += static_cast<int>(kBatchSize)) {
             const auto count = static_cast<std::size_t>(std::min(static_cast<int>(kBatchSize), one - first + 1));
             for (std::size_t i = 0; i < count; ++i) {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "combiner_tests/combiner/random_state.h"
-#include "combiner_tests/combiner/sanitized.h"
+#include "combiner_tests/combiner/slow_build.h"
 #include "combiner_tests/combiner/support.h"
 
 namespace ninebit::test {
@@ -195,7 +195,7 @@ TEST(Program, ProfilesDiffer) {
 TEST(Program, EqualProgramsMeanEqualResults) {
   int equal = 0;
   int different_results = 0;
-  const std::uint64_t cases = kSanitized ? 5000 : 40000;
+  const std::uint64_t cases = kSlowBuild ? 5000 : 40000;
   for (std::uint64_t index = 0; index < cases; ++index) {
     Random random(0x50F7, index);
     const HardwareProfile profile = random_profile(random);

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "combiner_tests/combiner/random_state.h"
-#include "combiner_tests/combiner/sanitized.h"
+#include "combiner_tests/combiner/slow_build.h"
 #include "combiner_tests/combiner/support.h"
 #include "combiner_tests/oracle/real_oracle.h"
 #include "ninebit/combiner/evaluate_real.h"
@@ -21,7 +21,7 @@ constexpr std::uint64_t kRealSeed = 0x5EA1;
 // Every number that evaluate_real reports of the registers and the colour is the double nearest to the oracle's.
 TEST(EvaluateReal, ReportsTheNearestDoubles) {
   std::uint64_t inexact = 0, checked = 0;
-  for (std::uint64_t index = 0; index < (kSanitized ? 40U : 400U); ++index) {
+  for (std::uint64_t index = 0; index < (kSlowBuild ? 40U : 400U); ++index) {
     Random random(kRealSeed + 1, index);
     const HardwareProfile profile = random_real_profile(random, profiles::ideal);
     const CombinerState state = random_state(random, profile);
@@ -50,7 +50,7 @@ TEST(EvaluateReal, ReportsTheNearestDoubles) {
 }
 
 TEST(EvaluateReal, FloatsAreTheOraclesBitForBit) {
-  for (std::uint64_t index = 0; index < (kSanitized ? 200U : 4000U); ++index) {
+  for (std::uint64_t index = 0; index < (kSlowBuild ? 200U : 4000U); ++index) {
     Random random(kRealSeed + 2, index);
     const HardwareProfile profile = random_real_profile(random, profiles::float_shader);
     const CombinerState state = random_state(random, profile);
@@ -211,7 +211,7 @@ TEST(EvaluateReal, PowersOfEveryCode) {
       }
       state.final_combiner = final_of(Register::spare0);
       std::vector<RegisterFile> fragments;
-      for (int code = 0; code <= 255; code += kSanitized ? 15 : 1) {
+      for (int code = 0; code <= 255; code += kSlowBuild ? 15 : 1) {
         RegisterFile& registers = fragments.emplace_back();
         registers[Register::spare0] = registers[Register::primary] = codes(code, 255 - code, code / 2 + 128, 0);
       }
@@ -220,7 +220,7 @@ TEST(EvaluateReal, PowersOfEveryCode) {
       }
     }
   }
-  EXPECT_GT(fractions, kSanitized ? 50 : 750);
+  EXPECT_GT(fractions, kSlowBuild ? 50 : 750);
 }
 
 TEST(EvaluateReal, LanesPastTheCountAreLeftAlone) {

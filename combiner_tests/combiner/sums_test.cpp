@@ -20,7 +20,7 @@
 #include <tuple>
 #include <vector>
 
-#include "combiner_tests/combiner/sanitized.h"
+#include "combiner_tests/combiner/slow_build.h"
 #include "combiner_tests/combiner/simd_targets.h"
 #include "combiner_tests/combiner/support.h"
 
@@ -152,7 +152,7 @@ TEST_P(Sums, EveryPairOfDistinctProducts) {
   for (const std::int64_t target : simd_targets()) {
     const OnTarget on_target(target);
     const bool best = target == simd_targets().front();
-    std::size_t stride = kSanitized ? 256 : !best ? 64 : profile.name == "geforce2" || one == 127 ? 1 : 16;
+    std::size_t stride = kSlowBuild ? 256 : !best ? 64 : profile.name == "geforce2" || one == 127 ? 1 : 16;
     if (all_of_all) stride = 1;
     const std::uint64_t done = run(program, positive, inner, expected, stride, option % stride);
     if (HasFailure()) FAIL() << profile.name << " on " << simd_target_name(target);

@@ -8,14 +8,14 @@
 #include <cstdint>
 
 #include "combiner_tests/combiner/random_state.h"
-#include "combiner_tests/combiner/sanitized.h"
+#include "combiner_tests/combiner/slow_build.h"
 #include "combiner_tests/combiner/support.h"
 
 namespace ninebit::test {
 namespace {
 
 constexpr std::uint64_t kTraceSeed = 0x72AC;
-constexpr std::uint64_t kTraceCases = kSanitized ? 400 : 3000;
+constexpr std::uint64_t kTraceCases = kSlowBuild ? 400 : 3000;
 
 // What a run has met, so that one in which nothing happens fails.
 struct TracesSeen {
@@ -181,7 +181,7 @@ TEST(Trace, EveryStepOfRandomProgramsOfCodes) {
        {seen.final_dropped, seen.final_cut, seen.muxes, seen.dots, seen.dead_portions, seen.early, seen.halves}) {
     EXPECT_GT(count, kTraceCases / 10);
   }
-  EXPECT_TRUE(seen.differing_muxes > 0 || kSanitized) << "rare, so that it is not asked of a small run";
+  EXPECT_TRUE(seen.differing_muxes > 0 || kSlowBuild) << "rare, so that it is not asked of a small run";
 }
 
 // A product of two floats, or a sum, is rounded once.

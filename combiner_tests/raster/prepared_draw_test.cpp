@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <functional>
 
-#include "combiner_tests/combiner/sanitized.h"
+#include "combiner_tests/combiner/slow_build.h"
 #include "combiner_tests/raster/fragment_support.h"
 #include "combiner_tests/raster/in_threads.h"
 #include "combiner_tests/raster/random_scene.h"
@@ -94,7 +94,7 @@ DrawnPlanes drawn_by(Draw draw) {
 
 TEST(PreparedDraw, AnyThreadsDrawTheSameOfAnyPrimitives) {
   const glm::mat4 matrix = perspective(0.8, 1.5, 0.1, 10);
-  for (int i = 0; i < 20; i += kSanitized ? 4 : 1) {
+  for (int i = 0; i < 20; i += kSlowBuild ? 4 : 1) {
     Mixture m = mixture(i);
     m.arrays.positions = m.positions;
     m.arrays.vertex_colors = m.colors;
@@ -105,7 +105,7 @@ TEST(PreparedDraw, AnyThreadsDrawTheSameOfAnyPrimitives) {
     });
     EXPECT_GT(std::count_if(direct.stencil.begin(), direct.stencil.end(), [](auto s) { return s != 0; }), 300) << i;
     for (const int threads : {1, 2, 7}) {
-      if (kSanitized && threads < 7) continue;
+      if (kSlowBuild && threads < 7) continue;
       with_threads(threads, [&] {
         const DrawnPlanes prepared = drawn_by([&](RenderTarget& target) {
           PreparedDraw draw;

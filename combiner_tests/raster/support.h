@@ -11,16 +11,13 @@
 #include <utility>
 #include <vector>
 
-#include "combiner_tests/combiner/sanitized.h"
+#include "combiner_tests/combiner/slow_build.h"
 #include "combiner_tests/oracle/raster_oracle.h"
 #include "combiner_tests/support/random.h"
 #include "ninebit/combiner/program.h"
 #include "ninebit/raster/rasterizer.h"
 
 namespace ninebit::test {
-
-// Tests that loop long do less then.
-inline constexpr bool kSlowBuild = kSanitized;
 
 // A position with w = 1 that the identity matrix puts into the middle of the snapping cell of this window position
 // (multiples of 2^(4 - subpixel_bits) sixteenths) and exactly onto this depth, with the whole depth range.

@@ -10,7 +10,7 @@
 #include <new>
 #include <vector>
 
-#include "combiner_tests/combiner/sanitized.h"
+#include "combiner_tests/combiner/slow_build.h"
 #include "src/system/process.h"
 
 namespace ninebit::posix {
@@ -32,7 +32,7 @@ TEST(Memory, RoomIsThereOrNot) {
     for (;;) pieces.push_back(::operator new(4096));
   } catch (const std::bad_alloc&) {
   }
-  ::_exit(::operator new(std::size_t{1} << 19U, std::nothrow) != nullptr ? 0 : 1);
+  ::_exit(::operator new (std::size_t{1} << 19U, std::nothrow) != nullptr ? 0 : 1);
 }
 
 TEST(MemoryDeathTest, SomeIsKeptForErrors) {

@@ -9,7 +9,7 @@
 #include <functional>
 #include <thread>
 
-#include "combiner_tests/combiner/sanitized.h"
+#include "combiner_tests/combiner/slow_build.h"
 #include "combiner_tests/tools/program_support.h"
 
 namespace tools_test {

@@ -4,7 +4,7 @@
 
 #include <fstream>
 
-#include "combiner_tests/combiner/sanitized.h"
+#include "combiner_tests/combiner/slow_build.h"
 #include "combiner_tests/tools/program_support.h"
 
 namespace tools_test {

@@ -12,7 +12,7 @@
 #include <functional>
 #include <thread>
 
-#include "combiner_tests/combiner/sanitized.h"
+#include "combiner_tests/combiner/slow_build.h"
 #include "combiner_tests/support/random.h"
 #include "combiner_tests/tools/program_support.h"
 #include "combiner_tests/tools/small_disk.h"

@@ -30,8 +30,7 @@ void Canvas::Close::operator()(_cairo_surface* surface) const {
   cairo_surface_destroy(surface);
 }
 
-Canvas::Canvas(int width, int height)
-    : surface_(make_surface(width, height)), context_(cairo_create(surface_.get())) {
+Canvas::Canvas(int width, int height) : surface_(make_surface(width, height)), context_(cairo_create(surface_.get())) {
   // Shapes of letters that do not depend on how this machine's screen likes them.
   cairo_font_options_t* const options = cairo_font_options_create();
   cairo_font_options_set_antialias(options, CAIRO_ANTIALIAS_GRAY);
