@@ -118,20 +118,23 @@ class Campaign:
                 self.say(f"{name}: {'; '.join(outcome.faults)}: {outcome.message[:120]}; kept in {place}")
 
     def work(self):
-        """Runs all mutants, so many at a time, until they are done or the time is up."""
+        """Runs all mutants, so many at a time, until they are done, the time is up or the user interrupts."""
         begin = time.monotonic()
         end = begin + 60 * self.options.minutes if self.options.minutes else None
         mutants = numbered(self.options.formats, self.options.count, self.options.seed, self.options.first)
         with concurrent.futures.ThreadPoolExecutor(self.options.jobs) as pool:
             pending = set()
-            for kind, number in mutants:
-                if end and time.monotonic() > end:
-                    break
-                pending.add(pool.submit(self.one, kind, number))
-                if len(pending) >= 2 * self.options.jobs:
-                    done, pending = concurrent.futures.wait(pending, return_when=concurrent.futures.FIRST_COMPLETED)
-                    for future in done:
-                        future.result()
+            try:
+                for kind, number in mutants:
+                    if end and time.monotonic() > end:
+                        break
+                    pending.add(pool.submit(self.one, kind, number))
+                    if len(pending) >= 2 * self.options.jobs:
+                        done, pending = concurrent.futures.wait(pending, return_when=concurrent.futures.FIRST_COMPLETED)
+                        for future in done:
+                            future.result()
+            except KeyboardInterrupt:
+                self.say("interrupted")
             for future in pending:
                 future.result()
         return time.monotonic() - begin

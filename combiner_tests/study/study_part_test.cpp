@@ -252,6 +252,23 @@ TEST(StudyPart, ShardsOutOfRangeAreTold) {
   }
 }
 
+// A header alone, so that no later line gives it away.
+TEST(StudyPart, AFileOfAShardOutOfRangeIsRefused) {
+  const PartsFolder folder;
+  ASSERT_TRUE(run(Squares(4), folder, {4, 4}));
+  const std::string whole = test::read_bytes(folder.part(4, 4));
+  const std::string header = whole.substr(0, whole.find('\n') + 1);
+  const std::string shard = "\"shard\":[4,4]";
+  const std::size_t at = header.find(shard);
+  ASSERT_NE(at, std::string::npos) << header;
+  for (const auto& [numbers, is_right] : {std::pair("4,4", true), {"4,5", false}, {"0,4", false}, {"4,3", false}}) {
+    std::string changed = header;
+    changed.replace(at, shard.size(), std::string("\"shard\":[") + numbers + ']');
+    test::write_bytes(folder.part(4, 4), changed);
+    EXPECT_EQ(read_part(folder.part(4, 4)).ok(), is_right) << numbers;
+  }
+}
+
 TEST(StudyQuestion, IsTheCommandLineThatAsksIt) {
   const StudyQuestion question{.study = "shadows",
                                .profile = "geforce2",

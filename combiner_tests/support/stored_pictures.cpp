@@ -8,11 +8,13 @@
 #include <ImfInputPart.h>
 #include <ImfMultiPartInputFile.h>
 #include <ImfStandardAttributes.h>
-#include <OpenImageIO/imageio.h>
 #include <half.h>
 
 #include <stdexcept>
 #include <utility>
+
+#include "combiner_tests/support/picture_functions.h"
+#include "src/system/shared_library.h"
 
 namespace ninebit::test {
 namespace {
@@ -51,21 +53,13 @@ StoredPart read_part(Imf::InputPart& part) {
   return stored;
 }
 
-template <class Sample>
-Image<Sample> read_png_as(const std::filesystem::path& file, OIIO::TypeDesc type) {
-  OIIO::ImageSpec wishes;
-  wishes.attribute("oiio:UnassociatedAlpha", 1);
-  const auto input = OIIO::ImageInput::open(file.string(), &wishes);
-  if (!input) throw std::runtime_error(OIIO::geterror());
-  const OIIO::ImageSpec& spec = input->spec();
-  if (spec.format != type) throw std::runtime_error(file.string() + " has samples of another depth");
-  Image<Sample> image{spec.width, spec.height, spec.nchannels, {}};
-  image.pixels.resize(static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(spec.height) *
-                      static_cast<std::size_t>(spec.nchannels));
-  if (!input->read_image(0, 0, 0, spec.nchannels, type, image.pixels.data())) {
-    throw std::runtime_error(input->geterror());
-  }
-  return image;
+const PictureFunctions& picture_functions() {
+  static const PictureFunctions* const functions = [] {
+    void* const library = posix::load_library(NINEBIT_PICTURE_FUNCTIONS);
+    if (library == nullptr) throw std::runtime_error(posix::library_error());
+    return static_cast<const PictureFunctions*>(posix::find_symbol(library, "ninebit_picture_functions"));
+  }();
+  return *functions;
 }
 
 }  // namespace
@@ -96,20 +90,15 @@ std::vector<StoredPart> read_exr(const std::filesystem::path& file) {
 }
 
 Image8 read_png(const std::filesystem::path& file) {
-  return read_png_as<std::uint8_t>(file, OIIO::TypeDesc::UINT8);
+  return picture_functions().read_png(file);
 }
 
 Image16 read_png16(const std::filesystem::path& file) {
-  return read_png_as<std::uint16_t>(file, OIIO::TypeDesc::UINT16);
+  return picture_functions().read_png16(file);
 }
 
 void write_as(const std::filesystem::path& file, const Image8& image) {
-  const auto output = OIIO::ImageOutput::create(file.string());
-  const OIIO::ImageSpec spec(image.width, image.height, image.channels, OIIO::TypeDesc::UINT8);
-  if (!output || !output->open(file.string(), spec) ||
-      !output->write_image(OIIO::TypeDesc::UINT8, image.pixels.data()) || !output->close()) {
-    throw std::runtime_error(output ? output->geterror() : OIIO::geterror());
-  }
+  picture_functions().write_as(file, image);
 }
 
 }  // namespace ninebit::test

@@ -6,6 +6,7 @@
 #include "combiner_tests/tools/support.h"
 #include "ninebit/image/image_io.h"
 #include "ninebit/image/texture_io.h"
+#include "src/image/texture_file.h"
 
 namespace tools_test {
 namespace {
@@ -44,7 +45,7 @@ class Cookie : public testing::Test {
   }
   // The faces of the labelled cube as pictures of `channels` channels, and the flag's value for them.
   [[nodiscard]] std::string pictures(int channels = 3) const {
-    const auto cube = ninebit::read_texture(ninebit::profiles::geforce2, kPlain);
+    const auto cube = ninebit::image_detail::read_texture(ninebit::profiles::geforce2, kPlain, {}, {});  // a DDS file
     if (!cube) return {};
     std::string all;
     for (std::size_t face = 0; face < 6; ++face) {
