@@ -115,7 +115,7 @@ Result<FileTexture> read_picture(const std::filesystem::path& file) {
     wishes.attribute("oiio:UnassociatedAlpha", 1);
     const std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::open(file.string(), &wishes);
     if (!input) return invalid_input(file, "is no picture that can be read: " + reason(OIIO::geterror()));
-    input->threads(1);  // a child process has none of the threads that OpenImageIO started before
+    input->threads(1);  // of the threads that OpenImageIO started before, a child process has none
     Result<FileTexture> texture = read_opened(*input);
     if (!texture) return invalid_input(file, texture.error().message);
     return texture;
