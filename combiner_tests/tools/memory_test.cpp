@@ -92,7 +92,7 @@ TEST_F(Memory, OfAMergedStudy) {
     return folder + "/part-1-of-1.jsonl";
   };
   ASSERT_EQ(ninebit({"study", "merge", study("older", "2"), "--quiet", "-o", out_}).code, 0);
-  expect_result_or_error({"study", "merge", study("newer", "1-2"), "--quiet", "-o", out_}, kMebibyte / 2);
+  expect_result_or_error({"study", "merge", study("newer", "1-2"), "--quiet", "-o", out_}, 2 * kMebibyte);
 }
 
 TEST_F(Memory, OfAnEvaluatedTable) {
