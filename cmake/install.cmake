@@ -54,7 +54,7 @@ if(NOT NINEBIT_COMBINER_ONLY)
   ninebit_pkgconfig(
     ninebit ${PROJECT_DESCRIPTION} LIBS -lninebit REQUIRES ninebit-raster ninebit-json
     STATIC_LIBS -lembree3 -lmeshoptimizer -l${CMAKE_DL_LIBS}
-    STATIC_REQUIRES OpenImageIO OpenEXR libpng assimp fmt tbb libhwy libcrypto cairo)
+    STATIC_REQUIRES OpenImageIO OpenEXR libpng assimp draco fmt tbb libhwy libcrypto cairo)
 endif()
 
 # --- The program. Its manual and completions come from the program itself, so that they cannot differ from it.
@@ -90,8 +90,8 @@ if(NINEBIT_IS_MAIN)
   set(CPACK_DEBIAN_PACKAGE_SECTION graphics)
   set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
   # What programs that link it statically, or include its headers, need besides.
-  set(CPACK_DEBIAN_PACKAGE_SUGGESTS "libhwy-dev, libglm-dev, libtbb-dev, libfmt-dev, libassimp-dev, libmeshoptimizer-dev, \
-libembree-dev, libopenexr-dev, libpng-dev, libopenimageio-dev, pkg-config")
+  set(CPACK_DEBIAN_PACKAGE_SUGGESTS "libhwy-dev, libglm-dev, libtbb-dev, libfmt-dev, libassimp-dev, libdraco-dev, \
+libmeshoptimizer-dev, libembree-dev, libopenexr-dev, libpng-dev, libopenimageio-dev, pkg-config")
   set(CPACK_STRIP_FILES ON)
   include(CPack)
 endif()

@@ -29,9 +29,9 @@ class Ninebit(ConanFile):
     def requirements(self):
         self.requires('highway/[>=1.0.3 <2]')
         if self.options.everything:
-            for name in ('assimp/5.4.3', 'cairo/1.18.0', 'embree3/3.13.5', 'fmt/[>=9 <12]', 'glm/1.0.1', 'libpng/[>=1.6 <2]',
-                         'meshoptimizer/0.20', 'nlohmann_json/[>=3.11 <4]', 'onetbb/2021.12.0', 'openexr/3.3.2',
-                         'openimageio/2.5.18.0', 'openssl/[>=3 <4]'):
+            for name in ('assimp/5.4.3', 'cairo/1.18.0', 'draco/1.5.6', 'embree3/3.13.5', 'fmt/[>=9 <12]', 'glm/1.0.1',
+                         'libpng/[>=1.6 <2]', 'meshoptimizer/0.20', 'nlohmann_json/[>=3.11 <4]', 'onetbb/2021.12.0',
+                         'openexr/3.3.2', 'openimageio/2.5.18.0', 'openssl/[>=3 <4]'):
                 self.requires(name)
 
     def validate(self):

@@ -56,15 +56,15 @@ std::string wrong_with_kind(std::string_view content) {
 }  // namespace
 
 std::string check_scene(std::string_view bytes) {
-  // Assimp may crash and leak; what counts is that nothing but a fault or a right scene comes back.
+  // Assimp and Draco may crash and leak; what counts is that nothing but a fault or a right scene comes back.
   static const SceneReadOptions kIsolated{.isolated = true};
   // No file stands where these names lead.
   const NamedFiles beside("/nonexistent/scene.obj", false);
   const auto each = [&](const char* format, auto read) { return wrong_with(format, read(), read(), bytes); };
   return first_of(
       wrong_with_json(bytes), [&] { return wrong_with_kind(bytes); },
-      [&] { return each("gltf", [&] { return read_gltf(bytes, beside, false); }); },
-      [&] { return each("glb", [&] { return read_gltf(bytes, beside, true); }); },
+      [&] { return each("gltf", [&] { return read_gltf(bytes, beside, false, kIsolated); }); },
+      [&] { return each("glb", [&] { return read_gltf(bytes, beside, true, kIsolated); }); },
       [&] { return each("obj", [&] { return read_obj(bytes, beside); }); },
       [&] { return each("off", [&] { return read_off(bytes); }); },
       [&] { return each("ply", [&] { return read_ply(bytes); }); },

@@ -12,8 +12,6 @@
 namespace ninebit {
 namespace {
 
-constexpr const char* kDraco = "KHR_draco_mesh_compression";
-
 Material material_from(const Json& from) {
   Material out{text_of(item(from, "name")), glm::vec3(1.0F)};
   const Json& factor = item(from, "pbrMetallicRoughness", "baseColorFactor");
@@ -34,19 +32,25 @@ std::array<std::uint64_t, 3> corners_of(std::uint64_t mode, std::uint64_t triang
   return {triangle, triangle + 1, triangle + 2};
 }
 
-std::string within(std::uint64_t mesh, std::size_t primitive, const std::string& fault) {
-  return fmt::format("primitive {} of mesh {} {}", primitive, mesh, fault);
+std::uint64_t triangles_along(std::uint64_t mode, std::uint64_t corners) {
+  return mode == 4 ? corners / 3 : std::max<std::uint64_t>(corners, 2) - 2;
 }
 
 }  // namespace
 
 GltfMeshes::GltfMeshes(const Json& root, GltfStorage& storage, Scene& scene)
-    : root_(root), storage_(storage), scene_(scene), builder_(scene), meshes_(list_of(item(root, "meshes")).size()) {
+    : root_(root),
+      storage_(storage),
+      scene_(scene),
+      builder_(scene),
+      draco_(root, storage),
+      meshes_(list_of(item(root, "meshes")).size()) {
   for (const Json& material : list_of(item(root, "materials"))) scene.materials.push_back(material_from(material));
   scene.materials.push_back(material_from(Json()));
 }
 
-std::optional<Diagnostic> GltfMeshes::prepare(const std::vector<GltfPlacement>& placements, std::uint64_t file_bytes) {
+std::optional<Diagnostic> GltfMeshes::prepare(const std::vector<GltfPlacement>& placements, std::uint64_t file_bytes,
+                                              const SceneReadOptions& options) {
   const std::uint64_t most = std::min(kMostTriangles, file_bytes + kMostPlacedAgain);
   std::uint64_t placed = 0;
   for (const GltfPlacement& placement : placements) {
@@ -57,6 +61,9 @@ std::optional<Diagnostic> GltfMeshes::prepare(const std::vector<GltfPlacement>& 
     placed += mesh.triangles;
     if (placed > most) return fault_of(fmt::format("its nodes place more than {} triangles", most));
   }
+  if (auto fault = decode_compressed(options)) return fault;
+  placed = 0;
+  for (const GltfPlacement& placement : placements) placed += meshes_[placement.mesh].triangles;
   scene_.triangles.reserve(placed);
   scene_.triangle_object.reserve(placed);
   scene_.triangle_material.reserve(placed);
@@ -69,7 +76,9 @@ std::optional<Diagnostic> GltfMeshes::resolve(std::uint64_t number) {
   const Json& primitives = list_of(item(root_, "meshes", number, "primitives"));
   for (std::size_t i = 0; i < primitives.size(); ++i) {
     GltfPrimitive primitive;
-    if (auto fault = resolve_primitive(primitives[i], primitive)) return fault_of(within(number, i, *fault));
+    const std::string name = fmt::format("primitive {} of mesh {}", i, number);
+    if (auto fault = resolve_primitive(primitives[i], name, primitive))
+      return fault_of(fmt::format("{} {}", name, *fault));
     if (primitive.triangles == 0) continue;
     mesh.triangles += primitive.triangles;
     mesh.primitives.push_back(std::move(primitive));
@@ -77,14 +86,13 @@ std::optional<Diagnostic> GltfMeshes::resolve(std::uint64_t number) {
   return std::nullopt;
 }
 
-std::optional<std::string> GltfMeshes::resolve_primitive(const Json& from, GltfPrimitive& out) {
+std::optional<std::string> GltfMeshes::resolve_primitive(const Json& from, const std::string& name,
+                                                         GltfPrimitive& out) {
   out.mode = index_of(item(from, "mode")).value_or(4);
   const Json& attributes = item(from, "attributes");
   if (out.mode < 4 || item(attributes, "POSITION").is_null()) return std::nullopt;  // points and lines are no surface
   if (out.mode > 6) return fmt::format("is of the unknown mode {}", out.mode);
-  const Json& counted = target_of(item(root_, "accessors"), item(attributes, "POSITION"));
-  if (!item(from, "extensions", kDraco).is_null() && item(counted, "bufferView").is_null())
-    return fmt::format("is compressed ({}); expected a file without that extension", kDraco);
+  if (draco_.is_needed(from)) return resolve_compressed(from, name, out);
   std::optional<GltfNumbers> positions;
   if (auto fault = resolve_numbers(item(attributes, "POSITION"), "VEC3", {5126}, positions)) return fault;
   if (auto fault = resolve_numbers(item(attributes, "NORMAL"), "VEC3", {5126, 5120, 5122}, out.normals)) return fault;
@@ -92,8 +100,55 @@ std::optional<std::string> GltfMeshes::resolve_primitive(const Json& from, GltfP
   out.positions = *positions;
   if (out.normals && out.normals->count != out.positions.count) out.normals.reset();
   const std::uint64_t corners = out.indices ? out.indices->count : out.positions.count;
-  out.triangles = out.mode == 4 ? corners / 3 : std::max<std::uint64_t>(corners, 2) - 2;
+  out.triangles = triangles_along(out.mode, corners);
   return material_of(item(from, "material"), out.material);
+}
+
+// Attributes that the extension does not name stand in accessors as ever.
+std::optional<std::string> GltfMeshes::resolve_compressed(const Json& from, const std::string& name,
+                                                          GltfPrimitive& out) {
+  if (out.mode == 6) return "is compressed and of mode 6; expected mode 4 or 5";
+  const Json& accessor = target_of(item(root_, "accessors"), item(from, "indices"));
+  if (auto fault = fault_of_use(accessor, "SCALAR", {5121, 5123, 5125})) return fault;
+  out.triangles = triangles_along(out.mode, index_of(item(accessor, "count")).value_or(0));
+  if (out.triangles > kMostTriangles)
+    return fmt::format("declares {} triangles; at most {} are read", out.triangles, kMostTriangles);
+  if (out.triangles == 0) return std::nullopt;
+  if (auto fault = draco_.add(from, out.triangles, name, out.compressed.emplace())) return fault;
+  const Json& attributes = item(from, "attributes");
+  const Json& compressed = item(from, "extensions", kDracoExtension, "attributes");
+  if (item(compressed, "POSITION").is_null()) {
+    std::optional<GltfNumbers> positions;
+    if (auto fault = resolve_numbers(item(attributes, "POSITION"), "VEC3", {5126}, positions)) return fault;
+    out.positions = *positions;
+  }
+  if (item(compressed, "NORMAL").is_null()) {
+    if (auto fault = resolve_numbers(item(attributes, "NORMAL"), "VEC3", {5126, 5120, 5122}, out.normals)) return fault;
+  }
+  return material_of(item(from, "material"), out.material);
+}
+
+std::optional<Diagnostic> GltfMeshes::decode_compressed(const SceneReadOptions& options) {
+  if (auto fault = draco_.decode(options)) return fault;
+  for (Mesh& mesh : meshes_) {
+    for (GltfPrimitive& primitive : mesh.primitives) {
+      if (!primitive.compressed) continue;
+      mesh.triangles -= primitive.triangles;
+      take_decoded(primitive);
+      mesh.triangles += primitive.triangles;
+    }
+  }
+  return std::nullopt;
+}
+
+void GltfMeshes::take_decoded(GltfPrimitive& primitive) const {
+  const std::size_t number = *primitive.compressed;
+  primitive.indices = draco_.indices(number);
+  primitive.mode = 4;  // Draco gives the triangles of a strip one by one
+  primitive.triangles = primitive.indices->count / 3;
+  if (const auto positions = draco_.positions(number)) primitive.positions = *positions;
+  if (const auto normals = draco_.normals(number)) primitive.normals = *normals;
+  if (primitive.normals && primitive.normals->count != primitive.positions.count) primitive.normals.reset();
 }
 
 std::optional<std::string> GltfMeshes::resolve_numbers(const Json& reference, const char* type,
@@ -101,11 +156,7 @@ std::optional<std::string> GltfMeshes::resolve_numbers(const Json& reference, co
                                                        std::optional<GltfNumbers>& out) {
   if (reference.is_null()) return std::nullopt;
   const Json& accessor = target_of(item(root_, "accessors"), reference);
-  if (accessor.is_null()) return "names an accessor that is not there";
-  const std::uint64_t component = index_of(item(accessor, "componentType")).value_or(0);
-  if (text_of(item(accessor, "type")) != type ||
-      std::find(components.begin(), components.end(), component) == components.end())
-    return "uses an accessor of a type that does not fit its use";
+  if (auto fault = fault_of_use(accessor, type, components)) return fault;
   if (item(accessor, "bufferView").is_null()) return "uses an accessor that has no data";
   const Result<GltfNumbers> numbers = storage_.numbers(accessor);
   if (!numbers) return "cannot be read: " + numbers.error().message;

@@ -5,6 +5,8 @@
 #include <optional>
 #include <vector>
 
+#include "ninebit/scene/scene_io.h"
+#include "src/scene/gltf_draco.h"
 #include "src/scene/gltf_nodes.h"
 #include "src/scene/gltf_storage.h"
 #include "src/scene/mesh_builder.h"
@@ -19,6 +21,7 @@ struct GltfPrimitive {
   std::uint32_t material = 0;  // of the scene
   std::uint64_t mode = 4;      // 4: triangles, 5: a strip, 6: a fan
   std::uint64_t triangles = 0;
+  std::optional<std::size_t> compressed;  // its number among those; until they are decoded, triangles is as declared
 };
 
 class GltfMeshes {
@@ -26,9 +29,10 @@ class GltfMeshes {
   // The scene gets the file's materials, and one more for primitives without any.
   GltfMeshes(const Json& root, GltfStorage& storage, Scene& scene);
 
-  // Looks at each mesh that is placed, and reports more triangles than may be. `file_bytes`: all that the file has.
+  // Looks at each mesh that is placed, reports more triangles than may be, and decodes what is compressed.
+  // `file_bytes`: all that the file has.
   [[nodiscard]] std::optional<Diagnostic> prepare(const std::vector<GltfPlacement>& placements,
-                                                  std::uint64_t file_bytes);
+                                                  std::uint64_t file_bytes, const SceneReadOptions& options);
 
   // Adds a node's mesh as an object. Only after prepare().
   [[nodiscard]] std::optional<Diagnostic> place(const GltfPlacement& placement);
@@ -41,7 +45,12 @@ class GltfMeshes {
   };
 
   [[nodiscard]] std::optional<Diagnostic> resolve(std::uint64_t number);
-  [[nodiscard]] std::optional<std::string> resolve_primitive(const Json& from, GltfPrimitive& out);
+  [[nodiscard]] std::optional<std::string> resolve_primitive(const Json& from, const std::string& name,
+                                                             GltfPrimitive& out);
+  [[nodiscard]] std::optional<std::string> resolve_compressed(const Json& from, const std::string& name,
+                                                              GltfPrimitive& out);
+  [[nodiscard]] std::optional<Diagnostic> decode_compressed(const SceneReadOptions& options);
+  void take_decoded(GltfPrimitive& primitive) const;
   [[nodiscard]] std::optional<std::string> resolve_numbers(const Json& reference, const char* type,
                                                            std::initializer_list<std::uint64_t> components,
                                                            std::optional<GltfNumbers>& out);
@@ -54,6 +63,7 @@ class GltfMeshes {
   GltfStorage& storage_;
   Scene& scene_;
   MeshBuilder builder_;
+  GltfDraco draco_;
   std::vector<Mesh> meshes_;
   std::vector<std::uint32_t> vertices_;  // the scene's vertex for each of a primitive's, where that is worth it
 };

@@ -10,13 +10,8 @@
 #include "src/scene/read_limits.h"
 
 namespace ninebit {
-namespace {
 
-std::string numbered(const char* what, std::size_t number) {
-  return fmt::format("{} {}", what, number);
-}
-
-std::uint64_t component_size(std::uint64_t type) {
+std::uint64_t gltf_component_size(std::uint64_t type) {
   switch (type) {
     case 5120:
     case 5121:
@@ -32,6 +27,12 @@ std::uint64_t component_size(std::uint64_t type) {
   }
 }
 
+namespace {
+
+std::string numbered(const char* what, std::size_t number) {
+  return fmt::format("{} {}", what, number);
+}
+
 std::uint64_t component_count(const std::string& type) {
   if (type == "SCALAR") return 1;
   if (type == "VEC2") return 2;
@@ -42,7 +43,7 @@ std::uint64_t component_count(const std::string& type) {
 }
 
 std::uint64_t element_size(const Json& accessor) {
-  return component_size(index_of(item(accessor, "componentType")).value_or(0)) *
+  return gltf_component_size(index_of(item(accessor, "componentType")).value_or(0)) *
          component_count(text_of(item(accessor, "type")));
 }
 
@@ -95,7 +96,7 @@ std::string_view base64_of(const std::string& uri) {
   return data == std::string::npos ? std::string_view() : std::string_view(uri).substr(data + 8);
 }
 
-std::uint32_t little(std::string_view data, std::size_t at, std::size_t bytes) {
+std::uint32_t little_endian(std::string_view data, std::size_t at, std::size_t bytes) {
   std::uint32_t value = 0;
   for (std::size_t i = bytes; i-- > 0;) value = (value << 8U) | static_cast<unsigned char>(data[at + i]);
   return value;
@@ -104,19 +105,29 @@ std::uint32_t little(std::string_view data, std::size_t at, std::size_t bytes) {
 }  // namespace
 
 std::uint32_t GltfNumbers::index(std::uint64_t at) const {
-  return little(data, at * stride, component_size(component));
+  return little_endian(data, at * stride, gltf_component_size(component));
 }
 
 glm::vec3 GltfNumbers::vector(std::uint64_t at) const {
-  const std::uint64_t size = component_size(component);
+  const std::uint64_t size = gltf_component_size(component);
   glm::vec3 out;
   for (glm::length_t i = 0; i < 3; ++i) {
-    const std::uint32_t bits = little(data, at * stride + static_cast<std::uint64_t>(i) * size, size);
+    const std::uint32_t bits = little_endian(data, at * stride + static_cast<std::uint64_t>(i) * size, size);
     if (component == 5126) out[i] = std::bit_cast<float>(bits);
     if (component == 5120) out[i] = std::max(static_cast<float>(static_cast<std::int8_t>(bits)) / 127.0F, -1.0F);
     if (component == 5122) out[i] = std::max(static_cast<float>(static_cast<std::int16_t>(bits)) / 32767.0F, -1.0F);
   }
   return out;
+}
+
+std::optional<std::string> fault_of_use(const Json& accessor, const char* type,
+                                        std::initializer_list<std::uint64_t> components) {
+  if (accessor.is_null()) return "names an accessor that is not there";
+  const std::uint64_t component = index_of(item(accessor, "componentType")).value_or(0);
+  if (text_of(item(accessor, "type")) != type ||
+      std::find(components.begin(), components.end(), component) == components.end())
+    return "uses an accessor of a type that does not fit its use";
+  return std::nullopt;
 }
 
 GltfStorage::GltfStorage(const Json& root, const NamedFiles& beside, std::optional<std::string_view> chunk)
@@ -205,6 +216,12 @@ Result<std::string_view> GltfStorage::load(std::size_t number) {
   if (content.size() < declared) return fault_of(fmt::format("{} ends early", numbered("buffer", number)));
   loaded_[number] = content.substr(0, declared);
   return *loaded_[number];
+}
+
+Result<std::string_view> GltfStorage::view_bytes(const Json& view) {
+  const Result<std::string_view> buffer = load(index_of(item(view, "buffer")).value_or(0));
+  if (!buffer) return buffer.error();
+  return buffer->substr(offset_of(view), index_of(item(view, "byteLength")).value_or(0));
 }
 
 Result<GltfNumbers> GltfStorage::numbers(const Json& accessor) {

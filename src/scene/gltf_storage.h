@@ -5,6 +5,7 @@
 #include <deque>
 #include <filesystem>
 #include <glm/glm.hpp>
+#include <initializer_list>
 #include <map>
 #include <optional>
 #include <string>
@@ -31,6 +32,9 @@ struct GlbParts {
 // A URI with each %XX as the byte that it stands for.
 [[nodiscard]] std::string decode_percent(std::string_view uri);
 
+// The bytes of one number of an accessor's type, given by its glTF number; 0 for an unknown one.
+[[nodiscard]] std::uint64_t gltf_component_size(std::uint64_t type);
+
 // The elements of an accessor. All of them lie within the data.
 struct GltfNumbers {
   std::string_view data;
@@ -42,6 +46,10 @@ struct GltfNumbers {
   [[nodiscard]] glm::vec3 vector(std::uint64_t at) const;     // of a VEC3; signed whole numbers are normalized
 };
 
+// What is wrong with an accessor whose elements are to be of this type, with one of these types of numbers.
+[[nodiscard]] std::optional<std::string> fault_of_use(const Json& accessor, const char* type,
+                                                      std::initializer_list<std::uint64_t> components);
+
 class GltfStorage {
  public:
   // `chunk`: the binary part of a .glb file.
@@ -52,6 +60,9 @@ class GltfStorage {
 
   // What an accessor gives. Reads its buffer if nobody did yet. Only after check().
   [[nodiscard]] Result<GltfNumbers> numbers(const Json& accessor);
+
+  // The bytes of a buffer view. Reads its buffer if nobody did yet. Only after check().
+  [[nodiscard]] Result<std::string_view> view_bytes(const Json& view);
 
   // The lengths of all buffers together.
   [[nodiscard]] std::uint64_t bytes() const { return bytes_; }

@@ -9,7 +9,8 @@
 
 namespace ninebit {
 
-Result<Scene> read_gltf(std::string_view content, const NamedFiles& beside, bool binary) {
+Result<Scene> read_gltf(std::string_view content, const NamedFiles& beside, bool binary,
+                        const SceneReadOptions& options) {
   GlbParts parts{content, std::nullopt};
   if (binary) {
     Result<GlbParts> split = split_glb(content);
@@ -27,7 +28,7 @@ Result<Scene> read_gltf(std::string_view content, const NamedFiles& beside, bool
   if (!nodes) return nodes.error();
   Scene out;
   GltfMeshes meshes(*root, storage, out);
-  if (auto fault = meshes.prepare(nodes->placements, content.size() + storage.bytes())) return *fault;
+  if (auto fault = meshes.prepare(nodes->placements, content.size() + storage.bytes(), options)) return *fault;
   for (const GltfPlacement& placement : nodes->placements) {
     if (auto fault = meshes.place(placement)) return *fault;
   }

@@ -30,7 +30,7 @@ Result<Scene> read_content(std::string_view content, const std::filesystem::path
   if (extension == ".off") return read_off(content);
   if (extension == ".ply") return read_ply(content);
   if (extension == ".3ds") return read_3ds(content, file, options);
-  return read_gltf(content, beside, extension == ".glb");
+  return read_gltf(content, beside, extension == ".glb", options);
 }
 
 // Messages quote the file, which may hold anything.

@@ -20,8 +20,10 @@ namespace ninebit {
 // `beside` gives the material libraries.
 [[nodiscard]] Result<Scene> read_obj(std::string_view content, const NamedFiles& beside);
 
-// .glb if binary, otherwise .gltf; `beside` gives the buffers.
-[[nodiscard]] Result<Scene> read_gltf(std::string_view content, const NamedFiles& beside, bool binary);
+// .glb if binary, otherwise .gltf; `beside` gives the buffers. Compressed meshes come by way of Draco, after our own
+// check.
+[[nodiscard]] Result<Scene> read_gltf(std::string_view content, const NamedFiles& beside, bool binary,
+                                      const SceneReadOptions& options);
 
 // By way of Assimp, after our own check.
 [[nodiscard]] Result<Scene> read_3ds(std::string_view content, const std::filesystem::path& file,

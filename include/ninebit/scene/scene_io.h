@@ -15,24 +15,26 @@ namespace NINEBIT_PUBLIC ninebit {
 // How a scene is read.
 struct SceneReadOptions {
   bool allow_outside = false;  // files that the scene names may stand anywhere; otherwise only below its own folder
-  // Foreign code (Assimp, for 3DS) runs in a child process that opens no file and has 1 GiB of memory and 64 times the
-  // file, 8 s of processor time and 1 s for each 1,000,000 bytes. A file that crashes it, or is beyond these, is
-  // reported like any other fault; without `isolated` it may end this process. The child is a fork of this one: no
-  // other thread may be inside Assimp meanwhile.
+  // Foreign code (Assimp for 3DS, Draco for compressed glTF meshes) runs in a child process that opens no file and has
+  // 1 GiB of memory and 64 times the file, 8 s of processor time and 1 s for each 1,000,000 bytes; for Draco, 256 bytes
+  // more for each triangle that the file declares. A file that crashes it, or is beyond these, is reported like any
+  // other fault; without `isolated` it may end this process. The child is a fork of this one: no other thread may be
+  // inside Assimp meanwhile.
   bool isolated = false;
   std::function<bool()> go_on{};  // called while a child reads; false ends it with Fault::cancelled. Empty: it goes on
 };
 
-// Reads glTF 2.0 (.gltf, .glb: node hierarchy, materials' base colours, cameras, KHR_lights_punctual),
-// OBJ, PLY, OFF and 3DS. All nodes are flattened into world space. Degenerate triangles are kept: they count as
-// polygons and cover no pixel. Reports, naming the file: missing, empty, truncated or malformed files, no triangles,
-// positions that are NaN or infinite, indices out of range, files beyond docs/limits.md (2^27 triangles and more).
+// Reads glTF 2.0 (.gltf, .glb: node hierarchy, materials' base colours, cameras, KHR_lights_punctual,
+// KHR_draco_mesh_compression), OBJ, PLY, OFF and 3DS. All nodes are flattened into world space. Degenerate triangles
+// are kept: they count as polygons and cover no pixel. Reports, naming the file: missing, empty, truncated or malformed
+// files, no triangles, positions that are NaN or infinite, indices out of range, files beyond docs/limits.md (2^27
+// triangles and more).
 //
 // The triangles keep the file's count and order; polygons are cut into n - 2 triangles. Corners of one object with
 // equal position and normal share a vertex; where the file gives no normal it is the area-weighted mean of the object's
 // triangles at that position. Spot lights of 3DS files, orthographic cameras, skins, morph targets, animations and
-// pictures are left out; sparse and compressed glTF accessors are refused. A text file that is cut exactly between two
-// faces cannot be told from a whole OBJ file, which declares no counts.
+// pictures are left out; sparse glTF accessors are refused. A text file that is cut exactly between two faces cannot be
+// told from a whole OBJ file, which declares no counts.
 //
 // Files that a scene names (glTF buffers, OBJ material libraries) are regular files below the scene's folder; a name
 // that leads elsewhere is refused. A material library that is not there is noted in the scene. Libraries are read only
