@@ -17,9 +17,9 @@ struct SceneReadOptions {
   bool allow_outside = false;  // files that the scene names may stand anywhere; otherwise only below its own folder
   // Foreign code (Assimp for 3DS, Draco for compressed glTF meshes) runs in a child process that opens no file and has
   // 1 GiB of memory and 64 times the file, 8 s of processor time and 1 s for each 1,000,000 bytes; for Draco, 256 bytes
-  // more for each triangle that the file declares. A file that crashes it, or is beyond these, is reported like any
-  // other fault; without `isolated` it may end this process. The child is a fork of this one: no other thread may be
-  // inside Assimp meanwhile.
+  // and 1 µs more for each triangle that the file declares. A file that crashes it, or is beyond these, is reported
+  // like any other fault; without `isolated` it may end this process. The child is a fork of this one: no other thread
+  // may be inside Assimp meanwhile.
   bool isolated = false;
   std::function<bool()> go_on{};  // called while a child reads; false ends it with Fault::cancelled. Empty: it goes on
 };
