@@ -88,7 +88,10 @@ TEST_F(DracoFiles, AStripsTrianglesComeOneByOne) {
   file.indices = 12;  // a strip of 10 triangles, of which some may be degenerate
   const Result<Scene> scene = read_both(draco_gltf(file));
   ASSERT_TRUE(scene) << scene.error().text();
+  const Result<Scene> one_by_one = read_both(draco_gltf(draco_file({})));
+  ASSERT_TRUE(one_by_one) << one_by_one.error().text();
   EXPECT_EQ(scene->triangles.size(), 8U);
+  expect_same(*scene, *one_by_one);
 }
 
 TEST_F(DracoFiles, AttributesThatAreNotNamedAreLeftOut) {
@@ -198,16 +201,24 @@ TEST_F(DracoFiles, HeadersAreCheckedBeforeDracoIsCalled) {
 
 // Metadata nests as deep as a stream says, and lies before the counts.
 TEST_F(DracoFiles, MetadataIsCheckedToo) {
-  DracoFile file = draco_file({.metadata = true});
+  ASSERT_NE(draco_stream({.metadata = true})[10] & 0x80, 0) << "Draco's encoder wrote no metadata";
+  DracoFile file = draco_file({});
   const std::string right = file.stream;
-  ASSERT_NE(right[10] & 0x80, 0) << "Draco's encoder wrote no metadata";
-  const std::string header = right.substr(0, 11);
-  std::string nested(1, '\0');  // no attribute has any
-  for (int i = 0; i < 1000; ++i) nested += std::string("\0\1\1a", 4);
-  file.stream = header + nested + right.substr(11);
-  EXPECT_EQ(complaint(file), "primitive 0 of mesh 0 is malformed: its compressed data ends early");
-  file.stream = header + "\xFF\xFF\xFF\xFF\x0F" + right.substr(11);
-  EXPECT_EQ(complaint(file), "primitive 0 of mesh 0 is malformed: its compressed data ends early");
+  const auto with = [&](const std::string& metadata) {
+    file.stream = right.substr(0, 10) + "\x80" + metadata + right.substr(11);
+    return complaint(file);
+  };
+  const auto nested = [](int depth) {
+    std::string text(1, '\0');  // no attribute has any
+    for (int i = 0; i < depth; ++i) text += std::string("\0\1\1a", 4);
+    return text + std::string(2, '\0');
+  };
+  EXPECT_EQ(with(nested(0)), "");
+  EXPECT_EQ(with(nested(32)), "");
+  for (const int depth : {33, 100000})
+    EXPECT_EQ(with(nested(depth)),
+              "primitive 0 of mesh 0 is malformed: the metadata of its compressed data nests too deep");
+  EXPECT_EQ(with("\xFF\xFF\xFF\xFF\x0F"), "primitive 0 of mesh 0 is malformed: its compressed data ends early");
 }
 
 // Whatever a stream holds, a scene keeps its promises or the file gets one line. In a child, as Draco may crash.

@@ -18,6 +18,7 @@ class DracoScan {
   explicit DracoScan(std::string_view rest) : rest_(rest) {}
 
   [[nodiscard]] bool whole() const { return whole_; }
+  [[nodiscard]] bool too_deep() const { return too_deep_; }
 
   void skip(std::uint64_t bytes) {
     if (bytes > rest_.size()) whole_ = false;
@@ -54,7 +55,8 @@ class DracoScan {
  private:
   // Names with values, then names with metadata of their own.
   void skip_metadata(int depth) {
-    if (depth > kDeepestMetadata) whole_ = false;
+    too_deep_ = too_deep_ || depth > kDeepestMetadata;
+    if (too_deep_) whole_ = false;
     for (std::uint64_t left = number(); left > 0 && whole_; --left) {
       skip(byte());
       skip(number());
@@ -67,6 +69,7 @@ class DracoScan {
 
   std::string_view rest_;
   bool whole_ = true;
+  bool too_deep_ = false;
 };
 
 bool has_elements(const std::string& data, std::uint64_t count, const std::optional<DracoAttribute>& attribute) {
@@ -93,6 +96,7 @@ std::optional<std::string> check_draco(std::string_view stream, std::uint64_t mo
   if (method == 1) scan.skip(1);
   const std::uint64_t first = scan.number();
   const std::uint64_t second = scan.number();
+  if (scan.too_deep()) return "is malformed: the metadata of its compressed data nests too deep";
   if (!scan.whole()) return "is malformed: its compressed data ends early";
   const std::uint64_t triangles = method == 1 ? second : first;
   const std::uint64_t vertices = method == 1 ? first : second;
