@@ -19,8 +19,8 @@
 
 #include "combiner_tests/combiner/coverage.h"
 #include "combiner_tests/combiner/random_state.h"
-#include "combiner_tests/combiner/slow_build.h"
 #include "combiner_tests/combiner/simd_targets.h"
+#include "combiner_tests/combiner/slow_build.h"
 #include "combiner_tests/combiner/support.h"
 #include "ninebit/combiner/validate.h"
 

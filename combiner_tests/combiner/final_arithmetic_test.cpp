@@ -6,8 +6,8 @@
 #include <memory>
 #include <vector>
 
-#include "combiner_tests/combiner/slow_build.h"
 #include "combiner_tests/combiner/simd_targets.h"
+#include "combiner_tests/combiner/slow_build.h"
 #include "combiner_tests/combiner/support.h"
 
 namespace ninebit::test {

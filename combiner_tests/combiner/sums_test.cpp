@@ -20,8 +20,8 @@
 #include <tuple>
 #include <vector>
 
-#include "combiner_tests/combiner/slow_build.h"
 #include "combiner_tests/combiner/simd_targets.h"
+#include "combiner_tests/combiner/slow_build.h"
 #include "combiner_tests/combiner/support.h"
 
 namespace ninebit::test {

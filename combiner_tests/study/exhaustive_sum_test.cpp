@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "combiner_tests/combiner/slow_build.h"
 #include "combiner_tests/combiner/simd_targets.h"
+#include "combiner_tests/combiner/slow_build.h"
 #include "combiner_tests/oracle/combiner_oracle.h"
 #include "combiner_tests/study/support.h"
 #include "src/study/sum_kernels.h"
