@@ -12,8 +12,8 @@
 
 #include "ninebit/scene/scene_io.h"
 #include "ninebit/shadow/technique.h"
-#include "src/image/texture_file.h"
-#include "src/tools/picture_hashes.h"
+#include "src/image/texture/texture_file.h"
+#include "src/tools/common/picture_hashes.h"
 
 namespace {
 

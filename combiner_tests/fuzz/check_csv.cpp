@@ -11,7 +11,7 @@
 
 #include "combiner_tests/fuzz/checks.h"
 #include "combiner_tests/fuzz/common.h"
-#include "src/tools/eval_table.h"
+#include "src/tools/input/eval_table.h"
 
 namespace ninebit::fuzz {
 namespace {

@@ -5,7 +5,7 @@
 #include "combiner_tests/fuzz/checks.h"
 #include "combiner_tests/fuzz/common.h"
 #include "combiner_tests/fuzz/memory_file.h"
-#include "src/image/texture_file.h"
+#include "src/image/texture/texture_file.h"
 
 namespace ninebit::fuzz {
 namespace {

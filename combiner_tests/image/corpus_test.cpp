@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "src/image/texture_file.h"
+#include "src/image/texture/texture_file.h"
 
 namespace ninebit::fuzz {
 namespace {

@@ -10,7 +10,7 @@
 
 #include "combiner_tests/image/texture_reading.h"
 #include "combiner_tests/support/stored_pictures.h"
-#include "src/image/texture_file.h"
+#include "src/image/texture/texture_file.h"
 #include "src/system/sandbox.h"
 
 namespace {

@@ -1,6 +1,6 @@
 // The primitives that build text simplify as they go: every simplification keeps the value, and no value leaves its
 // interval. Random expressions over all values of two small inputs.
-#include "src/language/emit_expression.h"
+#include "src/language/emit/emit_expression.h"
 
 #include <gtest/gtest.h>
 

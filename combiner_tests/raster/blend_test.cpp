@@ -1,5 +1,5 @@
 // Blending in bytes: the measured pair over all inputs (rule 19), all factors and equations, the target's part in it.
-#include "src/raster/blend.h"
+#include "src/raster/fragment/blend.h"
 
 #include <gtest/gtest.h>
 

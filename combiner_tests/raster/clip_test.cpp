@@ -1,5 +1,5 @@
 // Clipping at the near and far planes and at the guard band: what remains has no cracks and lies where it should.
-#include "src/raster/clip.h"
+#include "src/raster/setup/clip.h"
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,7 @@
 #include <cstdlib>
 
 #include "combiner_tests/raster/fragment_support.h"
-#include "src/raster/output_planes.h"
+#include "src/raster/fragment/output_planes.h"
 
 namespace ninebit::test {
 namespace {

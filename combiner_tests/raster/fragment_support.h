@@ -7,7 +7,7 @@
 
 #include "combiner_tests/oracle/raster_oracle_fragment.h"
 #include "combiner_tests/raster/support.h"
-#include "src/raster/fragment_operations.h"
+#include "src/raster/fragment/fragment_operations.h"
 
 namespace ninebit::test {
 

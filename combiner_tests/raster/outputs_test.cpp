@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "combiner_tests/raster/fragment_support.h"
-#include "src/raster/output_planes.h"
-#include "src/raster/target_check.h"
+#include "src/raster/fragment/output_planes.h"
+#include "src/raster/surface/target_check.h"
 
 namespace ninebit::test {
 namespace {

@@ -7,9 +7,9 @@
 
 #include "combiner_tests/combiner/simd_targets.h"
 #include "combiner_tests/raster/support.h"
-#include "src/raster/clip.h"
-#include "src/raster/polygon_offset.h"
-#include "src/raster/primitive_setup.h"
+#include "src/raster/draw/primitive_setup.h"
+#include "src/raster/setup/clip.h"
+#include "src/raster/setup/polygon_offset.h"
 
 namespace ninebit::test {
 namespace {

@@ -10,7 +10,7 @@
 #include "combiner_tests/combiner/simd_targets.h"
 #include "combiner_tests/raster/in_threads.h"
 #include "combiner_tests/raster/random_passes.h"
-#include "src/raster/tile.h"
+#include "src/raster/draw/tile.h"
 
 namespace ninebit::test {
 namespace {

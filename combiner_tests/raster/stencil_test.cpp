@@ -1,5 +1,5 @@
 // The stencil test over all values: functions, operations, masks, and formats with fewer bits or none.
-#include "src/raster/stencil.h"
+#include "src/raster/fragment/stencil.h"
 
 #include <gtest/gtest.h>
 

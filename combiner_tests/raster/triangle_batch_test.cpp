@@ -10,8 +10,8 @@
 #include "combiner_tests/combiner/simd_targets.h"
 #include "combiner_tests/raster/support.h"
 #include "combiner_tests/support/special_floats.h"
-#include "src/raster/clip.h"
-#include "src/raster/primitive_setup.h"
+#include "src/raster/draw/primitive_setup.h"
+#include "src/raster/setup/clip.h"
 
 namespace ninebit::test {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "combiner_tests/shadow/support.h"
 #include "ninebit/image/texture_io.h"
-#include "src/image/texture_file.h"
+#include "src/image/texture/texture_file.h"
 
 namespace shadow_test {
 namespace {

@@ -1,5 +1,5 @@
 // Gathering from pixel lights: patterns, and the sum itself against a naive one in doubles on every SIMD target.
-#include "src/shadow/gather.h"
+#include "src/shadow/reflective/gather.h"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 #include <random>
 
 #include "combiner_tests/combiner/simd_targets.h"
-#include "src/shadow/reflective_reference.h"
+#include "src/shadow/reflective/reflective_reference.h"
 
 namespace {
 

@@ -1,5 +1,5 @@
 // Why pixels are wrong: the article's faults counted, and the rules one by one.
-#include "src/shadow/ground_truth_causes.h"
+#include "src/shadow/ground_truth/ground_truth_causes.h"
 
 #include <numeric>
 

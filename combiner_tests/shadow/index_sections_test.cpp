@@ -1,5 +1,5 @@
 // Sections: what they promise of each object, and what they do to the shadows.
-#include "src/shadow/index_sections.h"
+#include "src/shadow/index_cube/index_sections.h"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "combiner_tests/shadow/support.h"
-#include "src/shadow/index_sections.h"
+#include "src/shadow/index_cube/index_sections.h"
 
 namespace {
 

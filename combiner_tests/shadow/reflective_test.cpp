@@ -14,7 +14,7 @@
 #include "combiner_tests/shadow/support.h"
 #include "ninebit/scene/scene_io.h"
 #include "ninebit/shadow/shadow_map.h"
-#include "src/shadow/reflective_reference.h"
+#include "src/shadow/reflective/reflective_reference.h"
 
 namespace {
 

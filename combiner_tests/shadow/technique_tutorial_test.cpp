@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "combiner_tests/shadow/support.h"
-#include "src/shadow/camera_frame.h"
+#include "src/shadow/frame/camera_frame.h"
 
 namespace ninebit {
 namespace {

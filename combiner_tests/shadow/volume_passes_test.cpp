@@ -8,8 +8,8 @@
 #include <variant>
 
 #include "combiner_tests/shadow/volume_support.h"
-#include "src/shadow/shadow_volumes.h"
-#include "src/shadow/views.h"
+#include "src/shadow/frame/views.h"
+#include "src/shadow/shadow_volume/shadow_volumes.h"
 
 namespace {
 

@@ -20,6 +20,19 @@ const std::map<std::string, int> kRank{{"system", 0}, {"numerics", 0}, {"combine
                                        {"raster", 3}, {"scene", 4},    {"image", 4},    {"shadow", 5},   {"study", 6},
                                        {"bench", 7},  {"tools", 8},    {"python", 8}};
 
+// The folders of rooms in src/. A folder knows those before it and itself; files that stand beside the folders come
+// last.
+const std::map<std::string, std::vector<std::string>> kFolders{
+    {"language", {"source", "gl_nv", "gl_calls", "rc10", "register_words", "emit", "explain", "json"}},
+    {"raster", {"surface", "texture", "setup", "fragment", "lanes", "draw"}},
+    {"image", {"output", "texture", "openimageio", "module"}},
+    {"shadow",
+     {"frame", "index_cube", "depth_cube", "shadow_map", "shadow_volume", "reflective", "light_cookie", "ground_truth",
+      ""}},
+    {"study", {"part", "report", "page", "digits", "index_steps", "datapath", "shadows", "depth_packing"}},
+    {"tools", {"input", "common", "help", "eval", "trace", "verify", "bench", "study", ""}},
+};
+
 // Outside libraries and the rooms that may include them. Besides these there is only the standard library, whose
 // headers have neither a dot nor a slash in their names.
 struct Library {
@@ -68,6 +81,30 @@ std::string complaint(const std::string& room, const std::string& header) {
   return header.find_first_of("./") == std::string::npos ? "" : header + " belongs to no library that the house knows";
 }
 
+// The place among its room's folders of a file "src/ROOM/FOLDER/…" or "src/ROOM/…"; nothing where the room does not
+// have this folder.
+std::optional<std::ptrdiff_t> floor_of(const std::string& path) {
+  std::smatch match;
+  if (!std::regex_match(path, match, std::regex("src/([a-z0-9_]+)/(?:([a-z0-9_]+)/)?[^/]+"))) return std::nullopt;
+  const auto room = kFolders.find(match[1].str());
+  if (room == kFolders.end()) return std::nullopt;
+  const auto folder = std::find(room->second.begin(), room->second.end(), match[2].str());
+  if (folder == room->second.end()) return std::nullopt;
+  return folder - room->second.begin();
+}
+
+// What is wrong with the place of the file `path`, or with its #include of a header of the same room; empty: nothing.
+std::string complaint_within(const std::string& path, const std::string& header) {
+  const auto room = room_of(path);
+  if (path.rfind("src/", 0) != 0 || kFolders.count(*room) == 0) return {};
+  const auto own = floor_of(path);
+  if (!own) return "is in no folder of its room";
+  if (header.rfind("src/", 0) != 0 || room_of(header) != room) return {};
+  const auto other = floor_of(header);
+  if (!other) return header + " is in no folder of its room";
+  return *other <= *own ? "" : "must not know " + header;
+}
+
 std::vector<std::string> includes_of(const fs::path& file) {
   std::vector<std::string> found;
   std::ifstream in(file);
@@ -94,6 +131,7 @@ TEST(Layering, IncludesGoOneWay) {
       for (const std::string& header : includes_of(entry.path())) {
         ++includes;
         EXPECT_EQ(complaint(*room, header), "") << path;
+        EXPECT_EQ(complaint_within(path, header), "") << path;
       }
     }
   }
@@ -106,7 +144,7 @@ TEST(Layering, NoticesWhatIsForbidden) {
   EXPECT_NE(complaint("raster", "ninebit/scene/scene.h"), "");
   EXPECT_NE(complaint("scene", "ninebit/image/image_io.h"), "");
   EXPECT_NE(complaint("image", "src/scene/polygon.h"), "");
-  EXPECT_NE(complaint("shadow", "src/tools/program.h"), "");
+  EXPECT_NE(complaint("shadow", "src/tools/input/program.h"), "");
   EXPECT_NE(complaint("shadow", "assimp/scene.h"), "");
   EXPECT_NE(complaint("image", "draco/compression/decode.h"), "");
   EXPECT_NE(complaint("tools", "OpenImageIO/imageio.h"), "");
@@ -119,6 +157,11 @@ TEST(Layering, NoticesWhatIsForbidden) {
   EXPECT_EQ(complaint("shadow", "ninebit/raster/surface.h"), "");
   EXPECT_EQ(complaint("scene", "assimp/scene.h"), "");
   EXPECT_EQ(complaint("scene", "vector"), "");
+  EXPECT_NE(complaint_within("src/raster/setup/clip.h", "src/raster/draw/tile.h"), "");
+  EXPECT_NE(complaint_within("src/raster/clip.h", "vector"), "");
+  EXPECT_NE(complaint_within("src/raster/draw/tile.h", "src/raster/clip.h"), "");
+  EXPECT_EQ(complaint_within("src/raster/draw/tile.h", "src/raster/setup/clip.h"), "");
+  EXPECT_EQ(complaint_within("src/shadow/technique.cpp", "src/shadow/frame/views.h"), "");
 }
 
 // What a public header declares can be linked to in the shared libraries, and only that.

@@ -11,8 +11,8 @@
 
 #include "combiner_tests/study/support.h"
 #include "ninebit/combiner/evaluate.h"
-#include "src/study/operations.h"
-#include "src/study/wide_counts.h"
+#include "src/study/datapath/operations.h"
+#include "src/study/digits/wide_counts.h"
 
 namespace {
 

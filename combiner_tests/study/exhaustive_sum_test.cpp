@@ -12,7 +12,7 @@
 #include "combiner_tests/combiner/slow_build.h"
 #include "combiner_tests/oracle/combiner_oracle.h"
 #include "combiner_tests/study/support.h"
-#include "src/study/sum_kernels.h"
+#include "src/study/datapath/sum_kernels.h"
 
 namespace {
 

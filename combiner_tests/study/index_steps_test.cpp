@@ -13,7 +13,7 @@
 #include "ninebit/combiner/evaluate.h"
 #include "ninebit/combiner/initial_registers.h"
 #include "ninebit/shadow/index_cube.h"
-#include "src/study/false_matches.h"
+#include "src/study/index_steps/false_matches.h"
 
 namespace {
 

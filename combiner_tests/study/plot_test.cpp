@@ -7,9 +7,9 @@
 #include <limits>
 
 #include "combiner_tests/study/report_example.h"
-#include "src/study/plot_axis.h"
-#include "src/study/plot_picture.h"
-#include "src/study/report_colors.h"
+#include "src/study/report/plot_axis.h"
+#include "src/study/report/plot_picture.h"
+#include "src/study/report/report_colors.h"
 
 namespace {
 

@@ -12,7 +12,7 @@
 #include "combiner_tests/study/support.h"
 #include "ninebit/combiner/trace.h"
 #include "ninebit/study/index_steps.h"
-#include "src/study/program_inputs.h"
+#include "src/study/datapath/program_inputs.h"
 
 namespace {
 

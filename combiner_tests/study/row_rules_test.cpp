@@ -10,8 +10,8 @@
 #include "combiner_tests/fuzz/small_studies.h"
 #include "combiner_tests/support/random.h"
 #include "ninebit/study/study_part.h"
-#include "src/study/part_text.h"
-#include "src/study/sha256.h"
+#include "src/study/part/part_text.h"
+#include "src/study/part/sha256.h"
 
 namespace {
 

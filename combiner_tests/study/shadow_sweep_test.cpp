@@ -10,7 +10,7 @@
 
 #include "ninebit/scene/scene_io.h"
 #include "ninebit/shadow/ground_truth.h"
-#include "src/study/shadow_sweep_report.h"
+#include "src/study/shadows/shadow_sweep_report.h"
 
 namespace {
 

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "src/tools/eval_table.h"
+#include "src/tools/input/eval_table.h"
 
 namespace ninebit::fuzz {
 namespace {

@@ -1,5 +1,5 @@
 // Which names are suggested for one that is not known.
-#include "src/tools/nearest_name.h"
+#include "src/tools/input/nearest_name.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Names and texts of strangers never reach a terminal as they are: control characters, bytes that are not UTF-8.
-#include "src/tools/printable.h"
+#include "src/tools/input/printable.h"
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>

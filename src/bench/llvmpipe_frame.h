@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "src/shadow/index_cube_renderer.h"
+#include "src/shadow/index_cube/index_cube_renderer.h"
 
 namespace ninebit::bench {
 

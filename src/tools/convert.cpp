@@ -9,8 +9,8 @@
 #include "ninebit/language/glsl.h"
 #include "ninebit/language/json.h"
 #include "ninebit/language/rc10.h"
-#include "src/tools/output_file.h"
-#include "src/tools/program_file.h"
+#include "src/tools/common/output_file.h"
+#include "src/tools/common/program_file.h"
 
 namespace ninebit::tools {
 namespace {

@@ -8,9 +8,9 @@
 
 #include "src/system/process.h"
 #include "src/system/stream.h"
-#include "src/tools/eval_engine.h"
-#include "src/tools/output_file.h"
-#include "src/tools/program_file.h"
+#include "src/tools/common/output_file.h"
+#include "src/tools/common/program_file.h"
+#include "src/tools/eval/eval_engine.h"
 
 namespace ninebit::tools {
 namespace {

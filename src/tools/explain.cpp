@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "src/tools/program_file.h"
+#include "src/tools/common/program_file.h"
 
 namespace ninebit::tools {
 namespace {

@@ -2,8 +2,8 @@
 // completions, from the very app that parses the command line.
 #include <memory>
 
-#include "src/tools/program.h"
-#include "src/tools/verb_text.h"
+#include "src/tools/help/verb_text.h"
+#include "src/tools/input/program.h"
 
 namespace ninebit::tools {
 

@@ -5,8 +5,8 @@
 
 #include "ninebit/combiner/batch_program.h"
 #include "ninebit/shadow/technique.h"
-#include "src/tools/build_facts.h"
-#include "src/tools/program.h"
+#include "src/tools/common/build_facts.h"
+#include "src/tools/input/program.h"
 
 namespace ninebit::tools {
 namespace {

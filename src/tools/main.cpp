@@ -8,9 +8,9 @@
 
 #include "src/system/memory.h"
 #include "src/system/process.h"
-#include "src/tools/build_facts.h"
-#include "src/tools/program.h"
-#include "src/tools/usage.h"
+#include "src/tools/common/build_facts.h"
+#include "src/tools/common/usage.h"
+#include "src/tools/input/program.h"
 
 namespace ninebit::tools {
 namespace {

@@ -4,8 +4,8 @@
 #include <iterator>
 #include <memory>
 
-#include "src/tools/printable.h"
-#include "src/tools/program.h"
+#include "src/tools/input/printable.h"
+#include "src/tools/input/program.h"
 
 namespace ninebit::tools {
 namespace {

@@ -11,11 +11,11 @@
 
 #include "ninebit/shadow/ground_truth.h"
 #include "ninebit/shadow/pictures.h"
-#include "src/tools/number_list.h"
-#include "src/tools/picture_hashes.h"
-#include "src/tools/pixel_flag.h"
-#include "src/tools/printable.h"
-#include "src/tools/scene_flags.h"
+#include "src/tools/common/number_list.h"
+#include "src/tools/common/picture_hashes.h"
+#include "src/tools/common/pixel_flag.h"
+#include "src/tools/common/scene_flags.h"
+#include "src/tools/input/printable.h"
 
 namespace ninebit::tools {
 namespace {

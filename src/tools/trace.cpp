@@ -9,13 +9,13 @@
 #include "ninebit/language/trace_json.h"
 #include "src/system/process.h"
 #include "src/system/stream.h"
-#include "src/tools/eval_engine.h"
-#include "src/tools/pixel_flag.h"
-#include "src/tools/printable.h"
-#include "src/tools/program_file.h"
-#include "src/tools/trace_inputs.h"
-#include "src/tools/trace_pixel.h"
-#include "src/tools/trace_text.h"
+#include "src/tools/common/pixel_flag.h"
+#include "src/tools/common/program_file.h"
+#include "src/tools/eval/eval_engine.h"
+#include "src/tools/input/printable.h"
+#include "src/tools/trace/trace_inputs.h"
+#include "src/tools/trace/trace_pixel.h"
+#include "src/tools/trace/trace_text.h"
 
 namespace ninebit::tools {
 namespace {

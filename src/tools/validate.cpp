@@ -8,8 +8,8 @@
 #include <optional>
 #include <string_view>
 
-#include "src/tools/printable.h"
-#include "src/tools/program_file.h"
+#include "src/tools/common/program_file.h"
+#include "src/tools/input/printable.h"
 
 namespace ninebit::tools {
 namespace {

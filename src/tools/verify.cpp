@@ -6,9 +6,9 @@
 #include <memory>
 #include <optional>
 
-#include "src/tools/printable.h"
-#include "src/tools/verify_rules.h"
-#include "src/tools/verify_table.h"
+#include "src/tools/input/printable.h"
+#include "src/tools/verify/verify_rules.h"
+#include "src/tools/verify/verify_table.h"
 
 namespace ninebit::tools {
 namespace {

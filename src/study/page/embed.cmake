@@ -2,7 +2,7 @@
 # gives `extern const std::string_view` constants of namespace ninebit, one a file.
 string(REPLACE "," ";" names "${NAMES}")
 string(REPLACE "," ";" files "${FILES}")
-set(source "// Made by embed.cmake.\n#include \"src/study/page_texts.h\"\n\nnamespace ninebit {\n")
+set(source "// Made by embed.cmake.\n#include \"src/study/report/page_texts.h\"\n\nnamespace ninebit {\n")
 foreach(name file IN ZIP_LISTS names files)
   file(READ "${file}" text)
   string(FIND "${text}" ")ninebit\"" delimiter)

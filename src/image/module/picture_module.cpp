@@ -1,0 +1,13 @@
+// The module ninebit_pictures: OpenImageIO's readers for a program that starts without them.
+#include "src/image/texture/picture_module.h"
+
+using namespace ninebit::image_detail;
+
+extern "C" __attribute__((visibility("default"))) const char* ninebit_pictures_build() {
+  return kPictureModuleBuild;
+}
+
+extern "C" __attribute__((visibility("default"))) void ninebit_pictures_read(const std::filesystem::path& file,
+                                                                             ninebit::Result<FileTexture>& out) {
+  out = read_picture(file);
+}

@@ -1,0 +1,22 @@
+#include "ninebit/image/texture_io.h"
+
+#include "src/image/texture/texture_file.h"
+
+namespace ninebit {
+namespace {
+
+constexpr image_detail::PictureReader kOpenImageIO{.read = &image_detail::read_picture};
+
+}  // namespace
+
+Result<Texture> read_texture(const HardwareProfile& profile, const std::filesystem::path& file,
+                             const TextureReadOptions& options) {
+  return image_detail::read_texture(profile, file, options, kOpenImageIO);
+}
+
+Result<Texture> read_cube_texture(const HardwareProfile& profile, std::span<const std::filesystem::path, 6> files,
+                                  const TextureReadOptions& options) {
+  return image_detail::read_cube_texture(profile, files, options, kOpenImageIO);
+}
+
+}  // namespace ninebit

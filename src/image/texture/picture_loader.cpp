@@ -1,0 +1,76 @@
+#include "src/image/texture/picture_loader.h"
+
+#include <fmt/format.h>
+
+#include <string_view>
+#include <system_error>
+
+#include "src/image/output/faults.h"
+#include "src/image/texture/picture_module.h"
+#include "src/system/process.h"
+#include "src/system/shared_library.h"
+
+namespace ninebit::image_detail {
+namespace {
+
+namespace fs = std::filesystem;
+
+Result<fs::path> find_module() {
+  std::error_code error;
+  const fs::path program = fs::read_symlink(posix::program_file(), error);
+  if (error) {
+    return Diagnostic{fmt::format("the program's own path, beside which {} is looked for, is unknown: {}",
+                                  kPictureModuleFile, error.message())};
+  }
+  const fs::path folder = program.parent_path();
+  const fs::path beside = folder / kPictureModuleFile;
+  const fs::path installed = folder.parent_path() / "lib/ninebit" / kPictureModuleFile;
+  if (fs::exists(beside, error)) return beside;
+  if (fs::exists(installed, error)) return installed;
+  return Diagnostic{
+      fmt::format("pictures other than DDS are read by a module that is missing: neither {} nor {} exists",
+                  beside.string(), installed.string())};
+}
+
+struct PictureModule {
+  PictureModuleRead read;
+};
+
+// It stays loaded until the program ends.
+Result<PictureModule> load_module() {
+  const auto path = find_module();
+  if (!path) return path.error();
+  void* const module = posix::load_library(*path);
+  if (module == nullptr) {
+    return Diagnostic{fmt::format("the module {}, which reads pictures other than DDS, cannot be loaded: {}",
+                                  path->string(), posix::library_error())};
+  }
+  const auto build = reinterpret_cast<const char* (*)()>(posix::find_symbol(module, kPictureBuildSymbol));
+  const auto read = reinterpret_cast<PictureModuleRead>(posix::find_symbol(module, kPictureReadSymbol));
+  if (build == nullptr || read == nullptr || std::string_view(build()) != kPictureModuleBuild) {
+    return Diagnostic{
+        fmt::format("the module {} is not of this build of the program ({})", path->string(), kPictureModuleBuild)};
+  }
+  return PictureModule{read};
+}
+
+const Result<PictureModule>& the_module() {
+  static const Result<PictureModule> module = load_module();
+  return module;
+}
+
+}  // namespace
+
+Status load_picture_module(const std::filesystem::path& file) {
+  const Result<PictureModule>& pictures = the_module();
+  return pictures ? Status() : invalid_input(file, "cannot be read: " + pictures.error().message);
+}
+
+Result<FileTexture> load_picture(const std::filesystem::path& file) {
+  if (Status loaded = load_picture_module(file); !loaded) return loaded.error();
+  Result<FileTexture> texture = FileTexture{};
+  the_module()->read(file, texture);
+  return texture;
+}
+
+}  // namespace ninebit::image_detail

@@ -1,0 +1,20 @@
+// What the module ninebit_pictures and the program that loads it agree upon.
+#pragma once
+
+#include <filesystem>
+
+#include "src/image/texture/texture_file.h"
+
+namespace ninebit::image_detail {
+
+inline constexpr const char* kPictureModuleFile = "ninebit_pictures.so";
+
+// They exchange objects of C++, so that both must come from one build: this version, this compiler.
+inline constexpr const char* kPictureModuleBuild = NINEBIT_VERSION ", " __VERSION__;
+
+// The module's two symbols.
+inline constexpr const char* kPictureBuildSymbol = "ninebit_pictures_build";  // const char* (): kPictureModuleBuild
+inline constexpr const char* kPictureReadSymbol = "ninebit_pictures_read";    // PictureModuleRead
+using PictureModuleRead = void (*)(const std::filesystem::path& file, Result<FileTexture>& out);
+
+}  // namespace ninebit::image_detail

@@ -1,0 +1,162 @@
+// Textures out of files, whoever reads the pictures.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <system_error>
+#include <utility>
+
+#include "src/image/output/faults.h"
+#include "src/image/texture/texture_file.h"
+
+namespace ninebit::image_detail {
+namespace {
+
+// The largest DDS file that there can be: six faces of floats with all levels, and the header.
+constexpr std::uint64_t kLargestFile = std::uint64_t{6} * kMaxSurfaceSize * kMaxSurfaceSize * 16 * 4 / 3 + 1024;
+
+Result<std::vector<std::uint8_t>> read_whole(const std::filesystem::path& file, std::ifstream& in) {
+  in.seekg(0, std::ios::end);
+  const std::streamoff size = in.tellg();
+  if (!in || size < 0) return invalid_input(file, "cannot be read");
+  if (static_cast<std::uint64_t>(size) > kLargestFile) {
+    return invalid_input(file, fmt::format("has {} bytes, more than any texture needs", size));
+  }
+  std::vector<std::uint8_t> bytes(static_cast<std::size_t>(size));
+  in.seekg(0);
+  in.read(reinterpret_cast<char*>(bytes.data()), size);
+  if (!in) return invalid_input(file, "cannot be read to its end");
+  return bytes;
+}
+
+template <class T>
+void flip_planes(std::vector<T>& samples, int width, int height) {
+  const auto columns = static_cast<std::ptrdiff_t>(width), rows = static_cast<std::ptrdiff_t>(height);
+  const auto planes = static_cast<std::ptrdiff_t>(samples.size()) / (columns * rows);
+  for (std::ptrdiff_t plane = 0; plane < planes; ++plane) {
+    const auto first = samples.begin() + plane * rows * columns;
+    for (std::ptrdiff_t y = 0; y < rows / 2; ++y) {
+      std::swap_ranges(first + y * columns, first + (y + 1) * columns, first + (rows - 1 - y) * columns);
+    }
+  }
+}
+
+// Whether the file, which must be there and not be empty, is a DDS file.
+Result<bool> is_dds_file(const std::filesystem::path& file) {
+  std::error_code error;
+  const std::filesystem::file_status status = std::filesystem::status(file, error);
+  if (is_directory(status)) return invalid_input(file, "is a folder; expected a picture");
+  if (exists(status) && !is_regular_file(status)) return invalid_input(file, "is not a regular file");
+  std::ifstream in(file, std::ios::binary);
+  if (!in) return invalid_input(file, "cannot be opened");
+  std::array<char, 4> start{};
+  in.read(start.data(), start.size());
+  const auto found = static_cast<std::size_t>(in.gcount());
+  if (found == 0) return invalid_input(file, "is empty or cannot be read; expected a picture");
+  return is_dds({reinterpret_cast<const std::uint8_t*>(start.data()), found});
+}
+
+Result<FileTexture> read_dds(const HardwareProfile& profile, const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  const auto bytes = read_whole(file, in);
+  if (!bytes) return bytes.error();
+  return parse_dds(profile, file, *bytes);
+}
+
+Result<std::vector<FileTexture>> read_pictures(std::span<const std::filesystem::path> files,
+                                               const TextureReadOptions& options, const PictureReader& reader) {
+  if (options.isolated) return read_isolated(files, reader, options.go_on);
+  std::vector<FileTexture> pictures;
+  for (const std::filesystem::path& file : files) {
+    Result<FileTexture> picture = reader.read(file);
+    if (!picture) return picture.error();
+    pictures.push_back(std::move(picture).value());
+  }
+  return pictures;
+}
+
+void flip(FileTexture& texture) {
+  for (std::vector<TextureSamples>& levels : texture.faces) {
+    for (TextureSamples& image : levels) {
+      std::visit([&](auto& samples) { flip_planes(samples, image.width, image.height); }, image.samples);
+    }
+  }
+}
+
+// All files in their order. Pictures are read together, so that one child process serves for all of them.
+Result<std::vector<FileTexture>> read_files(const HardwareProfile& profile,
+                                            std::span<const std::filesystem::path> files,
+                                            const TextureReadOptions& options, const PictureReader& reader) {
+  std::vector<bool> dds;
+  std::vector<std::filesystem::path> others;
+  for (const std::filesystem::path& file : files) {
+    const Result<bool> found = is_dds_file(file);
+    if (!found) return found.error();
+    dds.push_back(*found);
+    if (!*found) others.push_back(file);
+  }
+  Result<std::vector<FileTexture>> pictures = std::vector<FileTexture>();
+  if (!others.empty()) pictures = read_pictures(others, options, reader);
+  if (!pictures) return pictures.error();
+  std::vector<FileTexture> textures;
+  std::size_t next = 0;
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    Result<FileTexture> texture = dds[i] ? read_dds(profile, files[i]) : std::move((*pictures)[next++]);
+    if (!texture) return texture.error();
+    if (options.flip) flip(*texture);
+    textures.push_back(std::move(texture).value());
+  }
+  return textures;
+}
+
+Result<Texture> finish(const std::filesystem::path& file, FileTexture parts, bool mipmaps) {
+  Result<Texture> texture = make_texture(parts.target, parts.format, std::move(parts.faces));
+  if (texture && mipmaps && texture->faces[0].size() == 1) texture = with_mipmaps(*texture);
+  if (!texture) return invalid_input(file, texture.error().message);
+  return texture;
+}
+
+// Empty, or why the file cannot be a face beside the first one.
+std::string complain_about_face(const FileTexture& face, const FileTexture& first) {
+  if (face.target != TextureTarget::texture_2d) return "is a cube map itself; expected one face";
+  const TextureSamples &image = face.faces[0][0], &wanted = first.faces[0][0];
+  if (image.width != image.height) {
+    return fmt::format("is {} x {} in size; the faces of a cube map must be square", image.width, image.height);
+  }
+  if (image.width != wanted.width) {
+    return fmt::format("is {} x {} in size; the other faces of the cube map are {} x {}", image.width, image.height,
+                       wanted.width, wanted.height);
+  }
+  if (face.format != first.format) return "has other channels or samples than the first face of the cube map";
+  if (face.faces[0].size() != first.faces[0].size()) {
+    return fmt::format("has {} mip-map level(s); the first face of the cube map has {}", face.faces[0].size(),
+                       first.faces[0].size());
+  }
+  return {};
+}
+
+}  // namespace
+
+Result<Texture> read_texture(const HardwareProfile& profile, const std::filesystem::path& file,
+                             const TextureReadOptions& options, const PictureReader& reader) {
+  Result<std::vector<FileTexture>> parts = read_files(profile, std::span(&file, 1), options, reader);
+  if (!parts) return parts.error();
+  return finish(file, std::move((*parts)[0]), options.mipmaps);
+}
+
+Result<Texture> read_cube_texture(const HardwareProfile& profile, std::span<const std::filesystem::path, 6> files,
+                                  const TextureReadOptions& options, const PictureReader& reader) {
+  Result<std::vector<FileTexture>> faces = read_files(profile, files, options, reader);
+  if (!faces) return faces.error();
+  FileTexture& cube = (*faces)[0];
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    if (std::string complaint = complain_about_face((*faces)[i], cube); !complaint.empty()) {
+      return invalid_input(files[i], std::move(complaint));
+    }
+  }
+  for (std::size_t i = 1; i < files.size(); ++i) cube.faces.push_back(std::move((*faces)[i].faces[0]));
+  cube.target = TextureTarget::cube_map;
+  return finish(files[0], std::move(cube), options.mipmaps);
+}
+
+}  // namespace ninebit::image_detail

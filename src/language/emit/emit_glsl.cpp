@@ -1,0 +1,37 @@
+#include "ninebit/language/glsl.h"
+#include "src/language/emit/emit_printer.h"
+
+namespace ninebit {
+
+Result<std::string> emit_glsl(const Program& program, GlslVersion version, std::string_view function) {
+  using namespace emit;  // NOLINT(google-build-using-namespace)
+  if (auto fault = refusal(program, function)) return *fault;
+  const std::string name(function);
+  Graph graph;
+  const Listing listing = list_program(program, graph, [](Register r, int component) {
+    if (r == Register::spare0) return std::string("spare0_alpha");
+    return std::string(short_name_of(r)) + '.' + kComponentLetters[static_cast<std::size_t>(component)];
+  });
+  const Dialect dialect{"int", "min", "max", "clamp", "abs", name + "_with_sign"};
+  Printer printer(graph, listing, dialect);
+  print_body(printer, listing);
+  std::string result;
+  for (const V& v : listing.result) result += (result.empty() ? "" : ", ") + printer.atom(v);
+  if (auto fault = refusal(printer, graph)) return *fault;
+
+  const Datapath& d = program.datapath;
+  std::string out = version == GlslVersion::es_300 ? "#version 300 es\nprecision highp int;\n" : "#version 330 core\n";
+  out += "\n// A register-combiner program in integers: " + std::to_string(d.one) + " is 1.0, one half is " +
+         std::to_string(d.half) + ". Arguments are register codes in [" + std::to_string(d.lowest) + ", " +
+         std::to_string(d.one) + "],\n// the result is codes in [0, " + std::to_string(d.one) + "].\n";
+  out += "// " + range_comment(printer) + '\n';
+  if (printer.called().count(dialect.with_sign) != 0) {
+    out += "\nint " + dialect.with_sign + "(int n, int magnitude) {\n  return n < 0 ? -magnitude : magnitude;\n}\n";
+  }
+  out += "\nivec4 " + name + "(ivec4 primary, ivec4 secondary, ivec4 fog, ivec4 texture0, ivec4 texture1,\n" +
+         std::string(name.size() + 7, ' ') + "ivec4 texture2, ivec4 texture3, int spare0_alpha) {\n";
+  out += printer.out();
+  return out + "  return ivec4(" + result + ");\n}\n";
+}
+
+}  // namespace ninebit

@@ -1,0 +1,47 @@
+// A program written out as blocks of named values: what every target language prints in its own words.
+#pragma once
+
+#include <array>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "ninebit/combiner/program.h"
+#include "ninebit/numerics/result.h"
+#include "src/language/emit/emit_expression.h"
+
+namespace ninebit::emit {
+
+// One live component that a portion writes.
+struct Line {
+  std::string target;  // "spare0.r", for comments
+  std::string name;    // "s0_spare0_r", the variable, where the value needs one
+  V value;
+};
+
+// One portion of one general combiner.
+struct Block {
+  std::vector<std::string> comments;
+  std::vector<Line> lines;
+};
+
+struct Listing {
+  std::vector<Block> blocks;
+  std::vector<std::string> final_comments;
+  std::array<V, 4> result{};  // of the final combiner
+};
+
+// The names by which a register is known in the emitted text: "primary", "texture0", …
+std::string_view short_name_of(Register r);
+inline constexpr std::array<char, 4> kComponentLetters{'r', 'g', 'b', 'a'};
+
+// Runs the program over text. `input` gives the text of an argument's component, or of spare0's initial alpha.
+using InputText = std::function<std::string(Register, int component)>;
+Listing list_program(const Program& program, Graph& graph, const InputText& input);
+
+// Why neither language can hold the program or use the name; empty: it can.
+std::optional<Diagnostic> refusal(const Program& program, std::string_view function);
+
+}  // namespace ninebit::emit

@@ -1,0 +1,30 @@
+// What explain says beside the equations.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "ninebit/language/explain.h"
+#include "src/language/explain/explain_terms.h"
+
+namespace ninebit::explain_detail {
+
+// An equation with what it takes to follow values through the program.
+struct Fact {
+  Equation equation;
+  Register target = Register::discard;  // general combiners
+  unsigned components = 0;              // of the target: kRgbBits or kAlphaBit
+  std::vector<Read> reads;
+  Marks marks;
+  Range range;              // of the value written, codes
+  std::string mux_picks{};  // "AB" or "CD": what a mux can only pick
+};
+
+// In the order of the stages; `used` of the facts is final.
+[[nodiscard]] std::vector<DeadPortion> dead_portions(const Program& program, const std::vector<Fact>& facts);
+[[nodiscard]] std::vector<std::string> constant_sentences(const Program& program, const std::vector<Fact>& facts);
+[[nodiscard]] std::vector<std::string> notes_of(const Program& program, const HardwareProfile& profile,
+                                                const std::vector<Fact>& facts);
+[[nodiscard]] std::vector<std::string> legend_of(const Datapath& d, const std::vector<Fact>& facts);
+
+}  // namespace ninebit::explain_detail

@@ -1,0 +1,48 @@
+// The words of C as far as GL calls need them.
+#pragma once
+
+#include <cstddef>
+#include <string_view>
+
+#include "src/language/source/source_faults.h"
+
+namespace ninebit::detail {
+
+struct GlToken {
+  enum class Kind { end, name, number, punctuation, unknown };
+  Kind kind = Kind::end;
+  std::size_t offset = 0;
+  std::string_view text;
+
+  [[nodiscard]] bool is(char c) const { return kind == Kind::punctuation && text.front() == c; }
+  [[nodiscard]] bool is(std::string_view name) const { return kind == Kind::name && text == name; }
+};
+
+// One token ahead. A comment without its end is a fault, and the text is over.
+class GlLexer {
+ public:
+  GlLexer(std::string_view text, SourceFaults& faults);
+
+  [[nodiscard]] const GlToken& peek() const { return token_; }
+  GlToken take();
+  // Past the line that the next token begins in.
+  void skip_line();
+  // Where the token taken last ended.
+  [[nodiscard]] std::size_t end_of_last() const { return end_of_last_; }
+  // Whether the text ended inside a comment: a fault that is reported already.
+  [[nodiscard]] bool cut_short() const { return cut_short_; }
+
+ private:
+  void advance();
+  [[nodiscard]] std::size_t number_end() const;
+  [[nodiscard]] std::size_t unknown_end() const;
+
+  std::string_view text_;
+  SourceFaults& faults_;
+  std::size_t at_ = 0;
+  std::size_t end_of_last_ = 0;
+  GlToken token_;
+  bool cut_short_ = false;
+};
+
+}  // namespace ninebit::detail

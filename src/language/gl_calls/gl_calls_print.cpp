@@ -1,0 +1,128 @@
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cstddef>
+#include <initializer_list>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "ninebit/language/gl_calls.h"
+#include "src/language/gl_calls/gl_calls_names.h"
+#include "src/language/gl_nv/gl_nv_access.h"
+#include "src/language/source/beyond_opengl.h"
+
+namespace ninebit {
+namespace {
+
+using detail::gl_name;
+
+constexpr std::array<std::string_view, 7> kVariableNames{"GL_VARIABLE_A_NV", "GL_VARIABLE_B_NV", "GL_VARIABLE_C_NV",
+                                                         "GL_VARIABLE_D_NV", "GL_VARIABLE_E_NV", "GL_VARIABLE_F_NV",
+                                                         "GL_VARIABLE_G_NV"};
+
+// The shortest C constant of type float that is the number again, as GL would store it.
+std::string float_text(float component) {
+  std::array<char, 32> digits{};
+  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), gl::detail::clamped_color(component));
+  std::string text(digits.data(), end.ptr);
+  if (text.find_first_of(".e") == std::string::npos) text += ".0";
+  return text + "f";
+}
+
+std::string array_text(const ColorF& color) {
+  std::string text = "(const GLfloat[]){";
+  for (std::size_t i = 0; i < color.size(); ++i) text += (i == 0 ? "" : ", ") + float_text(color[i]);
+  return text + "}";
+}
+
+std::string stage_name(std::size_t stage) {
+  return "GL_COMBINER" + std::to_string(stage) + "_NV";
+}
+
+class Printer {
+ public:
+  std::string print(const CombinerState& state, const HardwareProfile& profile) {
+    call("glCombinerParameteriNV", {"GL_NUM_GENERAL_COMBINERS_NV", std::to_string(state.num_general_combiners)});
+    call("glCombinerParameteriNV", {"GL_COLOR_SUM_CLAMP_NV", boolean(state.color_sum_clamp)});
+    call("glCombinerParameterfvNV", {"GL_CONSTANT_COLOR0_NV", array_text(state.constant0)});
+    call("glCombinerParameterfvNV", {"GL_CONSTANT_COLOR1_NV", array_text(state.constant1)});
+    const auto stages = static_cast<std::size_t>(profile.general_combiners.value);
+    for (std::size_t i = 0; i < std::min(stages, state.general.size()); ++i) {
+      const bool all = static_cast<int>(i) < state.num_general_combiners;
+      const GeneralCombiner fresh;
+      portion(i, PortionName::rgb, state.general[i].rgb, fresh.rgb, all);
+      portion(i, PortionName::alpha, state.general[i].alpha, fresh.alpha, all);
+      if (!profile.per_stage_constants) continue;
+      stage_constant(i, "GL_CONSTANT_COLOR0_NV", state.general[i].constant0);
+      stage_constant(i, "GL_CONSTANT_COLOR1_NV", state.general[i].constant1);
+    }
+    text_ += '\n';
+    for (std::size_t v = 0; v < gl::detail::kFinalInputs.size(); ++v) {
+      const CombinerInput& in = state.final_combiner.*gl::detail::kFinalInputs[v];
+      call("glFinalCombinerInputNV", {kVariableNames[v], gl_name(in.reg), gl_name(in.mapping), gl_name(in.usage)});
+    }
+    text_ += '\n';
+    if (state.per_stage_constants) call("glEnable", {"GL_PER_STAGE_CONSTANTS_NV"});
+    call("glEnable", {"GL_REGISTER_COMBINERS_NV"});
+    return std::move(text_);
+  }
+
+ private:
+  struct Argument {
+    Argument(const char* t) : text(t) {}
+    Argument(std::string_view t) : text(t) {}
+    Argument(std::string t) : text(std::move(t)) {}
+    std::string text;
+  };
+
+  static std::string_view boolean(bool value) { return value ? "GL_TRUE" : "GL_FALSE"; }
+
+  void call(std::string_view name, std::initializer_list<Argument> arguments) {
+    text_ += name;
+    char before = '(';
+    for (const Argument& argument : arguments) {
+      text_ += before;
+      if (before == ',') text_ += ' ';
+      text_ += argument.text;
+      before = ',';
+    }
+    text_ += ");\n";
+  }
+
+  void portion(std::size_t stage, PortionName name, const Portion& now, const Portion& fresh, bool all) {
+    if (!all && now == fresh) return;
+    const std::string_view which = name == PortionName::rgb ? "GL_RGB" : "GL_ALPHA";
+    text_ += '\n';
+    for (std::size_t v = 0; v < gl::detail::kGeneralInputs.size(); ++v) {
+      const CombinerInput& in = now.*gl::detail::kGeneralInputs[v];
+      if (!all && in == fresh.*gl::detail::kGeneralInputs[v]) continue;
+      call("glCombinerInputNV",
+           {stage_name(stage), which, kVariableNames[v], gl_name(in.reg), gl_name(in.mapping), gl_name(in.usage)});
+    }
+    const PortionOutput& out = now.out;
+    if (!all && out == fresh.out) return;
+    call("glCombinerOutputNV",
+         {stage_name(stage), which, gl_name(out.ab), gl_name(out.cd), gl_name(out.sum), gl_name(out.scale),
+          gl_name(out.bias), boolean(out.ab_dot_product), boolean(out.cd_dot_product), boolean(out.mux_sum)});
+  }
+
+  // A zero is the default, and the call needs NV_register_combiners2: so it is made for the others alone.
+  void stage_constant(std::size_t stage, std::string_view name, const ColorF& color) {
+    if (color == ColorF{}) return;
+    call("glCombinerStageParameterfvNV", {stage_name(stage), name, array_text(color)});
+  }
+
+  std::string text_;
+};
+
+}  // namespace
+
+Result<std::string> print_gl_calls(const CombinerState& state, const HardwareProfile& profile) {
+  if (const std::string beyond = beyond_opengl(normalize(state, profile)); !beyond.empty()) {
+    return Diagnostic{.message = "OpenGL has no " + beyond};
+  }
+  return Printer().print(state, profile);
+}
+
+}  // namespace ninebit

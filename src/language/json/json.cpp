@@ -1,0 +1,207 @@
+// Reading a program.
+#include "ninebit/language/json.h"
+
+#include <array>
+
+#include "ninebit/combiner/validate.h"
+#include "src/language/json/json_reader.h"
+
+namespace ninebit {
+namespace {
+
+using json::Reader;
+using json::Type;
+using json::Value;
+
+constexpr std::array kInputs{Register::zero,      Register::constant0,
+                             Register::constant1, Register::fog,
+                             Register::primary,   Register::secondary,
+                             Register::spare0,    Register::spare1,
+                             Register::texture0,  Register::texture1,
+                             Register::texture2,  Register::texture3,
+                             Register::e_times_f, Register::spare0_plus_secondary};
+constexpr std::array kOutputs{Register::discard,  Register::primary,  Register::secondary,
+                              Register::spare0,   Register::spare1,   Register::texture0,
+                              Register::texture1, Register::texture2, Register::texture3};
+constexpr std::array kUsages{ComponentUsage::rgb, ComponentUsage::alpha, ComponentUsage::blue};
+constexpr std::array kScales{Scale::none, Scale::by_two, Scale::by_four, Scale::by_one_half};
+constexpr std::array kBiases{Bias::none, Bias::by_negative_one_half};
+
+class ProgramReader {
+ public:
+  ProgramReader(std::string_view text, TextFaults& faults) : read_(text, faults) {}
+
+  CombinerState read(const Value& root) {
+    if (!read_.object(root, {"ninebit", "version", "num_general_combiners", "color_sum_clamp", "per_stage_constants",
+                             "mux_by_lowest_bit", "color_sum_invert_spare0", "color_sum_invert_secondary",
+                             "constant_color0", "constant_color1", "general_combiners", "final_combiner"})) {
+      return state_;
+    }
+    read_.heading(root, "program", true);
+    with(root, "num_general_combiners", [&](const Value& value) {
+      count_ = value.offset;
+      read_.integer(value, 1, kMaxGeneralCombiners, state_.num_general_combiners, GlError::invalid_value);
+    });
+    with(root, "color_sum_clamp", [&](const Value& value) { read_.boolean(value, state_.color_sum_clamp); });
+    with(root, "per_stage_constants", [&](const Value& value) {
+      per_stage_ = value.offset;
+      read_.boolean(value, state_.per_stage_constants);
+    });
+    with(root, "mux_by_lowest_bit", [&](const Value& value) {
+      mux_ = value.offset;
+      read_.boolean(value, state_.mux_by_lowest_bit);
+    });
+    with(root, "color_sum_invert_spare0", [&](const Value& value) {
+      inverts_ = value.offset;
+      read_.boolean(value, state_.color_sum_invert_spare0);
+    });
+    with(root, "color_sum_invert_secondary", [&](const Value& value) {
+      if (inverts_ == 0) inverts_ = value.offset;
+      read_.boolean(value, state_.color_sum_invert_secondary);
+    });
+    with(root, "constant_color0", [&](const Value& value) { color(value, state_.constant0); });
+    with(root, "constant_color1", [&](const Value& value) { color(value, state_.constant1); });
+    with(root, "general_combiners", [&](const Value& value) { stages(value); });
+    with(root, "final_combiner", [&](const Value& value) { final_combiner(value); });
+    return state_;
+  }
+
+  // Where the text has what a diagnostic is about.
+  [[nodiscard]] TextPlace place_of(const StateDiagnostic& found) const {
+    if (found.stage && found.portion) {
+      const auto stage = static_cast<std::size_t>(*found.stage);
+      const auto portion = static_cast<std::size_t>(*found.portion);
+      const std::size_t part = found.variable ? static_cast<std::size_t>(*found.variable) : kOutputPart;
+      return read_.place(general_[stage][portion][part]);
+    }
+    if (found.variable) return read_.place(final_[static_cast<std::size_t>(*found.variable)]);
+    switch (found.parameter.value_or(StateParameter::num_general_combiners)) {
+      case StateParameter::num_general_combiners:
+        return read_.place(count_);
+      case StateParameter::per_stage_constants:
+        return read_.place(per_stage_);
+      case StateParameter::mux_by_lowest_bit:
+        return read_.place(mux_);
+      case StateParameter::color_sum_inverts:
+        return read_.place(inverts_);
+    }
+    return {};
+  }
+
+ private:
+  static constexpr std::size_t kOutputPart = 4;
+
+  template <class Function>
+  void with(const Value& object, std::string_view key, Function function) {
+    if (const Value* const value = Reader::find(object, key)) function(*value);
+  }
+
+  void color(const Value& value, ColorF& into) {
+    if (value.type != Type::array || value.children.size() != 4) {
+      return read_.fault(value.offset, value.key + " must be an array of 4 numbers: red, green, blue, alpha");
+    }
+    for (std::size_t i = 0; i < 4; ++i) read_.fraction(value.children[i], into[i]);
+  }
+
+  void stages(const Value& value) {
+    if (value.type != Type::array) return read_.wrong_type(value, "an array");
+    for (std::size_t i = 0; i < value.children.size(); ++i) {
+      if (i >= state_.general.size()) {
+        return read_.fault(value.children[i].offset, "there are at most 8 general combiners", GlError::invalid_value);
+      }
+      stage(value.children[i], i);
+    }
+  }
+
+  void stage(const Value& value, std::size_t index) {
+    GeneralCombiner& into = state_.general[index];
+    if (!read_.object(value, {"rgb", "alpha", "constant_color0", "constant_color1"})) return;
+    with(value, "rgb", [&](const Value& part) { portion(part, into.rgb, general_[index][0]); });
+    with(value, "alpha", [&](const Value& part) { portion(part, into.alpha, general_[index][1]); });
+    with(value, "constant_color0", [&](const Value& part) { color(part, into.constant0); });
+    with(value, "constant_color1", [&](const Value& part) { color(part, into.constant1); });
+  }
+
+  void portion(const Value& value, Portion& into, std::array<std::size_t, 5>& offsets) {
+    if (!read_.object(value, {"a", "b", "c", "d", "output"})) return;
+    const std::pair<std::string_view, CombinerInput*> inputs[] = {
+        {"a", &into.a}, {"b", &into.b}, {"c", &into.c}, {"d", &into.d}};
+    for (std::size_t i = 0; i < 4; ++i) {
+      with(value, inputs[i].first, [&](const Value& part) {
+        offsets[i] = part.offset;
+        input(part, *inputs[i].second);
+      });
+    }
+    with(value, "output", [&](const Value& part) {
+      offsets[kOutputPart] = part.offset;
+      output(part, into.out);
+    });
+  }
+
+  void input(const Value& value, CombinerInput& into) {
+    if (!read_.object(value, {"input", "mapping", "usage"})) return;
+    with(value, "input", [&](const Value& part) { name<Register>(part, kInputs, "input", into.reg); });
+    with(value, "mapping",
+         [&](const Value& part) { name<InputMapping>(part, kInputMappings, "input mapping", into.mapping); });
+    with(value, "usage",
+         [&](const Value& part) { name<ComponentUsage>(part, kUsages, "component usage", into.usage); });
+  }
+
+  void output(const Value& value, PortionOutput& into) {
+    if (!read_.object(value, {"ab", "cd", "sum", "scale", "bias", "ab_dot_product", "cd_dot_product", "mux_sum",
+                              "ab_blue_to_alpha", "cd_blue_to_alpha"}))
+      return;
+    with(value, "ab", [&](const Value& part) { name<Register>(part, kOutputs, "output", into.ab); });
+    with(value, "cd", [&](const Value& part) { name<Register>(part, kOutputs, "output", into.cd); });
+    with(value, "sum", [&](const Value& part) { name<Register>(part, kOutputs, "output", into.sum); });
+    with(value, "scale", [&](const Value& part) { name<Scale>(part, kScales, "scale", into.scale); });
+    with(value, "bias", [&](const Value& part) { name<Bias>(part, kBiases, "bias", into.bias); });
+    with(value, "ab_dot_product", [&](const Value& part) { read_.boolean(part, into.ab_dot_product); });
+    with(value, "cd_dot_product", [&](const Value& part) { read_.boolean(part, into.cd_dot_product); });
+    with(value, "mux_sum", [&](const Value& part) { read_.boolean(part, into.mux_sum); });
+    with(value, "ab_blue_to_alpha", [&](const Value& part) { read_.boolean(part, into.ab_blue_to_alpha); });
+    with(value, "cd_blue_to_alpha", [&](const Value& part) { read_.boolean(part, into.cd_blue_to_alpha); });
+  }
+
+  void final_combiner(const Value& value) {
+    if (!read_.object(value, {"a", "b", "c", "d", "e", "f", "g"})) return;
+    FinalCombiner& f = state_.final_combiner;
+    const std::pair<std::string_view, CombinerInput*> inputs[] = {{"a", &f.a}, {"b", &f.b}, {"c", &f.c}, {"d", &f.d},
+                                                                  {"e", &f.e}, {"f", &f.f}, {"g", &f.g}};
+    for (std::size_t i = 0; i < 7; ++i) {
+      with(value, inputs[i].first, [&](const Value& part) {
+        final_[i] = part.offset;
+        input(part, *inputs[i].second);
+      });
+    }
+  }
+
+  template <class Enum>
+  void name(const Value& value, std::span<const Enum> allowed, std::string_view what, Enum& into) {
+    read_.name<Enum>(value, allowed, what, into);
+  }
+
+  Reader read_;
+  CombinerState state_{};
+  std::size_t count_ = 0, per_stage_ = 0, mux_ = 0, inverts_ = 0;
+  std::array<std::array<std::array<std::size_t, 5>, 2>, kMaxGeneralCombiners> general_{};
+  std::array<std::size_t, 7> final_{};
+};
+
+}  // namespace
+
+Parsed<CombinerState> parse_json_program(const SourceText& source, const HardwareProfile& profile) {
+  TextFaults faults(source.file);
+  if (too_long(source.text, faults)) return {std::nullopt, faults.take()};
+  const std::optional<Value> root = json::read_tree(source.text, faults);
+  if (!root) return {std::nullopt, faults.take()};
+  ProgramReader reader(source.text, faults);
+  const CombinerState state = reader.read(*root);
+  for (const StateDiagnostic& found : validate(state, profile)) {
+    faults.add(reader.place_of(found), found.message, found.gl_error);
+  }
+  if (!faults.empty()) return {std::nullopt, faults.take()};
+  return {state, {}};
+}
+
+}  // namespace ninebit

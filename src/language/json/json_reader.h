@@ -1,0 +1,90 @@
+// Takes values of one type out of a tree; whatever is otherwise becomes a fault with its place.
+#pragma once
+
+#include <algorithm>
+#include <initializer_list>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "src/language/json/json_tree.h"
+
+namespace ninebit::json {
+
+class Reader {
+ public:
+  Reader(std::string_view text, TextFaults& faults) : places_(text), faults_(faults) {}
+
+  // `gl_error` is what OpenGL raises for the same state, where that is all that is wrong.
+  void fault(std::size_t offset, const std::string& message, GlError gl_error = GlError::no_error) {
+    faults_.add(places_(offset), message, gl_error);
+  }
+
+  [[nodiscard]] TextPlace place(std::size_t offset) const { return places_(offset); }
+
+  // "mapping must be a string, not a number".
+  void wrong_type(const Value& value, std::string_view expected) {
+    fault(value.offset,
+          called(value) + " must be " + std::string(expected) + ", not " + std::string(name_of(value.type)));
+  }
+
+  // Whether the value is an object with none but the given keys; unknown keys are faults.
+  bool object(const Value& value, std::initializer_list<std::string_view> keys) {
+    if (value.type != Type::object) {
+      wrong_type(value, "an object");
+      return false;
+    }
+    for (const Value& child : value.children) {
+      if (std::find(keys.begin(), keys.end(), child.key) != keys.end()) continue;
+      std::string message = "unknown key " + in_quotes(child.key) + "; the keys here are ";
+      for (const std::string_view key : keys)
+        message += std::string(key == *keys.begin() ? "" : ", ") + std::string(key);
+      fault(child.key_offset, message);
+    }
+    return true;
+  }
+
+  [[nodiscard]] static const Value* find(const Value& object, std::string_view key) {
+    const auto found = std::find_if(object.children.begin(), object.children.end(),
+                                    [&](const Value& child) { return child.key == key; });
+    return found == object.children.end() ? nullptr : &*found;
+  }
+
+  void boolean(const Value& value, bool& into) {
+    if (value.type != Type::boolean) return wrong_type(value, "true or false");
+    into = value.boolean;
+  }
+
+  // A whole number, written as one, in [lowest, highest].
+  void integer(const Value& value, int lowest, int highest, int& into, GlError beyond = GlError::no_error);
+
+  // A real number in [0, 1].
+  void fraction(const Value& value, float& into);
+
+  // The value with this name; `name_of` is the combiner's.
+  template <class Enum>
+  void name(const Value& value, std::span<const Enum> allowed, std::string_view what, Enum& into) {
+    if (value.type != Type::string) return wrong_type(value, "a string");
+    std::string names;
+    for (const Enum one : allowed) {
+      if (ninebit::name_of(one) == value.text) {
+        into = one;
+        return;
+      }
+      names += (names.empty() ? "" : ", ") + std::string(ninebit::name_of(one));
+    }
+    fault(value.offset, in_quotes(value.text) + " is no " + std::string(what) + "; there are " + names);
+  }
+
+  // Faults of "ninebit" and "version", which say what the text is; `required`: they must be there.
+  void heading(const Value& root, std::string_view kind, bool required);
+
+ private:
+  static std::string called(const Value& value) { return value.key.empty() ? "the value" : value.key; }
+
+  Places places_;
+  TextFaults& faults_;
+};
+
+}  // namespace ninebit::json

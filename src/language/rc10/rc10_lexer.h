@@ -1,0 +1,59 @@
+// The tokens of !!RC1.0.
+#pragma once
+
+#include <cstddef>
+#include <string_view>
+
+#include "src/language/source/source_blanks.h"
+#include "src/language/source/source_faults.h"
+
+namespace ninebit::detail {
+
+inline constexpr std::string_view kRc10Header = "!!RC1.0";
+
+struct Rc10Token {
+  enum class Kind {
+    end,
+    word,         // registers with their component suffix, and keywords, out.rgb and out.a among them
+    number,       // with its sign
+    punctuation,  // one of { } ( ) = ; , . * + -
+    unknown
+  };
+  Kind kind = Kind::end;
+  std::size_t offset = 0;
+  std::string_view text;
+
+  [[nodiscard]] bool is(char c) const { return kind == Kind::punctuation && text.front() == c; }
+  [[nodiscard]] bool is(std::string_view word) const { return kind == Kind::word && text == word; }
+};
+
+// Whether a word is a register's name without its suffix: tex0, but not discard, which has none, and not color_sum.
+[[nodiscard]] bool takes_rc10_suffix(std::string_view word);
+
+// One token ahead. A comment without its end is a fault, and the text is over; the header is a blank.
+class Rc10Lexer {
+ public:
+  Rc10Lexer(std::string_view text, SourceFaults& faults)
+      : text_(text), faults_(faults), at_(text.starts_with(kByteOrderMark) ? kByteOrderMark.size() : 0) {
+    advance();
+  }
+
+  [[nodiscard]] const Rc10Token& peek() const { return token_; }
+  Rc10Token take();
+  // Whether the text ended inside a comment: a fault that is reported already.
+  [[nodiscard]] bool cut_short() const { return cut_short_; }
+
+ private:
+  void advance();
+  [[nodiscard]] std::size_t number_length() const;
+  [[nodiscard]] std::size_t word_length() const;
+  [[nodiscard]] std::size_t unknown_length() const;
+
+  std::string_view text_;
+  SourceFaults& faults_;
+  std::size_t at_ = 0;
+  Rc10Token token_;
+  bool cut_short_ = false;
+};
+
+}  // namespace ninebit::detail

@@ -1,0 +1,142 @@
+#include <array>
+#include <optional>
+#include <string>
+
+#include "ninebit/language/rc10.h"
+#include "src/language/rc10/rc10_parser.h"
+#include "src/language/source/source_blanks.h"
+
+namespace ninebit {
+namespace {
+
+using detail::quoted;
+using detail::Rc10Constants;
+using detail::Rc10Final;
+using detail::Rc10Reader;
+using detail::Rc10Token;
+
+class Parser {
+ public:
+  Parser(const SourceText& source, const HardwareProfile& profile)
+      : profile_(profile), faults_(source), in_(source.text, profile, faults_) {}
+
+  Parsed<CombinerState> parse() {
+    while (in_.lexer.peek().kind != Rc10Token::Kind::end && !faults_.full()) {
+      if (!part()) recover();
+    }
+    final_.finish(in_, state_);
+    finish();
+    if (faults_.empty()) return {state_, {}};
+    return {std::nullopt, faults_.take()};
+  }
+
+ private:
+  enum class Phase { constants, stages, last };
+
+  // One constant, general combiner or statement of the final combiner. False: what follows is to be skipped.
+  bool part() {
+    const Rc10Token token = in_.lexer.peek();
+    if (token.is("const0") || token.is("const1")) {
+      come_to(Phase::constants, token, "constants stand before the general combiners");
+      return detail::read_rc10_constant(in_, globals_, "global");
+    }
+    if (token.is('{')) {
+      come_to(Phase::stages, token, "general combiners stand before the final combiner");
+      stage(token);
+      return true;
+    }
+    if (Rc10Final::begins(token)) {
+      come_to(Phase::last, token, "");
+      return final_.read_statement(in_);
+    }
+    return in_.expected(phase_ == Phase::last ? "a statement of the final combiner"
+                                              : "a constant, a general combiner in braces, or out.rgb or out.a");
+  }
+
+  void come_to(Phase phase, const Rc10Token& token, const char* fault) {
+    if (phase < phase_) {
+      faults_.add(token.offset, fault);
+    } else {
+      phase_ = phase;
+    }
+  }
+
+  void stage(const Rc10Token& token) {
+    if (stages_ == profile_.general_combiners) {
+      if (!too_many_) {
+        faults_.add(token.offset,
+                    "profile " + std::string(profile_.name) + " has " + std::to_string(stages_) +
+                        " general combiners, and this is one more",
+                    GlError::invalid_value);
+      }
+      too_many_ = true;
+      in_.skip_block();
+      return;
+    }
+    const auto i = static_cast<std::size_t>(stages_++);
+    detail::read_rc10_stage(in_, state_.general[i], locals_[i]);
+  }
+
+  // A stray brace and those after it are one fault.
+  void recover() {
+    if (in_.lexer.peek().is('}')) {
+      while (in_.lexer.peek().is('}')) in_.lexer.take();
+      return;
+    }
+    while (in_.lexer.peek().kind != Rc10Token::Kind::end && !in_.lexer.peek().is('{') && !in_.lexer.peek().is('}')) {
+      if (in_.lexer.take().is(';')) return;
+    }
+  }
+
+  void finish() {
+    const auto set = [](ColorF& to, const std::optional<ColorF>& color) {
+      if (color) to = *color;
+    };
+    set(state_.constant0, globals_.color[0]);
+    set(state_.constant1, globals_.color[1]);
+    for (const Rc10Constants& local : locals_) {
+      if (local.color[0] || local.color[1]) state_.per_stage_constants = true;
+    }
+    for (std::size_t i = 0; state_.per_stage_constants && i < static_cast<std::size_t>(stages_); ++i) {
+      GeneralCombiner& stage = state_.general[i];
+      set(stage.constant0, locals_[i].color[0] ? locals_[i].color[0] : globals_.color[0]);
+      set(stage.constant1, locals_[i].color[1] ? locals_[i].color[1] : globals_.color[1]);
+    }
+    state_.num_general_combiners = stages_;
+    if (stages_ > 0) return;
+    state_.num_general_combiners = 1;
+    detail::clear_rc10_stage(state_.general[0]);
+  }
+
+  const HardwareProfile& profile_;
+  detail::SourceFaults faults_;
+  Rc10Reader in_;
+  CombinerState state_;
+  Rc10Constants globals_;
+  std::array<Rc10Constants, kMaxGeneralCombiners> locals_;
+  Rc10Final final_;
+  Phase phase_ = Phase::constants;
+  int stages_ = 0;
+  bool too_many_ = false;
+};
+
+// The specification wants the header at the very beginning; files that people write have a comment before it. Where it
+// is missing, that is a fault.
+bool begins_with_header(std::string_view text, detail::SourceFaults& faults) {
+  std::size_t at = text.starts_with(detail::kByteOrderMark) ? detail::kByteOrderMark.size() : 0;
+  if (!detail::skip_blanks(text, at, {.hash_comments = true, .heading = {}}, faults)) return false;
+  if (text.substr(at).starts_with(detail::kRc10Header)) return true;
+  faults.add(at, "a program begins with !!RC1.0; expected nothing but blanks and comments before it");
+  return false;
+}
+
+}  // namespace
+
+Parsed<CombinerState> parse_rc10(const SourceText& source, const HardwareProfile& profile) {
+  detail::SourceFaults faults(source);
+  if (detail::too_long(source, faults)) return {std::nullopt, faults.take()};
+  if (!begins_with_header(source.text, faults)) return {std::nullopt, faults.take()};
+  return Parser(source, profile).parse();
+}
+
+}  // namespace ninebit

@@ -1,0 +1,141 @@
+// `NAME = 0x…` lines, and their printing.
+#include "ninebit/language/register_words.h"
+
+#include <charconv>
+
+#include "src/language/register_words/register_words_faults.h"
+#include "src/language/register_words/register_words_layout.h"
+
+namespace ninebit {
+namespace {
+
+bool is_letter(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
+}
+
+bool is_digit(char c) {
+  return c >= '0' && c <= '9';
+}
+
+bool is_blank(char c) {
+  return c == ' ' || c == '\t' || c == '\r';
+}
+
+// What stands at a place, for a message.
+std::string what_is_at(std::string_view line, std::size_t at) {
+  if (at >= line.size()) return "the end of the line";
+  const char c = line[at];
+  if (c > ' ' && c <= '~') return std::string("'") + c + "'";
+  return "the byte " + words::hex_text(static_cast<unsigned char>(c), 2);
+}
+
+class Line {
+ public:
+  Line(std::string_view text, int number, TextFaults& faults) : text_(text), number_(number), faults_(faults) {}
+
+  // Reads one line. Empty: nothing on it, or a fault.
+  std::optional<RegisterWord> read() {
+    skip_blanks();
+    if (at_end()) return std::nullopt;
+    RegisterWord word;
+    word.place = place();
+    word.name = read_name();
+    if (word.name.empty()) return fail("a line is NAME = 0x…, with the name of a register word");
+    skip_blanks();
+    if (at_ >= text_.size() || text_[at_] != '=') return fail("expected = after " + word.name);
+    ++at_;
+    skip_blanks();
+    const TextPlace value_place = place();
+    const std::string_view digits = read_token();
+    if (digits.empty()) return fail("expected a value such as 0x08040000");
+    const bool hexadecimal = digits.starts_with("0x") || digits.starts_with("0X");
+    const std::string_view number = hexadecimal ? digits.substr(2) : digits;
+    const auto [end, error] =
+        std::from_chars(number.data(), number.data() + number.size(), word.value, hexadecimal ? 16 : 10);
+    const bool octal_like = !hexadecimal && digits.size() > 1 && digits.front() == '0';
+    if (error == std::errc::result_out_of_range) return fail_at(value_place, "the value does not fit in 32 bits");
+    if (error != std::errc{} || end != number.data() + number.size() || octal_like) {
+      return fail_at(value_place, "the value must be hexadecimal with 0x, or decimal without leading zeros");
+    }
+    skip_blanks();
+    if (!at_end()) return fail("expected the end of the line after the value");
+    return word;
+  }
+
+ private:
+  [[nodiscard]] TextPlace place() const { return {number_, 1 + static_cast<int>(at_)}; }
+
+  void skip_blanks() {
+    while (at_ < text_.size() && is_blank(text_[at_])) ++at_;
+  }
+
+  [[nodiscard]] bool at_end() const {
+    return at_ >= text_.size() || text_[at_] == '#' || text_.substr(at_).starts_with("//");
+  }
+
+  std::string read_name() {
+    const std::size_t start = at_;
+    if (at_ < text_.size() && is_letter(text_[at_])) {
+      while (at_ < text_.size() && (is_letter(text_[at_]) || is_digit(text_[at_]))) ++at_;
+    }
+    if (at_ > start && at_ < text_.size() && (text_[at_] == '[' || text_[at_] == '(')) {
+      const char close = text_[at_] == '[' ? ']' : ')';
+      std::size_t end = at_ + 1;
+      while (end < text_.size() && is_digit(text_[end])) ++end;
+      if (end > at_ + 1 && end < text_.size() && text_[end] == close) at_ = end + 1;
+    }
+    return std::string(text_.substr(start, at_ - start));
+  }
+
+  std::string_view read_token() {
+    const std::size_t start = at_;
+    while (at_ < text_.size() && (is_letter(text_[at_]) || is_digit(text_[at_]))) ++at_;
+    return text_.substr(start, at_ - start);
+  }
+
+  std::nullopt_t fail(const std::string& expected) {
+    faults_.add(place(), expected + "; found " + what_is_at(text_, at_));
+    return std::nullopt;
+  }
+
+  std::nullopt_t fail_at(TextPlace where, const std::string& what) {
+    faults_.add(where, what);
+    return std::nullopt;
+  }
+
+  std::string_view text_;
+  int number_;
+  TextFaults& faults_;
+  std::size_t at_ = 0;
+};
+
+}  // namespace
+
+Parsed<CombinerState> parse_register_words(const SourceText& source, ChipClass chip, const HardwareProfile& profile) {
+  TextFaults faults(source.file);
+  if (too_long(source.text, faults)) return {std::nullopt, faults.take()};
+  // More lines with words than a chip has words repeat one: reading on would only repeat that fault.
+  constexpr std::size_t kMaxWords = 1000;
+  std::vector<RegisterWord> found;
+  int number = 1;
+  for (std::size_t start = 0; start <= source.text.size() && !faults.full() && found.size() < kMaxWords; ++number) {
+    const std::size_t end = std::min(source.text.find('\n', start), source.text.size());
+    const std::string_view line = source.text.substr(start, end - start);
+    if (std::optional<RegisterWord> word = Line(line, number, faults).read()) found.push_back(std::move(*word));
+    start = end + 1;
+  }
+  Parsed<CombinerState> decoded = decode_register_words(found, source.file, chip, profile);
+  if (faults.empty()) return decoded;
+  faults.add(decoded.faults);
+  return {std::nullopt, faults.take()};
+}
+
+Result<std::string> print_register_words(const CombinerState& state, ChipClass chip, const HardwareProfile& profile) {
+  const auto words = encode_register_words(state, chip, profile);
+  if (!words) return words.error();
+  std::string text;
+  for (const RegisterWord& word : *words) text += word.name + " = " + words::hex_text(word.value) + '\n';
+  return text;
+}
+
+}  // namespace ninebit

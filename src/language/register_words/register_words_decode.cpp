@@ -1,0 +1,301 @@
+// From words to a state: first what the chip refuses, word by word, then what OpenGL refuses.
+#include <algorithm>
+
+#include "ninebit/combiner/validate.h"
+#include "src/language/register_words/register_words_faults.h"
+#include "src/language/register_words/register_words_layout.h"
+
+namespace ninebit {
+namespace words {
+namespace {
+
+std::string letter(int variable) {
+  return {static_cast<char>('A' + variable)};
+}
+
+ColorF color_of(std::uint32_t argb) {
+  const auto real = [&](int low) { return static_cast<float>(bits(argb, low, 8)) / 255.0F; };
+  return {real(16), real(8), real(0), real(24)};
+}
+
+bool reads(const Portion& p, Register r) {
+  return p.a.reg == r || p.b.reg == r || p.c.reg == r || p.d.reg == r;
+}
+
+class Decoder {
+ public:
+  Decoder(ChipClass chip, TextFaults& faults) : chip_(chip), faults_(faults) {}
+
+  // Takes the words by their slots; false where a name is unknown or comes again.
+  void collect(std::span<const RegisterWord> given) {
+    for (const RegisterWord& word : given) {
+      const FoundSlot found = find_slot(word.name, chip_);
+      if (!found.slot) {
+        faults_.add(word.place, found.fault);
+        continue;
+      }
+      const RegisterWord*& at = this->at(*found.slot);
+      if (at != nullptr) {
+        faults_.add(word.place, canonical_name(*found.slot, chip_) + " was given before, in line " +
+                                    std::to_string(at->place.line) + (at->name == word.name ? "" : " as " + at->name));
+        continue;
+      }
+      at = &word;
+    }
+  }
+
+  CombinerState decode() {
+    for (int i = 0; i < stages_of(chip_); ++i) {
+      GeneralCombiner& stage = state_.general[static_cast<std::size_t>(i)];
+      inputs({Kind::in_rgb, i}, {&stage.rgb.a, &stage.rgb.b, &stage.rgb.c, &stage.rgb.d});
+      inputs({Kind::in_alpha, i}, {&stage.alpha.a, &stage.alpha.b, &stage.alpha.c, &stage.alpha.d});
+      outputs({Kind::out_rgb, i}, stage.rgb.out);
+      outputs({Kind::out_alpha, i}, stage.alpha.out);
+    }
+    FinalCombiner& f = state_.final_combiner;
+    inputs({Kind::final0, 0}, {&f.a, &f.b, &f.c, &f.d});
+    inputs({Kind::final1, 0}, {&f.e, &f.f, &f.g, nullptr});
+    final_flags();
+    state_.constant0 = color({Kind::color, 0});
+    state_.constant1 = color({Kind::color, 1});
+    const bool mux_by_highest_bit = chip_ == ChipClass::nv10 ? nv10_control() : nv20_control();
+    state_.mux_by_lowest_bit = !mux_by_highest_bit && uses_mux();
+    return state_;
+  }
+
+  // The place of the word that a diagnostic of the state is about.
+  TextPlace place_of(const StateDiagnostic& found) {
+    Slot slot = control_slot();
+    if (found.stage && found.portion) {
+      const bool rgb = *found.portion == PortionName::rgb;
+      slot = {found.variable ? (rgb ? Kind::in_rgb : Kind::in_alpha) : (rgb ? Kind::out_rgb : Kind::out_alpha),
+              *found.stage};
+      if (slot.index >= stages_of(chip_)) return {};
+    } else if (found.variable) {
+      slot = {*found.variable <= Variable::d ? Kind::final0 : Kind::final1, 0};
+    } else if (found.parameter == StateParameter::color_sum_inverts) {
+      slot = {Kind::final1, 0};
+    }
+    const RegisterWord* const word = at(slot);
+    return word == nullptr ? TextPlace{} : word->place;
+  }
+
+ private:
+  const RegisterWord*& at(Slot slot) {
+    return words_[static_cast<std::size_t>(slot.kind)][static_cast<std::size_t>(slot.index)];
+  }
+
+  [[nodiscard]] Slot control_slot() const {
+    return chip_ == ChipClass::nv10 ? Slot{Kind::out_rgb, 1} : Slot{Kind::enable, 0};
+  }
+
+  // `gl_error` is what OpenGL raises for the same set-up; it has no word for most of what a chip refuses.
+  void fault(Slot slot, const std::string& what, GlError gl_error = GlError::no_error) {
+    const RegisterWord& word = *at(slot);
+    faults_.add(word.place, canonical_name(slot, chip_) + " = " + hex_text(word.value) + ": " + what, gl_error);
+  }
+
+  // Bits that the chip refuses, those aside that have a fault of their own.
+  void check_mask(Slot slot, std::uint32_t but = 0) {
+    const std::uint32_t wrong = at(slot)->value & ~mask_of(slot, chip_) & ~but;
+    if (wrong != 0) {
+      fault(slot, bits_text(wrong) + " must be 0; the mask of the word is " + hex_text(mask_of(slot, chip_)));
+    }
+  }
+
+  // What a register code names where the chip has it.
+  std::optional<Register> readable(std::uint32_t code, Kind kind) const {
+    const std::optional<Register> r = register_of(code);
+    if (r && is_texture(*r) && texture_unit_of(*r) >= (chip_ == ChipClass::nv10 ? 2 : 4)) return std::nullopt;
+    if (r && *r >= Register::e_times_f && kind != Kind::final0) return std::nullopt;
+    return r;
+  }
+
+  void inputs(Slot slot, std::array<CombinerInput*, 4> into) {
+    if (at(slot) == nullptr) return;
+    check_mask(slot);
+    const std::uint32_t word = at(slot)->value;
+    for (int i = 0; i < 4; ++i) {
+      CombinerInput* const input = into[static_cast<std::size_t>(i)];
+      if (input == nullptr) continue;
+      const int low = 24 - 8 * i;
+      const int variable = slot.kind == Kind::final1 ? 4 + i : i;
+      const std::optional<Register> r = readable(bits(word, low, 4), slot.kind);
+      if (!r) {
+        fault(slot,
+              "variable " + letter(variable) + " (bits " + std::to_string(low + 3) + ".." + std::to_string(low) +
+                  ") has the register code " + hex_text(bits(word, low, 4), 1) + ", which is reserved here",
+              error_of_misplaced(bits(word, low, 4), slot.kind));
+        continue;
+      }
+      const bool scalar = slot.kind == Kind::in_alpha || variable == 6;
+      input->reg = *r;
+      input->usage = bits(word, low + kUsageBit, 1) != 0 ? ComponentUsage::alpha
+                     : scalar                            ? ComponentUsage::blue
+                                                         : ComponentUsage::rgb;
+      // The final combiner's masks leave one bit of the mapping.
+      const int mapping_bits = slot.kind == Kind::final0 || slot.kind == Kind::final1 ? 1 : 3;
+      input->mapping = static_cast<InputMapping>(bits(word, low + kMappingShift, mapping_bits));
+    }
+  }
+
+  void outputs(Slot slot, PortionOutput& out) {
+    if (at(slot) == nullptr) return;
+    const std::uint32_t word = at(slot)->value;
+    const bool rgb = slot.kind == Kind::out_rgb;
+    const std::uint32_t dots = 1U << kCdDotBit | 1U << kAbDotBit;
+    check_mask(slot, rgb ? 0 : dots);
+    if (!rgb && (word & dots) != 0) {
+      fault(slot, bits_text(word & dots) + ": an alpha portion has no dot product", GlError::invalid_value);
+    }
+    const std::pair<int, Register*> destinations[] = {{kAbShift, &out.ab}, {kCdShift, &out.cd}, {kSumShift, &out.sum}};
+    for (const auto& [low, into] : destinations) {
+      const std::uint32_t code = bits(word, low, 4);
+      const std::optional<Register> r = readable(code, slot.kind);
+      if (!r || (code > 0 && code < code_of(Register::primary))) {
+        fault(slot,
+              std::string(low == kAbShift   ? "AB"
+                          : low == kCdShift ? "CD"
+                                            : "the sum") +
+                  " (bits " + std::to_string(low + 3) + ".." + std::to_string(low) + ") goes to the register code " +
+                  hex_text(code, 1) + ", which cannot be written",
+              error_of_misplaced(code, slot.kind));
+        continue;
+      }
+      *into = code == 0 ? Register::discard : *r;
+    }
+    out.scale = static_cast<Scale>(bits(word, kScaleShift, 2));
+    out.bias = static_cast<Bias>(bits(word, kBiasBit, 1));
+    if (out.bias != Bias::none && (out.scale == Scale::by_four || out.scale == Scale::by_one_half)) {
+      fault(slot,
+            "bits 17..15 are " + std::to_string(bits(word, kBiasBit, 3)) +
+                ", a bias with a scale by four or one half, which the chip and OpenGL refuse",
+            GlError::invalid_operation);
+      out.bias = Bias::none;
+    }
+    out.mux_sum = bits(word, kMuxBit, 1) != 0;
+    if (rgb) {
+      out.ab_dot_product = bits(word, kAbDotBit, 1) != 0;
+      out.cd_dot_product = bits(word, kCdDotBit, 1) != 0;
+    }
+    if (rgb && chip_ == ChipClass::nv20) {
+      out.ab_blue_to_alpha = bits(word, kAbBlueToAlphaBit, 1) != 0;
+      out.cd_blue_to_alpha = bits(word, kCdBlueToAlphaBit, 1) != 0;
+    }
+  }
+
+  void final_flags() {
+    const Slot slot{Kind::final1, 0};
+    if (at(slot) == nullptr) return;
+    const std::uint32_t word = at(slot)->value;
+    state_.color_sum_invert_spare0 = bits(word, kSumInvertSpare0Bit, 1) != 0;
+    state_.color_sum_invert_secondary = bits(word, kSumInvertSecondaryBit, 1) != 0;
+    state_.color_sum_clamp = bits(word, kColorSumClampBit, 1) != 0;
+  }
+
+  ColorF color(Slot slot) { return at(slot) == nullptr ? ColorF{} : color_of(at(slot)->value); }
+
+  // Whether muxes look at the highest bit.
+  bool nv10_control() {
+    const Slot slot = control_slot();
+    if (at(slot) == nullptr) return true;
+    const std::uint32_t count = bits(at(slot)->value, kNv10CountShift, 2);
+    if (count == 0 || count == 3) {
+      fault(slot, "bits 29..28, the number of general combiners, are " + std::to_string(count) + "; NV10 has 1 or 2",
+            GlError::invalid_value);
+    } else {
+      state_.num_general_combiners = static_cast<int>(count);
+    }
+    return bits(at(slot)->value, kNv10MuxMsbBit, 1) != 0;
+  }
+
+  bool nv20_control() {
+    const Slot slot = control_slot();
+    std::uint32_t word = 1U << kNv20CountShift | 1U << kNv20MuxMsbBit;
+    if (at(slot) != nullptr) {
+      check_mask(slot);
+      word = at(slot)->value;
+      const std::uint32_t count = bits(word, kNv20CountShift, 4);
+      if (count == 0 || count > 8) {
+        fault(slot, "bits 3..0, the number of general combiners, are " + std::to_string(count) + "; NV20 has 1 to 8",
+              GlError::invalid_value);
+      } else {
+        state_.num_general_combiners = static_cast<int>(count);
+      }
+    }
+    stage_constants(bits(word, kNv20Unique0Bit, 1) != 0, bits(word, kNv20Unique1Bit, 1) != 0);
+    return bits(word, kNv20MuxMsbBit, 1) != 0;
+  }
+
+  // The final combiner has constants of its own always; OpenGL has one pair for all, or one a stage and one for it.
+  void stage_constants(bool unique0, bool unique1) {
+    const ColorF shared[2] = {color({Kind::stage_color0, 0}), color({Kind::stage_color1, 0})};
+    ColorF* const global[2] = {&state_.constant0, &state_.constant1};
+    bool one_pair = !unique0 && !unique1;
+    for (int k = 0; k < 2; ++k) {
+      one_pair = one_pair && (shared[k] == *global[k] || !final_reads(k) || !stages_read(k));
+    }
+    if (one_pair) {
+      for (int k = 0; k < 2; ++k) {
+        if (!final_reads(k)) *global[k] = shared[k];
+      }
+      return;
+    }
+    state_.per_stage_constants = true;
+    for (int i = 0; i < stages_of(chip_); ++i) {
+      GeneralCombiner& stage = state_.general[static_cast<std::size_t>(i)];
+      stage.constant0 = unique0 ? color({Kind::stage_color0, i}) : shared[0];
+      stage.constant1 = unique1 ? color({Kind::stage_color1, i}) : shared[1];
+    }
+  }
+
+  [[nodiscard]] bool final_reads(int constant) const {
+    const Register r = constant == 0 ? Register::constant0 : Register::constant1;
+    const FinalCombiner& f = state_.final_combiner;
+    const CombinerInput all[] = {f.a, f.b, f.c, f.d, f.e, f.f, f.g};
+    return std::any_of(std::begin(all), std::end(all), [&](const CombinerInput& in) { return in.reg == r; });
+  }
+
+  [[nodiscard]] bool stages_read(int constant) const {
+    const Register r = constant == 0 ? Register::constant0 : Register::constant1;
+    for (int i = 0; i < state_.num_general_combiners; ++i) {
+      const GeneralCombiner& stage = state_.general[static_cast<std::size_t>(i)];
+      if (reads(stage.rgb, r) || reads(stage.alpha, r)) return true;
+    }
+    return false;
+  }
+
+  // Where no stage in use has a mux, its bit says nothing, and a word that is 0 but for the number of stages means no
+  // more than that.
+  [[nodiscard]] bool uses_mux() const {
+    const auto muxes = [](const PortionOutput& out) { return out.mux_sum && out.sum != Register::discard; };
+    for (int i = 0; i < state_.num_general_combiners; ++i) {
+      const GeneralCombiner& stage = state_.general[static_cast<std::size_t>(i)];
+      if (muxes(stage.rgb.out) || muxes(stage.alpha.out)) return true;
+    }
+    return false;
+  }
+
+  ChipClass chip_;
+  TextFaults& faults_;
+  std::array<std::array<const RegisterWord*, kMaxGeneralCombiners>, kKinds> words_{};
+  CombinerState state_{};
+};
+
+}  // namespace
+}  // namespace words
+
+Parsed<CombinerState> decode_register_words(std::span<const RegisterWord> given, std::string_view file, ChipClass chip,
+                                            const HardwareProfile& profile) {
+  TextFaults faults(file);
+  words::Decoder decoder(chip, faults);
+  decoder.collect(given);
+  const CombinerState state = decoder.decode();
+  for (const StateDiagnostic& found : validate(state, profile)) {
+    faults.add(decoder.place_of(found), found.message, found.gl_error);
+  }
+  if (!faults.empty()) return {std::nullopt, faults.take()};
+  return {state, {}};
+}
+
+}  // namespace ninebit

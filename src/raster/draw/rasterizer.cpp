@@ -1,0 +1,103 @@
+#include "ninebit/raster/rasterizer.h"
+
+#include <oneapi/tbb/parallel_for.h>
+
+#include <algorithm>
+#include <atomic>
+#include <memory>
+#include <numeric>
+#include <span>
+#include <vector>
+
+#include "src/raster/draw/draw_call.h"
+#include "src/raster/draw/draw_geometry.h"
+#include "src/raster/draw/draw_scratch.h"
+#include "src/raster/draw/pixel_probe.h"
+#include "src/raster/draw/tile_work.h"
+#include "src/raster/fragment/draw_context.h"
+#include "src/raster/setup/arrays_check.h"
+#include "src/raster/setup/setup_context.h"
+
+namespace ninebit {
+namespace {
+
+// A chunk has further blocks than are usual as long as its tiles have fewer primitives each, so that reading and
+// writing tiles would take its time; it has fewer where primitives are in so many tiles.
+constexpr std::size_t kEntriesPerTile = 1024, kEntriesPerChunk = std::size_t{1} << 22;
+
+// The tiles in which blocks have primitives, noted by several threads, of a grid of so many.
+class MetTiles {
+ public:
+  explicit MetTiles(std::size_t tiles) : met_(tiles) {}
+  void add(const BinnedBlock& block) {
+    for_each_tile(block, [this](std::uint32_t tile, std::uint32_t) {
+      std::atomic_ref(met_[tile]).store(1, std::memory_order_relaxed);
+    });
+  }
+  // Of those that have been added before.
+  [[nodiscard]] std::size_t count() const { return std::accumulate(met_.begin(), met_.end(), std::size_t{0}); }
+
+ private:
+  std::vector<std::uint8_t> met_;
+};
+
+// Sets blocks up in parallel, as many as memory allows for whatever they hold; the number of blocks.
+std::size_t set_up_chunk(const DrawGeometry& geometry, std::size_t first, std::vector<BinnedBlock>& to) {
+  const std::size_t usual = geometry.blocks_per_chunk(), most = std::min(geometry.blocks() - first, 4 * usual);
+  std::size_t count = 0, entries = 0;
+  const bool may_go_on = most > usual;  // of most draws there is no more
+  MetTiles met(may_go_on ? geometry.grid().count() : 0);
+  while (count < most && entries < kEntriesPerChunk &&
+         (count < usual || most - count < usual / 2 || entries < kEntriesPerTile * met.count())) {
+    const std::size_t end = std::min(count + geometry.blocks_at_a_time(), most);
+    if (to.size() < end) to.resize(end);
+    const auto set_up = [&](std::size_t b) {
+      static_cast<void>(geometry.set_up(first + b, to[b]));
+      if (may_go_on) met.add(to[b]);
+    };
+    if (end - count == 1) {
+      set_up(count);
+    } else {
+      tbb::parallel_for(count, end, set_up);
+    }
+    for (; count < end; ++count) entries += to[count].indices.size();
+  }
+  return count;
+}
+
+// A chunk of blocks at a time is set up and drawn tile by tile. The indices are in range.
+void draw(const DrawGeometry& geometry, TileLoop& tiles, DrawScratch& scratch) {
+  for (std::size_t first = 0; first < geometry.blocks();) {
+    const std::size_t count = set_up_chunk(geometry, first, scratch.blocks);
+    const std::span<const BinnedBlock> set(scratch.blocks.data(), count);
+    scratch.work.look_at(set);
+    tiles.draw(set, scratch.work);
+    first += count;
+  }
+}
+
+}  // namespace
+
+Status rasterize(const PipelineState& state, const glm::mat4& clip_from_object, const VertexArrays& arrays,
+                 std::span<const TextureUnit> units, RenderTarget& target) {
+  if (Status checked = check_draw(state, arrays, units, target); !checked) return checked;
+  if (Status checked = check_indices(arrays); !checked) return checked;
+  const DrawContext context(state, arrays, units, target);
+  if (Status checked = check_units(context); !checked) return checked;
+  const PixelBox drawn = drawn_pixels(state, target);
+  if (drawn.empty() || context.assembly.primitives() == 0) return {};
+
+  const ScratchLease scratch;
+  const TileGrid grid(target.width, target.height);
+  const SetupContext setup(state, viewport_of(state, target), drawn, target.format,
+                           !context.has_flat_result || target.probe != nullptr);
+  const DrawGeometry geometry(setup, clip_from_object, arrays, grid, scratch->packed);
+  std::unique_ptr<PixelProbe> probe;
+  if (target.probe != nullptr) probe = std::make_unique<PixelProbe>(state, arrays, units, target);
+  const DrawContext* const pass = &context;
+  TileLoop tiles(grid, drawn, {&pass, 1}, target, {}, false, probe.get());
+  draw(geometry, tiles, *scratch);
+  return {};
+}
+
+}  // namespace ninebit

@@ -1,0 +1,151 @@
+#include "src/raster/draw/tile_work.h"
+
+#include <oneapi/tbb/parallel_for.h>
+#include <oneapi/tbb/partitioner.h>
+#include <oneapi/tbb/task_arena.h>
+
+#include <algorithm>
+#include <atomic>
+
+namespace ninebit {
+namespace {
+
+// Starting a second thread takes some microseconds; so do so many primitives or pixels.
+constexpr std::size_t kFewPrimitives = 128;
+constexpr std::int64_t kFewPixels = 8192;
+
+bool is_little_work(std::span<const BinnedBlock> blocks) {
+  if (blocks.size() > 1 || blocks[0].setup.primitives.size() > kFewPrimitives) return false;
+  std::int64_t pixels = 0;
+  for (const SetupPrimitive& p : blocks[0].setup.primitives) {
+    pixels += std::int64_t{p.box.right - p.box.left + 1} * (p.box.top - p.box.bottom + 1);
+  }
+  return pixels <= kFewPixels;
+}
+
+// Has the processor fetch what the next blocks will ask for in the tile: of the third one where its list is, of the
+// second one its list, of the next one its first primitives. (Drawing fetches the others of a long list.) In a large
+// mesh each waits for memory otherwise, for a few primitives a tile.
+void fetch_ahead(std::uint32_t tile, const BinnedBlock& third, const BinnedBlock& second, const BinnedBlock& next) {
+  constexpr std::size_t kFirst = 32;
+  __builtin_prefetch(&third.first[tile - third.first_tile]);
+  const std::span<const std::uint32_t> list = second.in_tile(tile);
+  for (std::size_t i = 0; i < std::min(list.size(), kFirst); i += 16) __builtin_prefetch(&list[i]);
+  for (const std::uint32_t index : next.in_tile(tile).first(std::min(next.in_tile(tile).size(), kFirst))) {
+    __builtin_prefetch(&next.setup.primitives[index]);
+  }
+}
+
+}  // namespace
+
+void TileWork::look_at(std::span<const BinnedBlock> blocks) {
+  tiles_.clear();
+  blocks_.clear();
+  is_little_ = true;
+  std::uint32_t low = 0xFFFFFFFF, high = 0;
+  for (const BinnedBlock& block : blocks) {
+    if (block.indices.empty()) continue;
+    low = std::min(low, block.first_tile);
+    high = std::max(high, block.end_tile());
+  }
+  if (low >= high) return;
+  is_little_ = is_little_work(blocks);
+
+  tiles_.resize(high - low);
+  for (const BinnedBlock& block : blocks) {
+    for_each_tile(block, [&](std::uint32_t tile, std::uint32_t entries) {
+      ++tiles_[tile - low].block_count;
+      tiles_[tile - low].entries += entries;
+    });
+  }
+  std::uint32_t place = 0;
+  for (std::uint32_t i = 0; i < tiles_.size(); ++i) {
+    tiles_[i].tile = low + i;
+    tiles_[i].first_block = place;
+    place += tiles_[i].block_count;
+    tiles_[i].block_count = 0;
+  }
+  blocks_.resize(place);
+  for (std::uint32_t b = 0; b < blocks.size(); ++b) {
+    for_each_tile(blocks[b], [&](std::uint32_t tile, std::uint32_t) {
+      Tile& t = tiles_[tile - low];
+      blocks_[t.first_block + t.block_count++] = b;
+    });
+  }
+  std::erase_if(tiles_, [](const Tile& t) { return t.block_count == 0; });
+  sort_tiles();
+}
+
+void TileWork::sort_tiles() {
+  std::vector<std::uint64_t> most;
+  for (const Tile& tile : tiles_) {
+    const std::size_t group = tile.tile / kNeighbors;
+    if (group >= most.size()) most.resize(group + 1);
+    most[group] = std::max(most[group], tile.entries);
+  }
+  std::sort(tiles_.begin(), tiles_.end(), [&](const Tile& a, const Tile& b) {
+    const std::uint64_t most_a = most[a.tile / kNeighbors], most_b = most[b.tile / kNeighbors];
+    return most_a != most_b ? most_a > most_b : a.tile < b.tile;
+  });
+}
+
+void TileLoop::draw_tile(std::span<const BinnedBlock> blocks, const TileWork& work, const TileWork::Tile& tile,
+                         TileRasterizer& rasterizer) {
+  const PixelBox pixels = grid_.pixels(tile.tile, drawn_);
+  if (pixels.empty()) return;
+  const std::span<const std::uint32_t> in_tile = work.blocks_of(tile);
+  if (probe_ != nullptr && probe_->lies_in(pixels)) {
+    probe_->meet_planes();
+    for (const std::uint32_t b : in_tile) probe_->run(blocks[b].setup, blocks[b].in_tile(tile.tile));
+  }
+  rasterizer.begin(pixels);
+  for (std::size_t pass = 0; pass < passes_.size(); ++pass) {
+    using Clock = std::chrono::steady_clock;
+    const auto start = is_timed_ ? Clock::now() : Clock::time_point();
+    rasterizer.begin_pass(pass);
+    for (std::size_t i = 0; i < in_tile.size(); ++i) {
+      const auto block = [&](std::size_t ahead) { return &blocks[in_tile[std::min(i + ahead, in_tile.size() - 1)]]; };
+      fetch_ahead(tile.tile, *block(3), *block(2), *block(1));
+      rasterizer.draw(pass, block(0)->setup, block(0)->in_tile(tile.tile));
+    }
+    rasterizer.end_pass(pass);
+    if (is_timed_) busy_[pass] += std::chrono::nanoseconds(Clock::now() - start).count();
+  }
+  rasterizer.end();
+}
+
+void TileLoop::draw(std::span<const BinnedBlock> blocks, const TileWork& work) {
+  std::span<const TileWork::Tile> tiles = work.tiles();
+  std::vector<TileWork::Tile> all;
+  if (actions_.clear != nullptr) {
+    std::vector<bool> has_work(grid_.count());
+    for (const TileWork::Tile& tile : tiles) has_work[tile.tile] = true;
+    all.assign(tiles.begin(), tiles.end());
+    for (std::uint32_t t = 0; t < grid_.count(); ++t) {
+      if (!has_work[t]) all.push_back({.tile = t});
+    }
+    tiles = all;
+  }
+  if (tiles.empty()) return;
+  const bool is_little = work.is_little() && actions_.clear == nullptr;
+  const std::size_t workers =
+      is_little ? 1 : std::min(tiles.size(), static_cast<std::size_t>(tbb::this_task_arena::max_concurrency()));
+  if (rasterizers_.size() < workers) rasterizers_.resize(workers);
+  // Tiles cost differently: each worker takes the next ones when it is done with the last.
+  const std::size_t at_a_time = std::clamp(tiles.size() / (8 * workers), std::size_t{1}, TileWork::kNeighbors);
+  std::atomic<std::size_t> next = 0;
+  const auto work_off = [&](std::size_t worker) {
+    std::size_t i = next.fetch_add(at_a_time);
+    if (i >= tiles.size()) return;
+    std::unique_ptr<TileRasterizer>& rasterizer = rasterizers_[worker];
+    if (!rasterizer) rasterizer = std::make_unique<TileRasterizer>(passes_, target_, actions_);
+    for (; i < tiles.size(); i = next.fetch_add(at_a_time)) {
+      const std::size_t end = std::min(i + at_a_time, tiles.size());
+      for (std::size_t t = i; t < end; ++t) draw_tile(blocks, work, tiles[t], *rasterizer);
+    }
+  };
+  if (workers == 1) return work_off(0);
+  tbb::parallel_for(std::size_t{0}, workers, work_off, tbb::simple_partitioner());
+}
+
+}  // namespace ninebit

@@ -1,0 +1,73 @@
+// What all tiles of one draw call share.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "ninebit/combiner/batch_program.h"
+#include "ninebit/combiner/evaluate.h"
+#include "ninebit/raster/rasterizer.h"
+#include "ninebit/raster/sampler.h"
+#include "src/raster/fragment/fragment_operations.h"
+#include "src/raster/fragment/output_planes.h"
+#include "src/raster/setup/primitive_assembly.h"
+#include "src/raster/setup/window_depth.h"
+
+namespace ninebit {
+
+struct RegisterComponent {
+  Register reg;
+  int component;
+};
+
+struct DrawContext {
+  // The arguments must outlive the context and have been checked. Units of incomplete textures are off. For a probe,
+  // every fragment goes through a batch, with all its registers.
+  DrawContext(const PipelineState& pipeline, const VertexArrays& vertices, std::span<const TextureUnit> units,
+              const RenderTarget& target, bool for_probe = false);
+
+  // Whether primary and secondary colours are constant over a primitive.
+  [[nodiscard]] bool shades_flat() const {
+    return state.shade_model == ShadeModel::flat || (arrays.vertex_colors.empty() && arrays.secondary_colors.empty());
+  }
+  // The primary colour that flat shading gives a primitive.
+  [[nodiscard]] ColorBytes flat_primary(std::uint32_t primitive) const {
+    return arrays.primitive_colors.empty() ? flat_primary_of_vertex(primitive) : arrays.primitive_colors[primitive];
+  }
+
+  // Whether a unit's coordinates, of a texture that is on, have to be divided by q.
+  [[nodiscard]] bool reads_q(std::size_t unit) const {
+    return !arrays.texture_q[unit].empty() && samplers[unit]->divides_by_q();
+  }
+
+  const PipelineState& state;
+  const VertexArrays& arrays;
+  const PrimitiveAssembly assembly;
+  const FragmentOperations operations;
+  const OutputPlanes outputs;
+  const WindowDepth depth;
+
+  std::array<std::optional<TextureSampler>, kMaxTextureUnits> samplers;
+  std::array<float, kMaxTextureUnits> point_change{};  // of s at points, where rho is 1 (OpenGL 1.3, 3.8.8)
+  bool needs_texture_changes = false;
+
+  // Whether every fragment leaves the draw with its primitive's flat_primary, and no plane asks for more of it.
+  bool has_flat_result = false;
+  // Whether registers have to be filled at all, and then which units and registers are read.
+  bool fills_registers = false;
+  std::optional<BatchProgram> program;                       // of the state, made ready for batches
+  std::array<bool, 4> wanted_color{true, true, true, true};  // components of what leaves it that are looked at
+  std::array<bool, kRegisterCount> reads{};
+  std::array<bool, kMaxTextureUnits> reads_unit{};
+  RegisterFile initial;  // of every fragment, but for what is its own
+  // Components of constant registers that running the program overwrites: to be filled again for each batch.
+  std::vector<RegisterComponent> refilled;
+
+ private:
+  [[nodiscard]] ColorBytes flat_primary_of_vertex(std::uint32_t primitive) const;
+  void look_at_program(const RenderTarget& target, bool for_probe);
+};
+
+}  // namespace ninebit

@@ -1,0 +1,58 @@
+#include "src/raster/lanes/lane_inputs.h"
+
+#include <algorithm>
+#include <cstring>
+
+namespace ninebit {
+
+void unclip(LaneFragments& f) {
+  for (std::size_t r = 0; r < f.runs; ++r) {
+    const LaneFragments::Run& run = f.run[r];
+    if (run.weights == nullptr) continue;
+    const glm::mat3& m = *run.weights;
+    for (std::size_t i = run.first; i < f.run[r + 1].first; ++i) {
+      const std::array<float, 3> w{f.weight[0][i], f.weight[1][i], f.weight[2][i]};
+      for (int k = 0; k < 3; ++k) {
+        f.weight[static_cast<std::size_t>(k)][i] = (w[0] * m[0][k] + w[1] * m[1][k]) + w[2] * m[2][k];
+      }
+    }
+  }
+}
+
+void fill_flat_colors(const LaneFragments& f, LaneBatch& batch, const DrawContext& context) {
+  for (std::size_t r = 0; r < f.runs; ++r) {
+    const LaneFragments::Run& run = f.run[r];
+    const ColorBytes color = context.flat_primary(run.primitive->primitive);
+    std::uint32_t word = 0;
+    std::memcpy(&word, color.data(), sizeof(word));
+    std::fill_n(batch.color.begin() + static_cast<std::ptrdiff_t>(run.first), f.run[r + 1].first - run.first, word);
+  }
+}
+
+void refill_constants(LaneBatch& batch, const DrawContext& context) {
+  const auto fill = [&](Register reg, int component) {
+    std::fill_n(batch.registers(reg, component), kBatchSize, context.initial[reg][static_cast<std::size_t>(component)]);
+  };
+  if (batch.has_constants) {
+    for (const RegisterComponent& c : context.refilled) fill(c.reg, c.component);
+    return;
+  }
+  for (std::size_t r = 0; r < kRegisterCount; ++r) {
+    for (int k = 0; k < 4; ++k) fill(static_cast<Register>(r), k);
+  }
+  batch.has_constants = true;
+}
+
+void sample(LaneBatch& batch, std::size_t count, const DrawContext& context, std::size_t unit) {
+  TextureCoordinates coordinates;
+  for (std::size_t k = 0; k < 3; ++k) coordinates.value[k] = batch.coordinate[k].data();
+  const Register reg = texture_register(static_cast<int>(unit));
+  context.samplers[unit]->sample(coordinates, count,
+                                 {batch.registers(reg, kRed), batch.registers(reg, kGreen), batch.registers(reg, kBlue),
+                                  batch.registers(reg, kAlpha)});
+  if (unit == 0) {
+    std::copy_n(batch.registers(reg, kAlpha), count, batch.registers(Register::spare0, kAlpha));
+  }
+}
+
+}  // namespace ninebit

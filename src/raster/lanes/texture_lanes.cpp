@@ -1,0 +1,292 @@
+// The rules of cube_face.h and texture_wrap.h over vectors of float lanes, compiled once for every SIMD target and
+// chosen at run time.
+#include "src/raster/lanes/texture_lanes.h"
+
+#include <cstring>
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "src/raster/lanes/texture_lanes.cpp"
+#include "hwy/foreach_target.h"  // IWYU pragma: keep
+#include "hwy/highway.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace ninebit::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+using DF = hn::ScalableTag<float>;
+using VF = hn::Vec<DF>;
+using DI = hn::RebindToSigned<DF>;
+using VI = hn::Vec<DI>;
+using D16 = hn::Rebind<s9, DI>;
+constexpr DF kDF;
+constexpr DI kDI;
+constexpr D16 kD16;
+
+HWY_INLINE VF set(float v) {
+  return hn::Set(kDF, v);
+}
+HWY_INLINE VI face_number(CubeFace face) {
+  return hn::Set(kDI, static_cast<std::int32_t>(face));
+}
+
+// One axis of a level. A side is a power of two, by which floats divide and multiply exactly.
+struct Axis {
+  float size;
+  std::int32_t last;
+  Wrap wrap;
+};
+
+HWY_INLINE VI whole_texel(const Axis& axis, VF u) {
+  return hn::Min(hn::ConvertTo(kDI, u), hn::Set(kDI, axis.last));
+}
+
+// s of the modes that repeat: from 2^24 on floats are even integers, where a texture begins; NaN and infinity count as
+// one.
+HWY_INLINE VF near_enough(VF s) {
+  return hn::IfThenElseZero(hn::Lt(hn::Abs(s), set(0x1p24F)), s);
+}
+
+// u - n × floor(u / n) for a power of two and a u that is no negative fraction.
+HWY_INLINE VF remainder(VF u, float n) {
+  return hn::Sub(u, hn::Mul(hn::Floor(hn::Mul(u, set(1.0F / n))), set(n)));
+}
+
+// s in texels, mirrored at 0 as at every other integer: from 0 to the side.
+HWY_INLINE VF mirrored(const Axis& axis, VF s) {
+  const VF phase = remainder(hn::Mul(hn::Abs(near_enough(s)), set(axis.size)), 2.0F * axis.size);
+  return hn::Min(phase, hn::Sub(set(2.0F * axis.size), phase));
+}
+
+// s in texels, from 0 to the side.
+HWY_INLINE VF clamped(const Axis& axis, VF s) {
+  s = hn::IfThenElseZero(hn::Gt(s, hn::Zero(kDF)), s);  // NaN is not greater
+  return hn::Mul(hn::Min(s, set(1.0F)), set(axis.size));
+}
+
+// nearest_texel, in floats that no step here rounds. The modes that clamp differ in the border, which NEAREST never
+// reads.
+HWY_INLINE VI texel_along(const Axis& axis, VF s) {
+  if (axis.wrap == Wrap::repeat) {
+    const VF u = hn::Floor(hn::Mul(near_enough(s), set(axis.size)));
+    return hn::ConvertTo(kDI, remainder(u, axis.size));
+  }
+  return whole_texel(axis, axis.wrap == Wrap::mirrored_repeat ? mirrored(axis, s) : clamped(axis, s));
+}
+
+// The same of 0 <= s <= 1, where the modes differ at 1 alone.
+HWY_INLINE VI texel_on_face(const Axis& axis, VF s) {
+  const VI texel = hn::ConvertTo(kDI, hn::Mul(s, set(axis.size)));
+  const VI last = hn::Set(kDI, axis.last);
+  return axis.wrap == Wrap::repeat ? hn::And(texel, last) : hn::Min(texel, last);
+}
+
+// cube_coordinate_inline: the face's number, and the place on it.
+HWY_INLINE VI cube_coordinates(VF rx, VF ry, VF rz, VF& to_s, VF& to_t) {
+  const VF zero = hn::Zero(kDF);
+  const VF ax = hn::Abs(rx), ay = hn::Abs(ry), az = hn::Abs(rz);
+  const auto not_x = hn::Or(hn::Gt(ay, ax), hn::Gt(az, ax));
+  const auto is_z = hn::And(not_x, hn::Gt(az, ay));
+  const auto is_y = hn::AndNot(is_z, not_x);
+  const VF major = hn::IfThenElse(is_z, rz, hn::IfThenElse(is_y, ry, rx));
+  const VF ma = hn::Abs(major);
+  const auto negative = hn::Lt(major, zero);
+  // Each of sc and tc is a component, whose sign some faces turn.
+  const VF sc_positive = hn::IfThenElse(not_x, rx, hn::Neg(rz));
+  const VF sc = hn::IfThenElse(hn::AndNot(is_y, negative), hn::Neg(sc_positive), sc_positive);
+  const VF tc_positive = hn::IfThenElse(is_y, rz, hn::Neg(ry));
+  const VF tc = hn::IfThenElse(hn::And(is_y, negative), hn::Neg(tc_positive), tc_positive);
+  const VF one = set(1.0F), half = set(0.5F);
+  const VF s = hn::Mul(hn::Add(hn::Div(sc, ma), one), half);
+  const VF t = hn::Mul(hn::Add(hn::Div(tc, ma), one), half);
+  const auto within = [&](VF v) HWY_ATTR {  // infinity over infinity is NaN, which fails both comparisons
+    return hn::IfThenElseZero(hn::And(hn::Ge(v, zero), hn::Le(v, one)), v);
+  };
+  const auto is_number = hn::And(hn::And(hn::Eq(rx, rx), hn::Eq(ry, ry)), hn::Eq(rz, rz));
+  const auto is_zero = hn::Eq(ma, zero);
+  const VI positive_face =
+      hn::IfThenElse(hn::RebindMask(kDI, is_z), face_number(CubeFace::positive_z),
+                     hn::IfThenElse(hn::RebindMask(kDI, is_y), face_number(CubeFace::positive_y), hn::Zero(kDI)));
+  const VI face = hn::Add(positive_face, hn::IfThenElseZero(hn::RebindMask(kDI, negative), hn::Set(kDI, 1)));
+  to_s = hn::IfThenElseZero(is_number, hn::IfThenElse(is_zero, half, within(s)));
+  to_t = hn::IfThenElseZero(is_number, hn::IfThenElse(is_zero, half, within(t)));
+  return hn::IfThenElseZero(hn::RebindMask(kDI, is_number), face);
+}
+
+// linear_texels, but for Wrap::clamp: the two texels, and the second's weight.
+HWY_INLINE VI texels_along(const Axis& axis, VF s, int bits, VI& second, VI& weight) {
+  const float one = static_cast<float>(1 << bits);
+  VF u;
+  if (axis.wrap == Wrap::repeat) {
+    u = hn::Mul(near_enough(s), set(axis.size));
+  } else {
+    u = axis.wrap == Wrap::mirrored_repeat ? mirrored(axis, s) : clamped(axis, s);
+    u = hn::Min(hn::Max(u, set(0.5F)), set(axis.size - 0.5F));
+  }
+  // To a step of the weights, halves up. For fractions below 0 the difference may round, but not to less than a half.
+  u = hn::Mul(u, set(one));
+  const VF down = hn::Floor(u);
+  VF step = hn::Add(down, hn::IfThenElseZero(hn::Ge(hn::Sub(u, down), set(0.5F)), set(1.0F)));
+  if (axis.wrap == Wrap::repeat) step = remainder(step, axis.size * one);
+  const VI fixed = hn::Sub(hn::ConvertTo(kDI, step), hn::Set(kDI, (1 << bits) / 2));
+  const VI first = hn::ShiftRightSame(fixed, bits);
+  const VI last = hn::Set(kDI, axis.last), next = hn::Add(first, hn::Set(kDI, 1));
+  weight = hn::And(fixed, hn::Set(kDI, (1 << bits) - 1));
+  second = axis.wrap == Wrap::repeat ? hn::And(next, last) : hn::Min(next, last);
+  return hn::And(first, last);  // -1 where it repeats, else from 0
+}
+
+HWY_INLINE void store(VI v, LaneIntegers& to, std::size_t lane) {
+  hn::StoreU(v, kDI, to.data() + lane);
+}
+
+// The coordinates of the next fragments on their face, and the face's number.
+HWY_INLINE VI load_place(const LaneLevel& level, const std::array<const float*, 3>& at, std::size_t lane, VF& s,
+                         VF& t) {
+  s = hn::LoadU(kDF, at[0] + lane);
+  t = hn::LoadU(kDF, at[1] + lane);
+  return level.cube ? cube_coordinates(s, t, hn::LoadU(kDF, at[2] + lane), s, t) : hn::Zero(kDI);
+}
+
+// What find_nearest has of one axis and another.
+struct NearestAxes {
+  Axis across, up;
+  bool cube;
+  VI stride;
+  HWY_INLINE explicit NearestAxes(const LaneLevel& level)
+      : across{static_cast<float>(level.width), level.width - 1, level.wrap_s},
+        up{static_cast<float>(level.height), level.height - 1, level.wrap_t},
+        cube(level.cube),
+        stride(hn::Set(kDI, level.stride)) {}
+  [[nodiscard]] HWY_INLINE VI offset(VF s, VF t) const {
+    const VI x = cube ? texel_on_face(across, s) : texel_along(across, s);
+    const VI y = cube ? texel_on_face(up, t) : texel_along(up, t);
+    return hn::Add(hn::Mul(y, stride), x);
+  }
+};
+
+// Here, so that the compiler makes it a loop of the target's lanes.
+HWY_INLINE bool all_like_first(const LaneIntegers& values, std::size_t count) {
+  std::int32_t others = 0;
+  for (std::size_t i = 0; i < count; ++i) others |= values[i] ^ values[0];
+  return others == 0;
+}
+
+void find_nearest(const LaneLevel& level, const std::array<const float*, 3>& at, std::size_t count, NearestLanes& to) {
+  const NearestAxes axes(level);
+  for (std::size_t lane = 0; lane < count; lane += hn::Lanes(kDF)) {
+    VF s, t;
+    store(load_place(level, at, lane, s, t), to.face, lane);
+    store(axes.offset(s, t), to.offset, lane);
+  }
+  to.one_face = all_like_first(to.face, count);
+}
+
+void fetch_nearest_words(const LaneLevel& level, const std::array<const float*, 3>& at, const std::uint8_t* first,
+                         const FaceWords& face_word, std::size_t count, std::uint32_t* to) {
+#if HWY_TARGET <= HWY_AVX2  // which have an instruction for it
+  const NearestAxes axes(level);
+  constexpr hn::RebindToUnsigned<DI> du;
+  const auto* const words = reinterpret_cast<const std::uint32_t*>(first);
+  const VI begin = hn::LoadU(kDI, face_word.data());
+  for (std::size_t lane = 0; lane < count; lane += hn::Lanes(kDF)) {
+    VF s, t;
+    const VI face = load_place(level, at, lane, s, t);
+    const VI of_face = hn::TableLookupLanes(begin, hn::IndicesFromVec(kDI, face));
+    hn::StoreU(hn::GatherIndex(du, words, hn::Add(of_face, axes.offset(s, t))), du, to + lane);
+  }
+#else
+  NearestLanes lanes;
+  HWY_NAMESPACE::find_nearest(level, at, count, lanes);
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::ptrdiff_t word = face_word[static_cast<std::size_t>(lanes.face[i])] + std::ptrdiff_t{lanes.offset[i]};
+    std::memcpy(&to[i], first + 4 * word, 4);
+  }
+#endif
+}
+
+void find_linear(const LaneLevel& level, int weight_bits, const std::array<const float*, 3>& at, std::size_t count,
+                 LinearLanes& to) {
+  const Axis across{static_cast<float>(level.width), level.width - 1, level.wrap_s};
+  const Axis up{static_cast<float>(level.height), level.height - 1, level.wrap_t};
+  const VI stride = hn::Set(kDI, level.stride);
+  for (std::size_t lane = 0; lane < count; lane += hn::Lanes(kDF)) {
+    VF s, t;
+    store(load_place(level, at, lane, s, t), to.face, lane);
+    VI right, above, u, v;
+    const VI left = texels_along(across, s, weight_bits, right, u);
+    const VI low = hn::Mul(texels_along(up, t, weight_bits, above, v), stride);
+    const VI high = hn::Mul(above, stride);
+    store(hn::Add(low, left), to.offset[0], lane);
+    store(hn::Add(low, right), to.offset[1], lane);
+    store(hn::Add(high, left), to.offset[2], lane);
+    store(hn::Add(high, right), to.offset[3], lane);
+    store(u, to.u, lane);
+    store(v, to.v, lane);
+  }
+  to.one_face = all_like_first(to.face, count);
+}
+
+void split_words(const LaneWords& words, int byte, std::size_t count, s9* to) {
+  std::size_t lane = 0;
+  for (; lane + hn::Lanes(kDF) <= count; lane += hn::Lanes(kDF)) {
+    const VI word = hn::BitCast(kDI, hn::LoadU(hn::RebindToUnsigned<DI>(), words.data() + lane));
+    const VI value = hn::And(hn::ShiftRightSame(word, 8 * byte), hn::Set(kDI, 0xFF));
+    hn::StoreU(hn::DemoteTo(kD16, value), kD16, to + lane);
+  }
+  for (; lane < count; ++lane) to[lane] = static_cast<s9>(words[lane] >> (8 * byte) & 0xFF);
+}
+
+void weigh_linear(const LinearLanes& lanes, const CornerBytes& corner, int weight_bits, std::size_t count,
+                  std::array<s9, kBatchSize>& to) {
+  const VI half = hn::Set(kDI, 1 << (2 * weight_bits - 1));
+  for (std::size_t lane = 0; lane < count; lane += hn::Lanes(kDF)) {
+    const VI u = hn::LoadU(kDI, lanes.u.data() + lane), v = hn::LoadU(kDI, lanes.v.data() + lane);
+    const auto between = [&](std::size_t left, std::size_t right) HWY_ATTR {
+      const VI a = hn::PromoteTo(kDI, hn::LoadU(kD16, corner[left].data() + lane));
+      const VI b = hn::PromoteTo(kDI, hn::LoadU(kD16, corner[right].data() + lane));
+      return hn::Add(hn::ShiftLeftSame(a, weight_bits), hn::Mul(hn::Sub(b, a), u));
+    };
+    const VI low = between(0, 1), high = between(2, 3);
+    const VI sum = hn::Add(hn::ShiftLeftSame(low, weight_bits), hn::Mul(hn::Sub(high, low), v));
+    const VI rounded = hn::ShiftRightSame(hn::Add(sum, half), 2 * weight_bits);
+    hn::StoreU(hn::DemoteTo(kD16, rounded), kD16, to.data() + lane);
+  }
+}
+
+}  // namespace ninebit::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace ninebit {
+
+HWY_EXPORT(find_nearest);
+HWY_EXPORT(find_linear);
+HWY_EXPORT(fetch_nearest_words);
+HWY_EXPORT(split_words);
+HWY_EXPORT(weigh_linear);
+
+void find_nearest(const LaneLevel& level, const std::array<const float*, 3>& at, std::size_t count, NearestLanes& to) {
+  HWY_DYNAMIC_DISPATCH(find_nearest)(level, at, count, to);
+}
+
+void find_linear(const LaneLevel& level, int weight_bits, const std::array<const float*, 3>& at, std::size_t count,
+                 LinearLanes& to) {
+  HWY_DYNAMIC_DISPATCH(find_linear)(level, weight_bits, at, count, to);
+}
+
+void fetch_nearest_words(const LaneLevel& level, const std::array<const float*, 3>& at, const std::uint8_t* first,
+                         const FaceWords& face_word, std::size_t count, std::uint32_t* to) {
+  HWY_DYNAMIC_DISPATCH(fetch_nearest_words)(level, at, first, face_word, count, to);
+}
+
+void split_words(const LaneWords& words, int byte, std::size_t count, s9* to) {
+  HWY_DYNAMIC_DISPATCH(split_words)(words, byte, count, to);
+}
+
+void weigh_linear(const LinearLanes& lanes, const CornerBytes& corner, int weight_bits, std::size_t count,
+                  std::array<s9, kBatchSize>& to) {
+  HWY_DYNAMIC_DISPATCH(weigh_linear)(lanes, corner, weight_bits, count, to);
+}
+
+}  // namespace ninebit
+#endif

@@ -1,0 +1,101 @@
+// Triangles as the vectors of one tile need them: edge functions and depth planes, several triangles at a time.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+
+#include "src/raster/setup/setup_primitive.h"
+#include "src/raster/setup/triangle_edges.h"
+#include "src/raster/surface/tile_size.h"
+
+namespace ninebit {
+
+// Depth in vectors is a fixed-point number with 32 fraction bits, which carries an error of less than kDepthDoubt of
+// them: where the fraction is nearer than that to a whole number, the exact plane has to be asked.
+inline constexpr std::uint32_t kDepthDoubt = std::uint32_t{1} << 16;
+
+// What triangles have in the region of a tile that they may draw. Functions are those at its origin, the lower left
+// pixel, and their steps from pixel to pixel.
+struct TileTriangles {
+  static constexpr std::size_t kMost = 16;
+  template <class T>
+  using Each = std::array<T, kMost>;
+
+  // The region's pixels, both ends included.
+  alignas(64) Each<std::int32_t> left, right, bottom, top;
+  // Coverage: a pixel is inside where no value is negative. An edge that no pixel of the region can be outside of has
+  // zeros, unless is_narrow.
+  alignas(64) std::array<Each<std::int32_t>, 3> inside, inside_x, inside_y;
+  // `inside` + threshold is the edge function.
+  alignas(64) std::array<Each<std::int32_t>, 3> threshold;
+  // Coverage once more: in floats, which a product and a sum take but one operation of. They hold the values of all of
+  // the region's vectors exactly where has_floats; else they are nothing.
+  alignas(64) std::array<Each<float>, 3> float_inside, float_inside_x, float_inside_y;
+  // Depth with 32 fraction bits, and 1/2; its steps, too. Where only the exact plane will do, zeros, whose fraction is
+  // in doubt.
+  alignas(64) Each<double> depth, depth_x, depth_y;
+  alignas(64) Each<std::int64_t> depth_step_x, depth_step_y;
+  Each<bool> is_narrow;  // whether all of the region's vectors keep the edge functions within 32 bits
+  alignas(64) Each<std::int32_t> has_floats;         // not 0: see above
+  std::array<Each<double>, 3> edge, edge_x, edge_y;  // unless is_narrow, the edge functions themselves
+
+  [[nodiscard]] bool has_region(std::size_t k) const { return left[k] <= right[k] && bottom[k] <= top[k]; }
+
+  // Fills in, for a triangle of any size whose region is there, what follows the region; false: nothing is drawn.
+  bool place(std::size_t k, const SetupPrimitive& p);
+};
+
+// z = z0 + (e1 (z1 - z0) + e2 (z2 - z0)) / area + 1/2, the steps likewise. Products of steps and depths are exact in
+// doubles, and each of the others is off by a few 2^-53 of itself: within these limits the sum is good to 2^-18 at
+// every pixel of a tile.
+inline constexpr double kSteepestDepth = 0x1p24, kFarthestDepth = 64.0, kHighestDepth = 0x1p29, kDepthOne = 0x1p32;
+
+inline bool TileTriangles::place(std::size_t k, const SetupPrimitive& p) {
+  const TriangleEdges edges(p);
+  const std::array<std::int64_t, 3> e = edges.at(left[k], bottom[k]);
+  const std::int64_t columns = right[k] - left[k], rows = top[k] - bottom[k];
+  constexpr std::int64_t kNarrow = std::int64_t{1} << 30, kFloats = std::int64_t{1} << 24;
+  is_narrow[k] = true;
+  has_floats[k] = 1;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::int64_t across = edges.step_x(i) * columns, up = edges.step_y(i) * rows;
+    threshold[i][k] = edges.threshold(i);
+    const std::int64_t at_origin = e[i] - threshold[i][k];
+    if (at_origin + std::max<std::int64_t>(across, 0) + std::max<std::int64_t>(up, 0) < 0) return false;
+    // Vectors reach a few pixels beyond the region.
+    const std::int64_t steps = std::abs(edges.step_x(i)) + std::abs(edges.step_y(i));
+    const std::int64_t farthest = std::abs(at_origin) + 2 * kTileSize * steps;
+    const bool fits = farthest < kNarrow;
+    const bool crosses = at_origin + std::min<std::int64_t>(across, 0) + std::min<std::int64_t>(up, 0) < 0;
+    is_narrow[k] = is_narrow[k] && fits;
+    if (farthest >= kFloats) has_floats[k] = 0;
+    inside[i][k] = crosses || fits ? static_cast<std::int32_t>(at_origin) : 0;
+    inside_x[i][k] = crosses || fits ? static_cast<std::int32_t>(edges.step_x(i)) : 0;
+    inside_y[i][k] = crosses || fits ? static_cast<std::int32_t>(edges.step_y(i)) : 0;
+    float_inside[i][k] = static_cast<float>(inside[i][k]);
+    float_inside_x[i][k] = static_cast<float>(inside_x[i][k]);
+    float_inside_y[i][k] = static_cast<float>(inside_y[i][k]);
+    edge[i][k] = static_cast<double>(e[i]);
+    edge_x[i][k] = static_cast<double>(edges.step_x(i));
+    edge_y[i][k] = static_cast<double>(edges.step_y(i));
+  }
+  const double scale = edges.inverse_area();
+  const double z0 = p.z24[0], dz1 = p.z24[1] - z0, dz2 = p.z24[2] - z0;
+  const double slope_x = (edge_x[1][k] * dz1 + edge_x[2][k] * dz2) * scale;
+  const double slope_y = (edge_y[1][k] * dz1 + edge_y[2][k] * dz2) * scale;
+  const double origin = z0 + (edge[1][k] * dz1 + edge[2][k] * dz2) * scale + 0.5;
+  const bool is_sure = std::fabs(slope_x) <= kSteepestDepth && std::fabs(slope_y) <= kSteepestDepth &&
+                       (std::fabs(edge[1][k]) + std::fabs(edge[2][k])) * scale <= kFarthestDepth &&
+                       std::fabs(origin) <= kHighestDepth;
+  depth[k] = is_sure ? origin * kDepthOne : 0.0;
+  depth_x[k] = is_sure ? slope_x * kDepthOne : 0.0;
+  depth_y[k] = is_sure ? slope_y * kDepthOne : 0.0;
+  depth_step_x[k] = static_cast<std::int64_t>(depth_x[k]);
+  depth_step_y[k] = static_cast<std::int64_t>(depth_y[k]);
+  return true;
+}
+
+}  // namespace ninebit

@@ -1,0 +1,91 @@
+// Primitives in the window, ready for the tiles: integer positions and depths, and where their vertices' values are.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <vector>
+
+#include "src/raster/surface/raw_vector.h"
+
+namespace ninebit {
+
+// `pixel` is a triangle that draws a single pixel, whose depth has already been found.
+enum class SetupKind : std::uint8_t { triangle, line, point, pixel };
+
+// Pixels that a primitive may draw, both ends included, among those that may be drawn at all.
+struct PixelBounds {
+  std::int16_t left = 0;
+  std::int16_t bottom = 0;
+  std::int16_t right = 0;
+  std::int16_t top = 0;
+  [[nodiscard]] bool empty() const { return left > right || bottom > top; }
+};
+
+inline constexpr std::uint32_t kNoWeights = 0xFFFFFFFF;
+
+// Window positions of three corners in 1/16 pixel (less with fewer subpixel bits, scaled up), of 20 bits each: a
+// corner's word has its x above the low part of its y, the last word the high parts of all y.
+struct PackedPositions {
+  static constexpr int kLow = 12, kHigh = 8;  // bits of y
+  std::array<std::uint32_t, 4> word{};
+
+  [[nodiscard]] std::int32_t x(std::size_t i) const { return static_cast<std::int32_t>(word[i]) >> kLow; }
+  [[nodiscard]] std::int32_t y(std::size_t i) const {
+    const std::uint32_t high = word[3] << (24 - kHigh * i), low = word[i] << (32 - kLow) >> kHigh;
+    return static_cast<std::int32_t>((high & 0xFF000000U) | low) >> (32 - kLow - kHigh);
+  }
+  // Of a corner that has none yet.
+  void set(std::size_t i, std::int32_t x, std::int32_t y) {
+    word[i] = (static_cast<std::uint32_t>(x) << kLow) | (static_cast<std::uint32_t>(y) & ((1U << kLow) - 1));
+    word[3] |= ((static_cast<std::uint32_t>(y) >> kLow) & 0xFF) << (kHigh * i);
+  }
+};
+
+// A triangle (counter-clockwise in the window, y up), a line from its first corner to its second, or a point. Bounds
+// that the integer arithmetic relies on: positions lie within 8,192 pixels of the viewport's centre, so differences of
+// positions stay within 2^18 sixteenths of a pixel, edge functions, areas and squared lengths within 2^37, and these ×
+// window depth within 2^61.
+//
+// Large meshes come from memory, so it is packed into three quarters of a line of the cache.
+struct alignas(16) SetupPrimitive {
+  PixelBounds box;          // of a `pixel`: that pixel
+  std::uint32_t primitive;  // number of the GL primitive in the draw call
+  SetupKind kind;
+  bool front_facing;
+  std::array<std::uint32_t, 3> z24;  // window depth, see window_depth.h; of a `pixel` three times the one there
+  std::int32_t offset_z24;           // polygon offset
+  PackedPositions position;          // of a wide line: already moved to its lowest line; of a point: its lower left
+
+  [[nodiscard]] std::array<std::int32_t, 3> x_q4() const { return {position.x(0), position.x(1), position.x(2)}; }
+  [[nodiscard]] std::array<std::int32_t, 3> y_q4() const { return {position.y(0), position.y(1), position.y(2)}; }
+};
+static_assert(sizeof(SetupPrimitive) == 48);
+
+// What a primitive's fragments take from its corners besides.
+struct alignas(32) SetupCorners {
+  std::array<float, 3> inv_w;
+  std::uint32_t weights;                // index into SetupBlock::weights, or kNoWeights: not clipped
+  std::array<std::uint32_t, 3> vertex;  // numbers of the vertices before clipping; all three are valid in any kind
+  std::array<std::uint8_t, 3> corner;   // which of `vertex` each corner is (clipped ones: see weights)
+};
+
+// What one block of primitives of a draw call became, in order.
+struct SetupBlock {
+  RawVector<SetupPrimitive> primitives;
+  RawVector<SetupCorners> corners;  // of each primitive; none where SetupContext does not need them
+  // For each that was clipped, its corners in barycentric coordinates of `vertex` (column = corner).
+  std::vector<glm::mat3> weights;
+
+  // Of one of the primitives.
+  [[nodiscard]] const SetupCorners& corners_of(const SetupPrimitive& p) const {
+    return corners[static_cast<std::size_t>(&p - primitives.data())];
+  }
+  // The corners' matrix of one that was clipped, or null.
+  [[nodiscard]] const glm::mat3* weights_of(const SetupCorners& c) const {
+    return c.weights == kNoWeights ? nullptr : &weights[c.weights];
+  }
+};
+
+}  // namespace ninebit

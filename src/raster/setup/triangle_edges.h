@@ -1,0 +1,92 @@
+// Coverage and depth of a triangle, exactly.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+
+#include "src/raster/setup/setup_primitive.h"
+#include "src/raster/surface/floor_divider.h"
+
+namespace ninebit {
+
+// A triangle's edge functions and depth plane at pixel centres. Edge i lies opposite corner i; its function is twice
+// the area of the triangle that the edge and the point make, positive inside, in square sixteenths of a pixel.
+class TriangleEdges {
+ public:
+  explicit TriangleEdges(const SetupPrimitive& t) : TriangleEdges(t, t.x_q4(), t.y_q4()) {}
+
+  [[nodiscard]] std::array<std::int64_t, 3> at(int x, int y) const {
+    std::array<std::int64_t, 3> e;
+    for (std::size_t i = 0; i < 3; ++i) e[i] = origin_[i] + step_x_[i] * x + step_y_[i] * y;
+    return e;
+  }
+  void step_right(std::array<std::int64_t, 3>& e) const {
+    for (std::size_t i = 0; i < 3; ++i) e[i] += step_x_[i];
+  }
+  [[nodiscard]] bool inside(const std::array<std::int64_t, 3>& e) const {
+    return e[0] >= threshold_[0] && e[1] >= threshold_[1] && e[2] >= threshold_[2];
+  }
+
+  // The depth plane, rounded to nearest, halves up. Within the triangle it lies between the corners' depths.
+  [[nodiscard]] std::uint32_t z24(const std::array<std::int64_t, 3>& e) const {
+    const std::int64_t wide = e[0] * triangle_.z24[0] + e[1] * triangle_.z24[1] + e[2] * triangle_.z24[2];
+    return static_cast<std::uint32_t>(divide_(2 * wide + area_));
+  }
+
+  // Narrows [first, last] to the pixels of row y inside the triangle; false: there are none.
+  [[nodiscard]] bool span(int y, int& first, int& last) const {
+    const std::array<std::int64_t, 3> e = at(0, y);
+    std::int64_t low = first, high = last;
+    for (std::size_t i = 0; i < 3; ++i) {
+      // The x with e + step · x >= threshold.
+      const std::int64_t need = threshold_[i] - e[i];
+      if (step_x_[i] > 0) {
+        low = std::max(low, ceil_divide(need, step_x_[i]));
+      } else if (step_x_[i] < 0) {
+        high = std::min(high, floor_divide(-need, -step_x_[i]));
+      } else if (need > 0) {
+        return false;
+      }
+    }
+    first = static_cast<int>(low);
+    last = static_cast<int>(high);
+    return low <= high;
+  }
+
+  [[nodiscard]] std::int64_t step_x(std::size_t i) const { return step_x_[i]; }
+  [[nodiscard]] std::int64_t step_y(std::size_t i) const { return step_y_[i]; }
+  // An edge function below it is outside.
+  [[nodiscard]] int threshold(std::size_t i) const { return threshold_[i]; }
+  // 1 / the sum of the edge functions.
+  [[nodiscard]] double inverse_area() const { return 2.0 * divide_.inverse; }
+
+ private:
+  using Positions = std::array<std::int32_t, 3>;
+  static std::int64_t area_of(const Positions& x, const Positions& y) {
+    return static_cast<std::int64_t>(x[1] - x[0]) * (y[2] - y[0]) -
+           static_cast<std::int64_t>(y[1] - y[0]) * (x[2] - x[0]);
+  }
+
+  TriangleEdges(const SetupPrimitive& t, const Positions& x, const Positions& y)
+      : triangle_(t), area_(area_of(x, y)), divide_(2 * area_) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::size_t a = (i + 1) % 3, b = (i + 2) % 3;
+      const std::int64_t dx = x[b] - x[a], dy = y[b] - y[a];
+      step_x_[i] = -dy * 16;
+      step_y_[i] = dx * 16;
+      // At the centre of pixel (0, 0).
+      origin_[i] = dx * (8 - y[a]) - dy * (8 - x[a]);
+      // Top-left rule: a centre on an edge is inside when the edge goes down (left) or, level, to the left (top).
+      threshold_[i] = dy < 0 || (dy == 0 && dx < 0) ? 0 : 1;
+    }
+  }
+
+  const SetupPrimitive& triangle_;
+  std::int64_t area_;
+  FloorDivider divide_;
+  std::array<std::int64_t, 3> step_x_, step_y_, origin_;
+  std::array<int, 3> threshold_;
+};
+
+}  // namespace ninebit

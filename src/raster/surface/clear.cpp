@@ -1,0 +1,65 @@
+#include <algorithm>
+#include <cmath>
+
+#include "ninebit/raster/rasterizer.h"
+#include "src/raster/surface/clear_values.h"
+#include "src/raster/surface/target_check.h"
+
+namespace ninebit {
+namespace {
+
+template <class T>
+void fill(const PixelRect& rect, const Plane<T>& plane, T value) {
+  if (!plane) return;
+  for (int y = rect.y; y < rect.y + rect.height; ++y) {
+    if (plane.step == 1) {
+      std::fill_n(plane.row(y) + rect.x, rect.width, value);
+      continue;
+    }
+    for (int x = rect.x; x < rect.x + rect.width; ++x) plane.at(x, y) = value;
+  }
+}
+
+void fill_masked(const PixelRect& rect, const Plane<std::uint8_t>& plane, unsigned value, unsigned mask) {
+  if (!plane || mask == 0) return;
+  for (int y = rect.y; y < rect.y + rect.height; ++y) {
+    for (int x = rect.x; x < rect.x + rect.width; ++x) {
+      std::uint8_t& stored = plane.at(x, y);
+      stored = static_cast<std::uint8_t>((stored & ~mask) | (value & mask));
+    }
+  }
+}
+
+}  // namespace
+
+std::uint32_t depth_code(DepthStencilFormat format, double depth) {
+  if (!(depth > 0.0)) return 0;
+  const std::uint32_t largest = max_depth(format);
+  if (depth >= 1.0) return largest;
+  const double below = std::floor(depth * largest);
+  // The product was rounded and might have met a half that it does not reach; the sum within fma is exact.
+  const bool up = std::fma(depth, static_cast<double>(largest), -(below + 0.5)) >= 0.0;
+  return static_cast<std::uint32_t>(below) + (up ? 1 : 0);
+}
+
+std::uint8_t stencil_value(DepthStencilFormat format, int stencil) {
+  return static_cast<std::uint8_t>(static_cast<unsigned>(stencil) & ((1U << stencil_bits(format)) - 1));
+}
+
+Status clear(const PipelineState& state, ClearBuffers buffers, const ClearValues& values, RenderTarget& target) {
+  if (Status checked = check_target(state, target); !checked) return checked;
+  const PixelRect rect = scissored(state, target);
+  if (buffers.color) {
+    for (std::size_t i = 0; i < 4; ++i) {
+      if (state.color_mask[i]) fill(rect, target.color[i], values.color[i]);
+    }
+  }
+  if (buffers.depth && state.depth_test.write) fill(rect, target.depth, depth_code(target.format, values.depth));
+  if (buffers.stencil) {
+    const unsigned writable = state.stencil_test.front.write_mask & ((1U << stencil_bits(target.format)) - 1);
+    fill_masked(rect, target.stencil, stencil_value(target.format, values.stencil), writable);
+  }
+  return {};
+}
+
+}  // namespace ninebit

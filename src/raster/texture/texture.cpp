@@ -1,0 +1,174 @@
+#include "ninebit/raster/texture.h"
+
+#include <algorithm>
+#include <bit>
+#include <string>
+
+#include "src/raster/texture/cube_face.h"
+
+namespace ninebit {
+namespace {
+
+bool is_power_of_two(int side) {
+  return side >= 1 && std::has_single_bit(static_cast<unsigned>(side));
+}
+
+std::string size_text(const TextureImage& image) {
+  return std::to_string(image.width) + " x " + std::to_string(image.height);
+}
+
+std::string image_name(const Texture& texture, std::size_t face, std::size_t level) {
+  std::string name = "level " + std::to_string(level);
+  if (texture.target == TextureTarget::cube_map) name += " of cube-map face " + std::to_string(face);
+  return name;
+}
+
+// The alternative of TexelPlanes that a format has.
+std::size_t planes_index(InternalFormat format) {
+  switch (format) {
+    case InternalFormat::depth16:
+    case InternalFormat::depth24:
+      return 1;
+    case InternalFormat::rgba16f:
+      return 2;
+    case InternalFormat::rgba32f:
+      return 3;
+    default:
+      return 0;
+  }
+}
+
+// What is wrong with one image, or nothing.
+std::string complaint_about(const Texture& texture, const TextureImage& image) {
+  for (const int side : {image.width, image.height}) {
+    if (!is_power_of_two(side) || side > kMaxSurfaceSize) {
+      return " is " + size_text(image) + "; each side must be a power of two from 1 to " +
+             std::to_string(kMaxSurfaceSize);
+    }
+  }
+  if (texture.target == TextureTarget::cube_map && image.width != image.height) {
+    return " is " + size_text(image) + "; the faces of a cube map must be square";
+  }
+  if (image.planes.index() != planes_index(texture.format)) return " has samples of another type than its format's";
+  const std::array<bool, 4> stored = stored_components(texture.format);
+  return std::visit(
+      [&](const auto& planes) -> std::string {
+        for (std::size_t i = 0; i < 4; ++i) {
+          if (!stored[i]) continue;
+          if (!planes[i]) return " lacks a plane that its format needs";
+          if (planes[i].step >= 1 && planes[i].step <= kMaxStep) continue;
+          return " has a plane of " + std::to_string(planes[i].step) +
+                 " samples from one texel to the next; that goes from 1 to " + std::to_string(kMaxStep);
+        }
+        return {};
+      },
+      image.planes);
+}
+
+}  // namespace
+
+const CubeFaceAxes& cube_face_axes(CubeFace face) {
+  static constexpr std::array<CubeFaceAxes, 6> axes{{
+      {{0, 0, -1}, {0, -1, 0}, {1, 0, 0}},
+      {{0, 0, 1}, {0, -1, 0}, {-1, 0, 0}},
+      {{1, 0, 0}, {0, 0, 1}, {0, 1, 0}},
+      {{1, 0, 0}, {0, 0, -1}, {0, -1, 0}},
+      {{1, 0, 0}, {0, -1, 0}, {0, 0, 1}},
+      {{-1, 0, 0}, {0, -1, 0}, {0, 0, -1}},
+  }};
+  return axes[static_cast<std::size_t>(face)];
+}
+
+CubeCoordinate cube_coordinate(float rx, float ry, float rz) {
+  return cube_coordinate_inline(rx, ry, rz);
+}
+
+TextureFormat base_format(InternalFormat format) {
+  switch (format) {
+    case InternalFormat::alpha8:
+      return TextureFormat::alpha;
+    case InternalFormat::luminance8:
+      return TextureFormat::luminance;
+    case InternalFormat::luminance8_alpha8:
+      return TextureFormat::luminance_alpha;
+    case InternalFormat::intensity8:
+      return TextureFormat::intensity;
+    case InternalFormat::rgb8:
+      return TextureFormat::rgb;
+    case InternalFormat::depth16:
+    case InternalFormat::depth24:
+      return TextureFormat::depth;
+    case InternalFormat::rgba8:
+    case InternalFormat::rgba16f:
+    case InternalFormat::rgba32f:
+      break;
+  }
+  return TextureFormat::rgba;
+}
+
+std::array<bool, 4> stored_components(InternalFormat format) {
+  switch (format) {
+    case InternalFormat::alpha8:
+      return {false, false, false, true};
+    case InternalFormat::luminance8:
+    case InternalFormat::intensity8:
+    case InternalFormat::depth16:
+    case InternalFormat::depth24:
+      return {true, false, false, false};
+    case InternalFormat::luminance8_alpha8:
+      return {true, false, false, true};
+    case InternalFormat::rgb8:
+      return {true, true, true, false};
+    case InternalFormat::rgba8:
+    case InternalFormat::rgba16f:
+    case InternalFormat::rgba32f:
+      break;
+  }
+  return {true, true, true, true};
+}
+
+Status check_texture(const Texture& texture) {
+  if (texture.target == TextureTarget::cube_map && base_format(texture.format) == TextureFormat::depth) {
+    return Diagnostic{"a cube map has a depth format; only 2D textures can"};
+  }
+  for (std::size_t face = 0; face < texture.faces.size(); ++face) {
+    const std::vector<TextureImage>& levels = texture.faces[face];
+    if (face >= texture.face_count() && !levels.empty()) {
+      return Diagnostic{"a 2D texture has more than one face"};
+    }
+    if (levels.size() > static_cast<std::size_t>(kMaxTextureLevels)) {
+      return Diagnostic{"a texture has " + std::to_string(levels.size()) + " levels; there can be " +
+                        std::to_string(kMaxTextureLevels)};
+    }
+    for (std::size_t level = 0; level < levels.size(); ++level) {
+      const std::string complaint = complaint_about(texture, levels[level]);
+      if (!complaint.empty()) return Diagnostic{image_name(texture, face, level) + complaint};
+    }
+  }
+  return {};
+}
+
+bool is_complete(const Texture& texture, bool with_mipmaps) {
+  const std::vector<TextureImage>& first = texture.faces[0];
+  if (first.empty()) return false;
+  for (std::size_t face = 0; face < texture.face_count(); ++face) {
+    const std::vector<TextureImage>& levels = texture.faces[face];
+    int width = first[0].width, height = first[0].height;
+    for (std::size_t level = 0;; ++level) {
+      if (level >= levels.size() || levels[level].width != width || levels[level].height != height) return false;
+      if (!with_mipmaps || (width == 1 && height == 1)) break;
+      width = std::max(width / 2, 1);
+      height = std::max(height / 2, 1);
+    }
+  }
+  return true;
+}
+
+Texture texture_view(InternalFormat format, std::span<const TextureImage> faces) {
+  Texture texture{.target = faces.size() == 6 ? TextureTarget::cube_map : TextureTarget::texture_2d, .format = format};
+  if (faces.size() != texture.face_count()) return texture;
+  for (std::size_t face = 0; face < faces.size(); ++face) texture.faces[face] = {faces[face]};
+  return texture;
+}
+
+}  // namespace ninebit

@@ -1,0 +1,65 @@
+// The technique: one frame.
+#include "ninebit/shadow/depth_cube.h"
+
+#include <optional>
+#include <utility>
+
+#include "src/shadow/depth_cube/depth_cube_renderer.h"
+
+namespace ninebit {
+namespace {
+
+// The passes that mark shadow: with 8 bits six, with 16 bits twelve.
+Status draw_comparisons(DepthCubeRenderer& renderer, PassTimer& timer, double& milliseconds) {
+  const auto& comparisons = renderer.passes().comparisons;
+  if (comparisons.empty()) {
+    return timer.run("comparison", 0.5, milliseconds, [&] { return renderer.compare_floats(); });
+  }
+  const double share = 0.4 / static_cast<double>(6 * comparisons.size());
+  for (std::size_t i = 0; i < comparisons.size(); ++i) {
+    for (std::size_t face = 0; face < 6; ++face) {
+      const double done = 0.5 + share * static_cast<double>(6 * i + face);
+      Status drawn =
+          timer.run(comparisons[i].name, done, milliseconds, [&] { return renderer.draw_comparison(i, face); });
+      if (!drawn) return drawn;
+    }
+  }
+  return {};
+}
+
+}  // namespace
+
+Result<Rendering> render_depth_cube(const Scene& scene, const RenderSettings& settings, const Progress& progress) {
+  std::optional<DepthCubeRenderer> renderer;
+  const auto make = [&]() -> Status {
+    auto made = DepthCubeRenderer::make(scene, settings);
+    if (!made) return made.error();
+    renderer.emplace(std::move(*made));
+    return {};
+  };
+  PassTimer timer(progress);
+  PassTimes times;
+  double colors = 0.0;
+  Status status = timer.run("ramps", 0.0, times.transform, make);
+  for (std::size_t face = 0; face < 6 && status; ++face) {
+    status = timer.run("depth cube map", 0.1 + 0.05 * static_cast<double>(face), times.maps,
+                       [&] { return renderer->draw_map(face); });
+  }
+  if (status) status = timer.run("depth", 0.4, times.camera, [&] { return renderer->draw_depth(); });
+  if (status) status = draw_comparisons(*renderer, timer, times.compare);
+  if (status && settings.light_facing) {
+    status = timer.run("averted", 0.9, times.compare, [&] { return renderer->draw_averted(); });
+  }
+  // They take their own times.
+  if (status) status = timer.run("colours", 0.9, colors, [&] { return renderer->draw_lit_and_shadow(); });
+  if (status) status = renderer->add_evidence();
+  if (!status) return status.error();
+  renderer->finish();
+  PassTimes& taken = renderer->rendering().times;
+  times.lit = taken.lit;
+  times.shadow = taken.shadow;
+  taken = times;
+  return std::move(renderer->rendering());
+}
+
+}  // namespace ninebit

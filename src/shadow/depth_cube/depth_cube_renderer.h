@@ -1,0 +1,85 @@
+// Depth cube shadows, pass after pass.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "ninebit/raster/prepared_draw.h"
+#include "ninebit/shadow/depth_cube.h"
+#include "src/shadow/frame/camera_frame.h"
+#include "src/shadow/frame/views.h"
+
+namespace ninebit {
+
+// In the order of CubeFace.
+inline constexpr std::array kCubeFaceNames{"+X", "-X", "+Y", "-Y", "+Z", "-Z"};
+
+// One scene seen from its camera, lit by its light. Drawn in the order of the functions.
+class DepthCubeRenderer {
+ public:
+  // The scene must outlive the renderer. Reports what render_depth_cube reports.
+  [[nodiscard]] static Result<DepthCubeRenderer> make(const Scene& scene, const RenderSettings& settings);
+
+  // Distances, from the light into one face.
+  Status draw_map(std::size_t face);
+  Status draw_depth();
+  // Marks what lies in this face's direction and behind what the face holds; `comparison` is a number of passes().
+  Status draw_comparison(std::size_t comparison, std::size_t face);
+  // The same for all faces, with floats.
+  Status compare_floats();
+  // With light_facing: marks what turns away from the light.
+  Status draw_averted();
+  Status draw_lit_and_shadow() { return frame_.draw_lit_and_shadow(); }
+  // With settings.evidence: the triangles of the map, and those that the pixels met.
+  Status add_evidence();
+  // Counts pixels, completes layers, maps, pictures and facts.
+  void finish();
+
+  [[nodiscard]] const DepthCubePasses& passes() const { return passes_; }
+  [[nodiscard]] Rendering& rendering() { return frame_.rendering(); }
+
+ private:
+  DepthCubeRenderer(CameraFrame frame, DepthCubePasses passes);
+
+  [[nodiscard]] bool uses_floats() const { return settings().depth_cube.bits == DepthCubeBits::real; }
+  [[nodiscard]] const RenderSettings& settings() const { return frame_.settings(); }
+  // Whether somebody asks which face a pixel's fragment lies in.
+  [[nodiscard]] bool needs_directions() const;
+  [[nodiscard]] VertexArrays all_triangles(std::span<const glm::vec3> positions) const;
+  [[nodiscard]] std::size_t face_at(std::size_t pixel) const;
+  [[nodiscard]] std::size_t texel_at(std::size_t pixel) const;
+  [[nodiscard]] Texture map_of_face(std::size_t face) const;
+  void make_ramps();
+  void set_ramp_coordinates(std::size_t face);
+  Status draw_directions();
+  void keep_layers_of_face(std::size_t face, std::size_t first, std::size_t count);
+  void keep_maps();
+  void add_picture();
+  void add_facts();
+
+  CameraFrame frame_;
+  DepthCubePasses passes_;
+  DepthRange range_;
+  std::array<glm::mat4, 6> face_projections_{};
+  DistanceCode code_{};  // of 8 and 16 bits
+  float bias_ = 0.0F;    // of floats, in world units
+  Texture map_ramp_, camera_ramp_;
+  std::vector<glm::vec3> from_light_;        // positions relative to the light
+  std::vector<glm::vec4> from_light_four_;   // the same as an attribute, where one is drawn
+  std::vector<glm::vec3> ramp_coordinates_;  // of one face
+  struct Face {
+    std::vector<std::uint8_t> luminance, alpha;
+    std::vector<float> distance;
+  };
+  std::array<Face, 6> faces_;
+  std::vector<std::uint8_t> blank_;  // a face that holds the farthest code
+  std::vector<std::uint32_t> map_depth_;
+  PreparedDraw prepared_map_, prepared_camera_;
+  std::array<std::vector<float>, 3> directions_;  // from the light to each pixel's fragment
+};
+
+}  // namespace ninebit

@@ -1,0 +1,242 @@
+#include "src/shadow/frame/camera_frame.h"
+
+#include <fmt/format.h>
+#include <oneapi/tbb/blocked_range.h>
+#include <oneapi/tbb/parallel_reduce.h>
+
+#include <bit>
+#include <utility>
+
+#include "src/shadow/frame/views.h"
+
+namespace ninebit {
+namespace {
+
+Diagnostic invalid(std::string message) {
+  return Diagnostic{.message = std::move(message)};
+}
+
+std::string names_of(const LightKinds& kinds) {
+  std::string names;
+  const auto add = [&](bool there, std::string_view name) {
+    if (there) names += (names.empty() ? "" : " or ") + std::string(name);
+  };
+  add(kinds.point, "point");
+  add(kinds.spot, "spot");
+  add(kinds.directional, "directional");
+  return names;
+}
+
+Status check_scene(const Scene& scene, const LightKinds& lights) {
+  if (Status valid = validate(scene); !valid) return valid;
+  if (scene.cameras.size() != 1 || scene.lights.size() != 1) {
+    return invalid(fmt::format("the scene has {} cameras and {} lights; expected one of each", scene.cameras.size(),
+                               scene.lights.size()));
+  }
+  if (lights.has(scene.lights[0].kind)) return {};
+  LightKinds found{.point = false};
+  (scene.lights[0].kind == LightKind::point  ? found.point
+   : scene.lights[0].kind == LightKind::spot ? found.spot
+                                             : found.directional) = true;
+  return invalid(
+      fmt::format("the scene's light is a {} light; expected a {} light", names_of(found), names_of(lights)));
+}
+
+constexpr DepthTest kWriteNearest{.enabled = true, .function = CompareFunction::less, .write = true};
+// The camera's passes transform and interpolate alike, so a polygon meets the very depth that it wrote.
+constexpr DepthTest kSameSurface{.enabled = true, .function = CompareFunction::equal, .write = false};
+constexpr std::array<bool, 4> kNoColor{false, false, false, false};
+
+PipelineState base_state(const RenderSettings& settings) {
+  PipelineState state;
+  state.profile = settings.profile;
+  state.cull_face = settings.cull_face;
+  return state;
+}
+
+}  // namespace
+
+Status check_map_size(int size) {
+  if (size >= 1 && size <= kMaxSurfaceSize && std::has_single_bit(static_cast<unsigned>(size))) return {};
+  return invalid(fmt::format("map size {} is not a power of two from 1 to {}", size, kMaxSurfaceSize));
+}
+
+FramePasses frame_passes(const RenderSettings& settings) {
+  FramePasses passes{base_state(settings), base_state(settings), base_state(settings)};
+  passes.depth.color_mask = kNoColor;
+  passes.depth.depth_test = kWriteNearest;
+  for (PipelineState* pass : {&passes.lit, &passes.shadow}) {
+    pass->depth_test = kSameSurface;
+    pass->stencil_test = {.enabled = true, .front = {.reference = 0}};
+    if (settings.cartoon) pass->shade_model = ShadeModel::flat;
+  }
+  passes.lit.stencil_test.front.function = CompareFunction::equal;
+  passes.shadow.stencil_test.front.function = CompareFunction::notequal;
+  return passes;
+}
+
+PipelineState marking_pass(const RenderSettings& settings) {
+  PipelineState state = base_state(settings);
+  state.shade_model = ShadeModel::flat;
+  state.color_mask = kNoColor;
+  state.depth_test = kSameSurface;
+  state.stencil_test = {.enabled = true, .front = {.reference = 1, .depth_pass = StencilOperation::replace}};
+  return state;
+}
+
+PipelineState surface_pass(const RenderSettings& settings) {
+  PipelineState state = marking_pass(settings);
+  state.stencil_test = {};
+  return state;
+}
+
+Result<CameraFrame> CameraFrame::make(const Scene& scene, const RenderSettings& settings, const LightKinds& lights) {
+  if (Status checked = check_scene(scene, lights); !checked) return checked.error();
+  if (stencil_bits(settings.depth_stencil) == 0) {
+    return invalid("the depth-stencil format d16 has no stencil bits to hold shadows; expected d24s8 or d15s1");
+  }
+  auto frame = Surface::make(settings.width, settings.height,
+                             {.depth_stencil = settings.depth_stencil,
+                              .with_primitive = settings.layers || settings.evidence,
+                              .undrawn = true});
+  if (!frame) return frame.error();
+  return CameraFrame(scene, settings, std::move(*frame));
+}
+
+CameraFrame::CameraFrame(const Scene& scene, const RenderSettings& settings, Surface frame)
+    : scene_(&scene),
+      settings_(settings),
+      passes_(frame_passes(settings)),
+      rendering_{.frame = std::move(frame)},
+      shading_(shade_vertices(scene, scene.lights[0], settings)),
+      projection_(camera_projection(scene, scene.cameras[0],
+                                    static_cast<float>(settings.width) / static_cast<float>(settings.height))) {
+  if (settings.evidence) rendering_.evidence.emplace();
+}
+
+Status CameraFrame::draw(std::string_view name, const PipelineState& state, VertexArrays arrays,
+                         std::span<const TextureUnit> units, RenderTarget& target,
+                         std::span<const std::uint32_t> scene_triangles) {
+  if (arrays.vertex_count() == 0) arrays.positions = scene_->positions;
+  // Of a scene that has triangles, as validate demands.
+  if (arrays.indices.empty()) arrays.indices = index_list(scene_->triangles);
+  if (!settings_.pixel) return rasterize(state, projection_, arrays, units, target);
+  FragmentProbe probe{.x = settings_.pixel->x, .y = settings_.pixel->y};
+  target.probe = &probe;
+  Status drawn = rasterize(state, projection_, arrays, units, target);
+  target.probe = nullptr;
+  if (!scene_triangles.empty()) {
+    for (ProbedFragment& fragment : probe.fragments) fragment.primitive = scene_triangles[fragment.primitive];
+  }
+  rendering_.probed.push_back({std::string(name), state.program, std::move(probe.fragments)});
+  return drawn;
+}
+
+Status CameraFrame::draw_averted(const PipelineState& state, const std::vector<std::uint32_t>& scene_triangles) {
+  if (scene_triangles.empty()) return {};
+  std::vector<glm::uvec3> triangles;
+  triangles.reserve(scene_triangles.size());
+  for (const std::uint32_t t : scene_triangles) triangles.push_back(scene_->triangles[t]);
+  RenderTarget target = rendering_.frame.target();
+  target.outputs.clear();
+  VertexArrays arrays;
+  arrays.indices = index_list(triangles);
+  return draw("averted", state, arrays, {}, target, scene_triangles);
+}
+
+Status CameraFrame::draw_depth() {
+  rendering_.probed.clear();
+  rendering_.layers.clear();
+  rendering_.frame.fill({.color = kBackground});
+  RenderTarget target = rendering_.frame.target();
+  target.outputs.clear();
+  return draw("depth", passes_.depth, {}, {}, target);
+}
+
+Status CameraFrame::draw_shaded(std::string_view name, const PipelineState& state,
+                                const std::vector<ColorBytes>& colors, double& milliseconds) {
+  milliseconds = 0.0;
+  return PassTimer({}).run(name, 0.0, milliseconds, [&] {
+    RenderTarget target = rendering_.frame.target();
+    VertexArrays arrays;
+    set_colors(arrays, colors);
+    return draw(name, state, arrays, {}, target);
+  });
+}
+
+Status CameraFrame::draw_lit_and_shadow() {
+  if (Status drawn = draw_shaded("lit", passes_.lit, shading_.lit, rendering_.times.lit); !drawn) return drawn;
+  return draw_shadow();
+}
+
+Status CameraFrame::draw_shadow() {
+  return draw_shaded("shadow", passes_.shadow, shading_.shadowed, rendering_.times.shadow);
+}
+
+RenderTarget CameraFrame::capturing_target(int units, const std::string& prefix) {
+  RenderTarget target = rendering_.frame.target();
+  target.outputs.clear();
+  if (!settings_.layers) return target;
+  const auto add = [&](OutputSource source, Register reg, int component, const char* part) {
+    const std::string channel(1, "RGBA"[component]);
+    auto& plane = add_layer<s9>(rendering_.layers, prefix + part, channel, target.width, target.height);
+    target.outputs.push_back({.source = source,
+                              .reg = reg,
+                              .component = component,
+                              .time = OutputTime::at_depth_pass,
+                              .plane = Plane<s9>{plane.data(), target.width}});
+  };
+  const auto capture = [&](Register reg, int components, const char* part) {
+    for (int c = 0; c < components; ++c) add(OutputSource::register_code, reg, c, part);
+  };
+  capture(Register::primary, 4, "primary");
+  if (units > 0) capture(Register::texture0, 4, "texture0");
+  if (units > 1) capture(Register::texture1, 4, "texture1");
+  capture(Register::spare0, 4, "spare0");
+  capture(Register::spare1, 4, "spare1");
+  add(OutputSource::output_code, Register::spare0, kAlpha, "output");
+  return target;
+}
+
+void CameraFrame::finish() {
+  const Surface& frame = rendering_.frame;
+  const std::uint32_t *const depth = frame.depth().data(), farthest = max_depth(frame.format());
+  const std::uint8_t* const shadow = frame.stencil().data();
+  struct Count {
+    std::uint64_t background = 0, shadowed = 0;
+  };
+  const auto count = [&](const tbb::blocked_range<std::size_t>& pixels, Count before) {
+    std::uint32_t background = 0, shadowed = 0;  // without a branch: in vectors
+    for (std::size_t i = pixels.begin(); i != pixels.end(); ++i) {
+      const bool is_background = depth[i] == farthest;
+      background += is_background ? 1U : 0U;
+      shadowed += !is_background && shadow[i] != 0 ? 1U : 0U;
+    }
+    return Count{before.background + background, before.shadowed + shadowed};
+  };
+  const Count all = tbb::parallel_reduce(tbb::blocked_range<std::size_t>(0, frame.stencil().size(), 65536), Count{},
+                                         count, [](const Count& a, const Count& b) {
+                                           return Count{a.background + b.background, a.shadowed + b.shadowed};
+                                         });
+  rendering_.background = all.background;
+  rendering_.shadowed = all.shadowed;
+  rendering_.lit = frame.stencil().size() - all.background - all.shadowed;
+  if (!settings_.layers) return;
+  const auto add = [&](const char* name) -> std::vector<std::uint32_t>& {
+    return add_layer<std::uint32_t>(rendering_.layers, name, name, frame.width(), frame.height());
+  };
+  auto& stencil = add_layer<std::uint8_t>(rendering_.layers, "stencil", "stencil", frame.width(), frame.height());
+  stencil.assign(frame.stencil().begin(), frame.stencil().end());
+  add("depth").assign(frame.depth().begin(), frame.depth().end());
+  auto& polygon = add("polygon");
+  auto& object = add("object");
+  // From the triangles that the lit and shadow passes drew.
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const std::uint32_t drawn = frame.primitive()[i];
+    if (drawn >= scene_->triangles.size()) continue;
+    polygon[i] = drawn + 1;
+    object[i] = scene_->triangle_object[drawn] + 1;
+  }
+}
+
+}  // namespace ninebit

@@ -1,0 +1,133 @@
+// What all techniques do from the camera: its depth before, colour where there is light and where there is none after
+// the shadows have been marked in the stencil buffer.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <deque>
+#include <glm/glm.hpp>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "ninebit/raster/rasterizer.h"
+#include "ninebit/shadow/technique.h"
+#include "src/shadow/frame/shading.h"
+
+namespace ninebit {
+
+// The pipeline state of the passes that every technique draws from the camera.
+struct FramePasses {
+  PipelineState depth;   // depth alone, the nearest stays
+  PipelineState lit;     // colour where the stencil is 0
+  PipelineState shadow;  // colour where it is not
+};
+[[nodiscard]] FramePasses frame_passes(const RenderSettings& settings);
+
+// The state of a pass that marks the stencil buffer with 1 where it draws on the surfaces that the depth pass left: no
+// colour, depth test EQUAL without writing, stencil REPLACE 1.
+[[nodiscard]] PipelineState marking_pass(const RenderSettings& settings);
+
+// The state of a pass that meets the same surfaces and changes nothing, for what it captures.
+[[nodiscard]] PipelineState surface_pass(const RenderSettings& settings);
+
+// One scene seen from its camera, lit by its light.
+class CameraFrame {
+ public:
+  // The scene must outlive the frame. Reports invalid scenes, one without exactly one camera and one light of these
+  // kinds, sizes out of range, and a depth-stencil format without stencil bits.
+  [[nodiscard]] static Result<CameraFrame> make(const Scene& scene, const RenderSettings& settings,
+                                                const LightKinds& lights);
+
+  // Clears the frame and draws its depth.
+  Status draw_depth();
+  // Draws colour where the stencil is 0, then where it is not. The times of both passes go into the rendering's.
+  Status draw_lit_and_shadow();
+  // The latter alone, for a technique whose lit pass is its own.
+  Status draw_shadow();
+  // Counts lit, shadowed and background pixels; with settings.layers adds stencil, depth, polygon and object.
+  void finish();
+
+  // rasterize() from the camera through `projection`. Positions and indices are the scene's where the arrays have none.
+  // Where the settings watch a pixel, the rendering gets a ProbedPass of that name, whose fragments name the scene's
+  // triangles: `scene_triangles` has the number of each triangle drawn; empty: as they come.
+  Status draw(std::string_view name, const PipelineState& state, VertexArrays arrays,
+              std::span<const TextureUnit> units, RenderTarget& target,
+              std::span<const std::uint32_t> scene_triangles = {});
+
+  // Draws the triangles with these numbers in the scene as the pass "averted": they turn away from the light, so that
+  // light_facing puts them in shadow whatever else says.
+  Status draw_averted(const PipelineState& state, const std::vector<std::uint32_t>& scene_triangles);
+
+  // The frame as a target. With settings.layers it captures, at each fragment that passes the depth test, primary,
+  // texture0 and texture1 where `units` has them, spare0, spare1 and the final combiner's alpha, as layers whose parts
+  // begin with `prefix`.
+  [[nodiscard]] RenderTarget capturing_target(int units, const std::string& prefix = "");
+
+  [[nodiscard]] const Scene& scene() const { return *scene_; }
+  [[nodiscard]] const Light& light() const { return scene_->lights[0]; }
+  [[nodiscard]] const RenderSettings& settings() const { return settings_; }
+  [[nodiscard]] const FramePasses& passes() const { return passes_; }
+  [[nodiscard]] const glm::mat4& projection() const { return projection_; }
+  // Another projection of the camera's for all passes that are still to be drawn.
+  void set_projection(const glm::mat4& projection) { projection_ = projection; }
+  // Colours of the vertices (with settings.cartoon of the triangles), to be changed before draw_lit_and_shadow by a
+  // technique that lights otherwise.
+  [[nodiscard]] VertexShading& shading() { return shading_; }
+  [[nodiscard]] const VertexShading& shading() const { return shading_; }
+  // Gives a draw of all the scene's triangles colours of shading().
+  void set_colors(VertexArrays& arrays, const std::vector<ColorBytes>& colors) const {
+    (settings_.cartoon ? arrays.primitive_colors : arrays.vertex_colors) = colors;
+  }
+  [[nodiscard]] Rendering& rendering() { return rendering_; }
+  [[nodiscard]] const Rendering& rendering() const { return rendering_; }
+
+  static constexpr ColorBytes kBackground{38, 42, 51, 255};
+
+ private:
+  CameraFrame(const Scene& scene, const RenderSettings& settings, Surface frame);
+
+  Status draw_shaded(std::string_view name, const PipelineState& state, const std::vector<ColorBytes>& colors,
+                     double& milliseconds);
+
+  const Scene* scene_;
+  RenderSettings settings_;
+  FramePasses passes_;
+  Rendering rendering_;
+  VertexShading shading_;
+  glm::mat4 projection_;
+};
+
+// Reports a map size that is no power of two from 1 to kMaxSurfaceSize.
+[[nodiscard]] Status check_map_size(int size);
+
+// Adds an empty plane for every sample of the frame, or of a map of that size, and gives its memory.
+template <class Sample>
+std::vector<Sample>& add_layer(std::deque<Layer>& layers, std::string part, std::string channel, int width,
+                               int height) {
+  Layer& layer = layers.emplace_back(Layer{std::move(part), std::move(channel), width, height, {}});
+  return layer.samples.emplace<std::vector<Sample>>(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+}
+
+// Asks between the passes of a technique whether to go on, and takes their times.
+class PassTimer {
+ public:
+  explicit PassTimer(Progress progress) : progress_(std::move(progress)) {}
+
+  // Does the work, a function without arguments that returns a Status, unless the caller wants to stop.
+  template <class Work>
+  Status run(std::string_view name, double done, double& milliseconds, const Work& work) {
+    if (progress_ && !progress_(name, done)) return Diagnostic{.message = "interrupted", .fault = Fault::cancelled};
+    const auto start = std::chrono::steady_clock::now();
+    Status status = work();
+    milliseconds += std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+    return status;
+  }
+
+ private:
+  Progress progress_;
+};
+
+}  // namespace ninebit

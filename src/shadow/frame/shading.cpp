@@ -1,0 +1,112 @@
+#include "src/shadow/frame/shading.h"
+
+#include <oneapi/tbb/blocked_range.h>
+#include <oneapi/tbb/parallel_for.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "ninebit/numerics/fixed9.h"
+
+namespace ninebit {
+namespace {
+
+constexpr float kAmbient = 0.22F;
+constexpr float kDiffuseInShadow = 0.25F;  // of the diffuse light
+
+// A cartoon's brightness from a cosine on.
+struct Band {
+  double cosine;
+  float brightness;
+};
+constexpr std::array kBands{Band{0.85, 1.3F}, Band{0.5, 1.1F}, Band{0.2, 0.9F}, Band{-1.0, 0.72F}};
+constexpr glm::vec3 kInk{0.055F, 0.05F, 0.085F};
+constexpr float kBaseInInk = 0.07F;
+
+glm::vec3 to_light(const Light& light, const glm::vec3& from) {
+  return light.kind == LightKind::directional ? -light.direction : light.position - from;
+}
+
+ColorBytes bytes_of(const HardwareProfile& profile, const glm::vec3& color) {
+  ColorBytes bytes{0, 0, 0, 255};
+  for (int c = 0; c < 3; ++c) bytes[static_cast<std::size_t>(c)] = byte_of_vertex_color(profile, color[c]);
+  return bytes;
+}
+
+VertexShading shade_flat(const Scene& scene, const Light& light, const RenderSettings& settings) {
+  const std::size_t count = scene.triangles.size();
+  VertexShading shading{std::vector<ColorBytes>(count), std::vector<ColorBytes>(count)};
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, 4096), [&](const auto& range) {
+    for (std::size_t t = range.begin(); t != range.end(); ++t) {
+      const glm::uvec3& v = scene.triangles[t];
+      const glm::dvec3 a(scene.positions[v.x]), b(scene.positions[v.y]), c(scene.positions[v.z]);
+      const glm::dvec3 normal = glm::cross(b - a, c - a), toward(to_light(light, glm::vec3((a + b + c) / 3.0)));
+      const double lengths = std::sqrt(glm::dot(normal, normal)) * std::sqrt(glm::dot(toward, toward));
+      double cosine = lengths > 0.0 ? glm::dot(normal, toward) / lengths : 1.0;
+      if (!settings.light_facing) cosine = std::fabs(cosine);
+      std::size_t band = 0;
+      while (band + 1 < kBands.size() && cosine < kBands[band].cosine) ++band;
+      const glm::vec3 base = scene.materials[scene.triangle_material[t]].base_color;
+      shading.lit[t] = bytes_of(settings.profile, base * light.color * kBands[band].brightness);
+      shading.shadowed[t] = bytes_of(settings.profile, kInk + base * kBaseInInk);
+    }
+  });
+  return shading;
+}
+
+// Calls `visit` for each vertex with its number, its base colour and the diffuse light of each channel that reaches it.
+template <class Visit>
+void for_each_vertex(const Scene& scene, const Light& light, const RenderSettings& settings, const Visit& visit) {
+  const std::size_t count = scene.positions.size();
+  const std::vector<std::uint32_t> material = vertex_materials(scene);
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, 4096), [&](const auto& range) {
+    for (std::size_t v = range.begin(); v != range.end(); ++v) {
+      const glm::vec3 toward = to_light(light, scene.positions[v]);
+      const glm::vec3& normal = scene.normals[v];
+      const float length = std::sqrt(glm::dot(toward, toward));
+      float cosine = length > 0.0F ? glm::dot(normal, toward) / length : 1.0F;
+      // A vertex without a normal is lit as if it faced the light.
+      if (glm::dot(normal, normal) == 0.0F) cosine = 1.0F;
+      cosine = settings.light_facing ? std::max(cosine, 0.0F) : std::fabs(cosine);
+      visit(v, scene.materials[material[v]].base_color, kDiffuseLight * cosine * light.color);
+    }
+  });
+}
+
+}  // namespace
+
+std::vector<std::uint32_t> vertex_materials(const Scene& scene) {
+  std::vector<std::uint32_t> material(scene.positions.size(), 0);
+  for (std::size_t t = 0; t < scene.triangles.size(); ++t) {
+    for (int corner = 0; corner < 3; ++corner) material[scene.triangles[t][corner]] = scene.triangle_material[t];
+  }
+  return material;
+}
+
+VertexShading shade_vertices(const Scene& scene, const Light& light, const RenderSettings& settings) {
+  if (settings.cartoon) return shade_flat(scene, light, settings);
+  const std::size_t count = scene.positions.size();
+  VertexShading shading{std::vector<ColorBytes>(count), std::vector<ColorBytes>(count)};
+  for_each_vertex(scene, light, settings, [&](std::size_t v, const glm::vec3& base, const glm::vec3& diffuse) {
+    shading.lit[v] = bytes_of(settings.profile, base * (kAmbient + diffuse));
+    shading.shadowed[v] = bytes_of(settings.profile, base * (kAmbient + diffuse * kDiffuseInShadow));
+  });
+  return shading;
+}
+
+VertexLight light_vertices(const Scene& scene, const Light& light, const RenderSettings& settings) {
+  const std::size_t count = scene.positions.size();
+  VertexLight parts{std::vector<ColorBytes>(count), std::vector<ColorBytes>(count)};
+  for_each_vertex(scene, light, settings, [&](std::size_t v, const glm::vec3& base, const glm::vec3& diffuse) {
+    for (int c = 0; c < 3; ++c) {
+      const auto i = static_cast<std::size_t>(c);
+      parts.ambient[v][i] = byte_of_vertex_color(settings.profile, base[c] * kAmbient);
+      parts.diffuse[v][i] = byte_of_vertex_color(settings.profile, base[c] * diffuse[c]);
+    }
+    parts.ambient[v][3] = parts.diffuse[v][3] = 255;
+  });
+  return parts;
+}
+
+}  // namespace ninebit

@@ -1,0 +1,96 @@
+#include "src/shadow/frame/views.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
+
+namespace ninebit {
+
+DepthRange depth_range(const Scene& scene, const glm::vec3& eye, float cos_corner) {
+  const Bounds bounds = bounds_of(scene);
+  const glm::vec3 farthest = glm::max(glm::abs(bounds.low - eye), glm::abs(bounds.high - eye));
+  // A scene that is one point at the eye has no extent: any positive range serves.
+  const float far_plane = std::max(glm::length(farthest) * 1.01F, 1e-6F);
+  const float nearest = std::min(distance_to_nearest_triangle(scene, eye), far_plane);
+  return {std::max(nearest * cos_corner * 0.9F, far_plane / 65536.0F), far_plane};
+}
+
+namespace {
+
+DepthRange camera_range(const Scene& scene, const Camera& camera, float aspect_ratio) {
+  const float half_height = std::tan(glm::radians(camera.vertical_fov_degrees) * 0.5F);
+  const float half_width = half_height * aspect_ratio;
+  const float cos_corner = 1.0F / std::sqrt(1.0F + half_height * half_height + half_width * half_width);
+  return depth_range(scene, camera.position, cos_corner);
+}
+
+}  // namespace
+
+glm::mat4 camera_projection(const Scene& scene, const Camera& camera, float aspect_ratio) {
+  const DepthRange range = camera_range(scene, camera, aspect_ratio);
+  const glm::mat4 projection =
+      glm::perspective(glm::radians(camera.vertical_fov_degrees), aspect_ratio, range.near_plane, range.far_plane);
+  return projection * glm::lookAt(camera.position, camera.look_at, camera.up);
+}
+
+glm::mat4 infinite_camera_projection(const Scene& scene, const Camera& camera, float aspect_ratio) {
+  glm::mat4 m = camera_projection(scene, camera, aspect_ratio);
+  for (int column = 0; column < 4; ++column) m[column][2] = m[column][3];
+  m[3][2] -= 2.0F * camera_range(scene, camera, aspect_ratio).near_plane;
+  return m;
+}
+
+namespace {
+
+// Eye space of a view along a direction of unit length, y toward some axis across it.
+glm::mat4 view_along(const glm::vec3& eye, const glm::vec3& direction) {
+  const glm::vec3 size = glm::abs(direction);
+  const glm::vec3 axis =
+      size.y <= size.x || size.y <= size.z ? glm::vec3(0.0F, 1.0F, 0.0F) : glm::vec3(0.0F, 0.0F, 1.0F);
+  const glm::vec3 right = glm::normalize(glm::cross(direction, axis)), up = glm::cross(right, direction);
+  glm::mat4 m(1.0F);
+  const auto set_row = [&](int row, const glm::vec3& v) {
+    for (int i = 0; i < 3; ++i) m[i][row] = v[i];
+    m[3][row] = -glm::dot(v, eye);
+  };
+  set_row(0, right);
+  set_row(1, up);
+  set_row(2, -direction);
+  return m;
+}
+
+}  // namespace
+
+glm::mat4 light_projection(const Scene& scene, const Light& light) {
+  if (light.kind == LightKind::spot) {
+    const float half = std::tan(glm::radians(light.spot_degrees) * 0.5F);
+    const DepthRange range = depth_range(scene, light.position, 1.0F / std::sqrt(1.0F + 2.0F * half * half));
+    return glm::perspective(glm::radians(light.spot_degrees), 1.0F, range.near_plane, range.far_plane) *
+           view_along(light.position, light.direction);
+  }
+  const Bounds bounds = bounds_of(scene);
+  const float radius = std::max(bounds.diagonal() * 0.5F * 1.01F, 1e-6F);
+  return glm::ortho(-radius, radius, -radius, radius, 0.0F, 2.0F * radius) *
+         view_along(bounds.center() - light.direction * radius, light.direction);
+}
+
+glm::mat4 cube_face_projection(CubeFace face, const DepthRange& range) {
+  const CubeFaceAxes& axes = cube_face_axes(face);
+  const float n = range.near_plane, f = range.far_plane;
+  const auto vector = [](const std::array<int, 3>& a) {
+    return glm::vec3(static_cast<float>(a[0]), static_cast<float>(a[1]), static_cast<float>(a[2]));
+  };
+  const glm::vec3 s = vector(axes.s), t = vector(axes.t), major = vector(axes.major);
+  glm::mat4 m(0.0F);
+  const auto set_row = [&](int row, const glm::vec3& axis, float scale, float offset) {
+    for (int i = 0; i < 3; ++i) m[i][row] = axis[i] * scale;
+    m[3][row] = offset;
+  };
+  set_row(0, s, 1.0F, 0.0F);
+  set_row(1, t, 1.0F, 0.0F);
+  set_row(2, major, (f + n) / (f - n), -2.0F * f * n / (f - n));
+  set_row(3, major, 1.0F, 0.0F);
+  return m;
+}
+
+}  // namespace ninebit

@@ -1,0 +1,48 @@
+// Ground truth for eyes, and as layers.
+#include <algorithm>
+#include <array>
+
+#include "ninebit/shadow/ground_truth.h"
+#include "ninebit/shadow/pictures.h"
+#include "src/shadow/frame/camera_frame.h"
+#include "src/shadow/frame/upright.h"
+
+namespace ninebit {
+namespace {
+
+using Rgb = std::array<std::uint8_t, 3>;
+constexpr Rgb kFalseLit{255, 176, 0};
+constexpr Rgb kFalseShadowed{70, 150, 255};
+
+template <class Value>
+void add_plane(Rendering& rendering, const char* name, const std::vector<Value>& values) {
+  auto& plane =
+      add_layer<std::uint8_t>(rendering.layers, name, name, rendering.frame.width(), rendering.frame.height());
+  std::transform(values.begin(), values.end(), plane.begin(), [](Value v) { return static_cast<std::uint8_t>(v); });
+}
+
+}  // namespace
+
+Image8 error_picture(const Rendering& rendering, const GroundTruth& truth) {
+  Image8 image = color_picture(rendering);
+  for (std::size_t i = 0; i < truth.cause.size(); ++i) {
+    std::uint8_t* const pixel = &image.pixels[upright_index(i, image.width, image.height) * 3];
+    const int grey = (pixel[0] + pixel[1] + pixel[2]) / 6;
+    Rgb shown;
+    shown.fill(static_cast<std::uint8_t>(grey));
+    if (truth.cause[i] != ErrorCause::none) {
+      shown = truth.truth[i] == PixelTruth::shadowed ? kFalseLit : kFalseShadowed;
+    }
+    std::copy(shown.begin(), shown.end(), pixel);
+  }
+  return image;
+}
+
+void add_ground_truth(Rendering& rendering, const RenderSettings& settings, const GroundTruth& truth) {
+  rendering.pictures.push_back({"error.png", error_picture(rendering, truth)});
+  if (!settings.layers) return;
+  add_plane(rendering, "truth", truth.truth);
+  add_plane(rendering, "cause", truth.cause);
+}
+
+}  // namespace ninebit

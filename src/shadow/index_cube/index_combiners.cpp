@@ -1,0 +1,96 @@
+// The register-combiner set-ups that compare indices, through the GL-named entry points: the article's, and its like
+// for the smaller formats.
+#include "ninebit/language/gl_nv.h"
+#include "ninebit/shadow/index_cube.h"
+#include "src/shadow/frame/combiner_setup.h"
+
+namespace ninebit {
+namespace {
+
+using namespace gl;
+
+// spare0 = 4 (primary · 1 + texture0 · -1) in that portion, of these components.
+void set_difference(GLenum portion, GLenum component) {
+  const GLenum stage = GL_COMBINER0_NV;
+  glCombinerInputNV(stage, portion, GL_VARIABLE_A_NV, GL_PRIMARY_COLOR_NV, GL_UNSIGNED_IDENTITY_NV, component);
+  glCombinerInputNV(stage, portion, GL_VARIABLE_B_NV, GL_ZERO, GL_UNSIGNED_INVERT_NV, portion);
+  glCombinerInputNV(stage, portion, GL_VARIABLE_C_NV, GL_TEXTURE0_ARB, GL_UNSIGNED_IDENTITY_NV, component);
+  glCombinerInputNV(stage, portion, GL_VARIABLE_D_NV, GL_ZERO, GL_EXPAND_NORMAL_NV, portion);
+  glCombinerOutputNV(stage, portion, GL_DISCARD_NV, GL_DISCARD_NV, GL_SPARE0_NV, GL_SCALE_BY_FOUR_NV, GL_NONE, GL_FALSE,
+                     GL_FALSE, GL_FALSE);
+}
+
+// RGB: spare0 = the differences of red, green and blue; spare1 = 4 (spare0 · spare0), positive as soon as one channel
+// differs. Gives the component that holds the result.
+GLenum compare_rgb() {
+  set_difference(GL_RGB, GL_RGB);
+  discard_portion(GL_COMBINER0_NV, GL_ALPHA);
+  glCombinerInputNV(GL_COMBINER1_NV, GL_RGB, GL_VARIABLE_A_NV, GL_SPARE0_NV, GL_SIGNED_IDENTITY_NV, GL_RGB);
+  glCombinerInputNV(GL_COMBINER1_NV, GL_RGB, GL_VARIABLE_B_NV, GL_SPARE0_NV, GL_SIGNED_IDENTITY_NV, GL_RGB);
+  glCombinerInputNV(GL_COMBINER1_NV, GL_RGB, GL_VARIABLE_C_NV, GL_ZERO, GL_UNSIGNED_IDENTITY_NV, GL_RGB);
+  glCombinerInputNV(GL_COMBINER1_NV, GL_RGB, GL_VARIABLE_D_NV, GL_ZERO, GL_UNSIGNED_IDENTITY_NV, GL_RGB);
+  glCombinerOutputNV(GL_COMBINER1_NV, GL_RGB, GL_SPARE1_NV, GL_DISCARD_NV, GL_DISCARD_NV, GL_SCALE_BY_FOUR_NV, GL_NONE,
+                     GL_TRUE, GL_FALSE, GL_FALSE);
+  discard_portion(GL_COMBINER1_NV, GL_ALPHA);
+  return GL_BLUE;
+}
+
+// Stage 1's alpha portion: spare1.alpha = 4 (spare0.alpha² + spare0.blue²), or without the blue term.
+GLenum square_differences(bool with_blue) {
+  discard_portion(GL_COMBINER1_NV, GL_RGB);
+  glCombinerInputNV(GL_COMBINER1_NV, GL_ALPHA, GL_VARIABLE_A_NV, GL_SPARE0_NV, GL_SIGNED_IDENTITY_NV, GL_ALPHA);
+  glCombinerInputNV(GL_COMBINER1_NV, GL_ALPHA, GL_VARIABLE_B_NV, GL_SPARE0_NV, GL_SIGNED_IDENTITY_NV, GL_ALPHA);
+  const GLenum other = with_blue ? GL_SPARE0_NV : GL_ZERO;
+  const GLenum component = with_blue ? GL_BLUE : GL_ALPHA;
+  glCombinerInputNV(GL_COMBINER1_NV, GL_ALPHA, GL_VARIABLE_C_NV, other, GL_SIGNED_IDENTITY_NV, component);
+  glCombinerInputNV(GL_COMBINER1_NV, GL_ALPHA, GL_VARIABLE_D_NV, other, GL_SIGNED_IDENTITY_NV, component);
+  glCombinerOutputNV(GL_COMBINER1_NV, GL_ALPHA, GL_DISCARD_NV, GL_DISCARD_NV, GL_SPARE1_NV, GL_SCALE_BY_FOUR_NV,
+                     GL_NONE, GL_FALSE, GL_FALSE, GL_FALSE);
+  return GL_ALPHA;
+}
+
+// Both differences at once: luminance in the RGB portion, alpha in the alpha portion.
+GLenum compare_luminance_alpha() {
+  set_difference(GL_RGB, GL_RGB);
+  set_difference(GL_ALPHA, GL_ALPHA);
+  return square_differences(true);
+}
+
+// One channel needs the alpha portion alone, which reads blue as well as alpha: of a luminance that is the channel
+// itself. The article's dot product would sum its square three times.
+GLenum compare_one_channel(GLenum component) {
+  discard_portion(GL_COMBINER0_NV, GL_RGB);
+  set_difference(GL_ALPHA, component);
+  return square_differences(false);
+}
+
+GLenum compare_in(IndexFormat format) {
+  switch (format) {
+    case IndexFormat::rgb:
+      return compare_rgb();
+    case IndexFormat::luminance_alpha:
+      return compare_luminance_alpha();
+    case IndexFormat::luminance:
+      return compare_one_channel(GL_BLUE);
+    case IndexFormat::alpha:
+      break;
+  }
+  return compare_one_channel(GL_ALPHA);
+}
+
+}  // namespace
+
+Result<CombinerState> index_comparison_state(const HardwareProfile& profile, IndexFormat format) {
+  return combiner_state_after(profile, "two-stage index comparison", [format] {
+    glCombinerParameteriNV(GL_NUM_GENERAL_COMBINERS_NV, 2);
+    const GLenum result = compare_in(format);
+
+    // RGB 0, alpha = spare1's result. E and F keep their defaults: nothing reads E·F.
+    for (const GLenum variable : {GL_VARIABLE_A_NV, GL_VARIABLE_B_NV, GL_VARIABLE_C_NV, GL_VARIABLE_D_NV}) {
+      glFinalCombinerInputNV(variable, GL_ZERO, GL_UNSIGNED_IDENTITY_NV, GL_RGB);
+    }
+    glFinalCombinerInputNV(GL_VARIABLE_G_NV, GL_SPARE1_NV, GL_UNSIGNED_IDENTITY_NV, result);
+  });
+}
+
+}  // namespace ninebit

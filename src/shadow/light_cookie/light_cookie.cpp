@@ -1,0 +1,144 @@
+// The technique: one frame.
+#include "ninebit/shadow/light_cookie.h"
+
+#include <array>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "src/shadow/frame/camera_frame.h"
+#include "src/shadow/index_cube/index_cube_renderer.h"
+
+namespace ninebit {
+namespace {
+
+Status check_cookie(const Texture* cookie) {
+  if (cookie == nullptr) {
+    return Diagnostic{.message = "light-cookie has no cookie; expected a cube map of the light (--cookie)"};
+  }
+  if (cookie->target != TextureTarget::cube_map) {
+    return Diagnostic{.message = "the cookie is a 2D texture; expected a cube map"};
+  }
+  if (Status checked = check_texture(*cookie); !checked) return checked;
+  if (is_complete(*cookie, false)) return {};
+  return Diagnostic{.message = "the cookie is incomplete; expected six faces of one size"};
+}
+
+// Positions in the light's own space, where the cube map is fetched along them. Their lengths do not matter, so they
+// are not normalized: a cube map's face and its coordinates are quotients of the components.
+std::vector<glm::vec3> light_space(const Scene& scene, const Light& light, const glm::mat3& rotation) {
+  std::vector<glm::vec3> out;
+  out.reserve(scene.positions.size());
+  for (const glm::vec3& position : scene.positions) {
+    const glm::vec3 d = position - light.position;
+    // A rotation's inverse is its transpose.
+    out.emplace_back(glm::dot(rotation[0], d), glm::dot(rotation[1], d), glm::dot(rotation[2], d));
+  }
+  return out;
+}
+
+// One frame, with the index cube's renderer where it marks shadows.
+class LightCookieFrame {
+ public:
+  explicit LightCookieFrame(PipelineState lit) : lit_(std::move(lit)) {}
+
+  Status make(const Scene& scene, const RenderSettings& settings) {
+    if (settings.light_cookie.shadows) {
+      auto made = IndexCubeRenderer::make(scene, settings);
+      if (!made) return made.error();
+      indices_.emplace(std::move(*made));
+    } else {
+      auto made = CameraFrame::make(scene, settings, {.point = true});
+      if (!made) return made.error();
+      alone_.emplace(std::move(*made));
+    }
+    const Light& light = scene.lights[0];
+    colors_ = light_vertices(scene, light, settings);
+    from_light_ = light_space(scene, light, light_rotation(settings.light_cookie.rotate_degrees));
+    // In shadow as in the cookie's dark parts there is ambient light alone. A cartoon's shadow is ink.
+    if (!settings.cartoon) frame().shading().shadowed = colors_.ambient;
+    return {};
+  }
+
+  [[nodiscard]] CameraFrame& frame() { return indices_ ? indices_->frame() : *alone_; }
+
+  Status draw_maps() { return indices_ ? indices_->draw_maps() : Status(); }
+  Status draw_shadows() { return indices_ ? indices_->draw_shadows() : frame().draw_depth(); }
+
+  Status add_evidence() {
+    if (indices_) return indices_->add_evidence();
+    frame().rendering().evidence.reset();  // of no shadow
+    return {};
+  }
+
+  Status draw_lit() {
+    RenderTarget target = lit_target();
+    VertexArrays arrays;
+    arrays.texture_coordinates[0] = from_light_;
+    arrays.vertex_colors = colors_.diffuse;
+    arrays.secondary_colors = colors_.ambient;
+    const Texture& cookie = *frame().settings().light_cookie.cookie;
+    const std::array<TextureUnit, 1> units{TextureUnit{&cookie, kCookieSampler}};
+    return frame().draw("lit", lit_, arrays, units, target);
+  }
+
+ private:
+  // Besides what the frame captures: the secondary colour, and the final combiner's colour.
+  RenderTarget lit_target() {
+    Rendering& rendering = frame().rendering();
+    RenderTarget whole = rendering.frame.target();
+    if (!frame().settings().layers) return whole;
+    RenderTarget target = frame().capturing_target(1, "lit_");
+    const auto add = [&](OutputSource source, Register reg, int component, const char* part) {
+      const std::string channel(1, "RGB"[component]);
+      auto& plane = add_layer<s9>(rendering.layers, part, channel, whole.width, whole.height);
+      target.outputs.push_back({.source = source,
+                                .reg = reg,
+                                .component = component,
+                                .time = OutputTime::at_depth_pass,
+                                .plane = Plane<s9>{plane.data(), whole.width}});
+    };
+    for (int c = 0; c < 3; ++c) add(OutputSource::register_code, Register::secondary, c, "lit_secondary");
+    for (int c = 0; c < 3; ++c) add(OutputSource::output_code, Register::spare0, c, "lit_output");
+    target.outputs.insert(target.outputs.end(), whole.outputs.begin(), whole.outputs.end());
+    return target;
+  }
+
+  PipelineState lit_;
+  std::optional<IndexCubeRenderer> indices_;
+  std::optional<CameraFrame> alone_;  // without indices_
+  VertexLight colors_;
+  std::vector<glm::vec3> from_light_;
+};
+
+}  // namespace
+
+Result<Rendering> render_light_cookie(const Scene& scene, const RenderSettings& settings, const Progress& progress) {
+  const Texture* const cookie = settings.light_cookie.cookie.get();
+  if (Status checked = check_cookie(cookie); !checked) return checked.error();
+  auto lit = light_cookie_pass(settings);
+  if (!lit) return lit.error();
+
+  LightCookieFrame passes(std::move(*lit));
+  PassTimer timer(progress);
+  double transform = 0.0, maps = 0.0, shadows = 0.0, shading = 0.0, shadow = 0.0;
+  Status status = timer.run("vertices", 0.0, transform, [&] { return passes.make(scene, settings); });
+  if (status) status = timer.run("index cube map", 0.1, maps, [&] { return passes.draw_maps(); });
+  if (status) status = timer.run("depth and shadows", 0.4, shadows, [&] { return passes.draw_shadows(); });
+  if (status) status = timer.run("lit", 0.6, shading, [&] { return passes.draw_lit(); });
+  if (status) status = timer.run("shadow", 0.9, shadow, [&] { return passes.frame().draw_shadow(); });
+  if (status) status = passes.add_evidence();
+  if (!status) return status.error();
+
+  CameraFrame& frame = passes.frame();
+  frame.finish();
+  Rendering& rendering = frame.rendering();
+  rendering.times.transform = transform;
+  rendering.times.maps = maps;
+  rendering.times.lit = shading;
+  if (!settings.light_cookie.shadows) rendering.times.camera = shadows;
+  rendering.facts.push_back({"cookie_size", static_cast<std::uint64_t>(cookie->faces[0][0].width)});
+  return std::move(rendering);
+}
+
+}  // namespace ninebit

@@ -1,0 +1,202 @@
+#include "src/study/datapath/datapath_report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "src/study/datapath/operations.h"
+
+namespace ninebit {
+namespace {
+
+class Writer {
+ public:
+  Writer(std::span<const HardwareProfile> profiles, std::span<const StudyRow> rows)
+      : profiles_(profiles), rows_(rows) {}
+
+  StudyReport write() {
+    out_.title = "Errors of the datapath";
+    for (const HardwareProfile& profile : profiles_) {
+      describe(profile);
+      out_.tables.push_back(table_of(profile));
+    }
+    compare();
+    plot_operations("max-error-by-operation", "Largest error", "largest error, in codes", "max_error");
+    plot_operations("mean-error-by-operation", "Mean error", "mean error, in codes", "mean_error");
+    plot_forms();
+    out_.heat_maps = datapath_maps(profiles_);
+    return std::move(out_);
+  }
+
+ private:
+  [[nodiscard]] const StudyRow* find(std::string_view profile, std::string_view operation,
+                                     std::string_view form) const {
+    for (const StudyRow& row : rows_) {
+      if (row.table == "rows" && row.text("profile") == profile && row.text("operation") == operation &&
+          row.text("form") == form) {
+        return &row;
+      }
+    }
+    return nullptr;
+  }
+
+  static std::string name_of_row(const StudyRow& row) {
+    const std::string form = row.text("form");
+    return row.text("operation") + (form.empty() ? "" : " (" + form + ")");
+  }
+
+  // Products, which everything else is made of; then the worst of all operations.
+  void describe(const HardwareProfile& profile) {
+    for (const OutputForm& form : {kOutputForms[0], kOutputForms[2]}) {
+      const StudyRow* product = find(profile.name, "product", form.name);
+      if (product == nullptr) continue;
+      out_.answers.push_back(fmt::format(
+          "{}: a product, {}, is exact for {:.2f} % of its {} inputs; it is off by {:.3f} codes at most ({} gives {}, "
+          "exact {:.3f}) and by {:.3f} on average, with a bias of {:.3f} codes.",
+          profile.name, form.name, percent(product->count("exact"), product->count("cases")), product->count("cases"),
+          product->number("max_error") * profile.one, product->text("worst"), product->text("worst_code"),
+          product->number("worst_exact") * profile.one, product->number("mean_error") * profile.one,
+          plain(product->number("mean_bias") * profile.one)));
+    }
+    const StudyRow* worst = nullptr;
+    for (const StudyRow& row : rows_) {
+      if (row.table != "rows" || row.text("profile") != profile.name) continue;
+      // By more than rounding: the first of several that are equal.
+      if (worst == nullptr || row.number("max_error") > worst->number("max_error") + 1e-12) worst = &row;
+    }
+    if (worst == nullptr) return;
+    out_.answers.push_back(fmt::format("{}: the largest error of any operation is {:.3f} codes, of {} at {}.",
+                                       profile.name, worst->number("max_error") * profile.one, name_of_row(*worst),
+                                       worst->text("worst")));
+  }
+
+  [[nodiscard]] ReportTable table_of(const HardwareProfile& profile) const {
+    ReportTable table{.title = fmt::format("Errors of {}", profile.name),
+                      .columns = {"operation", "form", "inputs", "codes", "exact, %", "max", "mean", "bias", "worst at",
+                                  "gives", "exact"},
+                      .rows = {},
+                      .caption = fmt::format("Max, mean, bias and the exact value in codes, of which {} are 1.0.",
+                                             profile.one.value)};
+    for (const StudyRow& row : rows_) {
+      if (row.table != "rows" || row.text("profile") != profile.name) continue;
+      const auto codes = [&](std::string_view name) { return row.number(name) * profile.one; };
+      table.rows.push_back({row["operation"], row["form"], row["cases"], row["distinct"],
+                            percent(row.count("exact"), row.count("cases")), codes("max_error"), codes("mean_error"),
+                            codes("mean_bias"), row["worst"], row["worst_code"], codes("worst_exact")});
+    }
+    return table;
+  }
+
+  void compare() {
+    ReportTable table{.title = "Inputs on which two profiles give different codes",
+                      .columns = {"first", "second", "operation", "form", "inputs", "differ", "%"},
+                      .rows = {},
+                      .caption = "Operations on which a pair always agrees are left out."};
+    for (std::size_t i = 0; i < rows_.size();) {
+      if (rows_[i].table != "differences") {
+        ++i;
+        continue;
+      }
+      const std::string first = rows_[i].text("first"), second = rows_[i].text("second");
+      std::size_t all = 0, agree = 0;
+      const StudyRow* most = nullptr;
+      double most_share = 0.0;
+      for (; i < rows_.size() && rows_[i].table == "differences" && rows_[i].text("first") == first &&
+             rows_[i].text("second") == second;
+           ++i) {
+        const StudyRow& row = rows_[i];
+        ++all;
+        const double share = percent(row.count("differ"), row.count("cases"));
+        if (row.count("differ") == 0) {
+          ++agree;
+          continue;
+        }
+        if (share > most_share) {
+          most = &row;
+          most_share = share;
+        }
+        table.rows.push_back(
+            {row["first"], row["second"], row["operation"], row["form"], row["cases"], row["differ"], share});
+      }
+      std::string sentence =
+          fmt::format("{} and {} agree on all inputs of {} of {} operations", first, second, agree, all);
+      if (most != nullptr) {
+        sentence +=
+            fmt::format("; most often they differ in {}: on {:.3g} % of its inputs", name_of_row(*most), most_share);
+      }
+      out_.answers.push_back(sentence + ".");
+    }
+    if (!table.rows.empty()) out_.tables.push_back(std::move(table));
+  }
+
+  // The worst form of each operation, in codes: bars beside each other for the profiles.
+  void plot_operations(const char* file, const char* title, const char* label, std::string_view field) {
+    Plot plot{.file = file,
+              .title = fmt::format("{} by operation, the worst form of each", title),
+              .x_label = "operation",
+              .y_label = label,
+              .bars = true,
+              .series = {}};
+    plot.x_names.assign(kOperations.begin(), kOperations.end());
+    for (const HardwareProfile& profile : profiles_) {
+      PlotSeries series{std::string(profile.name), {}};
+      for (std::size_t kind = 0; kind < kOperations.size(); ++kind) {
+        std::optional<double> most;
+        for (const StudyRow& row : rows_) {
+          if (row.table != "rows" || row.text("profile") != profile.name ||
+              row.text("operation") != kOperations[kind]) {
+            continue;
+          }
+          most = std::max(most.value_or(0.0), row.number(field) * profile.one);
+        }
+        if (most) series.points.emplace_back(static_cast<double>(kind + 1), *most);
+      }
+      plot.series.push_back(std::move(series));
+    }
+    out_.plots.push_back(std::move(plot));
+  }
+
+  void plot_forms() {
+    Plot plot{.file = "product-error-by-form",
+              .title = "Mean error of products by scale and bias",
+              .x_label = "output form",
+              .y_label = "mean error, in codes",
+              .bars = true,
+              .series = {}};
+    for (const auto& form : kOutputForms) plot.x_names.emplace_back(form.name);
+    for (const HardwareProfile& profile : profiles_) {
+      PlotSeries series{std::string(profile.name), {}};
+      for (std::size_t i = 0; i < kOutputForms.size(); ++i) {
+        const StudyRow* row = find(profile.name, "product", kOutputForms[i].name);
+        if (row != nullptr)
+          series.points.emplace_back(static_cast<double>(i + 1), row->number("mean_error") * profile.one);
+      }
+      plot.series.push_back(std::move(series));
+    }
+    out_.plots.push_back(std::move(plot));
+  }
+
+  std::span<const HardwareProfile> profiles_;
+  std::span<const StudyRow> rows_;
+  StudyReport out_;
+};
+
+}  // namespace
+
+double percent(std::uint64_t part, std::uint64_t whole) {
+  return whole == 0 ? 0.0 : 100.0 * static_cast<double>(part) / static_cast<double>(whole);
+}
+
+StudyReport datapath_report(std::span<const HardwareProfile> profiles, std::span<const StudyRow> rows, std::size_t done,
+                            std::size_t units) {
+  StudyReport report = Writer(profiles, rows).write();
+  if (done < units) {
+    report.answers.insert(report.answers.begin(), fmt::format("Only {} of {} units were measured.", done, units));
+  }
+  return report;
+}
+
+}  // namespace ninebit

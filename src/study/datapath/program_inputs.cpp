@@ -1,0 +1,108 @@
+#include "src/study/datapath/program_inputs.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace ninebit {
+namespace {
+
+constexpr std::size_t kMostCombinations = std::size_t{1} << 26;
+
+bool is_constant(Register reg) {
+  return reg == Register::constant0 || reg == Register::constant1;
+}
+
+std::size_t index_of(int component) {
+  return static_cast<std::size_t>(component);
+}
+
+}  // namespace
+
+std::string RegisterComponent::name() const {
+  const std::string short_name = reg == Register::constant0   ? "const0"
+                                 : reg == Register::constant1 ? "const1"
+                                 : reg == Register::primary   ? "primary"
+                                 : reg == Register::secondary ? "secondary"
+                                 : is_texture(reg)            ? fmt::format("tex{}", texture_unit_of(reg))
+                                                              : std::string(name_of(reg));
+  return short_name + '.' + "rgba"[component];
+}
+
+Result<Fragments> Fragments::of(const Datapath& datapath, ProgramInputs inputs) {
+  Fragments out(datapath, std::move(inputs));
+  const std::size_t columns = out.components().size();
+  if (columns == 0) return Diagnostic{.message = "there is no register component to take values"};
+  if (!out.all()) {
+    out.count_ = out.inputs_.codes->size() / columns;
+    if (out.count_ == 0) return Diagnostic{.message = "there is no fragment to run over"};
+    return out;
+  }
+  out.count_ = 1;
+  for (std::size_t i = 0; i < columns; ++i) {
+    out.count_ *= out.values(i);
+    if (out.count_ > kMostCombinations) {
+      return Diagnostic{.message = fmt::format("{} register components have more than {} combinations of values, the "
+                                               "most that are run over; name fewer, or give a table of inputs",
+                                               columns, kMostCombinations)};
+    }
+  }
+  return out;
+}
+
+int Fragments::lowest(std::size_t component) const {
+  const Register reg = inputs_.components[component].reg;
+  return reg == Register::spare0 || reg == Register::spare1 ? lowest_ : 0;
+}
+
+s9 Fragments::code(std::size_t fragment, std::size_t component) const {
+  const std::size_t columns = components().size();
+  if (!all()) return (*inputs_.codes)[fragment * columns + component];
+  for (std::size_t i = columns - 1; i > component; --i) fragment /= values(i);
+  return static_cast<s9>(lowest(component) + static_cast<int>(fragment % values(component)));
+}
+
+std::string Fragments::text(std::size_t fragment) const {
+  std::string out;
+  for (std::size_t i = 0; i < components().size(); ++i) {
+    out += fmt::format("{}{} {}", i == 0 ? "" : ", ", components()[i].name(), code(fragment, i));
+  }
+  return out;
+}
+
+RegisterFile Fragments::registers(std::size_t fragment) const {
+  RegisterFile out;
+  for (std::size_t r = 0; r < kRegisterCount; ++r) {
+    const auto reg = static_cast<Register>(r);
+    if (reg == Register::fog || is_texture(reg)) out[reg][kAlpha] = static_cast<s9>(one_);
+  }
+  bool own_alpha = false;
+  for (std::size_t i = 0; i < components().size(); ++i) {
+    const RegisterComponent& to = components()[i];
+    out[to.reg][index_of(to.component)] = code(fragment, i);
+    if (to == RegisterComponent{Register::spare0, kAlpha}) own_alpha = true;
+  }
+  if (!own_alpha) out[Register::spare0][kAlpha] = out[Register::texture0][kAlpha];
+  return out;
+}
+
+bool Fragments::have_constants() const {
+  return std::any_of(components().begin(), components().end(),
+                     [](const RegisterComponent& c) { return is_constant(c.reg); });
+}
+
+void Fragments::put_constants(std::size_t fragment, Program& program) const {
+  for (std::size_t i = 0; i < components().size(); ++i) {
+    const RegisterComponent& to = components()[i];
+    if (!is_constant(to.reg)) continue;
+    const bool first = to.reg == Register::constant0;
+    const s9 value = code(fragment, i);
+    for (ProgramStage& stage : program.general) {
+      (first ? stage.constant0 : stage.constant1)[index_of(to.component)] = value;
+    }
+    (first ? program.constant0 : program.constant1)[index_of(to.component)] = value;
+  }
+}
+
+}  // namespace ninebit

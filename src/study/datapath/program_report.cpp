@@ -1,0 +1,197 @@
+#include "src/study/datapath/program_report.h"
+
+#include <fmt/format.h>
+#include <oneapi/tbb/blocked_range.h>
+#include <oneapi/tbb/parallel_for.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "src/study/datapath/datapath_report.h"
+#include "src/study/part/staged_colors.h"
+
+namespace ninebit {
+namespace {
+
+constexpr std::array kComponentNames{"red", "green", "blue", "alpha"};
+
+// One kind of error, over all units: a maximum with its place, and means weighted by fragments.
+struct Summary {
+  double most = 0.0;
+  const StudyRow* worst = nullptr;
+  double sizes = 0.0, errors = 0.0, fragments = 0.0;
+
+  void add(const StudyRow& row, const std::string& max, const std::string& mean, const std::string& bias) {
+    const double count = row.number("fragments");
+    if (worst == nullptr || row.number(max) > most + 1e-10) {
+      most = row.number(max);
+      worst = &row;
+    }
+    sizes += row.number(mean) * count;
+    errors += row.number(bias) * count;
+    fragments += count;
+  }
+  [[nodiscard]] double mean() const { return sizes / fragments; }
+  [[nodiscard]] double bias() const { return errors / fragments; }
+};
+
+class Writer {
+ public:
+  Writer(const Program& program, const Fragments& fragments, std::span<const StudyRow> rows)
+      : program_(program), fragments_(fragments), rows_(rows), one_(program.datapath.one) {}
+
+  StudyReport write() {
+    out_.title = "Error of a program, by stage";
+    ReportTable totals{
+        .title = "Error of the colour",
+        .columns = {"component", "fragments", "exact, %", "max", "mean", "bias", "worst at", "gives", "exact"},
+        .rows = {},
+        .caption = fmt::format("Max, mean, bias and the exact value in codes, of which {} are 1.0.", one_)};
+    ReportTable stages{.title = "What each stage adds, and what remains if all later ones are exact",
+                       .columns = {"component", "stage", "name", "added, max", "added, mean", "added, bias",
+                                   "adds most at", "remaining, max", "remaining, mean", "remaining, bias"},
+                       .rows = {},
+                       .caption =
+                           "In codes. The additions of all stages are the colour's error, for every fragment; so "
+                           "their biases add up to its bias."};
+    Plot added{.file = "added-by-stage",
+               .title = "Error that each stage adds",
+               .x_label = "stage",
+               .y_label = "mean size, in codes",
+               .bars = true,
+               .series = {}};
+    Plot remaining{.file = "remaining-by-stage",
+                   .title = "Error that remains if all later stages are exact",
+                   .x_label = "stages as they are, up to this",
+                   .y_label = "mean size, in codes",
+                   .bars = true,
+                   .series = {}};
+    for (int k = 0; k < program_.num_general_combiners; ++k) added.x_names.push_back(fmt::format("general {}", k + 1));
+    added.x_names.emplace_back("final");
+    remaining.x_names = added.x_names;
+    for (std::size_t c = 0; c < 4; ++c) {
+      const bool wrong = add_total(c, totals);
+      PlotSeries adds{kComponentNames[c], {}};
+      PlotSeries remains = adds;
+      std::string sentence;
+      for (int k = 1; k <= program_.num_general_combiners + 1; ++k) {
+        sentence += add_stage(c, k, stages, adds, remains);
+      }
+      if (wrong) out_.answers.push_back(fmt::format("{}: on average {}.", kComponentNames[c], sentence));
+      added.series.push_back(std::move(adds));
+      remaining.series.push_back(std::move(remains));
+      if (wrong && fragments_.all() && fragments_.components().size() == 2) out_.heat_maps.push_back(map_of(c));
+    }
+    out_.tables.push_back(std::move(totals));
+    out_.tables.push_back(std::move(stages));
+    out_.plots.push_back(std::move(added));
+    out_.plots.push_back(std::move(remaining));
+    return std::move(out_);
+  }
+
+ private:
+  [[nodiscard]] bool is_of(const StudyRow& row, const char* table, std::size_t c) const {
+    return row.table == table && row.text("component") == std::string(1, "rgba"[c]);
+  }
+
+  // Whether the component has any error.
+  bool add_total(std::size_t c, ReportTable& table) {
+    Summary sum;
+    std::uint64_t exact = 0, fragments = 0;
+    for (const StudyRow& row : rows_) {
+      if (!is_of(row, "rows", c)) continue;
+      sum.add(row, "max_error", "mean_error", "mean_bias");
+      exact += row.count("exact");
+      fragments += row.count("fragments");
+    }
+    if (sum.worst == nullptr) return false;
+    const double worst_exact = sum.worst->number("worst_exact") * one_;
+    table.rows.push_back({std::string(kComponentNames[c]), fragments, percent(exact, fragments), sum.most * one_,
+                          sum.mean() * one_, sum.bias() * one_, (*sum.worst)["worst"], (*sum.worst)["worst_code"],
+                          worst_exact});
+    if (exact == fragments) {
+      out_.answers.push_back(fmt::format("{}: exact for all {} fragments.", kComponentNames[c], fragments));
+      return false;
+    }
+    out_.answers.push_back(fmt::format(
+        "{}: exact for {:.2f} % of {} fragments; off by {:.3f} codes at most, where {}: {} comes out, {:.3f} is exact; "
+        "by {:.3f} on average, with a bias of {:.3f}.",
+        kComponentNames[c], percent(exact, fragments), fragments, sum.most * one_, sum.worst->text("worst"),
+        sum.worst->text("worst_code"), worst_exact, sum.mean() * one_, plain(sum.bias() * one_)));
+    return true;
+  }
+
+  // Gives the stage's part of a sentence.
+  std::string add_stage(std::size_t c, int k, ReportTable& table, PlotSeries& adds, PlotSeries& remains) const {
+    Summary added, remaining;
+    for (const StudyRow& row : rows_) {
+      if (!is_of(row, "stages", c) || row.count("stage") != static_cast<std::uint64_t>(k)) continue;
+      added.add(row, "added_max", "added_mean", "added_bias");
+      remaining.add(row, "remaining_max", "remaining_mean", "remaining_bias");
+    }
+    if (added.worst == nullptr) return {};
+    table.rows.push_back({std::string(kComponentNames[c]), static_cast<std::int64_t>(k), (*added.worst)["name"],
+                          added.most * one_, added.mean() * one_, added.bias() * one_, (*added.worst)["worst"],
+                          remaining.most * one_, remaining.mean() * one_, remaining.bias() * one_});
+    adds.points.emplace_back(k, added.mean() * one_);
+    remains.points.emplace_back(k, remaining.mean() * one_);
+    return fmt::format("{}{} adds {:.3f} codes", k == 1 ? "" : ", ", added.worst->text("name"), added.mean() * one_);
+  }
+
+  // The first component to the right, the second upward.
+  [[nodiscard]] HeatMap map_of(std::size_t c) const {
+    const std::size_t width = fragments_.values(0), height = fragments_.values(1);
+    HeatMap map{.file = fmt::format("error-{}", kComponentNames[c]),
+                .title = fmt::format("Error of {}", kComponentNames[c]),
+                .x_label = fragments_.components()[0].name() + ", as code",
+                .y_label = fragments_.components()[1].name() + ", as code",
+                .x_first = static_cast<double>(fragments_.lowest(0)),
+                .x_last = static_cast<double>(one_),
+                .y_first = static_cast<double>(one_),
+                .y_last = static_cast<double>(fragments_.lowest(1)),
+                .width = static_cast<int>(width),
+                .height = static_cast<int>(height),
+                .values = std::vector<float>(width * height),
+                .caption = "In codes: 1 is a register's last bit. One pixel a fragment."};
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, height), [&](const auto& range) {
+      StagedColors staged(program_);
+      for (std::size_t row = range.begin(); row != range.end(); ++row) {
+        for (std::size_t column = 0; column < width; ++column) {
+          const std::size_t fragment = column * height + (height - 1 - row);
+          staged.change_constants([&](Program& program) { fragments_.put_constants(fragment, program); });
+          const std::vector<RealColor>& colors = staged(fragments_.registers(fragment));
+          const double error = (colors.back()[c] - colors[0][c]) * one_;
+          map.values[row * width + column] = std::fabs(error) < 1e-7 ? 0.0F : static_cast<float>(error);
+        }
+      }
+    });
+    float span = 0.0F;
+    for (const float v : map.values) span = std::max(span, std::fabs(v));
+    map.low = -span;
+    map.high = span;
+    return map;
+  }
+
+  const Program& program_;
+  const Fragments& fragments_;
+  std::span<const StudyRow> rows_;
+  int one_;
+  StudyReport out_;
+};
+
+}  // namespace
+
+StudyReport program_report(const Program& program, const Fragments& fragments, std::span<const StudyRow> rows,
+                           std::size_t done, std::size_t units) {
+  StudyReport report = Writer(program, fragments, rows).write();
+  if (done < units) {
+    report.answers.insert(report.answers.begin(), fmt::format("Only {} of {} units were measured.", done, units));
+  }
+  return report;
+}
+
+}  // namespace ninebit

@@ -1,0 +1,45 @@
+// What a pair of one digit's values leaves behind, as numbers: all that the rest of a program can see of it.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "ninebit/combiner/evaluate.h"
+#include "ninebit/combiner/program.h"
+#include "src/study/digits/digit_flow.h"
+
+namespace ninebit {
+
+// Makes keys: pairs of equal keys cannot be told apart. With a DigitSum a key is the digit's product of the second
+// stage, otherwise all that the first stage left in components that depend on the digit and are read later. Doubles
+// hold the numbers exactly: codes, 32-bit floats, or numerators over one common denominator. An object belongs to a
+// thread.
+class DigitKeys {
+ public:
+  // The program and the sum must live as long.
+  DigitKeys(const Program& program, const ByComponent<unsigned>& after, const std::optional<DigitSum>& sum);
+  ~DigitKeys();
+  DigitKeys(const DigitKeys&) = delete;
+  DigitKeys& operator=(const DigitKeys&) = delete;
+
+  // Numbers in a key of this digit; may be 0.
+  [[nodiscard]] std::size_t width(std::size_t digit) const;
+  // Writes the key of the registers as they are before the first stage.
+  void write(const RegisterFile& registers, std::size_t digit, double* key);
+
+  class Numbers;  // those of the program's arithmetic
+
+ private:
+  struct Place {
+    std::size_t reg = 0, component = 0;
+  };
+
+  const std::optional<DigitSum>& sum_;
+  std::array<std::vector<Place>, 3> places_;  // of each digit, without a DigitSum
+  std::unique_ptr<Numbers> numbers_;
+};
+
+}  // namespace ninebit

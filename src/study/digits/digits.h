@@ -1,0 +1,37 @@
+// The digits of an index: the channels that hold it.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "ninebit/combiner/evaluate.h"
+#include "ninebit/numerics/hardware_profile.h"
+#include "ninebit/study/index_steps.h"
+#include "src/study/digits/digit_flow.h"
+
+namespace ninebit {
+
+inline constexpr std::size_t kMostDigits = 3;
+
+// A byte for each digit; those that a format does not have are not read.
+using DigitBytes = std::array<std::uint8_t, kMostDigits>;
+
+// The components of a colour that hold one digit, all with the same value.
+struct Digit {
+  std::array<int, 3> component{};
+  std::size_t count = 1;
+  [[nodiscard]] std::span<const int> components() const { return {component.data(), count}; }
+};
+
+[[nodiscard]] std::span<const Digit> digits_of(StudyFormat format);
+
+// The registers before the first stage: own index in primary, the other in texture0.
+[[nodiscard]] RegisterFile comparison_registers(const HardwareProfile& profile, StudyFormat format,
+                                                const DigitBytes& own, const DigitBytes& other);
+
+// The digits that each register component depends on before the first stage, a bit for each.
+[[nodiscard]] ByComponent<unsigned> digits_before_first_stage(StudyFormat format);
+
+}  // namespace ninebit

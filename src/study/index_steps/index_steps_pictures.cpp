@@ -1,0 +1,145 @@
+// What the comparison makes of one channel: every pair of its 256 values, and every difference at every step.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <memory>
+
+#include "ninebit/combiner/batch_program.h"
+#include "src/study/digits/digits.h"
+#include "src/study/index_steps/false_matches.h"
+#include "src/study/index_steps/index_steps_study.h"
+
+namespace ninebit {
+namespace {
+
+constexpr int kBytes = 256;
+
+// The alpha byte of each pair: 256 own + other.
+std::vector<std::uint8_t> alphas_of(const Program& program, const HardwareProfile& profile) {
+  static_assert(kBatchSize >= kBytes);
+  const BatchProgram run(program, {.color = {false, false, false, true}, .registers = false});
+  const auto registers = std::make_unique<RegisterBatch>();
+  const auto out = std::make_unique<OutputBatch>();
+  std::vector<std::uint8_t> alphas;
+  for (int own = 0; own < kBytes; ++own) {
+    for (std::size_t other = 0; other < kBytes; ++other) {
+      const RegisterFile file = comparison_registers(profile, StudyFormat::channel, {static_cast<std::uint8_t>(own)},
+                                                     {static_cast<std::uint8_t>(other)});
+      for (std::size_t r = 0; r < kRegisterCount; ++r) {
+        for (std::size_t c = 0; c < 4; ++c) registers->plane[r][c][other] = file.value[r][c];
+      }
+    }
+    run.run(*registers, kBytes, *out);
+    for (std::size_t other = 0; other < kBytes; ++other) {
+      alphas.push_back(to_byte(profile, out->plane[kAlpha][other]));
+    }
+  }
+  return alphas;
+}
+
+HeatMap pair_map(const std::string& name, std::string_view file, const std::vector<std::uint8_t>& alphas) {
+  HeatMap map{.file = fmt::format("alpha-{}", file),
+              .title = fmt::format("Alpha of every pair of channel values: {}", name),
+              .x_label = "texture's value",
+              .y_label = "own value",
+              .x_last = kBytes - 1,
+              .y_last = kBytes - 1,
+              .width = kBytes,
+              .height = kBytes,
+              .values = {alphas.begin(), alphas.end()},
+              .low = -255.0F,
+              .high = 255.0F,
+              .caption = "-255 stands for different values that come out equal, with an alpha of 0."};
+  for (std::size_t i = 0; i < map.values.size(); ++i) {
+    if (i / kBytes != i % kBytes && alphas[i] == 0) map.values[i] = -255.0F;
+  }
+  return map;
+}
+
+// Which differences come out equal among the values of each step.
+HeatMap step_map(const IndexStepsOptions& options, const std::string& name, std::string_view file,
+                 const std::vector<std::uint8_t>& alphas) {
+  const int reach = std::max(32, options.last_step), width = 2 * reach + 1;
+  HeatMap map{.file = fmt::format("equal-{}", file),
+              .title = fmt::format("Differences that come out equal: {}", name),
+              .x_label = "difference of the channel values",
+              .y_label = "step",
+              .x_first = -static_cast<double>(reach),
+              .x_last = static_cast<double>(reach),
+              .y_first = static_cast<double>(options.first_step),
+              .y_last = static_cast<double>(options.last_step),
+              .width = width,
+              .height = options.last_step - options.first_step + 1,
+              .values = {},
+              .low = -1.0F,
+              .high = 1.0F,
+              .caption =
+                  "The share of the step's pairs with that difference that come out equal: only 0 should. -1: "
+                  "the step has no such pair."};
+  for (int step = options.first_step; step <= options.last_step; ++step) {
+    std::vector<int> pairs(static_cast<std::size_t>(width)), equal(pairs);
+    for (int own = 0; own < kBytes; own += step) {
+      for (int other = 0; other < kBytes; other += step) {
+        if (std::abs(own - other) > reach) continue;
+        const auto at = static_cast<std::size_t>(own - other + reach);
+        ++pairs[at];
+        if (alphas[static_cast<std::size_t>(kBytes * own + other)] == 0) ++equal[at];
+      }
+    }
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+      const float share = static_cast<float>(equal[i]) / static_cast<float>(std::max(pairs[i], 1));
+      map.values.push_back(pairs[i] > 0 && equal[i] == 0 ? -1.0F : share);
+    }
+  }
+  return map;
+}
+
+// The smallest alpha that a pair gives whose values differ by so much.
+PlotSeries smallest_alphas(const std::string& name, const std::vector<std::uint8_t>& alphas) {
+  constexpr int kReach = 32;
+  std::array<int, kReach + 1> least{};
+  least.fill(255);
+  for (int own = 0; own < kBytes; ++own) {
+    for (int other = std::max(0, own - kReach); other <= std::min(kBytes - 1, own + kReach); ++other) {
+      int& of_difference = least[static_cast<std::size_t>(std::abs(own - other))];
+      of_difference = std::min(of_difference, int{alphas[static_cast<std::size_t>(kBytes * own + other)]});
+    }
+  }
+  PlotSeries series{name, {}};
+  for (std::size_t difference = 1; difference < least.size(); ++difference) {
+    series.points.emplace_back(static_cast<double>(difference), least[difference]);
+  }
+  return series;
+}
+
+}  // namespace
+
+void add_channel_pictures(const IndexStepsOptions& options, std::span<const IndexStepsUnit> units,
+                          StudyReport& report) {
+  std::vector<HeatMap> pair_maps;
+  for (std::size_t p = 0; p < options.profiles.size(); ++p) {
+    const HardwareProfile& profile = options.profiles[p];
+    Plot plot{.file = fmt::format("alpha-of-difference-{}", profile.name),
+              .title = fmt::format("What becomes of a channel's difference: {}", profile.name),
+              .x_label = "size of the difference",
+              .y_label = "smallest alpha",
+              .log_y = true,
+              .series = {},
+              .caption = "Smaller differences than a line begins with have the alpha 0: they come out equal."};
+    for (const IndexStepsUnit& unit : units) {
+      if (unit.profile != p || unit.format != StudyFormat::channel) continue;
+      const std::vector<std::uint8_t> alphas = alphas_of(unit.program, profile);
+      const std::string name = fmt::format("{}, {}", profile.name, unit.variant);
+      const std::string file = fmt::format("{}-{}", profile.name, unit.variant);
+      if (plot.series.empty()) pair_maps.push_back(pair_map(name, file, alphas));
+      report.heat_maps.push_back(step_map(options, name, file, alphas));
+      plot.series.push_back(smallest_alphas(unit.variant, alphas));
+    }
+    if (!plot.series.empty()) report.plots.push_back(std::move(plot));
+  }
+  report.heat_maps.insert(report.heat_maps.end(), pair_maps.begin(), pair_maps.end());
+}
+
+}  // namespace ninebit

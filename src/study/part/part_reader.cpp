@@ -1,0 +1,202 @@
+#include <fmt/format.h>
+
+#include <array>
+#include <fstream>
+#include <memory>
+#include <system_error>
+#include <unordered_map>
+#include <utility>
+
+#include "ninebit/study/study_part.h"
+#include "src/study/part/part_state.h"
+#include "src/study/part/part_text.h"
+#include "src/study/part/sha256.h"
+
+namespace ninebit {
+namespace {
+
+// Whole lines of a file, with their newline; what stands after the last newline is left out.
+class Lines {
+ public:
+  enum class Next { line, none, too_long, unreadable };
+
+  explicit Lines(const std::filesystem::path& file) : stream_(file, std::ios::binary) {}
+
+  [[nodiscard]] bool open() const { return stream_.is_open(); }
+
+  Next next(std::string& line) {
+    while (true) {
+      if (const std::size_t end = text_.find('\n', searched_); end != std::string::npos) {
+        line.assign(text_, 0, end + 1);
+        text_.erase(0, end + 1);
+        searched_ = 0;
+        return Next::line;
+      }
+      searched_ = text_.size();
+      if (text_.size() > kMaxPartLine) return Next::too_long;
+      std::array<char, 1 << 16> piece;
+      stream_.read(piece.data(), piece.size());
+      if (stream_.bad()) return Next::unreadable;
+      if (stream_.gcount() == 0) return Next::none;
+      text_.append(piece.data(), static_cast<std::size_t>(stream_.gcount()));
+    }
+  }
+
+ private:
+  std::ifstream stream_;
+  std::string text_;
+  std::size_t searched_ = 0;
+};
+
+bool belongs_to(const Shard& shard, std::size_t unit) {
+  return unit % shard.count == shard.index - 1;
+}
+
+std::string senseless(const PartHeader& header) {
+  if (header.units == 0 || header.units > kMaxStudyUnits) {
+    return fmt::format("{} units; expected 1 to {}", header.units, kMaxStudyUnits);
+  }
+  const Shard& s = header.shard;
+  if (s.index < 1 || s.index > s.count || s.count > header.units) {
+    return fmt::format("shard {}/{} of {} units; expected 1/1 to {}/{}", s.index, s.count, header.units, header.units,
+                       header.units);
+  }
+  return {};
+}
+
+// A part while its lines are read. Memory is taken for lines that are there, never for numbers that they hold.
+class Reading {
+ public:
+  Reading(const std::filesystem::path& file, const StudyOfPart& study_of) : study_of_(study_of) {
+    state_.part.file = file;
+    state_.hash = std::make_unique<Sha256>();
+  }
+
+  // A whole line with its newline; gives what is wrong with it, or an empty text.
+  std::string add(const std::string& line) {
+    const std::string_view text = std::string_view(line).substr(0, line.size() - 1);
+    ++number_;
+    if (state_.part.complete)
+      return text == last_ ? keep(line) : "stands behind the part's last line; expected nothing";
+    if (number_ > 1 && is_end_line(text)) return end(line);
+    const std::string wrong = number_ == 1 ? add_header(text) : text == first_ ? std::string() : add_unit(text);
+    if (!wrong.empty()) return wrong;
+    state_.hash->add(line);
+    return keep(line);
+  }
+
+  [[nodiscard]] int line() const { return number_; }
+  [[nodiscard]] PartState take() { return std::move(state_); }
+
+ private:
+  std::string keep(const std::string& line) {
+    state_.whole_bytes += line.size();
+    return {};
+  }
+
+  std::string add_header(std::string_view text) {
+    auto header = parse_header_line(text);
+    if (!header) return header.error().message;
+    if (std::string why = senseless(*header); !why.empty()) return why;
+    if (study_of_) {
+      auto study = study_of_(*header);
+      if (!study) return study.error().message;
+      study_ = *study;
+      if (study_->units() != header->units) {
+        return fmt::format("{} units; expected {}, which `{}` has", header->units, study_->units(),
+                           quotable(header->question.command()));
+      }
+    }
+    state_.part.header = *std::move(header);
+    first_ = text;
+    return {};
+  }
+
+  std::string add_unit(std::string_view text) {
+    auto unit = parse_unit_line(text);
+    if (!unit) return unit.error().message;
+    const PartHeader& header = state_.part.header;
+    if (unit->unit >= header.units) return fmt::format("unit {} of a study of {} units", unit->unit, header.units);
+    if (!belongs_to(header.shard, unit->unit)) {
+      return fmt::format("unit {} does not belong to shard {}/{}", unit->unit, header.shard.index, header.shard.count);
+    }
+    // Two runs of one study in one folder leave the same line twice.
+    const auto [found, fresh] = seen_.try_emplace(unit->unit, sha256(text));
+    if (!fresh) {
+      if (found->second == sha256(text)) return {};
+      return fmt::format("unit {} for the second time, with other rows; expected each unit once", unit->unit);
+    }
+    if (study_ != nullptr) {
+      const std::string why = wrong_with_rows(study_->row_rules(unit->unit), unit->rows);
+      if (!why.empty()) return fmt::format("unit {}: {}", unit->unit, why);
+    }
+    unit->line = number_;
+    state_.part.units.push_back(*std::move(unit));
+    return {};
+  }
+
+  std::string end(const std::string& line) {
+    const std::string_view text = std::string_view(line).substr(0, line.size() - 1);
+    StudyPart& part = state_.part;
+    if (part.units.size() != units_of(part.header)) {
+      return fmt::format("the last line comes after {} units; expected {}", part.units.size(), units_of(part.header));
+    }
+    if (Status fits = check_end_line(text, part.units.size(), state_.hash->finish()); !fits) {
+      return fits.error().message;
+    }
+    part.complete = true;
+    last_ = text;
+    return keep(line);
+  }
+
+  const StudyOfPart& study_of_;
+  const Study* study_ = nullptr;
+  PartState state_;
+  int number_ = 0;
+  std::string first_, last_;                           // the lines of these places
+  std::unordered_map<std::size_t, std::string> seen_;  // hashes of the lines by unit
+};
+
+}  // namespace
+
+std::size_t units_of(const PartHeader& header) {
+  return (header.units - header.shard.index) / header.shard.count + 1;
+}
+
+Result<PartState> read_part_state(const std::filesystem::path& file, const StudyOfPart& study_of) {
+  Reading reading(file, study_of);
+  const auto fault = [&](std::string message, int line) {
+    return Diagnostic{.message = std::move(message), .file = file.string(), .line = line};
+  };
+  Lines lines(file);
+  std::error_code error;
+  if (!lines.open() || std::filesystem::is_directory(file, error)) {
+    return fault("cannot be read; expected a part that `ninebit study` has written", 0);
+  }
+  std::string line;
+  while (true) {
+    switch (lines.next(line)) {
+      case Lines::Next::none:
+        return reading.take();
+      case Lines::Next::unreadable:
+        return fault("cannot be read to its end", reading.line() + 1);
+      case Lines::Next::too_long:
+        return fault(fmt::format("the line is longer than {} bytes; expected a part of a study", kMaxPartLine),
+                     reading.line() + 1);
+      case Lines::Next::line:
+        if (std::string wrong = reading.add(line); !wrong.empty()) return fault(std::move(wrong), reading.line());
+    }
+  }
+}
+
+Result<StudyPart> read_part(const std::filesystem::path& file, const StudyOfPart& study_of) {
+  auto state = read_part_state(file, study_of);
+  if (!state) return state.error();
+  if (state->whole_bytes == 0) {
+    return Diagnostic{.message = "has no whole line; expected a part that `ninebit study` has written",
+                      .file = file.string()};
+  }
+  return std::move(state->part);
+}
+
+}  // namespace ninebit

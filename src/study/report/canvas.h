@@ -1,0 +1,67 @@
+// Drawing on a picture with Cairo.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "ninebit/image/image_io.h"
+#include "src/study/report/report_colors.h"
+
+// Cairo's own, so that its header stays in canvas.cpp.
+struct _cairo;          // NOLINT(bugprone-reserved-identifier): its name for it
+struct _cairo_surface;  // NOLINT(bugprone-reserved-identifier)
+
+namespace ninebit {
+
+struct Place {
+  double x = 0.0, y = 0.0;  // pixels from the top left corner
+};
+
+struct TextStyle {
+  double size = 20.0;  // pixels
+  bool bold = false;
+  Rgb color{0x22, 0x22, 0x22};
+};
+
+// Where a text's place is: at its beginning, middle or end.
+enum class Align { begin, middle, end };
+
+enum class Marker { circle, square, triangle, diamond };
+
+class Canvas {
+ public:
+  // White.
+  Canvas(int width, int height);
+
+  void line(std::span<const Place> places, Rgb color, double width, bool dashed = false);
+  void box(Place corner, double width, double height, Rgb color);
+  void marker(Marker shape, Place middle, Rgb color);
+  // The text stands on the place's y; `upward`: turned to run from bottom to top, with the place's x below it.
+  void text(std::string_view text, Place place, Align align, const TextStyle& style, bool upward = false);
+  // Pixels that a text is wide.
+  [[nodiscard]] double width_of(std::string_view text, const TextStyle& style);
+  // The text, or as much of its beginning as fits with "…" behind it.
+  [[nodiscard]] std::string shortened(const std::string& text, double width, const TextStyle& style);
+  // What is drawn stays within this box until clip_off().
+  void clip_on(Place corner, double width, double height);
+  void clip_off();
+
+  // Reports what Cairo could not do.
+  [[nodiscard]] Result<Image8> picture();
+
+ private:
+  void choose(const TextStyle& style);
+  void ink(Rgb color);
+
+  struct Close {
+    void operator()(_cairo* context) const;
+    void operator()(_cairo_surface* surface) const;
+  };
+  std::unique_ptr<_cairo_surface, Close> surface_;
+  std::unique_ptr<_cairo, Close> context_;
+};
+
+}  // namespace ninebit

@@ -1,0 +1,215 @@
+// The page: static text that reads without its script, which draws the plots and maps and sorts the tables.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "ninebit/study/report_files.h"
+#include "src/study/part/sha256.h"
+#include "src/study/report/page_data.h"
+#include "src/study/report/page_texts.h"
+
+namespace ninebit {
+namespace {
+
+// Text that stands between tags or in a quoted attribute.
+std::string escaped(std::string_view text) {
+  std::string out;
+  for (const char c : text) {
+    switch (c) {
+      case '&':
+        out += "&amp;";
+        break;
+      case '<':
+        out += "&lt;";
+        break;
+      case '>':
+        out += "&gt;";
+        break;
+      case '"':
+        out += "&quot;";
+        break;
+      case '\'':
+        out += "&#39;";
+        break;
+      default:
+        out += c;
+    }
+  }
+  return out;
+}
+
+bool is_number(const StudyValue& value) {
+  return !std::holds_alternative<std::string>(value) && !std::holds_alternative<std::monostate>(value);
+}
+
+// A number as people read it: groups of three digits; reals with six digits that count.
+std::string readable(const StudyValue& value) {
+  if (const auto* real = std::get_if<double>(&value)) return fmt::format("{:.6g}", *real);
+  std::string text = text_of(value);
+  const std::size_t first = text.starts_with('-') ? 1 : 0;
+  if (text.size() - first <= 4) return text;
+  for (std::size_t end = text.size(); end > first + 3; end -= 3) text.insert(end - 3, "\u202f");
+  return text;
+}
+
+std::string caption(std::string_view text) {
+  return text.empty() ? "" : fmt::format("<p>{}</p>", escaped(text));
+}
+
+std::string file_line(const std::string& file) {
+  return fmt::format("<p class=\"file\">{}.png</p>\n</figure>\n", escaped(file));
+}
+
+std::string answers(const StudyReport& report) {
+  if (report.answers.empty()) return {};
+  std::string out = "<section aria-label=\"Answers\">\n<ul class=\"answers\">\n";
+  for (const std::string& answer : report.answers) out += fmt::format("<li>{}</li>\n", escaped(answer));
+  return out + "</ul>\n</section>\n";
+}
+
+// Command, profile, version, what files the question names, and hashes that are the same wherever the study ran.
+std::string how_it_was_made(const StudyQuestion& question, std::string_view version, std::span<const StudyRow> rows) {
+  std::string out = "<section class=\"made\" aria-labelledby=\"made\">\n<h2 id=\"made\">How it was made</h2>\n<dl>\n";
+  const auto fact = [&](std::string_view name, std::string_view content) {
+    out += fmt::format("<dt>{}</dt><dd>{}</dd>\n", escaped(name), content);
+  };
+  fact("Command", fmt::format("<code>{}</code>", escaped(question.command())));
+  fact("Profile", escaped(question.profile));
+  fact("Version", fmt::format("ninebit {}", escaped(version)));
+  for (const auto& [name, value] : question.options) {
+    if (!name.starts_with('-')) fact(name, fmt::format("<span class=\"hash\">{}</span>", escaped(value)));
+  }
+  for (const auto& [table, text] : report_csv(rows)) {
+    const std::int64_t count =
+        std::count_if(rows.begin(), rows.end(), [&name = table](const StudyRow& row) { return row.table == name; });
+    fact(table + ".csv", fmt::format("{} {}, SHA-256 <span class=\"hash\">{}</span>", readable(count),
+                                     count == 1 ? "row" : "rows", sha256(text)));
+  }
+  return out + "</dl>\n</section>\n";
+}
+
+struct Section {
+  std::string_view id, title;
+  std::string content;  // empty: there is no such section
+};
+
+std::string plots(const StudyReport& report) {
+  std::string out;
+  for (std::size_t i = 0; i < report.plots.size(); ++i) {
+    const Plot& plot = report.plots[i];
+    out += fmt::format(
+        "<figure>\n<figcaption><h3>{0}</h3>{1}</figcaption>\n<div class=\"chart\"><canvas id=\"plot-{2}\" role=\"img\" "
+        "aria-label=\"{0}\">{0}</canvas></div>\n",
+        escaped(plot.title), caption(plot.caption), i);
+    out += file_line(plot.file);
+  }
+  return out;
+}
+
+std::string heat_maps(const StudyReport& report) {
+  std::string out;
+  for (std::size_t i = 0; i < report.heat_maps.size(); ++i) {
+    const HeatMap& map = report.heat_maps[i];
+    const auto end = [](double value) { return fmt::format("<span>{:.6g}</span>", value); };
+    const auto name = [](const std::string& text) { return fmt::format("<span>{}</span>", escaped(text)); };
+    out += fmt::format("<figure id=\"map-{}\">\n<figcaption><h3>{}</h3>{}</figcaption>\n<div class=\"map\">\n", i,
+                       escaped(map.title), caption(map.caption));
+    out += fmt::format("<div class=\"y\">{}{}{}</div>\n", end(map.y_first), name(map.y_label), end(map.y_last));
+    out += fmt::format(
+        "<div class=\"field\"><canvas tabindex=\"0\" role=\"img\" aria-label=\"{}; the arrow keys move through its "
+        "values\"></canvas><div class=\"at\" hidden></div></div>\n",
+        escaped(map.title));
+    out += fmt::format("<div class=\"x\">{}{}{}</div>\n</div>\n", end(map.x_first), name(map.x_label), end(map.x_last));
+    out +=
+        "<output class=\"value\">Point at the map, or move through it with the arrow keys, to read a value.</output>\n";
+    out +=
+        fmt::format("<div class=\"scale\">{}<canvas role=\"img\" aria-label=\"scale of colours\"></canvas>{}</div>\n",
+                    end(static_cast<double>(map.low)), end(static_cast<double>(map.high)));
+    out += file_line(map.file);
+  }
+  return out;
+}
+
+Result<std::string> pictures(const StudyReport& report) {
+  std::string out;
+  for (const ReportPicture& picture : report.pictures) {
+    const auto png = encode_png(picture.image);
+    if (!png) return png.error();
+    out += fmt::format(
+        "<figure>\n<figcaption><h3>{0}</h3>{1}</figcaption>\n<img class=\"picture\" alt=\"{0}\" "
+        "width=\"{2}\" height=\"{3}\" src=\"data:image/png;base64,{4}\">\n",
+        escaped(picture.title), caption(picture.caption), picture.image.width, picture.image.height, base64(*png));
+    out += file_line(picture.file);
+  }
+  return out;
+}
+
+std::string cell(const StudyValue& value) {
+  if (!is_number(value)) return fmt::format("<td>{}</td>", escaped(text_of(value)));
+  const std::string exact = text_of(value), text = readable(value);
+  if (exact == text) return fmt::format("<td class=\"n\">{}</td>", text);
+  return fmt::format("<td class=\"n\" data-v=\"{0}\" title=\"{0}\">{1}</td>", exact, text);
+}
+
+void append_table(std::string& out, const ReportTable& table) {
+  out += fmt::format(
+      "<div class=\"table\">\n<h3>{0}</h3>{1}\n<div class=\"scroll\" role=\"region\" aria-label=\"{0}\" "
+      "tabindex=\"0\">\n<table class=\"sorts\" aria-label=\"{0}\">\n<thead><tr>",
+      escaped(table.title), caption(table.caption));
+  for (std::size_t c = 0; c < table.columns.size(); ++c) {
+    const bool number = std::any_of(table.rows.begin(), table.rows.end(),
+                                    [c](const auto& row) { return c < row.size() && is_number(row[c]); });
+    out += fmt::format("<th scope=\"col\"{} aria-sort=\"none\"><button type=\"button\">{}</button></th>",
+                       number ? " class=\"n\"" : "", escaped(table.columns[c]));
+  }
+  out += "</tr></thead>\n<tbody>\n";
+  for (const auto& row : table.rows) {
+    out += "<tr>";
+    for (std::size_t c = 0; c < table.columns.size(); ++c) out += c < row.size() ? cell(row[c]) : "<td></td>";
+    out += "</tr>\n";
+  }
+  out += "</tbody>\n</table>\n</div>\n</div>\n";
+}
+
+}  // namespace
+
+Result<std::string> report_html(const StudyQuestion& question, std::string_view version, const StudyReport& report,
+                                std::span<const StudyRow> rows) {
+  const auto data = page_data(report);
+  if (!data) return data.error();
+  const auto images = pictures(report);
+  if (!images) return images.error();
+  std::string tables;
+  for (const ReportTable& table : report.tables) append_table(tables, table);
+  const Section sections[] = {{"plots", "Plots", plots(report)},
+                              {"heat-maps", "Heat maps", heat_maps(report)},
+                              {"pictures", "Pictures", *images},
+                              {"tables", "Tables", std::move(tables)}};
+
+  // The policy makes browsers refuse whatever would be fetched from elsewhere.
+  std::string page = fmt::format(
+      "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
+      "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; script-src 'unsafe-inline'; "
+      "style-src 'unsafe-inline'; img-src data:\">\n<link rel=\"icon\" href=\"data:,\">\n<title>{0} – ninebit</title>\n"
+      "<style>\n{1}</style>\n</head>\n<body>\n<header>\n<p class=\"kind\">ninebit study {2}</p>\n<h1>{0}</h1>\n",
+      escaped(report.title), kPageStyle, escaped(question.study));
+  page += answers(report) + how_it_was_made(question, version, rows) + "<nav aria-label=\"Sections\"><ul>\n";
+  for (const Section& section : sections) {
+    if (!section.content.empty()) page += fmt::format("<li><a href=\"#{}\">{}</a></li>\n", section.id, section.title);
+  }
+  page += "</ul></nav>\n</header>\n<main>\n";
+  for (const Section& section : sections) {
+    if (section.content.empty()) continue;
+    page += fmt::format("<section aria-labelledby=\"{0}\">\n<h2 id=\"{0}\">{1}</h2>\n{2}</section>\n", section.id,
+                        section.title, section.content);
+  }
+  page += fmt::format("</main>\n<script type=\"application/json\" id=\"data\">{}</script>\n<script>\n", *data);
+  page += kChartScript;
+  page += "</script>\n<script>\n";
+  page += kPageScript;
+  return page + "</script>\n</body>\n</html>\n";
+}
+
+}  // namespace ninebit

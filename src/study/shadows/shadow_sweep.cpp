@@ -1,0 +1,211 @@
+#include "ninebit/study/shadow_sweep.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <array>
+#include <limits>
+#include <optional>
+#include <span>
+#include <utility>
+
+#include "ninebit/shadow/ground_truth.h"
+#include "src/study/part/sha256.h"
+#include "src/study/part/sweep_axes.h"
+#include "src/study/shadows/shadow_sweep_report.h"
+
+namespace ninebit {
+namespace {
+
+constexpr std::array kFactors{0.0F, 0.5F, 1.0F, 1.125F, 1.5F, 2.0F, 4.0F};
+constexpr std::array kUnits{0.0F, 1.0F, 16.0F, 64.0F, 256.0F, 1024.0F, 4096.0F, 16384.0F, 65536.0F};
+
+constexpr std::array<OffsetArguments, kFactors.size() * kUnits.size()> search_grid() {
+  std::array<OffsetArguments, kFactors.size() * kUnits.size()> grid{};
+  for (std::size_t i = 0; i < grid.size(); ++i) grid[i] = {kFactors[i / kUnits.size()], kUnits[i % kUnits.size()]};
+  return grid;
+}
+constexpr auto kOffsets = search_grid();
+
+// Of the triangles, wherever the file keeps them.
+std::string hash_of(const Scene& scene) {
+  Sha256 hash;
+  hash.add(scene.positions);
+  hash.add(scene.triangles);
+  hash.add(scene.triangle_object);
+  return hash.finish();
+}
+
+constexpr double kLongestReason = 65536.0;
+
+// A point drawn and judged.
+struct Judged {
+  Rendering rendering;
+  GroundTruth truth;
+};
+
+class ShadowSweep final : public Study {
+ public:
+  ShadowSweep(StudyQuestion question, Scene scene, const Technique& technique, const RenderSettings& settings,
+              const ShadowGrid& grid, const SweptSettings& known)
+      : question_(std::move(question)),
+        scene_(std::move(scene)),
+        technique_(technique),
+        settings_(settings),
+        grid_(grid),
+        known_(known) {
+    settings_.evidence = true;
+    question_.options.emplace_back("sha256 of the triangles", hash_of(scene_));
+  }
+
+  // What can fail of making one.
+  Status prepare() {
+    auto axes = axes_of(known_, grid_);
+    if (!axes) return axes.error();
+    axes_ = std::move(axes).value();
+    std::size_t points = 1;
+    for (const SweepAxis& axis : axes_) {
+      if (axis.size > kMaxStudyUnits / points) {
+        return Diagnostic{
+            .message = fmt::format("the lists have more than {} combinations; expected fewer values", kMaxStudyUnits)};
+      }
+      points *= axis.size;
+    }
+    auto truth = GroundTruthScene::make(scene_);
+    if (!truth) return truth.error();
+    truth_.emplace(std::move(truth).value());
+    return {};
+  }
+
+  [[nodiscard]] const StudyQuestion& question() const override { return question_; }
+  [[nodiscard]] std::size_t units() const override {
+    std::size_t points = 1;
+    for (const SweepAxis& axis : axes_) points *= axis.size;
+    return points;
+  }
+
+  [[nodiscard]] std::string unit_name(std::size_t unit) const override {
+    std::vector<std::string> words;
+    for (const auto& [name, value] : settings_fields(known_, settings_at(unit), nullptr)) {
+      if (!std::holds_alternative<std::monostate>(value)) words.push_back(fmt::format("{} {}", name, text_of(value)));
+    }
+    return words.empty() ? std::string(technique_.name) : fmt::format("{}", fmt::join(words, ", "));
+  }
+
+  [[nodiscard]] Result<std::vector<StudyRow>> run(std::size_t unit, const GoOn& go_on) const override {
+    const auto judged = judge(unit, go_on);
+    if (!judged && judged.error().fault != Fault::invalid_input) return judged.error();
+    return std::vector{row_of(unit, judged)};
+  }
+
+  [[nodiscard]] std::vector<RowRule> row_rules(std::size_t unit) const override {
+    RowRule rule{.fields = {exactly("point", std::uint64_t{unit}), exactly("technique", std::string(technique_.name))}};
+    for (auto& [name, value] : settings_fields(known_, settings_at(unit), nullptr)) {
+      // The rendering chooses what no setting says.
+      const bool chosen = std::holds_alternative<std::monostate>(value);
+      constexpr double kMost = std::numeric_limits<float>::max();
+      rule.fields.push_back(chosen ? or_nothing(real_in(name, -kMost, kMost)) : exactly(name, std::move(value)));
+    }
+    const double pixels = static_cast<double>(settings_.width) * settings_.height;
+    const auto add_count = [&](std::string name) {
+      rule.fields.push_back(or_nothing(count_up_to(std::move(name), pixels)));
+    };
+    for (const char* name : {"lit", "shadowed", "false_lit", "false_shadowed", "wrong"}) add_count(name);
+    rule.fields.push_back(or_nothing(real_in("wrong_share", 0.0, 1.0)));
+    for (const ErrorCause cause : causes_of(known_)) add_count(std::string(name_of(cause)));
+    rule.fields.push_back(or_nothing(text_up_to("refused", kLongestReason)));
+    return {rule};
+  }
+
+  [[nodiscard]] Result<StudyReport> report(std::span<const StudyRow> rows, std::size_t done) const override {
+    const StudyRow* best = best_row(rows);
+    if (best == nullptr && !rows.empty()) {
+      return Diagnostic{.message = fmt::format("no point can be drawn: {}", rows.front().text("refused"))};
+    }
+    StudyReport report = shadow_sweep_report(known_, axes_, rows, done, units());
+    std::optional<std::uint64_t> shown;
+    for (const auto& [name, row] : {std::pair{"best", best}, std::pair{"worst", worst_row(rows)}}) {
+      if (row == nullptr || row->count("point") == shown) continue;
+      shown = row->count("point");
+      const auto judged = judge(*shown, {});
+      if (!judged) return judged.error();
+      report.pictures.push_back({.file = fmt::format("error-{}", name),
+                                 .title = fmt::format("The {} point: {}", name, unit_name(*shown)),
+                                 .image = error_picture(judged->rendering, judged->truth),
+                                 .caption = "Orange: lit, and should be in shadow. Blue: the reverse."});
+    }
+    return report;
+  }
+
+ private:
+  [[nodiscard]] RenderSettings settings_at(std::size_t unit) const {
+    RenderSettings settings = settings_;
+    for (auto axis = axes_.rbegin(); axis != axes_.rend(); ++axis) {
+      axis->set(settings, unit % axis->size);
+      unit /= axis->size;
+    }
+    return settings;
+  }
+
+  [[nodiscard]] Result<Judged> judge(std::size_t unit, const GoOn& go_on) const {
+    const RenderSettings settings = settings_at(unit);
+    const Progress progress = [&](std::string_view, double) { return !go_on || go_on(); };
+    auto rendering = technique_.render(scene_, settings, progress);
+    if (!rendering) return rendering.error();
+    auto truth = measure(*truth_, settings, *rendering, progress);
+    if (!truth) return truth.error();
+    return Judged{std::move(rendering).value(), std::move(truth).value()};
+  }
+
+  [[nodiscard]] StudyRow row_of(std::size_t unit, const Result<Judged>& judged) const {
+    const Rendering* rendering = judged ? &judged->rendering : nullptr;
+    StudyRow row{.fields = {{"point", std::uint64_t{unit}}, {"technique", std::string(technique_.name)}}};
+    const auto count = [&](std::string name, auto of) {
+      row.fields.emplace_back(std::move(name), judged ? StudyValue(of(*judged)) : StudyValue());
+    };
+    for (auto& field : settings_fields(known_, settings_at(unit), rendering)) row.fields.push_back(std::move(field));
+    count("lit", [](const Judged& j) { return j.rendering.lit; });
+    count("shadowed", [](const Judged& j) { return j.rendering.shadowed; });
+    count("false_lit", [](const Judged& j) { return j.truth.false_lit; });
+    count("false_shadowed", [](const Judged& j) { return j.truth.false_shadowed; });
+    count("wrong", [](const Judged& j) { return j.truth.false_lit + j.truth.false_shadowed; });
+    // Of the pixels that show the scene.
+    count("wrong_share", [](const Judged& j) {
+      const std::uint64_t pixels = j.rendering.lit + j.rendering.shadowed;
+      const std::uint64_t wrong = j.truth.false_lit + j.truth.false_shadowed;
+      return pixels == 0 ? 0.0 : static_cast<double>(wrong) / static_cast<double>(pixels);
+    });
+    for (const ErrorCause cause : causes_of(known_)) {
+      count(std::string(name_of(cause)),
+            [&](const Judged& j) { return j.truth.by_cause[static_cast<std::size_t>(cause)]; });
+    }
+    row.fields.emplace_back("refused", judged ? StudyValue() : StudyValue(judged.error().message));
+    return row;
+  }
+
+  StudyQuestion question_;
+  Scene scene_;
+  const Technique& technique_;
+  RenderSettings settings_;
+  ShadowGrid grid_;
+  SweptSettings known_;
+  std::vector<SweepAxis> axes_;
+  std::optional<GroundTruthScene> truth_;
+};
+
+}  // namespace
+
+std::span<const OffsetArguments> offsets_to_search() {
+  return kOffsets;
+}
+
+Result<std::unique_ptr<Study>> make_shadow_sweep(StudyQuestion question, Scene scene, const Technique& technique,
+                                                 const RenderSettings& settings, const ShadowGrid& grid) {
+  const auto known = swept_settings(technique, settings);
+  if (!known) return known.error();
+  auto sweep = std::make_unique<ShadowSweep>(std::move(question), std::move(scene), technique, settings, grid, *known);
+  if (Status prepared = sweep->prepare(); !prepared) return prepared.error();
+  return std::unique_ptr<Study>(std::move(sweep));
+}
+
+}  // namespace ninebit

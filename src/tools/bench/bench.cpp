@@ -1,0 +1,36 @@
+// `ninebit bench combiner|raster|frame`: how fast this machine runs each part.
+#include "src/tools/bench/bench.h"
+
+#include <oneapi/tbb/task_arena.h>
+
+#include "src/tools/common/number_flag.h"
+
+namespace ninebit::tools {
+
+void add_bench_flags(CLI::App& verb, BenchFlags& flags) {
+  add_common_flags(verb, flags.common);
+  verb.add_option("--seconds", flags.seconds, "How long to measure each thing")
+      ->capture_default_str()
+      ->check(real_in_range(0.001, 3600.0));
+  verb.add_flag("--quick", flags.quick, "Run everything, but too short for the numbers to mean much");
+}
+
+int thread_count(const CommonFlags& flags) {
+  return flags.threads > 0 ? flags.threads : tbb::this_task_arena::max_concurrency();
+}
+
+std::vector<int> one_and_all_threads(const CommonFlags& flags) {
+  const int all = thread_count(flags);
+  return all == 1 ? std::vector{1} : std::vector{1, all};
+}
+
+void add_bench(CLI::App& app, int& exit_code) {
+  CLI::App* verb = app.add_subcommand("bench", "How fast this machine runs the combiners, the rasterizer, a frame");
+  verb->require_subcommand(1);
+  verb->footer("Example: ninebit bench combiner\n`ninebit bench PART --help` tells a part's flags.");
+  add_bench_combiner(*verb, exit_code);
+  add_bench_raster(*verb, exit_code);
+  add_bench_frame(*verb, exit_code);
+}
+
+}  // namespace ninebit::tools

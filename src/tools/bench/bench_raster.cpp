@@ -1,0 +1,197 @@
+// `ninebit bench raster`: triangles and pixels a second, depth test and flat colour; how both grow with the triangles.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <optional>
+
+#include "src/bench/raster_rate.h"
+#include "src/bench/resident_memory.h"
+#include "src/tools/bench/bench.h"
+#include "src/tools/common/scene_flags.h"
+
+namespace ninebit::tools {
+namespace {
+
+struct Workload {
+  std::string name;
+  float leg;  // pixels; 0: large triangles
+};
+
+struct RasterRow {
+  std::string workload;
+  int threads = 1;
+  double mtriangles_per_s = 0.0, mpixels_per_s = 0.0;
+  std::size_t triangles = 0;
+  std::uint64_t covered_pixels = 0;
+};
+
+struct Size {
+  int width, height;
+};
+
+// The rows of one workload, one and all threads.
+Status measure(const BenchFlags& flags, const Workload& workload, const Size& size, double done, ProgressLine& line,
+               std::vector<RasterRow>& rows) {
+  const bench::Mesh mesh =
+      workload.leg > 0.0F ? bench::small_triangles(size.width, size.height, workload.leg) : bench::large_triangles();
+  const auto covered = bench::covered_pixels(mesh, size.width, size.height);
+  if (!covered) return covered.error();
+  auto surface = Surface::make(size.width, size.height);
+  if (!surface) return surface.error();
+  for (const int threads : one_and_all_threads(flags.common)) {
+    if (!line.step(workload.name, done)) return Diagnostic{.message = "interrupted", .fault = Fault::cancelled};
+    const ThreadLimit limit(threads);
+    const auto seconds = bench::seconds_to_draw(mesh, *surface, flags.time_limit());
+    if (!seconds) return seconds.error();
+    rows.push_back({workload.name, threads, static_cast<double>(mesh.triangles.size()) / *seconds / 1e6,
+                    static_cast<double>(*covered) / *seconds / 1e6, mesh.triangles.size(), *covered});
+  }
+  return {};
+}
+
+std::string table(const std::vector<RasterRow>& rows) {
+  std::string text = fmt::format("{:<9} {:>7} {:>12} {:>10} {:>10} {:>12}\n", "workload", "threads", "Mtriangle/s",
+                                 "Mpixel/s", "triangles", "pixels");
+  for (const RasterRow& r : rows) {
+    text += fmt::format("{:<9} {:>7} {:>12.3f} {:>10.1f} {:>10} {:>12}\n", r.workload, r.threads, r.mtriangles_per_s,
+                        r.mpixels_per_s, r.triangles, r.covered_pixels);
+  }
+  return text;
+}
+
+int bench_raster(const BenchFlags& flags) {
+  const Size size = flags.quick ? Size{128, 96} : Size{1024, 768};
+  const std::vector<Workload> workloads{{"legs-1", 1.0F}, {"legs-4", 4.0F}, {"legs-16", 16.0F}, {"large", 0.0F}};
+  std::optional<ProgressLine> line(std::in_place, flags.common.quiet);
+  std::vector<RasterRow> rows;
+  for (std::size_t i = 0; i < workloads.size(); ++i) {
+    const double done = static_cast<double>(i) / static_cast<double>(workloads.size());
+    if (Status measured = measure(flags, workloads[i], size, done, *line, rows); !measured) {
+      return line.reset(), report(measured.error());
+    }
+  }
+  line.reset();
+  if (!flags.common.json) return answer(table(rows));
+  Json list = Json::array();
+  for (const RasterRow& r : rows) {
+    list.push_back({{"workload", r.workload},
+                    {"threads", r.threads},
+                    {"mtriangles_per_s", r.mtriangles_per_s},
+                    {"mpixels_per_s", r.mpixels_per_s},
+                    {"covered_pixels", r.covered_pixels},
+                    {"triangles", r.triangles}});
+  }
+  const Json out{{"command", "bench raster"},
+                 {"version", NINEBIT_VERSION},
+                 {"profile", flags.common.profile},
+                 {"size", {size.width, size.height}},
+                 {"rows", std::move(list)}};
+  return answer(out);
+}
+
+struct GrowthRow {
+  std::string workload;
+  const char* call;
+  int threads = 1;
+  std::size_t triangles = 0;
+  std::uint64_t covered_pixels = 0;
+  double ms = 0.0, ns_per_triangle = 0.0, bytes_per_triangle = 0.0;
+};
+
+// A window that about so many triangles fit into, three cells deep, two in a cell.
+Size window_of(double triangles, float leg) {
+  const auto side = [&](double aspect) {
+    return static_cast<int>(leg * static_cast<float>(std::sqrt(triangles / 6.0 * aspect) + 1.0));
+  };
+  return {side(4.0 / 3.0), side(3.0 / 4.0)};
+}
+
+// The rows of one workload with about so many triangles. Memory is all that the process held at most, but for the mesh,
+// the surface and the `idle` bytes that it held before the first workload.
+Status measure_growth(const BenchFlags& flags, const Workload& workload, double triangles, std::uint64_t idle,
+                      std::vector<GrowthRow>& rows) {
+  const Size size = window_of(triangles, workload.leg);
+  const bench::Mesh mesh = bench::small_triangles(size.width, size.height, workload.leg);
+  const auto covered = bench::covered_pixels(mesh, size.width, size.height);
+  if (!covered) return covered.error();
+  auto surface = Surface::make(size.width, size.height);
+  if (!surface) return surface.error();
+  const std::uint64_t given =
+      mesh.positions.size() * sizeof(mesh.positions[0]) + mesh.triangles.size() * sizeof(mesh.triangles[0]) +
+      mesh.colors.size() * sizeof(mesh.colors[0]) + surface->stencil().size() * (4 + sizeof(std::uint32_t) + 1);
+  const auto count = static_cast<double>(mesh.triangles.size());
+  const auto add = [&](const char* call, auto seconds_of_call) -> Status {
+    bench::forget_peak();
+    const auto seconds = seconds_of_call(mesh, *surface, flags.time_limit());
+    if (!seconds) return seconds.error();
+    const std::uint64_t peak = bench::peak_resident_bytes();
+    rows.push_back({workload.name, call, thread_count(flags.common), mesh.triangles.size(), *covered, *seconds * 1e3,
+                    *seconds * 1e9 / count, static_cast<double>(peak - std::min(peak, idle + given)) / count});
+    return {};
+  };
+  if (Status measured = add("rasterize", bench::seconds_to_draw); !measured) return measured;
+  return add("prepare", bench::seconds_to_prepare_and_draw);
+}
+
+std::string table(const std::vector<GrowthRow>& rows) {
+  std::string text = fmt::format("{:<9} {:<9} {:>7} {:>10} {:>10} {:>10} {:>12} {:>15}\n", "workload", "call",
+                                 "threads", "triangles", "pixels", "ms", "ns/triangle", "bytes/triangle");
+  for (const GrowthRow& r : rows) {
+    text += fmt::format("{:<9} {:<9} {:>7} {:>10} {:>10} {:>10.3f} {:>12.1f} {:>15.0f}\n", r.workload, r.call,
+                        r.threads, r.triangles, r.covered_pixels, r.ms, r.ns_per_triangle, r.bytes_per_triangle);
+  }
+  return text;
+}
+
+// Few triangles before many: what a workload leaves in the threads' memory is little beside the next one's.
+int bench_growth(const BenchFlags& flags) {
+  const std::vector<double> counts = flags.quick ? std::vector{1e3, 1e4} : std::vector{1e3, 1e4, 1e5, 1e6, 1e7};
+  const ThreadLimit limit(thread_count(flags.common));
+  const std::uint64_t idle = bench::resident_bytes();
+  std::optional<ProgressLine> line(std::in_place, flags.common.quiet);
+  std::vector<GrowthRow> rows;
+  for (std::size_t i = 0; i < counts.size(); ++i) {
+    for (const Workload& workload : {Workload{"legs-1", 1.0F}, Workload{"legs-4", 4.0F}}) {
+      const double done = static_cast<double>(i) / static_cast<double>(counts.size());
+      Status measured = Diagnostic{.message = "interrupted", .fault = Fault::cancelled};
+      if (line->step(workload.name, done)) measured = measure_growth(flags, workload, counts[i], idle, rows);
+      if (!measured) return line.reset(), report(measured.error());
+    }
+  }
+  line.reset();
+  if (!flags.common.json) return answer(table(rows));
+  Json list = Json::array();
+  for (const GrowthRow& r : rows) {
+    list.push_back({{"workload", r.workload},
+                    {"call", r.call},
+                    {"threads", r.threads},
+                    {"triangles", r.triangles},
+                    {"covered_pixels", r.covered_pixels},
+                    {"ms", r.ms},
+                    {"ns_per_triangle", r.ns_per_triangle},
+                    {"bytes_per_triangle", r.bytes_per_triangle}});
+  }
+  const Json out{{"command", "bench raster --growth"},
+                 {"version", NINEBIT_VERSION},
+                 {"profile", flags.common.profile},
+                 {"rows", std::move(list)}};
+  return answer(out);
+}
+
+}  // namespace
+
+void add_bench_raster(CLI::App& bench, int& exit_code) {
+  CLI::App* verb = bench.add_subcommand("raster", "Triangles and pixels a second, depth-tested and flat");
+  verb->footer(
+      "Example: ninebit bench raster --threads 2 --json\n"
+      "Memory a triangle is what the process held at most beyond its own start, the triangles and the surface.");
+  auto flags = std::make_shared<BenchFlags>();
+  add_bench_flags(*verb, *flags);
+  auto growth = std::make_shared<bool>(false);
+  verb->add_flag("--growth", *growth, "Time and memory a triangle, from a thousand triangles to ten million");
+  verb->callback([=, &exit_code] { exit_code = *growth ? bench_growth(*flags) : bench_raster(*flags); });
+}
+
+}  // namespace ninebit::tools

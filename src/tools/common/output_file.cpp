@@ -1,0 +1,57 @@
+#include "src/tools/common/output_file.h"
+
+#include <filesystem>
+#include <system_error>
+#include <utility>
+
+namespace ninebit::tools {
+namespace {
+
+Diagnostic cannot_write(const std::string& name, std::error_code why) {
+  return {.message = "could not be written: " + why.message(), .file = name, .fault = Fault::cannot_write};
+}
+
+}  // namespace
+
+OutputFile::OutputFile(std::string name, posix::Stream stream, std::optional<StagedFiles> staged)
+    : name_(std::move(name)), stream_(std::move(stream)), staged_(std::move(staged)) {}
+
+Result<OutputFile> OutputFile::open(const std::string& path) {
+  namespace fs = std::filesystem;
+  if (path.empty()) return OutputFile("standard output", posix::Stream(posix::kStandardOutput), std::nullopt);
+  std::error_code error;
+  const fs::file_status about = fs::status(path, error);
+  const bool exists = fs::exists(about);
+  error.clear();
+  if (exists && !fs::is_regular_file(about)) {
+    posix::Stream stream(path, posix::Access::write, error);
+    if (error) return cannot_write(path, error);
+    return OutputFile(path, std::move(stream), std::nullopt);
+  }
+  const fs::path target = exists ? fs::canonical(path, error) : fs::path(path);
+  if (error) return cannot_write(path, error);
+  if (!target.has_filename()) return cannot_write(path, std::make_error_code(std::errc::is_a_directory));
+  auto staged = StagedFiles::open(target.parent_path());
+  if (!staged) return staged.error();
+  // The older file's permission bits come with its name; until then the new one is nobody else's to read.
+  const auto access = exists ? posix::Access::create_private : posix::Access::create;
+  posix::Stream stream(staged->stage(target.filename().string()), access, error);
+  if (error) return cannot_write(path, error);
+  return OutputFile(path, std::move(stream), std::move(*staged));
+}
+
+Status OutputFile::write(std::string_view bytes) {
+  std::error_code error;
+  stream_.write(bytes, error);
+  if (error) return cannot_write(name_, error);
+  return {};
+}
+
+Status OutputFile::finish() {
+  std::error_code error;
+  stream_.close(error);
+  if (error) return cannot_write(name_, error);
+  return staged_ ? staged_->commit() : Status();
+}
+
+}  // namespace ninebit::tools

@@ -1,0 +1,19 @@
+// A flag that names a pixel of the picture as X,Y, counted from its top left.
+#pragma once
+
+#include <glm/glm.hpp>
+#include <string>
+
+#include "ninebit/shadow/settings.h"
+#include "src/tools/input/program.h"
+
+namespace ninebit::tools {
+
+CLI::Option* add_pixel_flag(CLI::App& verb, const std::string& flag, std::string& text, const std::string& help);
+
+// The pixel in window coordinates, y up, from a text that was checked while it was parsed. Reports one that lies
+// outside of the picture.
+[[nodiscard]] Result<glm::ivec2> window_pixel(const std::string& flag, const std::string& text,
+                                              const RenderSettings& settings);
+
+}  // namespace ninebit::tools

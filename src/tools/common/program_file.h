@@ -1,0 +1,51 @@
+// Combiner programs as the verbs read them: a file in any form, told by its content or by --from.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "ninebit/language/register_words.h"
+#include "ninebit/language/source_text.h"
+#include "src/tools/input/program.h"
+
+namespace ninebit::tools {
+
+enum class ProgramForm { gl, rc10, words, words_json, json };
+
+struct ProgramFlags {
+  std::string file;  // "-": stdin
+  std::string from;  // "gl", "rc10", "words" or "json"; empty: by content
+  std::string chip;  // of register words: "nv10" or "nv20"; empty: by profile
+};
+
+// Adds PROGRAM, --from and --chip to a verb.
+void add_program_flags(CLI::App& verb, ProgramFlags& flags);
+
+// The chip whose register words are meant.
+[[nodiscard]] ChipClass chip_of(const ProgramFlags& flags, const HardwareProfile& profile);
+
+// The form that a text looks like; GL calls where it looks like nothing else.
+[[nodiscard]] ProgramForm form_of(std::string_view text);
+
+struct ProgramFile {
+  std::string name;  // for messages
+  std::string text;
+  ProgramForm form = ProgramForm::gl;
+  Parsed<CombinerState> parsed;
+};
+
+// Reads and parses. A file that cannot be read, or that has faults and seems to be of another kind or language, is the
+// Diagnostic; faults in its text stand in `parsed`.
+[[nodiscard]] Result<ProgramFile> read_program_file(const ProgramFlags& flags, const HardwareProfile& profile);
+
+// The same for verbs that need a program that can run: everything wrong with it is printed, and `exit_code` set, where
+// the answer is empty.
+[[nodiscard]] std::optional<CombinerState> load_program(const ProgramFlags& flags, const HardwareProfile& profile,
+                                                        int& exit_code);
+
+// Prints every fault as "ninebit: error: FILE:LINE:COLUMN: MESSAGE"; gives kInvalidInput.
+[[nodiscard]] int report(const std::vector<TextFault>& faults);
+
+}  // namespace ninebit::tools

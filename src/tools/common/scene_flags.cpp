@@ -1,0 +1,320 @@
+#include "src/tools/common/scene_flags.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "ninebit/image/image_io.h"
+#include "ninebit/scene/scene_io.h"
+#include "src/tools/common/cookie_file.h"
+#include "src/tools/common/number_flag.h"
+#include "src/tools/common/number_list.h"
+
+namespace ninebit::tools {
+namespace {
+
+std::string check_size(const std::string& text) {
+  const auto n = numbers<int>(text, 'x');
+  if (n && n->size() == 2 && n->at(0) >= 1 && n->at(1) >= 1 && std::max(n->at(0), n->at(1)) <= kMaxSurfaceSize)
+    return {};
+  return fmt::format("'{}' is not a picture size; expected WIDTHxHEIGHT, each from 1 to {}", text, kMaxSurfaceSize);
+}
+
+std::string check_map_size(const std::string& text) {
+  const auto n = numbers<int>(text, ',');
+  if (n && n->size() == 1 && n->at(0) >= 1 && n->at(0) <= kMaxSurfaceSize && (n->at(0) & (n->at(0) - 1)) == 0)
+    return {};
+  return fmt::format("'{}' is not a map size; expected a power of two from 1 to {}", text, kMaxSurfaceSize);
+}
+
+std::string check_point(const std::string& text) {
+  if (are_numbers_in<float>(text, ',', 3, -kMostDistance, kMostDistance)) return {};
+  return fmt::format("'{}' is not a point; expected X,Y,Z, each from -1e12 to 1e12", text);
+}
+
+std::string check_degrees(const std::string& text) {
+  constexpr double kMost = 1e6;
+  if (are_numbers_in<float>(text, ',', 3, -kMost, kMost)) return {};
+  return fmt::format("'{}' is not a rotation; expected X,Y,Z in degrees, each from -1e6 to 1e6", text);
+}
+
+std::string check_floor(const std::string& text) {
+  if (text == "auto" || text == "none") return {};
+  if (are_numbers_in<float>(text, ',', 1, -kMostDistance, kMostDistance)) return {};
+  return fmt::format("'{}' is not a floor; expected auto, none or a height from -1e12 to 1e12", text);
+}
+
+std::string check_fov(const std::string& text) {
+  if (are_numbers_in<float>(text, ',', 1, 0.01F, 170.0)) return {};
+  return fmt::format("'{}' is not a field of view; expected degrees from 0.01 to 170", text);
+}
+
+std::string check_spot_angle(const std::string& text) {
+  if (are_numbers_in<float>(text, ',', 1, 1.0, 170.0)) return {};
+  return fmt::format("'{}' is not an opening angle; expected degrees from 1 to 170", text);
+}
+
+std::string check_bias(const std::string& text) {
+  if (are_numbers_in<float>(text, ',', 1, 0.0, kMostDistance)) return {};
+  return fmt::format("'{}' is not a bias; expected a distance from 0 to 1e12", text);
+}
+
+std::string check_offset(const std::string& text) {
+  constexpr double kMost = std::numeric_limits<float>::max();
+  if (are_numbers_in<float>(text, ',', 2, -kMost, kMost)) return {};
+  return fmt::format("'{}' is not a polygon offset; expected FACTOR,UNITS, two finite numbers", text);
+}
+
+std::string check_file_name(const std::string& text) {
+  return text.empty() ? "the file name is empty" : "";
+}
+
+std::optional<glm::vec3> point(const std::string& text) {
+  if (text.empty()) return std::nullopt;
+  const auto n = numbers<float>(text, ',');
+  return glm::vec3(n->at(0), n->at(1), n->at(2));
+}
+
+std::optional<LightKind> light_kind(const SceneFlags& flags) {
+  if (flags.light_type.empty()) return std::nullopt;
+  return flags.light_type == "point"  ? LightKind::point
+         : flags.light_type == "spot" ? LightKind::spot
+                                      : LightKind::directional;
+}
+
+SceneSetup setup_of(const SceneFlags& flags) {
+  SceneSetup setup;
+  setup.camera = point(flags.camera);
+  setup.look_at = point(flags.look_at);
+  setup.light = point(flags.light);
+  setup.light_kinds = find_technique(flags.technique)->lights;
+  if (const auto kind = light_kind(flags)) {
+    setup.light_kinds = {.point = kind == LightKind::point,
+                         .spot = kind == LightKind::spot,
+                         .directional = kind == LightKind::directional};
+  }
+  setup.light_target = point(flags.light_target);
+  if (flags.spot_angle) setup.spot_degrees = static_cast<float>(*flags.spot_angle);
+  if (flags.fov) setup.fov_degrees = static_cast<float>(*flags.fov);
+  if (flags.floor == "none") {
+    setup.floor = FloorChoice::none;
+  } else if (flags.floor != "auto") {
+    setup.floor = FloorChoice::at_height;
+    setup.floor_height = numbers<float>(flags.floor, ',')->at(0);
+  }
+  return setup;
+}
+
+// The scene's file is at fault where nothing else is named.
+template <class T>
+Result<T> naming(const SceneFlags& flags, Result<T> result) {
+  if (result) return result;
+  Diagnostic d = result.error();
+  if (d.file.empty()) d.file = flags.file;
+  return d;
+}
+
+CLI::Validator checked(std::string (*check)(const std::string&)) {
+  return CLI::Validator([check](std::string& text) { return check(text); }, "");
+}
+
+// A flag that takes one of the names.
+template <class E>
+void add_choice(CLI::App& verb, const std::string& flag, E& value, const Names<E>& names, const std::string& help) {
+  std::vector<std::string> all;
+  for (const auto& [name, v] : names) all.push_back(name);
+  const auto set = [&value, &names](const std::string& text) {
+    for (const auto& [name, v] : names) {
+      if (name == text) value = v;
+    }
+  };
+  verb.add_option_function<std::string>(flag, set, help)->default_str(name_in(names, value))->check(CLI::IsMember(all));
+}
+
+const Names<ChannelStorage> kStorages{{"round", ChannelStorage::round}, {"truncate", ChannelStorage::truncate}};
+const Names<VolumeMethod> kVolumeMethods{{"depth-fail", VolumeMethod::depth_fail},
+                                         {"depth-pass", VolumeMethod::depth_pass}};
+const Names<bool> kStencilSides{{"two", true}, {"one", false}};
+const Names<SamplePattern> kPatterns{{"poisson", SamplePattern::poisson}, {"polar", SamplePattern::polar}};
+const Names<bool> kStyles{{"plain", false}, {"cartoon", true}};
+const Names<bool> kCookieShadows{{"index", true}, {"none", false}};
+const Names<CullFace> kCulls{{"none", CullFace::none}, {"back", CullFace::back}, {"front", CullFace::front}};
+const Names<DepthStencilFormat> kDepthStencils{
+    {"d24s8", DepthStencilFormat::d24s8}, {"d16", DepthStencilFormat::d16}, {"d15s1", DepthStencilFormat::d15s1}};
+
+// The flags that one technique alone reads.
+void add_technique_flags(CLI::App& verb, SceneFlags& flags) {
+  RenderSettings& s = flags.settings;
+  add_choice(verb, "--index-format", s.index.format, kIndexFormats, "What holds an index");
+  add_choice(verb, "--index-scope", s.index.scope, kIndexScopes, "What gets an index of its own");
+  verb.add_option("--index-step", s.index.step, "Step between indices in a channel")
+      ->capture_default_str()
+      ->check(CLI::Range(1, kMaxIndexStep));
+  verb.add_option("--section-size", s.index.section_size, "Triangles a section at most")
+      ->capture_default_str()
+      ->type_name("N")
+      ->check(CLI::Range(kMinSectionSize, kMaxSectionSize));
+  add_choice(verb, "--depth-bits", s.depth_cube.bits, kDepthBits, "What the depth cube map holds");
+  verb.add_option("--bias", flags.bias, "World units that a surface may lie behind the depth cube map's")
+      ->type_name("DISTANCE")
+      ->check(checked(check_bias));
+  verb.add_option("--polygon-offset", flags.polygon_offset, "Polygon offset while the shadow map is drawn")
+      ->type_name("FACTOR,UNITS")
+      ->check(checked(check_offset));
+  add_choice(verb, "--depth-encoding", s.shadow_map.encoding, kDepthEncodings, "How the shadow map holds depth");
+  add_choice(verb, "--depth-storage", s.shadow_map.storage, kStorages,
+             "How components of rgba8 encodings become bytes");
+  add_choice(verb, "--volume-method", s.shadow_volume.method, kVolumeMethods, "Where shadow volumes are counted");
+  add_choice(verb, "--stencil-sides", s.shadow_volume.two_sided, kStencilSides, "Faces of a volume in one pass");
+  verb.add_option("--samples", s.reflective.samples, "Pixel lights that a pixel gathers from")
+      ->capture_default_str()
+      ->type_name("N")
+      ->check(CLI::Range(1, kMaxPixelLights));
+  verb.add_option("--kernel", s.reflective.kernel, "Radius of the gathering pattern in texels")
+      ->capture_default_str()
+      ->type_name("TEXELS")
+      ->check(real_in_range(1.0, kMaxSurfaceSize));
+  add_choice(verb, "--pattern", s.reflective.pattern, kPatterns, "The gathering pattern");
+  verb.add_option("--gather-scale", s.reflective.gather_scale, "Pixels a side that share one gathering")
+      ->capture_default_str()
+      ->type_name("N")
+      ->check(CLI::Range(1, 16));
+  verb.add_option("--cookie", flags.cookie, "Cube map of the light: a DDS file, or six pictures +X,-X,+Y,-Y,+Z,-Z")
+      ->type_name("FILE[,FILE...]")
+      ->check(checked(check_cookie));
+  verb.add_option("--light-rotate", flags.light_rotate, "Degrees that the light is turned about x, then y, then z")
+      ->type_name("X,Y,Z")
+      ->check(checked(check_degrees));
+  add_choice(verb, "--cookie-shadows", s.light_cookie.shadows, kCookieShadows, "Shadows of the light cookie");
+  verb.parse_complete_callback([&flags] {
+    if (flags.technique == "light-cookie" && flags.cookie.empty()) {
+      throw CLI::ValidationError("--technique light-cookie needs --cookie FILE");
+    }
+    const auto kind = light_kind(flags);
+    if (kind && !find_technique(flags.technique)->lights.has(*kind)) {
+      throw CLI::ValidationError(fmt::format("--light-type {}: technique {} cannot draw with such a light",
+                                             flags.light_type, flags.technique));
+    }
+  });
+}
+
+}  // namespace
+
+const Names<IndexFormat> kIndexFormats{{"rgb", IndexFormat::rgb},
+                                       {"la", IndexFormat::luminance_alpha},
+                                       {"l", IndexFormat::luminance},
+                                       {"a", IndexFormat::alpha}};
+const Names<IndexScope> kIndexScopes{
+    {"polygon", IndexScope::polygon}, {"object", IndexScope::object}, {"section", IndexScope::section}};
+const Names<DepthCubeBits> kDepthBits{
+    {"8", DepthCubeBits::eight}, {"16", DepthCubeBits::sixteen}, {"float", DepthCubeBits::real}};
+const Names<DepthEncoding> kDepthEncodings{{"d24", DepthEncoding::d24},
+                                           {"d16", DepthEncoding::d16},
+                                           {"rgba8-fract", DepthEncoding::rgba8_fract},
+                                           {"rgba8-mod", DepthEncoding::rgba8_mod},
+                                           {"rgba8-256over255", DepthEncoding::rgba8_256over255},
+                                           {"rgba8-modf", DepthEncoding::rgba8_modf}};
+
+ThreadLimit::ThreadLimit(int threads) {
+  if (threads > 0) {
+    limit_.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
+  }
+  set_image_threads(threads > 0 ? threads : tbb::this_task_arena::max_concurrency());
+}
+
+CLI::Option* add_scene_file(CLI::App& verb, const std::string& name, SceneFlags& flags) {
+  verb.add_flag("--allow-outside", flags.allow_outside,
+                "Read buffers and material libraries that the scene names anywhere");
+  return verb.add_option(name, flags.file, "glTF 2.0, OBJ, PLY, OFF or 3DS file")
+      ->type_name("FILE")
+      ->check(checked(check_file_name));
+}
+
+std::vector<CLI::Option*> add_scene_flags(CLI::App& verb, SceneFlags& flags) {
+  const std::size_t before = verb.get_options().size();
+  std::vector<std::string> names;
+  for (const Technique& technique : techniques()) names.emplace_back(technique.name);
+  verb.add_option("--technique", flags.technique, "How shadows are drawn")
+      ->capture_default_str()
+      ->check(CLI::IsMember(names));
+  verb.add_option("--size", flags.size, "Picture size in pixels")
+      ->capture_default_str()
+      ->type_name("WxH")
+      ->check(checked(check_size));
+  verb.add_option("--map-size", flags.settings.map_size, "Texels a side of a cube-map face, a power of two")
+      ->type_name("N")
+      ->capture_default_str()
+      ->check(checked(check_map_size));
+  verb.add_flag("--light-facing", flags.settings.light_facing, "Shadow what faces away from the light");
+  verb.add_option("--camera", flags.camera, "Camera position")->type_name("X,Y,Z")->check(checked(check_point));
+  verb.add_option("--look-at", flags.look_at, "Point that the camera looks at")
+      ->type_name("X,Y,Z")
+      ->check(checked(check_point));
+  verb.add_option("--fov", flags.fov, "Vertical field of view")->type_name("DEGREES")->check(checked(check_fov));
+  verb.add_option("--light", flags.light, "Light position")->type_name("X,Y,Z")->check(checked(check_point));
+  verb.add_option("--floor", flags.floor, "auto, none, or the height of a floor")
+      ->type_name("auto|none|HEIGHT")
+      ->capture_default_str()
+      ->check(checked(check_floor));
+  verb.add_option("--light-type", flags.light_type, "Kind of light (default: the file's, or the technique's)")
+      ->check(CLI::IsMember({"point", "spot", "directional"}));
+  verb.add_option("--light-target", flags.light_target, "Point that a spot or directional light shines at")
+      ->type_name("X,Y,Z")
+      ->check(checked(check_point));
+  verb.add_option("--spot-angle", flags.spot_angle, "Opening angle of a spot light")
+      ->type_name("DEGREES")
+      ->check(checked(check_spot_angle));
+  add_choice(verb, "--cull", flags.settings.cull_face, kCulls, "Faces to leave out, in every pass");
+  add_choice(verb, "--depth-stencil", flags.settings.depth_stencil, kDepthStencils,
+             "Depth and stencil bits of the frame");
+  add_choice(verb, "--style", flags.settings.cartoon, kStyles, "plain, or flat colours with shadows in ink");
+  add_technique_flags(verb, flags);
+  std::vector<CLI::Option*> added = verb.get_options();
+  added.erase(added.begin(), added.begin() + static_cast<std::ptrdiff_t>(before));
+  return added;
+}
+
+RenderSettings settings_of(const SceneFlags& flags, const CommonFlags& common) {
+  RenderSettings settings = flags.settings;
+  const auto size = *numbers<int>(flags.size, 'x');
+  settings.width = size[0];
+  settings.height = size[1];
+  settings.profile = profile_of(common);
+  if (!flags.bias.empty()) settings.depth_cube.bias = numbers<float>(flags.bias, ',')->at(0);
+  if (!flags.polygon_offset.empty()) {
+    const auto offset = *numbers<float>(flags.polygon_offset, ',');
+    settings.shadow_map.polygon_offset = {offset[0], offset[1]};
+  }
+  settings.light_cookie.rotate_degrees = point(flags.light_rotate).value_or(glm::vec3(0.0F));
+  return settings;
+}
+
+Result<Scene> load_scene(const SceneFlags& flags, const RenderSettings& settings, bool quiet) {
+  const auto go_on = [] { return !ProgressLine::stopped(); };
+  auto read = read_scene(flags.file, {.allow_outside = flags.allow_outside, .isolated = true, .go_on = go_on});
+  if (!read) return read;
+  for (const std::string& note : read->notes) {
+    if (!quiet) say(fmt::format("{}: {}\n", flags.file, note));
+  }
+  return complete_scene_of(flags, settings, std::move(*read));
+}
+
+Result<Scene> complete_scene_of(const SceneFlags& flags, const RenderSettings& settings, Scene scene) {
+  const float aspect = static_cast<float>(settings.width) / static_cast<float>(settings.height);
+  return naming(flags, complete_scene(std::move(scene), setup_of(flags), aspect));
+}
+
+Result<Rendering> render_scene(const SceneFlags& flags, const Scene& scene, const RenderSettings& settings,
+                               const Progress& progress) {
+  RenderSettings complete = settings;
+  if (!flags.cookie.empty()) {
+    auto cookie = read_cookie(settings.profile, flags.cookie);
+    if (!cookie) return cookie.error();
+    complete.light_cookie.cookie = std::move(cookie).value();
+  }
+  return naming(flags, find_technique(flags.technique)->render(scene, complete, progress));
+}
+
+}  // namespace ninebit::tools

@@ -1,0 +1,89 @@
+#include "src/tools/common/usage.h"
+
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <regex>
+#include <vector>
+
+#include "src/tools/input/nearest_name.h"
+
+namespace ninebit::tools {
+namespace {
+
+// The verb whose arguments were being read.
+const CLI::App& verb_of(const CLI::App& app) {
+  const CLI::App* at = &app;
+  while (!at->get_subcommands().empty()) at = at->get_subcommands()[0];
+  return *at;
+}
+
+std::vector<std::string> flags_of(const CLI::App& verb) {
+  std::vector<std::string> names;
+  for (const CLI::Option* option : verb.get_options()) {
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+  }
+  return names;
+}
+
+std::vector<std::string> verbs_of(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::App* verb : app.get_subcommands([](const CLI::App* one) { return !one->get_group().empty(); })) {
+    names.push_back(verb->get_name());
+  }
+  return names;
+}
+
+// A flag that stands among what nobody takes, and what it may have been.
+std::string meant_flag(const CLI::App& verb) {
+  for (const std::string& word : verb.remaining()) {
+    if (word.starts_with("--")) return did_you_mean(word.substr(0, word.find('=')), flags_of(verb));
+  }
+  return "";
+}
+
+// CLI11 says "--technique: shadow-mop not in {index-cube,shadow-map}".
+std::string meant_choice(const std::string& message) {
+  static const std::regex choice(R"(^[^:]*: (.*) not in \{([^}]*)\}[^}]*$)");
+  std::smatch found;
+  if (!std::regex_match(message, found, choice)) return "";
+  std::vector<std::string> known;
+  std::string list = found[2].str() + ',';
+  for (std::size_t end = 0; (end = list.find(',')) != std::string::npos; list.erase(0, end + 1)) {
+    known.push_back(list.substr(0, end));
+  }
+  return did_you_mean(found[1].str(), known);
+}
+
+}  // namespace
+
+std::string usage_message(const CLI::App& app, const CLI::ParseError& error) {
+  const CLI::App& at = verb_of(app);
+  std::string command = at.get_name();
+  for (const CLI::App* above = at.get_parent(); above != nullptr; above = above->get_parent()) {
+    command.insert(0, above->get_name() + ' ');
+  }
+  std::string message = error.what();
+  const std::string unmet = " missing";
+  if (error.get_name() == "ArgumentMismatch" && message.ends_with(unmet)) {
+    message.resize(std::min(message.find(':'), message.size()));
+    message += " needs a value";
+  } else if (const auto verbs = verbs_of(at); error.get_name() == "RequiredError" && !verbs.empty()) {
+    const std::vector<std::string> unknown = at.remaining();
+    const std::string list = fmt::format("{}", fmt::join(verbs, ", "));
+    if (unknown.empty()) {
+      message = "no verb is given; expected one of " + list;
+    } else {
+      message = fmt::format("'{}' is no verb or flag of {}; expected one of {}{}{}", unknown[0], command, list,
+                            did_you_mean(unknown[0], verbs), meant_flag(at));
+    }
+  } else if (error.get_name() == "RequiredError" ||  // CLI11 looks for what is missing before it looks at the rest
+             error.get_exit_code() == static_cast<int>(CLI::ExitCodes::ExtrasError)) {  // its name is the verb's
+    message += meant_flag(at);
+  } else if (error.get_name() == "ValidationError") {
+    message += meant_choice(message);
+  }
+  return fmt::format("{} (see: {} --help)", message, command);
+}
+
+}  // namespace ninebit::tools

@@ -1,0 +1,77 @@
+#include "src/tools/eval/eval_engine.h"
+
+#include <algorithm>
+
+namespace ninebit::tools {
+namespace {
+
+std::size_t index_of(int component) {
+  return static_cast<std::size_t>(component);
+}
+
+// The constants that the rows have.
+ComponentSet varying_constants(const EvalRows& rows) {
+  ComponentSet varying;
+  for (const Register reg : {Register::constant0, Register::constant1}) {
+    for (int c = 0; c < 4; ++c) {
+      if (rows.has({reg, c})) varying.add(reg, c);
+    }
+  }
+  return varying;
+}
+
+}  // namespace
+
+void replace_constant(Program& program, const EvalColumn& column, s9 code) {
+  const std::size_t i = index_of(column.component);
+  const bool first = column.reg == Register::constant0;
+  for (ProgramStage& stage : program.general) (first ? stage.constant0 : stage.constant1)[i] = code;
+  (first ? program.constant0 : program.constant1)[i] = code;
+}
+
+EvalRunner::EvalRunner(const CombinerState& state, const HardwareProfile& profile, const EvalRows& rows,
+                       EvalEngine engine)
+    : program_(normalize(state, profile)),
+      batch_program_(program_, {.registers = true}, varying_constants(rows)),
+      engine_(engine),
+      constant0_(detail::constant_codes(profile, state.constant0)),
+      constant1_(detail::constant_codes(profile, state.constant1)) {
+  for (const Register reg : {Register::constant0, Register::constant1}) {
+    for (int c = 0; c < 4; ++c) (rows.has({reg, c}) ? constants_ : own_constants_).push_back({reg, c});
+  }
+}
+
+void EvalRunner::set_constants(const EvalBatch& batch, std::size_t row) {
+  for (const EvalColumn& column : constants_) {
+    replace_constant(program_, column, batch.registers(column.reg, column.component)[row]);
+  }
+}
+
+void EvalRunner::run(EvalBatch& batch) {
+  for (const EvalColumn& column : own_constants_) {
+    const Rgba9& own = column.reg == Register::constant0 ? constant0_ : constant1_;
+    std::fill_n(batch.registers(column.reg, column.component), kBatchSize, own[index_of(column.component)]);
+  }
+  // Real numbers know no constants but the program's.
+  const bool by_row =
+      engine_ == EvalEngine::reference || (!constants_.empty() && program_.datapath.arithmetic != Arithmetic::integer);
+  by_row ? run_reference(batch) : batch_program_.run(batch.registers, batch.count, batch.out);
+}
+
+void EvalRunner::run_reference(EvalBatch& batch) {
+  for (std::size_t row = 0; row < batch.count; ++row) {
+    set_constants(batch, row);
+    RegisterFile file;
+    for (std::size_t i = 0; i < kRegisterCount; ++i) {
+      for (int c = 0; c < 4; ++c) file.value[i][index_of(c)] = batch.registers(static_cast<Register>(i), c)[row];
+    }
+    const EvaluatedFragment result = evaluate_fragment(program_, file);
+    for (std::size_t i = 0; i < kRegisterCount; ++i) {
+      for (int c = 0; c < 4; ++c)
+        batch.registers(static_cast<Register>(i), c)[row] = result.registers.value[i][index_of(c)];
+    }
+    for (std::size_t c = 0; c < 4; ++c) batch.out.plane[c][row] = result.color[c];
+  }
+}
+
+}  // namespace ninebit::tools

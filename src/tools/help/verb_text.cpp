@@ -1,0 +1,81 @@
+#include "src/tools/help/verb_text.h"
+
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <string_view>
+#include <utility>
+
+#include "ninebit/numerics/hardware_profile.h"
+
+namespace ninebit::tools {
+namespace {
+
+// CLI11 tells a value's type as "TEXT:{gl,rc10}", "INT:INT in [0 - 1024]" or "TEXT:NAME|FILE".
+void read_type(const std::string& type, FlagText& flag) {
+  const std::size_t colon = type.find(':');
+  flag.value = type.substr(0, colon);
+  if (colon == std::string::npos) return;
+  std::string rest = type.substr(colon + 1);
+  if (const std::size_t open = rest.find('{'); open != std::string::npos) {
+    std::string list = rest.substr(open + 1);
+    list.resize(std::min(list.find('}'), list.size()));
+    for (std::size_t begin = 0; begin <= list.size();) {
+      const std::size_t end = std::min(list.find(',', begin), list.size());
+      flag.choices.push_back(list.substr(begin, end - begin));
+      begin = end + 1;
+    }
+  } else if (rest.find(' ') == std::string::npos && rest.find(':') == std::string::npos) {
+    flag.value = std::move(rest);
+  }
+}
+
+FlagText flag_text(const CLI::Option& option) {
+  FlagText flag;
+  if (option.get_positional()) {
+    flag.names.push_back(option.get_name(true));
+  } else {
+    for (const std::string& name : option.get_snames()) flag.names.push_back("-" + name);
+    for (const std::string& name : option.get_lnames()) flag.names.push_back("--" + name);
+  }
+  flag.description = option.get_description();
+  flag.required = option.get_required();
+  if (option.get_items_expected_max() == 0) return flag;
+  read_type(option.get_type_name(), flag);
+  flag.default_value = option.get_default_str();
+  for (const char* word : {"FILE", "DIR", "PROGRAM", "SCENE"}) {
+    flag.takes_file = flag.takes_file || flag.value.find(word) != std::string::npos;
+  }
+  if (option.check_lname("profile")) {
+    for (const HardwareProfile& profile : hardware_profiles()) flag.choices.emplace_back(profile.name);
+  }
+  return flag;
+}
+
+}  // namespace
+
+std::string VerbText::command() const {
+  return fmt::format("{}", fmt::join(path, " "));
+}
+
+VerbText describe(const CLI::App& app) {
+  VerbText verb;
+  if (app.get_parent() != nullptr) {
+    for (const CLI::App* at = &app; at != nullptr; at = at->get_parent())
+      verb.path.insert(verb.path.begin(), at->get_name());
+  } else {
+    verb.path.push_back(app.get_name());
+  }
+  verb.description = app.get_description();
+  verb.footer = app.get_footer();
+  for (const CLI::Option* option : app.get_options()) {
+    if (option->get_group().empty()) continue;
+    (option->get_positional() ? verb.arguments : verb.flags).push_back(flag_text(*option));
+  }
+  for (const CLI::App* part : app.get_subcommands([](const CLI::App* one) { return !one->get_group().empty(); })) {
+    verb.verbs.push_back(describe(*part));
+  }
+  return verb;
+}
+
+}  // namespace ninebit::tools

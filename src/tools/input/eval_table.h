@@ -1,0 +1,66 @@
+// The columns of eval's tables, and rows of them turned into batches of registers.
+#pragma once
+
+#include <array>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "ninebit/combiner/evaluate.h"
+#include "ninebit/numerics/hardware_profile.h"
+#include "src/tools/input/csv_lines.h"
+
+namespace ninebit::tools {
+
+inline constexpr std::string_view kComponents = "rgba";
+
+// One component of a register, named as in "tex0.a".
+struct EvalColumn {
+  Register reg = Register::zero;
+  int component = 0;
+  [[nodiscard]] std::string name() const;
+  friend bool operator==(const EvalColumn&, const EvalColumn&) = default;
+};
+
+// Every register component that a table may have with the profile, in the order of the registers.
+[[nodiscard]] std::vector<EvalColumn> eval_columns(const HardwareProfile& profile);
+
+// The columns of a header, or its first fault.
+[[nodiscard]] Result<std::vector<EvalColumn>> read_header(const CsvLine& line, const std::string& file,
+                                                          const HardwareProfile& profile);
+
+// Up to kBatchSize fragments.
+struct EvalBatch {
+  RegisterBatch registers{};  // constants included; those of columns that the table has
+  OutputBatch out{};
+  std::size_t count = 0;
+};
+
+// A table of which the header has been read.
+struct EvalTable {
+  CsvLines lines;
+  std::vector<EvalColumn> columns;
+
+  // There is a ProgressLine: interrupts are noticed while waiting.
+  [[nodiscard]] static Result<EvalTable> open(const std::string& file, const HardwareProfile& profile);
+};
+
+class EvalRows {
+ public:
+  EvalRows(std::vector<EvalColumn> columns, const HardwareProfile& profile);
+
+  // Makes the batch empty, with the defaults of missing columns in place.
+  void begin(EvalBatch& batch) const;
+  // Adds a row to a batch that is not full.
+  [[nodiscard]] Status add(const CsvLine& line, const std::string& file, EvalBatch& batch) const;
+  // To be called when the last row of a batch is in.
+  void end(EvalBatch& batch) const;
+
+  [[nodiscard]] bool has(const EvalColumn& column) const;
+
+ private:
+  std::vector<EvalColumn> columns_;
+  int lowest_, one_;
+};
+
+}  // namespace ninebit::tools

@@ -1,0 +1,218 @@
+#include "src/tools/input/file_kind.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <utility>
+
+namespace ninebit::tools {
+namespace {
+
+using namespace std::string_view_literals;
+
+constexpr std::size_t kLookedAt = std::size_t{1} << 16;  // bytes of a text in which words are looked for
+
+struct Beginning {
+  std::string_view bytes, kind;
+};
+
+// Files that begin with bytes of their own.
+constexpr std::array kBeginnings{
+    Beginning{"\x89PNG\r\n\x1A\n"sv, "a PNG picture"},
+    Beginning{"\xFF\xD8\xFF"sv, "a JPEG picture"},
+    Beginning{"GIF87a"sv, "a GIF picture"},
+    Beginning{"GIF89a"sv, "a GIF picture"},
+    Beginning{"\x76\x2F\x31\x01"sv, "an OpenEXR picture"},
+    Beginning{"DDS \x7C\0\0\0"sv, "a DDS texture"},
+    Beginning{"II*\0"sv, "a TIFF picture"},
+    Beginning{"MM\0*"sv, "a TIFF picture"},
+    Beginning{"\x01\xDA"sv, "an SGI picture"},
+    Beginning{"#?RADIANCE"sv, "a Radiance picture"},
+    Beginning{"%PDF-"sv, "a PDF document"},
+    Beginning{"PK\x03\x04"sv, "a ZIP archive"},
+    Beginning{"\x1F\x8B"sv, "a gzip file"},
+    Beginning{"BZh"sv, "a bzip2 file"},
+    Beginning{"\xFD"
+              "7zXZ\0"sv,
+              "an xz file"},
+    Beginning{"\x28\xB5\x2F\xFD"sv, "a Zstandard file"},
+    Beginning{"7z\xBC\xAF\x27\x1C"sv, "a 7z archive"},
+    Beginning{"\x7F"
+              "ELF"sv,
+              "a program or library (ELF)"},
+    Beginning{"\0asm"sv, "a WebAssembly module"},
+    Beginning{"!<arch>\n"sv, "a static library"},
+    Beginning{"SQLite format 3"sv, "an SQLite database"},
+    Beginning{"\x03\x02\x23\x07"sv, "a SPIR-V shader"},
+    Beginning{"glTF\x02\0\0\0"sv, "a binary glTF scene"},
+    Beginning{"glTF\x01\0\0\0"sv, "a binary glTF scene"},
+    Beginning{"PXR-USDC"sv, "a USD scene"},
+    Beginning{"#usda"sv, "a USD scene"},
+    Beginning{"ply\n"sv, "a PLY mesh"},
+    Beginning{"ply\r"sv, "a PLY mesh"},
+    Beginning{"OFF\n"sv, "an OFF mesh"},
+    Beginning{"OFF\r"sv, "an OFF mesh"},
+    Beginning{"OFF "sv, "an OFF mesh"},
+    Beginning{"solid "sv, "an STL mesh"},
+    Beginning{"\xFF\xFE"sv, "a text in UTF-16"},
+    Beginning{"\xFE\xFF"sv, "a text in UTF-16"},
+    Beginning{"<!DOCTYPE html"sv, "an HTML page"},
+    Beginning{"<!doctype html"sv, "an HTML page"},
+    Beginning{"<html"sv, "an HTML page"},
+    Beginning{"<?xml"sv, "an XML file"},
+    Beginning{"<svg"sv, "an SVG picture"},
+    Beginning{"diff --git "sv, "a patch"},
+    Beginning{"-----BEGIN "sv, "a key or a certificate"},
+};
+
+bool has(std::string_view text, std::string_view word) {
+  return text.find(word) != std::string_view::npos;
+}
+
+std::string_view without_space(std::string_view text) {
+  while (!text.empty() && std::isspace(static_cast<unsigned char>(text.front())) != 0) text.remove_prefix(1);
+  return text;
+}
+
+std::string_view first_line(std::string_view text) {
+  text = text.substr(0, text.find('\n'));
+  if (text.ends_with('\r')) text.remove_suffix(1);
+  return text;
+}
+
+std::string kind_of_bytes(std::string_view bytes) {
+  for (const auto& [beginning, kind] : kBeginnings) {
+    if (bytes.starts_with(beginning)) return std::string(kind);
+  }
+  if (bytes.starts_with("RIFF") && bytes.substr(std::min<std::size_t>(8, bytes.size())).starts_with("WEBP")) {
+    return "a WebP picture";
+  }
+  // A main chunk, its length, and the chunk of the version or of the scene.
+  const std::string_view second = bytes.size() < 8 ? ""sv : bytes.substr(6, 2);
+  if (bytes.starts_with("MM") && (second == "\x02\0"sv || second == "\x3D\x3D"sv)) return "a 3DS scene";
+  const bool binary = has(bytes.substr(0, kLookedAt), "\0"sv);
+  if (binary && bytes.starts_with("BM")) return "a BMP picture";
+  if (binary && bytes.starts_with("MZ")) return "a program or library (Windows)";
+  if (bytes.size() > 2 && bytes[0] == 'P' && bytes[1] >= '1' && bytes[1] <= '6' &&
+      (bytes[2] == '\n' || bytes[2] == ' ')) {
+    return "a PNM picture";
+  }
+  return binary ? "a binary file" : "";
+}
+
+std::string kind_of_script(std::string_view line) {
+  if (has(line, "python")) return "a Python script";
+  return has(line, "sh") ? "a shell script" : "a script";
+}
+
+std::string kind_of_json(std::string_view text) {
+  const std::string_view said = json_kind(text);
+  if (said == "program") return std::string(kJsonProgramKind);
+  if (said == "register_words") return std::string(kJsonWordsKind);
+  if (said == "profile") return std::string(kProfileKind);
+  text = text.substr(0, kLookedAt);
+  if (has(text, "ninebit study part")) return std::string(kPartKind);
+  if (has(text, "\"asset\"") || has(text, "\"bufferViews\"") || has(text, "\"accessors\"")) return "a glTF scene";
+  return std::string(has(text, "\"RC_") ? kJsonWordsKind : kJsonKind);
+}
+
+// A header such as tex0.r,out.a, or one with a column `program`.
+bool is_table(std::string_view text) {
+  bool known = false, several = false;
+  for (std::string_view line = first_line(text); !line.empty();) {
+    std::string_view field = line.substr(0, line.find(','));
+    several = several || field.size() < line.size();
+    line.remove_prefix(std::min(line.size(), field.size() + 1));
+    field = without_space(field);
+    const std::size_t dot = field.rfind('.');
+    const std::string_view component = dot == std::string_view::npos ? ""sv : field.substr(dot + 1);
+    known = known || field == "program" || component == "r" || component == "g" || component == "b" || component == "a";
+  }
+  return known && (several || !has(first_line(text), " "));
+}
+
+// Whether a line of the text begins so.
+bool has_line(std::string_view text, std::string_view beginning) {
+  if (text.starts_with(beginning)) return true;
+  for (std::size_t at = 0; (at = text.find(beginning, at)) != std::string_view::npos; ++at) {
+    if (at > 0 && text[at - 1] == '\n') return true;
+  }
+  return false;
+}
+
+// "gl" and a capital letter, as every call begins.
+bool has_gl_call(std::string_view text) {
+  for (std::size_t at = 0; (at = text.find("gl", at)) != std::string_view::npos; ++at) {
+    const bool inside = at > 0 && std::isalnum(static_cast<unsigned char>(text[at - 1])) != 0;
+    if (!inside && at + 2 < text.size() && std::isupper(static_cast<unsigned char>(text[at + 2])) != 0) return true;
+  }
+  return false;
+}
+
+std::string kind_of_source(std::string_view text) {
+  if (has_line(text, "```") || has_line(text, "## ")) return "a Markdown page";
+  if (has_line(text, "#version")) return "a GLSL shader";
+  if (has_line(text, "#include") || has_line(text, "#pragma") || has_line(text, "#ifndef")) return "C or C++ source";
+  if (has_gl_call(text)) return std::string(kGlKind);
+  if (has_line(text, "void main") || has_line(text, "int main")) return "C source or a shader";
+  if (has_line(text, "import ") || has_line(text, "def ") || has_line(text, "from ")) return "a Python script";
+  if ((has_line(text, "v ") && has_line(text, "f ")) || has_line(text, "mtllib ")) return "an OBJ mesh";
+  if (has_line(text, "newmtl ")) return "a material library of OBJ";
+  return "";
+}
+
+}  // namespace
+
+std::string_view without_heading(std::string_view text) {
+  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
+  while (true) {
+    text = without_space(text);
+    if (text.starts_with("/*")) {
+      const std::size_t end = text.find("*/", 2);
+      text.remove_prefix(end == std::string_view::npos ? text.size() : end + 2);
+    } else if (text.starts_with("//") || text.starts_with('#')) {
+      text.remove_prefix(std::min(text.find('\n'), text.size()));
+    } else {
+      return text;
+    }
+  }
+}
+
+bool is_assignment(std::string_view text) {
+  std::size_t i = 0;
+  const auto is_name = [](unsigned char c) {
+    return std::isalnum(c) != 0 || std::string_view("_[]()").find(static_cast<char>(c)) != std::string_view::npos;
+  };
+  while (i < text.size() && is_name(static_cast<unsigned char>(text[i]))) ++i;
+  return i > 0 && without_space(text.substr(i)).starts_with('=');
+}
+
+std::string_view json_kind(std::string_view text) {
+  constexpr std::string_view kKey = "\"ninebit\"";
+  const std::size_t key = text.find(kKey);
+  if (key == std::string_view::npos) return {};
+  std::string_view rest = without_space(text.substr(key + kKey.size()));
+  if (rest.starts_with(':')) rest = without_space(rest.substr(1));
+  if (!rest.starts_with('"')) return "?";
+  rest.remove_prefix(1);
+  return rest.substr(0, rest.find('"'));
+}
+
+std::string kind_of_file(std::string_view bytes) {
+  if (std::string kind = kind_of_bytes(bytes); !kind.empty()) return kind;
+  if (bytes.starts_with("#!")) return kind_of_script(first_line(bytes));
+  const std::string_view text = without_heading(bytes);
+  if (text.starts_with("!!RC1.0")) return std::string(kRc10Kind);
+  if (text.starts_with("!!")) {
+    const std::string_view line = first_line(text);
+    const auto is_name = [](unsigned char c) { return std::isalnum(c) != 0 || c == '!' || c == '.'; };
+    const auto end = std::find_if_not(line.begin(), line.end(), is_name);
+    return "a program in " + std::string(line.begin(), end);
+  }
+  if (text.starts_with('{') || text.starts_with('[')) return kind_of_json(text);
+  if (is_table(text)) return std::string(kTableKind);
+  if (std::string kind = kind_of_source(bytes.substr(0, kLookedAt)); !kind.empty()) return kind;
+  return std::string(is_assignment(text) ? kWordsKind : ""sv);
+}
+
+}  // namespace ninebit::tools

@@ -1,0 +1,191 @@
+#include "src/tools/input/program.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <system_error>
+#include <utility>
+
+#include "src/system/process.h"
+#include "src/system/stream.h"
+#include "src/tools/input/file_kind.h"
+#include "src/tools/input/input_file.h"
+#include "src/tools/input/nearest_name.h"
+#include "src/tools/input/printable.h"
+
+namespace ninebit::tools {
+namespace {
+
+volatile std::sig_atomic_t interrupted = 0;
+
+// The second signal ends the program at once: outputs that are not complete have temporary names.
+extern "C" void on_interrupt(int signal) {
+  interrupted = signal;
+  std::signal(signal, SIG_DFL);
+}
+
+OwnedProfile read_profile(const std::string& path) {
+  std::string text;
+  auto input = InputFile::open(path);
+  if (!input) throw InvalidInput(input.error().text());
+  do {
+    const auto piece = input->read();
+    if (!piece) throw InvalidInput(piece.error().text());
+    if (piece->empty()) break;
+    text += *piece;
+  } while (text.size() <= kMaxSourceBytes);
+  auto parsed = parse_json_profile({text, path});
+  if (parsed) return *std::move(parsed.value);
+  const std::string kind = kind_of_file(text);
+  if (!kind.empty() && kind != kProfileKind && kind != kJsonKind) {
+    throw InvalidInput(path + ": seems to be " + kind + "; expected a profile as JSON");
+  }
+  std::vector<std::string> faults;
+  for (const TextFault& fault : parsed.faults) faults.push_back(fault.text());
+  throw InvalidInput(faults);
+}
+
+// Takes a shipped profile's name, or replaces a file's path by the name that the profile in it has.
+std::string check_profile(CommonFlags& flags, std::string& text) {
+  flags.own_profile.reset();
+  flags.profile_file.clear();
+  if (find_profile(text) != nullptr) return {};
+  if (!text.ends_with(".json")) {
+    std::vector<std::string> names;
+    for (const HardwareProfile& profile : hardware_profiles()) names.emplace_back(profile.name);
+    return fmt::format("'{}' is no profile; expected {}, or the path of a .json file{}", text, fmt::join(names, ", "),
+                       did_you_mean(text, names));
+  }
+  flags.own_profile = read_profile(text);
+  flags.profile_file = text;
+  text = flags.own_profile->profile.name;
+  return {};
+}
+
+void write_to_stderr(std::string_view text) noexcept {
+  std::fwrite(text.data(), 1, text.size(), stderr);
+}
+
+// Piece by piece, so that nothing has to be allocated to say that memory has run out.
+void say_printable(std::string_view text) noexcept {
+  while (!text.empty()) {
+    const PrintablePiece piece = first_printable_piece(text, true);
+    write_to_stderr(text.substr(0, piece.plain));
+    for (const char byte : text.substr(piece.plain, piece.foreign)) {
+      const EscapedByte instead = escaped(byte);
+      write_to_stderr({instead.text, instead.size});
+    }
+    text.remove_prefix(piece.plain + piece.foreign);
+  }
+}
+
+}  // namespace
+
+InvalidInput::InvalidInput(const std::vector<std::string>& faults)
+    : std::runtime_error(faults.empty() ? "invalid input" : faults.front()), faults_(faults) {}
+
+void add_common_flags(CLI::App& verb, CommonFlags& flags) {
+  verb.add_flag("--json", flags.json, "Machine-readable output on stdout, and nothing else there");
+  verb.add_flag("--quiet", flags.quiet, "No progress and no list of files");
+  verb.add_option("--profile", flags.profile,
+                  "The hardware to compute as: a name that `ninebit profiles` lists, or a .json file")
+      ->capture_default_str()
+      ->transform(CLI::Validator([&flags](std::string& text) { return check_profile(flags, text); }, "NAME|FILE"));
+  verb.add_option("--threads", flags.threads, "Threads to use, 0 for all; never changes a result")
+      ->capture_default_str()
+      ->check(CLI::Range(0, 1024));
+}
+
+const HardwareProfile& profile_of(const CommonFlags& flags) {
+  return flags.own_profile ? flags.own_profile->profile : *find_profile(flags.profile);
+}
+
+bool wants_colors(int stream) {
+  const char* const no_color = std::getenv("NO_COLOR");
+  return posix::is_terminal(stream) && (no_color == nullptr || *no_color == '\0');
+}
+
+void say(std::string_view text) noexcept {
+  constexpr std::string_view kError = "ninebit: error:", kRed = "\x1b[1;31m", kPlain = "\x1b[0m";
+  const bool colored = wants_colors(posix::kStandardError);
+  for (std::string_view rest = text; !rest.empty();) {
+    std::string_view line = rest.substr(0, std::min(rest.find('\n'), rest.size() - 1) + 1);
+    rest.remove_prefix(line.size());
+    if (colored && line.starts_with(kError)) {
+      write_to_stderr(kRed);
+      write_to_stderr(kError);
+      write_to_stderr(kPlain);
+      line.remove_prefix(kError.size());
+    }
+    say_printable(line);
+  }
+  std::fflush(stderr);
+}
+
+void say_error(std::string_view message) {
+  say(fmt::format("ninebit: error: {}\n", printable_briefly(message)));
+}
+
+void say_written(const std::filesystem::path& file) {
+  say(fmt::format("wrote {}\n", printable(file.string())));
+}
+
+int answer(const std::string& text) {
+  return answer_exactly(printable_lines(text));
+}
+
+int answer(const Json& object) {
+  return answer_exactly(text_of(object));
+}
+
+int answer_exactly(const std::string& text) {
+  if (std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0) return kDone;
+  const std::string why = std::generic_category().message(errno);
+  return report({.message = "could not be written: " + why, .file = "standard output", .fault = Fault::cannot_write});
+}
+
+std::string text_of(const Json& object) {
+  return object.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+int report(const Diagnostic& diagnostic) {
+  say_error(diagnostic.text());
+  switch (diagnostic.fault) {
+    case Fault::invalid_input:
+      return kInvalidInput;
+    case Fault::cannot_write:
+      return kCannotWrite;
+    case Fault::cancelled:
+      return kInterrupted + interrupted;
+  }
+  return kInvalidInput;
+}
+
+ProgressLine::ProgressLine(bool quiet) : visible_(!quiet && posix::is_terminal(posix::kStandardError)) {
+  posix::catch_interrupts(on_interrupt);
+}
+
+ProgressLine::~ProgressLine() {
+  if (visible_) write_to_stderr("\r\x1b[K");
+}
+
+bool ProgressLine::step(std::string_view what, double done) {
+  if (visible_) {
+    constexpr int kWidth = 30;
+    const int filled = static_cast<int>(std::clamp(done, 0.0, 1.0) * kWidth);
+    write_to_stderr(fmt::format("\r\x1b[K[{}{}] {}", std::string(static_cast<std::size_t>(filled), '#'),
+                                std::string(static_cast<std::size_t>(kWidth - filled), '.'), printable(what)));
+    std::fflush(stderr);
+  }
+  return interrupted == 0;
+}
+
+bool ProgressLine::stopped() {
+  return interrupted != 0;
+}
+
+}  // namespace ninebit::tools

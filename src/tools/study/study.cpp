@@ -1,0 +1,133 @@
+// `ninebit study`: what nine bits do, counted and measured.
+#include "src/tools/study/study.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+#include <utility>
+
+#include "src/study/part/sha256.h"
+#include "src/tools/common/number_flag.h"
+#include "src/tools/common/number_list.h"
+#include "src/tools/input/input_file.h"
+#include "src/tools/input/nearest_name.h"
+
+namespace ninebit::tools {
+namespace {
+
+std::optional<Shard> parse_shard(const std::string& text) {
+  const auto n = numbers<std::size_t>(text, '/');
+  if (!n || n->size() != 2 || n->front() < 1 || n->front() > n->back()) return std::nullopt;
+  return Shard{n->front(), n->back()};
+}
+
+}  // namespace
+
+void add_study_flags(CLI::App& verb, StudyFlags& flags) {
+  add_common_flags(verb, flags.common);
+  flags.profile = verb.get_option("--profile");
+  CLI::Option* folder = verb.add_option("-o,--output", flags.folder,
+                                        "Folder for report.html, rows.json, tables and plots; made if missing. A run "
+                                        "that was interrupted goes on there")
+                            ->type_name("DIR");
+  const auto check_shard = [](const std::string& text) -> std::string {
+    return parse_shard(text) ? ""
+                             : fmt::format("'{}' is not a shard; expected I/N with I from 1 to N, such as 2/8", text);
+  };
+  verb.add_option("--shard", flags.shard, "Do one of N parts of the work; `ninebit study merge` joins them")
+      ->type_name("I/N")
+      ->check(CLI::Validator(check_shard, ""))
+      ->needs(folder);
+  verb.add_option("--budget", flags.budget, "Begin nothing new after so many seconds; the same command goes on")
+      ->type_name("SECONDS")
+      ->check(real_in_range(0.0, kMostSeconds))
+      ->needs(folder);
+}
+
+std::vector<HardwareProfile> profiles_of(const StudyFlags& flags) {
+  if (flags.profile->count() > 0) return {profile_of(flags.common)};
+  const auto all = hardware_profiles();
+  return {all.begin(), all.end()};
+}
+
+Shard shard_of(const StudyFlags& flags) {
+  return *parse_shard(flags.shard);
+}
+
+Result<StudyQuestion> question_of(const StudyFlags& flags, std::string study) {
+  StudyQuestion question{.study = std::move(study), .profile = "all"};
+  if (flags.profile->count() == 0) return question;
+  question.profile = flags.common.profile;
+  if (flags.common.own_profile) {
+    question.profile = flags.common.profile_file;
+    if (Status added = add_content(question, flags.common.profile_file); !added) return added.error();
+  }
+  return question;
+}
+
+Status add_content(StudyQuestion& question, const std::string& file) {
+  auto input = InputFile::open(file);
+  if (!input) return input.error();
+  Sha256 hash;
+  while (true) {
+    const auto piece = input->read();
+    if (!piece) return piece.error();
+    if (piece->empty()) break;
+    hash.add(*piece);
+  }
+  question.options.emplace_back("sha256 of " + file, hash.finish());
+  return {};
+}
+
+std::vector<std::string> items_of(const std::string& list) {
+  std::vector<std::string> items(1);
+  for (const char c : list) {
+    if (c == ',') {
+      items.emplace_back();
+    } else {
+      items.back() += c;
+    }
+  }
+  return items;
+}
+
+CLI::Validator list_of(std::vector<std::string> known) {
+  const auto check = [known = std::move(known)](const std::string& text) -> std::string {
+    std::set<std::string> given;
+    for (const std::string& item : items_of(text)) {
+      if (std::find(known.begin(), known.end(), item) == known.end()) {
+        return fmt::format("'{}' is unknown; expected some of {}{}", item, fmt::join(known, ", "),
+                           did_you_mean(item, known));
+      }
+      if (!given.insert(item).second) return fmt::format("'{}' is given twice; expected each name once", item);
+    }
+    return {};
+  };
+  return CLI::Validator(check, "");
+}
+
+void add_studies(CLI::App& verbs, StudyRequest& request) {
+  add_study_index_steps(verbs, request);
+  add_study_datapath(verbs, request);
+  add_study_depth_packing(verbs, request);
+  add_study_shadows(verbs, request);
+}
+
+void add_study(CLI::App& app, int& exit_code) {
+  CLI::App* verb = app.add_subcommand("study", "What nine bits do, counted, measured and shown");
+  verb->require_subcommand(1);
+  verb->footer(
+      "Examples:\n"
+      "  ninebit study index-steps\n"
+      "  ninebit study datapath -o out\n"
+      "`ninebit study PART --help` tells a part's flags.");
+  auto request = std::make_shared<StudyRequest>();
+  add_studies(*verb, *request);
+  add_study_merge(*verb, exit_code);
+  verb->callback([request, &exit_code] {
+    if (request->make) exit_code = run_study(*request);
+  });
+}
+
+}  // namespace ninebit::tools

@@ -1,0 +1,193 @@
+// `ninebit study datapath`: how far each operation is from exact arithmetic, and whole programs.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+
+#include "ninebit/study/datapath_error.h"
+#include "ninebit/study/exhaustive_sum.h"
+#include "ninebit/study/program_error.h"
+#include "src/tools/common/program_file.h"
+#include "src/tools/input/eval_table.h"
+#include "src/tools/study/study.h"
+
+namespace ninebit::tools {
+namespace {
+
+struct DatapathFlags {
+  StudyFlags study;
+  bool exhaustive_sum = false;
+  std::string forms = "x1";
+  std::string program, inputs, over;
+};
+
+// A form's name without what a list in a command line cannot have: "-1/2,x2" of "-1/2, x2" is no item of one.
+std::string form_flag(const OutputForm& form) {
+  return std::string(form.bias == Bias::none ? "" : "biased-") + (form.scale == Scale::none      ? "x1"
+                                                                  : form.scale == Scale::by_two  ? "x2"
+                                                                  : form.scale == Scale::by_four ? "x4"
+                                                                                                 : "x1/2");
+}
+
+std::vector<std::string> all_forms() {
+  std::vector<std::string> names;
+  names.reserve(kOutputForms.size());
+  for (const OutputForm& form : kOutputForms) names.push_back(form_flag(form));
+  return names;
+}
+
+Result<Program> read_program(const DatapathFlags& flags, const HardwareProfile& profile, StudyQuestion& question) {
+  const auto file = read_program_file({.file = flags.program, .from = "", .chip = ""}, profile);
+  if (!file) return file.error();
+  question.options.emplace_back("--program", flags.program);
+  if (Status added = add_content(question, flags.program); !added) return added.error();
+  if (!file->parsed) {
+    const std::size_t more = file->parsed.faults.size() - 1;
+    const std::string first = file->parsed.faults.front().text();
+    if (more == 0) return Diagnostic{.message = first};
+    return Diagnostic{.message = fmt::format("{}; {} more, which `ninebit validate` lists", first, more)};
+  }
+  auto program = compile(*file->parsed.value, profile);
+  if (program) return program;
+  Diagnostic fault = program.error();
+  if (fault.file.empty()) fault.file = file->name;
+  return fault;
+}
+
+std::vector<RegisterComponent> components_of(const std::vector<EvalColumn>& columns) {
+  std::vector<RegisterComponent> out;
+  out.reserve(columns.size());
+  for (const EvalColumn& column : columns) out.push_back({column.reg, column.component});
+  return out;
+}
+
+// The table of `ninebit eval`: a header of register components, and a row of codes for each fragment.
+Result<ProgramInputs> read_inputs(const DatapathFlags& flags, const HardwareProfile& profile, StudyQuestion& question) {
+  if (!flags.over.empty()) {
+    question.options.emplace_back("--over", flags.over);
+    auto columns = read_header({.text = flags.over, .number = 1}, "--over", profile);
+    if (!columns) return columns.error();
+    return ProgramInputs{.components = components_of(*columns)};
+  }
+  auto table = EvalTable::open(flags.inputs, profile);
+  if (!table) return table.error();
+  auto& [lines, columns] = *table;
+  constexpr std::size_t kMostCodes = std::size_t{1} << 28;
+  const EvalRows rows(columns, profile);
+  const auto batch = std::make_unique<EvalBatch>();
+  std::vector<s9> codes;
+  while (true) {
+    auto line = lines.next();
+    if (!line) return line.error();
+    if (!*line) break;
+    rows.begin(*batch);
+    if (Status added = rows.add(**line, lines.name(), *batch); !added) return added.error();
+    for (const EvalColumn& column : columns) codes.push_back(batch->registers(column.reg, column.component)[0]);
+    if (codes.size() > kMostCodes) {
+      return csv_fault(lines.name(), (*line)->number, 1, fmt::format("more than {} codes are too many", kMostCodes));
+    }
+  }
+  if (codes.empty()) return csv_fault(lines.name(), 2, 1, "the table has no rows");
+  question.options.emplace_back("--inputs", flags.inputs);
+  if (Status added = add_content(question, flags.inputs); !added) return added.error();
+  return ProgramInputs{.components = components_of(columns), .codes = std::move(codes)};
+}
+
+// The study that the flags ask for.
+Result<std::unique_ptr<Study>> make_datapath(const DatapathFlags& flags) {
+  auto asked = question_of(flags.study, "datapath");
+  if (!asked) return asked.error();
+  StudyQuestion question = *std::move(asked);
+  const HardwareProfile& profile = profile_of(flags.study.common);
+  const bool one_profile = !flags.program.empty() || flags.exhaustive_sum;
+  if (one_profile && flags.study.profile->count() == 0) question.profile = profile.name;
+  if (!flags.program.empty()) {
+    auto program = read_program(flags, profile, question);
+    if (!program) return program.error();
+    auto inputs = read_inputs(flags, profile, question);
+    if (!inputs) return inputs.error();
+    return program_error_study(std::move(question), profile, *program, std::move(*inputs));
+  }
+  if (flags.exhaustive_sum) {
+    const std::vector<std::string> wanted = items_of(flags.forms);
+    std::vector<OutputForm> forms;  // each once
+    std::vector<std::string> names;
+    for (const OutputForm& form : kOutputForms) {
+      if (std::find(wanted.begin(), wanted.end(), form_flag(form)) == wanted.end()) continue;
+      forms.push_back(form);
+      names.push_back(form_flag(form));
+    }
+    question.options.emplace_back("--exhaustive-sum", "");
+    question.options.emplace_back("--forms", fmt::format("{}", fmt::join(names, ",")));
+    return exhaustive_sum_study(std::move(question), profile, forms);
+  }
+  return datapath_study(std::move(question), profiles_of(flags.study));
+}
+
+// The components of --over for this profile; a wrong one is wrong usage.
+void check_over(const DatapathFlags& flags) {
+  if (flags.over.empty()) return;
+  const auto columns = read_header({.text = flags.over, .number = 1}, "--over", profile_of(flags.study.common));
+  if (!columns) throw CLI::ValidationError("--over " + flags.over + ": " + columns.error().message);
+}
+
+// A profile that computes in real numbers has no errors of codes.
+void check_profile(const StudyFlags& flags) {
+  if (flags.profile->count() == 0 || profile_of(flags.common).arithmetic == Arithmetic::integer) return;
+  throw CLI::ValidationError(
+      fmt::format("--profile {}: it computes in real numbers and has no datapath to measure; "
+                  "expected a profile of integers",
+                  flags.common.profile));
+}
+
+// Files alone: a question is asked again when its parts are joined.
+std::string check_file(const std::string& text) {
+  if (!text.empty() && text != "-") return {};
+  return fmt::format("'{}' is no file; a study reads its files more than once", text);
+}
+
+}  // namespace
+
+void add_study_datapath(CLI::App& verbs, StudyRequest& request) {
+  CLI::App* verb = verbs.add_subcommand("datapath", "Errors of every operation of the datapath, over all inputs");
+  verb->footer(
+      "With --program the error of a whole program and of each of its stages, with --exhaustive-sum AB + CD case by\n"
+      "case; both for one profile, geforce2 where none is given.\n"
+      "Examples:\n"
+      "  ninebit study datapath --profile geforce2\n"
+      "  ninebit study datapath --program docs/programs/index_compare.gl --over primary.r,tex0.r\n"
+      "  ninebit study datapath --program compare.gl --inputs codes.csv --json\n"
+      "  ninebit study datapath --exhaustive-sum --forms x1,x4");
+  auto flags = std::make_shared<DatapathFlags>();
+  add_study_flags(*verb, flags->study);
+  CLI::Option* program = verb->add_option("--program", flags->program, "A program to measure as a whole")
+                             ->type_name("FILE")
+                             ->check(CLI::Validator(check_file, ""));
+  CLI::Option* inputs =
+      verb->add_option("--inputs", flags->inputs, "Its inputs: a table of register codes as `ninebit eval` takes it")
+          ->type_name("FILE.csv")
+          ->check(CLI::Validator(check_file, ""))
+          ->needs(program);
+  CLI::Option* over =
+      verb->add_option("--over", flags->over, "Its inputs: all values of these components, such as tex0.r,primary.r")
+          ->type_name("LIST")
+          ->needs(program)
+          ->excludes(inputs);
+  CLI::Option* sum = verb->add_flag("--exhaustive-sum", flags->exhaustive_sum, "Evaluate all 511^4 cases of AB + CD")
+                         ->excludes(program);
+  verb->add_option("--forms", flags->forms, "Outputs of the sum: x1,x2,x4,x1/2,biased-x1,biased-x2")
+      ->type_name("LIST")
+      ->capture_default_str()
+      ->check(list_of(all_forms()))
+      ->needs(sum);
+  verb->callback([flags, program, inputs, over, &request] {
+    if (program->count() > 0 && inputs->count() + over->count() == 0) {
+      throw CLI::ValidationError("--program needs --inputs FILE.csv or --over LIST");
+    }
+    check_profile(flags->study);
+    check_over(*flags);
+    request = {.make = [flags] { return make_datapath(*flags); }, .flags = &flags->study};
+  });
+}
+
+}  // namespace ninebit::tools

@@ -1,0 +1,75 @@
+// `ninebit study depth-packing`: what depths are after a round trip through bytes.
+#include <memory>
+
+#include "ninebit/study/depth_packing_error.h"
+#include "src/tools/study/study.h"
+
+namespace ninebit::tools {
+namespace {
+
+struct DepthPackingFlags {
+  StudyFlags study;
+  std::string packings, storages, depths;
+  std::uint32_t float_step = 64;
+};
+
+std::vector<std::string> all_sets() {
+  std::vector<std::string> names;
+  names.reserve(kDepthSets.size());
+  for (const DepthSet set : kDepthSets) names.emplace_back(name_of(set));
+  return names;
+}
+
+Result<std::unique_ptr<Study>> make_study(const DepthPackingFlags& flags) {
+  DepthPackingOptions options = all_depth_packings();
+  if (!flags.packings.empty()) options.packings = items_of(flags.packings);
+  if (!flags.storages.empty()) {
+    options.storages.clear();
+    for (const std::string& name : items_of(flags.storages)) {
+      options.storages.push_back(name == "round" ? ChannelStorage::round : ChannelStorage::truncate);
+    }
+  }
+  if (!flags.depths.empty()) {
+    options.sets.clear();
+    for (const std::string& name : items_of(flags.depths)) {
+      for (const DepthSet set : kDepthSets) {
+        if (name == name_of(set)) options.sets.push_back(set);
+      }
+    }
+  }
+  options.float_step = flags.float_step;
+  return make_depth_packing_study(options);
+}
+
+}  // namespace
+
+void add_study_depth_packing(CLI::App& verbs, StudyRequest& request) {
+  CLI::App* verb = verbs.add_subcommand("depth-packing", "Round trips of depths packed into bytes, as three.js did it");
+  verb->footer(
+      "Examples:\n"
+      "  ninebit study depth-packing\n"
+      "  ninebit study depth-packing --packings rgba8-fract,rgba8-mod --storages round --depths 16 --json\n"
+      "  ninebit study depth-packing --depths floats --float-step 1");
+  auto flags = std::make_shared<DepthPackingFlags>();
+  add_study_flags(*verb, flags->study);
+  verb->add_option("--packings", flags->packings, "Packings (default: all)")
+      ->type_name("LIST")
+      ->check(list_of(all_depth_packings().packings));
+  verb->add_option("--storages", flags->storages, "How components become bytes (default: both): round,truncate")
+      ->type_name("LIST")
+      ->check(list_of({"round", "truncate"}));
+  verb->add_option("--depths", flags->depths, "Depths of 16 or 24 bits, or floats (default: all): 16,24,floats")
+      ->type_name("LIST")
+      ->check(list_of(all_sets()));
+  verb->add_option("--float-step", flags->float_step,
+                   "Every how many-th float, 1 to 16777216; 1 is every float from 0 to 1 and takes minutes")
+      ->type_name("N")
+      ->capture_default_str()
+      ->check(CLI::Range(1U, 1U << 24));
+  verb->callback([flags, &request] {
+    request.flags = &flags->study;
+    request.make = [flags] { return make_study(*flags); };
+  });
+}
+
+}  // namespace ninebit::tools

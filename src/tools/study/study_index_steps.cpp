@@ -1,0 +1,143 @@
+// `ninebit study index-steps`: how many pairs of different indices a comparison takes for equal.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+#include <optional>
+#include <tuple>
+#include <utility>
+
+#include "ninebit/study/index_steps.h"
+#include "src/tools/common/number_list.h"
+#include "src/tools/common/program_file.h"
+#include "src/tools/study/study.h"
+
+namespace ninebit::tools {
+namespace {
+
+struct IndexStepsFlags {
+  StudyFlags study;
+  std::string steps = "1-16";
+  std::string formats, variants;
+  std::string program;
+};
+
+std::vector<std::string> all_formats() {
+  std::vector<std::string> names;
+  names.reserve(kStudyFormats.size());
+  for (const StudyFormat format : kStudyFormats) names.emplace_back(name_of(format));
+  return names;
+}
+
+std::vector<std::string> all_variants() {
+  std::vector<std::string> names;
+  for (const IndexVariant& variant : index_variants()) names.emplace_back(variant.name);
+  return names;
+}
+
+// "N" or "FIRST-LAST".
+std::optional<std::pair<int, int>> steps_of(const std::string& text) {
+  const auto n = numbers<int>(text, '-');
+  if (!n || n->size() > 2 || n->front() < 1 || n->back() > 255 || n->front() > n->back()) return std::nullopt;
+  return std::pair{n->front(), n->back()};
+}
+
+// Keeps those that a list names, in their own order; all where there is no list.
+template <class T, class Name>
+void keep_named(std::vector<T>& all, const std::string& list, const Name& name) {
+  if (list.empty()) return;
+  const std::vector<std::string> wanted = items_of(list);
+  std::erase_if(all, [&](const T& one) { return std::find(wanted.begin(), wanted.end(), name(one)) == wanted.end(); });
+}
+
+// The file's program for a profile; with a faulty text, its first fault.
+Result<CombinerState> read_state(const std::string& name, const HardwareProfile& profile) {
+  auto file = read_program_file({.file = name, .from = "", .chip = ""}, profile);
+  if (!file) return file.error();
+  if (file->parsed) return *std::move(file->parsed.value);
+  const std::vector<TextFault>& faults = file->parsed.faults;
+  TextFault first = faults.front();
+  first.file.clear();
+  std::string message = first.text();
+  if (faults.size() > 1) message += fmt::format(" (the first of {} faults)", faults.size());
+  return Diagnostic{.message = std::move(message), .file = file->name};
+}
+
+Result<std::unique_ptr<Study>> make_index_steps(const IndexStepsFlags& flags) {
+  auto question = question_of(flags.study, "index-steps");
+  if (!question) return question.error();
+  IndexStepsOptions options{.profiles = profiles_of(flags.study), .question = *std::move(question)};
+  if (flags.study.common.own_profile) options.profile_text = flags.study.common.own_profile->text;
+  std::tie(options.first_step, options.last_step) = *steps_of(flags.steps);
+  keep_named(options.formats, flags.formats, [](StudyFormat format) { return name_of(format); });
+  keep_named(options.variants, flags.variants, [](const IndexVariant& variant) { return variant.name; });
+  if (!flags.program.empty()) {
+    if (const Status added = add_content(options.question, flags.program); !added) return added.error();
+    options.program = IndexProgram{.file = flags.program, .states = {}};
+    for (const HardwareProfile& profile : options.profiles) {
+      auto state = read_state(flags.program, profile);
+      if (!state) return state.error();
+      options.program->states.push_back(*std::move(state));
+    }
+  }
+  return index_steps_study(std::move(options));
+}
+
+// Separate comparisons are a case of their own only where an index has several channels.
+void check_variants(const IndexStepsFlags& flags) {
+  if (flags.formats.empty() || flags.variants.empty()) return;
+  const std::vector<std::string> formats = items_of(flags.formats), variants = items_of(flags.variants);
+  const bool several = std::any_of(kStudyFormats.begin(), kStudyFormats.end(), [&](StudyFormat format) {
+    return channels_of(format) > 1 && std::find(formats.begin(), formats.end(), name_of(format)) != formats.end();
+  });
+  const auto all = index_variants();
+  const bool any = std::any_of(all.begin(), all.end(), [&](const IndexVariant& variant) {
+    return !variant.separate && std::find(variants.begin(), variants.end(), variant.name) != variants.end();
+  });
+  if (several || any) return;
+  throw CLI::ValidationError(
+      fmt::format("--variants {}: separate comparisons differ from others only where an index "
+                  "has several channels; expected --formats rgb or la, or another variant",
+                  flags.variants));
+}
+
+}  // namespace
+
+void add_study_index_steps(CLI::App& verbs, StudyRequest& request) {
+  CLI::App* verb = verbs.add_subcommand("index-steps", "False matches of index comparisons, by step");
+  verb->footer(
+      "Examples:\n"
+      "  ninebit study index-steps\n"
+      "  ninebit study index-steps --profile geforce2 --formats channel,rgb --steps 1-4 --json\n"
+      "  ninebit study index-steps --program docs/programs/index_compare.gl --formats rgb -o out");
+  auto flags = std::make_shared<IndexStepsFlags>();
+  add_study_flags(*verb, flags->study);
+  const auto check_steps = [](const std::string& text) -> std::string {
+    return steps_of(text) ? "" : fmt::format("'{}' is not a step; expected N or FIRST-LAST, from 1 to 255", text);
+  };
+  verb->add_option("--steps", flags->steps, "Steps between indices")
+      ->type_name("N|FIRST-LAST")
+      ->capture_default_str()
+      ->check(CLI::Validator(check_steps, ""));
+  verb->add_option("--formats", flags->formats, "What holds an index (default: all): channel,rgb,la,l,a")
+      ->type_name("LIST")
+      ->check(list_of(all_formats()));
+  CLI::Option* variants =
+      verb->add_option("--variants", flags->variants, "Forms of the article's program (default: all)")
+          ->type_name("LIST")
+          ->check(list_of(all_variants()));
+  const auto check_file = [](const std::string& text) -> std::string {
+    return text.empty() || text == "-" ? "a study reads its program more than once; expected a file's name" : "";
+  };
+  verb->add_option("--program", flags->program, "A program of your own: primary against texture 0, alpha 0 where equal")
+      ->type_name("FILE")
+      ->check(CLI::Validator(check_file, ""))
+      ->excludes(variants);
+  verb->callback([flags, &request] {
+    check_variants(*flags);
+    request.flags = &flags->study;
+    request.make = [flags] { return make_index_steps(*flags); };
+  });
+}
+
+}  // namespace ninebit::tools

@@ -1,0 +1,255 @@
+// How every study is run: answered at once, or kept in a folder, in parts that are joined later.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include "ninebit/study/report_files.h"
+#include "src/study/part/part_state.h"
+#include "src/study/part/part_text.h"
+#include "src/study/part/sha256.h"
+#include "src/system/inside_folder.h"
+#include "src/system/process.h"
+#include "src/tools/common/scene_flags.h"
+#include "src/tools/study/study.h"
+
+namespace ninebit::tools {
+namespace {
+
+// Tells builds apart: two programs that differ in a byte are two. Their parts are not joined, whatever they say.
+std::string build_of_program() {
+  std::ifstream program(posix::program_file(), std::ios::binary);
+  Sha256 hash;
+  std::vector<char> piece(1 << 16);
+  while (program.read(piece.data(), static_cast<std::streamsize>(piece.size())), program.gcount() > 0) {
+    hash.add(std::span(piece).first(static_cast<std::size_t>(program.gcount())));
+  }
+  return fmt::format("{} {}", NINEBIT_VERSION, hash.finish().substr(0, 16));
+}
+
+// A progress line that also says how long the rest will take. Where that is more than ten seconds, one line says so
+// even if stderr is not a terminal.
+class UnitProgress {
+ public:
+  explicit UnitProgress(bool quiet) : line_(quiet), quiet_(quiet) {}
+
+  // Before a unit, with the share of the work that is done; false from an interrupt on.
+  bool step(const std::string& unit, double done) {
+    if (first_ < 0.0) first_ = done;
+    const double fresh = done - first_;  // what an earlier run has done says nothing of this one's speed
+    if (fresh <= 0.0) return line_.step(fmt::format("{} ({:.0f} %)", unit, 100.0 * done), done);
+    const std::chrono::duration<double> spent = Clock::now() - begin_;
+    const double left = spent.count() * (1.0 - done) / fresh;
+    constexpr double kLong = 10.0;
+    if (left > kLong && !told_ && !quiet_) {
+      told_ = true;
+      say(fmt::format("{:.0f} % are done; the rest takes about {:.0f} s.\n", 100.0 * done, left));
+    }
+    return line_.step(fmt::format("{} ({:.0f} %, {:.0f} s left)", unit, 100.0 * done, left), done);
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  ProgressLine line_;
+  bool quiet_;
+  bool told_ = false;
+  double first_ = -1.0;
+  Clock::time_point begin_ = Clock::now();
+};
+
+bool go_on() {
+  return !ProgressLine::stopped();
+}
+
+// The rows of all units, kept nowhere.
+Result<std::vector<StudyRow>> run_whole(const Study& study, bool quiet) {
+  UnitProgress progress(quiet);
+  double all = 0.0, done = 0.0;
+  for (std::size_t unit = 0; unit < study.units(); ++unit) all += study.weight(unit);
+  std::vector<StudyRow> rows;
+  for (std::size_t unit = 0; unit < study.units(); ++unit) {
+    if (!progress.step(study.unit_name(unit), done / all)) {
+      return Diagnostic{.message = "interrupted", .fault = Fault::cancelled};
+    }
+    done += study.weight(unit);
+    auto more = study.run(unit, go_on);
+    if (!more) return more.error();
+    rows.insert(rows.end(), std::make_move_iterator(more->begin()), std::make_move_iterator(more->end()));
+  }
+  return rows;
+}
+
+int answer_rows(const Study& study, const StudyReport& made, std::span<const StudyRow> rows, const CommonFlags& flags) {
+  if (flags.json) return answer_exactly(report_json(study.question(), NINEBIT_VERSION, rows));
+  std::string text;
+  for (const std::string& line : made.answers) text += line + '\n';
+  return answer(text);
+}
+
+// Writes the report on the rows of so many units, and answers.
+int finish(const Study& study, const std::string& folder, std::span<const StudyRow> rows, std::size_t done,
+           const CommonFlags& flags) {
+  const auto made = study.report(rows, done);
+  if (!made) return report(made.error());
+  if (!folder.empty()) {
+    // From here on a first signal lets the report be finished.
+    if (!ProgressLine(flags.quiet).step("report", 1.0)) {
+      return report({.message = "interrupted", .fault = Fault::cancelled});
+    }
+    const auto files = write_report(folder, study.question(), NINEBIT_VERSION, *made, rows);
+    if (!files) return report(files.error());
+    for (const auto& file : *files) {
+      if (!flags.quiet) say_written(file);
+    }
+  }
+  return answer_rows(study, *made, rows, flags);
+}
+
+int run_in_folder(const Study& study, const StudyFlags& flags) {
+  const Shard shard = shard_of(flags);
+  const std::size_t units = (study.units() - shard.index) / shard.count + 1;
+  Result<StudyPart> part = StudyPart();
+  {
+    UnitProgress progress(flags.common.quiet);
+    part = run_part(study, build_of_program(), shard, flags.folder, {.seconds = flags.budget, .go_on = go_on},
+                    [&](const std::string& unit, double done) { return progress.step(unit, done); });
+  }
+  if (!part) {
+    if (part.error().fault == Fault::cancelled && !flags.common.quiet) {
+      say("What was finished is kept: the same command goes on there.\n");
+    }
+    return report(part.error());
+  }
+  if (!flags.common.quiet) say_written(part->file);
+  if (!part->complete && !flags.common.quiet) {
+    say(fmt::format("The time is up after {} units of {}: the same command goes on.\n", part->units.size(), units));
+  }
+  if (shard.count > 1) return kDone;
+  return finish(study, flags.folder, rows_of(*part), part->units.size(), flags.common);
+}
+
+// Why a word of a question names a file that a part may not name: one that is not below the working folder, or is not a
+// regular file. A word may hold several names, so each of its pieces is looked at as one, whichever flag it belongs to.
+std::optional<std::string> why_refused(std::string_view word) {
+  constexpr std::string_view kBetweenNames = ",=";
+  while (!word.empty()) {
+    const std::size_t end = std::min(word.find_first_of(kBetweenNames), word.size());
+    const std::string_view piece = word.substr(0, end);
+    word.remove_prefix(std::min(end + 1, word.size()));
+    // A folder of the name of a study or a format is not read.
+    std::error_code error;
+    const bool is_folder = std::filesystem::is_directory(std::filesystem::symlink_status(piece, error));
+    if (piece.empty() || is_folder) continue;
+    if (auto why = posix::why_outside("", piece)) return why;
+  }
+  return std::nullopt;
+}
+
+// The study that a part's question asks for: its command line is read as the user's was.
+Result<std::unique_ptr<Study>> study_of(const StudyQuestion& question, bool allow_outside) {
+  CLI::App verbs("", "study");
+  StudyRequest request;
+  add_studies(verbs, request);
+  std::vector<std::string> words = question.words();
+  for (const std::string& word : words) {
+    const auto why = allow_outside ? std::nullopt : why_refused(word);
+    if (why) return Diagnostic{.message = fmt::format("its question names a file: {}, or --allow-outside", *why)};
+  }
+  std::reverse(words.begin(), words.end());  // as CLI11 takes them
+  try {
+    verbs.parse(std::move(words));
+  } catch (const CLI::ParseError& error) {
+    return Diagnostic{.message = fmt::format("its question, `{}`, cannot be asked: {}", quotable(question.command()),
+                                             quotable(error.what()))};
+  }
+  if (!request.make)
+    return Diagnostic{.message = fmt::format("its question, `{}`, names no study", quotable(question.command()))};
+  auto study = request.make();
+  if (study && (*study)->question() != question) {
+    return Diagnostic{.message = fmt::format("the files that `{}` names have changed since; expected them as they were",
+                                             quotable(question.command()))};
+  }
+  return study;
+}
+
+struct MergeFlags {
+  CommonFlags common;
+  std::vector<std::string> parts;
+  std::string folder;
+  bool allow_outside = false;
+};
+
+// What the first part asks, and whether the others ask the same.
+class MergedStudy {
+ public:
+  explicit MergedStudy(bool allow_outside) : allow_outside_(allow_outside) {}
+
+  Result<const Study*> of(const PartHeader& header) {
+    if (study_) {
+      const std::string why = why_foreign(header, first_);
+      return why.empty() ? Result<const Study*>(study_.get()) : Diagnostic{.message = why};
+    }
+    if (const std::string own = build_of_program(); header.build != own) {
+      return Diagnostic{.message = fmt::format("comes from another build of the program, {}; expected this one, {}",
+                                               quotable(header.build), own)};
+    }
+    auto study = study_of(header.question, allow_outside_);
+    if (!study) return Diagnostic{.message = study.error().text(), .fault = study.error().fault};
+    study_ = std::move(study).value();
+    first_ = header;
+    return study_.get();
+  }
+  [[nodiscard]] const Study& study() const { return *study_; }
+
+ private:
+  bool allow_outside_;
+  std::unique_ptr<Study> study_;
+  PartHeader first_;
+};
+
+int merge(const MergeFlags& flags) {
+  const ThreadLimit limit(flags.common.threads);
+  MergedStudy merged(flags.allow_outside);
+  std::vector<StudyPart> parts;
+  for (const std::string& file : flags.parts) {
+    auto part = read_part(file, [&](const PartHeader& header) { return merged.of(header); });
+    if (!part) return report(part.error());
+    parts.push_back(*std::move(part));
+  }
+  const auto rows = join_parts(parts);
+  if (!rows) return report(rows.error());
+  return finish(merged.study(), flags.folder, *rows, merged.study().units(), flags.common);
+}
+
+}  // namespace
+
+int run_study(const StudyRequest& request) {
+  const StudyFlags& flags = *request.flags;
+  const ThreadLimit limit(flags.common.threads);
+  const auto study = request.make();
+  if (!study) return report(study.error());
+  if (!flags.folder.empty()) return run_in_folder(**study, flags);
+  const auto rows = run_whole(**study, flags.common.quiet);
+  if (!rows) return report(rows.error());
+  return finish(**study, "", *rows, (*study)->units(), flags.common);
+}
+
+void add_study_merge(CLI::App& verbs, int& exit_code) {
+  CLI::App* verb = verbs.add_subcommand("merge", "Join the parts that --shard made");
+  verb->footer("Example: ninebit study merge out/part-*-of-4.jsonl -o out");
+  auto flags = std::make_shared<MergeFlags>();
+  add_common_flags(*verb, flags->common);
+  verb->add_option("parts", flags->parts, "All parts of one study, in any order")->required()->type_name("PART");
+  verb->add_option("-o,--output", flags->folder, "Folder to write into; made if missing")->required()->type_name("DIR");
+  verb->add_flag("--allow-outside", flags->allow_outside,
+                 "Read the files that the parts' command names also where they are not below the working folder");
+  verb->callback([flags, &exit_code] { exit_code = merge(*flags); });
+}
+
+}  // namespace ninebit::tools

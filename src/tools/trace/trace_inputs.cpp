@@ -1,0 +1,93 @@
+#include "src/tools/trace/trace_inputs.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+
+#include "src/tools/common/number_list.h"
+
+namespace ninebit::tools {
+namespace {
+
+struct Setting {
+  std::vector<EvalColumn> columns;
+  std::vector<s9> codes;
+};
+
+// The columns that a name stands for: one component, or all four; none for a name that is none.
+std::vector<EvalColumn> columns_named(std::string_view name, const std::vector<EvalColumn>& known) {
+  std::vector<EvalColumn> found;
+  for (const EvalColumn& column : known) {
+    if (column.name() == name || short_name(column.reg) == name) found.push_back(column);
+  }
+  return found;
+}
+
+Result<Setting> parse_setting(const std::string& text, const std::vector<EvalColumn>& known,
+                              const HardwareProfile& profile) {
+  const auto wrong = [&](const std::string& why) { return Diagnostic{.message = "--set: " + why}; };
+  const std::size_t equals = text.find('=');
+  if (equals == std::string::npos) {
+    return wrong(fmt::format("'{}' sets nothing; expected REGISTER=R,G,B,A or REGISTER.COMPONENT=VALUE", text));
+  }
+  const std::string name = text.substr(0, equals), value = text.substr(equals + 1);
+  Setting setting{.columns = columns_named(name, known), .codes = {}};
+  if (setting.columns.empty()) {
+    return wrong(
+        fmt::format("'{}' is no register of a fragment; expected const0, const1, fog, primary, secondary, "
+                    "spare0, spare1 or tex0 to tex{}, or one of these with .r, .g, .b or .a",
+                    name, profile.texture_units - 1));
+  }
+  const auto codes = numbers<int>(value, ',');
+  const int lowest = profile.lowest, one = profile.one;
+  const bool fits = codes && codes->size() == setting.columns.size() &&
+                    std::all_of(codes->begin(), codes->end(), [&](int n) { return n >= lowest && n <= one; });
+  if (!fits) {
+    return wrong(fmt::format("{} takes {} from {} to {}, not '{}'", name,
+                             setting.columns.size() == 1 ? "a whole number" : "four whole numbers R,G,B,A, each",
+                             lowest, one, value));
+  }
+  for (const int code : *codes) setting.codes.push_back(static_cast<s9>(code));
+  return setting;
+}
+
+}  // namespace
+
+Result<TraceInputs> parse_trace_inputs(const std::vector<std::string>& texts, const HardwareProfile& profile) {
+  const std::vector<EvalColumn> known = eval_columns(profile);
+  std::vector<EvalColumn> set;
+  std::vector<s9> codes;
+  for (const std::string& text : texts) {
+    const auto setting = parse_setting(text, known, profile);
+    if (!setting) return setting.error();
+    for (std::size_t i = 0; i < setting->columns.size(); ++i) {
+      const EvalColumn& column = setting->columns[i];
+      if (std::find(set.begin(), set.end(), column) != set.end()) {
+        return Diagnostic{.message = fmt::format("--set: {} is set twice", column.name())};
+      }
+      set.push_back(column);
+      codes.push_back(setting->codes[i]);
+    }
+  }
+  // One row of a table of eval's, so that both have the same defaults.
+  const EvalRows row(set, profile);
+  const auto batch = std::make_unique<EvalBatch>();
+  row.begin(*batch);
+  for (std::size_t i = 0; i < set.size(); ++i) batch->registers(set[i].reg, set[i].component)[0] = codes[i];
+  batch->count = 1;
+  row.end(*batch);
+  TraceInputs inputs;
+  for (std::size_t r = static_cast<std::size_t>(Register::fog); r < kRegisterCount; ++r) {
+    for (std::size_t c = 0; c < 4; ++c) {
+      inputs.registers.value[r][c] = batch->registers(static_cast<Register>(r), static_cast<int>(c))[0];
+    }
+  }
+  for (std::size_t i = 0; i < set.size(); ++i) {
+    const bool constant = set[i].reg == Register::constant0 || set[i].reg == Register::constant1;
+    if (constant) inputs.constants.emplace_back(set[i], codes[i]);
+  }
+  return inputs;
+}
+
+}  // namespace ninebit::tools

@@ -1,0 +1,22 @@
+// The registers that --set gives a fragment.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "ninebit/combiner/program.h"
+#include "src/tools/input/eval_table.h"
+
+namespace ninebit::tools {
+
+struct TraceInputs {
+  RegisterFile registers;                              // with eval's defaults for what is not set
+  std::vector<std::pair<EvalColumn, s9>> constants{};  // components of constants that were set
+};
+
+// Each text is REGISTER=R,G,B,A or REGISTER.COMPONENT=VALUE, in codes of the profile; the Diagnostic is wrong usage.
+[[nodiscard]] Result<TraceInputs> parse_trace_inputs(const std::vector<std::string>& texts,
+                                                     const HardwareProfile& profile);
+
+}  // namespace ninebit::tools

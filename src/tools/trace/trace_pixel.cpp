@@ -1,0 +1,130 @@
+#include "src/tools/trace/trace_pixel.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "src/tools/input/printable.h"
+
+namespace ninebit::tools {
+namespace {
+
+std::string_view fate_text(FragmentFate fate) {
+  switch (fate) {
+    case FragmentFate::alpha_failed:
+      return "alpha test failed";
+    case FragmentFate::stencil_failed:
+      return "stencil test failed";
+    case FragmentFate::depth_failed:
+      return "depth test failed";
+    case FragmentFate::written:
+      return "written";
+  }
+  return "";
+}
+
+std::string state_of(const Surface& frame, std::size_t at) {
+  if (frame.depth()[at] == max_depth(frame.format())) return "background";
+  return frame.stencil()[at] == 0 ? "lit" : "shadowed";
+}
+
+// The fragment to trace.
+void choose(TracedPixel& pixel, bool other_program) {
+  const bool any_program =
+      std::any_of(pixel.passes.begin(), pixel.passes.end(), [](const ProbedPass& p) { return p.program.has_value(); });
+  for (std::size_t i = 0; i < pixel.passes.size(); ++i) {
+    const ProbedPass& pass = pixel.passes[i];
+    if (any_program ? !pass.program : !other_program) continue;
+    const ProbedFragment* decided = deciding_fragment(pass);
+    if (decided == nullptr) continue;
+    pixel.pass = i;
+    pixel.fragment = static_cast<std::size_t>(decided - pass.fragments.data());
+  }
+}
+
+std::string fragment_text(const TracedPixel& pixel, const ProbedFragment& f) {
+  const std::uint32_t object = pixel.object_of[f.primitive];
+  return fmt::format("polygon {} of object {} '{}': depth {} meets {}, {}", f.primitive + 1, object + 1,
+                     printable(pixel.objects[object]), f.depth, f.stored_depth, fate_text(f.fate));
+}
+
+}  // namespace
+
+Result<TracedPixel> render_pixel(const SceneFlags& flags, const CommonFlags& common, int x, int y, bool other_program) {
+  const ThreadLimit limit(common.threads);
+  RenderSettings settings = settings_of(flags, common);
+  const int row = settings.height - 1 - y;
+  settings.pixel = glm::ivec2(x, row);
+  ProgressLine line(common.quiet);
+  line.step("loading", 0.0);
+  const auto scene = load_scene(flags, settings, common.quiet);
+  if (!scene) return scene.error();
+  auto rendering = render_scene(flags, *scene, settings,
+                                [&](std::string_view pass, double done) { return line.step(pass, 0.1 + 0.9 * done); });
+  if (!rendering) return rendering.error();
+
+  const auto at =
+      static_cast<std::size_t>(row) * static_cast<std::size_t>(settings.width) + static_cast<std::size_t>(x);
+  TracedPixel pixel;
+  pixel.x = x;
+  pixel.y = y;
+  pixel.state = state_of(rendering->frame, at);
+  pixel.passes = std::move(rendering->probed);
+  for (const SceneObject& object : scene->objects) pixel.objects.push_back(object.name);
+  pixel.object_of = scene->triangle_object;
+  choose(pixel, other_program);
+  return pixel;
+}
+
+std::string pixel_text(const TracedPixel& pixel, const SceneFlags& flags) {
+  std::string text = fmt::format("pixel {},{} of {}, technique {}, size {}: {}\n", pixel.x, pixel.y,
+                                 printable(flags.file), flags.technique, flags.size, pixel.state);
+  for (const ProbedPass& pass : pixel.passes) {
+    const auto written = std::count_if(pass.fragments.begin(), pass.fragments.end(),
+                                       [](const ProbedFragment& f) { return f.fate == FragmentFate::written; });
+    text += fmt::format("  pass {}: {} fragment{}, {} written\n", pass.name, pass.fragments.size(),
+                        pass.fragments.size() == 1 ? "" : "s", written);
+  }
+  if (pixel.fragment) {
+    const ProbedPass& pass = pixel.passes[*pixel.pass];
+    const ProbedFragment& fragment = pass.fragments[*pixel.fragment];
+    return text + fmt::format("traced: pass {}, {}\n", pass.name, fragment_text(pixel, fragment));
+  }
+  if (pixel.state == "background") return text + "nothing is drawn here: no fragment to trace\n";
+  for (const ProbedPass& pass : pixel.passes) {
+    if (const ProbedFragment* f = deciding_fragment(pass)) {
+      text += fmt::format("pass {}, which has no program: {}\n", pass.name, fragment_text(pixel, *f));
+    }
+  }
+  return text + "no fragment of a pass with a program shows here: nothing to trace\n";
+}
+
+Json pixel_json(const TracedPixel& pixel, const SceneFlags& flags) {
+  Json passes = Json::array();
+  for (const ProbedPass& pass : pixel.passes) {
+    Json fragments = Json::array();
+    for (const ProbedFragment& f : pass.fragments) {
+      const std::uint32_t object = pixel.object_of[f.primitive];
+      fragments.push_back({{"polygon", f.primitive + 1},
+                           {"object", object + 1},
+                           {"object_name", pixel.objects[object]},
+                           {"depth", f.depth},
+                           {"depth_met", f.stored_depth},
+                           {"stencil_met", f.stored_stencil},
+                           {"depth_passes", f.depth_passes},
+                           {"fate", fate_text(f.fate)},
+                           {"color", f.color}});
+    }
+    passes.push_back({{"name", pass.name}, {"has_program", pass.program.has_value()}, {"fragments", fragments}});
+  }
+  return {{"file", flags.file},
+          {"technique", flags.technique},
+          {"pixel", {pixel.x, pixel.y}},
+          {"state", pixel.state},
+          {"passes", std::move(passes)},
+          {"pass", pixel.pass ? Json(pixel.passes[*pixel.pass].name) : Json()},
+          {"fragment", pixel.fragment ? Json(*pixel.fragment) : Json()}};
+}
+
+}  // namespace ninebit::tools

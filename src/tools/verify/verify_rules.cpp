@@ -1,0 +1,73 @@
+#include "src/tools/verify/verify_rules.h"
+
+#include <optional>
+#include <utility>
+
+#include "ninebit/combiner/program.h"
+#include "src/tools/eval/eval_engine.h"
+
+namespace ninebit::tools {
+
+std::vector<Rival> rivals_of(const HardwareProfile& profile) {
+  std::vector<Rival> rivals;
+  if (profile.arithmetic != Arithmetic::integer) return rivals;
+  const auto add = [&](const char* field, std::string value, const char* rules, auto replace) {
+    Rival rival{field, std::move(value), rules, profile};
+    replace(rival.profile);
+    rivals.push_back(std::move(rival));
+  };
+  const auto other = [](Narrowing narrowing) {
+    return narrowing == Narrowing::toward_zero ? Narrowing::nearest_halves_up : Narrowing::toward_zero;
+  };
+  const auto name = [](Narrowing narrowing) {
+    return narrowing == Narrowing::toward_zero ? "toward-zero" : "nearest-halves-up";
+  };
+  const Narrowing general = other(profile.general_narrowing), final = other(profile.final_narrowing);
+  add("general_narrowing", name(general), "5, 8", [&](HardwareProfile& p) { p.general_narrowing.value = general; });
+  const bool late = profile.narrowing_point == NarrowingPoint::after_scale;
+  add("narrowing_point", late ? "before-scale" : "after-scale", "7", [&](HardwareProfile& p) {
+    p.narrowing_point.value = late ? NarrowingPoint::before_scale : NarrowingPoint::after_scale;
+  });
+  add("final_narrowing", name(final), "9, 10", [&](HardwareProfile& p) { p.final_narrowing.value = final; });
+  const int one = profile.one;
+  const int half = profile.half == (one + 1) / 2 ? one / 2 : (one + 1) / 2;
+  add("half", std::to_string(half), "4, 11", [&](HardwareProfile& p) { p.half.value = half; });
+  const int offset = profile.expand_offset == one ? one + 1 : one;
+  add("expand_offset", std::to_string(offset), "", [&](HardwareProfile& p) { p.expand_offset.value = offset; });
+  const int lowest = profile.lowest == -one ? -one - 1 : -one;
+  add("lowest", std::to_string(lowest), "", [&](HardwareProfile& p) { p.lowest.value = lowest; });
+  add("arithmetic", "float32", "", [](HardwareProfile& p) { p.arithmetic.value = Arithmetic::float32; });
+  return rivals;
+}
+
+std::vector<int> computed(const VerifyRow& row, const HardwareProfile& profile) {
+  Program program = normalize(*row.program, profile);
+  for (const auto& [column, code] : row.constants) replace_constant(program, column, code);
+  std::vector<int> codes;
+  std::optional<int> ran;  // the last general combiner whose registers are at hand
+  EvaluatedFragment fragment;
+  for (const Expectation& expected : row.expected) {
+    const auto component = static_cast<std::size_t>(expected.component);
+    if (!expected.stage) {
+      codes.push_back(evaluate_fragment(program, row.registers).color[component]);
+      continue;
+    }
+    if (ran != expected.stage) {
+      Program begin = program;
+      begin.num_general_combiners = *expected.stage + 1;
+      fragment = evaluate_fragment(begin, row.registers);
+      ran = expected.stage;
+    }
+    codes.push_back(fragment.registers[expected.reg][component]);
+  }
+  return codes;
+}
+
+bool agrees(const VerifyRow& row, const std::vector<int>& codes) {
+  for (std::size_t i = 0; i < codes.size(); ++i) {
+    if (!row.expected[i].allows(codes[i])) return false;
+  }
+  return true;
+}
+
+}  // namespace ninebit::tools

@@ -1,0 +1,238 @@
+#include "src/tools/verify/verify_table.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+
+#include "ninebit/combiner/validate.h"
+#include "src/system/inside_folder.h"
+#include "src/tools/input/nearest_name.h"
+
+namespace ninebit::tools {
+namespace {
+
+std::optional<int> number_of(std::string_view text) {
+  int value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
+  return value;
+}
+
+// The pieces between separators, each without the blanks around it.
+std::vector<std::string_view> pieces(std::string_view text, char separator) {
+  std::vector<std::string_view> found;
+  while (true) {
+    const std::size_t end = text.find(separator);
+    found.push_back(trimmed(text.substr(0, end)));
+    if (end == std::string_view::npos) return found;
+    text.remove_prefix(end + 1);
+  }
+}
+
+// What a fragment has where the table says nothing: as in `ninebit eval`.
+RegisterFile default_registers(const HardwareProfile& profile) {
+  RegisterFile file;
+  for (const Register reg :
+       {Register::fog, Register::texture0, Register::texture1, Register::texture2, Register::texture3}) {
+    file[reg][kAlpha] = static_cast<s9>(profile.one.value);
+  }
+  return file;
+}
+
+}  // namespace
+
+bool Expectation::allows(int code) const {
+  return std::find(allowed.begin(), allowed.end(), code) != allowed.end();
+}
+
+Result<VerifyTable> VerifyTable::open(const std::string& file, const ProgramFlags& program, bool allow_outside,
+                                      const HardwareProfile& profile) {
+  auto input = InputFile::open(file);
+  if (!input) return input.error();
+  VerifyTable table(CsvLines(std::move(*input)), program, profile);
+  table.allow_outside_ = allow_outside;
+  if (file != "-") table.folder_ = std::filesystem::path(file).parent_path();
+  while (true) {
+    auto line = table.lines_.next();
+    if (!line) return table_fault(table.lines_, line.error());
+    if (!*line)
+      return csv_fault(table.name(), 1, 1, "the table is empty; expected a header such as program,tex0.r,out.r");
+    if ((*line)->text.starts_with('#')) continue;
+    if (Status read = table.read_header(**line); !read) return table_fault(table.lines_, read.error());
+    return table;
+  }
+}
+
+std::optional<VerifyTable::Column> VerifyTable::column_named(std::string_view field) const {
+  using Kind = Column::Kind;
+  if (field == "program") return Column{.kind = Kind::program, .name = std::string(field)};
+  if (field == "name") return Column{.kind = Kind::name, .name = std::string(field)};
+  for (int c = 0; c < 4; ++c) {
+    if (field == std::string("out.") + kComponents[static_cast<std::size_t>(c)]) {
+      return Column{.kind = Kind::expected,
+                    .name = std::string(field),
+                    .expected = {.column = std::string(field), .stage = {}, .component = c, .allowed = {}}};
+    }
+  }
+  std::optional<int> stage;
+  std::string_view reg = field;
+  if (field.starts_with("stage")) {
+    const std::size_t dot = field.find('.');
+    if (dot == std::string_view::npos) return std::nullopt;
+    stage = number_of(field.substr(5, dot - 5));
+    if (!stage || *stage < 0 || *stage >= profile_->general_combiners) return std::nullopt;
+    reg = field.substr(dot + 1);
+  }
+  for (const EvalColumn& known : eval_columns(*profile_)) {
+    const bool constant = known.reg == Register::constant0 || known.reg == Register::constant1;
+    if (known.name() != reg || (stage && constant)) continue;
+    Column column{.kind = stage ? Kind::expected : Kind::input, .name = std::string(field), .input = known};
+    column.expected = {std::string(field), stage, known.reg, known.component, {}};
+    return column;
+  }
+  return std::nullopt;
+}
+
+Status VerifyTable::read_header(const CsvLine& line) {
+  for (const std::string_view field : pieces(line.text, ',')) {
+    const std::size_t at = static_cast<std::size_t>(field.data() - line.text.data()) + 1;
+    auto column = column_named(field);
+    if (!column) {
+      std::vector<std::string> known{"program", "name", "out.r", "out.g", "out.b", "out.a"};
+      for (const EvalColumn& one : eval_columns(*profile_)) known.push_back(one.name());
+      return csv_fault(name(), line.number, at,
+                       fmt::format("'{}' is no column; expected program, name, an input such as tex0.r or const0.a, or "
+                                   "what should come out: out.r, or stage0.spare0.r after general combiner 0 (there "
+                                   "are {}){}",
+                                   shown(field), profile_->general_combiners.value, did_you_mean(field, known)));
+    }
+    const auto same = [&](const Column& other) { return other.name == column->name; };
+    if (std::any_of(columns_.begin(), columns_.end(), same)) {
+      return csv_fault(name(), line.number, at, fmt::format("the column {} stands here twice", column->name));
+    }
+    columns_.push_back(std::move(*column));
+  }
+  const auto expects = [](const Column& column) { return column.kind == Column::Kind::expected; };
+  if (!std::any_of(columns_.begin(), columns_.end(), expects)) {
+    return csv_fault(name(), line.number, 1, "no column says what should come out, such as out.r or stage0.spare0.r");
+  }
+  const auto names_program = [](const Column& column) { return column.kind == Column::Kind::program; };
+  if (program_.file.empty() && !std::any_of(columns_.begin(), columns_.end(), names_program)) {
+    return csv_fault(name(), line.number, 1, "there is no column `program`, and no --program that all rows run");
+  }
+  return {};
+}
+
+Status VerifyTable::read_cell(const Column& column, std::string_view field, const CsvLine& line, VerifyRow& row) const {
+  const std::size_t at = static_cast<std::size_t>(field.data() - line.text.data()) + 1;
+  if (column.kind == Column::Kind::program) {
+    row.program_file = field;
+  } else if (column.kind == Column::Kind::name) {
+    row.name = field;
+  } else if (field.empty()) {
+    return {};
+  } else if (column.kind == Column::Kind::input) {
+    const auto code = number_of(field);
+    const int lowest = profile_->lowest, one = profile_->one;
+    if (!code || *code < lowest || *code > one) {
+      return csv_fault(name(), line.number, at,
+                       fmt::format("{} must be a whole number from {} to {}, or nothing, not '{}'", column.name, lowest,
+                                   one, shown(field)));
+    }
+    const EvalColumn& to = column.input;
+    const auto value = static_cast<s9>(*code);
+    if (to.reg == Register::constant0 || to.reg == Register::constant1) {
+      row.constants.emplace_back(to, value);
+    } else {
+      row.registers[to.reg][static_cast<std::size_t>(to.component)] = value;
+    }
+  } else {
+    Expectation expected = column.expected;
+    for (const std::string_view piece : pieces(field, '|')) {
+      const auto code = number_of(piece);
+      if (!code) {
+        return csv_fault(name(), line.number, at,
+                         fmt::format("{} must be a whole number, several with | between them, or nothing, not '{}'",
+                                     column.name, shown(field)));
+      }
+      expected.allowed.push_back(*code);
+    }
+    row.expected.push_back(std::move(expected));
+  }
+  return {};
+}
+
+Status VerifyTable::find_program(const CsvLine& line, VerifyRow& row) {
+  if (row.program_file.empty() && program_.file.empty()) {
+    return csv_fault(name(), line.number, 1, "the row names no program, and there is no --program that all rows run");
+  }
+  ProgramFlags flags = program_;
+  const bool is_named_here = !row.program_file.empty();
+  const std::string named = row.program_file;
+  if (is_named_here) flags.file = (folder_ / named).string();
+  row.program_file = flags.file;
+  const auto known = programs_.find(flags.file);
+  if (known != programs_.end()) {
+    row.program = &known->second;
+    return {};
+  }
+  if (is_named_here && !allow_outside_) {
+    const auto why = posix::why_outside(folder_, named);
+    if (why) return csv_fault(name(), line.number, 1, *why + ", or --allow-outside");
+  }
+  // A row that names "-" means a file of that name, never standard input.
+  if (flags.file == "-" && is_named_here) flags.file = "./-";
+  auto file = read_program_file(flags, *profile_);
+  if (!file) return file.error();
+  if (!file->parsed) {
+    const TextFault& fault = file->parsed.faults.front();
+    return Diagnostic{.message = fault.text()};
+  }
+  if (const auto refused = validate(*file->parsed.value, *profile_); !refused.empty()) {
+    return Diagnostic{.message = fmt::format("{}: {}", name_of(refused[0].gl_error), refused[0].message),
+                      .file = file->name};
+  }
+  row.program = &programs_.emplace(flags.file, *file->parsed.value).first->second;
+  return {};
+}
+
+Result<std::optional<VerifyRow>> VerifyTable::next() {
+  while (true) {
+    auto line = lines_.next();
+    if (!line) return line.error();
+    if (!*line) return std::optional<VerifyRow>();
+    if ((*line)->text.starts_with('#')) continue;
+    const std::vector<std::string_view> fields = pieces((*line)->text, ',');
+    if (fields.size() != columns_.size()) {
+      return csv_fault(name(), (*line)->number, 1,
+                       fmt::format("the row has {} fields, the header {}", fields.size(), columns_.size()));
+    }
+    VerifyRow row{.line = (*line)->number,
+                  .name = {},
+                  .program_file = {},
+                  .registers = default_registers(*profile_),
+                  .constants = {},
+                  .expected = {}};
+    bool has_spare0_alpha = false;
+    for (std::size_t i = 0; i < fields.size(); ++i) {
+      if (Status read = read_cell(columns_[i], fields[i], **line, row); !read) return read.error();
+      has_spare0_alpha = has_spare0_alpha || (columns_[i].name == "spare0.a" && !fields[i].empty());
+    }
+    if (!has_spare0_alpha) row.registers[Register::spare0][kAlpha] = row.registers[Register::texture0][kAlpha];
+    if (row.expected.empty()) return csv_fault(name(), (*line)->number, 1, "the row does not say what should come out");
+    if (Status found = find_program(**line, row); !found) return found.error();
+    for (const Expectation& expected : row.expected) {
+      if (expected.stage.value_or(0) < row.program->num_general_combiners) continue;
+      return csv_fault(name(), (*line)->number, 1,
+                       fmt::format("{} is expected of a program of {} general combiners, numbered from 0",
+                                   expected.column, row.program->num_general_combiners));
+    }
+    std::stable_sort(row.expected.begin(), row.expected.end(), [](const Expectation& a, const Expectation& b) {
+      return a.stage.value_or(kMaxGeneralCombiners) < b.stage.value_or(kMaxGeneralCombiners);
+    });
+    return std::optional(std::move(row));
+  }
+}
+
+}  // namespace ninebit::tools

@@ -1,0 +1,74 @@
+// The table that `ninebit verify` reads: rows of a program, register codes, and what should come out.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "ninebit/combiner/evaluate.h"
+#include "ninebit/combiner/state.h"
+#include "src/tools/common/program_file.h"
+#include "src/tools/input/csv_lines.h"
+#include "src/tools/input/eval_table.h"
+
+namespace ninebit::tools {
+
+// One value that should come out.
+struct Expectation {
+  std::string column;        // "out.r", "stage0.spare0.a"
+  std::optional<int> stage;  // of a register after this general combiner; empty: of the colour
+  Register reg = Register::spare0;
+  int component = 0;
+  std::vector<int> allowed;  // any of these will do
+  [[nodiscard]] bool allows(int code) const;
+};
+
+struct VerifyRow {
+  int line = 0;
+  std::string name;  // empty: none
+  std::string program_file;
+  const CombinerState* program = nullptr;
+  RegisterFile registers;
+  std::vector<std::pair<EvalColumn, s9>> constants;  // that stand in for the program's own
+  std::vector<Expectation> expected;                 // in the order of execution: stages, then the colour
+};
+
+class VerifyTable {
+ public:
+  // `program` is what rows without a program of their own run; its file may be empty. Programs of rows are looked for
+  // beside the table, and refused where they are not regular files below its folder, unless `allow_outside`.
+  [[nodiscard]] static Result<VerifyTable> open(const std::string& file, const ProgramFlags& program,
+                                                bool allow_outside, const HardwareProfile& profile);
+
+  // The next row, with at least one expectation; empty at the end. Reports what is no row and what is no program.
+  [[nodiscard]] Result<std::optional<VerifyRow>> next();
+  [[nodiscard]] const std::string& name() const { return lines_.name(); }
+
+ private:
+  struct Column {
+    enum class Kind { program, name, input, expected } kind = Kind::input;
+    std::string name;
+    EvalColumn input{};
+    Expectation expected{};
+  };
+  VerifyTable(CsvLines lines, ProgramFlags program, const HardwareProfile& profile)
+      : lines_(std::move(lines)), program_(std::move(program)), profile_(&profile) {}
+
+  Status read_header(const CsvLine& line);
+  std::optional<Column> column_named(std::string_view field) const;
+  Status read_cell(const Column& column, std::string_view field, const CsvLine& line, VerifyRow& row) const;
+  Status find_program(const CsvLine& line, VerifyRow& row);
+
+  CsvLines lines_;
+  ProgramFlags program_;
+  const HardwareProfile* profile_;
+  std::filesystem::path folder_;
+  bool allow_outside_ = false;
+  std::vector<Column> columns_;
+  std::map<std::string, CombinerState> programs_;  // by file: each is read once
+};
+
+}  // namespace ninebit::tools
