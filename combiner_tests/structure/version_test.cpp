@@ -24,8 +24,6 @@ TEST(Version, IsTheSameEverywhere) {
   ASSERT_NE(version, "");
   EXPECT_EQ(found("pyproject.toml", "\nversion = \"([^\"]*)\""), version);
   EXPECT_EQ(found("CITATION.cff", "\nversion: (\\S*)"), version);
-  EXPECT_EQ(found("cmake/packaging/vcpkg.json", "\"version-semver\": \"([^\"]*)\""), version);
-  EXPECT_EQ(found("cmake/packaging/conanfile.py", "    version = '([^']*)'"), version);
 }
 
 }  // namespace
