@@ -46,15 +46,19 @@ endfunction()
 ninebit_pkgconfig(ninebit-combiner "GeForce 2 register combiners to the bit" LIBS -lninebit_combiner
                   STATIC_REQUIRES libhwy STATIC_LIBS -lstdc++ -lm)
 if(NOT NINEBIT_COMBINER_ONLY)
+  set(tbb)
+  if(NINEBIT_THREADS)
+    set(tbb tbb)
+  endif()
   ninebit_pkgconfig(ninebit-json "Register combiner programs as JSON" LIBS -lninebit_json REQUIRES ninebit-combiner)
   ninebit_pkgconfig(ninebit-capi "GeForce 2 register combiners to the bit, for C" LIBS -lninebit_capi
                     STATIC_REQUIRES ninebit-json)
   ninebit_pkgconfig(ninebit-raster "A rasterizer with register combiners" LIBS -lninebit_raster
-                    REQUIRES ninebit-combiner STATIC_REQUIRES tbb libhwy)
+                    REQUIRES ninebit-combiner STATIC_LIBS -lninebit_parallel STATIC_REQUIRES ${tbb} libhwy)
   ninebit_pkgconfig(
     ninebit ${PROJECT_DESCRIPTION} LIBS -lninebit REQUIRES ninebit-raster ninebit-json
     STATIC_LIBS -lembree3 -lmeshoptimizer -l${CMAKE_DL_LIBS}
-    STATIC_REQUIRES OpenImageIO OpenEXR libpng assimp draco fmt tbb libhwy libcrypto cairo)
+    STATIC_REQUIRES OpenImageIO OpenEXR libpng assimp draco fmt ${tbb} libhwy libcrypto cairo)
 endif()
 
 # --- The program. Its manual and completions come from the program itself, so that they cannot differ from it.

@@ -23,6 +23,7 @@ const std::map<std::string, int> kRank{{"system", 0}, {"numerics", 0}, {"combine
 // The folders of rooms in src/. A folder knows those before it and itself; files that stand beside the folders come
 // last.
 const std::map<std::string, std::vector<std::string>> kFolders{
+    {"system", {"parallel", "", "hashing"}},
     {"language", {"source", "gl_nv", "gl_calls", "rc10", "register_words", "emit", "explain", "json"}},
     {"raster", {"surface", "texture", "setup", "fragment", "lanes", "draw"}},
     {"image", {"output", "texture", "openimageio", "module"}},
@@ -41,8 +42,8 @@ struct Library {
 };
 const std::vector<Library> kLibraries{
     {std::regex("hwy/.*"), {"combiner", "raster", "shadow", "study", "bench"}},
-    {std::regex("oneapi/tbb/.*"), {"raster", "shadow", "study", "tools"}},
-    {std::regex("fmt/.*"), {"scene", "image", "shadow", "study", "tools"}},
+    {std::regex("oneapi/tbb/.*"), {"system"}},
+    {std::regex("fmt/.*"), {"system", "scene", "image", "shadow", "study", "tools"}},
     {std::regex("glm/.*"), {"raster", "scene", "shadow", "study", "tools", "bench"}},
     {std::regex("assimp/.*|draco/.*"), {"scene"}},
     {std::regex("meshoptimizer\\.h"), {"shadow"}},
@@ -50,7 +51,7 @@ const std::vector<Library> kLibraries{
     {std::regex("OpenImageIO/.*|png\\.h|Imf.*|OpenEXR/.*|Iex.*|half\\.h|Imath.*"), {"image"}},
     {std::regex("CLI/.*"), {"tools"}},
     {std::regex("cairo\\.h"), {"study"}},
-    {std::regex("openssl/.*"), {"study"}},
+    {std::regex("openssl/.*"), {"system"}},
     {std::regex("pybind11/.*"), {"python"}},
     {std::regex("nlohmann/.*"), {"language", "scene", "study", "tools"}},
     {std::regex("(dlfcn|fcntl|poll|sched|stdlib|unistd)\\.h|(sys|linux)/.*"), {"system"}},

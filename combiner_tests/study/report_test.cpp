@@ -12,9 +12,9 @@
 #include "combiner_tests/study/report_example.h"
 #include "combiner_tests/support/temp_folder.h"
 #include "ninebit/study/report_files.h"
-#include "src/study/part/sha256.h"
 #include "src/study/report/page_data.h"
 #include "src/study/report/report_colors.h"
+#include "src/system/hashing/sha256.h"
 
 namespace {
 

@@ -7,8 +7,8 @@
 #include "combiner_tests/tools/support.h"
 #include "ninebit/study/study_part.h"
 #include "src/study/part/part_text.h"
-#include "src/study/part/sha256.h"
 #include "src/system/file_lock.h"
+#include "src/system/hashing/sha256.h"
 
 namespace tools_test {
 namespace {

@@ -1,7 +1,5 @@
 #include "ninebit/raster/prepared_draw.h"
 
-#include <oneapi/tbb/parallel_for.h>
-
 #include <algorithm>
 #include <array>
 #include <atomic>
@@ -20,6 +18,7 @@
 #include "src/raster/setup/setup_context.h"
 #include "src/raster/setup/triangle_edges.h"
 #include "src/raster/surface/target_check.h"
+#include "src/system/parallel/parallel_loop.h"
 
 namespace ninebit {
 
@@ -125,7 +124,7 @@ bool set_up(const DrawGeometry& geometry, std::vector<BinnedBlock>& blocks) {
   if (blocks.size() == 1) {
     set_up_block(0);
   } else {
-    tbb::parallel_for(std::size_t{0}, blocks.size(), set_up_block);
+    parallel_for(blocks.size(), set_up_block);
   }
   return in_range;
 }

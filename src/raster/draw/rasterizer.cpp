@@ -1,7 +1,5 @@
 #include "ninebit/raster/rasterizer.h"
 
-#include <oneapi/tbb/parallel_for.h>
-
 #include <algorithm>
 #include <atomic>
 #include <memory>
@@ -17,6 +15,7 @@
 #include "src/raster/fragment/draw_context.h"
 #include "src/raster/setup/arrays_check.h"
 #include "src/raster/setup/setup_context.h"
+#include "src/system/parallel/parallel_loop.h"
 
 namespace ninebit {
 namespace {
@@ -58,7 +57,7 @@ std::size_t set_up_chunk(const DrawGeometry& geometry, std::size_t first, std::v
     if (end - count == 1) {
       set_up(count);
     } else {
-      tbb::parallel_for(count, end, set_up);
+      parallel_for(end - count, [&](std::size_t i) { set_up(count + i); });
     }
     for (; count < end; ++count) entries += to[count].indices.size();
   }

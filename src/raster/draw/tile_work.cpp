@@ -1,11 +1,9 @@
 #include "src/raster/draw/tile_work.h"
 
-#include <oneapi/tbb/parallel_for.h>
-#include <oneapi/tbb/partitioner.h>
-#include <oneapi/tbb/task_arena.h>
-
 #include <algorithm>
 #include <atomic>
+
+#include "src/system/parallel/parallel_loop.h"
 
 namespace ninebit {
 namespace {
@@ -128,8 +126,7 @@ void TileLoop::draw(std::span<const BinnedBlock> blocks, const TileWork& work) {
   }
   if (tiles.empty()) return;
   const bool is_little = work.is_little() && actions_.clear == nullptr;
-  const std::size_t workers =
-      is_little ? 1 : std::min(tiles.size(), static_cast<std::size_t>(tbb::this_task_arena::max_concurrency()));
+  const std::size_t workers = is_little ? 1 : std::min(tiles.size(), max_threads());
   if (rasterizers_.size() < workers) rasterizers_.resize(workers);
   // Tiles cost differently: each worker takes the next ones when it is done with the last.
   const std::size_t at_a_time = std::clamp(tiles.size() / (8 * workers), std::size_t{1}, TileWork::kNeighbors);
@@ -145,7 +142,7 @@ void TileLoop::draw(std::span<const BinnedBlock> blocks, const TileWork& work) {
     }
   };
   if (workers == 1) return work_off(0);
-  tbb::parallel_for(std::size_t{0}, workers, work_off, tbb::simple_partitioner());
+  parallel_for(workers, work_off);
 }
 
 }  // namespace ninebit

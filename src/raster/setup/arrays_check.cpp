@@ -1,8 +1,5 @@
 #include "src/raster/setup/arrays_check.h"
 
-#include <oneapi/tbb/blocked_range.h>
-#include <oneapi/tbb/parallel_for.h>
-
 #include <algorithm>
 #include <atomic>
 #include <cmath>
@@ -10,6 +7,7 @@
 #include <utility>
 
 #include "src/raster/setup/primitive_assembly.h"
+#include "src/system/parallel/parallel_loop.h"
 
 namespace ninebit {
 namespace {
@@ -119,8 +117,8 @@ Status check_indices(const VertexArrays& arrays) {
   if (arrays.indices.size() <= kGrain) {
     in_range = are_in_range(0, arrays.indices.size());
   } else {
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, arrays.indices.size(), kGrain), [&](const auto& range) {
-      if (!are_in_range(range.begin(), range.end())) in_range = false;
+    parallel_ranges(arrays.indices.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+      if (!are_in_range(begin, end)) in_range = false;
     });
   }
   if (in_range) return {};

@@ -2,9 +2,6 @@
 // doubles take the same operations in the same order as there.
 #include "src/raster/setup/vertex_transform.h"
 
-#include <oneapi/tbb/blocked_range.h>
-#include <oneapi/tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cstring>
 
@@ -14,6 +11,7 @@
 #define HWY_TARGET_INCLUDE "src/raster/setup/vertex_transform.cpp"
 #include "hwy/foreach_target.h"  // IWYU pragma: keep
 #include "hwy/highway.h"
+#include "src/system/parallel/parallel_loop.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace ninebit::HWY_NAMESPACE {
@@ -175,8 +173,8 @@ void transform_vertices(const ClipPositions& positions, const WindowTransform& w
   const std::size_t count = positions.size();
   const auto transform = HWY_DYNAMIC_DISPATCH(transform_range);
   if (count <= kGrain) return transform(positions, window, 0, count, out);
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, kGrain),
-                    [&](const auto& range) { transform(positions, window, range.begin(), range.end(), out); });
+  parallel_ranges(count, kGrain,
+                  [&](std::size_t begin, std::size_t end) { transform(positions, window, begin, end, out); });
 }
 
 }  // namespace ninebit

@@ -1,8 +1,6 @@
 #include "src/shadow/depth_cube/depth_cube_renderer.h"
 
 #include <fmt/format.h>
-#include <oneapi/tbb/blocked_range.h>
-#include <oneapi/tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
@@ -13,6 +11,7 @@
 #include "ninebit/raster/sampler.h"
 #include "src/raster/texture/texture_wrap.h"
 #include "src/shadow/frame/map_evidence.h"
+#include "src/system/parallel/parallel_loop.h"
 
 namespace ninebit {
 namespace {
@@ -28,8 +27,8 @@ constexpr float kWideRampSide = 256.0F;
 // Calls work(i) for each of `count` items, on all threads.
 template <class Work>
 void for_all(std::size_t count, const Work& work) {
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, 16384), [&](const auto& range) {
-    for (std::size_t i = range.begin(); i != range.end(); ++i) work(i);
+  parallel_ranges(count, 16384, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i != end; ++i) work(i);
   });
 }
 

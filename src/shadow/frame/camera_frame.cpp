@@ -1,13 +1,12 @@
 #include "src/shadow/frame/camera_frame.h"
 
 #include <fmt/format.h>
-#include <oneapi/tbb/blocked_range.h>
-#include <oneapi/tbb/parallel_reduce.h>
 
 #include <bit>
 #include <utility>
 
 #include "src/shadow/frame/views.h"
+#include "src/system/parallel/parallel_loop.h"
 
 namespace ninebit {
 namespace {
@@ -205,19 +204,18 @@ void CameraFrame::finish() {
   struct Count {
     std::uint64_t background = 0, shadowed = 0;
   };
-  const auto count = [&](const tbb::blocked_range<std::size_t>& pixels, Count before) {
+  const auto count = [&](std::size_t begin, std::size_t end) {
     std::uint32_t background = 0, shadowed = 0;  // without a branch: in vectors
-    for (std::size_t i = pixels.begin(); i != pixels.end(); ++i) {
+    for (std::size_t i = begin; i != end; ++i) {
       const bool is_background = depth[i] == farthest;
       background += is_background ? 1U : 0U;
       shadowed += !is_background && shadow[i] != 0 ? 1U : 0U;
     }
-    return Count{before.background + background, before.shadowed + shadowed};
+    return Count{background, shadowed};
   };
-  const Count all = tbb::parallel_reduce(tbb::blocked_range<std::size_t>(0, frame.stencil().size(), 65536), Count{},
-                                         count, [](const Count& a, const Count& b) {
-                                           return Count{a.background + b.background, a.shadowed + b.shadowed};
-                                         });
+  const Count all = parallel_reduce(frame.stencil().size(), 65536, Count{}, count, [](const Count& a, const Count& b) {
+    return Count{a.background + b.background, a.shadowed + b.shadowed};
+  });
   rendering_.background = all.background;
   rendering_.shadowed = all.shadowed;
   rendering_.lit = frame.stencil().size() - all.background - all.shadowed;

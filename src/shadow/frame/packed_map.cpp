@@ -1,13 +1,11 @@
 #include "src/shadow/frame/packed_map.h"
 
-#include <oneapi/tbb/blocked_range.h>
-#include <oneapi/tbb/parallel_reduce.h>
-
 #include <algorithm>
 #include <cmath>
 #include <string>
 
 #include "src/shadow/frame/camera_frame.h"
+#include "src/system/parallel/parallel_loop.h"
 
 namespace ninebit {
 
@@ -17,8 +15,9 @@ PackedMap::PackedMap(const DepthPacking& packing, ChannelStorage storage, int si
   for (std::size_t c = 0; c < 4; ++c) {
     bytes_[c] = add_layer<std::uint8_t>(maps, "packed_depth", std::string(1, "RGBA"[c]), size, size);
   }
-  const auto pack = [&](const tbb::blocked_range<std::size_t>& range, double largest) {
-    for (std::size_t i = range.begin(); i != range.end(); ++i) {
+  const auto pack = [&](std::size_t begin, std::size_t end) {
+    double largest = 0.0;
+    for (std::size_t i = begin; i != end; ++i) {
       const bool drawn = codes[i] != cleared;
       const auto depth = static_cast<float>(static_cast<double>(codes[i]) / static_cast<double>(cleared));
       const DepthBytes bytes = drawn ? store_depth(packing, depth, storage) : DepthBytes{255, 255, 255, 255};
@@ -30,8 +29,7 @@ PackedMap::PackedMap(const DepthPacking& packing, ChannelStorage storage, int si
     }
     return largest;
   };
-  largest_error_ = tbb::parallel_reduce(tbb::blocked_range<std::size_t>(0, codes.size(), 16384), 0.0, pack,
-                                        [](double a, double b) { return std::max(a, b); });
+  largest_error_ = parallel_reduce(codes.size(), 16384, 0.0, pack, [](double a, double b) { return std::max(a, b); });
 }
 
 float PackedMap::depth_at(float s, float t) const {

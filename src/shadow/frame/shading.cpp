@@ -1,13 +1,11 @@
 #include "src/shadow/frame/shading.h"
 
-#include <oneapi/tbb/blocked_range.h>
-#include <oneapi/tbb/parallel_for.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 
 #include "ninebit/numerics/fixed9.h"
+#include "src/system/parallel/parallel_loop.h"
 
 namespace ninebit {
 namespace {
@@ -37,8 +35,8 @@ ColorBytes bytes_of(const HardwareProfile& profile, const glm::vec3& color) {
 VertexShading shade_flat(const Scene& scene, const Light& light, const RenderSettings& settings) {
   const std::size_t count = scene.triangles.size();
   VertexShading shading{std::vector<ColorBytes>(count), std::vector<ColorBytes>(count)};
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, 4096), [&](const auto& range) {
-    for (std::size_t t = range.begin(); t != range.end(); ++t) {
+  parallel_ranges(count, 4096, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t t = begin; t != end; ++t) {
       const glm::uvec3& v = scene.triangles[t];
       const glm::dvec3 a(scene.positions[v.x]), b(scene.positions[v.y]), c(scene.positions[v.z]);
       const glm::dvec3 normal = glm::cross(b - a, c - a), toward(to_light(light, glm::vec3((a + b + c) / 3.0)));
@@ -60,8 +58,8 @@ template <class Visit>
 void for_each_vertex(const Scene& scene, const Light& light, const RenderSettings& settings, const Visit& visit) {
   const std::size_t count = scene.positions.size();
   const std::vector<std::uint32_t> material = vertex_materials(scene);
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, 4096), [&](const auto& range) {
-    for (std::size_t v = range.begin(); v != range.end(); ++v) {
+  parallel_ranges(count, 4096, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t v = begin; v != end; ++v) {
       const glm::vec3 toward = to_light(light, scene.positions[v]);
       const glm::vec3& normal = scene.normals[v];
       const float length = std::sqrt(glm::dot(toward, toward));

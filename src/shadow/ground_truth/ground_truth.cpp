@@ -1,8 +1,6 @@
 #include "ninebit/shadow/ground_truth.h"
 
 #include <fmt/format.h>
-#include <oneapi/tbb/blocked_range.h>
-#include <oneapi/tbb/parallel_for.h>
 
 #include <algorithm>
 #include <utility>
@@ -11,6 +9,7 @@
 #include "src/shadow/ground_truth/ground_truth_causes.h"
 #include "src/shadow/ground_truth/ground_truth_geometry.h"
 #include "src/shadow/ground_truth/ground_truth_rays.h"
+#include "src/system/parallel/parallel_loop.h"
 
 namespace ninebit {
 namespace {
@@ -33,10 +32,10 @@ class Judge {
   }
 
   void judge_rows(int first, int last) {
-    tbb::parallel_for(tbb::blocked_range<int>(first, last), [&](const auto& rows) {
+    parallel_ranges(static_cast<std::size_t>(last - first), 1, [&](std::size_t begin, std::size_t end) {
       std::vector<Crossed> between;
-      for (int y = rows.begin(); y != rows.end(); ++y) {
-        for (int x = 0; x < settings_.width; ++x) judge_pixel(x, y, between);
+      for (std::size_t row = begin; row < end; ++row) {
+        for (int x = 0; x < settings_.width; ++x) judge_pixel(x, first + static_cast<int>(row), between);
       }
     });
   }

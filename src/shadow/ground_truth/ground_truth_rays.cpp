@@ -1,7 +1,6 @@
 #include "src/shadow/ground_truth/ground_truth_rays.h"
 
 #include <embree3/rtcore.h>
-#include <oneapi/tbb/parallel_for.h>
 
 #include <algorithm>
 #include <array>
@@ -12,6 +11,8 @@
 #include <string>
 #include <string_view>
 #include <utility>
+
+#include "src/system/parallel/parallel_loop.h"
 
 namespace ninebit {
 namespace {
@@ -121,7 +122,7 @@ Result<std::unique_ptr<Rays>> Rays::make(const Scene& scene) {
   rays->margin = 8.0 * rays->touching;
   // oneTBB keeps a thread's floating-point settings from its first parallel work on, for all that follows. Were that
   // Embree's, which flushes denormals, all would.
-  tbb::parallel_for(0, 2, [](int) {});
+  parallel_for(2, [](std::size_t) {});
   rays->device.reset(rtcNewDevice(nullptr));
   const RTCDevice device = rays->device.get();
   Complaint complaint;

@@ -1,8 +1,6 @@
 #include "src/shadow/index_cube/index_cube_renderer.h"
 
 #include <fmt/format.h>
-#include <oneapi/tbb/blocked_range.h>
-#include <oneapi/tbb/parallel_for.h>
 
 #include <algorithm>
 #include <chrono>
@@ -13,6 +11,7 @@
 #include "ninebit/raster/sampler.h"
 #include "src/shadow/frame/map_evidence.h"
 #include "src/shadow/frame/views.h"
+#include "src/system/parallel/parallel_loop.h"
 
 namespace ninebit {
 namespace {
@@ -101,14 +100,14 @@ std::array<Plane<std::uint8_t>, 4> IndexCubeRenderer::face_planes(std::size_t f)
 Status IndexCubeRenderer::draw_maps() {
   const glm::vec3 light = frame_.scene().lights[0].position;
   from_light_.resize(frame_.scene().positions.size());
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, from_light_.size(), 16384), [&](const auto& range) {
-    for (std::size_t i = range.begin(); i != range.end(); ++i) from_light_[i] = frame_.scene().positions[i] - light;
+  parallel_ranges(from_light_.size(), 16384, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i != end; ++i) from_light_[i] = frame_.scene().positions[i] - light;
   });
   VertexArrays arrays = all_triangles(from_light_);
   arrays.primitive_colors = indices_.color;
   const DrawPass pass{.state = &passes_.map, .arrays = arrays};
   std::array<Status, 6> drawn;
-  tbb::parallel_for(std::size_t{0}, std::size_t{6}, [&](std::size_t i) {
+  parallel_for(std::size_t{6}, [&](std::size_t i) {
     RenderTarget target{.width = frame_.settings().map_size, .height = frame_.settings().map_size};
     target.color = face_planes(i);
     target.depth = {map_depth_[i].data(), frame_.settings().map_size};

@@ -1,13 +1,11 @@
 #include "src/shadow/reflective/indirect_light.h"
 
-#include <oneapi/tbb/blocked_range.h>
-#include <oneapi/tbb/parallel_for.h>
-
 #include <algorithm>
 #include <numbers>
 #include <utility>
 
 #include "src/shadow/frame/surface_planes.h"
+#include "src/system/parallel/parallel_loop.h"
 
 namespace ninebit {
 namespace {
@@ -76,7 +74,7 @@ Status IndirectLight::gather_at(std::span<const std::uint32_t> pixels, const Con
     if (!go_on(static_cast<double>(begin) / static_cast<double>(pixels.size()))) return interrupted();
     const std::span<const std::uint32_t> part = pixels.subspan(begin, std::min(band, pixels.size() - begin));
     const std::size_t chunks = (part.size() + Receivers::kCapacity - 1) / Receivers::kCapacity;
-    tbb::parallel_for(std::size_t{0}, chunks, [&](std::size_t chunk) {
+    parallel_for(chunks, [&](std::size_t chunk) {
       const std::size_t first = chunk * Receivers::kCapacity;
       const auto at = part.subspan(first, std::min(Receivers::kCapacity, part.size() - first));
       Receivers receivers;
@@ -150,11 +148,10 @@ Status IndirectLight::compute(const std::vector<bool>& drawn, int scale, float s
   if (Status done = gather_at(pixels, first_part); !done || scale == 1) return done;
 
   std::vector<std::vector<std::uint32_t>> left(static_cast<std::size_t>(height));
-  tbb::parallel_for(0, height, [&](int y) {
+  parallel_for(left.size(), [&](std::size_t y) {
     const std::uint32_t row = static_cast<std::uint32_t>(y) * static_cast<std::uint32_t>(width);
     for (std::uint32_t i = row; i < row + static_cast<std::uint32_t>(width); ++i) {
-      if (drawn[i] && !sampled[i] && !interpolate(drawn, scale, similar_distance, i))
-        left[static_cast<std::size_t>(y)].push_back(i);
+      if (drawn[i] && !sampled[i] && !interpolate(drawn, scale, similar_distance, i)) left[y].push_back(i);
     }
   });
   std::uint64_t all = 0;

@@ -1,11 +1,11 @@
 // A reflective shadow map's texels as lights.
-#include <oneapi/tbb/parallel_for.h>
 
 #include <cmath>
 #include <numbers>
 
 #include "src/shadow/frame/shading.h"
 #include "src/shadow/reflective/indirect_light.h"
+#include "src/system/parallel/parallel_loop.h"
 
 namespace ninebit {
 namespace {
@@ -47,7 +47,7 @@ PixelLights pixel_lights(const ReflectiveMap& map, const Light& light, SamplePat
   constexpr float kPerFlux = kDiffuseLight / kFluxOfWhiteLight / std::numbers::pi_v<float>;
   PixelLights lights{.size = map.size};
   lights.values.resize(map.depth.size() * PixelLights::kStride);
-  tbb::parallel_for(std::size_t{0}, map.depth.size(), [&](std::size_t i) {
+  parallel_for(map.depth.size(), [&](std::size_t i) {
     if (map.depth[i] == max_depth(DepthStencilFormat::d24s8)) return;
     float* const out = &lights.values[i * PixelLights::kStride];
     for (std::size_t c = 0; c < 3; ++c) {

@@ -1,6 +1,5 @@
 // The light's view: position, normal, flux and depth in one pass.
 #include <fmt/format.h>
-#include <oneapi/tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
@@ -9,6 +8,7 @@
 #include "src/shadow/frame/camera_frame.h"
 #include "src/shadow/frame/surface_planes.h"
 #include "src/shadow/frame/views.h"
+#include "src/system/parallel/parallel_loop.h"
 
 namespace ninebit {
 namespace {
@@ -62,7 +62,7 @@ Result<ReflectiveMap> draw_reflective_map(const Scene& scene, const RenderSettin
   const Status drawn = rasterize(reflective_map_pass(settings), map.clip_from_world, arrays, {}, target);
   if (!drawn) return drawn.error();
 
-  tbb::parallel_for(std::size_t{0}, texels, [&](std::size_t i) {
+  parallel_for(texels, [&](std::size_t i) {
     const glm::vec3 unit = unit_or_zero({normal[0][i], normal[1][i], normal[2][i]});
     for (std::size_t c = 0; c < 3; ++c) map.normal[c][i] = half_of(unit[static_cast<glm::length_t>(c)]);
   });

@@ -1,13 +1,11 @@
 #include "src/shadow/reflective/reflective_reference.h"
 
-#include <oneapi/tbb/blocked_range.h>
-#include <oneapi/tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 
 #include "src/shadow/frame/surface_planes.h"
+#include "src/system/parallel/parallel_loop.h"
 
 namespace ninebit {
 namespace {
@@ -55,7 +53,8 @@ Result<IndirectError> indirect_error(const PixelLights& lights, const VisibleSur
     if (!go_on(static_cast<double>(begin) / static_cast<double>(pixels.size()))) {
       return Diagnostic{.message = "interrupted", .fault = Fault::cancelled};
     }
-    tbb::parallel_for(begin, std::min(begin + band, pixels.size()), [&](std::size_t i) {
+    parallel_for(std::min(band, pixels.size() - begin), [&](std::size_t at) {
+      const std::size_t i = begin + at;
       whole[i] = whole_map_irradiance(lights, glm::dvec3(surface.position_at(pixels[i])),
                                       glm::dvec3(unit_or_zero(surface.normal_at(pixels[i]))));
     });

@@ -1,7 +1,5 @@
 #include "ninebit/shadow/shadow_map.h"
 
-#include <oneapi/tbb/parallel_for.h>
-
 #include <algorithm>
 #include <array>
 #include <optional>
@@ -13,6 +11,7 @@
 #include "src/shadow/frame/map_evidence.h"
 #include "src/shadow/frame/packed_map.h"
 #include "src/shadow/frame/texture_units.h"
+#include "src/system/parallel/parallel_loop.h"
 
 namespace ninebit {
 namespace {
@@ -185,9 +184,9 @@ Status ShadowMapRenderer::compare_packed() {
     read = &add_layer<float>(r.layers, "map_depth", "depth", settings().width, settings().height);
   }
   const auto row = static_cast<std::size_t>(settings().width);
-  tbb::parallel_for(0, settings().height, [&](int y) {
-    std::uint8_t* const stencil = target.stencil.row(y);
-    const std::size_t first = static_cast<std::size_t>(y) * row;
+  parallel_for(static_cast<std::size_t>(settings().height), [&](std::size_t y) {
+    std::uint8_t* const stencil = target.stencil.row(static_cast<int>(y));
+    const std::size_t first = y * row;
     for (std::size_t i = first; i < first + row; ++i) {
       if (r.frame.depth()[i] == max_depth(r.frame.format())) continue;
       const float q = (*planes_[3])[i];

@@ -1,9 +1,9 @@
 #include "src/shadow/shadow_volume/volume_mesh.h"
 
-#include <oneapi/tbb/parallel_sort.h>
-
 #include <algorithm>
 #include <tuple>
+
+#include "src/system/parallel/parallel_loop.h"
 
 namespace ninebit {
 namespace {
@@ -20,9 +20,9 @@ std::vector<std::uint32_t> vertices_of(const Scene& scene, const SceneObject& ob
     const glm::uvec3& t = scene.triangles[object.first_triangle + i];
     used.insert(used.end(), {t.x, t.y, t.z});
   }
-  tbb::parallel_sort(used.begin(), used.end());
+  parallel_sort(used.begin(), used.end());
   used.erase(std::unique(used.begin(), used.end()), used.end());
-  tbb::parallel_sort(used.begin(), used.end(), [&](std::uint32_t a, std::uint32_t b) {
+  parallel_sort(used.begin(), used.end(), [&](std::uint32_t a, std::uint32_t b) {
     const glm::vec3 &p = scene.positions[a], &q = scene.positions[b];
     return p == q ? a < b : ordered(p) < ordered(q);
   });
@@ -76,10 +76,10 @@ VolumeMesh volume_mesh(const Scene& scene) {
       mesh.triangles[number] = {joined[t.x], joined[t.y], joined[t.z]};
       add_uses(mesh.triangles[number], number, mesh.uses);
     }
-    tbb::parallel_sort(mesh.uses.begin() + static_cast<std::ptrdiff_t>(first_use), mesh.uses.end(),
-                       [](const EdgeUse& a, const EdgeUse& b) {
-                         return std::tie(a.low, a.high, a.triangle) < std::tie(b.low, b.high, b.triangle);
-                       });
+    parallel_sort(mesh.uses.begin() + static_cast<std::ptrdiff_t>(first_use), mesh.uses.end(),
+                  [](const EdgeUse& a, const EdgeUse& b) {
+                    return std::tie(a.low, a.high, a.triangle) < std::tie(b.low, b.high, b.triangle);
+                  });
     mesh.faults.push_back(faults_of(mesh.uses, first_use));
   }
   return mesh;

@@ -1,7 +1,6 @@
 #include "ninebit/study/datapath_error.h"
 
 #include <fmt/format.h>
-#include <oneapi/tbb/parallel_for.h>
 
 #include <atomic>
 #include <cmath>
@@ -12,6 +11,7 @@
 
 #include "src/study/datapath/datapath_report.h"
 #include "src/study/datapath/operations.h"
+#include "src/system/parallel/parallel_loop.h"
 
 namespace ninebit {
 namespace {
@@ -126,7 +126,7 @@ class DatapathStudy final : public Study {
     // Every form has a place of its own for its row, so that threads change nothing.
     std::vector<StudyRow> rows(forms.size());
     std::atomic<bool> stopped = false;
-    tbb::parallel_for(std::size_t{0}, forms.size(), [&](std::size_t i) {
+    parallel_for(forms.size(), [&](std::size_t i) {
       if (stopped) return;
       rows[i] = u.second == nullptr ? errors_of(*u.first, forms[i]) : differences_of(*u.first, *u.second, forms[i]);
       if (go_on && !go_on()) stopped = true;

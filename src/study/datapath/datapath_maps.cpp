@@ -1,6 +1,5 @@
 // Heat maps of the datapath's operations with two inputs.
 #include <fmt/format.h>
-#include <oneapi/tbb/parallel_for.h>
 
 #include <algorithm>
 #include <array>
@@ -11,6 +10,7 @@
 #include "ninebit/study/datapath_error.h"
 #include "src/study/datapath/datapath_report.h"
 #include "src/study/datapath/operations.h"
+#include "src/system/parallel/parallel_loop.h"
 
 namespace ninebit {
 namespace {
@@ -24,10 +24,10 @@ HeatMap map_of(int first, int one, const std::function<double(int x, int y)>& va
   map.x_last = map.y_first = one;
   const auto size = static_cast<std::size_t>(map.width);
   map.values.resize(size * size);
-  tbb::parallel_for(0, map.height, [&](int row) {
+  parallel_for(size, [&](std::size_t row) {
     for (int column = 0; column < map.width; ++column) {
-      map.values[static_cast<std::size_t>(row) * size + static_cast<std::size_t>(column)] =
-          static_cast<float>(value(first + column, one - row));
+      map.values[row * size + static_cast<std::size_t>(column)] =
+          static_cast<float>(value(first + column, one - static_cast<int>(row)));
     }
   });
   float span = 0.0F;

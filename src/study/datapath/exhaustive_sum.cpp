@@ -1,7 +1,6 @@
 #include "ninebit/study/exhaustive_sum.h"
 
 #include <fmt/format.h>
-#include <oneapi/tbb/parallel_for.h>
 
 #include <algorithm>
 #include <atomic>
@@ -11,6 +10,7 @@
 
 #include "src/study/datapath/datapath_report.h"
 #include "src/study/datapath/sum_kernels.h"
+#include "src/system/parallel/parallel_loop.h"
 
 namespace ninebit {
 namespace {
@@ -37,7 +37,7 @@ class ExhaustiveSum final : public Study {
     const int a = a_of(unit);
     std::vector<SumTotals> by_b(codes());
     std::atomic<bool> stopped = false;
-    tbb::parallel_for(std::size_t{0}, by_b.size(), [&](std::size_t i) {
+    parallel_for(by_b.size(), [&](std::size_t i) {
       if (stopped) return;
       by_b[i] = sum_totals(datapath_, form, a, static_cast<int>(i) - datapath_.one);
       if (go_on && !go_on()) stopped = true;

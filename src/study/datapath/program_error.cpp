@@ -1,7 +1,6 @@
 #include "ninebit/study/program_error.h"
 
 #include <fmt/format.h>
-#include <oneapi/tbb/parallel_for.h>
 
 #include <algorithm>
 #include <array>
@@ -12,6 +11,7 @@
 #include "src/study/datapath/program_inputs.h"
 #include "src/study/datapath/program_report.h"
 #include "src/study/part/staged_colors.h"
+#include "src/system/parallel/parallel_loop.h"
 
 namespace ninebit {
 namespace {
@@ -77,7 +77,7 @@ class ProgramErrorStudy final : public Study {
     const std::size_t first = unit * kUnit, end = std::min(first + kUnit, fragments_.count());
     std::vector<Errors> chunks((end - first + kChunk - 1) / kChunk, no_errors(first));
     std::atomic<bool> stopped = false;
-    tbb::parallel_for(std::size_t{0}, chunks.size(), [&](std::size_t i) {
+    parallel_for(chunks.size(), [&](std::size_t i) {
       if (stopped) return;
       const std::size_t from = first + i * kChunk;
       measure(from, std::min(from + kChunk, end), chunks[i]);

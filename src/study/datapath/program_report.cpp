@@ -1,8 +1,6 @@
 #include "src/study/datapath/program_report.h"
 
 #include <fmt/format.h>
-#include <oneapi/tbb/blocked_range.h>
-#include <oneapi/tbb/parallel_for.h>
 
 #include <algorithm>
 #include <array>
@@ -13,6 +11,7 @@
 
 #include "src/study/datapath/datapath_report.h"
 #include "src/study/part/staged_colors.h"
+#include "src/system/parallel/parallel_loop.h"
 
 namespace ninebit {
 namespace {
@@ -157,9 +156,9 @@ class Writer {
                 .height = static_cast<int>(height),
                 .values = std::vector<float>(width * height),
                 .caption = "In codes: 1 is a register's last bit. One pixel a fragment."};
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, height), [&](const auto& range) {
+    parallel_ranges(height, 1, [&](std::size_t begin, std::size_t end) {
       StagedColors staged(program_);
-      for (std::size_t row = range.begin(); row != range.end(); ++row) {
+      for (std::size_t row = begin; row != end; ++row) {
         for (std::size_t column = 0; column < width; ++column) {
           const std::size_t fragment = column * height + (height - 1 - row);
           staged.change_constants([&](Program& program) { fragments_.put_constants(fragment, program); });

@@ -1,13 +1,13 @@
 #include "ninebit/study/depth_packing_error.h"
 
-#include <oneapi/tbb/parallel_for.h>
-
 #include <algorithm>
 #include <atomic>
 #include <bit>
 #include <cmath>
 #include <cstdlib>
 #include <new>
+
+#include "src/system/parallel/parallel_loop.h"
 
 namespace ninebit {
 namespace {
@@ -91,7 +91,7 @@ Result<RoundTripError> measure_round_trip(const DepthPacking& packing, ChannelSt
   std::vector<Stretch> stretches((depths + kChunk - 1) / kChunk);
   SeenFloats seen;
   std::atomic<bool> stopped = false;
-  tbb::parallel_for(std::size_t{0}, stretches.size(), [&](std::size_t s) {
+  parallel_for(stretches.size(), [&](std::size_t s) {
     if (stopped || (go_on && !go_on())) {
       stopped = true;
       return;

@@ -1,8 +1,5 @@
 #include "src/study/digits/digit_classes.h"
 
-#include <oneapi/tbb/blocked_range.h>
-#include <oneapi/tbb/parallel_for.h>
-
 #include <algorithm>
 #include <atomic>
 #include <bit>
@@ -10,6 +7,7 @@
 #include <string>
 
 #include "src/study/digits/digit_keys.h"
+#include "src/system/parallel/parallel_loop.h"
 
 namespace ninebit {
 namespace {
@@ -68,14 +66,14 @@ Result<DigitClasses> DigitClasses::of(const Program& program, const HardwareProf
   for (std::size_t d = 0; d < result.digits_.size(); ++d) {
     const std::size_t width = DigitKeys(program, after, sum).width(d);
     std::vector<double> keys(kPairs * width);
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, kBytes, 16), [&](const auto& range) {
+    parallel_ranges(kBytes, 16, [&](std::size_t begin, std::size_t end) {
       if (stopped || (go_on && !go_on())) {
         stopped = true;
         return;
       }
       DigitKeys maker(program, after, sum);
       DigitBytes own{}, other{};
-      for (std::size_t pair = range.begin() * kBytes; pair < range.end() * kBytes; ++pair) {
+      for (std::size_t pair = begin * kBytes; pair < end * kBytes; ++pair) {
         own[d] = static_cast<std::uint8_t>(pair / kBytes);
         other[d] = static_cast<std::uint8_t>(pair % kBytes);
         maker.write(comparison_registers(profile, format, own, other), d, keys.data() + pair * width);

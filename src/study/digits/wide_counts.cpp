@@ -1,11 +1,10 @@
 #include "src/study/digits/wide_counts.h"
 
-#include <oneapi/tbb/blocked_range.h>
-#include <oneapi/tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cstddef>
 #include <utility>
+
+#include "src/system/parallel/parallel_loop.h"
 
 namespace ninebit {
 
@@ -29,15 +28,13 @@ WideCounts sum_counts(const WideCounts& first, const WideCounts& second) {
   constexpr std::ptrdiff_t kBlock = 2048;
   const auto size = static_cast<std::ptrdiff_t>(out.count.size());
   const auto first_size = static_cast<std::ptrdiff_t>(first.count.size());
-  tbb::parallel_for(tbb::blocked_range<std::ptrdiff_t>(0, (size + kBlock - 1) / kBlock), [&](const auto& range) {
-    for (std::ptrdiff_t block = range.begin(); block != range.end(); ++block) {
-      const std::ptrdiff_t begin = block * kBlock, end = std::min(begin + kBlock, size);
-      for (const auto& [term, count] : terms) {
-        const std::ptrdiff_t shift = term + second.limit;  // result i takes the first's value i - shift
-        const std::ptrdiff_t from = std::max(begin, shift), to = std::min(end, first_size + shift);
-        for (std::ptrdiff_t i = from; i < to; ++i) {
-          out.count[static_cast<std::size_t>(i)] += first.count[static_cast<std::size_t>(i - shift)] * count;
-        }
+  parallel_for(static_cast<std::size_t>((size + kBlock - 1) / kBlock), [&](std::size_t block) {
+    const std::ptrdiff_t begin = static_cast<std::ptrdiff_t>(block) * kBlock, end = std::min(begin + kBlock, size);
+    for (const auto& [term, count] : terms) {
+      const std::ptrdiff_t shift = term + second.limit;  // result i takes the first's value i - shift
+      const std::ptrdiff_t from = std::max(begin, shift), to = std::min(end, first_size + shift);
+      for (std::ptrdiff_t i = from; i < to; ++i) {
+        out.count[static_cast<std::size_t>(i)] += first.count[static_cast<std::size_t>(i - shift)] * count;
       }
     }
   });

@@ -1,13 +1,12 @@
 #include "src/study/index_steps/false_matches.h"
 
-#include <oneapi/tbb/blocked_range.h>
-#include <oneapi/tbb/parallel_reduce.h>
-
 #include <algorithm>
 #include <array>
 #include <atomic>
 #include <memory>
 #include <string>
+
+#include "src/system/parallel/parallel_loop.h"
 
 namespace ninebit {
 namespace {
@@ -144,12 +143,13 @@ Result<FalseMatchCounter::Found> FalseMatchCounter::found_among(const Classes& c
   std::atomic<bool> stopped = false;
   const Batches batches(*this, classes);
   // Sums of integers: the order in which threads add them changes nothing.
-  const Found found = tbb::parallel_reduce(
-      tbb::blocked_range<std::size_t>(0, outer, 64), Found{},
-      [&](const tbb::blocked_range<std::size_t>& range, Found sum) {
+  const Found found = parallel_reduce(
+      outer, 64, Found{},
+      [&](std::size_t begin, std::size_t end) {
+        Found sum;
         const auto registers = std::make_unique<RegisterBatch>();
         const auto out = std::make_unique<OutputBatch>();
-        for (std::size_t i = range.begin(); i != range.end() && !stopped; ++i) {
+        for (std::size_t i = begin; i != end && !stopped; ++i) {
           if (i % 64 == 0 && go_on && !go_on()) stopped = true;
           sum += batches.count(i, *registers, *out);
         }

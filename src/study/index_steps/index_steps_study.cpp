@@ -2,13 +2,13 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <oneapi/tbb/parallel_for.h>
 
 #include <algorithm>
 #include <utility>
 
 #include "ninebit/combiner/validate.h"
 #include "src/study/index_steps/false_matches.h"
+#include "src/system/parallel/parallel_loop.h"
 
 namespace ninebit {
 namespace {
@@ -30,7 +30,7 @@ class IndexSteps final : public Study {
     if (!counter) return about_file(counter.error());
     const auto steps = static_cast<std::size_t>(options_.last_step - options_.first_step + 1);
     std::vector<Result<FalseMatches>> counts(steps, FalseMatches{});
-    tbb::parallel_for(std::size_t{0}, steps, [&](std::size_t i) {
+    parallel_for(steps, [&](std::size_t i) {
       counts[i] = counter->count(values_of_step(options_.first_step + static_cast<int>(i)), of.separate, go_on);
     });
     std::vector<StudyRow> rows;

@@ -10,7 +10,7 @@
 #include "ninebit/study/study_part.h"
 #include "src/study/part/part_state.h"
 #include "src/study/part/part_text.h"
-#include "src/study/part/sha256.h"
+#include "src/system/hashing/sha256.h"
 
 namespace ninebit {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "ninebit/numerics/result.h"
 #include "ninebit/study/study_part.h"
-#include "src/study/part/sha256.h"
+#include "src/system/hashing/sha256.h"
 
 namespace ninebit {
 

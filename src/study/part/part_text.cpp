@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "src/study/part/json_value.h"
-#include "src/study/part/sha256.h"
+#include "src/system/hashing/sha256.h"
 
 namespace ninebit {
 namespace {

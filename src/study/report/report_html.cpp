@@ -5,9 +5,9 @@
 #include <cmath>
 
 #include "ninebit/study/report_files.h"
-#include "src/study/part/sha256.h"
 #include "src/study/report/page_data.h"
 #include "src/study/report/page_texts.h"
+#include "src/system/hashing/sha256.h"
 
 namespace ninebit {
 namespace {

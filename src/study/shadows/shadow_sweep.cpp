@@ -10,9 +10,9 @@
 #include <utility>
 
 #include "ninebit/shadow/ground_truth.h"
-#include "src/study/part/sha256.h"
 #include "src/study/part/sweep_axes.h"
 #include "src/study/shadows/shadow_sweep_report.h"
+#include "src/system/hashing/sha256.h"
 
 namespace ninebit {
 namespace {

@@ -1,8 +1,7 @@
 // `ninebit bench combiner|raster|frame`: how fast this machine runs each part.
 #include "src/tools/bench/bench.h"
 
-#include <oneapi/tbb/task_arena.h>
-
+#include "src/system/parallel/parallel_loop.h"
 #include "src/tools/common/number_flag.h"
 
 namespace ninebit::tools {
@@ -16,7 +15,7 @@ void add_bench_flags(CLI::App& verb, BenchFlags& flags) {
 }
 
 int thread_count(const CommonFlags& flags) {
-  return flags.threads > 0 ? flags.threads : tbb::this_task_arena::max_concurrency();
+  return flags.threads > 0 ? flags.threads : static_cast<int>(max_threads());
 }
 
 std::vector<int> one_and_all_threads(const CommonFlags& flags) {

@@ -8,6 +8,7 @@
 
 #include "ninebit/image/image_io.h"
 #include "ninebit/scene/scene_io.h"
+#include "src/system/parallel/parallel_loop.h"
 #include "src/tools/common/cookie_file.h"
 #include "src/tools/common/number_flag.h"
 #include "src/tools/common/number_list.h"
@@ -218,10 +219,8 @@ const Names<DepthEncoding> kDepthEncodings{{"d24", DepthEncoding::d24},
                                            {"rgba8-modf", DepthEncoding::rgba8_modf}};
 
 ThreadLimit::ThreadLimit(int threads) {
-  if (threads > 0) {
-    limit_.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
-  }
-  set_image_threads(threads > 0 ? threads : tbb::this_task_arena::max_concurrency());
+  if (threads > 0) limit_.emplace(static_cast<std::size_t>(threads));
+  set_image_threads(threads > 0 ? threads : static_cast<int>(max_threads()));
 }
 
 CLI::Option* add_scene_file(CLI::App& verb, const std::string& name, SceneFlags& flags) {

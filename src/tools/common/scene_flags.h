@@ -1,15 +1,13 @@
 // The flags that say which scene is rendered and how, for every verb that renders.
 #pragma once
 
-#include <oneapi/tbb/global_control.h>
-#include <oneapi/tbb/task_arena.h>
-
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "ninebit/scene/scene.h"
 #include "ninebit/shadow/technique.h"
+#include "src/system/parallel/parallel_loop.h"
 #include "src/tools/input/program.h"
 
 namespace ninebit::tools {
@@ -53,7 +51,7 @@ class ThreadLimit {
   explicit ThreadLimit(int threads);
 
  private:
-  std::optional<tbb::global_control> limit_;
+  std::optional<ScopedThreadLimit> limit_;
 };
 
 // The settings of flags that were checked while they were parsed, but for the cookie, which render_scene reads.

@@ -7,7 +7,7 @@
 #include <set>
 #include <utility>
 
-#include "src/study/part/sha256.h"
+#include "src/system/hashing/sha256.h"
 #include "src/tools/common/number_flag.h"
 #include "src/tools/common/number_list.h"
 #include "src/tools/input/input_file.h"

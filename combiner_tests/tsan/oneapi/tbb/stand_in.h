@@ -13,11 +13,8 @@
 #include <atomic>
 #include <cstddef>
 #include <exception>
-#include <functional>
 #include <mutex>
-#include <optional>
 #include <thread>
-#include <utility>
 #include <vector>
 
 namespace tbb {
@@ -103,39 +100,9 @@ void in_threads(std::size_t count, const Function& run) {
 }
 
 template <class Index, class Body>
-void parallel_for(const blocked_range<Index>& range, const Body& body) {
+void parallel_for(const blocked_range<Index>& range, const Body& body, simple_partitioner = {}) {
   const std::size_t pieces = range.pieces();
   in_threads(pieces, [&](std::size_t p) { body(range.piece(p, pieces)); });
-}
-
-template <class Index, class Function>
-void parallel_for(Index begin, Index end, const Function& run, simple_partitioner = {}) {
-  parallel_for(blocked_range<Index>(begin, end), [&](const blocked_range<Index>& range) {
-    for (Index i = range.begin(); i != range.end(); ++i) run(i);
-  });
-}
-
-template <class Index, class Value, class Body, class Join>
-Value parallel_reduce(const blocked_range<Index>& range, const Value& identity, const Body& body, const Join& join) {
-  const std::size_t pieces = range.pieces();
-  std::vector<std::optional<Value>> found(pieces);
-  in_threads(pieces, [&](std::size_t p) { found[p] = body(range.piece(p, pieces), identity); });
-  Value all = identity;
-  for (std::optional<Value>& one : found) all = join(std::move(all), *one);
-  return all;
-}
-
-template <class Iterator, class Less = std::less<>>
-void parallel_sort(Iterator begin, Iterator end, const Less& less = {}) {
-  const Iterator middle = begin + (end - begin) / 2;
-  in_threads(2, [&](std::size_t half) {
-    if (half == 0) {
-      std::sort(begin, middle, less);
-    } else {
-      std::sort(middle, end, less);
-    }
-  });
-  std::inplace_merge(begin, middle, end, less);
 }
 
 }  // namespace tbb

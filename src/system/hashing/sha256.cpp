@@ -1,4 +1,4 @@
-#include "src/study/part/sha256.h"
+#include "src/system/hashing/sha256.h"
 
 #include <fmt/format.h>
 #include <openssl/evp.h>
