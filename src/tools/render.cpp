@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <chrono>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
@@ -107,77 +108,92 @@ std::string error_line(const Rendering& rendering, const std::optional<GroundTru
                      truth->false_shadowed, causes);
 }
 
-double milliseconds(std::chrono::steady_clock::duration d) {
+using Clock = std::chrono::steady_clock;
+
+double milliseconds(Clock::duration d) {
   return std::chrono::duration<double, std::milli>(d).count();
 }
 
-int render(const RenderFlags& flags) {
-  using Clock = std::chrono::steady_clock;
-  const ThreadLimit limit(flags.common.threads);
-  RenderSettings settings = settings_of(flags.scene, flags.common);
-  if (!flags.pick.empty()) {
-    if (flags.scene.technique != "index-cube") {
-      return wrong_usage(
-          fmt::format("--pick needs the indices of technique index-cube, not {}", flags.scene.technique));
-    }
-    const auto pixel = window_pixel("--pick", flags.pick, settings);
-    if (!pixel) return wrong_usage(pixel.error().message);
-    settings.pick = *pixel;
-  }
-  settings.evidence = flags.ground_truth;
+// What one run of the verb loads, draws and writes.
+struct RenderRun {
+  RenderSettings settings;
+  Scene scene;
+  std::optional<Rendering> rendering;
+  std::optional<GroundTruth> truth;
+  std::vector<std::filesystem::path> files;
+  Clock::duration load{}, write{}, total{};
+};
 
-  const auto start = Clock::now();
-  std::optional<ProgressLine> line(std::in_place, flags.common.quiet);
-  line->step("loading", 0.0);
-  const auto scene = load_scene(flags.scene, settings, flags.common.quiet);
-  if (!scene) return line.reset(), report(scene.error());
-  // Before the work, so that a folder that cannot be written into costs nobody a long rendering.
-  auto files = StagedFiles::open(flags.folder);
-  if (!files) return line.reset(), report(files.error());
-  const auto loaded = Clock::now();
+Status step(ProgressLine& line, std::string_view pass, double done) {
+  if (line.step(pass, done)) return {};
+  return Diagnostic{.message = "interrupted", .fault = Fault::cancelled};
+}
 
+// Draws the loaded scene; with --ground-truth, judges each pixel.
+Status draw(const RenderFlags& flags, RenderRun& run, ProgressLine& line) {
   const double judging = flags.ground_truth ? 0.4 : 0.0;
   const auto progress = [&](std::string_view pass, double done) {
-    return line->step(pass, 0.1 + (0.8 - judging) * done);
+    return line.step(pass, 0.1 + (0.8 - judging) * done);
   };
-  auto rendering = render_scene(flags.scene, *scene, settings, progress);
-  if (!rendering) return line.reset(), report(rendering.error());
-  std::optional<GroundTruth> truth;
-  if (flags.ground_truth) {
-    const auto further = [&](std::string_view pass, double done) { return line->step(pass, 0.5 + judging * done); };
-    auto judged = judge(*scene, settings, *rendering, further);
-    if (!judged) return line.reset(), report(judged.error());
-    truth = std::move(*judged);
-  }
+  auto rendering = render_scene(flags.scene, run.scene, run.settings, progress);
+  if (!rendering) return rendering.error();
+  run.rendering.emplace(std::move(*rendering));
+  if (!flags.ground_truth) return {};
+  const auto further = [&](std::string_view pass, double done) { return line.step(pass, 0.5 + judging * done); };
+  auto judged = judge(run.scene, run.settings, *run.rendering, further);
+  if (!judged) return judged.error();
+  run.truth = std::move(*judged);
+  return {};
+}
+
+Status load_draw_and_write(const RenderFlags& flags, RenderRun& run, ProgressLine& line) {
+  const auto start = Clock::now();
+  line.step("loading", 0.0);
+  auto scene = load_scene(flags.scene, run.settings, flags.common.quiet);
+  if (!scene) return scene.error();
+  run.scene = std::move(*scene);
+  // Opened before the drawing: a folder that is not writable must not cost a long rendering.
+  auto files = StagedFiles::open(flags.folder);
+  if (!files) return files.error();
+  const auto loaded = Clock::now();
+
+  if (Status drawn = draw(flags, run, line); !drawn) return drawn;
 
   const auto rendered = Clock::now();
-  if (!line->step("writing", 0.9)) return line.reset(), report({.message = "interrupted", .fault = Fault::cancelled});
-  if (Status written = write_rendering(*rendering, *files); !written) return line.reset(), report(written.error());
-  if (!line->step("writing", 1.0)) return line.reset(), report({.message = "interrupted", .fault = Fault::cancelled});
-  if (Status committed = files->commit(); !committed) return line.reset(), report(committed.error());
+  if (Status go_on = step(line, "writing", 0.9); !go_on) return go_on;
+  if (Status written = write_rendering(*run.rendering, *files); !written) return written;
+  if (Status go_on = step(line, "writing", 1.0); !go_on) return go_on;
+  if (Status committed = files->commit(); !committed) return committed;
   const auto end = Clock::now();
-  line.reset();
 
+  run.files = files->files();
+  run.load = loaded - start;
+  run.write = end - rendered;
+  run.total = end - start;
+  return {};
+}
+
+int print_text(const RenderFlags& flags, const RenderRun& run) {
+  const Rendering& r = *run.rendering;
+  if (!flags.common.quiet) {
+    say(fmt::format("{} triangles; pixels: {} lit, {} shadowed, {} background; {:.0f} ms\n", run.scene.triangles.size(),
+                    r.lit, r.shadowed, r.background, milliseconds(run.total)));
+    if (flags.ground_truth) say(error_line(r, run.truth));
+  }
+  return r.picked ? answer(text_of(flags, run.scene, *r.picked)) : kDone;
+}
+
+int print_json(const RenderFlags& flags, const RenderRun& run) {
+  const Rendering& r = *run.rendering;
+  const RenderSettings& settings = run.settings;
   Json names = Json::array();
-  for (const auto& file : files->files()) {
-    names.push_back(file.string());
-    if (!flags.common.quiet) say_written(file);
-  }
-  const Rendering& r = *rendering;
-  if (!flags.common.json) {
-    if (!flags.common.quiet) {
-      say(fmt::format("{} triangles; pixels: {} lit, {} shadowed, {} background; {:.0f} ms\n", scene->triangles.size(),
-                      r.lit, r.shadowed, r.background, milliseconds(end - start)));
-      if (flags.ground_truth) say(error_line(r, truth));
-    }
-    return r.picked ? answer(text_of(flags, *scene, *r.picked)) : kDone;
-  }
+  for (const auto& file : run.files) names.push_back(file.string());
   Json out{{"command", "render"},
            {"version", NINEBIT_VERSION},
            {"technique", flags.scene.technique},
            {"profile", flags.common.profile},
            {"scene", flags.scene.file},
-           {"triangles", scene->triangles.size()},
+           {"triangles", run.scene.triangles.size()},
            {"size", {settings.width, settings.height}},
            {"map_size", settings.map_size},
            {"index",
@@ -188,20 +204,45 @@ int render(const RenderFlags& flags) {
              {"capacity", r.codes.capacity()}}},
            {"pixels", {{"background", r.background}, {"lit", r.lit}, {"shadowed", r.shadowed}}},
            {"time_ms",
-            {{"load", milliseconds(loaded - start)},
+            {{"load", milliseconds(run.load)},
              {"transform", r.times.transform},
              {"maps", r.times.maps},
              {"camera", r.times.camera},
              {"compare", r.times.compare},
              {"shade", r.times.lit + r.times.shadow},
-             {"write", milliseconds(end - rendered)},
-             {"total", milliseconds(end - start)}}},
+             {"write", milliseconds(run.write)},
+             {"total", milliseconds(run.total)}}},
            {"facts", facts(r)},
            {"files", std::move(names)},
            {"hash", hashes(r)}};
-  if (r.picked) out["pick"] = json_of(flags, *scene, *r.picked);
-  if (truth) out["errors"] = errors(*r.evidence, *truth);
+  if (r.picked) out["pick"] = json_of(flags, run.scene, *r.picked);
+  if (run.truth) out["errors"] = errors(*r.evidence, *run.truth);
   return answer(out);
+}
+
+int render(const RenderFlags& flags) {
+  const ThreadLimit limit(flags.common.threads);
+  RenderRun run;
+  run.settings = settings_of(flags.scene, flags.common);
+  if (!flags.pick.empty()) {
+    if (flags.scene.technique != "index-cube") {
+      return wrong_usage(
+          fmt::format("--pick needs the indices of technique index-cube, not {}", flags.scene.technique));
+    }
+    const auto pixel = window_pixel("--pick", flags.pick, run.settings);
+    if (!pixel) return wrong_usage(pixel.error().message);
+    run.settings.pick = *pixel;
+  }
+  run.settings.evidence = flags.ground_truth;
+
+  std::optional<ProgressLine> line(std::in_place, flags.common.quiet);
+  const Status done = load_draw_and_write(flags, run, *line);
+  line.reset();
+  if (!done) return report(done.error());
+  if (!flags.common.quiet) {
+    for (const auto& file : run.files) say_written(file);
+  }
+  return flags.common.json ? print_json(flags, run) : print_text(flags, run);
 }
 
 }  // namespace

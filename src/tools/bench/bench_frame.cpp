@@ -88,90 +88,120 @@ Json json_of(const bench::Spread& spread) {
   return {{"median", spread.median}, {"min", spread.min}, {"max", spread.max}};
 }
 
-int bench_frame(const FrameFlags& flags) {
-  const CommonFlags& common = flags.bench.common;
-  const ThreadLimit limit(common.threads);
-  const RenderSettings settings = settings_of(flags.scene, common);
-  std::optional<ProgressLine> line(std::in_place, common.quiet);
-  line->step("loading", 0.0);
-  const auto scene = flags.scene.file.empty()
-                         ? complete_scene_of(flags.scene, settings, bench::generated_scene(flags.triangles))
-                         : load_scene(flags.scene, settings, common.quiet);
-  if (!scene) return line.reset(), report(scene.error());
-  const auto start = bench::Clock::now();
-  auto renderer = IndexCubeRenderer::make(*scene, settings);
-  if (!renderer) return line.reset(), report(renderer.error());
-  const double setup_ms = 1e3 * bench::seconds_since(start);
+// Everything that one run of the verb measures.
+struct FrameRun {
+  RenderSettings settings;
+  Scene scene;
+  double setup_ms = 0.0;
+  FrameTimes times;
+  std::optional<RivalTimes> rival;  // with --rival
+  std::size_t pixels = 0;
+  int threads = 1;
+  bool rival_is_missing = false;
+};
 
-  // Before the work, so that a machine without it says so at once.
+struct PassTime {
+  const char* name;
+  double ms;  // the median
+};
+
+std::vector<PassTime> pass_times(const FrameTimes& times) {
+  return {{"maps", bench::spread_of(times.maps).median},
+          {"depth", bench::spread_of(times.depth).median},
+          {"compare", bench::spread_of(times.compare).median},
+          {"lit", bench::spread_of(times.lit).median},
+          {"shadow", bench::spread_of(times.shadow).median}};
+}
+
+Status measure_frames(const FrameFlags& flags, FrameRun& run, ProgressLine& line) {
+  line.step("loading", 0.0);
+  auto scene = flags.scene.file.empty()
+                   ? complete_scene_of(flags.scene, run.settings, bench::generated_scene(flags.triangles))
+                   : load_scene(flags.scene, run.settings, flags.bench.common.quiet);
+  if (!scene) return scene.error();
+  run.scene = std::move(*scene);
+  const auto start = bench::Clock::now();
+  auto renderer = IndexCubeRenderer::make(run.scene, run.settings);
+  if (!renderer) return renderer.error();
+  run.setup_ms = 1e3 * bench::seconds_since(start);
+
+  // Before the measurement: a machine without the rival must not cost the time of one.
   std::unique_ptr<bench::LlvmpipeFrame> rival;
   if (!flags.rival.empty()) {
-    auto made = bench::LlvmpipeFrame::make(*scene, settings, *renderer, thread_count(common));
+    auto made = bench::LlvmpipeFrame::make(run.scene, run.settings, *renderer, run.threads);
     if (!made) {
-      line.reset();
-      say_error(fmt::format("--rival {} is not available: {}", flags.rival, made.error().text()));
-      return kWrongUsage;
+      run.rival_is_missing = true;
+      return Diagnostic{.message = fmt::format("--rival {} is not available: {}", flags.rival, made.error().text())};
     }
     rival = std::move(*made);
   }
 
-  FrameTimes times;
-  if (Status done = measure(*renderer, flags.bench.time_limit(), *line, times); !done) {
-    return line.reset(), report(done.error());
-  }
-  RivalTimes rival_times;
-  if (rival) {
-    const double seconds = flags.bench.time_limit();
-    if (Status done = measure_rival(*rival, renderer->rendering(), seconds, *line, rival_times); !done) {
-      return line.reset(), report(done.error());
-    }
-  }
-  line.reset();
+  if (Status done = measure(*renderer, flags.bench.time_limit(), line, run.times); !done) return done;
+  run.pixels = renderer->rendering().frame.stencil().size();
+  if (!rival) return {};
+  return measure_rival(*rival, renderer->rendering(), flags.bench.time_limit(), line, run.rival.emplace());
+}
 
-  const bench::Spread total = bench::spread_of(times.total);
-  const Json passes{{"maps", bench::spread_of(times.maps).median},
-                    {"depth", bench::spread_of(times.depth).median},
-                    {"compare", bench::spread_of(times.compare).median},
-                    {"lit", bench::spread_of(times.lit).median},
-                    {"shadow", bench::spread_of(times.shadow).median}};
-  const int threads = thread_count(common);
-  if (!common.json) {
-    std::string text = fmt::format("{}: {} triangles, {}x{}, six faces of {} x {}, {} threads, {} frames\n",
-                                   scene->name, scene->triangles.size(), settings.width, settings.height,
-                                   settings.map_size, settings.map_size, threads, times.total.size());
-    text += fmt::format("{:.2f} ms a frame (median; {:.2f} to {:.2f})\n", total.median, total.min, total.max);
-    for (const auto& [name, ms] : passes.items()) text += fmt::format("  {:<8} {:9.2f} ms\n", name, ms.get<double>());
-    if (rival) {
-      const bench::Spread theirs = bench::spread_of(rival_times.total);
-      text +=
-          fmt::format("{}: {:.2f} ms a frame ({:.2f} to {:.2f}), {:.2f} times ours; {} of {} shadow pixels differ\n",
-                      rival_times.renderer, theirs.median, theirs.min, theirs.max, theirs.median / total.median,
-                      rival_times.shadow_pixels_that_differ, renderer->rendering().frame.stencil().size());
-    }
-    return answer(text);
+std::string text_of(const FrameRun& run) {
+  const bench::Spread total = bench::spread_of(run.times.total);
+  const int map_size = run.settings.map_size;
+  std::string text = fmt::format("{}: {} triangles, {}x{}, six faces of {} x {}, {} threads, {} frames\n",
+                                 run.scene.name, run.scene.triangles.size(), run.settings.width, run.settings.height,
+                                 map_size, map_size, run.threads, run.times.total.size());
+  text += fmt::format("{:.2f} ms a frame (median; {:.2f} to {:.2f})\n", total.median, total.min, total.max);
+  for (const PassTime& pass : pass_times(run.times)) text += fmt::format("  {:<8} {:9.2f} ms\n", pass.name, pass.ms);
+  if (run.rival) {
+    const bench::Spread theirs = bench::spread_of(run.rival->total);
+    text += fmt::format("{}: {:.2f} ms a frame ({:.2f} to {:.2f}), {:.2f} times ours; {} of {} shadow pixels differ\n",
+                        run.rival->renderer, theirs.median, theirs.min, theirs.max, theirs.median / total.median,
+                        run.rival->shadow_pixels_that_differ, run.pixels);
   }
+  return text;
+}
+
+Json json_of(const FrameFlags& flags, const FrameRun& run) {
+  const bench::Spread total = bench::spread_of(run.times.total);
+  Json passes = Json::object();
+  for (const PassTime& pass : pass_times(run.times)) passes[pass.name] = pass.ms;
   Json out{{"command", "bench frame"},
            {"version", NINEBIT_VERSION},
-           {"profile", common.profile},
+           {"profile", flags.bench.common.profile},
            {"scene", flags.scene.file.empty() ? "generated" : flags.scene.file},
-           {"triangles", scene->triangles.size()},
-           {"threads", threads},
-           {"size", {settings.width, settings.height}},
-           {"map_size", settings.map_size},
+           {"triangles", run.scene.triangles.size()},
+           {"threads", run.threads},
+           {"size", {run.settings.width, run.settings.height}},
+           {"map_size", run.settings.map_size},
            {"ms_per_frame", json_of(total)},
-           {"passes", passes},
-           {"frames", times.total.size()},
-           {"setup_ms", setup_ms}};
-  if (rival) {
-    const bench::Spread theirs = bench::spread_of(rival_times.total);
+           {"passes", std::move(passes)},
+           {"frames", run.times.total.size()},
+           {"setup_ms", run.setup_ms}};
+  if (run.rival) {
+    const bench::Spread theirs = bench::spread_of(run.rival->total);
     out["rival"] = {{"name", flags.rival},
-                    {"renderer", rival_times.renderer},
-                    {"threads", threads},
+                    {"renderer", run.rival->renderer},
+                    {"threads", run.threads},
                     {"ms_per_frame", json_of(theirs)},
                     {"ratio", theirs.median / total.median},
-                    {"shadow_pixels_that_differ", rival_times.shadow_pixels_that_differ}};
+                    {"shadow_pixels_that_differ", run.rival->shadow_pixels_that_differ}};
   }
-  return answer(out);
+  return out;
+}
+
+int bench_frame(const FrameFlags& flags) {
+  const CommonFlags& common = flags.bench.common;
+  const ThreadLimit limit(common.threads);
+  FrameRun run;
+  run.settings = settings_of(flags.scene, common);
+  run.threads = thread_count(common);
+  std::optional<ProgressLine> line(std::in_place, common.quiet);
+  const Status done = measure_frames(flags, run, *line);
+  line.reset();
+  if (run.rival_is_missing) {
+    say_error(done.error().message);
+    return kWrongUsage;
+  }
+  if (!done) return report(done.error());
+  return common.json ? answer(json_of(flags, run)) : answer(text_of(run));
 }
 
 }  // namespace
