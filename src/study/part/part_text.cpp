@@ -6,7 +6,7 @@
 #include <optional>
 #include <utility>
 
-#include "src/study/part/json_value.h"
+#include "src/study/part/study_value_json.h"
 #include "src/study/part/sha256.h"
 
 namespace ninebit {
