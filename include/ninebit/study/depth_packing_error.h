@@ -49,7 +49,7 @@ struct RoundTripError {
   float one_back = 0.0F;         // the value read back for 1
 };
 
-// Measures all depths of a set. The result is the same for any number of threads. Reports Fault::cancelled if go_on
+// Measures all depths of a set, with the same result for any number of threads. Reports Fault::cancelled if go_on
 // returns false.
 [[nodiscard]] Result<RoundTripError> measure_round_trip(const DepthPacking& packing, ChannelStorage storage,
                                                         DepthSet set, std::uint32_t float_step, const GoOn& go_on);
@@ -74,8 +74,7 @@ struct DepthPackingOptions {
 [[nodiscard]] DepthPackingOptions all_depth_packings();
 
 // One unit with one row for each packing, storage and set; one more unit for each packing and storage, with the 256
-// depths whose highest digit is 128 in the table "second_digit". Reports an unknown packing, an empty list, a step of
-// 0.
+// depths whose highest digit is 128 in the table "second_digit". Reports an unknown packing, an empty list, step 0.
 [[nodiscard]] Result<std::unique_ptr<Study>> make_depth_packing_study(const DepthPackingOptions& options);
 
 }  // namespace ninebit

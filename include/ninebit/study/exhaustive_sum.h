@@ -16,8 +16,7 @@
 
 namespace NINEBIT_PUBLIC ninebit {
 
-// One unit for each form and each value of A. Reports a profile whose arithmetic is not integer, and an empty list of
-// forms.
+// One unit for each form and each value of A. Reports a profile whose arithmetic is not integer, and empty `forms`.
 //
 // Rows of the table "rows", one for each unit:
 //   profile, form, a

@@ -79,7 +79,7 @@ struct IndexStepRow {
 [[nodiscard]] std::optional<int> smallest_safe_step(std::span<const IndexStepRow> rows, std::string_view profile,
                                                     StudyFormat format, std::string_view variant);
 
-// The caller's own program instead of the variants: it compares primary with texture 0 and gives alpha 0 if they are
+// The caller's own program instead of the variants: compares primary with texture 0 and gives alpha 0 if they are
 // equal.
 struct IndexProgram {
   std::string file;                   // its name, for the question and for error messages

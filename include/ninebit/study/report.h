@@ -68,8 +68,7 @@ struct HeatMap {
   double y_first = 0.0, y_last = 0.0;  // the coordinates of the top and the bottom row
   int width = 0, height = 0;           // columns and rows
   std::vector<float> values;           // width × height
-  // The values at the ends of the colour scale: if low < 0, negative and positive values have a colour each, and 0 is
-  // white.
+  // The values at the ends of the colour scale. If low < 0, negative and positive values differ in hue, and 0 is white.
   float low = 0.0F, high = 1.0F;
   std::string caption{};  // shown below the map; may be empty
 };

@@ -64,8 +64,7 @@ using StudyOfPart = std::function<Result<const Study*>(const PartHeader&)>;
 // Memory and time are bounded by a multiple of the file's bytes.
 [[nodiscard]] Result<StudyPart> read_part(const std::filesystem::path& file, const StudyOfPart& study_of = {});
 
-// Called between units with the name of the next unit and the share that is done (0 to 1). Returns false to end the
-// work.
+// Called between units with the name of the next unit and the finished share (0 to 1). Returns false to end the work.
 using StudyProgress = std::function<bool(const std::string& unit, double done)>;
 
 // The limits that may end a run early.
@@ -76,8 +75,7 @@ struct PartLimits {
 
 // Runs the shard's units that the part in `folder` does not hold yet, and appends each as soon as it is finished.
 // Reports a part that another run is writing, a part of another question or build, a damaged part, a failure to write,
-// and Fault::cancelled; finished units stay in the part. Returns the part, which is incomplete if the limits ended the
-// run.
+// and Fault::cancelled; finished units stay in the part. Returns the part, incomplete if the limits ended the run.
 [[nodiscard]] Result<StudyPart> run_part(const Study& study, std::string_view build, const Shard& shard,
                                          const std::filesystem::path& folder, const PartLimits& limits,
                                          const StudyProgress& progress);
