@@ -33,7 +33,7 @@ inline constexpr std::array kOutputForms{OutputForm{Scale::none, Bias::none, "x1
 
 // Measures every operation of every profile with integer arithmetic, over all codes from -one to one. For each pair of
 // these profiles whose codes stand for the same numbers, counts the inputs on which their codes differ. Profiles with
-// another arithmetic are skipped; reports an error if no profile is left. A unit is one operation of a profile or pair.
+// another arithmetic are skipped; reports if no profile is left. A unit is one kind of operation of a profile or pair.
 //
 // An error is a result's code / one minus the exact value, which is clamped where the extension clamps.
 //

@@ -74,8 +74,8 @@ StudyRow differences_of(const HardwareProfile& first, const HardwareProfile& sec
                      {"differ", differ}}};
 }
 
-// Limits for rows from files. Results and exact values are clamped to [-1, 1]; a dot product's bias may exceed it a
-// bit.
+// Limits for rows from files. Results and exact values are clamped to [-1, 1]; a dot product's bias may go a little
+// beyond.
 constexpr double kMostValue = 16.0, kMostCode = 65536.0, kMostCases = 0x1p63, kLongestInputs = 4096.0;
 
 RowRule errors_rule(const HardwareProfile& profile, std::string_view operation, const std::string& form) {
