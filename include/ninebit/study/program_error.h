@@ -37,8 +37,8 @@ struct RegisterComponent {
 // program's values. A listed constant replaces the program's in every stage.
 struct ProgramInputs {
   std::vector<RegisterComponent> components;  // at least one
-  // A code for each component, fragment after fragment. If empty: all combinations of the components' values, the last
-  // component changing fastest. Values range from 0 to one, as bytes do; in spare0 and spare1 from lowest to one.
+  // A code for each component, fragment after fragment. std::nullopt: all combinations of the components' values, the
+  // last component changing fastest. Values range from 0 to one, as bytes do; in spare0 and spare1 from lowest to one.
   std::optional<std::vector<s9>> codes{};
 };
 

@@ -92,7 +92,7 @@ std::vector<std::string> errors_in_words(const DepthPackingOptions& options, std
 
 // The values read back for depths 0 and 1, which are the same in every set of depths.
 std::vector<std::string> ends_in_words(std::span<const StudyRow> rows) {
-  std::set<std::string> told;
+  std::set<std::string> seen;
   std::vector<std::string> changed;
   for (const StudyRow& row : rows) {
     if (row.table != "rows") continue;
@@ -100,7 +100,7 @@ std::vector<std::string> ends_in_words(std::span<const StudyRow> rows) {
       if (row.number(field) == end) continue;
       const std::string words = fmt::format("{} reads as {} through {} ({})", end, row.number(field),
                                             row.text("packing"), row.text("storage"));
-      if (told.insert(words).second) changed.push_back(words);
+      if (seen.insert(words).second) changed.push_back(words);
     }
   }
   if (changed.empty()) return {"Depths 0 and 1 are unchanged."};

@@ -52,7 +52,7 @@ bool belongs_to(const Shard& shard, std::size_t unit) {
   return unit % shard.count == shard.index - 1;
 }
 
-std::string senseless(const PartHeader& header) {
+std::string error_in_header(const PartHeader& header) {
   if (header.units == 0 || header.units > kMaxStudyUnits) {
     return fmt::format("{} units; expected 1 to {}", header.units, kMaxStudyUnits);
   }
@@ -97,7 +97,7 @@ class Reading {
   std::string add_header(std::string_view text) {
     auto header = parse_header_line(text);
     if (!header) return header.error().message;
-    if (std::string why = senseless(*header); !why.empty()) return why;
+    if (std::string why = error_in_header(*header); !why.empty()) return why;
     if (study_of_) {
       auto study = study_of_(*header);
       if (!study) return study.error().message;

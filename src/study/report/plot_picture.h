@@ -21,7 +21,8 @@ namespace ninebit {
 [[nodiscard]] std::string bar_label(const Plot& plot, double x);
 
 // The plot on white, 1280 x 800: title, axes with round ticks, a legend if there is more than one series. The same plot
-// and the same fonts give the same bytes; without any font, Cairo uses its own strokes. Reports lack of memory.
+// and the same fonts give the same bytes; without any font, Cairo uses its own strokes. Reports Cairo's errors, such as
+// lack of memory.
 [[nodiscard]] Result<Image8> picture_of(const Plot& plot);
 
 }  // namespace ninebit
