@@ -221,7 +221,7 @@ TEST(DepthPackingStudy, RefusesWhatItCannotAsk) {
     const auto study = make_depth_packing_study(options);
     return study ? std::string("no error") : study.error().message;
   };
-  EXPECT_NE(message([](auto& o) { o.packings = {"rgba8"}; }).find("'rgba8' is no depth packing"), std::string::npos);
+  EXPECT_NE(message([](auto& o) { o.packings = {"rgba8"}; }).find("'rgba8' is not a depth packing"), std::string::npos);
   for (const auto& emptied : {message([](auto& o) { o.packings.clear(); }),
                               message([](auto& o) { o.storages.clear(); }), message([](auto& o) { o.sets.clear(); })}) {
     EXPECT_NE(emptied.find("nothing to study"), std::string::npos) << emptied;

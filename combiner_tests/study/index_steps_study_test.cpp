@@ -153,10 +153,10 @@ TEST(IndexStepsStudy, TheReportAnswersInWordsTablesAndPictures) {
   ASSERT_EQ(report->answers.size(), 3U);  // without scales both profiles lose the same
   EXPECT_EQ(report->answers[0],
             "geforce2 with both-x4: step 2 is the smallest safe one (128 codes in channel and 2,097,152 codes in rgb); "
-            "of the pairs of different indices, step 1 takes 0.781 % in channel and 0.000154 % in rgb for equal.");
+            "at step 1, different pairs compare equal: 0.781 % in channel and 0.000154 % in rgb.");
   EXPECT_TRUE(report->answers[1].starts_with("geforce2, geforce2-early-truncation with no-scale: "))
       << report->answers[1];
-  EXPECT_NE(report->answers[1].find("no step asked for is safe in channel, rgb"), std::string::npos)
+  EXPECT_NE(report->answers[1].find("no studied step is safe in channel, rgb"), std::string::npos)
       << report->answers[1];
   ASSERT_EQ(report->tables.size(), 2U);
   for (const ReportTable& table : report->tables) {

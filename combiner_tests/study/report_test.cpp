@@ -197,7 +197,7 @@ TEST(Report, AMapOfAnotherSizeIsReported) {
   made.report.heat_maps[0].width = 510;
   const auto html = report_html(made.question, "1", made.report, made.rows);
   ASSERT_FALSE(html.ok());
-  EXPECT_NE(html.error().message.find("261121 values where 510 x 511"), std::string::npos) << html.error().text();
+  EXPECT_NE(html.error().message.find("261121 values; expected 510 x 511"), std::string::npos) << html.error().text();
 }
 
 TEST(Report, FilesAreTheSameEachTime) {

@@ -176,11 +176,12 @@ TEST(ShadowSweep, AxesOfOtherTechniquesAreRefused) {
     const auto study = sweep_of(name, grid);
     return study ? std::string("no error") : study.error().message;
   };
-  EXPECT_EQ(message("index-cube"), "technique index-cube does not know --polygon-offsets");
-  EXPECT_EQ(message("shadow-map"), "technique shadow-map does not know --steps");
-  EXPECT_EQ(message("depth-cube"), "technique depth-cube does not know --steps, --polygon-offsets");
-  EXPECT_EQ(message("shadow-volume"), "technique shadow-volume does not know --map-sizes, --steps, --polygon-offsets");
-  EXPECT_EQ(message("reflective"), "technique reflective draws no shadows that could be wrong");
+  EXPECT_EQ(message("index-cube"), "technique index-cube does not support --polygon-offsets");
+  EXPECT_EQ(message("shadow-map"), "technique shadow-map does not support --steps");
+  EXPECT_EQ(message("depth-cube"), "technique depth-cube does not support --steps, --polygon-offsets");
+  EXPECT_EQ(message("shadow-volume"),
+            "technique shadow-volume does not support --map-sizes, --steps, --polygon-offsets");
+  EXPECT_EQ(message("reflective"), "technique reflective draws no shadows to compare");
 }
 
 TEST(ShadowSweep, KnowsEveryTechniqueWithShadows) {
@@ -312,7 +313,7 @@ TEST(ShadowSweepReport, TellsHowErrorsFallWithTheMap) {
                                    map_row(2, 512, 1, 1, 0, 200)};
   const StudyReport report = report_on(rows);
   EXPECT_NE(
-      answers_of(report).find("From map_size 128 to 512 the wrong pixels go from 800 to 200, times 0.50 a doubling."),
+      answers_of(report).find("From map_size 128 to 512 the wrong pixels go from 800 to 200, ×0.50 per doubling."),
       std::string::npos)
       << answers_of(report);
   EXPECT_TRUE(report.heat_maps.empty());

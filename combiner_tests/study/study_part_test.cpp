@@ -186,7 +186,7 @@ TEST(StudyPart, MissingDoubledAndForeignPartsAreTold) {
   const PartsFolder folder, other;
   const StudyPart first = *run(Squares(10), folder, {1, 2}), second = *run(Squares(10), folder, {2, 2});
   expect_fault(join_parts(std::vector{first}), "shard 2/2 is missing");
-  expect_fault(join_parts(std::vector{first, second, first}), "second time");
+  expect_fault(join_parts(std::vector{first, second, first}), "repeats shard 1/2");
   expect_fault(join_parts({}), "no part");
   expect_fault(join_parts(std::vector{first, *run(Squares(10, "2-3"), other, {2, 2})}), "another question");
   fs::remove_all(other.path());

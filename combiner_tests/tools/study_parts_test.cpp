@@ -188,7 +188,7 @@ TEST_F(AlteredPart, LinesThatStandTwiceHeal) {
   FinishedUnit other = part_.units[0];
   other.rows[0].fields.back().second = std::uint64_t{3};
   write_bytes(file, header + first + unit_line(other));
-  expect_error(ninebit(words), 3, {file + ":3", "unit 0 for the second time, with other rows"});
+  expect_error(ninebit(words), 3, {file + ":3", "unit 0 is repeated with other rows"});
 }
 
 // A first line alone: what it says costs neither memory nor time.

@@ -86,7 +86,7 @@ TEST_F(StudyParts, MergeToTheBytesOfOneRun) {
 
 TEST_F(StudyParts, ThatDoNotBelongTogetherAreRefused) {
   expect_refused({part_[0], part_[1]}, {"shard 3/3", "missing"});
-  expect_refused({part_[0], part_[1], part_[2], part_[1]}, {part_[1], "second time"});
+  expect_refused({part_[0], part_[1], part_[2], part_[1]}, {part_[1], "repeats shard"});
   ASSERT_EQ(ninebit(small_study(folder_ / "foreign", {"--shard", "3/3", "--steps", "1-5"})).code, 2)
       << "a flag may stand once";
   const Words foreign{"study",   "index-steps", "--formats", "channel,la", "--steps",          "1-5",

@@ -73,8 +73,8 @@ TEST(StudyShadows, WrongGrids) {
       {{"--technique", "shadow-map", "--polygon-offsets", "0,nan"}, 2, {"--polygon-offsets", "FACTOR,UNITS"}},
       {{"--technique", "shadow-map", "--find-offset", "--polygon-offsets", "0,0"}, 2, {"excludes"}},
       {{"--map-sizes", "64", "--map-size", "64"}, 2, {"excludes"}},
-      {{"--technique", "shadow-map", "--steps", "1,2"}, 2, {"technique shadow-map does not know --steps"}},
-      {{"--polygon-offsets", "0,0"}, 2, {"technique index-cube does not know --polygon-offsets"}},
+      {{"--technique", "shadow-map", "--steps", "1,2"}, 2, {"technique shadow-map does not support --steps"}},
+      {{"--polygon-offsets", "0,0"}, 2, {"technique index-cube does not support --polygon-offsets"}},
       {{"--technique", "reflective"}, 2, {"technique reflective draws no shadows"}},
       {{"--formats", "l"}, 3, {"no point can be drawn"}},
   };

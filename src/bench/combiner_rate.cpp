@@ -16,7 +16,7 @@
 namespace ninebit::bench {
 namespace {
 
-// A batch of fragments in both forms, and where their colours go. Of one thread.
+// One thread's batch of fragments in both forms, with room for their colours.
 struct Fragments {
   RegisterBatch planes;
   OutputBatch plane_colors;
@@ -35,14 +35,14 @@ struct Fragments {
   }
 };
 
-// A program and what evaluates it.
+// A program and the engine that evaluates it.
 struct Evaluator {
   const Program& program;
   Engine engine;
   BatchProgram batch{program};
 };
 
-// What is timed.
+// The timed work.
 void evaluate_batch(const Evaluator& evaluator, Fragments& fragments) {
   const Program& program = evaluator.program;
   switch (evaluator.engine) {
@@ -62,7 +62,7 @@ void evaluate_batches(const Evaluator& evaluator, Fragments& fragments, std::siz
   for (std::size_t i = 0; i < batches; ++i) evaluate_batch(evaluator, fragments);
 }
 
-// As many batches as take about so long.
+// The number of batches that takes about `seconds`.
 std::size_t batches_in(double seconds, const Evaluator& evaluator, Fragments& fragments) {
   std::size_t batches = 1;
   while (seconds_of([&] { evaluate_batches(evaluator, fragments, batches); }) < seconds) batches *= 2;
@@ -90,7 +90,7 @@ double combiner_rate(const Program& program, Engine engine, int threads, double 
   const Evaluator evaluator{program, engine};
   const std::size_t batches = batches_in(std::min(2e-3, seconds / 8), evaluator, *fragments[0]);
 
-  // All threads begin a run together; it lasts until the last one is done.
+  // All threads begin a run together. A run lasts until the last thread is done.
   std::vector<Clock::time_point> begin(count), end(count);
   std::barrier gate(threads);
   bool over = false;
@@ -123,7 +123,7 @@ double combiner_rate(const Program& program, Engine engine, int threads, double 
 }
 
 double read_rate(std::size_t bytes, double seconds) {
-  // Pieces short enough for some to run undisturbed; a piece comes again only after all the others.
+  // Pieces are short enough for some to run undisturbed. A piece is repeated only after all others.
   constexpr std::size_t kPiece = (std::size_t{2} << 20U) / sizeof(std::uint64_t);
   const std::vector<std::uint64_t> memory(std::max(bytes / sizeof(std::uint64_t), kPiece), 1);
   double shortest = 1e9;
@@ -137,7 +137,7 @@ double read_rate(std::size_t bytes, double seconds) {
                           }));
     }
   } while (seconds_since(start) < seconds);
-  // (A sum that is not looked at would not be computed.)
+  // The total is used so that the compiler cannot remove the sum.
   return total == 0 ? 0.0 : static_cast<double>(kPiece * sizeof(std::uint64_t)) / shortest / 1e9;
 }
 

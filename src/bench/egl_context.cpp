@@ -10,9 +10,9 @@
 #include "src/system/process.h"
 #include "src/system/shared_library.h"
 
-// Of the leak sanitizer, where the program is built with it.
+// Functions of the leak sanitizer, if the program is built with it.
 extern "C" {
-__attribute__((weak)) void __lsan_disable();  // NOLINT(bugprone-reserved-identifier): its name for it
+__attribute__((weak)) void __lsan_disable();  // NOLINT(bugprone-reserved-identifier): the sanitizer's name
 __attribute__((weak)) void __lsan_enable();   // NOLINT(bugprone-reserved-identifier)
 }
 #endif
@@ -25,7 +25,7 @@ DriverCode::DriverCode() = default;
 DriverCode::~DriverCode() = default;
 
 Result<std::unique_ptr<EglContext>> EglContext::make(int) {
-  return Diagnostic{.message = "this ninebit was built without EGL; install libegl-dev and libgl-dev, and build again"};
+  return Diagnostic{.message = "this ninebit was built without EGL; install libegl-dev and libgl-dev, and rebuild"};
 }
 
 #else
@@ -48,7 +48,7 @@ class Context final : public EglContext {
   Status open() {
     const DriverCode driver_code;
     library_ = posix::load_library("libEGL.so.1");
-    if (library_ == nullptr) return fault("there is no EGL on this machine; install libegl1");
+    if (library_ == nullptr) return fault("EGL is not installed; install libegl1");
     PFNEGLGETPLATFORMDISPLAYPROC get_platform_display = nullptr;
     PFNEGLINITIALIZEPROC initialize = nullptr;
     PFNEGLBINDAPIPROC bind_api = nullptr;
@@ -57,12 +57,12 @@ class Context final : public EglContext {
         !load(bind_api, "eglBindAPI") || !load(create_context, "eglCreateContext") ||
         !load(make_current_, "eglMakeCurrent") || !load(destroy_context_, "eglDestroyContext") ||
         !load(terminate_, "eglTerminate") || !load(get_proc_address_, "eglGetProcAddress")) {
-      return fault("this machine's EGL is older than version 1.5");
+      return fault("the installed EGL is too old; expected version 1.5 or later");
     }
     display_ = get_platform_display(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
     if (display_ == EGL_NO_DISPLAY || initialize(display_, nullptr, nullptr) == EGL_FALSE) {
       display_ = EGL_NO_DISPLAY;
-      return fault("EGL has no surfaceless platform here; install libegl-mesa0 and libgl1-mesa-dri");
+      return fault("EGL has no surfaceless platform; install libegl-mesa0 and libgl1-mesa-dri");
     }
     const std::array<EGLint, 7> attributes{
         EGL_CONTEXT_MAJOR_VERSION,           3,       EGL_CONTEXT_MINOR_VERSION, 3, EGL_CONTEXT_OPENGL_PROFILE_MASK,
@@ -70,7 +70,7 @@ class Context final : public EglContext {
     bind_api(EGL_OPENGL_API);
     context_ = create_context(display_, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, attributes.data());
     if (context_ == EGL_NO_CONTEXT || make_current_(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_) == EGL_FALSE) {
-      return fault("EGL gives no OpenGL 3.3 context");
+      return fault("EGL cannot create an OpenGL 3.3 context");
     }
     return {};
   }
@@ -108,7 +108,7 @@ Result<std::unique_ptr<EglContext>> EglContext::make(int threads) {
   posix::set_environment("LIBGL_ALWAYS_SOFTWARE", "true");
   posix::set_environment("GALLIUM_DRIVER", "llvmpipe");
   posix::set_environment("LP_NUM_THREADS", std::to_string(threads));
-  // Nothing is left behind in the user's home; shaders are compiled before anything is timed.
+  // Leaves nothing in the user's home. Timing does not need the cache: shaders are compiled before the measurement.
   posix::set_environment("MESA_SHADER_CACHE_DISABLE", "true");
   auto context = std::make_unique<Context>();
   if (Status opened = context->open(); !opened) return opened.error();

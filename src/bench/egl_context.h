@@ -1,4 +1,4 @@
-// OpenGL on a software renderer, without a window and without linking to it.
+// OpenGL on a software renderer, without a window and without linking to OpenGL.
 #pragma once
 
 #include <memory>
@@ -8,20 +8,20 @@
 
 namespace ninebit::bench {
 
-// While it lives, a context of OpenGL 3.3 (core) on Mesa's llvmpipe is current to the thread that made it.
+// During its lifetime an OpenGL 3.3 core context on Mesa's llvmpipe is current on the thread that made it.
 class EglContext {
  public:
-  // `threads` is what LP_NUM_THREADS gets: the threads that draw tiles, besides the one that calls. The process's
-  // environment changes. Reports a build without EGL's headers, a machine without EGL or without llvmpipe.
+  // `threads` becomes LP_NUM_THREADS: the number of threads that draw tiles, in addition to the caller's. Changes the
+  // process's environment. Reports a build without EGL's headers, and a machine without EGL or without llvmpipe.
   [[nodiscard]] static Result<std::unique_ptr<EglContext>> make(int threads);
   virtual ~EglContext() = default;
 
-  // The entry point of that name; nullptr where there is none.
+  // The entry point of that name; nullptr if there is none.
   using Function = void (*)();
   [[nodiscard]] virtual Function function(const char* name) const = 0;
 };
 
-// What the driver allocates meanwhile and keeps for good is no leak of ours, where the leak sanitizer looks on.
+// During its lifetime the leak sanitizer, if present, ignores allocations: the driver keeps some of them forever.
 class DriverCode {
  public:
   DriverCode();

@@ -22,14 +22,14 @@ constexpr std::array kBodies{
     Body{{2.4F, 2.6F, 0.9F}, 0.7F, {0.35F, 0.45F, 0.80F}},   Body{{-1.7F, 2.9F, 1.3F}, 0.6F, {0.80F, 0.70F, 0.30F}},
     Body{{0.2F, 0.9F, 1.6F}, 0.8F, {0.65F, 0.40F, 0.75F}},   Body{{0.3F, 3.2F, -1.2F}, 0.5F, {0.40F, 0.75F, 0.75F}}};
 
-// T5 of Chebyshev: five half waves between -1 and 1.
+// The Chebyshev polynomial T5: five half waves between -1 and 1.
 float waves(float x) {
   const float x2 = x * x;
   return ((16.0F * x2 - 20.0F) * x2 + 5.0F) * x;
 }
 
-// The cells of one face of a body or wall, each two triangles: `point` is given positions on the cube [-1, 1]³. Seen
-// from outside the triangles are counter-clockwise, with `inward` seen from inside.
+// Adds the cells of one face of a body or wall, two triangles each. `point` maps positions on the cube [-1, 1]³ to the
+// scene. The triangles are counter-clockwise seen from outside; with `inward`, seen from inside.
 template <class PointOnCube>
 void add_grid(Scene& scene, CubeFace face, std::uint32_t cells, bool inward, const PointOnCube& point) {
   const CubeFaceAxes& axes = cube_face_axes(face);
@@ -46,7 +46,7 @@ void add_grid(Scene& scene, CubeFace face, std::uint32_t cells, bool inward, con
       scene.positions.push_back(point(cube));
     }
   }
-  // s cross t points to the cube's middle.
+  // s cross t points towards the cube's centre.
   const auto add = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
     scene.triangles.emplace_back(inward ? glm::uvec3(a, b, c) : glm::uvec3(a, c, b));
   };
@@ -60,7 +60,7 @@ void add_grid(Scene& scene, CubeFace face, std::uint32_t cells, bool inward, con
   }
 }
 
-// Closes the object that began with the scene's triangle number `first`.
+// Adds an object from the triangles that begin at number `first`.
 void name_object(Scene& scene, std::string name, const glm::vec3& color, std::size_t first) {
   const std::size_t count = scene.triangles.size() - first;
   scene.triangle_object.resize(scene.triangles.size(), static_cast<std::uint32_t>(scene.objects.size()));
@@ -69,7 +69,7 @@ void name_object(Scene& scene, std::string name, const glm::vec3& color, std::si
   scene.materials.push_back({std::move(name), color});
 }
 
-// The area-weighted mean of the triangles around each vertex.
+// Each normal is the area-weighted mean over the triangles around the vertex.
 void add_normals(Scene& scene) {
   scene.normals.assign(scene.positions.size(), glm::vec3(0.0F));
   for (const glm::uvec3& t : scene.triangles) {
@@ -83,7 +83,7 @@ void add_normals(Scene& scene) {
   }
 }
 
-// The largest number of cells a side such that `grids` grids of them have at most `triangles` triangles; at least 1.
+// The largest number of cells per side such that `grids` grids have at most `triangles` triangles; at least 1.
 std::uint32_t cells_a_side(std::uint32_t triangles, std::uint32_t grids) {
   std::uint32_t cells = 1;
   while (2 * grids * (cells + 1) * (cells + 1) <= triangles) ++cells;

@@ -1,4 +1,4 @@
-// The entry points of OpenGL that the rival draws with, as GL itself names them.
+// The OpenGL entry points that the rival uses, under their GL names.
 #pragma once
 
 #include <GL/glcorearb.h>

@@ -34,7 +34,8 @@ class Frame final : public LlvmpipeFrame {
 
   Status set_up(const Scene& scene, const IndexCubeRenderer& ours) {
     const DriverCode driver_code;
-    if (renderer().find("llvmpipe") == std::string::npos) return fault("OpenGL here is no llvmpipe: " + renderer());
+    if (renderer().find("llvmpipe") == std::string::npos)
+      return fault("the OpenGL renderer is not llvmpipe: " + renderer());
     for (const auto& [pass, vertex, fragment] :
          {std::tuple{&map_, std::string(shaders::kMapVertex), shaders::kMapFragment},
           std::tuple{&depth_, std::string(shaders::kCameraPosition) + shaders::kDepthVertex, shaders::kDepthFragment},
@@ -167,7 +168,7 @@ class Frame final : public LlvmpipeFrame {
     return name;
   }
 
-  // A vertex array object with positions alone.
+  // A vertex array object with positions only.
   GLuint vertex_array(GLuint positions, GLuint indices) {
     GLuint name = 0;
     gl_.GenVertexArrays(1, &name);
@@ -179,8 +180,8 @@ class Frame final : public LlvmpipeFrame {
     return name;
   }
 
-  // Each pass gets a vertex array object with the attributes that it reads. Those with flat colours need more vertices
-  // than the others. All of them begin each triangle at the same corner, so that its depths are the same.
+  // Each pass has a vertex array object with the attributes that it reads. Passes with flat colours need more vertices.
+  // All passes begin a triangle at the same corner, so that its depths are the same.
   void upload(const Scene& scene, const IndexCubeRenderer& ours) {
     const ProvokingVertices flat = provoking_vertices(scene.triangles, ours.index_colors(), scene.positions.size());
     std::vector<glm::vec3> flat_positions;
@@ -249,7 +250,7 @@ class Frame final : public LlvmpipeFrame {
     gl_.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, color);
     gl_.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_STENCIL_ATTACHMENT, GL_RENDERBUFFER, depth_stencil);
     complete = complete && gl_.CheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
-    return complete ? Status() : fault("GL does not draw into pictures of these sizes");
+    return complete ? Status() : fault("GL cannot draw into framebuffers of these sizes");
   }
 
   std::unique_ptr<EglContext> context_;

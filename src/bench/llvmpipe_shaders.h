@@ -5,7 +5,7 @@ namespace ninebit::bench::shaders {
 
 inline constexpr const char* kHeader = "#version 330 core\n";
 
-// All passes of the camera compute the position alike, so that the depth test EQUAL meets the very depth.
+// All camera passes compute the position in the same way, so that the depth test EQUAL finds exactly equal depths.
 inline constexpr const char* kCameraPosition =
     "layout(location = 0) in vec3 position;\n"
     "uniform mat4 projection;\n"

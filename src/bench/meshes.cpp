@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::uint32_t kNoVertex = 0xFFFFFFFF;
 
-// Numbers in [0, 1) that are the same on every machine, unlike those of the standard distributions.
+// Random numbers in [0, 1) that are the same on every machine, unlike those of the standard distributions.
 class Random {
  public:
   explicit Random(unsigned seed) : engine_(seed) {}
@@ -35,7 +35,7 @@ struct Sheet {
 void add_sheet(Mesh& mesh, const glm::vec2& window, float leg, const Sheet& sheet, Random& random) {
   const glm::vec2 across = glm::vec2(std::cos(sheet.angle), std::sin(sheet.angle)) * leg;
   const glm::vec2 along(-across.y, across.x);
-  // A square around the window, whatever its angle.
+  // A square that contains the window at every angle.
   const int reach = static_cast<int>(0.5F * glm::length(window) / leg) + 1;
   const auto jitter = [&] { return 0.6F * random() - 0.3F; };
   std::vector<std::uint32_t> last_row, row;

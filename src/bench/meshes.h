@@ -1,4 +1,4 @@
-// Triangles of one size, for measuring the rasterizer.
+// Triangles of one size for rasterizer benchmarks.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -21,14 +21,14 @@ struct Mesh {
   }
 };
 
-// Three sheets over a window of that size, each an indexed mesh such as a terrain seen from above: a square lattice of
-// `leg` pixels a cell, turned by an angle that no two sheets share, every vertex moved by up to 0.3 legs in both
-// directions and in depth, every cell cut along one of its diagonals at random. Cells that would cross the window's
-// sides are left out. The second sheet lies behind the first and the third one before it; the second faces away. So
-// with the depth test LESS, about two fragments of three pass. `leg` is at least 0.5.
+// Three sheets over a window of that size. Each is an indexed mesh, like a terrain seen from above: a square lattice
+// with cells of `leg` pixels, rotated by a different angle for each sheet. Each vertex is displaced by up to 0.3 legs
+// in both directions and in depth; each cell is cut along a random diagonal. Cells that would cross the window's sides
+// are left out. The second sheet is behind the first and faces away; the third is in front of the first. So with the
+// depth test LESS about two of three fragments pass. `leg` is at least 0.5.
 [[nodiscard]] Mesh small_triangles(int width, int height, float leg);
 
-// 64 triangles, two for each of 32 tilted rectangles that cover the whole window, from the back to the front: with the
+// 64 triangles, two for each of 32 tilted rectangles that cover the whole window, ordered from back to front: with the
 // depth test LESS every fragment passes.
 [[nodiscard]] Mesh large_triangles();
 

@@ -20,7 +20,7 @@ CombinerState heavy_state() {
   state.num_general_combiners = 2;
   state.constant0 = {0.25F, 0.5F, 0.75F, 0.6F};
   state.constant1 = {0.9F, 0.1F, 0.4F, 0.3F};
-  // Bump mapping of that time: a normal and a light vector, both expanded; beside it a biased modulation.
+  // Bump mapping of that time: a normal and a light vector, both expanded; and a biased modulation.
   state.general[0].rgb = {
       {R::texture0, expand_normal, kRgb},
       {R::texture1, expand_normal, kRgb},
@@ -52,10 +52,11 @@ CombinerState heavy_state() {
   return state;
 }
 
-// What the RGB portion of the stages does in turn, from what the last stage left in `last0` and `last1`.
+// The RGB portion of a stage, which reads the results of the previous stage from `last0` and `last1`. The operation
+// depends on the stage's number.
 Portion eight_rgb(std::size_t stage, R last0, R last1, R texture) {
   switch (stage % 4) {
-    case 0:  // a dot product, and a modulation beside it
+    case 0:  // a dot product and a modulation
       return {{last0, signed_identity, kRgb},
               {last1, half_bias_negate, kRgb},
               {texture, unsigned_identity, kRgb},
@@ -67,13 +68,13 @@ Portion eight_rgb(std::size_t stage, R last0, R last1, R texture) {
               {last1, signed_negate, kRgb},
               {texture, expand_normal, kRgb},
               {.cd = R::spare1, .sum = R::spare0}};
-    case 2:  // a choice
+    case 2:  // a mux
       return {{last0, half_bias_normal, kRgb},
               {texture, unsigned_invert, kRgb},
               {last1, expand_negate, kRgb},
               {R::constant0, unsigned_identity, kRgb},
               {.ab = R::spare1, .sum = R::spare0, .scale = Scale::by_two, .mux_sum = true}};
-    default:  // two modulations, expanded afterwards
+    default:  // two modulations, then expanded
       return {{last0, unsigned_invert, kRgb},
               {R::constant0, unsigned_identity, kRgb},
               {last1, unsigned_invert, kRgb},
@@ -86,7 +87,7 @@ Portion eight_rgb(std::size_t stage, R last0, R last1, R texture) {
   }
 }
 
-// All that a stage writes is read by the next one, and no stage drowns what the stages before it computed.
+// Each stage reads all results of the previous one, and no stage discards what earlier stages computed.
 CombinerState eight_state() {
   constexpr std::array kTextures{R::texture0, R::texture1, R::texture2, R::texture3};
   CombinerState state = heavy_state();
@@ -97,7 +98,7 @@ CombinerState eight_state() {
     const float share = static_cast<float>(i) / 32.0F;
     stage.constant0 = {0.7F + share, 0.95F - share, 0.8F, 1.0F};
     stage.constant1 = {1.0F, 1.0F, 1.0F, 0.65F + share};
-    // The first stage has nothing yet to read in the spare registers.
+    // The spare registers hold no results before the first stage.
     const R last0 = i == 0 ? R::primary : R::spare0, last1 = i == 0 ? R::secondary : R::spare1;
     stage.rgb = eight_rgb(i, last0, last1, kTextures[i % 4]);
     stage.alpha = {{last0, i % 2 == 0 ? signed_identity : unsigned_invert, kA},

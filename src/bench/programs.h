@@ -1,4 +1,4 @@
-// The programs that are measured.
+// The programs that the benchmarks measure.
 #pragma once
 
 #include <string_view>
@@ -14,17 +14,16 @@ struct MeasuredProgram {
   std::string_view name;
   std::string_view summary;  // one line
   CombinerState state;
-  HardwareProfile profile;  // the one asked for or, where that has too few general combiners, nv2a
+  HardwareProfile profile;  // the given one or, if it has too few general combiners, nv2a
 };
 
 // In this order:
-//   index    the article's comparison of two indices: two general combiners, alpha portions idle
-//   heavy    two general combiners, RGB and alpha live: expanded inputs, dot product, mux, bias, scale of two; the
-//   final
-//            combiner interpolates between E times F and the colour sum
+//   index    the article's comparison of two indices: two general combiners, alpha portions unused
+//   heavy    two general combiners with live RGB and alpha: expanded inputs, dot product, mux, bias, scale of two; the
+//            final combiner interpolates between E times F and the colour sum
 //   eight    eight general combiners, all outputs of both portions written or summed, each with its own constants
 //   default  OpenGL's default state: the colour sum and fog
-// Reports a profile that refuses the first one.
+// Reports a profile that refuses `index`.
 [[nodiscard]] Result<std::vector<MeasuredProgram>> measured_programs(const HardwareProfile& profile);
 
 }  // namespace ninebit::bench

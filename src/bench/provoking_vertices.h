@@ -1,4 +1,4 @@
-// Flat colours for OpenGL, which takes a triangle's colour from one of its vertices.
+// Flat colours for OpenGL, which takes a triangle's colour from its provoking vertex.
 #pragma once
 
 #include <cstdint>
@@ -10,15 +10,15 @@
 
 namespace ninebit::bench {
 
-// Triangles turned, not mirrored, so that the last vertex of each has its colour and nobody else's. Where none of a
-// triangle's vertices is free, one is doubled: about as many vertices as triangles, not three times as many.
+// Triangles rotated, not mirrored, so that the last vertex of each carries only this triangle's colour. If none of its
+// vertices is free, one is duplicated: this needs about as many vertices as triangles, instead of three times as many.
 struct ProvokingVertices {
-  std::vector<std::uint32_t> source;  // for each vertex, the one that it is or doubles
-  std::vector<ColorBytes> colors;     // for each vertex; black where it provokes nothing
-  std::vector<glm::uvec3> triangles;  // in their old order
+  std::vector<std::uint32_t> source;  // for each vertex, its number in the input, also if it is a duplicate
+  std::vector<ColorBytes> colors;     // for each vertex; black if it provokes no triangle
+  std::vector<glm::uvec3> triangles;  // in the order of the input
 };
 
-// One colour a triangle; vertex numbers are below `vertices`.
+// `colors` has one colour per triangle; vertex numbers are below `vertices`.
 [[nodiscard]] ProvokingVertices provoking_vertices(std::span<const glm::uvec3> triangles,
                                                    std::span<const ColorBytes> colors, std::size_t vertices);
 

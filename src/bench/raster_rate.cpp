@@ -27,7 +27,7 @@ Result<std::uint64_t> covered_pixels(const Mesh& mesh, int width, int height) {
 
 namespace {
 
-// The shortest of the calls of `draw`, before each of which the surface is cleared.
+// The duration of the shortest call of `draw` in seconds. The surface is cleared before each call.
 template <class Draw>
 Result<double> shortest_seconds(Surface& surface, double seconds, const Draw& draw) {
   double shortest = 1e9;

@@ -1,4 +1,4 @@
-// Triangles and pixels a second that the rasterizer draws.
+// The rasterizer's rate of triangles and pixels.
 #pragma once
 
 #include <cstdint>
@@ -8,18 +8,18 @@
 
 namespace ninebit::bench {
 
-// Depth test LESS with writing, flat colours, no program: what a depth-tested pass of that time was.
+// Depth test LESS with depth writes, flat colours, no program: a typical depth-tested pass of that time.
 [[nodiscard]] PipelineState flat_depth_state();
 
-// The pixels that a mesh's triangles cover, each triangle counted for itself, whatever their depth. At most 255 of them
-// may meet in a pixel.
+// The number of pixels that a mesh's triangles cover, summed over triangles and independent of depth. At most 255
+// triangles may cover the same pixel.
 [[nodiscard]] Result<std::uint64_t> covered_pixels(const Mesh& mesh, int width, int height);
 
-// The shortest seconds that one rasterize() of the mesh took, of those that fit into `seconds` and of at least two;
-// before each the surface is cleared, which is not timed.
+// The shortest time in seconds of one rasterize() of the mesh, among the calls that fit into `seconds`, at least two.
+// The surface is cleared before each call, untimed.
 [[nodiscard]] Result<double> seconds_to_draw(const Mesh& mesh, Surface& surface, double seconds);
 
-// The same with prepare() and a drawing of what it prepared, into memory that stays for the next run.
+// The same for prepare() and drawing the prepared mesh. The memory is kept for the next call.
 [[nodiscard]] Result<double> seconds_to_prepare_and_draw(const Mesh& mesh, Surface& surface, double seconds);
 
 }  // namespace ninebit::bench

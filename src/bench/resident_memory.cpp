@@ -7,7 +7,7 @@
 namespace ninebit::bench {
 namespace {
 
-// Of a line such as "VmRSS:     2048 kB" (proc_pid_status(5)).
+// The bytes in a line such as "VmRSS:     2048 kB" (proc_pid_status(5)).
 std::uint64_t bytes_of(const std::string& name) {
   std::ifstream status("/proc/self/status");
   std::string word;

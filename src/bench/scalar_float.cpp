@@ -34,7 +34,7 @@ float mapped(InputMapping mapping, float v) {
   return v;
 }
 
-// The register combiners while they work on one fragment.
+// The state of the register combiners for one fragment.
 class Fragment {
  public:
   Fragment(const Program& program, const RegisterFile& start) : program_(program) {
@@ -149,7 +149,7 @@ class Fragment {
 
   const Program& program_;
   float scale_ = 0.0F;
-  std::array<Color, kRegisterCount + 2> registers_{};  // with E times F and the colour sum
+  std::array<Color, kRegisterCount + 2> registers_{};  // including E times F and the colour sum
 };
 
 }  // namespace

@@ -1,4 +1,4 @@
-// The rival of the batch: the combiners as emulators of that hardware run them, a fragment at a time in floats.
+// The rival of the batch evaluator: the combiners in floats, one fragment at a time, as emulators of that hardware do.
 #pragma once
 
 #include <cstddef>
@@ -8,10 +8,11 @@
 
 namespace ninebit::bench {
 
-// Runs a program over fragments.size() fragments, whatever the program's own arithmetic. As in MAME's style: registers
-// are floats in [-1, 1]; for each fragment the stages' settings are looked at anew, each input is fetched and mapped by
-// a switch, each output is biased, scaled and clamped; the colour leaves as codes rounded to nearest. It follows the
-// equations of NV_register_combiners and shares no code with the library's engines. `colors` has room for as many.
+// Runs a program over fragments.size() fragments in floats, whatever the program's own arithmetic. The style is MAME's:
+// registers are floats in [-1, 1]; the stages' settings are read again for each fragment, each input is fetched and
+// mapped by a switch, each output is biased, scaled and clamped; the colour is rounded to the nearest codes. The code
+// follows the equations of NV_register_combiners and shares nothing with the library's engines. `colors` has room for
+// fragments.size() colours.
 void evaluate_scalar_float(const Program& program, std::span<const RegisterFile> fragments, Rgba9* colors);
 
 }  // namespace ninebit::bench

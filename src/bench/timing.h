@@ -1,5 +1,4 @@
-// How long work takes on a machine that does other things, too: many short runs, of which the shortest or the median
-// tells.
+// Timing on a machine that is not idle: many short runs, of which the shortest or the median is used.
 #pragma once
 
 #include <chrono>
@@ -13,7 +12,7 @@ using Clock = std::chrono::steady_clock;
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-// The seconds that one call of `work` takes.
+// The duration of one call of `work` in seconds.
 template <class Work>
 [[nodiscard]] double seconds_of(const Work& work) {
   const auto start = Clock::now();
@@ -27,7 +26,7 @@ struct Spread {
   double max = 0.0;
 };
 
-// Of at least one sample; of an even number of them, the median is the mean of the two in the middle.
+// Takes at least one sample. For an even number of samples, the median is the mean of the two in the middle.
 [[nodiscard]] Spread spread_of(std::vector<double> samples);
 
 }  // namespace ninebit::bench

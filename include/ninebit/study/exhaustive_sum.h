@@ -1,9 +1,8 @@
-// AB + CD over all of its inputs, one by one: every register code from -one to one for each of A, B, C and D, which are
-// 511^4 = 68,184,176,641 cases with nine bits.
+// AB + CD over all inputs, one by one: every register code from -one to one for each of A, B, C and D. With nine bits
+// these are 511^4 = 68,184,176,641 cases.
 //
-// Each case is evaluated by the rules of combiner_rules.inl in vector lanes and compared with exact arithmetic in whole
-// numbers, in units of 1 / (4 one²). datapath_error.h gets the same numbers by counting wide values; neither shares
-// with the other how it does so.
+// Each case is evaluated by the rules of combiner_rules.inl in vector lanes and compared with exact integer arithmetic
+// in units of 1 / (4 one²). datapath_error.h computes the same numbers independently, by counting wide values.
 #pragma once
 
 #include <memory>
@@ -17,17 +16,16 @@
 
 namespace NINEBIT_PUBLIC ninebit {
 
-// One unit for each form and each value of A. Reports a profile whose arithmetic is not integer, and a missing form.
+// One unit for each form and each value of A. Reports a profile whose arithmetic is not integer, and empty `forms`.
 //
-// Rows of the table "rows", one a unit:
+// Rows of the table "rows", one for each unit:
 //   profile, form, a
-//   cases, exact, inexact   all inputs with this A; those whose result is the exact value; the others
-//   max_error               the largest size of an error, in real numbers
-//   sum_of_sizes            of all errors' sizes, in units of 1 / (4 one²)
-//   sum_of_errors           the same with their signs
-//   sum_of_codes, sum_of_squares   of all results and of their squares: checksums. Where narrowing is symmetric the
-//   first
-//                           is 0, as each case has one with all signs changed.
+//   cases, exact, inexact   all inputs with this A; inputs whose result is exact; the others
+//   max_error               the largest absolute error, as a real number
+//   sum_of_sizes            the sum of absolute errors, in units of 1 / (4 one²)
+//   sum_of_errors           the sum of signed errors, in units of 1 / (4 one²)
+//   sum_of_codes, sum_of_squares   checksums: the sums of all results and of their squares. If narrowing is
+//                           symmetric, sum_of_codes is 0, because each case has a partner with all signs changed.
 [[nodiscard]] Result<std::unique_ptr<Study>> exhaustive_sum_study(StudyQuestion question,
                                                                   const HardwareProfile& profile,
                                                                   std::span<const OutputForm> forms);

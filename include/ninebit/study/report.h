@@ -1,6 +1,6 @@
-// A report that people look at and programs read: sentences, tables, plots, heat maps and pictures.
+// A report for people and programs: sentences, tables, plots, heat maps and pictures.
 //
-// The rows are the study's result; everything else is made of them.
+// The rows are the study's result; everything else is derived from them.
 #pragma once
 
 #include <cstdint>
@@ -19,17 +19,17 @@
 
 namespace NINEBIT_PUBLIC ninebit {
 
-// Nothing is what a row does not have: an error count without a ground truth.
+// The value of a field. std::monostate: the row has no value here, such as an error count without a ground truth.
 using StudyValue = std::variant<std::monostate, std::int64_t, std::uint64_t, double, std::string>;
 
 // One result. All rows of a table have the same fields in the same order.
 struct StudyRow {
-  std::string table = "rows";  // "rows": the main table, and "rows.csv"; others have names of their own
+  std::string table = "rows";  // the table's name, also of its CSV file; "rows" is the main table
   std::vector<std::pair<std::string, StudyValue>> fields{};  // name and value
 
   // The value of that name; std::monostate if there is none.
   [[nodiscard]] const StudyValue& operator[](std::string_view name) const;
-  // The value as a number, 0 where it is none; as text.
+  // The value as a number, 0 if it is not one; as text.
   [[nodiscard]] double number(std::string_view name) const;
   [[nodiscard]] std::uint64_t count(std::string_view name) const;
   [[nodiscard]] std::string text(std::string_view name) const;
@@ -37,11 +37,11 @@ struct StudyRow {
   friend bool operator==(const StudyRow&, const StudyRow&) = default;
 };
 
-// A value as CSV and tables show it: integers in full, reals with as many digits as bring the same double back, nothing
-// as an empty text.
+// A value as CSV and tables show it: integers in full, reals with enough digits to read the same double back,
+// std::monostate as an empty text.
 [[nodiscard]] std::string text_of(const StudyValue& value);
 
-// One line, or the bars of one colour.
+// One line, or all bars of one colour.
 struct PlotSeries {
   std::string name;                               // for the legend
   std::vector<std::pair<double, double>> points;  // x, y
@@ -49,54 +49,54 @@ struct PlotSeries {
 
 // Series over common axes.
 struct Plot {
-  std::string file;                    // its PNG's name without ".png": "false-matches-rgb"
-  std::string title;                   // above it
-  std::string x_label, y_label;        // at the axes
-  std::vector<std::string> x_names{};  // of bars at x = 1, 2, …; empty: they show their numbers
+  std::string file;                    // name of the PNG file without ".png": "false-matches-rgb"
+  std::string title;                   // shown above the plot
+  std::string x_label, y_label;        // names of the axes
+  std::vector<std::string> x_names{};  // labels of the bars at x = 1, 2, …; if empty, bars show their numbers
   bool bars = false;                   // bars at each x instead of lines between points
-  bool log_x = false, log_y = false;   // points at 0 or below are left out of a logarithmic axis
+  bool log_x = false, log_y = false;   // points at 0 or below are left out on a logarithmic axis
   std::vector<PlotSeries> series;      // in the order of the legend
-  std::string caption{};               // below it; may be empty
+  std::string caption{};               // shown below the plot; may be empty
 };
 
-// One value a pixel: width × height, the top row first.
+// One value per pixel: width × height, the top row first.
 struct HeatMap {
-  std::string file;                    // its PNG's name without ".png"
-  std::string title;                   // above it
-  std::string x_label, y_label;        // at the axes
-  double x_first = 0.0, x_last = 0.0;  // what the leftmost and the rightmost column stand for
-  double y_first = 0.0, y_last = 0.0;  // the same of the top and the bottom row
+  std::string file;                    // name of the PNG file without ".png"
+  std::string title;                   // shown above the map
+  std::string x_label, y_label;        // names of the axes
+  double x_first = 0.0, x_last = 0.0;  // the coordinates of the leftmost and the rightmost column
+  double y_first = 0.0, y_last = 0.0;  // the coordinates of the top and the bottom row
   int width = 0, height = 0;           // columns and rows
   std::vector<float> values;           // width × height
-  // The values at the ends of the colours: below 0 and above 0 have a colour each, and 0 is white where low < 0.
+  // The values at the ends of the colour scale. If low < 0, negative and positive values differ in hue, and 0 is white.
   float low = 0.0F, high = 1.0F;
-  std::string caption{};  // below it; may be empty
+  std::string caption{};  // shown below the map; may be empty
 };
 
-// A picture that is shown as it is.
+// A picture that is shown unchanged.
 struct ReportPicture {
-  std::string file;       // the PNG's name without ".png"
-  std::string title;      // above it
+  std::string file;       // name of the PNG file without ".png"
+  std::string title;      // shown above the picture
   Image8 image;           // the top row first
-  std::string caption{};  // below it; may be empty
+  std::string caption{};  // shown below the picture; may be empty
 };
 
 // A table for people, made from rows: those of one table, or a choice of fields.
 struct ReportTable {
-  std::string title;                          // above it
-  std::vector<std::string> columns;           // their heads
-  std::vector<std::vector<StudyValue>> rows;  // of as many values as columns
-  std::string caption{};                      // below it; may be empty
+  std::string title;                          // shown above the table
+  std::vector<std::string> columns;           // column headings
+  std::vector<std::vector<StudyValue>> rows;  // each with one value per column
+  std::string caption{};                      // shown below the table; may be empty
 };
 
-// What people see of a study: answers first, then what they rest on.
+// A study's report for people: answers first, then the data behind them.
 struct StudyReport {
   std::string title;                      // "Index steps"
-  std::vector<std::string> answers;       // the study's question answered in sentences
-  std::vector<ReportTable> tables{};      // in order
-  std::vector<Plot> plots{};              // in order
-  std::vector<HeatMap> heat_maps{};       // in order
-  std::vector<ReportPicture> pictures{};  // in order
+  std::vector<std::string> answers;       // sentences that answer the study's question
+  std::vector<ReportTable> tables{};      // in the order shown
+  std::vector<Plot> plots{};              // in the order shown
+  std::vector<HeatMap> heat_maps{};       // in the order shown
+  std::vector<ReportPicture> pictures{};  // in the order shown
 };
 
 }  // namespace ninebit

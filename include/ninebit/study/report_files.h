@@ -15,20 +15,20 @@
 namespace NINEBIT_PUBLIC ninebit {
 
 // The rows as one JSON object: {"command": "study index-steps", "version": …, "profile": …, "question": "ninebit study
-// …", "rows": [{…}, …]}; rows of other tables stand beside "rows" under their table's name.
+// …", "rows": [{…}, …]}; rows of other tables follow "rows" under the table's name.
 [[nodiscard]] std::string report_json(const StudyQuestion& question, std::string_view version,
                                       std::span<const StudyRow> rows);
 
 // The rows of each table as CSV with a header line: the table's name and its text, in the order of first appearance.
 [[nodiscard]] std::vector<std::pair<std::string, std::string>> report_csv(std::span<const StudyRow> rows);
 
-// The report as one self-contained HTML page: it opens without a network. Its tables sort by a click on a column's
-// head, its plots and heat maps tell the value under the pointer.
+// The report as one self-contained HTML page that opens without a network. A click on a column's heading sorts its
+// table; plots and heat maps show the value under the pointer.
 [[nodiscard]] Result<std::string> report_html(const StudyQuestion& question, std::string_view version,
                                               const StudyReport& report, std::span<const StudyRow> rows);
 
 // Writes report.html, rows.json, a CSV for each table, and a PNG for each plot, heat map and picture into the folder,
-// all together or none; the same bytes for the same rows. Gives their paths. Reports what could not be written.
+// all or none; the same rows give the same bytes. Returns the paths. Reports files that could not be written.
 [[nodiscard]] Result<std::vector<std::filesystem::path>> write_report(const std::filesystem::path& folder,
                                                                       const StudyQuestion& question,
                                                                       std::string_view version,

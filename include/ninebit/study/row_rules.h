@@ -1,4 +1,4 @@
-// What the rows of a study's unit look like, so that rows which come from a file are checked before they are used.
+// Rules for the rows of a study's unit: rows from a file are checked against them before they are used.
 #pragma once
 
 #include <cstdint>
@@ -13,22 +13,22 @@ namespace NINEBIT_PUBLIC ninebit {
 
 // One field of a row: its name, and the values that it may have.
 struct FieldRule {
-  // Which values there may be.
+  // The kind of value that is allowed.
   enum class Kind : std::uint8_t {
-    exact,  // `value` alone
+    exact,  // only `value`
     count,  // a whole number from 0
     whole,  // a whole number
     real,   // a real number
     text    // valid UTF-8 without control characters
   };
-  std::string name;                    // as the row gives it
-  Kind kind = Kind::exact;             // which of the members below count
-  StudyValue value{};                  // of Kind::exact; whole numbers of either sign compare by value
-  double least = 0.0, greatest = 0.0;  // of numbers, inclusive; of a text, `greatest` bytes at most
-  bool may_be_nothing = false;         // whether the row may have no value here
+  std::string name;                    // the field's name in the row
+  Kind kind = Kind::exact;             // selects which of the members below apply
+  StudyValue value{};                  // for Kind::exact; signed and unsigned whole numbers compare by value
+  double least = 0.0, greatest = 0.0;  // range of a number, inclusive; `greatest`: maximum length of a text in bytes
+  bool may_be_nothing = false;         // true if the row may have no value here
 };
 
-// A field that has this value.
+// A field that must have this value.
 [[nodiscard]] FieldRule exactly(std::string name, StudyValue value);
 // A whole number from 0 to `greatest`.
 [[nodiscard]] FieldRule count_up_to(std::string name, double greatest);
@@ -36,18 +36,19 @@ struct FieldRule {
 [[nodiscard]] FieldRule whole_in(std::string name, double least, double greatest);
 // A real number from `least` to `greatest`; never NaN.
 [[nodiscard]] FieldRule real_in(std::string name, double least, double greatest);
-// A text of at most so many bytes.
+// A text of at most `bytes` bytes.
 [[nodiscard]] FieldRule text_up_to(std::string name, double bytes);
 // The same rule for a field that may also have no value.
 [[nodiscard]] FieldRule or_nothing(FieldRule rule);
 
 // One row: its table, and its fields in order.
 struct RowRule {
-  std::string table = "rows";       // the name of the table that the row belongs to
-  std::vector<FieldRule> fields{};  // all fields that the row has
+  std::string table = "rows";       // the name of the row's table
+  std::vector<FieldRule> fields{};  // all fields of the row
 };
 
-// What is wrong with rows, as "row 2: packing is 'x'; expected 'rgba8-mod'"; empty if they follow the rules, one a row.
+// Checks rows against rules, one rule per row. Returns the first error, such as
+// "row 2: packing is 'x'; expected 'rgba8-mod'", or an empty text.
 [[nodiscard]] std::string wrong_with_rows(std::span<const RowRule> rules, std::span<const StudyRow> rows);
 
 }  // namespace ninebit

@@ -1,4 +1,4 @@
-// A technique's wrong pixels against the ground truth, over a grid of its settings.
+// The wrong pixels of a technique, compared with the ground truth, over a grid of its settings.
 #pragma once
 
 #include <memory>
@@ -14,28 +14,28 @@
 
 namespace NINEBIT_PUBLIC ninebit {
 
-// The axes of a grid; one without values stays at what the settings say. A point is drawn for each combination, the
-// first axis changing slowest.
+// The axes of a grid. An axis without values keeps the value of the settings. A point is drawn for each combination;
+// the first axis changes slowest.
 struct ShadowGrid {
-  std::vector<int> map_sizes{};                    // techniques with a map
+  std::vector<int> map_sizes{};                    // techniques with a map, texels per side
   std::vector<IndexFormat> index_formats{};        // index-cube and light-cookie
-  std::vector<IndexScope> index_scopes{};          // likewise
-  std::vector<int> index_steps{};                  // likewise
+  std::vector<IndexScope> index_scopes{};          // index-cube and light-cookie
+  std::vector<int> index_steps{};                  // index-cube and light-cookie
   std::vector<DepthCubeBits> depth_bits{};         // depth-cube
-  std::vector<float> biases{};                     // likewise, in world units
+  std::vector<float> biases{};                     // depth-cube, in world units
   std::vector<DepthEncoding> encodings{};          // shadow-map
-  std::vector<OffsetArguments> polygon_offsets{};  // likewise
+  std::vector<OffsetArguments> polygon_offsets{};  // shadow-map
 };
 
-// Offsets to look for the best one among: factors from 0 to 4 with units from 0 to 65536, no offset at all the first.
+// Polygon offsets for a search: factors from 0 to 4 with units from 0 to 65536. The first is no offset.
 [[nodiscard]] std::span<const OffsetArguments> offsets_to_search();
 
-// A unit for each point of the grid, with one row: the settings, what was drawn, what of it is wrong and why. Settings
-// that the technique refuses (more polygons than codes) have a row without counts that says why.
+// One unit with one row for each point of the grid: the settings, the counts of drawn and wrong pixels, and the causes.
+// Settings that the technique refuses (more polygons than codes) give a row with the reason and without counts.
 //
-// The scene has exactly one camera and one light, as for Technique::render, which the settings, the profile among them,
-// are for; `question` names both, and the grid. Reports an axis that the technique does not know, a technique that
-// draws no shadows, and what GroundTruthScene::make reports.
+// The scene has exactly one camera and one light. The settings, including the profile, are passed to Technique::render;
+// `question` names the scene, the settings and the grid. Reports an axis that does not apply to the technique, a
+// technique that draws no shadows, and the errors of GroundTruthScene::make.
 [[nodiscard]] Result<std::unique_ptr<Study>> make_shadow_sweep(StudyQuestion question, Scene scene,
                                                                const Technique& technique,
                                                                const RenderSettings& settings, const ShadowGrid& grid);

@@ -1,7 +1,7 @@
-// What all studies have in common: a question, units of work whose rows answer it, and a report made of all rows.
+// The interface of all studies: a question, units of work whose rows answer it, and a report made from all rows.
 //
-// A unit's rows depend on the question alone, so units may be done in any order, on any machine, in any number of runs:
-// the report is the same bytes. study_part.h keeps units on the disk; report.h says what a report holds.
+// A unit's rows depend only on the question. Units may therefore run in any order, on any machine, in any number of
+// runs: the report has the same bytes. study_part.h keeps units on disk; report.h describes the contents of a report.
 #pragma once
 
 #include <cstddef>
@@ -20,27 +20,27 @@
 
 namespace NINEBIT_PUBLIC ninebit {
 
-// Asked now and then, by any thread, whether to go on; may be empty.
+// Called now and then, by any thread: returns false to cancel the work. May be empty.
 using GoOn = std::function<bool()>;
 
-// What was asked: everything that can change a row, as the flags of a command line that asks the same.
+// The question of a study: everything that can change a row, as the flags of an equivalent command line.
 struct StudyQuestion {
   std::string study;    // "index-steps"
   std::string profile;  // a profile's name, or "all"
-  // Flags with their values in a fixed order, completed by the defaults: {"--steps", "1-16"}; a flag that takes no
-  // value has the empty one. What does not begin with '-' is no flag but a fact, such as {"sha256 of room.gltf", "…"}:
-  // a part that was made from other content is another question.
+  // Flags with their values in a fixed order, including defaults: {"--steps", "1-16"}. A flag without a value has an
+  // empty one. An entry that does not begin with '-' is not a flag but a fact, such as {"sha256 of room.gltf", "…"}:
+  // a part made from other content belongs to another question.
   std::vector<std::pair<std::string, std::string>> options{};
-  std::string arguments{};  // what stands before the flags: a scene's file
+  std::string arguments{};  // the arguments before the flags: a scene's file
 
-  // {"index-steps", "--steps", "1-16", "--profile", "geforce2"}: what the program takes after `ninebit study`.
+  // {"index-steps", "--steps", "1-16", "--profile", "geforce2"}: the arguments after `ninebit study`.
   [[nodiscard]] std::vector<std::string> words() const;
   // The same as one line for a shell.
   [[nodiscard]] std::string command() const;
   friend bool operator==(const StudyQuestion&, const StudyQuestion&) = default;
 };
 
-// The most units that a study may have: what a part's first line says must not decide how much memory is taken.
+// The maximum number of units of a study: it bounds the memory that a part's first line can request.
 inline constexpr std::size_t kMaxStudyUnits = std::size_t{1} << 24;
 
 // A question that can be answered in pieces.
@@ -48,20 +48,21 @@ class Study {
  public:
   virtual ~Study() = default;
 
-  // What was asked; valid as long as the study.
+  // The study's question; valid as long as the study.
   [[nodiscard]] virtual const StudyQuestion& question() const = 0;
-  // Units are numbered from 0 and take seconds at most, where the work allows. 1 to kMaxStudyUnits.
+  // The number of units, 1 to kMaxStudyUnits. Units are numbered from 0; a unit takes at most seconds if the work can
+  // be divided so far.
   [[nodiscard]] virtual std::size_t units() const = 0;
-  // What a unit works on, for people: "geforce2, rgb".
+  // A unit's name for people: "geforce2, rgb".
   [[nodiscard]] virtual std::string unit_name(std::size_t unit) const = 0;
-  // How long a unit takes, in any measure, for estimates of the time that is left.
+  // The relative duration of a unit in any measure, for estimates of the remaining time.
   [[nodiscard]] virtual double weight(std::size_t unit) const;
-  // The rows of one unit, which may use all threads. Reports Fault::cancelled where go_on says no.
+  // Runs one unit, on all threads if useful, and returns its rows. Reports Fault::cancelled if go_on returns false.
   [[nodiscard]] virtual Result<std::vector<StudyRow>> run(std::size_t unit, const GoOn& go_on) const = 0;
-  // What the rows of one unit look like, known without running it. Rows from a file are used only if they follow this.
+  // The rules for the rows of one unit, without running it. Rows from a file are used only if they follow the rules.
   [[nodiscard]] virtual std::vector<RowRule> row_rules(std::size_t unit) const = 0;
-  // The report on all rows in the order of their units; `done` of units() units were run. Reports what it cannot read
-  // or draw, such as pictures of a scene.
+  // The report on all rows in the order of their units; `done` of units() units were run. Reports errors in reading
+  // rows and in drawing, such as pictures of a scene.
   [[nodiscard]] virtual Result<StudyReport> report(std::span<const StudyRow> rows, std::size_t done) const = 0;
 };
 

@@ -1,4 +1,4 @@
-// Throughput of the batch evaluator and of the reference on the measured programs; items are fragments.
+// Throughput of the batch evaluator and of the reference on the measured programs. Items are fragments.
 #include <benchmark/benchmark.h>
 
 #include <memory>

@@ -1,4 +1,4 @@
-// Depth-tested flat triangles with legs of several sizes (pixels) into a 320x240 target; items are triangles.
+// Draws depth-tested flat triangles with legs of several sizes (pixels) into a 320x240 target. Items are triangles.
 #include <benchmark/benchmark.h>
 
 #include "src/bench/raster_rate.h"

@@ -1,4 +1,4 @@
-// Reads of byte textures as a frame of 1024x768 makes them, 16x16 pixels a batch; items are fragments.
+// Texture reads of a 1024x768 frame from byte textures, in batches of 16x16 pixels. Items are fragments.
 #include <benchmark/benchmark.h>
 
 #include <array>
@@ -27,8 +27,8 @@ Texture random_texture(TextureTarget target, InternalFormat format) {
   return make_texture(target, format, std::move(faces)).value();
 }
 
-// A wall that fills the picture, close enough to the light for five faces of the cube to see some of it; for 2D, one
-// picture of the texture on it.
+// Coordinates of a wall that fills the frame and is close enough to the light to be visible from five faces of the
+// cube; for 2D, the texture covers the frame once.
 std::array<std::vector<float>, 3> coordinates(TextureTarget target) {
   std::array<std::vector<float>, 3> at;
   for (int square = 0; square < kWidth * kHeight / (kSquare * kSquare); ++square) {

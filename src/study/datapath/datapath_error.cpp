@@ -29,13 +29,13 @@ StudyRow errors_of(const HardwareProfile& profile, const Operation& operation) {
     if (i == 0 || code != last) codes.insert(code);
     last = code;
     const double error = static_cast<double>(code) / d.one - operation.exact(i);
-    // What is exact in real numbers may differ by the last bit of a double.
+    // An exact result may differ from operation.exact by the last bit of a double.
     const double size = std::fabs(error) < 1e-12 ? 0.0 : std::fabs(error);
     cases += weight;
     if (size == 0.0) exact += weight;
     sum_of_sizes += static_cast<double>(weight) * size;
     if (size != 0.0) sum += static_cast<double>(weight) * error;
-    // A larger one by more than rounding.
+    // Larger by more than rounding: so the first case of several equal ones wins.
     if (size > most + 1e-12) {
       most = size;
       worst = i;
@@ -74,7 +74,8 @@ StudyRow differences_of(const HardwareProfile& first, const HardwareProfile& sec
                      {"differ", differ}}};
 }
 
-// Results and exact values are clamped to [-1, 1]; a dot product's bias may go a little beyond.
+// Limits for rows from files. Results and exact values are clamped to [-1, 1]; a dot product's bias may go a little
+// beyond.
 constexpr double kMostValue = 16.0, kMostCode = 65536.0, kMostCases = 0x1p63, kLongestInputs = 4096.0;
 
 RowRule errors_rule(const HardwareProfile& profile, std::string_view operation, const std::string& form) {
@@ -98,7 +99,7 @@ class DatapathStudy final : public Study {
  public:
   DatapathStudy(StudyQuestion question, std::vector<HardwareProfile> profiles)
       : question_(std::move(question)), profiles_(std::move(profiles)) {
-    // A profile from a file shows a name that may not live as long as this.
+    // The name of a profile from a file may not live as long as the study.
     for (HardwareProfile& profile : profiles_) profile.name = names_.emplace_back(profile.name);
     for (const HardwareProfile& profile : profiles_) operations_.try_emplace(profile.one, profile.one);
     const auto add = [&](const HardwareProfile& first, const HardwareProfile* second) {
@@ -123,7 +124,7 @@ class DatapathStudy final : public Study {
   [[nodiscard]] Result<std::vector<StudyRow>> run(std::size_t unit, const GoOn& go_on) const override {
     const Unit& u = units_[unit];
     const std::vector<Operation>& forms = operations_.at(u.first->one).of(u.kind);
-    // Every form has a place of its own for its row, so that threads change nothing.
+    // Each form writes its row to its own place, so the result does not depend on threads.
     std::vector<StudyRow> rows(forms.size());
     std::atomic<bool> stopped = false;
     parallel_for(forms.size(), [&](std::size_t i) {
@@ -152,8 +153,8 @@ class DatapathStudy final : public Study {
  private:
   struct Unit {
     const HardwareProfile* first;
-    const HardwareProfile* second;  // nullptr: errors of the first
-    std::size_t kind;               // of kOperations
+    const HardwareProfile* second;  // nullptr: the unit measures the errors of `first`
+    std::size_t kind;               // index into kOperations
   };
 
   StudyQuestion question_;

@@ -15,8 +15,8 @@
 namespace ninebit {
 namespace {
 
-// A map over the codes `first` to one: x to the right, y upward. Its colours reach from -span to span, as far as its
-// values do.
+// A map over the codes `first` to one: x to the right, y upward. Its colours range from -span to span, where span is
+// the largest absolute value.
 HeatMap map_of(int first, int one, const std::function<double(int x, int y)>& value) {
   HeatMap map;
   map.width = map.height = one - first + 1;
@@ -37,7 +37,7 @@ HeatMap map_of(int first, int one, const std::function<double(int x, int y)>& va
   return map;
 }
 
-// A form as a part of a file's name: "x4", "x1by2", "biased-x2".
+// A form as part of a file name: "x4", "x1by2", "biased-x2".
 std::string file_part(const OutputForm& form) {
   const char* scale = form.scale == Scale::none      ? "x1"
                       : form.scale == Scale::by_two  ? "x2"
@@ -50,13 +50,13 @@ int output_code(const Datapath& d, const OutputForm& form, int wide) {
   return reference::combiner_output(d, form.scale, form.bias, wide);
 }
 
-// In codes, so that 1 is the last bit of a register; rounding of doubles is no error.
+// The error in codes: 1 is a register's last bit. Rounding of doubles counts as 0.
 double error_in_codes(int code, double exact, int one) {
   const double error = code - exact * one;
   return std::fabs(error) < 1e-9 ? 0.0 : error;
 }
 
-// A · B and, with B = D = 1, A + C: the wide value of the codes x and y.
+// An operation of two codes x and y, given by its wide value: A · B or, with B = D = 1, A + C.
 struct TwoInputs {
   const char* name;
   const char* file;
@@ -91,7 +91,7 @@ class Maps {
 
   void add_differences(const HardwareProfile& first, const HardwareProfile& second) {
     const Datapath a = datapath_of(first), b = datapath_of(second);
-    // Products as they are and as the article's program scales them.
+    // Products without a scale, and with the scale of the article's program.
     for (const OutputForm& form : {kOutputForms[0], kOutputForms[2]}) {
       HeatMap map = map_of(-a.one, a.one,
                            [&](int x, int y) { return output_code(b, form, x * y) - output_code(a, form, x * y); });
@@ -109,7 +109,7 @@ class Maps {
     map.title = std::move(title);
     map.x_label = operation.x_label;
     map.y_label = operation.y_label;
-    map.caption = "In codes: 1 is a register's last bit. One pixel a case.";
+    map.caption = "In codes: 1 is a register's last bit. One pixel per case.";
     maps_.push_back(std::move(map));
   }
 

@@ -48,14 +48,14 @@ class Writer {
     return row.text("operation") + (form.empty() ? "" : " (" + form + ")");
   }
 
-  // Products, which everything else is made of; then the worst of all operations.
+  // Describes products, on which everything else is built, then the worst of all operations.
   void describe(const HardwareProfile& profile) {
     for (const OutputForm& form : {kOutputForms[0], kOutputForms[2]}) {
       const StudyRow* product = find(profile.name, "product", form.name);
       if (product == nullptr) continue;
       out_.answers.push_back(fmt::format(
-          "{}: a product, {}, is exact for {:.2f} % of its {} inputs; it is off by {:.3f} codes at most ({} gives {}, "
-          "exact {:.3f}) and by {:.3f} on average, with a bias of {:.3f} codes.",
+          "{}: a product, {}, is exact for {:.2f} % of its {} inputs; largest error {:.3f} codes ({} gives {}, exact "
+          "{:.3f}), mean error {:.3f}, bias {:.3f} codes.",
           profile.name, form.name, percent(product->count("exact"), product->count("cases")), product->count("cases"),
           product->number("max_error") * profile.one, product->text("worst"), product->text("worst_code"),
           product->number("worst_exact") * profile.one, product->number("mean_error") * profile.one,
@@ -64,7 +64,7 @@ class Writer {
     const StudyRow* worst = nullptr;
     for (const StudyRow& row : rows_) {
       if (row.table != "rows" || row.text("profile") != profile.name) continue;
-      // By more than rounding: the first of several that are equal.
+      // Larger by more than rounding: so the first of several equal rows wins.
       if (worst == nullptr || row.number("max_error") > worst->number("max_error") + 1e-12) worst = &row;
     }
     if (worst == nullptr) return;
@@ -74,12 +74,12 @@ class Writer {
   }
 
   [[nodiscard]] ReportTable table_of(const HardwareProfile& profile) const {
-    ReportTable table{.title = fmt::format("Errors of {}", profile.name),
-                      .columns = {"operation", "form", "inputs", "codes", "exact, %", "max", "mean", "bias", "worst at",
-                                  "gives", "exact"},
-                      .rows = {},
-                      .caption = fmt::format("Max, mean, bias and the exact value in codes, of which {} are 1.0.",
-                                             profile.one.value)};
+    ReportTable table{
+        .title = fmt::format("Errors of {}", profile.name),
+        .columns = {"operation", "form", "inputs", "codes", "exact, %", "max", "mean", "bias", "worst at", "gives",
+                    "exact"},
+        .rows = {},
+        .caption = fmt::format("Max, mean, bias and the exact value are in codes; code {} is 1.0.", profile.one.value)};
     for (const StudyRow& row : rows_) {
       if (row.table != "rows" || row.text("profile") != profile.name) continue;
       const auto codes = [&](std::string_view name) { return row.number(name) * profile.one; };
@@ -94,7 +94,7 @@ class Writer {
     ReportTable table{.title = "Inputs on which two profiles give different codes",
                       .columns = {"first", "second", "operation", "form", "inputs", "differ", "%"},
                       .rows = {},
-                      .caption = "Operations on which a pair always agrees are left out."};
+                      .caption = "Operations on which two profiles always agree are left out."};
     for (std::size_t i = 0; i < rows_.size();) {
       if (rows_[i].table != "differences") {
         ++i;
@@ -124,15 +124,14 @@ class Writer {
       std::string sentence =
           fmt::format("{} and {} agree on all inputs of {} of {} operations", first, second, agree, all);
       if (most != nullptr) {
-        sentence +=
-            fmt::format("; most often they differ in {}: on {:.3g} % of its inputs", name_of_row(*most), most_share);
+        sentence += fmt::format("; they differ most in {}: on {:.3g} % of its inputs", name_of_row(*most), most_share);
       }
       out_.answers.push_back(sentence + ".");
     }
     if (!table.rows.empty()) out_.tables.push_back(std::move(table));
   }
 
-  // The worst form of each operation, in codes: bars beside each other for the profiles.
+  // Plots the worst form of each operation, in codes, with one bar per profile.
   void plot_operations(const char* file, const char* title, const char* label, std::string_view field) {
     Plot plot{.file = file,
               .title = fmt::format("{} by operation, the worst form of each", title),

@@ -1,4 +1,4 @@
-// What the rows of the datapath's study say: sentences, tables, plots and maps.
+// The report of the datapath study: sentences, tables, plots and maps.
 #pragma once
 
 #include <span>
@@ -13,16 +13,16 @@ namespace ninebit {
 [[nodiscard]] StudyReport datapath_report(std::span<const HardwareProfile> profiles, std::span<const StudyRow> rows,
                                           std::size_t done, std::size_t units);
 
-// One pixel a case, for operations of two inputs: the errors of one profile (geforce2, where it is among them), and
-// where each pair of profiles with the same `one` differs. Maps on which nothing is to be seen are left out.
+// Maps with one pixel per case, for operations of two inputs: the errors of one profile (geforce2 if present), and the
+// cases in which each pair of profiles with the same `one` differs. Empty maps are left out.
 [[nodiscard]] std::vector<HeatMap> datapath_maps(std::span<const HardwareProfile> profiles);
 
-// A value for a sentence: nothing that prints as -0.000.
+// A value for a sentence: avoids printing -0.000.
 [[nodiscard]] inline double plain(double value) {
   return value > -0.0005 && value < 0.0005 ? 0.0 : value;
 }
 
-// 0 of 0 is 0 %.
+// `part` in percent of `whole`; 0 if both are 0.
 [[nodiscard]] double percent(std::uint64_t part, std::uint64_t whole);
 
 }  // namespace ninebit

@@ -15,7 +15,7 @@
 namespace ninebit {
 namespace {
 
-// Beyond what a row's numbers can be: results are clamped to [-1, 1]; sums are whole numbers below 2^47.
+// Limits for rows from files: results are clamped to [-1, 1]; sums are whole numbers below 2^47.
 constexpr double kMostError = 16.0, kMostSum = 0x1p47;
 
 class ExhaustiveSum final : public Study {
@@ -75,7 +75,7 @@ class ExhaustiveSum final : public Study {
                       .columns = {"profile", "form", "values of A", "cases", "exact", "inexact", "exact, %", "max",
                                   "mean", "bias", "sum of codes", "sum of squares"},
                       .rows = {},
-                      .caption = "Max, mean and bias in codes."};
+                      .caption = "Max, mean and bias are in codes."};
     Plot exact{.file = "exact-by-a",
                .title = "Share of exact results by A",
                .x_label = "A, as code",
@@ -100,9 +100,8 @@ class ExhaustiveSum final : public Study {
       }
       if (sum.cases == 0) continue;
       out.answers.push_back(
-          fmt::format("{}, {}: {} of {} cases of AB + CD come out exact ({:.3f} %); the others are off by {:.4f} codes "
-                      "at most, all "
-                      "together by {:.4f} on average; the sum of the codes' squares is {}.",
+          fmt::format("{}, {}: {} of {} cases of AB + CD are exact ({:.3f} %); largest error {:.4f} codes, mean error "
+                      "over all cases {:.4f} codes; the sum of the codes' squares is {}.",
                       profile_, form.name, sum.exact, sum.cases, percent(sum.exact, sum.cases),
                       sum.max_error * datapath_.one, sum.per_case(sum.sizes) * codes_of_unit(), sum.squares));
       table.rows.push_back({profile_, std::string(form.name), sum.values, sum.cases, sum.exact, sum.cases - sum.exact,
@@ -122,7 +121,7 @@ class ExhaustiveSum final : public Study {
   }
 
  private:
-  // Rows added up. A row's sums are whole numbers below 2^47, which a double holds; those of all rows are below 2^56.
+  // The sum of rows. A row's sums are whole numbers below 2^47, exact in a double; those of all rows are below 2^56.
   struct Sum {
     std::uint64_t values = 0, cases = 0, exact = 0;
     double max_error = 0.0;
@@ -138,7 +137,7 @@ class ExhaustiveSum final : public Study {
       codes += sum_in(row, "sum_of_codes");
       squares += sum_in(row, "sum_of_squares");
     }
-    // A part that somebody altered can hold any number.
+    // An altered part can hold any number.
     static std::int64_t sum_in(const StudyRow& row, std::string_view name) {
       return static_cast<std::int64_t>(std::clamp(row.number(name), -kMostSum, kMostSum));
     }
@@ -167,7 +166,7 @@ Result<std::unique_ptr<Study>> exhaustive_sum_study(StudyQuestion question, cons
     return Diagnostic{
         .message = fmt::format("the profile {} has no datapath to measure: it computes in real numbers", profile.name)};
   }
-  if (forms.empty()) return Diagnostic{.message = "there is no output form to evaluate"};
+  if (forms.empty()) return Diagnostic{.message = "no output form given; expected at least one"};
   return std::unique_ptr<Study>(std::make_unique<ExhaustiveSum>(std::move(question), profile, forms));
 }
 

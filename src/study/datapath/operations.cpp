@@ -49,7 +49,7 @@ const char* color_sum_form(bool clamp) {
   return clamp ? "clamped" : "not clamped";
 }
 
-// The forms of one operation, as they are added.
+// Collects the forms of one operation.
 class Forms {
  public:
   Forms(std::string_view name, int one) : name_(name), one_(one), codes_(static_cast<std::size_t>(2 * one + 1)) {}
@@ -66,7 +66,7 @@ class Forms {
     }
   }
 
-  // Products of 1 with a register: what scale and bias alone do.
+  // Products of 1 with a register: the effect of scale and bias alone.
   void scales_and_biases() {
     for (const OutputForm& form : kOutputForms) {
       add(
@@ -79,9 +79,9 @@ class Forms {
     }
   }
 
-  // An output whose wide value is a sum of so many products.
+  // Outputs whose wide value is a sum of `terms` products.
   void sums(std::size_t terms, const std::shared_ptr<const WideCounts>& counts) {
-    // Most numbers are no sum of products: cases are those that are.
+    // Most numbers are not sums of products: only the wide values that occur are cases.
     const auto wides = std::make_shared<std::vector<int>>();
     for (int w = -counts->limit; w <= counts->limit; ++w) {
       if (counts->of(w) != 0) wides->push_back(w);
@@ -139,7 +139,7 @@ class Forms {
         [n](std::size_t i) { return fmt::format("{} * {}", i / n, i % n); });
   }
 
-  // A·B + (1 - A)·C + D: a case for each value of the mix that some A, B, C give, and each D.
+  // A·B + (1 - A)·C + D: one case for each value of A·B + (1 - A)·C that occurs, and each D.
   void final_lerp() {
     struct Mix {
       std::uint64_t count = 0;
@@ -188,7 +188,7 @@ class Forms {
         {name_, std::move(form), cases, std::move(weight), std::move(code), std::move(exact), std::move(inputs)});
   }
 
-  // Products of codes from -one to one, so many, that sum up to `wide`: greedily the largest product first.
+  // `terms` products of codes from -one to one whose sum is `wide`, chosen greedily with the largest product first.
   static std::string products_of(int wide, int one, std::size_t terms) {
     if (terms == 1) {
       const int size = std::abs(wide), sign = wide < 0 ? -1 : 1;
@@ -197,7 +197,7 @@ class Forms {
       }
       return wide == 0 ? "0 * 0" : "";
     }
-    // Some product next to the whole leaves a rest that the other terms reach.
+    // Finds a product close to `wide` such that the other terms can reach the rest.
     const int reach = one * one * static_cast<int>(terms - 1);
     for (int a = one; a >= 0; --a) {
       for (int b = one; b >= -one; --b) {
@@ -226,7 +226,7 @@ double exact_output(const OutputForm& form, double value) {
   return clamped((value - (form.bias == Bias::none ? 0.0 : 0.5)) * scale, -1.0, 1.0);
 }
 
-// Sums of `terms` products: each from the one before, which the longer sums need as well.
+// Counts for sums of `terms` products. Each is computed from the counts for one term less, which are kept too.
 const std::shared_ptr<const WideCounts>& Operations::counts(std::size_t terms) {
   const std::size_t i = terms - 1;
   std::call_once(counted_[i], [&] {

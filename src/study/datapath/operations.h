@@ -20,30 +20,30 @@ struct Operation {
   std::string_view name;
   std::string form;
   std::size_t cases = 0;
-  std::function<std::uint64_t(std::size_t)> weight;       // inputs that a case stands for
-  std::function<int(const Datapath&, std::size_t)> code;  // what the datapath gives
-  std::function<double(std::size_t)> exact;               // what the extension's real numbers give, clamped
-  std::function<std::string(std::size_t)> inputs;         // one of the inputs, as codes
+  std::function<std::uint64_t(std::size_t)> weight;       // number of inputs that a case stands for
+  std::function<int(const Datapath&, std::size_t)> code;  // the datapath's result
+  std::function<double(std::size_t)> exact;               // the extension's result in real numbers, clamped
+  std::function<std::string(std::size_t)> inputs;         // one of the case's inputs, as codes
 };
 
 inline constexpr std::array<std::string_view, 9> kOperations{"mapping",   "scale and bias", "product",
                                                              "AB + CD",   "dot product",    "mux takes CD",
                                                              "color sum", "E times F",      "final lerp"};
 
-// What an output's real number is: (value + bias) · scale, clamped to [-1, 1].
+// The exact output: (value + bias) · scale, clamped to [-1, 1].
 [[nodiscard]] double exact_output(const OutputForm& form, double value);
 
 struct WideCounts;
 
-// The names of the forms of kOperations[kind], as Operations::of() gives them, without the work of making the forms.
+// The names of the forms of kOperations[kind], in the order of Operations::of(), without making the forms.
 [[nodiscard]] std::vector<std::string> forms_of(std::size_t kind);
 
-// The operations on registers whose 1.0 is the code `one`. Those of a name are made when they are first asked for.
+// The operations on registers whose 1.0 is the code `one`. The forms of an operation are made on first use.
 class Operations {
  public:
   explicit Operations(int one) : one_(one) {}
 
-  // All forms of kOperations[kind]. For any thread, but not from within a parallel loop: it may run one itself.
+  // All forms of kOperations[kind]. Thread-safe; must not be called within a parallel loop, because it may run one.
   [[nodiscard]] const std::vector<Operation>& of(std::size_t kind);
 
  private:
@@ -53,7 +53,7 @@ class Operations {
   std::array<std::once_flag, kOperations.size()> made_;
   std::array<std::vector<Operation>, kOperations.size()> operations_;
   std::array<std::once_flag, 3> counted_;
-  std::array<std::shared_ptr<const WideCounts>, 3> counts_;  // of sums of one, two and three products
+  std::array<std::shared_ptr<const WideCounts>, 3> counts_;  // for sums of one, two and three products
 };
 
 }  // namespace ninebit

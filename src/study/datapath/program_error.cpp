@@ -17,7 +17,7 @@ namespace ninebit {
 namespace {
 
 constexpr std::size_t kUnit = std::size_t{1} << 18;
-// Sums are made of sums over so many fragments, so that threads change no bit.
+// Sums are built from sums over chunks of kChunk fragments, so that no bit depends on threads.
 constexpr std::size_t kChunk = std::size_t{1} << 12;
 
 struct ErrorSums {
@@ -44,7 +44,7 @@ struct ErrorSums {
   }
 
  private:
-  // By more than the numbers are uncertain.
+  // Larger by more than the uncertainty of the numbers.
   void take_worse(double size, std::size_t fragment) {
     if (size <= most + 1e-10) return;
     most = size;
@@ -59,7 +59,7 @@ struct ComponentErrors {
 };
 using Errors = std::array<ComponentErrors, 4>;
 
-// Registers hold -1 to 1; the sums before the last clamp go a little beyond.
+// Limits for rows from files. Registers hold -1 to 1; the sums before the last clamp go a little beyond.
 constexpr double kMostValue = 64.0, kMostCode = 65536.0, kLongestInputs = 65536.0;
 
 class ProgramErrorStudy final : public Study {
@@ -132,7 +132,7 @@ class ProgramErrorStudy final : public Study {
  private:
   [[nodiscard]] std::size_t stages() const { return static_cast<std::size_t>(program_.num_general_combiners) + 1; }
 
-  // Of the stages from 1.
+  // The name of stage k, counted from 1.
   [[nodiscard]] std::string name_of_stage(std::size_t k) const {
     return k == stages() ? "final" : fmt::format("general {}", k);
   }
@@ -227,7 +227,7 @@ class ProgramErrorStudy final : public Study {
 Result<std::unique_ptr<Study>> program_error_study(StudyQuestion question, const HardwareProfile& profile,
                                                    const Program& program, ProgramInputs inputs) {
   if (profile.arithmetic != Arithmetic::integer) {
-    return Diagnostic{.message = fmt::format("the profile {} has no stages' errors to measure: it computes in real "
+    return Diagnostic{.message = fmt::format("the profile {} has no stage errors to measure: it computes in real "
                                              "numbers",
                                              profile.name)};
   }

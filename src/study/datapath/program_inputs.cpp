@@ -33,10 +33,10 @@ std::string RegisterComponent::name() const {
 Result<Fragments> Fragments::of(const Datapath& datapath, ProgramInputs inputs) {
   Fragments out(datapath, std::move(inputs));
   const std::size_t columns = out.components().size();
-  if (columns == 0) return Diagnostic{.message = "there is no register component to take values"};
+  if (columns == 0) return Diagnostic{.message = "no register component given; expected at least one"};
   if (!out.all()) {
     out.count_ = out.inputs_.codes->size() / columns;
-    if (out.count_ == 0) return Diagnostic{.message = "there is no fragment to run over"};
+    if (out.count_ == 0) return Diagnostic{.message = "no fragment given; expected at least one"};
     return out;
   }
   out.count_ = 1;
@@ -44,7 +44,7 @@ Result<Fragments> Fragments::of(const Datapath& datapath, ProgramInputs inputs) 
     out.count_ *= out.values(i);
     if (out.count_ > kMostCombinations) {
       return Diagnostic{.message = fmt::format("{} register components have more than {} combinations of values, the "
-                                               "most that are run over; name fewer, or give a table of inputs",
+                                               "maximum; name fewer, or give a table of inputs",
                                                columns, kMostCombinations)};
     }
   }

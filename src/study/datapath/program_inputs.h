@@ -1,4 +1,4 @@
-// The fragments of a program's error study, one by one.
+// The fragments of a program's error study.
 #pragma once
 
 #include <cstddef>
@@ -13,15 +13,15 @@ namespace ninebit {
 
 class Fragments {
  public:
-  // Reports what program_error_study says of inputs.
+  // Reports the errors of program_error_study about its inputs.
   [[nodiscard]] static Result<Fragments> of(const Datapath& datapath, ProgramInputs inputs);
 
   [[nodiscard]] std::size_t count() const { return count_; }
   [[nodiscard]] const std::vector<RegisterComponent>& components() const { return inputs_.components; }
-  // Whether the fragments are all combinations of their components' values.
+  // True if the fragments are all combinations of their components' values.
   [[nodiscard]] bool all() const { return !inputs_.codes; }
 
-  // The lowest value that a component takes among all combinations, and how many it takes.
+  // The lowest value of a component among all combinations, and its number of values.
   [[nodiscard]] int lowest(std::size_t component) const;
   [[nodiscard]] std::size_t values(std::size_t component) const {
     return static_cast<std::size_t>(one_ - lowest(component) + 1);
@@ -31,7 +31,7 @@ class Fragments {
   [[nodiscard]] s9 code(std::size_t fragment, std::size_t component) const;
   // "primary.r 3, tex0.r 255".
   [[nodiscard]] std::string text(std::size_t fragment) const;
-  // A fragment's registers as they enter the first stage; constants, too, where they are among the components.
+  // A fragment's registers before the first stage, including constants that are among the components.
   [[nodiscard]] RegisterFile registers(std::size_t fragment) const;
   [[nodiscard]] bool have_constants() const;
   // Puts a fragment's constants into a program.

@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::array kComponentNames{"red", "green", "blue", "alpha"};
 
-// One kind of error, over all units: a maximum with its place, and means weighted by fragments.
+// One kind of error over all units: a maximum with its row, and means weighted by fragments.
 struct Summary {
   double most = 0.0;
   const StudyRow* worst = nullptr;
@@ -49,14 +49,14 @@ class Writer {
         .title = "Error of the colour",
         .columns = {"component", "fragments", "exact, %", "max", "mean", "bias", "worst at", "gives", "exact"},
         .rows = {},
-        .caption = fmt::format("Max, mean, bias and the exact value in codes, of which {} are 1.0.", one_)};
-    ReportTable stages{.title = "What each stage adds, and what remains if all later ones are exact",
+        .caption = fmt::format("Max, mean, bias and the exact value are in codes; code {} is 1.0.", one_)};
+    ReportTable stages{.title = "Error that each stage adds, and error that remains if all later stages are exact",
                        .columns = {"component", "stage", "name", "added, max", "added, mean", "added, bias",
                                    "adds most at", "remaining, max", "remaining, mean", "remaining, bias"},
                        .rows = {},
                        .caption =
-                           "In codes. The additions of all stages are the colour's error, for every fragment; so "
-                           "their biases add up to its bias."};
+                           "In codes. For every fragment, the errors that the stages add sum to the colour's error; "
+                           "so their biases sum to its bias."};
     Plot added{.file = "added-by-stage",
                .title = "Error that each stage adds",
                .x_label = "stage",
@@ -65,7 +65,7 @@ class Writer {
                .series = {}};
     Plot remaining{.file = "remaining-by-stage",
                    .title = "Error that remains if all later stages are exact",
-                   .x_label = "stages as they are, up to this",
+                   .x_label = "last stage computed as in the profile",
                    .y_label = "mean size, in codes",
                    .bars = true,
                    .series = {}};
@@ -97,7 +97,7 @@ class Writer {
     return row.table == table && row.text("component") == std::string(1, "rgba"[c]);
   }
 
-  // Whether the component has any error.
+  // Adds the component's row and answer. Returns true if the component has an error.
   bool add_total(std::size_t c, ReportTable& table) {
     Summary sum;
     std::uint64_t exact = 0, fragments = 0;
@@ -117,14 +117,14 @@ class Writer {
       return false;
     }
     out_.answers.push_back(fmt::format(
-        "{}: exact for {:.2f} % of {} fragments; off by {:.3f} codes at most, where {}: {} comes out, {:.3f} is exact; "
-        "by {:.3f} on average, with a bias of {:.3f}.",
+        "{}: exact for {:.2f} % of {} fragments; largest error {:.3f} codes ({} give {}, exact {:.3f}), mean error "
+        "{:.3f}, bias {:.3f} codes.",
         kComponentNames[c], percent(exact, fragments), fragments, sum.most * one_, sum.worst->text("worst"),
         sum.worst->text("worst_code"), worst_exact, sum.mean() * one_, plain(sum.bias() * one_)));
     return true;
   }
 
-  // Gives the stage's part of a sentence.
+  // Adds the stage's row and points. Returns its part of a sentence.
   std::string add_stage(std::size_t c, int k, ReportTable& table, PlotSeries& adds, PlotSeries& remains) const {
     Summary added, remaining;
     for (const StudyRow& row : rows_) {
@@ -141,7 +141,7 @@ class Writer {
     return fmt::format("{}{} adds {:.3f} codes", k == 1 ? "" : ", ", added.worst->text("name"), added.mean() * one_);
   }
 
-  // The first component to the right, the second upward.
+  // The first component runs to the right, the second upward.
   [[nodiscard]] HeatMap map_of(std::size_t c) const {
     const std::size_t width = fragments_.values(0), height = fragments_.values(1);
     HeatMap map{.file = fmt::format("error-{}", kComponentNames[c]),
@@ -155,7 +155,7 @@ class Writer {
                 .width = static_cast<int>(width),
                 .height = static_cast<int>(height),
                 .values = std::vector<float>(width * height),
-                .caption = "In codes: 1 is a register's last bit. One pixel a fragment."};
+                .caption = "In codes: 1 is a register's last bit. One pixel per fragment."};
     parallel_ranges(height, 1, [&](std::size_t begin, std::size_t end) {
       StagedColors staged(program_);
       for (std::size_t row = begin; row != end; ++row) {

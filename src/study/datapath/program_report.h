@@ -1,4 +1,4 @@
-// What the rows of a program's error study say.
+// The report of a program's error study.
 #pragma once
 
 #include <cstddef>
@@ -10,8 +10,8 @@
 
 namespace ninebit {
 
-// The report on the rows of `done` of `units` units. Where the fragments are all combinations of two components, it has
-// a map of the error, one pixel a fragment.
+// The report on the rows of `done` of `units` units. If the fragments are all combinations of two components, it
+// includes a map of the error with one pixel per fragment.
 [[nodiscard]] StudyReport program_report(const Program& program, const Fragments& fragments,
                                          std::span<const StudyRow> rows, std::size_t done, std::size_t units);
 

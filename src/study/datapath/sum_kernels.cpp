@@ -1,4 +1,4 @@
-// The rules of combiner_rules.inl over vectors of 32-bit lanes, and exact arithmetic beside them.
+// The rules of combiner_rules.inl on vectors of 32-bit lanes, with exact arithmetic for comparison.
 #include "src/study/datapath/sum_kernels.h"
 
 #include <algorithm>
@@ -6,7 +6,7 @@
 #include <bit>
 #include <cstddef>
 
-// As src/combiner/batch_kernels.cpp has it: vectors stand in objects.
+// As in src/combiner/batch_kernels.cpp: vectors are members of objects.
 #ifndef HWY_DISABLED_TARGETS
 #define HWY_DISABLED_TARGETS (HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV)
 #endif
@@ -20,7 +20,7 @@ HWY_BEFORE_NAMESPACE();
 namespace ninebit::detail::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-// 1 / d as a float that is not below it.
+// 1 / d as a float, rounded up.
 constexpr std::array<float, 511> reciprocals() {
   std::array<float, 511> out{};
   for (int d = 1; d <= 510; ++d) {
@@ -32,7 +32,7 @@ constexpr std::array<float, 511> reciprocals() {
 }
 constexpr std::array<float, 511> kReciprocals = reciprocals();
 
-// What combiner_rules.inl wants of its includer.
+// The primitives that combiner_rules.inl requires.
 namespace lanes {
 using V = V32;
 HWY_INLINE V set(int v) {
@@ -56,9 +56,10 @@ HWY_INLINE V max_of(V a, V b) {
 HWY_INLINE V abs_of(V a) {
   return hn::Abs(a);
 }
-// A float holds n < 2^24 exactly. The reciprocal is at most 2^-23 of itself too large and the product rounded by 2^-24
-// of itself, so that with n / d < 2^13 the quotient is too large by less than 0.0015 or, being at least n / d, rounded
-// to no less than the whole number that it reaches. The next whole number is at least 1 / 510 > 0.0019 above.
+// Exact floor of n / d. A float holds n < 2^24 exactly. The reciprocal is too large by at most 2^-23 of itself, and the
+// product is rounded by at most 2^-24 of itself; so with n / d < 2^13 the quotient is too large by less than 0.0015.
+// The next whole number is at least 1 / 510 > 0.0019 above n / d. Rounding does not take the quotient below a whole
+// number that n / d reaches.
 HWY_INLINE V divide(V n, int d) {
   const VF32 reciprocal = hn::Set(kF32, kReciprocals[static_cast<std::size_t>(d)]);
   return to_integers(hn::Mul(hn::ConvertTo(kF32, n), reciprocal), false);
@@ -79,7 +80,7 @@ HWY_INLINE std::int64_t sum_of_lanes(V32 v) {
   return hn::GetLane(hn::SumOfLanes(kD32, v));
 }
 
-// Every C, and D in lanes. The narrowing is known to the compiler, the other choices are read once.
+// Evaluates every C, with D in lanes. Scale and narrowing are template arguments; the other choices are read once.
 template <Scale kScale, Narrowing kNarrowing, NarrowingPoint kPoint>
 HWY_NOINLINE SumTotals totals(const Datapath& given, Bias bias, int a, int b) {
   Datapath d = given;
@@ -99,7 +100,7 @@ HWY_NOINLINE SumTotals totals(const Datapath& given, Bias bias, int a, int b) {
   const auto visit = [&](V32 product, const auto& some) HWY_ATTR {
     const V32 wide = hn::Add(ab, product);
     const V32 code = some(lanes::combiner_output(d, kScale, bias, wide));
-    // (wide - half) · scale in units of 1 / (4 one²), and no more than what a register holds: [-1, 1].
+    // (wide - half) · scale in units of 1 / (4 one²), clamped to a register's range [-1, 1].
     const V32 scaled = hn::ShiftLeft<kDoublings>(hn::Sub(hn::Add(wide, wide), half));
     const V32 exact = some(hn::Min(hn::Max(scaled, lowest), highest));
     const V32 error = hn::Sub(hn::Mul(code, unit), exact);
@@ -125,7 +126,7 @@ HWY_NOINLINE SumTotals totals(const Datapath& given, Bias bias, int a, int b) {
       ds = hn::Add(ds, step);
     }
     if (rest != 0) visit(hn::Mul(factor, ds), [&](V32 v) HWY_ATTR { return hn::IfThenElseZero(tail, v); });
-    // No error exceeds 9 one² and a row has 511 at most: all sums fit into 32 bits.
+    // No error exceeds 9 one² and a row has at most 511 of them: all sums fit into 32 bits.
     out.inexact += static_cast<std::uint64_t>(sum_of_lanes(inexact));
     out.sum_of_sizes += sum_of_lanes(sizes);
     out.sum_of_errors += sum_of_lanes(errors);

@@ -1,4 +1,4 @@
-// AB + CD case by case in vector lanes, compiled once for every SIMD target and chosen at run time.
+// AB + CD case by case in vector lanes, compiled for every SIMD target and selected at run time.
 #pragma once
 
 #include <cstdint>
@@ -8,13 +8,13 @@
 
 namespace ninebit {
 
-// Errors are whole numbers of 1 / (4 one²): the exact value of half a wide value is one.
+// Errors are whole multiples of 1 / (4 one²), because even half of a wide value is such a multiple.
 struct SumTotals {
   std::uint64_t cases = 0;
-  std::uint64_t inexact = 0;   // with an error other than 0
-  std::int64_t max_error = 0;  // the largest size
-  std::int64_t sum_of_sizes = 0;
-  std::int64_t sum_of_errors = 0;  // with their signs
+  std::uint64_t inexact = 0;       // cases with an error other than 0
+  std::int64_t max_error = 0;      // the largest absolute error
+  std::int64_t sum_of_sizes = 0;   // of absolute errors
+  std::int64_t sum_of_errors = 0;  // of signed errors
   std::int64_t sum_of_codes = 0;
   std::int64_t sum_of_squares = 0;  // of codes
 
@@ -22,7 +22,7 @@ struct SumTotals {
   friend bool operator==(const SumTotals&, const SumTotals&) = default;
 };
 
-// All C and D from -one to one with one pair of A and B. For integer arithmetic.
+// Evaluates all C and D from -one to one with one pair of A and B. For integer arithmetic.
 [[nodiscard]] SumTotals sum_totals(const Datapath& datapath, const OutputForm& form, int a, int b);
 
 }  // namespace ninebit

@@ -12,13 +12,13 @@
 namespace ninebit {
 namespace {
 
-constexpr std::uint32_t kOne = 0x3F800000;  // the bits of 1.0F; those of smaller floats are smaller numbers
-constexpr std::uint64_t kChunk = 1U << 16;  // depths that one thread takes at a time
+constexpr std::uint32_t kOne = 0x3F800000;  // the bits of 1.0F; smaller floats >= 0 have smaller bits
+constexpr std::uint64_t kChunk = 1U << 16;  // depths per task
 
-// Which floats of [0, 2) have been seen: a bit each.
+// The set of floats in [0, 2) that have been seen: one bit each.
 class SeenFloats {
  public:
-  // calloc, because the memory is 128 MiB and few of its pages are touched.
+  // calloc: the memory is 128 MiB, and few of its pages are touched.
   // NOLINTBEGIN(cppcoreguidelines-no-malloc)
   SeenFloats() : words_(static_cast<std::uint64_t*>(std::calloc(kWords, sizeof(std::uint64_t)))) {
     if (words_ == nullptr) throw std::bad_alloc();
@@ -52,10 +52,10 @@ class SeenFloats {
   static constexpr std::size_t kWords = kFloats / 64;
   static constexpr std::size_t kBlock = 512;  // words: a page
   std::uint64_t* words_;
-  std::vector<char> touched_ = std::vector<char>(kWords / kBlock);  // blocks with a bit that is set
+  std::vector<char> touched_ = std::vector<char>(kWords / kBlock);  // true for each block with a set bit
 };
 
-// A stretch of depths. Sums of doubles depend on their order, so that stretches are joined from the first to the last.
+// The errors of a range of depths. Sums of doubles depend on their order, so ranges are joined from first to last.
 struct Stretch {
   std::uint64_t exact = 0, inversions = 0;
   double sum = 0.0, sum_of_sizes = 0.0, largest = -1.0;
@@ -136,7 +136,7 @@ Result<RoundTripError> measure_round_trip(const DepthPacking& packing, ChannelSt
       out.worst_back = s.worst_back;
     }
   }
-  // The last depth of every set, and it alone, is 1.
+  // Only the last depth of each set is 1.
   out.mean_error /= static_cast<double>(depths - 1);
   out.mean_bias /= static_cast<double>(depths - 1);
   return out;

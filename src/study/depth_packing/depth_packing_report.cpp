@@ -15,14 +15,14 @@ double error_of(const DepthPacking& packing, ChannelStorage storage, float depth
   return static_cast<double>(read_depth(packing, store_depth(packing, depth, storage))) - static_cast<double>(depth);
 }
 
-// A packing with its storage, and its errors at all depths of two digits, in steps of the second one.
+// The errors of a packing and storage at all depths of two digits, in steps of the second digit.
 struct Grid {
   const DepthPacking* packing;
   ChannelStorage storage;
   std::vector<float> shift;  // [highest][second]
-  float largest = 0.0F;      // size of a shift
+  float largest = 0.0F;      // largest absolute shift
 
-  // A packing whose digits are in the wrong order keeps nothing of the depth: it would dwarf the others in a plot.
+  // False for a packing whose digits are in the wrong order: it loses the depth, and would dwarf the others in a plot.
   [[nodiscard]] bool keeps_depth() const { return largest < 4096.0F; }
   [[nodiscard]] std::string name() const { return fmt::format("{}-{}", packing->name, name_of(storage)); }
 };
@@ -59,7 +59,7 @@ std::string order_sentence(const StudyRow& row) {
   return inversions == 0 ? "" : fmt::format(", {} inversion{}", inversions, inversions == 1 ? "" : "s");
 }
 
-// What each packing makes of one set of depths, the best first.
+// The error of each packing for each set of depths, the smallest mean error first.
 std::vector<std::string> errors_in_words(const DepthPackingOptions& options, std::span<const StudyRow> rows) {
   std::vector<std::string> sentences;
   for (const DepthSet set : options.sets) {
@@ -77,22 +77,22 @@ std::vector<std::string> errors_in_words(const DepthPackingOptions& options, std
                         (exact ? " is exact"
                          : exact_below_one
                              ? fmt::format(" is exact below depth 1{}", order_sentence(*row))
-                             : fmt::format(" is up to {:.3g} off ({:.3g} in the mean{})", row->number("max_error"),
+                             : fmt::format(" has an error of up to {:.3g} (mean {:.3g}{})", row->number("max_error"),
                                            row->number("mean_error"), order_sentence(*row))));
       }
       sentences.push_back(fmt::format(
           "{}, components {}: {}.",
           set == DepthSet::floats ? fmt::format("Floats, {} of them", found[0]->count("count"))
                                   : fmt::format("All {} depths of {} bits", found[0]->count("count"), name_of(set)),
-          storage == ChannelStorage::round ? "rounded to bytes" : "cut to bytes", fmt::join(parts, "; ")));
+          storage == ChannelStorage::round ? "rounded to bytes" : "truncated to bytes", fmt::join(parts, "; ")));
     }
   }
   return sentences;
 }
 
-// What 0 and 1 become, which no set of depths changes.
+// The values read back for depths 0 and 1, which are the same in every set of depths.
 std::vector<std::string> ends_in_words(std::span<const StudyRow> rows) {
-  std::set<std::string> told;
+  std::set<std::string> seen;
   std::vector<std::string> changed;
   for (const StudyRow& row : rows) {
     if (row.table != "rows") continue;
@@ -100,11 +100,11 @@ std::vector<std::string> ends_in_words(std::span<const StudyRow> rows) {
       if (row.number(field) == end) continue;
       const std::string words = fmt::format("{} reads as {} through {} ({})", end, row.number(field),
                                             row.text("packing"), row.text("storage"));
-      if (told.insert(words).second) changed.push_back(words);
+      if (seen.insert(words).second) changed.push_back(words);
     }
   }
-  if (changed.empty()) return {"Depths 0 and 1 stay what they are."};
-  return {fmt::format("Of the ends of the range, {}; all others stay.", fmt::join(changed, "; "))};
+  if (changed.empty()) return {"Depths 0 and 1 are unchanged."};
+  return {fmt::format("Changed ends of the range: {}.", fmt::join(changed, "; "))};
 }
 
 std::vector<std::string> digits_in_words(const std::vector<Grid>& grids, std::span<const StudyRow> rows) {
@@ -140,20 +140,21 @@ ReportTable error_table(std::span<const StudyRow> rows) {
     table.rows.push_back(std::move(values));
   }
   table.caption =
-      "Depths go from 0 to 1. An error is what a depth reads as, less the depth. Of depths below 1, max_error is the "
-      "largest size of an error, mean_error the mean size and mean_bias the mean with its sign. "
-      "inversions: depths that read as less than the one before them.";
+      "Depths go from 0 to 1. An error is the value read back minus the depth. Over depths below 1, max_error is the "
+      "largest absolute error, mean_error the mean absolute error and mean_bias the mean signed error. "
+      "inversions: depths that are read back smaller than the previous depth.";
   return table;
 }
 
-// The largest error in each of 512 stretches of the range, with its sign.
+// The signed error with the largest absolute value in each of 512 parts of the range.
 Plot error_plot(const std::vector<Grid>& grids, ChannelStorage storage) {
   constexpr int kStretches = 512, kDepths = 512;
-  Plot plot{.file = fmt::format("error-by-depth-{}", name_of(storage)),
-            .title = fmt::format("Error by depth, components {}", storage == ChannelStorage::round ? "rounded" : "cut"),
-            .x_label = "depth",
-            .y_label = "largest error",
-            .series = {}};
+  Plot plot{
+      .file = fmt::format("error-by-depth-{}", name_of(storage)),
+      .title = fmt::format("Error by depth, components {}", storage == ChannelStorage::round ? "rounded" : "truncated"),
+      .x_label = "depth",
+      .y_label = "largest error",
+      .series = {}};
   for (const Grid& grid : grids) {
     if (grid.storage != storage || !grid.keeps_depth()) continue;
     PlotSeries series{.name = std::string(grid.packing->name), .points = {}};
@@ -168,11 +169,11 @@ Plot error_plot(const std::vector<Grid>& grids, ChannelStorage storage) {
     }
     plot.series.push_back(std::move(series));
   }
-  plot.caption = "In each 512th of the range, the error of the largest size among 512 depths.";
+  plot.caption = "For each 512th of the range, the error with the largest absolute value among 512 depths.";
   return plot;
 }
 
-// In a scene 256 units deep: from half a unit too far to half a unit too near.
+// In a scene 256 units deep. The error ranges from half a unit too far to half a unit too near.
 Plot middle_plot(const std::vector<Grid>& grids) {
   Plot plot{.file = "error-halfway",
             .title = "Error halfway through a range of 256 units, components rounded",
@@ -188,7 +189,7 @@ Plot middle_plot(const std::vector<Grid>& grids) {
     }
     plot.series.push_back(std::move(series));
   }
-  plot.caption = "Where a surface lies deeper than it is stored, it shades itself; before the jump, light leaks.";
+  plot.caption = "Where a surface is deeper than its stored depth, it shades itself; before the jump, light leaks.";
   return plot;
 }
 
@@ -206,7 +207,7 @@ Plot digit_plot(const std::vector<Grid>& grids) {
     }
     plot.series.push_back(std::move(series));
   }
-  plot.caption = "What a depth of two digits in base 256 reads as, less the depth.";
+  plot.caption = "The value read back for a depth of two digits in base 256, minus the depth.";
   return plot;
 }
 

@@ -1,4 +1,4 @@
-// What people see of the study of depth packings.
+// The report of the depth-packing study.
 #pragma once
 
 #include <span>
@@ -8,7 +8,7 @@
 namespace ninebit {
 
 inline constexpr std::string_view kSecondDigitTable = "second_digit";
-inline constexpr int kChartDigit = 128;  // the highest one in that table, as in the text that first showed it
+inline constexpr int kChartDigit = 128;  // the highest digit in that table, as in the text that first showed it
 
 [[nodiscard]] StudyReport depth_packing_report(const DepthPackingOptions& options, std::span<const StudyRow> rows);
 

@@ -39,7 +39,7 @@ std::vector<StudyRow> second_digit_rows(const DepthPacking& packing, ChannelStor
   return rows;
 }
 
-// Depths go from 0 to 1; a packing that spoils the order of its digits reads back a few times that at most.
+// Depths go from 0 to 1. A packing with a wrong order of digits reads back a few times that at most.
 constexpr double kMostDepth = 16.0;
 
 RowRule error_rule(const DepthPacking& packing, ChannelStorage storage, DepthSet set, std::uint64_t depths) {
@@ -78,7 +78,7 @@ class DepthPackingStudy final : public Study {
  public:
   explicit DepthPackingStudy(DepthPackingOptions options) : options_(std::move(options)) {
     question_.study = "depth-packing";
-    question_.profile = "all";  // shaders' floats: no profile changes a row
+    question_.profile = "all";  // packings are float shaders: no profile changes a row
     question_.options = {{"--packings", fmt::format("{}", fmt::join(options_.packings, ","))},
                          {"--storages", names_of(options_.storages)},
                          {"--depths", names_of(options_.sets)},
@@ -108,7 +108,7 @@ class DepthPackingStudy final : public Study {
     return std::vector{error_row(*u.packing, u.storage, set, *error)};
   }
 
-  // The digits take as long as a few depths.
+  // A unit of digits takes as long as a few depths.
   [[nodiscard]] double weight(std::size_t unit) const override {
     const Unit u = at(unit);
     if (u.part == options_.sets.size()) return 1024.0;
@@ -130,7 +130,7 @@ class DepthPackingStudy final : public Study {
   struct Unit {
     const DepthPacking* packing;
     ChannelStorage storage;
-    std::size_t part;  // a set's number, or the one behind the last for the digits
+    std::size_t part;  // index of a set; the number of sets stands for the digits
   };
 
   [[nodiscard]] std::size_t parts() const { return options_.sets.size() + 1; }
@@ -158,7 +158,7 @@ DepthPackingOptions all_depth_packings() {
 Result<std::unique_ptr<Study>> make_depth_packing_study(const DepthPackingOptions& options) {
   for (const std::string& name : options.packings) {
     if (find_depth_packing(name) != nullptr) continue;
-    return Diagnostic{.message = fmt::format("'{}' is no depth packing; expected one of {}", name,
+    return Diagnostic{.message = fmt::format("'{}' is not a depth packing; expected one of {}", name,
                                              fmt::join(all_depth_packings().packings, ", "))};
   }
   if (options.packings.empty() || options.storages.empty() || options.sets.empty()) {

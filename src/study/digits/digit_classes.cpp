@@ -15,7 +15,7 @@ namespace {
 constexpr std::size_t kBytes = 256;
 constexpr std::size_t kPairs = kBytes * kBytes;
 
-// Empty, or what is wrong.
+// The error message for a component that depends on several digits; empty if there is none.
 std::string mixed_component(const Program& program, const ByComponent<unsigned>& after) {
   const ByComponent<bool> read = read_from_stage(program, 1);
   for (std::size_t r = 0; r < kRegisterCount; ++r) {
@@ -23,14 +23,14 @@ std::string mixed_component(const Program& program, const ByComponent<unsigned>&
       if (!read[r][c] || std::popcount(after[r][c]) < 2) continue;
       return std::string(name_of(static_cast<Register>(r))) + "." + "rgba"[c] +
              " depends on more than one channel of the index after the first general combiner: there are too many "
-             "cases to count them all; expected a first stage that keeps the channels apart, or a format with one "
+             "cases to count; expected a first stage that keeps the channels apart, or a format with one "
              "channel";
     }
   }
   return {};
 }
 
-// Numbers the pairs by the order of their keys; equal keys have one number. Gives a pair of each number.
+// Numbers the pairs in the order of their keys; pairs with equal keys share a number. Returns one pair for each number.
 std::vector<PairClass> number_pairs(const std::vector<double>& keys, std::size_t width,
                                     std::vector<std::uint32_t>& of_pair) {
   const auto key = [&](std::uint32_t pair) { return std::span(keys).subspan(pair * width, width); };

@@ -14,7 +14,7 @@ class Reads {
       for (std::size_t c = 0; c < 3; ++c) at(Register::spare0)[c] = at(Register::secondary)[c] = true;
       return;
     }
-    if (static_cast<std::size_t>(in.reg) >= kRegisterCount) return;  // E times F: E and F are looked at themselves
+    if (static_cast<std::size_t>(in.reg) >= kRegisterCount) return;  // E times F: E and F are added themselves
     for (int c = 0; c < channels; ++c) {
       at(in.reg)[static_cast<std::size_t>(reference::component_of(in.usage, first + c))] = true;
     }
@@ -31,7 +31,7 @@ class Reads {
   ByComponent<bool> set_{};
 };
 
-// Collects the terms of a DigitSum; fails on a product of two digits, and on a second one of a digit.
+// Collects the terms of a DigitSum. Fails on a product of two digits, and on a second product of a digit.
 class Terms {
  public:
   Terms(const ProgramStage& stage, const ByComponent<unsigned>& after) : stage_(stage), after_(after) {}

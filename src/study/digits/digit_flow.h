@@ -1,5 +1,5 @@
-// How the digits of an index flow through a program: what depends on which of them after the first stage, and whether
-// the second stage sums them up.
+// The flow of an index's digits through a program: the components that depend on each digit after the first stage, and
+// whether the second stage sums the digits.
 #pragma once
 
 #include <array>
@@ -16,30 +16,31 @@ namespace ninebit {
 template <class T>
 using ByComponent = std::array<std::array<T, 4>, kRegisterCount>;
 
-// Sets of digits, a bit for each, that the registers' components depend on after the first stage, given what they
-// depend on before it.
+// For each register component, the set of digits that it depends on after the first stage, given the sets before it.
+// Bit d stands for digit d.
 [[nodiscard]] ByComponent<unsigned> digits_after_first_stage(const Program& program,
                                                              const ByComponent<unsigned>& before);
 
-// The components that a stage from number `first` on, or the final combiner, reads: at least those that matter.
+// The components that the final combiner or a stage numbered `first` or higher reads. May include components that do
+// not affect the result.
 [[nodiscard]] ByComponent<bool> read_from_stage(const Program& program, int first);
 
 // A product of the second stage.
 struct ProductTerm {
   std::size_t channel = 0;  // 0 to 2: of the RGB portion; 3: the alpha portion
-  bool cd = false;          // C·D, otherwise A·B
+  bool cd = false;          // true: C·D, false: A·B
 };
 
-// A comparison that sums its digits: the alpha that leaves the final combiner is a function of one sum of products of
-// the second and last stage, among them at most one of each digit. Whatever the arithmetic, it then does not fall (or,
-// where `falling`, not rise) when one product grows: additions, the bias, the scale, narrowing, the clamps and the
-// final combiner's mapping are monotone functions each, also in rounded floats.
+// A comparison that sums its digits: the final combiner's alpha is a function of one sum of products of the second and
+// last stage, with at most one product for each digit. In every arithmetic, alpha is then a non-decreasing (`falling`:
+// non-increasing) function of each product: additions, the bias, the scale, narrowing, the clamps and the final
+// combiner's mapping are each monotone, also in rounded floats.
 struct DigitSum {
   std::array<std::optional<ProductTerm>, 3> of_digit{};
   bool falling = false;
 };
 
-// Empty: the program is of another form. `after` is what digits_after_first_stage says.
+// Empty if the program has another form. `after` is the result of digits_after_first_stage.
 [[nodiscard]] std::optional<DigitSum> digit_sum(const Program& program, const ByComponent<unsigned>& after);
 
 }  // namespace ninebit

@@ -6,7 +6,7 @@
 
 namespace ninebit {
 
-// The first stage, or the first two, in one arithmetic.
+// Evaluates the first stage, or the first two, in one arithmetic.
 class DigitKeys::Numbers {
  public:
   virtual ~Numbers() = default;
@@ -52,8 +52,8 @@ double number(FloatField& /*field*/, float x) {
   return static_cast<double>(x);
 }
 
-// The numerator over 2^6 · one^4. Codes are n / one; two stages with half biases, halves and products of two make no
-// larger denominator, and the numerators stay below 2^53.
+// The numerator over the denominator 2^6 · one^4. Codes are n / one. Two stages with biases of one half, scales of one
+// half and products of two factors give no larger denominator, and the numerators stay below 2^53.
 double number(ExactField<SmallIntegers>& field, const ExactField<SmallIntegers>::Number& x) {
   SmallIntegers& integers = field.integers();
   return static_cast<double>(integers.mul(integers.shift(x.n, 6 - x.twos), integers.power(4 - x.ones)));

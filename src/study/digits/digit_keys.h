@@ -1,4 +1,4 @@
-// What a pair of one digit's values leaves behind, as numbers: all that the rest of a program can see of it.
+// The key of a pair of one digit's values: the numbers through which the pair affects the rest of a program.
 #pragma once
 
 #include <array>
@@ -13,24 +13,24 @@
 
 namespace ninebit {
 
-// Makes keys: pairs of equal keys cannot be told apart. With a DigitSum a key is the digit's product of the second
-// stage, otherwise all that the first stage left in components that depend on the digit and are read later. Doubles
-// hold the numbers exactly: codes, 32-bit floats, or numerators over one common denominator. An object belongs to a
-// thread.
+// Makes keys. A program cannot distinguish pairs with equal keys. With a DigitSum a key is the digit's product of the
+// second stage; otherwise it is the first stage's results in all components that depend on the digit and are read
+// later. Doubles hold the numbers exactly: codes, 32-bit floats, or numerators over one common denominator. Use one
+// object per thread.
 class DigitKeys {
  public:
-  // The program and the sum must live as long.
+  // The program and the sum must outlive the object.
   DigitKeys(const Program& program, const ByComponent<unsigned>& after, const std::optional<DigitSum>& sum);
   ~DigitKeys();
   DigitKeys(const DigitKeys&) = delete;
   DigitKeys& operator=(const DigitKeys&) = delete;
 
-  // Numbers in a key of this digit; may be 0.
+  // The number of doubles in a key of this digit; may be 0.
   [[nodiscard]] std::size_t width(std::size_t digit) const;
   // Writes the key of the registers as they are before the first stage.
   void write(const RegisterFile& registers, std::size_t digit, double* key);
 
-  class Numbers;  // those of the program's arithmetic
+  class Numbers;  // evaluates in the program's arithmetic
 
  private:
   struct Place {

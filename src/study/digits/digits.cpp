@@ -69,7 +69,7 @@ ByComponent<unsigned> digits_before_first_stage(StudyFormat format) {
       for (const Register r : {Register::primary, Register::texture0}) {
         before[static_cast<std::size_t>(r)][static_cast<std::size_t>(c)] |= 1U << d;
       }
-      // Without a first stage's write, spare0's alpha holds texture 0's.
+      // Until the first stage writes it, spare0's alpha holds texture 0's.
       if (c == kAlpha) before[static_cast<std::size_t>(Register::spare0)][kAlpha] |= 1U << d;
     }
   }

@@ -15,10 +15,10 @@ namespace ninebit {
 
 inline constexpr std::size_t kMostDigits = 3;
 
-// A byte for each digit; those that a format does not have are not read.
+// A byte for each digit. Digits that a format does not have are ignored.
 using DigitBytes = std::array<std::uint8_t, kMostDigits>;
 
-// The components of a colour that hold one digit, all with the same value.
+// The components of a colour that hold one digit; all have the same value.
 struct Digit {
   std::array<int, 3> component{};
   std::size_t count = 1;
@@ -31,7 +31,7 @@ struct Digit {
 [[nodiscard]] RegisterFile comparison_registers(const HardwareProfile& profile, StudyFormat format,
                                                 const DigitBytes& own, const DigitBytes& other);
 
-// The digits that each register component depends on before the first stage, a bit for each.
+// For each register component, the set of digits that it depends on before the first stage. Bit d stands for digit d.
 [[nodiscard]] ByComponent<unsigned> digits_before_first_stage(StudyFormat format);
 
 }  // namespace ninebit

@@ -1,4 +1,4 @@
-// How many inputs give each wide value.
+// The number of inputs for each wide value.
 #pragma once
 
 #include <cstdint>
@@ -6,17 +6,17 @@
 
 namespace ninebit {
 
-// Counts of the wide values -limit … limit; count[limit + w] inputs give w.
+// Counts for the wide values -limit … limit: count[limit + w] inputs give w.
 struct WideCounts {
   int limit = 0;
   std::vector<std::uint64_t> count;
   [[nodiscard]] std::uint64_t of(int wide) const { return count[static_cast<std::size_t>(limit + wide)]; }
 };
 
-// Products of two mapped inputs, each from -one to one.
+// Counts of the products of two mapped inputs, each from -one to one.
 [[nodiscard]] WideCounts product_counts(int one);
 
-// Sums of a value of the first and a value of the second: all pairs. Counts must stay below 2^64.
+// Counts of the sums of all pairs of a value of `first` and a value of `second`. Counts must stay below 2^64.
 [[nodiscard]] WideCounts sum_counts(const WideCounts& first, const WideCounts& second);
 
 }  // namespace ninebit

@@ -11,12 +11,12 @@
 namespace ninebit {
 namespace {
 
-// More evaluations than these take many minutes.
+// Limits of the number of evaluations: more would take many minutes.
 constexpr double kMostByVectors = 1e12, kMostByRealNumbers = 2e9;
 
 }  // namespace
 
-// Pairs that come out equal, and those of them that are.
+// The pairs that compare equal, and those among them whose values are equal.
 struct FalseMatchCounter::Found {
   std::uint64_t pairs = 0;
   std::uint64_t equal = 0;
@@ -27,12 +27,12 @@ struct FalseMatchCounter::Found {
   }
 };
 
-// Evaluates every combination of classes: the last digit runs through a batch, the others stay.
+// Evaluates every combination of classes. Within a batch only the last digit varies.
 class FalseMatchCounter::Batches {
  public:
   Batches(const FalseMatchCounter& of, const Classes& classes) : of_(of), classes_(classes) {}
 
-  // All classes of the last digit with number `outer` of the combinations of the others.
+  // Evaluates all classes of the last digit with combination number `outer` of the other digits' classes.
   [[nodiscard]] Found count(std::size_t outer, RegisterBatch& registers, OutputBatch& out) const {
     DigitBytes own{}, other{};
     std::uint64_t pairs = 1, equal = 1;
@@ -137,12 +137,12 @@ Result<FalseMatchCounter::Found> FalseMatchCounter::found_among(const Classes& c
   if (cases > (profile_->arithmetic == Arithmetic::integer ? kMostByVectors : kMostByRealNumbers)) {
     return Diagnostic{.message = "profile " + std::string(profile_->name) + ", format " +
                                  std::string(name_of(format_)) +
-                                 ": there are too many cases to count them all; expected two general combiners of "
-                                 "which the second sums a product of each channel, or fewer channels"};
+                                 ": there are too many cases to count; expected two general combiners, the second of "
+                                 "which sums one product per channel, or fewer channels"};
   }
   std::atomic<bool> stopped = false;
   const Batches batches(*this, classes);
-  // Sums of integers: the order in which threads add them changes nothing.
+  // Integer sums do not depend on the order in which threads add them.
   const Found found = parallel_reduce(
       outer, 64, Found{},
       [&](std::size_t begin, std::size_t end) {
@@ -160,10 +160,10 @@ Result<FalseMatchCounter::Found> FalseMatchCounter::found_among(const Classes& c
   return found;
 }
 
-// The classes of each digit stand in the order of their products, and the alpha only grows with a product: if a
-// combination of classes comes out equal, all do that have no class behind its own. So for each class of the first
-// digit the classes of the last that come out equal become fewer from one class of the second to the next, and only
-// their border is evaluated.
+// The classes of each digit are ordered by their products, and alpha grows monotonically with each product. So if a
+// combination of classes compares equal, every combination of classes at or before them does. For a fixed class of the
+// first digit, each step to the next class of the second leaves fewer classes of the last that compare equal; only the
+// border of these classes is evaluated.
 FalseMatchCounter::Found FalseMatchCounter::found_in_order(const Classes& classes) const {
   std::array<std::vector<PairClass>, kMostDigits> digit;
   digit.fill({PairClass{}});
@@ -172,13 +172,13 @@ FalseMatchCounter::Found FalseMatchCounter::found_in_order(const Classes& classe
     if (sum_->falling) std::reverse(digit[d].begin(), digit[d].end());
   }
   const std::vector<PairClass>& last = digit[2];
-  std::vector<Found> until(last.size() + 1);  // of the classes before each
+  std::vector<Found> until(last.size() + 1);  // sums over the classes before each
   for (std::size_t i = 0; i < last.size(); ++i) {
     until[i + 1] = until[i];
     until[i + 1] += {last[i].pairs, last[i].equal};
   }
   Found found;
-  std::size_t most = last.size();  // that come out equal with the first class of the second digit
+  std::size_t most = last.size();  // classes that compare equal with the first class of the second digit
   for (const PairClass& a : digit[0]) {
     std::size_t border = most;
     for (const PairClass& b : digit[1]) {

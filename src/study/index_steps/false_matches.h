@@ -1,4 +1,4 @@
-// Counting the pairs of indices that a comparison takes for equal.
+// Counts the pairs of different indices that compare equal.
 #pragma once
 
 #include <cstdint>
@@ -14,20 +14,20 @@
 
 namespace ninebit {
 
-// One program's comparisons in one format; made once for all steps.
+// Counts for one program in one format; prepared once for all steps.
 class FalseMatchCounter {
  public:
   enum class Way {
     fastest,
-    every_combination  // of classes is evaluated, also where their order tells most results: to judge the fast way
+    every_combination  // evaluates every combination of classes, even if their order decides most: to check `fastest`
   };
 
-  // `profile` must live as long. Reports what DigitClasses::of does.
+  // `profile` must outlive the counter. Reports the errors of DigitClasses::of.
   [[nodiscard]] static Result<FalseMatchCounter> prepare(const Program& program, const HardwareProfile& profile,
                                                          StudyFormat format, const GoOn& go_on, Way way = Way::fastest);
 
-  // Counts where each digit holds any of these values, which differ from each other. `separate`: each digit has a
-  // comparison of its own, the others being 0 in both indices. Reports more cases than can be counted one by one, and
+  // Counts over all indices whose digits hold these values, which are different. `separate`: each digit is compared
+  // separately, with the other digits 0 in both indices. Reports too many cases to count one by one, and
   // Fault::cancelled.
   [[nodiscard]] Result<FalseMatches> count(std::span<const std::uint8_t> values, bool separate,
                                            const GoOn& go_on) const;
@@ -46,7 +46,7 @@ class FalseMatchCounter {
         classes_(std::move(classes)),
         batch_(program, {.color = {false, false, false, true}, .registers = false}) {}
 
-  // What comes out equal among the combinations of classes.
+  // The pairs that compare equal among the combinations of classes.
   [[nodiscard]] Result<Found> found_among(const Classes& classes, const GoOn& go_on) const;
   [[nodiscard]] Found found_in_order(const Classes& classes) const;
   [[nodiscard]] bool comes_out_equal(const DigitBytes& own, const DigitBytes& other) const;
@@ -59,7 +59,7 @@ class FalseMatchCounter {
   BatchProgram batch_;
 };
 
-// The values of a digit with a step: 0, step, 2 step, … up to 255.
+// The values of a digit: 0, step, 2 step, … up to 255.
 [[nodiscard]] std::vector<std::uint8_t> values_of_step(int step);
 
 }  // namespace ninebit

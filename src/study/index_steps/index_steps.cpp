@@ -63,7 +63,7 @@ Result<FalseMatches> count_false_matches(const Program& program, const HardwareP
 
 std::optional<int> smallest_safe_step(std::span<const IndexStepRow> rows, std::string_view profile, StudyFormat format,
                                       std::string_view variant) {
-  std::vector<std::pair<int, bool>> steps;  // step, and whether it loses nothing
+  std::vector<std::pair<int, bool>> steps;  // step; true if it has no false match
   for (const IndexStepRow& row : rows) {
     if (row.profile == profile && row.format == format && row.variant == variant) {
       steps.emplace_back(row.step, row.count.false_matches == 0);

@@ -1,4 +1,4 @@
-// What the comparison makes of one channel: every pair of its 256 values, and every difference at every step.
+// Pictures of one channel's comparison: every pair of its 256 values, and every difference at every step.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -16,7 +16,7 @@ namespace {
 
 constexpr int kBytes = 256;
 
-// The alpha byte of each pair: 256 own + other.
+// The alpha byte of each pair, at index 256 own + other.
 std::vector<std::uint8_t> alphas_of(const Program& program, const HardwareProfile& profile) {
   static_assert(kBatchSize >= kBytes);
   const BatchProgram run(program, {.color = {false, false, false, true}, .registers = false});
@@ -51,19 +51,19 @@ HeatMap pair_map(const std::string& name, std::string_view file, const std::vect
               .values = {alphas.begin(), alphas.end()},
               .low = -255.0F,
               .high = 255.0F,
-              .caption = "-255 stands for different values that come out equal, with an alpha of 0."};
+              .caption = "-255 marks different values that compare equal (alpha 0)."};
   for (std::size_t i = 0; i < map.values.size(); ++i) {
     if (i / kBytes != i % kBytes && alphas[i] == 0) map.values[i] = -255.0F;
   }
   return map;
 }
 
-// Which differences come out equal among the values of each step.
+// The differences that compare equal among the values of each step.
 HeatMap step_map(const IndexStepsOptions& options, const std::string& name, std::string_view file,
                  const std::vector<std::uint8_t>& alphas) {
   const int reach = std::max(32, options.last_step), width = 2 * reach + 1;
   HeatMap map{.file = fmt::format("equal-{}", file),
-              .title = fmt::format("Differences that come out equal: {}", name),
+              .title = fmt::format("Differences that compare equal: {}", name),
               .x_label = "difference of the channel values",
               .y_label = "step",
               .x_first = -static_cast<double>(reach),
@@ -76,8 +76,8 @@ HeatMap step_map(const IndexStepsOptions& options, const std::string& name, std:
               .low = -1.0F,
               .high = 1.0F,
               .caption =
-                  "The share of the step's pairs with that difference that come out equal: only 0 should. -1: "
-                  "the step has no such pair."};
+                  "The share of the step's pairs with that difference that compare equal. It should be 0 except at "
+                  "difference 0. -1: the step has no such pair."};
   for (int step = options.first_step; step <= options.last_step; ++step) {
     std::vector<int> pairs(static_cast<std::size_t>(width)), equal(pairs);
     for (int own = 0; own < kBytes; own += step) {
@@ -96,7 +96,7 @@ HeatMap step_map(const IndexStepsOptions& options, const std::string& name, std:
   return map;
 }
 
-// The smallest alpha that a pair gives whose values differ by so much.
+// For each difference, the smallest alpha of the pairs with it.
 PlotSeries smallest_alphas(const std::string& name, const std::vector<std::uint8_t>& alphas) {
   constexpr int kReach = 32;
   std::array<int, kReach + 1> least{};
@@ -122,12 +122,12 @@ void add_channel_pictures(const IndexStepsOptions& options, std::span<const Inde
   for (std::size_t p = 0; p < options.profiles.size(); ++p) {
     const HardwareProfile& profile = options.profiles[p];
     Plot plot{.file = fmt::format("alpha-of-difference-{}", profile.name),
-              .title = fmt::format("What becomes of a channel's difference: {}", profile.name),
+              .title = fmt::format("Smallest alpha by size of a channel's difference: {}", profile.name),
               .x_label = "size of the difference",
               .y_label = "smallest alpha",
               .log_y = true,
               .series = {},
-              .caption = "Smaller differences than a line begins with have the alpha 0: they come out equal."};
+              .caption = "Differences below the start of a line have alpha 0: they compare equal."};
     for (const IndexStepsUnit& unit : units) {
       if (unit.profile != p || unit.format != StudyFormat::channel) continue;
       const std::vector<std::uint8_t> alphas = alphas_of(unit.program, profile);

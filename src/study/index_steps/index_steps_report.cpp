@@ -17,7 +17,7 @@ struct Ladder {
   StudyFormat format = StudyFormat::channel;
   std::vector<IndexStepRow> steps;
 
-  // The smallest safe step, and the largest that loses a pair.
+  // The smallest safe step, and the largest step with a false match.
   [[nodiscard]] const IndexStepRow* safe() const {
     const auto step = smallest_safe_step(steps, profile, format, variant);
     const auto found = std::find_if(steps.begin(), steps.end(), [&](const auto& row) { return row.step == step; });
@@ -34,7 +34,7 @@ double share(const FalseMatches& count) {
   return count.pairs == 0 ? 0.0 : static_cast<double>(count.false_matches) / static_cast<double>(count.pairs);
 }
 
-// 2,097,152
+// A number with thousands separators: 2,097,152.
 std::string grouped(std::uint64_t n) {
   std::string text = std::to_string(n);
   for (std::size_t at = text.size(); at > 3; at -= 3) text.insert(at - 3, 1, ',');
@@ -53,7 +53,7 @@ std::vector<Ladder> ladders_of(std::span<const StudyRow> rows) {
   return ladders;
 }
 
-// Formats of which the same can be said, in order of first appearance.
+// Statements with the formats that they apply to, in order of first appearance.
 class Sayings {
  public:
   void add(const std::string& saying, StudyFormat format) {
@@ -75,14 +75,14 @@ class Sayings {
   std::vector<std::pair<std::string, std::vector<std::string_view>>> list_;
 };
 
-// Which steps are safe, and what they leave, in the formats of one profile and variant.
+// The smallest safe steps of one profile and variant, with the codes that remain in each format.
 std::string safe_steps(std::span<const Ladder* const> ladders) {
   std::map<int, Sayings> by_step;
   Sayings unsafe;
   for (const Ladder* ladder : ladders) {
     const IndexStepRow* const safe = ladder->safe();
     if (safe != nullptr) by_step[safe->step].add(grouped(safe->count.codes) + " codes", ladder->format);
-    if (safe == nullptr) unsafe.add("no step asked for is safe", ladder->format);
+    if (safe == nullptr) unsafe.add("no studied step is safe", ladder->format);
   }
   std::string text = unsafe.text();
   for (const auto& [step, codes] : by_step) {
@@ -91,7 +91,7 @@ std::string safe_steps(std::span<const Ladder* const> ladders) {
   return text;
 }
 
-// What the largest steps that lose pairs lose.
+// The share of false matches at the largest step that has any.
 std::string losses(std::span<const Ladder* const> ladders) {
   std::map<int, Sayings> by_step;
   for (const Ladder* ladder : ladders) {
@@ -101,13 +101,13 @@ std::string losses(std::span<const Ladder* const> ladders) {
   }
   std::string text;
   for (const auto& [step, shares] : by_step) {
-    text += fmt::format("{} step {} takes {} for equal", text.empty() ? "of the pairs of different indices," : ",",
-                        step, shares.text());
+    text +=
+        fmt::format("{}at step {}, different pairs compare equal: {}", text.empty() ? "" : "; ", step, shares.text());
   }
-  return text.empty() ? "no step asked for takes different indices for equal" : text;
+  return text.empty() ? "no studied step has false matches" : text;
 }
 
-// One answer for each profile and variant; profiles of which a variant has the same to say share it.
+// One answer for each profile and variant; profiles with the same answer for a variant share it.
 std::vector<std::string> answers_of(const std::vector<Ladder>& ladders) {
   std::vector<std::pair<const Ladder*, std::vector<const Ladder*>>> groups;  // by profile and variant: the first, all
   for (const Ladder& ladder : ladders) {
@@ -117,7 +117,7 @@ std::vector<std::string> answers_of(const std::vector<Ladder>& ladders) {
     if (group == groups.end()) group = groups.insert(groups.end(), {&ladder, {}});
     group->second.push_back(&ladder);
   }
-  std::vector<std::pair<std::string, std::string>> answers;  // profiles, what is said of them
+  std::vector<std::pair<std::string, std::string>> answers;  // profiles, and their common answer
   for (const auto& [head, of] : groups) {
     std::string said = fmt::format("{}: {}; {}.", head->variant, safe_steps(of), losses(of));
     const auto same = std::find_if(answers.begin(), answers.end(), [&](const auto& a) { return a.second == said; });
@@ -132,10 +132,10 @@ std::vector<std::string> answers_of(const std::vector<Ladder>& ladders) {
 
 ReportTable table_of_safe_steps(const std::vector<Ladder>& ladders) {
   ReportTable table{.title = "Smallest safe steps",
-                    .columns = {"profile", "format", "variant", "smallest safe step", "codes it leaves",
-                                "largest step that loses pairs", "false matches there", "share of the pairs"},
+                    .columns = {"profile", "format", "variant", "smallest safe step", "codes at that step",
+                                "largest step with false matches", "false matches there", "share of the pairs"},
                     .rows = {},
-                    .caption = "A step is safe if it and every larger one asked for keep all different indices apart."};
+                    .caption = "A step is safe if neither it nor any larger studied step has a false match."};
   for (const Ladder& ladder : ladders) {
     std::vector<StudyValue> row{ladder.profile, std::string(name_of(ladder.format)), ladder.variant};
     row.resize(table.columns.size());
@@ -157,7 +157,7 @@ ReportTable table_by_step(const IndexStepsOptions& options, const std::vector<La
   ReportTable table{.title = "False matches by step",
                     .columns = {"profile", "format", "variant"},
                     .rows = {},
-                    .caption = "Ordered pairs of different indices that come out equal; a column for each step."};
+                    .caption = "Ordered pairs of different indices that compare equal; one column per step."};
   for (int step = options.first_step; step <= options.last_step; ++step) table.columns.push_back(std::to_string(step));
   for (const Ladder& ladder : ladders) {
     std::vector<StudyValue> row{ladder.profile, std::string(name_of(ladder.format)), ladder.variant};
@@ -168,7 +168,7 @@ ReportTable table_by_step(const IndexStepsOptions& options, const std::vector<La
   return table;
 }
 
-// A line of the share of false matches for each ladder that `wanted` takes; none where nothing is lost.
+// Adds a plot with one line of the share of false matches for each ladder that `wanted` accepts, unless there are none.
 template <class Wanted, class Name>
 std::optional<Plot> plot_of(const std::vector<Ladder>& ladders, Plot plot, const Wanted& wanted, const Name& name) {
   plot.x_label = "step";

@@ -71,7 +71,7 @@ class IndexSteps final : public Study {
   [[nodiscard]] const HardwareProfile& profile_of(std::size_t unit) const {
     return options_.profiles[units_[unit].profile];
   }
-  // A fault of the caller's program.
+  // An error in the caller's program, with its file.
   [[nodiscard]] Diagnostic about_file(Diagnostic fault) const {
     if (options_.program && fault.fault == Fault::invalid_input) fault.file = options_.program->file;
     return fault;
@@ -97,15 +97,14 @@ class IndexSteps final : public Study {
   StudyQuestion question_;
 };
 
-// Empty, or what is wrong with a list or a range.
+// The error in a list or a range; empty if there is none.
 std::string complaint(const IndexStepsOptions& o) {
-  if (o.profiles.empty()) return "there is no profile to count for; expected at least one";
-  if (o.formats.empty()) return "there is no format to count for; expected at least one";
-  if (!o.program && o.variants.empty()) return "there is no program to count for; expected at least one variant";
+  if (o.profiles.empty()) return "no profile given; expected at least one";
+  if (o.formats.empty()) return "no format given; expected at least one";
+  if (!o.program && o.variants.empty()) return "no program given; expected at least one variant";
   if (o.program && o.program->states.size() != o.profiles.size()) return "expected a program for each profile";
   if (o.first_step < 1 || o.last_step > 255 || o.first_step > o.last_step) {
-    return fmt::format("steps {} to {} are no steps between bytes; expected 1 to 255, the smaller first", o.first_step,
-                       o.last_step);
+    return fmt::format("steps {} to {}: out of range; expected 1 to 255, the smaller first", o.first_step, o.last_step);
   }
   return {};
 }
@@ -165,7 +164,7 @@ Result<std::unique_ptr<Study>> index_steps_study(IndexStepsOptions options) {
   }
   if (units.empty()) {
     return Diagnostic{.message =
-                          "separate comparisons differ from others only where an index has several channels; "
+                          "separate comparisons differ from others only if an index has several channels; "
                           "expected the format rgb or la, or another variant"};
   }
   return std::unique_ptr<Study>(std::make_unique<IndexSteps>(std::move(options), std::move(units)));

@@ -1,4 +1,4 @@
-// What the parts of the study of index steps share.
+// Declarations shared by the files of the index-steps study.
 #pragma once
 
 #include <span>
@@ -11,9 +11,9 @@
 
 namespace ninebit {
 
-// What one unit counts.
+// The work of one unit.
 struct IndexStepsUnit {
-  std::size_t profile = 0;  // of the options' profiles
+  std::size_t profile = 0;  // index into the options' profiles
   StudyFormat format = StudyFormat::channel;
   std::string variant;
   bool separate = false;
@@ -23,13 +23,13 @@ struct IndexStepsUnit {
 [[nodiscard]] StudyRow study_row(const IndexStepRow& row);
 [[nodiscard]] IndexStepRow index_step_row(const StudyRow& row);
 
-// The report on all rows: answers, tables and plots from the rows, pictures of what becomes of one channel's
-// differences from the units' programs.
+// The report on all rows: answers, tables and plots from the rows; pictures of one channel's differences from the
+// units' programs.
 [[nodiscard]] StudyReport index_steps_report(const IndexStepsOptions& options, std::span<const IndexStepsUnit> units,
                                              std::span<const StudyRow> rows);
 
-// Heat maps and plots of one channel: which alpha a pair of values gives, and which differences come out equal at which
-// step.
+// Adds heat maps and plots of one channel: the alpha of each pair of values, and each step's differences that compare
+// equal.
 void add_channel_pictures(const IndexStepsOptions& options, std::span<const IndexStepsUnit> units, StudyReport& report);
 
 }  // namespace ninebit

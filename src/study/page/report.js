@@ -1,10 +1,10 @@
-// The page's own script: plots by Chart.js, heat maps with the value under the pointer, tables that sort.
+// The page's own script: plots with Chart.js, heat maps that show the value under the pointer, sortable tables.
 "use strict";
 
 const data = JSON.parse(document.getElementById("data").textContent);
 const css = (name) => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
 
-// As many digits as people read: whole numbers in full, others with seven that count.
+// A number for people: whole numbers in full, others with seven significant digits.
 function shown(value) {
   if (Number.isInteger(value) && Math.abs(value) < 1e4) return String(value);
   if (Number.isInteger(value) && Math.abs(value) < 1e15) return value.toLocaleString("en").replace(/,/g, "\u202f");
@@ -13,7 +13,7 @@ function shown(value) {
 
 const raised = (exponent) => String(exponent).replace(/[-0-9]/g, (c) => "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"["-0123456789".indexOf(c)]);
 
-// On a logarithmic axis powers of ten have labels, and where there are few of them also 2 and 5 times them.
+// Labels of a logarithmic axis: powers of ten and, if these are few, also 2 and 5 times powers of ten.
 function logLabel(value) {
   const exponent = Math.floor(Math.log10(value) + 1e-9);
   const factor = Math.round(value / 10 ** exponent);
@@ -31,7 +31,7 @@ function axis(plot, letter) {
   if (!logarithmic && !(plot.bars && letter === "x")) ticks.callback = (value) => shown(+value.toPrecision(10));
   const made = {
     title: { display: label !== "", text: label, color: css("--ink") },
-    // On a logarithmic axis Chart.js thins out the lines without a label unevenly.
+    // Hides unlabelled lines, because Chart.js thins them out unevenly on a logarithmic axis.
     grid: { color: (context) => (context.tick?.label === "" ? "transparent" : line), borderColor: css("--quiet") },
     ticks,
   };
@@ -67,7 +67,7 @@ function optionsOf(plot) {
   };
 }
 
-// What tells a series apart: its colour, and its points and dashes for who sees no colours.
+// The look of a series: its colour, and its points and dashes for readers who do not see colours.
 const lookOf = (number) => ({
   color: data.palette[number % data.palette.length],
   point: number % 4,
@@ -97,8 +97,8 @@ function svg(name, attributes) {
   return element;
 }
 
-// A button for each series, which hides it and shows it again. Chart.js's own legend is part of the picture: no key
-// reaches it, and it leaves out what does not fit.
+// One button per series, which hides or shows it. Chart.js's own legend is part of the canvas: the keyboard cannot reach
+// it, and it leaves out entries that do not fit.
 function legendOf(plot, chart) {
   const list = document.createElement("ul");
   list.className = "legend";
@@ -146,7 +146,7 @@ matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => {
 
 const bytesOf = (base64) => Uint8Array.from(atob(base64), (c) => c.charCodeAt(0));
 
-// A map's values: little-endian floats, or a byte each that numbers an entry of the map's own list.
+// A map's values: little-endian floats, or one byte per value, an index into the map's own list.
 function valuesOf(map) {
   const bytes = bytesOf(map.values);
   if (map.known) return Float32Array.from(bytes, (i) => (map.known[i] === null ? NaN : map.known[i]));
@@ -154,7 +154,7 @@ function valuesOf(map) {
   return Float32Array.from({ length: bytes.length / 4 }, (_, i) => view.getFloat32(4 * i, true));
 }
 
-// The place of a value in the colour ramp; the same rule as in the picture files.
+// The index of a value in the colour ramp, by the same rule as in the PNG files.
 function rampPlace(map, value) {
   let share = 0;
   if (map.low < 0) {
@@ -202,7 +202,7 @@ data.maps.forEach((map, number) => {
     const x = shown(along(map.x_first, map.x_last, column, map.width));
     const y = shown(along(map.y_first, map.y_last, row, map.height));
     const strong = document.createElement("b");
-    // Floats have no seventh digit to show.
+    // Floats have no reliable seventh digit.
     strong.textContent = Number.isNaN(value) ? "none" : shown(Number.isInteger(value) ? value : +value.toPrecision(6));
     told.classList.add("told");
     told.replaceChildren(`${map.x_label || "x"} ${x}, ${map.y_label || "y"} ${y}: `, strong);
@@ -230,7 +230,7 @@ data.maps.forEach((map, number) => {
   });
 });
 
-// Numbers by their size, texts by the alphabet, what has no value last in either direction.
+// Orders numbers by value and texts alphabetically; empty cells come last in both directions.
 function compared(a, b, sign) {
   if (a === "" || b === "") return (a === "") - (b === "");
   const x = Number(a), y = Number(b);

@@ -15,7 +15,7 @@
 namespace ninebit {
 namespace {
 
-// Whole lines of a file, with their newline; what stands after the last newline is left out.
+// The complete lines of a file, with their newline. Bytes after the last newline are left out.
 class Lines {
  public:
   enum class Next { line, none, too_long, unreadable };
@@ -52,7 +52,7 @@ bool belongs_to(const Shard& shard, std::size_t unit) {
   return unit % shard.count == shard.index - 1;
 }
 
-std::string senseless(const PartHeader& header) {
+std::string error_in_header(const PartHeader& header) {
   if (header.units == 0 || header.units > kMaxStudyUnits) {
     return fmt::format("{} units; expected 1 to {}", header.units, kMaxStudyUnits);
   }
@@ -64,7 +64,7 @@ std::string senseless(const PartHeader& header) {
   return {};
 }
 
-// A part while its lines are read. Memory is taken for lines that are there, never for numbers that they hold.
+// A part while its lines are read. Memory use depends on the lines in the file, never on numbers in them.
 class Reading {
  public:
   Reading(const std::filesystem::path& file, const StudyOfPart& study_of) : study_of_(study_of) {
@@ -72,12 +72,12 @@ class Reading {
     state_.hash = std::make_unique<Sha256>();
   }
 
-  // A whole line with its newline; gives what is wrong with it, or an empty text.
+  // Adds a complete line with its newline. Returns an error message, or an empty text.
   std::string add(const std::string& line) {
     const std::string_view text = std::string_view(line).substr(0, line.size() - 1);
     ++number_;
     if (state_.part.complete)
-      return text == last_ ? keep(line) : "stands behind the part's last line; expected nothing";
+      return text == last_ ? keep(line) : "follows the part's last line; expected the end of the file";
     if (number_ > 1 && is_end_line(text)) return end(line);
     const std::string wrong = number_ == 1 ? add_header(text) : text == first_ ? std::string() : add_unit(text);
     if (!wrong.empty()) return wrong;
@@ -97,13 +97,13 @@ class Reading {
   std::string add_header(std::string_view text) {
     auto header = parse_header_line(text);
     if (!header) return header.error().message;
-    if (std::string why = senseless(*header); !why.empty()) return why;
+    if (std::string why = error_in_header(*header); !why.empty()) return why;
     if (study_of_) {
       auto study = study_of_(*header);
       if (!study) return study.error().message;
       study_ = *study;
       if (study_->units() != header->units) {
-        return fmt::format("{} units; expected {}, which `{}` has", header->units, study_->units(),
+        return fmt::format("{} units; expected {}, the number of units of `{}`", header->units, study_->units(),
                            quotable(header->question.command()));
       }
     }
@@ -116,15 +116,16 @@ class Reading {
     auto unit = parse_unit_line(text);
     if (!unit) return unit.error().message;
     const PartHeader& header = state_.part.header;
-    if (unit->unit >= header.units) return fmt::format("unit {} of a study of {} units", unit->unit, header.units);
+    if (unit->unit >= header.units)
+      return fmt::format("unit {} is out of range in a study of {} units", unit->unit, header.units);
     if (!belongs_to(header.shard, unit->unit)) {
       return fmt::format("unit {} does not belong to shard {}/{}", unit->unit, header.shard.index, header.shard.count);
     }
-    // Two runs of one study in one folder leave the same line twice.
+    // Two runs of one study in one folder write the same line twice.
     const auto [found, fresh] = seen_.try_emplace(unit->unit, sha256(text));
     if (!fresh) {
       if (found->second == sha256(text)) return {};
-      return fmt::format("unit {} for the second time, with other rows; expected each unit once", unit->unit);
+      return fmt::format("unit {} is repeated with other rows; expected each unit once", unit->unit);
     }
     if (study_ != nullptr) {
       const std::string why = wrong_with_rows(study_->row_rules(unit->unit), unit->rows);
@@ -153,8 +154,8 @@ class Reading {
   const Study* study_ = nullptr;
   PartState state_;
   int number_ = 0;
-  std::string first_, last_;                           // the lines of these places
-  std::unordered_map<std::size_t, std::string> seen_;  // hashes of the lines by unit
+  std::string first_, last_;                           // the first and the last line
+  std::unordered_map<std::size_t, std::string> seen_;  // hash of each unit's line
 };
 
 }  // namespace
@@ -171,7 +172,7 @@ Result<PartState> read_part_state(const std::filesystem::path& file, const Study
   Lines lines(file);
   std::error_code error;
   if (!lines.open() || std::filesystem::is_directory(file, error)) {
-    return fault("cannot be read; expected a part that `ninebit study` has written", 0);
+    return fault("cannot be read; expected a part written by `ninebit study`", 0);
   }
   std::string line;
   while (true) {
@@ -179,7 +180,7 @@ Result<PartState> read_part_state(const std::filesystem::path& file, const Study
       case Lines::Next::none:
         return reading.take();
       case Lines::Next::unreadable:
-        return fault("cannot be read to its end", reading.line() + 1);
+        return fault("cannot be read to the end", reading.line() + 1);
       case Lines::Next::too_long:
         return fault(fmt::format("the line is longer than {} bytes; expected a part of a study", kMaxPartLine),
                      reading.line() + 1);
@@ -193,7 +194,7 @@ Result<StudyPart> read_part(const std::filesystem::path& file, const StudyOfPart
   auto state = read_part_state(file, study_of);
   if (!state) return state.error();
   if (state->whole_bytes == 0) {
-    return Diagnostic{.message = "has no whole line; expected a part that `ninebit study` has written",
+    return Diagnostic{.message = "has no complete line; expected a part written by `ninebit study`",
                       .file = file.string()};
   }
   return std::move(state->part);

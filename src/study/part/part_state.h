@@ -1,4 +1,4 @@
-// A part as a run finds it on the disk: what it holds, and where to go on.
+// The state of a part on disk: its contents, and the place where a run resumes it.
 #pragma once
 
 #include <cstddef>
@@ -14,18 +14,18 @@
 namespace ninebit {
 
 struct PartState {
-  StudyPart part;                  // without a header where no line is whole
-  std::uintmax_t whole_bytes = 0;  // where the last whole line ends
-  std::unique_ptr<Sha256> hash;    // of the whole lines
+  StudyPart part;                  // without a header if no line is complete
+  std::uintmax_t whole_bytes = 0;  // offset of the end of the last complete line
+  std::unique_ptr<Sha256> hash;    // of the complete lines
 };
 
-// Reads a part, which may end in a line that is not whole. `study_of` as in read_part.
+// Reads a part, which may end in an incomplete line. `study_of` as in read_part.
 [[nodiscard]] Result<PartState> read_part_state(const std::filesystem::path& file, const StudyOfPart& study_of);
 
-// Why a part does not belong to what another, or a run, says of itself; empty if it does. Shards are not compared.
+// The reason why a part does not belong to the study of `expected`; empty if it does. Shard indices are not compared.
 [[nodiscard]] std::string why_foreign(const PartHeader& part, const PartHeader& expected);
 
-// How many units a part holds when it is complete.
+// The number of units in a complete part.
 [[nodiscard]] std::size_t units_of(const PartHeader& header);
 
 }  // namespace ninebit

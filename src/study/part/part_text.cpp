@@ -6,7 +6,7 @@
 #include <optional>
 #include <utility>
 
-#include "src/study/part/json_value.h"
+#include "src/study/part/study_value_json.h"
 #include "src/system/hashing/sha256.h"
 
 namespace ninebit {
@@ -20,16 +20,16 @@ constexpr std::string_view kHashBegin = R"(,"sha256":")";
 constexpr std::size_t kHashSize = 64;
 constexpr std::size_t kTail = kHashBegin.size() + kHashSize + 2;  // the hash, its quote and the brace
 
-// {"a":1} becomes {"a":1,"sha256":"…"}, the hash being that of the text without it.
+// {"a":1} becomes {"a":1,"sha256":"…"} with the hash of {"a":1}.
 std::string with_hash(const Json& json) {
-  // A file name need not be UTF-8.
+  // A file name may not be UTF-8.
   std::string text = json.dump(-1, ' ', false, Json::error_handler_t::replace);
   const std::string hash = sha256(text);
   text.pop_back();
   return fmt::format("{}{}{}\"}}\n", text, kHashBegin, hash);
 }
 
-// The text that with_hash was given; empty where the line is not its result.
+// The inverse of with_hash; empty if the line is not a result of with_hash.
 std::optional<std::string> without_hash(std::string_view line) {
   if (line.size() <= kTail || !line.ends_with("\"}")) return std::nullopt;
   const std::string_view tail = line.substr(line.size() - kTail);
@@ -41,7 +41,7 @@ std::optional<std::string> without_hash(std::string_view line) {
 }
 
 Diagnostic damaged() {
-  return {.message = "the line does not fit its own SHA-256; expected it as it was written"};
+  return {.message = "the line does not match its SHA-256; expected an unchanged line"};
 }
 
 StudyValue value_of(const Json& json) {
@@ -52,14 +52,15 @@ StudyValue value_of(const Json& json) {
   return std::monostate{};
 }
 
-// The library would convert numbers of any kind and size.
+// Checks the type: the JSON library would convert numbers of any type and size.
 std::size_t count_of(const Json& json) {
-  if (!json.is_number_unsigned()) throw nlohmann::json::other_error::create(0, "no count where one is due", nullptr);
+  if (!json.is_number_unsigned())
+    throw nlohmann::json::other_error::create(0, "expected a whole number from 0", nullptr);
   return json.get<std::size_t>();
 }
 
-// Whoever computes a fitting hash for another content still gets an error, not a crash: the library throws on what is
-// missing or of another type.
+// Changed contents with a matching hash give an error, not a crash: the JSON library throws on missing values and on
+// values of another type.
 template <class Read>
 auto read_json(std::string_view line, const Read& read) -> Result<decltype(read(Json()))> {
   const auto text = without_hash(line);
@@ -67,7 +68,7 @@ auto read_json(std::string_view line, const Read& read) -> Result<decltype(read(
   try {
     return read(Json::parse(*text));
   } catch (const nlohmann::json::exception& error) {
-    return Diagnostic{.message = fmt::format("is no line of a study's part: {}", quotable(error.what()))};
+    return Diagnostic{.message = fmt::format("is not a line of a study's part: {}", quotable(error.what()))};
   }
 }
 
@@ -111,7 +112,7 @@ std::string end_line(std::size_t units, std::string_view hash_of_all_before) {
 
 Result<PartHeader> parse_header_line(std::string_view line) {
   return read_json(line, [](const Json& json) {
-    if (json.at("file") != kKind) throw nlohmann::json::other_error::create(0, "of another kind", nullptr);
+    if (json.at("file") != kKind) throw nlohmann::json::other_error::create(0, "the file is of another kind", nullptr);
     PartHeader header;
     header.question.study = json.at("study").get<std::string>();
     header.question.profile = json.at("profile").get<std::string>();
@@ -146,7 +147,7 @@ Status check_end_line(std::string_view line, std::size_t units, std::string_view
   std::string expected = end_line(units, hash_of_all_before);
   expected.pop_back();
   if (line == expected) return {};
-  return Diagnostic{.message = fmt::format("does not fit the {} units before it; expected {}", units, expected)};
+  return Diagnostic{.message = fmt::format("does not match the {} units before it; expected {}", units, expected)};
 }
 
 }  // namespace ninebit

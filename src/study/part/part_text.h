@@ -1,4 +1,4 @@
-// The lines of a part: what study_part.h's files are made of.
+// Writes and parses the lines of a part (study_part.h).
 #pragma once
 
 #include <cstddef>
@@ -11,18 +11,19 @@
 
 namespace ninebit {
 
-// How long a line may be, so that a file of anything else costs little memory: JSON takes up to 100 times its bytes.
+// The maximum length of a line in bytes. It bounds the memory for a file that is not a part: parsed JSON takes up to
+// 100 times the bytes of its text.
 inline constexpr std::size_t kMaxPartLine = std::size_t{1} << 20;
 
-// What a message quotes of a part, which can hold anything: at most 400 bytes, '?' for control characters.
+// Text from a part for a message: at most 400 bytes, with '?' for control characters.
 [[nodiscard]] std::string quotable(std::string text);
 
-// Each with its newline; the first ends in the hash of itself, as those of units do.
+// Each line includes its newline. The header line and the unit lines end in their own hash.
 [[nodiscard]] std::string header_line(const PartHeader& header);
 [[nodiscard]] std::string unit_line(const FinishedUnit& unit);
 [[nodiscard]] std::string end_line(std::size_t units, std::string_view hash_of_all_before);
 
-// Lines without their newline. Report, as a sentence without file or line, what is wrong.
+// These take lines without their newline. Error messages contain neither file nor line number.
 [[nodiscard]] Result<PartHeader> parse_header_line(std::string_view line);
 [[nodiscard]] Result<FinishedUnit> parse_unit_line(std::string_view line);
 [[nodiscard]] bool is_end_line(std::string_view line);

@@ -14,7 +14,7 @@ namespace {
 
 using Kind = FieldRule::Kind;
 
-// A whole number of either type as a pair that compares: its sign, and its bits.
+// A signed or unsigned whole number as a comparable pair: true if negative, and the bits.
 std::optional<std::pair<bool, std::uint64_t>> whole(const StudyValue& value) {
   if (const auto* const n = std::get_if<std::uint64_t>(&value)) return std::pair{false, *n};
   if (const auto* const n = std::get_if<std::int64_t>(&value)) return std::pair{*n < 0, static_cast<std::uint64_t>(*n)};
@@ -78,7 +78,7 @@ std::string expected_by(const FieldRule& rule) {
       text = fmt::format("a real number from {:g} to {:g}", rule.least, rule.greatest);
       break;
     case Kind::text:
-      text = fmt::format("a text of {:.0f} bytes at most, without control characters", rule.greatest);
+      text = fmt::format("a text of at most {:.0f} bytes without control characters", rule.greatest);
       break;
   }
   return text + (rule.may_be_nothing ? ", or nothing" : "");

@@ -7,7 +7,7 @@
 namespace ninebit {
 namespace {
 
-// `count` general combiners of a program from the k-th on.
+// The program with only `count` of its general combiners, beginning at number k.
 Program part_of(const Program& program, int k, int count) {
   Program part = program;
   part.num_general_combiners = count;

@@ -1,4 +1,4 @@
-// One fragment's colours with more and more stages as a profile computes them.
+// One fragment's colours, with one more stage computed as in the profile each time.
 #pragma once
 
 #include <vector>
@@ -10,15 +10,15 @@
 
 namespace ninebit {
 
-// For one thread; runs fragment after fragment of a program of integer arithmetic.
+// Runs fragment after fragment of a program with integer arithmetic, on one thread.
 class StagedColors {
  public:
   explicit StagedColors(const Program& program);
-  // The numbers refer to the programs beside them.
+  // Not copyable: exact_ refers to the programs in rest_.
   StagedColors(const StagedColors&) = delete;
   StagedColors& operator=(const StagedColors&) = delete;
 
-  // What colors_by_stage gives; valid until the next call.
+  // The colours of colors_by_stage; valid until the next call.
   [[nodiscard]] const std::vector<RealColor>& operator()(RegisterFile registers);
 
   // Lets `put` change the constants of all programs that are run.
@@ -31,7 +31,7 @@ class StagedColors {
  private:
   std::vector<Program> stage_;      // one general combiner each
   std::vector<Program> rest_;       // the program without its first k general combiners
-  std::vector<ExactColors> exact_;  // of those
+  std::vector<ExactColors> exact_;  // of the programs in rest_
   std::vector<RealColor> colors_;
 };
 

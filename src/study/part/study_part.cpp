@@ -24,18 +24,18 @@ Diagnostic cannot_write(const fs::path& file, const std::string& why) {
   return {.message = "could not be written: " + why, .file = file.string(), .fault = Fault::cannot_write};
 }
 
-// What stands in a file that has no whole line.
+// The contents of a file without a complete line.
 std::string beginning_of(const fs::path& file) {
   std::ifstream stream(file, std::ios::binary);
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-// Appends lines to a part; each is on its way to the disk when append() returns.
+// Appends lines to a part. append() flushes each line before it returns.
 class PartWriter {
  public:
   PartWriter(fs::path file, PartState& state) : file_(std::move(file)), state_(state) {}
 
-  // Drops a line that is not whole, and begins a part that has none.
+  // Drops an incomplete last line. Writes the header if the part has no line.
   Status open(const PartHeader& header) {
     std::error_code error;
     fs::resize_file(file_, state_.whole_bytes, error);
@@ -67,7 +67,7 @@ class PartWriter {
  private:
   Status append(const std::string& line) {
     if (line.size() > kMaxPartLine) {
-      return cannot_write(file_, fmt::format("a line of {} bytes; expected {} at most", line.size(), kMaxPartLine));
+      return cannot_write(file_, fmt::format("a line of {} bytes; expected at most {}", line.size(), kMaxPartLine));
     }
     state_.hash->add(line);
     return write(line);
@@ -79,7 +79,7 @@ class PartWriter {
     stream_.flush();
     if (!stream_) return failed();
     size_ += line.size();
-    // A file that was removed or replaced meanwhile takes what is written, and nobody ever sees it.
+    // Writes to a file that was removed or replaced meanwhile succeed but are lost.
     std::error_code error;
     const std::uintmax_t found = fs::file_size(file_, error);
     if (error) return cannot_write(file_, "was removed while it was written: " + error.message());
@@ -89,7 +89,7 @@ class PartWriter {
   }
 
   [[nodiscard]] Status failed() const {
-    return cannot_write(file_, errno != 0 ? std::generic_category().message(errno) : "the reason is unknown");
+    return cannot_write(file_, errno != 0 ? std::generic_category().message(errno) : "unknown reason");
   }
 
   fs::path file_;
@@ -98,16 +98,16 @@ class PartWriter {
   std::uintmax_t size_ = 0;
 };
 
-// The part that a run finds in its folder, empty at first, and that it may go on with.
+// The part that a run finds in its folder and may resume. It is empty at first.
 Result<PartState> find_part(const fs::path& file, const PartHeader& header, const Study& study) {
   const auto study_of = [&](const PartHeader& found) -> Result<const Study*> {
-    // Compared as they are written: what a line cannot hold, such as a name that is not UTF-8, tells nothing apart.
+    // Compared as text: characters that a line cannot hold, such as a name that is not UTF-8, must not differ.
     if (header_line(found) == header_line(header)) return &study;
     return Diagnostic{.message = why_foreign(found, header) + ", or another folder"};
   };
   auto state = read_part_state(file, study_of);
   if (!state || state->whole_bytes != 0 || header_line(header).starts_with(beginning_of(file))) return state;
-  return Diagnostic{.message = "is not a part of a study; expected one, or no file", .file = file.string()};
+  return Diagnostic{.message = "is not a part of a study; expected a part, or no file", .file = file.string()};
 }
 
 }  // namespace
@@ -123,7 +123,7 @@ std::string why_foreign(const PartHeader& part, const PartHeader& expected) {
                        quotable(expected.build));
   }
   if (part.units != expected.units || part.shard.count != expected.shard.count) {
-    return fmt::format("is one of {} shards of {} units; expected {} of {}", part.shard.count, part.units,
+    return fmt::format("is one of {} shards of {} units; expected {} shards of {} units", part.shard.count, part.units,
                        expected.shard.count, expected.units);
   }
   return {};
@@ -207,8 +207,7 @@ Result<std::vector<StudyRow>> join_parts(std::span<const StudyPart> parts) {
                                part.units.size(), units_of(part.header)));
     }
     if (!by_shard.emplace(shard.index, &part).second) {
-      return fault(
-          fmt::format("holds shard {}/{} for the second time; expected each part once", shard.index, shard.count));
+      return fault(fmt::format("repeats shard {}/{}; expected each part once", shard.index, shard.count));
     }
     for (const FinishedUnit& unit : part.units) units.push_back(&unit);
   }
@@ -217,7 +216,7 @@ Result<std::vector<StudyRow>> join_parts(std::span<const StudyPart> parts) {
     while (by_shard.contains(missing)) ++missing;
     return Diagnostic{.message = fmt::format("the part of shard {}/{} is missing", missing, first.shard.count)};
   }
-  // Complete parts of all shards hold each unit once.
+  // The complete parts of all shards hold each unit exactly once.
   std::sort(units.begin(), units.end(), [](const auto* a, const auto* b) { return a->unit < b->unit; });
   std::vector<StudyRow> rows;
   for (const FinishedUnit* unit : units) rows.insert(rows.end(), unit->rows.begin(), unit->rows.end());

@@ -24,12 +24,12 @@ std::string name_of(DepthEncoding encoding) {
   return encoding == DepthEncoding::d16 ? "d16" : "d24";
 }
 
-// The number that was meant: a float's shortest decimals.
+// The double of a float's shortest decimal form: 0.1F becomes 0.1.
 double decimal(float value) {
   return std::strtod(fmt::format("{}", value).c_str(), nullptr);
 }
 
-// A fact of a rendering, as a row's value.
+// A rendering's fact as a row's value; no value if there is none.
 StudyValue fact(const Rendering* rendering, std::string_view name) {
   if (rendering == nullptr) return {};
   for (const Fact& f : rendering->facts) {
@@ -45,7 +45,7 @@ Result<SweptSettings> swept_settings(const Technique& technique, const RenderSet
   for (const SweptSettings& known : kSwept) {
     if (known.technique == technique.name && dark) return known;
   }
-  return Diagnostic{.message = fmt::format("technique {} draws no shadows that could be wrong", technique.name)};
+  return Diagnostic{.message = fmt::format("technique {} draws no shadows to compare", technique.name)};
 }
 
 Result<std::vector<SweepAxis>> axes_of(const SweptSettings& known, const ShadowGrid& grid) {
@@ -74,7 +74,7 @@ Result<std::vector<SweepAxis>> axes_of(const SweptSettings& known, const ShadowG
   add("--polygon-offsets", {"polygon_offset_factor", "polygon_offset_units"}, known.shadow_map, grid.polygon_offsets,
       [](RenderSettings& s, const OffsetArguments& v) { s.shadow_map.polygon_offset = v; });
   if (unknown.empty()) return axes;
-  return Diagnostic{.message = fmt::format("technique {} does not know {}", known.technique, unknown)};
+  return Diagnostic{.message = fmt::format("technique {} does not support {}", known.technique, unknown)};
 }
 
 RowFields settings_fields(const SweptSettings& known, const RenderSettings& settings, const Rendering* rendering) {

@@ -1,4 +1,4 @@
-// The settings that a sweep of shadows can change: which technique knows which, and how a row tells them.
+// The settings that a shadow sweep can change: the techniques that support each, and their fields in a row.
 #pragma once
 
 #include <cstddef>
@@ -14,7 +14,7 @@
 
 namespace ninebit {
 
-// What a technique reads of the settings that can be swept.
+// The settings for a sweep that a technique reads.
 struct SweptSettings {
   std::string_view technique;
   bool map_size = true;
@@ -29,21 +29,21 @@ struct SweptSettings {
 // One axis of a grid that has values.
 struct SweepAxis {
   std::string flag;                  // "--map-sizes"
-  std::vector<std::string> columns;  // of a row: "map_size"
+  std::vector<std::string> columns;  // fields of a row: "map_size"
   std::size_t size = 0;
   std::function<void(RenderSettings& settings, std::size_t value)> set;
 };
 
-// The axes of a grid, which must outlive them; the slowest first. Reports one that the technique does not know.
+// The axes of a grid, the slowest first. The grid must outlive them. Reports axes that the technique does not support.
 [[nodiscard]] Result<std::vector<SweepAxis>> axes_of(const SweptSettings& known, const ShadowGrid& grid);
 
-// The settings that the technique reads, as a row's fields. A bias or an offset that it chooses by itself is what the
-// rendering's facts say, and nothing where there is no rendering.
+// The settings that the technique reads, as a row's fields. A bias or an offset that the technique chooses itself comes
+// from the rendering's facts, and has no value without a rendering.
 using RowFields = std::vector<std::pair<std::string, StudyValue>>;
 [[nodiscard]] RowFields settings_fields(const SweptSettings& known, const RenderSettings& settings,
                                         const Rendering* rendering);
 
-// The causes that its errors can have.
+// The possible causes of the technique's errors.
 [[nodiscard]] std::span<const ErrorCause> causes_of(const SweptSettings& known);
 
 }  // namespace ninebit

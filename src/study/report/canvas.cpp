@@ -12,7 +12,7 @@
 namespace ninebit {
 namespace {
 
-// What fontconfig takes for its settings and fonts, with a margin. It crashes where it gets less.
+// The memory that fontconfig needs for its settings and fonts, with a margin. It crashes with less.
 constexpr std::uint64_t kRoomForFonts = std::uint64_t{8} << 20U;
 
 _cairo_surface* make_surface(int width, int height) {
@@ -31,7 +31,7 @@ void Canvas::Close::operator()(_cairo_surface* surface) const {
 }
 
 Canvas::Canvas(int width, int height) : surface_(make_surface(width, height)), context_(cairo_create(surface_.get())) {
-  // Shapes of letters that do not depend on how this machine's screen likes them.
+  // Makes glyphs independent of the machine's screen settings.
   cairo_font_options_t* const options = cairo_font_options_create();
   cairo_font_options_set_antialias(options, CAIRO_ANTIALIAS_GRAY);
   cairo_font_options_set_hint_style(options, CAIRO_HINT_STYLE_NONE);
@@ -119,7 +119,7 @@ double Canvas::width_of(std::string_view text, const TextStyle& style) {
 std::string Canvas::shortened(const std::string& text, double width, const TextStyle& style) {
   std::string fitting = text;
   while (!fitting.empty() && width_of(fitting == text ? text : fitting + "…", style) > width) {
-    // Whole characters: bytes that continue one go with its first.
+    // Removes whole UTF-8 characters: continuation bytes go with their first byte.
     while (fitting.size() > 1 && (static_cast<unsigned char>(fitting.back()) & 0xC0U) == 0x80U) fitting.pop_back();
     fitting.pop_back();
   }
@@ -148,7 +148,7 @@ Result<Image8> Canvas::picture() {
   for (int y = 0; y < image.height; ++y) {
     const unsigned char* const row = top + std::ptrdiff_t{y} * cairo_image_surface_get_stride(surface_.get());
     for (std::ptrdiff_t x = 0; x < image.width; ++x) {
-      std::uint32_t pixel = 0;  // 0x00RRGGBB, in the machine's order of bytes
+      std::uint32_t pixel = 0;  // 0x00RRGGBB in native byte order
       std::memcpy(&pixel, row + x * 4, sizeof(pixel));
       image.pixels.insert(image.pixels.end(),
                           {static_cast<std::uint8_t>(pixel >> 16U & 0xFFU),

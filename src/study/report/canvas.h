@@ -10,8 +10,8 @@
 #include "ninebit/image/image_io.h"
 #include "src/study/report/report_colors.h"
 
-// Cairo's own, so that its header stays in canvas.cpp.
-struct _cairo;          // NOLINT(bugprone-reserved-identifier): its name for it
+// Cairo's types, declared here so that only canvas.cpp includes its header.
+struct _cairo;          // NOLINT(bugprone-reserved-identifier): Cairo's name
 struct _cairo_surface;  // NOLINT(bugprone-reserved-identifier)
 
 namespace ninebit {
@@ -26,30 +26,30 @@ struct TextStyle {
   Rgb color{0x22, 0x22, 0x22};
 };
 
-// Where a text's place is: at its beginning, middle or end.
+// The part of a text that is at its place: its beginning, middle or end.
 enum class Align { begin, middle, end };
 
 enum class Marker { circle, square, triangle, diamond };
 
 class Canvas {
  public:
-  // White.
+  // Starts white.
   Canvas(int width, int height);
 
   void line(std::span<const Place> places, Rgb color, double width, bool dashed = false);
   void box(Place corner, double width, double height, Rgb color);
   void marker(Marker shape, Place middle, Rgb color);
-  // The text stands on the place's y; `upward`: turned to run from bottom to top, with the place's x below it.
+  // The baseline is at the place's y. `upward`: the text runs from bottom to top, and its baseline is at the place's x.
   void text(std::string_view text, Place place, Align align, const TextStyle& style, bool upward = false);
-  // Pixels that a text is wide.
+  // The width of a text in pixels.
   [[nodiscard]] double width_of(std::string_view text, const TextStyle& style);
-  // The text, or as much of its beginning as fits with "…" behind it.
+  // The text, or as much of its beginning as fits into `width` pixels, followed by "…".
   [[nodiscard]] std::string shortened(const std::string& text, double width, const TextStyle& style);
-  // What is drawn stays within this box until clip_off().
+  // Clips all drawing to this box until clip_off().
   void clip_on(Place corner, double width, double height);
   void clip_off();
 
-  // Reports what Cairo could not do.
+  // Reports Cairo's errors.
   [[nodiscard]] Result<Image8> picture();
 
  private:

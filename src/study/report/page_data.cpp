@@ -19,7 +19,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 Json json_of(const Plot& plot) {
-  // Bars stand in named groups, in each of which a series has a value or none.
+  // Bars are in named groups; in each group a series has a value or none.
   const std::vector<double> groups = plot.bars ? bar_groups(plot) : std::vector<double>();
   Json labels = Json::array(), all = Json::array();
   for (const double x : groups) labels.push_back(bar_label(plot, x));
@@ -41,15 +41,15 @@ Json json_of(const Plot& plot) {
           {"log_x", plot.log_x}, {"log_y", plot.log_y},     {"labels", labels},        {"series", std::move(all)}};
 }
 
-// The bytes of 32 bits, the lowest first, whatever the machine's own order.
+// Appends 32 bits in little-endian byte order on every machine.
 void append_bits(std::string& bytes, std::uint32_t bits) {
   for (unsigned shift = 0; shift < 32; shift += 8) bytes += static_cast<char>(bits >> shift & 0xFFU);
 }
 
-// Values that are few are numbered, which takes a byte each.
+// If there are few different values, each is stored as a one-byte number.
 void put_values(const std::vector<float>& values, Json& out) {
   constexpr std::size_t kMostKnown = 256;
-  std::map<std::uint32_t, std::uint8_t> numbers;  // by their bits, which also tells NaNs
+  std::map<std::uint32_t, std::uint8_t> numbers;  // by their bits, which also works for NaN
   Json known = Json::array();
   std::string bytes;
   for (const float value : values) {
@@ -90,7 +90,7 @@ std::string base64_of(const ColorRamp& ramp) {
 }  // namespace
 
 std::string base64(std::string_view bytes) {
-  std::string text((bytes.size() + 2) / 3 * 4 + 1, '\0');  // OpenSSL ends it with a zero
+  std::string text((bytes.size() + 2) / 3 * 4 + 1, '\0');  // OpenSSL appends a zero
   const int size =
       EVP_EncodeBlock(reinterpret_cast<unsigned char*>(text.data()),
                       reinterpret_cast<const unsigned char*>(bytes.data()), static_cast<int>(bytes.size()));
@@ -115,7 +115,7 @@ Result<std::string> page_data(const StudyReport& report) {
   std::string text;
   for (const char c : out.dump(-1, ' ', false, Json::error_handler_t::replace)) {
     if (c == '<') {
-      text += "\\u003c";  // JSON has it in strings alone
+      text += "\\u003c";  // in JSON, '<' occurs only in strings
     } else {
       text += c;
     }

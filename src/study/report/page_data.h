@@ -1,4 +1,4 @@
-// What the page's script reads: plots and heat maps as JSON.
+// The data for the page's script: plots and heat maps as JSON.
 #pragma once
 
 #include <string>
@@ -10,9 +10,9 @@ namespace ninebit {
 
 [[nodiscard]] std::string base64(std::string_view bytes);
 
-// {"palette": […], "ramps": […], "plots": […], "maps": […]}, without the character '<', so that nothing in it can end a
-// <script> element. Points that a plot cannot show are left out. Reports a heat map whose size is not that of its
-// values.
+// {"palette": […], "ramps": […], "plots": […], "maps": […]} without the character '<', so that nothing in it can end a
+// <script> element. Points that a plot cannot show are left out. Reports a heat map whose size does not match its
+// number of values.
 [[nodiscard]] Result<std::string> page_data(const StudyReport& report);
 
 }  // namespace ninebit

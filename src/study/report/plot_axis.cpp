@@ -9,7 +9,7 @@
 namespace ninebit {
 namespace {
 
-// The double nearest to a decimal number; what arithmetic gives need not be.
+// The double nearest to a decimal number; computing it arithmetically may round differently.
 double decimal(const std::string& text) {
   double value = 0.0;
   std::from_chars(text.data(), text.data() + text.size(), value);
@@ -29,14 +29,14 @@ double round_step(double least, int& exponent) {
   return power_of_ten(++exponent);
 }
 
-// A multiple of a step that is 1, 2 or 5 times 10^exponent: with its decimals, thousands apart.
+// The label of a multiple of a step that is 1, 2 or 5 times 10^exponent: with its decimals and separated thousands.
 std::string step_label(double value, int exponent) {
   if (value == 0.0) return "0";
   if (std::fabs(value) >= 1e15 || exponent < -6) return fmt::format("{:.6g}", value);
   std::string text = fmt::format("{:.{}f}", value, std::max(0, -exponent));
   const std::size_t first = text[0] == '-' ? 1 : 0;
   std::size_t end = std::min(text.find('.'), text.size());
-  if (end - first <= 4) return text;  // as 1024 is usual
+  if (end - first <= 4) return text;  // no separator in four digits: 1024
   for (; end > first + 3; end -= 3) text.insert(end - 3, " ");
   return text;
 }
@@ -67,7 +67,7 @@ Axis linear_axis(const std::vector<double>& values, int wanted, bool from_zero) 
   const double reach = axis.high - axis.low;
   if (from_zero || (axis.low > 0.0 && axis.low <= reach)) axis.low = std::min(axis.low, 0.0);
   if (from_zero || (axis.high < 0.0 && -axis.high <= reach)) axis.high = std::max(axis.high, 0.0);
-  // Values that are equal or nearly so: ticks between them could not be told apart.
+  // Widens a range of equal or nearly equal values, whose ticks would have equal labels.
   constexpr double kNothing = 1e-290;
   const double size = std::max(std::fabs(axis.low), std::fabs(axis.high));
   if (size < kNothing) {
@@ -79,7 +79,7 @@ Axis linear_axis(const std::vector<double>& values, int wanted, bool from_zero) 
   }
   int exponent = 0;
   const double step = round_step((axis.high - axis.low) / wanted, exponent);
-  // To the next tick on either side, counted in steps so that no rounding adds up.
+  // Extends to the next tick on either side. Ticks are counted in steps, so that rounding does not accumulate.
   const double first = std::floor(axis.low / step + 1e-9), last = std::ceil(axis.high / step - 1e-9);
   for (int i = 0; i <= static_cast<int>(last - first); ++i) {
     const double value = decimal(fmt::format("{:.14g}", (first + i) * step));  // 0.3, not 0.30000000000000004

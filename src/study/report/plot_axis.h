@@ -1,4 +1,4 @@
-// An axis of a plot: from which value to which, and where its round ticks stand.
+// An axis of a plot: its range and its round ticks.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@ namespace ninebit {
 
 struct Tick {
   double value = 0.0;
-  std::string label{};  // empty: a line between two labelled ones
+  std::string label{};  // empty: an unlabelled grid line between labelled ones
 };
 
 struct Axis {
@@ -16,16 +16,16 @@ struct Axis {
   bool logarithmic = false;
   std::vector<Tick> ticks{};  // within low … high, ascending
 
-  // Where a value stands: 0 at low, 1 at high.
+  // The position of a value: 0 at low, 1 at high.
   [[nodiscard]] double place(double value) const;
 };
 
-// An axis that holds all `values`, with about `wanted` ticks at 1, 2 or 5 times a power of ten. `from_zero`: 0 belongs
-// to it, whatever the values; it does anyway where it is near. No value: 0 to 1.
+// An axis that contains all `values`, with about `wanted` ticks, whose step is 1, 2 or 5 times a power of ten.
+// `from_zero`: the axis includes 0 whatever the values; without it, only if 0 is near. Without values: 0 to 1.
 [[nodiscard]] Axis linear_axis(const std::vector<double>& values, int wanted, bool from_zero);
 
-// The same with ticks at powers of ten, and at 2 and 5 times them where there are few of them. Values must be positive.
-// No value: 1 to 10.
+// A logarithmic axis with ticks at powers of ten and, if these are few, at 2 and 5 times powers of ten. Values must be
+// positive. Without values: 1 to 10.
 [[nodiscard]] Axis logarithmic_axis(const std::vector<double>& values, int wanted);
 
 }  // namespace ninebit

@@ -15,13 +15,13 @@ namespace {
 constexpr int kWidth = 1280, kHeight = 800;
 constexpr double kMargin = 36.0;
 constexpr double kWidestLegend = 460.0;
-constexpr std::size_t kMostMarkers = 60;  // points of a series that still have one each
+constexpr std::size_t kMostMarkers = 60;  // a series with more points has no markers
 constexpr std::size_t kMostBarLabels = 16;
 constexpr Rgb kGrid{0xe4, 0xe4, 0xe4}, kFineGrid{0xf2, 0xf2, 0xf2}, kFrame{0x66, 0x66, 0x66};
 const TextStyle kTitle{26.0, true}, kLabel{20.0}, kTickText{18.0, false, {0x44, 0x44, 0x44}},
     kNameText{13.5, false, {0x44, 0x44, 0x44}};
 
-// What tells series apart: its colour, and its markers and dashes for who sees no colours.
+// The look of a series: its colour, and its markers and dashes for readers who do not see colours.
 struct SeriesLook {
   Rgb color;
   Marker marker = Marker::circle;
@@ -34,7 +34,7 @@ SeriesLook look_of(std::size_t series) {
           series / kSeriesColors.size() % 2 == 1};
 }
 
-// The part of the picture within the axes.
+// The area within the axes.
 struct Frame {
   Axis x, y;
   double left = 0.0, right = 0.0, top = 0.0, bottom = 0.0;
@@ -90,7 +90,7 @@ class PlotPainter {
     frame_.bottom = kHeight - kMargin - (plot_.x_label.empty() ? 34.0 : 74.0);
   }
 
-  // In smaller letters where names are long or many.
+  // Uses smaller letters if names are long or many.
   void lay_out_legend() {
     const auto widest = [this] {
       double width = 0.0;
@@ -107,7 +107,7 @@ class PlotPainter {
 
   void draw_axes() {
     canvas_.text(canvas_.shortened(plot_.title, kWidth - 2.0 * kMargin, kTitle), {kMargin, 56.0}, Align::begin, kTitle);
-    // Labelled lines of the grid over the others.
+    // Labelled grid lines are drawn over the others.
     for (const bool labelled : {false, true}) {
       for (const Tick& tick : frame_.y.ticks) {
         if (tick.label.empty() != labelled)
@@ -154,7 +154,7 @@ class PlotPainter {
     for (const Place& place : places) canvas_.marker(look.marker, place, look.color);
   }
 
-  // A group of bars at each x, one of each series, from 0 or from the bottom of a logarithmic axis.
+  // Draws a group of bars at each x, one bar per series, from 0 or from the bottom of a logarithmic axis.
   void draw_bars() {
     const double group = 1.0 / static_cast<double>(std::max<std::size_t>(groups_.size(), 1));
     const double bar = 0.8 * group / static_cast<double>(std::max<std::size_t>(plot_.series.size(), 1));
@@ -210,17 +210,17 @@ class PlotPainter {
   const Plot& plot_;
   Canvas canvas_;
   Frame frame_;
-  std::vector<double> groups_;  // where bars stand
+  std::vector<double> groups_;  // the positions of bars
   TextStyle legend_{18.0};
   double row_height_ = 30.0;
-  double legend_width_ = 0.0;  // 0: there is no legend
+  double legend_width_ = 0.0;  // 0: no legend
   bool empty_ = false;
 };
 
 }  // namespace
 
 bool can_be_shown(const Plot& plot, const std::pair<double, double>& point) {
-  constexpr double kGreatest = 1e150;  // so that lengths of axes are finite, too
+  constexpr double kGreatest = 1e150;  // keeps the lengths of axes finite
   if (!(std::fabs(point.first) < kGreatest) || !(std::fabs(point.second) < kGreatest)) return false;
   return (!plot.log_x || plot.bars || point.first > 1.0 / kGreatest) && (!plot.log_y || point.second > 1.0 / kGreatest);
 }

@@ -1,4 +1,4 @@
-// Plots as pictures.
+// Draws plots as pictures.
 #pragma once
 
 #include <string>
@@ -10,18 +10,19 @@
 
 namespace ninebit {
 
-// Whether a point has a place: its coordinates are numbers below 1e150 in size, and above 0 on a logarithmic axis.
+// True if the plot can show the point: the absolute values of its coordinates are below 1e150, and a coordinate on a
+// logarithmic axis is above 0.
 [[nodiscard]] bool can_be_shown(const Plot& plot, const std::pair<double, double>& point);
 
-// Where a plot with bars has them: each x that a point has, ascending.
+// The positions of a plot's bars: each x of a point, ascending.
 [[nodiscard]] std::vector<double> bar_groups(const Plot& plot);
 
-// What stands under the bars at x: its name or its number.
+// The label under the bars at x: their name or number.
 [[nodiscard]] std::string bar_label(const Plot& plot, double x);
 
-// The plot on white, 1280 x 800: title, axes with round ticks, a legend where there is more than one series. The same
-// bytes for the same plot and the same fonts; without any font Cairo's own strokes stand in. Reports what Cairo cannot
-// do (no memory).
+// The plot on white, 1280 x 800: title, axes with round ticks, a legend if there is more than one series. The same plot
+// and the same fonts give the same bytes; without any font, Cairo uses its own strokes. Reports Cairo's errors, such as
+// lack of memory.
 [[nodiscard]] Result<Image8> picture_of(const Plot& plot);
 
 }  // namespace ninebit

@@ -11,7 +11,7 @@ namespace {
 
 constexpr int kLargestMap = 4096;
 
-// Colours at equal distances from 0 to an end, from light to dark.
+// Colours at equal intervals from 0 to an end, from light to dark.
 constexpr std::array kWarm{Rgb{255, 255, 255}, Rgb{253, 219, 199}, Rgb{244, 165, 130},
                            Rgb{214, 96, 77},   Rgb{178, 24, 43},   Rgb{103, 0, 31}};
 constexpr std::array kCold{Rgb{255, 255, 255}, Rgb{209, 229, 240}, Rgb{146, 197, 222},
@@ -19,7 +19,7 @@ constexpr std::array kCold{Rgb{255, 255, 255}, Rgb{209, 229, 240}, Rgb{146, 197,
 constexpr std::array kAmber{Rgb{255, 255, 255}, Rgb{254, 227, 145}, Rgb{254, 175, 66},
                             Rgb{233, 111, 22},  Rgb{164, 58, 4},    Rgb{72, 24, 8}};
 
-// The colour at `share` of the way, 0 to 1, by whole numbers of 1/255 so that every machine rounds alike.
+// The colour at share_255 / 255 of the way, in integer arithmetic, so that every machine rounds alike.
 Rgb between(std::span<const Rgb> stops, std::size_t share_255) {
   const std::size_t scaled = share_255 * (stops.size() - 1);
   const std::size_t lower = std::min(scaled / 255, stops.size() - 2);
@@ -69,7 +69,7 @@ Rgb color_of(const HeatMap& map, float value) {
 Status check_size(const HeatMap& map) {
   if (map.width < 1 || map.height < 1 || map.width > kLargestMap || map.height > kLargestMap ||
       map.values.size() != static_cast<std::size_t>(map.width) * static_cast<std::size_t>(map.height)) {
-    return Diagnostic{fmt::format("the heat map \"{}\" has {} values where {} x {}, each side 1 to {}, were expected",
+    return Diagnostic{fmt::format("the heat map \"{}\" has {} values; expected {} x {}, with sides of 1 to {}",
                                   map.title, map.values.size(), map.width, map.height, kLargestMap)};
   }
   return {};

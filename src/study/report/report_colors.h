@@ -18,28 +18,28 @@ struct Rgb {
 // "#4477aa".
 [[nodiscard]] std::string css_color(Rgb color);
 
-// Series take these in turn. They are Paul Tol's "bright" scheme, which is told apart with each of the common colour
-// vision deficiencies (https://personal.sron.nl/~pault/).
+// Series use these in turn. They are Paul Tol's "bright" scheme, whose colours stay distinguishable with each of the
+// common colour vision deficiencies (https://personal.sron.nl/~pault/).
 inline constexpr std::array kSeriesColors{Rgb{0x44, 0x77, 0xaa}, Rgb{0xee, 0x66, 0x77}, Rgb{0x22, 0x88, 0x33},
                                           Rgb{0xcc, 0xbb, 0x44}, Rgb{0xaa, 0x33, 0x77}, Rgb{0x66, 0xcc, 0xee},
                                           Rgb{0x99, 0x99, 0x99}};
 
-// What a heat map's values look like: entry 0 stands for -1 or below, 255 for 0, 510 for 1 and above, of the value's
-// share of the end on its side. Without negative values only the upper half is used.
+// The colours of a heat map's values, which are divided by the end of the scale on their side: entry 0 is for -1 and
+// below, 255 for 0, 510 for 1 and above. Without negative values only the upper half is used.
 inline constexpr std::size_t kRampSize = 511;
-inline constexpr Rgb kNoValue{0x80, 0x80, 0x80};  // a NaN
+inline constexpr Rgb kNoValue{0x80, 0x80, 0x80};  // for NaN
 using ColorRamp = std::array<Rgb, kRampSize>;
 
-// For a map whose values begin below 0 (blue, white, red), or at 0 and above (white to brown). Lightness falls
-// steadily from 0 to either end, so that the order is seen without the hues.
+// The ramp for a map whose values begin below 0 (blue, white, red), or at 0 and above (white to brown). Lightness falls
+// steadily from 0 to either end, so the order is visible without hues.
 [[nodiscard]] const ColorRamp& color_ramp(const HeatMap& map);
 [[nodiscard]] Rgb color_of(const HeatMap& map, float value);
 
-// Reports a map that has not as many values as its size says, or a side beyond 1 to 4096.
+// Reports a map whose number of values does not match its size, and a side outside 1 to 4096.
 [[nodiscard]] Status check_size(const HeatMap& map);
 
-// The map as a picture, one pixel a value; a map smaller than `least_side` on both sides is enlarged by a whole factor.
-// Reports what check_size reports.
+// The map as a picture, one pixel per value. A map smaller than `least_side` on both sides is enlarged by a whole
+// factor. Reports the errors of check_size.
 [[nodiscard]] Result<Image8> picture_of(const HeatMap& map, int least_side);
 
 }  // namespace ninebit

@@ -1,4 +1,4 @@
-// A report's files, all together or none.
+// Writes a report's files, all or none.
 #include "ninebit/study/report_files.h"
 
 #include <fmt/format.h>
@@ -15,7 +15,7 @@ namespace {
 
 constexpr int kLeastMapSide = 512;
 
-// The files of one report on their way into its folder.
+// Stages the files of one report and moves them into its folder.
 class ReportFolder {
  public:
   ReportFolder(std::filesystem::path folder, StagedFiles staged)

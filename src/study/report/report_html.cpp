@@ -1,4 +1,4 @@
-// The page: static text that reads without its script, which draws the plots and maps and sorts the tables.
+// The page: static text that is readable without its script. The script draws the plots and maps and sorts the tables.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 namespace ninebit {
 namespace {
 
-// Text that stands between tags or in a quoted attribute.
+// Escapes text for use between tags or in a quoted attribute.
 std::string escaped(std::string_view text) {
   std::string out;
   for (const char c : text) {
@@ -43,7 +43,7 @@ bool is_number(const StudyValue& value) {
   return !std::holds_alternative<std::string>(value) && !std::holds_alternative<std::monostate>(value);
 }
 
-// A number as people read it: groups of three digits; reals with six digits that count.
+// A number for people: groups of three digits; reals with six significant digits.
 std::string readable(const StudyValue& value) {
   if (const auto* real = std::get_if<double>(&value)) return fmt::format("{:.6g}", *real);
   std::string text = text_of(value);
@@ -68,7 +68,7 @@ std::string answers(const StudyReport& report) {
   return out + "</ul>\n</section>\n";
 }
 
-// Command, profile, version, what files the question names, and hashes that are the same wherever the study ran.
+// Command, profile, version, the question's facts about files, and hashes, which are the same on every machine.
 std::string how_it_was_made(const StudyQuestion& question, std::string_view version, std::span<const StudyRow> rows) {
   std::string out = "<section class=\"made\" aria-labelledby=\"made\">\n<h2 id=\"made\">How it was made</h2>\n<dl>\n";
   const auto fact = [&](std::string_view name, std::string_view content) {
@@ -91,7 +91,7 @@ std::string how_it_was_made(const StudyQuestion& question, std::string_view vers
 
 struct Section {
   std::string_view id, title;
-  std::string content;  // empty: there is no such section
+  std::string content;  // empty: the section is left out
 };
 
 std::string plots(const StudyReport& report) {
@@ -123,9 +123,8 @@ std::string heat_maps(const StudyReport& report) {
     out += fmt::format("<div class=\"x\">{}{}{}</div>\n</div>\n", end(map.x_first), name(map.x_label), end(map.x_last));
     out +=
         "<output class=\"value\">Point at the map, or move through it with the arrow keys, to read a value.</output>\n";
-    out +=
-        fmt::format("<div class=\"scale\">{}<canvas role=\"img\" aria-label=\"scale of colours\"></canvas>{}</div>\n",
-                    end(static_cast<double>(map.low)), end(static_cast<double>(map.high)));
+    out += fmt::format("<div class=\"scale\">{}<canvas role=\"img\" aria-label=\"colour scale\"></canvas>{}</div>\n",
+                       end(static_cast<double>(map.low)), end(static_cast<double>(map.high)));
     out += file_line(map.file);
   }
   return out;
@@ -187,7 +186,7 @@ Result<std::string> report_html(const StudyQuestion& question, std::string_view 
                               {"pictures", "Pictures", *images},
                               {"tables", "Tables", std::move(tables)}};
 
-  // The policy makes browsers refuse whatever would be fetched from elsewhere.
+  // The policy makes browsers refuse all external resources.
   std::string page = fmt::format(
       "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"

@@ -1,4 +1,4 @@
-// Rows, and their forms for programs: JSON and CSV.
+// Rows, and their machine-readable forms: JSON and CSV.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "ninebit/study/report_files.h"
-#include "src/study/part/json_value.h"
+#include "src/study/part/study_value_json.h"
 
 namespace ninebit {
 namespace {
@@ -21,8 +21,7 @@ struct Overloaded : Cases... {
 template <class... Cases>
 Overloaded(Cases...) -> Overloaded<Cases...>;
 
-// RFC 4180: what has a comma, a quotation mark or an end of line stands in quotation marks, and those in it are
-// doubled.
+// RFC 4180: a field with a comma, a quotation mark or a line break is quoted, and its quotation marks are doubled.
 std::string csv_field(const std::string& text) {
   if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
   std::string quoted = "\"";
@@ -33,7 +32,7 @@ std::string csv_field(const std::string& text) {
   return quoted + '"';
 }
 
-constexpr std::string_view kEndOfLine = "\r\n";  // as the RFC demands
+constexpr std::string_view kEndOfLine = "\r\n";  // required by RFC 4180
 
 std::string csv_header(const StudyRow& row) {
   std::string line;
@@ -100,7 +99,7 @@ std::string report_json(const StudyQuestion& question, std::string_view version,
     for (const auto& [name, value] : row.fields) object[name] = json_value(value);
     out[row.table].push_back(std::move(object));
   }
-  // A file's name may be no UTF-8; what is not becomes the replacement character.
+  // A file name may not be UTF-8; invalid bytes become the replacement character.
   return out.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -27,7 +27,7 @@ constexpr std::array<OffsetArguments, kFactors.size() * kUnits.size()> search_gr
 }
 constexpr auto kOffsets = search_grid();
 
-// Of the triangles, wherever the file keeps them.
+// The hash of the triangles, independent of the scene's file format.
 std::string hash_of(const Scene& scene) {
   Sha256 hash;
   hash.add(scene.positions);
@@ -38,7 +38,7 @@ std::string hash_of(const Scene& scene) {
 
 constexpr double kLongestReason = 65536.0;
 
-// A point drawn and judged.
+// A drawn point, compared with the ground truth.
 struct Judged {
   Rendering rendering;
   GroundTruth truth;
@@ -58,7 +58,7 @@ class ShadowSweep final : public Study {
     question_.options.emplace_back("sha256 of the triangles", hash_of(scene_));
   }
 
-  // What can fail of making one.
+  // The part of construction that can fail.
   Status prepare() {
     auto axes = axes_of(known_, grid_);
     if (!axes) return axes.error();
@@ -101,7 +101,7 @@ class ShadowSweep final : public Study {
   [[nodiscard]] std::vector<RowRule> row_rules(std::size_t unit) const override {
     RowRule rule{.fields = {exactly("point", std::uint64_t{unit}), exactly("technique", std::string(technique_.name))}};
     for (auto& [name, value] : settings_fields(known_, settings_at(unit), nullptr)) {
-      // The rendering chooses what no setting says.
+      // The rendering chooses a setting without a value.
       const bool chosen = std::holds_alternative<std::monostate>(value);
       constexpr double kMost = std::numeric_limits<float>::max();
       rule.fields.push_back(chosen ? or_nothing(real_in(name, -kMost, kMost)) : exactly(name, std::move(value)));
@@ -169,7 +169,7 @@ class ShadowSweep final : public Study {
     count("false_lit", [](const Judged& j) { return j.truth.false_lit; });
     count("false_shadowed", [](const Judged& j) { return j.truth.false_shadowed; });
     count("wrong", [](const Judged& j) { return j.truth.false_lit + j.truth.false_shadowed; });
-    // Of the pixels that show the scene.
+    // The share of the pixels that show the scene.
     count("wrong_share", [](const Judged& j) {
       const std::uint64_t pixels = j.rendering.lit + j.rendering.shadowed;
       const std::uint64_t wrong = j.truth.false_lit + j.truth.false_shadowed;

@@ -1,4 +1,4 @@
-// A sweep's curves, and the map of polygon offsets.
+// The plots of a sweep, and the map of polygon offsets.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -12,9 +12,9 @@
 namespace ninebit {
 namespace {
 
-constexpr std::size_t kMaxSeries = 8;  // more cannot be told apart
+constexpr std::size_t kMaxSeries = 8;  // more are hard to distinguish
 
-// Columns with numbers on an axis; those above 0 with powers of two are told on a logarithmic one.
+// Columns with a numeric axis. It is logarithmic for map_size, whose values are powers of two above 0.
 constexpr std::array<std::string_view, 5> kNumeric{"map_size", "index_step", "bias", "polygon_offset_factor",
                                                    "polygon_offset_units"};
 
@@ -44,7 +44,7 @@ Plot plot_of(const std::string& column, std::string_view what, std::string title
 Plot wrong_plot(const SweepView& view, const std::string& column) {
   struct Curve {
     std::uint64_t fewest;
-    const StudyRow* row;  // one of its
+    const StudyRow* row;  // one of the curve's rows
   };
   const std::array<std::string, 1> columns{column};
   std::vector<Curve> curves;
@@ -64,7 +64,8 @@ Plot wrong_plot(const SweepView& view, const std::string& column) {
     const std::string name = view.label(*curve.row, columns);
     plot.series.push_back(series_of(name.empty() ? "wrong" : name, view.beside(*curve.row, columns), column, "wrong"));
   }
-  if (all > kMaxSeries) plot.caption = fmt::format("The {} with the fewest wrong pixels of {}.", kMaxSeries, all);
+  if (all > kMaxSeries)
+    plot.caption = fmt::format("The {} curves with the fewest wrong pixels, of {}.", kMaxSeries, all);
   return plot;
 }
 
@@ -110,8 +111,8 @@ std::vector<HeatMap> offset_maps(const SweepView& view) {
   const float most = *std::max_element(wrong.begin(), wrong.end());
   return {{.file = "wrong-by-offset",
            .title = "Wrong pixels by polygon offset",
-           .x_label = fmt::format("units, a column each: {}", fmt::join(units, ", ")),
-           .y_label = fmt::format("factor, a row each: {}", fmt::join(factors, ", ")),
+           .x_label = fmt::format("units, one per column: {}", fmt::join(units, ", ")),
+           .y_label = fmt::format("factor, one per row: {}", fmt::join(factors, ", ")),
            .x_first = 1.0,
            .x_last = static_cast<double>(units.size()),
            .y_first = 1.0,

@@ -53,7 +53,7 @@ std::string extremes_in_words(const SweepView& view) {
   return text;
 }
 
-// How errors change with the map's size, all else being as in the best row.
+// Errors by map size, with all other columns as in the best row.
 std::string map_sizes_in_words(const SweepView& view) {
   const std::vector<std::string> column{"map_size"};
   const auto beside = view.beside(*view.best, column);
@@ -67,13 +67,13 @@ std::string map_sizes_in_words(const SweepView& view) {
       fmt::format("From map_size {} to {}{} the wrong pixels go from {} to {}", first.text("map_size"),
                   last.text("map_size"), with(view.label(last, column)), first.count("wrong"), last.count("wrong"));
   if (first.count("wrong") > 0 && last.count("wrong") > 0) {
-    text += fmt::format(", times {:.2f} a doubling",
-                        std::pow(last.number("wrong") / first.number("wrong"), 1.0 / doublings));
+    text +=
+        fmt::format(", ×{:.2f} per doubling", std::pow(last.number("wrong") / first.number("wrong"), 1.0 / doublings));
   }
   return text + '.';
 }
 
-// The fewest wrong pixels that each value of a column allows.
+// The fewest wrong pixels for each value of a column.
 std::string values_in_words(const SweepView& view, const std::string& column) {
   std::vector<std::pair<std::string, std::uint64_t>> fewest;
   for (const StudyRow* row : view.rows) {
@@ -111,7 +111,7 @@ std::string offset_of(const StudyRow& row) {
   return fmt::format("{},{}", row.text(kOffsetColumns[0]), row.text(kOffsetColumns[1]));
 }
 
-// Of each combination of the other columns, the row with the best offset and the one without any, if there is one.
+// For one combination of the other columns: the row with the best offset, and the row without an offset, if present.
 struct OffsetChoice {
   const StudyRow* best;
   const StudyRow* none = nullptr;
@@ -137,7 +137,7 @@ std::string difference(const StudyRow& row, const StudyRow& none, const char* co
                      static_cast<std::int64_t>(row.count(column)) - static_cast<std::int64_t>(none.count(column)));
 }
 
-// A best value at the end of its axis may not be the best of all.
+// A note if the best value is at the end of its axis, because a larger one may be better.
 std::string at_the_end(const SweepView& view, const StudyRow& best) {
   std::string text;
   for (const auto& [column, name] : {std::pair{kOffsetColumns[0], "factors"}, std::pair{kOffsetColumns[1], "units"}}) {
@@ -178,7 +178,7 @@ ReportTable offset_table(const SweepView& view, const std::vector<OffsetChoice>&
     }
     table.rows.push_back(std::move(values));
   }
-  table.caption = "The offset with the fewest wrong pixels of those that were tried, and no offset.";
+  table.caption = "The tried offset with the fewest wrong pixels, compared with no offset.";
   return table;
 }
 
@@ -190,7 +190,7 @@ ReportTable point_table(std::span<const StudyRow> rows) {
     for (const auto& field : row.fields) values.push_back(field.second);
     table.rows.push_back(std::move(values));
   }
-  table.caption = "wrong_share is of the pixels that show the scene.";
+  table.caption = "wrong_share is the share of the pixels that show the scene.";
   return table;
 }
 

@@ -15,7 +15,7 @@ constexpr std::uint64_t kRoomToStart = std::uint64_t{1} << 20U;
 
 }  // namespace
 
-// OpenSSL crashes where it has no memory to start with.
+// OpenSSL crashes if it cannot allocate its first memory.
 Sha256::Sha256() : context_(posix::has_room(kRoomToStart) ? EVP_MD_CTX_new() : nullptr) {
   if (context_ == nullptr || EVP_DigestInit_ex(static_cast<EVP_MD_CTX*>(context_), EVP_sha256(), nullptr) != 1) {
     throw std::bad_alloc();

@@ -1,4 +1,4 @@
-// SHA-256: of raw planes, so that two runs can be compared by eye, and of what a study leaves on the disk.
+// SHA-256 of raw planes, so that two runs can be compared by eye, and of a study's files on disk.
 #pragma once
 
 #include <cstddef>
@@ -15,7 +15,7 @@ class Sha256 {
   Sha256(const Sha256&) = delete;
   Sha256& operator=(const Sha256&) = delete;
 
-  // Values that lie side by side, with the bytes that they have in memory.
+  // Adds contiguous values as their bytes in memory.
   template <class Values>
   void add(const Values& values) {
     add_bytes(std::as_bytes(std::span(values)));
@@ -30,7 +30,7 @@ class Sha256 {
   void* context_;
 };
 
-// Of a whole text.
+// The hash of a whole text, in lower-case hexadecimal.
 [[nodiscard]] std::string sha256(std::string_view text);
 
 }  // namespace ninebit

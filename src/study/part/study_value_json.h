@@ -1,4 +1,4 @@
-// A value of a row as JSON has it: what there is none of is null.
+// A row's value as JSON; std::monostate becomes null.
 #pragma once
 
 #include <nlohmann/json.hpp>
