@@ -25,8 +25,8 @@ bool in_range(const Program& program, int code) {
 }
 
 ninebit_result out_of_range(const Program& program, int code, char** error) {
-  return wrong_argument("code " + std::to_string(code) + " is out of range; expected " + std::to_string(program.datapath.lowest) +
-                            " to " + std::to_string(program.datapath.one),
+  return wrong_argument("code " + std::to_string(code) + " is out of range; expected " +
+                            std::to_string(program.datapath.lowest) + " to " + std::to_string(program.datapath.one),
                         error);
 }
 

@@ -125,7 +125,8 @@ ninebit_result ninebit_state_from_words(const char* profile, int chip, const nin
     if (state == nullptr) return wrong_argument("state is NULL", error);
     *state = nullptr;
     if (words == nullptr && count > 0) return wrong_argument("words is NULL", error);
-    if (chip != NINEBIT_CHIP_NV10 && chip != NINEBIT_CHIP_NV20) return wrong_argument("chip is not a value of ninebit_chip", error);
+    if (chip != NINEBIT_CHIP_NV10 && chip != NINEBIT_CHIP_NV20)
+      return wrong_argument("chip is not a value of ninebit_chip", error);
     const auto* const found = profile_of(profile, error);
     if (found == nullptr) return NINEBIT_WRONG_ARGUMENT;
     std::vector<ninebit::RegisterWord> named;

@@ -76,7 +76,7 @@ using Array = py::array_t<s9, py::array::c_style>;
 
 struct Plane {
   const s9* from = nullptr;  // nullptr: the default
-  std::string key{};  // the caller's key
+  std::string key{};         // the caller's key
 };
 
 // Holds the arrays, because other threads may change the dictionary meanwhile. Must be destroyed with the GIL held.
@@ -113,7 +113,8 @@ Planes planes_of(const py::dict& inputs) {
     }
     if (!whole) planes.plane[name.reg][*name.component] = {array.data(), key};
   }
-  if (first) throw py::value_error("there are no inputs; expected at least one array, which gives the number of fragments");
+  if (first)
+    throw py::value_error("there are no inputs; expected at least one array, which gives the number of fragments");
   // As in `ninebit eval`, spare0's alpha starts as texture 0's.
   Plane& spare0_alpha = planes.plane[static_cast<std::size_t>(Register::spare0)][kAlpha];
   if (spare0_alpha.from == nullptr) spare0_alpha = planes.plane[static_cast<std::size_t>(Register::texture0)][kAlpha];

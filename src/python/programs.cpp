@@ -36,8 +36,9 @@ State parse(const std::string& text, const std::string& form, const std::string&
                       : form == "rc10"       ? parse_rc10(source, profile)
                       : form == "words"      ? parse_register_words(source, chip_of(profile), profile)
                       : form == "words-json" ? parse_json_register_words(source, chip_of(profile), profile)
-                      : form == "json"       ? parse_json_program(source, profile)
-                                             : throw Error{"unknown form; expected 'gl', 'rc10', 'words', 'words-json' or 'json'"};
+                      : form == "json"
+                          ? parse_json_program(source, profile)
+                          : throw Error{"unknown form; expected 'gl', 'rc10', 'words', 'words-json' or 'json'"};
   if (parsed) return {*parsed.value, &profile};
   std::string faults;
   for (const TextFault& fault : parsed.faults) faults += (faults.empty() ? "" : "\n") + fault.text();
@@ -47,11 +48,12 @@ State parse(const std::string& text, const std::string& form, const std::string&
 std::string print(const State& state, const std::string& form) {
   const HardwareProfile& profile = *state.profile;
   if (form == "json") return print_json_program(state.state);
-  const auto text = form == "gl"           ? print_gl_calls(state.state, profile)
-                    : form == "rc10"       ? print_rc10(state.state, profile)
-                    : form == "words"      ? print_register_words(state.state, chip_of(profile), profile)
-                    : form == "words-json" ? print_json_register_words(state.state, chip_of(profile), profile)
-                                           : throw Error{"unknown form; expected 'gl', 'rc10', 'words', 'words-json' or 'json'"};
+  const auto text = form == "gl"      ? print_gl_calls(state.state, profile)
+                    : form == "rc10"  ? print_rc10(state.state, profile)
+                    : form == "words" ? print_register_words(state.state, chip_of(profile), profile)
+                    : form == "words-json"
+                        ? print_json_register_words(state.state, chip_of(profile), profile)
+                        : throw Error{"unknown form; expected 'gl', 'rc10', 'words', 'words-json' or 'json'"};
   if (!text) throw Error{text.error().text()};
   return *text;
 }
@@ -87,9 +89,11 @@ void add_programs(py::module_& module) {
            }),
            py::arg("profile") = "geforce2", "OpenGL's default state.")
       .def_static("parse", &parse, py::arg("text"), py::arg("form"), py::arg("profile") = "geforce2",
-                  "Parses a text in the form 'gl' (GL calls), 'rc10' (!!RC1.0), 'words' or 'words-json' (register words), 'json'.")
+                  "Parses a text in the form 'gl' (GL calls), 'rc10' (!!RC1.0), 'words' or 'words-json' (register "
+                  "words), 'json'.")
       .def("print", &print, py::arg("form"), "The state as a text of that form; Error if the form cannot express it.")
-      .def("validate", &diagnostics, "The faults that OpenGL would refuse, one dictionary each; an empty list if the state is valid.")
+      .def("validate", &diagnostics,
+           "The faults that OpenGL would refuse, one dictionary each; an empty list if the state is valid.")
       .def_property_readonly(
           "profile", [](const State& state) { return std::string(state.profile->name); }, "The name of the profile.")
       .def(

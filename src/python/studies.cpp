@@ -186,21 +186,23 @@ py::dict shadows(const std::string& file, const std::string& technique_name, std
 }  // namespace
 
 void add_studies(py::module_& module) {
-  module.def("index_steps_study", &index_steps, py::kw_only(), py::arg("profiles") = py::none(),
-             py::arg("formats") = py::none(), py::arg("variants") = py::none(), py::arg("steps") = std::pair{1, 16},
-             "Counts the pairs of different indices that compare equal, over all pairs: {'rows': array} with the fields "
-             "profile, format, variant, step, codes, pairs, false_matches. Lists of names select; the default is all. "
-             "`steps` are the first and the last. As `ninebit study index-steps`.");
+  module.def(
+      "index_steps_study", &index_steps, py::kw_only(), py::arg("profiles") = py::none(),
+      py::arg("formats") = py::none(), py::arg("variants") = py::none(), py::arg("steps") = std::pair{1, 16},
+      "Counts the pairs of different indices that compare equal, over all pairs: {'rows': array} with the fields "
+      "profile, format, variant, step, codes, pairs, false_matches. Lists of names select; the default is all. "
+      "`steps` are the first and the last. As `ninebit study index-steps`.");
   module.def(
       "datapath_study", &datapath, py::kw_only(), py::arg("profiles") = py::none(),
       "The error of each datapath operation against exact arithmetic, over all inputs: {'rows': array}, one row per "
       "operation and form, errors in real numbers; and 'differences' between each two profiles whose codes stand for "
       "the same numbers. Profiles whose arithmetic is not integer are skipped. As `ninebit study datapath`.");
-  module.def("depth_packing_study", &depth_packing, py::kw_only(), py::arg("packings") = py::none(),
-             py::arg("storages") = py::none(), py::arg("sets") = py::none(), py::arg("float_step") = 64,
-             "The error of depths after a round trip through bytes: {'rows': array, 'second_digit': array}. Storages are "
-             "'round' and 'truncate'; sets are '16', '24' and 'floats', which takes every `float_step`th float. As "
-             "`ninebit study depth-packing`.");
+  module.def(
+      "depth_packing_study", &depth_packing, py::kw_only(), py::arg("packings") = py::none(),
+      py::arg("storages") = py::none(), py::arg("sets") = py::none(), py::arg("float_step") = 64,
+      "The error of depths after a round trip through bytes: {'rows': array, 'second_digit': array}. Storages are "
+      "'round' and 'truncate'; sets are '16', '24' and 'floats', which takes every `float_step`th float. As "
+      "`ninebit study depth-packing`.");
   module.def(
       "shadows_study", &shadows, py::arg("scene"), py::kw_only(), py::arg("technique") = "index-cube",
       py::arg("size") = std::pair{1024, 768}, py::arg("profile") = "geforce2",

@@ -49,7 +49,8 @@ class AnswerWriter {
 class AnswerReader {
  public:
   AnswerReader() = default;
-  AnswerReader(int descriptor, std::uint64_t bytes) : descriptor_(descriptor), left_(bytes) {}  // takes ownership of the descriptor
+  AnswerReader(int descriptor, std::uint64_t bytes)
+      : descriptor_(descriptor), left_(bytes) {}  // takes ownership of the descriptor
   AnswerReader(AnswerReader&& other) noexcept
       : descriptor_(std::exchange(other.descriptor_, -1)), left_(std::exchange(other.left_, 0)) {}
   AnswerReader& operator=(AnswerReader&& other) noexcept {

@@ -24,7 +24,7 @@ namespace ninebit::posix {
 struct Move {
   std::filesystem::path from, to;
   std::filesystem::path older;  // a hard link to the file at `to`; empty: there is no file, or no link
-  bool replaces = false;  // a file exists at `to`
+  bool replaces = false;        // a file exists at `to`
 };
 
 // The index of the failed move, and its errno; error 0: none failed.

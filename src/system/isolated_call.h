@@ -21,17 +21,18 @@
 namespace ninebit::posix {
 
 struct CallLimits {
-  std::uint64_t memory_bytes = std::uint64_t{1} << 30U;  // beyond what this process has mapped; also the limit of the answer
-  int seconds = 20;  // of processor time, or of waiting without using any
+  std::uint64_t memory_bytes = std::uint64_t{1}
+                               << 30U;  // beyond what this process has mapped; also the limit of the answer
+  int seconds = 20;                     // of processor time, or of waiting without using any
 };
 
 enum class CallEnd : std::uint8_t {
-  answered,  // the work finished
+  answered,       // the work finished
   crashed,        // a signal, an exception, or an exit
-  out_of_time,  // CallLimits::seconds
+  out_of_time,    // CallLimits::seconds
   out_of_memory,  // CallLimits::memory_bytes
-  stopped,  // go_on returned false
-  not_started  // no process could be started
+  stopped,        // go_on returned false
+  not_started     // no process could be started
 };
 
 struct CallResult {

@@ -164,9 +164,10 @@ std::vector<sock_filter> filter_of_calls() {
   constexpr std::uint32_t kAllow = SECCOMP_RET_ALLOW;
   constexpr std::uint32_t kRefuse = SECCOMP_RET_ERRNO | EPERM;
   constexpr std::uint32_t kWriting = O_WRONLY | O_RDWR | O_CREAT | O_TRUNC | O_APPEND;
-  std::vector<sock_filter> code{load(offsetof(seccomp_data, arch)),
-                                BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, kProcessor, 1, 0),  // other processors have other call numbers
-                                answer(SECCOMP_RET_KILL_PROCESS), load(offsetof(seccomp_data, nr))};
+  std::vector<sock_filter> code{
+      load(offsetof(seccomp_data, arch)),
+      BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, kProcessor, 1, 0),  // other processors have other call numbers
+      answer(SECCOMP_RET_KILL_PROCESS), load(offsetof(seccomp_data, nr))};
   for (const int call : kAllowed) {
     code.push_back(unless_equal(static_cast<std::uint32_t>(call), 1));
     code.push_back(answer(kAllow));
@@ -228,7 +229,8 @@ void allow_only_reading(std::span<const std::filesystem::path> files) {
   const auto ruleset = static_cast<int>(::syscall(SYS_landlock_create_ruleset, &rules, sizeof rules, 0));
   if (ruleset < 0) return;
   for (const std::filesystem::path& file : files) allow_reading(ruleset, file);
-  if (kMapsTerabytes) allow_reading(ruleset, "/proc");  // a sanitizer reads the stack's bounds when an exception is thrown
+  if (kMapsTerabytes)
+    allow_reading(ruleset, "/proc");  // a sanitizer reads the stack's bounds when an exception is thrown
   ::syscall(SYS_landlock_restrict_self, ruleset, 0);
   ::close(ruleset);
 }

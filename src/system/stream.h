@@ -14,7 +14,7 @@ inline constexpr int kStandardInput = 0, kStandardOutput = 1, kStandardError = 2
 
 enum class Access : std::uint8_t {
   read,
-  write,  // without truncation, for devices and pipes
+  write,          // without truncation, for devices and pipes
   create,         // an existing file or link is an error
   create_private  // like create; only the owner may read or write the file
 };

@@ -19,8 +19,8 @@ struct Equation {
   std::string output{};                    // "AB", "CD", "sum", "mux"; of the final combiner "color", "alpha"
   std::string target{};                    // "spare0", "spare0.a"; of the final combiner "rgb", "alpha"
   std::string expression{};                // "4·(primary − tex0)"
-  bool used = true;  // the final result depends on it
-  bool clamps = false;  // the expression can exceed the range of its target, which clamps it
+  bool used = true;                        // the final result depends on it
+  bool clamps = false;                     // the expression can exceed the range of its target, which clamps it
 };
 
 // A portion of a general combiner that does not affect the result, with the reason.
@@ -33,12 +33,12 @@ struct DeadPortion {
 // A program as equations, with notes for the reader.
 struct Explanation {
   int num_general_combiners = 1;       // stages that run
-  std::string profile;  // name of the profile
+  std::string profile;                 // name of the profile
   std::vector<Equation> equations;     // stages in order, RGB before alpha; then the final combiner's two
   std::vector<DeadPortion> dead;       // stages in order
   std::vector<std::string> constants;  // values of const0 and const1 that equations read, one sentence each
-  std::vector<std::string> notes;  // defaults that affect the result, one sentence each
-  std::vector<std::string> legend;  // notation that the equations use, one sentence each
+  std::vector<std::string> notes;      // defaults that affect the result, one sentence each
+  std::vector<std::string> legend;     // notation that the equations use, one sentence each
 };
 
 // Multiplications by 1, 0 and -1 and mappings of `zero` are folded; an input multiplied by 0 counts as not read.

@@ -12,7 +12,7 @@ namespace NINEBIT_PUBLIC ninebit {
 // A profile and the storage of its string views. Copies share the storage: a copy of `profile` is valid while any copy
 // of its OwnedProfile lives.
 struct OwnedProfile {
-  HardwareProfile profile;  // its strings are views of `text`
+  HardwareProfile profile;           // its strings are views of `text`
   std::shared_ptr<const void> text;  // storage of the views; opaque
 };
 

@@ -25,7 +25,7 @@ enum class ChipClass : std::uint8_t { nv10, nv20 };
 struct RegisterWord {
   std::string name{};       // such as "RC_IN_RGB[0]"
   std::uint32_t value = 0;  // all 32 bits
-  TextPlace place{};  // 1:1 without a text
+  TextPlace place{};        // 1:1 without a text
 };
 
 // Decodes `NAME = 0x…` lines in any order (comments start with # or //; names are case-insensitive). A word with bits

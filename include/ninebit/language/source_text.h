@@ -21,7 +21,7 @@ struct SourceText {
 
 // A fault in a text. Lines and columns are 1-based; a column counts bytes.
 struct TextFault {
-  std::string file{};  // SourceText::file
+  std::string file{};     // SourceText::file
   int line = 0;           // from 1
   int column = 0;         // from 1
   std::string message{};  // one sentence: what is wrong and what was expected
@@ -37,7 +37,7 @@ inline constexpr std::size_t kMaxTextFaults = 100;
 template <class T>
 struct Parsed {
   std::optional<T> value;                                       // empty: there are faults
-  std::vector<TextFault> faults;  // empty if there is a value
+  std::vector<TextFault> faults;                                // empty if there is a value
   explicit operator bool() const { return value.has_value(); }  // whether there is a value
 };
 
