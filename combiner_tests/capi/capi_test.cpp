@@ -206,7 +206,7 @@ TEST(Capi, WhatCannotBeMeant) {
   registers.struct_size = sizeof registers;
   registers.code[NINEBIT_SPARE0][3] = 256;
   EXPECT_EQ(ninebit_evaluate(program.get(), &registers, color.data(), nullptr, &error), NINEBIT_WRONG_ARGUMENT);
-  EXPECT_EQ(take(error), "a code is 256; expected -255 to 255");
+  EXPECT_EQ(take(error), "code 256 is out of range; expected -255 to 255");
   registers.code[NINEBIT_SPARE0][3] = 0;
   registers.code[NINEBIT_ZERO][0] = 9999;  // not read
   EXPECT_EQ(ninebit_evaluate(program.get(), &registers, color.data(), nullptr, &error), NINEBIT_OK);

@@ -146,7 +146,7 @@ TEST_F(IsolatedReader, EatsMemory) {
               }
               return texture;
             }),
-            "OpenImageIO's reader asked for more than 1536 MiB");
+            "OpenImageIO's reader needed more than 1536 MiB");
 }
 
 TEST_F(IsolatedReader, IsStoppedByTheCaller) {

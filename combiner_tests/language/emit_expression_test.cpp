@@ -18,7 +18,7 @@ namespace {
 
 using emit::Graph;
 using emit::Node;
-using emit::Operation;
+using emit::Opcode;
 using emit::V;
 using Numbers = std::vector<std::int64_t>;
 
@@ -33,30 +33,30 @@ struct Sample {
 std::int64_t computed(const Graph& graph, const V& v, std::int64_t x, std::int64_t y) {
   if (v.is_constant()) return v.constant;
   const Node& node = graph[v.node];
-  if (node.operation == Operation::input) return node.name == "x" ? x : y;
+  if (node.opcode == Opcode::input) return node.name == "x" ? x : y;
   std::array<std::int64_t, 4> a{};
   for (std::size_t i = 0; i < 4; ++i) a[i] = computed(graph, node.args[i], x, y);
-  switch (node.operation) {
-    case Operation::input:
+  switch (node.opcode) {
+    case Opcode::input:
       break;
-    case Operation::add:
+    case Opcode::add:
       return a[0] + a[1];
-    case Operation::sub:
+    case Opcode::sub:
       return a[0] - a[1];
-    case Operation::mul:
+    case Opcode::mul:
       return a[0] * a[1];
-    case Operation::min_of:
+    case Opcode::min_of:
       return std::min(a[0], a[1]);
-    case Operation::max_of:
+    case Opcode::max_of:
       return std::max(a[0], a[1]);
-    case Operation::abs_of:
+    case Opcode::abs_of:
       return a[0] < 0 ? -a[0] : a[0];
-    case Operation::divide:
+    case Opcode::divide:
       EXPECT_GE(a[0], 0);
       return a[0] / a[1];
-    case Operation::negate_where_negative:
+    case Opcode::negate_where_negative:
       return a[0] < 0 ? -a[1] : a[1];
-    case Operation::select_where_at_least:
+    case Opcode::select_where_at_least:
       return a[0] >= a[1] ? a[2] : a[3];
   }
   return 0;

@@ -23,37 +23,38 @@ struct GlFault {
 };
 
 const std::vector<GlFault> kWords{
-    {"glClear(0);", "f:1:1: 'glClear' is no call of the register combiners\n"},
+    {"glClear(0);", "f:1:1: 'glClear' is not a call of the register combiners\n"},
     {"int x;", "f:1:6: expected '[', found ';'\n"},
     {"\n  hello", "f:2:3: expected a GL call, found 'hello'\n"},
     {"#include <GL/gl.h>\n#define X\n",
-     "f:1:1: preprocessor lines are not read; expected a GL call\n"
-     "f:2:1: preprocessor lines are not read; expected a GL call\n"},
-    {"/* a\n*/ /* b", "f:2:4: the comment has no end; expected */\n"},
+     "f:1:1: preprocessor lines are not supported; expected a GL call\n"
+     "f:2:1: preprocessor lines are not supported; expected a GL call\n"},
+    {"/* a\n*/ /* b", "f:2:4: unterminated comment; expected */\n"},
     {"glEnable(GL_REGISTER_COMBINERS_NV", "f:1:34: expected ',', but the text ends\n"},
-    {"glEnable(GL_REGISTER_COMBINERS_NV /*", "f:1:35: the comment has no end; expected */\n"},
+    {"glEnable(GL_REGISTER_COMBINERS_NV /*", "f:1:35: unterminated comment; expected */\n"},
     {"glEnable(GL_REGISTER_COMBINERS_NV)\nglEnable(GL_FOO);",
      "f:2:1: expected ';', found 'glEnable'\n"
-     "f:2:10: 'GL_FOO' is no enumerant of the register combiners and no array\n"},
+     "f:2:10: 'GL_FOO' is neither an enumerant of the register combiners nor a declared array\n"},
     {"glEnable(GL_A\nglEnable(GL_B);",
-     "f:1:10: 'GL_A' is no enumerant of the register combiners and no array\n"
+     "f:1:10: 'GL_A' is neither an enumerant of the register combiners nor a declared array\n"
      "f:2:1: expected ',', found 'glEnable'\n"
-     "f:2:10: 'GL_B' is no enumerant of the register combiners and no array\n"},
+     "f:2:10: 'GL_B' is neither an enumerant of the register combiners nor a declared array\n"},
     {"glEnable(GL_A, GL_B);",
-     "f:1:10: 'GL_A' is no enumerant of the register combiners and no array\n"
-     "f:1:16: 'GL_B' is no enumerant of the register combiners and no array\n"},
+     "f:1:10: 'GL_A' is neither an enumerant of the register combiners nor a declared array\n"
+     "f:1:16: 'GL_B' is neither an enumerant of the register combiners nor a declared array\n"},
     {"glEnable 5;", "f:1:10: expected '(', found '5'\n"},
     {"glEnable(\"GL_FOG\");", "f:1:10: expected an enumerant or a number, found '\"'\n"},
     {"glEnable();", "f:1:1: glEnable takes 1 argument, not 0\n"},
     {"glCombinerInputNV(1, 2, 3, 4, 5);", "f:1:1: glCombinerInputNV takes 6 arguments, not 5\n"},
-    {"glEnable(0x1FFFFFFFF);", "f:1:10: '0x1FFFFFFFF' is no number of C, or out of range\n"},
-    {"glEnable(08);", "f:1:10: '08' is no number of C, or out of range\n"},
-    {"glEnable(1.5.5);", "f:1:10: '1.5.5' is no number of C, or out of range\n"},
-    {"glEnable(1x);", "f:1:10: '1x' is no number of C, or out of range\n"},
+    {"glEnable(0x1FFFFFFFF);", "f:1:10: '0x1FFFFFFFF' is not a C number, or out of range\n"},
+    {"glEnable(08);", "f:1:10: '08' is not a C number, or out of range\n"},
+    {"glEnable(1.5.5);", "f:1:10: '1.5.5' is not a C number, or out of range\n"},
+    {"glEnable(1x);", "f:1:10: '1x' is not a C number, or out of range\n"},
     {"glEnable(2.0);", "f:1:10: '2.0' cannot be passed here; expected an enumerant\n"},
     {"glEnable(-1);", "f:1:10: '-1' cannot be passed here; expected an enumerant\n"},
     {"glEnable({1});", "f:1:10: '{1}' cannot be passed here; expected one value\n"},
-    {"glEnable(GL_TEXTURE32);", "f:1:10: 'GL_TEXTURE32' is no enumerant of the register combiners and no array\n"},
+    {"glEnable(GL_TEXTURE32);",
+     "f:1:10: 'GL_TEXTURE32' is neither an enumerant of the register combiners nor a declared array\n"},
     {"glCombinerParameteriNV(GL_NUM_GENERAL_COMBINERS_NV, 2.5f);",
      "f:1:53: '2.5f' cannot be passed here; expected an integer\n"},
     {"glCombinerParameteriNV(GL_NUM_GENERAL_COMBINERS_NV, 4294967295);",
@@ -66,12 +67,12 @@ const std::vector<GlFault> kWords{
      "f:1:66: 'c' cannot be passed here; expected an array of floats\n"},
     {"glCombinerParameterivNV(GL_CONSTANT_COLOR0_NV, (GLfloat[]){1, 1, 1, 1});",
      "f:1:48: '(GLfloat[]){1, 1, 1, 1}' cannot be passed here; expected an array of integers\n"},
-    {"GLint c[] = {1, 2.5};", "f:1:17: '2.5' is no integer\n"},
-    {"GLfloat c[2] = {1, 2, 3};", "f:1:23: the array has 2 elements already\n"},
+    {"GLint c[] = {1, 2.5};", "f:1:17: '2.5' is not an integer\n"},
+    {"GLfloat c[2] = {1, 2, 3};", "f:1:23: too many values; the array has 2 elements\n"},
     {"GLfloat c[0] = {1};", "f:1:11: an array has 1 to 1024 elements, not '0'\n"},
-    {"GLfloat c[] = {1};\nGLfloat c[] = {2};", "f:2:9: 'c' is declared a second time\n"},
+    {"GLfloat c[] = {1};\nGLfloat c[] = {2};", "f:2:9: 'c' is already declared\n"},
     {"GLfloat c[] = {{{{{{", "f:1:16: expected an enumerant or a number, found '{'\n"},
-    {"glEnable(c);", "f:1:10: 'c' is no enumerant of the register combiners and no array\n"},
+    {"glEnable(c);", "f:1:10: 'c' is neither an enumerant of the register combiners nor a declared array\n"},
     {"glEnable(&c[0]);", "f:1:11: expected an array declared above, found 'c'\n"},
     {"((((((((((((((((;;", "f:1:1: expected a GL call, found '('\n"},
     {"\xFF\xFE\x80 glEnable(GL_REGISTER_COMBINERS_NV);\n@",
@@ -100,10 +101,10 @@ const std::vector<GlFault> kRefused{
     {"glCombinerParameterivNV(GL_FOG, {1, 1, 1, 1});",
      "f:1:1: GL_INVALID_ENUM: expected a constant colour or a parameter of the combiners, not 'GL_FOG'\n"},
     {"glCombinerInputNV(GL_COMBINER0_NV, GL_BLUE, GL_FOG, GL_ONE, 5, GL_RGB);",
-     "f:1:36: GL_INVALID_ENUM: 'GL_BLUE' is no portion; expected GL_RGB or GL_ALPHA\n"
-     "f:1:45: GL_INVALID_ENUM: 'GL_FOG' is no variable\n"
-     "f:1:53: GL_INVALID_ENUM: 'GL_ONE' is no input register\n"
-     "f:1:61: GL_INVALID_ENUM: '5' is no input mapping\n"},
+     "f:1:36: GL_INVALID_ENUM: 'GL_BLUE' is not a valid portion; expected GL_RGB or GL_ALPHA\n"
+     "f:1:45: GL_INVALID_ENUM: 'GL_FOG' is not a valid variable\n"
+     "f:1:53: GL_INVALID_ENUM: 'GL_ONE' is not a valid input register\n"
+     "f:1:61: GL_INVALID_ENUM: '5' is not a valid input mapping\n"},
     {"\n glCombinerInputNV(GL_COMBINER2_NV, GL_RGB, GL_VARIABLE_E_NV, GL_FOG, GL_EXPAND_NORMAL_NV, GL_ALPHA);",
      "f:2:2: GL_INVALID_ENUM: general combiner 2, RGB portion, variable E: profile geforce2 has 2 general combiners\n"
      "f:2:2: GL_INVALID_ENUM: general combiner 2, RGB portion, variable E: a general combiner has the variables A to "
@@ -156,7 +157,7 @@ TEST(GlCallsFaults, AreOneForMegabytesOfNonsense) {
     EXPECT_LE(within.faults.size(), 2U) << c;
   }
   const std::string long_text(kMaxSourceBytes + 1, ' ');
-  EXPECT_EQ(faults_of(long_text), "f:1:1: the text has 16777217 bytes; at most 16777216 are read\n");
+  EXPECT_EQ(faults_of(long_text), "f:1:1: the text has 16777217 bytes; the limit is 16777216\n");
 }
 
 }  // namespace

@@ -159,16 +159,16 @@ TEST(JsonProfile, CodesMustFitTogether) {
             "mine.json:1:52: one is 255; with byte_shift 1 it must be 127, so that a byte of 255 is 1.0\n");
   EXPECT_EQ(
       faults_of(with("\n\"byte_shift\": 1, \"one\": 127")),
-      "mine.json:2:25: lowest of the base is -255, but with this one it must be -128 to -127; give it, too\n"
-      "mine.json:2:25: half of the base is 128, but with this one it must be 0 to 127; give it, too\n"
-      "mine.json:2:25: expand_offset of the base is 255, but with this one it must be 127 to 128; give it, too\n");
+      "mine.json:2:25: lowest of the base is -255, but with this value it must be -128 to -127; set it as well\n"
+      "mine.json:2:25: half of the base is 128, but with this value it must be 0 to 127; set it as well\n"
+      "mine.json:2:25: expand_offset of the base is 255, but with this value it must be 127 to 128; set it as well\n");
 }
 
 TEST(JsonProfile, EveryFaultHasItsPlace) {
   EXPECT_EQ(
       faults_of("{\n  \"base\": \"gefroce2\",\n  \"name\": \"nv2a\",\n  \"haf\": 3,\n  \"one\": \"255\",\n"
                 "  \"secondary_alpha\": \"two\",\n  \"blue_to_alpha\": 1, \"texture_units\": 2.0\n}"),
-      "mine.json:2:11: \"gefroce2\" is no shipped profile; there are geforce2, geforce2-early-truncation, "
+      "mine.json:2:11: \"gefroce2\" is not a shipped profile; expected one of geforce2, geforce2-early-truncation, "
       "geforce256-8bit, nv2a, ideal, float-shader\n"
       "mine.json:3:11: \"nv2a\" is the name of a shipped profile\n"
       "mine.json:4:3: unknown key \"haf\"; the keys here are ninebit, version, base, name, chip, arithmetic, one, "
@@ -178,7 +178,7 @@ TEST(JsonProfile, EveryFaultHasItsPlace) {
       "disabled_texture_alpha, secondary_alpha, fog_alpha_without_fog, subpixel_bits, "
       "vertex_color_mantissa_bits, polygon_offset_slope, color_interpolation, texture_weight_bits, dxt1_palette\n"
       "mine.json:5:10: one must be a whole number, not a string\n"
-      "mine.json:6:22: \"two\" is no secondary_alpha; there are one, as-given\n"
+      "mine.json:6:22: \"two\" is not a valid secondary_alpha; expected one of one, as-given\n"
       "mine.json:7:20: blue_to_alpha must be true or false, not a number\n"
       "mine.json:7:40: texture_units must be a whole number from 1 to 4\n");
   EXPECT_EQ(faults_of(with(R"("arithmetic": "exact", "half": 127)")),

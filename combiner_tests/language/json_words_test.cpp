@@ -47,10 +47,10 @@ TEST(JsonWords, EveryFaultHasItsPlace) {
     const char* message;
   };
   const Case cases[] = {
-      {"", 1, 1, "this is no JSON"},
+      {"", 1, 1, "not valid JSON"},
       {"[1]", 1, 1, "must be an object, not an array"},
       {"{\"ninebit\": \"program\"}", 1, 13, "must be \"register_words\" here"},
-      {"{\"version\": 2}", 1, 13, "version \"2\" is unknown"},
+      {"{\"version\": 2}", 1, 13, "version \"2\" is not supported"},
       {"{\"chip\": \"nv20\"}", 1, 10, "\"chip\" must be \"nv10\" here"},
       {"{\n\"RC_IN_RGB[0]\": \"08040000\"}", 2, 17, "RC_IN_RGB[0] must be a string such as"},
       {"{\"RC_IN_RGB[0]\": \"0x\"}", 1, 18, "must be a string such as"},
@@ -61,7 +61,7 @@ TEST(JsonWords, EveryFaultHasItsPlace) {
       {"{\"RC_IN_RGB[0]\": {}}", 1, 18, "whole number below 2^32"},
       {"{\"RC_IN_RGB[0]\": 0, \"RC_IN_RGB[0]\": 0}", 1, 21, "was given before"},
       {"{\"RC_IN_RGB[0]\": 0,\n\"rc_in_color0\": 0}", 2, 1, "given before, in line 1 as RC_IN_RGB[0]"},
-      {"{\"RC_IN_\\u0007\": 0}", 1, 2, "\"RC_IN_\\x07\" is no register word"},
+      {"{\"RC_IN_\\u0007\": 0}", 1, 2, "\"RC_IN_\\x07\" is not a register word"},
       {"{\"RC_IN_RGB[9]\": 0}", 1, 2, "beyond the words of NV10"},
       {"{\n \"RC_IN_RGB[0]\": \"0x06000000\"}", 2, 2, "register code 0x6"},
       {"{\n \"RC_OUT_RGB[0]\": \"0x00000ccc\"}", 2, 2, "GL_INVALID_OPERATION"},

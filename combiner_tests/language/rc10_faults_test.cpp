@@ -42,24 +42,24 @@ void expect(const std::vector<Rc10Fault>& cases, const HardwareProfile& profile 
 
 TEST(Rc10Faults, OfTheWholeProgram) {
   expect({
-      {"", "1:1: a program begins with !!RC1.0; expected nothing but blanks and comments before it\n"},
+      {"", "1:1: expected !!RC1.0 at the beginning; only blanks and comments may come before it\n"},
       {"; !!RC1.0 out.a = zero;",
-       "1:1: a program begins with !!RC1.0; expected nothing but blanks and comments before it\n"},
+       "1:1: expected !!RC1.0 at the beginning; only blanks and comments may come before it\n"},
       {"// a comment\n!!rc1.0 out.a = zero;",
-       "2:1: a program begins with !!RC1.0; expected nothing but blanks and comments before it\n"},
-      {"/* !!RC1.0 out.a = zero;", "1:1: the comment has no end; expected */\n"},
+       "2:1: expected !!RC1.0 at the beginning; only blanks and comments may come before it\n"},
+      {"/* !!RC1.0 out.a = zero;", "1:1: unterminated comment; expected */\n"},
       {"!!RC1.0", "1:8: expected out.rgb or out.a, but the text ends\n"},
       {"!!RC1.0 {rgb{spare0=tex0;}}\n", "2:1: expected out.rgb or out.a, but the text ends\n"},
       {"!!RC1.0 clamp_color_sum();", "1:27: expected out.rgb or out.a, but the text ends\n"},
-      {"!!RC1.0 out.a = zero; /* ", "1:23: the comment has no end; expected */\n"},
-      {"!!RC1.0 { rgb { /* ", "1:17: the comment has no end; expected */\n"},
+      {"!!RC1.0 out.a = zero; /* ", "1:23: unterminated comment; expected */\n"},
+      {"!!RC1.0 { rgb { /* ", "1:17: unterminated comment; expected */\n"},
   });
   expect({
       general("}", "2:1: expected a constant, a general combiner in braces, or out.rgb or out.a, found '}'\n"),
       general("}}}}", "2:1: expected a constant, a general combiner in braces, or out.rgb or out.a, found '}'\n"),
       general("hello;", "2:1: expected a constant, a general combiner in braces, or out.rgb or out.a, found 'hello'\n"),
-      general("out.a = zero; {rgb{spare0=tex0;}}", "2:15: general combiners stand before the final combiner\n"),
-      general("{rgb{spare0=tex0;}} const0=(0,0,0,0);", "2:21: constants stand before the general combiners\n"),
+      general("out.a = zero; {rgb{spare0=tex0;}}", "2:15: general combiners must come before the final combiner\n"),
+      general("{rgb{spare0=tex0;}} const0=(0,0,0,0);", "2:21: constants must come before the general combiners\n"),
       last("out.a = zero; }", "2:15: expected a statement of the final combiner, found '}'\n"),
   });
 }
@@ -70,7 +70,7 @@ TEST(Rc10Faults, OfConstants) {
       general("{const1=(0,0,0,0); const1=(1,1,1,1); rgb{spare0=tex0;}}",
               "2:20: the local constant 'const1' is set twice\n"),
       general("{rgb{spare0=tex0;} const1=(0,0,0,0);}",
-              "2:20: a general combiner's constants stand before its portions\n"),
+              "2:20: a general combiner's constants must come before its portions\n"),
       general("const0.rgb = (0,0,0,0);",
               "2:1: expected a constant, a general combiner in braces, or out.rgb or out.a, found 'const0.rgb'\n"),
       general("const0 = (0,0,0);", "2:16: expected ',', found ')'\n"),
@@ -81,7 +81,7 @@ TEST(Rc10Faults, OfConstants) {
       general("const0 = (., 0,0,0);", "2:11: expected a number without exponent, found '.'\n"),
   });
   expect({general("{const1=(0,0,0,0); rgb{spare0=tex0;}}",
-                  "2:2: GL_INVALID_ENUM: profile geforce2 has no constants of a general combiner's own "
+                  "2:2: GL_INVALID_ENUM: profile geforce2 has no per-stage constants "
                   "(NV_register_combiners2)\n")},
          profiles::geforce2);
 }
@@ -90,7 +90,7 @@ TEST(Rc10Faults, OfStages) {
   expect({
       general("{}", "2:2: expected an rgb or alpha portion, found '}'\n"),
       general("{rgb{}}", "2:6: expected a statement, found '}'\n"),
-      general("{rgb{spare0=tex0;} rgb{spare1=tex0;}}", "2:20: the general combiner has an rgb portion already\n"),
+      general("{rgb{spare0=tex0;} rgb{spare1=tex0;}}", "2:20: the general combiner already has an rgb portion\n"),
       general("{spare0=tex0;}",
               "2:2: expected rgb, alpha or a constant, found 'spare0'\n"
               "2:14: expected an rgb or alpha portion, found '}'\n"),
@@ -101,7 +101,7 @@ TEST(Rc10Faults, OfStages) {
        "1:39: expected out.rgb or out.a, but the text ends\n"},
   });
   expect({general("{rgb{spare0=tex0;}}{rgb{spare0=tex0;}}{rgb{x}}{rgb{y}}",
-                  "2:39: GL_INVALID_VALUE: profile geforce2 has 2 general combiners, and this is one more\n")},
+                  "2:39: GL_INVALID_VALUE: too many general combiners; profile geforce2 has 2\n")},
          profiles::geforce2);
   expect({rgb("spare0 = tex1 * tex2;\ntex3 = tex0;",
               "3:17: GL_INVALID_ENUM: 'tex2' is beyond the 2 texture units of profile geforce2\n"
@@ -120,7 +120,7 @@ TEST(Rc10Faults, OfStatements) {
       rgb("spare0 = tex0 * ;\nspare1 = tex4;\ncol0 = sum();",
           "3:17: expected a register to read, found ';'\n"
           "4:10: expected a register to read, found 'tex4'\n"
-          "5:8: 'sum' stands after two products; 'discard = zero;' can be one\n"),
+          "5:8: 'sum' must come after two products; 'discard = zero;' can be one\n"),
       rgb("spare0 = tex0.r;", "3:15: expected a register to read, found 'r'\n"),
       rgb("spare0 = tex0.alpha;", "3:10: expected a register to read, found 'tex0.alpha'\n"),
       rgb("spare0 = tex0.rgba;", "3:10: expected a register to read, found 'tex0.rgba'\n"),
@@ -133,24 +133,24 @@ TEST(Rc10Faults, OfStatements) {
       rgb("spare0 = tex0 * 0.5;", "3:17: expected a register to read, found '0.5'\n"),
       rgb("spare0 = tex0 @ tex1;", "3:15: expected ';', found '@'\n"),
       rgb("spare0 = tex0; scale_by_two(); spare1 = tex1;",
-          "3:32: a portion's scale and bias are its last statement, and there is one at most\n"),
+          "3:32: scale and bias must be the last statement of a portion, and there can be only one\n"),
       rgb("spare0 = tex0; scale_by_two(); scale_by_four();",
-          "3:32: a portion's scale and bias are its last statement, and there is one at most\n"),
+          "3:32: scale and bias must be the last statement of a portion, and there can be only one\n"),
       rgb("spare0 = tex0; scale_by_two;", "3:28: expected '(', found ';'\n"),
       rgb("spare0 = tex0; scale_by_eight();",
           "3:16: expected a register to write, or a scale, found 'scale_by_eight'\n"),
       rgb("spare0 = tex0; spare1 = tex0; col0 = tex0;",
-          "3:38: a portion has two products at most, then sum() or mux()\n"),
-      rgb("spare0 = sum();", "3:10: 'sum' stands after two products; 'discard = zero;' can be one\n"),
-      rgb("spare0 = tex0; spare1 = mux();", "3:25: 'mux' stands after two products; 'discard = zero;' can be one\n"),
+          "3:38: a portion has at most two products, then sum() or mux()\n"),
+      rgb("spare0 = sum();", "3:10: 'sum' must come after two products; 'discard = zero;' can be one\n"),
+      rgb("spare0 = tex0; spare1 = mux();", "3:25: 'mux' must come after two products; 'discard = zero;' can be one\n"),
       rgb("spare0 = tex0 . tex1; spare1 = tex0; col0 = sum();",
-          "3:45: the language has no sum() after a dot product\n"),
+          "3:45: !!RC1.0 does not allow sum() after a dot product\n"),
       rgb("spare0 = tex0; spare1 = tex0 . tex1; col0 = mux();",
-          "3:45: the language has no mux() after a dot product\n"),
+          "3:45: !!RC1.0 does not allow mux() after a dot product\n"),
       rgb("spare0 = tex0; spare1 = tex0; col0 = sum(); col1 = mux();",
-          "3:52: a portion has one sum() or mux() at most\n"),
+          "3:52: a portion has at most one sum() or mux()\n"),
       rgb("spare0 = tex0; discard = tex0; col0 = sum(); col1 = tex0;",
-          "3:53: sum() or mux() is the last output of a portion\n"),
+          "3:53: sum() or mux() must be the last output of a portion\n"),
   });
 }
 
@@ -167,47 +167,49 @@ TEST(Rc10Faults, OfRegistersInGeneralCombiners) {
       rgb("discard = tex0; discard = tex1; discard = sum();", ""),
       rgb("spare0 = discard;", "3:10: GL_INVALID_ENUM: discard cannot be read\n"),
       rgb("spare0 = tex0.b * col0.a;",
-          "3:10: GL_INVALID_OPERATION: 'tex0.b' in an rgb portion, where .rgb and .a may be used\n"),
+          "3:10: GL_INVALID_OPERATION: 'tex0.b' cannot be used in an rgb portion; expected .rgb or .a\n"),
       rgb("spare0.b = tex0;",  // GL is not told the suffix of what is written
-          "3:1: 'spare0.b' in an rgb portion, where .rgb and .a may be used\n"),
+          "3:1: 'spare0.b' cannot be used in an rgb portion; expected .rgb or .a\n"),
       rgb("spare0 = fog.a;", "3:10: GL_INVALID_OPERATION: fog's alpha can be read by the final combiner alone\n"),
       alpha("spare0 = fog;", "3:10: GL_INVALID_OPERATION: fog's alpha can be read by the final combiner alone\n"),
       alpha("spare0 = tex0.rgb;",
-            "3:10: GL_INVALID_OPERATION: 'tex0.rgb' in an alpha portion, where .a and .b may be used\n"),
-      alpha("spare0.rgb = tex0;", "3:1: 'spare0.rgb' in an alpha portion, where .a and .b may be used\n"),
+            "3:10: GL_INVALID_OPERATION: 'tex0.rgb' cannot be used in an alpha portion; expected .a or .b\n"),
+      alpha("spare0.rgb = tex0;", "3:1: 'spare0.rgb' cannot be used in an alpha portion; expected .a or .b\n"),
       alpha("spare0 = tex0 . tex1;", "3:15: GL_INVALID_VALUE: an alpha portion has no dot product\n"),
   });
 }
 
 TEST(Rc10Faults, OfTheFinalCombiner) {
   expect({
-      last("out.a = zero; out.a = one;", "2:15: 'out.a' stands twice\n"),
-      last("out.rgb = zero; out.rgb = one;", "2:17: 'out.rgb' stands twice\n"),
-      last("clamp_color_sum(); clamp_color_sum(); out.a = zero;", "2:20: 'clamp_color_sum' stands twice\n"),
-      last("out.a = zero; final_product = tex0 * tex1;", "2:15: 'final_product' stands before out.rgb and out.a\n"),
+      last("out.a = zero; out.a = one;", "2:15: 'out.a' appears twice\n"),
+      last("out.rgb = zero; out.rgb = one;", "2:17: 'out.rgb' appears twice\n"),
+      last("clamp_color_sum(); clamp_color_sum(); out.a = zero;", "2:20: 'clamp_color_sum' appears twice\n"),
+      last("out.a = zero; final_product = tex0 * tex1;", "2:15: 'final_product' must come before out.rgb and out.a\n"),
       last("out.b = zero;",
            "2:1: expected a constant, a general combiner in braces, or out.rgb or out.a, found 'out.b'\n"
            "2:14: expected out.rgb or out.a, but the text ends\n"),
       last("out.rgb = -tex0;",
-           "2:11: the final combiner has the mappings unsigned and unsigned_invert alone, not '-'\n"),
+           "2:11: the final combiner has only the mappings unsigned and unsigned_invert, not '-'\n"),
       last("out.a = expand(tex0);",
-           "2:9: the final combiner has the mappings unsigned and unsigned_invert alone, not 'expand'\n"),
+           "2:9: the final combiner has only the mappings unsigned and unsigned_invert, not 'expand'\n"),
       last("out.rgb = tex0 + tex1 * tex2;", "2:23: expected ';', found '*'\n"),
       last("out.rgb = tex0 * tex1 * tex2;", "2:23: expected ';', found '*'\n"),
       last("out.rgb = lerp(tex0, tex1);", "2:26: expected ',', found ')'\n"),
       last("out.rgb = lerp(tex0, tex1, tex2) * col0;", "2:34: expected ';', found '*'\n"),
       last("out.rgb = discard; out.a = discard;",
            "2:11: GL_INVALID_ENUM: 'discard' cannot be read\n2:28: GL_INVALID_ENUM: 'discard' cannot be read\n"),
-      last("out.rgb = tex0.b;", "2:11: GL_INVALID_OPERATION: 'tex0.b' in out.rgb, where .rgb and .a may be used\n"),
-      last("out.a = tex0.rgb;", "2:9: GL_INVALID_OPERATION: 'tex0.rgb' in out.a, where .a and .b may be used\n"),
+      last("out.rgb = tex0.b;",
+           "2:11: GL_INVALID_OPERATION: 'tex0.b' cannot be used in out.rgb; expected .rgb or .a\n"),
+      last("out.a = tex0.rgb;", "2:9: GL_INVALID_OPERATION: 'tex0.rgb' cannot be used in out.a; expected .a or .b\n"),
       last("out.a = color_sum;", "2:9: GL_INVALID_OPERATION: 'color_sum' has no alpha, which out.a needs\n"),
       last("final_product = tex0 * tex1; out.a = final_product;",
            "2:38: GL_INVALID_OPERATION: 'final_product' has no alpha, which out.a needs\n"),
       last("final_product = color_sum * tex0.b; out.a = zero;",
-           "2:17: GL_INVALID_OPERATION: 'color_sum' is no input of final_product\n"
-           "2:29: GL_INVALID_OPERATION: 'tex0.b' in final_product, where .rgb and .a may be used\n"),
+           "2:17: GL_INVALID_OPERATION: 'color_sum' is not a valid input of final_product\n"
+           "2:29: GL_INVALID_OPERATION: 'tex0.b' cannot be used in final_product; expected .rgb or .a\n"),
       last("final_product = final_product * discard; out.a = zero;",
-           "2:17: GL_INVALID_OPERATION: 'final_product' is no input of final_product\n2:33: GL_INVALID_ENUM: 'discard' "
+           "2:17: GL_INVALID_OPERATION: 'final_product' is not a valid input of final_product\n2:33: GL_INVALID_ENUM: "
+           "'discard' "
            "cannot be read\n"),
       last("final_product = tex0; out.a = zero;", "2:21: expected '*', found ';'\n"),
       last("out.rgb = tex0 * final_product;", "2:18: final_product is used but not set\n"),
@@ -237,7 +239,7 @@ TEST(Rc10Faults, AreFewForMegabytesOfNonsense) {
     }
   }
   EXPECT_EQ(faults_of(std::string(kMaxSourceBytes + 1, '{'), profiles::nv2a),
-            "1:1: the text has 16777217 bytes; at most 16777216 are read\n");
+            "1:1: the text has 16777217 bytes; the limit is 16777216\n");
 }
 
 }  // namespace

@@ -96,13 +96,13 @@ TEST(Rc10RoundTrip, SaysWhatTheLanguageLacks) {
   const auto text = print_rc10(state, profiles::geforce2);
   ASSERT_FALSE(text);
   EXPECT_EQ(text.error().message,
-            "!!RC1.0 has no words for this: general combiner 0, RGB portion: sum() beside a dot product");
+            "!!RC1.0 cannot express this: general combiner 0, RGB portion: sum() beside a dot product");
   CombinerState chosen;
   chosen.mux_by_lowest_bit = chosen.general[0].rgb.out.mux_sum = true;
   const auto by_bit = print_rc10(chosen, profiles::nv2a);
   ASSERT_FALSE(by_bit);
   EXPECT_EQ(by_bit.error().message,
-            "!!RC1.0 has no words for this: mux by the lowest bit of spare0's alpha (general combiner 0)");
+            "!!RC1.0 cannot express this: mux by the lowest bit of spare0's alpha (general combiner 0)");
   state.general[0].rgb.out.sum = Register::discard;
   EXPECT_TRUE(print_rc10(state, profiles::geforce2)) << "a flag whose product nothing uses";
   state.final_combiner.a.mapping = InputMapping::signed_negate;

@@ -264,11 +264,11 @@ const WordFault kFaults[] = {
     {k10, "\x80", 1, 1, "the byte 0x80"},
     {k10, "{\"RC_IN_RGB[0]\": 0}", 1, 1, "found '{'"},
     // Names.
-    {k10, "RC_IN_GREEN[0] = 0x0", 1, 1, "is no register word of NV10"},
+    {k10, "RC_IN_GREEN[0] = 0x0", 1, 1, "is not a register word of NV10"},
     {k10, "RC_IN_RGB = 0x0", 1, 1, "needs an index from 0 to 1, as in RC_IN_RGB[0]"},
     {k10, "RC_IN_RGB[2] = 0x0", 1, 1, "beyond the words of NV10"},
     {k20, "RC_IN_RGB[8] = 0x0", 1, 1, "beyond the words of NV20"},
-    {k10, "RC_ENABLE = 0x1", 1, 1, "is a word of NV20; NV10 has none such"},
+    {k10, "RC_ENABLE = 0x1", 1, 1, "is a word of NV20, not of NV10"},
     {k10, "RC_COLOR[0] = 0x0\nRC_FACTOR[0] = 0x0", 2, 1, "was given before, in line 1 as RC_COLOR[0]"},
     // Masks and reserved codes.
     {k10, "RC_IN_RGB[0] = 0x06000000", 1, 1, "variable A (bits 27..24) has the register code 0x6"},
@@ -290,9 +290,9 @@ const WordFault kFaults[] = {
     {k10, "RC_OUT_RGB[1] = 0x98000c00", 1, 1, "bit 31 must be 0; the mask of the word is 0x3803ffff"},
     {k10, "RC_OUT_RGB[1] = 0x08000c00", 1, 1, "are 0; NV10 has 1 or 2"},
     {k10, "RC_OUT_RGB[1] = 0x38000c00", 1, 1, "are 3; NV10 has 1 or 2"},
-    {k10, "RC_OUT_RGB[0] = 0x000000a0", 1, 1, "AB (bits 7..4) goes to the register code 0xa"},
-    {k10, "RC_OUT_RGB[0] = 0x00000003", 1, 1, "CD (bits 3..0) goes to the register code 0x3"},
-    {k10, "RC_OUT_ALPHA[0] = 0x00000100", 1, 1, "the sum (bits 11..8) goes to the register code 0x1"},
+    {k10, "RC_OUT_RGB[0] = 0x000000a0", 1, 1, "AB (bits 7..4) has the destination code 0xa"},
+    {k10, "RC_OUT_RGB[0] = 0x00000003", 1, 1, "CD (bits 3..0) has the destination code 0x3"},
+    {k10, "RC_OUT_ALPHA[0] = 0x00000100", 1, 1, "the sum (bits 11..8) has the destination code 0x1"},
     {k20, "RC_OUT_ALPHA[0] = 0x00000e00", 1, 1, "0xe, which cannot be written"},
     {k10, "RC_OUT_ALPHA[0] = 0x00003c00", 1, 1, "bits 13 and 12: an alpha portion has no dot product"},
     {k10, "RC_OUT_RGB[0] = 0x00028c00", 1, 1, "bits 17..15 are 5"},
@@ -343,7 +343,7 @@ TEST(RegisterWords, WhatNv10CannotHold) {
   EXPECT_EQ(lacks({}), "nothing");
   CombinerState state;
   state.num_general_combiners = 3;
-  EXPECT_NE(lacks(state).find("NV10 has 2 general combiners, the program uses 3"), std::string::npos);
+  EXPECT_NE(lacks(state).find("NV10 has 2 general combiners, but the program uses 3"), std::string::npos);
   state = {};
   state.per_stage_constants = true;
   EXPECT_NE(lacks(state).find("no constants of a stage"), std::string::npos);

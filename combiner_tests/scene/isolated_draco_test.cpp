@@ -86,7 +86,7 @@ TEST(IsolatedDraco, LimitsMemory) {
               mesh.positions.resize(std::size_t{1} << 32U);
               return mesh;
             }),
-            "Draco's reader asked for more than 1024 MiB");
+            "Draco's reader needed more than 1024 MiB");
 }
 
 TEST(IsolatedDraco, IsStoppedByTheCaller) {

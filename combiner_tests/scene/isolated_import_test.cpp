@@ -80,7 +80,7 @@ TEST(IsolatedImport, LimitsMemory) {
               imported.scene.positions.resize(std::size_t{1} << 32U);
               return imported;
             }),
-            "Assimp's 3DS reader asked for more than 1024 MiB");
+            "Assimp's 3DS reader needed more than 1024 MiB");
 }
 
 TEST(IsolatedImport, OpensNoFileAndNoSocket) {

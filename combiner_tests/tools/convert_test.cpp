@@ -99,7 +99,7 @@ TEST(Convert, WhatOpenGlLacksComesOnlyThroughWordsJsonAndCode) {
   expect_error(ninebit({"convert", words, "--to", "gl", "--profile", "nv2a"}), 3,
                {"x.words", "cannot be written as gl: OpenGL has no " + lacks});
   expect_error(ninebit({"convert", words, "--to", "rc10", "--profile", "nv2a"}), 3,
-               {"cannot be written as rc10: !!RC1.0 has no words for this: " + lacks});
+               {"cannot be written as rc10: !!RC1.0 cannot express this: " + lacks});
   const Outcome json = ninebit({"convert", words, "--to", "json", "--profile", "nv2a"});
   ASSERT_EQ(json.code, 0) << json.err;
   const std::string file = write_bytes(folder / "x.json", json.out);

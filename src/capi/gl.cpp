@@ -6,8 +6,8 @@ namespace {
 using ninebit::GlError;
 namespace gl = ninebit::gl;
 
-// Makes the calls of `body` on the state; gives the error that they raised. Setters allocate only to say what is wrong,
-// and GL has an error of its own for that.
+// Runs `body` with the state's context current and returns the GL error that it raised. Setters allocate only for
+// diagnostics; if that fails, the result is GL_OUT_OF_MEMORY.
 template <class Body>
 unsigned on(ninebit_state* state, const Body& body) noexcept {
   constexpr unsigned kOutOfMemory = 0x0505;  // GL_OUT_OF_MEMORY

@@ -1,4 +1,4 @@
-// What stands behind the handles of the C interface, and the way from C++ results to its own.
+// The structures behind the handles of the C interface, and the conversion of C++ results to C results.
 #pragma once
 
 #include <cstring>
@@ -20,7 +20,7 @@ struct ninebit_state {
 };
 
 struct ninebit_program {
-  const ninebit::HardwareProfile* profile;  // a shipped one, which lives as long as the program that runs
+  const ninebit::HardwareProfile* profile;  // a shipped profile, which lives as long as the process
   ninebit::Program program;
   ninebit::BatchProgram batch;
 };
@@ -40,7 +40,7 @@ namespace ninebit::capi {
   return copy;
 }
 
-// Sets what a failing function leaves behind; gives `result`.
+// Sets the error text of a failing function and returns `result`.
 inline ninebit_result fail(ninebit_result result, std::string_view message, char** error) noexcept {
   if (error != nullptr) *error = copy_text(message);
   return result;
@@ -52,13 +52,13 @@ inline ninebit_result invalid_input(std::string_view message, char** error) noex
   return fail(NINEBIT_INVALID_INPUT, message, error);
 }
 
-// Hands a text out.
+// Returns a copy of the text through `out`.
 inline ninebit_result give(std::string_view text, char** out, char** error) noexcept {
   *out = copy_text(text);
   return *out != nullptr ? NINEBIT_OK : fail(NINEBIT_OUT_OF_MEMORY, "out of memory", error);
 }
 
-// Runs a function's body so that nothing is thrown into C. `error` is empty where the body ends well.
+// Runs a function's body and converts exceptions to results. `error` is NULL if the body succeeds.
 template <class Body>
 ninebit_result guarded(char** error, const Body& body) noexcept {
   if (error != nullptr) *error = nullptr;
@@ -73,13 +73,13 @@ ninebit_result guarded(char** error, const Body& body) noexcept {
   }
 }
 
-// The sizes that structures had in their first version.
+// The sizes of the structures in their first version.
 inline constexpr std::size_t kRegistersSize = sizeof(ninebit_registers);
 inline constexpr std::size_t kInputsSize = sizeof(ninebit_inputs);
 inline constexpr std::size_t kPlanesSize = sizeof(ninebit_planes);
 inline constexpr std::size_t kDiagnosticSize = sizeof(ninebit_diagnostic);
 
-// A fragment's registers, or the result for an argument that is none: NULL, too short, codes out of range.
+// Reads a fragment's registers; NINEBIT_WRONG_ARGUMENT for NULL, a structure that is too short and a code out of range.
 [[nodiscard]] ninebit_result read_registers(const ninebit_program& program, const ninebit_registers* from,
                                             RegisterFile& to, char** error);
 

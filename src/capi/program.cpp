@@ -1,4 +1,4 @@
-// Programs: compiled, run over one fragment or many, traced, written as GLSL.
+// Programs: compile, evaluate for one fragment or many, trace, emit GLSL.
 #include <algorithm>
 #include <memory>
 
@@ -17,7 +17,7 @@ namespace ninebit::capi {
 namespace {
 
 constexpr bool is_read(std::size_t reg) {
-  return reg >= NINEBIT_FOG;  // not zero and the constants
+  return reg >= NINEBIT_FOG;  // all but zero and the constants
 }
 
 bool in_range(const Program& program, int code) {
@@ -25,8 +25,8 @@ bool in_range(const Program& program, int code) {
 }
 
 ninebit_result out_of_range(const Program& program, int code, char** error) {
-  return wrong_argument("a code is " + std::to_string(code) + "; expected " + std::to_string(program.datapath.lowest) +
-                            " to " + std::to_string(program.datapath.one),
+  return wrong_argument("code " + std::to_string(code) + " is out of range; expected " +
+                            std::to_string(program.datapath.lowest) + " to " + std::to_string(program.datapath.one),
                         error);
 }
 
@@ -34,7 +34,7 @@ void write_registers(const RegisterFile& from, ninebit_registers& to) {
   for (std::size_t r = 0; r < kRegisterCount; ++r) std::copy(from.value[r].begin(), from.value[r].end(), to.code[r]);
 }
 
-// Whether every code of the planes is in range.
+// NINEBIT_OK if every code of the planes is in range.
 ninebit_result check(const Program& program, const ninebit_planes& planes, char** error) {
   for (std::size_t r = NINEBIT_FOG; r < kRegisterCount; ++r) {
     for (const int16_t* const plane : planes.input[r]) {

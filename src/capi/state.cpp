@@ -1,4 +1,4 @@
-// States: made, read, printed, judged.
+// States: create, parse, print, validate.
 #include <array>
 #include <optional>
 #include <span>
@@ -12,12 +12,12 @@
 namespace ninebit::capi {
 namespace {
 
-// The shipped profile of a name, or nullptr and the reason.
+// The shipped profile with that name, or nullptr with `error` set.
 const HardwareProfile* profile_of(const char* name, char** error) {
   const std::string_view wanted = name == nullptr ? profiles::geforce2.name : std::string_view(name);
   const HardwareProfile* const found = find_profile(wanted);
   if (found == nullptr) {
-    std::string message = "there is no profile '" + std::string(wanted) + "'; expected one of";
+    std::string message = "unknown profile '" + std::string(wanted) + "'; expected one of";
     for (const HardwareProfile& profile : hardware_profiles()) message += ' ' + std::string(profile.name);
     (void)wrong_argument(message, error);
   }
@@ -111,7 +111,7 @@ ninebit_result ninebit_state_parse(const char* profile, int form, const char* te
     if (state == nullptr) return wrong_argument("state is NULL", error);
     *state = nullptr;
     if (text == nullptr && length > 0) return wrong_argument("text is NULL", error);
-    if (!is_form(form)) return wrong_argument("form is none of ninebit_form", error);
+    if (!is_form(form)) return wrong_argument("form is not a value of ninebit_form", error);
     const auto* const found = profile_of(profile, error);
     if (found == nullptr) return NINEBIT_WRONG_ARGUMENT;
     const std::string_view source = text == nullptr ? std::string_view() : std::string_view(text, length);
@@ -125,13 +125,14 @@ ninebit_result ninebit_state_from_words(const char* profile, int chip, const nin
     if (state == nullptr) return wrong_argument("state is NULL", error);
     *state = nullptr;
     if (words == nullptr && count > 0) return wrong_argument("words is NULL", error);
-    if (chip != NINEBIT_CHIP_NV10 && chip != NINEBIT_CHIP_NV20) return wrong_argument("chip is no chip", error);
+    if (chip != NINEBIT_CHIP_NV10 && chip != NINEBIT_CHIP_NV20)
+      return wrong_argument("chip is not a value of ninebit_chip", error);
     const auto* const found = profile_of(profile, error);
     if (found == nullptr) return NINEBIT_WRONG_ARGUMENT;
     std::vector<ninebit::RegisterWord> named;
     for (size_t i = 0; i < count; ++i) {
       if (words[i].name == nullptr) return wrong_argument("the name of a word is NULL", error);
-      // As a place, a word's number: the first one stands in line 1.
+      // The place of a word is its number: the first word is in line 1.
       named.push_back({words[i].name, words[i].value, {static_cast<int>(i) + 1, 1}});
     }
     const auto kind = chip == NINEBIT_CHIP_NV10 ? ninebit::ChipClass::nv10 : ninebit::ChipClass::nv20;
@@ -158,7 +159,7 @@ ninebit_result ninebit_state_print(const ninebit_state* state, int form, char** 
     if (text == nullptr) return wrong_argument("text is NULL", error);
     *text = nullptr;
     if (state == nullptr) return wrong_argument("state is NULL", error);
-    if (!is_form(form)) return wrong_argument("form is none of ninebit_form", error);
+    if (!is_form(form)) return wrong_argument("form is not a value of ninebit_form", error);
     const auto printed = print(form, state->context.state(), state->context.profile());
     if (!printed) return invalid_input(printed.error().text(), error);
     return give(*printed, text, error);

@@ -38,8 +38,8 @@ Name name_of_key(const std::string& key) {
     if (key.size() == dot + 2 && component != std::string_view::npos) return {r, component};
   }
   throw Error{"'" + key +
-              "' is no register; expected fog, primary, secondary, spare0, spare1, tex0 to tex3, alone or with " +
-              ".r, .g, .b, .a"};
+              "' is not a register; expected fog, primary, secondary, spare0, spare1, tex0 to tex3, alone or with " +
+              ".r, .g, .b or .a"};
 }
 
 bool starts_at_one(std::size_t reg, std::size_t component) {
@@ -53,7 +53,7 @@ void check_code(const Program& program, int code, const std::string& key) {
               " to " + std::to_string(program.datapath.one)};
 }
 
-// --- What dictionaries hold, as C++ has it.
+// --- Dictionary contents as C++ values.
 
 std::string key_of(py::handle key) {
   if (!py::isinstance<py::str>(key)) {
@@ -70,16 +70,16 @@ Codes codes_of(py::handle value, const std::string& key, const char* expected) t
   throw py::type_error(key + " must be " + expected + ", not " + type_of(value));
 }
 
-// --- Planes of NumPy arrays: read where they lie.
+// --- Planes of NumPy arrays, read in place.
 
 using Array = py::array_t<s9, py::array::c_style>;
 
 struct Plane {
   const s9* from = nullptr;  // nullptr: the default
-  std::string key{};         // under which the caller has it
+  std::string key{};         // the caller's key
 };
 
-// Other threads may change the dictionary meanwhile, so the arrays are held here. To be destroyed with the GIL.
+// Holds the arrays, because other threads may change the dictionary meanwhile. Must be destroyed with the GIL held.
 struct Planes {
   std::array<std::array<Plane, 4>, kRegisterCount> plane{};
   std::vector<Array> arrays{};
@@ -113,8 +113,9 @@ Planes planes_of(const py::dict& inputs) {
     }
     if (!whole) planes.plane[name.reg][*name.component] = {array.data(), key};
   }
-  if (first) throw py::value_error("there are no inputs, and so no number of fragments");
-  // As `ninebit eval` has it: spare0's alpha starts as texture 0's.
+  if (first)
+    throw py::value_error("there are no inputs; expected at least one array, which gives the number of fragments");
+  // As in `ninebit eval`, spare0's alpha starts as texture 0's.
   Plane& spare0_alpha = planes.plane[static_cast<std::size_t>(Register::spare0)][kAlpha];
   if (spare0_alpha.from == nullptr) spare0_alpha = planes.plane[static_cast<std::size_t>(Register::texture0)][kAlpha];
   return planes;
@@ -132,7 +133,7 @@ void take(const Plane& plane, std::size_t begin, std::size_t count, const Progra
   check_code(program, most, plane.key);
 }
 
-// The color planes, and those of all registers where they are wanted.
+// Computes the color planes, and those of all registers if `after` is not null.
 void run(const RunnableProgram& program, const BatchProgram& batch, const Planes& planes, s9* color, s9* after) {
   const auto registers = std::make_unique<RegisterBatch>();
   const auto out = std::make_unique<OutputBatch>();

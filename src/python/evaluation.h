@@ -7,7 +7,7 @@
 
 namespace ninebit::python {
 
-// The methods of ninebit.Program; src/python/ninebit/__init__.pyi says what they take and give.
+// The methods of ninebit.Program; src/python/ninebit/__init__.pyi declares their arguments and results.
 [[nodiscard]] pybind11::array_t<s9> evaluate(const RunnableProgram& program, const pybind11::dict& inputs);
 [[nodiscard]] pybind11::dict evaluate_registers(const RunnableProgram& program, const pybind11::dict& inputs);
 [[nodiscard]] pybind11::object traced(const RunnableProgram& program, const pybind11::dict& registers);

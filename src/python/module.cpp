@@ -13,7 +13,7 @@ namespace ninebit::python {
 const HardwareProfile& profile_named(const std::string& name) {
   const HardwareProfile* const found = find_profile(name);
   if (found != nullptr) return *found;
-  std::string message = "there is no profile '" + name + "'; expected one of";
+  std::string message = "unknown profile '" + name + "'; expected one of";
   for (const HardwareProfile& profile : hardware_profiles()) message += ' ' + std::string(profile.name);
   throw Error{message};
 }
@@ -23,9 +23,9 @@ const HardwareProfile& profile_named(const std::string& name) {
 PYBIND11_MODULE(_ninebit, module) {
   using namespace ninebit;
   module.doc() = "GeForce 2 register combiners to the bit, and the shadow techniques built on them.";
-  // Never freed: the interpreter may end before this module's statics do.
+  // Never freed: the interpreter may end before this module's statics are destroyed.
   static PyObject* const error =
-      PyErr_NewExceptionWithDoc("ninebit.Error", "A wrong program, state or file.", PyExc_ValueError, nullptr);
+      PyErr_NewExceptionWithDoc("ninebit.Error", "An invalid program, state or file.", PyExc_ValueError, nullptr);
   module.attr("Error") = py::handle(error);
   // NOLINTNEXTLINE(performance-unnecessary-value-param): the function's type is pybind11's
   py::register_exception_translator([](std::exception_ptr fault) {

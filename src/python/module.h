@@ -1,5 +1,5 @@
-// What the parts of the Python module share. `import ninebit` is the package in src/python/ninebit; this is its module
-// _ninebit.
+// Shared by the parts of the Python module. `import ninebit` loads the package in src/python/ninebit; this is its
+// extension module, _ninebit.
 #pragma once
 
 #include <pybind11/pybind11.h>
@@ -15,27 +15,27 @@
 
 namespace ninebit::python {
 
-// What the package raises for wrong programs, states and files: ninebit.Error, a ValueError.
+// Raised as ninebit.Error, a ValueError, for invalid programs, states and files.
 struct Error {
   std::string message;
 };
 
-// The shipped profile of a name, or Error.
+// The shipped profile with that name; throws Error if there is none.
 [[nodiscard]] const HardwareProfile& profile_named(const std::string& name);
 
-// The technique of a name, or Error.
+// The technique with that name; throws Error if there is none.
 [[nodiscard]] const Technique& technique_named(const std::string& name);
 
-// Where a scene is seen and lit from; without a value as the file says, or as complete_scene() chooses.
+// The camera and light of a scene. A missing value is taken from the file, or chosen by complete_scene().
 using Point = std::array<float, 3>;
 struct View {
   std::optional<Point> camera, look_at;
   std::optional<float> fov;  // degrees
   std::optional<Point> light;
-  bool allow_outside = false;  // files that the scene names may stand anywhere
+  bool allow_outside = false;  // the scene may name files outside its folder
 };
 
-// A file's scene, complete for a picture of this width and height, or Error.
+// The scene of a file, completed for a picture of this width and height; throws Error if that fails.
 [[nodiscard]] Scene scene_for(const Technique& technique, const std::string& file, const std::pair<int, int>& size,
                               const View& view);
 

@@ -1,4 +1,4 @@
-// What stands behind ninebit.State and ninebit.Program.
+// The C++ objects behind ninebit.State and ninebit.Program.
 #pragma once
 
 #include <pybind11/pybind11.h>
@@ -23,7 +23,8 @@ struct RunnableProgram {
 
 }  // namespace ninebit::python
 
-// pybind11 gives raw memory for an object whose __init__ never ran, as after Program.__new__(Program).
+// pybind11 returns uninitialized memory for an object whose __init__ never ran, as after Program.__new__(Program); this
+// caster throws a TypeError instead.
 namespace pybind11::detail {
 
 template <class T>

@@ -1,4 +1,4 @@
-// States and programs: read, printed, judged.
+// States and programs: parse, print, validate, compile.
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 
@@ -36,8 +36,9 @@ State parse(const std::string& text, const std::string& form, const std::string&
                       : form == "rc10"       ? parse_rc10(source, profile)
                       : form == "words"      ? parse_register_words(source, chip_of(profile), profile)
                       : form == "words-json" ? parse_json_register_words(source, chip_of(profile), profile)
-                      : form == "json"       ? parse_json_program(source, profile)
-                                             : throw Error{"form is 'gl', 'rc10', 'words', 'words-json' or 'json'"};
+                      : form == "json"
+                          ? parse_json_program(source, profile)
+                          : throw Error{"unknown form; expected 'gl', 'rc10', 'words', 'words-json' or 'json'"};
   if (parsed) return {*parsed.value, &profile};
   std::string faults;
   for (const TextFault& fault : parsed.faults) faults += (faults.empty() ? "" : "\n") + fault.text();
@@ -47,11 +48,12 @@ State parse(const std::string& text, const std::string& form, const std::string&
 std::string print(const State& state, const std::string& form) {
   const HardwareProfile& profile = *state.profile;
   if (form == "json") return print_json_program(state.state);
-  const auto text = form == "gl"           ? print_gl_calls(state.state, profile)
-                    : form == "rc10"       ? print_rc10(state.state, profile)
-                    : form == "words"      ? print_register_words(state.state, chip_of(profile), profile)
-                    : form == "words-json" ? print_json_register_words(state.state, chip_of(profile), profile)
-                                           : throw Error{"form is 'gl', 'rc10', 'words', 'words-json' or 'json'"};
+  const auto text = form == "gl"      ? print_gl_calls(state.state, profile)
+                    : form == "rc10"  ? print_rc10(state.state, profile)
+                    : form == "words" ? print_register_words(state.state, chip_of(profile), profile)
+                    : form == "words-json"
+                        ? print_json_register_words(state.state, chip_of(profile), profile)
+                        : throw Error{"unknown form; expected 'gl', 'rc10', 'words', 'words-json' or 'json'"};
   if (!text) throw Error{text.error().text()};
   return *text;
 }
@@ -81,23 +83,25 @@ RunnableProgram compiled(const State& state) {
 }  // namespace
 
 void add_programs(py::module_& module) {
-  py::class_<State>(module, "State", "The combiners as OpenGL holds them, and the profile they are of.")
+  py::class_<State>(module, "State", "The combiner state of OpenGL, and its hardware profile.")
       .def(py::init([](const std::string& profile) {
              return State{{}, &profile_named(profile)};
            }),
            py::arg("profile") = "geforce2", "OpenGL's default state.")
       .def_static("parse", &parse, py::arg("text"), py::arg("form"), py::arg("profile") = "geforce2",
-                  "The state of a text: GL calls 'gl', !!RC1.0 'rc10', register words 'words' or 'words-json', 'json'.")
-      .def("print", &print, py::arg("form"), "The state as a text of that form; Error where the form cannot say it.")
-      .def("validate", &diagnostics, "What OpenGL would refuse, a dictionary for each fault; an empty list: nothing.")
+                  "Parses a text in the form 'gl' (GL calls), 'rc10' (!!RC1.0), 'words' or 'words-json' (register "
+                  "words), 'json'.")
+      .def("print", &print, py::arg("form"), "The state as a text of that form; Error if the form cannot express it.")
+      .def("validate", &diagnostics,
+           "The faults that OpenGL would refuse, one dictionary each; an empty list if the state is valid.")
       .def_property_readonly(
           "profile", [](const State& state) { return std::string(state.profile->name); }, "The name of the profile.")
       .def(
           "__eq__", [](const State& a, const State& b) { return a.state == b.state && a.profile == b.profile; },
           py::is_operator());
   py::class_<RunnableProgram>(module, "Program",
-                              "A valid state made ready to run. It never changes, and may run in any thread.")
-      .def(py::init(&compiled), py::arg("state"), "Compiles; Error where the state is not valid.")
+                              "A compiled, valid state. It never changes, and any thread may use it.")
+      .def(py::init(&compiled), py::arg("state"), "Compiles a state; Error if it is not valid.")
       .def_property_readonly(
           "profile", [](const RunnableProgram& p) { return std::string(p.profile->name); }, "The name of the profile.")
       .def_property_readonly(
@@ -107,18 +111,16 @@ void add_programs(py::module_& module) {
           "The lowest code of a register.")
       .def("evaluate", &evaluate, py::arg("inputs"),
            "The colours of n fragments as int16 codes of the shape (4, n). `inputs` has arrays of int16 codes by "
-           "register, "
-           "'tex0': (4, n), or by component, 'tex0.r': (n,); they are read in place. What is missing is 0, but 1.0 for "
-           "alpha of textures and fog, and tex0's alpha for spare0's.")
+           "register, 'tex0': (4, n), or by component, 'tex0.r': (n,); they are read in place. Missing components are "
+           "0, except the alpha of textures and fog, which is 1.0, and spare0's alpha, which is tex0's.")
       .def("evaluate_registers", &evaluate_registers, py::arg("inputs"),
-           "The same as a dictionary: 'color', and every register after the last general combiner, (4, n) each.")
+           "Like evaluate, as a dictionary: 'color', and every register after the last general combiner, (4, n) each.")
       .def("trace", &traced, py::arg("registers"),
-           "Every step of one fragment, as `ninebit trace --json` tells it. `registers` has codes by name, 'tex0.r': "
-           "100 or "
-           "'tex0': (100, 0, 0, 255).")
+           "Every step of one fragment, as printed by `ninebit trace --json`. `registers` has codes by name, "
+           "'tex0.r': 100 or 'tex0': (100, 0, 0, 255).")
       .def(
           "explain", [](const RunnableProgram& p) { return print_explanation(explain(p.program, *p.profile)); },
-          "What the program computes, as equations.")
+          "The program as equations.")
       .def(
           "glsl",
           [](const RunnableProgram& p, const std::string& function, bool es) {

@@ -1,4 +1,4 @@
-// Scenes drawn with a shadow technique; their planes as arrays, which are the rendering's own memory.
+// Renders scenes with a shadow technique; the returned arrays use the rendering's memory.
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 
@@ -19,7 +19,8 @@ glm::vec3 vector_of(const Point& p) {
   return {p[0], p[1], p[2]};
 }
 
-// A plane of the rendering, upright, that keeps the rendering alive. Rows lie there from the lowest up.
+// A plane of the rendering as an array whose first row is the top one; the array keeps the rendering alive. The plane
+// itself starts with the bottom row.
 template <class T>
 py::array upright(const PlaneSamples<T>& plane, int width, int height, const std::shared_ptr<Rendering>& owner) {
   if (plane.empty()) return py::array_t<T>(std::vector<py::ssize_t>{0, 0});
@@ -75,14 +76,14 @@ py::dict render(const std::string& scene_file, const std::string& technique_name
 const Technique& technique_named(const std::string& name) {
   const Technique* const technique = find_technique(name);
   if (technique != nullptr) return *technique;
-  std::string message = "there is no technique '" + name + "'; expected one of";
+  std::string message = "unknown technique '" + name + "'; expected one of";
   for (const Technique& one : techniques()) message += ' ' + std::string(one.name);
   throw Error{message};
 }
 
 Scene scene_for(const Technique& technique, const std::string& file, const std::pair<int, int>& size,
                 const View& view) {
-  if (size.first < 1 || size.second < 1) throw Error{"size is width and height, each at least 1"};
+  if (size.first < 1 || size.second < 1) throw Error{"size must be width and height, each at least 1"};
   SceneSetup setup;
   setup.light_kinds = technique.lights;
   if (view.camera) setup.camera = vector_of(*view.camera);
@@ -111,11 +112,10 @@ void add_render(py::module_& module) {
       py::arg("size") = std::pair{1024, 768}, py::arg("map_size") = 512, py::arg("profile") = "geforce2",
       py::arg("index_step") = 2, py::arg("camera") = py::none(), py::arg("look_at") = py::none(),
       py::arg("fov") = py::none(), py::arg("light") = py::none(), py::arg("allow_outside") = false,
-      "Draws a scene's shadows. Gives 'red', 'green', 'blue', 'alpha', 'stencil' (uint8; a stencil of 0 is light) and "
-      "'depth' (uint32 codes) as upright arrays of the shape (height, width), the rendering's own memory; the pixels "
+      "Renders a scene with shadows. Returns 'red', 'green', 'blue', 'alpha', 'stencil' (uint8; 0 is lit) and 'depth' "
+      "(uint32 codes) as upright arrays of the shape (height, width) in the rendering's memory; the numbers of pixels "
       "that are 'background', 'lit' and 'shadowed'; and the technique's 'facts'. Files that the scene names are read "
-      "only below its "
-      "folder unless allow_outside is true.");
+      "only below its folder unless allow_outside is true.");
 }
 
 }  // namespace ninebit::python

@@ -1,4 +1,4 @@
-// Studies, run here and now; their raw rows as NumPy structured arrays, one for each table.
+// Runs studies and returns their raw rows as NumPy structured arrays, one per table.
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 
@@ -25,7 +25,8 @@ namespace {
 
 using Names = std::optional<std::vector<std::string>>;
 
-// Those of `all` that are named, in the order of their naming; without names all. Error for a name that is none.
+// The elements of `all` with these names, in the order of the names; without names, all elements. Throws Error for an
+// unknown name.
 template <class T, class NameOf>
 std::vector<T> chosen(const std::vector<T>& all, const Names& names, const char* what, const NameOf& name_of_one) {
   if (!names) return all;
@@ -33,7 +34,7 @@ std::vector<T> chosen(const std::vector<T>& all, const Names& names, const char*
   for (const std::string& name : *names) {
     const auto one = std::find_if(all.begin(), all.end(), [&](const T& each) { return name_of_one(each) == name; });
     if (one == all.end()) {
-      std::string message = std::string("there is no ") + what + " '" + name + "'; expected one of";
+      std::string message = std::string("unknown ") + what + " '" + name + "'; expected one of";
       for (const T& each : all) message += ' ' + std::string(name_of_one(each));
       throw Error{message};
     }
@@ -49,7 +50,7 @@ std::vector<HardwareProfile> chosen_profiles(const Names& names) {
   return profiles;
 }
 
-// The dtype of a column. A column of numbers where some rows have none is one of doubles, with NaN there.
+// The dtype of a column. A column of numbers with missing values has doubles, with NaN for the missing ones.
 std::string column_type(const std::vector<StudyRow>& rows, std::size_t field) {
   std::size_t longest = 1;
   bool texts = false, whole = true, positive = true;
@@ -57,7 +58,7 @@ std::string column_type(const std::vector<StudyRow>& rows, std::size_t field) {
     const StudyValue& value = row.fields[field].second;
     if (const auto* const text = std::get_if<std::string>(&value)) {
       texts = true;
-      longest = std::max(longest, text->size());  // bytes, of which a text has no fewer than characters
+      longest = std::max(longest, text->size());  // in bytes, which is at least the number of characters
     }
     const bool unsigned_one = std::holds_alternative<std::uint64_t>(value);
     positive = positive && unsigned_one;
@@ -90,7 +91,7 @@ py::object structured(const std::vector<StudyRow>& rows) {
   return py::module_::import("numpy").attr("array")(tuples, types);
 }
 
-// All units, one after the other; Ctrl-C ends the work between two of them.
+// Runs all units in order; Ctrl-C stops between two units.
 py::dict run(Result<std::unique_ptr<Study>> made) {
   if (!made) throw Error{made.error().text()};
   const Study& study = **made;
@@ -132,7 +133,7 @@ py::dict depth_packing(const Names& packings, const Names& storages, const Names
   return run(make_depth_packing_study(options));
 }
 
-// The values of an axis by their names; none where it is not swept.
+// The values of an axis by their names; empty if the axis is not swept.
 template <class T>
 std::vector<T> swept(const std::vector<std::pair<const char*, T>>& all, const Names& names, const char* what) {
   std::vector<T> values;
@@ -185,22 +186,23 @@ py::dict shadows(const std::string& file, const std::string& technique_name, std
 }  // namespace
 
 void add_studies(py::module_& module) {
-  module.def("index_steps_study", &index_steps, py::kw_only(), py::arg("profiles") = py::none(),
-             py::arg("formats") = py::none(), py::arg("variants") = py::none(), py::arg("steps") = std::pair{1, 16},
-             "How many pairs of different indices the comparison takes for equal, over all pairs: {'rows': array} with "
-             "the fields profile, format, variant, step, codes, pairs, false_matches. Lists of names choose; without "
-             "one it is all. `steps` are the first and the last. As `ninebit study index-steps`.");
+  module.def(
+      "index_steps_study", &index_steps, py::kw_only(), py::arg("profiles") = py::none(),
+      py::arg("formats") = py::none(), py::arg("variants") = py::none(), py::arg("steps") = std::pair{1, 16},
+      "Counts the pairs of different indices that compare equal, over all pairs: {'rows': array} with the fields "
+      "profile, format, variant, step, codes, pairs, false_matches. Lists of names select; the default is all. "
+      "`steps` are the first and the last. As `ninebit study index-steps`.");
   module.def(
       "datapath_study", &datapath, py::kw_only(), py::arg("profiles") = py::none(),
-      "How far each operation of the datapath is from exact arithmetic, over all inputs: {'rows': array}, a row for "
-      "each operation and form, errors in real numbers; and 'differences' between each two profiles whose codes "
-      "stand for the same numbers. Profiles whose arithmetic is not integer are left out. As `ninebit study "
-      "datapath`.");
-  module.def("depth_packing_study", &depth_packing, py::kw_only(), py::arg("packings") = py::none(),
-             py::arg("storages") = py::none(), py::arg("sets") = py::none(), py::arg("float_step") = 64,
-             "What a depth is after a round trip through bytes: {'rows': array, 'second_digit': array}. Storages are "
-             "'round' and 'truncate', sets '16', '24' and 'floats', of which every `float_step`th is taken. As "
-             "`ninebit study depth-packing`.");
+      "The error of each datapath operation against exact arithmetic, over all inputs: {'rows': array}, one row per "
+      "operation and form, errors in real numbers; and 'differences' between each two profiles whose codes stand for "
+      "the same numbers. Profiles whose arithmetic is not integer are skipped. As `ninebit study datapath`.");
+  module.def(
+      "depth_packing_study", &depth_packing, py::kw_only(), py::arg("packings") = py::none(),
+      py::arg("storages") = py::none(), py::arg("sets") = py::none(), py::arg("float_step") = 64,
+      "The error of depths after a round trip through bytes: {'rows': array, 'second_digit': array}. Storages are "
+      "'round' and 'truncate'; sets are '16', '24' and 'floats', which takes every `float_step`th float. As "
+      "`ninebit study depth-packing`.");
   module.def(
       "shadows_study", &shadows, py::arg("scene"), py::kw_only(), py::arg("technique") = "index-cube",
       py::arg("size") = std::pair{1024, 768}, py::arg("profile") = "geforce2",
@@ -210,7 +212,7 @@ void add_studies(py::module_& module) {
       py::arg("polygon_offsets") = std::vector<std::pair<float, float>>{}, py::arg("camera") = py::none(),
       py::arg("look_at") = py::none(), py::arg("fov") = py::none(), py::arg("light") = py::none(),
       py::arg("allow_outside") = false,
-      "A technique's wrong pixels by their causes against the ground truth, for each combination of the settings that "
+      "Counts a technique's wrong pixels by cause, against the ground truth, for each combination of the settings that "
       "are given as lists: {'rows': array}. As `ninebit study shadows`.");
 }
 

@@ -12,7 +12,7 @@ void AnswerWriter::put(const void* bytes, std::size_t size) {
   while (size > 0) {
     const ssize_t done = ::write(descriptor_, from, size);
     if (done < 0 && errno == EINTR) continue;
-    if (done <= 0) throw std::bad_alloc();  // the answer is in memory, and its size has a limit
+    if (done <= 0) throw std::bad_alloc();  // the answer is a file in memory with a size limit
     from += done;
     size -= static_cast<std::size_t>(done);
   }

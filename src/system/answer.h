@@ -1,8 +1,8 @@
-// What an isolated call answers: values in a row, which nobody has to believe.
+// The answer of an isolated call: a sequence of values that the reader does not trust.
 //
-// The writer runs in a child process that may have gone mad; the reader takes nothing for granted. Only types whose
-// every bit pattern is a value go through: numbers, and structures and arrays of numbers. An enumerator goes as a
-// number that its reader checks.
+// The writer runs in a child process that may be corrupted, so the reader checks every length. Only types for which
+// every bit pattern is a valid value are allowed: numbers, and structures and arrays of numbers. An enumerator is sent
+// as a number, which the reader checks.
 #pragma once
 
 #include <cstddef>
@@ -20,7 +20,7 @@ template <class T>
 concept Plain =
     std::is_trivially_copyable_v<T> && !std::is_pointer_v<T> && !std::is_same_v<T, bool> && !std::is_enum_v<T>;
 
-// Throws std::bad_alloc where the answer becomes longer than the call allows.
+// Throws std::bad_alloc if the answer exceeds the call's limit.
 class AnswerWriter {
  public:
   explicit AnswerWriter(int descriptor) : descriptor_(descriptor) {}
@@ -44,12 +44,13 @@ class AnswerWriter {
   int descriptor_;
 };
 
-// The values in their order. Each function returns false, and every later one too, where the answer is too short for
-// what it says that it holds; no memory is taken for more than the bytes that are there.
+// Reads the values in the order in which they were written. If the answer is shorter than the lengths in it state, the
+// call and every later one return false. No more memory is allocated than the answer has bytes.
 class AnswerReader {
  public:
   AnswerReader() = default;
-  AnswerReader(int descriptor, std::uint64_t bytes) : descriptor_(descriptor), left_(bytes) {}  // takes the descriptor
+  AnswerReader(int descriptor, std::uint64_t bytes)
+      : descriptor_(descriptor), left_(bytes) {}  // takes ownership of the descriptor
   AnswerReader(AnswerReader&& other) noexcept
       : descriptor_(std::exchange(other.descriptor_, -1)), left_(std::exchange(other.left_, 0)) {}
   AnswerReader& operator=(AnswerReader&& other) noexcept {

@@ -1,4 +1,4 @@
-// Output files whose errors are kept.
+// Output files that keep their first error.
 #pragma once
 
 #include <cstddef>
@@ -9,9 +9,8 @@
 
 namespace ninebit::posix {
 
-// An output file whose every error is kept until somebody looks. The first error sticks: whatever the libraries in
-// between do with a failed write, close() reports it. A file that was not closed without error is removed by the
-// destructor, if it is a regular file.
+// An output file that keeps its first error: close() reports it, whatever the libraries in between do with a failed
+// write. Unless close() succeeded, the destructor removes the file if it is a regular file.
 class CheckedFile {
  public:
   // Creates the file or empties an existing one; a symbolic link is an error. A failure is reported by close() and by
@@ -21,7 +20,7 @@ class CheckedFile {
   CheckedFile& operator=(const CheckedFile&) = delete;
   ~CheckedFile();
 
-  // Puts size bytes at the current position; false when this or anything before it failed. Never throws, so that it may
+  // Writes `size` bytes at the current position; false if this or an earlier operation failed. Never throws, so it may
   // be called through C code.
   bool write(const void* bytes, std::size_t size) noexcept;
   bool seek(std::uint64_t position) noexcept;
@@ -29,7 +28,8 @@ class CheckedFile {
   [[nodiscard]] bool failed() const noexcept { return static_cast<bool>(error_); }
   [[nodiscard]] const std::filesystem::path& path() const noexcept { return file_; }
 
-  // Writes what is pending and closes: no error only if every byte since the constructor got there.
+  // Writes the pending bytes and closes the file. Returns no error only if every byte since the constructor was
+  // written.
   [[nodiscard]] std::error_code close();
 
  private:
@@ -40,7 +40,7 @@ class CheckedFile {
   std::filesystem::path file_;
   std::vector<std::byte> buffer_;
   std::size_t pending_ = 0;    // bytes of buffer_ not yet written
-  std::uint64_t written_ = 0;  // where they belong in the file
+  std::uint64_t written_ = 0;  // their offset in the file
   int descriptor_ = -1;
   bool removable_ = false;
   bool complete_ = false;

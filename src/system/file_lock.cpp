@@ -10,7 +10,7 @@
 namespace ninebit::posix {
 
 FileLock::FileLock(const std::filesystem::path& file) {
-  // Without O_NONBLOCK a FIFO of that name would wait for somebody at its other end.
+  // Without O_NONBLOCK, opening a FIFO of that name would wait for its other end.
   descriptor_ = ::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOCTTY | O_NONBLOCK, kNewFileMode);
   struct stat about = {};
   if (descriptor_ < 0 || ::fstat(descriptor_, &about) != 0) {

@@ -1,4 +1,4 @@
-// One process at a time for a file.
+// A lock on a file for one process at a time.
 #pragma once
 
 #include <cstdint>
@@ -7,8 +7,8 @@
 
 namespace ninebit::posix {
 
-// An advisory lock on a file, held until the object ends or the process does, however it ends. It keeps out other
-// FileLocks only. A file system without locks is treated as if nobody else held one.
+// An advisory lock on a file, held until the object is destroyed or the process ends, however it ends. It excludes only
+// other FileLocks. On a file system without locks, the lock always counts as free.
 class FileLock {
  public:
   enum class Outcome : std::uint8_t {
@@ -17,7 +17,7 @@ class FileLock {
     failed  // error() says why: the file cannot be opened, or is not a regular file
   };
 
-  // Makes the file if there is none; never waits.
+  // Creates the file if it does not exist; never waits.
   explicit FileLock(const std::filesystem::path& file);
   FileLock(const FileLock&) = delete;
   FileLock& operator=(const FileLock&) = delete;

@@ -17,7 +17,7 @@ namespace ninebit::posix {
 
 namespace {
 
-// Runs in a child of a process with threads as well: system calls only.
+// Also runs in the child of a process with threads, so it makes only system calls.
 MoveFailure move_here(std::span<const Move> moves) noexcept {
   MoveFailure failure;
   while (failure.move < moves.size() && failure.error == 0) {
@@ -68,7 +68,7 @@ std::string unpredictable_digits() {
 }
 
 std::error_code finish_file(const std::filesystem::path& file, const std::filesystem::path& target) {
-  // Not blocking: a pipe that somebody put in the file's place has no writer to wait for.
+  // O_NONBLOCK: if somebody replaced the file by a pipe, opening it must not wait for a writer.
   const int descriptor = ::open(file.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
   if (descriptor < 0) return last_error();
   std::error_code error = finish_open_file(descriptor, target);
@@ -88,22 +88,22 @@ MoveFailure move_all(std::span<const Move> moves) {
   constexpr int kReadWrite = PROT_READ | PROT_WRITE;
   void* const shared = ::mmap(nullptr, sizeof(MoveFailure), kReadWrite, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
   if (shared == MAP_FAILED) return move_here(moves);
-  auto* const told = new (shared) MoveFailure{0, ECANCELED};  // what holds if the child does not come to tell
+  auto* const reported = new (shared) MoveFailure{0, ECANCELED};  // the result if the child ends before it reports
   sigset_t all, before;
   ::sigfillset(&all);
   ::pthread_sigmask(SIG_SETMASK, &all, &before);
   const pid_t child = ::fork();
   if (child == 0) {
-    ::setsid();  // signals to a group of processes do not mean this one
-    *told = move_here(moves);
+    ::setsid();  // a signal to the process group must not reach the child
+    *reported = move_here(moves);
     ::_exit(0);
   }
   ::pthread_sigmask(SIG_SETMASK, &before, nullptr);
-  // Without memory for another process, this one has to do.
-  if (child < 0) *told = move_here(moves);
+  // If fork() fails, this process renames the files.
+  if (child < 0) *reported = move_here(moves);
   while (child > 0 && ::waitpid(child, nullptr, 0) < 0 && errno == EINTR) {
   }
-  const MoveFailure failure = *told;
+  const MoveFailure failure = *reported;
   ::munmap(shared, sizeof(MoveFailure));
   return failure;
 }

@@ -16,7 +16,7 @@ FolderLock::FolderLock(const std::filesystem::path& folder, std::chrono::millise
   using Clock = std::chrono::steady_clock;
   constexpr std::chrono::milliseconds kPause(2);
   if (descriptor_ < 0) return;
-  // Not blocking, so that nobody can make this process wait without end.
+  // LOCK_NB, so that no other process can make this one wait forever.
   for (const auto end = Clock::now() + longest_wait;; std::this_thread::sleep_for(kPause)) {
     held_ = ::flock(descriptor_, LOCK_EX | LOCK_NB) == 0;
     if (held_ || (errno != EWOULDBLOCK && errno != EINTR)) return;

@@ -1,4 +1,4 @@
-// One process at a time in a folder.
+// A lock on a folder for one process at a time.
 #pragma once
 
 #include <chrono>
@@ -7,12 +7,12 @@
 
 namespace ninebit::posix {
 
-// The lock of a folder, held until the destructor, and by a process forked meanwhile until that has ended. It keeps out
-// nobody but those who take it as well.
+// An advisory lock on a folder, held until the destructor runs; a process forked in the meantime holds it until that
+// process ends. It excludes only other FolderLocks.
 class FolderLock {
  public:
-  // Waits for the lock. `error` is set where another process holds it all the time; a folder that cannot be locked,
-  // because of its permissions or its file system, is not an error.
+  // Waits at most `longest_wait` for the lock. `error` is set if another process holds it for that long. A folder that
+  // cannot be locked, because of its permissions or its file system, is not an error; held() is then false.
   FolderLock(const std::filesystem::path& folder, std::chrono::milliseconds longest_wait, std::error_code& error);
   FolderLock(const FolderLock&) = delete;
   FolderLock& operator=(const FolderLock&) = delete;

@@ -11,7 +11,7 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view kSeparators = "/\\";
 
-// The name as a message shows it.
+// The name quoted for a message.
 std::string shown(std::string_view name) {
   constexpr std::size_t kLongest = 200;
   std::string text(name.substr(0, kLongest));
@@ -32,7 +32,7 @@ bool has_parent_step(std::string_view name) {
 }
 
 // "http:", "file:", "C:": letters, digits, '+', '-' and '.' before a colon in the first part of the name. A name such
-// as "a b:c" is a file's.
+// as "a b:c" is that of a file.
 bool is_address(std::string_view name) {
   const std::size_t colon = name.find(':');
   if (colon == std::string_view::npos || colon == 0) return false;
@@ -47,17 +47,17 @@ bool is_below(const fs::path& folder, const fs::path& file) {
   return end == folder.end() && rest != file.end();
 }
 
-// What is wrong with the text of a name; empty: nothing.
+// The fault in the text of a name; empty: none.
 std::string wrong_with_text(std::string_view name) {
   if (name.empty()) return "is empty";
-  if (name.find('\0') != std::string_view::npos) return "holds a zero byte";
+  if (name.find('\0') != std::string_view::npos) return "contains a zero byte";
   if (kSeparators.find(name.front()) != std::string_view::npos) return "is an absolute path";
   if (is_address(name)) return "is an address";
   if (has_parent_step(name)) return "leaves the folder of the file that names it";
   return {};
 }
 
-// Whether a part of the name is a link to nothing: something outside may stand there by the time the file is opened.
+// Whether a part of the name is a dangling link: it may lead to a file outside by the time the file is opened.
 bool has_dangling_link(const fs::path& top, std::string_view name) {
   fs::path part = top;
   for (const fs::path& step : fs::path(name)) {
@@ -69,7 +69,7 @@ bool has_dangling_link(const fs::path& top, std::string_view name) {
   return false;
 }
 
-// What is wrong with the place that a name leads to; empty: nothing.
+// The fault in the place that a name leads to; empty: none.
 std::string wrong_with_place(const fs::path& folder, std::string_view name) {
   std::error_code error;
   const fs::path top = fs::canonical(folder.empty() ? fs::path(".") : folder, error);
@@ -77,7 +77,7 @@ std::string wrong_with_place(const fs::path& folder, std::string_view name) {
   const fs::path place = fs::weakly_canonical(top / name, error);
   if (error) return "cannot be followed: " + error.message();
   if (!is_below(top, place)) return "is a link out of the folder of the file that names it";
-  if (has_dangling_link(top, name)) return "is a link that leads to nothing";
+  if (has_dangling_link(top, name)) return "is a dangling link";
   const fs::file_status status = fs::status(place, error);
   if (fs::exists(status) && !fs::is_regular_file(status)) return "is not a regular file";
   return {};

@@ -23,10 +23,10 @@
 namespace ninebit::posix {
 namespace {
 
-// The first descriptors of the child: what it has besides its standard streams.
+// The child's descriptors besides its standard streams.
 constexpr int kAnswerDescriptor = 3, kReportDescriptor = 4;
 
-// The child reports how its work ended, by one byte. Nothing is reported by a child that crashed.
+// The child reports the end of its work by one byte. A child that crashes reports nothing.
 enum Report : char { kDone = 'd', kNoMemory = 'm' };
 
 [[noreturn]] void report_and_end(Report what) {
@@ -50,9 +50,9 @@ class Descriptor {
   int number_;
 };
 
-// Leaves the descriptors that the child needs, and makes /dev/null of its standard streams.
+// Closes all descriptors that the child does not need, and redirects its standard streams to /dev/null.
 void settle_descriptors(int answer, int report) {
-  // Copies beyond the places that they are to have, so that none overwrites another.
+  // Duplicated above their final numbers first, so that neither dup2() overwrites the other.
   const int far_answer = ::fcntl(answer, F_DUPFD, kReportDescriptor + 1);
   const int far_report = ::fcntl(report, F_DUPFD, kReportDescriptor + 1);
   ::dup2(far_answer, kAnswerDescriptor);
@@ -63,12 +63,12 @@ void settle_descriptors(int answer, int report) {
   for (int other = kReportDescriptor + 1; other < static_cast<int>(::sysconf(_SC_OPEN_MAX)); ++other) ::close(other);
 }
 
-// A handler of this process's must not run in the child; whoever ends the parent's group means the parent, which ends
-// the child.
+// This process's handlers must not run in the child. Signals that end the process group are ignored: the parent handles
+// them and ends the child.
 void settle_signals(const sigset_t& mask) {
-  for (int number = 1; number < 32; ++number) {  // no one handles real-time signals
+  for (int number = 1; number < 32; ++number) {  // real-time signals have no handlers
     const bool ends_group = number == SIGINT || number == SIGTERM || number == SIGHUP || number == SIGQUIT;
-    const bool is_checked = number == SIGXFSZ || number == SIGPIPE;  // the write fails, which is looked at
+    const bool is_checked = number == SIGXFSZ || number == SIGPIPE;  // the write fails, and its result is checked
     std::signal(number, ends_group || is_checked ? SIG_IGN : SIG_DFL);
   }
   ::pthread_sigmask(SIG_SETMASK, &mask, nullptr);
@@ -77,7 +77,7 @@ void settle_signals(const sigset_t& mask) {
 [[noreturn]] void run_child(const CallLimits& limits, std::span<const std::filesystem::path> readable,
                             const std::function<void(AnswerWriter&)>& work) {
   limit_resources(limits.memory_bytes, limits.seconds, limits.memory_bytes);
-  // Memory that is not there is reported at once: what foreign code does then is its weakest part.
+  // A failed allocation is reported at once: foreign code handles it worst.
   std::set_new_handler([] { report_and_end(kNoMemory); });
   allow_only_reading(readable);
   forbid_system_calls();
@@ -92,7 +92,7 @@ void settle_signals(const sigset_t& mask) {
   report_and_end(kDone);
 }
 
-// Whether the child has had no processor time for so many seconds: then it waits for what never comes.
+// Detects that the child has used no processor time for `seconds`: it waits for something that never happens.
 class IdleWatch {
  public:
   IdleWatch(pid_t child, int seconds) : limit_(seconds) { known_ = ::clock_getcpuclockid(child, &clock_) == 0; }
@@ -114,7 +114,7 @@ class IdleWatch {
   bool known_ = false;
 };
 
-// Waits for the child's report or its end, or ends it.
+// Waits until the child reports or ends; kills it when a limit is reached or go_on returns false.
 CallEnd wait_for(pid_t child, int report, const CallLimits& limits, const std::function<bool()>& go_on) {
   constexpr int kMilliseconds = 50;
   std::optional<CallEnd> cut_short;
@@ -130,7 +130,7 @@ CallEnd wait_for(pid_t child, int report, const CallLimits& limits, const std::f
     if (go_on && !go_on()) cut_short = CallEnd::stopped;
     if (idle.is_over()) cut_short = CallEnd::out_of_time;
   }
-  // What has reported is done; nobody waits for one that only says so.
+  // A child that has reported is done. It is killed too, so that a false report cannot make this process wait.
   if (cut_short || what != 0) ::kill(child, SIGKILL);
   int status = 0;
   pid_t ended = 0;
@@ -164,7 +164,7 @@ CallResult call_isolated(const CallLimits& limits, std::span<const std::filesyst
   const pid_t child = ::fork();
   if (child == 0) {
     ::prctl(PR_SET_PDEATHSIG, SIGKILL);
-    if (::getppid() != parent) ::_exit(1);  // it ended before that took effect
+    if (::getppid() != parent) ::_exit(1);  // the parent ended before that took effect
     settle_descriptors(answer.get(), reporting.get());
     settle_signals(before);
     run_child(limits, readable, work);
@@ -184,11 +184,11 @@ std::string describe(CallEnd end, const CallLimits& limits, const std::string& w
     case CallEnd::out_of_time:
       return who + " took more than " + std::to_string(limits.seconds) + " s";
     case CallEnd::out_of_memory:
-      return who + " asked for more than " + std::to_string(limits.memory_bytes >> 20U) + " MiB";
+      return who + " needed more than " + std::to_string(limits.memory_bytes >> 20U) + " MiB";
     case CallEnd::stopped:
       return "interrupted";
     case CallEnd::not_started:
-      return "no process could be started for " + who;
+      return "cannot start a process for " + who;
     default:
       return who + " crashed";
   }

@@ -1,13 +1,12 @@
-// Calls into code that may crash, hang, take all memory or do what its input tells it to: in a child process that can
-// do no harm.
+// Runs code that may crash, hang, exhaust memory or be controlled by its input in a sandboxed child process.
 //
-// The child is this process, forked: it has what this one has in memory, and the thread that called. So the work may
-// use malloc and what it brings along itself, but no lock that another thread of this process may hold, and no thread
-// pool. What it may do:
-// - It reads the files that were named, and no other, where the kernel has Landlock (Linux 5.13); elsewhere any file
-//   that the user may read.
-// - It writes no file, opens no socket, starts no process and signals none (seccomp; x86-64 and arm64).
-// - It has the memory and the processor time of the limits. Its standard streams are /dev/null.
+// The child is forked from this process: it has a copy of the memory, and only the calling thread. The work may use
+// malloc and its own objects, but no lock that another thread of this process may hold, and no thread pool. The child's
+// restrictions:
+// - It can read only the named files if the kernel has Landlock (Linux 5.13); otherwise any file that the user may
+//   read.
+// - It cannot write files, open sockets, or start or signal processes (seccomp; x86-64 and arm64).
+// - CallLimits bounds its memory and processor time. Its standard streams are /dev/null.
 // - It dies with its parent.
 #pragma once
 
@@ -22,33 +21,34 @@
 namespace ninebit::posix {
 
 struct CallLimits {
-  std::uint64_t memory_bytes = std::uint64_t{1} << 30U;  // beyond what this process has mapped; of the answer, too
-  int seconds = 20;                                      // of processor time, or without any
+  std::uint64_t memory_bytes = std::uint64_t{1}
+                               << 30U;  // beyond what this process has mapped; also the limit of the answer
+  int seconds = 20;                     // of processor time, or of waiting without using any
 };
 
 enum class CallEnd : std::uint8_t {
-  answered,       // the work came to its end
+  answered,       // the work finished
   crashed,        // a signal, an exception, or an exit
-  out_of_time,    // the limit of seconds
-  out_of_memory,  // the limit of bytes
-  stopped,        // the caller's wish
-  not_started     // the system allows no further process
+  out_of_time,    // CallLimits::seconds
+  out_of_memory,  // CallLimits::memory_bytes
+  stopped,        // go_on returned false
+  not_started     // no process could be started
 };
 
 struct CallResult {
   CallEnd end = CallEnd::not_started;
-  AnswerReader answer;  // what was written until the end
+  AnswerReader answer;  // what was written before the end
 };
 
-// Runs `work` in a child and waits for it; what it writes is the answer. `readable` are the files that it may open.
-// `go_on`, if it is there, is called a few times a second; where it returns false the child is killed. Throws
-// std::bad_alloc where the machine has no memory for a child, or where a limit that this process was started with is
-// what leaves too little.
+// Runs `work` in a child and waits for it; the values that it writes are the answer. `readable` lists the files that it
+// may open. `go_on`, if given, is called a few times a second; if it returns false, the child is killed. Throws
+// std::bad_alloc if the machine has no memory for a child, or if the child runs out of memory while this process itself
+// was started with a memory limit.
 [[nodiscard]] CallResult call_isolated(const CallLimits& limits, std::span<const std::filesystem::path> readable,
                                        const std::function<void(AnswerWriter&)>& work,
                                        const std::function<bool()>& go_on = {});
 
-// What happened to `who`, in words: "Assimp's 3DS reader crashed". Of any end but CallEnd::answered.
+// The message for any end but CallEnd::answered, such as "Assimp's 3DS reader crashed"; `who` is its subject.
 [[nodiscard]] std::string describe(CallEnd end, const CallLimits& limits, const std::string& who);
 
 }  // namespace ninebit::posix

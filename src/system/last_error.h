@@ -8,7 +8,7 @@
 
 namespace ninebit::posix {
 
-inline constexpr mode_t kNewFileMode = 0666;  // the user's umask is taken off
+inline constexpr mode_t kNewFileMode = 0666;  // before the user's umask is applied
 
 inline std::error_code last_error() noexcept {
   return {errno, std::generic_category()};

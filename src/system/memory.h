@@ -1,16 +1,16 @@
-// Memory that is about to run out.
+// Support for running out of memory safely.
 #pragma once
 
 #include <cstdint>
 
 namespace ninebit::posix {
 
-// Keeps some memory until operator new fails for the first time, and frees it then, before std::bad_alloc is thrown.
-// What follows has memory: messages, the removal of temporary files, destructors that allocate (nlohmann-json's do).
+// Reserves some memory and frees it when operator new fails for the first time, before std::bad_alloc is thrown. The
+// cleanup then has memory: messages, the removal of temporary files, destructors that allocate (nlohmann-json's do).
 void keep_memory_for_errors();
 
-// True if the address space has room for so many more bytes in one piece. Ask before a library is called that crashes
-// when memory runs out.
+// True if the address space has room for `bytes` more contiguous bytes. Check this before calling a library that
+// crashes when memory runs out.
 [[nodiscard]] bool has_room(std::uint64_t bytes);
 
 }  // namespace ninebit::posix

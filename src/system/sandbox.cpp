@@ -41,7 +41,7 @@ void lower_limit(decltype(RLIMIT_AS) resource, rlim_t soft, rlim_t hard) {
   ::setrlimit(resource, &limit);
 }
 
-// 0 where /proc is not there: then the limit is as if nothing was mapped.
+// 0 without /proc: the limit is then computed as if nothing were mapped.
 std::uint64_t mapped_bytes() {
   std::FILE* const file = std::fopen("/proc/self/statm", "re");
   if (file == nullptr) return 0;
@@ -51,9 +51,9 @@ std::uint64_t mapped_bytes() {
   return pages * static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE));
 }
 
-// All rights on files that the kernel's version of Landlock can take away.
+// All file access rights that this version of Landlock can restrict.
 std::uint64_t rights_of_version(long version) {
-  constexpr int kRefer = 13, kTruncate = 14, kDevices = 15;  // numbers of the rights that came later
+  constexpr int kRefer = 13, kTruncate = 14, kDevices = 15;  // bit numbers of rights added by later versions
   int rights = kRefer;
   if (version >= 2) rights = kTruncate;
   if (version >= 3) rights = kDevices;
@@ -138,7 +138,7 @@ constexpr int kAllowed[] = {
 #endif
 };
 
-// The low half of a call's argument; both processors put it first.
+// The offset of the low half of a call's argument; it comes first on both processors.
 constexpr std::uint32_t argument(std::size_t number) {
   return static_cast<std::uint32_t>(offsetof(seccomp_data, args) + number * sizeof(std::uint64_t));
 }
@@ -151,7 +151,7 @@ sock_filter answer(std::uint32_t what) {
   return BPF_STMT(BPF_RET | BPF_K, what);
 }
 
-// Skips so many instructions unless the loaded number is this one.
+// Skips `skipped` instructions unless the loaded number equals `number`.
 sock_filter unless_equal(std::uint32_t number, std::uint8_t skipped) {
   return BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, number, 0, skipped);
 }
@@ -164,9 +164,10 @@ std::vector<sock_filter> filter_of_calls() {
   constexpr std::uint32_t kAllow = SECCOMP_RET_ALLOW;
   constexpr std::uint32_t kRefuse = SECCOMP_RET_ERRNO | EPERM;
   constexpr std::uint32_t kWriting = O_WRONLY | O_RDWR | O_CREAT | O_TRUNC | O_APPEND;
-  std::vector<sock_filter> code{load(offsetof(seccomp_data, arch)),
-                                BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, kProcessor, 1, 0),  // another one's numbers differ
-                                answer(SECCOMP_RET_KILL_PROCESS), load(offsetof(seccomp_data, nr))};
+  std::vector<sock_filter> code{
+      load(offsetof(seccomp_data, arch)),
+      BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, kProcessor, 1, 0),  // other processors have other call numbers
+      answer(SECCOMP_RET_KILL_PROCESS), load(offsetof(seccomp_data, nr))};
   for (const int call : kAllowed) {
     code.push_back(unless_equal(static_cast<std::uint32_t>(call), 1));
     code.push_back(answer(kAllow));
@@ -179,19 +180,20 @@ std::vector<sock_filter> filter_of_calls() {
 #if defined(__x86_64__)
   when(SYS_open, {load(argument(1)), unless_any_bit(kWriting, 1), answer(kRefuse), answer(kAllow)});
 #endif
-  // Threads, but no processes. What clone3 asks for cannot be read here; without it, the C library takes clone.
+  // Threads are allowed, processes are not. A filter cannot read the arguments of clone3; without clone3, the C library
+  // uses clone.
   when(SYS_clone, {load(argument(0)), unless_any_bit(CLONE_THREAD, 1), answer(kAllow), answer(kRefuse)});
   when(SYS_clone3, {answer(SECCOMP_RET_ERRNO | ENOSYS)});
-  // abort() signals this process.
+  // abort() sends a signal to this process.
   when(SYS_tgkill,
        {load(argument(0)), unless_equal(static_cast<std::uint32_t>(::getpid()), 1), answer(kAllow), answer(kRefuse)});
-  // Limits are read; hard ones that were lowered cannot be raised.
+  // For reading this process's limits; lowered hard limits cannot be raised again.
   when(SYS_prlimit64, {load(argument(0)), unless_equal(0, 1), answer(kAllow), answer(kRefuse)});
   code.push_back(answer(kRefuse));
   return code;
 }
 
-// What is not there need not be allowed.
+// A file that does not exist is skipped.
 void allow_reading(int ruleset, const std::filesystem::path& file) {
   landlock_path_beneath_attr allowed{};
   allowed.allowed_access = LANDLOCK_ACCESS_FS_READ_FILE;
@@ -227,7 +229,8 @@ void allow_only_reading(std::span<const std::filesystem::path> files) {
   const auto ruleset = static_cast<int>(::syscall(SYS_landlock_create_ruleset, &rules, sizeof rules, 0));
   if (ruleset < 0) return;
   for (const std::filesystem::path& file : files) allow_reading(ruleset, file);
-  if (kMapsTerabytes) allow_reading(ruleset, "/proc");  // a sanitizer looks at the stack's bounds when something throws
+  if (kMapsTerabytes)
+    allow_reading(ruleset, "/proc");  // a sanitizer reads the stack's bounds when an exception is thrown
   ::syscall(SYS_landlock_restrict_self, ruleset, 0);
   ::close(ruleset);
 }

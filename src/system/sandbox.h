@@ -1,4 +1,4 @@
-// Taking from this process, for good, what it does not need.
+// Permanent restrictions of this process.
 #pragma once
 
 #include <cstdint>
@@ -10,15 +10,16 @@ namespace ninebit::posix {
 // Whether memory can be limited: not under sanitizers, which map terabytes.
 [[nodiscard]] bool can_limit_memory();
 
-// Limits on the address space beyond what is mapped now, on processor time, and on the size of files; no core dump. A
-// lower limit that holds already stays.
+// Limits the address space beyond what is mapped now, the processor time and the size of files, and disables core
+// dumps. Existing lower limits stay.
 void limit_resources(std::uint64_t more_memory, int seconds, std::uint64_t file_bytes);
 
-// Leaves reading the named files, as far as the kernel can; what it cannot forbid stays allowed.
+// Forbids all file access except reading the named files, as far as the kernel's version of Landlock supports it; other
+// access stays allowed.
 void allow_only_reading(std::span<const std::filesystem::path> files);
 
-// Leaves the system calls of computing, of memory, of threads, and of reading and writing what is open; opening is left
-// for reading alone. Every other call fails with EPERM. Does nothing on processors other than x86-64 and arm64.
+// Allows only the system calls for computing, memory, threads, and reading and writing open files; files can be opened
+// only for reading. Every other call fails with EPERM. Does nothing on processors other than x86-64 and arm64.
 void forbid_system_calls();
 
 }  // namespace ninebit::posix

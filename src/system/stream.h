@@ -14,12 +14,12 @@ inline constexpr int kStandardInput = 0, kStandardOutput = 1, kStandardError = 2
 
 enum class Access : std::uint8_t {
   read,
-  write,          // as it is, which is meant for devices and pipes
+  write,          // without truncation, for devices and pipes
   create,         // an existing file or link is an error
-  create_private  // the same; nobody but its owner may read or write the file
+  create_private  // like create; only the owner may read or write the file
 };
 
-// An open file, closed at the end, or a standard stream, which stays open.
+// An open file, closed by the destructor, or a standard stream, which stays open.
 class Stream {
  public:
   explicit Stream(int standard_stream) : descriptor_(standard_stream) {}
@@ -31,12 +31,12 @@ class Stream {
   Stream& operator=(const Stream&) = delete;
   ~Stream();
 
-  // Waits for something to read, an end or an error; false where there is none after so long, or a signal came.
+  // Waits for data, the end or an error; false after the timeout or a signal.
   [[nodiscard]] bool wait(int milliseconds) const;
-  // How many bytes were read; 0: the end, or an error.
+  // Returns the number of bytes read; 0 at the end or on an error.
   [[nodiscard]] std::size_t read(std::span<char> to, std::error_code& error) const;
   void write(std::string_view bytes, std::error_code& error) const;
-  // Tells of what could not be written so far.
+  // Also reports errors of earlier writes that were delayed until now.
   void close(std::error_code& error);
 
  private:

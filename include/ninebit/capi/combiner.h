@@ -1,4 +1,4 @@
-/* The register combiners for C, and for whatever can call C: opaque handles, plain structures, no exceptions.
+/* The register combiners for C and for languages that can call C: opaque handles, plain structures, no exceptions.
  *
  *   ninebit_state *state = NULL;
  *   ninebit_program *program = NULL;
@@ -8,17 +8,18 @@
  *
  * Link with ninebit_capi (ninebit::capi in CMake, ninebit-capi in pkg-config). C99.
  *
- * Results. A function that can fail returns a ninebit_result. What it makes goes through its last pointers, which are
- * set to NULL when it fails. `error`, where it is not NULL, receives a text of its own for every result but NINEBIT_OK,
- * one line a fault, or NULL; it belongs to the caller, as every text does that comes through a char **: give it to
- * ninebit_free_text. Handles are freed by the function of their kind; NULL is allowed there.
+ * Results. A function that can fail returns a ninebit_result. New objects are returned through the last pointers, which
+ * are set to NULL on failure. If `error` is not NULL, it receives a text with one line per fault for every result but
+ * NINEBIT_OK; it is NULL on success and may be NULL when memory runs out. The caller owns every text that is returned
+ * through a char **, and frees it with ninebit_free_text. Each kind of handle has its own free function, which accepts
+ * NULL.
  *
- * Threads. A const handle may be used by any number of threads at once; programs never change. A handle that is not
- * const belongs to one thread at a time. Nothing is global.
+ * Threads. Any number of threads may use a const handle at once; programs never change. A handle that is not const may
+ * be used by one thread at a time. There is no global state.
  *
- * Structures. struct_size is sizeof the structure, set by the caller: a later version may add members at the end, and
- * then still takes the shorter structure of a program that was compiled before. A size that is less than that of the
- * first version is NINEBIT_WRONG_ARGUMENT. Enumerations are passed as int; an unknown number is NINEBIT_WRONG_ARGUMENT.
+ * Structures. The caller sets struct_size to sizeof the structure. A later version may add members at the end and still
+ * accepts the shorter structure of a program that was compiled earlier. A size less than that of the first version is
+ * NINEBIT_WRONG_ARGUMENT. Enumerations are passed as int; an unknown number is NINEBIT_WRONG_ARGUMENT.
  */
 #pragma once
 
@@ -31,16 +32,16 @@
 extern "C" {
 #endif
 
-/* How a call went. */
+/* The result of a call. */
 typedef enum ninebit_result {
   NINEBIT_OK = 0,
-  NINEBIT_INVALID_INPUT = 1,  /* a text, words or a state that is wrong: the error says what and where */
-  NINEBIT_WRONG_ARGUMENT = 2, /* a call that cannot be meant: a NULL, an unknown number, a code out of range */
-  NINEBIT_OUT_OF_MEMORY = 3,  /* nothing was made */
-  NINEBIT_INTERNAL_ERROR = 4  /* a fault of this library */
+  NINEBIT_INVALID_INPUT = 1,  /* an invalid text, word or state; the error names fault and place */
+  NINEBIT_WRONG_ARGUMENT = 2, /* a NULL pointer, an unknown number or a code out of range */
+  NINEBIT_OUT_OF_MEMORY = 3,  /* nothing was created */
+  NINEBIT_INTERNAL_ERROR = 4  /* a bug in this library */
 } ninebit_result;
 
-/* The forms that a program has as text; docs/languages.md describes them. */
+/* The text forms of a program; docs/languages.md describes them. */
 typedef enum ninebit_form {
   NINEBIT_FORM_GL_CALLS = 0,        /* C text: glCombinerInputNV(GL_COMBINER0_NV, …); */
   NINEBIT_FORM_RC10 = 1,            /* !!RC1.0 */
@@ -51,11 +52,11 @@ typedef enum ninebit_form {
   NINEBIT_FORM_JSON = 6 /* {"ninebit": "program", …} */
 } ninebit_form;
 
-/* Whose register words: GeForce 256 and GeForce 2, or GeForce3 and NV2A. */
+/* The chip class of register words: GeForce 256 and GeForce 2, or GeForce3 and NV2A. */
 typedef enum ninebit_chip { NINEBIT_CHIP_NV10 = 0, NINEBIT_CHIP_NV20 = 1 } ninebit_chip;
 
-/* The rows of ninebit_registers and of the input planes. `zero` and the constants are the program's affair: what stands
-   there is not read. */
+/* The rows of ninebit_registers and of the input planes. The rows of `zero` and of the
+   constants are not read: the program defines them. */
 typedef enum ninebit_register {
   NINEBIT_ZERO = 0,
   NINEBIT_CONSTANT0 = 1,
@@ -70,56 +71,54 @@ typedef enum ninebit_register {
   NINEBIT_TEXTURE2 = 10,
   NINEBIT_TEXTURE3 = 11
 } ninebit_register;
-/* How many they are. */
+/* The number of registers. */
 #define NINEBIT_REGISTERS 12
 
-typedef struct ninebit_state ninebit_state;     /* the combiners as GL holds them, and the profile they are of */
-typedef struct ninebit_program ninebit_program; /* a valid state made ready to run; never changes */
-typedef struct ninebit_report ninebit_report;   /* what validation found */
+typedef struct ninebit_state ninebit_state;     /* the combiner state of GL, and its hardware profile */
+typedef struct ninebit_program ninebit_program; /* a compiled, valid state; never changes */
+typedef struct ninebit_report ninebit_report;   /* the result of validation */
 
 /* The version of this library, "0.1.0". Lives as long as the library. */
 NINEBIT_PUBLIC const char* ninebit_version(void);
 
-/* The names of the hardware profiles that there are, from 0 on; NULL past the last. They live as long as the library.
- */
+/* The name of the hardware profile with this index, from 0; NULL past the last. It lives as long as the library. */
 NINEBIT_PUBLIC const char* ninebit_profile_name(size_t index);
 
 /* Frees a text that a char ** received; NULL is allowed. */
 NINEBIT_PUBLIC void ninebit_free_text(char* text);
 
 /* --- States ----------------------------------------------------------------------------------------------------------
-   `profile` is a name of a profile; NULL stands for "geforce2". */
+   `profile` is the name of a profile; NULL stands for "geforce2". */
 
 /* GL's default state. */
 NINEBIT_PUBLIC ninebit_result ninebit_state_create(const char* profile, ninebit_state** state, char** error);
 
-/* The state that a text of `length` bytes describes. */
+/* Parses a text of `length` bytes. */
 NINEBIT_PUBLIC ninebit_result ninebit_state_parse(const char* profile, int form, const char* text, size_t length,
                                                   ninebit_state** state, char** error);
 
-/* A word of the chip's registers. */
+/* A register word. */
 typedef struct ninebit_word {
   const char* name; /* such as "RC_IN_RGB[0]" */
   uint32_t value;   /* all 32 bits */
 } ninebit_word;
-/* The state that `count` registers of a chip hold. Names are those of docs/languages.md; words that are missing have
-   the value that encodes GL's default. NINEBIT_INVALID_INPUT: a name that is unknown or repeated, bits without meaning,
-   a state that GL refuses. */
+/* Decodes `count` register words of a chip. docs/languages.md lists the names; missing words have the value that
+   encodes GL's default. NINEBIT_INVALID_INPUT: an unknown or repeated name, bits that the chip does not accept, a state
+   that GL refuses. */
 NINEBIT_PUBLIC ninebit_result ninebit_state_from_words(const char* profile, int chip, const ninebit_word* words,
                                                        size_t count, ninebit_state** state, char** error);
 
-/* A copy that is independent of the first. */
+/* An independent copy. */
 NINEBIT_PUBLIC ninebit_result ninebit_state_copy(const ninebit_state* from, ninebit_state** state, char** error);
-/* Frees a state; programs that were compiled from it stay. */
+/* Frees a state; programs that were compiled from it stay valid. */
 NINEBIT_PUBLIC void ninebit_state_free(ninebit_state* state);
 
-/* The state in one of the forms. NINEBIT_INVALID_INPUT: the form cannot express it; the error says what it lacks. */
+/* The state in one of the forms. NINEBIT_INVALID_INPUT: the form cannot express the state; the error says why. */
 NINEBIT_PUBLIC ninebit_result ninebit_state_print(const ninebit_state* state, int form, char** text, char** error);
 
-/* GL's calls, with GL's numbers for everything. Each returns the error that GL would raise, 0 (GL_NO_ERROR) for none; a
-   call with an error changes nothing. GL_INVALID_OPERATION (0x0502) also stands for a NULL state, GL_INVALID_VALUE
-   (0x0501) for NULL params. ninebit_gl_enable takes GL_PER_STAGE_CONSTANTS_NV (and GL_REGISTER_COMBINERS_NV, without
-   effect). */
+/* GL's calls with GL's numbers. Each returns the error that GL would raise, or 0 (GL_NO_ERROR); a call with an error
+   changes nothing. A NULL state also gives GL_INVALID_OPERATION (0x0502), NULL params give GL_INVALID_VALUE (0x0501).
+   ninebit_gl_enable accepts GL_PER_STAGE_CONSTANTS_NV (and GL_REGISTER_COMBINERS_NV, without effect). */
 NINEBIT_PUBLIC unsigned ninebit_gl_combiner_parameteri(ninebit_state* state, unsigned pname, int param);
 /* glCombinerParameterfvNV: four floats for a constant colour, one for the others. */
 NINEBIT_PUBLIC unsigned ninebit_gl_combiner_parameterfv(ninebit_state* state, unsigned pname, const float* params);
@@ -138,12 +137,12 @@ NINEBIT_PUBLIC unsigned ninebit_gl_final_combiner_input(ninebit_state* state, un
 /* glCombinerStageParameterfvNV: four floats. */
 NINEBIT_PUBLIC unsigned ninebit_gl_combiner_stage_parameterfv(ninebit_state* state, unsigned stage, unsigned pname,
                                                               const float* params);
-/* glEnable where `enabled` is not 0, else glDisable. */
+/* glEnable if `enabled` is not 0, otherwise glDisable. */
 NINEBIT_PUBLIC unsigned ninebit_gl_enable(ninebit_state* state, unsigned capability, int enabled);
 
 /* --- Validation --------------------------------------------------------------------------------------------------- */
 
-/* One thing that GL would refuse, and where. */
+/* One fault that GL would refuse, and its place. */
 typedef struct ninebit_diagnostic {
   size_t struct_size;  /* set by the caller */
   int32_t stage;       /* general combiner from 0; -1: final combiner or global */
@@ -155,9 +154,9 @@ typedef struct ninebit_diagnostic {
 
 /* Everything that GL would refuse in a state. */
 NINEBIT_PUBLIC ninebit_result ninebit_validate(const ninebit_state* state, ninebit_report** report, char** error);
-/* How many diagnostics there are; 0: the state is valid. */
+/* The number of diagnostics; 0: the state is valid. */
 NINEBIT_PUBLIC size_t ninebit_report_count(const ninebit_report* report);
-/* A diagnostic, by its number from 0; NINEBIT_WRONG_ARGUMENT past the last. */
+/* The diagnostic with this index, from 0; NINEBIT_WRONG_ARGUMENT past the last. */
 NINEBIT_PUBLIC ninebit_result ninebit_report_get(const ninebit_report* report, size_t index,
                                                  ninebit_diagnostic* diagnostic);
 /* Frees a report and its messages. */
@@ -165,13 +164,13 @@ NINEBIT_PUBLIC void ninebit_report_free(ninebit_report* report);
 
 /* --- Programs ----------------------------------------------------------------------------------------------------- */
 
-/* NINEBIT_INVALID_INPUT: the state is not valid; the error has a line for each reason. */
+/* Compiles a state. NINEBIT_INVALID_INPUT: the state is not valid; the error has one line per reason. */
 NINEBIT_PUBLIC ninebit_result ninebit_compile(const ninebit_state* state, ninebit_program** program, char** error);
 /* Frees a program; no other thread may be using it. */
 NINEBIT_PUBLIC void ninebit_program_free(ninebit_program* program);
 
-/* Codes of a register are whole numbers from ninebit_lowest to ninebit_one, which stands for 1.0: -255 and 255 with
-   most profiles. */
+/* Register codes are whole numbers from ninebit_lowest to ninebit_one, which stands for 1.0: -255 and 255 in most
+   profiles. */
 NINEBIT_PUBLIC int ninebit_one(const ninebit_program* program);
 /* The lowest code of a register. */
 NINEBIT_PUBLIC int ninebit_lowest(const ninebit_program* program);
@@ -182,11 +181,11 @@ typedef struct ninebit_registers {
   int16_t code[NINEBIT_REGISTERS][4]; /* by ninebit_register and component */
 } ninebit_registers;
 
-/* What reaches the combiners for one fragment, as bytes red, green, blue, alpha. */
+/* The combiner inputs of one fragment, as bytes red, green, blue, alpha. */
 typedef struct ninebit_inputs {
   size_t struct_size;         /* set by the caller */
   uint8_t primary[4];         /* the primary colour */
-  uint8_t secondary[4];       /* the secondary colour; its alpha counts where the profile says so */
+  uint8_t secondary[4];       /* the secondary colour; its alpha is read only if the profile says so */
   uint8_t fog_color[3];       /* red, green, blue, whether or not fog is enabled */
   uint8_t fog_factor;         /* 255: no fog at this fragment */
   uint8_t fog_enabled;        /* 0 or 1 */
@@ -194,24 +193,24 @@ typedef struct ninebit_inputs {
   uint8_t texture[4][4];      /* texels of RGBA textures, filtered */
 } ninebit_inputs;
 
-/* The registers before the first general combiner, as the program's profile fills them. */
+/* The registers before the first general combiner, as the program's profile initializes them. */
 NINEBIT_PUBLIC ninebit_result ninebit_initial_registers(const ninebit_program* program, const ninebit_inputs* inputs,
                                                         ninebit_registers* registers, char** error);
 
-/* Runs the program over one fragment. `color` receives what leaves the combiners, codes from 0 to ninebit_one; `after`,
-   where it is not NULL, the registers after the last general combiner. */
+/* Evaluates the program for one fragment. `color` receives the result of the final combiner, codes from 0 to
+   ninebit_one. `after`, if not NULL, receives the registers after the last general combiner. */
 NINEBIT_PUBLIC ninebit_result ninebit_evaluate(const ninebit_program* program, const ninebit_registers* registers,
                                                int16_t color[4], ninebit_registers* after, char** error);
 
-/* Fragments by the thousand: a plane holds one component of one register, or of the colour, for `count` fragments. */
+/* Many fragments: a plane holds one component of one register, or of the colour, for `count` fragments. */
 typedef struct ninebit_planes {
   size_t struct_size;                         /* set by the caller */
   size_t count;                               /* fragments in every plane */
   const int16_t* input[NINEBIT_REGISTERS][4]; /* NULL: 0 for every fragment */
-  int16_t* color[4];                          /* NULL: not wanted; else no plane of the input */
+  int16_t* color[4];                          /* NULL: not computed; must not be an input plane */
 } ninebit_planes;
 
-/* The bits of ninebit_evaluate, by SIMD. Where a code is out of range, no plane is written. */
+/* The same bits as ninebit_evaluate, computed by SIMD. If a code is out of range, no plane is written. */
 NINEBIT_PUBLIC ninebit_result ninebit_evaluate_planes(const ninebit_program* program, const ninebit_planes* planes,
                                                       char** error);
 

@@ -1,4 +1,4 @@
-// What a program computes, as equations in the order of execution: for people who read programs.
+// Explains a program as equations, in the order of execution.
 #pragma once
 
 #include <optional>
@@ -15,38 +15,38 @@ namespace NINEBIT_PUBLIC ninebit {
 // a × b multiplies component by component, a · b is the dot product, ½ is the profile's code for one half.
 struct Equation {
   std::optional<int> stage{};              // 0-based general combiner; empty: final combiner
-  PortionName portion = PortionName::rgb;  // which half of a general combiner
+  PortionName portion = PortionName::rgb;  // RGB or alpha portion of a general combiner
   std::string output{};                    // "AB", "CD", "sum", "mux"; of the final combiner "color", "alpha"
   std::string target{};                    // "spare0", "spare0.a"; of the final combiner "rgb", "alpha"
   std::string expression{};                // "4·(primary − tex0)"
-  bool used = true;                        // something that reaches the final result reads it
-  bool clamps = false;                     // the expression can leave what its target can hold, and is then cut
+  bool used = true;                        // the final result depends on it
+  bool clamps = false;                     // the expression can exceed the range of its target, which clamps it
 };
 
-// A general combiner's portion that adds nothing to the result, with the reason as the end of a sentence about it.
+// A portion of a general combiner that does not affect the result, with the reason.
 struct DeadPortion {
   int stage = 0;                           // 0-based general combiner
-  PortionName portion = PortionName::rgb;  // which half of it
+  PortionName portion = PortionName::rgb;  // RGB or alpha portion
   std::string reason;                      // "dead, nothing reads what it writes"
 };
 
-// A program as equations, and what a reader should know beside them.
+// A program as equations, with notes for the reader.
 struct Explanation {
   int num_general_combiners = 1;       // stages that run
-  std::string profile;                 // its name
+  std::string profile;                 // name of the profile
   std::vector<Equation> equations;     // stages in order, RGB before alpha; then the final combiner's two
   std::vector<DeadPortion> dead;       // stages in order
-  std::vector<std::string> constants;  // what const0 and const1 hold where an equation reads them, a sentence each
-  std::vector<std::string> notes;      // defaults that take part, a sentence each
-  std::vector<std::string> legend;     // the marks that the equations use, a sentence each
+  std::vector<std::string> constants;  // values of const0 and const1 that equations read, one sentence each
+  std::vector<std::string> notes;      // defaults that affect the result, one sentence each
+  std::vector<std::string> legend;     // notation that the equations use, one sentence each
 };
 
-// Multiplications by 1, 0 and -1 and mappings of `zero` are folded; inputs that a factor 0 hides count as not read.
-// Registers are taken to start without negative parts, as texels, colours and constants of GL do: max(0, …) stands only
+// Multiplications by 1, 0 and -1 and mappings of `zero` are folded; an input multiplied by 0 counts as not read.
+// Initial register values are not negative, because GL's texels, colours and constants are not: max(0, …) appears only
 // where a stage may have written a negative value.
 [[nodiscard]] Explanation explain(const Program& program, const HardwareProfile& profile);
 
-// The explanation for people: several lines of UTF-8, the last with its newline.
+// The explanation as text: several lines of UTF-8, each ending in a newline.
 [[nodiscard]] std::string print_explanation(const Explanation& explanation);
 
 }  // namespace ninebit

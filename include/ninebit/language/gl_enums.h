@@ -1,5 +1,5 @@
-// The enumerants of NV_register_combiners and NV_register_combiners2 under their GL names, and the way from them to the
-// combiner's own words and back.
+// The enumerants of NV_register_combiners and NV_register_combiners2 under their GL names, and conversions between them
+// and the combiner's enumerations.
 #pragma once
 
 #ifdef GL_VERSION_1_1
@@ -20,11 +20,13 @@ using GLboolean = unsigned char;
 using GLint = int;
 using GLfloat = float;
 
-// Of the smallest type, so that they convert without loss to every other: GL programs write GL_FALSE for "none", too.
+// They have the smallest type, so that they convert to every other without loss: GL programs also write GL_FALSE for
+// "none".
 inline constexpr GLboolean GL_FALSE = 0;
 inline constexpr GLboolean GL_TRUE = 1;
 
-// Core names that the extensions use again. GL_ONE is no register; it is here so that its refusal can be seen.
+// Core names that the extensions reuse. GL_ONE is not a register; it is defined so that a call with it can be parsed
+// and refused.
 inline constexpr GLenum GL_NONE = 0;
 inline constexpr GLenum GL_ZERO = 0;
 inline constexpr GLenum GL_ONE = 1;
@@ -41,7 +43,7 @@ inline constexpr GLenum GL_TEXTURE1 = GL_TEXTURE1_ARB;
 inline constexpr GLenum GL_TEXTURE2 = GL_TEXTURE2_ARB;
 inline constexpr GLenum GL_TEXTURE3 = GL_TEXTURE3_ARB;
 
-// What glGetError returns.
+// Return values of glGetError.
 inline constexpr GLenum GL_NO_ERROR = 0;
 inline constexpr GLenum GL_INVALID_ENUM = 0x0500;
 inline constexpr GLenum GL_INVALID_VALUE = 0x0501;
@@ -103,7 +105,7 @@ inline constexpr GLenum GL_COMBINER7_NV = 0x8557;
 // NV_register_combiners2.
 inline constexpr GLenum GL_PER_STAGE_CONSTANTS_NV = 0x8535;
 
-// The enumerant of each word. A texture register gives GL_TEXTURE0_ARB + unit.
+// The enumerant of each enumerator. A texture register gives GL_TEXTURE0_ARB + unit.
 [[nodiscard]] GLenum to_enum(Register reg);
 [[nodiscard]] GLenum to_enum(InputMapping mapping);
 [[nodiscard]] GLenum to_enum(ComponentUsage usage);
@@ -112,8 +114,8 @@ inline constexpr GLenum GL_PER_STAGE_CONSTANTS_NV = 0x8535;
 [[nodiscard]] GLenum to_enum(PortionName portion);
 [[nodiscard]] GLenum to_enum(Variable variable);
 
-// The word of an enumerant; empty: the enumerant is no such word. Whether a profile has it (a third texture unit, a
-// sixth general combiner) and whether it may stand where it is used is for validate.h to say.
+// The enumerator of an enumerant; empty if the enumerant is of another kind. validate.h checks whether a profile has it
+// (a third texture unit, a sixth general combiner) and whether it is allowed where it is used.
 [[nodiscard]] std::optional<Register> to_register(GLenum value);
 [[nodiscard]] std::optional<InputMapping> to_input_mapping(GLenum value);
 [[nodiscard]] std::optional<ComponentUsage> to_component_usage(GLenum value);
@@ -122,7 +124,7 @@ inline constexpr GLenum GL_PER_STAGE_CONSTANTS_NV = 0x8535;
 [[nodiscard]] std::optional<PortionName> to_portion(GLenum value);
 [[nodiscard]] std::optional<Variable> to_variable(GLenum value);
 
-// GL_COMBINER0_NV + i as i, 0 to 7; empty: none of them.
+// GL_COMBINER0_NV + i as i, 0 to 7; empty for other values.
 [[nodiscard]] std::optional<int> to_stage(GLenum value);
 
 }  // namespace gl

@@ -4,15 +4,15 @@
 //   #include <ninebit/language/gl_nv.h>
 //   using namespace ninebit::gl;
 //   Context context;                  // a GeForce 2
-//   CurrentContext current(context);  // what the calls below this line speak to
+//   CurrentContext current(context);  // the context of the calls below this line
 //   glCombinerParameteriNV(GL_NUM_GENERAL_COMBINERS_NV, 2);
 //   …
 //   const auto program = ninebit::compile(context.state(), context.profile());
 //
-// Errors are GL's: a command with an error leaves the state as it was, and the first error stays until glGetError.
-// Where a command has several errors, GL_INVALID_ENUM goes first. Without a current context the calls below do nothing
-// (what would be returned through a pointer is left alone) and glGetError returns GL_INVALID_OPERATION.
-// Beyond GL's own errors, a null pointer raises GL_INVALID_VALUE.
+// Errors are GL's: a command with an error does not change the state, and the first error stays until glGetError. If a
+// command has several errors, GL_INVALID_ENUM takes precedence. Without a current context, the calls below do nothing
+// (values returned through a pointer are not written) and glGetError returns GL_INVALID_OPERATION. Beyond GL's own
+// errors, a null pointer raises GL_INVALID_VALUE.
 #pragma once
 
 #include "ninebit/combiner/state.h"
@@ -24,25 +24,26 @@
 namespace NINEBIT_PUBLIC ninebit {
 namespace gl {
 
-// What a GL context knows of the register combiners: their state, whether they are enabled, and the pending error.
-// A value: copies are independent. One thread at a time may use it.
+// The register-combiner part of a GL context: the state, whether the combiners are enabled, and the pending error. It
+// is a value: copies are independent. Only one thread at a time may use it.
 class Context {
  public:
-  // The profile says how many general combiners and texture units there are, and whether NV_register_combiners2 is.
+  // The profile defines the number of general combiners and texture units, and whether NV_register_combiners2 is
+  // available.
   explicit Context(const HardwareProfile& profile = profiles::geforce2) : profile_(profile) {}
 
-  // As it was given.
+  // The profile given to the constructor.
   [[nodiscard]] const HardwareProfile& profile() const { return profile_; }
 
-  // What is written through state() is not checked.
+  // Writes through state() are not checked.
   [[nodiscard]] const CombinerState& state() const { return state_; }
   [[nodiscard]] CombinerState& state() { return state_; }
 
-  // GL_REGISTER_COMBINERS_NV.
+  // Whether GL_REGISTER_COMBINERS_NV is enabled.
   [[nodiscard]] bool register_combiners_enabled() const { return register_combiners_enabled_; }
   void enable_register_combiners(bool enabled) { register_combiners_enabled_ = enabled; }
 
-  // The pending error. raise() is without effect while one is pending; take_error() returns and clears it.
+  // The pending error. raise() has no effect while one is pending; take_error() returns and clears it.
   [[nodiscard]] GlError error() const { return error_; }
   void raise(GlError error);
   GlError take_error();
@@ -54,8 +55,8 @@ class Context {
   GlError error_ = GlError::no_error;
 };
 
-// Makes a context the current one of this thread for as long as this object lives, then the former one again. These
-// objects end on the thread and in the reverse order of their making, as local variables do; the context outlives them.
+// Makes a context current on this thread for the lifetime of this object, then restores the previous one. Destroy these
+// objects on the same thread and in the reverse order of construction, as with local variables.
 class CurrentContext {
  public:
   // `context` must outlive this object.
@@ -71,8 +72,8 @@ class CurrentContext {
   Context* former_;
 };
 
-// GL_NUM_GENERAL_COMBINERS_NV (1 to the profile's number, else GL_INVALID_VALUE; a float is rounded to nearest) and
-// GL_COLOR_SUM_CLAMP_NV (anything but 0 is true).
+// GL_NUM_GENERAL_COMBINERS_NV (1 to the profile's number, otherwise GL_INVALID_VALUE; a float is rounded to nearest)
+// and GL_COLOR_SUM_CLAMP_NV (anything but 0 is true).
 void glCombinerParameteriNV(GLenum pname, GLint param);
 void glCombinerParameterfNV(GLenum pname, GLfloat param);
 // The same, and GL_CONSTANT_COLOR0_NV and GL_CONSTANT_COLOR1_NV, red, green, blue, alpha: floats are clamped to [0, 1]
@@ -83,17 +84,17 @@ void glCombinerParameterfvNV(GLenum pname, const GLfloat* params);
 // One variable of a general combiner's portion.
 void glCombinerInputNV(GLenum stage, GLenum portion, GLenum variable, GLenum input, GLenum mapping,
                        GLenum componentUsage);
-// What a general combiner's portion does with its products.
+// The outputs of a general combiner's portion.
 void glCombinerOutputNV(GLenum stage, GLenum portion, GLenum abOutput, GLenum cdOutput, GLenum sumOutput, GLenum scale,
                         GLenum bias, GLboolean abDotProduct, GLboolean cdDotProduct, GLboolean muxSum);
 // One variable of the final combiner.
 void glFinalCombinerInputNV(GLenum variable, GLenum input, GLenum mapping, GLenum componentUsage);
 
 // NV_register_combiners2: one stage's GL_CONSTANT_COLOR0_NV or GL_CONSTANT_COLOR1_NV, floats as above. Legal whether
-// GL_PER_STAGE_CONSTANTS_NV is enabled or not; GL_INVALID_ENUM with a profile that lacks the extension.
+// GL_PER_STAGE_CONSTANTS_NV is enabled or not; GL_INVALID_ENUM if the profile does not have the extension.
 void glCombinerStageParameterfvNV(GLenum stage, GLenum pname, const GLfloat* params);
 
-// GL_REGISTER_COMBINERS_NV and, where the profile has it, GL_PER_STAGE_CONSTANTS_NV.
+// GL_REGISTER_COMBINERS_NV and, if the profile has it, GL_PER_STAGE_CONSTANTS_NV.
 void glEnable(GLenum cap);
 void glDisable(GLenum cap);
 [[nodiscard]] GLboolean glIsEnabled(GLenum cap);
@@ -117,7 +118,7 @@ void glGetFinalCombinerInputParameterfvNV(GLenum variable, GLenum pname, GLfloat
 void glGetCombinerOutputParameterivNV(GLenum stage, GLenum portion, GLenum pname, GLint* params);
 void glGetCombinerOutputParameterfvNV(GLenum stage, GLenum portion, GLenum pname, GLfloat* params);
 
-// NV_register_combiners2; the four values as they were stored, clamped.
+// NV_register_combiners2; the four values as stored, clamped.
 void glGetCombinerStageParameterfvNV(GLenum stage, GLenum pname, GLfloat* params);
 
 }  // namespace gl

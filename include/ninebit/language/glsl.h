@@ -1,4 +1,5 @@
-// A program as a GLSL function: integers alone, the same bits as the reference evaluator on every conforming GLSL.
+// A program as a GLSL function that uses only integers: the same bits as the reference evaluator on every conforming
+// GLSL.
 #pragma once
 
 #include <string>
@@ -10,25 +11,25 @@
 
 namespace NINEBIT_PUBLIC ninebit {
 
-// Which GLSL is written; they differ in the #version line and precision qualifiers.
+// The GLSL version to emit; the versions differ in the #version line and the precision qualifiers.
 enum class GlslVersion : std::uint8_t {
   glsl_330,  // OpenGL 3.3 core
   es_300     // OpenGL ES 3.0
 };
 
-// The text starts with its #version line and holds one function,
+// The text starts with its #version line and defines one function:
 //
 //   ivec4 ninebit_combine(ivec4 primary, ivec4 secondary, ivec4 fog,
 //                         ivec4 texture0, ivec4 texture1, ivec4 texture2, ivec4 texture3, int spare0_alpha)
 //
-// to which the caller appends a main() of its own. Arguments are register codes in [lowest, one] of the profile that
-// the program was compiled for; spare0's other components and spare1 start as 0. The result is codes in [0, one].
-// `function` is another name for it: a letter, then letters, digits and single underscores, no underscore last. Helper
-// functions, if any, have names that begin with the function's name and an underscore, so that several programs fit
-// into one shader once all #version lines but the first are taken out.
+// The caller appends its own main(). Arguments are register codes in [lowest, one] of the profile that the program was
+// compiled for; spare0's other components and spare1 start as 0. The result is codes in [0, one]. `function` is the
+// function's name: a letter, then letters, digits and single underscores, not ending in an underscore. Helper
+// functions, if any, have names that begin with the function's name and an underscore, so several programs fit into one
+// shader after all #version lines but the first are removed.
 //
-// A Diagnostic says what cannot be emitted: a program whose arithmetic is not integer, codes too large for 32 bits, an
-// unusable name.
+// Returns a Diagnostic for a program whose arithmetic is not integer, for codes too large for 32 bits, and for an
+// invalid name.
 [[nodiscard]] Result<std::string> emit_glsl(const Program& program, GlslVersion version,
                                             std::string_view function = "ninebit_combine");
 

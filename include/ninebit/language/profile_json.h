@@ -1,4 +1,4 @@
-// A hardware profile of the caller's own: a shipped one with some fields replaced, as JSON.
+// Custom hardware profiles as JSON: a shipped profile with some fields replaced.
 #pragma once
 
 #include <memory>
@@ -9,17 +9,16 @@
 
 namespace NINEBIT_PUBLIC ninebit {
 
-// A profile and the text that its string views show. Copies share the text: a copy of `profile` is valid while any copy
+// A profile and the storage of its string views. Copies share the storage: a copy of `profile` is valid while any copy
 // of its OwnedProfile lives.
 struct OwnedProfile {
-  HardwareProfile profile;           // its strings are views
-  std::shared_ptr<const void> text;  // what the views show; not to be looked into
+  HardwareProfile profile;           // its strings are views of `text`
+  std::shared_ptr<const void> text;  // storage of the views; opaque
 };
 
-// Reads {"base": "geforce2", "name": "mine", "half": 127, "general_narrowing": "nearest-halves-up", …}: a shipped
-// profile's name, a name that no shipped profile has, optionally "chip", and any fields of HardwareProfile by their
-// names. A replaced field has the evidence `assumed` and the file's name (or "a profile of the caller's own") as its
-// source.
+// Reads {"base": "geforce2", "name": "mine", "half": 127, "general_narrowing": "nearest-halves-up", …}: the name of a
+// shipped profile, a new name, optionally "chip", and any fields of HardwareProfile by their names. A replaced field
+// has the evidence `assumed` and the file's name (or "a profile of the caller's own") as its source.
 //
 // Values are whole numbers, true and false, or one of
 //   arithmetic         integer, exact, float32            general_narrowing, final_narrowing  toward-zero,
@@ -27,9 +26,14 @@ struct OwnedProfile {
 //   secondary_alpha    one, as-given                      polygon_offset_slope                larger, root
 //   dxt1_palette       rgb565, rgb888                     color_interpolation                 perspective, affine
 //
-// Faults: whatever is unknown, of another type or out of range: one = 255 >> byte_shift with byte_shift 0 to 4, lowest
-// -one or -one - 1, half 0 to one, expand_offset one or one + 1, 1 to 8 general combiners, 1 to 4 texture units, bytes
-// 0 to 255, 0 to 4 subpixel bits, 1 to 23 mantissa bits, 1 to 8 weight bits; a field that the arithmetic does not read.
+// Faults: unknown keys and values, values of a wrong type, fields that the arithmetic does not read, and values out of
+// range. The ranges:
+//   byte_shift      0 to 4                general_combiners           1 to 8
+//   one             255 >> byte_shift     texture_units               1 to 4
+//   lowest          -one - 1 or -one      subpixel_bits               0 to 4
+//   half            0 to one              vertex_color_mantissa_bits  1 to 23
+//   expand_offset   one or one + 1        texture_weight_bits         1 to 8
+//   alpha bytes     0 to 255
 [[nodiscard]] Parsed<OwnedProfile> parse_json_profile(const SourceText& source);
 
 }  // namespace ninebit

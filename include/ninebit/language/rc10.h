@@ -10,12 +10,12 @@
 
 namespace NINEBIT_PUBLIC ninebit {
 
-// Translates a program as nvparse did (docs/languages.md says where it was wrong and what ninebit does instead: `one`
-// means one in every spelling). Every error check of the language is made; all faults are reported.
+// Translates a program as nvparse did. docs/languages.md lists where nvparse was wrong and what ninebit does instead:
+// `one` means one in every spelling. Makes every error check of the language and reports all faults.
 [[nodiscard]] Parsed<CombinerState> parse_rc10(const SourceText& source, const HardwareProfile& profile);
 
-// The program of a state, or a Diagnostic that says what of it the language cannot express. parse_rc10 gives a state
-// that normalizes to the same program.
+// The state as a program text, or a Diagnostic that names what the language cannot express. parse_rc10 of the text
+// returns a state that normalizes to the same program.
 [[nodiscard]] Result<std::string> print_rc10(const CombinerState& state, const HardwareProfile& profile);
 
 }  // namespace ninebit

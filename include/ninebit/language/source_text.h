@@ -1,4 +1,4 @@
-// What all parsers share: the text with its name, places in it, and results that carry every error.
+// Shared by all parsers: a text with its name, places in a text, and results with every fault.
 #pragma once
 
 #include <optional>
@@ -21,27 +21,27 @@ struct SourceText {
 
 // A fault in a text. Lines and columns are 1-based; a column counts bytes.
 struct TextFault {
-  std::string file{};     // as SourceText has it
+  std::string file{};     // SourceText::file
   int line = 0;           // from 1
   int column = 0;         // from 1
   std::string message{};  // one sentence: what is wrong and what was expected
-  // What GL raises where the program that stands here is loaded; no_error: GL is not asked, or sees nothing wrong.
+  // The error that GL raises for this fault when the program is loaded; no_error: GL is not called, or accepts it.
   GlError gl_error = GlError::no_error;
 
-  // "FILE:LINE:COLUMN: MESSAGE", the message after "GL_INVALID_…: " where GL raises an error.
+  // "FILE:LINE:COLUMN: MESSAGE", with "GL_INVALID_…: " before the message if GL raises an error.
   [[nodiscard]] std::string text() const;
 };
 
-// A value, or all that is wrong with its text (at most kMaxTextFaults; never empty without a value).
+// A value, or the faults of its text (at least one, at most kMaxTextFaults).
 inline constexpr std::size_t kMaxTextFaults = 100;
 template <class T>
 struct Parsed {
   std::optional<T> value;                                       // empty: there are faults
-  std::vector<TextFault> faults;                                // empty where there is a value
+  std::vector<TextFault> faults;                                // empty if there is a value
   explicit operator bool() const { return value.has_value(); }  // whether there is a value
 };
 
-// The longest text that is parsed; a longer one is a fault before it is looked at.
+// The longest text that is parsed, in bytes; a longer one is a fault and is not read.
 inline constexpr std::size_t kMaxSourceBytes = std::size_t{16} << 20;
 
 // The place of a byte of a text.

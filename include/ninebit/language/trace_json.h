@@ -9,7 +9,7 @@
 
 namespace NINEBIT_PUBLIC ninebit {
 
-// One object, two spaces an indent; docs/languages.md lists its members. `trace` is of this program.
+// One object, indented by two spaces; docs/languages.md lists its members. `trace` must be of this program.
 [[nodiscard]] std::string print_json_trace(const Program& program, const Trace& trace);
 
 }  // namespace ninebit

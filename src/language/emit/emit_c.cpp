@@ -4,7 +4,7 @@
 namespace ninebit {
 namespace {
 
-// The helper functions that were called, in an order that lets each see those before it.
+// The definitions of the helper functions that were called; none calls another.
 std::string helpers_of(const emit::Printer& printer, const emit::Dialect& dialect) {
   std::string out;
   const auto helper = [&](const std::string& name, const char* parameters, const char* value) {

@@ -1,4 +1,4 @@
-// What the emitted text says about itself: the equations of a portion and of the final combiner, in ASCII.
+// Comments in the emitted text: the equations of a portion and of the final combiner, in ASCII.
 #pragma once
 
 #include <string>

@@ -12,19 +12,19 @@ V constant_of(std::int64_t value) {
   return {nullptr, 0, value};
 }
 
-V node_of(Operation operation, const V& a, const V& b, Interval range) {
+V node_of(Opcode opcode, const V& a, const V& b, Interval range) {
   Graph* const graph = a.is_constant() ? b.graph : a.graph;
-  return graph->make(operation, {a, b, V{}, V{}}, range);
+  return graph->make(opcode, {a, b, V{}, V{}}, range);
 }
 
-// The node to look into; nullptr for constants and for values with a name, which are used by that name.
+// The node of a value that may be simplified; nullptr for constants and for named values, which are used by name.
 const Node* node_at(const V& v) {
   if (v.is_constant()) return nullptr;
   const Node& node = (*v.graph)[v.node];
   return node.named ? nullptr : &node;
 }
 
-// A value as a factor times a value; 1 times itself where no constant factor shows.
+// A value as a constant factor times a value; the factor is 1 if there is none.
 struct Multiple {
   V of;
   std::int64_t factor = 1;
@@ -32,7 +32,7 @@ struct Multiple {
 
 Multiple multiple_of(const V& v) {
   const Node* const node = node_at(v);
-  if (node != nullptr && node->operation == Operation::mul && node->args[1].is_constant()) {
+  if (node != nullptr && node->opcode == Opcode::mul && node->args[1].is_constant()) {
     return {node->args[0], node->args[1].constant};
   }
   return {v, 1};
@@ -46,13 +46,13 @@ struct Offset {
 
 Offset offset_of(const V& v) {
   const Node* const node = node_at(v);
-  if (node != nullptr && node->operation == Operation::add && node->args[1].is_constant()) {
+  if (node != nullptr && node->opcode == Opcode::add && node->args[1].is_constant()) {
     return {node->args[0], node->args[1].constant};
   }
   return {v, 0};
 }
 
-// A value as what is left of a constant.
+// A value as a constant minus a value.
 struct Reflection {
   V of;
   std::int64_t from = 0;
@@ -60,7 +60,7 @@ struct Reflection {
 
 std::optional<Reflection> reflection_of(const V& v) {
   const Node* const node = node_at(v);
-  if (node == nullptr || node->operation != Operation::sub || !node->args[0].is_constant()) return std::nullopt;
+  if (node == nullptr || node->opcode != Opcode::sub || !node->args[0].is_constant()) return std::nullopt;
   return Reflection{node->args[1], node->args[0].constant};
 }
 
@@ -81,7 +81,7 @@ Interval negated(Interval r) {
   return {-r.high, -r.low};
 }
 
-// min_of and max_of of what may be a multiple and of a constant that the factor divides: the factor goes outward.
+// Simplifies min_of and max_of of a multiple and a constant that its factor divides: the factor moves outward.
 template <class Rule>
 std::optional<V> inside_multiple(const V& a, const V& b, Rule rule) {
   if (!b.is_constant()) return std::nullopt;
@@ -98,7 +98,7 @@ Interval V::range() const {
 
 V Graph::input(std::string text, Interval range) {
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
-    if (nodes_[i].operation == Operation::input && nodes_[i].name == text) return {this, static_cast<int>(i), 0};
+    if (nodes_[i].opcode == Opcode::input && nodes_[i].name == text) return {this, static_cast<int>(i), 0};
   }
   Node node;
   node.range = range;
@@ -107,13 +107,13 @@ V Graph::input(std::string text, Interval range) {
   return {this, static_cast<int>(nodes_.size()) - 1, 0};
 }
 
-V Graph::make(Operation operation, const std::array<V, 4>& args, Interval range) {
+V Graph::make(Opcode opcode, const std::array<V, 4>& args, Interval range) {
   if (range.low == range.high) return constant_of(range.low);
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
-    if (nodes_[i].operation == operation && nodes_[i].args == args) return {this, static_cast<int>(i), 0};
+    if (nodes_[i].opcode == opcode && nodes_[i].args == args) return {this, static_cast<int>(i), 0};
   }
   Node node;
-  node.operation = operation;
+  node.opcode = opcode;
   node.args = args;
   node.range = range;
   nodes_.push_back(std::move(node));
@@ -123,7 +123,7 @@ V Graph::make(Operation operation, const std::array<V, 4>& args, Interval range)
 void Graph::name(const V& value, const std::string& name) {
   if (value.is_constant()) return;
   Node& node = value.graph->nodes_[static_cast<std::size_t>(value.node)];
-  if (node.named || node.operation == Operation::input) return;
+  if (node.named || node.opcode == Opcode::input) return;
   node.name = name;
   node.named = true;
 }
@@ -147,7 +147,7 @@ V add(V a, V b) {
     return x.factor > 0 ? times(sub(x.of, y.of), x.factor) : times(sub(y.of, x.of), y.factor);
   }
   const Interval p = a.range(), q = b.range();
-  return node_of(Operation::add, a, b, {p.low + q.low, p.high + q.high});
+  return node_of(Opcode::add, a, b, {p.low + q.low, p.high + q.high});
 }
 
 V sub(V a, V b) {
@@ -159,7 +159,7 @@ V sub(V a, V b) {
   }
   if (is_negation(b)) return add(a, node_at(b)->args[1]);
   const Interval p = a.range(), q = b.range();
-  return node_of(Operation::sub, a, b, {p.low - q.high, p.high - q.low});
+  return node_of(Opcode::sub, a, b, {p.low - q.high, p.high - q.low});
 }
 
 V mul(V a, V b) {
@@ -175,7 +175,7 @@ V mul(V a, V b) {
   const Interval p = a.range(), q = b.range();
   const auto [low, high] = std::minmax({p.low * q.low, p.low * q.high, p.high * q.low, p.high * q.high});
   // A square is not negative.
-  return node_of(Operation::mul, a, b, {a == b && p.low < 0 && p.high > 0 ? 0 : low, high});
+  return node_of(Opcode::mul, a, b, {a == b && p.low < 0 && p.high > 0 ? 0 : low, high});
 }
 
 V min_of(V a, V b) {
@@ -184,7 +184,7 @@ V min_of(V a, V b) {
   if (q.high <= p.low) return b;
   if (a.is_constant()) std::swap(a, b);
   if (const auto moved = inside_multiple(a, b, min_of)) return *moved;
-  return node_of(Operation::min_of, a, b, {std::min(p.low, q.low), std::min(p.high, q.high)});
+  return node_of(Opcode::min_of, a, b, {std::min(p.low, q.low), std::min(p.high, q.high)});
 }
 
 V max_of(V a, V b) {
@@ -193,7 +193,7 @@ V max_of(V a, V b) {
   if (q.low >= p.high) return b;
   if (a.is_constant()) std::swap(a, b);
   if (const auto moved = inside_multiple(a, b, max_of)) return *moved;
-  return node_of(Operation::max_of, a, b, {std::max(p.low, q.low), std::max(p.high, q.high)});
+  return node_of(Opcode::max_of, a, b, {std::max(p.low, q.low), std::max(p.high, q.high)});
 }
 
 V abs_of(V a) {
@@ -202,7 +202,7 @@ V abs_of(V a) {
   if (p.high <= 0) return sub(set(0), a);
   const Multiple m = multiple_of(a);
   if (m.factor != 1) return times(abs_of(m.of), std::abs(m.factor));
-  return node_of(Operation::abs_of, a, constant_of(0), {0, std::max(-p.low, p.high)});
+  return node_of(Opcode::abs_of, a, constant_of(0), {0, std::max(-p.low, p.high)});
 }
 
 V divide(V n, int d) {
@@ -224,22 +224,23 @@ V divide(V n, int d) {
   if (whole > 0 && o.of.range().low + (o.plus - whole * d) >= 0) {
     return add(divide(add(o.of, constant_of(o.plus - whole * d)), d), constant_of(whole));
   }
-  return node_of(Operation::divide, n, constant_of(d), {p.low / d, p.high / d});
+  return node_of(Opcode::divide, n, constant_of(d), {p.low / d, p.high / d});
 }
 
 V negate_where_negative(V sign, V x) {
   const Interval s = sign.range(), p = x.range();
   if (s.low >= 0) return x;
   if (s.high < 0) return sub(set(0), x);
-  // The sign of a positive multiple is that of the value itself, and a magnitude with its own sign is the value.
+  // A positive multiple has the sign of the value itself, and the magnitude of a value with that value's sign is the
+  // value.
   const Multiple m = multiple_of(sign), magnitude = multiple_of(x);
   if (m.factor > 1) return negate_where_negative(m.of, x);
   const Node* const node = node_at(magnitude.of);
-  if (node != nullptr && node->operation == Operation::abs_of && node->args[0] == sign) {
+  if (node != nullptr && node->opcode == Opcode::abs_of && node->args[0] == sign) {
     return times(sign, magnitude.factor);
   }
   const Interval n = negated(p);
-  return node_of(Operation::negate_where_negative, sign, x, {std::min(n.low, p.low), std::max(n.high, p.high)});
+  return node_of(Opcode::negate_where_negative, sign, x, {std::min(n.low, p.low), std::max(n.high, p.high)});
 }
 
 V select_where_at_least(V v, V limit, V yes, V no) {
@@ -247,7 +248,7 @@ V select_where_at_least(V v, V limit, V yes, V no) {
   if (v.range().high < limit.range().low) return no;
   Graph* const graph = v.is_constant() ? limit.graph : v.graph;
   const Interval p = yes.range(), q = no.range();
-  return graph->make(Operation::select_where_at_least, {v, limit, yes, no},
+  return graph->make(Opcode::select_where_at_least, {v, limit, yes, no},
                      {std::min(p.low, q.low), std::max(p.high, q.high)});
 }
 

@@ -1,6 +1,6 @@
-// Values that are text to be: the primitives of combiner_rules.inl build a graph of integer operations instead of
-// computing. Every node knows the interval in which its value lies, so clamps that cannot cut vanish, and overflow of
-// 32 bits is found while the text is written.
+// Symbolic values: the primitives of combiner_rules.inl build a graph of integer operations instead of computing. Every
+// node has the interval of its value, so clamps without effect are dropped, and overflow of 32 bits is detected when
+// the text is emitted.
 #pragma once
 
 #include <array>
@@ -20,7 +20,7 @@ struct Interval {
   friend constexpr bool operator==(const Interval&, const Interval&) = default;
 };
 
-// The V of the rules: a constant, or a node of a graph.
+// The value type V of the rules: a constant, or a node of a graph.
 struct V {
   Graph* graph = nullptr;  // nullptr: a constant
   int node = 0;
@@ -31,7 +31,7 @@ struct V {
   friend bool operator==(const V&, const V&) = default;
 };
 
-enum class Operation : std::uint8_t {
+enum class Opcode : std::uint8_t {
   input,                  // args: none; the node's name is its text
   add,                    // args[0] + args[1]
   sub,                    // args[0] - args[1]
@@ -45,14 +45,14 @@ enum class Operation : std::uint8_t {
 };
 
 struct Node {
-  Operation operation = Operation::input;
+  Opcode opcode = Opcode::input;
   std::array<V, 4> args{};
   Interval range;
   std::string name;    // empty: an inner value
-  bool named = false;  // gets a line of its own even when used once
+  bool named = false;  // declared in its own line even if used once
 };
 
-// Nodes in the order of their making: arguments come before what uses them. Equal nodes are made once.
+// Nodes in the order of creation: arguments precede their users. Equal nodes are created once.
 class Graph {
  public:
   Graph() = default;
@@ -60,15 +60,15 @@ class Graph {
   Graph& operator=(const Graph&) = delete;
 
   V input(std::string text, Interval range);
-  V make(Operation operation, const std::array<V, 4>& args, Interval range);
+  V make(Opcode opcode, const std::array<V, 4>& args, Interval range);
 
-  // Gives a value its name unless it has one already; constants and inputs keep their text.
+  // Names a value unless it already has a name; constants and inputs keep their text.
   static void name(const V& value, const std::string& name);
 
   [[nodiscard]] const Node& operator[](int node) const { return nodes_[static_cast<std::size_t>(node)]; }
   [[nodiscard]] std::size_t size() const { return nodes_.size(); }
 
-  // Whether a division met what might be negative, which would leave its result to the language.
+  // Whether a dividend may be negative: the result would then depend on the language.
   void refuse_division() { negative_division_ = true; }
   [[nodiscard]] bool negative_division() const { return negative_division_; }
 

@@ -25,7 +25,7 @@ LiveSet read_by_final(const Program& program) {
   return live;
 }
 
-// Adds what a portion reads for those of its outputs that are live afterwards.
+// Adds the components that a portion reads for its outputs that are live afterwards.
 void read_by_portion(const Portion& portion, int first, int channels, const LiveSet& after, LiveSet& live) {
   const PortionOutput& out = portion.out;
   const auto read = [&](const CombinerInput& x, const CombinerInput& y, int channel, bool dot) {

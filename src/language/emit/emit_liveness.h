@@ -1,4 +1,4 @@
-// Which register components a program's result depends on, before each general combiner and after the last.
+// The register components that a program's result depends on, after each general combiner.
 #pragma once
 
 #include <array>
@@ -23,7 +23,7 @@ class LiveSet {
   std::array<std::array<bool, 4>, kRegisterCount> live_{};
 };
 
-// Element i: what is live after general combiner i.
+// Element i: the components that are live after general combiner i.
 std::vector<LiveSet> live_after_stages(const Program& program);
 
 }  // namespace ninebit::emit

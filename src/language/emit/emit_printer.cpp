@@ -8,7 +8,7 @@ namespace {
 
 constexpr std::size_t kWidth = 116;
 
-// Breaks a statement at spaces; none of ours stands inside a token or a comment.
+// Breaks a statement at spaces, which never occur inside a token or a comment here.
 std::string wrapped(std::string line) {
   std::string out;
   while (line.size() > kWidth) {
@@ -34,20 +34,20 @@ void Printer::count(const V& v) {
   const auto i = static_cast<std::size_t>(v.node);
   if (++uses_[i] > 1) return;
   const Node& node = graph_[v.node];
-  if (node.operation == Operation::input) return;
+  if (node.opcode == Opcode::input) return;
   for (const V& arg : node.args) count(arg);
 }
 
 bool Printer::wants_name(int node) const {
   const Node& n = graph_[node];
-  return n.operation != Operation::input && (n.named || uses_[static_cast<std::size_t>(node)] > 1);
+  return n.opcode != Opcode::input && (n.named || uses_[static_cast<std::size_t>(node)] > 1);
 }
 
 void Printer::prepare(const V& v, const std::string& name_of_parts) {
   if (v.is_constant()) return;
   if (!names_[static_cast<std::size_t>(v.node)].empty()) return;
   const Node& node = graph_[v.node];
-  if (node.operation == Operation::input) return;
+  if (node.opcode == Opcode::input) return;
   if (wants_name(v.node)) return declare(v.node, name_of_parts);
   for (const V& arg : node.args) prepare(arg, name_of_parts);
 }
@@ -86,37 +86,37 @@ Printer::Text Printer::expression(const V& v) {
 
 Printer::Text Printer::operation(const Node& node) {
   const auto& [a, b, c, d] = node.args;
-  switch (node.operation) {
-    case Operation::input:
+  switch (node.opcode) {
+    case Opcode::input:
       inputs_.insert(node.name);
       return {node.name, kAtom};
-    case Operation::add:
+    case Opcode::add:
       if (b.is_constant() && b.constant < 0) {
         return {text(a, kSum) + " - " + std::to_string(-b.constant), kSum};
       }
       return {text(a, kSum) + " + " + text(b, kProduct), kSum};
-    case Operation::sub:
+    case Opcode::sub:
       if (a.is_constant() && a.constant == 0) return {"-" + text(b, kAtom), kSum};
       return {text(a, kSum) + " - " + text(b, kProduct), kSum};
-    case Operation::mul:
+    case Opcode::mul:
       if (b.is_constant() && b.constant == -1) return {"-" + text(a, kAtom), kSum};
       return {text(a, kProduct) + " * " + text(b, kAtom), kProduct};
-    case Operation::divide:
+    case Opcode::divide:
       return {text(a, kProduct) + " / " + text(b, kAtom), kProduct};
-    case Operation::min_of:
+    case Opcode::min_of:
       if (const Node* const inner = a.is_constant() ? nullptr : &graph_[a.node];
-          inner != nullptr && inner->operation == Operation::max_of && !wants_name(a.node) &&
-          inner->args[1].is_constant() && b.is_constant()) {
+          inner != nullptr && inner->opcode == Opcode::max_of && !wants_name(a.node) && inner->args[1].is_constant() &&
+          b.is_constant()) {
         return {call(dialect_.clamp, {inner->args[0], inner->args[1], b}), kAtom};
       }
       return {call(dialect_.min_of, {a, b}), kAtom};
-    case Operation::max_of:
+    case Opcode::max_of:
       return {call(dialect_.max_of, {a, b}), kAtom};
-    case Operation::abs_of:
+    case Opcode::abs_of:
       return {call(dialect_.abs_of, {a}), kAtom};
-    case Operation::negate_where_negative:
+    case Opcode::negate_where_negative:
       return {call(dialect_.with_sign, {a, b}), kAtom};
-    case Operation::select_where_at_least:
+    case Opcode::select_where_at_least:
       return {text(a, kSum) + " >= " + text(b, kSum) + " ? " + text(c, kSum) + " : " + text(d, kSum), kConditional};
   }
   return {};

@@ -1,4 +1,5 @@
-// From listed values to lines of a C-like language: names for what is used twice, parentheses, and the helpers needed.
+// Prints listed values as lines of a C-like language: variables for values that are used twice, parentheses, and the
+// helpers needed.
 #pragma once
 
 #include <set>
@@ -11,26 +12,26 @@ namespace ninebit::emit {
 
 // The words in which GLSL and C differ.
 struct Dialect {
-  std::string type;       // of a scalar
-  std::string min_of;     // functions of two arguments
-  std::string max_of;     //
-  std::string clamp;      // of three: value, low, high
-  std::string abs_of;     // of one
-  std::string with_sign;  // of two: x < 0 ? -m : m
+  std::string type;       // of a variable, "const int32_t"
+  std::string min_of;     // function of (a, b)
+  std::string max_of;     // function of (a, b)
+  std::string clamp;      // function of (x, low, high)
+  std::string abs_of;     // function of (x)
+  std::string with_sign;  // function of (n, magnitude): n < 0 ? -magnitude : magnitude
 };
 
 class Printer {
  public:
   Printer(const Graph& graph, const Listing& listing, const Dialect& dialect);
 
-  // Declares a listed value, or says in a comment which known value it is.
+  // Declares a listed value, or names the known value that it equals in a comment.
   void line(const Line& line);
-  // Makes a value ready for text(): declares what it needs first.
+  // Declares the variables that text() of this value needs.
   void prepare(const V& v, const std::string& name_of_parts);
   void comment(const std::string& text) { out_ += "  // " + text + '\n'; }
   void blank() { out_ += '\n'; }
 
-  // The value as an operand that binds as strongly as a name.
+  // The value as an operand, in parentheses unless it is a name, a constant or a call.
   [[nodiscard]] std::string atom(const V& v) { return text(v, kAtom); }
 
   [[nodiscard]] const std::string& out() const { return out_; }
@@ -38,7 +39,7 @@ class Printer {
   [[nodiscard]] const std::set<std::string>& called() const { return called_; }
   // The texts of the inputs that were read.
   [[nodiscard]] const std::set<std::string>& inputs() const { return inputs_; }
-  // The interval of all values, inner ones included.
+  // The interval of all values, including inner ones.
   [[nodiscard]] Interval range() const { return range_; }
 
  private:
@@ -59,20 +60,20 @@ class Printer {
   const Graph& graph_;
   const Dialect& dialect_;
   std::vector<int> uses_;
-  std::vector<std::string> names_;  // of nodes that have been declared
+  std::vector<std::string> names_;  // of declared nodes
   std::set<std::string> taken_;
   std::set<std::string> called_, inputs_;
   Interval range_;
   std::string out_;
 };
 
-// The statements of the whole body: blocks, then the final combiner. Ends before the result is handed over.
+// Prints the statements of the body: blocks, then the final combiner. The caller prints the result.
 void print_body(Printer& printer, const Listing& listing);
 
-// A sentence for the emitted comment.
+// The range as a sentence for the emitted comment.
 std::string range_comment(const Printer& printer);
 
-// Why the printed values cannot be trusted to 32 bits; empty: they can.
+// Why 32-bit integers cannot hold the printed values; empty: they can.
 std::optional<Diagnostic> refusal(const Printer& printer, const Graph& graph);
 
 }  // namespace ninebit::emit

@@ -186,7 +186,7 @@ std::optional<Diagnostic> refusal(const Program& program, std::string_view funct
   if (program.datapath.arithmetic != Arithmetic::integer) {
     return Diagnostic{.message = "only programs of integer profiles can be emitted as source"};
   }
-  // What combiner_rules.inl takes for granted: six products of the largest mapped values, and the bias, stay below
+  // The precondition of combiner_rules.inl: six products of the largest mapped values plus the bias do not exceed
   // eight.
   const Datapath& d = program.datapath;
   constexpr std::int64_t kMostOne = 1 << 15;
@@ -194,11 +194,11 @@ std::optional<Diagnostic> refusal(const Program& program, std::string_view funct
   const std::int64_t most = std::max({one, -lowest, expand_offset, half});
   const bool usable = one > 0 && one <= kMostOne && lowest <= 0 && half >= 0 && expand_offset >= 0 && most <= 2 * one &&
                       6 * most * most + half * one <= 8 * one * one;
-  if (!usable) return Diagnostic{.message = "the profile's codes lie outside of what the datapath can hold"};
+  if (!usable) return Diagnostic{.message = "the profile's codes are out of the datapath's range"};
   if (!is_usable_name(function)) {
     return Diagnostic{.message = "\"" + std::string(function) +
-                                 "\" cannot name a function in GLSL and C: a letter, then letters, digits and single "
-                                 "underscores, no underscore last, no gl_ first"};
+                                 "\" is not a valid function name in GLSL and C; expected a letter, then letters, "
+                                 "digits and single underscores, not ending in an underscore or starting with gl_"};
   }
   return std::nullopt;
 }

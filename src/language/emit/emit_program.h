@@ -1,4 +1,4 @@
-// A program written out as blocks of named values: what every target language prints in its own words.
+// A program as blocks of named values, which each target language prints in its own syntax.
 #pragma once
 
 #include <array>
@@ -17,7 +17,7 @@ namespace ninebit::emit {
 // One live component that a portion writes.
 struct Line {
   std::string target;  // "spare0.r", for comments
-  std::string name;    // "s0_spare0_r", the variable, where the value needs one
+  std::string name;    // "s0_spare0_r", the variable if the value needs one
   V value;
 };
 
@@ -33,15 +33,16 @@ struct Listing {
   std::array<V, 4> result{};  // of the final combiner
 };
 
-// The names by which a register is known in the emitted text: "primary", "texture0", …
+// The name of a register in the emitted text: "primary", "texture0", …
 std::string_view short_name_of(Register r);
 inline constexpr std::array<char, 4> kComponentLetters{'r', 'g', 'b', 'a'};
 
-// Runs the program over text. `input` gives the text of an argument's component, or of spare0's initial alpha.
+// Evaluates the program symbolically. `input` returns the text of an argument's component, or of spare0's initial
+// alpha.
 using InputText = std::function<std::string(Register, int component)>;
 Listing list_program(const Program& program, Graph& graph, const InputText& input);
 
-// Why neither language can hold the program or use the name; empty: it can.
+// Why the program cannot be emitted under this function name; empty: it can.
 std::optional<Diagnostic> refusal(const Program& program, std::string_view function);
 
 }  // namespace ninebit::emit

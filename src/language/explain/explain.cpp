@@ -12,7 +12,7 @@
 namespace ninebit {
 namespace {
 
-using namespace explain_detail;  // NOLINT(google-build-using-namespace): this file is the front of those parts
+using namespace explain_detail;  // NOLINT(google-build-using-namespace): this file combines those parts
 
 constexpr std::size_t index_of(Register reg) {
   return static_cast<std::size_t>(reg);
@@ -28,8 +28,8 @@ Ranges initial_ranges(const HardwareProfile& profile, int one) {
   return ranges;
 }
 
-// A program in real numbers as one in codes so fine that every constant which mappings, products, bias and scale can
-// make of `zero` is a whole one: eighths are the finest.
+// Converts a program in real numbers to finer codes, so that every constant that mappings, products, bias and scale can
+// make from `zero` is a whole code: eighths are the finest.
 Program with_exact_codes(Program program) {
   constexpr int kFiner = 8;
   Datapath& d = program.datapath;
@@ -69,7 +69,7 @@ void add_portion(const Program& program, int stage, PortionName name, const Rang
     const Expression right = mapped_input(scope, y, dot);
     return dot ? dot_product(d, left, right) : product(d, left, right);
   };
-  // A product's blue alone; a dot product is the same in all components.
+  // Only the blue of a product; a dot product is the same in all components.
   const auto blue_of = [&](CombinerInput x, CombinerInput y, bool dot) {
     if (!dot && x.usage == ComponentUsage::rgb) x.usage = ComponentUsage::blue;
     if (!dot && y.usage == ComponentUsage::rgb) y.usage = ComponentUsage::blue;
@@ -112,7 +112,7 @@ void add_final(const Program& program, const Ranges& ranges, std::vector<Fact>& 
                           {.portion = PortionName::alpha, .output = "alpha", .target = "alpha"}, {0, d.one}));
 }
 
-// Marks, from the last to the first, what reaches the final result.
+// Marks the equations that reach the final result, from the last to the first.
 void mark_used(int stages, std::vector<Fact>& facts) {
   std::array<unsigned, kRegisterCount> needed{};
   const auto read = [&](const Fact& fact, unsigned channels) {

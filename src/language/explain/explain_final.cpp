@@ -7,7 +7,7 @@
 namespace ninebit::explain_detail {
 namespace {
 
-// The inputs of the final combiner, with E·F and the colour sum written out in place.
+// The inputs of the final combiner, with E·F and the colour sum expanded in place.
 class FinalInputs {
  public:
   FinalInputs(const Program& program, const Scope& scope) : program_(program), scope_(scope) {}
@@ -57,7 +57,8 @@ CombinerInput complement(CombinerInput in) {
   return in;
 }
 
-// A wide value that is a whole code, as a code; products by 1 are such. Others keep their text, which does not tell.
+// Converts a wide value to a code, in its constant and its range. Wide values that are whole codes are products by 1;
+// the text does not show the unit and stays.
 Expression as_code(const Datapath& d, Expression wide) {
   if (wide.constant) wide.constant = reference::narrow(d.final_narrowing, *wide.constant, d.one, 2 * d.one);
   wide.range = {wide.range.low / d.one, (wide.range.high + d.one - 1) / d.one};
@@ -76,7 +77,7 @@ Expression final_color(const Program& program, const Scope& scope) {
   if (f.b == f.c) {
     blend = b;  // whatever A is: A·B + (1 - A)·B is B to the bit
   } else {
-    // A cannot exceed one, so that 1 - A is the other unsigned mapping of the same register.
+    // A cannot exceed one, so 1 - A is the other unsigned mapping of the same register.
     const Expression ab = product(d, inputs.value(f.a), b);
     const Expression rest = product(d, inputs.value(complement(f.a)), c);
     blend = as_code(d, sum(d, ab, rest, d.one));

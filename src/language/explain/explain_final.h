@@ -9,7 +9,7 @@ namespace ninebit::explain_detail {
 [[nodiscard]] Expression final_color(const Program& program, const Scope& scope);
 [[nodiscard]] Expression final_alpha(const Program& program, const Scope& scope);
 
-// Whether the color is GL's default, fog and colour sum.
+// Whether the color equation is GL's default: fog and colour sum.
 [[nodiscard]] bool is_default_color(const FinalCombiner& f);
 
 }  // namespace ninebit::explain_detail

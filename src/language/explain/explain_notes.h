@@ -1,4 +1,4 @@
-// What explain says beside the equations.
+// The notes, constants and legend beside the equations of an explanation.
 #pragma once
 
 #include <string>
@@ -9,18 +9,18 @@
 
 namespace ninebit::explain_detail {
 
-// An equation with what it takes to follow values through the program.
+// An equation with the data for following values through the program.
 struct Fact {
   Equation equation;
-  Register target = Register::discard;  // general combiners
+  Register target = Register::discard;  // general combiners only
   unsigned components = 0;              // of the target: kRgbBits or kAlphaBit
   std::vector<Read> reads;
   Marks marks;
   Range range;              // of the value written, codes
-  std::string mux_picks{};  // "AB" or "CD": what a mux can only pick
+  std::string mux_picks{};  // "AB" or "CD": the only product that the mux can pick
 };
 
-// In the order of the stages; `used` of the facts is final.
+// Results in the order of the stages; `used` of the facts must be final.
 [[nodiscard]] std::vector<DeadPortion> dead_portions(const Program& program, const std::vector<Fact>& facts);
 [[nodiscard]] std::vector<std::string> constant_sentences(const Program& program, const std::vector<Fact>& facts);
 [[nodiscard]] std::vector<std::string> notes_of(const Program& program, const HardwareProfile& profile,

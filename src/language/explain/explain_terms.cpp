@@ -23,7 +23,7 @@ bool same(const Expression& a, const Expression& b) {
   return !a.constant && !b.constant && a.text == b.text && a.negative == b.negative;
 }
 
-// Of two codes.
+// The range of the product of two codes.
 Range product_range(const Expression& a, const Expression& b) {
   const Range x = a.range, y = b.range;
   const auto [low, high] = std::minmax({x.low * y.low, x.low * y.high, x.high * y.low, x.high * y.high});
@@ -32,7 +32,7 @@ Range product_range(const Expression& a, const Expression& b) {
   return {nearest * nearest, high};
 }
 
-// Reads and marks of both; text and range are the caller's.
+// The reads and marks of both; the caller sets text and range.
 Expression joined(const Expression& a, const Expression& b) {
   Expression e;
   e.reads = a.reads;
@@ -97,7 +97,7 @@ std::string constant_text(const Datapath& d, int value, int unit, Marks& marks) 
     marks.insert(Mark::half);
     return sign + "½";
   }
-  // Codes are told as codes; only real numbers have a shortest fraction.
+  // Integer codes are printed as codes; only real numbers are reduced to the shortest fraction.
   const int common = d.arithmetic == Arithmetic::integer ? (size % unit == 0 ? unit : 1) : std::gcd(size, d.one * unit);
   return sign + std::to_string(size / common) + "/" + std::to_string(d.one * unit / common);
 }
@@ -126,7 +126,7 @@ Expression mapped_value(const Datapath& d, InputMapping mapping, const Expressio
       e.negative = !e.negative;
       return e;
     case InputMapping::unsigned_invert:
-      // Beyond one, where only the colour sum gets, inverting gives 0.
+      // Only the colour sum can exceed one; inverting it then gives 0.
       if (value.range.high > d.one) e.text = "min(1, " + e.text + ")";
       e.text = "1 " + kMinus + " " +
                (e.binding < Binding::product && value.range.high <= d.one ? parenthesized(e.text) : e.text);
@@ -226,7 +226,7 @@ Picks mux_picks(const Datapath& d, bool by_lowest_bit, Range spare0_alpha) {
   const auto pick = [](bool cd) { return cd ? Picks::cd : Picks::ab; };
   if (by_lowest_bit) {
     const int low = std::max(0, spare0_alpha.low), high = std::max(0, spare0_alpha.high);
-    // The codes that stand for real numbers here are finer than theirs; only zero is the same one.
+    // The codes for real numbers are finer here than in the program; only zero is the same in both.
     const bool is_known = low == high && (low == 0 || d.arithmetic == Arithmetic::integer);
     return is_known ? pick(low % 2 == 1) : Picks::either;
   }
@@ -240,7 +240,7 @@ Expression choice(const Datapath& d, const Expression& ab, const Expression& cd,
   const Read reads_alpha{Register::spare0, false, kAlphaBit};
   if (const Picks picks = mux_picks(d, by_lowest_bit, spare0_alpha); picks != Picks::either) {
     Expression side = picks == Picks::ab ? ab : cd;
-    side.reads.push_back(reads_alpha);  // that it can be on one side only is the doing of what wrote it
+    side.reads.push_back(reads_alpha);  // the equation that wrote this alpha decides the side
     return side;
   }
   Expression e = joined(ab, cd);
@@ -258,7 +258,7 @@ Expression choice(const Datapath& d, const Expression& ab, const Expression& cd,
 Expression combiner_output(const Datapath& d, Scale scale, Bias bias, const Expression& wide) {
   if (wide.constant) {
     Expression e = constant_of(reference::combiner_output(d, scale, bias, *wide.constant));
-    e.reads = wide.reads;  // a mux that can only pick this one has read what decides it
+    e.reads = wide.reads;  // a mux that can pick only this side has read the deciding alpha
     return e;
   }
   Expression e = bias == Bias::none ? wide : sum(d, wide, constant_of(-d.half * d.one), d.one);

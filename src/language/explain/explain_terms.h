@@ -1,5 +1,5 @@
-// The algebra of explain: mapped inputs, their products and sums as text, with the constants folded and with the range
-// that their values can have.
+// The algebra of explain: mapped inputs, their products and sums as text, with constants folded and with the range of
+// their values.
 #pragma once
 
 #include <array>
@@ -17,10 +17,10 @@ struct Range {
   int high = 0;
 };
 
-// What the components of each register can be: [register][0] red, green and blue, [register][1] alpha. Codes.
+// The range of each register's components in codes: [register][0] for red, green and blue, [register][1] for alpha.
 using Ranges = std::array<std::array<Range, 2>, kRegisterCount>;
 
-// That something reads components of a register. Those are the reader's own channels, or always the same ones.
+// A read of components of a register: the reader's own channels, or always the same components.
 struct Read {
   Register reg = Register::zero;
   bool per_channel = false;
@@ -31,11 +31,11 @@ struct Read {
 inline constexpr unsigned kRgbBits = 7U;
 inline constexpr unsigned kAlphaBit = 8U;
 
-// Marks that need a word in the legend.
+// Notation that the legend explains.
 enum class Mark { expand, half, odd, product, dot, swizzle, max };
 using Marks = std::set<Mark>;
 
-// How tightly an expression holds together, loosest first.
+// How tightly an expression binds, loosest first.
 enum class Binding { choice, sum, product, atom };
 
 // A value: a constant, or text without its sign.
@@ -50,12 +50,12 @@ struct Expression {
   [[nodiscard]] bool is(int value) const { return constant == value; }
 };
 
-// What surrounds an input.
+// The context in which an input is read.
 struct Scope {
   const Datapath* datapath = nullptr;
   const Ranges* ranges = nullptr;
   Rgba9 constant0{}, constant1{};
-  bool per_channel = true;  // the reader has red, green and blue of its own
+  bool per_channel = true;  // the reader has separate red, green and blue channels
 };
 
 [[nodiscard]] std::string with_sign(const Expression& e);
@@ -65,27 +65,28 @@ struct Scope {
 // The same in units of 1/(one × unit): unit 1 for codes, `one` for wide values.
 [[nodiscard]] std::string constant_text(const Datapath& d, int value, int unit, Marks& marks);
 
-// A variable after its mapping, a code. In a dot product an input that is one component for all is spelled out.
+// A variable after its mapping, as a code. In a dot product, an input that uses one component for all channels is
+// spelled out.
 [[nodiscard]] Expression mapped_input(const Scope& scope, const CombinerInput& input, bool in_dot_product);
-// The same for a value that was computed, such as the final combiner's E·F.
+// The same for a computed value, such as the final combiner's E·F.
 [[nodiscard]] Expression mapped_value(const Datapath& d, InputMapping mapping, const Expression& value);
 
-// Of two codes, a wide value.
+// Products of two codes, as wide values.
 [[nodiscard]] Expression product(const Datapath& d, const Expression& a, const Expression& b);
 [[nodiscard]] Expression dot_product(const Datapath& d, const Expression& a, const Expression& b);
-// Of two wide values with unit `one`, or of two codes with unit 1.
+// The sum of two wide values with unit `one`, or of two codes with unit 1.
 [[nodiscard]] Expression sum(const Datapath& d, const Expression& a, const Expression& b, int unit);
 
-// What a mux does where its spare0 alpha leaves it no choice.
+// The product that a mux picks, if the range of spare0's alpha leaves no choice.
 enum class Picks { either, ab, cd };
 [[nodiscard]] Picks mux_picks(const Datapath& d, bool by_lowest_bit, Range spare0_alpha);
 
-// The mux of two wide values, decided where it can only pick one.
+// The mux of two wide values, or the only one that it can pick.
 [[nodiscard]] Expression choice(const Datapath& d, const Expression& ab, const Expression& cd, bool by_lowest_bit,
                                 Range spare0_alpha);
 
-// What a general combiner writes for a wide value: the expression with bias and scale, and its range as codes before
-// the clamp.
+// The value that a general combiner writes for a wide value: the expression with bias and scale, and its range as codes
+// before the clamp.
 [[nodiscard]] Expression combiner_output(const Datapath& d, Scale scale, Bias bias, const Expression& wide);
 
 }  // namespace ninebit::explain_detail

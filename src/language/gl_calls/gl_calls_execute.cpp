@@ -93,7 +93,7 @@ class Call {
     return true;
   }
 
-  // GL reads four values for a colour and one for the rest.
+  // GL reads four values for a colour and one for other parameters.
   bool convert_array(const GlArgument& array, char kind) {
     const GLenum pname = converted_.e[call_.parameters.size() - 2];
     const std::size_t needed = pname == gl::GL_NUM_GENERAL_COMBINERS_NV || pname == gl::GL_COLOR_SUM_CLAMP_NV ? 1 : 4;
@@ -138,15 +138,16 @@ class Call {
     }
   }
 
-  // An argument that is not what GL looks for in its place: false if it is.
+  // Reports an argument of the wrong kind; false if the kind is right.
   template <class Word>
   bool misnamed(std::size_t i, const std::optional<Word>& word, const char* expected) {
     if (word) return false;
-    faults_.add(arguments_[i].offset, quoted(arguments_[i].text) + " is no " + expected, GlError::invalid_enum);
+    faults_.add(arguments_[i].offset, quoted(arguments_[i].text) + " is not a valid " + expected,
+                GlError::invalid_enum);
     return true;
   }
 
-  // True: at least one argument is an enumerant of the wrong kind, and that is reported.
+  // Reports the arguments that are enumerants of the wrong kind; true if there are any.
   bool explain_names() {
     const auto& e = converted_.e;
     bool found = false;
@@ -182,7 +183,7 @@ class Call {
     return found;
   }
 
-  // Only where explain_names() found nothing: true if validate.h knows the reasons, which are then reported.
+  // Called only if explain_names() returned false. Reports the reasons that validate.h finds; true if there are any.
   bool explain_rules() {
     const auto& e = converted_.e;
     const HardwareProfile& profile = context_.profile();
@@ -210,7 +211,7 @@ class Call {
     return !reasons.empty();
   }
 
-  // Why GL refused what is neither an input nor an output.
+  // Why GL refused a call that sets neither an input nor an output.
   [[nodiscard]] std::string reason() const {
     const HardwareProfile& profile = context_.profile();
     std::string combiners = "profile " + std::string(profile.name) + " has " +

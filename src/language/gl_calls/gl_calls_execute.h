@@ -1,4 +1,4 @@
-// Runs one GL call of a text on a context, and says why GL refused it.
+// Runs one GL call of a text on a context, and reports why GL refused it.
 #pragma once
 
 #include <cstddef>
@@ -14,24 +14,24 @@ namespace ninebit::detail {
 
 enum class GlElement { any, integer, real };
 
-// An argument as it is written: a number or an array of them.
+// An argument as written: a number or an array of numbers.
 struct GlArgument {
   std::size_t offset = 0;
   std::string_view text;
   bool is_array = false;
-  bool is_integer = true;              // of a number
-  std::int64_t integer = 0;            // a number, when is_integer
-  double real = 0.0;                   // a number, always
-  GlElement element = GlElement::any;  // of an array: what its declaration says
-  std::size_t count = 0;               // of an array: its elements,
-  std::vector<GlArgument> values;      // and the first four of them
+  bool is_integer = true;              // numbers: not floating-point
+  std::int64_t integer = 0;            // numbers: the value if is_integer
+  double real = 0.0;                   // numbers: the value, integer or not
+  GlElement element = GlElement::any;  // arrays: the declared type
+  std::size_t count = 0;               // arrays: number of elements
+  std::vector<GlArgument> values;      // arrays: the first four elements
 };
 
-// Fills in the value of a number as C writes it, decimal, hexadecimal, octal or floating; false: it is none, or its
-// type cannot hold it.
+// Reads a C number: decimal, hexadecimal, octal or floating-point; false if it is not a number or its type cannot hold
+// it.
 [[nodiscard]] bool read_gl_number(std::string_view text, GlArgument& out);
 
-// Converts the arguments as C would, runs the call, and reports what is wrong with either; `offset` is the call's.
+// Converts the arguments as C would, runs the call, and reports the faults of both; `offset` is that of the call.
 void execute_gl_call(const GlSignature& call, const std::vector<GlArgument>& arguments, std::size_t offset,
                      gl::Context& context, SourceFaults& faults);
 

@@ -28,7 +28,7 @@ void GlLexer::skip_line() {
   advance();
 }
 
-// A preprocessing number of C: digits, letters and dots, and a sign after a decimal exponent's e.
+// The end of a C preprocessing number: digits, letters and dots, and a sign after a decimal exponent's e.
 std::size_t GlLexer::number_end() const {
   const bool hex = text_.substr(at_, 2) == "0x" || text_.substr(at_, 2) == "0X";
   std::size_t end = at_ + 1;

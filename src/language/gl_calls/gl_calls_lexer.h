@@ -1,4 +1,4 @@
-// The words of C as far as GL calls need them.
+// The C tokens that GL calls need.
 #pragma once
 
 #include <cstddef>
@@ -18,18 +18,18 @@ struct GlToken {
   [[nodiscard]] bool is(std::string_view name) const { return kind == Kind::name && text == name; }
 };
 
-// One token ahead. A comment without its end is a fault, and the text is over.
+// A lexer with one token of lookahead. An unterminated comment is a fault and ends the text.
 class GlLexer {
  public:
   GlLexer(std::string_view text, SourceFaults& faults);
 
   [[nodiscard]] const GlToken& peek() const { return token_; }
   GlToken take();
-  // Past the line that the next token begins in.
+  // Skips the rest of the line in which the next token begins.
   void skip_line();
-  // Where the token taken last ended.
+  // The end of the token that was taken last.
   [[nodiscard]] std::size_t end_of_last() const { return end_of_last_; }
-  // Whether the text ended inside a comment: a fault that is reported already.
+  // Whether the text ended inside a comment; that fault is already reported.
   [[nodiscard]] bool cut_short() const { return cut_short_; }
 
  private:

@@ -111,7 +111,7 @@ std::optional<gl::GLenum> texture_of_name(std::string_view name) {
   return unit < 32 ? std::optional(gl::GL_TEXTURE0_ARB + unit) : std::nullopt;
 }
 
-// Whether a function pointer's name may begin so: gl, pgl, qgl, _gl, __glew, m_gl_, …
+// Whether a function pointer's name may begin like this: gl, pgl, qgl, _gl, __glew, m_gl_, …
 bool is_call_prefix(std::string_view prefix) {
   constexpr std::size_t kLongest = 16;
   if (prefix.size() > kLongest) return false;
@@ -119,7 +119,7 @@ bool is_call_prefix(std::string_view prefix) {
   return prefix.ends_with("gl") || prefix.ends_with("glew");
 }
 
-// Whether it may end so, in any case and with an underscore before it or not.
+// Whether it may end like this, in upper or lower case, with or without an underscore before it.
 bool is_call_suffix(std::string_view suffix) {
   if (suffix.empty()) return true;
   if (suffix.front() == '_') suffix.remove_prefix(1);

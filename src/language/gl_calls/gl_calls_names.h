@@ -1,4 +1,4 @@
-// GL's names as text: of values, and of the calls that a text of GL calls may have.
+// GL's names as text: of values and of the accepted calls.
 #pragma once
 
 #include <optional>
@@ -8,8 +8,8 @@
 
 namespace ninebit::detail {
 
-// The value of an enumerant or boolean by its C name; empty: ninebit does not know the name. GL_TEXTURE0 to
-// GL_TEXTURE31 and GL_COMBINER0_NV to GL_COMBINER7_NV are all known: whether a profile has them is for GL to say.
+// The value of an enumerant or boolean by its C name; empty if the name is unknown. GL_TEXTURE0 to GL_TEXTURE31 and
+// GL_COMBINER0_NV to GL_COMBINER7_NV are all accepted: the GL call checks whether the profile has them.
 [[nodiscard]] std::optional<gl::GLenum> value_of_name(std::string_view name);
 
 enum class GlCommand {
@@ -25,18 +25,18 @@ enum class GlCommand {
   disable
 };
 
-// What a call is named in GL, and its parameters, one letter each: e an enumerant, b a boolean, i an integer, f a
-// float, I and F arrays of them.
+// The GL name of a call without its prefix, and its parameters, one letter each: e an enumerant, b a boolean, i an
+// integer, f a float, I and F arrays of integers and floats.
 struct GlSignature {
   GlCommand command;
   std::string_view name;
   std::string_view parameters;
 };
 
-// The call that a name means, as GL or a function pointer has it (docs/languages.md); nullptr: none.
+// The call that a name means: GL's name or that of a function pointer (docs/languages.md); nullptr: none.
 [[nodiscard]] const GlSignature* find_gl_call(std::string_view name);
 
-// Each word's name in C, as a call needs it; "0xFFFFFFFF", which GL refuses, for a number that is no enumerator.
+// The C name of an enumerator; "0xFFFFFFFF", which GL refuses, for a value that is not an enumerator.
 [[nodiscard]] std::string_view gl_name(Register reg);
 [[nodiscard]] std::string_view gl_name(InputMapping mapping);
 [[nodiscard]] std::string_view gl_name(ComponentUsage usage);

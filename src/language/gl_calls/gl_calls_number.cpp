@@ -7,12 +7,12 @@
 namespace ninebit::detail {
 namespace {
 
-// The suffixes of C: of floats f and l, of integers u, l, ul, ll, … in any order and case.
+// Whether a suffix is one of C's: f and l for floats; u, l, ul, ll, … for integers, in any order and case.
 bool is_suffix(std::string_view suffix, std::string_view letters, std::size_t most) {
   return suffix.size() <= most && suffix.find_first_not_of(letters) == std::string_view::npos;
 }
 
-// Fills in a number's value; false: it is none that C knows, or none that its type can hold.
+// Reads an integer; false if it is not valid C or its type cannot hold it.
 bool read_integer(std::string_view text, GlArgument& out) {
   const bool hex = text.starts_with("0x") || text.starts_with("0X");
   const int base = hex ? 16 : text.size() > 1 && text.front() == '0' ? 8 : 10;

@@ -28,10 +28,10 @@ std::optional<GlElement> element_type(std::string_view name) {
 }
 
 constexpr std::size_t kMostValues = 1024;
-constexpr std::size_t kReadValues = 4;  // what GL reads of an array at most
+constexpr std::size_t kReadValues = 4;  // the most that GL reads of an array
 
-// Statements, one after the other, each executed as soon as it is read. A statement that is at fault is skipped to its
-// semicolon, or to the next name of a call.
+// Reads statements and executes each as soon as it is read. A faulty statement is skipped up to its semicolon or the
+// next name of a call.
 class Parser {
  public:
   Parser(const SourceText& source, const HardwareProfile& profile)
@@ -46,7 +46,7 @@ class Parser {
   }
 
  private:
-  // False: the rest of the statement is to be skipped.
+  // Returns false if the rest of the statement must be skipped.
   bool statement() {
     const GlToken& token = lexer_.peek();
     if (token.is(';')) {
@@ -54,7 +54,7 @@ class Parser {
       return true;
     }
     if (token.text.starts_with('#')) {
-      faults_.add(token.offset, "preprocessor lines are not read; expected a GL call");
+      faults_.add(token.offset, "preprocessor lines are not supported; expected a GL call");
       lexer_.skip_line();
       return true;
     }
@@ -62,7 +62,7 @@ class Parser {
     if (const GlSignature* const call = detail::find_gl_call(token.text)) return call_statement(*call);
     if (token.is("static") || token.is("const") || element_type(token.text)) return declaration();
     const GlToken name = lexer_.take();
-    faults_.add(name.offset, lexer_.peek().is('(') ? quoted(name.text) + " is no call of the register combiners"
+    faults_.add(name.offset, lexer_.peek().is('(') ? quoted(name.text) + " is not a call of the register combiners"
                                                    : "expected a GL call, found " + quoted(name.text));
     return false;
   }
@@ -78,7 +78,7 @@ class Parser {
       const Read read = this->argument(argument);
       if (read == Read::broken) return false;
       good = good && read == Read::done;
-      // The longest call has ten; more are counted, but need not be kept.
+      // The longest call has ten arguments; the limit only bounds the memory.
       if (arguments.size() < kMostValues) arguments.push_back(std::move(argument));
     }
     lexer_.take();
@@ -101,7 +101,7 @@ class Parser {
       std::optional<std::size_t> size;
       if (!bounds(size) || !expect('=') || !braces(array, size)) return false;
       if (!arrays_.emplace(name.text, std::move(array)).second) {
-        faults_.add(name.offset, quoted(name.text) + " is declared a second time");
+        faults_.add(name.offset, quoted(name.text) + " is already declared");
       }
       if (!lexer_.peek().is(',')) return end_of_statement();
       lexer_.take();
@@ -124,22 +124,22 @@ class Parser {
     return expect(']');
   }
 
-  // "{1, 0.5f, …}". An array with bounds is filled up with zeros.
+  // "{1, 0.5f, …}". An array with bounds is padded with zeros.
   bool braces(GlArgument& array, std::optional<std::size_t> size) {
     array.is_array = true;
     if (!expect('{')) return false;
     while (!lexer_.peek().is('}')) {
       if (array.count > 0 && !expect(',')) return false;
-      if (lexer_.peek().is('}')) break;  // after a last comma
+      if (lexer_.peek().is('}')) break;  // after a trailing comma
       const std::size_t offset = lexer_.peek().offset;
       GlArgument value;
       if (const Read read = scalar(value); read != Read::done) return false;
       if (array.count == size.value_or(kMostValues)) {
-        faults_.add(offset, "the array has " + std::to_string(array.count) + " elements already");
+        faults_.add(offset, "too many values; the array has " + std::to_string(array.count) + " elements");
         return false;
       }
       if (array.element == GlElement::integer && !value.is_integer) {
-        faults_.add(offset, quoted(value.text) + " is no integer");
+        faults_.add(offset, quoted(value.text) + " is not an integer");
         return false;
       }
       if (++array.count <= kReadValues) array.values.push_back(std::move(value));
@@ -152,8 +152,8 @@ class Parser {
 
   enum class Read {
     done,
-    unknown,  // a fault is reported, and what follows can be read
-    broken    // a fault is reported, and the statement is lost
+    unknown,  // a fault was reported; parsing can continue
+    broken    // a fault was reported; the rest of the statement must be skipped
   };
 
   Read argument(GlArgument& out) {
@@ -226,14 +226,15 @@ class Parser {
     if (token.kind == GlToken::Kind::number) {
       const GlToken number = lexer_.take();
       if (read_gl_number(number.text, out)) return Read::done;
-      faults_.add(number.offset, quoted(number.text) + " is no number of C, or out of range");
+      faults_.add(number.offset, quoted(number.text) + " is not a C number, or is out of range");
       return Read::unknown;
     }
     if (token.kind != GlToken::Kind::name) return expected("an enumerant or a number") ? Read::done : Read::broken;
     const GlToken name = lexer_.take();
     const auto value = detail::value_of_name(name.text);
     if (!value) {
-      faults_.add(name.offset, quoted(name.text) + " is no enumerant of the register combiners and no array");
+      faults_.add(name.offset,
+                  quoted(name.text) + " is neither an enumerant of the register combiners nor a declared array");
       return Read::unknown;
     }
     out.integer = *value;
@@ -252,7 +253,7 @@ class Parser {
     return true;
   }
 
-  // Nothing is skipped where the semicolon alone is missing.
+  // If only the semicolon is missing, nothing is skipped.
   bool end_of_statement() {
     if (!expect(';')) return detail::find_gl_call(lexer_.peek().text) != nullptr;
     return true;

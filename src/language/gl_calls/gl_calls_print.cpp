@@ -21,7 +21,7 @@ constexpr std::array<std::string_view, 7> kVariableNames{"GL_VARIABLE_A_NV", "GL
                                                          "GL_VARIABLE_D_NV", "GL_VARIABLE_E_NV", "GL_VARIABLE_F_NV",
                                                          "GL_VARIABLE_G_NV"};
 
-// The shortest C constant of type float that is the number again, as GL would store it.
+// The shortest C constant of type float for the number as GL would store it.
 std::string float_text(float component) {
   std::array<char, 32> digits{};
   const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), gl::detail::clamped_color(component));
@@ -107,7 +107,7 @@ class Printer {
           gl_name(out.bias), boolean(out.ab_dot_product), boolean(out.cd_dot_product), boolean(out.mux_sum)});
   }
 
-  // A zero is the default, and the call needs NV_register_combiners2: so it is made for the others alone.
+  // Zero is the default, and the call needs NV_register_combiners2, so it is printed only for other values.
   void stage_constant(std::size_t stage, std::string_view name, const ColorF& color) {
     if (color == ColorF{}) return;
     call("glCombinerStageParameterfvNV", {stage_name(stage), name, array_text(color)});

@@ -1,4 +1,4 @@
-// Where in a context the arguments of a GL command point. Shared by the setters and the gets.
+// Finds the part of a context that the arguments of a GL command name. Shared by the setters and the getters.
 #pragma once
 
 #include <algorithm>
@@ -16,13 +16,13 @@ inline constexpr std::array<CombinerInput FinalCombiner::*, 7> kFinalInputs{
     &FinalCombiner::a, &FinalCombiner::b, &FinalCombiner::c, &FinalCombiner::d,
     &FinalCombiner::e, &FinalCombiner::f, &FinalCombiner::g};
 
-// The general combiner that an enumerant names; empty: this profile has none such.
+// The general combiner that an enumerant names; empty if the profile does not have it.
 inline std::optional<int> existing_stage(const Context& context, GLenum value) {
   const std::optional<int> stage = to_stage(value);
   return stage && *stage < context.profile().general_combiners ? stage : std::nullopt;
 }
 
-// State may be const or not; so is what comes back.
+// The result is const if `state` is.
 template <class State>
 auto& stage_of(State& state, int stage) {
   return state.general[static_cast<std::size_t>(stage)];
@@ -34,7 +34,7 @@ auto& portion_of(State& state, int stage, PortionName portion) {
   return portion == PortionName::rgb ? general.rgb : general.alpha;
 }
 
-// Of a CombinerState or of a GeneralCombiner; nullptr: the enumerant is no constant colour.
+// A constant colour of a CombinerState or of a GeneralCombiner; nullptr if the enumerant names none.
 template <class Owner>
 auto* constant_of(Owner& owner, GLenum pname) {
   return pname == GL_CONSTANT_COLOR0_NV   ? &owner.constant0

@@ -6,7 +6,7 @@
 namespace ninebit::gl {
 namespace {
 
-// Each table stands in the order of the C++ enumeration that it translates.
+// Each table is in the order of the C++ enumeration that it translates.
 constexpr std::array kRegisters{GL_ZERO,
                                 GL_CONSTANT_COLOR0_NV,
                                 GL_CONSTANT_COLOR1_NV,

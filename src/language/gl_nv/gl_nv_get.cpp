@@ -8,7 +8,7 @@ namespace {
 using detail::constant_of;
 using detail::existing_stage;
 
-// Empty: pname names nothing of an input.
+// A parameter of an input; empty if pname names none.
 std::optional<GLenum> parameter_of(const CombinerInput& input, GLenum pname) {
   switch (pname) {
     case GL_COMBINER_INPUT_NV:
@@ -22,7 +22,7 @@ std::optional<GLenum> parameter_of(const CombinerInput& input, GLenum pname) {
   }
 }
 
-// Empty: pname names nothing of an output.
+// A parameter of an output; empty if pname names none.
 std::optional<GLenum> parameter_of(const PortionOutput& out, GLenum pname) {
   const auto boolean = [](bool value) -> GLenum { return value ? GL_TRUE : GL_FALSE; };
   switch (pname) {
@@ -47,7 +47,7 @@ std::optional<GLenum> parameter_of(const PortionOutput& out, GLenum pname) {
   }
 }
 
-// Writes the value, or raises the error that its absence means.
+// Writes the value; raises GL_INVALID_ENUM if it is empty.
 template <class T>
 void answer(Context& context, const std::optional<GLenum>& value, T* params) {
   if (!value) return context.raise(GlError::invalid_enum);
@@ -87,7 +87,7 @@ void get_final_input(GLenum variable, GLenum pname, T* params) {
   answer(*context, parameter_of(of.*detail::kFinalInputs[static_cast<std::size_t>(*v)], pname), params);
 }
 
-// Empty: pname is no scalar of the context.
+// A scalar of the context; empty if pname names none.
 std::optional<GLenum> scalar_of(const Context& context, GLenum pname) {
   switch (pname) {
     case GL_NUM_GENERAL_COMBINERS_NV:
@@ -110,7 +110,7 @@ void convert(float component, GLfloat& out) {
   out = component;
 }
 
-// OpenGL 1.2, table 2.6 the other way, rounded to nearest, a half upward: 0.0 is -0.5 and so 0.
+// The inverse of OpenGL 1.2, table 2.6, rounded to nearest, halves up: 0.0 becomes -0.5 and rounds to 0.
 void convert(float component, GLint& out) {
   out = static_cast<GLint>(std::floor((4294967295.0 * detail::clamped_color(component) - 1.0) / 2.0 + 0.5));
 }

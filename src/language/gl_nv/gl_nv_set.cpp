@@ -8,7 +8,7 @@ namespace {
 using detail::constant_of;
 using detail::existing_stage;
 
-// Raises the error of a command that validate.h finds fault with; false: it is legal.
+// Raises the first error that validate.h found in a command; false if the command is legal.
 bool refused(Context& context, const std::vector<StateDiagnostic>& faults) {
   if (faults.empty()) return false;
   context.raise(faults.front().gl_error);

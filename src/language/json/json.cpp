@@ -1,4 +1,4 @@
-// Reading a program.
+// Parses a program.
 #include "ninebit/language/json.h"
 
 #include <array>
@@ -66,7 +66,7 @@ class ProgramReader {
     return state_;
   }
 
-  // Where the text has what a diagnostic is about.
+  // The place in the text that a diagnostic refers to.
   [[nodiscard]] TextPlace place_of(const StateDiagnostic& found) const {
     if (found.stage && found.portion) {
       const auto stage = static_cast<std::size_t>(*found.stage);

@@ -1,4 +1,4 @@
-// Printing a program. An input and an output stand on one line each, as a reader wants to see them.
+// Prints a program. Each input and each output is on one line, which is easier to read.
 #include <charconv>
 
 #include "ninebit/language/json.h"
@@ -9,7 +9,7 @@ namespace {
 std::string number(float value) {
   if (!(value > 0.0F)) return "0";
   if (value >= 1.0F) return "1";
-  // The shortest digits that give the same float again.
+  // The shortest digits that parse to the same float.
   char digits[32];
   const auto [end, error] = std::to_chars(std::begin(digits), std::end(digits), value);
   return std::string(digits, end);
@@ -32,7 +32,7 @@ std::string object(const CombinerInput& in) {
          member("usage", name_of(in.usage)) + '}';
 }
 
-// What GL does not have is not there unless it is asked for.
+// Features that GL does not have are printed only if they are set.
 std::string if_set(std::string_view key, bool value) {
   return value ? ", " + member(key, true) : "";
 }

@@ -17,7 +17,7 @@ using json::Value;
 template <class T>
 using Names = std::initializer_list<std::pair<std::string_view, T>>;
 
-// What the string views of an OwnedProfile show.
+// The storage of an OwnedProfile's string views.
 struct ProfileText {
   std::string name, chip, source;
 };
@@ -87,11 +87,12 @@ class ProfileReader {
       names += (names.empty() ? "" : ", ") + std::string(shipped.name);
     }
     const Value* const base = find("base");
-    if (base == nullptr) return read_.fault(root_->offset, "the key \"base\" is missing; it names one of " + names);
+    if (base == nullptr) return read_.fault(root_->offset, "the key \"base\" is missing; expected one of " + names);
     if (base->type != Type::string) return read_.wrong_type(*base, "a string");
     const HardwareProfile* const shipped = find_profile(base->text);
     if (shipped == nullptr) {
-      return read_.fault(base->offset, json::in_quotes(base->text) + " is no shipped profile; there are " + names);
+      return read_.fault(base->offset,
+                         json::in_quotes(base->text) + " is not a shipped profile; expected one of " + names);
     }
     profile_ = *shipped;
     base_arithmetic_ = profile_.arithmetic;
@@ -105,7 +106,7 @@ class ProfileReader {
     } else if (name->type != Type::string) {
       read_.wrong_type(*name, "a string");
     } else if (!is_name(name->text)) {
-      read_.fault(name->offset, "a name is 1 to 64 letters, digits, and the characters - _ .");
+      read_.fault(name->offset, "a name must be 1 to 64 letters, digits and characters - _ .");
     } else if (find_profile(name->text) != nullptr) {
       read_.fault(name->offset, json::in_quotes(name->text) + " is the name of a shipped profile");
     } else {
@@ -116,7 +117,7 @@ class ProfileReader {
       if (chip->type != Type::string) {
         read_.wrong_type(*chip, "a string");
       } else if (chip->text.size() > 200 || std::any_of(chip->text.begin(), chip->text.end(), control)) {
-        read_.fault(chip->offset, "chip is one line of at most 200 bytes");
+        read_.fault(chip->offset, "chip must be one line of at most 200 bytes");
       } else {
         text_->chip = chip->text;
       }
@@ -133,7 +134,7 @@ class ProfileReader {
     const int one = 255 >> profile_.byte_shift.value;
     if (profile_.one != one) {
       const Value* const at = find("one") != nullptr ? find("one") : find("byte_shift");
-      // Neither is there, or one of them has its fault already.
+      // No second fault: one of the keys may already have one. Without either key there is nothing to report.
       if (at != nullptr && faults_.empty()) {
         read_.fault(at->offset, "one is " + std::to_string(profile_.one.value) + "; with byte_shift " +
                                     std::to_string(profile_.byte_shift.value) + " it must be " + std::to_string(one) +
@@ -142,7 +143,7 @@ class ProfileReader {
       return;
     }
     if (profile_.arithmetic != Arithmetic::integer) return refuse_unread(one);
-    // A base of another arithmetic says that it does not read these.
+    // A base with another arithmetic marks these as not read.
     if (base_arithmetic_ != Arithmetic::integer) set_integer_rules(text_->source);
     integer("lowest", profile_.lowest, -one - 1, -one);
     integer("half", profile_.half, 0, one);
@@ -190,7 +191,7 @@ class ProfileReader {
     choose("dxt1_palette", profile_.dxt1_palette, {{"rgb565", Dxt1Palette::rgb565}, {"rgb888", Dxt1Palette::rgb888}});
   }
 
-  // The values stay; where they come from changes.
+  // Keeps the values and changes their evidence.
   void set_integer_rules(std::string_view source) {
     const auto set = [&](auto& choice) { choice = {choice.value, Evidence::assumed, source}; };
     set(profile_.lowest);
@@ -212,12 +213,12 @@ class ProfileReader {
       read_.integer(*value, low, high, number);
       replace(choice, number);
     } else if (choice < low || choice > high) {
-      // Another field of this file has moved the limits away from what the base has.
+      // Another field of this file changed the limits, and the base's value is now out of range.
       const Value* const one = find("one");
       read_.fault(one != nullptr ? one->offset : root_->offset,
                   std::string(key) + " of the base is " + std::to_string(choice.value) +
-                      ", but with this one it must be " + std::to_string(low) + " to " + std::to_string(high) +
-                      "; give it, too");
+                      ", but with this value it must be " + std::to_string(low) + " to " + std::to_string(high) +
+                      "; set it as well");
     }
   }
 
@@ -239,7 +240,8 @@ class ProfileReader {
       if (name == value->text) return replace(choice, meaning);
       all += (all.empty() ? "" : ", ") + std::string(name);
     }
-    read_.fault(value->offset, json::in_quotes(value->text) + " is no " + std::string(key) + "; there are " + all);
+    read_.fault(value->offset,
+                json::in_quotes(value->text) + " is not a valid " + std::string(key) + "; expected one of " + all);
   }
 
   Reader read_;

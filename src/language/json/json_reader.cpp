@@ -5,8 +5,8 @@
 namespace ninebit::json {
 namespace {
 
-// Whether a number that a float cannot hold is between 0 and 1. What a double cannot hold either, the JSON parser has
-// refused if it was large.
+// Whether a number that a float cannot hold is between 0 and 1. The JSON parser has already refused numbers that are
+// too large for a double.
 bool underflows(std::string_view text) {
   double number = 0;
   const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), number);
@@ -58,7 +58,7 @@ void Reader::heading(const Value& root, std::string_view kind, bool required) {
   } else if (version->type != Type::number) {
     wrong_type(*version, "a whole number");
   } else if (version->text != "1") {
-    fault(version->offset, "version " + in_quotes(version->text) + " is unknown; this program reads version 1");
+    fault(version->offset, "version " + in_quotes(version->text) + " is not supported; expected version 1");
   }
 }
 

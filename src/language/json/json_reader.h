@@ -1,4 +1,4 @@
-// Takes values of one type out of a tree; whatever is otherwise becomes a fault with its place.
+// Reads values of the expected types from a tree; anything else is a fault with its place.
 #pragma once
 
 #include <algorithm>
@@ -16,7 +16,7 @@ class Reader {
  public:
   Reader(std::string_view text, TextFaults& faults) : places_(text), faults_(faults) {}
 
-  // `gl_error` is what OpenGL raises for the same state, where that is all that is wrong.
+  // `gl_error` is the error that OpenGL raises for the same state, if the fault is one of the state only.
   void fault(std::size_t offset, const std::string& message, GlError gl_error = GlError::no_error) {
     faults_.add(places_(offset), message, gl_error);
   }
@@ -29,7 +29,7 @@ class Reader {
           called(value) + " must be " + std::string(expected) + ", not " + std::string(name_of(value.type)));
   }
 
-  // Whether the value is an object with none but the given keys; unknown keys are faults.
+  // Whether the value is an object; keys other than the given ones are faults.
   bool object(const Value& value, std::initializer_list<std::string_view> keys) {
     if (value.type != Type::object) {
       wrong_type(value, "an object");
@@ -56,13 +56,13 @@ class Reader {
     into = value.boolean;
   }
 
-  // A whole number, written as one, in [lowest, highest].
+  // A whole number in [lowest, highest], written without fraction and exponent.
   void integer(const Value& value, int lowest, int highest, int& into, GlError beyond = GlError::no_error);
 
   // A real number in [0, 1].
   void fraction(const Value& value, float& into);
 
-  // The value with this name; `name_of` is the combiner's.
+  // The enumerator with this name, by the combiner's `name_of`.
   template <class Enum>
   void name(const Value& value, std::span<const Enum> allowed, std::string_view what, Enum& into) {
     if (value.type != Type::string) return wrong_type(value, "a string");
@@ -74,10 +74,10 @@ class Reader {
       }
       names += (names.empty() ? "" : ", ") + std::string(ninebit::name_of(one));
     }
-    fault(value.offset, in_quotes(value.text) + " is no " + std::string(what) + "; there are " + names);
+    fault(value.offset, in_quotes(value.text) + " is not a valid " + std::string(what) + "; expected one of " + names);
   }
 
-  // Faults of "ninebit" and "version", which say what the text is; `required`: they must be there.
+  // Checks "ninebit" and "version", which identify the text; `required`: they must be present.
   void heading(const Value& root, std::string_view kind, bool required);
 
  private:

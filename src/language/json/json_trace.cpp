@@ -9,7 +9,7 @@
 namespace ninebit {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 constexpr std::string_view kComponents = "rgba";
 
@@ -17,18 +17,18 @@ std::string component_name(int component) {
   return {kComponents[static_cast<std::size_t>(component)]};
 }
 
-Json json_of(const TracedCode& v) {
+OrderedJson json_of(const TracedCode& v) {
   return {{"code", v.code}, {"real", v.real}, {"ideal", v.ideal}};
 }
 
-Json json_of(const TracedWide& v) {
+OrderedJson json_of(const TracedWide& v) {
   const bool whole = v.units == std::floor(v.units);
-  return {{"units", whole ? Json(static_cast<std::int64_t>(v.units)) : Json(v.units)},
+  return {{"units", whole ? OrderedJson(static_cast<std::int64_t>(v.units)) : OrderedJson(v.units)},
           {"real", v.real},
           {"ideal", v.ideal}};
 }
 
-Json json_of(const TracedInput& in) {
+OrderedJson json_of(const TracedInput& in) {
   return {{"register", short_name(in.from.reg)},
           {"component", component_name(in.component)},
           {"mapping", name_of(in.from.mapping)},
@@ -36,8 +36,8 @@ Json json_of(const TracedInput& in) {
           {"mapped", json_of(in.mapped)}};
 }
 
-Json json_of(const TracedOutput& out) {
-  Json json{{"wide", json_of(out.wide)}, {"biased", json_of(out.biased)}};
+OrderedJson json_of(const TracedOutput& out) {
+  OrderedJson json{{"wide", json_of(out.wide)}, {"biased", json_of(out.biased)}};
   if (out.early) json["narrowed_before_scale"] = json_of(*out.early);
   json["scaled"] = json_of(out.scaled);
   json["dropped"] = json_of(out.dropped);
@@ -47,9 +47,9 @@ Json json_of(const TracedOutput& out) {
   return json;
 }
 
-// Registers that a fragment has.
-Json json_of(const TracedRegisters& registers) {
-  Json json = Json::object();
+// The registers of a fragment: all but zero and the constants.
+OrderedJson json_of(const TracedRegisters& registers) {
+  OrderedJson json = OrderedJson::object();
   for (std::size_t r = static_cast<std::size_t>(Register::fog); r < kRegisterCount; ++r) {
     json[std::string(short_name(static_cast<Register>(r)))] = {
         {"codes", registers.codes.value[r]}, {"real", registers.real.value[r]}, {"ideal", registers.ideal.value[r]}};
@@ -57,11 +57,11 @@ Json json_of(const TracedRegisters& registers) {
   return json;
 }
 
-Json json_of(const TracedPortion& portion) {
+OrderedJson json_of(const TracedPortion& portion) {
   const PortionOutput& out = portion.state.out;
-  Json channels = Json::array();
+  OrderedJson channels = OrderedJson::array();
   for (const TracedChannel& channel : portion.channel) {
-    Json json{{"channel", component_name(channel.component)}};
+    OrderedJson json{{"channel", component_name(channel.component)}};
     if (portion.uses_ab) {
       json["a"] = json_of(channel.input[0]);
       json["b"] = json_of(channel.input[1]);
@@ -74,10 +74,11 @@ Json json_of(const TracedPortion& portion) {
       json["cd_product"] = json_of(channel.cd_product);
       json["cd"] = json_of(channel.cd);
     }
-    Json outputs = Json::array();
+    OrderedJson outputs = OrderedJson::array();
     const auto add = [&](const char* name, Register to, const std::optional<TracedOutput>& output) {
       if (!output) return;
-      Json one{{"output", name}, {"target", std::string(short_name(to)) + '.' + component_name(channel.component)}};
+      OrderedJson one{{"output", name},
+                      {"target", std::string(short_name(to)) + '.' + component_name(channel.component)}};
       one.update(json_of(*output));
       outputs.push_back(std::move(one));
     };
@@ -97,11 +98,11 @@ Json json_of(const TracedPortion& portion) {
           {"channels", std::move(channels)}};
 }
 
-Json json_of(const TracedFinal& f) {
-  Json rgb = Json::array();
+OrderedJson json_of(const TracedFinal& f) {
+  OrderedJson rgb = OrderedJson::array();
   for (std::size_t c = 0; c < 3; ++c) {
     const TracedFinalChannel& from = f.rgb[c];
-    Json json{{"channel", component_name(static_cast<int>(c))}};
+    OrderedJson json{{"channel", component_name(static_cast<int>(c))}};
     for (std::size_t v = 0; v < 6; ++v) {
       if (v < 4 || f.uses_e_times_f) json[std::string(1, "abcdef"[v])] = json_of(from.input[v]);
     }
@@ -135,7 +136,7 @@ std::string_view name_of_arithmetic(Arithmetic arithmetic) {
 
 std::string print_json_trace(const Program& program, const Trace& trace) {
   const auto product_name = [](bool cd) { return cd ? "cd" : "ab"; };
-  Json stages = Json::array();
+  OrderedJson stages = OrderedJson::array();
   for (std::size_t i = 0; i < trace.stage.size(); ++i) {
     const TracedStage& stage = trace.stage[i];
     stages.push_back({{"stage", i},
@@ -147,12 +148,12 @@ std::string print_json_trace(const Program& program, const Trace& trace) {
                       {"alpha", json_of(stage.alpha)},
                       {"after", json_of(stage.after)}});
   }
-  const Json json{{"arithmetic", name_of_arithmetic(program.datapath.arithmetic)},
-                  {"one", program.datapath.one},
-                  {"before", json_of(trace.before)},
-                  {"stages", std::move(stages)},
-                  {"final", json_of(trace.final_combiner)},
-                  {"out", {{"codes", trace.color}, {"bytes", trace.bytes}}}};
+  const OrderedJson json{{"arithmetic", name_of_arithmetic(program.datapath.arithmetic)},
+                         {"one", program.datapath.one},
+                         {"before", json_of(trace.before)},
+                         {"stages", std::move(stages)},
+                         {"final", json_of(trace.final_combiner)},
+                         {"out", {{"codes", trace.color}, {"bytes", trace.bytes}}}};
   return json.dump(2);
 }
 

@@ -6,16 +6,16 @@
 namespace ninebit::json {
 namespace {
 
-// nlohmann's parser says what it reads but not where. Each of its events is one token, and between tokens stand only
-// blanks, commas and colons; so a cursor that steps over one token an event knows the place. The parser has accepted
-// each token before it reports it, which is why the cursor need not look closely.
+// Finds the places that nlohmann's parser does not report. Each of its events is one token, and only blanks, commas and
+// colons separate tokens, so a cursor that skips one token per event is at the place of the event. The parser accepts
+// each token before it reports it, so the cursor need not validate it.
 class Cursor {
  public:
   explicit Cursor(std::string_view text) : text_(text) {
     if (text_.starts_with("\xEF\xBB\xBF")) at_ = 3;
   }
 
-  // The offset of the next token; the cursor goes behind it.
+  // Returns the offset of the next token and moves past it.
   std::size_t next() {
     at_ = std::min(text_.find_first_not_of(" \t\r\n,:", at_), text_.size());
     const std::size_t start = at_;
@@ -41,7 +41,7 @@ class Cursor {
   std::size_t at_ = 0;
 };
 
-// The parser's own sentence without its prefix and without the bytes that it read last.
+// The parser's message without its prefix and without the bytes that it read last.
 std::string sentence_of(std::string_view what) {
   const std::size_t place = what.find("column ");
   if (place != std::string_view::npos) {
@@ -60,7 +60,7 @@ std::string sentence_of(std::string_view what) {
   return text.substr(0, 300);
 }
 
-// The tree is kept in a flat stack of unfinished values: a value is moved into its parent when it ends.
+// Builds the tree with a stack of unfinished values: a value is moved into its parent when it ends.
 class Builder {
  public:
   using number_integer_t = nlohmann::json::number_integer_t;
@@ -83,7 +83,7 @@ class Builder {
     next_.text = std::move(value);
     return leaf(Type::string);
   }
-  bool binary(binary_t&) { return false; }  // no JSON text has one
+  bool binary(binary_t&) { return false; }  // never occurs in JSON text
 
   bool start_object(std::size_t) { return start(Type::object); }
   bool start_array(std::size_t) { return start(Type::array); }
@@ -98,7 +98,7 @@ class Builder {
 
   bool parse_error(std::size_t position, const std::string&, const nlohmann::json::exception& error) {
     const std::size_t offset = std::min(position == 0 ? 0 : position - 1, text_.size());
-    faults_.add(place_of(text_, offset), "this is no JSON: " + sentence_of(error.what()));
+    faults_.add(place_of(text_, offset), "not valid JSON: " + sentence_of(error.what()));
     return false;
   }
 
@@ -107,8 +107,7 @@ class Builder {
  private:
   bool counted() {
     if (++values_ <= kMaxValues) return true;
-    faults_.add(place_of(text_, next_.offset),
-                "more than " + std::to_string(kMaxValues) + " values; no program has so many");
+    faults_.add(place_of(text_, next_.offset), "more than " + std::to_string(kMaxValues) + " values");
     return false;
   }
 
@@ -127,7 +126,7 @@ class Builder {
     if (!counted()) return false;
     if (open_.size() >= kMaxDepth) {
       faults_.add(place_of(text_, next_.offset),
-                  "brackets are nested more than " + std::to_string(kMaxDepth) + " deep; no program needs that");
+                  "brackets are nested more than " + std::to_string(kMaxDepth) + " deep");
       return false;
     }
     open_.push_back(std::exchange(next_, {}));

@@ -1,4 +1,4 @@
-// JSON text as a tree of values that know their places.
+// JSON text as a tree of values with their places.
 #pragma once
 
 #include <cstddef>
@@ -19,20 +19,21 @@ enum class Type : unsigned char { null, boolean, number, string, array, object }
 struct Value {
   Type type = Type::null;
   bool boolean = false;
-  std::string text{};             // of a string, decoded; of a number, as it was written
-  std::string key{};              // in an object
+  std::string text{};             // strings: decoded; numbers: as written
+  std::string key{};              // the key of a member of an object
   std::size_t key_offset = 0;     // of the key's opening quote
   std::size_t offset = 0;         // of the value's first byte
-  std::vector<Value> children{};  // of an array or an object, in the order of the text
+  std::vector<Value> children{};  // of an array or an object, in text order
 };
 
-// Reads one value and nothing behind it. Empty: not JSON, deeper than kMaxDepth or of more than kMaxValues values, and
-// `faults` has the one that ended the reading. Of repeated keys the first stays in the tree, the others are faults.
+// Reads a text that is one value. Empty if it is not JSON, is deeper than kMaxDepth or has more than kMaxValues values;
+// `faults` then has the fault that ended the reading. The first of several equal keys stays in the tree, the others are
+// faults.
 inline constexpr std::size_t kMaxDepth = 16;
 inline constexpr std::size_t kMaxValues = 5'000;
 [[nodiscard]] std::optional<Value> read_tree(std::string_view text, TextFaults& faults);
 
-// Offsets of one text to places, at the cost of a search.
+// Converts offsets of a text to places, by binary search.
 class Places {
  public:
   explicit Places(std::string_view text);
@@ -42,7 +43,7 @@ class Places {
   std::vector<std::size_t> line_starts_;
 };
 
-// A name as it may stand in a message: quoted, cut to a bearable length, bytes that are no printable ASCII as escapes.
+// A name quoted for a message: truncated to a readable length, with bytes that are not printable ASCII as escapes.
 [[nodiscard]] std::string in_quotes(std::string_view text);
 
 }  // namespace ninebit::json

@@ -53,7 +53,7 @@ Parsed<CombinerState> parse_json_register_words(const SourceText& source, ChipCl
     const std::optional<std::uint32_t> word =
         child.type == Type::string || child.type == Type::number ? word_of(child) : std::nullopt;
     if (!name_is_text) {
-      reader.fault(child.key_offset, json::in_quotes(child.key) + " is no register word");
+      reader.fault(child.key_offset, json::in_quotes(child.key) + " is not a register word");
     } else if (!word) {
       reader.fault(child.offset, child.key + " must be a string such as \"0x08040000\" or a whole number below 2^32");
     } else {

@@ -17,9 +17,9 @@ bool Rc10Final::read_statement(Rc10Reader& in) {
                : name.is("out.rgb")       ? rgb_
                                           : alpha_;
   if (seen) {
-    in.faults.add(name.offset, quoted(name.text) + " stands twice");
+    in.faults.add(name.offset, quoted(name.text) + " appears twice");
   } else if (!is_output && (rgb_ || alpha_)) {
-    in.faults.add(name.offset, quoted(name.text) + " stands before out.rgb and out.a");
+    in.faults.add(name.offset, quoted(name.text) + " must come before out.rgb and out.a");
   }
   seen = true;
   return (name.is("clamp_color_sum") ? in.expect({'(', ')'}) : read_assigned(in, name)) && in.end_of_statement();
@@ -36,7 +36,7 @@ bool Rc10Final::read_operand(Rc10Reader& in, Operand& out, Of of) {
   const Rc10Token token = in.lexer.peek();
   if (token.is('-') || token.is("expand") || token.is("half_bias")) {
     in.faults.add(token.offset,
-                  "the final combiner has the mappings unsigned and unsigned_invert alone, not " + quoted(token.text));
+                  "the final combiner has only the mappings unsigned and unsigned_invert, not " + quoted(token.text));
     return false;
   }
   const bool invert = token.is("unsigned_invert");
@@ -58,12 +58,12 @@ bool Rc10Final::read_register(Rc10Reader& in, Operand& out, Of of, InputMapping 
   if (reg->reg == Register::discard) {
     refuse(" cannot be read", GlError::invalid_enum);
   } else if (computed && of != Of::rgb) {
-    refuse(of == Of::alpha ? " has no alpha, which out.a needs" : " is no input of final_product");
+    refuse(of == Of::alpha ? " has no alpha, which out.a needs" : " is not a valid input of final_product");
   } else if (of == Of::alpha && reg->suffix == Rc10Suffix::rgb) {
-    refuse(" in out.a, where .a and .b may be used");
+    refuse(" cannot be used in out.a; expected .a or .b");
   } else if (of != Of::alpha && reg->suffix == Rc10Suffix::blue) {
-    refuse(of == Of::rgb ? " in out.rgb, where .rgb and .a may be used"
-                         : " in final_product, where .rgb and .a may be used");
+    refuse(of == Of::rgb ? " cannot be used in out.rgb; expected .rgb or .a"
+                         : " cannot be used in final_product; expected .rgb or .a");
   }
   in.check_exists(*reg);
   out.written = *reg;
@@ -79,7 +79,7 @@ bool Rc10Final::read_lerp(Rc10Reader& in) {
          in.expect(',') && read_operand(in, c_, Of::rgb) && in.expect(')');
 }
 
-// x, x * y, x + y, x * y + z, and lerp, which may be added to a register on either side.
+// x, x * y, x + y, x * y + z, or lerp(…), which may have a register added on either side.
 bool Rc10Final::read_rgb(Rc10Reader& in) {
   const auto next = [&](char c) {
     if (!in.lexer.peek().is(c)) return false;
@@ -107,8 +107,8 @@ bool Rc10Final::read_rgb(Rc10Reader& in) {
   return read_operand(in, d_, Of::rgb);
 }
 
-// GL refuses the colour sum in variable A. A product may be turned round. (nvparse also exchanges A and D where B is
-// one; it never comes to that, for one is then exchanged with A before.)
+// GL refuses the colour sum in variable A, so the factors of a product are swapped. (nvparse also swaps A and D if B is
+// one, but that never happens: A and B are swapped first.)
 void Rc10Final::move_color_sum(Rc10Reader& in) {
   if (a_.input.reg != Register::spare0_plus_secondary) return;
   const bool c_is_zero = c_.input.reg == Register::zero && c_.input.mapping == InputMapping::unsigned_identity;

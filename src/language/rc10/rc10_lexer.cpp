@@ -33,8 +33,8 @@ Rc10Token Rc10Lexer::take() {
   return taken;
 }
 
-// [+-]d+, [+-]d+.d* or [+-]d*.d+; 0: here is no number. What follows at once, as in 1e5 or 1.0f, belongs to no number
-// of the language, but to the same fault.
+// The length of a number, [+-]d+, [+-]d+.d* or [+-]d*.d+; 0: there is none here. Letters that follow directly, as in
+// 1e5 or 1.0f, are not part of a number, but of the same fault.
 std::size_t Rc10Lexer::number_length() const {
   const std::string_view rest = text_.substr(at_);
   std::size_t length = rest.front() == '+' || rest.front() == '-' ? 1 : 0;
@@ -48,14 +48,14 @@ std::size_t Rc10Lexer::number_length() const {
   return whole + fraction > 0 ? length : 0;
 }
 
-// A name with what is glued to it: tex0.rgb, out.a. A dot before anything but a suffix is the dot product's.
+// The length of a name with its suffix: tex0.rgb, out.a. A dot before anything but a suffix is the dot product.
 std::size_t Rc10Lexer::word_length() const {
   const std::string_view rest = text_.substr(at_);
   const std::size_t length = run_of_words(rest);
   const std::string_view word = rest.substr(0, length);
   if (!takes_rc10_suffix(word) && word != "out") return length;
   for (const std::string_view suffix : {".rgb", ".a", ".b"}) {
-    // out.b is lexed too, to be one unknown word.
+    // out.b is lexed too, as one unknown word.
     if (rest.substr(length).starts_with(suffix)) return length + 1 + run_of_words(rest.substr(length + 1));
   }
   return length;

@@ -14,7 +14,7 @@ inline constexpr std::string_view kRc10Header = "!!RC1.0";
 struct Rc10Token {
   enum class Kind {
     end,
-    word,         // registers with their component suffix, and keywords, out.rgb and out.a among them
+    word,         // registers with their component suffix, and keywords, including out.rgb and out.a
     number,       // with its sign
     punctuation,  // one of { } ( ) = ; , . * + -
     unknown
@@ -27,10 +27,11 @@ struct Rc10Token {
   [[nodiscard]] bool is(std::string_view word) const { return kind == Kind::word && text == word; }
 };
 
-// Whether a word is a register's name without its suffix: tex0, but not discard, which has none, and not color_sum.
+// Whether a word is the name of a register that can have a suffix: tex0, but not discard or color_sum.
 [[nodiscard]] bool takes_rc10_suffix(std::string_view word);
 
-// One token ahead. A comment without its end is a fault, and the text is over; the header is a blank.
+// A lexer with one token of lookahead. An unterminated comment is a fault and ends the text; the header is skipped like
+// white space.
 class Rc10Lexer {
  public:
   Rc10Lexer(std::string_view text, SourceFaults& faults)
@@ -40,7 +41,7 @@ class Rc10Lexer {
 
   [[nodiscard]] const Rc10Token& peek() const { return token_; }
   Rc10Token take();
-  // Whether the text ended inside a comment: a fault that is reported already.
+  // Whether the text ended inside a comment; that fault is already reported.
   [[nodiscard]] bool cut_short() const { return cut_short_; }
 
  private:

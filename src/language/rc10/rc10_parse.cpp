@@ -33,27 +33,27 @@ class Parser {
  private:
   enum class Phase { constants, stages, last };
 
-  // One constant, general combiner or statement of the final combiner. False: what follows is to be skipped.
+  // Reads one constant, general combiner or statement of the final combiner; false if the rest of it must be skipped.
   bool part() {
     const Rc10Token token = in_.lexer.peek();
     if (token.is("const0") || token.is("const1")) {
-      come_to(Phase::constants, token, "constants stand before the general combiners");
+      enter(Phase::constants, token, "constants must come before the general combiners");
       return detail::read_rc10_constant(in_, globals_, "global");
     }
     if (token.is('{')) {
-      come_to(Phase::stages, token, "general combiners stand before the final combiner");
+      enter(Phase::stages, token, "general combiners must come before the final combiner");
       stage(token);
       return true;
     }
     if (Rc10Final::begins(token)) {
-      come_to(Phase::last, token, "");
+      enter(Phase::last, token, "");
       return final_.read_statement(in_);
     }
     return in_.expected(phase_ == Phase::last ? "a statement of the final combiner"
                                               : "a constant, a general combiner in braces, or out.rgb or out.a");
   }
 
-  void come_to(Phase phase, const Rc10Token& token, const char* fault) {
+  void enter(Phase phase, const Rc10Token& token, const char* fault) {
     if (phase < phase_) {
       faults_.add(token.offset, fault);
     } else {
@@ -64,10 +64,10 @@ class Parser {
   void stage(const Rc10Token& token) {
     if (stages_ == profile_.general_combiners) {
       if (!too_many_) {
-        faults_.add(token.offset,
-                    "profile " + std::string(profile_.name) + " has " + std::to_string(stages_) +
-                        " general combiners, and this is one more",
-                    GlError::invalid_value);
+        faults_.add(
+            token.offset,
+            "too many general combiners; profile " + std::string(profile_.name) + " has " + std::to_string(stages_),
+            GlError::invalid_value);
       }
       too_many_ = true;
       in_.skip_block();
@@ -77,7 +77,7 @@ class Parser {
     detail::read_rc10_stage(in_, state_.general[i], locals_[i]);
   }
 
-  // A stray brace and those after it are one fault.
+  // A stray closing brace and the braces after it are one fault.
   void recover() {
     if (in_.lexer.peek().is('}')) {
       while (in_.lexer.peek().is('}')) in_.lexer.take();
@@ -120,13 +120,13 @@ class Parser {
   bool too_many_ = false;
 };
 
-// The specification wants the header at the very beginning; files that people write have a comment before it. Where it
-// is missing, that is a fault.
+// The specification requires the header at the very beginning, but real files have comments before it. A missing header
+// is a fault.
 bool begins_with_header(std::string_view text, detail::SourceFaults& faults) {
   std::size_t at = text.starts_with(detail::kByteOrderMark) ? detail::kByteOrderMark.size() : 0;
   if (!detail::skip_blanks(text, at, {.hash_comments = true, .heading = {}}, faults)) return false;
   if (text.substr(at).starts_with(detail::kRc10Header)) return true;
-  faults.add(at, "a program begins with !!RC1.0; expected nothing but blanks and comments before it");
+  faults.add(at, "expected !!RC1.0 at the beginning; only blanks and comments may come before it");
   return false;
 }
 

@@ -1,4 +1,4 @@
-// What the parser of general combiners and that of the final combiner share: tokens, faults and operands.
+// Shared by the parsers of the general combiners and of the final combiner: tokens, faults and operands.
 #pragma once
 
 #include <initializer_list>
@@ -14,7 +14,7 @@ namespace ninebit::detail {
 
 enum class Rc10Suffix { none, rgb, alpha, blue };
 
-// A register as it is written. `one` is the register zero with a mapping of its own: see map_one.
+// A register as written. `one` is the register zero with a mapping that map_one changes.
 struct Rc10Register {
   std::size_t offset = 0;
   std::string_view text;
@@ -23,13 +23,13 @@ struct Rc10Register {
   Rc10Suffix suffix = Rc10Suffix::none;
 };
 
-// What an input or output register of a word is; empty: the word names none.
+// The input or output register that a word names; empty: none.
 [[nodiscard]] std::optional<Rc10Register> rc10_register(const Rc10Token& token);
 
-// The mapping of zero that gives what `mapping` makes of one: 1, -1, 1/2, -1/2 or 0.
+// The mapping that turns zero into what `mapping` turns one into: 1, -1, 1/2, -1/2 or 0.
 [[nodiscard]] InputMapping map_one(InputMapping mapping);
 
-// zero under unsigned_identity, which is 0, and under unsigned_invert, which is 1.
+// The constants 0 and 1: zero under unsigned_identity and under unsigned_invert.
 [[nodiscard]] constexpr CombinerInput rc10_zero(ComponentUsage usage) {
   return {Register::zero, InputMapping::unsigned_identity, usage};
 }
@@ -40,24 +40,24 @@ struct Rc10Register {
 // The suffix as component usage; without one it is `plain`.
 [[nodiscard]] ComponentUsage usage_of(Rc10Suffix suffix, ComponentUsage plain);
 
-// The reading of tokens with their faults. Functions that answer bool answer false after they have reported a fault.
+// Reads tokens and reports faults. Functions that return bool return false after reporting a fault.
 class Rc10Reader {
  public:
   Rc10Reader(std::string_view text, const HardwareProfile& of, SourceFaults& into)
       : profile(of), faults(into), lexer(text, into) {}
 
   bool expect(char c);
-  // Each of them in its turn.
+  // Expects each of them in turn.
   bool expect(std::initializer_list<char> all);
-  // Reports that something else stands here; always false.
+  // Reports that `what` was expected here; always false.
   bool expected(const std::string& what);
-  // A semicolon. Where it alone is missing, before a word, nothing is lost.
+  // Expects a semicolon. If it is missing before a word or a closing brace, reports that and returns true.
   bool end_of_statement();
-  // Reports a texture register that the profile lacks.
+  // Reports a texture register that the profile does not have.
   void check_exists(const Rc10Register& reg);
-  // Skips to after the semicolon, or to the end of the block.
+  // Skips past the next semicolon, or to the end of the block.
   void skip_statement();
-  // Skips a block whose opening brace comes next, with the blocks in it.
+  // Skips a block, whose opening brace is the next token, and the blocks in it.
   void skip_block();
 
   const HardwareProfile& profile;
@@ -68,22 +68,22 @@ class Rc10Reader {
 struct Rc10Constants {
   std::optional<ColorF> color[2];
 };
-// "const0 = (r, g, b, a);", the name being next. `where` is "global" or "local".
+// Reads "const0 = (r, g, b, a);", whose name is the next token. `where` is "global" or "local".
 bool read_rc10_constant(Rc10Reader& in, Rc10Constants& constants, const char* where);
-// "{ … }", the brace being next.
+// Reads "{ … }", whose brace is the next token.
 void read_rc10_stage(Rc10Reader& in, GeneralCombiner& stage, Rc10Constants& constants);
 
-// A general combiner that writes nothing, as it is when the program has none.
+// Makes a general combiner write nothing, as when the program has none.
 void clear_rc10_stage(GeneralCombiner& stage);
 
 // The final combiner's statements.
 class Rc10Final {
  public:
-  // Whether a word begins one.
+  // Whether a token begins a statement of the final combiner.
   [[nodiscard]] static bool begins(const Rc10Token& token);
-  // Reads one, which is next.
+  // Reads the statement that begins with the next token.
   bool read_statement(Rc10Reader& in);
-  // After the last: what only all of them together can tell is checked, and the state set.
+  // Called after the last statement: makes the checks that need all statements, and sets the state.
   void finish(Rc10Reader& in, CombinerState& state);
 
  private:
@@ -100,7 +100,7 @@ class Rc10Final {
   bool read_lerp(Rc10Reader& in);
   void move_color_sum(Rc10Reader& in);
 
-  bool clamp_ = false, product_ = false, rgb_ = false, alpha_ = false;  // which statements there are
+  bool clamp_ = false, product_ = false, rgb_ = false, alpha_ = false;  // statements that were read
   Operand a_{}, b_{}, c_{}, d_{}, e_{}, f_{};
   Operand g_{rc10_zero(ComponentUsage::alpha), {}};
 };

@@ -47,9 +47,9 @@ std::string final_operand(const CombinerInput& in, ComponentUsage plain = Compon
   return invert ? "unsigned_invert(" + with_suffix(in, plain) + ")" : with_suffix(in, plain);
 }
 
-// The shortest digits without exponent that are the component again.
+// The shortest digits without exponent that parse to the same component.
 std::string component_text(float component) {
-  std::array<char, 160> digits{};  // the least float has 149 decimals
+  std::array<char, 160> digits{};  // the smallest float has 149 decimals
   const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), gl::detail::clamped_color(component),
                                  std::chars_format::fixed);
   return {digits.data(), end.ptr};
@@ -85,7 +85,7 @@ std::string scale_and_bias(const PortionOutput& out) {
   return {};
 }
 
-// Of a normalized portion. One that writes nothing is not there.
+// The text of a normalized portion; empty for a portion that writes nothing.
 std::string portion_text(PortionName which, const Portion& portion) {
   const PortionOutput& out = portion.out;
   if (!is_live(out)) return {};
@@ -94,7 +94,7 @@ std::string portion_text(PortionName which, const Portion& portion) {
   const bool third = out.sum != Register::discard;
   const bool second = third || out.cd != Register::discard;
   std::string text = rgb ? "  rgb {\n" : "  alpha {\n";
-  // A first product that nothing uses keeps the second in its place.
+  // A placeholder for an unused first product keeps the second one in its place.
   if (third || out.ab != Register::discard) {
     text += product(out.ab, portion.a, portion.b, out.ab_dot_product, plain);
   } else {
@@ -137,9 +137,9 @@ bool reads_in(const ProgramStage& stage, Register reg) {
   return detail::reads(stage.rgb, reg) || detail::reads(stage.alpha, reg);
 }
 
-// What of a valid program the language cannot say; empty: nothing.
+// The features of a valid program that the language cannot express; empty: none.
 std::string inexpressible(const Program& program) {
-  const std::string_view no_words = "!!RC1.0 has no words for this: ";
+  const std::string_view no_words = "!!RC1.0 cannot express this: ";
   if (const std::string beyond = beyond_opengl(program); !beyond.empty()) return std::string(no_words) + beyond;
   std::string places;
   for (std::size_t i = 0; i < program.general.size(); ++i) {

@@ -1,4 +1,4 @@
-// The general combiners of !!RC1.0, and constants.
+// The general combiners and constants of !!RC1.0.
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -11,7 +11,8 @@
 namespace ninebit::detail {
 namespace {
 
-// A number without exponent, as GL stores a colour's component. Too long for a float means beyond [0, 1] or nearly 0.
+// Converts a number without exponent to a colour component as GL stores it. The absolute value of a number that a float
+// cannot hold is above 1 or nearly 0.
 float color_component(std::string_view number) {
   const bool negative = number.front() == '-';
   if (negative || number.front() == '+') number.remove_prefix(1);
@@ -22,11 +23,11 @@ float color_component(std::string_view number) {
   return gl::detail::clamped_color(negative ? -value : value);
 }
 
-// What one portion consists of while it is read.
+// The statements of a portion that were read so far.
 struct Statements {
-  int count = 0;  // products read, and the third output
+  int count = 0;  // products read
   bool has_dot = false, has_third = false, has_scale = false;
-  std::vector<Rc10Register> written;  // but discard
+  std::vector<Rc10Register> written;  // without discard
 };
 
 class PortionReader {
@@ -37,7 +38,7 @@ class PortionReader {
     portion_.out.sum = Register::discard;
   }
 
-  // After the opening brace.
+  // Called after the opening brace.
   Portion read() {
     if (in_.lexer.peek().is('}')) in_.expected("a statement");
     while (in_.lexer.peek().kind != Rc10Token::Kind::end && !in_.lexer.peek().is('}') && !in_.faults.full()) {
@@ -55,7 +56,7 @@ class PortionReader {
   bool statement() {
     const Rc10Token token = in_.lexer.peek();
     if (statements_.has_scale) {
-      in_.faults.add(token.offset, "a portion's scale and bias are its last statement, and there is one at most");
+      in_.faults.add(token.offset, "scale and bias must be the last statement of a portion, and there can be only one");
       return false;
     }
     if (scale_and_bias(token)) {
@@ -91,16 +92,16 @@ class PortionReader {
     return reg == Register::e_times_f || reg == Register::spare0_plus_secondary;
   }
 
-  // Suffixes and fog's alpha, which are checked alike where a register is read and where it is written; but GL is told
-  // the suffix of one that is read alone.
+  // Checks suffixes and fog's alpha, which have the same rules for reading and writing. GL receives the suffix only of
+  // registers that are read, so only those raise a GL error.
   void check_register(const Rc10Register& reg, bool is_read) {
     const GlError error = is_read ? GlError::invalid_operation : GlError::no_error;
     in_.check_exists(reg);
     if (name_ == PortionName::rgb && reg.suffix == Rc10Suffix::blue) {
-      in_.faults.add(reg.offset, quoted(reg.text) + " in an rgb portion, where .rgb and .a may be used", error);
+      in_.faults.add(reg.offset, quoted(reg.text) + " cannot be used in an rgb portion; expected .rgb or .a", error);
     }
     if (name_ == PortionName::alpha && reg.suffix == Rc10Suffix::rgb) {
-      in_.faults.add(reg.offset, quoted(reg.text) + " in an alpha portion, where .a and .b may be used", error);
+      in_.faults.add(reg.offset, quoted(reg.text) + " cannot be used in an alpha portion; expected .a or .b", error);
     }
     if (reg.reg == Register::fog && usage_of(reg.suffix, plain_usage()) == ComponentUsage::alpha) {
       in_.faults.add(reg.offset, "fog's alpha can be read by the final combiner alone", error);
@@ -128,11 +129,11 @@ class PortionReader {
   bool read_third(const Rc10Register& to) {
     const Rc10Token token = in_.lexer.take();
     if (statements_.has_third) {
-      in_.faults.add(token.offset, "a portion has one sum() or mux() at most");
+      in_.faults.add(token.offset, "a portion has at most one sum() or mux()");
     } else if (statements_.count != 2) {
-      in_.faults.add(token.offset, quoted(token.text) + " stands after two products; 'discard = zero;' can be one");
+      in_.faults.add(token.offset, quoted(token.text) + " must come after two products; 'discard = zero;' can be one");
     } else if (statements_.has_dot) {
-      in_.faults.add(token.offset, "the language has no " + std::string(token.text) + "() after a dot product");
+      in_.faults.add(token.offset, "!!RC1.0 does not allow " + std::string(token.text) + "() after a dot product");
     }
     statements_.has_third = true;
     portion_.out.sum = to.reg;
@@ -154,9 +155,9 @@ class PortionReader {
       if (!read_input(y)) return false;
     }
     if (statements_.has_third) {
-      in_.faults.add(offset, "sum() or mux() is the last output of a portion");
+      in_.faults.add(offset, "sum() or mux() must be the last output of a portion");
     } else if (statements_.count == 2) {
-      in_.faults.add(offset, "a portion has two products at most, then sum() or mux()");
+      in_.faults.add(offset, "a portion has at most two products, then sum() or mux()");
     } else {
       const bool first = statements_.count++ == 0;
       statements_.has_dot = statements_.has_dot || dot;
@@ -216,8 +217,8 @@ class PortionReader {
   Statements statements_;
 };
 
-// A portion that is not there. nvparse gives the component usage blue to its inputs, which GL refuses in an RGB
-// portion: there it left what was before, and nothing reads it.
+// The state of a missing portion. nvparse sets the component usage of its inputs to blue. GL refuses that in an RGB
+// portion, which keeps its old inputs; nothing reads them.
 Portion missing_portion(PortionName name) {
   Portion portion;
   portion.a = portion.b = portion.c = portion.d =
@@ -261,19 +262,20 @@ void read_rc10_stage(Rc10Reader& in, GeneralCombiner& stage, Rc10Constants& cons
   while (in.lexer.peek().kind != Rc10Token::Kind::end && !in.lexer.peek().is('}') && !in.faults.full()) {
     const Rc10Token token = in.lexer.peek();
     if (is_constant(token)) {
-      if (seen[0] || seen[1]) in.faults.add(token.offset, "a general combiner's constants stand before its portions");
+      if (seen[0] || seen[1])
+        in.faults.add(token.offset, "a general combiner's constants must come before its portions");
       if (!in.profile.per_stage_constants) {
-        in.faults.add(token.offset,
-                      "profile " + std::string(in.profile.name) +
-                          " has no constants of a general combiner's own (NV_register_combiners2)",
-                      GlError::invalid_enum);
+        in.faults.add(
+            token.offset,
+            "profile " + std::string(in.profile.name) + " has no per-stage constants (NV_register_combiners2)",
+            GlError::invalid_enum);
       }
       if (!read_rc10_constant(in, constants, "local")) in.skip_statement();
     } else if (token.is("rgb") || token.is("alpha")) {
       in.lexer.take();
       const bool alpha = token.text == "alpha";
       if (seen[alpha ? 1 : 0]) {
-        in.faults.add(token.offset, "the general combiner has an " + std::string(token.text) + " portion already");
+        in.faults.add(token.offset, "the general combiner already has an " + std::string(token.text) + " portion");
       }
       seen[alpha ? 1 : 0] = true;
       if (!in.expect('{')) {

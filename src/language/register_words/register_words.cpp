@@ -1,4 +1,4 @@
-// `NAME = 0x…` lines, and their printing.
+// Parses and prints `NAME = 0x…` lines.
 #include "ninebit/language/register_words.h"
 
 #include <charconv>
@@ -21,7 +21,7 @@ bool is_blank(char c) {
   return c == ' ' || c == '\t' || c == '\r';
 }
 
-// What stands at a place, for a message.
+// The character at a place, for a message.
 std::string what_is_at(std::string_view line, std::size_t at) {
   if (at >= line.size()) return "the end of the line";
   const char c = line[at];
@@ -33,14 +33,14 @@ class Line {
  public:
   Line(std::string_view text, int number, TextFaults& faults) : text_(text), number_(number), faults_(faults) {}
 
-  // Reads one line. Empty: nothing on it, or a fault.
+  // Reads one line; empty if it has no word or a fault.
   std::optional<RegisterWord> read() {
     skip_blanks();
     if (at_end()) return std::nullopt;
     RegisterWord word;
     word.place = place();
     word.name = read_name();
-    if (word.name.empty()) return fail("a line is NAME = 0x…, with the name of a register word");
+    if (word.name.empty()) return fail("expected NAME = 0x…, where NAME is a register word");
     skip_blanks();
     if (at_ >= text_.size() || text_[at_] != '=') return fail("expected = after " + word.name);
     ++at_;
@@ -114,7 +114,7 @@ class Line {
 Parsed<CombinerState> parse_register_words(const SourceText& source, ChipClass chip, const HardwareProfile& profile) {
   TextFaults faults(source.file);
   if (too_long(source.text, faults)) return {std::nullopt, faults.take()};
-  // More lines with words than a chip has words repeat one: reading on would only repeat that fault.
+  // With more words than the chip has, some are repeated; reading on would only repeat that fault.
   constexpr std::size_t kMaxWords = 1000;
   std::vector<RegisterWord> found;
   int number = 1;

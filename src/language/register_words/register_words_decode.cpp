@@ -1,4 +1,4 @@
-// From words to a state: first what the chip refuses, word by word, then what OpenGL refuses.
+// Decodes words to a state. Checks first what the chip refuses, word by word, then what OpenGL refuses.
 #include <algorithm>
 
 #include "ninebit/combiner/validate.h"
@@ -26,7 +26,7 @@ class Decoder {
  public:
   Decoder(ChipClass chip, TextFaults& faults) : chip_(chip), faults_(faults) {}
 
-  // Takes the words by their slots; false where a name is unknown or comes again.
+  // Stores the words by their slots; an unknown or repeated name is a fault.
   void collect(std::span<const RegisterWord> given) {
     for (const RegisterWord& word : given) {
       const FoundSlot found = find_slot(word.name, chip_);
@@ -63,7 +63,7 @@ class Decoder {
     return state_;
   }
 
-  // The place of the word that a diagnostic of the state is about.
+  // The place of the word that a diagnostic of the state refers to.
   TextPlace place_of(const StateDiagnostic& found) {
     Slot slot = control_slot();
     if (found.stage && found.portion) {
@@ -89,13 +89,13 @@ class Decoder {
     return chip_ == ChipClass::nv10 ? Slot{Kind::out_rgb, 1} : Slot{Kind::enable, 0};
   }
 
-  // `gl_error` is what OpenGL raises for the same set-up; it has no word for most of what a chip refuses.
+  // `gl_error` is the error that OpenGL raises for the same state; most of what a chip refuses has none.
   void fault(Slot slot, const std::string& what, GlError gl_error = GlError::no_error) {
     const RegisterWord& word = *at(slot);
     faults_.add(word.place, canonical_name(slot, chip_) + " = " + hex_text(word.value) + ": " + what, gl_error);
   }
 
-  // Bits that the chip refuses, those aside that have a fault of their own.
+  // Reports the bits that the chip refuses, except `but`, which have their own fault.
   void check_mask(Slot slot, std::uint32_t but = 0) {
     const std::uint32_t wrong = at(slot)->value & ~mask_of(slot, chip_) & ~but;
     if (wrong != 0) {
@@ -103,7 +103,7 @@ class Decoder {
     }
   }
 
-  // What a register code names where the chip has it.
+  // The register of a code, if the chip has it and a word of this kind may name it.
   std::optional<Register> readable(std::uint32_t code, Kind kind) const {
     const std::optional<Register> r = register_of(code);
     if (r && is_texture(*r) && texture_unit_of(*r) >= (chip_ == ChipClass::nv10 ? 2 : 4)) return std::nullopt;
@@ -133,7 +133,7 @@ class Decoder {
       input->usage = bits(word, low + kUsageBit, 1) != 0 ? ComponentUsage::alpha
                      : scalar                            ? ComponentUsage::blue
                                                          : ComponentUsage::rgb;
-      // The final combiner's masks leave one bit of the mapping.
+      // The final combiner's words have only one bit of the mapping.
       const int mapping_bits = slot.kind == Kind::final0 || slot.kind == Kind::final1 ? 1 : 3;
       input->mapping = static_cast<InputMapping>(bits(word, low + kMappingShift, mapping_bits));
     }
@@ -157,7 +157,7 @@ class Decoder {
               std::string(low == kAbShift   ? "AB"
                           : low == kCdShift ? "CD"
                                             : "the sum") +
-                  " (bits " + std::to_string(low + 3) + ".." + std::to_string(low) + ") goes to the register code " +
+                  " (bits " + std::to_string(low + 3) + ".." + std::to_string(low) + ") has the destination code " +
                   hex_text(code, 1) + ", which cannot be written",
               error_of_misplaced(code, slot.kind));
         continue;
@@ -195,7 +195,7 @@ class Decoder {
 
   ColorF color(Slot slot) { return at(slot) == nullptr ? ColorF{} : color_of(at(slot)->value); }
 
-  // Whether muxes look at the highest bit.
+  // Reads the number of stages; returns whether muxes test the highest bit.
   bool nv10_control() {
     const Slot slot = control_slot();
     if (at(slot) == nullptr) return true;
@@ -227,7 +227,8 @@ class Decoder {
     return bits(word, kNv20MuxMsbBit, 1) != 0;
   }
 
-  // The final combiner has constants of its own always; OpenGL has one pair for all, or one a stage and one for it.
+  // The chip's final combiner always has its own constants. OpenGL has one pair for all, or one pair per stage and one
+  // for the final combiner.
   void stage_constants(bool unique0, bool unique1) {
     const ColorF shared[2] = {color({Kind::stage_color0, 0}), color({Kind::stage_color1, 0})};
     ColorF* const global[2] = {&state_.constant0, &state_.constant1};
@@ -265,8 +266,8 @@ class Decoder {
     return false;
   }
 
-  // Where no stage in use has a mux, its bit says nothing, and a word that is 0 but for the number of stages means no
-  // more than that.
+  // Whether a stage in use has a mux. Without one, the mux bit has no meaning: a word that is 0 except for the number
+  // of stages sets only that number.
   [[nodiscard]] bool uses_mux() const {
     const auto muxes = [](const PortionOutput& out) { return out.mux_sum && out.sum != Register::discard; };
     for (int i = 0; i < state_.num_general_combiners; ++i) {

@@ -1,4 +1,4 @@
-// From a state to words.
+// Encodes a state as words.
 #include <algorithm>
 
 #include "ninebit/combiner/program.h"
@@ -58,32 +58,33 @@ bool has_texture_beyond(const Portion& p, int units) {
   return has_texture_beyond({p.a.reg, p.b.reg, p.c.reg, p.d.reg, p.out.ab, p.out.cd, p.out.sum}, units);
 }
 
-// What of a valid state NV10 cannot hold; empty: nothing.
+// The feature of a valid state that NV10 does not have; empty: none.
 std::string nv10_lacks(const CombinerState& state) {
   if (state.num_general_combiners > 2) {
-    return "NV10 has 2 general combiners, the program uses " + std::to_string(state.num_general_combiners);
+    return "NV10 has 2 general combiners, but the program uses " + std::to_string(state.num_general_combiners);
   }
-  if (state.per_stage_constants) return "NV10 has no constants of a stage, the program has per_stage_constants on";
+  if (state.per_stage_constants) return "NV10 has no per-stage constants, but the program enables them";
   const FinalCombiner& f = state.final_combiner;
   for (std::size_t i = 0; i < 2; ++i) {
     const PortionOutput& out = state.general[i].rgb.out;
-    if (out.ab_blue_to_alpha || out.cd_blue_to_alpha) return "NV10 has no blue-to-alpha outputs, the program uses them";
+    if (out.ab_blue_to_alpha || out.cd_blue_to_alpha)
+      return "NV10 has no blue-to-alpha outputs, but the program uses them";
   }
   bool beyond = has_texture_beyond({f.a.reg, f.b.reg, f.c.reg, f.d.reg, f.e.reg, f.f.reg, f.g.reg}, 2);
   for (std::size_t i = 0; i < 2; ++i) {
     beyond = beyond || has_texture_beyond(state.general[i].rgb, 2) || has_texture_beyond(state.general[i].alpha, 2);
   }
-  return beyond ? "NV10 has 2 texture units, the program names texture2 or texture3" : "";
+  return beyond ? "NV10 has 2 texture units, but the program uses texture2 or texture3" : "";
 }
 
-// Whether the words of a stage past the last in use say more than GL's defaults.
+// Whether the words of an unused stage differ from GL's defaults.
 bool differs(const GeneralCombiner& stage, bool with_constants) {
   const GeneralCombiner plain;
   if (with_constants && (argb_of(stage.constant0) != 0 || argb_of(stage.constant1) != 0)) return true;
   return stage.rgb != plain.rgb || stage.alpha != plain.alpha;
 }
 
-// `state` holds GL's defaults in the general combiners that its profile lacks: nothing has checked what stood there.
+// `state` has GL's defaults in the general combiners that its profile does not have, because those were not validated.
 std::vector<RegisterWord> encode(const CombinerState& state, bool mux_by_lowest_bit, ChipClass chip) {
   std::vector<RegisterWord> found;
   const auto put = [&](Kind kind, int index, std::uint32_t value) {
@@ -133,7 +134,7 @@ Result<std::vector<RegisterWord>> encode_register_words(const CombinerState& sta
     const std::string lacks = words::nv10_lacks(held);
     if (!lacks.empty()) return Diagnostic{"register words: " + lacks};
   }
-  // Where no mux looks at it, the bit is that of OpenGL.
+  // If no mux uses the bit, it is OpenGL's.
   const Program program = normalize(state, profile);
   const bool mux_by_lowest_bit = std::any_of(program.general.begin(), program.general.end(),
                                              [](const ProgramStage& stage) { return stage.mux_by_lowest_bit; });

@@ -14,8 +14,8 @@ std::vector<TextFault> TextFaults::take() {
 
 bool too_long(std::string_view text, TextFaults& faults) {
   if (text.size() <= kMaxSourceBytes) return false;
-  faults.add({}, "the text has " + std::to_string(text.size()) + " bytes; at most " + std::to_string(kMaxSourceBytes) +
-                     " are read");
+  faults.add({},
+             "the text has " + std::to_string(text.size()) + " bytes; the limit is " + std::to_string(kMaxSourceBytes));
   return true;
 }
 

@@ -8,19 +8,19 @@
 
 #include "ninebit/language/source_text.h"
 
-// The JSON forms stand in a shared library of their own and use these.
+// Exported because the JSON forms are in a shared library of their own and use these.
 namespace NINEBIT_PUBLIC ninebit {
 
 class TextFaults {
  public:
   explicit TextFaults(std::string_view file) : file_(file) {}
 
-  // Without effect once kMaxTextFaults are there.
+  // Has no effect once there are kMaxTextFaults.
   void add(TextPlace place, std::string message, GlError gl_error = GlError::no_error) {
     if (full()) return;
     faults_.push_back({std::string(file_), place.line, place.column, std::move(message), gl_error});
   }
-  // Those of another reading of the same text.
+  // Adds the faults of another reader of the same text.
   void add(const std::vector<TextFault>& faults) {
     for (const TextFault& fault : faults) add({fault.line, fault.column}, fault.message, fault.gl_error);
   }
@@ -28,7 +28,7 @@ class TextFaults {
   [[nodiscard]] bool empty() const { return faults_.empty(); }
   [[nodiscard]] bool full() const { return faults_.size() >= kMaxTextFaults; }
 
-  // In the order of the text; the collector is empty afterwards.
+  // Returns the faults in the order of the text; the collector is empty afterwards.
   [[nodiscard]] std::vector<TextFault> take();
 
  private:
@@ -36,7 +36,7 @@ class TextFaults {
   std::vector<TextFault> faults_;
 };
 
-// Whether the text is longer than kMaxSourceBytes; that is a fault then.
+// Adds a fault and returns true if the text is longer than kMaxSourceBytes.
 [[nodiscard]] bool too_long(std::string_view text, TextFaults& faults);
 
 }  // namespace ninebit

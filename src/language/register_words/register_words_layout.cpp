@@ -14,7 +14,7 @@ namespace {
 
 enum Chips : std::uint8_t { both, nv10_only, nv20_only };
 
-// A name without prefix and index, in lower case. `index` fixed: the name is of that one word.
+// A name without prefix and index, in lower case. `index` from 0: the name is that of this one word.
 struct Alias {
   std::string_view name;
   Kind kind;
@@ -22,7 +22,8 @@ struct Alias {
   Chips chips = both;
 };
 
-// envytools rnndb, envytools hwtest, the method names of class NV097, the fields of the Xbox's pixel shader definition.
+// Names from envytools rnndb, envytools hwtest, the method names of class NV097, the fields of the Xbox's pixel shader
+// definition.
 constexpr std::array kAliases{
     Alias{"rc_in_alpha", Kind::in_alpha},
     Alias{"combiner_alpha_icw", Kind::in_alpha},
@@ -99,7 +100,7 @@ std::string chip_text(ChipClass chip) {
   return chip == ChipClass::nv10 ? "NV10" : "NV20";
 }
 
-// What find_slot() answers for one chip, with a name in lower case and without prefix.
+// find_slot() for one chip; `name` is in lower case and without prefix.
 FoundSlot find_bare(std::string_view name, std::string_view spelled, ChipClass chip) {
   const Alias* best = nullptr;
   std::optional<int> best_index;
@@ -118,7 +119,7 @@ FoundSlot find_bare(std::string_view name, std::string_view spelled, ChipClass c
   if (!best_index)
     return {{}, std::string(spelled) + " needs " + range + ", as in " + canonical_name({best->kind, 0}, chip)};
   if (*best_index >= count) {
-    return {{}, std::string(spelled) + " is beyond the words of " + chip_text(chip) + ", which has " + range};
+    return {{}, std::string(spelled) + " is out of range for " + chip_text(chip) + "; expected " + range};
   }
   return {Slot{best->kind, *best_index}, {}};
 }
@@ -172,10 +173,10 @@ FoundSlot find_slot(std::string_view name, ChipClass chip) {
   const ChipClass other = chip == ChipClass::nv10 ? ChipClass::nv20 : ChipClass::nv10;
   const FoundSlot elsewhere = find_bare(bare, name, other);
   if (elsewhere.slot || !elsewhere.fault.empty()) {
-    return {{}, std::string(name) + " is a word of " + chip_text(other) + "; " + chip_text(chip) + " has none such"};
+    return {{}, std::string(name) + " is a word of " + chip_text(other) + ", not of " + chip_text(chip)};
   }
   return {{},
-          std::string(name) + " is no register word of " + chip_text(chip) + ", which has " +
+          std::string(name) + " is not a register word of " + chip_text(chip) + "; expected " +
               canonical_name({Kind::in_rgb, 0}, chip) + ", RC_FINAL0, …"};
 }
 

@@ -1,4 +1,4 @@
-// Where the register words of a chip keep what. Bits count from 0, the least significant.
+// The layout of a chip's register words. Bit 0 is the least significant.
 #pragma once
 
 #include <array>
@@ -11,22 +11,23 @@
 #include "ninebit/combiner/validate.h"
 #include "ninebit/language/register_words.h"
 
-// The JSON forms stand in a shared library of their own and use these.
+// Exported because the JSON forms are in a shared library of their own and use these.
 namespace NINEBIT_PUBLIC ninebit {
 namespace words {
 
-// The words that there are. An index follows where a chip has several: the stage, or the constant (0 or 1) for `color`.
+// The kinds of words. If a chip has several words of a kind, an index follows: the stage, or the constant (0 or 1) for
+// `color`.
 enum class Kind : std::uint8_t {
   in_alpha,      // variables A (bits 31..24), B, C, D (bits 7..0) of an alpha portion
-  in_rgb,        // the same of an RGB portion
+  in_rgb,        // the same for an RGB portion
   out_alpha,     // outputs, scale and bias of an alpha portion
-  out_rgb,       // the same of an RGB portion; NV10 keeps the number of stages and the mux's bit in that of stage 1
-  color,         // the constant that GL calls global: of every stage on NV10, of the final combiner alone on NV20
-  stage_color0,  // NV20: a stage's constant 0; while "unique" is off, stage 0's is every stage's
+  out_rgb,       // the same for an RGB portion; on NV10, that of stage 1 also has the number of stages and the mux bit
+  color,         // GL's global constant: of every stage on NV10, only of the final combiner on NV20
+  stage_color0,  // NV20: a stage's constant 0; while "unique" is off, stage 0's is used by every stage
   stage_color1,
   final0,  // variables A, B, C, D of the final combiner
   final1,  // variables E, F, G (bits 15..8) and the flags of the colour sum
-  enable   // NV20: number of stages, the mux's bit, "unique" flags of the constants
+  enable   // NV20: number of stages, mux bit, "unique" flags of the constants
 };
 inline constexpr std::size_t kKinds = 10;
 
@@ -35,10 +36,10 @@ struct Slot {
   int index = 0;
 };
 
-// How many words of a kind a chip has: the end of the index. 0: none.
+// The number of words of a kind that a chip has; indices are less than that.
 [[nodiscard]] int count_of(Kind kind, ChipClass chip);
 
-// General combiners of a chip.
+// The number of general combiners of a chip.
 [[nodiscard]] constexpr int stages_of(ChipClass chip) {
   return chip == ChipClass::nv10 ? 2 : 8;
 }
@@ -46,7 +47,7 @@ struct Slot {
 // The envytools name: "RC_IN_RGB[0]", "RC_FINAL0".
 [[nodiscard]] std::string canonical_name(Slot slot, ChipClass chip);
 
-// The word of a name or an alias in either case; otherwise `fault` says what is wrong with it.
+// The word of a name or an alias, case-insensitive; otherwise `fault` is the message.
 struct FoundSlot {
   std::optional<Slot> slot{};
   std::string fault{};
@@ -67,7 +68,7 @@ inline constexpr int kCdShift = 0, kAbShift = 4, kSumShift = 8;
 inline constexpr int kCdDotBit = 12, kAbDotBit = 13, kMuxBit = 14, kBiasBit = 15, kScaleShift = 16;
 inline constexpr int kCdBlueToAlphaBit = 18, kAbBlueToAlphaBit = 19;  // NV20, RGB portion
 
-// NV10, RC_OUT_RGB[1]; NV20, RC_ENABLE. The mux's bit is 1 for the most significant of spare0's alpha.
+// NV10, RC_OUT_RGB[1]; NV20, RC_ENABLE. The mux bit is 1 if the mux tests the most significant bit of spare0's alpha.
 inline constexpr int kNv10MuxMsbBit = 27, kNv10CountShift = 28;
 inline constexpr int kNv20CountShift = 0, kNv20MuxMsbBit = 8, kNv20Unique0Bit = 12, kNv20Unique1Bit = 16;
 
@@ -85,8 +86,8 @@ inline constexpr int kSumInvertSpare0Bit = 5, kSumInvertSecondaryBit = 6, kColor
 [[nodiscard]] std::optional<Register> register_of(std::uint32_t code);
 [[nodiscard]] std::uint32_t code_of(Register r);
 
-// What OpenGL raises where the register of a code stands in a kind of word that has no place for it; no_error: the code
-// is no register's.
+// The error that OpenGL raises if the register of a code is in a kind of word that does not allow it; no_error: no
+// register has the code.
 [[nodiscard]] GlError error_of_misplaced(std::uint32_t code, Kind kind);
 
 }  // namespace words

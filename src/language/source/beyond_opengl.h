@@ -1,4 +1,4 @@
-// What the NV2A's registers can ask for and OpenGL, and so the languages that end in its calls, cannot.
+// Features of the NV2A's registers that OpenGL, and the languages that translate to its calls, cannot express.
 #pragma once
 
 #include <string>
@@ -7,8 +7,8 @@
 
 namespace ninebit {
 
-// What of it has an effect in a program, as in "mux by the lowest bit of spare0's alpha (general combiner 1)"; empty:
-// nothing.
+// The features that have an effect in a program, such as "mux by the lowest bit of spare0's alpha (general combiner
+// 1)"; empty: none.
 [[nodiscard]] std::string beyond_opengl(const Program& program);
 
 }  // namespace ninebit

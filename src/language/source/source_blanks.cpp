@@ -16,7 +16,7 @@ bool skip_blanks(std::string_view text, std::size_t& at, const Blanks& blanks, S
     } else if (rest.starts_with("/*")) {
       const std::size_t end = text.find("*/", at + 2);
       if (end == std::string_view::npos) {
-        faults.add(at, "the comment has no end; expected */");
+        faults.add(at, "unterminated comment; expected */");
         at = text.size();
         return false;
       }

@@ -26,8 +26,8 @@ std::vector<TextFault> SourceFaults::take() {
 
 bool too_long(const SourceText& source, SourceFaults& faults) {
   if (source.text.size() <= kMaxSourceBytes) return false;
-  faults.add(0, "the text has " + std::to_string(source.text.size()) + " bytes; at most " +
-                    std::to_string(kMaxSourceBytes) + " are read");
+  faults.add(0, "the text has " + std::to_string(source.text.size()) + " bytes; the limit is " +
+                    std::to_string(kMaxSourceBytes));
   return true;
 }
 

@@ -1,4 +1,4 @@
-// What the hand-written parsers share: faults gathered by their place, and pieces of the text made fit for a message.
+// Shared by the hand-written parsers: faults collected by their place, and text quoted for messages.
 #pragma once
 
 #include <cstddef>
@@ -10,7 +10,7 @@
 
 namespace ninebit::detail {
 
-// Gathers faults by byte offset; beyond kMaxTextFaults they are dropped.
+// Collects faults by byte offset; faults beyond kMaxTextFaults are dropped.
 class SourceFaults {
  public:
   explicit SourceFaults(const SourceText& source) : source_(source) {}
@@ -19,7 +19,7 @@ class SourceFaults {
   [[nodiscard]] bool empty() const { return found_.empty(); }
   [[nodiscard]] bool full() const { return found_.size() >= kMaxTextFaults; }
 
-  // All of them in the order of the text, with lines and columns: one pass over the text.
+  // Returns all faults in the order of the text, with lines and columns, in one pass over the text.
   [[nodiscard]] std::vector<TextFault> take();
 
  private:
@@ -32,16 +32,16 @@ class SourceFaults {
   std::vector<Found> found_;
 };
 
-// Adds a fault and answers true if the text is longer than kMaxSourceBytes.
+// Adds a fault and returns true if the text is longer than kMaxSourceBytes.
 [[nodiscard]] bool too_long(const SourceText& source, SourceFaults& faults);
 
-// The text in single quotes: bytes that are not printable ASCII as \xNN, and no more than its beginning.
+// The beginning of the text in single quotes, with bytes that are not printable ASCII as \xNN.
 [[nodiscard]] std::string quoted(std::string_view text);
 
 [[nodiscard]] constexpr bool is_digit(char c) {
   return c >= '0' && c <= '9';
 }
-// Of a name, whatever the locale: A to Z, a to z, 0 to 9, underscore.
+// Whether a character belongs to a name, in any locale: A to Z, a to z, 0 to 9, underscore.
 [[nodiscard]] constexpr bool is_word(char c) {
   return is_digit(c) || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || c == '_';
 }
