@@ -14,7 +14,7 @@
 
 #include "src/shadow/frame/camera_frame.h"
 #include "src/shadow/frame/views.h"
-#include "src/shadow/shadow_volume/shadow_volumes.h"
+#include "src/shadow/shadow_volume/volume_extrusion.h"
 #include "src/shadow/shadow_volume/volume_mesh.h"
 
 namespace ninebit {

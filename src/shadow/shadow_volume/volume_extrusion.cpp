@@ -1,4 +1,4 @@
-#include "src/shadow/shadow_volume/shadow_volumes.h"
+#include "src/shadow/shadow_volume/volume_extrusion.h"
 
 #include <array>
 #include <utility>
