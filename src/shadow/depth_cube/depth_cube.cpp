@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "src/shadow/depth_cube/depth_cube_renderer.h"
+#include "src/shadow/frame/pass_timer.h"
 
 namespace ninebit {
 namespace {
@@ -31,16 +32,11 @@ Status draw_comparisons(DepthCubeRenderer& renderer, PassTimer& timer, double& m
 
 Result<Rendering> render_depth_cube(const Scene& scene, const RenderSettings& settings, const Progress& progress) {
   std::optional<DepthCubeRenderer> renderer;
-  const auto make = [&]() -> Status {
-    auto made = DepthCubeRenderer::make(scene, settings);
-    if (!made) return made.error();
-    renderer.emplace(std::move(*made));
-    return {};
-  };
   PassTimer timer(progress);
   PassTimes times;
   double colors = 0.0;
-  Status status = timer.run("ramps", 0.0, times.transform, make);
+  Status status =
+      timer.make("ramps", 0.0, times.transform, renderer, [&] { return DepthCubeRenderer::make(scene, settings); });
   for (std::size_t face = 0; face < 6 && status; ++face) {
     status = timer.run("depth cube map", 0.1 + 0.05 * static_cast<double>(face), times.maps,
                        [&] { return renderer->draw_map(face); });

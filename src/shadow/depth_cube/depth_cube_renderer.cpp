@@ -1,8 +1,6 @@
 #include "src/shadow/depth_cube/depth_cube_renderer.h"
 
 #include <fmt/format.h>
-#include <oneapi/tbb/blocked_range.h>
-#include <oneapi/tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
@@ -12,6 +10,7 @@
 #include "ninebit/raster/rasterizer.h"
 #include "ninebit/raster/sampler.h"
 #include "src/raster/texture/texture_wrap.h"
+#include "src/shadow/frame/for_all.h"
 #include "src/shadow/frame/map_evidence.h"
 
 namespace ninebit {
@@ -24,14 +23,6 @@ constexpr Sampler kWideRampSampler{.min_filter = MinFilter::nearest,
                                    .wrap_s = Wrap::repeat,
                                    .wrap_t = Wrap::clamp_to_edge};
 constexpr float kWideRampSide = 256.0F;
-
-// Calls work(i) for each of `count` items, on all threads.
-template <class Work>
-void for_all(std::size_t count, const Work& work) {
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, 16384), [&](const auto& range) {
-    for (std::size_t i = range.begin(); i != range.end(); ++i) work(i);
-  });
-}
 
 // A ramp whose texel i holds code(i): the low byte as luminance and, of 16 bits, the high byte as alpha.
 template <class Code>
@@ -70,8 +61,8 @@ Result<DepthCubeRenderer> DepthCubeRenderer::make(const Scene& scene, const Rend
 DepthCubeRenderer::DepthCubeRenderer(CameraFrame frame, DepthCubePasses passes)
     : frame_(std::move(frame)),
       passes_(std::move(passes)),
-      range_(depth_range(frame_.scene(), frame_.light().position, kCubeCornerCosine)) {
-  for (std::size_t i = 0; i < 6; ++i) face_projections_[i] = cube_face_projection(kCubeFaces[i], range_);
+      range_(depth_range(frame_.scene(), frame_.light().position, kCubeCornerCosine)),
+      face_projections_(cube_face_projections(range_)) {
   const auto& positions = frame_.scene().positions;
   const glm::vec3 light = frame_.light().position;
   from_light_.resize(positions.size());
@@ -118,17 +109,12 @@ void DepthCubeRenderer::set_ramp_coordinates(std::size_t face) {
   });
 }
 
-// Of a scene that has triangles, as validate demands.
-VertexArrays DepthCubeRenderer::all_triangles(std::span<const glm::vec3> positions) const {
-  return {.positions = positions, .indices = index_list(frame_.scene().triangles)};
-}
-
 // The cleared map is the farthest code, or infinity: nothing is behind it.
 Status DepthCubeRenderer::draw_map(std::size_t face) {
   const int size = settings().map_size;
   RenderTarget target{.width = size, .height = size};
   target.depth = {map_depth_.data(), size};
-  VertexArrays arrays = all_triangles(from_light_);
+  VertexArrays arrays = frame_.all_triangles(from_light_);
   std::vector<TextureUnit> units;
   Face& into = faces_[face];
   const CubeFaceAxes& axes = cube_face_axes(kCubeFaces[face]);
@@ -158,7 +144,7 @@ Status DepthCubeRenderer::draw_map(std::size_t face) {
 Status DepthCubeRenderer::draw_depth() {
   if (Status drawn = frame_.draw_depth(); !drawn) return drawn;
   const RenderTarget target = rendering().frame.target();
-  const VertexArrays arrays = all_triangles(frame_.scene().positions);
+  const VertexArrays arrays = frame_.all_triangles(frame_.scene().positions);
   if (Status made = prepare(passes_.depth, frame_.projection(), arrays, target, prepared_camera_); !made) return made;
   return needs_directions() ? draw_directions() : Status{};
 }
@@ -180,7 +166,7 @@ Status DepthCubeRenderer::draw_directions() {
                               .plane = Plane<float>{directions_[c].data(), target.width}});
   }
   const PipelineState state = surface_pass(settings());
-  VertexArrays arrays = all_triangles(frame_.scene().positions);
+  VertexArrays arrays = frame_.all_triangles(frame_.scene().positions);
   arrays.attributes[0] = from_light_four_;
   return rasterize(state, prepared_camera_, arrays, {}, target);
 }
@@ -219,7 +205,7 @@ Status DepthCubeRenderer::draw_comparison(std::size_t comparison, std::size_t fa
       TextureUnit{&camera_ramp_, code_.code_bits == 16 ? kWideRampSampler : kNearestSampler},
       TextureUnit{&map, kNearestSampler}};
   set_ramp_coordinates(face);
-  VertexArrays arrays = all_triangles(frame_.scene().positions);
+  VertexArrays arrays = frame_.all_triangles(frame_.scene().positions);
   arrays.texture_coordinates[0] = ramp_coordinates_;
   arrays.texture_coordinates[1] = from_light_;
   const std::size_t layers_before = rendering().layers.size();
@@ -282,14 +268,11 @@ Status DepthCubeRenderer::compare_floats() {
 }
 
 Status DepthCubeRenderer::draw_averted() {
-  const Scene& scene = frame_.scene();
-  std::vector<std::uint32_t> averted;
-  for (std::size_t t = 0; t < scene.triangles.size(); ++t) {
-    const glm::uvec3& v = scene.triangles[t];
-    const glm::vec3 a = from_light_[v.x], b = from_light_[v.y], c = from_light_[v.z];
-    if (!(glm::dot(glm::cross(b - a, c - a), -a) > 0.0F)) averted.push_back(static_cast<std::uint32_t>(t));
-  }
-  return frame_.draw_averted(passes_.averted, averted);
+  return frame_.draw_averted(passes_.averted, [this](std::size_t triangle) {
+    const glm::uvec3& t = frame_.scene().triangles[triangle];
+    const glm::vec3 a = from_light_[t.x], b = from_light_[t.y], c = from_light_[t.z];
+    return glm::dot(glm::cross(b - a, c - a), -a) > 0.0F;
+  });
 }
 
 }  // namespace ninebit

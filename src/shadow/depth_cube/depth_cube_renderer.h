@@ -49,7 +49,6 @@ class DepthCubeRenderer {
   [[nodiscard]] const RenderSettings& settings() const { return frame_.settings(); }
   // Whether somebody asks which face a pixel's fragment lies in.
   [[nodiscard]] bool needs_directions() const;
-  [[nodiscard]] VertexArrays all_triangles(std::span<const glm::vec3> positions) const;
   [[nodiscard]] std::size_t face_at(std::size_t pixel) const;
   [[nodiscard]] std::size_t texel_at(std::size_t pixel) const;
   [[nodiscard]] Texture map_of_face(std::size_t face) const;
@@ -64,7 +63,7 @@ class DepthCubeRenderer {
   CameraFrame frame_;
   DepthCubePasses passes_;
   DepthRange range_;
-  std::array<glm::mat4, 6> face_projections_{};
+  std::array<glm::mat4, 6> face_projections_;
   DistanceCode code_{};  // of 8 and 16 bits
   float bias_ = 0.0F;    // of floats, in world units
   Texture map_ramp_, camera_ramp_;

@@ -7,6 +7,7 @@
 #include <bit>
 #include <utility>
 
+#include "src/shadow/frame/pass_timer.h"
 #include "src/shadow/frame/views.h"
 
 namespace ninebit {
@@ -132,11 +133,15 @@ Status CameraFrame::draw(std::string_view name, const PipelineState& state, Vert
   return drawn;
 }
 
-Status CameraFrame::draw_averted(const PipelineState& state, const std::vector<std::uint32_t>& scene_triangles) {
-  if (scene_triangles.empty()) return {};
+Status CameraFrame::draw_averted(const PipelineState& state, const std::function<bool(std::size_t)>& faces_light) {
   std::vector<glm::uvec3> triangles;
-  triangles.reserve(scene_triangles.size());
-  for (const std::uint32_t t : scene_triangles) triangles.push_back(scene_->triangles[t]);
+  std::vector<std::uint32_t> scene_triangles;
+  for (std::size_t t = 0; t < scene_->triangles.size(); ++t) {
+    if (faces_light(t)) continue;
+    triangles.push_back(scene_->triangles[t]);
+    scene_triangles.push_back(static_cast<std::uint32_t>(t));
+  }
+  if (triangles.empty()) return {};
   RenderTarget target = rendering_.frame.target();
   target.outputs.clear();
   VertexArrays arrays;

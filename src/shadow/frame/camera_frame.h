@@ -2,9 +2,9 @@
 // the shadows have been marked in the stencil buffer.
 #pragma once
 
-#include <chrono>
 #include <cstdint>
 #include <deque>
+#include <functional>
 #include <glm/glm.hpp>
 #include <span>
 #include <string>
@@ -57,9 +57,14 @@ class CameraFrame {
               std::span<const TextureUnit> units, RenderTarget& target,
               std::span<const std::uint32_t> scene_triangles = {});
 
-  // Draws the triangles with these numbers in the scene as the pass "averted": they turn away from the light, so that
-  // light_facing puts them in shadow whatever else says.
-  Status draw_averted(const PipelineState& state, const std::vector<std::uint32_t>& scene_triangles);
+  // For settings.light_facing, which shadows every polygon that faces away from the light: draws the scene's triangles
+  // for which faces_light(number of the triangle) is false, as the pass "averted".
+  Status draw_averted(const PipelineState& state, const std::function<bool(std::size_t triangle)>& faces_light);
+
+  // The arrays of a draw of all the scene's triangles, with these positions, one per vertex of the scene.
+  [[nodiscard]] VertexArrays all_triangles(std::span<const glm::vec3> positions) const {
+    return {.positions = positions, .indices = index_list(scene_->triangles)};
+  }
 
   // The frame as a target. With settings.layers it captures, at each fragment that passes the depth test, primary,
   // texture0 and texture1 where `units` has them, spare0, spare1 and the final combiner's alpha, as layers whose parts
@@ -110,24 +115,5 @@ std::vector<Sample>& add_layer(std::deque<Layer>& layers, std::string part, std:
   Layer& layer = layers.emplace_back(Layer{std::move(part), std::move(channel), width, height, {}});
   return layer.samples.emplace<std::vector<Sample>>(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
 }
-
-// Asks between the passes of a technique whether to go on, and takes their times.
-class PassTimer {
- public:
-  explicit PassTimer(Progress progress) : progress_(std::move(progress)) {}
-
-  // Does the work, a function without arguments that returns a Status, unless the caller wants to stop.
-  template <class Work>
-  Status run(std::string_view name, double done, double& milliseconds, const Work& work) {
-    if (progress_ && !progress_(name, done)) return Diagnostic{.message = "interrupted", .fault = Fault::cancelled};
-    const auto start = std::chrono::steady_clock::now();
-    Status status = work();
-    milliseconds += std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-    return status;
-  }
-
- private:
-  Progress progress_;
-};
 
 }  // namespace ninebit

@@ -1,11 +1,9 @@
 #include "src/shadow/frame/light_beam.h"
 
-#include <oneapi/tbb/blocked_range.h>
-#include <oneapi/tbb/parallel_for.h>
-
 #include <cmath>
 #include <cstdint>
 
+#include "src/shadow/frame/for_all.h"
 #include "src/shadow/frame/views.h"
 
 namespace ninebit {
@@ -26,14 +24,12 @@ LightBeam::Coordinates LightBeam::coordinates(std::span<const glm::vec3> positio
   out.str.resize(positions.size());
   out.q.resize(positions.size());
   out.direction.resize(positions.size());
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, positions.size(), 16384), [&](const auto& range) {
-    for (std::size_t i = range.begin(); i != range.end(); ++i) {
-      const float x = row_times(projection_, 0, positions[i]), y = row_times(projection_, 1, positions[i]),
-                  z = row_times(projection_, 2, positions[i]), w = row_times(projection_, 3, positions[i]);
-      out.str[i] = {0.5F * x + 0.5F * w, 0.5F * y + 0.5F * w, 0.5F * z + 0.5F * w};
-      out.q[i] = w;
-      out.direction[i] = {x, y, w};
-    }
+  for_all(positions.size(), [&](std::size_t i) {
+    const float x = row_times(projection_, 0, positions[i]), y = row_times(projection_, 1, positions[i]),
+                z = row_times(projection_, 2, positions[i]), w = row_times(projection_, 3, positions[i]);
+    out.str[i] = {0.5F * x + 0.5F * w, 0.5F * y + 0.5F * w, 0.5F * z + 0.5F * w};
+    out.q[i] = w;
+    out.direction[i] = {x, y, w};
   });
   return out;
 }

@@ -49,7 +49,7 @@ Status find_texels(CameraFrame& frame, const LightMap& map, std::vector<TexelPla
   if (map.coordinates.empty()) {
     for (const glm::vec3& position : map.positions) directions.emplace_back(position, 1.0F);
   }
-  VertexArrays arrays{.positions = frame.scene().positions, .indices = index_list(frame.scene().triangles)};
+  VertexArrays arrays = frame.all_triangles(frame.scene().positions);
   arrays.attributes[0] = directions.empty() ? map.coordinates : directions;
 
   RenderTarget target = frame.rendering().frame.target();
@@ -88,8 +88,7 @@ Status draw_numbers(const CameraFrame& frame, const LightMap& map, std::size_t f
   target.depth = {depth.data(), map.size};
   target.outputs.push_back(
       {.source = OutputSource::primitive, .plane = Plane<std::uint32_t>{numbers.data(), map.size}});
-  const VertexArrays arrays{.positions = map.positions, .indices = index_list(frame.scene().triangles)};
-  return rasterize(state, map.projections[face], arrays, {}, target);
+  return rasterize(state, map.projections[face], frame.all_triangles(map.positions), {}, target);
 }
 
 }  // namespace

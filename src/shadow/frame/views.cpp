@@ -93,4 +93,10 @@ glm::mat4 cube_face_projection(CubeFace face, const DepthRange& range) {
   return m;
 }
 
+std::array<glm::mat4, 6> cube_face_projections(const DepthRange& range) {
+  std::array<glm::mat4, 6> projections{};
+  for (std::size_t i = 0; i < projections.size(); ++i) projections[i] = cube_face_projection(kCubeFaces[i], range);
+  return projections;
+}
+
 }  // namespace ninebit

@@ -1,6 +1,7 @@
 // Projections: the camera's, and the six of a cube map around the light.
 #pragma once
 
+#include <array>
 #include <glm/glm.hpp>
 
 #include "ninebit/raster/texture.h"
@@ -32,6 +33,9 @@ struct DepthRange {
 // Clip space of one cube-map face, from positions relative to the cube's middle: window x follows the face's s, window
 // y its t.
 [[nodiscard]] glm::mat4 cube_face_projection(CubeFace face, const DepthRange& range);
+
+// The same for all faces, in the order of CubeFace.
+[[nodiscard]] std::array<glm::mat4, 6> cube_face_projections(const DepthRange& range);
 
 // The cosine of the angle between a cube face's axis and its corner.
 inline constexpr float kCubeCornerCosine = 0.57735026F;

@@ -1,7 +1,6 @@
 #include "src/shadow/index_cube/index_cube_renderer.h"
 
 #include <fmt/format.h>
-#include <oneapi/tbb/blocked_range.h>
 #include <oneapi/tbb/parallel_for.h>
 
 #include <algorithm>
@@ -11,7 +10,9 @@
 
 #include "ninebit/raster/rasterizer.h"
 #include "ninebit/raster/sampler.h"
+#include "src/shadow/frame/for_all.h"
 #include "src/shadow/frame/map_evidence.h"
+#include "src/shadow/frame/pass_timer.h"
 #include "src/shadow/frame/views.h"
 
 namespace ninebit {
@@ -67,7 +68,7 @@ IndexCubeRenderer::IndexCubeRenderer(CameraFrame frame, IndexCubePasses passes, 
   rendering().codes_used = indices_.used;
   const DepthRange range = depth_range(frame_.scene(), frame_.light().position, kCubeCornerCosine);
   near_plane_ = range.near_plane;
-  for (std::size_t i = 0; i < 6; ++i) face_projections_[i] = cube_face_projection(kCubeFaces[i], range);
+  face_projections_ = cube_face_projections(range);
   make_map();
 }
 
@@ -101,10 +102,8 @@ std::array<Plane<std::uint8_t>, 4> IndexCubeRenderer::face_planes(std::size_t f)
 Status IndexCubeRenderer::draw_maps() {
   const glm::vec3 light = frame_.scene().lights[0].position;
   from_light_.resize(frame_.scene().positions.size());
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, from_light_.size(), 16384), [&](const auto& range) {
-    for (std::size_t i = range.begin(); i != range.end(); ++i) from_light_[i] = frame_.scene().positions[i] - light;
-  });
-  VertexArrays arrays = all_triangles(from_light_);
+  for_all(from_light_.size(), [&](std::size_t i) { from_light_[i] = frame_.scene().positions[i] - light; });
+  VertexArrays arrays = frame_.all_triangles(from_light_);
   arrays.primitive_colors = indices_.color;
   const DrawPass pass{.state = &passes_.map, .arrays = arrays};
   std::array<Status, 6> drawn;
@@ -120,11 +119,6 @@ Status IndexCubeRenderer::draw_maps() {
     if (!status) return std::move(status);
   }
   return {};
-}
-
-// Of a scene that has triangles, as validate demands.
-VertexArrays IndexCubeRenderer::all_triangles(std::span<const glm::vec3> positions) const {
-  return {.positions = positions, .indices = index_list(frame_.scene().triangles)};
 }
 
 Status IndexCubeRenderer::draw_camera() {
@@ -146,7 +140,7 @@ Status IndexCubeRenderer::draw_camera_together() {
   PassTimes& times = rendering().times;
   const auto start = Clock::now();
   RenderTarget target = rendering().frame.target();
-  const VertexArrays geometry = all_triangles(frame_.scene().positions);
+  const VertexArrays geometry = frame_.all_triangles(frame_.scene().positions);
   const std::array<TextureUnit, 1> units{TextureUnit{&map_, kNearestSampler}};
   std::array<std::chrono::nanoseconds, 4> busy{};
   std::array<DrawPass, 4> passes{DrawPass{.state = &passes_.depth}, DrawPass{.state = &passes_.comparison},
@@ -173,8 +167,7 @@ Status IndexCubeRenderer::draw_camera_together() {
   return {};
 }
 
-// What the index says of a surface that is turned away from the light is of no interest with light_facing: it is in
-// shadow.
+// With light_facing, triangles that face away from the light are in shadow whatever their index: they are not compared.
 Status IndexCubeRenderer::draw_comparison() {
   RenderTarget target = frame_.capturing_target(1);
   const std::array<TextureUnit, 1> units{TextureUnit{&map_, kNearestSampler}};
@@ -183,16 +176,14 @@ Status IndexCubeRenderer::draw_comparison() {
   arrays.primitive_colors = indices_.color;
   if (!frame_.settings().light_facing) return frame_.draw("comparison", passes_.comparison, arrays, units, target);
 
-  TriangleSet compared;
-  std::vector<std::uint32_t> averted;
-  split_by_facing(compared, averted);
+  const TriangleSet compared = light_facing_triangles();
   if (!compared.triangles.empty()) {
     arrays.indices = index_list(compared.triangles);
     arrays.primitive_colors = compared.index_colors;
     Status drawn = frame_.draw("comparison", passes_.comparison, arrays, units, target, compared.numbers);
     if (!drawn) return drawn;
   }
-  return frame_.draw_averted(passes_.averted, averted);
+  return frame_.draw_averted(passes_.averted, [this](std::size_t t) { return faces_light(t); });
 }
 
 Status IndexCubeRenderer::add_evidence() {
@@ -206,23 +197,22 @@ Status IndexCubeRenderer::add_evidence() {
   return {};
 }
 
-bool IndexCubeRenderer::faces_light(const glm::uvec3& t) const {
+bool IndexCubeRenderer::faces_light(std::size_t triangle) const {
+  const glm::uvec3& t = frame_.scene().triangles[triangle];
   const auto& p = frame_.scene().positions;
   const glm::vec3 normal_times_area = glm::cross(p[t.y] - p[t.x], p[t.z] - p[t.x]);
   return glm::dot(normal_times_area, frame_.scene().lights[0].position - p[t.x]) > 0.0F;
 }
 
-void IndexCubeRenderer::split_by_facing(TriangleSet& compared, std::vector<std::uint32_t>& averted) const {
+IndexCubeRenderer::TriangleSet IndexCubeRenderer::light_facing_triangles() const {
+  TriangleSet facing;
   for (std::size_t t = 0; t < frame_.scene().triangles.size(); ++t) {
-    const auto number = static_cast<std::uint32_t>(t);
-    if (!faces_light(frame_.scene().triangles[t])) {
-      averted.push_back(number);
-      continue;
-    }
-    compared.triangles.push_back(frame_.scene().triangles[t]);
-    compared.index_colors.push_back(indices_.color[t]);
-    compared.numbers.push_back(number);
+    if (!faces_light(t)) continue;
+    facing.triangles.push_back(frame_.scene().triangles[t]);
+    facing.index_colors.push_back(indices_.color[t]);
+    facing.numbers.push_back(static_cast<std::uint32_t>(t));
   }
+  return facing;
 }
 
 void IndexCubeRenderer::find_vanished() {
@@ -258,7 +248,7 @@ Status IndexCubeRenderer::pick(const glm::ivec2& pixel) {
     planes[c].resize(rendering().frame.depth().size());
     target.color[c] = {planes[c].data(), frame_.settings().width};
   }
-  VertexArrays arrays = all_triangles(frame_.scene().positions);
+  VertexArrays arrays = frame_.all_triangles(frame_.scene().positions);
   arrays.primitive_colors = indices_.color;
   Status drawn = rasterize(passes_.selection, frame_.projection(), arrays, {}, target);
   if (!drawn) return drawn;

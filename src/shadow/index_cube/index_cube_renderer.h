@@ -55,14 +55,13 @@ class IndexCubeRenderer {
 
   Status draw_camera_together();
   Status draw_comparison();
-  [[nodiscard]] VertexArrays all_triangles(std::span<const glm::vec3> positions) const;
 
   void make_map();
   // What of a face is drawn and looked up.
   [[nodiscard]] std::array<Plane<std::uint8_t>, 4> face_planes(std::size_t face);
   Result<std::uint64_t> count_vanished_pixels();
   Status pick(const glm::ivec2& pixel);
-  [[nodiscard]] bool faces_light(const glm::uvec3& triangle) const;
+  [[nodiscard]] bool faces_light(std::size_t triangle) const;
 
   // A share of the scene's triangles with their index colours.
   struct TriangleSet {
@@ -70,7 +69,7 @@ class IndexCubeRenderer {
     std::vector<ColorBytes> index_colors;
     std::vector<std::uint32_t> numbers;  // in the scene
   };
-  void split_by_facing(TriangleSet& compared, std::vector<std::uint32_t>& averted) const;
+  [[nodiscard]] TriangleSet light_facing_triangles() const;
 
   CameraFrame frame_;
   IndexCubePasses passes_;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "src/shadow/frame/camera_frame.h"
+#include "src/shadow/frame/pass_timer.h"
 #include "src/shadow/index_cube/index_cube_renderer.h"
 
 namespace ninebit {

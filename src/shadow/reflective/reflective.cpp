@@ -10,6 +10,7 @@
 
 #include "ninebit/shadow/shadow_map.h"
 #include "src/shadow/frame/camera_frame.h"
+#include "src/shadow/frame/pass_timer.h"
 #include "src/shadow/frame/surface_planes.h"
 #include "src/shadow/frame/upright.h"
 #include "src/shadow/frame/views.h"

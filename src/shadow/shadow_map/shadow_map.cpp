@@ -12,6 +12,7 @@
 #include "src/shadow/frame/light_beam.h"
 #include "src/shadow/frame/map_evidence.h"
 #include "src/shadow/frame/packed_map.h"
+#include "src/shadow/frame/pass_timer.h"
 #include "src/shadow/frame/texture_units.h"
 
 namespace ninebit {
@@ -113,8 +114,7 @@ Status ShadowMapRenderer::draw_map() {
   std::fill(depth_->begin(), depth_->end(), cleared());
   RenderTarget target{.width = settings().map_size, .height = settings().map_size, .format = map_format_};
   target.depth = {depth_->data(), settings().map_size};
-  const Scene& scene = frame_.scene();
-  const VertexArrays arrays{.positions = scene.positions, .indices = index_list(scene.triangles)};
+  const VertexArrays arrays = frame_.all_triangles(frame_.scene().positions);
   if (Status drawn = rasterize(passes_.map, beam_.projection(), arrays, {}, target); !drawn) return drawn;
   if (const DepthPacking* packing = depth_packing(settings().shadow_map.encoding)) {
     packed_.emplace(*packing, settings().shadow_map.storage, settings().map_size, *depth_, cleared(), rendering().maps);
@@ -201,16 +201,12 @@ Status ShadowMapRenderer::compare_packed() {
   return {};
 }
 
-// Whatever the map says of a surface that turns away from the light, with light_facing it is in shadow.
 Status ShadowMapRenderer::draw_averted() {
-  const Scene& scene = frame_.scene();
-  std::vector<std::uint32_t> averted;
-  for (std::size_t i = 0; i < scene.triangles.size(); ++i) {
-    const glm::uvec3& t = scene.triangles[i];
-    if (beam_.lights_front(scene.positions[t.x], scene.positions[t.y], scene.positions[t.z])) continue;
-    averted.push_back(static_cast<std::uint32_t>(i));
-  }
-  return frame_.draw_averted(passes_.averted, averted);
+  return frame_.draw_averted(passes_.averted, [this](std::size_t triangle) {
+    const glm::uvec3& t = frame_.scene().triangles[triangle];
+    const auto& p = frame_.scene().positions;
+    return beam_.lights_front(p[t.x], p[t.y], p[t.z]);
+  });
 }
 
 Status ShadowMapRenderer::add_evidence() {
@@ -245,16 +241,11 @@ Rendering ShadowMapRenderer::finish() {
 
 Result<Rendering> render_shadow_map(const Scene& scene, const RenderSettings& settings, const Progress& progress) {
   std::optional<ShadowMapRenderer> renderer;
-  const auto make = [&]() -> Status {
-    auto made = ShadowMapRenderer::make(scene, settings);
-    if (!made) return made.error();
-    renderer.emplace(std::move(*made));
-    return {};
-  };
   PassTimer timer(progress);
   PassTimes times;
   double colors = 0.0;  // which the frame counts pass by pass
-  Status status = timer.run("light's view", 0.0, times.transform, make);
+  Status status = timer.make("light's view", 0.0, times.transform, renderer,
+                             [&] { return ShadowMapRenderer::make(scene, settings); });
   if (status) status = timer.run("shadow map", 0.1, times.maps, [&] { return renderer->draw_map(); });
   if (status) status = timer.run("depth", 0.4, times.camera, [&] { return renderer->draw_depth(); });
   if (status) status = timer.run("comparison", 0.5, times.compare, [&] { return renderer->draw_comparison(); });

@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "src/shadow/frame/camera_frame.h"
+#include "src/shadow/frame/pass_timer.h"
 #include "src/shadow/frame/views.h"
 #include "src/shadow/shadow_volume/volume_extrusion.h"
 #include "src/shadow/shadow_volume/volume_mesh.h"
@@ -127,13 +128,9 @@ Status VolumeRenderer::draw_pass(const VolumePass& pass, RenderTarget& target) {
 
 // Triangles with their back to the light, or edge-on: whatever is lit of them no longer is.
 Status VolumeRenderer::mark_averted() {
-  std::vector<std::uint32_t> averted;
-  for (std::size_t t = 0; t < facing_.size(); ++t) {
-    if (facing_[t] <= 0) averted.push_back(static_cast<std::uint32_t>(t));
-  }
   PipelineState state = marking_pass(settings_);
   state.stencil_test.front = {.function = CompareFunction::equal, .reference = 0, .depth_pass = StencilOperation::incr};
-  return frame_.draw_averted(state, averted);
+  return frame_.draw_averted(state, [this](std::size_t triangle) { return facing_[triangle] > 0; });
 }
 
 // Volumes reach behind everything; what they leave where no surface is would only look like a shadow.
