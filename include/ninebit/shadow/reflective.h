@@ -15,13 +15,13 @@
 
 namespace NINEBIT_PUBLIC ninebit {
 
-// The light colour of a white light in the flux; the scene's light colour is multiplied by it.
+// The factor on the scene's light colour in the flux: the value of a white light.
 inline constexpr float kFluxOfWhiteLight = 0.3F;
-// The largest light's view, in texels a side.
+// The largest map, in texels a side.
 inline constexpr int kMaxReflectiveMapSize = 8192;
 
-// What the light sees: a texel each, rows from t = 0 (the lowest). Texels without a surface hold zeros, and the
-// farthest depth.
+// The surface that the light sees at each texel, rows from t = 0 (the lowest). Texels without a surface hold zeros and
+// the farthest depth.
 struct ReflectiveMap {
   int size = 0;                                 // texels a side
   glm::mat4 clip_from_world{1.0F};              // of the light
@@ -31,7 +31,7 @@ struct ReflectiveMap {
   std::vector<std::uint32_t> depth{};           // codes of 24 bits
 };
 
-// Reports a map size that is no power of two or above kMaxReflectiveMapSize, and scenes with a coordinate beyond
+// Reports a map size that is not a power of two or is above kMaxReflectiveMapSize, and scenes with a coordinate beyond
 // 65,504, the largest half float.
 [[nodiscard]] Status check_reflective_map(const Scene& scene, int map_size);
 
@@ -42,8 +42,8 @@ struct ReflectiveMap {
 // check_reflective_map reports.
 [[nodiscard]] Result<ReflectiveMap> draw_reflective_map(const Scene& scene, const RenderSettings& settings);
 
-// The world positions of all texels as depth and the inverse of clip_from_world give them, computed in doubles; the
-// origin where there is no surface.
+// The world positions of all texels, computed in doubles from the depth and the inverse of clip_from_world; the origin
+// where there is no surface.
 [[nodiscard]] std::vector<glm::dvec3> positions_from_depth(const ReflectiveMap& map);
 
 // The direct light and its shadows as render_shadow_map draws them, from a depth map of the same view with polygon

@@ -1,4 +1,4 @@
-// The technique: one frame.
+// The technique's entry point: renders one frame.
 #include "ninebit/shadow/depth_cube.h"
 
 #include <optional>
@@ -10,7 +10,7 @@
 namespace ninebit {
 namespace {
 
-// The passes that mark shadow: with 8 bits six, with 16 bits twelve.
+// The passes that mark shadow: 6 with 8 bits, 12 with 16 bits.
 Status draw_comparisons(DepthCubeRenderer& renderer, PassTimer& timer, double& milliseconds) {
   const auto& comparisons = renderer.passes().comparisons;
   if (comparisons.empty()) {
@@ -46,7 +46,7 @@ Result<Rendering> render_depth_cube(const Scene& scene, const RenderSettings& se
   if (status && settings.light_facing) {
     status = timer.run("averted", 0.9, times.compare, [&] { return renderer->draw_averted(); });
   }
-  // They take their own times.
+  // draw_lit_and_shadow takes the times of its passes itself.
   if (status) status = timer.run("colours", 0.9, colors, [&] { return renderer->draw_lit_and_shadow(); });
   if (status) status = renderer->add_evidence();
   if (!status) return status.error();

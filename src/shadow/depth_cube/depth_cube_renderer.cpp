@@ -16,15 +16,15 @@
 namespace ninebit {
 namespace {
 
-// 16 bits: the row is the high byte, and the column, which repeats with every row, the low byte. Both coordinates come
-// from one number by a power of two, so that they agree on where a row ends.
+// With 16 bits, the ramp's row is the high byte and its column, which repeats in every row, is the low byte. Both
+// coordinates are the same number times a power of two, so they agree on where a row ends.
 constexpr Sampler kWideRampSampler{.min_filter = MinFilter::nearest,
                                    .mag_filter = MagFilter::nearest,
                                    .wrap_s = Wrap::repeat,
                                    .wrap_t = Wrap::clamp_to_edge};
 constexpr float kWideRampSide = 256.0F;
 
-// A ramp whose texel i holds code(i): the low byte as luminance and, of 16 bits, the high byte as alpha.
+// A ramp whose texel i holds code(i): the low byte as luminance and, with 16 bits, the high byte as alpha.
 template <class Code>
 Texture ramp_texture(const DistanceCode& distance, const Code& code) {
   const std::size_t size = distance.ramp_size();
@@ -40,7 +40,7 @@ Texture ramp_texture(const DistanceCode& distance, const Code& code) {
   auto made =
       make_texture(TextureTarget::texture_2d, wide ? InternalFormat::luminance8_alpha8 : InternalFormat::luminance8,
                    {{{width, height, std::move(samples)}}});
-  return std::move(made).value();  // nothing of it comes from outside
+  return std::move(made).value();  // cannot fail: it depends on no input
 }
 
 }  // namespace
@@ -51,7 +51,7 @@ Result<DepthCubeRenderer> DepthCubeRenderer::make(const Scene& scene, const Rend
   if (Status checked = check_map_size(settings.map_size); !checked) return checked.error();
   const float bias = settings.depth_cube.bias.value_or(0.0F);
   if (!(std::isfinite(bias) && bias >= 0.0F)) {
-    return Diagnostic{.message = fmt::format("bias {} is no distance of 0 or more", bias)};
+    return Diagnostic{.message = fmt::format("bias {} is out of range; expected a finite distance of 0 or more", bias)};
   }
   auto passes = depth_cube_passes(settings);
   if (!passes) return passes.error();
@@ -96,7 +96,7 @@ void DepthCubeRenderer::make_ramps() {
   camera_ramp_ = ramp_texture(code_, [this](std::uint32_t i) { return code_.camera_code(i); });
 }
 
-// What a linear texture-coordinate generation along the face's axis gives: 0 and 1 at the ends of the ramp.
+// The result of a linear texture-coordinate generation along the face's axis: 0 and 1 at the ends of the ramp.
 void DepthCubeRenderer::set_ramp_coordinates(std::size_t face) {
   const CubeFaceAxes& axes = cube_face_axes(kCubeFaces[face]);
   const glm::vec3 axis(axes.major[0], axes.major[1], axes.major[2]);
@@ -134,7 +134,7 @@ Status DepthCubeRenderer::draw_map(std::size_t face) {
   const DrawPass pass{.state = &passes_.map, .arrays = arrays, .units = units};
   const DrawActions actions{.clear = ClearValues{.color = {255, 255, 255, 255}}, .discard_depth = true};
   if (Status drawn = rasterize({&pass, 1}, prepared_map_, actions, target); !drawn) return drawn;
-  // Along a negative axis the coordinate is the distance's negative.
+  // Along a negative axis the coordinate is the negated distance.
   if (uses_floats() && axes.major[face / 2] < 0) {
     for_all(into.distance.size(), [&](std::size_t i) { into.distance[i] = std::fabs(into.distance[i]); });
   }
@@ -155,7 +155,7 @@ Status DepthCubeRenderer::add_evidence() {
   return add_map_evidence(frame_, map);
 }
 
-// Interpolated as the cube map's texture coordinates are, so that they select the same texels.
+// Interpolated like the cube map's texture coordinates, so that they select the same texels.
 Status DepthCubeRenderer::draw_directions() {
   RenderTarget target = rendering().frame.target();
   target.outputs.clear();
@@ -185,7 +185,7 @@ std::size_t DepthCubeRenderer::texel_at(std::size_t pixel) const {
   return texel(at.t) * static_cast<std::size_t>(size) + texel(at.s);
 }
 
-// One face of the map; the five others are blank, which restricts the pass to the directions of this one.
+// One face of the map; the other five are blank, which restricts the pass to this face's directions.
 Texture DepthCubeRenderer::map_of_face(std::size_t face) const {
   const int size = settings().map_size;
   std::vector<TextureImage> images;
@@ -216,7 +216,7 @@ Status DepthCubeRenderer::draw_comparison(std::size_t comparison, std::size_t fa
   } else {
     const std::string name = fmt::format("{} {}", pass.name, kCubeFaceNames[face]);
     if (Status drawn = frame_.draw(name, pass.state, arrays, units, target); !drawn) return drawn;
-    // The blank faces have nothing to tell.
+    // A probe that looked up a blank face is dropped.
     const auto at = static_cast<std::size_t>(settings().pixel->y) * static_cast<std::size_t>(target.width) +
                     static_cast<std::size_t>(settings().pixel->x);
     if (face_at(at) != face) rendering().probed.pop_back();
@@ -225,8 +225,8 @@ Status DepthCubeRenderer::draw_comparison(std::size_t comparison, std::size_t fa
   return {};
 }
 
-// The layers of the last pass hold what each pixel met, mostly a blank face; those from `first` on, which are to stay,
-// get what this face is for.
+// The last `count` layers hold the values of this face's pass, which looked up a blank face at most pixels. Copies the
+// pixels in this face's direction into the `count` layers from `first` on, then removes the last ones.
 void DepthCubeRenderer::keep_layers_of_face(std::size_t face, std::size_t first, std::size_t count) {
   std::deque<Layer>& layers = rendering().layers;
   for (std::size_t n = 0; n < count; ++n) {

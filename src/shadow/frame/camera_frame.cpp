@@ -44,7 +44,7 @@ Status check_scene(const Scene& scene, const LightKinds& lights) {
 }
 
 constexpr DepthTest kWriteNearest{.enabled = true, .function = CompareFunction::less, .write = true};
-// The camera's passes transform and interpolate alike, so a polygon meets the very depth that it wrote.
+// All camera passes transform and interpolate identically, so a polygon finds exactly the depth that it wrote.
 constexpr DepthTest kSameSurface{.enabled = true, .function = CompareFunction::equal, .write = false};
 constexpr std::array<bool, 4> kNoColor{false, false, false, false};
 
@@ -119,7 +119,7 @@ Status CameraFrame::draw(std::string_view name, const PipelineState& state, Vert
                          std::span<const TextureUnit> units, RenderTarget& target,
                          std::span<const std::uint32_t> scene_triangles) {
   if (arrays.vertex_count() == 0) arrays.positions = scene_->positions;
-  // Of a scene that has triangles, as validate demands.
+  // Not empty, which would mean all vertices: validate requires triangles.
   if (arrays.indices.empty()) arrays.indices = index_list(scene_->triangles);
   if (!settings_.pixel) return rasterize(state, projection_, arrays, units, target);
   FragmentProbe probe{.x = settings_.pixel->x, .y = settings_.pixel->y};
@@ -211,7 +211,7 @@ void CameraFrame::finish() {
     std::uint64_t background = 0, shadowed = 0;
   };
   const auto count = [&](const tbb::blocked_range<std::size_t>& pixels, Count before) {
-    std::uint32_t background = 0, shadowed = 0;  // without a branch: in vectors
+    std::uint32_t background = 0, shadowed = 0;  // branch-free, so that it is vectorized
     for (std::size_t i = pixels.begin(); i != pixels.end(); ++i) {
       const bool is_background = depth[i] == farthest;
       background += is_background ? 1U : 0U;

@@ -40,7 +40,7 @@ MapResolution LightBeam::resolution(int map_size, std::uint32_t depth_codes) con
   const auto gradient = [&](int row) { return glm::dvec3(m[0][row], m[1][row], m[2][row]); };
   const auto value = [&](int row, const glm::dvec3& p) { return glm::dot(gradient(row), p) + m[3][row]; };
   glm::dvec3 p(middle_);
-  // Along the axis z + w grows as it does at the near plane, where it is 0. The far plane lies behind the whole scene.
+  // Along the axis z + w is linear, and it is 0 at the near plane. The far plane lies behind the whole scene.
   const double near_slope = glm::dot(gradient(2) + gradient(3), axis);
   const double to_near = -(value(2, p) + value(3, p)) / near_slope;
   if (to_near > 0.0) p += axis * to_near;

@@ -40,8 +40,8 @@ TexelPlace projected_place(float s, float t, float q, int size) {
   return inside ? texel_at(0, s, t, size) : TexelPlace{};
 }
 
-// The frame's fragments once more, with their interpolated coordinates. Where several of one depth meet, the last
-// stays, as it does for the colours.
+// Draws the frame's visible fragments again, with their interpolated coordinates. Of several at the same depth the last
+// one stays, as for the colours.
 Status find_texels(CameraFrame& frame, const LightMap& map, std::vector<TexelPlace>& places) {
   const Surface& surface = frame.rendering().frame;
   const bool cube = map.projections.size() == 6;
@@ -73,7 +73,7 @@ Status find_texels(CameraFrame& frame, const LightMap& map, std::vector<TexelPla
   return {};
 }
 
-// One face of the map, or the whole of a 2D map: the triangle in each texel.
+// Draws the number of the triangle in each texel of one face, or of a 2D map.
 Status draw_numbers(const CameraFrame& frame, const LightMap& map, std::size_t face, std::vector<std::uint32_t>& depth,
                     std::vector<std::uint32_t>& numbers) {
   PipelineState state = map.pass;

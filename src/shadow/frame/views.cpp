@@ -9,7 +9,7 @@ namespace ninebit {
 DepthRange depth_range(const Scene& scene, const glm::vec3& eye, float cos_corner) {
   const Bounds bounds = bounds_of(scene);
   const glm::vec3 farthest = glm::max(glm::abs(bounds.low - eye), glm::abs(bounds.high - eye));
-  // A scene that is one point at the eye has no extent: any positive range serves.
+  // A scene that is one point at the eye has no extent: any positive range works.
   const float far_plane = std::max(glm::length(farthest) * 1.01F, 1e-6F);
   const float nearest = std::min(distance_to_nearest_triangle(scene, eye), far_plane);
   return {std::max(nearest * cos_corner * 0.9F, far_plane / 65536.0F), far_plane};
@@ -42,7 +42,7 @@ glm::mat4 infinite_camera_projection(const Scene& scene, const Camera& camera, f
 
 namespace {
 
-// Eye space of a view along a direction of unit length, y toward some axis across it.
+// The view matrix along a direction of unit length. Its y points toward a coordinate axis that is not parallel to it.
 glm::mat4 view_along(const glm::vec3& eye, const glm::vec3& direction) {
   const glm::vec3 size = glm::abs(direction);
   const glm::vec3 axis =

@@ -1,4 +1,4 @@
-// The technique: one frame.
+// The technique's entry point: renders one frame.
 #include "ninebit/shadow/index_cube.h"
 
 #include <optional>

@@ -21,7 +21,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using Milliseconds = std::chrono::duration<double, std::milli>;
 
-// A face whose texels have no values yet, for maps of that format.
+// A face with undrawn texels, for a map of this format.
 IndexMapFace undrawn_face(IndexFormat format, int size) {
   IndexMapFace face;
   face.size = size;
@@ -49,7 +49,7 @@ Status check_pick(const RenderSettings& settings) {
 }  // namespace
 
 Result<IndexCubeRenderer> IndexCubeRenderer::make(const Scene& scene, const RenderSettings& settings) {
-  // First of all, as the scene may be too large for its indices.
+  // First, because a scene may have more polygons than there are indices.
   if (Status checked = check_index_settings(scene, settings.index); !checked) return checked.error();
   auto frame = CameraFrame::make(scene, settings, {.point = true});
   if (!frame) return frame.error();
@@ -87,7 +87,7 @@ void IndexCubeRenderer::make_map() {
   map_ = texture_view(map_format(rendering().codes.format()), faces);
 }
 
-// Where there are words, alpha is drawn along with them.
+// RGB faces are stored as four-byte words, and their alpha byte is drawn as well.
 std::array<Plane<std::uint8_t>, 4> IndexCubeRenderer::face_planes(std::size_t f) {
   IndexMapFace& face = rendering().index_map[f];
   std::array<Plane<std::uint8_t>, 4> planes;
@@ -98,7 +98,7 @@ std::array<Plane<std::uint8_t>, 4> IndexCubeRenderer::face_planes(std::size_t f)
   return planes;
 }
 
-// The cleared map is index 0. Vertices are taken relative to the light, as they are for the fetch of the comparison.
+// The cleared map is index 0. Vertices are relative to the light, like the texture coordinates of the comparison.
 Status IndexCubeRenderer::draw_maps() {
   const glm::vec3 light = frame_.scene().lights[0].position;
   from_light_.resize(frame_.scene().positions.size());
@@ -220,7 +220,7 @@ void IndexCubeRenderer::find_vanished() {
                                      frame_.settings().cull_face);
 }
 
-// Those of the vanished polygons that are seen meet their own depth again.
+// Draws the vanished polygons again with depth test EQUAL: only their visible pixels pass.
 Result<std::uint64_t> IndexCubeRenderer::count_vanished_pixels() {
   if (vanished_.triangles.empty()) return std::uint64_t{0};
   std::vector<glm::uvec3> triangles;
@@ -239,7 +239,7 @@ Result<std::uint64_t> IndexCubeRenderer::count_vanished_pixels() {
   return static_cast<std::uint64_t>(std::count(seen.begin(), seen.end(), std::uint8_t{255}));
 }
 
-// Every polygon in the colour of its index, as a selection buffer is drawn, but for one pixel alone.
+// Draws every polygon in the colour of its index, like a selection buffer, but only the picked pixel.
 Status IndexCubeRenderer::pick(const glm::ivec2& pixel) {
   std::array<std::vector<std::uint8_t>, 4> planes;
   RenderTarget target = rendering().frame.target();

@@ -20,10 +20,10 @@ namespace {
 
 constexpr LightKinds kMapLights{.point = false, .spot = true, .directional = true};
 
-// Larger maps are shown by every second, fourth, … texel.
+// The picture of a larger map shows every second, fourth, … texel.
 constexpr int kLargestPicture = 1024;
 
-// The nearest depth that was drawn is white, the farthest dark grey, what was not drawn black.
+// The nearest depth is white, the farthest dark grey; undrawn texels are black.
 Image8 map_picture(std::span<const std::uint32_t> codes, int size, std::uint32_t cleared) {
   std::uint32_t nearest = cleared, farthest = 0;
   for (const std::uint32_t code : codes) {
@@ -46,7 +46,7 @@ Image8 map_picture(std::span<const std::uint32_t> codes, int size, std::uint32_t
   return image;
 }
 
-// One face of one texel each, of which +z alone lets light through.
+// A cube map with one texel per face, of which only +z lets light through.
 Texture beam_texture() {
   std::vector<std::vector<TextureSamples>> faces;
   for (const CubeFace face : kCubeFaces) {
@@ -80,9 +80,9 @@ class ShadowMapRenderer {
 
   [[nodiscard]] const RenderSettings& settings() const { return frame_.settings(); }
   [[nodiscard]] std::uint32_t cleared() const { return max_depth(map_format_); }
-  // Makes `interpolated_` of the coordinates.
+  // Fills `interpolated_` from the coordinates.
   void interpolate_coordinates();
-  // Planes for the coordinates of fragments, in the order s, t, r, q; as layers where those are kept.
+  // Adds output planes for the s, t, r and q of fragments; with settings.layers they are layers.
   void add_coordinate_planes(RenderTarget& target);
   Status compare_depth_texture();
   Status compare_packed();
@@ -92,11 +92,11 @@ class ShadowMapRenderer {
   ShadowMapPasses passes_;
   LightBeam beam_;
   LightBeam::Coordinates coordinates_;
-  std::vector<glm::vec4> interpolated_;  // coordinates as an attribute, where they leave the pipeline
+  std::vector<glm::vec4> interpolated_;  // coordinates as an attribute, for output planes
   DepthStencilFormat map_format_;
   std::vector<std::uint32_t>* depth_;  // of the map, in the rendering
   std::optional<PackedMap> packed_;
-  std::array<std::vector<float>, 4> own_planes_;  // coordinates of fragments, without layers
+  std::array<std::vector<float>, 4> own_planes_;  // coordinates of fragments, unless they are layers
   std::array<std::vector<float>*, 4> planes_{};
 };
 
@@ -243,7 +243,7 @@ Result<Rendering> render_shadow_map(const Scene& scene, const RenderSettings& se
   std::optional<ShadowMapRenderer> renderer;
   PassTimer timer(progress);
   PassTimes times;
-  double colors = 0.0;  // which the frame counts pass by pass
+  double colors = 0.0;  // draw_lit_and_shadow takes the times of its passes itself
   Status status = timer.make("light's view", 0.0, times.transform, renderer,
                              [&] { return ShadowMapRenderer::make(scene, settings); });
   if (status) status = timer.run("shadow map", 0.1, times.maps, [&] { return renderer->draw_map(); });

@@ -1,4 +1,4 @@
-// Shadow volumes as triangles: what lies behind a surface, seen from the light, up to infinity.
+// Shadow volumes as triangles: the space behind a surface, seen from the light, up to infinity.
 #pragma once
 
 #include <cstdint>
@@ -15,19 +15,18 @@ namespace ninebit {
 // The light in homogeneous coordinates: its position with w = 1, or the direction to it with w = 0.
 [[nodiscard]] glm::dvec4 homogeneous_light(const Light& light);
 
-// For each triangle 1 where its front is turned to the light, -1 where its back is, 0 where it is seen edge-on or has
-// no area. Everything about a volume that depends on this takes it from here, so that a rounding error in it opens no
-// gap.
+// For each triangle: 1 if its front faces the light, -1 if its back does, 0 if it is edge-on or has no area. Every part
+// of a volume is made from these values, so a rounding error in them opens no gap.
 [[nodiscard]] std::vector<std::int8_t> facing_of(const VolumeMesh& mesh, const glm::dvec4& light);
 
-// Which triangles cast a shadow: 1 as they are, -1 with the order of their corners reversed, which then turns their
-// front to the light; 0: none. Of a closed object those whose front is turned to the light, which cover the others;
-// of any other object all. What `cull` leaves out as seen from the light casts none; where it leaves out the fronts of
-// a closed object, its backs cast.
+// The triangles that cast a shadow. 1: as it is; -1: with its corners reversed, so that its front faces the light; 0:
+// casts none. In a closed object the triangles that face the light cast, since they cover the others; in any other
+// object all triangles cast. Triangles that `cull` removes, as seen from the light, do not cast. If it removes the
+// fronts of a closed object, its backs cast.
 [[nodiscard]] std::vector<std::int8_t> casters_of(const Scene& scene, const VolumeMesh& mesh,
                                                   std::span<const std::int8_t> facing, CullFace cull);
 
-// Triangles, and for each the scene's that it comes from.
+// Triangles, each with the number of the scene's triangle that it comes from.
 struct VolumeTriangles {
   std::vector<glm::uvec3> triangles;
   std::vector<std::uint32_t> casters;
@@ -39,27 +38,27 @@ struct VolumeTriangles {
 
 struct VolumeCaps {
   bool front = true;  // the casters themselves
-  bool back = true;   // the casters moved away from the light to infinity (of a directional light a point: none)
+  bool back = true;   // the casters moved away from the light to infinity (for a directional light a point: no cap)
 };
 
-// The border of all casters' volumes together. A ray that ends at some point crosses it from outside to inside as many
-// times more often than back as there are casters between that point and the light.
+// The boundary of all casters' volumes. On a ray to a point, crossings into a volume minus crossings out of one are the
+// number of casters between that point and the light.
 struct ShadowVolumes {
-  std::vector<glm::vec4> positions;  // homogeneous: the mesh's, then these moved away from the light to infinity
-  VolumeTriangles outward;           // fronts outside
-  // Backs outside: front caps of casters whose back is turned to the light. They have to be drawn in the scene's order
-  // of corners, as clipping cuts a triangle by it, to have the depth of the surface itself.
+  std::vector<glm::vec4> positions;  // homogeneous: the mesh's, then the same moved away from the light to infinity
+  VolumeTriangles outward;           // their fronts are outside
+  // Their backs are outside: front caps of casters whose back faces the light. They keep the scene's order of corners,
+  // which clipping depends on, so that they have exactly the surface's depth.
   VolumeTriangles inward;
-  std::uint64_t silhouette_edges = 0;  // that sides come from
+  std::uint64_t silhouette_edges = 0;  // edges with a side
 };
 
-// Sides stand on every edge along which casters, turned to the light, do not run as often in one direction as in the
-// other: around the silhouette of a closed object, and around every caster without a neighbour.
+// An edge has a side if the casters, with their fronts to the light, run along it more often in one direction than in
+// the other: around the silhouette of a closed object, and around every caster without a neighbour.
 [[nodiscard]] ShadowVolumes extrude(const VolumeMesh& mesh, std::span<const std::int8_t> casters,
                                     const glm::dvec4& light, const VolumeCaps& caps);
 
-// What a spot light shines through (light_projection), up to infinity, its fronts inside: counted like a shadow volume,
-// it takes 1 away within. Clip coordinates are those of the light's projection.
+// The pyramid that a spot light shines through (light_projection), up to infinity, with its fronts inside: counted like
+// a shadow volume, it subtracts 1 inside. `clip_from_world` is the light's projection.
 struct LightPyramid {
   std::vector<glm::vec4> positions;
   std::vector<glm::uvec3> triangles;
