@@ -53,7 +53,7 @@ struct DistanceCode {
 // A pass that marks shadow, drawn once for each face of the cube map.
 struct DepthCubeComparison {
   std::string name;     // "comparison"; with 16 bits "high byte", then "low byte"
-  PipelineState state;  // marks in the stencil plane alone
+  PipelineState state;  // changes only the stencil plane
 };
 
 // The pipeline state of each pass, in the order of drawing.
@@ -61,9 +61,8 @@ struct DepthCubePasses {
   PipelineState map;    // from the light: distances, depth-tested, into a face
   PipelineState depth;  // from the camera: depth alone
   std::vector<DepthCubeComparison>
-      comparisons;        // from the camera: stencil 1 behind what the map holds; none for floats
-  PipelineState averted;  // from the camera, with light_facing: stencil 1 where a polygon faces
-                          // away from the light
+      comparisons;        // from the camera: stencil 1 behind the map's distance; none for floats
+  PipelineState averted;  // from the camera, with light_facing: stencil 1 where a polygon faces away from the light
 };
 
 // The passes for these settings. Reports what the combiners' states report.
@@ -74,11 +73,11 @@ struct DepthCubePasses {
 //   1. six 90° views from the light, every polygon textured with the ramp, into a cube map;
 //   2. the camera's depth;
 //   3. for each face of the map, every polygon again: the camera's ramp on unit 0 along this face's axis, on unit 1 a
-//      cube map of this face alone, whose other faces hold the farthest code, which nothing is behind; alpha test
+//      cube map with only this face; its other faces hold the farthest code, which nothing is behind; alpha test
 //      GREATER 0, stencil REPLACE 1, depth test EQUAL; with 16 bits once for the high and once for the low byte;
 //   4. the lit pass where the stencil is 0, then the shadow pass where it is 1.
-// With floats, step 3 compares interpolated planes in C++, because no combiner holds that many bits. Besides what
-// Technique::render says, reports a bias that is negative or not finite.
+// With floats, step 3 compares interpolated planes in C++, because no combiner holds that many bits.
+// Besides what Technique::render reports, reports a bias that is negative or not finite.
 [[nodiscard]] Result<Rendering> render_depth_cube(const Scene& scene, const RenderSettings& settings,
                                                   const Progress& progress);
 

@@ -42,7 +42,7 @@ struct IndexCubePasses {
 // the centre of any texel; `vanished_texels`, their total area on the faces, in texels; `vanished_pixels`, the camera's
 // pixels that show them. With settings.pick, `picked`.
 //
-// Besides what Technique::render says, reports more polygons, sections or objects than the format and the step have
+// Besides what Technique::render reports, reports more polygons, sections or objects than the format and the step have
 // codes for, a section size out of range, and a picked pixel outside of the frame.
 [[nodiscard]] Result<Rendering> render_index_cube(const Scene& scene, const RenderSettings& settings,
                                                   const Progress& progress);

@@ -37,10 +37,10 @@ inline constexpr Sampler kCookieSampler{.min_filter = MinFilter::linear,
 // Draws the scene in the light of settings.light_cookie.cookie:
 //   1. with settings.light_cookie.shadows, passes 1 to 3 of render_index_cube; without, the camera's depth alone;
 //   2. the lit pass where the stencil is 0: diffuse light as primary colour, ambient light as secondary, on unit 0 the
-//      cube map, fetched along the interpolated place in the light's own space;
+//      cube map, fetched along the interpolated position in the light's own space;
 //   3. the shadow pass where it is 1: ambient light.
-// Besides what Technique::render says and, with shadows, render_index_cube, reports a cookie that is missing, is not a
-// cube map, or is rejected by check_texture or is_complete.
+// Besides what Technique::render reports and, with shadows, render_index_cube, reports a cookie that is missing, is not
+// a cube map, or is rejected by check_texture or is_complete.
 [[nodiscard]] Result<Rendering> render_light_cookie(const Scene& scene, const RenderSettings& settings,
                                                     const Progress& progress);
 

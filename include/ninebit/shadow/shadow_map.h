@@ -37,7 +37,7 @@ struct ShadowMapPasses {
 //   2. the camera's depth;
 //   3. every polygon again, each fragment compared with the map's depth at (s/q, t/q), stencil REPLACE 1 where its r/q
 //      is farther: for d24 and d16 a depth texture with comparison (ARB_shadow) on unit 0 and the beam as a cube map on
-//      unit 1; for packed depths in floats beyond the combiners, fragment by fragment;
+//      unit 1; for packed depths in floats, fragment by fragment, beyond the combiners;
 //   4. the lit pass where the stencil is 0, then the shadow pass where it is 1.
 // The map goes into Rendering::maps as shadow_map (channel depth: codes, with the offset) and, packed, as packed_depth
 // (R G B A); the picture is shadow_map.png. Facts: polygon_offset_factor, polygon_offset_units; texel_size and

@@ -43,7 +43,7 @@ struct VolumePass {
 // were drawn. Picture volume.png: the stencil's counts, the largest one white. With layers and one-sided stencil, part
 // stencil_fronts is the stencil after the first of the two passes. The stencil is 0 in the background.
 //
-// Reports what Technique::render says. settings.map_size is not used.
+// Reports what Technique::render reports. settings.map_size is not used.
 [[nodiscard]] Result<Rendering> render_shadow_volume(const Scene& scene, const RenderSettings& settings,
                                                      const Progress& progress);
 

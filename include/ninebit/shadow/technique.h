@@ -33,7 +33,7 @@ using Progress = std::function<bool(std::string_view pass, double done)>;
 struct Layer {
   std::string part;     // the group that it belongs to: "spare0", "depth_cube"
   std::string channel;  // "R"; for a cube map the face: "+X"
-  int width = 0;        // samples a row
+  int width = 0;        // samples per row
   int height = 0;       // rows
   // width × height samples of one type.
   std::variant<std::vector<s9>, std::vector<std::uint8_t>, std::vector<std::uint32_t>,
@@ -137,7 +137,7 @@ struct Rendering {
   PassTimes times{};                         // of the whole rendering
 };
 
-// A way to draw shadows: an entry of the table techniques().
+// A shadow technique: an entry of the table techniques().
 struct Technique {
   std::string_view name;     // for `ninebit render --technique`
   std::string_view summary;  // one line
