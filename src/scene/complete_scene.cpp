@@ -76,7 +76,8 @@ Camera framing_camera(const Bounds& bounds, float fov_degrees, float aspect_rati
   return camera;
 }
 
-// Above the box, to the left and a little toward the camera, outside the box: the shadow falls to the right, in view.
+// Above the box and outside it, to the left of the camera and a little toward it: the shadow falls to the right, in
+// view.
 Light framing_light(const Bounds& bounds, const Camera& camera) {
   glm::vec3 toward_eye = camera.position - camera.look_at;
   toward_eye.y = 0.0F;

@@ -21,8 +21,8 @@ struct GltfPrimitive {
   std::uint32_t material = 0;  // index into the scene's materials
   std::uint64_t mode = 4;      // 4: triangles, 5: a strip, 6: a fan
   std::uint64_t triangles = 0;
-  std::optional<std::size_t>
-      compressed;  // its number in GltfDraco; until it is decoded, `triangles` is the declared number
+  // Its number in GltfDraco. Until it is decoded, `triangles` is the declared number.
+  std::optional<std::size_t> compressed;
 };
 
 class GltfMeshes {

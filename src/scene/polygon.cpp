@@ -39,8 +39,8 @@ bool fan_is_valid(const std::vector<glm::dvec2>& flat) {
   return true;
 }
 
-// Finds ears of a polygon. A corner that is not an ear remains one as long as its neighbours and the corner that lies
-// in its triangle are unchanged, so it is not tested again each time that the search reaches it.
+// Finds ears of a polygon. A corner that is not an ear cannot become one as long as it has the same neighbours and the
+// corner in its triangle is still there, so it is tested again only after one of these changes.
 class EarSearch {
  public:
   explicit EarSearch(const std::vector<glm::dvec2>& flat) : flat_(flat), refusals_(flat.size()), gone_(flat.size()) {}

@@ -79,7 +79,7 @@ class ObjStatements {
     float other = 1.0F;
     for (std::size_t i = 1; i < words.size(); ++i) {
       float& value = i < 4 ? vector[static_cast<glm::length_t>(i) - 1] : other;
-      // A normal that is not finite is no fault: it is computed again.
+      // A normal that is not finite is not a fault: it is computed instead.
       if (auto fault = position ? read_coordinate(words[i], value) : read_normal_part(words[i], value)) return fault;
     }
     // Four numbers are a weighted vertex; further ones are its colour.
