@@ -59,9 +59,9 @@ struct DepthCubeComparison {
 // The pipeline state of each pass, in the order of drawing.
 struct DepthCubePasses {
   PipelineState map;    // from the light: distances, depth-tested, into a face
-  PipelineState depth;  // from the camera: depth alone
-  std::vector<DepthCubeComparison>
-      comparisons;        // from the camera: stencil 1 behind the map's distance; none for floats
+  PipelineState depth;  // from the camera: depth only
+  // From the camera: stencil 1 behind the map's distance; none for floats.
+  std::vector<DepthCubeComparison> comparisons;
   PipelineState averted;  // from the camera, with light_facing: stencil 1 where a polygon faces away from the light
 };
 

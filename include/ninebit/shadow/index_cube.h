@@ -20,7 +20,7 @@ namespace NINEBIT_PUBLIC ninebit {
 // The pipeline state of each pass, in the order of drawing.
 struct IndexCubePasses {
   PipelineState map;         // from the light: indices, depth-tested, into six faces
-  PipelineState depth;       // from the camera: depth alone
+  PipelineState depth;       // from the camera: depth only
   PipelineState comparison;  // from the camera: stencil 1 where the indices differ
   PipelineState averted;     // from the camera, with light_facing: stencil 1 where a polygon faces away from the light
   PipelineState lit;         // from the camera: colour where the stencil is 0

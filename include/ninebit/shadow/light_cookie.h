@@ -35,7 +35,7 @@ inline constexpr Sampler kCookieSampler{.min_filter = MinFilter::linear,
 [[nodiscard]] Result<PipelineState> light_cookie_pass(const RenderSettings& settings);
 
 // Draws the scene in the light of settings.light_cookie.cookie:
-//   1. with settings.light_cookie.shadows, passes 1 to 3 of render_index_cube; without, the camera's depth alone;
+//   1. with settings.light_cookie.shadows, passes 1 to 3 of render_index_cube; without, the camera's depth only;
 //   2. the lit pass where the stencil is 0: diffuse light as primary colour, ambient light as secondary, on unit 0 the
 //      cube map, fetched along the interpolated position in the light's own space;
 //   3. the shadow pass where it is 1: ambient light.

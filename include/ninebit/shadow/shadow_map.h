@@ -21,7 +21,7 @@ inline constexpr OffsetArguments kShadowMapOffset{.factor = 1.125F, .units = 16.
 
 // The pipeline states of this technique's own passes.
 struct ShadowMapPasses {
-  PipelineState map;         // from the light: depth alone, the nearest stays, with polygon offset
+  PipelineState map;         // from the light: depth only, the nearest stays, with polygon offset
   PipelineState comparison;  // from the camera: stencil 1 where the fragment is farther than the map's depth
   PipelineState coordinate;  // from the camera, for packed depths: no alpha or stencil test, for output planes
   PipelineState averted;     // from the camera, with light_facing: stencil 1 where a polygon faces away from the light

@@ -20,7 +20,7 @@ namespace ninebit {
 
 // The pipeline state of the passes that every technique draws from the camera.
 struct FramePasses {
-  PipelineState depth;   // depth alone, the nearest stays
+  PipelineState depth;   // depth only, the nearest stays
   PipelineState lit;     // colour where the stencil is 0
   PipelineState shadow;  // colour where it is not
 };
