@@ -137,7 +137,7 @@ TEST_F(DracoFiles, FaultsOfTheExtension) {
   }
   file.attributes = R"({"POSITION": 0, "NORMAL": 4294967295})";
   EXPECT_EQ(complaint(file),
-            "primitive 0 of mesh 0 has no compressed attribute of the id 4294967295, which NORMAL names");
+            "primitive 0 of mesh 0 has no compressed attribute with the id 4294967295, which NORMAL names");
 }
 
 TEST_F(DracoFiles, FaultsOfThePrimitive) {
@@ -148,9 +148,9 @@ TEST_F(DracoFiles, FaultsOfThePrimitive) {
   file = right;
   file.normal_component = "5122";
   EXPECT_EQ(complaint(file),
-            "primitive 0 of mesh 0 has compressed data of another type than the accessor of its NORMAL");
+            "primitive 0 of mesh 0 has compressed data whose type differs from the accessor of its NORMAL");
   file.normal_component = "5125";
-  EXPECT_EQ(complaint(file), "primitive 0 of mesh 0 uses an accessor of a type that does not fit its use");
+  EXPECT_EQ(complaint(file), "primitive 0 of mesh 0 uses an accessor of the wrong type");
   file = right;
   file.indices = 21;
   EXPECT_EQ(complaint(file),
@@ -166,7 +166,7 @@ TEST_F(DracoFiles, FaultsOfThePrimitive) {
   text.replace(text.find(R"("indices": 2, )"), 14, "");
   const Result<Scene> scene = read_both(text);
   ASSERT_FALSE(scene);
-  EXPECT_EQ(scene.error().message, "primitive 0 of mesh 0 names an accessor that is not there");
+  EXPECT_EQ(scene.error().message, "primitive 0 of mesh 0 names an accessor that does not exist");
 }
 
 TEST_F(DracoFiles, HeadersAreCheckedBeforeDracoIsCalled) {

@@ -46,12 +46,12 @@ TEST_F(ObjFiles, AMissingLibraryIsNoted) {
   const Result<Scene> grey = read("s.obj", text);
   EXPECT_EQ(colors_of(grey), std::vector<glm::vec3>{kGrey});
   ASSERT_EQ(grey->notes.size(), 1U);
-  EXPECT_EQ(grey->notes[0], "the material library 'gone.mtl' is not there; its materials are grey");
+  EXPECT_EQ(grey->notes[0], "the material library 'gone.mtl' was not found; its materials are grey");
   write("s.mtl", "newmtl red\nKd 1 0 0\n");
   const Result<Scene> red = read("s.obj", text);
   EXPECT_EQ(colors_of(red), (std::vector<glm::vec3>{{1, 0, 0}}));
   ASSERT_EQ(red->notes.size(), 1U);
-  EXPECT_EQ(red->notes[0], "the material library 'gone.mtl' is not there; 's.mtl' was read instead");
+  EXPECT_EQ(red->notes[0], "the material library 'gone.mtl' was not found; 's.mtl' was read instead");
 }
 
 // Nobody looks for it: it may be missing, or anything.

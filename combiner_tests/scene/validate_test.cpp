@@ -90,13 +90,14 @@ INSTANTIATE_TEST_SUITE_P(
         Broken{"SecondCamera", [](Scene& s) { s.cameras.push_back({{0, kNan, 0}}); }, "camera 1"},
         Broken{"LightPosition", [](Scene& s) { s.lights[0].position.y = kInfinity; }, "light \"lamp\""},
         Broken{"LightColor", [](Scene& s) { s.lights[0].color.y = kNan; }, "light \"lamp\""},
-        Broken{"SpotDirectionNan", [](Scene& s) { s.lights[1].direction.z = kNan; }, "\"spot\" shines in no direction"},
+        Broken{"SpotDirectionNan", [](Scene& s) { s.lights[1].direction.z = kNan; }, "\"spot\" has no valid direction"},
         Broken{"SpotDirectionLong", [](Scene& s) { s.lights[1].direction *= 1.01F; },
-               "\"spot\" shines in no direction"},
+               "\"spot\" has no valid direction"},
         Broken{"SpotAngleZero", [](Scene& s) { s.lights[1].spot_degrees = 0.0F; }, "\"spot\" is 0 degrees"},
         Broken{"SpotAngleStraight", [](Scene& s) { s.lights[1].spot_degrees = 180.0F; }, "\"spot\" is 180 degrees"},
         Broken{"SpotAngleNan", [](Scene& s) { s.lights[1].spot_degrees = kNan; }, "opening angle of light \"spot\""},
-        Broken{"SunWithoutDirection", [](Scene& s) { s.lights[2].direction = {0, 0, 0}; }, "\"sun\" shines in no"}),
+        Broken{"SunWithoutDirection", [](Scene& s) { s.lights[2].direction = {0, 0, 0}; },
+               "\"sun\" has no valid direction"}),
     [](const auto& param) { return std::string(param.param.name); });
 
 TEST(Validate, CompleteSceneRefusesBrokenGeometry) {

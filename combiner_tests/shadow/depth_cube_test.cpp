@@ -251,9 +251,9 @@ TEST(DepthCube, BadSettingsAreReported) {
   };
   RenderSettings settings = depth_cube_settings(DepthCubeBits::eight);
   settings.depth_cube.bias = -0.5F;
-  EXPECT_EQ(message(scene, settings), "bias -0.5 is no distance of 0 or more");
+  EXPECT_EQ(message(scene, settings), "bias -0.5 is out of range; expected a finite distance of 0 or more");
   settings.depth_cube.bias = std::numeric_limits<float>::quiet_NaN();
-  EXPECT_EQ(message(scene, settings), "bias nan is no distance of 0 or more");
+  EXPECT_EQ(message(scene, settings), "bias nan is out of range; expected a finite distance of 0 or more");
   settings.depth_cube.bias.reset();
   settings.map_size = 96;
   EXPECT_NE(message(scene, settings).find("map size 96"), std::string::npos);

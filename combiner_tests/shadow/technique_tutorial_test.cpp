@@ -7,6 +7,7 @@
 
 #include "combiner_tests/shadow/support.h"
 #include "src/shadow/frame/camera_frame.h"
+#include "src/shadow/frame/pass_timer.h"
 
 namespace ninebit {
 namespace {

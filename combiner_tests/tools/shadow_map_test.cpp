@@ -45,7 +45,7 @@ TEST(ShadowMapProgram, TakesTheOffset) {
 TEST(ShadowMapProgram, RefusesLightsThatItCannotDrawWith) {
   const TempFolder folder;
   expect_error(ninebit(shadow_map_render(folder / "out", {"--light", "1,2,1", "--light-target", "1,2,1"})), 3,
-               {kRoom, "stands at the point that it shines at"});
+               {kRoom, "is at the point that it shines at"});
   expect_error(ninebit(shadow_map_render(folder / "out", {"--light-type", "point"})), 2,
                {"--light-type point", "shadow-map"});
   EXPECT_TRUE(files_in(folder / "out").empty());

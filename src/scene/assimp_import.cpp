@@ -21,11 +21,11 @@ namespace ninebit {
 namespace {
 
 glm::dmat4 matrix_of(const aiMatrix4x4& m) {
-  // aiMatrix4x4 is row by row, glm column by column.
+  // aiMatrix4x4 is row-major, glm column-major.
   return {{m.a1, m.b1, m.c1, m.d1}, {m.a2, m.b2, m.c2, m.d2}, {m.a3, m.b3, m.c3, m.d3}, {m.a4, m.b4, m.c4, m.d4}};
 }
 
-// The inverse transpose of a transform's linear part, but for a positive factor; defined for singular ones too.
+// The inverse transpose of a transform's linear part, up to a positive factor; also defined for singular transforms.
 glm::dmat3 normal_transform(const glm::dmat4& world, double determinant) {
   const glm::dvec3 x(world[0]);
   const glm::dvec3 y(world[1]);
@@ -64,7 +64,7 @@ class SceneFlattener {
     if (node.mNumMeshes > 0) {
       builder_.begin_object(node.mName.C_Str());
       for (unsigned i = 0; i < node.mNumMeshes; ++i) {
-        if (node.mMeshes[i] >= from_.mNumMeshes) return fault_of("a node names a mesh that is not there");
+        if (node.mMeshes[i] >= from_.mNumMeshes) return fault_of("a node names a mesh that does not exist");
         if (auto fault = add_mesh(*from_.mMeshes[node.mMeshes[i]], world)) return fault;
       }
       builder_.end_object();
@@ -83,7 +83,7 @@ class SceneFlattener {
     std::vector<std::uint32_t> placed(mesh.mNumVertices, kNotPlaced);
     for (unsigned f = 0; f < mesh.mNumFaces; ++f) {
       const aiFace& face = mesh.mFaces[f];
-      if (face.mNumIndices < 3) continue;  // points and lines are no surface
+      if (face.mNumIndices < 3) continue;  // points and lines have no surface
       corners_.clear();
       for (unsigned k = 0; k < face.mNumIndices; ++k) {
         const unsigned index = face.mIndices[k];
@@ -148,7 +148,7 @@ class SceneFlattener {
   std::vector<std::array<std::uint32_t, 3>> pieces_;
 };
 
-// A file system of one file, whose content is already here.
+// A file system with a single file, whose content is in memory.
 class OneFileInMemory : public Assimp::IOSystem {
  public:
   OneFileInMemory(std::string name, std::string_view content) : name_(std::move(name)), content_(content) {}
@@ -157,7 +157,7 @@ class OneFileInMemory : public Assimp::IOSystem {
   [[nodiscard]] char getOsSeparator() const override { return '/'; }
   Assimp::IOStream* Open(const char* file, const char*) override {
     if (name_ != file) return nullptr;
-    // Assimp deletes the stream through Close(); the bytes stay ours.
+    // Assimp deletes the stream through Close(); it does not own the bytes.
     return new Assimp::MemoryIOStream(reinterpret_cast<const std::uint8_t*>(content_.data()), content_.size(), false);
   }
   void Close(Assimp::IOStream* stream) override { delete stream; }
@@ -170,8 +170,8 @@ class OneFileInMemory : public Assimp::IOSystem {
 Result<Imported> import_or_throw(const std::filesystem::path& file, std::string_view content) {
   Assimp::Importer importer;
   importer.SetIOHandler(new OneFileInMemory(file.string(), content));  // the importer owns it
-  // No post-processing: Assimp's own joins vertices within a tolerance, drops faces and gives normals that part
-  // vertices which the file shares.
+  // No post-processing: Assimp's joins vertices within a tolerance, drops faces, and adds normals that split vertices
+  // which the file shares.
   const aiScene* from = importer.ReadFile(file.string(), 0);
   if (importer.GetException() != nullptr) std::rethrow_exception(importer.GetException());
   if (from == nullptr) return fault_of(std::string("cannot be read: ") + importer.GetErrorString());

@@ -1,4 +1,4 @@
-// The geometry of a file by way of Assimp, the only place that knows it.
+// Imports the geometry of a file with Assimp. Only assimp_import.cpp includes Assimp's headers.
 #pragma once
 
 #include <filesystem>
@@ -14,8 +14,8 @@ struct Imported {
   glm::dmat4 root_transform{1.0};  // of the root node: importers put their change of axes there
 };
 
-// content stands for the file itself, so that what was checked is what is read. Diagnostics come without a file name:
-// the caller adds it.
+// `content` is read instead of the file, so that the bytes that were checked are the bytes that are read. Diagnostics
+// have no file name: the caller adds it.
 [[nodiscard]] Result<Imported> import_geometry(const std::filesystem::path& file, std::string_view content);
 
 }  // namespace ninebit

@@ -11,14 +11,14 @@ namespace ninebit {
 namespace {
 
 constexpr float kTooClose = 1e-6F;    // of the bounding diagonal
-constexpr double kMinExtent = 1e-12;  // what is smaller counts as a point: its squares would vanish in floats
+constexpr double kMinExtent = 1e-12;  // a smaller scene counts as a point: its squares would vanish in floats
 constexpr float kMinFov = 0.01F;
 constexpr float kMaxFov = 170.0F;
 constexpr float kNarrowestSpot = 1.0F;
 constexpr float kWidestSpot = 170.0F;
 
-// What everything is measured by. A scene that is next to a single point still needs some length, which must not drown
-// in its coordinates.
+// The length that all distances are relative to. A scene that is almost a single point needs some length, too, which
+// must not be lost in the rounding of its coordinates.
 float scale_of(const Bounds& bounds) {
   const double diagonal = glm::length(glm::dvec3(bounds.high) - glm::dvec3(bounds.low));
   if (diagonal >= kMinExtent) return static_cast<float>(diagonal);
@@ -52,7 +52,8 @@ Status check_fov(float degrees) {
                              kMinFov, kMaxFov));
 }
 
-// A three-quarter view from the front, the right and above, as near as the box fits both angles with some room.
+// A three-quarter view from the front, the right and above, as near as the box fits into both angles of view with some
+// margin.
 Camera framing_camera(const Bounds& bounds, float fov_degrees, float aspect_ratio) {
   constexpr double kRoom = 1.15;
   Camera camera;
@@ -75,7 +76,8 @@ Camera framing_camera(const Bounds& bounds, float fov_degrees, float aspect_rati
   return camera;
 }
 
-// Above, to the left of and a little toward the camera, outside the box: the shadow falls away to the right, in view.
+// Above the box and outside it, to the left of the camera and a little toward it: the shadow falls to the right, in
+// view.
 Light framing_light(const Bounds& bounds, const Camera& camera) {
   glm::vec3 toward_eye = camera.position - camera.look_at;
   toward_eye.y = 0.0F;
@@ -86,8 +88,7 @@ Light framing_light(const Bounds& bounds, const Camera& camera) {
   return {.name = "light", .position = bounds.center() + direction * (1.3F * scale_of(bounds))};
 }
 
-// The light that complete_scene's contract names, not yet moved or aimed. `aimed` says whether the file gives its
-// direction.
+// The light that complete_scene's contract selects, not yet moved or aimed. `aimed`: the file gives its direction.
 Light choose_light(const Scene& scene, const LightKinds& kinds, const Light& framing, bool& aimed) {
   aimed = false;
   for (const Light& light : scene.lights) {
@@ -104,7 +105,7 @@ Light choose_light(const Scene& scene, const LightKinds& kinds, const Light& fra
   return light;
 }
 
-// Moves and aims it as the setup asks.
+// Moves and aims the light as the setup says.
 Status place_light(Light& light, bool aimed, const SceneSetup& setup, const Bounds& bounds) {
   light.position = setup.light.value_or(light.position);
   if (light.kind == LightKind::point) {
@@ -119,7 +120,7 @@ Status place_light(Light& light, bool aimed, const SceneSetup& setup, const Boun
   const glm::dvec3 direction = glm::dvec3(target) - glm::dvec3(light.position);
   const double length = glm::length(direction);
   if (!(length > static_cast<double>(kTooClose * scale_of(bounds)))) {
-    return invalid("the light shines in no direction: it stands at the point that it shines at");
+    return invalid("the light has no direction: it is at the point that it shines at");
   }
   light.direction = glm::vec3(direction / length);
   return {};
@@ -150,7 +151,7 @@ Status check_places(const Camera& camera, const Light& light) {
   return check_range("the light", light.position);
 }
 
-// A file's up vector belongs to its own direction of view: on another one it would roll the picture.
+// A file's up vector fits only the file's view direction: with another direction it would roll the picture.
 void fix_up(Camera& camera, bool view_changed) {
   if (view_changed) camera.up = {0.0F, 1.0F, 0.0F};
   const glm::dvec3 ahead = glm::normalize(glm::dvec3(camera.look_at) - glm::dvec3(camera.position));
@@ -160,7 +161,7 @@ void fix_up(Camera& camera, bool view_changed) {
   if (!usable) {
     camera.up = any_axis_across(glm::vec3(ahead));
   } else if (length < 1e-6 || length > 1e6) {
-    camera.up = glm::vec3(glm::dvec3(camera.up) / length);  // its square might not be a float
+    camera.up = glm::vec3(glm::dvec3(camera.up) / length);  // its square may overflow or vanish in a float
   }
 }
 
@@ -179,8 +180,8 @@ Result<Scene> complete_scene(Scene scene, const SceneSetup& setup, float aspect_
   if (Status checked = check_fov(fov); !checked) return checked.error();
   Camera camera = scene.cameras.empty() ? framing_camera(bounds, fov, aspect_ratio) : scene.cameras[0];
   camera.vertical_fov_degrees = fov;
-  // The default light follows the file's or the default view, not the user's, so that walking around the scene does not
-  // move its shadows.
+  // The default light follows the file's or the default view, not the user's, so that moving the camera does not move
+  // the shadows.
   bool aimed = false;
   Light light = choose_light(scene, setup.light_kinds, framing_light(bounds, camera), aimed);
   if (Status placed = place_light(light, aimed, setup, bounds); !placed) return placed.error();
@@ -189,17 +190,17 @@ Result<Scene> complete_scene(Scene scene, const SceneSetup& setup, float aspect_
 
   if (Status checked = check_places(camera, light); !checked) return checked.error();
   if (glm::distance(camera.position, camera.look_at) <= kTooClose * scale)
-    return invalid("the camera stands at the point that it looks at");
+    return invalid("the camera is at the point that it looks at");
   const bool somewhere = light.kind != LightKind::directional;
   if (somewhere && glm::distance(camera.position, light.position) <= kTooClose * scale)
-    return invalid("the camera stands at the light: no shadow could be seen");
+    return invalid("the camera is at the light's position, from which no shadow is visible");
   fix_up(camera, setup.camera.has_value() || setup.look_at.has_value());
 
   const std::size_t first_floor_vertex = scene.positions.size();
   if (setup.floor == FloorChoice::at_height) {
     add_floor(scene, bounds, setup.floor_height);
   } else if (setup.floor == FloorChoice::automatic && bare) {
-    // A little below the model: a floor in one plane with the model's underside would fight with it for pixels.
+    // A little below the model: a floor in the plane of the model's underside would z-fight with it.
     add_floor(scene, bounds, bounds.low.y - 1e-3F * scale);
   }
   if (Status checked = check_positions(scene, first_floor_vertex, "the floor is"); !checked) return checked.error();

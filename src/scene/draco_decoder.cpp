@@ -21,13 +21,14 @@ draco::DataType draco_type(std::uint64_t component) {
   return component == 5122 ? draco::DT_INT16 : draco::DT_INT8;
 }
 
-// The values of one attribute, a vertex after the other; the fault of one that is not as the file says.
+// Copies the values of one attribute, vertex by vertex. Returns a fault if the attribute differs from its accessor.
 std::optional<std::string> copy_values(const draco::Mesh& mesh, const char* name, const DracoAttribute& wanted,
                                        std::string& out) {
   const draco::PointAttribute* from = mesh.GetAttributeByUniqueId(wanted.id);
-  if (from == nullptr) return fmt::format("has no compressed attribute of the id {}, which {} names", wanted.id, name);
+  if (from == nullptr)
+    return fmt::format("has no compressed attribute with the id {}, which {} names", wanted.id, name);
   if (from->num_components() != 3 || from->data_type() != draco_type(wanted.component))
-    return fmt::format("has compressed data of another type than the accessor of its {}", name);
+    return fmt::format("has compressed data whose type differs from the accessor of its {}", name);
   const auto size = static_cast<std::size_t>(draco::DataTypeLength(from->data_type())) * 3;
   const bool packed = from->byte_stride() == static_cast<std::int64_t>(size) && from->byte_offset() == 0;
   if (!packed || (!from->is_mapping_identity() && from->indices_map_size() < mesh.num_points()))
@@ -52,9 +53,9 @@ Result<DracoMesh> decode_or_throw(const DracoRequest& request) {
     return fault_of(fmt::format("cannot be decompressed: {}", reason.empty() ? "Draco gives no reason" : reason));
   }
   const draco::Mesh& mesh = *decoded.value();
-  // Our check and Draco may understand a stream differently.
+  // check_draco() and Draco may read a stream differently.
   if (mesh.num_faces() > request.most_triangles || mesh.num_points() > 3 * std::uint64_t{mesh.num_faces()})
-    return fault_of("has compressed data of another size than it says");
+    return fault_of("has compressed data whose size differs from its header's");
   DracoMesh out;
   out.indices.resize(std::size_t{mesh.num_faces()} * 12);
   for (std::uint32_t i = 0; i < mesh.num_faces(); ++i) {

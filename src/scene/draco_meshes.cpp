@@ -15,7 +15,7 @@ namespace {
 
 constexpr const char* kDracoReader = "Draco's reader";
 
-// The bytes that at least one of the streams has.
+// The number of bytes that belong to at least one stream.
 std::uint64_t distinct_bytes(std::span<const DracoRequest> requests) {
   std::vector<std::pair<std::uintptr_t, std::uintptr_t>> ranges;
   for (const DracoRequest& request : requests) {
@@ -24,7 +24,7 @@ std::uint64_t distinct_bytes(std::span<const DracoRequest> requests) {
   }
   std::sort(ranges.begin(), ranges.end());
   std::uint64_t bytes = 0;
-  std::uintptr_t counted = 0;  // up to this address
+  std::uintptr_t counted = 0;  // bytes below this address are counted
   for (const auto& [start, end] : ranges) {
     bytes += std::max(end, counted) - std::max(start, counted);
     counted = std::max(end, counted);
@@ -44,7 +44,7 @@ Diagnostic fault_in(const DracoRequest& request, const std::string& message) {
   return fault_of(fmt::format("{} {}", request.name, message));
 }
 
-// A good answer is 1 and the mesh; a bad one is 0 and its message.
+// The answer is 1 and the mesh, or 0 and the fault's message.
 void write_mesh(posix::AnswerWriter& to, const Result<DracoMesh>& mesh) {
   to.value(std::uint8_t{mesh.ok()});
   if (!mesh) return to.text(mesh.error().message);
@@ -53,7 +53,7 @@ void write_mesh(posix::AnswerWriter& to, const Result<DracoMesh>& mesh) {
   to.text(mesh->normals);
 }
 
-// One request's answer, checked as if a stranger had written it; nothing where it makes no sense.
+// Reads one request's answer without trusting it; nothing if it is not valid.
 std::optional<Result<DracoMesh>> read_mesh(posix::AnswerReader& from, const DracoRequest& request) {
   std::uint8_t good = 0;
   if (!from.value(good)) return std::nullopt;

@@ -1,4 +1,4 @@
-// What can be checked of a Draco stream and of a decoded mesh without Draco.
+// Checks of a Draco stream and of a decoded mesh that do not use Draco.
 #include <fmt/format.h>
 
 #include <cstring>
@@ -12,7 +12,7 @@ namespace {
 constexpr std::uint64_t kHeaderBytes = 11;
 constexpr int kDeepestMetadata = 32;
 
-// Reads the parts of a stream in their order. After its end it gives zeros and is no longer whole().
+// Reads the parts of a stream in order. Past its end it returns zeros, and whole() is false.
 class DracoScan {
  public:
   explicit DracoScan(std::string_view rest) : rest_(rest) {}
@@ -31,7 +31,7 @@ class DracoScan {
     return value;
   }
 
-  // Seven bits a byte, the lowest first; the last byte has its highest bit clear.
+  // Seven bits per byte, the lowest first; the last byte has its highest bit clear.
   std::uint64_t number() {
     std::uint64_t value = 0;
     for (unsigned shift = 0; shift < 35; shift += 7) {
@@ -43,7 +43,7 @@ class DracoScan {
     return 0;
   }
 
-  // Metadata of all attributes, then of the mesh.
+  // Skips the metadata of all attributes, then of the mesh.
   void skip_all_metadata() {
     for (std::uint64_t left = number(); left > 0 && whole_; --left) {
       number();
@@ -53,7 +53,7 @@ class DracoScan {
   }
 
  private:
-  // Names with values, then names with metadata of their own.
+  // Skips names with values, then names with metadata of their own.
   void skip_metadata(int depth) {
     too_deep_ = too_deep_ || depth > kDeepestMetadata;
     if (too_deep_) whole_ = false;

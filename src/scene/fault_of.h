@@ -1,4 +1,4 @@
-// What a scene file does wrong; the reader adds the file's name.
+// Diagnostics for faults of a scene file; the reader adds the file's name.
 #pragma once
 
 #include <string>

@@ -9,7 +9,7 @@ namespace {
 struct Signature {
   std::string_view start;
   std::string_view kind;
-  std::string_view extension;  // of files that start like this; empty: none that is read as a scene
+  std::string_view extension;  // of such files; empty: they are not scenes
 };
 
 using namespace std::string_view_literals;
@@ -41,7 +41,7 @@ constexpr std::array kSignatures{
     Signature{"MM"sv, "a 3DS file", ".3ds"},
 };
 
-// The first byte of a text that is no blank.
+// The first byte of a text that is not blank.
 char first_letter(std::string_view text) {
   const std::size_t at = text.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
   return at == std::string_view::npos ? '\0' : text[at];

@@ -1,4 +1,4 @@
-// What a file seems to be by its first bytes.
+// Detects a file's type from its first bytes.
 #pragma once
 
 #include <optional>
@@ -6,8 +6,8 @@
 
 namespace ninebit {
 
-// "a PNG picture", "a glTF file"; nothing where the bytes are those of `expected` (".obj", in small letters) or of no
-// kind that is known here.
+// "a PNG picture", "a glTF file"; nothing if the bytes are those of the extension `expected` (".obj", in lower case) or
+// of an unknown type.
 [[nodiscard]] std::optional<std::string_view> other_kind(std::string_view content, std::string_view expected);
 
 }  // namespace ninebit

@@ -1,4 +1,4 @@
-// The primitives of a glTF file that KHR_draco_mesh_compression compressed.
+// The primitives of a glTF file that are compressed with KHR_draco_mesh_compression.
 #pragma once
 
 #include <cstdint>
@@ -19,18 +19,18 @@ class GltfDraco {
  public:
   GltfDraco(const Json& root, GltfStorage& storage) : root_(root), storage_(storage) {}
 
-  // Whether a primitive is compressed, and the file does not have all of it uncompressed besides.
+  // Whether a primitive has to be decompressed: the file does not contain all of it uncompressed as well.
   [[nodiscard]] bool is_needed(const Json& primitive) const;
 
-  // Adds a primitive that needs it, with the triangles that its indices declare; reports what is wrong with its
-  // extension. `number` is its place among those that were added. `name` is for messages.
+  // Adds a primitive for which is_needed() is true, with the number of triangles that its indices declare. Returns a
+  // fault of its extension. `number` is set to its position among the added primitives. `name` is for messages.
   [[nodiscard]] std::optional<std::string> add(const Json& primitive, std::uint64_t triangles, const std::string& name,
                                                std::size_t& number);
 
-  // Decodes all that were added.
+  // Decodes all added primitives.
   [[nodiscard]] std::optional<Diagnostic> decode(const SceneReadOptions& options);
 
-  // The arrays of one that is decoded; nothing where its extension does not name the attribute.
+  // The arrays of a decoded primitive; empty if its extension does not name the attribute.
   [[nodiscard]] GltfNumbers indices(std::size_t number) const;
   [[nodiscard]] std::optional<GltfNumbers> positions(std::size_t number) const;
   [[nodiscard]] std::optional<GltfNumbers> normals(std::size_t number) const;
@@ -44,7 +44,7 @@ class GltfDraco {
   const Json& root_;
   GltfStorage& storage_;
   std::vector<DracoRequest> requests_;
-  std::vector<DracoMesh> meshes_;  // one for each request
+  std::vector<DracoMesh> meshes_;  // one per request
 };
 
 }  // namespace ninebit

@@ -56,7 +56,7 @@ Result<GlbParts> split_glb(std::string_view content) {
 
 std::optional<std::string> decode_base64(std::string_view text) {
   if (text.size() % 4 != 0) return std::nullopt;
-  // One or two '=' fill up the last group of four.
+  // One or two '=' pad the last group of four.
   std::size_t digits = text.size();
   while (digits > 0 && text.size() - digits < 2 && text[digits - 1] == '=') --digits;
   std::string out;
@@ -66,7 +66,7 @@ std::optional<std::string> decode_base64(std::string_view text) {
     const int digit = base64_digit(text[i]);
     if (digit < 0) return std::nullopt;
     bits = (bits << 6U) | static_cast<std::uint32_t>(digit);
-    // The digits of a group of four give 0, 1, 2 and 3 whole bytes.
+    // After 1, 2, 3 and 4 digits of a group there are 0, 1, 2 and 3 whole bytes.
     if (i % 4 != 0) out.push_back(static_cast<char>((bits >> (2 * (3 - i % 4))) & 255U));
   }
   return out;

@@ -23,11 +23,11 @@ Material material_from(const Json& from) {
   return out;
 }
 
-// The corners of a primitive's triangle, counted along its indices.
+// The corners of a primitive's triangle, as positions in its list of indices.
 std::array<std::uint64_t, 3> corners_of(std::uint64_t mode, std::uint64_t triangle) {
   if (mode == 4) return {3 * triangle, 3 * triangle + 1, 3 * triangle + 2};
   if (mode == 6) return {0, triangle + 1, triangle + 2};
-  // Every second triangle of a strip is turned around.
+  // Every second triangle of a strip has reversed winding.
   if (triangle % 2 == 1) return {triangle + 1, triangle, triangle + 2};
   return {triangle, triangle + 1, triangle + 2};
 }
@@ -90,7 +90,7 @@ std::optional<std::string> GltfMeshes::resolve_primitive(const Json& from, const
                                                          GltfPrimitive& out) {
   out.mode = index_of(item(from, "mode")).value_or(4);
   const Json& attributes = item(from, "attributes");
-  if (out.mode < 4 || item(attributes, "POSITION").is_null()) return std::nullopt;  // points and lines are no surface
+  if (out.mode < 4 || item(attributes, "POSITION").is_null()) return std::nullopt;  // points and lines have no surface
   if (out.mode > 6) return fmt::format("is of the unknown mode {}", out.mode);
   if (draco_.is_needed(from)) return resolve_compressed(from, name, out);
   std::optional<GltfNumbers> positions;
@@ -104,7 +104,7 @@ std::optional<std::string> GltfMeshes::resolve_primitive(const Json& from, const
   return material_of(item(from, "material"), out.material);
 }
 
-// Attributes that the extension does not name stand in accessors as ever.
+// Attributes that the extension does not name are in accessors as usual.
 std::optional<std::string> GltfMeshes::resolve_compressed(const Json& from, const std::string& name,
                                                           GltfPrimitive& out) {
   if (out.mode == 6) return "is compressed and of mode 6; expected mode 4 or 5";
@@ -144,7 +144,7 @@ std::optional<Diagnostic> GltfMeshes::decode_compressed(const SceneReadOptions& 
 void GltfMeshes::take_decoded(GltfPrimitive& primitive) const {
   const std::size_t number = *primitive.compressed;
   primitive.indices = draco_.indices(number);
-  primitive.mode = 4;  // Draco gives the triangles of a strip one by one
+  primitive.mode = 4;  // Draco decodes a strip to separate triangles
   primitive.triangles = primitive.indices->count / 3;
   if (const auto positions = draco_.positions(number)) primitive.positions = *positions;
   if (const auto normals = draco_.normals(number)) primitive.normals = *normals;
@@ -169,7 +169,7 @@ std::optional<std::string> GltfMeshes::material_of(const Json& reference, std::u
   material = none;
   if (reference.is_null()) return std::nullopt;
   const std::uint64_t index = index_of(reference).value_or(~0ULL);
-  if (index >= none) return "names a material that is not there";
+  if (index >= none) return "names a material that does not exist";
   material = static_cast<std::uint32_t>(index);
   return std::nullopt;
 }
@@ -189,8 +189,8 @@ std::optional<Diagnostic> GltfMeshes::place(const GltfPlacement& placement) {
 }
 
 std::optional<std::string> GltfMeshes::place_primitive(const GltfPrimitive& primitive, const MeshPlace& place) {
-  // Many primitives may share many vertices, of which each uses a few: a table of them is made only where it is small
-  // beside what is drawn.
+  // Many primitives may share a large vertex array and use few of its vertices each, so a table of placed vertices is
+  // made only if it is small relative to the primitive's triangles.
   const bool table = primitive.positions.count <= 4 * primitive.triangles + 64;
   vertices_.assign(table ? primitive.positions.count : 0, VertexTable::kFree);
   for (std::uint64_t i = 0; i < primitive.triangles; ++i) {

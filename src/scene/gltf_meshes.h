@@ -1,4 +1,4 @@
-// The meshes of a glTF file, and their triangles where nodes place them.
+// The meshes of a glTF file, and their triangles as nodes place them.
 #pragma once
 
 #include <cstdint>
@@ -13,24 +13,25 @@
 
 namespace ninebit {
 
-// One draw of a mesh that makes triangles.
+// A primitive of a mesh that consists of triangles.
 struct GltfPrimitive {
   GltfNumbers positions;
   std::optional<GltfNumbers> normals;
   std::optional<GltfNumbers> indices;
-  std::uint32_t material = 0;  // of the scene
+  std::uint32_t material = 0;  // index into the scene's materials
   std::uint64_t mode = 4;      // 4: triangles, 5: a strip, 6: a fan
   std::uint64_t triangles = 0;
-  std::optional<std::size_t> compressed;  // its number among those; until they are decoded, triangles is as declared
+  // Its number in GltfDraco. Until it is decoded, `triangles` is the declared number.
+  std::optional<std::size_t> compressed;
 };
 
 class GltfMeshes {
  public:
-  // The scene gets the file's materials, and one more for primitives without any.
+  // Adds the file's materials to the scene, and one more for primitives without a material.
   GltfMeshes(const Json& root, GltfStorage& storage, Scene& scene);
 
-  // Looks at each mesh that is placed, reports more triangles than may be, and decodes what is compressed.
-  // `file_bytes`: all that the file has.
+  // Checks each placed mesh, reports too many triangles, and decodes compressed primitives. `file_bytes`: all bytes of
+  // the file and its buffers.
   [[nodiscard]] std::optional<Diagnostic> prepare(const std::vector<GltfPlacement>& placements,
                                                   std::uint64_t file_bytes, const SceneReadOptions& options);
 
@@ -65,7 +66,7 @@ class GltfMeshes {
   MeshBuilder builder_;
   GltfDraco draco_;
   std::vector<Mesh> meshes_;
-  std::vector<std::uint32_t> vertices_;  // the scene's vertex for each of a primitive's, where that is worth it
+  std::vector<std::uint32_t> vertices_;  // the scene's vertex for each of a primitive's; not always used
 };
 
 }  // namespace ninebit

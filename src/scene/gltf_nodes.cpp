@@ -13,9 +13,9 @@
 namespace ninebit {
 namespace {
 
-// Nodes are walked by recursion: what nests deeper could use up the stack.
+// Nodes are visited recursively: deeper nesting could overflow the stack.
 constexpr int kDeepestNode = 500;
-constexpr float kWidestFileSpot = 179.0F;  // degrees: the file may say 180, which no map can show
+constexpr float kWidestFileSpot = 179.0F;  // degrees: a file may have 180, which no map can cover
 
 template <glm::length_t N>
 glm::vec<N, double> vector_of(const Json& value, glm::vec<N, double> fallback) {
@@ -25,7 +25,7 @@ glm::vec<N, double> vector_of(const Json& value, glm::vec<N, double> fallback) {
   return fallback;
 }
 
-// Cameras and lights stand where the file's numbers say, in double precision.
+// The transform for cameras and lights, in double precision.
 glm::dmat4 local_transform(const Json& node) {
   const Json& matrix = item(node, "matrix");
   glm::dmat4 out(1.0);
@@ -42,8 +42,8 @@ glm::dmat4 local_transform(const Json& node) {
   return out;
 }
 
-// Meshes stand where the file's numbers say in single precision, step by step in this order. All pictures of glTF files
-// depend on that.
+// The transform for meshes: single precision, step by step in this order. All pictures of glTF files depend on these
+// roundings.
 glm::dmat4 rounded_transform(const Json& node) {
   if (list_of(item(node, "matrix")).size() == 16) return glm::dmat4(glm::mat4(local_transform(node)));
   const glm::vec4 q(vector_of<4>(item(node, "rotation"), {0.0, 0.0, 0.0, 1.0}));
@@ -59,7 +59,7 @@ glm::dmat4 rounded_transform(const Json& node) {
   return out;
 }
 
-// A node's place, for meshes and for the rest.
+// A node's transforms: for meshes, and for cameras and lights.
 struct NodePlace {
   glm::dmat4 rounded{1.0};
   glm::dmat4 exact{1.0};
@@ -82,7 +82,7 @@ class NodeWalk {
   std::optional<Diagnostic> visit(const Json& reference, const NodePlace& parent, int depth) {
     const std::uint64_t index = index_of(reference).value_or(~0ULL);
     const Json& node = item(root_, "nodes", index);
-    if (node.is_null()) return fault_of("names a node that is not there");
+    if (node.is_null()) return fault_of("names a node that does not exist");
     if (visited_[index]) return fault_of(fmt::format("node {} is reached twice: nodes must form a tree", index));
     if (depth > kDeepestNode) return fault_of(fmt::format("its nodes nest more than {} deep", kDeepestNode));
     visited_[index] = true;
@@ -90,7 +90,7 @@ class NodeWalk {
     const Json& mesh = item(node, "mesh");
     if (!mesh.is_null()) {
       const std::uint64_t number = index_of(mesh).value_or(~0ULL);
-      if (item(root_, "meshes", number).is_null()) return fault_of("names a mesh that is not there");
+      if (item(root_, "meshes", number).is_null()) return fault_of("names a mesh that does not exist");
       out_.placements.push_back({index, number, place.rounded});
     }
     if (!item(node, "camera").is_null()) {
@@ -108,7 +108,7 @@ class NodeWalk {
 
   std::optional<Diagnostic> add_camera(const Json& reference, const glm::dmat4& world) {
     const Json& camera = target_of(item(root_, "cameras"), reference);
-    if (camera.is_null()) return fault_of("names a camera that is not there");
+    if (camera.is_null()) return fault_of("names a camera that does not exist");
     const double angle = number_or(item(camera, "perspective", "yfov"), 0.0);
     if (text_of(item(camera, "type")) != "perspective") return std::nullopt;
     if (angle <= 0.0 || angle >= std::numbers::pi) return fault_of("a camera's yfov is not between 0 and pi");
@@ -124,7 +124,7 @@ class NodeWalk {
 
   std::optional<Diagnostic> add_light(const Json& node, const Json& reference, const glm::dmat4& world) {
     const Json& light = target_of(item(root_, "extensions", "KHR_lights_punctual", "lights"), reference);
-    if (light.is_null()) return fault_of("names a light that is not there");
+    if (light.is_null()) return fault_of("names a light that does not exist");
     const std::string type = text_of(item(light, "type"));
     Light out;
     if (type == "spot") {

@@ -1,4 +1,4 @@
-// The node hierarchy of a glTF file: what it places, and its cameras and lights in world space.
+// The node hierarchy of a glTF file: its placed meshes, and its cameras and lights in world space.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -10,7 +10,7 @@
 
 namespace ninebit {
 
-// A mesh where a node places it.
+// A mesh as a node places it.
 struct GltfPlacement {
   std::uint64_t node = 0;
   std::uint64_t mesh = 0;
@@ -18,12 +18,12 @@ struct GltfPlacement {
 };
 
 struct GltfNodes {
-  std::vector<GltfPlacement> placements;  // in the order of the walk: a node, then its children
+  std::vector<GltfPlacement> placements;  // in depth-first order: a node, then its children
   Viewpoints viewpoints;
 };
 
-// Walks the file's scene. Perspective cameras with the file's own vertical angle, their look-at points one unit ahead;
-// KHR_lights_punctual lights.
+// Reads the file's scene: placed meshes; perspective cameras with the file's vertical angle and look-at points one unit
+// ahead; KHR_lights_punctual lights.
 [[nodiscard]] Result<GltfNodes> read_gltf_nodes(const Json& root);
 
 }  // namespace ninebit

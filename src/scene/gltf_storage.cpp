@@ -47,13 +47,13 @@ std::uint64_t element_size(const Json& accessor) {
          component_count(text_of(item(accessor, "type")));
 }
 
-// 0 where a part states no offset, and past every end where it states one that is no index.
+// 0 if a part has no offset, and past every end if its offset is not a valid index.
 std::uint64_t offset_of(const Json& part) {
   const Json& offset = item(part, "byteOffset");
   return offset.is_null() ? 0 : index_of(offset).value_or(1ULL << 53U);
 }
 
-// From one element to the next. A stride of 0 is none: the elements are packed.
+// The bytes from one element to the next. Without a stride, or with 0, the elements are packed.
 std::uint64_t stride_of(const Json& view, std::uint64_t element) {
   const std::uint64_t stride = index_of(item(view, "byteStride")).value_or(0);
   return stride == 0 ? element : stride;
@@ -78,11 +78,11 @@ std::optional<Diagnostic> check_accessor(const Json& root, const Json& accessor,
     return fault_of(fmt::format("{} is sparse; such accessors are not read", name));
   if (item(accessor, "bufferView").is_null()) return std::nullopt;
   const Json& view = target_of(item(root, "bufferViews"), item(accessor, "bufferView"));
-  if (view.is_null()) return fault_of(fmt::format("{} names a buffer view that is not there", name));
+  if (view.is_null()) return fault_of(fmt::format("{} names a buffer view that does not exist", name));
   const std::uint64_t stride = stride_of(view, element);
   if (stride < element)
     return fault_of(
-        fmt::format("{} has elements of {} bytes, and its buffer view puts one every {} bytes; expected "
+        fmt::format("{} has elements of {} bytes, but its buffer view has a stride of {} bytes; expected "
                     "elements that do not overlap",
                     name, element, stride));
   const std::uint64_t length = index_of(item(view, "byteLength")).value_or(0);
@@ -122,11 +122,11 @@ glm::vec3 GltfNumbers::vector(std::uint64_t at) const {
 
 std::optional<std::string> fault_of_use(const Json& accessor, const char* type,
                                         std::initializer_list<std::uint64_t> components) {
-  if (accessor.is_null()) return "names an accessor that is not there";
+  if (accessor.is_null()) return "names an accessor that does not exist";
   const std::uint64_t component = index_of(item(accessor, "componentType")).value_or(0);
   if (text_of(item(accessor, "type")) != type ||
       std::find(components.begin(), components.end(), component) == components.end())
-    return "uses an accessor of a type that does not fit its use";
+    return "uses an accessor of the wrong type";
   return std::nullopt;
 }
 
@@ -180,7 +180,7 @@ Result<std::uint64_t> GltfStorage::present_bytes(const Json& buffer, std::size_t
     const std::optional<std::string> content = decode_base64(base64_of(uri));
     if (!content)
       return fault_of(
-          fmt::format("{} holds characters that are not base64, or lacks its '=' padding", numbered("buffer", number)));
+          fmt::format("{} holds characters that are not base64, or has no '=' padding", numbered("buffer", number)));
     return std::uint64_t{content->size()};
   }
   const std::string name = decode_percent(uri);
@@ -211,7 +211,7 @@ Result<std::string_view> GltfStorage::load(std::size_t number) {
     }
     content = file->second;
   }
-  // The file may have changed since it was checked.
+  // The file may have changed since check().
   const std::uint64_t declared = index_of(item(buffer, "byteLength")).value_or(0);
   if (content.size() < declared) return fault_of(fmt::format("{} ends early", numbered("buffer", number)));
   loaded_[number] = content.substr(0, declared);

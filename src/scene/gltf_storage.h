@@ -1,4 +1,4 @@
-// The buffers of a glTF file, and the numbers that its accessors give.
+// The buffers of a glTF file, and the numbers of its accessors.
 #pragma once
 
 #include <cstdint>
@@ -26,13 +26,13 @@ struct GlbParts {
 
 [[nodiscard]] Result<GlbParts> split_glb(std::string_view content);
 
-// The bytes of a base64 text with its padding; nothing if it is not one.
+// The bytes of a base64 text with padding; nothing if it is not valid base64.
 [[nodiscard]] std::optional<std::string> decode_base64(std::string_view text);
 
-// A URI with each %XX as the byte that it stands for.
+// A URI with each %XX replaced by its byte.
 [[nodiscard]] std::string decode_percent(std::string_view uri);
 
-// The bytes of one number of an accessor's type, given by its glTF number; 0 for an unknown one.
+// The size in bytes of a component type, given by its glTF number; 0 if it is unknown.
 [[nodiscard]] std::uint64_t gltf_component_size(std::uint64_t type);
 
 // The elements of an accessor. All of them lie within the data.
@@ -42,11 +42,11 @@ struct GltfNumbers {
   std::uint64_t stride = 0;
   std::uint64_t component = 0;  // the glTF number of its type
 
-  [[nodiscard]] std::uint32_t index(std::uint64_t at) const;  // of a SCALAR of unsigned whole numbers
-  [[nodiscard]] glm::vec3 vector(std::uint64_t at) const;     // of a VEC3; signed whole numbers are normalized
+  [[nodiscard]] std::uint32_t index(std::uint64_t at) const;  // of a SCALAR of unsigned integers
+  [[nodiscard]] glm::vec3 vector(std::uint64_t at) const;     // of a VEC3; signed integers are normalized
 };
 
-// What is wrong with an accessor whose elements are to be of this type, with one of these types of numbers.
+// The fault of an accessor that must have this element type and one of these component types; nothing if it fits.
 [[nodiscard]] std::optional<std::string> fault_of_use(const Json& accessor, const char* type,
                                                       std::initializer_list<std::uint64_t> components);
 
@@ -55,16 +55,16 @@ class GltfStorage {
   // `chunk`: the binary part of a .glb file.
   GltfStorage(const Json& root, const NamedFiles& beside, std::optional<std::string_view> chunk);
 
-  // Checks every buffer, buffer view and accessor of the file against what is there, without reading buffers.
+  // Checks every buffer, buffer view and accessor of the file against the existing bytes, without reading buffers.
   [[nodiscard]] std::optional<Diagnostic> check();
 
-  // What an accessor gives. Reads its buffer if nobody did yet. Only after check().
+  // An accessor's elements. Reads its buffer if it is not loaded yet. Only after check().
   [[nodiscard]] Result<GltfNumbers> numbers(const Json& accessor);
 
-  // The bytes of a buffer view. Reads its buffer if nobody did yet. Only after check().
+  // The bytes of a buffer view. Reads its buffer if it is not loaded yet. Only after check().
   [[nodiscard]] Result<std::string_view> view_bytes(const Json& view);
 
-  // The lengths of all buffers together.
+  // The total length of all buffers.
   [[nodiscard]] std::uint64_t bytes() const { return bytes_; }
 
  private:
@@ -77,7 +77,7 @@ class GltfStorage {
   std::optional<std::string_view> chunk_;
   std::uint64_t bytes_ = 0;
   std::uint64_t left_;                                            // bytes of files that may still be read
-  std::vector<std::optional<std::string_view>> loaded_;           // of each buffer
+  std::vector<std::optional<std::string_view>> loaded_;           // one per buffer
   std::map<std::filesystem::path, std::string_view> from_files_;  // several buffers may be one file
   std::deque<std::string> contents_;
 };

@@ -19,7 +19,7 @@ posix::CallLimits limits_for(std::uint64_t bytes) {
   return {.memory_bytes = (std::uint64_t{1} << 30U) + 64 * bytes, .seconds = 8 + static_cast<int>(bytes / 1'000'000)};
 }
 
-// A good answer is 1 and what was imported; a bad one is 0 and its message.
+// The answer is 1 and the imported scene, or 0 and the fault's message.
 void write(posix::AnswerWriter& to, const Result<Imported>& imported) {
   to.value(std::uint8_t{imported.ok()});
   if (!imported) return to.text(imported.error().message);
@@ -42,7 +42,7 @@ void write(posix::AnswerWriter& to, const Result<Imported>& imported) {
   }
 }
 
-// As many of something as the answer says; false where it has fewer.
+// Reads a count and as many items; false if the answer has fewer.
 template <class T, class Read>
 bool read_each(posix::AnswerReader& from, std::vector<T>& all, Read read) {
   std::uint64_t count = 0;
@@ -72,7 +72,7 @@ bool read_materials(posix::AnswerReader& from, Scene& scene) {
   });
 }
 
-// The answer, checked as if a stranger had written it; nothing where it makes no sense.
+// Reads the answer without trusting it; nothing if it is not valid.
 std::optional<Result<Imported>> read(posix::AnswerReader& from) {
   std::uint8_t good = 0;
   if (!from.value(good)) return std::nullopt;
@@ -89,7 +89,7 @@ std::optional<Result<Imported>> read(posix::AnswerReader& from) {
                      from.values(scene.triangle_material) && read_objects(from, scene) && read_materials(from, scene) &&
                      from.bytes_left() == 0;
   if (!whole) return std::nullopt;
-  // A file without triangles is told by the reader of all formats.
+  // read_scene() reports a file without triangles, for all formats.
   if (!scene.triangles.empty() && !validate_geometry(scene)) return std::nullopt;
   imported.root_transform = glm::make_mat4(root.data());
   return imported;

@@ -10,7 +10,7 @@ namespace ninebit {
 namespace {
 
 constexpr int kDeepestValue = 64;
-constexpr int kNumberOverflow = 406;  // nlohmann's id of it
+constexpr int kNumberOverflow = 406;  // nlohmann's id of this error
 
 Diagnostic fault_at(std::string message, std::string_view text, std::size_t at) {
   const std::string_view before = text.substr(0, at);
@@ -18,7 +18,7 @@ Diagnostic fault_at(std::string message, std::string_view text, std::size_t at) 
           Fault::invalid_input};
 }
 
-// The part of a parse error that says what is wrong, without the position and the token read last, which can be long.
+// The description in a parse error, without the position and the last token, which can be long.
 std::string reason(std::string_view what) {
   const std::size_t start = what.find(" - ");
   if (start == std::string_view::npos) return "";
@@ -26,24 +26,24 @@ std::string reason(std::string_view what) {
   return fmt::format(": {}", what.substr(0, what.find("; last read")));
 }
 
-// Keeps nothing of the text: finds what is wrong with it.
+// Finds the first fault of a JSON text without storing its values.
 class FaultFinder : public nlohmann::json_sax<Json> {
  public:
   [[nodiscard]] std::optional<Diagnostic> find(std::string_view text) {
     std::istringstream in{std::string(text)};
     if (Json::sax_parse(in, this)) {
-      // The parser takes a byte 0 for the end.
+      // The parser treats a byte 0 as the end.
       const std::size_t zero = text.find('\0');
       if (zero == std::string_view::npos) return std::nullopt;
       return fault_at("the JSON text is malformed: it holds a byte 0", text, zero);
     }
-    // Events have no position, but the stream stands just behind what is too much.
+    // Events have no position, but the stream is just behind the value that exceeds a limit.
     if (position_ == 0)
       return fault_at(depth_ > kDeepestValue
                           ? "the JSON text nests too deep"
                           : fmt::format("the JSON text holds more than {} values and names", kMostJsonValues),
                       text, static_cast<std::size_t>(std::max<std::streamoff>(in.tellg(), 0)));
-    // A position counts the bytes that were read, the one at fault included, and the end as one more.
+    // A position counts the bytes that were read, including the one at fault; the end counts as one more.
     if (position_ > text.size()) return fault_at("the JSON text ends early", text, text.size());
     return fault_at(message_, text, position_ - 1);
   }
@@ -73,7 +73,7 @@ class FaultFinder : public nlohmann::json_sax<Json> {
 
   int depth_ = 0;
   std::uint64_t values_ = 0;
-  std::size_t position_ = 0;  // of what is malformed; 0: nothing is
+  std::size_t position_ = 0;  // of the malformed byte; 0: none
   std::string message_;
 };
 

@@ -1,4 +1,4 @@
-// Reading a JSON text, and look-ups in it that never fail, for the structure of glTF files.
+// Reads JSON text and looks up values in it without failing, for the structure of glTF files.
 #pragma once
 
 #include <cstdint>
@@ -13,15 +13,14 @@ namespace ninebit {
 
 using Json = nlohmann::json;
 
-// What a JSON text may hold of values and of members' names, all told: in memory each takes up to fifty times its
-// bytes.
+// The most values and member names, together, in a JSON text: in memory each takes up to fifty times its bytes.
 inline constexpr std::uint64_t kMostJsonValues = std::uint64_t{1} << 22;
 
-// Arrays and objects nest at most 64 deep, far more than glTF needs. The Diagnostic names the line.
+// Parses a JSON text. Arrays and objects nest at most 64 deep, far more than glTF needs. The Diagnostic has the line.
 [[nodiscard]] Result<Json> parse_json(std::string_view text);
 
-// An object's member or an array's item. What is not there is null, so that a path through a file needs one check at
-// its end.
+// An object's member or an array's item. A missing one is null, so a path through a file needs only one check at its
+// end.
 [[nodiscard]] const Json& item(const Json& value, const char* name);
 [[nodiscard]] const Json& item(const Json& value, std::uint64_t index);
 
@@ -30,18 +29,18 @@ template <class First, class Second, class... Rest>
   return item(item(value, first), second, rest...);
 }
 
-// The value itself where it is an array, and an empty array for anything else.
+// The value itself if it is an array, otherwise an empty array.
 [[nodiscard]] const Json& list_of(const Json& value);
 
-// The text of a string, and an empty one for anything else.
+// The text if the value is a string, otherwise an empty text.
 [[nodiscard]] const std::string& text_of(const Json& value);
 
 [[nodiscard]] double number_or(const Json& value, double fallback);
 
-// A whole number >= 0 below 2^53, written in any way ("3", "3.0", "0.3e1"); nothing for anything else.
+// A whole number >= 0 below 2^53, in any notation ("3", "3.0", "0.3e1"); nothing for any other value.
 [[nodiscard]] std::optional<std::uint64_t> index_of(const Json& value);
 
-// The item of a list that a reference to it by its index names.
+// The item of a list at the index in `reference`; null if there is none.
 [[nodiscard]] const Json& target_of(const Json& list, const Json& reference);
 
 }  // namespace ninebit

@@ -13,7 +13,7 @@
 namespace ninebit {
 namespace {
 
-// Adding +0 makes -0 into +0: the two are one place.
+// Adding +0 turns -0 into +0: both are the same position.
 std::uint32_t bits(float value) {
   return std::bit_cast<std::uint32_t>(value + 0.0F);
 }
@@ -53,15 +53,15 @@ MeshPlace MeshPlace::of(const glm::dmat4& world) {
   const glm::dvec3 x(world[0]);
   const glm::dvec3 y(world[1]);
   const glm::dvec3 z(world[2]);
-  // The cofactors are the inverse transpose times the determinant, and defined for singular matrices, too.
+  // The cofactors are the inverse transpose times the determinant; they exist for singular matrices, too.
   const glm::dmat3 cofactors(glm::cross(y, z), glm::cross(z, x), glm::cross(x, y));
   const bool mirrored = glm::determinant(glm::dmat3(world)) < 0.0;
   return {world, mirrored ? -cofactors : cofactors, mirrored};
 }
 
 void VertexTable::clear() {
-  // A table of its usual size is emptied; one that a large object left is given back, or each small object after it
-  // would pay for its size.
+  // A table of the usual size is emptied. A larger one is freed, because clearing it would slow down every small object
+  // that follows.
   constexpr std::size_t kUsual = 64;
   if (slots_.size() > kUsual) {
     slots_ = {};
@@ -142,7 +142,7 @@ std::optional<std::string> MeshBuilder::vertex_at(const MeshPlace& place, const 
 std::optional<std::string> MeshBuilder::polygon(std::span<const std::uint32_t> corners, std::uint32_t material,
                                                 bool mirrored) {
   if (scene_.triangles.size() + corners.size() - 2 > kMostTriangles)
-    return fmt::format("has more than {} triangles; at most so many are read", kMostTriangles);
+    return fmt::format("has more than {} triangles; that is the limit", kMostTriangles);
   pieces_.clear();
   if (corners.size() == 3) {
     pieces_.push_back({0, 1, 2});
@@ -153,7 +153,7 @@ std::optional<std::string> MeshBuilder::polygon(std::span<const std::uint32_t> c
       return fmt::format("has a concave polygon with more than {} corners", kMostConcaveCorners);
   }
   if (effort_ > kMostConcaveEffort)
-    return fmt::format("has too many large concave polygons: the squares of their corners come to more than {}",
+    return fmt::format("has too many large concave polygons: the sum of the squares of their corner counts is above {}",
                        kMostConcaveEffort);
   for (const auto& [a, b, c] : pieces_) {
     const std::uint32_t second = mirrored ? c : b;
@@ -165,7 +165,7 @@ std::optional<std::string> MeshBuilder::polygon(std::span<const std::uint32_t> c
 
 void MeshBuilder::fill_normals() {
   const std::vector<glm::vec3>& positions = scene_.positions;
-  VertexTable places;  // each place with a vertex that has no normal, by the first such vertex
+  VertexTable places;  // positions of vertices without a normal, each as the first such vertex
   const auto place_of = [&](std::uint32_t vertex) -> std::uint32_t& {
     return places.slot(place_hash(positions[vertex]),
                        [&](std::uint32_t i) { return same_bits(positions[i], positions[vertex]); });

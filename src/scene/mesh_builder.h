@@ -1,4 +1,4 @@
-// Gathers the faces of one object after the other into a Scene.
+// Adds the faces of one object after the other to a Scene.
 #pragma once
 
 #include <array>
@@ -12,24 +12,24 @@
 
 namespace ninebit {
 
-// Where a mesh stands in the world.
+// The position of a mesh in the world.
 struct MeshPlace {
   glm::dmat4 world{1.0};    // from the mesh to the world
-  glm::dmat3 normals{1.0};  // the inverse transpose of its linear part, but for a positive factor
+  glm::dmat3 normals{1.0};  // the inverse transpose of its linear part, up to a positive factor
   bool mirrored = false;    // whether fronts become backs
 
   [[nodiscard]] static MeshPlace of(const glm::dmat4& world);
 };
 
-// A hash table of vertex numbers by the bits of what the vertices hold, which stands in the scene. Its memory follows
-// the number of its vertices, and so does the time that emptying it takes.
+// A hash table of vertex numbers, keyed by the bits of the vertices' data in the scene. Its memory and the time to
+// clear it are proportional to its number of vertices.
 class VertexTable {
  public:
   void clear();
-  // Makes room for one more; `hash_of` gives the hash of a vertex that the table holds.
+  // Makes room for one more vertex; `hash_of` returns the hash of a vertex in the table.
   template <class HashOf>
   void reserve_one(HashOf hash_of);
-  // The slot of a vertex that `matches`, or the free slot where it belongs. Only after reserve_one().
+  // The slot of the vertex for which `matches` is true, or the free slot for it. Only after reserve_one().
   template <class Matches>
   [[nodiscard]] std::uint32_t& slot(std::size_t hash, Matches matches);
 
@@ -37,12 +37,12 @@ class VertexTable {
   std::size_t count = 0;
 
  private:
-  std::vector<std::uint32_t> slots_;  // a power of two, at most half of them taken
+  std::vector<std::uint32_t> slots_;  // a power of two, at most half of them used
 };
 
-// Corners of one object with the same position and normal, bit for bit, become one vertex: files hand out corners,
+// Corners of one object with the same position and normal, bit for bit, become one vertex: files store corners,
 // techniques need shared vertices. A corner whose normal is zero or not finite gets the mean normal of the object's
-// triangles at exactly its position, weighted by area; its sharing is by position alone.
+// triangles at exactly its position, weighted by area; such corners are shared by position only.
 class MeshBuilder {
  public:
   explicit MeshBuilder(Scene& scene) : scene_(scene) {}
@@ -50,14 +50,14 @@ class MeshBuilder {
   void begin_object(const std::string& name);
   [[nodiscard]] std::uint32_t vertex(const glm::vec3& position, const glm::vec3& normal);
   void triangle(const glm::uvec3& corners, std::uint32_t material);
-  // Drops the object again if it got no triangle.
+  // Removes the object if it has no triangle.
   void end_object();
 
-  // A vertex of a mesh at its place; the fault of a position that is not finite there.
+  // Adds a vertex of a mesh, transformed by `place`. Returns a fault if its position is then not finite.
   [[nodiscard]] std::optional<std::string> vertex_at(const MeshPlace& place, const glm::vec3& position,
                                                      const glm::vec3& normal, std::uint32_t& vertex);
-  // The triangles of a polygon with three corners or more, which are vertices of this object. Reports a concave polygon
-  // with too many corners and a scene with too many triangles.
+  // Adds the triangles of a polygon with three corners or more, which are vertices of this object. Returns a fault for
+  // a concave polygon with too many corners and for a scene with too many triangles.
   [[nodiscard]] std::optional<std::string> polygon(std::span<const std::uint32_t> corners, std::uint32_t material,
                                                    bool mirrored = false);
 

@@ -37,12 +37,12 @@ Status NamedFiles::check(std::string_view name) const {
     return fault_of("names a file whose name is empty or has a byte 0");
   if (allow_outside_) return {};
   if (const std::optional<std::string> why = posix::why_outside(folder_, name))
-    return fault_of(fmt::format("names a file that it may not: {}, unless --allow-outside is given", *why));
+    return fault_of(fmt::format("names a file that is not allowed without --allow-outside: {}", *why));
   return {};
 }
 
 std::filesystem::path NamedFiles::path_of(std::string_view name) const {
-  // Beyond a link, ".." is not where the text says; such names are read only where the user allows them.
+  // After a symbolic link, ".." is not the folder in the text; such names are only read if the user allows them.
   const std::filesystem::path path = folder_ / name;
   return allow_outside_ ? path : path.lexically_normal();
 }

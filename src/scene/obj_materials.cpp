@@ -16,7 +16,7 @@ namespace {
 constexpr const char* kUnnamed = "DefaultMaterial";
 constexpr glm::vec3 kDefaultColor(0.6F);
 
-// The colour of a Kd line; nothing for a spectral curve, CIE coordinates and what is no number.
+// The colour of a Kd line; nothing for a spectral curve, CIE coordinates or invalid numbers.
 std::optional<glm::vec3> diffuse_of(const std::vector<std::string_view>& words) {
   glm::vec3 color(0.0F);
   for (glm::length_t i = 0; i < 3; ++i) {
@@ -60,7 +60,7 @@ std::uint32_t ObjMaterials::use(const std::string& name) {
 
 std::optional<std::string> ObjMaterials::add_library(const std::vector<std::string_view>& words) {
   if (words.size() < 2) return std::nullopt;
-  // Blanks part the names of several libraries, and stand in the name of one.
+  // A blank may separate the names of libraries, or be part of one name: both are tried.
   std::vector<std::string> names{with_slashes(joined_words(words, 1))};
   for (std::size_t i = 1; i < words.size() && words.size() > 2; ++i)
     names.push_back(with_slashes(std::string(words[i])));
@@ -84,7 +84,7 @@ void ObjMaterials::read_library(std::string_view text, Scene& scene) {
   std::vector<std::string_view> words;
   std::optional<std::uint32_t> current;
   while (lines.next(line)) {
-    if (line.size() > kLongestTextLine) continue;  // no name and no colour is that long
+    if (line.size() > kLongestTextLine) continue;  // not a name or a colour
     split_words(line, words);
     if (words.empty()) continue;
     if (words[0] == "newmtl") {
@@ -116,8 +116,8 @@ std::optional<Diagnostic> ObjMaterials::read_missing(const NamedFiles& beside, c
   const std::string other = beside.sibling(".mtl");
   if (auto fault = try_library(beside, other, scene, found)) return fault;
   scene.notes.push_back(found
-                            ? fmt::format("the material library '{}' is not there; '{}' was read instead", name, other)
-                            : fmt::format("the material library '{}' is not there; its materials are grey", name));
+                            ? fmt::format("the material library '{}' was not found; '{}' was read instead", name, other)
+                            : fmt::format("the material library '{}' was not found; its materials are grey", name));
   return std::nullopt;
 }
 

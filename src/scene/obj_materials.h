@@ -1,4 +1,4 @@
-// The materials of an OBJ file: their names, and their colours from the libraries that it names.
+// The materials of an OBJ file: their names, and their colours from its libraries.
 #pragma once
 
 #include <cstdint>
@@ -17,29 +17,29 @@
 
 namespace ninebit {
 
-// The words of a name as one text, with one blank between them.
+// The words of a name joined by single blanks.
 [[nodiscard]] std::string joined_words(const std::vector<std::string_view>& words, std::size_t first);
 
 class ObjMaterials {
  public:
   ObjMaterials();
 
-  // The material of the faces that follow, by its number among those that the file names. 0 is that of faces before
-  // any; an empty name is the default material's.
+  // Selects the material of the following faces; returns its number in the order of the file's material names. 0 is the
+  // material of faces before any `usemtl`; an empty name is the default material's.
   [[nodiscard]] std::uint32_t use(const std::string& name);
 
-  // Remembers the libraries that a `mtllib` line names. Reports too many of them.
+  // Stores the libraries of a `mtllib` line. Returns a fault if there are too many.
   [[nodiscard]] std::optional<std::string> add_library(const std::vector<std::string_view>& words);
 
-  // Reads the libraries where a face has a material, and appends to the scene's materials. The result gives for each
-  // number of use() the scene's material. A library that is not there is noted in the scene.
+  // Appends the materials to the scene's. Reads the libraries only if `used`: a face has a material. Returns the
+  // scene's material for each number of use(). A missing library is noted in the scene.
   [[nodiscard]] Result<std::vector<std::uint32_t>> resolve(const NamedFiles& beside, bool used, Scene& scene);
 
  private:
   [[nodiscard]] std::optional<Diagnostic> read_libraries(const NamedFiles& beside, Scene& scene);
   [[nodiscard]] std::optional<Diagnostic> try_library(const NamedFiles& beside, const std::string& name, Scene& scene,
                                                       bool& found);
-  // In place of a library that is not there: the one that has the file's own name, if there is one.
+  // For a missing library: reads the one with the OBJ file's own name, if it exists.
   [[nodiscard]] std::optional<Diagnostic> read_missing(const NamedFiles& beside, const std::string& name, Scene& scene);
   void read_library(std::string_view text, Scene& scene);
   [[nodiscard]] std::uint32_t index_in(Scene& scene, const std::string& name);
@@ -48,8 +48,8 @@ class ObjMaterials {
   std::unordered_map<std::string, std::uint32_t> numbers_;
   std::set<std::filesystem::path> read_;
   std::uint64_t left_ = kMostSceneBytes;                    // bytes of libraries that may still be read
-  std::vector<std::vector<std::string>> libraries_;         // each line's names, as one name and as several
-  std::unordered_map<std::string, std::uint32_t> indices_;  // of the scene's materials by their names
+  std::vector<std::vector<std::string>> libraries_;         // per line: the whole text as one name, then each word
+  std::unordered_map<std::string, std::uint32_t> indices_;  // of the scene's materials, by name
 };
 
 }  // namespace ninebit

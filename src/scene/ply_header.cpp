@@ -44,12 +44,12 @@ PlyRole role_of(PlyKind kind, const PlyProperty& property) {
 }
 
 std::optional<std::string> read_property(const std::vector<std::string_view>& words, PlyHeader& header) {
-  if (header.elements.empty()) return "a property stands before any element";
+  if (header.elements.empty()) return "a property comes before the first element";
   PlyElement& element = header.elements.back();
   PlyProperty property;
   if (words.size() == 5 && words[1] == "list") {
     property = {std::string(words[4]), type_of(words[3]), type_of(words[2])};
-    if (property.count.size == 0 || property.count.real) return "a list needs a whole number as its count";
+    if (property.count.size == 0 || property.count.real) return "a list needs an integer type for its count";
   } else if (words.size() == 3) {
     property = {std::string(words[2]), type_of(words[1]), {}};
   } else {
@@ -57,7 +57,7 @@ std::optional<std::string> read_property(const std::vector<std::string_view>& wo
   }
   if (property.type.size == 0) return fmt::format("the property '{}' has an unknown type", property.name);
   property.role = role_of(element.kind, property);
-  if (property.role == PlyRole::corners && property.type.real) return "vertex indices must be whole numbers";
+  if (property.role == PlyRole::corners && property.type.real) return "vertex indices must be integers";
   if (property.role != PlyRole::none && element.has(property.role))
     return fmt::format("the element '{}' declares the property '{}' twice", element.name, property.name);
   element.properties.push_back(std::move(property));
@@ -97,7 +97,7 @@ Result<PlyHeader> read_ply_header(LineScanner& lines) {
     split_words(line, words);
     if (words.empty() || words[0] == "comment" || words[0] == "obj_info") continue;
     if (words[0] == "end_header") {
-      if (!format) return at_line(lines.number(), "its header names no format");
+      if (!format) return at_line(lines.number(), "its header has no format line");
       return header;
     }
     std::optional<std::string> fault;
@@ -110,7 +110,7 @@ Result<PlyHeader> read_ply_header(LineScanner& lines) {
       fault = read_element(words, header);
     } else if (words[0] == "property") {
       fault = read_property(words, header);
-    }  // anything else is a comment: old exporters left out the word
+    }  // anything else is a comment: old exporters omit the keyword
     if (fault) return at_line(lines.number(), *fault);
   }
   return at_line(0, "ends within its header");

@@ -1,4 +1,4 @@
-// The header of a PLY file: what its rows hold.
+// The header of a PLY file: its elements and their properties.
 #pragma once
 
 #include <array>
@@ -18,7 +18,7 @@ struct PlyType {
   bool is_signed = false;
 };
 
-// What a property means to us. The first of each three are numbered in their order.
+// The meaning of a property. The roles before `corners` are the indices of PlyRow::values.
 enum class PlyRole : std::uint8_t { x, y, z, nx, ny, nz, red, green, blue, corners, none };
 
 struct PlyProperty {
@@ -45,7 +45,8 @@ struct PlyHeader {
   std::vector<PlyElement> elements;
 };
 
-// Takes the header off the lines. Vertices come before what uses them, and each element that we read comes once.
+// Reads the header from the lines. Vertices must come before the elements that use them, and each element that is read
+// may come only once.
 [[nodiscard]] Result<PlyHeader> read_ply_header(LineScanner& lines);
 
 }  // namespace ninebit

@@ -6,12 +6,12 @@
 namespace ninebit {
 namespace {
 
-// Twice the signed area of a triangle in the plane that the polygon was projected to.
+// Twice the signed area of a triangle in the plane of projection.
 double area2(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c) {
   return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
-// Projects along the largest axis of the polygon's normal, so that its winding comes out counter-clockwise.
+// Projects along the largest axis of the polygon's normal, so that its winding becomes counter-clockwise.
 std::vector<glm::dvec2> project(std::span<const glm::vec3> corners) {
   glm::dvec3 normal(0.0);
   const glm::dvec3 origin(corners[0]);
@@ -31,7 +31,7 @@ std::vector<glm::dvec2> project(std::span<const glm::vec3> corners) {
   return flat;
 }
 
-// Convex as a fan needs it: every triangle of the fan has its area on the same side.
+// Whether the fan's triangles all have areas of the same sign.
 bool fan_is_valid(const std::vector<glm::dvec2>& flat) {
   for (std::size_t i = 1; i + 1 < flat.size(); ++i) {
     if (area2(flat[0], flat[i], flat[i + 1]) < 0.0) return false;
@@ -39,13 +39,13 @@ bool fan_is_valid(const std::vector<glm::dvec2>& flat) {
   return true;
 }
 
-// Cuts ears off a polygon. A corner that was found to be no ear stays none as long as it has the same neighbours and
-// the corner that lies in its way is still there: so it is not looked at again each time that the search comes by.
+// Finds ears of a polygon. A corner that is not an ear cannot become one as long as it has the same neighbours and the
+// corner in its triangle is still there, so it is tested again only after one of these changes.
 class EarSearch {
  public:
   explicit EarSearch(const std::vector<glm::dvec2>& flat) : flat_(flat), refusals_(flat.size()), gone_(flat.size()) {}
 
-  // Whether the corner at this place of those that are left is one.
+  // Whether the corner left[at] is an ear.
   bool is_ear(const std::vector<std::uint32_t>& left, std::size_t at) {
     const std::size_t count = left.size();
     const std::uint32_t before = left[(at + count - 1) % count];
@@ -62,11 +62,11 @@ class EarSearch {
  private:
   struct Refusal {
     bool known = false;
-    std::uint32_t before = 0, after = 0;  // its neighbours then
-    std::uint32_t witness = 0;            // why: a corner within the ear, or itself
+    std::uint32_t before = 0, after = 0;  // its neighbours when it was tested
+    std::uint32_t witness = 0;            // the reason: a corner within its triangle, or itself
   };
 
-  // A corner that keeps this one from being an ear: one within its triangle, or itself if that has no area.
+  // The reason why a corner is not an ear: a corner within its triangle, or itself if the triangle has no area.
   [[nodiscard]] std::optional<std::uint32_t> in_the_way(const std::vector<std::uint32_t>& left, std::size_t at) const {
     const std::size_t count = left.size();
     const glm::dvec2& a = flat_[left[(at + count - 1) % count]];
@@ -93,7 +93,8 @@ class EarSearch {
 void cut_ears(const std::vector<glm::dvec2>& flat, std::vector<std::uint32_t>& left,
               std::vector<std::array<std::uint32_t, 3>>& triangles) {
   EarSearch ears(flat);
-  // Searching on from the last ear, not from the start, keeps the usual polygon at one pass of tests per ear.
+  // The search continues from the last ear instead of the start: a typical polygon then needs one pass of tests per
+  // ear.
   std::size_t at = 1;
   std::size_t refused = 0;
   while (left.size() > 3 && refused < left.size()) {

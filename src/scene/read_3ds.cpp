@@ -59,20 +59,20 @@ glm::vec3 point(std::string_view data, std::size_t at) {
   return {real(data, at), real(data, at + 4), real(data, at + 8)};
 }
 
-// What a file declares.
+// The contents that a file declares.
 struct ThreeDsFacts {
   std::uint64_t triangles = 0;
   std::uint64_t meshes = 0;
   std::uint64_t materials = 0;
-  std::uint64_t material_lists = 0;                             // of faces that have a material
-  std::unordered_map<std::string, std::uint64_t> triangles_of;  // the meshes of a name
+  std::uint64_t material_lists = 0;                             // lists of faces with a material
+  std::unordered_map<std::string, std::uint64_t> triangles_of;  // of all meshes of a name
   std::uint64_t nodes = 0;
   std::uint64_t placed = 0;  // triangles, by nodes
   Viewpoints viewpoints;
 };
 
-// Assimp compares each node with each node before it and with each piece of a mesh, looks through all materials for
-// each list of faces and each mesh, and walks nodes by recursion.
+// Assimp compares each node with all nodes before it and with each piece of a mesh, searches all materials for each
+// list of faces and each mesh, and visits nodes recursively.
 constexpr std::uint64_t kMostNodes = 4096;
 constexpr std::uint64_t kMostComparisons = std::uint64_t{1} << 26U;
 
@@ -81,7 +81,7 @@ struct Chunk {
   std::string_view body;
 };
 
-// Takes the next chunk off data; nothing at its end or where a chunk is longer than what holds it.
+// Takes the next chunk off data; nothing at its end, or if a chunk is longer than its parent.
 std::optional<Chunk> next_chunk(std::string_view& data, bool& broken) {
   if (data.size() < 6) {
     broken = broken || !data.empty();
@@ -97,7 +97,7 @@ std::optional<Chunk> next_chunk(std::string_view& data, bool& broken) {
   return chunk;
 }
 
-constexpr const char* kBrokenChunk = "is malformed: a chunk is longer than what holds it";
+constexpr const char* kBrokenChunk = "is malformed: a chunk is longer than its parent";
 constexpr const char* kShortChunk = "is malformed: a chunk is shorter than its content";
 
 std::optional<Diagnostic> check_mesh(std::string_view data, const std::string& name, ThreeDsFacts& facts) {
@@ -198,7 +198,7 @@ std::optional<Diagnostic> check_object(std::string_view data, ThreeDsFacts& fact
   return std::nullopt;
 }
 
-// Assimp makes room for as many keys as a track declares before it reads them.
+// Assimp allocates the declared number of keys before it reads them.
 std::optional<Diagnostic> check_track(std::string_view data) {
   constexpr std::size_t kHead = 14;
   constexpr std::size_t kSmallestKey = 10;
@@ -221,7 +221,7 @@ std::optional<Diagnostic> check_keyframes(std::string_view data, ThreeDsFacts& f
   bool broken = false;
   while (const std::optional<Chunk> node = next_chunk(data, broken)) {
     std::string_view tracks = node->body;
-    // What is no list of chunks holds no track: such data ends this walk, not the reading.
+    // Data that is not a list of chunks contains no track: it ends this loop without a fault.
     bool other = false;
     while (const std::optional<Chunk> track = next_chunk(tracks, other)) {
       std::optional<Diagnostic> fault;
@@ -230,7 +230,7 @@ std::optional<Diagnostic> check_keyframes(std::string_view data, ThreeDsFacts& f
       if (has_keys) fault = check_track(track->body);
       if (fault) return fault;
       if (facts.nodes == 0 && (has_keys || track->id == kPivot))
-        return fault_of("is malformed: keys stand before the name of their node");
+        return fault_of("is malformed: keys come before the name of their node");
     }
   }
   if (broken) return fault_of(kBrokenChunk);
@@ -248,7 +248,7 @@ std::optional<Diagnostic> check_editor(std::string_view data, ThreeDsFacts& fact
   return std::nullopt;
 }
 
-// What Assimp would take time in the square of its file for.
+// Reports amounts for which Assimp would take time quadratic in the file's size.
 std::optional<Diagnostic> check_amounts(const ThreeDsFacts& facts, std::uint64_t bytes) {
   const std::uint64_t most = std::min(kMostTriangles, bytes + kMostPlacedAgain);
   if (facts.triangles > most || facts.placed > most)
@@ -269,7 +269,7 @@ Result<ThreeDsFacts> check_3ds(std::string_view content) {
   ThreeDsFacts facts;
   bool broken = false;
   const std::string_view main = next_chunk(content, broken).value_or(Chunk{}).body;
-  // Nodes name meshes, and may stand before them.
+  // Nodes refer to meshes and may come before them.
   for (const ChunkId wanted : {kEditor, kKeyframes}) {
     std::string_view sections = main;
     while (const std::optional<Chunk> section = next_chunk(sections, broken)) {
@@ -295,10 +295,10 @@ Result<Scene> read_3ds(std::string_view content, const std::filesystem::path& fi
   Scene& scene = imported->scene;
   if (scene.triangles.size() < facts->triangles)
     return fault_of(
-        fmt::format("is malformed: it declares {} triangles, and {} could be read; an index out of range or missing "
+        fmt::format("is malformed: it declares {} triangles, but {} could be read; an index out of range or missing "
                     "data is the usual cause",
                     facts->triangles, scene.triangles.size()));
-  // Assimp puts its change of axes into the root node.
+  // Assimp stores its change of axes in the root node.
   if (auto fault = add_viewpoints(facts->viewpoints, imported->root_transform, scene)) return *std::move(fault);
   return std::move(scene);
 }

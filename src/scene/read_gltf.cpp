@@ -20,7 +20,7 @@ Result<Scene> read_gltf(std::string_view content, const NamedFiles& beside, bool
   const Result<Json> root = parse_json(parts.json);
   if (!root) return root.error();
   const std::string& version = text_of(item(*root, "asset", "version"));
-  if (version.empty()) return fault_of("is not a glTF file: it states no version of its format");
+  if (version.empty()) return fault_of("is not a glTF file: it has no asset.version");
   if (!version.starts_with("2.")) return fault_of(fmt::format("is of glTF version {}; version 2.0 is read", version));
   GltfStorage storage(*root, beside, parts.binary);
   if (auto fault = storage.check()) return *fault;

@@ -20,18 +20,18 @@ constexpr std::uint32_t kNone = 0xFFFFFFFFU;
 
 // A file of 2^31 bytes has fewer than 2^30 corners.
 struct ObjFace {
-  std::uint32_t first_corner = 0;  // its corners end where those of the next face begin
+  std::uint32_t first_corner = 0;  // the next face's first corner is this one's end
   int line = 0;
 };
 
-// Faces that follow each other and have the same material and object.
+// Consecutive faces with the same material and object.
 struct ObjRun {
-  std::uint32_t first_face = 0;  // it ends where the next run begins
+  std::uint32_t first_face = 0;  // the next run's first face is this one's end
   std::uint32_t material = 0;    // as ObjMaterials numbers them
   std::uint32_t object = 0;
 };
 
-// The statements of a file, one after the other. A face may name vertices that follow it, so nothing is placed yet.
+// Reads the statements of a file in order. A face may use vertices that come later, so no vertex is placed yet.
 class ObjStatements {
  public:
   std::optional<std::string> add(const std::vector<std::string_view>& words, int line) {
@@ -52,7 +52,7 @@ class ObjStatements {
     return std::nullopt;
   }
 
-  // Reports an index beyond what the whole file defines.
+  // Reports an index beyond the elements that the whole file defines.
   [[nodiscard]] std::optional<Diagnostic> index_fault() const {
     for (std::size_t kind = 0; kind < 3; ++kind) {
       if (highest_[kind] <= defined_[kind]) continue;
@@ -64,7 +64,7 @@ class ObjStatements {
 
   std::vector<glm::vec3> positions;
   std::vector<glm::vec3> normals;
-  // A short line makes a face, so what is kept of one is small, and is never copied to grow.
+  // A short line is enough for a face, so a face is stored in few bytes, in containers that do not copy when they grow.
   std::deque<std::uint32_t> corner_positions;
   std::deque<std::uint32_t> corner_normals;  // kNone: the corner has none; empty: no corner has one
   std::deque<ObjFace> faces;
@@ -79,7 +79,7 @@ class ObjStatements {
     float other = 1.0F;
     for (std::size_t i = 1; i < words.size(); ++i) {
       float& value = i < 4 ? vector[static_cast<glm::length_t>(i) - 1] : other;
-      // A normal that is not finite is no reason to refuse the geometry: it is computed anew.
+      // A normal that is not finite is not a fault: it is computed instead.
       if (auto fault = position ? read_coordinate(words[i], value) : read_normal_part(words[i], value)) return fault;
     }
     // Four numbers are a weighted vertex; further ones are its colour.
@@ -93,7 +93,7 @@ class ObjStatements {
     return std::nullopt;
   }
 
-  // One corner of a face, "v", "v/vt", "v//vn" or "v/vt/vn"; indices count from 1, or back from the last with a sign.
+  // One corner of a face, "v", "v/vt", "v//vn" or "v/vt/vn"; indices count from 1, or, if negative, back from the last.
   std::optional<std::string> add_corner(std::string_view word, int line) {
     const std::string_view whole = word;
     std::uint32_t position = 0, normal = kNone;
@@ -143,7 +143,7 @@ class ObjStatements {
     return number;
   }
 
-  // `o` with a name that was there goes on with that object; `g` begins another one whenever its name changes.
+  // `o` with a known name continues that object; `g` begins a new object whenever its name changes.
   std::uint32_t object_named(const std::string& name) {
     const auto found = objects_by_name_.find(name);
     return found != objects_by_name_.end() ? found->second : new_object(name);
@@ -157,7 +157,7 @@ class ObjStatements {
 
   std::array<std::int64_t, 3> defined_{};  // v, vt, vn so far
   std::array<std::int64_t, 3> highest_{};  // the highest index used of each
-  std::array<int, 3> highest_line_{};      // and where
+  std::array<int, 3> highest_line_{};      // the line of that index
   std::unordered_map<std::string, std::uint32_t> objects_by_name_;
   std::string group_;
   std::uint32_t object_ = kNone;
@@ -190,7 +190,7 @@ std::optional<Diagnostic> read_statements(std::string_view content, ObjStatement
   return statements.index_fault();
 }
 
-// The runs' numbers, those of the first object first.
+// The numbers of the runs, ordered by object.
 std::vector<std::uint32_t> runs_by_object(const ObjStatements& read) {
   std::vector<std::uint32_t> order(read.runs.size());
   std::iota(order.begin(), order.end(), 0U);

@@ -7,7 +7,7 @@
 namespace ninebit {
 namespace {
 
-// The next line that holds words; false at the end of the file.
+// Reads the next line that has words; false at the end of the file.
 bool next_words(LineScanner& lines, std::vector<std::string_view>& words) {
   std::string_view line;
   while (lines.next(line)) {
@@ -44,14 +44,15 @@ class OffReader {
     const std::string_view kind = words_[0];
     const bool known = kind == "OFF" || kind == "COFF" || kind == "NOFF" || kind == "CNOFF" || kind == "STOFF";
     if (!known || (words_.size() > 1 && words_[1] == "BINARY"))
-      return at_line(lines_.number(), "is of an OFF kind that is not read; OFF, COFF, NOFF, CNOFF and STOFF text are");
+      return at_line(lines_.number(),
+                     "is an unsupported kind of OFF file; expected OFF, COFF, NOFF, CNOFF or STOFF as text");
     has_normals_ = kind.find('N') != std::string_view::npos;
     words_.erase(words_.begin());
     if (words_.empty() && !next_words(lines_, words_)) return at_line(0, "ends before its counts");
     const std::optional<std::uint32_t> vertices = number_of<std::uint32_t>(words_[0]);
     const std::optional<std::uint32_t> faces = words_.size() > 1 ? number_of<std::uint32_t>(words_[1]) : std::nullopt;
     if (words_.size() != 3 || !vertices || !faces || !number_of<std::uint32_t>(words_[2]))
-      return at_line(lines_.number(), "should give the numbers of vertices, faces and edges here");
+      return at_line(lines_.number(), "expected the numbers of vertices, faces and edges in this line");
     vertex_count_ = *vertices;
     face_count_ = *faces;
     return std::nullopt;
@@ -97,7 +98,7 @@ class OffReader {
                            vertex_count_);
       corners_.push_back(*index);
     }
-    if (corners < 3) return std::nullopt;  // points and lines are no surface
+    if (corners < 3) return std::nullopt;  // points and lines have no surface
     for (std::uint32_t& corner : corners_) {
       std::uint32_t& vertex = vertices_[corner];
       if (vertex == VertexTable::kFree) {
@@ -117,7 +118,7 @@ class OffReader {
   std::uint32_t face_count_ = 0;
   std::vector<glm::vec3> positions_;
   std::vector<glm::vec3> normals_;
-  std::vector<std::uint32_t> vertices_;  // the scene's vertex for each of the file's that a face uses
+  std::vector<std::uint32_t> vertices_;  // the scene's vertex for each vertex of the file that a face uses
   std::vector<std::uint32_t> corners_;
   const MeshPlace place_;
   Scene out_;

@@ -14,7 +14,7 @@
 namespace ninebit {
 namespace {
 
-// One row of an element, as far as it matters.
+// The used values of one row of an element.
 struct PlyRow {
   std::array<float, 9> values{};      // of the roles before PlyRole::corners
   std::vector<std::int64_t> corners;  // of a face or of triangle strips
@@ -25,7 +25,7 @@ Diagnostic ends_early(const PlyElement& element, std::uint64_t read) {
       0, fmt::format("ends early: it declares {} of element '{}' and has {}", element.count, element.name, read));
 }
 
-// A colour component of any type as a number from 0 to 1.
+// A colour component of any type, scaled to 0 to 1.
 float color_of(const PlyType& type, float value) {
   if (type.real) return value;
   if (type.size == 1) return (type.is_signed ? value + 127.0F : value) / 255.0F;
@@ -33,13 +33,13 @@ float color_of(const PlyType& type, float value) {
   return value / 255.0F + 0.5F;
 }
 
-// Where rows come from: the lines of a text, or packed bytes.
+// The source of rows: lines of text, or packed bytes.
 class PlyRows {
  public:
   PlyRows(const PlyHeader& header, std::string_view content, LineScanner lines)
       : header_(header), lines_(lines), data_(content.substr(lines.offset())) {}
 
-  // The next row of an element; the number of those before it is for messages.
+  // Reads the next row of an element; `before`, the number of rows before it, is for messages.
   std::optional<Diagnostic> next(const PlyElement& element, std::uint64_t before, PlyRow& row) {
     if (header_.binary) return next_packed(element, before, row);
     std::string_view line;
@@ -85,7 +85,7 @@ class PlyRows {
     if (property.role == PlyRole::none) return std::nullopt;
     float& value = row.values[static_cast<std::size_t>(property.role)];
     if (property.type.size == 8) {
-      // A double is rounded once, at its end.
+      // A double is rounded only once, at the end.
       const std::optional<double> exact = real_of<double>(word);
       if (!exact) return fmt::format("'{}' is not a number", word);
       value = static_cast<float>(*exact);
@@ -127,7 +127,7 @@ class PlyRows {
     return std::nullopt;
   }
 
-  // The number at the start of the data, which has its bytes. A double holds each of these types.
+  // The number at the start of the data, which must be long enough. A double can hold all of these types.
   [[nodiscard]] double number_at(const PlyType& type) const {
     std::uint64_t bits = 0;
     for (std::size_t i = 0; i < type.size; ++i) {
@@ -168,7 +168,7 @@ class PlyReader {
 
  private:
   std::optional<Diagnostic> read_element(const PlyElement& element) {
-    // Rows without properties take no room, so their count alone must cost no time.
+    // Rows without properties take no bytes, so a file could declare any number of them.
     if (element.properties.empty() && element.count > 0)
       return at_line(
           0, fmt::format("declares {} rows of element '{}', which has no properties", element.count, element.name));
@@ -211,14 +211,14 @@ class PlyReader {
 
   std::optional<std::string> add_face() {
     corners_.clear();
-    const bool surface = row_.corners.size() >= 3;  // points and lines are none
+    const bool surface = row_.corners.size() >= 3;  // not points and lines
     for (const std::int64_t index : row_.corners) {
       if (auto fault = surface ? add_corner(index) : index_fault(index)) return fault;
     }
     return surface ? builder_.polygon(corners_, 0) : std::nullopt;
   }
 
-  // -1 ends a strip. Every second triangle of a strip is turned around.
+  // -1 ends a strip. Every second triangle of a strip has reversed winding.
   std::optional<std::string> add_strips() {
     std::size_t length = 0;
     corners_.clear();
@@ -254,7 +254,7 @@ class PlyReader {
   bool has_normals_ = false;
   std::vector<glm::vec3> positions_;
   std::vector<glm::vec3> normals_;
-  std::vector<std::uint32_t> vertices_;  // the scene's vertex for each of the file's that a face uses
+  std::vector<std::uint32_t> vertices_;  // the scene's vertex for each vertex of the file that a face uses
   std::vector<std::uint32_t> corners_;
   const MeshPlace place_;
   Scene out_;

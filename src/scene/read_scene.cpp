@@ -33,7 +33,7 @@ Result<Scene> read_content(std::string_view content, const std::filesystem::path
   return read_gltf(content, beside, extension == ".glb", options);
 }
 
-// Messages quote the file, which may hold anything.
+// Messages quote the file, which may contain any bytes.
 void make_one_line(std::string& message) {
   constexpr std::size_t kLongest = 400;
   if (message.size() > kLongest) message.resize(kLongest);

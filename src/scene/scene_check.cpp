@@ -49,7 +49,7 @@ Status check_positions(const Scene& scene, std::size_t first_vertex, const std::
 
 Status check_light_in_the_open(const Scene& scene, const Light& light, const Camera& camera) {
   for (const SceneObject& object : scene.objects) {
-    // Sheets that lie one behind the other fill any solid angle, but outside of their box no point is inside.
+    // Sheets one behind the other can have any solid angle, but no point outside their box is inside.
     const Bounds bounds = bounds_of(scene, object);
     if (!contains(bounds, light.position) || winding_number(scene, object, light.position) <= kInside ||
         winding_number(scene, object, camera.position) > kInside ||

@@ -1,4 +1,4 @@
-// What complete_scene checks of the scene it gets and of the one it made.
+// Checks of scenes, before and after complete_scene changes them.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -16,7 +16,7 @@ namespace ninebit {
 
 [[nodiscard]] bool is_finite(const glm::vec3& v);
 
-// validate() without the cameras and lights: those of a file may still be replaced.
+// validate() without cameras and lights, which may still be replaced.
 [[nodiscard]] Status validate_geometry(const Scene& scene);
 
 // Reports a point with a coordinate outside of -1e12 to 1e12, where squares, triple products and their sums might not
@@ -27,7 +27,7 @@ namespace ninebit {
 [[nodiscard]] Status check_positions(const Scene& scene, std::size_t first_vertex, const std::string& what);
 
 // Reports a light inside a solid that the camera is outside of. A light within 1e-6 of the object's diagonal from its
-// surface is as good as on it, and in the open.
+// surface counts as on the surface, which is in the open.
 [[nodiscard]] Status check_light_in_the_open(const Scene& scene, const Light& light, const Camera& camera);
 
 }  // namespace ninebit

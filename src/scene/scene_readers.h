@@ -1,7 +1,7 @@
-// The readers of scene files, one for each format.
+// The readers of scene files, one per format.
 //
-// Each takes the whole content of a file, checks every count, offset and index against what is there before it uses it,
-// and makes the scene. Diagnostics come without a file name: read_scene() adds it. The scene has no name yet.
+// Each reader gets the whole content of a file, checks every count, offset and index against the content before using
+// it, and returns the scene. Diagnostics have no file name: read_scene() adds it. The scene has no name yet.
 #pragma once
 
 #include <filesystem>
@@ -17,15 +17,14 @@ namespace ninebit {
 [[nodiscard]] Result<Scene> read_off(std::string_view content);
 [[nodiscard]] Result<Scene> read_ply(std::string_view content);
 
-// `beside` gives the material libraries.
+// `beside` reads the material libraries.
 [[nodiscard]] Result<Scene> read_obj(std::string_view content, const NamedFiles& beside);
 
-// .glb if binary, otherwise .gltf; `beside` gives the buffers. Compressed meshes come by way of Draco, after our own
-// check.
+// .glb if binary, otherwise .gltf; `beside` reads the buffers. Draco decodes compressed meshes after check_draco().
 [[nodiscard]] Result<Scene> read_gltf(std::string_view content, const NamedFiles& beside, bool binary,
                                       const SceneReadOptions& options);
 
-// By way of Assimp, after our own check.
+// Read with Assimp, after a check of the file without it.
 [[nodiscard]] Result<Scene> read_3ds(std::string_view content, const std::filesystem::path& file,
                                      const SceneReadOptions& options);
 

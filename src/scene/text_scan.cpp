@@ -8,7 +8,7 @@ namespace ninebit {
 namespace {
 
 constexpr std::size_t kMostDecimals = 15;
-constexpr std::size_t kMostDigits = 19;  // that any 64-bit number can hold
+constexpr std::size_t kMostDigits = 19;  // any number with so many digits fits into 64 bits
 
 constexpr std::array<double, kMostDecimals + 1> kDecimals{0.0,
                                                           0.1,
@@ -31,7 +31,7 @@ bool is_digit(char c) {
   return c >= '0' && c <= '9';
 }
 
-// Takes digits off the word, and gives the number that the first `most` of them are.
+// Takes digits off the word, and returns the number formed by the first `most` of them.
 std::uint64_t take_digits(std::string_view& word, std::size_t most, std::size_t& count) {
   std::uint64_t value = 0;
   count = 0;
@@ -43,7 +43,7 @@ std::uint64_t take_digits(std::string_view& word, std::size_t most, std::size_t&
   return value;
 }
 
-// What from_chars says: NaN, infinity, and whatever else is out of the ordinary.
+// Reads a word with from_chars: NaN, infinity and other unusual numbers.
 template <class Real>
 std::optional<Real> unusual(std::string_view word) {
   if (word.size() > 1 && word[0] == '+' && word[1] != '-') word.remove_prefix(1);
@@ -51,7 +51,7 @@ std::optional<Real> unusual(std::string_view word) {
   const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
   if (end != word.data() + word.size() || error == std::errc::invalid_argument) return std::nullopt;
   if (error == std::errc::result_out_of_range) {
-    // Too large or too small: the sign of its exponent says which.
+    // Too large or too small, depending on the sign of the exponent.
     const std::size_t exponent = word.find_first_of("eE");
     const bool small = exponent == std::string_view::npos ? word.find('.') < 2 : word.substr(exponent + 1)[0] == '-';
     value = small ? Real(0) : std::numeric_limits<Real>::infinity();

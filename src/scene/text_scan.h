@@ -19,18 +19,18 @@ inline bool is_blank(char c) {
   return c == ' ' || c == '\t' || c == '\v' || c == '\f' || c == '\r';
 }
 
-// The text without the mark that some editors put before UTF-8.
+// The text without a UTF-8 byte order mark.
 inline std::string_view without_mark(std::string_view text) {
   if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
   return text;
 }
 
-// Walks through a text line by line; \n, \r\n and \r all end a line.
+// Reads a text line by line; \n, \r\n and \r all end a line.
 class LineScanner {
  public:
   explicit LineScanner(std::string_view text) : text_(text) {}
 
-  // False at the end. The line comes without its end.
+  // Reads the next line, without its line end; false at the end of the text.
   bool next(std::string_view& line) {
     if (at_ >= text_.size()) return false;
     const std::size_t end = std::min(text_.find_first_of("\r\n", at_), text_.size());
@@ -41,8 +41,8 @@ class LineScanner {
     return true;
   }
 
-  [[nodiscard]] int number() const { return number_; }  // of the line that next() gave, from 1
-  [[nodiscard]] std::size_t offset() const { return std::min(at_, text_.size()); }  // of what follows it
+  [[nodiscard]] int number() const { return number_; }                              // of the last line read, from 1
+  [[nodiscard]] std::size_t offset() const { return std::min(at_, text_.size()); }  // of the following line
 
  private:
   std::string_view text_;
@@ -50,7 +50,7 @@ class LineScanner {
   int number_ = 0;
 };
 
-// The words of a line up to a '#' that starts a word.
+// Splits a line into words, up to a word that starts with '#'.
 inline void split_words(std::string_view line, std::vector<std::string_view>& words) {
   words.clear();
   std::size_t at = 0;
@@ -66,7 +66,7 @@ inline void split_words(std::string_view line, std::vector<std::string_view>& wo
   }
 }
 
-// The longest line of a text format: what is made of a line takes several times its bytes.
+// The longest line of a text format: the data made from a line takes several times its bytes.
 inline constexpr std::size_t kLongestTextLine = std::size_t{1} << 24;
 
 inline Diagnostic at_line(int line, std::string message) {
@@ -77,7 +77,7 @@ inline Diagnostic overlong(int line) {
   return at_line(line, fmt::format("the line is longer than {} bytes", kLongestTextLine));
 }
 
-// The first line that is longer, if there is one.
+// A fault for the first longer line, if there is one.
 inline std::optional<Diagnostic> overlong_line(std::string_view text) {
   if (text.size() <= kLongestTextLine) return std::nullopt;
   LineScanner lines(text);
@@ -88,7 +88,7 @@ inline std::optional<Diagnostic> overlong_line(std::string_view text) {
   return std::nullopt;
 }
 
-// A whole word as a whole number; nothing if it is none.
+// A word as an integer; nothing if it is not one.
 template <class Number>
 std::optional<Number> number_of(std::string_view word) {
   if (word.size() > 1 && word[0] == '+' && word[1] != '-') word.remove_prefix(1);
@@ -98,23 +98,22 @@ std::optional<Number> number_of(std::string_view word) {
   return value;
 }
 
-// A whole word as a real number; nothing if it is none. It is infinite where the word says so or is too large, NaN
-// where the word says so, and 0 where it is too small.
+// A word as a real number; nothing if it is not one. The result is infinite for an infinity or a number that is too
+// large, NaN for NaN, and 0 for a number that is too small.
 //
 // The value is the sum of the digits before the point and up to 15 behind it, each rounded on its own, times a power of
-// ten, in the precision of Real: usually the nearest number to the word, sometimes a neighbour of it. Pictures of
-// text files have depended on exactly this sum since they were first drawn; a word that it overflows for is rounded
-// once, as it should be.
+// ten, in the precision of Real: usually the nearest number to the word, sometimes a neighbour of it. Existing pictures
+// of text files depend on exactly this sum. A word for which it overflows is rounded once, correctly.
 template <class Real>
 [[nodiscard]] std::optional<Real> real_of(std::string_view word);
 
 extern template std::optional<float> real_of<float>(std::string_view word);
 extern template std::optional<double> real_of<double>(std::string_view word);
 
-// A word that should be a coordinate, which is single precision; otherwise what is wrong with it.
+// Reads a word as a coordinate in single precision. Returns the fault if it is not one.
 [[nodiscard]] std::optional<std::string> read_coordinate(std::string_view word, float& value);
 
-// The same for a part of a normal: it may be infinite or NaN.
+// The same for a component of a normal, which may be infinite or NaN.
 [[nodiscard]] std::optional<std::string> read_normal_part(std::string_view word, float& value);
 
 }  // namespace ninebit

@@ -19,12 +19,12 @@ Status check_sizes(const Scene& scene) {
   const std::size_t count = scene.triangles.size();
   if (count == 0) return invalid("the scene has no triangles");
   if (scene.normals.size() != scene.positions.size()) {
-    return invalid(fmt::format("the scene has {} normals for {} positions; expected as many", scene.normals.size(),
+    return invalid(fmt::format("the scene has {} normals for {} positions; expected one for each", scene.normals.size(),
                                scene.positions.size()));
   }
   if (scene.triangle_object.size() != count || scene.triangle_material.size() != count) {
     return invalid(
-        fmt::format("the scene names objects for {} and materials for {} of its {} triangles; expected both for each",
+        fmt::format("the scene has objects for {} and materials for {} of its {} triangles; expected both for each",
                     scene.triangle_object.size(), scene.triangle_material.size(), count));
   }
   return {};
@@ -61,8 +61,9 @@ Status check_objects(const Scene& scene) {
     }
     for (; covered < std::size_t{object.first_triangle} + object.triangle_count; ++covered) {
       if (scene.triangle_object[covered] != i) {
-        return invalid(fmt::format("triangle {} is among those of object {} and belongs to object {}; expected one",
-                                   covered, i, scene.triangle_object[covered]));
+        return invalid(
+            fmt::format("triangle {} is among those of object {} and belongs to object {}; expected the same object",
+                        covered, i, scene.triangle_object[covered]));
       }
     }
   }
@@ -93,7 +94,7 @@ Status check_light(const Light& light) {
   if (light.kind == LightKind::point) return {};
   const float length = is_finite(light.direction) ? glm::length(light.direction) : 0.0F;
   if (!(length > 0.999F && length < 1.001F)) {
-    return invalid(fmt::format("light \"{}\" shines in no direction; expected a vector of length 1", light.name));
+    return invalid(fmt::format("light \"{}\" has no valid direction; expected a vector of length 1", light.name));
   }
   if (light.kind == LightKind::spot && !(light.spot_degrees > 0.0F && light.spot_degrees < 180.0F)) {
     return invalid(fmt::format("the opening angle of light \"{}\" is {} degrees; expected one between 0 and 180",
@@ -113,8 +114,8 @@ Status check_camera(const Camera& camera, std::size_t i) {
   const glm::dvec3 ahead = glm::dvec3(camera.look_at) - glm::dvec3(camera.position);
   if (glm::cross(ahead, glm::dvec3(camera.up)) == glm::dvec3(0.0)) {
     return invalid(
-        fmt::format("camera {} looks along its up vector, or at the point where it stands; expected a direction of "
-                    "view, and an up vector across it",
+        fmt::format("camera {} looks along its up vector, or at its own position; expected a view direction, "
+                    "and an up vector that is not parallel to it",
                     i));
   }
   return {};

@@ -13,8 +13,8 @@ glm::vec3 moved(const glm::dmat4& by, const glm::vec3& point) {
   return glm::vec3(glm::dvec3(by * glm::dvec4(glm::dvec3(point), 1.0)));
 }
 
-// A point on the view axis beside the scene's middle: where a viewer of this file would say that the camera looks. What
-// lies behind the camera gives no such point; then any distance serves.
+// Moves the look-at point along the view axis to beside the scene's middle, which is what the camera seems to look at.
+// If the middle is behind the camera, any distance will do.
 void move_look_at(Camera& camera, const Bounds& bounds) {
   const glm::dvec3 position(camera.position);
   const glm::dvec3 ahead = glm::normalize(glm::dvec3(camera.look_at) - position);
@@ -33,8 +33,8 @@ std::optional<Diagnostic> add_viewpoints(const Viewpoints& viewpoints, const glm
     camera.look_at = moved(place, camera.look_at);
     camera.up = glm::vec3(glm::dmat3(place) * glm::dvec3(camera.up));
     if (!is_finite(camera.position) || !is_finite(camera.look_at) || !is_finite(camera.up))
-      return fault_of("a camera's place is not finite");
-    if (camera.look_at == camera.position) return fault_of("a camera looks in no direction");
+      return fault_of("a camera's position or direction is not finite");
+    if (camera.look_at == camera.position) return fault_of("a camera has no view direction");
     scene.cameras.push_back(camera);
   }
   for (Light light : viewpoints.lights) {

@@ -1,4 +1,4 @@
-// The cameras and lights of a file, on their way into its scene.
+// The cameras and lights of a file, before they are added to its scene.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -15,12 +15,13 @@ struct Viewpoints {
   std::vector<Light> lights;    // directions not yet of unit length
 };
 
-// Puts them into a scene that has its triangles: at `place`, directions of unit length, colours with their largest
-// channel as 1. Reports what is not finite and what has no direction.
+// Adds the cameras and lights to a scene, which has its triangles: transformed by `place`, with unit directions and
+// colours whose largest channel is 1. Returns a fault for values that are not finite and for missing directions.
 [[nodiscard]] std::optional<Diagnostic> add_viewpoints(const Viewpoints& viewpoints, const glm::dmat4& place,
                                                        Scene& scene);
 
-// Moves the cameras' look-at points along their axes to beside the scene's middle, where a file gives but a direction.
+// Moves the cameras' look-at points along their axes to beside the scene's middle, for files that only give a
+// direction.
 void move_look_at_points(Scene& scene);
 
 }  // namespace ninebit

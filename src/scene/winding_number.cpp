@@ -10,7 +10,7 @@ namespace {
 // Oosterom and J. Strackee, "The Solid Angle of a Plane Triangle", IEEE Transactions on Biomedical Engineering 30 (2),
 // 1983.
 double half_solid_angle(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
-  // More than rounding makes of a triple product that is zero, and less than anybody could notice in the sum.
+  // Larger than the rounding error of a triple product of zero, and too small to affect the sum noticeably.
   constexpr double kInPlane = 1e-14;
   const double la = glm::length(a), lb = glm::length(b), lc = glm::length(c);
   const double triple = glm::dot(a, glm::cross(b, c));

@@ -1,5 +1,4 @@
-// A scene as the shadow techniques need it: triangles in world space, each with its object and material, cameras,
-// lights.
+// A scene for the shadow techniques: triangles in world space, each with its object and material; cameras; lights.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +12,7 @@
 
 namespace NINEBIT_PUBLIC ninebit {
 
-// What a surface looks like: its colour, and no more.
+// A surface's appearance: only a colour.
 struct Material {
   std::string name;            // the file's; may be empty
   glm::vec3 base_color{0.8F};  // linear factor as the file gives it, each channel in [0, 1]
@@ -22,20 +21,20 @@ struct Material {
 // A mesh instance: one node of the file with all its triangles, whatever their materials.
 struct SceneObject {
   std::string name;                  // the file's; may be empty
-  std::uint32_t first_triangle = 0;  // its number in the scene
-  std::uint32_t triangle_count = 0;  // that many follow each other
+  std::uint32_t first_triangle = 0;  // index into Scene::triangles
+  std::uint32_t triangle_count = 0;  // consecutive triangles
 };
 
 // KHR_lights_punctual's kinds.
 enum class LightKind : std::uint8_t { point, spot, directional };
 
-// A light as small as a point.
+// A light without extent.
 struct Light {
   std::string name;                        // the file's; may be empty
-  glm::vec3 position{0.0F};                // world space; of a directional light any point that it shines from
-  glm::vec3 color{1.0F};                   // relative, each channel in [0, 1]; intensity units of the file are not kept
-  LightKind kind = LightKind::point;       // what of the rest is read
-  glm::vec3 direction{0.0F, -1.0F, 0.0F};  // where a spot or directional light shines to: unit length
+  glm::vec3 position{0.0F};                // world space; for a directional light any point
+  glm::vec3 color{1.0F};                   // relative, each channel in [0, 1]; the file's intensity is dropped
+  LightKind kind = LightKind::point;       // selects which of the following members are used
+  glm::vec3 direction{0.0F, -1.0F, 0.0F};  // in which a spot or directional light shines; unit length
   float spot_degrees = 90.0F;              // the whole opening angle of a spot light, in (0, 180)
 };
 
@@ -60,15 +59,15 @@ struct Bounds {
 struct Scene {
   std::string name;                              // the file's name, for reports
   std::vector<glm::vec3> positions;              // world space, finite
-  std::vector<glm::vec3> normals;                // unit length (zero where the file's geometry gives none)
+  std::vector<glm::vec3> normals;                // unit length (zero if the file's geometry gives none)
   std::vector<glm::uvec3> triangles;             // counter-clockwise seen from the front
   std::vector<std::uint32_t> triangle_object;    // for each triangle, an index into objects
   std::vector<std::uint32_t> triangle_material;  // for each triangle, an index into materials
   std::vector<SceneObject> objects;              // in the order of their triangles
-  std::vector<Material> materials;               // at least one where there are triangles
+  std::vector<Material> materials;               // at least one if there are triangles
   std::vector<Light> lights;                     // from the file, in its order; may be empty
   std::vector<Camera> cameras;                   // from the file, in its order; may be empty
-  std::vector<std::string> notes;                // what the file names and the reader went without; one line each
+  std::vector<std::string> notes;                // what the file refers to and the reader left out; one line each
 };
 
 // The smallest axis-parallel box around all positions that a triangle uses; zero for a scene without triangles.
@@ -77,17 +76,17 @@ struct Scene {
 // The shortest distance from a point to any triangle of the scene, in world units; infinity without triangles.
 [[nodiscard]] float distance_to_nearest_triangle(const Scene& scene, const glm::vec3& point);
 
-// The same for the triangles of one object.
+// The same, for the triangles of one object.
 [[nodiscard]] float distance_to_nearest_triangle(const Scene& scene, const SceneObject& object, const glm::vec3& point);
 
-// How often the triangles of a valid scene's object go around a point: the sum of their signed solid angles over 4 pi
-// (the generalized winding number). 1 inside a closed mesh that faces outward, 0 outside of it, -1 inside a room that
-// faces inward, 1/2 on a face; in between for an open mesh. A triangle that is degenerate, or whose plane the point
-// lies in, adds 0.
+// How many times the triangles of a valid scene's object wind around a point: the sum of their signed solid angles over
+// 4 pi (the generalized winding number). 1 inside a closed mesh that faces outward, 0 outside of it, -1 inside a room
+// that faces inward, 1/2 on a face; in between for an open mesh. A triangle adds 0 if it is degenerate or the point
+// lies in its plane.
 [[nodiscard]] double winding_number(const Scene& scene, const SceneObject& object, const glm::vec3& point);
 
-// Whether a scene keeps what Scene promises, as every function of the library expects: at least one triangle; sizes
-// that agree; vertex, object and material indices in range; objects that cover all triangles in order; finite
+// Checks that a scene meets the requirements of Scene, as every function of the library expects: at least one triangle;
+// sizes that agree; vertex, object and material indices in range; objects that cover all triangles in order; finite
 // positions, normals, base colours, cameras and lights; cameras with a direction of view, an up vector that is not
 // parallel to it, and a field of view between 0 and 180 degrees. Reports the first fault. A scene needs neither cameras
 // nor lights to be valid.

@@ -13,36 +13,37 @@
 
 namespace NINEBIT_PUBLIC ninebit {
 
-// How a distance becomes the luminance, or the high and the low byte, of a texel: by a ramp, a texture whose texel i
-// holds the code of the i-th equal part of the range. All is whole ramp texels, so that nothing but the ramp decides.
+// How a distance is encoded as the luminance, or as the high and the low byte, of a texel: by a ramp, a texture whose
+// texel i holds the code of the i-th equal part of the range. Codes and bias are whole numbers of ramp texels, so only
+// the ramp decides the result.
 struct DistanceCode {
-  float low = 0.0F;          // world units: the distance at which the ramp begins,
-  float high = 1.0F;         // and at which it ends
+  float low = 0.0F;          // world units: the distance at which the ramp begins
+  float high = 1.0F;         // world units: the distance at which the ramp ends
   int code_bits = 8;         // 8 or 16
   int ramp_bits = 11;        // the ramp has 2^ramp_bits texels; not fewer than codes
   std::uint32_t offset = 0;  // ramp texels by which the camera's ramp lags behind that of the map: the bias
 
   // Texels of the ramp.
   [[nodiscard]] std::uint32_t ramp_size() const { return std::uint32_t{1} << ramp_bits; }
-  // World units of one ramp texel, and of one code.
+  // World units per ramp texel, and per code.
   [[nodiscard]] double ramp_step() const { return (double{high} - double{low}) / ramp_size(); }
   [[nodiscard]] double code_step() const { return ramp_step() * (1 << (ramp_bits - code_bits)); }
-  // What the bias comes to, in world units.
+  // The bias in world units.
   [[nodiscard]] double bias() const { return offset * ramp_step(); }
 
-  // The code that texel i of the ramp holds: of the map's, and of the camera's.
+  // The code in texel i of the map's ramp, and of the camera's.
   [[nodiscard]] std::uint32_t map_code(std::uint32_t i) const { return i >> (ramp_bits - code_bits); }
   [[nodiscard]] std::uint32_t camera_code(std::uint32_t i) const { return i < offset ? 0 : map_code(i - offset); }
 };
 
-// The code for a scene around its light, and the bias that is used where the settings name none: three texels of the
-// map as wide as they are at the far end of the range. A bias in the settings is rounded up to whole texels of the
-// ramp. The settings ask for 8 or 16 bits; those of `real` have no code.
+// The code for a scene around its light. settings.depth_cube.bits is eight or sixteen, since `real` has no code. A bias
+// in the settings is rounded up to whole texels of the ramp; without one, default_depth_cube_bias is used. That is
+// three texels of the map, at their width at the far end of the range.
 [[nodiscard]] DistanceCode distance_code(const Scene& scene, const RenderSettings& settings);
 [[nodiscard]] float default_depth_cube_bias(const Scene& scene, const RenderSettings& settings);
 
 // The combiners' set-ups, set call for call through the entry points of gl_nv.h. Texture 0 is the ramp, texture 1 the
-// cube map; alpha is above 0 where the test's name holds. Each reports a profile that refuses a call.
+// cube map; alpha is above 0 where the function's comparison is true. Each reports a profile that refuses a call.
 [[nodiscard]] Result<CombinerState> ramp_copy_state(const HardwareProfile& profile);        // colour = texture 0
 [[nodiscard]] Result<CombinerState> luminance_above_state(const HardwareProfile& profile);  // L0 > L1
 [[nodiscard]] Result<CombinerState> high_byte_above_state(const HardwareProfile& profile);  // A0 > A1
@@ -52,17 +53,16 @@ struct DistanceCode {
 // A pass that marks shadow, drawn once for each face of the cube map.
 struct DepthCubeComparison {
   std::string name;     // "comparison"; with 16 bits "high byte", then "low byte"
-  PipelineState state;  // marks in the stencil plane alone
+  PipelineState state;  // changes only the stencil plane
 };
 
 // The pipeline state of each pass, in the order of drawing.
 struct DepthCubePasses {
   PipelineState map;    // from the light: distances, depth-tested, into a face
-  PipelineState depth;  // from the camera: depth alone
-  std::vector<DepthCubeComparison>
-      comparisons;        // from the camera: stencil 1 behind what the map holds; none for floats
-  PipelineState averted;  // from the camera, with light_facing: stencil 1 where a polygon turns
-                          // away from the light
+  PipelineState depth;  // from the camera: depth only
+  // From the camera: stencil 1 behind the map's distance; none for floats.
+  std::vector<DepthCubeComparison> comparisons;
+  PipelineState averted;  // from the camera, with light_facing: stencil 1 where a polygon faces away from the light
 };
 
 // The passes for these settings. Reports what the combiners' states report.
@@ -73,11 +73,11 @@ struct DepthCubePasses {
 //   1. six 90° views from the light, every polygon textured with the ramp, into a cube map;
 //   2. the camera's depth;
 //   3. for each face of the map, every polygon again: the camera's ramp on unit 0 along this face's axis, on unit 1 a
-//      cube map of this face alone, whose other faces hold the farthest code, which nothing is behind; alpha test
+//      cube map with only this face; its other faces hold the farthest code, which nothing is behind; alpha test
 //      GREATER 0, stencil REPLACE 1, depth test EQUAL; with 16 bits once for the high and once for the low byte;
 //   4. the lit pass where the stencil is 0, then the shadow pass where it is 1.
-// With floats, step 3 is a comparison of interpolated planes in plain C++: no combiner holds that many bits.
-// Besides what Technique::render says, reports a bias that is negative or not finite.
+// With floats, step 3 compares interpolated planes in C++, because no combiner holds that many bits.
+// Besides what Technique::render reports, reports a bias that is negative or not finite.
 [[nodiscard]] Result<Rendering> render_depth_cube(const Scene& scene, const RenderSettings& settings,
                                                   const Progress& progress);
 

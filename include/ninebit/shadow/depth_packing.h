@@ -1,7 +1,7 @@
-// Depth in [0, 1] as components of bytes: what three.js' shaders made of it, release after release.
+// Depth in [0, 1] packed into bytes, as three.js' shaders did it, release by release.
 //
-// GLSL before 3.00 has no integers to shift, so a depth is taken apart in floats, in base 256. But a byte n of a
-// texture reads n / 255, not n / 256: a packing is good if it takes that into account. The functions compute in
+// GLSL before 3.00 has no integers to shift, so a depth is split into base-256 digits in floats. But a byte n of a
+// texture reads n / 255, not n / 256: a packing is accurate if it takes that into account. The functions compute in
 // float32, in the shaders' order of operations; a dot product is summed from red to alpha, which GLSL leaves open.
 #pragma once
 
@@ -14,26 +14,26 @@
 
 namespace NINEBIT_PUBLIC ninebit {
 
-// How a depth in [0, 1] stands in the texels of a shadow map: as a code of 24 or 16 bits, or packed.
+// How the texels of a shadow map hold a depth in [0, 1]: as a code of 24 or 16 bits, or packed.
 enum class DepthEncoding : std::uint8_t { d24, d16, rgba8_fract, rgba8_mod, rgba8_256over255, rgba8_modf };
 enum class ChannelStorage : std::uint8_t { round, truncate };  // how a component becomes a byte
 
-// Red, green, blue, alpha as the shader writes them: in [0, 1], but for the one component of rgba8-256over255 that says
+// Red, green, blue, alpha as the shader writes them: in [0, 1], except one component of rgba8-256over255 that is
 // 256/255 at depth 1. Components that a packing does not use are 0.
 using DepthComponents = std::array<float, 4>;
 using DepthBytes = std::array<std::uint8_t, 4>;
 
-// A way to take a depth apart into components and to put it together again.
+// A way to split a depth into components and to join them again.
 struct DepthPacking {
   std::string_view name;                           // "rgba8-fract"
   std::string_view releases;                       // of three.js
-  int channels;                                    // bytes that it takes: red alone, red and green, … : 2 to 4
+  int channels;                                    // bytes used: 2 (red and green) to 4
   bool red_is_highest;                             // the first component is the most significant; otherwise the last
-  DepthComponents (*pack)(float depth);            // of a depth in [0, 1]
-  float (*unpack)(const DepthComponents& stored);  // of components that a texture gives: each n / 255
+  DepthComponents (*pack)(float depth);            // depth is in [0, 1]
+  float (*unpack)(const DepthComponents& stored);  // components as a texture returns them, each n / 255
 };
 
-// All packings, the oldest first: the four of --depth-encoding, and the shorter ones that exist beside the last two.
+// All packings, the oldest first: the four of --depth-encoding, and the shorter variants of the last two.
 [[nodiscard]] std::span<const DepthPacking> depth_packings();
 
 // The packing of that name, or nullptr.
@@ -43,7 +43,7 @@ struct DepthPacking {
 [[nodiscard]] const DepthPacking* depth_packing(DepthEncoding encoding);
 
 // The byte that a texture of eight bits a channel stores for a component: clamped to [0, 1], times 255 without
-// rounding, then to the nearest whole number, halves up, or cut. NaN gives 0.
+// rounding, then rounded to the nearest whole number, halves up, or truncated. NaN gives 0.
 [[nodiscard]] constexpr std::uint8_t stored_component(float component, ChannelStorage storage) {
   if (!(component > 0.0F)) return 0;
   if (component >= 1.0F) return 255;
@@ -51,7 +51,7 @@ struct DepthPacking {
                                    (storage == ChannelStorage::round ? 0.5 : 0.0));
 }
 
-// What a shader reads of a byte: n / 255 in float32.
+// The value that a shader reads from byte n: n / 255 in float32.
 [[nodiscard]] constexpr float read_component(std::uint8_t byte) {
   return static_cast<float>(byte) / 255.0F;
 }

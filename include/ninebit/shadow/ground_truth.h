@@ -1,4 +1,5 @@
-// Ground truth: which pixels are in shadow, told by rays instead of maps, and why a technique's others are wrong.
+// Ground truth: which pixels are in shadow, computed with rays instead of maps, and why a technique's wrong pixels are
+// wrong.
 #pragma once
 
 #include <array>
@@ -18,50 +19,50 @@
 
 namespace NINEBIT_PUBLIC ninebit {
 
-// What a pixel should be; background: no triangle is seen there.
+// The correct state of a pixel; background: no triangle is visible.
 enum class PixelTruth : std::uint8_t { background, lit, shadowed };
 
-// Why a pixel is wrong. docs/techniques/ground-truth.md has the rules in full.
+// The causes of a wrong pixel. Rules: docs/techniques/ground-truth.md.
 enum class ErrorCause : std::uint8_t {
-  none,        // it is right
-  truncation,  // index: the combiners cannot tell two different indices apart
+  none,        // the pixel is right
+  truncation,  // index: two different indices compare equal in the combiners
   joint,       // index: the texel holds a neighbour of the polygon on the same surface
   vanished,    // index: the polygon owns no texel at all
-  shared,      // index: what shades the polygon has the polygon's own index
-  acne,        // depth: the texel holds the polygon itself or its neighbour, which shades it
-  detached,    // depth: the texel holds what shades the polygon, and the comparison lets light through
-  sampling     // all else: the texel's centre does not see what the pixel's ray sees
+  shared,      // index: the polygon that casts the shadow has the same index
+  acne,        // depth: the texel holds the polygon itself or its neighbour, which then shadows it
+  detached,    // depth: the texel holds the polygon that casts the shadow, but the comparison lets light through
+  sampling     // anything else: the texel's centre does not see what the pixel's ray sees
 };
 inline constexpr std::size_t kErrorCauses = 8;
 
 // "truncation", "joint", …
 [[nodiscard]] std::string_view name_of(ErrorCause cause);
 
-// The causes that errors with such evidence can have, `none` left out: those of index techniques, of depth techniques,
-// or `sampling` alone without a map.
+// The causes that are possible with this evidence, without `none`: those of index techniques, those of depth
+// techniques, or, without a map, only `sampling`.
 [[nodiscard]] std::span<const ErrorCause> causes_of(const ShadowEvidence& evidence);
 
 // A rendering judged pixel by pixel; planes lowest row first.
 struct GroundTruth {
   std::uint64_t false_lit = 0;                         // pixels that are lit and should be in shadow
   std::uint64_t false_shadowed = 0;                    // the reverse
-  std::array<std::uint64_t, kErrorCauses> by_cause{};  // pixels, by ErrorCause; those that are wrong have one each
-  std::vector<PixelTruth> truth{};                     // what each pixel should be
-  std::vector<ErrorCause> cause{};                     // why it is not
+  std::array<std::uint64_t, kErrorCauses> by_cause{};  // wrong pixels by ErrorCause; one cause per pixel
+  std::vector<PixelTruth> truth{};                     // the correct state of each pixel
+  std::vector<ErrorCause> cause{};                     // why a pixel is wrong
 };
 
-// A scene's triangles, ready for rays: made once, for any number of renderings.
+// A scene's triangles, prepared for rays: made once, for any number of renderings.
 class GroundTruthScene {
  public:
   // The scene, which must outlive it, has exactly one camera and one light, as for Technique::render. Reports what
-  // validate() reports, and that Embree refuses to start.
+  // validate() reports, and an Embree that cannot start.
   [[nodiscard]] static Result<GroundTruthScene> make(const Scene& scene);
   ~GroundTruthScene();
   GroundTruthScene(GroundTruthScene&& other) noexcept;
   GroundTruthScene& operator=(GroundTruthScene&& other) noexcept;
 
   struct Rays;
-  // What measure() asks; of no use elsewhere.
+  // For measure() only.
   [[nodiscard]] const Rays& rays() const { return *rays_; }
 
  private:
@@ -71,22 +72,22 @@ class GroundTruthScene {
 
 // Judges a rendering of the scene, made with these settings, `evidence` among them.
 //
-// What a pixel should be: the ray through its centre meets its triangle (the one that the frame shows there) in a
-// point; where the ray just misses the triangle, because window positions are snapped to 1/16 pixel, it is the
-// triangle's point nearest to the ray. The point is in shadow if any other triangle, whatever its facing, lies between
-// it and the light; if it is outside of a spot light's square pyramid; or, with settings.light_facing, if its triangle
-// turns away from the light. All of this is decided in doubles, with triangles whose plane comes nearer to the point,
-// or to the light, than four units in the last place of a float at the size of the scene's largest coordinate (2^-22
-// times it) left out: they touch. The same bits for any number of threads and on any machine: Embree only names the
-// candidates, in boxes that are larger than its rounding.
+// The correct state of a pixel is that of a point: the intersection of the ray through the pixel's centre with the
+// triangle that the frame shows there. If the ray just misses the triangle, because window positions are snapped to
+// 1/16 pixel, it is the triangle's point nearest to the ray. The point is in shadow if any other triangle, whatever its
+// facing, lies between it and the light; if it is outside a spot light's square pyramid; or, with
+// settings.light_facing, if its triangle faces away from the light. All of this is decided in doubles. Triangles touch,
+// and are left out, if their plane is nearer to the point or to the light than four units in the last place of a float
+// at the size of the scene's largest coordinate (2^-22 times it). The results are the same bits for any number of
+// threads and on any machine: Embree only finds the candidates, with boxes that are larger than its rounding.
 //
-// Reports a rendering without evidence (the technique draws no shadows, or was not asked for it) or of another size
-// than the settings', and Fault::cancelled if `progress` says so.
+// Reports a rendering without evidence (the technique draws no shadows, or settings.evidence was not set) or of another
+// size than the settings', and Fault::cancelled if `progress` returns false.
 [[nodiscard]] Result<GroundTruth> measure(const GroundTruthScene& scene, const RenderSettings& settings,
                                           const Rendering& rendering, const Progress& progress = {});
 
-// The rendering, dimmed and grey, with what is wrong in colours that colour-blind eyes tell apart: orange what is lit
-// and should be in shadow, blue the reverse.
+// The rendering, dimmed and grey, with wrong pixels in colours that colour-blind viewers can distinguish: orange for
+// lit pixels that should be in shadow, blue for the reverse.
 [[nodiscard]] Image8 error_picture(const Rendering& rendering, const GroundTruth& truth);
 
 // Adds error.png to the rendering's pictures and, with settings.layers, the layers truth (PixelTruth) and cause

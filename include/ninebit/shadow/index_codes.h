@@ -10,14 +10,14 @@
 
 namespace NINEBIT_PUBLIC ninebit {
 
-// What gets an index of its own.
+// The units that each get an index of their own.
 enum class IndexScope : std::uint8_t {
   polygon,  // every triangle
   object,   // every mesh instance: no joint errors, and no shadow of an object upon itself
   section   // every cluster of neighbouring triangles of an object
 };
 
-// What holds an index in the map and in the polygon's colour.
+// The channels that hold an index, in the map and in the polygon's colour.
 enum class IndexFormat : std::uint8_t {
   rgb,              // three channels
   luminance_alpha,  // two
@@ -31,8 +31,7 @@ enum class IndexFormat : std::uint8_t {
 
 // The largest distance between the codes of neighbouring indices in a channel.
 inline constexpr int kMaxIndexStep = 16;
-// meshoptimizer's meshlets, which sections are, have at most so many triangles and vertices; it counts triangles in
-// fours.
+// The limits of meshoptimizer's meshlets, which sections are: triangles, in multiples of four, and vertices.
 inline constexpr int kMinSectionSize = 4;
 inline constexpr int kMaxSectionSize = 512;
 inline constexpr int kMaxSectionVertices = 255;
@@ -45,11 +44,11 @@ class IndexCodes {
   constexpr explicit IndexCodes(int step, IndexFormat format = IndexFormat::rgb)
       : format_(format), step_(static_cast<std::uint32_t>(step)), levels_(255 / step_ + 1) {}
 
-  // As the codes were made.
+  // The step and the format that the codes were made with.
   [[nodiscard]] constexpr int step() const { return static_cast<int>(step_); }
   [[nodiscard]] constexpr IndexFormat format() const { return format_; }
 
-  // How many codes there are, the cleared map included: with step 2, 2^21 in three channels, 2^14 in two, 2^7 in one.
+  // The number of codes, including the cleared map's: with step 2, 2^21 in three channels, 2^14 in two, 2^7 in one.
   [[nodiscard]] constexpr std::uint32_t capacity() const {
     switch (format_) {
       case IndexFormat::rgb:
@@ -63,8 +62,8 @@ class IndexCodes {
     return levels_;
   }
 
-  // The colour of a code number below capacity(), as a texel of the format's texture enters the combiners: a luminance
-  // stands in red, green and blue; alpha is 255 and colours are 0 where the format has none.
+  // The colour of a code number below capacity(), as the combiners read it from a texel of the format's texture:
+  // luminance in red, green and blue; alpha 255, or colours 0, if the format has none.
   [[nodiscard]] constexpr ColorBytes color(std::uint32_t number) const {
     const std::uint8_t first = channel(number), second = channel(number / levels_);
     switch (format_) {
@@ -80,7 +79,8 @@ class IndexCodes {
     return {0, 0, 0, first};
   }
 
-  // The number of a colour that color() made. Reads only what the format's texture stores: of a luminance, red.
+  // The code number of a colour that color() returned. Reads only the channels that the format's texture stores;
+  // luminance is read from red.
   [[nodiscard]] constexpr std::uint32_t number(const ColorBytes& color) const {
     const auto digit = [&](std::size_t component) { return color[component] / step_; };
     switch (format_) {
@@ -109,19 +109,19 @@ class IndexCodes {
 // The texture that holds a format's indices: rgb8, luminance8_alpha8, luminance8 or alpha8.
 [[nodiscard]] InternalFormat map_format(IndexFormat format);
 
-// How many indices each scope needs in a scene.
+// The number of indices that each scope needs in a scene.
 struct IndexCounts {
   std::uint64_t polygons = 0;  // the scene's triangles
-  std::uint64_t sections = 0;  // an upper bound where another scope is asked for; 0: not counted
+  std::uint64_t sections = 0;  // an upper bound if another scope is requested; 0: not counted
   std::uint64_t objects = 0;   // the scene's objects
-  [[nodiscard]] constexpr std::uint64_t of(IndexScope scope) const {  // those that the scope numbers
+  [[nodiscard]] constexpr std::uint64_t of(IndexScope scope) const {  // the count of one scope
     return scope == IndexScope::polygon ? polygons : scope == IndexScope::section ? sections : objects;
   }
 };
 
-// Reports a step outside 1 to kMaxIndexStep, and too few codes for what the scope counts and the cleared map: then it
-// says how many there are of each, and which step, format or scope would do, if only that were changed. Of sections
-// that were not counted it says nothing.
+// Reports a step outside 1 to kMaxIndexStep, and too few codes for the scope's indices and the cleared map. The message
+// gives both counts, and the step, the format or the scope that would be enough if only that were changed; sections
+// that were not counted are not suggested.
 [[nodiscard]] Status check_index_codes(IndexFormat format, int step, IndexScope scope, const IndexCounts& counts);
 
 }  // namespace ninebit

@@ -1,4 +1,4 @@
-// A rendering as files: pictures for people, EXR planes for programs.
+// A rendering as files: pictures, and EXR planes for programs.
 #pragma once
 
 #include "ninebit/image/image_io.h"
@@ -16,14 +16,14 @@ namespace NINEBIT_PUBLIC ninebit {
 [[nodiscard]] Image8 stencil_picture(const Rendering& rendering);
 
 // The index cube map as a cross of 4 × 3 faces (+Y on top, then -X +Z +X -Z, -Y below), texel t = 0 on top as the
-// extension's faces have it. Neighbouring indices get far-apart hues; the cleared map is black. Of faces
-// above 1,024 texels only every second, fourth, … texel is shown.
+// extension's faces have it. Neighbouring indices get far-apart hues; the cleared map is black. Faces above 1,024
+// texels a side show only every second, fourth, … texel.
 [[nodiscard]] Image8 index_cross_picture(const Rendering& rendering);
 
 // Writes color.png, shadow.png, the rendering's own pictures and, where there are indices, index_cube.png and
 // index_cube.exr (channels index, UINT, and as half the codes' bytes over 255: R G B, or Y for a luminance, and A for
-// an alpha). With layers also layers.exr and, where the light drew other maps, maps.exr: a part for each name and a
-// channel for each layer, register codes and halves as half, bytes and integers as UINT, floats as FLOAT; upright.
+// an alpha). With layers also layers.exr and, if the light drew other maps, maps.exr: one part per name and one channel
+// per layer; register codes and halves as half, bytes and integers as UINT, floats as FLOAT; upright.
 [[nodiscard]] Status write_rendering(const Rendering& rendering, StagedFiles& files);
 
 }  // namespace ninebit

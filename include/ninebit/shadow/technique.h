@@ -1,4 +1,4 @@
-// What all shadow techniques have in common: what they are asked, what they answer, and the table of them.
+// The interface of all shadow techniques: progress, the rendering that they return, and the table of techniques.
 #pragma once
 
 #include <array>
@@ -25,50 +25,49 @@
 
 namespace NINEBIT_PUBLIC ninebit {
 
-// Asked between passes: what has been done (0 to 1) and what comes next. Returning false ends the work with
-// Fault::cancelled. May be empty.
+// Called before each pass with its name and the share of the work that is done (0 to 1). Returning false ends the work
+// with Fault::cancelled. May be empty.
 using Progress = std::function<bool(std::string_view pass, double done)>;
 
 // A plane of samples, rows from the lowest up (of a cube-map face: from t = 0).
 struct Layer {
-  std::string part;     // what it belongs to: "spare0", "depth_cube"
-  std::string channel;  // "R"; of a cube map the face: "+X"
-  int width = 0;        // samples a row
+  std::string part;     // the group that it belongs to: "spare0", "depth_cube"
+  std::string channel;  // "R"; for a cube map the face: "+X"
+  int width = 0;        // samples per row
   int height = 0;       // rows
-  // width × height of one type.
+  // width × height samples of one type.
   std::variant<std::vector<s9>, std::vector<std::uint8_t>, std::vector<std::uint32_t>,
                std::vector<Half>,  // width * height
                std::vector<float>>
       samples{};
 };
 
-// A picture for people, upright.
+// An upright picture with its file name.
 struct NamedPicture {
   std::string file;  // "error.png"
   Image8 image;      // the top row first
 };
 
-// Something that a technique counted or measured besides the pixels, such as "open_edges".
+// A count or measurement of a technique besides the pixels, such as "open_edges".
 struct Fact {
   std::string name;                                        // a key of the JSON report
-  std::variant<std::uint64_t, double, std::string> value;  // a count, a measure or a list in words
+  std::variant<std::uint64_t, double, std::string> value;  // a count, a measurement or a list as text
 };
 
-// What each pixel's shadow was decided by, for the judge of ground_truth.h; lowest row first.
+// The evidence for each pixel's shadow, which measure() of ground_truth.h judges; lowest row first.
 struct ShadowEvidence {
-  // The scene's triangle that the light's map holds at the texel that the fragment looked up, plus 1; 0: none, or no
-  // map.
+  // For each pixel, the number of the scene's triangle in the texel of the light's map that the fragment looked up,
+  // plus 1; 0: none, or no map.
   std::vector<std::uint32_t> fetched;
-  // The triangles that own at least one texel of the map; empty where the technique has no map.
+  // Whether each triangle owns at least one texel of the map; empty if the technique has no map.
   std::vector<bool> in_map;
-  // Of each triangle its index, from 1 (0 is the cleared map), by which the map tells triangles apart; empty where the
-  // technique compares no indices.
+  // The index of each triangle in the map, from 1 (0 is the cleared map); empty if the technique compares no indices.
   std::vector<std::uint32_t> index_of_triangle;
 };
 
 // Milliseconds of wall-clock time.
 struct PassTimes {
-  double transform = 0.0;  // what is made once a scene: indices, vertex colours, projections, surfaces
+  double transform = 0.0;  // made once per scene: indices, vertex colours, projections, surfaces
   double maps = 0.0;       // drawing from the light
   double camera = 0.0;     // the camera's depth pass
   double compare = 0.0;    // shadows into the stencil buffer
@@ -76,15 +75,15 @@ struct PassTimes {
   double shadow = 0.0;     // colour where there is none
 };
 
-// One face of the index cube map: size × size texels, row 0 at t = 0. Red, green and blue lie in words of four bytes,
-// as they are drawn and looked up together; luminance (in red) and alpha in planes one after the other.
+// One face of the index cube map: size × size texels, row 0 at t = 0. Red, green and blue are stored in words of four
+// bytes, because they are drawn and looked up together; luminance (as red) and alpha are planes one after the other.
 struct IndexMapFace {
   int size = 0;                                         // texels a side
   int step = 1;                                         // bytes from one texel of a component to the next
-  std::array<std::ptrdiff_t, 4> first{-1, -1, -1, -1};  // where in `samples` red, green, blue and alpha begin; -1: none
+  std::array<std::ptrdiff_t, 4> first{-1, -1, -1, -1};  // offsets in `samples` of red, green, blue, alpha; -1: none
   PlaneSamples<std::uint8_t> samples;                   // of all components
 
-  // The rows of one component, kRed to kAlpha; an empty plane where the map's format does not store it.
+  // The rows of one component, kRed to kAlpha; an empty plane if the map's format does not store it.
   [[nodiscard]] Plane<const std::uint8_t> plane(int component) const {
     const std::ptrdiff_t begin = first[static_cast<std::size_t>(component)];
     if (begin < 0) return {};
@@ -98,11 +97,11 @@ struct IndexMapFace {
     }
     return bytes;
   }
-  // How many there are: size × size.
+  // The number of texels: size × size.
   [[nodiscard]] std::size_t texels() const { return static_cast<std::size_t>(size) * static_cast<std::size_t>(size); }
 };
 
-// What the index of a pixel says of the polygon that is seen there. Numbers in the scene count from 0.
+// The index of a pixel, and what it identifies. Numbers in the scene count from 0.
 struct PickedIndex {
   std::uint32_t number = 0;                // the index's code number; 0: the background
   std::optional<std::uint32_t> polygon{};  // with IndexScope::polygon
@@ -110,39 +109,39 @@ struct PickedIndex {
   std::optional<std::uint32_t> object{};   // empty: the background
 };
 
-// What one of the camera's passes drew at the pixel that the settings watch.
+// The fragments that one of the camera's passes drew at settings.pixel.
 struct ProbedPass {
   std::string name;                       // of the pass, such as "comparison"
   std::optional<Program> program;         // none: the register combiners are disabled
   std::vector<ProbedFragment> fragments;  // in drawing order; `primitive` is the number of the scene's triangle
 };
 
-// The fragment that decided what a pass left there: the last one that was written or, if none was, the last one that
-// passes the depth test; nullptr if there is none either.
+// The fragment that decided the pixel's result in a pass: the last one that was written or, if none was, the last one
+// that passed the depth test; nullptr if there is neither.
 [[nodiscard]] const ProbedFragment* deciding_fragment(const ProbedPass& pass);
 
-// What a technique made of a scene.
+// The result of a technique.
 struct Rendering {
   Surface frame;                                        // colour, depth and stencil: a stencil of 0 is light
   std::uint64_t background = 0, lit = 0, shadowed = 0;  // pixels of the frame
-  IndexCodes codes{2};                                  // in which index_map is to be read
-  std::uint64_t codes_used = 0;           // polygons, objects or sections with an index; the cleared map is not counted
-  std::vector<IndexMapFace> index_map{};  // six faces in the order of CubeFace; empty without indices
-  std::deque<Layer> layers{};             // of the frame, with settings.layers: a layer never moves once it is there
-  std::deque<Layer> maps{};               // what the light drew, besides index_map
-  std::vector<NamedPicture> pictures{};   // besides those of every rendering
-  std::vector<Fact> facts{};              // in the order of reports
-  std::optional<ShadowEvidence> evidence{};  // with settings.evidence, of techniques that draw shadows
-  std::vector<ProbedPass> probed{};          // in the order of drawing; empty unless a pixel was watched
+  IndexCodes codes{2};                                  // the codes of index_map
+  std::uint64_t codes_used = 0;              // polygons, objects or sections with an index, without the cleared map's
+  std::vector<IndexMapFace> index_map{};     // six faces in the order of CubeFace; empty without indices
+  std::deque<Layer> layers{};                // of the frame, with settings.layers; a layer never moves in memory
+  std::deque<Layer> maps{};                  // of the light's maps, besides index_map
+  std::vector<NamedPicture> pictures{};      // besides those that every rendering has
+  std::vector<Fact> facts{};                 // in the order in which they are reported
+  std::optional<ShadowEvidence> evidence{};  // with settings.evidence, by techniques that draw shadows
+  std::vector<ProbedPass> probed{};          // in the order of drawing; empty without settings.pixel
   std::optional<PickedIndex> picked{};       // with settings.pick, by techniques that draw indices
   PassTimes times{};                         // of the whole rendering
 };
 
-// A way to draw shadows: an entry of the table techniques().
+// A shadow technique: an entry of the table techniques().
 struct Technique {
-  std::string_view name;     // as `ninebit render --technique` takes it
+  std::string_view name;     // for `ninebit render --technique`
   std::string_view summary;  // one line
-  LightKinds lights;         // that it can draw with
+  LightKinds lights;         // the kinds that it supports
   // The scene has exactly one camera and one light of these kinds (complete_scene). Reports settings out of range and
   // scenes that the technique cannot draw.
   Result<Rendering> (*render)(const Scene& scene, const RenderSettings& settings, const Progress& progress);

@@ -1,15 +1,16 @@
-// The technique: one frame.
+// The technique's entry point: renders one frame.
 #include "ninebit/shadow/depth_cube.h"
 
 #include <optional>
 #include <utility>
 
 #include "src/shadow/depth_cube/depth_cube_renderer.h"
+#include "src/shadow/frame/pass_timer.h"
 
 namespace ninebit {
 namespace {
 
-// The passes that mark shadow: with 8 bits six, with 16 bits twelve.
+// The passes that mark shadow: 6 with 8 bits, 12 with 16 bits.
 Status draw_comparisons(DepthCubeRenderer& renderer, PassTimer& timer, double& milliseconds) {
   const auto& comparisons = renderer.passes().comparisons;
   if (comparisons.empty()) {
@@ -31,16 +32,11 @@ Status draw_comparisons(DepthCubeRenderer& renderer, PassTimer& timer, double& m
 
 Result<Rendering> render_depth_cube(const Scene& scene, const RenderSettings& settings, const Progress& progress) {
   std::optional<DepthCubeRenderer> renderer;
-  const auto make = [&]() -> Status {
-    auto made = DepthCubeRenderer::make(scene, settings);
-    if (!made) return made.error();
-    renderer.emplace(std::move(*made));
-    return {};
-  };
   PassTimer timer(progress);
   PassTimes times;
   double colors = 0.0;
-  Status status = timer.run("ramps", 0.0, times.transform, make);
+  Status status =
+      timer.make("ramps", 0.0, times.transform, renderer, [&] { return DepthCubeRenderer::make(scene, settings); });
   for (std::size_t face = 0; face < 6 && status; ++face) {
     status = timer.run("depth cube map", 0.1 + 0.05 * static_cast<double>(face), times.maps,
                        [&] { return renderer->draw_map(face); });
@@ -50,7 +46,7 @@ Result<Rendering> render_depth_cube(const Scene& scene, const RenderSettings& se
   if (status && settings.light_facing) {
     status = timer.run("averted", 0.9, times.compare, [&] { return renderer->draw_averted(); });
   }
-  // They take their own times.
+  // draw_lit_and_shadow takes the times of its passes itself.
   if (status) status = timer.run("colours", 0.9, colors, [&] { return renderer->draw_lit_and_shadow(); });
   if (status) status = renderer->add_evidence();
   if (!status) return status.error();

@@ -1,4 +1,4 @@
-// What the depth cube hands out: maps, pictures and facts.
+// The technique's outputs: maps, pictures and facts.
 #include <algorithm>
 #include <string>
 #include <utility>
@@ -16,7 +16,7 @@ void DepthCubeRenderer::finish() {
   keep_maps();
 }
 
-// Grey as the map holds it, near things dark: the luminance, the high byte, or the distance over the range.
+// Shows the map in grey, near surfaces dark: the luminance, the high byte, or the distance divided by the far plane's.
 void DepthCubeRenderer::add_picture() {
   const auto grey = [this](std::size_t face, std::size_t texel) -> std::array<std::uint8_t, 3> {
     std::uint8_t level = 255;

@@ -15,7 +15,7 @@ namespace {
 
 constexpr float kDefaultBiasTexels = 3.0F;
 
-// A texture of a GeForce 2 has sides up to 2048: a row of the ramp, with 8 texels for each luminance.
+// Textures of a GeForce 2 have at most 2048 texels a side: the ramp is one such row, with 8 texels per luminance.
 constexpr int kLuminanceRampBits = 11;
 
 struct NamedState {
@@ -31,13 +31,13 @@ Result<Program> program_of(const Result<CombinerState>& state, const HardwarePro
   return compile(*state, profile);
 }
 
-// Where the ramp begins and ends: the planar distance is nowhere larger than the largest component.
+// The range of the ramp: no planar distance is larger than the largest component.
 DepthRange range_of(const Scene& scene) {
   const glm::vec3& light = scene.lights[0].position;
   const Bounds bounds = bounds_of(scene);
   const glm::vec3 farthest = glm::max(glm::abs(bounds.low - light), glm::abs(bounds.high - light));
   const DepthRange views = depth_range(scene, light, kCubeCornerCosine);
-  // Where the near plane is as near as it can be, something of the scene may be nearer still.
+  // If the near plane is at its limit, parts of the scene may be nearer.
   const bool limited = views.near_plane <= views.far_plane / 65536.0F;
   return {limited ? 0.0F : views.near_plane, std::max({farthest.x, farthest.y, farthest.z, 1e-6F}) * 1.01F};
 }

@@ -16,23 +16,15 @@
 namespace ninebit {
 namespace {
 
-// 16 bits: the row is the high byte, and the column, which repeats with every row, the low byte. Both coordinates come
-// from one number by a power of two, so that they agree on where a row ends.
+// With 16 bits, the ramp's row is the high byte and its column, which repeats in every row, is the low byte. Both
+// coordinates are the same number times a power of two, so they agree on where a row ends.
 constexpr Sampler kWideRampSampler{.min_filter = MinFilter::nearest,
                                    .mag_filter = MagFilter::nearest,
                                    .wrap_s = Wrap::repeat,
                                    .wrap_t = Wrap::clamp_to_edge};
 constexpr float kWideRampSide = 256.0F;
 
-// Calls work(i) for each of `count` items, on all threads.
-template <class Work>
-void for_all(std::size_t count, const Work& work) {
-  parallel_ranges(count, 16384, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i != end; ++i) work(i);
-  });
-}
-
-// A ramp whose texel i holds code(i): the low byte as luminance and, of 16 bits, the high byte as alpha.
+// A ramp whose texel i holds code(i): the low byte as luminance and, with 16 bits, the high byte as alpha.
 template <class Code>
 Texture ramp_texture(const DistanceCode& distance, const Code& code) {
   const std::size_t size = distance.ramp_size();
@@ -48,7 +40,7 @@ Texture ramp_texture(const DistanceCode& distance, const Code& code) {
   auto made =
       make_texture(TextureTarget::texture_2d, wide ? InternalFormat::luminance8_alpha8 : InternalFormat::luminance8,
                    {{{width, height, std::move(samples)}}});
-  return std::move(made).value();  // nothing of it comes from outside
+  return std::move(made).value();  // cannot fail: it depends on no input
 }
 
 }  // namespace
@@ -59,7 +51,7 @@ Result<DepthCubeRenderer> DepthCubeRenderer::make(const Scene& scene, const Rend
   if (Status checked = check_map_size(settings.map_size); !checked) return checked.error();
   const float bias = settings.depth_cube.bias.value_or(0.0F);
   if (!(std::isfinite(bias) && bias >= 0.0F)) {
-    return Diagnostic{.message = fmt::format("bias {} is no distance of 0 or more", bias)};
+    return Diagnostic{.message = fmt::format("bias {} is out of range; expected a finite distance of 0 or more", bias)};
   }
   auto passes = depth_cube_passes(settings);
   if (!passes) return passes.error();
@@ -69,15 +61,16 @@ Result<DepthCubeRenderer> DepthCubeRenderer::make(const Scene& scene, const Rend
 DepthCubeRenderer::DepthCubeRenderer(CameraFrame frame, DepthCubePasses passes)
     : frame_(std::move(frame)),
       passes_(std::move(passes)),
-      range_(depth_range(frame_.scene(), frame_.light().position, kCubeCornerCosine)) {
-  for (std::size_t i = 0; i < 6; ++i) face_projections_[i] = cube_face_projection(kCubeFaces[i], range_);
+      range_(depth_range(frame_.scene(), frame_.light().position, kCubeCornerCosine)),
+      face_projections_(cube_face_projections(range_)) {
   const auto& positions = frame_.scene().positions;
   const glm::vec3 light = frame_.light().position;
   from_light_.resize(positions.size());
-  for_all(positions.size(), [&](std::size_t i) { from_light_[i] = positions[i] - light; });
+  parallel_for(positions.size(), kGrainOfCheapItems, [&](std::size_t i) { from_light_[i] = positions[i] - light; });
   if (needs_directions()) {
     from_light_four_.resize(positions.size());
-    for_all(positions.size(), [&](std::size_t i) { from_light_four_[i] = glm::vec4(from_light_[i], 0.0F); });
+    parallel_for(positions.size(), kGrainOfCheapItems,
+                 [&](std::size_t i) { from_light_four_[i] = glm::vec4(from_light_[i], 0.0F); });
   }
   const auto texels = static_cast<std::size_t>(settings().map_size) * static_cast<std::size_t>(settings().map_size);
   map_depth_.resize(texels);
@@ -104,22 +97,17 @@ void DepthCubeRenderer::make_ramps() {
   camera_ramp_ = ramp_texture(code_, [this](std::uint32_t i) { return code_.camera_code(i); });
 }
 
-// What a linear texture-coordinate generation along the face's axis gives: 0 and 1 at the ends of the ramp.
+// The result of a linear texture-coordinate generation along the face's axis: 0 and 1 at the ends of the ramp.
 void DepthCubeRenderer::set_ramp_coordinates(std::size_t face) {
   const CubeFaceAxes& axes = cube_face_axes(kCubeFaces[face]);
   const glm::vec3 axis(axes.major[0], axes.major[1], axes.major[2]);
   const float scale = 1.0F / (code_.high - code_.low);
   const float columns = code_.code_bits == 16 ? kWideRampSide : 1.0F;
   ramp_coordinates_.resize(from_light_.size());
-  for_all(from_light_.size(), [&](std::size_t i) {
+  parallel_for(from_light_.size(), kGrainOfCheapItems, [&](std::size_t i) {
     const float t = (glm::dot(axis, from_light_[i]) - code_.low) * scale;
     ramp_coordinates_[i] = glm::vec3(t * columns, t, 0.0F);
   });
-}
-
-// Of a scene that has triangles, as validate demands.
-VertexArrays DepthCubeRenderer::all_triangles(std::span<const glm::vec3> positions) const {
-  return {.positions = positions, .indices = index_list(frame_.scene().triangles)};
 }
 
 // The cleared map is the farthest code, or infinity: nothing is behind it.
@@ -127,7 +115,7 @@ Status DepthCubeRenderer::draw_map(std::size_t face) {
   const int size = settings().map_size;
   RenderTarget target{.width = size, .height = size};
   target.depth = {map_depth_.data(), size};
-  VertexArrays arrays = all_triangles(from_light_);
+  VertexArrays arrays = frame_.all_triangles(from_light_);
   std::vector<TextureUnit> units;
   Face& into = faces_[face];
   const CubeFaceAxes& axes = cube_face_axes(kCubeFaces[face]);
@@ -147,9 +135,10 @@ Status DepthCubeRenderer::draw_map(std::size_t face) {
   const DrawPass pass{.state = &passes_.map, .arrays = arrays, .units = units};
   const DrawActions actions{.clear = ClearValues{.color = {255, 255, 255, 255}}, .discard_depth = true};
   if (Status drawn = rasterize({&pass, 1}, prepared_map_, actions, target); !drawn) return drawn;
-  // Along a negative axis the coordinate is the distance's negative.
+  // Along a negative axis the coordinate is the negated distance.
   if (uses_floats() && axes.major[face / 2] < 0) {
-    for_all(into.distance.size(), [&](std::size_t i) { into.distance[i] = std::fabs(into.distance[i]); });
+    parallel_for(into.distance.size(), kGrainOfCheapItems,
+                 [&](std::size_t i) { into.distance[i] = std::fabs(into.distance[i]); });
   }
   return {};
 }
@@ -157,7 +146,7 @@ Status DepthCubeRenderer::draw_map(std::size_t face) {
 Status DepthCubeRenderer::draw_depth() {
   if (Status drawn = frame_.draw_depth(); !drawn) return drawn;
   const RenderTarget target = rendering().frame.target();
-  const VertexArrays arrays = all_triangles(frame_.scene().positions);
+  const VertexArrays arrays = frame_.all_triangles(frame_.scene().positions);
   if (Status made = prepare(passes_.depth, frame_.projection(), arrays, target, prepared_camera_); !made) return made;
   return needs_directions() ? draw_directions() : Status{};
 }
@@ -168,7 +157,7 @@ Status DepthCubeRenderer::add_evidence() {
   return add_map_evidence(frame_, map);
 }
 
-// Interpolated as the cube map's texture coordinates are, so that they select the same texels.
+// Interpolated like the cube map's texture coordinates, so that they select the same texels.
 Status DepthCubeRenderer::draw_directions() {
   RenderTarget target = rendering().frame.target();
   target.outputs.clear();
@@ -179,7 +168,7 @@ Status DepthCubeRenderer::draw_directions() {
                               .plane = Plane<float>{directions_[c].data(), target.width}});
   }
   const PipelineState state = surface_pass(settings());
-  VertexArrays arrays = all_triangles(frame_.scene().positions);
+  VertexArrays arrays = frame_.all_triangles(frame_.scene().positions);
   arrays.attributes[0] = from_light_four_;
   return rasterize(state, prepared_camera_, arrays, {}, target);
 }
@@ -198,7 +187,7 @@ std::size_t DepthCubeRenderer::texel_at(std::size_t pixel) const {
   return texel(at.t) * static_cast<std::size_t>(size) + texel(at.s);
 }
 
-// One face of the map; the five others are blank, which restricts the pass to the directions of this one.
+// One face of the map; the other five are blank, which restricts the pass to this face's directions.
 Texture DepthCubeRenderer::map_of_face(std::size_t face) const {
   const int size = settings().map_size;
   std::vector<TextureImage> images;
@@ -218,7 +207,7 @@ Status DepthCubeRenderer::draw_comparison(std::size_t comparison, std::size_t fa
       TextureUnit{&camera_ramp_, code_.code_bits == 16 ? kWideRampSampler : kNearestSampler},
       TextureUnit{&map, kNearestSampler}};
   set_ramp_coordinates(face);
-  VertexArrays arrays = all_triangles(frame_.scene().positions);
+  VertexArrays arrays = frame_.all_triangles(frame_.scene().positions);
   arrays.texture_coordinates[0] = ramp_coordinates_;
   arrays.texture_coordinates[1] = from_light_;
   const std::size_t layers_before = rendering().layers.size();
@@ -229,7 +218,7 @@ Status DepthCubeRenderer::draw_comparison(std::size_t comparison, std::size_t fa
   } else {
     const std::string name = fmt::format("{} {}", pass.name, kCubeFaceNames[face]);
     if (Status drawn = frame_.draw(name, pass.state, arrays, units, target); !drawn) return drawn;
-    // The blank faces have nothing to tell.
+    // A probe that looked up a blank face is dropped.
     const auto at = static_cast<std::size_t>(settings().pixel->y) * static_cast<std::size_t>(target.width) +
                     static_cast<std::size_t>(settings().pixel->x);
     if (face_at(at) != face) rendering().probed.pop_back();
@@ -238,14 +227,14 @@ Status DepthCubeRenderer::draw_comparison(std::size_t comparison, std::size_t fa
   return {};
 }
 
-// The layers of the last pass hold what each pixel met, mostly a blank face; those from `first` on, which are to stay,
-// get what this face is for.
+// The last `count` layers hold the values of this face's pass, which looked up a blank face at most pixels. Copies the
+// pixels in this face's direction into the `count` layers from `first` on, then removes the last ones.
 void DepthCubeRenderer::keep_layers_of_face(std::size_t face, std::size_t first, std::size_t count) {
   std::deque<Layer>& layers = rendering().layers;
   for (std::size_t n = 0; n < count; ++n) {
     const auto& from = std::get<std::vector<s9>>(layers[first + count + n].samples);
     auto& to = std::get<std::vector<s9>>(layers[first + n].samples);
-    for_all(to.size(), [&](std::size_t i) {
+    parallel_for(to.size(), kGrainOfCheapItems, [&](std::size_t i) {
       if (face_at(i) == face) to[i] = from[i];
     });
   }
@@ -264,7 +253,7 @@ Status DepthCubeRenderer::compare_floats() {
     own_layer = add("own_distance");
     map_layer = add("map_distance");
   }
-  for_all(depth.size(), [&](std::size_t i) {
+  parallel_for(depth.size(), kGrainOfCheapItems, [&](std::size_t i) {
     if (depth[i] == background) return;
     const float own =
         std::max({std::fabs(directions_[0][i]), std::fabs(directions_[1][i]), std::fabs(directions_[2][i])});
@@ -281,14 +270,11 @@ Status DepthCubeRenderer::compare_floats() {
 }
 
 Status DepthCubeRenderer::draw_averted() {
-  const Scene& scene = frame_.scene();
-  std::vector<std::uint32_t> averted;
-  for (std::size_t t = 0; t < scene.triangles.size(); ++t) {
-    const glm::uvec3& v = scene.triangles[t];
-    const glm::vec3 a = from_light_[v.x], b = from_light_[v.y], c = from_light_[v.z];
-    if (!(glm::dot(glm::cross(b - a, c - a), -a) > 0.0F)) averted.push_back(static_cast<std::uint32_t>(t));
-  }
-  return frame_.draw_averted(passes_.averted, averted);
+  return frame_.draw_averted(passes_.averted, [this](std::size_t triangle) {
+    const glm::uvec3& t = frame_.scene().triangles[triangle];
+    const glm::vec3 a = from_light_[t.x], b = from_light_[t.y], c = from_light_[t.z];
+    return glm::dot(glm::cross(b - a, c - a), -a) > 0.0F;
+  });
 }
 
 }  // namespace ninebit

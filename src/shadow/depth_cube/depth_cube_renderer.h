@@ -1,4 +1,4 @@
-// Depth cube shadows, pass after pass.
+// Draws depth cube shadows pass by pass.
 #pragma once
 
 #include <array>
@@ -18,23 +18,24 @@ namespace ninebit {
 // In the order of CubeFace.
 inline constexpr std::array kCubeFaceNames{"+X", "-X", "+Y", "-Y", "+Z", "-Z"};
 
-// One scene seen from its camera, lit by its light. Drawn in the order of the functions.
+// One scene seen from its camera, lit by its light. The passes are drawn in the order of these functions.
 class DepthCubeRenderer {
  public:
   // The scene must outlive the renderer. Reports what render_depth_cube reports.
   [[nodiscard]] static Result<DepthCubeRenderer> make(const Scene& scene, const RenderSettings& settings);
 
-  // Distances, from the light into one face.
+  // Draws distances from the light into one face.
   Status draw_map(std::size_t face);
   Status draw_depth();
-  // Marks what lies in this face's direction and behind what the face holds; `comparison` is a number of passes().
+  // Marks fragments in this face's direction that lie behind the stored distance; `comparison` is an index into
+  // passes().comparisons.
   Status draw_comparison(std::size_t comparison, std::size_t face);
-  // The same for all faces, with floats.
+  // The same for all faces at once, with floats.
   Status compare_floats();
-  // With light_facing: marks what turns away from the light.
+  // With light_facing: marks triangles that face away from the light.
   Status draw_averted();
   Status draw_lit_and_shadow() { return frame_.draw_lit_and_shadow(); }
-  // With settings.evidence: the triangles of the map, and those that the pixels met.
+  // With settings.evidence: records the triangles in the map and those that the pixels looked up.
   Status add_evidence();
   // Counts pixels, completes layers, maps, pictures and facts.
   void finish();
@@ -47,9 +48,8 @@ class DepthCubeRenderer {
 
   [[nodiscard]] bool uses_floats() const { return settings().depth_cube.bits == DepthCubeBits::real; }
   [[nodiscard]] const RenderSettings& settings() const { return frame_.settings(); }
-  // Whether somebody asks which face a pixel's fragment lies in.
+  // Whether the face of each pixel's fragment is needed.
   [[nodiscard]] bool needs_directions() const;
-  [[nodiscard]] VertexArrays all_triangles(std::span<const glm::vec3> positions) const;
   [[nodiscard]] std::size_t face_at(std::size_t pixel) const;
   [[nodiscard]] std::size_t texel_at(std::size_t pixel) const;
   [[nodiscard]] Texture map_of_face(std::size_t face) const;
@@ -64,13 +64,13 @@ class DepthCubeRenderer {
   CameraFrame frame_;
   DepthCubePasses passes_;
   DepthRange range_;
-  std::array<glm::mat4, 6> face_projections_{};
-  DistanceCode code_{};  // of 8 and 16 bits
-  float bias_ = 0.0F;    // of floats, in world units
+  std::array<glm::mat4, 6> face_projections_;
+  DistanceCode code_{};  // for 8 and 16 bits
+  float bias_ = 0.0F;    // for floats, in world units
   Texture map_ramp_, camera_ramp_;
   std::vector<glm::vec3> from_light_;        // positions relative to the light
-  std::vector<glm::vec4> from_light_four_;   // the same as an attribute, where one is drawn
-  std::vector<glm::vec3> ramp_coordinates_;  // of one face
+  std::vector<glm::vec4> from_light_four_;   // the same as an attribute; empty unless needs_directions()
+  std::vector<glm::vec3> ramp_coordinates_;  // for the face being drawn
   struct Face {
     std::vector<std::uint8_t> luminance, alpha;
     std::vector<float> distance;

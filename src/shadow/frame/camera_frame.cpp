@@ -5,6 +5,7 @@
 #include <bit>
 #include <utility>
 
+#include "src/shadow/frame/pass_timer.h"
 #include "src/shadow/frame/views.h"
 #include "src/system/parallel/parallel_loop.h"
 
@@ -42,7 +43,7 @@ Status check_scene(const Scene& scene, const LightKinds& lights) {
 }
 
 constexpr DepthTest kWriteNearest{.enabled = true, .function = CompareFunction::less, .write = true};
-// The camera's passes transform and interpolate alike, so a polygon meets the very depth that it wrote.
+// All camera passes transform and interpolate identically, so a polygon finds exactly the depth that it wrote.
 constexpr DepthTest kSameSurface{.enabled = true, .function = CompareFunction::equal, .write = false};
 constexpr std::array<bool, 4> kNoColor{false, false, false, false};
 
@@ -117,7 +118,7 @@ Status CameraFrame::draw(std::string_view name, const PipelineState& state, Vert
                          std::span<const TextureUnit> units, RenderTarget& target,
                          std::span<const std::uint32_t> scene_triangles) {
   if (arrays.vertex_count() == 0) arrays.positions = scene_->positions;
-  // Of a scene that has triangles, as validate demands.
+  // Not empty, which would mean all vertices: validate requires triangles.
   if (arrays.indices.empty()) arrays.indices = index_list(scene_->triangles);
   if (!settings_.pixel) return rasterize(state, projection_, arrays, units, target);
   FragmentProbe probe{.x = settings_.pixel->x, .y = settings_.pixel->y};
@@ -131,11 +132,15 @@ Status CameraFrame::draw(std::string_view name, const PipelineState& state, Vert
   return drawn;
 }
 
-Status CameraFrame::draw_averted(const PipelineState& state, const std::vector<std::uint32_t>& scene_triangles) {
-  if (scene_triangles.empty()) return {};
+Status CameraFrame::draw_averted(const PipelineState& state, const std::function<bool(std::size_t)>& faces_light) {
   std::vector<glm::uvec3> triangles;
-  triangles.reserve(scene_triangles.size());
-  for (const std::uint32_t t : scene_triangles) triangles.push_back(scene_->triangles[t]);
+  std::vector<std::uint32_t> scene_triangles;
+  for (std::size_t t = 0; t < scene_->triangles.size(); ++t) {
+    if (faces_light(t)) continue;
+    triangles.push_back(scene_->triangles[t]);
+    scene_triangles.push_back(static_cast<std::uint32_t>(t));
+  }
+  if (triangles.empty()) return {};
   RenderTarget target = rendering_.frame.target();
   target.outputs.clear();
   VertexArrays arrays;
@@ -205,7 +210,7 @@ void CameraFrame::finish() {
     std::uint64_t background = 0, shadowed = 0;
   };
   const auto count = [&](std::size_t begin, std::size_t end) {
-    std::uint32_t background = 0, shadowed = 0;  // without a branch: in vectors
+    std::uint32_t background = 0, shadowed = 0;  // branch-free, so that it is vectorized
     for (std::size_t i = begin; i != end; ++i) {
       const bool is_background = depth[i] == farthest;
       background += is_background ? 1U : 0U;

@@ -1,10 +1,10 @@
-// What all techniques do from the camera: its depth before, colour where there is light and where there is none after
-// the shadows have been marked in the stencil buffer.
+// The camera's passes that all techniques share: depth before the shadows are marked in the stencil buffer; after that,
+// colour where there is light and where there is none.
 #pragma once
 
-#include <chrono>
 #include <cstdint>
 #include <deque>
+#include <functional>
 #include <glm/glm.hpp>
 #include <span>
 #include <string>
@@ -20,7 +20,7 @@ namespace ninebit {
 
 // The pipeline state of the passes that every technique draws from the camera.
 struct FramePasses {
-  PipelineState depth;   // depth alone, the nearest stays
+  PipelineState depth;   // depth only, the nearest stays
   PipelineState lit;     // colour where the stencil is 0
   PipelineState shadow;  // colour where it is not
 };
@@ -30,7 +30,7 @@ struct FramePasses {
 // colour, depth test EQUAL without writing, stencil REPLACE 1.
 [[nodiscard]] PipelineState marking_pass(const RenderSettings& settings);
 
-// The state of a pass that meets the same surfaces and changes nothing, for what it captures.
+// The state of a pass that draws the same surfaces and changes nothing, for its output planes.
 [[nodiscard]] PipelineState surface_pass(const RenderSettings& settings);
 
 // One scene seen from its camera, lit by its light.
@@ -45,21 +45,26 @@ class CameraFrame {
   Status draw_depth();
   // Draws colour where the stencil is 0, then where it is not. The times of both passes go into the rendering's.
   Status draw_lit_and_shadow();
-  // The latter alone, for a technique whose lit pass is its own.
+  // Draws only the second of these passes, for a technique with its own lit pass.
   Status draw_shadow();
   // Counts lit, shadowed and background pixels; with settings.layers adds stencil, depth, polygon and object.
   void finish();
 
-  // rasterize() from the camera through `projection`. Positions and indices are the scene's where the arrays have none.
-  // Where the settings watch a pixel, the rendering gets a ProbedPass of that name, whose fragments name the scene's
-  // triangles: `scene_triangles` has the number of each triangle drawn; empty: as they come.
+  // Calls rasterize() with the camera's projection. Positions and indices are the scene's if the arrays have none. With
+  // settings.pixel, adds a ProbedPass of that name to the rendering. Its fragments carry the scene's triangle numbers:
+  // `scene_triangles` is the number of each triangle drawn; empty: all of the scene's triangles are drawn in order.
   Status draw(std::string_view name, const PipelineState& state, VertexArrays arrays,
               std::span<const TextureUnit> units, RenderTarget& target,
               std::span<const std::uint32_t> scene_triangles = {});
 
-  // Draws the triangles with these numbers in the scene as the pass "averted": they turn away from the light, so that
-  // light_facing puts them in shadow whatever else says.
-  Status draw_averted(const PipelineState& state, const std::vector<std::uint32_t>& scene_triangles);
+  // For settings.light_facing, which shadows every polygon that faces away from the light: draws the scene's triangles
+  // for which faces_light(number of the triangle) is false, as the pass "averted".
+  Status draw_averted(const PipelineState& state, const std::function<bool(std::size_t triangle)>& faces_light);
+
+  // The arrays of a draw of all the scene's triangles, with these positions, one per vertex of the scene.
+  [[nodiscard]] VertexArrays all_triangles(std::span<const glm::vec3> positions) const {
+    return {.positions = positions, .indices = index_list(scene_->triangles)};
+  }
 
   // The frame as a target. With settings.layers it captures, at each fragment that passes the depth test, primary,
   // texture0 and texture1 where `units` has them, spare0, spare1 and the final combiner's alpha, as layers whose parts
@@ -71,13 +76,13 @@ class CameraFrame {
   [[nodiscard]] const RenderSettings& settings() const { return settings_; }
   [[nodiscard]] const FramePasses& passes() const { return passes_; }
   [[nodiscard]] const glm::mat4& projection() const { return projection_; }
-  // Another projection of the camera's for all passes that are still to be drawn.
+  // Replaces the camera's projection for all later passes.
   void set_projection(const glm::mat4& projection) { projection_ = projection; }
-  // Colours of the vertices (with settings.cartoon of the triangles), to be changed before draw_lit_and_shadow by a
-  // technique that lights otherwise.
+  // Colours per vertex (with settings.cartoon per triangle). A technique with other lighting changes them before
+  // draw_lit_and_shadow.
   [[nodiscard]] VertexShading& shading() { return shading_; }
   [[nodiscard]] const VertexShading& shading() const { return shading_; }
-  // Gives a draw of all the scene's triangles colours of shading().
+  // Sets the colours, from shading(), for a draw of all the scene's triangles.
   void set_colors(VertexArrays& arrays, const std::vector<ColorBytes>& colors) const {
     (settings_.cartoon ? arrays.primitive_colors : arrays.vertex_colors) = colors;
   }
@@ -100,34 +105,15 @@ class CameraFrame {
   glm::mat4 projection_;
 };
 
-// Reports a map size that is no power of two from 1 to kMaxSurfaceSize.
+// Reports a map size that is not a power of two from 1 to kMaxSurfaceSize.
 [[nodiscard]] Status check_map_size(int size);
 
-// Adds an empty plane for every sample of the frame, or of a map of that size, and gives its memory.
+// Adds a layer of width × height samples, all zero, and returns its samples.
 template <class Sample>
 std::vector<Sample>& add_layer(std::deque<Layer>& layers, std::string part, std::string channel, int width,
                                int height) {
   Layer& layer = layers.emplace_back(Layer{std::move(part), std::move(channel), width, height, {}});
   return layer.samples.emplace<std::vector<Sample>>(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
 }
-
-// Asks between the passes of a technique whether to go on, and takes their times.
-class PassTimer {
- public:
-  explicit PassTimer(Progress progress) : progress_(std::move(progress)) {}
-
-  // Does the work, a function without arguments that returns a Status, unless the caller wants to stop.
-  template <class Work>
-  Status run(std::string_view name, double done, double& milliseconds, const Work& work) {
-    if (progress_ && !progress_(name, done)) return Diagnostic{.message = "interrupted", .fault = Fault::cancelled};
-    const auto start = std::chrono::steady_clock::now();
-    Status status = work();
-    milliseconds += std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-    return status;
-  }
-
- private:
-  Progress progress_;
-};
 
 }  // namespace ninebit

@@ -1,4 +1,4 @@
-// What the techniques' register-combiner set-ups have in common: GL calls in, a state out.
+// Helpers for the techniques' register-combiner set-ups: GL calls in, a state out.
 #pragma once
 
 #include <string>
@@ -8,7 +8,8 @@
 
 namespace ninebit {
 
-// The state after the GL calls that `set` makes, with the register combiners enabled; or what the profile refused.
+// The state after the GL calls that `set` makes, with the register combiners enabled. Reports a call that the profile
+// refuses; `what` names the set-up.
 template <class SetUp>
 Result<CombinerState> combiner_state_after(const HardwareProfile& profile, std::string_view what, const SetUp& set) {
   gl::Context context(profile);
@@ -25,7 +26,7 @@ Result<CombinerState> combiner_state_after(const HardwareProfile& profile, std::
   return context.state();
 }
 
-// Stores nothing that a portion of a stage computes.
+// Discards all outputs of one portion of a stage.
 inline void discard_portion(gl::GLenum stage, gl::GLenum portion) {
   using namespace gl;
   glCombinerOutputNV(stage, portion, GL_DISCARD_NV, GL_DISCARD_NV, GL_DISCARD_NV, GL_NONE, GL_NONE, GL_FALSE, GL_FALSE,

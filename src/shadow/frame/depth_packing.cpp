@@ -5,7 +5,7 @@
 namespace ninebit {
 namespace {
 
-// GLSL's functions, of numbers below 2^63.
+// GLSL's functions, for numbers below 2^63.
 constexpr float floor_of(float x) {
   const auto whole = static_cast<float>(static_cast<std::int64_t>(x));
   return whole > x ? whole - 1.0F : whole;
@@ -25,7 +25,7 @@ constexpr float kShift = 1.0F / 256.0F;
 constexpr float kUpscale = 256.0F / 255.0F, kDownscale = 255.0F / 256.0F;
 constexpr float kByte = 1.0F / 255.0F;
 
-// Takes what the lower digits say out of the higher ones.
+// Subtracts from each component the part that the component before it holds.
 constexpr DepthComponents without_carries(const DepthComponents& c) {
   return {c[0], c[1] - c[0] * kShift, c[2] - c[1] * kShift, c[3] - c[2] * kShift};
 }
@@ -47,7 +47,8 @@ constexpr float unpack_fractions(const DepthComponents& c) {
   return dot(c, {1.0F / kTo4, 1.0F / kTo3, 1.0F / kTo2, 1.0F});
 }
 
-// r77 to r166: the fractions of fract, scaled so that 255/256 becomes 1. The highest is no fraction, and 256/255 at 1.
+// r77 to r166: the fractions of fract, scaled so that 255/256 becomes 1. The highest component is not a fraction: it is
+// 256/255 at depth 1.
 constexpr DepthComponents pack_upscaled(float depth) {
   DepthComponents c = without_carries({fract(depth * kTo4), fract(depth * kTo3), fract(depth * kTo2), depth});
   for (float& component : c) component *= kUpscale;
@@ -56,7 +57,7 @@ constexpr DepthComponents pack_upscaled(float depth) {
 constexpr float unpack_downscaled(const DepthComponents& c) {
   return dot(c, {kDownscale / kTo4, kDownscale / kTo3, kDownscale / kTo2, kDownscale});
 }
-// The two lowest digits, whose unpacking takes each for the other.
+// The two lowest digits; the unpacking exchanges them.
 constexpr DepthComponents pack_upscaled_pair(float depth) {
   const DepthComponents c = pack_upscaled(depth);
   return {c[1], c[0], 0.0F, 0.0F};

@@ -24,14 +24,12 @@ LightBeam::Coordinates LightBeam::coordinates(std::span<const glm::vec3> positio
   out.str.resize(positions.size());
   out.q.resize(positions.size());
   out.direction.resize(positions.size());
-  parallel_ranges(positions.size(), 16384, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i != end; ++i) {
-      const float x = row_times(projection_, 0, positions[i]), y = row_times(projection_, 1, positions[i]),
-                  z = row_times(projection_, 2, positions[i]), w = row_times(projection_, 3, positions[i]);
-      out.str[i] = {0.5F * x + 0.5F * w, 0.5F * y + 0.5F * w, 0.5F * z + 0.5F * w};
-      out.q[i] = w;
-      out.direction[i] = {x, y, w};
-    }
+  parallel_for(positions.size(), kGrainOfCheapItems, [&](std::size_t i) {
+    const float x = row_times(projection_, 0, positions[i]), y = row_times(projection_, 1, positions[i]),
+                z = row_times(projection_, 2, positions[i]), w = row_times(projection_, 3, positions[i]);
+    out.str[i] = {0.5F * x + 0.5F * w, 0.5F * y + 0.5F * w, 0.5F * z + 0.5F * w};
+    out.q[i] = w;
+    out.direction[i] = {x, y, w};
   });
   return out;
 }
@@ -42,7 +40,7 @@ MapResolution LightBeam::resolution(int map_size, std::uint32_t depth_codes) con
   const auto gradient = [&](int row) { return glm::dvec3(m[0][row], m[1][row], m[2][row]); };
   const auto value = [&](int row, const glm::dvec3& p) { return glm::dot(gradient(row), p) + m[3][row]; };
   glm::dvec3 p(middle_);
-  // Along the axis z + w grows as it does at the near plane, where it is 0. The far plane lies behind the whole scene.
+  // Along the axis z + w is linear, and it is 0 at the near plane. The far plane lies behind the whole scene.
   const double near_slope = glm::dot(gradient(2) + gradient(3), axis);
   const double to_near = -(value(2, p) + value(3, p)) / near_slope;
   if (to_near > 0.0) p += axis * to_near;

@@ -1,4 +1,4 @@
-// The light's view of a scene: where things lie in its shadow map.
+// The light's view of a scene: positions in its shadow map.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -9,8 +9,8 @@
 
 namespace ninebit {
 
-// How fine the map is at a place: world units that a texel spans across the light's axis, and that a step of the depth
-// codes spans along it.
+// The map's resolution at a point: world units per texel across the light's axis, and per step of the depth codes along
+// it.
 struct MapResolution {
   double texel_size;
   double depth_step;
@@ -25,8 +25,8 @@ class LightBeam {
   // World space to the map's clip space.
   [[nodiscard]] const glm::mat4& projection() const { return projection_; }
 
-  // One entry a position: (s, t, r) and q of the map, so that inside the beam s/q, t/q and r/q go from 0 to 1 and q is
-  // positive; and the direction whose major axis is +z inside the beam alone.
+  // One entry per position: (s, t, r) and q of the map, where inside the beam s/q, t/q and r/q are from 0 to 1 and q is
+  // positive; and a direction whose major axis is +z only inside the beam.
   struct Coordinates {
     std::vector<glm::vec3> str;
     std::vector<float> q;
@@ -34,7 +34,7 @@ class LightBeam {
   };
   [[nodiscard]] Coordinates coordinates(std::span<const glm::vec3> positions) const;
 
-  // At the middle of the scene's bounding box, or on the near plane where the middle lies before that.
+  // At the middle of the scene's bounding box, or on the near plane if the middle lies in front of it.
   [[nodiscard]] MapResolution resolution(int map_size, std::uint32_t depth_codes) const;
 
   // Whether a triangle's front faces the light.

@@ -40,8 +40,8 @@ TexelPlace projected_place(float s, float t, float q, int size) {
   return inside ? texel_at(0, s, t, size) : TexelPlace{};
 }
 
-// The frame's fragments once more, with their interpolated coordinates. Where several of one depth meet, the last
-// stays, as it does for the colours.
+// Draws the frame's visible fragments again, with their interpolated coordinates. Of several at the same depth the last
+// one stays, as for the colours.
 Status find_texels(CameraFrame& frame, const LightMap& map, std::vector<TexelPlace>& places) {
   const Surface& surface = frame.rendering().frame;
   const bool cube = map.projections.size() == 6;
@@ -49,7 +49,7 @@ Status find_texels(CameraFrame& frame, const LightMap& map, std::vector<TexelPla
   if (map.coordinates.empty()) {
     for (const glm::vec3& position : map.positions) directions.emplace_back(position, 1.0F);
   }
-  VertexArrays arrays{.positions = frame.scene().positions, .indices = index_list(frame.scene().triangles)};
+  VertexArrays arrays = frame.all_triangles(frame.scene().positions);
   arrays.attributes[0] = directions.empty() ? map.coordinates : directions;
 
   RenderTarget target = frame.rendering().frame.target();
@@ -73,7 +73,7 @@ Status find_texels(CameraFrame& frame, const LightMap& map, std::vector<TexelPla
   return {};
 }
 
-// One face of the map, or the whole of a 2D map: the triangle in each texel.
+// Draws the number of the triangle in each texel of one face, or of a 2D map.
 Status draw_numbers(const CameraFrame& frame, const LightMap& map, std::size_t face, std::vector<std::uint32_t>& depth,
                     std::vector<std::uint32_t>& numbers) {
   PipelineState state = map.pass;
@@ -88,8 +88,7 @@ Status draw_numbers(const CameraFrame& frame, const LightMap& map, std::size_t f
   target.depth = {depth.data(), map.size};
   target.outputs.push_back(
       {.source = OutputSource::primitive, .plane = Plane<std::uint32_t>{numbers.data(), map.size}});
-  const VertexArrays arrays{.positions = map.positions, .indices = index_list(frame.scene().triangles)};
-  return rasterize(state, map.projections[face], arrays, {}, target);
+  return rasterize(state, map.projections[face], frame.all_triangles(map.positions), {}, target);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// A shadow map in bytes, read in floats: beyond the hardware, as three.js' shaders did it.
+// A shadow map packed into bytes and read as floats, as three.js' shaders did it; beyond the hardware.
 #pragma once
 
 #include <array>
@@ -14,15 +14,15 @@ namespace ninebit {
 
 class PackedMap {
  public:
-  // Packs the codes of a depth surface of size² texels. One that `cleared` was left in is white, as three.js clears its
-  // maps. The planes go into `maps` as packed_depth, which must outlive this.
+  // Packs the codes of a depth surface of size² texels. Texels that still hold `cleared` become white, as three.js
+  // clears its maps. The planes go into `maps` as packed_depth, which must outlive this.
   PackedMap(const DepthPacking& packing, ChannelStorage storage, int size, std::span<const std::uint32_t> codes,
             std::uint32_t cleared, std::deque<Layer>& maps);
 
-  // The largest change that packing made to a depth that was drawn, of the range [0, 1].
+  // The largest change that packing made to a drawn depth, in the range [0, 1].
   [[nodiscard]] double largest_error() const { return largest_error_; }
 
-  // The depth that a shader reads at the nearest texel; s and t from 0 to 1.
+  // The depth that a shader reads at the nearest texel; s and t are from 0 to 1.
   [[nodiscard]] float depth_at(float s, float t) const;
 
  private:

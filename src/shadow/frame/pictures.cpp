@@ -14,7 +14,7 @@ namespace ninebit {
 namespace {
 
 // A visible colour for each code number. Steps of the golden ratio put neighbouring numbers far apart on the circle of
-// hues, and three brightnesses tell apart what comes close again.
+// hues, and three brightnesses separate hues that come close again.
 std::array<std::uint8_t, 3> hue_of(std::uint32_t number) {
   if (number == 0) return {0, 0, 0};
   const double hue = std::fmod(static_cast<double>(number) * 0.6180339887498949, 1.0) * 6.0;
@@ -32,7 +32,7 @@ std::uint32_t code_number(const Rendering& rendering, std::size_t face, std::siz
   return rendering.codes.number(rendering.index_map[face].texel(texel));
 }
 
-// Rows of an EXR channel, made from a plane's samples as they are asked for.
+// An EXR channel whose rows are made from a plane's samples on demand.
 template <class To, class Value>
 ExrChannel channel(std::string name, Value value_at_row) {
   return {std::move(name), std::function<void(int, std::span<To>)>(std::move(value_at_row))};

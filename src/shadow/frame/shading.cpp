@@ -13,7 +13,7 @@ namespace {
 constexpr float kAmbient = 0.22F;
 constexpr float kDiffuseInShadow = 0.25F;  // of the diffuse light
 
-// A cartoon's brightness from a cosine on.
+// A cartoon's brightness for cosines from `cosine` on.
 struct Band {
   double cosine;
   float brightness;

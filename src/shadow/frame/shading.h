@@ -11,28 +11,27 @@
 
 namespace ninebit {
 
-// How bright a white light makes a white surface that faces it.
+// The brightness of a white surface that faces a white light.
 inline constexpr float kDiffuseLight = 0.78F;
 
 // The material of each vertex: that of the last triangle that uses it.
 [[nodiscard]] std::vector<std::uint32_t> vertex_materials(const Scene& scene);
 
-// One colour a vertex, or with settings.cartoon one a triangle.
+// One colour per vertex, or with settings.cartoon per triangle.
 struct VertexShading {
   std::vector<ColorBytes> lit;
   std::vector<ColorBytes> shadowed;
 };
 
 // Base colour × (ambient + diffuse · cos), with the profile's conversion of float colours to bytes. With
-// `settings.light_facing` surfaces that turn away from the light get no diffuse light; otherwise both sides are lit
-// alike, as in the article's pictures. In shadow, a quarter of the diffuse light stays, so that shapes can be told
-// apart.
+// `settings.light_facing` surfaces that face away from the light get no diffuse light; otherwise both sides are lit the
+// same, as in the article's pictures. In shadow a quarter of the diffuse light stays, so that shapes remain visible.
 //
-// With `settings.cartoon` a triangle has a single colour: its base colour at one of a few brightnesses, by the angle at
-// which it meets the light. In shadow it is ink: nearly black, with a trace of the base colour.
+// With `settings.cartoon` a triangle has a single colour: its base colour at one of a few brightnesses, by its angle to
+// the light. In shadow it is ink: nearly black, with a trace of the base colour.
 [[nodiscard]] VertexShading shade_vertices(const Scene& scene, const Light& light, const RenderSettings& settings);
 
-// The summands of the lit colours one by one, for passes that change the light on its way to the vertex.
+// The summands of the lit colours, separately, for passes that change the light before it reaches the surface.
 struct VertexLight {
   std::vector<ColorBytes> ambient;  // base colour × ambient
   std::vector<ColorBytes> diffuse;  // base colour × diffuse · cos, what the light adds

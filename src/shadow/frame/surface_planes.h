@@ -14,11 +14,11 @@ struct SurfaceAttributes {
   static constexpr int kPosition = 0, kNormal = 1, kColor = 2;
   std::array<std::vector<glm::vec4>, 3> values{};
 
-  // The attributes alone; they must outlive the arrays.
+  // Arrays that hold only these attributes, which must outlive them.
   [[nodiscard]] VertexArrays arrays() const;
 };
 
-// Of every vertex its world position, its normal, and its base colour × `color`.
+// The world position, the normal, and base colour × `color` of every vertex.
 [[nodiscard]] SurfaceAttributes surface_attributes(const Scene& scene, const glm::vec3& color);
 
 // Adds an output plane for the first three components of an attribute.

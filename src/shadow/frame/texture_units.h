@@ -5,7 +5,7 @@
 
 namespace ninebit {
 
-// How many texture registers the colour that leaves the program depends on.
+// The number of texture registers that the program's output colour depends on.
 [[nodiscard]] int texture_units_read(const Program& program);
 
 }  // namespace ninebit

@@ -8,7 +8,7 @@
 namespace ninebit {
 namespace {
 
-// Of a face of side 2: what is less may be the rounding error of a polygon that the light sees edge-on.
+// On a face of side 2. A smaller area may be the rounding error of a polygon that the light sees edge-on.
 constexpr double kLeastArea = 1e-12;
 
 // A convex polygon that clipping a triangle against five planes can make.
@@ -18,7 +18,7 @@ struct Polygon {
   void add(const glm::dvec3& corner) { corners[count++] = corner; }
 };
 
-// What of it lies where dot(plane, p) >= least.
+// The part of a polygon where dot(plane, p) >= least.
 Polygon clip(const Polygon& polygon, const glm::dvec3& plane, double least) {
   Polygon kept;
   for (std::size_t i = 0; i < polygon.count; ++i) {
@@ -63,7 +63,7 @@ double area_on_cube(const std::array<glm::dvec3, 3>& corners, double near_plane)
   return area;
 }
 
-// Seen from the light, as from everywhere, a triangle whose corners run counter-clockwise is a front.
+// A triangle whose corners run counter-clockwise, seen from the light, is a front.
 bool is_culled(const std::array<glm::dvec3, 3>& corners, CullFace cull_face) {
   const double facing = glm::dot(glm::cross(corners[1] - corners[0], corners[2] - corners[0]), -corners[0]);
   return cull_face == CullFace::front_and_back || (cull_face == CullFace::back && facing < 0.0) ||

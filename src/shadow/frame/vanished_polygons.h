@@ -13,12 +13,12 @@ namespace ninebit {
 
 struct VanishedPolygons {
   std::vector<std::uint32_t> triangles;  // their numbers in the scene, in its order
-  double texels = 0.0;                   // their area on the faces together, in texels
+  double texels = 0.0;                   // their total area on the faces, in texels
 };
 
-// The scene's triangles that cover the centre of no texel in any of the six faces of `size` texels, as they were
-// prepared from positions relative to the light, though they have an area in one beyond the near plane. What is culled
-// is not missed.
+// Finds the scene's triangles that cover no texel centre of the six faces, of `size` texels a side, although they have
+// an area on one beyond the near plane. `faces` were prepared from the positions relative to the light. Culled
+// triangles are not included.
 [[nodiscard]] VanishedPolygons find_vanished_polygons(const Scene& scene, std::span<const glm::vec3> from_light,
                                                       std::span<const PreparedDraw, 6> faces, int size,
                                                       float near_plane, CullFace cull_face);

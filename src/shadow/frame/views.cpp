@@ -9,7 +9,7 @@ namespace ninebit {
 DepthRange depth_range(const Scene& scene, const glm::vec3& eye, float cos_corner) {
   const Bounds bounds = bounds_of(scene);
   const glm::vec3 farthest = glm::max(glm::abs(bounds.low - eye), glm::abs(bounds.high - eye));
-  // A scene that is one point at the eye has no extent: any positive range serves.
+  // A scene that is one point at the eye has no extent: any positive range works.
   const float far_plane = std::max(glm::length(farthest) * 1.01F, 1e-6F);
   const float nearest = std::min(distance_to_nearest_triangle(scene, eye), far_plane);
   return {std::max(nearest * cos_corner * 0.9F, far_plane / 65536.0F), far_plane};
@@ -42,7 +42,7 @@ glm::mat4 infinite_camera_projection(const Scene& scene, const Camera& camera, f
 
 namespace {
 
-// Eye space of a view along a direction of unit length, y toward some axis across it.
+// The view matrix along a direction of unit length. Its y points toward a coordinate axis that is not parallel to it.
 glm::mat4 view_along(const glm::vec3& eye, const glm::vec3& direction) {
   const glm::vec3 size = glm::abs(direction);
   const glm::vec3 axis =
@@ -91,6 +91,12 @@ glm::mat4 cube_face_projection(CubeFace face, const DepthRange& range) {
   set_row(2, major, (f + n) / (f - n), -2.0F * f * n / (f - n));
   set_row(3, major, 1.0F, 0.0F);
   return m;
+}
+
+std::array<glm::mat4, 6> cube_face_projections(const DepthRange& range) {
+  std::array<glm::mat4, 6> projections{};
+  for (std::size_t i = 0; i < projections.size(); ++i) projections[i] = cube_face_projection(kCubeFaces[i], range);
+  return projections;
 }
 
 }  // namespace ninebit

@@ -1,6 +1,7 @@
 // Projections: the camera's, and the six of a cube map around the light.
 #pragma once
 
+#include <array>
 #include <glm/glm.hpp>
 
 #include "ninebit/raster/texture.h"
@@ -8,30 +9,34 @@
 
 namespace ninebit {
 
-// Distances along a view axis between which everything of the scene lies.
+// Distances along a view axis between which the whole scene lies.
 struct DepthRange {
   float near_plane;
   float far_plane;
 };
 
 // The range for a view from `eye` that sees points up to `cos_corner` away from its axis (cosine of the angle between
-// axis and the picture's corner). Near is as far out as the nearest triangle allows, at least far / 65,536.
+// axis and the picture's corner). The near plane is as far away as the nearest triangle allows, and at least at far /
+// 65,536.
 [[nodiscard]] DepthRange depth_range(const Scene& scene, const glm::vec3& eye, float cos_corner);
 
 // World space to clip space of a camera, with window y up.
 [[nodiscard]] glm::mat4 camera_projection(const Scene& scene, const Camera& camera, float aspect_ratio);
 
-// The same without a far plane: a point of homogeneous coordinate w = 0 has the window depth 1, without any rounding,
-// as clip z and clip w of a direction are the same sum.
+// The same without a far plane: a point of homogeneous coordinate w = 0 has exactly the window depth 1, because clip z
+// and clip w of a direction are the same sum.
 [[nodiscard]] glm::mat4 infinite_camera_projection(const Scene& scene, const Camera& camera, float aspect_ratio);
 
 // World space to clip space of a spot or directional light's map: the square pyramid of the spot's opening angle, which
-// is all that the light shines through, or a parallel beam around the whole scene.
+// is everything that the light illuminates, or a parallel beam around the whole scene.
 [[nodiscard]] glm::mat4 light_projection(const Scene& scene, const Light& light);
 
 // Clip space of one cube-map face, from positions relative to the cube's middle: window x follows the face's s, window
 // y its t.
 [[nodiscard]] glm::mat4 cube_face_projection(CubeFace face, const DepthRange& range);
+
+// The same for all faces, in the order of CubeFace.
+[[nodiscard]] std::array<glm::mat4, 6> cube_face_projections(const DepthRange& range);
 
 // The cosine of the angle between a cube face's axis and its corner.
 inline constexpr float kCubeCornerCosine = 0.57735026F;

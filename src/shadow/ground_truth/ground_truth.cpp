@@ -14,9 +14,9 @@
 namespace ninebit {
 namespace {
 
-constexpr int kBandRows = 64;  // between two questions whether to go on
+constexpr int kBandRows = 64;  // rows between two calls of the progress function
 
-// A rendering on its way to being judged.
+// Judges one rendering.
 class Judge {
  public:
   Judge(const GroundTruthScene::Rays& rays, const RenderSettings& settings, const Rendering& rendering)

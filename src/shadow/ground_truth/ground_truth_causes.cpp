@@ -10,7 +10,7 @@ constexpr std::array kIndexCauses{ErrorCause::truncation, ErrorCause::joint, Err
 constexpr std::array kDepthCauses{ErrorCause::acne, ErrorCause::detached, ErrorCause::sampling};
 constexpr std::array kMaplessCauses{ErrorCause::sampling};
 
-// The polygon that the light sees in the direction of the pixel: of those between them the nearest to the light.
+// The polygon that the light sees in the pixel's direction: the one nearest to the light of those in between.
 const Crossed* seen_by_light(std::span<const Crossed> between) {
   const auto nearer = [](const Crossed& l, const Crossed& r) { return l.at < r.at; };
   const auto found = std::max_element(between.begin(), between.end(), nearer);
@@ -40,7 +40,7 @@ ErrorCause depth_cause(const Scene& scene, const WrongPixel& pixel) {
     return own_surface ? ErrorCause::acne : ErrorCause::sampling;
   }
   if (pixel.fetched == 0) return ErrorCause::sampling;
-  // The texel's centre lies beside the pixel's ray, so that it may see the next polygon of what shades the pixel.
+  // The texel's centre lies beside the pixel's ray, so it may see a neighbour of the polygon that shades the pixel.
   const auto is_fetched = [&](const Crossed& c) {
     return c.triangle == pixel.fetched - 1 || are_neighbours(scene, c.triangle, pixel.fetched - 1);
   };

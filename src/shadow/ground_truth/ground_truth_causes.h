@@ -9,9 +9,9 @@
 
 namespace ninebit {
 
-// One pixel that is wrong.
+// One wrong pixel.
 struct WrongPixel {
-  bool lit;                          // and should not be; otherwise the reverse
+  bool lit;                          // lit and should be in shadow; otherwise the reverse
   std::uint32_t own;                 // the triangle that it shows
   std::uint32_t fetched;             // ShadowEvidence::fetched there; 0 without a map
   std::span<const Crossed> between;  // the triangles between it and the light

@@ -13,12 +13,12 @@ using glm::cross;
 using glm::dot;
 using glm::dvec3;
 
-// For directions of unit length what touching_distance is for coordinates.
+// The same as touching_distance, for directions of unit length.
 constexpr double kTouching = 0x1p-22;
 
-// Six times the signed volumes between a line through the origin and the edges of a triangle seen from there: of one
-// sign where the line passes through it. Two triangles with a common edge find opposite values for it, to the bit, so
-// that no line slips through between them.
+// Six times the signed volumes between a line through the origin and the edges of a triangle seen from there: all of
+// one sign if the line passes through the triangle. Two triangles compute exactly opposite values for a common edge, so
+// no line slips through between them.
 struct EdgeVolumes {
   EdgeVolumes(const dvec3& way, const dvec3& a, const dvec3& b, const dvec3& c)
       : at_a(dot(cross(b, c), way)), at_b(dot(cross(c, a), way)), at_c(dot(cross(a, b), way)) {}

@@ -1,5 +1,5 @@
-// The geometry of ground truth, in doubles and in a fixed order of operations: what a pixel shows, and what lies
-// between that and the light.
+// The geometry of ground truth, in doubles and in a fixed order of operations: the point that a pixel shows, and the
+// triangles between it and the light.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -22,8 +22,8 @@ class PixelRays {
  public:
   PixelRays(const Camera& camera, int width, int height);
 
-  // The point of a triangle that pixel (x, y), y up, shows: where its ray meets it or, if it does not, the triangle's
-  // point nearest to the ray.
+  // The point of a triangle that pixel (x, y), y up, shows: where its ray intersects the triangle or, if it misses, the
+  // triangle's point nearest to the ray.
   [[nodiscard]] glm::dvec3 point_on(const Corners& triangle, int x, int y) const;
 
  private:
@@ -31,20 +31,21 @@ class PixelRays {
   int width_, height_;
 };
 
-// From a point toward the light: as far as the light, or without end.
+// A ray from a point to the light, or without end toward a directional light.
 struct LightRay {
   glm::dvec3 from{0.0};
-  glm::dvec3 way{0.0};  // to the light; of a directional light of unit length, and endless
+  glm::dvec3 way{0.0};  // to the light; for a directional light a unit vector
   bool endless = false;
 };
 [[nodiscard]] LightRay light_ray(const Light& light, const glm::dvec3& from);
 
-// Where along the ray (0 to 1; endless: in units of length) it passes through a triangle, edges included; empty where
-// it does not, where either end of the ray is nearer to the triangle's plane than `touching`, and where an endless ray
-// runs in the plane.
+// Where along the ray (0 to 1; endless: in units of length) it passes through a triangle, edges included. Empty if it
+// misses, if either end of the ray is nearer to the triangle's plane than `touching`, or if an endless ray runs in the
+// plane.
 [[nodiscard]] std::optional<double> crossing(const LightRay& ray, const Corners& triangle, double touching);
 
-// How near is touching: four units in the last place of a float at the size of the scene's largest coordinate.
+// The distance within which points touch: four units in the last place of a float at the size of the scene's largest
+// coordinate.
 [[nodiscard]] double touching_distance(const Scene& scene);
 
 // Whether a point is in the square pyramid that a spot light shines through.

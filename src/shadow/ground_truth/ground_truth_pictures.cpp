@@ -1,4 +1,4 @@
-// Ground truth for eyes, and as layers.
+// Ground truth as a picture, and as layers.
 #include <algorithm>
 #include <array>
 

@@ -19,13 +19,13 @@ namespace {
 
 using Rays = GroundTruthScene::Rays;
 
-// What travels with a ray to the callback.
+// Passed with a ray to the callback.
 struct Query {
-  RTCIntersectContext context;  // the first: Embree hands its address on
+  RTCIntersectContext context;  // must be first: Embree passes its address on
   const Rays* rays;
   const LightRay* ray;
   std::uint32_t own;
-  std::vector<Crossed>* all;  // nullptr: the first one that is found ends the ray
+  std::vector<Crossed>* all;  // nullptr: the first hit ends the ray
 };
 
 void bounds_of_triangle(const RTCBoundsFunctionArguments* arguments) {
@@ -59,7 +59,7 @@ void test_triangle(const RTCOccludedFunctionNArguments* arguments) {
   }
 }
 
-// Lets the callback see the triangles whose boxes the ray meets; whether it ended the ray.
+// Calls the callback for the triangles whose boxes the ray hits. Returns whether it ended the ray.
 bool trace(const Rays& rays, const LightRay& ray, std::uint32_t own, std::vector<Crossed>* all) {
   Query query{{}, &rays, &ray, own, all};
   rtcInitIntersectContext(&query.context);
@@ -79,7 +79,7 @@ bool trace(const Rays& rays, const LightRay& ray, std::uint32_t own, std::vector
   return boxed.tfar < 0.0F;
 }
 
-// The first thing that Embree complains of.
+// The first error that Embree reports.
 struct Complaint {
   RTCError code = RTC_ERROR_NONE;
   std::array<char, 200> text{};
@@ -92,7 +92,7 @@ void keep_first(void* complaint, RTCError code, const char* text) noexcept {
   if (text != nullptr) std::strncpy(first.text.data(), text, first.text.size() - 1);
 }
 
-// Throws std::bad_alloc where that is what Embree lacks, or its threads do.
+// Throws std::bad_alloc if Embree ran out of memory or could not start its threads.
 Diagnostic refused(const Complaint& complaint) {
   const std::string_view text = complaint.text.data();
   if (complaint.code == RTC_ERROR_OUT_OF_MEMORY || text.find("bad_alloc") != std::string_view::npos ||
@@ -120,8 +120,8 @@ Result<std::unique_ptr<Rays>> Rays::make(const Scene& scene) {
   // Origin and direction of a ray become floats, each rounded by half a unit in the last place; across the scene the
   // direction moves it by as much again.
   rays->margin = 8.0 * rays->touching;
-  // oneTBB keeps a thread's floating-point settings from its first parallel work on, for all that follows. Were that
-  // Embree's, which flushes denormals, all would.
+  // oneTBB keeps the floating-point settings of a thread's first parallel work for all later work. If that were
+  // Embree's, which flushes denormals, all later work would flush them.
   parallel_for(2, [](std::size_t) {});
   rays->device.reset(rtcNewDevice(nullptr));
   const RTCDevice device = rays->device.get();
@@ -145,7 +145,7 @@ Result<std::unique_ptr<Rays>> Rays::make(const Scene& scene) {
   rtcCommitScene(rays->boxes.get());
   rtcSetDeviceErrorFunction(device, nullptr, nullptr);
   if (complaint.code != RTC_ERROR_NONE) {
-    // Releasing a scene whose preparation failed ends the program where memory lacked, so it stays.
+    // Leaked on purpose: releasing a scene whose preparation ran out of memory ends the program.
     static_cast<void>(rays->boxes.release());
     return refused(complaint);
   }

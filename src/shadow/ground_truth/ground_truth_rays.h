@@ -1,5 +1,5 @@
-// The triangles between a point and the light. Embree finds those whose boxes a ray meets; whether the ray passes
-// through a triangle is decided in doubles.
+// The triangles between a point and the light. Embree finds the triangles whose boxes a ray hits; whether the ray
+// passes through a triangle is decided in doubles.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +16,7 @@ namespace ninebit {
 
 struct Crossed {
   std::uint32_t triangle;
-  double at;  // along the ray, as crossing() gives it
+  double at;  // along the ray, as crossing() returns it
 };
 
 struct GroundTruthScene::Rays {
@@ -34,8 +34,8 @@ struct GroundTruthScene::Rays {
     void operator()(RTCDeviceTy* released) const;
     void operator()(RTCSceneTy* released) const;
   };
-  // Released after the scene: where the scene has the last reference to its device, Embree 3.13 frees the device and
-  // then reads it.
+  // Declared before `boxes`, so it is released after the scene: if the scene has the last reference to its device,
+  // Embree 3.13 frees the device and then reads it.
   std::unique_ptr<RTCDeviceTy, Releaser> device;
   std::unique_ptr<RTCSceneTy, Releaser> boxes;
 };

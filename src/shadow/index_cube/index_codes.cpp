@@ -23,7 +23,7 @@ struct Remedy {
   std::string why;
 };
 
-// What would do instead.
+// The single changes that provide enough codes.
 std::vector<Remedy> remedies(IndexFormat format, int step, IndexScope scope, const IndexCounts& counts) {
   std::vector<Remedy> found;
   for (int smaller = step - 1; smaller >= 1; --smaller) {
@@ -32,14 +32,14 @@ std::vector<Remedy> remedies(IndexFormat format, int step, IndexScope scope, con
         {fmt::format("index step {}", smaller), fmt::format("{} codes", IndexCodes(smaller, format).capacity())});
     break;
   }
-  // The smallest format that will do.
+  // The smallest format with enough codes.
   for (auto other = kFormats.rbegin(); other != kFormats.rend(); ++other) {
     if (!fits(*other, step, counts.of(scope))) continue;
     found.push_back({fmt::format("index format {}", name_of(*other)),
                      fmt::format("{} codes", IndexCodes(step, *other).capacity())});
     break;
   }
-  // Scopes that are coarser.
+  // Coarser scopes.
   bool coarser = false;
   for (const IndexScope other : kScopes) {
     if (coarser && counts.of(other) > 0 && fits(format, step, counts.of(other))) {

@@ -1,5 +1,5 @@
-// The register-combiner set-ups that compare indices, through the GL-named entry points: the article's, and its like
-// for the smaller formats.
+// The register-combiner set-ups that compare indices, made with the GL-named entry points: the article's set-up, and
+// similar ones for the smaller formats.
 #include "ninebit/language/gl_nv.h"
 #include "ninebit/shadow/index_cube.h"
 #include "src/shadow/frame/combiner_setup.h"
@@ -9,7 +9,7 @@ namespace {
 
 using namespace gl;
 
-// spare0 = 4 (primary · 1 + texture0 · -1) in that portion, of these components.
+// In one portion: spare0 = 4 (primary · 1 + texture0 · -1), from the given component.
 void set_difference(GLenum portion, GLenum component) {
   const GLenum stage = GL_COMBINER0_NV;
   glCombinerInputNV(stage, portion, GL_VARIABLE_A_NV, GL_PRIMARY_COLOR_NV, GL_UNSIGNED_IDENTITY_NV, component);
@@ -20,8 +20,8 @@ void set_difference(GLenum portion, GLenum component) {
                      GL_FALSE, GL_FALSE);
 }
 
-// RGB: spare0 = the differences of red, green and blue; spare1 = 4 (spare0 · spare0), positive as soon as one channel
-// differs. Gives the component that holds the result.
+// RGB: spare0 = the differences of red, green and blue; spare1 = 4 (spare0 · spare0), positive if any channel differs.
+// Returns the component that holds the result.
 GLenum compare_rgb() {
   set_difference(GL_RGB, GL_RGB);
   discard_portion(GL_COMBINER0_NV, GL_ALPHA);
@@ -56,8 +56,8 @@ GLenum compare_luminance_alpha() {
   return square_differences(true);
 }
 
-// One channel needs the alpha portion alone, which reads blue as well as alpha: of a luminance that is the channel
-// itself. The article's dot product would sum its square three times.
+// One channel needs only the alpha portion, which can read blue (a luminance is in blue) or alpha. The article's dot
+// product would sum the square three times.
 GLenum compare_one_channel(GLenum component) {
   discard_portion(GL_COMBINER0_NV, GL_RGB);
   set_difference(GL_ALPHA, component);

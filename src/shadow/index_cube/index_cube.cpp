@@ -1,25 +1,21 @@
-// The technique: one frame.
+// The technique's entry point: renders one frame.
 #include "ninebit/shadow/index_cube.h"
 
 #include <optional>
 #include <utility>
 
+#include "src/shadow/frame/pass_timer.h"
 #include "src/shadow/index_cube/index_cube_renderer.h"
 
 namespace ninebit {
 
 Result<Rendering> render_index_cube(const Scene& scene, const RenderSettings& settings, const Progress& progress) {
   std::optional<IndexCubeRenderer> renderer;
-  const auto make = [&]() -> Status {
-    auto made = IndexCubeRenderer::make(scene, settings);
-    if (!made) return made.error();
-    renderer.emplace(std::move(*made));
-    return {};
-  };
   PassTimer timer(progress);
   PassTimes times;
   double camera = 0.0;
-  Status status = timer.run("indices", 0.0, times.transform, make);
+  Status status =
+      timer.make("indices", 0.0, times.transform, renderer, [&] { return IndexCubeRenderer::make(scene, settings); });
   if (status) status = timer.run("index cube map", 0.1, times.maps, [&] { return renderer->draw_maps(); });
   if (status) renderer->find_vanished();
   if (status) status = timer.run("camera's passes", 0.5, camera, [&] { return renderer->draw_camera(); });

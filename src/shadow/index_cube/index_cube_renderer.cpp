@@ -10,6 +10,7 @@
 #include "ninebit/raster/rasterizer.h"
 #include "ninebit/raster/sampler.h"
 #include "src/shadow/frame/map_evidence.h"
+#include "src/shadow/frame/pass_timer.h"
 #include "src/shadow/frame/views.h"
 #include "src/system/parallel/parallel_loop.h"
 
@@ -19,7 +20,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using Milliseconds = std::chrono::duration<double, std::milli>;
 
-// A face whose texels have no values yet, for maps of that format.
+// A face with undrawn texels, for a map of this format.
 IndexMapFace undrawn_face(IndexFormat format, int size) {
   IndexMapFace face;
   face.size = size;
@@ -47,7 +48,7 @@ Status check_pick(const RenderSettings& settings) {
 }  // namespace
 
 Result<IndexCubeRenderer> IndexCubeRenderer::make(const Scene& scene, const RenderSettings& settings) {
-  // First of all, as the scene may be too large for its indices.
+  // First, because a scene may have more polygons than there are indices.
   if (Status checked = check_index_settings(scene, settings.index); !checked) return checked.error();
   auto frame = CameraFrame::make(scene, settings, {.point = true});
   if (!frame) return frame.error();
@@ -66,7 +67,7 @@ IndexCubeRenderer::IndexCubeRenderer(CameraFrame frame, IndexCubePasses passes, 
   rendering().codes_used = indices_.used;
   const DepthRange range = depth_range(frame_.scene(), frame_.light().position, kCubeCornerCosine);
   near_plane_ = range.near_plane;
-  for (std::size_t i = 0; i < 6; ++i) face_projections_[i] = cube_face_projection(kCubeFaces[i], range);
+  face_projections_ = cube_face_projections(range);
   make_map();
 }
 
@@ -85,7 +86,7 @@ void IndexCubeRenderer::make_map() {
   map_ = texture_view(map_format(rendering().codes.format()), faces);
 }
 
-// Where there are words, alpha is drawn along with them.
+// RGB faces are stored as four-byte words, and their alpha byte is drawn as well.
 std::array<Plane<std::uint8_t>, 4> IndexCubeRenderer::face_planes(std::size_t f) {
   IndexMapFace& face = rendering().index_map[f];
   std::array<Plane<std::uint8_t>, 4> planes;
@@ -96,14 +97,13 @@ std::array<Plane<std::uint8_t>, 4> IndexCubeRenderer::face_planes(std::size_t f)
   return planes;
 }
 
-// The cleared map is index 0. Vertices are taken relative to the light, as they are for the fetch of the comparison.
+// The cleared map is index 0. Vertices are relative to the light, like the texture coordinates of the comparison.
 Status IndexCubeRenderer::draw_maps() {
   const glm::vec3 light = frame_.scene().lights[0].position;
   from_light_.resize(frame_.scene().positions.size());
-  parallel_ranges(from_light_.size(), 16384, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i != end; ++i) from_light_[i] = frame_.scene().positions[i] - light;
-  });
-  VertexArrays arrays = all_triangles(from_light_);
+  parallel_for(from_light_.size(), kGrainOfCheapItems,
+               [&](std::size_t i) { from_light_[i] = frame_.scene().positions[i] - light; });
+  VertexArrays arrays = frame_.all_triangles(from_light_);
   arrays.primitive_colors = indices_.color;
   const DrawPass pass{.state = &passes_.map, .arrays = arrays};
   std::array<Status, 6> drawn;
@@ -119,11 +119,6 @@ Status IndexCubeRenderer::draw_maps() {
     if (!status) return std::move(status);
   }
   return {};
-}
-
-// Of a scene that has triangles, as validate demands.
-VertexArrays IndexCubeRenderer::all_triangles(std::span<const glm::vec3> positions) const {
-  return {.positions = positions, .indices = index_list(frame_.scene().triangles)};
 }
 
 Status IndexCubeRenderer::draw_camera() {
@@ -145,7 +140,7 @@ Status IndexCubeRenderer::draw_camera_together() {
   PassTimes& times = rendering().times;
   const auto start = Clock::now();
   RenderTarget target = rendering().frame.target();
-  const VertexArrays geometry = all_triangles(frame_.scene().positions);
+  const VertexArrays geometry = frame_.all_triangles(frame_.scene().positions);
   const std::array<TextureUnit, 1> units{TextureUnit{&map_, kNearestSampler}};
   std::array<std::chrono::nanoseconds, 4> busy{};
   std::array<DrawPass, 4> passes{DrawPass{.state = &passes_.depth}, DrawPass{.state = &passes_.comparison},
@@ -172,8 +167,7 @@ Status IndexCubeRenderer::draw_camera_together() {
   return {};
 }
 
-// What the index says of a surface that is turned away from the light is of no interest with light_facing: it is in
-// shadow.
+// With light_facing, triangles that face away from the light are in shadow whatever their index: they are not compared.
 Status IndexCubeRenderer::draw_comparison() {
   RenderTarget target = frame_.capturing_target(1);
   const std::array<TextureUnit, 1> units{TextureUnit{&map_, kNearestSampler}};
@@ -182,16 +176,14 @@ Status IndexCubeRenderer::draw_comparison() {
   arrays.primitive_colors = indices_.color;
   if (!frame_.settings().light_facing) return frame_.draw("comparison", passes_.comparison, arrays, units, target);
 
-  TriangleSet compared;
-  std::vector<std::uint32_t> averted;
-  split_by_facing(compared, averted);
+  const TriangleSet compared = light_facing_triangles();
   if (!compared.triangles.empty()) {
     arrays.indices = index_list(compared.triangles);
     arrays.primitive_colors = compared.index_colors;
     Status drawn = frame_.draw("comparison", passes_.comparison, arrays, units, target, compared.numbers);
     if (!drawn) return drawn;
   }
-  return frame_.draw_averted(passes_.averted, averted);
+  return frame_.draw_averted(passes_.averted, [this](std::size_t t) { return faces_light(t); });
 }
 
 Status IndexCubeRenderer::add_evidence() {
@@ -205,23 +197,22 @@ Status IndexCubeRenderer::add_evidence() {
   return {};
 }
 
-bool IndexCubeRenderer::faces_light(const glm::uvec3& t) const {
+bool IndexCubeRenderer::faces_light(std::size_t triangle) const {
+  const glm::uvec3& t = frame_.scene().triangles[triangle];
   const auto& p = frame_.scene().positions;
   const glm::vec3 normal_times_area = glm::cross(p[t.y] - p[t.x], p[t.z] - p[t.x]);
   return glm::dot(normal_times_area, frame_.scene().lights[0].position - p[t.x]) > 0.0F;
 }
 
-void IndexCubeRenderer::split_by_facing(TriangleSet& compared, std::vector<std::uint32_t>& averted) const {
+IndexCubeRenderer::TriangleSet IndexCubeRenderer::light_facing_triangles() const {
+  TriangleSet facing;
   for (std::size_t t = 0; t < frame_.scene().triangles.size(); ++t) {
-    const auto number = static_cast<std::uint32_t>(t);
-    if (!faces_light(frame_.scene().triangles[t])) {
-      averted.push_back(number);
-      continue;
-    }
-    compared.triangles.push_back(frame_.scene().triangles[t]);
-    compared.index_colors.push_back(indices_.color[t]);
-    compared.numbers.push_back(number);
+    if (!faces_light(t)) continue;
+    facing.triangles.push_back(frame_.scene().triangles[t]);
+    facing.index_colors.push_back(indices_.color[t]);
+    facing.numbers.push_back(static_cast<std::uint32_t>(t));
   }
+  return facing;
 }
 
 void IndexCubeRenderer::find_vanished() {
@@ -229,7 +220,7 @@ void IndexCubeRenderer::find_vanished() {
                                      frame_.settings().cull_face);
 }
 
-// Those of the vanished polygons that are seen meet their own depth again.
+// Draws the vanished polygons again with depth test EQUAL: only their visible pixels pass.
 Result<std::uint64_t> IndexCubeRenderer::count_vanished_pixels() {
   if (vanished_.triangles.empty()) return std::uint64_t{0};
   std::vector<glm::uvec3> triangles;
@@ -248,7 +239,7 @@ Result<std::uint64_t> IndexCubeRenderer::count_vanished_pixels() {
   return static_cast<std::uint64_t>(std::count(seen.begin(), seen.end(), std::uint8_t{255}));
 }
 
-// Every polygon in the colour of its index, as a selection buffer is drawn, but for one pixel alone.
+// Draws every polygon in the colour of its index, like a selection buffer, but only the picked pixel.
 Status IndexCubeRenderer::pick(const glm::ivec2& pixel) {
   std::array<std::vector<std::uint8_t>, 4> planes;
   RenderTarget target = rendering().frame.target();
@@ -257,7 +248,7 @@ Status IndexCubeRenderer::pick(const glm::ivec2& pixel) {
     planes[c].resize(rendering().frame.depth().size());
     target.color[c] = {planes[c].data(), frame_.settings().width};
   }
-  VertexArrays arrays = all_triangles(frame_.scene().positions);
+  VertexArrays arrays = frame_.all_triangles(frame_.scene().positions);
   arrays.primitive_colors = indices_.color;
   Status drawn = rasterize(passes_.selection, frame_.projection(), arrays, {}, target);
   if (!drawn) return drawn;

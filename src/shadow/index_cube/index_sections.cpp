@@ -13,22 +13,22 @@
 namespace ninebit {
 namespace {
 
-// How much a section prefers triangles that face as it does to triangles that are near.
+// meshoptimizer's cone weight: how far a section prefers triangles of its own orientation to near ones.
 constexpr float kFlatness = 0.5F;
 
-// A place with more triangles is cut as several. For each triangle that a section takes, meshoptimizer looks at all
-// that are left at the section's vertices: around the apex of a fan this would take the square of its triangles.
+// A position with more corners becomes several vertices. For each triangle added to a section, meshoptimizer visits all
+// remaining triangles at the section's vertices: around the apex of a fan this would take quadratic time.
 constexpr unsigned int kMaxValence = 1024;
 
-// Meshoptimizer takes multiples of four.
+// meshoptimizer requires a multiple of four.
 std::size_t triangles_in_section(int size) {
   return static_cast<std::size_t>(size / 4 * 4);
 }
 
 using Corners = std::array<unsigned int, 3>;
 
-// One object's triangles with vertices of their own, one for each place or for kMaxValence corners there, in a box of
-// size 1.
+// One object's triangles, scaled into a box of size 1, with their own vertices: one per position, or per kMaxValence
+// corners there.
 struct ObjectMesh {
   std::vector<unsigned int> indices;
   std::vector<glm::vec3> positions;
@@ -81,7 +81,7 @@ class SectionCutter {
       }
     }
     for (const unsigned int place : met) in_mesh_[place] = kNowhere;
-    // Squares of areas then stay within floats, however large or small the object is.
+    // At size 1, squares of areas stay within the range of a float for objects of any size.
     const glm::vec3 size = high - low;
     const float largest = std::max({size.x, size.y, size.z});
     const float scale = largest > 0.0F ? 1.0F / largest : 1.0F;
@@ -98,8 +98,8 @@ class SectionCutter {
     meshlets.resize(meshopt_buildMeshlets(meshlets.data(), vertices.data(), corners.data(), mesh.indices.data(),
                                           mesh.indices.size(), &mesh.positions[0].x, mesh.positions.size(),
                                           sizeof(glm::vec3), kMaxSectionVertices, size_, kFlatness));
-    // Meshlets name a triangle by its corners alone, in the order that it has in the mesh: equal triangles are told
-    // apart by their order.
+    // A meshlet identifies a triangle only by its corners, in the mesh's order. Equal triangles are matched in sorted
+    // order.
     std::vector<std::pair<Corners, std::uint32_t>> cut, asked;
     for (const meshopt_Meshlet& meshlet : meshlets) {
       const unsigned int* const vertex = vertices.data() + meshlet.vertex_offset;
@@ -120,9 +120,9 @@ class SectionCutter {
 
   const Scene& scene_;
   std::size_t size_;
-  std::vector<unsigned int> place_;       // of a vertex of the scene
-  std::vector<unsigned int> in_mesh_;     // of a place, while its object is cut: its latest vertex
-  std::vector<unsigned int> corners_at_;  // of that vertex
+  std::vector<unsigned int> place_;       // first vertex at the same position, per vertex of the scene
+  std::vector<unsigned int> in_mesh_;     // latest vertex at each position, in the object being cut
+  std::vector<unsigned int> corners_at_;  // triangle corners at that vertex
   Sections sections_;
 };
 

@@ -1,4 +1,4 @@
-// The technique: one frame.
+// The technique's entry point: renders one frame.
 #include "ninebit/shadow/light_cookie.h"
 
 #include <array>
@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "src/shadow/frame/camera_frame.h"
+#include "src/shadow/frame/pass_timer.h"
 #include "src/shadow/index_cube/index_cube_renderer.h"
 
 namespace ninebit {
@@ -24,8 +25,8 @@ Status check_cookie(const Texture* cookie) {
   return Diagnostic{.message = "the cookie is incomplete; expected six faces of one size"};
 }
 
-// Positions in the light's own space, where the cube map is fetched along them. Their lengths do not matter, so they
-// are not normalized: a cube map's face and its coordinates are quotients of the components.
+// Positions in the light's own space, which are the cube map's texture coordinates. They are not normalized, because a
+// cube map's face and coordinates are quotients of the components.
 std::vector<glm::vec3> light_space(const Scene& scene, const Light& light, const glm::mat3& rotation) {
   std::vector<glm::vec3> out;
   out.reserve(scene.positions.size());
@@ -37,7 +38,7 @@ std::vector<glm::vec3> light_space(const Scene& scene, const Light& light, const
   return out;
 }
 
-// One frame, with the index cube's renderer where it marks shadows.
+// One frame; with shadows, the index cube's renderer marks them.
 class LightCookieFrame {
  public:
   explicit LightCookieFrame(PipelineState lit) : lit_(std::move(lit)) {}
@@ -55,7 +56,7 @@ class LightCookieFrame {
     const Light& light = scene.lights[0];
     colors_ = light_vertices(scene, light, settings);
     from_light_ = light_space(scene, light, light_rotation(settings.light_cookie.rotate_degrees));
-    // In shadow as in the cookie's dark parts there is ambient light alone. A cartoon's shadow is ink.
+    // In shadow, as in the cookie's dark parts, there is only ambient light. A cartoon's shadow is ink.
     if (!settings.cartoon) frame().shading().shadowed = colors_.ambient;
     return {};
   }
@@ -67,7 +68,7 @@ class LightCookieFrame {
 
   Status add_evidence() {
     if (indices_) return indices_->add_evidence();
-    frame().rendering().evidence.reset();  // of no shadow
+    frame().rendering().evidence.reset();  // no shadows are drawn
     return {};
   }
 
@@ -83,7 +84,7 @@ class LightCookieFrame {
   }
 
  private:
-  // Besides what the frame captures: the secondary colour, and the final combiner's colour.
+  // The frame's capturing target, plus planes for the secondary colour and the final combiner's colour.
   RenderTarget lit_target() {
     Rendering& rendering = frame().rendering();
     RenderTarget whole = rendering.frame.target();

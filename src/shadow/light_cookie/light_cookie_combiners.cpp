@@ -1,4 +1,4 @@
-// The register-combiner set-up of the lit pass, through the GL-named entry points.
+// The register-combiner set-up of the lit pass, made with the GL-named entry points.
 #include <array>
 
 #include "ninebit/combiner/program.h"
@@ -10,14 +10,13 @@
 namespace ninebit {
 namespace {
 
-// A register cannot hold 6 · product: it ends at 1, as the result does, but a factor of 6 that is made of rounded parts
-// multiplies their errors. So the last stage takes the product afresh, in full, and only the smaller summand of
-// 6 = 4 + 2 out of a register: 4 (product + spare0 / 8), with spare0 = 4 · product. Where spare0 is cut to 1, the
-// result is 1 all the same.
+// Scaling a rounded register by 6 would multiply its rounding error. So the last stage computes the product again at
+// full precision, and takes only the smaller summand of 6 = 4 + 2 from a register: 4 (product + spare0 / 8), with
+// spare0 = 4 · product. A register holds at most 1; where spare0 is clamped to 1, the result is 1 anyway.
 constexpr float kEighth = 32.0F / 255.0F;
 
-// Where narrowing drops fractions, stage 0 adds (8/255)², which times 4 is one code: half of one after the eighth and
-// the scale of stage 1, so that the result comes out rounded instead of cut.
+// If narrowing drops fractions, stage 0 adds (8/255)². Times 4 this is one code, and half a code after the eighth and
+// the scale of stage 1, so the result is rounded instead of truncated.
 constexpr float kRounding = 8.0F / 255.0F;
 
 }  // namespace

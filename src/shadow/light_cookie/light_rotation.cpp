@@ -11,8 +11,8 @@ struct SineCosine {
   double cosine;
 };
 
-// By polynomials, as the last bits of a mathematics library's differ from machine to machine. An eighth of a turn at
-// most is left for them, where powers beyond the 17th are below a double's last bit.
+// Polynomials, because the last bits of a mathematics library's functions differ between machines. Their argument is at
+// most an eighth of a turn, where powers beyond the 17th are below a double's last bit.
 SineCosine sine_cosine(double degrees) {
   const double turned = std::fmod(degrees, 360.0);
   const double quarters = std::floor(turned / 90.0 + 0.5);
@@ -35,7 +35,7 @@ SineCosine sine_cosine(double degrees) {
   }
 }
 
-// About one of the axes, 0 to 2.
+// The rotation about axis 0, 1 or 2.
 glm::dmat3 rotation(int axis, double degrees) {
   const auto [sine, cosine] = sine_cosine(degrees);
   const int next = (axis + 1) % 3, last = (axis + 2) % 3;

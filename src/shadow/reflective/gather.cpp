@@ -1,4 +1,4 @@
-// A vector of receivers at a time, compiled once for every SIMD target and chosen at run time.
+// Gathers for a vector of receivers at a time. Compiled for every SIMD target; the target is chosen at run time.
 #include "src/shadow/reflective/gather.h"
 
 #include <cstdint>

@@ -17,25 +17,25 @@ struct PixelLights {
   std::vector<float> values{};
 };
 
-// The square of the distance from which on pixel lights count: half floats cannot tell nearer points apart.
+// Pixel lights at a smaller squared distance add nothing: half floats cannot represent such small distances.
 inline constexpr float kSmallestSquare = 0x1p-50F;
 
-// Points with a normal that light falls upon. Places beyond the last receiver are not read for anything that counts.
+// Points that receive light, and their normals. Entries beyond the last receiver do not affect any result.
 struct Receivers {
   static constexpr std::size_t kCapacity = 64;
   using Lane = std::array<float, kCapacity>;
   std::array<Lane, 3> position{};
   std::array<Lane, 3> normal{};      // unit length
-  Lane s{}, t{};                     // place in the map in texels; any float
-  Lane cosine{}, sine{};             // of the turn of the pattern
-  std::array<Lane, 3> irradiance{};  // the answer
+  Lane s{}, t{};                     // position in the map in texels; any float
+  Lane cosine{}, sine{};             // of the pattern's rotation
+  std::array<Lane, 3> irradiance{};  // the output of gather()
 };
 
-// For the first `count` receivers x, n the sum over the samples of
+// Computes, for the first `count` receivers x, n, the sum over the samples of
 //   weight × flux × max(0, n_p · (x - x_p)) × max(0, n · (x_p - x)) / |x - x_p|^4,
-// where sample i is the texel under (s, t) + kernel × the turned offset i. Samples outside the map, and pixel lights
-// whose distance squared is below kSmallestSquare, add nothing. Each receiver's sum is taken in the order of the
-// samples, so that it has the same bits whatever the vectors' length.
+// where sample i is the texel under (s, t) + kernel × the rotated offset i. Samples outside the map, and pixel lights
+// whose squared distance is below kSmallestSquare, add nothing. Each receiver's sum is taken in the order of the
+// samples, so its bits do not depend on the vector length.
 void gather(const PixelLights& lights, const GatherPattern& pattern, float kernel, std::size_t count,
             Receivers& receivers);
 

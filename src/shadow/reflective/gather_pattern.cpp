@@ -28,7 +28,7 @@ constexpr std::int64_t square_of_length(std::int64_t x, std::int64_t y) {
   return x * x + y * y;
 }
 
-// The first point in the disc, its middle left out, of a row of random points of the square around it.
+// The first point that lies in the disc, except its centre, of a sequence of random points in the square around it.
 GridPoint random_in_disc(std::uint64_t seed) {
   for (std::uint64_t attempt = 0;; ++attempt) {
     const std::uint64_t bits = hashed(seed ^ (attempt << 58));
@@ -65,7 +65,7 @@ std::vector<GridPoint> poisson_disk(std::size_t count) {
 constexpr int kAngleBits = 12;
 static_assert(kMaxPixelLights <= 1 << kAngleBits);
 
-// Cosine and sine of a whole turn divided by 2, 4, 8, …, each from the one before by the formulas of the half angle.
+// Cosine and sine of a whole turn divided by 2, 4, 8, …, each from the one before by the half-angle formulas.
 std::array<glm::dvec2, kAngleBits> halved_turns() {
   std::array<glm::dvec2, kAngleBits> turns;
   turns[0] = {-1.0, 0.0};

@@ -1,4 +1,4 @@
-// Where around its place in a reflective shadow map a pixel takes pixel lights, and how much each of them counts.
+// The sample pattern: where a pixel takes pixel lights from the reflective shadow map, and their weights.
 #pragma once
 
 #include <cstdint>
@@ -13,22 +13,23 @@ namespace ninebit {
 struct GatherPattern {
   SamplePattern kind = SamplePattern::poisson;
   std::vector<float> x, y;
-  // Of polar: of each sample, the square of its radius. Of poisson empty: the weight is the square of the offset's x
-  // after the pattern has been turned at the pixel.
+  // polar: the square of each sample's radius. poisson: empty, because the weight is the square of the offset's x after
+  // the pattern has been rotated at the pixel.
   std::vector<float> weight{};
 
-  // The sum of all weights; of poisson its mean over all turns.
+  // The sum of all weights; for poisson, its mean over all rotations.
   [[nodiscard]] double total_weight() const;
 };
 
-// A pattern of settings.samples samples. The same on every machine: integers, square roots and products alone.
+// A pattern of settings.samples samples. It is the same on every machine: it is made with integers, square roots and
+// products only.
 //
-// poisson: each point is the best of some random candidates in the disc, the one farthest from all points before it, on
-// a grid of 2^-15. polar: the Hammersley points (i + 1/2) / n and the radical inverse of i as radius and angle.
+// poisson: on a grid of 2^-15, each point is the random candidate in the disc that is farthest from all points before
+// it. polar: the Hammersley points (i + 1/2) / n and the radical inverse of i as radius and angle.
 [[nodiscard]] GatherPattern make_pattern(const ReflectiveSettings& settings);
 
-// Cosine and sine of the angle by which a pixel turns the Poisson disk: a hash of its window coordinates, so that it
-// stays the same from frame to frame. Equally likely in all directions.
+// Cosine and sine of the angle by which a pixel rotates the Poisson disk: a hash of its window coordinates, so that it
+// stays the same from frame to frame. All directions are equally likely.
 [[nodiscard]] glm::vec2 pixel_turn(std::uint32_t x, std::uint32_t y);
 
 }  // namespace ninebit

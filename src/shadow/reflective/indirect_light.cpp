@@ -12,14 +12,14 @@ namespace {
 
 constexpr float kSimilarCosine = 0.95F;  // of 18 degrees
 
-// Samples between two questions whether to go on: a fraction of a second.
+// Samples between two calls of go_on: a fraction of a second.
 constexpr std::size_t kSamplesBetweenQuestions = std::size_t{1} << 24;
 
 double texels_in(float kernel) {
   return std::numbers::pi * double{kernel} * kernel;
 }
 
-// Of the pixels of one block along an axis, the one that stands for it: the middle, or the picture's last one.
+// The pixel that is sampled for a block, along one axis: the block's middle, or the picture's last pixel.
 int sample_place(int block, int scale, int size) {
   return std::min(block * scale + scale / 2, size - 1);
 }
@@ -43,8 +43,8 @@ double IndirectLight::scale_of_whole_map() const {
   return double{normalisation_} * pattern_.total_weight() / texels_in(kernel_);
 }
 
-// The place in the map is the texture coordinate of projective shadow mapping, in texels; behind the light there is
-// none.
+// The position in the map is the texture coordinate of projective shadow mapping, in texels; points behind the light
+// have none.
 void IndirectLight::load(std::span<const std::uint32_t> pixels, Receivers& receivers) const {
   const auto size = static_cast<float>(map_->size);
   const auto width = static_cast<std::uint32_t>(surface_->width);
@@ -89,7 +89,7 @@ Status IndirectLight::gather_at(std::span<const std::uint32_t> pixels, const Con
 }
 
 bool IndirectLight::interpolate(const std::vector<bool>& drawn, int scale, float similar_distance, std::size_t pixel) {
-  // The sample at or before a pixel along one axis, the one after it, and how far it is from one to the other.
+  // Along one axis: the samples before and after a pixel, and its position between them, from 0 to 1.
   struct Between {
     int first, second;
     float part;

@@ -15,10 +15,10 @@
 
 namespace ninebit {
 
-// The map's texels as lights with the flux that the pattern's kind goes by (render_reflective).
+// The map's texels as pixel lights, with the flux that the pattern's kind uses (render_reflective).
 [[nodiscard]] PixelLights pixel_lights(const ReflectiveMap& map, const Light& light, SamplePattern pattern);
 
-// What the camera sees: the nearest surface at each pixel, lowest row first.
+// The nearest surface at each of the camera's pixels, lowest row first.
 struct VisibleSurface {
   int width = 0;
   int height = 0;
@@ -30,7 +30,8 @@ struct VisibleSurface {
   [[nodiscard]] glm::vec3 normal_at(std::size_t i) const { return {normal[0][i], normal[1][i], normal[2][i]}; }
 };
 
-// Asked again and again during the work, with the share that is done (0 to 1); false ends it with Fault::cancelled.
+// Called repeatedly during the work with the share that is done (0 to 1); returning false ends it with
+// Fault::cancelled.
 using Continue = std::function<bool(double done)>;
 
 class IndirectLight {
@@ -39,9 +40,10 @@ class IndirectLight {
   IndirectLight(const ReflectiveMap& map, const PixelLights& lights, const VisibleSurface& surface,
                 GatherPattern pattern, float kernel);
 
-  // Gathers at every pixel of `drawn` (E of all others is 0). With a scale above 1 it gathers at one pixel in each
-  // block of scale × scale, and at those of which fewer than three of the four such pixels around are similar: nearer
-  // than `similar_distance`, with a normal within 18 degrees. The rest is interpolated between them.
+  // Gathers at every pixel of `drawn`; E of all others is 0. With a scale above 1 it gathers at one pixel in each block
+  // of scale × scale, and interpolates each other pixel between the four such pixels around it. A pixel is gathered as
+  // well if fewer than three of these four are similar: nearer than `similar_distance`, with a normal within 18
+  // degrees.
   Status compute(const std::vector<bool>& drawn, int scale, float similar_distance, const Continue& go_on);
 
   // E of all pixels, in the pattern's scale, not clamped.
@@ -49,7 +51,7 @@ class IndirectLight {
   [[nodiscard]] std::uint64_t gathered() const { return gathered_; }
   [[nodiscard]] std::uint64_t interpolated() const { return interpolated_; }
 
-  // What the sum over all texels in the kernel, each with weight 1, is multiplied by to be in the pattern's scale.
+  // The factor that brings the sum over all texels in the kernel, each with weight 1, to the pattern's scale.
   [[nodiscard]] double scale_of_whole_map() const;
 
  private:

@@ -1,4 +1,4 @@
-// A reflective shadow map's texels as lights.
+// A reflective shadow map's texels as pixel lights.
 
 #include <cmath>
 #include <numbers>
@@ -10,7 +10,7 @@
 namespace ninebit {
 namespace {
 
-// The cross-section, across the ray, of one texel's beam where it meets a point of the world.
+// The cross-section of one texel's beam at a point of the world, perpendicular to the ray.
 class BeamArea {
  public:
   BeamArea(const ReflectiveMap& map, const Light& light) : light_(light) {
@@ -27,7 +27,7 @@ class BeamArea {
   [[nodiscard]] float operator()(const glm::vec3& at) const {
     const float w = glm::dot(w_row_, glm::vec4(at, 1.0F));
     if (light_.kind == LightKind::directional) return texel_ * w * w;
-    // A plane across the axis is not across a ray beside the axis.
+    // A plane perpendicular to the axis is not perpendicular to a ray beside the axis.
     const glm::vec3 ray = at - light_.position;
     const float distance = std::sqrt(glm::dot(ray, ray));
     return distance > 0.0F ? texel_ * w * w * (w / distance) : 0.0F;

@@ -1,4 +1,4 @@
-// The technique: one frame.
+// The technique's entry point: renders one frame.
 #include "ninebit/shadow/reflective.h"
 
 #include <fmt/format.h>
@@ -10,6 +10,7 @@
 
 #include "ninebit/shadow/shadow_map.h"
 #include "src/shadow/frame/camera_frame.h"
+#include "src/shadow/frame/pass_timer.h"
 #include "src/shadow/frame/surface_planes.h"
 #include "src/shadow/frame/upright.h"
 #include "src/shadow/frame/views.h"
@@ -21,7 +22,7 @@ namespace {
 
 constexpr int kMaxGatherScale = 16;
 
-// Of the scene's diagonal: how far apart two pixels may lie that share light.
+// The largest distance between two pixels that share light, divided by the scene's diagonal.
 constexpr float kSimilarDistance = 1.0F / 16.0F;
 
 Status check_settings(const ReflectiveSettings& s) {
@@ -44,7 +45,7 @@ std::uint8_t byte_of(float value) {
 
 class ReflectiveRenderer {
  public:
-  // On top of a rendering of the direct light.
+  // Adds indirect light to a rendering of the direct light.
   ReflectiveRenderer(const Scene& scene, const RenderSettings& settings, Rendering direct, const Progress& progress)
       : scene_(scene), settings_(settings), rendering_(std::move(direct)), timer_(progress), progress_(progress) {}
 
@@ -63,7 +64,7 @@ class ReflectiveRenderer {
   [[nodiscard]] Continue between(std::string_view pass, double from, double to) const {
     return [this, pass, from, to](double done) { return !progress_ || progress_(pass, from + (to - from) * done); };
   }
-  // A picture, upright, of a byte for each pixel and colour.
+  // Adds an upright picture made of one byte per pixel and colour.
   template <class Byte>
   void add_picture(const char* file, const Byte& byte_at);
 
@@ -88,7 +89,7 @@ Status ReflectiveRenderer::draw_map() {
   return {};
 }
 
-// What the camera's depth pass left, drawn once more: its position, normal and colour.
+// Draws the visible surface again, and captures its position, normal and colour.
 Status ReflectiveRenderer::draw_surface() {
   Surface& frame = rendering_.frame;
   surface_.width = frame.width();
@@ -119,7 +120,7 @@ Status ReflectiveRenderer::gather() {
                             between("indirect light", 0.3, 0.85));
 }
 
-// The direct light of the lit and shadow passes, and the indirect light on top.
+// Adds the indirect light to the direct light of the lit and shadow passes.
 void ReflectiveRenderer::compose() {
   RenderTarget target = rendering_.frame.target();
   for (std::size_t c = 0; c < 3; ++c) {

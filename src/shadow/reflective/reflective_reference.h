@@ -1,4 +1,4 @@
-// What reflective shadow maps gather a sample of: the light of all texels.
+// The light of all texels, of which reflective shadow maps gather samples.
 #pragma once
 
 #include <array>
@@ -16,7 +16,7 @@ namespace ninebit {
 [[nodiscard]] glm::dvec3 whole_map_irradiance(const PixelLights& lights, const glm::dvec3& position,
                                               const glm::dvec3& normal);
 
-// How far the gathered light lies from the whole map's at pixels of a coarse grid, over the three colours of each.
+// The difference between the gathered light and the whole map's, over pixels of a coarse grid and their three colours.
 struct IndirectError {
   std::uint64_t pixels = 0;
   double reference_mean = 0.0;  // of the whole map's irradiance, in the pattern's scale
@@ -24,7 +24,7 @@ struct IndirectError {
   double max = 0.0;
 };
 
-// Compares at up to kReferenceColumns × kReferenceRows pixels of those drawn.
+// Compares at up to kReferenceColumns × kReferenceRows of the drawn pixels.
 inline constexpr int kReferenceColumns = 16, kReferenceRows = 12;
 [[nodiscard]] Result<IndirectError> indirect_error(const PixelLights& lights, const VisibleSurface& surface,
                                                    const std::vector<bool>& drawn, const IndirectLight& indirect,

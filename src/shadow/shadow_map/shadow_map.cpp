@@ -10,6 +10,7 @@
 #include "src/shadow/frame/light_beam.h"
 #include "src/shadow/frame/map_evidence.h"
 #include "src/shadow/frame/packed_map.h"
+#include "src/shadow/frame/pass_timer.h"
 #include "src/shadow/frame/texture_units.h"
 #include "src/system/parallel/parallel_loop.h"
 
@@ -18,10 +19,10 @@ namespace {
 
 constexpr LightKinds kMapLights{.point = false, .spot = true, .directional = true};
 
-// Larger maps are shown by every second, fourth, … texel.
+// The picture of a larger map shows every second, fourth, … texel.
 constexpr int kLargestPicture = 1024;
 
-// The nearest depth that was drawn is white, the farthest dark grey, what was not drawn black.
+// The nearest depth is white, the farthest dark grey; undrawn texels are black.
 Image8 map_picture(std::span<const std::uint32_t> codes, int size, std::uint32_t cleared) {
   std::uint32_t nearest = cleared, farthest = 0;
   for (const std::uint32_t code : codes) {
@@ -44,7 +45,7 @@ Image8 map_picture(std::span<const std::uint32_t> codes, int size, std::uint32_t
   return image;
 }
 
-// One face of one texel each, of which +z alone lets light through.
+// A cube map with one texel per face, of which only +z lets light through.
 Texture beam_texture() {
   std::vector<std::vector<TextureSamples>> faces;
   for (const CubeFace face : kCubeFaces) {
@@ -78,9 +79,9 @@ class ShadowMapRenderer {
 
   [[nodiscard]] const RenderSettings& settings() const { return frame_.settings(); }
   [[nodiscard]] std::uint32_t cleared() const { return max_depth(map_format_); }
-  // Makes `interpolated_` of the coordinates.
+  // Fills `interpolated_` from the coordinates.
   void interpolate_coordinates();
-  // Planes for the coordinates of fragments, in the order s, t, r, q; as layers where those are kept.
+  // Adds output planes for the s, t, r and q of fragments; with settings.layers they are layers.
   void add_coordinate_planes(RenderTarget& target);
   Status compare_depth_texture();
   Status compare_packed();
@@ -90,11 +91,11 @@ class ShadowMapRenderer {
   ShadowMapPasses passes_;
   LightBeam beam_;
   LightBeam::Coordinates coordinates_;
-  std::vector<glm::vec4> interpolated_;  // coordinates as an attribute, where they leave the pipeline
+  std::vector<glm::vec4> interpolated_;  // coordinates as an attribute, for output planes
   DepthStencilFormat map_format_;
   std::vector<std::uint32_t>* depth_;  // of the map, in the rendering
   std::optional<PackedMap> packed_;
-  std::array<std::vector<float>, 4> own_planes_;  // coordinates of fragments, without layers
+  std::array<std::vector<float>, 4> own_planes_;  // coordinates of fragments, unless they are layers
   std::array<std::vector<float>*, 4> planes_{};
 };
 
@@ -112,8 +113,7 @@ Status ShadowMapRenderer::draw_map() {
   std::fill(depth_->begin(), depth_->end(), cleared());
   RenderTarget target{.width = settings().map_size, .height = settings().map_size, .format = map_format_};
   target.depth = {depth_->data(), settings().map_size};
-  const Scene& scene = frame_.scene();
-  const VertexArrays arrays{.positions = scene.positions, .indices = index_list(scene.triangles)};
+  const VertexArrays arrays = frame_.all_triangles(frame_.scene().positions);
   if (Status drawn = rasterize(passes_.map, beam_.projection(), arrays, {}, target); !drawn) return drawn;
   if (const DepthPacking* packing = depth_packing(settings().shadow_map.encoding)) {
     packed_.emplace(*packing, settings().shadow_map.storage, settings().map_size, *depth_, cleared(), rendering().maps);
@@ -200,16 +200,12 @@ Status ShadowMapRenderer::compare_packed() {
   return {};
 }
 
-// Whatever the map says of a surface that turns away from the light, with light_facing it is in shadow.
 Status ShadowMapRenderer::draw_averted() {
-  const Scene& scene = frame_.scene();
-  std::vector<std::uint32_t> averted;
-  for (std::size_t i = 0; i < scene.triangles.size(); ++i) {
-    const glm::uvec3& t = scene.triangles[i];
-    if (beam_.lights_front(scene.positions[t.x], scene.positions[t.y], scene.positions[t.z])) continue;
-    averted.push_back(static_cast<std::uint32_t>(i));
-  }
-  return frame_.draw_averted(passes_.averted, averted);
+  return frame_.draw_averted(passes_.averted, [this](std::size_t triangle) {
+    const glm::uvec3& t = frame_.scene().triangles[triangle];
+    const auto& p = frame_.scene().positions;
+    return beam_.lights_front(p[t.x], p[t.y], p[t.z]);
+  });
 }
 
 Status ShadowMapRenderer::add_evidence() {
@@ -244,16 +240,11 @@ Rendering ShadowMapRenderer::finish() {
 
 Result<Rendering> render_shadow_map(const Scene& scene, const RenderSettings& settings, const Progress& progress) {
   std::optional<ShadowMapRenderer> renderer;
-  const auto make = [&]() -> Status {
-    auto made = ShadowMapRenderer::make(scene, settings);
-    if (!made) return made.error();
-    renderer.emplace(std::move(*made));
-    return {};
-  };
   PassTimer timer(progress);
   PassTimes times;
-  double colors = 0.0;  // which the frame counts pass by pass
-  Status status = timer.run("light's view", 0.0, times.transform, make);
+  double colors = 0.0;  // draw_lit_and_shadow takes the times of its passes itself
+  Status status = timer.make("light's view", 0.0, times.transform, renderer,
+                             [&] { return ShadowMapRenderer::make(scene, settings); });
   if (status) status = timer.run("shadow map", 0.1, times.maps, [&] { return renderer->draw_map(); });
   if (status) status = timer.run("depth", 0.4, times.camera, [&] { return renderer->draw_depth(); });
   if (status) status = timer.run("comparison", 0.5, times.compare, [&] { return renderer->draw_comparison(); });

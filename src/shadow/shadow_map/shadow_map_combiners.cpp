@@ -12,7 +12,7 @@ Result<CombinerState> shadow_map_comparison_state(const HardwareProfile& profile
   return combiner_state_after(profile, "shadow map's comparison", [] {
     glCombinerParameteriNV(GL_NUM_GENERAL_COMBINERS_NV, 1);
 
-    // Stage 0, alpha: spare0 = texture0 · texture1, 1 where the fragment is lit and inside the beam.
+    // Stage 0, alpha: spare0 = texture0 · texture1, 1 if the fragment is lit and inside the beam.
     glCombinerInputNV(GL_COMBINER0_NV, GL_ALPHA, GL_VARIABLE_A_NV, GL_TEXTURE0_ARB, GL_UNSIGNED_IDENTITY_NV, GL_ALPHA);
     glCombinerInputNV(GL_COMBINER0_NV, GL_ALPHA, GL_VARIABLE_B_NV, GL_TEXTURE1_ARB, GL_UNSIGNED_IDENTITY_NV, GL_ALPHA);
     glCombinerInputNV(GL_COMBINER0_NV, GL_ALPHA, GL_VARIABLE_C_NV, GL_ZERO, GL_UNSIGNED_IDENTITY_NV, GL_ALPHA);

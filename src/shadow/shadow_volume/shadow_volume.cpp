@@ -1,4 +1,4 @@
-// The technique: its passes, and one frame.
+// The technique: the states of its passes, and the rendering of one frame.
 #include "ninebit/shadow/shadow_volume.h"
 
 #include <fmt/format.h>
@@ -13,8 +13,9 @@
 #include <utility>
 
 #include "src/shadow/frame/camera_frame.h"
+#include "src/shadow/frame/pass_timer.h"
 #include "src/shadow/frame/views.h"
-#include "src/shadow/shadow_volume/shadow_volumes.h"
+#include "src/shadow/shadow_volume/volume_extrusion.h"
 #include "src/shadow/shadow_volume/volume_mesh.h"
 
 namespace ninebit {
@@ -87,7 +88,8 @@ Status VolumeRenderer::make_volumes() {
   mesh_ = volume_mesh(scene);
   facing_ = facing_of(mesh_, homogeneous_light(light));
   const auto casters = casters_of(scene, mesh_, facing_, settings_.cull_face);
-  // In front of the nearest surface there is a front cap only if its caster is culled, a back cap never.
+  // Depth-pass counts in front of the visible surface: a front cap is there only if its caster is culled, a back cap
+  // never.
   const bool counts_failing = settings_.shadow_volume.method == VolumeMethod::depth_fail;
   const VolumeCaps caps{.front = counts_failing || settings_.cull_face != CullFace::none, .back = counts_failing};
   volumes_ = extrude(mesh_, casters, homogeneous_light(light), caps);
@@ -95,8 +97,8 @@ Status VolumeRenderer::make_volumes() {
   return {};
 }
 
-// Of a spot light 1: dark, until the pyramid takes it away. Depth-pass, which counts from the eye, begins with what is
-// there.
+// With a spot light the stencil begins with 1 (dark), which the light's pyramid subtracts. Depth-pass counts from the
+// eye, so it begins with 0 if the eye is inside the pyramid.
 Status VolumeRenderer::begin_stencil(RenderTarget& target) {
   if (pyramid_.triangles.empty()) return {};
   const glm::vec4 eye =
@@ -125,18 +127,14 @@ Status VolumeRenderer::draw_pass(const VolumePass& pass, RenderTarget& target) {
   return rasterize(pass.state, frame_.projection(), arrays, {}, target);
 }
 
-// Triangles with their back to the light, or edge-on: whatever is lit of them no longer is.
+// Marks the lit parts of triangles that are edge-on or turn their back to the light.
 Status VolumeRenderer::mark_averted() {
-  std::vector<std::uint32_t> averted;
-  for (std::size_t t = 0; t < facing_.size(); ++t) {
-    if (facing_[t] <= 0) averted.push_back(static_cast<std::uint32_t>(t));
-  }
   PipelineState state = marking_pass(settings_);
   state.stencil_test.front = {.function = CompareFunction::equal, .reference = 0, .depth_pass = StencilOperation::incr};
-  return frame_.draw_averted(state, averted);
+  return frame_.draw_averted(state, [this](std::size_t triangle) { return facing_[triangle] > 0; });
 }
 
-// Volumes reach behind everything; what they leave where no surface is would only look like a shadow.
+// Volumes reach behind everything. A count that they leave in the background would look like a shadow.
 Status VolumeRenderer::clear_background(RenderTarget& target) {
   PipelineState state = silent_state(settings_);
   state.depth_test = {.enabled = true, .function = CompareFunction::equal, .write = false};

@@ -12,7 +12,7 @@ auto ordered(const glm::vec3& p) {
   return std::tie(p.x, p.y, p.z);
 }
 
-// The scene's vertices that an object uses, those at one place side by side.
+// The scene's vertices that an object uses, grouped by position.
 std::vector<std::uint32_t> vertices_of(const Scene& scene, const SceneObject& object) {
   std::vector<std::uint32_t> used;
   used.reserve(std::size_t{3} * object.triangle_count);

@@ -1,5 +1,5 @@
-// A scene's objects as surfaces without seams: vertices joined where their positions are equal, and the edges in which
-// triangles meet.
+// A scene's objects as surfaces without seams: vertices with equal positions are joined, and edges list the triangles
+// that use them.
 #pragma once
 
 #include <cstdint>
@@ -19,8 +19,8 @@ struct EdgeUse {
 };
 
 struct SurfaceFaults {
-  std::uint64_t open_edges = 0;         // of one triangle alone
-  std::uint64_t nonmanifold_edges = 0;  // of more than two, or of two that run along it in the same direction
+  std::uint64_t open_edges = 0;         // used by one triangle
+  std::uint64_t nonmanifold_edges = 0;  // used by more than two, or by two in the same direction
   [[nodiscard]] bool none() const { return open_edges == 0 && nonmanifold_edges == 0; }
 };
 
@@ -28,17 +28,17 @@ struct SurfaceFaults {
 struct VolumeMesh {
   std::vector<glm::vec3> positions;
   std::vector<glm::uvec3> triangles;  // of the scene, in its order: their corners in `positions`
-  std::vector<EdgeUse> uses;          // those of one edge side by side; none of triangles with a corner twice
+  std::vector<EdgeUse> uses;          // grouped by edge; none for triangles that use a vertex twice
   std::vector<SurfaceFaults> faults;  // of each of the scene's objects
 };
 
-// Joins positions that compare equal, so that 0 and -0 are one.
+// Joins positions that compare equal: 0 and -0 are the same.
 [[nodiscard]] VolumeMesh volume_mesh(const Scene& scene);
 
-// Where the uses of the edge that begins at `first` end.
+// The end of the group of uses of one edge that begins at `first`.
 [[nodiscard]] std::size_t end_of_edge(const std::vector<EdgeUse>& uses, std::size_t first);
 
-// Whether two corners of a triangle are one vertex.
+// Whether a triangle uses a vertex twice.
 [[nodiscard]] inline bool has_corner_twice(const glm::uvec3& t) {
   return t.x == t.y || t.y == t.z || t.z == t.x;
 }

@@ -51,12 +51,19 @@ class ScopedThreadLimit {
   std::unique_ptr<Control> control_;
 };
 
+// The grain of loops whose items take a few nanoseconds each: vertices, pixels, texels.
+constexpr std::size_t kGrainOfCheapItems = 16384;
+
 // Calls body(i) for 0 <= i < count, on several threads.
 template <class Body>
-void parallel_for(std::size_t count, const Body& body) {
-  parallel_ranges(count, 1, [&](std::size_t begin, std::size_t end) {
+void parallel_for(std::size_t count, std::size_t grain, const Body& body) {
+  parallel_ranges(count, grain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) body(i);
   });
+}
+template <class Body>
+void parallel_for(std::size_t count, const Body& body) {
+  parallel_for(count, 1, body);
 }
 
 // Joins `identity` and body(begin, end) of disjoint ranges that cover 0 <= i < count. `join` must be associative and

@@ -1,4 +1,4 @@
-#include "src/shadow/shadow_volume/shadow_volumes.h"
+#include "src/shadow/shadow_volume/volume_extrusion.h"
 
 #include <array>
 #include <utility>
@@ -40,8 +40,8 @@ std::vector<std::int8_t> casters_of(const Scene& scene, const VolumeMesh& mesh, 
 
 namespace {
 
-// The quad from an edge to infinity. It is cut along the same diagonal whichever way it is turned, so that two that are
-// turned against each other cancel at every pixel.
+// Makes the quad from an edge to infinity. Both orientations are cut along the same diagonal, so two quads of opposite
+// orientation cancel at every pixel.
 class SideMaker {
  public:
   SideMaker(ShadowVolumes& to, std::uint32_t vertices, bool is_directional)
