@@ -63,7 +63,7 @@ TEST(EmitText, LeavesOutWhatIsOverwrittenAndFoldsConstants) {
   state.final_combiner.d = {Register::spare0, InputMapping::unsigned_identity, ComponentUsage::rgb};
   const std::string text = emit_glsl(compiled(state), GlslVersion::es_300).value();
   EXPECT_EQ(text.rfind("#version 300 es\nprecision highp int;\n", 0), 0U);
-  EXPECT_TRUE(contains(text, "General combiner 0, RGB portion: nothing that it writes is read.")) << text;
+  EXPECT_TRUE(contains(text, "General combiner 0, RGB portion: none of its outputs is read.")) << text;
   EXPECT_FALSE(contains(text, "texture1.r")) << text;
   EXPECT_TRUE(contains(text, "//   spare0.b is 51\n")) << text;
   EXPECT_TRUE(contains(text, "return ivec4(255, 0, 51, ")) << text;
@@ -113,7 +113,7 @@ TEST(EmitText, RefusesCodesThatDoNotFit) {
   program.datapath.lowest = -20000;
   EXPECT_TRUE(contains(emit_c(program).error().text(), "too large for 32-bit integers"));
   program.datapath.one = 1 << 20;
-  EXPECT_TRUE(contains(emit_c(program).error().text(), "outside of what the datapath can hold"));
+  EXPECT_TRUE(contains(emit_c(program).error().text(), "out of the datapath's range"));
   program = compiled(state);
   program.datapath.half = 2000;
   EXPECT_FALSE(emit_glsl(program, GlslVersion::glsl_330).ok());

@@ -170,7 +170,7 @@ TEST(Explain, AMuxByTheLowestBit) {
   const HardwareProfile& xbox = profiles::nv2a;
   const Explanation e = explain(normalize(state, xbox), xbox);
   EXPECT_EQ(lines_of(e).front(), "spare0 = odd(spare0.a) ? tex1 : tex0");
-  EXPECT_TRUE(mentions(e.legend, "odd(x): the lowest bit of x's code, of 0 where x is negative"));
+  EXPECT_TRUE(mentions(e.legend, "odd(x): the lowest bit of x's code, or of 0 if x is negative"));
   EXPECT_FALSE(mentions(e.legend, "½"));
 }
 

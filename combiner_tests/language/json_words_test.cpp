@@ -62,7 +62,7 @@ TEST(JsonWords, EveryFaultHasItsPlace) {
       {"{\"RC_IN_RGB[0]\": 0, \"RC_IN_RGB[0]\": 0}", 1, 21, "was given before"},
       {"{\"RC_IN_RGB[0]\": 0,\n\"rc_in_color0\": 0}", 2, 1, "given before, in line 1 as RC_IN_RGB[0]"},
       {"{\"RC_IN_\\u0007\": 0}", 1, 2, "\"RC_IN_\\x07\" is not a register word"},
-      {"{\"RC_IN_RGB[9]\": 0}", 1, 2, "beyond the words of NV10"},
+      {"{\"RC_IN_RGB[9]\": 0}", 1, 2, "is out of range for NV10"},
       {"{\n \"RC_IN_RGB[0]\": \"0x06000000\"}", 2, 2, "register code 0x6"},
       {"{\n \"RC_OUT_RGB[0]\": \"0x00000ccc\"}", 2, 2, "GL_INVALID_OPERATION"},
   };

@@ -266,8 +266,8 @@ const WordFault kFaults[] = {
     // Names.
     {k10, "RC_IN_GREEN[0] = 0x0", 1, 1, "is not a register word of NV10"},
     {k10, "RC_IN_RGB = 0x0", 1, 1, "needs an index from 0 to 1, as in RC_IN_RGB[0]"},
-    {k10, "RC_IN_RGB[2] = 0x0", 1, 1, "beyond the words of NV10"},
-    {k20, "RC_IN_RGB[8] = 0x0", 1, 1, "beyond the words of NV20"},
+    {k10, "RC_IN_RGB[2] = 0x0", 1, 1, "is out of range for NV10"},
+    {k20, "RC_IN_RGB[8] = 0x0", 1, 1, "is out of range for NV20"},
     {k10, "RC_ENABLE = 0x1", 1, 1, "is a word of NV20, not of NV10"},
     {k10, "RC_COLOR[0] = 0x0\nRC_FACTOR[0] = 0x0", 2, 1, "was given before, in line 1 as RC_COLOR[0]"},
     // Masks and reserved codes.
@@ -346,7 +346,7 @@ TEST(RegisterWords, WhatNv10CannotHold) {
   EXPECT_NE(lacks(state).find("NV10 has 2 general combiners, but the program uses 3"), std::string::npos);
   state = {};
   state.per_stage_constants = true;
-  EXPECT_NE(lacks(state).find("no constants of a stage"), std::string::npos);
+  EXPECT_NE(lacks(state).find("no per-stage constants"), std::string::npos);
   state = {};
   state.general[1].rgb.out.ab_blue_to_alpha = true;
   EXPECT_NE(lacks(state).find("NV10 has no blue-to-alpha outputs"), std::string::npos);

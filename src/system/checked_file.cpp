@@ -16,7 +16,7 @@ namespace {
 constexpr std::size_t kBufferBytes = std::size_t{1} << 18;
 
 // A new file is created exclusively: nobody else can have placed anything at a name that cannot be guessed. An existing
-// file is emptied, unless it is a link.
+// file is emptied; a link is an error.
 int open_to_write(const std::filesystem::path& file) {
   constexpr int kFlags = O_WRONLY | O_NOFOLLOW | O_CLOEXEC;
   const int created = ::open(file.c_str(), kFlags | O_CREAT | O_EXCL, kNewFileMode);

@@ -8,7 +8,7 @@
 namespace ninebit::posix {
 
 // An advisory lock on a folder, held until the destructor runs; a process forked in the meantime holds it until that
-// process ends. It excludes only other FolderLocks.
+// process ends. It excludes only those who take it as well.
 class FolderLock {
  public:
   // Waits at most `longest_wait` for the lock. `error` is set if another process holds it for that long. A folder that

@@ -22,8 +22,8 @@ void guard_streams() {
   std::signal(SIGXFSZ, SIG_IGN);
   for (const int stream : {kStandardInput, kStandardOutput, kStandardError}) {
     if (::fcntl(stream, F_GETFD) >= 0) continue;
-    // Writing to a closed stdout stays an error; writing to a closed stderr becomes none. open() returns the lowest
-    // free number; if it fails, the stream stays closed.
+    // Writing to a closed stdout stays an error; writing to a closed stderr is then not an error. open() returns the
+    // lowest free number; if it fails, the stream stays closed.
     (void)::open("/dev/null", stream == kStandardError ? O_WRONLY : O_RDONLY);
   }
 }

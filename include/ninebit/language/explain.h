@@ -27,7 +27,7 @@ struct Equation {
 struct DeadPortion {
   int stage = 0;                           // 0-based general combiner
   PortionName portion = PortionName::rgb;  // RGB or alpha portion
-  std::string reason;                      // "dead, nothing reads what it writes"
+  std::string reason;                      // "dead, nothing reads its outputs"
 };
 
 // A program as equations, with notes for the reader.

@@ -18,7 +18,7 @@ struct OwnedProfile {
 
 // Reads {"base": "geforce2", "name": "mine", "half": 127, "general_narrowing": "nearest-halves-up", …}: the name of a
 // shipped profile, a new name, optionally "chip", and any fields of HardwareProfile by their names. A replaced field
-// has the evidence `assumed` and the file's name (or "a profile of the caller's own") as its source.
+// has the evidence `assumed` and the file's name (or "a custom profile") as its source.
 //
 // Values are whole numbers, true and false, or one of
 //   arithmetic         integer, exact, float32            general_narrowing, final_narrowing  toward-zero,

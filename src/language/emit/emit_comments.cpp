@@ -35,7 +35,7 @@ std::vector<std::string> comments_of(const Program& program, int stage, PortionN
   std::vector<std::string> lines{"General combiner " + std::to_string(stage) +
                                  (name == PortionName::rgb ? ", RGB portion" : ", alpha portion")};
   if (!live.any()) {
-    lines[0] += ": nothing that it writes is read.";
+    lines[0] += ": none of its outputs is read.";
     return lines;
   }
   if (live.ab || live.sum) lines.push_back(pair_of('A', portion.a, 'B', portion.b));

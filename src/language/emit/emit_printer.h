@@ -24,7 +24,7 @@ class Printer {
  public:
   Printer(const Graph& graph, const Listing& listing, const Dialect& dialect);
 
-  // Declares a listed value, or names the known value that it equals in a comment.
+  // Declares a listed value, or writes a comment with the known value that it equals.
   void line(const Line& line);
   // Declares the variables that text() of this value needs.
   void prepare(const V& v, const std::string& name_of_parts);

@@ -195,7 +195,7 @@ std::string print_explanation(const Explanation& e) {
     for (const std::string& sentence : sentences) text += "  " + sentence + "\n";
   };
   section("constants", e.constants);
-  section("defaults that take part", e.notes);
+  section("defaults that affect the result", e.notes);
   section("how to read this", e.legend);
   return text;
 }

@@ -72,8 +72,8 @@ std::vector<DeadPortion> dead_portions(const Program& program, const std::vector
         return f.equation.stage == stage && f.equation.portion == name && f.equation.used;
       });
       if (used) continue;
-      std::string reason = "dead, nothing reads what it writes";
-      if (is_default(portion, name)) reason = "dead, GL's default, and nothing reads what it writes";
+      std::string reason = "dead, nothing reads its outputs";
+      if (is_default(portion, name)) reason = "dead, GL's default, and nothing reads its outputs";
       if (!is_live(portion.out)) reason = "dead, all its outputs are discarded";
       dead.push_back({stage, name, std::move(reason)});
     }
@@ -147,7 +147,7 @@ std::vector<std::string> legend_of(const Datapath& d, const std::vector<Fact>& f
       {Mark::half, d.arithmetic == Arithmetic::integer
                        ? "½ is the code " + std::to_string(d.half) + " of " + std::to_string(d.one)
                        : "½ is one half exactly"},
-      {Mark::odd, "odd(x): the lowest bit of x's code, of 0 where x is negative"},
+      {Mark::odd, "odd(x): the lowest bit of x's code, or of 0 if x is negative"},
       {Mark::product, "a × b multiplies component by component"},
       {Mark::dot, "a · b is the dot product of red, green and blue, in every component"},
       {Mark::swizzle, "x.aaa, x.blue.blue.blue: one component in place of red, green and blue"},

@@ -33,7 +33,7 @@ bool is_name(std::string_view text) {
 class ProfileReader {
  public:
   ProfileReader(const SourceText& source, TextFaults& faults) : read_(source.text, faults), faults_(faults) {
-    text_->source = source.file.empty() ? "a profile of the caller's own" : std::string(source.file);
+    text_->source = source.file.empty() ? "a custom profile" : std::string(source.file);
   }
 
   OwnedProfile read(const Value& root) {

@@ -16,7 +16,7 @@ class Reader {
  public:
   Reader(std::string_view text, TextFaults& faults) : places_(text), faults_(faults) {}
 
-  // `gl_error` is the error that OpenGL raises for the same state, if the fault is one of the state only.
+  // `gl_error`: the error that OpenGL would raise for the same value.
   void fault(std::size_t offset, const std::string& message, GlError gl_error = GlError::no_error) {
     faults_.add(places_(offset), message, gl_error);
   }

@@ -217,8 +217,8 @@ class PortionReader {
   Statements statements_;
 };
 
-// The state of a missing portion. nvparse sets the component usage of its inputs to blue. GL refuses that in an RGB
-// portion, which keeps its old inputs; nothing reads them.
+// The state of a missing portion. nvparse sets its inputs with component usage blue. GL refuses that in an RGB portion,
+// which kept its old inputs; nothing reads them.
 Portion missing_portion(PortionName name) {
   Portion portion;
   portion.a = portion.b = portion.c = portion.d =
