@@ -6,7 +6,7 @@
 
 namespace NINEBIT_PUBLIC ninebit {
 
-// What the rules of combiner_rules.inl read: the fields of that name of a HardwareProfile, without their evidence.
+// What the rules of arithmetic.inl read: the fields of that name of a HardwareProfile, without their evidence.
 struct Datapath {
   Arithmetic arithmetic =
       Arithmetic::integer;  // in what numbers; with any but integer the rest is not read, save `one`

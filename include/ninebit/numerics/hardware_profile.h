@@ -1,7 +1,7 @@
 // Every choice that the hardware made, each with the word that says how well it is known.
 //
 // A profile is a value: copy one and change a field to ask "what if". The rules that read these fields stand in
-// combiner_rules.inl; docs/numerics.md tells each rule's evidence at length.
+// arithmetic.inl; docs/numerics.md tells each rule's evidence at length.
 #pragma once
 
 #include <cstdint>

@@ -1,7 +1,7 @@
 // AB + CD over all of its inputs, one by one: every register code from -one to one for each of A, B, C and D, which are
 // 511^4 = 68,184,176,641 cases with nine bits.
 //
-// Each case is evaluated by the rules of combiner_rules.inl in vector lanes and compared with exact arithmetic in whole
+// Each case is evaluated by the rules of arithmetic.inl in vector lanes and compared with exact arithmetic in whole
 // numbers, in units of 1 / (4 one²). datapath_error.h gets the same numbers by counting wide values; neither shares
 // with the other how it does so.
 #pragma once

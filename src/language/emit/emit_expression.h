@@ -1,4 +1,4 @@
-// Values that are text to be: the primitives of combiner_rules.inl build a graph of integer operations instead of
+// Values that are text to be: the primitives of arithmetic.inl build a graph of integer operations instead of
 // computing. Every node knows the interval in which its value lies, so clamps that cannot cut vanish, and overflow of
 // 32 bits is found while the text is written.
 #pragma once
