@@ -62,8 +62,10 @@ class Graph {
   V input(std::string text, Interval range);
   V make(Operation operation, const std::array<V, 4>& args, Interval range);
 
-  // Gives a value its name unless it has one already; constants and inputs keep their text.
-  static void name(const V& value, const std::string& name);
+  // Gives a value its name and returns true, unless it has one already; constants and inputs keep their text.
+  static bool name(const V& value, const std::string& name);
+  // Replaces the name of a value that has one.
+  static void rename(const V& value, const std::string& name);
 
   [[nodiscard]] const Node& operator[](int node) const { return nodes_[static_cast<std::size_t>(node)]; }
   [[nodiscard]] std::size_t size() const { return nodes_.size(); }

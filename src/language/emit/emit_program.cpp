@@ -96,14 +96,14 @@ class Lister {
     }
     V output(const detail::Target& target, const V& wide) {
       const V value = combiner_output(lister_.d_, target.out.scale, target.out.bias, wide);
-      auto& lines = lines_[target.component == kAlpha ? 1 : 0][target.k];
+      PortionLines& to_portion = lines_[target.component == kAlpha ? 1 : 0];
       detail::for_each_write(target, [&](Register to, int component) {
         if (!live_.has(to, component)) return;
         const char letter = kComponentLetters[static_cast<std::size_t>(component)];
         const std::string text(short_name_of(to));
         Line line{text + '.' + letter, "s" + std::to_string(number_) + '_' + text + '_' + letter, value};
-        Graph::name(value, line.name);
-        lines.push_back(std::move(line));
+        if (Graph::name(value, line.name)) to_portion.named.push_back(value);
+        to_portion.of_output[target.k].push_back(std::move(line));
       });
       return value;
     }
@@ -115,20 +115,32 @@ class Lister {
     // The lines of a portion after the walk; empty for a portion that writes nothing.
     std::optional<Block> block(PortionName name) {
       if (!is_live((name == PortionName::rgb ? stage_.rgb : stage_.alpha).out)) return std::nullopt;
-      auto& lines = lines_[name == PortionName::rgb ? 0 : 1];
-      const LiveOutputs live{!lines[0].empty(), !lines[1].empty(), !lines[2].empty()};
+      PortionLines& lines = lines_[name == PortionName::rgb ? 0 : 1];
+      auto& [ab, cd, third] = lines.of_output;
+      const LiveOutputs live{!ab.empty(), !cd.empty(), !third.empty()};
       Block result{comments_of(lister_.program_, number_, name, live), {}};
-      for (std::vector<Line>& of_output : lines)
+      for (std::vector<Line>& of_output : lines.of_output) {
         std::move(of_output.begin(), of_output.end(), std::back_inserter(result.lines));
+      }
+      // The walk names values channel by channel. Of the lines that share a value, the first one printed names it.
+      for (auto line = result.lines.rbegin(); line != result.lines.rend(); ++line) {
+        const bool is_named = std::find(lines.named.begin(), lines.named.end(), line->value) != lines.named.end();
+        if (is_named) Graph::rename(line->value, line->name);
+      }
       return result;
     }
 
    private:
+    struct PortionLines {
+      std::array<std::vector<Line>, 3> of_output{};  // AB, CD, third
+      std::vector<V> named{};                        // values that got their names here
+    };
+
     Lister& lister_;
     int number_;
     const ProgramStage& stage_;
     const LiveSet& live_;
-    std::array<std::array<std::vector<Line>, 3>, 2> lines_{};  // by portion, then AB, CD, third
+    std::array<PortionLines, 2> lines_{};  // RGB, alpha
   };
 
   Values final_result() const {
