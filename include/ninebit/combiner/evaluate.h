@@ -1,9 +1,9 @@
-// Running a program over one fragment by the constexpr reference, and what a batch of fragments is. batch_program.h
-// runs batches by SIMD, with the same bits.
+// The constexpr reference, which runs a program over one fragment; the types of a batch of fragments. batch_program.h
+// runs batches with SIMD and gives the same bits.
 //
-// Registers and colours are codes here with every arithmetic. A program whose arithmetic is not integer computes in
-// real numbers from the first stage to the last; each register that it wrote and each colour then leaves as the nearest
-// code, halves up. evaluate_real.h shows the numbers themselves.
+// Registers and colours are codes here, whatever the arithmetic. A program whose arithmetic is not integer computes in
+// real numbers from the first stage to the last. Each register that it wrote, and each colour, is then rounded to the
+// nearest code, halves up. evaluate_real.h returns the real numbers.
 #pragma once
 
 #include <array>
@@ -18,28 +18,28 @@
 
 namespace NINEBIT_PUBLIC ninebit {
 
-// The register file of one fragment. `zero` and the constants are the program's affair: what stands there is not read.
+// The register file of one fragment. The entries of `zero` and the constants are not read: the program defines them.
 struct RegisterFile {
   std::array<Rgba9, kRegisterCount> value{};  // by Register
   constexpr Rgba9& operator[](Register r) {
     return value[static_cast<std::size_t>(r)];
-  }  // one of the first kRegisterCount
+  }  // r: one of the first kRegisterCount
   constexpr const Rgba9& operator[](Register r) const { return value[static_cast<std::size_t>(r)]; }  // likewise
   friend constexpr bool operator==(const RegisterFile&, const RegisterFile&) = default;
 };
 
-// One fragment's registers after the last general combiner, and the colour that leaves the final combiner.
+// One fragment's registers after the last general combiner, and the final combiner's colour.
 struct EvaluatedFragment {
-  RegisterFile registers;  // `zero` and constants as they were given
+  RegisterFile registers;  // `zero` and the constants are unchanged
   Rgba9 color{};           // codes in [0, one]
 };
 
-// Runs a program of any arithmetic over one fragment. Not constexpr; for integer arithmetic the same as the functions
-// below.
+// Runs a program of any arithmetic over one fragment. Not constexpr. For integer arithmetic the result equals that of
+// the functions below.
 [[nodiscard]] EvaluatedFragment evaluate_fragment(const Program& program, const RegisterFile& initial);
 
 namespace detail {
-// The final combiner alone, in a program's arithmetic, on registers that are codes.
+// Runs the final combiner alone, in the program's arithmetic, on registers that hold codes.
 [[nodiscard]] Rgba9 evaluate_real_final(const Program& program, const RegisterFile& registers);
 }  // namespace detail
 
@@ -78,7 +78,7 @@ constexpr V select_where_at_least(V v, V limit, V yes, V no) {
   return v >= limit ? yes : no;
 }
 
-// How the functions of arithmetic.inl are declared here; not defined after this header.
+// The functions of arithmetic.inl are constexpr here. The macro is undefined again below.
 #define NINEBIT_RULE constexpr
 #include "ninebit/combiner/arithmetic.inl"
 #undef NINEBIT_RULE
@@ -134,8 +134,7 @@ class CodeDomain {
 
 }  // namespace reference
 
-// Runs the general combiners over one fragment's registers, in place. Each stage reads all before it writes (rule 12).
-// constexpr while the arithmetic is integer.
+// Runs the general combiners over one fragment's registers, in place. constexpr if the arithmetic is integer.
 constexpr void evaluate_general(const Program& program, RegisterFile& registers) {
   if (program.datapath.arithmetic != Arithmetic::integer) {
     registers = evaluate_fragment(program, registers).registers;
@@ -149,9 +148,9 @@ constexpr void evaluate_general(const Program& program, RegisterFile& registers)
   }
 }
 
-// Runs the final combiner over the registers that the general combiners left. Returns codes in [0, one]. constexpr
-// while the arithmetic is integer; with another one it starts from registers that evaluate_general has rounded, unlike
-// evaluate() and evaluate_fragment(), which round once at the end.
+// Runs the final combiner over the registers that the general combiners left. Returns codes in [0, one]. constexpr if
+// the arithmetic is integer. With another arithmetic it starts from registers that evaluate_general has rounded;
+// evaluate() and evaluate_fragment() round once, at the end.
 [[nodiscard]] constexpr Rgba9 evaluate_final(const Program& program, const RegisterFile& registers) {
   if (program.datapath.arithmetic != Arithmetic::integer) return detail::evaluate_real_final(program, registers);
   const Datapath& d = program.datapath;
@@ -184,7 +183,8 @@ constexpr void evaluate_general(const Program& program, RegisterFile& registers)
   return out;
 }
 
-// Both, for one fragment: what leaves the combiners, codes in [0, one]. constexpr while the arithmetic is integer.
+// Runs general combiners and final combiner over one fragment. Returns codes in [0, one]. constexpr if the arithmetic
+// is integer.
 [[nodiscard]] constexpr Rgba9 evaluate(const Program& program, RegisterFile registers) {
   if (program.datapath.arithmetic != Arithmetic::integer) return evaluate_fragment(program, registers).color;
   evaluate_general(program, registers);
@@ -194,7 +194,7 @@ constexpr void evaluate_general(const Program& program, RegisterFile& registers)
 // Fragments in a batch.
 inline constexpr std::size_t kBatchSize = 512;
 
-// Registers of up to kBatchSize fragments, planar: 64 KiB, of which a program touches the planes that it names.
+// Registers of up to kBatchSize fragments, planar: 64 KiB. A program touches only the planes that it names.
 struct alignas(64) RegisterBatch {
   std::array<std::array<std::array<s9, kBatchSize>, 4>, kRegisterCount> plane;  // by Register, component, fragment
   // The kBatchSize codes of one component (kRed to kAlpha) of one of the first kRegisterCount registers.
@@ -206,7 +206,7 @@ struct alignas(64) RegisterBatch {
   }
 };
 
-// What leaves the combiners, planar: red, green, blue, alpha codes in [0, one].
+// The final combiner's colours, planar: red, green, blue, alpha codes in [0, one].
 struct alignas(64) OutputBatch {
   std::array<std::array<s9, kBatchSize>, 4> plane;  // by component, fragment
 };
