@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 
 #include "ninebit/combiner/evaluate.h"
+#include "ninebit/combiner/portion_walk.h"
 #include "src/combiner/wide_sum.h"
 
 namespace ninebit::detail {
@@ -13,8 +15,7 @@ std::size_t at(int component) {
   return static_cast<std::size_t>(component);
 }
 
-// Follows a program symbolically: each register component holds a value of the graph. A stage's new values take their
-// registers when all of its old ones have been read (rule 12).
+// Follows a program symbolically: each register component holds a value of the graph.
 class Compiler {
  public:
   Compiler(const Program& program, const ComponentSet& varying_constants)
@@ -25,7 +26,12 @@ class Compiler {
   }
 
   VectorCode compile(const BatchOutputs& outputs) {
-    for (int i = 0; i < program_.num_general_combiners; ++i) run_stage(program_.general[at(i)]);
+    for (int i = 0; i < program_.num_general_combiners; ++i) {
+      const ProgramStage& stage = program_.general[at(i)];
+      General domain(*this, stage);
+      StageSteps<General> steps;
+      walk_stage(domain, stage, steps);
+    }
     std::vector<WantedValue> wanted;
     for (int c = 0; c < 4; ++c) {
       if (!outputs.color[at(c)]) continue;
@@ -43,6 +49,47 @@ class Compiler {
 
  private:
   using Registers = std::array<std::array<Value, 4>, kRegisterCount>;
+
+  // The value domain of a general combiner (portion_walk.h).
+  class General {
+   public:
+    using Input = Linear;
+    // A sum of products, or AB where CD is also kept: a mux that is still to be chosen.
+    struct Wide {
+      WideSum sum;
+      std::optional<WideSum> or_cd{};
+    };
+    using Output = Value;
+
+    General(Compiler& compiler, const ProgramStage& stage) : compiler_(compiler), stage_(stage) {}
+
+    Linear input(const CombinerInput& in, int component) {
+      return compiler_.mapped(compiler_.read(in.reg, component, stage_.constant0, stage_.constant1), in.mapping);
+    }
+    static Wide product(const Linear& x, const Linear& y) {
+      Wide result;
+      result.sum.add(x, y);
+      return result;
+    }
+    static Wide sum(const Wide& x, const Wide& y) {
+      Wide result{x.sum};
+      result.sum.add(y.sum);
+      return result;
+    }
+    static Wide mux(const Wide& ab, const Wide& cd) { return {ab.sum, cd.sum}; }
+    Value output(const Target& target, const Wide& wide) {
+      const PortionOutput& out = target.out;
+      return wide.or_cd ? compiler_.mux(wide.sum, *wide.or_cd, out, stage_.mux_by_lowest_bit)
+                        : combiner_output(compiler_.graph_, wide.sum, out.scale, out.bias);
+    }
+    void write(Register to, int component, Value value) {
+      compiler_.registers_[static_cast<std::size_t>(to)][at(component)] = value;
+    }
+
+   private:
+    Compiler& compiler_;
+    const ProgramStage& stage_;
+  };
 
   // A mapping is two straight lines at most, which meet at zero or, for values above one, at one: the rule itself tells
   // them.
@@ -65,49 +112,6 @@ class Compiler {
     if (reg == Register::constant0 && !varies) return graph_.constant(constant0[at(component)]);
     if (reg == Register::constant1 && !varies) return graph_.constant(constant1[at(component)]);
     return registers_[static_cast<std::size_t>(reg)][at(component)];
-  }
-
-  Linear input(const CombinerInput& in, int channel, const Rgba9& constant0, const Rgba9& constant1) {
-    return mapped(read(in.reg, reference::component_of(in.usage, channel), constant0, constant1), in.mapping);
-  }
-
-  void run_stage(const ProgramStage& stage) {
-    Registers next = registers_;
-    run_portion(stage, stage.rgb, kRed, 3, next);
-    run_portion(stage, stage.alpha, kAlpha, 1, next);
-    registers_ = next;
-  }
-
-  void run_portion(const ProgramStage& stage, const Portion& portion, int first, int channels, Registers& next) {
-    const PortionOutput& out = portion.out;
-    const auto products = [&](const CombinerInput& x, const CombinerInput& y, bool dot) {
-      std::array<WideSum, 3> sums;
-      for (int c = 0; c < channels; ++c) {
-        sums[dot ? 0 : at(c)].add(input(x, c, stage.constant0, stage.constant1),
-                                  input(y, c, stage.constant0, stage.constant1));
-      }
-      if (dot) sums[1] = sums[2] = sums[0];
-      return sums;
-    };
-    const std::array<WideSum, 3> ab = products(portion.a, portion.b, out.ab_dot_product);
-    const std::array<WideSum, 3> cd = products(portion.c, portion.d, out.cd_dot_product);
-    const auto write = [&](Register reg, int c, bool blue_to_alpha, const auto& value) {
-      if (reg == Register::discard) return;
-      auto& target = next[static_cast<std::size_t>(reg)];
-      target[at(first + c)] = value();
-      if (blue_to_alpha && c == kBlue) target[kAlpha] = target[kBlue];
-    };
-    for (int c = 0; c < channels; ++c) {
-      const WideSum &x = ab[at(c)], &y = cd[at(c)];
-      write(out.ab, c, out.ab_blue_to_alpha, [&] { return combiner_output(graph_, x, out.scale, out.bias); });
-      write(out.cd, c, out.cd_blue_to_alpha, [&] { return combiner_output(graph_, y, out.scale, out.bias); });
-      write(out.sum, c, false, [&] {
-        if (out.mux_sum) return mux(x, y, out, stage.mux_by_lowest_bit);
-        WideSum sum = x;
-        sum.add(y);
-        return combiner_output(graph_, sum, out.scale, out.bias);
-      });
-    }
   }
 
   // Rule 11. What is computed lane by lane may be computed before or after the choice: two products are only one if
@@ -162,7 +166,7 @@ class Compiler {
     const int component = reference::component_of(in.usage, channel);
     if (in.reg == Register::e_times_f) return mapped(e_times_f(component), in.mapping);
     if (in.reg == Register::spare0_plus_secondary) return mapped(color_sum(component), in.mapping);
-    return input(in, channel, program_.constant0, program_.constant1);
+    return mapped(read(in.reg, component, program_.constant0, program_.constant1), in.mapping);
   }
 
   // Rules 9 and 14.

@@ -1,5 +1,5 @@
 // The vector operations of vector_code.h, each in 16-bit lanes where that suffices. Each gives the bits of the rules in
-// combiner_rules.inl by other formulas; what makes them exact stands here, and tests try every input.
+// arithmetic.inl by other formulas; what makes them exact stands here, and tests try every input.
 #include "src/combiner/batch_kernels.h"
 
 #include <algorithm>

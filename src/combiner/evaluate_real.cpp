@@ -57,15 +57,17 @@ class Recorder {
     for (std::size_t r = 0; r < kRegisterCount; ++r) result.value[r] = reported(registers[r]);
     return result;
   }
-  RealOutput reported(const typename Combiners::Output& output) {
-    return {field_.to_double(output.wide), field_.to_double(output.scaled), field_.to_double(output.written)};
+  using Channel = detail::ChannelSteps<typename Combiners::General>;
+  RealOutput reported(const Channel& channel, std::size_t k) {
+    return {field_.to_double(channel.wide[k]), field_.to_double(channel.output[k].scaled),
+            field_.to_double(channel.output[k].written)};
   }
-  RealChannel reported(const typename Combiners::Channel& channel) {
+  RealChannel reported(const Channel& channel) {
     RealChannel result;
     for (std::size_t v = 0; v < 4; ++v) result.input[v] = field_.to_double(channel.input[v]);
-    result.ab = reported(channel.output[0]);
-    result.cd = reported(channel.output[1]);
-    result.third = reported(channel.output[2]);
+    result.ab = reported(channel, 0);
+    result.cd = reported(channel, 1);
+    result.third = reported(channel, 2);
     return result;
   }
   Rgba9 codes(const typename Combiners::Color& color) {

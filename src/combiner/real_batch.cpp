@@ -3,6 +3,7 @@
 #include <array>
 #include <optional>
 
+#include "ninebit/combiner/portion_walk.h"
 #include "src/combiner/exact_field.h"
 #include "src/combiner/float_field.h"
 #include "src/combiner/real_rules.h"
@@ -19,14 +20,16 @@ class UsedRegisters {
       const ProgramStage& stage = program.general[static_cast<std::size_t>(i)];
       for (const Portion* const p : {&stage.rgb, &stage.alpha}) {
         for (const Register r : {p->a.reg, p->b.reg, p->c.reg, p->d.reg}) use(r);
-        const std::size_t first = p == &stage.rgb ? 0 : 3, end = p == &stage.rgb ? 3 : 4;
-        for (const Register r : {p->out.ab, p->out.cd, p->out.sum}) {
-          if (r == Register::discard) continue;
-          use(r);
-          for (std::size_t c = first; c < end; ++c) written[static_cast<std::size_t>(r)][c] = true;
+        const detail::Components written_by =
+            detail::components_of(p == &stage.rgb ? PortionName::rgb : PortionName::alpha);
+        for (int c = written_by.first; c < written_by.end; ++c) {
+          for (std::size_t k = 0; k < 3; ++k) {
+            detail::for_each_write({p->out, k, c}, [&](Register r, int component) {
+              use(r);
+              written[static_cast<std::size_t>(r)][static_cast<std::size_t>(component)] = true;
+            });
+          }
         }
-        if (p->out.ab_blue_to_alpha) written[static_cast<std::size_t>(p->out.ab)][kAlpha] = true;
-        if (p->out.cd_blue_to_alpha) written[static_cast<std::size_t>(p->out.cd)][kAlpha] = true;
       }
     }
     const FinalCombiner& f = program.final_combiner;

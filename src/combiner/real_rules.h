@@ -1,13 +1,15 @@
 // The equations of NV_register_combiners in real numbers, over any kind of numbers: a Field has a type Number and
 //   whole(int), half(), of_code(int), add, sub, mul, scaled(x, exponent) = x · 2^exponent, is_negative(x), less(x, y),
 //   nearest_code(x).
-// The order of all operations is fixed, because floats feel it. Nothing is narrowed; registers are clamped to [-1, 1].
+// The order of all operations is fixed, because it decides how floats are rounded. Nothing is narrowed; registers are
+// clamped to [-1, 1].
 #pragma once
 
 #include <array>
 #include <cstddef>
 
 #include "ninebit/combiner/evaluate.h"
+#include "ninebit/combiner/portion_walk.h"
 
 namespace ninebit {
 
@@ -18,19 +20,46 @@ class RealCombiners {
   using Color = std::array<Number, 4>;
   using Registers = std::array<Color, kRegisterCount>;
 
-  // One of the three outputs of a portion, in one channel.
-  struct Output {
-    Number wide{};     // the product, dot product, sum or mux choice
-    Number scaled{};   // with bias and scale
-    Number written{};  // clamped
+  // The value domain of the general combiners (portion_walk.h).
+  class General {
+   public:
+    using Input = Number;
+    using Wide = Number;
+    struct Output {
+      Number scaled{};   // with bias and scale
+      Number written{};  // clamped
+    };
+
+    General(RealCombiners& rules, const ProgramStage& stage, Registers& registers, bool takes_cd)
+        : rules_(rules), stage_(stage), registers_(registers), takes_cd_(takes_cd) {}
+
+    Number input(const CombinerInput& in, int component) {
+      return rules_.map_input(in.mapping, rules_.fetch(registers_, in.reg, static_cast<std::size_t>(component),
+                                                       stage_.constant0, stage_.constant1));
+    }
+    Number product(const Number& x, const Number& y) { return rules_.f_.mul(x, y); }
+    Number sum(const Number& x, const Number& y) { return rules_.f_.add(x, y); }
+    const Number& mux(const Number& ab, const Number& cd) const { return takes_cd_ ? cd : ab; }
+    Output output(const detail::Target& target, const Number& wide) {
+      Output result;
+      result.scaled = rules_.scaled(target.out.scale, target.out.bias, wide);
+      result.written = rules_.clamp(result.scaled);
+      return result;
+    }
+    void write(Register to, int component, const Output& value) {
+      registers_[static_cast<std::size_t>(to)][static_cast<std::size_t>(component)] = value.written;
+    }
+
+   private:
+    RealCombiners& rules_;
+    const ProgramStage& stage_;
+    Registers& registers_;
+    bool takes_cd_;
   };
-  struct Channel {
-    std::array<Number, 4> input{};   // A to D, mapped
-    std::array<Output, 3> output{};  // AB, CD, sum or mux
-  };
+
   struct Stage {
     bool takes_cd = false;
-    std::array<Channel, 4> channel{};  // red, green and blue of the RGB portion, then the alpha portion
+    detail::StageSteps<General> channel{};  // red, green and blue of the RGB portion, then the alpha portion
   };
   struct Final {
     std::array<Color, 6> input{};  // A to F, mapped; no alpha
@@ -50,10 +79,8 @@ class RealCombiners {
     // A number has no bits: those of the nearest code stand for them.
     result.takes_cd =
         stage.mux_by_lowest_bit ? f_.nearest_code(positive(spare0_alpha)) % 2 == 1 : !f_.less(spare0_alpha, f_.half());
-    compute_portion(stage, stage.rgb, 0, 3, registers, result);
-    compute_portion(stage, stage.alpha, 3, 1, registers, result);
-    write_portion(stage.rgb, 0, 3, result, registers);
-    write_portion(stage.alpha, 3, 1, result, registers);
+    General domain(*this, stage, registers, result.takes_cd);
+    detail::walk_stage(domain, stage, result.channel);
   }
 
   void run_final(const Program& program, const Registers& registers, Final& result) {
@@ -134,45 +161,6 @@ class RealCombiners {
     }
   }
 
-  void compute_portion(const ProgramStage& stage, const Portion& portion, std::size_t first, std::size_t channels,
-                       const Registers& registers, Stage& result) {
-    if (!is_live(portion.out)) return;
-    const auto channel = [&](std::size_t c) -> Channel& { return result.channel[first + c]; };
-    const std::array<const CombinerInput*, 4> inputs{&portion.a, &portion.b, &portion.c, &portion.d};
-    for (std::size_t c = 0; c < channels; ++c) {
-      auto& in = channel(c).input;
-      for (std::size_t v = 0; v < 4; ++v) {
-        const auto component =
-            static_cast<std::size_t>(reference::component_of(inputs[v]->usage, static_cast<int>(first + c)));
-        in[v] = map_input(inputs[v]->mapping,
-                          fetch(registers, inputs[v]->reg, component, stage.constant0, stage.constant1));
-      }
-      channel(c).output[0].wide = f_.mul(in[0], in[1]);
-      channel(c).output[1].wide = f_.mul(in[2], in[3]);
-    }
-    const std::array<bool, 2> dot{portion.out.ab_dot_product, portion.out.cd_dot_product};
-    for (std::size_t k = 0; k < 2; ++k) {
-      if (!dot[k] || channels != 3) continue;
-      const Number total =
-          f_.add(f_.add(channel(0).output[k].wide, channel(1).output[k].wide), channel(2).output[k].wide);
-      for (std::size_t c = 0; c < 3; ++c) channel(c).output[k].wide = total;
-    }
-    const std::array<Register, 3> to{portion.out.ab, portion.out.cd, portion.out.sum};
-    for (std::size_t c = 0; c < channels; ++c) {
-      auto& out = channel(c).output;
-      if (portion.out.sum != Register::discard) {
-        out[2].wide = !portion.out.mux_sum ? f_.add(out[0].wide, out[1].wide)
-                      : result.takes_cd    ? out[1].wide
-                                           : out[0].wide;
-      }
-      for (std::size_t k = 0; k < 3; ++k) {
-        if (to[k] == Register::discard) continue;
-        out[k].scaled = scaled(portion.out.scale, portion.out.bias, out[k].wide);
-        out[k].written = clamp(out[k].scaled);
-      }
-    }
-  }
-
   Number scaled(Scale scale, Bias bias, const Number& wide) {
     Number biased = bias == Bias::none ? wide : f_.sub(wide, f_.half());
     switch (scale) {
@@ -186,18 +174,6 @@ class RealCombiners {
         return f_.scaled(biased, -1);
     }
     return biased;
-  }
-
-  static void write_portion(const Portion& portion, std::size_t first, std::size_t channels, const Stage& result,
-                            Registers& registers) {
-    const std::array<Register, 3> to{portion.out.ab, portion.out.cd, portion.out.sum};
-    const std::array<bool, 3> blue_to_alpha{portion.out.ab_blue_to_alpha, portion.out.cd_blue_to_alpha, false};
-    for (std::size_t k = 0; k < 3; ++k) {
-      if (to[k] == Register::discard) continue;
-      Color& target = registers[static_cast<std::size_t>(to[k])];
-      for (std::size_t c = first; c < first + channels; ++c) target[c] = result.channel[c].output[k].written;
-      if (blue_to_alpha[k]) target[kAlpha] = target[kBlue];
-    }
   }
 
   Field& f_;

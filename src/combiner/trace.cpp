@@ -2,6 +2,7 @@
 
 #include <span>
 
+#include "ninebit/combiner/portion_walk.h"
 #include "src/combiner/trace_values.h"
 
 namespace ninebit {
@@ -12,10 +13,48 @@ int most_output(const Datapath& d) {
   return 64 * d.one;
 }
 
+// The value domain of a trace (portion_walk.h): codes as in the reference, with every step of an output kept.
+class OutputSteps {
+ public:
+  using Input = int;
+  using Wide = int;
+  struct Output {
+    int biased = 0;
+    int early = 0;  // `biased` or, in profiles that narrow before they scale, the code that it narrows to
+    int narrowed = 0;
+    int written = 0;
+  };
+
+  OutputSteps(const Datapath& d, const ProgramStage& stage, RegisterFile& registers)
+      : d_(d), codes_(d, stage, registers) {}
+
+  int input(const CombinerInput& in, int component) const { return codes_.input(in, component); }
+  int product(int x, int y) const { return codes_.product(x, y); }
+  int sum(int x, int y) const { return codes_.sum(x, y); }
+  int mux(int ab, int cd) const { return codes_.mux(ab, cd); }
+  Output output(const detail::Target& target, int wide) const {
+    Output to;
+    to.biased = reference::add_bias(d_, target.out.bias, wide);
+    to.early = reference::narrow_before_scale(d_, to.biased);
+    to.narrowed = reference::narrow_output(d_, reference::scale_output(target.out.scale, to.early), most_output(d_));
+    to.written = reference::clamp_output(d_, to.narrowed);
+    return to;
+  }
+  void write(Register to, int component, const Output& value) { codes_.write(to, component, value.written); }
+
+ private:
+  const Datapath& d_;
+  reference::CodeDomain codes_;
+};
+
+// Puts the three ways of each value of a stage together: codes, real numbers, exact numbers. Without integer arithmetic
+// the codes of `steps` are not read.
 class StageTracer {
  public:
-  StageTracer(const Datapath& d, const ProgramStage& stage, const TracedRegisters& before)
-      : d_(d), values_(d), stage_(stage), before_(before) {}
+  using Steps = detail::StageSteps<OutputSteps>;
+
+  StageTracer(const Datapath& d, const ProgramStage& stage, const TracedRegisters& before, const Steps& steps)
+      : d_(d), values_(d), stage_(stage), before_(before), steps_(steps) {}
 
   TracedPortion portion(const Portion& state, int first, std::size_t channels, std::span<const RealChannel> real,
                         std::span<const RealChannel> ideal) const {
@@ -24,62 +63,50 @@ class StageTracer {
     if (!is_live(out)) return result;
     result.uses_ab = out.ab != Register::discard || out.sum != Register::discard;
     result.uses_cd = out.cd != Register::discard || out.sum != Register::discard;
-    int dot_ab = 0, dot_cd = 0;
     for (std::size_t c = 0; c < channels; ++c) {
       TracedChannel& to = result.channel.emplace_back();
       to.component = first + static_cast<int>(c);
+      const auto& codes = steps_[static_cast<std::size_t>(to.component)];
       const std::array<const CombinerInput*, 4> from{&state.a, &state.b, &state.c, &state.d};
       for (std::size_t v = 0; v < 4; ++v) {
-        to.input[v] = input(*from[v], static_cast<int>(c), real[c].input[v], ideal[c].input[v]);
+        to.input[v] = input(*from[v], static_cast<int>(c), codes.input[v], real[c].input[v], ideal[c].input[v]);
       }
       to.ab_product = product(to.input[0].mapped, to.input[1].mapped);
       to.cd_product = product(to.input[2].mapped, to.input[3].mapped);
-      dot_ab += integer_product(to.input[0].mapped, to.input[1].mapped);
-      dot_cd += integer_product(to.input[2].mapped, to.input[3].mapped);
-    }
-    for (std::size_t c = 0; c < channels; ++c) {
-      TracedChannel& to = result.channel[c];
-      const auto& in = to.input;
-      const int ab = out.ab_dot_product ? dot_ab : integer_product(in[0].mapped, in[1].mapped);
-      const int cd = out.cd_dot_product ? dot_cd : integer_product(in[2].mapped, in[3].mapped);
-      to.ab = values_.wide(ab, real[c].ab.wide, ideal[c].ab.wide);
-      to.cd = values_.wide(cd, real[c].cd.wide, ideal[c].cd.wide);
-      if (out.ab != Register::discard) to.ab_output = output(out, ab, real[c].ab, ideal[c].ab);
-      if (out.cd != Register::discard) to.cd_output = output(out, cd, real[c].cd, ideal[c].cd);
+      to.ab = values_.wide(codes.wide[0], real[c].ab.wide, ideal[c].ab.wide);
+      to.cd = values_.wide(codes.wide[1], real[c].cd.wide, ideal[c].cd.wide);
+      const auto output_of = [&](std::size_t k, const RealOutput& real_output, const RealOutput& ideal_output) {
+        return output(out, codes.wide[k], codes.output[k], real_output, ideal_output);
+      };
+      if (out.ab != Register::discard) to.ab_output = output_of(0, real[c].ab, ideal[c].ab);
+      if (out.cd != Register::discard) to.cd_output = output_of(1, real[c].cd, ideal[c].cd);
       if (out.sum == Register::discard) continue;
-      const int third = !values_.integer() ? 0
-                        : !out.mux_sum     ? reference::add(ab, cd)
-                                           : reference::mux(d_, stage_.mux_by_lowest_bit,
-                                                            before_.codes[Register::spare0][kAlpha], ab, cd);
-      to.third = values_.wide(third, real[c].third.wide, ideal[c].third.wide);
-      to.third_output = output(out, third, real[c].third, ideal[c].third);
+      to.third = values_.wide(codes.wide[2], real[c].third.wide, ideal[c].third.wide);
+      to.third_output = output_of(2, real[c].third, ideal[c].third);
     }
     return result;
   }
 
  private:
-  TracedInput input(const CombinerInput& in, int channel, double real, double ideal) const {
+  TracedInput input(const CombinerInput& in, int channel, int mapped, double real, double ideal) const {
     // An alpha portion reads alpha or blue; only the unset inputs of a product without use say otherwise.
     const int component = reference::component_of(in.usage, channel);
     const auto i = static_cast<std::size_t>(component);
     TracedInput result{.from = in, .component = component, .read = {}, .mapped = {}};
-    const int code = reference::fetch(before_.codes, in.reg, stage_.constant0, stage_.constant1)[i];
+    const int code = reference::fetch(before_.codes, in.reg, component, stage_.constant0, stage_.constant1);
     const bool fixed = in.reg == Register::zero || in.reg == Register::constant0 || in.reg == Register::constant1;
     result.read = values_.known_code(code, fixed ? values_.real_of_code(code) : before_.real[in.reg][i],
                                      fixed ? values_.ideal_of_code(code) : before_.ideal[in.reg][i]);
-    const int mapped = values_.integer() ? reference::map_input(d_, in.mapping, code) : 0;
     result.mapped = values_.code(mapped, real, ideal);
     return result;
   }
 
-  // Of mapped values; without meaning where the arithmetic is not integer.
-  static int integer_product(const TracedCode& x, const TracedCode& y) { return reference::mul(x.code, y.code); }
-
   TracedWide product(const TracedCode& x, const TracedCode& y) const {
-    return values_.wide(integer_product(x, y), values_.mul(x.real, y.real), x.ideal * y.ideal);
+    return values_.wide(reference::mul(x.code, y.code), values_.mul(x.real, y.real), x.ideal * y.ideal);
   }
 
-  TracedOutput output(const PortionOutput& out, int wide, const RealOutput& real, const RealOutput& ideal) const {
+  TracedOutput output(const PortionOutput& out, int wide, const OutputSteps::Output& codes, const RealOutput& real,
+                      const RealOutput& ideal) const {
     const bool has_bias = out.bias != Bias::none;
     const double real_biased = has_bias ? values_.sub(real.wide, 0.5) : real.wide;
     const double ideal_biased = has_bias ? ideal.wide - 0.5 : ideal.wide;
@@ -94,19 +121,15 @@ class StageTracer {
       result.cut = values_.known_code(result.narrowed.code - result.written.code, real_cut, ideal_cut);
       return result;
     }
-    const int biased = reference::add_bias(d_, out.bias, wide);
-    const int early = reference::narrow_before_scale(d_, biased);
-    const int narrowed = reference::narrow_output(d_, reference::scale_output(out.scale, early), most_output(d_));
-    const int written = reference::clamp_output(d_, narrowed);
-    const int twice_scaled = reference::scale_output(out.scale, biased);
+    const int twice_scaled = reference::scale_output(out.scale, codes.biased);
     result.wide = values_.wide(wide, 0, ideal.wide);
-    result.biased = values_.wide(biased, 0, ideal_biased);
-    if (d_.narrowing_point == NarrowingPoint::before_scale) result.early = values_.code(early, 0, ideal_biased);
+    result.biased = values_.wide(codes.biased, 0, ideal_biased);
+    if (d_.narrowing_point == NarrowingPoint::before_scale) result.early = values_.code(codes.early, 0, ideal_biased);
     result.scaled = values_.halves(twice_scaled, 0, ideal.scaled);
-    result.dropped = values_.halves(twice_scaled - 2 * d_.one * narrowed, 0, 0);
-    result.narrowed = values_.code(narrowed, 0, ideal.scaled);
-    result.cut = values_.code(narrowed - written, 0, ideal_cut);
-    result.written = values_.code(written, 0, ideal.written);
+    result.dropped = values_.halves(twice_scaled - 2 * d_.one * codes.narrowed, 0, 0);
+    result.narrowed = values_.code(codes.narrowed, 0, ideal.scaled);
+    result.cut = values_.code(codes.narrowed - codes.written, 0, ideal_cut);
+    result.written = values_.code(codes.written, 0, ideal.written);
     return result;
   }
 
@@ -114,22 +137,8 @@ class StageTracer {
   TraceValues values_;
   const ProgramStage& stage_;
   const TracedRegisters& before_;
+  const Steps& steps_;
 };
-
-void write(const TracedPortion& portion, RegisterFile& registers) {
-  for (const TracedChannel& channel : portion.channel) {
-    const PortionOutput& out = portion.state.out;
-    const auto put = [&](Register to, const std::optional<TracedOutput>& output, bool blue_to_alpha) {
-      if (!output) return;
-      const auto code = static_cast<s9>(output->written.code);
-      registers[to][static_cast<std::size_t>(channel.component)] = code;
-      if (blue_to_alpha && channel.component == kBlue) registers[to][kAlpha] = code;
-    };
-    put(out.ab, channel.ab_output, out.ab_blue_to_alpha);
-    put(out.cd, channel.cd_output, out.cd_blue_to_alpha);
-    put(out.sum, channel.third_output, false);
-  }
-}
 
 // The numbers of integer arithmetic are its codes, those of any other are evaluate_real's.
 TracedRegisters registers_of(const TraceValues& values, const RegisterFile& codes, const RealRegisters& real,
@@ -165,15 +174,15 @@ Trace trace(const Program& program, const HardwareProfile& profile, const Regist
                                    : real_stage.takes_cd;
     to.ideal_takes_cd = ideal_stage.takes_cd;
 
-    const StageTracer tracer(d, stage, before);
+    RegisterFile after = values.integer() ? before.codes : real_stage.codes;
+    StageTracer::Steps steps{};
+    if (values.integer()) {
+      OutputSteps domain(d, stage, after);
+      detail::walk_stage(domain, stage, steps);
+    }
+    const StageTracer tracer(d, stage, before, steps);
     to.rgb = tracer.portion(stage.rgb, kRed, 3, real_stage.rgb, ideal_stage.rgb);
     to.alpha = tracer.portion(stage.alpha, kAlpha, 1, {&real_stage.alpha, 1}, {&ideal_stage.alpha, 1});
-    RegisterFile after = real_stage.codes;
-    if (values.integer()) {
-      after = before.codes;
-      write(to.rgb, after);
-      write(to.alpha, after);
-    }
     to.after = registers_of(values, after, real_stage.after, ideal_stage.after);
   }
   result.final_combiner = trace_final(program, result.registers(), real, ideal);

@@ -116,7 +116,7 @@ class FinalTracer {
     const auto i = static_cast<std::size_t>(component);
     if (reg == Register::e_times_f) return rgb[i].e_times_f;
     if (reg == Register::spare0_plus_secondary) return rgb[i].color_sum;
-    const int code = reference::fetch(before_.codes, reg, program_.constant0, program_.constant1)[i];
+    const int code = reference::fetch(before_.codes, reg, component, program_.constant0, program_.constant1);
     if (reg == Register::zero || reg == Register::constant0 || reg == Register::constant1) {
       return values_.known_code(code, values_.real_of_code(code), values_.ideal_of_code(code));
     }

@@ -1,7 +1,8 @@
-// The batch evaluator: a program made into a short list of vector operations once, and run over batches of fragments.
+// The batch evaluator: compiles a program once to a short list of vector operations and runs them over batches of
+// fragments.
 //
-// The bits are those of the reference in evaluate.h. docs/numerics.md, "Batches", tells how a program is compiled and
-// why nothing changes.
+// It gives the bits of the reference in evaluate.h. docs/numerics.md, "Batches", explains how a program is compiled and
+// why the bits are the same.
 #pragma once
 
 #include <array>
@@ -20,9 +21,9 @@ namespace NINEBIT_PUBLIC ninebit {
 // A set of register components, such as texture0's blue.
 class ComponentSet {
  public:
-  // `reg` holds a value, component is kRed to kAlpha: so for both functions.
+  // For both functions `reg` is one of the first kRegisterCount, and `component` is kRed to kAlpha.
   constexpr void add(Register reg, int component) { bits_ |= bit(reg, component); }
-  // Whether it was added.
+  // Whether the component was added.
   [[nodiscard]] constexpr bool contains(Register reg, int component) const {
     return (bits_ & bit(reg, component)) != 0;
   }
@@ -35,9 +36,9 @@ class ComponentSet {
   std::uint64_t bits_ = 0;
 };
 
-// What is wanted of a batch. What nothing wanted depends on is not computed.
+// The outputs that a caller wants of a batch. Values on which no wanted output depends are not computed.
 struct BatchOutputs {
-  std::array<bool, 4> color{true, true, true, true};  // red, green, blue, alpha of what leaves the final combiner
+  std::array<bool, 4> color{true, true, true, true};  // red, green, blue, alpha of the final combiner's colour
   bool registers = false;                             // all registers as the last general combiner leaves them
 };
 
@@ -45,11 +46,11 @@ namespace detail {
 struct VectorCode;
 }
 
-// Immutable: one object may run in any number of threads at once. Copies share what they are made of.
+// Immutable: one object may run in any number of threads at once. Copies share their operations.
 class BatchProgram {
  public:
-  // For integer arithmetic, components of constant0 and constant1 that are in `varying_constants` are read from the
-  // batch, a value for each fragment, in every stage and in the final combiner, instead of from the program.
+  // For integer arithmetic: components of constant0 and constant1 that are in `varying_constants` are read from the
+  // batch instead of from the program, one value for each fragment, in every stage and in the final combiner.
   explicit BatchProgram(const Program& program, const BatchOutputs& outputs = {},
                         const ComponentSet& varying_constants = {});
 
@@ -57,10 +58,10 @@ class BatchProgram {
   [[nodiscard]] const ComponentSet& reads() const { return reads_; }
 
   // Evaluates the first `count` (at most kBatchSize) fragments. Their registers hold codes in [lowest, one].
-  // On return the wanted components of `out` hold the colours, codes in [0, one]; the others have no meaning.
-  // `registers` holds what the general combiners left, if that was wanted; otherwise it is as it was with integer
-  // arithmetic, and has no meaning with another one. Lanes from `count` on may be overwritten with values without
-  // meaning. Integer arithmetic runs on the best SIMD target of this machine, chosen at run time; real numbers run a
+  // On return the wanted components of `out` hold the colours, codes in [0, one]; the others are unspecified.
+  // `registers` then holds the registers after the last general combiner, if they are wanted. If not, it is unchanged
+  // with integer arithmetic and unspecified with another one. Lanes from `count` on may be overwritten with unspecified
+  // values. Integer arithmetic runs on the machine's best SIMD target, chosen at run time; real numbers run one
   // fragment at a time.
   void run(RegisterBatch& registers, std::size_t count, OutputBatch& out) const;
 
@@ -73,7 +74,7 @@ class BatchProgram {
   std::shared_ptr<const detail::VectorCode> code_;  // none for real numbers
 };
 
-// The name of the SIMD target that batches run on here, such as "AVX2".
+// Returns the name of the SIMD target that batches run on, such as "AVX2".
 [[nodiscard]] const char* simd_target();
 
 }  // namespace ninebit

@@ -1,4 +1,4 @@
-// What the registers hold before the first general combiner: NV_register_combiners, table of initial register values.
+// The registers before the first general combiner: NV_register_combiners, table of initial register values.
 #pragma once
 
 #include <array>
@@ -12,8 +12,8 @@
 
 namespace NINEBIT_PUBLIC ninebit {
 
-// A texture's base internal format. The combiners read texels by a table of their own, unlike that of the texture
-// environment: alpha textures are black, not transparent to colour, and GL_DEPTH_TEXTURE_MODE is not looked at.
+// A texture's base internal format. The combiners read texels by a table of their own, which differs from that of the
+// texture environment: alpha textures are black, not transparent to colour, and GL_DEPTH_TEXTURE_MODE is ignored.
 enum class TextureFormat : std::uint8_t {
   alpha,              // (0, 0, 0, A)
   luminance,          // (L, L, L, 1)
@@ -22,7 +22,7 @@ enum class TextureFormat : std::uint8_t {
   rgb,                // (R, G, B, 1)
   rgba,               // (R, G, B, A)
   depth,              // (0, 0, 0, D): GL_DEPTH_COMPONENT without a comparison
-  depth_comparison,   // (D, D, D, D): with one (SGIX_shadow, ARB_shadow); D is its result
+  depth_comparison,   // (D, D, D, D): with a comparison (SGIX_shadow, ARB_shadow); D is its result
   hilo,               // (0, 0, 0, 0): these and the next three are NV_texture_shader's
   dsdt,               // (0, 0, 0, 0)
   dsdt_mag,           // (0, 0, 0, 0)
@@ -34,26 +34,27 @@ using Bytes4 = std::array<std::uint8_t, 4>;
 
 // A filtered texel.
 struct Texel {
-  Bytes4 value{};  // red, green, blue, alpha; luminance, intensity or depth stands in the first; what the format does
-                   // not have is not read
-  TextureFormat format = TextureFormat::rgba;  // which components of the register the value fills
-  bool is_signed = false;  // NV_texture_shader: each byte is a two's complement, which chips of the NV20 class have
+  Bytes4 value{};  // red, green, blue, alpha; luminance, intensity or depth is in the first; components that the
+                   // format does not have are not read
+  TextureFormat format = TextureFormat::rgba;  // selects the register components that the value fills
+  bool is_signed = false;  // NV_texture_shader: each byte is a two's complement number; NV20 class only
 };
 
-// The codes that a texel puts into its register. A signed byte s becomes 2 s, but no less than the profile's `lowest`
+// Returns the codes that a texel puts into its register. A signed byte s becomes 2 s, at least the profile's `lowest`
 // (rule 15, measured on NV2A for s >= 0; the rest is assumed).
 [[nodiscard]] Rgba9 texel_codes(const HardwareProfile& profile, const Texel& texel);
 
-// What reaches the combiners for one fragment, as bytes red, green, blue, alpha.
+// The combiners' inputs for one fragment, as bytes: red, green, blue, alpha.
 struct FragmentInputs {
   Bytes4 primary{};                               // the primary colour
-  Bytes4 secondary{};                             // its alpha is read where the profile's `secondary_alpha` is as_given
-  std::array<std::uint8_t, 3> fog_color{};        // GL_FOG_COLOR, whether or not fog is enabled
+  Bytes4 secondary{};                             // its alpha is read if the profile's `secondary_alpha` is as_given
+  std::array<std::uint8_t, 3> fog_color{};        // GL_FOG_COLOR, also if fog is disabled
   std::optional<std::uint8_t> fog_factor{};       // 255: no fog at this fragment; empty: GL_FOG is disabled
   std::array<std::optional<Texel>, 4> texture{};  // empty: the unit is off
 };
 
-// The registers before the first general combiner; what the extension leaves undefined is 0, or as the profile says.
+// Returns the registers before the first general combiner. Values that the extension leaves undefined are 0, or as the
+// profile says.
 [[nodiscard]] RegisterFile initial_registers(const HardwareProfile& profile, const FragmentInputs& inputs);
 
 }  // namespace ninebit

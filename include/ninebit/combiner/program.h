@@ -18,17 +18,17 @@ namespace NINEBIT_PUBLIC ninebit {
 struct ProgramStage {
   Portion rgb, alpha;              // normalized
   Rgba9 constant0{}, constant1{};  // codes
-  bool mux_by_lowest_bit = false;  // whether muxes ask the lowest bit of spare0.alpha, not the highest
+  bool mux_by_lowest_bit = false;  // whether muxes test the lowest bit of spare0's alpha instead of the threshold
   friend constexpr bool operator==(const ProgramStage&, const ProgramStage&) = default;
 };
 
-// What evaluates. Made by compile() or normalize(). Two states that compute the same by the same portions give equal
-// programs: inputs whose product is not used, constants that nothing reads, flags without effect and stages past the
-// last are set to fixed values.
+// A normalized state, ready to be evaluated; compile() and normalize() make it. Two states that compute the same with
+// the same portions give equal programs: inputs whose product is not used, constants that nothing reads, flags without
+// effect and stages past the last are set to fixed values.
 struct Program {
   Datapath datapath;                                         // the arithmetic of the profile it was compiled for
-  int num_general_combiners = 1;                             // stages that run: 1 to kMaxGeneralCombiners
-  bool color_sum_clamp = true;                               // true also where nothing reads the colour sum
+  int num_general_combiners = 1;                             // that run: 1 to kMaxGeneralCombiners
+  bool color_sum_clamp = true;                               // true also if nothing reads the colour sum
   bool color_sum_invert_spare0 = false;                      // whether 1 - x of spare0 goes into the colour sum
   bool color_sum_invert_secondary = false;                   // likewise of the secondary colour
   std::array<ProgramStage, kMaxGeneralCombiners> general{};  // those past the last do nothing
@@ -65,14 +65,14 @@ constexpr Portion normalize_portion(Portion p) {
   return p;
 }
 
-// Leaves to an RGB portion's blue the alphas that the alpha portion does not write.
+// Clears the RGB portion's blue to alpha for the registers whose alpha the alpha portion writes.
 constexpr void normalize_blue_to_alpha(PortionOutput& rgb, const PortionOutput& alpha) {
   const auto writes = [&](Register r) { return alpha.ab == r || alpha.cd == r || alpha.sum == r; };
   if (writes(rgb.ab)) rgb.ab_blue_to_alpha = false;
   if (writes(rgb.cd)) rgb.cd_blue_to_alpha = false;
 }
 
-// Of a normalized one.
+// For a normalized stage.
 constexpr bool has_mux(const ProgramStage& stage) {
   return stage.rgb.out.mux_sum || stage.alpha.out.mux_sum;
 }
@@ -81,7 +81,7 @@ constexpr bool reads(const Portion& p, Register r) {
   return p.a.reg == r || p.b.reg == r || p.c.reg == r || p.d.reg == r;
 }
 
-// E and F are not looked at: only E times F reads them.
+// Ignores E and F: only E times F reads them.
 constexpr bool reads_directly(const FinalCombiner& f, Register r) {
   return f.a.reg == r || f.b.reg == r || f.c.reg == r || f.d.reg == r || f.g.reg == r;
 }
@@ -99,7 +99,7 @@ constexpr Rgba9 constant_codes(const HardwareProfile& profile, const ColorF& col
 
 }  // namespace detail
 
-// The program of a state that is known to be valid (see validate); an invalid one gives a program without meaning.
+// Returns the program of a valid state (see validate). An invalid state gives a program without meaning.
 // Constants become bytes by rounding to nearest, then codes.
 [[nodiscard]] constexpr Program normalize(const CombinerState& state, const HardwareProfile& profile) {
   constexpr Portion dead{{}, {}, {}, {}, {.sum = Register::discard}};
@@ -135,7 +135,7 @@ constexpr Rgba9 constant_codes(const HardwareProfile& profile, const ColorF& col
   return program;
 }
 
-// Validates and normalizes. On an invalid state the Diagnostic holds all messages, one a line.
+// Validates and normalizes. If the state is invalid, the Diagnostic holds all messages, one per line.
 [[nodiscard]] Result<Program> compile(const CombinerState& state, const HardwareProfile& profile);
 
 }  // namespace ninebit

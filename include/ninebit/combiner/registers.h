@@ -10,7 +10,7 @@
 
 namespace NINEBIT_PUBLIC ninebit {
 
-// The registers that hold a value in a stage come first: their number is the size of a register file.
+// The registers that hold a value in a stage come first; their count is the size of a register file.
 enum class Register : std::uint8_t {
   zero,
   constant0,
@@ -31,15 +31,15 @@ enum class Register : std::uint8_t {
 // Registers that hold a value: zero to texture3.
 inline constexpr std::size_t kRegisterCount = 12;
 
-// Whether it is one of the four texture registers.
+// Whether `r` is one of the four texture registers.
 [[nodiscard]] constexpr bool is_texture(Register r) {
   return r >= Register::texture0 && r <= Register::texture3;
 }
-// The unit, 0 to 3, of a texture register.
+// Returns the unit, 0 to 3, of a texture register.
 [[nodiscard]] constexpr int texture_unit_of(Register r) {
   return static_cast<int>(r) - static_cast<int>(Register::texture0);
 }
-// The register of texture unit 0 to 3.
+// Returns the register of texture unit 0 to 3.
 [[nodiscard]] constexpr Register texture_register(int unit) {
   return static_cast<Register>(static_cast<int>(Register::texture0) + unit);
 }
@@ -56,32 +56,33 @@ enum class InputMapping : std::uint8_t {
   signed_negate       // -e
 };
 
-// Which components of a register an input reads: red, green and blue; alpha for all; blue, into alpha portions alone.
+// Which components of a register an input reads: red, green and blue; alpha for all channels; blue, in alpha portions
+// only.
 enum class ComponentUsage : std::uint8_t { rgb, alpha, blue };
-// What a portion multiplies its outputs by, after the bias.
+// The factor of a portion's outputs, applied after the bias.
 enum class Scale : std::uint8_t { none, by_two, by_four, by_one_half };
-// What a portion adds to its outputs: nothing or -1/2.
+// The term added to a portion's outputs: nothing or -1/2.
 enum class Bias : std::uint8_t { none, by_negative_one_half };
-// A general combiner's two halves of arithmetic, for RGB and for alpha.
+// The two portions of a general combiner.
 enum class PortionName : std::uint8_t { rgb, alpha };
 // An input: A to D of a general combiner, A to G of the final combiner.
 enum class Variable : std::uint8_t { a, b, c, d, e, f, g };
 
-// All of them, in the order of their numbers.
+// All input mappings, in the order of their numbers.
 inline constexpr std::array kInputMappings{InputMapping::unsigned_identity, InputMapping::unsigned_invert,
                                            InputMapping::expand_normal,     InputMapping::expand_negate,
                                            InputMapping::half_bias_normal,  InputMapping::half_bias_negate,
                                            InputMapping::signed_identity,   InputMapping::signed_negate};
 
 // The extension's name without its GL_ prefix and _NV suffix, in lower case: "primary_color", "expand_normal", …;
-// "unknown" for a number that is none of the enumerators.
+// "unknown" for a number that is not an enumerator.
 [[nodiscard]] std::string_view name_of(Register r);
 [[nodiscard]] std::string_view name_of(InputMapping mapping);
 [[nodiscard]] std::string_view name_of(ComponentUsage usage);
 [[nodiscard]] std::string_view name_of(Scale scale);
 [[nodiscard]] std::string_view name_of(Bias bias);
 
-// A register's name in tables, equations and traces: "tex0", "const1", "primary"; of the others name_of().
+// Returns a register's name in tables, equations and traces: "tex0", "const1", "primary"; name_of() for the others.
 [[nodiscard]] std::string_view short_name(Register r);
 
 }  // namespace ninebit

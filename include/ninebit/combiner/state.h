@@ -9,38 +9,38 @@
 
 namespace NINEBIT_PUBLIC ninebit {
 
-// The most that a profile may have: those of NV_register_combiners2's chips.
+// The largest number of general combiners that a profile may have: that of NV_register_combiners2's chips.
 inline constexpr int kMaxGeneralCombiners = 8;
 
-// One variable's source, as CombinerInputNV and FinalCombinerInputNV set it.
+// The source of one variable, as CombinerInputNV and FinalCombinerInputNV set it.
 struct CombinerInput {
   Register reg = Register::zero;                           // what is read
-  InputMapping mapping = InputMapping::unsigned_identity;  // what is made of it before it is multiplied
+  InputMapping mapping = InputMapping::unsigned_identity;  // applied before the multiplication
   ComponentUsage usage = ComponentUsage::rgb;              // which of its components
   friend constexpr bool operator==(const CombinerInput&, const CombinerInput&) = default;
 };
 
-// What a portion does with its products, as CombinerOutputNV sets it.
+// The outputs of a portion, as CombinerOutputNV sets them.
 struct PortionOutput {
-  Register ab = Register::discard;  // where A·B goes
-  Register cd = Register::discard;  // where C·D goes
-  Register sum = Register::spare0;  // where the third output goes: AB + CD or the mux
+  Register ab = Register::discard;  // the register that gets A·B
+  Register cd = Register::discard;  // the register that gets C·D
+  Register sum = Register::spare0;  // the register that gets the third output: AB + CD or the mux
   Scale scale = Scale::none;        // of all three outputs
-  Bias bias = Bias::none;           // likewise, added before the scale
+  Bias bias = Bias::none;           // of all three outputs, added before the scale
   bool ab_dot_product = false;      // A·B is the sum over red, green and blue; RGB portions only
-  bool cd_dot_product = false;      // likewise C·D
+  bool cd_dot_product = false;      // the same for C·D
   bool mux_sum = false;             // the third output is mux(AB, CD) instead of AB + CD
-  // NV2A, not in GL, RGB portions alone: the alpha of AB's (CD's) register gets the blue that is written there, unless
-  // the alpha portion writes it.
+  // NV2A, not in GL, RGB portions only: the alpha of AB's (CD's) register gets the blue that is written to it, unless
+  // the alpha portion writes that alpha (rule 23).
   bool ab_blue_to_alpha = false;
   bool cd_blue_to_alpha = false;
   friend constexpr bool operator==(const PortionOutput&, const PortionOutput&) = default;
 };
 
-// One half of a general combiner: two products and what becomes of them.
+// A portion of a general combiner: two products and their outputs.
 struct Portion {
   CombinerInput a, b, c, d;  // the factors of A·B and C·D
-  PortionOutput out;         // what becomes of the products
+  PortionOutput out;         // where the products and the third output go
   friend constexpr bool operator==(const Portion&, const Portion&) = default;
 };
 
@@ -56,14 +56,14 @@ struct Portion {
 }
 
 // Red, green, blue, alpha as GL stores them: clamped to [0, 1].
-using ColorF = std::array<float, 4>;  // red, green, blue, alpha as GL stores them: clamped to [0, 1]
+using ColorF = std::array<float, 4>;
 
-// One stage. Both portions read the registers as the stage before left them.
+// One general combiner. Both portions read the registers as the previous stage left them.
 struct GeneralCombiner {
-  Portion rgb = default_portion(PortionName::rgb);      // of red, green and blue
-  Portion alpha = default_portion(PortionName::alpha);  // of alpha
-  ColorF constant0{};  // used instead of the global ones while per_stage_constants is set
-  ColorF constant1{};  // likewise
+  Portion rgb = default_portion(PortionName::rgb);      // writes red, green and blue
+  Portion alpha = default_portion(PortionName::alpha);  // writes alpha
+  ColorF constant0{};                                   // replaces the global constant 0 if per_stage_constants is set
+  ColorF constant1{};                                   // the same for constant 1
   friend constexpr bool operator==(const GeneralCombiner&, const GeneralCombiner&) = default;
 };
 
@@ -71,26 +71,27 @@ struct GeneralCombiner {
 struct FinalCombiner {
   CombinerInput a{Register::fog, InputMapping::unsigned_identity, ComponentUsage::alpha};  // the weight of the mix
   CombinerInput b{Register::spare0_plus_secondary, InputMapping::unsigned_identity,
-                  ComponentUsage::rgb};                                                  // taken where A is 1
-  CombinerInput c{Register::fog, InputMapping::unsigned_identity, ComponentUsage::rgb};  // taken where A is 0
-  CombinerInput d, e, f;  // what is added, and the factors of E·F
+                  ComponentUsage::rgb};  // the result of the mix if A is 1
+  CombinerInput c{Register::fog, InputMapping::unsigned_identity,
+                  ComponentUsage::rgb};  // the result of the mix if A is 0
+  CombinerInput d, e, f;                 // D is added to the mix; E and F are the factors of E·F
   CombinerInput g{Register::spare0, InputMapping::unsigned_identity, ComponentUsage::alpha};  // alpha
   friend constexpr bool operator==(const FinalCombiner&, const FinalCombiner&) = default;
 };
 
-// All of it: the values that GL's Get calls would return.
+// The whole state: the values that GL's Get calls would return.
 struct CombinerState {
   int num_general_combiners = 1;            // GL_NUM_GENERAL_COMBINERS_NV: 1 to the profile's number
   bool color_sum_clamp = true;              // GL_COLOR_SUM_CLAMP_NV: spare0 + secondary is clamped to [0, 1]
   bool color_sum_invert_spare0 = false;     // NV2A, not in GL: spare0 goes into the colour sum as 1 - x
-  bool color_sum_invert_secondary = false;  // likewise the secondary colour
+  bool color_sum_invert_secondary = false;  // the same for the secondary colour
   bool per_stage_constants = false;         // GL_PER_STAGE_CONSTANTS_NV, of NV_register_combiners2
-  bool mux_by_lowest_bit = false;           // NV2A, not in GL: muxes ask the lowest bit of spare0's alpha
+  bool mux_by_lowest_bit = false;           // NV2A, not in GL: muxes test the lowest bit of spare0's alpha
   ColorF constant0{};                       // GL_CONSTANT_COLOR0_NV
   ColorF constant1{};                       // GL_CONSTANT_COLOR1_NV
   std::array<GeneralCombiner, kMaxGeneralCombiners>
-      general{};                   // those past num_general_combiners are kept, and do nothing
-  FinalCombiner final_combiner{};  // what makes the colour
+      general{};                   // those past num_general_combiners are kept but do nothing
+  FinalCombiner final_combiner{};  // computes the colour
   friend constexpr bool operator==(const CombinerState&, const CombinerState&) = default;
 };
 

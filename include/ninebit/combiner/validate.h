@@ -1,4 +1,4 @@
-// Everything that is wrong with a state, with the error that GL raises for it.
+// Finds everything that is wrong with a state, each with the error that GL raises for it.
 #pragma once
 
 #include <cstdint>
@@ -24,7 +24,7 @@ enum class GlError : std::uint16_t {
 // "GL_NO_ERROR", "GL_INVALID_ENUM", …
 [[nodiscard]] std::string_view name_of(GlError error);
 
-// What stands once in a state.
+// The parameters of a state that are neither a portion's nor a variable's.
 enum class StateParameter : std::uint8_t {
   num_general_combiners,
   per_stage_constants,
@@ -32,23 +32,23 @@ enum class StateParameter : std::uint8_t {
   color_sum_inverts
 };
 
-// One thing that is wrong with a state, and where.
+// One fault of a state, with its place.
 struct StateDiagnostic {
   std::optional<int> stage;                 // 0-based general combiner; empty: final combiner or global
   std::optional<PortionName> portion;       // empty: not about one portion
   std::optional<Variable> variable;         // empty: an output, a parameter
   std::optional<StateParameter> parameter;  // empty: about a portion or the final combiner
-  GlError gl_error = GlError::no_error;     // what the setter would have raised
+  GlError gl_error = GlError::no_error;     // that GL's setter would have raised
   std::string message;                      // one sentence: what is wrong and what is allowed
 };
 
-// The diagnostics of a whole state, in the order stages, portions, variables, outputs, final combiner; empty: valid.
-// Stages past num_general_combiners are checked too: GL would have refused them when they were set.
+// Returns the diagnostics of a whole state, in the order stages, portions, variables, outputs, final combiner; empty:
+// valid. Stages past num_general_combiners are checked too: GL would have refused them when they were set.
 // Rules: NV_register_combiners, errors of CombinerInputNV, CombinerOutputNV, FinalCombinerInputNV,
-// CombinerParameter*NV. What only the NV2A's registers can ask for is GL_INVALID_ENUM with a profile that has it not.
+// CombinerParameter*NV. A feature of the NV2A alone is GL_INVALID_ENUM with a profile that does not have it.
 [[nodiscard]] std::vector<StateDiagnostic> validate(const CombinerState& state, const HardwareProfile& profile);
 
-// The same for a single setter's arguments, as the GL entry points need it. GL_INVALID_ENUM stands before other errors.
+// The same for the arguments of a single GL setter. GL_INVALID_ENUM comes before other errors.
 [[nodiscard]] std::vector<StateDiagnostic> validate_input(int stage, PortionName portion, Variable variable,
                                                           const CombinerInput& input, const HardwareProfile& profile);
 [[nodiscard]] std::vector<StateDiagnostic> validate_output(int stage, PortionName portion, const PortionOutput& output,

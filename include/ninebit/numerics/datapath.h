@@ -1,4 +1,4 @@
-// What the arithmetic needs of a profile, as plain integers: no strings, no evidence.
+// The fields of a profile that the arithmetic reads, as plain integers: no strings, no evidence.
 #pragma once
 
 #include "ninebit/numerics/hardware_profile.h"
@@ -6,14 +6,13 @@
 
 namespace NINEBIT_PUBLIC ninebit {
 
-// What the rules of combiner_rules.inl read: the fields of that name of a HardwareProfile, without their evidence.
+// The fields of a HardwareProfile that the rules of combiner/arithmetic.inl read, under the same names.
 struct Datapath {
-  Arithmetic arithmetic =
-      Arithmetic::integer;  // in what numbers; with any but integer the rest is not read, save `one`
-  int one = 255;            // the code of 1.0
-  int lowest = -255;        // the lowest register value, as a code
-  int half = 128;           // the code of one half: bias, half-bias mappings, the mux's threshold
-  int expand_offset = 255;  // an expanding mapping gives 2v - this
+  Arithmetic arithmetic = Arithmetic::integer;  // if not integer, of the rest only `one` is read
+  int one = 255;                                // the code of 1.0
+  int lowest = -255;                            // the lowest register value, as a code
+  int half = 128;           // the code of one half: in the bias, the half-bias mappings and the mux's threshold
+  int expand_offset = 255;  // subtracted by the expanding mappings: 2v - expand_offset
   Narrowing general_narrowing = Narrowing::toward_zero;          // of a general combiner's outputs
   NarrowingPoint narrowing_point = NarrowingPoint::after_scale;  // before or after the scale
   Narrowing final_narrowing = Narrowing::nearest_halves_up;      // of the final combiner's products
@@ -21,7 +20,7 @@ struct Datapath {
   friend constexpr bool operator==(const Datapath&, const Datapath&) = default;
 };
 
-// The fields of a profile that the arithmetic reads.
+// Returns these fields of a profile.
 [[nodiscard]] constexpr Datapath datapath_of(const HardwareProfile& profile) {
   return {profile.arithmetic,      profile.one,
           profile.lowest,          profile.half,

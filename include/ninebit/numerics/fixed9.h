@@ -14,16 +14,16 @@ using s9 = std::int16_t;
 
 // Four components: red, green, blue, alpha.
 using Rgba9 = std::array<s9, 4>;
-// Components by their number in every array of four.
+// Indices of the components in every array of four.
 inline constexpr int kRed = 0, kGreen = 1, kBlue = 2, kAlpha = 3;
 
-// The code as which a byte (texel, vertex colour, constant) enters a register: 255 becomes 1.0 (rule 1).
+// Returns the code of a byte (texel, vertex colour, constant) in a register: 255 becomes 1.0 (rule 1).
 [[nodiscard]] constexpr s9 from_byte(const HardwareProfile& profile, std::uint8_t byte) {
   return static_cast<s9>(byte >> profile.byte_shift.value);
 }
 
-// The byte as which a code in [0, one] leaves for the frame buffer: 1.0 becomes 255; a lower value is 0. Bits that did
-// not enter are filled with the code's own upper bits.
+// Returns the byte of a code in [0, one] in the frame buffer: 1.0 becomes 255, a negative code 0. Low bits that
+// from_byte dropped are filled with the code's upper bits.
 [[nodiscard]] constexpr std::uint8_t to_byte(const HardwareProfile& profile, s9 code) {
   if (code <= 0) return 0;
   if (code >= profile.one) return 255;
@@ -31,20 +31,20 @@ inline constexpr int kRed = 0, kGreen = 1, kBlue = 2, kAlpha = 3;
   return static_cast<std::uint8_t>(shift == 0 ? code : (code << shift) | (code >> (8 - 2 * shift)));
 }
 
-// The real number that a code stands for.
+// Returns the real number of a code: code / one.
 [[nodiscard]] constexpr double to_real(const HardwareProfile& profile, s9 code) {
   return static_cast<double>(code) / profile.one;
 }
 
-// A GL colour component to a byte: clamped to [0, 1], rounded to nearest (OpenGL 1.3, 2.13.9). NaN becomes 0.
+// Converts a GL colour component to a byte: clamps to [0, 1], rounds to nearest (OpenGL 1.3, 2.13.9). NaN becomes 0.
 [[nodiscard]] constexpr std::uint8_t byte_of_color(float component) {
   if (!(component > 0.0F)) return 0;
   if (component >= 1.0F) return 255;
   return static_cast<std::uint8_t>(static_cast<double>(component) * 255.0 + 0.5);
 }
 
-// A float vertex colour to the byte that the combiners see (rule 17): the mantissa is cut to the profile's bits, then
-// multiplied by 255 and rounded half up; clamped to [0, 255]. NaN becomes 0.
+// Converts a float vertex colour to the byte that the combiners read (rule 17): cuts the mantissa to the profile's
+// bits, multiplies by 255, rounds halves up, clamps to [0, 255]. NaN becomes 0.
 [[nodiscard]] std::uint8_t byte_of_vertex_color(const HardwareProfile& profile, float component);
 
 }  // namespace ninebit

@@ -1,4 +1,4 @@
-// A 16-bit float (IEEE 754 binary16) as its bits.
+// 16-bit floats (IEEE 754 binary16), held as their bits.
 #pragma once
 
 #include <cstdint>
@@ -7,17 +7,18 @@
 
 namespace NINEBIT_PUBLIC ninebit {
 
-// A value as its 16 bits: sign, five bits of exponent, ten of fraction. Compared by bits: -0 is not 0, a NaN may be
-// itself.
+// The 16 bits of a value: sign, five bits of exponent, ten bits of fraction. Comparison is bitwise: -0 differs from 0,
+// and a NaN equals itself.
 struct Half {
-  std::uint16_t bits = 0;  // IEEE 754 binary16
+  std::uint16_t bits = 0;  // in binary16's layout
   friend constexpr bool operator==(Half, Half) = default;
 };
 
-// Rounded to nearest, ties to even; beyond the range infinity. A NaN stays one, with the upper bits of its payload.
+// Rounds to nearest, ties to even; beyond the range gives infinity. A NaN stays a NaN with the upper bits of its
+// payload.
 [[nodiscard]] Half half_of(float value);
 
-// The half's value, exactly.
+// Returns the value, exactly.
 [[nodiscard]] float float_of(Half value);
 
 }  // namespace ninebit

@@ -1,7 +1,7 @@
-// Every choice that the hardware made, each with the word that says how well it is known.
+// Every hardware behaviour is a field of a named profile, tagged with its evidence.
 //
-// A profile is a value: copy one and change a field to ask "what if". The rules that read these fields stand in
-// combiner_rules.inl; docs/numerics.md tells each rule's evidence at length.
+// A profile is a value: to try a "what if", copy one and change a field. The rules that read these fields are in
+// combiner/arithmetic.inl; docs/numerics.md gives each rule's evidence in full.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@
 
 namespace NINEBIT_PUBLIC ninebit {
 
-// How well a choice is known.
+// How well a behaviour is known.
 enum class Evidence : std::uint8_t {
   specified,  // the OpenGL extension says so
   seed,       // the article on index cube shadow mapping, tested by its author on a GeForce 2, implies it
@@ -24,60 +24,61 @@ enum class Evidence : std::uint8_t {
 // "specified", "seed", "measured", "inferred" or "assumed".
 [[nodiscard]] std::string_view name_of(Evidence evidence);
 
-// One choice: its value, how well it is known, and where that comes from.
+// One hardware behaviour: its value, its evidence, and the source of that.
 template <class T>
 struct Choice {
-  T value;                  // what the hardware does, or is taken to do
-  Evidence evidence;        // how well that is known
-  std::string_view source;  // where from, and the rival hypothesis if there is one; "rule N" is of docs/numerics.md
-  constexpr operator T() const { return value; }  // a choice reads as its value
+  T value;            // what the hardware does or is assumed to do
+  Evidence evidence;  // the kind of evidence for it
+  std::string_view
+      source;  // of the evidence, and the rival hypothesis if there is one; "rule N" refers to docs/numerics.md
+  constexpr operator T() const { return value; }  // reads as its value
 };
 
-// In what numbers the combiners compute. Registers start as codes with each of them, and outputs leave as codes.
+// The numbers that the combiners compute in. With each of them registers start as codes and outputs end as codes.
 enum class Arithmetic : std::uint8_t {
-  integer,  // codes: what hardware does, by all the fields below
-  exact,    // fractions without any rounding; a code only where the frame buffer stores it
-  float32   // 32-bit floats, as the shaders of emulators; a code only where the frame buffer stores it
+  integer,  // codes, as in hardware, governed by all the fields below
+  exact,    // fractions without rounding; converted to a code only for the frame buffer
+  float32   // 32-bit floats, as in emulators' shaders; converted to a code only for the frame buffer
 };
 
-// How a wide value loses the bits that a register cannot hold.
+// How a wide value is narrowed to the bits that a register can hold.
 enum class Narrowing : std::uint8_t {
   toward_zero,       // the low bits of the magnitude are dropped
   nearest_halves_up  // to the nearest code, a half upward
 };
 
-// Where in a general combiner the low bits are dropped.
+// The point in a general combiner at which the low bits are dropped.
 enum class NarrowingPoint : std::uint8_t {
   after_scale,  // products, sum, bias and scale are computed wide and narrowed once
   before_scale  // the biased sum is narrowed to a whole code, then scaled
 };
 
-// What alpha a secondary colour has.
+// The alpha of the secondary colour.
 enum class SecondaryAlpha : std::uint8_t { one, as_given };
-// What stands for a polygon's slope in its polygon offset (OpenGL 1.3, 3.5.5 allows both).
+// The slope of a polygon in its polygon offset (OpenGL 1.3, 3.5.5 allows both).
 enum class OffsetSlope : std::uint8_t { larger, root };  // max(|dz/dx|, |dz/dy|), or the root of the sum of squares
-// How smooth colours run over a primitive: as texture coordinates do, or linearly in the window.
+// How smooth colours are interpolated: perspective-correct like texture coordinates, or linearly in the window.
 enum class ColorInterpolation : std::uint8_t { perspective, affine };
-// In how many bits S3TC's two middle colours of a block are computed.
-enum class Dxt1Palette : std::uint8_t { rgb565, rgb888 };  // in which a block's two middle colours are computed
+// The precision of the two middle colours of an S3TC block.
+enum class Dxt1Palette : std::uint8_t { rgb565, rgb888 };
 
-// A choice for every question that the extensions leave to the hardware. Nothing is checked here; parse_json_profile
-// says which values make sense.
+// One field for every behaviour that the extensions leave to the hardware. Nothing is checked here; parse_json_profile
+// checks which values make sense.
 struct HardwareProfile {
   std::string_view name;  // as --profile takes it
   std::string_view chip;  // for people
 
-  Choice<Arithmetic> arithmetic;  // in what numbers the combiners compute
+  Choice<Arithmetic> arithmetic;  // the numbers that the combiners compute in
 
-  // Codes. A register component is an integer; `one` is the code of 1.0. With an arithmetic other than integer, `one`
-  // and `byte_shift` say how codes stand for numbers, and the other three are not read.
-  Choice<int> one;            // 1.0
+  // Codes. A register component is an integer; `one` is the code of 1.0. If the arithmetic is not integer, `one` and
+  // `byte_shift` define the numbers of codes, and the other three are not read.
+  Choice<int> one;            // the code of 1.0
   Choice<int> lowest;         // the lowest register value
   Choice<int> half;           // bias of one half, half-bias mapping, mux threshold
-  Choice<int> expand_offset;  // expand is 2v - this
-  Choice<int> byte_shift;     // low bits of a byte (texel, colour, constant) that do not enter a register
+  Choice<int> expand_offset;  // the expanding mappings give 2v - this
+  Choice<int> byte_shift;     // number of low bits of a byte (texel, colour, constant) that a register drops
 
-  // Narrowing, of integers alone.
+  // Narrowing, for integer arithmetic only.
   Choice<Narrowing> general_narrowing;     // of a general combiner's outputs
   Choice<NarrowingPoint> narrowing_point;  // of a general combiner's outputs
   Choice<Narrowing> final_narrowing;       // of A·B + (1 - A)·C and of E·F
@@ -87,7 +88,7 @@ struct HardwareProfile {
   Choice<int> texture_units;         // 1 to 4
   Choice<bool> per_stage_constants;  // NV_register_combiners2
   Choice<bool> blue_to_alpha;        // an RGB portion may write its blue to a register's alpha
-  Choice<bool> mux_by_lowest_bit;    // the mux may look at the lowest bit of spare0's alpha
+  Choice<bool> mux_by_lowest_bit;    // the mux may test the lowest bit of spare0's alpha
   Choice<bool> color_sum_inverts;    // spare0 and the secondary colour may go into the colour sum as 1 - x
 
   // What registers hold before the first general combiner.
@@ -105,15 +106,15 @@ struct HardwareProfile {
   Choice<Dxt1Palette> dxt1_palette;                // of compressed textures
 };
 
-// All shipped profiles, the default (geforce2) first. Addresses and names stay valid for the whole run.
+// Returns all shipped profiles, the default (geforce2) first. Addresses and names stay valid for the whole run.
 [[nodiscard]] std::span<const HardwareProfile> hardware_profiles();
 
-// The shipped profile of that name ("geforce2", "nv2a", …), or nullptr.
+// Returns the shipped profile of that name ("geforce2", "nv2a", …), or nullptr.
 [[nodiscard]] const HardwareProfile* find_profile(std::string_view name);
 
 namespace profiles {
 
-// NV15 and NV11, the article's card. See docs/numerics.md for the sources named here by rule number.
+// "geforce2": NV15 and NV11, the article's card. Rule numbers refer to docs/numerics.md.
 inline constexpr HardwareProfile geforce2{
     .name = "geforce2",
     .chip = "NV15, NV11 (GeForce 2)",
@@ -192,7 +193,8 @@ consteval HardwareProfile xbox() {
   return p;
 }
 
-// What a profile without a chip has around its arithmetic: all that the extensions allow, and the NV2A's choices.
+// A profile without a chip, for an arithmetic of real numbers: all features of the extensions, and the NV2A's
+// behaviour.
 consteval HardwareProfile real_numbers(std::string_view name, std::string_view chip,
                                        const Choice<Arithmetic>& arithmetic) {
   constexpr std::string_view not_read = "not read by this arithmetic";
@@ -225,13 +227,13 @@ consteval HardwareProfile real_numbers(std::string_view name, std::string_view c
 }
 }  // namespace detail
 
-// "geforce2-early-truncation": geforce2 with low bits dropped before the scale, the hypothesis that rule 7 rejects.
+// "geforce2-early-truncation": geforce2 that drops low bits before the scale, the hypothesis that rule 7 rejects.
 inline constexpr HardwareProfile geforce2_early_truncation = detail::early_truncation();
 // "geforce256-8bit": the less precise card that the article fears; registers keep seven bits and a sign.
 inline constexpr HardwareProfile geforce256_8bit = detail::eight_bit();
-// "nv2a": the Xbox's chip of the GeForce3 class, the one that was measured.
+// "nv2a": the Xbox's chip of the GeForce3 class, which was measured.
 inline constexpr HardwareProfile nv2a = detail::xbox();
-// "ideal": the extension's equations in exact fractions; what other profiles' errors are measured against.
+// "ideal": the extension's equations in exact fractions. The errors of other profiles are measured against it.
 inline constexpr HardwareProfile ideal =
     detail::real_numbers("ideal", "none: what the algebra says",
                          {Arithmetic::exact, Evidence::specified, "NV_register_combiners writes real numbers"});

@@ -1,4 +1,4 @@
-// How the library reports: by a value, never by a print, an exit or an exception of its own.
+// How the library reports errors: by value. It never prints, exits or throws an exception of its own.
 #pragma once
 
 #include <optional>
@@ -10,17 +10,17 @@
 
 namespace NINEBIT_PUBLIC ninebit {
 
-// What kind of fault a Diagnostic describes; the program turns it into its exit code.
+// The kind of a fault. The program maps it to its exit code.
 enum class Fault {
-  invalid_input,  // unreadable, malformed or senseless input (exit code 3)
+  invalid_input,  // unreadable, malformed or meaningless input (exit code 3)
   cannot_write,   // an output could not be written (exit code 4)
   cancelled       // the caller asked for the work to stop
 };
 
-// One fault, in one sentence that says what is wrong and what was expected.
+// One fault: a sentence that says what is wrong and what was expected, and its place.
 struct Diagnostic {
   std::string message{};               // no trailing newline, no "error:" prefix
-  std::string file{};                  // the file at fault, as the caller named it; empty: none
+  std::string file{};                  // the faulty file, as the caller named it; empty: none
   int line = 0;                        // 1-based; 0: unknown or not a text file
   Fault fault = Fault::invalid_input;  // its kind
 
@@ -36,8 +36,8 @@ struct Diagnostic {
   }
 };
 
-// A value, or the Diagnostic that says why there is none. value() on a failed result, or error() on a good one, is a
-// programming error (std::bad_variant_access from the standard library).
+// A value, or the Diagnostic of the failure. value() of a failed result and error() of a good one are programming
+// errors: the standard library throws std::bad_variant_access.
 template <class T>
 class [[nodiscard]] Result {
  public:
@@ -50,11 +50,11 @@ class [[nodiscard]] Result {
   [[nodiscard]] bool ok() const { return content_.index() == 0; }
   explicit operator bool() const { return ok(); }
 
-  // The value; only of a good result.
+  // Returns the value of a good result.
   [[nodiscard]] const T& value() const& { return std::get<0>(content_); }
   [[nodiscard]] T& value() & { return std::get<0>(content_); }
   [[nodiscard]] T&& value() && { return std::get<0>(std::move(content_)); }
-  // Why there is no value; only of a failed result.
+  // Returns the Diagnostic of a failed result.
   [[nodiscard]] const Diagnostic& error() const { return std::get<1>(content_); }
 
   // The value as value() gives it.
@@ -67,18 +67,18 @@ class [[nodiscard]] Result {
   std::variant<T, Diagnostic> content_;
 };
 
-// The same for an operation without a value: empty means that it was done.
+// The same for an operation without a value.
 class [[nodiscard]] Status {
  public:
-  // Done.
+  // Success.
   Status() = default;
-  // Not done.
+  // Failure.
   Status(Diagnostic error) : error_(std::move(error)) {}
 
-  // Whether it was done.
+  // Whether the operation succeeded.
   [[nodiscard]] bool ok() const { return !error_.has_value(); }
   explicit operator bool() const { return ok(); }
-  // Why it was not done; only where ok() is false.
+  // Returns the Diagnostic of a failure, if ok() is false.
   [[nodiscard]] const Diagnostic& error() const { return error_.value(); }
 
  private:

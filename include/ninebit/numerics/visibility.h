@@ -1,9 +1,9 @@
-/* What the shared libraries show. Everything is compiled with hidden visibility; public headers open their namespace as
-   `namespace NINEBIT_PUBLIC ninebit`, so that what they declare, and nothing else, can be linked to. C functions stand
-   after the word by themselves. Also C99. */
+/* The symbols that the shared libraries export. Everything is compiled with hidden visibility. Public headers open
+   their namespace as `namespace NINEBIT_PUBLIC ninebit`, so only their declarations can be linked to. Each C function
+   is marked on its own. This header is also valid C99. */
 #pragma once
 
-/* Marks what a shared library shows; nothing with other compilers than GCC and Clang. */
+/* Marks a symbol that a shared library exports; empty for compilers other than GCC and Clang. */
 #if defined(__cplusplus) && defined(__GNUC__)
 #define NINEBIT_PUBLIC [[gnu::visibility("default")]]
 #elif defined(__GNUC__)

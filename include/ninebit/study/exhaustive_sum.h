@@ -1,7 +1,7 @@
 // AB + CD over all inputs, one by one: every register code from -one to one for each of A, B, C and D. With nine bits
 // these are 511^4 = 68,184,176,641 cases.
 //
-// Each case is evaluated by the rules of combiner_rules.inl in vector lanes and compared with exact integer arithmetic
+// Each case is evaluated by the rules of arithmetic.inl in vector lanes and compared with exact integer arithmetic
 // in units of 1 / (4 one²). datapath_error.h computes the same numbers independently, by counting wide values.
 #pragma once
 

@@ -1,5 +1,6 @@
 #include "src/language/emit/emit_comments.h"
 
+#include "ninebit/combiner/portion_walk.h"
 #include "src/language/emit/emit_program.h"
 
 namespace ninebit::emit {
@@ -47,13 +48,16 @@ std::vector<std::string> comments_of(const Program& program, int stage, PortionN
     if (!is_live) return;
     lines.push_back("  " + std::string(name_of(to)) + component + " = " + output_text(out, wide, is_sum));
   };
-  const auto blue = [&](bool is_live, Register to, bool blue_to_alpha) {
-    if (is_live && blue_to_alpha) lines.push_back("  " + std::string(name_of(to)) + ".alpha = that blue");
+  const auto blue = [&](bool is_live, std::size_t k) {
+    if (!is_live || name != PortionName::rgb) return;
+    detail::for_each_write({out, k, kBlue}, [&](Register to, int i) {
+      if (i == kAlpha) lines.push_back("  " + std::string(name_of(to)) + ".alpha = that blue");
+    });
   };
   equation(live.ab, out.ab, ab, false);
-  blue(live.ab, out.ab, out.ab_blue_to_alpha);
+  blue(live.ab, 0);
   equation(live.cd, out.cd, cd, false);
-  blue(live.cd, out.cd, out.cd_blue_to_alpha);
+  blue(live.cd, 1);
   equation(live.sum, out.sum, third, true);
   return lines;
 }

@@ -120,12 +120,17 @@ V Graph::make(Opcode opcode, const std::array<V, 4>& args, Interval range) {
   return {this, static_cast<int>(nodes_.size()) - 1, 0};
 }
 
-void Graph::name(const V& value, const std::string& name) {
-  if (value.is_constant()) return;
+bool Graph::name(const V& value, const std::string& name) {
+  if (value.is_constant()) return false;
   Node& node = value.graph->nodes_[static_cast<std::size_t>(value.node)];
-  if (node.named || node.opcode == Opcode::input) return;
+  if (node.named || node.opcode == Opcode::input) return false;
   node.name = name;
   node.named = true;
+  return true;
+}
+
+void Graph::rename(const V& value, const std::string& name) {
+  value.graph->nodes_[static_cast<std::size_t>(value.node)].name = name;
 }
 
 V set(int v) {

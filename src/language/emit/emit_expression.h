@@ -1,4 +1,4 @@
-// Symbolic values: the primitives of combiner_rules.inl build a graph of integer operations instead of computing. Every
+// Symbolic values: the primitives of arithmetic.inl build a graph of integer operations instead of computing. Every
 // node has the interval of its value, so clamps without effect are dropped, and overflow of 32 bits is detected when
 // the text is emitted.
 #pragma once
@@ -62,8 +62,10 @@ class Graph {
   V input(std::string text, Interval range);
   V make(Opcode opcode, const std::array<V, 4>& args, Interval range);
 
-  // Names a value unless it already has a name; constants and inputs keep their text.
-  static void name(const V& value, const std::string& name);
+  // Names a value and returns true, unless it already has a name; constants and inputs keep their text.
+  static bool name(const V& value, const std::string& name);
+  // Replaces the name of a value that has one.
+  static void rename(const V& value, const std::string& name);
 
   [[nodiscard]] const Node& operator[](int node) const { return nodes_[static_cast<std::size_t>(node)]; }
   [[nodiscard]] std::size_t size() const { return nodes_.size(); }

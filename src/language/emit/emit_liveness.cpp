@@ -1,5 +1,7 @@
 #include "src/language/emit/emit_liveness.h"
 
+#include "ninebit/combiner/portion_walk.h"
+
 namespace ninebit::emit {
 namespace {
 
@@ -35,23 +37,24 @@ void read_by_portion(const Portion& portion, int first, int channels, const Live
     }
   };
   for (int c = 0; c < channels; ++c) {
-    const bool third = after.has(out.sum, first + c);
-    const auto is_read = [&](Register to, bool blue_to_alpha) {
-      return third || after.has(to, first + c) || (blue_to_alpha && c == kBlue && after.has(to, kAlpha));
+    const auto is_live = [&](std::size_t k) {
+      bool any = false;
+      detail::for_each_write({out, k, first + c}, [&](Register to, int i) { any = any || after.has(to, i); });
+      return any;
     };
-    if (is_read(out.ab, out.ab_blue_to_alpha)) read(portion.a, portion.b, c, out.ab_dot_product);
-    if (is_read(out.cd, out.cd_blue_to_alpha)) read(portion.c, portion.d, c, out.cd_dot_product);
+    const bool third = is_live(2);
+    if (third || is_live(0)) read(portion.a, portion.b, c, out.ab_dot_product);
+    if (third || is_live(1)) read(portion.c, portion.d, c, out.cd_dot_product);
     if (third && out.mux_sum) live.add(Register::spare0, kAlpha);
   }
 }
 
 void remove_written(const Portion& portion, int first, int channels, LiveSet& live) {
-  for (const Register r : {portion.out.ab, portion.out.cd, portion.out.sum}) {
-    if (r == Register::discard) continue;
-    for (int c = first; c < first + channels; ++c) live.remove(r, c);
+  for (int c = first; c < first + channels; ++c) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      detail::for_each_write({portion.out, k, c}, [&](Register to, int component) { live.remove(to, component); });
+    }
   }
-  if (portion.out.ab_blue_to_alpha) live.remove(portion.out.ab, kAlpha);
-  if (portion.out.cd_blue_to_alpha) live.remove(portion.out.cd, kAlpha);
 }
 
 }  // namespace

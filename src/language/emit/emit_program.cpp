@@ -1,7 +1,9 @@
 #include "src/language/emit/emit_program.h"
 
 #include <algorithm>
+#include <iterator>
 
+#include "ninebit/combiner/portion_walk.h"
 #include "src/language/emit/emit_comments.h"
 #include "src/language/emit/emit_liveness.h"
 
@@ -9,7 +11,7 @@ namespace ninebit::emit {
 namespace {
 
 #define NINEBIT_RULE inline
-#include "ninebit/numerics/combiner_rules.inl"
+#include "ninebit/combiner/arithmetic.inl"
 #undef NINEBIT_RULE
 
 using Values = std::array<V, 4>;
@@ -52,10 +54,12 @@ class Lister {
   Listing run() {
     Listing listing;
     for (int i = 0; i < program_.num_general_combiners; ++i) {
-      // Both portions read before either writes (rule 12).
-      const TextRegisters before = registers_;
-      list_portion(i, PortionName::rgb, before, listing);
-      list_portion(i, PortionName::alpha, before, listing);
+      General domain(*this, i);
+      detail::StageSteps<General> steps;
+      detail::walk_stage(domain, program_.general[static_cast<std::size_t>(i)], steps);
+      for (const PortionName name : {PortionName::rgb, PortionName::alpha}) {
+        if (auto block = domain.block(name)) listing.blocks.push_back(std::move(*block));
+      }
     }
     listing.final_comments = comments_of_final(program_);
     listing.result = final_result();
@@ -63,67 +67,81 @@ class Lister {
   }
 
  private:
-  void list_portion(int stage, PortionName portion_name, const TextRegisters& before, Listing& listing) {
-    const ProgramStage& from = program_.general[static_cast<std::size_t>(stage)];
-    const Portion& portion = portion_name == PortionName::rgb ? from.rgb : from.alpha;
-    const int first = portion_name == PortionName::rgb ? kRed : kAlpha;
-    const int channels = portion_name == PortionName::rgb ? 3 : 1;
-    const LiveSet& after = live_[static_cast<std::size_t>(stage)];
-    const PortionOutput& out = portion.out;
-    if (!is_live(out)) return;
+  // The value domain of a general combiner (portion_walk.h). Each output's value gets its lines and names before the
+  // next output is computed.
+  class General {
+   public:
+    using Input = V;
+    using Wide = V;
+    using Output = V;
 
-    const auto mapped = [&](const CombinerInput& in, int channel) {
-      const int component = reference::component_of(in.usage, channel);
-      return map_input(d_, in.mapping, before.read(in.reg, component, from.constant0, from.constant1));
-    };
-    const auto products = [&](const CombinerInput& x, const CombinerInput& y, bool dot, const char* name) {
-      Values wide{};
-      V total = set(0);
-      for (int c = 0; c < channels; ++c) {
-        wide[static_cast<std::size_t>(c)] = mul(mapped(x, c), mapped(y, c));
-        total = add(total, wide[static_cast<std::size_t>(c)]);
-      }
-      if (dot) {
-        Graph::name(total, "s" + std::to_string(stage) + name);
-        wide.fill(total);
-      }
-      return wide;
-    };
-    const Values ab = products(portion.a, portion.b, out.ab_dot_product, "_dot_ab");
-    const Values cd = products(portion.c, portion.d, out.cd_dot_product, "_dot_cd");
+    General(Lister& lister, int stage)
+        : lister_(lister),
+          number_(stage),
+          stage_(lister.program_.general[static_cast<std::size_t>(stage)]),
+          live_(lister.live_[static_cast<std::size_t>(stage)]) {}
 
-    Block block;
-    const auto write_component = [&](Register to, int component, const auto& wide) {
-      V& value = registers_(to, component);
-      if (!after.has(to, component)) {
-        value = set(0);  // not read before it is written again
-        return false;
+    V input(const CombinerInput& in, int component) const {
+      const V value = lister_.registers_.read(in.reg, component, stage_.constant0, stage_.constant1);
+      return map_input(lister_.d_, in.mapping, value);
+    }
+    static V product(const V& x, const V& y) { return mul(x, y); }
+    static V sum(const V& x, const V& y) { return add(x, y); }
+    void name_dot_product(Variable first, const V& total) const {
+      Graph::name(total, "s" + std::to_string(number_) + (first == Variable::a ? "_dot_ab" : "_dot_cd"));
+    }
+    V mux(const V& ab, const V& cd) const {
+      const V& by = lister_.registers_(Register::spare0, kAlpha);
+      return emit::mux(lister_.d_, stage_.mux_by_lowest_bit, by, ab, cd);
+    }
+    V output(const detail::Target& target, const V& wide) {
+      const V value = combiner_output(lister_.d_, target.out.scale, target.out.bias, wide);
+      PortionLines& to_portion = lines_[target.component == kAlpha ? 1 : 0];
+      detail::for_each_write(target, [&](Register to, int component) {
+        if (!live_.has(to, component)) return;
+        const char letter = kComponentLetters[static_cast<std::size_t>(component)];
+        const std::string text(short_name_of(to));
+        Line line{text + '.' + letter, "s" + std::to_string(number_) + '_' + text + '_' + letter, value};
+        if (Graph::name(value, line.name)) to_portion.named.push_back(value);
+        to_portion.of_output[target.k].push_back(std::move(line));
+      });
+      return value;
+    }
+    void write(Register to, int component, const V& value) {
+      // What is not live is not read before it is written again.
+      lister_.registers_(to, component) = live_.has(to, component) ? value : set(0);
+    }
+
+    // The lines of a portion after the walk; empty for a portion that writes nothing.
+    std::optional<Block> block(PortionName name) {
+      if (!is_live((name == PortionName::rgb ? stage_.rgb : stage_.alpha).out)) return std::nullopt;
+      PortionLines& lines = lines_[name == PortionName::rgb ? 0 : 1];
+      auto& [ab, cd, third] = lines.of_output;
+      const LiveOutputs live{!ab.empty(), !cd.empty(), !third.empty()};
+      Block result{comments_of(lister_.program_, number_, name, live), {}};
+      for (std::vector<Line>& of_output : lines.of_output) {
+        std::move(of_output.begin(), of_output.end(), std::back_inserter(result.lines));
       }
-      value = combiner_output(d_, out.scale, out.bias, wide());
-      const char letter = kComponentLetters[static_cast<std::size_t>(component)];
-      const std::string target(short_name_of(to));
-      Line line{target + '.' + letter, "s" + std::to_string(stage) + '_' + target + '_' + letter, value};
-      Graph::name(value, line.name);
-      block.lines.push_back(std::move(line));
-      return true;
-    };
-    const auto write = [&](Register to, bool blue_to_alpha, const auto& wide_of) {
-      bool any = false;
-      for (int c = 0; to != Register::discard && c < channels; ++c) {
-        any = write_component(to, first + c, [&] { return wide_of(static_cast<std::size_t>(c)); }) || any;
+      // The walk names values channel by channel. Of the lines that share a value, the first one printed names it.
+      for (auto line = result.lines.rbegin(); line != result.lines.rend(); ++line) {
+        const bool is_named = std::find(lines.named.begin(), lines.named.end(), line->value) != lines.named.end();
+        if (is_named) Graph::rename(line->value, line->name);
       }
-      return (blue_to_alpha && write_component(to, kAlpha, [&] { return wide_of(kBlue); })) || any;
+      return result;
+    }
+
+   private:
+    struct PortionLines {
+      std::array<std::vector<Line>, 3> of_output{};  // AB, CD, third
+      std::vector<V> named{};                        // values that got their names here
     };
-    LiveOutputs live;
-    live.ab = write(out.ab, out.ab_blue_to_alpha, [&](std::size_t c) { return ab[c]; });
-    live.cd = write(out.cd, out.cd_blue_to_alpha, [&](std::size_t c) { return cd[c]; });
-    live.sum = write(out.sum, false, [&](std::size_t c) {
-      return out.mux_sum ? mux(d_, from.mux_by_lowest_bit, before(Register::spare0, kAlpha), ab[c], cd[c])
-                         : add(ab[c], cd[c]);
-    });
-    block.comments = comments_of(program_, stage, portion_name, live);
-    listing.blocks.push_back(std::move(block));
-  }
+
+    Lister& lister_;
+    int number_;
+    const ProgramStage& stage_;
+    const LiveSet& live_;
+    std::array<PortionLines, 2> lines_{};  // RGB, alpha
+  };
 
   Values final_result() const {
     const FinalCombiner& f = program_.final_combiner;
@@ -186,7 +204,7 @@ std::optional<Diagnostic> refusal(const Program& program, std::string_view funct
   if (program.datapath.arithmetic != Arithmetic::integer) {
     return Diagnostic{.message = "only programs of integer profiles can be emitted as source"};
   }
-  // The precondition of combiner_rules.inl: six products of the largest mapped values plus the bias do not exceed
+  // The precondition of arithmetic.inl: six products of the largest mapped values plus the bias do not exceed
   // eight.
   const Datapath& d = program.datapath;
   constexpr std::int64_t kMostOne = 1 << 15;

@@ -66,6 +66,7 @@ std::uint8_t byte_of_sum(int sum) {
 
 }  // namespace
 
+// Rule 19: one sum of products, one rounding.
 ColorBytes blend(const Blend& state, const ColorBytes& source, const ColorBytes& destination) {
   ColorBytes result{};
   if (state.equation == BlendEquation::min || state.equation == BlendEquation::max) {

@@ -74,6 +74,7 @@ DepthPlane depth_plane(const WindowVertex& a, const WindowVertex& b, const Windo
   return {.area = bx * cy - by * cx, .dx = bz * cy - cz * by, .dy = bx * cz - cx * bz};
 }
 
+// Rule 20.
 std::int32_t polygon_offset_z24(const PolygonOffset& offset, OffsetSlope slope, const DepthPlane& plane,
                                 const WindowDepth& depth) {
   const OffsetTerms t{.factor = offset.factor,

@@ -77,7 +77,7 @@ class TriangleEdges {
       step_y_[i] = dx * 16;
       // At the centre of pixel (0, 0).
       origin_[i] = dx * (8 - y[a]) - dy * (8 - x[a]);
-      // Top-left rule: a centre on an edge is inside when the edge goes down (left) or, level, to the left (top).
+      // Top-left rule (rule 21): a centre on an edge is inside when the edge goes down (left) or, level, to the left (top).
       threshold_[i] = dy < 0 || (dy == 0 && dx < 0) ? 0 : 1;
     }
   }

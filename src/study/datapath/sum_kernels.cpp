@@ -1,4 +1,4 @@
-// The rules of combiner_rules.inl on vectors of 32-bit lanes, with exact arithmetic for comparison.
+// The rules of arithmetic.inl on vectors of 32-bit lanes, with exact arithmetic for comparison.
 #include "src/study/datapath/sum_kernels.h"
 
 #include <algorithm>
@@ -32,7 +32,7 @@ constexpr std::array<float, 511> reciprocals() {
 }
 constexpr std::array<float, 511> kReciprocals = reciprocals();
 
-// The primitives that combiner_rules.inl requires.
+// The primitives that arithmetic.inl requires.
 namespace lanes {
 using V = V32;
 HWY_INLINE V set(int v) {
@@ -72,7 +72,7 @@ HWY_INLINE V select_where_at_least(V v, V limit, V yes, V no) {
   return hn::IfThenElse(hn::Lt(v, limit), no, yes);
 }
 #define NINEBIT_RULE HWY_INLINE
-#include "ninebit/numerics/combiner_rules.inl"
+#include "ninebit/combiner/arithmetic.inl"
 #undef NINEBIT_RULE
 }  // namespace lanes
 

@@ -3,6 +3,7 @@
 #include <bit>
 
 #include "ninebit/combiner/evaluate.h"
+#include "ninebit/combiner/portion_walk.h"
 
 namespace ninebit {
 namespace {
@@ -58,42 +59,40 @@ class Terms {
   DigitSum sum_;
 };
 
+// The value domain of dependences (portion_walk.h): what is computed depends on the digits of all that it is made of.
+class DigitSets {
+ public:
+  using Input = unsigned;
+  using Wide = unsigned;
+  using Output = unsigned;
+
+  explicit DigitSets(ByComponent<unsigned>& registers) : registers_(registers) {}
+
+  [[nodiscard]] unsigned input(const CombinerInput& in, int component) const {
+    return registers_[static_cast<std::size_t>(in.reg)][static_cast<std::size_t>(component)];
+  }
+  static unsigned product(unsigned x, unsigned y) { return x | y; }
+  static unsigned sum(unsigned x, unsigned y) { return x | y; }
+  [[nodiscard]] unsigned mux(unsigned ab, unsigned cd) const {
+    return ab | cd | registers_[static_cast<std::size_t>(Register::spare0)][kAlpha];
+  }
+  static unsigned output(const detail::Target& /*target*/, unsigned wide) { return wide; }
+  void write(Register to, int component, unsigned set) {
+    registers_[static_cast<std::size_t>(to)][static_cast<std::size_t>(component)] = set;
+  }
+
+ private:
+  ByComponent<unsigned>& registers_;
+};
+
 }  // namespace
 
 ByComponent<unsigned> digits_after_first_stage(const Program& program, const ByComponent<unsigned>& before) {
-  const ProgramStage& stage = program.general[0];
-  ByComponent<unsigned> after = before;
-  const auto write = [&](const Portion& portion, int first, int channels) {
-    if (!is_live(portion.out)) return;
-    const auto digits = [&](const CombinerInput& in, int c) {
-      return before[static_cast<std::size_t>(in.reg)]
-                   [static_cast<std::size_t>(reference::component_of(in.usage, first + c))];
-    };
-    std::array<unsigned, 3> ab{}, cd{};
-    unsigned all_ab = 0, all_cd = 0;
-    for (int c = 0; c < channels; ++c) {
-      const auto i = static_cast<std::size_t>(c);
-      all_ab |= ab[i] = digits(portion.a, c) | digits(portion.b, c);
-      all_cd |= cd[i] = digits(portion.c, c) | digits(portion.d, c);
-    }
-    if (portion.out.ab_dot_product) ab.fill(all_ab);
-    if (portion.out.cd_dot_product) cd.fill(all_cd);
-    const unsigned choice = portion.out.mux_sum ? before[static_cast<std::size_t>(Register::spare0)][kAlpha] : 0;
-    const auto put = [&](Register to, int c, unsigned set) {
-      if (to != Register::discard) after[static_cast<std::size_t>(to)][static_cast<std::size_t>(first + c)] = set;
-    };
-    for (int c = 0; c < channels; ++c) {
-      const auto i = static_cast<std::size_t>(c);
-      put(portion.out.ab, c, ab[i]);
-      put(portion.out.cd, c, cd[i]);
-      put(portion.out.sum, c, ab[i] | cd[i] | choice);
-    }
-    if (portion.out.ab_blue_to_alpha) put(portion.out.ab, kAlpha, ab[kBlue]);
-    if (portion.out.cd_blue_to_alpha) put(portion.out.cd, kAlpha, cd[kBlue]);
-  };
-  write(stage.rgb, kRed, 3);
-  write(stage.alpha, kAlpha, 1);
-  return after;
+  ByComponent<unsigned> registers = before;
+  DigitSets domain(registers);
+  detail::StageSteps<DigitSets> steps{};
+  detail::walk_stage(domain, program.general[0], steps);
+  return registers;
 }
 
 ByComponent<bool> read_from_stage(const Program& program, int first) {
@@ -114,7 +113,12 @@ std::optional<DigitSum> digit_sum(const Program& program, const ByComponent<unsi
   if (g.mapping != InputMapping::unsigned_identity && g.mapping != InputMapping::unsigned_invert) return std::nullopt;
   const ProgramStage& stage = program.general[1];
   const PortionOutput& rgb = stage.rgb.out;
-  const bool alpha_is_blue = (rgb.ab_blue_to_alpha && rgb.ab == g.reg) || (rgb.cd_blue_to_alpha && rgb.cd == g.reg);
+  bool alpha_is_blue = false;
+  for (const std::size_t k : {std::size_t{0}, std::size_t{1}}) {
+    detail::for_each_write({rgb, k, kBlue}, [&](Register to, int component) {
+      alpha_is_blue = alpha_is_blue || (to == g.reg && component == kAlpha);
+    });
+  }
   const auto component =
       alpha_is_blue ? std::size_t{kBlue} : static_cast<std::size_t>(reference::component_of(g.usage, kAlpha));
   const PortionOutput& out = component == kAlpha ? stage.alpha.out : stage.rgb.out;

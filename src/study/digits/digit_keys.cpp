@@ -35,9 +35,9 @@ class IntegerNumbers final : public DigitKeys::Numbers {
     const ProgramStage& stage = program_.general[1];
     const Portion& portion = term.channel == kAlpha ? stage.alpha : stage.rgb;
     const auto mapped = [&](const CombinerInput& in) {
-      const Rgba9 value = reference::fetch(registers_, in.reg, stage.constant0, stage.constant1);
       const int component = reference::component_of(in.usage, static_cast<int>(term.channel));
-      return reference::map_input(program_.datapath, in.mapping, value[static_cast<std::size_t>(component)]);
+      const int code = reference::fetch(registers_, in.reg, component, stage.constant0, stage.constant1);
+      return reference::map_input(program_.datapath, in.mapping, code);
     };
     return term.cd ? mapped(portion.c) * mapped(portion.d) : mapped(portion.a) * mapped(portion.b);
   }
