@@ -8,7 +8,7 @@
 
 namespace ninebit {
 
-// Calls work(i) for each i below `count`, on all threads, in blocks of at most 16,384 calls.
+// Calls work(i) for each i below `count`, on all threads, with a grain size of 16,384.
 template <class Work>
 void for_all(std::size_t count, const Work& work) {
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, 16384), [&](const auto& range) {
