@@ -38,8 +38,8 @@ TileContents tile_contents(std::span<const LanePass> passes, const RenderTarget&
   return all;
 }
 
-// Takes a primitive's fragments on their way: depth code and early tests, then what `Next` does with them. (A copy of
-// what is asked for each fragment: writing bytes could change anything else, as far as a compiler can know.)
+// Finds the depth codes of a primitive's fragments, makes the early tests, and hands the others to `Next`. (It copies
+// what each fragment reads: the compiler assumes that stores of bytes may change anything else.)
 template <class Next>
 class FragmentSink {
  public:
@@ -54,7 +54,7 @@ class FragmentSink {
 
   void operator()(int x, int y, std::uint32_t z24, const std::array<std::int64_t, 3>& edge) const {
     const std::uint32_t depth = is_code_ ? z24 : depth_.code(z24, offset_z24_);
-    // Two of them: the first stays in registers.
+    // Two objects: the first stays in registers.
     if (operations_.is_lost_early({x, y, depth, primitive_, front_facing_})) return;
     next_({x, y, depth, primitive_, front_facing_}, edge);
   }
@@ -69,7 +69,7 @@ class FragmentSink {
   const Next next_;
 };
 
-// Not part of its caller, which would be large and short of registers.
+// Not inlined: the caller would be large and short of registers.
 template <class Sink>
 [[gnu::noinline]] void draw_triangle(const PixelBox& tile, const SetupPrimitive& t, Sink sink) {
   const TriangleEdges plane(t);
@@ -87,8 +87,8 @@ template <class Sink>
   }
 }
 
-// The pixels of one column (row) share the place along the line of the lowest one's centre; beyond an end, they have
-// what the end has.
+// The pixels of one column (row) share the position along the line that the lowest one's centre has; beyond an end they
+// have the end's values.
 template <class Sink>
 void draw_line(const PixelBox& tile, const SetupPrimitive& line, int width, Sink sink) {
   const LineWalk walk(line);
@@ -176,7 +176,7 @@ void draw_in_tile(const DrawContext& context, const PixelBox& tile, const SetupB
 }
 
 bool TileRasterizer::can_share_tiles(std::span<const DrawContext* const> passes, const RenderTarget& target) {
-  // The tile holds pixels with all their colour components: a pass writes either all that any does, or none.
+  // The tile holds whole pixels: each pass has to write either all colour components that any pass writes, or none.
   std::optional<std::array<bool, 4>> written;
   for (const DrawContext* pass : passes) {
     if (!lanes_can_draw(*pass, target)) return false;
@@ -190,9 +190,9 @@ bool TileRasterizer::can_share_tiles(std::span<const DrawContext* const> passes,
 
 bool TileRasterizer::can_clear_tiles(std::span<const DrawContext* const> passes, const RenderTarget& target) {
   if (!can_share_tiles(passes, target)) return false;
-  // Memory beyond the stencil bits is not cleared.
+  // Clearing leaves the bits beyond the stencil bits as they are.
   if (target.stencil && stencil_bits(target.format) < 8) return false;
-  // The tile then holds every colour plane, which a pass writes all or none of, see above.
+  // A cleared tile holds every colour plane: each pass has to write all of them, or none.
   std::array<bool, 4> all{};
   for (std::size_t k = 0; k < 4; ++k) all[k] = static_cast<bool>(target.color[k]);
   return std::all_of(passes.begin(), passes.end(), [&](const DrawContext* pass) {
