@@ -5,7 +5,7 @@
 namespace ninebit {
 namespace {
 
-// Of the function's three bits (see compare) the third, greater, is said by inverting the others.
+// The function has three bits (see compare): less, equal and greater. The third one inverts the other two.
 LaneComparison comparison(CompareFunction function) {
   const auto bits = static_cast<unsigned>(function);
   const auto word = [](bool set) { return set ? ~std::uint32_t{0} : 0; };
