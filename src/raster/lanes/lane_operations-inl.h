@@ -12,6 +12,7 @@
 #include "src/raster/lanes/lane_operations.h"
 #include "src/raster/lanes/lane_pass.h"
 #include "src/raster/lanes/lane_vectors-inl.h"
+#include "src/raster/rules/fragment_vector-inl.h"
 #include "src/raster/setup/setup_primitive.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -33,39 +34,15 @@ struct ComparisonMasks {
   }
 };
 
-// The stored values after an operation (see stencil_result), masked.
+// The stored values after an operation, masked.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE V stencil_lanes(D d, StencilOperation operation, const LaneStencil& s, V stored) {
-  const V largest = hn::Set(d, static_cast<std::int32_t>(s.largest)), one = hn::Set(d, 1);
-  const V value = hn::And(stored, largest);
-  V result = value;
-  switch (operation) {
-    case StencilOperation::keep:
-      return stored;
-    case StencilOperation::zero:
-      result = hn::Zero(d);
-      break;
-    case StencilOperation::replace:
-      result = hn::Set(d, static_cast<std::int32_t>(s.replacement));
-      break;
-    case StencilOperation::incr:
-      result = hn::Min(hn::Add(value, one), largest);
-      break;
-    case StencilOperation::decr:
-      result = hn::Max(hn::Sub(value, one), hn::Zero(d));
-      break;
-    case StencilOperation::invert:
-      result = hn::AndNot(value, largest);
-      break;
-    case StencilOperation::incr_wrap:
-      result = hn::And(hn::Add(value, one), largest);
-      break;
-    case StencilOperation::decr_wrap:
-      result = hn::And(hn::Sub(value, one), largest);
-      break;
-  }
-  const V writable = hn::Set(d, static_cast<std::int32_t>(s.writable));
-  return hn::Or(hn::And(result, writable), hn::AndNot(writable, stored));
+  if (operation == StencilOperation::keep) return stored;
+  const VectorValues<D> values;
+  const V largest = hn::Set(d, static_cast<std::int32_t>(s.largest));
+  const V reference = hn::Set(d, static_cast<std::int32_t>(s.replacement));
+  const V result = stencil_result(values, operation, hn::And(stored, largest), reference, largest);
+  return write_masked(values, stored, result, hn::Set(d, static_cast<std::int32_t>(s.writable)));
 }
 
 // True where stored depth × 256 + stencil has this depth: such words differ in the lowest byte only.
@@ -169,16 +146,13 @@ HWY_INLINE LaneResult<D> apply_lanes(D d, const LaneDraw<D>& draw, hn::Mask<D> m
   return {after, drawn};
 }
 
-// Window depths as codes of the target, see WindowDepth::code.
+// Window depths as codes of the target.
 template <class D>
 HWY_INLINE hn::Vec<D> depth_codes(D d, const LanePass& pass, const SetupPrimitive& p, hn::Vec<D> z24) {
   const WindowDepth& depth = pass.context.depth;
   if (p.offset_z24 == 0 && depth.step_z24() == 1) return z24;
-  const auto offset = hn::Set(d, p.offset_z24);  // within ±2^25
-  const auto largest = hn::Set(d, static_cast<std::int32_t>(depth.max_z24()));
-  const auto z = hn::Min(hn::Max(hn::Add(z24, offset), hn::Zero(d)), largest);
-  const auto step = static_cast<std::int32_t>(depth.step_z24());
-  return hn::ShiftRightSame(hn::Add(z, hn::Set(d, step >> 1)), depth.fraction_bits());
+  return depth_code(VectorValues<D>(), z24, hn::Set(d, p.offset_z24),
+                    hn::Set(d, static_cast<std::int32_t>(depth.max_z24())), depth.fraction_bits());
 }
 
 #endif  // HWY_TARGET != HWY_SCALAR

@@ -13,6 +13,7 @@
 #include "src/raster/lanes/triangle_batch_input-inl.h"
 #include "src/raster/lanes/triangle_batch_output-inl.h"
 #include "src/raster/lanes/triangle_vectors-inl.h"
+#include "src/raster/rules/fragment_vector-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace ninebit::HWY_NAMESPACE {
@@ -141,8 +142,7 @@ HWY_INLINE CentreEdges find_edges(const BatchTriangles& t, const CentreBoxes& bo
     e.edge[i] = hn::Sub(hn::Mul(dx, hn::Sub(centre_y, t.y[a])), hn::Mul(dy, hn::Sub(centre_x, t.x[a])));
     e.step_x[i] = hn::ShiftLeft<4>(hn::Neg(dy));
     e.step_y[i] = hn::ShiftLeft<4>(dx);
-    // Negative for a left edge, which goes down, and a top edge, level and to the left.
-    const VI top_left = sign(hn::Add(hn::ShiftLeft<14>(dy), dx));
+    const VI top_left = sign(top_left_sign(VectorValues<DI>(), dx, dy));
     const VI e00 = hn::Sub(hn::Sub(e.edge[i], set(1)), top_left);
     const VI e01 = hn::Add(e00, e.step_y[i]);
     out00 = hn::Or(out00, e00);

@@ -1,4 +1,4 @@
-// The rules of cube_face.h and texture_wrap.h over vectors of float lanes, compiled once for every SIMD target and
+// Cube-map faces and the rules of texture_wrap.h over vectors of float lanes, compiled once for every SIMD target and
 // chosen at run time.
 #include "src/raster/texture/texture_lanes.h"
 
@@ -8,6 +8,7 @@
 #define HWY_TARGET_INCLUDE "src/raster/texture/texture_lanes.cpp"
 #include "hwy/foreach_target.h"  // IWYU pragma: keep
 #include "hwy/highway.h"
+#include "src/raster/rules/fragment_vector-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace ninebit::HWY_NAMESPACE {
@@ -24,9 +25,6 @@ constexpr D16 kD16;
 
 HWY_INLINE VF set(float v) {
   return hn::Set(kDF, v);
-}
-HWY_INLINE VI face_number(CubeFace face) {
-  return hn::Set(kDI, static_cast<std::int32_t>(face));
 }
 
 // One axis of a level. A side is a power of two: floats divide and multiply by it exactly.
@@ -79,38 +77,6 @@ HWY_INLINE VI texel_on_face(const Axis& axis, VF s) {
   return axis.wrap == Wrap::repeat ? hn::And(texel, last) : hn::Min(texel, last);
 }
 
-// cube_coordinate_inline: returns the face's number; (to_s, to_t) is the place on the face.
-HWY_INLINE VI cube_coordinates(VF rx, VF ry, VF rz, VF& to_s, VF& to_t) {
-  const VF zero = hn::Zero(kDF);
-  const VF ax = hn::Abs(rx), ay = hn::Abs(ry), az = hn::Abs(rz);
-  const auto not_x = hn::Or(hn::Gt(ay, ax), hn::Gt(az, ax));
-  const auto is_z = hn::And(not_x, hn::Gt(az, ay));
-  const auto is_y = hn::AndNot(is_z, not_x);
-  const VF major = hn::IfThenElse(is_z, rz, hn::IfThenElse(is_y, ry, rx));
-  const VF ma = hn::Abs(major);
-  const auto negative = hn::Lt(major, zero);
-  // sc and tc are components, negated on some faces.
-  const VF sc_positive = hn::IfThenElse(not_x, rx, hn::Neg(rz));
-  const VF sc = hn::IfThenElse(hn::AndNot(is_y, negative), hn::Neg(sc_positive), sc_positive);
-  const VF tc_positive = hn::IfThenElse(is_y, rz, hn::Neg(ry));
-  const VF tc = hn::IfThenElse(hn::And(is_y, negative), hn::Neg(tc_positive), tc_positive);
-  const VF one = set(1.0F), half = set(0.5F);
-  const VF s = hn::Mul(hn::Add(hn::Div(sc, ma), one), half);
-  const VF t = hn::Mul(hn::Add(hn::Div(tc, ma), one), half);
-  const auto within = [&](VF v) HWY_ATTR {  // infinity over infinity is NaN, which fails both comparisons
-    return hn::IfThenElseZero(hn::And(hn::Ge(v, zero), hn::Le(v, one)), v);
-  };
-  const auto is_number = hn::And(hn::And(hn::Eq(rx, rx), hn::Eq(ry, ry)), hn::Eq(rz, rz));
-  const auto is_zero = hn::Eq(ma, zero);
-  const VI positive_face =
-      hn::IfThenElse(hn::RebindMask(kDI, is_z), face_number(CubeFace::positive_z),
-                     hn::IfThenElse(hn::RebindMask(kDI, is_y), face_number(CubeFace::positive_y), hn::Zero(kDI)));
-  const VI face = hn::Add(positive_face, hn::IfThenElseZero(hn::RebindMask(kDI, negative), hn::Set(kDI, 1)));
-  to_s = hn::IfThenElseZero(is_number, hn::IfThenElse(is_zero, half, within(s)));
-  to_t = hn::IfThenElseZero(is_number, hn::IfThenElse(is_zero, half, within(t)));
-  return hn::IfThenElseZero(hn::RebindMask(kDI, is_number), face);
-}
-
 // linear_texels for all modes but Wrap::clamp: returns the first texel, sets the second and its weight.
 HWY_INLINE VI texels_along(const Axis& axis, VF s, int bits, VI& second, VI& weight) {
   const float one = static_cast<float>(1 << bits);
@@ -144,7 +110,11 @@ HWY_INLINE VI load_place(const LaneLevel& level, const std::array<const float*, 
                          VF& t) {
   s = hn::LoadU(kDF, at[0] + lane);
   t = hn::LoadU(kDF, at[1] + lane);
-  return level.cube ? cube_coordinates(s, t, hn::LoadU(kDF, at[2] + lane), s, t) : hn::Zero(kDI);
+  if (!level.cube) return hn::Zero(kDI);
+  const auto place = cube_place(VectorValues<DI>(), s, t, hn::LoadU(kDF, at[2] + lane));
+  s = place.s;
+  t = place.t;
+  return place.face;
 }
 
 // Both axes of a level, for NEAREST.
