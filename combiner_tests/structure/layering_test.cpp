@@ -25,7 +25,7 @@ const std::map<std::string, int> kRank{{"system", 0}, {"numerics", 0}, {"combine
 const std::map<std::string, std::vector<std::string>> kFolders{
     {"system", {"parallel", "", "hashing"}},
     {"language", {"source", "gl_nv", "gl_calls", "rc10", "register_words", "emit", "explain", "json"}},
-    {"raster", {"surface", "texture", "setup", "fragment", "lanes", "draw"}},
+    {"raster", {"rules", "surface", "texture", "setup", "fragment", "lanes", "draw"}},
     {"image", {"output", "texture", "openimageio", "module"}},
     {"shadow",
      {"frame", "index_cube", "depth_cube", "shadow_map", "shadow_volume", "reflective", "light_cookie", "ground_truth",

@@ -113,13 +113,7 @@ class TextureSampler {
   void add_level(Taps& taps, std::size_t face, int level, float s, float t, bool linear, std::uint32_t weight) const;
   [[nodiscard]] Filtered filter(const TextureCoordinates& at, std::size_t i) const;
   [[nodiscard]] Filtered weigh(const Taps& taps, float r) const;
-  // The short way for bytes without mip-maps: whether it is open, where the bytes lie, and its at most kBatchSize
-  // fragments from `first`.
-  [[nodiscard]] bool samples_bytes() const;
-  struct BytePlanes;
-  void find_byte_planes();
-  void sample_bytes(const TextureCoordinates& at, std::size_t first, std::size_t count,
-                    const std::array<s9*, 4>& codes) const;
+  class ByteSampler;  // the fast path for bytes without mip-maps
 
   const Texture* texture_ = nullptr;
   Sampler sampler_;
@@ -136,7 +130,7 @@ class TextureSampler {
   // Which component of a texel each component of a register reads, -1: none, but the constant beside it (0 or 1.0).
   std::array<int, 4> source_{};
   std::array<s9, 4> constant_{};
-  std::shared_ptr<const BytePlanes> byte_planes_;  // where it samples_bytes()
+  std::shared_ptr<const ByteSampler> byte_sampler_;  // where it can sample
 };
 
 }  // namespace ninebit

@@ -172,7 +172,7 @@ Status prepare(const PipelineState& state, const glm::mat4& clip_from_object, co
     const DrawGeometry geometry(setup, clip_from_object, bare_arrays, grid, scratch->packed);
     if (!set_up(geometry, g.blocks)) return check_indices(arrays);
   }
-  g.work.look_at(g.blocks);
+  g.work.collect(g.blocks);
   g.is_valid = true;
   return {};
 }
@@ -188,7 +188,13 @@ void draw(const PreparedDraw::Geometry& g, std::span<const DrawPass> passes,
   }
   const TileGrid grid(target.width, target.height);
   const bool is_timed = std::any_of(passes.begin(), passes.end(), [](const DrawPass& p) { return p.time != nullptr; });
-  TileLoop loop(grid, g.drawn, contexts, target, actions, is_timed, probe.get());
+  TileLoop loop({.grid = grid,
+                 .drawn = g.drawn,
+                 .passes = contexts,
+                 .target = target,
+                 .actions = actions,
+                 .is_timed = is_timed,
+                 .probe = probe.get()});
   loop.draw(g.blocks, g.work);
   for (std::size_t i = 0; i < passes.size(); ++i) {
     if (passes[i].time != nullptr) *passes[i].time = loop.busy(i);

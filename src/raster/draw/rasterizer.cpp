@@ -69,7 +69,7 @@ void draw(const DrawGeometry& geometry, TileLoop& tiles, DrawScratch& scratch) {
   for (std::size_t first = 0; first < geometry.blocks();) {
     const std::size_t count = set_up_chunk(geometry, first, scratch.blocks);
     const std::span<const BinnedBlock> set(scratch.blocks.data(), count);
-    scratch.work.look_at(set);
+    scratch.work.collect(set);
     tiles.draw(set, scratch.work);
     first += count;
   }
@@ -94,7 +94,8 @@ Status rasterize(const PipelineState& state, const glm::mat4& clip_from_object, 
   std::unique_ptr<PixelProbe> probe;
   if (target.probe != nullptr) probe = std::make_unique<PixelProbe>(state, arrays, units, target);
   const DrawContext* const pass = &context;
-  TileLoop tiles(grid, drawn, {&pass, 1}, target, {}, false, probe.get());
+  TileLoop tiles(
+      {.grid = grid, .drawn = drawn, .passes = {&pass, 1}, .target = target, .actions = {}, .probe = probe.get()});
   draw(geometry, tiles, *scratch);
   return {};
 }

@@ -18,8 +18,28 @@ std::array<bool, 4> planes_written(const DrawContext& pass, const RenderTarget& 
   return written;
 }
 
-// Takes a primitive's fragments on their way: depth code and early tests, then what `Next` does with them. (A copy of
-// what is asked for each fragment: writing bytes could change anything else, as far as a compiler can know.)
+// The planes that the passes need, or all of them where the tile is cleared.
+TileContents tile_contents(std::span<const LanePass> passes, const RenderTarget& target, const TileActions& actions) {
+  TileContents all;
+  for (const LanePass& pass : passes) {
+    all.depth = all.depth || pass.operations.depth;
+    all.stencil = all.stencil || pass.operations.stencil;
+    all.writes_depth = all.writes_depth || pass.operations.depth_write;
+    all.writes_stencil = all.writes_stencil || pass.operations.stencil_write;
+    const std::array<bool, 4> color = planes_written(pass.context, target);
+    for (std::size_t k = 0; k < 4; ++k) all.color[k] = all.color[k] || color[k];
+  }
+  if (actions.clear != nullptr) {
+    all.depth = all.writes_depth = static_cast<bool>(target.depth);
+    all.stencil = all.writes_stencil = static_cast<bool>(target.stencil);
+    for (std::size_t k = 0; k < 4; ++k) all.color[k] = static_cast<bool>(target.color[k]);
+  }
+  if (actions.discards_depth) all.writes_depth = false;
+  return all;
+}
+
+// Finds the depth codes of a primitive's fragments, makes the early tests, and hands the others to `Next`. (It copies
+// what each fragment reads: the compiler assumes that stores of bytes may change anything else.)
 template <class Next>
 class FragmentSink {
  public:
@@ -34,7 +54,7 @@ class FragmentSink {
 
   void operator()(int x, int y, std::uint32_t z24, const std::array<std::int64_t, 3>& edge) const {
     const std::uint32_t depth = is_code_ ? z24 : depth_.code(z24, offset_z24_);
-    // Two of them: the first stays in registers.
+    // Two objects: the first stays in registers.
     if (operations_.is_lost_early({x, y, depth, primitive_, front_facing_})) return;
     next_({x, y, depth, primitive_, front_facing_}, edge);
   }
@@ -49,7 +69,7 @@ class FragmentSink {
   const Next next_;
 };
 
-// Not part of its caller, which would be large and short of registers.
+// Not inlined: the caller would be large and short of registers.
 template <class Sink>
 [[gnu::noinline]] void draw_triangle(const PixelBox& tile, const SetupPrimitive& t, Sink sink) {
   const TriangleEdges plane(t);
@@ -67,8 +87,8 @@ template <class Sink>
   }
 }
 
-// The pixels of one column (row) share the place along the line of the lowest one's centre; beyond an end, they have
-// what the end has.
+// The pixels of one column (row) share the position along the line that the lowest one's centre has; beyond an end they
+// have the end's values.
 template <class Sink>
 void draw_line(const PixelBox& tile, const SetupPrimitive& line, int width, Sink sink) {
   const LineWalk walk(line);
@@ -156,7 +176,7 @@ void draw_in_tile(const DrawContext& context, const PixelBox& tile, const SetupB
 }
 
 bool TileRasterizer::can_share_tiles(std::span<const DrawContext* const> passes, const RenderTarget& target) {
-  // The tile holds pixels with all their colour components: a pass writes either all that any does, or none.
+  // The tile holds whole pixels: each pass has to write either all colour components that any pass writes, or none.
   std::optional<std::array<bool, 4>> written;
   for (const DrawContext* pass : passes) {
     if (!lanes_can_draw(*pass, target)) return false;
@@ -170,9 +190,9 @@ bool TileRasterizer::can_share_tiles(std::span<const DrawContext* const> passes,
 
 bool TileRasterizer::can_clear_tiles(std::span<const DrawContext* const> passes, const RenderTarget& target) {
   if (!can_share_tiles(passes, target)) return false;
-  // Memory beyond the stencil bits is not cleared.
+  // Clearing leaves the bits beyond the stencil bits as they are.
   if (target.stencil && stencil_bits(target.format) < 8) return false;
-  // The tile then holds every colour plane, which a pass writes all or none of, see above.
+  // A cleared tile holds every colour plane: each pass has to write all of them, or none.
   std::array<bool, 4> all{};
   for (std::size_t k = 0; k < 4; ++k) all[k] = static_cast<bool>(target.color[k]);
   return std::all_of(passes.begin(), passes.end(), [&](const DrawContext* pass) {
@@ -188,41 +208,18 @@ TileRasterizer::TileRasterizer(std::span<const DrawContext* const> passes, const
     if (!context_->has_flat_result) batch_ = std::make_unique<FragmentBatch>(*context_);
     return;
   }
-  lanes_ = std::make_unique<LaneTile>(target);
-  LaneTile& t = *lanes_;
   passes_.reserve(passes.size());
-  for (const DrawContext* pass : passes) {
-    const LaneOperations& operations = passes_.emplace_back(*pass, target).operations;
-    t.depth = t.depth || operations.depth;
-    t.stencil = t.stencil || operations.stencil;
-    t.writes_depth = t.writes_depth || operations.depth_write;
-    t.writes_stencil = t.writes_stencil || operations.stencil_write;
-    const std::array<bool, 4> color = planes_written(*pass, target);
-    for (std::size_t k = 0; k < 4; ++k) t.color[k] = t.color[k] || color[k];
-  }
-  for (std::size_t i = 1; i < passes_.size(); ++i) {
-    passes_[i - 1].notes_owners = passes_[i - 1].draws_nearest_alone() && passes_[i].can_repeat();
-    if (!passes_[i - 1].can_repeat() || !passes_[i].can_repeat()) continue;
-    passes_[i].repeats = true;
-    passes_[i - 1].keeps = !passes_[i - 1].repeats;
-  }
-  if (clear_ != nullptr) {
-    t.depth = t.writes_depth = static_cast<bool>(target.depth);
-    t.stencil = t.writes_stencil = static_cast<bool>(target.stencil);
-    for (std::size_t k = 0; k < 4; ++k) t.color[k] = static_cast<bool>(target.color[k]);
-  }
-  if (actions.discards_depth) t.writes_depth = false;
-  t.look_at_steps();
+  for (const DrawContext* pass : passes) passes_.emplace_back(*pass, target);
+  plan_reuse(passes_);
+  lanes_ = std::make_unique<LaneTile>(target, tile_contents(passes_, target, actions));
 }
 
 void TileRasterizer::begin(const PixelBox& pixels) {
   pixels_ = pixels;
   if (!lanes_) return;
-  lanes_->knows_owners = false;
-  lanes_->pixels = pixels;
-  lanes_->left = pixels.left & -kTileSize;
-  lanes_->bottom = pixels.bottom & -kTileSize;
-  clear_ != nullptr ? fill_tile(*lanes_, *clear_) : load_tile(*lanes_);
+  lanes_->owners.are_known = false;
+  lanes_->planes.move_to(pixels);
+  clear_ != nullptr ? fill_tile(lanes_->planes, *clear_) : load_tile(lanes_->planes);
 }
 
 void TileRasterizer::begin_pass(std::size_t pass) {
@@ -243,7 +240,7 @@ void TileRasterizer::end_pass(std::size_t pass) {
 }
 
 void TileRasterizer::end() {
-  if (lanes_) store_tile(*lanes_);
+  if (lanes_) store_tile(lanes_->planes);
 }
 
 }  // namespace ninebit

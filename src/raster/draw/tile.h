@@ -15,29 +15,27 @@
 
 namespace ninebit {
 
-// Draws primitives of one block, in the order of `indices`, as far as they cover the tile. Fragments whose colour is
-// the primitive's go through the fragment operations at once, the others into the batch: without a flat result there
-// has to be one.
+// Draws primitives of one block into a tile, in the order of `indices`. If the draw has a flat result, fragments go
+// through the fragment operations at once; else they go into the batch, which must not be null.
 void draw_in_tile(const DrawContext& context, const PixelBox& tile, const SetupBlock& block,
                   std::span<const std::uint32_t> indices, FragmentBatch* batch);
 
-// What is done with a tile before and after its passes.
+// Actions on a tile before and after its passes.
 struct TileActions {
-  const ClearValues* clear = nullptr;  // what all planes are filled with first; nullptr: they keep what they hold
-  bool discards_depth = false;         // the depth plane need not hold what was drawn
+  const ClearValues* clear = nullptr;  // fills all planes first; nullptr: they keep their contents
+  bool discards_depth = false;         // the depth plane need not be written
 };
 
-// Draws tile after tile, in one thread: large, and to be used again for many tiles. Passes are drawn one after the
-// other in each tile.
+// Draws tile after tile in one thread, in each tile pass after pass. Large: one is used for many tiles.
 class TileRasterizer {
  public:
-  // The arguments must outlive it. Several passes only where can_share_tiles, discards_depth only
-  // there, clear only where can_clear_tiles.
+  // The arguments must outlive it. Several passes and discards_depth require can_share_tiles, clear requires
+  // can_clear_tiles.
   TileRasterizer(std::span<const DrawContext* const> passes, const RenderTarget& target, const TileActions& actions);
 
-  // Whether passes can be drawn tile by tile as if each were drawn by itself.
+  // True if passes can be drawn tile by tile with the same result as one after the other.
   [[nodiscard]] static bool can_share_tiles(std::span<const DrawContext* const> passes, const RenderTarget& target);
-  // Whether, besides, all planes can be cleared in the tiles.
+  // True if, in addition, all planes can be cleared in the tiles.
   [[nodiscard]] static bool can_clear_tiles(std::span<const DrawContext* const> passes, const RenderTarget& target);
 
   // `pixels` lie in one tile. Blocks must stay until `end`.
@@ -48,12 +46,12 @@ class TileRasterizer {
   void end();
 
  private:
-  const DrawContext* context_;  // of the only pass, where not vectors draw
+  const DrawContext* context_;  // of the only pass, where vectors do not draw
   const ClearValues* clear_;
   PixelBox pixels_;
   std::vector<LanePass> passes_;
-  std::unique_ptr<LaneTile> lanes_;       // where vectors draw; else
-  std::unique_ptr<FragmentBatch> batch_;  // none where the draw's result is flat
+  std::unique_ptr<LaneTile> lanes_;       // where vectors draw
+  std::unique_ptr<FragmentBatch> batch_;  // elsewhere, unless the draw's result is flat
 };
 
 }  // namespace ninebit

@@ -8,7 +8,7 @@
 namespace ninebit {
 namespace {
 
-// Starting a second thread takes some microseconds; so do so many primitives or pixels.
+// Starting a second thread takes some microseconds, as do this many primitives or pixels.
 constexpr std::size_t kFewPrimitives = 128;
 constexpr std::int64_t kFewPixels = 8192;
 
@@ -21,9 +21,9 @@ bool is_little_work(std::span<const BinnedBlock> blocks) {
   return pixels <= kFewPixels;
 }
 
-// Has the processor fetch what the next blocks will ask for in the tile: of the third one where its list is, of the
-// second one its list, of the next one its first primitives. (Drawing fetches the others of a long list.) In a large
-// mesh each waits for memory otherwise, for a few primitives a tile.
+// Prefetches what the next blocks will read in the tile: the place of the third one's list, the second one's list, and
+// the first primitives of the next one. (Drawing prefetches the rest of a long list.) In a large mesh, where a block
+// has a few primitives a tile, each block would otherwise wait for memory.
 void fetch_ahead(std::uint32_t tile, const BinnedBlock& third, const BinnedBlock& second, const BinnedBlock& next) {
   constexpr std::size_t kFirst = 32;
   __builtin_prefetch(&third.first[tile - third.first_tile]);
@@ -36,7 +36,7 @@ void fetch_ahead(std::uint32_t tile, const BinnedBlock& third, const BinnedBlock
 
 }  // namespace
 
-void TileWork::look_at(std::span<const BinnedBlock> blocks) {
+void TileWork::collect(std::span<const BinnedBlock> blocks) {
   tiles_.clear();
   blocks_.clear();
   is_little_ = true;
@@ -89,17 +89,18 @@ void TileWork::sort_tiles() {
 
 void TileLoop::draw_tile(std::span<const BinnedBlock> blocks, const TileWork& work, const TileWork::Tile& tile,
                          TileRasterizer& rasterizer) {
-  const PixelBox pixels = grid_.pixels(tile.tile, drawn_);
+  const PixelBox pixels = state_.grid.pixels(tile.tile, state_.drawn);
   if (pixels.empty()) return;
   const std::span<const std::uint32_t> in_tile = work.blocks_of(tile);
-  if (probe_ != nullptr && probe_->lies_in(pixels)) {
-    probe_->meet_planes();
-    for (const std::uint32_t b : in_tile) probe_->run(blocks[b].setup, blocks[b].in_tile(tile.tile));
+  PixelProbe* const probe = state_.probe;
+  if (probe != nullptr && probe->lies_in(pixels)) {
+    probe->meet_planes();
+    for (const std::uint32_t b : in_tile) probe->run(blocks[b].setup, blocks[b].in_tile(tile.tile));
   }
   rasterizer.begin(pixels);
-  for (std::size_t pass = 0; pass < passes_.size(); ++pass) {
+  for (std::size_t pass = 0; pass < state_.passes.size(); ++pass) {
     using Clock = std::chrono::steady_clock;
-    const auto start = is_timed_ ? Clock::now() : Clock::time_point();
+    const auto start = state_.is_timed ? Clock::now() : Clock::time_point();
     rasterizer.begin_pass(pass);
     for (std::size_t i = 0; i < in_tile.size(); ++i) {
       const auto block = [&](std::size_t ahead) { return &blocks[in_tile[std::min(i + ahead, in_tile.size() - 1)]]; };
@@ -107,42 +108,48 @@ void TileLoop::draw_tile(std::span<const BinnedBlock> blocks, const TileWork& wo
       rasterizer.draw(pass, block(0)->setup, block(0)->in_tile(tile.tile));
     }
     rasterizer.end_pass(pass);
-    if (is_timed_) busy_[pass] += std::chrono::nanoseconds(Clock::now() - start).count();
+    if (state_.is_timed) busy_[pass] += std::chrono::nanoseconds(Clock::now() - start).count();
   }
   rasterizer.end();
+}
+
+// The tiles, then all others of the target: they have to be cleared.
+std::vector<TileWork::Tile> TileLoop::with_empty_tiles(std::span<const TileWork::Tile> tiles) const {
+  std::vector<bool> has_work(state_.grid.count());
+  for (const TileWork::Tile& tile : tiles) has_work[tile.tile] = true;
+  std::vector<TileWork::Tile> all(tiles.begin(), tiles.end());
+  for (std::uint32_t t = 0; t < state_.grid.count(); ++t) {
+    if (!has_work[t]) all.push_back({.tile = t});
+  }
+  return all;
 }
 
 void TileLoop::draw(std::span<const BinnedBlock> blocks, const TileWork& work) {
   std::span<const TileWork::Tile> tiles = work.tiles();
   std::vector<TileWork::Tile> all;
-  if (actions_.clear != nullptr) {
-    std::vector<bool> has_work(grid_.count());
-    for (const TileWork::Tile& tile : tiles) has_work[tile.tile] = true;
-    all.assign(tiles.begin(), tiles.end());
-    for (std::uint32_t t = 0; t < grid_.count(); ++t) {
-      if (!has_work[t]) all.push_back({.tile = t});
-    }
+  if (state_.actions.clear != nullptr) {
+    all = with_empty_tiles(tiles);
     tiles = all;
   }
   if (tiles.empty()) return;
-  const bool is_little = work.is_little() && actions_.clear == nullptr;
+  const bool is_little = work.is_little() && state_.actions.clear == nullptr;
   const std::size_t workers = is_little ? 1 : std::min(tiles.size(), max_threads());
   if (rasterizers_.size() < workers) rasterizers_.resize(workers);
-  // Tiles cost differently: each worker takes the next ones when it is done with the last.
+  // Tiles differ in cost: each worker takes the next ones when it is done with its last.
   const std::size_t at_a_time = std::clamp(tiles.size() / (8 * workers), std::size_t{1}, TileWork::kNeighbors);
   std::atomic<std::size_t> next = 0;
-  const auto work_off = [&](std::size_t worker) {
+  const auto draw_tiles = [&](std::size_t worker) {
     std::size_t i = next.fetch_add(at_a_time);
     if (i >= tiles.size()) return;
     std::unique_ptr<TileRasterizer>& rasterizer = rasterizers_[worker];
-    if (!rasterizer) rasterizer = std::make_unique<TileRasterizer>(passes_, target_, actions_);
+    if (!rasterizer) rasterizer = std::make_unique<TileRasterizer>(state_.passes, state_.target, state_.actions);
     for (; i < tiles.size(); i = next.fetch_add(at_a_time)) {
       const std::size_t end = std::min(i + at_a_time, tiles.size());
       for (std::size_t t = i; t < end; ++t) draw_tile(blocks, work, tiles[t], *rasterizer);
     }
   };
-  if (workers == 1) return work_off(0);
-  parallel_for(workers, work_off);
+  if (workers == 1) return draw_tiles(0);
+  parallel_for(workers, draw_tiles);
 }
 
 }  // namespace ninebit

@@ -15,58 +15,58 @@
 
 namespace ninebit {
 
-// Which tiles have something to draw, and in which blocks.
+// The tiles in which something is drawn, with the blocks that have primitives there.
 class TileWork {
  public:
   struct Tile {
     std::uint32_t tile = 0;
-    std::uint32_t first_block = 0;  // its blocks' place in blocks()
+    std::uint32_t first_block = 0;  // where blocks_of() begins
     std::uint32_t block_count = 0;
-    std::uint64_t entries = 0;  // primitives, as often as they are drawn here
+    std::uint64_t entries = 0;  // primitives in the tile
   };
 
-  // So many tiles side by side are drawn one after the other: where a row of theirs ends within a line of the cache,
-  // the next one finds the line there.
+  // This many tiles side by side are drawn one after the other: where a row of one ends within a cache line, the line
+  // is still in the cache for the next one.
   static constexpr std::size_t kNeighbors = 4;
 
-  // Replaces what was known of other blocks. These have been sorted into tiles.
-  void look_at(std::span<const BinnedBlock> blocks);
+  // Collects the tiles of blocks that have been sorted into tiles. Replaces earlier ones.
+  void collect(std::span<const BinnedBlock> blocks);
 
   [[nodiscard]] std::span<const Tile> tiles() const { return tiles_; }
   [[nodiscard]] std::span<const std::uint32_t> blocks_of(const Tile& tile) const {
     return {blocks_.data() + tile.first_block, tile.block_count};
   }
-  // Whether it is over before a second thread could have begun.
+  // True if the work takes less time than starting a second thread.
   [[nodiscard]] bool is_little() const { return is_little_; }
 
  private:
   void sort_tiles();
 
-  std::vector<Tile> tiles_;            // those with the most entries first, neighbours together
-  std::vector<std::uint32_t> blocks_;  // for each tile in ascending order
+  std::vector<Tile> tiles_;            // in drawing order: most entries first, neighbours together
+  std::vector<std::uint32_t> blocks_;  // of all tiles, ascending in each
   bool is_little_ = true;
 };
 
-// Draws with the state of one draw call, or of several passes over the same primitives, in as many threads as there
-// are.
+// What a TileLoop draws with; see TileRasterizer. All that it refers to must outlive the loop.
+struct TileLoopState {
+  const TileGrid& grid;
+  const PixelBox& drawn;
+  std::span<const DrawContext* const> passes;
+  const RenderTarget& target;
+  TileActions actions;
+  bool is_timed = false;
+  PixelProbe* probe = nullptr;
+};
+
+// Draws with the state of one draw call, or of several passes over the same primitives, in all available threads.
 class TileLoop {
  public:
-  // The arguments must outlive the loop; see TileRasterizer. No probe: nullptr.
-  TileLoop(const TileGrid& grid, const PixelBox& drawn, std::span<const DrawContext* const> passes,
-           const RenderTarget& target, const TileActions& actions, bool is_timed, PixelProbe* probe)
-      : grid_(grid),
-        drawn_(drawn),
-        passes_(passes),
-        target_(target),
-        actions_(actions),
-        is_timed_(is_timed),
-        probe_(probe),
-        busy_(passes.size()) {}
+  explicit TileLoop(const TileLoopState& state) : state_(state), busy_(state.passes.size()) {}
 
-  // In drawing order within each tile: blocks in theirs, after those of earlier calls.
+  // Draws the blocks in their order within each tile, after those of earlier calls.
   void draw(std::span<const BinnedBlock> blocks, const TileWork& work);
 
-  // How long threads have drawn a pass, together, if that is timed.
+  // The time that all threads together have spent on a pass, if that is timed.
   [[nodiscard]] std::chrono::nanoseconds busy(std::size_t pass) const {
     return std::chrono::nanoseconds(busy_[pass].load());
   }
@@ -74,15 +74,10 @@ class TileLoop {
  private:
   void draw_tile(std::span<const BinnedBlock> blocks, const TileWork& work, const TileWork::Tile& tile,
                  TileRasterizer& rasterizer);
+  [[nodiscard]] std::vector<TileWork::Tile> with_empty_tiles(std::span<const TileWork::Tile> tiles) const;
 
-  const TileGrid& grid_;
-  const PixelBox& drawn_;
-  std::span<const DrawContext* const> passes_;
-  const RenderTarget& target_;
-  TileActions actions_;
-  bool is_timed_;
-  PixelProbe* probe_;
-  std::vector<std::unique_ptr<TileRasterizer>> rasterizers_;  // one for each that works at a time
+  const TileLoopState state_;
+  std::vector<std::unique_ptr<TileRasterizer>> rasterizers_;  // one for each worker
   std::vector<std::atomic<std::int64_t>> busy_;
 };
 

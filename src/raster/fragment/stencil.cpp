@@ -2,17 +2,20 @@
 
 #include <algorithm>
 
+#include "src/raster/rules/one_fragment.h"
+
 namespace ninebit {
 namespace {
 
 // An operation for every stored byte, with the write mask applied: masked bits keep their old value.
 std::array<std::uint8_t, 256> table_of(StencilOperation operation, const StencilFace& face, std::uint8_t reference,
                                        int bits) {
-  const unsigned value_bits = (1U << bits) - 1, writable = face.write_mask & value_bits;
+  const int value_bits = (1 << bits) - 1, writable = face.write_mask & value_bits;
   std::array<std::uint8_t, 256> table{};
-  for (unsigned stored = 0; stored < 256; ++stored) {
-    const unsigned result = stencil_result(operation, static_cast<std::uint8_t>(stored & value_bits), reference, bits);
-    table[stored] = static_cast<std::uint8_t>((stored & ~writable) | (result & writable));
+  for (int stored = 0; stored < 256; ++stored) {
+    const int result = stencil_result(operation, static_cast<std::uint8_t>(stored & value_bits), reference, bits);
+    table[static_cast<std::size_t>(stored)] =
+        static_cast<std::uint8_t>(one_fragment::write_masked(one_fragment::Numbers(), stored, result, writable));
   }
   return table;
 }
@@ -27,34 +30,8 @@ bool is_identity(const std::array<std::uint8_t, 256>& table) {
 }  // namespace
 
 std::uint8_t stencil_result(StencilOperation operation, std::uint8_t stored, std::uint8_t reference, int bits) {
-  const unsigned largest = (1U << bits) - 1, value = stored;
-  unsigned result = value;
-  switch (operation) {
-    case StencilOperation::keep:
-      break;
-    case StencilOperation::zero:
-      result = 0;
-      break;
-    case StencilOperation::replace:
-      result = reference;
-      break;
-    case StencilOperation::incr:
-      result = value == largest ? value : value + 1;
-      break;
-    case StencilOperation::decr:
-      result = value == 0 ? value : value - 1;
-      break;
-    case StencilOperation::invert:
-      result = ~value & largest;
-      break;
-    case StencilOperation::incr_wrap:
-      result = (value + 1) & largest;
-      break;
-    case StencilOperation::decr_wrap:
-      result = (value - 1) & largest;
-      break;
-  }
-  return static_cast<std::uint8_t>(result);
+  return static_cast<std::uint8_t>(
+      one_fragment::stencil_result(one_fragment::Numbers(), operation, stored, reference, (1 << bits) - 1));
 }
 
 StencilSide::StencilSide(const StencilFace& face, int bits) : function_(face.function) {

@@ -1,78 +1,30 @@
-// Batches of fragments of one tile: what is gathered until there is enough for one run of the combiners, and what
-// becomes of it.
+// A batch of fragments on its way through interpolation, textures, combiners and fragment operations.
 #pragma once
 
-#include <algorithm>
 #include <array>
-#include <cstddef>
-#include <cstdint>
 
 #include "ninebit/combiner/evaluate.h"
+#include "src/raster/lanes/lane_fragments.h"
 #include "src/raster/lanes/tile_planes.h"
-#include "src/raster/setup/setup_primitive.h"
 
 namespace ninebit {
 
-// The fragments of a batch, no two of which share a pixel.
-struct LaneFragments {
-  static constexpr std::size_t kSlack = 64;  // vectors are stored whole beyond the last fragment
-  static constexpr std::size_t kRoom = kBatchSize + kSlack;
-  template <class T>
-  using Lanes = std::array<T, kRoom>;
+struct LanePass;
 
-  // Fragments of one primitive, from `first` on.
-  struct Run {
-    const SetupPrimitive* primitive = nullptr;
-    const SetupCorners* corners = nullptr;
-    const glm::mat3* weights = nullptr;  // see SetupBlock::weights_of
-    std::size_t first = 0;
-
-    // Whether its weights, edge functions of at most 2^37 times 1/w, are 0 or stay so far from the ends of floats that
-    // no step of a quotient by their sum overflows or is lost.
-    [[nodiscard]] bool is_plain() const {
-      constexpr float kLeast = 0x1p-40F, kMost = 0x1p40F;
-      return weights == nullptr && std::all_of(corners->inv_w.begin(), corners->inv_w.end(),
-                                               [](float inv_w) { return inv_w >= kLeast && inv_w <= kMost; });
-    }
-  };
-
-  // Fragments side by side in a row of the tile, at most a vector of them.
-  struct Span {
-    std::uint16_t place;  // of the first one's pixel in TilePlanes
-    std::uint8_t count;
-    std::uint16_t first;  // fragment
-  };
-
-  std::size_t count = 0;
-  std::size_t runs = 0;
-  std::size_t spans = 0;
-  bool has_shares = false;                         // whether `weight` are shares
-  std::array<Span, kBatchSize> span;               // all fragments, in their order
-  std::array<Run, kBatchSize + 1> run;             // one more than there are: its `first` is `count`
-  alignas(64) Lanes<std::uint32_t> place;          // of the pixel in TilePlanes
-  alignas(64) Lanes<std::uint32_t> depth;          // codes
-  alignas(64) std::array<Lanes<float>, 3> weight;  // of the vertices: first edge function / w, then their shares
-
-  // Whether all runs are.
-  [[nodiscard]] bool are_plain() const {
-    return std::all_of(run.data(), run.data() + runs, [](const Run& r) { return r.is_plain(); });
-  }
-  void clear() {
-    count = runs = spans = 0;
-    has_shares = false;
-  }
-};
-
-// What a pass makes of them.
+// What one pass computes for a batch: reused for all its batches.
 struct LaneBatch {
   template <class T>
   using Lanes = LaneFragments::Lanes<T>;
 
-  alignas(64) Lanes<std::uint32_t> color;              // as in TilePlanes: primary, then what leaves the combiners
+  alignas(64) Lanes<std::uint32_t> color;              // as in TilePlanes: primary, then the combiners' result
   alignas(64) std::array<Lanes<float>, 3> coordinate;  // of a texture
-  bool has_constants = false;                          // whether constant registers have been filled
+  bool has_constants = false;                          // true once constant registers have been filled
   RegisterBatch registers;
   OutputBatch out;
 };
+
+// Draws a batch of a pass that gathers fragments. Of fragments that were gathered whatever the stencil value, draws
+// those that pass the stencil test.
+void draw_batch(TilePlanes& tile, const LanePass& pass, LaneFragments& fragments);
 
 }  // namespace ninebit

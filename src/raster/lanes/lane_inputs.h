@@ -1,4 +1,4 @@
-// What the fragments of a batch have that is no matter of vectors.
+// Per-fragment batch inputs that are not vectorized.
 #pragma once
 
 #include <cstddef>
@@ -8,13 +8,14 @@
 
 namespace ninebit {
 
-// From weights of clipped corners to weights of the vertices.
+// Turns the shares of clipped corners into shares of the vertices.
 void unclip(LaneFragments& fragments);
 
-// Primary colours that are constant over each primitive.
+// Fills in primary colours that are constant over each primitive.
 void fill_flat_colors(const LaneFragments& fragments, LaneBatch& batch, const DrawContext& context);
 
-// Registers that are the same for all fragments; the first time all of them, then those that the program overwrites.
+// Fills registers that are the same for all fragments: all of them the first time, later those that the program
+// overwrites.
 void refill_constants(LaneBatch& batch, const DrawContext& context);
 
 // Reads a unit's texture at the batch's coordinates into its registers.

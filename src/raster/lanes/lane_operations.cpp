@@ -5,12 +5,11 @@
 namespace ninebit {
 namespace {
 
-// Of the function's three bits (see compare) the third, greater, is said by inverting the others.
+// Two words and an inversion instead of three words: what holds for `greater` inverts the other two.
 LaneComparison comparison(CompareFunction function) {
-  const auto bits = static_cast<unsigned>(function);
   const auto word = [](bool set) { return set ? ~std::uint32_t{0} : 0; };
-  const bool greater = (bits & 4U) != 0;
-  return {word(((bits & 1U) != 0) != greater), word(((bits & 2U) != 0) != greater), word(greater)};
+  const bool less = compare(function, 0, 1), equal = compare(function, 0, 0), greater = compare(function, 1, 0);
+  return {word(less != greater), word(equal != greater), word(greater)};
 }
 
 LaneStencil stencil(const StencilFace& face, int bits) {

@@ -1,4 +1,4 @@
-// The fragment operations of one draw, prepared for lanes of fragments: plain numbers, every decision taken once.
+// The fragment operations of one draw, prepared for lanes of fragments: plain numbers, each decision made once.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,8 @@
 
 namespace ninebit {
 
-// A comparison as words of all ones or zeros: (less where left < right, or equal where they are equal), inverted.
+// A comparison as words of all ones or all zeros: ((left < right and `less`) or (left == right and `equal`)) xor
+// `invert`.
 struct LaneComparison {
   std::uint32_t less = 0;
   std::uint32_t equal = 0;
@@ -26,7 +27,7 @@ struct LaneStencil {
   StencilOperation fail = StencilOperation::keep;
   StencilOperation depth_fail = StencilOperation::keep;
   StencilOperation depth_pass = StencilOperation::keep;
-  // Whether such a fragment leaves the stored value as it was.
+  // True if such a fragment does not change the stored value.
   bool fail_keeps = true;
   bool depth_fail_keeps = true;
   bool depth_pass_keeps = true;
@@ -35,33 +36,33 @@ struct LaneStencil {
 struct LaneOperations {
   LaneOperations(const PipelineState& state, const RenderTarget& target);
 
-  bool alpha = false;  // what is enabled
-  bool stencil = false;
-  bool depth = false;
+  bool alpha = false;    // true if the alpha test is enabled and may fail
+  bool stencil = false;  // true if the stencil test is enabled and the target has a stencil plane
+  bool depth = false;    // true if the depth test is enabled and the target has a depth plane
   bool depth_write = false;
-  bool color = false;  // whether any colour plane is written
+  bool color = false;  // true if any colour plane is written
   LaneComparison alpha_test;
   LaneComparison depth_test;
   std::uint32_t alpha_reference = 0;
   LaneStencil front;
   LaneStencil back;
-  bool two_sided = false;  // whether front and back may differ
+  bool two_sided = false;  // true if front and back may differ
   bool stencil_write = false;
-  bool tests_change = false;  // whether a fragment that is drawn may change the outcome of a later one's tests
+  bool tests_change = false;  // true if a fragment that is drawn may change the outcome of a later one's tests
 
-  // Whether a fragment is drawn where it is nearer than what is stored, and no other test is made.
+  // True if the nearest fragment is drawn, and no other test is made.
   bool is_nearest_alone = false;
 
-  // Whether what the tests say of a fragment when it is gathered is final: nothing that waits changes it, and those
-  // that fail leave no trace.
+  // True if tests may be made when a fragment is gathered: fragments in the batch do not change their outcome, and
+  // fragments that fail change nothing.
   bool are_tests_final = false;
-  // Whether, besides, the depth test is EQUAL and the stencil test the same for both facings.
+  // True if, in addition, the depth test is EQUAL and the stencil test the same for both facings.
   bool asks_equal_depth = false;
-  bool stencil_decides = false;  // whether the stencil test is any but ALWAYS
-  // Whether a fragment that is farther than what is stored leaves no trace.
+  bool stencil_decides = false;  // true if the stencil test may fail
+  // True if a fragment that is farther than the stored depth changes nothing.
   bool loses_farther = false;
 
-  // Whether the fragments' colours are looked at.
+  // True if the fragments' colours are read.
   [[nodiscard]] bool needs_color() const { return alpha || color; }
 
   [[nodiscard]] const LaneStencil& side(bool front_facing) const { return front_facing ? front : back; }

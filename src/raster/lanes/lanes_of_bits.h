@@ -7,7 +7,7 @@
 
 namespace ninebit {
 
-// For each set of eight bits the numbers of those that are set, ascending, then the others.
+// For each byte the numbers of its bits: first those that are set, ascending, then the others.
 inline constexpr auto kLanesOfBits = [] {
   std::array<std::array<std::uint8_t, 8>, 256> lanes{};
   for (unsigned bits = 0; bits < 256; ++bits) {

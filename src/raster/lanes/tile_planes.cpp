@@ -1,10 +1,9 @@
-// Rows of a target's planes to rows of a tile and back, and what is known of a tile as a whole.
 #include "src/raster/lanes/tile_planes.h"
 
 #include <algorithm>
 #include <cstring>
 
-#include "src/raster/lanes/tile_lanes.h"
+#include "src/raster/lanes/tile_row.h"
 #include "src/raster/surface/clear_values.h"
 #include "src/raster/surface/color_words.h"
 
@@ -19,10 +18,10 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 #if HWY_TARGET == HWY_SCALAR
 
-void load_rows(LaneTile&, TileRow, int, int) {}
-void store_rows(const LaneTile&, TileRow, int, int) {}
-void find_farthest(LaneTile&) {}
-void fill_planes(LaneTile&, std::uint32_t, std::uint32_t) {}
+void load_rows(TilePlanes&, TileRow, int, int) {}
+void store_rows(const TilePlanes&, TileRow, int, int) {}
+void find_farthest(const TilePlanes&, FarthestDepths&) {}
+void fill_planes(TilePlanes&, std::uint32_t, std::uint32_t) {}
 
 #else
 
@@ -35,16 +34,16 @@ constexpr D32 kD32;
 constexpr D8 kD8;
 constexpr Bytes kBytes;
 constexpr Pairs kPairs;
-constexpr std::size_t kLanes = hn::MaxLanes(kD32), kQuads = 4;  // vectors of words that a vector of bytes makes
+constexpr std::size_t kLanes = hn::MaxLanes(kD32), kQuads = 4;  // vectors of words for one of bytes
 
-// Bytes of the same significance side by side in each block of four words.
+// Moves bytes of the same significance side by side, in each block of four words.
 HWY_INLINE V32 sorted_bytes(V32 words) {
   alignas(16) static constexpr std::array<std::uint8_t, 16> kOrder{0, 4, 8,  12, 1, 5, 9,  13,
                                                                    2, 6, 10, 14, 3, 7, 11, 15};
   return hn::BitCast(kD32, hn::TableLookupBytes(hn::BitCast(kBytes, words), hn::LoadDup128(kBytes, kOrder.data())));
 }
 
-// Words of the colours from those of their bytes and back: four vectors for four.
+// Four vectors of colour words as four of bytes, one for each component, and back.
 struct ColorLanes {
   V32 v[kQuads];
 
@@ -59,7 +58,7 @@ struct ColorLanes {
   }
 
   HWY_INLINE void store(std::uint32_t* to) const {
-    // Interleaving goes on within blocks of 16 bytes: block b gets what vector q needs there at word q.
+    // Interleaving stays within blocks of 16 bytes: word q of block b is moved to where vector q needs it.
     alignas(64) std::array<std::uint32_t, kLanes> word;
     for (std::size_t i = 0; i < kLanes; ++i) word[i] = static_cast<std::uint32_t>(i % 4 * (kLanes / 4) + i / 4);
     const auto order = hn::SetTableIndices(kD32, word.data());
@@ -77,7 +76,7 @@ struct ColorLanes {
   }
 };
 
-// A row of them, at any address.
+// Copies a row of colour words, at any address.
 HWY_INLINE void copy_words(const void* from, void* to) {
   for (std::size_t i = 0; i < kTileSize; i += kLanes) {
     const auto words = hn::LoadU(kBytes, static_cast<const std::uint8_t*>(from) + 4 * i);
@@ -85,80 +84,80 @@ HWY_INLINE void copy_words(const void* from, void* to) {
   }
 }
 
-void load_row(LaneTile& tile, const TileRow& from, std::size_t place) {
-  if (tile.depth || tile.stencil) {
+void load_row(TilePlanes& tile, const TileRow& from, std::size_t place) {
+  if (tile.contents.depth || tile.contents.stencil) {
     for (std::size_t i = 0; i < kTileSize; i += kLanes) {
       auto v = hn::Zero(kD32);
-      if (tile.depth) v = hn::ShiftLeft<8>(hn::LoadU(kD32, from.depth.data + i));
-      if (tile.stencil) v = hn::Or(v, hn::PromoteTo(kD32, hn::LoadU(kD8, from.stencil.data + i)));
-      hn::Store(v, kD32, tile.tile.depth_stencil.data() + place + i);
+      if (tile.contents.depth) v = hn::ShiftLeft<8>(hn::LoadU(kD32, from.depth.data + i));
+      if (tile.contents.stencil) v = hn::Or(v, hn::PromoteTo(kD32, hn::LoadU(kD8, from.stencil.data + i)));
+      hn::Store(v, kD32, tile.depth_stencil.data() + place + i);
     }
   }
-  if (!tile.has_color()) return;
-  if (tile.has_words) return copy_words(from.color[0].data, tile.tile.color.data() + place);
+  if (!tile.contents.has_color()) return;
+  if (tile.colors_are_words) return copy_words(from.color[0].data, tile.color.data() + place);
   for (std::size_t i = 0; i < kTileSize; i += kQuads * kLanes) {
     ColorLanes color;
     for (std::size_t k = 0; k < 4; ++k) {
-      const auto bytes = tile.color[k] ? hn::LoadU(kBytes, from.color[k].data + i) : hn::Zero(kBytes);
+      const auto bytes = tile.contents.color[k] ? hn::LoadU(kBytes, from.color[k].data + i) : hn::Zero(kBytes);
       color.v[k] = hn::BitCast(kD32, bytes);
     }
-    color.store(tile.tile.color.data() + place + i);
+    color.store(tile.color.data() + place + i);
   }
 }
 
-void store_row(const LaneTile& tile, const TileRow& to, std::size_t place) {
-  const std::uint32_t* const depth_stencil = tile.tile.depth_stencil.data() + place;
-  for (std::size_t i = 0; i < kTileSize && tile.writes_depth; i += kLanes) {
+void store_row(const TilePlanes& tile, const TileRow& to, std::size_t place) {
+  const std::uint32_t* const depth_stencil = tile.depth_stencil.data() + place;
+  for (std::size_t i = 0; i < kTileSize && tile.contents.writes_depth; i += kLanes) {
     hn::StoreU(hn::ShiftRight<8>(hn::Load(kD32, depth_stencil + i)), kD32, to.depth.data + i);
   }
-  for (std::size_t i = 0; i < kTileSize && tile.writes_stencil; i += kQuads * kLanes) {
+  for (std::size_t i = 0; i < kTileSize && tile.contents.writes_stencil; i += kQuads * kLanes) {
     V32 v[kQuads];
     for (std::size_t q = 0; q < kQuads; ++q) v[q] = sorted_bytes(hn::Load(kD32, depth_stencil + i + q * kLanes));
     const V32 values = hn::ConcatEven(kD32, hn::ConcatEven(kD32, v[3], v[2]), hn::ConcatEven(kD32, v[1], v[0]));
     hn::StoreU(hn::BitCast(kBytes, values), kBytes, to.stencil.data + i);
   }
-  if (!tile.has_color()) return;
-  if (tile.has_words) return copy_words(tile.tile.color.data() + place, to.color[0].data);
+  if (!tile.contents.has_color()) return;
+  if (tile.colors_are_words) return copy_words(tile.color.data() + place, to.color[0].data);
   for (std::size_t i = 0; i < kTileSize; i += kQuads * kLanes) {
     ColorLanes color;
-    color.load(tile.tile.color.data() + place + i);
+    color.load(tile.color.data() + place + i);
     for (std::size_t k = 0; k < 4; ++k) {
-      if (tile.color[k]) hn::StoreU(hn::BitCast(kBytes, color.v[k]), kBytes, to.color[k].data + i);
+      if (tile.contents.color[k]) hn::StoreU(hn::BitCast(kBytes, color.v[k]), kBytes, to.color[k].data + i);
     }
   }
 }
 
-// Rows from one of the tile's on.
-void load_rows(LaneTile& tile, TileRow from, int row, int count) {
+// `count` rows, the first of which is `row` of the tile.
+void load_rows(TilePlanes& tile, TileRow from, int row, int count) {
   for (int y = row; y < row + count; ++y, from.move_up()) load_row(tile, from, static_cast<std::size_t>(y * kTileSize));
 }
 
-void store_rows(const LaneTile& tile, TileRow to, int row, int count) {
+void store_rows(const TilePlanes& tile, TileRow to, int row, int count) {
   for (int y = row; y < row + count; ++y, to.move_up()) store_row(tile, to, static_cast<std::size_t>(y * kTileSize));
 }
 
-void fill_planes(LaneTile& tile, std::uint32_t depth_stencil, std::uint32_t color) {
-  static_assert(TilePlanes::kWords % kLanes == 0);
-  for (std::size_t i = 0; i < TilePlanes::kWords; i += kLanes) {
-    hn::Store(hn::Set(kD32, depth_stencil), kD32, tile.tile.depth_stencil.data() + i);
-    hn::Store(hn::Set(kD32, color), kD32, tile.tile.color.data() + i);
+void fill_planes(TilePlanes& tile, std::uint32_t depth_stencil, std::uint32_t color) {
+  static_assert(kTileWords % kLanes == 0);
+  for (std::size_t i = 0; i < kTileWords; i += kLanes) {
+    hn::Store(hn::Set(kD32, depth_stencil), kD32, tile.depth_stencil.data() + i);
+    hn::Store(hn::Set(kD32, color), kD32, tile.color.data() + i);
   }
 }
 
-void find_farthest(LaneTile& tile) {
+void find_farthest(const TilePlanes& tile, FarthestDepths& to) {
   constexpr std::size_t kRows = FarthestDepths::kBlock, kWidth = FarthestDepths::kBlock;
   alignas(64) std::array<std::uint32_t, kTileSize> column;
   for (std::size_t row = 0; row < FarthestDepths::kBlocks; ++row) {
     for (std::size_t x = 0; x < kTileSize; x += kLanes) {
       auto farthest = hn::Zero(kD32);
       for (std::size_t y = row * kRows; y < (row + 1) * kRows; ++y) {
-        farthest = hn::Max(farthest, hn::Load(kD32, &tile.tile.depth_stencil[y * kTileSize + x]));
+        farthest = hn::Max(farthest, hn::Load(kD32, &tile.depth_stencil[y * kTileSize + x]));
       }
       hn::Store(hn::ShiftRight<8>(farthest), kD32, column.data() + x);
     }
     for (std::size_t b = 0; b < FarthestDepths::kBlocks; ++b) {
       const auto* const first = column.data() + b * kWidth;
-      tile.farthest.code[row * FarthestDepths::kBlocks + b] = *std::max_element(first, first + kWidth);
+      to.code[row * FarthestDepths::kBlocks + b] = *std::max_element(first, first + kWidth);
     }
   }
 }
@@ -177,24 +176,25 @@ HWY_EXPORT(store_rows);
 HWY_EXPORT(find_farthest);
 HWY_EXPORT(fill_planes);
 
-// A row of which only some pixels are the draw's.
+// A row of which only some pixels may be drawn: the draw's pixels are copied to and from it.
 struct Staging {
   alignas(64) std::array<std::uint32_t, kTileSize> depth{};
   alignas(64) std::array<std::uint8_t, kTileSize> stencil{};
   alignas(64) std::array<std::uint8_t, std::size_t{4} * kTileSize> color{};
 
-  // With colours as the tile wants them.
-  TileRow row(const LaneTile& tile) {
+  // The row, with colours as the tile reads them.
+  TileRow row(const TilePlanes& tile) {
     TileRow row{.depth = {depth.data()}, .stencil = {stencil.data()}, .color = {}};
     for (std::size_t k = 0; k < 4; ++k) {
-      row.color[k] = {.data = color.data() + k * (tile.has_words ? 1 : kTileSize), .step = tile.has_words ? 4 : 1};
+      row.color[k] = {.data = color.data() + k * (tile.colors_are_words ? 1 : kTileSize),
+                      .step = tile.colors_are_words ? 4 : 1};
     }
     return row;
   }
 };
 
-// The tile's first row that may be drawn in the target's planes, of depth and stencil in those that are asked for.
-TileRow first_row(const LaneTile& tile, bool depth, bool stencil) {
+// The first row that may be drawn, in the target's planes: of colour, and of depth and stencil if asked for.
+TileRow first_row(const TilePlanes& tile, bool depth, bool stencil) {
   const RenderTarget& target = tile.target;
   const auto start = [&](auto plane) {
     plane.data = &plane.at(tile.left, tile.pixels.bottom);
@@ -204,13 +204,13 @@ TileRow first_row(const LaneTile& tile, bool depth, bool stencil) {
   if (depth) row.depth = start(target.depth);
   if (stencil) row.stencil = start(target.stencil);
   for (std::size_t k = 0; k < 4; ++k) {
-    if (tile.color[k]) row.color[k] = start(target.color[k]);
+    if (tile.contents.color[k]) row.color[k] = start(target.color[k]);
   }
   return row;
 }
 
 // Copies the pixels that may be drawn, of the planes that both rows have.
-void copy(const LaneTile& tile, const TileRow& from, const TileRow& to) {
+void copy(const TilePlanes& tile, const TileRow& from, const TileRow& to) {
   const int first = tile.pixels.left - tile.left, end = tile.pixels.right - tile.left;
   const auto copy_samples = [&](const auto& samples, const auto& target) {
     if (!samples || !target) return;
@@ -225,21 +225,41 @@ void copy(const LaneTile& tile, const TileRow& from, const TileRow& to) {
   for (std::size_t k = 0; k < 4; ++k) copy_samples(from.color[k], to.color[k]);
 }
 
-// Whether vectors read and write the target's rows.
-bool has_whole_rows(const LaneTile& tile) {
+bool has_color_words(const RenderTarget& target, const TileContents& contents) {
+  const std::array<bool, 4>& color = contents.color;
+  return color[0] && color[1] && color[2] && color[3] && are_words(target.color);
+}
+
+// True if samples of a plane that the tile holds do not lie side by side, except for colours that are words.
+bool any_gap(const RenderTarget& target, const TileContents& contents, bool colors_are_words) {
+  bool gaps = (contents.depth && target.depth.step != 1) || (contents.stencil && target.stencil.step != 1);
+  for (std::size_t k = 0; k < 4 && !colors_are_words; ++k) {
+    gaps = gaps || (contents.color[k] && target.color[k].step != 1);
+  }
+  return gaps;
+}
+
+// True if vectors can read and write the target's rows.
+bool has_whole_rows(const TilePlanes& tile) {
   return tile.pixels.right - tile.pixels.left == kTileSize && !tile.has_gaps;
 }
 
 }  // namespace
 
-void LaneTile::look_at_steps() {
-  has_words = color[0] && color[1] && color[2] && color[3] && are_words(target.color);
-  has_gaps = (depth && target.depth.step != 1) || (stencil && target.stencil.step != 1);
-  for (std::size_t k = 0; k < 4 && !has_words; ++k) has_gaps = has_gaps || (color[k] && target.color[k].step != 1);
+TilePlanes::TilePlanes(const RenderTarget& render_target, const TileContents& planes)
+    : target(render_target),
+      contents(planes),
+      colors_are_words(has_color_words(target, contents)),
+      has_gaps(any_gap(target, contents, colors_are_words)) {}
+
+void TilePlanes::move_to(const PixelBox& drawn) {
+  pixels = drawn;
+  left = drawn.left & -kTileSize;
+  bottom = drawn.bottom & -kTileSize;
 }
 
-void load_tile(LaneTile& tile) {
-  TileRow row = first_row(tile, tile.depth, tile.stencil);
+void load_tile(TilePlanes& tile) {
+  TileRow row = first_row(tile, tile.contents.depth, tile.contents.stencil);
   const int first = tile.pixels.bottom - tile.bottom, end = tile.pixels.top - tile.bottom;
   if (has_whole_rows(tile)) return HWY_DYNAMIC_DISPATCH(load_rows)(tile, row, first, end - first);
   Staging staging;
@@ -249,7 +269,7 @@ void load_tile(LaneTile& tile) {
   }
 }
 
-void fill_tile(LaneTile& tile, const ClearValues& values) {
+void fill_tile(TilePlanes& tile, const ClearValues& values) {
   const auto fetch = [](const auto& plane) {
     constexpr std::size_t kLine = 64;
     const std::size_t size = sizeof(*plane.data) * static_cast<std::size_t>(plane.step) * kTileSize;
@@ -257,11 +277,11 @@ void fill_tile(LaneTile& tile, const ClearValues& values) {
       __builtin_prefetch(reinterpret_cast<const char*>(plane.data) + i, 1, 2);
     }
   };
-  TileRow row = first_row(tile, tile.writes_depth, tile.writes_stencil);
+  TileRow row = first_row(tile, tile.contents.writes_depth, tile.contents.writes_stencil);
   for (int y = tile.pixels.bottom; y < tile.pixels.top && has_whole_rows(tile); ++y, row.move_up()) {
     fetch(row.depth);
     fetch(row.stencil);
-    for (std::size_t k = 0; k < (tile.has_words ? 1 : 4); ++k) fetch(row.color[k]);
+    for (std::size_t k = 0; k < (tile.colors_are_words ? 1 : 4); ++k) fetch(row.color[k]);
   }
   const DepthStencilFormat format = tile.target.format;
   std::uint32_t color = 0;
@@ -270,8 +290,8 @@ void fill_tile(LaneTile& tile, const ClearValues& values) {
   (tile, depth_code(format, values.depth) << 8 | stencil_value(format, values.stencil), color);
 }
 
-void store_tile(const LaneTile& tile) {
-  TileRow row = first_row(tile, tile.writes_depth, tile.writes_stencil);
+void store_tile(const TilePlanes& tile) {
+  TileRow row = first_row(tile, tile.contents.writes_depth, tile.contents.writes_stencil);
   const int first = tile.pixels.bottom - tile.bottom, end = tile.pixels.top - tile.bottom;
   if (has_whole_rows(tile)) return HWY_DYNAMIC_DISPATCH(store_rows)(tile, row, first, end - first);
   Staging staging;
@@ -281,16 +301,8 @@ void store_tile(const LaneTile& tile) {
   }
 }
 
-// Depths that the pass itself writes only come nearer: looking for the farthest is left out there because it finds
-// little.
-void begin_pass(LaneTile& tile, LanePass& pass) {
-  if (pass.repeats && tile.has_kept_all) return repeat_fragments(tile, pass);
-  if (!pass.repeats) tile.keep_none();
-  tile.next_number = 0;
-  if (pass.operations.depth_write) tile.knows_owners = pass.notes_owners;
-  if (pass.notes_owners) tile.tile.owner.fill(LaneTile::kNoOwner);
-  tile.knows_farthest = pass.operations.loses_farther && !pass.operations.depth_write;
-  if (tile.knows_farthest) HWY_DYNAMIC_DISPATCH(find_farthest)(tile);
+void find_farthest(const TilePlanes& tile, FarthestDepths& to) {
+  HWY_DYNAMIC_DISPATCH(find_farthest)(tile, to);
 }
 
 }  // namespace ninebit

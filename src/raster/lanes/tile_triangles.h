@@ -1,4 +1,4 @@
-// Triangles as the vectors of one tile need them: edge functions and depth planes, several triangles at a time.
+// Triangles of one tile in the form that vectors draw: edge functions and depth planes, several triangles at a time.
 #pragma once
 
 #include <algorithm>
@@ -13,12 +13,12 @@
 
 namespace ninebit {
 
-// Depth in vectors is a fixed-point number with 32 fraction bits, which carries an error of less than kDepthDoubt of
-// them: where the fraction is nearer than that to a whole number, the exact plane has to be asked.
+// Depth in vectors is a fixed-point number with 32 fraction bits and an error of less than kDepthDoubt units of the
+// last one. Where the fraction is nearer than that to a whole number, the exact plane has to be evaluated.
 inline constexpr std::uint32_t kDepthDoubt = std::uint32_t{1} << 16;
 
-// What triangles have in the region of a tile that they may draw. Functions are those at its origin, the lower left
-// pixel, and their steps from pixel to pixel.
+// Several triangles, each in its region: the part of its box that lies in the tile. Functions are given by their value
+// at the region's origin, its lower left pixel, and their steps from pixel to pixel.
 struct TileTriangles {
   static constexpr std::size_t kMost = 16;
   template <class T>
@@ -26,31 +26,31 @@ struct TileTriangles {
 
   // The region's pixels, both ends included.
   alignas(64) Each<std::int32_t> left, right, bottom, top;
-  // Coverage: a pixel is inside where no value is negative. An edge that no pixel of the region can be outside of has
-  // zeros, unless is_narrow.
+  // Coverage: a pixel is inside where no value is negative. Unless is_narrow, an edge that has all of the region inside
+  // has zeros.
   alignas(64) std::array<Each<std::int32_t>, 3> inside, inside_x, inside_y;
   // `inside` + threshold is the edge function.
   alignas(64) std::array<Each<std::int32_t>, 3> threshold;
-  // Coverage once more: in floats, which a product and a sum take but one operation of. They hold the values of all of
-  // the region's vectors exactly where has_floats; else they are nothing.
+  // Coverage in floats, for which a product and a sum are one operation. Where has_floats, they are exact for all of
+  // the region's vectors; else they are meaningless.
   alignas(64) std::array<Each<float>, 3> float_inside, float_inside_x, float_inside_y;
-  // Depth with 32 fraction bits, and 1/2; its steps, too. Where only the exact plane will do, zeros, whose fraction is
-  // in doubt.
+  // Depth + 1/2 with 32 fraction bits, and its steps. Zeros, whose fraction is in doubt, where only the exact plane is
+  // good enough.
   alignas(64) Each<double> depth, depth_x, depth_y;
   alignas(64) Each<std::int64_t> depth_step_x, depth_step_y;
-  Each<bool> is_narrow;  // whether all of the region's vectors keep the edge functions within 32 bits
-  alignas(64) Each<std::int32_t> has_floats;         // not 0: see above
-  std::array<Each<double>, 3> edge, edge_x, edge_y;  // unless is_narrow, the edge functions themselves
+  Each<bool> is_narrow;                       // true if the edge functions of all of the region's vectors fit 32 bits
+  alignas(64) Each<std::int32_t> has_floats;  // not 0 if true
+  std::array<Each<double>, 3> edge, edge_x, edge_y;  // the edge functions themselves, for those that are not narrow
 
   [[nodiscard]] bool has_region(std::size_t k) const { return left[k] <= right[k] && bottom[k] <= top[k]; }
 
-  // Fills in, for a triangle of any size whose region is there, what follows the region; false: nothing is drawn.
+  // Sets everything but the region, which is given, for a triangle of any size. False if it covers no pixel.
   bool place(std::size_t k, const SetupPrimitive& p);
 };
 
 // z = z0 + (e1 (z1 - z0) + e2 (z2 - z0)) / area + 1/2, the steps likewise. Products of steps and depths are exact in
-// doubles, and each of the others is off by a few 2^-53 of itself: within these limits the sum is good to 2^-18 at
-// every pixel of a tile.
+// doubles; each other operation has a relative error of a few 2^-53. Within these limits the error of the sum is below
+// 2^-18 at every pixel of a tile.
 inline constexpr double kSteepestDepth = 0x1p24, kFarthestDepth = 64.0, kHighestDepth = 0x1p29, kDepthOne = 0x1p32;
 
 inline bool TileTriangles::place(std::size_t k, const SetupPrimitive& p) {

@@ -1,4 +1,4 @@
-// Filled triangles set up several at a time.
+// Filled triangles set up several at a time, in vectors.
 #pragma once
 
 #include <cstddef>
@@ -23,7 +23,7 @@ struct TriangleBatch {
   int tile_columns;
 };
 
-// Where to write: room for every triangle of the range.
+// Where to write. There must be room for every triangle of the range.
 struct TriangleBatchOutput {
   SetupPrimitive* primitives;
   SetupCorners* corners;  // null where the context does not need them
@@ -32,18 +32,19 @@ struct TriangleBatchOutput {
 
 struct TriangleBatchResult {
   std::size_t count = 0;  // primitives written
-  // The range has been done up to `next`, but for the triangles first_left_over + i of the bits i of `left_over`: those
-  // come after all that was written, and set_up_triangle has to set them up, because they are clipped or large.
+  // All triangles before `next` have been processed, except for first_left_over + i for each bit i of `left_over`.
+  // These come after everything that was written; set_up_triangle has to set them up, because they are clipped or
+  // large.
   std::size_t first_left_over = 0;
   std::uint64_t left_over = 0;
   std::size_t next = 0;
-  // An index names no vertex: nothing more was done.
+  // True if an index is out of range: processing ended there.
   bool is_beyond_vertices = false;
 };
 
-// Sets up the triangles from `begin` until `end` or the first ones that it has to leave over, in order. What it writes
-// is what set_up_triangle would, without those that cover no pixel's centre, and with those that draw a single pixel
-// as such.
+// Sets up the triangles from `begin` to `end`, in order, or up to the first ones that it has to leave over. Writes what
+// set_up_triangle would write, except that triangles which cover no pixel's centre are left out, and triangles which
+// cover a single one are written as pixels.
 [[nodiscard]] TriangleBatchResult set_up_triangles(const TriangleBatch& batch, std::size_t begin, std::size_t end,
                                                    const TriangleBatchOutput& out);
 

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 
+#include "src/raster/rules/one_fragment.h"
 #include "src/raster/setup/setup_primitive.h"
 #include "src/raster/surface/floor_divider.h"
 
@@ -63,6 +64,7 @@ class TriangleEdges {
 
  private:
   using Positions = std::array<std::int32_t, 3>;
+  static std::int32_t sign(std::int64_t v) { return v < 0 ? -1 : v > 0 ? 1 : 0; }
   static std::int64_t area_of(const Positions& x, const Positions& y) {
     return static_cast<std::int64_t>(x[1] - x[0]) * (y[2] - y[0]) -
            static_cast<std::int64_t>(y[1] - y[0]) * (x[2] - x[0]);
@@ -77,8 +79,7 @@ class TriangleEdges {
       step_y_[i] = dx * 16;
       // At the centre of pixel (0, 0).
       origin_[i] = dx * (8 - y[a]) - dy * (8 - x[a]);
-      // Top-left rule (rule 21): a centre on an edge is inside when the edge goes down (left) or, level, to the left (top).
-      threshold_[i] = dy < 0 || (dy == 0 && dx < 0) ? 0 : 1;
+      threshold_[i] = one_fragment::top_left_sign(one_fragment::Numbers(), sign(dx), sign(dy)) < 0 ? 0 : 1;
     }
   }
 

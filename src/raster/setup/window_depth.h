@@ -1,10 +1,10 @@
 // Window depth in 24 bits: the depth codes of a target's format, with as many fraction bits as are left.
 #pragma once
 
-#include <algorithm>
 #include <cstdint>
 
 #include "ninebit/raster/surface.h"
+#include "src/raster/rules/one_fragment.h"
 
 namespace ninebit {
 
@@ -26,10 +26,11 @@ class WindowDepth {
     return z >= largest ? static_cast<std::uint32_t>(max_z24_) : static_cast<std::uint32_t>(z);
   }
 
-  // The code that is compared and stored: z24 + offset, clamped, without its fraction bits, halves up.
-  [[nodiscard]] constexpr std::uint32_t code(std::int64_t z24, std::int64_t offset_z24) const {
-    const std::int64_t z = std::clamp(z24 + offset_z24, std::int64_t{0}, max_z24_);
-    return static_cast<std::uint32_t>((z + (step_z24() >> 1)) >> fraction_bits_);
+  // The code that is compared and stored. |offset_z24| is at most 2^25.
+  [[nodiscard]] std::uint32_t code(std::uint32_t z24, std::int32_t offset_z24) const {
+    return static_cast<std::uint32_t>(one_fragment::depth_code(one_fragment::Numbers(), static_cast<std::int32_t>(z24),
+                                                               offset_z24, static_cast<std::int32_t>(max_z24_),
+                                                               fraction_bits_));
   }
 
  private:

@@ -4,6 +4,7 @@
 #include <bit>
 #include <cmath>
 
+#include "src/raster/texture/byte_sampler.h"
 #include "src/raster/texture/cube_face.h"
 #include "src/raster/texture/texture_level.h"
 #include "src/raster/texture/texture_wrap.h"
@@ -103,7 +104,7 @@ std::optional<TextureSampler> TextureSampler::make(const HardwareProfile& profil
       if (texel_codes(profile, probe)[out] != made.constant_[out]) made.source_[out] = static_cast<int>(in);
     }
   }
-  if (made.samples_bytes()) made.find_byte_planes();
+  if (ByteSampler::can_sample(made)) made.byte_sampler_ = std::make_shared<const ByteSampler>(made);
   return made;
 }
 
@@ -213,9 +214,9 @@ TextureSampler::Filtered TextureSampler::weigh(const Taps& taps, float r) const 
 }
 
 void TextureSampler::sample(const TextureCoordinates& at, std::size_t count, const std::array<s9*, 4>& codes) const {
-  if (byte_planes_) {
+  if (byte_sampler_) {
     for (std::size_t first = 0; first < count; first += kBatchSize) {
-      sample_bytes(at, first, std::min(kBatchSize, count - first), codes);
+      byte_sampler_->sample(at, first, std::min(kBatchSize, count - first), codes);
     }
     return;
   }

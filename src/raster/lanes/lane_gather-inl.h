@@ -1,5 +1,25 @@
-// Vectors of fragments into a batch. No include guard: included once inside Highway's namespace of every SIMD target,
-// after lane_operations.inl and `Pen`.
+// Vectors of fragments into a batch.
+#if defined(NINEBIT_RASTER_LANES_LANE_GATHER_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef NINEBIT_RASTER_LANES_LANE_GATHER_INL_H_
+#undef NINEBIT_RASTER_LANES_LANE_GATHER_INL_H_
+#else
+#define NINEBIT_RASTER_LANES_LANE_GATHER_INL_H_
+#endif
+
+#include <cstddef>
+#include <cstdint>
+
+#include "hwy/highway.h"
+#include "src/raster/lanes/lane_operations-inl.h"
+#include "src/raster/lanes/lane_rows-inl.h"
+#include "src/raster/lanes/lane_vectors-inl.h"
+#include "src/raster/lanes/pen.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace ninebit::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+#if HWY_TARGET != HWY_SCALAR
 
 // Calls visit(row, bits) for the rows of the tile in which lanes of the mask lie, with a bit for each column.
 template <class Rows, class D, class Visit>
@@ -12,52 +32,54 @@ HWY_INLINE void for_rows(D d, std::size_t place, hn::Mask<D> mask, Visit visit) 
   }
 }
 
-// Those of the fragments that have to go into the batch, which then has room for them and no other at their pixels.
+// The fragments that have to go into the batch. Flushes the batch if it has no room for them, or has other fragments at
+// their pixels.
 template <class Rows, class D>
 HWY_INLINE hn::Mask<D> gathered(D d, const LaneDraw<D>& draw, const Pen& pen, std::size_t place, hn::Mask<D> mask,
                                 hn::Vec<D> depth) {
   const LaneOperations& operations = draw.operations;
   LaneTile& tile = pen.tile;
-  const std::int32_t* const at = lanes_of(tile.tile.depth_stencil.data()) + place;
-  const auto meet = [&](hn::Mask<D> lanes) HWY_ATTR {
+  const std::int32_t* const at = lanes_of(tile.planes.depth_stencil.data()) + place;
+  const auto any_overlaps = [&](hn::Mask<D> lanes) HWY_ATTR {
     bool any = false;
     for_rows<Rows>(d, place, lanes, [&](std::size_t row, std::uint64_t bits) HWY_ATTR {
-      any = any || (tile.occupied[row] & bits) != 0;
+      any = any || tile.fragments.overlaps(row, bits);
     });
     return any;
   };
   if (operations.asks_equal_depth) {
     const auto stored = Rows::load(d, at);
     mask = hn::And(mask, has_depth(d, stored, depth));
-    // Fragments that are kept are those of all stencil values.
-    if (operations.stencil_decides && !pen.pass.keeps) mask = hn::And(mask, stencil_passes(d, draw, stored));
+    if (pen.pass.gathers_by_stencil()) mask = hn::And(mask, stencil_passes(d, draw, stored));
   } else {
-    // What waits may still change the outcome of tests.
-    if (operations.tests_change && meet(mask)) flush_lanes(tile, pen.pass);
+    // Fragments in the batch may still change the outcome of tests.
+    if (operations.tests_change && any_overlaps(mask)) flush_lanes(tile, pen.pass);
     mask = not_lost(d, draw, mask, depth, Rows::load(d, at));
   }
-  if (meet(mask) || tile.fragments->count + hn::Lanes(d) > kBatchSize) flush_lanes(tile, pen.pass);
-  for_rows<Rows>(d, place, mask, [&](std::size_t row, std::uint64_t bits) HWY_ATTR { tile.occupied[row] |= bits; });
+  if (any_overlaps(mask) || tile.fragments.gathering().count + hn::Lanes(d) > kBatchSize) flush_lanes(tile, pen.pass);
+  for_rows<Rows>(d, place, mask,
+                 [&](std::size_t row, std::uint64_t bits) HWY_ATTR { tile.fragments.occupy(row, bits); });
   return mask;
 }
 
-// Unless the last fragments are the same primitive's.
+// Begins a run of the primitive's fragments, unless the last fragments are its own.
 HWY_INLINE void begin_run(LaneFragments& batch, const Pen& pen) {
   if (batch.runs == 0 || batch.run[batch.runs - 1].primitive != &pen.primitive) {
     batch.run[batch.runs++] = {&pen.primitive, pen.corners, pen.block.weights_of(*pen.corners), batch.count};
   }
 }
 
+// Adds the fragments of the mask to the batch.
 template <class Rows, class D>
 HWY_INLINE void push(D d, const Pen& pen, std::size_t place, hn::Mask<D> mask, hn::Vec<D> depth,
                      const hn::Vec<hn::Rebind<float, D>> weight[3]) {
-  LaneFragments& batch = *pen.tile.fragments;
+  LaneFragments& batch = pen.tile.fragments.gathering();
   const hn::Rebind<float, D> df;
   const std::size_t at = batch.count;
   begin_run(batch, pen);
   std::size_t span_first = at;
   for_rows<Rows>(d, place, mask, [&](std::size_t row, std::uint64_t bits) HWY_ATTR {
-    while (bits != 0) {  // mostly once
+    while (bits != 0) {  // one span, in most rows
       const auto begin = static_cast<std::size_t>(__builtin_ctzll(bits));
       const auto length = static_cast<std::size_t>(__builtin_ctzll(~(bits >> begin)));
       batch.span[batch.spans++] = {static_cast<std::uint16_t>(row * kTileSize + begin),
@@ -77,8 +99,8 @@ HWY_INLINE void push(D d, const Pen& pen, std::size_t place, hn::Mask<D> mask, h
     if (has_depth) hn::StoreU(depth, d, lanes_of(batch.depth.data()) + at);
     for (std::size_t i = 0; i < 3; ++i) hn::StoreU(weight[i], df, weights + corner[i] * stride);
   } else {
-    // Compressed in registers: to memory it would be slow on some processors. What follows the last lane is written
-    // again by the next fragments.
+    // Compressed in registers, as compressing to memory is slow on some processors. The next fragments overwrite what
+    // follows the last lane.
     hn::StoreU(hn::Compress(places, mask), d, lanes_of(batch.place.data()) + at);
     if (has_depth) hn::StoreU(hn::Compress(depth, mask), d, lanes_of(batch.depth.data()) + at);
     const auto float_mask = hn::RebindMask(df, mask);
@@ -87,3 +109,10 @@ HWY_INLINE void push(D d, const Pen& pen, std::size_t place, hn::Mask<D> mask, h
     }
   }
 }
+
+#endif  // HWY_TARGET != HWY_SCALAR
+
+}  // namespace ninebit::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif  // per-target include guard

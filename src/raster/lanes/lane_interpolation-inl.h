@@ -1,24 +1,46 @@
-// What the fragments of a batch have of their vertices' values. No include guard: included once inside Highway's
-// namespace of every SIMD target, in lane_batch.cpp.
+// The values of a batch's fragments between those of their vertices.
+#if defined(NINEBIT_RASTER_LANES_LANE_INTERPOLATION_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef NINEBIT_RASTER_LANES_LANE_INTERPOLATION_INL_H_
+#undef NINEBIT_RASTER_LANES_LANE_INTERPOLATION_INL_H_
+#else
+#define NINEBIT_RASTER_LANES_LANE_INTERPOLATION_INL_H_
+#endif
 
-// Whether three divisions by one sum are done by its reciprocal: where vectors divide slowly.
+#include <array>
+#include <cstddef>
+#include <span>
+
+#include "hwy/highway.h"
+#include "src/raster/fragment/draw_context.h"
+#include "src/raster/lanes/lane_batch.h"
+#include "src/raster/lanes/lane_fragments.h"
+#include "src/raster/lanes/lane_inputs.h"
+#include "src/raster/lanes/lane_vectors-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace ninebit::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+#if HWY_TARGET != HWY_SCALAR
+
+// True where three divisions by one sum use its reciprocal, because vectors divide slowly.
 #if HWY_NATIVE_FMA
-constexpr bool kHasQuotients = kLanes == 16;
+constexpr bool kHasQuotients = kLaneCount == 16;
 #else
 constexpr bool kHasQuotients = false;
 #endif
 
-// a / b, rounded as the division is, from b's reciprocal, so rounded too, for weights that are_plain() (Markstein,
+// a / b, rounded as the division is, from b's reciprocal, rounded likewise, for weights that are_plain() (Markstein,
 // Computation of elementary functions on the IBM RISC System/6000 processor, 1990: a quotient that is off by at most
-// one unit in the last place becomes the nearest one; the first line's may be off by two).
+// one unit in the last place becomes the nearest one; that of the first line may be off by two units).
 HWY_INLINE VF quotient(VF a, VF b, VF reciprocal) {
   VF q = hn::Mul(a, reciprocal);
   q = hn::MulAdd(hn::NegMulAdd(q, b, a), reciprocal, q);
   return hn::MulAdd(hn::NegMulAdd(q, b, a), reciprocal, q);
 }
 
-// Where the next vector of a run begins: all but the first one where a line of the cache may. Fragments of the first
-// one may be in the second again.
+// Where the next vector of a run begins: all vectors but the first are aligned. The second may repeat fragments of the
+// first.
 constexpr std::size_t next_vector(std::size_t i, std::size_t lanes) {
   return (i / lanes + 1) * lanes;
 }
@@ -26,7 +48,7 @@ constexpr std::size_t next_vector(std::size_t i, std::size_t lanes) {
 // Divides the weights by their sum.
 template <bool kQuotients>
 HWY_INLINE void normalize(LaneFragments& f) {
-  for (std::size_t i = 0; i < f.count; i += kLanes) {
+  for (std::size_t i = 0; i < f.count; i += kLaneCount) {
     const VF w[3] = {hn::Load(kDF, f.weight[0].data() + i), hn::Load(kDF, f.weight[1].data() + i),
                      hn::Load(kDF, f.weight[2].data() + i)};
     const VF sum = hn::Add(hn::Add(w[0], w[1]), w[2]);
@@ -37,6 +59,7 @@ HWY_INLINE void normalize(LaneFragments& f) {
   }
 }
 
+// Turns the weights of a batch into shares, once.
 HWY_INLINE void find_shares(LaneFragments& f) {
   if (f.has_shares) return;
   if (kHasQuotients && f.are_plain()) {
@@ -63,8 +86,8 @@ struct ShareLanes {
   }
 };
 
-// The colours of a run's vertices, as floats: not read again for each vector, as what is stored might be a colour for
-// all that the compiler knows.
+// The colours of a run's vertices, as floats. A copy: the compiler would read them again for each vector, because the
+// vectors that are stored might alias them.
 struct CornerColors {
   std::array<std::array<float, 3>, 4> value;  // by component and vertex
   bool has_one_alpha;
@@ -77,13 +100,13 @@ struct CornerColors {
   }
 };
 
-// kPlain: of a run that is_plain(), whose values are within 2^-20 of those between the corners', with one alpha, which
-// all of its fragments have.
+// kPlain: for a run that is_plain() and has one alpha, which is then the alpha of all its fragments. Its values exceed
+// the range of the corners' values by at most 2^-20.
 template <bool kPlain>
 HWY_INLINE void fill_smooth_run(const LaneFragments& f, LaneBatch& batch, std::size_t r, const CornerColors& corner) {
   const VF alpha = hn::Set(kDF, corner.value[kAlpha][0]);
-  // What is stored beyond the run's end, the next one stores again.
-  for (std::size_t i = f.run[r].first; i < f.run[r + 1].first; i = next_vector(i, kLanes)) {
+  // The next run overwrites what is stored beyond this one's end.
+  for (std::size_t i = f.run[r].first; i < f.run[r + 1].first; i = next_vector(i, kLaneCount)) {
     const ShareLanes shares(f, i);
     const auto byte = [&](std::size_t k) HWY_ATTR {
       VF value = shares.interpolate(corner.value[k][0], corner.value[k][1], corner.value[k][2]);
@@ -91,7 +114,7 @@ HWY_INLINE void fill_smooth_run(const LaneFragments& f, LaneBatch& batch, std::s
       if (!kPlain) value = hn::Min(hn::Max(value, hn::Zero(kDF)), hn::Set(kDF, 255.0F));
       return hn::Floor(value);
     };
-    // Two bytes side by side, in the low bits of a float that is beyond 2^23: exact, and faster than conversions.
+    // Two bytes side by side, in the low bits of a float above 2^23: exact, and faster than conversions.
     const auto two_bytes = [&](VF low, VF high) HWY_ATTR {
       const VF both = hn::Add(low, hn::Mul(high, hn::Set(kDF, 256.0F)));
       return hn::BitCast(kD, hn::Add(both, hn::Set(kDF, 0x1p23F)));
@@ -102,6 +125,7 @@ HWY_INLINE void fill_smooth_run(const LaneFragments& f, LaneBatch& batch, std::s
   }
 }
 
+// Primary colours interpolated between the vertices.
 HWY_INLINE void fill_smooth_colors(const LaneFragments& f, LaneBatch& batch, std::span<const ColorBytes> colors) {
   for (std::size_t r = 0; r < f.runs; ++r) {
     const CornerColors corner(f.run[r], colors);
@@ -113,7 +137,7 @@ HWY_INLINE void fill_smooth_colors(const LaneFragments& f, LaneBatch& batch, std
   }
 }
 
-// Primary colours that are constant over each primitive, as codes, as far as the program reads them.
+// Primary colours that are constant over each primitive, as codes: the components that the program reads.
 HWY_NOINLINE void fill_flat_codes(const LaneFragments& f, LaneBatch& batch, const DrawContext& context) {
   constexpr hn::CappedTag<s9, 32> kCodes;
   constexpr std::size_t kLanesOfCodes = hn::MaxLanes(kCodes);
@@ -125,7 +149,7 @@ HWY_NOINLINE void fill_flat_codes(const LaneFragments& f, LaneBatch& batch, cons
       const auto code = static_cast<s9>(color[k] >> context.state.profile.byte_shift);
       const std::size_t end = f.run[r + 1].first;
       std::size_t i = f.run[r].first;
-      // What is stored beyond the run's end, the next one stores again.
+      // The next run overwrites what is stored beyond this one's end.
       for (; i < end && i + kLanesOfCodes <= kBatchSize; i = next_vector(i, kLanesOfCodes)) {
         hn::StoreU(hn::Set(kCodes, code), kCodes, to + i);
       }
@@ -134,12 +158,13 @@ HWY_NOINLINE void fill_flat_codes(const LaneFragments& f, LaneBatch& batch, cons
   }
 }
 
+// Texture coordinates: s and t, and r if there are three components.
 HWY_INLINE void fill_coordinates(const LaneFragments& f, LaneBatch& batch, std::span<const glm::vec3> at_vertex,
                                  int components) {
   for (std::size_t r = 0; r < f.runs; ++r) {
     const std::array<std::uint32_t, 3>& v = f.run[r].corners->vertex;
     const glm::vec3 a = at_vertex[v[0]], b = at_vertex[v[1]], c = at_vertex[v[2]];
-    for (std::size_t i = f.run[r].first; i < f.run[r + 1].first; i = next_vector(i, kLanes)) {
+    for (std::size_t i = f.run[r].first; i < f.run[r + 1].first; i = next_vector(i, kLaneCount)) {
       const ShareLanes shares(f, i);
       hn::StoreU(shares.interpolate(a.x, b.x, c.x), kDF, batch.coordinate[0].data() + i);
       hn::StoreU(shares.interpolate(a.y, b.y, c.y), kDF, batch.coordinate[1].data() + i);
@@ -148,14 +173,14 @@ HWY_INLINE void fill_coordinates(const LaneFragments& f, LaneBatch& batch, std::
   }
 }
 
-// (s, t, r) / q.
+// Divides s, t and, if there are three components, r by q.
 HWY_INLINE void divide_coordinates(const LaneFragments& f, LaneBatch& batch, std::span<const float> q_at_vertex,
                                    int components) {
   for (std::size_t r = 0; r < f.runs; ++r) {
     const std::array<std::uint32_t, 3>& v = f.run[r].corners->vertex;
     const float a = q_at_vertex[v[0]], b = q_at_vertex[v[1]], c = q_at_vertex[v[2]];
-    for (std::size_t i = f.run[r].first; i < f.run[r + 1].first; i += kLanes) {
-      // The fragments beyond the run's end are another one's, which has its own q.
+    for (std::size_t i = f.run[r].first; i < f.run[r + 1].first; i += kLaneCount) {
+      // Fragments beyond the run's end belong to the next run, which has its own q.
       const auto mask = hn::FirstN(kDF, f.run[r + 1].first - i);
       const VF q = ShareLanes(f, i).interpolate(a, b, c);
       for (int k = 0; k < components; ++k) {
@@ -165,3 +190,10 @@ HWY_INLINE void divide_coordinates(const LaneFragments& f, LaneBatch& batch, std
     }
   }
 }
+
+#endif  // HWY_TARGET != HWY_SCALAR
+
+}  // namespace ninebit::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif  // per-target include guard

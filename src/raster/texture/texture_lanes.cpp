@@ -1,13 +1,14 @@
-// The rules of cube_face.h and texture_wrap.h over vectors of float lanes, compiled once for every SIMD target and
+// Cube-map faces and the rules of texture_wrap.h over vectors of float lanes, compiled once for every SIMD target and
 // chosen at run time.
-#include "src/raster/lanes/texture_lanes.h"
+#include "src/raster/texture/texture_lanes.h"
 
 #include <cstring>
 
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "src/raster/lanes/texture_lanes.cpp"
+#define HWY_TARGET_INCLUDE "src/raster/texture/texture_lanes.cpp"
 #include "hwy/foreach_target.h"  // IWYU pragma: keep
 #include "hwy/highway.h"
+#include "src/raster/rules/fragment_vector-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace ninebit::HWY_NAMESPACE {
@@ -25,11 +26,8 @@ constexpr D16 kD16;
 HWY_INLINE VF set(float v) {
   return hn::Set(kDF, v);
 }
-HWY_INLINE VI face_number(CubeFace face) {
-  return hn::Set(kDI, static_cast<std::int32_t>(face));
-}
 
-// One axis of a level. A side is a power of two, by which floats divide and multiply exactly.
+// One axis of a level. A side is a power of two: floats divide and multiply by it exactly.
 struct Axis {
   float size;
   std::int32_t last;
@@ -40,13 +38,13 @@ HWY_INLINE VI whole_texel(const Axis& axis, VF u) {
   return hn::Min(hn::ConvertTo(kDI, u), hn::Set(kDI, axis.last));
 }
 
-// s of the modes that repeat: from 2^24 on floats are even integers, where a texture begins; NaN and infinity count as
-// one.
+// s in the modes that repeat, 0 from 2^24 on: there floats are even integers, where a texture begins. NaN and infinity
+// count as such integers.
 HWY_INLINE VF near_enough(VF s) {
   return hn::IfThenElseZero(hn::Lt(hn::Abs(s), set(0x1p24F)), s);
 }
 
-// u - n × floor(u / n) for a power of two and a u that is no negative fraction.
+// u - n × floor(u / n), n being a power of two; u is not a negative fraction.
 HWY_INLINE VF remainder(VF u, float n) {
   return hn::Sub(u, hn::Mul(hn::Floor(hn::Mul(u, set(1.0F / n))), set(n)));
 }
@@ -63,8 +61,7 @@ HWY_INLINE VF clamped(const Axis& axis, VF s) {
   return hn::Mul(hn::Min(s, set(1.0F)), set(axis.size));
 }
 
-// nearest_texel, in floats that no step here rounds. The modes that clamp differ in the border, which NEAREST never
-// reads.
+// nearest_texel; no step rounds a float. The modes that clamp differ only in the border, which NEAREST never reads.
 HWY_INLINE VI texel_along(const Axis& axis, VF s) {
   if (axis.wrap == Wrap::repeat) {
     const VF u = hn::Floor(hn::Mul(near_enough(s), set(axis.size)));
@@ -73,46 +70,14 @@ HWY_INLINE VI texel_along(const Axis& axis, VF s) {
   return whole_texel(axis, axis.wrap == Wrap::mirrored_repeat ? mirrored(axis, s) : clamped(axis, s));
 }
 
-// The same of 0 <= s <= 1, where the modes differ at 1 alone.
+// The same for 0 <= s <= 1, where the modes differ only at 1.
 HWY_INLINE VI texel_on_face(const Axis& axis, VF s) {
   const VI texel = hn::ConvertTo(kDI, hn::Mul(s, set(axis.size)));
   const VI last = hn::Set(kDI, axis.last);
   return axis.wrap == Wrap::repeat ? hn::And(texel, last) : hn::Min(texel, last);
 }
 
-// cube_coordinate_inline: the face's number, and the place on it.
-HWY_INLINE VI cube_coordinates(VF rx, VF ry, VF rz, VF& to_s, VF& to_t) {
-  const VF zero = hn::Zero(kDF);
-  const VF ax = hn::Abs(rx), ay = hn::Abs(ry), az = hn::Abs(rz);
-  const auto not_x = hn::Or(hn::Gt(ay, ax), hn::Gt(az, ax));
-  const auto is_z = hn::And(not_x, hn::Gt(az, ay));
-  const auto is_y = hn::AndNot(is_z, not_x);
-  const VF major = hn::IfThenElse(is_z, rz, hn::IfThenElse(is_y, ry, rx));
-  const VF ma = hn::Abs(major);
-  const auto negative = hn::Lt(major, zero);
-  // Each of sc and tc is a component, whose sign some faces turn.
-  const VF sc_positive = hn::IfThenElse(not_x, rx, hn::Neg(rz));
-  const VF sc = hn::IfThenElse(hn::AndNot(is_y, negative), hn::Neg(sc_positive), sc_positive);
-  const VF tc_positive = hn::IfThenElse(is_y, rz, hn::Neg(ry));
-  const VF tc = hn::IfThenElse(hn::And(is_y, negative), hn::Neg(tc_positive), tc_positive);
-  const VF one = set(1.0F), half = set(0.5F);
-  const VF s = hn::Mul(hn::Add(hn::Div(sc, ma), one), half);
-  const VF t = hn::Mul(hn::Add(hn::Div(tc, ma), one), half);
-  const auto within = [&](VF v) HWY_ATTR {  // infinity over infinity is NaN, which fails both comparisons
-    return hn::IfThenElseZero(hn::And(hn::Ge(v, zero), hn::Le(v, one)), v);
-  };
-  const auto is_number = hn::And(hn::And(hn::Eq(rx, rx), hn::Eq(ry, ry)), hn::Eq(rz, rz));
-  const auto is_zero = hn::Eq(ma, zero);
-  const VI positive_face =
-      hn::IfThenElse(hn::RebindMask(kDI, is_z), face_number(CubeFace::positive_z),
-                     hn::IfThenElse(hn::RebindMask(kDI, is_y), face_number(CubeFace::positive_y), hn::Zero(kDI)));
-  const VI face = hn::Add(positive_face, hn::IfThenElseZero(hn::RebindMask(kDI, negative), hn::Set(kDI, 1)));
-  to_s = hn::IfThenElseZero(is_number, hn::IfThenElse(is_zero, half, within(s)));
-  to_t = hn::IfThenElseZero(is_number, hn::IfThenElse(is_zero, half, within(t)));
-  return hn::IfThenElseZero(hn::RebindMask(kDI, is_number), face);
-}
-
-// linear_texels, but for Wrap::clamp: the two texels, and the second's weight.
+// linear_texels for all modes but Wrap::clamp: returns the first texel, sets the second and its weight.
 HWY_INLINE VI texels_along(const Axis& axis, VF s, int bits, VI& second, VI& weight) {
   const float one = static_cast<float>(1 << bits);
   VF u;
@@ -122,7 +87,8 @@ HWY_INLINE VI texels_along(const Axis& axis, VF s, int bits, VI& second, VI& wei
     u = axis.wrap == Wrap::mirrored_repeat ? mirrored(axis, s) : clamped(axis, s);
     u = hn::Min(hn::Max(u, set(0.5F)), set(axis.size - 0.5F));
   }
-  // To a step of the weights, halves up. For fractions below 0 the difference may round, but not to less than a half.
+  // Rounds to a step of the weights, halves up. For fractions below 0 the difference may round, but not to less than
+  // a half.
   u = hn::Mul(u, set(one));
   const VF down = hn::Floor(u);
   VF step = hn::Add(down, hn::IfThenElseZero(hn::Ge(hn::Sub(u, down), set(0.5F)), set(1.0F)));
@@ -132,22 +98,26 @@ HWY_INLINE VI texels_along(const Axis& axis, VF s, int bits, VI& second, VI& wei
   const VI last = hn::Set(kDI, axis.last), next = hn::Add(first, hn::Set(kDI, 1));
   weight = hn::And(fixed, hn::Set(kDI, (1 << bits) - 1));
   second = axis.wrap == Wrap::repeat ? hn::And(next, last) : hn::Min(next, last);
-  return hn::And(first, last);  // -1 where it repeats, else from 0
+  return hn::And(first, last);  // `first` is -1 at least, and only where it repeats
 }
 
 HWY_INLINE void store(VI v, LaneIntegers& to, std::size_t lane) {
   hn::StoreU(v, kDI, to.data() + lane);
 }
 
-// The coordinates of the next fragments on their face, and the face's number.
+// Loads the coordinates of the next fragments: returns the face's number, sets the place on the face.
 HWY_INLINE VI load_place(const LaneLevel& level, const std::array<const float*, 3>& at, std::size_t lane, VF& s,
                          VF& t) {
   s = hn::LoadU(kDF, at[0] + lane);
   t = hn::LoadU(kDF, at[1] + lane);
-  return level.cube ? cube_coordinates(s, t, hn::LoadU(kDF, at[2] + lane), s, t) : hn::Zero(kDI);
+  if (!level.cube) return hn::Zero(kDI);
+  const auto place = cube_place(VectorValues<DI>(), s, t, hn::LoadU(kDF, at[2] + lane));
+  s = place.s;
+  t = place.t;
+  return place.face;
 }
 
-// What find_nearest has of one axis and another.
+// Both axes of a level, for NEAREST.
 struct NearestAxes {
   Axis across, up;
   bool cube;
@@ -164,7 +134,7 @@ struct NearestAxes {
   }
 };
 
-// Here, so that the compiler makes it a loop of the target's lanes.
+// In this namespace, so that the compiler vectorizes the loop for the target.
 HWY_INLINE bool all_like_first(const LaneIntegers& values, std::size_t count) {
   std::int32_t others = 0;
   for (std::size_t i = 0; i < count; ++i) others |= values[i] ^ values[0];
@@ -181,13 +151,13 @@ void find_nearest(const LaneLevel& level, const std::array<const float*, 3>& at,
   to.one_face = all_like_first(to.face, count);
 }
 
-void fetch_nearest_words(const LaneLevel& level, const std::array<const float*, 3>& at, const std::uint8_t* first,
-                         const FaceWords& face_word, std::size_t count, std::uint32_t* to) {
-#if HWY_TARGET <= HWY_AVX2  // which have an instruction for it
+void fetch_nearest_words(const LaneLevel& level, const std::array<const float*, 3>& at, const TexelWords& texels,
+                         std::size_t count, std::uint32_t* to) {
+#if HWY_TARGET <= HWY_AVX2  // these have gather instructions
   const NearestAxes axes(level);
   constexpr hn::RebindToUnsigned<DI> du;
-  const auto* const words = reinterpret_cast<const std::uint32_t*>(first);
-  const VI begin = hn::LoadU(kDI, face_word.data());
+  const auto* const words = reinterpret_cast<const std::uint32_t*>(texels.first);
+  const VI begin = hn::LoadU(kDI, texels.face_word.data());
   for (std::size_t lane = 0; lane < count; lane += hn::Lanes(kDF)) {
     VF s, t;
     const VI face = load_place(level, at, lane, s, t);
@@ -198,8 +168,8 @@ void fetch_nearest_words(const LaneLevel& level, const std::array<const float*, 
   NearestLanes lanes;
   HWY_NAMESPACE::find_nearest(level, at, count, lanes);
   for (std::size_t i = 0; i < count; ++i) {
-    const std::ptrdiff_t word = face_word[static_cast<std::size_t>(lanes.face[i])] + std::ptrdiff_t{lanes.offset[i]};
-    std::memcpy(&to[i], first + 4 * word, 4);
+    const std::ptrdiff_t begin = texels.face_word[static_cast<std::size_t>(lanes.face[i])];
+    std::memcpy(&to[i], texels.first + 4 * (begin + lanes.offset[i]), 4);
   }
 #endif
 }
@@ -274,9 +244,9 @@ void find_linear(const LaneLevel& level, int weight_bits, const std::array<const
   HWY_DYNAMIC_DISPATCH(find_linear)(level, weight_bits, at, count, to);
 }
 
-void fetch_nearest_words(const LaneLevel& level, const std::array<const float*, 3>& at, const std::uint8_t* first,
-                         const FaceWords& face_word, std::size_t count, std::uint32_t* to) {
-  HWY_DYNAMIC_DISPATCH(fetch_nearest_words)(level, at, first, face_word, count, to);
+void fetch_nearest_words(const LaneLevel& level, const std::array<const float*, 3>& at, const TexelWords& texels,
+                         std::size_t count, std::uint32_t* to) {
+  HWY_DYNAMIC_DISPATCH(fetch_nearest_words)(level, at, texels, count, to);
 }
 
 void split_words(const LaneWords& words, int byte, std::size_t count, s9* to) {

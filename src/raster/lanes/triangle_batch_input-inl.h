@@ -1,5 +1,24 @@
-// How triangle_batch.cpp, in whose per-target namespace this is read, comes to its vertices and keeps some lanes.
+// The vertices of several triangles.
+#if defined(NINEBIT_RASTER_LANES_TRIANGLE_BATCH_INPUT_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef NINEBIT_RASTER_LANES_TRIANGLE_BATCH_INPUT_INL_H_
+#undef NINEBIT_RASTER_LANES_TRIANGLE_BATCH_INPUT_INL_H_
+#else
+#define NINEBIT_RASTER_LANES_TRIANGLE_BATCH_INPUT_INL_H_
+#endif
 
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "hwy/highway.h"
+#include "src/raster/lanes/triangle_batch.h"
+#include "src/raster/lanes/triangle_vectors-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace ninebit::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+// The vertex numbers of several triangles.
 struct Corners {
   VI v[3];
 };
@@ -36,45 +55,12 @@ HWY_INLINE Corners corners_of(const TriangleBatch& batch, std::size_t first, std
   return {{hn::IfThenElse(odd, b, a), hn::IfThenElse(odd, a, b), c}};
 }
 
+// A word of the vertices: 0 and 1 are x with the outcode and y, 2 the depth, 3 is 1/w.
 HWY_INLINE VI word_of(const TriangleBatch& batch, int word, VI vertex) {
   return hn::GatherIndex(kDI, &batch.vertices.data()->x_q4_and_code + word, hn::ShiftLeft<2>(vertex));
 }
 
-HWY_INLINE VI min_of(const VI (&v)[3]) {
-  return hn::Min(hn::Min(v[0], v[1]), v[2]);
-}
-HWY_INLINE VI max_of(const VI (&v)[3]) {
-  return hn::Max(hn::Max(v[0], v[1]), v[2]);
-}
+}  // namespace ninebit::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
 
-HWY_INLINE std::uint64_t bits_of(MI mask) {
-  std::uint8_t bytes[8] = {};
-  hn::StoreMaskBits(kDI, mask, bytes);
-  std::uint64_t bits = 0;
-  std::memcpy(&bits, bytes, sizeof bits);
-  return bits;
-}
-
-// Stores the lanes of a mask one after the other, and something after them, up to a vector. (Highway's CompressStore
-// copies a table at every call where there is no instruction for it.)
-class Compressor {
- public:
-  HWY_INLINE explicit Compressor(MI mask) : mask_(mask), order_(order_of(mask)) {}
-  HWY_INLINE void operator()(VI v, std::int32_t* to) const {
-    if constexpr (kHasInstruction) {
-      hn::CompressStore(v, mask_, kDI, to);
-    } else {
-      hn::StoreU(hn::TableLookupLanes(v, hn::IndicesFromVec(kDI, order_)), kDI, to);
-    }
-  }
-
- private:
-  static constexpr bool kHasInstruction = hn::MaxLanes(kDI) > 8;
-  static HWY_INLINE VI order_of(MI mask) {
-    if constexpr (kHasInstruction) return hn::Zero(kDI);
-    const hn::Rebind<std::uint8_t, DI> bytes;
-    return hn::PromoteTo(kDI, hn::LoadU(bytes, kLanesOfBits[bits_of(mask) & 0xFF].data()));
-  }
-  MI mask_;
-  VI order_;
-};
+#endif  // per-target include guard

@@ -1,40 +1,27 @@
-// The fragment operations for a vector of fragments, no two of them at the same pixel. No include guard: included once
-// inside Highway's namespace of every SIMD target, with `hn` for its operations. D is a tag of 32-bit integers.
-
-HWY_INLINE std::int32_t* lanes_of(std::uint32_t* words) {
-  return reinterpret_cast<std::int32_t*>(words);  // signed and unsigned words may alias
-}
-HWY_INLINE const std::int32_t* lanes_of(const std::uint32_t* words) {
-  return reinterpret_cast<const std::int32_t*>(words);
-}
-
-// 0, 1, 2, … (Highway's Iota makes it word by word, in memory, each time.)
-template <class D>
-HWY_INLINE hn::Vec<D> lane_numbers(D d) {
-  alignas(64) static constexpr std::array<std::int32_t, 16> kNumbers{0, 1, 2,  3,  4,  5,  6,  7,
-                                                                     8, 9, 10, 11, 12, 13, 14, 15};
-  return hn::Load(d, kNumbers.data());
-}
-
-// A bit for each lane, the first one lowest.
-template <class D>
-HWY_INLINE std::uint64_t bits_of(D d, hn::Mask<D> mask) {
-#if HWY_TARGET <= HWY_AVX3
-  return static_cast<std::uint64_t>(mask.raw) & ((std::uint64_t{1} << hn::Lanes(d)) - 1);
+// The fragment operations for a vector of fragments, no two of them at the same pixel. D is a tag of 32-bit integers.
+#if defined(NINEBIT_RASTER_LANES_LANE_OPERATIONS_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef NINEBIT_RASTER_LANES_LANE_OPERATIONS_INL_H_
+#undef NINEBIT_RASTER_LANES_LANE_OPERATIONS_INL_H_
 #else
-  // One byte at a time: a wider load would have to wait until what was stored is in the cache.
-  std::array<std::uint8_t, 8> bytes;
-  hn::StoreMaskBits(d, mask, bytes.data());
-  return hn::MaxLanes(d) > 8 ? bytes[0] | static_cast<std::uint64_t>(bytes[1]) << 8 : bytes[0];
+#define NINEBIT_RASTER_LANES_LANE_OPERATIONS_INL_H_
 #endif
-}
 
-template <class D>
-HWY_INLINE hn::Mask<D> mask_of(D d, std::uint32_t word) {
-  return hn::MaskFromVec(hn::Set(d, static_cast<std::int32_t>(word)));
-}
+#include <cstdint>
 
-// A LaneComparison, to be used many times.
+#include "hwy/highway.h"
+#include "src/raster/lanes/lane_operations.h"
+#include "src/raster/lanes/lane_pass.h"
+#include "src/raster/lanes/lane_vectors-inl.h"
+#include "src/raster/rules/fragment_vector-inl.h"
+#include "src/raster/setup/setup_primitive.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace ninebit::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+#if HWY_TARGET != HWY_SCALAR
+
+// A LaneComparison as masks, to be used many times.
 template <class D>
 struct ComparisonMasks {
   hn::Mask<D> less, equal, invert;
@@ -47,42 +34,18 @@ struct ComparisonMasks {
   }
 };
 
-// What an operation makes of stored values (see stencil_result), masked.
+// The stored values after an operation, masked.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE V stencil_lanes(D d, StencilOperation operation, const LaneStencil& s, V stored) {
-  const V largest = hn::Set(d, static_cast<std::int32_t>(s.largest)), one = hn::Set(d, 1);
-  const V value = hn::And(stored, largest);
-  V result = value;
-  switch (operation) {
-    case StencilOperation::keep:
-      return stored;
-    case StencilOperation::zero:
-      result = hn::Zero(d);
-      break;
-    case StencilOperation::replace:
-      result = hn::Set(d, static_cast<std::int32_t>(s.replacement));
-      break;
-    case StencilOperation::incr:
-      result = hn::Min(hn::Add(value, one), largest);
-      break;
-    case StencilOperation::decr:
-      result = hn::Max(hn::Sub(value, one), hn::Zero(d));
-      break;
-    case StencilOperation::invert:
-      result = hn::AndNot(value, largest);
-      break;
-    case StencilOperation::incr_wrap:
-      result = hn::And(hn::Add(value, one), largest);
-      break;
-    case StencilOperation::decr_wrap:
-      result = hn::And(hn::Sub(value, one), largest);
-      break;
-  }
-  const V writable = hn::Set(d, static_cast<std::int32_t>(s.writable));
-  return hn::Or(hn::And(result, writable), hn::AndNot(writable, stored));
+  if (operation == StencilOperation::keep) return stored;
+  const VectorValues<D> values;
+  const V largest = hn::Set(d, static_cast<std::int32_t>(s.largest));
+  const V reference = hn::Set(d, static_cast<std::int32_t>(s.replacement));
+  const V result = stencil_result(values, operation, hn::And(stored, largest), reference, largest);
+  return write_masked(values, stored, result, hn::Set(d, static_cast<std::int32_t>(s.writable)));
 }
 
-// Whether stored depth × 256 + stencil has this depth: such words are alike but for the lowest byte.
+// True where stored depth × 256 + stencil has this depth: such words differ in the lowest byte only.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE hn::Mask<D> has_depth(D d, V stored, V depth) {
   const hn::RebindToUnsigned<D> du;
@@ -96,7 +59,7 @@ struct LaneTests {
   hn::Mask<D> depth;
 };
 
-// What vectors ask of a draw's operations, for the fragments of one facing.
+// A draw's operations as vectors use them, for the fragments of one facing.
 template <class D>
 struct LaneDraw {
   const LaneOperations& operations;
@@ -116,7 +79,7 @@ HWY_INLINE hn::Mask<D> stencil_passes(D d, const LaneDraw<D>& draw, V stored) {
                            hn::And(stored, hn::Set(d, static_cast<std::int32_t>(draw.side.mask))));
 }
 
-// The tests against stored depth × 256 + stencil. What is disabled passes.
+// The tests against stored depth × 256 + stencil. A disabled test passes.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE LaneTests<D> test_lanes(D d, const LaneDraw<D>& draw, V depth, V stored) {
   const LaneOperations& operations = draw.operations;
@@ -130,19 +93,19 @@ HWY_INLINE LaneTests<D> test_lanes(D d, const LaneDraw<D>& draw, V depth, V stor
   return tests;
 }
 
-// The fragments of `mask` that are not lost for certain and without a trace.
+// The fragments of `mask`, without those that will certainly fail a test and change nothing.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE hn::Mask<D> not_lost(D d, const LaneDraw<D>& draw, hn::Mask<D> mask, V depth, V stored) {
   const LaneStencil& side = draw.side;
   const LaneTests<D> tests = test_lanes(d, draw, depth, stored);
   if (!draw.operations.stencil) return hn::And(mask, tests.depth);
   if (side.fail_keeps) mask = hn::And(mask, tests.stencil);
-  // Of those that fail the stencil test nothing is known yet.
+  // Fragments that fail the stencil test may still change the stencil value.
   if (side.depth_fail_keeps) mask = hn::And(mask, hn::Or(tests.depth, hn::Not(tests.stencil)));
   return mask;
 }
 
-// New stencil values in the low eight bits of `stored`, and only there.
+// The new stencil values: the low eight bits of `stored` after the stencil operations, and nothing else.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE V stencil_after(D d, const LaneStencil& side, const LaneTests<D>& tests, V stored) {
   const V value = hn::And(stored, hn::Set(d, 0xFF));
@@ -165,7 +128,7 @@ HWY_INLINE hn::Mask<D> alpha_passes(D d, const LaneDraw<D>& draw, hn::Mask<D> ma
   return hn::And(mask, draw.alpha_test(alpha, reference));
 }
 
-// Alpha, stencil and depth test of the fragments of `mask`; what then stands in the planes, and which fragments passed.
+// Alpha, stencil and depth test of the fragments of `mask`: the new words of the planes, and the fragments that passed.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE LaneResult<D> apply_lanes(D d, const LaneDraw<D>& draw, hn::Mask<D> mask, V depth, V alpha, V stored) {
   const LaneOperations& operations = draw.operations;
@@ -183,14 +146,18 @@ HWY_INLINE LaneResult<D> apply_lanes(D d, const LaneDraw<D>& draw, hn::Mask<D> m
   return {after, drawn};
 }
 
-// Window depths as codes of the target, see WindowDepth::code.
+// Window depths as codes of the target.
 template <class D>
 HWY_INLINE hn::Vec<D> depth_codes(D d, const LanePass& pass, const SetupPrimitive& p, hn::Vec<D> z24) {
   const WindowDepth& depth = pass.context.depth;
   if (p.offset_z24 == 0 && depth.step_z24() == 1) return z24;
-  const auto offset = hn::Set(d, p.offset_z24);  // within ±2^25
-  const auto largest = hn::Set(d, static_cast<std::int32_t>(depth.max_z24()));
-  const auto z = hn::Min(hn::Max(hn::Add(z24, offset), hn::Zero(d)), largest);
-  const auto step = static_cast<std::int32_t>(depth.step_z24());
-  return hn::ShiftRightSame(hn::Add(z, hn::Set(d, step >> 1)), depth.fraction_bits());
+  return depth_code(VectorValues<D>(), z24, hn::Set(d, p.offset_z24),
+                    hn::Set(d, static_cast<std::int32_t>(depth.max_z24())), depth.fraction_bits());
 }
+
+#endif  // HWY_TARGET != HWY_SCALAR
+
+}  // namespace ninebit::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif  // per-target include guard

@@ -1,13 +1,33 @@
-// How the lanes of a vector lie in a tile. No include guard: included once inside Highway's namespace of every SIMD
-// target, in tile_lanes.cpp.
+// How the lanes of a vector lie in a tile.
+#if defined(NINEBIT_RASTER_LANES_LANE_ROWS_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef NINEBIT_RASTER_LANES_LANE_ROWS_INL_H_
+#undef NINEBIT_RASTER_LANES_LANE_ROWS_INL_H_
+#else
+#define NINEBIT_RASTER_LANES_LANE_ROWS_INL_H_
+#endif
 
-// Side by side in a row.
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "hwy/highway.h"
+#include "src/raster/lanes/lane_vectors-inl.h"
+#include "src/raster/surface/tile_size.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace ninebit::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+#if HWY_TARGET != HWY_SCALAR
+
+// All lanes side by side in one row.
 struct OneRow {
   static constexpr std::size_t kRows = 1;
   static constexpr int column(int lane) { return lane; }
   static constexpr int row(int) { return 0; }
 
-  // From the first one's place on, here and below.
+  // `at` is the first lane's place, here and below.
   template <class D>
   static HWY_INLINE hn::Vec<D> load(D d, const std::int32_t* at) {
     return hn::LoadU(d, at);
@@ -16,23 +36,24 @@ struct OneRow {
   static HWY_INLINE void store(hn::Vec<D> v, D d, std::int32_t* at) {
     hn::StoreU(v, d, at);
   }
-  // Stores the lanes of the mask alone.
+  // Stores only the lanes of the mask.
   template <class D>
   static HWY_INLINE void blend(hn::Vec<D> v, hn::Mask<D> mask, D d, std::int32_t* at) {
     hn::BlendedStore(v, mask, d, at);
   }
+  // Stores only the lanes of the mask, of a vector whose lanes are all equal.
   template <class D>
   static HWY_INLINE void put(hn::Vec<D> v, hn::Mask<D> mask, D d, std::int32_t* at) {
     blend(v, mask, d, at);
   }
-  // How much farther the places of the others are.
+  // The lanes' places, relative to the first lane's.
   template <class D>
   static HWY_INLINE hn::Vec<D> places(D d) {
     return lane_numbers(d);
   }
 };
 
-// A half, or a quarter, in each of as many rows, one above the other.
+// The lanes in two rows or four, one above the other: a half or a quarter of them in each.
 template <int kCount>
 struct SeveralRows {
   static_assert(kCount == 2 || kCount == 4);
@@ -70,10 +91,10 @@ struct SeveralRows {
   static HWY_INLINE void blend(V v, M mask, D d, std::int32_t* at) {
     store(hn::IfThenElse(mask, v, load(d, at)), d, at);
   }
-  // The same of a vector whose lanes are all alike: nothing is read.
+  // Reads nothing where masks store single words.
   static HWY_INLINE void put(V v, M mask, D d, std::int32_t* at) {
     if constexpr (kLanes < 16) return blend(v, mask, d, at);
-    const hn::CappedTag<std::int32_t, kColumns> part;
+    const hn::CappedTag<std::int32_t, static_cast<std::size_t>(kColumns)> part;
     const auto value = hn::Set(part, hn::GetLane(v));
     std::uint64_t bits = bits_of(d, mask);
     for (std::size_t r = 0; r < kRows; ++r, bits >>= kColumns) {
@@ -81,7 +102,7 @@ struct SeveralRows {
       hn::BlendedStore(value, hn::LoadMaskBits(part, &lanes), part, at + r * kTileSize);
     }
   }
-  // A sum of steps along and up the rows, for the lower half of the lanes.
+  // column × step_x + row × step_y, for the lower half of the lanes.
   static HWY_INLINE hn::Vec<DD> in_lower_half(double step_x, double step_y) {
     const auto along = [&](hn::Vec<DD> column) HWY_ATTR { return hn::Mul(column, hn::Set(kDD, step_x)); };
     if constexpr (kCount == 2) return along(real_lane_numbers());
@@ -93,3 +114,10 @@ struct SeveralRows {
   static HWY_INLINE V rows(D d) { return hn::ShiftRightSame(lane_numbers(d), __builtin_ctz(kColumns)); }
   static HWY_INLINE V places(D d) { return hn::Add(columns(), hn::Mul(rows(d), hn::Set(d, kTileSize))); }
 };
+
+#endif  // HWY_TARGET != HWY_SCALAR
+
+}  // namespace ninebit::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif  // per-target include guard

@@ -1,24 +1,49 @@
-// What becomes of the candidates of triangle_batch.cpp, in whose per-target namespace this is read.
+// Candidates written as set-up primitives.
+#if defined(NINEBIT_RASTER_LANES_TRIANGLE_BATCH_OUTPUT_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef NINEBIT_RASTER_LANES_TRIANGLE_BATCH_OUTPUT_INL_H_
+#undef NINEBIT_RASTER_LANES_TRIANGLE_BATCH_OUTPUT_INL_H_
+#else
+#define NINEBIT_RASTER_LANES_TRIANGLE_BATCH_OUTPUT_INL_H_
+#endif
+
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+
+#include "hwy/highway.h"
+#include "src/raster/lanes/triangle_batch.h"
+#include "src/raster/lanes/triangle_batch_input-inl.h"
+#include "src/raster/lanes/triangle_candidates.h"
+#include "src/raster/lanes/triangle_vectors-inl.h"
+#include "src/raster/setup/polygon_offset.h"
+#include "src/raster/setup/setup_primitive.h"
+#include "src/raster/setup/tile_bins.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace ninebit::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
 
 HWY_INLINE VD as_double(const std::int32_t* lanes) {
   return hn::PromoteTo(kDD, hn::Load(kHalfI, lanes));
 }
 
-// Lanes beyond the last candidate hold anything, NaN too, which is no number to convert.
+// Stores integers, and 0 for NaN, which cannot be converted: lanes beyond the last candidate may hold it.
 HWY_INLINE void store_numbers(VD v, std::int32_t* to) {
   hn::Store(hn::DemoteTo(kHalfI, hn::IfThenElseZero(hn::Eq(v, v), v)), kHalfI, to);
 }
 
+// The depths of candidates.
 struct Depths {
-  alignas(64) Candidates::Lanes corner[3];
-  alignas(64) Candidates::Lanes inv_w[3];
-  alignas(64) Candidates::Lanes pixel;
-  alignas(64) Candidates::Lanes offset;
+  alignas(64) TriangleCandidates::Lanes corner[3];
+  alignas(64) TriangleCandidates::Lanes inv_w[3];
+  alignas(64) TriangleCandidates::Lanes pixel;
+  alignas(64) TriangleCandidates::Lanes offset;
 };
 
-HWY_INLINE void gather_depths(const TriangleBatch& batch, const Candidates& c, Depths& to) {
+HWY_INLINE void gather_depths(const TriangleBatch& batch, const TriangleCandidates& c, Depths& to) {
   for (std::size_t i = 0; i < c.count; i += hn::Lanes(kDI)) {
-    const MI swapped = hn::TestBit(hn::Load(kDI, c.kind + i), set(kSwapped));
+    const MI swapped = hn::TestBit(hn::Load(kDI, c.kind + i), set(TriangleCandidates::kSwapped));
     const VI second = hn::Load(kDI, c.vertex[1] + i), third = hn::Load(kDI, c.vertex[2] + i);
     const VI vertex[3] = {hn::Load(kDI, c.vertex[0] + i), hn::IfThenElse(swapped, third, second),
                           hn::IfThenElse(swapped, second, third)};
@@ -29,10 +54,10 @@ HWY_INLINE void gather_depths(const TriangleBatch& batch, const Candidates& c, D
   }
 }
 
-// The depth plane at the pixel, rounded to nearest, halves up: floor((2 Σ e z + area) / (2 area)). Numerator and
-// denominator are exact; a quotient that is not whole is at least 2^-27 from the next whole number, which rounding to
-// 53 bits cannot reach: it is below 2^24.
-HWY_INLINE void find_pixel_depths(const Candidates& c, Depths& to) {
+// The depth plane at each single pixel, rounded to nearest, halves up: floor((2 Σ e z + area) / (2 area)). Numerator
+// and denominator are exact; a quotient that is not whole is at least 2^-27 from the next whole number, which rounding
+// to 53 bits cannot reach: it is below 2^24.
+HWY_INLINE void find_pixel_depths(const TriangleCandidates& c, Depths& to) {
   for (std::size_t i = 0; i < c.count; i += hn::Lanes(kDD)) {
     const VD e0 = as_double(c.edge[0] + i), e1 = as_double(c.edge[1] + i), e2 = as_double(c.edge[2] + i);
     const VD area = hn::Add(hn::Add(e0, e1), e2);
@@ -43,8 +68,9 @@ HWY_INLINE void find_pixel_depths(const Candidates& c, Depths& to) {
   }
 }
 
-// The offset of candidate k, as of any other triangle.
-HWY_INLINE std::int32_t exact_offset(const SetupContext& context, const Candidates& c, const Depths& d, std::size_t k) {
+// The offset of candidate k, by the function for any triangle.
+HWY_INLINE std::int32_t exact_offset(const SetupContext& context, const TriangleCandidates& c, const Depths& d,
+                                     std::size_t k) {
   WindowVertex v[3];
   for (int i = 0; i < 3; ++i) {
     v[i] = {.x_q4 = c.x[i][k], .y_q4 = c.y[i][k], .z24 = static_cast<std::uint32_t>(d.corner[i][k])};
@@ -52,15 +78,15 @@ HWY_INLINE std::int32_t exact_offset(const SetupContext& context, const Candidat
   return polygon_offset_z24(context.offset, context.slope, depth_plane(v[0], v[1], v[2]), context.window.depth());
 }
 
-// As depth_plane() and polygon_offset_z24(), which is called where the bounds of the sum round to different numbers.
-HWY_INLINE void find_offsets(const SetupContext& context, const Candidates& c, Depths& to) {
+// As depth_plane() and polygon_offset_z24(); calls the latter where the bounds of the sum round to different numbers.
+HWY_INLINE void find_offsets(const SetupContext& context, const TriangleCandidates& c, Depths& to) {
   const VD factor = hn::Set(kDD, static_cast<double>(context.offset.factor));
   const VD units =
       hn::Set(kDD, static_cast<double>(context.offset.units) * static_cast<double>(context.window.depth().step_z24()));
   const VD limit = hn::Set(kDD, static_cast<double>(kLargestOffset)), sixteen = hn::Set(kDD, 16.0);
   const VD smallest_error = hn::Add(hn::Abs(units), hn::Set(kDD, 1.0));
   for (std::size_t i = 0; i < c.count; i += hn::Lanes(kDD)) {
-    const auto difference = [i](const Candidates::Lanes(&v)[3], int k)
+    const auto difference = [i](const TriangleCandidates::Lanes(&v)[3], int k)
                                 HWY_ATTR { return hn::Sub(as_double(v[k] + i), as_double(v[0] + i)); };
     const VD bx = difference(c.x, 1), by = difference(c.y, 1), cx = difference(c.x, 2), cy = difference(c.y, 2);
     const VD bz = difference(to.corner, 1), cz = difference(to.corner, 2);
@@ -85,7 +111,8 @@ HWY_INLINE void find_offsets(const SetupContext& context, const Candidates& c, D
   }
 }
 
-// Vectors of four words side by side: a row of `count` records, each of which has kRows of them.
+// Copies `count` records. Each consists of kRows groups of four words; the groups of one row of all records lie side by
+// side.
 template <std::size_t kRows, class Record>
 HWY_INLINE void copy_rows(const std::int32_t (&rows)[kRows][4 * 16], std::size_t count, Record* to) {
   constexpr std::size_t kRow = 16;
@@ -97,51 +124,69 @@ HWY_INLINE void copy_rows(const std::int32_t (&rows)[kRows][4 * 16], std::size_t
   }
 }
 
-HWY_INLINE void write_corners(const Candidates& c, const Depths& d, std::size_t i, std::size_t count,
+// How SetupCorners::corner lies in a word: a clockwise triangle has its second and third corner swapped.
+constexpr int kCorners = 0x020100, kSwappedCorners = 0x010200;
+
+HWY_INLINE void write_corners(const TriangleCandidates& c, const Depths& d, std::size_t i, std::size_t count,
                               SetupCorners* to) {
   static_assert(offsetof(SetupCorners, weights) == 12 && offsetof(SetupCorners, corner) == 28);
-  const auto load = [i](const Candidates::Lanes& lanes) HWY_ATTR { return hn::Load(kDI, lanes + i); };
+  const auto load = [i](const TriangleCandidates::Lanes& lanes) HWY_ATTR { return hn::Load(kDI, lanes + i); };
   alignas(64) std::int32_t rows[2][4 * 16];
-  const VI corner = hn::IfThenElse(hn::TestBit(load(c.kind), set(kSwapped)), set(kSwappedCorners), set(kCorners));
+  const VI corner =
+      hn::IfThenElse(hn::TestBit(load(c.kind), set(TriangleCandidates::kSwapped)), set(kSwappedCorners), set(kCorners));
   hn::StoreInterleaved4(load(d.inv_w[0]), load(d.inv_w[1]), load(d.inv_w[2]),
                         set(static_cast<std::int32_t>(kNoWeights)), kDI, rows[0]);
   hn::StoreInterleaved4(load(c.vertex[0]), load(c.vertex[1]), load(c.vertex[2]), corner, kDI, rows[1]);
   copy_rows(rows, count, to);
 }
 
-// Writes the candidates where `out` points, and moves it.
-HWY_INLINE void write(const TriangleBatch& batch, const Candidates& c, const Depths& d, TriangleBatchOutput& out) {
+// The first three records of a SetupPrimitive, of four words each: box and kind, depths and offset, positions.
+using PrimitiveRows = std::int32_t[3][4 * 16];
+
+// The candidates from i on as PrimitiveRows.
+HWY_INLINE void interleave(const TriangleCandidates& c, const Depths& d, std::size_t i, bool is_offset,
+                           PrimitiveRows& rows) {
   static_assert(offsetof(SetupPrimitive, kind) == 12 && offsetof(SetupPrimitive, z24) == 16 &&
                 offsetof(SetupPrimitive, position) == 32);
   static_assert(std::endian::native == std::endian::little);
+  const auto load = [i](const TriangleCandidates::Lanes& lanes) HWY_ATTR { return hn::Load(kDI, lanes + i); };
+  const VI kind = hn::And(load(c.kind), set(0xFFFF));
+  hn::StoreInterleaved4(load(c.low), load(c.high), load(c.primitive), kind, kDI, rows[0]);
+  const MI is_pixel = hn::Ne(hn::And(kind, set(0xFF)), set(0));
+  const VI pixel = load(d.pixel);
+  const auto depth = [&](int k) HWY_ATTR { return hn::IfThenElse(is_pixel, pixel, load(d.corner[k])); };
+  hn::StoreInterleaved4(depth(0), depth(1), depth(2), is_offset ? load(d.offset) : set(0), kDI, rows[1]);
+  constexpr int kLow = PackedPositions::kLow, kHigh = PackedPositions::kHigh;
+  VI word[3], high_y = set(0);
+  for (int k = 0; k < 3; ++k) {
+    const VI y = load(c.y[k]), high_part = hn::And(hn::ShiftRight<kLow>(y), set((1 << kHigh) - 1));
+    word[k] = hn::Or(hn::ShiftLeft<kLow>(load(c.x[k])), hn::And(y, set((1 << kLow) - 1)));
+    high_y = hn::Or(high_y, hn::ShiftLeftSame(high_part, kHigh * k));
+  }
+  hn::StoreInterleaved4(word[0], word[1], word[2], high_y, kDI, rows[2]);
+}
+
+// The tiles of boxes, or kSeveralTiles.
+HWY_INLINE VI tiles_of(VI low, VI high, int tile_columns) {
   static_assert(kTileSize == 64);
+  const auto tile_at = [tile_columns](VI corner) HWY_ATTR {
+    const VI row = hn::Mul(hn::ShiftRight<22>(corner), set(tile_columns));
+    return hn::Add(row, hn::ShiftRight<6>(hn::And(corner, set(0xFFFF))));
+  };
+  const VI tile = tile_at(low);
+  return hn::IfThenElse(hn::Eq(tile, tile_at(high)), tile, set(static_cast<std::int32_t>(kSeveralTiles)));
+}
+
+// Writes the candidates where `out` points, and moves `out` behind them.
+HWY_INLINE void write(const TriangleBatch& batch, const TriangleCandidates& c, const Depths& d,
+                      TriangleBatchOutput& out) {
   const bool is_offset = batch.context.is_offset(PolygonMode::fill);
   for (std::size_t i = 0; i < c.count; i += hn::Lanes(kDI)) {
-    const auto load = [i](const Candidates::Lanes& lanes) HWY_ATTR { return hn::Load(kDI, lanes + i); };
-    const VI low = load(c.low), high = load(c.high), kind = hn::And(load(c.kind), set(0xFFFF));
-    const MI is_pixel = hn::Ne(hn::And(kind, set(0xFF)), set(0));
-    alignas(64) std::int32_t rows[3][4 * 16];
-    const VI pixel = load(d.pixel);
-    const auto depth = [&](int k) HWY_ATTR { return hn::IfThenElse(is_pixel, pixel, load(d.corner[k])); };
-    hn::StoreInterleaved4(low, high, load(c.primitive), kind, kDI, rows[0]);
-    hn::StoreInterleaved4(depth(0), depth(1), depth(2), is_offset ? load(d.offset) : set(0), kDI, rows[1]);
-    constexpr int kLow = PackedPositions::kLow, kHigh = PackedPositions::kHigh;
-    VI word[3], high_y = set(0);
-    for (int k = 0; k < 3; ++k) {
-      const VI y = load(c.y[k]), high_part = hn::And(hn::ShiftRight<kLow>(y), set((1 << kHigh) - 1));
-      word[k] = hn::Or(hn::ShiftLeft<kLow>(load(c.x[k])), hn::And(y, set((1 << kLow) - 1)));
-      high_y = hn::Or(high_y, hn::ShiftLeftSame(high_part, kHigh * k));
-    }
-    hn::StoreInterleaved4(word[0], word[1], word[2], high_y, kDI, rows[2]);
-    const auto tile_at = [&batch](VI corner) HWY_ATTR {
-      const VI row = hn::Mul(hn::ShiftRight<22>(corner), set(batch.tile_columns));
-      return hn::Add(row, hn::ShiftRight<6>(hn::And(corner, set(0xFFFF))));
-    };
-    const VI tile = tile_at(low);
+    alignas(64) PrimitiveRows rows;
+    interleave(c, d, i, is_offset, rows);
     const std::size_t count = c.count - i < hn::Lanes(kDI) ? c.count - i : hn::Lanes(kDI);
     alignas(64) std::int32_t tiles[16];
-    hn::Store(hn::IfThenElse(hn::Eq(tile, tile_at(high)), tile, set(static_cast<std::int32_t>(kSeveralTiles))), kDI,
-              tiles);
+    hn::Store(tiles_of(hn::Load(kDI, c.low + i), hn::Load(kDI, c.high + i), batch.tile_columns), kDI, tiles);
     std::memcpy(out.tile, tiles, count * sizeof(std::int32_t));
     copy_rows(rows, count, out.primitives);
     if (out.corners != nullptr) {
@@ -153,7 +198,8 @@ HWY_INLINE void write(const TriangleBatch& batch, const Candidates& c, const Dep
   }
 }
 
-HWY_NOINLINE void write_candidates(const TriangleBatch& batch, Candidates& c, TriangleBatchOutput& out) {
+// Finds the candidates' depths and offsets, writes them, and removes them.
+HWY_NOINLINE void write_candidates(const TriangleBatch& batch, TriangleCandidates& c, TriangleBatchOutput& out) {
   if (c.count == 0) return;
   Depths depths;
   gather_depths(batch, c, depths);
@@ -163,3 +209,8 @@ HWY_NOINLINE void write_candidates(const TriangleBatch& batch, Candidates& c, Tr
   c.count = 0;
   c.has_pixels = false;
 }
+
+}  // namespace ninebit::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif  // per-target include guard

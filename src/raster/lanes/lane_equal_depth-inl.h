@@ -1,0 +1,123 @@
+// One triangle in a pass that asks for equal depth, row by row.
+#if defined(NINEBIT_RASTER_LANES_LANE_EQUAL_DEPTH_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef NINEBIT_RASTER_LANES_LANE_EQUAL_DEPTH_INL_H_
+#undef NINEBIT_RASTER_LANES_LANE_EQUAL_DEPTH_INL_H_
+#else
+#define NINEBIT_RASTER_LANES_LANE_EQUAL_DEPTH_INL_H_
+#endif
+
+#include <algorithm>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+
+#include "hwy/highway.h"
+#include "src/raster/lanes/lane_triangle-inl.h"
+#include "src/raster/lanes/lane_vectors-inl.h"
+#include "src/raster/lanes/pen.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace ninebit::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+#if HWY_TARGET != HWY_SCALAR
+
+// Fragments of triangle k in one row.
+struct RowFragments {
+  int y;
+  std::size_t place;   // in the tile, of the region's first pixel in the row
+  const V* inside;     // of all three edges, from that pixel on
+  std::uint64_t bits;  // for each fragment, from that pixel on
+};
+
+// Puts the fragments of a row into the batch, span by span.
+HWY_INLINE void push_row(const Pen& pen, const TileTriangles& t, std::size_t k, const RowFragments& row) {
+  FragmentReuse& fragments = pen.tile.fragments;
+  const std::size_t tile_row = row.place / kTileSize;
+  const std::uint64_t columns = row.bits << row.place % kTileSize;
+  const auto count = static_cast<std::size_t>(std::popcount(row.bits));
+  if (fragments.overlaps(tile_row, columns) || fragments.gathering().count + count > kBatchSize) {
+    flush_lanes(pen.tile, pen.pass);
+  }
+  fragments.occupy(tile_row, columns);
+  LaneFragments& batch = fragments.gathering();
+  begin_run(batch, pen);
+  for (std::uint64_t bits = row.bits; bits != 0;) {
+    const int column = std::countr_zero(bits);
+    const int length = std::min(std::countr_one(bits >> column), kLanes);
+    bits &= ~(((std::uint64_t{1} << length) - 1) << column);
+    const std::size_t at = batch.count, place = row.place + static_cast<std::size_t>(column);
+    batch.span[batch.spans++] = {static_cast<std::uint16_t>(place), static_cast<std::uint8_t>(length),
+                                 static_cast<std::uint16_t>(at)};
+    // The next fragments overwrite what follows the last lane.
+    hn::StoreU(hn::Add(hn::Set(kD, static_cast<std::int32_t>(place)), lane_numbers(kD)), kD,
+               lanes_of(batch.place.data()) + at);
+    for (std::size_t i = 0; i < 3; ++i) {
+      const V inside = hn::Add(row.inside[i], hn::Set(kD, t.inside_x[i][k] * column));
+      const VF edge = edge_at(t, k, i, t.left[k] + column, row.y, inside);
+      hn::StoreU(hn::Mul(edge, hn::Set(kDF, pen.corners->inv_w[i])), kDF,
+                 batch.weight[pen.corners->corner[i]].data() + at);
+    }
+    batch.count += static_cast<std::size_t>(length);
+  }
+}
+
+// Draws triangle k in a pass that asks_equal_depth: finds the fragments of a whole row before it gathers them. kOwned:
+// compares the tile's known owners instead of depths.
+template <bool kOwned>
+HWY_NOINLINE void gather_rows(const Pen& pen, const TileTriangles& t, std::size_t k) {
+  const LaneDraw<D> draw(kD, pen.pass.operations, pen.primitive.front_facing);
+  const bool by_stencil = pen.pass.gathers_by_stencil();
+  const V lane = lane_numbers(kD);
+  V row[3], step[3], up[3];
+  for (std::size_t i = 0; i < 3; ++i) {
+    row[i] = hn::Add(hn::Set(kD, t.inside[i][k]), hn::Mul(lane, hn::Set(kD, t.inside_x[i][k])));
+    step[i] = hn::Set(kD, t.inside_x[i][k] * kLanes);
+    up[i] = hn::Set(kD, t.inside_y[i][k]);
+  }
+  DepthLanes z(t, k);
+  const int left = t.left[k], columns = t.right[k] - left + 1, top = t.top[k];
+  // The triangle may reach beyond the end of the region.
+  const std::uint64_t region = ~std::uint64_t{0} >> (kTileSize - columns);
+  auto row_place = first_place(pen, t, k);
+  const std::int32_t* const stored = lanes_of(pen.tile.planes.depth_stencil.data());
+  const std::int32_t* const owner = lanes_of(pen.tile.owners.number.data());
+  const V number = hn::Set(kD, static_cast<std::int32_t>(pen.number));
+  for (int y = t.bottom[k];; ++y, row_place += kTileSize) {
+    V e[3] = {row[0], row[1], row[2]};
+    V64 z_low = z.row;
+    std::uint64_t bits = 0;
+    for (int column = 0; column < columns; column += kLanes) {
+      if constexpr (kOwned) {
+        const std::size_t at = row_place + static_cast<std::size_t>(column);
+        M mask = hn::Eq(hn::LoadU(kD, owner + at), number);
+        if (by_stencil) mask = hn::And(mask, stencil_passes(kD, draw, hn::LoadU(kD, stored + at)));
+        bits |= bits_of(kD, mask) << column;
+        continue;
+      }
+      M mask = hn::Gt(hn::Or(hn::Or(e[0], e[1]), e[2]), hn::Set(kD, -1));
+      if (!hn::AllFalse(kD, mask)) {
+        const V z24 = find_depths<OneRow>(pen.primitive, left + column, y, mask, z_low, hn::Add(z_low, z.half));
+        const V depth = depth_codes(kD, pen.pass, pen.primitive, z24);
+        const V here = hn::LoadU(kD, stored + row_place + static_cast<std::size_t>(column));
+        mask = hn::And(mask, has_depth(kD, here, depth));
+        if (by_stencil) mask = hn::And(mask, stencil_passes(kD, draw, here));
+        bits |= bits_of(kD, mask) << column;
+      }
+      for (std::size_t i = 0; i < 3; ++i) e[i] = hn::Add(e[i], step[i]);
+      z_low = hn::Add(z_low, z.step);
+    }
+    bits &= region;
+    if (bits != 0) push_row(pen, t, k, {y, row_place, row, bits});
+    if (y == top) break;
+    for (std::size_t i = 0; i < 3; ++i) row[i] = hn::Add(row[i], up[i]);
+    z.row = hn::Add(z.row, z.up);
+  }
+}
+
+#endif  // HWY_TARGET != HWY_SCALAR
+
+}  // namespace ninebit::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif  // per-target include guard

@@ -1,0 +1,12 @@
+#include "src/raster/lanes/lane_pass.h"
+
+namespace ninebit {
+
+LanePass::LanePass(const DrawContext& draw, const RenderTarget& target)
+    : context(draw),
+      operations(draw.state, target),
+      depths_are_codes(!draw.state.polygon_offset.fill && draw.depth.step_z24() == 1) {
+  if (!draw.has_flat_result) batch = std::make_unique<LaneBatch>();
+}
+
+}  // namespace ninebit

@@ -1,0 +1,34 @@
+// What all fragments of one primitive in a tile share.
+#pragma once
+
+#include <cstdint>
+
+#include "src/raster/lanes/lane_pass.h"
+#include "src/raster/lanes/tile_lanes.h"
+#include "src/raster/setup/setup_primitive.h"
+
+namespace ninebit {
+
+// What becomes of a triangle's fragments.
+enum class Drawing {
+  nearest,  // LanePass::draws_nearest_alone
+  noted,    // the same, and notes_owners
+  flat,     // one colour, through the fragment operations
+  gathers   // into the batch
+};
+
+constexpr bool is_nearest(Drawing drawing) {
+  return drawing == Drawing::nearest || drawing == Drawing::noted;
+}
+
+struct Pen {
+  LaneTile& tile;
+  const LanePass& pass;
+  const SetupPrimitive& primitive;
+  const SetupBlock& block;
+  const SetupCorners* corners;  // null for a flat result
+  std::uint32_t color;          // of a flat result
+  std::uint32_t number;         // see PixelOwners
+};
+
+}  // namespace ninebit

@@ -1,0 +1,185 @@
+// Several triangles at a time placed in a tile.
+#if defined(NINEBIT_RASTER_LANES_TILE_TRIANGLES_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef NINEBIT_RASTER_LANES_TILE_TRIANGLES_INL_H_
+#undef NINEBIT_RASTER_LANES_TILE_TRIANGLES_INL_H_
+#else
+#define NINEBIT_RASTER_LANES_TILE_TRIANGLES_INL_H_
+#endif
+
+#include <cstddef>
+#include <cstdint>
+
+#include "hwy/highway.h"
+#include "src/raster/lanes/lane_vectors-inl.h"
+#include "src/raster/lanes/tile_triangles.h"
+#include "src/raster/setup/setup_primitive.h"
+#include "src/raster/setup/window_transform.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace ninebit::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+#if HWY_TARGET != HWY_SCALAR
+
+// A word of each of several primitives, given where the block's first primitive has it.
+class PrimitiveWords {
+ public:
+  HWY_INLINE PrimitiveWords(const SetupBlock& block, const std::uint32_t* indices)
+      : first(block.primitives[0]),
+        offset_(hn::Mul(hn::LoadU(kD, reinterpret_cast<const std::int32_t*>(indices)),
+                        hn::Set(kD, static_cast<std::int32_t>(sizeof(SetupPrimitive))))) {}
+  HWY_INLINE V operator()(const void* of_first) const {
+    return hn::GatherOffset(kD, static_cast<const std::int32_t*>(of_first), offset_);
+  }
+  const SetupPrimitive& first;
+
+ private:
+  V offset_;
+};
+
+// The origins of the triangles' regions, and their sizes less one.
+struct RegionLanes {
+  V left, bottom;
+  V columns, rows;
+};
+
+HWY_INLINE RegionLanes store_regions(TileTriangles& t, const PrimitiveWords& word, const PixelBox& tile) {
+  // Two bounds in a word, the first one in its lower half.
+  static_assert(offsetof(PixelBounds, bottom) == 2 && offsetof(PixelBounds, right) == 4 &&
+                offsetof(PixelBounds, top) == 6);
+  const V low = word(&word.first.box.left), high = word(&word.first.box.right);
+  const auto lower = [](V both) HWY_ATTR { return hn::ShiftRight<16>(hn::ShiftLeft<16>(both)); };
+  const V left = hn::Max(lower(low), hn::Set(kD, tile.left)), right = hn::Min(lower(high), hn::Set(kD, tile.right - 1));
+  const V bottom = hn::Max(hn::ShiftRight<16>(low), hn::Set(kD, tile.bottom));
+  const V top = hn::Min(hn::ShiftRight<16>(high), hn::Set(kD, tile.top - 1));
+  hn::Store(left, kD, t.left.data());
+  hn::Store(right, kD, t.right.data());
+  hn::Store(bottom, kD, t.bottom.data());
+  hn::Store(top, kD, t.top.data());
+  return {left, bottom, hn::Sub(right, left), hn::Sub(top, bottom)};
+}
+
+// The corners in 1/16 pixel from the centre of their region's origin, and the largest distance along an axis.
+struct CornerLanes {
+  V x[3], y[3];
+  V reach;
+};
+
+HWY_INLINE CornerLanes load_corners(const PrimitiveWords& word, const RegionLanes& region) {
+  constexpr int kLow = PackedPositions::kLow, kHigh = PackedPositions::kHigh;
+  const V centre_x = hn::Add(hn::ShiftLeft<4>(region.left), hn::Set(kD, 8));
+  const V centre_y = hn::Add(hn::ShiftLeft<4>(region.bottom), hn::Set(kD, 8));
+  CornerLanes c;
+  c.reach = hn::Zero(kD);
+  const V high_y = word(&word.first.position.word[3]);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const V packed = word(&word.first.position.word[i]);
+    const V high_part = hn::ShiftRight<32 - kHigh>(hn::ShiftLeftSame(high_y, 32 - kHigh - kHigh * static_cast<int>(i)));
+    const V low_part = hn::And(packed, hn::Set(kD, (1 << kLow) - 1));
+    c.x[i] = hn::Sub(hn::ShiftRight<kLow>(packed), centre_x);
+    c.y[i] = hn::Sub(hn::Or(hn::ShiftLeft<kLow>(high_part), low_part), centre_y);
+    c.reach = hn::Max(c.reach, hn::Max(hn::Abs(c.x[i]), hn::Abs(c.y[i])));
+  }
+  return c;
+}
+
+// The edge functions at the regions' origins, and their steps.
+struct EdgeLanes {
+  V at_origin[3], step_x[3], step_y[3];
+};
+
+// Returns the lanes of `mask` whose region no edge excludes completely.
+HWY_INLINE M store_edges(TileTriangles& t, const CornerLanes& c, const RegionLanes& region, M mask, EdgeLanes& edges) {
+  const auto store_float = [](V v, TileTriangles::Each<float>& to)
+                               HWY_ATTR { hn::Store(hn::ConvertTo(kDF, v), kDF, to.data()); };
+  const V zero = hn::Zero(kD), one = hn::Set(kD, 1);
+  for (std::size_t i = 0; i < 3; ++i) {
+    // The edge from corner a to corner b: at the origin its function is the cross product of the two.
+    const std::size_t a = (i + 1) % 3, b = (i + 2) % 3;
+    edges.at_origin[i] = hn::Sub(hn::Mul(c.x[a], c.y[b]), hn::Mul(c.y[a], c.x[b]));
+    const V dx = hn::Sub(c.x[b], c.x[a]), dy = hn::Sub(c.y[b], c.y[a]);
+    const auto keeps_zero = hn::Or(hn::Lt(dy, zero), hn::And(hn::Eq(dy, zero), hn::Lt(dx, zero)));
+    const V threshold = hn::IfThenElse(keeps_zero, zero, one);
+    const V step_x = hn::ShiftLeft<4>(hn::Neg(dy)), step_y = hn::ShiftLeft<4>(dx);
+    edges.step_x[i] = step_x;
+    edges.step_y[i] = step_y;
+    const V inside = hn::Sub(edges.at_origin[i], threshold);
+    const V across = hn::Max(hn::Mul(step_x, region.columns), zero), up = hn::Max(hn::Mul(step_y, region.rows), zero);
+    mask = hn::And(mask, hn::Gt(hn::Add(inside, hn::Add(across, up)), hn::Set(kD, -1)));
+    hn::Store(inside, kD, t.inside[i].data());
+    hn::Store(step_x, kD, t.inside_x[i].data());
+    hn::Store(step_y, kD, t.inside_y[i].data());
+    hn::Store(threshold, kD, t.threshold[i].data());
+    store_float(inside, t.float_inside[i]);
+    store_float(step_x, t.float_inside_x[i]);
+    store_float(step_y, t.float_inside_y[i]);
+  }
+  return mask;
+}
+
+// The depth planes: the operations of TileTriangles::place in the same order.
+HWY_INLINE void store_depths(TileTriangles& t, const PrimitiveWords& word, const EdgeLanes& edges) {
+  const V z0 = word(&word.first.z24[0]);
+  const V dz1 = hn::Sub(word(&word.first.z24[1]), z0), dz2 = hn::Sub(word(&word.first.z24[2]), z0);
+  const V area = hn::Add(hn::Add(edges.at_origin[0], edges.at_origin[1]), edges.at_origin[2]);
+  const hn::Half<D> half;
+  const auto real = [&](V v, bool upper) HWY_ATTR {
+    return hn::PromoteTo(kDD, upper ? hn::UpperHalf(half, v) : hn::LowerHalf(half, v));
+  };
+  for (const bool upper : {false, true}) {
+    const auto r = [&](V v) HWY_ATTR { return real(v, upper); };
+    const auto scale = hn::Div(hn::Set(kDD, 1.0), r(area));
+    const auto z1 = r(dz1), z2 = r(dz2), e1 = r(edges.at_origin[1]), e2 = r(edges.at_origin[2]);
+    const auto plane = [&](auto first_edge, auto second_edge) HWY_ATTR {
+      return hn::Mul(hn::Add(hn::Mul(first_edge, z1), hn::Mul(second_edge, z2)), scale);
+    };
+    const auto slope_x = plane(r(edges.step_x[1]), r(edges.step_x[2]));
+    const auto slope_y = plane(r(edges.step_y[1]), r(edges.step_y[2]));
+    const auto origin = hn::Add(hn::Add(r(z0), plane(e1, e2)), hn::Set(kDD, 0.5));
+    const auto steep = hn::Max(hn::Abs(slope_x), hn::Abs(slope_y));
+    const auto far = hn::Mul(hn::Add(hn::Abs(e1), hn::Abs(e2)), scale);
+    const auto is_sure =
+        hn::And(hn::And(hn::Le(steep, hn::Set(kDD, kSteepestDepth)), hn::Le(far, hn::Set(kDD, kFarthestDepth))),
+                hn::Le(hn::Abs(origin), hn::Set(kDD, kHighestDepth)));
+    const auto kept = hn::IfThenElseZero(is_sure, hn::Set(kDD, kDepthOne));
+    const std::size_t at = upper ? hn::Lanes(kDD) : 0;
+    hn::Store(hn::Mul(origin, kept), kDD, t.depth.data() + at);
+    const auto kept_x = hn::Mul(slope_x, kept), kept_y = hn::Mul(slope_y, kept);
+    hn::Store(kept_x, kDD, t.depth_x.data() + at);
+    hn::Store(kept_y, kDD, t.depth_y.data() + at);
+    hn::Store(hn::ConvertTo(kD64, kept_x), kD64, t.depth_step_x.data() + at);
+    hn::Store(hn::ConvertTo(kD64, kept_y), kD64, t.depth_step_y.data() + at);
+  }
+}
+
+// The triangles of a vector, a bit for each.
+struct PlacedTriangles {
+  std::uint64_t placed = 0;  // the others need TileTriangles::place
+  std::uint64_t drawn = 0;   // of those that are placed, the ones that may cover a pixel
+};
+
+// Places as many triangles as there are lanes. Sets the regions of all of them, and all of `t` for those whose corners
+// lie within 2^14 sixteenths of a pixel of their region's origin.
+HWY_INLINE PlacedTriangles place_small(TileTriangles& t, const SetupBlock& block, const std::uint32_t* indices,
+                                       const PixelBox& tile) {
+  const PrimitiveWords word(block, indices);
+  const RegionLanes region = store_regions(t, word, tile);
+  const M has_region = hn::Gt(hn::Min(region.columns, region.rows), hn::Set(kD, -1));
+  const CornerLanes corners = load_corners(word, region);
+  EdgeLanes edges;
+  const M drawn = store_edges(t, corners, region, has_region, edges);
+  store_depths(t, word, edges);
+  t.is_narrow.fill(true);
+  // A region's vectors reach 8 columns and 68 rows from its origin: differences of corners and their pixels stay below
+  // 2,700, twice the products below 2^24.
+  const V has_floats = hn::VecFromMask(kD, hn::Lt(corners.reach, hn::Set(kD, 1536)));
+  hn::Store(hn::And(has_floats, hn::Set(kD, 1)), kD, t.has_floats.data());
+  return {bits_of(kD, hn::Lt(corners.reach, hn::Set(kD, 1 << 14))), bits_of(kD, drawn)};
+}
+
+#endif  // HWY_TARGET != HWY_SCALAR
+
+}  // namespace ninebit::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif  // per-target include guard

@@ -1,0 +1,188 @@
+#include "src/raster/texture/byte_sampler.h"
+
+#include <algorithm>
+#include <type_traits>
+#include <variant>
+
+#include "src/raster/surface/color_words.h"
+
+namespace ninebit {
+namespace {
+
+// The factor of y in offsets where planes have rows of several lengths: y is in the upper half.
+constexpr std::int32_t kUpperHalf = 0x10000;
+
+// The coordinates of a batch as the lanes read them, kBatchSize of each: in place where the batch is whole, else from
+// `room`.
+using CoordinateRoom = std::array<std::array<float, kBatchSize>, 3>;
+std::array<const float*, 3> whole_batch(const TextureCoordinates& at, std::size_t first, std::size_t count,
+                                        std::size_t components, CoordinateRoom& room) {
+  std::array<const float*, 3> batch{};
+  for (std::size_t k = 0; k < components; ++k) {
+    batch[k] = at.value[k] + first;
+    if (count == kBatchSize) continue;
+    std::fill(std::copy_n(batch[k], count, room[k].begin()), room[k].end(), 0.0F);
+    batch[k] = room[k].data();
+  }
+  return batch;
+}
+
+}  // namespace
+
+bool TextureSampler::ByteSampler::can_sample(const TextureSampler& of) {
+  if (of.needs_derivatives_ || of.texture_->faces[0][0].planes.index() != 0) return false;
+  if (of.sampler_.min_filter == MinFilter::nearest) return true;
+  // The lanes cannot read the border.
+  return of.sampler_.wrap_s != Wrap::clamp && of.sampler_.wrap_t != Wrap::clamp;
+}
+
+TextureSampler::ByteSampler::ByteSampler(const TextureSampler& of)
+    : weight_bits_(of.weight_bits_), byte_shift_(of.byte_shift_), source_(of.source_), constant_(of.constant_) {
+  const TextureImage& base = of.texture_->faces[0][0];
+  level_ = {.cube = of.cube_,
+            .width = base.width,
+            .height = base.height,
+            .wrap_s = of.sampler_.wrap_s,
+            .wrap_t = of.sampler_.wrap_t};
+  find_planes(*of.texture_);
+  if (of.sampler_.min_filter == MinFilter::linear) method_ = Method::linear;
+}
+
+void TextureSampler::ByteSampler::find_planes(const Texture& texture) {
+  constexpr std::ptrdiff_t kLongestRow = 0x1FFFF;  // kMaxSurfaceSize times this is less than 2^31
+  const std::array<bool, 4> stored = stored_components(texture.format);
+  bool words = stored[0] && stored[1] && stored[2];
+  for (std::size_t f = 0; f < texture.face_count(); ++f) {
+    const auto& of_face = *std::get_if<std::array<BytePlane, 4>>(&texture.faces[f][0].planes);
+    for (std::size_t k = 0; k < 4; ++k) plane_[k][f] = of_face[k];
+    words = words && are_words(of_face);
+  }
+  const BytePlane& first = plane_[stored[0] ? 0 : 3][0];
+  step_ = first.step;
+  const std::ptrdiff_t steps = first.stride / first.step;
+  alike_ = steps >= -kLongestRow && steps <= kLongestRow && first.stride % first.step == 0;
+  for (std::size_t f = 0; f < texture.face_count(); ++f) {
+    for (std::size_t k = 0; k < 4; ++k) {
+      const BytePlane& other = plane_[k][f];
+      alike_ = alike_ && (!stored[k] || (other.stride == first.stride && other.step == first.step));
+    }
+  }
+  level_.stride = alike_ ? static_cast<std::int32_t>(steps) : kUpperHalf;
+  if (words && alike_ && find_face_words(texture.face_count())) method_ = Method::nearest_words;
+}
+
+// False unless vectors can reach all faces: words within 2^31 of one place, from an aligned one on.
+bool TextureSampler::ByteSampler::find_face_words(std::size_t faces) {
+  constexpr std::int64_t kFarthest = std::int64_t{1} << 30;
+  const auto address = [this](std::size_t f) { return reinterpret_cast<std::intptr_t>(plane_[0][f].data); };
+  if (std::abs(level_.stride) > kFarthest / kMaxSurfaceSize) return false;
+  for (std::size_t f = 0; f < faces; ++f) {
+    const std::intptr_t bytes = address(f) - address(0), word = bytes / 4;
+    if (address(f) % 4 != 0 || word <= -kFarthest || word >= kFarthest) return false;
+    face_word_[f] = static_cast<std::int32_t>(word);
+  }
+  return true;
+}
+
+void TextureSampler::ByteSampler::find_texels(const TextureCoordinates& at, std::size_t first, std::size_t count,
+                                              Texels& to) const {
+  CoordinateRoom room;
+  const auto batch = [&] { return whole_batch(at, first, count, level_.cube ? 3 : 2, room); };
+  switch (method_) {
+    case Method::linear:
+      find_linear(level_, weight_bits_, batch(), count, to.linear);
+      break;
+    case Method::nearest:
+      find_nearest(level_, batch(), count, to.nearest);
+      break;
+    case Method::nearest_words:
+      fetch_words(at, first, count, to.words);
+      break;
+  }
+}
+
+// The words of a batch's texels. Whole groups of coordinates are read in place; the rest is copied, as what follows it
+// may not be read.
+inline void TextureSampler::ByteSampler::fetch_words(const TextureCoordinates& at, std::size_t first, std::size_t count,
+                                                     LaneWords& to) const {
+  const std::size_t components = level_.cube ? 3 : 2;
+  const std::size_t whole = count / kMostLanes * kMostLanes, left = count - whole;
+  std::array<const float*, 3> from{};
+  for (std::size_t k = 0; k < components; ++k) from[k] = at.value[k] + first;
+  const TexelWords texels{plane_[0][0].data, face_word_};
+  if (whole > 0) fetch_nearest_words(level_, from, texels, whole, to.data());
+  if (left == 0) return;
+  std::array<std::array<float, kMostLanes>, 3> rest{};
+  for (std::size_t k = 0; k < components; ++k) {
+    std::copy_n(from[k] + whole, left, rest[k].begin());
+    from[k] = rest[k].data();
+  }
+  fetch_nearest_words(level_, from, texels, left, to.data() + whole);
+}
+
+// One component of one texel a fragment. Loads of single bytes: gathers are no faster, and may not read beyond a plane.
+template <class Lanes>
+void TextureSampler::ByteSampler::fetch(std::size_t component, const Lanes& lanes, const LaneIntegers& offset,
+                                        std::size_t count, s9* to) const {
+  const std::array<BytePlane, 6>& faces = plane_[component];
+  const auto plane_of = [&](std::size_t i) -> const BytePlane& {
+    return faces[static_cast<std::size_t>(lanes.face[i])];
+  };
+  const auto by_step = [&](auto samples) {
+    if (lanes.one_face) {
+      const std::uint8_t* const only = plane_of(0).data;
+      for (std::size_t i = 0; i < count; ++i) to[i] = only[samples * offset[i]];
+    } else {
+      for (std::size_t i = 0; i < count; ++i) to[i] = plane_of(i).data[samples * offset[i]];
+    }
+  };
+  if (!alike_) {
+    for (std::size_t i = 0; i < count; ++i) to[i] = plane_of(i).at(offset[i] % kUpperHalf, offset[i] / kUpperHalf);
+  } else if (step_ == 1) {
+    by_step(std::integral_constant<std::ptrdiff_t, 1>());
+  } else if (step_ == 4) {
+    by_step(std::integral_constant<std::ptrdiff_t, 4>());
+  } else {
+    by_step(step_);
+  }
+}
+
+// One component of a batch's texels, filtered.
+void TextureSampler::ByteSampler::read_component(const Texels& texels, std::size_t component, std::size_t count,
+                                                 s9* to) const {
+  if (method_ == Method::nearest) return fetch(component, texels.nearest, texels.nearest.offset, count, to);
+  if (method_ == Method::nearest_words) return split_words(texels.words, static_cast<int>(component), count, to);
+  CornerBytes corner;
+  for (std::size_t k = 0; k < 4; ++k) {
+    fetch(component, texels.linear, texels.linear.offset[k], count, corner[k].data());
+    std::fill(corner[k].begin() + static_cast<std::ptrdiff_t>(count), corner[k].end(), s9{0});
+  }
+  std::array<s9, kBatchSize> sum;
+  weigh_linear(texels.linear, corner, weight_bits_, count, sum);
+  std::copy_n(sum.begin(), count, to);
+}
+
+void TextureSampler::ByteSampler::sample(const TextureCoordinates& at, std::size_t first, std::size_t count,
+                                         const std::array<s9*, 4>& codes) const {
+  Texels texels;
+  find_texels(at, first, count, texels);
+  for (std::size_t out = 0; out < 4; ++out) {
+    s9* const to = codes[out] + first;
+    if (source_[out] < 0) {
+      std::fill_n(to, count, constant_[out]);
+      continue;
+    }
+    // The first component that reads the same one of the texel.
+    const auto twin =
+        static_cast<std::size_t>(std::find(source_.begin(), source_.end(), source_[out]) - source_.begin());
+    if (twin < out) {
+      std::copy_n(codes[twin] + first, count, to);
+      continue;
+    }
+    read_component(texels, static_cast<std::size_t>(source_[out]), count, to);
+    if (byte_shift_ == 0) continue;
+    for (std::size_t i = 0; i < count; ++i) to[i] = static_cast<s9>(to[i] >> byte_shift_);
+  }
+}
+
+}  // namespace ninebit
