@@ -70,7 +70,7 @@ TEST(Percent, Decoding) {
   for (const char* odd : {"%", "a%2", "%zz", "100%"}) EXPECT_EQ(decode_percent(odd), odd);
 }
 
-TEST(Json, NestsSixtyFourDeep) {
+TEST(JsonValue, NestsSixtyFourDeep) {
   const auto nested = [](std::size_t depth) { return std::string(depth, '[') + std::string(depth, ']'); };
   EXPECT_TRUE(parse_json(nested(64)));
   const auto deep = parse_json(nested(65));

@@ -35,9 +35,9 @@ float mapped(InputMapping mapping, float v) {
 }
 
 // The state of the register combiners for one fragment.
-class Fragment {
+class FloatFragment {
  public:
-  Fragment(const Program& program, const RegisterFile& start) : program_(program) {
+  FloatFragment(const Program& program, const RegisterFile& start) : program_(program) {
     scale_ = 1.0F / static_cast<float>(program.datapath.one);
     for (const Register r : {Register::fog, Register::primary, Register::secondary, Register::spare0, Register::spare1,
                              Register::texture0, Register::texture1, Register::texture2, Register::texture3}) {
@@ -156,7 +156,7 @@ class Fragment {
 
 void evaluate_scalar_float(const Program& program, std::span<const RegisterFile> fragments, Rgba9* colors) {
   for (std::size_t i = 0; i < fragments.size(); ++i) {
-    Fragment fragment(program, fragments[i]);
+    FloatFragment fragment(program, fragments[i]);
     for (int stage = 0; stage < program.num_general_combiners; ++stage) {
       fragment.run_stage(program.general[static_cast<std::size_t>(stage)]);
     }

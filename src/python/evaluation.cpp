@@ -74,14 +74,14 @@ Codes codes_of(py::handle value, const std::string& key, const char* expected) t
 
 using Array = py::array_t<s9, py::array::c_style>;
 
-struct Plane {
+struct InputPlane {
   const s9* from = nullptr;  // nullptr: the default
   std::string key{};         // the caller's key
 };
 
 // Holds the arrays, because other threads may change the dictionary meanwhile. Must be destroyed with the GIL held.
 struct Planes {
-  std::array<std::array<Plane, 4>, kRegisterCount> plane{};
+  std::array<std::array<InputPlane, 4>, kRegisterCount> plane{};
   std::vector<Array> arrays{};
   std::size_t count = 0;
 };
@@ -116,13 +116,13 @@ Planes planes_of(const py::dict& inputs) {
   if (first)
     throw py::value_error("there are no inputs; expected at least one array, which gives the number of fragments");
   // As in `ninebit eval`, spare0's alpha starts as texture 0's.
-  Plane& spare0_alpha = planes.plane[static_cast<std::size_t>(Register::spare0)][kAlpha];
+  InputPlane& spare0_alpha = planes.plane[static_cast<std::size_t>(Register::spare0)][kAlpha];
   if (spare0_alpha.from == nullptr) spare0_alpha = planes.plane[static_cast<std::size_t>(Register::texture0)][kAlpha];
   return planes;
 }
 
 // Copies codes, and checks the copies: other threads may write into the arrays.
-void take(const Plane& plane, std::size_t begin, std::size_t count, const Program& program, s9* to) {
+void take(const InputPlane& plane, std::size_t begin, std::size_t count, const Program& program, s9* to) {
   std::copy_n(plane.from + begin, count, to);
   s9 least = to[0], most = to[0];
   for (std::size_t i = 1; i < count; ++i) {
@@ -143,7 +143,7 @@ void run(const RunnableProgram& program, const BatchProgram& batch, const Planes
     const std::size_t count = std::min(kBatchSize, planes.count - begin);
     for (std::size_t r = 0; r < kRegisterCount; ++r) {
       for (std::size_t c = 0; c < 4; ++c) {
-        const Plane& plane = planes.plane[r][c];
+        const InputPlane& plane = planes.plane[r][c];
         const bool spare0_alpha = r == static_cast<std::size_t>(Register::spare0) && c == kAlpha;
         const bool full = starts_at_one(r, c) || (spare0_alpha && !texture0_has_alpha);
         s9* const to = registers->plane[r][c].data();

@@ -7,7 +7,7 @@
 namespace ninebit {
 namespace {
 
-const Json& extension_of(const Json& primitive) {
+const JsonValue& extension_of(const JsonValue& primitive) {
   return item(primitive, "extensions", kDracoExtension);
 }
 
@@ -22,21 +22,21 @@ GltfNumbers packed(std::string_view data, std::uint64_t numbers, std::uint64_t c
 
 }  // namespace
 
-bool GltfDraco::has_data(const Json& accessor) const {
+bool GltfDraco::has_data(const JsonValue& accessor) const {
   return accessor.is_null() || !item(target_of(item(root_, "accessors"), accessor), "bufferView").is_null();
 }
 
-bool GltfDraco::is_needed(const Json& primitive) const {
+bool GltfDraco::is_needed(const JsonValue& primitive) const {
   if (extension_of(primitive).is_null()) return false;
   return !has_data(item(primitive, "attributes", "POSITION")) || !has_data(item(primitive, "attributes", "NORMAL")) ||
          !has_data(item(primitive, "indices"));
 }
 
-std::optional<std::string> GltfDraco::add(const Json& primitive, std::uint64_t triangles, const std::string& name,
+std::optional<std::string> GltfDraco::add(const JsonValue& primitive, std::uint64_t triangles, const std::string& name,
                                           std::size_t& number) {
-  const Json& extension = extension_of(primitive);
+  const JsonValue& extension = extension_of(primitive);
   if (!extension.is_object()) return invalid_member("", "an object");
-  const Json& view = target_of(item(root_, "bufferViews"), item(extension, "bufferView"));
+  const JsonValue& view = target_of(item(root_, "bufferViews"), item(extension, "bufferView"));
   if (view.is_null()) return invalid_member(".bufferView", "the index of a buffer view");
   if (!item(extension, "attributes").is_object()) return invalid_member(".attributes", "an object");
   DracoRequest request;
@@ -52,16 +52,16 @@ std::optional<std::string> GltfDraco::add(const Json& primitive, std::uint64_t t
   return std::nullopt;
 }
 
-std::optional<std::string> GltfDraco::find_attribute(const Json& primitive, const char* name,
+std::optional<std::string> GltfDraco::find_attribute(const JsonValue& primitive, const char* name,
                                                      std::initializer_list<std::uint64_t> components,
                                                      std::optional<DracoAttribute>& out) const {
-  const Json& reference = item(primitive, "attributes", name);
-  const Json& stated = item(extension_of(primitive), "attributes", name);
+  const JsonValue& reference = item(primitive, "attributes", name);
+  const JsonValue& stated = item(extension_of(primitive), "attributes", name);
   if (reference.is_null() || stated.is_null()) return std::nullopt;
   const std::uint64_t id = index_of(stated).value_or(~0ULL);
   if (id > 0xFFFFFFFFU)
     return invalid_member(fmt::format(".attributes.{}", name), "the id of an attribute of the compressed data");
-  const Json& accessor = target_of(item(root_, "accessors"), reference);
+  const JsonValue& accessor = target_of(item(root_, "accessors"), reference);
   if (auto fault = fault_of_use(accessor, "VEC3", components)) return fault;
   out = {static_cast<std::uint32_t>(id), index_of(item(accessor, "componentType")).value_or(0)};
   return std::nullopt;

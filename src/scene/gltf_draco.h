@@ -17,15 +17,15 @@ inline constexpr const char* kDracoExtension = "KHR_draco_mesh_compression";
 
 class GltfDraco {
  public:
-  GltfDraco(const Json& root, GltfStorage& storage) : root_(root), storage_(storage) {}
+  GltfDraco(const JsonValue& root, GltfStorage& storage) : root_(root), storage_(storage) {}
 
   // Whether a primitive has to be decompressed: the file does not contain all of it uncompressed as well.
-  [[nodiscard]] bool is_needed(const Json& primitive) const;
+  [[nodiscard]] bool is_needed(const JsonValue& primitive) const;
 
   // Adds a primitive for which is_needed() is true, with the number of triangles that its indices declare. Returns a
   // fault of its extension. `number` is set to its position among the added primitives. `name` is for messages.
-  [[nodiscard]] std::optional<std::string> add(const Json& primitive, std::uint64_t triangles, const std::string& name,
-                                               std::size_t& number);
+  [[nodiscard]] std::optional<std::string> add(const JsonValue& primitive, std::uint64_t triangles,
+                                               const std::string& name, std::size_t& number);
 
   // Decodes all added primitives.
   [[nodiscard]] std::optional<Diagnostic> decode(const SceneReadOptions& options);
@@ -36,12 +36,12 @@ class GltfDraco {
   [[nodiscard]] std::optional<GltfNumbers> normals(std::size_t number) const;
 
  private:
-  [[nodiscard]] std::optional<std::string> find_attribute(const Json& primitive, const char* name,
+  [[nodiscard]] std::optional<std::string> find_attribute(const JsonValue& primitive, const char* name,
                                                           std::initializer_list<std::uint64_t> components,
                                                           std::optional<DracoAttribute>& out) const;
-  [[nodiscard]] bool has_data(const Json& accessor) const;
+  [[nodiscard]] bool has_data(const JsonValue& accessor) const;
 
-  const Json& root_;
+  const JsonValue& root_;
   GltfStorage& storage_;
   std::vector<DracoRequest> requests_;
   std::vector<DracoMesh> meshes_;  // one per request

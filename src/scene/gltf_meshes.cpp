@@ -12,9 +12,9 @@
 namespace ninebit {
 namespace {
 
-Material material_from(const Json& from) {
+Material material_from(const JsonValue& from) {
   Material out{text_of(item(from, "name")), glm::vec3(1.0F)};
-  const Json& factor = item(from, "pbrMetallicRoughness", "baseColorFactor");
+  const JsonValue& factor = item(from, "pbrMetallicRoughness", "baseColorFactor");
   if (list_of(factor).size() != 4) return out;
   for (glm::length_t i = 0; i < 3; ++i) {
     const double value = number_or(item(factor, static_cast<std::uint64_t>(i)), 1.0);
@@ -38,15 +38,15 @@ std::uint64_t triangles_along(std::uint64_t mode, std::uint64_t corners) {
 
 }  // namespace
 
-GltfMeshes::GltfMeshes(const Json& root, GltfStorage& storage, Scene& scene)
+GltfMeshes::GltfMeshes(const JsonValue& root, GltfStorage& storage, Scene& scene)
     : root_(root),
       storage_(storage),
       scene_(scene),
       builder_(scene),
       draco_(root, storage),
       meshes_(list_of(item(root, "meshes")).size()) {
-  for (const Json& material : list_of(item(root, "materials"))) scene.materials.push_back(material_from(material));
-  scene.materials.push_back(material_from(Json()));
+  for (const JsonValue& material : list_of(item(root, "materials"))) scene.materials.push_back(material_from(material));
+  scene.materials.push_back(material_from(JsonValue()));
 }
 
 std::optional<Diagnostic> GltfMeshes::prepare(const std::vector<GltfPlacement>& placements, std::uint64_t file_bytes,
@@ -73,7 +73,7 @@ std::optional<Diagnostic> GltfMeshes::prepare(const std::vector<GltfPlacement>& 
 std::optional<Diagnostic> GltfMeshes::resolve(std::uint64_t number) {
   Mesh& mesh = meshes_[number];
   mesh.known = true;
-  const Json& primitives = list_of(item(root_, "meshes", number, "primitives"));
+  const JsonValue& primitives = list_of(item(root_, "meshes", number, "primitives"));
   for (std::size_t i = 0; i < primitives.size(); ++i) {
     GltfPrimitive primitive;
     const std::string name = fmt::format("primitive {} of mesh {}", i, number);
@@ -86,10 +86,10 @@ std::optional<Diagnostic> GltfMeshes::resolve(std::uint64_t number) {
   return std::nullopt;
 }
 
-std::optional<std::string> GltfMeshes::resolve_primitive(const Json& from, const std::string& name,
+std::optional<std::string> GltfMeshes::resolve_primitive(const JsonValue& from, const std::string& name,
                                                          GltfPrimitive& out) {
   out.mode = index_of(item(from, "mode")).value_or(4);
-  const Json& attributes = item(from, "attributes");
+  const JsonValue& attributes = item(from, "attributes");
   if (out.mode < 4 || item(attributes, "POSITION").is_null()) return std::nullopt;  // points and lines have no surface
   if (out.mode > 6) return fmt::format("is of the unknown mode {}", out.mode);
   if (draco_.is_needed(from)) return resolve_compressed(from, name, out);
@@ -105,18 +105,18 @@ std::optional<std::string> GltfMeshes::resolve_primitive(const Json& from, const
 }
 
 // Attributes that the extension does not name are in accessors as usual.
-std::optional<std::string> GltfMeshes::resolve_compressed(const Json& from, const std::string& name,
+std::optional<std::string> GltfMeshes::resolve_compressed(const JsonValue& from, const std::string& name,
                                                           GltfPrimitive& out) {
   if (out.mode == 6) return "is compressed and of mode 6; expected mode 4 or 5";
-  const Json& accessor = target_of(item(root_, "accessors"), item(from, "indices"));
+  const JsonValue& accessor = target_of(item(root_, "accessors"), item(from, "indices"));
   if (auto fault = fault_of_use(accessor, "SCALAR", {5121, 5123, 5125})) return fault;
   out.triangles = triangles_along(out.mode, index_of(item(accessor, "count")).value_or(0));
   if (out.triangles > kMostTriangles)
     return fmt::format("declares {} triangles; at most {} are read", out.triangles, kMostTriangles);
   if (out.triangles == 0) return std::nullopt;
   if (auto fault = draco_.add(from, out.triangles, name, out.compressed.emplace())) return fault;
-  const Json& attributes = item(from, "attributes");
-  const Json& compressed = item(from, "extensions", kDracoExtension, "attributes");
+  const JsonValue& attributes = item(from, "attributes");
+  const JsonValue& compressed = item(from, "extensions", kDracoExtension, "attributes");
   if (item(compressed, "POSITION").is_null()) {
     std::optional<GltfNumbers> positions;
     if (auto fault = resolve_numbers(item(attributes, "POSITION"), "VEC3", {5126}, positions)) return fault;
@@ -151,11 +151,11 @@ void GltfMeshes::take_decoded(GltfPrimitive& primitive) const {
   if (primitive.normals && primitive.normals->count != primitive.positions.count) primitive.normals.reset();
 }
 
-std::optional<std::string> GltfMeshes::resolve_numbers(const Json& reference, const char* type,
+std::optional<std::string> GltfMeshes::resolve_numbers(const JsonValue& reference, const char* type,
                                                        std::initializer_list<std::uint64_t> components,
                                                        std::optional<GltfNumbers>& out) {
   if (reference.is_null()) return std::nullopt;
-  const Json& accessor = target_of(item(root_, "accessors"), reference);
+  const JsonValue& accessor = target_of(item(root_, "accessors"), reference);
   if (auto fault = fault_of_use(accessor, type, components)) return fault;
   if (item(accessor, "bufferView").is_null()) return "uses an accessor that has no data";
   const Result<GltfNumbers> numbers = storage_.numbers(accessor);
@@ -164,7 +164,7 @@ std::optional<std::string> GltfMeshes::resolve_numbers(const Json& reference, co
   return std::nullopt;
 }
 
-std::optional<std::string> GltfMeshes::material_of(const Json& reference, std::uint32_t& material) {
+std::optional<std::string> GltfMeshes::material_of(const JsonValue& reference, std::uint32_t& material) {
   const auto none = static_cast<std::uint32_t>(scene_.materials.size() - 1);
   material = none;
   if (reference.is_null()) return std::nullopt;

@@ -28,7 +28,7 @@ struct GltfPrimitive {
 class GltfMeshes {
  public:
   // Adds the file's materials to the scene, and one more for primitives without a material.
-  GltfMeshes(const Json& root, GltfStorage& storage, Scene& scene);
+  GltfMeshes(const JsonValue& root, GltfStorage& storage, Scene& scene);
 
   // Checks each placed mesh, reports too many triangles, and decodes compressed primitives. `file_bytes`: all bytes of
   // the file and its buffers.
@@ -46,21 +46,21 @@ class GltfMeshes {
   };
 
   [[nodiscard]] std::optional<Diagnostic> resolve(std::uint64_t number);
-  [[nodiscard]] std::optional<std::string> resolve_primitive(const Json& from, const std::string& name,
+  [[nodiscard]] std::optional<std::string> resolve_primitive(const JsonValue& from, const std::string& name,
                                                              GltfPrimitive& out);
-  [[nodiscard]] std::optional<std::string> resolve_compressed(const Json& from, const std::string& name,
+  [[nodiscard]] std::optional<std::string> resolve_compressed(const JsonValue& from, const std::string& name,
                                                               GltfPrimitive& out);
   [[nodiscard]] std::optional<Diagnostic> decode_compressed(const SceneReadOptions& options);
   void take_decoded(GltfPrimitive& primitive) const;
-  [[nodiscard]] std::optional<std::string> resolve_numbers(const Json& reference, const char* type,
+  [[nodiscard]] std::optional<std::string> resolve_numbers(const JsonValue& reference, const char* type,
                                                            std::initializer_list<std::uint64_t> components,
                                                            std::optional<GltfNumbers>& out);
-  [[nodiscard]] std::optional<std::string> material_of(const Json& reference, std::uint32_t& material);
+  [[nodiscard]] std::optional<std::string> material_of(const JsonValue& reference, std::uint32_t& material);
   [[nodiscard]] std::optional<std::string> place_primitive(const GltfPrimitive& primitive, const MeshPlace& place);
   [[nodiscard]] std::optional<std::string> place_corner(const GltfPrimitive& primitive, const MeshPlace& place,
                                                         std::uint64_t corner, std::uint32_t& vertex);
 
-  const Json& root_;
+  const JsonValue& root_;
   GltfStorage& storage_;
   Scene& scene_;
   MeshBuilder builder_;

@@ -18,7 +18,7 @@ constexpr int kDeepestNode = 500;
 constexpr float kWidestFileSpot = 179.0F;  // degrees: a file may have 180, which no map can cover
 
 template <glm::length_t N>
-glm::vec<N, double> vector_of(const Json& value, glm::vec<N, double> fallback) {
+glm::vec<N, double> vector_of(const JsonValue& value, glm::vec<N, double> fallback) {
   if (list_of(value).size() != static_cast<std::size_t>(N)) return fallback;
   for (glm::length_t i = 0; i < N; ++i)
     fallback[i] = number_or(item(value, static_cast<std::uint64_t>(i)), fallback[i]);
@@ -26,8 +26,8 @@ glm::vec<N, double> vector_of(const Json& value, glm::vec<N, double> fallback) {
 }
 
 // The transform for cameras and lights, in double precision.
-glm::dmat4 local_transform(const Json& node) {
-  const Json& matrix = item(node, "matrix");
+glm::dmat4 local_transform(const JsonValue& node) {
+  const JsonValue& matrix = item(node, "matrix");
   glm::dmat4 out(1.0);
   if (list_of(matrix).size() == 16) {
     for (glm::length_t i = 0; i < 16; ++i)
@@ -44,7 +44,7 @@ glm::dmat4 local_transform(const Json& node) {
 
 // The transform for meshes: single precision, step by step in this order. All pictures of glTF files depend on these
 // roundings.
-glm::dmat4 rounded_transform(const Json& node) {
+glm::dmat4 rounded_transform(const JsonValue& node) {
   if (list_of(item(node, "matrix")).size() == 16) return glm::dmat4(glm::mat4(local_transform(node)));
   const glm::vec4 q(vector_of<4>(item(node, "rotation"), {0.0, 0.0, 0.0, 1.0}));
   const glm::vec3 scale(vector_of<3>(item(node, "scale"), glm::dvec3(1.0)));
@@ -67,27 +67,27 @@ struct NodePlace {
 
 class NodeWalk {
  public:
-  explicit NodeWalk(const Json& root) : root_(root), visited_(list_of(item(root, "nodes")).size()) {}
+  explicit NodeWalk(const JsonValue& root) : root_(root), visited_(list_of(item(root, "nodes")).size()) {}
 
   Result<GltfNodes> walk() {
-    const Json& scene = item(root_, "scenes", index_of(item(root_, "scene")).value_or(0));
+    const JsonValue& scene = item(root_, "scenes", index_of(item(root_, "scene")).value_or(0));
     if (scene.is_null()) return fault_of("has no scene");
-    for (const Json& node : list_of(item(scene, "nodes"))) {
+    for (const JsonValue& node : list_of(item(scene, "nodes"))) {
       if (auto fault = visit(node, {}, 0)) return *fault;
     }
     return std::move(out_);
   }
 
  private:
-  std::optional<Diagnostic> visit(const Json& reference, const NodePlace& parent, int depth) {
+  std::optional<Diagnostic> visit(const JsonValue& reference, const NodePlace& parent, int depth) {
     const std::uint64_t index = index_of(reference).value_or(~0ULL);
-    const Json& node = item(root_, "nodes", index);
+    const JsonValue& node = item(root_, "nodes", index);
     if (node.is_null()) return fault_of("names a node that does not exist");
     if (visited_[index]) return fault_of(fmt::format("node {} is reached twice: nodes must form a tree", index));
     if (depth > kDeepestNode) return fault_of(fmt::format("its nodes nest more than {} deep", kDeepestNode));
     visited_[index] = true;
     const NodePlace place{parent.rounded * rounded_transform(node), parent.exact * local_transform(node)};
-    const Json& mesh = item(node, "mesh");
+    const JsonValue& mesh = item(node, "mesh");
     if (!mesh.is_null()) {
       const std::uint64_t number = index_of(mesh).value_or(~0ULL);
       if (item(root_, "meshes", number).is_null()) return fault_of("names a mesh that does not exist");
@@ -96,18 +96,18 @@ class NodeWalk {
     if (!item(node, "camera").is_null()) {
       if (auto fault = add_camera(item(node, "camera"), place.exact)) return fault;
     }
-    const Json& light = item(node, "extensions", "KHR_lights_punctual", "light");
+    const JsonValue& light = item(node, "extensions", "KHR_lights_punctual", "light");
     if (!light.is_null()) {
       if (auto fault = add_light(node, light, place.exact)) return fault;
     }
-    for (const Json& child : list_of(item(node, "children"))) {
+    for (const JsonValue& child : list_of(item(node, "children"))) {
       if (auto fault = visit(child, place, depth + 1)) return fault;
     }
     return std::nullopt;
   }
 
-  std::optional<Diagnostic> add_camera(const Json& reference, const glm::dmat4& world) {
-    const Json& camera = target_of(item(root_, "cameras"), reference);
+  std::optional<Diagnostic> add_camera(const JsonValue& reference, const glm::dmat4& world) {
+    const JsonValue& camera = target_of(item(root_, "cameras"), reference);
     if (camera.is_null()) return fault_of("names a camera that does not exist");
     const double angle = number_or(item(camera, "perspective", "yfov"), 0.0);
     if (text_of(item(camera, "type")) != "perspective") return std::nullopt;
@@ -122,8 +122,8 @@ class NodeWalk {
     return std::nullopt;
   }
 
-  std::optional<Diagnostic> add_light(const Json& node, const Json& reference, const glm::dmat4& world) {
-    const Json& light = target_of(item(root_, "extensions", "KHR_lights_punctual", "lights"), reference);
+  std::optional<Diagnostic> add_light(const JsonValue& node, const JsonValue& reference, const glm::dmat4& world) {
+    const JsonValue& light = target_of(item(root_, "extensions", "KHR_lights_punctual", "lights"), reference);
     if (light.is_null()) return fault_of("names a light that does not exist");
     const std::string type = text_of(item(light, "type"));
     Light out;
@@ -146,14 +146,14 @@ class NodeWalk {
     return std::nullopt;
   }
 
-  const Json& root_;
+  const JsonValue& root_;
   std::vector<bool> visited_;
   GltfNodes out_;
 };
 
 }  // namespace
 
-Result<GltfNodes> read_gltf_nodes(const Json& root) {
+Result<GltfNodes> read_gltf_nodes(const JsonValue& root) {
   return NodeWalk(root).walk();
 }
 

@@ -24,6 +24,6 @@ struct GltfNodes {
 
 // Reads the file's scene: placed meshes; perspective cameras with the file's vertical angle and look-at points one unit
 // ahead; KHR_lights_punctual lights.
-[[nodiscard]] Result<GltfNodes> read_gltf_nodes(const Json& root);
+[[nodiscard]] Result<GltfNodes> read_gltf_nodes(const JsonValue& root);
 
 }  // namespace ninebit

@@ -42,25 +42,25 @@ std::uint64_t component_count(const std::string& type) {
   return type == "MAT4" ? 16 : 0;
 }
 
-std::uint64_t element_size(const Json& accessor) {
+std::uint64_t element_size(const JsonValue& accessor) {
   return gltf_component_size(index_of(item(accessor, "componentType")).value_or(0)) *
          component_count(text_of(item(accessor, "type")));
 }
 
 // 0 if a part has no offset, and past every end if its offset is not a valid index.
-std::uint64_t offset_of(const Json& part) {
-  const Json& offset = item(part, "byteOffset");
+std::uint64_t offset_of(const JsonValue& part) {
+  const JsonValue& offset = item(part, "byteOffset");
   return offset.is_null() ? 0 : index_of(offset).value_or(1ULL << 53U);
 }
 
 // The bytes from one element to the next. Without a stride, or with 0, the elements are packed.
-std::uint64_t stride_of(const Json& view, std::uint64_t element) {
+std::uint64_t stride_of(const JsonValue& view, std::uint64_t element) {
   const std::uint64_t stride = index_of(item(view, "byteStride")).value_or(0);
   return stride == 0 ? element : stride;
 }
 
-std::optional<Diagnostic> check_view(const Json& root, const Json& view, std::size_t number) {
-  const Json& buffer = target_of(item(root, "buffers"), item(view, "buffer"));
+std::optional<Diagnostic> check_view(const JsonValue& root, const JsonValue& view, std::size_t number) {
+  const JsonValue& buffer = target_of(item(root, "buffers"), item(view, "buffer"));
   const std::optional<std::uint64_t> length = index_of(item(view, "byteLength"));
   if (buffer.is_null() || !length)
     return fault_of(fmt::format("{} has no buffer or no length", numbered("buffer view", number)));
@@ -69,7 +69,7 @@ std::optional<Diagnostic> check_view(const Json& root, const Json& view, std::si
   return std::nullopt;
 }
 
-std::optional<Diagnostic> check_accessor(const Json& root, const Json& accessor, std::size_t number) {
+std::optional<Diagnostic> check_accessor(const JsonValue& root, const JsonValue& accessor, std::size_t number) {
   const std::string name = numbered("accessor", number);
   const std::uint64_t element = element_size(accessor);
   const std::optional<std::uint64_t> count = index_of(item(accessor, "count"));
@@ -77,7 +77,7 @@ std::optional<Diagnostic> check_accessor(const Json& root, const Json& accessor,
   if (!item(accessor, "sparse").is_null())
     return fault_of(fmt::format("{} is sparse; such accessors are not read", name));
   if (item(accessor, "bufferView").is_null()) return std::nullopt;
-  const Json& view = target_of(item(root, "bufferViews"), item(accessor, "bufferView"));
+  const JsonValue& view = target_of(item(root, "bufferViews"), item(accessor, "bufferView"));
   if (view.is_null()) return fault_of(fmt::format("{} names a buffer view that does not exist", name));
   const std::uint64_t stride = stride_of(view, element);
   if (stride < element)
@@ -120,7 +120,7 @@ glm::vec3 GltfNumbers::vector(std::uint64_t at) const {
   return out;
 }
 
-std::optional<std::string> fault_of_use(const Json& accessor, const char* type,
+std::optional<std::string> fault_of_use(const JsonValue& accessor, const char* type,
                                         std::initializer_list<std::uint64_t> components) {
   if (accessor.is_null()) return "names an accessor that does not exist";
   const std::uint64_t component = index_of(item(accessor, "componentType")).value_or(0);
@@ -130,13 +130,13 @@ std::optional<std::string> fault_of_use(const Json& accessor, const char* type,
   return std::nullopt;
 }
 
-GltfStorage::GltfStorage(const Json& root, const NamedFiles& beside, std::optional<std::string_view> chunk)
+GltfStorage::GltfStorage(const JsonValue& root, const NamedFiles& beside, std::optional<std::string_view> chunk)
     : root_(root), beside_(beside), chunk_(chunk), left_(kMostSceneBytes) {}
 
 std::optional<Diagnostic> GltfStorage::check() {
-  const Json& buffers = list_of(item(root_, "buffers"));
-  const Json& views = list_of(item(root_, "bufferViews"));
-  const Json& accessors = list_of(item(root_, "accessors"));
+  const JsonValue& buffers = list_of(item(root_, "buffers"));
+  const JsonValue& views = list_of(item(root_, "bufferViews"));
+  const JsonValue& accessors = list_of(item(root_, "accessors"));
   if (buffers.size() > kMostBuffers)
     return fault_of(fmt::format("has {} buffers; at most {} are read", buffers.size(), kMostBuffers));
   loaded_.assign(buffers.size(), std::nullopt);
@@ -152,7 +152,7 @@ std::optional<Diagnostic> GltfStorage::check() {
   return std::nullopt;
 }
 
-std::optional<Diagnostic> GltfStorage::check_buffer(const Json& buffer, std::size_t number) {
+std::optional<Diagnostic> GltfStorage::check_buffer(const JsonValue& buffer, std::size_t number) {
   const std::optional<std::uint64_t> declared = index_of(item(buffer, "byteLength"));
   if (!declared) return fault_of(fmt::format("{} has no length", numbered("buffer", number)));
   if (*declared > kMostSceneBytes)
@@ -167,7 +167,7 @@ std::optional<Diagnostic> GltfStorage::check_buffer(const Json& buffer, std::siz
   return std::nullopt;
 }
 
-Result<std::uint64_t> GltfStorage::present_bytes(const Json& buffer, std::size_t number) const {
+Result<std::uint64_t> GltfStorage::present_bytes(const JsonValue& buffer, std::size_t number) const {
   const std::string& uri = text_of(item(buffer, "uri"));
   if (uri.empty()) {
     if (number != 0 || !chunk_)
@@ -193,7 +193,7 @@ Result<std::uint64_t> GltfStorage::present_bytes(const Json& buffer, std::size_t
 
 Result<std::string_view> GltfStorage::load(std::size_t number) {
   if (loaded_[number]) return *loaded_[number];
-  const Json& buffer = item(root_, "buffers", number);
+  const JsonValue& buffer = item(root_, "buffers", number);
   const std::string& uri = text_of(item(buffer, "uri"));
   std::string_view content;
   if (uri.empty()) {
@@ -218,14 +218,14 @@ Result<std::string_view> GltfStorage::load(std::size_t number) {
   return *loaded_[number];
 }
 
-Result<std::string_view> GltfStorage::view_bytes(const Json& view) {
+Result<std::string_view> GltfStorage::view_bytes(const JsonValue& view) {
   const Result<std::string_view> buffer = load(index_of(item(view, "buffer")).value_or(0));
   if (!buffer) return buffer.error();
   return buffer->substr(offset_of(view), index_of(item(view, "byteLength")).value_or(0));
 }
 
-Result<GltfNumbers> GltfStorage::numbers(const Json& accessor) {
-  const Json& view = target_of(item(root_, "bufferViews"), item(accessor, "bufferView"));
+Result<GltfNumbers> GltfStorage::numbers(const JsonValue& accessor) {
+  const JsonValue& view = target_of(item(root_, "bufferViews"), item(accessor, "bufferView"));
   const Result<std::string_view> buffer = load(index_of(item(view, "buffer")).value_or(0));
   if (!buffer) return buffer.error();
   GltfNumbers out;

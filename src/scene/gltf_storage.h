@@ -47,32 +47,32 @@ struct GltfNumbers {
 };
 
 // The fault of an accessor that must have this element type and one of these component types; nothing if it fits.
-[[nodiscard]] std::optional<std::string> fault_of_use(const Json& accessor, const char* type,
+[[nodiscard]] std::optional<std::string> fault_of_use(const JsonValue& accessor, const char* type,
                                                       std::initializer_list<std::uint64_t> components);
 
 class GltfStorage {
  public:
   // `chunk`: the binary part of a .glb file.
-  GltfStorage(const Json& root, const NamedFiles& beside, std::optional<std::string_view> chunk);
+  GltfStorage(const JsonValue& root, const NamedFiles& beside, std::optional<std::string_view> chunk);
 
   // Checks every buffer, buffer view and accessor of the file against the existing bytes, without reading buffers.
   [[nodiscard]] std::optional<Diagnostic> check();
 
   // An accessor's elements. Reads its buffer if it is not loaded yet. Only after check().
-  [[nodiscard]] Result<GltfNumbers> numbers(const Json& accessor);
+  [[nodiscard]] Result<GltfNumbers> numbers(const JsonValue& accessor);
 
   // The bytes of a buffer view. Reads its buffer if it is not loaded yet. Only after check().
-  [[nodiscard]] Result<std::string_view> view_bytes(const Json& view);
+  [[nodiscard]] Result<std::string_view> view_bytes(const JsonValue& view);
 
   // The total length of all buffers.
   [[nodiscard]] std::uint64_t bytes() const { return bytes_; }
 
  private:
-  [[nodiscard]] std::optional<Diagnostic> check_buffer(const Json& buffer, std::size_t number);
-  [[nodiscard]] Result<std::uint64_t> present_bytes(const Json& buffer, std::size_t number) const;
+  [[nodiscard]] std::optional<Diagnostic> check_buffer(const JsonValue& buffer, std::size_t number);
+  [[nodiscard]] Result<std::uint64_t> present_bytes(const JsonValue& buffer, std::size_t number) const;
   [[nodiscard]] Result<std::string_view> load(std::size_t number);
 
-  const Json& root_;
+  const JsonValue& root_;
   const NamedFiles& beside_;
   std::optional<std::string_view> chunk_;
   std::uint64_t bytes_ = 0;

@@ -27,11 +27,11 @@ std::string reason(std::string_view what) {
 }
 
 // Finds the first fault of a JSON text without storing its values.
-class FaultFinder : public nlohmann::json_sax<Json> {
+class FaultFinder : public nlohmann::json_sax<JsonValue> {
  public:
   [[nodiscard]] std::optional<Diagnostic> find(std::string_view text) {
     std::istringstream in{std::string(text)};
-    if (Json::sax_parse(in, this)) {
+    if (JsonValue::sax_parse(in, this)) {
       // The parser treats a byte 0 as the end.
       const std::size_t zero = text.find('\0');
       if (zero == std::string_view::npos) return std::nullopt;
@@ -50,18 +50,18 @@ class FaultFinder : public nlohmann::json_sax<Json> {
 
   bool null() override { return one_more(); }
   bool boolean(bool) override { return one_more(); }
-  bool number_integer(Json::number_integer_t) override { return one_more(); }
-  bool number_unsigned(Json::number_unsigned_t) override { return one_more(); }
-  bool number_float(Json::number_float_t, const std::string&) override { return one_more(); }
+  bool number_integer(JsonValue::number_integer_t) override { return one_more(); }
+  bool number_unsigned(JsonValue::number_unsigned_t) override { return one_more(); }
+  bool number_float(JsonValue::number_float_t, const std::string&) override { return one_more(); }
   bool string(std::string&) override { return one_more(); }
-  bool binary(Json::binary_t&) override { return one_more(); }
+  bool binary(JsonValue::binary_t&) override { return one_more(); }
   bool key(std::string&) override { return one_more(); }
   bool start_object(std::size_t) override { return ++depth_ <= kDeepestValue && one_more(); }
   bool start_array(std::size_t) override { return ++depth_ <= kDeepestValue && one_more(); }
   bool end_object() override { return --depth_ >= 0; }
   bool end_array() override { return --depth_ >= 0; }
 
-  bool parse_error(std::size_t position, const std::string&, const Json::exception& error) override {
+  bool parse_error(std::size_t position, const std::string&, const JsonValue::exception& error) override {
     position_ = std::max<std::size_t>(position, 1);
     message_ = error.id == kNumberOverflow ? "a JSON number is too large"
                                            : fmt::format("the JSON text is malformed{}", reason(error.what()));
@@ -77,46 +77,46 @@ class FaultFinder : public nlohmann::json_sax<Json> {
   std::string message_;
 };
 
-const Json kNull;
-const Json kNoItems = Json::array();
+const JsonValue kNull;
+const JsonValue kNoItems = JsonValue::array();
 const std::string kNoText;
 
 }  // namespace
 
-Result<Json> parse_json(std::string_view text) {
+Result<JsonValue> parse_json(std::string_view text) {
   if (auto fault = FaultFinder().find(text)) return *std::move(fault);
-  return Result<Json>(Json::parse(text, nullptr, false));
+  return Result<JsonValue>(JsonValue::parse(text, nullptr, false));
 }
 
-const Json& item(const Json& value, const char* name) {
+const JsonValue& item(const JsonValue& value, const char* name) {
   const auto found = value.find(name);
   return found == value.end() ? kNull : *found;
 }
 
-const Json& item(const Json& value, std::uint64_t index) {
+const JsonValue& item(const JsonValue& value, std::uint64_t index) {
   return value.is_array() && index < value.size() ? value[static_cast<std::size_t>(index)] : kNull;
 }
 
-const Json& list_of(const Json& value) {
+const JsonValue& list_of(const JsonValue& value) {
   return value.is_array() ? value : kNoItems;
 }
 
-const std::string& text_of(const Json& value) {
+const std::string& text_of(const JsonValue& value) {
   const auto* text = value.get_ptr<const std::string*>();
   return text == nullptr ? kNoText : *text;
 }
 
-double number_or(const Json& value, double fallback) {
+double number_or(const JsonValue& value, double fallback) {
   return value.is_number() ? value.get<double>() : fallback;
 }
 
-std::optional<std::uint64_t> index_of(const Json& value) {
+std::optional<std::uint64_t> index_of(const JsonValue& value) {
   const double number = number_or(value, -1.0);
   if (number < 0.0 || number >= 9007199254740992.0 || number != std::floor(number)) return std::nullopt;
   return static_cast<std::uint64_t>(number);
 }
 
-const Json& target_of(const Json& list, const Json& reference) {
+const JsonValue& target_of(const JsonValue& list, const JsonValue& reference) {
   const std::optional<std::uint64_t> index = index_of(reference);
   return index ? item(list, *index) : kNull;
 }

@@ -17,7 +17,7 @@ Result<Scene> read_gltf(std::string_view content, const NamedFiles& beside, bool
     if (!split) return split.error();
     parts = *split;
   }
-  const Result<Json> root = parse_json(parts.json);
+  const Result<JsonValue> root = parse_json(parts.json);
   if (!root) return root.error();
   const std::string& version = text_of(item(*root, "asset", "version"));
   if (version.empty()) return fault_of("is not a glTF file: it has no asset.version");

@@ -16,7 +16,7 @@
 namespace ninebit {
 namespace {
 
-StudyRow errors_of(const HardwareProfile& profile, const Operation& operation) {
+StudyRow errors_of(const HardwareProfile& profile, const DatapathOperation& operation) {
   const Datapath d = datapath_of(profile);
   std::uint64_t cases = 0, exact = 0;
   std::set<int> codes;
@@ -57,7 +57,8 @@ StudyRow errors_of(const HardwareProfile& profile, const Operation& operation) {
                      {"worst_exact", operation.exact(worst)}}};
 }
 
-StudyRow differences_of(const HardwareProfile& first, const HardwareProfile& second, const Operation& operation) {
+StudyRow differences_of(const HardwareProfile& first, const HardwareProfile& second,
+                        const DatapathOperation& operation) {
   const Datapath a = datapath_of(first), b = datapath_of(second);
   std::uint64_t cases = 0, differ = 0;
   for (std::size_t i = 0; i < operation.cases; ++i) {
@@ -123,7 +124,7 @@ class DatapathStudy final : public Study {
 
   [[nodiscard]] Result<std::vector<StudyRow>> run(std::size_t unit, const GoOn& go_on) const override {
     const Unit& u = units_[unit];
-    const std::vector<Operation>& forms = operations_.at(u.first->one).of(u.kind);
+    const std::vector<DatapathOperation>& forms = operations_.at(u.first->one).of(u.kind);
     // Each form writes its row to its own place, so the result does not depend on threads.
     std::vector<StudyRow> rows(forms.size());
     std::atomic<bool> stopped = false;

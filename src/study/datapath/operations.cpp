@@ -176,7 +176,7 @@ class Forms {
         });
   }
 
-  [[nodiscard]] std::vector<Operation> take() { return std::move(all_); }
+  [[nodiscard]] std::vector<DatapathOperation> take() { return std::move(all_); }
 
  private:
   static double real(int code, int one) { return static_cast<double>(code) / one; }
@@ -213,7 +213,7 @@ class Forms {
   std::string_view name_;
   int one_;
   std::size_t codes_;
-  std::vector<Operation> all_;
+  std::vector<DatapathOperation> all_;
 };
 
 }  // namespace
@@ -257,7 +257,7 @@ std::vector<std::string> forms_of(std::size_t kind) {
   }
 }
 
-const std::vector<Operation>& Operations::of(std::size_t kind) {
+const std::vector<DatapathOperation>& Operations::of(std::size_t kind) {
   std::call_once(made_[kind], [&] {
     Forms forms(kOperations[kind], one_);
     switch (kind) {

@@ -16,7 +16,7 @@
 namespace ninebit {
 
 // One operation in one form. A case stands for all inputs that give the same intermediate value.
-struct Operation {
+struct DatapathOperation {
   std::string_view name;
   std::string form;
   std::size_t cases = 0;
@@ -44,14 +44,14 @@ class Operations {
   explicit Operations(int one) : one_(one) {}
 
   // All forms of kOperations[kind]. Thread-safe; must not be called within a parallel loop, because it may run one.
-  [[nodiscard]] const std::vector<Operation>& of(std::size_t kind);
+  [[nodiscard]] const std::vector<DatapathOperation>& of(std::size_t kind);
 
  private:
   const std::shared_ptr<const WideCounts>& counts(std::size_t terms);
 
   int one_;
   std::array<std::once_flag, kOperations.size()> made_;
-  std::array<std::vector<Operation>, kOperations.size()> operations_;
+  std::array<std::vector<DatapathOperation>, kOperations.size()> operations_;
   std::array<std::once_flag, 3> counted_;
   std::array<std::shared_ptr<const WideCounts>, 3> counts_;  // for sums of one, two and three products
 };
