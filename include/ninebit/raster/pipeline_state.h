@@ -11,16 +11,16 @@
 
 namespace NINEBIT_PUBLIC ninebit {
 
-// GL_NEVER, GL_LESS, … GL_ALWAYS, numbered in GL's order.
+// GL_NEVER, GL_LESS, … GL_ALWAYS, in GL's order.
 enum class CompareFunction : std::uint8_t { never, less, equal, lequal, greater, notequal, gequal, always };
-// GL_KEEP, GL_ZERO, …: incr and decr stop at the ends, incr_wrap and decr_wrap (EXT_stencil_wrap) go around.
+// GL_KEEP, GL_ZERO, …: incr and decr clamp; incr_wrap and decr_wrap (EXT_stencil_wrap) wrap.
 enum class StencilOperation : std::uint8_t { keep, zero, replace, incr, decr, invert, incr_wrap, decr_wrap };
 // flat: every fragment has the colours of the primitive's provoking vertex.
 enum class ShadeModel : std::uint8_t { flat, smooth };
 // Which polygons are not drawn; none: GL_CULL_FACE is disabled.
 enum class CullFace : std::uint8_t { none, front, back, front_and_back };
 // The winding of a front face, as seen in the window, y up.
-enum class FrontFace : std::uint8_t { counter_clockwise, clockwise };  // as seen in the window, y up
+enum class FrontFace : std::uint8_t { counter_clockwise, clockwise };
 // What a polygon draws: points at its vertices, its boundary, or its area.
 enum class PolygonMode : std::uint8_t { point, line, fill };
 
@@ -39,28 +39,28 @@ struct PixelRect {
   int height = 0;  // pixels
 };
 
-// Fragments go on where `alpha function reference` holds for bytes.
+// A fragment passes if `alpha function reference` holds; both are bytes.
 struct AlphaTest {
   bool enabled = false;                                // GL_ALPHA_TEST
   CompareFunction function = CompareFunction::always;  // fragment's alpha on the left
   std::uint8_t reference = 0;                          // on the right
 };
 
-// What the stencil test does with fragments of one facing: (reference & mask) function (stored & mask).
+// The stencil test for fragments of one facing: (reference & mask) function (stored & mask).
 struct StencilFace {
   CompareFunction function = CompareFunction::always;  // reference on the left
   int reference = 0;  // clamped to [0, 2^s - 1], s being the stencil bits of the target; REPLACE writes it unmasked
   std::uint8_t mask = 0xFF;                              // bits that are compared
   std::uint8_t write_mask = 0xFF;                        // bits that an operation may change
-  StencilOperation fail = StencilOperation::keep;        // where the stencil test fails
-  StencilOperation depth_fail = StencilOperation::keep;  // where it passes and the depth test fails
-  StencilOperation depth_pass = StencilOperation::keep;  // where both pass, or depth is not tested
+  StencilOperation fail = StencilOperation::keep;        // after a failed stencil test
+  StencilOperation depth_fail = StencilOperation::keep;  // after a passed stencil test and a failed depth test
+  StencilOperation depth_pass = StencilOperation::keep;  // after both passed, or without a depth test
 };
 
 // The stencil test, for each facing (EXT_stencil_two_side).
 struct StencilTest {
   bool enabled = false;               // GL_STENCIL_TEST
-  StencilFace front;                  // also points, lines, and what has no facing
+  StencilFace front;                  // front-facing polygons, points and lines
   std::optional<StencilFace> back{};  // back-facing polygons in any polygon mode; empty: the same as front
 };
 
@@ -72,7 +72,7 @@ struct DepthTest {
 };
 
 // factor × m + r × units is added to the depth of a polygon's fragments; the sum is clamped to [0, 1]. m is the
-// polygon's slope in the form of profile.polygon_offset_slope, r one step of the target's depth format.
+// polygon's slope as profile.polygon_offset_slope defines it; r is one step of the target's depth format.
 struct PolygonOffset {
   bool fill = false;    // GL_POLYGON_OFFSET_FILL: for polygons in that polygon mode
   bool line = false;    // GL_POLYGON_OFFSET_LINE
@@ -81,8 +81,8 @@ struct PolygonOffset {
   float units = 0.0F;   // of the depth format's steps
 };
 
-// GL 1.2's factors, those of its imaging subset included. src_color and dst_color are legal on both sides, as NV_blend_
-// square has them, which a GeForce 2 has.
+// GL 1.2's factors, with its imaging subset. src_color and dst_color are legal on both sides (NV_blend_square, which
+// the GeForce 2 supports).
 enum class BlendFactor : std::uint8_t {
   zero,
   one,
@@ -100,26 +100,27 @@ enum class BlendFactor : std::uint8_t {
   one_minus_constant_alpha,
   src_alpha_saturate  // source only: min(As, 1 - Ad) for colours, 1 for alpha
 };
-// How the two products become one: their sum, a difference, or, without the factors, the smaller or larger colour.
+// Combines the two products: sum, difference, or the minimum or maximum of the colours without factors.
 enum class BlendEquation : std::uint8_t { add, subtract, reverse_subtract, min, max };
 
-// In bytes: (source × factor + destination × factor) / 255, one sum, rounded once to nearest, clamped (rule 19; for
-// other factors than the measured pair inferred). A target without an alpha plane has a destination alpha of 255.
+// In bytes: (source × factor + destination × factor) / 255; the sum is rounded once, to nearest, and clamped (rule 19:
+// measured for one pair of factors, inferred for the others). A target without an alpha plane has a destination alpha
+// of 255.
 struct Blend {
   bool enabled = false;                         // GL_BLEND
   BlendFactor source = BlendFactor::one;        // of the fragment's colour
   BlendFactor destination = BlendFactor::zero;  // of the stored colour
-  BlendEquation equation = BlendEquation::add;  // how both are combined
+  BlendEquation equation = BlendEquation::add;  // combines both products
   std::array<std::uint8_t, 4> color{};          // the constant colour
 };
 
-// The fog registers: its colour is there in any case, the fragments' factors are read while it is enabled.
+// The fog registers. Programs always read its colour; they read the fragments' factors only while fog is enabled.
 struct Fog {
   bool enabled = false;                 // GL_FOG
   std::array<std::uint8_t, 3> color{};  // red, green, blue
 };
 
-// What a draw depends on. rasterize() reports values outside of the ranges that stand here.
+// The state of a draw. rasterize() reports values outside of the given ranges.
 struct PipelineState {
   HardwareProfile profile = profiles::geforce2;  // of the rasterizer; the program has its own arithmetic
 
@@ -128,11 +129,11 @@ struct PipelineState {
   float depth_far = 1.0F;             // likewise
 
   ShadeModel shade_model = ShadeModel::smooth;          // of primary and secondary colours
-  CullFace cull_face = CullFace::none;                  // of polygons, before their mode is looked at
-  FrontFace front_face = FrontFace::counter_clockwise;  // decides facing, and with it culling, modes and stencil
+  CullFace cull_face = CullFace::none;                  // of polygons in any mode
+  FrontFace front_face = FrontFace::counter_clockwise;  // decides facing: culling, modes and stencil depend on it
   PolygonMode front_mode = PolygonMode::fill;           // of front faces
   PolygonMode back_mode = PolygonMode::fill;            // of back faces
-  PolygonOffset polygon_offset;                         // of polygons in any mode that it names
+  PolygonOffset polygon_offset;                         // of polygons in the enabled modes
   int point_size = 1;                                   // pixels, 1 to 64
   int line_width = 1;                                   // pixels, 1 to 64
 
@@ -144,7 +145,7 @@ struct PipelineState {
   AlphaTest alpha_test;                                    // the first test
   StencilTest stencil_test;                                // the second
   DepthTest depth_test;                                    // the third
-  Blend blend;                                             // of fragments that passed them all
+  Blend blend;                                             // of fragments that passed all tests
   std::array<bool, 4> color_mask{true, true, true, true};  // red, green, blue, alpha: which are written
 };
 

@@ -1,4 +1,4 @@
-// Memory of planes: vectors that lie well in the processor's caches.
+// Memory of planes: vectors whose alignment suits the processor's caches.
 #pragma once
 
 #include <cstddef>
@@ -12,24 +12,24 @@
 
 namespace NINEBIT_PUBLIC ninebit {
 
-// Where in a page of 4,096 bytes the next large plane begins, always a line of 64 bytes: one after the other elsewhere,
-// from any number of threads. The first cache keeps few lines from the same place of all pages, and pixels of several
-// planes, and of several rows, are drawn together.
+// The offset of the next large plane within a page of 4,096 bytes: a multiple of 64 that changes from plane to plane;
+// for any number of threads. The first-level cache holds only a few lines from the same offset of different pages, and
+// a draw touches several planes and rows at once.
 [[nodiscard]] std::size_t next_plane_offset();
 
-// What becomes of samples that get no value when they are made.
+// The initial value of samples that are constructed without one.
 enum class NewSamples : std::uint8_t { zero, undrawn };
 
-// Allocates what begins with a line of the cache and, if it is large, at next_plane_offset().
+// Allocates memory that begins on a cache line; large blocks begin at next_plane_offset().
 template <class T>
 class PlaneAllocator {
  public:
   using value_type = T;                    // a sample
-  using is_always_equal = std::true_type;  // any of them frees what another one has allocated
+  using is_always_equal = std::true_type;  // any instance frees the memory of another
   PlaneAllocator() = default;
-  // For samples that are zero, or left without a value until they are drawn.
+  // For samples that are zero, or uninitialized until they are drawn.
   explicit PlaneAllocator(NewSamples samples) : samples_(samples) {}
-  // For containers that allocate other types as well; nothing is taken over.
+  // For containers that allocate other types as well; copies no state.
   template <class U>
   explicit PlaneAllocator(const PlaneAllocator<U>&) noexcept {}
 
@@ -45,7 +45,7 @@ class PlaneAllocator {
     std::byte* const first = reinterpret_cast<std::byte*>(samples);
     ::operator delete (first - reinterpret_cast<std::uintptr_t>(first) % kPage, std::align_val_t{kPage});
   }
-  // A sample without a value of its own.
+  // A sample that is constructed without a value.
   template <class U>
   void construct(U* at) noexcept {
     if (samples_ == NewSamples::zero) std::construct_at(at);
@@ -63,7 +63,7 @@ class PlaneAllocator {
 template <class T>
 using PlaneSamples = std::vector<T, PlaneAllocator<T>>;
 
-// A plane whose samples have no values until they are drawn: its memory is touched only then, by all threads that draw.
+// A plane whose samples are uninitialized until they are drawn. Its memory is first touched by the drawing threads.
 template <class T>
 [[nodiscard]] PlaneSamples<T> undrawn_samples(std::size_t count) {
   return PlaneSamples<T>(count, PlaneAllocator<T>(NewSamples::undrawn));

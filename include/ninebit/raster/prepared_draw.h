@@ -15,26 +15,25 @@ namespace NINEBIT_PUBLIC ninebit {
 // One draw of prepared geometry.
 struct DrawPass {
   const PipelineState* state = nullptr;      // not nullptr; agrees with the preparation
-  VertexArrays arrays{};                     // type, positions and indices as they were prepared
+  VertexArrays arrays{};                     // type, positions and indices: the prepared ones
   std::span<const TextureUnit> units{};      // as rasterize() takes them
-  std::chrono::nanoseconds* time = nullptr;  // gets the time that threads spent on the pass, together; nullptr: unasked
+  std::chrono::nanoseconds* time = nullptr;  // receives the threads' total time in this pass; nullptr: not measured
 };
 
-// What else is done with the target's planes.
+// Further actions on the target's planes.
 struct DrawActions {
-  std::optional<ClearValues> clear{};  // before the first pass, colour, depth and stencil are filled, through no mask
-  bool discard_depth = false;          // after the last one, what the depth plane holds has no meaning
+  std::optional<ClearValues> clear{};  // fills colour, depth and stencil before the first pass, without masks
+  bool discard_depth = false;          // the content of the depth plane is undefined after the last pass
 };
 
-// What becomes of a draw call's vertices before its fragments are drawn: transformed, clipped, culled, snapped to the
-// window and sorted into tiles. Passes over the same geometry from the same view, each with its own tests, textures,
-// colours and planes, then share that work and draw exactly what rasterize() without it would. About 95 bytes for each
-// primitive that may be drawn.
+// A draw call's geometry, ready for its fragments: transformed, clipped, culled, snapped to the window and sorted into
+// tiles. Several passes over the same geometry and view, each with its own tests, textures, colours and planes, share
+// this work. They draw exactly what rasterize() draws. Takes about 95 bytes per primitive that is not culled.
 class PreparedDraw {
  public:
   PreparedDraw();  // of no draw call
   ~PreparedDraw();
-  // What was moved from is of no draw call.
+  // A moved-from object is of no draw call.
   PreparedDraw(PreparedDraw&& other) noexcept;
   PreparedDraw& operator=(PreparedDraw&& other) noexcept;
 
@@ -49,34 +48,34 @@ class PreparedDraw {
   std::unique_ptr<Geometry> geometry_;
 };
 
-// Prepares a draw into `prepared`, which keeps its memory for the next one. Of the arrays it reads type, positions and
-// indices; of the target its size and depth format; of the state what the drawing below compares.
+// Prepares a draw into `prepared`, which keeps its memory for the next one. Reads the arrays' type, positions and
+// indices, the target's size and depth format, and the state that draw-time checks compare (see below).
 //
-// Reports what rasterize() reports of all these; `prepared` is then of no draw call.
+// Reports the errors that rasterize() reports for these; then `prepared` is of no draw call.
 [[nodiscard]] Status prepare(const PipelineState& state, const glm::mat4& clip_from_object, const VertexArrays& arrays,
                              const RenderTarget& target, PreparedDraw& prepared);
 
-// Draws what was prepared in one pass after the other, as rasterize() with the matrix of its preparation and the state
-// of each pass does; before the first pass, with `clear`, the target's colour, depth and stencil planes are filled with
-// its values, through no mask. The arrays' positions and indices are those that were prepared, the latter in the same
-// memory, unchanged; all else in them may differ. No pass may read a plane of the target as a texture. One PreparedDraw
-// may be drawn by several threads at a time.
+// Draws the prepared geometry, pass after pass, as rasterize() does with the prepared matrix and each pass's state.
+// With `clear`, the target's colour, depth and stencil planes are filled first, without masks. Positions and indices
+// must be the prepared ones, the indices in the same memory and unchanged; everything else in the arrays may differ. No
+// pass may read a plane of the target as a texture. Several threads may draw one PreparedDraw at the same time.
 //
-// Passes are drawn tile by tile, so that the target's planes are read and written once, where no pass draws lines or
-// points, blends, has secondary colours, fog factors or mip-maps, or writes other colour components than another one,
-// and the target has neither output planes nor a probe. The clearing is part of that where, besides, the scissor and
-// the viewport leave out no pixel, those components are all that the target has, and its stencil, if it has one, has
-// eight bits. This changes nothing but the time.
+// Passes are drawn tile by tile, which reads and writes the target's planes once, if
+// - no pass draws lines or points, blends, or has secondary colours, fog factors or mip-maps,
+// - all passes write the same colour components,
+// - the target has neither output planes nor a probe.
+// The clear is part of that if, in addition, scissor and viewport cover the whole target, the passes write all of its
+// colour components, and its stencil, if any, has eight bits. Results are the same either way.
 //
-// Reports, before anything is drawn, besides what rasterize() reports, that nothing has been prepared, and whatever
-// differs from the preparation of: size and depth format of the target; viewport, scissor, depth range; culling, front
-// face, polygon modes, polygon offset (and profile.polygon_offset_slope), point size, line width,
-// profile.subpixel_bits; the type, the number of positions and the indices.
+// Reports, before anything is drawn: the errors of rasterize(); that nothing has been prepared; each difference from
+// the preparation in: size and depth format of the target; viewport, scissor, depth range; culling, front face, polygon
+// modes, polygon offset (and profile.polygon_offset_slope), point size, line width, profile.subpixel_bits; type, number
+// of positions, indices.
 [[nodiscard]] Status rasterize(std::span<const DrawPass> passes, const PreparedDraw& prepared,
                                const DrawActions& actions, RenderTarget& target);
 
-// Sets `covering`, which has an element for each primitive of the draw that was prepared, where a filled polygon covers
-// the centre of at least one pixel, whatever the tests would say of its fragments. The other elements stay as they are.
+// Sets `covering[i]` for each primitive i of the prepared draw that is a filled polygon and covers the centre of at
+// least one pixel, regardless of the fragments' tests. The other elements stay as they are.
 void mark_covering_polygons(const PreparedDraw& prepared, std::vector<bool>& covering);
 
 // rasterize() in one pass.

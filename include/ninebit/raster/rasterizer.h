@@ -1,4 +1,4 @@
-// Drawing primitives: vertices in, fragments through the combiners and the fragment operations, planes out.
+// Draws primitives: vertices to fragments, through the combiners and the fragment operations, into planes.
 #pragma once
 
 #include <array>
@@ -37,79 +37,78 @@ enum class PrimitiveType : std::uint8_t {
 
 // The vertices of one draw call. The spans must outlive it.
 struct VertexArrays {
-  PrimitiveType type = PrimitiveType::triangles;  // what the vertices make
-  std::span<const glm::vec3> positions{};         // (x, y, z), w being 1
-  // Instead of `positions`: (x, y, z, w) of any w. With w = 0, (x, y, z) is a direction, and the vertex lies at
-  // infinity.
+  PrimitiveType type = PrimitiveType::triangles;  // how vertices form primitives
+  std::span<const glm::vec3> positions{};         // (x, y, z) with w = 1
+  // Instead of `positions`: (x, y, z, w) with any w. With w = 0, (x, y, z) is a direction: the vertex lies at infinity.
   std::span<const glm::vec4> homogeneous_positions{};
-  // Which vertices, in which order; empty: all in theirs. What is left over at the end of the list is not drawn, as in
-  // GL.
+  // The vertices to draw, in order; empty: all vertices. An incomplete primitive at the end is not drawn, as in GL.
   std::span<const std::uint32_t> indices{};
 
-  // Primary colours: one a vertex, or one a primitive (a point, line, triangle, quad or polygon); both empty: opaque
-  // white. Vertex colours in floats become bytes by byte_of_vertex_color (rule 17).
+  // Primary colours: one per vertex, or one per primitive (a point, line, triangle, quad or polygon); both empty:
+  // opaque white. byte_of_vertex_color converts float vertex colours to bytes (rule 17).
   std::span<const ColorBytes> vertex_colors{};
   std::span<const ColorBytes> primitive_colors{};
-  std::span<const ColorBytes> secondary_colors{};  // one a vertex; empty: black
-  std::span<const float> fog_factors{};            // one a vertex, clamped to [0, 1]; empty: 1
+  std::span<const ColorBytes> secondary_colors{};  // one per vertex; empty: black
+  std::span<const float> fog_factors{};            // one per vertex, clamped to [0, 1]; empty: 1
 
-  // Texture coordinates (s, t, r) a vertex, for each unit with a texture, and q: empty, it is 1. All four are
-  // interpolated in perspective; 2D textures are read at (s/q, t/q), a depth comparison takes r/q, cube maps do not
-  // look at q.
+  // Texture coordinates (s, t, r) per vertex, for each unit with a texture, and q (empty: 1). All four are interpolated
+  // in perspective. 2D textures are read at (s/q, t/q), a depth comparison uses r/q; cube maps ignore q.
   std::array<std::span<const glm::vec3>, kMaxTextureUnits> texture_coordinates{};
   std::array<std::span<const float>, kMaxTextureUnits> texture_q{};
-  // Four floats a vertex, interpolated in perspective, for output planes.
+  // Four floats per vertex, interpolated in perspective, for output planes.
   std::array<std::span<const glm::vec4>, kMaxAttributes> attributes{};
 
-  // Of whichever positions there are.
+  // The number of positions of the kind that is used.
   [[nodiscard]] std::size_t vertex_count() const {
     return positions.empty() ? homogeneous_positions.size() : positions.size();
   }
 };
 
-// The vertex numbers of indexed triangles as one list. (Of no triangles an empty one, which stands for all vertices.)
+// The vertex numbers of indexed triangles as one list. Without triangles it is empty, which stands for all vertices.
 [[nodiscard]] inline std::span<const std::uint32_t> index_list(std::span<const glm::uvec3> triangles) {
   return triangles.empty() ? std::span<const std::uint32_t>{}
                            : std::span<const std::uint32_t>(&triangles[0].x, 3 * triangles.size());
 }
 
-// A texture unit: what it samples, and how.
+// A texture unit: a texture and its sampler.
 struct TextureUnit {
   const Texture* texture = nullptr;  // nullptr: the unit is off
   Sampler sampler;                   // how it is read
 };
 
-// Draws the primitives in their order. (Passes over the same geometry from the same view: prepared_draw.h.)
+// Draws the primitives in order. For several passes over the same geometry and view, see prepared_draw.h.
 //
-// - Clip coordinates are clip_from_object * (position, 1), computed in floats in a fixed order, with w in place of 1
-// for
-//   homogeneous positions: those of (x, y, z, 1) are those of (x, y, z). Primitives are clipped against the near and
-//   far planes, both of which belong to what remains, and against a guard band that keeps window positions within 8,192
-//   pixels of the viewport's centre; the viewport's own sides cut pixels, not primitives. Primitives with a position
-//   that is not finite, points outside the view volume, and polygons without area after snapping, draw nothing.
+// - Clip coordinates are clip_from_object * (position, 1), computed in floats in a fixed order; a homogeneous
+//   position's own w replaces the 1. Primitives are clipped against the near and far planes, which are inside, and
+//   against a guard band that keeps window positions within 8,192 pixels of the viewport's centre. The viewport's sides
+//   reject pixels, not primitives. Nothing is drawn for primitives with a position that is not finite, points outside
+//   the view volume, and polygons without area after snapping.
 // - Window positions are truncated toward zero to 1/16 pixel (profile.subpixel_bits). A polygon draws the pixels whose
 //   centres lie inside it, or on a top or left edge (top: in the picture, y up). A line draws the pixels whose diamonds
-//   it leaves (OpenGL 1.3, 3.4.1), a wide one w pixels for each of those that a line (w - 1) / 2 pixels lower, or more
-//   to the left, draws; a point of size n draws n × n pixels around it (3.3).
+//   it leaves (OpenGL 1.3, 3.4.1). A line of width w is moved down, or to the left, by (w - 1) / 2 pixels, and draws w
+//   pixels for each of its pixels. A point of size n draws n × n pixels around it (3.3).
 // - Quads and polygons are a fan of triangles around their first vertex. A polygon's facing is the sign of the sum of
-//   their areas; it decides the polygon mode, and culling where that is line or point. Filled, each triangle has its
-//   own facing: of a closed mesh as many front as back faces then meet a pixel, whatever snapping did. In the modes
-//   line and point the boundary is drawn, with the edges that clipping added (2.11).
-// - Window depth is held in 24 bits: the depth codes of the target's format, with as many fraction bits as are left.
-//   Each vertex depth is rounded to them; a fragment's is the exact plane (or line) through them at the pixel's centre,
-//   rounded to nearest, halves up; then the polygon offset is added, itself rounded so once a polygon, m being that of
-//   its largest triangle; the sum is clamped and its fraction bits are rounded away, halves up. All in integers, so
-//   that equal geometry gives equal depth in every pass.
-// - Along a line everything is taken at the foot of the perpendicular from the pixel's centre, or at the end that it
-//   lies beyond; a wide line's pixels side by side share it.
-// - Texture coordinates, attributes, fog factors and smooth colours are interpolated in floats, in a fixed order for
-//   each fragment; in perspective, colours as profile.color_interpolation says.
-// - Each fragment then goes through scissor, program, alpha test, stencil test, depth test, blending and masks, in GL's
-//   order; where primitives overlap, earlier ones come first, whatever the number of threads.
+//   their areas. It selects the polygon mode and, in the modes line and point, decides culling. In the mode fill each
+//   triangle has its own facing, so that as many front as back faces of a closed mesh cover a pixel, even after
+//   snapping. The modes line and point draw the boundary, including edges that clipping added (2.11).
+// - Window depth has 24 bits: the depth code of the target's format, and fraction bits for the rest. All of it is
+//   computed in integers, so that equal geometry has equal depth in every pass:
+//     1. Each vertex depth is rounded to 24 bits.
+//     2. A fragment's depth is the exact plane (or line) through them at the pixel's centre, rounded to nearest, halves
+//        up.
+//     3. The polygon offset is added. It is rounded in the same way, once per polygon; m is that of its largest
+//        triangle.
+//     4. The sum is clamped, and its fraction bits are rounded away, halves up.
+// - A line's values are evaluated at the foot of the perpendicular from the pixel's centre, clamped to the line's ends.
+//   Pixels side by side of a wide line share them.
+// - Texture coordinates, attributes, fog factors and smooth colours are interpolated in floats, in a fixed order per
+//   fragment: in perspective, but colours as profile.color_interpolation says.
+// - Each fragment then passes through scissor, program, alpha test, stencil test, depth test, blending and masks, in
+//   GL's order. Overlapping primitives are drawn in their order, for any number of threads.
 //
-// Reports positions of both kinds, arrays of unequal lengths, indices out of range, a target without the planes that
-// the state needs, numbers outside the ranges that pipeline_state.h gives. A texture that is not complete counts as
-// off, as in GL.
+// Reports positions of both kinds, arrays of unequal lengths, indices out of range, a target that misses planes which
+// the state needs, and values out of the ranges of pipeline_state.h. A unit with an incomplete texture is off, as in
+// GL.
 [[nodiscard]] Status rasterize(const PipelineState& state, const glm::mat4& clip_from_object,
                                const VertexArrays& arrays, std::span<const TextureUnit> units, RenderTarget& target);
 
@@ -121,8 +120,8 @@ struct ClearBuffers {
 };
 
 // GL's clear: writes the values into the named planes of the target, through the colour mask, the depth test's `write`
-// (whether or not the test is enabled), the front stencil write mask and the scissor. Other output planes stay.
-// Reports what rasterize reports of the target.
+// (whether or not the test is enabled), the front stencil write mask and the scissor. Output planes stay unchanged.
+// Reports the errors that rasterize() reports for the target.
 [[nodiscard]] Status clear(const PipelineState& state, ClearBuffers buffers, const ClearValues& values,
                            RenderTarget& target);
 

@@ -32,7 +32,7 @@
 
 namespace NINEBIT_PUBLIC ninebit {
 
-// Where a texture is shrunk: within a level, then between levels.
+// The filter for minification: within a level, then between levels.
 enum class MinFilter : std::uint8_t {
   nearest,
   linear,
@@ -41,55 +41,55 @@ enum class MinFilter : std::uint8_t {
   nearest_mipmap_linear,
   linear_mipmap_linear
 };
-// Where a texture is enlarged.
+// The filter for magnification.
 enum class MagFilter : std::uint8_t { nearest, linear };
-// What a coordinate outside of [0, 1] reads. clamp mixes in the border's colour where the filter is linear.
+// The texel for a coordinate outside of [0, 1]. With a linear filter, clamp mixes in the border colour.
 enum class Wrap : std::uint8_t { repeat, clamp, clamp_to_edge, mirrored_repeat };
 // GL_TEXTURE_COMPARE_FUNC: what makes a texel 1, r <= depth or r >= depth; none reads the depth itself.
 enum class DepthComparison : std::uint8_t { none, lequal, gequal };  // r <= depth, r >= depth
 
 // A texture object's parameters and the unit's bias, with GL's defaults.
 struct Sampler {
-  MinFilter min_filter = MinFilter::nearest_mipmap_linear;  // above the magnification's end
-  MagFilter mag_filter = MagFilter::linear;                 // at levels of detail up to it
+  MinFilter min_filter = MinFilter::nearest_mipmap_linear;  // for minification
+  MagFilter mag_filter = MagFilter::linear;                 // for magnification
   Wrap wrap_s = Wrap::repeat;                               // of s
   Wrap wrap_t = Wrap::repeat;                               // of t
   // Clamped to [0, 1] and stored as the texture's format would: luminance, intensity and depth from red.
   std::array<float, 4> border_color{};
-  DepthComparison comparison = DepthComparison::none;  // of depth textures; for others it does nothing
+  DepthComparison comparison = DepthComparison::none;  // of depth textures; ignored for others
   float lod_bias = 0.0F;                               // EXT_texture_lod_bias; clamped to [-15, 15], NaN counts as 0
 };
 
-// What index maps are read with: the texel itself, whatever the distance.
+// The sampler for index maps: the nearest texel of level 0.
 inline constexpr Sampler kNearestSampler{.min_filter = MinFilter::nearest,
                                          .mag_filter = MagFilter::nearest,
                                          .wrap_s = Wrap::clamp_to_edge,
                                          .wrap_t = Wrap::clamp_to_edge};
 
-// The coordinates of a run of fragments, after any division by q: s, t, r, each an array of one float a fragment. The
-// changes to the next fragment in x and y are read where a sampler needs_derivatives(); r is read for cube maps and
-// depth comparisons, its changes for cube maps.
+// The coordinates of a run of fragments, after any division by q: s, t and r, each one float per fragment. Differences
+// to the next fragment in x and y are read if a sampler needs_derivatives(); r is read for cube maps and depth
+// comparisons, its differences for cube maps.
 struct TextureCoordinates {
   std::array<const float*, 3> value{};  // of the fragments
   std::array<const float*, 3> dx{};     // to the fragment on the right
   std::array<const float*, 3> dy{};     // to the fragment above
 };
 
-// A texture and the way to read it, looked at once a draw. The texture must outlive it. Results depend on the fragment
-// alone, whatever the run that it comes in.
+// A texture with its sampler state, prepared once per draw. The texture must outlive it. A fragment's result does not
+// depend on the run that it is in.
 class TextureSampler {
  public:
-  // Empty where the texture is incomplete for the filter: the unit then counts as off. check_texture has passed.
+  // Empty if the texture is incomplete for the filter: the unit is then off. The texture must pass check_texture.
   [[nodiscard]] static std::optional<TextureSampler> make(const HardwareProfile& profile, const Texture& texture,
                                                           const Sampler& sampler);
 
-  // Whether a level of detail has to be computed: the two filters differ, or there are mip-maps.
+  // Whether the level of detail is needed: the two filters differ, or there are mip-maps.
   [[nodiscard]] bool needs_derivatives() const { return needs_derivatives_; }
 
-  // Whether r is read, and the changes of r where derivatives are.
+  // Whether r is read, and with derivatives its differences.
   [[nodiscard]] bool needs_r() const { return cube_ || comparison_ != DepthComparison::none; }
 
-  // Whether s, t and r are divided by q: for all but cube maps.
+  // Whether s, t and r are divided by q: true except for cube maps.
   [[nodiscard]] bool divides_by_q() const { return !cube_; }
 
   // The base internal format that the texels have for texel_codes: depth_comparison with a comparison.
@@ -108,8 +108,8 @@ class TextureSampler {
 
  private:
   TextureSampler() = default;
-  struct Taps;      // the texels that a fragment reads, with their weights
-  struct Filtered;  // what they come to
+  struct Taps;      // a fragment's texels with their weights
+  struct Filtered;  // their weighted sum
   void add_level(Taps& taps, std::size_t face, int level, float s, float t, bool linear, std::uint32_t weight) const;
   [[nodiscard]] Filtered filter(const TextureCoordinates& at, std::size_t i) const;
   [[nodiscard]] Filtered weigh(const Taps& taps, float r) const;
@@ -127,10 +127,10 @@ class TextureSampler {
   int byte_shift_ = 0;
   std::uint32_t max_depth_ = 0;
   std::array<std::uint32_t, 4> border_code_{};
-  // Which component of a texel each component of a register reads, -1: none, but the constant beside it (0 or 1.0).
+  // The texel component that each register component reads; -1: the constant beside it (0 or 1.0).
   std::array<int, 4> source_{};
   std::array<s9, 4> constant_{};
-  std::shared_ptr<const ByteSampler> byte_sampler_;  // where it can sample
+  std::shared_ptr<const ByteSampler> byte_sampler_;  // empty: this texture has no fast path
 };
 
 }  // namespace ninebit

@@ -19,16 +19,16 @@
 
 namespace NINEBIT_PUBLIC ninebit {
 
-// Samples from one pixel to the next, at most.
+// The largest step between pixels, in samples.
 inline constexpr int kMaxStep = 4096;
 
-// Sizes from 1 to this are drawn: a position then lies within 8,192 pixels of the viewport's centre.
+// The largest width and height of a target: a position then lies within 8,192 pixels of the viewport's centre.
 inline constexpr int kMaxSurfaceSize = 16384;
 
 // A view of rows of samples; it owns nothing. An empty plane (data == nullptr) is not drawn into.
 //
-// Interleaved memory is several planes with gaps: words of RGBA are four of step 4, each of which begins a byte after
-// the one before. Colours that lie so are drawn and sampled as fast as planes of their own; other gaps take longer.
+// Interleaved memory is several planes with gaps: RGBA words are four planes of step 4, each one byte after the
+// previous one. This layout is drawn and sampled as fast as separate planes; other gaps are slower.
 template <class T>
 struct Plane {
   T* data = nullptr;                                               // the lowest row's first sample
@@ -36,7 +36,7 @@ struct Plane {
   std::ptrdiff_t step = 1;                                         // samples from one pixel to the next: 1 to kMaxStep
   [[nodiscard]] T* row(int y) const { return data + stride * y; }  // the first sample of row y; nothing is checked
   [[nodiscard]] T& at(int x, int y) const { return row(y)[step * x]; }  // nothing is checked
-  explicit operator bool() const { return data != nullptr; }            // whether it is drawn into
+  explicit operator bool() const { return data != nullptr; }            // false: empty
 };
 
 // How depth and stencil are stored. A depth code k of m bits stands for the window depth k / (2^m - 1); stencil values
@@ -52,7 +52,7 @@ enum class DepthStencilFormat : std::uint8_t { d24s8, d16, d15s1 };
   return (std::uint32_t{1} << depth_bits(format)) - 1;
 }
 
-// What a fragment can leave in a plane besides its colour.
+// The value that a fragment writes into an output plane.
 enum class OutputSource : std::uint8_t {
   register_code,  // one component of a register after the last general combiner: s9
   output_code,    // one component of the final combiner's output: s9, or u8 as the byte that it becomes
@@ -63,79 +63,78 @@ enum class OutputSource : std::uint8_t {
 
 // When a plane is written.
 enum class OutputTime : std::uint8_t {
-  when_drawn,    // with the colour: only fragments that passed all tests
-  at_depth_pass  // by every fragment that would pass the depth test, whatever the alpha and stencil tests say
+  when_drawn,    // with the colour, by fragments that passed all tests
+  at_depth_pass  // by fragments that pass the depth test, regardless of the alpha and stencil tests
 };
 
 // A plane of any of the types that OutputSource names.
 using OutputSamples =
     std::variant<Plane<s9>, Plane<std::uint8_t>, Plane<std::uint16_t>, Plane<std::uint32_t>, Plane<Half>, Plane<float>>;
 
-// A further render target plane. Where several fragments meet a pixel, the last stays. Masks and blending do not
-// concern it, the scissor does. An output_code in bytes is the colour before blending; without a program, the primary
-// colour's own byte.
+// A further plane of the render target. The last fragment at a pixel wins. The scissor applies to it; masks and
+// blending do not. An output_code in bytes is the colour before blending; without a program, the primary colour's own
+// byte.
 struct OutputPlane {
-  OutputSource source = OutputSource::output_code;  // what the plane receives
+  OutputSource source = OutputSource::output_code;  // the value that is written
   Register reg = Register::spare0;                  // of register_code
   int attribute = 0;                                // of attribute: 0 to kMaxAttributes - 1
   int component = kRed;                             // of a register, output or attribute: kRed to kAlpha
   OutputTime time = OutputTime::when_drawn;         // which fragments are written
   OutputSamples plane{};                            // of the sample type that the source names
 };
-// The most that a target may have.
+// The largest number of output planes of a target.
 inline constexpr std::size_t kMaxOutputPlanes = 32;
 
 struct FragmentProbe;
 
-// Where a draw goes. All planes have the size of the target, and any may be the caller's own memory.
+// The planes that a draw writes. All have the size of the target; any may be the caller's own memory.
 struct RenderTarget {
   int width = 0;                               // pixels, 1 to kMaxSurfaceSize
   int height = 0;                              // pixels, 1 to kMaxSurfaceSize
   std::array<Plane<std::uint8_t>, 4> color{};  // red, green, blue, alpha
   DepthStencilFormat format =
-      DepthStencilFormat::d24s8;       // of depth and stencil, and of the arithmetic even without their planes
+      DepthStencilFormat::d24s8;       // of depth and stencil; decides the arithmetic even without these planes
   Plane<std::uint32_t> depth{};        // codes of format's depth bits: 0 near, max_depth(format) far
   Plane<std::uint8_t> stencil{};       // values of format's stencil bits
   std::vector<OutputPlane> outputs{};  // at most kMaxOutputPlanes
   FragmentProbe* probe = nullptr;      // not owned; nullptr: no pixel is watched (fragment_probe.h)
 };
 
-// What a surface starts with and what clear() writes.
+// The initial content of a surface, and the values that clear() writes.
 struct ClearValues {
   std::array<std::uint8_t, 4> color{};  // red, green, blue, alpha
   double depth = 1.0;                   // clamped to [0, 1], then rounded to the nearest code
   int stencil = 0;                      // its low bits
 };
 
-// Which planes a surface has besides colour.
+// The planes of a surface besides colour.
 struct SurfaceFormat {
-  DepthStencilFormat depth_stencil = DepthStencilFormat::d24s8;  // of its depth, and whether there is stencil
+  DepthStencilFormat depth_stencil = DepthStencilFormat::d24s8;  // format of depth and stencil
   bool with_primitive = false;  // adds a plane of primitive numbers, 0xFFFFFFFF where nothing was drawn
-  // Colour, depth and the stencil bits have no values: fill them, or clear them with what is drawn first. Where a
-  // stencil value has fewer than 8 bits, the other bits of its byte are 0, as clear() keeps them.
+  // Colour, depth and the stencil bits start uninitialized: fill them, or clear them with the first draw. If a stencil
+  // value has fewer than 8 bits, the other bits of its byte are 0, and clear() keeps them.
   bool undrawn = false;
 };
 
-// A target that owns its planes: colour, depth, stencil where the format has it and, where asked for, primitive
-// numbers.
+// A target that owns its planes: colour, depth, stencil if the format has it, and optionally primitive numbers.
 class Surface {
  public:
   // Reports sizes outside 1 to kMaxSurfaceSize.
   [[nodiscard]] static Result<Surface> make(int width, int height, SurfaceFormat format = {});
 
-  // Pixels, as they were asked for.
+  // In pixels, as constructed.
   [[nodiscard]] int width() const { return width_; }
   [[nodiscard]] int height() const { return height_; }
-  // As it was asked for.
+  // As constructed.
   [[nodiscard]] DepthStencilFormat format() const { return format_; }
 
-  // Views of all planes, valid as long as this surface is neither moved from nor destroyed.
+  // Views of all planes, valid until this surface is moved from or destroyed.
   [[nodiscard]] RenderTarget target();
 
-  // Fills all planes, without regard to any mask; see clear() in rasterizer.h for GL's.
+  // Fills all planes without masks. GL's clear is clear() in rasterizer.h.
   void fill(const ClearValues& values);
 
-  // Gives one colour plane away; the surface must not be drawn into any more.
+  // Moves one colour plane out; the surface must not be drawn into afterwards.
   [[nodiscard]] PlaneSamples<std::uint8_t> take_color(int component) {
     return std::move(color_[static_cast<std::size_t>(component)]);
   }

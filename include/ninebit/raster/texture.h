@@ -1,8 +1,7 @@
 // Textures: pictures with their mip-maps, one or six faces, that the rasterizer samples.
 //
-// Texel (0, 0) is at s = t = 0, the first sample of row 0: a rendered surface is the texture that glCopyTexImage2D
-// would make of it. sampler.h says how a texture is read, s3tc.h decodes compressed ones, image/texture_io.h reads
-// files.
+// Texel (0, 0) is at s = t = 0, the first sample of row 0: a rendered surface used as a texture is what
+// glCopyTexImage2D copies. See sampler.h for reading, s3tc.h for compressed textures, image/texture_io.h for files.
 #pragma once
 
 #include <array>
@@ -25,17 +24,17 @@ enum class CubeFace : std::uint8_t { positive_x, negative_x, positive_y, negativ
 inline constexpr std::array kCubeFaces{CubeFace::positive_x, CubeFace::negative_x, CubeFace::positive_y,
                                        CubeFace::negative_y, CubeFace::positive_z, CubeFace::negative_z};
 
-// Where a direction meets the cube: the face and the position on it, both in [0, 1].
+// The point where a direction intersects the cube: the face, and s and t on it in [0, 1].
 struct CubeCoordinate {
-  CubeFace face = CubeFace::positive_x;  // that the direction meets
+  CubeFace face = CubeFace::positive_x;  // the face
   float s = 0.5F;                        // on the face
   float t = 0.5F;                        // on the face
 };
 
 // The major-axis table of ARB_texture_cube_map; s is (sc / |ma| + 1) × 0.5 in floats, in this order. The extension
 // leaves ties open; here x wins over y and y over z, and a zero counts as positive. The zero direction gives the middle
-// of +X; NaN gives its first texel; a component that is infinite beside others that are finite gives 0.5 for both, and
-// infinity beside infinity gives 0.
+// of +X, NaN its first texel. One infinite component gives 0.5 for s and t; a coordinate that divides infinity by
+// infinity is 0.
 [[nodiscard]] CubeCoordinate cube_coordinate(float rx, float ry, float rz);
 
 // The six axes of a face in the extension's table: s grows along `s`, t along `t`, the face looks along `major`.
@@ -49,8 +48,8 @@ struct CubeFaceAxes {
 // One face, or the six of ARB_texture_cube_map.
 enum class TextureTarget : std::uint8_t { texture_2d, cube_map };
 
-// How texels are stored. The last two are beyond the hardware: floats, which reach a combiner register clamped to
-// [0, 1] and rounded to a byte.
+// Storage formats of texels. The last two are beyond the hardware: floats, which are clamped to [0, 1] and rounded to a
+// byte for a combiner register.
 enum class InternalFormat : std::uint8_t {
   alpha8,
   luminance8,
@@ -64,14 +63,14 @@ enum class InternalFormat : std::uint8_t {
   rgba32f
 };
 
-// The base internal format, which decides what a register reads (`depth` also where a comparison makes it
-// `depth_comparison`).
+// The base internal format, which decides what a register reads. With a comparison, `depth` becomes
+// `depth_comparison`.
 [[nodiscard]] TextureFormat base_format(InternalFormat format);
 
-// Which of red, green, blue, alpha are stored. Luminance, intensity and depth stand in red.
+// The stored components of red, green, blue, alpha. Luminance, intensity and depth are stored in red.
 [[nodiscard]] std::array<bool, 4> stored_components(InternalFormat format);
 
-// One level of one face: planes of its samples for red, green, blue, alpha; those that the format does not store are
+// The samples of one level of one face: planes for red, green, blue, alpha. Planes that the format does not store are
 // not read. Bytes for the formats ending in 8, 32-bit codes for depth.
 using TexelPlanes = std::variant<std::array<Plane<const std::uint8_t>, 4>, std::array<Plane<const std::uint32_t>, 4>,
                                  std::array<Plane<const Half>, 4>, std::array<Plane<const float>, 4>>;
@@ -84,32 +83,32 @@ struct TextureImage {
 
 inline constexpr int kMaxTextureLevels = 15;  // 16384 to 1
 
-// A texture views planes that somebody else owns, such as six surfaces that were drawn, or planes that `storage` keeps
-// alive; copies share it. Level 0 comes first, each next one has half its width and height, at least 1.
+// A view of planes: the caller's, such as six rendered surfaces, or those that `storage` keeps alive; copies share
+// them. Level 0 comes first; each further level has half the width and height, at least 1.
 struct Texture {
-  TextureTarget target = TextureTarget::texture_2d;  // how many faces there are
+  TextureTarget target = TextureTarget::texture_2d;  // one face or six
   InternalFormat format = InternalFormat::rgb8;      // of all levels and faces
-  std::array<std::vector<TextureImage>, 6> faces{};  // by CubeFace; of texture_2d the first alone
-  std::shared_ptr<const void> storage{};             // keeps the planes alive; empty: the caller does
+  std::array<std::vector<TextureImage>, 6> faces{};  // by CubeFace; texture_2d has only the first
+  std::shared_ptr<const void> storage{};             // owns the planes; empty: the caller owns them
 
   [[nodiscard]] std::size_t face_count() const { return target == TextureTarget::cube_map ? 6 : 1; }  // 1 or 6
 };
 
-// Reports what GL would have refused when the texture was made: sides that are no powers of two from 1 to
-// kMaxSurfaceSize, more than kMaxTextureLevels levels, planes missing or of another type than the format's, cube-map
-// faces that are not square, cube maps of depth (ARB_depth_texture has none), images beyond the target's faces. The
-// other functions on textures and samplers demand that this has nothing to report.
+// Reports what GL refuses when a texture is specified: sides that are not powers of two from 1 to kMaxSurfaceSize, more
+// than kMaxTextureLevels levels, planes that are missing or of another type than the format's, cube-map faces that are
+// not square, cube maps of depth (ARB_depth_texture has none), images beyond the target's faces. All other functions on
+// textures and samplers require a texture that passes this check.
 [[nodiscard]] Status check_texture(const Texture& texture);
 
 // GL's completeness (OpenGL 1.3, 3.8.9): there is a level 0; the faces of a cube map have the same size; with mip-maps,
-// all levels down to 1 × 1 are there, each of its proper size. A unit with an incomplete texture counts as off.
+// all levels down to 1 × 1 are there, each of its proper size. A unit with an incomplete texture is off.
 [[nodiscard]] bool is_complete(const Texture& texture, bool with_mipmaps);
 
-// A texture of one level on planes that stay the caller's: one face, or six for a cube map. Any other number of faces
-// gives a texture without a level, which is incomplete.
+// A texture of one level on the caller's planes: one face, or six for a cube map. Any other number of faces gives an
+// incomplete texture without levels.
 [[nodiscard]] Texture texture_view(InternalFormat format, std::span<const TextureImage> faces);
 
-// Samples of one image, row by row from t = 0, plane after plane: those of stored_components in their order.
+// Samples of one image, row by row from t = 0, plane after plane, in the order of stored_components.
 struct TextureSamples {
   int width = 0;   // texels
   int height = 0;  // texels
@@ -117,14 +116,14 @@ struct TextureSamples {
       samples{};  // of the format's type
 };
 
-// A texture that owns its samples: faces[face][level]. Reports samples that are too many, too few or of another type
-// than the format's, depth codes beyond the format's, and what check_texture reports.
+// A texture that owns its samples: faces[face][level]. Reports a wrong number or type of samples, depth codes out of
+// the format's range, and what check_texture reports.
 [[nodiscard]] Result<Texture> make_texture(TextureTarget target, InternalFormat format,
                                            std::vector<std::vector<TextureSamples>> faces);
 
-// Level 0 of the texture, which it shares with it, and mip-maps down to 1 × 1: each texel is the mean of the two by two
-// (or two, once the level before is one texel wide or high) above it, of integers rounded to nearest, halves up, as
-// (a + b + c + d + 2) / 4; of floats computed as ((a + b) + (c + d)) × 0.25, and of half floats rounded again.
+// Level 0 of the texture, shared with it, and mip-maps down to 1 × 1. Each texel is the mean of two by two texels of
+// the previous level, or of two if that level is one texel wide or high. Integers are rounded to nearest, halves up, as
+// (a + b + c + d + 2) / 4; floats are computed as ((a + b) + (c + d)) × 0.25, and half floats are rounded again.
 // Reports what check_texture reports, and a texture without level 0.
 [[nodiscard]] Result<Texture> with_mipmaps(const Texture& texture);
 
