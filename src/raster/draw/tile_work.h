@@ -47,7 +47,7 @@ class TileWork {
   bool is_little_ = true;
 };
 
-// What a TileLoop draws with; see TileRasterizer. All that it refers to must outlive the loop.
+// The state that a TileLoop draws with; see TileRasterizer. All that it refers to must outlive the loop.
 struct TileLoopState {
   const TileGrid& grid;
   const PixelBox& drawn;

@@ -11,7 +11,7 @@ namespace ninebit {
 
 struct LanePass;
 
-// What one pass computes for a batch: reused for all its batches.
+// The values that a pass computes for a batch. One object serves all batches of the pass.
 struct LaneBatch {
   template <class T>
   using Lanes = LaneFragments::Lanes<T>;

@@ -39,8 +39,8 @@ HWY_INLINE VF quotient(VF a, VF b, VF reciprocal) {
   return hn::MulAdd(hn::NegMulAdd(q, b, a), reciprocal, q);
 }
 
-// Where the next vector of a run begins: all vectors but the first are aligned. The second may repeat fragments of the
-// first.
+// The next vector's first fragment. All vectors of a run but the first are aligned, so the second one may repeat
+// fragments of the first.
 constexpr std::size_t next_vector(std::size_t i, std::size_t lanes) {
   return (i / lanes + 1) * lanes;
 }

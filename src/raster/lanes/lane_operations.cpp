@@ -42,29 +42,32 @@ LaneOperations::LaneOperations(const PipelineState& state, const RenderTarget& t
       depth_test(comparison(state.depth_test.function)),
       alpha_reference(state.alpha_test.reference) {
   for (std::size_t i = 0; i < 4; ++i) color = color || (state.color_mask[i] && target.color[i]);
-  tests_change = depth_write;
-  is_nearest_alone = depth_write && state.depth_test.function == CompareFunction::less && !alpha && !stencil;
-  const CompareFunction function = state.depth_test.function;
-  loses_farther = depth && (function == CompareFunction::less || function == CompareFunction::lequal ||
-                            function == CompareFunction::equal || function == CompareFunction::never);
-  are_tests_final = !tests_change;
-  asks_equal_depth = are_tests_final && depth && function == CompareFunction::equal;
-  if (!stencil) return;
-  const int bits = stencil_bits(target.format);
-  front = ninebit::stencil(state.stencil_test.front, bits);
-  back = ninebit::stencil(state.stencil_test.back.value_or(state.stencil_test.front), bits);
-  two_sided = state.stencil_test.back.has_value();
+  if (stencil) prepare_stencil(state.stencil_test, stencil_bits(target.format));
+  find_consequences(state.depth_test.function);
+}
+
+void LaneOperations::prepare_stencil(const StencilTest& test, int bits) {
+  front = ninebit::stencil(test.front, bits);
+  back = ninebit::stencil(test.back.value_or(test.front), bits);
+  two_sided = test.back.has_value();
   for (const LaneStencil* s : {&front, &back}) {
-    loses_farther = loses_farther && s->fail_keeps && s->depth_fail_keeps;
     stencil_write = stencil_write || !s->fail_keeps || !s->depth_fail_keeps || !s->depth_pass_keeps;
   }
-  const auto is_constant = [](const LaneComparison& test) { return test.less == 0 && test.equal == 0; };
-  tests_change = tests_change || (stencil_write && !(is_constant(front.test) && is_constant(back.test)));
-  are_tests_final =
-      !tests_change && front.fail_keeps && front.depth_fail_keeps && back.fail_keeps && back.depth_fail_keeps;
-  asks_equal_depth = are_tests_final && depth && function == CompareFunction::equal && !two_sided;
   const auto may_fail = [](const StencilFace& face) { return face.function != CompareFunction::always; };
-  stencil_decides = may_fail(state.stencil_test.front) || (two_sided && may_fail(*state.stencil_test.back));
+  stencil_decides = may_fail(test.front) || (two_sided && may_fail(*test.back));
+}
+
+// Without a stencil test, front and back are those of a test that changes nothing.
+void LaneOperations::find_consequences(CompareFunction depth_function) {
+  const auto is_constant = [](const LaneComparison& test) { return test.less == 0 && test.equal == 0; };
+  tests_change = depth_write || (stencil_write && !(is_constant(front.test) && is_constant(back.test)));
+  const bool failures_keep = front.fail_keeps && front.depth_fail_keeps && back.fail_keeps && back.depth_fail_keeps;
+  are_tests_final = !tests_change && failures_keep;
+  asks_equal_depth = are_tests_final && depth && depth_function == CompareFunction::equal && !two_sided;
+  is_nearest_alone = depth_write && depth_function == CompareFunction::less && !alpha && !stencil;
+  const bool farther_fails = depth_function == CompareFunction::less || depth_function == CompareFunction::lequal ||
+                             depth_function == CompareFunction::equal || depth_function == CompareFunction::never;
+  loses_farther = depth && farther_fails && failures_keep;
 }
 
 }  // namespace ninebit

@@ -66,6 +66,10 @@ struct LaneOperations {
   [[nodiscard]] bool needs_color() const { return alpha || color; }
 
   [[nodiscard]] const LaneStencil& side(bool front_facing) const { return front_facing ? front : back; }
+
+ private:
+  void prepare_stencil(const StencilTest& test, int bits);
+  void find_consequences(CompareFunction depth_function);
 };
 
 }  // namespace ninebit

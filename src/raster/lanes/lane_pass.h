@@ -9,7 +9,7 @@
 
 namespace ninebit {
 
-// What a pass does with the fragments that it gathers; see FragmentReuse.
+// A pass's use of the fragments that it gathers; see FragmentReuse.
 enum class FragmentRole {
   draws,   // draws them
   keeps,   // draws them, and keeps them for the next passes

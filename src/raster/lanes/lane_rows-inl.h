@@ -1,4 +1,4 @@
-// How the lanes of a vector lie in a tile.
+// The layouts of a vector's lanes in a tile.
 #if defined(NINEBIT_RASTER_LANES_LANE_ROWS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef NINEBIT_RASTER_LANES_LANE_ROWS_INL_H_
 #undef NINEBIT_RASTER_LANES_LANE_ROWS_INL_H_

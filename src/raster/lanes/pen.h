@@ -1,4 +1,4 @@
-// What all fragments of one primitive in a tile share.
+// The state that all fragments of one primitive in a tile share.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@
 
 namespace ninebit {
 
-// What becomes of a triangle's fragments.
+// The ways of drawing a triangle's fragments.
 enum class Drawing {
   nearest,  // LanePass::draws_nearest_alone
   noted,    // the same, and notes_owners

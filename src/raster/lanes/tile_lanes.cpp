@@ -208,8 +208,8 @@ void begin_pass(LaneTile& tile, const LanePass& pass) {
     return;
   }
   tile.owners.begin_pass(pass.operations.depth_write, pass.notes_owners);
-  // Only if the pass writes no depth. Depths that it wrote itself would only come nearer, but the search finds little
-  // there.
+  // Not in a pass that writes depth: the codes would remain valid, as depths only come nearer, but the search finds
+  // little there.
   tile.farthest.are_known = pass.operations.loses_farther && !pass.operations.depth_write;
   if (tile.farthest.are_known) find_farthest(tile.planes, tile.farthest);
 }

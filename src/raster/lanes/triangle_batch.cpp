@@ -23,7 +23,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 // into 27, and a depth's numerator, below 2^52, and quotient are exact in a double (see z24_at_pixel).
 constexpr int kMaxExtent = 1 << 13;
 
-// How far a vector of triangles came: `left_over` are triangles that have to be set up one by one before it goes on.
+// The outcome for a vector of triangles. left_over: some triangles have to be set up one by one before it goes on.
 enum class Progress { done, left_over, beyond_vertices };
 
 // The triangles that are left over, and the lane at which to go on after them.

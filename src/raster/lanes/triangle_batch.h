@@ -23,7 +23,7 @@ struct TriangleBatch {
   int tile_columns;
 };
 
-// Where to write. There must be room for every triangle of the range.
+// The arrays to write to, with room for every triangle of the range.
 struct TriangleBatchOutput {
   SetupPrimitive* primitives;
   SetupCorners* corners;  // null where the context does not need them

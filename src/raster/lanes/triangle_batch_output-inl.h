@@ -78,7 +78,8 @@ HWY_INLINE std::int32_t exact_offset(const SetupContext& context, const Triangle
   return polygon_offset_z24(context.offset, context.slope, depth_plane(v[0], v[1], v[2]), context.window.depth());
 }
 
-// As depth_plane() and polygon_offset_z24(); calls the latter where the bounds of the sum round to different numbers.
+// The formulas of depth_plane() and polygon_offset_z24(). Calls the latter where the bounds of the sum round to
+// different numbers.
 HWY_INLINE void find_offsets(const SetupContext& context, const TriangleCandidates& c, Depths& to) {
   const VD factor = hn::Set(kDD, static_cast<double>(context.offset.factor));
   const VD units =
@@ -124,7 +125,7 @@ HWY_INLINE void copy_rows(const std::int32_t (&rows)[kRows][4 * 16], std::size_t
   }
 }
 
-// How SetupCorners::corner lies in a word: a clockwise triangle has its second and third corner swapped.
+// SetupCorners::corner as a word: a clockwise triangle has its second and third corner swapped.
 constexpr int kCorners = 0x020100, kSwappedCorners = 0x010200;
 
 HWY_INLINE void write_corners(const TriangleCandidates& c, const Depths& d, std::size_t i, std::size_t count,

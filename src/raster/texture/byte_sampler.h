@@ -26,7 +26,7 @@ class TextureSampler::ByteSampler {
  private:
   using BytePlane = Plane<const std::uint8_t>;
 
-  // How the texels of a batch are found and read.
+  // The way in which a batch's texels are found and read.
   enum class Method {
     linear,        // four texels and their weights, each component by itself
     nearest,       // one texel, each component by itself
