@@ -204,8 +204,7 @@ std::optional<Diagnostic> refusal(const Program& program, std::string_view funct
   if (program.datapath.arithmetic != Arithmetic::integer) {
     return Diagnostic{.message = "only programs of integer profiles can be emitted as source"};
   }
-  // What arithmetic.inl takes for granted: six products of the largest mapped values, and the bias, stay below
-  // eight.
+  // arithmetic.inl assumes that six products of the largest mapped values, and the bias, stay below eight.
   const Datapath& d = program.datapath;
   constexpr std::int64_t kMostOne = 1 << 15;
   const std::int64_t one = d.one, half = d.half, lowest = d.lowest, expand_offset = d.expand_offset;

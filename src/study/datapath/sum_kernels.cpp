@@ -32,7 +32,7 @@ constexpr std::array<float, 511> reciprocals() {
 }
 constexpr std::array<float, 511> kReciprocals = reciprocals();
 
-// What arithmetic.inl wants of its includer.
+// The primitives of arithmetic.inl.
 namespace lanes {
 using V = V32;
 HWY_INLINE V set(int v) {
