@@ -54,7 +54,7 @@ class Compiler {
   class General {
    public:
     using Input = Linear;
-    // A sum of products, or AB where CD is also kept: a mux that is still to be chosen.
+    // A sum of products or, with `or_cd`, a mux's AB and CD: output() decides where to choose.
     struct Wide {
       WideSum sum;
       std::optional<WideSum> or_cd{};
@@ -91,8 +91,8 @@ class Compiler {
     const ProgramStage& stage_;
   };
 
-  // A mapping is two straight lines at most, which meet at zero or, for values above one, at one: the rule itself tells
-  // them.
+  // A mapping consists of at most two straight lines, which meet at zero or, for values above one, at one. They are
+  // read off the reference.
   Linear mapped(Value value, InputMapping mapping) {
     const Datapath& d = program_.datapath;
     const auto rule = [&](int v) { return reference::map_input(d, mapping, v); };
@@ -114,8 +114,8 @@ class Compiler {
     return registers_[static_cast<std::size_t>(reg)][at(component)];
   }
 
-  // Rule 11. What is computed lane by lane may be computed before or after the choice: two products are only one if
-  // their factors are chosen first.
+  // Rule 11. Lane by lane, the choice may come before or after the rest. Chosen first, the factors of two products need
+  // only one multiplication.
   Value mux(const WideSum& ab, const WideSum& cd, const PortionOutput& out, bool by_lowest_bit) {
     const Value by = registers_[static_cast<std::size_t>(Register::spare0)][kAlpha];
     const auto select = [&](const Operand& no, const Operand& yes) {

@@ -1,4 +1,4 @@
-// From a program of integer arithmetic to vector operations.
+// Compiles a program of integer arithmetic to vector operations.
 #pragma once
 
 #include "ninebit/combiner/batch_program.h"
@@ -7,7 +7,7 @@
 
 namespace ninebit::detail {
 
-// Which value each wanted plane holds in the end.
+// A wanted plane, and the value that it holds at the end.
 struct WantedValue {
   Plane plane;
   Value value = 0;
@@ -15,7 +15,7 @@ struct WantedValue {
 
 VectorCode compile_batch(const Program& program, const BatchOutputs& outputs, const ComponentSet& varying_constants);
 
-// Orders what the wanted values need and gives it planes.
+// Orders the operations that the wanted values need, and assigns planes to them.
 VectorCode schedule(const ValueGraph& graph, const std::vector<WantedValue>& wanted);
 
 }  // namespace ninebit::detail

@@ -14,7 +14,7 @@ using detail::Operation;
 using detail::Plane;
 using detail::Space;
 
-// Of quarters, the nearest.
+// Returns the nearest multiple of one quarter as text.
 std::string number(float v) {
   const long quarters = std::lround(4.0F * v);
   const std::array<const char*, 4> fraction{"", ".25", ".5", ".75"};

@@ -1,12 +1,12 @@
-// The vector operations of vector_code.h, each in 16-bit lanes where that suffices. Each gives the bits of the rules in
-// arithmetic.inl by other formulas; what makes them exact stands here, and tests try every input.
+// The vector operations of vector_code.h, in 16-bit lanes where those suffice. They give the bits of arithmetic.inl's
+// rules by other formulas. The comments here prove that these are exact, and tests try every input.
 #include "src/combiner/batch_kernels.h"
 
 #include <algorithm>
 #include <array>
 #include <type_traits>
 
-// Kernels keep vectors in objects, which those of a size unknown to the compiler do not allow.
+// Kernels keep vectors as members of objects. Vectors of a size unknown to the compiler do not allow that.
 #ifndef HWY_DISABLED_TARGETS
 #define HWY_DISABLED_TARGETS (HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV)
 #endif
@@ -20,10 +20,10 @@ HWY_BEFORE_NAMESPACE();
 namespace ninebit::detail::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-// Where an operation finds its planes, and for how many lanes it runs.
+// The planes of an operation, and the number of lanes that it runs for.
 struct Batch {
   std::array<s9*, 4> base;
-  std::array<unsigned, 4> shift;  // planes are so far apart, as a power of two
+  std::array<unsigned, 4> shift;  // log2 of the distance between planes
   std::size_t lanes;
 
   HWY_INLINE s9* operator()(const Plane& plane) const {
@@ -32,7 +32,7 @@ struct Batch {
   }
 };
 
-// A formula's limits; without a clamp all that 16 bits hold, which is cheaper than to ask in each vector.
+// A formula's limits. Without a clamp these are the limits of 16 bits, which is cheaper than a test in each vector.
 class Clamp {
  public:
   explicit HWY_INLINE Clamp(const Formula& f)
@@ -44,7 +44,7 @@ class Clamp {
   V16 low_, high_;
 };
 
-// The planes that an operation reads, found once, and what is the least that it takes of each of the first kFloors.
+// The planes that an operation reads, found once, and the minimum for each of the first kFloors.
 template <std::size_t kSources, std::size_t kFloors>
 class Sources {
  public:
@@ -65,7 +65,7 @@ class Sources {
   V16 floor_[kFloors > 0 ? kFloors : 1];
 };
 
-// target = f(sources, lane), vector by vector.
+// Computes target = f(sources, lane), vector by vector.
 template <std::size_t kSources, std::size_t kFloors, class F>
 HWY_INLINE void for_floored_lanes(const Operation& operation, const Batch& batch, const F& f) {
   const Sources<kSources, kFloors> sources(operation, batch);
@@ -106,7 +106,7 @@ HWY_NOINLINE void affine(const Operation& operation, const Batch& batch) {
   });
 }
 
-// Halves up is the shift of one more; toward zero is that for what is negative alone.
+// Halves up is a shift of the value plus one; toward zero adds the one to negative values only.
 template <int kTerms>
 HWY_NOINLINE void half_of_affine(const Operation& operation, const Batch& batch) {
   const Affine<kTerms, true> sum(operation.formula);
@@ -135,7 +135,8 @@ HWY_NOINLINE void unsigned_products(const Operation& operation, const Batch& bat
   });
 }
 
-// Signs apart: 255 is odd, so that no quotient is a tie, and to nearest is as symmetric as toward zero.
+// Computes with the magnitudes and restores the sign. 255 is odd, so no quotient is a tie, and rounding to nearest is
+// as symmetric as toward zero.
 template <bool kFloors, bool kPositiveFirst, bool kNearest, int kDoublings>
 HWY_NOINLINE void signed_product(const Operation& operation, const Batch& batch) {
   const Formula& f = operation.formula;
@@ -235,7 +236,7 @@ template <bool kFloors>
 HWY_INLINE Run products_of(const Formula& f) {
   return choose(f.nearest, [&](auto nearest) {
     constexpr bool kNearest = decltype(nearest)::value;
-    // More than two products are dot products: their bias, mostly none, matters less.
+    // Sums of more than two products are dot products, which seldom have a bias: they always run the biased kernel.
     static constexpr Run kRuns[] = {products<3, kFloors, kNearest, true>, products<4, kFloors, kNearest, true>,
                                     products<5, kFloors, kNearest, true>, products<6, kFloors, kNearest, true>};
     if (f.terms > 2) return kRuns[f.terms - 3];
@@ -271,17 +272,19 @@ HWY_INLINE Run kernel_of(const Formula& f) {
   return copy;
 }
 
-// 32 KiB: with the planes that are read they stay in the first cache.
+// 32 KiB: together with the planes that are read they fit the first-level cache.
 constexpr std::size_t kTemporaryLanes = 16384;
 constexpr unsigned kBatchShift = 9;
 static_assert(kBatchSize == std::size_t{1} << kBatchShift);
 
 void run_code(const VectorCode& code, RegisterBatch& registers, std::size_t count, OutputBatch& out) {
   alignas(64) s9 temporaries[kTemporaryLanes];
-  // As many lanes at once as leave room for all temporaries. A stage makes at most 60: there are never more than 512.
+  // Runs as many lanes at once as leave room for all temporaries. A stage makes at most 60, so there are never more
+  // than 512.
   unsigned shift = kBatchShift;
   while ((code.temporaries << shift) > kTemporaryLanes) --shift;
-  // Beside planes that are written; no operation writes these. NOLINTNEXTLINE(cppcoreguidelines-pro-type-const-cast)
+  // Stands among planes that are written, but no operation writes it.
+  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-const-cast)
   s9* const constants = const_cast<s9*>(code.constants.empty() ? nullptr : code.constants[0].lane.data());
   Batch batch{{registers.plane[0][0].data(), out.plane[0].data(), constants, temporaries},
               {kBatchShift, kBatchShift, kBatchShift, shift},

@@ -1,4 +1,4 @@
-// The kernels, compiled once for every SIMD target and chosen at run time.
+// The kernels. They are compiled once for every SIMD target; the best one is chosen at run time.
 #pragma once
 
 #include <cstddef>

@@ -15,7 +15,7 @@ class Scheduler {
   VectorCode run(const std::vector<WantedValue>& wanted) {
     mark_uses(wanted);
     for (const WantedValue& w : wanted) {
-      // A colour's plane is nobody's source: what is wanted there is computed there.
+      // No operation reads a colour's plane, so the wanted value is computed there directly.
       const bool is_operation = graph_.nodes()[w.value].source == Source::operation;
       if (w.plane.space == Space::colors && is_operation && !home_[w.value]) home_[w.value] = w.plane;
     }
@@ -27,7 +27,7 @@ class Scheduler {
   }
 
  private:
-  // The place of a value's last reader; of a wanted value, past all operations; 0 if nothing reads it.
+  // Finds each value's last reader. A wanted value is read past all operations; 0 means that nothing reads it.
   void mark_uses(const std::vector<WantedValue>& wanted) {
     for (const WantedValue& w : wanted) last_use_[w.value] = home_.size();
     for (std::size_t v = home_.size(); v-- > 0;) {
@@ -72,7 +72,7 @@ class Scheduler {
     Operation operation{.formula = node.formula, .source = {}, .target = {}};
     const auto sources = static_cast<std::size_t>(node.formula.sources());
     for (std::size_t k = 0; k < sources; ++k) operation.source[k] = plane_of(node.of[k]);
-    // Kernels read a lane of all sources before they write it, so that a source's plane may become the target.
+    // Kernels read a lane of all sources before they write that lane, so a source's plane may become the target.
     for (std::size_t k = 0; k < sources; ++k) {
       const Plane plane = operation.source[k];
       const bool seen = std::find(operation.source.begin(), operation.source.begin() + static_cast<std::ptrdiff_t>(k),
@@ -88,7 +88,8 @@ class Scheduler {
     code_.operations.push_back({.formula = {}, .source = {from}, .target = to});
   }
 
-  // Copies what was not computed in place. Registers come last, and none is overwritten before all have been read.
+  // Copies the wanted values that were not computed in place. Registers come last: none is overwritten before all have
+  // been read.
   void deliver(const std::vector<WantedValue>& wanted) {
     std::vector<std::pair<Plane, Plane>> late;
     for (const WantedValue& w : wanted) {

@@ -73,7 +73,7 @@ BigInteger BigInteger::sum(const BigInteger& x, const BigInteger& y, bool y_nega
   result.negative_ = x_larger ? x.negative_ : y_negative;
   result.limbs_.resize(large.size() + 1);
   const bool add = x.negative_ == y_negative;
-  std::uint64_t carry = 0;  // or what was borrowed
+  std::uint64_t carry = 0;  // or borrow
   for (std::size_t i = 0; i < large.size(); ++i) {
     const Wide other = static_cast<Wide>(i < small.size() ? small[i] : 0) + carry;
     const Wide value = add ? static_cast<Wide>(large[i]) + other : static_cast<Wide>(large[i]) - other;
@@ -133,7 +133,7 @@ double nearest_double(const BigInteger& n, const BigInteger& d) {
     }
     rest = rest.shifted_left(1);
   }
-  // What is left is rest / (2 divisor) of the last digit.
+  // The remainder is rest / (2 divisor) of the last digit.
   if (divisor < rest || (rest == divisor && quotient % 2 == 1)) ++quotient;
   const double result = std::ldexp(static_cast<double>(quotient), exponent - digits + 1);
   return n.sign() < 0 ? -result : result;

@@ -1,4 +1,4 @@
-// Whole numbers of any size, with just the operations that exact evaluation needs. There is no division.
+// Integers of any size, with only the operations that exact evaluation needs. There is no division.
 #pragma once
 
 #include <cstdint>
@@ -13,9 +13,9 @@ class BigInteger {
 
   // -1, 0 or 1.
   [[nodiscard]] int sign() const { return limbs_.empty() ? 0 : negative_ ? -1 : 1; }
-  // The bits of the magnitude: 0 for zero, else 1 + floor(log2 |x|).
+  // The number of bits of the magnitude: 0 for zero, else 1 + floor(log2 |x|).
   [[nodiscard]] int bit_length() const;
-  // The magnitude's first 64 bits, |x| · 2^(64 - bit_length()) cut to a whole number; 0 for zero.
+  // The first 64 bits of the magnitude: |x| · 2^(64 - bit_length()), truncated; 0 for zero.
   [[nodiscard]] std::uint64_t leading_bits() const;
 
   [[nodiscard]] BigInteger magnitude() const;
@@ -39,7 +39,7 @@ class BigInteger {
   bool negative_ = false;  // never of zero
 };
 
-// n / d as the nearest double, ties to even, subnormal numbers included. d > 0.
+// Returns n / d as the nearest double, ties to even, including subnormal numbers. d > 0.
 [[nodiscard]] double nearest_double(const BigInteger& n, const BigInteger& d);
 
 }  // namespace ninebit

@@ -76,7 +76,7 @@ class Recorder {
     return result;
   }
 
-  // `zero` and the constants stay as they were.
+  // `zero` and the constants are unchanged.
   RegisterFile codes(const Registers& registers, const RegisterFile& initial) {
     RegisterFile result;
     for (std::size_t r = 0; r < kRegisterCount; ++r) result.value[r] = codes(registers[r]);

@@ -1,4 +1,4 @@
-// Exact numbers n / (2^twos · one^ones): all that sums, products, halves and codes of a register can make.
+// Exact numbers n / (2^twos · one^ones). Sums, products and halves of register codes all have this form.
 #pragma once
 
 #include <array>
@@ -16,8 +16,8 @@ namespace ninebit {
 __extension__ typedef __int128 Int128;
 __extension__ typedef unsigned __int128 Unsigned128;
 
-// Whole numbers below 2^126, which hold what two general combiners of ordinary programs make. An overflow is
-// remembered; what was computed since then has no meaning.
+// Integers below 2^126, which suffice for two general combiners of ordinary programs. An overflow is remembered;
+// results computed after it are meaningless.
 class SmallIntegers {
  public:
   using Integer = Int128;
@@ -45,7 +45,7 @@ class SmallIntegers {
   Integer power(int exponent) {
     return exponent < static_cast<int>(kPowers) ? powers_[static_cast<std::size_t>(exponent)] : overflow();
   }
-  // n / (2^twos · one^ones), with a relative error below 2^-40.
+  // Returns n / (2^twos · one^ones) with a relative error below 2^-40.
   [[nodiscard]] double approximate(Integer n, int twos, int ones) const {
     if (ones >= static_cast<int>(kPowers)) return 0.0;  // after an overflow
     return std::ldexp(static_cast<double>(n) * inverses_[static_cast<std::size_t>(ones)], -twos);
@@ -74,7 +74,7 @@ class SmallIntegers {
   bool overflowed_ = false;
 };
 
-// Whole numbers of any size.
+// Integers of any size.
 class BigIntegers {
  public:
   using Integer = BigInteger;
@@ -108,7 +108,7 @@ class BigIntegers {
   std::vector<BigInteger> powers_{BigInteger(1)};
 };
 
-// Arithmetic on these fractions, for real_rules.h.
+// Arithmetic on these fractions, a Field of real_rules.h.
 template <class Integers>
 class ExactField {
  public:
@@ -125,7 +125,7 @@ class ExactField {
 
   [[nodiscard]] Number whole(int n) const { return {Integers::whole(n), 0, 0}; }
   [[nodiscard]] Number half() const { return {Integers::whole(1), 1, 0}; }
-  // The number that a register code stands for.
+  // Returns the number of a register code.
   [[nodiscard]] Number of_code(int code) const {
     if (code == 0) return {};
     if (code == one_ || code == -one_) return whole(code / one_);
@@ -143,7 +143,7 @@ class ExactField {
     if (Integers::sign(n) == 0) return {};
     return {std::move(n), x.twos + y.twos, x.ones + y.ones};
   }
-  // x · 2^exponent.
+  // Returns x · 2^exponent.
   Number scaled(Number x, int exponent) {
     if (Integers::sign(x.n) == 0) return x;
     const int twos = x.twos - exponent;
@@ -154,16 +154,16 @@ class ExactField {
   [[nodiscard]] bool is_negative(const Number& x) const { return Integers::sign(x.n) < 0; }
   bool less(const Number& x, const Number& y) { return Integers::sign(sub(x, y).n) < 0; }
 
-  // The nearest code, halves up; x in [-2, 2].
+  // Returns the nearest code, halves up; x in [-2, 2].
   int nearest_code(const Number& x) {
     const double codes = integers_.approximate(x.n, x.twos, x.ones) * one_ + 0.5;
     const double border = std::nearbyint(codes);
     if (std::abs(codes - border) > 1e-6) return static_cast<int>(std::floor(codes));
-    // Too near to a border for an approximation.
+    // The approximation is too close to the border between two codes.
     const int above = static_cast<int>(border);
     return less(mul(x, whole(2 * one_)), whole(2 * above - 1)) ? above - 1 : above;
   }
-  // Within 2^-40 of x, times x.
+  // Returns x with a relative error of at most 2^-40.
   double approximate(const Number& x) { return integers_.approximate(x.n, x.twos, x.ones); }
   double to_double(const Number& x) { return integers_.nearest_double(x.n, x.twos, x.ones); }
 
@@ -175,7 +175,7 @@ class ExactField {
     const int ones = x.ones > y.ones ? x.ones : y.ones;
     return normal({combined(over(x, twos, ones), over(y, twos, ones)), twos, ones});
   }
-  // The numerator of x over a larger denominator.
+  // Returns the numerator of x over a larger denominator.
   Integer over(const Number& x, int twos, int ones) {
     if (Integers::sign(x.n) == 0) return x.n;
     Integer n = twos == x.twos ? x.n : integers_.shift(x.n, twos - x.twos);

@@ -1,4 +1,4 @@
-// 32-bit floats, for real_rules.h. Compiled without contraction.
+// 32-bit floats, a Field of real_rules.h. Compiled without contraction.
 #pragma once
 
 #include <cmath>
@@ -21,7 +21,7 @@ class FloatField {
   static bool is_negative(Number x) { return x < 0.0F; }
   static bool less(Number x, Number y) { return x < y; }
 
-  // The nearest code, halves up. A double holds the product and the sum without any rounding.
+  // Returns the nearest code, halves up. A double holds the product and the sum exactly.
   [[nodiscard]] int nearest_code(Number x) const {
     return static_cast<int>(std::floor(static_cast<double>(x) * one_ + 0.5));
   }

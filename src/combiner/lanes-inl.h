@@ -1,4 +1,6 @@
-// Vectors of 16-bit lanes and the arithmetic that they need beyond Highway's. Included once for every SIMD target.
+// Vectors of 16-bit lanes and the arithmetic that Highway does not have. Included once for every SIMD target, by
+// batch_kernels.cpp and, in the room study, by sum_kernels.cpp. The combiner is the lowest room that may include
+// Highway.
 #if defined(NINEBIT_COMBINER_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef NINEBIT_COMBINER_LANES_INL_H
 #undef NINEBIT_COMBINER_LANES_INL_H
@@ -38,7 +40,7 @@ HWY_INLINE VU16 set_unsigned(int v) {
   return hn::Set(kU16, static_cast<std::uint16_t>(v));
 }
 
-// n / 255 rounded down, exact for all of 16 bits: 0x8081 / 2^23 = (1 + 127 / 2^23) / 255.
+// Returns n / 255 rounded down, exact for all 16-bit n: 0x8081 / 2^23 = (1 + 127 / 2^23) / 255.
 HWY_INLINE VU16 divide_by_255(VU16 n) {
   return hn::ShiftRight<7>(hn::MulHigh(n, set_unsigned(0x8081)));
 }
@@ -50,13 +52,13 @@ HWY_INLINE VU16 doubled(VU16 n) {
   return n;
 }
 
-// The quotient of a sum by 255, rounded down or to nearest.
+// Returns n / 255, rounded down or to nearest.
 template <bool kNearest>
 HWY_INLINE VU16 narrowed(VU16 n) {
   return divide_by_255(kNearest ? hn::SaturatedAdd(n, set_unsigned(127)) : n);
 }
 
-// A magnitude with the sign of `v`; it is 0 where v is.
+// Returns a magnitude with the sign of `v`. The magnitude is 0 where v is 0.
 HWY_INLINE V16 with_sign(VU16 magnitude, V16 v) {
 #if HWY_TARGET <= HWY_AVX3
   return V16{_mm512_mask_sub_epi16(magnitude.raw, _mm512_movepi16_mask(v.raw), _mm512_setzero_si512(), magnitude.raw)};
@@ -70,16 +72,17 @@ HWY_INLINE V16 with_sign(VU16 magnitude, V16 v) {
 #endif
 }
 
-// With that of a product; it is 0 where a factor is.
+// Returns a magnitude with the sign of a · b. The magnitude is 0 where a factor is 0.
 HWY_INLINE V16 with_signs(VU16 magnitude, V16 a, V16 b) {
 #if HWY_TARGET == HWY_AVX2 || HWY_TARGET == HWY_SSE4 || HWY_TARGET == HWY_SSSE3
-  return with_sign(hn::BitCast(kU16, with_sign(magnitude, a)), b);  // which makes 0 where a equals b, of their Xor
+  return with_sign(hn::BitCast(kU16, with_sign(magnitude, a)),
+                   b);  // with_sign of Xor(a, b) would give 0 where a equals b
 #else
   return with_sign(magnitude, hn::Xor(a, b));
 #endif
 }
 
-// One vector of 16-bit lanes as two of 32-bit lanes, in an order that narrow_to_16 undoes.
+// One vector of 16-bit lanes as two vectors of 32-bit lanes. narrow_to_16 undoes the order of the lanes.
 struct Wide {
   V32 first, second;
 };
@@ -114,14 +117,14 @@ HWY_INLINE Wide multiply(V16 x0, V16 y0, V16 x1, V16 y1) {
   return {sum_of_pairs(hn::InterleaveLower(kD16, x0, x1), hn::InterleaveLower(kD16, y0, y1)),
           sum_of_pairs(hn::InterleaveUpper(kD16, x0, x1), hn::InterleaveUpper(kD16, y0, y1))};
 }
-// Interleaving and packing both stay within blocks of 128 bits.
+// Interleaving and packing both work within blocks of 128 bits.
 HWY_INLINE V16 narrow_to_16(V32 first, V32 second) {
   return hn::ReorderDemote2To(kD16, first, second);
 }
 #endif
 
-// Floats to integers, toward zero or to nearest. Highway's own repair those that no int32 holds, for two more
-// instructions; here all are small.
+// Converts floats to integers, toward zero or to nearest. Highway's functions spend two more instructions on values out
+// of int32's range, which do not occur here.
 #if HWY_TARGET <= HWY_AVX3
 HWY_INLINE V32 to_integers(VF32 v, bool nearest) {
   return V32{nearest ? _mm512_cvtps_epi32(v.raw) : _mm512_cvttps_epi32(v.raw)};

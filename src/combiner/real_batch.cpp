@@ -11,7 +11,7 @@
 namespace ninebit {
 namespace {
 
-// Which registers a program may read or write: the others need no numbers.
+// The registers that a program may read or write. The others need no numbers.
 class UsedRegisters {
  public:
   explicit UsedRegisters(const Program& program) {
@@ -49,7 +49,7 @@ class UsedRegisters {
   }
 };
 
-// One kind of numbers, and what it needs for fragment after fragment.
+// Evaluates one fragment after another in one kind of numbers.
 template <class Field>
 class Runner {
  public:
@@ -58,7 +58,8 @@ class Runner {
 
   Field& field() { return field_; }
 
-  // Code(r, c) gives the code of a register's component; put(r, c, code) and put_color(c, code) take the results.
+  // code(r, c) returns the code of a register's component. deliver() passes the results to put(r, c, code) and
+  // put_color(c, code).
   template <class Code>
   void compute(const UsedRegisters& registers, const Code& code) {
     for (std::size_t r = 0; r < kRegisterCount; ++r) {
@@ -96,7 +97,7 @@ class Runner {
   typename RealCombiners<Field>::Final final_;
 };
 
-// Fragment after fragment of one program, in whichever numbers hold it.
+// Evaluates one fragment after another in the smallest kind of numbers that holds the program's values.
 class RealProgram {
  public:
   explicit RealProgram(const Program& program) : program_(program), registers_(program) {
@@ -114,7 +115,8 @@ class RealProgram {
       floats_->deliver(registers_, put, put_color);
       return;
     }
-    // A program that was too large once will be so again: most of what it computes does not depend on the fragment.
+    // After a few overflows small integers are no longer tried: the size of a program's numbers hardly depends on the
+    // fragment.
     if (tries_ > 0) {
       small_->field().integers().forget_overflow();
       small_->compute(registers_, code);
@@ -170,7 +172,7 @@ struct ExactColors::Runners {
   UsedRegisters registers;
   Runner<ExactField<SmallIntegers>> small;
   std::optional<Runner<ExactField<BigIntegers>>> big{};
-  int tries = 16;  // as RealProgram's
+  int tries = 16;  // as in RealProgram
 };
 
 ExactColors::ExactColors(const Program& program) : runners_(std::make_unique<Runners>(program)) {}

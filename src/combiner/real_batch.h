@@ -12,11 +12,11 @@ namespace NINEBIT_PUBLIC ninebit {
 
 void evaluate_real_batch(const Program& program, RegisterBatch& registers, std::size_t count, OutputBatch& out);
 
-// The colour of fragment after fragment in exact numbers: evaluate_real's `color`, faster, each number within 1e-11 of
-// the exact one instead of the nearest double. For one thread.
+// Computes evaluate_real's `color` in exact numbers for one fragment after another, faster: each number is within 1e-11
+// of the exact one instead of the nearest double. Not thread-safe.
 class ExactColors {
  public:
-  // The program's constants may change between fragments, nothing else; the program must outlive this.
+  // The program must outlive this object. Between fragments only its constants may change.
   explicit ExactColors(const Program& program);
   ~ExactColors();
   ExactColors(ExactColors&&) noexcept;

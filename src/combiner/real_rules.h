@@ -1,4 +1,5 @@
-// The equations of NV_register_combiners in real numbers, over any kind of numbers: a Field has a type Number and
+// The equations of NV_register_combiners in real numbers. A Field defines the numbers: the type Number and the
+// functions
 //   whole(int), half(), of_code(int), add, sub, mul, scaled(x, exponent) = x · 2^exponent, is_negative(x), less(x, y),
 //   nearest_code(x).
 // The order of all operations is fixed, because it decides how floats are rounded. Nothing is narrowed; registers are
@@ -76,7 +77,7 @@ class RealCombiners {
   // Computes one general combiner and writes its outputs into the registers.
   void run_general(const ProgramStage& stage, Registers& registers, Stage& result) {
     const Number& spare0_alpha = registers[static_cast<std::size_t>(Register::spare0)][kAlpha];
-    // A number has no bits: those of the nearest code stand for them.
+    // A real number has no lowest bit. The nearest code's is taken (rule 11).
     result.takes_cd =
         stage.mux_by_lowest_bit ? f_.nearest_code(positive(spare0_alpha)) % 2 == 1 : !f_.less(spare0_alpha, f_.half());
     General domain(*this, stage, registers, result.takes_cd);

@@ -3,7 +3,7 @@
 namespace ninebit {
 namespace {
 
-// An enumeration may hold a number without a name: a state is plain data.
+// A state is plain data: an enumeration in it may hold a number that is not an enumerator.
 template <std::size_t N, class Enum>
 std::string_view name_in(const std::array<std::string_view, N>& names, Enum value) {
   const auto i = static_cast<std::size_t>(value);

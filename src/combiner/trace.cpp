@@ -8,7 +8,8 @@
 namespace ninebit {
 namespace {
 
-// The quotient of any output, in codes: six products, each below two, the bias and the scale of four.
+// The largest magnitude of an output before its clamp, in codes: six products below two each, the bias, a scale of
+// four.
 int most_output(const Datapath& d) {
   return 64 * d.one;
 }
@@ -89,7 +90,7 @@ class StageTracer {
 
  private:
   TracedInput input(const CombinerInput& in, int channel, int mapped, double real, double ideal) const {
-    // An alpha portion reads alpha or blue; only the unset inputs of a product without use say otherwise.
+    // An alpha portion reads alpha or blue. Only the unset inputs of an unused product have another usage.
     const int component = reference::component_of(in.usage, channel);
     const auto i = static_cast<std::size_t>(component);
     TracedInput result{.from = in, .component = component, .read = {}, .mapped = {}};
@@ -140,7 +141,7 @@ class StageTracer {
   const Steps& steps_;
 };
 
-// The numbers of integer arithmetic are its codes, those of any other are evaluate_real's.
+// With integer arithmetic the real numbers are those of the codes, with another one those of evaluate_real.
 TracedRegisters registers_of(const TraceValues& values, const RegisterFile& codes, const RealRegisters& real,
                              const RealRegisters& ideal) {
   TracedRegisters result{codes, real, ideal};
@@ -157,7 +158,7 @@ Trace trace(const Program& program, const HardwareProfile& profile, const Regist
   const Datapath& d = program.datapath;
   const TraceValues values(d);
   const RealEvaluation ideal = evaluate_real(program, initial, Arithmetic::exact);
-  // With integer arithmetic its numbers are not looked at.
+  // Not read if the arithmetic is integer.
   const RealEvaluation real =
       d.arithmetic == Arithmetic::float32 ? evaluate_real(program, initial, Arithmetic::float32) : ideal;
   Trace result;

@@ -1,4 +1,4 @@
-// How a trace says one value three ways, and the operations between the numbers that evaluate_real reports.
+// Makes the three ways of a trace's values, and computes with the numbers that evaluate_real reports.
 #pragma once
 
 #include <cmath>
@@ -13,11 +13,11 @@ class TraceValues {
 
   [[nodiscard]] bool integer() const { return arithmetic_ == Arithmetic::integer; }
 
-  // A code that is known whatever the arithmetic; `real` counts where that is not integer.
+  // A code that is known with any arithmetic. `real` is used if the arithmetic is not integer.
   [[nodiscard]] TracedCode known_code(int code, double real, double ideal) const {
     return {code, integer() ? code / one_ : real, ideal};
   }
-  // `code` counts where the arithmetic is integer, `real` where it is not.
+  // `code` is used if the arithmetic is integer, `real` if not.
   [[nodiscard]] TracedCode code(int code, double real, double ideal) const {
     return known_code(integer() ? code : static_cast<int>(nearest(real * one_)), real, ideal);
   }
@@ -28,20 +28,20 @@ class TraceValues {
   }
   [[nodiscard]] TracedWide wide(int units, double real, double ideal) const { return halves(2 * units, real, ideal); }
 
-  // The number that a code is where the arithmetic is not integer.
+  // The number of a code if the arithmetic is not integer.
   [[nodiscard]] double real_of_code(int code) const {
     return float32() ? static_cast<double>(static_cast<float>(code) / static_cast<float>(one_)) : code / one_;
   }
   [[nodiscard]] double ideal_of_code(int code) const { return code / one_; }
 
-  // In the arithmetic of the `real` numbers: to floats where that is what they are.
+  // Compute in the arithmetic of the `real` numbers: rounded to floats if these are floats.
   [[nodiscard]] double add(double x, double y) const { return rounded(x + y); }
   [[nodiscard]] double sub(double x, double y) const { return rounded(x - y); }
   [[nodiscard]] double mul(double x, double y) const { return rounded(x * y); }
 
  private:
   [[nodiscard]] bool float32() const { return arithmetic_ == Arithmetic::float32; }
-  // A sum or product of two floats, made in doubles and then rounded, is the one that floats give.
+  // A sum or product of two floats, computed in double and then rounded, equals the float result.
   [[nodiscard]] double rounded(double x) const { return float32() ? static_cast<double>(static_cast<float>(x)) : x; }
   static double nearest(double x) { return std::floor(x + 0.5); }
 
@@ -49,7 +49,7 @@ class TraceValues {
   double one_;
 };
 
-// The final combiner of a trace. `before` are the registers that the general combiners left.
+// Traces the final combiner. `before` are the registers after the general combiners.
 [[nodiscard]] TracedFinal trace_final(const Program& program, const TracedRegisters& before, const RealEvaluation& real,
                                       const RealEvaluation& ideal);
 

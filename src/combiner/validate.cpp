@@ -93,7 +93,7 @@ std::vector<StateDiagnostic> validate_input(int stage, PortionName portion, Vari
     findings.add(GlError::invalid_enum, quoted(input.reg) + " cannot be read by a general combiner");
   }
   check_register_exists(findings, input.reg, profile);
-  // A caller may have cast any number into these enumerations; evaluation must not meet one without a name.
+  // A caller may have cast any number to these enumerations. Evaluation relies on their enumerators.
   if (input.mapping > InputMapping::signed_negate) findings.add(GlError::invalid_enum, "unknown input mapping");
   if (input.usage > ComponentUsage::blue) findings.add(GlError::invalid_enum, "unknown component usage");
   if (portion == PortionName::rgb && input.usage == ComponentUsage::blue) {

@@ -30,7 +30,7 @@ Value ValueGraph::add(Formula formula, std::span<const Operand> of, const Range&
   Node node{.source = Source::operation, .number = 0, .formula = formula, .of = {}};
   for (std::size_t k = 0; k < of.size(); ++k) {
     node.of[k] = of[k].value;
-    // What cannot be negative is not floored, so that equal operations look equal.
+    // The floor of a value that cannot be negative is dropped, so that equal operations compare equal.
     if (of[k].floored && ranges_[of[k].value].low < 0) node.formula.floors |= 1U << k;
   }
   return find_or_add(node, range);
@@ -100,7 +100,7 @@ Operand ValueGraph::operand(const Linear& linear) {
   return {affine({&linear, 1}, Scale::none, Narrowing::toward_zero, r.low, r.high), false};
 }
 
-// An operand as a value of its own.
+// Returns an operand as a value.
 Value ValueGraph::chosen(const Operand& operand) {
   const Range r = range(operand);
   const Linear linear{operand.value, operand.floored, 1, 0};

@@ -1,4 +1,5 @@
-// The values that a program computes of one fragment's registers: each is made once, by one formula of earlier values.
+// The values that a program computes from one fragment's registers. Each value has one formula of earlier values, and
+// equal formulas are one value.
 #pragma once
 
 #include <array>
@@ -14,14 +15,14 @@
 
 namespace ninebit::detail {
 
-using Value = std::uint16_t;  // its number in the graph
+using Value = std::uint16_t;  // a node's index in the graph
 
-// All that a value can be: inclusive.
+// The possible codes of a value, inclusive.
 struct Range {
   int low = 0, high = 0;
 };
 
-// factor · value + offset, the value without its negative part where `floored`. A constant has factor 0.
+// factor · value + offset; if `floored`, with max(0, value). A constant has factor 0.
 struct Linear {
   Value value = 0;
   bool floored = false;
@@ -32,7 +33,7 @@ struct Linear {
   friend bool operator==(const Linear&, const Linear&) = default;
 };
 
-// What an operation reads: a value, without its negative part where `floored`.
+// A source of an operation: a value or, if `floored`, max(0, value).
 struct Operand {
   Value value = 0;
   bool floored = false;
@@ -45,7 +46,7 @@ class ValueGraph {
  public:
   struct Node {
     Source source = Source::constant;
-    int number = 0;  // the constant; or of an input: 4 · register + component
+    int number = 0;  // a constant's code; an input's 4 · register + component
     Formula formula;
     std::array<Value, kMostSources> of{};
     friend auto operator<=>(const Node&, const Node&) = default;
@@ -56,18 +57,19 @@ class ValueGraph {
   Value constant(int code);
   Value input(Register reg, int component);
 
-  // clamp(sum of the terms · 2^doublings, or one half of it) to [low, high]; at most two terms that are not constant.
+  // Returns the sum of the terms, scaled and clamped to [low, high]. At most two terms may be non-constant. Only the
+  // scale of one half needs `narrowing`.
   Value affine(std::span<const Linear> terms, Scale scale, Narrowing narrowing, int low, int high);
 
-  // A linear value as an operation can read it.
+  // Returns a linear value as a source; adds an operation if it needs one.
   Operand operand(const Linear& linear);
 
-  // `by` >= one half ? yes : no
+  // Returns `by` >= one half ? yes : no.
   Value select(Value by, const Operand& no, const Operand& yes);
-  // `by` odd, without its negative part ? yes : no
+  // Returns max(0, `by`) is odd ? yes : no.
   Value select_odd(Value by, const Operand& no, const Operand& yes);
 
-  // An operation whose results are known to lie in `range`.
+  // Adds an operation whose results are known to lie in `range`.
   Value add(Formula formula, std::span<const Operand> of, const Range& range);
 
   [[nodiscard]] const Range& range(Value v) const { return ranges_[v]; }

@@ -1,4 +1,4 @@
-// A program as a list of vector operations over planes of int16 codes: what batch programs are compiled to.
+// A compiled batch program: a list of vector operations over planes of int16 codes.
 #pragma once
 
 #include <array>
@@ -12,8 +12,8 @@
 
 namespace ninebit::detail {
 
-// What an operation computes, lane by lane, of its sources x0, x1, …, each without its negative part where `floors` has
-// its bit:
+// The result of an operation, lane by lane, from its sources x0, x1, …. A source whose bit is set in `floors` is read
+// as max(0, x).
 enum class Kernel : std::uint8_t {
   // clamp(factor[0] · x0 + factor[1] · x1 + offset). With `halves` one half of the sum, toward zero or, with `nearest`,
   // halves up. One or two terms.
@@ -74,7 +74,7 @@ struct Formula {
 };
 inline constexpr std::size_t kMostSources = 12;
 
-// Where a plane lies.
+// The storage of a plane.
 enum class Space : std::uint8_t { registers, colors, constants, temporaries };
 struct Plane {
   Space space = Space::temporaries;

@@ -14,7 +14,7 @@ namespace {
 
 constexpr int kMost16 = 32767;
 
-// A product as the graph holds it.
+// A product of two operands of the graph.
 struct Factors {
   Operand x, y;
   Range range;
@@ -40,7 +40,7 @@ std::vector<Factors> factors_of(ValueGraph& graph, const WideSum& sum) {
   return all;
 }
 
-// The code of one wide value, without a limit.
+// Returns the code of one wide value, not limited to a range.
 int code_of(const Datapath& d, const Narrowed& how, int wide) {
   const int scaled = reference::scale_output(how.scale, wide), unit = 2 * d.one;
   return reference::narrow(how.narrowing, scaled, unit, std::abs(scaled) / unit + 1);
@@ -63,7 +63,7 @@ std::vector<Operand> operands_of(const std::vector<Factors>& factors) {
   return operands;
 }
 
-// A sum without products to compute, plus what is added, if that makes at most two terms.
+// Returns a sum that needs no products, plus `added`, as an affine value; empty if it has more than two terms.
 std::optional<Value> as_affine(ValueGraph& graph, const WideSum& sum, const Narrowed& how) {
   const int one = graph.datapath().one;
   const bool adds = !how.added.is_constant();
@@ -78,7 +78,7 @@ std::optional<Value> as_affine(ValueGraph& graph, const WideSum& sum, const Narr
   return graph.affine(terms, how.scale, how.narrowing, how.low, how.high);
 }
 
-// 16 bits suffice for products that are not negative: see the kernels for why the bits are the same.
+// 16 bits suffice for products that are not negative; batch_kernels.cpp proves that the bits are the same.
 std::optional<Value> as_unsigned(ValueGraph& graph, const WideSum& sum, const std::vector<Factors>& factors,
                                  const Narrowed& how, const Range& quotient) {
   int most = 0;
@@ -130,7 +130,7 @@ std::optional<Value> as_signed_product(ValueGraph& graph, const WideSum& sum, co
   return graph.add(f, of, clamped(quotient, how));
 }
 
-// 1 / divisor as a float that is not below it.
+// Returns 1 / divisor as a float that is not below it.
 float reciprocal_above(int divisor) {
   const float nearest = 1.0F / static_cast<float>(divisor);
   return static_cast<double>(nearest) * divisor < 1.0 ? std::nextafter(nearest, 1.0F) : nearest;
@@ -141,7 +141,7 @@ Value as_products(ValueGraph& graph, const WideSum& sum, const std::vector<Facto
   const bool nearest = how.narrowing == Narrowing::nearest_halves_up;
   const bool halves = how.scale == Scale::by_one_half;
   Formula f{.kernel = Kernel::products, .terms = static_cast<int>(factors.size()), .nearest = nearest};
-  // One is odd, so only one half of a code is a tie, of whole numbers; one half more settles it upward.
+  // `one` is odd, so ties occur only with the scale of one half. Adding one half more rounds them up.
   f.bias = static_cast<float>(sum.constant()) + (nearest && halves ? 0.5F : 0.0F);
   f.reciprocal =
       reciprocal_above(graph.datapath().one) * (halves ? 0.5F : static_cast<float>(1 << doublings_of(how.scale)));
@@ -204,7 +204,7 @@ Value combiner_output(ValueGraph& graph, WideSum sum, Scale scale, Bias bias) {
   Narrowed scaled = whole;
   scaled.scale = scale;
   if (d.narrowing_point == NarrowingPoint::after_scale || scale == Scale::none) return narrow(graph, sum, scaled);
-  // What is doubled may be clamped before, too; what is halved may not.
+  // A value that is doubled may also be clamped before that; one that is halved may not.
   Narrowed first = whole;
   if (scale == Scale::by_one_half) {
     first.low = -kMost16;

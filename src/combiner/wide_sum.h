@@ -1,4 +1,4 @@
-// Sums of products before they are narrowed, and the cheapest operation that makes a code of one.
+// Sums of products, and the cheapest operation that narrows one to a code.
 #pragma once
 
 #include <vector>
@@ -10,7 +10,7 @@ namespace ninebit::detail {
 // A sum of products of mapped inputs, in units of 1 / one².
 class WideSum {
  public:
-  // x · y; of a product that is not constant, x is not, either.
+  // x · y. x is never constant; y may be.
   struct Product {
     Linear x, y;
   };
@@ -27,7 +27,7 @@ class WideSum {
   std::vector<Product> products_;
 };
 
-// How a wide sum becomes a code: clamp(narrow(sum · scale, one) + added, low, high).
+// How a wide sum is narrowed to a code: clamp(narrow(sum · scale, one) + added, low, high).
 struct Narrowed {
   Narrowing narrowing = Narrowing::toward_zero;
   Scale scale = Scale::none;
@@ -35,13 +35,13 @@ struct Narrowed {
   Linear added{};  // only with scale none and a sum that is not negative
 };
 
-// Whether nothing must be multiplied or divided: every product has a factor of plus or minus one, and there are at most
-// two.
+// Whether the sum needs no multiplication or division: it has at most two products, each with a factor of one or minus
+// one.
 [[nodiscard]] bool is_affine(const ValueGraph& graph, const WideSum& sum);
 
 Value narrow(ValueGraph& graph, const WideSum& sum, const Narrowed& how);
 
-// Rules 3 to 8: what a general combiner writes for a wide sum.
+// Rules 3 to 8: returns the value that a general combiner writes for a wide sum.
 Value combiner_output(ValueGraph& graph, WideSum sum, Scale scale, Bias bias);
 
 }  // namespace ninebit::detail

@@ -10,7 +10,7 @@ Half half_of(float value) {
   const auto bits = std::bit_cast<std::uint32_t>(value);
   const std::uint32_t sign = (bits >> 16) & 0x8000U, magnitude = bits & 0x7FFFFFFFU;
   const auto signed_half = [&](std::uint32_t half) { return Half{static_cast<std::uint16_t>(sign | half)}; };
-  if (magnitude > 0x7F800000U) {  // NaN: what fits of its payload, and never infinity
+  if (magnitude > 0x7F800000U) {  // NaN: the upper bits of its payload, never infinity
     const std::uint32_t payload = (magnitude >> 13) & 0x3FFU;
     return signed_half(0x7C00U | (payload != 0 ? payload : 0x200U));
   }
@@ -27,8 +27,8 @@ Half half_of(float value) {
   }
   const std::uint32_t whole = units >> shift, rest = units & ((1U << shift) - 1), middle = 1U << (shift - 1);
   const bool up = rest > middle || (rest == middle && (whole & 1U) != 0);
-  // A normal `whole` has its leading bit, which counts as 1 in the exponent; a carry runs into the exponent, and from
-  // the largest number into infinity.
+  // The leading bit of a normal `whole` adds 1 to the exponent. A carry goes into the exponent and, from the largest
+  // number, to infinity.
   return signed_half(base + whole + (up ? 1 : 0));
 }
 

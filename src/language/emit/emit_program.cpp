@@ -95,17 +95,18 @@ class Lister {
       return emit::mux(lister_.d_, stage_.mux_by_lowest_bit, by, ab, cd);
     }
     V output(const detail::Target& target, const V& wide) {
-      const V value = combiner_output(lister_.d_, target.out.scale, target.out.bias, wide);
+      std::optional<V> value;
       PortionLines& to_portion = lines_[target.component == kAlpha ? 1 : 0];
       detail::for_each_write(target, [&](Register to, int component) {
         if (!live_.has(to, component)) return;
+        if (!value) value = combiner_output(lister_.d_, target.out.scale, target.out.bias, wide);
         const char letter = kComponentLetters[static_cast<std::size_t>(component)];
         const std::string text(short_name_of(to));
-        Line line{text + '.' + letter, "s" + std::to_string(number_) + '_' + text + '_' + letter, value};
-        if (Graph::name(value, line.name)) to_portion.named.push_back(value);
+        Line line{text + '.' + letter, "s" + std::to_string(number_) + '_' + text + '_' + letter, *value};
+        if (Graph::name(*value, line.name)) to_portion.named.push_back(*value);
         to_portion.of_output[target.k].push_back(std::move(line));
       });
-      return value;
+      return value.value_or(set(0));
     }
     void write(Register to, int component, const V& value) {
       // What is not live is not read before it is written again.
@@ -204,8 +205,7 @@ std::optional<Diagnostic> refusal(const Program& program, std::string_view funct
   if (program.datapath.arithmetic != Arithmetic::integer) {
     return Diagnostic{.message = "only programs of integer profiles can be emitted as source"};
   }
-  // The precondition of arithmetic.inl: six products of the largest mapped values plus the bias do not exceed
-  // eight.
+  // arithmetic.inl assumes that six products of the largest mapped values, and the bias, stay below eight.
   const Datapath& d = program.datapath;
   constexpr std::int64_t kMostOne = 1 << 15;
   const std::int64_t one = d.one, half = d.half, lowest = d.lowest, expand_offset = d.expand_offset;
