@@ -67,8 +67,9 @@ TEST(UsageError, ValuesOfRender) {
   for (const Flag& flag : flags) {
     for (const std::string& value : flag.wrong) {
       SCOPED_TRACE(flag.name + "=" + value);
-      expect_error(ninebit({"render", kRoom, "-o", folder / "out", flag.name + "=" + value}), 2,
-                   {flag.name, value, value.empty() ? "requires a value" : flag.expected, "(see: ninebit render --help)"});
+      expect_error(
+          ninebit({"render", kRoom, "-o", folder / "out", flag.name + "=" + value}), 2,
+          {flag.name, value, value.empty() ? "requires a value" : flag.expected, "(see: ninebit render --help)"});
     }
   }
   EXPECT_TRUE(files_in(folder.path()).empty());

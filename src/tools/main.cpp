@@ -19,7 +19,8 @@ int run(int argc, char** argv) {
   CLI::App app{"Bit-exact emulation of NVIDIA register combiners, and the shadow techniques built on them", "ninebit"};
   app.require_subcommand(1);
   app.set_version_flag("--version", version_text, "Print the version and build information");
-  app.footer("Example: ninebit render scenes/index_room.gltf -o out\nRun `ninebit VERB --help` for the flags of a verb.");
+  app.footer(
+      "Example: ninebit render scenes/index_room.gltf -o out\nRun `ninebit VERB --help` for the flags of a verb.");
   int exit_code = kDone;
   add_render(app, exit_code);
   add_profiles(app, exit_code);

@@ -24,8 +24,7 @@ Result<RenderSettings> checked_settings(const RenderFlags& flags) {
   settings.evidence = flags.ground_truth;
   if (flags.pick.empty()) return settings;
   if (flags.scene.technique != "index-cube") {
-    return Diagnostic{.message =
-                          fmt::format("--pick requires technique index-cube, not {}", flags.scene.technique)};
+    return Diagnostic{.message = fmt::format("--pick requires technique index-cube, not {}", flags.scene.technique)};
   }
   const auto pixel = window_pixel("--pick", flags.pick, settings);
   if (!pixel) return pixel.error();
@@ -117,11 +116,14 @@ void add_render(CLI::App& app, int& exit_code) {
   auto flags = std::make_shared<RenderFlags>();
   add_common_flags(*verb, flags->common);
   add_scene_file(*verb, "scene", flags->scene)->required();
-  verb->add_option("-o,--output", flags->folder, "Folder to write into; created if missing")->required()->type_name("DIR");
+  verb->add_option("-o,--output", flags->folder, "Folder to write into; created if missing")
+      ->required()
+      ->type_name("DIR");
   add_scene_flags(*verb, flags->scene);
   verb->add_flag("--layers", flags->scene.settings.layers, "Also write layers.exr with every intermediate value");
   add_pixel_flag(*verb, "--pick", flags->pick, "Print which polygon and object is visible at this pixel, by its index");
-  verb->add_flag("--ground-truth", flags->ground_truth, "Compare each pixel with ray casting: count errors by cause, write error.png");
+  verb->add_flag("--ground-truth", flags->ground_truth,
+                 "Compare each pixel with ray casting: count errors by cause, write error.png");
   verb->callback([flags, &exit_code] { exit_code = render(*flags); });
 }
 

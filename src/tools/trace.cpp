@@ -110,7 +110,8 @@ void add_trace(CLI::App& app, int& exit_code) {
           ->type_name("REGISTER=R,G,B,A")
           ->allow_extra_args(false);
   CLI::Option* const scene = add_scene_file(*verb, "--scene", flags->scene)->excludes(set);
-  add_pixel_flag(*verb, "--pixel", flags->pixel, "Pixel to trace, counted from the top left of the picture")->needs(scene);
+  add_pixel_flag(*verb, "--pixel", flags->pixel, "Pixel to trace, counted from the top left of the picture")
+      ->needs(scene);
   for (CLI::Option* const option : add_scene_flags(*verb, flags->scene)) option->needs(scene);
   verb->callback([flags, &exit_code] { exit_code = run(*flags); });
 }

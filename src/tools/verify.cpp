@@ -193,7 +193,8 @@ int run(const VerifyFlags& flags) {
 }  // namespace
 
 void add_verify(CLI::App& app, int& exit_code) {
-  CLI::App* verb = app.add_subcommand("verify", "Compare the results of another implementation, or of a chip, with ninebit's");
+  CLI::App* verb =
+      app.add_subcommand("verify", "Compare the results of another implementation, or of a chip, with ninebit's");
   verb->footer(
       "The table has a header and rows of whole numbers. Its columns:\n"
       "  program           file of the row's program, in any form, below the folder of the table\n"

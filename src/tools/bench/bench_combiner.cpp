@@ -64,7 +64,8 @@ std::string table(const std::vector<CombinerRow>& rows, const Json& ratio, doubl
         fmt::format("{:<8} {:<13} {:<10} {:>7} {:>12.1f}\n", r.program, r.engine, r.target, r.threads, r.mpixels_per_s);
   }
   for (const auto& [program, value] : ratio.items()) {
-    text += fmt::format("{}: simd is {:.0f} times as fast as scalar-float, one thread each\n", program, value.get<double>());
+    text += fmt::format("{}: simd is {:.0f} times as fast as scalar-float, one thread each\n", program,
+                        value.get<double>());
   }
   return text + fmt::format("memory: one thread reads {:.1f} GB/s\n", read_rate);
 }
@@ -123,7 +124,8 @@ void add_bench_combiner(CLI::App& bench, int& exit_code) {
   auto flags = std::make_shared<CombinerFlags>();
   flags->bench.seconds = 0.25;
   add_bench_flags(*verb, flags->bench);
-  verb->add_flag("--every-target", flags->every_target, "Measure every SIMD target of this processor, not only the best");
+  verb->add_flag("--every-target", flags->every_target,
+                 "Measure every SIMD target of this processor, not only the best");
   verb->add_option("--print", flags->print, "Print a measured program as GL calls and exit")
       ->check(CLI::IsMember({"index", "heavy", "eight", "default"}));
   verb->callback([flags, &exit_code] { exit_code = bench_combiner(*flags); });

@@ -136,10 +136,11 @@ std::string text_of(const FrameBench& frame, const FrameTimes& times, const Riva
   for (const auto& [name, ms] : passes.items()) text += fmt::format("  {:<8} {:9.2f} ms\n", name, ms.get<double>());
   if (!frame.rival) return text;
   const bench::Spread theirs = bench::spread_of(rival.total);
-  return text + fmt::format("{}: {:.2f} ms per frame ({:.2f} to {:.2f}), {:.2f} times ours; {} of {} shadow pixels "
-                            "differ\n",
-                            rival.renderer, theirs.median, theirs.min, theirs.max, theirs.median / total.median,
-                            rival.shadow_pixels_that_differ, frame.renderer->rendering().frame.stencil().size());
+  return text + fmt::format(
+                    "{}: {:.2f} ms per frame ({:.2f} to {:.2f}), {:.2f} times ours; {} of {} shadow pixels "
+                    "differ\n",
+                    rival.renderer, theirs.median, theirs.min, theirs.max, theirs.median / total.median,
+                    rival.shadow_pixels_that_differ, frame.renderer->rendering().frame.stencil().size());
 }
 
 Json json_of(const FrameFlags& flags, const FrameBench& frame, const FrameTimes& times, const RivalTimes& rival) {
@@ -209,9 +210,9 @@ void add_bench_frame(CLI::App& bench, int& exit_code) {
       ->capture_default_str()
       ->check(CLI::Range(bench::kFewestTriangles, bench::kMostTriangles))
       ->excludes(file);
-  CLI::Option* rival =
-      verb->add_option("--rival", flags->rival, "Also draw the frame with Mesa's llvmpipe, with the same number of threads")
-          ->check(CLI::IsMember({"llvmpipe"}));
+  CLI::Option* rival = verb->add_option("--rival", flags->rival,
+                                        "Also draw the frame with Mesa's llvmpipe, with the same number of threads")
+                           ->check(CLI::IsMember({"llvmpipe"}));
   add_scene_flags(*verb, flags->scene);
   // The rival's shaders do not implement these.
   for (const char* flag : {"--light-facing", "--index-format", "--style"}) rival->excludes(verb->get_option(flag));

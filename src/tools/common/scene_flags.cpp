@@ -164,10 +164,11 @@ void add_technique_flags(CLI::App& verb, SceneFlags& flags) {
       ->type_name("FACTOR,UNITS")
       ->check(checked(check_offset));
   add_choice(verb, "--depth-encoding", s.shadow_map.encoding, kDepthEncodings, "Encoding of depth in the shadow map");
-  add_choice(verb, "--depth-storage", s.shadow_map.storage, kStorages,
-             "Conversion of rgba8 components to bytes");
-  add_choice(verb, "--volume-method", s.shadow_volume.method, kVolumeMethods, "Count shadow volumes where the depth test fails or passes");
-  add_choice(verb, "--stencil-sides", s.shadow_volume.two_sided, kStencilSides, "Sides of the shadow volumes drawn per pass");
+  add_choice(verb, "--depth-storage", s.shadow_map.storage, kStorages, "Conversion of rgba8 components to bytes");
+  add_choice(verb, "--volume-method", s.shadow_volume.method, kVolumeMethods,
+             "Count shadow volumes where the depth test fails or passes");
+  add_choice(verb, "--stencil-sides", s.shadow_volume.two_sided, kStencilSides,
+             "Sides of the shadow volumes drawn per pass");
   verb.add_option("--samples", s.reflective.samples, "Number of pixel lights that a pixel gathers from")
       ->capture_default_str()
       ->type_name("N")
@@ -187,15 +188,16 @@ void add_technique_flags(CLI::App& verb, SceneFlags& flags) {
   verb.add_option("--light-rotate", flags.light_rotate, "Rotation of the light about x, then y, then z, in degrees")
       ->type_name("X,Y,Z")
       ->check(checked(check_degrees));
-  add_choice(verb, "--cookie-shadows", s.light_cookie.shadows, kCookieShadows, "Shadows of the light cookie: by indices, or none");
+  add_choice(verb, "--cookie-shadows", s.light_cookie.shadows, kCookieShadows,
+             "Shadows of the light cookie: by indices, or none");
   verb.parse_complete_callback([&flags] {
     if (flags.technique == "light-cookie" && flags.cookie.empty()) {
       throw CLI::ValidationError("--technique light-cookie requires --cookie FILE");
     }
     const auto kind = light_kind(flags);
     if (kind && !find_technique(flags.technique)->lights.has(*kind)) {
-      throw CLI::ValidationError(fmt::format("--light-type {}: not supported by technique {}",
-                                             flags.light_type, flags.technique));
+      throw CLI::ValidationError(
+          fmt::format("--light-type {}: not supported by technique {}", flags.light_type, flags.technique));
     }
   });
 }
@@ -249,10 +251,10 @@ std::vector<CLI::Option*> add_scene_flags(CLI::App& verb, SceneFlags& flags) {
       ->check(checked(check_map_size));
   verb.add_flag("--light-facing", flags.settings.light_facing, "Also shadow surfaces that face away from the light");
   verb.add_option("--camera", flags.camera, "Camera position")->type_name("X,Y,Z")->check(checked(check_point));
-  verb.add_option("--look-at", flags.look_at, "Point to look at")
-      ->type_name("X,Y,Z")
-      ->check(checked(check_point));
-  verb.add_option("--fov", flags.fov, "Vertical field of view, in degrees")->type_name("DEGREES")->check(checked(check_fov));
+  verb.add_option("--look-at", flags.look_at, "Point to look at")->type_name("X,Y,Z")->check(checked(check_point));
+  verb.add_option("--fov", flags.fov, "Vertical field of view, in degrees")
+      ->type_name("DEGREES")
+      ->check(checked(check_fov));
   verb.add_option("--light", flags.light, "Light position")->type_name("X,Y,Z")->check(checked(check_point));
   verb.add_option("--floor", flags.floor, "Floor below the scene: auto adds one if the file has no camera and no light")
       ->type_name("auto|none|HEIGHT")

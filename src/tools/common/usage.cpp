@@ -78,7 +78,8 @@ std::string usage_message(const CLI::App& app, const CLI::ParseError& error) {
                             unknown[0], list, did_you_mean(unknown[0], verbs), meant_flag(at));
     }
   } else if (error.get_name() == "RequiredError" ||  // CLI11 checks for missing arguments first
-             error.get_exit_code() == static_cast<int>(CLI::ExitCodes::ExtrasError)) {  // the error's name is that of the verb
+             error.get_exit_code() ==
+                 static_cast<int>(CLI::ExitCodes::ExtrasError)) {  // the error's name is that of the verb
     message += meant_flag(at);
   } else if (error.get_name() == "ValidationError") {
     message += meant_choice(message);

@@ -14,8 +14,8 @@ void replace_constant(Program& program, const EvalColumn& column, s9 code);
 
 class EvalRunner {
  public:
-  // `state` must be valid for the profile. Constants that are columns of `rows` replace the program's own, in every stage
-  // and in the final combiner.
+  // `state` must be valid for the profile. Constants that are columns of `rows` replace the program's own, in every
+  // stage and in the final combiner.
   EvalRunner(const CombinerState& state, const HardwareProfile& profile, const EvalRows& rows, EvalEngine engine);
 
   // Evaluates the batch: sets its outputs, and its registers to those after the general combiners.

@@ -1,5 +1,5 @@
-// The verbs and flags as plain data, taken from the CLI11 app that parses them. The manual page and the shell completions
-// are generated from it.
+// The verbs and flags as plain data, taken from the CLI11 app that parses them. The manual page and the shell
+// completions are generated from it.
 #pragma once
 
 #include <CLI/CLI.hpp>

@@ -51,8 +51,8 @@ class InvalidInput : public std::runtime_error {
   std::vector<std::string> faults_;
 };
 
-// Adds the common flags to a verb. An unknown profile or a thread count out of range is wrong usage; parsing the command
-// line throws InvalidInput for a profile file that is unreadable or invalid.
+// Adds the common flags to a verb. An unknown profile or a thread count out of range is wrong usage; parsing the
+// command line throws InvalidInput for a profile file that is unreadable or invalid.
 void add_common_flags(CLI::App& verb, CommonFlags& flags);
 
 // The profile of the parsed flags. Valid as long as the flags.

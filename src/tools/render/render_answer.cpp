@@ -74,23 +74,17 @@ Json index_json(const RenderSettings& settings, const Rendering& rendering) {
 
 Json time_json(const FinishedRender& done) {
   const PassTimes& pass = done.rendering->times;
-  return {{"load", done.load_ms},
-          {"transform", pass.transform},
-          {"maps", pass.maps},
-          {"camera", pass.camera},
-          {"compare", pass.compare},
-          {"shade", pass.lit + pass.shadow},
-          {"write", done.write_ms},
-          {"total", done.total_ms}};
+  return {{"load", done.load_ms},   {"transform", pass.transform}, {"maps", pass.maps},
+          {"camera", pass.camera},  {"compare", pass.compare},     {"shade", pass.lit + pass.shadow},
+          {"write", done.write_ms}, {"total", done.total_ms}};
 }
 
 }  // namespace
 
 std::string summary_text(const RenderFlags& flags, const FinishedRender& done) {
   const Rendering& r = *done.rendering;
-  std::string text =
-      fmt::format("{} triangles; pixels: {} lit, {} shadowed, {} background; {:.0f} ms\n", done.scene->triangles.size(),
-                  r.lit, r.shadowed, r.background, done.total_ms);
+  std::string text = fmt::format("{} triangles; pixels: {} lit, {} shadowed, {} background; {:.0f} ms\n",
+                                 done.scene->triangles.size(), r.lit, r.shadowed, r.background, done.total_ms);
   if (flags.ground_truth) text += error_line(r, done.truth);
   return text;
 }

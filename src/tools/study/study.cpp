@@ -115,7 +115,8 @@ void add_studies(CLI::App& verbs, StudyRequest& request) {
 }
 
 void add_study(CLI::App& app, int& exit_code) {
-  CLI::App* verb = app.add_subcommand("study", "Measure the effects of nine-bit arithmetic: false matches, errors, wrong pixels");
+  CLI::App* verb =
+      app.add_subcommand("study", "Measure the effects of nine-bit arithmetic: false matches, errors, wrong pixels");
   verb->require_subcommand(1);
   verb->footer(
       "Examples:\n"

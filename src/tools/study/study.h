@@ -23,8 +23,8 @@ struct StudyFlags {
   std::optional<double> budget;  // seconds
 };
 
-// The study that a command line requests, and its flags. The verb of the study sets it while the command line is parsed;
-// `flags` lives as long as `make`.
+// The study that a command line requests, and its flags. The verb of the study sets it while the command line is
+// parsed; `flags` lives as long as `make`.
 struct StudyRequest {
   std::function<Result<std::unique_ptr<Study>>()> make;
   const StudyFlags* flags = nullptr;

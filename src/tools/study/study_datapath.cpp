@@ -148,7 +148,8 @@ std::string check_file(const std::string& text) {
 }  // namespace
 
 void add_study_datapath(CLI::App& verbs, StudyRequest& request) {
-  CLI::App* verb = verbs.add_subcommand("datapath", "Error of every datapath operation against exact arithmetic, over all inputs");
+  CLI::App* verb =
+      verbs.add_subcommand("datapath", "Error of every datapath operation against exact arithmetic, over all inputs");
   verb->footer(
       "--program measures a whole program and each of its stages; --exhaustive-sum measures AB + CD case by case.\n"
       "Both use one profile, by default geforce2.\n"
@@ -162,13 +163,14 @@ void add_study_datapath(CLI::App& verbs, StudyRequest& request) {
   CLI::Option* program = verb->add_option("--program", flags->program, "Measure this program and each of its stages")
                              ->type_name("FILE")
                              ->check(CLI::Validator(check_file, ""));
-  CLI::Option* inputs =
-      verb->add_option("--inputs", flags->inputs, "Inputs of the program: a table of register codes, as for `ninebit eval`")
-          ->type_name("FILE.csv")
-          ->check(CLI::Validator(check_file, ""))
-          ->needs(program);
+  CLI::Option* inputs = verb->add_option("--inputs", flags->inputs,
+                                         "Inputs of the program: a table of register codes, as for `ninebit eval`")
+                            ->type_name("FILE.csv")
+                            ->check(CLI::Validator(check_file, ""))
+                            ->needs(program);
   CLI::Option* over =
-      verb->add_option("--over", flags->over, "Inputs of the program: all values of these components, such as tex0.r,primary.r")
+      verb->add_option("--over", flags->over,
+                       "Inputs of the program: all values of these components, such as tex0.r,primary.r")
           ->type_name("LIST")
           ->needs(program)
           ->excludes(inputs);

@@ -44,7 +44,8 @@ Result<std::unique_ptr<Study>> make_study(const DepthPackingFlags& flags) {
 }  // namespace
 
 void add_study_depth_packing(CLI::App& verbs, StudyRequest& request) {
-  CLI::App* verb = verbs.add_subcommand("depth-packing", "Round-trip errors of depths packed into bytes, as three.js packed them");
+  CLI::App* verb =
+      verbs.add_subcommand("depth-packing", "Round-trip errors of depths packed into bytes, as three.js packed them");
   verb->footer(
       "Examples:\n"
       "  ninebit study depth-packing\n"
@@ -61,8 +62,7 @@ void add_study_depth_packing(CLI::App& verbs, StudyRequest& request) {
   verb->add_option("--depths", flags->depths, "Sets of depths: 16 bits, 24 bits or floats (default: all): 16,24,floats")
       ->type_name("LIST")
       ->check(list_of(all_sets()));
-  verb->add_option("--float-step", flags->float_step,
-                   "Measure every Nth float, N from 1 to 16777216; 1 takes minutes")
+  verb->add_option("--float-step", flags->float_step, "Measure every Nth float, N from 1 to 16777216; 1 takes minutes")
       ->type_name("N")
       ->capture_default_str()
       ->check(CLI::Range(1U, 1U << 24));

@@ -128,7 +128,8 @@ int run_in_folder(const Study& study, const StudyFlags& flags) {
   }
   if (!flags.common.quiet) say_written(part->file);
   if (!part->complete && !flags.common.quiet) {
-    say(fmt::format("The time is up after {} of {} units; run the same command to resume.\n", part->units.size(), units));
+    say(fmt::format("The time is up after {} of {} units; run the same command to resume.\n", part->units.size(),
+                    units));
   }
   if (shard.count > 1) return kDone;
   return finish(study, flags.folder, rows_of(*part), part->units.size(), flags.common);
@@ -246,7 +247,9 @@ void add_study_merge(CLI::App& verbs, int& exit_code) {
   auto flags = std::make_shared<MergeFlags>();
   add_common_flags(*verb, flags->common);
   verb->add_option("parts", flags->parts, "All parts of one study, in any order")->required()->type_name("PART");
-  verb->add_option("-o,--output", flags->folder, "Folder to write into; created if missing")->required()->type_name("DIR");
+  verb->add_option("-o,--output", flags->folder, "Folder to write into; created if missing")
+      ->required()
+      ->type_name("DIR");
   verb->add_flag("--allow-outside", flags->allow_outside,
                  "Also read files that the parts' command names outside of the working folder");
   verb->callback([flags, &exit_code] { exit_code = merge(*flags); });

@@ -183,7 +183,8 @@ void add_axes(CLI::App& verb, ShadowsFlags& flags) {
     if (single != nullptr) option->excludes(verb.get_option(single));
     return option;
   };
-  add("--map-sizes", "--map-size", flags.map_sizes, "Sizes of the map, in texels per side (default without another list: 128 to 1024)",
+  add("--map-sizes", "--map-size", flags.map_sizes,
+      "Sizes of the map, in texels per side (default without another list: 128 to 1024)",
       list_by([](const std::string& t) { return numbers_that<int>(t, is_map_size); }, "powers of two such as 128,256"));
   add("--formats", "--index-format", flags.formats, "Formats of an index", list_of(names_of(kIndexFormats)));
   add("--scopes", "--index-scope", flags.scopes, "What gets its own index", list_of(names_of(kIndexScopes)));
@@ -196,10 +197,11 @@ void add_axes(CLI::App& verb, ShadowsFlags& flags) {
       list_by([](const std::string& t) { return numbers_that<float>(t, is_bias); }, "distances from 0 to 1e12"));
   add("--encodings", "--depth-encoding", flags.encodings, "Encodings of depth in the shadow map",
       list_of(names_of(kDepthEncodings)));
-  CLI::Option* offsets = add("--polygon-offsets", "--polygon-offset", flags.polygon_offsets,
-                             "Polygon offsets of the shadow map, such as '0,0;1,16'",
-                             list_by(offsets_in, "FACTOR,UNITS;FACTOR,UNITS"));
-  verb.add_flag("--find-offset", flags.find_offset, "Search the polygon offset: factors from 0 to 4, units from 0 to 65536")
+  CLI::Option* offsets =
+      add("--polygon-offsets", "--polygon-offset", flags.polygon_offsets,
+          "Polygon offsets of the shadow map, such as '0,0;1,16'", list_by(offsets_in, "FACTOR,UNITS;FACTOR,UNITS"));
+  verb.add_flag("--find-offset", flags.find_offset,
+                "Search the polygon offset: factors from 0 to 4, units from 0 to 65536")
       ->excludes(offsets)
       ->excludes(verb.get_option("--polygon-offset"));
 }

@@ -15,8 +15,8 @@ struct TraceInputs {
   std::vector<std::pair<EvalColumn, s9>> constants{};  // components of constants that were set
 };
 
-// Parses texts of the form REGISTER=R,G,B,A or REGISTER.COMPONENT=VALUE, in codes of the profile. The Diagnostic is wrong
-// usage.
+// Parses texts of the form REGISTER=R,G,B,A or REGISTER.COMPONENT=VALUE, in codes of the profile. The Diagnostic is
+// wrong usage.
 [[nodiscard]] Result<TraceInputs> parse_trace_inputs(const std::vector<std::string>& texts,
                                                      const HardwareProfile& profile);
 

@@ -101,10 +101,11 @@ Status VerifyTable::read_header(const CsvLine& line) {
     if (!column) {
       std::vector<std::string> known{"program", "name", "out.r", "out.g", "out.b", "out.a"};
       for (const EvalColumn& one : eval_columns(*profile_)) known.push_back(one.name());
-      return csv_fault(name(), line.number, at,
-                       fmt::format("unknown column '{}'; expected program, name, an input such as tex0.r or const0.a, or an "
-                                   "expected value: out.r, or stage0.spare0.r after general combiner 0 (of {}){}",
-                                   shown(field), profile_->general_combiners.value, did_you_mean(field, known)));
+      return csv_fault(
+          name(), line.number, at,
+          fmt::format("unknown column '{}'; expected program, name, an input such as tex0.r or const0.a, or an "
+                      "expected value: out.r, or stage0.spare0.r after general combiner 0 (of {}){}",
+                      shown(field), profile_->general_combiners.value, did_you_mean(field, known)));
     }
     const auto same = [&](const Column& other) { return other.name == column->name; };
     if (std::any_of(columns_.begin(), columns_.end(), same)) {
@@ -114,11 +115,13 @@ Status VerifyTable::read_header(const CsvLine& line) {
   }
   const auto expects = [](const Column& column) { return column.kind == Column::Kind::expected; };
   if (!std::any_of(columns_.begin(), columns_.end(), expects)) {
-    return csv_fault(name(), line.number, 1, "no column has an expected value; expected one such as out.r or stage0.spare0.r");
+    return csv_fault(name(), line.number, 1,
+                     "no column has an expected value; expected one such as out.r or stage0.spare0.r");
   }
   const auto names_program = [](const Column& column) { return column.kind == Column::Kind::program; };
   if (program_.file.empty() && !std::any_of(columns_.begin(), columns_.end(), names_program)) {
-    return csv_fault(name(), line.number, 1, "no program: the table has no column `program`, and --program is not given");
+    return csv_fault(name(), line.number, 1,
+                     "no program: the table has no column `program`, and --program is not given");
   }
   return {};
 }
@@ -151,9 +154,9 @@ Status VerifyTable::read_cell(const Column& column, std::string_view field, cons
     for (const std::string_view piece : pieces(field, '|')) {
       const auto code = number_of(piece);
       if (!code) {
-        return csv_fault(name(), line.number, at,
-                         fmt::format("{} must be whole numbers separated by |, or empty, not '{}'",
-                                     column.name, shown(field)));
+        return csv_fault(
+            name(), line.number, at,
+            fmt::format("{} must be whole numbers separated by |, or empty, not '{}'", column.name, shown(field)));
       }
       expected.allowed.push_back(*code);
     }
