@@ -115,7 +115,7 @@ int bench_combiner(const CombinerFlags& flags) {
 }  // namespace
 
 void add_bench_combiner(CLI::App& bench, int& exit_code) {
-  CLI::App* verb = bench.add_subcommand("combiner", "Million fragments per second, by program and engine");
+  CLI::App* verb = bench.add_subcommand("combiner", "Measure fragments per second, by program and engine");
   verb->footer(
       "Examples:\n"
       "  ninebit bench combiner --threads 2\n"

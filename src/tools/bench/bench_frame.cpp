@@ -91,7 +91,7 @@ Json json_of(const bench::Spread& spread) {
   return {{"median", spread.median}, {"min", spread.min}, {"max", spread.max}};
 }
 
-// What is measured: a scene, its renderer, and the rival that --rival names.
+// The measured objects: a scene, its renderer, and the rival that --rival names.
 struct FrameBench {
   RenderSettings settings;
   int threads = 1;
@@ -198,7 +198,7 @@ int bench_frame(const FrameFlags& flags) {
 }  // namespace
 
 void add_bench_frame(CLI::App& bench, int& exit_code) {
-  CLI::App* verb = bench.add_subcommand("frame", "Milliseconds per frame of index cube shadows");
+  CLI::App* verb = bench.add_subcommand("frame", "Measure the time of a frame of index cube shadows and of its passes");
   verb->footer(
       "Examples:\n"
       "  ninebit bench frame scenes/index_room.gltf\n"

@@ -184,7 +184,8 @@ int bench_growth(const BenchFlags& flags) {
 }  // namespace
 
 void add_bench_raster(CLI::App& bench, int& exit_code) {
-  CLI::App* verb = bench.add_subcommand("raster", "Triangles and pixels per second, with depth test and flat colour");
+  CLI::App* verb =
+      bench.add_subcommand("raster", "Measure triangles and pixels per second, with depth test and flat colour");
   verb->footer(
       "Example: ninebit bench raster --threads 2 --json\n"
       "Memory per triangle is the peak of the process minus its start, the triangles and the surface.");

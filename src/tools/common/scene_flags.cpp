@@ -87,11 +87,9 @@ const Names<CullFace> kCulls{{"none", CullFace::none}, {"back", CullFace::back},
 const Names<DepthStencilFormat> kDepthStencils{
     {"d24s8", DepthStencilFormat::d24s8}, {"d16", DepthStencilFormat::d16}, {"d15s1", DepthStencilFormat::d15s1}};
 
-// Adds the flags that only one technique reads.
-void add_technique_flags(CLI::App& verb, SceneFlags& flags) {
-  RenderSettings& s = flags.settings;
+void add_index_flags(CLI::App& verb, RenderSettings& s) {
   add_choice(verb, "--index-format", s.index.format, kIndexFormats, "Texture format of an index");
-  add_choice(verb, "--index-scope", s.index.scope, kIndexScopes, "What gets its own index");
+  add_choice(verb, "--index-scope", s.index.scope, kIndexScopes, "Unit that gets its own index");
   verb.add_option("--index-step", s.index.step, "Difference between consecutive indices in a channel")
       ->capture_default_str()
       ->check(CLI::Range(1, kMaxIndexStep));
@@ -99,6 +97,10 @@ void add_technique_flags(CLI::App& verb, SceneFlags& flags) {
       ->capture_default_str()
       ->type_name("N")
       ->check(CLI::Range(kMinSectionSize, kMaxSectionSize));
+}
+
+void add_depth_flags(CLI::App& verb, SceneFlags& flags) {
+  RenderSettings& s = flags.settings;
   add_choice(verb, "--depth-bits", s.depth_cube.bits, kDepthBits, "Format of the depth cube map");
   verb.add_option("--bias", flags.bias, "Bias of the depth comparison, in world units")
       ->type_name("DISTANCE")
@@ -112,27 +114,41 @@ void add_technique_flags(CLI::App& verb, SceneFlags& flags) {
              "Count shadow volumes where the depth test fails or passes");
   add_choice(verb, "--stencil-sides", s.shadow_volume.two_sided, kStencilSides,
              "Sides of the shadow volumes drawn per pass");
-  verb.add_option("--samples", s.reflective.samples, "Number of pixel lights that a pixel gathers from")
+}
+
+void add_reflective_flags(CLI::App& verb, ReflectiveSettings& s) {
+  verb.add_option("--samples", s.samples, "Number of pixel lights that a pixel gathers from")
       ->capture_default_str()
       ->type_name("N")
       ->check(CLI::Range(1, kMaxPixelLights));
-  verb.add_option("--kernel", s.reflective.kernel, "Radius of the sample pattern, in texels")
+  verb.add_option("--kernel", s.kernel, "Radius of the sample pattern, in texels")
       ->capture_default_str()
       ->type_name("TEXELS")
       ->check(real_in_range(1.0, kMaxSurfaceSize));
-  add_choice(verb, "--pattern", s.reflective.pattern, kPatterns, "Sample pattern");
-  verb.add_option("--gather-scale", s.reflective.gather_scale, "Gather once per block of N x N pixels")
+  add_choice(verb, "--pattern", s.pattern, kPatterns, "Sample pattern");
+  verb.add_option("--gather-scale", s.gather_scale, "Gather once per block of N x N pixels")
       ->capture_default_str()
       ->type_name("N")
       ->check(CLI::Range(1, 16));
+}
+
+void add_cookie_flags(CLI::App& verb, SceneFlags& flags) {
   verb.add_option("--cookie", flags.cookie, "Cube map of the light: one DDS file, or six pictures +X,-X,+Y,-Y,+Z,-Z")
       ->type_name("FILE[,FILE...]")
       ->check(checked(check_cookie));
   verb.add_option("--light-rotate", flags.light_rotate, "Rotation of the light about x, then y, then z, in degrees")
       ->type_name("X,Y,Z")
       ->check(checked(check_degrees));
-  add_choice(verb, "--cookie-shadows", s.light_cookie.shadows, kCookieShadows,
+  add_choice(verb, "--cookie-shadows", flags.settings.light_cookie.shadows, kCookieShadows,
              "Shadows of the light cookie: by indices, or none");
+}
+
+// Adds the flags that only one technique reads, and the checks that involve several flags.
+void add_technique_flags(CLI::App& verb, SceneFlags& flags) {
+  add_index_flags(verb, flags.settings);
+  add_depth_flags(verb, flags);
+  add_reflective_flags(verb, flags.settings.reflective);
+  add_cookie_flags(verb, flags);
   verb.parse_complete_callback([&flags] {
     if (flags.technique == "light-cookie" && flags.cookie.empty()) {
       throw CLI::ValidationError("--technique light-cookie requires --cookie FILE");

@@ -32,7 +32,7 @@ struct FinishedRender {
 // The summary for stderr: triangles, pixels, time; with --ground-truth also the errors by cause.
 [[nodiscard]] std::string summary_text(const RenderFlags& flags, const FinishedRender& done);
 
-// What --pick found at its pixel. The rendering must have a picked index.
+// The polygon or object at the pixel of --pick. The rendering must have a picked index.
 [[nodiscard]] std::string pick_text(const RenderFlags& flags, const FinishedRender& done);
 
 // The object of --json.

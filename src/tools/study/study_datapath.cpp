@@ -148,11 +148,10 @@ std::string check_file(const std::string& text) {
 }  // namespace
 
 void add_study_datapath(CLI::App& verbs, StudyRequest& request) {
-  CLI::App* verb =
-      verbs.add_subcommand("datapath", "Error of every datapath operation against exact arithmetic, over all inputs");
+  CLI::App* verb = verbs.add_subcommand("datapath", "Measure the error of every datapath operation, over all inputs");
   verb->footer(
-      "--program measures a whole program and each of its stages; --exhaustive-sum measures AB + CD case by case.\n"
-      "Both use one profile, by default geforce2.\n"
+      "The error is the difference from exact arithmetic. --program measures a whole program and each of its stages;\n"
+      "--exhaustive-sum measures AB + CD case by case. Both use one profile, by default geforce2.\n"
       "Examples:\n"
       "  ninebit study datapath --profile geforce2\n"
       "  ninebit study datapath --program docs/programs/index_compare.gl --over primary.r,tex0.r\n"

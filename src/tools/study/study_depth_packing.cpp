@@ -45,7 +45,7 @@ Result<std::unique_ptr<Study>> make_study(const DepthPackingFlags& flags) {
 
 void add_study_depth_packing(CLI::App& verbs, StudyRequest& request) {
   CLI::App* verb =
-      verbs.add_subcommand("depth-packing", "Round-trip errors of depths packed into bytes, as three.js packed them");
+      verbs.add_subcommand("depth-packing", "Measure round-trip errors of depths packed into bytes, as in three.js");
   verb->footer(
       "Examples:\n"
       "  ninebit study depth-packing\n"

@@ -187,7 +187,7 @@ void add_axes(CLI::App& verb, ShadowsFlags& flags) {
       "Sizes of the map, in texels per side (default without another list: 128 to 1024)",
       list_by([](const std::string& t) { return numbers_that<int>(t, is_map_size); }, "powers of two such as 128,256"));
   add("--formats", "--index-format", flags.formats, "Formats of an index", list_of(names_of(kIndexFormats)));
-  add("--scopes", "--index-scope", flags.scopes, "What gets its own index", list_of(names_of(kIndexScopes)));
+  add("--scopes", "--index-scope", flags.scopes, "Units that get their own index", list_of(names_of(kIndexScopes)));
   add("--steps", "--index-step", flags.steps, "Steps between indices",
       list_by([](const std::string& t) { return numbers_that<int>(t, is_step); },
               fmt::format("steps from 1 to {}", kMaxIndexStep)));
