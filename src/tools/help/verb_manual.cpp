@@ -70,12 +70,12 @@ std::string manual_page(const VerbText& program) {
   std::string out = fmt::format(
       ".TH NINEBIT 1 \"\" \"ninebit {0}\" \"User Commands\"\n"
       ".SH NAME\nninebit \\- {1}\n"
-      ".SH SYNOPSIS\n\\fBninebit\\fR \\fIverb\\fR [\\fIarguments\\fR] [\\fIflags\\fR]\n"
+      ".SH SYNOPSIS\n\\fBninebit\\fR \\fIcommand\\fR [\\fIarguments\\fR] [\\fIflags\\fR]\n"
       ".SH FLAGS\n",
       NINEBIT_VERSION, roff(program.description));
   for (const FlagText& flag : program.flags) out += item(flag);
   out += as_it_stands(program.footer);
-  out += ".SH VERBS\n";
+  out += ".SH COMMANDS\n";
   for (const VerbText& verb : program.verbs) out += section(verb);
   out +=
       ".SH EXIT STATUS\n.TP\n0\nSuccess.\n.TP\n1\nA check found a difference.\n.TP\n2\nWrong usage.\n"
