@@ -77,7 +77,7 @@ TEST(HostileFolder, NoWriterFollowsALink) {
       [](const fs::path& file) { return ninebit::write_png(file, kSmallPicture); },
       [](const fs::path& file) {
         const std::vector<float> row(4);
-        const ninebit::SamplePlane plane{row.data(), 2};
+        const ninebit::PicturePlane plane{row.data(), 2};
         const std::vector<ninebit::ExrPart> parts{{"a", 2, 2, {ninebit::exr_channel("Y", plane)}}};
         return ninebit::write_exr_parts(file, parts);
       }};

@@ -162,7 +162,7 @@ TEST_F(IsolatedReader, IsStoppedByTheCaller) {
 
 // Answers that no reader should give are not taken for pictures.
 TEST_F(IsolatedReader, IsNotBelievedWhereItIsMad) {
-  const std::string gave_none = "OpenImageIO's reader gave no picture";
+  const std::string gave_none = "OpenImageIO's reader returned no picture";
   EXPECT_EQ(complaint([](const fs::path& file) {
               Result<FileTexture> texture = good();
               if (is_second(file)) texture->faces[0][0].width = 0;

@@ -16,7 +16,7 @@ using image_test::scramble;
 using image_test::StoredChannel;
 using image_test::TempFolder;
 using ninebit::Half;
-using ninebit::SamplePlane;
+using ninebit::PicturePlane;
 
 constexpr int kWidth = 37, kHeight = 29, kStride = 40;  // with padding after each row
 
@@ -40,7 +40,7 @@ std::vector<To> upright(const std::vector<Sample>& plane, bool lowest_first) {
   return samples;
 }
 
-StoredChannel through_exr(const SamplePlane& plane, int width = kWidth, int height = kHeight) {
+StoredChannel through_exr(const PicturePlane& plane, int width = kWidth, int height = kHeight) {
   const TempFolder folder;
   const std::vector<ninebit::ExrPart> parts = {{"p", width, height, {ninebit::exr_channel("v", plane)}}};
   const auto status = ninebit::write_exr_parts(folder.path() / "a.exr", parts);
@@ -114,11 +114,11 @@ void expect_exact_png(Read read) {
   for (const int channels : {1, 3, 4}) {
     for (const bool lowest_first : {false, true}) {
       std::vector<std::vector<Sample>> memory;
-      std::vector<SamplePlane> planes;
+      std::vector<PicturePlane> planes;
       for (int c = 0; c < channels; ++c) memory.push_back(plane_of<Sample>(static_cast<std::uint32_t>(1000 * c)));
       for (const auto& plane : memory) {
         planes.push_back(lowest_first ? ninebit::upside_down(plane.data(), kStride, kHeight)
-                                      : SamplePlane{plane.data(), kStride});
+                                      : PicturePlane{plane.data(), kStride});
       }
       const auto status = ninebit::write_png(folder.path() / "a.png", kWidth, kHeight, planes);
       ASSERT_TRUE(status.ok()) << status.error().text();
@@ -143,9 +143,9 @@ TEST(Planes, SenselessOnesAreReported) {
   const std::vector<std::uint8_t> bytes(4);
   const std::vector<std::uint16_t> words(4);
   const std::vector<float> floats(4);
-  const SamplePlane byte{bytes.data(), 2}, word{words.data(), 2}, real{floats.data(), 2};
-  const SamplePlane none{static_cast<const std::uint8_t*>(nullptr), 2};
-  const auto refused = [&](int width, const std::vector<SamplePlane>& planes) {
+  const PicturePlane byte{bytes.data(), 2}, word{words.data(), 2}, real{floats.data(), 2};
+  const PicturePlane none{static_cast<const std::uint8_t*>(nullptr), 2};
+  const auto refused = [&](int width, const std::vector<PicturePlane>& planes) {
     const auto status = ninebit::write_png(folder.path() / "a.png", width, 2, planes);
     EXPECT_FALSE(status.ok());
     return status.ok() ? std::string() : status.error().message;

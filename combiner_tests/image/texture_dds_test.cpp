@@ -205,9 +205,9 @@ TEST(Dds, BadFilesAreToldByWhatIsWrong) {
     spoil(dds);
     return complaint(Written(dds.bytes()).path);
   };
-  EXPECT_EQ(with([](DdsFile& d) { d.header_size = 123; }), "the DDS header says that it has 123 bytes; expected 124");
+  EXPECT_EQ(with([](DdsFile& d) { d.header_size = 123; }), "the DDS header has a size field of 123; expected 124");
   EXPECT_EQ(with([](DdsFile& d) { d.pixel_format_size = 0; }),
-            "the DDS pixel format says that it has 0 bytes; expected 32");
+            "the DDS pixel format has a size field of 0; expected 32");
   EXPECT_EQ(with([](DdsFile& d) { d.width = 0; }),
             "the texture is 0 x 8 in size; each side must be a power of two from 1 to 16384");
   EXPECT_EQ(with([](DdsFile& d) { d.height = 12; }),
@@ -215,13 +215,13 @@ TEST(Dds, BadFilesAreToldByWhatIsWrong) {
   EXPECT_EQ(with([](DdsFile& d) { d.height = 0x80000000; }),
             "the texture is 8 x 2147483648 in size; each side must be a power of two from 1 to 16384");
   EXPECT_EQ(with([](DdsFile& d) { d.width = d.height = 16384, d.levels = 1; }),
-            "has 184 bytes; its header asks for 134217856 (16384 x 16384, 1 face(s), 1 level(s))");
+            "has 184 bytes; its header requires 134217856 (16384 x 16384, 1 face(s), 1 level(s))");
   EXPECT_EQ(with([](DdsFile& d) { d.levels = 3; }), "has 3 mip-map levels; expected 1 or all 4");
   EXPECT_EQ(with([](DdsFile& d) { d.levels = 0xFFFFFFFF; }), "has 4294967295 mip-map levels; expected 1 or all 4");
   EXPECT_EQ(with([](DdsFile& d) { d.data.pop_back(); }),
-            "has 183 bytes; its header asks for 184 (8 x 8, 1 face(s), 4 level(s))");
+            "has 183 bytes; its header requires 184 (8 x 8, 1 face(s), 4 level(s))");
   EXPECT_EQ(with([](DdsFile& d) { d.data += '!'; }),
-            "has 185 bytes; its header asks for 184 (8 x 8, 1 face(s), 4 level(s))");
+            "has 185 bytes; its header requires 184 (8 x 8, 1 face(s), 4 level(s))");
   EXPECT_EQ(with([](DdsFile& d) { d.flags |= 0x80000, d.pitch = 33; }),
             "the DDS header has an image of 33 bytes; expected 32");
   EXPECT_EQ(with([](DdsFile& d) { d.flags |= 0x80000, d.pitch = 32; }), "");
@@ -231,22 +231,23 @@ TEST(Dds, BadFilesAreToldByWhatIsWrong) {
   EXPECT_EQ(with([](DdsFile& d) { d.caps2 = 0xFE00, d.height = 4; }),
             "is a cube map with faces of 8 x 4; expected squares");
   EXPECT_EQ(with([](DdsFile& d) { d.make_cube(); }),
-            "has 184 bytes; its header asks for 464 (8 x 8, 6 face(s), 4 level(s))");
+            "has 184 bytes; its header requires 464 (8 x 8, 6 face(s), 4 level(s))");
   EXPECT_EQ(with([](DdsFile& d) { d.four_cc = "DXT2"; }),
-            "the DDS pixel format DXT2 is not read; expected DXT1, DXT3, DXT5, uncompressed bytes or RGBA floats");
-  EXPECT_EQ(with([](DdsFile& d) { d.four_cc = "\x24"; }),
-            "the DDS pixel format number 36 is not read; expected DXT1, DXT3, DXT5, uncompressed bytes or RGBA floats");
+            "the DDS pixel format DXT2 is not supported; expected DXT1, DXT3, DXT5, uncompressed bytes or RGBA floats");
+  EXPECT_EQ(
+      with([](DdsFile& d) { d.four_cc = "\x24"; }),
+      "the DDS pixel format number 36 is not supported; expected DXT1, DXT3, DXT5, uncompressed bytes or RGBA floats");
   EXPECT_EQ(with([](DdsFile& d) { d.make_uncompressed(0x200, 16); }),
-            "the DDS pixel format with flags 0x200 is not read; expected a four-character code, RGB, luminance or "
+            "the DDS pixel format with flags 0x200 is not supported; expected a four-character code, RGB, luminance or "
             "alpha");
   EXPECT_EQ(with([](DdsFile& d) { d.make_uncompressed(0x40, 12); }),
-            "the DDS header has 12 bits a pixel; expected 8, 16, 24 or 32");
+            "the DDS header has 12 bits per pixel; expected 8, 16, 24 or 32");
   EXPECT_EQ(with([](DdsFile& d) { d.make_uncompressed(0x20000, 8); }),
-            "the DDS header has a component mask of 0x0; expected 1 to 8 bits in a row within 8 bits");
+            "the DDS header has a component mask of 0x0; expected 1 to 8 adjacent bits within 8 bits");
   EXPECT_EQ(with([](DdsFile& d) { d.make_uncompressed(0x20000, 8), d.red = 0x1FF; }),
-            "the DDS header has a component mask of 0x1ff; expected 1 to 8 bits in a row within 8 bits");
+            "the DDS header has a component mask of 0x1ff; expected 1 to 8 adjacent bits within 8 bits");
   EXPECT_EQ(with([](DdsFile& d) { d.make_uncompressed(0x20000, 16), d.red = 0x5; }),
-            "the DDS header has a component mask of 0x5; expected 1 to 8 bits in a row within 16 bits");
+            "the DDS header has a component mask of 0x5; expected 1 to 8 adjacent bits within 16 bits");
   EXPECT_EQ(with([](DdsFile& d) { d.make_uncompressed(0x20000, 8), d.red = 0xFF, d.flags |= 8, d.pitch = 12; }),
             "the DDS header has rows of 12 bytes; expected 8");
 }

@@ -173,7 +173,7 @@ TEST_F(Cookie, WrongUsage) {
     SCOPED_TRACE(testing::PrintToString(flags));
     expect_error(ninebit(small_render(kRoom, folder_ / "out", flags)), 2, words);
   };
-  expect_usage({"--technique", "light-cookie"}, {"--technique light-cookie needs --cookie"});
+  expect_usage({"--technique", "light-cookie"}, {"--technique light-cookie requires --cookie"});
   expect_usage({"--technique", "light-cookie", "--cookie", "a,b,c,d,e"}, {"--cookie", "5 files", "+X,-X,+Y"});
   expect_usage({"--technique", "light-cookie", "--cookie", "a,b,c,d,e,"}, {"6 files", "empty"});
   expect_usage({"--technique", "light-cookie", "--cookie", ""}, {"--cookie", "empty"});

@@ -124,7 +124,7 @@ void expect_answer(const Words& words, const Flag& flag, const std::string& valu
     EXPECT_EQ(outcome.code, words[1] == "merge" ? 3 : 0) << outcome.err;
     return;
   }
-  expect_error(outcome, 2, {flag.name, value.empty() ? "needs a value" : value});
+  expect_error(outcome, 2, {flag.name, value.empty() ? "requires a value" : value});
   if (value.empty()) return;
   const bool says = outcome.err.find("expected") != std::string::npos || outcome.err.find(" in ") != std::string::npos;
   EXPECT_TRUE(says) << outcome.err;

@@ -70,7 +70,8 @@ TEST(ProfileFile, AFaultIsInvalidInputAndNamesItsPlace) {
 }
 
 TEST(ProfileFile, ANameThatIsNoneIsWrongUsage) {
-  expect_error(ninebit({"profiles", "--profile", "Ideal"}), 2, {"'Ideal' is no profile", "float-shader", ".json file"});
+  expect_error(ninebit({"profiles", "--profile", "Ideal"}), 2,
+               {"unknown profile 'Ideal'", "float-shader", ".json file"});
 }
 
 TEST(ProfileFile, AllFaultsAreTold) {

@@ -196,7 +196,7 @@ TEST(Render, PickTellsPolygonAndObject) {
   EXPECT_EQ(section["object"], polygon["object"]);
   EXPECT_TRUE(section["polygon"].is_null());
   const Outcome words = pick("420,560", {"--index-scope", "section"});
-  EXPECT_NE(words.out.find("does not tell which polygon"), std::string::npos) << words.out;
+  EXPECT_NE(words.out.find("does not identify a single polygon"), std::string::npos) << words.out;
   // The camera turned away.
   const std::vector<std::string> away{"--camera", "0,1,40", "--look-at", "0,1,80"};
   const Json nothing = json("5,5", away);

@@ -81,7 +81,7 @@ TEST_F(AlteredPart, OfDepthPackingIsRefused) {
   expect_refused([](auto& p) { p.header.units = std::size_t{1} << 24; }, {":1: ", "expected 2"});
   expect_refused([](auto& p) { p.header.units = ~std::size_t{0}; }, {":1: ", "expected 1 to 16777216"});
   expect_refused([](auto& p) { p.header.shard = {3, 3}; }, {":1: shard 3/3 of 2 units"});
-  expect_refused([](auto& p) { p.header.question.study = "none"; }, {":1: its question"});
+  expect_refused([](auto& p) { p.header.question.study = "none"; }, {":1: its command"});
   expect_refused([](auto& p) { p.header.question.options[0].second = "rgba8-mod,rgba8-mod"; }, {"given twice"});
 }
 

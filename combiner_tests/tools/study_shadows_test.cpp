@@ -59,15 +59,17 @@ TEST(StudyShadows, WrongGrids) {
     std::vector<std::string> words;
   };
   const std::vector<Case> cases{
-      {{"--map-sizes", "100"}, 2, {"--map-sizes", "'100' is not a list", "powers of two"}},
+      {{"--map-sizes", "100"}, 2, {"--map-sizes", "invalid list '100'", "powers of two"}},
       {{"--map-sizes="}, 2, {"--map-sizes"}},
       {{"--map-sizes", "64,,128"}, 2, {"--map-sizes", "64,,128"}},
       {{"--steps", "0,1"}, 2, {"--steps", "from 1 to 16"}},
-      {{"--scopes", "polygon,pixel"}, 2, {"--scopes", "'pixel' is unknown; expected some of polygon, object, section"}},
+      {{"--scopes", "polygon,pixel"},
+       2,
+       {"--scopes", "unknown name 'pixel'; expected a list of polygon, object, section"}},
       {{"--formats="}, 2, {"--formats"}},
       {{"--technique", "depth-cube", "--depth-bits", "8,12"},
        2,
-       {"--depth-bits", "'12' is unknown; expected some of 8, 16, float"}},
+       {"--depth-bits", "unknown name '12'; expected a list of 8, 16, float"}},
       {{"--technique", "depth-cube", "--biases", "0,-1"}, 2, {"--biases", "from 0 to 1e12"}},
       {{"--technique", "shadow-map", "--polygon-offsets", "0,0;1"}, 2, {"--polygon-offsets", "FACTOR,UNITS"}},
       {{"--technique", "shadow-map", "--polygon-offsets", "0,nan"}, 2, {"--polygon-offsets", "FACTOR,UNITS"}},
@@ -97,7 +99,7 @@ TEST(StudyDepthPacking, AnswersItsQuestion) {
 
 TEST(StudyDepthPacking, WrongGrids) {
   const std::vector<std::pair<std::string, std::string>> cases{
-      {"--packings=rgba8", "'rgba8' is unknown; expected some of rgba8-fract"},
+      {"--packings=rgba8", "unknown name 'rgba8'; expected a list of rgba8-fract"},
       {"--packings=", "--packings"},
       {"--storages=cut", "round"},
       {"--depths=32", "16, 24, floats"},

@@ -61,7 +61,7 @@ TEST_F(TraceVerb, TheArticlesDifferences) {
 
   const std::string one = trace("primary.r=101");
   EXPECT_EQ(words_of(line_of(one, "stage 1, RGB", "· 4"))[3], "64");
-  EXPECT_NE(line_of(one, "stage 1, RGB", "dropped").find("<- all that there was"), std::string::npos) << one;
+  EXPECT_NE(line_of(one, "stage 1, RGB", "dropped").find("<- everything"), std::string::npos) << one;
   EXPECT_EQ(words_of(line_of(one, "stage 1, RGB", "spare1")),
             (Words{"spare1", "code", "0", "0", "0", "0", "0", "0", "0.00098", "0.00098", "0.00098"}));
   EXPECT_TRUE(one.ends_with("\nout: bytes 0, 0, 0, 0\n"));
@@ -165,10 +165,10 @@ TEST_F(TraceVerb, WrongUsage) {
   };
   const std::vector<Case> cases{
       {{}, {"PROGRAM or --scene is required"}},
-      {{article_, "--set"}, {"--set needs a value"}},
-      {{article_, "--set", "tex0"}, {"'tex0' sets nothing", "REGISTER=R,G,B,A"}},
-      {{article_, "--set", "tex2=1,2,3,4"}, {"'tex2' is no register", "tex0 to tex1"}},
-      {{article_, "--set", "zero.r=1"}, {"'zero.r' is no register"}},
+      {{article_, "--set"}, {"--set requires a value"}},
+      {{article_, "--set", "tex0"}, {"'tex0' has no value", "REGISTER=R,G,B,A"}},
+      {{article_, "--set", "tex2=1,2,3,4"}, {"unknown register 'tex2'", "tex0 to tex1"}},
+      {{article_, "--set", "zero.r=1"}, {"unknown register 'zero.r'"}},
       {{article_, "--set", "tex0.x=1"}, {"'tex0.x'", ".r, .g, .b or .a"}},
       {{article_, "--set", "tex0=1,2,3"}, {"tex0 takes four whole numbers", "-255 to 255", "'1,2,3'"}},
       {{article_, "--set", "tex0=1,2,3,4,5"}, {"four whole numbers"}},
@@ -180,9 +180,9 @@ TEST_F(TraceVerb, WrongUsage) {
       {{article_, "--set", "fog.r=1", "--scene", kRoom, "--pixel", "1,1"}, {"--set excludes --scene"}},
       {{article_, "--pixel", "1,1"}, {"--pixel requires --scene"}},
       {{article_, "--size", "64x64"}, {"--size requires --scene"}},
-      {{"--scene", kRoom}, {"--scene needs --pixel X,Y"}},
-      {{"--scene", kRoom, "--pixel", "7"}, {"'7' is not a pixel"}},
-      {{"--scene", kRoom, "--pixel", "-1,3"}, {"'-1,3' is not a pixel"}},
+      {{"--scene", kRoom}, {"--scene requires --pixel X,Y"}},
+      {{"--scene", kRoom, "--pixel", "7"}, {"invalid pixel '7'"}},
+      {{"--scene", kRoom, "--pixel", "-1,3"}, {"invalid pixel '-1,3'"}},
       {{"--scene", kRoom, "--pixel", "64,0", "--size", "64x48"}, {"64,0 lies outside", "0 to 63", "0 to 47"}},
       {{"--scene", kRoom, "--pixel", "0,48", "--size", "64x48"}, {"0,48 lies outside"}},
   };

@@ -14,16 +14,16 @@ struct WrongUsage {
 TEST(UsageError, VerbsAndArguments) {
   const TempFolder folder;
   const std::vector<WrongUsage> cases{
-      {{}, {"no verb is given", "render, profiles, info", "ninebit --help"}},
-      {{"rendr", "x"}, {"'rendr' is no verb", "render, profiles, info"}},
-      {{"--bogus"}, {"'--bogus' is no verb or flag"}},
+      {{}, {"a command is required", "render, profiles, info", "ninebit --help"}},
+      {{"rendr", "x"}, {"unknown command 'rendr'", "render, profiles, info"}},
+      {{"--bogus"}, {"unknown flag '--bogus'"}},
       {{"render"}, {"scene is required", "ninebit render --help"}},
       {{"render", kRoom}, {"--output is required"}},
       {{"render", "", "-o", "out"}, {"scene", "the file name is empty"}},
       {{"render", kRoom, "another", "-o", "out"}, {"not expected", "another"}},
       {{"render", kRoom, "-o", "out", "--bogus"}, {"not expected", "--bogus"}},
-      {{"render", kRoom, "-o"}, {"--output needs a value"}},
-      {{"render", kRoom, "-o", "out", "--size"}, {"--size needs a value"}},
+      {{"render", kRoom, "-o"}, {"--output requires a value"}},
+      {{"render", kRoom, "-o", "out", "--size"}, {"--size requires a value"}},
       {{"render", kRoom, "-o", "out", "--quiet=perhaps"}, {"--quiet"}},
       {{"profiles", "extra"}, {"not expected", "extra", "ninebit profiles --help"}},
       {{"profiles", "--profile", "voodoo"}, {"--profile", "voodoo", "geforce2"}},
@@ -67,8 +67,9 @@ TEST(UsageError, ValuesOfRender) {
   for (const Flag& flag : flags) {
     for (const std::string& value : flag.wrong) {
       SCOPED_TRACE(flag.name + "=" + value);
-      expect_error(ninebit({"render", kRoom, "-o", folder / "out", flag.name + "=" + value}), 2,
-                   {flag.name, value, value.empty() ? "needs a value" : flag.expected, "(see: ninebit render --help)"});
+      expect_error(
+          ninebit({"render", kRoom, "-o", folder / "out", flag.name + "=" + value}), 2,
+          {flag.name, value, value.empty() ? "requires a value" : flag.expected, "(see: ninebit render --help)"});
     }
   }
   EXPECT_TRUE(files_in(folder.path()).empty());

@@ -73,19 +73,19 @@ int run(const ConvertFlags& flags) {
 }  // namespace
 
 void add_convert(CLI::App& app, int& exit_code) {
-  CLI::App* verb = app.add_subcommand("convert", "Write a program in another form");
+  CLI::App* verb = app.add_subcommand("convert", "Convert a program to another form");
   verb->footer(
-      "A form that cannot express the program is an error that says what it lacks.\n"
+      "If the form cannot express the program, the error names the unsupported features.\n"
       "Examples:\n"
       "  ninebit convert compare.gl --to rc10\n"
       "  ninebit convert program.json --to words --chip nv20 --profile nv2a -o program.words");
   auto flags = std::make_shared<ConvertFlags>();
   add_common_flags(*verb, flags->common);
   add_program_flags(*verb, flags->program);
-  verb->add_option("--to", flags->to, "The form to write")
+  verb->add_option("--to", flags->to, "Form to write")
       ->required()
       ->check(CLI::IsMember({"gl", "rc10", "words", "words-json", "json", "glsl", "glsl-es", "c"}));
-  verb->add_option("-o,--output", flags->output, "File to write; standard output where not given")->type_name("FILE");
+  verb->add_option("-o,--output", flags->output, "Write to this file instead of standard output")->type_name("FILE");
   verb->callback([flags, &exit_code] { exit_code = run(*flags); });
 }
 

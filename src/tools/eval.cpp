@@ -1,4 +1,4 @@
-// `ninebit eval`: a program over the rows of a table of register codes.
+// `ninebit eval`: evaluates a program on each row of a table of register codes.
 #include <fmt/format.h>
 
 #include <charconv>
@@ -24,7 +24,7 @@ struct EvalFlags {
   std::string engine = "simd";
 };
 
-// The results as they are written: CSV, or the rows of the JSON answer.
+// Writes the results as CSV or as the rows of the JSON answer.
 class Writer {
  public:
   Writer(const EvalFlags& flags, const HardwareProfile& profile, OutputFile& to) : to_(&to) {
@@ -83,11 +83,11 @@ class Writer {
   bool json_ = false;
   bool first_row_ = true;
   std::vector<EvalColumn> columns_;
-  std::vector<std::string> names_;  // of all columns; for JSON as they stand before a value
+  std::vector<std::string> names_;  // of all columns; for JSON, quoted and with a colon
   std::string text_;
 };
 
-// Reads, evaluates and writes batch by batch; gives the number of rows.
+// Reads, evaluates and writes batch by batch; returns the number of rows.
 Result<std::size_t> stream(CsvLines& lines, const EvalRows& rows, EvalRunner& runner, Writer& writer,
                            ProgressLine& progress) {
   const auto batch = std::make_unique<EvalBatch>();
@@ -153,25 +153,29 @@ int run(const EvalFlags& flags) {
 }  // namespace
 
 void add_eval(CLI::App& app, int& exit_code) {
-  CLI::App* verb = app.add_subcommand("eval", "Evaluate a program on rows of register codes");
+  CLI::App* verb = app.add_subcommand("eval", "Evaluate a program on a table of register codes");
   verb->footer(
-      "The table has a header such as primary.r,tex0.a,const0.g,spare0.a and whole numbers; 255 is 1.0 with most\n"
-      "profiles. A missing column reads 0, except alpha of textures and fog, which read 1.0, spare0.a, which reads\n"
-      "tex0.a, and constants, which are the program's. A column of a constant replaces it in every stage. Results\n"
-      "go to standard output as they come, also those before a faulty row.\n"
+      "The table has a header such as primary.r,tex0.a,const0.g,spare0.a; its rows are whole numbers. In most\n"
+      "profiles, 255 is 1.0. Defaults for missing columns:\n"
+      "  alpha of textures and fog   1.0\n"
+      "  spare0.a                    the value of tex0.a\n"
+      "  const0, const1              the program's own constants\n"
+      "  all others                  0\n"
+      "A column for a constant replaces the constant in every stage. Results are written to standard output as\n"
+      "they are computed; if a row is invalid, the rows before it have already been written.\n"
       "Examples:\n"
       "  ninebit eval compare.gl --inputs codes.csv -o out.csv\n"
       "  ninebit eval compare.gl --inputs - --registers --engine reference < codes.csv");
   auto flags = std::make_shared<EvalFlags>();
   add_common_flags(*verb, flags->common);
   add_program_flags(*verb, flags->program);
-  verb->add_option("--inputs", flags->inputs, "Table of register codes, - for standard input")
+  verb->add_option("--inputs", flags->inputs, "Table of register codes; - reads standard input")
       ->required()
       ->type_name("FILE.csv");
-  verb->add_option("-o,--output", flags->output, "Table to write; standard output where not given")
+  verb->add_option("-o,--output", flags->output, "Write the results to this file instead of standard output")
       ->type_name("FILE.csv");
-  verb->add_flag("--registers", flags->registers, "Add every register after the last general stage");
-  verb->add_option("--engine", flags->engine, "What evaluates; both give the same bits")
+  verb->add_flag("--registers", flags->registers, "Also write every register after the last general combiner");
+  verb->add_option("--engine", flags->engine, "Evaluator to use; both compute the same bits")
       ->capture_default_str()
       ->check(CLI::IsMember({"reference", "simd"}));
   verb->callback([flags, &exit_code] { exit_code = run(*flags); });

@@ -51,7 +51,7 @@ int run(const ExplainFlags& flags) {
 }  // namespace
 
 void add_explain(CLI::App& app, int& exit_code) {
-  CLI::App* verb = app.add_subcommand("explain", "Tell what a program computes, as equations, stage by stage");
+  CLI::App* verb = app.add_subcommand("explain", "Print what a program computes, as equations, stage by stage");
   verb->footer(
       "Examples:\n"
       "  ninebit explain compare.gl\n"

@@ -1,4 +1,4 @@
-// `ninebit info`: what this build is and what it runs on.
+// `ninebit info`: the build, and the SIMD target that it uses here.
 #include <fmt/format.h>
 
 #include <memory>
@@ -30,7 +30,7 @@ int print_info(const CommonFlags& flags) {
 }  // namespace
 
 void add_info(CLI::App& app, int& exit_code) {
-  CLI::App* verb = app.add_subcommand("info", "What this build is and which SIMD target it runs on");
+  CLI::App* verb = app.add_subcommand("info", "Show the build and the SIMD target that it uses here");
   verb->footer("Example: ninebit info --json");
   auto flags = std::make_shared<CommonFlags>();
   add_common_flags(*verb, *flags);

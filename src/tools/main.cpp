@@ -1,4 +1,4 @@
-// The ninebit program: one file a verb, this one chooses among them.
+// The ninebit program. Each verb is a file of its own; this one dispatches to them.
 #include <exception>
 #include <new>
 #include <sstream>
@@ -16,10 +16,11 @@ namespace ninebit::tools {
 namespace {
 
 int run(int argc, char** argv) {
-  CLI::App app{"GeForce 2 register combiners to the bit, and the shadow techniques built on them", "ninebit"};
+  CLI::App app{"Bit-exact emulation of NVIDIA register combiners, and the shadow techniques built on them", "ninebit"};
   app.require_subcommand(1);
-  app.set_version_flag("--version", version_text, "Version and build of this program");
-  app.footer("Example: ninebit render scenes/index_room.gltf -o out\n`ninebit VERB --help` tells a verb's flags.");
+  app.set_version_flag("--version", version_text, "Print the version and build information");
+  app.footer(
+      "Example: ninebit render scenes/index_room.gltf -o out\nRun `ninebit COMMAND --help` for the flags of a command.");
   int exit_code = kDone;
   add_render(app, exit_code);
   add_profiles(app, exit_code);
@@ -47,7 +48,7 @@ int run(int argc, char** argv) {
   return exit_code;
 }
 
-// A thread that could not be started. oneTBB has no type for it.
+// Whether a thread could not be started. oneTBB has no exception type for that.
 bool lacks_threads(const std::exception& error) {
   const auto* const system = dynamic_cast<const std::system_error*>(&error);
   return (system != nullptr && system->code() == std::errc::resource_unavailable_try_again) ||

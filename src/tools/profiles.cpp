@@ -1,4 +1,4 @@
-// `ninebit profiles`: what is modelled, and how well it is known.
+// `ninebit profiles`: every modelled hardware behaviour and its evidence.
 #include <fmt/format.h>
 
 #include <iterator>
@@ -109,7 +109,8 @@ int print_profiles(const CommonFlags& flags) {
 }  // namespace
 
 void add_profiles(CLI::App& app, int& exit_code) {
-  CLI::App* verb = app.add_subcommand("profiles", "The hardware profiles: every field and how well it is known");
+  CLI::App* verb =
+      app.add_subcommand("profiles", "List the hardware profiles: every field, its value and its evidence");
   verb->footer("Examples:\n  ninebit profiles --json\n  ninebit profiles --profile mine.json");
   auto flags = std::make_shared<CommonFlags>();
   add_common_flags(*verb, *flags);

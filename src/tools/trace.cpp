@@ -1,4 +1,4 @@
-// `ninebit trace`: every step of one fragment, with codes, numbers and the ideal numbers side by side.
+// `ninebit trace`: every step of one fragment, as codes, as the numbers they represent, and in exact arithmetic.
 #include "ninebit/combiner/trace.h"
 
 #include <fmt/format.h>
@@ -50,7 +50,7 @@ int print(const TraceFlags& flags, const std::optional<TracedPixel>& pixel, cons
     text += fmt::format("profile {}\n", printable(flags.common.profile));
   }
   text = printable_lines(text);
-  // What the trace itself says has no foreign names, but may have colours.
+  // The trace itself contains no foreign names, but may contain colour escapes.
   if (traced) text += trace_text(*program, *traced, wants_colors(posix::kStandardOutput));
   return answer_exactly(text);
 }
@@ -77,7 +77,7 @@ int trace_pixel(const TraceFlags& flags, const std::optional<Program>& program) 
 int run(const TraceFlags& flags) {
   const HardwareProfile& profile = profile_of(flags.common);
   if (flags.program.file.empty() && flags.scene.file.empty()) return wrong_usage("PROGRAM or --scene is required");
-  if (!flags.scene.file.empty() && flags.pixel.empty()) return wrong_usage("--scene needs --pixel X,Y");
+  if (!flags.scene.file.empty() && flags.pixel.empty()) return wrong_usage("--scene requires --pixel X,Y");
   std::optional<Program> program;
   if (!flags.program.file.empty()) {
     int exit_code = kDone;
@@ -91,11 +91,12 @@ int run(const TraceFlags& flags) {
 }  // namespace
 
 void add_trace(CLI::App& app, int& exit_code) {
-  CLI::App* verb = app.add_subcommand("trace", "Show every value at every step of one fragment");
+  CLI::App* verb = app.add_subcommand("trace", "Print every value at every step of one fragment");
   verb->footer(
-      "The registers of the fragment are set, or taken from a pixel of a rendering. What is not set is as with eval:\n"
-      "0, but 1.0 for alpha of textures and fog, tex0.a for spare0.a, and the program's own for const0 and const1.\n"
-      "With --scene the program is that of the technique; a PROGRAM given as well takes its place in the trace.\n"
+      "--set gives the registers of the fragment; --scene and --pixel take them from a rendering. Registers that\n"
+      "are not set have the defaults of `ninebit eval`: 1.0 for alpha of textures and fog, tex0.a for spare0.a, the\n"
+      "program's own const0 and const1, and 0 for all others. With --scene, the technique's program is traced; a\n"
+      "PROGRAM given with it is traced instead.\n"
       "Examples:\n"
       "  ninebit trace compare.gl --set primary=102,0,0,0 --set tex0=100,0,0,255\n"
       "  ninebit trace compare.gl --set primary.r=102 --set tex0.r=101 --profile nv2a --json\n"
@@ -105,11 +106,12 @@ void add_trace(CLI::App& app, int& exit_code) {
   add_program_flags(*verb, flags->program);
   verb->get_option("program")->required(false);
   CLI::Option* const set =
-      verb->add_option("--set", flags->set, "Codes of a register, or of one component as in tex0.a=12; repeatable")
+      verb->add_option("--set", flags->set, "Set a register, or one component as in tex0.a=12; repeatable")
           ->type_name("REGISTER=R,G,B,A")
           ->allow_extra_args(false);
   CLI::Option* const scene = add_scene_file(*verb, "--scene", flags->scene)->excludes(set);
-  add_pixel_flag(*verb, "--pixel", flags->pixel, "Pixel of the picture, counted from its top left")->needs(scene);
+  add_pixel_flag(*verb, "--pixel", flags->pixel, "Pixel to trace, counted from the top left of the picture")
+      ->needs(scene);
   for (CLI::Option* const option : add_scene_flags(*verb, flags->scene)) option->needs(scene);
   verb->callback([flags, &exit_code] { exit_code = run(*flags); });
 }

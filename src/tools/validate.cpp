@@ -1,4 +1,4 @@
-// `ninebit validate`: everything that GL would refuse in a program.
+// `ninebit validate`: every GL error that a program raises.
 #include "ninebit/combiner/validate.h"
 
 #include <fmt/format.h>
@@ -21,10 +21,10 @@ struct ValidateFlags {
 
 struct Finding {
   StateDiagnostic what;
-  int line = 0, column = 0;  // 0: not about one place of the text
+  int line = 0, column = 0;  // 0: not about one place in the text
 };
 
-// What GL refuses; faults without a GL error are of the text itself.
+// The finding of a fault that raises a GL error; faults without one are syntax errors of the text.
 std::optional<Finding> refusal(const TextFault& fault) {
   if (fault.gl_error == GlError::no_error) return std::nullopt;
   Finding finding{{}, fault.line, fault.column};
@@ -59,7 +59,7 @@ int run(const ValidateFlags& flags) {
   for (const TextFault& fault : file->parsed.faults) {
     if (const auto finding = refusal(fault)) findings.push_back(*finding);
   }
-  // A text that is no program has no state that could be judged.
+  // A text that cannot be parsed has no state to validate.
   if (findings.size() < file->parsed.faults.size()) return report(file->parsed.faults);
   if (file->parsed) {
     for (const StateDiagnostic& d : validate(*file->parsed.value, profile)) findings.push_back({d});
@@ -93,9 +93,9 @@ int run(const ValidateFlags& flags) {
 }  // namespace
 
 void add_validate(CLI::App& app, int& exit_code) {
-  CLI::App* verb = app.add_subcommand("validate", "Tell what OpenGL would refuse in a program, with its errors");
+  CLI::App* verb = app.add_subcommand("validate", "List the OpenGL errors that a program raises");
   verb->footer(
-      "Exit codes: 0 valid, 1 refused, 3 no program.\n"
+      "Exit codes: 0 the program is valid, 1 it raises an error, 3 it cannot be read as a program.\n"
       "Examples:\n"
       "  ninebit validate compare.gl\n"
       "  ninebit validate program.json --profile nv2a --json");

@@ -1,4 +1,4 @@
-// `ninebit verify`: somebody else's combiner, or a chip's pictures, against ninebit, row by row.
+// `ninebit verify`: compares the results of another implementation, or of a chip, with ninebit, row by row.
 #include <fmt/ranges.h>
 
 #include <algorithm>
@@ -21,21 +21,20 @@ struct VerifyFlags {
   bool allow_outside = false;
 };
 
-// A row that does not agree.
 struct Difference {
   VerifyRow row;
   std::vector<int> codes;
-  std::vector<std::size_t> explained_by;  // rivals under which it would agree
+  std::vector<std::size_t> explained_by;  // indices of the rivals under which the row agrees
 };
 
 struct Verdict {
   std::size_t rows = 0, agree = 0;
-  std::vector<Difference> differences;             // the first ones
-  std::map<std::string, std::size_t> where;        // rows by the first place that differs
-  std::vector<std::size_t> explained, agree_then;  // by rival: of the differing rows; of all rows
+  std::vector<Difference> differences;             // the first --most
+  std::map<std::string, std::size_t> where;        // number of rows by the first place that differs
+  std::vector<std::size_t> explained, agree_then;  // per rival: of the differing rows; of all rows
 };
 
-// Where a value stands: "general combiner 0, rgb", "output, alpha".
+// The place of a value: "general combiner 0, rgb", "output, alpha".
 std::string place_of(const Expectation& expected) {
   const char* const portion = expected.component == kAlpha ? "alpha" : "rgb";
   if (!expected.stage) return fmt::format("output, {}", portion);
@@ -77,7 +76,7 @@ Result<Verdict> judge_table(const VerifyFlags& flags, const std::vector<Rival>& 
     auto row = table->next();
     if (!row) return row.error();
     if (!*row) break;
-    // The programs' states belong to the table: differences keep what they need of them, their file's name.
+    // The table owns the programs' states; a difference keeps only the name of the file.
     judge(**row, profile, rivals, static_cast<std::size_t>(flags.most), verdict);
     constexpr std::size_t kRowsPerStep = 1024;
     const bool goes_on = verdict.rows % kRowsPerStep == 0 ? progress.step(fmt::format("{} rows", verdict.rows), 0.0)
@@ -88,7 +87,7 @@ Result<Verdict> judge_table(const VerifyFlags& flags, const std::vector<Rival>& 
   return verdict;
 }
 
-// Rivals that explain something, those that explain most first.
+// The rivals that explain at least one row, those that explain most first.
 std::vector<std::size_t> explaining(const Verdict& verdict) {
   std::vector<std::size_t> found;
   for (std::size_t i = 0; i < verdict.explained.size(); ++i) {
@@ -128,15 +127,15 @@ std::string text_of(const Verdict& verdict, const std::string& table, const std:
   std::string text;
   for (const Difference& difference : verdict.differences) text += difference_text(difference, table, rivals);
   if (differ > verdict.differences.size()) {
-    text += fmt::format("… and {} rows more\n", differ - verdict.differences.size());
+    text += fmt::format("… and {} more rows\n", differ - verdict.differences.size());
   }
   text += fmt::format("{} rows: {} agree, {} differ\n", verdict.rows, verdict.agree, differ);
   if (differ == 0) return text;
   text += fmt::format("\n{:<54}{:>8}\n", "first difference in", "rows");
   for (const auto& [place, count] : verdict.where) text += fmt::format("  {:<52}{:>8}\n", place, count);
   const auto found = explaining(verdict);
-  if (found.empty()) return text + "\nNo other value of one rule explains any of them.\n";
-  text += fmt::format("\n{:<54}{:>8}  {}\n", "if this were the rule", "explains", "rows that agree then");
+  if (found.empty()) return text + "\nNo single rule with another value explains any of them.\n";
+  text += fmt::format("\n{:<54}{:>8}  {}\n", "with this rule instead", "explains", "rows that then agree");
   for (const std::size_t i : found) {
     text += fmt::format("  {:<52}{:>8}{:>22}\n", rule_text(rivals[i]), verdict.explained[i], verdict.agree_then[i]);
   }
@@ -194,33 +193,36 @@ int run(const VerifyFlags& flags) {
 }  // namespace
 
 void add_verify(CLI::App& app, int& exit_code) {
-  CLI::App* verb = app.add_subcommand("verify", "Check another combiner's results, or a chip's, against these");
+  CLI::App* verb =
+      app.add_subcommand("verify", "Compare the results of another implementation, or of a chip, with ninebit's");
   verb->footer(
-      "The table has a header and whole numbers: `program` (a file below the table's folder, in any form), `name`, "
-      "inputs\n"
-      "as in `ninebit eval` (tex0.r, const0.a), and what should come out: out.r, or stage0.spare0.r for a register "
-      "after\n"
-      "general combiner 0. 62|63 allows either; nothing is an input's default, or nothing expected.\n"
-      "It tells where rows first differ, and which rule of the profile, had it another value, would explain them.\n"
-      "Exit codes: 0 all rows agree, 1 some differ, 3 no table or no program.\n"
+      "The table has a header and rows of whole numbers. Its columns:\n"
+      "  program           file of the row's program, in any form, below the folder of the table\n"
+      "  name              name of the row, for the report\n"
+      "  tex0.r, const0.a  inputs, as in `ninebit eval`; an empty field is the default\n"
+      "  out.r             expected output\n"
+      "  stage0.spare0.r   expected register after general combiner 0\n"
+      "An expected value of 62|63 accepts either; an empty field is not compared. The report lists where rows first\n"
+      "differ, and which single rule of the profile would explain the differences if it had another value.\n"
+      "Exit codes: 0 all rows agree, 1 some differ, 3 the table or a program cannot be read.\n"
       "Examples:\n"
       "  ninebit verify results.csv --profile nv2a\n"
       "  ninebit verify results.csv --program compare.gl --json");
   auto flags = std::make_shared<VerifyFlags>();
   add_common_flags(*verb, flags->common);
-  verb->add_option("table", flags->table, "Table of rows, - for standard input")
+  verb->add_option("table", flags->table, "Table to check; - reads standard input")
       ->required()
       ->type_name("FILE.csv")
       ->check(CLI::Validator(
           [](const std::string& text) { return std::string(text.empty() ? "the file name is empty" : ""); }, ""));
-  verb->add_option("--program", flags->program.file, "Program of rows that name none")->type_name("PROGRAM");
-  verb->add_option("--from", flags->program.from, "The programs' form; told by their content where not given")
+  verb->add_option("--program", flags->program.file, "Program of the rows that name none")->type_name("PROGRAM");
+  verb->add_option("--from", flags->program.from, "Form of the programs (default: detected from the content)")
       ->check(CLI::IsMember({"gl", "rc10", "words", "json"}));
-  verb->add_option("--chip", flags->program.chip, "The chip whose register words are meant; follows the profile")
+  verb->add_option("--chip", flags->program.chip, "Chip whose register words are read (default: from the profile)")
       ->check(CLI::IsMember({"nv10", "nv20"}));
   verb->add_flag("--allow-outside", flags->allow_outside,
-                 "Read the programs that rows name also where they are not below the table's folder");
-  verb->add_option("--most", flags->most, "Rows that differ to list at most")
+                 "Also read programs that are not below the folder of the table");
+  verb->add_option("--most", flags->most, "Maximum number of differing rows to list")
       ->capture_default_str()
       ->check(CLI::Range(0, 1'000'000));
   verb->callback([flags, &exit_code] { exit_code = run(*flags); });

@@ -1,9 +1,8 @@
 // Writing pictures: PNG by libpng, EXR by OpenEXR.
 //
-// All planes are row-major, row 0 at the TOP of the picture. Every writer reports an error (Fault::cannot_write, naming
-// the file) when the file could not be opened, written to the last byte or closed; it then leaves no complete-looking
-// file behind. A file that exists is emptied first; a symbolic link is an error. Callers write to StagedFiles::stage()
-// paths.
+// All planes are row-major, row 0 at the TOP of the picture. Every writer reports Fault::cannot_write, with the file's
+// name, if the file cannot be opened, written to the last byte or closed; it then leaves no complete-looking file
+// behind. An existing file is overwritten; a symbolic link is an error. Callers write to paths of StagedFiles::stage().
 #pragma once
 
 #include <array>
@@ -23,10 +22,10 @@
 
 namespace NINEBIT_PUBLIC ninebit {
 
-// Every side of a picture, a part or a cube face is 1 to 16384; sizes, sample counts and names that do not fit, and
-// channels without a function, are reported as Fault::invalid_input, before any file is touched or any row asked for.
+// Every side of a picture, a part or a cube face is 1 to 16384. Invalid sizes, sample counts and names, and channels
+// without a function, are reported as Fault::invalid_input before a file is opened or a row is requested.
 
-// A picture of 8 or 16 bits a channel, interleaved.
+// A picture of 8 or 16 bits per channel, interleaved.
 template <class Sample>
 struct Image {
   int width = 0;               // pixels
@@ -38,36 +37,35 @@ struct Image {
 using Image8 = Image<std::uint8_t>;
 using Image16 = Image<std::uint16_t>;
 
-// Writes a picture. Reports what the head of this file says.
+// Writes a picture. Reports the errors listed at the top of this file.
 [[nodiscard]] Status write_png(const std::filesystem::path& file, const Image8& image);
 [[nodiscard]] Status write_png(const std::filesystem::path& file, const Image<std::uint16_t>& image);
 
 // The bytes that write_png would write.
 [[nodiscard]] Result<std::string> encode_png(const Image8& image);
 
-// Samples in memory, one channel of a picture: `top` is the first sample of the top row, and `stride` samples further
-// is the first of the row below. Surfaces hold their lowest row first; see upside_down.
-struct SamplePlane {
-  // The top row's first sample; not nullptr.
+// One channel of a picture in memory: `top` is the first sample of the top row; the row below starts `stride` samples
+// later. Surfaces store their lowest row first; see upside_down.
+struct PicturePlane {
+  // Not nullptr.
   std::variant<const std::uint8_t*, const std::uint16_t*, const std::uint32_t*, const s9*, const Half*, const float*>
       top;
-  std::ptrdiff_t stride = 0;  // samples, negative where rows are stored upward
+  std::ptrdiff_t stride = 0;  // samples; negative if the lowest row is stored first
 };
 
-// The plane whose lowest row comes first in memory, at `lowest`, and whose rows follow upward, each `stride` further.
+// A plane stored from the lowest row up: the lowest row is at `lowest`, each higher row `stride` samples later.
 template <class Sample>
-[[nodiscard]] SamplePlane upside_down(const Sample* lowest, std::ptrdiff_t stride, int height) {
+[[nodiscard]] PicturePlane upside_down(const Sample* lowest, std::ptrdiff_t stride, int height) {
   return {lowest + stride * (height - 1), -stride};
 }
 
-// 1, 3 or 4 planes as the channels of a picture; all of them 8-bit, or all 16-bit.
+// Writes 1, 3 or 4 planes as the channels of a picture. All of them must be 8-bit, or all 16-bit.
 [[nodiscard]] Status write_png(const std::filesystem::path& file, int width, int height,
-                               std::span<const SamplePlane> planes);
+                               std::span<const PicturePlane> planes);
 
-// Puts the samples of one row, counted from the top of the part or of the face (t), into `out`, which has the width's
-// size and arbitrary content before: it is to be filled entirely, and not to be kept. Called by the thread that called
-// the writer, never two at a time. It may throw std::bad_alloc, which the writer passes on, leaving no file behind, and
-// nothing else.
+// Fills `out`, which is uninitialized and as long as the width, with the samples of one row, counted from the top of
+// the part or face (t). It must fill `out` completely and must not keep it. The thread that called the writer calls it,
+// never two calls at a time. It may throw only std::bad_alloc; the writer passes it on and leaves no file behind.
 using ExrIntegerRow = std::function<void(int row, std::span<std::uint32_t> out)>;  // UINT, stored exactly
 using ExrRealRow = std::function<void(int row, std::span<float> out)>;             // stored as half
 struct ExrFloatRow {                                                               // FLOAT, stored exactly
@@ -75,16 +73,16 @@ struct ExrFloatRow {                                                            
   explicit operator bool() const { return static_cast<bool>(fill); }  // whether there is a function
 };
 
-// One channel of an EXR part. A writer asks for each of its rows once, and holds no more than some dozens of them, so
-// that pictures of any size can be converted on their way into the file.
+// One channel of an EXR part. A writer requests each row once and holds at most a few dozen rows, so that pictures of
+// any size can be converted while they are written.
 struct ExrChannel {
-  std::string name;                                           // "R", "G", "index", …
-  std::variant<ExrIntegerRow, ExrRealRow, ExrFloatRow> rows;  // what the channel is stored as, and who fills it
+  std::string name;                                           // such as "R", "index"
+  std::variant<ExrIntegerRow, ExrRealRow, ExrFloatRow> rows;  // the storage type, and the function that fills a row
 };
 
-// A plane as a channel, each sample exactly: 8, 16 and 32 bits as UINT, register codes and halves as half, floats as
-// FLOAT. The plane's samples must outlive the channel, and hold each row that the part's size asks for.
-[[nodiscard]] ExrChannel exr_channel(std::string name, const SamplePlane& plane);
+// A plane as a channel that stores each sample exactly: 8, 16 and 32 bits as UINT, register codes and halves as half,
+// floats as FLOAT. The samples must outlive the channel and have all rows of the part.
+[[nodiscard]] ExrChannel exr_channel(std::string name, const PicturePlane& plane);
 
 // One picture of a multi-part file.
 struct ExrPart {
@@ -94,21 +92,21 @@ struct ExrPart {
   std::vector<ExrChannel> channels;  // of any kinds
 };
 
-// A multi-part scan-line EXR, ZIP compressed. The display window of all parts is that of the first. Values that half
-// cannot hold become its nearest, or infinity. The rows of a channel are asked for from the top down, part after part.
+// Writes a multi-part scan-line EXR, ZIP compressed. The display window of all parts is that of the first. Values are
+// rounded to the nearest half, or to infinity. Rows are requested from the top down, part after part.
 [[nodiscard]] Status write_exr_parts(const std::filesystem::path& file, std::span<const ExrPart> parts);
 
-// Six faces as OpenEXR's own cube environment map (envmap attribute ENVMAP_CUBE, N x 6N, faces +X -X +Y -Y +Z -Z).
-// `faces` come in the order and orientation of ARB_texture_cube_map: +X -X +Y -Y +Z -Z, texel (0, 0) first, s to the
-// right, t by rows; each has the same channels with rows of `size` samples. The writer turns each face into the
-// orientation that OpenEXR's ImfEnvmap defines: a stored pixel holds the texel nearest to its direction
-// (OpenEXR puts the outermost pixels on the cube's edges, the extension half a texel inside). The rows of a face are
-// asked for in any order.
+// Writes six faces as OpenEXR's cube environment map (envmap attribute ENVMAP_CUBE, N x 6N, faces +X -X +Y -Y +Z -Z).
+// `faces` have the order and orientation of ARB_texture_cube_map: +X -X +Y -Y +Z -Z, texel (0, 0) first, s to the
+// right, t by rows; all have the same channels, with rows of `size` samples. The writer converts each face to the
+// orientation of OpenEXR's ImfEnvmap: a stored pixel holds the texel nearest to its direction (OpenEXR puts the
+// outermost pixels on the edges of the cube, the extension half a texel inside). The rows of a face are requested in
+// any order.
 [[nodiscard]] Status write_exr_cube(const std::filesystem::path& file, int size,
                                     std::span<const std::vector<ExrChannel>, 6> faces);
 
-// The number of threads that compress EXR files, in the whole process (1 or less: the calling thread alone, which is
-// also the default). It changes no byte of any file. Not to be called while a file is being written.
+// Sets the number of threads that compress EXR files, for the whole process. 1 or less uses only the calling thread,
+// which is the default. The files do not depend on it. Do not call it while a file is being written.
 void set_image_threads(int threads);
 
 }  // namespace ninebit

@@ -1,5 +1,5 @@
-// Outputs that appear all together or not at all: each is written aside under a temporary name in the target folder and
-// renamed when everything has been written.
+// Output files that appear all together or not at all: each is written under a temporary name in the target folder, and
+// all are renamed after the last is complete.
 #pragma once
 
 #include <filesystem>
@@ -11,34 +11,34 @@
 
 namespace NINEBIT_PUBLIC ninebit {
 
-// A set of output files in one folder. Files that are not committed are removed by the destructor, and so are folders
-// that open() made when nothing was committed into them; older files of the same names stay whole until commit()
-// renames the new ones over them.
+// A set of output files in one folder. The destructor removes files that were not committed, and folders that open()
+// created if nothing was committed into them. Older files of the same names stay whole until commit() renames the new
+// ones over them.
 class StagedFiles {
  public:
-  // Makes the folder (and its parents) where it is missing. Reports a folder that cannot be made or written into. The
-  // empty path is the current folder.
+  // Creates the folder and its parents if they are missing. Reports a folder that cannot be created or written into.
+  // The empty path is the current folder.
   [[nodiscard]] static Result<StagedFiles> open(const std::filesystem::path& folder);
 
-  // What was moved from has no files and removes nothing.
+  // A moved-from object has no files and removes nothing.
   StagedFiles(StagedFiles&& other) noexcept;
   StagedFiles& operator=(StagedFiles&& other) noexcept;
   StagedFiles(const StagedFiles&) = delete;
   StagedFiles& operator=(const StagedFiles&) = delete;
   ~StagedFiles();
 
-  // The temporary path under which the writer must create the file that will be called `name` (a plain file name; any
-  // other is reported by commit). It ends in the extension of `name`. The same name gives the same path. Nobody can
-  // guess the path before the file is there, so a writer that creates it exclusively writes into no file of others.
+  // The temporary path at which the writer must create the file `name`. `name` must be a plain file name; commit()
+  // reports any other. The path has the extension of `name`; the same name returns the same path. The path cannot be
+  // guessed before the file exists, so a writer that creates it exclusively never writes into a foreign file.
   [[nodiscard]] std::filesystem::path stage(const std::string& name);
 
-  // Brings every staged file to the disk and renames it to its name, in the order of staging. A file that replaces
-  // another gets that one's permission bits. Reports a staged file that was not written, a name that is taken by a
-  // folder, and what could not be renamed; the files that were renamed before are then taken back and the older ones
-  // restored, as far as the file system has hard links. A process of its own renames several files, so that a signal
-  // that ends this one, SIGKILL too, leaves all of them renamed or none. The folder is locked meanwhile: of two
-  // programs that commit the same names, the folder holds the files of one. Reports a lock that is held for 10 s. A
-  // folder that cannot be locked, because it may not be read or its file system has no locks, is written without one.
+  // Flushes every staged file to the disk and renames it to its name, in the order of staging. A file that replaces
+  // another gets that file's permission bits. Reports a staged file that was not written, a name that is a folder, and
+  // a failed rename; the files renamed before it are then removed and the older ones restored, if the file system has
+  // hard links. A separate process renames several files, so that a signal that ends this process, including SIGKILL,
+  // leaves either all of them renamed or none. The folder is locked meanwhile: if two programs commit the same names,
+  // it holds the files of one of them. Reports a lock that another program holds for 10 s. A folder that cannot be
+  // locked, because it is not readable or its file system has no locks, is written without a lock.
   [[nodiscard]] Status commit();
 
   // The final paths, in the order of staging.

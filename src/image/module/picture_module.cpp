@@ -1,4 +1,4 @@
-// The module ninebit_pictures: OpenImageIO's readers for a program that starts without them.
+// The module ninebit_pictures: OpenImageIO's readers, which the program loads when it needs them.
 #include "src/image/texture/picture_module.h"
 
 using namespace ninebit::image_detail;

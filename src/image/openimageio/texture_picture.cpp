@@ -1,4 +1,4 @@
-// Pictures as textures, by OpenImageIO.
+// Reads pictures as textures with OpenImageIO.
 #include <OpenImageIO/imageio.h>
 #include <fmt/format.h>
 
@@ -14,7 +14,7 @@
 namespace ninebit::image_detail {
 namespace {
 
-// One line of what OpenImageIO says.
+// OpenImageIO's message on one line.
 std::string reason(std::string text) {
   std::replace(text.begin(), text.end(), '\n', ' ');
   while (!text.empty() && (text.back() == ' ' || text.back() == '.')) text.pop_back();
@@ -22,7 +22,7 @@ std::string reason(std::string text) {
 }
 
 std::string complain_about_spec(const OIIO::ImageSpec& spec) {
-  if (spec.deep) return "is a deep picture; expected one sample a pixel";
+  if (spec.deep) return "is a deep picture; expected one sample per pixel";
   if (spec.depth > 1) return "is a volume; expected a picture";
   if (std::string complaint = complain_about_texture_size(spec.width, spec.height); !complaint.empty()) {
     return "the picture " + complaint;
@@ -40,7 +40,7 @@ bool has_floats(const OIIO::ImageSpec& spec) {
   return spec.format.is_floating_point();
 }
 
-// Which channel of a picture with that many becomes red, green, blue, alpha; -1: none.
+// The channels of a picture with `count` channels that become red, green, blue and alpha; -1: none.
 std::array<int, 4> channels_of(int count) {
   switch (count) {
     case 1:
@@ -54,7 +54,7 @@ std::array<int, 4> channels_of(int count) {
   }
 }
 
-// Interleaved samples of the picture, or OpenImageIO's complaint.
+// The interleaved samples of the picture. Reports OpenImageIO's message.
 template <class T>
 Result<std::vector<T>> read_samples(OIIO::ImageInput& input, const OIIO::ImageSpec& spec, OIIO::TypeDesc type,
                                     std::size_t pixels) {
@@ -114,8 +114,8 @@ Result<FileTexture> read_picture(const std::filesystem::path& file) {
     OIIO::ImageSpec wishes;
     wishes.attribute("oiio:UnassociatedAlpha", 1);
     const std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::open(file.string(), &wishes);
-    if (!input) return invalid_input(file, "is no picture that can be read: " + reason(OIIO::geterror()));
-    input->threads(1);  // of the threads that OpenImageIO started before, a child process has none
+    if (!input) return invalid_input(file, "is not a picture that can be read: " + reason(OIIO::geterror()));
+    input->threads(1);  // a child process does not have the threads that OpenImageIO started before
     Result<FileTexture> texture = read_opened(*input);
     if (!texture) return invalid_input(file, texture.error().message);
     return texture;

@@ -1,4 +1,4 @@
-// Fetches rows from the caller and hands them to OpenEXR, a block at a time.
+// Fetches rows from the caller and passes them to OpenEXR in blocks.
 #pragma once
 
 #include <ImfFrameBuffer.h>
@@ -13,7 +13,7 @@
 
 namespace ninebit::image_detail {
 
-// Which way pictures are turned on their way into the file.
+// The axes along which a picture is flipped when it is written.
 struct Flips {
   bool columns = false;
   bool rows = false;
@@ -26,7 +26,7 @@ struct Flips {
 
 void add_channels(Imf::Header& header, std::span<const ExrChannel> channels);
 
-// One picture of width x height samples in each of the channels, which are borrowed.
+// Writes one picture of width x height samples per channel. The channels must outlive the object.
 class ExrBlocks {
  public:
   ExrBlocks(int width, int height, std::span<const ExrChannel> channels, Flips flips);
@@ -43,7 +43,7 @@ class ExrBlocks {
   }
 
  private:
-  // Some of OpenEXR's 16-row ZIP blocks, so that its threads, if the program gave it any, have work.
+  // Several of OpenEXR's 16-row ZIP blocks, so that its threads, if it has any, have work.
   static constexpr int kRows = 64;
 
   struct Block {
@@ -53,7 +53,7 @@ class ExrBlocks {
   };
 
   [[nodiscard]] int source_row(int row) const { return flips_.rows ? height_ - 1 - row : row; }
-  // One row of the turned picture, as the file holds it.
+  // One row of the flipped picture, in the type of the file.
   void fetch(const ExrIntegerRow& fill, int row, std::span<std::uint32_t> line) const;
   void fetch(const ExrFloatRow& floats, int row, std::span<float> line) const;
   void fetch(const ExrRealRow& fill, int row, std::span<half> line);
@@ -65,8 +65,8 @@ class ExrBlocks {
   int height_;
   std::span<const ExrChannel> channels_;
   Flips flips_;
-  std::vector<Block> blocks_;  // one a channel
-  std::vector<float> reals_;   // a row of a HALF channel before it becomes half
+  std::vector<Block> blocks_;  // one per channel
+  std::vector<float> reals_;   // a row of a HALF channel before conversion to half
 };
 
 }  // namespace ninebit::image_detail

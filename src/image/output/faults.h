@@ -1,4 +1,4 @@
-// The Diagnostics of this room.
+// Diagnostics of the image files.
 #pragma once
 
 #include <filesystem>
@@ -28,7 +28,7 @@ inline Diagnostic invalid_input(const std::filesystem::path& file, std::string m
   return {std::move(message), file.string(), 0, Fault::invalid_input};
 }
 
-// The empty string when both sides are in range, else the complaint.
+// Empty if both sides are in range, else the complaint.
 inline std::string complain_about_size(int width, int height) {
   if (width >= 1 && height >= 1 && width <= kLargestSide && height <= kLargestSide) return {};
   return "is " + std::to_string(width) + " x " + std::to_string(height) + " in size; each side must be 1 to " +

@@ -25,11 +25,11 @@ using image_detail::complain_about_size;
 using image_detail::invalid_input;
 using posix::CheckedFile;
 
-// This and no filters: on flat pictures two to three times as fast as libpng's defaults, and about as small.
+// With no filters: on flat pictures ×2 to ×3 as fast as libpng's defaults, at about the same size.
 constexpr int kPngZipLevel = 4;
 
-// libpng at work on one picture, whose bytes go to `Sink::write`. It reports errors by longjmp, which must not cross an
-// object with a destructor: what may jump stands in functions that have none.
+// Encodes one picture with libpng; the bytes go to `Sink::write`. libpng reports errors by longjmp, which must not
+// cross an object with a destructor: only functions without such objects call it.
 template <class Sink>
 class PngEncoder {
  public:
@@ -46,7 +46,7 @@ class PngEncoder {
   PngEncoder& operator=(const PngEncoder&) = delete;
   ~PngEncoder() { png_destroy_write_struct(&png_, &info_); }
 
-  // False: libpng gave up, for the reason(). Throws where that is a want of memory.
+  // False if libpng failed; see reason(). Throws std::bad_alloc if memory ran out.
   template <class Sample>
   bool encode(const Image<Sample>& image) {
     if (encode_or_jump(image)) return true;
@@ -82,7 +82,7 @@ class PngEncoder {
     std::strncpy(reason.data(), message, reason.size() - 1);
     png_longjmp(png, 1);
   }
-  static void ignore(png_structp, png_const_charp) {}  // warnings speak of chunks that are not written here
+  static void ignore(png_structp, png_const_charp) {}  // warnings concern chunks that are not written here
   static void write(png_structp png, png_bytep bytes, std::size_t size) {
     if (!static_cast<Sink*>(png_get_io_ptr(png))->write(bytes, size)) png_error(png, "its bytes cannot be kept");
   }
@@ -93,7 +93,7 @@ class PngEncoder {
   png_infop info_;
 };
 
-// Bytes kept in memory. An exception must not cross libpng.
+// Stores the bytes in memory. An exception must not cross libpng.
 struct TextSink {
   std::string text{};
   bool full = false;
@@ -117,8 +117,8 @@ Status check(const std::filesystem::path& file, const Image<Sample>& image) {
   const std::size_t needed = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height) *
                              static_cast<std::size_t>(image.channels);
   if (image.pixels.size() != needed) {
-    return invalid_input(
-        file, fmt::format("the picture has {} samples where its size needs {}", image.pixels.size(), needed));
+    return invalid_input(file,
+                         fmt::format("the picture has {} samples; its size requires {}", image.pixels.size(), needed));
   }
   return {};
 }
@@ -129,7 +129,7 @@ Status write_image(const std::filesystem::path& file, const Image<Sample>& image
   CheckedFile output(file);
   if (!output.failed()) {
     PngEncoder encoder(output);
-    // Errors of the file are the CheckedFile's to tell.
+    // close_written reports errors of the file.
     if (!encoder.encode(image) && !output.failed()) {
       return cannot_write(file, fmt::format("could not be encoded as PNG: {}", encoder.reason()));
     }

@@ -1,9 +1,9 @@
-// OpenEXR's threads, which all files of the process share.
+// OpenEXR's thread pool, shared by all files of the process.
 #pragma once
 
 namespace ninebit::image_detail {
 
-// Ends them for as long as it lives.
+// Ends the threads of the pool; the destructor starts them again.
 class WithoutImageThreads {
  public:
   WithoutImageThreads();

@@ -18,14 +18,13 @@ namespace {
 
 using image_detail::cannot_write;
 
-constexpr std::size_t kLongestStem = 64;  // so that a long name does not become too long as a temporary one
+constexpr std::size_t kLongestStem = 64;  // bytes; keeps the temporary name within the limits of file systems
 constexpr std::size_t kLongestExtension = 16;
 
-// How long another process may hold the folder. Renaming takes milliseconds.
+// The longest wait for the lock of another process. Renaming takes milliseconds.
 constexpr std::chrono::seconds kLongestWait{10};
 
-// A name in the folder that nothing has and nobody can guess, with the extension of `name`, from which libraries tell
-// the format.
+// An unused, unpredictable name in the folder, with the extension of `name`, from which libraries derive the format.
 fs::path unused_name(const fs::path& folder, std::string name) {
   std::replace_if(
       name.begin(), name.end(), [](char c) { return c == '/' || c == '\0'; }, '_');
@@ -44,7 +43,7 @@ void remove_quietly(const fs::path& path) noexcept {
   fs::remove(path, ignored);
 }
 
-// The moves of one commit. Their links to older files go, whatever happens in between.
+// The moves of one commit. The destructor removes their links to older files.
 struct Moves {
   std::vector<posix::Move> all;
 
@@ -58,7 +57,7 @@ struct Moves {
   }
 };
 
-// Keeps what stands at the target within reach; where the file system has no hard links, it cannot be brought back.
+// Links an older file at the target, so that it can be restored; impossible if the file system has no hard links.
 posix::Move prepare(const fs::path& folder, const std::string& name, const fs::path& temporary) {
   posix::Move move{temporary, folder / name, {}, false};
   std::error_code error;
@@ -97,7 +96,7 @@ void StagedFiles::discard() noexcept {
   for (const Entry& entry : entries_) {
     if (!entry.committed) remove_quietly(entry.temporary);
   }
-  // Only empty folders can be removed so: one with a committed file, or with anybody else's, stays.
+  // Only empty folders are removed: one with a committed or a foreign file stays.
   for (auto folder = made_folders_.rbegin(); folder != made_folders_.rend(); ++folder) remove_quietly(*folder);
 }
 
@@ -110,9 +109,10 @@ Result<StagedFiles> StagedFiles::open(const fs::path& folder) {
     if (fs::is_directory(step, error)) continue;
     if (fs::create_directory(step, error)) {
       staged.made_folders_.push_back(step);
-    } else if (std::error_code ignored; !fs::is_directory(step, ignored)) {  // nor has another made it meanwhile
+    } else if (std::error_code ignored;
+               !fs::is_directory(step, ignored)) {  // and no other process created it meanwhile
       if (!error) error = std::make_error_code(std::errc::not_a_directory);
-      return cannot_write(folder, "the folder " + step.string() + " cannot be made: " + error.message());
+      return cannot_write(folder, "the folder " + step.string() + " cannot be created: " + error.message());
     }
   }
   const fs::path probe = unused_name(staged.folder_, "probe");
@@ -138,9 +138,9 @@ Status StagedFiles::check_before_commit() const {
     if (!is_plain_name(entry.name)) return cannot_write(target, "\"" + entry.name + "\" is not a plain file name");
     if (!fs::is_regular_file(fs::symlink_status(entry.temporary, error)))
       return cannot_write(target, "was not written");
-    if (fs::is_directory(target, error)) return cannot_write(target, "a folder of that name is in the way");
+    if (fs::is_directory(target, error)) return cannot_write(target, "a folder of that name exists");
     if ((error = posix::finish_file(entry.temporary, target))) {
-      return cannot_write(target, "could not be brought to the disk: " + error.message());
+      return cannot_write(target, "could not be flushed to the disk: " + error.message());
     }
   }
   return {};
@@ -150,7 +150,7 @@ Status StagedFiles::commit() {
   if (Status status = check_before_commit(); !status) return status;
   std::error_code error;
   const posix::FolderLock lock(folder_, kLongestWait, error);
-  if (error) return cannot_write(folder_, "another program is renaming files in the folder and does not end");
+  if (error) return cannot_write(folder_, "another program holds the lock of the folder");
   Moves moves;
   moves.all.reserve(entries_.size());
   for (const Entry& entry : entries_) {

@@ -19,17 +19,16 @@ Result<fs::path> find_module() {
   std::error_code error;
   const fs::path program = fs::read_symlink(posix::program_file(), error);
   if (error) {
-    return Diagnostic{fmt::format("the program's own path, beside which {} is looked for, is unknown: {}",
-                                  kPictureModuleFile, error.message())};
+    return Diagnostic{fmt::format("the path of the program is unknown, so {} cannot be found: {}", kPictureModuleFile,
+                                  error.message())};
   }
   const fs::path folder = program.parent_path();
   const fs::path beside = folder / kPictureModuleFile;
   const fs::path installed = folder.parent_path() / "lib/ninebit" / kPictureModuleFile;
   if (fs::exists(beside, error)) return beside;
   if (fs::exists(installed, error)) return installed;
-  return Diagnostic{
-      fmt::format("pictures other than DDS are read by a module that is missing: neither {} nor {} exists",
-                  beside.string(), installed.string())};
+  return Diagnostic{fmt::format("the module that reads pictures other than DDS is missing: neither {} nor {} exists",
+                                beside.string(), installed.string())};
 }
 
 struct PictureModule {
@@ -48,8 +47,8 @@ Result<PictureModule> load_module() {
   const auto build = reinterpret_cast<const char* (*)()>(posix::find_symbol(module, kPictureBuildSymbol));
   const auto read = reinterpret_cast<PictureModuleRead>(posix::find_symbol(module, kPictureReadSymbol));
   if (build == nullptr || read == nullptr || std::string_view(build()) != kPictureModuleBuild) {
-    return Diagnostic{
-        fmt::format("the module {} is not of this build of the program ({})", path->string(), kPictureModuleBuild)};
+    return Diagnostic{fmt::format("the module {} belongs to another build of the program; expected {}", path->string(),
+                                  kPictureModuleBuild)};
   }
   return PictureModule{read};
 }

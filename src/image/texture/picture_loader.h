@@ -1,4 +1,4 @@
-// Pictures for the program, which does not link OpenImageIO.
+// Reads pictures for the program, which does not link OpenImageIO.
 #pragma once
 
 #include <filesystem>
@@ -7,12 +7,12 @@
 
 namespace ninebit::image_detail {
 
-// read_picture() out of the module ninebit_pictures, which is loaded when the first picture is asked for: from the
-// program's folder or, where it is not there, from ../lib/ninebit beside that. Reports, besides what read_picture
-// reports, a module that is missing, cannot be loaded or belongs to another build of the program, with its path.
+// Calls read_picture() of the module ninebit_pictures, which is loaded for the first picture: from the program's folder
+// or, if it is not there, from ../lib/ninebit relative to that folder. Reports what read_picture reports, and a module
+// that is missing, cannot be loaded or belongs to another build of the program, with its path.
 [[nodiscard]] Result<FileTexture> load_picture(const std::filesystem::path& file);
 
-// Loads the module alone.
+// Only loads the module.
 [[nodiscard]] Status load_picture_module(const std::filesystem::path& file);
 
 inline constexpr PictureReader kPictureModule{.read = &load_picture, .prepare = &load_picture_module};

@@ -1,4 +1,4 @@
-// What the module ninebit_pictures and the program that loads it agree upon.
+// The interface between the module ninebit_pictures and the program that loads it.
 #pragma once
 
 #include <filesystem>
@@ -9,7 +9,7 @@ namespace ninebit::image_detail {
 
 inline constexpr const char* kPictureModuleFile = "ninebit_pictures.so";
 
-// They exchange objects of C++, so that both must come from one build: this version, this compiler.
+// They exchange C++ objects, so both must be of the same build: same version, same compiler.
 inline constexpr const char* kPictureModuleBuild = NINEBIT_VERSION ", " __VERSION__;
 
 // The module's two symbols.

@@ -20,10 +20,10 @@ constexpr std::uint32_t kCubeMap = 0x200, kFirstFace = 0x400, kVolume = 0x200000
 // Empty, or what is wrong with the header apart from its pixel format.
 std::string complain_about_header(const DdsHeader& header) {
   if (header.header_size != kHeaderSize) {
-    return fmt::format("the DDS header says that it has {} bytes; expected {}", header.header_size, kHeaderSize);
+    return fmt::format("the DDS header has a size field of {}; expected {}", header.header_size, kHeaderSize);
   }
   if (header.pixel_format_size != kPixelFormatSize) {
-    return fmt::format("the DDS pixel format says that it has {} bytes; expected {}", header.pixel_format_size,
+    return fmt::format("the DDS pixel format has a size field of {}; expected {}", header.pixel_format_size,
                        kPixelFormatSize);
   }
   if ((header.caps2 & kVolume) != 0 || ((header.flags & kHasDepth) != 0 && header.depth > 1)) {
@@ -49,7 +49,7 @@ std::string complain_about_header(const DdsHeader& header) {
   return {};
 }
 
-// Empty, or how the header's row or image size contradicts the format; 0 says nothing.
+// Empty, or how the header's row or image size contradicts the format. A size of 0 is not checked.
 std::string complain_about_pitch(const DdsHeader& header, const DdsPixels& pixels) {
   const std::uint64_t given = header.pitch_or_linear_size;
   const auto width = static_cast<int>(header.width), height = static_cast<int>(header.height);
@@ -126,7 +126,7 @@ Result<FileTexture> parse_dds(const HardwareProfile& profile, const std::filesys
     needed += faces * dds_level_bytes(*pixels, width_of(level), height_of(level));
   }
   if (bytes.size() != needed) {
-    return invalid_input(file, fmt::format("has {} bytes; its header asks for {} ({} x {}, {} face(s), {} level(s))",
+    return invalid_input(file, fmt::format("has {} bytes; its header requires {} ({} x {}, {} face(s), {} level(s))",
                                            bytes.size(), needed, header.width, header.height, faces, levels));
   }
   std::span<const std::uint8_t> rest = bytes.subspan(kDdsHeaderBytes);

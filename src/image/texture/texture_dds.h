@@ -1,4 +1,4 @@
-// The header of a DDS file (DirectDraw surface), as numbers and as what they mean.
+// The header of a DDS file (DirectDraw surface), and the pixel format that it describes.
 #pragma once
 
 #include <array>
@@ -30,7 +30,7 @@ struct DdsHeader {
   std::uint32_t caps2 = 0;
 };
 
-// Of at least kDdsHeaderBytes.
+// Parses the header. `bytes` must have at least kDdsHeaderBytes.
 [[nodiscard]] DdsHeader parse_dds_header(std::span<const std::uint8_t> bytes);
 
 // How the pixels of a file are stored.
@@ -41,13 +41,13 @@ struct DdsPixels {
   std::array<std::uint32_t, 4> mask{};  // uncompressed bytes: of red or luminance, green, blue, alpha
 };
 
-// Reports formats that are not read, with a message for a Diagnostic that names the file.
+// The pixel format of a header. Reports unsupported formats; the caller adds the name of the file.
 [[nodiscard]] Result<DdsPixels> dds_pixels(const DdsHeader& header);
 
-// The bytes of one level.
+// The size of one level in bytes.
 [[nodiscard]] std::size_t dds_level_bytes(const DdsPixels& pixels, int width, int height);
 
-// One level out of exactly those bytes.
+// Decodes one level from exactly dds_level_bytes bytes.
 [[nodiscard]] Result<TextureSamples> decode_dds_level(const DdsPixels& pixels, Dxt1Palette palette, int width,
                                                       int height, std::span<const std::uint8_t> bytes);
 

@@ -55,7 +55,7 @@ Result<DdsPixels> four_cc_pixels(const DdsHeader& header) {
       return DdsPixels{.format = InternalFormat::rgba32f, .bytes_per_pixel = 16};
     default:
       return Diagnostic{fmt::format(
-          "the DDS pixel format {} is not read; expected DXT1, DXT3, DXT5, uncompressed bytes or RGBA floats",
+          "the DDS pixel format {} is not supported; expected DXT1, DXT3, DXT5, uncompressed bytes or RGBA floats",
           name_of_four_cc(header.four_cc))};
   }
   pixels.format = s3tc_internal_format(*pixels.s3tc);
@@ -68,7 +68,7 @@ std::string complain_about_mask(std::uint32_t mask, std::uint32_t bit_count) {
   const bool contiguous =
       bits > 0 && std::bit_width(mask) - static_cast<unsigned>(std::countr_zero(mask)) == static_cast<unsigned>(bits);
   if (contiguous && bits <= kLargestMaskBits && std::bit_width(mask) <= bit_count) return {};
-  return fmt::format("the DDS header has a component mask of {:#x}; expected 1 to {} bits in a row within {} bits",
+  return fmt::format("the DDS header has a component mask of {:#x}; expected 1 to {} adjacent bits within {} bits",
                      mask, kLargestMaskBits, bit_count);
 }
 
@@ -78,7 +78,7 @@ std::uint8_t component(std::uint32_t pixel, std::uint32_t mask) {
   return static_cast<std::uint8_t>((((pixel & mask) >> shift) * 510 + largest) / (2 * largest));
 }
 
-// Planes of samples that lie interleaved in `bytes`, four a pixel, little-endian.
+// Planes of samples that are interleaved in `bytes`: four per pixel, little-endian.
 template <class T, class Word>
 std::vector<T> planes_of(std::span<const std::uint8_t> bytes, std::size_t pixels) {
   std::vector<T> samples(4 * pixels);
@@ -99,12 +99,13 @@ Result<DdsPixels> dds_pixels(const DdsHeader& header) {
   const bool alpha_only = (header.pixel_flags & kAlphaOnly) != 0 && !rgb && !luminance;
   const bool alpha = alpha_only || (header.pixel_flags & kAlphaPixels) != 0;
   if ((rgb ? 1 : 0) + (luminance ? 1 : 0) + (alpha_only ? 1 : 0) != 1) {
-    return Diagnostic{fmt::format(
-        "the DDS pixel format with flags {:#x} is not read; expected a four-character code, RGB, luminance or alpha",
-        header.pixel_flags)};
+    return Diagnostic{
+        fmt::format("the DDS pixel format with flags {:#x} is not supported; expected a four-character code, RGB, "
+                    "luminance or alpha",
+                    header.pixel_flags)};
   }
   if (header.bit_count % 8 != 0 || header.bit_count < 8 || header.bit_count > 32) {
-    return Diagnostic{fmt::format("the DDS header has {} bits a pixel; expected 8, 16, 24 or 32", header.bit_count)};
+    return Diagnostic{fmt::format("the DDS header has {} bits per pixel; expected 8, 16, 24 or 32", header.bit_count)};
   }
   DdsPixels pixels{.bytes_per_pixel = static_cast<int>(header.bit_count / 8)};
   if (rgb) {

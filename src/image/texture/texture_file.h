@@ -1,4 +1,4 @@
-// A texture as a file has it, before it becomes a Texture.
+// A texture as read from a file, before it becomes a Texture.
 #pragma once
 
 #include <cstdint>
@@ -21,37 +21,37 @@ struct FileTexture {
   std::vector<std::vector<TextureSamples>> faces;  // [face][level], row 0 of the file first
 };
 
-// Empty where the sides are powers of two in range, else the complaint.
+// Empty if the sides are powers of two in range, else the complaint.
 [[nodiscard]] std::string complain_about_texture_size(std::int64_t width, std::int64_t height);
 
-// Whether the file begins as a DDS file does.
+// Whether a file with this start is a DDS file.
 [[nodiscard]] bool is_dds(std::span<const std::uint8_t> start);
 
 // `file` is for the Diagnostics; `bytes` is its whole content.
 [[nodiscard]] Result<FileTexture> parse_dds(const HardwareProfile& profile, const std::filesystem::path& file,
                                             std::span<const std::uint8_t> bytes);
 
-// What a compressed picture may hold, 8192 x 8192: a few KiB of one can say that they are any number of pixels.
+// The limit for a compressed picture, 8192 x 8192: a few KiB of it can claim any number of pixels.
 inline constexpr std::int64_t kMostPicturePixels = std::int64_t{1} << 26;
 
-// The reader of all files but DDS files. OpenImageIO does it, but it brings 250 shared libraries along: the library
-// links it, the program loads it when it is asked for a picture (picture_loader.h).
+// The reader of all files except DDS. It is OpenImageIO, which depends on 250 shared libraries: the library links it,
+// the program loads it for the first picture (picture_loader.h).
 struct PictureReader {
   Result<FileTexture> (*read)(const std::filesystem::path& file) = nullptr;
-  // Loads what read() needs, so that an isolated call finds it loaded; nullptr: there is nothing to load.
+  // Loads the libraries of read() before an isolated call; nullptr: nothing to load.
   Status (*prepare)(const std::filesystem::path& file) = nullptr;
 };
 
-// Any picture, by OpenImageIO.
+// Reads any picture with OpenImageIO.
 [[nodiscard]] Result<FileTexture> read_picture(const std::filesystem::path& file);
 
-// reader.read() of each file in one isolated call (src/system/isolated_call.h). Reports what it reports, and the file
-// at which the reader crashed or was over its limits.
+// Calls reader.read() for each file in one isolated call (src/system/isolated_call.h). Reports what it reports, and the
+// file at which the reader crashed or exceeded its limits.
 [[nodiscard]] Result<std::vector<FileTexture>> read_isolated(std::span<const std::filesystem::path> files,
                                                              const PictureReader& reader,
                                                              const std::function<bool()>& go_on);
 
-// The functions of texture_io.h, pictures read by `reader`.
+// The functions of texture_io.h, with `reader` for pictures.
 [[nodiscard]] Result<Texture> read_texture(const HardwareProfile& profile, const std::filesystem::path& file,
                                            const TextureReadOptions& options, const PictureReader& reader);
 [[nodiscard]] Result<Texture> read_cube_texture(const HardwareProfile& profile,

@@ -1,4 +1,4 @@
-// Pictures read in a child process, and the layout in which they come back.
+// Reads pictures in a child process, and defines the layout of its answer.
 #include <algorithm>
 #include <array>
 #include <optional>
@@ -16,9 +16,9 @@ namespace ninebit::image_detail {
 namespace {
 
 constexpr const char* kWho = "OpenImageIO's reader";
-constexpr std::uint64_t kSecond = std::uint64_t{4} << 20U;  // bytes of a file that get one more second
+constexpr std::uint64_t kSecond = std::uint64_t{4} << 20U;  // bytes of a file that add one second
 
-// Room for 2^26 pixels of bytes, or for a large picture of floats. What takes more of a small file is hardly a picture.
+// Enough for 2^26 pixels of bytes, or for a large picture of floats. A small file that needs more is hardly a picture.
 posix::CallLimits limits_for(std::span<const std::filesystem::path> files) {
   posix::CallLimits limits{.memory_bytes = std::uint64_t{3} << 29U, .seconds = 8};
   for (const std::filesystem::path& file : files) {
@@ -31,7 +31,7 @@ posix::CallLimits limits_for(std::span<const std::filesystem::path> files) {
   return limits;
 }
 
-// A good answer is 1, the format, and one picture; a bad one is 0 and its message.
+// The answer for a file: 1, the format and one picture; or 0 and the message of the error.
 void write(posix::AnswerWriter& to, const Result<FileTexture>& texture) {
   to.value(std::uint8_t{texture.ok()});
   if (!texture) return to.text(texture.error().message);
@@ -41,7 +41,7 @@ void write(posix::AnswerWriter& to, const Result<FileTexture>& texture) {
   std::visit([&](const auto& samples) { to.values(std::span(samples)); }, image.samples);
 }
 
-// All samples that the format stores at this size; false where the answer has more or fewer.
+// Reads all samples that the format stores at this size; false if the answer has more or fewer.
 template <class T>
 bool read_samples(posix::AnswerReader& from, InternalFormat format, TextureSamples& image) {
   const std::array<bool, 4> stored = stored_components(format);
@@ -51,7 +51,7 @@ bool read_samples(posix::AnswerReader& from, InternalFormat format, TextureSampl
   return from.values(samples) && samples.size() == planes * pixels;
 }
 
-// One file's answer, checked as if a stranger had written it; nothing where it makes no sense or is not whole.
+// One file's answer, checked as untrusted data; empty if it is invalid or incomplete.
 std::optional<Result<FileTexture>> read(posix::AnswerReader& from) {
   std::uint8_t good = 0, format = 0;
   if (!from.value(good)) return std::nullopt;
@@ -94,15 +94,15 @@ Result<std::vector<FileTexture>> read_isolated(std::span<const std::filesystem::
   const auto work = [&](posix::AnswerWriter& answer) {
     for (const std::filesystem::path& file : files) write(answer, reader.read(file));
   };
-  const WithoutImageThreads alone;  // OpenEXR would wait for threads that the child does not have
+  const WithoutImageThreads alone;  // in the child, OpenEXR would wait for threads that do not exist there
   posix::CallResult call = posix::call_isolated(limits, files, work, go_on);
   if (call.end == posix::CallEnd::stopped) return Diagnostic{.message = "interrupted", .fault = Fault::cancelled};
   std::vector<FileTexture> textures;
   for (const std::filesystem::path& file : files) {
     std::optional<Result<FileTexture>> texture = read(call.answer);
     if (!texture && call.end == posix::CallEnd::answered)
-      return invalid_input(file, std::string(kWho) + " gave no picture");
-    // A child that did not come to its end has answered for the files before the one that stopped it.
+      return invalid_input(file, std::string(kWho) + " returned no picture");
+    // A child that ended early has answered for all files before the one that ended it.
     if (!texture) return invalid_input(file, posix::describe(call.end, limits, kWho));
     if (!*texture) return invalid_input(file, texture->error().message);
     textures.push_back(std::move(*texture).value());

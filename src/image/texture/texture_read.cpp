@@ -1,4 +1,4 @@
-// Textures out of files, whoever reads the pictures.
+// Reads textures from files, with any PictureReader.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 namespace ninebit::image_detail {
 namespace {
 
-// The largest DDS file that there can be: six faces of floats with all levels, and the header.
+// The largest valid DDS file: six faces of floats with all levels, and the header.
 constexpr std::uint64_t kLargestFile = std::uint64_t{6} * kMaxSurfaceSize * kMaxSurfaceSize * 16 * 4 / 3 + 1024;
 
 Result<std::vector<std::uint8_t>> read_whole(const std::filesystem::path& file, std::ifstream& in) {
@@ -20,7 +20,7 @@ Result<std::vector<std::uint8_t>> read_whole(const std::filesystem::path& file, 
   const std::streamoff size = in.tellg();
   if (!in || size < 0) return invalid_input(file, "cannot be read");
   if (static_cast<std::uint64_t>(size) > kLargestFile) {
-    return invalid_input(file, fmt::format("has {} bytes, more than any texture needs", size));
+    return invalid_input(file, fmt::format("has {} bytes; the largest texture has {}", size, kLargestFile));
   }
   std::vector<std::uint8_t> bytes(static_cast<std::size_t>(size));
   in.seekg(0);
@@ -41,7 +41,7 @@ void flip_planes(std::vector<T>& samples, int width, int height) {
   }
 }
 
-// Whether the file, which must be there and not be empty, is a DDS file.
+// Whether the file is a DDS file. Reports a file that is missing, empty or not regular.
 Result<bool> is_dds_file(const std::filesystem::path& file) {
   std::error_code error;
   const std::filesystem::file_status status = std::filesystem::status(file, error);
@@ -83,7 +83,7 @@ void flip(FileTexture& texture) {
   }
 }
 
-// All files in their order. Pictures are read together, so that one child process serves for all of them.
+// Reads all files, in order. Pictures are read together, in one child process.
 Result<std::vector<FileTexture>> read_files(const HardwareProfile& profile,
                                             std::span<const std::filesystem::path> files,
                                             const TextureReadOptions& options, const PictureReader& reader) {
@@ -116,7 +116,7 @@ Result<Texture> finish(const std::filesystem::path& file, FileTexture parts, boo
   return texture;
 }
 
-// Empty, or why the file cannot be a face beside the first one.
+// Empty, or the reason why the file cannot be a face of the same cube map as the first.
 std::string complain_about_face(const FileTexture& face, const FileTexture& first) {
   if (face.target != TextureTarget::texture_2d) return "is a cube map itself; expected one face";
   const TextureSamples &image = face.faces[0][0], &wanted = first.faces[0][0];

@@ -1,4 +1,4 @@
-// `ninebit bench combiner|raster|frame`: how fast this machine runs each part.
+// `ninebit bench combiner|raster|frame`: measures the speed of each part on this machine.
 #include "src/tools/bench/bench.h"
 
 #include "src/system/parallel/parallel_loop.h"
@@ -8,10 +8,10 @@ namespace ninebit::tools {
 
 void add_bench_flags(CLI::App& verb, BenchFlags& flags) {
   add_common_flags(verb, flags.common);
-  verb.add_option("--seconds", flags.seconds, "How long to measure each thing")
+  verb.add_option("--seconds", flags.seconds, "Time to measure each row")
       ->capture_default_str()
       ->check(real_in_range(0.001, 3600.0));
-  verb.add_flag("--quick", flags.quick, "Run everything, but too short for the numbers to mean much");
+  verb.add_flag("--quick", flags.quick, "Run everything briefly; the numbers are not meaningful");
 }
 
 int thread_count(const CommonFlags& flags) {
@@ -24,9 +24,9 @@ std::vector<int> one_and_all_threads(const CommonFlags& flags) {
 }
 
 void add_bench(CLI::App& app, int& exit_code) {
-  CLI::App* verb = app.add_subcommand("bench", "How fast this machine runs the combiners, the rasterizer, a frame");
+  CLI::App* verb = app.add_subcommand("bench", "Measure the speed of the combiners, the rasterizer or a whole frame");
   verb->require_subcommand(1);
-  verb->footer("Example: ninebit bench combiner\n`ninebit bench PART --help` tells a part's flags.");
+  verb->footer("Example: ninebit bench combiner\nRun `ninebit bench BENCHMARK --help` for the flags of a benchmark.");
   add_bench_combiner(*verb, exit_code);
   add_bench_raster(*verb, exit_code);
   add_bench_frame(*verb, exit_code);

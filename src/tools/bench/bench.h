@@ -1,4 +1,4 @@
-// What the three parts of `ninebit bench` share.
+// Shared by the three parts of `ninebit bench`.
 #pragma once
 
 #include <string>
@@ -7,23 +7,22 @@
 
 namespace ninebit::tools {
 
-// How long to measure.
 struct BenchFlags {
   CommonFlags common;
   double seconds = 1.0;
   bool quick = false;
 
-  // For each thing that is measured.
+  // Seconds, for each measured row.
   [[nodiscard]] double time_limit() const { return quick ? 0.01 : seconds; }
 };
 
 // Adds the common flags, --seconds and --quick.
 void add_bench_flags(CLI::App& verb, BenchFlags& flags);
 
-// The threads that --threads stands for.
+// The number of threads: --threads, or all of the machine if it is 0.
 [[nodiscard]] int thread_count(const CommonFlags& flags);
 
-// "1" where only one thread is to be measured, else 1 and their number.
+// {1} if thread_count is 1, else {1, thread_count}.
 [[nodiscard]] std::vector<int> one_and_all_threads(const CommonFlags& flags);
 
 void add_bench_combiner(CLI::App& bench, int& exit_code);

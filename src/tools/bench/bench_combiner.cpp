@@ -1,4 +1,4 @@
-// `ninebit bench combiner`: fragments a second of each engine, program by program.
+// `ninebit bench combiner`: fragments per second, by program and engine.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -26,7 +26,7 @@ struct CombinerRow {
   double mpixels_per_s = 0.0;
 };
 
-// What a row is found again by: the rate of a program's engine on one thread, on its first target.
+// The rate of a program and engine on one thread, on the first target.
 double rate_of(const std::vector<CombinerRow>& rows, std::string_view program, bench::Engine engine) {
   const auto row = std::find_if(rows.begin(), rows.end(), [&](const CombinerRow& r) {
     return r.program == program && r.engine == name_of(engine) && r.threads == 1;
@@ -34,7 +34,7 @@ double rate_of(const std::vector<CombinerRow>& rows, std::string_view program, b
   return row->mpixels_per_s;
 }
 
-// All rows of one program; false if a signal has ended it.
+// Measures all rows of one program; returns false after an interrupt.
 bool measure(const CombinerFlags& flags, const bench::MeasuredProgram& measured, double done, ProgressLine& line,
              std::vector<CombinerRow>& rows) {
   const Program program = normalize(measured.state, measured.profile);
@@ -64,7 +64,8 @@ std::string table(const std::vector<CombinerRow>& rows, const Json& ratio, doubl
         fmt::format("{:<8} {:<13} {:<10} {:>7} {:>12.1f}\n", r.program, r.engine, r.target, r.threads, r.mpixels_per_s);
   }
   for (const auto& [program, value] : ratio.items()) {
-    text += fmt::format("{}: simd is {:.0f} times scalar-float, one thread each\n", program, value.get<double>());
+    text += fmt::format("{}: simd is {:.0f} times as fast as scalar-float, one thread each\n", program,
+                        value.get<double>());
   }
   return text + fmt::format("memory: one thread reads {:.1f} GB/s\n", read_rate);
 }
@@ -114,7 +115,7 @@ int bench_combiner(const CombinerFlags& flags) {
 }  // namespace
 
 void add_bench_combiner(CLI::App& bench, int& exit_code) {
-  CLI::App* verb = bench.add_subcommand("combiner", "Million fragments a second of each engine, program by program");
+  CLI::App* verb = bench.add_subcommand("combiner", "Measure fragments per second, by program and engine");
   verb->footer(
       "Examples:\n"
       "  ninebit bench combiner --threads 2\n"
@@ -123,8 +124,9 @@ void add_bench_combiner(CLI::App& bench, int& exit_code) {
   auto flags = std::make_shared<CombinerFlags>();
   flags->bench.seconds = 0.25;
   add_bench_flags(*verb, flags->bench);
-  verb->add_flag("--every-target", flags->every_target, "On every SIMD target of this processor, not only its best");
-  verb->add_option("--print", flags->print, "Print a measured program as GL calls, and measure nothing")
+  verb->add_flag("--every-target", flags->every_target,
+                 "Measure every SIMD target of this processor, not only the best");
+  verb->add_option("--print", flags->print, "Print a measured program as GL calls and exit")
       ->check(CLI::IsMember({"index", "heavy", "eight", "default"}));
   verb->callback([flags, &exit_code] { exit_code = bench_combiner(*flags); });
 }

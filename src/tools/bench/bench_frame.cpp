@@ -1,8 +1,11 @@
-// `ninebit bench frame`: the five passes of index cube shadows, frame after frame.
+// `ninebit bench frame`: the time of a frame of index cube shadows and of its five passes.
 #include <fmt/format.h>
 
 #include <memory>
 #include <optional>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "src/bench/generated_scene.h"
 #include "src/bench/llvmpipe_frame.h"
@@ -23,7 +26,7 @@ struct FrameFlags {
 
 constexpr std::size_t kFewestFrames = 3;
 
-// Milliseconds of each frame, and of each of its passes.
+// Milliseconds of each frame and of each of its passes.
 struct FrameTimes {
   std::vector<double> total, maps, depth, compare, lit, shadow;
 };
@@ -44,7 +47,7 @@ Status draw_frame(IndexCubeRenderer& renderer, FrameTimes& times) {
   return {};
 }
 
-// Draws frames for that long, the first one, which is not counted, aside.
+// Draws frames for `seconds`, after a first frame that is not counted.
 Status measure(IndexCubeRenderer& renderer, double seconds, ProgressLine& line, FrameTimes& times) {
   FrameTimes first;
   if (Status drawn = draw_frame(renderer, first); !drawn) return drawn;
@@ -64,7 +67,7 @@ struct RivalTimes {
   std::uint64_t shadow_pixels_that_differ = 0;
 };
 
-// The same for the rival, whose last picture is then compared with ours.
+// The same for the rival; its last picture is then compared with ours.
 Status measure_rival(bench::LlvmpipeFrame& rival, const Rendering& ours, double seconds, ProgressLine& line,
                      RivalTimes& times) {
   times.renderer = rival.renderer();
@@ -88,24 +91,33 @@ Json json_of(const bench::Spread& spread) {
   return {{"median", spread.median}, {"min", spread.min}, {"max", spread.max}};
 }
 
-// Everything that one run of the verb measures.
-struct FrameRun {
+// The measured objects: a scene, its renderer, and the rival that --rival names.
+struct FrameBench {
   RenderSettings settings;
-  Scene scene;
-  double setup_ms = 0.0;
-  FrameTimes times;
-  std::optional<RivalTimes> rival;  // with --rival
-  std::size_t pixels = 0;
   int threads = 1;
-  bool rival_is_missing = false;
+  std::optional<Scene> scene{};
+  std::optional<IndexCubeRenderer> renderer{};
+  double setup_ms = 0.0;
+  std::unique_ptr<bench::LlvmpipeFrame> rival{};  // nullptr: none
 };
 
-struct PassTime {
-  const char* name;
-  double ms;  // the median
-};
+// Loads or generates the scene and sets up its renderer.
+Status set_up(const FrameFlags& flags, FrameBench& frame) {
+  auto scene = flags.scene.file.empty()
+                   ? complete_scene_of(flags.scene, frame.settings, bench::generated_scene(flags.triangles))
+                   : load_scene(flags.scene, frame.settings, flags.bench.common.quiet);
+  if (!scene) return scene.error();
+  frame.scene.emplace(std::move(scene).value());
+  const auto start = bench::Clock::now();
+  auto renderer = IndexCubeRenderer::make(*frame.scene, frame.settings);
+  if (!renderer) return renderer.error();
+  frame.setup_ms = 1e3 * bench::seconds_since(start);
+  frame.renderer.emplace(std::move(renderer).value());
+  return {};
+}
 
-std::vector<PassTime> pass_times(const FrameTimes& times) {
+// The median of each pass.
+Json passes_json(const FrameTimes& times) {
   return {{"maps", bench::spread_of(times.maps).median},
           {"depth", bench::spread_of(times.depth).median},
           {"compare", bench::spread_of(times.compare).median},
@@ -113,101 +125,80 @@ std::vector<PassTime> pass_times(const FrameTimes& times) {
           {"shadow", bench::spread_of(times.shadow).median}};
 }
 
-Status measure_frames(const FrameFlags& flags, FrameRun& run, ProgressLine& line) {
-  line.step("loading", 0.0);
-  auto scene = flags.scene.file.empty()
-                   ? complete_scene_of(flags.scene, run.settings, bench::generated_scene(flags.triangles))
-                   : load_scene(flags.scene, run.settings, flags.bench.common.quiet);
-  if (!scene) return scene.error();
-  run.scene = std::move(*scene);
-  const auto start = bench::Clock::now();
-  auto renderer = IndexCubeRenderer::make(run.scene, run.settings);
-  if (!renderer) return renderer.error();
-  run.setup_ms = 1e3 * bench::seconds_since(start);
-
-  // Before the measurement: a machine without the rival must not cost the time of one.
-  std::unique_ptr<bench::LlvmpipeFrame> rival;
-  if (!flags.rival.empty()) {
-    auto made = bench::LlvmpipeFrame::make(run.scene, run.settings, *renderer, run.threads);
-    if (!made) {
-      run.rival_is_missing = true;
-      return Diagnostic{.message = fmt::format("--rival {} is not available: {}", flags.rival, made.error().text())};
-    }
-    rival = std::move(*made);
-  }
-
-  if (Status done = measure(*renderer, flags.bench.time_limit(), line, run.times); !done) return done;
-  run.pixels = renderer->rendering().frame.stencil().size();
-  if (!rival) return {};
-  return measure_rival(*rival, renderer->rendering(), flags.bench.time_limit(), line, run.rival.emplace());
-}
-
-std::string text_of(const FrameRun& run) {
-  const bench::Spread total = bench::spread_of(run.times.total);
-  const int map_size = run.settings.map_size;
+std::string text_of(const FrameBench& frame, const FrameTimes& times, const RivalTimes& rival) {
+  const RenderSettings& settings = frame.settings;
+  const bench::Spread total = bench::spread_of(times.total);
   std::string text = fmt::format("{}: {} triangles, {}x{}, six faces of {} x {}, {} threads, {} frames\n",
-                                 run.scene.name, run.scene.triangles.size(), run.settings.width, run.settings.height,
-                                 map_size, map_size, run.threads, run.times.total.size());
-  text += fmt::format("{:.2f} ms a frame (median; {:.2f} to {:.2f})\n", total.median, total.min, total.max);
-  for (const PassTime& pass : pass_times(run.times)) text += fmt::format("  {:<8} {:9.2f} ms\n", pass.name, pass.ms);
-  if (run.rival) {
-    const bench::Spread theirs = bench::spread_of(run.rival->total);
-    text += fmt::format("{}: {:.2f} ms a frame ({:.2f} to {:.2f}), {:.2f} times ours; {} of {} shadow pixels differ\n",
-                        run.rival->renderer, theirs.median, theirs.min, theirs.max, theirs.median / total.median,
-                        run.rival->shadow_pixels_that_differ, run.pixels);
-  }
-  return text;
+                                 frame.scene->name, frame.scene->triangles.size(), settings.width, settings.height,
+                                 settings.map_size, settings.map_size, frame.threads, times.total.size());
+  text += fmt::format("{:.2f} ms per frame (median; {:.2f} to {:.2f})\n", total.median, total.min, total.max);
+  const Json passes = passes_json(times);
+  for (const auto& [name, ms] : passes.items()) text += fmt::format("  {:<8} {:9.2f} ms\n", name, ms.get<double>());
+  if (!frame.rival) return text;
+  const bench::Spread theirs = bench::spread_of(rival.total);
+  return text + fmt::format(
+                    "{}: {:.2f} ms per frame ({:.2f} to {:.2f}), {:.2f} times ours; {} of {} shadow pixels "
+                    "differ\n",
+                    rival.renderer, theirs.median, theirs.min, theirs.max, theirs.median / total.median,
+                    rival.shadow_pixels_that_differ, frame.renderer->rendering().frame.stencil().size());
 }
 
-Json json_of(const FrameFlags& flags, const FrameRun& run) {
-  const bench::Spread total = bench::spread_of(run.times.total);
-  Json passes = Json::object();
-  for (const PassTime& pass : pass_times(run.times)) passes[pass.name] = pass.ms;
+Json json_of(const FrameFlags& flags, const FrameBench& frame, const FrameTimes& times, const RivalTimes& rival) {
+  const bench::Spread total = bench::spread_of(times.total);
   Json out{{"command", "bench frame"},
            {"version", NINEBIT_VERSION},
            {"profile", flags.bench.common.profile},
            {"scene", flags.scene.file.empty() ? "generated" : flags.scene.file},
-           {"triangles", run.scene.triangles.size()},
-           {"threads", run.threads},
-           {"size", {run.settings.width, run.settings.height}},
-           {"map_size", run.settings.map_size},
+           {"triangles", frame.scene->triangles.size()},
+           {"threads", frame.threads},
+           {"size", {frame.settings.width, frame.settings.height}},
+           {"map_size", frame.settings.map_size},
            {"ms_per_frame", json_of(total)},
-           {"passes", std::move(passes)},
-           {"frames", run.times.total.size()},
-           {"setup_ms", run.setup_ms}};
-  if (run.rival) {
-    const bench::Spread theirs = bench::spread_of(run.rival->total);
-    out["rival"] = {{"name", flags.rival},
-                    {"renderer", run.rival->renderer},
-                    {"threads", run.threads},
-                    {"ms_per_frame", json_of(theirs)},
-                    {"ratio", theirs.median / total.median},
-                    {"shadow_pixels_that_differ", run.rival->shadow_pixels_that_differ}};
-  }
+           {"passes", passes_json(times)},
+           {"frames", times.total.size()},
+           {"setup_ms", frame.setup_ms}};
+  if (!frame.rival) return out;
+  const bench::Spread theirs = bench::spread_of(rival.total);
+  out["rival"] = {{"name", flags.rival},
+                  {"renderer", rival.renderer},
+                  {"threads", frame.threads},
+                  {"ms_per_frame", json_of(theirs)},
+                  {"ratio", theirs.median / total.median},
+                  {"shadow_pixels_that_differ", rival.shadow_pixels_that_differ}};
   return out;
 }
 
 int bench_frame(const FrameFlags& flags) {
   const CommonFlags& common = flags.bench.common;
   const ThreadLimit limit(common.threads);
-  FrameRun run;
-  run.settings = settings_of(flags.scene, common);
-  run.threads = thread_count(common);
+  FrameBench frame{.settings = settings_of(flags.scene, common), .threads = thread_count(common)};
   std::optional<ProgressLine> line(std::in_place, common.quiet);
-  const Status done = measure_frames(flags, run, *line);
-  line.reset();
-  if (run.rival_is_missing) {
-    say_error(done.error().message);
-    return kWrongUsage;
+  line->step("loading", 0.0);
+  if (Status ready = set_up(flags, frame); !ready) return line.reset(), report(ready.error());
+  // Created before measuring, so that a machine without the rival reports it at once.
+  if (!flags.rival.empty()) {
+    auto made = bench::LlvmpipeFrame::make(*frame.scene, frame.settings, *frame.renderer, frame.threads);
+    if (!made) {
+      line.reset();
+      say_error(fmt::format("--rival {} is not available: {}", flags.rival, made.error().text()));
+      return kWrongUsage;
+    }
+    frame.rival = std::move(*made);
   }
+  FrameTimes times;
+  RivalTimes rival;
+  const double seconds = flags.bench.time_limit();
+  Status done = measure(*frame.renderer, seconds, *line, times);
+  if (done && frame.rival) done = measure_rival(*frame.rival, frame.renderer->rendering(), seconds, *line, rival);
+  line.reset();
   if (!done) return report(done.error());
-  return common.json ? answer(json_of(flags, run)) : answer(text_of(run));
+  return common.json ? answer(json_of(flags, frame, times, rival)) : answer(text_of(frame, times, rival));
 }
 
 }  // namespace
 
 void add_bench_frame(CLI::App& bench, int& exit_code) {
-  CLI::App* verb = bench.add_subcommand("frame", "Milliseconds a frame of index cube shadows");
+  CLI::App* verb = bench.add_subcommand("frame", "Measure the time of a frame of index cube shadows and of its passes");
   verb->footer(
       "Examples:\n"
       "  ninebit bench frame scenes/index_room.gltf\n"
@@ -215,15 +206,15 @@ void add_bench_frame(CLI::App& bench, int& exit_code) {
   auto flags = std::make_shared<FrameFlags>();
   add_bench_flags(*verb, flags->bench);
   CLI::Option* file = add_scene_file(*verb, "scene", flags->scene);
-  verb->add_option("--triangles", flags->triangles, "Without a scene: a generated one of at most so many triangles")
+  verb->add_option("--triangles", flags->triangles, "Without a scene: generate one with at most this many triangles")
       ->capture_default_str()
       ->check(CLI::Range(bench::kFewestTriangles, bench::kMostTriangles))
       ->excludes(file);
-  CLI::Option* rival =
-      verb->add_option("--rival", flags->rival, "Also draw the same frame by Mesa's llvmpipe, with as many threads")
-          ->check(CLI::IsMember({"llvmpipe"}));
+  CLI::Option* rival = verb->add_option("--rival", flags->rival,
+                                        "Also draw the frame with Mesa's llvmpipe, with the same number of threads")
+                           ->check(CLI::IsMember({"llvmpipe"}));
   add_scene_flags(*verb, flags->scene);
-  // What the rival's shaders do not know.
+  // The rival's shaders do not implement these.
   for (const char* flag : {"--light-facing", "--index-format", "--style"}) rival->excludes(verb->get_option(flag));
   verb->callback([flags, &exit_code] { exit_code = bench_frame(*flags); });
 }

@@ -1,4 +1,5 @@
-// `ninebit bench raster`: triangles and pixels a second, depth test and flat colour; how both grow with the triangles.
+// `ninebit bench raster`: triangles and pixels per second with depth test and flat colour; with --growth, how time and
+// memory grow with the number of triangles.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -31,7 +32,7 @@ struct Size {
   int width, height;
 };
 
-// The rows of one workload, one and all threads.
+// Measures one workload, on one thread and on all.
 Status measure(const BenchFlags& flags, const Workload& workload, const Size& size, double done, ProgressLine& line,
                std::vector<RasterRow>& rows) {
   const bench::Mesh mesh =
@@ -100,7 +101,7 @@ struct GrowthRow {
   double ms = 0.0, ns_per_triangle = 0.0, bytes_per_triangle = 0.0;
 };
 
-// A window that about so many triangles fit into, three cells deep, two in a cell.
+// The size of a window for about so many triangles: three layers of cells, two triangles per cell.
 Size window_of(double triangles, float leg) {
   const auto side = [&](double aspect) {
     return static_cast<int>(leg * static_cast<float>(std::sqrt(triangles / 6.0 * aspect) + 1.0));
@@ -108,8 +109,8 @@ Size window_of(double triangles, float leg) {
   return {side(4.0 / 3.0), side(3.0 / 4.0)};
 }
 
-// The rows of one workload with about so many triangles. Memory is all that the process held at most, but for the mesh,
-// the surface and the `idle` bytes that it held before the first workload.
+// Measures one workload with about so many triangles. Memory is the peak of the process minus the mesh, the surface and
+// the `idle` bytes that it held before the first workload.
 Status measure_growth(const BenchFlags& flags, const Workload& workload, double triangles, std::uint64_t idle,
                       std::vector<GrowthRow>& rows) {
   const Size size = window_of(triangles, workload.leg);
@@ -145,7 +146,7 @@ std::string table(const std::vector<GrowthRow>& rows) {
   return text;
 }
 
-// Few triangles before many: what a workload leaves in the threads' memory is little beside the next one's.
+// Workloads grow, so that memory that one leaves in the threads is small beside that of the next.
 int bench_growth(const BenchFlags& flags) {
   const std::vector<double> counts = flags.quick ? std::vector{1e3, 1e4} : std::vector{1e3, 1e4, 1e5, 1e6, 1e7};
   const ThreadLimit limit(thread_count(flags.common));
@@ -183,14 +184,15 @@ int bench_growth(const BenchFlags& flags) {
 }  // namespace
 
 void add_bench_raster(CLI::App& bench, int& exit_code) {
-  CLI::App* verb = bench.add_subcommand("raster", "Triangles and pixels a second, depth-tested and flat");
+  CLI::App* verb =
+      bench.add_subcommand("raster", "Measure triangles and pixels per second, with depth test and flat colour");
   verb->footer(
       "Example: ninebit bench raster --threads 2 --json\n"
-      "Memory a triangle is what the process held at most beyond its own start, the triangles and the surface.");
+      "Memory per triangle is the peak of the process minus its start, the triangles and the surface.");
   auto flags = std::make_shared<BenchFlags>();
   add_bench_flags(*verb, *flags);
   auto growth = std::make_shared<bool>(false);
-  verb->add_flag("--growth", *growth, "Time and memory a triangle, from a thousand triangles to ten million");
+  verb->add_flag("--growth", *growth, "Measure time and memory per triangle, from a thousand to ten million triangles");
   verb->callback([=, &exit_code] { exit_code = *growth ? bench_growth(*flags) : bench_raster(*flags); });
 }
 

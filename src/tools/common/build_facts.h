@@ -1,4 +1,4 @@
-// What this build is.
+// Facts about this build.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace ninebit::tools {
 
-// Names and values, in the order in which they are told: compiler, build type, processor, SIMD target.
+// Names and values in the order of printing: compiler, build type, processor, SIMD target.
 [[nodiscard]] std::vector<std::pair<std::string, std::string>> build_facts();
 
 // "ninebit VERSION" and a line for each fact.

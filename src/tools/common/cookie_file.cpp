@@ -30,7 +30,7 @@ std::string check_cookie(const std::string& text) {
   const auto files = files_of(text);
   const bool nameless = std::any_of(files.begin(), files.end(), [](const auto& file) { return file.empty(); });
   if (!nameless && (files.size() == 1 || files.size() == 6)) return {};
-  return fmt::format("'{}' names {} file{}{}; expected a DDS file, or six pictures +X,-X,+Y,-Y,+Z,-Z", text,
+  return fmt::format("'{}' names {} file{}{}; expected one DDS file, or six pictures +X,-X,+Y,-Y,+Z,-Z", text,
                      files.size(), files.size() == 1 ? "" : "s", nameless ? ", one of them empty" : "");
 }
 

@@ -10,11 +10,12 @@
 
 namespace ninebit::tools {
 
-// Empty, or why the text names neither one file nor six.
+// Empty if the text names one file or six, else the reason.
 [[nodiscard]] std::string check_cookie(const std::string& text);
 
-// The cube map that a checked text names: one file of six faces, or six of one, +X,-X,+Y,-Y,+Z,-Z. Reports, naming the
-// file, what the readers of texture_io.h report, and a file of one face alone.
+// Reads the cube map that a checked text names: one file with six faces, or six files with one face each, in the order
+// +X,-X,+Y,-Y,+Z,-Z. Reports what the readers of texture_io.h report, and a single file that is not a cube map; each
+// names the file.
 [[nodiscard]] Result<std::shared_ptr<const Texture>> read_cookie(const HardwareProfile& profile,
                                                                  const std::string& text);
 

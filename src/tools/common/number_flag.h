@@ -1,4 +1,4 @@
-// Flags that take one number or a list of numbers: what is in range, and what a message says of the rest.
+// Range checks of flags that take one number or a list of numbers.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -10,13 +10,13 @@
 
 namespace ninebit::tools {
 
-// No scene has a coordinate or a distance beyond this; see scene_io.h.
+// The largest coordinate or distance of a scene; see scene_io.h.
 inline constexpr double kMostDistance = 1e12;
-// Beyond ten years a time is a mistake.
+// About ten years; a longer time is a mistake.
 inline constexpr double kMostSeconds = 3e8;
 
-// Whether the text is so many numbers with separators between them, all of them finite and in range. A number that its
-// type cannot hold is not in range.
+// Whether the text is `count` numbers between separators, all finite and in range. A number that the type cannot hold
+// is out of range.
 template <class T>
 [[nodiscard]] bool are_numbers_in(std::string_view text, char separator, std::size_t count, double least,
                                   double greatest) {
@@ -26,7 +26,7 @@ template <class T>
          });
 }
 
-// One real number in range; CLI11's own check lets NaN through.
+// One real number in range; CLI11's own check accepts NaN.
 [[nodiscard]] CLI::Validator real_in_range(double least, double greatest);
 
 }  // namespace ninebit::tools

@@ -8,7 +8,7 @@
 
 namespace ninebit::tools {
 
-// The whole text as numbers between separators; empty where it is anything else.
+// The text as numbers between separators; empty if any part is not a number.
 template <class T>
 std::optional<std::vector<T>> numbers(std::string_view text, char separator) {
   std::vector<T> out;

@@ -33,7 +33,7 @@ Result<OutputFile> OutputFile::open(const std::string& path) {
   if (!target.has_filename()) return cannot_write(path, std::make_error_code(std::errc::is_a_directory));
   auto staged = StagedFiles::open(target.parent_path());
   if (!staged) return staged.error();
-  // The older file's permission bits come with its name; until then the new one is nobody else's to read.
+  // finish() copies the older file's permission bits; until then only the owner may read the new file.
   const auto access = exists ? posix::Access::create_private : posix::Access::create;
   posix::Stream stream(staged->stage(target.filename().string()), access, error);
   if (error) return cannot_write(path, error);

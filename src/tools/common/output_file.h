@@ -13,9 +13,9 @@ namespace ninebit::tools {
 
 class OutputFile {
  public:
-  // The empty path is standard output. Devices and pipes are written to as they are; any other file is made aside and
-  // takes its name in finish(), through symbolic links, so that an older one stays whole until then. The new file has
-  // the older one's permission bits.
+  // The empty path is standard output. Devices and pipes are written directly. Any other file is written under a
+  // temporary name and renamed by finish(), through symbolic links, so that an older file stays whole until then. The
+  // new file gets the permission bits of the older one.
   [[nodiscard]] static Result<OutputFile> open(const std::string& path);
 
   [[nodiscard]] Status write(std::string_view bytes);

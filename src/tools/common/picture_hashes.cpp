@@ -32,7 +32,7 @@ std::vector<std::pair<std::string, std::string>> picture_hashes(const Rendering&
   }
   std::vector<std::pair<std::string, std::string>> out{{"color", color.finish()}, {"stencil", stencil.finish()}};
   if (!rendering.index_map.empty()) out.emplace_back("index_map", index_map.finish());
-  std::map<std::string, Sha256> maps;  // all planes of one name together
+  std::map<std::string, Sha256> maps;  // of all planes of a name
   for (const Layer& map : rendering.maps) {
     std::visit([&](const auto& samples) { maps[map.part].add(samples); }, map.samples);
   }

@@ -1,4 +1,4 @@
-// Hashes of what was drawn, by which two renderings are compared to the bit.
+// Hashes of the drawn planes, to compare two renderings to the bit.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace ninebit::tools {
 
-// SHA-256 of the planes of each name: color, stencil, index_map where there is one, then the maps by their names.
+// SHA-256 by name: color, stencil, index_map if there is one, then the maps in the order of their names.
 [[nodiscard]] std::vector<std::pair<std::string, std::string>> picture_hashes(const Rendering& rendering);
 
 }  // namespace ninebit::tools

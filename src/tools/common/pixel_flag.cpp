@@ -10,7 +10,7 @@ namespace {
 std::string check_pixel(const std::string& text) {
   const auto n = numbers<int>(text, ',');
   if (n && n->size() == 2 && n->at(0) >= 0 && n->at(1) >= 0) return {};
-  return fmt::format("'{}' is not a pixel; expected X,Y, counted from the top left", text);
+  return fmt::format("invalid pixel '{}'; expected X,Y, counted from the top left", text);
 }
 
 }  // namespace
@@ -25,7 +25,7 @@ Result<glm::ivec2> window_pixel(const std::string& flag, const std::string& text
   const auto at = *numbers<int>(text, ',');
   if (at[0] < settings.width && at[1] < settings.height) return glm::ivec2(at[0], settings.height - 1 - at[1]);
   return Diagnostic{.message =
-                        fmt::format("{}: {} lies outside of the picture; expected X from 0 to {} and Y from 0 to {}",
+                        fmt::format("{}: {} is outside of the picture; expected X from 0 to {} and Y from 0 to {}",
                                     flag, text, settings.width - 1, settings.height - 1)};
 }
 

@@ -1,4 +1,4 @@
-// A flag that names a pixel of the picture as X,Y, counted from its top left.
+// A flag that names a pixel as X,Y, counted from the top left of the picture.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -11,8 +11,8 @@ namespace ninebit::tools {
 
 CLI::Option* add_pixel_flag(CLI::App& verb, const std::string& flag, std::string& text, const std::string& help);
 
-// The pixel in window coordinates, y up, from a text that was checked while it was parsed. Reports one that lies
-// outside of the picture.
+// The pixel in window coordinates, y up. The text was checked while the flag was parsed; reports a pixel outside of the
+// picture.
 [[nodiscard]] Result<glm::ivec2> window_pixel(const std::string& flag, const std::string& text,
                                               const RenderSettings& settings);
 

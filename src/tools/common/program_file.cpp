@@ -16,7 +16,7 @@
 namespace ninebit::tools {
 namespace {
 
-// A JSON object: the canonical form says "ninebit": "program" (or tries to), register words need not say anything.
+// The form of a JSON object: the canonical form has "ninebit": "program"; register words need no such key.
 ProgramForm json_form(std::string_view text) {
   const std::string_view said = json_kind(text);
   return said.empty() || said == "register_words" ? ProgramForm::words_json : ProgramForm::json;
@@ -41,10 +41,10 @@ std::string_view kind_of_form(ProgramForm form) {
   return std::find_if(kForms.begin(), kForms.end(), [&](const FormName& f) { return f.form == form; })->kind;
 }
 
-// A file with faults, in one sentence where it is something else than the form in which it was read; or empty.
+// For a file with faults: one sentence if it seems to be of another kind than it was read as; else empty.
 std::string seems_to_be_else(const ProgramFile& file, const std::string& from) {
   constexpr std::string_view kExpected = "expected a combiner program: GL calls, !!RC1.0, register words or JSON";
-  constexpr std::size_t kFewFaults = 3;  // which the text of a program may have, whatever it looks like
+  constexpr std::size_t kFewFaults = 3;  // so few are listed even if the text does not look like a program
   const std::string kind = kind_of_file(file.text);
   const bool is_json = file.form == ProgramForm::json || file.form == ProgramForm::words_json;
   if (kind.empty() || (is_json && kind == kJsonKind)) {
@@ -76,7 +76,7 @@ Parsed<CombinerState> parse(const ProgramFile& file, ChipClass chip, const Hardw
   return {};
 }
 
-// The text of a file. One that is too long for a program is at least named.
+// The text of a file. Reports a file that is too long for a program, with its kind if that is known.
 Result<std::string> read_text(const std::string& path) {
   auto input = InputFile::open(path);
   if (!input) return input.error();
@@ -88,7 +88,7 @@ Result<std::string> read_text(const std::string& path) {
     text.append(*more);
   }
   const std::string kind = kind_of_file(text);
-  return Diagnostic{.message = fmt::format("{}is longer than {} bytes, the most that a program may have",
+  return Diagnostic{.message = fmt::format("{}is longer than {} bytes, the limit for a program",
                                            kind.empty() ? "" : "seems to be " + kind + ", and ", kMaxSourceBytes),
                     .file = input->name()};
 }
@@ -96,14 +96,14 @@ Result<std::string> read_text(const std::string& path) {
 }  // namespace
 
 void add_program_flags(CLI::App& verb, ProgramFlags& flags) {
-  verb.add_option("program", flags.file, "Program in any form, - for standard input")
+  verb.add_option("program", flags.file, "Program in any form; - reads standard input")
       ->required()
       ->type_name("PROGRAM")
       ->check(CLI::Validator(
           [](const std::string& text) { return std::string(text.empty() ? "the file name is empty" : ""); }, ""));
-  verb.add_option("--from", flags.from, "The program's form; told by its content where not given")
+  verb.add_option("--from", flags.from, "Form of the program (default: detected from the content)")
       ->check(CLI::IsMember({"gl", "rc10", "words", "json"}));
-  verb.add_option("--chip", flags.chip, "The chip whose register words are meant; follows the profile where not given")
+  verb.add_option("--chip", flags.chip, "Chip whose register words are read (default: from the profile)")
       ->check(CLI::IsMember({"nv10", "nv20"}));
 }
 

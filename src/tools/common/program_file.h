@@ -1,4 +1,4 @@
-// Combiner programs as the verbs read them: a file in any form, told by its content or by --from.
+// Combiner programs as the verbs read them: files in any form, detected from the content or given by --from.
 #pragma once
 
 #include <optional>
@@ -16,17 +16,17 @@ enum class ProgramForm { gl, rc10, words, words_json, json };
 
 struct ProgramFlags {
   std::string file;  // "-": stdin
-  std::string from;  // "gl", "rc10", "words" or "json"; empty: by content
-  std::string chip;  // of register words: "nv10" or "nv20"; empty: by profile
+  std::string from;  // "gl", "rc10", "words" or "json"; empty: detected
+  std::string chip;  // of register words: "nv10" or "nv20"; empty: from the profile
 };
 
 // Adds PROGRAM, --from and --chip to a verb.
 void add_program_flags(CLI::App& verb, ProgramFlags& flags);
 
-// The chip whose register words are meant.
+// The chip whose register words are read.
 [[nodiscard]] ChipClass chip_of(const ProgramFlags& flags, const HardwareProfile& profile);
 
-// The form that a text looks like; GL calls where it looks like nothing else.
+// The form that a text seems to have; GL calls if it is none of the others.
 [[nodiscard]] ProgramForm form_of(std::string_view text);
 
 struct ProgramFile {
@@ -36,16 +36,16 @@ struct ProgramFile {
   Parsed<CombinerState> parsed;
 };
 
-// Reads and parses. A file that cannot be read, or that has faults and seems to be of another kind or language, is the
-// Diagnostic; faults in its text stand in `parsed`.
+// Reads and parses a file. Reports a file that cannot be read, or that has faults and seems to be of another kind or
+// language; other faults in the text are in `parsed`.
 [[nodiscard]] Result<ProgramFile> read_program_file(const ProgramFlags& flags, const HardwareProfile& profile);
 
-// The same for verbs that need a program that can run: everything wrong with it is printed, and `exit_code` set, where
-// the answer is empty.
+// The same for verbs that need a valid program. If it is not, prints everything that is wrong, sets `exit_code` and
+// returns nothing.
 [[nodiscard]] std::optional<CombinerState> load_program(const ProgramFlags& flags, const HardwareProfile& profile,
                                                         int& exit_code);
 
-// Prints every fault as "ninebit: error: FILE:LINE:COLUMN: MESSAGE"; gives kInvalidInput.
+// Prints every fault as "ninebit: error: FILE:LINE:COLUMN: MESSAGE"; returns kInvalidInput.
 [[nodiscard]] int report(const std::vector<TextFault>& faults);
 
 }  // namespace ninebit::tools

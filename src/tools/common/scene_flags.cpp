@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <limits>
 #include <utility>
 
 #include "ninebit/image/image_io.h"
@@ -12,65 +10,10 @@
 #include "src/tools/common/cookie_file.h"
 #include "src/tools/common/number_flag.h"
 #include "src/tools/common/number_list.h"
+#include "src/tools/common/scene_flag_checks.h"
 
 namespace ninebit::tools {
 namespace {
-
-std::string check_size(const std::string& text) {
-  const auto n = numbers<int>(text, 'x');
-  if (n && n->size() == 2 && n->at(0) >= 1 && n->at(1) >= 1 && std::max(n->at(0), n->at(1)) <= kMaxSurfaceSize)
-    return {};
-  return fmt::format("'{}' is not a picture size; expected WIDTHxHEIGHT, each from 1 to {}", text, kMaxSurfaceSize);
-}
-
-std::string check_map_size(const std::string& text) {
-  const auto n = numbers<int>(text, ',');
-  if (n && n->size() == 1 && n->at(0) >= 1 && n->at(0) <= kMaxSurfaceSize && (n->at(0) & (n->at(0) - 1)) == 0)
-    return {};
-  return fmt::format("'{}' is not a map size; expected a power of two from 1 to {}", text, kMaxSurfaceSize);
-}
-
-std::string check_point(const std::string& text) {
-  if (are_numbers_in<float>(text, ',', 3, -kMostDistance, kMostDistance)) return {};
-  return fmt::format("'{}' is not a point; expected X,Y,Z, each from -1e12 to 1e12", text);
-}
-
-std::string check_degrees(const std::string& text) {
-  constexpr double kMost = 1e6;
-  if (are_numbers_in<float>(text, ',', 3, -kMost, kMost)) return {};
-  return fmt::format("'{}' is not a rotation; expected X,Y,Z in degrees, each from -1e6 to 1e6", text);
-}
-
-std::string check_floor(const std::string& text) {
-  if (text == "auto" || text == "none") return {};
-  if (are_numbers_in<float>(text, ',', 1, -kMostDistance, kMostDistance)) return {};
-  return fmt::format("'{}' is not a floor; expected auto, none or a height from -1e12 to 1e12", text);
-}
-
-std::string check_fov(const std::string& text) {
-  if (are_numbers_in<float>(text, ',', 1, 0.01F, 170.0)) return {};
-  return fmt::format("'{}' is not a field of view; expected degrees from 0.01 to 170", text);
-}
-
-std::string check_spot_angle(const std::string& text) {
-  if (are_numbers_in<float>(text, ',', 1, 1.0, 170.0)) return {};
-  return fmt::format("'{}' is not an opening angle; expected degrees from 1 to 170", text);
-}
-
-std::string check_bias(const std::string& text) {
-  if (are_numbers_in<float>(text, ',', 1, 0.0, kMostDistance)) return {};
-  return fmt::format("'{}' is not a bias; expected a distance from 0 to 1e12", text);
-}
-
-std::string check_offset(const std::string& text) {
-  constexpr double kMost = std::numeric_limits<float>::max();
-  if (are_numbers_in<float>(text, ',', 2, -kMost, kMost)) return {};
-  return fmt::format("'{}' is not a polygon offset; expected FACTOR,UNITS, two finite numbers", text);
-}
-
-std::string check_file_name(const std::string& text) {
-  return text.empty() ? "the file name is empty" : "";
-}
 
 std::optional<glm::vec3> point(const std::string& text) {
   if (text.empty()) return std::nullopt;
@@ -108,7 +51,7 @@ SceneSetup setup_of(const SceneFlags& flags) {
   return setup;
 }
 
-// The scene's file is at fault where nothing else is named.
+// Names the scene's file in an error that names no other.
 template <class T>
 Result<T> naming(const SceneFlags& flags, Result<T> result) {
   if (result) return result;
@@ -121,7 +64,7 @@ CLI::Validator checked(std::string (*check)(const std::string&)) {
   return CLI::Validator([check](std::string& text) { return check(text); }, "");
 }
 
-// A flag that takes one of the names.
+// Adds a flag whose value is one of the names.
 template <class E>
 void add_choice(CLI::App& verb, const std::string& flag, E& value, const Names<E>& names, const std::string& help) {
   std::vector<std::string> all;
@@ -145,58 +88,76 @@ const Names<CullFace> kCulls{{"none", CullFace::none}, {"back", CullFace::back},
 const Names<DepthStencilFormat> kDepthStencils{
     {"d24s8", DepthStencilFormat::d24s8}, {"d16", DepthStencilFormat::d16}, {"d15s1", DepthStencilFormat::d15s1}};
 
-// The flags that one technique alone reads.
-void add_technique_flags(CLI::App& verb, SceneFlags& flags) {
-  RenderSettings& s = flags.settings;
-  add_choice(verb, "--index-format", s.index.format, kIndexFormats, "What holds an index");
-  add_choice(verb, "--index-scope", s.index.scope, kIndexScopes, "What gets an index of its own");
-  verb.add_option("--index-step", s.index.step, "Step between indices in a channel")
+void add_index_flags(CLI::App& verb, RenderSettings& s) {
+  add_choice(verb, "--index-format", s.index.format, kIndexFormats, "Texture format of an index");
+  add_choice(verb, "--index-scope", s.index.scope, kIndexScopes, "Unit that gets its own index");
+  verb.add_option("--index-step", s.index.step, "Difference between consecutive indices in a channel")
       ->capture_default_str()
       ->check(CLI::Range(1, kMaxIndexStep));
-  verb.add_option("--section-size", s.index.section_size, "Triangles a section at most")
+  verb.add_option("--section-size", s.index.section_size, "Maximum number of triangles per section")
       ->capture_default_str()
       ->type_name("N")
       ->check(CLI::Range(kMinSectionSize, kMaxSectionSize));
-  add_choice(verb, "--depth-bits", s.depth_cube.bits, kDepthBits, "What the depth cube map holds");
-  verb.add_option("--bias", flags.bias, "World units that a surface may lie behind the depth cube map's")
+}
+
+void add_depth_flags(CLI::App& verb, SceneFlags& flags) {
+  RenderSettings& s = flags.settings;
+  add_choice(verb, "--depth-bits", s.depth_cube.bits, kDepthBits, "Format of the depth cube map");
+  verb.add_option("--bias", flags.bias, "Bias of the depth comparison, in world units")
       ->type_name("DISTANCE")
       ->check(checked(check_bias));
-  verb.add_option("--polygon-offset", flags.polygon_offset, "Polygon offset while the shadow map is drawn")
+  verb.add_option("--polygon-offset", flags.polygon_offset, "Polygon offset of the shadow map")
       ->type_name("FACTOR,UNITS")
       ->check(checked(check_offset));
-  add_choice(verb, "--depth-encoding", s.shadow_map.encoding, kDepthEncodings, "How the shadow map holds depth");
-  add_choice(verb, "--depth-storage", s.shadow_map.storage, kStorages,
-             "How components of rgba8 encodings become bytes");
-  add_choice(verb, "--volume-method", s.shadow_volume.method, kVolumeMethods, "Where shadow volumes are counted");
-  add_choice(verb, "--stencil-sides", s.shadow_volume.two_sided, kStencilSides, "Faces of a volume in one pass");
-  verb.add_option("--samples", s.reflective.samples, "Pixel lights that a pixel gathers from")
+  add_choice(verb, "--depth-encoding", s.shadow_map.encoding, kDepthEncodings, "Encoding of depth in the shadow map");
+  add_choice(verb, "--depth-storage", s.shadow_map.storage, kStorages, "Conversion of rgba8 components to bytes");
+  add_choice(verb, "--volume-method", s.shadow_volume.method, kVolumeMethods,
+             "Count shadow volumes where the depth test fails or passes");
+  add_choice(verb, "--stencil-sides", s.shadow_volume.two_sided, kStencilSides,
+             "Sides of the shadow volumes drawn per pass");
+}
+
+void add_reflective_flags(CLI::App& verb, ReflectiveSettings& s) {
+  verb.add_option("--samples", s.samples, "Number of pixel lights that a pixel gathers from")
       ->capture_default_str()
       ->type_name("N")
       ->check(CLI::Range(1, kMaxPixelLights));
-  verb.add_option("--kernel", s.reflective.kernel, "Radius of the gathering pattern in texels")
+  verb.add_option("--kernel", s.kernel, "Radius of the sample pattern, in texels")
       ->capture_default_str()
       ->type_name("TEXELS")
       ->check(real_in_range(1.0, kMaxSurfaceSize));
-  add_choice(verb, "--pattern", s.reflective.pattern, kPatterns, "The gathering pattern");
-  verb.add_option("--gather-scale", s.reflective.gather_scale, "Pixels a side that share one gathering")
+  add_choice(verb, "--pattern", s.pattern, kPatterns, "Sample pattern");
+  verb.add_option("--gather-scale", s.gather_scale, "Gather once per block of N x N pixels")
       ->capture_default_str()
       ->type_name("N")
       ->check(CLI::Range(1, 16));
-  verb.add_option("--cookie", flags.cookie, "Cube map of the light: a DDS file, or six pictures +X,-X,+Y,-Y,+Z,-Z")
+}
+
+void add_cookie_flags(CLI::App& verb, SceneFlags& flags) {
+  verb.add_option("--cookie", flags.cookie, "Cube map of the light: one DDS file, or six pictures +X,-X,+Y,-Y,+Z,-Z")
       ->type_name("FILE[,FILE...]")
       ->check(checked(check_cookie));
-  verb.add_option("--light-rotate", flags.light_rotate, "Degrees that the light is turned about x, then y, then z")
+  verb.add_option("--light-rotate", flags.light_rotate, "Rotation of the light about x, then y, then z, in degrees")
       ->type_name("X,Y,Z")
       ->check(checked(check_degrees));
-  add_choice(verb, "--cookie-shadows", s.light_cookie.shadows, kCookieShadows, "Shadows of the light cookie");
+  add_choice(verb, "--cookie-shadows", flags.settings.light_cookie.shadows, kCookieShadows,
+             "Shadows of the light cookie: by indices, or none");
+}
+
+// Adds the flags that only one technique reads, and the checks that involve several flags.
+void add_technique_flags(CLI::App& verb, SceneFlags& flags) {
+  add_index_flags(verb, flags.settings);
+  add_depth_flags(verb, flags);
+  add_reflective_flags(verb, flags.settings.reflective);
+  add_cookie_flags(verb, flags);
   verb.parse_complete_callback([&flags] {
     if (flags.technique == "light-cookie" && flags.cookie.empty()) {
-      throw CLI::ValidationError("--technique light-cookie needs --cookie FILE");
+      throw CLI::ValidationError("--technique light-cookie requires --cookie FILE");
     }
     const auto kind = light_kind(flags);
     if (kind && !find_technique(flags.technique)->lights.has(*kind)) {
-      throw CLI::ValidationError(fmt::format("--light-type {}: technique {} cannot draw with such a light",
-                                             flags.light_type, flags.technique));
+      throw CLI::ValidationError(
+          fmt::format("--light-type {}: not supported by technique {}", flags.light_type, flags.technique));
     }
   });
 }
@@ -225,8 +186,8 @@ ThreadLimit::ThreadLimit(int threads) {
 
 CLI::Option* add_scene_file(CLI::App& verb, const std::string& name, SceneFlags& flags) {
   verb.add_flag("--allow-outside", flags.allow_outside,
-                "Read buffers and material libraries that the scene names anywhere");
-  return verb.add_option(name, flags.file, "glTF 2.0, OBJ, PLY, OFF or 3DS file")
+                "Also read buffers and material libraries outside of the scene's folder");
+  return verb.add_option(name, flags.file, "Scene to render: a glTF 2.0, OBJ, PLY, OFF or 3DS file")
       ->type_name("FILE")
       ->check(checked(check_file_name));
 }
@@ -235,40 +196,40 @@ std::vector<CLI::Option*> add_scene_flags(CLI::App& verb, SceneFlags& flags) {
   const std::size_t before = verb.get_options().size();
   std::vector<std::string> names;
   for (const Technique& technique : techniques()) names.emplace_back(technique.name);
-  verb.add_option("--technique", flags.technique, "How shadows are drawn")
+  verb.add_option("--technique", flags.technique, "Shadow technique")
       ->capture_default_str()
       ->check(CLI::IsMember(names));
   verb.add_option("--size", flags.size, "Picture size in pixels")
       ->capture_default_str()
       ->type_name("WxH")
       ->check(checked(check_size));
-  verb.add_option("--map-size", flags.settings.map_size, "Texels a side of a cube-map face, a power of two")
+  verb.add_option("--map-size", flags.settings.map_size, "Size of the light's map in texels per side, a power of two")
       ->type_name("N")
       ->capture_default_str()
       ->check(checked(check_map_size));
-  verb.add_flag("--light-facing", flags.settings.light_facing, "Shadow what faces away from the light");
+  verb.add_flag("--light-facing", flags.settings.light_facing, "Also shadow surfaces that face away from the light");
   verb.add_option("--camera", flags.camera, "Camera position")->type_name("X,Y,Z")->check(checked(check_point));
-  verb.add_option("--look-at", flags.look_at, "Point that the camera looks at")
-      ->type_name("X,Y,Z")
-      ->check(checked(check_point));
-  verb.add_option("--fov", flags.fov, "Vertical field of view")->type_name("DEGREES")->check(checked(check_fov));
+  verb.add_option("--look-at", flags.look_at, "Point to look at")->type_name("X,Y,Z")->check(checked(check_point));
+  verb.add_option("--fov", flags.fov, "Vertical field of view, in degrees")
+      ->type_name("DEGREES")
+      ->check(checked(check_fov));
   verb.add_option("--light", flags.light, "Light position")->type_name("X,Y,Z")->check(checked(check_point));
-  verb.add_option("--floor", flags.floor, "auto, none, or the height of a floor")
+  verb.add_option("--floor", flags.floor, "Floor below the scene: auto adds one if the file has no camera and no light")
       ->type_name("auto|none|HEIGHT")
       ->capture_default_str()
       ->check(checked(check_floor));
-  verb.add_option("--light-type", flags.light_type, "Kind of light (default: the file's, or the technique's)")
+  verb.add_option("--light-type", flags.light_type, "Kind of light (default: from the file or the technique)")
       ->check(CLI::IsMember({"point", "spot", "directional"}));
-  verb.add_option("--light-target", flags.light_target, "Point that a spot or directional light shines at")
+  verb.add_option("--light-target", flags.light_target, "Target of a spot or directional light")
       ->type_name("X,Y,Z")
       ->check(checked(check_point));
-  verb.add_option("--spot-angle", flags.spot_angle, "Opening angle of a spot light")
+  verb.add_option("--spot-angle", flags.spot_angle, "Opening angle of a spot light, in degrees")
       ->type_name("DEGREES")
       ->check(checked(check_spot_angle));
-  add_choice(verb, "--cull", flags.settings.cull_face, kCulls, "Faces to leave out, in every pass");
+  add_choice(verb, "--cull", flags.settings.cull_face, kCulls, "Faces to cull, in every pass");
   add_choice(verb, "--depth-stencil", flags.settings.depth_stencil, kDepthStencils,
              "Depth and stencil bits of the frame");
-  add_choice(verb, "--style", flags.settings.cartoon, kStyles, "plain, or flat colours with shadows in ink");
+  add_choice(verb, "--style", flags.settings.cartoon, kStyles, "Shading: plain, or flat colours with ink shadows");
   add_technique_flags(verb, flags);
   std::vector<CLI::Option*> added = verb.get_options();
   added.erase(added.begin(), added.begin() + static_cast<std::ptrdiff_t>(before));

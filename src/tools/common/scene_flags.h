@@ -1,4 +1,4 @@
-// The flags that say which scene is rendered and how, for every verb that renders.
+// The scene flags, shared by all verbs that render.
 #pragma once
 
 #include <optional>
@@ -20,10 +20,10 @@ struct SceneFlags {
   std::string camera, look_at, light, light_type, light_target, floor = "auto";
   std::string bias, polygon_offset, cookie, light_rotate;
   std::optional<double> fov, spot_angle;
-  RenderSettings settings;  // what stands in no text above; settings_of completes it
+  RenderSettings settings;  // all that the texts above do not hold; settings_of() completes it
 };
 
-// The names of enumerators, as flags take them and JSON gives them.
+// The names of enumerators in flags and in JSON.
 template <class E>
 using Names = std::vector<std::pair<std::string, E>>;
 extern const Names<IndexFormat> kIndexFormats;
@@ -39,13 +39,13 @@ template <class E>
   return {};
 }
 
-// Adds the scene's file as an argument or a flag of that name, and --allow-outside.
+// Adds the scene's file as an argument or flag of that name, and --allow-outside.
 CLI::Option* add_scene_file(CLI::App& verb, const std::string& name, SceneFlags& flags);
 
-// Adds the flags that say how it is rendered, and gives them.
+// Adds all other scene flags and returns them.
 std::vector<CLI::Option*> add_scene_flags(CLI::App& verb, SceneFlags& flags);
 
-// Lets work of this scope use so many threads; 0: all.
+// Limits the work of its scope to so many threads; 0: all.
 class ThreadLimit {
  public:
   explicit ThreadLimit(int threads);
@@ -54,16 +54,16 @@ class ThreadLimit {
   std::optional<ScopedThreadLimit> limit_;
 };
 
-// The settings of flags that were checked while they were parsed, but for the cookie, which render_scene reads.
+// The settings of parsed flags, without the cookie, which render_scene reads.
 [[nodiscard]] RenderSettings settings_of(const SceneFlags& flags, const CommonFlags& common);
 
-// Gives a scene the camera, light and floor that the flags ask for.
+// Adds the camera, light and floor of the flags to a scene.
 [[nodiscard]] Result<Scene> complete_scene_of(const SceneFlags& flags, const RenderSettings& settings, Scene scene);
 
-// Reads the scene and completes it. Unless quiet, stderr gets a line for each file that it names and that is missing.
+// Reads the scene and completes it. Unless quiet, prints a line to stderr for each missing file that the scene names.
 [[nodiscard]] Result<Scene> load_scene(const SceneFlags& flags, const RenderSettings& settings, bool quiet);
 
-// Renders it with the technique that the flags name, and with the cookie where they name one.
+// Renders the scene with the technique and the cookie of the flags.
 [[nodiscard]] Result<Rendering> render_scene(const SceneFlags& flags, const Scene& scene,
                                              const RenderSettings& settings, const Progress& progress);
 

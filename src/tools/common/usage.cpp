@@ -11,7 +11,7 @@
 namespace ninebit::tools {
 namespace {
 
-// The verb whose arguments were being read.
+// The verb whose arguments were being parsed.
 const CLI::App& verb_of(const CLI::App& app) {
   const CLI::App* at = &app;
   while (!at->get_subcommands().empty()) at = at->get_subcommands()[0];
@@ -34,7 +34,7 @@ std::vector<std::string> verbs_of(const CLI::App& app) {
   return names;
 }
 
-// A flag that stands among what nobody takes, and what it may have been.
+// A suggestion for the first unknown flag.
 std::string meant_flag(const CLI::App& verb) {
   for (const std::string& word : verb.remaining()) {
     if (word.starts_with("--")) return did_you_mean(word.substr(0, word.find('=')), flags_of(verb));
@@ -42,7 +42,7 @@ std::string meant_flag(const CLI::App& verb) {
   return "";
 }
 
-// CLI11 says "--technique: shadow-mop not in {index-cube,shadow-map}".
+// A suggestion for an unknown choice. CLI11's message is "--technique: shadow-mop not in {index-cube,shadow-map}".
 std::string meant_choice(const std::string& message) {
   static const std::regex choice(R"(^[^:]*: (.*) not in \{([^}]*)\}[^}]*$)");
   std::smatch found;
@@ -67,18 +67,19 @@ std::string usage_message(const CLI::App& app, const CLI::ParseError& error) {
   const std::string unmet = " missing";
   if (error.get_name() == "ArgumentMismatch" && message.ends_with(unmet)) {
     message.resize(std::min(message.find(':'), message.size()));
-    message += " needs a value";
+    message += " requires a value";
   } else if (const auto verbs = verbs_of(at); error.get_name() == "RequiredError" && !verbs.empty()) {
     const std::vector<std::string> unknown = at.remaining();
     const std::string list = fmt::format("{}", fmt::join(verbs, ", "));
     if (unknown.empty()) {
-      message = "no verb is given; expected one of " + list;
+      message = "a command is required; expected one of " + list;
     } else {
-      message = fmt::format("'{}' is no verb or flag of {}; expected one of {}{}{}", unknown[0], command, list,
-                            did_you_mean(unknown[0], verbs), meant_flag(at));
+      message = fmt::format("unknown {} '{}'; expected one of {}{}{}", unknown[0].starts_with('-') ? "flag" : "command",
+                            unknown[0], list, did_you_mean(unknown[0], verbs), meant_flag(at));
     }
-  } else if (error.get_name() == "RequiredError" ||  // CLI11 looks for what is missing before it looks at the rest
-             error.get_exit_code() == static_cast<int>(CLI::ExitCodes::ExtrasError)) {  // its name is the verb's
+  } else if (error.get_name() == "RequiredError" ||  // CLI11 checks for missing arguments first
+             error.get_exit_code() ==
+                 static_cast<int>(CLI::ExitCodes::ExtrasError)) {  // the error's name is that of the verb
     message += meant_flag(at);
   } else if (error.get_name() == "ValidationError") {
     message += meant_choice(message);

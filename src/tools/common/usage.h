@@ -1,4 +1,4 @@
-// What is told to somebody who used the program wrongly.
+// The message after wrong usage.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -6,7 +6,7 @@
 
 namespace ninebit::tools {
 
-// One sentence: what is wrong with the arguments, what was expected or may have been meant, and whose help to ask.
+// One sentence: what is wrong with the arguments, what was expected or possibly meant, and the help to read.
 [[nodiscard]] std::string usage_message(const CLI::App& app, const CLI::ParseError& error);
 
 }  // namespace ninebit::tools

@@ -9,7 +9,7 @@ std::size_t index_of(int component) {
   return static_cast<std::size_t>(component);
 }
 
-// The constants that the rows have.
+// The constants that are columns of the rows.
 ComponentSet varying_constants(const EvalRows& rows) {
   ComponentSet varying;
   for (const Register reg : {Register::constant0, Register::constant1}) {
@@ -52,7 +52,7 @@ void EvalRunner::run(EvalBatch& batch) {
     const Rgba9& own = column.reg == Register::constant0 ? constant0_ : constant1_;
     std::fill_n(batch.registers(column.reg, column.component), kBatchSize, own[index_of(column.component)]);
   }
-  // Real numbers know no constants but the program's.
+  // In real numbers, a batch program cannot vary constants by row.
   const bool by_row =
       engine_ == EvalEngine::reference || (!constants_.empty() && program_.datapath.arithmetic != Arithmetic::integer);
   by_row ? run_reference(batch) : batch_program_.run(batch.registers, batch.count, batch.out);

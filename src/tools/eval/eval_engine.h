@@ -1,4 +1,4 @@
-// Running a program over eval's batches, by either engine.
+// Evaluates a program on eval's batches, with either engine.
 #pragma once
 
 #include "ninebit/combiner/batch_program.h"
@@ -9,16 +9,16 @@ namespace ninebit::tools {
 
 enum class EvalEngine { reference, simd };
 
-// Puts a code in place of a constant's component, in every stage and in the final combiner.
+// Replaces a component of a constant, in every stage and in the final combiner.
 void replace_constant(Program& program, const EvalColumn& column, s9 code);
 
 class EvalRunner {
  public:
-  // `state` is valid for the profile. Constants of columns that `rows` has stand in for the program's own, those of
-  // every stage and of the final combiner alike.
+  // `state` must be valid for the profile. Constants that are columns of `rows` replace the program's own, in every
+  // stage and in the final combiner.
   EvalRunner(const CombinerState& state, const HardwareProfile& profile, const EvalRows& rows, EvalEngine engine);
 
-  // Evaluates the batch: its outputs, and as registers what the general combiners left.
+  // Evaluates the batch: sets its outputs, and its registers to those after the general combiners.
   void run(EvalBatch& batch);
 
  private:
@@ -28,9 +28,9 @@ class EvalRunner {
   Program program_;
   BatchProgram batch_program_;
   EvalEngine engine_;
-  Rgba9 constant0_, constant1_;            // the program's, for the table of registers
-  std::vector<EvalColumn> constants_;      // that the rows have
-  std::vector<EvalColumn> own_constants_;  // that they do not have
+  Rgba9 constant0_, constant1_;            // the program's own, for --registers
+  std::vector<EvalColumn> constants_;      // columns of the rows
+  std::vector<EvalColumn> own_constants_;  // not columns of the rows
 };
 
 }  // namespace ninebit::tools

@@ -8,7 +8,7 @@
 namespace ninebit::tools {
 namespace {
 
-// Text as troff takes it: no line begins with a command, hyphens are the ASCII ones that can be copied into a shell.
+// Text escaped for troff: no line starts with a command, and hyphens stay ASCII, so that they can be copied to a shell.
 std::string roff(std::string_view text) {
   std::string out;
   bool line_begins = true;
@@ -47,7 +47,7 @@ std::string item(const FlagText& flag) {
   return out + '\n';
 }
 
-// A footer as it stands: its lines are laid out by hand.
+// A footer without filling: its lines are laid out by hand.
 std::string as_it_stands(const std::string& text) {
   return text.empty() ? "" : fmt::format(".PP\n.nf\n{}\n.fi\n", roff(text));
 }
@@ -70,19 +70,19 @@ std::string manual_page(const VerbText& program) {
   std::string out = fmt::format(
       ".TH NINEBIT 1 \"\" \"ninebit {0}\" \"User Commands\"\n"
       ".SH NAME\nninebit \\- {1}\n"
-      ".SH SYNOPSIS\n\\fBninebit\\fR \\fIverb\\fR [\\fIarguments\\fR] [\\fIflags\\fR]\n"
+      ".SH SYNOPSIS\n\\fBninebit\\fR \\fIcommand\\fR [\\fIarguments\\fR] [\\fIflags\\fR]\n"
       ".SH FLAGS\n",
       NINEBIT_VERSION, roff(program.description));
   for (const FlagText& flag : program.flags) out += item(flag);
   out += as_it_stands(program.footer);
-  out += ".SH VERBS\n";
+  out += ".SH COMMANDS\n";
   for (const VerbText& verb : program.verbs) out += section(verb);
   out +=
-      ".SH EXIT STATUS\n.TP\n0\nDone.\n.TP\n1\nA check found a difference.\n.TP\n2\nWrong usage.\n"
+      ".SH EXIT STATUS\n.TP\n0\nSuccess.\n.TP\n1\nA check found a difference.\n.TP\n2\nWrong usage.\n"
       ".TP\n3\nUnreadable or invalid input.\n.TP\n4\nAn output could not be written.\n.TP\n5\nOut of memory.\n"
       ".TP\n128 + n\nSignal n ended the program.\n"
-      ".SH ENVIRONMENT\n.TP\nNO_COLOR\nIf it is set and not empty, nothing is coloured. Only terminals see colours "
-      "anyway.\n";
+      ".SH ENVIRONMENT\n.TP\nNO_COLOR\nIf set and not empty, output is not coloured. Colours are used only on "
+      "terminals.\n";
   return out;
 }
 

@@ -11,7 +11,7 @@
 namespace ninebit::tools {
 namespace {
 
-// CLI11 tells a value's type as "TEXT:{gl,rc10}", "INT:INT in [0 - 1024]" or "TEXT:NAME|FILE".
+// Parses CLI11's text of a value type: "TEXT:{gl,rc10}", "INT:INT in [0 - 1024]" or "TEXT:NAME|FILE".
 void read_type(const std::string& type, FlagText& flag) {
   const std::size_t colon = type.find(':');
   flag.value = type.substr(0, colon);

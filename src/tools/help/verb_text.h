@@ -1,5 +1,5 @@
-// The program's verbs and flags as plain data, taken from the CLI11 app that parses them: what the manual page and the
-// completions of shells are written from.
+// The verbs and flags as plain data, taken from the CLI11 app that parses them. The manual page and the shell
+// completions are generated from it.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -9,12 +9,12 @@
 namespace ninebit::tools {
 
 struct FlagText {
-  std::vector<std::string> names;    // "-o", "--output"; of an argument without a flag its one name, "scene"
-  std::string value;                 // "DIR"; empty: the flag takes none
-  std::string description;           // one sentence without its point
-  std::string default_value;         // empty: none, or not told
-  std::vector<std::string> choices;  // that a value may be
-  bool takes_file = false;           // or a folder
+  std::vector<std::string> names;    // "-o", "--output"; a positional argument has one name, such as "scene"
+  std::string value;                 // "DIR"; empty: the flag takes no value
+  std::string description;           // one sentence without its full stop
+  std::string default_value;         // empty: none
+  std::vector<std::string> choices;  // the allowed values
+  bool takes_file = false;           // the value is a file or a folder
   bool required = false;
 };
 
@@ -23,17 +23,17 @@ struct VerbText {
   std::string description;
   std::string footer;
   std::vector<FlagText> flags;
-  std::vector<FlagText> arguments;  // without a flag, in their order
+  std::vector<FlagText> arguments;  // positional, in order
   std::vector<VerbText> verbs;
 
   [[nodiscard]] const std::string& name() const { return path.back(); }
   [[nodiscard]] std::string command() const;  // "ninebit study index-steps"
 };
 
-// What is hidden from the help is left out.
+// The text of an app and its verbs; hidden verbs and flags are left out.
 [[nodiscard]] VerbText describe(const CLI::App& app);
 
-// The whole as a page of the manual, for troff with its macros `man`.
+// The manual page, as troff with the `man` macros.
 [[nodiscard]] std::string manual_page(const VerbText& program);
 
 // Scripts that complete verbs, flags, choices and file names.

@@ -12,27 +12,27 @@ namespace ninebit::tools {
 inline constexpr std::size_t kLongestCsvLine = std::size_t{1} << 16;
 
 struct CsvLine {
-  std::string_view text;  // without its end; not blank; valid until the next line is asked for
+  std::string_view text;  // without the line end; not blank; valid until the next call of next()
   int number = 0;         // 1-based
 };
 
 // "FILE:LINE:COLUMN: MESSAGE".
 [[nodiscard]] Diagnostic csv_fault(const std::string& file, int line, std::size_t column, std::string message);
 
-// Without the blanks around it.
+// The text without spaces and tabs at both ends.
 [[nodiscard]] std::string_view trimmed(std::string_view text);
 
-// Foreign bytes as they can be shown on one line.
+// A field as one printable line of at most 40 characters.
 [[nodiscard]] std::string shown(std::string_view field);
 
 class CsvLines {
  public:
-  // There is a ProgressLine: interrupts are noticed while waiting.
+  // Requires a ProgressLine, so that an interrupt ends a wait for input.
   explicit CsvLines(InputFile input) : input_(std::move(input)) {}
 
   [[nodiscard]] const std::string& name() const { return input_.name(); }
 
-  // The file's first bytes, as far as they were read.
+  // The first bytes of the file that have been read.
   [[nodiscard]] std::string_view beginning() const { return beginning_; }
 
   // The next line that is not blank, without "\n", "\r\n" and, on the first, a byte-order mark; empty at the end.
@@ -43,14 +43,14 @@ class CsvLines {
   Result<std::optional<std::string_view>> next_raw();
 
   InputFile input_;
-  std::string_view piece_;  // what of the last read has not been looked at
+  std::string_view piece_;  // the unread rest of the last read
   std::string carried_;     // a line that spans pieces
-  std::string beginning_;   // what kind_of_file() needs
+  std::string beginning_;   // for kind_of_file()
   bool ended_ = false;
   int number_ = 0;
 };
 
-// The fault of a table's header; where the file seems to be something else, that.
+// The fault to report for a table's header: if the file seems to be of another kind, that; else `fault`.
 [[nodiscard]] Diagnostic table_fault(const CsvLines& lines, const Diagnostic& fault);
 
 }  // namespace ninebit::tools

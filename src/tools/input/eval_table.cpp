@@ -42,12 +42,12 @@ Result<std::vector<EvalColumn>> read_header(const CsvLine& line, const std::stri
     if (found == known.end()) {
       return csv_fault(
           file, line.number, at,
-          fmt::format("'{}' is no column; expected REGISTER.COMPONENT with a register of const0, const1, "
+          fmt::format("unknown column '{}'; expected REGISTER.COMPONENT with a register of const0, const1, "
                       "fog, primary, secondary, spare0, spare1, tex0 to tex{} and a component of r, g, b, a",
                       shown(field), profile.texture_units - 1));
     }
     if (std::find(columns.begin(), columns.end(), *found) != columns.end()) {
-      return csv_fault(file, line.number, at, fmt::format("the column {} stands here twice", found->name()));
+      return csv_fault(file, line.number, at, fmt::format("duplicate column {}", found->name()));
     }
     columns.push_back(*found);
     if (comma == std::string_view::npos) return columns;

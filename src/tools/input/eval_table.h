@@ -1,4 +1,4 @@
-// The columns of eval's tables, and rows of them turned into batches of registers.
+// The columns of eval's tables, and the conversion of their rows to batches of registers.
 #pragma once
 
 #include <array>
@@ -25,23 +25,23 @@ struct EvalColumn {
 // Every register component that a table may have with the profile, in the order of the registers.
 [[nodiscard]] std::vector<EvalColumn> eval_columns(const HardwareProfile& profile);
 
-// The columns of a header, or its first fault.
+// The columns of a header. Reports its first fault.
 [[nodiscard]] Result<std::vector<EvalColumn>> read_header(const CsvLine& line, const std::string& file,
                                                           const HardwareProfile& profile);
 
 // Up to kBatchSize fragments.
 struct EvalBatch {
-  RegisterBatch registers{};  // constants included; those of columns that the table has
+  RegisterBatch registers{};  // constants only if the table has their columns
   OutputBatch out{};
   std::size_t count = 0;
 };
 
-// A table of which the header has been read.
+// A table after its header.
 struct EvalTable {
   CsvLines lines;
   std::vector<EvalColumn> columns;
 
-  // There is a ProgressLine: interrupts are noticed while waiting.
+  // Requires a ProgressLine, so that an interrupt ends a wait for input.
   [[nodiscard]] static Result<EvalTable> open(const std::string& file, const HardwareProfile& profile);
 };
 
@@ -49,11 +49,11 @@ class EvalRows {
  public:
   EvalRows(std::vector<EvalColumn> columns, const HardwareProfile& profile);
 
-  // Makes the batch empty, with the defaults of missing columns in place.
+  // Empties the batch and sets the defaults of missing columns.
   void begin(EvalBatch& batch) const;
   // Adds a row to a batch that is not full.
   [[nodiscard]] Status add(const CsvLine& line, const std::string& file, EvalBatch& batch) const;
-  // To be called when the last row of a batch is in.
+  // Call after the last row of a batch.
   void end(EvalBatch& batch) const;
 
   [[nodiscard]] bool has(const EvalColumn& column) const;

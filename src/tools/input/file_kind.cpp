@@ -10,13 +10,13 @@ namespace {
 
 using namespace std::string_view_literals;
 
-constexpr std::size_t kLookedAt = std::size_t{1} << 16;  // bytes of a text in which words are looked for
+constexpr std::size_t kLookedAt = std::size_t{1} << 16;  // bytes of a text that are searched for words
 
 struct Beginning {
   std::string_view bytes, kind;
 };
 
-// Files that begin with bytes of their own.
+// Kinds that are recognized by their first bytes.
 constexpr std::array kBeginnings{
     Beginning{"\x89PNG\r\n\x1A\n"sv, "a PNG picture"},
     Beginning{"\xFF\xD8\xFF"sv, "a JPEG picture"},
@@ -87,7 +87,7 @@ std::string kind_of_bytes(std::string_view bytes) {
   if (bytes.starts_with("RIFF") && bytes.substr(std::min<std::size_t>(8, bytes.size())).starts_with("WEBP")) {
     return "a WebP picture";
   }
-  // A main chunk, its length, and the chunk of the version or of the scene.
+  // 3DS: the main chunk, its length, then the chunk of the version or of the scene.
   const std::string_view second = bytes.size() < 8 ? ""sv : bytes.substr(6, 2);
   if (bytes.starts_with("MM") && (second == "\x02\0"sv || second == "\x3D\x3D"sv)) return "a 3DS scene";
   const bool binary = has(bytes.substr(0, kLookedAt), "\0"sv);
@@ -116,7 +116,7 @@ std::string kind_of_json(std::string_view text) {
   return std::string(has(text, "\"RC_") ? kJsonWordsKind : kJsonKind);
 }
 
-// A header such as tex0.r,out.a, or one with a column `program`.
+// Whether the first line is a header such as tex0.r,out.a, or has a column `program`.
 bool is_table(std::string_view text) {
   bool known = false, several = false;
   for (std::string_view line = first_line(text); !line.empty();) {
@@ -131,7 +131,7 @@ bool is_table(std::string_view text) {
   return known && (several || !has(first_line(text), " "));
 }
 
-// Whether a line of the text begins so.
+// Whether a line of the text starts with `beginning`.
 bool has_line(std::string_view text, std::string_view beginning) {
   if (text.starts_with(beginning)) return true;
   for (std::size_t at = 0; (at = text.find(beginning, at)) != std::string_view::npos; ++at) {
@@ -140,7 +140,7 @@ bool has_line(std::string_view text, std::string_view beginning) {
   return false;
 }
 
-// "gl" and a capital letter, as every call begins.
+// Whether the text contains "gl" and a capital letter, as in every GL call.
 bool has_gl_call(std::string_view text) {
   for (std::size_t at = 0; (at = text.find("gl", at)) != std::string_view::npos; ++at) {
     const bool inside = at > 0 && std::isalnum(static_cast<unsigned char>(text[at - 1])) != 0;

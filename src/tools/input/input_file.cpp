@@ -27,7 +27,7 @@ Result<InputFile> InputFile::open(const std::string& path) {
 }
 
 Result<std::string_view> InputFile::read(bool stoppable) {
-  // Waiting in slices: a signal between the question and the wait would otherwise be seen only with the next data.
+  // Waits in slices: otherwise a signal between the check and the wait would be noticed only with the next data.
   for (bool ready = !stoppable; !ready;) {
     ready = stream_.wait(kWaitMilliseconds);
     if (ProgressLine::stopped()) return Diagnostic{.message = "interrupted", .fault = Fault::cancelled};

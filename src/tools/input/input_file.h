@@ -1,4 +1,4 @@
-// Inputs read piece by piece, so that a stream of any length needs constant memory and an interrupt is seen in time.
+// Inputs read piece by piece: a stream of any length needs constant memory, and an interrupt ends a wait.
 #pragma once
 
 #include <string>
@@ -13,13 +13,13 @@ namespace ninebit::tools {
 
 class InputFile {
  public:
-  // "-" is standard input. A folder is refused here, too.
+  // "-" is standard input. Reports a file that cannot be opened, and a folder.
   [[nodiscard]] static Result<InputFile> open(const std::string& path);
 
   [[nodiscard]] const std::string& name() const { return name_; }
 
-  // The next bytes, valid until the next call; empty at the end. With `stoppable`, for verbs that have a ProgressLine,
-  // an interrupt ends the wait for more with a cancelled Diagnostic.
+  // The next bytes, valid until the next call; empty at the end. With `stoppable`, which requires a ProgressLine, an
+  // interrupt ends the wait with a Diagnostic of Fault::cancelled.
   [[nodiscard]] Result<std::string_view> read(bool stoppable = false);
 
  private:

@@ -11,7 +11,7 @@ char lower(char c) {
   return static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
 }
 
-// Changes between two words, row by row of the table of their beginnings; a swap looks back two rows.
+// The edit distance of two words, one row of the table per letter of `a`; a swap reads the row before the last.
 std::size_t changes(std::string_view a, std::string_view b) {
   std::vector<std::size_t> before(b.size() + 1), last(b.size() + 1), row(b.size() + 1);
   for (std::size_t j = 0; j <= b.size(); ++j) last[j] = j;
@@ -32,7 +32,7 @@ std::size_t changes(std::string_view a, std::string_view b) {
 }  // namespace
 
 std::optional<std::string> nearest_name(std::string_view wrong, std::span<const std::string> names) {
-  constexpr std::size_t kMost = 3, kLongest = 64;  // nobody misspells a name into a page of text
+  constexpr std::size_t kMost = 3, kLongest = 64;  // longer texts are not misspelled names
   if (wrong.size() > kLongest) return std::nullopt;
   std::optional<std::string> nearest;
   std::size_t fewest = kMost + 1;

@@ -1,4 +1,4 @@
-// "Did you mean …?": the name that somebody who wrote another one may have meant.
+// Suggestions for misspelled names: "did you mean …?".
 #pragma once
 
 #include <optional>
@@ -8,12 +8,12 @@
 
 namespace ninebit::tools {
 
-// The name that is fewest changes away from `wrong`, a change being a letter inserted, left out, replaced or swapped
-// with the next one; the first of several. Empty where even that needs more changes than a third of the longer word has
-// letters, or more than three. Lower and upper case count as the same.
+// The name with the fewest changes from `wrong`; the first of several. A change is a letter inserted, removed, replaced
+// or swapped with the next one; case is ignored. Empty if the name needs more than three changes, or more than a third
+// of the length of the longer word.
 [[nodiscard]] std::optional<std::string> nearest_name(std::string_view wrong, std::span<const std::string> names);
 
-// "; did you mean 'NAME'?", or nothing.
+// "; did you mean 'NAME'?", or empty.
 [[nodiscard]] std::string did_you_mean(std::string_view wrong, std::span<const std::string> names);
 
 }  // namespace ninebit::tools

@@ -49,7 +49,7 @@ OwnedProfile read_profile(const std::string& path) {
   throw InvalidInput(faults);
 }
 
-// Takes a shipped profile's name, or replaces a file's path by the name that the profile in it has.
+// Accepts the name of a shipped profile, or reads a file and replaces its path with the name of its profile.
 std::string check_profile(CommonFlags& flags, std::string& text) {
   flags.own_profile.reset();
   flags.profile_file.clear();
@@ -57,7 +57,7 @@ std::string check_profile(CommonFlags& flags, std::string& text) {
   if (!text.ends_with(".json")) {
     std::vector<std::string> names;
     for (const HardwareProfile& profile : hardware_profiles()) names.emplace_back(profile.name);
-    return fmt::format("'{}' is no profile; expected {}, or the path of a .json file{}", text, fmt::join(names, ", "),
+    return fmt::format("unknown profile '{}'; expected {}, or the path of a .json file{}", text, fmt::join(names, ", "),
                        did_you_mean(text, names));
   }
   flags.own_profile = read_profile(text);
@@ -70,7 +70,7 @@ void write_to_stderr(std::string_view text) noexcept {
   std::fwrite(text.data(), 1, text.size(), stderr);
 }
 
-// Piece by piece, so that nothing has to be allocated to say that memory has run out.
+// Piece by piece, so that an out-of-memory message needs no allocation.
 void say_printable(std::string_view text) noexcept {
   while (!text.empty()) {
     const PrintablePiece piece = first_printable_piece(text, true);
@@ -89,13 +89,13 @@ InvalidInput::InvalidInput(const std::vector<std::string>& faults)
     : std::runtime_error(faults.empty() ? "invalid input" : faults.front()), faults_(faults) {}
 
 void add_common_flags(CLI::App& verb, CommonFlags& flags) {
-  verb.add_flag("--json", flags.json, "Machine-readable output on stdout, and nothing else there");
-  verb.add_flag("--quiet", flags.quiet, "No progress and no list of files");
+  verb.add_flag("--json", flags.json, "Print one JSON object to stdout, and nothing else");
+  verb.add_flag("--quiet", flags.quiet, "Do not print progress or the names of written files");
   verb.add_option("--profile", flags.profile,
-                  "The hardware to compute as: a name that `ninebit profiles` lists, or a .json file")
+                  "Hardware profile to emulate: a name from `ninebit profiles`, or a .json file")
       ->capture_default_str()
       ->transform(CLI::Validator([&flags](std::string& text) { return check_profile(flags, text); }, "NAME|FILE"));
-  verb.add_option("--threads", flags.threads, "Threads to use, 0 for all; never changes a result")
+  verb.add_option("--threads", flags.threads, "Number of threads, 0 for all; results do not depend on it")
       ->capture_default_str()
       ->check(CLI::Range(0, 1024));
 }

@@ -1,4 +1,4 @@
-// What every verb of the program shares: common flags, exit codes, messages, progress.
+// Shared by all verbs: common flags, exit codes, messages, progress.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -29,17 +29,16 @@ enum ExitCode : int {
   kInterrupted = 128  // plus the signal's number, as shells report it: 130 for SIGINT
 };
 
-// The flags that every verb has.
 struct CommonFlags {
   bool json = false;
   bool quiet = false;
-  std::string profile = "geforce2";         // the profile's name
+  std::string profile = "geforce2";         // the name of the profile
   std::optional<OwnedProfile> own_profile;  // if it came from a file
   std::string profile_file;                 // that file
   int threads = 0;                          // 0: all
 };
 
-// A file that a flag names is unreadable or wrong. Ends the program with kInvalidInput; what() is the first fault.
+// A file named by a flag is unreadable or invalid. Ends the program with kInvalidInput; what() is the first fault.
 class InvalidInput : public std::runtime_error {
  public:
   explicit InvalidInput(const std::string& fault) : InvalidInput(std::vector{fault}) {}
@@ -52,40 +51,40 @@ class InvalidInput : public std::runtime_error {
   std::vector<std::string> faults_;
 };
 
-// Adds the common flags to a verb. A wrong profile name or thread count is a usage error; a profile's file that is
-// unreadable or wrong is thrown as InvalidInput while the command line is parsed.
+// Adds the common flags to a verb. An unknown profile or a thread count out of range is wrong usage; parsing the
+// command line throws InvalidInput for a profile file that is unreadable or invalid.
 void add_common_flags(CLI::App& verb, CommonFlags& flags);
 
-// The profile that add_common_flags has checked. Valid as long as the flags.
+// The profile of the parsed flags. Valid as long as the flags.
 [[nodiscard]] const HardwareProfile& profile_of(const CommonFlags& flags);
 
-// Whether text that goes to the stream of this number is to be coloured: it is a terminal, and NO_COLOR is not set.
+// Whether to colour text for the stream of this number: it is a terminal, and NO_COLOR is not set.
 [[nodiscard]] bool wants_colors(int stream);
 
-// Writes lines to stderr, "error:" in red where it wants colours, and control characters as printable.h has them. A
-// stream that is full or that nobody reads is not an error: the results do not depend on it.
+// Writes lines to stderr, with "ninebit: error:" in red if it wants colours, and control characters escaped as in
+// printable.h. Write errors are ignored: the results do not depend on stderr.
 void say(std::string_view text) noexcept;
 
-// Says "ninebit: error: MESSAGE", or "wrote FILE", on one line, whatever stands in the message or in the name.
+// Prints "ninebit: error: MESSAGE" or "wrote FILE" to stderr, always on one line.
 void say_error(std::string_view message);
 void say_written(const std::filesystem::path& file);
 
-// Writes what a verb answers to stdout: lines for people, in which control characters are as printable.h has them, or
-// an object. Gives kDone, or kCannotWrite after saying why.
+// Writes the answer of a verb to stdout: lines for people, with control characters escaped as in printable.h, or a JSON
+// object. Returns kDone, or kCannotWrite after printing the reason.
 [[nodiscard]] int answer(const std::string& text);
 [[nodiscard]] int answer(const Json& object);
 
-// The same for a text in which every foreign name was made printable or escaped before.
+// The same for a text in which every foreign name is already escaped.
 [[nodiscard]] int answer_exactly(const std::string& text);
 
-// An object as it is answered. Names that are not UTF-8 have U+FFFD in their places.
+// The text of a JSON answer. Invalid UTF-8 is replaced with U+FFFD.
 [[nodiscard]] std::string text_of(const Json& object);
 
-// Prints "ninebit: error: TEXT" to stderr and gives the exit code of the fault.
+// Prints "ninebit: error: TEXT" to stderr and returns the exit code of the fault.
 [[nodiscard]] int report(const Diagnostic& diagnostic);
 
-// Progress on one line of stderr while that is a terminal and nobody asked for quiet; from the first SIGINT,
-// SIGTERM or SIGHUP on, step() answers false.
+// A progress bar on stderr, if that is a terminal and `quiet` is false. After the first SIGINT, SIGTERM or SIGHUP,
+// step() returns false.
 class ProgressLine {
  public:
   explicit ProgressLine(bool quiet);
@@ -94,14 +93,14 @@ class ProgressLine {
   ProgressLine& operator=(const ProgressLine&) = delete;
 
   bool step(std::string_view what, double done);
-  // Whether step() would answer false.
+  // Whether step() would return false.
   [[nodiscard]] static bool stopped();
 
  private:
   bool visible_;
 };
 
-// Each verb adds itself and returns through `exit_code` what its run ends with.
+// Each verb adds itself; running it sets `exit_code`.
 void add_render(CLI::App& app, int& exit_code);
 void add_profiles(CLI::App& app, int& exit_code);
 void add_info(CLI::App& app, int& exit_code);
@@ -113,6 +112,6 @@ void add_trace(CLI::App& app, int& exit_code);
 void add_bench(CLI::App& app, int& exit_code);
 void add_study(CLI::App& app, int& exit_code);
 void add_verify(CLI::App& app, int& exit_code);
-void add_generate(CLI::App& app, int& exit_code);  // not shown by the help
+void add_generate(CLI::App& app, int& exit_code);  // hidden from the help
 
 }  // namespace ninebit::tools

@@ -1,4 +1,4 @@
-// `ninebit study`: what nine bits do, counted and measured.
+// `ninebit study`: measures the effects of nine-bit arithmetic.
 #include "src/tools/study/study.h"
 
 #include <fmt/format.h>
@@ -28,18 +28,18 @@ void add_study_flags(CLI::App& verb, StudyFlags& flags) {
   add_common_flags(verb, flags.common);
   flags.profile = verb.get_option("--profile");
   CLI::Option* folder = verb.add_option("-o,--output", flags.folder,
-                                        "Folder for report.html, rows.json, tables and plots; made if missing. A run "
-                                        "that was interrupted goes on there")
+                                        "Folder for report.html, rows.json, tables and plots; created if missing. "
+                                        "An interrupted run resumes there")
                             ->type_name("DIR");
   const auto check_shard = [](const std::string& text) -> std::string {
     return parse_shard(text) ? ""
                              : fmt::format("'{}' is not a shard; expected I/N with I from 1 to N, such as 2/8", text);
   };
-  verb.add_option("--shard", flags.shard, "Do one of N parts of the work; `ninebit study merge` joins them")
+  verb.add_option("--shard", flags.shard, "Run part I of N; `ninebit study merge` joins the parts")
       ->type_name("I/N")
       ->check(CLI::Validator(check_shard, ""))
       ->needs(folder);
-  verb.add_option("--budget", flags.budget, "Begin nothing new after so many seconds; the same command goes on")
+  verb.add_option("--budget", flags.budget, "Start no new unit after this time; run the same command to resume")
       ->type_name("SECONDS")
       ->check(real_in_range(0.0, kMostSeconds))
       ->needs(folder);
@@ -97,7 +97,7 @@ CLI::Validator list_of(std::vector<std::string> known) {
     std::set<std::string> given;
     for (const std::string& item : items_of(text)) {
       if (std::find(known.begin(), known.end(), item) == known.end()) {
-        return fmt::format("'{}' is unknown; expected some of {}{}", item, fmt::join(known, ", "),
+        return fmt::format("unknown name '{}'; expected a list of {}{}", item, fmt::join(known, ", "),
                            did_you_mean(item, known));
       }
       if (!given.insert(item).second) return fmt::format("'{}' is given twice; expected each name once", item);
@@ -115,13 +115,14 @@ void add_studies(CLI::App& verbs, StudyRequest& request) {
 }
 
 void add_study(CLI::App& app, int& exit_code) {
-  CLI::App* verb = app.add_subcommand("study", "What nine bits do, counted, measured and shown");
+  CLI::App* verb =
+      app.add_subcommand("study", "Measure the effects of nine-bit arithmetic: false matches, errors, wrong pixels");
   verb->require_subcommand(1);
   verb->footer(
       "Examples:\n"
       "  ninebit study index-steps\n"
       "  ninebit study datapath -o out\n"
-      "`ninebit study PART --help` tells a part's flags.");
+      "Run `ninebit study STUDY --help` for the flags of a study.");
   auto request = std::make_shared<StudyRequest>();
   add_studies(*verb, *request);
   add_study_merge(*verb, exit_code);

@@ -1,4 +1,4 @@
-// `ninebit study datapath`: how far each operation is from exact arithmetic, and whole programs.
+// `ninebit study datapath`: the error of each operation, and of whole programs, against exact arithmetic.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -21,7 +21,7 @@ struct DatapathFlags {
   std::string program, inputs, over;
 };
 
-// A form's name without what a list in a command line cannot have: "-1/2,x2" of "-1/2, x2" is no item of one.
+// The name of a form as --forms takes it. The form's own name, such as "-1/2, x2", has a comma and cannot be an item.
 std::string form_flag(const OutputForm& form) {
   return std::string(form.bias == Bias::none ? "" : "biased-") + (form.scale == Scale::none      ? "x1"
                                                                   : form.scale == Scale::by_two  ? "x2"
@@ -45,7 +45,7 @@ Result<Program> read_program(const DatapathFlags& flags, const HardwareProfile& 
     const std::size_t more = file->parsed.faults.size() - 1;
     const std::string first = file->parsed.faults.front().text();
     if (more == 0) return Diagnostic{.message = first};
-    return Diagnostic{.message = fmt::format("{}; {} more, which `ninebit validate` lists", first, more)};
+    return Diagnostic{.message = fmt::format("{}; {} more, run `ninebit validate` to list them", first, more)};
   }
   auto program = compile(*file->parsed.value, profile);
   if (program) return program;
@@ -84,7 +84,7 @@ Result<ProgramInputs> read_inputs(const DatapathFlags& flags, const HardwareProf
     if (Status added = rows.add(**line, lines.name(), *batch); !added) return added.error();
     for (const EvalColumn& column : columns) codes.push_back(batch->registers(column.reg, column.component)[0]);
     if (codes.size() > kMostCodes) {
-      return csv_fault(lines.name(), (*line)->number, 1, fmt::format("more than {} codes are too many", kMostCodes));
+      return csv_fault(lines.name(), (*line)->number, 1, fmt::format("the table has more than {} codes", kMostCodes));
     }
   }
   if (codes.empty()) return csv_fault(lines.name(), 2, 1, "the table has no rows");
@@ -93,7 +93,6 @@ Result<ProgramInputs> read_inputs(const DatapathFlags& flags, const HardwareProf
   return ProgramInputs{.components = components_of(columns), .codes = std::move(codes)};
 }
 
-// The study that the flags ask for.
 Result<std::unique_ptr<Study>> make_datapath(const DatapathFlags& flags) {
   auto asked = question_of(flags.study, "datapath");
   if (!asked) return asked.error();
@@ -124,35 +123,35 @@ Result<std::unique_ptr<Study>> make_datapath(const DatapathFlags& flags) {
   return datapath_study(std::move(question), profiles_of(flags.study));
 }
 
-// The components of --over for this profile; a wrong one is wrong usage.
+// Reads the components of --over for this profile; an unknown one is wrong usage.
 void check_over(const DatapathFlags& flags) {
   if (flags.over.empty()) return;
   const auto columns = read_header({.text = flags.over, .number = 1}, "--over", profile_of(flags.study.common));
   if (!columns) throw CLI::ValidationError("--over " + flags.over + ": " + columns.error().message);
 }
 
-// A profile that computes in real numbers has no errors of codes.
+// A profile that computes in real numbers has no nine-bit errors to measure.
 void check_profile(const StudyFlags& flags) {
   if (flags.profile->count() == 0 || profile_of(flags.common).arithmetic == Arithmetic::integer) return;
   throw CLI::ValidationError(
       fmt::format("--profile {}: it computes in real numbers and has no datapath to measure; "
-                  "expected a profile of integers",
+                  "expected a profile with integer arithmetic",
                   flags.common.profile));
 }
 
-// Files alone: a question is asked again when its parts are joined.
+// Refuses standard input: the files are read again when the parts are merged.
 std::string check_file(const std::string& text) {
   if (!text.empty() && text != "-") return {};
-  return fmt::format("'{}' is no file; a study reads its files more than once", text);
+  return fmt::format("'{}' is not a file name; a study reads its files more than once", text);
 }
 
 }  // namespace
 
 void add_study_datapath(CLI::App& verbs, StudyRequest& request) {
-  CLI::App* verb = verbs.add_subcommand("datapath", "Errors of every operation of the datapath, over all inputs");
+  CLI::App* verb = verbs.add_subcommand("datapath", "Measure the error of every datapath operation, over all inputs");
   verb->footer(
-      "With --program the error of a whole program and of each of its stages, with --exhaustive-sum AB + CD case by\n"
-      "case; both for one profile, geforce2 where none is given.\n"
+      "The error is the difference from exact arithmetic. --program measures a whole program and each of its stages;\n"
+      "--exhaustive-sum measures AB + CD case by case. Both use one profile, by default geforce2.\n"
       "Examples:\n"
       "  ninebit study datapath --profile geforce2\n"
       "  ninebit study datapath --program docs/programs/index_compare.gl --over primary.r,tex0.r\n"
@@ -160,29 +159,30 @@ void add_study_datapath(CLI::App& verbs, StudyRequest& request) {
       "  ninebit study datapath --exhaustive-sum --forms x1,x4");
   auto flags = std::make_shared<DatapathFlags>();
   add_study_flags(*verb, flags->study);
-  CLI::Option* program = verb->add_option("--program", flags->program, "A program to measure as a whole")
+  CLI::Option* program = verb->add_option("--program", flags->program, "Measure this program and each of its stages")
                              ->type_name("FILE")
                              ->check(CLI::Validator(check_file, ""));
-  CLI::Option* inputs =
-      verb->add_option("--inputs", flags->inputs, "Its inputs: a table of register codes as `ninebit eval` takes it")
-          ->type_name("FILE.csv")
-          ->check(CLI::Validator(check_file, ""))
-          ->needs(program);
+  CLI::Option* inputs = verb->add_option("--inputs", flags->inputs,
+                                         "Inputs of the program: a table of register codes, as for `ninebit eval`")
+                            ->type_name("FILE.csv")
+                            ->check(CLI::Validator(check_file, ""))
+                            ->needs(program);
   CLI::Option* over =
-      verb->add_option("--over", flags->over, "Its inputs: all values of these components, such as tex0.r,primary.r")
+      verb->add_option("--over", flags->over,
+                       "Inputs of the program: all values of these components, such as tex0.r,primary.r")
           ->type_name("LIST")
           ->needs(program)
           ->excludes(inputs);
-  CLI::Option* sum = verb->add_flag("--exhaustive-sum", flags->exhaustive_sum, "Evaluate all 511^4 cases of AB + CD")
+  CLI::Option* sum = verb->add_flag("--exhaustive-sum", flags->exhaustive_sum, "Measure all 511^4 cases of AB + CD")
                          ->excludes(program);
-  verb->add_option("--forms", flags->forms, "Outputs of the sum: x1,x2,x4,x1/2,biased-x1,biased-x2")
+  verb->add_option("--forms", flags->forms, "Scales and biases of the sum: x1,x2,x4,x1/2,biased-x1,biased-x2")
       ->type_name("LIST")
       ->capture_default_str()
       ->check(list_of(all_forms()))
       ->needs(sum);
   verb->callback([flags, program, inputs, over, &request] {
     if (program->count() > 0 && inputs->count() + over->count() == 0) {
-      throw CLI::ValidationError("--program needs --inputs FILE.csv or --over LIST");
+      throw CLI::ValidationError("--program requires --inputs FILE.csv or --over LIST");
     }
     check_profile(flags->study);
     check_over(*flags);

@@ -1,4 +1,4 @@
-// `ninebit study depth-packing`: what depths are after a round trip through bytes.
+// `ninebit study depth-packing`: the errors of depths after a round trip through bytes.
 #include <memory>
 
 #include "ninebit/study/depth_packing_error.h"
@@ -44,7 +44,8 @@ Result<std::unique_ptr<Study>> make_study(const DepthPackingFlags& flags) {
 }  // namespace
 
 void add_study_depth_packing(CLI::App& verbs, StudyRequest& request) {
-  CLI::App* verb = verbs.add_subcommand("depth-packing", "Round trips of depths packed into bytes, as three.js did it");
+  CLI::App* verb =
+      verbs.add_subcommand("depth-packing", "Measure round-trip errors of depths packed into bytes, as in three.js");
   verb->footer(
       "Examples:\n"
       "  ninebit study depth-packing\n"
@@ -52,17 +53,16 @@ void add_study_depth_packing(CLI::App& verbs, StudyRequest& request) {
       "  ninebit study depth-packing --depths floats --float-step 1");
   auto flags = std::make_shared<DepthPackingFlags>();
   add_study_flags(*verb, flags->study);
-  verb->add_option("--packings", flags->packings, "Packings (default: all)")
+  verb->add_option("--packings", flags->packings, "Packings to measure (default: all)")
       ->type_name("LIST")
       ->check(list_of(all_depth_packings().packings));
-  verb->add_option("--storages", flags->storages, "How components become bytes (default: both): round,truncate")
+  verb->add_option("--storages", flags->storages, "Conversions of components to bytes (default: both): round,truncate")
       ->type_name("LIST")
       ->check(list_of({"round", "truncate"}));
-  verb->add_option("--depths", flags->depths, "Depths of 16 or 24 bits, or floats (default: all): 16,24,floats")
+  verb->add_option("--depths", flags->depths, "Sets of depths: 16 bits, 24 bits or floats (default: all): 16,24,floats")
       ->type_name("LIST")
       ->check(list_of(all_sets()));
-  verb->add_option("--float-step", flags->float_step,
-                   "Every how many-th float, 1 to 16777216; 1 is every float from 0 to 1 and takes minutes")
+  verb->add_option("--float-step", flags->float_step, "Measure every Nth float, N from 1 to 16777216; 1 takes minutes")
       ->type_name("N")
       ->capture_default_str()
       ->check(CLI::Range(1U, 1U << 24));

@@ -1,4 +1,4 @@
-// `ninebit study index-steps`: how many pairs of different indices a comparison takes for equal.
+// `ninebit study index-steps`: counts the pairs of different indices that a comparison finds equal.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -42,7 +42,7 @@ std::optional<std::pair<int, int>> steps_of(const std::string& text) {
   return std::pair{n->front(), n->back()};
 }
 
-// Keeps those that a list names, in their own order; all where there is no list.
+// Keeps the elements that the list names, in their own order; an empty list keeps all.
 template <class T, class Name>
 void keep_named(std::vector<T>& all, const std::string& list, const Name& name) {
   if (list.empty()) return;
@@ -50,7 +50,7 @@ void keep_named(std::vector<T>& all, const std::string& list, const Name& name) 
   std::erase_if(all, [&](const T& one) { return std::find(wanted.begin(), wanted.end(), name(one)) == wanted.end(); });
 }
 
-// The file's program for a profile; with a faulty text, its first fault.
+// The file's program for a profile. For a text with faults, reports the first.
 Result<CombinerState> read_state(const std::string& name, const HardwareProfile& profile) {
   auto file = read_program_file({.file = name, .from = "", .chip = ""}, profile);
   if (!file) return file.error();
@@ -83,7 +83,7 @@ Result<std::unique_ptr<Study>> make_index_steps(const IndexStepsFlags& flags) {
   return index_steps_study(std::move(options));
 }
 
-// Separate comparisons are a case of their own only where an index has several channels.
+// Separate comparisons differ from the other variants only if an index has several channels.
 void check_variants(const IndexStepsFlags& flags) {
   if (flags.formats.empty() || flags.variants.empty()) return;
   const std::vector<std::string> formats = items_of(flags.formats), variants = items_of(flags.variants);
@@ -96,7 +96,7 @@ void check_variants(const IndexStepsFlags& flags) {
   });
   if (several || any) return;
   throw CLI::ValidationError(
-      fmt::format("--variants {}: separate comparisons differ from others only where an index "
+      fmt::format("--variants {}: separate comparisons differ from the others only if an index "
                   "has several channels; expected --formats rgb or la, or another variant",
                   flags.variants));
 }
@@ -104,7 +104,7 @@ void check_variants(const IndexStepsFlags& flags) {
 }  // namespace
 
 void add_study_index_steps(CLI::App& verbs, StudyRequest& request) {
-  CLI::App* verb = verbs.add_subcommand("index-steps", "False matches of index comparisons, by step");
+  CLI::App* verb = verbs.add_subcommand("index-steps", "Count false matches of index comparisons, by step");
   verb->footer(
       "Examples:\n"
       "  ninebit study index-steps\n"
@@ -113,23 +113,23 @@ void add_study_index_steps(CLI::App& verbs, StudyRequest& request) {
   auto flags = std::make_shared<IndexStepsFlags>();
   add_study_flags(*verb, flags->study);
   const auto check_steps = [](const std::string& text) -> std::string {
-    return steps_of(text) ? "" : fmt::format("'{}' is not a step; expected N or FIRST-LAST, from 1 to 255", text);
+    return steps_of(text) ? "" : fmt::format("invalid step '{}'; expected N or FIRST-LAST, from 1 to 255", text);
   };
-  verb->add_option("--steps", flags->steps, "Steps between indices")
+  verb->add_option("--steps", flags->steps, "Steps between indices to measure")
       ->type_name("N|FIRST-LAST")
       ->capture_default_str()
       ->check(CLI::Validator(check_steps, ""));
-  verb->add_option("--formats", flags->formats, "What holds an index (default: all): channel,rgb,la,l,a")
+  verb->add_option("--formats", flags->formats, "Formats of an index (default: all): channel,rgb,la,l,a")
       ->type_name("LIST")
       ->check(list_of(all_formats()));
   CLI::Option* variants =
-      verb->add_option("--variants", flags->variants, "Forms of the article's program (default: all)")
+      verb->add_option("--variants", flags->variants, "Variants of the article's program (default: all)")
           ->type_name("LIST")
           ->check(list_of(all_variants()));
   const auto check_file = [](const std::string& text) -> std::string {
     return text.empty() || text == "-" ? "a study reads its program more than once; expected a file's name" : "";
   };
-  verb->add_option("--program", flags->program, "A program of your own: primary against texture 0, alpha 0 where equal")
+  verb->add_option("--program", flags->program, "Own program: compares primary with texture 0, gives alpha 0 if equal")
       ->type_name("FILE")
       ->check(CLI::Validator(check_file, ""))
       ->excludes(variants);

@@ -1,4 +1,4 @@
-// How every study is run: answered at once, or kept in a folder, in parts that are joined later.
+// Runs any study: either whole, or in a folder, in parts that are merged later.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -22,7 +22,7 @@
 namespace ninebit::tools {
 namespace {
 
-// Tells builds apart: two programs that differ in a byte are two. Their parts are not joined, whatever they say.
+// Identifies the build: the version and a hash of the program file. Parts of different builds are not merged.
 std::string build_of_program() {
   std::ifstream program(posix::program_file(), std::ios::binary);
   Sha256 hash;
@@ -33,23 +33,23 @@ std::string build_of_program() {
   return fmt::format("{} {}", NINEBIT_VERSION, hash.finish().substr(0, 16));
 }
 
-// A progress line that also says how long the rest will take. Where that is more than ten seconds, one line says so
-// even if stderr is not a terminal.
+// A progress line with an estimate of the remaining time. If that is more than ten seconds, it is also printed once on
+// a line of its own, even if stderr is not a terminal.
 class UnitProgress {
  public:
   explicit UnitProgress(bool quiet) : line_(quiet), quiet_(quiet) {}
 
-  // Before a unit, with the share of the work that is done; false from an interrupt on.
+  // Called before each unit with the share of the work that is done; returns false after an interrupt.
   bool step(const std::string& unit, double done) {
     if (first_ < 0.0) first_ = done;
-    const double fresh = done - first_;  // what an earlier run has done says nothing of this one's speed
+    const double fresh = done - first_;  // work of an earlier run says nothing about the speed of this one
     if (fresh <= 0.0) return line_.step(fmt::format("{} ({:.0f} %)", unit, 100.0 * done), done);
     const std::chrono::duration<double> spent = Clock::now() - begin_;
     const double left = spent.count() * (1.0 - done) / fresh;
     constexpr double kLong = 10.0;
     if (left > kLong && !told_ && !quiet_) {
       told_ = true;
-      say(fmt::format("{:.0f} % are done; the rest takes about {:.0f} s.\n", 100.0 * done, left));
+      say(fmt::format("{:.0f} % done; about {:.0f} s left.\n", 100.0 * done, left));
     }
     return line_.step(fmt::format("{} ({:.0f} %, {:.0f} s left)", unit, 100.0 * done, left), done);
   }
@@ -67,7 +67,7 @@ bool go_on() {
   return !ProgressLine::stopped();
 }
 
-// The rows of all units, kept nowhere.
+// Runs all units and returns their rows without saving them.
 Result<std::vector<StudyRow>> run_whole(const Study& study, bool quiet) {
   UnitProgress progress(quiet);
   double all = 0.0, done = 0.0;
@@ -92,13 +92,13 @@ int answer_rows(const Study& study, const StudyReport& made, std::span<const Stu
   return answer(text);
 }
 
-// Writes the report on the rows of so many units, and answers.
+// Writes the report on the rows of `done` units and prints the answer.
 int finish(const Study& study, const std::string& folder, std::span<const StudyRow> rows, std::size_t done,
            const CommonFlags& flags) {
   const auto made = study.report(rows, done);
   if (!made) return report(made.error());
   if (!folder.empty()) {
-    // From here on a first signal lets the report be finished.
+    // From here on, the first signal does not interrupt: the report is finished.
     if (!ProgressLine(flags.quiet).step("report", 1.0)) {
       return report({.message = "interrupted", .fault = Fault::cancelled});
     }
@@ -122,27 +122,28 @@ int run_in_folder(const Study& study, const StudyFlags& flags) {
   }
   if (!part) {
     if (part.error().fault == Fault::cancelled && !flags.common.quiet) {
-      say("What was finished is kept: the same command goes on there.\n");
+      say("Progress is saved; run the same command to resume.\n");
     }
     return report(part.error());
   }
   if (!flags.common.quiet) say_written(part->file);
   if (!part->complete && !flags.common.quiet) {
-    say(fmt::format("The time is up after {} units of {}: the same command goes on.\n", part->units.size(), units));
+    say(fmt::format("The time is up after {} of {} units; run the same command to resume.\n", part->units.size(),
+                    units));
   }
   if (shard.count > 1) return kDone;
   return finish(study, flags.folder, rows_of(*part), part->units.size(), flags.common);
 }
 
-// Why a word of a question names a file that a part may not name: one that is not below the working folder, or is not a
-// regular file. A word may hold several names, so each of its pieces is looked at as one, whichever flag it belongs to.
+// The reason why a word of a command is refused: it names a file that is not below the working folder or is not a
+// regular file. A word may hold several names, so each of its pieces is checked, whatever flag it belongs to.
 std::optional<std::string> why_refused(std::string_view word) {
   constexpr std::string_view kBetweenNames = ",=";
   while (!word.empty()) {
     const std::size_t end = std::min(word.find_first_of(kBetweenNames), word.size());
     const std::string_view piece = word.substr(0, end);
     word.remove_prefix(std::min(end + 1, word.size()));
-    // A folder of the name of a study or a format is not read.
+    // A folder is skipped: its name may be that of a study or a format, and no study reads folders.
     std::error_code error;
     const bool is_folder = std::filesystem::is_directory(std::filesystem::symlink_status(piece, error));
     if (piece.empty() || is_folder) continue;
@@ -151,7 +152,7 @@ std::optional<std::string> why_refused(std::string_view word) {
   return std::nullopt;
 }
 
-// The study that a part's question asks for: its command line is read as the user's was.
+// The study of a part: its command is parsed like the command line of the user.
 Result<std::unique_ptr<Study>> study_of(const StudyQuestion& question, bool allow_outside) {
   CLI::App verbs("", "study");
   StudyRequest request;
@@ -159,20 +160,20 @@ Result<std::unique_ptr<Study>> study_of(const StudyQuestion& question, bool allo
   std::vector<std::string> words = question.words();
   for (const std::string& word : words) {
     const auto why = allow_outside ? std::nullopt : why_refused(word);
-    if (why) return Diagnostic{.message = fmt::format("its question names a file: {}, or --allow-outside", *why)};
+    if (why) return Diagnostic{.message = fmt::format("its command names a file: {}, or --allow-outside", *why)};
   }
-  std::reverse(words.begin(), words.end());  // as CLI11 takes them
+  std::reverse(words.begin(), words.end());  // CLI11 expects the last word first
   try {
     verbs.parse(std::move(words));
   } catch (const CLI::ParseError& error) {
-    return Diagnostic{.message = fmt::format("its question, `{}`, cannot be asked: {}", quotable(question.command()),
+    return Diagnostic{.message = fmt::format("its command, `{}`, is not valid: {}", quotable(question.command()),
                                              quotable(error.what()))};
   }
   if (!request.make)
-    return Diagnostic{.message = fmt::format("its question, `{}`, names no study", quotable(question.command()))};
+    return Diagnostic{.message = fmt::format("its command, `{}`, does not name a study", quotable(question.command()))};
   auto study = request.make();
   if (study && (*study)->question() != question) {
-    return Diagnostic{.message = fmt::format("the files that `{}` names have changed since; expected them as they were",
+    return Diagnostic{.message = fmt::format("the files that `{}` names have changed; expected them unchanged",
                                              quotable(question.command()))};
   }
   return study;
@@ -185,7 +186,7 @@ struct MergeFlags {
   bool allow_outside = false;
 };
 
-// What the first part asks, and whether the others ask the same.
+// The study of the first part, which all others must share.
 class MergedStudy {
  public:
   explicit MergedStudy(bool allow_outside) : allow_outside_(allow_outside) {}
@@ -241,14 +242,16 @@ int run_study(const StudyRequest& request) {
 }
 
 void add_study_merge(CLI::App& verbs, int& exit_code) {
-  CLI::App* verb = verbs.add_subcommand("merge", "Join the parts that --shard made");
+  CLI::App* verb = verbs.add_subcommand("merge", "Join the parts that runs with --shard wrote");
   verb->footer("Example: ninebit study merge out/part-*-of-4.jsonl -o out");
   auto flags = std::make_shared<MergeFlags>();
   add_common_flags(*verb, flags->common);
   verb->add_option("parts", flags->parts, "All parts of one study, in any order")->required()->type_name("PART");
-  verb->add_option("-o,--output", flags->folder, "Folder to write into; made if missing")->required()->type_name("DIR");
+  verb->add_option("-o,--output", flags->folder, "Folder to write into; created if missing")
+      ->required()
+      ->type_name("DIR");
   verb->add_flag("--allow-outside", flags->allow_outside,
-                 "Read the files that the parts' command names also where they are not below the working folder");
+                 "Also read files that the parts' command names outside of the working folder");
   verb->callback([flags, &exit_code] { exit_code = merge(*flags); });
 }
 

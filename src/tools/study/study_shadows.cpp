@@ -1,4 +1,4 @@
-// `ninebit study shadows`: a technique's wrong pixels over a grid of its settings.
+// `ninebit study shadows`: counts the wrong pixels of a technique over a grid of its settings.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -27,7 +27,7 @@ struct ShadowsFlags {
   std::string map_sizes, formats, scopes, steps, depth_bits, biases, encodings, polygon_offsets;
   bool find_offset = false;
 
-  // The axes as flags with their lists, empty where they are not swept.
+  // The axes: flag and list; an empty list is not swept.
   [[nodiscard]] std::vector<std::pair<const char*, const std::string*>> axes() const {
     return {{"--map-sizes", &map_sizes},   {"--formats", &formats},
             {"--scopes", &scopes},         {"--steps", &steps},
@@ -46,7 +46,7 @@ bool is_bias(float b) {
   return b >= 0.0F && b <= static_cast<float>(kMostDistance);  // false for NaN
 }
 
-// The numbers of a list if all of them will do.
+// The numbers of a list; empty unless all of them pass the test.
 template <class T>
 std::optional<std::vector<T>> numbers_that(const std::string& list, bool (*will_do)(T)) {
   auto n = numbers<T>(list, ',');
@@ -54,7 +54,7 @@ std::optional<std::vector<T>> numbers_that(const std::string& list, bool (*will_
   return n;
 }
 
-// "0,0;1,16": a factor and units each.
+// Pairs of factor and units, such as "0,0;1,16".
 std::optional<std::vector<OffsetArguments>> offsets_in(std::string_view list) {
   std::vector<OffsetArguments> offsets;
   while (true) {
@@ -74,7 +74,7 @@ std::vector<std::string> names_of(const Names<E>& names) {
   return all;
 }
 
-// The values of a checked list; none of an empty text.
+// The values of a checked list; an empty text has none.
 template <class E>
 std::vector<E> values_in(const Names<E>& names, const std::string& list) {
   std::vector<E> values;
@@ -101,7 +101,7 @@ ShadowGrid grid_of(const ShadowsFlags& flags) {
   return grid;
 }
 
-// A flag as it was given, unless it says what the default says.
+// Adds a flag as it was given, unless its value is the default.
 void add_option(StudyQuestion& question, const CLI::Option& option, bool always) {
   const std::string given = option.count() > 0 ? option.results().front() : option.get_default_str();
   if (option.get_items_expected_max() == 0) {
@@ -133,7 +133,7 @@ Result<StudyQuestion> question_of(const ShadowsFlags& flags) {
   return question;
 }
 
-// Completes the grid; what the technique does not know is wrong usage.
+// Completes the grid; settings that the technique does not have are wrong usage.
 void complete_grid(ShadowsFlags& flags) {
   const auto known = swept_settings(*find_technique(flags.scene.technique), flags.scene.settings);
   if (!known) throw CLI::ValidationError(known.error().message);
@@ -148,7 +148,7 @@ void complete_grid(ShadowsFlags& flags) {
     points *= axis.size;
     if (points <= kMaxStudyUnits) continue;
     throw CLI::ValidationError(
-        fmt::format("{}: the lists have more than {} combinations; expected fewer values", axis.flag, kMaxStudyUnits));
+        fmt::format("{}: the lists have more than {} combinations; give fewer values", axis.flag, kMaxStudyUnits));
   }
 }
 
@@ -167,11 +167,11 @@ Result<std::unique_ptr<Study>> make_study(const ShadowsFlags& flags) {
                            *find_technique(flags.scene.technique), settings, grid_of(flags));
 }
 
-// A list that is checked as a whole.
+// A validator that checks the list as a whole.
 template <class Parse>
 CLI::Validator list_by(Parse parse, std::string expected) {
   const auto check = [parse, expected = std::move(expected)](const std::string& text) -> std::string {
-    return parse(text) ? "" : fmt::format("'{}' is not a list; expected {}", text, expected);
+    return parse(text) ? "" : fmt::format("invalid list '{}'; expected {}", text, expected);
   };
   return CLI::Validator(check, "");
 }
@@ -183,23 +183,25 @@ void add_axes(CLI::App& verb, ShadowsFlags& flags) {
     if (single != nullptr) option->excludes(verb.get_option(single));
     return option;
   };
-  add("--map-sizes", "--map-size", flags.map_sizes, "Texels a side of the map (default without any axis: 128 to 1024)",
+  add("--map-sizes", "--map-size", flags.map_sizes,
+      "Sizes of the map, in texels per side (default without another list: 128 to 1024)",
       list_by([](const std::string& t) { return numbers_that<int>(t, is_map_size); }, "powers of two such as 128,256"));
-  add("--formats", "--index-format", flags.formats, "What holds an index", list_of(names_of(kIndexFormats)));
-  add("--scopes", "--index-scope", flags.scopes, "What gets an index of its own", list_of(names_of(kIndexScopes)));
+  add("--formats", "--index-format", flags.formats, "Formats of an index", list_of(names_of(kIndexFormats)));
+  add("--scopes", "--index-scope", flags.scopes, "Units that get their own index", list_of(names_of(kIndexScopes)));
   add("--steps", "--index-step", flags.steps, "Steps between indices",
       list_by([](const std::string& t) { return numbers_that<int>(t, is_step); },
               fmt::format("steps from 1 to {}", kMaxIndexStep)));
-  add("--depth-bits", nullptr, flags.depth_bits, "What the depth cube map holds: 8,16,float",
+  add("--depth-bits", nullptr, flags.depth_bits, "Formats of the depth cube map: 8,16,float",
       list_of(names_of(kDepthBits)));
-  add("--biases", "--bias", flags.biases, "World units that a surface may lie behind the depth cube map's",
+  add("--biases", "--bias", flags.biases, "Biases of the depth comparison, in world units",
       list_by([](const std::string& t) { return numbers_that<float>(t, is_bias); }, "distances from 0 to 1e12"));
-  add("--encodings", "--depth-encoding", flags.encodings, "How the shadow map holds depth",
+  add("--encodings", "--depth-encoding", flags.encodings, "Encodings of depth in the shadow map",
       list_of(names_of(kDepthEncodings)));
-  CLI::Option* offsets = add("--polygon-offsets", "--polygon-offset", flags.polygon_offsets,
-                             "Polygon offsets while the shadow map is drawn, such as '0,0;1,16'",
-                             list_by(offsets_in, "FACTOR,UNITS;FACTOR,UNITS"));
-  verb.add_flag("--find-offset", flags.find_offset, "Try factors from 0 to 4 with units from 0 to 65536")
+  CLI::Option* offsets =
+      add("--polygon-offsets", "--polygon-offset", flags.polygon_offsets,
+          "Polygon offsets of the shadow map, such as '0,0;1,16'", list_by(offsets_in, "FACTOR,UNITS;FACTOR,UNITS"));
+  verb.add_flag("--find-offset", flags.find_offset,
+                "Search the polygon offset: factors from 0 to 4, units from 0 to 65536")
       ->excludes(offsets)
       ->excludes(verb.get_option("--polygon-offset"));
 }
@@ -207,7 +209,7 @@ void add_axes(CLI::App& verb, ShadowsFlags& flags) {
 }  // namespace
 
 void add_study_shadows(CLI::App& verbs, StudyRequest& request) {
-  CLI::App* verb = verbs.add_subcommand("shadows", "A technique's wrong pixels over a grid of its settings");
+  CLI::App* verb = verbs.add_subcommand("shadows", "Count the wrong pixels of a technique over a grid of its settings");
   verb->footer(
       "Examples:\n"
       "  ninebit study shadows scenes/index_room.gltf\n"
@@ -217,7 +219,7 @@ void add_study_shadows(CLI::App& verbs, StudyRequest& request) {
   add_study_flags(*verb, flags->study);
   add_scene_file(*verb, "scene", flags->scene)->required();
   flags->scene_options = add_scene_flags(*verb, flags->scene);
-  // A list of its own takes the place of the single value.
+  // The list replaces the flag for a single value.
   CLI::Option* bits = verb->get_option("--depth-bits");
   flags->scene_options.erase(std::find(flags->scene_options.begin(), flags->scene_options.end(), bits));
   verb->remove_option(bits);

@@ -15,7 +15,7 @@ struct Setting {
   std::vector<s9> codes;
 };
 
-// The columns that a name stands for: one component, or all four; none for a name that is none.
+// The columns of a name: one component, or all four of a register; empty for an unknown name.
 std::vector<EvalColumn> columns_named(std::string_view name, const std::vector<EvalColumn>& known) {
   std::vector<EvalColumn> found;
   for (const EvalColumn& column : known) {
@@ -29,13 +29,13 @@ Result<Setting> parse_setting(const std::string& text, const std::vector<EvalCol
   const auto wrong = [&](const std::string& why) { return Diagnostic{.message = "--set: " + why}; };
   const std::size_t equals = text.find('=');
   if (equals == std::string::npos) {
-    return wrong(fmt::format("'{}' sets nothing; expected REGISTER=R,G,B,A or REGISTER.COMPONENT=VALUE", text));
+    return wrong(fmt::format("'{}' has no value; expected REGISTER=R,G,B,A or REGISTER.COMPONENT=VALUE", text));
   }
   const std::string name = text.substr(0, equals), value = text.substr(equals + 1);
   Setting setting{.columns = columns_named(name, known), .codes = {}};
   if (setting.columns.empty()) {
     return wrong(
-        fmt::format("'{}' is no register of a fragment; expected const0, const1, fog, primary, secondary, "
+        fmt::format("unknown register '{}'; expected const0, const1, fog, primary, secondary, "
                     "spare0, spare1 or tex0 to tex{}, or one of these with .r, .g, .b or .a",
                     name, profile.texture_units - 1));
   }
@@ -70,7 +70,7 @@ Result<TraceInputs> parse_trace_inputs(const std::vector<std::string>& texts, co
       codes.push_back(setting->codes[i]);
     }
   }
-  // One row of a table of eval's, so that both have the same defaults.
+  // One row of an eval table, so that both verbs have the same defaults.
   const EvalRows row(set, profile);
   const auto batch = std::make_unique<EvalBatch>();
   row.begin(*batch);

@@ -1,4 +1,4 @@
-// The registers that --set gives a fragment.
+// The registers of a fragment from --set.
 #pragma once
 
 #include <string>
@@ -11,11 +11,12 @@
 namespace ninebit::tools {
 
 struct TraceInputs {
-  RegisterFile registers;                              // with eval's defaults for what is not set
+  RegisterFile registers;                              // with eval's defaults for registers that are not set
   std::vector<std::pair<EvalColumn, s9>> constants{};  // components of constants that were set
 };
 
-// Each text is REGISTER=R,G,B,A or REGISTER.COMPONENT=VALUE, in codes of the profile; the Diagnostic is wrong usage.
+// Parses texts of the form REGISTER=R,G,B,A or REGISTER.COMPONENT=VALUE, in codes of the profile. The Diagnostic is
+// wrong usage.
 [[nodiscard]] Result<TraceInputs> parse_trace_inputs(const std::vector<std::string>& texts,
                                                      const HardwareProfile& profile);
 

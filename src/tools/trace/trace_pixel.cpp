@@ -29,7 +29,7 @@ std::string state_of(const Surface& frame, std::size_t at) {
   return frame.stencil()[at] == 0 ? "lit" : "shadowed";
 }
 
-// The fragment to trace.
+// Selects the fragment to trace.
 void choose(TracedPixel& pixel, bool other_program) {
   const bool any_program =
       std::any_of(pixel.passes.begin(), pixel.passes.end(), [](const ProbedPass& p) { return p.program.has_value(); });
@@ -45,7 +45,7 @@ void choose(TracedPixel& pixel, bool other_program) {
 
 std::string fragment_text(const TracedPixel& pixel, const ProbedFragment& f) {
   const std::uint32_t object = pixel.object_of[f.primitive];
-  return fmt::format("polygon {} of object {} '{}': depth {} meets {}, {}", f.primitive + 1, object + 1,
+  return fmt::format("polygon {} of object {} '{}': depth {} against stored {}, {}", f.primitive + 1, object + 1,
                      printable(pixel.objects[object]), f.depth, f.stored_depth, fate_text(f.fate));
 }
 
@@ -91,13 +91,13 @@ std::string pixel_text(const TracedPixel& pixel, const SceneFlags& flags) {
     const ProbedFragment& fragment = pass.fragments[*pixel.fragment];
     return text + fmt::format("traced: pass {}, {}\n", pass.name, fragment_text(pixel, fragment));
   }
-  if (pixel.state == "background") return text + "nothing is drawn here: no fragment to trace\n";
+  if (pixel.state == "background") return text + "background: no fragment to trace\n";
   for (const ProbedPass& pass : pixel.passes) {
     if (const ProbedFragment* f = deciding_fragment(pass)) {
       text += fmt::format("pass {}, which has no program: {}\n", pass.name, fragment_text(pixel, *f));
     }
   }
-  return text + "no fragment of a pass with a program shows here: nothing to trace\n";
+  return text + "no pass with a program drew a visible fragment: nothing to trace\n";
 }
 
 Json pixel_json(const TracedPixel& pixel, const SceneFlags& flags) {

@@ -1,4 +1,4 @@
-// The fragment of a rendering that is traced, and what is to be told of the pixel.
+// The fragment of a rendering to trace, and a report on its pixel.
 #pragma once
 
 #include <optional>
@@ -9,20 +9,21 @@
 
 namespace ninebit::tools {
 
-// A pixel that was watched while a scene was rendered.
+// A pixel that was probed while a scene was rendered.
 struct TracedPixel {
   int x = 0;                             // from the left of the picture
   int y = 0;                             // from its top
   std::string state;                     // "background", "lit" or "shadowed"
-  std::vector<ProbedPass> passes;        // that drew with the camera
-  std::optional<std::size_t> pass;       // whose fragment is traced; empty: there is none
+  std::vector<ProbedPass> passes;        // of the camera
+  std::optional<std::size_t> pass;       // of the traced fragment; empty: none
   std::optional<std::size_t> fragment;   // of that pass
   std::vector<std::string> objects;      // names
   std::vector<std::uint32_t> object_of;  // for each triangle
 };
 
-// Renders and watches the pixel (within the picture). Traced is the fragment that decided what the last pass with a
-// program left there. `other_program`: the trace brings a program, so that without such a pass any other will do.
+// Renders the scene and probes the pixel, which must be inside the picture. The traced fragment is the one that decided
+// the result of the last pass with a program. `other_program`: the trace uses another program, so that any pass is
+// accepted if none has a program.
 [[nodiscard]] Result<TracedPixel> render_pixel(const SceneFlags& flags, const CommonFlags& common, int x, int y,
                                                bool other_program);
 

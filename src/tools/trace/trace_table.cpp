@@ -7,14 +7,14 @@
 namespace ninebit::tools {
 namespace {
 
-constexpr int kLabelWidth = 27;  // with the indent; the unit stands behind it
+constexpr int kLabelWidth = 27;  // with the indent; the unit follows
 constexpr std::size_t kColumnWidth = 9;
 
 std::string held_text(double v) {
   return v == std::floor(v) ? fmt::format("{}", static_cast<long long>(v)) : fmt::format("{:.1f}", v);
 }
 
-// Five digits, or what there is of a number that has none among them.
+// Five decimals; a number that is too small for them has one digit and an exponent.
 std::string real_text(double v) {
   constexpr double kLeast = 0.000005;
   if (v == 0) return "0";

@@ -1,4 +1,4 @@
-// Rows of traced values, aligned: label, unit, then a column for each channel in each of the three ways.
+// Aligned rows of traced values: label, unit, then a column per channel for each of integer, real and ideal.
 #pragma once
 
 #include <array>
@@ -10,7 +10,7 @@
 
 namespace ninebit::tools {
 
-// One value, whichever kind it is.
+// One value of any kind.
 struct TraceCell {
   double held = 0;  // code or wide units
   double real = 0;
@@ -26,16 +26,15 @@ class TraceTable {
  public:
   explicit TraceTable(bool colors) : colors_(colors) {}
 
-  // Begins a table: its title, and the channels' names above the columns.
+  // Starts a table: its title, and the names of the channels above the columns.
   void begin(const std::string& title, std::span<const std::string_view> channels);
 
-  // A row; `note` stands behind the last column.
+  // Adds a row; `note` follows the last column.
   void codes(const std::string& label, const TraceCells& cells, TraceEmphasis emphasis = TraceEmphasis::none,
              const std::string& note = "");
   void wide(const std::string& label, const TraceCells& cells, TraceEmphasis emphasis = TraceEmphasis::none,
             const std::string& note = "");
 
-  // A line of text.
   void line(const std::string& text, TraceEmphasis emphasis = TraceEmphasis::none);
 
   [[nodiscard]] const std::string& text() const { return text_; }

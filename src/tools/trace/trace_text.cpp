@@ -25,7 +25,7 @@ std::string name_of_register(Register reg) {
                                                   : std::string(short_name(reg));
 }
 
-// "tex0", "tex0.a" where it is not the channel's own component.
+// "tex0"; "tex0.alpha" or "tex0.blue" if that component is read instead of the channel's own.
 std::string source_of(const CombinerInput& in) {
   std::string name = name_of_register(in.reg);
   if (in.reg == Register::zero || in.usage == ComponentUsage::rgb) return name;
@@ -78,7 +78,7 @@ class TextWriter {
     }
   }
 
-  // What the program reads of what the fragment brings.
+  // The registers of the fragment that the program reads.
   void registers() {
     std::array<bool, kRegisterCount> read{};
     const auto mark = [&](Register reg) {
@@ -106,7 +106,7 @@ class TextWriter {
     }
   }
 
-  // The variable as it is read and, where that changes it, as it is mapped.
+  // The variable as it is read and, if the mapping changes it, as it is mapped.
   void input(std::size_t variable, std::span<const TracedInput> channels) {
     const CombinerInput& in = channels.front().from;
     const std::string label = fmt::format("{} = {}", kVariableLetters[variable], source_of(in));
@@ -192,14 +192,14 @@ class TextWriter {
     table_.codes("  " + std::string(short_name(to)), cells(&TracedOutput::written), TraceEmphasis::result);
   }
 
-  // What narrowing took and what it left, with a mark where that is everything.
+  // The part that narrowing dropped and the part that it kept, with a note if everything was dropped.
   void dropped(const TraceCells& dropped, const TraceCells& exact, const TraceCells& narrowed) {
     bool any = false, all = false;
     for (std::size_t c = 0; c < dropped.size(); ++c) {
       any = any || dropped[c].held != 0;
       all = all || (exact[c].held != 0 && narrowed[c].held == 0);
     }
-    table_.wide("  dropped", dropped, any ? TraceEmphasis::loss : TraceEmphasis::none, all ? "all that there was" : "");
+    table_.wide("  dropped", dropped, any ? TraceEmphasis::loss : TraceEmphasis::none, all ? "everything" : "");
     table_.codes("  narrowed", narrowed);
   }
 

@@ -1,4 +1,4 @@
-// A trace as people read it.
+// A trace as text for people.
 #pragma once
 
 #include <string>
@@ -8,8 +8,8 @@
 
 namespace ninebit::tools {
 
-// Tables of aligned columns, one for each portion: what the hardware holds, the number that this is, and the ideal one.
-// `colors`: with escape sequences that make losses and cuts stand out.
+// One table per portion, with aligned columns: the code that the hardware holds, the number that it represents, and the
+// ideal number. `colors` adds escape sequences that highlight losses and cuts.
 [[nodiscard]] std::string trace_text(const Program& program, const Trace& trace, bool colors);
 
 }  // namespace ninebit::tools

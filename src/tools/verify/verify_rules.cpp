@@ -44,7 +44,7 @@ std::vector<int> computed(const VerifyRow& row, const HardwareProfile& profile) 
   Program program = normalize(*row.program, profile);
   for (const auto& [column, code] : row.constants) replace_constant(program, column, code);
   std::vector<int> codes;
-  std::optional<int> ran;  // the last general combiner whose registers are at hand
+  std::optional<int> ran;  // the general combiner that `fragment` was evaluated up to
   EvaluatedFragment fragment;
   for (const Expectation& expected : row.expected) {
     const auto component = static_cast<std::size_t>(expected.component);

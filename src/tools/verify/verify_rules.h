@@ -1,4 +1,4 @@
-// Rules that might hold instead of a profile's own: what a difference is explained by.
+// Alternative rules, one at a time, that may explain why a row differs.
 #pragma once
 
 #include <string>
@@ -12,19 +12,19 @@ namespace ninebit::tools {
 // A profile with one rule replaced.
 struct Rival {
   std::string field;  // of the profile: "general_narrowing"
-  std::string value;  // "toward-zero", as a profile's file would say it
-  std::string rules;  // of docs/numerics.md: "5, 8"; empty: none has a number
+  std::string value;  // "toward-zero", as written in a profile's file
+  std::string rules;  // their numbers in docs/numerics.md: "5, 8"; empty: no number
   HardwareProfile profile;
 };
 
-// The rivals of a profile whose arithmetic is integer: each rule of the arithmetic by its other value, then real
-// numbers for all of it. Of another profile, there are none.
+// The rivals of a profile with integer arithmetic: each rule of the arithmetic with its other value, then real numbers
+// for the whole arithmetic. Other profiles have none.
 [[nodiscard]] std::vector<Rival> rivals_of(const HardwareProfile& profile);
 
-// The codes that stand where the row's expectations are, in their order.
+// The computed codes for the row's expectations, in their order.
 [[nodiscard]] std::vector<int> computed(const VerifyRow& row, const HardwareProfile& profile);
 
-// Whether all of them are allowed.
+// Whether each code is allowed by its expectation.
 [[nodiscard]] bool agrees(const VerifyRow& row, const std::vector<int>& codes);
 
 }  // namespace ninebit::tools

@@ -19,7 +19,7 @@ std::optional<int> number_of(std::string_view text) {
   return value;
 }
 
-// The pieces between separators, each without the blanks around it.
+// The pieces between separators, trimmed.
 std::vector<std::string_view> pieces(std::string_view text, char separator) {
   std::vector<std::string_view> found;
   while (true) {
@@ -30,7 +30,7 @@ std::vector<std::string_view> pieces(std::string_view text, char separator) {
   }
 }
 
-// What a fragment has where the table says nothing: as in `ninebit eval`.
+// The registers of a fragment before the row sets any; the same defaults as `ninebit eval`.
 RegisterFile default_registers(const HardwareProfile& profile) {
   RegisterFile file;
   for (const Register reg :
@@ -101,25 +101,27 @@ Status VerifyTable::read_header(const CsvLine& line) {
     if (!column) {
       std::vector<std::string> known{"program", "name", "out.r", "out.g", "out.b", "out.a"};
       for (const EvalColumn& one : eval_columns(*profile_)) known.push_back(one.name());
-      return csv_fault(name(), line.number, at,
-                       fmt::format("'{}' is no column; expected program, name, an input such as tex0.r or const0.a, or "
-                                   "what should come out: out.r, or stage0.spare0.r after general combiner 0 (there "
-                                   "are {}){}",
-                                   shown(field), profile_->general_combiners.value, did_you_mean(field, known)));
+      return csv_fault(
+          name(), line.number, at,
+          fmt::format("unknown column '{}'; expected program, name, an input such as tex0.r or const0.a, or an "
+                      "expected value: out.r, or stage0.spare0.r after general combiner 0 (of {}){}",
+                      shown(field), profile_->general_combiners.value, did_you_mean(field, known)));
     }
     const auto same = [&](const Column& other) { return other.name == column->name; };
     if (std::any_of(columns_.begin(), columns_.end(), same)) {
-      return csv_fault(name(), line.number, at, fmt::format("the column {} stands here twice", column->name));
+      return csv_fault(name(), line.number, at, fmt::format("duplicate column {}", column->name));
     }
     columns_.push_back(std::move(*column));
   }
   const auto expects = [](const Column& column) { return column.kind == Column::Kind::expected; };
   if (!std::any_of(columns_.begin(), columns_.end(), expects)) {
-    return csv_fault(name(), line.number, 1, "no column says what should come out, such as out.r or stage0.spare0.r");
+    return csv_fault(name(), line.number, 1,
+                     "no column has an expected value; expected one such as out.r or stage0.spare0.r");
   }
   const auto names_program = [](const Column& column) { return column.kind == Column::Kind::program; };
   if (program_.file.empty() && !std::any_of(columns_.begin(), columns_.end(), names_program)) {
-    return csv_fault(name(), line.number, 1, "there is no column `program`, and no --program that all rows run");
+    return csv_fault(name(), line.number, 1,
+                     "no program: the table has no column `program`, and --program is not given");
   }
   return {};
 }
@@ -137,7 +139,7 @@ Status VerifyTable::read_cell(const Column& column, std::string_view field, cons
     const int lowest = profile_->lowest, one = profile_->one;
     if (!code || *code < lowest || *code > one) {
       return csv_fault(name(), line.number, at,
-                       fmt::format("{} must be a whole number from {} to {}, or nothing, not '{}'", column.name, lowest,
+                       fmt::format("{} must be a whole number from {} to {}, or empty, not '{}'", column.name, lowest,
                                    one, shown(field)));
     }
     const EvalColumn& to = column.input;
@@ -152,9 +154,9 @@ Status VerifyTable::read_cell(const Column& column, std::string_view field, cons
     for (const std::string_view piece : pieces(field, '|')) {
       const auto code = number_of(piece);
       if (!code) {
-        return csv_fault(name(), line.number, at,
-                         fmt::format("{} must be a whole number, several with | between them, or nothing, not '{}'",
-                                     column.name, shown(field)));
+        return csv_fault(
+            name(), line.number, at,
+            fmt::format("{} must be whole numbers separated by |, or empty, not '{}'", column.name, shown(field)));
       }
       expected.allowed.push_back(*code);
     }
@@ -165,7 +167,7 @@ Status VerifyTable::read_cell(const Column& column, std::string_view field, cons
 
 Status VerifyTable::find_program(const CsvLine& line, VerifyRow& row) {
   if (row.program_file.empty() && program_.file.empty()) {
-    return csv_fault(name(), line.number, 1, "the row names no program, and there is no --program that all rows run");
+    return csv_fault(name(), line.number, 1, "the row names no program, and --program is not given");
   }
   ProgramFlags flags = program_;
   const bool is_named_here = !row.program_file.empty();
@@ -220,12 +222,12 @@ Result<std::optional<VerifyRow>> VerifyTable::next() {
       has_spare0_alpha = has_spare0_alpha || (columns_[i].name == "spare0.a" && !fields[i].empty());
     }
     if (!has_spare0_alpha) row.registers[Register::spare0][kAlpha] = row.registers[Register::texture0][kAlpha];
-    if (row.expected.empty()) return csv_fault(name(), (*line)->number, 1, "the row does not say what should come out");
+    if (row.expected.empty()) return csv_fault(name(), (*line)->number, 1, "the row has no expected value");
     if (Status found = find_program(**line, row); !found) return found.error();
     for (const Expectation& expected : row.expected) {
       if (expected.stage.value_or(0) < row.program->num_general_combiners) continue;
       return csv_fault(name(), (*line)->number, 1,
-                       fmt::format("{} is expected of a program of {} general combiners, numbered from 0",
+                       fmt::format("{} is out of range; the program has {} general combiners, numbered from 0",
                                    expected.column, row.program->num_general_combiners));
     }
     std::stable_sort(row.expected.begin(), row.expected.end(), [](const Expectation& a, const Expectation& b) {

@@ -1,4 +1,4 @@
-// The table that `ninebit verify` reads: rows of a program, register codes, and what should come out.
+// The table that `ninebit verify` reads: each row has a program, register codes and expected values.
 #pragma once
 
 #include <filesystem>
@@ -16,13 +16,13 @@
 
 namespace ninebit::tools {
 
-// One value that should come out.
+// One expected value.
 struct Expectation {
   std::string column;        // "out.r", "stage0.spare0.a"
-  std::optional<int> stage;  // of a register after this general combiner; empty: of the colour
+  std::optional<int> stage;  // of a register after this general combiner; empty: of the output colour
   Register reg = Register::spare0;
   int component = 0;
-  std::vector<int> allowed;  // any of these will do
+  std::vector<int> allowed;  // any of these is accepted
   [[nodiscard]] bool allows(int code) const;
 };
 
@@ -32,18 +32,18 @@ struct VerifyRow {
   std::string program_file;
   const CombinerState* program = nullptr;
   RegisterFile registers;
-  std::vector<std::pair<EvalColumn, s9>> constants;  // that stand in for the program's own
+  std::vector<std::pair<EvalColumn, s9>> constants;  // that replace the program's own
   std::vector<Expectation> expected;                 // in the order of execution: stages, then the colour
 };
 
 class VerifyTable {
  public:
-  // `program` is what rows without a program of their own run; its file may be empty. Programs of rows are looked for
-  // beside the table, and refused where they are not regular files below its folder, unless `allow_outside`.
+  // `program` is the program of rows that name none; its file may be empty. Names in rows are relative to the table's
+  // folder. Unless `allow_outside`, a program that is not a regular file below that folder is refused.
   [[nodiscard]] static Result<VerifyTable> open(const std::string& file, const ProgramFlags& program,
                                                 bool allow_outside, const HardwareProfile& profile);
 
-  // The next row, with at least one expectation; empty at the end. Reports what is no row and what is no program.
+  // The next row, with at least one expectation; empty at the end. Reports invalid rows and invalid programs.
   [[nodiscard]] Result<std::optional<VerifyRow>> next();
   [[nodiscard]] const std::string& name() const { return lines_.name(); }
 
@@ -68,7 +68,7 @@ class VerifyTable {
   std::filesystem::path folder_;
   bool allow_outside_ = false;
   std::vector<Column> columns_;
-  std::map<std::string, CombinerState> programs_;  // by file: each is read once
+  std::map<std::string, CombinerState> programs_;  // by file; each file is read once
 };
 
 }  // namespace ninebit::tools

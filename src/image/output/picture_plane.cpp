@@ -19,7 +19,7 @@ const Sample* row_of(const Sample* top, std::ptrdiff_t stride, int row) {
   return top + stride * row;
 }
 
-// A function that copies rows, each sample by `convert`.
+// A function that copies rows and applies `convert` to each sample.
 template <class To, class Sample, class Convert>
 std::function<void(int, std::span<To>)> rows_of(const Sample* top, std::ptrdiff_t stride, Convert convert) {
   return [top, stride, convert](int row, std::span<To> out) {
@@ -28,9 +28,9 @@ std::function<void(int, std::span<To>)> rows_of(const Sample* top, std::ptrdiff_
   };
 }
 
-// The planes interleaved, if all of them have samples of this type.
+// Interleaves the planes, which must all have samples of this type, and writes them.
 template <class Sample>
-Status write_planes(const std::filesystem::path& file, int width, int height, std::span<const SamplePlane> planes) {
+Status write_planes(const std::filesystem::path& file, int width, int height, std::span<const PicturePlane> planes) {
   const auto columns = static_cast<std::size_t>(width), rows = static_cast<std::size_t>(height);
   Image<Sample> image{width, height, static_cast<int>(planes.size()), {}};
   image.pixels.resize(columns * rows * planes.size());
@@ -49,7 +49,7 @@ Status write_planes(const std::filesystem::path& file, int width, int height, st
 
 }  // namespace
 
-Status write_png(const std::filesystem::path& file, int width, int height, std::span<const SamplePlane> planes) {
+Status write_png(const std::filesystem::path& file, int width, int height, std::span<const PicturePlane> planes) {
   if (std::string complaint = complain_about_size(width, height); !complaint.empty()) {
     return invalid_input(file, "the picture " + complaint);
   }
@@ -65,7 +65,7 @@ Status write_png(const std::filesystem::path& file, int width, int height, std::
   return invalid_input(file, "PNG holds 8-bit and 16-bit planes only");
 }
 
-ExrChannel exr_channel(std::string name, const SamplePlane& plane) {
+ExrChannel exr_channel(std::string name, const PicturePlane& plane) {
   const std::ptrdiff_t stride = plane.stride;
   const auto rows = [stride](const auto* top) -> decltype(ExrChannel::rows) {
     using Sample = std::remove_cvref_t<decltype(*top)>;
