@@ -9,7 +9,7 @@ namespace ninebit::detail {
 
 // A wanted plane, and the value that it holds at the end.
 struct WantedValue {
-  Plane plane;
+  PlanePlace plane;
   Value value = 0;
 };
 

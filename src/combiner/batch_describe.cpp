@@ -10,9 +10,9 @@ namespace {
 
 using detail::Formula;
 using detail::Kernel;
-using detail::Operation;
-using detail::Plane;
+using detail::PlanePlace;
 using detail::Space;
+using detail::VectorOperation;
 
 // Returns the nearest multiple of one quarter as text.
 std::string number(float v) {
@@ -26,12 +26,12 @@ class Text {
  public:
   explicit Text(const detail::VectorCode& code) : code_(code) {}
 
-  std::string line(const Operation& operation) const {
+  std::string line(const VectorOperation& operation) const {
     return name(operation.target) + " = " + clamped(operation.formula, value(operation)) + '\n';
   }
 
  private:
-  std::string name(const Plane& plane) const {
+  std::string name(const PlanePlace& plane) const {
     const auto component = [&] { return std::string(".") + "rgba"[plane.index % 4]; };
     switch (plane.space) {
       case Space::registers:
@@ -46,7 +46,7 @@ class Text {
     return "t" + std::to_string(plane.index);
   }
 
-  std::string operand(const Operation& operation, std::size_t k) const {
+  std::string operand(const VectorOperation& operation, std::size_t k) const {
     const std::string plane = name(operation.source[k]);
     return operation.formula.is_floored(k) ? "max(" + plane + ", 0)" : plane;
   }
@@ -56,7 +56,7 @@ class Text {
     return "clamp(" + value + ", " + std::to_string(f.low) + ", " + std::to_string(f.high) + ")";
   }
 
-  std::string sum_of_products(const Operation& operation) const {
+  std::string sum_of_products(const VectorOperation& operation) const {
     std::string text;
     for (std::size_t k = 0; k < static_cast<std::size_t>(operation.formula.terms); ++k) {
       text += (k == 0 ? "" : " + ") + operand(operation, 2 * k) + "*" + operand(operation, 2 * k + 1);
@@ -64,7 +64,7 @@ class Text {
     return text;
   }
 
-  std::string affine(const Operation& operation) const {
+  std::string affine(const VectorOperation& operation) const {
     const Formula& f = operation.formula;
     std::string text;
     for (std::size_t k = 0; k < static_cast<std::size_t>(f.terms); ++k) {
@@ -78,7 +78,7 @@ class Text {
     return (f.nearest ? "nearest(" : "truncate(") + value + ")";
   }
 
-  std::string value(const Operation& operation) const {
+  std::string value(const VectorOperation& operation) const {
     const Formula& f = operation.formula;
     switch (f.kernel) {
       case Kernel::affine:
@@ -104,7 +104,7 @@ class Text {
     return name(operation.source[0]);
   }
 
-  std::string divided(const Operation& operation) const {
+  std::string divided(const VectorOperation& operation) const {
     const Formula& f = operation.formula;
     const std::string scale = f.doublings == 0 ? "" : "*" + std::to_string(1 << f.doublings);
     return rounded(f, "(" + sum_of_products(operation) + ")" + scale + " / 255");
@@ -119,7 +119,7 @@ std::string BatchProgram::describe() const {
   std::string text;
   if (!code_) return text;
   const Text lines(*code_);
-  for (const Operation& operation : code_->operations) text += lines.line(operation);
+  for (const VectorOperation& operation : code_->operations) text += lines.line(operation);
   return text;
 }
 

@@ -26,7 +26,7 @@ struct Batch {
   std::array<unsigned, 4> shift;  // log2 of the distance between planes
   std::size_t lanes;
 
-  HWY_INLINE s9* operator()(const Plane& plane) const {
+  HWY_INLINE s9* operator()(const PlanePlace& plane) const {
     const auto space = static_cast<std::size_t>(plane.space);
     return base[space] + (static_cast<std::size_t>(plane.index) << shift[space]);
   }
@@ -48,7 +48,7 @@ class Clamp {
 template <std::size_t kSources, std::size_t kFloors>
 class Sources {
  public:
-  HWY_INLINE Sources(const Operation& operation, const Batch& batch) {
+  HWY_INLINE Sources(const VectorOperation& operation, const Batch& batch) {
     for (std::size_t k = 0; k < kSources; ++k) {
       plane_[k] = batch(operation.source[k]);
       if (k < kFloors) floor_[k] = set(operation.formula.is_floored(k) ? 0 : hwy::LimitsMin<std::int16_t>());
@@ -67,7 +67,7 @@ class Sources {
 
 // Computes target = f(sources, lane), vector by vector.
 template <std::size_t kSources, std::size_t kFloors, class F>
-HWY_INLINE void for_floored_lanes(const Operation& operation, const Batch& batch, const F& f) {
+HWY_INLINE void for_floored_lanes(const VectorOperation& operation, const Batch& batch, const F& f) {
   const Sources<kSources, kFloors> sources(operation, batch);
   s9* const target = batch(operation.target);
   const std::size_t lanes = batch.lanes;
@@ -77,7 +77,7 @@ HWY_INLINE void for_floored_lanes(const Operation& operation, const Batch& batch
 }
 
 template <std::size_t kSources, bool kFloors, class F>
-HWY_INLINE void for_lanes(const Operation& operation, const Batch& batch, const F& f) {
+HWY_INLINE void for_lanes(const VectorOperation& operation, const Batch& batch, const F& f) {
   for_floored_lanes<kSources, kFloors ? kSources : 0>(operation, batch, f);
 }
 
@@ -97,7 +97,7 @@ class Affine {
 };
 
 template <int kTerms, bool kFloors, bool kClamps>
-HWY_NOINLINE void affine(const Operation& operation, const Batch& batch) {
+HWY_NOINLINE void affine(const VectorOperation& operation, const Batch& batch) {
   const Affine<kTerms, kFloors> sum(operation.formula);
   const Clamp clamp(operation.formula);
   for_lanes<kTerms, kFloors>(operation, batch, [&](const auto& x, std::size_t lane) HWY_ATTR {
@@ -108,7 +108,7 @@ HWY_NOINLINE void affine(const Operation& operation, const Batch& batch) {
 
 // Halves up is a shift of the value plus one; toward zero adds the one to negative values only.
 template <int kTerms>
-HWY_NOINLINE void half_of_affine(const Operation& operation, const Batch& batch) {
+HWY_NOINLINE void half_of_affine(const VectorOperation& operation, const Batch& batch) {
   const Affine<kTerms, true> sum(operation.formula);
   const Clamp clamp(operation.formula);
   const bool nearest = operation.formula.nearest;
@@ -120,7 +120,7 @@ HWY_NOINLINE void half_of_affine(const Operation& operation, const Batch& batch)
 }
 
 template <int kTerms, bool kFloors, bool kNearest, int kDoublings, bool kAdds>
-HWY_NOINLINE void unsigned_products(const Operation& operation, const Batch& batch) {
+HWY_NOINLINE void unsigned_products(const VectorOperation& operation, const Batch& batch) {
   const Formula& f = operation.formula;
   const VU16 high = set_unsigned(f.clamps() ? f.high : hwy::LimitsMax<std::uint16_t>());
   for_lanes<2 * kTerms + (kAdds ? 1 : 0), kFloors>(operation, batch, [&](const auto& x, std::size_t lane) HWY_ATTR {
@@ -138,7 +138,7 @@ HWY_NOINLINE void unsigned_products(const Operation& operation, const Batch& bat
 // Computes with the magnitudes and restores the sign. 255 is odd, so no quotient is a tie, and rounding to nearest is
 // as symmetric as toward zero.
 template <bool kFloors, bool kPositiveFirst, bool kNearest, int kDoublings>
-HWY_NOINLINE void signed_product(const Operation& operation, const Batch& batch) {
+HWY_NOINLINE void signed_product(const VectorOperation& operation, const Batch& batch) {
   const Formula& f = operation.formula;
   const VU16 farthest = set_unsigned(f.clamps() ? f.high : hwy::LimitsMax<std::uint16_t>());
   for_floored_lanes<2, kFloors ? 1 : 0>(operation, batch, [&](const auto& x, std::size_t lane) HWY_ATTR {
@@ -158,7 +158,7 @@ HWY_NOINLINE void signed_product(const Operation& operation, const Batch& batch)
 // - One is odd. So with k >= 0 no quotient is a tie, but at least 1 / (2 one) away from one. With k = -1 the bias
 //   has one half more: a tie is 1 / (4 one) away, and n being below 2^19, the product at most 1 / (32 one) too large.
 template <int kTerms, bool kFloors, bool kNearest, bool kBiased>
-HWY_NOINLINE void products(const Operation& operation, const Batch& batch) {
+HWY_NOINLINE void products(const VectorOperation& operation, const Batch& batch) {
   const Formula& f = operation.formula;
   const Clamp clamp(f);
   const VF32 bias = hn::Set(kF32, f.bias), reciprocal = hn::Set(kF32, f.reciprocal);
@@ -186,7 +186,7 @@ HWY_NOINLINE void products(const Operation& operation, const Batch& batch) {
 }
 
 template <bool kFloors>
-HWY_NOINLINE void select(const Operation& operation, const Batch& batch) {
+HWY_NOINLINE void select(const VectorOperation& operation, const Batch& batch) {
   const V16 limit = set(operation.formula.low);
   for_lanes<3, kFloors>(operation, batch, [&](const auto& x, std::size_t lane) HWY_ATTR {
     return hn::IfThenElse(hn::Lt(x.get(0, lane), limit), x.get(1, lane), x.get(2, lane));
@@ -194,17 +194,17 @@ HWY_NOINLINE void select(const Operation& operation, const Batch& batch) {
 }
 
 template <bool kFloors>
-HWY_NOINLINE void select_odd(const Operation& operation, const Batch& batch) {
+HWY_NOINLINE void select_odd(const VectorOperation& operation, const Batch& batch) {
   for_lanes<3, kFloors>(operation, batch, [&](const auto& x, std::size_t lane) HWY_ATTR {
     return hn::IfThenElse(hn::TestBit(x.get(0, lane), set(1)), x.get(2, lane), x.get(1, lane));
   });
 }
 
-HWY_NOINLINE void copy(const Operation& operation, const Batch& batch) {
+HWY_NOINLINE void copy(const VectorOperation& operation, const Batch& batch) {
   for_lanes<1, false>(operation, batch, [&](const auto& x, std::size_t lane) HWY_ATTR { return x.get(0, lane); });
 }
 
-using Run = void (*)(const Operation&, const Batch&);
+using Run = void (*)(const VectorOperation&, const Batch&);
 
 template <class F>
 HWY_INLINE Run choose(bool flag, const F& f) {
@@ -291,7 +291,7 @@ void run_code(const VectorCode& code, RegisterBatch& registers, std::size_t coun
               0};
   for (std::size_t first = 0; first < count; first += batch.lanes) {
     batch.lanes = std::min(std::size_t{1} << shift, count - first);
-    for (const Operation& operation : code.operations) {
+    for (const VectorOperation& operation : code.operations) {
       const Formula& f = operation.formula;
       (f.floors == 0 ? kernel_of<false>(f) : kernel_of<true>(f))(operation, batch);
     }

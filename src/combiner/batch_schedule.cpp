@@ -40,20 +40,20 @@ class Scheduler {
     }
   }
 
-  Plane new_temporary() {
+  PlanePlace new_temporary() {
     if (free_.empty()) return {Space::temporaries, static_cast<std::uint16_t>(code_.temporaries++)};
-    const Plane plane = free_.back();
+    const PlanePlace plane = free_.back();
     free_.pop_back();
     return plane;
   }
 
-  Plane constant_plane(int code) {
+  PlanePlace constant_plane(int code) {
     const auto [at, is_new] = constants_.try_emplace(code, static_cast<std::uint16_t>(code_.constants.size()));
     if (is_new) code_.constants.emplace_back().lane.fill(static_cast<s9>(code));
     return {Space::constants, at->second};
   }
 
-  Plane plane_of(Value v) {
+  PlanePlace plane_of(Value v) {
     const ValueGraph::Node& node = graph_.nodes()[v];
     switch (node.source) {
       case Source::constant:
@@ -69,12 +69,12 @@ class Scheduler {
 
   void emit(std::size_t v) {
     const ValueGraph::Node& node = graph_.nodes()[v];
-    Operation operation{.formula = node.formula, .source = {}, .target = {}};
+    VectorOperation operation{.formula = node.formula, .source = {}, .target = {}};
     const auto sources = static_cast<std::size_t>(node.formula.sources());
     for (std::size_t k = 0; k < sources; ++k) operation.source[k] = plane_of(node.of[k]);
     // Kernels read a lane of all sources before they write that lane, so a source's plane may become the target.
     for (std::size_t k = 0; k < sources; ++k) {
-      const Plane plane = operation.source[k];
+      const PlanePlace plane = operation.source[k];
       const bool seen = std::find(operation.source.begin(), operation.source.begin() + static_cast<std::ptrdiff_t>(k),
                                   plane) != operation.source.begin() + static_cast<std::ptrdiff_t>(k);
       if (last_use_[node.of[k]] == v && plane.space == Space::temporaries && !seen) free_.push_back(plane);
@@ -84,23 +84,23 @@ class Scheduler {
     code_.operations.push_back(operation);
   }
 
-  void copy(const Plane& from, const Plane& to) {
+  void copy(const PlanePlace& from, const PlanePlace& to) {
     code_.operations.push_back({.formula = {}, .source = {from}, .target = to});
   }
 
   // Copies the wanted values that were not computed in place. Registers come last: none is overwritten before all have
   // been read.
   void deliver(const std::vector<WantedValue>& wanted) {
-    std::vector<std::pair<Plane, Plane>> late;
+    std::vector<std::pair<PlanePlace, PlanePlace>> late;
     for (const WantedValue& w : wanted) {
-      Plane from = plane_of(w.value);
+      PlanePlace from = plane_of(w.value);
       if (from == w.plane) continue;
       if (w.plane.space == Space::colors) {
         copy(from, w.plane);
         continue;
       }
       if (from.space == Space::registers) {
-        const Plane kept = new_temporary();
+        const PlanePlace kept = new_temporary();
         copy(from, kept);
         from = kept;
       }
@@ -111,9 +111,9 @@ class Scheduler {
 
   const ValueGraph& graph_;
   VectorCode code_;
-  std::vector<std::optional<Plane>> home_;
+  std::vector<std::optional<PlanePlace>> home_;
   std::vector<std::size_t> last_use_;
-  std::vector<Plane> free_;
+  std::vector<PlanePlace> free_;
   std::map<int, std::uint16_t> constants_;
 };
 

@@ -76,16 +76,16 @@ inline constexpr std::size_t kMostSources = 12;
 
 // The storage of a plane.
 enum class Space : std::uint8_t { registers, colors, constants, temporaries };
-struct Plane {
+struct PlanePlace {
   Space space = Space::temporaries;
   std::uint16_t index = 0;
-  friend bool operator==(const Plane&, const Plane&) = default;
+  friend bool operator==(const PlanePlace&, const PlanePlace&) = default;
 };
 
-struct Operation {
+struct VectorOperation {
   Formula formula;
-  std::array<Plane, kMostSources> source{};
-  Plane target;
+  std::array<PlanePlace, kMostSources> source{};
+  PlanePlace target;
 };
 
 struct alignas(64) ConstantPlane {
@@ -93,7 +93,7 @@ struct alignas(64) ConstantPlane {
 };
 
 struct VectorCode {
-  std::vector<Operation> operations;
+  std::vector<VectorOperation> operations;
   std::vector<ConstantPlane> constants;
   std::size_t temporaries = 0;  // planes
   ComponentSet reads;

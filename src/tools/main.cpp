@@ -20,7 +20,8 @@ int run(int argc, char** argv) {
   app.require_subcommand(1);
   app.set_version_flag("--version", version_text, "Print the version and build information");
   app.footer(
-      "Example: ninebit render scenes/index_room.gltf -o out\nRun `ninebit COMMAND --help` for the flags of a command.");
+      "Example: ninebit render scenes/index_room.gltf -o out\nRun `ninebit COMMAND --help` for the flags of a "
+      "command.");
   int exit_code = kDone;
   add_render(app, exit_code);
   add_profiles(app, exit_code);

@@ -49,7 +49,8 @@ class FragmentOperations {
     return depth_passes(f) ? FragmentFate::written : FragmentFate::depth_failed;
   }
 
-  // Runs the tests (the alpha test by rule 18) and writes colour, depth and stencil. Returns whether the fragment passed all tests.
+  // Runs the tests (the alpha test by rule 18) and writes colour, depth and stencil. Returns whether the fragment
+  // passed all tests.
   bool apply(const Fragment& f, const ColorBytes& color) const {
     if (alpha_enabled_ && !compare(alpha_function_, color[3], alpha_reference_)) return false;
     if (stencil_enabled_) {

@@ -15,8 +15,8 @@
 //   V number_where(FM choice, int yes, V no)
 //   V or F where(FM choice, V or F yes)            else 0
 
-// The top-left rule (rule 21): negative for a left edge, which goes down, and for a top edge, which is level and goes to the
-// left. A centre on such an edge is inside; one on another edge is outside. |dx| is less than 2^kEdgeBits.
+// The top-left rule (rule 21): negative for a left edge, which goes down, and for a top edge, which is level and goes
+// to the left. A centre on such an edge is inside; one on another edge is outside. |dx| is less than 2^kEdgeBits.
 inline constexpr int kEdgeBits = 14;
 template <class O>
 NINEBIT_RULE typename O::V top_left_sign(const O& o, typename O::V dx, typename O::V dy) {
