@@ -135,11 +135,6 @@ class Surface {
   // Fills all planes, without regard to any mask; see clear() in rasterizer.h for GL's.
   void fill(const ClearValues& values);
 
-  // Gives one colour plane away; the surface must not be drawn into any more.
-  [[nodiscard]] PlaneSamples<std::uint8_t> take_color(int component) {
-    return std::move(color_[static_cast<std::size_t>(component)]);
-  }
-
   // Samples row by row, the lowest row first; component is kRed to kAlpha.
   [[nodiscard]] const PlaneSamples<std::uint8_t>& color(int component) const {
     return color_[static_cast<std::size_t>(component)];

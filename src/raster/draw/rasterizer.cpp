@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-#include "src/raster/draw/draw_call.h"
+#include "src/raster/draw/draw_check.h"
 #include "src/raster/draw/draw_geometry.h"
 #include "src/raster/draw/draw_scratch.h"
 #include "src/raster/draw/pixel_probe.h"

@@ -62,10 +62,10 @@ DrawContext::DrawContext(const PipelineState& pipeline, const VertexArrays& vert
       !for_probe && outputs.need_fragment_alone() && (!operations.needs_color() || (!state.program && shades_flat()));
   fills_registers = for_probe || state.program.has_value() || outputs.needs_registers() || outputs.needs_output();
   initial = initial_of(*this);
-  look_at_program(target, for_probe);
+  find_program_inputs(target, for_probe);
 }
 
-void DrawContext::look_at_program(const RenderTarget& target, bool for_probe) {
+void DrawContext::find_program_inputs(const RenderTarget& target, bool for_probe) {
   const bool needs_registers = for_probe || outputs.needs_registers();
   if (state.program) {
     BatchOutputs wanted{.registers = needs_registers};

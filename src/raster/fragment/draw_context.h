@@ -67,7 +67,7 @@ struct DrawContext {
 
  private:
   [[nodiscard]] ColorBytes flat_primary_of_vertex(std::uint32_t primitive) const;
-  void look_at_program(const RenderTarget& target, bool for_probe);
+  void find_program_inputs(const RenderTarget& target, bool for_probe);
 };
 
 }  // namespace ninebit

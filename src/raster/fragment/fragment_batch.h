@@ -11,7 +11,7 @@
 #include "src/raster/fragment/draw_context.h"
 #include "src/raster/fragment/fragment_operations.h"
 #include "src/raster/fragment/interpolation.h"
-#include "src/raster/setup/setup_primitive.h"
+#include "src/raster/setup/window_primitives.h"
 
 namespace ninebit {
 

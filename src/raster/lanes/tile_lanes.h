@@ -11,7 +11,7 @@
 #include "src/raster/lanes/lane_batch.h"
 #include "src/raster/lanes/lane_operations.h"
 #include "src/raster/lanes/tile_planes.h"
-#include "src/raster/setup/setup_primitive.h"
+#include "src/raster/setup/window_primitives.h"
 #include "src/raster/setup/window_transform.h"
 
 namespace ninebit {

@@ -6,7 +6,7 @@
 #include <glm/glm.hpp>
 
 #include "src/raster/setup/setup_context.h"
-#include "src/raster/setup/setup_primitive.h"
+#include "src/raster/setup/window_primitives.h"
 
 namespace ninebit {
 

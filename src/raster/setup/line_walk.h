@@ -4,7 +4,7 @@
 #include <array>
 #include <cstdint>
 
-#include "src/raster/setup/setup_primitive.h"
+#include "src/raster/setup/window_primitives.h"
 
 namespace ninebit {
 

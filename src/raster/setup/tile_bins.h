@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "src/raster/setup/setup_primitive.h"
+#include "src/raster/setup/window_primitives.h"
 #include "src/raster/setup/window_transform.h"
 #include "src/raster/surface/raw_vector.h"
 #include "src/raster/surface/tile_size.h"

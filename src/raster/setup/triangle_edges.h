@@ -5,7 +5,7 @@
 #include <array>
 #include <cstdint>
 
-#include "src/raster/setup/setup_primitive.h"
+#include "src/raster/setup/window_primitives.h"
 #include "src/raster/surface/floor_divider.h"
 
 namespace ninebit {

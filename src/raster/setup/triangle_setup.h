@@ -7,7 +7,7 @@
 
 #include "src/raster/setup/polygon_offset.h"
 #include "src/raster/setup/setup_context.h"
-#include "src/raster/setup/setup_primitive.h"
+#include "src/raster/setup/window_primitives.h"
 
 namespace ninebit {
 
