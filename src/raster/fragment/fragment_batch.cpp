@@ -206,7 +206,7 @@ void FragmentBatch::begin() {
 ProbedFragment FragmentBatch::run_alone() {
   begin();
   fill_registers();
-  const Fragment& fragment = fragment_[0];
+  const UncoloredFragment& fragment = fragment_[0];
   ProbedFragment probed;
   probed.primitive = fragment.primitive;
   probed.depth = fragment.depth;

@@ -20,7 +20,7 @@ class FragmentBatch {
   explicit FragmentBatch(const DrawContext& context) : context_(context) {}
 
   // `edge`: see FragmentPlace. The primitive and its block must stay until the next flush.
-  void push(const Fragment& fragment, const SetupPrimitive& primitive, const SetupBlock& block,
+  void push(const UncoloredFragment& fragment, const SetupPrimitive& primitive, const SetupBlock& block,
             const std::array<std::int64_t, 3>& edge) {
     fragment_[count_] = fragment;
     FragmentPlace& place = place_[count_];
@@ -59,7 +59,7 @@ class FragmentBatch {
   const DrawContext& context_;
   std::size_t count_ = 0;
   bool has_constants_ = false;  // whether the constant registers have been filled
-  std::array<Fragment, kBatchSize> fragment_;
+  std::array<UncoloredFragment, kBatchSize> fragment_;
   std::array<FragmentPlace, kBatchSize> place_;
   std::array<FragmentOutcome, kBatchSize> outcome_;
   std::array<ColorBytes, kBatchSize> color_;  // primary, then what leaves the combiners

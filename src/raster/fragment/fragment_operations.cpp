@@ -47,7 +47,7 @@ FragmentOperations::FragmentOperations(const PipelineState& state, const RenderT
   early_depth_back_ = early_depth && (!stencil_enabled_ || back_.failing_changes_nothing());
 }
 
-void FragmentOperations::write_blended(const Fragment& f, const ColorBytes& color) const {
+void FragmentOperations::write_blended(const UncoloredFragment& f, const ColorBytes& color) const {
   ColorBytes there{0, 0, 0, 255};
   for (std::size_t i = 0; i < 4; ++i) {
     if (target_.color[i]) there[i] = target_.color[i].at(f.x, f.y);

@@ -16,7 +16,7 @@ bool is_written(const OutputPlane& output, const FragmentOutcome& outcome) {
 }
 
 // A number that a fragment itself has: its primitive's or its depth.
-std::uint32_t number_of(const OutputPlane& output, const Fragment& fragment) {
+std::uint32_t number_of(const OutputPlane& output, const UncoloredFragment& fragment) {
   return output.source == OutputSource::primitive ? fragment.primitive : fragment.depth;
 }
 
@@ -34,7 +34,7 @@ template <class T, class Value>
 void write_lanes(const OutputPlane& output, const Plane<T>& plane, const BatchResults& results, const Value& value) {
   for (std::size_t i = 0; i < results.fragments.size(); ++i) {
     if (!is_written(output, results.outcomes[i])) continue;
-    const Fragment& fragment = results.fragments[i];
+    const UncoloredFragment& fragment = results.fragments[i];
     plane.at(fragment.x, fragment.y) = value(i);
   }
 }
@@ -107,7 +107,7 @@ void OutputPlanes::write(const BatchResults& results) const {
   }
 }
 
-void OutputPlanes::write(const Fragment& fragment, FragmentOutcome outcome) const {
+void OutputPlanes::write(const UncoloredFragment& fragment, FragmentOutcome outcome) const {
   for (const OutputPlane& output : planes_) {
     if (!is_written(output, outcome)) continue;
     const std::uint32_t number = number_of(output, fragment);

@@ -23,7 +23,7 @@ struct FragmentOutcome {
 
 // What a batch knows of its fragments; lane i of everything belongs to fragments[i].
 struct BatchResults {
-  std::span<const Fragment> fragments;
+  std::span<const UncoloredFragment> fragments;
   std::span<const FragmentOutcome> outcomes;
   const RegisterBatch* registers = nullptr;  // after the last general combiner; for needs_registers()
   const OutputBatch* output = nullptr;       // codes of the final combiner; for needs_output()
@@ -51,7 +51,7 @@ class OutputPlanes {
   void write(const BatchResults& results) const;
 
   // The same for one fragment where need_fragment_alone().
-  void write(const Fragment& fragment, FragmentOutcome outcome) const;
+  void write(const UncoloredFragment& fragment, FragmentOutcome outcome) const;
 
  private:
   std::vector<OutputPlane> planes_;
@@ -63,8 +63,8 @@ class OutputPlanes {
 };
 
 // One fragment of a draw whose colour and planes need no batch, through the operations and into the planes.
-inline void draw_fragment(const FragmentOperations& operations, const OutputPlanes& outputs, const Fragment& fragment,
-                          const ColorBytes& color) {
+inline void draw_fragment(const FragmentOperations& operations, const OutputPlanes& outputs,
+                          const UncoloredFragment& fragment, const ColorBytes& color) {
   FragmentOutcome outcome{.depth_passed = operations.depth_passes(fragment)};
   outcome.drawn = operations.apply(fragment, color);
   outputs.write(fragment, outcome);
