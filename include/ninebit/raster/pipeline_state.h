@@ -19,9 +19,9 @@ enum class StencilOperation : std::uint8_t { keep, zero, replace, incr, decr, in
 enum class ShadeModel : std::uint8_t { flat, smooth };
 // Which polygons are not drawn; none: GL_CULL_FACE is disabled.
 enum class CullFace : std::uint8_t { none, front, back, front_and_back };
-// The winding of a front face, as seen in the window, y up.
+// The winding of a front face.
 enum class FrontFace : std::uint8_t { counter_clockwise, clockwise };  // as seen in the window, y up
-// What a polygon draws: points at its vertices, its boundary, or its area.
+// A polygon draws points at its vertices, its boundary, or its area.
 enum class PolygonMode : std::uint8_t { point, line, fill };
 
 // `left function right`. The functions are numbered as in GL (GL_NEVER + n), which makes each a set of three bits:
@@ -39,14 +39,14 @@ struct PixelRect {
   int height = 0;  // pixels
 };
 
-// Fragments go on where `alpha function reference` holds for bytes.
+// A fragment passes if `alpha function reference` holds, in bytes.
 struct AlphaTest {
   bool enabled = false;                                // GL_ALPHA_TEST
   CompareFunction function = CompareFunction::always;  // fragment's alpha on the left
   std::uint8_t reference = 0;                          // on the right
 };
 
-// What the stencil test does with fragments of one facing: (reference & mask) function (stored & mask).
+// The stencil test for fragments of one facing: (reference & mask) function (stored & mask).
 struct StencilFace {
   CompareFunction function = CompareFunction::always;  // reference on the left
   int reference = 0;  // clamped to [0, 2^s - 1], s being the stencil bits of the target; REPLACE writes it unmasked
@@ -60,7 +60,7 @@ struct StencilFace {
 // The stencil test, for each facing (EXT_stencil_two_side).
 struct StencilTest {
   bool enabled = false;               // GL_STENCIL_TEST
-  StencilFace front;                  // also points, lines, and what has no facing
+  StencilFace front;                  // also for points and lines
   std::optional<StencilFace> back{};  // back-facing polygons in any polygon mode; empty: the same as front
 };
 
@@ -81,8 +81,8 @@ struct PolygonOffset {
   float units = 0.0F;   // of the depth format's steps
 };
 
-// GL 1.2's factors, those of its imaging subset included. src_color and dst_color are legal on both sides, as NV_blend_
-// square has them, which a GeForce 2 has.
+// GL 1.2's factors, including its imaging subset. src_color and dst_color are valid on both sides, as in
+// NV_blend_square, which a GeForce 2 supports.
 enum class BlendFactor : std::uint8_t {
   zero,
   one,
@@ -100,26 +100,26 @@ enum class BlendFactor : std::uint8_t {
   one_minus_constant_alpha,
   src_alpha_saturate  // source only: min(As, 1 - Ad) for colours, 1 for alpha
 };
-// How the two products become one: their sum, a difference, or, without the factors, the smaller or larger colour.
+// How the two products are combined: their sum, a difference, or, without the factors, the smaller or larger colour.
 enum class BlendEquation : std::uint8_t { add, subtract, reverse_subtract, min, max };
 
-// In bytes: (source × factor + destination × factor) / 255, one sum, rounded once to nearest, clamped (rule 19; for
-// other factors than the measured pair inferred). A target without an alpha plane has a destination alpha of 255.
+// In bytes: (source × factor + destination × factor) / 255, one sum, rounded once to nearest, clamped (rule 19;
+// inferred for factors other than the measured pair). A target without an alpha plane has a destination alpha of 255.
 struct Blend {
   bool enabled = false;                         // GL_BLEND
   BlendFactor source = BlendFactor::one;        // of the fragment's colour
   BlendFactor destination = BlendFactor::zero;  // of the stored colour
-  BlendEquation equation = BlendEquation::add;  // how both are combined
+  BlendEquation equation = BlendEquation::add;  // add: the sum
   std::array<std::uint8_t, 4> color{};          // the constant colour
 };
 
-// The fog registers: its colour is there in any case, the fragments' factors are read while it is enabled.
+// The fog register. Its colour is always available; the fragments' factors are read only while fog is enabled.
 struct Fog {
   bool enabled = false;                 // GL_FOG
   std::array<std::uint8_t, 3> color{};  // red, green, blue
 };
 
-// What a draw depends on. rasterize() reports values outside of the ranges that stand here.
+// The state of a draw. rasterize() reports values outside the ranges given here.
 struct PipelineState {
   HardwareProfile profile = profiles::geforce2;  // of the rasterizer; the program has its own arithmetic
 
@@ -128,11 +128,11 @@ struct PipelineState {
   float depth_far = 1.0F;             // likewise
 
   ShadeModel shade_model = ShadeModel::smooth;          // of primary and secondary colours
-  CullFace cull_face = CullFace::none;                  // of polygons, before their mode is looked at
+  CullFace cull_face = CullFace::none;                  // of polygons, before the polygon mode applies
   FrontFace front_face = FrontFace::counter_clockwise;  // decides facing, and with it culling, modes and stencil
   PolygonMode front_mode = PolygonMode::fill;           // of front faces
   PolygonMode back_mode = PolygonMode::fill;            // of back faces
-  PolygonOffset polygon_offset;                         // of polygons in any mode that it names
+  PolygonOffset polygon_offset;                         // per polygon mode
   int point_size = 1;                                   // pixels, 1 to 64
   int line_width = 1;                                   // pixels, 1 to 64
 

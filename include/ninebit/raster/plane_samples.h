@@ -12,24 +12,24 @@
 
 namespace NINEBIT_PUBLIC ninebit {
 
-// Where in a page of 4,096 bytes the next large plane begins, always a line of 64 bytes: one after the other elsewhere,
-// from any number of threads. The first cache keeps few lines from the same place of all pages, and pixels of several
-// planes, and of several rows, are drawn together.
+// The offset in a page of 4,096 bytes at which the next large plane begins, a multiple of the 64-byte cache line.
+// Successive calls, from any number of threads, return different offsets: the L1 cache holds few lines with the same
+// page offset, and pixels of several planes and rows are drawn together.
 [[nodiscard]] std::size_t next_plane_offset();
 
-// What becomes of samples that get no value when they are made.
+// How samples that are created without a value are initialized.
 enum class NewSamples : std::uint8_t { zero, undrawn };
 
-// Allocates what begins with a line of the cache and, if it is large, at next_plane_offset().
+// Allocates memory aligned to a cache line; large blocks begin at next_plane_offset().
 template <class T>
 class PlaneAllocator {
  public:
   using value_type = T;                    // a sample
-  using is_always_equal = std::true_type;  // any of them frees what another one has allocated
+  using is_always_equal = std::true_type;  // any instance frees memory that another one allocated
   PlaneAllocator() = default;
-  // For samples that are zero, or left without a value until they are drawn.
+  // For samples that are zeroed, or left uninitialized until they are drawn.
   explicit PlaneAllocator(NewSamples samples) : samples_(samples) {}
-  // For containers that allocate other types as well; nothing is taken over.
+  // For containers that also allocate other types; no state is copied.
   template <class U>
   explicit PlaneAllocator(const PlaneAllocator<U>&) noexcept {}
 
@@ -45,7 +45,7 @@ class PlaneAllocator {
     std::byte* const first = reinterpret_cast<std::byte*>(samples);
     ::operator delete (first - reinterpret_cast<std::uintptr_t>(first) % kPage, std::align_val_t{kPage});
   }
-  // A sample without a value of its own.
+  // A sample that is constructed without a value.
   template <class U>
   void construct(U* at) noexcept {
     if (samples_ == NewSamples::zero) std::construct_at(at);
@@ -63,7 +63,7 @@ class PlaneAllocator {
 template <class T>
 using PlaneSamples = std::vector<T, PlaneAllocator<T>>;
 
-// A plane whose samples have no values until they are drawn: its memory is touched only then, by all threads that draw.
+// A plane whose samples stay uninitialized until they are drawn, so the drawing threads touch its memory first.
 template <class T>
 [[nodiscard]] PlaneSamples<T> undrawn_samples(std::size_t count) {
   return PlaneSamples<T>(count, PlaneAllocator<T>(NewSamples::undrawn));

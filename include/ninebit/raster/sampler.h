@@ -1,9 +1,9 @@
 // How texture units read textures: wrapping, filtering, levels of detail, depth comparison (OpenGL 1.3 and 1.4, 3.8).
 //
-// What OpenGL leaves open is decided here, as assumptions about the hardware:
+// Where OpenGL leaves a choice, these are assumptions about the hardware:
 //
 // - A coordinate is held exactly until it is rounded once: to a whole texel (NEAREST, downwards), or to 1/2^b texel
-//   (LINEAR, to nearest, halves up), b being profile.texture_weight_bits.
+//   (LINEAR, to nearest, halves up), where b is profile.texture_weight_bits.
 // - The weights of LINEAR have b fraction bits, and so has the weight between two levels. A filtered byte or depth code
 //   is the sum of weight × texel, an exact integer, rounded once to nearest, halves up. Floats are summed in doubles,
 //   in a fixed order, texels of weight 0 left out.
@@ -43,9 +43,9 @@ enum class MinFilter : std::uint8_t {
 };
 // Where a texture is enlarged.
 enum class MagFilter : std::uint8_t { nearest, linear };
-// What a coordinate outside of [0, 1] reads. clamp mixes in the border's colour where the filter is linear.
+// How coordinates outside [0, 1] are read. clamp blends in the border colour if the filter is linear.
 enum class Wrap : std::uint8_t { repeat, clamp, clamp_to_edge, mirrored_repeat };
-// GL_TEXTURE_COMPARE_FUNC: what makes a texel 1, r <= depth or r >= depth; none reads the depth itself.
+// GL_TEXTURE_COMPARE_FUNC: a texel is 1 if the comparison holds, else 0; none reads the depth itself.
 enum class DepthComparison : std::uint8_t { none, lequal, gequal };  // r <= depth, r >= depth
 
 // A texture object's parameters and the unit's bias, with GL's defaults.
@@ -56,11 +56,11 @@ struct Sampler {
   Wrap wrap_t = Wrap::repeat;                               // of t
   // Clamped to [0, 1] and stored as the texture's format would: luminance, intensity and depth from red.
   std::array<float, 4> border_color{};
-  DepthComparison comparison = DepthComparison::none;  // of depth textures; for others it does nothing
+  DepthComparison comparison = DepthComparison::none;  // for depth textures; ignored for others
   float lod_bias = 0.0F;                               // EXT_texture_lod_bias; clamped to [-15, 15], NaN counts as 0
 };
 
-// What index maps are read with: the texel itself, whatever the distance.
+// The sampler for index maps: reads the texel itself at any distance.
 inline constexpr Sampler kNearestSampler{.min_filter = MinFilter::nearest,
                                          .mag_filter = MagFilter::nearest,
                                          .wrap_s = Wrap::clamp_to_edge,
@@ -75,24 +75,25 @@ struct TextureCoordinates {
   std::array<const float*, 3> dy{};     // to the fragment above
 };
 
-// A texture and the way to read it, looked at once a draw. The texture must outlive it. Results depend on the fragment
-// alone, whatever the run that it comes in.
+// A texture with its sampler, prepared once for each draw. The texture must outlive it. A result depends only on its
+// own fragment, not on the run that contains it.
 class TextureSampler {
  public:
-  // Empty where the texture is incomplete for the filter: the unit then counts as off. check_texture has passed.
+  // Empty if the texture is incomplete for the filter: the unit then counts as off. Requires a texture that passed
+  // check_texture.
   [[nodiscard]] static std::optional<TextureSampler> make(const HardwareProfile& profile, const Texture& texture,
                                                           const Sampler& sampler);
 
   // Whether a level of detail has to be computed: the two filters differ, or there are mip-maps.
   [[nodiscard]] bool needs_derivatives() const { return needs_derivatives_; }
 
-  // Whether r is read, and the changes of r where derivatives are.
+  // Whether r is read (and, if derivatives are needed, its changes).
   [[nodiscard]] bool needs_r() const { return cube_ || comparison_ != DepthComparison::none; }
 
   // Whether s, t and r are divided by q: for all but cube maps.
   [[nodiscard]] bool divides_by_q() const { return !cube_; }
 
-  // The base internal format that the texels have for texel_codes: depth_comparison with a comparison.
+  // The base internal format of the texels that texel_codes returns: depth_comparison with a comparison.
   [[nodiscard]] TextureFormat format() const { return format_; }
 
   // The codes that texel_codes gives for `count` fragments, to codes[component][fragment]. Depth without comparison is
@@ -109,12 +110,12 @@ class TextureSampler {
  private:
   TextureSampler() = default;
   struct Taps;      // the texels that a fragment reads, with their weights
-  struct Filtered;  // what they come to
+  struct Filtered;  // the weighted sum of the taps
   void add_level(Taps& taps, std::size_t face, int level, float s, float t, bool linear, std::uint32_t weight) const;
   [[nodiscard]] Filtered filter(const TextureCoordinates& at, std::size_t i) const;
   [[nodiscard]] Filtered weigh(const Taps& taps, float r) const;
-  // The short way for bytes without mip-maps: whether it is open, where the bytes lie, and its at most kBatchSize
-  // fragments from `first`.
+  // The fast path for bytes without mip-maps: whether it applies, the bytes' planes, and the sampling of at most
+  // kBatchSize fragments from `first`.
   [[nodiscard]] bool samples_bytes() const;
   struct BytePlanes;
   void find_byte_planes();
@@ -136,7 +137,7 @@ class TextureSampler {
   // Which component of a texel each component of a register reads, -1: none, but the constant beside it (0 or 1.0).
   std::array<int, 4> source_{};
   std::array<s9, 4> constant_{};
-  std::shared_ptr<const BytePlanes> byte_planes_;  // where it samples_bytes()
+  std::shared_ptr<const BytePlanes> byte_planes_;  // set if samples_bytes()
 };
 
 }  // namespace ninebit

@@ -19,16 +19,16 @@
 
 namespace NINEBIT_PUBLIC ninebit {
 
-// Samples from one pixel to the next, at most.
+// The most samples from one pixel to the next.
 inline constexpr int kMaxStep = 4096;
 
-// Sizes from 1 to this are drawn: a position then lies within 8,192 pixels of the viewport's centre.
+// The largest width or height: positions then lie within 8,192 pixels of the viewport's centre.
 inline constexpr int kMaxSurfaceSize = 16384;
 
 // A view of rows of samples; it owns nothing. An empty plane (data == nullptr) is not drawn into.
 //
 // Interleaved memory is several planes with gaps: words of RGBA are four of step 4, each of which begins a byte after
-// the one before. Colours that lie so are drawn and sampled as fast as planes of their own; other gaps take longer.
+// the one before. This layout is drawn and sampled as fast as separate planes; other gaps are slower.
 template <class T>
 struct Plane {
   T* data = nullptr;                                               // the lowest row's first sample
@@ -52,10 +52,10 @@ enum class DepthStencilFormat : std::uint8_t { d24s8, d16, d15s1 };
   return (std::uint32_t{1} << depth_bits(format)) - 1;
 }
 
-// What a fragment can leave in a plane besides its colour.
+// The values that a fragment can write to an output plane.
 enum class OutputSource : std::uint8_t {
   register_code,  // one component of a register after the last general combiner: s9
-  output_code,    // one component of the final combiner's output: s9, or u8 as the byte that it becomes
+  output_code,    // one component of the final combiner's output: s9, or u8 after conversion to a byte
   attribute,      // one component of an interpolated attribute: float or half
   primitive,      // the primitive's number in the draw call: u32
   depth           // the fragment's depth code: u32, or u16 with 16 and 15 bits
@@ -64,30 +64,29 @@ enum class OutputSource : std::uint8_t {
 // When a plane is written.
 enum class OutputTime : std::uint8_t {
   when_drawn,    // with the colour: only fragments that passed all tests
-  at_depth_pass  // by every fragment that would pass the depth test, whatever the alpha and stencil tests say
+  at_depth_pass  // by every fragment that would pass the depth test, regardless of the alpha and stencil tests
 };
 
 // A plane of any of the types that OutputSource names.
 using OutputSamples =
     std::variant<Plane<s9>, Plane<std::uint8_t>, Plane<std::uint16_t>, Plane<std::uint32_t>, Plane<Half>, Plane<float>>;
 
-// A further render target plane. Where several fragments meet a pixel, the last stays. Masks and blending do not
-// concern it, the scissor does. An output_code in bytes is the colour before blending; without a program, the primary
-// colour's own byte.
+// A further render target plane. The last fragment at a pixel stays. The scissor applies; masks and blending do not. An
+// output_code in bytes is the colour before blending; without a program, it is the primary colour's byte.
 struct OutputPlane {
-  OutputSource source = OutputSource::output_code;  // what the plane receives
-  Register reg = Register::spare0;                  // of register_code
-  int attribute = 0;                                // of attribute: 0 to kMaxAttributes - 1
-  int component = kRed;                             // of a register, output or attribute: kRed to kAlpha
-  OutputTime time = OutputTime::when_drawn;         // which fragments are written
-  OutputSamples plane{};                            // of the sample type that the source names
+  OutputSource source = OutputSource::output_code;
+  Register reg = Register::spare0;  // of register_code
+  int attribute = 0;                // of attribute: 0 to kMaxAttributes - 1
+  int component = kRed;             // of a register, output or attribute: kRed to kAlpha
+  OutputTime time = OutputTime::when_drawn;
+  OutputSamples plane{};  // of the sample type that the source names
 };
-// The most that a target may have.
+// The most output planes of a target.
 inline constexpr std::size_t kMaxOutputPlanes = 32;
 
 struct FragmentProbe;
 
-// Where a draw goes. All planes have the size of the target, and any may be the caller's own memory.
+// The planes that a draw writes to. All have the size of the target; any may be the caller's own memory.
 struct RenderTarget {
   int width = 0;                               // pixels, 1 to kMaxSurfaceSize
   int height = 0;                              // pixels, 1 to kMaxSurfaceSize
@@ -100,39 +99,38 @@ struct RenderTarget {
   FragmentProbe* probe = nullptr;      // not owned; nullptr: no pixel is watched (fragment_probe.h)
 };
 
-// What a surface starts with and what clear() writes.
+// The initial values of a surface, and the values that clear() writes.
 struct ClearValues {
   std::array<std::uint8_t, 4> color{};  // red, green, blue, alpha
   double depth = 1.0;                   // clamped to [0, 1], then rounded to the nearest code
   int stencil = 0;                      // its low bits
 };
 
-// Which planes a surface has besides colour.
+// The planes of a surface besides colour.
 struct SurfaceFormat {
-  DepthStencilFormat depth_stencil = DepthStencilFormat::d24s8;  // of its depth, and whether there is stencil
+  DepthStencilFormat depth_stencil = DepthStencilFormat::d24s8;  // decides whether there is a stencil plane
   bool with_primitive = false;  // adds a plane of primitive numbers, 0xFFFFFFFF where nothing was drawn
-  // Colour, depth and the stencil bits have no values: fill them, or clear them with what is drawn first. Where a
+  // Colour, depth and the stencil bits are uninitialized: fill them, or clear them with the first draw. If a
   // stencil value has fewer than 8 bits, the other bits of its byte are 0, as clear() keeps them.
   bool undrawn = false;
 };
 
-// A target that owns its planes: colour, depth, stencil where the format has it and, where asked for, primitive
-// numbers.
+// A target that owns its planes: colour, depth, stencil if the format has it, and primitive numbers if requested.
 class Surface {
  public:
   // Reports sizes outside 1 to kMaxSurfaceSize.
   [[nodiscard]] static Result<Surface> make(int width, int height, SurfaceFormat format = {});
 
-  // Pixels, as they were asked for.
+  // Pixels.
   [[nodiscard]] int width() const { return width_; }
   [[nodiscard]] int height() const { return height_; }
-  // As it was asked for.
+  // The depth and stencil format.
   [[nodiscard]] DepthStencilFormat format() const { return format_; }
 
   // Views of all planes, valid as long as this surface is neither moved from nor destroyed.
   [[nodiscard]] RenderTarget target();
 
-  // Fills all planes, without regard to any mask; see clear() in rasterizer.h for GL's.
+  // Fills all planes, ignoring masks; clear() in rasterizer.h is GL's clear, which applies them.
   void fill(const ClearValues& values);
 
   // Samples row by row, the lowest row first; component is kRed to kAlpha.

@@ -25,9 +25,9 @@ enum class CubeFace : std::uint8_t { positive_x, negative_x, positive_y, negativ
 inline constexpr std::array kCubeFaces{CubeFace::positive_x, CubeFace::negative_x, CubeFace::positive_y,
                                        CubeFace::negative_y, CubeFace::positive_z, CubeFace::negative_z};
 
-// Where a direction meets the cube: the face and the position on it, both in [0, 1].
+// The point where a direction hits the cube: the face and the position on it, s and t in [0, 1].
 struct CubeCoordinate {
-  CubeFace face = CubeFace::positive_x;  // that the direction meets
+  CubeFace face = CubeFace::positive_x;  // face that the direction hits
   float s = 0.5F;                        // on the face
   float t = 0.5F;                        // on the face
 };
@@ -49,8 +49,8 @@ struct CubeFaceAxes {
 // One face, or the six of ARB_texture_cube_map.
 enum class TextureTarget : std::uint8_t { texture_2d, cube_map };
 
-// How texels are stored. The last two are beyond the hardware: floats, which reach a combiner register clamped to
-// [0, 1] and rounded to a byte.
+// How texels are stored. The last two are not formats of the hardware: floats, which reach a combiner register clamped
+// to [0, 1] and rounded to a byte.
 enum class InternalFormat : std::uint8_t {
   alpha8,
   luminance8,
@@ -71,7 +71,7 @@ enum class InternalFormat : std::uint8_t {
 // Which of red, green, blue, alpha are stored. Luminance, intensity and depth stand in red.
 [[nodiscard]] std::array<bool, 4> stored_components(InternalFormat format);
 
-// One level of one face: planes of its samples for red, green, blue, alpha; those that the format does not store are
+// One level of one face: planes of its samples for red, green, blue, alpha; planes that the format does not store are
 // not read. Bytes for the formats ending in 8, 32-bit codes for depth.
 using TexelPlanes = std::variant<std::array<Plane<const std::uint8_t>, 4>, std::array<Plane<const std::uint32_t>, 4>,
                                  std::array<Plane<const Half>, 4>, std::array<Plane<const float>, 4>>;
@@ -89,23 +89,23 @@ inline constexpr int kMaxTextureLevels = 15;  // 16384 to 1
 struct Texture {
   TextureTarget target = TextureTarget::texture_2d;  // how many faces there are
   InternalFormat format = InternalFormat::rgb8;      // of all levels and faces
-  std::array<std::vector<TextureImage>, 6> faces{};  // by CubeFace; of texture_2d the first alone
+  std::array<std::vector<TextureImage>, 6> faces{};  // by CubeFace; texture_2d uses only the first
   std::shared_ptr<const void> storage{};             // keeps the planes alive; empty: the caller does
 
   [[nodiscard]] std::size_t face_count() const { return target == TextureTarget::cube_map ? 6 : 1; }  // 1 or 6
 };
 
-// Reports what GL would have refused when the texture was made: sides that are no powers of two from 1 to
-// kMaxSurfaceSize, more than kMaxTextureLevels levels, planes missing or of another type than the format's, cube-map
-// faces that are not square, cube maps of depth (ARB_depth_texture has none), images beyond the target's faces. The
-// other functions on textures and samplers demand that this has nothing to report.
+// Reports what GL rejects when a texture is created: sides that are not powers of two from 1 to kMaxSurfaceSize, more
+// than kMaxTextureLevels levels, planes that are missing or have the wrong type for the format, cube-map faces that are
+// not square, cube maps of depth (ARB_depth_texture has none), images beyond the target's faces. The other functions on
+// textures and samplers require a texture that passes this check.
 [[nodiscard]] Status check_texture(const Texture& texture);
 
 // GL's completeness (OpenGL 1.3, 3.8.9): there is a level 0; the faces of a cube map have the same size; with mip-maps,
 // all levels down to 1 × 1 are there, each of its proper size. A unit with an incomplete texture counts as off.
 [[nodiscard]] bool is_complete(const Texture& texture, bool with_mipmaps);
 
-// A texture of one level on planes that stay the caller's: one face, or six for a cube map. Any other number of faces
+// A texture of one level on planes that the caller keeps: one face, or six for a cube map. Any other number of faces
 // gives a texture without a level, which is incomplete.
 [[nodiscard]] Texture texture_view(InternalFormat format, std::span<const TextureImage> faces);
 
@@ -117,15 +117,15 @@ struct TextureSamples {
       samples{};  // of the format's type
 };
 
-// A texture that owns its samples: faces[face][level]. Reports samples that are too many, too few or of another type
-// than the format's, depth codes beyond the format's, and what check_texture reports.
+// A texture that owns its samples: faces[face][level]. Reports too many or too few samples, samples of the wrong
+// type for the format, depth codes beyond the format's, and what check_texture reports.
 [[nodiscard]] Result<Texture> make_texture(TextureTarget target, InternalFormat format,
                                            std::vector<std::vector<TextureSamples>> faces);
 
 // Level 0 of the texture, which it shares with it, and mip-maps down to 1 × 1: each texel is the mean of the two by two
 // (or two, once the level before is one texel wide or high) above it, of integers rounded to nearest, halves up, as
 // (a + b + c + d + 2) / 4; of floats computed as ((a + b) + (c + d)) × 0.25, and of half floats rounded again.
-// Reports what check_texture reports, and a texture without level 0.
+// Reports the errors of check_texture, and a texture without level 0.
 [[nodiscard]] Result<Texture> with_mipmaps(const Texture& texture);
 
 }  // namespace ninebit
