@@ -109,8 +109,8 @@ struct Blend {
   bool enabled = false;                         // GL_BLEND
   BlendFactor source = BlendFactor::one;        // of the fragment's colour
   BlendFactor destination = BlendFactor::zero;  // of the stored colour
-  BlendEquation equation = BlendEquation::add;  // add: the sum
-  std::array<std::uint8_t, 4> color{};          // the constant colour
+  BlendEquation equation = BlendEquation::add;
+  std::array<std::uint8_t, 4> color{};  // the constant colour
 };
 
 // The fog register. Its colour is always available; the fragments' factors are read only while fog is enabled.

@@ -31,11 +31,11 @@ class FragmentBatch {
     if (++count_ == kBatchSize) flush();
   }
 
-  // Runs what has been gathered through the program and the fragment operations, in the order of pushing.
+  // Runs the gathered fragments through the program and the fragment operations, in the order of pushing.
   void flush();
 
   [[nodiscard]] std::size_t size() const { return count_; }
-  // The same for a single gathered fragment of a probe's context, and tells all about it but what it met.
+  // The same for a single gathered fragment of a probe's context; returns all its values except the stored ones.
   [[nodiscard]] ProbedFragment run_alone();
 
  private:
@@ -62,7 +62,7 @@ class FragmentBatch {
   std::array<UncoloredFragment, kBatchSize> fragment_;
   std::array<FragmentPlace, kBatchSize> place_;
   std::array<FragmentOutcome, kBatchSize> outcome_;
-  std::array<ColorBytes, kBatchSize> color_;  // primary, then what leaves the combiners
+  std::array<ColorBytes, kBatchSize> color_;  // primary, then the combiners' output
   Interpolation weights_;
   std::array<std::array<Lanes, 3>, 3> coordinates_;  // of a texture: values, changes in x, changes in y
   std::array<std::array<Lanes, 4>, kMaxAttributes> attributes_;

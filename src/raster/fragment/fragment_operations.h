@@ -21,15 +21,15 @@ struct UncoloredFragment {
   bool front_facing = true;  // false: of a back-facing polygon, in whatever mode
 };
 
-// The operations of one draw call, with every decision of the state taken once. The target's planes must be those that
-// check_target (in target_check.h) asks for.
+// The operations of one draw call, with every decision of the state taken once. The target must have passed
+// check_target (target_check.h).
 class FragmentOperations {
  public:
-  // With reject_early == false, is_lost_early never says true: what is drawn is the same, for tests and probes.
+  // With reject_early == false, is_lost_early never returns true; results are the same. For tests and probes.
   FragmentOperations(const PipelineState& state, const RenderTarget& target, bool reject_early = true);
 
-  // Whether the fragment is lost for certain and without a trace, in output planes too, so that its colour need not be
-  // computed. `false` promises nothing. Exact also while earlier fragments of the same draw wait in a batch: see the
+  // Whether the fragment certainly changes nothing, including output planes, so that its colour need not be computed.
+  // `false` guarantees nothing. Exact also while earlier fragments of the same draw wait in a batch: see the
   // constructor.
   [[nodiscard]] bool is_lost_early(const UncoloredFragment& f) const {
     if (early_stencil_ && !side(f).passes(target_.stencil.at(f.x, f.y))) return true;
@@ -42,7 +42,7 @@ class FragmentOperations {
     return !depth_enabled_ || compare(depth_function_, f.depth, target_.depth.at(f.x, f.y));
   }
 
-  // What `apply` would do to the fragment now.
+  // The fate that `apply` would give the fragment now.
   [[nodiscard]] FragmentFate fate_of(const UncoloredFragment& f, const ColorBytes& color) const {
     if (alpha_enabled_ && !compare(alpha_function_, color[3], alpha_reference_)) return FragmentFate::alpha_failed;
     if (stencil_enabled_ && !side(f).passes(target_.stencil.at(f.x, f.y))) return FragmentFate::stencil_failed;
@@ -67,7 +67,7 @@ class FragmentOperations {
     return true;
   }
 
-  // Whether `apply` looks at the fragment's colour at all.
+  // Whether `apply` uses the fragment's colour at all.
   [[nodiscard]] bool needs_color() const { return alpha_enabled_ || writes_color_; }
 
  private:

@@ -15,7 +15,7 @@ bool is_written(const OutputPlane& output, const FragmentOutcome& outcome) {
   return output.time == OutputTime::at_depth_pass ? outcome.depth_passed : outcome.drawn;
 }
 
-// A number that a fragment itself has: its primitive's or its depth.
+// A number of the fragment itself: its primitive's number or its depth.
 std::uint32_t number_of(const OutputPlane& output, const UncoloredFragment& fragment) {
   return output.source == OutputSource::primitive ? fragment.primitive : fragment.depth;
 }
@@ -39,7 +39,7 @@ void write_lanes(const OutputPlane& output, const Plane<T>& plane, const BatchRe
   }
 }
 
-// check_target has seen to it that the samples fit the source; the other pairs do nothing.
+// check_target has checked that the samples fit the source; the other pairs do nothing.
 template <class T>
 void write_plane(const OutputPlane& output, const Plane<T>& plane, const BatchResults& results) {
   const auto component = static_cast<std::size_t>(output.component);

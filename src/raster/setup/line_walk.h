@@ -10,7 +10,7 @@ namespace ninebit {
 
 // A pixel's diamond is |x - xc| + |y - yc| < 1/2 around its centre. A line draws the pixels whose diamonds it meets,
 // but for one that holds its end, both ends being moved by (-e, -e²) for an e smaller than any that makes a difference.
-// What follows from that for ends on the grid of 1/16 pixel:
+// For ends on the grid of 1/16 pixel this means:
 //
 // - A line meets the diamonds of the column (or row, of a line steeper than 45 degrees) through whose middle it passes
 //   within half a pixel; halfway between two centres, a line that rises to the right passes above, all others below or

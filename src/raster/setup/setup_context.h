@@ -1,4 +1,4 @@
-// What setting primitives up needs to know of a draw call.
+// The values of a draw call that setting up its primitives needs.
 #pragma once
 
 #include <algorithm>

@@ -59,7 +59,7 @@ void for_each_tile(const BinnedBlock& block, Visit visit) {
 // Fills `tile` for the primitives that have none yet.
 void note_tiles(const TileGrid& grid, BinnedBlock& block);
 
-// Sorts what has been set up.
+// Sorts the primitives of the block by tile.
 void sort_into_tiles(const TileGrid& grid, BinnedBlock& block);
 
 }  // namespace ninebit
