@@ -174,7 +174,7 @@ TEST_F(TargetCheck, SamplesHoldTheirSource) {
     expect(with(Source::depth, Plane<Half>{}),
            "output plane 1 takes depth codes, which half samples do not hold; 16-bit or 32-bit samples do");
   }
-  expect(with(static_cast<Source>(9), Plane<s9>{}), "output plane 1 has a source that is none");
+  expect(with(static_cast<Source>(9), Plane<s9>{}), "output plane 1 has an invalid source");
 }
 
 TEST_F(TargetCheck, RangesOfOutputPlanes) {

@@ -97,7 +97,7 @@ Status check_prepared(const PreparedDraw::Geometry& g, const PipelineState& stat
   };
   for (const Part& part : parts) {
     if (part.is_same) continue;
-    return Diagnostic{.message = std::string("the ") + part.name + " is another one than the draw was prepared with"};
+    return Diagnostic{.message = std::string("the ") + part.name + " is not the one that the draw was prepared with"};
   }
   return {};
 }

@@ -82,7 +82,7 @@ std::string stride_complaint(const RenderTarget& target, const Plane<T>& plane) 
 // The error in an output plane, or empty.
 std::string output_complaint(const RenderTarget& target, const OutputPlane& output) {
   const unsigned fitting = samples_of(output.source, target.format);
-  if (fitting == 0) return "has a source that is none";
+  if (fitting == 0) return "has an invalid source";
   if (((fitting >> output.plane.index()) & 1U) == 0) {
     return "takes " + std::string(name_of(output.source)) + ", which " + kSampleNames[output.plane.index()] +
            " samples do not hold; " + list_of(fitting) + " samples do";
