@@ -42,7 +42,7 @@ RejectionCase random_case(std::uint64_t index) {
 }
 
 struct Waiting {
-  std::vector<Fragment> fragments;
+  std::vector<UncoloredFragment> fragments;
   std::vector<ColorBytes> colors;
 };
 
@@ -65,7 +65,7 @@ int run(const RejectionCase& c, bool reject_early, oracle::Picture& result) {
   Waiting waiting;
   int lost = 0;
   for (const oracle::Incoming& f : c.fragments) {
-    const Fragment fragment{f.x, f.y, static_cast<std::uint32_t>(f.depth), f.number, f.front_facing};
+    const UncoloredFragment fragment{f.x, f.y, static_cast<std::uint32_t>(f.depth), f.number, f.front_facing};
     if (operations.is_lost_early(fragment)) {
       ++lost;
       continue;
@@ -120,8 +120,8 @@ TEST(EarlyRejection, ChangesNothingWhateverWaits) {
 TEST(EarlyRejection, IsUsedWhereItIsExact) {
   oracle::Picture picture = {
       .width = 1, .height = 1, .color = {{}}, .depth = {5}, .stencil = {3}, .primitive = {0}, .captured = {0}};
-  const Fragment behind{.depth = 9}, back_behind{.depth = 9, .front_facing = false};
-  const auto lost = [&](const PipelineState& state, const Fragment& fragment, bool at_depth_pass = false) {
+  const UncoloredFragment behind{.depth = 9}, back_behind{.depth = 9, .front_facing = false};
+  const auto lost = [&](const PipelineState& state, const UncoloredFragment& fragment, bool at_depth_pass = false) {
     PicturePlanes planes(picture, at_depth_pass);
     return FragmentOperations(state, planes.target).is_lost_early(fragment);
   };

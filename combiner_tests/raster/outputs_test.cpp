@@ -31,9 +31,9 @@ class Batch {
   }
 
  private:
-  const std::vector<Fragment> fragments_{{.x = 0, .depth = 70000, .primitive = 7},
-                                         {.x = 1, .depth = 11, .primitive = 8},
-                                         {.x = 1, .depth = 12, .primitive = 9}};
+  const std::vector<UncoloredFragment> fragments_{{.x = 0, .depth = 70000, .primitive = 7},
+                                                  {.x = 1, .depth = 11, .primitive = 8},
+                                                  {.x = 1, .depth = 12, .primitive = 9}};
   const std::vector<FragmentOutcome> fates_{{true, true}, {true, true}, {true, false}};
   const std::vector<ColorBytes> colors_{{1, 2, 3, 4}, {11, 12, 13, 14}, {21, 22, 23, 24}};
   RegisterBatch registers_{};
@@ -174,7 +174,7 @@ TEST_F(TargetCheck, SamplesHoldTheirSource) {
     expect(with(Source::depth, Plane<Half>{}),
            "output plane 1 takes depth codes, which half samples do not hold; 16-bit or 32-bit samples do");
   }
-  expect(with(static_cast<Source>(9), Plane<s9>{}), "output plane 1 has a source that is none");
+  expect(with(static_cast<Source>(9), Plane<s9>{}), "output plane 1 has an invalid source");
 }
 
 TEST_F(TargetCheck, RangesOfOutputPlanes) {

@@ -158,7 +158,7 @@ TEST(Stencil, WithoutBitsTheTestPassesAndWritesNothing) {
     std::uint8_t stencil = 42;
     if (with_plane) planes.target.stencil = {&stencil, 1};
     const FragmentOperations operations(state, planes.target);
-    const Fragment before{.depth = 99}, behind{.depth = 101};
+    const UncoloredFragment before{.depth = 99}, behind{.depth = 101};
     EXPECT_FALSE(operations.is_lost_early(before));
     EXPECT_TRUE(operations.apply(before, {1, 2, 3, 4}));
     EXPECT_FALSE(operations.apply(behind, {5, 6, 7, 8}));
@@ -180,7 +180,7 @@ TEST(Stencil, SidesHaveOperationsOfTheirOwn) {
   state.stencil_test.back = StencilFace{.depth_fail = StencilOperation::incr_wrap};
   const FragmentOperations operations(state, planes.target);
   const auto draw = [&](std::uint32_t depth, bool front) {
-    const Fragment fragment{.depth = depth, .front_facing = front};
+    const UncoloredFragment fragment{.depth = depth, .front_facing = front};
     if (!operations.is_lost_early(fragment)) operations.apply(fragment, {});
     return int{planes.picture().stencil[0]};
   };

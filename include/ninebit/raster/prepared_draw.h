@@ -31,7 +31,7 @@ struct DrawActions {
 // this work. They draw exactly what rasterize() draws. Takes about 95 bytes per primitive that is not culled.
 class PreparedDraw {
  public:
-  PreparedDraw();  // of no draw call
+  PreparedDraw();  // empty
   ~PreparedDraw();
   // A moved-from object is of no draw call.
   PreparedDraw(PreparedDraw&& other) noexcept;
@@ -78,7 +78,7 @@ class PreparedDraw {
 // least one pixel, regardless of the fragments' tests. The other elements stay as they are.
 void mark_covering_polygons(const PreparedDraw& prepared, std::vector<bool>& covering);
 
-// rasterize() in one pass.
+// Draws the prepared geometry in a single pass.
 [[nodiscard]] inline Status rasterize(const PipelineState& state, const PreparedDraw& prepared,
                                       const VertexArrays& arrays, std::span<const TextureUnit> units,
                                       RenderTarget& target) {

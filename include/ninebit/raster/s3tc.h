@@ -1,8 +1,8 @@
-// S3TC (EXT_texture_compression_s3tc), decoded as a chip of a profile would: the exact colours between a block's two
-// are a choice of the hardware.
+// S3TC (EXT_texture_compression_s3tc), decoded as the hardware of a profile would: the exact colours between a block's
+// two depend on the hardware.
 //
 // - The two colours of a block have 5, 6 and 5 bits; a component becomes a byte by repeating its upper bits below it
-//   (assumed; the rival, v × 255 / 31 rounded, differs by one for some).
+//   (assumed; the alternative, v × 255 / 31 rounded, differs by one for some values).
 // - The middle colours (2 a + b) / 3, (a + 2 b) / 3 and (a + b) / 2 are rounded to nearest, halves up (assumed). DXT3
 //   and DXT5 compute them on bytes; DXT1 on bytes or, with Dxt1Palette::rgb565, on the 5, 6 and 5 bits, and only the
 //   result becomes bytes, as the GeForce 256 to 3 did it.
@@ -21,21 +21,21 @@
 
 namespace NINEBIT_PUBLIC ninebit {
 
-// EXT_texture_compression_s3tc's formats; of DXT1 without and with the transparent fourth colour.
+// EXT_texture_compression_s3tc's formats; DXT1 without and with the transparent fourth colour.
 enum class S3tcFormat : std::uint8_t { dxt1_rgb, dxt1_rgba, dxt3, dxt5 };
 
-// Of one block of 4 × 4 texels: 8, or 16 with DXT3 and DXT5.
+// Bytes in one block of 4 × 4 texels: 8, or 16 for DXT3 and DXT5.
 [[nodiscard]] constexpr std::size_t s3tc_block_bytes(S3tcFormat format) {
   return format == S3tcFormat::dxt1_rgb || format == S3tcFormat::dxt1_rgba ? 8 : 16;
 }
 
-// Of an image of positive size, whose last blocks may reach beyond it.
+// Bytes in an image of positive size; its last blocks may reach beyond its edges.
 [[nodiscard]] constexpr std::size_t s3tc_image_bytes(S3tcFormat format, int width, int height) {
   return static_cast<std::size_t>((width + 3) / 4) * static_cast<std::size_t>((height + 3) / 4) *
          s3tc_block_bytes(format);
 }
 
-// What a decoded image is: rgb8 for dxt1_rgb, otherwise rgba8.
+// The format of a decoded image: rgb8 for dxt1_rgb, otherwise rgba8.
 [[nodiscard]] constexpr InternalFormat s3tc_internal_format(S3tcFormat format) {
   return format == S3tcFormat::dxt1_rgb ? InternalFormat::rgb8 : InternalFormat::rgba8;
 }
@@ -44,7 +44,8 @@ enum class S3tcFormat : std::uint8_t { dxt1_rgb, dxt1_rgba, dxt3, dxt5 };
 [[nodiscard]] std::array<Bytes4, 16> decode_s3tc_block(S3tcFormat format, Dxt1Palette palette,
                                                        std::span<const std::uint8_t> block);
 
-// An image for make_texture. Reports sides outside 1 to kMaxSurfaceSize and data of another size than s3tc_image_bytes.
+// An image for make_texture. Reports sides outside 1 to kMaxSurfaceSize and data whose size differs from
+// s3tc_image_bytes.
 [[nodiscard]] Result<TextureSamples> decode_s3tc(S3tcFormat format, Dxt1Palette palette, int width, int height,
                                                  std::span<const std::uint8_t> data);
 

@@ -1,9 +1,9 @@
 // How texture units read textures: wrapping, filtering, levels of detail, depth comparison (OpenGL 1.3 and 1.4, 3.8).
 //
-// What OpenGL leaves open is decided here, as assumptions about the hardware:
+// Where OpenGL leaves a choice, these are assumptions about the hardware:
 //
 // - A coordinate is held exactly until it is rounded once: to a whole texel (NEAREST, downwards), or to 1/2^b texel
-//   (LINEAR, to nearest, halves up), b being profile.texture_weight_bits.
+//   (LINEAR, to nearest, halves up), where b is profile.texture_weight_bits.
 // - The weights of LINEAR have b fraction bits, and so has the weight between two levels. A filtered byte or depth code
 //   is the sum of weight × texel, an exact integer, rounded once to nearest, halves up. Floats are summed in doubles,
 //   in a fixed order, texels of weight 0 left out.
@@ -45,7 +45,7 @@ enum class MinFilter : std::uint8_t {
 enum class MagFilter : std::uint8_t { nearest, linear };
 // The texel for a coordinate outside of [0, 1]. With a linear filter, clamp mixes in the border colour.
 enum class Wrap : std::uint8_t { repeat, clamp, clamp_to_edge, mirrored_repeat };
-// GL_TEXTURE_COMPARE_FUNC: what makes a texel 1, r <= depth or r >= depth; none reads the depth itself.
+// GL_TEXTURE_COMPARE_FUNC: a texel is 1 if the comparison holds, else 0; none reads the depth itself.
 enum class DepthComparison : std::uint8_t { none, lequal, gequal };  // r <= depth, r >= depth
 
 // A texture object's parameters and the unit's bias, with GL's defaults.
@@ -92,7 +92,7 @@ class TextureSampler {
   // Whether s, t and r are divided by q: true except for cube maps.
   [[nodiscard]] bool divides_by_q() const { return !cube_; }
 
-  // The base internal format that the texels have for texel_codes: depth_comparison with a comparison.
+  // The base internal format of the texels that texel_codes returns: depth_comparison with a comparison.
   [[nodiscard]] TextureFormat format() const { return format_; }
 
   // The codes that texel_codes gives for `count` fragments, to codes[component][fragment]. Depth without comparison is

@@ -55,7 +55,7 @@ enum class DepthStencilFormat : std::uint8_t { d24s8, d16, d15s1 };
 // The value that a fragment writes into an output plane.
 enum class OutputSource : std::uint8_t {
   register_code,  // one component of a register after the last general combiner: s9
-  output_code,    // one component of the final combiner's output: s9, or u8 as the byte that it becomes
+  output_code,    // one component of the final combiner's output: s9, or u8 after conversion to a byte
   attribute,      // one component of an interpolated attribute: float or half
   primitive,      // the primitive's number in the draw call: u32
   depth           // the fragment's depth code: u32, or u16 with 16 and 15 bits

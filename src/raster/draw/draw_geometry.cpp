@@ -16,10 +16,10 @@ DrawGeometry::DrawGeometry(const SetupContext& context, const glm::mat4& clip_fr
   }
   setup_.emplace(context, assembly_, clip_, vertices);
   items_ = setup_->items();
-  // Their lists stay within 2^28 entries even if as much as possible comes of every item and all of that covers
-  // every tile.
+  // The lists of the blocks stay within 2^28 entries even if every item produces the most primitives and each of them
+  // covers every tile.
   const std::size_t items = (std::size_t{1} << 28) / grid.count() / setup_->most_of_an_item();
-  // Of a large block a tile gets many primitives at a time; of a small mesh there should be a block for each thread.
+  // A large block gives a tile many primitives at a time; a small mesh should still have a block for each thread.
   const std::size_t worth_it = std::clamp(items_ / 8, std::size_t{2048}, std::size_t{4096});
   items_per_block_ = std::clamp(items, std::size_t{64}, worth_it);
   blocks_at_a_time_ = std::clamp(items / items_per_block_, std::size_t{1}, blocks_per_chunk());

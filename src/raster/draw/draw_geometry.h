@@ -16,8 +16,8 @@ namespace ninebit {
 
 class DrawGeometry {
  public:
-  // The arguments must outlive the geometry and have been checked; but for indices where takes_packed_vertices. There
-  // are pixels that may be drawn. `packed` is memory to be used, which may come from an earlier draw.
+  // The arguments must outlive the geometry and have been checked, except the indices if takes_packed_vertices. At
+  // least one pixel may be drawn. `packed` is memory to use, which may come from an earlier draw.
   DrawGeometry(const SetupContext& context, const glm::mat4& clip_from_object, const VertexArrays& arrays,
                const TileGrid& grid, RawVector<PackedVertex>& packed);
   DrawGeometry(const DrawGeometry&) = delete;
@@ -25,13 +25,13 @@ class DrawGeometry {
 
   [[nodiscard]] const TileGrid& grid() const { return grid_; }
   [[nodiscard]] std::size_t blocks() const { return (items_ + items_per_block_ - 1) / items_per_block_; }
-  // So many blocks stay in the caches, with most meshes.
+  // With most meshes this many blocks stay in the caches.
   [[nodiscard]] std::size_t blocks_per_chunk() const {
     return std::min((std::size_t{1} << 17) / items_per_block_, kMostBlocks);
   }
-  // So many blocks keep the threads busy, and take bounded memory whatever they hold.
+  // This many blocks keep the threads busy, and their memory is bounded whatever they hold.
   [[nodiscard]] std::size_t blocks_at_a_time() const { return blocks_at_a_time_; }
-  // Replaces what is in `block`. As PrimitiveSetup::set_up, false: an index is out of range.
+  // Replaces the contents of `block`. Returns false if an index is out of range, as PrimitiveSetup::set_up does.
   [[nodiscard]] bool set_up(std::size_t number, BinnedBlock& block) const;
 
  private:

@@ -8,7 +8,7 @@ namespace {
 
 thread_local std::unique_ptr<DrawScratch> kept;
 
-// What a thread keeps: enough for meshes of some million triangles.
+// The memory that a thread keeps: enough for meshes of some million triangles.
 constexpr std::size_t kMostBytes = std::size_t{48} << 20;
 
 std::size_t bytes_of(const DrawScratch& scratch) {

@@ -17,8 +17,8 @@ struct DrawScratch {
   TileWork work;
 };
 
-// The calling thread's scratch, as long as the lease lives. A thread that waits within a draw may begin another one:
-// that gets a scratch of its own.
+// The calling thread's scratch, as long as the lease lives. A thread that waits within a draw may begin another draw,
+// which gets its own scratch.
 class ScratchLease {
  public:
   ScratchLease();

@@ -10,7 +10,7 @@ PixelProbe::PixelProbe(const PipelineState& state, const VertexArrays& arrays, s
       context_(state, arrays, units, target_, true),
       batch_(context_) {}
 
-// A plane where the draw has one.
+// A plane if the draw has one.
 RenderTarget PixelProbe::planes_of_one_row() {
   RenderTarget target;
   target.width = real_.width;

@@ -1,4 +1,4 @@
-// One pixel drawn beside the draw itself, fragment by fragment, for FragmentProbe.
+// Draws one pixel separately from the draw itself, fragment by fragment, for FragmentProbe.
 #pragma once
 
 #include <array>
@@ -13,9 +13,8 @@
 
 namespace ninebit {
 
-// Draws into planes of its own, one row of samples that stands for every row, so that the draw itself need not know of
-// it: batches gather fragments and drop those that no test can let through, which could not be told truthfully from
-// there.
+// Draws into its own planes, one row of samples that stands for every row, independently of the draw itself: batches
+// gather fragments and drop those that cannot pass the tests, so they could not report every fragment.
 class PixelProbe {
  public:
   // The arguments must outlive the probe; target.probe is not null.
@@ -28,7 +27,7 @@ class PixelProbe {
     return probe_.x >= pixels.left && probe_.x < pixels.right && probe_.y >= pixels.bottom && probe_.y < pixels.top;
   }
 
-  // Takes over what stands in the target's planes at the pixel: to be called before anything is drawn there.
+  // Copies the values of the target's planes at the pixel; call it before anything is drawn there.
   void meet_planes();
 
   // Reports the fragments of primitives of one block, in the order of `indices`.

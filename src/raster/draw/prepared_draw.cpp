@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "src/raster/draw/draw_call.h"
+#include "src/raster/draw/draw_check.h"
 #include "src/raster/draw/draw_geometry.h"
 #include "src/raster/draw/draw_scratch.h"
 #include "src/raster/draw/pixel_probe.h"
@@ -22,7 +22,7 @@
 
 namespace ninebit {
 
-// Where `is_valid` is false, only memory is left.
+// If `is_valid` is false, only the memory is kept.
 struct PreparedDraw::Geometry {
   bool is_valid = false;
   PipelineState state{};  // as far as the geometry depends on it
@@ -39,7 +39,7 @@ struct PreparedDraw::Geometry {
 
 namespace {
 
-// What the geometry depends on; all else as it is by default.
+// The state that the geometry depends on; the other fields keep their defaults.
 PipelineState geometry_state(const PipelineState& state) {
   PipelineState s;
   s.profile = state.profile;
@@ -96,12 +96,12 @@ Status check_prepared(const PreparedDraw::Geometry& g, const PipelineState& stat
   };
   for (const Part& part : parts) {
     if (part.is_same) continue;
-    return Diagnostic{.message = std::string("the ") + part.name + " is another one than the draw was prepared with"};
+    return Diagnostic{.message = std::string("the ") + part.name + " is not the one that the draw was prepared with"};
   }
   return {};
 }
 
-// What drawing needs, in memory of its size.
+// The data that drawing needs, in memory of exactly that size.
 void keep(const BinnedBlock& block, BinnedBlock& to) {
   to.setup.primitives.assign(block.setup.primitives.begin(), block.setup.primitives.end());
   to.setup.corners.assign(block.setup.corners.begin(), block.setup.corners.end());
@@ -111,7 +111,7 @@ void keep(const BinnedBlock& block, BinnedBlock& to) {
   to.first = block.first;
 }
 
-// False: an index is out of range.
+// Returns false if an index is out of range.
 bool set_up(const DrawGeometry& geometry, std::vector<BinnedBlock>& blocks) {
   blocks.resize(geometry.blocks());
   std::atomic<bool> in_range = true;
@@ -158,7 +158,7 @@ Status prepare(const PipelineState& state, const glm::mat4& clip_from_object, co
   const PrimitiveAssembly assembly(arrays);
   const SetupContext setup(state, viewport_of(state, target), g.drawn, target.format, true);
   const bool is_drawn = !g.drawn.empty() && assembly.primitives() > 0;
-  // Packed vertices are set up with a look at their indices: what that does not see are those left over at the end.
+  // Setting up packed vertices checks their indices, except those left over at the end.
   const bool looks_at_indices =
       is_drawn && PrimitiveSetup::takes_packed_vertices(setup, assembly, arrays.vertex_count());
   VertexArrays unseen = bare_arrays;
@@ -179,7 +179,7 @@ Status prepare(const PipelineState& state, const glm::mat4& clip_from_object, co
 
 namespace {
 
-// Draws passes that share tiles, or one pass of any kind.
+// Draws passes that share tiles, or a single pass of any kind.
 void draw(const PreparedDraw::Geometry& g, std::span<const DrawPass> passes,
           std::span<const DrawContext* const> contexts, const TileActions& actions, RenderTarget& target) {
   std::unique_ptr<PixelProbe> probe;

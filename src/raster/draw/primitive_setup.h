@@ -1,4 +1,4 @@
-// Setting up a draw call's primitives, a range of them at a time.
+// Sets up a draw call's primitives, one range at a time.
 #pragma once
 
 #include <cstddef>
@@ -7,30 +7,30 @@
 
 #include "src/raster/setup/primitive_assembly.h"
 #include "src/raster/setup/setup_context.h"
-#include "src/raster/setup/setup_primitive.h"
 #include "src/raster/setup/tile_bins.h"
 #include "src/raster/setup/triangle_setup.h"
 #include "src/raster/setup/vertex_transform.h"
+#include "src/raster/setup/window_primitives.h"
 
 namespace ninebit {
 
-// What a draw call's primitives are set up with. Work is counted in items: primitives, but the triangles of a polygon,
-// which may have many.
+// Sets up the primitives of a draw call. Work is counted in items: an item is a primitive, but a single triangle if the
+// draw call is of the type polygon.
 class PrimitiveSetup {
  public:
-  // Whether triangles may be set up several at a time, for which their vertices have to be transformed before.
+  // Whether triangles may be set up several at a time; this requires vertices that are already transformed.
   static bool takes_packed_vertices(const SetupContext& context, const PrimitiveAssembly& assembly,
                                     std::size_t vertices);
 
-  // `packed`: all vertices, or none where they are not taken.
+  // `packed`: all vertices, or none if not takes_packed_vertices.
   PrimitiveSetup(const SetupContext& context, const PrimitiveAssembly& assembly, const ClipPositions& clip,
                  std::span<const PackedVertex> packed);
 
   [[nodiscard]] std::size_t items() const;
-  // At most so many window primitives come of one item, as long as clipping keeps polygons convex.
+  // The most window primitives that one item produces, as long as clipping keeps polygons convex.
   [[nodiscard]] std::size_t most_of_an_item() const;
-  // Appends what is to be drawn of the items [begin, end), and in which tiles. Where vertices are packed, indices need
-  // not have been checked: false says that one is out of range, and that something may be missing.
+  // Appends the primitives of the items [begin, end) and their tiles. With packed vertices, the indices need not have
+  // been checked: returns false if one is out of range; primitives may then be missing.
   [[nodiscard]] bool set_up(std::size_t begin, std::size_t end, const TileGrid& grid, BinnedBlock& block) const;
 
  private:

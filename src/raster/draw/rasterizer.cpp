@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "src/raster/draw/draw_call.h"
+#include "src/raster/draw/draw_check.h"
 #include "src/raster/draw/draw_geometry.h"
 #include "src/raster/draw/draw_scratch.h"
 #include "src/raster/draw/pixel_probe.h"
@@ -24,7 +24,7 @@ namespace {
 // writing tiles would take its time; it has fewer where primitives are in so many tiles.
 constexpr std::size_t kEntriesPerTile = 1024, kEntriesPerChunk = std::size_t{1} << 22;
 
-// The tiles in which blocks have primitives, noted by several threads, of a grid of so many.
+// The tiles in which blocks have primitives, recorded by several threads.
 class MetTiles {
  public:
   explicit MetTiles(std::size_t tiles) : met_(tiles) {}
@@ -40,11 +40,11 @@ class MetTiles {
   std::vector<std::uint8_t> met_;
 };
 
-// Sets blocks up in parallel, as many as memory allows for whatever they hold; the number of blocks.
+// Sets up blocks in parallel, as many as memory allows whatever they hold; returns the number of blocks.
 std::size_t set_up_chunk(const DrawGeometry& geometry, std::size_t first, std::vector<BinnedBlock>& to) {
   const std::size_t usual = geometry.blocks_per_chunk(), most = std::min(geometry.blocks() - first, 4 * usual);
   std::size_t count = 0, entries = 0;
-  const bool may_go_on = most > usual;  // of most draws there is no more
+  const bool may_go_on = most > usual;  // most draws have no more
   MetTiles met(may_go_on ? geometry.grid().count() : 0);
   while (count < most && entries < kEntriesPerChunk &&
          (count < usual || most - count < usual / 2 || entries < kEntriesPerTile * met.count())) {
@@ -64,7 +64,7 @@ std::size_t set_up_chunk(const DrawGeometry& geometry, std::size_t first, std::v
   return count;
 }
 
-// A chunk of blocks at a time is set up and drawn tile by tile. The indices are in range.
+// Sets up one chunk of blocks at a time and draws it tile by tile. The indices must be in range.
 void draw(const DrawGeometry& geometry, TileLoop& tiles, DrawScratch& scratch) {
   for (std::size_t first = 0; first < geometry.blocks();) {
     const std::size_t count = set_up_chunk(geometry, first, scratch.blocks);

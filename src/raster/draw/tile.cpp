@@ -160,15 +160,16 @@ void draw_in_tile(const DrawContext& context, const PixelBox& tile, const SetupB
   for (const std::uint32_t index : indices) {
     const SetupPrimitive& p = block.primitives[index];
     if (!context.has_flat_result) {
-      draw_primitive(context, tile, p, [&](const Fragment& f, const Edge& edge) { batch->push(f, p, block, edge); });
+      draw_primitive(context, tile, p,
+                     [&](const UncoloredFragment& f, const Edge& edge) { batch->push(f, p, block, edge); });
       continue;
     }
     const ColorBytes color = context.flat_primary(p.primitive);
     if (context.outputs.empty()) {
       draw_primitive(context, tile, p,
-                     [&operations, color](const Fragment& f, const Edge&) { operations.apply(f, color); });
+                     [&operations, color](const UncoloredFragment& f, const Edge&) { operations.apply(f, color); });
     } else {
-      draw_primitive(context, tile, p, [&context, color](const Fragment& f, const Edge&) {
+      draw_primitive(context, tile, p, [&context, color](const UncoloredFragment& f, const Edge&) {
         draw_fragment(context.operations, context.outputs, f, color);
       });
     }

@@ -9,7 +9,7 @@
 #include "src/raster/fragment/draw_context.h"
 #include "src/raster/fragment/fragment_batch.h"
 #include "src/raster/lanes/tile_lanes.h"
-#include "src/raster/setup/setup_primitive.h"
+#include "src/raster/setup/window_primitives.h"
 #include "src/raster/setup/window_transform.h"
 #include "src/raster/surface/tile_size.h"
 

@@ -1,4 +1,4 @@
-// Blending a fragment's colour with the one that is there, in bytes.
+// Blends a fragment's colour with the stored one, in bytes.
 #pragma once
 
 #include "ninebit/raster/pipeline_state.h"
@@ -6,10 +6,10 @@
 
 namespace ninebit {
 
-// The colour that replaces `destination`: each component as pipeline_state.h says at Blend; `enabled` is not looked at.
+// The colour that replaces `destination`: for each component see Blend in pipeline_state.h; `enabled` is ignored.
 [[nodiscard]] ColorBytes blend(const Blend& state, const ColorBytes& source, const ColorBytes& destination);
 
-// Whether the result is the source colour whatever the destination.
+// Whether the result is the source colour for every destination.
 [[nodiscard]] constexpr bool replaces(const Blend& state) {
   return state.equation == BlendEquation::add && state.source == BlendFactor::one &&
          state.destination == BlendFactor::zero;

@@ -9,7 +9,7 @@ namespace {
 
 constexpr ColorBytes kWhite{255, 255, 255, 255};
 
-// The registers as far as all fragments have them alike; what textures hold is their own.
+// The registers with the values that all fragments share; texture registers differ per fragment.
 RegisterFile initial_of(const DrawContext& context) {
   FragmentInputs inputs;
   inputs.secondary = {0, 0, 0, 255};

@@ -1,4 +1,4 @@
-// What all tiles of one draw call share.
+// Data that all tiles of one draw call share.
 #pragma once
 
 #include <array>
@@ -53,16 +53,16 @@ struct DrawContext {
   std::array<float, kMaxTextureUnits> point_change{};  // of s at points, where rho is 1 (OpenGL 1.3, 3.8.8)
   bool needs_texture_changes = false;
 
-  // Whether every fragment leaves the draw with its primitive's flat_primary, and no plane asks for more of it.
+  // Whether every fragment's final colour is its primitive's flat_primary and no plane needs more of the fragment.
   bool has_flat_result = false;
-  // Whether registers have to be filled at all, and then which units and registers are read.
+  // Whether registers have to be filled at all, and which units and registers are then read.
   bool fills_registers = false;
-  std::optional<BatchProgram> program;                       // of the state, made ready for batches
-  std::array<bool, 4> wanted_color{true, true, true, true};  // components of what leaves it that are looked at
+  std::optional<BatchProgram> program;                       // of the state, prepared for batches
+  std::array<bool, 4> wanted_color{true, true, true, true};  // components of its output that are used
   std::array<bool, kRegisterCount> reads{};
   std::array<bool, kMaxTextureUnits> reads_unit{};
-  RegisterFile initial;  // of every fragment, but for what is its own
-  // Components of constant registers that running the program overwrites: to be filled again for each batch.
+  RegisterFile initial;  // values that all fragments share
+  // Components of constant registers that the program overwrites; filled again for each batch.
   std::vector<RegisterComponent> refilled;
 
  private:

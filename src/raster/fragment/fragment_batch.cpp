@@ -63,7 +63,7 @@ void FragmentBatch::fill_fog() {
   }
 }
 
-// (s, t, r) / q, and what s/q changes by: (s' - (s/q) q') / q.
+// (s, t, r) / q, and the change of s/q: (s' - (s/q) q') / q.
 void FragmentBatch::divide_coordinates(std::size_t unit, std::size_t components, std::size_t kinds) {
   const std::span<const float> at_vertex = context_.arrays.texture_q[unit];
   const std::array<const WeightPlanes*, 3> weights{&weights_.perspective(), &weights_.dx(), &weights_.dy()};
@@ -141,8 +141,8 @@ void FragmentBatch::fill_registers() {
   }
 }
 
-// A component at a time: of the three loops the other way round GCC 12 makes wrong code (its -fivopts), once functions
-// are hidden from other libraries and so inlined here.
+// One component at a time: with the three loops nested the other way, GCC 12 (-fivopts) generates wrong code once
+// functions are hidden from other libraries and therefore inlined here.
 void FragmentBatch::interpolate_attributes() {
   for (std::size_t n = 0; n < attributes_.size(); ++n) {
     if (!context_.outputs.needs_attribute(static_cast<int>(n))) continue;
@@ -206,7 +206,7 @@ void FragmentBatch::begin() {
 ProbedFragment FragmentBatch::run_alone() {
   begin();
   fill_registers();
-  const Fragment& fragment = fragment_[0];
+  const UncoloredFragment& fragment = fragment_[0];
   ProbedFragment probed;
   probed.primitive = fragment.primitive;
   probed.depth = fragment.depth;

@@ -11,7 +11,7 @@
 #include "src/raster/fragment/draw_context.h"
 #include "src/raster/fragment/fragment_operations.h"
 #include "src/raster/fragment/interpolation.h"
-#include "src/raster/setup/setup_primitive.h"
+#include "src/raster/setup/window_primitives.h"
 
 namespace ninebit {
 
@@ -20,7 +20,7 @@ class FragmentBatch {
   explicit FragmentBatch(const DrawContext& context) : context_(context) {}
 
   // `edge`: see FragmentPlace. The primitive and its block must stay until the next flush.
-  void push(const Fragment& fragment, const SetupPrimitive& primitive, const SetupBlock& block,
+  void push(const UncoloredFragment& fragment, const SetupPrimitive& primitive, const SetupBlock& block,
             const std::array<std::int64_t, 3>& edge) {
     fragment_[count_] = fragment;
     FragmentPlace& place = place_[count_];
@@ -31,11 +31,11 @@ class FragmentBatch {
     if (++count_ == kBatchSize) flush();
   }
 
-  // Runs what has been gathered through the program and the fragment operations, in the order of pushing.
+  // Runs the gathered fragments through the program and the fragment operations, in the order of pushing.
   void flush();
 
   [[nodiscard]] std::size_t size() const { return count_; }
-  // The same for a single gathered fragment of a probe's context, and tells all about it but what it met.
+  // The same for a single gathered fragment of a probe's context; returns all its values except the stored ones.
   [[nodiscard]] ProbedFragment run_alone();
 
  private:
@@ -59,10 +59,10 @@ class FragmentBatch {
   const DrawContext& context_;
   std::size_t count_ = 0;
   bool has_constants_ = false;  // whether the constant registers have been filled
-  std::array<Fragment, kBatchSize> fragment_;
+  std::array<UncoloredFragment, kBatchSize> fragment_;
   std::array<FragmentPlace, kBatchSize> place_;
   std::array<FragmentOutcome, kBatchSize> outcome_;
-  std::array<ColorBytes, kBatchSize> color_;  // primary, then what leaves the combiners
+  std::array<ColorBytes, kBatchSize> color_;  // primary, then the combiners' output
   Interpolation weights_;
   std::array<std::array<Lanes, 3>, 3> coordinates_;  // of a texture: values, changes in x, changes in y
   std::array<std::array<Lanes, 4>, kMaxAttributes> attributes_;

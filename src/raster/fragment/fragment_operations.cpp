@@ -30,7 +30,7 @@ FragmentOperations::FragmentOperations(const PipelineState& state, const RenderT
     back_ = StencilSide(test.back.value_or(test.front), stencil_bits(target.format));
   }
   if (!reject_early) return;
-  // Planes written at depth pass ask neither the alpha nor the stencil test.
+  // Planes written at depth pass ignore the alpha and stencil tests.
   bool asks_depth_alone = false;
   for (const OutputPlane& output : target.outputs) {
     const bool holds = std::visit([](const auto& plane) { return static_cast<bool>(plane); }, output.plane);
@@ -40,14 +40,14 @@ FragmentOperations::FragmentOperations(const PipelineState& state, const RenderT
   // waiting batch.
   early_stencil_ = stencil_enabled_ && front_.changes_nothing() && back_.changes_nothing() && !asks_depth_alone;
   // A depth that a waiting fragment will write can only make the same test harder, except for NOTEQUAL. A fragment
-  // that fails it leaves a trace where the operations of its own facing change the stencil. Blending reads the colour
-  // of fragments that are drawn, and a lost one is not.
+  // that fails it leaves a trace where the operations of its own facing change the stencil. Blending reads only
+  // the colours of drawn fragments, which a lost one is not.
   const bool early_depth = depth_enabled_ && !(depth_write_ && depth_function_ == CompareFunction::notequal);
   early_depth_front_ = early_depth && (!stencil_enabled_ || front_.failing_changes_nothing());
   early_depth_back_ = early_depth && (!stencil_enabled_ || back_.failing_changes_nothing());
 }
 
-void FragmentOperations::write_blended(const Fragment& f, const ColorBytes& color) const {
+void FragmentOperations::write_blended(const UncoloredFragment& f, const ColorBytes& color) const {
   ColorBytes there{0, 0, 0, 255};
   for (std::size_t i = 0; i < 4; ++i) {
     if (target_.color[i]) there[i] = target_.color[i].at(f.x, f.y);

@@ -13,7 +13,7 @@
 namespace ninebit {
 
 // A fragment that the scissor let through, without its colour.
-struct Fragment {
+struct UncoloredFragment {
   int x = 0;
   int y = 0;
   std::uint32_t depth = 0;  // a code of the target's format
@@ -21,29 +21,29 @@ struct Fragment {
   bool front_facing = true;  // false: of a back-facing polygon, in whatever mode
 };
 
-// The operations of one draw call, with every decision of the state taken once. The target's planes must be those that
-// check_target (in target_check.h) asks for.
+// The operations of one draw call, with every decision of the state taken once. The target must have passed
+// check_target (target_check.h).
 class FragmentOperations {
  public:
-  // With reject_early == false, is_lost_early never says true: what is drawn is the same, for tests and probes.
+  // With reject_early == false, is_lost_early never returns true; results are the same. For tests and probes.
   FragmentOperations(const PipelineState& state, const RenderTarget& target, bool reject_early = true);
 
-  // Whether the fragment is lost for certain and without a trace, in output planes too, so that its colour need not be
-  // computed. `false` promises nothing. Exact also while earlier fragments of the same draw wait in a batch: see the
+  // Whether the fragment certainly changes nothing, including output planes, so that its colour need not be computed.
+  // `false` guarantees nothing. Exact also while earlier fragments of the same draw wait in a batch: see the
   // constructor.
-  [[nodiscard]] bool is_lost_early(const Fragment& f) const {
+  [[nodiscard]] bool is_lost_early(const UncoloredFragment& f) const {
     if (early_stencil_ && !side(f).passes(target_.stencil.at(f.x, f.y))) return true;
     return (f.front_facing ? early_depth_front_ : early_depth_back_) &&
            !compare(depth_function_, f.depth, target_.depth.at(f.x, f.y));
   }
 
   // Whether the depth test would pass now.
-  [[nodiscard]] bool depth_passes(const Fragment& f) const {
+  [[nodiscard]] bool depth_passes(const UncoloredFragment& f) const {
     return !depth_enabled_ || compare(depth_function_, f.depth, target_.depth.at(f.x, f.y));
   }
 
-  // What `apply` would do to the fragment now.
-  [[nodiscard]] FragmentFate fate_of(const Fragment& f, const ColorBytes& color) const {
+  // The fate that `apply` would give the fragment now.
+  [[nodiscard]] FragmentFate fate_of(const UncoloredFragment& f, const ColorBytes& color) const {
     if (alpha_enabled_ && !compare(alpha_function_, color[3], alpha_reference_)) return FragmentFate::alpha_failed;
     if (stencil_enabled_ && !side(f).passes(target_.stencil.at(f.x, f.y))) return FragmentFate::stencil_failed;
     return depth_passes(f) ? FragmentFate::written : FragmentFate::depth_failed;
@@ -68,14 +68,14 @@ class FragmentOperations {
     return true;
   }
 
-  // Whether `apply` looks at the fragment's colour at all.
+  // Whether `apply` uses the fragment's colour at all.
   [[nodiscard]] bool needs_color() const { return alpha_enabled_ || writes_color_; }
 
  private:
-  [[nodiscard]] const StencilSide& side(const Fragment& f) const { return f.front_facing ? front_ : back_; }
+  [[nodiscard]] const StencilSide& side(const UncoloredFragment& f) const { return f.front_facing ? front_ : back_; }
 
   // The stencil test, then the depth test; true: both passed.
-  [[nodiscard]] bool apply_stencil(const Fragment& f) const {
+  [[nodiscard]] bool apply_stencil(const UncoloredFragment& f) const {
     const StencilSide& test = side(f);
     std::uint8_t& stored = target_.stencil.at(f.x, f.y);
     if (!test.passes(stored)) {
@@ -87,12 +87,12 @@ class FragmentOperations {
     return depth;
   }
 
-  void write(const Fragment& f, const ColorBytes& color) const {
+  void write(const UncoloredFragment& f, const ColorBytes& color) const {
     for (std::size_t i = 0; i < 4; ++i) {
       if (color_mask_[i]) target_.color[i].at(f.x, f.y) = color[i];
     }
   }
-  void write_blended(const Fragment& f, const ColorBytes& color) const;
+  void write_blended(const UncoloredFragment& f, const ColorBytes& color) const;
 
   RenderTarget target_;
   CompareFunction alpha_function_;

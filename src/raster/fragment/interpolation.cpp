@@ -26,7 +26,7 @@ void unclip(std::span<const FragmentPlace> places, WeightPlanes& weight) {
   }
 }
 
-// What a fragment's `edge` changes by from pixel to pixel, in x and in y.
+// The change of a fragment's `edge` from pixel to pixel, in x and in y.
 struct EdgeSteps {
   std::array<float, 3> x{}, y{};
 };

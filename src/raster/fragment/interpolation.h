@@ -1,5 +1,5 @@
-// Weights of a primitive's vertices at its fragments (OpenGL 1.3, 3.4.1 and 3.5.1), in floats and a fixed order that
-// knows one fragment alone.
+// Weights of a primitive's vertices at its fragments (OpenGL 1.3, 3.4.1 and 3.5.1), in floats and in a fixed
+// order that does not depend on other fragments.
 #pragma once
 
 #include <array>
@@ -8,7 +8,7 @@
 #include <span>
 
 #include "ninebit/combiner/evaluate.h"
-#include "src/raster/setup/setup_primitive.h"
+#include "src/raster/setup/window_primitives.h"
 
 namespace ninebit {
 
@@ -32,15 +32,15 @@ using WeightPlanes = std::array<std::array<float, kBatchSize>, 3>;
 
 class Interpolation {
  public:
-  // At most kBatchSize places. `affine` and `changes` say what is asked for besides.
+  // At most kBatchSize places. `affine` and `changes` select the optional results.
   void compute(std::span<const FragmentPlace> places, bool affine, bool changes);
 
   [[nodiscard]] const WeightPlanes& perspective() const { return perspective_; }
   // Linear in the window.
   [[nodiscard]] const WeightPlanes& affine() const { return affine_; }
-  // What the perspective weights change by from pixel to pixel in x and y: derivatives at the fragment, exact but for
-  // rounding. Of a line, dx is the change along it and dy is 0, as OpenGL 1.3, 3.8.8 computes its level of detail; of a
-  // point both are 0.
+  // The change of the perspective weights from pixel to pixel in x and y: derivatives at the fragment, exact except for
+  // rounding. For a line, dx is the change along it and dy is 0, as OpenGL 1.3, 3.8.8 computes its level of detail; for
+  // a point both are 0.
   [[nodiscard]] const WeightPlanes& dx() const { return dx_; }
   [[nodiscard]] const WeightPlanes& dy() const { return dy_; }
 

@@ -15,8 +15,8 @@ bool is_written(const OutputPlane& output, const FragmentOutcome& outcome) {
   return output.time == OutputTime::at_depth_pass ? outcome.depth_passed : outcome.drawn;
 }
 
-// A number that a fragment itself has: its primitive's or its depth.
-std::uint32_t number_of(const OutputPlane& output, const Fragment& fragment) {
+// A number of the fragment itself: its primitive's number or its depth.
+std::uint32_t number_of(const OutputPlane& output, const UncoloredFragment& fragment) {
   return output.source == OutputSource::primitive ? fragment.primitive : fragment.depth;
 }
 
@@ -34,12 +34,12 @@ template <class T, class Value>
 void write_lanes(const OutputPlane& output, const Plane<T>& plane, const BatchResults& results, const Value& value) {
   for (std::size_t i = 0; i < results.fragments.size(); ++i) {
     if (!is_written(output, results.outcomes[i])) continue;
-    const Fragment& fragment = results.fragments[i];
+    const UncoloredFragment& fragment = results.fragments[i];
     plane.at(fragment.x, fragment.y) = value(i);
   }
 }
 
-// check_target has seen to it that the samples fit the source; the other pairs do nothing.
+// check_target has checked that the samples fit the source; the other pairs do nothing.
 template <class T>
 void write_plane(const OutputPlane& output, const Plane<T>& plane, const BatchResults& results) {
   const auto component = static_cast<std::size_t>(output.component);
@@ -107,7 +107,7 @@ void OutputPlanes::write(const BatchResults& results) const {
   }
 }
 
-void OutputPlanes::write(const Fragment& fragment, FragmentOutcome outcome) const {
+void OutputPlanes::write(const UncoloredFragment& fragment, FragmentOutcome outcome) const {
   for (const OutputPlane& output : planes_) {
     if (!is_written(output, outcome)) continue;
     const std::uint32_t number = number_of(output, fragment);

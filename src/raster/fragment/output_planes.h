@@ -1,4 +1,4 @@
-// Writing a target's further planes: registers, outputs, attributes, primitive numbers and depths of fragments.
+// Writes a target's output planes: registers, outputs, attributes, primitive numbers and depths of fragments.
 #pragma once
 
 #include <array>
@@ -14,20 +14,20 @@
 
 namespace ninebit {
 
-// What became of a fragment. depth_passed has to be asked (FragmentOperations::depth_passes) before the fragment's
-// own `apply` writes its depth; drawn is what `apply` returned.
+// The outcome of a fragment. depth_passed comes from FragmentOperations::depth_passes, called before the fragment's own
+// `apply` writes its depth; drawn is the result of `apply`.
 struct FragmentOutcome {
   bool depth_passed = false;
   bool drawn = false;
 };
 
-// What a batch knows of its fragments; lane i of everything belongs to fragments[i].
+// The results of a batch; lane i of every member belongs to fragments[i].
 struct BatchResults {
-  std::span<const Fragment> fragments;
+  std::span<const UncoloredFragment> fragments;
   std::span<const FragmentOutcome> outcomes;
   const RegisterBatch* registers = nullptr;  // after the last general combiner; for needs_registers()
   const OutputBatch* output = nullptr;       // codes of the final combiner; for needs_output()
-  std::span<const ColorBytes> colors{};      // what `apply` was given; for needs_colors()
+  std::span<const ColorBytes> colors{};      // input of `apply`; for needs_colors()
   // Lanes of an attribute's four components, for needs_attribute().
   std::array<std::array<const float*, 4>, kMaxAttributes> attributes{};
 };
@@ -44,14 +44,14 @@ class OutputPlanes {
   [[nodiscard]] bool needs_attribute(int attribute) const {
     return needs_attribute_[static_cast<std::size_t>(attribute)];
   }
-  // Whether a fragment alone says what is written: there are but primitive numbers and depths.
+  // Whether the planes need only the fragment itself: they hold only primitive numbers and depths.
   [[nodiscard]] bool need_fragment_alone() const { return need_fragment_alone_; }
 
-  // Writes what the fragments of a batch leave, in their order.
+  // Writes the planes' values for the fragments of a batch, in their order.
   void write(const BatchResults& results) const;
 
   // The same for one fragment where need_fragment_alone().
-  void write(const Fragment& fragment, FragmentOutcome outcome) const;
+  void write(const UncoloredFragment& fragment, FragmentOutcome outcome) const;
 
  private:
   std::vector<OutputPlane> planes_;
@@ -62,9 +62,9 @@ class OutputPlanes {
   std::array<bool, kMaxAttributes> needs_attribute_{};
 };
 
-// One fragment of a draw whose colour and planes need no batch, through the operations and into the planes.
-inline void draw_fragment(const FragmentOperations& operations, const OutputPlanes& outputs, const Fragment& fragment,
-                          const ColorBytes& color) {
+// Draws one fragment whose colour and planes need no batch: applies the operations and writes the planes.
+inline void draw_fragment(const FragmentOperations& operations, const OutputPlanes& outputs,
+                          const UncoloredFragment& fragment, const ColorBytes& color) {
   FragmentOutcome outcome{.depth_passed = operations.depth_passes(fragment)};
   outcome.drawn = operations.apply(fragment, color);
   outputs.write(fragment, outcome);

@@ -8,11 +8,11 @@
 
 namespace ninebit {
 
-// What an operation makes of a stored value of `bits` bits; both values have no more. Nothing is masked.
+// The result of an operation on a stored value of `bits` bits; both values fit these bits. Applies no mask.
 [[nodiscard]] std::uint8_t stencil_result(StencilOperation operation, std::uint8_t stored, std::uint8_t reference,
                                           int bits);
 
-// A byte of the stencil plane holds a value in its low `bits` bits (1 to 8). What the others hold is neither compared
+// A byte of the stencil plane holds a value in its low `bits` bits (1 to 8). The other bits are neither compared
 // nor changed.
 class StencilSide {
  public:

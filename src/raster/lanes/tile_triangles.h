@@ -7,8 +7,8 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "src/raster/setup/setup_primitive.h"
 #include "src/raster/setup/triangle_edges.h"
+#include "src/raster/setup/window_primitives.h"
 #include "src/raster/surface/tile_size.h"
 
 namespace ninebit {

@@ -8,8 +8,8 @@
 #include "src/raster/setup/polygon_offset.h"
 #include "src/raster/setup/primitive_assembly.h"
 #include "src/raster/setup/setup_context.h"
-#include "src/raster/setup/setup_primitive.h"
 #include "src/raster/setup/vertex_transform.h"
+#include "src/raster/setup/window_primitives.h"
 
 namespace ninebit {
 

@@ -18,7 +18,7 @@ Diagnostic fault(std::string message) {
   return Diagnostic{.message = std::move(message)};
 }
 
-// An array that is there has one entry a vertex.
+// A non-empty array must have one entry for each vertex.
 Status check_length(const char* what, std::size_t length, std::size_t vertices) {
   if (length == 0 || length == vertices) return {};
   return fault("there are " + std::to_string(length) + ' ' + what + " for " + std::to_string(vertices) + " vertices");
@@ -107,7 +107,7 @@ Status check_indices(const VertexArrays& arrays) {
   const auto vertices = static_cast<std::uint32_t>(arrays.vertex_count());
   constexpr std::size_t kGrain = 65536;
   const auto are_in_range = [&](std::size_t begin, std::size_t end) {
-    // Without an early end and in 32 bits: compilers make vectors of it.
+    // No early exit, and 32 bits: compilers vectorize this loop.
     std::uint32_t beyond = 0;
     const std::uint32_t* const indices = arrays.indices.data();
     for (std::size_t i = begin; i < end; ++i) beyond |= indices[i] >= vertices ? 1U : 0U;

@@ -1,4 +1,4 @@
-// What is wrong with a draw call besides its target.
+// Checks the state, vertex arrays, textures and indices of a draw call.
 #pragma once
 
 #include <span>
@@ -12,8 +12,8 @@ namespace ninebit {
 [[nodiscard]] Status check_state(const PipelineState& state, const RenderTarget& target);
 
 // Reports positions of both kinds, arrays of unequal lengths, colours both a vertex and a primitive, more primitives
-// than numbers, more texture units than the profile has, textures that GL would refuse. (What a unit that turns out to
-// be on needs besides: check_coordinates.)
+// than numbers, more texture units than the profile has, textures that GL would refuse. (check_coordinates
+// checks a unit that is on.)
 [[nodiscard]] Status check_arrays(const PipelineState& state, const VertexArrays& arrays,
                                   std::span<const TextureUnit> units);
 

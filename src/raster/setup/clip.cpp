@@ -55,7 +55,7 @@ ClipPolygon clip_against(const ClipPolygon& in, int plane, const GuardBand& guar
   return out;
 }
 
-// All vertices beyond one side of the viewport: nothing can be seen, whatever the guard band says.
+// All vertices are beyond one side of the viewport: nothing is visible, regardless of the guard band.
 template <std::size_t N>
 bool are_beyond_a_side(const std::array<glm::vec4, N>& clip) {
   for (int axis = 0; axis < 2; ++axis) {

@@ -32,20 +32,20 @@ struct ClipPolygon {
 };
 
 // Below it the corners' weights, edge function / w, would no longer be finite. Only clip_from_object matrices that are
-// no projection give such a w inside the clip volume; what they put there is not drawn.
+// not projections give such a w inside the clip volume; primitives there are not drawn.
 inline constexpr float kSmallestW = 0x1p-80F;
 
-// Which planes have a vertex outside, a bit each; empty: nothing can be seen of the primitive, because a coordinate is
+// Which planes have a vertex outside, a bit each; empty: the primitive is not visible, because a coordinate is
 // not finite or because all vertices are outside one plane or beyond one side of the view volume.
 [[nodiscard]] std::optional<unsigned> crossed_planes(const std::array<glm::vec4, 3>& clip, const GuardBand& guard);
 [[nodiscard]] std::optional<unsigned> crossed_planes(const std::array<glm::vec4, 2>& clip, const GuardBand& guard);
 
-// What the crossed planes leave of a triangle; no vertices: nothing. `boundary` says which of the edges 0-1, 1-2, 2-0
-// are on the boundary; the edges that clipping adds are (OpenGL 1.3, 2.11).
+// Clips a triangle against the crossed planes; no vertices: nothing remains. `boundary` says which of the edges 0-1,
+// 1-2, 2-0 are on the boundary; the edges that clipping adds are (OpenGL 1.3, 2.11).
 [[nodiscard]] ClipPolygon clip_triangle(const std::array<glm::vec4, 3>& clip, const std::array<bool, 3>& boundary,
                                         unsigned crossed, const GuardBand& guard);
 
-// The same of a line, from its first end to its second: none or two vertices.
+// Clips a line, from its first end to its second: none or two vertices.
 [[nodiscard]] ClipPolygon clip_line(const std::array<glm::vec4, 2>& clip, unsigned crossed, const GuardBand& guard);
 
 // Whether a point lies in the view volume (OpenGL 1.3, 2.11), or at least between its sides.

@@ -1,4 +1,4 @@
-// Lines and points in the window: primitives of their own, and what polygon modes make of polygons.
+// Lines and points in the window: primitives of their own, and those that polygon modes make from polygons.
 #pragma once
 
 #include <array>
@@ -6,11 +6,11 @@
 #include <glm/glm.hpp>
 
 #include "src/raster/setup/setup_context.h"
-#include "src/raster/setup/setup_primitive.h"
+#include "src/raster/setup/window_primitives.h"
 
 namespace ninebit {
 
-// What a line or a point takes from where it comes from.
+// The values that a line or a point takes from its source.
 struct SetupSource {
   std::array<std::uint32_t, 3> vertex{};
   std::uint32_t primitive = 0;
@@ -34,7 +34,7 @@ void add_line(const SetupContext& context, const SetupEnd& a, const SetupEnd& b,
 void add_point(const SetupContext& context, const SetupEnd& at, bool clipped, const SetupSource& source,
                SetupBlock& block);
 
-// Appends what is to be drawn of a line or point primitive. `clip` holds its vertices in clip coordinates.
+// Appends the visible part of a line or point primitive. `clip` holds its vertices in clip coordinates.
 void set_up_line(const SetupContext& context, const std::array<glm::vec4, 2>& clip,
                  const std::array<std::uint32_t, 2>& vertex, std::uint32_t primitive, SetupBlock& block);
 void set_up_point(const SetupContext& context, const glm::vec4& clip, std::uint32_t vertex, std::uint32_t primitive,

@@ -4,13 +4,13 @@
 #include <array>
 #include <cstdint>
 
-#include "src/raster/setup/setup_primitive.h"
+#include "src/raster/setup/window_primitives.h"
 
 namespace ninebit {
 
 // A pixel's diamond is |x - xc| + |y - yc| < 1/2 around its centre. A line draws the pixels whose diamonds it meets,
 // but for one that holds its end, both ends being moved by (-e, -e²) for an e smaller than any that makes a difference.
-// What follows from that for ends on the grid of 1/16 pixel:
+// For ends on the grid of 1/16 pixel this means:
 //
 // - A line meets the diamonds of the column (or row, of a line steeper than 45 degrees) through whose middle it passes
 //   within half a pixel; halfway between two centres, a line that rises to the right passes above, all others below or

@@ -10,7 +10,7 @@
 namespace ninebit {
 namespace {
 
-// What the sum is made of: depth changes by numerators over the area, for a pixel.
+// The terms of the sum. The depth changes per pixel are numerators over the area.
 struct OffsetTerms {
   float factor;
   float units;

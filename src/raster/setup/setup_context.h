@@ -1,4 +1,4 @@
-// What setting primitives up needs to know of a draw call.
+// The values of a draw call that setting up its primitives needs.
 #pragma once
 
 #include <algorithm>
@@ -6,7 +6,7 @@
 #include "ninebit/numerics/hardware_profile.h"
 #include "ninebit/raster/pipeline_state.h"
 #include "src/raster/setup/clip.h"
-#include "src/raster/setup/setup_primitive.h"
+#include "src/raster/setup/window_primitives.h"
 #include "src/raster/setup/window_transform.h"
 
 namespace ninebit {

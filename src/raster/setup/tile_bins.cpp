@@ -9,8 +9,8 @@
 namespace ninebit {
 namespace {
 
-// Whether a triangle can draw a centre within a tile: none where an edge has all of them on its outer side. (What is
-// kept out so are the tiles in the corners of a large triangle's box.)
+// Whether a triangle may draw a pixel centre of a tile: false if all centres are on the outer side of an edge. (This
+// excludes the tiles in the corners of a large triangle's box.)
 class TriangleReach {
  public:
   explicit TriangleReach(const SetupPrimitive& t) : is_triangle_(t.kind == SetupKind::triangle) {
@@ -55,7 +55,7 @@ struct TileRun {
   std::uint32_t tile, first, end;
 };
 
-// Adds primitive `i`, which is in several tiles, at `to`, where there is room for four; how many runs it takes.
+// Adds primitive `i`, which is in several tiles, at `to`, where there is room for four; returns the number of runs.
 std::size_t add_to_several(const TileGrid& grid, const PixelBounds& box, std::uint32_t i, TileRun* to) {
   const int left = box.left / kTileSize, bottom = box.bottom / kTileSize;
   const auto across = static_cast<std::uint32_t>(box.right / kTileSize - left);

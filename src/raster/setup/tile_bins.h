@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "src/raster/setup/setup_primitive.h"
+#include "src/raster/setup/window_primitives.h"
 #include "src/raster/setup/window_transform.h"
 #include "src/raster/surface/raw_vector.h"
 #include "src/raster/surface/tile_size.h"
@@ -59,7 +59,7 @@ void for_each_tile(const BinnedBlock& block, Visit visit) {
 // Fills `tile` for the primitives that have none yet.
 void note_tiles(const TileGrid& grid, BinnedBlock& block);
 
-// Sorts what has been set up.
+// Sorts the primitives of the block by tile.
 void sort_into_tiles(const TileGrid& grid, BinnedBlock& block);
 
 }  // namespace ninebit

@@ -7,7 +7,7 @@
 
 #include "src/raster/setup/polygon_offset.h"
 #include "src/raster/setup/setup_context.h"
-#include "src/raster/setup/setup_primitive.h"
+#include "src/raster/setup/window_primitives.h"
 
 namespace ninebit {
 
@@ -19,7 +19,7 @@ struct PolygonTriangle {
   std::array<bool, 3> boundary{true, true, true};  // whether the edges 0-1, 1-2, 2-0 are on the polygon's boundary
 };
 
-// What is decided of a polygon as a whole.
+// Values that are decided for a polygon as a whole.
 struct PolygonFacts {
   PolygonMode mode = PolygonMode::fill;
   bool is_drawn = true;
@@ -43,9 +43,9 @@ class PolygonSurvey {
   DepthPlane largest_;
 };
 
-// Appends what is to be drawn of one triangle: nothing, the triangle, the fan of its clipped polygon, or its boundary
-// as lines or points. Filled triangles are culled by their own facing, so that of a closed mesh as many front as back
-// faces are drawn at a pixel even where snapping turns a clipped triangle's piece over.
+// Appends the primitives of one triangle: nothing, the triangle, the fan of its clipped polygon, or its boundary
+// as lines or points. Filled triangles are culled by their own facing, so a closed mesh draws as many front as back
+// faces at a pixel even if snapping turns a clipped triangle's piece over.
 void set_up_triangle(const SetupContext& context, const PolygonTriangle& triangle, const PolygonFacts& facts,
                      SetupBlock& block);
 

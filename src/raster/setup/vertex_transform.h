@@ -11,7 +11,7 @@
 
 namespace ninebit {
 
-// Positions in clip coordinates, computed where they are asked for: floats in a fixed order.
+// Positions in clip coordinates, computed on demand, in floats in a fixed order.
 class ClipPositions {
  public:
   // The arrays have been checked.
@@ -38,8 +38,7 @@ class ClipPositions {
   std::span<const glm::vec4> homogeneous_;
 };
 
-// What setting up several triangles at a time reads of a vertex. Where kNeedsCare is set, all but the code is without
-// meaning.
+// A vertex as the setup of several triangles at a time reads it. If kNeedsCare is set, only the code is valid.
 struct PackedVertex {
   std::int32_t x_q4_and_code;  // x_q4 << kCodeBits | code
   std::int32_t y_q4;

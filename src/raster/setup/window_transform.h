@@ -27,7 +27,7 @@ struct PixelBox {
   [[nodiscard]] bool empty() const { return left >= right || bottom >= top; }
 };
 
-// The numbers of the transformation, for those that do it to several vertices at a time.
+// The constants of the transformation, for code that transforms several vertices at a time.
 struct WindowScale {
   float guard_x, guard_y;  // see WindowTransform
   float half_width, half_height;

@@ -37,7 +37,7 @@ std::uint32_t depth_code(DepthStencilFormat format, double depth) {
   const std::uint32_t largest = max_depth(format);
   if (depth >= 1.0) return largest;
   const double below = std::floor(depth * largest);
-  // The product was rounded and might have met a half that it does not reach; the sum within fma is exact.
+  // The rounded product may equal a half that the exact product does not reach; the sum within fma is exact.
   const bool up = std::fma(depth, static_cast<double>(largest), -(below + 0.5)) >= 0.0;
   return static_cast<std::uint32_t>(below) + (up ? 1 : 0);
 }

@@ -1,4 +1,4 @@
-// Whole quotients by one divisor, many times.
+// Integer division by one divisor, many times.
 #pragma once
 
 #include <cstdint>

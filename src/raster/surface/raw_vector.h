@@ -1,4 +1,4 @@
-// Vectors whose new elements nobody clears, because they are written at once.
+// Vectors whose new elements are not cleared, because they are written immediately.
 #pragma once
 
 #include <memory>
@@ -21,7 +21,7 @@ struct RawAllocator : std::allocator<T> {
   }
 };
 
-// Of plain data: resize() leaves what it adds without a value.
+// For plain data: resize() leaves new elements uninitialized.
 template <class T>
 using RawVector = std::vector<T, RawAllocator<T>>;
 

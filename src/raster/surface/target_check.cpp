@@ -65,7 +65,7 @@ bool is_fragment_register(Register reg) {
   return reg >= Register::fog && reg <= Register::texture3;
 }
 
-// Empty, or what is wrong with the way from one sample of a plane to the next.
+// The error in the step or stride of a plane, or empty.
 template <class T>
 std::string stride_complaint(const RenderTarget& target, const Plane<T>& plane) {
   if (!plane) return {};
@@ -79,10 +79,10 @@ std::string stride_complaint(const RenderTarget& target, const Plane<T>& plane) 
          std::to_string(row) + " in each";
 }
 
-// Empty, or what is wrong with an output plane.
+// The error in an output plane, or empty.
 std::string output_complaint(const RenderTarget& target, const OutputPlane& output) {
   const unsigned fitting = samples_of(output.source, target.format);
-  if (fitting == 0) return "has a source that is none";
+  if (fitting == 0) return "has an invalid source";
   if (((fitting >> output.plane.index()) & 1U) == 0) {
     return "takes " + std::string(name_of(output.source)) + ", which " + kSampleNames[output.plane.index()] +
            " samples do not hold; " + list_of(fitting) + " samples do";

@@ -1,4 +1,4 @@
-// What is wrong with a target, or with the numbers of a state that its fragment operations read.
+// Checks a target and the values of a state that the fragment operations read.
 #pragma once
 
 #include "ninebit/numerics/result.h"
@@ -8,9 +8,9 @@
 
 namespace ninebit {
 
-// Reports sizes out of range, planes that the state's enabled tests need and the target lacks, rows that overlap,
-// scissors of negative size, blend factors on the wrong side, output planes with a source that is none, a component,
-// register or attribute out of range, or samples that cannot hold their source.
+// Reports sizes out of range, planes that the state's enabled tests need but the target does not have, rows that
+// overlap, scissors of negative size, blend factors on the wrong side, output planes with an invalid source, a
+// component, register or attribute out of range, or samples that cannot hold their source.
 [[nodiscard]] Status check_target(const PipelineState& state, const RenderTarget& target);
 
 // Reports output planes of attributes that the vertices do not have.

@@ -94,7 +94,7 @@ std::optional<TextureSampler> TextureSampler::make(const HardwareProfile& profil
     border = border > 0.0F ? std::min(border, 1.0F) : 0.0F;
     made.border_code_[i] = code_of(border, largest);
   }
-  // Which byte of a texel each code comes from is texel_codes' affair: it is asked with one byte at a time.
+  // texel_codes decides which byte of a texel each code comes from; it passes one byte at a time.
   made.constant_ = texel_codes(profile, {.format = made.format_});
   for (std::size_t out = 0; out < 4; ++out) {
     made.source_[out] = -1;

@@ -38,7 +38,7 @@ std::size_t planes_index(InternalFormat format) {
   }
 }
 
-// What is wrong with one image, or nothing.
+// The error in one image, or empty.
 std::string complaint_about(const Texture& texture, const TextureImage& image) {
   for (const int side : {image.width, image.height}) {
     if (!is_power_of_two(side) || side > kMaxSurfaceSize) {

@@ -1,4 +1,4 @@
-// Level of detail (OpenGL 1.3, 3.8.8): how many texels a pixel covers, and which levels that asks for.
+// Level of detail (OpenGL 1.3, 3.8.8): how many texels a pixel covers, and which levels are read.
 #pragma once
 
 #include <array>
@@ -23,7 +23,7 @@ struct TexelChanges {
 [[nodiscard]] TexelChanges cube_changes(const std::array<float, 3>& r, const std::array<float, 3>& dx,
                                         const std::array<float, 3>& dy);
 
-// What a filter reads: one level, or two with a weight between them.
+// The levels that a filter reads: one, or two with a weight between them.
 struct LevelChoice {
   int level = 0;
   bool linear = false;      // within a level

@@ -33,7 +33,7 @@ TextureImage view_of(InternalFormat format, const TextureSamples& image) {
       image.samples);
 }
 
-// What is wrong with an image's samples, or nothing.
+// The error in an image's samples, or empty.
 std::string complaint_about(InternalFormat format, const TextureSamples& image) {
   if (image.width < 1 || image.height < 1 || image.width > kMaxSurfaceSize || image.height > kMaxSurfaceSize) {
     return "a texture image is " + std::to_string(image.width) + " x " + std::to_string(image.height) +

@@ -1,4 +1,4 @@
-#include "src/raster/draw/draw_call.h"
+#include "src/raster/draw/draw_check.h"
 
 #include <algorithm>
 

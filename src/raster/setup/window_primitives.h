@@ -36,7 +36,7 @@ struct PackedPositions {
     const std::uint32_t high = word[3] << (24 - kHigh * i), low = word[i] << (32 - kLow) >> kHigh;
     return static_cast<std::int32_t>((high & 0xFF000000U) | low) >> (32 - kLow - kHigh);
   }
-  // Of a corner that has none yet.
+  // Sets a corner whose position has not been set before.
   void set(std::size_t i, std::int32_t x, std::int32_t y) {
     word[i] = (static_cast<std::uint32_t>(x) << kLow) | (static_cast<std::uint32_t>(y) & ((1U << kLow) - 1));
     word[3] |= ((static_cast<std::uint32_t>(y) >> kLow) & 0xFF) << (kHigh * i);
@@ -48,7 +48,7 @@ struct PackedPositions {
 // positions stay within 2^18 sixteenths of a pixel, edge functions, areas and squared lengths within 2^37, and these ×
 // window depth within 2^61.
 //
-// Large meshes come from memory, so it is packed into three quarters of a line of the cache.
+// Large meshes are read from memory, so it is packed into three quarters of a cache line.
 struct alignas(16) SetupPrimitive {
   PixelBounds box;          // of a `pixel`: that pixel
   std::uint32_t primitive;  // number of the GL primitive in the draw call
@@ -63,7 +63,7 @@ struct alignas(16) SetupPrimitive {
 };
 static_assert(sizeof(SetupPrimitive) == 48);
 
-// What a primitive's fragments take from its corners besides.
+// Further values of a primitive's corners, for its fragments.
 struct alignas(32) SetupCorners {
   std::array<float, 3> inv_w;
   std::uint32_t weights;                // index into SetupBlock::weights, or kNoWeights: not clipped
@@ -71,18 +71,18 @@ struct alignas(32) SetupCorners {
   std::array<std::uint8_t, 3> corner;   // which of `vertex` each corner is (clipped ones: see weights)
 };
 
-// What one block of primitives of a draw call became, in order.
+// One block of a draw call's primitives after setup, in order.
 struct SetupBlock {
   RawVector<SetupPrimitive> primitives;
   RawVector<SetupCorners> corners;  // of each primitive; none where SetupContext does not need them
   // For each that was clipped, its corners in barycentric coordinates of `vertex` (column = corner).
   std::vector<glm::mat3> weights;
 
-  // Of one of the primitives.
+  // `p` must be an element of `primitives`.
   [[nodiscard]] const SetupCorners& corners_of(const SetupPrimitive& p) const {
     return corners[static_cast<std::size_t>(&p - primitives.data())];
   }
-  // The corners' matrix of one that was clipped, or null.
+  // The matrix of a clipped primitive's corners, or null if it was not clipped.
   [[nodiscard]] const glm::mat3* weights_of(const SetupCorners& c) const {
     return c.weights == kNoWeights ? nullptr : &weights[c.weights];
   }

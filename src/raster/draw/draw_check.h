@@ -1,4 +1,4 @@
-// What every kind of draw call begins with.
+// Checks of a draw call, and the pixels that it may draw.
 #pragma once
 
 #include <span>
@@ -15,7 +15,7 @@ namespace ninebit {
 // The target's pixels within viewport and scissor.
 [[nodiscard]] PixelBox drawn_pixels(const PipelineState& state, const RenderTarget& target);
 
-// Reports what can be wrong with a draw call, but for what check_indices and check_units look at.
+// Reports errors in a draw call, except those that check_indices and check_units report.
 [[nodiscard]] Status check_draw(const PipelineState& state, const VertexArrays& arrays,
                                 std::span<const TextureUnit> units, const RenderTarget& target);
 
