@@ -134,11 +134,6 @@ class Surface {
   // Fills all planes without masks. GL's clear is clear() in rasterizer.h.
   void fill(const ClearValues& values);
 
-  // Moves one colour plane out; the surface must not be drawn into afterwards.
-  [[nodiscard]] PlaneSamples<std::uint8_t> take_color(int component) {
-    return std::move(color_[static_cast<std::size_t>(component)]);
-  }
-
   // Samples row by row, the lowest row first; component is kRed to kAlpha.
   [[nodiscard]] const PlaneSamples<std::uint8_t>& color(int component) const {
     return color_[static_cast<std::size_t>(component)];

@@ -51,7 +51,7 @@ class FragmentOperations {
 
   // Runs the tests (the alpha test by rule 18) and writes colour, depth and stencil. Returns whether the fragment
   // passed all tests.
-  bool apply(const Fragment& f, const ColorBytes& color) const {
+  bool apply(const UncoloredFragment& f, const ColorBytes& color) const {
     if (alpha_enabled_ && !compare(alpha_function_, color[3], alpha_reference_)) return false;
     if (stencil_enabled_) {
       if (!apply_stencil(f)) return false;

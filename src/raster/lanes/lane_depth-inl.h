@@ -13,8 +13,8 @@
 #include "hwy/highway.h"
 #include "src/raster/lanes/lane_vectors-inl.h"
 #include "src/raster/lanes/tile_triangles.h"
-#include "src/raster/setup/setup_primitive.h"
 #include "src/raster/setup/triangle_edges.h"
+#include "src/raster/setup/window_primitives.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace ninebit::HWY_NAMESPACE {

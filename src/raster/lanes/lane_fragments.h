@@ -8,7 +8,7 @@
 
 #include "ninebit/combiner/evaluate.h"
 #include "src/raster/lanes/tile_planes.h"
-#include "src/raster/setup/setup_primitive.h"
+#include "src/raster/setup/window_primitives.h"
 
 namespace ninebit {
 

@@ -13,7 +13,7 @@
 #include "src/raster/lanes/lane_pass.h"
 #include "src/raster/lanes/lane_vectors-inl.h"
 #include "src/raster/rules/fragment_vector-inl.h"
-#include "src/raster/setup/setup_primitive.h"
+#include "src/raster/setup/window_primitives.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace ninebit::HWY_NAMESPACE {

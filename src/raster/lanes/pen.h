@@ -5,7 +5,7 @@
 
 #include "src/raster/lanes/lane_pass.h"
 #include "src/raster/lanes/tile_lanes.h"
-#include "src/raster/setup/setup_primitive.h"
+#include "src/raster/setup/window_primitives.h"
 
 namespace ninebit {
 

@@ -10,7 +10,7 @@
 #include "src/raster/lanes/lane_pass.h"
 #include "src/raster/lanes/pixel_owners.h"
 #include "src/raster/lanes/tile_planes.h"
-#include "src/raster/setup/setup_primitive.h"
+#include "src/raster/setup/window_primitives.h"
 
 namespace ninebit {
 

@@ -12,7 +12,7 @@
 #include "hwy/highway.h"
 #include "src/raster/lanes/lane_vectors-inl.h"
 #include "src/raster/lanes/tile_triangles.h"
-#include "src/raster/setup/setup_primitive.h"
+#include "src/raster/setup/window_primitives.h"
 #include "src/raster/setup/window_transform.h"
 
 HWY_BEFORE_NAMESPACE();

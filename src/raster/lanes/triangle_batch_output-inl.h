@@ -17,8 +17,8 @@
 #include "src/raster/lanes/triangle_candidates.h"
 #include "src/raster/lanes/triangle_vectors-inl.h"
 #include "src/raster/setup/polygon_offset.h"
-#include "src/raster/setup/setup_primitive.h"
 #include "src/raster/setup/tile_bins.h"
+#include "src/raster/setup/window_primitives.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace ninebit::HWY_NAMESPACE {

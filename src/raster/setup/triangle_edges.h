@@ -6,7 +6,7 @@
 #include <cstdint>
 
 #include "src/raster/rules/one_fragment.h"
-#include "src/raster/setup/setup_primitive.h"
+#include "src/raster/setup/window_primitives.h"
 #include "src/raster/surface/floor_divider.h"
 
 namespace ninebit {
