@@ -45,7 +45,7 @@ TEST_F(EvalStream, FaultsHaveTheirPlace) {
            {"primary.r,\n", ":1:11: ", {"''"}},
            {"primary\n", ":1:1: ", {"'primary'"}},
            {"\n  Primary.r\n", ":2:3: ", {"'Primary.r'"}},
-           {"primary.r,tex0.r,primary.r\n", ":1:18: ", {"primary.r", "twice"}},
+           {"primary.r,tex0.r,primary.r\n", ":1:18: ", {"primary.r", "duplicate column"}},
            {"primary.r\n1\nx\n", ":3:1: ", {"primary.r", "-255", "255", "'x'"}},
            {"primary.r,tex0.a\n1,2\n\n3,\n", ":4:3: ", {"tex0.a", "''"}},
            {"primary.r,tex0.a\n1,256\n", ":2:3: ", {"tex0.a", "255", "'256'"}},

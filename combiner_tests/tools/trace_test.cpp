@@ -183,8 +183,8 @@ TEST_F(TraceVerb, WrongUsage) {
       {{"--scene", kRoom}, {"--scene requires --pixel X,Y"}},
       {{"--scene", kRoom, "--pixel", "7"}, {"invalid pixel '7'"}},
       {{"--scene", kRoom, "--pixel", "-1,3"}, {"invalid pixel '-1,3'"}},
-      {{"--scene", kRoom, "--pixel", "64,0", "--size", "64x48"}, {"64,0 lies outside", "0 to 63", "0 to 47"}},
-      {{"--scene", kRoom, "--pixel", "0,48", "--size", "64x48"}, {"0,48 lies outside"}},
+      {{"--scene", kRoom, "--pixel", "64,0", "--size", "64x48"}, {"64,0 is outside", "0 to 63", "0 to 47"}},
+      {{"--scene", kRoom, "--pixel", "0,48", "--size", "64x48"}, {"0,48 is outside"}},
   };
   for (const Case& c : cases) {
     SCOPED_TRACE(testing::PrintToString(c.arguments));

@@ -133,7 +133,7 @@ TEST_F(Verify, WrongTables) {
       {"program,primry.r,out.r\n", {"rows.csv:1:9", "unknown column 'primry.r'", "did you mean 'primary.r'?"}},
       {"program,primary.r\n", {"no column has an expected value"}},
       {"primary.r,out.r\n1,1\n", {"no column `program`"}},
-      {"program,out.r,out.r\n", {"rows.csv:1:15", "twice"}},
+      {"program,out.r,out.r\n", {"rows.csv:1:15", "duplicate column"}},
       {"program,stage2.spare0.r\n", {"unknown column 'stage2.spare0.r'", "(of 2)"}},
       {"program,stage0.const0.r\n", {"unknown column 'stage0.const0.r'"}},
       {"program,out.r\n", {"the table has no rows"}},
