@@ -135,8 +135,7 @@ HWY_NOINLINE void unsigned_products(const VectorOperation& operation, const Batc
   });
 }
 
-// Computes with the magnitudes and restores the sign. 255 is odd, so no quotient is a tie, and rounding to nearest is
-// as symmetric as toward zero.
+// Narrows magnitudes, then restores the sign. 255 is odd: there are no ties, so both narrowings are symmetric.
 template <bool kFloors, bool kPositiveFirst, bool kNearest, int kDoublings>
 HWY_NOINLINE void signed_product(const VectorOperation& operation, const Batch& batch) {
   const Formula& f = operation.formula;
@@ -279,12 +278,10 @@ static_assert(kBatchSize == std::size_t{1} << kBatchShift);
 
 void run_code(const VectorCode& code, RegisterBatch& registers, std::size_t count, OutputBatch& out) {
   alignas(64) s9 temporaries[kTemporaryLanes];
-  // Runs as many lanes at once as leave room for all temporaries. A stage makes at most 60, so there are never more
-  // than 512.
+  // As many lanes at once as leave room for all temporaries, of which there are never more than 512 (60 a stage).
   unsigned shift = kBatchShift;
   while ((code.temporaries << shift) > kTemporaryLanes) --shift;
-  // Stands among planes that are written, but no operation writes it.
-  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-const-cast)
+  // Beside planes that are written; no operation writes these. NOLINTNEXTLINE(cppcoreguidelines-pro-type-const-cast)
   s9* const constants = const_cast<s9*>(code.constants.empty() ? nullptr : code.constants[0].lane.data());
   Batch batch{{registers.plane[0][0].data(), out.plane[0].data(), constants, temporaries},
               {kBatchShift, kBatchShift, kBatchShift, shift},
