@@ -21,10 +21,10 @@ std::string wrong_with_diagnostic(const Diagnostic& why, std::string_view text) 
 std::string wrong_with_json(std::string_view text) {
   const auto parsed = parse_json(text);
   if (!parsed) return wrong_with_diagnostic(parsed.error(), text);
-  const std::string printed = parsed->dump(-1, ' ', false, Json::error_handler_t::replace);
+  const std::string printed = parsed->dump(-1, ' ', false, JsonValue::error_handler_t::replace);
   const auto back = parse_json(printed);
   if (!back) return "JSON that was read is refused when it is printed: " + back.error().message + "\n" + printed;
-  return back->dump(-1, ' ', false, Json::error_handler_t::replace) == printed ? "" : "another JSON comes back";
+  return back->dump(-1, ' ', false, JsonValue::error_handler_t::replace) == printed ? "" : "another JSON comes back";
 }
 
 // What was read keeps what scene.h promises, but for cameras and lights, and follows from the bytes alone.
