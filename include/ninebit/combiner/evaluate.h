@@ -141,7 +141,7 @@ class CodeDomain {
   }
 
  private:
-  const Datapath& d_;
+  const Datapath d_;  // a copy: the compiler then keeps its fields in registers while steps are stored
   const ProgramStage& stage_;
   RegisterFile& registers_;
 };
