@@ -277,7 +277,7 @@ TEST(DatapathForms, HaveTheirNamesWithoutBeingMade) {
   Operations operations(kSmallOne);
   for (std::size_t kind = 0; kind < kOperations.size(); ++kind) {
     std::vector<std::string> made;
-    for (const Operation& form : operations.of(kind)) made.push_back(form.form);
+    for (const DatapathOperation& form : operations.of(kind)) made.push_back(form.form);
     EXPECT_EQ(forms_of(kind), made) << kOperations[kind];
   }
 }
