@@ -151,7 +151,7 @@ TEST_F(Cookie, CubesThatCannotBeRead) {
   expect_refused(folder_ / "missing.dds", {folder_ / "missing.dds", "cannot be opened"});
   expect_refused(folder_.path().string(), {folder_.path().string(), "is a folder"});
   const std::string noise = write_bytes(folder_ / "noise.png", "no picture at all");
-  expect_refused(noise, {noise, "no picture"});
+  expect_refused(noise, {noise, "not a readable picture"});
 }
 
 TEST_F(Cookie, FacesThatDoNotFit) {

@@ -114,7 +114,7 @@ Result<FileTexture> read_picture(const std::filesystem::path& file) {
     OIIO::ImageSpec wishes;
     wishes.attribute("oiio:UnassociatedAlpha", 1);
     const std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::open(file.string(), &wishes);
-    if (!input) return invalid_input(file, "is not a picture that can be read: " + reason(OIIO::geterror()));
+    if (!input) return invalid_input(file, "not a readable picture: " + reason(OIIO::geterror()));
     input->threads(1);  // a child process does not have the threads that OpenImageIO started before
     Result<FileTexture> texture = read_opened(*input);
     if (!texture) return invalid_input(file, texture.error().message);
