@@ -159,7 +159,7 @@ TEST(Clear, ReportsSenselessTargets) {
   EXPECT_TRUE(clear({}, {}, {}, target).ok());
   PipelineState state;
   state.scissor = PixelRect{0, 0, -1, 5};
-  EXPECT_EQ(clear(state, {}, {}, target).error().message, "the scissor is -1x5; its sides are not negative");
+  EXPECT_EQ(clear(state, {}, {}, target).error().message, "the scissor is -1x5; its sides must not be negative");
 }
 
 TEST(Surfaces, StartAndFillByFormat) {

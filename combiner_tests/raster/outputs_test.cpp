@@ -158,21 +158,21 @@ TEST_F(TargetCheck, SamplesHoldTheirSource) {
     return OutputPlane{.source = source, .plane = samples};
   };
   expect(with(Source::register_code, Plane<std::uint8_t>{}),
-         "output plane 1 takes register codes, which 8-bit samples do not hold; s9 samples do");
+         "output plane 1 stores register codes in 8-bit samples; expected s9 samples");
   expect(with(Source::output_code, Plane<float>{}),
-         "output plane 1 takes output codes, which float samples do not hold; s9 or 8-bit samples do");
+         "output plane 1 stores output codes in float samples; expected s9 or 8-bit samples");
   expect(with(Source::attribute, Plane<s9>{}),
-         "output plane 1 takes attributes, which s9 samples do not hold; half or float samples do");
+         "output plane 1 stores attributes in s9 samples; expected half or float samples");
   expect(with(Source::primitive, Plane<std::uint16_t>{}),
-         "output plane 1 takes primitive numbers, which 16-bit samples do not hold; 32-bit samples do");
+         "output plane 1 stores primitive numbers in 16-bit samples; expected 32-bit samples");
   expect(with(Source::depth, Plane<std::uint16_t>{}),
-         "output plane 1 takes depth codes, which 16-bit samples do not hold; 32-bit samples do");
+         "output plane 1 stores depth codes in 16-bit samples; expected 32-bit samples");
   expect(with(Source::depth, Plane<std::uint32_t>{}), "");
   for (const DepthStencilFormat format : {DepthStencilFormat::d16, DepthStencilFormat::d15s1}) {
     target_.format = format;
     expect(with(Source::depth, Plane<std::uint16_t>{}), "");
     expect(with(Source::depth, Plane<Half>{}),
-           "output plane 1 takes depth codes, which half samples do not hold; 16-bit or 32-bit samples do");
+           "output plane 1 stores depth codes in half samples; expected 16-bit or 32-bit samples");
   }
   expect(with(static_cast<Source>(9), Plane<s9>{}), "output plane 1 has an invalid source");
 }
@@ -180,17 +180,17 @@ TEST_F(TargetCheck, SamplesHoldTheirSource) {
 TEST_F(TargetCheck, RangesOfOutputPlanes) {
   for (const int component : {-1, 4}) {
     expect({.source = OutputSource::output_code, .component = component, .plane = Plane<s9>{}},
-           "output plane 1 takes component " + std::to_string(component) + "; components go from 0 to 3");
+           "output plane 1 stores component " + std::to_string(component) + "; expected 0 to 3");
     expect({.source = OutputSource::primitive, .component = component, .plane = Plane<std::uint32_t>{}}, "");
   }
   for (const int attribute : {-1, kMaxAttributes}) {
     expect({.source = OutputSource::attribute, .attribute = attribute, .plane = Plane<float>{}},
-           "output plane 1 takes attribute " + std::to_string(attribute) + "; attributes go from 0 to 3");
+           "output plane 1 stores attribute " + std::to_string(attribute) + "; expected 0 to 3");
   }
   for (const Register reg : {Register::zero, Register::constant0, Register::constant1, Register::e_times_f,
                              Register::spare0_plus_secondary, Register::discard}) {
     expect({.source = OutputSource::register_code, .reg = reg, .plane = Plane<s9>{}},
-           "output plane 1 takes register " + std::string(name_of(reg)) + ", which holds nothing of a fragment");
+           "output plane 1 stores register " + std::string(name_of(reg)) + ", which has no value per fragment");
   }
   for (const Register reg : {Register::fog, Register::primary, Register::texture3}) {
     expect({.source = OutputSource::register_code, .reg = reg, .plane = Plane<s9>{}}, "");
@@ -212,7 +212,7 @@ TEST_F(TargetCheck, AttributesAreThere) {
     const Status status = check_output_attributes(target_, arrays);
     EXPECT_EQ(status.ok(), attribute == 1);
     if (!status.ok()) {
-      EXPECT_EQ(status.error().message, "output plane 0 takes attribute 0, which the vertices do not have");
+      EXPECT_EQ(status.error().message, "output plane 0 stores attribute 0, which the vertices do not have");
     }
   }
 }
@@ -233,20 +233,20 @@ TEST_F(TargetCheck, PlanesThatTheStateNeeds) {
   target_.depth.stride = -4;  // the highest row first
   expect("");
   target_.depth.stride = 3;
-  expect("the depth plane has rows that overlap: 3 samples from one to the next, 4 in each");
+  expect("the depth plane has overlapping rows: a stride of 3 samples, rows of 4");
   target_.depth.stride = 4;
   target_.stencil = {bytes.data(), -3};
-  expect("the stencil plane has rows that overlap: -3 samples from one to the next, 4 in each");
+  expect("the stencil plane has overlapping rows: a stride of -3 samples, rows of 4");
   target_.stencil.stride = -4;
   expect("");
   target_.stencil = {bytes.data(), 9, 3};
-  expect("the stencil plane has rows that overlap: 9 samples from one to the next, 10 in each");
+  expect("the stencil plane has overlapping rows: a stride of 9 samples, rows of 10");
   target_.stencil = {bytes.data(), 10, 0};
-  expect("the stencil plane has 0 samples from one pixel to the next; that goes from 1 to 4096");
+  expect("the stencil plane has a step of 0 samples between pixels; expected 1 to 4096");
   target_.stencil = {bytes.data(), 10, 3};
   expect("");
   target_.color[1] = {bytes.data(), 0};
-  expect("the green plane has rows that overlap: 0 samples from one to the next, 4 in each");
+  expect("the green plane has overlapping rows: a stride of 0 samples, rows of 4");
   target_.height = 1;
   expect("");
 }
@@ -261,12 +261,12 @@ TEST_F(TargetCheck, NumbersOfTheState) {
   state_.scissor = PixelRect{-5, -5, 0, 100000};
   expect("");
   state_.scissor->height = -1;
-  expect("the scissor is 0x-1; its sides are not negative");
+  expect("the scissor is 0x-1; its sides must not be negative");
   state_.scissor.reset();
   target_.width = 0;
-  expect("the render target is 0x2; each side goes from 1 to 16384");
+  expect("the render target is 0x2; each side must be from 1 to 16384");
   target_.width = kMaxSurfaceSize + 1;
-  expect("the render target is 16385x2; each side goes from 1 to 16384");
+  expect("the render target is 16385x2; each side must be from 1 to 16384");
 }
 
 }  // namespace

@@ -33,14 +33,14 @@ TEST(TextureCheck, RefusesWhatGlWouldHaveRefused) {
   EXPECT_EQ(complaint(bad), "a 2D texture has more than one face");
   bad = good;
   bad.format = InternalFormat::rgba8;
-  EXPECT_EQ(complaint(bad), "level 0 lacks a plane that its format needs");
+  EXPECT_EQ(complaint(bad), "level 0 is missing a plane that its format needs");
   bad.format = InternalFormat::depth24;
-  EXPECT_EQ(complaint(bad), "level 0 has samples of another type than its format's");
+  EXPECT_EQ(complaint(bad), "level 0 has samples of the wrong type for its format");
   for (const std::ptrdiff_t step : {-1, 0, 4097}) {
     bad = good;
     std::get<0>(bad.faces[0][0].planes)[1].step = step;
-    EXPECT_EQ(complaint(bad), "level 0 has a plane of " + std::to_string(step) +
-                                  " samples from one texel to the next; that goes from 1 to 4096");
+    EXPECT_EQ(complaint(bad),
+              "level 0 has a step of " + std::to_string(step) + " samples between texels; expected 1 to 4096");
   }
   bad = good;
   bad.faces[0].resize(16, bad.faces[0][0]);
@@ -114,7 +114,7 @@ TEST(TextureStorage, CountsSamplesAndDepthCodes) {
   EXPECT_EQ(make(InternalFormat::rgb8, {2, 3, std::vector<std::uint8_t>(18)}),
             "level 0 is 2 x 3; each side must be a power of two from 1 to 16384");
   EXPECT_EQ(make(InternalFormat::rgb8, {1, 1, std::vector<float>(3)}),
-            "level 0 has samples of another type than its format's");
+            "level 0 has samples of the wrong type for its format");
   EXPECT_EQ(make(InternalFormat::depth16, {1, 1, std::vector<std::uint32_t>{65536}}),
             "a depth texture has the code 65536; the largest is 65535");
   EXPECT_EQ(make(InternalFormat::depth24, {1, 1, std::vector<std::uint32_t>{0xFFFFFF}}), "");

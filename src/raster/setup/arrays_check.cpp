@@ -44,7 +44,7 @@ Status check_lengths(const VertexArrays& arrays, std::size_t primitives) {
                  std::to_string(primitives) + " primitives");
   }
   if (!arrays.vertex_colors.empty() && !arrays.primitive_colors.empty()) {
-    return fault("primary colours are given both a vertex and a primitive; give one of them");
+    return fault("primary colours are given per vertex and per primitive; expected one of them");
   }
   return {};
 }
@@ -53,18 +53,18 @@ Status check_lengths(const VertexArrays& arrays, std::size_t primitives) {
 
 Status check_state(const PipelineState& state, const RenderTarget& target) {
   if (state.program && state.program->datapath != datapath_of(state.profile)) {
-    return fault("the program was compiled for another profile than " + std::string(state.profile.name));
+    return fault("the program was not compiled for profile " + std::string(state.profile.name));
   }
   if (state.profile.subpixel_bits < 0 || state.profile.subpixel_bits > 4) {
     return fault("the rasterizer's integers hold 0 to 4 subpixel bits, not " +
                  std::to_string(state.profile.subpixel_bits.value));
   }
   if (state.point_size < 1 || state.point_size > kMaxPointSize) {
-    return fault("points of size " + std::to_string(state.point_size) + "; sizes go from 1 to " +
+    return fault("points of size " + std::to_string(state.point_size) + "; expected 1 to " +
                  std::to_string(kMaxPointSize));
   }
   if (state.line_width < 1 || state.line_width > kMaxLineWidth) {
-    return fault("lines of width " + std::to_string(state.line_width) + "; widths go from 1 to " +
+    return fault("lines of width " + std::to_string(state.line_width) + "; expected 1 to " +
                  std::to_string(kMaxLineWidth));
   }
   if (std::isnan(state.depth_near) || std::isnan(state.depth_far)) return fault("the depth range is not a number");
@@ -83,7 +83,7 @@ Status check_state(const PipelineState& state, const RenderTarget& target) {
 
 Status check_arrays(const PipelineState& state, const VertexArrays& arrays, std::span<const TextureUnit> units) {
   if (!arrays.positions.empty() && !arrays.homogeneous_positions.empty()) {
-    return fault("positions are given both with and without w; give one of them");
+    return fault("positions are given with and without w; expected one of them");
   }
   if (arrays.vertex_count() > 0xFFFFFFFF) return fault("one draw call takes at most 4,294,967,295 vertices");
   const std::size_t primitives = PrimitiveAssembly(arrays).primitives();
@@ -122,7 +122,7 @@ Status check_indices(const VertexArrays& arrays) {
     });
   }
   if (in_range) return {};
-  return fault("an index names a vertex beyond the " + std::to_string(vertices) + " that there are");
+  return fault("an index is out of range; there are " + std::to_string(vertices) + " vertices");
 }
 
 Status check_coordinates(const VertexArrays& arrays, std::size_t unit) {

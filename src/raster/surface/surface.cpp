@@ -44,7 +44,7 @@ Surface::Surface(int width, int height, SurfaceFormat format)
 Result<Surface> Surface::make(int width, int height, SurfaceFormat format) {
   if (width < 1 || height < 1 || width > kMaxSurfaceSize || height > kMaxSurfaceSize) {
     return Diagnostic{.message = "a surface of " + std::to_string(width) + "x" + std::to_string(height) +
-                                 " pixels cannot be drawn; each side goes from 1 to " +
+                                 " pixels is out of range; each side must be from 1 to " +
                                  std::to_string(kMaxSurfaceSize)};
   }
   return Surface(width, height, format);

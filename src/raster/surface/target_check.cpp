@@ -70,13 +70,13 @@ template <class T>
 std::string stride_complaint(const RenderTarget& target, const Plane<T>& plane) {
   if (!plane) return {};
   if (plane.step < 1 || plane.step > kMaxStep) {
-    return "has " + std::to_string(plane.step) + " samples from one pixel to the next; that goes from 1 to " +
+    return "has a step of " + std::to_string(plane.step) + " samples between pixels; expected 1 to " +
            std::to_string(kMaxStep);
   }
   const std::ptrdiff_t row = (target.width - 1) * plane.step + 1;
   if (target.height == 1 || std::abs(plane.stride) >= row) return {};
-  return "has rows that overlap: " + std::to_string(plane.stride) + " samples from one to the next, " +
-         std::to_string(row) + " in each";
+  return "has overlapping rows: a stride of " + std::to_string(plane.stride) + " samples, rows of " +
+         std::to_string(row);
 }
 
 // The error in an output plane, or empty.
@@ -84,18 +84,18 @@ std::string output_complaint(const RenderTarget& target, const OutputPlane& outp
   const unsigned fitting = samples_of(output.source, target.format);
   if (fitting == 0) return "has an invalid source";
   if (((fitting >> output.plane.index()) & 1U) == 0) {
-    return "takes " + std::string(name_of(output.source)) + ", which " + kSampleNames[output.plane.index()] +
-           " samples do not hold; " + list_of(fitting) + " samples do";
+    return "stores " + std::string(name_of(output.source)) + " in " + kSampleNames[output.plane.index()] +
+           " samples; expected " + list_of(fitting) + " samples";
   }
   const bool has_component = output.source != OutputSource::primitive && output.source != OutputSource::depth;
   if (has_component && (output.component < kRed || output.component > kAlpha)) {
-    return "takes component " + std::to_string(output.component) + "; components go from 0 to 3";
+    return "stores component " + std::to_string(output.component) + "; expected 0 to 3";
   }
   if (output.source == OutputSource::register_code && !is_fragment_register(output.reg)) {
-    return "takes register " + std::string(ninebit::name_of(output.reg)) + ", which holds nothing of a fragment";
+    return "stores register " + std::string(ninebit::name_of(output.reg)) + ", which has no value per fragment";
   }
   if (output.source == OutputSource::attribute && (output.attribute < 0 || output.attribute >= kMaxAttributes)) {
-    return "takes attribute " + std::to_string(output.attribute) + "; attributes go from 0 to " +
+    return "stores attribute " + std::to_string(output.attribute) + "; expected 0 to " +
            std::to_string(kMaxAttributes - 1);
   }
   return std::visit([&](const auto& plane) { return stride_complaint(target, plane); }, output.plane);
@@ -135,17 +135,17 @@ Status check_planes(const PipelineState& state, const RenderTarget& target) {
 Status check_target(const PipelineState& state, const RenderTarget& target) {
   if (target.width < 1 || target.height < 1 || target.width > kMaxSurfaceSize || target.height > kMaxSurfaceSize) {
     return fault("the render target is " + std::to_string(target.width) + "x" + std::to_string(target.height) +
-                 "; each side goes from 1 to " + std::to_string(kMaxSurfaceSize));
+                 "; each side must be from 1 to " + std::to_string(kMaxSurfaceSize));
   }
   if (const FragmentProbe* probe = target.probe) {
     if (probe->x < 0 || probe->y < 0 || probe->x >= target.width || probe->y >= target.height) {
       return fault("the probe's pixel (" + std::to_string(probe->x) + ", " + std::to_string(probe->y) +
-                   ") lies outside of the render target");
+                   ") is outside of the render target");
     }
   }
   if (state.scissor && (state.scissor->width < 0 || state.scissor->height < 0)) {
     return fault("the scissor is " + std::to_string(state.scissor->width) + "x" +
-                 std::to_string(state.scissor->height) + "; its sides are not negative");
+                 std::to_string(state.scissor->height) + "; its sides must not be negative");
   }
   if (state.blend.enabled && state.blend.destination == BlendFactor::src_alpha_saturate) {
     return fault("src_alpha_saturate is a factor of the source only, not of the destination");
@@ -159,7 +159,7 @@ Status check_output_attributes(const RenderTarget& target, const VertexArrays& a
     const bool holds = std::visit([](const auto& plane) { return static_cast<bool>(plane); }, output.plane);
     if (!holds || output.source != OutputSource::attribute) continue;
     if (!arrays.attributes[static_cast<std::size_t>(output.attribute)].empty() || arrays.vertex_count() == 0) continue;
-    return fault("output plane " + std::to_string(i) + " takes attribute " + std::to_string(output.attribute) +
+    return fault("output plane " + std::to_string(i) + " stores attribute " + std::to_string(output.attribute) +
                  ", which the vertices do not have");
   }
   return {};

@@ -49,16 +49,16 @@ std::string complaint_about(const Texture& texture, const TextureImage& image) {
   if (texture.target == TextureTarget::cube_map && image.width != image.height) {
     return " is " + size_text(image) + "; the faces of a cube map must be square";
   }
-  if (image.planes.index() != planes_index(texture.format)) return " has samples of another type than its format's";
+  if (image.planes.index() != planes_index(texture.format)) return " has samples of the wrong type for its format";
   const std::array<bool, 4> stored = stored_components(texture.format);
   return std::visit(
       [&](const auto& planes) -> std::string {
         for (std::size_t i = 0; i < 4; ++i) {
           if (!stored[i]) continue;
-          if (!planes[i]) return " lacks a plane that its format needs";
+          if (!planes[i]) return " is missing a plane that its format needs";
           if (planes[i].step >= 1 && planes[i].step <= kMaxStep) continue;
-          return " has a plane of " + std::to_string(planes[i].step) +
-                 " samples from one texel to the next; that goes from 1 to " + std::to_string(kMaxStep);
+          return " has a step of " + std::to_string(planes[i].step) + " samples between texels; expected 1 to " +
+                 std::to_string(kMaxStep);
         }
         return {};
       },
