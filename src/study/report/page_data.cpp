@@ -1,7 +1,6 @@
 #include "src/study/report/page_data.h"
 
 #include <fmt/format.h>
-#include <openssl/evp.h>
 
 #include <algorithm>
 #include <bit>
@@ -12,6 +11,7 @@
 
 #include "src/study/report/plot_picture.h"
 #include "src/study/report/report_colors.h"
+#include "src/system/hashing/base64.h"
 
 namespace ninebit {
 namespace {
@@ -88,15 +88,6 @@ std::string base64_of(const ColorRamp& ramp) {
 }
 
 }  // namespace
-
-std::string base64(std::string_view bytes) {
-  std::string text((bytes.size() + 2) / 3 * 4 + 1, '\0');  // OpenSSL appends a zero
-  const int size =
-      EVP_EncodeBlock(reinterpret_cast<unsigned char*>(text.data()),
-                      reinterpret_cast<const unsigned char*>(bytes.data()), static_cast<int>(bytes.size()));
-  text.resize(static_cast<std::size_t>(size));
-  return text;
-}
 
 Result<std::string> page_data(const StudyReport& report) {
   Json palette = Json::array();

@@ -2,13 +2,10 @@
 #pragma once
 
 #include <string>
-#include <string_view>
 
 #include "ninebit/study/report.h"
 
 namespace ninebit {
-
-[[nodiscard]] std::string base64(std::string_view bytes);
 
 // {"palette": […], "ramps": […], "plots": […], "maps": […]} without the character '<', so that nothing in it can end a
 // <script> element. Points that a plot cannot show are left out. Reports a heat map whose size does not match its
