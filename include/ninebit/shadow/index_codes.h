@@ -17,6 +17,20 @@ enum class IndexScope : std::uint8_t {
   section   // every cluster of neighbouring triangles of an object
 };
 
+// How units get their indices.
+enum class IndexOrder : std::uint8_t {
+  file,      // counted in the order of the scene's triangles: the article's
+  neighbour  // codes that the comparison cannot tell apart go to neighbours: patches of polygons that meet
+};
+
+// The products that the comparison scales by four: the differences, and the sum of their squares.
+enum class IndexScales : std::uint8_t {
+  both,    // the article's
+  first,   // the differences only
+  second,  // the sum of squares only
+  none
+};
+
 // The channels that hold an index, in the map and in the polygon's colour.
 enum class IndexFormat : std::uint8_t {
   rgb,              // three channels
@@ -25,9 +39,12 @@ enum class IndexFormat : std::uint8_t {
   alpha             // one
 };
 
-// "rgb", "la", "l", "a"; "polygon", "object", "section".
+// "rgb", "la", "l", "a"; "polygon", "object", "section"; "file", "neighbour"; "both-x4", "first-x4", "second-x4",
+// "no-scale".
 [[nodiscard]] std::string_view name_of(IndexFormat format);
 [[nodiscard]] std::string_view name_of(IndexScope scope);
+[[nodiscard]] std::string_view name_of(IndexOrder order);
+[[nodiscard]] std::string_view name_of(IndexScales scales);
 
 // The largest distance between the codes of neighbouring indices in a channel.
 inline constexpr int kMaxIndexStep = 16;

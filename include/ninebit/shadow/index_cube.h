@@ -13,9 +13,10 @@ namespace NINEBIT_PUBLIC ninebit {
 // colour and texture 0 agree in all channels of the format, and above 0 where the combiners resolve a difference. For
 // rgb these are the article's calls. Luminance-alpha takes the difference of the luminances in stage 0's RGB portion
 // and that of the alphas in its alpha portion, and sums both squares in stage 1's alpha portion; one channel is
-// compared in the alpha portions alone. Reports a profile that refuses a call.
+// compared in the alpha portions alone. `scales` leaves out a scale by four. Reports a profile that refuses a call.
 [[nodiscard]] Result<CombinerState> index_comparison_state(const HardwareProfile& profile,
-                                                           IndexFormat format = IndexFormat::rgb);
+                                                           IndexFormat format = IndexFormat::rgb,
+                                                           IndexScales scales = IndexScales::both);
 
 // The pipeline state of each pass, in the order of drawing.
 struct IndexCubePasses {

@@ -16,6 +16,12 @@
 
 namespace NINEBIT_PUBLIC ninebit {
 
+// IndexOrder::neighbour: the most by which the normals of a patch's polygons differ from that of its first polygon, and
+// by which the surface bends inward between two patches that count as neighbours.
+inline constexpr float kPatchDegrees = 20.0F;
+inline constexpr float kMinPatchDegrees = 0.0F;
+inline constexpr float kMaxPatchDegrees = 90.0F;
+
 // index-cube, and the index shadows of light-cookie.
 struct IndexSettings {
   IndexFormat format = IndexFormat::rgb;   // of the map and of the polygons' colours
@@ -24,6 +30,9 @@ struct IndexSettings {
   // The most triangles per section, with IndexScope::section: kMinSectionSize to kMaxSectionSize, rounded down to a
   // multiple of four.
   int section_size = 64;
+  IndexOrder order = IndexOrder::file;     // how the units get their indices
+  float patch_degrees = kPatchDegrees;     // IndexOrder::neighbour: kMinPatchDegrees to kMaxPatchDegrees; see there
+  IndexScales scales = IndexScales::both;  // of the comparison
 };
 
 // How a distance to the light is stored.

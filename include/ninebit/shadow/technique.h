@@ -109,6 +109,18 @@ struct PickedIndex {
   std::optional<std::uint32_t> object{};   // empty: the background
 };
 
+// The order of a rendering's indices. The counts are 0 with IndexOrder::file.
+struct IndexOrderReport {
+  IndexOrder order = IndexOrder::file;  // the order that was used
+  std::string reason;                   // why it is not the order of the settings; empty: it is
+  std::uint64_t patches = 0;            // units with a code of their own
+  std::uint64_t borders = 0;            // pairs of neighbours: patches that meet and should compare equal
+  std::uint64_t broken_borders = 0;     // those that compare as different, which shows as a joint
+  double broken_share = 0.0;            // their part of the length of all borders, 0 to 1
+  // Pairs that compare equal although they are neither neighbours nor unable to shadow one another; always 0.
+  std::uint64_t false_neighbours = 0;
+};
+
 // The fragments that one of the camera's passes drew at settings.pixel.
 struct ProbedPass {
   std::string name;                       // of the pass, such as "comparison"
@@ -126,6 +138,7 @@ struct Rendering {
   std::uint64_t background = 0, lit = 0, shadowed = 0;  // pixels of the frame
   IndexCodes codes{2};                                  // the codes of index_map
   std::uint64_t codes_used = 0;              // polygons, objects or sections with an index, without the cleared map's
+  IndexOrderReport index_order{};            // of techniques with indices
   std::vector<IndexMapFace> index_map{};     // six faces in the order of CubeFace; empty without indices
   std::deque<Layer> layers{};                // of the frame, with settings.layers; a layer never moves in memory
   std::deque<Layer> maps{};                  // of the light's maps, besides index_map

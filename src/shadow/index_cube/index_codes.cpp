@@ -72,6 +72,15 @@ std::string_view name_of(IndexScope scope) {
   return scope == IndexScope::polygon ? "polygon" : scope == IndexScope::section ? "section" : "object";
 }
 
+std::string_view name_of(IndexOrder order) {
+  return order == IndexOrder::file ? "file" : "neighbour";
+}
+
+std::string_view name_of(IndexScales scales) {
+  constexpr std::array<std::string_view, 4> names{"both-x4", "first-x4", "second-x4", "no-scale"};
+  return names[static_cast<std::size_t>(scales)];
+}
+
 InternalFormat map_format(IndexFormat format) {
   switch (format) {
     case IndexFormat::rgb:

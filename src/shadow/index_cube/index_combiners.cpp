@@ -9,34 +9,45 @@ namespace {
 
 using namespace gl;
 
-// In one portion: spare0 = 4 (primary · 1 + texture0 · -1), from the given component.
-void set_difference(GLenum portion, GLenum component) {
+// The scales of the differences and of the sum of their squares.
+struct StageScales {
+  GLenum first, second;
+};
+
+StageScales stage_scales(IndexScales scales) {
+  const bool first = scales == IndexScales::both || scales == IndexScales::first;
+  const bool second = scales == IndexScales::both || scales == IndexScales::second;
+  return {first ? GL_SCALE_BY_FOUR_NV : GL_NONE, second ? GL_SCALE_BY_FOUR_NV : GL_NONE};
+}
+
+// In one portion: spare0 = scale (primary · 1 + texture0 · -1), from the given component.
+void set_difference(GLenum portion, GLenum component, GLenum scale) {
   const GLenum stage = GL_COMBINER0_NV;
   glCombinerInputNV(stage, portion, GL_VARIABLE_A_NV, GL_PRIMARY_COLOR_NV, GL_UNSIGNED_IDENTITY_NV, component);
   glCombinerInputNV(stage, portion, GL_VARIABLE_B_NV, GL_ZERO, GL_UNSIGNED_INVERT_NV, portion);
   glCombinerInputNV(stage, portion, GL_VARIABLE_C_NV, GL_TEXTURE0_ARB, GL_UNSIGNED_IDENTITY_NV, component);
   glCombinerInputNV(stage, portion, GL_VARIABLE_D_NV, GL_ZERO, GL_EXPAND_NORMAL_NV, portion);
-  glCombinerOutputNV(stage, portion, GL_DISCARD_NV, GL_DISCARD_NV, GL_SPARE0_NV, GL_SCALE_BY_FOUR_NV, GL_NONE, GL_FALSE,
-                     GL_FALSE, GL_FALSE);
+  glCombinerOutputNV(stage, portion, GL_DISCARD_NV, GL_DISCARD_NV, GL_SPARE0_NV, scale, GL_NONE, GL_FALSE, GL_FALSE,
+                     GL_FALSE);
 }
 
-// RGB: spare0 = the differences of red, green and blue; spare1 = 4 (spare0 · spare0), positive if any channel differs.
-// Returns the component that holds the result.
-GLenum compare_rgb() {
-  set_difference(GL_RGB, GL_RGB);
+// RGB: spare0 = the differences of red, green and blue; spare1 = scale (spare0 · spare0), positive if any channel
+// differs. Returns the component that holds the result.
+GLenum compare_rgb(StageScales scale) {
+  set_difference(GL_RGB, GL_RGB, scale.first);
   discard_portion(GL_COMBINER0_NV, GL_ALPHA);
   glCombinerInputNV(GL_COMBINER1_NV, GL_RGB, GL_VARIABLE_A_NV, GL_SPARE0_NV, GL_SIGNED_IDENTITY_NV, GL_RGB);
   glCombinerInputNV(GL_COMBINER1_NV, GL_RGB, GL_VARIABLE_B_NV, GL_SPARE0_NV, GL_SIGNED_IDENTITY_NV, GL_RGB);
   glCombinerInputNV(GL_COMBINER1_NV, GL_RGB, GL_VARIABLE_C_NV, GL_ZERO, GL_UNSIGNED_IDENTITY_NV, GL_RGB);
   glCombinerInputNV(GL_COMBINER1_NV, GL_RGB, GL_VARIABLE_D_NV, GL_ZERO, GL_UNSIGNED_IDENTITY_NV, GL_RGB);
-  glCombinerOutputNV(GL_COMBINER1_NV, GL_RGB, GL_SPARE1_NV, GL_DISCARD_NV, GL_DISCARD_NV, GL_SCALE_BY_FOUR_NV, GL_NONE,
+  glCombinerOutputNV(GL_COMBINER1_NV, GL_RGB, GL_SPARE1_NV, GL_DISCARD_NV, GL_DISCARD_NV, scale.second, GL_NONE,
                      GL_TRUE, GL_FALSE, GL_FALSE);
   discard_portion(GL_COMBINER1_NV, GL_ALPHA);
   return GL_BLUE;
 }
 
-// Stage 1's alpha portion: spare1.alpha = 4 (spare0.alpha² + spare0.blue²), or without the blue term.
-GLenum square_differences(bool with_blue) {
+// Stage 1's alpha portion: spare1.alpha = scale (spare0.alpha² + spare0.blue²), or without the blue term.
+GLenum square_differences(bool with_blue, GLenum scale) {
   discard_portion(GL_COMBINER1_NV, GL_RGB);
   glCombinerInputNV(GL_COMBINER1_NV, GL_ALPHA, GL_VARIABLE_A_NV, GL_SPARE0_NV, GL_SIGNED_IDENTITY_NV, GL_ALPHA);
   glCombinerInputNV(GL_COMBINER1_NV, GL_ALPHA, GL_VARIABLE_B_NV, GL_SPARE0_NV, GL_SIGNED_IDENTITY_NV, GL_ALPHA);
@@ -44,46 +55,46 @@ GLenum square_differences(bool with_blue) {
   const GLenum component = with_blue ? GL_BLUE : GL_ALPHA;
   glCombinerInputNV(GL_COMBINER1_NV, GL_ALPHA, GL_VARIABLE_C_NV, other, GL_SIGNED_IDENTITY_NV, component);
   glCombinerInputNV(GL_COMBINER1_NV, GL_ALPHA, GL_VARIABLE_D_NV, other, GL_SIGNED_IDENTITY_NV, component);
-  glCombinerOutputNV(GL_COMBINER1_NV, GL_ALPHA, GL_DISCARD_NV, GL_DISCARD_NV, GL_SPARE1_NV, GL_SCALE_BY_FOUR_NV,
-                     GL_NONE, GL_FALSE, GL_FALSE, GL_FALSE);
+  glCombinerOutputNV(GL_COMBINER1_NV, GL_ALPHA, GL_DISCARD_NV, GL_DISCARD_NV, GL_SPARE1_NV, scale, GL_NONE, GL_FALSE,
+                     GL_FALSE, GL_FALSE);
   return GL_ALPHA;
 }
 
 // Both differences at once: luminance in the RGB portion, alpha in the alpha portion.
-GLenum compare_luminance_alpha() {
-  set_difference(GL_RGB, GL_RGB);
-  set_difference(GL_ALPHA, GL_ALPHA);
-  return square_differences(true);
+GLenum compare_luminance_alpha(StageScales scale) {
+  set_difference(GL_RGB, GL_RGB, scale.first);
+  set_difference(GL_ALPHA, GL_ALPHA, scale.first);
+  return square_differences(true, scale.second);
 }
 
 // One channel needs only the alpha portion, which can read blue (a luminance is in blue) or alpha. The article's dot
 // product would sum the square three times.
-GLenum compare_one_channel(GLenum component) {
+GLenum compare_one_channel(GLenum component, StageScales scale) {
   discard_portion(GL_COMBINER0_NV, GL_RGB);
-  set_difference(GL_ALPHA, component);
-  return square_differences(false);
+  set_difference(GL_ALPHA, component, scale.first);
+  return square_differences(false, scale.second);
 }
 
-GLenum compare_in(IndexFormat format) {
+GLenum compare_in(IndexFormat format, StageScales scale) {
   switch (format) {
     case IndexFormat::rgb:
-      return compare_rgb();
+      return compare_rgb(scale);
     case IndexFormat::luminance_alpha:
-      return compare_luminance_alpha();
+      return compare_luminance_alpha(scale);
     case IndexFormat::luminance:
-      return compare_one_channel(GL_BLUE);
+      return compare_one_channel(GL_BLUE, scale);
     case IndexFormat::alpha:
       break;
   }
-  return compare_one_channel(GL_ALPHA);
+  return compare_one_channel(GL_ALPHA, scale);
 }
 
 }  // namespace
 
-Result<CombinerState> index_comparison_state(const HardwareProfile& profile, IndexFormat format) {
-  return combiner_state_after(profile, "two-stage index comparison", [format] {
+Result<CombinerState> index_comparison_state(const HardwareProfile& profile, IndexFormat format, IndexScales scales) {
+  return combiner_state_after(profile, "two-stage index comparison", [format, scales] {
     glCombinerParameteriNV(GL_NUM_GENERAL_COMBINERS_NV, 2);
-    const GLenum result = compare_in(format);
+    const GLenum result = compare_in(format, stage_scales(scales));
 
     // RGB 0, alpha = spare1's result. E and F keep their defaults: nothing reads E·F.
     for (const GLenum variable : {GL_VARIABLE_A_NV, GL_VARIABLE_B_NV, GL_VARIABLE_C_NV, GL_VARIABLE_D_NV}) {

@@ -6,7 +6,7 @@
 namespace ninebit {
 
 Result<IndexCubePasses> index_cube_passes(const RenderSettings& settings) {
-  const auto state = index_comparison_state(settings.profile, settings.index.format);
+  const auto state = index_comparison_state(settings.profile, settings.index.format, settings.index.scales);
   if (!state) return state.error();
   const auto program = compile(*state, settings.profile);
   if (!program) return program.error();
