@@ -28,8 +28,8 @@ const std::map<std::string, std::vector<std::string>> kFolders{
     {"raster", {"rules", "surface", "texture", "setup", "fragment", "lanes", "draw"}},
     {"image", {"output", "texture", "openimageio", "module"}},
     {"shadow",
-     {"frame", "index_cube", "depth_cube", "shadow_map", "shadow_volume", "reflective", "light_cookie", "ground_truth",
-      ""}},
+     {"frame", "index_order", "index_cube", "depth_cube", "shadow_map", "shadow_volume", "reflective", "light_cookie",
+      "ground_truth", ""}},
     {"study", {"part", "report", "page", "digits", "index_steps", "datapath", "shadows", "depth_packing"}},
     {"tools", {"input", "common", "help", "eval", "trace", "verify", "render", "bench", "study", ""}},
 };

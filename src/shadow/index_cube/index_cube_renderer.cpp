@@ -54,7 +54,7 @@ Result<IndexCubeRenderer> IndexCubeRenderer::make(const Scene& scene, const Rend
   if (!frame) return frame.error();
   if (Status checked = check_map_size(settings.map_size); !checked) return checked.error();
   if (Status checked = check_pick(settings); !checked) return checked.error();
-  auto indices = assign_indices(scene, settings.index);
+  auto indices = assign_indices(scene, settings.index, settings.profile);
   if (!indices) return indices.error();
   auto passes = index_cube_passes(settings);
   if (!passes) return passes.error();
@@ -65,6 +65,7 @@ IndexCubeRenderer::IndexCubeRenderer(CameraFrame frame, IndexCubePasses passes, 
     : frame_(std::move(frame)), passes_(std::move(passes)), indices_(std::move(indices)) {
   rendering().codes = indices_.codes;
   rendering().codes_used = indices_.used;
+  rendering().index_order = indices_.order;
   const DepthRange range = depth_range(frame_.scene(), frame_.light().position, kCubeCornerCosine);
   near_plane_ = range.near_plane;
   face_projections_ = cube_face_projections(range);
