@@ -21,11 +21,18 @@ struct Meeting {
 
 class MeetingFinder {
  public:
-  MeetingFinder(const SceneSurface& surface, const Patches& patches) : surface_(surface), patches_(patches) {}
+  MeetingFinder(const SceneSurface& surface, const Patches& patches)
+      : surface_(surface), patches_(patches), shared_(surface.places()) {}
 
   // One entry for each pair of patches that meet, sorted.
   std::vector<Meeting> find() {
-    for (std::uint32_t place = 0; place < surface_.places(); ++place) add_corner(place);
+    for (std::uint32_t place = 0; place < surface_.places(); ++place) {
+      const auto polygons = surface_.polygons_at(place);
+      shared_[place] = std::any_of(polygons.begin(), polygons.end(), [&](std::uint32_t polygon) {
+        return patches_.of_polygon(polygon) != patches_.of_polygon(polygons[0]);
+      });
+      if (shared_[place] && polygons.size() <= SceneSurface::kMaxValence) add_corner(place);
+    }
     for (std::uint32_t polygon = 0; polygon < surface_.polygons(); ++polygon) add_edges(polygon);
     std::stable_sort(meetings_.begin(), meetings_.end());
     std::vector<Meeting> merged;
@@ -61,7 +68,6 @@ class MeetingFinder {
 
   void add_corner(std::uint32_t place) {
     const auto polygons = surface_.polygons_at(place);
-    if (polygons.size() > SceneSurface::kMaxValence) return;
     const std::size_t before = meetings_.size();
     for (std::size_t i = 0; i < polygons.size(); ++i) {
       for (std::size_t j = 0; j < i; ++j) {
@@ -82,6 +88,7 @@ class MeetingFinder {
   void add_edges(std::uint32_t polygon) {
     for (std::size_t edge = 0; edge < 3; ++edge) {
       const std::uint32_t from = surface_.corners(polygon)[edge], to = surface_.corners(polygon)[(edge + 1) % 3];
+      if (!shared_[from] || !shared_[to]) continue;
       surface_.across_edge(polygon, edge, [&](std::uint32_t other) {
         const std::uint32_t a = patches_.of_polygon(polygon), b = patches_.of_polygon(other);
         if (other < polygon || a == b) return;
@@ -92,6 +99,7 @@ class MeetingFinder {
 
   const SceneSurface& surface_;
   const Patches& patches_;
+  std::vector<bool> shared_;  // places with polygons of several patches
   std::vector<Meeting> meetings_;
 };
 

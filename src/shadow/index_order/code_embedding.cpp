@@ -13,7 +13,7 @@ namespace {
 constexpr double kDistanceCost = 1e-3;
 constexpr double kFarthest = 9.0;
 // Rounds over all patches with broken borders.
-constexpr int kRounds = 4;
+constexpr int kRounds = 3;
 
 }  // namespace
 
