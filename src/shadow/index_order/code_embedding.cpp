@@ -50,7 +50,7 @@ CodeEmbedding::CodeEmbedding(const Patches& patches, const Borders& borders, Sha
   }
   // With a large tolerance not all differences are tried, but a grid of them.
   steps_.push_back({});
-  const int stride = std::max(1, reach_ / 4);
+  const int stride = std::max(1, (reach_ + 1) / 3);
   for (const CodeBytes& d : lost.all_always()) {
     if (d[0] % stride == 0 && d[1] % stride == 0 && d[2] % stride == 0) steps_.push_back(d);
   }
@@ -61,12 +61,14 @@ CodeEmbedding::CodeEmbedding(const Patches& patches, const Borders& borders, Sha
   }
 }
 
-void CodeEmbedding::run() {
-  place_all();
+bool CodeEmbedding::run() {
+  if (!place_all()) return count_out();
   improve();
+  return true;
 }
 
-void CodeEmbedding::place_all() {
+// Returns whether all patches have a code.
+bool CodeEmbedding::place_all() {
   std::vector<std::uint32_t> starts(patches_.count());
   std::iota(starts.begin(), starts.end(), 0U);
   std::stable_sort(starts.begin(), starts.end(),
@@ -92,7 +94,7 @@ void CodeEmbedding::place_all() {
       }
     }
   }
-  if (full) count_out();
+  return !full;
 }
 
 // A patch that cannot be moved is tried again once a neighbour has moved.
@@ -118,7 +120,8 @@ void CodeEmbedding::improve() {
   }
 }
 
-void CodeEmbedding::count_out() {
+bool CodeEmbedding::count_out() {
+  if (order_.size() >= lattice_.capacity()) return false;
   lattice_.clear();
   const int levels = (CodeLattice::kLevels - 1) / lattice_.spacing() + 1;
   int number = 0;
@@ -127,6 +130,7 @@ void CodeEmbedding::count_out() {
     lattice_.put(patch, {number % levels * lattice_.spacing(), number / levels % levels * lattice_.spacing(),
                          number / levels / levels * lattice_.spacing()});
   }
+  return true;
 }
 
 float CodeEmbedding::kept(std::uint32_t patch, const CodeBytes& code) const {

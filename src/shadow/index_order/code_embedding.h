@@ -19,13 +19,14 @@ namespace ninebit {
 // be kept is broken; the longer it is, the later.
 class CodeEmbedding {
  public:
-  // All must outlive the embedding. The lattice has a code for each patch at its spacing, besides the cleared map's.
+  // All must outlive the embedding.
   CodeEmbedding(const Patches& patches, const Borders& borders, ShadowRelation& relation, const LostDifferences& lost,
                 CodeLattice& lattice);
 
   // Places patch by patch, each next to those of its neighbours that have a code already; then moves single patches
   // while that mends borders. If the lattice is too full for this, codes are counted out at the lattice's spacing.
-  void run();
+  // Returns false if these are too few.
+  [[nodiscard]] bool run();
 
  private:
   struct Candidate {
@@ -50,9 +51,9 @@ class CodeEmbedding {
   };
 
   // The patches in the order of placement: always the one with the longest border to those before.
-  void place_all();
+  bool place_all();
   void improve();
-  void count_out();
+  bool count_out();
 
   // The length of the patch's borders that are kept with this code.
   [[nodiscard]] float kept(std::uint32_t patch, const CodeBytes& code) const;

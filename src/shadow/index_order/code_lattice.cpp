@@ -17,6 +17,11 @@ CodeLattice::CodeLattice(const LostDifferences& lost, int step, std::uint32_t pa
   code_.assign(patches, kNoCode);
 }
 
+std::size_t CodeLattice::capacity() const {
+  const auto levels = static_cast<std::size_t>((kLevels - 1) / spacing_ + 1);
+  return lost_.channels() == 3 ? levels * levels * levels : lost_.channels() == 2 ? levels * levels : levels;
+}
+
 bool CodeLattice::usable(const CodeBytes& code) const {
   for (std::size_t c = 0; c < 3; ++c) {
     const int levels = static_cast<int>(c) < lost_.channels() ? kLevels : 1;

@@ -21,6 +21,8 @@ class CodeLattice {
 
   // Codes that differ by this much in one channel never conflict.
   [[nodiscard]] int spacing() const { return spacing_; }
+  // The number of codes that are a multiple of the spacing in each channel, with the cleared map's.
+  [[nodiscard]] std::size_t capacity() const;
   [[nodiscard]] int channels() const { return lost_.channels(); }
   // Whether two codes with this difference are too near to each other for patches that must differ.
   [[nodiscard]] bool conflict(const CodeBytes& d) const {

@@ -7,6 +7,7 @@
 #include "src/shadow/index_order/borders.h"
 #include "src/shadow/index_order/code_embedding.h"
 #include "src/shadow/index_order/code_lattice.h"
+#include "src/shadow/index_order/hidden_backs.h"
 #include "src/shadow/index_order/order_check.h"
 #include "src/shadow/index_order/patches.h"
 #include "src/shadow/index_order/scene_surface.h"
@@ -31,21 +32,25 @@ Result<NeighbourOrder> order_by_neighbours(const Scene& scene, const IndexSettin
                               ? Patches::grow(surface, scene.triangle_object, degrees)
                               : Patches::of_units(surface, units, *std::max_element(units.begin(), units.end()) + 1);
   CodeLattice lattice(*lost, settings.step, patches.count());
-  order.capacity = IndexCodes(lattice.spacing(), settings.format).capacity();
-  if (patches.count() >= order.capacity) {
+  order.capacity = static_cast<std::uint32_t>(lattice.capacity());
+  std::vector<bool> back_is_hidden(patches.count());
+  const std::vector<bool> hidden = find_hidden_backs(scene, surface);
+  for (std::uint32_t t = 0; t < surface.polygons(); ++t) {
+    back_is_hidden[patches.of_polygon(t)] = hidden[scene.triangle_object[t]];
+  }
+  ShadowRelation relation(surface, patches, back_is_hidden);
+  const Borders borders = Borders::find(surface, patches, relation, degrees);
+  if (!CodeEmbedding(patches, borders, relation, *lost, lattice).run()) {
     return Diagnostic{
         .message = fmt::format("too many patches: {} of them and the cleared map need {} codes, index format {} with "
                                "codes {} apart has {}; a larger patch angle gives fewer patches",
                                patches.count(), patches.count() + std::uint64_t{1}, name_of(settings.format),
                                lattice.spacing(), order.capacity)};
   }
-  ShadowRelation relation(surface, patches);
-  const Borders borders = Borders::find(surface, patches, relation, degrees);
-  CodeEmbedding(patches, borders, relation, *lost, lattice).run();
 
   order.report.order = IndexOrder::neighbour;
   for (std::uint32_t patch = 0; patch < patches.count(); ++patch) order.code.push_back(lattice.code(patch));
-  ShadowRelation afresh(surface, patches);
+  ShadowRelation afresh(surface, patches, back_is_hidden);
   check_order(order.code, borders, afresh, *lost, order.report);
   order.patch_of_polygon.resize(surface.polygons());
   for (std::uint32_t t = 0; t < surface.polygons(); ++t) order.patch_of_polygon[t] = patches.of_polygon(t);

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <unordered_map>
+#include <vector>
 
 #include "src/shadow/index_order/patches.h"
 #include "src/shadow/index_order/scene_surface.h"
@@ -13,14 +14,19 @@ namespace ninebit {
 // At 256 texels across the scene this is one texel.
 inline constexpr double kShadowRelief = 1.0 / 256.0;
 
-// Answers from planes and corners alone, whatever the light. A polygon that faces the light shadows a point only if a
-// part of it lies in front of the point's plane and the point lies behind its own plane. The answer may be a needless
-// "yes": also for pairs of large patches, whose planes and corners are too many to compare.
+// Answers from planes and corners alone, for points that face the light. A polygon shadows such a point only if a part
+// of it lies in front of the point's plane; and if it faces the light too, only if the point lies behind its own plane.
+// The answer may be a needless "yes": also for pairs of large patches, whose planes and corners are too many to
+// compare.
 class ShadowRelation {
  public:
-  // Both must outlive the object.
-  ShadowRelation(const SceneSurface& surface, const Patches& patches)
-      : surface_(surface), patches_(patches), relief_(kShadowRelief * surface.diagonal()) {}
+  // back_is_hidden: for each patch, whether only polygons that face the light get into the map (hidden_backs.h). All
+  // must outlive the object.
+  ShadowRelation(const SceneSurface& surface, const Patches& patches, const std::vector<bool>& back_is_hidden)
+      : surface_(surface),
+        patches_(patches),
+        back_is_hidden_(back_is_hidden),
+        relief_(kShadowRelief * surface.diagonal()) {}
 
   // Whether one of two different patches may shadow the other by more than kShadowRelief. Remembers its answers.
   [[nodiscard]] bool may_shadow(std::uint32_t a, std::uint32_t b);
@@ -30,11 +36,12 @@ class ShadowRelation {
   // Whether a part of `patch` lies more than the relief in front of a plane of `other` (side 1) or behind one (-1).
   [[nodiscard]] bool reaches(std::uint32_t patch, std::uint32_t other, double side) const;
   [[nodiscard]] bool occludes(std::uint32_t occluder, std::uint32_t receiver) const {
-    return reaches(occluder, receiver, 1.0) && reaches(receiver, occluder, -1.0);
+    return reaches(occluder, receiver, 1.0) && (!back_is_hidden_[occluder] || reaches(receiver, occluder, -1.0));
   }
 
   const SceneSurface& surface_;
   const Patches& patches_;
+  const std::vector<bool>& back_is_hidden_;
   double relief_;
   std::unordered_map<std::uint64_t, bool> known_;
 };
