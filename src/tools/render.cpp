@@ -151,7 +151,7 @@ void add_render(CLI::App& app, int& exit_code) {
   verb->add_flag("--ground-truth", flags->ground_truth,
                  "Compare each pixel with ray casting: count errors by cause, write error.png");
   verb->add_flag("--check-order", flags->check_order,
-                 "With --index-order neighbour: exit with 1 if false neighbours compare equal");
+                 "With --index-order neighbour: exit with 1 if there are false neighbours");
   verb->callback([flags, &exit_code] { exit_code = render(*flags); });
 }
 
