@@ -19,6 +19,9 @@ def drawing(random, cookie=None):
     flags += some(random, 0.1, "--light", random.choice(["2,4,3", "0,0,0", "1e30,0,0", "-1,1e-30,5"]))
     flags += some(random, 0.1, "--light-type", random.choice(["point", "spot", "directional"]))
     flags += some(random, 0.1, "--index-scope", random.choice(["object", "section"]))
+    flags += some(random, 0.15, "--index-order", "neighbour")
+    flags += some(random, 0.1, "--patch-angle", random.choice(["0", "45", "90"]))
+    flags += some(random, 0.1, "--index-scales", random.choice(["first-x4", "second-x4", "no-scale"]))
     if technique == "index-cube":
         flags += some(random, 0.3, "--index-format", random.choice(["rgb", "la", "l", "a"]))
         flags += some(random, 0.3, "--index-step", random.choice(["1", "3", "16"]))
@@ -43,8 +46,10 @@ def scene_command(random, file):
         return ["trace", "--scene", file, "--pixel", "3,4", *drawing(random), *some(random, 0.5, "--json")]
     if choice < 0.10:
         return ["study", "shadows", file, "--size", "8x8", "--map-sizes", "16,32", "-o", "out",
+                *some(random, 0.3, "--orders", "file,neighbour"), *some(random, 0.3, "--scales", "both-x4,no-scale"),
                 *some(random, 0.5, "--json")]
     command = ["render", file, "-o", "out", *drawing(random)]
+    command += some(random, 0.2, "--check-order")
     return command + some(random, 0.15, "--ground-truth") + some(random, 0.15, "--layers") + some(random, 0.2, "--json")
 
 

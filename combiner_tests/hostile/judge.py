@@ -145,7 +145,8 @@ def run(case, program, scratch=None, limit=SECONDS):
         code = process.returncode
         error = (top / "stderr").read_bytes()[:1 << 20]
         if not why:
-            faults += judge_code(code) + judge_message(case, code, error) + judge_files(case, code, folder)
+            faults += judge_code(code) + judge_order(case, code) + judge_message(case, code, error)
+            faults += judge_files(case, code, folder)
             if (top / "stdout").stat().st_size < 1 << 24:
                 faults += judge_answer(case, code, (top / "stdout").read_bytes())
             faults += judge_expected(case, code, error.decode("utf-8", "replace"))
@@ -176,6 +177,11 @@ def judge_code(code):
     if code == 5:
         return ["exit 5: out of memory, far below the memory there is"]
     return []
+
+
+def judge_order(case, code):
+    """No scene gets an order of indices with false neighbours."""
+    return ["exit 1: --check-order found false neighbours"] if code == 1 and "--check-order" in case.command else []
 
 
 def reads_texts(command):

@@ -53,6 +53,11 @@ class Programs(unittest.TestCase):
         self.refuses(MESSAGE + "sys.exit(139)\n", "exit 139")
         self.refuses(MESSAGE + "sys.exit(5)\n", "exit 5")
 
+    def test_orders(self):
+        command = ("render", "a.obj", "-o", "out", "--check-order")
+        self.refuses(MESSAGE + "sys.exit(1)\n", "exit 1", command=command)
+        self.assertEqual(self.outcome(MESSAGE + "sys.exit(1)\n").faults, [])
+
     def test_time_and_memory(self):
         self.refuses("time.sleep(60)\n", "hang", limit=0.5)
         self.refuses("signal.signal(signal.SIGTERM, signal.SIG_IGN)\nwhile True: pass\n", "hang", limit=0.5)

@@ -187,7 +187,31 @@ class Renderings(unittest.TestCase):
         self.assertNotEqual(ninebit.render(scene, size=(64, 48), map_size=64, index_step=1)["shadowed"],
                             ninebit.render(scene, size=(64, 48), map_size=64)["shadowed"])
 
+    def test_order_of_indices(self):
+        scene = str(top / "scenes/index_room.gltf")
+        drawn = {order: ninebit.render(scene, size=(160, 120), map_size=64, index_order=order, patch_angle=30.0)
+                 for order in ("file", "neighbour")}
+        counts = ["patches", "borders", "broken_borders", "broken_share", "false_neighbours"]
+        for order, rendering in drawn.items():
+            report = rendering["index_order"]
+            self.assertEqual(list(report), ["order", "reason", *counts])
+            self.assertEqual((report["order"], report["reason"]), (order, ""))
+            self.assertEqual(report["false_neighbours"], 0)
+        self.assertEqual([drawn["file"]["index_order"][count] for count in counts], [0] * 5)
+        self.assertGreater(drawn["neighbour"]["index_order"]["patches"], 0)
+        self.assertLess(drawn["neighbour"]["shadowed"], drawn["file"]["shadowed"])
+        self.assertLess(ninebit.render(scene, size=(160, 120), map_size=64, index_scales="no-scale")["shadowed"],
+                        ninebit.render(scene, size=(160, 120), map_size=64, index_scales="both-x4")["shadowed"])
+
     def test_what_is_wrong_is_told(self):
+        with self.assertRaisesRegex(ninebit.Error, "unknown index order 'patch'; expected one of file neighbour"):
+            ninebit.render("x.obj", index_order="patch")
+        with self.assertRaisesRegex(ninebit.Error, "unknown index scales 'x4'; expected one of both-x4 first-x4"):
+            ninebit.render("x.obj", index_scales="x4")
+        for degrees in (-1.0, 90.5, float("nan")):
+            with self.assertRaisesRegex(ninebit.Error, "0 to 90"):
+                ninebit.render(str(top / "scenes/index_room.gltf"), size=(8, 6), index_order="neighbour",
+                               patch_angle=degrees)
         with self.assertRaisesRegex(ninebit.Error, "missing.obj"):
             ninebit.render("missing.obj")
         with self.assertRaisesRegex(ninebit.Error, "index-cube"):
@@ -235,6 +259,14 @@ class Studies(unittest.TestCase):
         wrong = dict(zip(zip(rows["map_size"].tolist(), rows["index_step"].tolist()), rows["wrong"].tolist()))
         self.assertLess(wrong[256, 2], wrong[64, 2])
         self.assertTrue(np.array_equal(rows["false_lit"] + rows["false_shadowed"], rows["wrong"]))
+        self.assertNotIn("index_order", rows.dtype.names)
+        swept = ninebit.shadows_study(room, size=(160, 120), map_sizes=[64], orders=["file", "neighbour"],
+                                      scales=["both-x4", "no-scale"])["rows"]
+        self.assertEqual(swept["index_order"].tolist(), ["file", "file", "neighbour", "neighbour"])
+        self.assertEqual(swept["index_scales"].tolist(), ["both-x4", "no-scale"] * 2)
+        self.assertLess(swept["joint"][2], swept["joint"][0])
+        with self.assertRaisesRegex(ninebit.Error, "unknown order 'patch'; expected one of file neighbour"):
+            ninebit.shadows_study(room, orders=["patch"])
         depth = ninebit.shadows_study(room, technique="depth-cube", size=(160, 120), depth_bits=["8", "float"])["rows"]
         self.assertEqual(len(depth), 2)
         with self.assertRaisesRegex(ninebit.Error, "unknown number of depth bits '9'"):

@@ -203,6 +203,8 @@ TEST(Bench, WrongUsage) {
       {{"frame", kRoom, "--triangles", "2000"}, 2, {"--triangles", "excludes"}},
       {{"frame", "--rival", "voodoo"}, 2, {"--rival", "voodoo", "llvmpipe"}},
       {{"frame", "--rival", "llvmpipe", "--light-facing"}, 2, {"--rival", "excludes", "--light-facing"}},
+      {{"frame", "--rival", "llvmpipe", "--index-order", "neighbour"}, 2, {"--rival", "excludes", "--index-order"}},
+      {{"frame", "--rival", "llvmpipe", "--index-scales", "no-scale"}, 2, {"--rival", "excludes", "--index-scales"}},
       {{"frame", "/nowhere/scene.obj"}, 3, {"/nowhere/scene.obj"}},
       {{"frame", "--triangles", "3000000"}, 3, {"too many polygons", "index step 1"}},
   };

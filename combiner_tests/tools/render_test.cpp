@@ -42,7 +42,7 @@ TEST_P(RealScenes, AnswersWithTheContractsKeys) {
   const Json answer = json_of(outcome);
   EXPECT_EQ(keys_of(answer), (Keys{"command", "version", "technique", "profile", "scene", "triangles", "size",
                                    "map_size", "index", "pixels", "time_ms", "facts", "files", "hash"}));
-  EXPECT_EQ(keys_of(answer["index"]), (Keys{"format", "scope", "step", "used", "capacity"}));
+  EXPECT_EQ(keys_of(answer["index"]), (Keys{"format", "scope", "step", "used", "capacity", "scales", "order"}));
   EXPECT_EQ(keys_of(answer["pixels"]), (Keys{"background", "lit", "shadowed"}));
   EXPECT_EQ(keys_of(answer["time_ms"]),
             (Keys{"load", "transform", "maps", "camera", "compare", "shade", "write", "total"}));
@@ -55,9 +55,13 @@ TEST_P(RealScenes, AnswersWithTheContractsKeys) {
   EXPECT_EQ(answer["triangles"], scene.triangles);
   EXPECT_EQ(answer["size"], (Json{200, 150}));
   EXPECT_EQ(answer["map_size"], 64);
-  EXPECT_EQ(
-      answer["index"],
-      (Json{{"format", "rgb"}, {"scope", "polygon"}, {"step", 2}, {"used", scene.triangles}, {"capacity", 1 << 21}}));
+  EXPECT_EQ(answer["index"], (Json{{"format", "rgb"},
+                                   {"scope", "polygon"},
+                                   {"step", 2},
+                                   {"used", scene.triangles},
+                                   {"capacity", 1 << 21},
+                                   {"scales", "both-x4"},
+                                   {"order", "file"}}));
   EXPECT_EQ(keys_of(answer["facts"]), (Keys{"vanished_polygons", "vanished_texels", "vanished_pixels"}));
   EXPECT_GT(answer["facts"]["vanished_polygons"], 0);
   EXPECT_LT(answer["facts"]["vanished_polygons"], scene.triangles);
@@ -152,7 +156,8 @@ TEST(Render, IndexSaysFormatScopeAndCapacity) {
     return json_of(ninebit(small_render(kRoom, folder / "out", flags))).at("index");
   };
   const auto expected = [](const char* format, const char* scope, int step, int used, int capacity) {
-    return Json{{"format", format}, {"scope", scope}, {"step", step}, {"used", used}, {"capacity", capacity}};
+    return Json{{"format", format},     {"scope", scope},      {"step", step},   {"used", used},
+                {"capacity", capacity}, {"scales", "both-x4"}, {"order", "file"}};
   };
   EXPECT_EQ(index({"--index-format", "la"}), expected("la", "polygon", 2, 2096, 1 << 14));
   const Json l = index({"--index-format", "l", "--index-scope", "object", "--index-step", "4"});

@@ -52,6 +52,9 @@ TEST(UsageError, ValuesOfRender) {
       {"--index-step", {"0", "17", "1.5", "99999999999"}, "1 to 16"},
       {"--index-format", {"bgr"}, "rgb"},
       {"--index-scope", {"pixel"}, "polygon,object,section"},
+      {"--index-order", {"neighbor", "patch"}, "file,neighbour"},
+      {"--index-scales", {"both", "x4"}, "both-x4,first-x4,second-x4,no-scale"},
+      {"--patch-angle", {"-1", "90.1", "nan", "inf", "20,20", ""}, "degrees from 0 to 90"},
       {"--section-size", {"3", "513", "64.5"}, "4 to 512"},
       {"--pick", {"-1,0", "0,-1", "5", "1,2,3", "1.5,2"}, "X,Y, counted from the top left"},
       {"--technique", {"magic"}, "index-cube"},
@@ -92,6 +95,8 @@ TEST(UsageError, LimitsThemselvesAreFine) {
       {"--size", "16384x1", "--index-step", "16", "--floor", "-1.5", "--fov", "170"},
       {"--size", "8x6", "--pick", "7,5", "--index-scope", "section", "--section-size", "4"},
       {"--size", "8x6", "--pick", "0,0", "--index-scope", "section", "--section-size", "512"},
+      {"--index-order", "neighbour", "--patch-angle", "0", "--index-scales", "no-scale", "--check-order"},
+      {"--index-order", "neighbour", "--patch-angle", "90", "--index-scales", "first-x4", "--check-order"},
       {"--camera", "-1,-2,-3.5", "--look-at", "-1,0.5,-2", "--light", "-1,1e-1,-2", "--threads", "0"},
   };
   for (const std::vector<std::string>& flags : fine) {

@@ -2,6 +2,7 @@
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 
+#include <initializer_list>
 #include <memory>
 #include <optional>
 #include <variant>
@@ -32,8 +33,33 @@ py::array upright(const PlaneSamples<T>& plane, int width, int height, const std
                         plane.data() + static_cast<std::size_t>(height - 1) * static_cast<std::size_t>(width), keeps);
 }
 
+// The value of that name. Throws Error for an unknown name.
+template <class E>
+E named(const std::string& name, std::initializer_list<E> all, const char* what) {
+  std::string expected;
+  for (const E one : all) {
+    if (name_of(one) == name) return one;
+    expected += ' ' + std::string(name_of(one));
+  }
+  throw Error{std::string("unknown ") + what + " '" + name + "'; expected one of" + expected};
+}
+
+py::dict order_of(const Rendering& rendering) {
+  const IndexOrderReport& report = rendering.index_order;
+  py::dict order;
+  order["order"] = name_of(report.order);
+  order["reason"] = report.reason;
+  order["patches"] = report.patches;
+  order["borders"] = report.borders;
+  order["broken_borders"] = report.broken_borders;
+  order["broken_share"] = report.broken_share;
+  order["false_neighbours"] = report.false_neighbours;
+  return order;
+}
+
 py::dict render(const std::string& scene_file, const std::string& technique_name, std::pair<int, int> size,
-                int map_size, const std::string& profile, int index_step, const std::optional<Point>& camera,
+                int map_size, const std::string& profile, int index_step, const std::string& index_order,
+                float patch_angle, const std::string& index_scales, const std::optional<Point>& camera,
                 const std::optional<Point>& look_at, std::optional<float> fov, const std::optional<Point>& light,
                 bool allow_outside) {
   const Technique& technique = technique_named(technique_name);
@@ -42,6 +68,10 @@ py::dict render(const std::string& scene_file, const std::string& technique_name
   settings.height = size.second;
   settings.map_size = map_size;
   settings.index.step = index_step;
+  settings.index.order = named(index_order, {IndexOrder::file, IndexOrder::neighbour}, "index order");
+  settings.index.patch_degrees = patch_angle;
+  settings.index.scales = named(
+      index_scales, {IndexScales::both, IndexScales::first, IndexScales::second, IndexScales::none}, "index scales");
   settings.profile = profile_named(profile);
 
   std::optional<Result<Rendering>> drawn;
@@ -68,6 +98,7 @@ py::dict render(const std::string& scene_file, const std::string& technique_name
     facts[py::str(fact.name)] = std::visit([](const auto& value) { return py::cast(value); }, fact.value);
   }
   answer["facts"] = facts;
+  answer["index_order"] = order_of(*rendering);
   return answer;
 }
 
@@ -110,12 +141,14 @@ void add_render(py::module_& module) {
   module.def(
       "render", &render, py::arg("scene"), py::kw_only(), py::arg("technique") = "index-cube",
       py::arg("size") = std::pair{1024, 768}, py::arg("map_size") = 512, py::arg("profile") = "geforce2",
-      py::arg("index_step") = 2, py::arg("camera") = py::none(), py::arg("look_at") = py::none(),
+      py::arg("index_step") = 2, py::arg("index_order") = "file", py::arg("patch_angle") = kPatchDegrees,
+      py::arg("index_scales") = "both-x4", py::arg("camera") = py::none(), py::arg("look_at") = py::none(),
       py::arg("fov") = py::none(), py::arg("light") = py::none(), py::arg("allow_outside") = false,
       "Renders a scene with shadows. Returns 'red', 'green', 'blue', 'alpha', 'stencil' (uint8; 0 is lit) and 'depth' "
       "(uint32 codes) as upright arrays of the shape (height, width) in the rendering's memory; the numbers of pixels "
-      "that are 'background', 'lit' and 'shadowed'; and the technique's 'facts'. Files that the scene names are read "
-      "only below its folder unless allow_outside is true.");
+      "that are 'background', 'lit' and 'shadowed'; the technique's 'facts'; and 'index_order', the order of indices "
+      "that was used, with its counts. Files that the scene names are read only below its folder unless allow_outside "
+      "is true.");
 }
 
 }  // namespace ninebit::python

@@ -146,8 +146,8 @@ std::vector<T> swept(const std::vector<std::pair<const char*, T>>& all, const Na
 
 py::dict shadows(const std::string& file, const std::string& technique_name, std::pair<int, int> size,
                  const std::string& profile, const std::vector<int>& map_sizes, const Names& formats,
-                 const Names& scopes, const std::vector<int>& steps, const Names& depth_bits,
-                 const std::vector<float>& biases, const Names& encodings,
+                 const Names& scopes, const std::vector<int>& steps, const Names& orders, const Names& scales,
+                 const Names& depth_bits, const std::vector<float>& biases, const Names& encodings,
                  const std::vector<std::pair<float, float>>& polygon_offsets, const std::optional<Point>& camera,
                  const std::optional<Point>& look_at, std::optional<float> fov, const std::optional<Point>& light,
                  bool allow_outside) {
@@ -165,6 +165,13 @@ py::dict shadows(const std::string& file, const std::string& technique_name, std
   grid.index_scopes = swept<IndexScope>(
       {{"polygon", IndexScope::polygon}, {"object", IndexScope::object}, {"section", IndexScope::section}}, scopes,
       "scope");
+  grid.index_orders =
+      swept<IndexOrder>({{"file", IndexOrder::file}, {"neighbour", IndexOrder::neighbour}}, orders, "order");
+  grid.index_scales = swept<IndexScales>({{"both-x4", IndexScales::both},
+                                          {"first-x4", IndexScales::first},
+                                          {"second-x4", IndexScales::second},
+                                          {"no-scale", IndexScales::none}},
+                                         scales, "scale");
   grid.depth_bits = swept<DepthCubeBits>(
       {{"8", DepthCubeBits::eight}, {"16", DepthCubeBits::sixteen}, {"float", DepthCubeBits::real}}, depth_bits,
       "number of depth bits");
@@ -207,8 +214,8 @@ void add_studies(py::module_& module) {
       "shadows_study", &shadows, py::arg("scene"), py::kw_only(), py::arg("technique") = "index-cube",
       py::arg("size") = std::pair{1024, 768}, py::arg("profile") = "geforce2",
       py::arg("map_sizes") = std::vector<int>{}, py::arg("formats") = py::none(), py::arg("scopes") = py::none(),
-      py::arg("steps") = std::vector<int>{}, py::arg("depth_bits") = py::none(),
-      py::arg("biases") = std::vector<float>{}, py::arg("encodings") = py::none(),
+      py::arg("steps") = std::vector<int>{}, py::arg("orders") = py::none(), py::arg("scales") = py::none(),
+      py::arg("depth_bits") = py::none(), py::arg("biases") = std::vector<float>{}, py::arg("encodings") = py::none(),
       py::arg("polygon_offsets") = std::vector<std::pair<float, float>>{}, py::arg("camera") = py::none(),
       py::arg("look_at") = py::none(), py::arg("fov") = py::none(), py::arg("light") = py::none(),
       py::arg("allow_outside") = false,

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "ninebit/shadow/pictures.h"
+#include "src/tools/common/index_order.h"
 #include "src/tools/common/pixel_flag.h"
 #include "src/tools/render/render_answer.h"
 
@@ -88,6 +89,34 @@ Status run(const RenderFlags& flags, FinishedRender& done) {
   return {};
 }
 
+void print_warnings(const RenderFlags& flags, const FinishedRender& done) {
+  const bool quiet = flags.common.quiet;
+  warn_of_unused_order(flags.scene.technique, done.settings, done.rendering->index_order, quiet);
+  if (quiet || !flags.check_order || done.settings.index.order == IndexOrder::neighbour) return;
+  say_warning("--check-order has no effect without --index-order neighbour");
+}
+
+// Prints the files, the summary and the answer. Returns the exit code.
+int print_answer(const RenderFlags& flags, const FinishedRender& done) {
+  if (!flags.common.quiet) {
+    for (const auto& file : done.files) say_written(file);
+  }
+  if (flags.common.json) return answer(render_json(flags, done));
+  if (!flags.common.quiet) say(summary_text(flags, done));
+  return done.rendering->picked ? answer(pick_text(flags, done)) : kDone;
+}
+
+// The exit code of --check-order.
+int check_order(const RenderFlags& flags, const Rendering& rendering) {
+  const std::uint64_t found = rendering.index_order.false_neighbours;
+  if (found == 0) return kDone;
+  say_error(fmt::format(
+      "{}: the order of indices has {} false neighbours, polygons that can shadow one another but compare equal; "
+      "expected 0",
+      flags.scene.file, found));
+  return kDifference;
+}
+
 int render(const RenderFlags& flags) {
   const ThreadLimit limit(flags.common.threads);
   const auto settings = checked_settings(flags);
@@ -97,12 +126,9 @@ int render(const RenderFlags& flags) {
   }
   FinishedRender done{.settings = *settings};
   if (Status finished = run(flags, done); !finished) return report(finished.error());
-  if (!flags.common.quiet) {
-    for (const auto& file : done.files) say_written(file);
-  }
-  if (flags.common.json) return answer(render_json(flags, done));
-  if (!flags.common.quiet) say(summary_text(flags, done));
-  return done.rendering->picked ? answer(pick_text(flags, done)) : kDone;
+  print_warnings(flags, done);
+  const int printed = print_answer(flags, done);
+  return printed == kDone && flags.check_order ? check_order(flags, *done.rendering) : printed;
 }
 
 }  // namespace
@@ -124,6 +150,8 @@ void add_render(CLI::App& app, int& exit_code) {
   add_pixel_flag(*verb, "--pick", flags->pick, "Print which polygon and object is visible at this pixel, by its index");
   verb->add_flag("--ground-truth", flags->ground_truth,
                  "Compare each pixel with ray casting: count errors by cause, write error.png");
+  verb->add_flag("--check-order", flags->check_order,
+                 "With --index-order neighbour: exit with 1 if there are false neighbours");
   verb->callback([flags, &exit_code] { exit_code = render(*flags); });
 }
 

@@ -9,6 +9,7 @@
 #include "ninebit/language/trace_json.h"
 #include "src/system/process.h"
 #include "src/system/stream.h"
+#include "src/tools/common/index_order.h"
 #include "src/tools/common/pixel_flag.h"
 #include "src/tools/common/program_file.h"
 #include "src/tools/eval/eval_engine.h"
@@ -69,6 +70,7 @@ int trace_pixel(const TraceFlags& flags, const std::optional<Program>& program) 
   const int y = settings.height - 1 - at->y;
   const auto pixel = render_pixel(flags.scene, flags.common, at->x, y, program.has_value());
   if (!pixel) return report(pixel.error());
+  warn_of_unused_order(flags.scene.technique, settings, pixel->index_order, flags.common.quiet);
   if (!pixel->fragment) return print(flags, *pixel, nullptr, {});
   const ProbedPass& pass = pixel->passes[*pixel->pass];
   return print(flags, *pixel, program ? &*program : &*pass.program, pass.fragments[*pixel->fragment].registers);

@@ -21,6 +21,8 @@ struct ShadowGrid {
   std::vector<IndexFormat> index_formats{};        // index-cube and light-cookie
   std::vector<IndexScope> index_scopes{};          // index-cube and light-cookie
   std::vector<int> index_steps{};                  // index-cube and light-cookie
+  std::vector<IndexOrder> index_orders{};          // index-cube and light-cookie
+  std::vector<IndexScales> index_scales{};         // index-cube and light-cookie
   std::vector<DepthCubeBits> depth_bits{};         // depth-cube
   std::vector<float> biases{};                     // depth-cube, in world units
   std::vector<DepthEncoding> encodings{};          // shadow-map
@@ -31,7 +33,8 @@ struct ShadowGrid {
 [[nodiscard]] std::span<const OffsetArguments> offsets_to_search();
 
 // One unit with one row for each point of the grid: the settings, the counts of drawn and wrong pixels, and the causes.
-// Settings that the technique refuses (more polygons than codes) give a row with the reason and without counts.
+// Settings that the technique refuses (more polygons than codes) give a row with the reason and without counts. The
+// order of indices and the scales have columns only if the grid sweeps them or the settings change them.
 //
 // The scene has exactly one camera and one light. The settings, including the profile, are passed to Technique::render;
 // `question` names the scene, the settings and the grid. Reports an axis that does not apply to the technique, a

@@ -17,6 +17,15 @@ class Diagnostic(TypedDict):
     variable: str | None
     message: str
 
+class IndexOrder(TypedDict):
+    order: Literal["file", "neighbour"]
+    reason: str
+    patches: int
+    borders: int
+    broken_borders: int
+    broken_share: float
+    false_neighbours: int
+
 class Rendering(TypedDict):
     red: NDArray[np.uint8]
     green: NDArray[np.uint8]
@@ -28,6 +37,7 @@ class Rendering(TypedDict):
     lit: int
     shadowed: int
     facts: dict[str, int | float | str]
+    index_order: IndexOrder
 
 class State:
     def __init__(self, profile: str = "geforce2") -> None: ...
@@ -64,6 +74,9 @@ def render(
     map_size: int = 512,
     profile: str = "geforce2",
     index_step: int = 2,
+    index_order: Literal["file", "neighbour"] = "file",
+    patch_angle: float = 20.0,
+    index_scales: Literal["both-x4", "first-x4", "second-x4", "no-scale"] = "both-x4",
     camera: Point | None = None,
     look_at: Point | None = None,
     fov: float | None = None,
@@ -88,6 +101,8 @@ def shadows_study(
     formats: Sequence[Literal["rgb", "la", "l", "a"]] | None = None,
     scopes: Sequence[Literal["polygon", "object", "section"]] | None = None,
     steps: Sequence[int] = (),
+    orders: Sequence[Literal["file", "neighbour"]] | None = None,
+    scales: Sequence[Literal["both-x4", "first-x4", "second-x4", "no-scale"]] | None = None,
     depth_bits: Sequence[Literal["8", "16", "float"]] | None = None,
     biases: Sequence[float] = (),
     encodings: Sequence[str] | None = None,

@@ -40,10 +40,16 @@ StudyValue fact(const Rendering* rendering, std::string_view name) {
 
 }  // namespace
 
-Result<SweptSettings> swept_settings(const Technique& technique, const RenderSettings& settings) {
+Result<SweptSettings> swept_settings(const Technique& technique, const RenderSettings& settings,
+                                     const ShadowGrid& grid) {
   const bool dark = technique.name != "light-cookie" || settings.light_cookie.shadows;
   for (const SweptSettings& known : kSwept) {
-    if (known.technique == technique.name && dark) return known;
+    if (known.technique != technique.name || !dark) continue;
+    SweptSettings swept = known;
+    // Rows without these columns are those of older parts.
+    swept.index_order = known.index && (settings.index.order != IndexOrder::file || !grid.index_orders.empty());
+    swept.index_scales = known.index && (settings.index.scales != IndexScales::both || !grid.index_scales.empty());
+    return swept;
   }
   return Diagnostic{.message = fmt::format("technique {} draws no shadows to compare", technique.name)};
 }
@@ -66,6 +72,10 @@ Result<std::vector<SweepAxis>> axes_of(const SweptSettings& known, const ShadowG
   add("--scopes", {"index_scope"}, known.index, grid.index_scopes,
       [](RenderSettings& s, IndexScope v) { s.index.scope = v; });
   add("--steps", {"index_step"}, known.index, grid.index_steps, [](RenderSettings& s, int v) { s.index.step = v; });
+  add("--orders", {"index_order"}, known.index, grid.index_orders,
+      [](RenderSettings& s, IndexOrder v) { s.index.order = v; });
+  add("--scales", {"index_scales"}, known.index, grid.index_scales,
+      [](RenderSettings& s, IndexScales v) { s.index.scales = v; });
   add("--depth-bits", {"depth_bits"}, known.depth_cube, grid.depth_bits,
       [](RenderSettings& s, DepthCubeBits v) { s.depth_cube.bits = v; });
   add("--biases", {"bias"}, known.depth_cube, grid.biases, [](RenderSettings& s, float v) { s.depth_cube.bias = v; });
@@ -88,6 +98,8 @@ RowFields settings_fields(const SweptSettings& known, const RenderSettings& sett
     fields.emplace_back("index_scope", std::string(name_of(settings.index.scope)));
     fields.emplace_back("index_step", std::int64_t{settings.index.step});
   }
+  if (known.index_order) fields.emplace_back("index_order", std::string(name_of(settings.index.order)));
+  if (known.index_scales) fields.emplace_back("index_scales", std::string(name_of(settings.index.scales)));
   if (known.depth_cube) {
     fields.emplace_back("depth_bits", name_of(settings.depth_cube.bits));
     fields.emplace_back("bias", real(settings.depth_cube.bias, "bias"));

@@ -19,12 +19,15 @@ struct SweptSettings {
   std::string_view technique;
   bool map_size = true;
   bool index = false;
+  bool index_order = false;   // a column; by default there is none
+  bool index_scales = false;  // a column; by default there is none
   bool depth_cube = false;
   bool shadow_map = false;
 };
 
-// Reports a technique that draws no shadows.
-[[nodiscard]] Result<SweptSettings> swept_settings(const Technique& technique, const RenderSettings& settings);
+// The settings of a sweep over the grid. Reports a technique that draws no shadows.
+[[nodiscard]] Result<SweptSettings> swept_settings(const Technique& technique, const RenderSettings& settings,
+                                                   const ShadowGrid& grid = {});
 
 // One axis of a grid that has values.
 struct SweepAxis {

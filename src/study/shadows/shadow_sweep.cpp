@@ -113,6 +113,7 @@ class ShadowSweep final : public Study {
     for (const char* name : {"lit", "shadowed", "false_lit", "false_shadowed", "wrong"}) add_count(name);
     rule.fields.push_back(or_nothing(real_in("wrong_share", 0.0, 1.0)));
     for (const ErrorCause cause : causes_of(known_)) add_count(std::string(name_of(cause)));
+    if (known_.index_order) rule.fields.push_back(or_nothing(text_up_to("index_order_reason", kLongestReason)));
     rule.fields.push_back(or_nothing(text_up_to("refused", kLongestReason)));
     return {rule};
   }
@@ -179,6 +180,10 @@ class ShadowSweep final : public Study {
       count(std::string(name_of(cause)),
             [&](const Judged& j) { return j.truth.by_cause[static_cast<std::size_t>(cause)]; });
     }
+    if (known_.index_order) {
+      const std::string reason = judged ? rendering->index_order.reason : "";
+      row.fields.emplace_back("index_order_reason", reason.empty() ? StudyValue() : StudyValue(reason));
+    }
     row.fields.emplace_back("refused", judged ? StudyValue() : StudyValue(judged.error().message));
     return row;
   }
@@ -201,7 +206,7 @@ std::span<const OffsetArguments> offsets_to_search() {
 
 Result<std::unique_ptr<Study>> make_shadow_sweep(StudyQuestion question, Scene scene, const Technique& technique,
                                                  const RenderSettings& settings, const ShadowGrid& grid) {
-  const auto known = swept_settings(technique, settings);
+  const auto known = swept_settings(technique, settings, grid);
   if (!known) return known.error();
   auto sweep = std::make_unique<ShadowSweep>(std::move(question), std::move(scene), technique, settings, grid, *known);
   if (Status prepared = sweep->prepare(); !prepared) return prepared.error();

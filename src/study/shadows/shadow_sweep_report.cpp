@@ -182,6 +182,21 @@ ReportTable offset_table(const SweepView& view, const std::vector<OffsetChoice>&
   return table;
 }
 
+// How many points were drawn with their indices in the order of the file instead; empty: none.
+std::string orders_in_words(const SweepView& view) {
+  std::size_t count = 0;
+  std::string first;
+  for (const StudyRow* row : view.rows) {
+    const std::string reason = row->text("index_order_reason");
+    if (reason.empty()) continue;
+    if (count == 0) first = reason;
+    ++count;
+  }
+  if (count == 0) return {};
+  return fmt::format("{} of {} points were drawn with index_order file instead of neighbour; the first of them: {}.",
+                     count, view.rows.size(), first);
+}
+
 ReportTable point_table(std::span<const StudyRow> rows) {
   ReportTable table{.title = "Points", .columns = {}, .rows = {}};
   for (const auto& field : rows.front().fields) table.columns.push_back(field.first);
@@ -257,6 +272,7 @@ StudyReport shadow_sweep_report(const SweptSettings& known, std::span<const Swee
     if (!told) report.answers.push_back(values_in_words(view, column));
   }
   if (view.changes("index_step")) report.answers.push_back(truncation_in_words(view));
+  if (const std::string orders = orders_in_words(view); !orders.empty()) report.answers.push_back(orders);
   if (view.rows.size() < rows.size()) {
     const auto refused = std::find_if(rows.begin(), rows.end(), [](const StudyRow& row) { return !was_drawn(row); });
     report.answers.push_back(fmt::format("{} of {} points cannot be drawn; the first of them: {}.",

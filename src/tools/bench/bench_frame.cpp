@@ -12,6 +12,7 @@
 #include "src/bench/timing.h"
 #include "src/shadow/index_cube/index_cube_renderer.h"
 #include "src/tools/bench/bench.h"
+#include "src/tools/common/index_order.h"
 #include "src/tools/common/scene_flags.h"
 
 namespace ninebit::tools {
@@ -192,6 +193,7 @@ int bench_frame(const FrameFlags& flags) {
   if (done && frame.rival) done = measure_rival(*frame.rival, frame.renderer->rendering(), seconds, *line, rival);
   line.reset();
   if (!done) return report(done.error());
+  warn_of_unused_order("index-cube", frame.settings, frame.renderer->rendering().index_order, common.quiet);
   return common.json ? answer(json_of(flags, frame, times, rival)) : answer(text_of(frame, times, rival));
 }
 
@@ -215,7 +217,9 @@ void add_bench_frame(CLI::App& bench, int& exit_code) {
                            ->check(CLI::IsMember({"llvmpipe"}));
   add_scene_flags(*verb, flags->scene);
   // The rival's shaders do not implement these.
-  for (const char* flag : {"--light-facing", "--index-format", "--style"}) rival->excludes(verb->get_option(flag));
+  for (const char* flag : {"--light-facing", "--index-format", "--index-order", "--index-scales", "--style"}) {
+    rival->excludes(verb->get_option(flag));
+  }
   verb->callback([flags, &exit_code] { exit_code = bench_frame(*flags); });
 }
 

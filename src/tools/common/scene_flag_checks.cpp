@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "ninebit/raster/surface.h"
+#include "ninebit/shadow/settings.h"
 #include "src/tools/common/number_flag.h"
 #include "src/tools/common/number_list.h"
 
@@ -50,6 +51,12 @@ std::string check_fov(const std::string& text) {
 std::string check_spot_angle(const std::string& text) {
   if (are_numbers_in<float>(text, ',', 1, 1.0, 170.0)) return {};
   return fmt::format("invalid angle '{}'; expected degrees from 1 to 170", text);
+}
+
+std::string check_patch_angle(const std::string& text) {
+  if (are_numbers_in<float>(text, ',', 1, kMinPatchDegrees, kMaxPatchDegrees)) return {};
+  return fmt::format("invalid angle '{}'; expected degrees from {:g} to {:g}", text, kMinPatchDegrees,
+                     kMaxPatchDegrees);
 }
 
 std::string check_bias(const std::string& text) {

@@ -19,6 +19,8 @@ namespace ninebit::tools {
 [[nodiscard]] std::string check_fov(const std::string& text);
 // Degrees from 1 to 170.
 [[nodiscard]] std::string check_spot_angle(const std::string& text);
+// Degrees from kMinPatchDegrees to kMaxPatchDegrees.
+[[nodiscard]] std::string check_patch_angle(const std::string& text);
 // A distance from 0 to kMostDistance.
 [[nodiscard]] std::string check_bias(const std::string& text);
 // FACTOR,UNITS, two finite numbers.

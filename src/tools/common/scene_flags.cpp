@@ -98,6 +98,13 @@ void add_index_flags(CLI::App& verb, RenderSettings& s) {
       ->capture_default_str()
       ->type_name("N")
       ->check(CLI::Range(kMinSectionSize, kMaxSectionSize));
+  add_choice(verb, "--index-order", s.index.order, kIndexOrders,
+             "Order of indices: as in the file, or equal for the comparison where surfaces meet");
+  verb.add_option("--patch-angle", s.index.patch_degrees, "Maximum angle within a patch of --index-order neighbour")
+      ->capture_default_str()
+      ->type_name("DEGREES")
+      ->check(checked(check_patch_angle));
+  add_choice(verb, "--index-scales", s.index.scales, kIndexScales, "Products that the comparison scales by four");
 }
 
 void add_depth_flags(CLI::App& verb, SceneFlags& flags) {
@@ -170,6 +177,11 @@ const Names<IndexFormat> kIndexFormats{{"rgb", IndexFormat::rgb},
                                        {"a", IndexFormat::alpha}};
 const Names<IndexScope> kIndexScopes{
     {"polygon", IndexScope::polygon}, {"object", IndexScope::object}, {"section", IndexScope::section}};
+const Names<IndexOrder> kIndexOrders{{"file", IndexOrder::file}, {"neighbour", IndexOrder::neighbour}};
+const Names<IndexScales> kIndexScales{{"both-x4", IndexScales::both},
+                                      {"first-x4", IndexScales::first},
+                                      {"second-x4", IndexScales::second},
+                                      {"no-scale", IndexScales::none}};
 const Names<DepthCubeBits> kDepthBits{
     {"8", DepthCubeBits::eight}, {"16", DepthCubeBits::sixteen}, {"float", DepthCubeBits::real}};
 const Names<DepthEncoding> kDepthEncodings{{"d24", DepthEncoding::d24},

@@ -28,6 +28,8 @@ template <class E>
 using Names = std::vector<std::pair<std::string, E>>;
 extern const Names<IndexFormat> kIndexFormats;
 extern const Names<IndexScope> kIndexScopes;
+extern const Names<IndexOrder> kIndexOrders;
+extern const Names<IndexScales> kIndexScales;
 extern const Names<DepthCubeBits> kDepthBits;
 extern const Names<DepthEncoding> kDepthEncodings;
 

@@ -130,6 +130,10 @@ void say_error(std::string_view message) {
   say(fmt::format("ninebit: error: {}\n", printable_briefly(message)));
 }
 
+void say_warning(std::string_view message) {
+  say(fmt::format("ninebit: warning: {}\n", printable_briefly(message)));
+}
+
 void say_written(const std::filesystem::path& file) {
   say(fmt::format("wrote {}\n", printable(file.string())));
 }

@@ -65,8 +65,9 @@ void add_common_flags(CLI::App& verb, CommonFlags& flags);
 // printable.h. Write errors are ignored: the results do not depend on stderr.
 void say(std::string_view text) noexcept;
 
-// Prints "ninebit: error: MESSAGE" or "wrote FILE" to stderr, always on one line.
+// Prints "ninebit: error: MESSAGE", "ninebit: warning: MESSAGE" or "wrote FILE" to stderr, always on one line.
 void say_error(std::string_view message);
+void say_warning(std::string_view message);
 void say_written(const std::filesystem::path& file);
 
 // Writes the answer of a verb to stdout: lines for people, with control characters escaped as in printable.h, or a JSON

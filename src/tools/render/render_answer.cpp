@@ -5,6 +5,7 @@
 #include <utility>
 #include <variant>
 
+#include "src/tools/common/index_order.h"
 #include "src/tools/common/number_list.h"
 #include "src/tools/common/picture_hashes.h"
 #include "src/tools/input/printable.h"
@@ -65,11 +66,14 @@ std::string error_line(const Rendering& rendering, const std::optional<GroundTru
 }
 
 Json index_json(const RenderSettings& settings, const Rendering& rendering) {
-  return {{"format", name_in(kIndexFormats, settings.index.format)},
-          {"scope", name_in(kIndexScopes, settings.index.scope)},
-          {"step", settings.index.step},
-          {"used", rendering.codes_used},
-          {"capacity", rendering.codes.capacity()}};
+  Json out{{"format", name_in(kIndexFormats, settings.index.format)},
+           {"scope", name_in(kIndexScopes, settings.index.scope)},
+           {"step", settings.index.step},
+           {"used", rendering.codes_used},
+           {"capacity", rendering.codes.capacity()},
+           {"scales", name_in(kIndexScales, settings.index.scales)}};
+  add_order(out, rendering.index_order);
+  return out;
 }
 
 Json time_json(const FinishedRender& done) {
@@ -85,6 +89,7 @@ std::string summary_text(const RenderFlags& flags, const FinishedRender& done) {
   const Rendering& r = *done.rendering;
   std::string text = fmt::format("{} triangles; pixels: {} lit, {} shadowed, {} background; {:.0f} ms\n",
                                  done.scene->triangles.size(), r.lit, r.shadowed, r.background, done.total_ms);
+  text += order_text(r.index_order);
   if (flags.ground_truth) text += error_line(r, done.truth);
   return text;
 }

@@ -17,6 +17,7 @@ struct RenderFlags {
   std::string folder;
   std::string pick;
   bool ground_truth = false;
+  bool check_order = false;
 };
 
 // A finished rendering. The scene and the rendering are present once the scene is rendered.
@@ -29,7 +30,8 @@ struct FinishedRender {
   double load_ms = 0.0, write_ms = 0.0, total_ms = 0.0;
 };
 
-// The summary for stderr: triangles, pixels, time; with --ground-truth also the errors by cause.
+// The summary for stderr: triangles, pixels, time; with IndexOrder::neighbour also the counts of the order, and with
+// --ground-truth the errors by cause.
 [[nodiscard]] std::string summary_text(const RenderFlags& flags, const FinishedRender& done);
 
 // The polygon or object at the pixel of --pick. The rendering must have a picked index.

@@ -10,6 +10,7 @@
 #include "ninebit/study/shadow_sweep.h"
 #include "src/study/part/sweep_axes.h"
 #include "src/tools/common/cookie_file.h"
+#include "src/tools/common/index_order.h"
 #include "src/tools/common/number_flag.h"
 #include "src/tools/common/number_list.h"
 #include "src/tools/common/scene_flags.h"
@@ -24,13 +25,14 @@ struct ShadowsFlags {
   StudyFlags study;
   SceneFlags scene;
   std::vector<CLI::Option*> scene_options;
-  std::string map_sizes, formats, scopes, steps, depth_bits, biases, encodings, polygon_offsets;
+  std::string map_sizes, formats, scopes, steps, orders, scales, depth_bits, biases, encodings, polygon_offsets;
   bool find_offset = false;
 
   // The axes: flag and list; an empty list is not swept.
   [[nodiscard]] std::vector<std::pair<const char*, const std::string*>> axes() const {
     return {{"--map-sizes", &map_sizes},   {"--formats", &formats},
             {"--scopes", &scopes},         {"--steps", &steps},
+            {"--orders", &orders},         {"--scales", &scales},
             {"--depth-bits", &depth_bits}, {"--biases", &biases},
             {"--encodings", &encodings},   {"--polygon-offsets", &polygon_offsets}};
   }
@@ -96,6 +98,8 @@ ShadowGrid grid_of(const ShadowsFlags& flags) {
   if (flags.find_offset) grid.polygon_offsets = {offsets_to_search().begin(), offsets_to_search().end()};
   grid.index_formats = values_in(kIndexFormats, flags.formats);
   grid.index_scopes = values_in(kIndexScopes, flags.scopes);
+  grid.index_orders = values_in(kIndexOrders, flags.orders);
+  grid.index_scales = values_in(kIndexScales, flags.scales);
   grid.depth_bits = values_in(kDepthBits, flags.depth_bits);
   grid.encodings = values_in(kDepthEncodings, flags.encodings);
   return grid;
@@ -154,6 +158,10 @@ void complete_grid(ShadowsFlags& flags) {
 
 Result<std::unique_ptr<Study>> make_study(const ShadowsFlags& flags) {
   RenderSettings settings = settings_of(flags.scene, flags.study.common);
+  const std::string& technique = flags.scene.technique;
+  IndexOrderReport as_asked;  // the report names the points that used another order
+  as_asked.order = settings.index.order;
+  warn_of_unused_order(technique, settings, as_asked, flags.study.common.quiet);
   auto question = question_of(flags);
   if (!question) return question.error();
   if (!flags.scene.cookie.empty()) {
@@ -163,8 +171,8 @@ Result<std::unique_ptr<Study>> make_study(const ShadowsFlags& flags) {
   }
   auto scene = load_scene(flags.scene, settings, flags.study.common.quiet);
   if (!scene) return scene.error();
-  return make_shadow_sweep(std::move(question).value(), std::move(scene).value(),
-                           *find_technique(flags.scene.technique), settings, grid_of(flags));
+  return make_shadow_sweep(std::move(question).value(), std::move(scene).value(), *find_technique(technique), settings,
+                           grid_of(flags));
 }
 
 // A validator that checks the list as a whole.
@@ -191,6 +199,9 @@ void add_axes(CLI::App& verb, ShadowsFlags& flags) {
   add("--steps", "--index-step", flags.steps, "Steps between indices",
       list_by([](const std::string& t) { return numbers_that<int>(t, is_step); },
               fmt::format("steps from 1 to {}", kMaxIndexStep)));
+  add("--orders", "--index-order", flags.orders, "Orders of indices", list_of(names_of(kIndexOrders)));
+  add("--scales", "--index-scales", flags.scales, "Products that the comparison scales by four",
+      list_of(names_of(kIndexScales)));
   add("--depth-bits", nullptr, flags.depth_bits, "Formats of the depth cube map: 8,16,float",
       list_of(names_of(kDepthBits)));
   add("--biases", "--bias", flags.biases, "Biases of the depth comparison, in world units",

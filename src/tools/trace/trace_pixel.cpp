@@ -71,6 +71,7 @@ Result<TracedPixel> render_pixel(const SceneFlags& flags, const CommonFlags& com
   pixel.y = y;
   pixel.state = state_of(rendering->frame, at);
   pixel.passes = std::move(rendering->probed);
+  pixel.index_order = std::move(rendering->index_order);
   for (const SceneObject& object : scene->objects) pixel.objects.push_back(object.name);
   pixel.object_of = scene->triangle_object;
   choose(pixel, other_program);

@@ -19,6 +19,7 @@ struct TracedPixel {
   std::optional<std::size_t> fragment;   // of that pass
   std::vector<std::string> objects;      // names
   std::vector<std::uint32_t> object_of;  // for each triangle
+  IndexOrderReport index_order;          // of the rendering
 };
 
 // Renders the scene and probes the pixel, which must be inside the picture. The traced fragment is the one that decided

@@ -1,0 +1,231 @@
+// --index-order, --patch-angle, --index-scales and --check-order: what is drawn and answered, and the warnings where
+// the order has no effect.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "combiner_tests/tools/support.h"
+
+namespace tools_test {
+namespace {
+
+using Keys = std::vector<std::string>;
+
+const std::string kNoEffect = "ninebit: warning: --index-order neighbour has no effect";
+const std::string kLabels = NINEBIT_SOURCE_DIR "/scenes/cookies/labels.dds";
+
+std::vector<std::string> room_render(const TempFolder& folder, const std::vector<std::string>& more) {
+  std::vector<std::string> flags{"--size", "160x120", "--map-size", "64", "--light-facing"};
+  flags.insert(flags.end(), more.begin(), more.end());
+  return small_render(kRoom, folder / "out", flags);
+}
+
+Json answer_of(const TempFolder& folder, std::vector<std::string> more) {
+  more.insert(more.end(), {"--json", "--quiet"});
+  return json_of(ninebit(room_render(folder, more)));
+}
+
+bool has_text(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+TEST(IndexOrder, TheFilesIsTheDefault) {
+  const TempFolder folder;
+  const Json plain = answer_of(folder, {});
+  EXPECT_EQ(keys_of(plain["index"]), (Keys{"format", "scope", "step", "used", "capacity", "scales", "order"}));
+  EXPECT_EQ(plain["index"]["order"], "file");
+  EXPECT_EQ(plain["index"]["scales"], "both-x4");
+  const Json given =
+      answer_of(folder, {"--index-order", "file", "--index-scales", "both-x4", "--patch-angle", "20", "--check-order"});
+  EXPECT_EQ(given["hash"], plain["hash"]);
+  EXPECT_EQ(given["index"], plain["index"]);
+  EXPECT_EQ(answer_of(folder, {"--patch-angle", "90"})["hash"], plain["hash"]) << "only neighbour reads the angle";
+}
+
+TEST(IndexOrder, NeighbourAnswersItsCounts) {
+  const TempFolder folder;
+  const Json answer = answer_of(folder, {"--index-order", "neighbour"});
+  const Json& index = answer["index"];
+  EXPECT_EQ(keys_of(index), (Keys{"format", "scope", "step", "used", "capacity", "scales", "order", "patches",
+                                  "borders", "broken_borders", "broken_share", "false_neighbours"}));
+  EXPECT_EQ(index["order"], "neighbour");
+  EXPECT_GT(index["patches"], 0);
+  EXPECT_GT(index["borders"], 0);
+  EXPECT_LE(index["broken_borders"].get<int>(), index["borders"].get<int>());
+  EXPECT_GE(index["broken_share"].get<double>(), 0.0);
+  EXPECT_LE(index["broken_share"].get<double>(), 1.0);
+  EXPECT_EQ(index["false_neighbours"], 0);
+  const Json plain = answer_of(folder, {});
+  EXPECT_LT(answer["pixels"]["shadowed"], plain["pixels"]["shadowed"]) << "joints that are gone";
+  EXPECT_EQ(answer["pixels"]["background"], plain["pixels"]["background"]);
+  EXPECT_NE(answer["hash"]["index_map"], plain["hash"]["index_map"]);
+}
+
+TEST(IndexOrder, TheSameBitsForAnyNumberOfThreads) {
+  const TempFolder folder;
+  const Json one = answer_of(folder, {"--index-order", "neighbour", "--threads", "1"});
+  const Json five = answer_of(folder, {"--index-order", "neighbour", "--threads", "5"});
+  EXPECT_EQ(five["hash"], one["hash"]);
+  EXPECT_EQ(five["index"], one["index"]);
+}
+
+TEST(IndexOrder, PatchAngleCutsPatches) {
+  const TempFolder folder;
+  const auto patches = [&](const char* degrees) {
+    return answer_of(folder, {"--index-order", "neighbour", "--patch-angle", degrees})["index"]["patches"].get<int>();
+  };
+  EXPECT_GT(patches("0"), patches("90"));
+}
+
+TEST(IndexOrder, ScalesChangeWhatTheComparisonLoses) {
+  const TempFolder folder;
+  const auto shadowed = [&](const char* scales) {
+    const Json answer = answer_of(folder, {"--index-scales", scales});
+    EXPECT_EQ(answer["index"]["scales"], scales);
+    EXPECT_EQ(answer["index"]["order"], "file");
+    return answer["pixels"]["shadowed"].get<int>();
+  };
+  const int both = shadowed("both-x4"), first = shadowed("first-x4"), none = shadowed("no-scale");
+  EXPECT_LE(first, both);
+  EXPECT_LT(none, first) << "differences below 16 are lost";
+  EXPECT_LE(shadowed("second-x4"), first);
+}
+
+TEST(IndexOrder, CheckOrderPassesWithoutFalseNeighbours) {
+  const TempFolder folder;
+  const Outcome checked = ninebit(room_render(folder, {"--index-order", "neighbour", "--check-order"}));
+  EXPECT_EQ(checked.code, 0) << checked.err;
+  EXPECT_EQ(checked.out, "");
+  EXPECT_FALSE(has_text(checked.err, "ninebit:")) << checked.err;
+  const Json index = answer_of(folder, {"--index-order", "neighbour", "--check-order"})["index"];
+  const std::string line = "index order: " + index["patches"].dump() + " patches, " + index["borders"].dump() +
+                           " borders, " + index["broken_borders"].dump() + " broken (";
+  EXPECT_TRUE(has_text(checked.err, line)) << checked.err;
+  EXPECT_TRUE(has_text(checked.err, " % of their length), 0 false neighbours\n")) << checked.err;
+  // The same lines without the check, but for the time; none of them for the order of the file.
+  EXPECT_TRUE(has_text(ninebit(room_render(folder, {"--index-order", "neighbour"})).err, line));
+  EXPECT_FALSE(has_text(ninebit(room_render(folder, {})).err, "index order"));
+  const Outcome quiet = ninebit(room_render(folder, {"--index-order", "neighbour", "--check-order", "--quiet"}));
+  EXPECT_EQ(quiet.code, 0);
+  EXPECT_EQ(quiet.out + quiet.err, "");
+}
+
+TEST(IndexOrder, CheckOrderWithoutNeighbourIsAWarning) {
+  const TempFolder folder;
+  const Outcome outcome = ninebit(room_render(folder, {"--check-order"}));
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_TRUE(has_text(outcome.err, "ninebit: warning: --check-order has no effect without --index-order neighbour\n"))
+      << outcome.err;
+}
+
+TEST(IndexOrder, TechniquesWithoutIndicesWarn) {
+  const TempFolder folder;
+  struct Case {
+    std::string technique;
+    std::vector<std::string> flags;
+    std::string reason;  // empty: no warning
+  };
+  const std::vector<Case> cases{
+      {"index-cube", {}, ""},
+      {"depth-cube", {}, "technique depth-cube draws no indices"},
+      {"shadow-map", {}, "technique shadow-map draws no indices"},
+      {"shadow-volume", {}, "technique shadow-volume draws no indices"},
+      {"reflective", {"--light-type", "directional", "--samples", "4"}, "technique reflective draws no indices"},
+      {"light-cookie", {"--cookie", kLabels}, ""},
+      {"light-cookie",
+       {"--cookie", kLabels, "--cookie-shadows", "none"},
+       "technique light-cookie with --cookie-shadows none draws no indices"}};
+  for (const Case& c : cases) {
+    SCOPED_TRACE(c.technique + " " + testing::PrintToString(c.flags));
+    std::vector<std::string> flags{"--technique", c.technique};
+    flags.insert(flags.end(), c.flags.begin(), c.flags.end());
+    const Json plain = answer_of(folder, flags);
+    flags.insert(flags.end(), {"--index-order", "neighbour"});
+    const Outcome outcome = ninebit(room_render(folder, flags));
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    if (c.reason.empty()) {
+      EXPECT_FALSE(has_text(outcome.err, kNoEffect)) << outcome.err;
+      EXPECT_EQ(answer_of(folder, flags)["index"]["order"], "neighbour");
+      continue;
+    }
+    EXPECT_TRUE(has_text(outcome.err, kNoEffect + ": " + c.reason + "\n")) << outcome.err;
+    const Json answer = answer_of(folder, flags);
+    EXPECT_EQ(answer["index"]["order"], "file");
+    EXPECT_EQ(answer["hash"], plain["hash"]);
+    flags.emplace_back("--quiet");
+    EXPECT_EQ(ninebit(room_render(folder, flags)).err, "") << "quiet";
+  }
+}
+
+TEST(IndexOrder, TraceAndStudyWarn) {
+  const std::vector<std::string> trace{"trace",      "--scene",       kRoom,        "--pixel", "80,60",
+                                       "--size",     "160x120",       "--map-size", "64",      "--technique",
+                                       "shadow-map", "--index-order", "neighbour"};
+  const Outcome traced = ninebit(trace);
+  EXPECT_EQ(traced.code, 0);
+  EXPECT_EQ(traced.err, kNoEffect + ": technique shadow-map draws no indices\n");
+  const Outcome studied = ninebit({"study", "shadows", kRoom, "--size", "80x60", "--map-sizes", "32", "--technique",
+                                   "shadow-map", "--index-order", "neighbour", "--json"});
+  EXPECT_TRUE(has_text(studied.err, kNoEffect + ": technique shadow-map draws no indices\n")) << studied.err;
+  const Json row = json_of(studied)["rows"][0];
+  EXPECT_FALSE(row.contains("index_order"));
+  EXPECT_FALSE(row.contains("index_order_reason"));
+}
+
+std::vector<std::string> sweep_words(const std::vector<std::string>& more) {
+  std::vector<std::string> words{"study", "shadows", kRoom, "--size", "80x60", "--map-sizes", "32", "--json"};
+  words.insert(words.end(), more.begin(), more.end());
+  return words;
+}
+
+TEST(IndexOrder, SweptRowsAreWhatRenderCounts) {
+  const TempFolder folder;
+  const Json answer = json_of(ninebit(sweep_words({"--orders", "file,neighbour", "--scales", "both-x4,no-scale"})));
+  ASSERT_EQ(answer["rows"].size(), 4U);
+  EXPECT_TRUE(has_text(answer["question"], "--orders file,neighbour --scales both-x4,no-scale"));
+  for (const std::size_t point : {1U, 2U}) {
+    const Json& row = answer["rows"][point];
+    const std::string order = point < 2 ? "file" : "neighbour", scales = point == 2 ? "both-x4" : "no-scale";
+    EXPECT_EQ(row["index_order"], order);
+    EXPECT_EQ(row["index_scales"], scales);
+    const Json render =
+        json_of(ninebit({"render", kRoom, "-o", folder / "out", "--size", "80x60", "--map-size", "32", "--index-order",
+                         order, "--index-scales", scales, "--ground-truth", "--json"}));
+    for (const char* count : {"lit", "shadowed"}) EXPECT_EQ(row[count], render["pixels"][count]) << count;
+    for (const char* count : {"false_lit", "false_shadowed"}) EXPECT_EQ(row[count], render["errors"][count]) << count;
+  }
+}
+
+// Tables and parts of studies that do not use the order keep their columns.
+TEST(IndexOrder, ColumnsOnlyWhereTheyVary) {
+  const auto keys = [](const std::vector<std::string>& more) {
+    return keys_of(json_of(ninebit(sweep_words(more)))["rows"][0]);
+  };
+  const Keys plain = keys({});
+  EXPECT_EQ(plain, (Keys{"point", "technique", "map_size", "index_format", "index_scope", "index_step", "lit",
+                         "shadowed", "false_lit", "false_shadowed", "wrong", "wrong_share", "truncation", "joint",
+                         "vanished", "shared", "sampling", "refused"}));
+  EXPECT_EQ(keys({"--index-order", "file", "--index-scales", "both-x4"}), plain);
+  const auto with = [&](const Keys& settings, const Keys& reasons) {
+    Keys all = plain;
+    all.insert(std::find(all.begin(), all.end(), "lit"), settings.begin(), settings.end());
+    all.insert(all.end() - 1, reasons.begin(), reasons.end());
+    return all;
+  };
+  EXPECT_EQ(keys({"--index-order", "neighbour"}), with({"index_order"}, {"index_order_reason"}));
+  EXPECT_EQ(keys({"--orders", "file"}), with({"index_order"}, {"index_order_reason"}));
+  EXPECT_EQ(keys({"--index-scales", "no-scale"}), with({"index_scales"}, {}));
+  EXPECT_EQ(keys({"--orders", "neighbour", "--scales", "first-x4"}),
+            with({"index_order", "index_scales"}, {"index_order_reason"}));
+}
+
+TEST(IndexOrder, PartsResumeAndKeepTheirQuestion) {
+  const TempFolder folder;
+  const std::vector<std::string> more{"--orders", "file,neighbour", "-o", folder / "out"};
+  const Json first = json_of(ninebit(sweep_words(more)));
+  EXPECT_EQ(json_of(ninebit(sweep_words(more))), first);
+  EXPECT_NE(json_of(ninebit(sweep_words({"--orders", "neighbour,file"})))["question"], first["question"]);
+}
+
+}  // namespace
+}  // namespace tools_test
