@@ -13,7 +13,7 @@ namespace {
 constexpr double kDistanceCost = 1e-3;
 constexpr double kFarthest = 9.0;
 // Rounds over all patches with broken borders.
-constexpr int kRounds = 3;
+constexpr int kRounds = 2;
 
 }  // namespace
 
@@ -25,17 +25,17 @@ void CodeEmbedding::CodeLengths::start(std::size_t most) {
   entries_.clear();
 }
 
-void CodeEmbedding::CodeLengths::add(const CodeBytes& code, float length) {
+void CodeEmbedding::CodeLengths::add(std::uint32_t number, float length) {
   constexpr std::uint32_t kSpread = 0x9E3779B1;
   const std::size_t mask = slots_.size() - 1;
-  for (std::size_t i = code_number(code) * kSpread & mask;; i = (i + 1) & mask) {
+  for (std::size_t i = number * kSpread & mask;; i = (i + 1) & mask) {
     Slot& slot = slots_[i];
     if (slot.stamp != stamp_) {
       slot = {stamp_, static_cast<std::uint32_t>(entries_.size())};
-      entries_.emplace_back(code, length);
+      entries_.emplace_back(number, length);
       return;
     }
-    if (entries_[slot.entry].first == code) {
+    if (entries_[slot.entry].first == number) {
       entries_[slot.entry].second += length;
       return;
     }
@@ -166,12 +166,16 @@ void CodeEmbedding::collect_candidates(std::uint32_t patch, float least) {
     if (!lattice_.has_code(border.patch)) continue;
     placed += static_cast<double>(border.length);
     const CodeBytes& from = lattice_.code(border.patch);
-    for (const CodeBytes& d : steps_) codes_.add({from[0] + d[0], from[1] + d[1], from[2] + d[2]}, border.length);
+    for (const CodeBytes& d : steps_) {
+      const CodeBytes code{from[0] + d[0], from[1] + d[1], from[2] + d[2]};
+      if (lattice_.usable(code)) codes_.add(code_number(code), border.length);
+    }
   }
   if (codes_.entries().empty()) return;
   const glm::dvec3 expected = expected_code(patch);
-  for (const auto& [code, length_of_steps] : codes_.entries()) {
-    if (!lattice_.usable(code)) continue;
+  for (const auto& [number, length_of_steps] : codes_.entries()) {
+    const CodeBytes code{static_cast<int>(number & 255U), static_cast<int>(number >> 8 & 255U),
+                         static_cast<int>(number >> 16)};
     const float length = all_steps_ ? length_of_steps : kept(patch, code);
     if (length <= least) continue;
     double apart = 0.0;

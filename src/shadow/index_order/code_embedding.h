@@ -34,12 +34,12 @@ class CodeEmbedding {
     CodeBytes code;
   };
 
-  // Codes, each with the sum of the lengths that were added to it.
+  // Numbers of codes, each with the sum of the lengths that were added to it.
   class CodeLengths {
    public:
     void start(std::size_t most);  // empties it; `most` calls of add() may follow
-    void add(const CodeBytes& code, float length);
-    [[nodiscard]] const std::vector<std::pair<CodeBytes, float>>& entries() const { return entries_; }
+    void add(std::uint32_t number, float length);
+    [[nodiscard]] const std::vector<std::pair<std::uint32_t, float>>& entries() const { return entries_; }
 
    private:
     struct Slot {
@@ -47,7 +47,7 @@ class CodeEmbedding {
     };
     std::vector<Slot> slots_;  // a hash table; only slots with the latest stamp are filled
     std::uint32_t stamp_ = 0;
-    std::vector<std::pair<CodeBytes, float>> entries_;
+    std::vector<std::pair<std::uint32_t, float>> entries_;
   };
 
   // The patches in the order of placement: always the one with the longest border to those before.

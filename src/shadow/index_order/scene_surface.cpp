@@ -4,6 +4,8 @@
 
 #include <numeric>
 
+#include "src/system/parallel/parallel_loop.h"
+
 namespace ninebit {
 
 SceneSurface::SceneSurface(const Scene& scene) {
@@ -38,6 +40,18 @@ SceneSurface::SceneSurface(const Scene& scene) {
     for (const std::uint32_t p : corners_[t]) at_place_[next[p]++] = t;
   }
   diagonal_ = static_cast<double>(bounds_of(scene).diagonal());
+  find_neighbours();
+}
+
+void SceneSurface::find_neighbours() {
+  across_.assign(corners_.size() * 3, kNoPolygon);
+  parallel_for(corners_.size(), 4096, [this](std::size_t polygon) {
+    for (std::size_t edge = 0; edge < 3; ++edge) {
+      std::uint32_t& across = across_[polygon * 3 + edge];
+      search_edge(static_cast<std::uint32_t>(polygon), edge,
+                  [&](std::uint32_t other) { across = across == kNoPolygon ? other : kSeveral; });
+    }
+  });
 }
 
 }  // namespace ninebit

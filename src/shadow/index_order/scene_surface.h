@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "ninebit/scene/scene.h"
@@ -47,6 +48,18 @@ class SceneSurface {
   // with more than kMaxValence polygons each is left out, because a search there would take quadratic time.
   template <class Each>
   void across_edge(std::uint32_t polygon, std::size_t edge, const Each& each) const {
+    const std::uint32_t known = across_[polygon * std::size_t{3} + edge];
+    if (known == kNoPolygon) return;
+    if (known != kSeveral) return each(known);
+    search_edge(polygon, edge, each);
+  }
+  static constexpr std::size_t kMaxValence = 64;
+
+ private:
+  static constexpr std::uint32_t kNoPolygon = ~0U, kSeveral = ~1U;
+
+  template <class Each>
+  void search_edge(std::uint32_t polygon, std::size_t edge, const Each& each) const {
     std::uint32_t from = corners_[polygon][edge], to = corners_[polygon][(edge + 1) % 3];
     if (polygons_at(to).size() < polygons_at(from).size()) std::swap(from, to);
     if (polygons_at(from).size() > kMaxValence) return;
@@ -55,10 +68,10 @@ class SceneSurface {
       if (other != polygon && (c[0] == to || c[1] == to || c[2] == to)) each(other);
     }
   }
-  static constexpr std::size_t kMaxValence = 64;
+  void find_neighbours();
 
- private:
   std::vector<Corners> corners_;
+  std::vector<std::uint32_t> across_;  // three per polygon: the only other polygon at an edge
   std::vector<glm::dvec3> position_;
   std::vector<glm::dvec3> normal_;
   std::vector<double> offset_, twice_area_;
