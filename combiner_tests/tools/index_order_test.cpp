@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdlib>
+#include <sstream>
 
 #include "combiner_tests/tools/support.h"
 
@@ -155,6 +157,31 @@ TEST(IndexOrder, TechniquesWithoutIndicesWarn) {
     flags.emplace_back("--quiet");
     EXPECT_EQ(ninebit(room_render(folder, flags)).err, "") << "quiet";
   }
+}
+
+// The codes of a register line of a trace: "  primary   136    8    8  255".
+std::vector<int> codes_of(const std::string& text, const std::string& name) {
+  std::istringstream line(text.substr(text.find("\n  " + name + " ") + 3 + name.size()));
+  std::vector<int> codes(3);
+  for (int& code : codes) line >> code;
+  return codes;
+}
+
+TEST(IndexOrder, TraceOfAFormerJointShowsWhereTheDifferenceIsLost) {
+  const auto traced = [](const char* order) {
+    const Outcome outcome = ninebit({"trace", "--scene", kRoom, "--size", "800x600", "--pixel", "427,393",
+                                     "--light-facing", "--index-order", order});
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    return outcome.out;
+  };
+  const std::string joint = traced("file"), lost = traced("neighbour");
+  EXPECT_TRUE(has_text(joint, "size 800x600: shadowed"));
+  EXPECT_FALSE(has_text(joint, "<- everything"));
+  EXPECT_TRUE(has_text(lost, "size 800x600: lit"));
+  EXPECT_TRUE(has_text(lost, "<- everything"));
+  const std::vector<int> own = codes_of(lost, "primary"), other = codes_of(lost, "tex0");
+  EXPECT_NE(own, other);
+  for (std::size_t c = 0; c < 3; ++c) EXPECT_LE(std::abs(own[c] - other[c]), 1);
 }
 
 TEST(IndexOrder, TraceAndStudyWarn) {

@@ -32,7 +32,6 @@ Result<NeighbourOrder> order_by_neighbours(const Scene& scene, const IndexSettin
                               ? Patches::grow(surface, scene.triangle_object, degrees)
                               : Patches::of_units(surface, units, *std::max_element(units.begin(), units.end()) + 1);
   CodeLattice lattice(*lost, settings.step, patches.count());
-  order.capacity = static_cast<std::uint32_t>(lattice.capacity());
   std::vector<bool> back_is_hidden(patches.count());
   const std::vector<bool> hidden = find_hidden_backs(scene, surface);
   for (std::uint32_t t = 0; t < surface.polygons(); ++t) {
@@ -45,7 +44,7 @@ Result<NeighbourOrder> order_by_neighbours(const Scene& scene, const IndexSettin
         .message = fmt::format("too many patches: {} of them and the cleared map need {} codes, index format {} with "
                                "codes {} apart has {}; a larger patch angle gives fewer patches",
                                patches.count(), patches.count() + std::uint64_t{1}, name_of(settings.format),
-                               lattice.spacing(), order.capacity)};
+                               lattice.spacing(), lattice.capacity())};
   }
 
   order.report.order = IndexOrder::neighbour;

@@ -17,7 +17,6 @@ namespace ninebit {
 struct NeighbourOrder {
   std::vector<std::uint32_t> patch_of_polygon;
   std::vector<CodeBytes> code;  // of each patch
-  std::uint32_t capacity = 0;   // patches that have room at the lattice's spacing, with the cleared map's code
   IndexOrderReport report;      // if report.order is `file`, nothing else is set but the reason
 };
 

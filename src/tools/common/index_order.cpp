@@ -32,6 +32,7 @@ std::string order_text(const IndexOrderReport& report) {
 
 void add_order(Json& index, const IndexOrderReport& report) {
   index["order"] = name_in(kIndexOrders, report.order);
+  if (!report.reason.empty()) index["reason"] = report.reason;
   if (report.order == IndexOrder::file) return;
   index["patches"] = report.patches;
   index["borders"] = report.borders;
