@@ -113,7 +113,7 @@ class SceneFlattener {
       if (length > 0.0 && std::isfinite(length)) normal = glm::vec3(turned / length);
     }
     if (out_.positions.size() >= kNotPlaced) return fault_of("has more than 2^32 - 1 vertices");
-    placed = builder_.vertex(position, normal);
+    placed = builder_.vertex({.position = position, .normal = normal});
     return std::nullopt;
   }
 

@@ -137,6 +137,8 @@ void add_floor(Scene& scene, const Bounds& bounds, float height) {
   for (const glm::vec2& corner : kCorners) {
     scene.positions.emplace_back(center.x + corner.x * reach, height, center.z + corner.y * reach);
     scene.normals.emplace_back(0.0F, 1.0F, 0.0F);
+    if (!scene.texture_coordinates.empty()) scene.texture_coordinates.push_back((corner + 1.0F) * 0.5F);
+    if (!scene.colors.empty()) scene.colors.emplace_back(1.0F);
   }
   for (const glm::uvec3& corners : {glm::uvec3(0, 1, 2), glm::uvec3(0, 2, 3)}) {
     scene.triangles.push_back(corners + first_vertex);

@@ -8,6 +8,7 @@
 
 #include "src/scene/fault_of.h"
 #include "src/scene/read_limits.h"
+#include "src/scene/scene_check.h"
 
 namespace ninebit {
 namespace {
@@ -99,9 +100,24 @@ std::optional<std::string> GltfMeshes::resolve_primitive(const JsonValue& from, 
   if (auto fault = resolve_numbers(item(from, "indices"), "SCALAR", {5121, 5123, 5125}, out.indices)) return fault;
   out.positions = *positions;
   if (out.normals && out.normals->count != out.positions.count) out.normals.reset();
+  if (auto fault = resolve_surface(attributes, out)) return fault;
   const std::uint64_t corners = out.indices ? out.indices->count : out.positions.count;
   out.triangles = triangles_along(out.mode, corners);
   return material_of(item(from, "material"), out.material);
+}
+
+std::optional<std::string> GltfMeshes::resolve_surface(const JsonValue& attributes, GltfPrimitive& out) {
+  const JsonValue& coordinates = item(attributes, "TEXCOORD_0");
+  if (auto fault = resolve_numbers(coordinates, "VEC2", {5126, 5121, 5123}, out.texture_coordinates)) return fault;
+  const JsonValue& color = item(attributes, "COLOR_0");
+  const JsonValue& accessor = target_of(item(root_, "accessors"), color);
+  out.has_alpha = text_of(item(accessor, "type")) == "VEC4";
+  if (auto fault = resolve_numbers(color, out.has_alpha ? "VEC4" : "VEC3", {5126, 5121, 5123}, out.colors))
+    return fault;
+  for (auto* numbers : {&out.texture_coordinates, &out.colors}) {
+    if (*numbers && (*numbers)->count != out.positions.count) numbers->reset();
+  }
+  return std::nullopt;
 }
 
 // Attributes that the extension does not name are in accessors as usual.
@@ -215,8 +231,20 @@ std::optional<std::string> GltfMeshes::place_primitive(const GltfPrimitive& prim
 
 std::optional<std::string> GltfMeshes::place_corner(const GltfPrimitive& primitive, const MeshPlace& place,
                                                     std::uint64_t corner, std::uint32_t& vertex) {
-  const glm::vec3 normal = primitive.normals ? primitive.normals->vector(corner) : glm::vec3(0.0F);
-  return builder_.vertex_at(place, primitive.positions.vector(corner), normal, vertex);
+  MeshVertex own{.position = primitive.positions.vector<3>(corner)};
+  if (primitive.normals) own.normal = primitive.normals->vector<3>(corner);
+  if (primitive.texture_coordinates) {
+    const glm::vec2 at = primitive.texture_coordinates->vector<2>(corner);
+    own.texture_coordinate = is_finite(glm::vec3(at, 0.0F)) ? at : glm::vec2(0.0F);
+  }
+  if (primitive.colors) {
+    const glm::vec4 color = primitive.has_alpha ? primitive.colors->vector<4>(corner)
+                                                : glm::vec4(primitive.colors->vector<3>(corner), 1.0F);
+    // A comparison with NaN is false.
+    own.color.emplace();
+    for (glm::length_t i = 0; i < 4; ++i) (*own.color)[i] = color[i] > 0.0F ? std::min(color[i], 1.0F) : 0.0F;
+  }
+  return builder_.vertex_at(place, own, vertex);
 }
 
 }  // namespace ninebit

@@ -17,6 +17,9 @@ namespace ninebit {
 struct GltfPrimitive {
   GltfNumbers positions;
   std::optional<GltfNumbers> normals;
+  std::optional<GltfNumbers> texture_coordinates;  // TEXCOORD_0
+  std::optional<GltfNumbers> colors;               // COLOR_0
+  bool has_alpha = false;                          // of the colours
   std::optional<GltfNumbers> indices;
   std::uint32_t material = 0;  // index into the scene's materials
   std::uint64_t mode = 4;      // 4: triangles, 5: a strip, 6: a fan
@@ -50,6 +53,7 @@ class GltfMeshes {
                                                              GltfPrimitive& out);
   [[nodiscard]] std::optional<std::string> resolve_compressed(const JsonValue& from, const std::string& name,
                                                               GltfPrimitive& out);
+  [[nodiscard]] std::optional<std::string> resolve_surface(const JsonValue& attributes, GltfPrimitive& out);
   [[nodiscard]] std::optional<Diagnostic> decode_compressed(const SceneReadOptions& options);
   void take_decoded(GltfPrimitive& primitive) const;
   [[nodiscard]] std::optional<std::string> resolve_numbers(const JsonValue& reference, const char* type,

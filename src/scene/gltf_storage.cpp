@@ -108,16 +108,21 @@ std::uint32_t GltfNumbers::index(std::uint64_t at) const {
   return little_endian(data, at * stride, gltf_component_size(component));
 }
 
-glm::vec3 GltfNumbers::vector(std::uint64_t at) const {
+float GltfNumbers::component_at(std::uint64_t at, std::uint64_t i) const {
   const std::uint64_t size = gltf_component_size(component);
-  glm::vec3 out;
-  for (glm::length_t i = 0; i < 3; ++i) {
-    const std::uint32_t bits = little_endian(data, at * stride + static_cast<std::uint64_t>(i) * size, size);
-    if (component == 5126) out[i] = std::bit_cast<float>(bits);
-    if (component == 5120) out[i] = std::max(static_cast<float>(static_cast<std::int8_t>(bits)) / 127.0F, -1.0F);
-    if (component == 5122) out[i] = std::max(static_cast<float>(static_cast<std::int16_t>(bits)) / 32767.0F, -1.0F);
+  const std::uint32_t bits = little_endian(data, at * stride + i * size, size);
+  switch (component) {
+    case 5120:
+      return std::max(static_cast<float>(static_cast<std::int8_t>(bits)) / 127.0F, -1.0F);
+    case 5121:
+      return static_cast<float>(bits) / 255.0F;
+    case 5122:
+      return std::max(static_cast<float>(static_cast<std::int16_t>(bits)) / 32767.0F, -1.0F);
+    case 5123:
+      return static_cast<float>(bits) / 65535.0F;
+    default:
+      return std::bit_cast<float>(bits);
   }
-  return out;
 }
 
 std::optional<std::string> fault_of_use(const JsonValue& accessor, const char* type,

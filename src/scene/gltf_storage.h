@@ -43,7 +43,16 @@ struct GltfNumbers {
   std::uint64_t component = 0;  // the glTF number of its type
 
   [[nodiscard]] std::uint32_t index(std::uint64_t at) const;  // of a SCALAR of unsigned integers
-  [[nodiscard]] glm::vec3 vector(std::uint64_t at) const;     // of a VEC3; signed integers are normalized
+  // Of a VEC2, VEC3 or VEC4, the first N components; integers are normalized.
+  template <glm::length_t N>
+  [[nodiscard]] glm::vec<N, float> vector(std::uint64_t at) const {
+    glm::vec<N, float> out;
+    for (glm::length_t i = 0; i < N; ++i) out[i] = component_at(at, static_cast<std::uint64_t>(i));
+    return out;
+  }
+
+ private:
+  [[nodiscard]] float component_at(std::uint64_t at, std::uint64_t i) const;
 };
 
 // The fault of an accessor that must have this element type and one of these component types; nothing if it fits.

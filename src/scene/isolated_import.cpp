@@ -27,6 +27,8 @@ void write(posix::AnswerWriter& to, const Result<Imported>& imported) {
   to.values(std::span(glm::value_ptr(imported->root_transform), 16));
   to.values(std::span(scene.positions));
   to.values(std::span(scene.normals));
+  to.values(std::span(scene.texture_coordinates));
+  to.values(std::span(scene.colors));
   to.values(std::span(scene.triangles));
   to.values(std::span(scene.triangle_object));
   to.values(std::span(scene.triangle_material));
@@ -85,7 +87,8 @@ std::optional<Result<Imported>> read(posix::AnswerReader& from) {
   Scene& scene = imported.scene;
   std::vector<double> root;
   const bool whole = from.values(root) && root.size() == 16 && from.values(scene.positions) &&
-                     from.values(scene.normals) && from.values(scene.triangles) && from.values(scene.triangle_object) &&
+                     from.values(scene.normals) && from.values(scene.texture_coordinates) &&
+                     from.values(scene.colors) && from.values(scene.triangles) && from.values(scene.triangle_object) &&
                      from.values(scene.triangle_material) && read_objects(from, scene) && read_materials(from, scene) &&
                      from.bytes_left() == 0;
   if (!whole) return std::nullopt;

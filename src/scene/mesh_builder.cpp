@@ -13,18 +13,27 @@
 namespace ninebit {
 namespace {
 
+// Of corners without them.
+constexpr glm::vec2 kNoTextureCoordinate(0.0F);
+constexpr glm::vec4 kNoColor(1.0F);
+
 // Adding +0 turns -0 into +0: both are the same position.
 std::uint32_t bits(float value) {
   return std::bit_cast<std::uint32_t>(value + 0.0F);
 }
 
-bool same_bits(const glm::vec3& a, const glm::vec3& b) {
-  return bits(a.x) == bits(b.x) && bits(a.y) == bits(b.y) && bits(a.z) == bits(b.z);
+template <glm::length_t N>
+bool same_bits(const glm::vec<N, float>& a, const glm::vec<N, float>& b) {
+  for (glm::length_t i = 0; i < N; ++i) {
+    if (bits(a[i]) != bits(b[i])) return false;
+  }
+  return true;
 }
 
-std::uint64_t mix(std::uint64_t hash, const glm::vec3& value) {
-  for (const float part : {value.x, value.y, value.z}) {
-    hash = (hash ^ bits(part)) * 0x9E3779B97F4A7C15U;
+template <glm::length_t N>
+std::uint64_t mix(std::uint64_t hash, const glm::vec<N, float>& value) {
+  for (glm::length_t i = 0; i < N; ++i) {
+    hash = (hash ^ bits(value[i])) * 0x9E3779B97F4A7C15U;
     hash ^= hash >> 29U;
   }
   return hash;
@@ -32,10 +41,6 @@ std::uint64_t mix(std::uint64_t hash, const glm::vec3& value) {
 
 std::size_t place_hash(const glm::vec3& position) {
   return static_cast<std::size_t>(mix(0xCBF29CE484222325U, position));
-}
-
-std::size_t vertex_hash(const glm::vec3& position, const glm::vec3& normal) {
-  return static_cast<std::size_t>(mix(mix(0xCBF29CE484222325U, position), normal));
 }
 
 glm::vec3 unit_or_zero(const glm::dvec3& vector) {
@@ -99,18 +104,45 @@ void MeshBuilder::begin_object(const std::string& name) {
   shared_.clear();
 }
 
-std::uint32_t MeshBuilder::vertex(const glm::vec3& position, const glm::vec3& normal) {
-  const glm::vec3 unit = unit_or_zero(glm::dvec3(normal));
-  shared_.reserve_one([this](std::uint32_t i) { return vertex_hash(scene_.positions[i], scene_.normals[i]); });
-  std::uint32_t& slot = shared_.slot(vertex_hash(position, unit), [&](std::uint32_t i) {
-    return same_bits(scene_.positions[i], position) && same_bits(scene_.normals[i], unit);
-  });
-  if (slot == VertexTable::kFree) {
-    slot = static_cast<std::uint32_t>(scene_.positions.size());
-    ++shared_.count;
-    scene_.positions.push_back(position + 0.0F);
-    scene_.normals.push_back(unit);
+MeshBuilder::Stored MeshBuilder::stored(std::uint32_t vertex) const {
+  return {.position = scene_.positions[vertex],
+          .normal = scene_.normals[vertex],
+          .texture_coordinate =
+              scene_.texture_coordinates.empty() ? kNoTextureCoordinate : scene_.texture_coordinates[vertex],
+          .color = scene_.colors.empty() ? kNoColor : scene_.colors[vertex]};
+}
+
+bool MeshBuilder::equal(const Stored& a, const Stored& b) {
+  return same_bits(a.position, b.position) && same_bits(a.normal, b.normal) &&
+         same_bits(a.texture_coordinate, b.texture_coordinate) && same_bits(a.color, b.color);
+}
+
+std::size_t MeshBuilder::hash(const Stored& vertex) {
+  std::uint64_t hash = mix(mix(0xCBF29CE484222325U, vertex.position), vertex.normal);
+  // Most vertices of most files have neither.
+  if (!same_bits(vertex.texture_coordinate, kNoTextureCoordinate)) hash = mix(hash, vertex.texture_coordinate);
+  if (!same_bits(vertex.color, kNoColor)) hash = mix(hash, vertex.color);
+  return static_cast<std::size_t>(hash);
+}
+
+std::uint32_t MeshBuilder::vertex(const MeshVertex& corner) {
+  const Stored own{.position = corner.position + 0.0F,
+                   .normal = unit_or_zero(glm::dvec3(corner.normal)),
+                   .texture_coordinate = corner.texture_coordinate.value_or(kNoTextureCoordinate),
+                   .color = corner.color.value_or(kNoColor)};
+  shared_.reserve_one([this](std::uint32_t i) { return hash(stored(i)); });
+  std::uint32_t& slot = shared_.slot(hash(own), [&](std::uint32_t i) { return equal(stored(i), own); });
+  if (slot != VertexTable::kFree) return slot;
+  slot = static_cast<std::uint32_t>(scene_.positions.size());
+  ++shared_.count;
+  if (corner.texture_coordinate) scene_.texture_coordinates.resize(slot, kNoTextureCoordinate);
+  if (corner.color) scene_.colors.resize(slot, kNoColor);
+  scene_.positions.push_back(own.position);
+  scene_.normals.push_back(own.normal);
+  if (corner.texture_coordinate || !scene_.texture_coordinates.empty()) {
+    scene_.texture_coordinates.push_back(own.texture_coordinate);
   }
+  if (corner.color || !scene_.colors.empty()) scene_.colors.push_back(own.color);
   return slot;
 }
 
@@ -129,13 +161,15 @@ void MeshBuilder::end_object() {
   scene_.objects.pop_back();
   scene_.positions.resize(first_vertex_);
   scene_.normals.resize(first_vertex_);
+  if (!scene_.texture_coordinates.empty()) scene_.texture_coordinates.resize(first_vertex_);
+  if (!scene_.colors.empty()) scene_.colors.resize(first_vertex_);
 }
 
-std::optional<std::string> MeshBuilder::vertex_at(const MeshPlace& place, const glm::vec3& position,
-                                                  const glm::vec3& normal, std::uint32_t& vertex) {
-  const glm::vec3 at(glm::dvec3(place.world * glm::dvec4(glm::dvec3(position), 1.0)));
-  if (!is_finite(at)) return "the position of a vertex is not finite";
-  vertex = this->vertex(at, unit_or_zero(place.normals * glm::dvec3(normal)));
+std::optional<std::string> MeshBuilder::vertex_at(const MeshPlace& place, MeshVertex corner, std::uint32_t& vertex) {
+  corner.position = glm::vec3(glm::dvec3(place.world * glm::dvec4(glm::dvec3(corner.position), 1.0)));
+  if (!is_finite(corner.position)) return "the position of a vertex is not finite";
+  corner.normal = unit_or_zero(place.normals * glm::dvec3(corner.normal));
+  vertex = this->vertex(corner);
   return std::nullopt;
 }
 

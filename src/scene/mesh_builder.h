@@ -21,6 +21,14 @@ struct MeshPlace {
   [[nodiscard]] static MeshPlace of(const glm::dmat4& world);
 };
 
+// A corner as a file gives it.
+struct MeshVertex {
+  glm::vec3 position{0.0F};
+  glm::vec3 normal{0.0F};  // zero: the file has none
+  std::optional<glm::vec2> texture_coordinate{};
+  std::optional<glm::vec4> color{};
+};
+
 // A hash table of vertex numbers, keyed by the bits of the vertices' data in the scene. Its memory and the time to
 // clear it are proportional to its number of vertices.
 class VertexTable {
@@ -40,28 +48,37 @@ class VertexTable {
   std::vector<std::uint32_t> slots_;  // a power of two, at most half of them used
 };
 
-// Corners of one object with the same position and normal, bit for bit, become one vertex: files store corners,
+// Corners of one object with equal data, bit for bit, become one vertex: files store corners,
 // techniques need shared vertices. A corner whose normal is zero or not finite gets the mean normal of the object's
-// triangles at exactly its position, weighted by area; such corners are shared by position only.
+// triangles at exactly its position, weighted by area. Texture coordinates and colours that a corner does not have,
+// while others of the scene do, are (0, 0) and white.
 class MeshBuilder {
  public:
   explicit MeshBuilder(Scene& scene) : scene_(scene) {}
 
   void begin_object(const std::string& name);
-  [[nodiscard]] std::uint32_t vertex(const glm::vec3& position, const glm::vec3& normal);
+  [[nodiscard]] std::uint32_t vertex(const MeshVertex& corner);
   void triangle(const glm::uvec3& corners, std::uint32_t material);
   // Removes the object if it has no triangle.
   void end_object();
 
   // Adds a vertex of a mesh, transformed by `place`. Returns a fault if its position is then not finite.
-  [[nodiscard]] std::optional<std::string> vertex_at(const MeshPlace& place, const glm::vec3& position,
-                                                     const glm::vec3& normal, std::uint32_t& vertex);
+  [[nodiscard]] std::optional<std::string> vertex_at(const MeshPlace& place, MeshVertex corner, std::uint32_t& vertex);
   // Adds the triangles of a polygon with three corners or more, which are vertices of this object. Returns a fault for
   // a concave polygon with too many corners and for a scene with too many triangles.
   [[nodiscard]] std::optional<std::string> polygon(std::span<const std::uint32_t> corners, std::uint32_t material,
                                                    bool mirrored = false);
 
  private:
+  // The data of a vertex in the scene, or of a corner as the scene would hold it.
+  struct Stored {
+    glm::vec3 position, normal;
+    glm::vec2 texture_coordinate;
+    glm::vec4 color;
+  };
+  [[nodiscard]] Stored stored(std::uint32_t vertex) const;
+  [[nodiscard]] static bool equal(const Stored& a, const Stored& b);
+  [[nodiscard]] static std::size_t hash(const Stored& vertex);
   void fill_normals();
 
   Scene& scene_;

@@ -38,9 +38,8 @@ class ObjStatements {
     const std::string_view key = words[0];
     if (key == "v" || key == "vn") return add_vector(words, key == "v");
     if (key == "f" || key == "fo") return add_face(words, line);
-    if (key == "vt") {
-      ++defined_[1];
-    } else if (key == "o") {
+    if (key == "vt") return add_texture_coordinate(words);
+    if (key == "o") {
       if (words.size() > 1) object_ = object_named(std::string(words[1]));
     } else if (key == "g") {
       begin_group(joined_words(words, 1));
@@ -64,9 +63,11 @@ class ObjStatements {
 
   std::vector<glm::vec3> positions;
   std::vector<glm::vec3> normals;
+  std::vector<glm::vec2> texture_coordinates;
   // A short line is enough for a face, so a face is stored in few bytes, in containers that do not copy when they grow.
   std::deque<std::uint32_t> corner_positions;
-  std::deque<std::uint32_t> corner_normals;  // kNone: the corner has none; empty: no corner has one
+  std::deque<std::uint32_t> corner_textures;  // kNone: the corner has none; empty: no corner has one
+  std::deque<std::uint32_t> corner_normals;   // likewise
   std::deque<ObjFace> faces;
   std::vector<ObjRun> runs;
   std::vector<std::string> objects;
@@ -93,10 +94,23 @@ class ObjStatements {
     return std::nullopt;
   }
 
+  // "vt s t [r]": t counts upwards from a picture's bottom.
+  std::optional<std::string> add_texture_coordinate(const std::vector<std::string_view>& words) {
+    glm::vec2 at(0.0F);
+    for (std::size_t i = 1; i < words.size() && i < 3; ++i) {
+      // A coordinate that is not finite is not a fault, like a normal.
+      if (auto fault = read_normal_part(words[i], at[static_cast<glm::length_t>(i) - 1])) return fault;
+    }
+    const bool finite = is_finite(glm::vec3(at, 0.0F));
+    texture_coordinates.push_back(finite ? glm::vec2(at.x, 1.0F - at.y) : glm::vec2(0.0F));
+    ++defined_[1];
+    return std::nullopt;
+  }
+
   // One corner of a face, "v", "v/vt", "v//vn" or "v/vt/vn"; indices count from 1, or, if negative, back from the last.
   std::optional<std::string> add_corner(std::string_view word, int line) {
     const std::string_view whole = word;
-    std::uint32_t position = 0, normal = kNone;
+    std::uint32_t position = 0, texture = kNone, normal = kNone;
     for (std::size_t kind = 0; kind < 3; ++kind) {
       const std::size_t slash = std::min(word.find('/'), word.size());
       const std::string_view part = word.substr(0, slash);
@@ -111,17 +125,24 @@ class ObjStatements {
         }
         const auto from_zero = static_cast<std::uint32_t>(*index > 0 ? *index - 1 : defined_[kind] + *index);
         if (kind == 0) position = from_zero;
+        if (kind == 1) texture = from_zero;
         if (kind == 2) normal = from_zero;
       }
       if (slash == word.size()) {
-        if (normal != kNone) corner_normals.resize(corner_positions.size(), kNone);
-        if (normal != kNone || !corner_normals.empty()) corner_normals.push_back(normal);
+        add_optional(corner_textures, texture);
+        add_optional(corner_normals, normal);
         corner_positions.push_back(position);
         return std::nullopt;
       }
       word.remove_prefix(slash + 1);
     }
     return fmt::format("'{}' is not a face corner", whole);
+  }
+
+  // The next corner's number in a list that stays empty as long as no corner has one.
+  void add_optional(std::deque<std::uint32_t>& list, std::uint32_t number) {
+    if (number != kNone) list.resize(corner_positions.size(), kNone);
+    if (number != kNone || !list.empty()) list.push_back(number);
   }
 
   std::optional<std::string> add_face(const std::vector<std::string_view>& words, int line) {
@@ -207,11 +228,16 @@ std::optional<std::string> place_face(const ObjStatements& read, std::size_t fac
       face + 1 < read.faces.size() ? read.faces[face + 1].first_corner : read.corner_positions.size();
   corners.clear();
   for (std::size_t i = first; i < end; ++i) {
-    const std::uint32_t number = read.corner_normals.empty() ? kNone : read.corner_normals[i];
-    const glm::vec3 normal = number == kNone ? glm::vec3(0.0F) : read.normals[number];
+    const auto number_in = [i](const std::deque<std::uint32_t>& list) { return i < list.size() ? list[i] : kNone; };
+    MeshVertex corner{.position = read.positions[read.corner_positions[i]]};
+    if (const std::uint32_t number = number_in(read.corner_normals); number != kNone) {
+      corner.normal = read.normals[number];
+    }
+    if (const std::uint32_t number = number_in(read.corner_textures); number != kNone) {
+      corner.texture_coordinate = read.texture_coordinates[number];
+    }
     corners.emplace_back();
-    if (auto fault = builder.vertex_at(place, read.positions[read.corner_positions[i]], normal, corners.back()))
-      return fault;
+    if (auto fault = builder.vertex_at(place, corner, corners.back())) return fault;
   }
   return builder.polygon(corners, material);
 }

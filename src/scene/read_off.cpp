@@ -103,7 +103,8 @@ class OffReader {
       std::uint32_t& vertex = vertices_[corner];
       if (vertex == VertexTable::kFree) {
         const glm::vec3 normal = has_normals_ ? normals_[corner] : glm::vec3(0.0F);
-        if (auto fault = builder_.vertex_at(place_, positions_[corner], normal, vertex)) return fault;
+        if (auto fault = builder_.vertex_at(place_, {.position = positions_[corner], .normal = normal}, vertex))
+          return fault;
       }
       corner = vertex;
     }

@@ -203,7 +203,8 @@ class PlyReader {
     const auto at = static_cast<std::size_t>(index);
     if (vertices_[at] == VertexTable::kFree) {
       const glm::vec3 normal = has_normals_ ? normals_[at] : glm::vec3(0.0F);
-      if (auto fault = builder_.vertex_at(place_, positions_[at], normal, vertices_[at])) return fault;
+      if (auto fault = builder_.vertex_at(place_, {.position = positions_[at], .normal = normal}, vertices_[at]))
+        return fault;
     }
     corners_.push_back(vertices_[at]);
     return std::nullopt;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "src/scene/scene_check.h"
 
@@ -20,6 +21,12 @@ Status check_sizes(const Scene& scene) {
   if (count == 0) return invalid("the scene has no triangles");
   if (scene.normals.size() != scene.positions.size()) {
     return invalid(fmt::format("the scene has {} normals for {} positions; expected one for each", scene.normals.size(),
+                               scene.positions.size()));
+  }
+  for (const auto& [size, what] : {std::pair{scene.texture_coordinates.size(), "texture coordinates"},
+                                   std::pair{scene.colors.size(), "vertex colours"}}) {
+    if (size == 0 || size == scene.positions.size()) continue;
+    return invalid(fmt::format("the scene has {} {} for {} positions; expected one for each, or none", size, what,
                                scene.positions.size()));
   }
   if (scene.triangle_object.size() != count || scene.triangle_material.size() != count) {
@@ -78,6 +85,14 @@ Status check_values(const Scene& scene) {
   }
   if (const auto at = first_not_finite(scene.normals)) {
     return invalid(fmt::format("the normal of vertex {} is not finite", *at));
+  }
+  for (std::size_t i = 0; i < scene.texture_coordinates.size(); ++i) {
+    if (is_finite(glm::vec3(scene.texture_coordinates[i], 0.0F))) continue;
+    return invalid(fmt::format("the texture coordinate of vertex {} is not finite", i));
+  }
+  for (std::size_t i = 0; i < scene.colors.size(); ++i) {
+    if (is_finite(glm::vec3(scene.colors[i])) && std::isfinite(scene.colors[i].w)) continue;
+    return invalid(fmt::format("the colour of vertex {} is not finite", i));
   }
   for (const Material& material : scene.materials) {
     if (!is_finite(material.base_color)) {

@@ -54,12 +54,15 @@ struct Bounds {
   [[nodiscard]] float diagonal() const { return glm::length(high - low); }  // the distance between both
 };
 
-// Vertices are shared by index. Every triangle index is < positions.size(); normals has the size of positions; the
-// triangles of one object are consecutive, and the objects cover all triangles in order.
+// Vertices are shared by index. Every triangle index is < positions.size(); normals has the size of positions, and so
+// have texture_coordinates and colors unless they are empty; the triangles of one object are consecutive, and the
+// objects cover all triangles in order.
 struct Scene {
   std::string name;                              // the file's name, for reports
   std::vector<glm::vec3> positions;              // world space, finite
   std::vector<glm::vec3> normals;                // unit length (zero if the file's geometry gives none)
+  std::vector<glm::vec2> texture_coordinates{};  // s and t, (0, 0) at a picture's top left; empty: the file has none
+  std::vector<glm::vec4> colors{};               // red, green, blue, alpha in [0, 1]; empty: the file has none
   std::vector<glm::uvec3> triangles;             // counter-clockwise seen from the front
   std::vector<std::uint32_t> triangle_object;    // for each triangle, an index into objects
   std::vector<std::uint32_t> triangle_material;  // for each triangle, an index into materials
