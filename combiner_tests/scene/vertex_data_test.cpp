@@ -1,0 +1,106 @@
+// Texture coordinates and colours of vertices.
+#include <limits>
+
+#include "combiner_tests/scene/gltf_text.h"
+#include "combiner_tests/scene/scene_test_support.h"
+
+namespace ninebit::scene_tests {
+namespace {
+
+// A triangle with texture coordinates as bytes and colours as shorts, and one without either, which shares its corners.
+std::string painted_gltf() {
+  std::string data = triangle_bytes({0, 1, 2});
+  data.resize(80, '\0');
+  for (const unsigned value : {0U, 0U, 255U, 51U, 0U, 255U}) put(data, value, 1);
+  data.resize(88, '\0');
+  for (const unsigned value : {65535U, 0U, 0U, 0U, 65535U, 13107U, 0U, 0U, 65535U}) put(data, value, 2);
+  return R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+  "meshes": [{"primitives": [
+    {"attributes": {"POSITION": 0, "NORMAL": 1, "TEXCOORD_0": 3, "COLOR_0": 4}, "indices": 2},
+    {"attributes": {"POSITION": 0, "NORMAL": 1}, "indices": 2}]}],
+  "accessors": [
+    {"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3"},
+    {"bufferView": 1, "componentType": 5126, "count": 3, "type": "VEC3"},
+    {"bufferView": 2, "componentType": 5123, "count": 3, "type": "SCALAR"},
+    {"bufferView": 3, "componentType": 5121, "normalized": true, "count": 3, "type": "VEC2"},
+    {"bufferView": 4, "componentType": 5123, "normalized": true, "count": 3, "type": "VEC3"}],
+  "bufferViews": [{"buffer": 0, "byteOffset": 0, "byteLength": 36}, {"buffer": 0, "byteOffset": 36, "byteLength": 36},
+    {"buffer": 0, "byteOffset": 72, "byteLength": 6}, {"buffer": 0, "byteOffset": 80, "byteLength": 6},
+    {"buffer": 0, "byteOffset": 88, "byteLength": 18}],
+  "buffers": [{"byteLength": )" +
+         std::to_string(data.size()) + R"(, "uri": "data:application/octet-stream;base64,)" + base64(data) + "\"}]}";
+}
+
+TEST_F(SceneFiles, GltfKeepsTextureCoordinatesAndColors) {
+  const Result<Scene> scene = read("p.gltf", painted_gltf());
+  ASSERT_TRUE(scene) << scene.error().text();
+  expect_contract(*scene);
+  ASSERT_EQ(scene->texture_coordinates.size(), 6U) << "corners with other data are other vertices";
+  ASSERT_EQ(scene->colors.size(), 6U);
+  const glm::uvec3 painted = scene->triangles[0], plain = scene->triangles[1];
+  EXPECT_EQ(scene->texture_coordinates[painted.x], glm::vec2(0.0F, 0.0F));
+  EXPECT_EQ(scene->texture_coordinates[painted.y], glm::vec2(1.0F, 0.2F));
+  EXPECT_EQ(scene->texture_coordinates[painted.z], glm::vec2(0.0F, 1.0F));
+  EXPECT_EQ(scene->colors[painted.x], glm::vec4(1, 0, 0, 1));
+  EXPECT_EQ(scene->colors[painted.y], glm::vec4(0, 1, 0.2F, 1));
+  for (glm::length_t i = 0; i < 3; ++i) {
+    EXPECT_EQ(scene->positions[plain[i]], scene->positions[painted[i]]);
+    EXPECT_EQ(scene->texture_coordinates[plain[i]], glm::vec2(0.0F));
+    EXPECT_EQ(scene->colors[plain[i]], glm::vec4(1.0F));
+  }
+}
+
+TEST_F(SceneFiles, FilesWithoutThemHaveNone) {
+  const Result<Scene> scene = read("n.gltf", triangle_gltf(R"({"mesh": 0})", "0"));
+  ASSERT_TRUE(scene) << scene.error().text();
+  EXPECT_TRUE(scene->texture_coordinates.empty());
+  EXPECT_TRUE(scene->colors.empty());
+}
+
+TEST_F(SceneFiles, ObjCountsTextureCoordinatesFromTheBottom) {
+  const Result<Scene> scene = read("t.obj",
+                                   "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0.25\nvt 0 1 0\nvt nan 7\n"
+                                   "f 1 2 3\nf 1/1 2/2 3/3\nf 1/-1 2/2 3/3\n");
+  ASSERT_TRUE(scene) << scene.error().text();
+  expect_contract(*scene);
+  ASSERT_EQ(scene->texture_coordinates.size(), scene->positions.size());
+  const glm::uvec3 bare = scene->triangles[0], mapped = scene->triangles[1], odd = scene->triangles[2];
+  EXPECT_EQ(scene->texture_coordinates[bare.x], glm::vec2(0.0F));
+  EXPECT_EQ(scene->texture_coordinates[mapped.x], glm::vec2(0.0F, 1.0F));
+  EXPECT_EQ(scene->texture_coordinates[mapped.y], glm::vec2(1.0F, 0.75F));
+  EXPECT_EQ(scene->texture_coordinates[mapped.z], glm::vec2(0.0F, 0.0F));
+  EXPECT_EQ(scene->texture_coordinates[odd.x], glm::vec2(0.0F)) << "not finite";
+  EXPECT_EQ(odd.y, mapped.y);
+}
+
+TEST_F(SceneFiles, AFloorHasThemToo) {
+  const Result<Scene> read_one = read("f.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nf 1/1 2/1 3/1\n");
+  ASSERT_TRUE(read_one);
+  const Result<Scene> scene = complete_scene(*read_one, {}, 1.0F);
+  ASSERT_TRUE(scene) << scene.error().text();
+  EXPECT_EQ(scene->objects.back().name, "floor");
+  EXPECT_EQ(scene->texture_coordinates.size(), scene->positions.size());
+  EXPECT_TRUE(validate(*scene));
+}
+
+TEST(Validate, DataForSomeVerticesIsAFault) {
+  Scene scene;
+  scene.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  scene.normals.assign(3, {0, 0, 1});
+  scene.triangles = {{0, 1, 2}};
+  scene.triangle_object = {0};
+  scene.triangle_material = {0};
+  scene.objects = {{"o", 0, 1}};
+  scene.materials = {{"m", glm::vec3(1.0F)}};
+  EXPECT_TRUE(validate(scene));
+  scene.texture_coordinates.assign(2, glm::vec2(0.0F));
+  EXPECT_FALSE(validate(scene));
+  scene.texture_coordinates.assign(3, glm::vec2(std::numeric_limits<float>::quiet_NaN()));
+  EXPECT_FALSE(validate(scene));
+  scene.texture_coordinates.clear();
+  scene.colors.assign(4, glm::vec4(1.0F));
+  EXPECT_FALSE(validate(scene));
+}
+
+}  // namespace
+}  // namespace ninebit::scene_tests
