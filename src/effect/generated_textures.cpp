@@ -135,7 +135,7 @@ Result<Texture> normal_map(const Texture& heights, double steepness) {
                       {{filled(image.width, image.height, 3, [&](int x, int y, std::size_t c) {
                         const double ds = (height.at(x + 1, y) - height.at(x - 1, y)) * steepness / 2.0;
                         const double dt = (height.at(x, y + 1) - height.at(x, y - 1)) * steepness / 2.0;
-                        const std::array<double, 3> normal{-ds, -dt, 1.0};
+                        const std::array<double, 3> normal{-ds, dt, 1.0};
                         return range_compressed(normal[c] / std::sqrt(ds * ds + dt * dt + 1.0));
                       })}});
 }

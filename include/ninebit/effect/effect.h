@@ -76,11 +76,11 @@ enum class FogMode : std::uint8_t {
 
 // Fog of a pass. Factors are clamped to [0, 1]; 1 is no fog.
 struct EffectFog {
-  FogMode mode = FogMode::none;           // how the factor is computed
-  float start = 0.0F;                     // of linear, in world units
-  float end = 1.0F;                       // of linear, in world units, different from start
-  float density = 1.0F;                   // of exp and exp2, per world unit, not negative
-  std::array<std::uint8_t, 3> color{};    // the fog register's red, green, blue
+  FogMode mode = FogMode::none;         // how the factor is computed
+  float start = 0.0F;                   // of linear, in world units
+  float end = 1.0F;                     // of linear, in world units, different from start
+  float density = 1.0F;                 // of exp and exp2, per world unit, not negative
+  std::array<std::uint8_t, 3> color{};  // the fog register's red, green, blue
 };
 
 // Where a texture comes from.
@@ -98,28 +98,28 @@ enum class TextureOrigin : std::uint8_t {
 
 // A texture of an effect.
 struct EffectTexture {
-  std::string name;                             // in the effect
-  TextureOrigin origin = TextureOrigin::file;   // which of the following members are used
-  std::vector<std::string> files{};             // relative to the effect's folder
-  std::string target{};                         // the name of a target
-  int size = 0;                                 // texels a side
-  float steepness = 4.0F;                       // of normals: see normal_map()
-  Sampler sampler{};                            // how units read it
+  std::string name{};                          // in the effect
+  TextureOrigin origin = TextureOrigin::file;  // which of the following members are used
+  std::vector<std::string> files{};            // relative to the effect's folder
+  std::string target{};                        // the name of a target
+  int size = 0;                                // texels a side
+  float steepness = 4.0F;                      // of normals: see normal_map()
+  Sampler sampler{};                           // how units read it
 };
 
 // A render target besides the picture.
 struct EffectTarget {
-  std::string name;                                                     // in the effect
-  bool cube = false;                                                    // six faces around the light
-  int width = 0;                                                        // pixels; of a cube, texels a side
-  int height = 0;                                                       // pixels; of a cube the same as the width
-  InternalFormat format = InternalFormat::rgba8;                        // as a texture: one of the 8-bit formats
-  DepthStencilFormat depth_stencil = DepthStencilFormat::d24s8;         // of its depth and stencil planes
+  std::string name{};                                            // in the effect
+  bool cube = false;                                             // six faces around the light
+  int width = 0;                                                 // pixels; of a cube, texels a side
+  int height = 0;                                                // pixels; of a cube the same as the width
+  InternalFormat format = InternalFormat::rgba8;                 // as a texture: one of the 8-bit formats
+  DepthStencilFormat depth_stencil = DepthStencilFormat::d24s8;  // of its depth and stencil planes
 };
 
 // What a pass reads through one texture unit.
 struct EffectUnit {
-  std::string texture;             // the name of a texture of the effect; empty: the unit is off
+  std::string texture{};           // the name of a texture of the effect; empty: the unit is off
   CoordinateSource coordinates{};  // where it is read
 };
 
@@ -134,7 +134,7 @@ struct EffectClear {
 // What a pass draws.
 enum class EffectGeometry : std::uint8_t {
   mesh,      // the scene's triangles
-  rectangle  // two triangles that fill the target; its uv (0, 0) is the upper left corner, its normal +z
+  rectangle  // two triangles that fill the target: uv (0, 0) is the upper left corner, the normal +z, the tangent +x
 };
 
 // From where a pass sees the mesh. A cube target is always seen from the light, a face at a time.
@@ -142,7 +142,7 @@ enum class EffectView : std::uint8_t { camera, light };
 
 // One draw call.
 struct EffectPass {
-  std::string name;                                  // for messages, traces and layers
+  std::string name{};                                // for messages, traces and layers
   EffectGeometry geometry = EffectGeometry::mesh;    // what is drawn
   EffectView view = EffectView::camera;              // of a mesh, for a target that is not a cube
   std::string target{kPictureTarget};                // the name of a target
@@ -158,33 +158,45 @@ struct EffectPass {
   PipelineState state{};
 };
 
-// The scene of an effect.
+// The scene of an effect: the mesh, and the camera and light that vectors refer to. Without a mesh, rectangles lie in
+// the plane z = 0 from (-1, -1) to (1, 1); the camera is at (0, 0, 3) and the light at (-1, 1, 1), unless the setup
+// says otherwise, and a directional light shines at the setup's target or the origin.
 struct EffectScene {
-  std::string mesh;                    // a scene file, relative to the effect's folder, or a generated mesh
-                                       // (generated_meshes.h); empty: only rectangles are drawn
-  SceneSetup setup{};                  // camera, light and floor
+  std::string mesh{};                      // a scene file, relative to the effect's folder, or a generated mesh
+                                           // (generated_meshes.h); empty: only rectangles are drawn
+  SceneSetup setup{};                      // camera, light and floor
   std::optional<glm::vec3> light_color{};  // replaces the light's colour, each channel in [0, 1]
 };
 
 // An effect.
 struct Effect {
-  std::string title;                         // a line for people; may be empty
-  std::string note;                          // what it shows; may be empty
-  std::string profile;                       // the name of a built-in profile; empty: the caller's
-  std::string folder;                        // where relative file names begin; empty: the current folder
-  int width = 512;                           // of the picture, pixels, 1 to kMaxSurfaceSize
-  int height = 512;                          // likewise
+  std::string title{};    // a line for people; may be empty
+  std::string note{};     // what it shows; may be empty
+  std::string profile{};  // the name of a built-in profile; empty: the caller's
+  std::string folder{};   // where relative file names begin; empty: the current folder
+  int width = 512;        // of the picture, pixels, 1 to kMaxSurfaceSize
+  int height = 512;       // likewise
   DepthStencilFormat depth_stencil = DepthStencilFormat::d24s8;  // of the picture
-  EffectScene scene{};                       // the mesh
-  std::vector<EffectTexture> textures{};     // by name
-  std::vector<EffectTarget> targets{};       // besides the picture
-  std::vector<EffectPass> passes{};          // in the order of drawing, 1 to kMaxEffectPasses
+  EffectScene scene{};                                           // the mesh
+  std::vector<EffectTexture> textures{};                         // by name
+  std::vector<EffectTarget> targets{};                           // besides the picture
+  std::vector<EffectPass> passes{};                              // in the order of drawing, 1 to kMaxEffectPasses
+};
+
+// The part of an effect that a fault is about.
+enum class EffectPart : std::uint8_t { whole, texture, target, pass };
+
+// A fault of an effect.
+struct EffectFault {
+  EffectPart part = EffectPart::whole;  // where it is
+  std::size_t number = 0;               // the texture's, target's or pass's, from 0
+  std::string message{};                // one sentence, with the part's name
 };
 
 // Checks an effect by itself, without its files: names that are defined once and known; sizes in range; sources that
-// suit their use; a target that is not read before a pass drew it, or in the pass that draws it; a cube target that a
-// rectangle would draw; a mesh without a scene. Reports the first fault, with the pass's or texture's name.
-[[nodiscard]] Status check_effect(const Effect& effect);
+// suit their use; a target that is read in the pass that draws it, or before any pass draws it; a rectangle or a colour
+// of indices where there can be none; a mesh without a scene. Returns all faults, in the order of the effect.
+[[nodiscard]] std::vector<EffectFault> check_effect(const Effect& effect);
 
 // "uv", "light-vector", …, as in JSON and on the command line.
 [[nodiscard]] std::string_view name_of(VertexSource source);
@@ -196,7 +208,9 @@ struct Effect {
 // Reads "none", "linear:START,END", "exp:DENSITY" and "exp2:DENSITY"; the colour stays black.
 [[nodiscard]] Result<EffectFog> parse_fog(std::string_view text);
 // Reads a file name, six file names with commas between them, "normalize-cube:N", "checker:N", "gradient", "falloff",
-// "normals:FILE", "target:NAME" and "depth:NAME" into a texture without a name and with the sampler as it was.
+// "normals:FILE", "target:NAME" and "depth:NAME" into a texture without a name. Its sampler suits the origin: trilinear
+// and repeat for files, normals and checker; linear and clamp-to-edge for other generated ones; nearest and
+// clamp-to-edge for targets.
 [[nodiscard]] Result<EffectTexture> parse_texture_source(std::string_view text);
 // Reads "nearest", "linear", "bilinear-mipmap" (GL_LINEAR_MIPMAP_NEAREST) and "trilinear" into the sampler's filters.
 [[nodiscard]] Status parse_filter(std::string_view text, Sampler& sampler);

@@ -29,9 +29,10 @@ namespace NINEBIT_PUBLIC ninebit {
 [[nodiscard]] Result<Texture> attenuation();
 
 // An rgb8 texture of normals, range-compressed, in place of heights. A height is the mean of a texel's stored colours,
-// 0 to 1. A normal is (-dh/ds, -dh/dt, 1) normalized, with slopes from the texels on both sides, which repeat at the
-// borders, times `steepness` (finite, above 0): 1 is a rise of one texel's width for a height of 1. Reads level 0.
-// Reports a cube map, a texture of depths or floats, a texture without level 0, and a steepness out of range.
+// 0 to 1. A normal is (-dh/ds, dh/dt, 1) normalized: y points up in the picture, as in glTF. The slopes come from the
+// texels on both sides, which repeat at the borders, times `steepness` (finite, above 0): 1 is a rise of one texel's
+// width for a height of 1. Reads level 0. Reports a cube map, a texture of depths or floats, a texture without level 0,
+// and a steepness out of range.
 [[nodiscard]] Result<Texture> normal_map(const Texture& heights, double steepness);
 
 }  // namespace ninebit

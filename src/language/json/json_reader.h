@@ -10,7 +10,9 @@
 
 #include "src/language/json/json_tree.h"
 
-namespace ninebit::json {
+// Exported because effects, in a shared library of their own, are read with it.
+namespace ninebit {
+namespace NINEBIT_PUBLIC json {
 
 class Reader {
  public:
@@ -87,4 +89,5 @@ class Reader {
   TextFaults& faults_;
 };
 
-}  // namespace ninebit::json
+}  // namespace json
+}  // namespace ninebit

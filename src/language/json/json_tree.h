@@ -9,7 +9,9 @@
 
 #include "src/language/register_words/register_words_faults.h"
 
-namespace ninebit::json {
+// Exported because effects, in a shared library of their own, are read with it.
+namespace ninebit {
+namespace NINEBIT_PUBLIC json {
 
 enum class Type : unsigned char { null, boolean, number, string, array, object };
 
@@ -46,4 +48,5 @@ class Places {
 // A name quoted for a message: truncated to a readable length, with bytes that are not printable ASCII as escapes.
 [[nodiscard]] std::string in_quotes(std::string_view text);
 
-}  // namespace ninebit::json
+}  // namespace json
+}  // namespace ninebit

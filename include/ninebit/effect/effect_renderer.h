@@ -1,0 +1,83 @@
+// Draws effects.
+#pragma once
+
+#include <deque>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "ninebit/combiner/state.h"
+#include "ninebit/effect/effect.h"
+#include "ninebit/numerics/hardware_profile.h"
+#include "ninebit/numerics/result.h"
+#include "ninebit/numerics/visibility.h"
+#include "ninebit/raster/surface.h"
+#include "ninebit/raster/texture.h"
+#include "ninebit/scene/scene.h"
+#include "ninebit/shadow/technique.h"
+
+namespace NINEBIT_PUBLIC ninebit {
+
+// How an effect's files are read. The paths are those of the effect, with its folder in front of relative ones.
+struct EffectReaders {
+  // A program in any form, valid under the profile.
+  std::function<Result<CombinerState>(const std::filesystem::path& file, const HardwareProfile& profile)> program{};
+  // One 2D texture, or six faces of a cube map in the order of CubeFace, with mip-maps.
+  std::function<Result<Texture>(std::span<const std::filesystem::path> files, const HardwareProfile& profile)>
+      texture{};
+  // A scene as read_scene() returns it.
+  std::function<Result<Scene>(const std::filesystem::path& file)> scene{};
+};
+
+// What is kept besides the pictures.
+struct EffectOptions {
+  bool layers = false;                // every register and output of the picture's passes, and depth and stencil
+  std::optional<glm::ivec2> pixel{};  // of the picture, to be probed: window coordinates, y up
+};
+
+// An effect with all that it draws: its files are read, programs compiled, vertices computed. Any number of frames can
+// be drawn. Results are the same bits for any number of threads.
+class EffectRenderer {
+ public:
+  // Reads and prepares everything; the files are read in the order of the effect. `profile` is used for the rasterizer
+  // and the programs, whatever the effect's own `profile` says. Reports what check_effect finds, what the readers
+  // report, a mesh without the texture coordinates that a pass reads, a view from a light that is a point, a program
+  // that the profile refuses, and more polygons than index codes; each with the pass's or texture's name.
+  [[nodiscard]] static Result<EffectRenderer> make(const Effect& effect, const HardwareProfile& profile,
+                                                   const EffectReaders& readers, const EffectOptions& options = {});
+  ~EffectRenderer();
+  // A moved-from renderer can only be destroyed.
+  EffectRenderer(EffectRenderer&& other) noexcept;
+  EffectRenderer& operator=(EffectRenderer&& other) noexcept;
+
+  // Clears all targets and draws all passes. Reports Fault::cancelled, and what rasterize() reports.
+  Status draw(const Progress& progress = {});
+
+  // The picture after draw(): colour, depth, and stencil if its format has one.
+  [[nodiscard]] const Surface& picture() const;
+  // A target after draw(): one surface, or six in the order of CubeFace; empty if there is no target of that name.
+  [[nodiscard]] std::span<const Surface> target(std::string_view name) const;
+  // The completed scene; without a mesh the rectangle's.
+  [[nodiscard]] const Scene& scene() const;
+  // What was found while preparing that the user may not expect, one sentence each: units without a texture that a
+  // program reads, textures that were resized.
+  [[nodiscard]] const std::vector<std::string>& warnings() const;
+  // Milliseconds of wall-clock time of each pass in the last draw().
+  [[nodiscard]] const std::vector<double>& pass_times() const;
+  // With options.layers, the layers of the last draw(): parts "PASS.primary", "PASS.spare0", … "depth", "stencil".
+  [[nodiscard]] const std::deque<Layer>& layers() const;
+  // With options.pixel, each pass that drew into the picture.
+  [[nodiscard]] const std::vector<ProbedPass>& probed() const;
+
+ private:
+  struct Prepared;
+  explicit EffectRenderer(std::unique_ptr<Prepared> prepared);
+  std::unique_ptr<Prepared> prepared_;
+};
+
+}  // namespace ninebit

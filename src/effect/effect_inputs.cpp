@@ -1,0 +1,152 @@
+#include "src/effect/effect_inputs.h"
+
+#include <array>
+#include <utility>
+
+#include "ninebit/effect/generated_meshes.h"
+#include "ninebit/effect/generated_textures.h"
+#include "ninebit/scene/scene_io.h"
+
+namespace ninebit {
+namespace {
+
+std::filesystem::path path_in(const Effect& effect, const std::string& file) {
+  const std::filesystem::path path(file);
+  return path.is_absolute() || effect.folder.empty() ? path : std::filesystem::path(effect.folder) / path;
+}
+
+Result<Texture> texture_of_files(const Effect& effect, const EffectTexture& texture, const HardwareProfile& profile,
+                                 const EffectReaders& readers) {
+  std::vector<std::filesystem::path> files;
+  for (const std::string& file : texture.files) files.push_back(path_in(effect, file));
+  auto read = readers.texture(files, profile);
+  if (!read || texture.origin != TextureOrigin::normals) return read;
+  auto normals = normal_map(*read, static_cast<double>(texture.steepness));
+  if (normals) return normals;
+  Diagnostic fault = normals.error();
+  fault.file = files[0].string();
+  return fault;
+}
+
+Result<Texture> made_texture(const Effect& effect, const EffectTexture& texture, const HardwareProfile& profile,
+                             const EffectReaders& readers) {
+  switch (texture.origin) {
+    case TextureOrigin::normalize_cube:
+      return normalization_cube_map(texture.size);
+    case TextureOrigin::checker:
+      return checkerboard(texture.size);
+    case TextureOrigin::gradient:
+      return gradient();
+    case TextureOrigin::falloff:
+      return attenuation();
+    default:
+      return texture_of_files(effect, texture, profile, readers);
+  }
+}
+
+// Sets the camera and light of a rectangle from the setup.
+void light_rectangle(const EffectScene& effect, Scene& scene) {
+  const SceneSetup& setup = effect.setup;
+  Camera camera{.position = setup.camera.value_or(glm::vec3(0.0F, 0.0F, 3.0F)),
+                .look_at = setup.look_at.value_or(glm::vec3(0.0F))};
+  if (setup.fov_degrees) camera.vertical_fov_degrees = *setup.fov_degrees;
+  scene.cameras.push_back(camera);
+  Light light;
+  light.position = setup.light.value_or(glm::vec3(-1.0F, 1.0F, 1.0F));
+  const glm::vec3 towards = setup.light_target.value_or(glm::vec3(0.0F)) - light.position;
+  if (glm::length(towards) > 0.0F) light.direction = glm::normalize(towards);
+  light.kind = setup.light_kinds.point  ? LightKind::point
+               : setup.light_kinds.spot ? LightKind::spot
+                                        : LightKind::directional;
+  if (setup.spot_degrees) light.spot_degrees = *setup.spot_degrees;
+  scene.lights.push_back(light);
+}
+
+constexpr std::array kTextureRegisters{Register::texture0, Register::texture1, Register::texture2, Register::texture3};
+
+bool writes(const ProgramStage& stage, Register reg) {
+  for (const Portion* p : {&stage.rgb, &stage.alpha}) {
+    if (p->out.ab == reg || p->out.cd == reg || p->out.sum == reg) return true;
+  }
+  return false;
+}
+
+// Whether the program reads a register before it writes any part of it.
+bool reads_initial(const Program& program, Register reg) {
+  for (int i = 0; i < program.num_general_combiners; ++i) {
+    const ProgramStage& stage = program.general[static_cast<std::size_t>(i)];
+    if (detail::reads(stage.rgb, reg) || detail::reads(stage.alpha, reg)) return true;
+    if (writes(stage, reg)) return false;
+  }
+  const FinalCombiner& f = program.final_combiner;
+  return detail::reads_directly(f, reg) || f.e.reg == reg || f.f.reg == reg;
+}
+
+}  // namespace
+
+Diagnostic fault_in(const std::string& part, const Diagnostic& fault) {
+  Diagnostic named = fault;
+  named.message = fault.file.empty() ? part + ": " + fault.message : fault.message + " (" + part + ")";
+  return named;
+}
+
+Result<Scene> effect_scene(const Effect& effect, const EffectReaders& readers) {
+  const EffectScene& from = effect.scene;
+  if (from.mesh.empty()) {
+    auto rectangle = generated_mesh("plane:1");
+    if (rectangle) light_rectangle(from, *rectangle);
+    if (rectangle && from.light_color) rectangle->lights[0].color = *from.light_color;
+    return rectangle;
+  }
+  const bool generated = is_generated_mesh(from.mesh);
+  const std::filesystem::path file = path_in(effect, from.mesh);
+  auto scene = generated ? generated_mesh(from.mesh) : readers.scene(file);
+  if (!scene) return scene;
+  const float aspect = static_cast<float>(effect.width) / static_cast<float>(effect.height);
+  auto complete = complete_scene(std::move(*scene), from.setup, aspect);
+  if (complete && from.light_color) complete->lights[0].color = *from.light_color;
+  if (complete || !complete.error().file.empty()) return complete;
+  Diagnostic fault = complete.error();
+  if (!generated) fault.file = file.string();
+  return fault;
+}
+
+Scene rectangle_scene(const Scene& scene) {
+  Scene rectangle = generated_mesh("plane:1").value();
+  rectangle.cameras = scene.cameras;
+  rectangle.lights = scene.lights;
+  return rectangle;
+}
+
+Result<Texture> effect_texture(const Effect& effect, const EffectTexture& texture, const HardwareProfile& profile,
+                               const EffectReaders& readers) {
+  const std::string part = "texture '" + texture.name + "'";
+  auto made = made_texture(effect, texture, profile, readers);
+  if (made && needs_mipmaps(texture.sampler) && made->faces[0].size() == 1) made = with_mipmaps(*made);
+  if (!made) return fault_in(part, made.error());
+  return made;
+}
+
+Result<Program> effect_program(const Effect& effect, const EffectPass& pass, const HardwareProfile& profile,
+                               const EffectReaders& readers, std::vector<std::string>& warnings) {
+  const std::string part = "pass '" + pass.name + "'";
+  const std::filesystem::path file = path_in(effect, pass.program);
+  auto state = readers.program(file, profile);
+  if (!state) return fault_in(part, state.error());
+  if (pass.constants[0]) state->constant0 = *pass.constants[0];
+  if (pass.constants[1]) state->constant1 = *pass.constants[1];
+  auto program = compile(*state, profile);
+  if (!program) {
+    Diagnostic fault = program.error();
+    fault.file = file.string();
+    return fault_in(part, fault);
+  }
+  for (std::size_t unit = 0; unit < kEffectUnits; ++unit) {
+    if (!pass.units[unit].texture.empty() || !reads_initial(*program, kTextureRegisters[unit])) continue;
+    warnings.push_back(part + ": the program reads texture unit " + std::to_string(unit) +
+                       ", which has no texture; the extension's default applies");
+  }
+  return program;
+}
+
+}  // namespace ninebit

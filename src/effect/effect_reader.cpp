@@ -1,0 +1,68 @@
+#include "src/effect/effect_reader.h"
+
+#include <charconv>
+#include <cmath>
+
+namespace ninebit::effect_detail {
+
+using json::Type;
+using json::Value;
+
+void EffectReader::text(const Value& value, std::string& into) {
+  if (value.type != Type::string) return read_.wrong_type(value, "a string");
+  into = value.text;
+}
+
+void EffectReader::real(const Value& value, double lowest, double highest, float& into) {
+  if (value.type != Type::number) return read_.wrong_type(value, "a number");
+  double number = 0.0;
+  const char* const end = value.text.data() + value.text.size();
+  const auto [stop, error] = std::from_chars(value.text.data(), end, number);
+  const bool is_number = stop == end && (error == std::errc{} || error == std::errc::result_out_of_range);
+  if (!is_number || !std::isfinite(number) || number < lowest || number > highest) {
+    const auto shown = [](double limit) {
+      std::array<char, 32> digits{};
+      const auto written = std::to_chars(digits.data(), digits.data() + digits.size(), limit);
+      return std::string(digits.data(), written.ptr);
+    };
+    return read_.fault(value.offset, json::in_quotes(value.text) + " is out of range; expected a number from " +
+                                         shown(lowest) + " to " + shown(highest));
+  }
+  into = static_cast<float>(number);
+}
+
+std::size_t EffectReader::reals(const Value& value, std::size_t fewest, double lowest, double highest,
+                                std::span<float> into) {
+  const std::size_t count = value.children.size();
+  if (value.type != Type::array || count < fewest || count > into.size()) {
+    const std::string expected = fewest == into.size()
+                                     ? std::to_string(fewest) + " numbers"
+                                     : std::to_string(fewest) + " to " + std::to_string(into.size()) + " numbers";
+    read_.fault(value.offset, (value.key.empty() ? "the value" : value.key) + " must be an array of " + expected);
+    return 0;
+  }
+  for (std::size_t i = 0; i < count; ++i) real(value.children[i], lowest, highest, into[i]);
+  return count;
+}
+
+void EffectReader::point(const Value& value, std::optional<glm::vec3>& into) {
+  std::array<float, 3> n{};
+  if (reals(value, 3, -1e12, 1e12, n) != 0) into = glm::vec3(n[0], n[1], n[2]);
+}
+
+void EffectReader::bytes(const Value& value, std::span<std::uint8_t> into) {
+  std::array<float, 4> n{};
+  const std::span<float> numbers = std::span<float>(n).first(into.size());
+  if (reals(value, into.size(), 0.0, 1.0, numbers) == 0) return;
+  for (std::size_t i = 0; i < into.size(); ++i) {
+    into[i] = static_cast<std::uint8_t>(std::floor(static_cast<double>(n[i]) * 255.0 + 0.5));
+  }
+}
+
+void EffectReader::byte(const Value& value, std::uint8_t& into) {
+  int number = into;
+  read_.integer(value, 0, 255, number);
+  into = static_cast<std::uint8_t>(number);
+}
+
+}  // namespace ninebit::effect_detail

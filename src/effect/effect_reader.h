@@ -1,0 +1,72 @@
+// Reads the parts of an effect from a JSON tree.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ninebit/effect/effect.h"
+#include "src/effect/effect_words.h"
+#include "src/language/json/json_reader.h"
+
+namespace ninebit::effect_detail {
+
+// Typed readers for values of a tree; anything else than what is expected is a fault with its place.
+class EffectReader {
+ public:
+  explicit EffectReader(json::Reader& reader) : read_(reader) {}
+
+  [[nodiscard]] json::Reader& reader() { return read_; }
+
+  // Calls `then` with a member that is there and is not null.
+  template <class Then>
+  void with(const json::Value& object, std::string_view key, const Then& then) {
+    const json::Value* const value = json::Reader::find(object, key);
+    if (value != nullptr && value->type != json::Type::null) then(*value);
+  }
+
+  void text(const json::Value& value, std::string& into);
+  // A finite number in [lowest, highest].
+  void real(const json::Value& value, double lowest, double highest, float& into);
+  // An array of so many numbers, or from `fewest` on; returns how many there are, 0 after a fault.
+  std::size_t reals(const json::Value& value, std::size_t fewest, double lowest, double highest, std::span<float> into);
+  // Three coordinates.
+  void point(const json::Value& value, std::optional<glm::vec3>& into);
+  // Colours in [0, 1] as bytes, rounded to nearest, halves up.
+  void bytes(const json::Value& value, std::span<std::uint8_t> into);
+  void byte(const json::Value& value, std::uint8_t& into);
+
+  // A word of a table.
+  template <class T, std::size_t N>
+  void word(const json::Value& value, const Words<T, N>& words, std::string_view what, T& into) {
+    if (value.type != json::Type::string) return read_.wrong_type(value, "a string");
+    if (const auto found = value_of(words, value.text)) {
+      into = *found;
+    } else {
+      read_.fault(value.offset,
+                  json::in_quotes(value.text) + " is not a " + std::string(what) + "; expected " + list_of(words));
+    }
+  }
+
+  // What `parse` makes of a string.
+  template <class T>
+  void parsed(const json::Value& value, Result<T> (*parse)(std::string_view), T& into) {
+    if (value.type != json::Type::string) return read_.wrong_type(value, "a string");
+    if (auto result = parse(value.text)) {
+      into = std::move(result).value();
+    } else {
+      read_.fault(value.offset, result.error().message);
+    }
+  }
+
+ private:
+  json::Reader& read_;
+};
+
+// Reads one element of "passes".
+[[nodiscard]] EffectPass read_pass(EffectReader& read, const json::Value& value, bool has_scene);
+
+}  // namespace ninebit::effect_detail

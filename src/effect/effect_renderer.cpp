@@ -1,0 +1,318 @@
+#include "ninebit/effect/effect_renderer.h"
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+#include <utility>
+
+#include "ninebit/raster/rasterizer.h"
+#include "src/effect/effect_inputs.h"
+#include "src/effect/effect_targets.h"
+#include "src/effect/tangents.h"
+#include "src/effect/vertex_sources.h"
+#include "src/shadow/frame/camera_frame.h"
+#include "src/shadow/frame/pass_timer.h"
+#include "src/shadow/frame/views.h"
+
+namespace ninebit {
+namespace {
+
+// A pass with its vertices.
+struct PreparedPass {
+  PipelineState state{};
+  std::size_t target = 0;                // among the targets
+  std::vector<glm::mat4> projections{};  // one, or one for each face
+  const Scene* scene = nullptr;          // the mesh or the rectangle
+  std::span<const glm::vec3> positions{};
+  std::array<UnitCoordinates, kEffectUnits> coordinates{};
+  std::array<int, kEffectUnits> textures{-1, -1, -1, -1};  // among the textures
+  std::vector<ColorBytes> primary{}, secondary{};
+  std::vector<float> fog{};
+};
+
+}  // namespace
+
+struct EffectRenderer::Prepared {
+  Effect effect;
+  HardwareProfile profile;
+  EffectOptions options;
+  Scene scene{}, rectangle{};
+  std::vector<glm::vec4> mesh_tangents{}, rectangle_tangents{};
+  std::vector<glm::vec3> from_light{};  // the mesh's positions relative to the light; empty: no cube target
+  EffectTargets targets{};
+  std::vector<Texture> textures{};
+  std::vector<PreparedPass> passes{};
+  std::vector<std::string> warnings{};
+  std::vector<double> times{};
+  std::deque<Layer> layers{};
+  std::vector<ProbedPass> probed{};
+
+  Status load(const EffectReaders& readers);
+  Status prepare_pass(const EffectPass& pass, const EffectReaders& readers);
+  Status set_view(const EffectPass& pass, PreparedPass& prepared);
+  Status set_vertices(const EffectPass& pass, PreparedPass& prepared);
+  Status set_primary(const EffectPass& pass, const VertexInputs& inputs, PreparedPass& prepared) const;
+  Status draw_pass(std::size_t number);
+  Status draw_face(std::size_t number, RenderTarget& target, const glm::mat4& projection);
+  void capture(const std::string& pass, RenderTarget& target);
+  void add_frame_layers();
+};
+
+namespace {
+
+Status named(const EffectPass& pass, Status status) {
+  if (status) return status;
+  return fault_in("pass '" + pass.name + "'", status.error());
+}
+
+}  // namespace
+
+Status EffectRenderer::Prepared::load(const EffectReaders& readers) {
+  if (const auto faults = check_effect(effect); !faults.empty()) return Diagnostic{.message = faults[0].message};
+  auto made = effect_scene(effect, readers);
+  if (!made) return made.error();
+  scene = std::move(*made);
+  rectangle = rectangle_scene(scene);
+  rectangle_tangents = tangents_of(rectangle);
+  if (Status allocated = targets.allocate(effect); !allocated) return allocated;
+  for (const EffectTexture& texture : effect.textures) {
+    const bool from_target =
+        texture.origin == TextureOrigin::target_color || texture.origin == TextureOrigin::target_depth;
+    auto read = from_target ? targets.texture(texture) : effect_texture(effect, texture, profile, readers);
+    if (!read) return read.error();
+    textures.push_back(std::move(*read));
+  }
+  passes.reserve(effect.passes.size());
+  for (const EffectPass& pass : effect.passes) {
+    if (Status done = prepare_pass(pass, readers); !done) return done;
+  }
+  return {};
+}
+
+Status EffectRenderer::Prepared::prepare_pass(const EffectPass& pass, const EffectReaders& readers) {
+  PreparedPass prepared{.state = pass.state};
+  prepared.state.profile = profile;
+  prepared.state.fog = {.enabled = pass.fog.mode != FogMode::none, .color = pass.fog.color};
+  prepared.target = targets.number_of(pass.target);
+  if (!pass.program.empty()) {
+    auto program = effect_program(effect, pass, profile, readers, warnings);
+    if (!program) return program.error();
+    prepared.state.program = std::move(*program);
+  }
+  if (Status set = set_view(pass, prepared); !set) return named(pass, set);
+  if (Status set = set_vertices(pass, prepared); !set) return named(pass, set);
+  passes.push_back(std::move(prepared));
+  return {};
+}
+
+Status EffectRenderer::Prepared::set_view(const EffectPass& pass, PreparedPass& prepared) {
+  prepared.scene = pass.geometry == EffectGeometry::mesh ? &scene : &rectangle;
+  prepared.positions = prepared.scene->positions;
+  const Light& light = scene.lights[0];
+  if (pass.geometry == EffectGeometry::rectangle) {
+    prepared.projections = {glm::mat4(1.0F)};
+  } else if (targets.is_cube(prepared.target)) {
+    if (light.kind == LightKind::directional) {
+      return Diagnostic{.message = "draws a cube map around a directional light; expected a point or spot light"};
+    }
+    if (from_light.empty()) {
+      for (const glm::vec3& position : scene.positions) from_light.push_back(position - light.position);
+    }
+    prepared.positions = from_light;
+    const auto faces = cube_face_projections(depth_range(scene, light.position, kCubeCornerCosine));
+    prepared.projections.assign(faces.begin(), faces.end());
+  } else if (pass.view == EffectView::light) {
+    if (light.kind == LightKind::point) {
+      return Diagnostic{.message = "draws the view of a point light; expected a spot or directional light"};
+    }
+    prepared.projections = {light_projection(scene, light)};
+  } else {
+    prepared.projections = {camera_projection(scene, scene.cameras[0], targets.aspect(prepared.target))};
+  }
+  return {};
+}
+
+Status EffectRenderer::Prepared::set_vertices(const EffectPass& pass, PreparedPass& prepared) {
+  const bool mesh = pass.geometry == EffectGeometry::mesh;
+  std::vector<VertexSource> sources{pass.primary.source, pass.secondary.source};
+  for (const EffectUnit& unit : pass.units) {
+    if (!unit.texture.empty()) sources.push_back(unit.coordinates.source);
+  }
+  for (const VertexSource source : sources) {
+    if (needs_uv(source) && prepared.scene->texture_coordinates.empty()) {
+      return Diagnostic{.message =
+                            "reads " + std::string(name_of(source)) + ", but the mesh has no texture coordinates"};
+    }
+    if (source == VertexSource::projected && scene.lights[0].kind == LightKind::point) {
+      return Diagnostic{.message = "reads the view of a point light; expected a spot or directional light"};
+    }
+    if (mesh && needs_tangents(source) && mesh_tangents.empty()) mesh_tangents = tangents_of(scene);
+  }
+  VertexInputs inputs{.scene = prepared.scene, .tangents = mesh ? &mesh_tangents : &rectangle_tangents};
+  inputs.clip_from_world = prepared.projections[0];
+  if (scene.lights[0].kind != LightKind::point) inputs.light_clip_from_world = light_projection(scene, scene.lights[0]);
+  for (std::size_t i = 0; i < kEffectUnits; ++i) {
+    if (pass.units[i].texture.empty()) continue;
+    const auto found = std::find_if(effect.textures.begin(), effect.textures.end(),
+                                    [&](const EffectTexture& t) { return t.name == pass.units[i].texture; });
+    prepared.textures[i] = static_cast<int>(found - effect.textures.begin());
+    prepared.coordinates[i] = unit_coordinates(pass.units[i].coordinates, inputs);
+  }
+  prepared.secondary = vertex_colors(pass.secondary, inputs, profile);
+  prepared.fog = fog_factors(pass.fog, inputs);
+  return set_primary(pass, inputs, prepared);
+}
+
+Status EffectRenderer::Prepared::set_primary(const EffectPass& pass, const VertexInputs& inputs,
+                                             PreparedPass& prepared) const {
+  if (pass.primary.source != VertexSource::index) {
+    prepared.primary = vertex_colors(pass.primary, inputs, profile);
+    return {};
+  }
+  const std::size_t count = scene.triangles.size();
+  const IndexCounts counts{.polygons = count, .objects = scene.objects.size()};
+  const ColorSource& source = pass.primary;
+  Status enough = check_index_codes(source.index_format, source.index_step, IndexScope::polygon, counts);
+  if (!enough) return enough;
+  const IndexCodes codes(source.index_step, source.index_format);
+  for (std::size_t i = 0; i < count; ++i) prepared.primary.push_back(codes.color(static_cast<std::uint32_t>(i + 1)));
+  return {};
+}
+
+Result<EffectRenderer> EffectRenderer::make(const Effect& effect, const HardwareProfile& profile,
+                                            const EffectReaders& readers, const EffectOptions& options) {
+  auto prepared = std::make_unique<Prepared>(Prepared{.effect = effect, .profile = profile, .options = options});
+  if (Status loaded = prepared->load(readers); !loaded) return loaded.error();
+  return EffectRenderer(std::move(prepared));
+}
+
+EffectRenderer::EffectRenderer(std::unique_ptr<Prepared> prepared) : prepared_(std::move(prepared)) {}
+EffectRenderer::~EffectRenderer() = default;
+EffectRenderer::EffectRenderer(EffectRenderer&& other) noexcept = default;
+EffectRenderer& EffectRenderer::operator=(EffectRenderer&& other) noexcept = default;
+
+Status EffectRenderer::draw(const Progress& progress) {
+  Prepared& p = *prepared_;
+  p.times.assign(p.passes.size(), 0.0);
+  p.layers.clear();
+  p.probed.clear();
+  p.targets.clear();
+  PassTimer timer(progress);
+  for (std::size_t i = 0; i < p.passes.size(); ++i) {
+    const double done = static_cast<double>(i) / static_cast<double>(p.passes.size());
+    Status drawn = timer.run(p.effect.passes[i].name, done, p.times[i], [&] { return p.draw_pass(i); });
+    if (!drawn) return drawn.error().fault == Fault::cancelled ? drawn : named(p.effect.passes[i], drawn);
+  }
+  if (p.options.layers) p.add_frame_layers();
+  return {};
+}
+
+Status EffectRenderer::Prepared::draw_pass(std::size_t number) {
+  const PreparedPass& pass = passes[number];
+  const std::span<Surface> faces = targets.faces(pass.target);
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    RenderTarget target = faces[f].target();
+    target.outputs.clear();
+    if (Status drawn = draw_face(number, target, pass.projections[f]); !drawn) return drawn;
+  }
+  return {};
+}
+
+Status EffectRenderer::Prepared::draw_face(std::size_t number, RenderTarget& target, const glm::mat4& projection) {
+  const EffectPass& said = effect.passes[number];
+  const PreparedPass& pass = passes[number];
+  const EffectClear& c = said.clear;
+  if (c.color || c.depth || c.stencil) {
+    PipelineState everything;
+    Status cleared =
+        clear(everything, {c.color, c.depth, c.stencil && stencil_bits(target.format) > 0}, c.values, target);
+    if (!cleared) return cleared;
+  }
+  VertexArrays arrays{.positions = pass.positions, .indices = index_list(pass.scene->triangles)};
+  if (said.primary.source == VertexSource::index) {
+    arrays.primitive_colors = pass.primary;
+  } else {
+    arrays.vertex_colors = pass.primary;
+  }
+  arrays.secondary_colors = pass.secondary;
+  arrays.fog_factors = pass.fog;
+  std::array<TextureUnit, kEffectUnits> units{};
+  for (std::size_t i = 0; i < kEffectUnits; ++i) {
+    if (pass.textures[i] < 0) continue;
+    const auto texture = static_cast<std::size_t>(pass.textures[i]);
+    units[i] = {&textures[texture], effect.textures[texture].sampler};
+    arrays.texture_coordinates[i] = pass.coordinates[i].str;
+    arrays.texture_q[i] = pass.coordinates[i].q;
+  }
+  const bool on_picture = said.target == kPictureTarget;
+  if (on_picture && options.layers) capture(said.name, target);
+  if (!on_picture || !options.pixel) return rasterize(pass.state, projection, arrays, units, target);
+  FragmentProbe probe{.x = options.pixel->x, .y = options.pixel->y};
+  target.probe = &probe;
+  Status drawn = rasterize(pass.state, projection, arrays, units, target);
+  probed.push_back({said.name, pass.state.program, std::move(probe.fragments)});
+  return drawn;
+}
+
+// Adds planes for the registers after the last general combiner and the output, of fragments that pass the depth test.
+void EffectRenderer::Prepared::capture(const std::string& pass, RenderTarget& target) {
+  const auto add = [&](OutputSource source, Register reg, int component, const char* part) {
+    const std::string channel(1, "RGBA"[component]);
+    auto& plane = add_layer<s9>(layers, pass + "." + part, channel, target.width, target.height);
+    target.outputs.push_back({.source = source,
+                              .reg = reg,
+                              .component = component,
+                              .time = OutputTime::at_depth_pass,
+                              .plane = Plane<s9>{plane.data(), target.width}});
+  };
+  constexpr std::array<std::pair<Register, const char*>, 4> kRegisters{{{Register::primary, "primary"},
+                                                                        {Register::texture0, "texture0"},
+                                                                        {Register::spare0, "spare0"},
+                                                                        {Register::spare1, "spare1"}}};
+  for (int c = 0; c < 4; ++c) {
+    for (const auto& [reg, name] : kRegisters) add(OutputSource::register_code, reg, c, name);
+    add(OutputSource::output_code, Register::spare0, c, "output");
+  }
+}
+
+void EffectRenderer::Prepared::add_frame_layers() {
+  const Surface& frame = targets.faces(0)[0];
+  const auto add = [&]<class Sample>(const char* name, const PlaneSamples<Sample>& samples) {
+    if (samples.empty()) return;
+    auto& layer = add_layer<Sample>(layers, name, name, frame.width(), frame.height());
+    layer.assign(samples.begin(), samples.end());
+  };
+  add("stencil", frame.stencil());
+  add("depth", frame.depth());
+}
+
+const Surface& EffectRenderer::picture() const {
+  return prepared_->targets.faces(0)[0];
+}
+
+std::span<const Surface> EffectRenderer::target(std::string_view name) const {
+  return prepared_->targets.has(name) ? prepared_->targets.faces(prepared_->targets.number_of(name))
+                                      : std::span<const Surface>{};
+}
+
+const Scene& EffectRenderer::scene() const {
+  return prepared_->scene;
+}
+
+const std::vector<std::string>& EffectRenderer::warnings() const {
+  return prepared_->warnings;
+}
+
+const std::vector<double>& EffectRenderer::pass_times() const {
+  return prepared_->times;
+}
+
+const std::deque<Layer>& EffectRenderer::layers() const {
+  return prepared_->layers;
+}
+
+const std::vector<ProbedPass>& EffectRenderer::probed() const {
+  return prepared_->probed;
+}
+
+}  // namespace ninebit

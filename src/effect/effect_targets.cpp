@@ -1,0 +1,79 @@
+#include "src/effect/effect_targets.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "src/effect/effect_inputs.h"
+
+namespace ninebit {
+
+Status EffectTargets::allocate(const Effect& effect) {
+  std::vector<EffectTarget> all{{.name = std::string(kPictureTarget),
+                                 .cube = false,
+                                 .width = effect.width,
+                                 .height = effect.height,
+                                 .depth_stencil = effect.depth_stencil}};
+  all.insert(all.end(), effect.targets.begin(), effect.targets.end());
+  for (const EffectTarget& from : all) {
+    Target target{.name = from.name, .format = from.format};
+    for (std::size_t f = 0; f < (from.cube ? 6U : 1U); ++f) {
+      auto surface = Surface::make(from.width, from.height, {.depth_stencil = from.depth_stencil});
+      if (!surface) return fault_in("target '" + from.name + "'", surface.error());
+      target.faces.push_back(std::move(*surface));
+    }
+    targets_.push_back(std::move(target));
+  }
+  return {};
+}
+
+void EffectTargets::clear() {
+  for (Target& target : targets_) {
+    for (Surface& face : target.faces) face.fill({});
+  }
+}
+
+bool EffectTargets::has(std::string_view name) const {
+  return number_of(name) < targets_.size();
+}
+
+std::size_t EffectTargets::number_of(std::string_view name) const {
+  const auto found =
+      std::find_if(targets_.begin(), targets_.end(), [&](const Target& target) { return target.name == name; });
+  return static_cast<std::size_t>(found - targets_.begin());
+}
+
+float EffectTargets::aspect(std::size_t number) const {
+  const Surface& face = targets_[number].faces[0];
+  return static_cast<float>(face.width()) / static_cast<float>(face.height());
+}
+
+Result<Texture> EffectTargets::texture(const EffectTexture& texture) {
+  Target& target = targets_[number_of(texture.target)];
+  std::vector<TextureImage> images;
+  for (Surface& face : target.faces) {
+    const RenderTarget planes = face.target();
+    TextureImage image{.width = face.width(), .height = face.height()};
+    if (texture.origin == TextureOrigin::target_depth) {
+      image.planes = std::array<Plane<const std::uint32_t>, 4>{
+          Plane<const std::uint32_t>{planes.depth.data, planes.depth.stride, planes.depth.step}};
+    } else {
+      std::array<Plane<const std::uint8_t>, 4> bytes;
+      for (std::size_t c = 0; c < 4; ++c)
+        bytes[c] = {planes.color[c].data, planes.color[c].stride, planes.color[c].step};
+      image.planes = bytes;
+    }
+    images.push_back(std::move(image));
+  }
+  const bool is_16_bit = target.faces[0].format() == DepthStencilFormat::d16;
+  const InternalFormat format = texture.origin == TextureOrigin::target_color ? target.format
+                                : is_16_bit                                   ? InternalFormat::depth16
+                                                                              : InternalFormat::depth24;
+  Texture view = texture_view(format, images);
+  if (Status checked = check_texture(view); !checked) {
+    return fault_in("texture '" + texture.name + "'", checked.error());
+  }
+  return view;
+}
+
+}  // namespace ninebit

@@ -1,0 +1,43 @@
+// The surfaces that an effect draws into.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "ninebit/effect/effect.h"
+#include "ninebit/raster/surface.h"
+#include "ninebit/raster/texture.h"
+
+namespace ninebit {
+
+// The picture, which is target 0, and the effect's own targets.
+class EffectTargets {
+ public:
+  // Reports what Surface::make reports.
+  [[nodiscard]] Status allocate(const Effect& effect);
+
+  // Fills all surfaces: colour 0, depth 1, stencil 0.
+  void clear();
+
+  [[nodiscard]] bool has(std::string_view name) const;
+  [[nodiscard]] std::size_t number_of(std::string_view name) const;  // of a known name
+  [[nodiscard]] std::span<Surface> faces(std::size_t number) { return targets_[number].faces; }
+  [[nodiscard]] std::span<const Surface> faces(std::size_t number) const { return targets_[number].faces; }
+  [[nodiscard]] bool is_cube(std::size_t number) const { return targets_[number].faces.size() == 6; }
+  [[nodiscard]] float aspect(std::size_t number) const;  // width / height
+
+  // A view of the target that a texture reads; it reads what is drawn later. Reports what check_texture reports.
+  [[nodiscard]] Result<Texture> texture(const EffectTexture& texture);
+
+ private:
+  struct Target {
+    std::string name;
+    InternalFormat format;
+    std::vector<Surface> faces{};
+  };
+  std::vector<Target> targets_{};
+};
+
+}  // namespace ninebit

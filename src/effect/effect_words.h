@@ -1,0 +1,151 @@
+// The words of effects, in JSON and on the command line.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "ninebit/effect/effect.h"
+
+namespace ninebit::effect_detail {
+
+// A table of words and their values.
+template <class T, std::size_t N>
+using Words = std::array<std::pair<std::string_view, T>, N>;
+
+// The value of a word; empty if the table does not have it.
+template <class T, std::size_t N>
+[[nodiscard]] std::optional<T> value_of(const Words<T, N>& words, std::string_view word) {
+  for (const auto& [name, value] : words) {
+    if (name == word) return value;
+  }
+  return std::nullopt;
+}
+
+// "repeat, clamp, clamp-to-edge or mirrored-repeat".
+template <class T, std::size_t N>
+[[nodiscard]] std::string list_of(const Words<T, N>& words) {
+  std::string list;
+  for (std::size_t i = 0; i < N; ++i) {
+    list += (i == 0 ? "" : i + 1 == N ? " or " : ", ") + std::string(words[i].first);
+  }
+  return list;
+}
+
+inline constexpr Words<VertexSource, 15> kVertexSources{{{"uv", VertexSource::uv},
+                                                         {"screen", VertexSource::screen},
+                                                         {"projected", VertexSource::projected},
+                                                         {"position", VertexSource::position},
+                                                         {"from-light", VertexSource::from_light},
+                                                         {"light-vector", VertexSource::light_vector},
+                                                         {"view-vector", VertexSource::view_vector},
+                                                         {"half-vector", VertexSource::half_vector},
+                                                         {"normal", VertexSource::normal},
+                                                         {"reflection", VertexSource::reflection},
+                                                         {"tangent-light-vector", VertexSource::tangent_light_vector},
+                                                         {"tangent-half-vector", VertexSource::tangent_half_vector},
+                                                         {"color", VertexSource::color},
+                                                         {"lambert", VertexSource::lambert},
+                                                         {"index", VertexSource::index}}};
+
+// `clamp` is GL_CLAMP, which mixes in the border colour.
+inline constexpr Words<Wrap, 4> kWraps{{{"repeat", Wrap::repeat},
+                                        {"clamp", Wrap::clamp},
+                                        {"clamp-to-edge", Wrap::clamp_to_edge},
+                                        {"mirrored-repeat", Wrap::mirrored_repeat}}};
+
+struct Filters {
+  MinFilter min;
+  MagFilter mag;
+};
+inline constexpr Words<Filters, 4> kFilters{{{"nearest", {MinFilter::nearest, MagFilter::nearest}},
+                                             {"linear", {MinFilter::linear, MagFilter::linear}},
+                                             {"bilinear-mipmap", {MinFilter::linear_mipmap_nearest, MagFilter::linear}},
+                                             {"trilinear", {MinFilter::linear_mipmap_linear, MagFilter::linear}}}};
+
+inline constexpr Words<CompareFunction, 8> kCompareFunctions{{{"never", CompareFunction::never},
+                                                              {"less", CompareFunction::less},
+                                                              {"equal", CompareFunction::equal},
+                                                              {"lequal", CompareFunction::lequal},
+                                                              {"greater", CompareFunction::greater},
+                                                              {"notequal", CompareFunction::notequal},
+                                                              {"gequal", CompareFunction::gequal},
+                                                              {"always", CompareFunction::always}}};
+
+inline constexpr Words<StencilOperation, 8> kStencilOperations{{{"keep", StencilOperation::keep},
+                                                                {"zero", StencilOperation::zero},
+                                                                {"replace", StencilOperation::replace},
+                                                                {"incr", StencilOperation::incr},
+                                                                {"decr", StencilOperation::decr},
+                                                                {"invert", StencilOperation::invert},
+                                                                {"incr_wrap", StencilOperation::incr_wrap},
+                                                                {"decr_wrap", StencilOperation::decr_wrap}}};
+
+inline constexpr Words<BlendFactor, 15> kBlendFactors{
+    {{"zero", BlendFactor::zero},
+     {"one", BlendFactor::one},
+     {"src_color", BlendFactor::src_color},
+     {"one_minus_src_color", BlendFactor::one_minus_src_color},
+     {"dst_color", BlendFactor::dst_color},
+     {"one_minus_dst_color", BlendFactor::one_minus_dst_color},
+     {"src_alpha", BlendFactor::src_alpha},
+     {"one_minus_src_alpha", BlendFactor::one_minus_src_alpha},
+     {"dst_alpha", BlendFactor::dst_alpha},
+     {"one_minus_dst_alpha", BlendFactor::one_minus_dst_alpha},
+     {"constant_color", BlendFactor::constant_color},
+     {"one_minus_constant_color", BlendFactor::one_minus_constant_color},
+     {"constant_alpha", BlendFactor::constant_alpha},
+     {"one_minus_constant_alpha", BlendFactor::one_minus_constant_alpha},
+     {"src_alpha_saturate", BlendFactor::src_alpha_saturate}}};
+
+inline constexpr Words<BlendEquation, 5> kBlendEquations{{{"add", BlendEquation::add},
+                                                          {"subtract", BlendEquation::subtract},
+                                                          {"reverse_subtract", BlendEquation::reverse_subtract},
+                                                          {"min", BlendEquation::min},
+                                                          {"max", BlendEquation::max}}};
+
+inline constexpr Words<CullFace, 3> kCullFaces{
+    {{"none", CullFace::none}, {"back", CullFace::back}, {"front", CullFace::front}}};
+
+inline constexpr Words<ShadeModel, 2> kShadeModels{{{"smooth", ShadeModel::smooth}, {"flat", ShadeModel::flat}}};
+
+inline constexpr Words<DepthComparison, 3> kDepthComparisons{
+    {{"none", DepthComparison::none}, {"lequal", DepthComparison::lequal}, {"gequal", DepthComparison::gequal}}};
+
+inline constexpr Words<DepthStencilFormat, 3> kDepthStencilFormats{
+    {{"d24s8", DepthStencilFormat::d24s8}, {"d16", DepthStencilFormat::d16}, {"d15s1", DepthStencilFormat::d15s1}}};
+
+inline constexpr Words<InternalFormat, 6> kTargetFormats{{{"rgba8", InternalFormat::rgba8},
+                                                          {"rgb8", InternalFormat::rgb8},
+                                                          {"luminance8", InternalFormat::luminance8},
+                                                          {"alpha8", InternalFormat::alpha8},
+                                                          {"luminance8_alpha8", InternalFormat::luminance8_alpha8},
+                                                          {"intensity8", InternalFormat::intensity8}}};
+
+inline constexpr Words<IndexFormat, 4> kIndexFormats{{{"rgb", IndexFormat::rgb},
+                                                      {"la", IndexFormat::luminance_alpha},
+                                                      {"l", IndexFormat::luminance},
+                                                      {"a", IndexFormat::alpha}}};
+
+inline constexpr Words<EffectGeometry, 2> kGeometries{
+    {{"mesh", EffectGeometry::mesh}, {"rectangle", EffectGeometry::rectangle}}};
+
+inline constexpr Words<EffectView, 2> kViews{{{"camera", EffectView::camera}, {"light", EffectView::light}}};
+
+inline constexpr Words<LightKind, 3> kLightKinds{
+    {{"point", LightKind::point}, {"spot", LightKind::spot}, {"directional", LightKind::directional}}};
+
+// Whether a source gives texture coordinates, or a colour.
+[[nodiscard]] constexpr bool is_coordinate_source(VertexSource source) {
+  return source < VertexSource::color;
+}
+[[nodiscard]] constexpr bool is_color_source(VertexSource source) {
+  return source == VertexSource::constant || source > VertexSource::projected;
+}
+
+// The words of the sources that `fits`.
+[[nodiscard]] std::string source_words(bool (*fits)(VertexSource));
+
+}  // namespace ninebit::effect_detail
