@@ -15,9 +15,9 @@ namespace {
 namespace fs = std::filesystem;
 
 // A room knows the rooms of a lower rank and itself. system and numerics do not know each other, nor do scene and
-// image, effect and shadow, or capi and raster.
+// image, effect and study, or capi and raster.
 const std::map<std::string, int> kRank{{"system", 0}, {"numerics", 0}, {"combiner", 1}, {"language", 2}, {"capi", 3},
-                                       {"raster", 3}, {"scene", 4},    {"image", 4},    {"effect", 5},   {"shadow", 5},
+                                       {"raster", 3}, {"scene", 4},    {"image", 4},    {"shadow", 5},   {"effect", 6},
                                        {"study", 6},  {"bench", 7},    {"tools", 8},    {"python", 8}};
 
 // The folders of rooms in src/. A folder knows those before it and itself; files that stand beside the folders come
@@ -31,7 +31,7 @@ const std::map<std::string, std::vector<std::string>> kFolders{
      {"frame", "index_order", "index_cube", "depth_cube", "shadow_map", "shadow_volume", "reflective", "light_cookie",
       "ground_truth", ""}},
     {"study", {"part", "report", "page", "digits", "index_steps", "datapath", "shadows", "depth_packing"}},
-    {"tools", {"input", "common", "help", "eval", "trace", "verify", "render", "bench", "study", ""}},
+    {"tools", {"input", "common", "help", "eval", "trace", "verify", "render", "draw", "bench", "study", ""}},
 };
 
 // Outside libraries and the rooms that may include them. Besides these there is only the standard library, whose
@@ -44,7 +44,7 @@ const std::vector<Library> kLibraries{
     {std::regex("hwy/.*"), {"combiner", "raster", "shadow", "study", "bench"}},
     {std::regex("oneapi/tbb/.*"), {"system"}},
     {std::regex("fmt/.*"), {"system", "scene", "image", "shadow", "study", "tools"}},
-    {std::regex("glm/.*"), {"raster", "scene", "shadow", "study", "tools", "bench"}},
+    {std::regex("glm/.*"), {"raster", "scene", "shadow", "effect", "study", "tools", "bench"}},
     {std::regex("assimp/.*|draco/.*"), {"scene"}},
     {std::regex("meshoptimizer\\.h"), {"shadow"}},
     {std::regex("embree3/.*"), {"shadow"}},

@@ -24,6 +24,7 @@ int run(int argc, char** argv) {
       "command.");
   int exit_code = kDone;
   add_render(app, exit_code);
+  add_draw(app, exit_code);
   add_profiles(app, exit_code);
   add_info(app, exit_code);
   add_eval(app, exit_code);

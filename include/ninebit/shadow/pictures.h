@@ -1,6 +1,9 @@
 // A rendering as files: pictures, and EXR planes for programs.
 #pragma once
 
+#include <deque>
+#include <filesystem>
+
 #include "ninebit/image/image_io.h"
 #include "ninebit/image/staged_files.h"
 #include "ninebit/numerics/result.h"
@@ -19,6 +22,10 @@ namespace NINEBIT_PUBLIC ninebit {
 // extension's faces have it. Neighbouring indices get far-apart hues; the cleared map is black. Faces above 1,024
 // texels a side show only every second, fourth, … texel.
 [[nodiscard]] Image8 index_cross_picture(const Rendering& rendering);
+
+// Writes layers into one EXR file: a part per name and a channel per layer; register codes and halves as half, bytes
+// and integers as UINT, floats as FLOAT; upright.
+[[nodiscard]] Status write_layers(const std::deque<Layer>& layers, const std::filesystem::path& file);
 
 // Writes color.png, shadow.png, the rendering's own pictures and, where there are indices, index_cube.png and
 // index_cube.exr (channels index, UINT, and as half the codes' bytes over 255: R G B, or Y for a luminance, and A for

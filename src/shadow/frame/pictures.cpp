@@ -103,6 +103,10 @@ Image8 index_cross_picture(const Rendering& rendering) {
   });
 }
 
+Status write_layers(const std::deque<Layer>& layers, const std::filesystem::path& file) {
+  return write_exr_parts(file, parts_of(layers));
+}
+
 Status write_rendering(const Rendering& rendering, StagedFiles& files) {
   using Path = std::filesystem::path;
   // Stages one file and names it by its final path in an error.

@@ -1,0 +1,260 @@
+// `ninebit draw`: one's own combiner program on textures and a mesh, or an effect of several passes.
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cstdlib>
+#include <filesystem>
+#include <memory>
+#include <utility>
+
+#include "ninebit/effect/effect_renderer.h"
+#include "ninebit/image/image_io.h"
+#include "ninebit/image/staged_files.h"
+#include "ninebit/shadow/pictures.h"
+#include "src/system/hashing/sha256.h"
+#include "src/tools/draw/draw_files.h"
+#include "src/tools/draw/draw_flags.h"
+
+namespace ninebit::tools {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+// How two pictures differ: pixels with any difference, and the largest difference of a component.
+struct Difference {
+  std::uint64_t pixels = 0;
+  int max = 0;
+  Image8 image{};
+};
+
+// What `draw` has done.
+struct Drawn {
+  std::optional<EffectRenderer> renderer{};
+  std::optional<Difference> difference{};
+  std::vector<std::string> warnings{};
+  std::vector<std::filesystem::path> files{};
+  double load_ms = 0.0, draw_ms = 0.0, total_ms = 0.0;
+};
+
+double milliseconds_since(Clock::time_point start) {
+  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
+
+// Calls visit(to, from, component): the place in an upright RGBA picture and in the surface's plane.
+template <class Visit>
+void for_each_sample(const Surface& surface, const Visit& visit) {
+  const auto width = static_cast<std::size_t>(surface.width()), height = static_cast<std::size_t>(surface.height());
+  for (std::size_t y = 0; y < height; ++y) {
+    for (std::size_t x = 0; x < width; ++x) {
+      for (std::size_t c = 0; c < 4; ++c) visit(4 * (y * width + x) + c, (height - 1 - y) * width + x, c);
+    }
+  }
+}
+
+Image8 picture_of(const Surface& surface) {
+  Image8 image{surface.width(), surface.height(), 4, {}};
+  image.pixels.resize(surface.color(0).size() * 4);
+  for_each_sample(surface, [&](std::size_t to, std::size_t from, std::size_t c) {
+    image.pixels[to] = surface.color(static_cast<int>(c))[from];
+  });
+  return image;
+}
+
+// The picture of differences is grey: the largest of a pixel's four components, times 16.
+Difference compare(const Surface& a, const Surface& b) {
+  Difference out{.image = {a.width(), a.height(), 1, {}}};
+  std::vector<int> largest(a.color(0).size());
+  for_each_sample(a, [&](std::size_t to, std::size_t from, std::size_t c) {
+    const int component = static_cast<int>(c);
+    int& pixel = largest[to / 4];
+    pixel = std::max(pixel, std::abs(int{a.color(component)[from]} - int{b.color(component)[from]}));
+  });
+  for (const int d : largest) {
+    out.pixels += d != 0 ? 1U : 0U;
+    out.max = std::max(out.max, d);
+    out.image.pixels.push_back(static_cast<std::uint8_t>(std::min(16 * d, 255)));
+  }
+  return out;
+}
+
+Result<EffectRenderer> draw_under(const Effect& effect, const HardwareProfile& profile, const EffectReaders& readers,
+                                  const EffectOptions& options, const Progress& progress) {
+  auto renderer = EffectRenderer::make(effect, profile, readers, options);
+  if (!renderer) return renderer;
+  if (Status drawn = renderer->draw(progress); !drawn) return drawn.error();
+  return renderer;
+}
+
+const HardwareProfile* built_in(std::string_view name) {
+  for (const HardwareProfile& profile : hardware_profiles()) {
+    if (profile.name == name) return &profile;
+  }
+  return nullptr;
+}
+
+// Draws the effect and, with --difference, once more under the other profile.
+Status draw_all(const DrawFlags& flags, const Effect& effect, const HardwareProfile& profile, Drawn& done) {
+  ProgressLine line(flags.common.quiet);
+  const auto progress = [&](std::string_view pass, double share) { return line.step(pass, 0.9 * share); };
+  line.step("loading", 0.0);
+  const auto start = Clock::now();
+  const EffectReaders readers = effect_readers(flags.allow_outside, done.warnings);
+  auto renderer = EffectRenderer::make(effect, profile, readers, {.layers = flags.layers});
+  if (!renderer) return renderer.error();
+  done.load_ms = milliseconds_since(start);
+  const auto loaded = Clock::now();
+  if (Status drawn = renderer->draw(progress); !drawn) return drawn;
+  done.draw_ms = milliseconds_since(loaded);
+  done.warnings.insert(done.warnings.end(), renderer->warnings().begin(), renderer->warnings().end());
+  done.renderer.emplace(std::move(*renderer));
+  if (flags.difference.empty()) return {};
+  std::vector<std::string> again;
+  const auto other =
+      draw_under(effect, *built_in(flags.difference), effect_readers(flags.allow_outside, again), {}, progress);
+  if (!other) return other.error();
+  done.difference = compare(done.renderer->picture(), other->picture());
+  return {};
+}
+
+// "picture.difference.png" for "picture.png".
+std::string beside(const std::filesystem::path& output, const char* ending) {
+  return output.stem().string() + ending;
+}
+
+Status write_files(const DrawFlags& flags, Drawn& done) {
+  const std::filesystem::path output(flags.output);
+  auto files = StagedFiles::open(output.parent_path());
+  if (!files) return files.error();
+  Status s = write_png(files->stage(output.filename().string()), picture_of(done.renderer->picture()));
+  if (s && done.difference) s = write_png(files->stage(beside(output, ".difference.png")), done.difference->image);
+  if (s && flags.layers) s = write_layers(done.renderer->layers(), files->stage(beside(output, ".layers.exr")));
+  if (!s) {
+    Diagnostic fault = s.error();
+    fault.file = files->files().back().string();
+    return fault;
+  }
+  if (Status committed = files->commit(); !committed) return committed;
+  done.files = files->files();
+  return {};
+}
+
+std::string color_hash(const Surface& surface, int first, int last) {
+  Sha256 hash;
+  for (int c = first; c <= last; ++c) hash.add(surface.color(c));
+  return hash.finish();
+}
+
+Json draw_json(const DrawFlags& flags, const Effect& effect, const HardwareProfile& profile, bool is_effect,
+               const Drawn& done) {
+  const Surface& picture = done.renderer->picture();
+  Json files = Json::array(), passes = Json::array();
+  for (const auto& file : done.files) files.push_back(file.string());
+  for (std::size_t i = 0; i < effect.passes.size(); ++i) {
+    passes.push_back({{"name", effect.passes[i].name}, {"time_ms", done.renderer->pass_times()[i]}});
+  }
+  Json out{{"command", "draw"}, {"version", NINEBIT_VERSION}, {is_effect ? "effect" : "program", flags.file}};
+  out["profile"] = profile.name;
+  out["size"] = {picture.width(), picture.height()};
+  out["passes"] = std::move(passes);
+  out["warnings"] = done.warnings;
+  out["time_ms"] = {{"load", done.load_ms}, {"draw", done.draw_ms}, {"total", done.total_ms}};
+  out["files"] = std::move(files);
+  out["hash"] = {{"color", color_hash(picture, 0, 3)}};
+  if (!picture.stencil().empty()) {
+    Sha256 stencil;
+    stencil.add(picture.stencil());
+    out["hash"]["stencil"] = stencil.finish();
+  }
+  if (done.difference) out["difference"] = {{"pixels", done.difference->pixels}, {"max", done.difference->max}};
+  return out;
+}
+
+// The profile of --profile; without it, that of the effect file.
+Result<const HardwareProfile*> chosen_profile(const DrawFlags& flags, const Effect& effect) {
+  if (effect.profile.empty() || flags.profile->count() != 0) return &profile_of(flags.common);
+  if (const HardwareProfile* const found = built_in(effect.profile)) return found;
+  std::string names;
+  for (const HardwareProfile& profile : hardware_profiles()) {
+    names += (names.empty() ? "" : ", ") + std::string(profile.name);
+  }
+  return Diagnostic{.message = fmt::format("profile '{}' is not known; expected {}", effect.profile, names),
+                    .file = flags.file};
+}
+
+int print_answer(const DrawFlags& flags, const Effect& effect, const HardwareProfile& profile, bool is_effect,
+                 const Drawn& done) {
+  if (!flags.common.quiet) {
+    for (const std::string& warning : done.warnings) say_warning(warning);
+    for (const auto& file : done.files) say_written(file);
+  }
+  if (flags.common.json) return answer(draw_json(flags, effect, profile, is_effect, done));
+  if (flags.common.quiet) return kDone;
+  say(fmt::format("{} pass{}, {:.0f} ms\n", effect.passes.size(), effect.passes.size() == 1 ? "" : "es",
+                  done.total_ms));
+  if (done.difference) {
+    say(fmt::format("{} pixels differ under profile {}, by {} at most\n", done.difference->pixels, flags.difference,
+                    done.difference->max));
+  }
+  return kDone;
+}
+
+int wrong_usage(const std::string& message) {
+  say_error(fmt::format("{} (see: ninebit draw --help)", message));
+  return kWrongUsage;
+}
+
+int draw(const DrawFlags& flags) {
+  const auto start = Clock::now();
+  const ThreadLimit limit(flags.common.threads);
+  if (std::filesystem::path(flags.output).extension() != ".png") {
+    return wrong_usage(fmt::format("--output {}: expected a file whose name ends in .png", flags.output));
+  }
+  DrawnFile file = read_effect_file(flags.file);
+  if (file.exit_code != kDone) return file.exit_code;
+  const bool is_effect = file.effect.has_value();
+  if (is_effect) {
+    if (Status changed = override_effect(flags, *file.effect); !changed) return wrong_usage(changed.error().message);
+  } else {
+    auto effect = effect_of(flags);
+    if (!effect) return wrong_usage(effect.error().message);
+    file.effect.emplace(std::move(*effect));
+  }
+  const auto profile = chosen_profile(flags, *file.effect);
+  if (!profile) return report(profile.error());
+  Drawn done;
+  if (Status drawn = draw_all(flags, *file.effect, **profile, done); !drawn) {
+    Diagnostic fault = drawn.error();
+    if (fault.file.empty() && is_effect) fault.file = flags.file;
+    return report(fault);
+  }
+  if (Status written = write_files(flags, done); !written) return report(written.error());
+  done.total_ms = milliseconds_since(start);
+  return print_answer(flags, *file.effect, **profile, is_effect, done);
+}
+
+}  // namespace
+
+void add_draw(CLI::App& app, int& exit_code) {
+  CLI::App* verb = app.add_subcommand("draw", "Draw a combiner program on textures and a mesh, or an effect");
+  verb->footer(
+      "Without --mesh, a rectangle fills the picture. Sources of coordinates: uv, screen, projected, position,\n"
+      "from-light, light-vector, view-vector, half-vector, normal, reflection, tangent-light-vector,\n"
+      "tangent-half-vector, constant:S,T[,R[,Q]]. Sources of colours: the vectors, range-compressed, and color, "
+      "lambert,\n"
+      "index[:FORMAT,STEP], constant:R,G,B[,A].\n"
+      "Examples:\n"
+      "  ninebit draw dot3.gl --tex0 normals:bricks.png --primary tangent-light-vector -o bricks.png\n"
+      "  ninebit draw dot3.gl --mesh sphere:96 --tex0 normals:bricks.png --primary tangent-light-vector -o ball.png\n"
+      "  ninebit draw scenes/effects/index_cube.json -o room.png");
+  auto flags = std::make_shared<DrawFlags>();
+  add_common_flags(*verb, flags->common);
+  flags->profile = verb->get_option("--profile");
+  verb->add_option("program", flags->file, "Program in any form, or an effect file")
+      ->required()
+      ->type_name("PROGRAM|EFFECT.json");
+  verb->add_option("-o,--output", flags->output, "Picture to write")->required()->type_name("FILE.png");
+  add_draw_flags(*verb, *flags);
+  verb->callback([flags, &exit_code] { exit_code = draw(*flags); });
+}
+
+}  // namespace ninebit::tools

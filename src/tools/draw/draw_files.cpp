@@ -1,0 +1,96 @@
+#include "src/tools/draw/draw_files.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <fstream>
+#include <utility>
+
+#include "ninebit/combiner/validate.h"
+#include "ninebit/effect/effect_json.h"
+#include "ninebit/scene/scene_io.h"
+#include "src/image/texture/picture_loader.h"
+#include "src/tools/common/program_file.h"
+#include "src/tools/input/file_kind.h"
+#include "src/tools/input/printable.h"
+
+namespace ninebit::tools {
+namespace {
+
+bool go_on() {
+  return !ProgressLine::stopped();
+}
+
+// Whether a file begins like an effect.
+bool is_effect(const std::string& file) {
+  constexpr std::size_t kStart = 4096;
+  std::error_code error;
+  if (file == "-" || !std::filesystem::is_regular_file(file, error)) return false;
+  std::ifstream in(file, std::ios::binary);
+  std::string start(kStart, '\0');
+  in.read(start.data(), static_cast<std::streamsize>(start.size()));
+  start.resize(static_cast<std::size_t>(in.gcount()));
+  const std::string_view content = without_heading(start);
+  return content.starts_with('{') && json_kind(content) == "effect";
+}
+
+Result<CombinerState> read_program(const std::filesystem::path& path, const HardwareProfile& profile) {
+  ProgramFlags flags;
+  flags.file = path.string();
+  auto file = read_program_file(flags, profile);
+  if (!file) return file.error();
+  if (!file->parsed) {
+    const TextFault& first = file->parsed.faults[0];
+    for (std::size_t i = 1; i < file->parsed.faults.size(); ++i) say_error(file->parsed.faults[i].text());
+    return Diagnostic{.message = first.message, .file = first.file, .line = first.line};
+  }
+  const std::vector<StateDiagnostic> refused = validate(*file->parsed.value, profile);
+  if (refused.empty()) return std::move(*file->parsed.value);
+  return Diagnostic{.message = fmt::format("{}: {}", name_of(refused[0].gl_error), refused[0].message),
+                    .file = file->name};
+}
+
+Result<Texture> read_texture_files(std::span<const std::filesystem::path> files, const HardwareProfile& profile,
+                                   std::vector<std::string>& warnings) {
+  TextureReadOptions options{.any_size = files.size() == 1, .isolated = true, .go_on = &go_on};
+  options.on_resample = [&](int width, int height) {
+    warnings.push_back(
+        fmt::format("{}: {} x {} is resampled to powers of two; textures of the time have no other sizes",
+                    printable(files[0].string()), width, height));
+  };
+  if (files.size() == 1) {
+    return image_detail::read_texture(profile, files[0], options, image_detail::kPictureModule);
+  }
+  std::array<std::filesystem::path, 6> faces;
+  std::copy(files.begin(), files.end(), faces.begin());
+  return image_detail::read_cube_texture(profile, faces, options, image_detail::kPictureModule);
+}
+
+}  // namespace
+
+DrawnFile read_effect_file(const std::string& file) {
+  if (!is_effect(file)) return {};
+  auto parsed = read_effect(file);
+  if (!parsed) return {.effect = {}, .exit_code = report(parsed.faults)};
+  return {.effect = std::move(parsed.value)};
+}
+
+EffectReaders effect_readers(bool allow_outside, std::vector<std::string>& warnings) {
+  EffectReaders readers;
+  readers.program = &read_program;
+  readers.texture = [&warnings](std::span<const std::filesystem::path> files, const HardwareProfile& profile) {
+    return read_texture_files(files, profile, warnings);
+  };
+  readers.scene = [allow_outside, &warnings](const std::filesystem::path& file) {
+    auto scene = read_scene(file, {.allow_outside = allow_outside, .isolated = true, .go_on = &go_on});
+    if (!scene || scene->notes.empty()) return scene;
+    std::string ignored;
+    for (const std::string& note : scene->notes) ignored += (ignored.empty() ? "" : "; ") + note;
+    warnings.push_back(fmt::format("{}: ignored: {}", printable(file.string()), printable(ignored)));
+    return scene;
+  };
+  return readers;
+}
+
+}  // namespace ninebit::tools

@@ -1,0 +1,26 @@
+// How `ninebit draw` reads the files of an effect.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ninebit/effect/effect_renderer.h"
+#include "src/tools/draw/draw_flags.h"
+
+namespace ninebit::tools {
+
+// A file that `draw` was given: an effect, or a program that the flags draw.
+struct DrawnFile {
+  std::optional<Effect> effect{};  // empty: the file was not an effect
+  int exit_code = kDone;           // of the faults that were printed
+};
+
+// Reads the file if it is an effect, which is told from its content. Prints its faults.
+[[nodiscard]] DrawnFile read_effect_file(const std::string& file);
+
+// Readers in isolated child processes that can be interrupted. They add what is worth a warning to `warnings`, which
+// must outlive them, and print the faults of programs, of which they then report only the first.
+[[nodiscard]] EffectReaders effect_readers(bool allow_outside, std::vector<std::string>& warnings);
+
+}  // namespace ninebit::tools

@@ -1,0 +1,323 @@
+#include "src/tools/draw/draw_flags.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <utility>
+
+#include "ninebit/effect/generated_meshes.h"
+#include "src/effect/effect_words.h"
+#include "src/tools/common/number_flag.h"
+#include "src/tools/common/number_list.h"
+#include "src/tools/common/scene_flag_checks.h"
+
+namespace ninebit::tools {
+namespace {
+
+CLI::Validator text_check(std::string (*check)(const std::string&)) {
+  return CLI::Validator([check](std::string& text) { return check(text); }, "");
+}
+
+// A validator from a parser of effects.
+template <class T>
+CLI::Validator parses(Result<T> (*parse)(std::string_view)) {
+  return CLI::Validator(
+      [parse](std::string& text) {
+        const auto parsed = parse(text);
+        return parsed ? std::string() : parsed.error().message;
+      },
+      "");
+}
+
+CLI::Validator sets_sampler(Status (*parse)(std::string_view, Sampler&)) {
+  return CLI::Validator(
+      [parse](std::string& text) {
+        Sampler sampler;
+        const Status parsed = parse(text, sampler);
+        return parsed ? std::string() : parsed.error().message;
+      },
+      "");
+}
+
+// So many numbers from 0 to 1.
+std::string check_color(const std::string& text, std::size_t count) {
+  const auto n = numbers<float>(text, ',');
+  bool valid = n && n->size() == count;
+  if (valid) {
+    for (const float x : *n) valid = valid && x >= 0.0F && x <= 1.0F;
+  }
+  return valid ? "" : fmt::format("'{}' is not a colour; expected {} numbers from 0 to 1", text, count);
+}
+std::string check_rgba(const std::string& text) {
+  return check_color(text, 4);
+}
+std::string check_rgb(const std::string& text) {
+  return check_color(text, 3);
+}
+
+std::vector<std::string> words_in(const std::string& text) {
+  std::vector<std::string> words{""};
+  for (const char c : text) {
+    if (c == ',') {
+      words.emplace_back();
+    } else {
+      words.back() += c;
+    }
+  }
+  return words;
+}
+
+// SOURCE,DESTINATION[,EQUATION].
+Result<Blend> parse_blend(std::string_view text) {
+  using namespace effect_detail;
+  const auto words = words_in(std::string(text));
+  Blend blend{.enabled = true};
+  const auto source = value_of(kBlendFactors, words[0]);
+  const auto destination = value_of(kBlendFactors, words.size() > 1 ? words[1] : "");
+  const auto equation = value_of(kBlendEquations, words.size() > 2 ? words[2] : "add");
+  if (!source || !destination || !equation || words.size() > 3) {
+    return Diagnostic{.message = fmt::format("'{}' is not a blend; expected SOURCE,DESTINATION[,EQUATION] with the "
+                                             "factors {}, and the equation {}",
+                                             text, list_of(kBlendFactors), list_of(kBlendEquations))};
+  }
+  blend.source = *source;
+  blend.destination = *destination;
+  blend.equation = *equation;
+  return blend;
+}
+
+// FUNCTION,REFERENCE.
+Result<AlphaTest> parse_alpha_test(std::string_view text) {
+  using namespace effect_detail;
+  const auto words = words_in(std::string(text));
+  const auto function = value_of(kCompareFunctions, words[0]);
+  const auto reference = words.size() == 2 ? numbers<int>(words[1], ',') : std::nullopt;
+  if (!function || !reference || reference->at(0) < 0 || reference->at(0) > 255) {
+    return Diagnostic{.message = fmt::format("'{}' is not an alpha test; expected FUNCTION,REFERENCE with {}, and a "
+                                             "reference from 0 to 255",
+                                             text, list_of(kCompareFunctions))};
+  }
+  return AlphaTest{true, *function, static_cast<std::uint8_t>(reference->at(0))};
+}
+
+// FUNCTION or none.
+Result<DepthTest> parse_depth(std::string_view text) {
+  if (text == "none") return DepthTest{};
+  const auto function = effect_detail::value_of(effect_detail::kCompareFunctions, text);
+  if (function) return DepthTest{.enabled = true, .function = *function};
+  return Diagnostic{.message = fmt::format("'{}' is not a depth test; expected none, {}", text,
+                                           effect_detail::list_of(effect_detail::kCompareFunctions))};
+}
+
+Result<std::array<bool, 4>> parse_color_mask(std::string_view text) {
+  std::array<bool, 4> mask{};
+  bool valid = !text.empty();
+  for (const char c : text == "none" ? "" : text) {
+    const std::size_t component = std::string_view("rgba").find(c);
+    valid = valid && component != std::string_view::npos;
+    if (valid) mask[component] = true;
+  }
+  if (valid) return mask;
+  return Diagnostic{.message = fmt::format("'{}' is not a colour mask; expected letters of rgba, or none", text)};
+}
+
+std::optional<glm::vec3> point_of(const std::string& text) {
+  if (text.empty()) return std::nullopt;
+  const auto n = numbers<float>(text, ',');
+  return glm::vec3(n->at(0), n->at(1), n->at(2));
+}
+
+// The flags of the scene that were given.
+void set_scene(const DrawFlags& flags, EffectScene& scene) {
+  SceneSetup& setup = scene.setup;
+  if (!flags.mesh.empty()) scene.mesh = flags.mesh;
+  if (const auto p = point_of(flags.camera)) setup.camera = p;
+  if (const auto p = point_of(flags.look_at)) setup.look_at = p;
+  if (const auto p = point_of(flags.light)) setup.light = p;
+  if (const auto p = point_of(flags.light_target)) setup.light_target = p;
+  if (flags.fov) setup.fov_degrees = static_cast<float>(*flags.fov);
+  if (flags.spot_angle) setup.spot_degrees = static_cast<float>(*flags.spot_angle);
+  if (!flags.light_type.empty()) {
+    setup.light_kinds = {.point = flags.light_type == "point",
+                         .spot = flags.light_type == "spot",
+                         .directional = flags.light_type == "directional"};
+  }
+  if (flags.floor.empty()) return;
+  setup.floor = flags.floor == "none"   ? FloorChoice::none
+                : flags.floor == "auto" ? FloorChoice::automatic
+                                        : FloorChoice::at_height;
+  if (setup.floor == FloorChoice::at_height) setup.floor_height = numbers<float>(flags.floor, ',')->at(0);
+}
+
+void set_size(const DrawFlags& flags, Effect& effect) {
+  if (flags.size.empty()) return;
+  const auto size = *numbers<int>(flags.size, 'x');
+  effect.width = size[0];
+  effect.height = size[1];
+}
+
+Status add_unit(const DrawFlags& flags, std::size_t unit, Effect& effect, EffectPass& pass) {
+  if (flags.textures[unit].empty()) {
+    if (flags.filters[unit].empty() && flags.wraps[unit].empty() && flags.coordinates[unit].empty()) return {};
+    return Diagnostic{.message = fmt::format("--filter{0}, --wrap{0} and --coord{0} require --tex{0}", unit)};
+  }
+  EffectTexture texture = parse_texture_source(flags.textures[unit]).value();
+  if (!texture.target.empty()) {
+    return Diagnostic{.message = fmt::format("--tex{} {}: only effect files have targets", unit, flags.textures[unit])};
+  }
+  texture.name = fmt::format("tex{}", unit);
+  if (!flags.filters[unit].empty()) (void)parse_filter(flags.filters[unit], texture.sampler);
+  if (!flags.wraps[unit].empty()) (void)parse_wrap(flags.wraps[unit], texture.sampler);
+  pass.units[unit].texture = texture.name;
+  if (!flags.coordinates[unit].empty()) {
+    pass.units[unit].coordinates = parse_coordinate_source(flags.coordinates[unit]).value();
+  }
+  effect.textures.push_back(std::move(texture));
+  return {};
+}
+
+ColorF color_of(const std::string& text) {
+  const auto n = *numbers<float>(text, ',');
+  return {n[0], n[1], n[2], n[3]};
+}
+
+void add_pass_flags(CLI::App& verb, DrawFlags& flags) {
+  const std::size_t before = verb.get_options().size();
+  for (std::size_t i = 0; i < kEffectUnits; ++i) {
+    const std::string unit = std::to_string(i);
+    verb.add_option("--tex" + unit, flags.textures[i],
+                    "Texture " + unit +
+                        ": a picture or DDS file, six pictures, normalize-cube:N, checker:N, gradient, "
+                        "falloff, or normals:FILE")
+        ->type_name("SOURCE")
+        ->check(parses(&parse_texture_source));
+    verb.add_option("--filter" + unit, flags.filters[i], "Filter: nearest, linear, bilinear-mipmap or trilinear")
+        ->type_name("FILTER")
+        ->check(sets_sampler(&parse_filter));
+    verb.add_option("--wrap" + unit, flags.wraps[i], "Wrap mode: repeat, clamp, clamp-to-edge or mirrored-repeat")
+        ->type_name("WRAP")
+        ->check(sets_sampler(&parse_wrap));
+    verb.add_option("--coord" + unit, flags.coordinates[i], "Texture coordinates (default: uv)")
+        ->type_name("SOURCE")
+        ->check(parses(&parse_coordinate_source));
+  }
+  verb.add_option("--primary", flags.primary, "Primary colour (default: white)")
+      ->type_name("SOURCE")
+      ->check(parses(&parse_color_source));
+  verb.add_option("--secondary", flags.secondary, "Secondary colour (default: black)")
+      ->type_name("SOURCE")
+      ->check(parses(&parse_color_source));
+  verb.add_option("--fog", flags.fog, "Fog factor: linear:START,END, exp:DENSITY or exp2:DENSITY")
+      ->type_name("FACTOR")
+      ->check(parses(&parse_fog));
+  verb.add_option("--fog-color", flags.fog_color, "Fog colour")->type_name("R,G,B")->check(text_check(&check_rgb));
+  for (std::size_t i = 0; i < 2; ++i) {
+    verb.add_option("--const" + std::to_string(i), flags.constants[i], "Constant colour, instead of the program's")
+        ->type_name("R,G,B,A")
+        ->check(text_check(&check_rgba));
+  }
+  verb.add_option("--blend", flags.blend, "Blending, as src_alpha,one_minus_src_alpha")
+      ->type_name("SOURCE,DESTINATION[,EQUATION]")
+      ->check(parses(&parse_blend));
+  verb.add_option("--alpha-test", flags.alpha_test, "Alpha test, as greater,127")
+      ->type_name("FUNCTION,REFERENCE")
+      ->check(parses(&parse_alpha_test));
+  verb.add_option("--depth", flags.depth, "Depth test (default: less for a mesh, none for the rectangle)")
+      ->type_name("FUNCTION|none")
+      ->check(parses(&parse_depth));
+  verb.add_option("--cull", flags.cull, "Faces to cull")->check(CLI::IsMember({"none", "back", "front"}));
+  verb.add_option("--color-mask", flags.color_mask, "Components to write (default: rgba)")
+      ->type_name("LETTERS")
+      ->check(parses(&parse_color_mask));
+  const std::vector<CLI::Option*> all = verb.get_options();
+  flags.pass_options.assign(all.begin() + static_cast<std::ptrdiff_t>(before), all.end());
+}
+
+}  // namespace
+
+void add_draw_flags(CLI::App& verb, DrawFlags& flags) {
+  verb.add_option("--size", flags.size, "Picture size in pixels (default: 512x512)")
+      ->type_name("WxH")
+      ->check(text_check(&check_size));
+  verb.add_option("--mesh", flags.mesh, "Mesh to draw: a scene file, sphere:N, torus:N, plane:N or cube")
+      ->type_name("SCENE")
+      ->check(text_check(&check_file_name));
+  verb.add_flag("--allow-outside", flags.allow_outside, "Also read files that the scene names outside of its folder");
+  add_pass_flags(verb, flags);
+  const auto point = [&](const char* flag, std::string& text, const char* help) {
+    verb.add_option(flag, text, help)->type_name("X,Y,Z")->check(text_check(&check_point));
+  };
+  point("--camera", flags.camera, "Camera position");
+  point("--look-at", flags.look_at, "Point to look at");
+  verb.add_option("--fov", flags.fov, "Vertical field of view, in degrees")
+      ->type_name("DEGREES")
+      ->check(text_check(&check_fov));
+  point("--light", flags.light, "Light position");
+  verb.add_option("--light-type", flags.light_type, "Kind of light (default: point)")
+      ->check(CLI::IsMember({"point", "spot", "directional"}));
+  point("--light-target", flags.light_target, "Target of a spot or directional light");
+  verb.add_option("--spot-angle", flags.spot_angle, "Opening angle of a spot light, in degrees")
+      ->type_name("DEGREES")
+      ->check(text_check(&check_spot_angle));
+  verb.add_option("--floor", flags.floor, "Floor below the mesh (default: none)")
+      ->type_name("auto|none|HEIGHT")
+      ->check(text_check(&check_floor));
+  std::vector<std::string> profiles;
+  for (const HardwareProfile& profile : hardware_profiles()) profiles.emplace_back(profile.name);
+  verb.add_option("--difference", flags.difference,
+                  "Also write where and how much the picture differs under another profile")
+      ->type_name("PROFILE")
+      ->check(CLI::IsMember(profiles));
+  verb.add_flag("--layers", flags.layers, "Also write every register of every pass to an EXR file");
+}
+
+Result<Effect> effect_of(const DrawFlags& flags) {
+  Effect effect;
+  EffectPass pass{.name = "draw"};
+  set_size(flags, effect);
+  effect.scene.setup.floor = FloorChoice::none;
+  set_scene(flags, effect.scene);
+  pass.program = flags.file;
+  pass.geometry = effect.scene.mesh.empty() ? EffectGeometry::rectangle : EffectGeometry::mesh;
+  pass.state.depth_test.enabled = pass.geometry == EffectGeometry::mesh;
+  for (std::size_t i = 0; i < kEffectUnits; ++i) {
+    if (Status added = add_unit(flags, i, effect, pass); !added) return added.error();
+  }
+  for (std::size_t i = 0; i < 2; ++i) {
+    if (!flags.constants[i].empty()) pass.constants[i] = color_of(flags.constants[i]);
+  }
+  if (!flags.primary.empty()) pass.primary = parse_color_source(flags.primary).value();
+  if (!flags.secondary.empty()) pass.secondary = parse_color_source(flags.secondary).value();
+  if (!flags.fog.empty()) pass.fog = parse_fog(flags.fog).value();
+  if (!flags.fog_color.empty()) {
+    const auto n = *numbers<float>(flags.fog_color, ',');
+    for (std::size_t c = 0; c < 3; ++c) pass.fog.color[c] = static_cast<std::uint8_t>(n[c] * 255.0F + 0.5F);
+  }
+  if (!flags.blend.empty()) pass.state.blend = parse_blend(flags.blend).value();
+  if (!flags.alpha_test.empty()) pass.state.alpha_test = parse_alpha_test(flags.alpha_test).value();
+  if (!flags.depth.empty()) pass.state.depth_test = parse_depth(flags.depth).value();
+  if (!flags.cull.empty()) pass.state.cull_face = *effect_detail::value_of(effect_detail::kCullFaces, flags.cull);
+  if (!flags.color_mask.empty()) pass.state.color_mask = parse_color_mask(flags.color_mask).value();
+  effect.passes.push_back(std::move(pass));
+  if (const auto faults = check_effect(effect); !faults.empty()) return Diagnostic{.message = faults[0].message};
+  return effect;
+}
+
+Status override_effect(const DrawFlags& flags, Effect& effect) {
+  for (const CLI::Option* const option : flags.pass_options) {
+    if (option->count() == 0) continue;
+    return Diagnostic{.message = fmt::format("{} has no effect with an effect file; expected the flags of the size, "
+                                             "mesh, camera and light",
+                                             option->get_name())};
+  }
+  set_size(flags, effect);
+  if (!flags.mesh.empty()) {
+    effect.scene.mesh = is_generated_mesh(flags.mesh) ? flags.mesh : std::filesystem::absolute(flags.mesh).string();
+  }
+  DrawFlags scene = flags;
+  scene.mesh.clear();
+  set_scene(scene, effect.scene);
+  return {};
+}
+
+}  // namespace ninebit::tools
