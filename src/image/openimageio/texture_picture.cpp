@@ -1,4 +1,5 @@
 // Reads pictures as textures with OpenImageIO.
+#include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 #include <fmt/format.h>
 
@@ -6,6 +7,7 @@
 #include <exception>
 #include <memory>
 #include <new>
+#include <optional>
 #include <utility>
 
 #include "src/image/output/faults.h"
@@ -24,7 +26,7 @@ std::string reason(std::string text) {
 std::string complain_about_spec(const OIIO::ImageSpec& spec) {
   if (spec.deep) return "is a deep picture; expected one sample per pixel";
   if (spec.depth > 1) return "is a volume; expected a picture";
-  if (std::string complaint = complain_about_texture_size(spec.width, spec.height); !complaint.empty()) {
+  if (std::string complaint = complain_about_picture_size(spec.width, spec.height); !complaint.empty()) {
     return "the picture " + complaint;
   }
   if (const std::int64_t pixels = std::int64_t{spec.width} * spec.height; pixels > kMostPicturePixels) {
@@ -109,11 +111,22 @@ Result<FileTexture> read_opened(OIIO::ImageInput& input) {
 
 }  // namespace
 
-Result<FileTexture> read_picture(const std::filesystem::path& file) {
+Result<FileTexture> read_picture(const PictureSource& source) {
+  const std::filesystem::path& file = source.file;
   try {
     OIIO::ImageSpec wishes;
     wishes.attribute("oiio:UnassociatedAlpha", 1);
-    const std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::open(file.string(), &wishes);
+    std::string opened = file.string();
+    std::optional<OIIO::Filesystem::IOMemReader> memory;
+    if (source.bytes) {
+      const char* const extension = extension_of_bytes(*source.bytes);
+      if (extension == nullptr) return invalid_input(file, "is neither a PNG nor a JPEG picture");
+      // The extension selects OpenImageIO's reader; no file of this name is opened.
+      opened = std::string("embedded") + extension;
+      memory.emplace(source.bytes->data(), source.bytes->size());
+    }
+    const std::unique_ptr<OIIO::ImageInput> input =
+        OIIO::ImageInput::open(opened, &wishes, memory ? &*memory : nullptr);
     if (!input) return invalid_input(file, "not a readable picture: " + reason(OIIO::geterror()));
     input->threads(1);  // a child process does not have the threads that OpenImageIO started before
     Result<FileTexture> texture = read_opened(*input);
