@@ -18,14 +18,13 @@ struct TextureOption {
   std::size_t least, most;
   bool moves;  // it changes where or how strongly the picture appears
 };
-constexpr std::array kOptions{
-    TextureOption{"-o", 1, 3, true},        TextureOption{"-s", 1, 3, true},
-    TextureOption{"-t", 1, 3, true},        TextureOption{"-mm", 2, 2, true},
-    TextureOption{"-bm", 1, 1, false},      TextureOption{"-boost", 1, 1, false},
-    TextureOption{"-texres", 1, 1, false},  TextureOption{"-blendu", 1, 1, false},
-    TextureOption{"-blendv", 1, 1, false}, TextureOption{"-cc", 1, 1, false},
-    TextureOption{"-clamp", 1, 1, false},  TextureOption{"-imfchan", 1, 1, false},
-    TextureOption{"-type", 1, 1, false}};
+constexpr std::array kOptions{TextureOption{"-o", 1, 3, true},       TextureOption{"-s", 1, 3, true},
+                              TextureOption{"-t", 1, 3, true},       TextureOption{"-mm", 2, 2, true},
+                              TextureOption{"-bm", 1, 1, false},     TextureOption{"-boost", 1, 1, false},
+                              TextureOption{"-texres", 1, 1, false}, TextureOption{"-blendu", 1, 1, false},
+                              TextureOption{"-blendv", 1, 1, false}, TextureOption{"-cc", 1, 1, false},
+                              TextureOption{"-clamp", 1, 1, false},  TextureOption{"-imfchan", 1, 1, false},
+                              TextureOption{"-type", 1, 1, false}};
 
 std::string lower(std::string_view word) {
   std::string out(word);

@@ -31,13 +31,13 @@ struct SceneTexture {
 
 // A surface's appearance: a colour, multiplied by a texture and by the colours of the vertices.
 struct Material {
-  std::string name;                               // the file's; may be empty
-  glm::vec3 base_color{0.8F};                     // linear factor as the file gives it, each channel in [0, 1]
-  std::optional<std::uint32_t> base_texture{};    // an index into Scene::textures
-  Sampler sampler{};                              // how the texture is read
-  AlphaMode alpha_mode = AlphaMode::opaque;       // whether alpha has an effect
-  float alpha = 1.0F;                             // multiplies the texture's alpha; in [0, 1]
-  float alpha_cutoff = 0.5F;                      // AlphaMode::mask: fragments with less alpha are not drawn
+  std::string name;                             // the file's; may be empty
+  glm::vec3 base_color{0.8F};                   // linear factor as the file gives it, each channel in [0, 1]
+  std::optional<std::uint32_t> base_texture{};  // an index into Scene::textures
+  Sampler sampler{};                            // how the texture is read
+  AlphaMode alpha_mode = AlphaMode::opaque;     // whether alpha has an effect
+  float alpha = 1.0F;                           // multiplies the texture's alpha; in [0, 1]
+  float alpha_cutoff = 0.5F;                    // AlphaMode::mask: fragments with less alpha are not drawn
 };
 
 // A mesh instance: one node of the file with all its triangles, whatever their materials.
@@ -113,9 +113,9 @@ struct Scene {
 
 // Checks that a scene meets the requirements of Scene, as every function of the library expects: at least one triangle;
 // sizes that agree; vertex, object and material indices in range; objects that cover all triangles in order; finite
-// positions, normals, base colours, alphas, cameras and lights; materials with existing textures; cameras with a direction of view, an up vector that is not
-// parallel to it, and a field of view between 0 and 180 degrees. Reports the first fault. A scene needs neither cameras
-// nor lights to be valid.
+// positions, normals, base colours, alphas, cameras and lights; materials with existing textures; cameras with a
+// direction of view, an up vector that is not parallel to it, and a field of view between 0 and 180 degrees. Reports
+// the first fault. A scene needs neither cameras nor lights to be valid.
 [[nodiscard]] Status validate(const Scene& scene);
 
 }  // namespace ninebit

@@ -48,9 +48,10 @@ struct PictureSource {
 [[nodiscard]] const char* extension_of_bytes(std::span<const std::uint8_t> bytes);
 
 // Scales a picture with one level of bytes or floats, whose sides are not powers of two, to the next ones. As
-// gluScaleImage with GL_LINEAR, but in integers: target sample i of n lies at (2i + 1) source / (2n) - 1/2 of the source,
-// rounded to 1/256 of a sample, halves up, and clamped to the first and the last sample. Along x, then along y, a byte is
-// (a (256 - w) + b w + 128) / 256, rounded down; floats are computed in the same order as a + (b - a) w / 256.
+// gluScaleImage with GL_LINEAR, but in integers: target sample i of n lies at (2i + 1) source / (2n) - 1/2 of the
+// source, rounded to 1/256 of a sample, halves up, and clamped to the first and the last sample. Along x, then along y,
+// a byte is (a (256 - w) + b w + 128) / 256, rounded down; floats are computed in the same order as a + (b - a) w /
+// 256.
 void resample_to_powers_of_two(FileTexture& texture);
 
 // The reader of all files except DDS. It is OpenImageIO, which depends on 250 shared libraries: the library links it,
@@ -64,8 +65,8 @@ struct PictureReader {
 // Reads any picture with OpenImageIO; from bytes PNG and JPEG. Its sides are from 1 to kMaxSurfaceSize.
 [[nodiscard]] Result<FileTexture> read_picture(const PictureSource& source);
 
-// Calls reader.read() for each source in one isolated call (src/system/isolated_call.h). Reports what it reports, and the
-// file at which the reader crashed or exceeded its limits.
+// Calls reader.read() for each source in one isolated call (src/system/isolated_call.h). Reports what it reports, and
+// the file at which the reader crashed or exceeded its limits.
 [[nodiscard]] Result<std::vector<FileTexture>> read_isolated(std::span<const PictureSource> sources,
                                                              const PictureReader& reader,
                                                              const std::function<bool()>& go_on);

@@ -85,8 +85,8 @@ std::optional<Result<FileTexture>> read(posix::AnswerReader& from) {
 
 }  // namespace
 
-Result<std::vector<FileTexture>> read_isolated(std::span<const PictureSource> sources,
-                                               const PictureReader& reader, const std::function<bool()>& go_on) {
+Result<std::vector<FileTexture>> read_isolated(std::span<const PictureSource> sources, const PictureReader& reader,
+                                               const std::function<bool()>& go_on) {
   if (reader.prepare != nullptr) {
     if (Status ready = reader.prepare(sources[0].file); !ready) return ready.error();
   }

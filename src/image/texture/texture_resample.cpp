@@ -69,7 +69,8 @@ std::vector<T> resampled(const std::vector<T>& samples, const std::array<std::si
 void resample_to_powers_of_two(FileTexture& texture) {
   for (std::vector<TextureSamples>& levels : texture.faces) {
     TextureSamples& image = levels[0];
-    const std::array<std::size_t, 2> from{static_cast<std::size_t>(image.width), static_cast<std::size_t>(image.height)};
+    const std::array<std::size_t, 2> from{static_cast<std::size_t>(image.width),
+                                          static_cast<std::size_t>(image.height)};
     const std::array<std::size_t, 2> to{std::bit_ceil(from[0]), std::bit_ceil(from[1])};
     if (auto* bytes = std::get_if<std::vector<std::uint8_t>>(&image.samples)) *bytes = resampled(*bytes, from, to);
     if (auto* floats = std::get_if<std::vector<float>>(&image.samples)) *floats = resampled(*floats, from, to);

@@ -43,8 +43,8 @@ Status check_scene_texture(const Material& material, const SceneTexture& from) {
   if (Status checked = check_texture(texture); !checked) return checked;
   if (texture.target == TextureTarget::texture_2d && is_complete(texture, has_mipmaps(material.sampler.min_filter)))
     return {};
-  return Diagnostic{.message = fmt::format("the texture '{}' of material \"{}\" is not a complete 2D texture", from.name,
-                                           material.name)};
+  return Diagnostic{.message = fmt::format("the texture '{}' of material \"{}\" is not a complete 2D texture",
+                                           from.name, material.name)};
 }
 
 }  // namespace
@@ -130,8 +130,7 @@ TrianglePart SurfaceGroups::opaque_part(const Scene& scene, bool numbered) const
 PipelineState SurfaceGroups::masked_state(const PipelineState& plain, const SurfaceGroup& group) {
   PipelineState state = plain;
   state.program = group.masked;
-  state.alpha_test = {
-      .enabled = true, .function = CompareFunction::gequal, .reference = group.least_alpha.value_or(0)};
+  state.alpha_test = {.enabled = true, .function = CompareFunction::gequal, .reference = group.least_alpha.value_or(0)};
   return state;
 }
 

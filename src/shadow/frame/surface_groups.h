@@ -17,13 +17,13 @@ namespace ninebit {
 
 // Triangles that are drawn together.
 struct SurfaceGroup {
-  const Texture* texture = nullptr;             // nullptr: none
-  Sampler sampler{};                            // of the texture
-  std::optional<std::uint8_t> least_alpha{};    // of AlphaMode::mask: fragments with less alpha are not drawn
-  std::uint8_t alpha = 255;                     // multiplies the texture's
-  std::uint32_t triangles = 0;                  // their number
-  std::optional<Program> shaded{};              // primary × texture0; empty: fixed function
-  std::optional<Program> masked{};              // primary, with the masking alpha; of groups with least_alpha
+  const Texture* texture = nullptr;           // nullptr: none
+  Sampler sampler{};                          // of the texture
+  std::optional<std::uint8_t> least_alpha{};  // of AlphaMode::mask: fragments with less alpha are not drawn
+  std::uint8_t alpha = 255;                   // multiplies the texture's
+  std::uint32_t triangles = 0;                // their number
+  std::optional<Program> shaded{};            // primary × texture0; empty: fixed function
+  std::optional<Program> masked{};            // primary, with the masking alpha; of groups with least_alpha
 };
 
 // A part of the scene's triangles for one draw.

@@ -139,8 +139,7 @@ Status IndexCubeRenderer::draw_masked_face(std::size_t face, RenderTarget& targe
     if (part.triangles.empty()) return Status{};
     std::vector<ColorBytes> colors;
     for (const std::uint32_t t : part.numbers) colors.push_back(indices_.color[t]);
-    VertexArrays arrays{
-        .positions = from_light_, .indices = index_list(part.triangles), .primitive_colors = colors};
+    VertexArrays arrays{.positions = from_light_, .indices = index_list(part.triangles), .primitive_colors = colors};
     arrays.texture_coordinates[0] = groups.coordinates();
     return rasterize(state, face_projections_[face], arrays, units, target);
   };

@@ -41,8 +41,7 @@ std::vector<glm::vec3> light_space(const Scene& scene, const Light& light, const
 // One frame; with shadows, the index cube's renderer marks them.
 class LightCookieFrame {
  public:
-  LightCookieFrame(PipelineState lit, PipelineState textured)
-      : lit_(std::move(lit)), textured_(std::move(textured)) {}
+  LightCookieFrame(PipelineState lit, PipelineState textured) : lit_(std::move(lit)), textured_(std::move(textured)) {}
 
   Status make(const Scene& scene, const RenderSettings& settings) {
     if (settings.light_cookie.shadows) {
@@ -81,9 +80,7 @@ class LightCookieFrame {
     arrays.secondary_colors = colors_.ambient;
     const Texture& cookie = *frame().settings().light_cookie.cookie;
     const std::array<TextureUnit, 1> units{TextureUnit{&cookie, kCookieSampler}};
-    const auto state_of = [this](const SurfaceGroup& group) {
-      return group.texture == nullptr ? lit_ : textured_;
-    };
+    const auto state_of = [this](const SurfaceGroup& group) { return group.texture == nullptr ? lit_ : textured_; };
     return frame().draw_colors("lit", lit_, arrays, {.before = units, .target = &target, .state_of = state_of});
   }
 

@@ -62,8 +62,6 @@ Status read_one(const std::string& scene_file, const RenderSettings& settings, S
   return {};
 }
 
-}  // namespace
-
 Status read_textures(const std::string& scene_file, const RenderSettings& settings, Scene& scene) {
   if (scene.texture_coordinates.empty()) return {};
   const std::vector<bool> used = used_materials(scene);
@@ -78,9 +76,22 @@ Status read_textures(const std::string& scene_file, const RenderSettings& settin
   return {};
 }
 
-std::vector<std::string> ignored_parts(const Scene& scene, const std::string& technique,
-                                       const RenderSettings& settings) {
-  std::vector<std::string> out = scene.notes;
+// What the technique leaves out of the lights and cameras of a file.
+void add_viewpoints(const Scene& scene, const SceneFlags& flags, std::vector<std::string>& out) {
+  if (scene.cameras.size() > 1) out.emplace_back("cameras beyond the first");
+  const LightKinds kinds = find_technique(flags.technique)->lights;
+  const auto drawn = std::count_if(scene.lights.begin(), scene.lights.end(),
+                                   [&](const Light& light) { return kinds.has(light.kind); });
+  if (drawn == 0 && kinds.point && !scene.lights.empty()) {
+    out.push_back(fmt::format("spot and directional lights, by technique {}", flags.technique));
+  } else if (scene.lights.size() > 1) {
+    out.emplace_back("all lights but one");
+  }
+}
+
+// What the technique leaves out of the materials.
+void add_materials(const Scene& scene, const std::string& technique, const RenderSettings& settings,
+                   std::vector<std::string>& out) {
   const bool textured = any_used(scene, [](const Material& m) { return m.base_texture.has_value(); });
   const bool masked = any_used(scene, [](const Material& m) { return m.alpha_mode == AlphaMode::mask; });
   const bool reflective = technique == "reflective";
@@ -93,7 +104,7 @@ std::vector<std::string> ignored_parts(const Scene& scene, const std::string& te
   }
   if (!scene.colors.empty() && settings.cartoon) out.emplace_back("vertex colours, by --style cartoon");
   if (!scene.colors.empty() && reflective) out.emplace_back("vertex colours, by technique reflective");
-  if (!masked) return out;
+  if (!masked) return;
   const bool index_in_alpha =
       settings.index.format == IndexFormat::luminance_alpha || settings.index.format == IndexFormat::alpha;
   if (reflective) {
@@ -104,7 +115,21 @@ std::vector<std::string> ignored_parts(const Scene& scene, const std::string& te
     out.emplace_back("alpha masks in the shadows, by an --index-format with alpha");
   }
   if (settings.evidence) out.emplace_back("alpha masks in the ground truth");
-  return out;
+}
+
+}  // namespace
+
+Result<DrawnScene> load_drawn_scene(const SceneFlags& flags, const RenderSettings& settings, bool quiet) {
+  auto scene = read_scene_of(flags);
+  if (!scene) return scene.error();
+  if (Status read = read_textures(flags.file, settings, *scene); !read) return read.error();
+  std::vector<std::string> ignored = scene->notes;
+  add_viewpoints(*scene, flags, ignored);
+  add_materials(*scene, flags.technique, settings, ignored);
+  auto complete = complete_scene_of(flags, settings, std::move(*scene));
+  if (!complete) return complete.error();
+  warn_of_ignored(flags.file, ignored, quiet);
+  return DrawnScene{std::move(*complete), std::move(ignored)};
 }
 
 void warn_of_ignored(const std::string& scene_file, const std::vector<std::string>& ignored, bool quiet) {
