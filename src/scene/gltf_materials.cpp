@@ -47,7 +47,11 @@ float fraction_or(const JsonValue& value, double fallback) {
 }  // namespace
 
 GltfMaterials::GltfMaterials(const JsonValue& root, GltfStorage& storage, Scene& scene)
-    : root_(root), storage_(storage), scene_(scene), of_image_(list_of(item(root, "images")).size()) {}
+    : root_(root),
+      storage_(storage),
+      scene_(scene),
+      of_image_(list_of(item(root, "images")).size()),
+      left_(storage.bytes()) {}
 
 void GltfMaterials::add(const JsonValue& from) {
   Material out{.name = text_of(item(from, "name")), .base_color = glm::vec3(1.0F)};
@@ -99,9 +103,16 @@ SceneTexture GltfMaterials::read_image(const JsonValue& image, std::uint64_t num
       return out;
     }
     const Result<std::string_view> bytes = storage_.view_bytes(view);
-    if (bytes) out.bytes = *bytes;
-    if (!bytes) out.fault = bytes.error().message;
-    if (bytes && bytes->empty()) out.fault = "is empty";
+    if (!bytes) {
+      out.fault = bytes.error().message;
+    } else if (bytes->empty()) {
+      out.fault = "is empty";
+    } else if (bytes->size() > left_) {
+      out.fault = "overlaps other pictures: together they have more bytes than the file's buffers";
+    } else {
+      left_ -= bytes->size();
+      out.bytes = *bytes;
+    }
     return out;
   }
   if (!uri.starts_with("data:")) {

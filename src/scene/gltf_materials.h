@@ -30,6 +30,7 @@ class GltfMaterials {
   GltfStorage& storage_;
   Scene& scene_;
   std::vector<std::optional<std::uint32_t>> of_image_;
+  std::uint64_t left_;  // bytes of buffer views that may still become pictures: views may overlap
 };
 
 // What the reader leaves out, one line each kind, such as "normal maps". In the order of the table in gltf_notes.cpp.

@@ -13,6 +13,9 @@
 namespace ninebit {
 namespace {
 
+// Each group is drawn by itself.
+constexpr std::size_t kMostGroups = 2049;
+
 // The least byte that passes a cutoff; 256: none.
 int least_byte(float cutoff) {
   return static_cast<int>(std::ceil(std::clamp(cutoff, 0.0F, 2.0F) * 255.0F));
@@ -84,6 +87,10 @@ Result<SurfaceGroups> SurfaceGroups::make(const Scene& scene, const RenderSettin
                                     [&](const SurfaceGroup& other) { return same_group(other, group); });
     of_material[m] = static_cast<std::uint32_t>(known - out.groups_.begin());
     if (known == out.groups_.end()) out.groups_.push_back(group);
+    if (out.groups_.size() > kMostGroups) {
+      return Diagnostic{.message = fmt::format("the materials have more than {} different textures and alpha tests",
+                                               kMostGroups - 1)};
+    }
   }
   for (SurfaceGroup& group : out.groups_) {
     if (group.texture == nullptr) continue;

@@ -199,7 +199,7 @@ ThreadLimit::ThreadLimit(int threads) {
 
 CLI::Option* add_scene_file(CLI::App& verb, const std::string& name, SceneFlags& flags) {
   verb.add_flag("--allow-outside", flags.allow_outside,
-                "Also read buffers and material libraries outside of the scene's folder");
+                "Also read buffers, material libraries and textures outside of the scene's folder");
   return verb.add_option(name, flags.file, "Scene to render: a glTF 2.0, OBJ, PLY, OFF or 3DS file")
       ->type_name("FILE")
       ->check(checked(check_file_name));

@@ -14,6 +14,9 @@
 namespace ninebit::tools {
 namespace {
 
+constexpr std::size_t kMostTextures = 1024;
+constexpr std::int64_t kMostTexels = std::int64_t{1} << 27;
+
 // Whether each material is that of a triangle.
 std::vector<bool> used_materials(const Scene& scene) {
   std::vector<bool> used(scene.materials.size(), false);
@@ -65,13 +68,23 @@ Status read_one(const std::string& scene_file, const RenderSettings& settings, S
 Status read_textures(const std::string& scene_file, const RenderSettings& settings, Scene& scene) {
   if (scene.texture_coordinates.empty()) return {};
   const std::vector<bool> used = used_materials(scene);
+  std::size_t count = 0;
+  std::int64_t texels = 0;
   for (std::size_t m = 0; m < used.size(); ++m) {
     const Material& material = scene.materials[m];
     // A cartoon still has holes.
     if (!used[m] || !material.base_texture || (settings.cartoon && material.alpha_mode != AlphaMode::mask)) continue;
     SceneTexture& texture = scene.textures[*material.base_texture];
     if (texture.texture) continue;
+    if (++count > kMostTextures) {
+      return Diagnostic{fmt::format("has more than {} textures", kMostTextures), scene_file};
+    }
     if (Status read = read_one(scene_file, settings, scene, texture); !read) return read;
+    const TextureImage& image = texture.texture->faces[0][0];
+    texels += std::int64_t{image.width} * image.height;
+    if (texels > kMostTexels) {
+      return Diagnostic{fmt::format("its textures have more than {} texels together", kMostTexels), scene_file};
+    }
   }
   return {};
 }
