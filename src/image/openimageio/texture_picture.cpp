@@ -109,6 +109,25 @@ Result<FileTexture> read_opened(OIIO::ImageInput& input) {
   return texture;
 }
 
+// A reader of the bytes, which `memory` then refers to; nullptr if there is none or it refuses them.
+std::unique_ptr<OIIO::ImageInput> open_bytes(std::span<const std::uint8_t> bytes, const OIIO::ImageSpec& wishes,
+                                             std::optional<OIIO::Filesystem::IOMemReader>& memory, std::string& why) {
+  const char* const extension = extension_of_bytes(bytes);
+  if (extension == nullptr) return nullptr;
+  // The name selects the reader; no file of this name is opened.
+  const std::string name(extension + 1);
+  std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::create(name);
+  if (!input || input->supports("ioproxy") == 0) return nullptr;
+  memory.emplace(bytes.data(), bytes.size());
+  OIIO::ImageSpec config = wishes;
+  void* const proxy = &*memory;
+  config.attribute("oiio:ioproxy", OIIO::TypeDesc::PTR, &proxy);
+  OIIO::ImageSpec found;
+  if (input->open(name, found, config)) return input;
+  why = input->geterror();
+  return nullptr;
+}
+
 }  // namespace
 
 Result<FileTexture> read_picture(const PictureSource& source) {
@@ -116,18 +135,14 @@ Result<FileTexture> read_picture(const PictureSource& source) {
   try {
     OIIO::ImageSpec wishes;
     wishes.attribute("oiio:UnassociatedAlpha", 1);
-    std::string opened = file.string();
     std::optional<OIIO::Filesystem::IOMemReader> memory;
-    if (source.bytes) {
-      const char* const extension = extension_of_bytes(*source.bytes);
-      if (extension == nullptr) return invalid_input(file, "is neither a PNG nor a JPEG picture");
-      // The extension selects OpenImageIO's reader; no file of this name is opened.
-      opened = std::string("embedded") + extension;
-      memory.emplace(source.bytes->data(), source.bytes->size());
-    }
+    std::string why;
     const std::unique_ptr<OIIO::ImageInput> input =
-        OIIO::ImageInput::open(opened, &wishes, memory ? &*memory : nullptr);
-    if (!input) return invalid_input(file, "not a readable picture: " + reason(OIIO::geterror()));
+        source.bytes ? open_bytes(*source.bytes, wishes, memory, why) : OIIO::ImageInput::open(file.string(), &wishes);
+    if (!input && source.bytes && extension_of_bytes(*source.bytes) == nullptr) {
+      return invalid_input(file, "is neither a PNG nor a JPEG picture");
+    }
+    if (!input) return invalid_input(file, "not a readable picture: " + reason(why.empty() ? OIIO::geterror() : why));
     input->threads(1);  // a child process does not have the threads that OpenImageIO started before
     Result<FileTexture> texture = read_opened(*input);
     if (!texture) return invalid_input(file, texture.error().message);
