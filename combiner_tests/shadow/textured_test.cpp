@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "combiner_tests/shadow/cookie_support.h"
 #include "combiner_tests/shadow/shadow_map_support.h"
 #include "combiner_tests/shadow/support.h"
 
@@ -140,6 +141,26 @@ TEST_P(TexturedTechnique, WithoutLoadedTexturesNothingChanges) {
   const Rendering same = render_by(GetParam(), scene, settings);
   for (int c = 0; c < 3; ++c) EXPECT_EQ(same.frame.color(c), plain.frame.color(c));
   EXPECT_EQ(same.frame.stencil(), plain.frame.stencil());
+}
+
+// The final combiner multiplies what light and ambient light gave, and rounds to nearest.
+TEST(Textured, LightCookieMultipliesTheSumOfItsLight) {
+  Scene scene = shadow_test::walls_around_light(1);
+  RenderSettings settings = shadow_test::cookie_settings();
+  const Rendering plain = shadow_test::render_cookie(scene, settings);
+  constexpr ColorBytes kColor{200, 100, 50, 255};
+  dress(scene, plain_texture(kColor));
+  const Rendering textured = shadow_test::render_cookie(scene, settings);
+  std::size_t colored = 0;
+  for (int c = 0; c < 3; ++c) {
+    for (std::size_t i = 0; i < plain.frame.stencil().size(); ++i) {
+      const int before = plain.frame.color(c)[i], texel = kColor[static_cast<std::size_t>(c)];
+      if (plain.frame.depth()[i] == max_depth(plain.frame.format())) continue;
+      ASSERT_EQ(textured.frame.color(c)[i], (before * texel * 2 + 255) / 510);
+      colored += before > 0 ? 1 : 0;
+    }
+  }
+  EXPECT_GT(colored, 100U);
 }
 
 TEST(Textured, VertexColoursMultiplyTheBaseColour) {

@@ -50,10 +50,10 @@ Result<CombinerState> cookie_state(const HardwareProfile& profile, bool textured
                        GL_NONE, GL_FALSE, GL_FALSE, GL_FALSE);
     discard_portion(GL_COMBINER1_NV, GL_ALPHA);
 
-    // Final combiner, alpha = 1: RGB = spare0 · 1 + secondary, or (spare0 + secondary) · texture1.
-    const GLenum lit = textured ? GL_SPARE0_PLUS_SECONDARY_COLOR_NV : GL_SPARE0_NV;
-    glFinalCombinerInputNV(GL_VARIABLE_A_NV, lit, GL_UNSIGNED_IDENTITY_NV, GL_RGB);
-    glFinalCombinerInputNV(GL_VARIABLE_B_NV, textured ? GL_TEXTURE1_ARB : GL_ZERO,
+    // Final combiner, alpha = 1: RGB = spare0 · 1 + secondary, or texture1 · (spare0 + secondary).
+    glFinalCombinerInputNV(GL_VARIABLE_A_NV, textured ? GL_TEXTURE1_ARB : GL_SPARE0_NV, GL_UNSIGNED_IDENTITY_NV,
+                           GL_RGB);
+    glFinalCombinerInputNV(GL_VARIABLE_B_NV, textured ? GL_SPARE0_PLUS_SECONDARY_COLOR_NV : GL_ZERO,
                            textured ? GL_UNSIGNED_IDENTITY_NV : GL_UNSIGNED_INVERT_NV, GL_RGB);
     glFinalCombinerInputNV(GL_VARIABLE_C_NV, GL_ZERO, GL_UNSIGNED_IDENTITY_NV, GL_RGB);
     glFinalCombinerInputNV(GL_VARIABLE_D_NV, textured ? GL_ZERO : GL_SECONDARY_COLOR_NV, GL_UNSIGNED_IDENTITY_NV,
