@@ -12,8 +12,8 @@ namespace {
 
 using image_detail::FileTexture;
 
-Result<FileTexture> no_picture(const std::filesystem::path& file) {
-  return Diagnostic{.message = "is no DDS file", .file = file.string()};
+Result<FileTexture> no_picture(const image_detail::PictureSource& source) {
+  return Diagnostic{.message = "is no DDS file", .file = source.file.string()};
 }
 
 std::string wrong_with_texture(const Texture& texture, bool mipmaps) {

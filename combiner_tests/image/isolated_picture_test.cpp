@@ -19,6 +19,7 @@ using image_test::TempFolder;
 using ninebit::Result;
 using ninebit::Texture;
 using ninebit::image_detail::FileTexture;
+using ninebit::image_detail::PictureSource;
 using ninebit::profiles::geforce2;
 namespace fs = std::filesystem;
 
@@ -89,7 +90,7 @@ TEST(IsolatedPictures, FaultsAreTheSame) {
 class IsolatedReader : public testing::Test {
  protected:
   // What is said of the second of six faces, whose reader is the given one; the others are good.
-  std::string complaint(Result<FileTexture> (*read)(const fs::path&), const std::function<bool()>& go_on = {}) {
+  std::string complaint(Result<FileTexture> (*read)(const PictureSource&), const std::function<bool()>& go_on = {}) {
     std::array<fs::path, 6> files;
     for (std::size_t i = 0; i < 6; ++i) {
       files[i] = folder_.path() / std::string(1, static_cast<char>('0' + i));
@@ -109,18 +110,18 @@ class IsolatedReader : public testing::Test {
     texture.faces.push_back({{1, 1, std::vector<std::uint8_t>{7}}});
     return texture;
   }
-  static bool is_second(const fs::path& file) { return file.filename() == "1"; }
+  static bool is_second(const PictureSource& source) { return source.file.filename() == "1"; }
 
   TempFolder folder_;
   ninebit::Diagnostic last_;
 };
 
 TEST_F(IsolatedReader, IsBelievedWhereItIsRight) {
-  EXPECT_EQ(complaint([](const fs::path&) { return good(); }), "");
+  EXPECT_EQ(complaint([](const PictureSource&) { return good(); }), "");
 }
 
 TEST_F(IsolatedReader, Crashes) {
-  EXPECT_EQ(complaint([](const fs::path& file) {
+  EXPECT_EQ(complaint([](const PictureSource& file) {
               if (is_second(file)) std::abort();
               return good();
             }),
@@ -128,7 +129,7 @@ TEST_F(IsolatedReader, Crashes) {
 }
 
 TEST_F(IsolatedReader, Hangs) {
-  EXPECT_EQ(complaint([](const fs::path& file) {
+  EXPECT_EQ(complaint([](const PictureSource& file) {
               if (is_second(file)) std::this_thread::sleep_for(std::chrono::hours(1));
               return good();
             }),
@@ -138,7 +139,7 @@ TEST_F(IsolatedReader, Hangs) {
 TEST_F(IsolatedReader, EatsMemory) {
   if (!ninebit::posix::can_limit_memory())
     GTEST_SKIP() << "sanitizers map terabytes, so the address space has no limit";
-  EXPECT_EQ(complaint([](const fs::path& file) {
+  EXPECT_EQ(complaint([](const PictureSource& file) {
               Result<FileTexture> texture = good();
               if (is_second(file)) {
                 const std::vector<std::uint8_t> much(std::size_t{1} << 36U, 7);
@@ -151,7 +152,7 @@ TEST_F(IsolatedReader, EatsMemory) {
 
 TEST_F(IsolatedReader, IsStoppedByTheCaller) {
   EXPECT_EQ(complaint(
-                [](const fs::path&) {
+                [](const PictureSource&) {
                   std::this_thread::sleep_for(std::chrono::hours(1));
                   return good();
                 },
@@ -163,25 +164,25 @@ TEST_F(IsolatedReader, IsStoppedByTheCaller) {
 // Answers that no reader should give are not taken for pictures.
 TEST_F(IsolatedReader, IsNotBelievedWhereItIsMad) {
   const std::string gave_none = "OpenImageIO's reader returned no picture";
-  EXPECT_EQ(complaint([](const fs::path& file) {
+  EXPECT_EQ(complaint([](const PictureSource& file) {
               Result<FileTexture> texture = good();
               if (is_second(file)) texture->faces[0][0].width = 0;
               return texture;
             }),
             gave_none);
-  EXPECT_EQ(complaint([](const fs::path& file) {
+  EXPECT_EQ(complaint([](const PictureSource& file) {
               Result<FileTexture> texture = good();
               if (is_second(file)) texture->faces[0][0].height = 1 << 30;
               return texture;
             }),
             gave_none);
-  EXPECT_EQ(complaint([](const fs::path& file) {
+  EXPECT_EQ(complaint([](const PictureSource& file) {
               Result<FileTexture> texture = good();
               if (is_second(file)) texture->faces[0][0].samples = std::vector<std::uint8_t>(5);
               return texture;
             }),
             gave_none);
-  EXPECT_EQ(complaint([](const fs::path& file) {
+  EXPECT_EQ(complaint([](const PictureSource& file) {
               Result<FileTexture> texture = good();
               if (is_second(file)) texture->format = static_cast<ninebit::InternalFormat>(200);
               return texture;

@@ -41,7 +41,7 @@ TEST_P(RealScenes, AnswersWithTheContractsKeys) {
   const Outcome outcome = ninebit({"render", scene.file, "-o", out, "--json", "--size", "200x150", "--map-size", "64"});
   const Json answer = json_of(outcome);
   EXPECT_EQ(keys_of(answer), (Keys{"command", "version", "technique", "profile", "scene", "triangles", "size",
-                                   "map_size", "index", "pixels", "time_ms", "facts", "files", "hash"}));
+                                   "map_size", "index", "pixels", "time_ms", "facts", "ignored", "files", "hash"}));
   EXPECT_EQ(keys_of(answer["index"]), (Keys{"format", "scope", "step", "used", "capacity", "scales", "order"}));
   EXPECT_EQ(keys_of(answer["pixels"]), (Keys{"background", "lit", "shadowed"}));
   EXPECT_EQ(keys_of(answer["time_ms"]),

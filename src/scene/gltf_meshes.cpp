@@ -7,22 +7,12 @@
 #include <cmath>
 
 #include "src/scene/fault_of.h"
+#include "src/scene/gltf_materials.h"
 #include "src/scene/read_limits.h"
 #include "src/scene/scene_check.h"
 
 namespace ninebit {
 namespace {
-
-Material material_from(const JsonValue& from) {
-  Material out{text_of(item(from, "name")), glm::vec3(1.0F)};
-  const JsonValue& factor = item(from, "pbrMetallicRoughness", "baseColorFactor");
-  if (list_of(factor).size() != 4) return out;
-  for (glm::length_t i = 0; i < 3; ++i) {
-    const double value = number_or(item(factor, static_cast<std::uint64_t>(i)), 1.0);
-    out.base_color[i] = std::clamp(static_cast<float>(value), 0.0F, 1.0F);
-  }
-  return out;
-}
 
 // The corners of a primitive's triangle, as positions in its list of indices.
 std::array<std::uint64_t, 3> corners_of(std::uint64_t mode, std::uint64_t triangle) {
@@ -46,8 +36,9 @@ GltfMeshes::GltfMeshes(const JsonValue& root, GltfStorage& storage, Scene& scene
       builder_(scene),
       draco_(root, storage),
       meshes_(list_of(item(root, "meshes")).size()) {
-  for (const JsonValue& material : list_of(item(root, "materials"))) scene.materials.push_back(material_from(material));
-  scene.materials.push_back(material_from(JsonValue()));
+  GltfMaterials materials(root, storage, scene);
+  for (const JsonValue& material : list_of(item(root, "materials"))) materials.add(material);
+  materials.add(JsonValue());
 }
 
 std::optional<Diagnostic> GltfMeshes::prepare(const std::vector<GltfPlacement>& placements, std::uint64_t file_bytes,

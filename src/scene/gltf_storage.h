@@ -73,6 +73,9 @@ class GltfStorage {
   // The bytes of a buffer view. Reads its buffer if it is not loaded yet. Only after check().
   [[nodiscard]] Result<std::string_view> view_bytes(const JsonValue& view);
 
+  // Sets the file of a picture with this name, or the fault of a name that may not be read.
+  void name_file(const std::string& name, SceneTexture& out) const { name_picture(beside_, name, out); }
+
   // The total length of all buffers.
   [[nodiscard]] std::uint64_t bytes() const { return bytes_; }
 

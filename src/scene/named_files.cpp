@@ -51,4 +51,13 @@ Result<std::string> NamedFiles::read(std::string_view name, std::uint64_t most) 
   return read_whole_file(path_of(name), most);
 }
 
+void name_picture(const NamedFiles& beside, const std::string& name, SceneTexture& out) {
+  out.name = name;
+  if (const Status allowed = beside.check(name); !allowed) {
+    out.fault = allowed.error().message;
+  } else {
+    out.file = beside.path_of(name);
+  }
+}
+
 }  // namespace ninebit

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "ninebit/numerics/result.h"
+#include "ninebit/scene/scene.h"
 
 namespace ninebit {
 
@@ -37,5 +38,8 @@ class NamedFiles {
   std::string stem_;
   bool allow_outside_;
 };
+
+// Names a picture: sets its name and file, or the fault of a name that may not be read. Opens no file.
+void name_picture(const NamedFiles& beside, const std::string& name, SceneTexture& out);
 
 }  // namespace ninebit

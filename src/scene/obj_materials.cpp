@@ -74,11 +74,11 @@ std::optional<std::string> ObjMaterials::add_library(const std::vector<std::stri
 
 std::uint32_t ObjMaterials::index_in(Scene& scene, const std::string& name) {
   const auto [place, added] = indices_.try_emplace(name, static_cast<std::uint32_t>(scene.materials.size()));
-  if (added) scene.materials.push_back({name, kDefaultColor});
+  if (added) scene.materials.push_back({.name = name, .base_color = kDefaultColor});
   return place->second;
 }
 
-void ObjMaterials::read_library(std::string_view text, Scene& scene) {
+void ObjMaterials::read_library(const NamedFiles& beside, std::string_view text, Scene& scene) {
   LineScanner lines(without_mark(text));
   std::string_view line;
   std::vector<std::string_view> words;
@@ -91,6 +91,8 @@ void ObjMaterials::read_library(std::string_view text, Scene& scene) {
       current = index_in(scene, words.size() > 1 ? joined_words(words, 1) : kUnnamed);
     } else if ((words[0] == "Kd" || words[0] == "kd") && current) {
       if (const auto color = diffuse_of(words)) scene.materials[*current].base_color = *color;
+    } else if (current) {
+      statements_.read(beside, words, scene, scene.materials[*current]);
     }
   }
 }
@@ -107,7 +109,7 @@ std::optional<Diagnostic> ObjMaterials::try_library(const NamedFiles& beside, co
   const Result<std::string> text = beside.read(name, left_);
   if (!text) return fault_of(fmt::format("its material library '{}' {}", name, text.error().message));
   left_ -= text->size();
-  read_library(*text, scene);
+  read_library(beside, *text, scene);
   return std::nullopt;
 }
 
@@ -143,6 +145,7 @@ Result<std::vector<std::uint32_t>> ObjMaterials::resolve(const NamedFiles& besid
   if (used) {
     if (auto fault = read_libraries(beside, scene)) return *fault;
   }
+  statements_.add_notes(scene);
   std::vector<std::uint32_t> indices;
   for (const std::string& name : names_) indices.push_back(index_in(scene, name));
   return indices;

@@ -13,6 +13,7 @@
 #include "ninebit/numerics/result.h"
 #include "ninebit/scene/scene.h"
 #include "src/scene/named_files.h"
+#include "src/scene/obj_surfaces.h"
 #include "src/scene/read_limits.h"
 
 namespace ninebit {
@@ -41,11 +42,12 @@ class ObjMaterials {
                                                       bool& found);
   // For a missing library: reads the one with the OBJ file's own name, if it exists.
   [[nodiscard]] std::optional<Diagnostic> read_missing(const NamedFiles& beside, const std::string& name, Scene& scene);
-  void read_library(std::string_view text, Scene& scene);
+  void read_library(const NamedFiles& beside, std::string_view text, Scene& scene);
   [[nodiscard]] std::uint32_t index_in(Scene& scene, const std::string& name);
 
   std::vector<std::string> names_;
   std::unordered_map<std::string, std::uint32_t> numbers_;
+  ObjSurfaces statements_;
   std::set<std::filesystem::path> read_;
   std::uint64_t left_ = kMostSceneBytes;                    // bytes of libraries that may still be read
   std::vector<std::vector<std::string>> libraries_;         // per line: the whole text as one name, then each word

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "src/scene/fault_of.h"
+#include "src/scene/gltf_materials.h"
 #include "src/scene/gltf_meshes.h"
 #include "src/scene/gltf_nodes.h"
 #include "src/scene/gltf_storage.h"
@@ -34,6 +35,7 @@ Result<Scene> read_gltf(std::string_view content, const NamedFiles& beside, bool
   }
   if (auto fault = add_viewpoints(nodes->viewpoints, glm::dmat4(1.0), out)) return *fault;
   move_look_at_points(out);
+  out.notes = gltf_notes(*root);
   return out;
 }
 

@@ -98,6 +98,13 @@ Status check_values(const Scene& scene) {
     if (!is_finite(material.base_color)) {
       return invalid(fmt::format("the base colour of material \"{}\" is not finite", material.name));
     }
+    if (!std::isfinite(material.alpha) || !std::isfinite(material.alpha_cutoff)) {
+      return invalid(fmt::format("the alpha or alpha cutoff of material \"{}\" is not finite", material.name));
+    }
+    if (material.base_texture && *material.base_texture >= scene.textures.size()) {
+      return invalid(fmt::format("material \"{}\" has texture {}; expected one of {}, from 0", material.name,
+                                 *material.base_texture, scene.textures.size()));
+    }
   }
   return {};
 }

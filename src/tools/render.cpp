@@ -8,6 +8,7 @@
 #include "ninebit/shadow/pictures.h"
 #include "src/tools/common/index_order.h"
 #include "src/tools/common/pixel_flag.h"
+#include "src/tools/common/scene_textures.h"
 #include "src/tools/render/render_answer.h"
 
 namespace ninebit::tools {
@@ -73,9 +74,10 @@ Status run(const RenderFlags& flags, FinishedRender& done) {
   const auto start = Clock::now();
   ProgressLine line(flags.common.quiet);
   line.step("loading", 0.0);
-  auto scene = load_scene(flags.scene, done.settings, flags.common.quiet);
+  auto scene = load_drawn_scene(flags.scene, done.settings, flags.common.quiet);
   if (!scene) return scene.error();
-  done.scene.emplace(std::move(scene).value());
+  done.scene.emplace(std::move(scene->scene));
+  done.ignored = std::move(scene->ignored);
   // Opened before rendering, so that an unwritable folder is reported without a long wait.
   auto files = StagedFiles::open(flags.folder);
   if (!files) return files.error();

@@ -17,6 +17,7 @@
 #include <filesystem>
 #include <functional>
 #include <span>
+#include <string>
 
 #include "ninebit/numerics/hardware_profile.h"
 #include "ninebit/numerics/result.h"
@@ -29,6 +30,10 @@ namespace NINEBIT_PUBLIC ninebit {
 struct TextureReadOptions {
   bool mipmaps = false;  // adds with_mipmaps() if the file has only level 0
   bool flip = false;     // the file's last row is at t = 0
+  // Pictures may have any sides from 1 to 16384, as glTF permits; a side that is not a power of two is resampled to the
+  // next one (resample_to_powers_of_two). Not for DDS files and the faces of cube maps.
+  bool any_size = false;
+  std::function<void(int width, int height)> on_resample{};  // called with a resampled picture's own size; may be empty
   // OpenImageIO runs in a child process that can read only that file and is limited to 1.5 GiB of memory and 8 s of
   // processor time, plus 64 bytes per byte of the file and 1 s per 4 MiB. A file that crashes it or exceeds the limits
   // is reported like any other fault; without `isolated` it may end this process. The child is a fork of this process:
@@ -49,5 +54,10 @@ struct TextureReadOptions {
 [[nodiscard]] Result<Texture> read_cube_texture(const HardwareProfile& profile,
                                                 std::span<const std::filesystem::path, 6> files,
                                                 const TextureReadOptions& options = {});
+
+// Reads a 2D texture from the bytes of a PNG or JPEG file, such as a picture inside another file. `name` stands for the
+// file in Diagnostics. Reports what read_texture reports, and bytes that are neither.
+[[nodiscard]] Result<Texture> read_texture(std::span<const std::uint8_t> bytes, const std::string& name,
+                                           const TextureReadOptions& options = {});
 
 }  // namespace ninebit

@@ -2,20 +2,42 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <glm/glm.hpp>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "ninebit/numerics/result.h"
 #include "ninebit/numerics/visibility.h"
+#include "ninebit/raster/sampler.h"
+#include "ninebit/raster/texture.h"
 
 namespace NINEBIT_PUBLIC ninebit {
 
-// A surface's appearance: only a colour.
+// glTF's alpha modes. `blend` is drawn as `opaque`.
+enum class AlphaMode : std::uint8_t { opaque, mask, blend };
+
+// A picture that materials name. read_scene opens no picture: the caller reads the pictures that it wants to be drawn
+// with read_texture (image/texture_io.h) and stores them in `texture`. One without `texture` is not drawn.
+struct SceneTexture {
+  std::string name;                          // as the scene's file names it, or "images[2]"; for messages
+  std::filesystem::path file{};              // empty: `bytes` holds the picture
+  std::string bytes{};                       // an embedded PNG or JPEG file
+  std::string fault{};                       // why the picture may not be read; empty: it may
+  std::shared_ptr<const Texture> texture{};  // a complete 2D texture, its first row at t = 0; may be empty
+};
+
+// A surface's appearance: a colour, multiplied by a texture and by the colours of the vertices.
 struct Material {
-  std::string name;            // the file's; may be empty
-  glm::vec3 base_color{0.8F};  // linear factor as the file gives it, each channel in [0, 1]
+  std::string name;                             // the file's; may be empty
+  glm::vec3 base_color{0.8F};                   // linear factor as the file gives it, each channel in [0, 1]
+  std::optional<std::uint32_t> base_texture{};  // an index into Scene::textures
+  Sampler sampler{};                            // how the texture is read
+  AlphaMode alpha_mode = AlphaMode::opaque;     // whether alpha has an effect
+  float alpha = 1.0F;                           // multiplies the texture's alpha; in [0, 1]
+  float alpha_cutoff = 0.5F;                    // AlphaMode::mask: fragments with less alpha are not drawn
 };
 
 // A mesh instance: one node of the file with all its triangles, whatever their materials.
@@ -68,6 +90,7 @@ struct Scene {
   std::vector<std::uint32_t> triangle_material;  // for each triangle, an index into materials
   std::vector<SceneObject> objects;              // in the order of their triangles
   std::vector<Material> materials;               // at least one if there are triangles
+  std::vector<SceneTexture> textures{};          // that materials name
   std::vector<Light> lights;                     // from the file, in its order; may be empty
   std::vector<Camera> cameras;                   // from the file, in its order; may be empty
   std::vector<std::string> notes;                // what the file refers to and the reader left out; one line each
@@ -90,9 +113,9 @@ struct Scene {
 
 // Checks that a scene meets the requirements of Scene, as every function of the library expects: at least one triangle;
 // sizes that agree; vertex, object and material indices in range; objects that cover all triangles in order; finite
-// positions, normals, base colours, cameras and lights; cameras with a direction of view, an up vector that is not
-// parallel to it, and a field of view between 0 and 180 degrees. Reports the first fault. A scene needs neither cameras
-// nor lights to be valid.
+// positions, normals, base colours, alphas, cameras and lights; materials with existing textures; cameras with a
+// direction of view, an up vector that is not parallel to it, and a field of view between 0 and 180 degrees. Reports
+// the first fault. A scene needs neither cameras nor lights to be valid.
 [[nodiscard]] Status validate(const Scene& scene);
 
 }  // namespace ninebit

@@ -34,6 +34,11 @@ inline constexpr Sampler kCookieSampler{.min_filter = MinFilter::linear,
 // The lit pass: FramePasses::lit with that program. Reports what light_cookie_state reports.
 [[nodiscard]] Result<PipelineState> light_cookie_pass(const RenderSettings& settings);
 
+// The same for surfaces with a texture in unit 1: its colour multiplies the sum of light and ambient light, which the
+// final combiner's register spare0 + secondary holds, clamped to 1.
+[[nodiscard]] Result<CombinerState> light_cookie_textured_state(const HardwareProfile& profile);
+[[nodiscard]] Result<PipelineState> light_cookie_textured_pass(const RenderSettings& settings);
+
 // Draws the scene in the light of settings.light_cookie.cookie:
 //   1. with settings.light_cookie.shadows, passes 1 to 3 of render_index_cube; without, the camera's depth only;
 //   2. the lit pass where the stencil is 0: diffuse light as primary colour, ambient light as secondary, on unit 0 the

@@ -7,7 +7,7 @@ extern "C" __attribute__((visibility("default"))) const char* ninebit_pictures_b
   return kPictureModuleBuild;
 }
 
-extern "C" __attribute__((visibility("default"))) void ninebit_pictures_read(const std::filesystem::path& file,
+extern "C" __attribute__((visibility("default"))) void ninebit_pictures_read(const PictureSource& source,
                                                                              ninebit::Result<FileTexture>& out) {
-  out = read_picture(file);
+  out = read_picture(source);
 }

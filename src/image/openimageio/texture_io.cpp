@@ -14,6 +14,11 @@ Result<Texture> read_texture(const HardwareProfile& profile, const std::filesyst
   return image_detail::read_texture(profile, file, options, kOpenImageIO);
 }
 
+Result<Texture> read_texture(std::span<const std::uint8_t> bytes, const std::string& name,
+                             const TextureReadOptions& options) {
+  return image_detail::read_texture(bytes, name, options, kOpenImageIO);
+}
+
 Result<Texture> read_cube_texture(const HardwareProfile& profile, std::span<const std::filesystem::path, 6> files,
                                   const TextureReadOptions& options) {
   return image_detail::read_cube_texture(profile, files, options, kOpenImageIO);

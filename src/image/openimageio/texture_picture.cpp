@@ -1,4 +1,5 @@
 // Reads pictures as textures with OpenImageIO.
+#include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 #include <fmt/format.h>
 
@@ -6,6 +7,7 @@
 #include <exception>
 #include <memory>
 #include <new>
+#include <optional>
 #include <utility>
 
 #include "src/image/output/faults.h"
@@ -24,7 +26,7 @@ std::string reason(std::string text) {
 std::string complain_about_spec(const OIIO::ImageSpec& spec) {
   if (spec.deep) return "is a deep picture; expected one sample per pixel";
   if (spec.depth > 1) return "is a volume; expected a picture";
-  if (std::string complaint = complain_about_texture_size(spec.width, spec.height); !complaint.empty()) {
+  if (std::string complaint = complain_about_picture_size(spec.width, spec.height); !complaint.empty()) {
     return "the picture " + complaint;
   }
   if (const std::int64_t pixels = std::int64_t{spec.width} * spec.height; pixels > kMostPicturePixels) {
@@ -107,14 +109,40 @@ Result<FileTexture> read_opened(OIIO::ImageInput& input) {
   return texture;
 }
 
+// A reader of the bytes, which `memory` then refers to; nullptr if there is none or it refuses them.
+std::unique_ptr<OIIO::ImageInput> open_bytes(std::span<const std::uint8_t> bytes, const OIIO::ImageSpec& wishes,
+                                             std::optional<OIIO::Filesystem::IOMemReader>& memory, std::string& why) {
+  const char* const extension = extension_of_bytes(bytes);
+  if (extension == nullptr) return nullptr;
+  // The name selects the reader; no file of this name is opened.
+  const std::string name(extension + 1);
+  std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::create(name);
+  if (!input || input->supports("ioproxy") == 0) return nullptr;
+  memory.emplace(bytes.data(), bytes.size());
+  OIIO::ImageSpec config = wishes;
+  void* const proxy = &*memory;
+  config.attribute("oiio:ioproxy", OIIO::TypeDesc::PTR, &proxy);
+  OIIO::ImageSpec found;
+  if (input->open(name, found, config)) return input;
+  why = input->geterror();
+  return nullptr;
+}
+
 }  // namespace
 
-Result<FileTexture> read_picture(const std::filesystem::path& file) {
+Result<FileTexture> read_picture(const PictureSource& source) {
+  const std::filesystem::path& file = source.file;
   try {
     OIIO::ImageSpec wishes;
     wishes.attribute("oiio:UnassociatedAlpha", 1);
-    const std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::open(file.string(), &wishes);
-    if (!input) return invalid_input(file, "not a readable picture: " + reason(OIIO::geterror()));
+    std::optional<OIIO::Filesystem::IOMemReader> memory;
+    std::string why;
+    const std::unique_ptr<OIIO::ImageInput> input =
+        source.bytes ? open_bytes(*source.bytes, wishes, memory, why) : OIIO::ImageInput::open(file.string(), &wishes);
+    if (!input && source.bytes && extension_of_bytes(*source.bytes) == nullptr) {
+      return invalid_input(file, "is neither a PNG nor a JPEG picture");
+    }
+    if (!input) return invalid_input(file, "not a readable picture: " + reason(why.empty() ? OIIO::geterror() : why));
     input->threads(1);  // a child process does not have the threads that OpenImageIO started before
     Result<FileTexture> texture = read_opened(*input);
     if (!texture) return invalid_input(file, texture.error().message);

@@ -65,10 +65,10 @@ Status load_picture_module(const std::filesystem::path& file) {
   return pictures ? Status() : invalid_input(file, "cannot be read: " + pictures.error().message);
 }
 
-Result<FileTexture> load_picture(const std::filesystem::path& file) {
-  if (Status loaded = load_picture_module(file); !loaded) return loaded.error();
+Result<FileTexture> load_picture(const PictureSource& source) {
+  if (Status loaded = load_picture_module(source.file); !loaded) return loaded.error();
   Result<FileTexture> texture = FileTexture{};
-  the_module()->read(file, texture);
+  the_module()->read(source, texture);
   return texture;
 }
 

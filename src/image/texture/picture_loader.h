@@ -10,7 +10,7 @@ namespace ninebit::image_detail {
 // Calls read_picture() of the module ninebit_pictures, which is loaded for the first picture: from the program's folder
 // or, if it is not there, from ../lib/ninebit relative to that folder. Reports what read_picture reports, and a module
 // that is missing, cannot be loaded or belongs to another build of the program, with its path.
-[[nodiscard]] Result<FileTexture> load_picture(const std::filesystem::path& file);
+[[nodiscard]] Result<FileTexture> load_picture(const PictureSource& source);
 
 // Only loads the module.
 [[nodiscard]] Status load_picture_module(const std::filesystem::path& file);

@@ -1,8 +1,6 @@
 // The interface between the module ninebit_pictures and the program that loads it.
 #pragma once
 
-#include <filesystem>
-
 #include "src/image/texture/texture_file.h"
 
 namespace ninebit::image_detail {
@@ -15,6 +13,6 @@ inline constexpr const char* kPictureModuleBuild = NINEBIT_VERSION ", " __VERSIO
 // The module's two symbols.
 inline constexpr const char* kPictureBuildSymbol = "ninebit_pictures_build";  // const char* (): kPictureModuleBuild
 inline constexpr const char* kPictureReadSymbol = "ninebit_pictures_read";    // PictureModuleRead
-using PictureModuleRead = void (*)(const std::filesystem::path& file, Result<FileTexture>& out);
+using PictureModuleRead = void (*)(const PictureSource& source, Result<FileTexture>& out);
 
 }  // namespace ninebit::image_detail

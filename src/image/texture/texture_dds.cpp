@@ -77,6 +77,12 @@ std::string complain_about_texture_size(std::int64_t width, std::int64_t height)
   return {};
 }
 
+std::string complain_about_picture_size(std::int64_t width, std::int64_t height) {
+  if (std::min(width, height) >= 1 && std::max(width, height) <= kMaxSurfaceSize) return {};
+  return fmt::format("is {} x {} in size; each side must be a power of two from 1 to {}", width, height,
+                     kMaxSurfaceSize);
+}
+
 bool is_dds(std::span<const std::uint8_t> start) {
   return start.size() >= kMagic.size() && std::equal(kMagic.begin(), kMagic.end(), start.begin());
 }

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -21,6 +22,9 @@ struct FileTexture {
   std::vector<std::vector<TextureSamples>> faces;  // [face][level], row 0 of the file first
 };
 
+// Empty if the sides are from 1 to kMaxSurfaceSize, else the complaint.
+[[nodiscard]] std::string complain_about_picture_size(std::int64_t width, std::int64_t height);
+
 // Empty if the sides are powers of two in range, else the complaint.
 [[nodiscard]] std::string complain_about_texture_size(std::int64_t width, std::int64_t height);
 
@@ -34,20 +38,36 @@ struct FileTexture {
 // The limit for a compressed picture, 8192 x 8192: a few KiB of it can claim any number of pixels.
 inline constexpr std::int64_t kMostPicturePixels = std::int64_t{1} << 26;
 
+// A file, or the bytes of one.
+struct PictureSource {
+  std::filesystem::path file{};  // with bytes: their name in Diagnostics
+  std::optional<std::span<const std::uint8_t>> bytes{};
+};
+
+// The bytes of a PNG or JPEG file, by their first bytes; nullptr: of neither, else the usual extension, ".png".
+[[nodiscard]] const char* extension_of_bytes(std::span<const std::uint8_t> bytes);
+
+// Scales a picture with one level of bytes or floats, whose sides are not powers of two, to the next ones. As
+// gluScaleImage with GL_LINEAR, but in integers: target sample i of n lies at (2i + 1) source / (2n) - 1/2 of the
+// source, rounded to 1/256 of a sample, halves up, and clamped to the first and the last sample. Along x, then along y,
+// a byte is (a (256 - w) + b w + 128) / 256, rounded down; floats are computed in the same order as a + (b - a) w /
+// 256.
+void resample_to_powers_of_two(FileTexture& texture);
+
 // The reader of all files except DDS. It is OpenImageIO, which depends on 250 shared libraries: the library links it,
 // the program loads it for the first picture (picture_loader.h).
 struct PictureReader {
-  Result<FileTexture> (*read)(const std::filesystem::path& file) = nullptr;
+  Result<FileTexture> (*read)(const PictureSource& source) = nullptr;
   // Loads the libraries of read() before an isolated call; nullptr: nothing to load.
   Status (*prepare)(const std::filesystem::path& file) = nullptr;
 };
 
-// Reads any picture with OpenImageIO.
-[[nodiscard]] Result<FileTexture> read_picture(const std::filesystem::path& file);
+// Reads any picture with OpenImageIO; from bytes PNG and JPEG. Its sides are from 1 to kMaxSurfaceSize.
+[[nodiscard]] Result<FileTexture> read_picture(const PictureSource& source);
 
-// Calls reader.read() for each file in one isolated call (src/system/isolated_call.h). Reports what it reports, and the
-// file at which the reader crashed or exceeded its limits.
-[[nodiscard]] Result<std::vector<FileTexture>> read_isolated(std::span<const std::filesystem::path> files,
+// Calls reader.read() for each source in one isolated call (src/system/isolated_call.h). Reports what it reports, and
+// the file at which the reader crashed or exceeded its limits.
+[[nodiscard]] Result<std::vector<FileTexture>> read_isolated(std::span<const PictureSource> sources,
                                                              const PictureReader& reader,
                                                              const std::function<bool()>& go_on);
 
@@ -57,5 +77,8 @@ struct PictureReader {
 [[nodiscard]] Result<Texture> read_cube_texture(const HardwareProfile& profile,
                                                 std::span<const std::filesystem::path, 6> files,
                                                 const TextureReadOptions& options, const PictureReader& reader);
+
+[[nodiscard]] Result<Texture> read_texture(std::span<const std::uint8_t> bytes, const std::string& name,
+                                           const TextureReadOptions& options, const PictureReader& reader);
 
 }  // namespace ninebit::image_detail

@@ -19,11 +19,11 @@ constexpr const char* kWho = "OpenImageIO's reader";
 constexpr std::uint64_t kSecond = std::uint64_t{4} << 20U;  // bytes of a file that add one second
 
 // Enough for 2^26 pixels of bytes, or for a large picture of floats. A small file that needs more is hardly a picture.
-posix::CallLimits limits_for(std::span<const std::filesystem::path> files) {
+posix::CallLimits limits_for(std::span<const PictureSource> sources) {
   posix::CallLimits limits{.memory_bytes = std::uint64_t{3} << 29U, .seconds = 8};
-  for (const std::filesystem::path& file : files) {
+  for (const PictureSource& source : sources) {
     std::error_code error;
-    const std::uintmax_t size = std::filesystem::file_size(file, error);
+    const std::uintmax_t size = source.bytes ? source.bytes->size() : std::filesystem::file_size(source.file, error);
     if (error) continue;
     limits.memory_bytes += 64 * size;
     limits.seconds += static_cast<int>(size / kSecond);
@@ -62,7 +62,7 @@ std::optional<Result<FileTexture>> read(posix::AnswerReader& from) {
   }
   std::array<int, 2> size{};
   if (!from.value(format) || !from.value(size)) return std::nullopt;
-  if (!complain_about_texture_size(size[0], size[1]).empty()) return std::nullopt;
+  if (!complain_about_picture_size(size[0], size[1]).empty()) return std::nullopt;
   FileTexture texture;
   TextureSamples image{size[0], size[1]};
   texture.format = static_cast<InternalFormat>(format);
@@ -85,20 +85,25 @@ std::optional<Result<FileTexture>> read(posix::AnswerReader& from) {
 
 }  // namespace
 
-Result<std::vector<FileTexture>> read_isolated(std::span<const std::filesystem::path> files,
-                                               const PictureReader& reader, const std::function<bool()>& go_on) {
+Result<std::vector<FileTexture>> read_isolated(std::span<const PictureSource> sources, const PictureReader& reader,
+                                               const std::function<bool()>& go_on) {
   if (reader.prepare != nullptr) {
-    if (Status ready = reader.prepare(files[0]); !ready) return ready.error();
+    if (Status ready = reader.prepare(sources[0].file); !ready) return ready.error();
   }
-  const posix::CallLimits limits = limits_for(files);
+  const posix::CallLimits limits = limits_for(sources);
   const auto work = [&](posix::AnswerWriter& answer) {
-    for (const std::filesystem::path& file : files) write(answer, reader.read(file));
+    for (const PictureSource& source : sources) write(answer, reader.read(source));
   };
+  std::vector<std::filesystem::path> files;
+  for (const PictureSource& source : sources) {
+    if (!source.bytes) files.push_back(source.file);
+  }
   const WithoutImageThreads alone;  // in the child, OpenEXR would wait for threads that do not exist there
   posix::CallResult call = posix::call_isolated(limits, files, work, go_on);
   if (call.end == posix::CallEnd::stopped) return Diagnostic{.message = "interrupted", .fault = Fault::cancelled};
   std::vector<FileTexture> textures;
-  for (const std::filesystem::path& file : files) {
+  for (const PictureSource& source : sources) {
+    const std::filesystem::path& file = source.file;
     std::optional<Result<FileTexture>> texture = read(call.answer);
     if (!texture && call.end == posix::CallEnd::answered)
       return invalid_input(file, std::string(kWho) + " returned no picture");

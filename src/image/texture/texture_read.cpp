@@ -63,12 +63,12 @@ Result<FileTexture> read_dds(const HardwareProfile& profile, const std::filesyst
   return parse_dds(profile, file, *bytes);
 }
 
-Result<std::vector<FileTexture>> read_pictures(std::span<const std::filesystem::path> files,
+Result<std::vector<FileTexture>> read_pictures(std::span<const PictureSource> sources,
                                                const TextureReadOptions& options, const PictureReader& reader) {
-  if (options.isolated) return read_isolated(files, reader, options.go_on);
+  if (options.isolated) return read_isolated(sources, reader, options.go_on);
   std::vector<FileTexture> pictures;
-  for (const std::filesystem::path& file : files) {
-    Result<FileTexture> picture = reader.read(file);
+  for (const PictureSource& source : sources) {
+    Result<FileTexture> picture = reader.read(source);
     if (!picture) return picture.error();
     pictures.push_back(std::move(picture).value());
   }
@@ -83,17 +83,29 @@ void flip(FileTexture& texture) {
   }
 }
 
+// Resamples a picture where the options permit that, and flips it. Reports sides that are not powers of two.
+Status fit(const std::filesystem::path& file, const TextureReadOptions& options, FileTexture& texture) {
+  const int width = texture.faces[0][0].width, height = texture.faces[0][0].height;
+  if (std::string complaint = complain_about_texture_size(width, height); !complaint.empty()) {
+    if (!options.any_size) return invalid_input(file, "the picture " + complaint);
+    resample_to_powers_of_two(texture);
+    if (options.on_resample) options.on_resample(width, height);
+  }
+  if (options.flip) flip(texture);
+  return {};
+}
+
 // Reads all files, in order. Pictures are read together, in one child process.
 Result<std::vector<FileTexture>> read_files(const HardwareProfile& profile,
                                             std::span<const std::filesystem::path> files,
                                             const TextureReadOptions& options, const PictureReader& reader) {
   std::vector<bool> dds;
-  std::vector<std::filesystem::path> others;
+  std::vector<PictureSource> others;
   for (const std::filesystem::path& file : files) {
     const Result<bool> found = is_dds_file(file);
     if (!found) return found.error();
     dds.push_back(*found);
-    if (!*found) others.push_back(file);
+    if (!*found) others.push_back({.file = file});
   }
   Result<std::vector<FileTexture>> pictures = std::vector<FileTexture>();
   if (!others.empty()) pictures = read_pictures(others, options, reader);
@@ -103,7 +115,7 @@ Result<std::vector<FileTexture>> read_files(const HardwareProfile& profile,
   for (std::size_t i = 0; i < files.size(); ++i) {
     Result<FileTexture> texture = dds[i] ? read_dds(profile, files[i]) : std::move((*pictures)[next++]);
     if (!texture) return texture.error();
-    if (options.flip) flip(*texture);
+    if (Status fits = fit(files[i], options, *texture); !fits) return fits.error();
     textures.push_back(std::move(texture).value());
   }
   return textures;
@@ -144,9 +156,21 @@ Result<Texture> read_texture(const HardwareProfile& profile, const std::filesyst
   return finish(file, std::move((*parts)[0]), options.mipmaps);
 }
 
+Result<Texture> read_texture(std::span<const std::uint8_t> bytes, const std::string& name,
+                             const TextureReadOptions& options, const PictureReader& reader) {
+  const PictureSource source{.file = name, .bytes = bytes};
+  if (bytes.empty()) return invalid_input(source.file, "is empty; expected a picture");
+  Result<std::vector<FileTexture>> read = read_pictures({&source, 1}, options, reader);
+  if (!read) return read.error();
+  if (Status fits = fit(source.file, options, (*read)[0]); !fits) return fits.error();
+  return finish(source.file, std::move((*read)[0]), options.mipmaps);
+}
+
 Result<Texture> read_cube_texture(const HardwareProfile& profile, std::span<const std::filesystem::path, 6> files,
                                   const TextureReadOptions& options, const PictureReader& reader) {
-  Result<std::vector<FileTexture>> faces = read_files(profile, files, options, reader);
+  TextureReadOptions exact = options;
+  exact.any_size = false;
+  Result<std::vector<FileTexture>> faces = read_files(profile, files, exact, reader);
   if (!faces) return faces.error();
   FileTexture& cube = (*faces)[0];
   for (std::size_t i = 0; i < files.size(); ++i) {

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <bit>
 #include <utility>
 
@@ -100,15 +102,18 @@ Result<CameraFrame> CameraFrame::make(const Scene& scene, const RenderSettings& 
                               .with_primitive = settings.layers || settings.evidence,
                               .undrawn = true});
   if (!frame) return frame.error();
-  return CameraFrame(scene, settings, std::move(*frame));
+  auto groups = SurfaceGroups::make(scene, settings);
+  if (!groups) return groups.error();
+  return CameraFrame(scene, settings, std::move(*frame), std::move(*groups));
 }
 
-CameraFrame::CameraFrame(const Scene& scene, const RenderSettings& settings, Surface frame)
+CameraFrame::CameraFrame(const Scene& scene, const RenderSettings& settings, Surface frame, SurfaceGroups groups)
     : scene_(&scene),
       settings_(settings),
       passes_(frame_passes(settings)),
       rendering_{.frame = std::move(frame)},
       shading_(shade_vertices(scene, scene.lights[0], settings)),
+      groups_(std::move(groups)),
       projection_(camera_projection(scene, scene.cameras[0],
                                     static_cast<float>(settings.width) / static_cast<float>(settings.height))) {
   if (settings.evidence) rendering_.evidence.emplace();
@@ -154,17 +159,70 @@ Status CameraFrame::draw_depth() {
   rendering_.frame.fill({.color = kBackground});
   RenderTarget target = rendering_.frame.target();
   target.outputs.clear();
-  return draw("depth", passes_.depth, {}, {}, target);
+  if (!groups_.masked()) return draw("depth", passes_.depth, {}, {}, target);
+  const TrianglePart opaque = groups_.opaque_part(*scene_, numbered());
+  if (!opaque.triangles.empty()) {
+    const VertexArrays arrays{.indices = index_list(opaque.triangles)};
+    if (Status drawn = draw("depth", passes_.depth, arrays, {}, target); !drawn) return drawn;
+  }
+  if (Status drawn = draw_masked("depth", passes_.depth, target); !drawn) return drawn;
+  keep_probed_groups(0);
+  return {};
+}
+
+void CameraFrame::keep_probed_groups(std::size_t first) {
+  std::vector<ProbedPass>& probed = rendering_.probed;
+  const auto begin = probed.begin() + static_cast<std::ptrdiff_t>(std::min(first, probed.size()));
+  const auto empty = [](const ProbedPass& pass) { return pass.fragments.empty(); };
+  if (begin == probed.end()) return;
+  // If no group has a fragment, the first one stays as the pass without fragments.
+  const bool none = std::all_of(begin, probed.end(), empty);
+  probed.erase(none ? begin + 1 : std::remove_if(begin, probed.end(), empty), probed.end());
+}
+
+Status CameraFrame::draw_masked(std::string_view name, const PipelineState& plain, RenderTarget& target) {
+  for (std::size_t g = 0; g < groups_.groups().size(); ++g) {
+    const SurfaceGroup& group = groups_.groups()[g];
+    if (!group.least_alpha) continue;
+    const TrianglePart part = groups_.part(*scene_, g, numbered());
+    VertexArrays arrays{.indices = index_list(part.triangles)};
+    arrays.texture_coordinates[0] = groups_.coordinates();
+    const std::array<TextureUnit, 1> units{TextureUnit{group.texture, group.sampler}};
+    Status drawn = draw(name, SurfaceGroups::masked_state(plain, group), arrays, units, target);
+    if (!drawn) return drawn;
+  }
+  return {};
+}
+
+Status CameraFrame::draw_colors(std::string_view name, const PipelineState& state, VertexArrays arrays,
+                                const SurfaceUnit& unit) {
+  RenderTarget target = unit.target != nullptr ? *unit.target : rendering_.frame.target();
+  if (!groups_.textured()) return draw(name, state, arrays, unit.before, target);
+  const std::size_t first_probed = rendering_.probed.size();
+  std::vector<TextureUnit> units(unit.before.begin(), unit.before.end());
+  const std::size_t number = units.size();
+  units.emplace_back();
+  arrays.texture_coordinates[number] = groups_.coordinates();
+  for (std::size_t g = 0; g < groups_.groups().size(); ++g) {
+    const SurfaceGroup& group = groups_.groups()[g];
+    if (group.triangles == 0) continue;
+    const TrianglePart part = groups_.part(*scene_, g, numbered());
+    arrays.indices = index_list(part.triangles);
+    units[number] = {group.texture, group.sampler};
+    const PipelineState drawn_with = unit.state_of ? unit.state_of(group) : SurfaceGroups::shaded_state(state, group);
+    if (Status drawn = draw(name, drawn_with, arrays, units, target); !drawn) return drawn;
+  }
+  keep_probed_groups(first_probed);
+  return {};
 }
 
 Status CameraFrame::draw_shaded(std::string_view name, const PipelineState& state,
                                 const std::vector<ColorBytes>& colors, double& milliseconds) {
   milliseconds = 0.0;
   return PassTimer({}).run(name, 0.0, milliseconds, [&] {
-    RenderTarget target = rendering_.frame.target();
     VertexArrays arrays;
     set_colors(arrays, colors);
-    return draw(name, state, arrays, {}, target);
+    return draw_colors(name, state, arrays);
   });
 }
 

@@ -15,6 +15,7 @@
 #include "ninebit/raster/rasterizer.h"
 #include "ninebit/shadow/technique.h"
 #include "src/shadow/frame/shading.h"
+#include "src/shadow/frame/surface_groups.h"
 
 namespace ninebit {
 
@@ -32,6 +33,14 @@ struct FramePasses {
 
 // The state of a pass that draws the same surfaces and changes nothing, for its output planes.
 [[nodiscard]] PipelineState surface_pass(const RenderSettings& settings);
+
+// A colour pass with textures of its own.
+struct SurfaceUnit {
+  std::span<const TextureUnit> before{};  // the pass's textures; the scene's is in the unit after them
+  RenderTarget* target = nullptr;         // nullptr: the frame's
+  // The state for a group; empty: SurfaceGroups::shaded_state.
+  std::function<PipelineState(const SurfaceGroup&)> state_of{};
+};
 
 // One scene seen from its camera, lit by its light.
 class CameraFrame {
@@ -57,6 +66,11 @@ class CameraFrame {
               std::span<const TextureUnit> units, RenderTarget& target,
               std::span<const std::uint32_t> scene_triangles = {});
 
+  // Draws all the scene's triangles in a colour pass of that name: group by group if the scene has textures. `arrays`
+  // has the colours.
+  Status draw_colors(std::string_view name, const PipelineState& state, VertexArrays arrays,
+                     const SurfaceUnit& unit = {});
+
   // For settings.light_facing, which shadows every polygon that faces away from the light: draws the scene's triangles
   // for which faces_light(number of the triangle) is false, as the pass "averted".
   Status draw_averted(const PipelineState& state, const std::function<bool(std::size_t triangle)>& faces_light);
@@ -71,7 +85,11 @@ class CameraFrame {
   // begin with `prefix`.
   [[nodiscard]] RenderTarget capturing_target(int units, const std::string& prefix = "");
 
+  // Whether primitives must have the scene's triangle numbers: they are output or probed.
+  [[nodiscard]] bool numbered() const { return settings_.layers || settings_.evidence || settings_.pixel; }
+
   [[nodiscard]] const Scene& scene() const { return *scene_; }
+  [[nodiscard]] const SurfaceGroups& groups() const { return groups_; }
   [[nodiscard]] const Light& light() const { return scene_->lights[0]; }
   [[nodiscard]] const RenderSettings& settings() const { return settings_; }
   [[nodiscard]] const FramePasses& passes() const { return passes_; }
@@ -92,8 +110,12 @@ class CameraFrame {
   static constexpr ColorBytes kBackground{38, 42, 51, 255};
 
  private:
-  CameraFrame(const Scene& scene, const RenderSettings& settings, Surface frame);
+  CameraFrame(const Scene& scene, const RenderSettings& settings, Surface frame, SurfaceGroups groups);
 
+  // Adds the masked groups to a depth pass.
+  Status draw_masked(std::string_view name, const PipelineState& plain, RenderTarget& target);
+  // After a pass of several groups: removes the probed groups from `first` on that have no fragment.
+  void keep_probed_groups(std::size_t first);
   Status draw_shaded(std::string_view name, const PipelineState& state, const std::vector<ColorBytes>& colors,
                      double& milliseconds);
 
@@ -102,6 +124,7 @@ class CameraFrame {
   FramePasses passes_;
   Rendering rendering_;
   VertexShading shading_;
+  SurfaceGroups groups_;
   glm::mat4 projection_;
 };
 

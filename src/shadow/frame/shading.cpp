@@ -67,7 +67,9 @@ void for_each_vertex(const Scene& scene, const Light& light, const RenderSetting
       // A vertex without a normal is lit as if it faced the light.
       if (glm::dot(normal, normal) == 0.0F) cosine = 1.0F;
       cosine = settings.light_facing ? std::max(cosine, 0.0F) : std::fabs(cosine);
-      visit(v, scene.materials[material[v]].base_color, kDiffuseLight * cosine * light.color);
+      glm::vec3 base = scene.materials[material[v]].base_color;
+      if (!scene.colors.empty()) base *= glm::vec3(scene.colors[v]);
+      visit(v, base, kDiffuseLight * cosine * light.color);
     }
   });
 }

@@ -23,12 +23,13 @@ struct VertexShading {
   std::vector<ColorBytes> shadowed;
 };
 
-// Base colour × (ambient + diffuse · cos), with the profile's conversion of float colours to bytes. With
-// `settings.light_facing` surfaces that face away from the light get no diffuse light; otherwise both sides are lit the
-// same, as in the article's pictures. In shadow a quarter of the diffuse light stays, so that shapes remain visible.
+// Base colour × the vertex's own colour × (ambient + diffuse · cos), with the profile's conversion of float colours to
+// bytes. With `settings.light_facing` surfaces that face away from the light get no diffuse light; otherwise both sides
+// are lit the same, as in the article's pictures. In shadow a quarter of the diffuse light stays, so that shapes remain
+// visible.
 //
 // With `settings.cartoon` a triangle has a single colour: its base colour at one of a few brightnesses, by its angle to
-// the light. In shadow it is ink: nearly black, with a trace of the base colour.
+// the light. Vertex colours have no effect. In shadow it is ink: nearly black, with a trace of the base colour.
 [[nodiscard]] VertexShading shade_vertices(const Scene& scene, const Light& light, const RenderSettings& settings);
 
 // The summands of the lit colours, separately, for passes that change the light before it reaches the surface.

@@ -114,6 +114,10 @@ Status IndexCubeRenderer::draw_maps() {
     target.depth = {map_depth_[i].data(), frame_.settings().map_size};
     drawn[i] = prepare(passes_.map, face_projections_[i], arrays, target, prepared_[i]);
     if (!drawn[i]) return;
+    if (masks_map()) {
+      drawn[i] = draw_masked_face(i, target);
+      return;
+    }
     drawn[i] = rasterize({&pass, 1}, prepared_[i], {.clear = ClearValues{}, .discard_depth = true}, target);
   });
   for (Status& status : drawn) {
@@ -122,9 +126,38 @@ Status IndexCubeRenderer::draw_maps() {
   return {};
 }
 
+// An index in alpha leaves no room for the texture's alpha.
+bool IndexCubeRenderer::masks_map() const {
+  const IndexFormat format = rendering().codes.format();
+  return frame_.groups().masked() && (format == IndexFormat::rgb || format == IndexFormat::luminance);
+}
+
+Status IndexCubeRenderer::draw_masked_face(std::size_t face, RenderTarget& target) const {
+  if (Status cleared = clear(passes_.map, {}, {}, target); !cleared) return cleared;
+  const SurfaceGroups& groups = frame_.groups();
+  const auto draw = [&](const TrianglePart& part, const PipelineState& state, std::span<const TextureUnit> units) {
+    if (part.triangles.empty()) return Status{};
+    std::vector<ColorBytes> colors;
+    for (const std::uint32_t t : part.numbers) colors.push_back(indices_.color[t]);
+    VertexArrays arrays{.positions = from_light_, .indices = index_list(part.triangles), .primitive_colors = colors};
+    arrays.texture_coordinates[0] = groups.coordinates();
+    return rasterize(state, face_projections_[face], arrays, units, target);
+  };
+  if (Status drawn = draw(groups.opaque_part(frame_.scene(), false), passes_.map, {}); !drawn) return drawn;
+  for (std::size_t g = 0; g < groups.groups().size(); ++g) {
+    const SurfaceGroup& group = groups.groups()[g];
+    if (!group.least_alpha) continue;
+    const std::array<TextureUnit, 1> units{TextureUnit{group.texture, group.sampler}};
+    const PipelineState state = SurfaceGroups::masked_state(passes_.map, group);
+    if (Status drawn = draw(groups.part(frame_.scene(), g, false), state, units); !drawn) return drawn;
+  }
+  return {};
+}
+
 Status IndexCubeRenderer::draw_camera() {
   const RenderSettings& settings = frame_.settings();
-  if (!settings.layers && !settings.pixel && !settings.light_facing) return draw_camera_together();
+  const bool plain = !frame_.groups().textured() && !frame_.groups().masked();
+  if (plain && !settings.layers && !settings.pixel && !settings.light_facing) return draw_camera_together();
   if (Status drawn = draw_shadows(); !drawn) return drawn;
   return frame_.draw_lit_and_shadow();
 }

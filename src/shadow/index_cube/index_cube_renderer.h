@@ -27,7 +27,7 @@ class IndexCubeRenderer {
   Status draw_maps();
   // Draws the camera's passes: depth; shadows into the stencil buffer; colour where the stencil is 0, and where it is
   // 1. They are drawn together, tile by tile, and the rendering's time for each is its share of the whole. With layers,
-  // a watched pixel or light_facing each pass is drawn and timed by itself.
+  // a watched pixel, light_facing, textures or alpha masks each pass is drawn and timed by itself.
   Status draw_camera();
   // Draws only the first two of these passes, each by itself, for a technique with its own colour passes.
   Status draw_shadows();
@@ -53,6 +53,9 @@ class IndexCubeRenderer {
  private:
   IndexCubeRenderer(CameraFrame frame, IndexCubePasses passes, IndexAssignment indices);
 
+  // Whether masked triangles leave holes in the map.
+  [[nodiscard]] bool masks_map() const;
+  Status draw_masked_face(std::size_t face, RenderTarget& target) const;
   Status draw_camera_together();
   Status draw_comparison();
 

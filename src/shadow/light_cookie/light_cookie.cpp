@@ -41,7 +41,7 @@ std::vector<glm::vec3> light_space(const Scene& scene, const Light& light, const
 // One frame; with shadows, the index cube's renderer marks them.
 class LightCookieFrame {
  public:
-  explicit LightCookieFrame(PipelineState lit) : lit_(std::move(lit)) {}
+  LightCookieFrame(PipelineState lit, PipelineState textured) : lit_(std::move(lit)), textured_(std::move(textured)) {}
 
   Status make(const Scene& scene, const RenderSettings& settings) {
     if (settings.light_cookie.shadows) {
@@ -80,7 +80,8 @@ class LightCookieFrame {
     arrays.secondary_colors = colors_.ambient;
     const Texture& cookie = *frame().settings().light_cookie.cookie;
     const std::array<TextureUnit, 1> units{TextureUnit{&cookie, kCookieSampler}};
-    return frame().draw("lit", lit_, arrays, units, target);
+    const auto state_of = [this](const SurfaceGroup& group) { return group.texture == nullptr ? lit_ : textured_; };
+    return frame().draw_colors("lit", lit_, arrays, {.before = units, .target = &target, .state_of = state_of});
   }
 
  private:
@@ -105,7 +106,7 @@ class LightCookieFrame {
     return target;
   }
 
-  PipelineState lit_;
+  PipelineState lit_, textured_;
   std::optional<IndexCubeRenderer> indices_;
   std::optional<CameraFrame> alone_;  // without indices_
   VertexLight colors_;
@@ -119,8 +120,10 @@ Result<Rendering> render_light_cookie(const Scene& scene, const RenderSettings& 
   if (Status checked = check_cookie(cookie); !checked) return checked.error();
   auto lit = light_cookie_pass(settings);
   if (!lit) return lit.error();
+  auto textured = light_cookie_textured_pass(settings);
+  if (!textured) return textured.error();
 
-  LightCookieFrame passes(std::move(*lit));
+  LightCookieFrame passes(std::move(*lit), std::move(*textured));
   PassTimer timer(progress);
   double transform = 0.0, maps = 0.0, shadows = 0.0, shading = 0.0, shadow = 0.0;
   Status status = timer.run("vertices", 0.0, transform, [&] { return passes.make(scene, settings); });

@@ -19,11 +19,9 @@ constexpr float kEighth = 32.0F / 255.0F;
 // the scale of stage 1, so the result is rounded instead of truncated.
 constexpr float kRounding = 8.0F / 255.0F;
 
-}  // namespace
-
-Result<CombinerState> light_cookie_state(const HardwareProfile& profile) {
+Result<CombinerState> cookie_state(const HardwareProfile& profile, bool textured) {
   using namespace gl;
-  return combiner_state_after(profile, "two stages of light-cookie", [&profile] {
+  return combiner_state_after(profile, "two stages of light-cookie", [&profile, textured] {
     glCombinerParameteriNV(GL_NUM_GENERAL_COMBINERS_NV, 2);
     const float rounding = profile.general_narrowing.value == Narrowing::toward_zero ? kRounding : 0.0F;
     const std::array<GLfloat, 4> constant0{kEighth, kEighth, kEighth, 0.0F};
@@ -52,23 +50,43 @@ Result<CombinerState> light_cookie_state(const HardwareProfile& profile) {
                        GL_NONE, GL_FALSE, GL_FALSE, GL_FALSE);
     discard_portion(GL_COMBINER1_NV, GL_ALPHA);
 
-    // Final combiner: RGB = spare0 · 1 + secondary, alpha = 1.
-    glFinalCombinerInputNV(GL_VARIABLE_A_NV, GL_SPARE0_NV, GL_UNSIGNED_IDENTITY_NV, GL_RGB);
-    glFinalCombinerInputNV(GL_VARIABLE_B_NV, GL_ZERO, GL_UNSIGNED_INVERT_NV, GL_RGB);
+    // Final combiner, alpha = 1: RGB = spare0 · 1 + secondary, or texture1 · (spare0 + secondary).
+    glFinalCombinerInputNV(GL_VARIABLE_A_NV, textured ? GL_TEXTURE1_ARB : GL_SPARE0_NV, GL_UNSIGNED_IDENTITY_NV,
+                           GL_RGB);
+    glFinalCombinerInputNV(GL_VARIABLE_B_NV, textured ? GL_SPARE0_PLUS_SECONDARY_COLOR_NV : GL_ZERO,
+                           textured ? GL_UNSIGNED_IDENTITY_NV : GL_UNSIGNED_INVERT_NV, GL_RGB);
     glFinalCombinerInputNV(GL_VARIABLE_C_NV, GL_ZERO, GL_UNSIGNED_IDENTITY_NV, GL_RGB);
-    glFinalCombinerInputNV(GL_VARIABLE_D_NV, GL_SECONDARY_COLOR_NV, GL_UNSIGNED_IDENTITY_NV, GL_RGB);
+    glFinalCombinerInputNV(GL_VARIABLE_D_NV, textured ? GL_ZERO : GL_SECONDARY_COLOR_NV, GL_UNSIGNED_IDENTITY_NV,
+                           GL_RGB);
     glFinalCombinerInputNV(GL_VARIABLE_G_NV, GL_ZERO, GL_UNSIGNED_INVERT_NV, GL_ALPHA);
   });
 }
 
-Result<PipelineState> light_cookie_pass(const RenderSettings& settings) {
-  const auto state = light_cookie_state(settings.profile);
+Result<PipelineState> pass_with(const RenderSettings& settings, const Result<CombinerState>& state) {
   if (!state) return state.error();
   const auto program = compile(*state, settings.profile);
   if (!program) return program.error();
   PipelineState pass = frame_passes(settings).lit;
   pass.program = *program;
   return pass;
+}
+
+}  // namespace
+
+Result<CombinerState> light_cookie_state(const HardwareProfile& profile) {
+  return cookie_state(profile, false);
+}
+
+Result<CombinerState> light_cookie_textured_state(const HardwareProfile& profile) {
+  return cookie_state(profile, true);
+}
+
+Result<PipelineState> light_cookie_pass(const RenderSettings& settings) {
+  return pass_with(settings, light_cookie_state(settings.profile));
+}
+
+Result<PipelineState> light_cookie_textured_pass(const RenderSettings& settings) {
+  return pass_with(settings, light_cookie_textured_state(settings.profile));
 }
 
 }  // namespace ninebit

@@ -79,6 +79,7 @@ class ShadowMapRenderer {
 
   [[nodiscard]] const RenderSettings& settings() const { return frame_.settings(); }
   [[nodiscard]] std::uint32_t cleared() const { return max_depth(map_format_); }
+  Status draw_casters(RenderTarget& target);
   // Fills `interpolated_` from the coordinates.
   void interpolate_coordinates();
   // Adds output planes for the s, t, r and q of fragments; with settings.layers they are layers.
@@ -113,10 +114,31 @@ Status ShadowMapRenderer::draw_map() {
   std::fill(depth_->begin(), depth_->end(), cleared());
   RenderTarget target{.width = settings().map_size, .height = settings().map_size, .format = map_format_};
   target.depth = {depth_->data(), settings().map_size};
-  const VertexArrays arrays = frame_.all_triangles(frame_.scene().positions);
-  if (Status drawn = rasterize(passes_.map, beam_.projection(), arrays, {}, target); !drawn) return drawn;
+  if (Status drawn = draw_casters(target); !drawn) return drawn;
   if (const DepthPacking* packing = depth_packing(settings().shadow_map.encoding)) {
     packed_.emplace(*packing, settings().shadow_map.storage, settings().map_size, *depth_, cleared(), rendering().maps);
+  }
+  return {};
+}
+
+Status ShadowMapRenderer::draw_casters(RenderTarget& target) {
+  const SurfaceGroups& groups = frame_.groups();
+  VertexArrays arrays = frame_.all_triangles(frame_.scene().positions);
+  if (!groups.masked()) return rasterize(passes_.map, beam_.projection(), arrays, {}, target);
+  const TrianglePart opaque = groups.opaque_part(frame_.scene(), false);
+  if (!opaque.triangles.empty()) {
+    arrays.indices = index_list(opaque.triangles);
+    if (Status drawn = rasterize(passes_.map, beam_.projection(), arrays, {}, target); !drawn) return drawn;
+  }
+  arrays.texture_coordinates[0] = groups.coordinates();
+  for (std::size_t g = 0; g < groups.groups().size(); ++g) {
+    const SurfaceGroup& group = groups.groups()[g];
+    if (!group.least_alpha) continue;
+    const TrianglePart part = groups.part(frame_.scene(), g, false);
+    arrays.indices = index_list(part.triangles);
+    const std::array<TextureUnit, 1> units{TextureUnit{group.texture, group.sampler}};
+    const PipelineState state = SurfaceGroups::masked_state(passes_.map, group);
+    if (Status drawn = rasterize(state, beam_.projection(), arrays, units, target); !drawn) return drawn;
   }
   return {};
 }

@@ -11,6 +11,7 @@
 #include "src/tools/common/number_flag.h"
 #include "src/tools/common/number_list.h"
 #include "src/tools/common/scene_flag_checks.h"
+#include "src/tools/common/scene_textures.h"
 
 namespace ninebit::tools {
 namespace {
@@ -198,7 +199,7 @@ ThreadLimit::ThreadLimit(int threads) {
 
 CLI::Option* add_scene_file(CLI::App& verb, const std::string& name, SceneFlags& flags) {
   verb.add_flag("--allow-outside", flags.allow_outside,
-                "Also read buffers and material libraries outside of the scene's folder");
+                "Also read buffers, material libraries and textures outside of the scene's folder");
   return verb.add_option(name, flags.file, "Scene to render: a glTF 2.0, OBJ, PLY, OFF or 3DS file")
       ->type_name("FILE")
       ->check(checked(check_file_name));
@@ -263,13 +264,15 @@ RenderSettings settings_of(const SceneFlags& flags, const CommonFlags& common) {
   return settings;
 }
 
-Result<Scene> load_scene(const SceneFlags& flags, const RenderSettings& settings, bool quiet) {
+Result<Scene> read_scene_of(const SceneFlags& flags) {
   const auto go_on = [] { return !ProgressLine::stopped(); };
-  auto read = read_scene(flags.file, {.allow_outside = flags.allow_outside, .isolated = true, .go_on = go_on});
+  return read_scene(flags.file, {.allow_outside = flags.allow_outside, .isolated = true, .go_on = go_on});
+}
+
+Result<Scene> load_scene(const SceneFlags& flags, const RenderSettings& settings, bool quiet) {
+  auto read = read_scene_of(flags);
   if (!read) return read;
-  for (const std::string& note : read->notes) {
-    if (!quiet) say(fmt::format("{}: {}\n", flags.file, note));
-  }
+  warn_of_ignored(flags.file, read->notes, quiet);
   return complete_scene_of(flags, settings, std::move(*read));
 }
 

@@ -62,7 +62,11 @@ class ThreadLimit {
 // Adds the camera, light and floor of the flags to a scene.
 [[nodiscard]] Result<Scene> complete_scene_of(const SceneFlags& flags, const RenderSettings& settings, Scene scene);
 
-// Reads the scene and completes it. Unless quiet, prints a line to stderr for each missing file that the scene names.
+// Reads the scene's file.
+[[nodiscard]] Result<Scene> read_scene_of(const SceneFlags& flags);
+
+// Reads the scene, without its textures, and completes it. Unless quiet, prints one warning that names what the reader
+// ignores.
 [[nodiscard]] Result<Scene> load_scene(const SceneFlags& flags, const RenderSettings& settings, bool quiet);
 
 // Renders the scene with the technique and the cookie of the flags.

@@ -121,6 +121,7 @@ Json render_json(const RenderFlags& flags, const FinishedRender& done) {
            {"pixels", {{"background", r.background}, {"lit", r.lit}, {"shadowed", r.shadowed}}},
            {"time_ms", time_json(done)},
            {"facts", facts_json(r)},
+           {"ignored", done.ignored},
            {"files", std::move(names)},
            {"hash", hash_json(r)}};
   if (r.picked) out["pick"] = pick_json(flags, *done.scene, *r.picked);

@@ -26,6 +26,7 @@ struct FinishedRender {
   std::optional<Scene> scene{};
   std::optional<Rendering> rendering{};
   std::optional<GroundTruth> truth{};  // empty without --ground-truth, or if no shadows were drawn
+  std::vector<std::string> ignored{};  // what the rendering leaves out
   std::vector<std::filesystem::path> files{};
   double load_ms = 0.0, write_ms = 0.0, total_ms = 0.0;
 };

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "src/tools/common/scene_textures.h"
 #include "src/tools/input/printable.h"
 
 namespace ninebit::tools {
@@ -58,8 +59,9 @@ Result<TracedPixel> render_pixel(const SceneFlags& flags, const CommonFlags& com
   settings.pixel = glm::ivec2(x, row);
   ProgressLine line(common.quiet);
   line.step("loading", 0.0);
-  const auto scene = load_scene(flags, settings, common.quiet);
-  if (!scene) return scene.error();
+  const auto loaded = load_drawn_scene(flags, settings, common.quiet);
+  if (!loaded) return loaded.error();
+  const Scene* const scene = &loaded->scene;
   auto rendering = render_scene(flags, *scene, settings,
                                 [&](std::string_view pass, double done) { return line.step(pass, 0.1 + 0.9 * done); });
   if (!rendering) return rendering.error();

@@ -1,0 +1,88 @@
+// Scenes with textures, drawn by `ninebit render`.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "combiner_tests/tools/support.h"
+#include "ninebit/image/image_io.h"
+
+namespace {
+
+using namespace tools_test;
+namespace fs = std::filesystem;
+
+// A square with the texture of a material library.
+class TexturedRender : public testing::Test {
+ protected:
+  void SetUp() override {
+    fs::create_directories(folder_.path() / "scene");
+    write_bytes(folder_ / "scene/s.obj",
+                "mtllib s.mtl\nv -1 0 -1\nv 1 0 -1\nv 1 0 1\nv -1 0 1\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\n"
+                "usemtl a\nf 4/1 3/2 2/3 1/4\n");
+    library("map_Kd t.png\n");
+  }
+  void library(const std::string& statements) const {
+    write_bytes(folder_ / "scene/s.mtl", "newmtl a\nKd 1 1 1\n" + statements);
+  }
+  void picture(const std::string& name, int side, std::uint8_t red) const {
+    ::ninebit::Image8 image{side, side, 3, {}};
+    for (int i = 0; i < side * side; ++i) image.pixels.insert(image.pixels.end(), {red, 255, 255});
+    ASSERT_TRUE(::ninebit::write_png(folder_ / name, image));
+  }
+  [[nodiscard]] Outcome run(std::vector<std::string> more = {}) const {
+    return tools_test::ninebit(small_render(folder_ / "scene/s.obj", folder_ / "out", more));
+  }
+  [[nodiscard]] Json answer(std::vector<std::string> more = {}) const {
+    more.insert(more.end(), {"--json", "--quiet"});
+    return json_of(run(more));
+  }
+
+  TempFolder folder_;
+};
+
+TEST_F(TexturedRender, DrawsTheTexture) {
+  picture("scene/t.png", 4, 255);
+  const Json white = answer();
+  EXPECT_EQ(white["ignored"], Json::array());
+  picture("scene/t.png", 4, 10);
+  const Json dark = answer();
+  EXPECT_NE(white["hash"]["color"], dark["hash"]["color"]);
+  EXPECT_EQ(white["hash"]["stencil"], dark["hash"]["stencil"]);
+  library("");
+  const Json plain = answer();
+  EXPECT_EQ(white["hash"]["color"], plain["hash"]["color"]) << "a white texture changes nothing";
+}
+
+TEST_F(TexturedRender, CartoonIgnoresIt) {
+  picture("scene/t.png", 4, 10);
+  EXPECT_EQ(answer({"--style", "cartoon"})["ignored"], Json{"textures, by --style cartoon"});
+}
+
+TEST_F(TexturedRender, WarnsOnceOfAllThatIsIgnored) {
+  picture("scene/t.png", 3, 10);
+  library("map_Kd t.png\nbump n.png\nd 0.5\n");
+  const Outcome outcome = run();
+  EXPECT_EQ(outcome.code, 0);
+  const std::string words = "ignored: normal maps; alpha blending; the exact size of 't.png': 3 x 3";
+  EXPECT_NE(outcome.err.find(words), std::string::npos) << outcome.err;
+  EXPECT_EQ(outcome.err.find("warning"), outcome.err.rfind("warning"));
+}
+
+TEST_F(TexturedRender, FaultsNameBothFilesAndWriteNothing) {
+  expect_error(run(), 3, {"s.obj", "t.png"});
+  write_bytes(folder_ / "scene/t.png", "not a picture");
+  expect_error(run(), 3, {"s.obj", "t.png"});
+  picture("scene/t.png", 16, 10);
+  const std::string good = read_bytes(folder_ / "scene/t.png");
+  write_bytes(folder_ / "scene/t.png", good.substr(0, good.size() / 2));
+  expect_error(run(), 3, {"s.obj", "t.png"});
+  picture("t.png", 4, 10);
+  library("map_Kd ../t.png\n");
+  expect_error(run(), 3, {"s.obj", "../t.png", "--allow-outside"});
+  EXPECT_FALSE(fs::exists(folder_.path() / "out"));
+  EXPECT_EQ(answer({"--allow-outside"})["ignored"], Json::array());
+}
+
+}  // namespace
