@@ -7,10 +7,10 @@
 
 #include "ninebit/raster/rasterizer.h"
 #include "src/effect/effect_inputs.h"
+#include "src/effect/effect_layers.h"
 #include "src/effect/effect_targets.h"
 #include "src/effect/tangents.h"
 #include "src/effect/vertex_sources.h"
-#include "src/shadow/frame/camera_frame.h"
 #include "src/shadow/frame/pass_timer.h"
 #include "src/shadow/frame/views.h"
 
@@ -54,8 +54,6 @@ struct EffectRenderer::Prepared {
   Status set_primary(const EffectPass& pass, const VertexInputs& inputs, PreparedPass& prepared) const;
   Status draw_pass(std::size_t number);
   Status draw_face(std::size_t number, RenderTarget& target, const glm::mat4& projection);
-  void capture(const std::string& pass, RenderTarget& target);
-  void add_frame_layers();
 };
 
 namespace {
@@ -203,7 +201,7 @@ Status EffectRenderer::draw(const Progress& progress) {
     Status drawn = timer.run(p.effect.passes[i].name, done, p.times[i], [&] { return p.draw_pass(i); });
     if (!drawn) return drawn.error().fault == Fault::cancelled ? drawn : named(p.effect.passes[i], drawn);
   }
-  if (p.options.layers) p.add_frame_layers();
+  if (p.options.layers) add_frame_layers(p.layers, p.targets.faces(0)[0]);
   return {};
 }
 
@@ -236,54 +234,25 @@ Status EffectRenderer::Prepared::draw_face(std::size_t number, RenderTarget& tar
   }
   arrays.secondary_colors = pass.secondary;
   arrays.fog_factors = pass.fog;
-  std::array<TextureUnit, kEffectUnits> units{};
+  std::array<TextureUnit, kEffectUnits> all{};
+  std::size_t used = 0;  // a profile may have fewer units than an effect can name
   for (std::size_t i = 0; i < kEffectUnits; ++i) {
     if (pass.textures[i] < 0) continue;
     const auto texture = static_cast<std::size_t>(pass.textures[i]);
-    units[i] = {&textures[texture], effect.textures[texture].sampler};
+    used = i + 1;
+    all[i] = {&textures[texture], effect.textures[texture].sampler};
     arrays.texture_coordinates[i] = pass.coordinates[i].str;
     arrays.texture_q[i] = pass.coordinates[i].q;
   }
+  const std::span<const TextureUnit> units(all.data(), used);
   const bool on_picture = said.target == kPictureTarget;
-  if (on_picture && options.layers) capture(said.name, target);
+  if (on_picture && options.layers) capture_registers(layers, said.name, target);
   if (!on_picture || !options.pixel) return rasterize(pass.state, projection, arrays, units, target);
   FragmentProbe probe{.x = options.pixel->x, .y = options.pixel->y};
   target.probe = &probe;
   Status drawn = rasterize(pass.state, projection, arrays, units, target);
   probed.push_back({said.name, pass.state.program, std::move(probe.fragments)});
   return drawn;
-}
-
-// Adds planes for the registers after the last general combiner and the output, of fragments that pass the depth test.
-void EffectRenderer::Prepared::capture(const std::string& pass, RenderTarget& target) {
-  const auto add = [&](OutputSource source, Register reg, int component, const char* part) {
-    const std::string channel(1, "RGBA"[component]);
-    auto& plane = add_layer<s9>(layers, pass + "." + part, channel, target.width, target.height);
-    target.outputs.push_back({.source = source,
-                              .reg = reg,
-                              .component = component,
-                              .time = OutputTime::at_depth_pass,
-                              .plane = Plane<s9>{plane.data(), target.width}});
-  };
-  constexpr std::array<std::pair<Register, const char*>, 4> kRegisters{{{Register::primary, "primary"},
-                                                                        {Register::texture0, "texture0"},
-                                                                        {Register::spare0, "spare0"},
-                                                                        {Register::spare1, "spare1"}}};
-  for (int c = 0; c < 4; ++c) {
-    for (const auto& [reg, name] : kRegisters) add(OutputSource::register_code, reg, c, name);
-    add(OutputSource::output_code, Register::spare0, c, "output");
-  }
-}
-
-void EffectRenderer::Prepared::add_frame_layers() {
-  const Surface& frame = targets.faces(0)[0];
-  const auto add = [&]<class Sample>(const char* name, const PlaneSamples<Sample>& samples) {
-    if (samples.empty()) return;
-    auto& layer = add_layer<Sample>(layers, name, name, frame.width(), frame.height());
-    layer.assign(samples.begin(), samples.end());
-  };
-  add("stencil", frame.stencil());
-  add("depth", frame.depth());
 }
 
 const Surface& EffectRenderer::picture() const {

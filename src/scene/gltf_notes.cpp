@@ -47,7 +47,7 @@ struct MaterialNote {
   Has has;
   const char* text;
 };
-constexpr std::array kOfMaterials{
+constexpr std::array kMaterialParts{
     MaterialNote{[](const JsonValue& m) { return has(m, "normalTexture"); }, "normal maps"},
     MaterialNote{shines, "metalness and roughness"},
     MaterialNote{[](const JsonValue& m) { return has(m, "occlusionTexture"); }, "occlusion maps"},
@@ -81,7 +81,7 @@ std::string extensions_left_out(const JsonValue& root) {
 
 std::vector<std::string> gltf_notes(const JsonValue& root) {
   std::vector<std::string> notes;
-  for (const MaterialNote& note : kOfMaterials) {
+  for (const MaterialNote& note : kMaterialParts) {
     if (any_in(item(root, "materials"), note.has)) notes.emplace_back(note.text);
   }
   if (any_in(item(root, "nodes"), [](const JsonValue& node) { return has(node, "skin"); })) notes.emplace_back("skins");

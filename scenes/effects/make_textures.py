@@ -1,0 +1,139 @@
+#!/usr/bin/env python3
+"""Makes the textures of the effects: PNG files of small sizes, with Python's standard library alone.
+
+    make_textures.py            writes them beside this script, into textures/
+    make_textures.py --check    exits with 1 if a file is not what would be written
+"""
+import math
+import struct
+import sys
+import zlib
+from pathlib import Path
+
+FOLDER = Path(__file__).resolve().parent / "textures"
+
+
+def png(width, height, channels, texel):
+    """The bytes of a PNG file whose samples are texel(x, y): one number or a tuple of numbers from 0 to 1."""
+    rows = bytearray()
+    for y in range(height):
+        rows.append(0)
+        for x in range(width):
+            value = texel(x, y)
+            for v in value if isinstance(value, tuple) else (value,):
+                rows.append(math.floor(min(max(v, 0.0), 1.0) * 255 + 0.5))
+
+    def chunk(kind, data):
+        return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
+
+    header = struct.pack(">IIBBBBB", width, height, 8, {1: 0, 3: 2, 4: 6}[channels], 0, 0, 0)
+    return (b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", header) + chunk(b"IDAT", zlib.compress(bytes(rows), 9))
+            + chunk(b"IEND", b""))
+
+
+def noise(x, y, cells, size):
+    """Smooth noise from 0 to 1 that repeats after `size` texels and has `cells` cells on them."""
+    def corner(i, j):
+        n = (i % cells) * 374761393 + (j % cells) * 668265263 + cells * 1442695041
+        n = ((n ^ (n >> 13)) * 1274126177) & 0xFFFFFFFF
+        return (n ^ (n >> 16)) / 0xFFFFFFFF
+    u, v = x * cells / size, y * cells / size
+    i, j = math.floor(u), math.floor(v)
+    s, t = u - i, v - j
+    s, t = s * s * (3 - 2 * s), t * t * (3 - 2 * t)
+    top = corner(i, j) * (1 - s) + corner(i + 1, j) * s
+    bottom = corner(i, j + 1) * (1 - s) + corner(i + 1, j + 1) * s
+    return top * (1 - t) + bottom * t
+
+
+def stone(x, y):
+    return sum(noise(x, y, 4 << o, 128) / (2 << o) for o in range(4))
+
+
+def brick_place(x, y):
+    """The brick of a texel: its row, its number in the row, and the distance to the nearest joint, in texels."""
+    row, v = divmod(y, 16)
+    number, u = divmod((x + (16 if row % 2 else 0)) % 128, 32)
+    return row, number, min(u, 31 - u, v, 15 - v)
+
+
+def bricks(x, y):
+    _, _, inside = brick_place(x, y)
+    return min(inside / 3.0, 1.0) * 0.7 + 0.25 * stone(x, y)
+
+
+def brick_color(x, y):
+    row, number, inside = brick_place(x, y)
+    if inside < 1:
+        return (0.62, 0.6, 0.56)
+    tone = 0.75 + 0.25 * noise(row * 29 + number * 53, row * 7, 16, 128) + 0.15 * (stone(x, y) - 0.5)
+    return (0.66 * tone, 0.3 * tone, 0.22 * tone)
+
+
+def rivets(x, y):
+    u, v = x % 32 - 15.5, y % 32 - 15.5
+    return math.sqrt(max(0.0, 1.0 - (u * u + v * v) / 64.0)) * 0.8 + 0.1
+
+
+def gloss(x, y):
+    return (0.55, 0.57, 0.6, 1.0 if math.hypot(x % 32 - 15.5, y % 32 - 15.5) < 9 else 0.35)
+
+
+def detail(x, y):
+    return 0.5 + 0.5 * (stone(x, y) - 0.5)
+
+
+def light_map(x, y):
+    lamp = max(0.0, 1.0 - math.hypot(x - 20, y - 12) / 44.0)
+    return (0.25 + 0.6 * lamp, 0.25 + 0.5 * lamp, 0.3 + 0.3 * lamp)
+
+
+def photograph(x, y):
+    """A landscape at sunset, 256 x 256, that stands for a photograph."""
+    s, t = x / 256, y / 256
+    sky = (0.2 + 0.7 * t, 0.3 + 0.35 * t, 0.75 - 0.25 * t)
+    if math.hypot(s - 0.68, t - 0.42) < 0.09:
+        return (1.0, 0.93, 0.7)
+    for depth, (height, color) in enumerate((((0.5), (0.35, 0.3, 0.45)), (0.62, (0.25, 0.3, 0.3)), (0.78, (0.2, 0.35, 0.15)))):
+        ridge = height + 0.12 * (noise(x, 17 * depth, 4 << depth, 256) - 0.5) + 0.04 * (noise(x, 91, 16, 256) - 0.5)
+        if t > ridge and (depth == 2 or t <= 1.0):
+            ground = tuple(c * (0.8 + 0.4 * stone(x % 128, y % 128)) for c in color)
+            if depth == 2 or t < height + 0.14:
+                return ground
+    return sky
+
+
+def cookie(x, y):
+    r = math.hypot(x - 63.5, y - 63.5) / 64.0
+    bars = 0.15 if abs(x - 63.5) < 3 or abs(y - 63.5) < 3 else 1.0
+    ring = max(0.0, min(1.0, (0.92 - r) * 12))
+    return (ring * bars, ring * bars * 0.95, ring * bars * 0.8)
+
+
+TEXTURES = {
+    "bricks_height.png": lambda: png(128, 128, 1, bricks),
+    "bricks.png": lambda: png(128, 128, 3, brick_color),
+    "rivets_height.png": lambda: png(128, 128, 1, rivets),
+    "rivets.png": lambda: png(128, 128, 4, gloss),
+    "stone_height.png": lambda: png(128, 128, 1, stone),
+    "detail.png": lambda: png(128, 128, 1, detail),
+    "light_map.png": lambda: png(64, 64, 3, light_map),
+    "photograph.png": lambda: png(256, 256, 3, photograph),
+    "cookie.png": lambda: png(128, 128, 3, cookie),
+}
+
+
+def main():
+    if "--check" in sys.argv[1:]:
+        wrong = [name for name, make in TEXTURES.items() if (FOLDER / name).read_bytes() != make()]
+        for name in wrong:
+            print(f"{FOLDER / name}: is not what make_textures.py writes", file=sys.stderr)
+        return 1 if wrong else 0
+    FOLDER.mkdir(exist_ok=True)
+    for name, make in TEXTURES.items():
+        (FOLDER / name).write_bytes(make())
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
