@@ -110,6 +110,28 @@ def cookie(x, y):
     return (ring * bars, ring * bars * 0.95, ring * bars * 0.8)
 
 
+# The axes s, t and outward of the faces +X, -X, +Y, -Y, +Z, -Z of a cube map.
+FACES = {
+    "px": ((0, 0, -1), (0, -1, 0), (1, 0, 0)), "nx": ((0, 0, 1), (0, -1, 0), (-1, 0, 0)),
+    "py": ((1, 0, 0), (0, 0, 1), (0, 1, 0)), "ny": ((1, 0, 0), (0, 0, -1), (0, -1, 0)),
+    "pz": ((1, 0, 0), (0, -1, 0), (0, 0, 1)), "nz": ((-1, 0, 0), (0, -1, 0), (0, 0, -1)),
+}
+
+
+def sky(face, x, y):
+    """The sky in the direction of a texel of 64 x 64: blue above, earth below, and a sun."""
+    s, t, out = FACES[face]
+    u, v = (x + 0.5) / 32 - 1, (y + 0.5) / 32 - 1
+    direction = [out[i] + u * s[i] + v * t[i] for i in range(3)]
+    length = math.sqrt(sum(d * d for d in direction))
+    dx, dy, dz = (d / length for d in direction)
+    if -0.5 * dx + 0.6 * dy + 0.62 * dz > 0.985:
+        return (1.0, 1.0, 0.9)
+    if dy > 0:
+        return (0.75 - 0.6 * dy, 0.85 - 0.5 * dy, 0.95 - 0.2 * dy)
+    return (0.42 + 0.25 * dy, 0.36 + 0.22 * dy, 0.28 + 0.18 * dy)
+
+
 TEXTURES = {
     "bricks_height.png": lambda: png(128, 128, 1, bricks),
     "bricks.png": lambda: png(128, 128, 3, brick_color),
@@ -120,6 +142,7 @@ TEXTURES = {
     "light_map.png": lambda: png(64, 64, 3, light_map),
     "photograph.png": lambda: png(256, 256, 3, photograph),
     "cookie.png": lambda: png(128, 128, 3, cookie),
+    **{f"sky_{face}.png": (lambda face=face: png(64, 64, 3, lambda x, y: sky(face, x, y))) for face in FACES},
 }
 
 
