@@ -65,7 +65,8 @@ TEST_F(TexturedRender, WarnsOnceOfAllThatIsIgnored) {
   library("map_Kd t.png\nbump n.png\nd 0.5\n");
   const Outcome outcome = run();
   EXPECT_EQ(outcome.code, 0);
-  const std::string words = "ignored: normal maps; alpha blending; the exact size of 't.png': 3 x 3";
+  const std::string words =
+      "ignored: normal maps; alpha blending; exact sizes of textures, resampled to powers of two: 't.png' (3 x 3)";
   EXPECT_NE(outcome.err.find(words), std::string::npos) << outcome.err;
   EXPECT_EQ(outcome.err.find("warning"), outcome.err.rfind("warning"));
 }
