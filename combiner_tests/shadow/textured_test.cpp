@@ -16,9 +16,9 @@ namespace {
 
 using namespace ninebit;
 
-using Bytes = std::vector<std::uint8_t>;  // planes of red, green, blue, alpha
+using TexelBytes = std::vector<std::uint8_t>;  // planes of red, green, blue, alpha
 
-std::shared_ptr<const Texture> texture_of(int width, int height, const Bytes& planes) {
+std::shared_ptr<const Texture> texture_of(int width, int height, const TexelBytes& planes) {
   const auto made =
       make_texture(TextureTarget::texture_2d, InternalFormat::rgba8, {{TextureSamples{width, height, planes}}});
   EXPECT_TRUE(made) << (made ? "" : made.error().message);
@@ -62,7 +62,7 @@ TEST(Textured, EachPixelIsShadingTimesItsTexel) {
   settings.index.scope = IndexScope::object;
   const Rendering plain = shadow_test::render(scene, settings);
   ASSERT_EQ(plain.lit, kSize * kSize);
-  Bytes texels;
+  TexelBytes texels;
   for (std::uint32_t i = 0; i < 4 * kSize * kSize; ++i)
     texels.push_back(static_cast<std::uint8_t>((i * 2654435761U) >> 24U));
   dress(scene, texture_of(kSize, kSize, texels));
@@ -251,7 +251,7 @@ TEST(Masked, CutoffAndBaseAlphaDecide) {
 
 TEST(Textured, RefusesTexturesThatCannotBeDrawn) {
   Scene scene = shadow_test::square_over_floor();
-  dress(scene, texture_of(2, 2, Bytes(16, 255)));
+  dress(scene, texture_of(2, 2, TexelBytes(16, 255)));
   scene.materials[0].sampler.min_filter = MinFilter::linear_mipmap_linear;  // the texture has one level
   const auto refused = find_technique("index-cube")->render(scene, shadow_test::small_settings(), {});
   ASSERT_FALSE(refused);

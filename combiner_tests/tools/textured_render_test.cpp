@@ -10,7 +10,14 @@
 
 namespace {
 
-using namespace tools_test;
+using tools_test::expect_error;
+using tools_test::Json;
+using tools_test::json_of;
+using tools_test::Outcome;
+using tools_test::read_bytes;
+using tools_test::small_render;
+using tools_test::TempFolder;
+using tools_test::write_bytes;
 namespace fs = std::filesystem;
 
 // A square with the texture of a material library.
@@ -27,9 +34,9 @@ class TexturedRender : public testing::Test {
     write_bytes(folder_ / "scene/s.mtl", "newmtl a\nKd 1 1 1\n" + statements);
   }
   void picture(const std::string& name, int side, std::uint8_t red) const {
-    ::ninebit::Image8 image{side, side, 3, {}};
+    ninebit::Image8 image{side, side, 3, {}};
     for (int i = 0; i < side * side; ++i) image.pixels.insert(image.pixels.end(), {red, 255, 255});
-    ASSERT_TRUE(::ninebit::write_png(folder_ / name, image));
+    ASSERT_TRUE(ninebit::write_png(folder_ / name, image));
   }
   [[nodiscard]] Outcome run(std::vector<std::string> more = {}) const {
     return tools_test::ninebit(small_render(folder_ / "scene/s.obj", folder_ / "out", more));
@@ -65,7 +72,8 @@ TEST_F(TexturedRender, WarnsOnceOfAllThatIsIgnored) {
   library("map_Kd t.png\nbump n.png\nd 0.5\n");
   const Outcome outcome = run();
   EXPECT_EQ(outcome.code, 0);
-  const std::string words = "ignored: normal maps; alpha blending; the exact size of 't.png': 3 x 3";
+  const std::string words =
+      "ignored: normal maps; alpha blending; exact sizes of textures, resampled to powers of two: 't.png' (3 x 3)";
   EXPECT_NE(outcome.err.find(words), std::string::npos) << outcome.err;
   EXPECT_EQ(outcome.err.find("warning"), outcome.err.rfind("warning"));
 }

@@ -77,7 +77,8 @@ void GltfMaterials::add_texture(const JsonValue& info, Material& out) {
   const std::optional<std::uint64_t> image = index_of(item(texture, "source"));
   if (!image || *image >= of_image_.size()) {
     out.base_texture = static_cast<std::uint32_t>(scene_.textures.size());
-    scene_.textures.push_back({.name = "a texture", .fault = "names a picture that does not exist"});
+    scene_.textures.push_back({.name = fmt::format("textures[{}]", index_of(item(info, "index")).value_or(0)),
+                               .fault = "names a picture that does not exist"});
     return;
   }
   out.base_texture = texture_of(*image);

@@ -66,6 +66,13 @@ bool has_morph_targets(const JsonValue& mesh) {
   return any_in(item(mesh, "primitives"), [](const JsonValue& p) { return !list_of(item(p, "targets")).empty(); });
 }
 
+bool compresses_surface(const JsonValue& mesh) {
+  return any_in(item(mesh, "primitives"), [](const JsonValue& p) {
+    if (item(p, "extensions", "KHR_draco_mesh_compression").is_null()) return false;
+    return !item(p, "attributes", "TEXCOORD_0").is_null() || !item(p, "attributes", "COLOR_0").is_null();
+  });
+}
+
 std::string extensions_left_out(const JsonValue& root) {
   std::string names;
   for (const JsonValue& extension : list_of(item(root, "extensionsUsed"))) {
@@ -86,6 +93,9 @@ std::vector<std::string> gltf_notes(const JsonValue& root) {
   }
   if (any_in(item(root, "nodes"), [](const JsonValue& node) { return has(node, "skin"); })) notes.emplace_back("skins");
   if (any_in(item(root, "meshes"), has_morph_targets)) notes.emplace_back("morph targets");
+  if (any_in(item(root, "meshes"), compresses_surface)) {
+    notes.emplace_back("texture coordinates and colours of compressed meshes");
+  }
   if (!list_of(item(root, "animations")).empty()) notes.emplace_back("animations");
   if (const std::string names = extensions_left_out(root); !names.empty()) {
     notes.push_back(fmt::format("extensions {}", names));

@@ -32,13 +32,14 @@ struct SceneReadOptions {
 //
 // The triangles keep the file's count and order; polygons are cut into n - 2 triangles. Corners of one object with
 // equal position and normal share a vertex; where the file gives no normal it is the area-weighted mean of the object's
-// triangles at that position. Spot lights of 3DS files, orthographic cameras, skins, morph targets, animations and
-// pictures are left out; sparse glTF accessors are rejected. An OBJ file declares no counts, so one that is truncated
+// triangles at that position. Spot lights of 3DS files, orthographic cameras, skins, morph targets and animations are
+// left out; Scene::notes lists what a glTF or OBJ file has beyond that. Pictures are named and not read
+// (SceneTexture). Sparse glTF accessors are rejected. An OBJ file declares no counts, so one that is truncated
 // exactly between two faces cannot be detected.
 //
 // Files that a scene names (glTF buffers, OBJ material libraries) are regular files below the scene's folder; a name
-// that leads elsewhere is rejected. A missing material library is noted in the scene. Libraries are read only if a face
-// has a material.
+// that leads elsewhere is rejected; that of a picture becomes SceneTexture::fault. A missing material library is noted
+// in the scene. Libraries are read only if a face has a material.
 [[nodiscard]] Result<Scene> read_scene(const std::filesystem::path& file, const SceneReadOptions& options = {});
 
 // Whether a floor is put under the scene.

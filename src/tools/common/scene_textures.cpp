@@ -33,12 +33,11 @@ bool any_used(const Scene& scene, const Test& test) {
   return false;
 }
 
-Result<Texture> read_picture_of(const RenderSettings& settings, const SceneTexture& from, Scene& scene) {
+Result<Texture> read_picture_of(const RenderSettings& settings, const SceneTexture& from, std::string& resampled) {
   TextureReadOptions options{.mipmaps = true, .any_size = true, .isolated = true};
   options.go_on = [] { return !ProgressLine::stopped(); };
   options.on_resample = [&](int width, int height) {
-    scene.notes.push_back(fmt::format("the exact size of '{}': {} x {} is resampled to powers of two",
-                                      printable(from.name), width, height));
+    resampled += fmt::format("{}'{}' ({} x {})", resampled.empty() ? "" : ", ", printable(from.name), width, height);
   };
   if (from.file.empty()) {
     const std::span bytes(reinterpret_cast<const std::uint8_t*>(from.bytes.data()), from.bytes.size());
@@ -47,7 +46,8 @@ Result<Texture> read_picture_of(const RenderSettings& settings, const SceneTextu
   return image_detail::read_texture(settings.profile, from.file, options, image_detail::kPictureModule);
 }
 
-Status read_one(const std::string& scene_file, const RenderSettings& settings, Scene& scene, SceneTexture& texture) {
+Status read_one(const std::string& scene_file, const RenderSettings& settings, SceneTexture& texture,
+                std::string& resampled) {
   const auto fault = [&](const Diagnostic& from) {
     Diagnostic out = from;
     out.message = fmt::format("its texture '{}' {}", printable(texture.name), from.message);
@@ -55,7 +55,7 @@ Status read_one(const std::string& scene_file, const RenderSettings& settings, S
     return out;
   };
   if (!texture.fault.empty()) return fault({.message = texture.fault, .fault = Fault::invalid_input});
-  auto read = read_picture_of(settings, texture, scene);
+  auto read = read_picture_of(settings, texture, resampled);
   if (!read) return read.error().fault == Fault::cancelled ? read.error() : fault(read.error());
   if (read->target != TextureTarget::texture_2d) {
     return fault({.message = "is a cube map; expected a 2D texture", .fault = Fault::invalid_input});
@@ -68,6 +68,7 @@ Status read_one(const std::string& scene_file, const RenderSettings& settings, S
 Status read_textures(const std::string& scene_file, const RenderSettings& settings, Scene& scene) {
   if (scene.texture_coordinates.empty()) return {};
   const std::vector<bool> used = used_materials(scene);
+  std::string resampled;
   std::size_t count = 0;
   std::int64_t texels = 0;
   for (std::size_t m = 0; m < used.size(); ++m) {
@@ -79,12 +80,15 @@ Status read_textures(const std::string& scene_file, const RenderSettings& settin
     if (++count > kMostTextures) {
       return Diagnostic{fmt::format("has more than {} textures", kMostTextures), scene_file};
     }
-    if (Status read = read_one(scene_file, settings, scene, texture); !read) return read;
+    if (Status read = read_one(scene_file, settings, texture, resampled); !read) return read;
     const TextureImage& image = texture.texture->faces[0][0];
     texels += std::int64_t{image.width} * image.height;
     if (texels > kMostTexels) {
       return Diagnostic{fmt::format("its textures have more than {} texels together", kMostTexels), scene_file};
     }
+  }
+  if (!resampled.empty()) {
+    scene.notes.push_back("exact sizes of textures, resampled to powers of two: " + resampled);
   }
   return {};
 }
