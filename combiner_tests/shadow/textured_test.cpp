@@ -114,7 +114,7 @@ TEST_P(TexturedTechnique, MultipliesLightAndShadow) {
   std::size_t bare = 0;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     const bool textured = polygon[i] != 0 && polygon[i] != scene.triangles.size();
-    bare += polygon[i] == scene.triangles.size() ? 1 : 0;
+    bare += polygon[i] == scene.triangles.size() ? 1U : 0U;
     for (int c = 0; c < 3; ++c) {
       const int before = plain.frame.color(c)[i];
       ASSERT_EQ(numbered.frame.color(c)[i], textured ? product(before, kColor[static_cast<std::size_t>(c)]) : before);
@@ -201,7 +201,7 @@ std::size_t differing_pixels(const Rendering& a, const Rendering& b) {
   std::size_t count = 0;
   for (std::size_t i = 0; i < a.frame.stencil().size(); ++i) {
     const std::int64_t gap = std::int64_t{a.frame.depth()[i]} - std::int64_t{b.frame.depth()[i]};
-    count += a.frame.stencil()[i] == b.frame.stencil()[i] && std::abs(gap) <= kRounding ? 0 : 1;
+    count += a.frame.stencil()[i] == b.frame.stencil()[i] && std::abs(gap) <= kRounding ? 0U : 1U;
   }
   return count;
 }

@@ -94,12 +94,10 @@ def photograph(x, y):
     sky = (0.2 + 0.7 * t, 0.3 + 0.35 * t, 0.75 - 0.25 * t)
     if math.hypot(s - 0.68, t - 0.42) < 0.09:
         return (1.0, 0.93, 0.7)
-    for depth, (height, color) in enumerate((((0.5), (0.35, 0.3, 0.45)), (0.62, (0.25, 0.3, 0.3)), (0.78, (0.2, 0.35, 0.15)))):
-        ridge = height + 0.12 * (noise(x, 17 * depth, 4 << depth, 256) - 0.5) + 0.04 * (noise(x, 91, 16, 256) - 0.5)
-        if t > ridge and (depth == 2 or t <= 1.0):
-            ground = tuple(c * (0.8 + 0.4 * stone(x % 128, y % 128)) for c in color)
-            if depth == 2 or t < height + 0.14:
-                return ground
+    ridges = ((0.55, 4, (0.42, 0.36, 0.5)), (0.68, 6, (0.25, 0.3, 0.3)), (0.82, 9, (0.2, 0.35, 0.15)))
+    for height, cells, color in reversed(ridges):
+        if t > height + 0.16 * (noise(x, 17 * cells, cells, 256) - 0.5) + 0.04 * (noise(x, 91, 32, 256) - 0.5):
+            return tuple(c * (0.7 + 0.6 * stone(x % 128, y % 128)) for c in color)
     return sky
 
 

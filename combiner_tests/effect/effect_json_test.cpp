@@ -1,0 +1,131 @@
+// Effects as JSON: what is read, and where faults are found.
+#include "ninebit/effect/effect_json.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace ninebit::test {
+namespace {
+
+constexpr const char* kHead = R"({"ninebit": "effect", "version": 1,)";
+
+Parsed<Effect> parse(const std::string& body) {
+  const std::string text = kHead + body + "}";
+  return parse_effect({text, "e.json"});
+}
+
+TEST(EffectJson, ReadsAllOfAPass) {
+  const auto parsed = parse(R"(
+    "title": "t", "profile": "nv2a", "size": [64, 32], "depth_stencil": "d16",
+    "scene": {"mesh": "cube", "camera": [0, 1, 5], "fov": 30, "light": [1, 2, 3], "light_type": "spot", "floor": -1},
+    "textures": {"a": {"source": "normals:h.png", "steepness": 2, "filter": "linear", "wrap": "clamp"},
+                 "b": {"source": "target:m"}},
+    "targets": {"m": {"size": 16, "cube": true, "format": "rgb8"}},
+    "passes": [{"target": "m", "primary": "index:la,3"},
+               {"name": "last", "program": "p.rc1", "constants": {"const1": [0, 0.5, 1, 0.25]},
+                "units": [null, {"texture": "b", "coordinates": "from-light",
+                                 "matrix": [[1,2,3,4],[5,6,7,8],[9,10,11,12],[13,14,15,16]]}],
+                "secondary": "constant:1,0,0.5", "fog": {"factor": "exp:0.5", "color": [1, 0, 0]},
+                "clear": {"color": [1, 1, 1, 0], "stencil": 3}, "shade": "flat", "cull": "back", "color_mask": "ra",
+                "depth": {"function": "equal", "write": false}, "alpha_test": {"function": "greater", "reference": 7},
+                "stencil": {"function": "equal", "reference": 1, "mask": 15, "write_mask": 3, "fail": "zero",
+                            "depth_fail": "incr", "pass": "invert"},
+                "blend": {"source": "src_alpha", "destination": "one", "equation": "subtract"},
+                "polygon_offset": [1, 2]}])");
+  ASSERT_TRUE(parsed) << parsed.faults[0].text();
+  const Effect& e = *parsed.value;
+  EXPECT_EQ(e.width, 64);
+  EXPECT_EQ(e.height, 32);
+  EXPECT_EQ(e.depth_stencil, DepthStencilFormat::d16);
+  EXPECT_EQ(e.profile, "nv2a");
+  EXPECT_EQ(e.scene.setup.floor, FloorChoice::at_height);
+  EXPECT_TRUE(e.scene.setup.light_kinds.spot);
+  EXPECT_FALSE(e.scene.setup.light_kinds.point);
+  EXPECT_EQ(e.textures[0].origin, TextureOrigin::normals);
+  EXPECT_EQ(e.textures[0].sampler.wrap_s, Wrap::clamp);
+  EXPECT_EQ(e.textures[1].sampler.min_filter, MinFilter::nearest) << "the default of targets";
+  EXPECT_TRUE(e.targets[0].cube);
+  ASSERT_EQ(e.passes.size(), 2U);
+  EXPECT_EQ(e.passes[0].name, "pass 1");
+  EXPECT_EQ(e.passes[0].primary.index_format, IndexFormat::luminance_alpha);
+  EXPECT_EQ(e.passes[0].primary.index_step, 3);
+  EXPECT_TRUE(e.passes[0].state.depth_test.enabled) << "a mesh's default";
+  const EffectPass& p = e.passes[1];
+  EXPECT_FALSE(p.constants[0].has_value());
+  EXPECT_EQ(p.constants[1], (ColorF{0.0F, 0.5F, 1.0F, 0.25F}));
+  EXPECT_EQ(p.units[1].coordinates.matrix[0], glm::vec4(1, 5, 9, 13)) << "rows become glm's columns";
+  EXPECT_EQ(p.fog.mode, FogMode::exp);
+  EXPECT_EQ(p.fog.color[0], 255);
+  EXPECT_TRUE(p.clear.color && p.clear.stencil && !p.clear.depth);
+  EXPECT_EQ(p.state.color_mask, (std::array<bool, 4>{true, false, false, true}));
+  EXPECT_EQ(p.state.depth_test.function, CompareFunction::equal);
+  EXPECT_FALSE(p.state.depth_test.write);
+  EXPECT_EQ(p.state.alpha_test.reference, 7);
+  EXPECT_EQ(p.state.stencil_test.front.depth_pass, StencilOperation::invert);
+  EXPECT_EQ(p.state.stencil_test.front.write_mask, 3);
+  EXPECT_EQ(p.state.blend.equation, BlendEquation::subtract);
+  EXPECT_EQ(p.state.polygon_offset.units, 2.0F);
+}
+
+struct Bad {
+  const char* body;
+  int line;
+  const char* words;
+};
+
+TEST(EffectJson, NamesEveryMistakeWithItsPlace) {
+  const std::vector<Bad> table{
+      {R"("passes": [])", 1, "0 passes"},
+      {"\n\"passes\": [{\"programm\": \"x\"}]", 2, "unknown key \"programm\""},
+      {"\n\"size\": [0, 4], \"passes\": [{}]", 2, "whole number from 1"},
+      {"\n\"passes\": [{}, \n{\"units\": [{\"texture\": \"nothing\"}]}]", 3, "unknown texture 'nothing'"},
+      {"\n\"passes\": [{\"target\": \"nowhere\"}]", 2, "unknown target 'nowhere'; expected picture"},
+      {"\n\"passes\": [{\"draw\": \"mesh\"}]", 2, "the effect has none"},
+      {"\n\"passes\": [{\"primary\": \"uv\"}]", 2, "is not a source of colours"},
+      {"\n\"passes\": [{\"primary\": \"constant:2,0,0\"}]", 2, "numbers from 0 to 1"},
+      {"\n\"passes\": [{\"primary\": \"index\"}]", 2, "only for the primary colour of a mesh"},
+      {"\n\"passes\": [{\"fog\": {\"factor\": \"linear:1,1\"}}]", 2, "two different distances"},
+      {"\n\"passes\": [{\"color_mask\": \"rr\"}]", 2, "not a colour mask"},
+      {"\n\"passes\": [{\"depth\": {\"function\": \"smaller\"}}]", 2, "expected never, less"},
+      {"\n\"passes\": [{\"name\": \"a\"}, {\"name\": \"a\"}]", 2, "defined twice"},
+      {"\n\"targets\": {\"picture\": {\"size\": 4}}, \"passes\": [{}]", 2, "name of the picture"},
+      {"\n\"targets\": {\"m\": {\"size\": [4, 8], \"cube\": true}}, \"passes\": [{}]", 2, "not square"},
+      {"\n\"textures\": {\"t\": {\"source\": \"checker:3\"}}, \"passes\": [{}]", 2, "power of two"},
+      {"\n\"textures\": {\"t\": {\"source\": \"a,b\"}}, \"passes\": [{}]", 2, "six faces"},
+      {"\n\"textures\": {\"t\": {\"source\": \"target:x\"}}, \"passes\": [{}]", 2, "unknown target 'x'"},
+      {"\n\"textures\": {\"t\": {\"source\": \"f.png\", \"steepness\": 1}}, \"passes\": [{}]", 2, "only for normals"},
+      {"\n\"textures\": {\"t\": {\"source\": \"target:picture\"}},\n\"passes\": [{\"units\": [{\"texture\": \"t\"}]}]",
+       3, "which this pass draws into"},
+      {"\n\"targets\": {\"m\": {\"size\": 4}}, \"textures\": {\"t\": {\"source\": \"target:m\"}},\n"
+       "\"passes\": [{\"units\": [{\"texture\": \"t\"}]}]",
+       3, "no earlier pass draws"},
+  };
+  for (const Bad& bad : table) {
+    const auto parsed = parse(bad.body);
+    ASSERT_FALSE(parsed) << bad.body;
+    EXPECT_EQ(parsed.faults[0].line, bad.line) << bad.body;
+    EXPECT_NE(parsed.faults[0].message.find(bad.words), std::string::npos) << parsed.faults[0].text();
+  }
+}
+
+TEST(EffectJson, ReadsTheGallery) {
+  std::size_t count = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(NINEBIT_SOURCE_DIR "/scenes/effects")) {
+    if (entry.path().extension() != ".json" || entry.path().stem() == "expected_hashes") continue;
+    const auto parsed = read_effect(entry.path());
+    EXPECT_TRUE(parsed) << parsed.faults[0].text();
+    ++count;
+  }
+  EXPECT_GE(count, 14U);
+}
+
+TEST(EffectJson, ReportsFilesThatCannotBeRead) {
+  EXPECT_FALSE(read_effect(NINEBIT_SOURCE_DIR "/scenes/effects"));
+  EXPECT_FALSE(read_effect(NINEBIT_SOURCE_DIR "/scenes/effects/no_such_file.json"));
+}
+
+}  // namespace
+}  // namespace ninebit::test

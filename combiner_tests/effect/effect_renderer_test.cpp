@@ -1,0 +1,193 @@
+// Drawing effects: the rectangle against evaluation, vectors against their definitions, warnings and faults.
+#include "ninebit/effect/effect_renderer.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+#include <string>
+
+#include "ninebit/combiner/evaluate.h"
+#include "ninebit/combiner/initial_registers.h"
+#include "ninebit/combiner/program.h"
+#include "ninebit/effect/generated_meshes.h"
+#include "ninebit/effect/generated_textures.h"
+#include "ninebit/language/rc10.h"
+#include "src/effect/tangents.h"
+
+namespace ninebit::test {
+namespace {
+
+constexpr int kSize = 32;
+
+// Readers that know programs by their text and textures by a number.
+EffectReaders readers_of(const std::string& program, const Texture& texture) {
+  EffectReaders readers;
+  readers.program = [program](const std::filesystem::path&, const HardwareProfile& profile) -> Result<CombinerState> {
+    auto parsed = parse_rc10({program, "test"}, profile);
+    if (!parsed) return Diagnostic{.message = parsed.faults[0].text()};
+    return *parsed.value;
+  };
+  readers.texture = [texture](std::span<const std::filesystem::path>, const HardwareProfile&) -> Result<Texture> {
+    return texture;
+  };
+  readers.scene = [](const std::filesystem::path&) -> Result<Scene> { return Diagnostic{.message = "no scene"}; };
+  return readers;
+}
+
+Texture random_texture(std::vector<std::uint8_t>& bytes) {
+  std::mt19937 random(20001224);
+  bytes.resize(4 * kSize * kSize);
+  for (std::uint8_t& byte : bytes) byte = static_cast<std::uint8_t>(random() & 255U);
+  TextureSamples samples{.width = kSize, .height = kSize};
+  samples.samples = bytes;
+  return make_texture(TextureTarget::texture_2d, InternalFormat::rgba8, {{samples}}).value();
+}
+
+const std::string kProgram =
+    "!!RC1.0\n{ rgb { discard = expand(tex0) * const0; discard = -tex0.a * col0; spare0 = sum(); scale_by_two(); }\n"
+    "  alpha { spare1 = tex0.b * half_bias(tex0.a); } }\n{ rgb { spare0 = spare0 . tex0; } }\n"
+    "out.rgb = lerp(tex0.a, spare0, const1); out.a = unsigned_invert(spare1);\n";
+
+Effect rectangle_effect() {
+  Effect effect;
+  effect.width = effect.height = kSize;
+  EffectTexture texture;
+  texture.name = "t";
+  texture.files = {"t.png"};
+  texture.sampler = kNearestSampler;
+  effect.textures.push_back(texture);
+  EffectPass pass{.name = "draw", .geometry = EffectGeometry::rectangle};
+  pass.program = "p";
+  pass.units[0].texture = "t";
+  pass.constants[0] = ColorF{0.25F, 0.5F, 0.75F, 1.0F};
+  pass.constants[1] = ColorF{1.0F, 0.5F, 0.0F, 1.0F};
+  pass.primary.constant = {0.2F, 0.4F, 0.6F, 1.0F};
+  effect.passes.push_back(pass);
+  return effect;
+}
+
+// With the nearest texel of a texture of the picture's size, each pixel is what evaluation gives for its texel.
+TEST(EffectRenderer, TheRectangleIsEvaluation) {
+  std::vector<std::uint8_t> bytes;
+  const Texture texture = random_texture(bytes);
+  const Effect effect = rectangle_effect();
+  for (const HardwareProfile& profile : hardware_profiles()) {
+    const EffectReaders readers = readers_of(kProgram, texture);
+    auto renderer = EffectRenderer::make(effect, profile, readers);
+    ASSERT_TRUE(renderer) << renderer.error().text();
+    ASSERT_TRUE(renderer->draw());
+    EXPECT_TRUE(renderer->warnings().empty());
+    CombinerState state = readers.program({}, profile).value();
+    state.constant0 = *effect.passes[0].constants[0];
+    state.constant1 = *effect.passes[0].constants[1];
+    const Program program = compile(state, profile).value();
+    for (std::size_t y = 0; y < kSize; ++y) {
+      for (std::size_t x = 0; x < kSize; ++x) {
+        FragmentInputs inputs;
+        for (std::size_t c = 0; c < 4; ++c) {
+          inputs.primary[c] = byte_of_vertex_color(profile, effect.passes[0].primary.constant[static_cast<int>(c)]);
+        }
+        inputs.secondary = {0, 0, 0, 255};
+        Texel texel;
+        for (std::size_t c = 0; c < 4; ++c) texel.value[c] = bytes[(c * kSize + y) * kSize + x];
+        inputs.texture[0] = texel;
+        const Rgba9 out = evaluate(program, initial_registers(profile, inputs));
+        for (int c = 0; c < 4; ++c) {
+          // Row 0 of the file is the top of the picture.
+          const std::size_t at = (kSize - 1 - y) * kSize + x;
+          ASSERT_EQ(int{renderer->picture().color(c)[at]}, int{to_byte(profile, out[static_cast<std::size_t>(c)])})
+              << profile.name << " at " << x << ", " << y << " component " << c;
+        }
+      }
+    }
+  }
+}
+
+TEST(EffectRenderer, WarnsOfUnitsWithoutTexture) {
+  Effect effect = rectangle_effect();
+  effect.passes[0].units[0].texture.clear();
+  const auto renderer = EffectRenderer::make(effect, profiles::geforce2, readers_of(kProgram, Texture{}));
+  ASSERT_TRUE(renderer) << renderer.error().text();
+  ASSERT_EQ(renderer->warnings().size(), 1U);
+  EXPECT_NE(renderer->warnings()[0].find("texture unit 0"), std::string::npos);
+}
+
+TEST(EffectRenderer, ReportsWhatCannotBeDrawn) {
+  const auto fault_of = [](const Effect& effect) {
+    const auto renderer = EffectRenderer::make(effect, profiles::geforce2, readers_of(kProgram, Texture{}));
+    return renderer ? std::string("no fault") : renderer.error().text();
+  };
+  Effect effect = rectangle_effect();
+  effect.textures.clear();
+  EXPECT_NE(fault_of(effect).find("unknown texture 't'"), std::string::npos);
+  effect = {};
+  effect.scene.mesh = "sphere:8";
+  effect.scene.setup.floor = FloorChoice::none;
+  effect.passes.push_back({.name = "light", .view = EffectView::light});
+  EXPECT_NE(fault_of(effect).find("expected a spot or directional light"), std::string::npos);
+  effect.scene.mesh = "file.obj";
+  EXPECT_NE(fault_of(effect).find("no scene"), std::string::npos);
+  effect.scene.mesh = "sphere:0";
+  EXPECT_NE(fault_of(effect).find("not a generated mesh"), std::string::npos);
+}
+
+// A pixel of a bump-mapped rectangle under a directional light, from its normal and the light by hand.
+TEST(EffectRenderer, BumpMapsAreDotProducts) {
+  const std::string program = "!!RC1.0\n{ rgb { spare0 = expand(tex0) . expand(col0); } }\nout.rgb = spare0;\n";
+  const Texture normals = normal_map(checkerboard(kSize).value(), 3.0).value();
+  Effect effect = rectangle_effect();
+  effect.scene.setup.light_kinds = {.point = false, .directional = true};
+  effect.scene.setup.light = glm::vec3(-1.0F, 2.0F, 2.0F);
+  effect.passes[0].primary = {.source = VertexSource::tangent_light_vector};
+  auto renderer = EffectRenderer::make(effect, profiles::geforce2, readers_of(program, normals));
+  ASSERT_TRUE(renderer) << renderer.error().text();
+  ASSERT_TRUE(renderer->draw());
+  const auto& planes = std::get<0>(normals.faces[0][0].planes);
+  const std::array<double, 3> light{-1.0 / 3.0, 2.0 / 3.0, 2.0 / 3.0};  // the rectangle's tangent space is the world's
+  for (int y = 0; y < kSize; ++y) {
+    for (int x = 0; x < kSize; ++x) {
+      double dot = 0.0;
+      for (std::size_t c = 0; c < 3; ++c) dot += (planes[c].at(x, y) / 127.5 - 1.0) * light[c];
+      const auto at = static_cast<std::size_t>((kSize - 1 - y) * kSize + x);
+      EXPECT_NEAR(renderer->picture().color(0)[at], 255.0 * std::max(dot, 0.0), 4.0) << x << ", " << y;
+    }
+  }
+}
+
+TEST(GeneratedMeshes, AreValidAndFaceOutward) {
+  for (const char* name : {"sphere:24", "torus:24", "cube", "plane:3"}) {
+    const auto mesh = generated_mesh(name);
+    ASSERT_TRUE(mesh) << name;
+    EXPECT_TRUE(validate(*mesh)) << name;
+    EXPECT_EQ(mesh->texture_coordinates.size(), mesh->positions.size());
+    for (const glm::uvec3& t : mesh->triangles) {
+      const glm::vec3 across =
+          glm::cross(mesh->positions[t.y] - mesh->positions[t.x], mesh->positions[t.z] - mesh->positions[t.x]);
+      if (glm::length(across) < 1e-6F) continue;  // at a pole
+      EXPECT_GT(glm::dot(across, mesh->normals[t.x] + mesh->normals[t.y] + mesh->normals[t.z]), 0.0F) << name;
+    }
+    for (const glm::vec3& normal : mesh->normals) EXPECT_NEAR(glm::length(normal), 1.0F, 1e-5F);
+  }
+  for (const char* name : {"sphere", "sphere:", "sphere:0", "sphere:x", "torus:5000", "cone:8", ""}) {
+    EXPECT_FALSE(generated_mesh(name).ok()) << name;
+  }
+}
+
+TEST(Tangents, PointWhereSGrows) {
+  for (const char* name : {"sphere:24", "torus:24", "cube", "plane:3"}) {
+    const Scene mesh = generated_mesh(name).value();
+    const std::vector<glm::vec4> tangents = tangents_of(mesh);
+    ASSERT_EQ(tangents.size(), mesh.positions.size());
+    for (std::size_t v = 0; v < tangents.size(); ++v) {
+      EXPECT_NEAR(glm::length(glm::vec3(tangents[v])), 1.0F, 1e-4F);
+      EXPECT_NEAR(glm::dot(glm::vec3(tangents[v]), mesh.normals[v]), 0.0F, 1e-4F);
+      EXPECT_EQ(tangents[v].w, 1.0F) << "s to the right and t downwards, seen from the front";
+    }
+  }
+  const std::vector<glm::vec4> plane = tangents_of(generated_mesh("plane:1").value());
+  EXPECT_EQ(plane[0], glm::vec4(1.0F, 0.0F, 0.0F, 1.0F));
+}
+
+}  // namespace
+}  // namespace ninebit::test

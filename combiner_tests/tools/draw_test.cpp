@@ -1,0 +1,134 @@
+// `ninebit draw`: pictures, answers, the gallery's hashes, and errors.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "combiner_tests/tools/support.h"
+
+namespace tools_test {
+namespace {
+
+const std::string kEffects = NINEBIT_SOURCE_DIR "/scenes/effects/";
+const std::string kSepia = kEffects + "programs/sepia.rc1";
+const std::string kPhotograph = kEffects + "textures/photograph.png";
+
+std::vector<std::string> draw(const std::string& what, const std::string& picture,
+                              const std::vector<std::string>& more = {}) {
+  std::vector<std::string> arguments{"draw", what, "-o", picture, "--quiet"};
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  return arguments;
+}
+
+// The stencil plane of the effect is that of the technique, bit for bit.
+TEST(Draw, IndexCubeIsTheTechnique) {
+  const TempFolder folder;
+  const Json effect = json_of(ninebit(draw(kEffects + "index_cube.json", folder / "p.png", {"--json"})));
+  const Json technique =
+      json_of(ninebit({"render", kRoom, "-o", folder / "r", "--size", "640x480", "--json", "--quiet"}));
+  EXPECT_EQ(effect["hash"]["stencil"], technique["hash"]["stencil"]);
+}
+
+TEST(Draw, TheGalleryIsToTheBit) {
+  const TempFolder folder;
+  const Json expected = Json::parse(read_bytes(kEffects + "expected_hashes.json"));
+  std::size_t count = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(kEffects)) {
+    const std::string name = entry.path().stem().string();
+    if (entry.path().extension() != ".json" || name == "expected_hashes") continue;
+    ASSERT_TRUE(expected.contains(name)) << name;
+    for (const char* threads : {"1", "3"}) {
+      const Json drawn =
+          json_of(ninebit(draw(entry.path().string(), folder / "p.png", {"--json", "--threads", threads})));
+      EXPECT_EQ(drawn["hash"]["color"], expected[name]) << name << " with " << threads << " threads";
+      EXPECT_TRUE(drawn["warnings"].empty()) << name << ": " << drawn["warnings"];
+    }
+    ++count;
+  }
+  EXPECT_EQ(count, expected.size());
+}
+
+TEST(Draw, AnswersWhatItDrew) {
+  const TempFolder folder;
+  const Json drawn = json_of(ninebit(draw(kSepia, folder / "p.png",
+                                          {"--tex0", kPhotograph, "--filter0", "nearest", "--size", "256x256", "--json",
+                                           "--difference", "ideal", "--layers"})));
+  EXPECT_EQ(drawn["program"], kSepia);
+  EXPECT_EQ(drawn["size"], Json::parse("[256, 256]"));
+  EXPECT_EQ(drawn["files"].size(), 3U);
+  EXPECT_GT(drawn["difference"]["pixels"], 0);
+  EXPECT_GT(drawn["difference"]["max"], 0);
+  EXPECT_LT(drawn["difference"]["max"], 16);
+  const Files files = files_in(folder.path());
+  EXPECT_EQ(files.size(), 3U);
+  EXPECT_EQ(files.count("p.png") + files.count("p.difference.png") + files.count("p.layers.exr"), 3U);
+  const Json same = json_of(ninebit(draw(
+      kSepia, folder / "q.png",
+      {"--tex0", kPhotograph, "--filter0", "nearest", "--size", "256x256", "--json", "--difference", "geforce2"})));
+  EXPECT_EQ(same["difference"]["pixels"], 0);
+  EXPECT_EQ(same["hash"], drawn["hash"]);
+}
+
+// A flag changes the picture that has the same effect file otherwise.
+TEST(Draw, FlagsReplaceTheSceneOfAnEffect) {
+  const TempFolder folder;
+  const auto hash = [&](const std::vector<std::string>& flags) {
+    std::vector<std::string> all{"--json", "--size", "64x64"};
+    all.insert(all.end(), flags.begin(), flags.end());
+    return json_of(ninebit(draw(kEffects + "toon.json", folder / "p.png", all)))["hash"]["color"];
+  };
+  const Json plain = hash({});
+  for (const std::vector<std::string>& flags : std::vector<std::vector<std::string>>{{"--light", "2,0,2"},
+                                                                                     {"--camera", "0,0,4"},
+                                                                                     {"--mesh", "cube"},
+                                                                                     {"--fov", "30"},
+                                                                                     {"--look-at", "0.2,0,0"},
+                                                                                     {"--floor", "-1"}}) {
+    EXPECT_NE(hash(flags), plain) << flags[0];
+  }
+}
+
+TEST(Draw, FlagsOfAPassChangeThePicture) {
+  const TempFolder folder;
+  const auto hash = [&](const std::vector<std::string>& flags) {
+    std::vector<std::string> all{"--json", "--size",     "64x64",     "--mesh", "sphere:16",
+                                 "--tex0", "checker:64", "--primary", "lambert"};
+    all.insert(all.end(), flags.begin(), flags.end());
+    return json_of(ninebit(draw(kEffects + "programs/fog.rc1", folder / "p.png", all)))["hash"]["color"];
+  };
+  const Json plain = hash({});
+  for (const std::vector<std::string>& flags : std::vector<std::vector<std::string>>{{"--fog", "exp:0.5"},
+                                                                                     {"--blend", "dst_color,zero"},
+                                                                                     {"--alpha-test", "less,128"},
+                                                                                     {"--depth", "never"},
+                                                                                     {"--cull", "front"},
+                                                                                     {"--color-mask", "r"}}) {
+    EXPECT_NE(hash(flags), plain) << flags[0];
+  }
+}
+
+TEST(Draw, BadInputIsOneError) {
+  const TempFolder folder;
+  const std::string picture = folder / "p.png";
+  expect_error(ninebit(draw(kSepia, folder / "p.jpg")), 2, {"--output", ".png"});
+  expect_error(ninebit(draw(kSepia, picture, {"--tex0", "checker:3"})), 2, {"--tex0", "power of two"});
+  expect_error(ninebit(draw(kSepia, picture, {"--filter0", "linear"})), 2, {"--filter0", "require --tex0"});
+  expect_error(ninebit(draw(kSepia, picture, {"--coord0", "color", "--tex0", "gradient"})), 2, {"--coord0"});
+  expect_error(ninebit(draw(kSepia, picture, {"--tex0", "target:x"})), 2, {"only effect files"});
+  expect_error(ninebit(draw(kEffects + "toon.json", picture, {"--cull", "back"})), 2, {"--cull", "effect file"});
+  expect_error(ninebit(draw(kSepia, picture, {"--tex0", folder / "none.png"})), 3, {"none.png"});
+  expect_error(ninebit(draw(folder / "none.gl", picture)), 3, {"none.gl"});
+  expect_error(ninebit(draw(kSepia, picture, {"--mesh", folder / "none.obj"})), 3, {"none.obj"});
+  write_bytes(folder / "bad.json", "{\"ninebit\": \"effect\", \"version\": 1,\n\"passes\": [{\"cull\": \"up\"}]}");
+  expect_error(ninebit(draw(folder / "bad.json", picture)), 3, {"bad.json:2:", "expected none, back or front"});
+  EXPECT_FALSE(std::filesystem::exists(picture));
+}
+
+TEST(Draw, WarnsOfWhatOneMayNotExpect) {
+  const TempFolder folder;
+  const Json drawn = json_of(ninebit(draw(kSepia, folder / "p.png", {"--size", "8x8", "--json"})));
+  ASSERT_EQ(drawn["warnings"].size(), 1U);
+  EXPECT_NE(drawn["warnings"][0].get<std::string>().find("texture unit 0"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace tools_test
