@@ -79,6 +79,7 @@ struct Bad {
 TEST(EffectJson, NamesEveryMistakeWithItsPlace) {
   const std::vector<Bad> table{
       {R"("passes": [])", 1, "0 passes"},
+      {R"("targets": {"m": {"size": 4}}, "passes": [{"target": "m"}])", 1, "no pass draws the picture"},
       {"\n\"passes\": [{\"programm\": \"x\"}]", 2, "unknown key \"programm\""},
       {"\n\"size\": [0, 4], \"passes\": [{}]", 2, "whole number from 1"},
       {"\n\"passes\": [{}, \n{\"units\": [{\"texture\": \"nothing\"}]}]", 3, "unknown texture 'nothing'"},

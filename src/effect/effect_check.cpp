@@ -27,6 +27,9 @@ class Checker {
     for (std::size_t i = 0; i < effect_.targets.size(); ++i) check_target(i);
     for (std::size_t i = 0; i < effect_.textures.size(); ++i) check_texture(i);
     for (std::size_t i = 0; i < effect_.passes.size(); ++i) check_pass(i);
+    if (faults_.empty() && drawn_.count(std::string(kPictureTarget)) == 0) {
+      fault(EffectPart::whole, 0, "", "no pass draws the picture");
+    }
     return std::move(faults_);
   }
 
@@ -77,9 +80,6 @@ class Checker {
             "the effect has " + std::to_string(effect_.passes.size()) + " passes; expected 1 to " +
                 std::to_string(kMaxEffectPasses));
     }
-    const bool drawn = std::any_of(effect_.passes.begin(), effect_.passes.end(),
-                                   [](const EffectPass& pass) { return pass.target == kPictureTarget; });
-    if (!effect_.passes.empty() && !drawn) fault(EffectPart::whole, 0, "", "no pass draws the picture");
   }
 
   void check_target(std::size_t number) {
