@@ -4,6 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <random>
 #include <string>
 #include <vector>
 
@@ -121,6 +124,44 @@ TEST(EffectJson, ReadsTheGallery) {
     ++count;
   }
   EXPECT_GE(count, 14U);
+}
+
+// Damaged effects are read or refused, with a place for every fault.
+TEST(EffectJson, SurvivesDamage) {
+  std::vector<std::string> texts;
+  for (const char* name : {"index_cube", "blur", "point_light"}) {
+    std::ifstream in(std::string(NINEBIT_SOURCE_DIR "/scenes/effects/") + name + ".json");
+    texts.emplace_back(std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>());
+  }
+  std::mt19937 random(2001);
+  const auto below = [&](std::size_t n) { return static_cast<std::size_t>(random()) % n; };
+  constexpr std::string_view kBytes = "\"{}[]:,0-9.e:xn \\";
+  std::size_t refused = 0;
+  for (int i = 0; i < 3000; ++i) {
+    std::string text = texts[below(texts.size())];
+    for (std::size_t n = 1 + below(3); n != 0; --n) {
+      const std::size_t at = below(text.size());
+      switch (below(4)) {
+        case 0:
+          text[at] = kBytes[below(kBytes.size())];
+          break;
+        case 1:
+          text.erase(at, 1 + below(20));
+          break;
+        case 2:
+          text.insert(at, text.substr(below(text.size()), below(40)));
+          break;
+        default:
+          text.insert(at, 1, kBytes[below(kBytes.size())]);
+      }
+    }
+    const auto parsed = parse_effect({text, "e.json"});
+    ASSERT_NE(parsed.value.has_value(), !parsed.faults.empty());
+    for (const TextFault& fault : parsed.faults) ASSERT_GE(fault.line, 1) << fault.text();
+    refused += parsed ? 0U : 1U;
+  }
+  EXPECT_GT(refused, 2000U);
+  EXPECT_LT(refused, 3000U);
 }
 
 TEST(EffectJson, ReportsFilesThatCannotBeRead) {

@@ -59,7 +59,7 @@ struct Flag {
 // Flags with values, but for those that name files: any text may be a file's name.
 std::vector<Flag> flags_in(const std::string& help) {
   static const std::regex line("\n  (?:-[a-z],)?(--[a-z0-9-]+) ([^ \n]+)");
-  static const std::regex file("(DIR|FILE|PROGRAM)([,.\\[].*)?|Needs:|Excludes:");
+  static const std::regex file("(DIR|FILE|PROGRAM)([,.|\\[].*)?|Needs:|Excludes:");
   std::vector<Flag> flags;
   for (std::sregex_iterator found(help.begin(), help.end(), line), end; found != end; ++found) {
     const Flag flag{(*found)[1], (*found)[2]};
@@ -89,6 +89,11 @@ Words command(const Verb& verb, const Flag& flag, const std::string& folder) {
   if (name == "render" || verb.words.front() == "study") given["-o"] = folder + "/out";
   const bool reads = name == "explain" || name == "convert" || name == "validate" || name == "eval";
   if (reads || (name == "trace" && !draws)) files = {kCompare};
+  if (name == "draw") {
+    files = {kCompare};
+    given["--size"] = "8x6";
+    given["-o"] = folder + "/out/picture.png";
+  }
   if (name == "convert") given["--to"] = "json";
   if (name == "eval") given["--inputs"] = folder + "/in.csv";
   if (name == "verify") {

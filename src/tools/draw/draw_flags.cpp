@@ -124,7 +124,7 @@ void add_pass_flags(CLI::App& verb, DrawFlags& flags) {
                     "Texture " + unit +
                         ": a picture or DDS file, six pictures, normalize-cube:N, checker:N, gradient, "
                         "falloff, or normals:FILE")
-        ->type_name("SOURCE")
+        ->type_name("FILE|BUILTIN")
         ->check(parses(&parse_texture_source));
     verb.add_option("--filter" + unit, flags.filters[i], "Filter: nearest, linear, bilinear-mipmap or trilinear")
         ->type_name("FILTER")
@@ -175,7 +175,7 @@ void add_draw_flags(CLI::App& verb, DrawFlags& flags) {
       ->type_name("WxH")
       ->check(text_check(&check_size));
   verb.add_option("--mesh", flags.mesh, "Mesh to draw: a scene file, sphere:N, torus:N, plane:N or cube")
-      ->type_name("SCENE")
+      ->type_name("FILE|BUILTIN")
       ->check(text_check(&check_file_name));
   verb.add_flag("--allow-outside", flags.allow_outside, "Also read files that the scene names outside of its folder");
   add_pass_flags(verb, flags);
@@ -212,6 +212,9 @@ Result<Effect> effect_of(const DrawFlags& flags) {
   set_size(flags, effect);
   effect.scene.setup.floor = FloorChoice::none;
   set_scene(flags, effect.scene);
+  if (flags.mesh.empty() && !flags.floor.empty()) {
+    return Diagnostic{.message = "--floor has no effect without --mesh; expected a mesh above the floor"};
+  }
   pass.program = flags.file;
   pass.geometry = effect.scene.mesh.empty() ? EffectGeometry::rectangle : EffectGeometry::mesh;
   pass.state.depth_test.enabled = pass.geometry == EffectGeometry::mesh;
