@@ -93,6 +93,7 @@ Words command(const Verb& verb, const Flag& flag, const std::string& folder) {
     files = {kCompare};
     given["--size"] = "8x6";
     given["-o"] = folder + "/out/picture.png";
+    if (flag.name == "--floor") given["--mesh"] = "cube";
   }
   if (name == "convert") given["--to"] = "json";
   if (name == "eval") given["--inputs"] = folder + "/in.csv";

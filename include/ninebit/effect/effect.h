@@ -53,9 +53,9 @@ enum class VertexSource : std::uint8_t {
 
 // The texture coordinates of a unit: `source`, then `matrix`, as GL's texture matrix multiplies (s, t, r, q).
 struct CoordinateSource {
-  VertexSource source = VertexSource::uv;  // uv to tangent_half_vector, or constant
-  glm::vec4 constant{0.0F, 0.0F, 0.0F, 1.0F};
-  glm::mat4 matrix{1.0F};  // glm's columns
+  VertexSource source = VertexSource::uv;      // uv to tangent_half_vector, or constant
+  glm::vec4 constant{0.0F, 0.0F, 0.0F, 1.0F};  // of VertexSource::constant: s, t, r, q
+  glm::mat4 matrix{1.0F};                      // glm's columns
 };
 
 // A vertex colour. Vectors are normalized and range-compressed: a component v becomes (v + 1) / 2, alpha is 1.
