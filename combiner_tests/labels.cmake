@@ -17,9 +17,9 @@ set(ninebit_without_sanitizers
     # another build's.
     EnginesAgreeWithTheLibrary EveryFormToEveryOther ValuesOfRender StudyRun StudyParts StepOneDropsTheShadow
     Cookie[.]FacesThatDoNotFit "DepthCube[.](AgreesWith|MoreBits|StopsBetween)" tools[.]Interrupt EvalStream
-    TooManyPolygons
+    TooManyPolygons OnEveryTarget TheBoundHoldsOnAllScenes
     "tools[.](Study|Habits|Verbs|UsageError|Verify|Convert|TraceVerb|Cookie|ProfileFile|All/Pictures|All/RealScenes)"
-    OtherPrograms IndexStepsStudy IndexRoom[.]Objects DepthCubeCombiners[.]BothPasses tools[.]Bench NoByteMayBeMissing
+      OtherPrograms IndexStepsStudy IndexRoom[.]Objects DepthCubeCombiners[.]BothPasses tools[.]Bench NoByteMayBeMissing
     WhileAReportIsWritten Limits[.]A LightInSolid JsonSchema Nv20Of EachFaceOfTheMapCasts RowRules TechniqueTable
     AlteredPart OtherKinds Flags[.]OfAll
     # The leak sanitizer's own thread crashes now and then at the end of a program that has read pictures.

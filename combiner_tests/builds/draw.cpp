@@ -55,8 +55,10 @@ void draw(const std::string& file, const Way& way) {
   const Scene scene = valid(complete_scene(valid(read_scene(file)), setup, 4.0F / 3.0F));
   const Rendering rendering = valid(technique.render(scene, settings, {}));
   for (const auto& [planes, hash] : tools::picture_hashes(rendering)) {
-    fmt::print("{}\t--size {}x{} --map-size {}{}\t{}\t{}\n", std::filesystem::path(file).filename().string(),
-               settings.width, settings.height, settings.map_size, way.flags, planes, hash);
+    // Shadow volumes have no map.
+    const std::string map = way.technique == "shadow-volume" ? "" : fmt::format(" --map-size {}", settings.map_size);
+    fmt::print("{}\t--size {}x{}{}{}\t{}\t{}\n", std::filesystem::path(file).filename().string(), settings.width,
+               settings.height, map, way.flags, planes, hash);
   }
 }
 

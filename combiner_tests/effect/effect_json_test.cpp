@@ -57,8 +57,8 @@ TEST(EffectJson, ReadsAllOfAPass) {
   EXPECT_EQ(e.passes[0].primary.index_step, 3);
   EXPECT_TRUE(e.passes[0].state.depth_test.enabled) << "a mesh's default";
   const EffectPass& p = e.passes[1];
-  EXPECT_FALSE(p.constants[0].has_value());
-  EXPECT_EQ(p.constants[1], (ColorF{0.0F, 0.5F, 1.0F, 0.25F}));
+  EXPECT_FALSE(p.constants.global[0].has_value());
+  EXPECT_EQ(p.constants.global[1], (ColorF{0.0F, 0.5F, 1.0F, 0.25F}));
   EXPECT_EQ(p.units[1].coordinates.matrix[0], glm::vec4(1, 5, 9, 13)) << "rows become glm's columns";
   EXPECT_EQ(p.fog.mode, FogMode::exp);
   EXPECT_EQ(p.fog.color[0], 255);
@@ -86,7 +86,9 @@ TEST(EffectJson, NamesEveryMistakeWithItsPlace) {
       {"\n\"passes\": [{\"programm\": \"x\"}]", 2, "unknown key \"programm\""},
       {"\n\"size\": [0, 4], \"passes\": [{}]", 2, "whole number from 1"},
       {"\n\"passes\": [{}, \n{\"units\": [{\"texture\": \"nothing\"}]}]", 3, "unknown texture 'nothing'"},
-      {"\n\"passes\": [{\"target\": \"nowhere\"}]", 2, "unknown target 'nowhere'; expected picture"},
+      {"\n\"passes\": [{\"target\": \"nowhere\"}]", 2, "unknown target 'nowhere'; expected 'picture'"},
+      {"\n\"targets\": {\"a\\u001bb\": {\"size\": 4}}, \"passes\": [{\"target\": \"\\n\"}]", 2,
+       "unknown target '?'; expected 'picture', 'a?b'"},
       {"\n\"passes\": [{\"draw\": \"mesh\"}]", 2, "the effect has none"},
       {"\n\"passes\": [{\"primary\": \"uv\"}]", 2, "is not a source of colours"},
       {"\n\"passes\": [{\"primary\": \"constant:2,0,0\"}]", 2, "numbers from 0 to 1"},

@@ -5,8 +5,10 @@
 
 #include <cmath>
 #include <random>
+#include <set>
 #include <string>
 
+#include "combiner_tests/oracle/combiner_oracle.h"
 #include "ninebit/combiner/evaluate.h"
 #include "ninebit/combiner/initial_registers.h"
 #include "ninebit/combiner/program.h"
@@ -31,7 +33,9 @@ EffectReaders readers_of(const std::string& program, const Texture& texture) {
   readers.texture = [texture](std::span<const std::filesystem::path>, const HardwareProfile&) -> Result<Texture> {
     return texture;
   };
-  readers.scene = [](const std::filesystem::path&) -> Result<Scene> { return Diagnostic{.message = "no scene"}; };
+  readers.scene = [](const std::filesystem::path&, std::optional<UpAxis>) -> Result<Scene> {
+    return Diagnostic{.message = "no scene"};
+  };
   return readers;
 }
 
@@ -60,8 +64,8 @@ Effect rectangle_effect() {
   EffectPass pass{.name = "draw", .geometry = EffectGeometry::rectangle};
   pass.program = "p";
   pass.units[0].texture = "t";
-  pass.constants[0] = ColorF{0.25F, 0.5F, 0.75F, 1.0F};
-  pass.constants[1] = ColorF{1.0F, 0.5F, 0.0F, 1.0F};
+  pass.constants.global[0] = ColorF{0.25F, 0.5F, 0.75F, 1.0F};
+  pass.constants.global[1] = ColorF{1.0F, 0.5F, 0.0F, 1.0F};
   pass.primary.constant = {0.2F, 0.4F, 0.6F, 1.0F};
   effect.passes.push_back(pass);
   return effect;
@@ -79,8 +83,8 @@ TEST(EffectRenderer, TheRectangleIsEvaluation) {
     ASSERT_TRUE(renderer->draw());
     EXPECT_TRUE(renderer->warnings().empty());
     CombinerState state = readers.program({}, profile).value();
-    state.constant0 = *effect.passes[0].constants[0];
-    state.constant1 = *effect.passes[0].constants[1];
+    state.constant0 = *effect.passes[0].constants.global[0];
+    state.constant1 = *effect.passes[0].constants.global[1];
     const Program program = compile(state, profile).value();
     for (std::size_t y = 0; y < kSize; ++y) {
       for (std::size_t x = 0; x < kSize; ++x) {
@@ -132,27 +136,40 @@ TEST(EffectRenderer, ReportsWhatCannotBeDrawn) {
   EXPECT_NE(fault_of(effect).find("not a generated mesh"), std::string::npos);
 }
 
-// A pixel of a bump-mapped rectangle under a directional light, from its normal and the light by hand.
-TEST(EffectRenderer, BumpMapsAreDotProducts) {
-  const std::string program = "!!RC1.0\n{ rgb { spare0 = expand(tex0) . expand(col0); } }\nout.rgb = spare0;\n";
+// A bump-mapped rectangle under a directional light, whose direction makes whole bytes of the light vector: each pixel
+// is what the oracle of the combiners computes from its texel.
+TEST(EffectRenderer, ABumpMapIsWhatTheOracleComputes) {
+  const std::string program =
+      "!!RC1.0\nconst0 = (0.1, 0.06, 0.05, 1.0);\nconst1 = (1.0, 0.8, 0.6, 1.0);\n"
+      "{ rgb { spare0 = expand(tex0) . expand(col0); } }\nout.rgb = spare0 * const1 + const0;\n";
   const Texture normals = normal_map(checkerboard(kSize).value(), 3.0).value();
   Effect effect = rectangle_effect();
+  effect.passes[0].constants = {};
   effect.scene.setup.light_kinds = {.point = false, .directional = true};
-  effect.scene.setup.light = glm::vec3(-1.0F, 2.0F, 2.0F);
+  effect.scene.setup.light = glm::vec3(-2.0F, 3.0F, 6.0F);  // the rectangle's tangent space is the world's
   effect.passes[0].primary = {.source = VertexSource::tangent_light_vector};
   auto renderer = EffectRenderer::make(effect, profiles::geforce2, readers_of(program, normals));
   ASSERT_TRUE(renderer) << renderer.error().text();
   ASSERT_TRUE(renderer->draw());
+  const CombinerState state = *parse_rc10({program, "test"}, profiles::geforce2).value;
   const auto& planes = std::get<0>(normals.faces[0][0].planes);
-  const std::array<double, 3> light{-1.0 / 3.0, 2.0 / 3.0, 2.0 / 3.0};  // the rectangle's tangent space is the world's
+  oracle::Registers registers{};
+  // 255 (x / 7 + 1) / 2, to nearest.
+  registers[static_cast<std::size_t>(Register::primary)] = {91, 182, 237, 255};
+  std::set<std::uint8_t> reds;
   for (int y = 0; y < kSize; ++y) {
     for (int x = 0; x < kSize; ++x) {
-      double dot = 0.0;
-      for (std::size_t c = 0; c < 3; ++c) dot += (planes[c].at(x, y) / 127.5 - 1.0) * light[c];
+      oracle::Codes& texel = registers[static_cast<std::size_t>(Register::texture0)];
+      for (std::size_t c = 0; c < 3; ++c) texel[c] = planes[c].at(x, y);
+      const oracle::Codes expected = oracle::run(state, profiles::geforce2, registers).color;
       const auto at = static_cast<std::size_t>((kSize - 1 - y) * kSize + x);
-      EXPECT_NEAR(renderer->picture().color(0)[at], 255.0 * std::max(dot, 0.0), 4.0) << x << ", " << y;
+      for (int c = 0; c < 3; ++c) {
+        ASSERT_EQ(int{renderer->picture().color(c)[at]}, expected[static_cast<std::size_t>(c)]) << x << ", " << y;
+      }
+      reds.insert(renderer->picture().color(0)[at]);
     }
   }
+  EXPECT_GT(reds.size(), 3U);
 }
 
 TEST(GeneratedMeshes, AreValidAndFaceOutward) {

@@ -46,7 +46,7 @@ std::string wrong_with(const char* format, const Result<Scene>& scene, const Res
 }
 
 std::string wrong_with_kind(std::string_view content) {
-  for (const char* extension : {".obj", ".off", ".ply", ".3ds", ".gltf", ".glb"}) {
+  for (const char* extension : {".obj", ".off", ".ply", ".3ds", ".gltf", ".glb", ".stl", ".dae", ".fbx"}) {
     const auto kind = other_kind(content, extension);
     if (kind && kind->empty()) return "a kind without a name";
   }
@@ -59,16 +59,23 @@ std::string check_scene(std::string_view bytes) {
   // Assimp and Draco may crash and leak; what counts is that nothing but a fault or a right scene comes back.
   static const SceneReadOptions kIsolated{.isolated = true};
   // No file stands where these names lead.
-  const NamedFiles beside("/nonexistent/scene.obj", false);
+  const std::filesystem::path gltf("/nonexistent/scene.gltf"), glb("scene.glb"), autodesk("scene.3ds");
+  const NamedFiles beside(gltf, false);
   const auto each = [&](const char* format, auto read) { return wrong_with(format, read(), read(), bytes); };
   return first_of(
       wrong_with_json(bytes), [&] { return wrong_with_kind(bytes); },
-      [&] { return each("gltf", [&] { return read_gltf(bytes, beside, false, kIsolated); }); },
-      [&] { return each("glb", [&] { return read_gltf(bytes, beside, true, kIsolated); }); },
+      [&] { return each("gltf", [&] {
+              return read_gltf({gltf, beside}, bytes, false, kIsolated);
+            }); },
+      [&] { return each("glb", [&] {
+              return read_gltf({glb, beside}, bytes, true, kIsolated);
+            }); },
       [&] { return each("obj", [&] { return read_obj(bytes, beside); }); },
       [&] { return each("off", [&] { return read_off(bytes); }); },
       [&] { return each("ply", [&] { return read_ply(bytes); }); },
-      [&] { return each("3ds", [&] { return read_3ds(bytes, "scene.3ds", kIsolated); }); });
+      [&] { return each("3ds", [&] {
+              return read_3ds({autodesk, beside}, bytes, kIsolated);
+            }); });
 }
 
 }  // namespace ninebit::fuzz

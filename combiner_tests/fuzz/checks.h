@@ -30,7 +30,8 @@ std::string check_part(std::string_view bytes);
 // '!' stays as it is, without that.
 std::string with_hashes(std::string_view bytes);
 
-std::string check_dds(std::string_view bytes);    // a DDS file: texture or refusal, and mip-maps that are all there
-std::string check_scene(std::string_view bytes);  // a scene file of each format, through its whole reader
+std::string check_effect(std::string_view bytes);  // an effect, which is drawn small
+std::string check_dds(std::string_view bytes);     // a DDS file: texture or refusal, and mip-maps that are all there
+std::string check_scene(std::string_view bytes);   // a scene file of each format, through its whole reader
 
 }  // namespace ninebit::fuzz

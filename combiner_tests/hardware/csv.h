@@ -25,13 +25,16 @@ inline std::vector<std::string> split_csv_line(const std::string& line) {
   return fields;
 }
 
-// The rows of combiner_tests/hardware/NAME.csv, each by column name. Throws std::runtime_error on a file that is
+// A row by column name.
+using HardwareRow = std::map<std::string, std::string>;
+
+// The rows of combiner_tests/hardware/NAME.csv. Throws std::runtime_error on a file that is
 // missing, empty or has a row of another length than its header.
-inline std::vector<std::map<std::string, std::string>> read_hardware_table(const std::string& name) {
+inline std::vector<HardwareRow> read_hardware_table(const std::string& name) {
   const std::string path = std::string(NINEBIT_SOURCE_DIR) + "/combiner_tests/hardware/" + name + ".csv";
   std::ifstream file(path);
   std::vector<std::string> header;
-  std::vector<std::map<std::string, std::string>> rows;
+  std::vector<HardwareRow> rows;
   for (std::string line; std::getline(file, line);) {
     if (line.empty() || line[0] == '#') continue;
     const std::vector<std::string> fields = split_csv_line(line);
@@ -40,7 +43,7 @@ inline std::vector<std::map<std::string, std::string>> read_hardware_table(const
       continue;
     }
     if (fields.size() != header.size()) throw std::runtime_error(path + ": a row of another length: " + line);
-    std::map<std::string, std::string> row;
+    HardwareRow row;
     for (std::size_t i = 0; i < fields.size(); ++i) row[header[i]] = fields[i];
     rows.push_back(row);
   }

@@ -7,35 +7,47 @@ def some(random, chance, *words):
     return list(words) if random.random() < chance else []
 
 
+def indices(random):
+    """Flags that only techniques with an index cube read."""
+    flags = some(random, 0.2, "--index-scope", random.choice(["object", "section"]))
+    flags += some(random, 0.25, "--index-order", "neighbour")
+    flags += some(random, 0.2, "--patch-angle", random.choice(["0", "45", "90"]))
+    flags += some(random, 0.2, "--index-scales", random.choice(["first-x4", "second-x4", "no-scale"]))
+    flags += some(random, 0.3, "--index-format", random.choice(["rgb", "la", "l", "a"]))
+    return flags + some(random, 0.3, "--index-step", random.choice(["1", "3", "16"]))
+
+
+def technique_flags(random, technique, cookie):
+    if technique == "index-cube":
+        return indices(random)
+    if technique == "depth-cube":
+        return some(random, 0.4, "--depth-bits", random.choice(["16", "float"]))
+    if technique == "shadow-map":
+        return (some(random, 0.4, "--depth-encoding", random.choice(["d16", "rgba8-fract", "rgba8-modf"])) +
+                some(random, 0.2, "--polygon-offset", "1,4"))
+    if technique == "shadow-volume":
+        return some(random, 0.4, "--volume-method", "depth-pass") + some(random, 0.4, "--stencil-sides", "one")
+    if technique == "reflective":
+        return ["--samples", "4"] + some(random, 0.5, "--gather-scale", "4")
+    shadows = ["--cookie-shadows", "none"] if random.random() < 0.5 else indices(random)
+    return ["--cookie", cookie or "scenes/cookies/labels.dds", *shadows]
+
+
 def drawing(random, cookie=None):
     """Flags of a technique and of the frame."""
     technique = "light-cookie" if cookie else random.choice(TECHNIQUES)
     flags = ["--technique", technique, "--size", random.choice(["8x8", "16x16", "7x33", "64x48"]),
-             "--map-size", random.choice(["1", "16", "32"]), "--threads", random.choice(["1", "1", "1", "3"])]
+             "--threads", random.choice(["1", "1", "1", "3"])]
     flags += some(random, 0.2, "--depth-stencil", random.choice(["d24s8", "d16", "d15s1"]))
     flags += some(random, 0.1, "--cull", random.choice(["back", "front"])) + some(random, 0.1, "--light-facing")
     flags += some(random, 0.1, "--style", "cartoon")
+    flags += some(random, 0.1, "--up", random.choice(["y", "z"]))
     flags += some(random, 0.1, "--floor", random.choice(["none", "auto", "0"]))
     flags += some(random, 0.1, "--light", random.choice(["2,4,3", "0,0,0", "1e30,0,0", "-1,1e-30,5"]))
     flags += some(random, 0.1, "--light-type", random.choice(["point", "spot", "directional"]))
-    flags += some(random, 0.1, "--index-scope", random.choice(["object", "section"]))
-    flags += some(random, 0.15, "--index-order", "neighbour")
-    flags += some(random, 0.1, "--patch-angle", random.choice(["0", "45", "90"]))
-    flags += some(random, 0.1, "--index-scales", random.choice(["first-x4", "second-x4", "no-scale"]))
-    if technique == "index-cube":
-        flags += some(random, 0.3, "--index-format", random.choice(["rgb", "la", "l", "a"]))
-        flags += some(random, 0.3, "--index-step", random.choice(["1", "3", "16"]))
-    elif technique == "depth-cube":
-        flags += some(random, 0.4, "--depth-bits", random.choice(["16", "float"]))
-    elif technique == "shadow-map":
-        flags += some(random, 0.4, "--depth-encoding", random.choice(["d16", "rgba8-fract", "rgba8-modf"]))
-        flags += some(random, 0.2, "--polygon-offset", "1,4")
-    elif technique == "shadow-volume":
-        flags += some(random, 0.4, "--volume-method", "depth-pass") + some(random, 0.4, "--stencil-sides", "one")
-    elif technique == "reflective":
-        flags += ["--samples", "4"] + some(random, 0.5, "--gather-scale", "4")
-    else:
-        flags += ["--cookie", cookie or "scenes/cookies/labels.dds"] + some(random, 0.5, "--cookie-shadows", "none")
+    flags += technique_flags(random, technique, cookie)
+    if technique != "shadow-volume" and "--cookie-shadows" not in flags:
+        flags += ["--map-size", random.choice(["1", "16", "32"])]
     return flags
 
 

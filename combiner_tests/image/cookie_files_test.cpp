@@ -40,6 +40,8 @@ TEST(CookieFiles, HoldTheSameCube) {
     ASSERT_TRUE(plain.ok() && blocks.ok());
     ASSERT_EQ(plain->target, TextureTarget::cube_map);
     ASSERT_EQ(blocks->target, TextureTarget::cube_map);
+    // Bytes below 15 may become 0 where they are dithered (rule 24).
+    const int nearness = profile.dxt1_palette.value == Dxt1Palette::dithered565 ? 14 : 0;
     for (std::size_t face = 0; face < 6; ++face) {
       ASSERT_EQ(plain->faces[face].size(), 1U);
       const TextureImage &a = plain->faces[face][0], &b = blocks->faces[face][0];
@@ -48,7 +50,9 @@ TEST(CookieFiles, HoldTheSameCube) {
       const auto &p = std::get<0>(a.planes), &q = std::get<0>(b.planes);
       for (int y = 0; y < 64; ++y) {
         for (int x = 0; x < 64; ++x) {
-          for (std::size_t c = 0; c < 3; ++c) ASSERT_EQ(p[c].at(x, y), q[c].at(x, y)) << profile.name << face;
+          for (std::size_t c = 0; c < 3; ++c) {
+            ASSERT_NEAR(p[c].at(x, y), q[c].at(x, y), nearness) << profile.name << face;
+          }
         }
       }
     }

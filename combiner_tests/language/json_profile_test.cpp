@@ -59,7 +59,8 @@ TEST(JsonProfile, EveryFieldCanBeReplaced) {
     "general_combiners": 5, "texture_units": 3, "per_stage_constants": true, "blue_to_alpha": true,
     "mux_by_lowest_bit": true, "color_sum_inverts": true, "spare0_alpha_without_texture0": 1, "disabled_texture_alpha": 2, "secondary_alpha": "as-given",
     "fog_alpha_without_fog": 3, "subpixel_bits": 0, "vertex_color_mantissa_bits": 23,
-    "polygon_offset_slope": "root", "color_interpolation": "affine", "texture_weight_bits": 5,
+    "polygon_offset_slope": "root", "color_interpolation": "affine", "color_weights": "exact", "depth_narrowing": "nearest-halves-up", "fog_narrowing": "nearest-halves-up",
+    "texture_weight_bits": 5, "texture_weight_narrowing": "nearest-halves-up", "texture_filter_rounding": "once",
     "dxt1_palette": "rgb888"})");
   EXPECT_EQ(p.name, "a.b-c_9");
   EXPECT_EQ(p.chip, "a chip");
@@ -87,7 +88,12 @@ TEST(JsonProfile, EveryFieldCanBeReplaced) {
   EXPECT_EQ(p.vertex_color_mantissa_bits.value, 23);
   EXPECT_EQ(p.polygon_offset_slope.value, OffsetSlope::root);
   EXPECT_EQ(p.color_interpolation.value, ColorInterpolation::affine);
+  EXPECT_EQ(p.color_weights.value, ColorWeights::exact);
+  EXPECT_EQ(p.depth_narrowing.value, Narrowing::nearest_halves_up);
+  EXPECT_EQ(p.fog_narrowing.value, Narrowing::nearest_halves_up);
   EXPECT_EQ(p.texture_weight_bits.value, 5);
+  EXPECT_EQ(p.texture_weight_narrowing.value, Narrowing::nearest_halves_up);
+  EXPECT_EQ(p.texture_filter_rounding.value, FilterRounding::once);
   EXPECT_EQ(p.dxt1_palette.value, Dxt1Palette::rgb888);
 }
 
@@ -176,7 +182,10 @@ TEST(JsonProfile, EveryFaultHasItsPlace) {
       "general_combiners, texture_units, per_stage_constants, blue_to_alpha, mux_by_lowest_bit, "
       "color_sum_inverts, spare0_alpha_without_texture0, "
       "disabled_texture_alpha, secondary_alpha, fog_alpha_without_fog, subpixel_bits, "
-      "vertex_color_mantissa_bits, polygon_offset_slope, color_interpolation, texture_weight_bits, dxt1_palette\n"
+      "vertex_color_mantissa_bits, polygon_offset_slope, color_interpolation, color_weights, depth_narrowing, "
+      "fog_narrowing, "
+      "texture_weight_bits, "
+      "texture_weight_narrowing, texture_filter_rounding, dxt1_palette\n"
       "mine.json:5:10: one must be a whole number, not a string\n"
       "mine.json:6:22: \"two\" is not a valid secondary_alpha; expected one of one, as-given\n"
       "mine.json:7:20: blue_to_alpha must be true or false, not a number\n"

@@ -1,4 +1,6 @@
 // docs/program.schema.json against the names of the code and against printed programs.
+#include "combiner_tests/support/json_schema.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -12,79 +14,14 @@
 namespace ninebit::test {
 namespace {
 
-using Json = nlohmann::json;
-
 Json schema() {
   std::ifstream file(NINEBIT_SOURCE_DIR "/docs/program.schema.json");
   return Json::parse(file);
 }
 
-bool has_type(const Json& value, const std::string& type) {
-  if (type == "object") return value.is_object();
-  if (type == "array") return value.is_array();
-  if (type == "boolean") return value.is_boolean();
-  if (type == "number") return value.is_number();
-  if (type == "integer") return value.is_number_integer();
-  ADD_FAILURE() << "the schema uses the type " << type << ", which this test does not know";
-  return false;
-}
-
-// What is wrong with a value, by the part of JSON Schema 2020-12 that our schema uses; empty: nothing. A keyword beyond
-// that part is a failure of the test.
-std::string complaint(const Json& root, const Json& rule, const Json& value, const std::string& at) {
-  static const std::set<std::string> kAnnotations{"$schema", "title", "description", "$defs"};
-  // First, because the other keywords assume it.
-  if (rule.contains("type") && !has_type(value, rule.at("type"))) return at + " is no " + rule.at("type").dump();
-  for (const auto& [keyword, argument] : rule.items()) {
-    if (kAnnotations.count(keyword) != 0) continue;
-    if (keyword == "$ref") {
-      const std::string name = argument.get<std::string>().substr(std::string("#/$defs/").size());
-      const std::string found = complaint(root, root.at("$defs").at(name), value, at);
-      if (!found.empty()) return found;
-    } else if (keyword == "type") {
-      continue;
-    } else if (keyword == "const") {
-      if (value != argument) return at + " is not " + argument.dump();
-    } else if (keyword == "enum") {
-      if (std::find(argument.begin(), argument.end(), value) == argument.end())
-        return at + " is none of " + argument.dump();
-    } else if (keyword == "required") {
-      for (const Json& key : argument) {
-        if (!value.contains(key)) return at + " lacks " + key.dump();
-      }
-    } else if (keyword == "properties") {
-      for (const auto& [key, child] : value.items()) {
-        if (!argument.contains(key)) continue;
-        const std::string found = complaint(root, argument.at(key), child, at + '/' + key);
-        if (!found.empty()) return found;
-      }
-    } else if (keyword == "additionalProperties") {
-      EXPECT_EQ(argument, Json(false));
-      for (const auto& [key, child] : value.items()) {
-        if (!rule.at("properties").contains(key)) return at + " has the unknown key " + key;
-      }
-    } else if (keyword == "items") {
-      for (std::size_t i = 0; i < value.size(); ++i) {
-        const std::string found = complaint(root, argument, value[i], at + '/' + std::to_string(i));
-        if (!found.empty()) return found;
-      }
-    } else if (keyword == "minItems" || keyword == "maxItems") {
-      const auto count = argument.get<std::size_t>();
-      if (keyword == "minItems" ? value.size() < count : value.size() > count) return at + " has a wrong length";
-    } else if (keyword == "minimum" || keyword == "maximum") {
-      const double limit = argument;
-      if (keyword == "minimum" ? value.get<double>() < limit : value.get<double>() > limit)
-        return at + " is out of range";
-    } else {
-      ADD_FAILURE() << "the schema uses " << keyword << ", which this test does not know";
-    }
-  }
-  return {};
-}
-
 std::string complaint(const Json& value) {
   static const Json root = schema();
-  return complaint(root, root, value, "");
+  return schema_complaint(root, root, value, "");
 }
 
 template <class Enum>

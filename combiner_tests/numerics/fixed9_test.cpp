@@ -106,6 +106,26 @@ TEST(Fixed9, ColorComponentIsClamped) {
   EXPECT_EQ(byte_of_color(std::numeric_limits<float>::denorm_min()), 0);
 }
 
+// Floats on both sides of n / 255: the byte changes there, as 255 f reaches n.
+TEST(Fixed9, FogFactorsAreCut) {
+  for (const HardwareProfile& profile : {profiles::geforce2, profiles::nv2a}) {
+    for (int n = 1; n <= 255; ++n) {
+      float above = static_cast<float>(n / 255.0);
+      if (static_cast<double>(above) * 255.0 < n) above = std::nextafter(above, 2.0F);
+      const float below = std::nextafter(above, 0.0F);
+      EXPECT_LT(static_cast<double>(below) * 255.0, n);
+      EXPECT_EQ(byte_of_fog_factor(profile, above), n);
+      EXPECT_EQ(byte_of_fog_factor(profile, below), n - 1);
+    }
+    EXPECT_EQ(byte_of_fog_factor(profile, -3.0F), 0);
+    EXPECT_EQ(byte_of_fog_factor(profile, kNan), 0);
+    EXPECT_EQ(byte_of_fog_factor(profile, kInfinity), 255);
+  }
+  for (const float f : {-1.0F, 0.0F, 0.1F, 0.5F, 0.7F, 1.0F, kNan}) {
+    EXPECT_EQ(byte_of_fog_factor(profiles::ideal, f), byte_of_color(f));
+  }
+}
+
 TEST(VertexColor, FollowsTheDefinitionForEveryByteAndItsNeighbours) {
   const HardwareProfile& p = profiles::nv2a;
   int differs_from_plain_rounding = 0;

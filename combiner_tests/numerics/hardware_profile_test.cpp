@@ -79,7 +79,12 @@ TEST(Profiles, Geforce2IsTheTable) {
   expect_choice(p.vertex_color_mantissa_bits, 13, inferred, "vertex_color_mantissa_bits");
   expect_choice(p.polygon_offset_slope, OffsetSlope::larger, inferred, "polygon_offset_slope");
   expect_choice(p.color_interpolation, ColorInterpolation::perspective, assumed, "color_interpolation");
-  expect_choice(p.texture_weight_bits, 8, assumed, "texture_weight_bits");
+  expect_choice(p.color_weights, ColorWeights::eight_bits, inferred, "color_weights");
+  expect_choice(p.depth_narrowing, Narrowing::toward_zero, inferred, "depth_narrowing");
+  expect_choice(p.fog_narrowing, Narrowing::toward_zero, inferred, "fog_narrowing");
+  expect_choice(p.texture_weight_bits, 8, inferred, "texture_weight_bits");
+  expect_choice(p.texture_weight_narrowing, Narrowing::toward_zero, inferred, "texture_weight_narrowing");
+  expect_choice(p.texture_filter_rounding, FilterRounding::each_blend, inferred, "texture_filter_rounding");
   expect_choice(p.dxt1_palette, Dxt1Palette::rgb565, inferred, "dxt1_palette");
 }
 
@@ -108,8 +113,13 @@ TEST(Profiles, Nv2aIsTheTable) {
   expect_choice(p.vertex_color_mantissa_bits, 13, measured, "vertex_color_mantissa_bits");
   expect_choice(p.polygon_offset_slope, OffsetSlope::larger, inferred, "polygon_offset_slope");
   expect_choice(p.color_interpolation, ColorInterpolation::perspective, assumed, "color_interpolation");
-  expect_choice(p.texture_weight_bits, 8, assumed, "texture_weight_bits");
-  expect_choice(p.dxt1_palette, Dxt1Palette::rgb565, inferred, "dxt1_palette");
+  expect_choice(p.color_weights, ColorWeights::eight_bits, measured, "color_weights");
+  expect_choice(p.depth_narrowing, Narrowing::toward_zero, measured, "depth_narrowing");
+  expect_choice(p.fog_narrowing, Narrowing::toward_zero, measured, "fog_narrowing");
+  expect_choice(p.texture_weight_bits, 8, measured, "texture_weight_bits");
+  expect_choice(p.texture_weight_narrowing, Narrowing::toward_zero, measured, "texture_weight_narrowing");
+  expect_choice(p.texture_filter_rounding, FilterRounding::each_blend, measured, "texture_filter_rounding");
+  expect_choice(p.dxt1_palette, Dxt1Palette::dithered565, measured, "dxt1_palette");
 }
 
 TEST(Profiles, EarlyTruncationIsGeforce2WithAnotherNarrowingPoint) {
@@ -154,7 +164,12 @@ TEST(Profiles, RealNumbersAreTheTable) {
     expect_choice(p.vertex_color_mantissa_bits, 23, assumed, "vertex_color_mantissa_bits");
     expect_choice(p.polygon_offset_slope, OffsetSlope::larger, assumed, "polygon_offset_slope");
     expect_choice(p.color_interpolation, ColorInterpolation::perspective, assumed, "color_interpolation");
+    expect_choice(p.color_weights, ColorWeights::exact, specified, "color_weights");
+    expect_choice(p.depth_narrowing, Narrowing::nearest_halves_up, specified, "depth_narrowing");
+    expect_choice(p.fog_narrowing, Narrowing::nearest_halves_up, specified, "fog_narrowing");
     expect_choice(p.texture_weight_bits, 8, assumed, "texture_weight_bits");
+    expect_choice(p.texture_weight_narrowing, Narrowing::nearest_halves_up, assumed, "texture_weight_narrowing");
+    expect_choice(p.texture_filter_rounding, FilterRounding::once, specified, "texture_filter_rounding");
     expect_choice(p.dxt1_palette, Dxt1Palette::rgb888, specified, "dxt1_palette");
     for (const auto& choice : {p.lowest, p.half, p.expand_offset}) EXPECT_NE(choice.evidence, measured);
   }

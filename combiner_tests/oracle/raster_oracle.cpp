@@ -69,7 +69,7 @@ bool covers(const WindowTriangle& t, int px, int py) {
          side(t[2], t[0], px, py) == facing;
 }
 
-std::int64_t depth_at(const WindowTriangle& t, int px, int py) {
+std::int64_t depth_at(const WindowTriangle& t, int px, int py, bool is_cut) {
   Wide area = area_of(t);
   Wide sum = area_with_centre(t[1], t[2], px, py) * t[0].z24 + area_with_centre(t[2], t[0], px, py) * t[1].z24 +
              area_with_centre(t[0], t[1], px, py) * t[2].z24;
@@ -77,7 +77,7 @@ std::int64_t depth_at(const WindowTriangle& t, int px, int py) {
     area = -area;
     sum = -sum;
   }
-  return static_cast<std::int64_t>(floor_of(2 * sum + area, 2 * area));
+  return static_cast<std::int64_t>(is_cut ? floor_of(sum, area) : floor_of(2 * sum + area, 2 * area));
 }
 
 bool exits_diamond(const WindowLine& line, int px, int py) {

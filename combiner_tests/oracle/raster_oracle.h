@@ -27,8 +27,8 @@ using WindowLine = std::array<WindowVertex, 2>;
 // Whether the triangle draws the pixel: its centre lies inside, or on a top or left edge (y up).
 [[nodiscard]] bool covers(const WindowTriangle& triangle, int px, int py);
 
-// The triangle's depth plane at the pixel's centre, rounded to nearest, halves up. The triangle has an area.
-[[nodiscard]] std::int64_t depth_at(const WindowTriangle& triangle, int px, int py);
+// The triangle's depth plane at the pixel's centre, cut, or rounded to nearest, halves up. The triangle has an area.
+[[nodiscard]] std::int64_t depth_at(const WindowTriangle& triangle, int px, int py, bool is_cut = true);
 
 // The diamond-exit rule for a line of width 1: whether the line, its ends moved by (-e, -e²), meets the open diamond of
 // the pixel and does not end in it.

@@ -135,6 +135,14 @@ Bytes blended(const Blend& blend, const Bytes& source, const Bytes& destination)
       case BlendEquation::max:
         result[i] = source[i] > destination[i] ? source[i] : destination[i];
         break;
+      case BlendEquation::add_signed:
+      case BlendEquation::reverse_subtract_signed: {
+        int value = source[i] >= 128 ? source[i] - 256 : source[i];
+        if (blend.equation == BlendEquation::reverse_subtract_signed) value = -value;
+        value += destination[i];
+        result[i] = static_cast<std::uint8_t>(value < 0 ? 0 : value > 255 ? 255 : value);
+        break;
+      }
     }
   }
   return result;

@@ -68,7 +68,7 @@ class Drawing {
         const Bytes color = color_of(source, {a.color, b.color}, {1 - share, share});
         const std::int64_t l = t.squared_length;
         const std::int64_t sum = (l - t.along) * a.position.z24 + t.along * b.position.z24;
-        const std::int64_t z = (2 * sum + l) / (2 * l);
+        const std::int64_t z = cuts_depth() ? sum / l : (2 * sum + l) / (2 * l);
         for (int k = 0; k < width; ++k) fragment(source, x_major ? px : px + k, x_major ? py + k : py, z, color);
       }
     }
@@ -139,9 +139,20 @@ class Drawing {
   Bytes color_of(const Source& source, const std::vector<Bytes>& colors, const std::vector<double>& shares) const {
     if (state_.shade_model == ShadeModel::flat || has_primitive_colors) return source.flat_color;
     Bytes color{};
+    // The NV2A's weights are whole 256ths: the first and the last of three are cut, of a line the last.
+    std::vector<double> weights = shares;
+    if (state_.profile.color_weights.value == ColorWeights::eight_bits && shares.size() > 1) {
+      const std::size_t rest = shares.size() == 3 ? 1 : 0;
+      double left = 1;
+      for (std::size_t k = 0; k < shares.size(); ++k) {
+        weights[k] = std::floor(256 * shares[k]) / 256;
+        if (k != rest) left -= weights[k];
+      }
+      weights[rest] = left;
+    }
     for (std::size_t i = 0; i < 4; ++i) {
       double real = 0;
-      for (std::size_t k = 0; k < colors.size(); ++k) real += shares[k] * colors[k][i];
+      for (std::size_t k = 0; k < colors.size(); ++k) real += weights[k] * colors[k][i];
       color[i] = static_cast<std::uint8_t>(std::min(std::max(std::floor(real + 0.5), 0.0), 255.0));
     }
     return color;
@@ -165,17 +176,20 @@ class Drawing {
         if (!covers(t, px, py)) continue;
         const Bytes color =
             color_of(source, {colors[0], colors[1], colors[2]}, {share(0, px, py), share(1, px, py), share(2, px, py)});
-        fragment(source, px, py, depth_at(t, px, py), color);
+        fragment(source, px, py, depth_at(t, px, py, cuts_depth()), color);
       }
     }
   }
+
+  // The NV2A cuts depths to codes.
+  bool cuts_depth() const { return state_.profile.depth_narrowing.value == Narrowing::toward_zero; }
 
   void fragment(const Source& source, int x, int y, std::int64_t z24, const Bytes& color) {
     if (!viewport_.holds(x, y)) return;
     const std::int64_t step = std::int64_t{1} << (24 - depth_bits(picture_.format));
     const std::int64_t deepest = step * max_depth(picture_.format);
     const std::int64_t z = std::min(std::max(z24 + source.offset, std::int64_t{0}), deepest);
-    const std::int64_t code = z % step * 2 >= step && step > 1 ? z / step + 1 : z / step;
+    const std::int64_t code = !cuts_depth() && z % step * 2 >= step && step > 1 ? z / step + 1 : z / step;
     process(
         state_,
         {.x = x, .y = y, .depth = code, .number = source.number, .front_facing = source.front_facing, .color = color},

@@ -56,14 +56,14 @@ struct Neighbour {
 };
 
 // The texels along one axis, with weights that add up to 2^bits (LINEAR) or to 1.
-std::vector<Neighbour> neighbours(float s, Wrap wrap, int size, bool linear, int bits) {
+std::vector<Neighbour> neighbours(float s, Wrap wrap, int size, bool linear, int bits, bool cut) {
   const Exact u = wrap_coordinate(s, wrap, size) * size;
   if (!linear) {
     const auto index = static_cast<int>(floor_shift(u, kPoint));
     return {{index == size ? size - 1 : index, 1}};
   }
   const Exact steps = Exact{1} << bits;
-  const Exact rounded = floor_shift((u - kOne / 2) * steps + kOne / 2, kPoint);  // u - 1/2 in 1/2^bits
+  const Exact rounded = floor_shift((u - kOne / 2) * steps + (cut ? 0 : kOne / 2), kPoint);  // u - 1/2 in 1/2^bits
   auto first = static_cast<int>(floor_shift(rounded, bits));
   const Exact weight = rounded - Exact{first} * steps;
   int second = first + 1;
@@ -179,6 +179,7 @@ class Model {
       const Exact second = level == q ? 0 : Exact{lambda_ - 256 * level} * steps / 256;
       read(level, linear, steps - second, q_.weight_bits);
       if (second != 0) read(level + 1, linear, second, q_.weight_bits);
+      second_ = second;
       answer_.level = level;
     }
     return finish();
@@ -187,13 +188,42 @@ class Model {
  private:
   void read(int level, bool linear, Exact weight, int weight_shift) {
     const TextureImage& image = texture_.faces[face_][static_cast<std::size_t>(level)];
-    const auto along_s = neighbours(place_[0], q_.sampler.wrap_s, image.width, linear, q_.weight_bits);
-    const auto along_t = neighbours(place_[1], q_.sampler.wrap_t, image.height, linear, q_.weight_bits);
+    const auto along_s = neighbours(place_[0], q_.sampler.wrap_s, image.width, linear, q_.weight_bits, q_.cuts_weights);
+    const auto along_t =
+        neighbours(place_[1], q_.sampler.wrap_t, image.height, linear, q_.weight_bits, q_.cuts_weights);
     for (const Neighbour& t : along_t) {
       for (const Neighbour& s : along_s) add(image, s.index, t.index, weight * s.weight * t.weight);
     }
+    if (q_.rounds_each) blend_level(image, along_s, along_t);
     answer_.level = level;
     shift_ = weight_shift + (linear ? 2 * q_.weight_bits : 0);
+  }
+
+  // The measured filters of the NV2A: L(a, b, w) = (a (2^bits - w) + b w) / 2^bits to nearest, of u, then of v.
+  Exact mixed(Exact a, Exact b, Exact weight) const {
+    const Exact steps = Exact{1} << q_.weight_bits;
+    return (2 * (a * (steps - weight) + b * weight) + steps) / (2 * steps);
+  }
+
+  void blend_level(const TextureImage& image, const std::vector<Neighbour>& along_s,
+                   const std::vector<Neighbour>& along_t) {
+    for (std::size_t k = 0; k < 4; ++k) {
+      std::vector<Exact> rows;
+      for (const Neighbour& t : along_t) {
+        if (t.weight == 0) continue;
+        std::vector<Exact> codes;
+        Exact second = 0;
+        for (const Neighbour& s : along_s) {
+          if (s.weight == 0) continue;
+          const bool border = s.index < 0 || t.index < 0 || s.index >= image.width || t.index >= image.height;
+          codes.push_back(code_of(k, border, image, s.index, t.index));
+          second = s.weight;
+        }
+        rows.push_back(codes.size() == 2 ? mixed(codes[0], codes[1], second) : codes[0]);
+      }
+      level_code_[levels_][k] = rows.size() == 2 ? mixed(rows[0], rows[1], along_t[1].weight) : rows[0];
+    }
+    ++levels_;
   }
 
   void add(const TextureImage& image, int x, int y, Exact weight) {
@@ -222,15 +252,21 @@ class Model {
   }
 
   void add_code(std::size_t k, bool border, const TextureImage& image, int x, int y, Exact weight) {
+    sum_[k] += weight * code_of(k, border, image, x, y);
+  }
+
+  // 0 for a component that is not stored, and for floats.
+  Exact code_of(std::size_t k, bool border, const TextureImage& image, int x, int y) const {
     std::uint32_t code = to_code(q_.sampler.border_color[k], largest_);
     if (!border) {
       if (const auto* bytes = std::get_if<std::array<Plane<const std::uint8_t>, 4>>(&image.planes)) {
-        if (!(*bytes)[k]) return;
+        if (!(*bytes)[k]) return 0;
         code = (*bytes)[k].at(x, y);
+      } else if (const auto* codes = std::get_if<std::array<Plane<const std::uint32_t>, 4>>(&image.planes)) {
+        if (!(*codes)[k]) return 0;
+        code = (*codes)[k].at(x, y);
       } else {
-        const auto& codes = std::get<std::array<Plane<const std::uint32_t>, 4>>(image.planes);
-        if (!codes[k]) return;
-        code = codes[k].at(x, y);
+        return 0;
       }
     }
     if (compares()) {
@@ -238,7 +274,7 @@ class Model {
       const bool lequal = q_.sampler.comparison == DepthComparison::lequal;
       code = (lequal ? reference <= code : reference >= code) ? 255 : 0;
     }
-    sum_[k] += weight * code;
+    return code;
   }
 
   bool compares() const { return depth_ && q_.sampler.comparison != DepthComparison::none; }
@@ -247,6 +283,11 @@ class Model {
     const Exact whole = Exact{1} << shift_;
     for (std::size_t k = 0; k < 4; ++k) {
       answer_.code[k] = static_cast<std::uint32_t>((2 * sum_[k] + whole) / (2 * whole));
+      if (q_.rounds_each) {
+        const Exact one_level = level_code_[0][k];
+        answer_.code[k] =
+            static_cast<std::uint32_t>(levels_ == 2 ? mixed(one_level, level_code_[1][k], second_) : one_level);
+      }
       answer_.real[k] /= static_cast<long double>(whole);
       answer_.magnitude[k] /= static_cast<long double>(whole);
       Exact byte = answer_.code[k];
@@ -266,6 +307,9 @@ class Model {
   std::array<float, 2> place_{};
   std::array<Exact, 4> sum_{};
   int shift_ = 0;
+  std::array<std::array<Exact, 4>, 2> level_code_{};  // of the levels that were read, where each blend is rounded
+  std::size_t levels_ = 0;
+  Exact second_ = 0;  // the weight of the second level
   TextureAnswer answer_;
 };
 

@@ -218,6 +218,44 @@ class Renderings(unittest.TestCase):
             ninebit.render("x.obj", technique="magic")
 
 
+class Effects(unittest.TestCase):
+    folder = top / "scenes/effects"
+
+    def test_a_generated_mesh_and_texture(self):
+        drawn = ninebit.draw(str(self.folder / "toon.json"), size=(64, 48))
+        self.assertEqual(drawn["red"].shape, (48, 64))
+        self.assertEqual(drawn["warnings"], [])
+        colors = set(zip(*(drawn[c].ravel().tolist() for c in ("red", "green", "blue"))))
+        self.assertEqual(len(colors), 3, "two tones and the background")
+        self.assertGreater(len(np.unique(drawn["depth"])), 100)
+
+    def test_pictures_are_read_by_a_function(self):
+        read = []
+
+        def picture(path):
+            read.append(pathlib.Path(path).name)
+            pixels = np.zeros((256, 256, 3), np.uint8)
+            pixels[:128] = 255  # the upper half is white
+            return pixels
+
+        sepia = str(self.folder / "sepia.json")
+        drawn = ninebit.draw(sepia, read_picture=picture)
+        self.assertEqual(read, ["photograph.png"])
+        self.assertTrue((drawn["red"][:128] > 250).all() and (drawn["red"][128:] == 0).all())
+        with self.assertRaisesRegex(ninebit.Error, "photograph.png.*read_picture"):
+            ninebit.draw(sepia)
+        with self.assertRaisesRegex(ninebit.Error, "height, width"):
+            ninebit.draw(sepia, read_picture=lambda path: np.zeros(4, np.uint8))
+        with self.assertRaisesRegex(ninebit.Error, "power"):
+            ninebit.draw(sepia, read_picture=lambda path: np.zeros((3, 4), np.uint8))
+
+    def test_what_is_wrong_is_told(self):
+        with self.assertRaisesRegex(ninebit.Error, "none.json"):
+            ninebit.draw(str(self.folder / "none.json"))
+        with self.assertRaisesRegex(ninebit.Error, "voodoo"):
+            ninebit.draw(str(self.folder / "toon.json"), profile="voodoo")
+
+
 class Studies(unittest.TestCase):
     def test_index_steps_counts_what_programs_compute(self):
         rows = ninebit.index_steps_study(profiles=["geforce2", "ideal"], formats=["channel"], variants=["both-x4"],

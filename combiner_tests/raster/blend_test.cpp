@@ -4,7 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
+#include <map>
+#include <string>
 
+#include "combiner_tests/hardware/csv.h"
 #include "combiner_tests/raster/fragment_support.h"
 
 namespace ninebit::test {
@@ -56,7 +59,7 @@ TEST(Blend, EveryFactorAndEquation) {
   constexpr std::uint8_t kBytes[] = {0, 1, 127, 128, 254, 255};
   std::uint64_t wrong = 0, count = 0, saturated = 0, floored = 0;
   for (int factors = 0; factors < 15 * 14; ++factors) {
-    for (int equation = 0; equation < 5; ++equation) {
+    for (int equation = 0; equation < 7; ++equation) {
       Blend state{true, static_cast<BlendFactor>(factors % 15), static_cast<BlendFactor>(factors / 15),
                   static_cast<BlendEquation>(equation)};
       // Each base-6 digit of i is one byte of the two colours; the other components follow from them.
@@ -79,6 +82,53 @@ TEST(Blend, EveryFactorAndEquation) {
   EXPECT_LE(saturated + floored, count * 3 / 4);
 }
 
+// AARRGGBB in hexadecimal digits.
+ColorBytes argb_of(const std::string& digits) {
+  const auto word = static_cast<std::uint32_t>(std::stoul(digits, nullptr, 16));
+  const auto byte = [word](unsigned shift) { return static_cast<std::uint8_t>(word >> shift); };
+  return {byte(16), byte(8), byte(0), byte(24)};
+}
+
+// Every factor and equation on an NV2A, each result blended once more over a background.
+TEST(Blend, IsThatOfTheNv2a) {
+  using F = BlendFactor;
+  using E = BlendEquation;
+  const std::map<std::string, F> factors{{"0", F::zero},
+                                         {"1", F::one},
+                                         {"srcRGB", F::src_color},
+                                         {"1-srcRGB", F::one_minus_src_color},
+                                         {"dstRGB", F::dst_color},
+                                         {"1-dstRGB", F::one_minus_dst_color},
+                                         {"srcA", F::src_alpha},
+                                         {"1-srcA", F::one_minus_src_alpha},
+                                         {"dstA", F::dst_alpha},
+                                         {"1-dstA", F::one_minus_dst_alpha},
+                                         {"cRGB", F::constant_color},
+                                         {"1-cRGB", F::one_minus_constant_color},
+                                         {"cA", F::constant_alpha},
+                                         {"1-cA", F::one_minus_constant_alpha},
+                                         {"srcAsat", F::src_alpha_saturate}};
+  const std::map<std::string, E> equations{
+      {"ADD", E::add}, {"SUB", E::subtract},    {"REVSUB", E::reverse_subtract},        {"MIN", E::min},
+      {"MAX", E::max}, {"SADD", E::add_signed}, {"SREVSUB", E::reverse_subtract_signed}};
+  std::size_t rows = 0;
+  for (const auto& row : read_hardware_table("nv2a_blend")) {
+    ASSERT_EQ(row.at("match"), "1");
+    const Blend state{true,
+                      factors.at(row.at("sfactor")),
+                      factors.at(row.at("dfactor")),
+                      equations.at(row.at("equation")),
+                      {0x55, 0x55, 0x55, 0x55}};
+    const ColorBytes shown = blend(kOver, blend(state, argb_of(row.at("s")), argb_of(row.at("d"))), {32, 32, 32, 255});
+    const auto drawn = [&](const char* column) { return static_cast<std::uint8_t>(std::stoi(row.at(column))); };
+    ASSERT_EQ(shown, (ColorBytes{drawn("hw_R"), drawn("hw_G"), drawn("hw_B"), drawn("hw_A")}))
+        << row.at("equation") << ' ' << row.at("sfactor") << ' ' << row.at("dfactor") << ' ' << row.at("s") << ' '
+        << row.at("d");
+    ++rows;
+  }
+  EXPECT_EQ(rows, 1256U);
+}
+
 TEST(Blend, FactorsByHand) {
   const ColorBytes source{100, 150, 200, 60}, destination{50, 250, 10, 220}, constant{255, 128, 0, 51};
   const auto result = [&](BlendFactor s, BlendFactor d, BlendEquation e = BlendEquation::add) {
@@ -95,6 +145,9 @@ TEST(Blend, FactorsByHand) {
   EXPECT_EQ(result(F::one, F::one, BlendEquation::reverse_subtract), (ColorBytes{0, 100, 0, 160}));
   EXPECT_EQ(result(F::zero, F::zero, BlendEquation::min), (ColorBytes{50, 150, 10, 60}));
   EXPECT_EQ(result(F::zero, F::zero, BlendEquation::max), (ColorBytes{100, 250, 200, 220}));
+  // 150 and 200 are -106 and -56.
+  EXPECT_EQ(result(F::zero, F::zero, BlendEquation::add_signed), (ColorBytes{150, 144, 0, 255}));
+  EXPECT_EQ(result(F::zero, F::zero, BlendEquation::reverse_subtract_signed), (ColorBytes{0, 255, 66, 160}));
 }
 
 // The planes that a target lacks, or a mask protects, take part as they are: a missing alpha plane reads 255.

@@ -117,7 +117,7 @@ TEST(Depth, JustBelowAHalfIsRoundedDown) {
 }
 
 // A pixel's centre in the middle of a left edge whose ends lie an odd number of steps apart.
-TEST(Depth, ExactHalvesAreRoundedUp) {
+TEST(Depth, ExactHalvesAreCutOrRoundedUp) {
   const int size = 64;
   for (std::uint64_t index = 0; index < 500; ++index) {
     Random random(35, index);
@@ -134,8 +134,12 @@ TEST(Depth, ExactHalvesAreRoundedUp) {
     RenderTarget target = surface.target();
     PipelineState state;
     state.depth_test = {true, CompareFunction::always, true};
+    const auto at = static_cast<std::size_t>(y * size + x);
     ASSERT_TRUE(rasterize(state, kIdentity, mesh.arrays(), {}, target).ok());
-    ASSERT_EQ(surface.depth()[static_cast<std::size_t>(y * size + x)], (t[0].z24 + t[1].z24 + 1) / 2);
+    ASSERT_EQ(surface.depth()[at], (t[0].z24 + t[1].z24) / 2);
+    state.profile.depth_narrowing.value = Narrowing::nearest_halves_up;
+    ASSERT_TRUE(rasterize(state, kIdentity, mesh.arrays(), {}, target).ok());
+    ASSERT_EQ(surface.depth()[at], (t[0].z24 + t[1].z24 + 1) / 2);
   }
 }
 
@@ -150,11 +154,11 @@ Mesh level_triangle(float z) {
 TEST(Depth, EndsOfTheRange) {
   struct Row {
     float z;
-    std::array<std::uint32_t, 3> code;  // of kFormats
+    std::array<std::uint32_t, 3> code;  // of kFormats; 24 bits are those of the vertices, which are rounded
   };
   for (const Row& row :
-       {Row{-1.0F, {0, 0, 0}}, Row{1.0F, {0xFFFFFF, 0xFFFF, 0x7FFF}}, Row{0.0F, {0x800000, 0x8000, 0x4000}},
-        Row{0.5F, {12582911, 49151, 24575}}, Row{-0.5F, {4194304, 16384, 8192}}}) {
+       {Row{-1.0F, {0, 0, 0}}, Row{1.0F, {0xFFFFFF, 0xFFFF, 0x7FFF}}, Row{0.0F, {0x800000, 0x7FFF, 0x3FFF}},
+        Row{0.5F, {12582911, 49151, 24575}}, Row{-0.5F, {4194304, 16383, 8191}}}) {
     for (std::size_t i = 0; i < 3; ++i) {
       Surface surface = Surface::make(3, 2, {.depth_stencil = kFormats[i]}).value();
       surface.fill({.depth = 0.3});

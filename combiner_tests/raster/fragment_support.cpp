@@ -56,7 +56,7 @@ void randomize_fragment_operations(Random& random, PipelineState& state) {
     state.blend.enabled = true;
     state.blend.source = static_cast<BlendFactor>(random.below(15));
     state.blend.destination = static_cast<BlendFactor>(random.below(14));
-    state.blend.equation = random.one_in(2) ? BlendEquation::add : static_cast<BlendEquation>(random.below(5));
+    state.blend.equation = random.one_in(2) ? BlendEquation::add : static_cast<BlendEquation>(random.below(7));
     for (std::uint8_t& component : state.blend.color) component = edge_byte(random);
   }
   for (bool& mask : state.color_mask) mask = !random.one_in(6);

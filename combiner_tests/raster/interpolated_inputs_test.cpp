@@ -67,6 +67,7 @@ void expect_secondary_and_fog(ColorInterpolation interpolation, std::uint64_t se
     RenderTarget target = surface.target();
     PipelineState state;
     state.profile.color_interpolation.value = interpolation;
+    state.profile.color_weights.value = ColorWeights::exact;
     state.fog.enabled = true;
     state.program = pass_through(Register::secondary, Register::fog);
     ASSERT_TRUE(rasterize(state, c.matrix, {.positions = c.positions, .secondary_colors = colors, .fog_factors = fog},

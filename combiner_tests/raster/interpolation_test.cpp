@@ -46,7 +46,9 @@ void expect_colors(bool clipped, std::uint64_t seed) {
     const Slope c = random_case(random, clipped);
     Surface surface = Surface::make(c.width, c.height, {.with_primitive = true}).value();
     RenderTarget target = surface.target();
-    ASSERT_TRUE(rasterize({}, c.matrix, c.mesh.arrays(), {}, target).ok());
+    PipelineState state;
+    state.profile.color_weights.value = ColorWeights::exact;
+    ASSERT_TRUE(rasterize(state, c.matrix, c.mesh.arrays(), {}, target).ok());
     for (int y = 0; y < c.height; ++y) {
       for (int x = 0; x < c.width; ++x) {
         const auto at = static_cast<std::size_t>(y * c.width + x);

@@ -252,12 +252,6 @@ TEST_F(TargetCheck, PlanesThatTheStateNeeds) {
 }
 
 TEST_F(TargetCheck, NumbersOfTheState) {
-  state_.blend = {.enabled = true, .source = BlendFactor::src_alpha_saturate, .destination = BlendFactor::one};
-  expect("");
-  std::swap(state_.blend.source, state_.blend.destination);
-  expect("src_alpha_saturate is a factor of the source only, not of the destination");
-  state_.blend.enabled = false;
-  expect("");
   state_.scissor = PixelRect{-5, -5, 0, 100000};
   expect("");
   state_.scissor->height = -1;

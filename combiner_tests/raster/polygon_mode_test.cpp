@@ -11,12 +11,12 @@ namespace {
 
 constexpr int kModeWindow = 48;
 
-struct Drawn {
+struct DrawnInMode {
   PlaneSamples<std::uint8_t> count;
   PlaneSamples<std::uint8_t> red;
 };
 
-Drawn draw(PipelineState state, const VertexArrays& arrays, const glm::mat4& matrix = kIdentity) {
+DrawnInMode draw(PipelineState state, const VertexArrays& arrays, const glm::mat4& matrix = kIdentity) {
   Surface surface = Surface::make(kModeWindow, kModeWindow).value();
   RenderTarget target = surface.target();
   state.stencil_test = counting_state().stencil_test;

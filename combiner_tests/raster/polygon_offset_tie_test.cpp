@@ -162,7 +162,7 @@ TEST(PolygonOffsetTies, VectorsAgreeWithSetUpOneByOne) {
 
 // Terms of any size that cancel but for one step, or exactly: doubles lose that step.
 TEST(PolygonOffsetTies, HugeTermsThatCancelLeaveTheirDifference) {
-  const WindowDepth depth(DepthStencilFormat::d24s8);
+  const WindowDepth depth(DepthStencilFormat::d24s8, Narrowing::toward_zero);
   // m = 16 × dx / area is 1, 3 and 1/3.
   for (const auto& [dx, area, thirds] : {std::tuple(4, 64, 3), std::tuple(12, 64, 9), std::tuple(4, 192, 1)}) {
     const DepthPlane plane{.area = area, .dx = dx, .dy = 0};
@@ -187,7 +187,7 @@ TEST(PolygonOffsetTies, HugeTermsThatCancelLeaveTheirDifference) {
 
 // Subnormal terms decide a tie like any others: 0.5 less the least float is below it.
 TEST(PolygonOffsetTies, TheLeastFloatDecidesATie) {
-  const WindowDepth depth(DepthStencilFormat::d24s8);
+  const WindowDepth depth(DepthStencilFormat::d24s8, Narrowing::toward_zero);
   const DepthPlane plane{.area = 16, .dx = 1, .dy = 1};  // m = 1
   const float least = std::bit_cast<float>(1U);
   const auto offset = [&](float factor, float units) {

@@ -228,6 +228,7 @@ PassScene random_passes(Random& random, int passes) {
     if (!random.one_in(3)) {
       add_program(random, pass, scene.positions.size());
       pass.state.profile.subpixel_bits.value = view.profile.subpixel_bits.value;
+      pass.state.profile.depth_narrowing.value = view.profile.depth_narrowing.value;
     }
     randomize_fragment_operations(random, pass.state);
     if (!random.one_in(12)) pass.state.blend = {};

@@ -16,6 +16,8 @@ PipelineState random_state(Random& random, const RandomScene& scene) {
   state.profile.subpixel_bits.value = random.one_in(4) ? random.below(5) : 4;
   if (random.one_in(8)) state.profile.polygon_offset_slope.value = OffsetSlope::root;
   if (random.one_in(4)) state.profile.color_interpolation.value = ColorInterpolation::affine;
+  if (random.one_in(4)) state.profile.depth_narrowing.value = Narrowing::nearest_halves_up;
+  if (random.one_in(3)) state.profile.color_weights.value = ColorWeights::exact;
   state.shade_model = random.one_in(2) ? ShadeModel::flat : ShadeModel::smooth;
   state.cull_face = random.one_in(2) ? CullFace::none : static_cast<CullFace>(random.below(4));
   state.front_face = random.one_in(3) ? FrontFace::clockwise : FrontFace::counter_clockwise;

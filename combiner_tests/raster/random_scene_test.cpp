@@ -183,7 +183,7 @@ void run_case(std::uint64_t seed, std::uint64_t index, StatesSeen& seen) {
     oracle::Tally tally;
     oracle::draw(draw.state, for_oracle(draw), expected, tally);
     seen.add(draw, scene.start.format, tally);
-    if (!draw.exact_color) tolerance = 1;
+    if (!draw.exact_color) tolerance = 2;  // two weights may be whole 256ths, where floats fall to either side
 
     const LibraryDraw library = for_library(draw, scene.width, scene.height);
     const Status status = rasterize(draw.state, kIdentity, library.arrays, {}, planes.target);

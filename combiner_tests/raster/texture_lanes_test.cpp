@@ -1,4 +1,4 @@
-// Byte textures without mip-maps in SIMD lanes: on every target the same codes as the scalar texel(), fragment by
+// Byte textures in SIMD lanes: on every target the same codes as the scalar texel(), fragment by
 // fragment.
 #include <gtest/gtest.h>
 #include <sys/mman.h>
@@ -6,10 +6,12 @@
 #include <cmath>
 #include <cstdlib>
 #include <limits>
+#include <tuple>
 #include <utility>
 
 #include "combiner_tests/combiner/simd_targets.h"
 #include "combiner_tests/raster/texture_support.h"
+#include "src/raster/texture/texture_level.h"
 
 namespace ninebit::test {
 namespace {
@@ -70,7 +72,9 @@ void expect_as_scalar(const HardwareProfile& profile, const Texture& texture, co
   const auto sampler = TextureSampler::make(profile, texture, parameters);
   ASSERT_TRUE(sampler.has_value());
   const bool bordered = parameters.wrap_s == Wrap::clamp || parameters.wrap_t == Wrap::clamp;
-  const bool in_lanes = parameters.min_filter == MinFilter::nearest || !bordered;
+  const bool filters = is_linear(parameters.min_filter) || parameters.mag_filter == MagFilter::linear;
+  const bool in_words = texture.format == InternalFormat::rgb8 || texture.format == InternalFormat::rgba8;
+  const bool in_lanes = !(filters && bordered) && (in_words || !sampler->needs_derivatives());
   std::vector<Rgba9> expected;
   for (std::size_t i = 0; i < at.size(); ++i) {
     expected.push_back(texel_codes(profile, sampler->texel(at.view(), i)));
@@ -119,9 +123,12 @@ TEST(TextureLanes, AdversarialDirectionsOfACube) {
 TEST(TextureLanes, AdversarialCoordinatesInTwoDimensions) {
   const std::vector<float> values = adversarial_values();
   Random random(52);
-  for (const auto& [width, height] : {std::pair{1, 1}, {2, 16}, {64, 1}, {1024, 32}, {16, 2048}}) {
-    const Texture texture =
-        random_texture(random, TextureTarget::texture_2d, InternalFormat::luminance8_alpha8, width, height, false);
+  for (const auto& [width, height, format] : {std::tuple{1, 1, InternalFormat::rgba8},
+                                              {2, 16, InternalFormat::luminance8_alpha8},
+                                              {64, 1, InternalFormat::rgb8},
+                                              {1024, 32, InternalFormat::luminance8_alpha8},
+                                              {16, 2048, InternalFormat::rgba8}}) {
+    const Texture texture = random_texture(random, TextureTarget::texture_2d, format, width, height, false);
     CoordinateArrays at;
     for (const float s : values) {
       for (const float t : values) at.push({s, t, 0});
@@ -184,6 +191,9 @@ TEST(TextureLanes, EveryFormatAndProfile) {
         HardwareProfile coarse = profile;
         for (int bits = 1; bits <= 8; ++bits) {
           coarse.texture_weight_bits.value = bits;
+          const bool by_nv2a = random.one_in(2);
+          coarse.texture_weight_narrowing.value = by_nv2a ? Narrowing::toward_zero : Narrowing::nearest_halves_up;
+          coarse.texture_filter_rounding.value = by_nv2a ? FilterRounding::each_blend : FilterRounding::once;
           expect_as_scalar(coarse, texture, linear(Wrap::mirrored_repeat, Wrap::repeat), at, changes);
           if (HasFatalFailure()) return;
         }
@@ -191,6 +201,49 @@ TEST(TextureLanes, EveryFormatAndProfile) {
       EXPECT_GE(changes, 2 * static_cast<int>(at.size()));
     }
   }
+}
+
+// Levels of detail from far below 0 to beyond the last level, whole ones and the numbers beside them.
+TEST(TextureLanes, EveryFilterOfMipmaps) {
+  Random random(57);
+  int changes = 0;
+  std::size_t fragments = 0;
+  for (const TextureTarget target : kTargets) {
+    const bool cube = target == TextureTarget::cube_map;
+    for (const auto& [width, height] : {std::pair{1, 1}, {32, 32}, {128, 4}}) {
+      if (cube && width != height) continue;
+      const InternalFormat format = random.pick({InternalFormat::rgb8, InternalFormat::rgba8});
+      const Texture texture = random_texture(random, target, format, width, height, true);
+      for (const MinFilter min_filter : kMinFilters) {
+        for (const MagFilter mag_filter : kMagFilters) {
+          CoordinateArrays at;
+          for (int i = 0; i < (kSlowBuild ? 100 : 1500); ++i) {
+            const auto change = [&] {
+              return std::array{random_change(random), random_change(random), random_change(random)};
+            };
+            const auto place = [&, size = width] {
+              return cube ? random.real_f(-1, 1) : random_coordinate(random, size);
+            };
+            at.push({place(), place(), place()}, change(), change());
+          }
+          HardwareProfile profile = profiles::geforce2;
+          profile.texture_weight_bits.value = random.between(1, 8);
+          profile.texture_weight_narrowing.value = random.pick({Narrowing::toward_zero, Narrowing::nearest_halves_up});
+          profile.texture_filter_rounding.value = random.pick({FilterRounding::once, FilterRounding::each_blend});
+          for (const Wrap wrap_s : kWraps) {
+            Sampler sampler = linear(wrap_s, random.pick({Wrap::repeat, Wrap::clamp_to_edge, Wrap::mirrored_repeat}));
+            sampler.min_filter = min_filter;
+            sampler.mag_filter = mag_filter;
+            sampler.lod_bias = random.pick({0.0F, -2.5F, 1.0F, 0.01F});
+            expect_as_scalar(profile, texture, sampler, at, changes);
+            if (HasFatalFailure()) return;
+            fragments += at.size();
+          }
+        }
+      }
+    }
+  }
+  EXPECT_GE(changes, static_cast<int>(fragments / 3));
 }
 
 // Every number of fragments, from one face or many: exactly these are read and written.

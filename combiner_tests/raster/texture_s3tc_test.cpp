@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "combiner_tests/hardware/csv.h"
 #include "combiner_tests/raster/support.h"
 #include "ninebit/raster/s3tc.h"
 
@@ -99,6 +100,67 @@ TEST(S3tc, EveryPairOfComponents) {
         }
       }
     }
+  }
+}
+
+unsigned number(const HardwareRow& row, const std::string& column) {
+  return static_cast<unsigned>(std::stoul(row.at(column), nullptr, 0));
+}
+
+// The texel of a row whose color block is at `colors`: index `index` at (x, y).
+Bytes4 decoded(const HardwareRow& row, S3tcFormat format, Block block, unsigned x, unsigned y) {
+  const std::size_t colors = s3tc_block_bytes(format) - 8;
+  put(block, colors, number(row, "c0"), 2);
+  put(block, colors + 2, number(row, "c1"), 2);
+  put(block, colors + 4, std::uint64_t{number(row, "index")} << (2 * (4 * y + x)), 4);
+  return decode_s3tc_block(format, profiles::nv2a.dxt1_palette, block)[4 * y + x];
+}
+
+TEST(S3tc, Dxt1IsDitheredAsOnTheNv2a) {
+  std::size_t colors = 0, transparent = 0;
+  for (const auto& row : read_hardware_table("nv2a_dxt1")) {
+    ASSERT_EQ(row.at("match"), "1");
+    const Bytes4 texel = decoded(row, S3tcFormat::dxt1_rgba, {}, number(row, "x_and_3"), number(row, "y_and_3"));
+    ASSERT_EQ(texel[3], number(row, "hw_A"));
+    if (row.at("hw_R").empty()) {  // alpha 0 hid the colour
+      ++transparent;
+      continue;
+    }
+    ASSERT_EQ((std::array<unsigned, 3>{texel[0], texel[1], texel[2]}),
+              (std::array{number(row, "hw_R"), number(row, "hw_G"), number(row, "hw_B")}))
+        << row.at("c0") << ' ' << row.at("c1") << ' ' << row.at("index") << ' ' << row.at("x_and_3") << ' '
+        << row.at("y_and_3");
+    ++colors;
+  }
+  EXPECT_GT(colors, 3000U);
+  EXPECT_GT(transparent, 0U);
+}
+
+// The picture shows texels blended over 16, and alpha over 254: n / 255 to nearest.
+void expect_blended(const HardwareRow& row, const Bytes4& texel) {
+  const auto blended = [&](unsigned value, unsigned under) {
+    return (2 * (texel[3] * value + (255U - texel[3]) * under) + 255) / 510;
+  };
+  EXPECT_EQ(blended(texel[0], 16), number(row, "hw_R"));
+  EXPECT_EQ(blended(texel[1], 16), number(row, "hw_G"));
+  EXPECT_EQ(blended(texel[2], 16), number(row, "hw_B"));
+  EXPECT_EQ(blended(texel[3], 254), number(row, "hw_A"));
+}
+
+TEST(S3tc, Dxt3AndDxt5AreThoseOfTheNv2a) {
+  for (const auto& row : read_hardware_table("nv2a_dxt3")) {
+    Block block{};
+    block[0] = static_cast<std::uint8_t>(number(row, "alpha4"));
+    expect_blended(row, decoded(row, S3tcFormat::dxt3, block, 0, 0));
+    if (HasFailure()) FAIL() << "DXT3 " << row.at("c0") << ' ' << row.at("c1");
+  }
+  for (const auto& row : read_hardware_table("nv2a_dxt5")) {
+    Block block{};
+    block[0] = static_cast<std::uint8_t>(number(row, "alpha0"));
+    block[1] = static_cast<std::uint8_t>(number(row, "alpha1"));
+    block[2] = static_cast<std::uint8_t>(number(row, "alpha_index"));
+    expect_blended(row, decoded(row, S3tcFormat::dxt5, block, 0, 0));
+    if (HasFailure()) FAIL() << "DXT5 " << row.at("c0") << ' ' << row.at("c1");
   }
 }
 

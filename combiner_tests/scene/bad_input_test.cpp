@@ -12,12 +12,6 @@ struct BadFile {
   int line = 0;
 };
 
-std::string replaced(std::string text, const std::string& from, const std::string& to) {
-  const std::size_t at = text.find(from);
-  EXPECT_NE(at, std::string::npos) << from;
-  return at == std::string::npos ? text : text.replace(at, from.size(), to);
-}
-
 const std::string kObj = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
 const std::string kPly =
     "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
@@ -70,7 +64,8 @@ std::vector<BadFile> bad_texts() {
       {"nothing.3ds", chunk_3ds(0x4D4D, ""), "no triangles"},
       {"chunk.3ds", chunk_3ds(0x4D4D, replaced(chunk_3ds(0x3D3D, "abc"), std::string("\x09", 1), "\x29")),
        "longer than its parent"},
-      {"shape.stl", "solid\n", "unknown extension '.stl'; scenes are read from .gltf, .glb, .obj, .ply, .off and .3ds"},
+      {"shape.blend", "solid\n",
+       "unknown extension '.blend'; scenes are read from .gltf, .glb, .obj, .ply, .off, .3ds, .stl, .dae and .fbx"},
       {"shape", "v 0 0 0\n", "has no extension"},
   };
 }
@@ -86,7 +81,7 @@ std::vector<BadFile> bad_gltfs() {
       {"words.gltf", "these are no shapes\n", "malformed", 1},
       {"cut.gltf", good.substr(0, good.size() / 2), "ends early", 5},
       {"nested.gltf", std::string(100000, '['), "nests too deep", 1},
-      {"version.gltf", replaced(good, "\"2.0\"", "\"1.0\""), "version 1.0; version 2.0 is read"},
+      {"version.gltf", replaced(good, "\"2.0\"", "\"1.0\""), "version 1.0, but its accessors are not an object"},
       {"unmarked.gltf", R"({"scenes": []})", "has no asset.version"},
       {"range.gltf", triangle_gltf(R"({"mesh": 0})", "0", "", triangle_bytes({0, 1, 2, 0, 1, 3})),
        "index is out of range: the primitive has 3"},

@@ -67,6 +67,15 @@ TEST(CompleteLight, WithoutAPointLightTheDefaultOneShinesEverywhere) {
   expect_near(made.position, completed(lit_box({}), {}).position);
 }
 
+// A cone that holds the box and is no wider than the sphere around the box, by a degree.
+void expect_to_hold_the_box(const Light& light) {
+  const float half = light.spot_degrees * 0.5F;
+  for (const glm::vec3& corner : box({0, 0, 0}, {2, 2, 2}).positions) {
+    EXPECT_LE(glm::degrees(std::acos(glm::dot(light.direction, glm::normalize(corner - light.position)))), half);
+  }
+  EXPECT_LT(half, glm::degrees(std::asin(std::sqrt(3.0F) / glm::distance(light.position, glm::vec3(1)))) + 1.0F);
+}
+
 TEST(CompleteLight, APointLightBecomesTheKindThatWillDo) {
   const Scene lamps = lit_box({lamp("first", {1, 5, 1}), lamp("second")});
   for (const LightKinds& kinds : {kSpot, kSpotOrSun}) {
@@ -74,14 +83,15 @@ TEST(CompleteLight, APointLightBecomesTheKindThatWillDo) {
     EXPECT_EQ(light.kind, LightKind::spot);
     EXPECT_EQ(light.name, "first");
     EXPECT_EQ(light.position, glm::vec3(1, 5, 1));
-    expect_near(light.direction, {0, -1, 0});  // at the middle of the box
-    EXPECT_EQ(light.spot_degrees, Light{}.spot_degrees);
+    expect_to_hold_the_box(light);
   }
   EXPECT_EQ(completed(lamps, kSun).kind, LightKind::directional);
-  // Without any: the default light, turned at the middle.
-  const Light made = completed(lit_box({}), kSpot);
+  // Without any: the default light.
+  SceneSetup without_floor;
+  without_floor.floor = FloorChoice::none;
+  const Light made = completed(lit_box({}), kSpot, without_floor);
   EXPECT_EQ(made.kind, LightKind::spot);
-  expect_near(made.direction, glm::normalize(glm::vec3(1) - made.position));
+  expect_to_hold_the_box(made);
 }
 
 TEST(CompleteLight, TheSetupAimsIt) {

@@ -10,9 +10,11 @@ namespace {
 
 TEST(Corpus, Scene) {
   replay("scene", check_scene, [](std::string_view bytes) {
-    const NamedFiles beside("/nonexistent/scene.obj", false);
-    return read_off(bytes).ok() || read_ply(bytes).ok() || read_3ds(bytes, "scene.3ds", {}).ok() ||
-           read_gltf(bytes, beside, false, {}).ok() || read_gltf(bytes, beside, true, {}).ok();
+    const std::filesystem::path file("/nonexistent/scene.3ds");
+    const NamedFiles beside(file, false);
+    const SceneFile from{file, beside};
+    return read_off(bytes).ok() || read_ply(bytes).ok() || read_3ds(from, bytes, {}).ok() ||
+           read_gltf(from, bytes, false, {}).ok() || read_gltf(from, bytes, true, {}).ok();
   });
 }
 

@@ -60,7 +60,13 @@ INSTANTIATE_TEST_SUITE_P(
         RealFile{ASSIMP_MODELS "glTF2/2CylinderEngine-glTF-Binary/2CylinderEngine.glb", 121496, 67},
         RealFile{ASSIMP_MODELS "glTF2/BoxTextured-glTF/BoxTextured.gltf", 12, 1},
         RealFile{ASSIMP_MODELS "glTF2/BoxTextured-glTF-Embedded/BoxTextured.gltf", 12, 1},
-        RealFile{ASSIMP_MODELS "glTF2/BoxBadNormals-glTF-Binary/BoxBadNormals.glb", 12, 1}),
+        RealFile{ASSIMP_MODELS "glTF2/BoxBadNormals-glTF-Binary/BoxBadNormals.glb", 12, 1},
+        RealFile{ASSIMP_MODELS "STL/Spider_ascii.stl", 1368, 1},
+        RealFile{ASSIMP_MODELS "STL/Spider_binary.stl", 1368, 1}, RealFile{ASSIMP_MODELS "Collada/duck.dae", 4212, 1},
+        RealFile{ASSIMP_MODELS "Collada/COLLADA.dae", 6722, 2}, RealFile{ASSIMP_MODELS "FBX/spider.fbx", 1368, 19},
+        RealFile{ASSIMP_MODELS "FBX/box.fbx", 12, 1},
+        RealFile{ASSIMP_MODELS "glTF/BoxTextured-glTF/BoxTextured.gltf", 12, 1},
+        RealFile{ASSIMP_MODELS "glTF/CesiumMilkTruck/CesiumMilkTruck.gltf", 3624, 3}),
     [](const auto& instance) {
       std::string name = std::to_string(instance.index) + std::filesystem::path(instance.param.path).stem().string();
       std::erase_if(name, [](char c) { return std::isalnum(static_cast<unsigned char>(c)) == 0; });

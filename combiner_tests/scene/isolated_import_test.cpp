@@ -63,14 +63,14 @@ TEST(IsolatedImport, BringsTheFault) {
 
 TEST(IsolatedImport, SurvivesWhatItCalls) {
   EXPECT_EQ(complaint([](const std::filesystem::path&, std::string_view) -> Result<Imported> { std::abort(); }),
-            "Assimp's 3DS reader crashed");
+            "Assimp's reader of .3ds files crashed");
   EXPECT_EQ(complaint([](const std::filesystem::path&, std::string_view) -> Result<Imported> { throw 1; }),
-            "Assimp's 3DS reader crashed");
+            "Assimp's reader of .3ds files crashed");
   EXPECT_EQ(complaint([](const std::filesystem::path&, std::string_view) -> Result<Imported> {
               std::this_thread::sleep_for(std::chrono::hours(1));
               return triangle();
             }),
-            "Assimp's 3DS reader took more than 8 s");
+            "Assimp's reader of .3ds files took more than 8 s");
 }
 
 TEST(IsolatedImport, LimitsMemory) {
@@ -80,7 +80,7 @@ TEST(IsolatedImport, LimitsMemory) {
               imported.scene.positions.resize(std::size_t{1} << 32U);
               return imported;
             }),
-            "Assimp's 3DS reader needed more than 1024 MiB");
+            "Assimp's reader of .3ds files needed more than 1024 MiB");
 }
 
 TEST(IsolatedImport, OpensNoFileAndNoSocket) {
@@ -110,7 +110,7 @@ void expect_senseless(Change) {
               Change()(imported.scene);
               return imported;
             }),
-            "Assimp's 3DS reader gave no scene");
+            "Assimp's reader of .3ds files gave no scene");
 }
 
 TEST(IsolatedImport, IsNotBelieved) {

@@ -31,7 +31,7 @@ const std::map<std::string, std::vector<std::string>> kFolders{
      {"frame", "index_order", "index_cube", "depth_cube", "shadow_map", "shadow_volume", "reflective", "light_cookie",
       "ground_truth", ""}},
     {"study", {"part", "report", "page", "digits", "index_steps", "datapath", "shadows", "depth_packing"}},
-    {"tools", {"input", "common", "help", "eval", "trace", "verify", "render", "draw", "bench", "study", ""}},
+    {"tools", {"input", "common", "help", "eval", "draw", "trace", "verify", "render", "bench", "study", ""}},
 };
 
 // Outside libraries and the rooms that may include them. Besides these there is only the standard library, whose

@@ -19,7 +19,7 @@ Json bench(std::vector<std::string> arguments) {
 }
 
 TEST(Bench, EveryPartHasHelpWithAnExample) {
-  for (const char* part : {"combiner", "raster", "frame"}) {
+  for (const char* part : {"combiner", "raster", "frame", "effect"}) {
     const Outcome outcome = ninebit({"bench", part, "--help"});
     EXPECT_EQ(outcome.code, 0);
     EXPECT_NE(outcome.out.find(std::string("ninebit bench ") + part), std::string::npos) << outcome.out;
@@ -172,6 +172,33 @@ TEST(Bench, FrameBesideLlvmpipe) {
   EXPECT_LT(rival["shadow_pixels_that_differ"], 320 * 240 / 50);
 }
 
+TEST(Bench, Effects) {
+  const Json out = bench({"effect"});
+  EXPECT_EQ(keys_of(out), (Keys{"command", "version", "profile", "size", "threads", "rows"}));
+  EXPECT_EQ(out["command"], "bench effect");
+  ASSERT_EQ(out["rows"].size(), 3U);
+  for (const Json& row : out["rows"]) {
+    EXPECT_EQ(keys_of(row), (Keys{"effect", "ms", "mpixels_per_s"}));
+    EXPECT_GT(row["mpixels_per_s"], 0.0);
+  }
+}
+
+// The rival's floats give nearly the same pictures.
+TEST(Bench, EffectsBesideLlvmpipe) {
+  const Outcome outcome = ninebit({"bench", "effect", "--quick", "--json", "--rival", "llvmpipe", "--threads", "2"});
+  if (outcome.code == 2) {
+    EXPECT_NE(outcome.err.find("--rival llvmpipe is not available: "), std::string::npos) << outcome.err;
+    GTEST_SKIP() << outcome.err;
+  }
+  const Json out = json_of(outcome);
+  EXPECT_EQ(out["rival"]["name"], "llvmpipe");
+  for (const Json& row : out["rows"]) {
+    EXPECT_EQ(keys_of(row), (Keys{"effect", "ms", "mpixels_per_s", "rival"}));
+    EXPECT_EQ(keys_of(row["rival"]), (Keys{"ms", "mpixels_per_s", "ratio", "largest_difference"}));
+    EXPECT_LE(row["rival"]["largest_difference"], 8) << row["effect"];
+  }
+}
+
 TEST(Bench, TablesForPeople) {
   const Outcome combiner = ninebit({"bench", "combiner", "--quick", "--threads", "1"});
   EXPECT_EQ(combiner.code, 0);
@@ -185,6 +212,9 @@ TEST(Bench, TablesForPeople) {
   const Outcome frame = ninebit({"bench", "frame", kRoom, "--quick", "--size", "48x36", "--map-size", "32"});
   EXPECT_EQ(frame.code, 0);
   EXPECT_NE(frame.out.find("ms per frame"), std::string::npos) << frame.out;
+  const Outcome effect = ninebit({"bench", "effect", "--quick"});
+  EXPECT_EQ(effect.code, 0);
+  EXPECT_NE(effect.out.find("light_map_detail"), std::string::npos) << effect.out;
 }
 
 TEST(Bench, WrongUsage) {
@@ -194,8 +224,8 @@ TEST(Bench, WrongUsage) {
     std::vector<std::string> words;
   };
   const std::vector<Case> cases{
-      {{}, 2, {"a command is required", "combiner, raster, frame", "ninebit bench --help"}},
-      {{"gpu"}, 2, {"unknown command 'gpu'", "combiner, raster, frame"}},
+      {{}, 2, {"a command is required", "combiner, raster, frame, effect", "ninebit bench --help"}},
+      {{"gpu"}, 2, {"unknown command 'gpu'", "combiner, raster, frame, effect"}},
       {{"raster", "extra"}, 2, {"not expected", "extra", "ninebit bench raster --help"}},
       {{"combiner", "--seconds", "0"}, 2, {"--seconds", "ninebit bench combiner --help"}},
       {{"combiner", "--print", "light"}, 2, {"--print", "light", "index,heavy,eight,default"}},
@@ -205,6 +235,7 @@ TEST(Bench, WrongUsage) {
       {{"frame", "--rival", "llvmpipe", "--light-facing"}, 2, {"--rival", "excludes", "--light-facing"}},
       {{"frame", "--rival", "llvmpipe", "--index-order", "neighbour"}, 2, {"--rival", "excludes", "--index-order"}},
       {{"frame", "--rival", "llvmpipe", "--index-scales", "no-scale"}, 2, {"--rival", "excludes", "--index-scales"}},
+      {{"effect", "--rival", "voodoo"}, 2, {"--rival", "voodoo", "llvmpipe"}},
       {{"frame", "/nowhere/scene.obj"}, 3, {"/nowhere/scene.obj"}},
       {{"frame", "--triangles", "3000000"}, 3, {"too many polygons", "index step 1"}},
   };

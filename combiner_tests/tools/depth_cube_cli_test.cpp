@@ -33,7 +33,8 @@ TEST(DepthCubeCli, WritesTheMapAndTheLayers) {
   json_of(ninebit(depth_cube(folder, {"--depth-bits", "16", "--layers"})));
   std::vector<std::string> names;
   for (const auto& [name, bytes] : files_in(folder / "out")) names.push_back(name);
-  EXPECT_EQ(names, (std::vector<std::string>{"color.png", "depth_cube.png", "layers.exr", "maps.exr", "shadow.png"}));
+  EXPECT_EQ(names, (std::vector<std::string>{"color.png", "depth_cube.png", "layers.exr", "maps.exr", "render.json",
+                                             "shadow.png"}));
 }
 
 TEST(DepthCubeCli, TraceTellsTheComparisonOfThePixelsFace) {

@@ -106,6 +106,46 @@ TEST(Draw, FlagsOfAPassChangeThePicture) {
   }
 }
 
+// The program is const0 of the first combiner times const1, plus const0 of the second.
+TEST(Draw, AConstantOfOneCombinerReplacesTheGlobalOneThere) {
+  const TempFolder folder;
+  write_bytes(folder / "constants.rc1",
+              "!!RC1.0\n{ rgb { spare0 = const0; } }\n{ rgb { spare1 = const0; } }\n"
+              "out.rgb = spare0 * const1 + spare1;\n");
+  const auto hash = [&](const std::vector<std::string>& flags) {
+    std::vector<std::string> all{"--json", "--size", "8x8", "--profile", "nv2a"};
+    all.insert(all.end(), flags.begin(), flags.end());
+    return json_of(ninebit(draw(folder / "constants.rc1", folder / "p.png", all)))["hash"]["color"];
+  };
+  const Json red_then_blue = hash({"--const0", "0:1,0,0,1", "--const0", "1:0,0,1,1", "--const1", "1,1,1,1"});
+  EXPECT_EQ(hash({"--const0", "1,0,0,1", "--const0", "1:0,0,1,1", "--const1", "1,1,1,1"}), red_then_blue);
+  EXPECT_EQ(hash({"--const0", "1,0,1,1", "--const1", "0,0,0,0"}), red_then_blue);
+  EXPECT_NE(hash({"--const0", "1,0,0,1", "--const1", "1,1,1,1"}), red_then_blue);
+  const std::string picture = folder / "q.png";
+  const auto fails = [&](const std::string& constant, const std::string& profile) {
+    return ninebit(draw(folder / "constants.rc1", picture, {"--const0", constant, "--profile", profile}));
+  };
+  expect_error(fails("8:0,0,0,0", "nv2a"), 2, {"--const0", "0 to 7"});
+  expect_error(fails("0:0,0,0", "nv2a"), 2, {"--const0", "4 numbers"});
+  expect_error(fails("2:0,0,0,0", "nv2a"), 3, {"general combiner 2", "has 2"});
+  expect_error(fails("0:0,0,0,0", "geforce2"), 3, {"per-stage constants"});
+}
+
+TEST(Draw, OnlyWritesTheNamedFiles) {
+  const TempFolder folder;
+  const Json drawn = json_of(
+      ninebit(draw(kEffects + "toon.json", folder / "p.png",
+                   {"--size", "32x32", "--json", "--difference", "ideal", "--layers", "--only", "difference,layers"})));
+  EXPECT_EQ(drawn["files"].size(), 2U);
+  EXPECT_FALSE(std::filesystem::exists(folder / "p.png"));
+  EXPECT_TRUE(std::filesystem::exists(folder / "p.difference.png"));
+  EXPECT_TRUE(std::filesystem::exists(folder / "p.layers.exr"));
+  const std::string picture = folder / "p.png";
+  expect_error(ninebit(draw(kSepia, picture, {"--only", "color"})), 2, {"--only", "picture, difference or layers"});
+  expect_error(ninebit(draw(kSepia, picture, {"--only", "layers"})), 2, {"requires --layers"});
+  expect_error(ninebit(draw(kSepia, picture, {"--only", "difference"})), 2, {"requires --difference"});
+}
+
 TEST(Draw, BadInputIsOneError) {
   const TempFolder folder;
   const std::string picture = folder / "p.png";

@@ -85,7 +85,7 @@ Words command(const Verb& verb, const Flag& flag, const std::string& folder) {
       files = {kRoom};
     }
   }
-  if (flag.name == "--biases") given["--technique"] = "depth-cube";
+  if (flag.name == "--bias" || flag.name == "--biases") given["--technique"] = "depth-cube";
   if (name == "render" || verb.words.front() == "study") given["-o"] = folder + "/out";
   const bool reads = name == "explain" || name == "convert" || name == "validate" || name == "eval";
   if (reads || (name == "trace" && !draws)) files = {kCompare};

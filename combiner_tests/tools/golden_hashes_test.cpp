@@ -24,9 +24,12 @@ const std::vector<std::string> kEveryTechnique{
     "--size 320x240 --map-size 256",
     "--size 320x240 --map-size 256 --technique depth-cube --depth-bits 16",
     "--size 320x240 --map-size 256 --technique shadow-map",
-    "--size 320x240 --map-size 256 --technique shadow-volume",
+    "--size 320x240 --technique shadow-volume",
     "--size 160x120 --map-size 128 --technique reflective --light-type directional --samples 40",
     "--size 320x240 --map-size 256 --technique light-cookie --cookie scenes/cookies/labels.dds"};
+
+const std::string kAssimpModels = "/usr/share/assimp/models/";
+const std::string kSmall = "--size 320x240 --map-size 256";
 
 std::vector<Golden> goldens() {
   return {
@@ -61,11 +64,21 @@ std::vector<Golden> goldens() {
       {kRoom, {"--size 320x240 --technique shadow-volume --volume-method depth-pass --stencil-sides one"}},
       {kBunny, {"", "--size 320x240 --map-size 256 --floor none --light-facing"}},
       {kEngine, {""}},
+      // Textures in the scene's folder, in the file, and of sides that are not powers of two.
+      {kAssimpModels + "OBJ/spider.obj", {kSmall}},
+      {kAssimpModels + "Collada/duck.dae", {kSmall}},
+      {kAssimpModels + "glTF/CesiumMilkTruck/CesiumMilkTruck.gltf", {kSmall}},
+      {kAssimpModels + "glTF2/ClearCoat-glTF/ClearCoatTest.gltf", {kSmall}},
+      {kAssimpModels + "glTF2/BoxTextured-glTF-Binary/BoxTextured.glb", {kSmall}},
+      {kAssimpModels + "FBX/embedded_ascii/box_embedded_texture_fragmented.fbx", {kSmall}},
   };
 }
 
 Json rendered() {
   const TempFolder folder;
+  // With the address sanitizer, the program does not look for leaks here: the leak sanitizer's own thread crashes now
+  // and then at the end of a program that has read pictures. Other tests look for them.
+  ::setenv("ASAN_OPTIONS", "detect_leaks=0", 1);
   Json found = Json::object();
   for (const Golden& golden : goldens()) {
     for (const std::string& flags : golden.flags) {

@@ -55,7 +55,7 @@ TEST(GroundTruthOfRender, CountsWhatItsLayersShow) {
   EXPECT_GT(false_lit, 0);
   EXPECT_GT(false_shadowed, 0);
 
-  EXPECT_EQ(answer["files"].size(), 6U);
+  EXPECT_EQ(answer["files"].size(), 7U);
   const ninebit::Image8 picture = ninebit::test::read_png(folder / "out/error.png");
   EXPECT_EQ(picture.width, 160);
   EXPECT_EQ(picture.height, 120);

@@ -34,7 +34,7 @@ TEST_F(InputError, NoSceneFile) {
   for (const char* name : {"a.gltf", "a.glb", "a.obj", "a.ply", "a.off", "a.3ds"}) {
     expect_refused(make(name, ""), {"is empty"});
   }
-  expect_refused(make("a.txt", "hello"), {"'.txt'", ".gltf, .glb, .obj, .ply, .off and .3ds"});
+  expect_refused(make("a.txt", "hello"), {"'.txt'", ".gltf, .glb, .obj, .ply, .off, .3ds, .stl, .dae and .fbx"});
   expect_refused(make("scene", "hello"), {"no extension"});
   expect_refused("/dev/null", {"not a regular file"});
 }

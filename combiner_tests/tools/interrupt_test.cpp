@@ -55,7 +55,7 @@ class Interrupt : public testing::Test {
   void SetUp() override {
     ASSERT_EQ(ninebit(small_render(kBunny, out_, {"--layers"})).code, 0);
     older_ = files_in(out_);
-    ASSERT_EQ(older_.size(), 5U);
+    ASSERT_EQ(older_.size(), 6U);
     const auto start = Clock::now();
     ASSERT_EQ(ninebit(long_render(folder_ / "new")).code, 0);
     duration_ = Clock::now() - start;

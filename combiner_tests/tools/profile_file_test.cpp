@@ -25,7 +25,7 @@ TEST(ProfileFile, IsListedByItsOwnNameAfterTheShippedOnes) {
       EXPECT_EQ(row.at("evidence"), "assumed");
     }
   }
-  EXPECT_EQ(rows, 25);
+  EXPECT_EQ(rows, 30);
 }
 
 TEST(ProfileFile, EqualsItsBaseInARendering) {

@@ -40,8 +40,9 @@ TEST_P(RealScenes, AnswersWithTheContractsKeys) {
   const std::string out = folder / "new/out";
   const Outcome outcome = ninebit({"render", scene.file, "-o", out, "--json", "--size", "200x150", "--map-size", "64"});
   const Json answer = json_of(outcome);
-  EXPECT_EQ(keys_of(answer), (Keys{"command", "version", "technique", "profile", "scene", "triangles", "size",
-                                   "map_size", "index", "pixels", "time_ms", "facts", "ignored", "files", "hash"}));
+  EXPECT_EQ(keys_of(answer),
+            (Keys{"command", "version", "technique", "profile", "scene", "triangles", "size", "supersample", "map_size",
+                  "index", "pixels", "time_ms", "facts", "ignored", "files", "hash"}));
   EXPECT_EQ(keys_of(answer["index"]), (Keys{"format", "scope", "step", "used", "capacity", "scales", "order"}));
   EXPECT_EQ(keys_of(answer["pixels"]), (Keys{"background", "lit", "shadowed"}));
   EXPECT_EQ(keys_of(answer["time_ms"]),
@@ -81,7 +82,7 @@ TEST_P(RealScenes, AnswersWithTheContractsKeys) {
 
   Keys wanted;
   Keys named;
-  for (const char* name : {"color.png", "shadow.png", "index_cube.png", "index_cube.exr"}) {
+  for (const char* name : {"color.png", "shadow.png", "index_cube.png", "index_cube.exr", "render.json"}) {
     wanted.push_back(out + "/" + name);
     named.push_back("wrote " + wanted.back());
     EXPECT_GT(std::filesystem::file_size(wanted.back()), 60U);
@@ -104,6 +105,7 @@ TEST_P(RealScenes, TheSameBitsForAnyNumberOfThreadsAndWithLayers) {
     const Json answer = json_of(ninebit(arguments));
     Files files = files_in(folder / "out");
     EXPECT_EQ(files.erase("layers.exr"), static_cast<std::size_t>(flags.back() == "--layers"));
+    EXPECT_EQ(files.erase("render.json"), 1U);
     if (first.is_null()) {
       first = answer;
       first_files = files;
@@ -137,10 +139,11 @@ TEST(Render, TellsPeopleOnStderrAndIsQuietWhenAsked) {
   EXPECT_EQ(people.code, 0);
   EXPECT_EQ(people.out, "");
   const Keys lines = lines_of(people.err);
-  ASSERT_EQ(lines.size(), 6U) << people.err;
+  ASSERT_EQ(lines.size(), 7U) << people.err;
   EXPECT_EQ(lines[0], "wrote " + (folder / "out/color.png"));
   EXPECT_EQ(lines[4], "wrote " + (folder / "out/layers.exr"));
-  EXPECT_NE(lines[5].find("2096 triangles"), std::string::npos) << lines[5];
+  EXPECT_EQ(lines[5], "wrote " + (folder / "out/render.json"));
+  EXPECT_NE(lines[6].find("2096 triangles"), std::string::npos) << lines[6];
   EXPECT_EQ(people.err.find('\r'), std::string::npos) << "progress is for terminals";
 
   const Outcome quiet = ninebit(small_render(kRoom, folder / "out", {"--quiet"}));

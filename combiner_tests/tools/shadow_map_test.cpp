@@ -29,7 +29,8 @@ TEST(ShadowMapProgram, AnswersWithFactsAndHashesTheMap) {
   EXPECT_EQ(packed["hash"]["shadow_map"], d24["hash"]["shadow_map"]);
   std::vector<std::string> names;
   for (const auto& [name, bytes] : files_in(folder / "b")) names.push_back(name);
-  EXPECT_EQ(names, (std::vector<std::string>{"color.png", "layers.exr", "maps.exr", "shadow.png", "shadow_map.png"}));
+  EXPECT_EQ(names, (std::vector<std::string>{"color.png", "layers.exr", "maps.exr", "render.json", "shadow.png",
+                                             "shadow_map.png"}));
 }
 
 // The flag reaches the map.

@@ -22,7 +22,8 @@ std::vector<std::string> small_render(const std::string& scene, const std::strin
   std::vector<std::string> arguments{"render", scene, "-o", folder};
   const auto has = [&](const char* flag) { return std::find(more.begin(), more.end(), flag) != more.end(); };
   if (!has("--size")) arguments.insert(arguments.end(), {"--size", "48x36"});
-  if (!has("--map-size")) arguments.insert(arguments.end(), {"--map-size", "32"});
+  if (!has("--map-size") && !has("shadow-volume") && !has("--cookie-shadows"))
+    arguments.insert(arguments.end(), {"--map-size", "32"});
   arguments.insert(arguments.end(), more.begin(), more.end());
   return arguments;
 }

@@ -15,6 +15,8 @@ namespace {
 
 using namespace ninebit;  // NOLINT(google-build-using-namespace): states are spelled in its words
 
+const std::string kToonEffect = NINEBIT_SOURCE_DIR "/scenes/effects/toon.json";
+
 class TraceVerb : public testing::Test {
  protected:
   TempFolder folder_;
@@ -164,7 +166,7 @@ TEST_F(TraceVerb, WrongUsage) {
     std::vector<std::string> words;
   };
   const std::vector<Case> cases{
-      {{}, {"PROGRAM or --scene is required"}},
+      {{}, {"PROGRAM, --scene or --effect is required"}},
       {{article_, "--set"}, {"--set requires a value"}},
       {{article_, "--set", "tex0"}, {"'tex0' has no value", "REGISTER=R,G,B,A"}},
       {{article_, "--set", "tex2=1,2,3,4"}, {"unknown register 'tex2'", "tex0 to tex1"}},
@@ -181,6 +183,9 @@ TEST_F(TraceVerb, WrongUsage) {
       {{article_, "--pixel", "1,1"}, {"--pixel requires --scene"}},
       {{article_, "--size", "64x64"}, {"--size requires --scene"}},
       {{"--scene", kRoom}, {"--scene requires --pixel X,Y"}},
+      {{"--effect", kToonEffect}, {"--effect requires --pixel X,Y"}},
+      {{"--effect", kToonEffect, "--scene", kRoom, "--pixel", "1,1"}, {"--scene excludes --effect"}},
+      {{article_, "--effect", kToonEffect, "--pixel", "1,1"}, {"not PROGRAM"}},
       {{"--scene", kRoom, "--pixel", "7"}, {"invalid pixel '7'"}},
       {{"--scene", kRoom, "--pixel", "-1,3"}, {"invalid pixel '-1,3'"}},
       {{"--scene", kRoom, "--pixel", "64,0", "--size", "64x48"}, {"64,0 is outside", "0 to 63", "0 to 47"}},

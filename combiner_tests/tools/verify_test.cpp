@@ -31,6 +31,56 @@ TEST_F(Verify, ThePicturesOfAnNv2a) {
   EXPECT_EQ(nv2a.out, "592 rows: 592 agree, 0 differ\n");
 }
 
+TEST_F(Verify, PixelsOfAnNv2a) {
+  const std::map<std::string, std::string> tables{
+      {"alpha_test", "2040 rows: 2040 agree, 0 differ\n"},
+      {"blend", "1256 rows: 1256 agree, 0 differ\n"},
+      {"dxt1", "3542 rows: 3542 agree, 0 differ\n"},
+      {"dxt3", "929 rows: 929 agree, 0 differ\n"},
+      {"dxt5", "1294 rows: 1294 agree, 0 differ\n"},
+      {"filter", "948 rows: 948 agree, 0 differ\n"},
+      {"filter_weight_bits", "167 rows: 167 agree, 0 differ; 1 with match 0 skipped\n"},
+      {"depth_floor", "3024 rows: 3024 agree, 0 differ\n"},
+      {"gouraud_pixels", "4901 rows: 4901 agree, 0 differ; 39 with match 0 skipped\n"}};
+  for (const auto& [name, answer] : tables) {
+    const std::string file = std::string(NINEBIT_SOURCE_DIR) + "/combiner_tests/hardware/nv2a_" + name + ".csv";
+    const Outcome nv2a = ninebit({"verify", file, "--profile", "nv2a"});
+    EXPECT_EQ(nv2a.code, 0) << name << nv2a.err;
+    EXPECT_EQ(nv2a.out, answer) << name;
+  }
+}
+
+// The GeForce 2 kept 16 bits of DXT1 without a dither.
+TEST_F(Verify, ARuleOfPixelsIsFound) {
+  const std::string file = std::string(NINEBIT_SOURCE_DIR) + "/combiner_tests/hardware/nv2a_dxt1.csv";
+  const Outcome outcome = ninebit({"verify", file, "--json"});
+  EXPECT_EQ(outcome.code, 1);
+  const Json object = Json::parse(outcome.out);
+  EXPECT_EQ(object["places"], Json::parse(R"([{"place": "DXT1", "rows": 3348}])"));
+  EXPECT_EQ(object["rules"][0]["value"], "dithered565");
+  EXPECT_EQ(object["rules"][0]["agree_then"], 3542);
+  EXPECT_EQ(object["skipped"], 0);
+}
+
+TEST_F(Verify, WrongTablesOfPixels) {
+  const std::string smooth = "triangle,x,y,hw_R,hw_G,hw_B,model_R,model_G,model_B,match\n";
+  expect_error(verify(smooth), 3, {"nv2a_gouraud_triangles.csv", "No such file"});
+  write_bytes(folder_ / "nv2a_gouraud_triangles.csv", "triangle,x0\n");
+  expect_error(verify(smooth), 3, {"nv2a_gouraud_triangles.csv:1:1", "expected the header triangle,picture,"});
+  write_bytes(folder_ / "nv2a_gouraud_triangles.csv",
+              "triangle,picture,vertices,x0,y0,x1,y1,x2,y2,w0,w1,w2,c0,c1,c2,pixels,wrong,uncovered\n"
+              "7,p,v,0,0,16,16,32,0,1,1,1,FF0000,00FF00,0000FF,1,0,0\n");
+  expect_error(verify(smooth + "3,0,0,1,2,3,1,2,3,1\n"), 3,
+               {"rows.csv:2:1", "nv2a_gouraud_triangles.csv has no triangle '3'"});
+  expect_error(verify(smooth + "7,0,0,1,2,3,1,2,3,2\n"), 3, {"rows.csv:2:19", "match must be 0 or 1, not '2'"});
+  expect_error(verify(smooth + "7,,0,1,2,3,1,2,3,1\n"), 3, {"rows.csv:2:3", "x must be a whole number from 0 to 4095"});
+  expect_error(verify(smooth + "7,0\n"), 3, {"rows.csv:2:1", "2 fields, the header 10"});
+  expect_error(verify(smooth), 3, {"the table has no rows"});
+  expect_error(verify(smooth, {"--program", "square.rc"}), 3, {"--program is not for tables of pixels"});
+  expect_error(verify("func,ref,alpha_byte,hw_drawn,pixels,model_drawn,match\nSometimes,1,2,1,1,1,1\n"), 3,
+               {"rows.csv:2:1", "func must be one of Never, LessThan", "'Sometimes'"});
+}
+
 // An NV2A that cut toward zero, as the GeForce 2 does: the scale of one half shows it, and the rule is found.
 TEST_F(Verify, AnotherRuleIsFound) {
   const std::string own = folder_ / "own.json";

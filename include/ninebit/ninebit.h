@@ -14,6 +14,7 @@
 #include "ninebit/combiner/trace.h"
 #include "ninebit/combiner/validate.h"
 #include "ninebit/effect/effect.h"
+#include "ninebit/effect/effect_files.h"
 #include "ninebit/effect/effect_json.h"
 #include "ninebit/effect/effect_renderer.h"
 #include "ninebit/effect/generated_meshes.h"

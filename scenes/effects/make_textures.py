@@ -130,6 +130,14 @@ def sky(face, x, y):
     return (0.42 + 0.25 * dy, 0.36 + 0.22 * dy, 0.28 + 0.18 * dy)
 
 
+def packed(x, y):
+    """Two pictures of sixteen levels in one byte: the photograph's brightness in the high nibble, bricks in the low."""
+    red, green, blue = photograph(2 * x, 2 * y)
+    high = min(15, math.floor((0.3 * red + 0.59 * green + 0.11 * blue) * 16))
+    low = min(15, math.floor(bricks(x, y) * 16))
+    return (16 * high + low) / 255
+
+
 TEXTURES = {
     "bricks_height.png": lambda: png(128, 128, 1, bricks),
     "bricks.png": lambda: png(128, 128, 3, brick_color),
@@ -139,6 +147,7 @@ TEXTURES = {
     "detail.png": lambda: png(128, 128, 1, detail),
     "light_map.png": lambda: png(64, 64, 3, light_map),
     "photograph.png": lambda: png(256, 256, 3, photograph),
+    "packed.png": lambda: png(128, 128, 1, packed),
     "cookie.png": lambda: png(128, 128, 3, cookie),
     **{f"sky_{face}.png": (lambda face=face: png(64, 64, 3, lambda x, y: sky(face, x, y))) for face in FACES},
 }

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "src/bench/gl_functions.h"
+#include "src/bench/gl_program.h"
 #include "src/bench/llvmpipe_shaders.h"
 #include "src/bench/provoking_vertices.h"
 #endif
@@ -129,31 +130,11 @@ class Frame final : public LlvmpipeFrame {
     }
   }
 
-  Status compile(GLenum kind, const std::string& text, GLuint& shader) {
-    shader = gl_.CreateShader(kind);
-    const std::string whole = std::string(shaders::kHeader) + text;
-    const char* const start = whole.c_str();
-    gl_.ShaderSource(shader, 1, &start, nullptr);
-    gl_.CompileShader(shader);
-    GLint done = GL_FALSE;
-    gl_.GetShaderiv(shader, GL_COMPILE_STATUS, &done);
-    if (done == GL_TRUE) return {};
-    std::array<char, 1024> log{};
-    gl_.GetShaderInfoLog(shader, static_cast<GLsizei>(log.size()), nullptr, log.data());
-    return fault("a shader does not compile: " + std::string(log.data()));
-  }
-
-  Status link(const std::string& vertex_text, const std::string& fragment_text, Pass& pass) {
-    GLuint vertex = 0, fragment = 0;
-    if (Status compiled = compile(GL_VERTEX_SHADER, vertex_text, vertex); !compiled) return compiled;
-    if (Status compiled = compile(GL_FRAGMENT_SHADER, fragment_text, fragment); !compiled) return compiled;
-    pass.program = gl_.CreateProgram();
-    gl_.AttachShader(pass.program, vertex);
-    gl_.AttachShader(pass.program, fragment);
-    gl_.LinkProgram(pass.program);
-    GLint done = GL_FALSE;
-    gl_.GetProgramiv(pass.program, GL_LINK_STATUS, &done);
-    if (done != GL_TRUE) return fault("the shaders do not link");
+  Status link(const std::string& vertex, const std::string& fragment, Pass& pass) {
+    const auto program =
+        link_program(gl_, std::string(shaders::kHeader) + vertex, std::string(shaders::kHeader) + fragment);
+    if (!program) return program.error();
+    pass.program = *program;
     pass.projection = gl_.GetUniformLocation(pass.program, "projection");
     pass.light = gl_.GetUniformLocation(pass.program, "light");
     return {};

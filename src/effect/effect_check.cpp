@@ -6,6 +6,7 @@
 namespace ninebit {
 namespace {
 
+using effect_detail::in_quotes;
 using effect_detail::is_color_source;
 using effect_detail::is_coordinate_source;
 
@@ -36,7 +37,8 @@ class Checker {
  private:
   void fault(EffectPart part, std::size_t number, const std::string& name, const std::string& message) {
     const std::string kind = part == EffectPart::texture ? "texture" : part == EffectPart::target ? "target" : "pass";
-    faults_.push_back({part, number, part == EffectPart::whole ? message : kind + " '" + name + "': " + message});
+    faults_.push_back(
+        {part, number, part == EffectPart::whole ? message : kind + " " + in_quotes(name) + ": " + message});
   }
 
   [[nodiscard]] const EffectTarget* target_of(const std::string& name) const {
@@ -52,16 +54,17 @@ class Checker {
                                     [&](const EffectTexture& t) { return t.name == name; });
     return found == effect_.textures.end() ? nullptr : &*found;
   }
-  // "; expected picture, map" after an unknown name.
+  // "; expected 'picture', 'map'" after an unknown name.
   [[nodiscard]] std::string known_targets() const {
-    std::string list = "; expected " + std::string(kPictureTarget);
-    for (const EffectTarget& target : effect_.targets) list += ", " + target.name;
+    std::string list = "; expected " + in_quotes(kPictureTarget);
+    for (const EffectTarget& target : effect_.targets) list += ", " + in_quotes(target.name);
     return list;
   }
   [[nodiscard]] std::string known_textures() const {
     if (effect_.textures.empty()) return "; the effect has no textures";
-    std::string list = "; expected ";
-    for (const EffectTexture& texture : effect_.textures) list += (list.size() > 11 ? ", " : "") + texture.name;
+    std::string list;
+    for (const EffectTexture& texture : effect_.textures)
+      list += (list.empty() ? "; expected " : ", ") + in_quotes(texture.name);
     return list;
   }
 
@@ -108,13 +111,13 @@ class Checker {
     if (texture_of(texture.name) != &texture) complain("is defined twice");
     if (!reads_target(texture)) return;
     if (!is_target(texture.target))
-      return complain("reads an unknown target '" + texture.target + "'" + known_targets());
+      return complain("reads an unknown target " + in_quotes(texture.target) + known_targets());
     const EffectTarget* const target = target_of(texture.target);
     const int width = target == nullptr ? effect_.width : target->width;
     const int height = target == nullptr ? effect_.height : target->height;
     if (!is_power_of_two(width) || !is_power_of_two(height)) {
-      complain("reads target '" + texture.target + "' of " + std::to_string(width) + " x " + std::to_string(height) +
-               "; expected powers of two");
+      complain("reads target " + in_quotes(texture.target) + " of " + std::to_string(width) + " x " +
+               std::to_string(height) + "; expected powers of two");
     }
     if (texture.origin != TextureOrigin::target_depth) return;
     const DepthStencilFormat format = target == nullptr ? effect_.depth_stencil : target->depth_stencil;
@@ -130,7 +133,7 @@ class Checker {
       complain("is defined twice");
     }
     if (!is_target(pass.target))
-      return complain("draws into an unknown target '" + pass.target + "'" + known_targets());
+      return complain("draws into an unknown target " + in_quotes(pass.target) + known_targets());
     const EffectTarget* const target = target_of(pass.target);
     const bool cube = target != nullptr && target->cube;
     const bool mesh = pass.geometry == EffectGeometry::mesh;
@@ -167,12 +170,12 @@ class Checker {
       complain("screen coordinates are not available in the faces of a cube map");
     }
     const EffectTexture* const texture = texture_of(unit.texture);
-    if (texture == nullptr) return complain("unknown texture '" + unit.texture + "'" + known_textures());
+    if (texture == nullptr) return complain("unknown texture " + in_quotes(unit.texture) + known_textures());
     if (!reads_target(*texture) || !is_target(texture->target)) return;
     if (texture->target == pass.target) {
-      complain("reads target '" + pass.target + "', which this pass draws into");
+      complain("reads target " + in_quotes(pass.target) + ", which this pass draws into");
     } else if (drawn_.count(texture->target) == 0) {
-      complain("reads target '" + texture->target + "', which no earlier pass draws");
+      complain("reads target " + in_quotes(texture->target) + ", which no earlier pass draws");
     }
   }
 

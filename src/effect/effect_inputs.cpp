@@ -6,6 +6,7 @@
 #include "ninebit/effect/generated_meshes.h"
 #include "ninebit/effect/generated_textures.h"
 #include "ninebit/scene/scene_io.h"
+#include "src/effect/effect_words.h"
 
 namespace ninebit {
 namespace {
@@ -100,7 +101,7 @@ Result<Scene> effect_scene(const Effect& effect, const EffectReaders& readers) {
   }
   const bool generated = is_generated_mesh(from.mesh);
   const std::filesystem::path file = path_in(effect, from.mesh);
-  auto scene = generated ? generated_mesh(from.mesh) : readers.scene(file);
+  auto scene = generated ? generated_mesh(from.mesh) : readers.scene(file, from.up);
   if (!scene) return scene;
   const float aspect = static_cast<float>(effect.width) / static_cast<float>(effect.height);
   auto complete = complete_scene(std::move(*scene), from.setup, aspect);
@@ -120,21 +121,47 @@ Scene rectangle_scene(const Scene& scene) {
 
 Result<Texture> effect_texture(const Effect& effect, const EffectTexture& texture, const HardwareProfile& profile,
                                const EffectReaders& readers) {
-  const std::string part = "texture '" + texture.name + "'";
+  const std::string part = "texture " + effect_detail::in_quotes(texture.name);
   auto made = made_texture(effect, texture, profile, readers);
   if (made && needs_mipmaps(texture.sampler) && made->faces[0].size() == 1) made = with_mipmaps(*made);
   if (!made) return fault_in(part, made.error());
   return made;
 }
 
+namespace {
+
+Status set_constants(const EffectConstants& constants, CombinerState& state) {
+  if (constants.global[0]) state.constant0 = *constants.global[0];
+  if (constants.global[1]) state.constant1 = *constants.global[1];
+  for (std::size_t i = 0; i < constants.of_combiner.size(); ++i) {
+    const EffectConstants::Pair& own = constants.of_combiner[i];
+    if (!own[0] && !own[1]) continue;
+    if (static_cast<int>(i) >= state.num_general_combiners) {
+      return Diagnostic{.message = "constants of general combiner " + std::to_string(i) + ", but the program has " +
+                                   std::to_string(state.num_general_combiners) + "; they are counted from 0"};
+    }
+    if (!state.per_stage_constants) {
+      state.per_stage_constants = true;
+      for (GeneralCombiner& combiner : state.general) {
+        combiner.constant0 = state.constant0;
+        combiner.constant1 = state.constant1;
+      }
+    }
+    if (own[0]) state.general[i].constant0 = *own[0];
+    if (own[1]) state.general[i].constant1 = *own[1];
+  }
+  return {};
+}
+
+}  // namespace
+
 Result<Program> effect_program(const Effect& effect, const EffectPass& pass, const HardwareProfile& profile,
                                const EffectReaders& readers, std::vector<std::string>& warnings) {
-  const std::string part = "pass '" + pass.name + "'";
+  const std::string part = "pass " + effect_detail::in_quotes(pass.name);
   const std::filesystem::path file = path_in(effect, pass.program);
   auto state = readers.program(file, profile);
   if (!state) return fault_in(part, state.error());
-  if (pass.constants[0]) state->constant0 = *pass.constants[0];
-  if (pass.constants[1]) state->constant1 = *pass.constants[1];
+  if (Status set = set_constants(pass.constants, *state); !set) return fault_in(part, set.error());
   auto program = compile(*state, profile);
   if (!program) {
     Diagnostic fault = program.error();

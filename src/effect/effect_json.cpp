@@ -19,7 +19,7 @@ struct PartPlaces {
 };
 
 void read_scene_setup(EffectReader& read, const Value& value, EffectScene& scene) {
-  if (!read.reader().object(value, {"mesh", "camera", "look_at", "fov", "light", "light_type", "light_target",
+  if (!read.reader().object(value, {"mesh", "up", "camera", "look_at", "fov", "light", "light_type", "light_target",
                                     "spot_angle", "light_color", "floor"})) {
     return;
   }
@@ -31,6 +31,7 @@ void read_scene_setup(EffectReader& read, const Value& value, EffectScene& scene
   read.with(value, "mesh", [&](const Value& v) { read.text(v, scene.mesh); });
   if (scene.mesh.empty())
     read.reader().fault(value.offset, "the key \"mesh\" is missing; expected a scene file or a generated mesh");
+  read.with(value, "up", [&](const Value& v) { read.word(v, effect_detail::kUpAxes, "axis", scene.up.emplace()); });
   read.with(value, "camera", [&](const Value& v) { read.point(v, setup.camera); });
   read.with(value, "look_at", [&](const Value& v) { read.point(v, setup.look_at); });
   real("fov", 0.01, 170.0, setup.fov_degrees);
@@ -137,7 +138,6 @@ Effect read_root(EffectReader& read, const Value& root, PartPlaces& places) {
                                    "textures", "targets", "passes"})) {
     return effect;
   }
-  read.reader().heading(root, "effect", true);
   read.with(root, "title", [&](const Value& v) { read.text(v, effect.title); });
   read.with(root, "note", [&](const Value& v) { read.text(v, effect.note); });
   read.with(root, "profile", [&](const Value& v) { read.text(v, effect.profile); });
@@ -185,7 +185,9 @@ Parsed<Effect> parse_effect(const SourceText& source) {
   json::Reader reader(source.text, faults);
   EffectReader read(reader);
   PartPlaces places;
-  Effect effect = read_root(read, *root, places);
+  if (root->type == Type::object) reader.heading(*root, "effect", true);
+  // Another kind of file has no more to say.
+  Effect effect = faults.empty() ? read_root(read, *root, places) : Effect{};
   if (faults.empty()) {
     for (const EffectFault& fault : check_effect(effect)) {
       reader.fault(place_of_fault(fault, *root, places), fault.message);

@@ -45,14 +45,28 @@ void read_units(EffectReader& read, const Value& value, std::array<EffectUnit, k
   }
 }
 
-void read_constants(EffectReader& read, const Value& value, std::array<std::optional<ColorF>, 2>& constants) {
-  if (!read.reader().object(value, {"const0", "const1"})) return;
+void read_constant_pair(EffectReader& read, const Value& value, EffectConstants::Pair& constants) {
   const auto color = [&](const Value& v, std::optional<ColorF>& into) {
     ColorF n{};
     if (read.reals(v, 4, 0.0, 1.0, n) != 0) into = n;
   };
   read.with(value, "const0", [&](const Value& v) { color(v, constants[0]); });
   read.with(value, "const1", [&](const Value& v) { color(v, constants[1]); });
+}
+
+void read_constants(EffectReader& read, const Value& value, EffectConstants& constants) {
+  if (!read.reader().object(value, {"const0", "const1", "combiners"})) return;
+  read_constant_pair(read, value, constants.global);
+  read.with(value, "combiners", [&](const Value& list) {
+    if (list.type != Type::array || list.children.size() > constants.of_combiner.size()) {
+      return read.reader().fault(list.offset, "combiners must be an array of at most 8 general combiners");
+    }
+    for (std::size_t i = 0; i < list.children.size(); ++i) {
+      const Value& combiner = list.children[i];
+      if (combiner.type == Type::null || !read.reader().object(combiner, {"const0", "const1"})) continue;
+      read_constant_pair(read, combiner, constants.of_combiner[i]);
+    }
+  });
 }
 
 void read_clear(EffectReader& read, const Value& value, EffectClear& clear) {

@@ -5,10 +5,12 @@
 #include <numeric>
 #include <utility>
 
+#include "ninebit/raster/prepared_draw.h"
 #include "ninebit/raster/rasterizer.h"
 #include "src/effect/effect_inputs.h"
 #include "src/effect/effect_layers.h"
 #include "src/effect/effect_targets.h"
+#include "src/effect/effect_words.h"
 #include "src/effect/tangents.h"
 #include "src/effect/vertex_sources.h"
 #include "src/shadow/frame/pass_timer.h"
@@ -46,6 +48,7 @@ struct EffectRenderer::Prepared {
   std::vector<double> times{};
   std::deque<Layer> layers{};
   std::vector<ProbedPass> probed{};
+  PreparedDraw geometry{};  // of a pass; keeps its memory for the next one
 
   Status load(const EffectReaders& readers);
   Status prepare_pass(const EffectPass& pass, const EffectReaders& readers);
@@ -53,14 +56,16 @@ struct EffectRenderer::Prepared {
   Status set_vertices(const EffectPass& pass, PreparedPass& prepared);
   Status set_primary(const EffectPass& pass, const VertexInputs& inputs, PreparedPass& prepared) const;
   Status draw_pass(std::size_t number);
-  Status draw_face(std::size_t number, RenderTarget& target, const glm::mat4& projection);
+  Status draw_face(std::size_t number, RenderTarget& target, const glm::mat4& projection, bool is_first);
+  // The clear before a pass, as part of the draw; empty if only some planes are cleared, which is done here.
+  Result<std::optional<ClearValues>> clear_for(const EffectClear& clear, RenderTarget& target, bool is_first) const;
 };
 
 namespace {
 
 Status named(const EffectPass& pass, Status status) {
   if (status) return status;
-  return fault_in("pass '" + pass.name + "'", status.error());
+  return fault_in("pass " + effect_detail::in_quotes(pass.name), status.error());
 }
 
 }  // namespace
@@ -194,38 +199,57 @@ Status EffectRenderer::draw(const Progress& progress) {
   p.times.assign(p.passes.size(), 0.0);
   p.layers.clear();
   p.probed.clear();
-  p.targets.clear();
+  p.targets.start();
   PassTimer timer(progress);
   for (std::size_t i = 0; i < p.passes.size(); ++i) {
     const double done = static_cast<double>(i) / static_cast<double>(p.passes.size());
     Status drawn = timer.run(p.effect.passes[i].name, done, p.times[i], [&] { return p.draw_pass(i); });
     if (!drawn) return drawn.error().fault == Fault::cancelled ? drawn : named(p.effect.passes[i], drawn);
   }
+  for (std::size_t t = 0; t < p.targets.count(); ++t) p.targets.fill_start(t);
   if (p.options.layers) add_frame_layers(p.layers, p.targets.faces(0)[0]);
   return {};
 }
 
 Status EffectRenderer::Prepared::draw_pass(std::size_t number) {
   const PreparedPass& pass = passes[number];
+  for (const int texture : pass.textures) {
+    if (texture < 0) continue;
+    const EffectTexture& read = effect.textures[static_cast<std::size_t>(texture)];
+    if (targets.has(read.target)) targets.fill_start(targets.number_of(read.target));
+  }
+  const bool is_first = targets.take_start(pass.target);
   const std::span<Surface> faces = targets.faces(pass.target);
   for (std::size_t f = 0; f < faces.size(); ++f) {
     RenderTarget target = faces[f].target();
     target.outputs.clear();
-    if (Status drawn = draw_face(number, target, pass.projections[f]); !drawn) return drawn;
+    if (Status drawn = draw_face(number, target, pass.projections[f], is_first); !drawn) return drawn;
   }
   return {};
 }
 
-Status EffectRenderer::Prepared::draw_face(std::size_t number, RenderTarget& target, const glm::mat4& projection) {
-  const EffectPass& said = effect.passes[number];
-  const PreparedPass& pass = passes[number];
-  const EffectClear& c = said.clear;
+Result<std::optional<ClearValues>> EffectRenderer::Prepared::clear_for(const EffectClear& c, RenderTarget& target,
+                                                                       bool is_first) const {
+  const bool has_stencil = stencil_bits(target.format) > 0;
+  ClearValues values;
+  if (c.color) values.color = c.values.color;
+  if (c.depth) values.depth = c.values.depth;
+  if (c.stencil) values.stencil = c.values.stencil;
+  if (is_first || (c.color && c.depth && (c.stencil || !has_stencil))) return std::optional(values);
   if (c.color || c.depth || c.stencil) {
     PipelineState everything;
-    Status cleared =
-        clear(everything, {c.color, c.depth, c.stencil && stencil_bits(target.format) > 0}, c.values, target);
-    if (!cleared) return cleared;
+    Status cleared = clear(everything, {c.color, c.depth, c.stencil && has_stencil}, c.values, target);
+    if (!cleared) return cleared.error();
   }
+  return std::optional<ClearValues>();
+}
+
+Status EffectRenderer::Prepared::draw_face(std::size_t number, RenderTarget& target, const glm::mat4& projection,
+                                           bool is_first) {
+  const EffectPass& said = effect.passes[number];
+  const PreparedPass& pass = passes[number];
+  const auto cleared = clear_for(said.clear, target, is_first);
+  if (!cleared) return cleared.error();
   VertexArrays arrays{.positions = pass.positions, .indices = index_list(pass.scene->triangles)};
   if (said.primary.source == VertexSource::index) {
     arrays.primitive_colors = pass.primary;
@@ -247,11 +271,17 @@ Status EffectRenderer::Prepared::draw_face(std::size_t number, RenderTarget& tar
   const std::span<const TextureUnit> units(all.data(), used);
   const bool on_picture = said.target == kPictureTarget;
   if (on_picture && options.layers) capture_registers(layers, said.name, target);
-  if (!on_picture || !options.pixel) return rasterize(pass.state, projection, arrays, units, target);
-  FragmentProbe probe{.x = options.pixel->x, .y = options.pixel->y};
-  target.probe = &probe;
-  Status drawn = rasterize(pass.state, projection, arrays, units, target);
-  probed.push_back({said.name, pass.state.program, std::move(probe.fragments)});
+  FragmentProbe probe;
+  const bool probes = on_picture && options.pixel;
+  if (probes) {
+    probe.x = options.pixel->x;
+    probe.y = options.pixel->y;
+    target.probe = &probe;
+  }
+  if (Status ready = prepare(pass.state, projection, arrays, target, geometry); !ready) return ready;
+  const DrawPass draw{.state = &pass.state, .arrays = arrays, .units = units};
+  Status drawn = rasterize({&draw, 1}, geometry, {.clear = *cleared}, target);
+  if (probes) probed.push_back({said.name, pass.state.program, std::move(probe.fragments)});
   return drawn;
 }
 

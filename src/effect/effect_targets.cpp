@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "src/effect/effect_inputs.h"
+#include "src/effect/effect_words.h"
 
 namespace ninebit {
 
@@ -19,7 +20,7 @@ Status EffectTargets::allocate(const Effect& effect) {
     Target target{.name = from.name, .format = from.format};
     for (std::size_t f = 0; f < (from.cube ? 6U : 1U); ++f) {
       auto surface = Surface::make(from.width, from.height, {.depth_stencil = from.depth_stencil});
-      if (!surface) return fault_in("target '" + from.name + "'", surface.error());
+      if (!surface) return fault_in("target " + effect_detail::in_quotes(from.name), surface.error());
       target.faces.push_back(std::move(*surface));
     }
     targets_.push_back(std::move(target));
@@ -27,10 +28,17 @@ Status EffectTargets::allocate(const Effect& effect) {
   return {};
 }
 
-void EffectTargets::clear() {
-  for (Target& target : targets_) {
-    for (Surface& face : target.faces) face.fill({});
-  }
+void EffectTargets::start() {
+  for (Target& target : targets_) target.holds_nothing = true;
+}
+
+bool EffectTargets::take_start(std::size_t number) {
+  return std::exchange(targets_[number].holds_nothing, false);
+}
+
+void EffectTargets::fill_start(std::size_t number) {
+  if (!take_start(number)) return;
+  for (Surface& face : targets_[number].faces) face.fill({});
 }
 
 bool EffectTargets::has(std::string_view name) const {
@@ -71,7 +79,7 @@ Result<Texture> EffectTargets::texture(const EffectTexture& texture) {
                                                                               : InternalFormat::depth24;
   Texture view = texture_view(format, images);
   if (Status checked = check_texture(view); !checked) {
-    return fault_in("texture '" + texture.name + "'", checked.error());
+    return fault_in("texture " + effect_detail::in_quotes(texture.name), checked.error());
   }
   return view;
 }

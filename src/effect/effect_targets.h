@@ -18,9 +18,14 @@ class EffectTargets {
   // Reports what Surface::make reports.
   [[nodiscard]] Status allocate(const Effect& effect);
 
-  // Fills all surfaces: colour 0, depth 1, stencil 0.
-  void clear();
+  // A target's content before the first pass is colour 0, depth 1, stencil 0. It is filled in when it is needed:
+  // start() forgets what all surfaces hold, take_start() says whether a target holds nothing yet, and takes it that the
+  // caller clears it; fill_start() fills those that hold nothing.
+  void start();
+  [[nodiscard]] bool take_start(std::size_t number);
+  void fill_start(std::size_t number);
 
+  [[nodiscard]] std::size_t count() const { return targets_.size(); }
   [[nodiscard]] bool has(std::string_view name) const;
   [[nodiscard]] std::size_t number_of(std::string_view name) const;  // of a known name
   [[nodiscard]] std::span<Surface> faces(std::size_t number) { return targets_[number].faces; }
@@ -36,6 +41,7 @@ class EffectTargets {
     std::string name;
     InternalFormat format;
     std::vector<Surface> faces{};
+    bool holds_nothing = true;
   };
   std::vector<Target> targets_{};
 };

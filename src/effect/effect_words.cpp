@@ -14,13 +14,6 @@ Diagnostic wrong(std::string message) {
   return {.message = std::move(message)};
 }
 
-std::string quoted(std::string_view text) {
-  constexpr std::size_t kLongest = 80;
-  std::string shown = "'";
-  for (const char c : text.substr(0, kLongest)) shown += c < ' ' || c > '~' ? '?' : c;
-  return shown + (text.size() > kLongest ? "...'" : "'");
-}
-
 // The text before and after the first colon; the second is empty without one.
 struct Split {
   std::string_view word, rest;
@@ -71,7 +64,7 @@ Result<ColorSource> parse_index(const Split& said) {
   const auto format = value_of(kIndexFormats, said.rest.substr(0, comma));
   const auto step = comma < said.rest.size() ? whole_number(said.rest.substr(comma + 1)) : std::optional<int>(2);
   if (!format || !step || *step < 1 || *step > kMaxIndexStep) {
-    return wrong(quoted(said.rest) + " is not an index format and step; expected FORMAT,STEP with " +
+    return wrong(in_quotes(said.rest) + " is not an index format and step; expected FORMAT,STEP with " +
                  list_of(kIndexFormats) + " and a step from 1 to " + std::to_string(kMaxIndexStep));
   }
   source.index_format = *format;
@@ -104,7 +97,7 @@ Result<EffectTexture> generated(TextureOrigin origin, const Split& said) {
   const auto size = whole_number(said.rest);
   const bool power_of_two = size && *size > 0 && (*size & (*size - 1)) == 0;
   if (!power_of_two || *size > kMaxSurfaceSize) {
-    return wrong(quoted(said.rest) + " is not a texture size; expected " + std::string(said.word) +
+    return wrong(in_quotes(said.rest) + " is not a texture size; expected " + std::string(said.word) +
                  ":N with a power of two from 1 to " + std::to_string(kMaxSurfaceSize));
   }
   texture.size = *size;
@@ -115,19 +108,32 @@ Result<EffectTexture> files(std::string_view text) {
   EffectTexture texture = texture_from(TextureOrigin::file);
   texture.files = parts_of(text);
   for (const std::string& file : texture.files) {
-    if (file.empty()) return wrong(quoted(text) + " has an empty file name; expected a texture file");
+    if (file.empty()) return wrong(in_quotes(text) + " has an empty file name; expected a texture file");
   }
   if (texture.files.size() == 1) return texture;
   EffectTexture cube = texture_from(TextureOrigin::cube_files);
   cube.files = std::move(texture.files);
   if (cube.files.size() == 6) return cube;
-  return wrong(quoted(text) + " names " + std::to_string(cube.files.size()) +
+  return wrong(in_quotes(text) + " names " + std::to_string(cube.files.size()) +
                " files; expected one texture, or six faces +X,-X,+Y,-Y,+Z,-Z");
 }
 
 }  // namespace
 
 namespace effect_detail {
+
+std::string in_quotes(std::string_view text) {
+  constexpr std::size_t kLongest = 80;
+  const bool whole = text.size() <= kLongest;
+  if (!whole) {
+    std::size_t end = kLongest;
+    while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U) --end;  // not inside a UTF-8 character
+    text = text.substr(0, end);
+  }
+  std::string shown = "'";
+  for (const char c : text) shown += static_cast<unsigned char>(c) < ' ' || c == '\x7f' ? '?' : c;
+  return shown + (whole ? "'" : "...'");
+}
 
 std::string source_words(bool (*fits)(VertexSource)) {
   std::string list;
@@ -151,7 +157,7 @@ Result<CoordinateSource> parse_coordinate_source(std::string_view text) {
   if (said.word == "constant") {
     const std::vector<float> n = numbers_in(said.rest);
     if (n.size() < 2 || n.size() > 4) {
-      return wrong(quoted(text) + " is not a texture coordinate; expected constant:S,T[,R[,Q]]");
+      return wrong(in_quotes(text) + " is not a texture coordinate; expected constant:S,T[,R[,Q]]");
     }
     CoordinateSource source{.source = VertexSource::constant};
     for (std::size_t i = 0; i < n.size(); ++i) source.constant[static_cast<int>(i)] = n[i];
@@ -159,7 +165,7 @@ Result<CoordinateSource> parse_coordinate_source(std::string_view text) {
   }
   const auto source = value_of(kVertexSources, said.word);
   if (source && is_coordinate_source(*source) && !said.has_rest) return CoordinateSource{.source = *source};
-  return wrong(quoted(text) + " is not a source of texture coordinates; expected " +
+  return wrong(in_quotes(text) + " is not a source of texture coordinates; expected " +
                source_words(&is_coordinate_source) + "or constant:S,T[,R[,Q]]");
 }
 
@@ -170,7 +176,7 @@ Result<ColorSource> parse_color_source(std::string_view text) {
     bool in_range = n.size() == 3 || n.size() == 4;
     for (const float x : n) in_range = in_range && x >= 0.0F && x <= 1.0F;
     if (!in_range) {
-      return wrong(quoted(text) + " is not a colour; expected constant:R,G,B[,A] with numbers from 0 to 1");
+      return wrong(in_quotes(text) + " is not a colour; expected constant:R,G,B[,A] with numbers from 0 to 1");
     }
     ColorSource source;
     for (std::size_t i = 0; i < n.size(); ++i) source.constant[static_cast<int>(i)] = n[i];
@@ -179,7 +185,7 @@ Result<ColorSource> parse_color_source(std::string_view text) {
   if (said.word == "index") return parse_index(said);
   const auto source = value_of(kVertexSources, said.word);
   if (source && is_color_source(*source) && !said.has_rest) return ColorSource{.source = *source};
-  return wrong(quoted(text) + " is not a source of colours; expected " + source_words(&is_color_source) +
+  return wrong(in_quotes(text) + " is not a source of colours; expected " + source_words(&is_color_source) +
                "or constant:R,G,B[,A]");
 }
 
@@ -199,7 +205,7 @@ Result<EffectFog> parse_fog(std::string_view text) {
     fog.density = n[0];
     return fog;
   }
-  return wrong(quoted(text) +
+  return wrong(in_quotes(text) +
                " is not a fog; expected none, linear:START,END with two different distances, exp:DENSITY or "
                "exp2:DENSITY with a density that is not negative");
 }
@@ -210,7 +216,7 @@ Result<EffectTexture> parse_texture_source(std::string_view text) {
   if (said.word == "checker") return generated(TextureOrigin::checker, said);
   if (text == "gradient") return texture_from(TextureOrigin::gradient);
   if (text == "falloff") return texture_from(TextureOrigin::falloff);
-  if (said.has_rest && said.rest.empty()) return wrong(quoted(text) + " names nothing after the colon");
+  if (said.has_rest && said.rest.empty()) return wrong(in_quotes(text) + " names nothing after the colon");
   if (said.word == "target" && said.has_rest) return texture_of_target(TextureOrigin::target_color, said.rest);
   if (said.word == "depth" && said.has_rest) return texture_of_target(TextureOrigin::target_depth, said.rest);
   if (said.word == "normals" && said.has_rest) {
@@ -223,7 +229,7 @@ Result<EffectTexture> parse_texture_source(std::string_view text) {
 
 Status parse_filter(std::string_view text, Sampler& sampler) {
   const auto filters = value_of(kFilters, text);
-  if (!filters) return wrong(quoted(text) + " is not a filter; expected " + list_of(kFilters));
+  if (!filters) return wrong(in_quotes(text) + " is not a filter; expected " + list_of(kFilters));
   sampler.min_filter = filters->min;
   sampler.mag_filter = filters->mag;
   return {};
@@ -231,7 +237,7 @@ Status parse_filter(std::string_view text, Sampler& sampler) {
 
 Status parse_wrap(std::string_view text, Sampler& sampler) {
   const auto wrap = value_of(kWraps, text);
-  if (!wrap) return wrong(quoted(text) + " is not a wrap mode; expected " + list_of(kWraps));
+  if (!wrap) return wrong(in_quotes(text) + " is not a wrap mode; expected " + list_of(kWraps));
   sampler.wrap_s = sampler.wrap_t = *wrap;
   return {};
 }

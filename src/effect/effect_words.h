@@ -11,6 +11,9 @@
 
 namespace ninebit::effect_detail {
 
+// A text in quotes for a message: at most 80 bytes, with '?' for control characters.
+[[nodiscard]] std::string in_quotes(std::string_view text);
+
 // A table of words and their values.
 template <class T, std::size_t N>
 using Words = std::array<std::pair<std::string_view, T>, N>;
@@ -100,11 +103,14 @@ inline constexpr Words<BlendFactor, 15> kBlendFactors{
      {"one_minus_constant_alpha", BlendFactor::one_minus_constant_alpha},
      {"src_alpha_saturate", BlendFactor::src_alpha_saturate}}};
 
-inline constexpr Words<BlendEquation, 5> kBlendEquations{{{"add", BlendEquation::add},
-                                                          {"subtract", BlendEquation::subtract},
-                                                          {"reverse_subtract", BlendEquation::reverse_subtract},
-                                                          {"min", BlendEquation::min},
-                                                          {"max", BlendEquation::max}}};
+inline constexpr Words<BlendEquation, 7> kBlendEquations{
+    {{"add", BlendEquation::add},
+     {"subtract", BlendEquation::subtract},
+     {"reverse_subtract", BlendEquation::reverse_subtract},
+     {"min", BlendEquation::min},
+     {"max", BlendEquation::max},
+     {"add_signed", BlendEquation::add_signed},
+     {"reverse_subtract_signed", BlendEquation::reverse_subtract_signed}}};
 
 inline constexpr Words<CullFace, 3> kCullFaces{
     {{"none", CullFace::none}, {"back", CullFace::back}, {"front", CullFace::front}}};
@@ -136,6 +142,8 @@ inline constexpr Words<EffectView, 2> kViews{{{"camera", EffectView::camera}, {"
 
 inline constexpr Words<LightKind, 3> kLightKinds{
     {{"point", LightKind::point}, {"spot", LightKind::spot}, {"directional", LightKind::directional}}};
+
+inline constexpr Words<UpAxis, 2> kUpAxes{{{"y", UpAxis::y}, {"z", UpAxis::z}}};
 
 // Whether a source gives texture coordinates, or a colour.
 [[nodiscard]] constexpr bool is_coordinate_source(VertexSource source) {

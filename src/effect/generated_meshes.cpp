@@ -8,6 +8,8 @@
 #include <optional>
 #include <string>
 
+#include "src/effect/effect_words.h"
+
 namespace ninebit {
 namespace {
 
@@ -103,8 +105,8 @@ Result<Scene> generated_mesh(std::string_view text) {
   const std::string_view shape = shape_of(text);
   const std::optional<int> segments = segments_of(text);
   if (!is_generated_mesh(text) || (text != "cube" && !segments)) {
-    return Diagnostic{.message = "'" + std::string(text.substr(0, 80)) +
-                                 "' is not a generated mesh; expected sphere:N, torus:N or plane:N with N from " +
+    return Diagnostic{.message = effect_detail::in_quotes(text) +
+                                 " is not a generated mesh; expected sphere:N, torus:N or plane:N with N from " +
                                  std::to_string(kMinMeshSegments) + " to " + std::to_string(kMaxMeshSegments) +
                                  ", or cube"};
   }

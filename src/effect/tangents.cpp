@@ -37,6 +37,14 @@ std::vector<glm::vec4> tangents_of(const Scene& scene) {
   tangents.reserve(scene.positions.size());
   for (std::size_t v = 0; v < scene.positions.size(); ++v) {
     const glm::dvec3 normal(scene.normals[v]);
+    if (!scene.tangents.empty()) {
+      const glm::dvec3 own(glm::vec3(scene.tangents[v]));
+      const glm::dvec3 across = own - normal * glm::dot(normal, own);
+      if (const double size = glm::length(across); size > 1e-3) {
+        tangents.emplace_back(glm::vec3(across / size), scene.tangents[v].w);
+        continue;
+      }
+    }
     glm::dvec3 tangent = along_s[v] - normal * glm::dot(normal, along_s[v]);
     const double length = glm::length(tangent);
     tangent = length > 0.0 && std::isfinite(length) ? tangent / length : any_perpendicular(normal);

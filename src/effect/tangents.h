@@ -9,7 +9,8 @@
 namespace ninebit {
 
 // A tangent per vertex, as glTF has them: xyz has length one, is perpendicular to the normal and points where s grows;
-// w × cross(normal, tangent) is the bitangent, which points where t shrinks: up in a picture. Eric Lengyel's method:
+// w × cross(normal, tangent) is the bitangent, which points where t shrinks: up in a picture. The scene's own, where it
+// has them, made perpendicular to the normal. Otherwise, Eric Lengyel's method:
 // the sum of the triangles' tangents, made perpendicular to the normal. A vertex whose triangles give no tangent gets
 // any perpendicular one. The scene must be valid and have texture coordinates.
 [[nodiscard]] std::vector<glm::vec4> tangents_of(const Scene& scene);

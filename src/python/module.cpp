@@ -47,5 +47,6 @@ PYBIND11_MODULE(_ninebit, module) {
   module.def("simd_target", &simd_target, "The SIMD target that Program.evaluate runs on here, such as \"AVX2\".");
   python::add_programs(module);
   python::add_render(module);
+  python::add_draw(module);
   python::add_studies(module);
 }

@@ -41,6 +41,7 @@ struct View {
 
 void add_programs(pybind11::module_& module);
 void add_render(pybind11::module_& module);
+void add_draw(pybind11::module_& module);
 void add_studies(pybind11::module_& module);
 
 }  // namespace ninebit::python

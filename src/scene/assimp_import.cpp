@@ -9,12 +9,13 @@
 #include <assimp/Importer.hpp>
 #include <cmath>
 #include <exception>
-#include <limits>
+#include <initializer_list>
 #include <new>
+#include <unordered_map>
+#include <utility>
 
 #include "src/scene/fault_of.h"
 #include "src/scene/mesh_builder.h"
-#include "src/scene/polygon.h"
 #include "src/scene/scene_check.h"
 
 namespace ninebit {
@@ -25,25 +26,49 @@ glm::dmat4 matrix_of(const aiMatrix4x4& m) {
   return {{m.a1, m.b1, m.c1, m.d1}, {m.a2, m.b2, m.c2, m.d2}, {m.a3, m.b3, m.c3, m.d3}, {m.a4, m.b4, m.c4, m.d4}};
 }
 
-// The inverse transpose of a transform's linear part, up to a positive factor; also defined for singular transforms.
-glm::dmat3 normal_transform(const glm::dmat4& world, double determinant) {
-  const glm::dvec3 x(world[0]);
-  const glm::dvec3 y(world[1]);
-  const glm::dvec3 z(world[2]);
-  const glm::dmat3 cofactors(glm::cross(y, z), glm::cross(z, x), glm::cross(x, y));
-  return determinant < 0.0 ? -cofactors : cofactors;
+Wrap wrap_of(aiTextureMapMode mode) {
+  switch (mode) {
+    case aiTextureMapMode_Clamp:
+      return Wrap::clamp_to_edge;
+    case aiTextureMapMode_Mirror:
+      return Wrap::mirrored_repeat;
+    default:
+      return Wrap::repeat;
+  }
 }
 
-Material material_of(const aiMaterial& from) {
-  Material out;
-  out.name = from.GetName().C_Str();
-  aiColor4D color;
-  if (from.Get(AI_MATKEY_BASE_COLOR, color) == aiReturn_SUCCESS ||
-      from.Get(AI_MATKEY_COLOR_DIFFUSE, color) == aiReturn_SUCCESS) {
-    const glm::vec3 rgb(color.r, color.g, color.b);
-    if (is_finite(rgb)) out.base_color = glm::clamp(rgb, 0.0F, 1.0F);
-  }
-  return out;
+// What Assimp read and the scene does not hold.
+std::vector<std::string> notes_of(const aiScene& from) {
+  const auto any_material = [&](const auto& test) {
+    return std::any_of(from.mMaterials, from.mMaterials + from.mNumMaterials,
+                       [&](const aiMaterial* material) { return test(*material); });
+  };
+  const auto any_mesh = [&](const auto& test) {
+    return std::any_of(from.mMeshes, from.mMeshes + from.mNumMeshes, [&](const aiMesh* mesh) { return test(*mesh); });
+  };
+  const auto has_texture = [&](std::initializer_list<aiTextureType> types) {
+    return any_material([&](const aiMaterial& m) {
+      return std::any_of(types.begin(), types.end(), [&](aiTextureType type) { return m.GetTextureCount(type) > 0; });
+    });
+  };
+  std::vector<std::string> notes;
+  const auto note = [&](bool there, const char* text) {
+    if (there) notes.emplace_back(text);
+  };
+  note(has_texture({aiTextureType_NORMALS, aiTextureType_HEIGHT, aiTextureType_NORMAL_CAMERA}), "normal maps");
+  note(has_texture({aiTextureType_SPECULAR, aiTextureType_SHININESS, aiTextureType_METALNESS,
+                    aiTextureType_DIFFUSE_ROUGHNESS, aiTextureType_AMBIENT, aiTextureType_AMBIENT_OCCLUSION,
+                    aiTextureType_EMISSIVE, aiTextureType_REFLECTION, aiTextureType_LIGHTMAP, aiTextureType_OPACITY}),
+       "textures other than the base colour's");
+  note(any_material([](const aiMaterial& m) {
+         ai_real opacity = 1.0F;
+         return m.Get(AI_MATKEY_OPACITY, opacity) == aiReturn_SUCCESS && opacity < 1.0F;
+       }),
+       "alpha blending");
+  note(any_mesh([](const aiMesh& mesh) { return mesh.mNumBones > 0; }), "skins");
+  note(any_mesh([](const aiMesh& mesh) { return mesh.mNumAnimMeshes > 0; }), "morph targets");
+  note(from.mNumAnimations > 0, "animations");
+  return notes;
 }
 
 class SceneFlattener {
@@ -55,17 +80,64 @@ class SceneFlattener {
     if (from_.mRootNode != nullptr) {
       if (auto fault = add_node(*from_.mRootNode, glm::dmat4(1.0))) return *fault;
     }
+    out_.notes = notes_of(from_);
     return std::move(out_);
   }
 
  private:
+  Material material_of(const aiMaterial& from) {
+    Material out;
+    out.name = from.GetName().C_Str();
+    aiColor4D color;
+    if (from.Get(AI_MATKEY_BASE_COLOR, color) == aiReturn_SUCCESS ||
+        from.Get(AI_MATKEY_COLOR_DIFFUSE, color) == aiReturn_SUCCESS) {
+      const glm::vec3 rgb(color.r, color.g, color.b);
+      if (is_finite(rgb)) out.base_color = glm::clamp(rgb, 0.0F, 1.0F);
+    }
+    add_texture(from, aiTextureType_DIFFUSE, out);
+    add_texture(from, aiTextureType_BASE_COLOR, out);
+    return out;
+  }
+
+  // In these formats a texture replaces the colour. The file of a picture is found by the caller.
+  void add_texture(const aiMaterial& from, aiTextureType type, Material& out) {
+    aiString path;
+    unsigned coordinates = 0;
+    std::array<aiTextureMapMode, 2> modes{aiTextureMapMode_Wrap, aiTextureMapMode_Wrap};
+    if (out.base_texture ||
+        from.GetTexture(type, 0, &path, nullptr, &coordinates, nullptr, nullptr, modes.data()) != aiReturn_SUCCESS) {
+      return;
+    }
+    if (coordinates != 0 || path.length == 0) return;
+    out.base_texture = texture_of(path.C_Str());
+    out.base_color = glm::vec3(1.0F);
+    out.sampler = {
+        .min_filter = MinFilter::linear_mipmap_linear, .wrap_s = wrap_of(modes[0]), .wrap_t = wrap_of(modes[1])};
+  }
+
+  std::uint32_t texture_of(const std::string& name) {
+    const auto [place, added] = textures_.try_emplace(name, static_cast<std::uint32_t>(out_.textures.size()));
+    if (!added) return place->second;
+    SceneTexture texture{.name = name};
+    // A height of 0: the texture is a picture file of mWidth bytes.
+    const aiTexture* const embedded = from_.GetEmbeddedTexture(name.c_str());
+    if (embedded != nullptr && embedded->mHeight == 0) {
+      texture.bytes.assign(reinterpret_cast<const char*>(embedded->pcData), embedded->mWidth);
+      if (texture.bytes.empty()) texture.fault = "is empty";
+    } else if (embedded != nullptr) {
+      texture.fault = "is embedded as texels; expected a picture file";
+    }
+    out_.textures.push_back(std::move(texture));
+    return place->second;
+  }
+
   std::optional<Diagnostic> add_node(const aiNode& node, const glm::dmat4& parent) {
     const glm::dmat4 world = parent * matrix_of(node.mTransformation);
     if (node.mNumMeshes > 0) {
       builder_.begin_object(node.mName.C_Str());
       for (unsigned i = 0; i < node.mNumMeshes; ++i) {
         if (node.mMeshes[i] >= from_.mNumMeshes) return fault_of("a node names a mesh that does not exist");
-        if (auto fault = add_mesh(*from_.mMeshes[node.mMeshes[i]], world)) return fault;
+        if (auto fault = add_mesh(*from_.mMeshes[node.mMeshes[i]], MeshPlace::of(world))) return fault;
       }
       builder_.end_object();
     }
@@ -75,12 +147,9 @@ class SceneFlattener {
     return std::nullopt;
   }
 
-  std::optional<Diagnostic> add_mesh(const aiMesh& mesh, const glm::dmat4& world) {
-    const double determinant = glm::determinant(glm::dmat3(world));
-    const bool mirrored = determinant < 0.0;
-    const glm::dmat3 normals = normal_transform(world, determinant);
+  std::optional<Diagnostic> add_mesh(const aiMesh& mesh, const MeshPlace& place) {
     const std::uint32_t material = material_index(mesh.mMaterialIndex);
-    std::vector<std::uint32_t> placed(mesh.mNumVertices, kNotPlaced);
+    std::vector<std::uint32_t> placed(mesh.mNumVertices, VertexTable::kFree);
     for (unsigned f = 0; f < mesh.mNumFaces; ++f) {
       const aiFace& face = mesh.mFaces[f];
       if (face.mNumIndices < 3) continue;  // points and lines have no surface
@@ -90,46 +159,31 @@ class SceneFlattener {
         if (index >= mesh.mNumVertices)
           return fault_of(fmt::format("vertex index {} is out of range: the mesh has {}, counted from 0", index,
                                       mesh.mNumVertices));
-        if (placed[index] == kNotPlaced) {
-          if (auto fault = place_vertex(mesh, index, world, normals, placed[index])) return fault;
+        if (placed[index] == VertexTable::kFree) {
+          if (auto fault = builder_.vertex_at(place, vertex_of(mesh, index), placed[index])) return fault_of(*fault);
         }
         corners_.push_back(placed[index]);
       }
-      if (auto fault = add_polygon(material, mirrored)) return fault;
+      if (auto fault = builder_.polygon(corners_, material, place.mirrored)) return fault_of(*fault);
     }
     return std::nullopt;
   }
 
-  std::optional<Diagnostic> place_vertex(const aiMesh& mesh, unsigned index, const glm::dmat4& world,
-                                         const glm::dmat3& normals, std::uint32_t& placed) {
-    const aiVector3D& at = mesh.mVertices[index];
-    const glm::vec3 position(glm::dvec3(world * glm::dvec4(at.x, at.y, at.z, 1.0)));
-    if (!is_finite(position)) return fault_of("the position of a vertex is not finite");
-    glm::vec3 normal(0.0F);
-    if (mesh.mNormals != nullptr) {
-      const aiVector3D& n = mesh.mNormals[index];
-      const glm::dvec3 turned = normals * glm::dvec3(n.x, n.y, n.z);
-      const double length = glm::length(turned);
-      if (length > 0.0 && std::isfinite(length)) normal = glm::vec3(turned / length);
+  static MeshVertex vertex_of(const aiMesh& mesh, unsigned index) {
+    const auto vector = [](const aiVector3D& v) { return glm::vec3(v.x, v.y, v.z); };
+    MeshVertex out{.position = vector(mesh.mVertices[index])};
+    if (mesh.mNormals != nullptr) out.normal = vector(mesh.mNormals[index]);
+    if (const aiVector3D* const uv = mesh.mTextureCoords[0]; uv != nullptr) {
+      // Assimp's origin is the lower left corner of a picture.
+      const glm::vec2 st(uv[index].x, 1.0F - uv[index].y);
+      if (std::isfinite(st.x) && std::isfinite(st.y)) out.texture_coordinate = st;
     }
-    if (out_.positions.size() >= kNotPlaced) return fault_of("has more than 2^32 - 1 vertices");
-    placed = builder_.vertex({.position = position, .normal = normal});
-    return std::nullopt;
-  }
-
-  std::optional<Diagnostic> add_polygon(std::uint32_t material, bool mirrored) {
-    if (out_.triangles.size() + corners_.size() >= kNotPlaced) return fault_of("has more than 2^32 - 1 triangles");
-    outline_.clear();
-    for (const std::uint32_t corner : corners_) outline_.push_back(out_.positions[corner]);
-    pieces_.clear();
-    if (!triangulate(outline_, pieces_))
-      return fault_of(fmt::format("has a concave polygon with more than {} corners", kMostConcaveCorners));
-    for (const auto& [a, b, c] : pieces_) {
-      const std::uint32_t second = mirrored ? c : b;
-      const std::uint32_t third = mirrored ? b : c;
-      builder_.triangle({corners_[a], corners_[second], corners_[third]}, material);
+    if (const aiColor4D* const colors = mesh.mColors[0]; colors != nullptr) {
+      const aiColor4D& c = colors[index];
+      const glm::vec4 rgba(c.r, c.g, c.b, c.a);
+      if (is_finite(glm::vec3(rgba)) && std::isfinite(rgba.a)) out.color = glm::clamp(rgba, 0.0F, 1.0F);
     }
-    return std::nullopt;
+    return out;
   }
 
   std::uint32_t material_index(unsigned index) {
@@ -138,14 +192,11 @@ class SceneFlattener {
     return static_cast<std::uint32_t>(out_.materials.size() - 1);
   }
 
-  static constexpr std::uint32_t kNotPlaced = std::numeric_limits<std::uint32_t>::max();
-
   const aiScene& from_;
   Scene out_;
   MeshBuilder builder_;
-  std::vector<std::uint32_t> corners_;  // of the current polygon, as vertices of the scene
-  std::vector<glm::vec3> outline_;
-  std::vector<std::array<std::uint32_t, 3>> pieces_;
+  std::unordered_map<std::string, std::uint32_t> textures_;  // by name
+  std::vector<std::uint32_t> corners_;                       // of the current polygon, as vertices of the scene
 };
 
 // A file system with a single file, whose content is in memory.
@@ -179,6 +230,9 @@ Result<Imported> import_or_throw(const std::filesystem::path& file, std::string_
   if (!scene) return scene.error();
   Imported out{std::move(scene).value(), glm::dmat4(1.0)};
   if (from->mRootNode != nullptr) out.root_transform = matrix_of(from->mRootNode->mTransformation);
+  out.has_viewpoints = from->mNumCameras > 0 || from->mNumLights > 0;
+  int up = -1;
+  if (from->mMetaData != nullptr && from->mMetaData->Get("UpAxis", up) && up == 2) out.z_up = true;
   return out;
 }
 

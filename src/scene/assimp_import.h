@@ -10,8 +10,10 @@
 namespace ninebit {
 
 struct Imported {
-  Scene scene;                     // without cameras and lights
+  Scene scene;                     // without cameras and lights; pictures have a name, and no file yet
   glm::dmat4 root_transform{1.0};  // of the root node: importers put their change of axes there
+  bool has_viewpoints = false;     // the file has cameras or lights
+  bool z_up = false;               // the file declares that z points up: FBX
 };
 
 // `content` is read instead of the file, so that the bytes that were checked are the bytes that are read. Diagnostics

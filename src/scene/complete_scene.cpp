@@ -5,25 +5,17 @@
 #include <cmath>
 
 #include "ninebit/scene/scene_io.h"
+#include "src/scene/framing.h"
 #include "src/scene/scene_check.h"
 
 namespace ninebit {
 namespace {
 
-constexpr float kTooClose = 1e-6F;    // of the bounding diagonal
-constexpr double kMinExtent = 1e-12;  // a smaller scene counts as a point: its squares would vanish in floats
+constexpr float kTooClose = 1e-6F;  // of the bounding diagonal
 constexpr float kMinFov = 0.01F;
 constexpr float kMaxFov = 170.0F;
 constexpr float kNarrowestSpot = 1.0F;
 constexpr float kWidestSpot = 170.0F;
-
-// The length that all distances are relative to. A scene that is almost a single point needs some length, too, which
-// must not be lost in the rounding of its coordinates.
-float scale_of(const Bounds& bounds) {
-  const double diagonal = glm::length(glm::dvec3(bounds.high) - glm::dvec3(bounds.low));
-  if (diagonal >= kMinExtent) return static_cast<float>(diagonal);
-  return std::max(1.0F, 1e-3F * glm::length(bounds.center()));
-}
 
 glm::vec3 any_axis_across(const glm::vec3& direction) {
   const glm::vec3 size = glm::abs(direction);
@@ -52,42 +44,6 @@ Status check_fov(float degrees) {
                              kMinFov, kMaxFov));
 }
 
-// A three-quarter view from the front, the right and above, as near as the box fits into both angles of view with some
-// margin.
-Camera framing_camera(const Bounds& bounds, float fov_degrees, float aspect_ratio) {
-  constexpr double kRoom = 1.15;
-  Camera camera;
-  camera.vertical_fov_degrees = fov_degrees;
-  const glm::dvec3 toward_eye = glm::normalize(glm::dvec3(0.62, 0.48, 1.0));
-  const glm::dvec3 right = glm::normalize(glm::cross(glm::dvec3(0.0, 1.0, 0.0), toward_eye));
-  const glm::dvec3 up = glm::cross(toward_eye, right);
-  const double tan_y = std::tan(glm::radians(static_cast<double>(fov_degrees)) * 0.5);
-  const double tan_x = tan_y * static_cast<double>(aspect_ratio);
-  const glm::dvec3 half = glm::dvec3(bounds.high - bounds.low) * 0.5;
-  double distance = static_cast<double>(scale_of(bounds)) * 0.5;
-  for (unsigned corner = 0; corner < 8; ++corner) {
-    const glm::dvec3 at(((corner & 1U) != 0 ? half.x : -half.x), ((corner & 2U) != 0 ? half.y : -half.y),
-                        ((corner & 4U) != 0 ? half.z : -half.z));
-    const double across = kRoom * std::max(std::abs(glm::dot(at, right)) / tan_x, std::abs(glm::dot(at, up)) / tan_y);
-    distance = std::max(distance, glm::dot(at, toward_eye) + across);
-  }
-  camera.look_at = bounds.center();
-  camera.position = glm::vec3(glm::dvec3(bounds.center()) + toward_eye * distance);
-  return camera;
-}
-
-// Above the box and outside it, to the left of the camera and a little toward it: the shadow falls to the right, in
-// view.
-Light framing_light(const Bounds& bounds, const Camera& camera) {
-  glm::vec3 toward_eye = camera.position - camera.look_at;
-  toward_eye.y = 0.0F;
-  const float length = glm::length(toward_eye);
-  toward_eye = length > 0.0F && std::isfinite(length) ? toward_eye / length : glm::vec3(0.0F, 0.0F, 1.0F);
-  const glm::vec3 right = glm::cross(glm::vec3(0.0F, 1.0F, 0.0F), toward_eye);
-  const glm::vec3 direction = glm::normalize(glm::vec3(0.0F, 1.0F, 0.0F) - 0.55F * right + 0.35F * toward_eye);
-  return {.name = "light", .position = bounds.center() + direction * (1.3F * scale_of(bounds))};
-}
-
 // The light that complete_scene's contract selects, not yet moved or aimed. `aimed`: the file gives its direction.
 Light choose_light(const Scene& scene, const LightKinds& kinds, const Light& framing, bool& aimed) {
   aimed = false;
@@ -105,8 +61,9 @@ Light choose_light(const Scene& scene, const LightKinds& kinds, const Light& fra
   return light;
 }
 
-// Moves and aims the light as the setup says.
-Status place_light(Light& light, bool aimed, const SceneSetup& setup, const Bounds& bounds) {
+// Moves and aims the light as the setup says. `fitted`: the light is a spot that neither the file nor the setup aims.
+Status place_light(Light& light, bool aimed, const SceneSetup& setup, const Bounds& bounds, bool& fitted) {
+  fitted = light.kind == LightKind::spot && !aimed && !setup.light_target && !setup.spot_degrees;
   light.position = setup.light.value_or(light.position);
   if (light.kind == LightKind::point) {
     if (!setup.light_target) return {};
@@ -126,18 +83,18 @@ Status place_light(Light& light, bool aimed, const SceneSetup& setup, const Boun
   return {};
 }
 
-void add_floor(Scene& scene, const Bounds& bounds, float height) {
-  const float reach = 1.5F * scale_of(bounds);
-  const glm::vec3 center = bounds.center();
+void add_floor(Scene& scene, const FloorReach& reach, float height) {
   const auto first_vertex = static_cast<std::uint32_t>(scene.positions.size());
   const auto material = static_cast<std::uint32_t>(scene.materials.size());
   scene.objects.push_back({"floor", static_cast<std::uint32_t>(scene.triangles.size()), 2});
   scene.materials.push_back({"floor", glm::vec3(0.75F)});
   constexpr std::array<glm::vec2, 4> kCorners{glm::vec2(-1, 1), glm::vec2(1, 1), glm::vec2(1, -1), glm::vec2(-1, -1)};
   for (const glm::vec2& corner : kCorners) {
-    scene.positions.emplace_back(center.x + corner.x * reach, height, center.z + corner.y * reach);
+    scene.positions.emplace_back(corner.x < 0.0F ? reach.low.x : reach.high.x, height,
+                                 corner.y < 0.0F ? reach.low.y : reach.high.y);
     scene.normals.emplace_back(0.0F, 1.0F, 0.0F);
     if (!scene.texture_coordinates.empty()) scene.texture_coordinates.push_back((corner + 1.0F) * 0.5F);
+    if (!scene.tangents.empty()) scene.tangents.emplace_back(1.0F, 0.0F, 0.0F, 1.0F);
     if (!scene.colors.empty()) scene.colors.emplace_back(1.0F);
   }
   for (const glm::uvec3& corners : {glm::uvec3(0, 1, 2), glm::uvec3(0, 2, 3)}) {
@@ -180,13 +137,14 @@ Result<Scene> complete_scene(Scene scene, const SceneSetup& setup, float aspect_
   const float own_fov = scene.cameras.empty() ? Camera{}.vertical_fov_degrees : scene.cameras[0].vertical_fov_degrees;
   const float fov = setup.fov_degrees.value_or(own_fov);
   if (Status checked = check_fov(fov); !checked) return checked.error();
-  Camera camera = scene.cameras.empty() ? framing_camera(bounds, fov, aspect_ratio) : scene.cameras[0];
+  const Camera framing = framing_camera(scene, bounds, fov, aspect_ratio);
+  Camera camera = scene.cameras.empty() ? framing : scene.cameras[0];
   camera.vertical_fov_degrees = fov;
   // The default light follows the file's or the default view, not the user's, so that moving the camera does not move
   // the shadows.
-  bool aimed = false;
+  bool aimed = false, fitted = false;
   Light light = choose_light(scene, setup.light_kinds, framing_light(bounds, camera), aimed);
-  if (Status placed = place_light(light, aimed, setup, bounds); !placed) return placed.error();
+  if (Status placed = place_light(light, aimed, setup, bounds, fitted); !placed) return placed.error();
   camera.position = setup.camera.value_or(camera.position);
   camera.look_at = setup.look_at.value_or(camera.look_at);
 
@@ -200,12 +158,14 @@ Result<Scene> complete_scene(Scene scene, const SceneSetup& setup, float aspect_
 
   const std::size_t first_floor_vertex = scene.positions.size();
   if (setup.floor == FloorChoice::at_height) {
-    add_floor(scene, bounds, setup.floor_height);
+    add_floor(scene, floor_reach(bounds, framing, aspect_ratio, setup.floor_height), setup.floor_height);
   } else if (setup.floor == FloorChoice::automatic && bare) {
     // A little below the model: a floor in the plane of the model's underside would z-fight with it.
-    add_floor(scene, bounds, bounds.low.y - 1e-3F * scale);
+    const float height = bounds.low.y - 1e-3F * scale;
+    add_floor(scene, floor_reach(bounds, framing, aspect_ratio, height), height);
   }
   if (Status checked = check_positions(scene, first_floor_vertex, "the floor is"); !checked) return checked.error();
+  if (fitted) fit_spot(scene, camera, aspect_ratio, light);
   scene.cameras = {camera};
   scene.lights = {light};
   if (Status checked = validate(scene); !checked) return checked.error();

@@ -28,6 +28,13 @@ int hex_digit(char c) {
   return c >= 'A' && c <= 'F' ? c - 'A' + 10 : -1;
 }
 
+Result<GlbParts> split_glb1(std::string_view content) {
+  const std::uint64_t size = little32(content, 12);
+  if (little32(content, 16) != 0) return fault_of("is malformed: the first part of a .glb file of version 1 is JSON");
+  if (size > content.size() - 20) return fault_of("is malformed: its JSON is longer than the file");
+  return GlbParts{content.substr(20, size), content.substr(20 + size)};
+}
+
 }  // namespace
 
 Result<GlbParts> split_glb(std::string_view content) {
@@ -35,11 +42,13 @@ Result<GlbParts> split_glb(std::string_view content) {
   constexpr std::uint64_t kBinary = 0x004E4942;
   if (content.substr(0, 4) != "glTF") return fault_of("is not a binary glTF file: it does not start with 'glTF'");
   if (content.size() < 20) return fault_of("ends early, within its header");
-  if (little32(content, 4) != 2)
-    return fault_of(fmt::format("is of binary glTF version {}; version 2 is read", little32(content, 4)));
+  const std::uint64_t version = little32(content, 4);
+  if (version != 1 && version != 2)
+    return fault_of(fmt::format("is of binary glTF version {}; versions 1 and 2 are read", version));
   const std::uint64_t length = little32(content, 8);
   if (length > content.size())
     return fault_of(fmt::format("ends early: it declares {} bytes and has {}", length, content.size()));
+  if (version == 1) return split_glb1(content);
   GlbParts parts;
   std::string_view rest = content.substr(12, length < 12 ? 0 : length - 12);
   for (bool first = true; rest.size() >= 8; first = false) {

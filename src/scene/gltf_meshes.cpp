@@ -100,12 +100,13 @@ std::optional<std::string> GltfMeshes::resolve_primitive(const JsonValue& from, 
 std::optional<std::string> GltfMeshes::resolve_surface(const JsonValue& attributes, GltfPrimitive& out) {
   const JsonValue& coordinates = item(attributes, "TEXCOORD_0");
   if (auto fault = resolve_numbers(coordinates, "VEC2", {5126, 5121, 5123}, out.texture_coordinates)) return fault;
+  if (auto fault = resolve_numbers(item(attributes, "TANGENT"), "VEC4", {5126}, out.tangents)) return fault;
   const JsonValue& color = item(attributes, "COLOR_0");
   const JsonValue& accessor = target_of(item(root_, "accessors"), color);
   out.has_alpha = text_of(item(accessor, "type")) == "VEC4";
   if (auto fault = resolve_numbers(color, out.has_alpha ? "VEC4" : "VEC3", {5126, 5121, 5123}, out.colors))
     return fault;
-  for (auto* numbers : {&out.texture_coordinates, &out.colors}) {
+  for (auto* numbers : {&out.texture_coordinates, &out.tangents, &out.colors}) {
     if (*numbers && (*numbers)->count != out.positions.count) numbers->reset();
   }
   return std::nullopt;
@@ -228,6 +229,7 @@ std::optional<std::string> GltfMeshes::place_corner(const GltfPrimitive& primiti
     const glm::vec2 at = primitive.texture_coordinates->vector<2>(corner);
     own.texture_coordinate = is_finite(glm::vec3(at, 0.0F)) ? at : glm::vec2(0.0F);
   }
+  if (primitive.tangents) own.tangent = primitive.tangents->vector<4>(corner);
   if (primitive.colors) {
     const glm::vec4 color = primitive.has_alpha ? primitive.colors->vector<4>(corner)
                                                 : glm::vec4(primitive.colors->vector<3>(corner), 1.0F);

@@ -18,6 +18,7 @@ struct GltfPrimitive {
   GltfNumbers positions;
   std::optional<GltfNumbers> normals;
   std::optional<GltfNumbers> texture_coordinates;  // TEXCOORD_0
+  std::optional<GltfNumbers> tangents;             // TANGENT
   std::optional<GltfNumbers> colors;               // COLOR_0
   bool has_alpha = false;                          // of the colours
   std::optional<GltfNumbers> indices;

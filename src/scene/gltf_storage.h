@@ -18,7 +18,8 @@
 
 namespace ninebit {
 
-// The parts of a .glb file: a header of 12 bytes, then chunks, each with its length and type before it.
+// The parts of a .glb file: a header of 12 bytes, then chunks, each with its length and type before it. In version 1
+// the header has the length and format of the JSON text, and the binary part is the rest.
 struct GlbParts {
   std::string_view json;
   std::optional<std::string_view> binary;

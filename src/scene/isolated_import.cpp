@@ -13,7 +13,9 @@
 namespace ninebit {
 namespace {
 
-constexpr const char* kWho = "Assimp's 3DS reader";
+std::string reader_of(const std::filesystem::path& file) {
+  return "Assimp's reader of " + file.extension().string() + " files";
+}
 
 posix::CallLimits limits_for(std::uint64_t bytes) {
   return {.memory_bytes = (std::uint64_t{1} << 30U) + 64 * bytes, .seconds = 8 + static_cast<int>(bytes / 1'000'000)};
@@ -41,7 +43,18 @@ void write(posix::AnswerWriter& to, const Result<Imported>& imported) {
   for (const Material& material : scene.materials) {
     to.text(material.name);
     to.value(material.base_color);
+    to.value(std::int64_t{material.base_texture ? std::int64_t{*material.base_texture} : -1});
+    to.value(material.sampler);
   }
+  to.value(std::uint64_t{scene.textures.size()});
+  for (const SceneTexture& texture : scene.textures) {
+    to.text(texture.name);
+    to.text(texture.bytes);
+    to.text(texture.fault);
+  }
+  to.value(std::uint64_t{scene.notes.size()});
+  for (const std::string& note : scene.notes) to.text(note);
+  to.value(std::array{std::uint8_t{imported->has_viewpoints}, std::uint8_t{imported->z_up}});
 }
 
 // Reads a count and as many items; false if the answer has fewer.
@@ -67,11 +80,42 @@ bool read_objects(posix::AnswerReader& from, Scene& scene) {
   });
 }
 
+// The answer's bytes may hold any numbers in the enumerations.
+bool is_valid(const Sampler& sampler) {
+  const auto known = [](Wrap wrap) {
+    return wrap == Wrap::repeat || wrap == Wrap::mirrored_repeat || wrap == Wrap::clamp_to_edge;
+  };
+  const bool filters =
+      sampler.min_filter == MinFilter::linear_mipmap_linear || sampler.min_filter == Sampler{}.min_filter;
+  return filters && sampler.mag_filter == Sampler{}.mag_filter && known(sampler.wrap_s) && known(sampler.wrap_t) &&
+         sampler.comparison == DepthComparison::none && sampler.lod_bias == 0.0F;
+}
+
 bool read_materials(posix::AnswerReader& from, Scene& scene) {
   return read_each(from, scene.materials, [&](Material& material) {
-    if (!from.text(material.name) || !from.value(material.base_color)) return false;
-    return is_finite(material.base_color);
+    std::int64_t texture = -1;
+    if (!from.text(material.name) || !from.value(material.base_color) || !from.value(texture) ||
+        !from.value(material.sampler)) {
+      return false;
+    }
+    if (texture >= 0) material.base_texture = static_cast<std::uint32_t>(texture);
+    return is_finite(material.base_color) && is_valid(material.sampler);
   });
+}
+
+bool read_textures(posix::AnswerReader& from, Scene& scene) {
+  return read_each(from, scene.textures, [&](SceneTexture& texture) {
+    return from.text(texture.name) && from.text(texture.bytes) && from.text(texture.fault);
+  });
+}
+
+bool read_facts(posix::AnswerReader& from, Imported& imported) {
+  std::array<std::uint8_t, 2> facts{};
+  const bool whole =
+      read_each(from, imported.scene.notes, [&](std::string& note) { return from.text(note); }) && from.value(facts);
+  imported.has_viewpoints = facts[0] != 0;
+  imported.z_up = facts[1] != 0;
+  return whole;
 }
 
 // Reads the answer without trusting it; nothing if it is not valid.
@@ -90,7 +134,7 @@ std::optional<Result<Imported>> read(posix::AnswerReader& from) {
                      from.values(scene.normals) && from.values(scene.texture_coordinates) &&
                      from.values(scene.colors) && from.values(scene.triangles) && from.values(scene.triangle_object) &&
                      from.values(scene.triangle_material) && read_objects(from, scene) && read_materials(from, scene) &&
-                     from.bytes_left() == 0;
+                     read_textures(from, scene) && read_facts(from, imported) && from.bytes_left() == 0;
   if (!whole) return std::nullopt;
   // read_scene() reports a file without triangles, for all formats.
   if (!scene.triangles.empty() && !validate_geometry(scene)) return std::nullopt;
@@ -106,9 +150,9 @@ Result<Imported> import_isolated(GeometryImport import, const std::filesystem::p
   posix::CallResult call = posix::call_isolated(
       limits, {}, [&](posix::AnswerWriter& answer) { write(answer, import(file, content)); }, go_on);
   if (call.end == posix::CallEnd::stopped) return Diagnostic{.message = "interrupted", .fault = Fault::cancelled};
-  if (call.end != posix::CallEnd::answered) return fault_of(posix::describe(call.end, limits, kWho));
+  if (call.end != posix::CallEnd::answered) return fault_of(posix::describe(call.end, limits, reader_of(file).c_str()));
   std::optional<Result<Imported>> imported = read(call.answer);
-  if (!imported) return fault_of(std::string(kWho) + " gave no scene");
+  if (!imported) return fault_of(reader_of(file) + " gave no scene");
   return *std::move(imported);
 }
 

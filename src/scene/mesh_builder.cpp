@@ -15,6 +15,7 @@ namespace {
 
 // Of corners without them.
 constexpr glm::vec2 kNoTextureCoordinate(0.0F);
+constexpr glm::vec4 kNoTangent(0.0F);
 constexpr glm::vec4 kNoColor(1.0F);
 
 // Adding +0 turns -0 into +0: both are the same position.
@@ -109,18 +110,21 @@ MeshBuilder::Stored MeshBuilder::stored(std::uint32_t vertex) const {
           .normal = scene_.normals[vertex],
           .texture_coordinate =
               scene_.texture_coordinates.empty() ? kNoTextureCoordinate : scene_.texture_coordinates[vertex],
+          .tangent = scene_.tangents.empty() ? kNoTangent : scene_.tangents[vertex],
           .color = scene_.colors.empty() ? kNoColor : scene_.colors[vertex]};
 }
 
 bool MeshBuilder::equal(const Stored& a, const Stored& b) {
   return same_bits(a.position, b.position) && same_bits(a.normal, b.normal) &&
-         same_bits(a.texture_coordinate, b.texture_coordinate) && same_bits(a.color, b.color);
+         same_bits(a.texture_coordinate, b.texture_coordinate) && same_bits(a.tangent, b.tangent) &&
+         same_bits(a.color, b.color);
 }
 
 std::size_t MeshBuilder::hash(const Stored& vertex) {
   std::uint64_t hash = mix(mix(0xCBF29CE484222325U, vertex.position), vertex.normal);
-  // Most vertices of most files have neither.
+  // Most vertices of most files have none of these.
   if (!same_bits(vertex.texture_coordinate, kNoTextureCoordinate)) hash = mix(hash, vertex.texture_coordinate);
+  if (!same_bits(vertex.tangent, kNoTangent)) hash = mix(hash, vertex.tangent);
   if (!same_bits(vertex.color, kNoColor)) hash = mix(hash, vertex.color);
   return static_cast<std::size_t>(hash);
 }
@@ -129,6 +133,7 @@ std::uint32_t MeshBuilder::vertex(const MeshVertex& corner) {
   const Stored own{.position = corner.position + 0.0F,
                    .normal = unit_or_zero(glm::dvec3(corner.normal)),
                    .texture_coordinate = corner.texture_coordinate.value_or(kNoTextureCoordinate),
+                   .tangent = corner.tangent.value_or(kNoTangent),
                    .color = corner.color.value_or(kNoColor)};
   shared_.reserve_one([this](std::uint32_t i) { return hash(stored(i)); });
   std::uint32_t& slot = shared_.slot(hash(own), [&](std::uint32_t i) { return equal(stored(i), own); });
@@ -136,12 +141,14 @@ std::uint32_t MeshBuilder::vertex(const MeshVertex& corner) {
   slot = static_cast<std::uint32_t>(scene_.positions.size());
   ++shared_.count;
   if (corner.texture_coordinate) scene_.texture_coordinates.resize(slot, kNoTextureCoordinate);
+  if (corner.tangent) scene_.tangents.resize(slot, kNoTangent);
   if (corner.color) scene_.colors.resize(slot, kNoColor);
   scene_.positions.push_back(own.position);
   scene_.normals.push_back(own.normal);
   if (corner.texture_coordinate || !scene_.texture_coordinates.empty()) {
     scene_.texture_coordinates.push_back(own.texture_coordinate);
   }
+  if (corner.tangent || !scene_.tangents.empty()) scene_.tangents.push_back(own.tangent);
   if (corner.color || !scene_.colors.empty()) scene_.colors.push_back(own.color);
   return slot;
 }
@@ -162,6 +169,7 @@ void MeshBuilder::end_object() {
   scene_.positions.resize(first_vertex_);
   scene_.normals.resize(first_vertex_);
   if (!scene_.texture_coordinates.empty()) scene_.texture_coordinates.resize(first_vertex_);
+  if (!scene_.tangents.empty()) scene_.tangents.resize(first_vertex_);
   if (!scene_.colors.empty()) scene_.colors.resize(first_vertex_);
 }
 
@@ -169,6 +177,13 @@ std::optional<std::string> MeshBuilder::vertex_at(const MeshPlace& place, MeshVe
   corner.position = glm::vec3(glm::dvec3(place.world * glm::dvec4(glm::dvec3(corner.position), 1.0)));
   if (!is_finite(corner.position)) return "the position of a vertex is not finite";
   corner.normal = unit_or_zero(place.normals * glm::dvec3(corner.normal));
+  if (corner.tangent) {
+    const glm::vec4 given = *corner.tangent;
+    const glm::vec3 turned = unit_or_zero(glm::dmat3(place.world) * glm::dvec3(glm::vec3(given)));
+    // The normal of a mirrored mesh still points outwards, so the bitangent changes sides.
+    const bool reversed = (given.w < 0.0F) != place.mirrored;
+    corner.tangent = is_zero(turned) ? kNoTangent : glm::vec4(turned, reversed ? -1.0F : 1.0F);
+  }
   vertex = this->vertex(corner);
   return std::nullopt;
 }

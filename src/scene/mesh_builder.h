@@ -26,6 +26,7 @@ struct MeshVertex {
   glm::vec3 position{0.0F};
   glm::vec3 normal{0.0F};  // zero: the file has none
   std::optional<glm::vec2> texture_coordinate{};
+  std::optional<glm::vec4> tangent{};  // as in Scene; of any length
   std::optional<glm::vec4> color{};
 };
 
@@ -50,8 +51,8 @@ class VertexTable {
 
 // Corners of one object with equal data, bit for bit, become one vertex: files store corners,
 // techniques need shared vertices. A corner whose normal is zero or not finite gets the mean normal of the object's
-// triangles at exactly its position, weighted by area. Texture coordinates and colours that a corner does not have,
-// while others of the scene do, are (0, 0) and white.
+// triangles at exactly its position, weighted by area. Texture coordinates, tangents and colours that a corner does not
+// have, while others of the scene do, are (0, 0), zero and white.
 class MeshBuilder {
  public:
   explicit MeshBuilder(Scene& scene) : scene_(scene) {}
@@ -74,6 +75,7 @@ class MeshBuilder {
   struct Stored {
     glm::vec3 position, normal;
     glm::vec2 texture_coordinate;
+    glm::vec4 tangent;
     glm::vec4 color;
   };
   [[nodiscard]] Stored stored(std::uint32_t vertex) const;

@@ -26,12 +26,18 @@ PlyKind kind_of(std::string_view element) {
 }
 
 PlyRole role_of(PlyKind kind, const PlyProperty& property) {
-  constexpr std::array<std::string_view, 6> kOfVertices{"x", "y", "z", "nx", "ny", "nz"};
+  // In the order of PlyRole; programs have several names for texture coordinates.
+  constexpr std::array<std::string_view, kPlyValues> kOfVertices{"x",   "y",     "z",    "nx",    "ny", "nz",
+                                                                 "red", "green", "blue", "alpha", "s",  "t"};
+  constexpr std::array<std::string_view, 6> kOtherCoordinates{"u",         "v",          "texture_u",
+                                                              "texture_v", "texcoord_s", "texcoord_t"};
   constexpr std::array<std::string_view, 3> kOfMaterials{"diffuse_red", "diffuse_green", "diffuse_blue"};
   const bool list = property.count.size > 0;
   if (kind == PlyKind::vertex && !list) {
     const auto* found = std::find(kOfVertices.begin(), kOfVertices.end(), property.name);
     if (found != kOfVertices.end()) return static_cast<PlyRole>(found - kOfVertices.begin());
+    const auto* other = std::find(kOtherCoordinates.begin(), kOtherCoordinates.end(), property.name);
+    if (other != kOtherCoordinates.end()) return (other - kOtherCoordinates.begin()) % 2 == 0 ? PlyRole::s : PlyRole::t;
   }
   if (kind == PlyKind::material && !list) {
     const auto* found = std::find(kOfMaterials.begin(), kOfMaterials.end(), property.name);

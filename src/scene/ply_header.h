@@ -19,7 +19,8 @@ struct PlyType {
 };
 
 // The meaning of a property. The roles before `corners` are the indices of PlyRow::values.
-enum class PlyRole : std::uint8_t { x, y, z, nx, ny, nz, red, green, blue, corners, none };
+enum class PlyRole : std::uint8_t { x, y, z, nx, ny, nz, red, green, blue, alpha, s, t, corners, none };
+inline constexpr std::size_t kPlyValues = 12;
 
 struct PlyProperty {
   std::string name;

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "src/scene/assimp_import.h"
+#include "src/scene/assimp_textures.h"
 #include "src/scene/fault_of.h"
 #include "src/scene/isolated_import.h"
 #include "src/scene/read_limits.h"
@@ -285,12 +286,12 @@ Result<ThreeDsFacts> check_3ds(std::string_view content) {
 
 }  // namespace
 
-Result<Scene> read_3ds(std::string_view content, const std::filesystem::path& file, const SceneReadOptions& options) {
+Result<Scene> read_3ds(const SceneFile& from, std::string_view content, const SceneReadOptions& options) {
   const Result<ThreeDsFacts> facts = check_3ds(content);
   if (!facts) return facts.error();
   if (facts->triangles == 0) return fault_of("has no triangles");
-  Result<Imported> imported = options.isolated ? import_isolated(&import_geometry, file, content, options.go_on)
-                                               : import_geometry(file, content);
+  Result<Imported> imported = options.isolated ? import_isolated(&import_geometry, from.file, content, options.go_on)
+                                               : import_geometry(from.file, content);
   if (!imported) return imported.error();
   Scene& scene = imported->scene;
   if (scene.triangles.size() < facts->triangles)
@@ -298,6 +299,8 @@ Result<Scene> read_3ds(std::string_view content, const std::filesystem::path& fi
         fmt::format("is malformed: it declares {} triangles, but {} could be read; an index out of range or missing "
                     "data is the usual cause",
                     facts->triangles, scene.triangles.size()));
+  find_pictures(from.beside, scene);
+  scene.up = UpAxis::z;
   // Assimp stores its change of axes in the root node.
   if (auto fault = add_viewpoints(facts->viewpoints, imported->root_transform, scene)) return *std::move(fault);
   return std::move(scene);

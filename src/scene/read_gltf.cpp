@@ -10,8 +10,7 @@
 
 namespace ninebit {
 
-Result<Scene> read_gltf(std::string_view content, const NamedFiles& beside, bool binary,
-                        const SceneReadOptions& options) {
+Result<Scene> read_gltf(const SceneFile& from, std::string_view content, bool binary, const SceneReadOptions& options) {
   GlbParts parts{content, std::nullopt};
   if (binary) {
     Result<GlbParts> split = split_glb(content);
@@ -21,9 +20,14 @@ Result<Scene> read_gltf(std::string_view content, const NamedFiles& beside, bool
   const Result<JsonValue> root = parse_json(parts.json);
   if (!root) return root.error();
   const std::string& version = text_of(item(*root, "asset", "version"));
+  // Early files of version 1.0 do not name it. Their lists are objects.
+  if (version.starts_with("1.") || (version.empty() && item(*root, "accessors").is_object())) {
+    return read_gltf1(from, *root, parts.binary.value_or(std::string_view()), options);
+  }
   if (version.empty()) return fault_of("is not a glTF file: it has no asset.version");
-  if (!version.starts_with("2.")) return fault_of(fmt::format("is of glTF version {}; version 2.0 is read", version));
-  GltfStorage storage(*root, beside, parts.binary);
+  if (!version.starts_with("2."))
+    return fault_of(fmt::format("is of glTF version {}; versions 1.0 and 2.0 are read", version));
+  GltfStorage storage(*root, from.beside, parts.binary);
   if (auto fault = storage.check()) return *fault;
   const Result<GltfNodes> nodes = read_gltf_nodes(*root);
   if (!nodes) return nodes.error();

@@ -16,8 +16,8 @@ namespace {
 
 // The used values of one row of an element.
 struct PlyRow {
-  std::array<float, 9> values{};      // of the roles before PlyRole::corners
-  std::vector<std::int64_t> corners;  // of a face or of triangle strips
+  std::array<float, kPlyValues> values{};  // of the roles before PlyRole::corners
+  std::vector<std::int64_t> corners;       // of a face or of triangle strips
 };
 
 Diagnostic ends_early(const PlyElement& element, std::uint64_t read) {
@@ -172,12 +172,16 @@ class PlyReader {
     if (element.properties.empty() && element.count > 0)
       return at_line(
           0, fmt::format("declares {} rows of element '{}', which has no properties", element.count, element.name));
-    if (element.kind == PlyKind::vertex)
+    if (element.kind == PlyKind::vertex) {
       has_normals_ = element.has(PlyRole::nx) || element.has(PlyRole::ny) || element.has(PlyRole::nz);
+      has_colors_ = element.has(PlyRole::red) && element.has(PlyRole::green) && element.has(PlyRole::blue);
+      has_coordinates_ = element.has(PlyRole::s) && element.has(PlyRole::t);
+      row_.values[static_cast<std::size_t>(PlyRole::alpha)] = 1.0F;  // without the property
+    }
     for (std::uint64_t i = 0; i < element.count; ++i) {
       if (auto fault = rows_.next(element, i, row_)) return fault;
       std::optional<std::string> fault;
-      if (element.kind == PlyKind::vertex) add_vertex();
+      if (element.kind == PlyKind::vertex) add_vertex(element);
       if (element.kind == PlyKind::face) fault = add_face();
       if (element.kind == PlyKind::strip) fault = add_strips();
       if (element.kind == PlyKind::material) add_material(element);
@@ -186,11 +190,26 @@ class PlyReader {
     return std::nullopt;
   }
 
-  void add_vertex() {
-    const std::array<float, 9>& v = row_.values;
+  void add_vertex(const PlyElement& element) {
+    const std::array<float, kPlyValues>& v = row_.values;
     positions_.emplace_back(v[0], v[1], v[2]);
     if (has_normals_) normals_.emplace_back(v[3], v[4], v[5]);
+    // The origin of pictures is the lower left corner, as in OpenGL.
+    const glm::vec2 at(v[10], 1.0F - v[11]);
+    if (has_coordinates_) coordinates_.push_back(is_finite(glm::vec3(at, 0.0F)) ? at : glm::vec2(0.0F));
+    if (has_colors_) colors_.push_back(glm::clamp(color_of_row(element), 0.0F, 1.0F));
     vertices_.push_back(VertexTable::kFree);
+  }
+
+  // The row's colour, scaled by the types of its components; alpha is 1 without the property.
+  [[nodiscard]] glm::vec4 color_of_row(const PlyElement& element) const {
+    glm::vec4 color(0.0F, 0.0F, 0.0F, 1.0F);
+    for (const PlyProperty& property : element.properties) {
+      if (property.role < PlyRole::red || property.role > PlyRole::alpha) continue;
+      const auto channel = static_cast<glm::length_t>(property.role) - static_cast<glm::length_t>(PlyRole::red);
+      color[channel] = color_of(property.type, row_.values[static_cast<std::size_t>(property.role)]);
+    }
+    return is_finite(glm::vec3(color)) && std::isfinite(color.a) ? color : glm::vec4(Material{}.base_color, 1.0F);
   }
 
   std::optional<std::string> index_fault(std::int64_t index) const {
@@ -202,9 +221,11 @@ class PlyReader {
     if (auto fault = index_fault(index)) return fault;
     const auto at = static_cast<std::size_t>(index);
     if (vertices_[at] == VertexTable::kFree) {
-      const glm::vec3 normal = has_normals_ ? normals_[at] : glm::vec3(0.0F);
-      if (auto fault = builder_.vertex_at(place_, {.position = positions_[at], .normal = normal}, vertices_[at]))
-        return fault;
+      MeshVertex corner{.position = positions_[at]};
+      if (has_normals_) corner.normal = normals_[at];
+      if (has_coordinates_) corner.texture_coordinate = coordinates_[at];
+      if (has_colors_) corner.color = colors_[at];
+      if (auto fault = builder_.vertex_at(place_, corner, vertices_[at])) return fault;
     }
     corners_.push_back(vertices_[at]);
     return std::nullopt;
@@ -239,22 +260,17 @@ class PlyReader {
   }
 
   void add_material(const PlyElement& element) {
-    glm::vec3 color(0.0F);
-    for (const PlyProperty& property : element.properties) {
-      if (property.role < PlyRole::red || property.role > PlyRole::blue) continue;
-      const auto channel = static_cast<glm::length_t>(property.role) - static_cast<glm::length_t>(PlyRole::red);
-      color[channel] = color_of(property.type, row_.values[static_cast<std::size_t>(property.role)]);
-    }
-    if (!is_finite(color)) color = Material{}.base_color;
-    out_.materials.push_back({"", glm::clamp(color, 0.0F, 1.0F)});
+    out_.materials.push_back({"", glm::clamp(glm::vec3(color_of_row(element)), 0.0F, 1.0F)});
   }
 
   const PlyHeader& header_;
   PlyRows rows_;
   PlyRow row_;
-  bool has_normals_ = false;
+  bool has_normals_ = false, has_colors_ = false, has_coordinates_ = false;
   std::vector<glm::vec3> positions_;
   std::vector<glm::vec3> normals_;
+  std::vector<glm::vec2> coordinates_;
+  std::vector<glm::vec4> colors_;
   std::vector<std::uint32_t> vertices_;  // the scene's vertex for each vertex of the file that a face uses
   std::vector<std::uint32_t> corners_;
   const MeshPlace place_;

@@ -11,6 +11,7 @@
 #include "src/scene/named_files.h"
 #include "src/scene/read_limits.h"
 #include "src/scene/scene_readers.h"
+#include "src/scene/up_axis.h"
 
 namespace ninebit {
 namespace {
@@ -29,8 +30,12 @@ Result<Scene> read_content(std::string_view content, const std::filesystem::path
   if (extension == ".obj") return read_obj(content, beside);
   if (extension == ".off") return read_off(content);
   if (extension == ".ply") return read_ply(content);
-  if (extension == ".3ds") return read_3ds(content, file, options);
-  return read_gltf(content, beside, extension == ".glb", options);
+  const SceneFile from{file, beside};
+  if (extension == ".3ds") return read_3ds(from, content, options);
+  if (extension == ".stl") return read_stl(from, content, options);
+  if (extension == ".dae") return read_collada(from, content, options);
+  if (extension == ".fbx") return read_fbx(from, content, options);
+  return read_gltf(from, content, extension == ".glb", options);
 }
 
 // Messages quote the file, which may contain any bytes.
@@ -43,13 +48,13 @@ void make_one_line(std::string& message) {
 }
 
 Result<Scene> read_unnamed(const std::filesystem::path& file, const SceneReadOptions& options) {
-  constexpr std::array<const char*, 6> kKnown{".gltf", ".glb", ".obj", ".ply", ".off", ".3ds"};
+  constexpr std::array<const char*, 9> kKnown{".gltf", ".glb", ".obj", ".ply", ".off", ".3ds", ".stl", ".dae", ".fbx"};
   const std::string extension = lower_extension(file);
   std::error_code error;
   const bool known = std::find(kKnown.begin(), kKnown.end(), extension) != kKnown.end();
   if (!known && std::filesystem::is_regular_file(file, error))
     return fault_of(
-        fmt::format("{}; scenes are read from .gltf, .glb, .obj, .ply, .off and .3ds files",
+        fmt::format("{}; scenes are read from .gltf, .glb, .obj, .ply, .off, .3ds, .stl, .dae and .fbx files",
                     extension.empty() ? "has no extension" : fmt::format("has the unknown extension '{}'", extension)));
   const Result<std::string> content = read_whole_file(file, kMostSceneBytes);
   if (!content) return content.error();
@@ -59,7 +64,12 @@ Result<Scene> read_unnamed(const std::filesystem::path& file, const SceneReadOpt
       return fault_of(fmt::format("seems to be {}; expected what its extension {} says", *kind, extension));
   }
   if (scene && scene->triangles.empty()) return fault_of("has no triangles");
-  if (scene) scene->name = file.filename().string();
+  if (!scene) return scene;
+  scene->name = file.filename().string();
+  if (options.up && *options.up != scene->up) {
+    turn_up(*options.up, *scene);
+    scene->up = *options.up;
+  }
   return scene;
 }
 

@@ -10,6 +10,7 @@
 #include "ninebit/numerics/result.h"
 #include "ninebit/scene/scene.h"
 #include "ninebit/scene/scene_io.h"
+#include "src/scene/json_value.h"
 #include "src/scene/named_files.h"
 
 namespace ninebit {
@@ -20,12 +21,26 @@ namespace ninebit {
 // `beside` reads the material libraries.
 [[nodiscard]] Result<Scene> read_obj(std::string_view content, const NamedFiles& beside);
 
-// .glb if binary, otherwise .gltf; `beside` reads the buffers. Draco decodes compressed meshes after check_draco().
-[[nodiscard]] Result<Scene> read_gltf(std::string_view content, const NamedFiles& beside, bool binary,
+// A scene file, and the files beside it.
+struct SceneFile {
+  const std::filesystem::path& file;
+  const NamedFiles& beside;
+};
+
+// .glb if binary, otherwise .gltf. Draco decodes compressed meshes after check_draco(). Assimp reads version 1.0.
+[[nodiscard]] Result<Scene> read_gltf(const SceneFile& from, std::string_view content, bool binary,
                                       const SceneReadOptions& options);
 
 // Read with Assimp, after a check of the file without it.
-[[nodiscard]] Result<Scene> read_3ds(std::string_view content, const std::filesystem::path& file,
-                                     const SceneReadOptions& options);
+[[nodiscard]] Result<Scene> read_3ds(const SceneFile& from, std::string_view content, const SceneReadOptions& options);
+
+// Read with Assimp in an isolated child process; what it gives is checked.
+[[nodiscard]] Result<Scene> read_stl(const SceneFile& from, std::string_view content, const SceneReadOptions& options);
+[[nodiscard]] Result<Scene> read_collada(const SceneFile& from, std::string_view content,
+                                         const SceneReadOptions& options);
+[[nodiscard]] Result<Scene> read_fbx(const SceneFile& from, std::string_view content, const SceneReadOptions& options);
+// `root`: of a file of glTF 1.0; `body`: the bytes after it in a .glb file, otherwise empty.
+[[nodiscard]] Result<Scene> read_gltf1(const SceneFile& from, JsonValue root, std::string_view body,
+                                       const SceneReadOptions& options);
 
 }  // namespace ninebit

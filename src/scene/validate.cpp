@@ -23,8 +23,9 @@ Status check_sizes(const Scene& scene) {
     return invalid(fmt::format("the scene has {} normals for {} positions; expected one for each", scene.normals.size(),
                                scene.positions.size()));
   }
-  for (const auto& [size, what] : {std::pair{scene.texture_coordinates.size(), "texture coordinates"},
-                                   std::pair{scene.colors.size(), "vertex colours"}}) {
+  for (const auto& [size, what] :
+       {std::pair{scene.texture_coordinates.size(), "texture coordinates"},
+        std::pair{scene.tangents.size(), "tangents"}, std::pair{scene.colors.size(), "vertex colours"}}) {
     if (size == 0 || size == scene.positions.size()) continue;
     return invalid(fmt::format("the scene has {} {} for {} positions; expected one for each, or none", size, what,
                                scene.positions.size()));
@@ -89,6 +90,10 @@ Status check_values(const Scene& scene) {
   for (std::size_t i = 0; i < scene.texture_coordinates.size(); ++i) {
     if (is_finite(glm::vec3(scene.texture_coordinates[i], 0.0F))) continue;
     return invalid(fmt::format("the texture coordinate of vertex {} is not finite", i));
+  }
+  for (std::size_t i = 0; i < scene.tangents.size(); ++i) {
+    if (is_finite(glm::vec3(scene.tangents[i])) && std::isfinite(scene.tangents[i].w)) continue;
+    return invalid(fmt::format("the tangent of vertex {} is not finite", i));
   }
   for (std::size_t i = 0; i < scene.colors.size(); ++i) {
     if (is_finite(glm::vec3(scene.colors[i])) && std::isfinite(scene.colors[i].w)) continue;

@@ -22,15 +22,15 @@ namespace ninebit::posix {
 namespace {
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr bool kMapsTerabytes = true;
+constexpr bool kHasSanitizer = true;
 #elif defined(__has_feature)
 #if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer) || __has_feature(memory_sanitizer)
-constexpr bool kMapsTerabytes = true;
+constexpr bool kHasSanitizer = true;
 #else
-constexpr bool kMapsTerabytes = false;
+constexpr bool kHasSanitizer = false;
 #endif
 #else
-constexpr bool kMapsTerabytes = false;
+constexpr bool kHasSanitizer = false;
 #endif
 
 void lower_limit(decltype(RLIMIT_AS) resource, rlim_t soft, rlim_t hard) {
@@ -176,6 +176,8 @@ std::vector<sock_filter> filter_of_calls() {
     code.push_back(unless_equal(static_cast<std::uint32_t>(call), static_cast<std::uint8_t>(then.size())));
     code.insert(code.end(), then);
   };
+  // A sanitizer asks with a pipe whether memory can be read, and takes a refusal for damaged memory.
+  if (kHasSanitizer) when(SYS_pipe2, {answer(kAllow)});
   when(SYS_openat, {load(argument(2)), unless_any_bit(kWriting, 1), answer(kRefuse), answer(kAllow)});
 #if defined(__x86_64__)
   when(SYS_open, {load(argument(1)), unless_any_bit(kWriting, 1), answer(kRefuse), answer(kAllow)});
@@ -205,12 +207,13 @@ void allow_reading(int ruleset, const std::filesystem::path& file) {
 
 }  // namespace
 
+// A sanitizer maps terabytes.
 bool can_limit_memory() {
-  return !kMapsTerabytes;
+  return !kHasSanitizer;
 }
 
 void limit_resources(std::uint64_t more_memory, int seconds, std::uint64_t file_bytes) {
-  if (!kMapsTerabytes) {
+  if (!kHasSanitizer) {
     const std::uint64_t all = mapped_bytes() + more_memory;
     lower_limit(RLIMIT_AS, all, all);
   }
@@ -229,7 +232,7 @@ void allow_only_reading(std::span<const std::filesystem::path> files) {
   const auto ruleset = static_cast<int>(::syscall(SYS_landlock_create_ruleset, &rules, sizeof rules, 0));
   if (ruleset < 0) return;
   for (const std::filesystem::path& file : files) allow_reading(ruleset, file);
-  if (kMapsTerabytes)
+  if (kHasSanitizer)
     allow_reading(ruleset, "/proc");  // a sanitizer reads the stack's bounds when an exception is thrown
   ::syscall(SYS_landlock_restrict_self, ruleset, 0);
   ::close(ruleset);

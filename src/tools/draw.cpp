@@ -85,13 +85,6 @@ Result<EffectRenderer> draw_under(const Effect& effect, const HardwareProfile& p
   return renderer;
 }
 
-const HardwareProfile* built_in(std::string_view name) {
-  for (const HardwareProfile& profile : hardware_profiles()) {
-    if (profile.name == name) return &profile;
-  }
-  return nullptr;
-}
-
 // Draws the effect and, with --difference, once more under the other profile.
 Status draw_all(const DrawFlags& flags, const Effect& effect, const HardwareProfile& profile, Drawn& done) {
   ProgressLine line(flags.common.quiet);
@@ -110,7 +103,7 @@ Status draw_all(const DrawFlags& flags, const Effect& effect, const HardwareProf
   if (flags.difference.empty()) return {};
   std::vector<std::string> again;
   const auto other =
-      draw_under(effect, *built_in(flags.difference), effect_readers(flags.allow_outside, again), {}, progress);
+      draw_under(effect, *built_in_profile(flags.difference), effect_readers(flags.allow_outside, again), {}, progress);
   if (!other) return other.error();
   done.difference = compare(done.renderer->picture(), other->picture());
   return {};
@@ -125,9 +118,16 @@ Status write_files(const DrawFlags& flags, Drawn& done) {
   const std::filesystem::path output(flags.output);
   auto files = StagedFiles::open(output.parent_path());
   if (!files) return files.error();
-  Status s = write_png(files->stage(output.filename().string()), picture_of(done.renderer->picture()));
-  if (s && done.difference) s = write_png(files->stage(beside(output, ".difference.png")), done.difference->image);
-  if (s && flags.layers) s = write_layers(done.renderer->layers(), files->stage(beside(output, ".layers.exr")));
+  Status s;
+  if (writes(flags, "picture")) {
+    s = write_png(files->stage(output.filename().string()), picture_of(done.renderer->picture()));
+  }
+  if (s && done.difference && writes(flags, "difference")) {
+    s = write_png(files->stage(beside(output, ".difference.png")), done.difference->image);
+  }
+  if (s && flags.layers && writes(flags, "layers")) {
+    s = write_layers(done.renderer->layers(), files->stage(beside(output, ".layers.exr")));
+  }
   if (!s) {
     Diagnostic fault = s.error();
     fault.file = files->files().back().string();
@@ -169,18 +169,6 @@ Json draw_json(const DrawFlags& flags, const Effect& effect, const HardwareProfi
   return out;
 }
 
-// The profile of --profile; without it, that of the effect file.
-Result<const HardwareProfile*> chosen_profile(const DrawFlags& flags, const Effect& effect) {
-  if (effect.profile.empty() || flags.profile->count() != 0) return &profile_of(flags.common);
-  if (const HardwareProfile* const found = built_in(effect.profile)) return found;
-  std::string names;
-  for (const HardwareProfile& profile : hardware_profiles()) {
-    names += (names.empty() ? "" : ", ") + std::string(profile.name);
-  }
-  return Diagnostic{.message = fmt::format("profile '{}' is not known; expected {}", effect.profile, names),
-                    .file = flags.file};
-}
-
 int print_answer(const DrawFlags& flags, const Effect& effect, const HardwareProfile& profile, bool is_effect,
                  const Drawn& done) {
   if (!flags.common.quiet) {
@@ -209,6 +197,7 @@ int draw(const DrawFlags& flags) {
   if (std::filesystem::path(flags.output).extension() != ".png") {
     return wrong_usage(fmt::format("--output {}: expected a file whose name ends in .png", flags.output));
   }
+  if (Status checked = check_files(flags); !checked) return wrong_usage(checked.error().message);
   DrawnFile file = read_effect_file(flags.file);
   if (file.exit_code != kDone) return file.exit_code;
   const bool is_effect = file.effect.has_value();
@@ -219,17 +208,19 @@ int draw(const DrawFlags& flags) {
     if (!effect) return wrong_usage(effect.error().message);
     file.effect.emplace(std::move(*effect));
   }
-  const auto profile = chosen_profile(flags, *file.effect);
+  const auto profile =
+      effect_profile(*file.effect, flags.file, flags.profile->count() != 0 ? &profile_of(flags.common) : nullptr);
   if (!profile) return report(profile.error());
+  const HardwareProfile& chosen = *profile != nullptr ? **profile : profile_of(flags.common);
   Drawn done;
-  if (Status drawn = draw_all(flags, *file.effect, **profile, done); !drawn) {
+  if (Status drawn = draw_all(flags, *file.effect, chosen, done); !drawn) {
     Diagnostic fault = drawn.error();
     if (fault.file.empty() && is_effect) fault.file = flags.file;
     return report(fault);
   }
   if (Status written = write_files(flags, done); !written) return report(written.error());
   done.total_ms = milliseconds_since(start);
-  return print_answer(flags, *file.effect, **profile, is_effect, done);
+  return print_answer(flags, *file.effect, chosen, is_effect, done);
 }
 
 }  // namespace

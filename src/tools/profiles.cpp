@@ -35,7 +35,14 @@ std::string text_of(OffsetSlope v) {
 std::string text_of(ColorInterpolation v) {
   return v == ColorInterpolation::perspective ? "in perspective" : "affine";
 }
+std::string text_of(ColorWeights v) {
+  return v == ColorWeights::exact ? "exact" : "8 bits";
+}
+std::string text_of(FilterRounding v) {
+  return v == FilterRounding::once ? "once" : "each blend of two";
+}
 std::string text_of(Dxt1Palette v) {
+  if (v == Dxt1Palette::dithered565) return "5, 6, 5 bits, dithered";
   return v == Dxt1Palette::rgb565 ? "5, 6, 5 bits" : "8, 8, 8 bits";
 }
 
@@ -71,7 +78,12 @@ std::vector<ProfileRow> rows_of(const HardwareProfile& p) {
   add("vertex_color_mantissa_bits", p.vertex_color_mantissa_bits);
   add("polygon_offset_slope", p.polygon_offset_slope);
   add("color_interpolation", p.color_interpolation);
+  add("color_weights", p.color_weights);
+  add("depth_narrowing", p.depth_narrowing);
+  add("fog_narrowing", p.fog_narrowing);
   add("texture_weight_bits", p.texture_weight_bits);
+  add("texture_weight_narrowing", p.texture_weight_narrowing);
+  add("texture_filter_rounding", p.texture_filter_rounding);
   add("dxt1_palette", p.dxt1_palette);
   return rows;
 }

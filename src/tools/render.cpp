@@ -10,6 +10,8 @@
 #include "src/tools/common/pixel_flag.h"
 #include "src/tools/common/scene_textures.h"
 #include "src/tools/render/render_answer.h"
+#include "src/tools/render/render_files.h"
+#include "src/tools/render/turntable.h"
 
 namespace ninebit::tools {
 namespace {
@@ -24,9 +26,26 @@ double milliseconds(Clock::duration d) {
 Result<RenderSettings> checked_settings(const RenderFlags& flags) {
   RenderSettings settings = settings_of(flags.scene, flags.common);
   settings.evidence = flags.ground_truth;
+  settings.width *= flags.supersample;
+  settings.height *= flags.supersample;
+  if (settings.width > kMaxSurfaceSize || settings.height > kMaxSurfaceSize) {
+    return Diagnostic{.message =
+                          fmt::format("--supersample {}: the frame has {} x {} samples; expected at most {} a side",
+                                      flags.supersample, settings.width, settings.height, kMaxSurfaceSize)};
+  }
+  if (flags.turntable > 0 &&
+      (flags.ground_truth || settings.layers || !flags.pick.empty() || flags.check_order || !flags.only.empty())) {
+    return Diagnostic{.message =
+                          "--turntable writes colour pictures alone; expected it without --ground-truth, "
+                          "--layers, --pick, --check-order and --only"};
+  }
   if (flags.pick.empty()) return settings;
   if (flags.scene.technique != "index-cube") {
     return Diagnostic{.message = fmt::format("--pick requires technique index-cube, not {}", flags.scene.technique)};
+  }
+  if (flags.supersample > 1) {
+    return Diagnostic{.message =
+                          "--pick reads one pixel, which has several samples with --supersample; expected one flag"};
   }
   const auto pixel = window_pixel("--pick", flags.pick, settings);
   if (!pixel) return pixel.error();
@@ -59,14 +78,39 @@ Status draw(const RenderFlags& flags, ProgressLine& line, FinishedRender& done) 
   return judge(done, [&](std::string_view pass, double share) { return line.step(pass, 0.5 + judging * share); });
 }
 
-Status write(StagedFiles& files, ProgressLine& line, FinishedRender& done) {
-  const Diagnostic interrupted{.message = "interrupted", .fault = Fault::cancelled};
-  if (!line.step("writing", 0.9)) return interrupted;
-  if (Status written = write_rendering(*done.rendering, files); !written) return written;
-  if (!line.step("writing", 1.0)) return interrupted;
+const Diagnostic kInterruptedRun{.message = "interrupted", .fault = Fault::cancelled};
+
+// Adds the manifest, makes the staged files appear, and removes those of an earlier run that are not among them.
+Status commit(const RenderFlags& flags, const std::vector<std::string>& names, StagedFiles& files,
+              FinishedRender& done) {
+  if (Status written = write_manifest(names, files); !written) return written;
+  const std::vector<std::string> earlier = earlier_files(flags.folder);
+  if (ProgressLine::stopped()) return kInterruptedRun;
   if (Status committed = files.commit(); !committed) return committed;
   done.files = files.files();
+  done.removed = remove_earlier(flags.folder, earlier, names);
   return {};
+}
+
+Status write(const RenderFlags& flags, StagedFiles& files, ProgressLine& line, FinishedRender& done) {
+  if (!line.step("writing", 0.9)) return kInterruptedRun;
+  const auto names = chosen_files(*done.rendering, flags.only);
+  if (!names) {
+    done.wrong_only = true;
+    return names.error();
+  }
+  const RenderedFiles chosen{.only = *names, .supersample = flags.supersample};
+  if (Status written = write_rendering(*done.rendering, files, chosen); !written) return written;
+  return commit(flags, *names, files, done);
+}
+
+// Renders and writes the frames of --turntable.
+Status turn(const RenderFlags& flags, StagedFiles& files, ProgressLine& line, FinishedRender& done) {
+  const auto step = [&](std::string_view frame, double share) { return line.step(frame, 0.1 + 0.9 * share); };
+  if (Status drawn = draw_turntable(flags, files, step, done); !drawn) return drawn;
+  std::vector<std::string> names;
+  for (const auto& [name, hash] : done.frames) names.push_back(name);
+  return commit(flags, names, files, done);
 }
 
 // Loads, renders, judges and writes.
@@ -82,9 +126,14 @@ Status run(const RenderFlags& flags, FinishedRender& done) {
   auto files = StagedFiles::open(flags.folder);
   if (!files) return files.error();
   done.load_ms = milliseconds(Clock::now() - start);
+  if (flags.turntable > 0) {
+    Status turned = turn(flags, *files, line, done);
+    done.total_ms = milliseconds(Clock::now() - start);
+    return turned;
+  }
   if (Status drawn = draw(flags, line, done); !drawn) return drawn;
   const auto rendered = Clock::now();
-  if (Status written = write(*files, line, done); !written) return written;
+  if (Status written = write(flags, *files, line, done); !written) return written;
   const auto end = Clock::now();
   done.write_ms = milliseconds(end - rendered);
   done.total_ms = milliseconds(end - start);
@@ -93,7 +142,7 @@ Status run(const RenderFlags& flags, FinishedRender& done) {
 
 void print_warnings(const RenderFlags& flags, const FinishedRender& done) {
   const bool quiet = flags.common.quiet;
-  warn_of_unused_order(flags.scene.technique, done.settings, done.rendering->index_order, quiet);
+  warn_of_unused_order(done.settings, done.rendering->index_order, quiet);
   if (quiet || !flags.check_order || done.settings.index.order == IndexOrder::neighbour) return;
   say_warning("--check-order has no effect without --index-order neighbour");
 }
@@ -102,6 +151,7 @@ void print_warnings(const RenderFlags& flags, const FinishedRender& done) {
 int print_answer(const RenderFlags& flags, const FinishedRender& done) {
   if (!flags.common.quiet) {
     for (const auto& file : done.files) say_written(file);
+    for (const auto& file : done.removed) say(fmt::format("removed {}, of an earlier run\n", file.string()));
   }
   if (flags.common.json) return answer(render_json(flags, done));
   if (!flags.common.quiet) say(summary_text(flags, done));
@@ -127,7 +177,11 @@ int render(const RenderFlags& flags) {
     return kWrongUsage;
   }
   FinishedRender done{.settings = *settings};
-  if (Status finished = run(flags, done); !finished) return report(finished.error());
+  if (Status finished = run(flags, done); !finished) {
+    if (!done.wrong_only) return report(finished.error());
+    say_error(fmt::format("{} (see: ninebit render --help)", finished.error().message));
+    return kWrongUsage;
+  }
   print_warnings(flags, done);
   const int printed = print_answer(flags, done);
   return printed == kDone && flags.check_order ? check_order(flags, *done.rendering) : printed;
@@ -149,6 +203,18 @@ void add_render(CLI::App& app, int& exit_code) {
       ->type_name("DIR");
   add_scene_flags(*verb, flags->scene);
   verb->add_flag("--layers", flags->scene.settings.layers, "Also write layers.exr with every intermediate value");
+  verb->add_option("--supersample", flags->supersample,
+                   "Draw N x N samples for each pixel, and average them as a GeForce 2 did")
+      ->capture_default_str()
+      ->type_name("N")
+      ->check(CLI::IsMember(std::vector<std::string>{"1", "2", "4"}));
+  verb->add_option("--turntable", flags->turntable,
+                   "Write N pictures from all around: the camera turns about the point that it looks at")
+      ->type_name("N")
+      ->check(CLI::Range(2, kMostFrames));
+  verb->add_option("--only", flags->only,
+                   "Files to write, by their names without ending, as color,shadow (default: all)")
+      ->type_name("NAME[,NAME...]");
   add_pixel_flag(*verb, "--pick", flags->pick, "Print which polygon and object is visible at this pixel, by its index");
   verb->add_flag("--ground-truth", flags->ground_truth,
                  "Compare each pixel with ray casting: count errors by cause, write error.png");

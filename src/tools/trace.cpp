@@ -14,6 +14,7 @@
 #include "src/tools/common/program_file.h"
 #include "src/tools/eval/eval_engine.h"
 #include "src/tools/input/printable.h"
+#include "src/tools/trace/trace_effect.h"
 #include "src/tools/trace/trace_inputs.h"
 #include "src/tools/trace/trace_pixel.h"
 #include "src/tools/trace/trace_text.h"
@@ -26,7 +27,15 @@ struct TraceFlags {
   ProgramFlags program;
   std::vector<std::string> set;
   SceneFlags scene;
+  std::string effect;
   std::string pixel;
+  CLI::Option* profile = nullptr;  // --profile; whether it was given
+};
+
+// What is traced besides the program: a pixel, and the profile that it was drawn with.
+struct Drawn {
+  const TracedPixel* pixel = nullptr;
+  const HardwareProfile* profile = nullptr;
 };
 
 int wrong_usage(const std::string& message) {
@@ -34,21 +43,24 @@ int wrong_usage(const std::string& message) {
   return kWrongUsage;
 }
 
-int print(const TraceFlags& flags, const std::optional<TracedPixel>& pixel, const Program* program,
-          const RegisterFile& registers) {
+int print(const TraceFlags& flags, const Drawn& drawn, const Program* program, const RegisterFile& registers) {
+  const TracedPixel* const pixel = drawn.pixel;
+  // A profile file may give another name to the profile than the command line.
+  const bool named_by_flag = drawn.profile == &profile_of(flags.common);
+  const std::string profile = named_by_flag ? flags.common.profile : std::string(drawn.profile->name);
   std::optional<Trace> traced;
-  if (program != nullptr) traced = trace(*program, profile_of(flags.common), registers);
+  if (program != nullptr) traced = trace(*program, *drawn.profile, registers);
   if (flags.common.json) {
-    Json out{{"command", "trace"}, {"version", NINEBIT_VERSION}, {"profile", flags.common.profile}};
+    Json out{{"command", "trace"}, {"version", NINEBIT_VERSION}, {"profile", profile}};
     out["program"] = flags.program.file.empty() ? Json() : Json(flags.program.file);
-    if (pixel) out["scene"] = pixel_json(*pixel, flags.scene);
+    if (pixel != nullptr) out[flags.effect.empty() ? "scene" : "effect"] = pixel_json(*pixel);
     if (traced) out.update(Json::parse(print_json_trace(*program, *traced)));
     return answer(out);
   }
-  std::string text = pixel ? pixel_text(*pixel, flags.scene) : "";
+  std::string text = pixel != nullptr ? pixel_text(*pixel) : "";
   if (traced) {
     if (!flags.program.file.empty()) text += fmt::format("program {}, ", printable(flags.program.file));
-    text += fmt::format("profile {}\n", printable(flags.common.profile));
+    text += fmt::format("profile {}\n", printable(profile));
   }
   text = printable_lines(text);
   // The trace itself contains no foreign names, but may contain colour escapes.
@@ -60,7 +72,7 @@ int trace_set(const TraceFlags& flags, std::optional<Program> program) {
   const auto inputs = parse_trace_inputs(flags.set, profile_of(flags.common));
   if (!inputs) return wrong_usage(inputs.error().message);
   for (const auto& [column, code] : inputs->constants) replace_constant(*program, column, code);
-  return print(flags, std::nullopt, &*program, inputs->registers);
+  return print(flags, {.profile = &profile_of(flags.common)}, &*program, inputs->registers);
 }
 
 int trace_pixel(const TraceFlags& flags, const std::optional<Program>& program) {
@@ -70,15 +82,34 @@ int trace_pixel(const TraceFlags& flags, const std::optional<Program>& program) 
   const int y = settings.height - 1 - at->y;
   const auto pixel = render_pixel(flags.scene, flags.common, at->x, y, program.has_value());
   if (!pixel) return report(pixel.error());
-  warn_of_unused_order(flags.scene.technique, settings, pixel->index_order, flags.common.quiet);
-  if (!pixel->fragment) return print(flags, *pixel, nullptr, {});
+  warn_of_unused_order(settings, pixel->index_order, flags.common.quiet);
+  const Drawn drawn{&*pixel, &profile_of(flags.common)};
+  if (!pixel->fragment) return print(flags, drawn, nullptr, {});
   const ProbedPass& pass = pixel->passes[*pixel->pass];
-  return print(flags, *pixel, program ? &*program : &*pass.program, pass.fragments[*pixel->fragment].registers);
+  return print(flags, drawn, program ? &*program : &*pass.program, pass.fragments[*pixel->fragment].registers);
+}
+
+int trace_effect(const TraceFlags& flags) {
+  const HardwareProfile* const given = flags.profile->count() != 0 ? &profile_of(flags.common) : nullptr;
+  const auto traced = draw_pixel(flags.effect, flags.pixel, flags.common, given);
+  if (!traced) return report(traced.error());
+  const TracedPixel& pixel = traced->pixel;
+  const Drawn drawn{&pixel, traced->profile};
+  if (!pixel.fragment) return print(flags, drawn, nullptr, {});
+  const ProbedPass& pass = pixel.passes[*pixel.pass];
+  return print(flags, drawn, &*pass.program, pass.fragments[*pixel.fragment].registers);
 }
 
 int run(const TraceFlags& flags) {
   const HardwareProfile& profile = profile_of(flags.common);
-  if (flags.program.file.empty() && flags.scene.file.empty()) return wrong_usage("PROGRAM or --scene is required");
+  if (!flags.effect.empty()) {
+    if (!flags.program.file.empty()) return wrong_usage("--effect traces the effect's own programs, not PROGRAM");
+    return flags.pixel.empty() ? wrong_usage("--effect requires --pixel X,Y") : trace_effect(flags);
+  }
+  if (flags.program.file.empty() && flags.scene.file.empty()) {
+    return wrong_usage("PROGRAM, --scene or --effect is required");
+  }
+  if (flags.scene.file.empty() && !flags.pixel.empty()) return wrong_usage("--pixel requires --scene or --effect");
   if (!flags.scene.file.empty() && flags.pixel.empty()) return wrong_usage("--scene requires --pixel X,Y");
   std::optional<Program> program;
   if (!flags.program.file.empty()) {
@@ -95,16 +126,19 @@ int run(const TraceFlags& flags) {
 void add_trace(CLI::App& app, int& exit_code) {
   CLI::App* verb = app.add_subcommand("trace", "Print every value at every step of one fragment");
   verb->footer(
-      "--set gives the registers of the fragment; --scene and --pixel take them from a rendering. Registers that\n"
+      "--set gives the registers of the fragment; --scene or --effect, and --pixel, take them from a picture. "
+      "Registers that\n"
       "are not set have the defaults of `ninebit eval`: 1.0 for alpha of textures and fog, tex0.a for spare0.a, the\n"
       "program's own const0 and const1, and 0 for all others. With --scene, the technique's program is traced; a\n"
       "PROGRAM given with it is traced instead.\n"
       "Examples:\n"
       "  ninebit trace compare.gl --set primary=102,0,0,0 --set tex0=100,0,0,255\n"
       "  ninebit trace compare.gl --set primary.r=102 --set tex0.r=101 --profile nv2a --json\n"
-      "  ninebit trace --scene scenes/index_room.gltf --pixel 400,300 --map-size 256");
+      "  ninebit trace --scene scenes/index_room.gltf --pixel 400,300 --map-size 256\n"
+      "  ninebit trace --effect scenes/effects/dot3_specular.json --pixel 128,80");
   auto flags = std::make_shared<TraceFlags>();
   add_common_flags(*verb, flags->common);
+  flags->profile = verb->get_option("--profile");
   add_program_flags(*verb, flags->program);
   verb->get_option("program")->required(false);
   CLI::Option* const set =
@@ -112,8 +146,11 @@ void add_trace(CLI::App& app, int& exit_code) {
           ->type_name("REGISTER=R,G,B,A")
           ->allow_extra_args(false);
   CLI::Option* const scene = add_scene_file(*verb, "--scene", flags->scene)->excludes(set);
-  add_pixel_flag(*verb, "--pixel", flags->pixel, "Pixel to trace, counted from the top left of the picture")
-      ->needs(scene);
+  verb->add_option("--effect", flags->effect, "Effect file whose picture has the pixel")
+      ->type_name("FILE")
+      ->excludes(set)
+      ->excludes(scene);
+  add_pixel_flag(*verb, "--pixel", flags->pixel, "Pixel to trace, counted from the top left of the picture");
   for (CLI::Option* const option : add_scene_flags(*verb, flags->scene)) option->needs(scene);
   verb->callback([flags, &exit_code] { exit_code = run(*flags); });
 }

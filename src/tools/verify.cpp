@@ -28,21 +28,23 @@ struct Difference {
 };
 
 struct Verdict {
-  std::size_t rows = 0, agree = 0;
+  std::vector<Rival> rivals;
+  std::size_t rows = 0, agree = 0, skipped = 0;
   std::vector<Difference> differences;             // the first --most
   std::map<std::string, std::size_t> where;        // number of rows by the first place that differs
   std::vector<std::size_t> explained, agree_then;  // per rival: of the differing rows; of all rows
 };
 
 // The place of a value: "general combiner 0, rgb", "output, alpha".
-std::string place_of(const Expectation& expected) {
+std::string place_of(const VerifyRow& row, const Expectation& expected) {
+  if (row.format != nullptr) return std::string(row.format->place);
   const char* const portion = expected.component == kAlpha ? "alpha" : "rgb";
   if (!expected.stage) return fmt::format("output, {}", portion);
   return fmt::format("general combiner {}, {}", *expected.stage, portion);
 }
 
-void judge(const VerifyRow& row, const HardwareProfile& profile, const std::vector<Rival>& rivals, std::size_t most,
-           Verdict& verdict) {
+void judge(const VerifyRow& row, const HardwareProfile& profile, std::size_t most, Verdict& verdict) {
+  const std::vector<Rival>& rivals = verdict.rivals;
   ++verdict.rows;
   std::vector<int> codes = computed(row, profile);
   const bool agree = agrees(row, codes);
@@ -60,29 +62,31 @@ void judge(const VerifyRow& row, const HardwareProfile& profile, const std::vect
   }
   std::size_t first = 0;
   while (row.expected[first].allows(codes[first])) ++first;
-  ++verdict.where[place_of(row.expected[first])];
+  ++verdict.where[place_of(row, row.expected[first])];
   if (verdict.differences.size() < most) verdict.differences.push_back({row, std::move(codes), explained_by});
 }
 
-Result<Verdict> judge_table(const VerifyFlags& flags, const std::vector<Rival>& rivals) {
+Result<Verdict> judge_table(const VerifyFlags& flags) {
   const HardwareProfile& profile = profile_of(flags.common);
   auto table = VerifyTable::open(flags.table, flags.program, flags.allow_outside, profile);
   if (!table) return table.error();
   Verdict verdict;
-  verdict.explained.resize(rivals.size());
-  verdict.agree_then.resize(rivals.size());
+  verdict.rivals = table->is_measured() ? pixel_rivals_of(profile) : rivals_of(profile);
+  verdict.explained.resize(verdict.rivals.size());
+  verdict.agree_then.resize(verdict.rivals.size());
   ProgressLine progress(flags.common.quiet);
   while (true) {
     auto row = table->next();
     if (!row) return row.error();
     if (!*row) break;
     // The table owns the programs' states; a difference keeps only the name of the file.
-    judge(**row, profile, rivals, static_cast<std::size_t>(flags.most), verdict);
+    judge(**row, profile, static_cast<std::size_t>(flags.most), verdict);
     constexpr std::size_t kRowsPerStep = 1024;
     const bool goes_on = verdict.rows % kRowsPerStep == 0 ? progress.step(fmt::format("{} rows", verdict.rows), 0.0)
                                                           : !ProgressLine::stopped();
     if (!goes_on) return Diagnostic{.message = "interrupted", .fault = Fault::cancelled};
   }
+  verdict.skipped = table->skipped();
   if (verdict.rows == 0) return csv_fault(table->name(), 1, 1, "the table has no rows");
   return verdict;
 }
@@ -102,7 +106,9 @@ std::vector<std::size_t> explaining(const Verdict& verdict) {
 
 std::string rule_text(const Rival& rival) {
   const std::string numbers =
-      rival.rules.empty() ? "" : fmt::format(" (rule{} {})", rival.rules.size() > 1 ? "s" : "", rival.rules);
+      rival.rules.empty()
+          ? ""
+          : fmt::format(" (rule{} {})", rival.rules.find(',') != std::string::npos ? "s" : "", rival.rules);
   return fmt::format("{} = {}{}", rival.field, rival.value, numbers);
 }
 
@@ -122,14 +128,16 @@ std::string difference_text(const Difference& d, const std::string& table, const
   return text + (names.empty() ? "\n" : fmt::format(" [as with {}]\n", fmt::join(names, ", or ")));
 }
 
-std::string text_of(const Verdict& verdict, const std::string& table, const std::vector<Rival>& rivals) {
+std::string text_of(const Verdict& verdict, const std::string& table) {
+  const std::vector<Rival>& rivals = verdict.rivals;
   const std::size_t differ = verdict.rows - verdict.agree;
   std::string text;
   for (const Difference& difference : verdict.differences) text += difference_text(difference, table, rivals);
   if (differ > verdict.differences.size()) {
     text += fmt::format("… and {} more rows\n", differ - verdict.differences.size());
   }
-  text += fmt::format("{} rows: {} agree, {} differ\n", verdict.rows, verdict.agree, differ);
+  text += fmt::format("{} rows: {} agree, {} differ", verdict.rows, verdict.agree, differ);
+  text += verdict.skipped == 0 ? "\n" : fmt::format("; {} with match 0 skipped\n", verdict.skipped);
   if (differ == 0) return text;
   text += fmt::format("\n{:<54}{:>8}\n", "first difference in", "rows");
   for (const auto& [place, count] : verdict.where) text += fmt::format("  {:<52}{:>8}\n", place, count);
@@ -142,7 +150,8 @@ std::string text_of(const Verdict& verdict, const std::string& table, const std:
   return text;
 }
 
-Json json_of(const Verdict& verdict, const VerifyFlags& flags, const std::vector<Rival>& rivals) {
+Json json_of(const Verdict& verdict, const VerifyFlags& flags) {
+  const std::vector<Rival>& rivals = verdict.rivals;
   Json places = Json::array(), rules = Json::array(), rows = Json::array();
   for (const auto& [place, count] : verdict.where) places.push_back({{"place", place}, {"rows", count}});
   for (const std::size_t i : explaining(verdict)) {
@@ -173,19 +182,18 @@ Json json_of(const Verdict& verdict, const VerifyFlags& flags, const std::vector
           {"count", verdict.rows},
           {"agree", verdict.agree},
           {"differ", verdict.rows - verdict.agree},
+          {"skipped", verdict.skipped},
           {"places", std::move(places)},
           {"rules", std::move(rules)},
           {"rows", std::move(rows)}};
 }
 
 int run(const VerifyFlags& flags) {
-  const std::vector<Rival> rivals = rivals_of(profile_of(flags.common));
-  const auto verdict = judge_table(flags, rivals);
+  const auto verdict = judge_table(flags);
   if (!verdict) return report(verdict.error());
   const bool agree = verdict->agree == verdict->rows;
-  const int code = flags.common.json
-                       ? answer(json_of(*verdict, flags, rivals))
-                       : answer(text_of(*verdict, flags.table == "-" ? "standard input" : flags.table, rivals));
+  const int code = flags.common.json ? answer(json_of(*verdict, flags))
+                                     : answer(text_of(*verdict, flags.table == "-" ? "standard input" : flags.table));
   if (code != kDone) return code;
   return agree ? kDone : kDifference;
 }
@@ -202,6 +210,9 @@ void add_verify(CLI::App& app, int& exit_code) {
       "  tex0.r, const0.a  inputs, as in `ninebit eval`; an empty field is the default\n"
       "  out.r             expected output\n"
       "  stage0.spare0.r   expected register after general combiner 0\n"
+      "It may also be a table of pixels of a chip (vectors such as nv2a_blend.csv), which is known by its header; "
+      "rows\n"
+      "with match 0 are skipped.\n"
       "An expected value of 62|63 accepts either; an empty field is not compared. The report lists where rows first\n"
       "differ, and which single rule of the profile would explain the differences if it had another value.\n"
       "Exit codes: 0 all rows agree, 1 some differ, 3 the table or a program cannot be read.\n"

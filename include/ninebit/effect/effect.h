@@ -140,17 +140,25 @@ enum class EffectGeometry : std::uint8_t {
 // From where a pass sees the mesh. A cube target is always seen from the light, a face at a time.
 enum class EffectView : std::uint8_t { camera, light };
 
+// The constant colours of a pass, which replace those of its program. A general combiner's own constant enables
+// GL_PER_STAGE_CONSTANTS_NV; combiners without one keep the global constant.
+struct EffectConstants {
+  using Pair = std::array<std::optional<ColorF>, 2>;     // constant colour 0 and 1
+  Pair global{};                                         // of all combiners
+  std::array<Pair, kMaxGeneralCombiners> of_combiner{};  // of one general combiner, from 0
+};
+
 // One draw call.
 struct EffectPass {
-  std::string name{};                                // for messages, traces and layers
-  EffectGeometry geometry = EffectGeometry::mesh;    // what is drawn
-  EffectView view = EffectView::camera;              // of a mesh, for a target that is not a cube
-  std::string target{kPictureTarget};                // the name of a target
-  std::string program{};                             // a file, relative to the effect's folder; empty: the combiners
-                                                     // are off and the primary colour is drawn
-  std::array<std::optional<ColorF>, 2> constants{};  // replace the program's global constant colours
-  std::array<EffectUnit, kEffectUnits> units{};      // the texture units
-  ColorSource primary{};                             // the primary colour
+  std::string name{};                              // for messages, traces and layers
+  EffectGeometry geometry = EffectGeometry::mesh;  // what is drawn
+  EffectView view = EffectView::camera;            // of a mesh, for a target that is not a cube
+  std::string target{kPictureTarget};              // the name of a target
+  std::string program{};                           // a file, relative to the effect's folder; empty: the combiners
+                                                   // are off and the primary colour is drawn
+  EffectConstants constants{};                     // of the program
+  std::array<EffectUnit, kEffectUnits> units{};    // the texture units
+  ColorSource primary{};                           // the primary colour
   ColorSource secondary{.constant = glm::vec4(0.0F, 0.0F, 0.0F, 1.0F)};  // the secondary colour
   EffectFog fog{};                                                       // the fog registers
   EffectClear clear{};                                                   // before the draw
@@ -164,6 +172,7 @@ struct EffectPass {
 struct EffectScene {
   std::string mesh{};                      // a scene file, relative to the effect's folder, or a generated mesh
                                            // (generated_meshes.h); empty: only rectangles are drawn
+  std::optional<UpAxis> up{};              // of the scene file, instead of what it says
   SceneSetup setup{};                      // camera, light and floor
   std::optional<glm::vec3> light_color{};  // replaces the light's colour, each channel in [0, 1]
 };

@@ -30,8 +30,8 @@ struct EffectReaders {
   // One 2D texture, or six faces of a cube map in the order of CubeFace, with mip-maps.
   std::function<Result<Texture>(std::span<const std::filesystem::path> files, const HardwareProfile& profile)>
       texture{};
-  // A scene as read_scene() returns it.
-  std::function<Result<Scene>(const std::filesystem::path& file)> scene{};
+  // A scene as read_scene() returns it with this axis as SceneReadOptions::up.
+  std::function<Result<Scene>(const std::filesystem::path& file, std::optional<UpAxis> up)> scene{};
 };
 
 // What is kept besides the pictures.

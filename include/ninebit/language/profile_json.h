@@ -22,9 +22,11 @@ struct OwnedProfile {
 //
 // Values are whole numbers, true and false, or one of
 //   arithmetic         integer, exact, float32            general_narrowing, final_narrowing  toward-zero,
-//   narrowing_point    after-scale, before-scale                                              nearest-halves-up
+//   narrowing_point    after-scale, before-scale          depth_narrowing, fog_narrowing,     nearest-halves-up
+//   texture_filter_rounding  once, each-blend             texture_weight_narrowing
+//   color_weights      exact, 8-bits
 //   secondary_alpha    one, as-given                      polygon_offset_slope                larger, root
-//   dxt1_palette       rgb565, rgb888                     color_interpolation                 perspective, affine
+//   dxt1_palette       rgb565, rgb888, dithered565        color_interpolation                 perspective, affine
 //
 // Faults: unknown keys and values, values of a wrong type, fields that the arithmetic does not read, and values out of
 // range. The ranges:

@@ -43,6 +43,15 @@ inline constexpr int kRed = 0, kGreen = 1, kBlue = 2, kAlpha = 3;
   return static_cast<std::uint8_t>(static_cast<double>(component) * 255.0 + 0.5);
 }
 
+// Converts a fog factor to the byte that the combiners read (rule 25): times 255, narrowed as the profile says, clamped
+// to [0, 255]. NaN becomes 0.
+[[nodiscard]] constexpr std::uint8_t byte_of_fog_factor(const HardwareProfile& profile, float factor) {
+  if (profile.fog_narrowing.value == Narrowing::nearest_halves_up) return byte_of_color(factor);
+  if (!(factor > 0.0F)) return 0;
+  if (factor >= 1.0F) return 255;
+  return static_cast<std::uint8_t>(static_cast<double>(factor) * 255.0);
+}
+
 // Converts a float vertex colour to the byte that the combiners read (rule 17): cuts the mantissa to the profile's
 // bits, multiplies by 255, rounds halves up, clamps to [0, 255]. NaN becomes 0.
 [[nodiscard]] std::uint8_t byte_of_vertex_color(const HardwareProfile& profile, float component);

@@ -59,8 +59,22 @@ enum class SecondaryAlpha : std::uint8_t { one, as_given };
 enum class OffsetSlope : std::uint8_t { larger, root };  // max(|dz/dx|, |dz/dy|), or the root of the sum of squares
 // How smooth colours are interpolated: perspective-correct like texture coordinates, or linearly in the window.
 enum class ColorInterpolation : std::uint8_t { perspective, affine };
-// The precision of the two middle colours of an S3TC block.
-enum class Dxt1Palette : std::uint8_t { rgb565, rgb888 };
+// The weights of a primitive's vertices in its smooth colours.
+enum class ColorWeights : std::uint8_t {
+  exact,      // shares, in floats
+  eight_bits  // whole 256ths: the first and the third vertex's cut, the second has the rest
+};
+// Where linear filters round.
+enum class FilterRounding : std::uint8_t {
+  once,       // the weighted sum of all texels
+  each_blend  // each blend of two: along s, then along t, then between levels
+};
+// How the colours of a DXT1 texture are kept.
+enum class Dxt1Palette : std::uint8_t {
+  rgb565,      // the palette in 5, 6 and 5 bits, then widened
+  rgb888,      // the palette in bytes
+  dithered565  // the palette in bytes, dithered to 5, 6 and 5 bits by the texel's place, then widened
+};
 
 // One field for every behaviour that the extensions leave to the hardware. Nothing is checked here; parse_json_profile
 // checks which values make sense.
@@ -102,8 +116,13 @@ struct HardwareProfile {
   Choice<int> vertex_color_mantissa_bits;    // a float vertex colour keeps this many fraction bits, then x 255, half up
   Choice<OffsetSlope> polygon_offset_slope;  // m of the polygon offset factor × m + r × units
   Choice<ColorInterpolation> color_interpolation;  // of smooth primary and secondary colours
+  Choice<ColorWeights> color_weights;              // of smooth primary and secondary colours
+  Choice<Narrowing> depth_narrowing;               // of a fragment's depth on its primitive, to a depth code
+  Choice<Narrowing> fog_narrowing;                 // of a fragment's fog factor, times 255, to a byte
   Choice<int> texture_weight_bits;                 // fraction bits of the weights of linear filters
-  Choice<Dxt1Palette> dxt1_palette;                // of compressed textures
+  Choice<Narrowing> texture_weight_narrowing;      // of a place between two texels, to these bits
+  Choice<FilterRounding> texture_filter_rounding;  // of linear filters
+  Choice<Dxt1Palette> dxt1_palette;                // of DXT1 textures
 };
 
 // Returns all shipped profiles, the default (geforce2) first. Addresses and names stay valid for the whole run.
@@ -142,7 +161,12 @@ inline constexpr HardwareProfile geforce2{
     .vertex_color_mantissa_bits = {13, Evidence::inferred, "rule 17: modelled by envytools for NV10, measured on NV2A"},
     .polygon_offset_slope = {OffsetSlope::larger, Evidence::inferred, "rule 20, measured on NV2A"},
     .color_interpolation = {ColorInterpolation::perspective, Evidence::assumed, "OpenGL allows both; rival: affine"},
-    .texture_weight_bits = {8, Evidence::assumed, "OpenGL leaves the precision open"},
+    .color_weights = {ColorWeights::eight_bits, Evidence::inferred, "rule 27, measured on NV2A"},
+    .depth_narrowing = {Narrowing::toward_zero, Evidence::inferred, "rule 28, measured on NV2A"},
+    .fog_narrowing = {Narrowing::toward_zero, Evidence::inferred, "rule 25, measured on NV2A"},
+    .texture_weight_bits = {8, Evidence::inferred, "rule 26, measured on NV2A"},
+    .texture_weight_narrowing = {Narrowing::toward_zero, Evidence::inferred, "rule 26, measured on NV2A"},
+    .texture_filter_rounding = {FilterRounding::each_blend, Evidence::inferred, "rule 26, measured on NV2A"},
     .dxt1_palette = {Dxt1Palette::rgb565, Evidence::inferred,
                      "banding of DXT1 skies in reviews of 2001; how the chip rounds is assumed"},
 };
@@ -189,7 +213,14 @@ consteval HardwareProfile xbox() {
   p.subpixel_bits = {4, Evidence::measured, "rule 21"};
   p.vertex_color_mantissa_bits = {13, Evidence::measured, "rule 17: 273 of 273"};
   p.polygon_offset_slope = {OffsetSlope::larger, Evidence::inferred, "rule 20: equal slopes in depth dumps"};
-  p.dxt1_palette = {Dxt1Palette::rgb565, Evidence::inferred, "the GeForce3 was reported to band as its forerunners"};
+  p.color_weights = {ColorWeights::eight_bits, Evidence::measured, "rule 27: 1.2 million pixels"};
+  p.depth_narrowing = {Narrowing::toward_zero, Evidence::measured, "rule 28: 216,525 of 216,529 pixels"};
+  p.fog_narrowing = {Narrowing::toward_zero, Evidence::measured, "rule 25: 662 of 680 pixels"};
+  p.texture_weight_bits = {8, Evidence::measured, "rule 26: a ramp of 84 pixels"};
+  p.texture_weight_narrowing = {Narrowing::toward_zero, Evidence::measured,
+                                "rule 26: a ramp of 84 pixels, 167 of 168 rows"};
+  p.texture_filter_rounding = {FilterRounding::each_blend, Evidence::measured, "rule 26: 159,744 values"};
+  p.dxt1_palette = {Dxt1Palette::dithered565, Evidence::measured, "rule 24: 788,736 values of textures in pictures"};
   return p;
 }
 
@@ -220,7 +251,12 @@ consteval HardwareProfile real_numbers(std::string_view name, std::string_view c
   p.vertex_color_mantissa_bits = {23, Evidence::assumed, "no bit of a float is cut before it is rounded to a byte"};
   p.polygon_offset_slope = {OffsetSlope::larger, Evidence::assumed, as_nv2a};
   p.color_interpolation = {ColorInterpolation::perspective, Evidence::assumed, as_nv2a};
+  p.color_weights = {ColorWeights::exact, Evidence::specified, "OpenGL 1.3, 3.5.1"};
+  p.depth_narrowing = {Narrowing::nearest_halves_up, Evidence::specified, "OpenGL: depths are rounded to nearest"};
+  p.fog_narrowing = {Narrowing::nearest_halves_up, Evidence::specified, "OpenGL: colours are rounded to nearest"};
   p.texture_weight_bits = {8, Evidence::assumed, as_nv2a};
+  p.texture_weight_narrowing = {Narrowing::nearest_halves_up, Evidence::assumed, "the nearest weights of these bits"};
+  p.texture_filter_rounding = {FilterRounding::once, Evidence::specified, "OpenGL 1.3, 3.8.8: one weighted sum"};
   p.dxt1_palette = {Dxt1Palette::rgb888, Evidence::specified,
                     "EXT_texture_compression_s3tc: real numbers between the colours"};
   return p;

@@ -98,13 +98,22 @@ enum class BlendFactor : std::uint8_t {
   one_minus_constant_color,
   constant_alpha,
   one_minus_constant_alpha,
-  src_alpha_saturate  // source only: min(As, 1 - Ad) for colours, 1 for alpha
+  src_alpha_saturate  // min(As, 1 - Ad) for colours, 1 for alpha; of the destination not in OpenGL 1.3, but on an NV2A
 };
-// Combines the two products: sum, difference, or the minimum or maximum of the colours without factors.
-enum class BlendEquation : std::uint8_t { add, subtract, reverse_subtract, min, max };
+// Combines the two products: sum, difference; or the colours without factors.
+enum class BlendEquation : std::uint8_t {
+  add,
+  subtract,
+  reverse_subtract,
+  min,
+  max,
+  // Of the NV2A: the source is a signed byte, from -128 to 127.
+  add_signed,              // destination + source, clamped
+  reverse_subtract_signed  // destination - source, clamped
+};
 
-// In bytes: (source × factor + destination × factor) / 255; the sum is rounded once, to nearest, and clamped (rule 19:
-// measured for one pair of factors, inferred for the others). A target without an alpha plane has a destination alpha
+// In bytes: (source × factor + destination × factor) / 255; the sum is rounded once, to nearest, and clamped (rule 19,
+// measured for all factors and equations). A target without an alpha plane has a destination alpha
 // of 255.
 struct Blend {
   bool enabled = false;                         // GL_BLEND

@@ -61,7 +61,7 @@ class PreparedDraw {
 // pass may read a plane of the target as a texture. Several threads may draw one PreparedDraw at the same time.
 //
 // Passes are drawn tile by tile, which reads and writes the target's planes once, if
-// - no pass draws lines or points, blends, or has secondary colours, fog factors or mip-maps,
+// - no pass draws lines or points, blends, or has a program that reads fog factors of vertices,
 // - all passes write the same colour components,
 // - the target has neither output planes nor a probe.
 // The clear is part of that if, in addition, scissor and viewport cover the whole target, the passes write all of its

@@ -94,11 +94,11 @@ struct TextureUnit {
 // - Window depth has 24 bits: the depth code of the target's format, and fraction bits for the rest. All of it is
 //   computed in integers, so that equal geometry has equal depth in every pass:
 //     1. Each vertex depth is rounded to 24 bits.
-//     2. A fragment's depth is the exact plane (or line) through them at the pixel's centre, rounded to nearest, halves
-//        up.
-//     3. The polygon offset is added. It is rounded in the same way, once per polygon; m is that of its largest
+//     2. A fragment's depth is the exact plane (or line) through them at the pixel's centre, cut, or rounded to
+//        nearest, halves up, as profile.depth_narrowing says.
+//     3. The polygon offset is added. It is rounded to nearest, halves up, once per polygon; m is that of its largest
 //        triangle.
-//     4. The sum is clamped, and its fraction bits are rounded away, halves up.
+//     4. The sum is clamped, and its fraction bits are cut or rounded away as in step 2.
 // - A line's values are evaluated at the foot of the perpendicular from the pixel's centre, clamped to the line's ends.
 //   Pixels side by side of a wide line share them.
 // - Texture coordinates, attributes, fog factors and smooth colours are interpolated in floats, in a fixed order per

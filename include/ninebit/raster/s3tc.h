@@ -2,11 +2,12 @@
 // two depend on the hardware.
 //
 // - The two colours of a block have 5, 6 and 5 bits; a component becomes a byte by repeating its upper bits below it
-//   (assumed; the alternative, v × 255 / 31 rounded, differs by one for some values).
-// - The middle colours (2 a + b) / 3, (a + 2 b) / 3 and (a + b) / 2 are rounded to nearest, halves up (assumed). DXT3
-//   and DXT5 compute them on bytes; DXT1 on bytes or, with Dxt1Palette::rgb565, on the 5, 6 and 5 bits, and only the
-//   result becomes bytes, as the GeForce 256 to 3 did it.
-// - A DXT3 alpha of 4 bits is multiplied by 17. DXT5's middle alphas are rounded to nearest.
+//   (measured on the NV2A).
+// - The middle colours (2 a + b) / 3, (a + 2 b) / 3 and (a + b) / 2 are rounded to nearest, halves up (measured on the
+//   NV2A). DXT3 and DXT5 compute them on bytes; DXT1 on bytes or, with Dxt1Palette::rgb565, on the 5, 6 and 5 bits, and
+//   only the result becomes bytes, as the GeForce 256 and 2 are said to do it. Dxt1Palette::dithered565 dithers the
+//   bytes to 5, 6 and 5 bits, as the NV2A does: rule 24 of docs/numerics.md.
+// - A DXT3 alpha of 4 bits is multiplied by 17. DXT5's middle alphas are rounded to nearest (both measured there).
 #pragma once
 
 #include <array>

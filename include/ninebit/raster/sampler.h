@@ -2,16 +2,17 @@
 //
 // Where OpenGL leaves a choice, these are assumptions about the hardware:
 //
-// - A coordinate is held exactly until it is rounded once: to a whole texel (NEAREST, downwards), or to 1/2^b texel
-//   (LINEAR, to nearest, halves up), where b is profile.texture_weight_bits.
-// - The weights of LINEAR have b fraction bits, and so has the weight between two levels. A filtered byte or depth code
-//   is the sum of weight × texel, an exact integer, rounded once to nearest, halves up. Floats are summed in doubles,
-//   in a fixed order, texels of weight 0 left out.
+// - A coordinate is held exactly until it is narrowed once: to a whole texel (NEAREST, downwards), or to 1/2^b texel
+//   (LINEAR, as profile.texture_weight_narrowing says), where b is profile.texture_weight_bits.
+// - The weights of LINEAR have b fraction bits, and so has the weight between two levels. Bytes and depth codes are
+//   blended in whole numbers: along s, then along t, then between levels. A blend of two is rounded to nearest, halves
+//   up, or only the whole sum is (profile.texture_filter_rounding). Floats are summed in doubles, in a fixed order,
+//   texels of weight 0 left out.
 // - Level of detail: rho² = max(ux² + vx², uy² + vy²) in doubles, with ux = width × ds/dx and so on; a sum that is NaN
 //   counts as 0.
-//   lambda = log2(rho²) / 2, rounded down to 1/256: the exponent, then seven squarings of the mantissa, a bit each. The
-//   bias, rounded to 1/256, is added. For cube maps, ds/dx is 0.5 × (dsc/dx - (sc / |ma|) × d|ma|/dx) / |ma|, in
-//   doubles, on the face that the fragment's own direction selects.
+//   lambda = log2(rho²) / 2, rounded down to 1/256: the exponent, and that of the mantissa's 128th power, seven
+//   squarings. The bias, rounded to 1/256, is added. For cube maps, ds/dx is 0.5 × (dsc/dx - (sc / |ma|) × d|ma|/dx) /
+//   |ma|, in doubles, on the face that the fragment's own direction selects.
 // - The weight between two levels is the fraction of lambda, cut to b bits.
 // - A coordinate that is NaN reads as 0; infinity as the end of the range it is clamped to, or 0 where it repeats.
 // - No filter reads across the faces of a cube map: each is wrapped as a texture of its own.
@@ -75,6 +76,13 @@ struct TextureCoordinates {
   std::array<const float*, 3> dy{};     // to the fragment above
 };
 
+// How linear filters weigh and round; see HardwareProfile.
+struct FilterRules {
+  int weight_bits = 8;             // fraction bits of weights
+  bool cuts_weights = false;       // cut to these bits; else rounded to nearest, halves up
+  bool rounds_each_blend = false;  // along s, along t and between levels; else the whole sum once
+};
+
 // A texture with its sampler state, prepared once per draw. The texture must outlive it. A fragment's result does not
 // depend on the run that it is in.
 class TextureSampler {
@@ -110,10 +118,13 @@ class TextureSampler {
   TextureSampler() = default;
   struct Taps;      // a fragment's texels with their weights
   struct Filtered;  // their weighted sum
-  void add_level(Taps& taps, std::size_t face, int level, float s, float t, bool linear, std::uint32_t weight) const;
+  template <class Read>
+  [[nodiscard]] std::uint32_t weigh_codes(const Taps& taps, const Read& read) const;
+  template <class Read>
+  [[nodiscard]] double weigh_reals(const Taps& taps, const Read& read) const;
   [[nodiscard]] Filtered filter(const TextureCoordinates& at, std::size_t i) const;
   [[nodiscard]] Filtered weigh(const Taps& taps, float r) const;
-  class ByteSampler;  // the fast path for bytes without mip-maps
+  class ByteSampler;  // the fast path for bytes
 
   const Texture* texture_ = nullptr;
   Sampler sampler_;
@@ -123,7 +134,7 @@ class TextureSampler {
   bool needs_derivatives_ = false;
   int last_level_ = 0;
   int lod_bias_q8_ = 0;
-  int weight_bits_ = 8;
+  FilterRules filter_rules_;
   int byte_shift_ = 0;
   std::uint32_t max_depth_ = 0;
   std::array<std::uint32_t, 4> border_code_{};

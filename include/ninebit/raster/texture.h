@@ -116,12 +116,12 @@ struct TextureSamples {
       samples{};  // of the format's type
 };
 
-// A texture that owns its samples: faces[face][level]. Reports a wrong number or type of samples, depth codes out of
-// the format's range, and what check_texture reports.
+// A texture that owns its samples: faces[face][level]. Bytes of rgb8 and rgba8 are kept texel by texel, four each.
+// Reports a wrong number or type of samples, depth codes out of the format's range, and what check_texture reports.
 [[nodiscard]] Result<Texture> make_texture(TextureTarget target, InternalFormat format,
                                            std::vector<std::vector<TextureSamples>> faces);
 
-// Level 0 of the texture, shared with it, and mip-maps down to 1 × 1. Each texel is the mean of two by two texels of
+// A copy of the texture's level 0, and mip-maps down to 1 × 1. Each texel is the mean of two by two texels of
 // the previous level, or of two if that level is one texel wide or high. Integers are rounded to nearest, halves up, as
 // (a + b + c + d + 2) / 4; floats are computed as ((a + b) + (c + d)) × 0.25, and half floats are rounded again.
 // Reports what check_texture reports, and a texture without level 0.

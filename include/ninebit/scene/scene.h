@@ -76,14 +76,20 @@ struct Bounds {
   [[nodiscard]] float diagonal() const { return glm::length(high - low); }  // the distance between both
 };
 
+// The axis of a file's coordinates that points up.
+enum class UpAxis : std::uint8_t { y, z };
+
 // Vertices are shared by index. Every triangle index is < positions.size(); normals has the size of positions, and so
-// have texture_coordinates and colors unless they are empty; the triangles of one object are consecutive, and the
-// objects cover all triangles in order.
+// have texture_coordinates, tangents and colors unless they are empty; the triangles of one object are consecutive, and
+// the objects cover all triangles in order.
 struct Scene {
   std::string name;                              // the file's name, for reports
   std::vector<glm::vec3> positions;              // world space, finite
   std::vector<glm::vec3> normals;                // unit length (zero if the file's geometry gives none)
   std::vector<glm::vec2> texture_coordinates{};  // s and t, (0, 0) at a picture's top left; empty: the file has none
+  // Along growing s, unit length, and in w 1, or -1 if the bitangent is -cross(normal, tangent); zero where the file
+  // has none. The bitangent is along falling t. Empty: the file has no tangents.
+  std::vector<glm::vec4> tangents{};
   std::vector<glm::vec4> colors{};               // red, green, blue, alpha in [0, 1]; empty: the file has none
   std::vector<glm::uvec3> triangles;             // counter-clockwise seen from the front
   std::vector<std::uint32_t> triangle_object;    // for each triangle, an index into objects
@@ -93,6 +99,7 @@ struct Scene {
   std::vector<SceneTexture> textures{};          // that materials name
   std::vector<Light> lights;                     // from the file, in its order; may be empty
   std::vector<Camera> cameras;                   // from the file, in its order; may be empty
+  UpAxis up = UpAxis::y;                         // of the file, as read; the scene's is y
   std::vector<std::string> notes;                // what the file refers to and the reader left out; one line each
 };
 

@@ -15,20 +15,23 @@ namespace NINEBIT_PUBLIC ninebit {
 // How a scene is read.
 struct SceneReadOptions {
   bool allow_outside = false;  // files that the scene names may be anywhere; otherwise only below its own folder
+  // The axis that points up in the file, instead of what the file or its format says.
+  std::optional<UpAxis> up{};
   // Foreign code (Assimp for 3DS, Draco for compressed glTF meshes) runs in a child process that opens no file and has
   // 1 GiB of memory and 64 times the file, 8 s of processor time and 1 s for each 1,000,000 bytes; for Draco, 256 bytes
   // and 1 µs more for each triangle that the file declares. A file that crashes the child or exceeds these limits is
-  // reported like any other fault; without `isolated` it may end this process. The child is a fork of this one: no
+  // reported like any other fault; without `isolated` it may end this process. STL, COLLADA, FBX and glTF 1.0 are
+  // always read by such a child. The child is a fork of this one: no
   // other thread may be inside Assimp meanwhile.
   bool isolated = false;
   std::function<bool()> go_on{};  // called while a child reads; false ends it with Fault::cancelled; may be empty
 };
 
 // Reads glTF 2.0 (.gltf, .glb: node hierarchy, materials' base colours, cameras, KHR_lights_punctual,
-// KHR_draco_mesh_compression), OBJ, PLY, OFF and 3DS. All nodes are flattened into world space. Degenerate triangles
-// are kept: they count as polygons and cover no pixel. Reports, naming the file: missing, empty, truncated or malformed
-// files, no triangles, positions that are NaN or infinite, indices out of range, files beyond docs/limits.md (2^27
-// triangles and more).
+// KHR_draco_mesh_compression), glTF 1.0, OBJ, PLY, OFF, 3DS, STL, COLLADA (.dae) and FBX. All nodes are flattened into
+// world space. Degenerate triangles are kept: they count as polygons and cover no pixel. Reports, naming the file:
+// missing, empty, truncated or malformed files, no triangles, positions that are NaN or infinite, indices out of range,
+// files beyond docs/limits.md (2^27 triangles and more).
 //
 // The triangles keep the file's count and order; polygons are cut into n - 2 triangles. Corners of one object with
 // equal position and normal share a vertex; where the file gives no normal it is the area-weighted mean of the object's
@@ -61,25 +64,26 @@ struct LightKinds {
 
 // The user's overrides; everything else comes from the file or from a default framing.
 struct SceneSetup {
-  std::optional<glm::vec3> camera;             // world space
-  std::optional<glm::vec3> look_at;            // world space
-  std::optional<float> fov_degrees;            // vertical, from 0.01 to 170
-  std::optional<glm::vec3> light;              // world space
-  LightKinds light_kinds;                      // at least one
-  std::optional<glm::vec3> light_target;       // the point that a spot or directional light shines at
-  std::optional<float> spot_degrees;           // the opening angle of a spot light, from 1 to 170
+  std::optional<glm::vec3> camera{};           // world space
+  std::optional<glm::vec3> look_at{};          // world space
+  std::optional<float> fov_degrees{};          // vertical, from 0.01 to 170
+  std::optional<glm::vec3> light{};            // world space
+  LightKinds light_kinds{};                    // at least one
+  std::optional<glm::vec3> light_target{};     // the point that a spot or directional light shines at
+  std::optional<float> spot_degrees{};         // the opening angle of a spot light, from 1 to 170
   FloorChoice floor = FloorChoice::automatic;  // whether there is a floor
   float floor_height = 0.0F;                   // world y, for FloorChoice::at_height
 };
 
 // A scene that can be rendered: exactly one camera and one light, and the floor added as an object named "floor" if the
-// setup has one or it is automatic. Without a camera in the file: a three-quarter view that frames the whole bounding
-// box. Without a light: one above and to the side of the camera, outside the box.
+// setup has one or it is automatic. Without a camera in the file: a three-quarter view that frames all
+// triangles. Without a light: one above and to the side of the camera, outside the box.
 //
 // The light is the file's first one of a kind in setup.light_kinds. If there is none and a point light is allowed, it
 // is the default light. Otherwise the file's first point light, or else the default light, becomes a spot light at its
 // position (a directional one if only that is allowed). A spot or directional light shines at the target; without one
-// as in the file; otherwise at the middle of the bounding box. A directional light that the setup moves shines at its
+// as in the file; otherwise at the middle of the bounding box. A spot that neither the file nor the setup aims or opens
+// holds what the camera sees, up to 150 degrees. A directional light that the setup moves shines at its
 // target or at that middle, too.
 //
 // Reports what validate() reports; a camera at the light, or at the point that it looks at; a field of view outside of

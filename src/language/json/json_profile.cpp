@@ -65,7 +65,12 @@ class ProfileReader {
                              "vertex_color_mantissa_bits",
                              "polygon_offset_slope",
                              "color_interpolation",
+                             "color_weights",
+                             "depth_narrowing",
+                             "fog_narrowing",
                              "texture_weight_bits",
+                             "texture_weight_narrowing",
+                             "texture_filter_rounding",
                              "dxt1_palette"})) {
       return {profile_, text_};
     }
@@ -148,12 +153,14 @@ class ProfileReader {
     integer("lowest", profile_.lowest, -one - 1, -one);
     integer("half", profile_.half, 0, one);
     integer("expand_offset", profile_.expand_offset, one, one + 1);
-    const Names<Narrowing> narrowings{{"toward-zero", Narrowing::toward_zero},
-                                      {"nearest-halves-up", Narrowing::nearest_halves_up}};
-    choose("general_narrowing", profile_.general_narrowing, narrowings);
+    narrowing("general_narrowing", profile_.general_narrowing);
     choose("narrowing_point", profile_.narrowing_point,
            {{"after-scale", NarrowingPoint::after_scale}, {"before-scale", NarrowingPoint::before_scale}});
-    choose("final_narrowing", profile_.final_narrowing, narrowings);
+    narrowing("final_narrowing", profile_.final_narrowing);
+  }
+
+  void narrowing(std::string_view key, Choice<Narrowing>& to) {
+    choose(key, to, {{"toward-zero", Narrowing::toward_zero}, {"nearest-halves-up", Narrowing::nearest_halves_up}});
   }
 
   void refuse_unread(int one) {
@@ -187,8 +194,17 @@ class ProfileReader {
            {{"larger", OffsetSlope::larger}, {"root", OffsetSlope::root}});
     choose("color_interpolation", profile_.color_interpolation,
            {{"perspective", ColorInterpolation::perspective}, {"affine", ColorInterpolation::affine}});
+    choose("color_weights", profile_.color_weights,
+           {{"exact", ColorWeights::exact}, {"8-bits", ColorWeights::eight_bits}});
+    narrowing("depth_narrowing", profile_.depth_narrowing);
+    narrowing("fog_narrowing", profile_.fog_narrowing);
     integer("texture_weight_bits", profile_.texture_weight_bits, 1, 8);
-    choose("dxt1_palette", profile_.dxt1_palette, {{"rgb565", Dxt1Palette::rgb565}, {"rgb888", Dxt1Palette::rgb888}});
+    narrowing("texture_weight_narrowing", profile_.texture_weight_narrowing);
+    choose("texture_filter_rounding", profile_.texture_filter_rounding,
+           {{"once", FilterRounding::once}, {"each-blend", FilterRounding::each_blend}});
+    choose(
+        "dxt1_palette", profile_.dxt1_palette,
+        {{"rgb565", Dxt1Palette::rgb565}, {"rgb888", Dxt1Palette::rgb888}, {"dithered565", Dxt1Palette::dithered565}});
   }
 
   // Keeps the values and changes their evidence.

@@ -50,7 +50,7 @@ void Reader::heading(const Value& root, std::string_view kind, bool required) {
   } else if (what != nullptr && what->text != kind) {
     fault(what->offset, "\"ninebit\" must be " + in_quotes(kind) + " here, not " + in_quotes(what->text));
   } else if (what == nullptr && required) {
-    fault(root.offset, "the key \"ninebit\": " + in_quotes(kind) + " is missing");
+    return fault(root.offset, "the key \"ninebit\": " + in_quotes(kind) + " is missing");
   }
   const Value* const version = find(root, "version");
   if (version == nullptr) {

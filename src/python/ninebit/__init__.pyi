@@ -1,4 +1,4 @@
-from typing import Any, Literal, Mapping, Sequence, TypedDict
+from typing import Any, Callable, Literal, Mapping, Sequence, TypedDict
 
 import numpy as np
 from numpy.typing import NDArray
@@ -25,6 +25,15 @@ class IndexOrder(TypedDict):
     broken_borders: int
     broken_share: float
     false_neighbours: int
+
+class Drawing(TypedDict):
+    red: NDArray[np.uint8]
+    green: NDArray[np.uint8]
+    blue: NDArray[np.uint8]
+    alpha: NDArray[np.uint8]
+    stencil: NDArray[np.uint8]
+    depth: NDArray[np.uint32]
+    warnings: list[str]
 
 class Rendering(TypedDict):
     red: NDArray[np.uint8]
@@ -83,6 +92,13 @@ def render(
     light: Point | None = None,
     allow_outside: bool = False,
 ) -> Rendering: ...
+def draw(
+    effect: str,
+    *,
+    profile: str | None = None,
+    size: tuple[int, int] | None = None,
+    read_picture: Callable[[str], NDArray[np.uint8]] | None = None,
+) -> Drawing: ...
 def index_steps_study(
     *,
     profiles: Sequence[str] | None = None,

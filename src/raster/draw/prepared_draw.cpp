@@ -87,6 +87,7 @@ Status check_prepared(const PreparedDraw::Geometry& g, const PipelineState& stat
       Part{p.front_mode == state.front_mode && p.back_mode == state.back_mode, "polygon mode"},
       Part{same(p.polygon_offset, state.polygon_offset), "polygon offset"},
       Part{p.profile.polygon_offset_slope.value == state.profile.polygon_offset_slope.value, "polygon offset's slope"},
+      Part{p.profile.depth_narrowing.value == state.profile.depth_narrowing.value, "narrowing of depths"},
       Part{p.point_size == state.point_size, "point size"},
       Part{p.line_width == state.line_width, "line width"},
       Part{p.profile.subpixel_bits.value == state.profile.subpixel_bits.value, "number of subpixel bits"},

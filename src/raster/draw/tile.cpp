@@ -108,7 +108,7 @@ void draw_line(const PixelBox& tile, const SetupPrimitive& line, int width, Sink
     const std::int64_t from_start = std::clamp(along, std::int64_t{0}, squared_length);
     const std::array<std::int64_t, 3> edge{squared_length - from_start, from_start, 0};
     const std::int64_t wide = edge[0] * line.z24[0] + edge[1] * line.z24[1];
-    const auto z24 = static_cast<std::uint32_t>(divide(2 * wide + squared_length));
+    const auto z24 = static_cast<std::uint32_t>(divide(2 * wide + (line.cuts_depth ? 0 : squared_length)));
     for (int m = std::max(minor, minor_first); m < std::min(minor + width, minor_end); ++m) {
       sink(x_major ? x : m, x_major ? m : y, z24, edge);
     }

@@ -76,6 +76,14 @@ ColorBytes blend(const Blend& state, const ColorBytes& source, const ColorBytes&
     }
     return result;
   }
+  if (state.equation == BlendEquation::add_signed || state.equation == BlendEquation::reverse_subtract_signed) {
+    const int sign = state.equation == BlendEquation::add_signed ? 1 : -1;
+    for (std::size_t i = 0; i < 4; ++i) {
+      const int sum = destination[i] + sign * static_cast<std::int8_t>(source[i]);
+      result[i] = static_cast<std::uint8_t>(std::clamp(sum, 0, 255));
+    }
+    return result;
+  }
   const Factors source_factors = factors_of(state.source, source, destination, state.color);
   const Factors destination_factors = factors_of(state.destination, source, destination, state.color);
   const int source_sign = state.equation == BlendEquation::reverse_subtract ? -1 : 1;

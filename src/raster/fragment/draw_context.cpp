@@ -47,7 +47,7 @@ DrawContext::DrawContext(const PipelineState& pipeline, const VertexArrays& vert
       assembly(vertices),
       operations(pipeline, target, !for_probe),
       outputs(target),
-      depth(target.format) {
+      depth(target.format, state.profile.depth_narrowing) {
   for (std::size_t unit = 0; unit < units.size(); ++unit) {
     if (units[unit].texture == nullptr) continue;
     const Texture& texture = *units[unit].texture;
@@ -58,8 +58,8 @@ DrawContext::DrawContext(const PipelineState& pipeline, const VertexArrays& vert
       point_change[unit] = 1.0F / static_cast<float>(texture.faces[0][0].width);
     }
   }
-  has_flat_result =
-      !for_probe && outputs.need_fragment_alone() && (!operations.needs_color() || (!state.program && shades_flat()));
+  has_flat_result = !for_probe && outputs.need_fragment_alone() &&
+                    (!operations.needs_color() || (!state.program && shades_flat(arrays.vertex_colors)));
   fills_registers = for_probe || state.program.has_value() || outputs.needs_registers() || outputs.needs_output();
   initial = initial_of(*this);
   prepare_program(target, for_probe);

@@ -32,9 +32,18 @@ struct DrawContext {
   [[nodiscard]] bool shades_flat() const {
     return state.shade_model == ShadeModel::flat || (arrays.vertex_colors.empty() && arrays.secondary_colors.empty());
   }
+  // The same of one of them, whose colours at the vertices these are.
+  [[nodiscard]] bool shades_flat(std::span<const ColorBytes> colors) const {
+    return state.shade_model == ShadeModel::flat || colors.empty();
+  }
   // The primary colour that flat shading gives a primitive.
   [[nodiscard]] ColorBytes flat_primary(std::uint32_t primitive) const {
     return arrays.primitive_colors.empty() ? flat_primary_of_vertex(primitive) : arrays.primitive_colors[primitive];
+  }
+
+  // The same of the secondary colours, which are there.
+  [[nodiscard]] ColorBytes flat_secondary(std::uint32_t primitive) const {
+    return arrays.secondary_colors[assembly.provoking_vertex(primitive)];
   }
 
   // Whether a unit's coordinates, of a texture that is on, have to be divided by q.

@@ -1,12 +1,29 @@
 #include "src/raster/fragment/fragment_batch.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace ninebit {
 namespace {
 
 float unit_range(float value) {
   return !(value > 0.0F) ? 0.0F : value > 1.0F ? 1.0F : value;
+}
+
+// Rule 27. Floats hold all the sums that follow. The vertex that is not an end of a line has the share 0; the line's
+// ends follow it in order, which holds for the edges of polygons, too.
+std::array<float, 3> eight_bit_weights(const std::array<float, 3>& share, bool is_line) {
+  const auto cut = [](float value) { return std::floor(value * 256.0F) / 256.0F; };
+  const auto other = static_cast<std::size_t>(std::find(share.begin(), share.end(), 0.0F) - share.begin());
+  if (is_line && other < share.size()) {
+    const std::size_t start = (other + 1) % 3, end = (other + 2) % 3;
+    std::array<float, 3> weight{};
+    weight[end] = cut(share[end]);
+    weight[start] = 1.0F - weight[end];
+    return weight;
+  }
+  const float first = cut(share[0]), third = cut(share[2]);
+  return {first, 1.0F - first - third, third};
 }
 
 }  // namespace
@@ -20,10 +37,14 @@ ColorBytes FragmentBatch::smooth_color(std::span<const ColorBytes> colors, std::
   const WeightPlanes& weight = affine ? weights_.affine() : weights_.perspective();
   const std::array<std::uint32_t, 3>& v = place_[i].corners->vertex;
   const ColorBytes &a = colors[v[0]], &b = colors[v[1]], &c = colors[v[2]];
+  std::array<float, 3> share{weight[0][i], weight[1][i], weight[2][i]};
+  if (context_.state.profile.color_weights.value == ColorWeights::eight_bits) {
+    share = eight_bit_weights(share, place_[i].primitive->kind == SetupKind::line);
+  }
   ColorBytes bytes;
   for (std::size_t k = 0; k < 4; ++k) {
-    const float value =
-        interpolate(weight, i, static_cast<float>(a[k]), static_cast<float>(b[k]), static_cast<float>(c[k]));
+    const float value = (share[0] * static_cast<float>(a[k]) + share[1] * static_cast<float>(b[k])) +
+                        share[2] * static_cast<float>(c[k]);
     bytes[k] = static_cast<std::uint8_t>(std::clamp(value + 0.5F, 0.0F, 255.0F));
   }
   return bytes;
@@ -31,7 +52,7 @@ ColorBytes FragmentBatch::smooth_color(std::span<const ColorBytes> colors, std::
 
 void FragmentBatch::fill_primary() {
   const std::span<const ColorBytes> colors = context_.arrays.vertex_colors;
-  const bool flat = context_.state.shade_model == ShadeModel::flat || colors.empty();
+  const bool flat = context_.shades_flat(colors);
   for (std::size_t i = 0; i < count_; ++i) {
     color_[i] = flat ? context_.flat_primary(fragment_[i].primitive) : smooth_color(colors, i);
   }
@@ -40,11 +61,10 @@ void FragmentBatch::fill_primary() {
 void FragmentBatch::fill_secondary() {
   const HardwareProfile& profile = context_.state.profile;
   const std::span<const ColorBytes> colors = context_.arrays.secondary_colors;
-  const bool flat = context_.state.shade_model == ShadeModel::flat;
+  const bool flat = context_.shades_flat(colors);
   const int components = profile.secondary_alpha.value == SecondaryAlpha::one ? 3 : 4;
   for (std::size_t i = 0; i < count_; ++i) {
-    const ColorBytes color =
-        flat ? colors[context_.assembly.provoking_vertex(fragment_[i].primitive)] : smooth_color(colors, i);
+    const ColorBytes color = flat ? context_.flat_secondary(fragment_[i].primitive) : smooth_color(colors, i);
     for (int k = 0; k < components; ++k) {
       registers_(Register::secondary, k)[i] = from_byte(profile, color[static_cast<std::size_t>(k)]);
     }
@@ -59,7 +79,7 @@ void FragmentBatch::fill_fog() {
     const std::array<std::uint32_t, 3>& v = place_[i].corners->vertex;
     const float factor = interpolate(weights_.perspective(), i, unit_range(factors[v[0]]), unit_range(factors[v[1]]),
                                      unit_range(factors[v[2]]));
-    codes[i] = from_byte(profile, byte_of_color(factor));
+    codes[i] = from_byte(profile, byte_of_fog_factor(profile, factor));
   }
 }
 

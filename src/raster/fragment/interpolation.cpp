@@ -26,10 +26,7 @@ void unclip(std::span<const FragmentPlace> places, WeightPlanes& weight) {
   }
 }
 
-// The change of a fragment's `edge` from pixel to pixel, in x and in y.
-struct EdgeSteps {
-  std::array<float, 3> x{}, y{};
-};
+}  // namespace
 
 EdgeSteps edge_steps(const SetupPrimitive& p) {
   EdgeSteps steps;
@@ -49,8 +46,6 @@ EdgeSteps edge_steps(const SetupPrimitive& p) {
   }
   return steps;
 }
-
-}  // namespace
 
 void Interpolation::compute(std::span<const FragmentPlace> places, bool affine, bool changes) {
   if (affine) {

@@ -30,6 +30,12 @@ using WeightPlanes = std::array<std::array<float, kBatchSize>, 3>;
   return (weight[0][i] * a + weight[1][i] * b) + weight[2][i] * c;
 }
 
+// The change of FragmentPlace::edge from pixel to pixel, in x and in y.
+struct EdgeSteps {
+  std::array<float, 3> x{}, y{};
+};
+[[nodiscard]] EdgeSteps edge_steps(const SetupPrimitive& primitive);
+
 class Interpolation {
  public:
   // At most kBatchSize places. `affine` and `changes` select the optional results.

@@ -23,11 +23,12 @@ void draw_batch(TilePlanes&, const LanePass&, LaneFragments&) {}
 
 constexpr hn::Rebind<std::int16_t, D> kD16;
 
-// Stores the bytes of the primary colours as register codes: the components that the program reads.
-HWY_INLINE void colors_to_codes(LaneBatch& batch, std::size_t count, const DrawContext& context) {
-  for (int k = 0; k < 4; ++k) {
-    if (!context.program->reads().contains(Register::primary, k)) continue;
-    s9* const to = batch.registers(Register::primary, k);
+// Stores the bytes of the batch's colours as register codes: the components that the program reads.
+HWY_INLINE void colors_to_codes(LaneBatch& batch, std::size_t count, const DrawContext& context,
+                                const VertexColors& from) {
+  for (int k = 0; k < from.components; ++k) {
+    if (!context.program->reads().contains(from.reg, k)) continue;
+    s9* const to = batch.registers(from.reg, k);
     const int shift = 8 * k, byte_shift = context.state.profile.byte_shift;
     for (std::size_t i = 0; i < count; i += kLaneCount) {
       const V color = hn::Load(kD, lanes_of(batch.color.data()) + i);
@@ -144,24 +145,38 @@ HWY_INLINE void operate_on_places(TilePlanes& tile, const LaneFragments& f, cons
   }
 }
 
+HWY_INLINE void fill_color_register(LaneFragments& f, LaneBatch& batch, const DrawContext& context,
+                                    const VertexColors& from) {
+  if (!context.reads[static_cast<std::size_t>(from.reg)]) return;
+  if (context.shades_flat(from.colors)) return fill_flat_codes(f, batch, context, from);
+  find_shares(f, batch, context);
+  fill_smooth_colors(f, batch, context, from.colors);
+  colors_to_codes(batch, f.count, context, from);
+}
+
 // Fills the registers that the program reads.
 HWY_INLINE void fill_registers(LaneFragments& f, LaneBatch& batch, const DrawContext& context) {
   refill_constants(batch, context);
-  if (context.reads[static_cast<std::size_t>(Register::primary)]) {
-    if (context.shades_flat()) {
-      fill_flat_codes(f, batch, context);
-    } else {
-      find_shares(f);
-      fill_smooth_colors(f, batch, context.arrays.vertex_colors);
-      colors_to_codes(batch, f.count, context);
-    }
+  const VertexArrays& arrays = context.arrays;
+  fill_color_register(f, batch, context, {Register::primary, arrays.vertex_colors, 4});
+  if (!arrays.secondary_colors.empty()) {
+    const bool has_alpha = context.state.profile.secondary_alpha.value != SecondaryAlpha::one;
+    fill_color_register(f, batch, context, {Register::secondary, arrays.secondary_colors, has_alpha ? 4 : 3});
   }
   for (std::size_t unit = 0; unit < context.samplers.size(); ++unit) {
     if (!context.reads_unit[unit]) continue;
-    find_shares(f);
-    const int components = context.samplers[unit]->needs_r() ? 3 : 2;
-    fill_coordinates(f, batch, context.arrays.texture_coordinates[unit], components);
-    if (context.reads_q(unit)) divide_coordinates(f, batch, context.arrays.texture_q[unit], components);
+    find_shares(f, batch, context);
+    const TextureSampler& sampler = *context.samplers[unit];
+    const int components = sampler.needs_r() ? 3 : 2;
+    const std::span<const glm::vec3> at_vertex = arrays.texture_coordinates[unit];
+    fill_coordinates(f, f.weight, batch.coordinate, at_vertex, components);
+    if (sampler.needs_derivatives()) {
+      fill_coordinates(f, batch.dx.share, batch.dx.coordinate, at_vertex, components);
+      fill_coordinates(f, batch.dy.share, batch.dy.coordinate, at_vertex, components);
+    }
+    if (context.reads_q(unit)) {
+      divide_coordinates(f, batch, arrays.texture_q[unit], components, sampler.needs_derivatives());
+    }
     sample(batch, f.count, context, unit);
   }
 }
@@ -172,11 +187,11 @@ HWY_INLINE void find_colors(LaneFragments& f, LaneBatch& batch, const DrawContex
     fill_registers(f, batch, context);
     context.program->run(batch.registers, f.count, batch.out);
     output_to_colors(batch, f.count, context);
-  } else if (context.shades_flat()) {
+  } else if (context.shades_flat(context.arrays.vertex_colors)) {
     fill_flat_colors(f, batch, context);
   } else {
-    find_shares(f);
-    fill_smooth_colors(f, batch, context.arrays.vertex_colors);
+    find_shares(f, batch, context);
+    fill_smooth_colors(f, batch, context, context.arrays.vertex_colors);
   }
 }
 

@@ -18,7 +18,14 @@ struct LaneBatch {
 
   alignas(64) Lanes<std::uint32_t> color;              // as in TilePlanes: primary, then the combiners' result
   alignas(64) std::array<Lanes<float>, 3> coordinate;  // of a texture
-  bool has_constants = false;                          // true once constant registers have been filled
+  // The changes of the vertices' shares and of the coordinates to the fragment on the right and to the one above, if
+  // the draw needs_texture_changes.
+  struct Changes {
+    alignas(64) std::array<Lanes<float>, 3> share, coordinate;
+  };
+  Changes dx, dy;
+  alignas(64) Lanes<float> weight_sum;  // of the weights before they were divided by it
+  bool has_constants = false;           // true once constant registers have been filled
   RegisterBatch registers;
   OutputBatch out;
 };

@@ -5,15 +5,15 @@
 
 namespace ninebit {
 
-void unclip(LaneFragments& f) {
+void unclip(const LaneFragments& f, std::array<LaneFragments::Lanes<float>, 3>& shares) {
   for (std::size_t r = 0; r < f.runs; ++r) {
     const LaneFragments::Run& run = f.run[r];
     if (run.weights == nullptr) continue;
     const glm::mat3& m = *run.weights;
     for (std::size_t i = run.first; i < f.run[r + 1].first; ++i) {
-      const std::array<float, 3> w{f.weight[0][i], f.weight[1][i], f.weight[2][i]};
+      const std::array<float, 3> w{shares[0][i], shares[1][i], shares[2][i]};
       for (int k = 0; k < 3; ++k) {
-        f.weight[static_cast<std::size_t>(k)][i] = (w[0] * m[0][k] + w[1] * m[1][k]) + w[2] * m[2][k];
+        shares[static_cast<std::size_t>(k)][i] = (w[0] * m[0][k] + w[1] * m[1][k]) + w[2] * m[2][k];
       }
     }
   }
@@ -45,7 +45,11 @@ void refill_constants(LaneBatch& batch, const DrawContext& context) {
 
 void sample(LaneBatch& batch, std::size_t count, const DrawContext& context, std::size_t unit) {
   TextureCoordinates coordinates;
-  for (std::size_t k = 0; k < 3; ++k) coordinates.value[k] = batch.coordinate[k].data();
+  for (std::size_t k = 0; k < 3; ++k) {
+    coordinates.value[k] = batch.coordinate[k].data();
+    coordinates.dx[k] = batch.dx.coordinate[k].data();
+    coordinates.dy[k] = batch.dy.coordinate[k].data();
+  }
   const Register reg = texture_register(static_cast<int>(unit));
   context.samplers[unit]->sample(coordinates, count,
                                  {batch.registers(reg, kRed), batch.registers(reg, kGreen), batch.registers(reg, kBlue),

@@ -8,8 +8,8 @@
 
 namespace ninebit {
 
-// Turns the shares of clipped corners into shares of the vertices.
-void unclip(LaneFragments& fragments);
+// Turns shares of clipped corners, or their changes, into those of the vertices.
+void unclip(const LaneFragments& fragments, std::array<LaneFragments::Lanes<float>, 3>& shares);
 
 // Fills in primary colours that are constant over each primitive.
 void fill_flat_colors(const LaneFragments& fragments, LaneBatch& batch, const DrawContext& context);

@@ -12,6 +12,7 @@
 
 #include "hwy/highway.h"
 #include "src/raster/fragment/draw_context.h"
+#include "src/raster/fragment/interpolation.h"
 #include "src/raster/lanes/lane_batch.h"
 #include "src/raster/lanes/lane_fragments.h"
 #include "src/raster/lanes/lane_inputs.h"
@@ -45,13 +46,14 @@ constexpr std::size_t next_vector(std::size_t i, std::size_t lanes) {
   return (i / lanes + 1) * lanes;
 }
 
-// Divides the weights by their sum.
+// Divides the weights by their sum, which it stores.
 template <bool kQuotients>
-HWY_INLINE void normalize(LaneFragments& f) {
+HWY_INLINE void normalize(LaneFragments& f, LaneFragments::Lanes<float>& sums) {
   for (std::size_t i = 0; i < f.count; i += kLaneCount) {
     const VF w[3] = {hn::Load(kDF, f.weight[0].data() + i), hn::Load(kDF, f.weight[1].data() + i),
                      hn::Load(kDF, f.weight[2].data() + i)};
     const VF sum = hn::Add(hn::Add(w[0], w[1]), w[2]);
+    hn::Store(sum, kDF, sums.data() + i);
     const VF reciprocal = kQuotients ? hn::Div(hn::Set(kDF, 1.0F), sum) : sum;
     for (std::size_t k = 0; k < 3; ++k) {
       hn::Store(kQuotients ? quotient(w[k], sum, reciprocal) : hn::Div(w[k], sum), kDF, f.weight[k].data() + i);
@@ -59,25 +61,59 @@ HWY_INLINE void normalize(LaneFragments& f) {
   }
 }
 
-// Turns the weights of a batch into shares, once.
-HWY_INLINE void find_shares(LaneFragments& f) {
+using Shares = std::array<LaneFragments::Lanes<float>, 3>;
+
+// The changes of the corners' shares: a share is g / sum, g being edge / w, which is linear in the window, so its
+// derivative is (g' - share × sum') / sum.
+HWY_INLINE void find_changes(const LaneFragments& f, std::size_t r, const std::array<float, 3>& step,
+                             const LaneFragments::Lanes<float>& sums, Shares& to) {
+  const SetupCorners& corners = *f.run[r].corners;
+  std::array<float, 3> change{};
+  for (std::size_t k = 0; k < 3; ++k) change[corners.corner[k]] = step[k] * corners.inv_w[k];
+  const VF sum_change = hn::Set(kDF, (change[0] + change[1]) + change[2]);
+  for (std::size_t i = f.run[r].first; i < f.run[r + 1].first; i = next_vector(i, kLaneCount)) {
+    const VF sum = hn::LoadU(kDF, sums.data() + i);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const VF share = hn::LoadU(kDF, f.weight[k].data() + i);
+      const VF difference = hn::Sub(hn::Set(kDF, change[k]), hn::Mul(share, sum_change));
+      hn::StoreU(hn::Div(difference, sum), kDF, to[k].data() + i);
+    }
+  }
+}
+
+// Turns the weights of a batch into shares, once, and finds their changes if textures need them.
+HWY_INLINE void find_shares(LaneFragments& f, LaneBatch& batch, const DrawContext& context) {
   if (f.has_shares) return;
-  if (kHasQuotients && f.are_plain()) {
-    normalize<kHasQuotients>(f);
+  const bool are_plain = kHasQuotients && f.are_plain();
+  if (are_plain) {
+    normalize<kHasQuotients>(f, batch.weight_sum);
   } else {
-    normalize<false>(f);
-    unclip(f);
+    normalize<false>(f, batch.weight_sum);
+  }
+  for (std::size_t r = 0; r < f.runs && context.needs_texture_changes; ++r) {
+    const EdgeSteps steps = edge_steps(*f.run[r].primitive);
+    find_changes(f, r, steps.x, batch.weight_sum, batch.dx.share);
+    find_changes(f, r, steps.y, batch.weight_sum, batch.dy.share);
+  }
+  if (!are_plain) {
+    unclip(f, f.weight);
+    if (context.needs_texture_changes) {
+      unclip(f, batch.dx.share);
+      unclip(f, batch.dy.share);
+    }
   }
   f.has_shares = true;
 }
 
-// The vertices' shares of fragments from i on.
+// The vertices' shares of fragments from i on, or their changes.
 struct ShareLanes {
   VF a, b, c;
-  HWY_INLINE ShareLanes(const LaneFragments& f, std::size_t i)
-      : a(hn::LoadU(kDF, f.weight[0].data() + i)),
-        b(hn::LoadU(kDF, f.weight[1].data() + i)),
-        c(hn::LoadU(kDF, f.weight[2].data() + i)) {}
+  HWY_INLINE ShareLanes(const Shares& shares, std::size_t i)
+      : a(hn::LoadU(kDF, shares[0].data() + i)),
+        b(hn::LoadU(kDF, shares[1].data() + i)),
+        c(hn::LoadU(kDF, shares[2].data() + i)) {}
+
+  HWY_INLINE ShareLanes(VF of_a, VF of_b, VF of_c) : a(of_a), b(of_b), c(of_c) {}
 
   // A value at these fragments, from those at the vertices.
   [[nodiscard]] HWY_INLINE VF interpolate(float at_a, float at_b, float at_c) const {
@@ -85,6 +121,14 @@ struct ShareLanes {
                    hn::Mul(c, hn::Set(kDF, at_c)));
   }
 };
+
+// The weights of smooth colours, cut to 256ths (rule 27).
+HWY_INLINE ShareLanes eight_bit_weights(const ShareLanes& shares) {
+  const VF steps = hn::Set(kDF, 256.0F), step = hn::Set(kDF, 1.0F / 256.0F);
+  const VF first = hn::Floor(hn::Mul(shares.a, steps)), third = hn::Floor(hn::Mul(shares.c, steps));
+  const VF second = hn::Sub(hn::Sub(steps, first), third);
+  return {hn::Mul(first, step), hn::Mul(second, step), hn::Mul(third, step)};
+}
 
 // The colours of a run's vertices, as floats. A copy: the compiler would read them again for each vector, because the
 // vectors that are stored might alias them.
@@ -102,12 +146,13 @@ struct CornerColors {
 
 // kPlain: for a run that is_plain() and has one alpha, which is then the alpha of all its fragments. Its values exceed
 // the range of the corners' values by at most 2^-20.
-template <bool kPlain>
+template <bool kPlain, bool kEightBits>
 HWY_INLINE void fill_smooth_run(const LaneFragments& f, LaneBatch& batch, std::size_t r, const CornerColors& corner) {
   const VF alpha = hn::Set(kDF, corner.value[kAlpha][0]);
   // The next run overwrites what is stored beyond this one's end.
   for (std::size_t i = f.run[r].first; i < f.run[r + 1].first; i = next_vector(i, kLaneCount)) {
-    const ShareLanes shares(f, i);
+    const ShareLanes exact(f.weight, i);
+    const ShareLanes shares = kEightBits ? eight_bit_weights(exact) : exact;
     const auto byte = [&](std::size_t k) HWY_ATTR {
       VF value = shares.interpolate(corner.value[k][0], corner.value[k][1], corner.value[k][2]);
       value = hn::Add(value, hn::Set(kDF, 0.5F));
@@ -125,28 +170,48 @@ HWY_INLINE void fill_smooth_run(const LaneFragments& f, LaneBatch& batch, std::s
   }
 }
 
-// Primary colours interpolated between the vertices.
-HWY_INLINE void fill_smooth_colors(const LaneFragments& f, LaneBatch& batch, std::span<const ColorBytes> colors) {
+template <bool kEightBits>
+HWY_INLINE void fill_smooth_runs(const LaneFragments& f, LaneBatch& batch, std::span<const ColorBytes> colors) {
   for (std::size_t r = 0; r < f.runs; ++r) {
     const CornerColors corner(f.run[r], colors);
     if (corner.has_one_alpha && f.run[r].is_plain()) {
-      fill_smooth_run<true>(f, batch, r, corner);
+      fill_smooth_run<true, kEightBits>(f, batch, r, corner);
     } else {
-      fill_smooth_run<false>(f, batch, r, corner);
+      fill_smooth_run<false, kEightBits>(f, batch, r, corner);
     }
   }
 }
 
-// Primary colours that are constant over each primitive, as codes: the components that the program reads.
-HWY_NOINLINE void fill_flat_codes(const LaneFragments& f, LaneBatch& batch, const DrawContext& context) {
+// Colours interpolated between the vertices.
+HWY_INLINE void fill_smooth_colors(const LaneFragments& f, LaneBatch& batch, const DrawContext& context,
+                                   std::span<const ColorBytes> colors) {
+  if (context.state.profile.color_weights.value == ColorWeights::eight_bits) {
+    fill_smooth_runs<true>(f, batch, colors);
+  } else {
+    fill_smooth_runs<false>(f, batch, colors);
+  }
+}
+
+// Colours of the vertices that a register reads: the primary or the secondary ones.
+struct VertexColors {
+  Register reg;
+  std::span<const ColorBytes> colors;
+  int components;  // that come from the colours; alpha comes last
+};
+
+// Colours that are constant over each primitive, as codes: the components that the program reads.
+HWY_NOINLINE void fill_flat_codes(const LaneFragments& f, LaneBatch& batch, const DrawContext& context,
+                                  const VertexColors& from) {
   constexpr hn::CappedTag<s9, 32> kCodes;
   constexpr std::size_t kLanesOfCodes = hn::MaxLanes(kCodes);
   for (std::size_t r = 0; r < f.runs; ++r) {
-    const ColorBytes color = context.flat_primary(f.run[r].primitive->primitive);
-    for (std::size_t k = 0; k < 4; ++k) {
-      if (!context.program->reads().contains(Register::primary, static_cast<int>(k))) continue;
-      s9* const to = batch.registers(Register::primary, static_cast<int>(k));
-      const auto code = static_cast<s9>(color[k] >> context.state.profile.byte_shift);
+    const std::uint32_t primitive = f.run[r].primitive->primitive;
+    const ColorBytes color =
+        from.reg == Register::primary ? context.flat_primary(primitive) : context.flat_secondary(primitive);
+    for (int k = 0; k < from.components; ++k) {
+      if (!context.program->reads().contains(from.reg, k)) continue;
+      s9* const to = batch.registers(from.reg, k);
+      const auto code = static_cast<s9>(color[static_cast<std::size_t>(k)] >> context.state.profile.byte_shift);
       const std::size_t end = f.run[r + 1].first;
       std::size_t i = f.run[r].first;
       // The next run overwrites what is stored beyond this one's end.
@@ -158,34 +223,43 @@ HWY_NOINLINE void fill_flat_codes(const LaneFragments& f, LaneBatch& batch, cons
   }
 }
 
-// Texture coordinates: s and t, and r if there are three components.
-HWY_INLINE void fill_coordinates(const LaneFragments& f, LaneBatch& batch, std::span<const glm::vec3> at_vertex,
-                                 int components) {
+// Texture coordinates, or their changes: s and t, and r if there are three components.
+HWY_INLINE void fill_coordinates(const LaneFragments& f, const Shares& shares, Shares& to,
+                                 std::span<const glm::vec3> at_vertex, int components) {
   for (std::size_t r = 0; r < f.runs; ++r) {
     const std::array<std::uint32_t, 3>& v = f.run[r].corners->vertex;
     const glm::vec3 a = at_vertex[v[0]], b = at_vertex[v[1]], c = at_vertex[v[2]];
     for (std::size_t i = f.run[r].first; i < f.run[r + 1].first; i = next_vector(i, kLaneCount)) {
-      const ShareLanes shares(f, i);
-      hn::StoreU(shares.interpolate(a.x, b.x, c.x), kDF, batch.coordinate[0].data() + i);
-      hn::StoreU(shares.interpolate(a.y, b.y, c.y), kDF, batch.coordinate[1].data() + i);
-      if (components == 3) hn::StoreU(shares.interpolate(a.z, b.z, c.z), kDF, batch.coordinate[2].data() + i);
+      const ShareLanes at(shares, i);
+      hn::StoreU(at.interpolate(a.x, b.x, c.x), kDF, to[0].data() + i);
+      hn::StoreU(at.interpolate(a.y, b.y, c.y), kDF, to[1].data() + i);
+      if (components == 3) hn::StoreU(at.interpolate(a.z, b.z, c.z), kDF, to[2].data() + i);
     }
   }
 }
 
-// Divides s, t and, if there are three components, r by q.
+// Divides s, t and, if there are three components, r by q: (s, t, r) / q, and the change of s/q: (s' - (s/q) q') / q.
 HWY_INLINE void divide_coordinates(const LaneFragments& f, LaneBatch& batch, std::span<const float> q_at_vertex,
-                                   int components) {
+                                   int components, bool changes) {
   for (std::size_t r = 0; r < f.runs; ++r) {
     const std::array<std::uint32_t, 3>& v = f.run[r].corners->vertex;
     const float a = q_at_vertex[v[0]], b = q_at_vertex[v[1]], c = q_at_vertex[v[2]];
     for (std::size_t i = f.run[r].first; i < f.run[r + 1].first; i += kLaneCount) {
       // Fragments beyond the run's end belong to the next run, which has its own q.
       const auto mask = hn::FirstN(kDF, f.run[r + 1].first - i);
-      const VF q = ShareLanes(f, i).interpolate(a, b, c);
+      const VF q = ShareLanes(f.weight, i).interpolate(a, b, c);
       for (int k = 0; k < components; ++k) {
-        float* const at = batch.coordinate[static_cast<std::size_t>(k)].data() + i;
-        hn::BlendedStore(hn::Div(hn::LoadU(kDF, at), q), mask, kDF, at);
+        const auto n = static_cast<std::size_t>(k);
+        float* const at = batch.coordinate[n].data() + i;
+        const VF divided = hn::Div(hn::LoadU(kDF, at), q);
+        hn::BlendedStore(divided, mask, kDF, at);
+        if (!changes) continue;
+        for (LaneBatch::Changes* const change : {&batch.dx, &batch.dy}) {
+          float* const by = change->coordinate[n].data() + i;
+          const VF of_q = ShareLanes(change->share, i).interpolate(a, b, c);
+          const VF difference = hn::Sub(hn::LoadU(kDF, by), hn::Mul(divided, of_q));
+          hn::BlendedStore(hn::Div(difference, q), mask, kDF, by);
+        }
       }
     }
   }

@@ -152,7 +152,7 @@ HWY_INLINE hn::Vec<D> depth_codes(D d, const LanePass& pass, const SetupPrimitiv
   const WindowDepth& depth = pass.context.depth;
   if (p.offset_z24 == 0 && depth.step_z24() == 1) return z24;
   return depth_code(VectorValues<D>(), z24, hn::Set(d, p.offset_z24),
-                    hn::Set(d, static_cast<std::int32_t>(depth.max_z24())), depth.fraction_bits());
+                    hn::Set(d, static_cast<std::int32_t>(depth.max_z24())), depth.fraction_bits(), depth.half());
 }
 
 #endif  // HWY_TARGET != HWY_SCALAR

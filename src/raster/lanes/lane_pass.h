@@ -30,7 +30,10 @@ struct LanePass {
   bool notes_owners = false;  // see PixelOwners
 
   // True if the pass can reuse fragments of another pass for which this is true, and the other way round.
-  [[nodiscard]] bool can_reuse() const { return batch && operations.asks_equal_depth; }
+  // (Shares that are kept have no changes.)
+  [[nodiscard]] bool can_reuse() const {
+    return batch && operations.asks_equal_depth && !context.needs_texture_changes;
+  }
 
   // True if the pass has flat results, keeps the nearest depth and makes no other test.
   [[nodiscard]] bool draws_nearest_alone() const { return !batch && operations.is_nearest_alone && depths_are_codes; }

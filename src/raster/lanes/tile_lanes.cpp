@@ -194,8 +194,9 @@ bool lanes_can_draw(const DrawContext& context, const RenderTarget& target) {
   if (state.front_mode != PolygonMode::fill || state.back_mode != PolygonMode::fill) return false;
   if (!context.outputs.empty() || (state.blend.enabled && !replaces(state.blend))) return false;
   if (!context.has_flat_result) {
-    if (context.needs_texture_changes || !arrays.secondary_colors.empty()) return false;
-    if (state.fog.enabled && !arrays.fog_factors.empty()) return false;
+    if (state.fog.enabled && !arrays.fog_factors.empty() && context.reads[static_cast<std::size_t>(Register::fog)]) {
+      return false;
+    }
     if (!context.shades_flat() && state.profile.color_interpolation.value == ColorInterpolation::affine) return false;
   }
   return target.probe == nullptr && HWY_DYNAMIC_DISPATCH(are_lanes_there)();

@@ -54,16 +54,16 @@ HWY_INLINE void gather_depths(const TriangleBatch& batch, const TriangleCandidat
   }
 }
 
-// The depth plane at each single pixel, rounded to nearest, halves up: floor((2 Σ e z + area) / (2 area)). Numerator
-// and denominator are exact; a quotient that is not whole is at least 2^-27 from the next whole number, which rounding
-// to 53 bits cannot reach: it is below 2^24.
-HWY_INLINE void find_pixel_depths(const TriangleCandidates& c, Depths& to) {
+// The depth plane at each single pixel, rounded to nearest, halves up: floor((2 Σ e z + area) / (2 area)), or cut,
+// which adds no area (rule 28). Numerator and denominator are exact; a quotient that is not whole is at least 2^-27
+// from the next whole number, which rounding to 53 bits cannot reach: it is below 2^24.
+HWY_INLINE void find_pixel_depths(const TriangleCandidates& c, bool cuts, Depths& to) {
   for (std::size_t i = 0; i < c.count; i += hn::Lanes(kDD)) {
     const VD e0 = as_double(c.edge[0] + i), e1 = as_double(c.edge[1] + i), e2 = as_double(c.edge[2] + i);
     const VD area = hn::Add(hn::Add(e0, e1), e2);
     const VD wide = hn::Add(hn::Add(hn::Mul(e0, as_double(to.corner[0] + i)), hn::Mul(e1, as_double(to.corner[1] + i))),
                             hn::Mul(e2, as_double(to.corner[2] + i)));
-    const VD z = hn::Div(hn::Add(hn::Add(wide, wide), area), hn::Add(area, area));
+    const VD z = hn::Div(hn::Add(hn::Add(wide, wide), cuts ? hn::Zero(kDD) : area), hn::Add(area, area));
     store_numbers(z, to.pixel + i);
   }
 }
@@ -145,13 +145,15 @@ HWY_INLINE void write_corners(const TriangleCandidates& c, const Depths& d, std:
 using PrimitiveRows = std::int32_t[3][4 * 16];
 
 // The candidates from i on as PrimitiveRows.
-HWY_INLINE void interleave(const TriangleCandidates& c, const Depths& d, std::size_t i, bool is_offset,
+HWY_INLINE void interleave(const SetupContext& context, const TriangleCandidates& c, const Depths& d, std::size_t i,
                            PrimitiveRows& rows) {
-  static_assert(offsetof(SetupPrimitive, kind) == 12 && offsetof(SetupPrimitive, z24) == 16 &&
-                offsetof(SetupPrimitive, position) == 32);
+  const bool is_offset = context.is_offset(PolygonMode::fill);
+  static_assert(offsetof(SetupPrimitive, kind) == 12 && offsetof(SetupPrimitive, cuts_depth) == 14 &&
+                offsetof(SetupPrimitive, z24) == 16 && offsetof(SetupPrimitive, position) == 32);
   static_assert(std::endian::native == std::endian::little);
   const auto load = [i](const TriangleCandidates::Lanes& lanes) HWY_ATTR { return hn::Load(kDI, lanes + i); };
-  const VI kind = hn::And(load(c.kind), set(0xFFFF));
+  const VI depths = set(context.window.depth().cuts() ? 1 << 16 : 0);
+  const VI kind = hn::Or(hn::And(load(c.kind), set(0xFFFF)), depths);
   hn::StoreInterleaved4(load(c.low), load(c.high), load(c.primitive), kind, kDI, rows[0]);
   const MI is_pixel = hn::Ne(hn::And(kind, set(0xFF)), set(0));
   const VI pixel = load(d.pixel);
@@ -181,10 +183,9 @@ HWY_INLINE VI tiles_of(VI low, VI high, int tile_columns) {
 // Writes the candidates where `out` points, and moves `out` behind them.
 HWY_INLINE void write(const TriangleBatch& batch, const TriangleCandidates& c, const Depths& d,
                       TriangleBatchOutput& out) {
-  const bool is_offset = batch.context.is_offset(PolygonMode::fill);
   for (std::size_t i = 0; i < c.count; i += hn::Lanes(kDI)) {
     alignas(64) PrimitiveRows rows;
-    interleave(c, d, i, is_offset, rows);
+    interleave(batch.context, c, d, i, rows);
     const std::size_t count = c.count - i < hn::Lanes(kDI) ? c.count - i : hn::Lanes(kDI);
     alignas(64) std::int32_t tiles[16];
     hn::Store(tiles_of(hn::Load(kDI, c.low + i), hn::Load(kDI, c.high + i), batch.tile_columns), kDI, tiles);
@@ -204,7 +205,7 @@ HWY_NOINLINE void write_candidates(const TriangleBatch& batch, TriangleCandidate
   if (c.count == 0) return;
   Depths depths;
   gather_depths(batch, c, depths);
-  if (c.has_pixels) find_pixel_depths(c, depths);
+  if (c.has_pixels) find_pixel_depths(c, batch.context.window.depth().cuts(), depths);
   if (batch.context.is_offset(PolygonMode::fill)) find_offsets(batch.context, c, depths);
   write(batch, c, depths, out);
   c.count = 0;

@@ -12,8 +12,9 @@ struct Piece {
   SetupCorners corners{};
 };
 
-Piece start(SetupKind kind, const SetupSource& source, const PixelBounds& box) {
+Piece start(const SetupContext& context, SetupKind kind, const SetupSource& source, const PixelBounds& box) {
   Piece p;
+  p.primitive.cuts_depth = context.window.depth().cuts();
   p.primitive.kind = kind;
   p.primitive.box = box;
   p.primitive.front_facing = source.front_facing;
@@ -66,7 +67,7 @@ void add_line(const SetupContext& context, const SetupEnd& a, const SetupEnd& b,
   const PixelBounds box = context.pixels_in(left - 16, low - 16, right + wide, high + wide);
   if (box.empty()) return;
 
-  Piece p = start(SetupKind::line, source, box);
+  Piece p = start(context, SetupKind::line, source, box);
   put(from, 0, p);
   put(to, 1, p);
   if (!clipped) p.corners.corner = {a.corner, b.corner, third(a.corner, b.corner)};
@@ -83,7 +84,7 @@ void add_point(const SetupContext& context, const SetupEnd& at, bool clipped, co
   v.y_q4 = 16 * (((v.y_q4 + half_up) >> 4) - size / 2);
   const PixelBounds box = context.pixels_in(v.x_q4, v.y_q4, v.x_q4 + 16 * size, v.y_q4 + 16 * size);
   if (box.empty()) return;
-  Piece p = start(SetupKind::point, source, box);
+  Piece p = start(context, SetupKind::point, source, box);
   put(v, 0, p);
   if (!clipped) {
     p.corners.corner = {at.corner, static_cast<std::uint8_t>((at.corner + 1) % 3),

@@ -29,10 +29,11 @@ class TriangleEdges {
     return e[0] >= threshold_[0] && e[1] >= threshold_[1] && e[2] >= threshold_[2];
   }
 
-  // The depth plane, rounded to nearest, halves up. Within the triangle it lies between the corners' depths.
+  // The depth plane, cut or rounded to nearest, halves up (rule 28). Within the triangle it lies between the corners'
+  // depths.
   [[nodiscard]] std::uint32_t z24(const std::array<std::int64_t, 3>& e) const {
     const std::int64_t wide = e[0] * triangle_.z24[0] + e[1] * triangle_.z24[1] + e[2] * triangle_.z24[2];
-    return static_cast<std::uint32_t>(divide_(2 * wide + area_));
+    return static_cast<std::uint32_t>(divide_(2 * wide + rounding_));
   }
 
   // Narrows [first, last] to the pixels of row y inside the triangle; false: there are none.
@@ -71,7 +72,7 @@ class TriangleEdges {
   }
 
   TriangleEdges(const SetupPrimitive& t, const Positions& x, const Positions& y)
-      : triangle_(t), area_(area_of(x, y)), divide_(2 * area_) {
+      : triangle_(t), area_(area_of(x, y)), rounding_(t.cuts_depth ? 0 : area_), divide_(2 * area_) {
     for (std::size_t i = 0; i < 3; ++i) {
       const std::size_t a = (i + 1) % 3, b = (i + 2) % 3;
       const std::int64_t dx = x[b] - x[a], dy = y[b] - y[a];
@@ -84,7 +85,7 @@ class TriangleEdges {
   }
 
   const SetupPrimitive& triangle_;
-  std::int64_t area_;
+  std::int64_t area_, rounding_;
   FloorDivider divide_;
   std::array<std::int64_t, 3> step_x_, step_y_, origin_;
   std::array<int, 3> threshold_;

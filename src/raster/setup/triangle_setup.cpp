@@ -40,6 +40,7 @@ void emit(const SetupContext& context, const PolygonTriangle& triangle, std::arr
   }
   t.kind = SetupKind::triangle;
   t.front_facing = front;
+  t.cuts_depth = context.window.depth().cuts();
   t.primitive = triangle.primitive;
   t.offset_z24 = offset_z24;
   block.primitives.push_back(t);

@@ -54,6 +54,7 @@ struct alignas(16) SetupPrimitive {
   std::uint32_t primitive;  // number of the GL primitive in the draw call
   SetupKind kind;
   bool front_facing;
+  bool cuts_depth;                   // depths on its plane are cut, not rounded (rule 28)
   std::array<std::uint32_t, 3> z24;  // window depth, see window_depth.h; of a `pixel` three times the one there
   std::int32_t offset_z24;           // polygon offset
   PackedPositions position;          // of a wide line: already moved to its lowest line; of a point: its lower left

@@ -147,9 +147,6 @@ Status check_target(const PipelineState& state, const RenderTarget& target) {
     return fault("the scissor is " + std::to_string(state.scissor->width) + "x" +
                  std::to_string(state.scissor->height) + "; its sides must not be negative");
   }
-  if (state.blend.enabled && state.blend.destination == BlendFactor::src_alpha_saturate) {
-    return fault("src_alpha_saturate is a factor of the source only, not of the destination");
-  }
   return check_planes(state, target);
 }
 

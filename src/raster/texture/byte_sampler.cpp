@@ -5,6 +5,7 @@
 #include <variant>
 
 #include "src/raster/surface/color_words.h"
+#include "src/raster/texture/texture_level.h"
 
 namespace ninebit {
 namespace {
@@ -15,11 +16,11 @@ constexpr std::int32_t kUpperHalf = 0x10000;
 // The coordinates of a batch as the lanes read them, kBatchSize of each: in place where the batch is whole, else from
 // `room`.
 using CoordinateRoom = std::array<std::array<float, kBatchSize>, 3>;
-std::array<const float*, 3> whole_batch(const TextureCoordinates& at, std::size_t first, std::size_t count,
+std::array<const float*, 3> whole_batch(const std::array<const float*, 3>& at, std::size_t first, std::size_t count,
                                         std::size_t components, CoordinateRoom& room) {
   std::array<const float*, 3> batch{};
   for (std::size_t k = 0; k < components; ++k) {
-    batch[k] = at.value[k] + first;
+    batch[k] = at[k] + first;
     if (count == kBatchSize) continue;
     std::fill(std::copy_n(batch[k], count, room[k].begin()), room[k].end(), 0.0F);
     batch[k] = room[k].data();
@@ -27,17 +28,34 @@ std::array<const float*, 3> whole_batch(const TextureCoordinates& at, std::size_
   return batch;
 }
 
+int cube_detail_q8(int size, const TextureCoordinates& at, std::size_t i) {
+  const auto triple = [i](const std::array<const float*, 3>& of) {
+    return std::array<float, 3>{of[0][i], of[1][i], of[2][i]};
+  };
+  TexelChanges changes = cube_changes(triple(at.value), triple(at.dx), triple(at.dy));
+  for (double* const change : {&changes.ux, &changes.vx, &changes.uy, &changes.vy}) *change *= size;
+  return level_of_detail_q8(rho_squared(changes));
+}
+
 }  // namespace
 
-bool TextureSampler::ByteSampler::can_sample(const TextureSampler& of) {
-  if (of.needs_derivatives_ || of.texture_->faces[0][0].planes.index() != 0) return false;
-  if (of.sampler_.min_filter == MinFilter::nearest) return true;
+std::shared_ptr<const TextureSampler::ByteSampler> TextureSampler::ByteSampler::make(const TextureSampler& of) {
+  if (of.texture_->faces[0][0].planes.index() != 0) return {};
+  const bool filters = is_linear(of.sampler_.min_filter) || of.sampler_.mag_filter == MagFilter::linear;
   // The lanes cannot read the border.
-  return of.sampler_.wrap_s != Wrap::clamp && of.sampler_.wrap_t != Wrap::clamp;
+  if (filters && (of.sampler_.wrap_s == Wrap::clamp || of.sampler_.wrap_t == Wrap::clamp)) return {};
+  const std::shared_ptr<const ByteSampler> made(new ByteSampler(of));
+  if (of.needs_derivatives_ && made->method_ != Method::filtered_words) return {};
+  return made;
 }
 
 TextureSampler::ByteSampler::ByteSampler(const TextureSampler& of)
-    : weight_bits_(of.weight_bits_), byte_shift_(of.byte_shift_), source_(of.source_), constant_(of.constant_) {
+    : rules_{of.sampler_.min_filter, of.sampler_.mag_filter, of.last_level_, of.filter_rules_},
+      needs_detail_(of.needs_derivatives_),
+      lod_bias_q8_(of.lod_bias_q8_),
+      byte_shift_(of.byte_shift_),
+      source_(of.source_),
+      constant_(of.constant_) {
   const TextureImage& base = of.texture_->faces[0][0];
   level_ = {.cube = of.cube_,
             .width = base.width,
@@ -45,7 +63,9 @@ TextureSampler::ByteSampler::ByteSampler(const TextureSampler& of)
             .wrap_s = of.sampler_.wrap_s,
             .wrap_t = of.sampler_.wrap_t};
   find_planes(*of.texture_);
-  if (of.sampler_.min_filter == MinFilter::linear) method_ = Method::linear;
+  const bool one_nearest = of.sampler_.min_filter == MinFilter::nearest && !needs_detail_;
+  if (one_nearest) return;
+  method_ = find_level_words(*of.texture_) ? Method::filtered_words : Method::linear;
 }
 
 void TextureSampler::ByteSampler::find_planes(const Texture& texture) {
@@ -84,13 +104,41 @@ bool TextureSampler::ByteSampler::find_face_words(std::size_t faces) {
   return true;
 }
 
+// The same of all levels that are read. False unless each one's rows are whole words.
+bool TextureSampler::ByteSampler::find_level_words(const Texture& texture) {
+  constexpr std::int64_t kFarthest = std::int64_t{1} << 30;
+  words_ = {.width = level_.width,
+            .height = level_.height,
+            .count = rules_.last_level + 1,
+            .wrap_s = level_.wrap_s,
+            .wrap_t = level_.wrap_t};
+  words_.cube = level_.cube;
+  std::intptr_t first = 0;
+  for (std::size_t f = 0; f < texture.face_count(); ++f) {
+    for (std::size_t level = 0; level < static_cast<std::size_t>(words_.count); ++level) {
+      const auto& planes = *std::get_if<std::array<BytePlane, 4>>(&texture.faces[f][level].planes);
+      const auto address = reinterpret_cast<std::intptr_t>(planes[0].data);
+      if (f == 0 && level == 0) first = address;
+      const std::intptr_t word = (address - first) / 4, stride = planes[0].stride / 4;
+      if (!are_words(planes) || address % 4 != 0 || planes[0].stride % 4 != 0) return false;
+      if (std::abs(word) >= kFarthest || std::abs(stride) > kFarthest / kMaxSurfaceSize) return false;
+      if (f > 0 && stride != words_.stride[level]) return false;
+      words_.stride[level] = static_cast<std::int32_t>(stride);
+      words_.begin[f * WordLevels::kRoom + level] = static_cast<std::int32_t>(word);
+    }
+  }
+  words_.first = reinterpret_cast<const std::uint8_t*>(first);
+  const std::array<bool, 4> stored = stored_components(texture.format);
+  return stored[0] && stored[1] && stored[2];
+}
+
 void TextureSampler::ByteSampler::find_texels(const TextureCoordinates& at, std::size_t first, std::size_t count,
                                               Texels& to) const {
   CoordinateRoom room;
-  const auto batch = [&] { return whole_batch(at, first, count, level_.cube ? 3 : 2, room); };
+  const auto batch = [&] { return whole_batch(at.value, first, count, level_.cube ? 3 : 2, room); };
   switch (method_) {
     case Method::linear:
-      find_linear(level_, weight_bits_, batch(), count, to.linear);
+      find_linear(level_, rules_.filter, batch(), count, to.linear);
       break;
     case Method::nearest:
       find_nearest(level_, batch(), count, to.nearest);
@@ -98,7 +146,29 @@ void TextureSampler::ByteSampler::find_texels(const TextureCoordinates& at, std:
     case Method::nearest_words:
       fetch_words(at, first, count, to.words);
       break;
+    case Method::filtered_words:
+      filter(at, first, count, to);
+      break;
   }
+}
+
+// The words of a batch's filtered texels.
+void TextureSampler::ByteSampler::filter(const TextureCoordinates& at, std::size_t first, std::size_t count,
+                                         Texels& to) const {
+  CoordinateRoom room, dx_room, dy_room;
+  const std::size_t components = level_.cube ? 3 : 2;
+  const auto value = whole_batch(at.value, first, count, components, room);
+  if (!needs_detail_) return filter_words(words_, rules_.filter, value, nullptr, count, to.words);
+  if (level_.cube) {
+    for (std::size_t i = 0; i < count; ++i) to.lambda_q8[i] = cube_detail_q8(level_.width, at, first + i);
+    std::fill(to.lambda_q8.begin() + static_cast<std::ptrdiff_t>(count), to.lambda_q8.end(), 0);
+  } else {
+    const auto dx = whole_batch(at.dx, first, count, 2, dx_room), dy = whole_batch(at.dy, first, count, 2, dy_room);
+    find_detail(level_.width, level_.height, {dx[0], dy[0]}, {dx[1], dy[1]}, count, to.lambda_q8);
+  }
+  for (std::size_t i = 0; i < count; ++i) to.lambda_q8[i] += lod_bias_q8_;
+  choose_levels(rules_, to.lambda_q8, count, to.levels);
+  filter_words(words_, rules_.filter, value, &to.levels, count, to.words);
 }
 
 // The words of a batch's texels. Whole groups of coordinates are read in place; the rest is copied, as what follows it
@@ -151,14 +221,15 @@ void TextureSampler::ByteSampler::fetch(std::size_t component, const Lanes& lane
 void TextureSampler::ByteSampler::read_component(const Texels& texels, std::size_t component, std::size_t count,
                                                  s9* to) const {
   if (method_ == Method::nearest) return fetch(component, texels.nearest, texels.nearest.offset, count, to);
-  if (method_ == Method::nearest_words) return split_words(texels.words, static_cast<int>(component), count, to);
+  if (method_ == Method::nearest_words || method_ == Method::filtered_words)
+    return split_words(texels.words, static_cast<int>(component), count, to);
   CornerBytes corner;
   for (std::size_t k = 0; k < 4; ++k) {
     fetch(component, texels.linear, texels.linear.offset[k], count, corner[k].data());
     std::fill(corner[k].begin() + static_cast<std::ptrdiff_t>(count), corner[k].end(), s9{0});
   }
   std::array<s9, kBatchSize> sum;
-  weigh_linear(texels.linear, corner, weight_bits_, count, sum);
+  weigh_linear(texels.linear, corner, rules_.filter, count, sum);
   std::copy_n(sum.begin(), count, to);
 }
 

@@ -1,23 +1,24 @@
-// Textures of bytes without mip-maps, sampled a batch at a time: texels are found and weighed in SIMD lanes.
+// Textures of bytes, sampled a batch at a time: texels are found and weighed in SIMD lanes. Mip-maps only of texels
+// that lie in words.
 #pragma once
 
 #include <array>
 #include <cstddef>
+#include <memory>
 
 #include "ninebit/combiner/evaluate.h"
 #include "ninebit/raster/sampler.h"
 #include "src/raster/texture/texture_lanes.h"
+#include "src/raster/texture/word_filter.h"
 
 namespace ninebit {
 
 // Gives the codes that TextureSampler computes fragment by fragment for other textures.
 class TextureSampler::ByteSampler {
  public:
-  // True if `of` reads bytes, from one level, and no border.
-  [[nodiscard]] static bool can_sample(const TextureSampler& of);
-
-  // Copies what it needs of `of`, for which can_sample; its texture must outlive this.
-  explicit ByteSampler(const TextureSampler& of);
+  // Copies what it needs of `of`, whose texture must outlive it. Empty if `of` reads other samples than bytes, a
+  // border, or several levels that do not lie in words.
+  [[nodiscard]] static std::shared_ptr<const ByteSampler> make(const TextureSampler& of);
 
   // The codes of fragments [first, first + count), count from 1 to kBatchSize, to codes[component][fragment].
   void sample(const TextureCoordinates& at, std::size_t first, std::size_t count,
@@ -28,9 +29,10 @@ class TextureSampler::ByteSampler {
 
   // The way in which a batch's texels are found and read.
   enum class Method {
-    linear,        // four texels and their weights, each component by itself
-    nearest,       // one texel, each component by itself
-    nearest_words  // one texel, all its components in one word of memory
+    linear,         // four texels and their weights, each component by itself
+    nearest,        // one texel, each component by itself
+    nearest_words,  // one texel, all its components in one word of memory
+    filtered_words  // texels of any level in words
   };
 
   // The texels of a batch, as far as `method_` needs them: large, and not initialized.
@@ -38,11 +40,17 @@ class TextureSampler::ByteSampler {
     NearestLanes nearest;
     LinearLanes linear;
     alignas(64) LaneWords words;
+    alignas(64) LaneIntegers lambda_q8;
+    LevelLanes levels;
   };
+
+  explicit ByteSampler(const TextureSampler& of);
 
   void find_planes(const Texture& texture);
   [[nodiscard]] bool find_face_words(std::size_t faces);
+  [[nodiscard]] bool find_level_words(const Texture& texture);
   void find_texels(const TextureCoordinates& at, std::size_t first, std::size_t count, Texels& to) const;
+  void filter(const TextureCoordinates& at, std::size_t first, std::size_t count, Texels& to) const;
   void fetch_words(const TextureCoordinates& at, std::size_t first, std::size_t count, LaneWords& to) const;
   void read_component(const Texels& texels, std::size_t component, std::size_t count, s9* to) const;
   template <class Lanes>
@@ -50,7 +58,9 @@ class TextureSampler::ByteSampler {
 
   LaneLevel level_;
   Method method_ = Method::nearest;
-  int weight_bits_;
+  LevelRules rules_;
+  bool needs_detail_;
+  int lod_bias_q8_;
   int byte_shift_;
   std::array<int, 4> source_;  // as in TextureSampler
   std::array<s9, 4> constant_;
@@ -60,6 +70,7 @@ class TextureSampler::ByteSampler {
   // True if all planes have rows and steps of one length, a row is a whole number of steps, and offsets fit 32 bits.
   bool alike_ = true;
   std::ptrdiff_t step_ = 1;
+  WordLevels words_{};     // filtered_words
   FaceWords face_word_{};  // nearest_words: where each face begins, in words from the first one's beginning
 };
 

@@ -49,6 +49,24 @@ std::array<std::uint8_t, 8> alphas_of(std::uint8_t a0, std::uint8_t a1) {
   return alphas;
 }
 
+// What the NV2A adds below the bits that it keeps of red and green, by row and column of a block. Blue takes the rows
+// of red from below.
+constexpr std::array<std::array<int, 4>, 4> kDitherRed{{{0, 4, 1, 5}, {2, 6, 3, 7}, {5, 1, 4, 0}, {7, 3, 6, 2}}};
+constexpr std::array<std::array<int, 4>, 4> kDitherGreen{{{3, 1, 2, 0}, {2, 0, 1, 3}, {1, 3, 0, 2}, {0, 2, 3, 1}}};
+
+// Rule 24. Keeps `bits` bits of a byte, dithered by `r`, and widens them again: 0 stays 0, and all ones become 255.
+int dithered(int byte, int bits, int r) {
+  const int step = 1 << (8 - bits), largest = (1 << bits) - 1;
+  if (byte < r + step) return 0;
+  const int kept = (byte - r) / step;
+  return kept >= largest ? 255 : step * kept + (bits == 5 ? 3 : 1) + r;
+}
+
+Rgb dithered(const Rgb& bytes, std::size_t x, std::size_t y) {
+  return {dithered(bytes[0], 5, kDitherRed[y][x]), dithered(bytes[1], 6, kDitherGreen[y][x]),
+          dithered(bytes[2], 5, kDitherRed[3 - y][x])};
+}
+
 }  // namespace
 
 std::array<Bytes4, 16> decode_s3tc_block(S3tcFormat format, Dxt1Palette palette, std::span<const std::uint8_t> block) {
@@ -75,8 +93,10 @@ std::array<Bytes4, 16> decode_s3tc_block(S3tcFormat format, Dxt1Palette palette,
     if (format == S3tcFormat::dxt1_rgba) alpha = black && index == 3 ? 0 : 255;
     if (format == S3tcFormat::dxt3) alpha = 17 * static_cast<int>((alpha_bits >> (4 * i)) & 15);
     if (format == S3tcFormat::dxt5) alpha = alphas[(alpha_bits >> (16 + 3 * i)) & 7];
-    texels[i] = {static_cast<std::uint8_t>(rgb[index][0]), static_cast<std::uint8_t>(rgb[index][1]),
-                 static_cast<std::uint8_t>(rgb[index][2]), static_cast<std::uint8_t>(alpha)};
+    Rgb color = rgb[index];
+    if (dxt1 && palette == Dxt1Palette::dithered565) color = dithered(color, i % 4, i / 4);
+    texels[i] = {static_cast<std::uint8_t>(color[0]), static_cast<std::uint8_t>(color[1]),
+                 static_cast<std::uint8_t>(color[2]), static_cast<std::uint8_t>(alpha)};
   }
   return texels;
 }

@@ -44,21 +44,16 @@ std::array<float, 3> triple(const std::array<const float*, 3>& arrays, std::size
 
 }  // namespace
 
+// The texels of a fragment: of one level, or of two.
 struct TextureSampler::Taps {
-  struct Tap {
+  struct Level {
     const TextureImage* image = nullptr;
-    int x = 0;  // x and y: kBorderTexel for either is the border
-    int y = 0;
-    std::uint32_t weight = 0;
-    [[nodiscard]] bool is_border() const { return x == kBorderTexel || y == kBorderTexel; }
+    LinearTexels s, t;  // NEAREST: the first alone, of weight 1
   };
-  std::array<Tap, 8> tap;
-  std::size_t count = 0;
-  int shift = 0;  // the weights' sum is 2^shift
-
-  void add(const TextureImage& image, int x, int y, std::uint32_t weight) {
-    if (weight != 0) tap[count++] = {&image, x, y, weight};
-  }
+  std::array<Level, 2> level;
+  bool linear = false;        // within a level
+  bool two_levels = false;    // the second may have a weight of 0
+  std::uint32_t between = 0;  // weight of the second level in 1/2^weight bits
 };
 
 struct TextureSampler::Filtered {
@@ -85,7 +80,9 @@ std::optional<TextureSampler> TextureSampler::make(const HardwareProfile& profil
     made.last_level_ = static_cast<int>(std::bit_width(static_cast<unsigned>(std::max(base.width, base.height)))) - 1;
   }
   made.lod_bias_q8_ = lod_bias_q8(sampler.lod_bias);
-  made.weight_bits_ = profile.texture_weight_bits;
+  made.filter_rules_ = {.weight_bits = profile.texture_weight_bits,
+                        .cuts_weights = profile.texture_weight_narrowing.value == Narrowing::toward_zero,
+                        .rounds_each_blend = profile.texture_filter_rounding.value == FilterRounding::each_blend};
   made.byte_shift_ = profile.byte_shift;
   made.max_depth_ = texture.format == InternalFormat::depth16 ? 0xFFFF : 0xFFFFFF;
   const std::uint32_t largest = base_format(texture.format) == TextureFormat::depth ? made.max_depth_ : 255;
@@ -104,25 +101,8 @@ std::optional<TextureSampler> TextureSampler::make(const HardwareProfile& profil
       if (texel_codes(profile, probe)[out] != made.constant_[out]) made.source_[out] = static_cast<int>(in);
     }
   }
-  if (ByteSampler::can_sample(made)) made.byte_sampler_ = std::make_shared<const ByteSampler>(made);
+  made.byte_sampler_ = ByteSampler::make(made);
   return made;
-}
-
-void TextureSampler::add_level(Taps& taps, std::size_t face, int level, float s, float t, bool linear,
-                               std::uint32_t weight) const {
-  const TextureImage& image = texture_->faces[face][static_cast<std::size_t>(level)];
-  if (!linear) {
-    taps.add(image, nearest_texel(s, image.width, sampler_.wrap_s), nearest_texel(t, image.height, sampler_.wrap_t),
-             weight);
-    return;
-  }
-  const LinearTexels u = linear_texels(s, image.width, sampler_.wrap_s, weight_bits_);
-  const LinearTexels v = linear_texels(t, image.height, sampler_.wrap_t, weight_bits_);
-  const std::uint32_t one = std::uint32_t{1} << weight_bits_;
-  taps.add(image, u.first, v.first, weight * (one - u.weight) * (one - v.weight));
-  taps.add(image, u.second, v.first, weight * u.weight * (one - v.weight));
-  taps.add(image, u.first, v.second, weight * (one - u.weight) * v.weight);
-  taps.add(image, u.second, v.second, weight * u.weight * v.weight);
 }
 
 TextureSampler::Filtered TextureSampler::filter(const TextureCoordinates& at, std::size_t i) const {
@@ -143,17 +123,74 @@ TextureSampler::Filtered TextureSampler::filter(const TextureCoordinates& at, st
   }
   const LevelChoice choice = choose_level(sampler_.min_filter, sampler_.mag_filter, lambda_q8, last_level_);
   Taps taps;
-  taps.shift = choice.linear ? 2 * weight_bits_ : 0;
-  if (choice.two_levels) {
-    const std::uint32_t one = std::uint32_t{1} << weight_bits_;
-    const std::uint32_t second = static_cast<std::uint32_t>(choice.between_q8) >> (8 - weight_bits_);
-    taps.shift += weight_bits_;
-    add_level(taps, face, choice.level, place.s, place.t, choice.linear, one - second);
-    if (second != 0) add_level(taps, face, choice.level + 1, place.s, place.t, choice.linear, second);
-  } else {
-    add_level(taps, face, choice.level, place.s, place.t, choice.linear, 1);
+  taps.linear = choice.linear;
+  taps.two_levels = choice.two_levels;
+  taps.between = static_cast<std::uint32_t>(choice.between_q8) >> (8 - filter_rules_.weight_bits);
+  for (std::size_t n = 0; n < (taps.between != 0 ? 2U : 1U); ++n) {
+    const TextureImage& image = texture_->faces[face][static_cast<std::size_t>(choice.level) + n];
+    const auto along = [&](float coordinate, int size, Wrap wrap) {
+      if (choice.linear) return linear_texels(coordinate, size, wrap, filter_rules_);
+      return LinearTexels{.first = nearest_texel(coordinate, size, wrap)};
+    };
+    taps.level[n] = {&image, along(place.s, image.width, sampler_.wrap_s),
+                     along(place.t, image.height, sampler_.wrap_t)};
   }
   return weigh(taps, value[2]);
+}
+
+// One component of all taps, each of which `read` gives: the weighted sum in whole numbers, rounded once, or each blend
+// of two rounded (rule 26).
+template <class Read>
+std::uint32_t TextureSampler::weigh_codes(const Taps& taps, const Read& read) const {
+  const int bits = filter_rules_.weight_bits;
+  const std::uint64_t one = std::uint64_t{1} << bits;
+  // Before the last rounding, numbers are 2^shift times as large.
+  int shift = 0;
+  const auto blend = [&](std::uint64_t a, std::uint64_t b, std::uint64_t weight) {
+    const std::uint64_t sum = a * (one - weight) + b * weight;
+    return filter_rules_.rounds_each_blend ? (sum + one / 2) >> bits : sum;
+  };
+  const auto level_code = [&](const Taps::Level& level) -> std::uint64_t {
+    const auto code = [&](int x, int y) -> std::uint64_t { return read(*level.image, x, y); };
+    if (!taps.linear) return code(level.s.first, level.t.first);
+    // A texel of weight 0 is not read: there may be none.
+    const auto row = [&](int y) {
+      const std::uint64_t first = code(level.s.first, y);
+      return blend(first, level.s.weight != 0 ? code(level.s.second, y) : first, level.s.weight);
+    };
+    const std::uint64_t low = row(level.t.first);
+    return blend(low, level.t.weight != 0 ? row(level.t.second) : low, level.t.weight);
+  };
+  std::uint64_t result = level_code(taps.level[0]);
+  if (taps.linear) shift += 2 * bits;
+  if (taps.two_levels) {
+    result = blend(result, taps.between != 0 ? level_code(taps.level[1]) : result, taps.between);
+    shift += bits;
+  }
+  if (filter_rules_.rounds_each_blend) return static_cast<std::uint32_t>(result);
+  return static_cast<std::uint32_t>((result + ((std::uint64_t{1} << shift) >> 1)) >> shift);
+}
+
+// The weighted sum of one component in doubles, texel by texel; those of weight 0 are left out.
+template <class Read>
+double TextureSampler::weigh_reals(const Taps& taps, const Read& read) const {
+  const int bits = filter_rules_.weight_bits;
+  const std::uint32_t one = std::uint32_t{1} << bits;
+  double sum = 0.0;
+  const auto add = [&](const TextureImage& image, int x, int y, std::uint32_t weight) {
+    if (weight != 0) sum += static_cast<double>(weight) * read(image, x, y);
+  };
+  const auto add_level = [&](const Taps::Level& level, std::uint32_t weight) {
+    if (!taps.linear) return add(*level.image, level.s.first, level.t.first, weight);
+    const LinearTexels &s = level.s, &t = level.t;
+    add(*level.image, s.first, t.first, weight * (one - s.weight) * (one - t.weight));
+    add(*level.image, s.second, t.first, weight * s.weight * (one - t.weight));
+    add(*level.image, s.first, t.second, weight * (one - s.weight) * t.weight);
+    add(*level.image, s.second, t.second, weight * s.weight * t.weight);
+  };
+  add_level(taps.level[0], taps.two_levels ? one - taps.between : 1);
+  if (taps.between != 0) add_level(taps.level[1], taps.between);
+  return std::ldexp(sum, -((taps.linear ? 2 * bits : 0) + (taps.two_levels ? bits : 0)));
 }
 
 TextureSampler::Filtered TextureSampler::weigh(const Taps& taps, float r) const {
@@ -164,50 +201,40 @@ TextureSampler::Filtered TextureSampler::weigh(const Taps& taps, float r) const 
     if (comparison_ == DepthComparison::none) return depth;
     return (comparison_ == DepthComparison::lequal ? reference <= depth : reference >= depth) ? 255 : 0;
   };
-  // Texel by texel, its components in turn: of the border, or where its planes hold them.
-  const auto visit_taps = [&](auto planes_type, const auto& border, const auto& add) {
+  const auto is_border = [](int x, int y) { return x == kBorderTexel || y == kBorderTexel; };
+  const auto all_codes = [&](auto planes_type) {
     using Planes = decltype(planes_type);
-    for (std::size_t i = 0; i < taps.count; ++i) {
-      const Taps::Tap& tap = taps.tap[i];
-      const Planes& planes = *std::get_if<Planes>(&tap.image->planes);
-      for (std::size_t k = 0; k < 4; ++k) {
-        if (!stored[k]) continue;
-        if (tap.is_border()) {
-          add(k, tap.weight, border[k]);
-        } else {
-          add(k, tap.weight, planes[k].at(tap.x, tap.y));
-        }
-      }
+    for (std::size_t k = 0; k < 4; ++k) {
+      if (!stored[k]) continue;
+      result.code[k] = weigh_codes(taps, [&](const TextureImage& image, int x, int y) {
+        if (is_border(x, y)) return compared(border_code_[k]);
+        return compared((*std::get_if<Planes>(&image.planes))[k].at(x, y));
+      });
     }
   };
-  const auto sum_codes = [&](auto planes_type) {
-    std::array<std::uint64_t, 4> sum{};
-    visit_taps(planes_type, border_code_, [&](std::size_t k, std::uint32_t weight, std::uint32_t code) {
-      sum[k] += std::uint64_t{weight} * compared(code);
-    });
-    const std::uint64_t half = (std::uint64_t{1} << taps.shift) >> 1;
-    for (std::size_t k = 0; k < 4; ++k) result.code[k] = static_cast<std::uint32_t>((sum[k] + half) >> taps.shift);
-  };
-  const auto sum_reals = [&](auto planes_type) {
-    std::array<double, 4> sum{};
-    visit_taps(planes_type, sampler_.border_color, [&](std::size_t k, std::uint32_t weight, auto texel) {
-      sum[k] += static_cast<double>(weight) * real_of(texel);
-    });
-    for (std::size_t k = 0; k < 4; ++k) result.real[k] = std::ldexp(sum[k], -taps.shift);
+  const auto all_reals = [&](auto planes_type) {
+    using Planes = decltype(planes_type);
+    for (std::size_t k = 0; k < 4; ++k) {
+      if (!stored[k]) continue;
+      result.real[k] = weigh_reals(taps, [&](const TextureImage& image, int x, int y) {
+        if (is_border(x, y)) return real_of(sampler_.border_color[k]);
+        return real_of((*std::get_if<Planes>(&image.planes))[k].at(x, y));
+      });
+    }
   };
   switch (texture_->format) {
     case InternalFormat::depth16:
     case InternalFormat::depth24:
-      sum_codes(std::array<Plane<const std::uint32_t>, 4>{});
+      all_codes(std::array<Plane<const std::uint32_t>, 4>{});
       break;
     case InternalFormat::rgba16f:
-      sum_reals(std::array<Plane<const Half>, 4>{});
+      all_reals(std::array<Plane<const Half>, 4>{});
       break;
     case InternalFormat::rgba32f:
-      sum_reals(std::array<Plane<const float>, 4>{});
+      all_reals(std::array<Plane<const float>, 4>{});
       break;
     default:
-      sum_codes(std::array<Plane<const std::uint8_t>, 4>{});
+      all_codes(std::array<Plane<const std::uint8_t>, 4>{});
       break;
   }
   return result;

@@ -7,6 +7,7 @@
 
 #include "ninebit/combiner/evaluate.h"
 #include "ninebit/raster/sampler.h"
+#include "src/raster/texture/texture_wrap.h"
 
 namespace ninebit {
 
@@ -43,8 +44,8 @@ struct LinearLanes {
 void find_nearest(const LaneLevel& level, const std::array<const float*, 3>& at, std::size_t count, NearestLanes& to);
 
 // The same with linear_texels, for any mode but Wrap::clamp, whose border is not a texel.
-void find_linear(const LaneLevel& level, int weight_bits, const std::array<const float*, 3>& at, std::size_t count,
-                 LinearLanes& to);
+void find_linear(const LaneLevel& level, const FilterRules& rules, const std::array<const float*, 3>& at,
+                 std::size_t count, LinearLanes& to);
 
 // Texels whose components lie in one word each: face f begins face_word[f] words after `first`, which is aligned.
 using FaceWords = std::array<std::int32_t, 16>;
@@ -61,9 +62,10 @@ void fetch_nearest_words(const LaneLevel& level, const std::array<const float*, 
 // Takes one byte of each of `count` words. Byte 0 is the lowest.
 void split_words(const LaneWords& words, int byte, std::size_t count, s9* to);
 
-// The weighted sum of the texels' bytes, rounded to nearest, halves up. Writes some lanes beyond `count`.
+// The weighted sum of the texels' bytes, rounded to nearest, halves up, once or after each blend. Writes some lanes
+// beyond `count`.
 using CornerBytes = std::array<std::array<s9, kBatchSize>, 4>;
-void weigh_linear(const LinearLanes& lanes, const CornerBytes& corner, int weight_bits, std::size_t count,
+void weigh_linear(const LinearLanes& lanes, const CornerBytes& corner, const FilterRules& rules, std::size_t count,
                   std::array<s9, kBatchSize>& to);
 
 }  // namespace ninebit

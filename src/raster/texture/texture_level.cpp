@@ -30,16 +30,10 @@ int level_of_detail_q8(double rho_squared) {
   const auto bits = std::bit_cast<std::uint64_t>(rho_squared);
   const int exponent = static_cast<int>(bits >> kMantissaBits) - kExponentBias;
   constexpr std::uint64_t kMantissa = (std::uint64_t{1} << kMantissaBits) - 1;
-  auto mantissa = std::bit_cast<double>((bits & kMantissa) | (std::uint64_t{kExponentBias} << kMantissaBits));
-  int fraction = 0;
-  for (int bit = 0; bit < 7; ++bit) {
-    mantissa *= mantissa;
-    fraction *= 2;
-    if (mantissa >= 2.0) {
-      mantissa *= 0.5;
-      ++fraction;
-    }
-  }
+  auto power = std::bit_cast<double>((bits & kMantissa) | (std::uint64_t{kExponentBias} << kMantissaBits));
+  // The mantissa to the power of 128: a number below 2^128, whose exponent has the seven bits.
+  for (int bit = 0; bit < 7; ++bit) power *= power;
+  const int fraction = static_cast<int>(std::bit_cast<std::uint64_t>(power) >> kMantissaBits) - kExponentBias;
   return 128 * exponent + fraction;  // log2(rho²) in 1/128, which is log2(rho) in 1/256
 }
 
@@ -63,11 +57,14 @@ TexelChanges cube_changes(const std::array<float, 3>& r, const std::array<float,
   return {change(axes.s, s, dx), change(axes.t, t, dx), change(axes.s, s, dy), change(axes.t, t, dy)};
 }
 
-LevelChoice choose_level(MinFilter min_filter, MagFilter mag_filter, int lambda_q8, int last_level) {
+int magnification_ends_q8(MinFilter min_filter, MagFilter mag_filter) {
   const bool nearest_mipmaps =
       min_filter == MinFilter::nearest_mipmap_nearest || min_filter == MinFilter::nearest_mipmap_linear;
-  const int switch_point = mag_filter == MagFilter::linear && nearest_mipmaps ? 128 : 0;
-  if (lambda_q8 <= switch_point) return {.linear = mag_filter == MagFilter::linear};
+  return mag_filter == MagFilter::linear && nearest_mipmaps ? 128 : 0;
+}
+
+LevelChoice choose_level(MinFilter min_filter, MagFilter mag_filter, int lambda_q8, int last_level) {
+  if (lambda_q8 <= magnification_ends_q8(min_filter, mag_filter)) return {.linear = mag_filter == MagFilter::linear};
   LevelChoice choice{.linear = is_linear(min_filter)};
   const int last_q8 = 256 * last_level;
   switch (min_filter) {

@@ -23,6 +23,9 @@ struct TexelChanges {
 [[nodiscard]] TexelChanges cube_changes(const std::array<float, 3>& r, const std::array<float, 3>& dx,
                                         const std::array<float, 3>& dy);
 
+// The largest lambda in 1/256 at which a texture is magnified (OpenGL 1.3, 3.8.10).
+[[nodiscard]] int magnification_ends_q8(MinFilter min_filter, MagFilter mag_filter);
+
 // The levels that a filter reads: one, or two with a weight between them.
 struct LevelChoice {
   int level = 0;

@@ -33,6 +33,83 @@ TextureImage view_of(InternalFormat format, const TextureSamples& image) {
       image.samples);
 }
 
+// True for bytes of red, green and blue, with alpha or without. They are kept texel by texel, four bytes each: vectors
+// read a texel's components at once.
+bool are_kept_in_words(InternalFormat format) {
+  return format == InternalFormat::rgb8 || format == InternalFormat::rgba8;
+}
+
+constexpr std::size_t kWordBytes = 4;
+
+using Faces = std::vector<std::vector<TextureSamples>>;
+
+// A texture that owns the samples, which are right for the format.
+Texture keep_words(TextureTarget target, InternalFormat format, const Faces& faces) {
+  std::size_t texels = 0;
+  for (const auto& levels : faces) {
+    for (const TextureSamples& image : levels) {
+      texels += static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
+    }
+  }
+  Texture texture{.target = target, .format = format};
+  // Words, because vectors read them aligned.
+  const auto kept = std::make_shared<std::vector<std::uint32_t>>(texels);
+  auto* next = reinterpret_cast<std::uint8_t*>(kept->data());
+  const std::size_t components = plane_count(format);
+  for (std::size_t face = 0; face < faces.size(); ++face) {
+    for (const TextureSamples& image : faces[face]) {
+      const auto& samples = *std::get_if<std::vector<std::uint8_t>>(&image.samples);
+      const std::size_t count = samples.size() / components;
+      std::array<Plane<const std::uint8_t>, 4> planes{};
+      for (std::size_t k = 0; k < kWordBytes; ++k) {
+        planes[k] = {next + k, image.width * static_cast<std::ptrdiff_t>(kWordBytes), kWordBytes};
+        for (std::size_t i = 0; i < count && k < components; ++i) next[kWordBytes * i + k] = samples[k * count + i];
+      }
+      texture.faces[face].push_back({image.width, image.height, planes});
+      next += kWordBytes * count;
+    }
+  }
+  texture.storage = kept;
+  return texture;
+}
+
+// Samples of another type than the format's are kept as they are; check_texture reports them.
+Texture keep(TextureTarget target, InternalFormat format, Faces faces) {
+  const auto are_bytes = [](const TextureSamples& image) {
+    return std::holds_alternative<std::vector<std::uint8_t>>(image.samples);
+  };
+  const bool all_bytes = std::all_of(faces.begin(), faces.end(), [&](const std::vector<TextureSamples>& levels) {
+    return std::all_of(levels.begin(), levels.end(), are_bytes);
+  });
+  if (are_kept_in_words(format) && all_bytes) return keep_words(target, format, faces);
+  Texture texture{.target = target, .format = format};
+  const auto kept = std::make_shared<const Faces>(std::move(faces));
+  for (std::size_t face = 0; face < kept->size(); ++face) {
+    for (const TextureSamples& image : (*kept)[face]) texture.faces[face].push_back(view_of(format, image));
+  }
+  texture.storage = kept;
+  return texture;
+}
+
+// A copy of an image's samples.
+TextureSamples samples_of(InternalFormat format, const TextureImage& image) {
+  const std::array<bool, 4> stored = stored_components(format);
+  TextureSamples copy{image.width, image.height};
+  std::visit(
+      [&](const auto& planes) {
+        using T = std::remove_const_t<std::remove_pointer_t<decltype(planes[0].data)>>;
+        std::vector<T> samples;
+        for (std::size_t k = 0; k < 4; ++k) {
+          for (int y = 0; y < image.height && stored[k]; ++y) {
+            for (int x = 0; x < image.width; ++x) samples.push_back(planes[k].at(x, y));
+          }
+        }
+        copy.samples = std::move(samples);
+      },
+      image.planes);
+  return copy;
+}
+
 // The error in an image's samples, or empty.
 std::string complaint_about(InternalFormat format, const TextureSamples& image) {
   if (image.width < 1 || image.height < 1 || image.width > kMaxSurfaceSize || image.height > kMaxSurfaceSize) {
@@ -100,43 +177,33 @@ TextureSamples next_level(InternalFormat format, const TextureImage& image) {
 
 Result<Texture> make_texture(TextureTarget target, InternalFormat format,
                              std::vector<std::vector<TextureSamples>> faces) {
-  Texture texture{.target = target, .format = format};
-  if (faces.size() != texture.face_count()) {
+  const std::size_t needed = Texture{.target = target, .format = format}.face_count();
+  if (faces.size() != needed) {
     return Diagnostic{"a texture has " + std::to_string(faces.size()) + " faces where its target needs " +
-                      std::to_string(texture.face_count())};
+                      std::to_string(needed)};
   }
-  const auto kept = std::make_shared<const std::vector<std::vector<TextureSamples>>>(std::move(faces));
-  for (std::size_t face = 0; face < kept->size(); ++face) {
-    for (const TextureSamples& image : (*kept)[face]) {
+  for (const auto& levels : faces) {
+    for (const TextureSamples& image : levels) {
       if (std::string complaint = complaint_about(format, image); !complaint.empty()) return Diagnostic{complaint};
-      texture.faces[face].push_back(view_of(format, image));
     }
   }
-  texture.storage = kept;
+  Texture texture = keep(target, format, std::move(faces));
   if (Status status = check_texture(texture); !status) return status.error();
   return texture;
 }
 
 Result<Texture> with_mipmaps(const Texture& texture) {
   if (Status status = check_texture(texture); !status) return status.error();
-  Texture result{.target = texture.target, .format = texture.format};
-  struct Kept {
-    std::shared_ptr<const void> level0;
-    std::vector<TextureSamples> levels;
-  };
-  const auto kept = std::make_shared<Kept>();
-  kept->level0 = texture.storage;
-  for (std::size_t face = 0; face < texture.face_count(); ++face) {
+  Faces faces(texture.face_count());
+  for (std::size_t face = 0; face < faces.size(); ++face) {
     if (texture.faces[face].empty()) return Diagnostic{"a texture without a level 0 has no mip-maps"};
-    std::vector<TextureImage>& levels = result.faces[face];
-    levels.push_back(texture.faces[face][0]);
+    std::vector<TextureSamples>& levels = faces[face];
+    levels.push_back(samples_of(texture.format, texture.faces[face][0]));
     while (levels.back().width > 1 || levels.back().height > 1) {
-      kept->levels.push_back(next_level(texture.format, levels.back()));  // moving it leaves its samples in place
-      levels.push_back(view_of(texture.format, kept->levels.back()));
+      levels.push_back(next_level(texture.format, view_of(texture.format, levels.back())));
     }
   }
-  result.storage = kept;
-  return result;
+  return keep(texture.target, texture.format, std::move(faces));
 }
 
 }  // namespace ninebit

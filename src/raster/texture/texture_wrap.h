@@ -54,10 +54,13 @@ struct LinearTexels {
   int second = 0;
   std::uint32_t weight = 0;
 };
-inline LinearTexels linear_texels(float s, int size, Wrap wrap, int bits) {
+inline LinearTexels linear_texels(float s, int size, Wrap wrap, const FilterRules& rules) {
+  const int bits = rules.weight_bits;
   const std::int64_t one = std::int64_t{1} << bits;
   const double scaled = wrapped_position(s, size, wrap) * static_cast<double>(one);
-  const std::int64_t fixed = floor_of(scaled + 0.5 * static_cast<double>(1 - one));
+  // A sum with a number just below 0 would round.
+  const std::int64_t fixed =
+      rules.cuts_weights ? floor_of(scaled) - one / 2 : floor_of(scaled + 0.5 * static_cast<double>(1 - one));
   const std::int64_t first = fixed >> bits;
   const auto weight = static_cast<std::uint32_t>(fixed & (one - 1));
   switch (wrap) {

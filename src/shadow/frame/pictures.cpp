@@ -107,29 +107,89 @@ Status write_layers(const std::deque<Layer>& layers, const std::filesystem::path
   return write_exr_parts(file, parts_of(layers));
 }
 
-Status write_rendering(const Rendering& rendering, StagedFiles& files) {
-  using Path = std::filesystem::path;
-  // Stages one file and names it by its final path in an error.
-  const auto write = [&](const char* name, const std::function<Status(const Path&)>& writer) -> Status {
-    Status written = writer(files.stage(name));
-    if (written) return written;
-    Diagnostic fault = written.error();
-    fault.file = files.files().back().string();
-    return fault;
+namespace {
+
+using Path = std::filesystem::path;
+
+// A file of a rendering, and how it is written.
+struct RenderedFile {
+  std::string name;
+  std::function<Status(const Path&)> write;
+};
+
+// Writes a picture, averaged if it has the size of the frame.
+Status write_picture(const Path& file, const Image8& image, const Rendering& rendering, int supersample) {
+  const bool of_frame = image.width == rendering.frame.width() && image.height == rendering.frame.height();
+  return write_png(file, of_frame && supersample > 1 ? averaged(image, supersample) : image);
+}
+
+std::vector<RenderedFile> files_of(const Rendering& rendering, int supersample) {
+  std::vector<RenderedFile> files;
+  const auto png = [&](std::string name, auto picture) {
+    files.push_back({std::move(name), [&rendering, picture, supersample](const Path& file) {
+                       return write_picture(file, picture(rendering), rendering, supersample);
+                     }});
   };
-  Status s = write("color.png", [&](const Path& file) { return write_png(file, color_picture(rendering)); });
-  if (s) s = write("shadow.png", [&](const Path& file) { return write_png(file, stencil_picture(rendering)); });
-  if (s && !rendering.index_map.empty()) {
-    s = write("index_cube.png", [&](const Path& file) { return write_png(file, index_cross_picture(rendering)); });
-    if (s) s = write("index_cube.exr", [&](const Path& file) { return write_index_cube(rendering, file); });
+  png("color.png", &color_picture);
+  png("shadow.png", &stencil_picture);
+  if (!rendering.index_map.empty()) {
+    files.push_back(
+        {"index_cube.png", [&rendering](const Path& file) { return write_png(file, index_cross_picture(rendering)); }});
+    files.push_back({"index_cube.exr", [&rendering](const Path& file) { return write_index_cube(rendering, file); }});
   }
   for (const NamedPicture& picture : rendering.pictures) {
-    if (s) s = write(picture.file.c_str(), [&](const Path& file) { return write_png(file, picture.image); });
+    files.push_back({picture.file, [&picture, &rendering, supersample](const Path& file) {
+                       return write_picture(file, picture.image, rendering, supersample);
+                     }});
   }
-  if (!s || rendering.layers.empty()) return s;
-  s = write("layers.exr", [&](const Path& file) { return write_exr_parts(file, parts_of(rendering.layers)); });
-  if (!s || rendering.maps.empty()) return s;
-  return write("maps.exr", [&](const Path& file) { return write_exr_parts(file, parts_of(rendering.maps)); });
+  if (rendering.layers.empty()) return files;
+  files.push_back({"layers.exr", [&rendering](const Path& file) { return write_layers(rendering.layers, file); }});
+  if (rendering.maps.empty()) return files;
+  files.push_back({"maps.exr", [&rendering](const Path& file) { return write_layers(rendering.maps, file); }});
+  return files;
+}
+
+}  // namespace
+
+Image8 averaged(const Image8& image, int n) {
+  Image8 out{image.width / n, image.height / n, image.channels, {}};
+  const auto channels = static_cast<std::size_t>(image.channels),
+             row = channels * static_cast<std::size_t>(image.width);
+  const auto side = static_cast<std::size_t>(n);
+  const std::uint32_t count = static_cast<std::uint32_t>(side * side);
+  for (std::size_t y = 0; y < static_cast<std::size_t>(out.height); ++y) {
+    for (std::size_t x = 0; x < static_cast<std::size_t>(out.width); ++x) {
+      for (std::size_t c = 0; c < channels; ++c) {
+        std::uint32_t sum = count / 2;
+        for (std::size_t v = 0; v < side; ++v) {
+          for (std::size_t u = 0; u < side; ++u) {
+            sum += image.pixels[(y * side + v) * row + (x * side + u) * channels + c];
+          }
+        }
+        out.pixels.push_back(static_cast<std::uint8_t>(sum / count));
+      }
+    }
+  }
+  return out;
+}
+
+std::vector<std::string> file_names(const Rendering& rendering) {
+  std::vector<std::string> names;
+  for (RenderedFile& file : files_of(rendering, 1)) names.push_back(std::move(file.name));
+  return names;
+}
+
+Status write_rendering(const Rendering& rendering, StagedFiles& files, const RenderedFiles& chosen) {
+  for (const RenderedFile& file : files_of(rendering, chosen.supersample)) {
+    const auto& only = chosen.only;
+    if (!only.empty() && std::find(only.begin(), only.end(), file.name) == only.end()) continue;
+    if (Status written = file.write(files.stage(file.name)); !written) {
+      Diagnostic fault = written.error();
+      fault.file = files.files().back().string();
+      return fault;
+    }
+  }
+  return {};
 }
 
 }  // namespace ninebit

@@ -1,4 +1,4 @@
-// `ninebit bench combiner|raster|frame`: measures the speed of each part on this machine.
+// `ninebit bench combiner|raster|frame|effect`: measures the speed of each part on this machine.
 #include "src/tools/bench/bench.h"
 
 #include "src/system/parallel/parallel_loop.h"
@@ -24,12 +24,14 @@ std::vector<int> one_and_all_threads(const CommonFlags& flags) {
 }
 
 void add_bench(CLI::App& app, int& exit_code) {
-  CLI::App* verb = app.add_subcommand("bench", "Measure the speed of the combiners, the rasterizer or a whole frame");
+  CLI::App* verb =
+      app.add_subcommand("bench", "Measure the speed of the combiners, the rasterizer, a whole frame or effects");
   verb->require_subcommand(1);
   verb->footer("Example: ninebit bench combiner\nRun `ninebit bench BENCHMARK --help` for the flags of a benchmark.");
   add_bench_combiner(*verb, exit_code);
   add_bench_raster(*verb, exit_code);
   add_bench_frame(*verb, exit_code);
+  add_bench_effect(*verb, exit_code);
 }
 
 }  // namespace ninebit::tools

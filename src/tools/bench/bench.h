@@ -1,4 +1,4 @@
-// Shared by the three parts of `ninebit bench`.
+// Shared by the parts of `ninebit bench`.
 #pragma once
 
 #include <string>
@@ -28,5 +28,6 @@ void add_bench_flags(CLI::App& verb, BenchFlags& flags);
 void add_bench_combiner(CLI::App& bench, int& exit_code);
 void add_bench_raster(CLI::App& bench, int& exit_code);
 void add_bench_frame(CLI::App& bench, int& exit_code);
+void add_bench_effect(CLI::App& bench, int& exit_code);
 
 }  // namespace ninebit::tools

@@ -193,7 +193,7 @@ int bench_frame(const FrameFlags& flags) {
   if (done && frame.rival) done = measure_rival(*frame.rival, frame.renderer->rendering(), seconds, *line, rival);
   line.reset();
   if (!done) return report(done.error());
-  warn_of_unused_order("index-cube", frame.settings, frame.renderer->rendering().index_order, common.quiet);
+  warn_of_unused_order(frame.settings, frame.renderer->rendering().index_order, common.quiet);
   return common.json ? answer(json_of(flags, frame, times, rival)) : answer(text_of(frame, times, rival));
 }
 

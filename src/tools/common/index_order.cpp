@@ -6,21 +6,9 @@
 
 namespace ninebit::tools {
 
-std::string order_without_indices(std::string_view technique, const RenderSettings& settings) {
-  if (settings.index.order == IndexOrder::file || technique == "index-cube") return {};
-  if (technique != "light-cookie") return fmt::format("technique {} draws no indices", technique);
-  return settings.light_cookie.shadows ? "" : "technique light-cookie with --cookie-shadows none draws no indices";
-}
-
-void warn_of_unused_order(std::string_view technique, const RenderSettings& settings, const IndexOrderReport& report,
-                          bool quiet) {
-  if (quiet || settings.index.order == IndexOrder::file) return;
-  const std::string none = order_without_indices(technique, settings);
-  if (!none.empty()) {
-    say_warning(fmt::format("--index-order neighbour has no effect: {}", none));
-  } else if (report.order == IndexOrder::file) {
-    say_warning(fmt::format("--index-order neighbour has no effect, the order of the file is used: {}", report.reason));
-  }
+void warn_of_unused_order(const RenderSettings& settings, const IndexOrderReport& report, bool quiet) {
+  if (quiet || settings.index.order == report.order) return;
+  say_warning(fmt::format("--index-order neighbour has no effect, the order of the file is used: {}", report.reason));
 }
 
 std::string order_text(const IndexOrderReport& report) {

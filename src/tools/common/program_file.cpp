@@ -7,20 +7,11 @@
 #include <utility>
 
 #include "ninebit/combiner/validate.h"
-#include "ninebit/language/gl_calls.h"
-#include "ninebit/language/json.h"
-#include "ninebit/language/rc10.h"
 #include "src/tools/input/file_kind.h"
 #include "src/tools/input/input_file.h"
 
 namespace ninebit::tools {
 namespace {
-
-// The form of a JSON object: the canonical form has "ninebit": "program"; register words need no such key.
-ProgramForm json_form(std::string_view text) {
-  const std::string_view said = json_kind(text);
-  return said.empty() || said == "register_words" ? ProgramForm::words_json : ProgramForm::json;
-}
 
 struct FormName {
   ProgramForm form;
@@ -59,23 +50,6 @@ std::string seems_to_be_else(const ProgramFile& file, const std::string& from) {
                      kind_of_form(file.form), from, other->flag);
 }
 
-Parsed<CombinerState> parse(const ProgramFile& file, ChipClass chip, const HardwareProfile& profile) {
-  const SourceText source{file.text, file.name};
-  switch (file.form) {
-    case ProgramForm::gl:
-      return parse_gl_calls(source, profile);
-    case ProgramForm::rc10:
-      return parse_rc10(source, profile);
-    case ProgramForm::words:
-      return parse_register_words(source, chip, profile);
-    case ProgramForm::words_json:
-      return parse_json_register_words(source, chip, profile);
-    case ProgramForm::json:
-      return parse_json_program(source, profile);
-  }
-  return {};
-}
-
 // The text of a file. Reports a file that is too long for a program, with its kind if that is known.
 Result<std::string> read_text(const std::string& path) {
   auto input = InputFile::open(path);
@@ -109,14 +83,7 @@ void add_program_flags(CLI::App& verb, ProgramFlags& flags) {
 
 ChipClass chip_of(const ProgramFlags& flags, const HardwareProfile& profile) {
   if (!flags.chip.empty()) return flags.chip == "nv10" ? ChipClass::nv10 : ChipClass::nv20;
-  return profile.per_stage_constants ? ChipClass::nv20 : ChipClass::nv10;
-}
-
-ProgramForm form_of(std::string_view text) {
-  const std::string_view content = without_heading(text);
-  if (content.starts_with("!!RC1.0")) return ProgramForm::rc10;
-  if (content.starts_with('{') || content.starts_with('[')) return json_form(content);
-  return is_assignment(content) ? ProgramForm::words : ProgramForm::gl;
+  return ninebit::chip_of(profile);
 }
 
 Result<ProgramFile> read_program_file(const ProgramFlags& flags, const HardwareProfile& profile) {
@@ -132,7 +99,7 @@ Result<ProgramFile> read_program_file(const ProgramFlags& flags, const HardwareP
   if (flags.from == "rc10") file.form = ProgramForm::rc10;
   if (flags.from == "json") file.form = ProgramForm::json;
   if (flags.from == "words") file.form = is_json ? ProgramForm::words_json : ProgramForm::words;
-  file.parsed = parse(file, chip_of(flags, profile), profile);
+  file.parsed = parse_program({file.text, file.name}, file.form, chip_of(flags, profile), profile);
   if (file.parsed) return file;
   if (std::string message = seems_to_be_else(file, flags.from); !message.empty()) {
     return Diagnostic{.message = std::move(message), .file = file.name};

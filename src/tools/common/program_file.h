@@ -6,13 +6,12 @@
 #include <string_view>
 #include <vector>
 
+#include "ninebit/language/program_text.h"
 #include "ninebit/language/register_words.h"
 #include "ninebit/language/source_text.h"
 #include "src/tools/input/program.h"
 
 namespace ninebit::tools {
-
-enum class ProgramForm { gl, rc10, words, words_json, json };
 
 struct ProgramFlags {
   std::string file;  // "-": stdin
@@ -25,9 +24,6 @@ void add_program_flags(CLI::App& verb, ProgramFlags& flags);
 
 // The chip whose register words are read.
 [[nodiscard]] ChipClass chip_of(const ProgramFlags& flags, const HardwareProfile& profile);
-
-// The form that a text seems to have; GL calls if it is none of the others.
-[[nodiscard]] ProgramForm form_of(std::string_view text);
 
 struct ProgramFile {
   std::string name;  // for messages

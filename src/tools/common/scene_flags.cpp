@@ -12,6 +12,7 @@
 #include "src/tools/common/number_list.h"
 #include "src/tools/common/scene_flag_checks.h"
 #include "src/tools/common/scene_textures.h"
+#include "src/tools/common/technique_flags.h"
 
 namespace ninebit::tools {
 namespace {
@@ -158,7 +159,8 @@ void add_technique_flags(CLI::App& verb, SceneFlags& flags) {
   add_depth_flags(verb, flags);
   add_reflective_flags(verb, flags.settings.reflective);
   add_cookie_flags(verb, flags);
-  verb.parse_complete_callback([&flags] {
+  verb.parse_complete_callback([&flags, &verb] {
+    if (const std::string unread = unread_flag(verb, flags); !unread.empty()) throw CLI::ValidationError(unread);
     if (flags.technique == "light-cookie" && flags.cookie.empty()) {
       throw CLI::ValidationError("--technique light-cookie requires --cookie FILE");
     }
@@ -197,10 +199,21 @@ ThreadLimit::ThreadLimit(int threads) {
   set_image_threads(threads > 0 ? threads : static_cast<int>(max_threads()));
 }
 
+void add_up_flag(CLI::App& verb, std::string& up) {
+  verb.add_option("--up", up, "Axis that points up in the scene's file (default: as the file or its format says)")
+      ->check(CLI::IsMember({"y", "z"}));
+}
+
+std::optional<UpAxis> up_axis_of(const std::string& up) {
+  if (up.empty()) return std::nullopt;
+  return up == "z" ? UpAxis::z : UpAxis::y;
+}
+
 CLI::Option* add_scene_file(CLI::App& verb, const std::string& name, SceneFlags& flags) {
   verb.add_flag("--allow-outside", flags.allow_outside,
                 "Also read buffers, material libraries and textures outside of the scene's folder");
-  return verb.add_option(name, flags.file, "Scene to render: a glTF 2.0, OBJ, PLY, OFF or 3DS file")
+  add_up_flag(verb, flags.up);
+  return verb.add_option(name, flags.file, "Scene to render: a glTF, OBJ, PLY, OFF, 3DS, STL, COLLADA or FBX file")
       ->type_name("FILE")
       ->check(checked(check_file_name));
 }
@@ -233,10 +246,15 @@ std::vector<CLI::Option*> add_scene_flags(CLI::App& verb, SceneFlags& flags) {
       ->check(checked(check_floor));
   verb.add_option("--light-type", flags.light_type, "Kind of light (default: from the file or the technique)")
       ->check(CLI::IsMember({"point", "spot", "directional"}));
-  verb.add_option("--light-target", flags.light_target, "Target of a spot or directional light")
+  verb.add_option("--light-target", flags.light_target,
+                  "Target of a spot or directional light (default: the file's; else the middle of the scene, or see "
+                  "--spot-angle)")
       ->type_name("X,Y,Z")
       ->check(checked(check_point));
-  verb.add_option("--spot-angle", flags.spot_angle, "Opening angle of a spot light, in degrees")
+  verb.add_option(
+          "--spot-angle", flags.spot_angle,
+          "Opening angle of a spot light, in degrees (default: the file's; else all that the camera sees, or 90 with "
+          "--light-target)")
       ->type_name("DEGREES")
       ->check(checked(check_spot_angle));
   add_choice(verb, "--cull", flags.settings.cull_face, kCulls, "Faces to cull, in every pass");
@@ -266,7 +284,8 @@ RenderSettings settings_of(const SceneFlags& flags, const CommonFlags& common) {
 
 Result<Scene> read_scene_of(const SceneFlags& flags) {
   const auto go_on = [] { return !ProgressLine::stopped(); };
-  return read_scene(flags.file, {.allow_outside = flags.allow_outside, .isolated = true, .go_on = go_on});
+  return read_scene(
+      flags.file, {.allow_outside = flags.allow_outside, .up = up_axis_of(flags.up), .isolated = true, .go_on = go_on});
 }
 
 Result<Scene> load_scene(const SceneFlags& flags, const RenderSettings& settings, bool quiet) {

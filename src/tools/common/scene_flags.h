@@ -15,6 +15,7 @@ namespace ninebit::tools {
 struct SceneFlags {
   std::string file;
   bool allow_outside = false;
+  std::string up;  // "y", "z" or empty: as the file says
   std::string technique = "index-cube";
   std::string size = "1024x768";
   std::string camera, look_at, light, light_type, light_target, floor = "auto";
@@ -32,6 +33,11 @@ extern const Names<IndexOrder> kIndexOrders;
 extern const Names<IndexScales> kIndexScales;
 extern const Names<DepthCubeBits> kDepthBits;
 extern const Names<DepthEncoding> kDepthEncodings;
+
+// Adds --up.
+void add_up_flag(CLI::App& verb, std::string& up);
+// The axis of --up; empty: not given.
+[[nodiscard]] std::optional<UpAxis> up_axis_of(const std::string& up);
 
 template <class E>
 [[nodiscard]] std::string name_in(const Names<E>& names, E value) {

@@ -69,6 +69,26 @@ Result<Texture> read_texture_files(std::span<const std::filesystem::path> files,
 
 }  // namespace
 
+const HardwareProfile* built_in_profile(std::string_view name) {
+  for (const HardwareProfile& profile : hardware_profiles()) {
+    if (profile.name == name) return &profile;
+  }
+  return nullptr;
+}
+
+Result<const HardwareProfile*> effect_profile(const Effect& effect, const std::string& file,
+                                              const HardwareProfile* given) {
+  if (given != nullptr || effect.profile.empty()) return given;
+  if (const HardwareProfile* const found = built_in_profile(effect.profile)) return found;
+  std::string names;
+  for (const HardwareProfile& profile : hardware_profiles()) {
+    names += (names.empty() ? "" : ", ") + std::string(profile.name);
+  }
+  return Diagnostic{
+      .message = fmt::format("profile '{}' is unknown; expected one of {}", printable(effect.profile), names),
+      .file = file};
+}
+
 DrawnFile read_effect_file(const std::string& file) {
   if (!is_effect(file)) return {};
   auto parsed = read_effect(file);
@@ -82,8 +102,8 @@ EffectReaders effect_readers(bool allow_outside, std::vector<std::string>& warni
   readers.texture = [&warnings](std::span<const std::filesystem::path> files, const HardwareProfile& profile) {
     return read_texture_files(files, profile, warnings);
   };
-  readers.scene = [allow_outside, &warnings](const std::filesystem::path& file) {
-    auto scene = read_scene(file, {.allow_outside = allow_outside, .isolated = true, .go_on = &go_on});
+  readers.scene = [allow_outside, &warnings](const std::filesystem::path& file, std::optional<UpAxis> up) {
+    auto scene = read_scene(file, {.allow_outside = allow_outside, .up = up, .isolated = true, .go_on = &go_on});
     if (!scene || scene->notes.empty()) return scene;
     std::string ignored;
     for (const std::string& note : scene->notes) ignored += (ignored.empty() ? "" : "; ") + note;

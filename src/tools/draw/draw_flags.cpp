@@ -49,11 +49,35 @@ std::string check_color(const std::string& text, std::size_t count) {
   }
   return valid ? "" : fmt::format("'{}' is not a colour; expected {} numbers from 0 to 1", text, count);
 }
-std::string check_rgba(const std::string& text) {
-  return check_color(text, 4);
+// The part of "[COMBINER:]R,G,B,A" before the colon, and the colour.
+std::pair<std::string_view, std::string> split_constant(std::string_view text) {
+  const std::size_t colon = text.find(':');
+  if (colon == std::string_view::npos) return {{}, std::string(text)};
+  return {text.substr(0, colon), std::string(text.substr(colon + 1))};
+}
+
+std::string check_constant(const std::string& text) {
+  const auto [combiner, color] = split_constant(text);
+  const bool numbered = combiner.size() == 1 && combiner[0] >= '0' && combiner[0] < '0' + kMaxGeneralCombiners;
+  if (text.find(':') != std::string::npos && !numbered) {
+    return fmt::format("'{}' is not a general combiner; expected 0 to {}", combiner, kMaxGeneralCombiners - 1);
+  }
+  return check_color(color, 4);
 }
 std::string check_rgb(const std::string& text) {
   return check_color(text, 3);
+}
+
+std::string check_only(const std::string& text) {
+  for (std::size_t start = 0; start <= text.size();) {
+    const std::size_t end = std::min(text.find(',', start), text.size());
+    const std::string_view name = std::string_view(text).substr(start, end - start);
+    if (name != "picture" && name != "difference" && name != "layers") {
+      return fmt::format("'{}' is not a file of draw; expected picture, difference or layers", name);
+    }
+    start = end + 1;
+  }
+  return "";
 }
 
 std::optional<glm::vec3> point_of(const std::string& text) {
@@ -66,6 +90,7 @@ std::optional<glm::vec3> point_of(const std::string& text) {
 void set_scene(const DrawFlags& flags, EffectScene& scene) {
   SceneSetup& setup = scene.setup;
   if (!flags.mesh.empty()) scene.mesh = flags.mesh;
+  if (const auto up = up_axis_of(flags.up)) scene.up = up;
   if (const auto p = point_of(flags.camera)) setup.camera = p;
   if (const auto p = point_of(flags.look_at)) setup.look_at = p;
   if (const auto p = point_of(flags.light)) setup.light = p;
@@ -111,9 +136,19 @@ Status add_unit(const DrawFlags& flags, std::size_t unit, Effect& effect, Effect
   return {};
 }
 
-ColorF color_of(const std::string& text) {
-  const auto n = *numbers<float>(text, ',');
-  return {n[0], n[1], n[2], n[3]};
+void set_constants(const DrawFlags& flags, EffectConstants& constants) {
+  for (std::size_t i = 0; i < 2; ++i) {
+    for (const std::string& text : flags.constants[i]) {
+      const auto [combiner, color] = split_constant(text);
+      const auto n = *numbers<float>(color, ',');
+      const ColorF value{n[0], n[1], n[2], n[3]};
+      if (combiner.empty()) {
+        constants.global[i] = value;
+      } else {
+        constants.of_combiner[static_cast<std::size_t>(combiner[0] - '0')][i] = value;
+      }
+    }
+  }
 }
 
 void add_pass_flags(CLI::App& verb, DrawFlags& flags) {
@@ -147,9 +182,12 @@ void add_pass_flags(CLI::App& verb, DrawFlags& flags) {
       ->check(parses(&parse_fog));
   verb.add_option("--fog-color", flags.fog_color, "Fog colour")->type_name("R,G,B")->check(text_check(&check_rgb));
   for (std::size_t i = 0; i < 2; ++i) {
-    verb.add_option("--const" + std::to_string(i), flags.constants[i], "Constant colour, instead of the program's")
-        ->type_name("R,G,B,A")
-        ->check(text_check(&check_rgba));
+    verb.add_option("--const" + std::to_string(i), flags.constants[i],
+                    "Constant colour, instead of the program's; of one general combiner with its number before it. "
+                    "Can be repeated")
+        ->type_name("[COMBINER:]R,G,B,A")
+        ->allow_extra_args(false)
+        ->check(text_check(&check_constant));
   }
   verb.add_option("--blend", flags.blend, "Blending, as src_alpha,one_minus_src_alpha")
       ->type_name("SOURCE,DESTINATION[,EQUATION]")
@@ -177,6 +215,7 @@ void add_draw_flags(CLI::App& verb, DrawFlags& flags) {
   verb.add_option("--mesh", flags.mesh, "Mesh to draw: a scene file, sphere:N, torus:N, plane:N or cube")
       ->type_name("FILE|BUILTIN")
       ->check(text_check(&check_file_name));
+  add_up_flag(verb, flags.up);
   verb.add_flag("--allow-outside", flags.allow_outside, "Also read files that the scene names outside of its folder");
   add_pass_flags(verb, flags);
   const auto point = [&](const char* flag, std::string& text, const char* help) {
@@ -191,7 +230,9 @@ void add_draw_flags(CLI::App& verb, DrawFlags& flags) {
   verb.add_option("--light-type", flags.light_type, "Kind of light (default: point)")
       ->check(CLI::IsMember({"point", "spot", "directional"}));
   point("--light-target", flags.light_target, "Target of a spot or directional light");
-  verb.add_option("--spot-angle", flags.spot_angle, "Opening angle of a spot light, in degrees")
+  verb.add_option("--spot-angle", flags.spot_angle,
+                  "Opening angle of a spot light, in degrees (default: what holds all that the camera sees, or 90 with "
+                  "--light-target)")
       ->type_name("DEGREES")
       ->check(text_check(&check_spot_angle));
   verb.add_option("--floor", flags.floor, "Floor below the mesh (default: none)")
@@ -204,6 +245,9 @@ void add_draw_flags(CLI::App& verb, DrawFlags& flags) {
       ->type_name("PROFILE")
       ->check(CLI::IsMember(profiles));
   verb.add_flag("--layers", flags.layers, "Also write every register of every pass to an EXR file");
+  verb.add_option("--only", flags.only, "Write only these files: picture, difference, layers")
+      ->type_name("NAME[,NAME...]")
+      ->check(text_check(&check_only));
 }
 
 Result<Effect> effect_of(const DrawFlags& flags) {
@@ -212,8 +256,9 @@ Result<Effect> effect_of(const DrawFlags& flags) {
   set_size(flags, effect);
   effect.scene.setup.floor = FloorChoice::none;
   set_scene(flags, effect.scene);
-  if (flags.mesh.empty() && !flags.floor.empty()) {
-    return Diagnostic{.message = "--floor has no effect without --mesh; expected a mesh above the floor"};
+  for (const auto& [flag, text] : {std::pair{"--floor", &flags.floor}, std::pair{"--up", &flags.up}}) {
+    if (!flags.mesh.empty() || text->empty()) continue;
+    return Diagnostic{.message = fmt::format("{} has no effect without --mesh; expected a mesh", flag)};
   }
   pass.program = flags.file;
   pass.geometry = effect.scene.mesh.empty() ? EffectGeometry::rectangle : EffectGeometry::mesh;
@@ -221,9 +266,7 @@ Result<Effect> effect_of(const DrawFlags& flags) {
   for (std::size_t i = 0; i < kEffectUnits; ++i) {
     if (Status added = add_unit(flags, i, effect, pass); !added) return added.error();
   }
-  for (std::size_t i = 0; i < 2; ++i) {
-    if (!flags.constants[i].empty()) pass.constants[i] = color_of(flags.constants[i]);
-  }
+  set_constants(flags, pass.constants);
   if (!flags.primary.empty()) pass.primary = parse_color_source(flags.primary).value();
   if (!flags.secondary.empty()) pass.secondary = parse_color_source(flags.secondary).value();
   if (!flags.fog.empty()) pass.fog = parse_fog(flags.fog).value();
@@ -239,6 +282,18 @@ Result<Effect> effect_of(const DrawFlags& flags) {
   effect.passes.push_back(std::move(pass));
   if (const auto faults = check_effect(effect); !faults.empty()) return Diagnostic{.message = faults[0].message};
   return effect;
+}
+
+bool writes(const DrawFlags& flags, std::string_view name) {
+  return flags.only.empty() || ("," + flags.only + ",").find("," + std::string(name) + ",") != std::string::npos;
+}
+
+Status check_files(const DrawFlags& flags) {
+  if (flags.only.empty()) return {};
+  if (writes(flags, "difference") && flags.difference.empty())
+    return Diagnostic{.message = "--only difference requires --difference"};
+  if (writes(flags, "layers") && !flags.layers) return Diagnostic{.message = "--only layers requires --layers"};
+  return {};
 }
 
 Status override_effect(const DrawFlags& flags, Effect& effect) {

@@ -4,6 +4,7 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "ninebit/effect/effect.h"
@@ -18,15 +19,16 @@ struct DrawFlags {
   std::string file;                // a program or an effect
   std::string output;              // a PNG file
   std::string size;
-  std::string mesh;
+  std::string mesh, up;
   bool allow_outside = false;
   std::array<std::string, kEffectUnits> textures, filters, wraps, coordinates;
   std::string primary, secondary, fog, fog_color;
-  std::array<std::string, 2> constants;
+  std::array<std::vector<std::string>, 2> constants;  // "[COMBINER:]R,G,B,A"
   std::string blend, alpha_test, depth, cull, color_mask;
   std::string camera, look_at, light, light_type, light_target, floor;
   std::optional<double> fov, spot_angle;
   std::string difference;  // the name of a profile
+  std::string only;        // the files to write; empty: all
   bool layers = false;
   std::vector<CLI::Option*> pass_options{};  // those that an effect file replaces
 };
@@ -35,6 +37,11 @@ void add_draw_flags(CLI::App& verb, DrawFlags& flags);
 
 // The effect of one pass that the flags describe. The Diagnostic is wrong usage.
 [[nodiscard]] Result<Effect> effect_of(const DrawFlags& flags);
+
+// Whether to write the picture, the difference or the layers: --only.
+[[nodiscard]] bool writes(const DrawFlags& flags, std::string_view name);
+// The Diagnostic is wrong usage: a file of --only that no flag asks for.
+[[nodiscard]] Status check_files(const DrawFlags& flags);
 
 // Replaces the size, mesh, camera and light of an effect file by those of the flags. The Diagnostic is wrong usage: a
 // flag that an effect file does not combine with.

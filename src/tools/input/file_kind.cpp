@@ -110,6 +110,7 @@ std::string kind_of_json(std::string_view text) {
   if (said == "program") return std::string(kJsonProgramKind);
   if (said == "register_words") return std::string(kJsonWordsKind);
   if (said == "profile") return std::string(kProfileKind);
+  if (said == "effect") return std::string(kEffectKind);
   text = text.substr(0, kLookedAt);
   if (has(text, "ninebit study part")) return std::string(kPartKind);
   if (has(text, "\"asset\"") || has(text, "\"bufferViews\"") || has(text, "\"accessors\"")) return "a glTF scene";
@@ -162,41 +163,6 @@ std::string kind_of_source(std::string_view text) {
 }
 
 }  // namespace
-
-std::string_view without_heading(std::string_view text) {
-  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
-  while (true) {
-    text = without_space(text);
-    if (text.starts_with("/*")) {
-      const std::size_t end = text.find("*/", 2);
-      text.remove_prefix(end == std::string_view::npos ? text.size() : end + 2);
-    } else if (text.starts_with("//") || text.starts_with('#')) {
-      text.remove_prefix(std::min(text.find('\n'), text.size()));
-    } else {
-      return text;
-    }
-  }
-}
-
-bool is_assignment(std::string_view text) {
-  std::size_t i = 0;
-  const auto is_name = [](unsigned char c) {
-    return std::isalnum(c) != 0 || std::string_view("_[]()").find(static_cast<char>(c)) != std::string_view::npos;
-  };
-  while (i < text.size() && is_name(static_cast<unsigned char>(text[i]))) ++i;
-  return i > 0 && without_space(text.substr(i)).starts_with('=');
-}
-
-std::string_view json_kind(std::string_view text) {
-  constexpr std::string_view kKey = "\"ninebit\"";
-  const std::size_t key = text.find(kKey);
-  if (key == std::string_view::npos) return {};
-  std::string_view rest = without_space(text.substr(key + kKey.size()));
-  if (rest.starts_with(':')) rest = without_space(rest.substr(1));
-  if (!rest.starts_with('"')) return "?";
-  rest.remove_prefix(1);
-  return rest.substr(0, rest.find('"'));
-}
 
 std::string kind_of_file(std::string_view bytes) {
   if (std::string kind = kind_of_bytes(bytes); !kind.empty()) return kind;

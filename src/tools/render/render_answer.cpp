@@ -115,7 +115,8 @@ Json render_json(const RenderFlags& flags, const FinishedRender& done) {
            {"profile", flags.common.profile},
            {"scene", flags.scene.file},
            {"triangles", done.scene->triangles.size()},
-           {"size", {done.settings.width, done.settings.height}},
+           {"size", {done.settings.width / flags.supersample, done.settings.height / flags.supersample}},
+           {"supersample", flags.supersample},
            {"map_size", done.settings.map_size},
            {"index", index_json(done.settings, r)},
            {"pixels", {{"background", r.background}, {"lit", r.lit}, {"shadowed", r.shadowed}}},
@@ -124,6 +125,7 @@ Json render_json(const RenderFlags& flags, const FinishedRender& done) {
            {"ignored", done.ignored},
            {"files", std::move(names)},
            {"hash", hash_json(r)}};
+  for (const auto& [file, hash] : done.frames) out["frames"].push_back({{"file", file}, {"color", hash}});
   if (r.picked) out["pick"] = pick_json(flags, *done.scene, *r.picked);
   if (done.truth) out["errors"] = errors_json(*r.evidence, *done.truth);
   return out;

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "ninebit/shadow/ground_truth.h"
@@ -16,6 +17,9 @@ struct RenderFlags {
   SceneFlags scene;
   std::string folder;
   std::string pick;
+  std::string only;
+  int turntable = 0;    // frames; 0: one picture
+  int supersample = 1;  // samples per pixel, along each side
   bool ground_truth = false;
   bool check_order = false;
 };
@@ -28,6 +32,9 @@ struct FinishedRender {
   std::optional<GroundTruth> truth{};  // empty without --ground-truth, or if no shadows were drawn
   std::vector<std::string> ignored{};  // what the rendering leaves out
   std::vector<std::filesystem::path> files{};
+  std::vector<std::filesystem::path> removed{};               // files of an earlier run that this one does not write
+  std::vector<std::pair<std::string, std::string>> frames{};  // of --turntable: file and hash of its colour planes
+  bool wrong_only = false;                                    // --only names a file that the rendering does not have
   double load_ms = 0.0, write_ms = 0.0, total_ms = 0.0;
 };
 

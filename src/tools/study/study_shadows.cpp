@@ -10,7 +10,6 @@
 #include "ninebit/study/shadow_sweep.h"
 #include "src/study/part/sweep_axes.h"
 #include "src/tools/common/cookie_file.h"
-#include "src/tools/common/index_order.h"
 #include "src/tools/common/number_flag.h"
 #include "src/tools/common/number_list.h"
 #include "src/tools/common/scene_flags.h"
@@ -159,9 +158,6 @@ void complete_grid(ShadowsFlags& flags) {
 Result<std::unique_ptr<Study>> make_study(const ShadowsFlags& flags) {
   RenderSettings settings = settings_of(flags.scene, flags.study.common);
   const std::string& technique = flags.scene.technique;
-  IndexOrderReport as_asked;  // the report names the points that used another order
-  as_asked.order = settings.index.order;
-  warn_of_unused_order(technique, settings, as_asked, flags.study.common.quiet);
   auto question = question_of(flags);
   if (!question) return question.error();
   if (!flags.scene.cookie.empty()) {

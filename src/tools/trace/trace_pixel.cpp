@@ -30,8 +30,15 @@ std::string state_of(const Surface& frame, std::size_t at) {
   return frame.stencil()[at] == 0 ? "lit" : "shadowed";
 }
 
-// Selects the fragment to trace.
-void choose(TracedPixel& pixel, bool other_program) {
+std::string fragment_text(const TracedPixel& pixel, const ProbedFragment& f) {
+  const std::uint32_t object = pixel.object_of[f.primitive];
+  return fmt::format("polygon {} of object {} '{}': depth {} against stored {}, {}", f.primitive + 1, object + 1,
+                     printable(pixel.objects[object]), f.depth, f.stored_depth, fate_text(f.fate));
+}
+
+}  // namespace
+
+void choose_fragment(TracedPixel& pixel, bool other_program) {
   const bool any_program =
       std::any_of(pixel.passes.begin(), pixel.passes.end(), [](const ProbedPass& p) { return p.program.has_value(); });
   for (std::size_t i = 0; i < pixel.passes.size(); ++i) {
@@ -43,14 +50,6 @@ void choose(TracedPixel& pixel, bool other_program) {
     pixel.fragment = static_cast<std::size_t>(decided - pass.fragments.data());
   }
 }
-
-std::string fragment_text(const TracedPixel& pixel, const ProbedFragment& f) {
-  const std::uint32_t object = pixel.object_of[f.primitive];
-  return fmt::format("polygon {} of object {} '{}': depth {} against stored {}, {}", f.primitive + 1, object + 1,
-                     printable(pixel.objects[object]), f.depth, f.stored_depth, fate_text(f.fate));
-}
-
-}  // namespace
 
 Result<TracedPixel> render_pixel(const SceneFlags& flags, const CommonFlags& common, int x, int y, bool other_program) {
   const ThreadLimit limit(common.threads);
@@ -71,18 +70,22 @@ Result<TracedPixel> render_pixel(const SceneFlags& flags, const CommonFlags& com
   TracedPixel pixel;
   pixel.x = x;
   pixel.y = y;
+  pixel.file = flags.file;
+  pixel.technique = flags.technique;
+  pixel.size = flags.size;
   pixel.state = state_of(rendering->frame, at);
   pixel.passes = std::move(rendering->probed);
   pixel.index_order = std::move(rendering->index_order);
   for (const SceneObject& object : scene->objects) pixel.objects.push_back(object.name);
   pixel.object_of = scene->triangle_object;
-  choose(pixel, other_program);
+  choose_fragment(pixel, other_program);
   return pixel;
 }
 
-std::string pixel_text(const TracedPixel& pixel, const SceneFlags& flags) {
-  std::string text = fmt::format("pixel {},{} of {}, technique {}, size {}: {}\n", pixel.x, pixel.y,
-                                 printable(flags.file), flags.technique, flags.size, pixel.state);
+std::string pixel_text(const TracedPixel& pixel) {
+  const std::string technique = pixel.technique.empty() ? "" : fmt::format("technique {}, ", pixel.technique);
+  std::string text = fmt::format("pixel {},{} of {}, {}size {}: {}\n", pixel.x, pixel.y, printable(pixel.file),
+                                 technique, pixel.size, pixel.state);
   for (const ProbedPass& pass : pixel.passes) {
     const auto written = std::count_if(pass.fragments.begin(), pass.fragments.end(),
                                        [](const ProbedFragment& f) { return f.fate == FragmentFate::written; });
@@ -94,7 +97,9 @@ std::string pixel_text(const TracedPixel& pixel, const SceneFlags& flags) {
     const ProbedFragment& fragment = pass.fragments[*pixel.fragment];
     return text + fmt::format("traced: pass {}, {}\n", pass.name, fragment_text(pixel, fragment));
   }
-  if (pixel.state == "background") return text + "background: no fragment to trace\n";
+  if (pixel.state == "background" || pixel.state == "not drawn") {
+    return text + fmt::format("{}: no fragment to trace\n", pixel.state);
+  }
   for (const ProbedPass& pass : pixel.passes) {
     if (const ProbedFragment* f = deciding_fragment(pass)) {
       text += fmt::format("pass {}, which has no program: {}\n", pass.name, fragment_text(pixel, *f));
@@ -103,7 +108,7 @@ std::string pixel_text(const TracedPixel& pixel, const SceneFlags& flags) {
   return text + "no pass with a program drew a visible fragment: nothing to trace\n";
 }
 
-Json pixel_json(const TracedPixel& pixel, const SceneFlags& flags) {
+Json pixel_json(const TracedPixel& pixel) {
   Json passes = Json::array();
   for (const ProbedPass& pass : pixel.passes) {
     Json fragments = Json::array();
@@ -121,8 +126,8 @@ Json pixel_json(const TracedPixel& pixel, const SceneFlags& flags) {
     }
     passes.push_back({{"name", pass.name}, {"has_program", pass.program.has_value()}, {"fragments", fragments}});
   }
-  return {{"file", flags.file},
-          {"technique", flags.technique},
+  return {{"file", pixel.file},
+          {"technique", pixel.technique.empty() ? Json() : Json(pixel.technique)},
           {"pixel", {pixel.x, pixel.y}},
           {"state", pixel.state},
           {"passes", std::move(passes)},

@@ -13,7 +13,10 @@ namespace ninebit::tools {
 struct TracedPixel {
   int x = 0;                             // from the left of the picture
   int y = 0;                             // from its top
-  std::string state;                     // "background", "lit" or "shadowed"
+  std::string file;                      // the scene's or the effect's
+  std::string technique;                 // empty: an effect
+  std::string size;                      // of the picture, WxH
+  std::string state;                     // "background", "lit", "shadowed"; of an effect "drawn" or "not drawn"
   std::vector<ProbedPass> passes;        // of the camera
   std::optional<std::size_t> pass;       // of the traced fragment; empty: none
   std::optional<std::size_t> fragment;   // of that pass
@@ -28,7 +31,10 @@ struct TracedPixel {
 [[nodiscard]] Result<TracedPixel> render_pixel(const SceneFlags& flags, const CommonFlags& common, int x, int y,
                                                bool other_program);
 
-[[nodiscard]] std::string pixel_text(const TracedPixel& pixel, const SceneFlags& flags);
-[[nodiscard]] Json pixel_json(const TracedPixel& pixel, const SceneFlags& flags);
+// Selects the fragment that decided the result of the last pass with a program. `other_program`: see render_pixel.
+void choose_fragment(TracedPixel& pixel, bool other_program);
+
+[[nodiscard]] std::string pixel_text(const TracedPixel& pixel);
+[[nodiscard]] Json pixel_json(const TracedPixel& pixel);
 
 }  // namespace ninebit::tools

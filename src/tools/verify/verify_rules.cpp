@@ -1,5 +1,6 @@
 #include "src/tools/verify/verify_rules.h"
 
+#include <array>
 #include <optional>
 #include <utility>
 
@@ -8,6 +9,18 @@
 
 namespace ninebit::tools {
 
+namespace {
+
+Narrowing other(Narrowing narrowing) {
+  return narrowing == Narrowing::toward_zero ? Narrowing::nearest_halves_up : Narrowing::toward_zero;
+}
+
+const char* name(Narrowing narrowing) {
+  return narrowing == Narrowing::toward_zero ? "toward-zero" : "nearest-halves-up";
+}
+
+}  // namespace
+
 std::vector<Rival> rivals_of(const HardwareProfile& profile) {
   std::vector<Rival> rivals;
   if (profile.arithmetic != Arithmetic::integer) return rivals;
@@ -15,12 +28,6 @@ std::vector<Rival> rivals_of(const HardwareProfile& profile) {
     Rival rival{field, std::move(value), rules, profile};
     replace(rival.profile);
     rivals.push_back(std::move(rival));
-  };
-  const auto other = [](Narrowing narrowing) {
-    return narrowing == Narrowing::toward_zero ? Narrowing::nearest_halves_up : Narrowing::toward_zero;
-  };
-  const auto name = [](Narrowing narrowing) {
-    return narrowing == Narrowing::toward_zero ? "toward-zero" : "nearest-halves-up";
   };
   const Narrowing general = other(profile.general_narrowing), final = other(profile.final_narrowing);
   add("general_narrowing", name(general), "5, 8", [&](HardwareProfile& p) { p.general_narrowing.value = general; });
@@ -40,7 +47,45 @@ std::vector<Rival> rivals_of(const HardwareProfile& profile) {
   return rivals;
 }
 
+std::vector<Rival> pixel_rivals_of(const HardwareProfile& profile) {
+  std::vector<Rival> rivals;
+  const auto add = [&](const char* field, const char* value, const char* rules, auto replace) {
+    Rival rival{field, value, rules, profile};
+    replace(rival.profile);
+    rivals.push_back(std::move(rival));
+  };
+  const auto add_others = [&](const char* field, const char* rules, auto current, auto member, const auto& words) {
+    for (const auto& [word, value] : words) {
+      if (value == current) continue;
+      const auto other_value = value;  // clang 14 captures no structured binding
+      add(field, word, rules, [&](HardwareProfile& p) { (p.*member).value = other_value; });
+    }
+  };
+  using Weights = std::pair<const char*, ColorWeights>;
+  add_others("color_weights", "27", profile.color_weights.value, &HardwareProfile::color_weights,
+             std::array{Weights("exact", ColorWeights::exact), Weights("8-bits", ColorWeights::eight_bits)});
+  using Interpolation = std::pair<const char*, ColorInterpolation>;
+  add_others("color_interpolation", "", profile.color_interpolation.value, &HardwareProfile::color_interpolation,
+             std::array{Interpolation("perspective", ColorInterpolation::perspective),
+                        Interpolation("affine", ColorInterpolation::affine)});
+  const Narrowing depth = other(profile.depth_narrowing);
+  add("depth_narrowing", name(depth), "28", [&](HardwareProfile& p) { p.depth_narrowing.value = depth; });
+  const Narrowing weight = other(profile.texture_weight_narrowing);
+  add("texture_weight_narrowing", name(weight), "26",
+      [&](HardwareProfile& p) { p.texture_weight_narrowing.value = weight; });
+  using Rounding = std::pair<const char*, FilterRounding>;
+  add_others("texture_filter_rounding", "26", profile.texture_filter_rounding.value,
+             &HardwareProfile::texture_filter_rounding,
+             std::array{Rounding("once", FilterRounding::once), Rounding("each-blend", FilterRounding::each_blend)});
+  using Palette = std::pair<const char*, Dxt1Palette>;
+  add_others("dxt1_palette", "24", profile.dxt1_palette.value, &HardwareProfile::dxt1_palette,
+             std::array{Palette("rgb565", Dxt1Palette::rgb565), Palette("rgb888", Dxt1Palette::rgb888),
+                        Palette("dithered565", Dxt1Palette::dithered565)});
+  return rivals;
+}
+
 std::vector<int> computed(const VerifyRow& row, const HardwareProfile& profile) {
+  if (row.format != nullptr) return row.format->draw(row.measured, profile);
   Program program = normalize(*row.program, profile);
   for (const auto& [column, code] : row.constants) replace_constant(program, column, code);
   std::vector<int> codes;

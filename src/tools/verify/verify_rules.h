@@ -21,6 +21,9 @@ struct Rival {
 // for the whole arithmetic. Other profiles have none.
 [[nodiscard]] std::vector<Rival> rivals_of(const HardwareProfile& profile);
 
+// The same with the rules that pixels follow beside the combiners', for any profile.
+[[nodiscard]] std::vector<Rival> pixel_rivals_of(const HardwareProfile& profile);
+
 // The computed codes for the row's expectations, in their order.
 [[nodiscard]] std::vector<int> computed(const VerifyRow& row, const HardwareProfile& profile);
 

@@ -19,17 +19,6 @@ std::optional<int> number_of(std::string_view text) {
   return value;
 }
 
-// The pieces between separators, trimmed.
-std::vector<std::string_view> pieces(std::string_view text, char separator) {
-  std::vector<std::string_view> found;
-  while (true) {
-    const std::size_t end = text.find(separator);
-    found.push_back(trimmed(text.substr(0, end)));
-    if (end == std::string_view::npos) return found;
-    text.remove_prefix(end + 1);
-  }
-}
-
 // The registers of a fragment before the row sets any; the same defaults as `ninebit eval`.
 RegisterFile default_registers(const HardwareProfile& profile) {
   RegisterFile file;
@@ -43,7 +32,7 @@ RegisterFile default_registers(const HardwareProfile& profile) {
 }  // namespace
 
 bool Expectation::allows(int code) const {
-  return std::find(allowed.begin(), allowed.end(), code) != allowed.end();
+  return allowed.empty() || std::find(allowed.begin(), allowed.end(), code) != allowed.end();
 }
 
 Result<VerifyTable> VerifyTable::open(const std::string& file, const ProgramFlags& program, bool allow_outside,
@@ -95,6 +84,15 @@ std::optional<VerifyTable::Column> VerifyTable::column_named(std::string_view fi
 }
 
 Status VerifyTable::read_header(const CsvLine& line) {
+  format_ = measured_format(line.text);
+  if (format_ != nullptr) {
+    if (!program_.file.empty()) return csv_fault(name(), line.number, 1, "--program is not for tables of pixels");
+    if (format_->beside.empty()) return {};
+    auto beside = read_beside((folder_ / format_->beside).string(), *format_);
+    if (!beside) return beside.error();
+    beside_ = std::move(*beside);
+    return {};
+  }
   for (const std::string_view field : pieces(line.text, ',')) {
     const std::size_t at = static_cast<std::size_t>(field.data() - line.text.data()) + 1;
     auto column = column_named(field);
@@ -199,23 +197,63 @@ Status VerifyTable::find_program(const CsvLine& line, VerifyRow& row) {
   return {};
 }
 
+Result<std::optional<VerifyRow>> VerifyTable::measured_row(const CsvLine& line) {
+  using Kind = MeasuredColumn::Kind;
+  VerifyRow row;
+  row.line = line.number;
+  row.format = format_;
+  MeasuredRow& cells = row.measured;
+  if (Status read = read_measured(format_->columns, pieces(line.text, ','), name(), line.number, cells); !read) {
+    return read.error();
+  }
+  if (cells.text("match") == "0") {
+    ++skipped_;
+    return std::optional<VerifyRow>();
+  }
+  if (!format_->beside.empty()) {
+    const std::string& key = cells.text(format_->key);
+    const auto found = beside_.find(key);
+    if (found == beside_.end()) {
+      return csv_fault(name(), line.number, 1,
+                       fmt::format("{} has no {} '{}'", format_->beside, format_->key, shown(key)));
+    }
+    cells.add(found->second);
+  }
+  for (const MeasuredColumn& column : format_->columns) {
+    const std::string& text = cells.text(column.name);
+    if (column.kind == Kind::word || column.kind == Kind::whole || column.kind == Kind::digits ||
+        column.kind == Kind::real) {
+      if (!text.empty()) row.name += fmt::format("{}{} {}", row.name.empty() ? "" : ", ", column.name, text);
+    } else if (column.kind == Kind::measured) {
+      Expectation expected{.column = std::string(column.name), .stage = {}, .allowed = {}};
+      for (const std::string_view piece : pieces(text, '|')) {
+        if (const auto value = number_of(piece)) expected.allowed.push_back(*value);
+      }
+      row.expected.push_back(std::move(expected));
+    }
+  }
+  return std::optional(std::move(row));
+}
+
 Result<std::optional<VerifyRow>> VerifyTable::next() {
   while (true) {
     auto line = lines_.next();
     if (!line) return line.error();
     if (!*line) return std::optional<VerifyRow>();
     if ((*line)->text.starts_with('#')) continue;
+    if (format_ != nullptr) {
+      auto row = measured_row(**line);
+      if (!row || *row) return row;
+      continue;
+    }
     const std::vector<std::string_view> fields = pieces((*line)->text, ',');
     if (fields.size() != columns_.size()) {
       return csv_fault(name(), (*line)->number, 1,
                        fmt::format("the row has {} fields, the header {}", fields.size(), columns_.size()));
     }
-    VerifyRow row{.line = (*line)->number,
-                  .name = {},
-                  .program_file = {},
-                  .registers = default_registers(*profile_),
-                  .constants = {},
-                  .expected = {}};
+    VerifyRow row;
+    row.line = (*line)->number;
+    row.registers = default_registers(*profile_);
     bool has_spare0_alpha = false;
     for (std::size_t i = 0; i < fields.size(); ++i) {
       if (Status read = read_cell(columns_[i], fields[i], **line, row); !read) return read.error();

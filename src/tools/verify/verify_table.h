@@ -1,4 +1,5 @@
-// The table that `ninebit verify` reads: each row has a program, register codes and expected values.
+// The table that `ninebit verify` reads: each row has a program, register codes and expected values, or it is a row of
+// a measured table.
 #pragma once
 
 #include <filesystem>
@@ -13,12 +14,13 @@
 #include "src/tools/common/program_file.h"
 #include "src/tools/input/csv_lines.h"
 #include "src/tools/input/eval_table.h"
+#include "src/tools/verify/measured_table.h"
 
 namespace ninebit::tools {
 
 // One expected value.
 struct Expectation {
-  std::string column;        // "out.r", "stage0.spare0.a"
+  std::string column;        // "out.r", "stage0.spare0.a"; of a measured table its column
   std::optional<int> stage;  // of a register after this general combiner; empty: of the output colour
   Register reg = Register::spare0;
   int component = 0;
@@ -34,6 +36,8 @@ struct VerifyRow {
   RegisterFile registers;
   std::vector<std::pair<EvalColumn, s9>> constants;  // that replace the program's own
   std::vector<Expectation> expected;                 // in the order of execution: stages, then the colour
+  const MeasuredFormat* format = nullptr;            // of a measured table; null: the row has a program
+  MeasuredRow measured;                              // its cells
 };
 
 class VerifyTable {
@@ -46,6 +50,11 @@ class VerifyTable {
   // The next row, with at least one expectation; empty at the end. Reports invalid rows and invalid programs.
   [[nodiscard]] Result<std::optional<VerifyRow>> next();
   [[nodiscard]] const std::string& name() const { return lines_.name(); }
+
+  [[nodiscard]] bool is_measured() const { return format_ != nullptr; }
+
+  // The rows of a measured table so far that lie outside of the rule that was found for it.
+  [[nodiscard]] std::size_t skipped() const { return skipped_; }
 
  private:
   struct Column {
@@ -61,6 +70,8 @@ class VerifyTable {
   std::optional<Column> column_named(std::string_view field) const;
   Status read_cell(const Column& column, std::string_view field, const CsvLine& line, VerifyRow& row) const;
   Status find_program(const CsvLine& line, VerifyRow& row);
+  // A row of a measured table; empty: it is skipped.
+  Result<std::optional<VerifyRow>> measured_row(const CsvLine& line);
 
   CsvLines lines_;
   ProgramFlags program_;
@@ -69,6 +80,9 @@ class VerifyTable {
   bool allow_outside_ = false;
   std::vector<Column> columns_;
   std::map<std::string, CombinerState> programs_;  // by file; each file is read once
+  const MeasuredFormat* format_ = nullptr;
+  std::map<std::string, MeasuredRow> beside_;  // rows of the table beside a measured one
+  std::size_t skipped_ = 0;
 };
 
 }  // namespace ninebit::tools

@@ -1,0 +1,78 @@
+// Six textured models, drawn on every SIMD target and with several threads, against the golden hashes.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "combiner_tests/combiner/simd_targets.h"
+#include "ninebit/image/texture_io.h"
+#include "ninebit/scene/scene_io.h"
+#include "ninebit/shadow/technique.h"
+#include "src/system/parallel/parallel_loop.h"
+#include "src/tools/common/picture_hashes.h"
+
+namespace ninebit::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path kModels = "/usr/share/assimp/models";
+
+// The scene with the pictures of its materials, as `ninebit render` draws it.
+Scene textured_scene(const fs::path& file, const HardwareProfile& profile) {
+  auto scene = read_scene(file);
+  EXPECT_TRUE(scene) << scene.error().text();
+  const TextureReadOptions options{.mipmaps = true, .any_size = true};
+  for (SceneTexture& texture : scene->textures) {
+    EXPECT_EQ(texture.fault, "");
+    auto read = texture.file.empty()
+                    ? read_texture({reinterpret_cast<const std::uint8_t*>(texture.bytes.data()), texture.bytes.size()},
+                                   texture.name, options)
+                    : read_texture(profile, texture.file, options);
+    EXPECT_TRUE(read) << read.error().text();
+    texture.texture = std::make_shared<const Texture>(std::move(*read));
+  }
+  auto whole = complete_scene(std::move(*scene), {}, 4.0F / 3.0F);
+  EXPECT_TRUE(whole) << whole.error().text();
+  return std::move(*whole);
+}
+
+class TexturedModels : public testing::TestWithParam<const char*> {};
+
+TEST_P(TexturedModels, AreTheSameOnEveryTarget) {
+  const fs::path file = kModels / GetParam();
+  ASSERT_TRUE(fs::exists(file)) << "install assimp-testmodels";
+  std::ifstream golden(NINEBIT_SOURCE_DIR "/scenes/expected_hashes.json");
+  const auto expected = nlohmann::json::parse(golden);
+  const auto& hashes = expected.at(file.filename().string()).at("--size 320x240 --map-size 256");
+  RenderSettings settings;
+  settings.width = 320;
+  settings.height = 240;
+  settings.map_size = 256;
+  const Scene scene = textured_scene(file, settings.profile);
+  ASSERT_FALSE(scene.textures.empty());
+  for (const std::int64_t target : simd_targets()) {
+    for (const int threads : {1, 3}) {
+      SCOPED_TRACE(simd_target_name(target) + ", " + std::to_string(threads) + " threads");
+      const ScopedThreadLimit limit(static_cast<std::size_t>(threads));
+      const OnTarget on_target(target);
+      const auto rendering = find_technique("index-cube")->render(scene, settings, {});
+      ASSERT_TRUE(rendering) << rendering.error().text();
+      for (const auto& [planes, hash] : tools::picture_hashes(*rendering)) EXPECT_EQ(hash, hashes.at(planes)) << planes;
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Assimp, TexturedModels,
+                         testing::Values("OBJ/spider.obj", "Collada/duck.dae",
+                                         "glTF/CesiumMilkTruck/CesiumMilkTruck.gltf",
+                                         "glTF2/ClearCoat-glTF/ClearCoatTest.gltf",
+                                         "glTF2/BoxTextured-glTF-Binary/BoxTextured.glb",
+                                         "FBX/embedded_ascii/box_embedded_texture_fragmented.fbx"));
+
+}  // namespace
+}  // namespace ninebit::test

@@ -1,0 +1,42 @@
+// `ninebit trace --effect`: a pixel of an effect, step by step.
+#include <gtest/gtest.h>
+
+#include "combiner_tests/tools/support.h"
+
+namespace tools_test {
+namespace {
+
+const std::string kFolder = NINEBIT_SOURCE_DIR "/scenes/effects/";
+const std::string kTones = kFolder + "toon.json";
+
+// The traced colour is that of the pixel of the picture.
+TEST(TraceEffect, APixel) {
+  const Json toon = json_of(ninebit({"trace", "--effect", kTones, "--pixel", "60,128", "--json", "--quiet"}));
+  EXPECT_EQ(toon["profile"], "nv2a") << "the effect's own profile";
+  EXPECT_EQ(toon["effect"]["state"], "drawn");
+  EXPECT_EQ(toon["effect"]["pass"], "tones");
+  EXPECT_EQ(toon["effect"]["technique"], Json());
+  EXPECT_EQ(toon["stages"].size(), 3U);
+  const Json& passes = toon["effect"]["passes"];
+  ASSERT_EQ(passes.size(), 1U);
+  const Json& fragment = passes[0]["fragments"][toon["effect"]["fragment"].get<std::size_t>()];
+  EXPECT_EQ(fragment["fate"], "written");
+  EXPECT_EQ(fragment["object_name"], "torus");
+  EXPECT_EQ(fragment["color"], toon["out"]["bytes"]);
+  const Json ideal =
+      json_of(ninebit({"trace", "--effect", kTones, "--pixel", "60,128", "--json", "--quiet", "--profile", "ideal"}));
+  EXPECT_EQ(ideal["profile"], "ideal");
+  const Json blur =
+      json_of(ninebit({"trace", "--effect", kFolder + "blur.json", "--pixel", "9,9", "--json", "--quiet"}));
+  EXPECT_EQ(blur["effect"]["passes"].size(), 1U) << "only the last pass draws the picture";
+  EXPECT_EQ(blur["effect"]["passes"][0]["fragments"][0]["object_name"], "rectangle");
+  const Outcome empty = ninebit({"trace", "--effect", kTones, "--pixel", "0,0", "--quiet"});
+  EXPECT_EQ(empty.code, 0) << empty.err;
+  EXPECT_NE(empty.out.find("not drawn: no fragment to trace"), std::string::npos) << empty.out;
+  expect_error(ninebit({"trace", "--effect", kTones, "--pixel", "256,0"}), 3, {"256,0 is outside", "0 to 255"});
+  expect_error(ninebit({"trace", "--effect", kRoom, "--pixel", "1,1"}), 3,
+               {"index_room.gltf:1:", "\"ninebit\": \"effect\" is missing"});
+}
+
+}  // namespace
+}  // namespace tools_test

@@ -1,0 +1,112 @@
+#include "src/bench/effect_workloads.h"
+
+#include <cmath>
+#include <utility>
+
+#include "ninebit/language/rc10.h"
+
+namespace ninebit::bench {
+namespace {
+
+constexpr const char* kSepia =
+    "!!RC1.0\nconst0 = (0.3, 0.59, 0.11, 1.0);\nconst1 = (1.0, 0.85, 0.63, 1.0);\n"
+    "{ rgb { spare0 = tex0 . const0; } }\nout.rgb = spare0 * const1;\nout.a = unsigned_invert(zero);\n";
+constexpr const char* kEmboss =
+    "!!RC1.0\nconst0 = (0.5, 0.5, 0.5, 0.5);\n"
+    "{ rgb { discard = tex0; discard = -tex1; spare0 = sum(); scale_by_two(); } }\n"
+    "{ rgb { discard = spare0; discard = const0; spare0 = sum(); } }\n"
+    "out.rgb = spare0;\nout.a = unsigned_invert(zero);\n";
+constexpr const char* kLightMapDetail =
+    "!!RC1.0\n{ rgb { spare0 = tex0 * tex1; scale_by_two(); } }\nout.rgb = spare0 * col0;\n"
+    "out.a = unsigned_invert(zero);\n";
+
+constexpr const char* kSepiaFragment =
+    "void main() { float y = dot(texture(tex0, uv).rgb, vec3(0.3, 0.59, 0.11));\n"
+    "  color = vec4(clamp(y, 0.0, 1.0) * vec3(1.0, 0.85, 0.63), 1.0); }\n";
+constexpr const char* kEmbossFragment =
+    "void main() { vec3 slope = 2.0 * (texture(tex0, 2.0 * uv).rgb - texture(tex1, 2.0 * uv - 0.01171875).rgb);\n"
+    "  color = vec4(clamp(clamp(slope, -1.0, 1.0) + 0.5, 0.0, 1.0), 1.0); }\n";
+constexpr const char* kLightMapDetailFragment =
+    "void main() { vec3 light = texture(tex0, uv).rgb * texture(tex1, 6.0 * uv).rgb * 2.0;\n"
+    "  color = vec4(clamp(light, 0.0, 1.0) * vec3(0.95, 0.85, 0.7), 1.0); }\n";
+
+// Coordinates uv times `scale`, plus `shift`.
+CoordinateSource scaled(float scale, float shift) {
+  CoordinateSource source;
+  source.matrix[0][0] = source.matrix[1][1] = scale;
+  source.matrix[3][0] = source.matrix[3][1] = shift;
+  return source;
+}
+
+EffectWorkload workload(const char* name, const char* program, const char* fragment) {
+  EffectWorkload out{.name = name, .effect = {}, .fragment = fragment};
+  EffectPass pass{.name = name, .geometry = EffectGeometry::rectangle, .program = program};
+  pass.state.depth_test.enabled = false;
+  out.effect.passes.push_back(std::move(pass));
+  return out;
+}
+
+void add_texture(EffectWorkload& to, const Sampler& sampler, const CoordinateSource& coordinates) {
+  const std::size_t unit = to.effect.textures.size();
+  const std::string name = std::to_string(unit);
+  to.effect.textures.push_back({.name = name, .files = {name}, .sampler = sampler});
+  to.effect.passes[0].units[unit] = {.texture = name, .coordinates = coordinates};
+}
+
+}  // namespace
+
+std::vector<EffectWorkload> effect_workloads(int width, int height) {
+  const Sampler nearest{.min_filter = MinFilter::nearest, .mag_filter = MagFilter::nearest};
+  const Sampler linear{.min_filter = MinFilter::linear, .mag_filter = MagFilter::linear};
+  const Sampler trilinear{.min_filter = MinFilter::linear_mipmap_linear, .mag_filter = MagFilter::linear};
+  std::vector<EffectWorkload> all{workload("sepia", kSepia, kSepiaFragment),
+                                  workload("emboss", kEmboss, kEmbossFragment),
+                                  workload("light_map_detail", kLightMapDetail, kLightMapDetailFragment)};
+  add_texture(all[0], nearest, {});
+  add_texture(all[1], linear, scaled(2.0F, 0.0F));
+  add_texture(all[1], linear, scaled(2.0F, -0.01171875F));
+  add_texture(all[2], trilinear, {});
+  add_texture(all[2], trilinear, scaled(6.0F, 0.0F));
+  all[2].effect.passes[0].primary.constant = {0.95F, 0.85F, 0.7F, 1.0F};
+  for (EffectWorkload& one : all) {
+    one.effect.width = width;
+    one.effect.height = height;
+  }
+  return all;
+}
+
+std::vector<std::uint8_t> effect_texels(std::size_t number) {
+  std::vector<std::uint8_t> out;
+  for (int y = 0; y < kEffectTexels; ++y) {
+    for (int x = 0; x < kEffectTexels; ++x) {
+      for (int c = 0; c < 3; ++c) {
+        const double wave = std::sin(0.1 * (x + 3 * c)) * std::cos(0.07 * (y - 5 * c + 20 * static_cast<int>(number)));
+        out.push_back(static_cast<std::uint8_t>(127.5 + 120.0 * wave));
+      }
+      out.push_back(255);
+    }
+  }
+  return out;
+}
+
+EffectReaders workload_readers() {
+  EffectReaders readers;
+  readers.program = [](const std::filesystem::path& text, const HardwareProfile& profile) -> Result<CombinerState> {
+    auto parsed = parse_rc10({text.string(), "benchmark"}, profile);
+    if (!parsed) return Diagnostic{.message = parsed.faults[0].text()};
+    return *parsed.value;
+  };
+  readers.texture = [](std::span<const std::filesystem::path> files, const HardwareProfile&) -> Result<Texture> {
+    TextureSamples samples{.width = kEffectTexels, .height = kEffectTexels};
+    const std::vector<std::uint8_t> texels = effect_texels(files[0] == "0" ? 0 : 1);
+    std::vector<std::uint8_t> planes;
+    for (std::size_t c = 0; c < 4; ++c) {
+      for (std::size_t i = c; i < texels.size(); i += 4) planes.push_back(texels[i]);
+    }
+    samples.samples = planes;
+    return make_texture(TextureTarget::texture_2d, InternalFormat::rgba8, {{samples}});
+  };
+  return readers;
+}
+
+}  // namespace ninebit::bench

@@ -1,0 +1,123 @@
+#include "src/bench/llvmpipe_effect.h"
+
+#ifdef NINEBIT_HAS_EGL
+#include <utility>
+
+#include "src/bench/gl_functions.h"
+#include "src/bench/gl_program.h"
+#endif
+#include "src/bench/egl_context.h"
+
+namespace ninebit::bench {
+
+#ifdef NINEBIT_HAS_EGL
+namespace {
+
+constexpr const char* kRectangleVertex =
+    "#version 330 core\nout vec2 uv;\nvoid main() {\n"
+    "  vec2 corner = vec2((gl_VertexID << 1) & 2, gl_VertexID & 2);\n"
+    "  uv = vec2(corner.x, 1.0 - corner.y);\n  gl_Position = vec4(2.0 * corner - 1.0, 0.0, 1.0);\n}\n";
+constexpr const char* kFragmentHeader =
+    "#version 330 core\nin vec2 uv;\nout vec4 color;\nuniform sampler2D tex0;\nuniform sampler2D tex1;\n";
+
+class EffectInGl final : public LlvmpipeEffect {
+ public:
+  explicit EffectInGl(std::unique_ptr<EglContext> context) : context_(std::move(context)), gl_(*context_) {}
+
+  Status prepare(const EffectWorkload& workload) override {
+    const DriverCode driver_code;
+    if (renderer().find("llvmpipe") == std::string::npos) {
+      return Diagnostic{.message = "the OpenGL renderer is not llvmpipe: " + renderer()};
+    }
+    const auto program = link_program(gl_, kRectangleVertex, kFragmentHeader + workload.fragment);
+    if (!program) return program.error();
+    gl_.UseProgram(*program);
+    for (std::size_t unit = 0; unit < workload.effect.textures.size(); ++unit) {
+      const std::string name = "tex" + std::to_string(unit);
+      gl_.Uniform1i(gl_.GetUniformLocation(*program, name.c_str()), static_cast<GLint>(unit));
+      add_texture(unit, workload.effect.textures[unit].sampler);
+    }
+    GLuint vertices = 0;
+    gl_.GenVertexArrays(1, &vertices);
+    gl_.BindVertexArray(vertices);
+    width_ = workload.effect.width;
+    height_ = workload.effect.height;
+    return make_framebuffer();
+  }
+
+  void draw() override {
+    const DriverCode driver_code;
+    gl_.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
+    gl_.DrawArrays(GL_TRIANGLES, 0, 3);
+    gl_.Finish();
+  }
+
+  [[nodiscard]] std::string renderer() const override {
+    const auto text = [&](GLenum name) { return std::string(reinterpret_cast<const char*>(gl_.GetString(name))); };
+    return text(GL_RENDERER) + ", " + text(GL_VERSION);
+  }
+
+  [[nodiscard]] Result<std::vector<std::uint8_t>> picture() override {
+    const DriverCode driver_code;
+    std::vector<std::uint8_t> bytes(4 * static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_));
+    gl_.PixelStorei(GL_PACK_ALIGNMENT, 1);
+    gl_.ReadPixels(0, 0, width_, height_, GL_RGBA, GL_UNSIGNED_BYTE, bytes.data());
+    if (const GLenum error = gl_.GetError(); error != GL_NO_ERROR) {
+      return Diagnostic{.message = "GL error " + std::to_string(error)};
+    }
+    return bytes;
+  }
+
+ private:
+  void add_texture(std::size_t unit, const Sampler& sampler) {
+    GLuint name = 0;
+    gl_.GenTextures(1, &name);
+    gl_.ActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
+    gl_.BindTexture(GL_TEXTURE_2D, name);
+    const std::vector<std::uint8_t> texels = effect_texels(unit);
+    gl_.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, kEffectTexels, kEffectTexels, 0, GL_RGBA, GL_UNSIGNED_BYTE,
+                   texels.data());
+    const bool mipmaps = sampler.min_filter == MinFilter::linear_mipmap_linear;
+    const GLint plain = sampler.mag_filter == MagFilter::nearest ? GL_NEAREST : GL_LINEAR;
+    if (mipmaps) gl_.GenerateMipmap(GL_TEXTURE_2D);
+    gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, mipmaps ? GL_LINEAR_MIPMAP_LINEAR : plain);
+    gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, plain);
+  }
+
+  Status make_framebuffer() {
+    GLuint names[3] = {};
+    gl_.GenRenderbuffers(2, names);
+    gl_.GenFramebuffers(1, &names[2]);
+    gl_.BindFramebuffer(GL_FRAMEBUFFER, names[2]);
+    gl_.BindRenderbuffer(GL_RENDERBUFFER, names[0]);
+    gl_.RenderbufferStorage(GL_RENDERBUFFER, GL_RGBA8, width_, height_);
+    gl_.BindRenderbuffer(GL_RENDERBUFFER, names[1]);
+    gl_.RenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH24_STENCIL8, width_, height_);
+    gl_.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, names[0]);
+    gl_.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_STENCIL_ATTACHMENT, GL_RENDERBUFFER, names[1]);
+    gl_.Viewport(0, 0, width_, height_);
+    if (gl_.CheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE) return {};
+    return Diagnostic{.message = "GL cannot draw into a framebuffer of this size"};
+  }
+
+  std::unique_ptr<EglContext> context_;
+  Gl gl_;
+  int width_ = 0, height_ = 0;
+};
+
+}  // namespace
+
+Result<std::unique_ptr<LlvmpipeEffect>> LlvmpipeEffect::make(int threads) {
+  const DriverCode driver_code;
+  auto context = EglContext::make(threads);
+  if (!context) return context.error();
+  return std::unique_ptr<LlvmpipeEffect>(std::make_unique<EffectInGl>(std::move(*context)));
+}
+#else
+Result<std::unique_ptr<LlvmpipeEffect>> LlvmpipeEffect::make(int threads) {
+  auto context = EglContext::make(threads);
+  return context.error();
+}
+#endif
+
+}  // namespace ninebit::bench

@@ -1,0 +1,133 @@
+// Wrap modes along the axes of texture levels (texture_wrap.h) and places on cube-map faces, in vectors.
+#if defined(NINEBIT_RASTER_TEXTURE_TEXTURE_AXIS_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef NINEBIT_RASTER_TEXTURE_TEXTURE_AXIS_INL_H_
+#undef NINEBIT_RASTER_TEXTURE_TEXTURE_AXIS_INL_H_
+#else
+#define NINEBIT_RASTER_TEXTURE_TEXTURE_AXIS_INL_H_
+#endif
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "hwy/highway.h"
+#include "ninebit/raster/sampler.h"
+#include "src/raster/rules/fragment_vector-inl.h"
+#include "src/raster/texture/texture_wrap.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace ninebit::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+using DF = hn::ScalableTag<float>;
+using VF = hn::Vec<DF>;
+using DI = hn::RebindToSigned<DF>;
+using VI = hn::Vec<DI>;
+constexpr DF kDF;
+constexpr DI kDI;
+
+HWY_INLINE VF set(float v) {
+  return hn::Set(kDF, v);
+}
+
+// One axis of a level, which may be another one in each lane. A side is a power of two: floats divide and multiply by
+// it exactly.
+struct Axis {
+  VF size, inverse;  // of the side
+  VI last;
+  Wrap wrap;
+  HWY_INLINE Axis(VI side, Wrap mode)
+      : size(hn::ConvertTo(kDF, side)),
+        inverse(hn::Div(set(1.0F), size)),
+        last(hn::Sub(side, hn::Set(kDI, 1))),
+        wrap(mode) {}
+};
+
+HWY_INLINE VI whole_texel(const Axis& axis, VF u) {
+  return hn::Min(hn::ConvertTo(kDI, u), axis.last);
+}
+
+// s in the modes that repeat, 0 from 2^24 on: there floats are even integers, where a texture begins. NaN and infinity
+// count as such integers.
+HWY_INLINE VF near_enough(VF s) {
+  return hn::IfThenElseZero(hn::Lt(hn::Abs(s), set(0x1p24F)), s);
+}
+
+// u - n × floor(u / n), n being a power of two; u is not a negative fraction.
+HWY_INLINE VF remainder(VF u, VF n, VF inverse) {
+  return hn::Sub(u, hn::Mul(hn::Floor(hn::Mul(u, inverse)), n));
+}
+
+// s in texels, mirrored at 0 as at every other integer: from 0 to the side.
+HWY_INLINE VF mirrored(const Axis& axis, VF s) {
+  const VF twice = hn::Add(axis.size, axis.size);
+  const VF phase = remainder(hn::Mul(hn::Abs(near_enough(s)), axis.size), twice, hn::Mul(axis.inverse, set(0.5F)));
+  return hn::Min(phase, hn::Sub(twice, phase));
+}
+
+// s in texels, from 0 to the side.
+HWY_INLINE VF clamped(const Axis& axis, VF s) {
+  s = hn::IfThenElseZero(hn::Gt(s, hn::Zero(kDF)), s);  // NaN is not greater
+  return hn::Mul(hn::Min(s, set(1.0F)), axis.size);
+}
+
+// nearest_texel; no step rounds a float. The modes that clamp differ only in the border, which NEAREST never reads.
+HWY_INLINE VI texel_along(const Axis& axis, VF s) {
+  if (axis.wrap == Wrap::repeat) {
+    const VF u = hn::Floor(hn::Mul(near_enough(s), axis.size));
+    return hn::ConvertTo(kDI, remainder(u, axis.size, axis.inverse));
+  }
+  return whole_texel(axis, axis.wrap == Wrap::mirrored_repeat ? mirrored(axis, s) : clamped(axis, s));
+}
+
+// The same for 0 <= s <= 1, where the modes differ only at 1.
+HWY_INLINE VI texel_on_face(const Axis& axis, VF s) {
+  const VI texel = hn::ConvertTo(kDI, hn::Mul(s, axis.size));
+  return axis.wrap == Wrap::repeat ? hn::And(texel, axis.last) : hn::Min(texel, axis.last);
+}
+
+// linear_texels for all modes but Wrap::clamp: returns the first texel, sets the second and its weight.
+HWY_INLINE VI texels_along(const Axis& axis, VF s, const FilterRules& rules, VI& second, VI& weight) {
+  const int bits = rules.weight_bits;
+  const float one = static_cast<float>(1 << bits);
+  VF u;
+  if (axis.wrap == Wrap::repeat) {
+    u = hn::Mul(near_enough(s), axis.size);
+  } else {
+    u = axis.wrap == Wrap::mirrored_repeat ? mirrored(axis, s) : clamped(axis, s);
+    u = hn::Min(hn::Max(u, set(0.5F)), hn::Sub(axis.size, set(0.5F)));
+  }
+  // Cuts to a step of the weights, or rounds to one, halves up. For fractions below 0 the difference may round, but not
+  // to less than a half.
+  u = hn::Mul(u, set(one));
+  const VF down = hn::Floor(u);
+  VF step = down;
+  if (!rules.cuts_weights) {
+    step = hn::Add(down, hn::IfThenElseZero(hn::Ge(hn::Sub(u, down), set(0.5F)), set(1.0F)));
+  }
+  if (axis.wrap == Wrap::repeat) {
+    step = remainder(step, hn::Mul(axis.size, set(one)), hn::Mul(axis.inverse, set(1.0F / one)));
+  }
+  const VI fixed = hn::Sub(hn::ConvertTo(kDI, step), hn::Set(kDI, (1 << bits) / 2));
+  const VI first = hn::ShiftRightSame(fixed, bits);
+  const VI next = hn::Add(first, hn::Set(kDI, 1));
+  weight = hn::And(fixed, hn::Set(kDI, (1 << bits) - 1));
+  second = axis.wrap == Wrap::repeat ? hn::And(next, axis.last) : hn::Min(next, axis.last);
+  return hn::And(first, axis.last);  // `first` is -1 at least, and only where it repeats
+}
+
+// Loads the coordinates of the next fragments: returns the face's number, sets the place on the face.
+HWY_INLINE VI load_place(bool cube, const std::array<const float*, 3>& at, std::size_t lane, VF& s, VF& t) {
+  s = hn::LoadU(kDF, at[0] + lane);
+  t = hn::LoadU(kDF, at[1] + lane);
+  if (!cube) return hn::Zero(kDI);
+  const auto place = cube_place(VectorValues<DI>(), s, t, hn::LoadU(kDF, at[2] + lane));
+  s = place.s;
+  t = place.t;
+  return place.face;
+}
+
+}  // namespace ninebit::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif  // per-target include guard

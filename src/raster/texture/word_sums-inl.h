@@ -1,0 +1,101 @@
+// Weighs four texels of a level, and two levels, in vectors of words.
+#if defined(NINEBIT_RASTER_TEXTURE_WORD_SUMS_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef NINEBIT_RASTER_TEXTURE_WORD_SUMS_INL_H_
+#undef NINEBIT_RASTER_TEXTURE_WORD_SUMS_INL_H_
+#else
+#define NINEBIT_RASTER_TEXTURE_WORD_SUMS_INL_H_
+#endif
+
+#include <cstdint>
+
+#include "hwy/highway.h"
+#include "src/raster/texture/texture_axis-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace ninebit::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+using DU = hn::RebindToUnsigned<DI>;
+using VU = hn::Vec<DU>;
+constexpr DU kDU;
+
+// Four texels of each fragment, and the weights between them.
+struct WordTaps {
+  VU low_left, low_right, high_left, high_right;
+  VU u, v;
+};
+
+// a + (b - a) × weight / 2^bits, times 2^bits. Numbers side by side in a word stay apart if none exceeds its bits.
+HWY_INLINE VU between(VU a, VU b, VU weight, int bits) {
+  return hn::Add(hn::ShiftLeftSame(a, bits), hn::Mul(hn::Sub(b, a), weight));
+}
+
+// Filters that round once: the sums of the weighted texels, by component, times 2^(2 bits).
+struct SumOnce {
+  VU red, green, blue, alpha;
+
+  HWY_INLINE SumOnce(const WordTaps& taps, int bits) {
+    const VU bytes = hn::Set(kDU, 0x00FF00FF), half = hn::Set(kDU, 0xFFFF);
+    const auto even = [&](VU word) HWY_ATTR { return hn::And(word, bytes); };
+    const auto odd = [&](VU word) HWY_ATTR { return hn::And(hn::ShiftRight<8>(word), bytes); };
+    const VU low_even = between(even(taps.low_left), even(taps.low_right), taps.u, bits);
+    const VU low_odd = between(odd(taps.low_left), odd(taps.low_right), taps.u, bits);
+    const VU high_even = between(even(taps.high_left), even(taps.high_right), taps.u, bits);
+    const VU high_odd = between(odd(taps.high_left), odd(taps.high_right), taps.u, bits);
+    red = between(hn::And(low_even, half), hn::And(high_even, half), taps.v, bits);
+    green = between(hn::And(low_odd, half), hn::And(high_odd, half), taps.v, bits);
+    blue = between(hn::ShiftRight<16>(low_even), hn::ShiftRight<16>(high_even), taps.v, bits);
+    alpha = between(hn::ShiftRight<16>(low_odd), hn::ShiftRight<16>(high_odd), taps.v, bits);
+  }
+
+  HWY_INLINE void blend(const SumOnce& more, VU weight, int bits) {
+    red = between(red, more.red, weight, bits);
+    green = between(green, more.green, weight, bits);
+    blue = between(blue, more.blue, weight, bits);
+    alpha = between(alpha, more.alpha, weight, bits);
+  }
+
+  // The rounded words, of one level or of two.
+  [[nodiscard]] HWY_INLINE VU words(int bits, bool two_levels) const {
+    const int shift = two_levels ? 3 * bits : 2 * bits;
+    const VU half = hn::Set(kDU, std::uint32_t{1} << (shift - 1));
+    const auto byte = [&](VU sum) HWY_ATTR { return hn::ShiftRightSame(hn::Add(sum, half), shift); };
+    const VU low = hn::Or(byte(red), hn::ShiftLeft<8>(byte(green)));
+    const VU high = hn::Or(byte(blue), hn::ShiftLeft<8>(byte(alpha)));
+    return hn::Or(low, hn::ShiftLeft<16>(high));
+  }
+};
+
+// Filters that round each blend: bytes, two in a word.
+struct SumEach {
+  VU even, odd;
+
+  HWY_INLINE SumEach(const WordTaps& taps, int bits) {
+    const VU bytes = hn::Set(kDU, 0x00FF00FF);
+    const auto evens = [&](VU word) HWY_ATTR { return hn::And(word, bytes); };
+    const auto odds = [&](VU word) HWY_ATTR { return hn::And(hn::ShiftRight<8>(word), bytes); };
+    even = rounded(rounded(evens(taps.low_left), evens(taps.low_right), taps.u, bits),
+                   rounded(evens(taps.high_left), evens(taps.high_right), taps.u, bits), taps.v, bits);
+    odd = rounded(rounded(odds(taps.low_left), odds(taps.low_right), taps.u, bits),
+                  rounded(odds(taps.high_left), odds(taps.high_right), taps.u, bits), taps.v, bits);
+  }
+
+  HWY_INLINE void blend(const SumEach& more, VU weight, int bits) {
+    even = rounded(even, more.even, weight, bits);
+    odd = rounded(odd, more.odd, weight, bits);
+  }
+
+  [[nodiscard]] HWY_INLINE VU words(int, bool) const { return hn::Or(even, hn::ShiftLeft<8>(odd)); }
+
+ private:
+  static HWY_INLINE VU rounded(VU a, VU b, VU weight, int bits) {
+    const VU half = hn::Set(kDU, 0x00010001U << (bits - 1));
+    const VU sum = hn::Add(between(a, b, weight, bits), half);
+    return hn::And(hn::ShiftRightSame(sum, bits), hn::Set(kDU, 0x00FF00FF));
+  }
+};
+
+}  // namespace ninebit::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif  // per-target include guard

@@ -1,0 +1,100 @@
+#include "src/tools/render/render_files.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <system_error>
+
+#include "ninebit/shadow/pictures.h"
+
+namespace ninebit::tools {
+namespace {
+
+constexpr std::size_t kLargestManifest = std::size_t{1} << 20;
+constexpr std::size_t kMostNames = 10'000;
+
+bool is_in(const std::vector<std::string>& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+std::string stem_of(const std::string& name) {
+  return name.substr(0, name.rfind('.'));
+}
+
+// A name of a file in the folder itself.
+bool is_plain(const std::string& name) {
+  return !name.empty() && name != "." && name != ".." && name.find('/') == std::string::npos &&
+         name.find('\0') == std::string::npos;
+}
+
+}  // namespace
+
+Result<std::vector<std::string>> chosen_files(const Rendering& rendering, const std::string& only) {
+  std::vector<std::string> names = file_names(rendering);
+  if (only.empty()) return names;
+  std::vector<std::string> chosen;
+  for (std::size_t start = 0; start <= only.size();) {
+    const std::size_t end = std::min(only.find(',', start), only.size());
+    const std::string stem = only.substr(start, end - start);
+    const std::size_t before = chosen.size();
+    for (const std::string& name : names) {
+      if (stem_of(name) == stem && !is_in(chosen, name)) chosen.push_back(name);
+    }
+    const bool known = std::any_of(names.begin(), names.end(), [&](const auto& name) { return stem_of(name) == stem; });
+    if (chosen.size() == before && !known) {
+      std::vector<std::string> stems;
+      for (const std::string& name : names) {
+        if (!is_in(stems, stem_of(name))) stems.push_back(stem_of(name));
+      }
+      return Diagnostic{.message = fmt::format("--only: '{}' is not a file of this rendering; expected {}", stem,
+                                               fmt::join(stems, ", "))};
+    }
+    start = end + 1;
+  }
+  return chosen;
+}
+
+std::vector<std::string> earlier_files(const std::filesystem::path& folder) {
+  std::error_code error;
+  const std::filesystem::path path = folder / kManifest;
+  if (!std::filesystem::is_regular_file(std::filesystem::symlink_status(path, error))) return {};
+  if (std::filesystem::file_size(path, error) > kLargestManifest || error) return {};
+  std::ifstream in(path, std::ios::binary);
+  const nlohmann::json manifest = nlohmann::json::parse(in, nullptr, false);
+  if (!manifest.is_object() || manifest.value("ninebit", nlohmann::json()) != "render") return {};
+  const auto files = manifest.find("files");
+  if (files == manifest.end() || !files->is_array() || files->size() > kMostNames) return {};
+  std::vector<std::string> names;
+  for (const nlohmann::json& name : *files) {
+    if (!name.is_string() || !is_plain(name.get<std::string>())) return {};
+    names.push_back(name.get<std::string>());
+  }
+  return names;
+}
+
+Status write_manifest(const std::vector<std::string>& names, StagedFiles& files) {
+  const nlohmann::ordered_json manifest{{"ninebit", "render"}, {"version", 1}, {"files", names}};
+  std::ofstream out(files.stage(kManifest), std::ios::binary);
+  out << manifest.dump(2) << '\n' << std::flush;
+  if (out) return {};
+  return Diagnostic{
+      .message = "cannot be written", .file = files.files().back().string(), .fault = Fault::cannot_write};
+}
+
+std::vector<std::filesystem::path> remove_earlier(const std::filesystem::path& folder,
+                                                  const std::vector<std::string>& earlier,
+                                                  const std::vector<std::string>& names) {
+  std::vector<std::filesystem::path> removed;
+  for (const std::string& name : earlier) {
+    if (is_in(names, name) || name == kManifest) continue;
+    const std::filesystem::path path = folder / name;
+    std::error_code error;
+    if (!std::filesystem::is_regular_file(std::filesystem::symlink_status(path, error))) continue;
+    if (std::filesystem::remove(path, error)) removed.push_back(path);
+  }
+  return removed;
+}
+
+}  // namespace ninebit::tools

@@ -1,0 +1,34 @@
+// The files of a rendering: which are written, and the manifest that names them for the next run.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "ninebit/image/staged_files.h"
+#include "ninebit/numerics/result.h"
+#include "ninebit/shadow/technique.h"
+
+namespace ninebit::tools {
+
+// The name of the manifest.
+inline constexpr const char* kManifest = "render.json";
+
+// The names of the files that --only asks for, a list such as "color,index_cube"; all of them if it is empty. Reports a
+// name that the rendering does not have, with those that it has.
+[[nodiscard]] Result<std::vector<std::string>> chosen_files(const Rendering& rendering, const std::string& only);
+
+// The files that the manifest of an earlier run in this folder names. Empty without a manifest, and for one that is not
+// valid: then no file is removed.
+[[nodiscard]] std::vector<std::string> earlier_files(const std::filesystem::path& folder);
+
+// Stages the manifest of these names.
+[[nodiscard]] Status write_manifest(const std::vector<std::string>& names, StagedFiles& files);
+
+// Removes those of the earlier files that are not among the new ones. Only regular files are removed; a file that
+// cannot be removed stays. Returns the paths of the removed files.
+std::vector<std::filesystem::path> remove_earlier(const std::filesystem::path& folder,
+                                                  const std::vector<std::string>& earlier,
+                                                  const std::vector<std::string>& names);
+
+}  // namespace ninebit::tools

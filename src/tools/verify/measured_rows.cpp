@@ -1,0 +1,283 @@
+#include "src/tools/verify/measured_rows.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <glm/glm.hpp>
+#include <optional>
+#include <span>
+#include <utility>
+
+#include "ninebit/raster/rasterizer.h"
+#include "ninebit/raster/s3tc.h"
+#include "ninebit/raster/sampler.h"
+#include "ninebit/raster/surface.h"
+#include "src/tools/verify/measured_table.h"
+
+namespace ninebit::tools {
+namespace {
+
+template <class T, std::size_t N>
+using Words = std::array<std::pair<std::string_view, T>, N>;
+
+constexpr Words<CompareFunction, 8> kFunctions{{{"Never", CompareFunction::never},
+                                                {"LessThan", CompareFunction::less},
+                                                {"Equal", CompareFunction::equal},
+                                                {"LessThanOrEqual", CompareFunction::lequal},
+                                                {"GreaterThan", CompareFunction::greater},
+                                                {"NotEqual", CompareFunction::notequal},
+                                                {"GreaterThanOrEqual", CompareFunction::gequal},
+                                                {"Always", CompareFunction::always}}};
+
+constexpr Words<BlendEquation, 7> kEquations{{{"ADD", BlendEquation::add},
+                                              {"SUB", BlendEquation::subtract},
+                                              {"REVSUB", BlendEquation::reverse_subtract},
+                                              {"MIN", BlendEquation::min},
+                                              {"MAX", BlendEquation::max},
+                                              {"SADD", BlendEquation::add_signed},
+                                              {"SREVSUB", BlendEquation::reverse_subtract_signed}}};
+
+constexpr Words<BlendFactor, 15> kFactors{{{"0", BlendFactor::zero},
+                                           {"1", BlendFactor::one},
+                                           {"srcRGB", BlendFactor::src_color},
+                                           {"1-srcRGB", BlendFactor::one_minus_src_color},
+                                           {"dstRGB", BlendFactor::dst_color},
+                                           {"1-dstRGB", BlendFactor::one_minus_dst_color},
+                                           {"srcA", BlendFactor::src_alpha},
+                                           {"1-srcA", BlendFactor::one_minus_src_alpha},
+                                           {"dstA", BlendFactor::dst_alpha},
+                                           {"1-dstA", BlendFactor::one_minus_dst_alpha},
+                                           {"cRGB", BlendFactor::constant_color},
+                                           {"1-cRGB", BlendFactor::one_minus_constant_color},
+                                           {"cA", BlendFactor::constant_alpha},
+                                           {"1-cA", BlendFactor::one_minus_constant_alpha},
+                                           {"srcAsat", BlendFactor::src_alpha_saturate}}};
+
+template <class T, std::size_t N>
+std::optional<T> value_of(const Words<T, N>& words, std::string_view word) {
+  for (const auto& [name, value] : words) {
+    if (name == word) return value;
+  }
+  return std::nullopt;
+}
+
+// AARRGGBB, or RRGGBB, whose alpha is 0.
+ColorBytes color_of(std::uint32_t digits) {
+  const auto byte = [digits](unsigned shift) { return static_cast<std::uint8_t>(digits >> shift); };
+  return {byte(16), byte(8), byte(0), byte(24)};
+}
+
+// One pixel and what was drawn into it.
+struct Pixel {
+  ColorBytes color{};
+  std::uint32_t depth = 0;
+  bool is_drawn = false;
+};
+
+constexpr std::array<glm::vec4, 3> kWholePixel{glm::vec4(-1, -1, 0, 1), glm::vec4(3, -1, 0, 1), glm::vec4(-1, 3, 0, 1)};
+
+// Draws triangles into a target of one pixel, which had the colour `under` and depth 1.
+Pixel draw_pixel(const PipelineState& state, const VertexArrays& arrays, const ColorBytes& under,
+                 DepthStencilFormat format = DepthStencilFormat::d24s8) {
+  Surface surface = Surface::make(1, 1, {.depth_stencil = format, .with_primitive = true}).value();
+  RenderTarget target = surface.target();
+  Pixel pixel;
+  for (std::size_t k = 0; k < 4; ++k) *target.color[k].data = under[k];
+  // The states of measured tables are always valid.
+  if (!rasterize(state, glm::mat4(1.0F), arrays, {}, target)) return pixel;
+  for (std::size_t k = 0; k < 4; ++k) pixel.color[k] = *target.color[k].data;
+  pixel.depth = surface.depth()[0];
+  pixel.is_drawn = surface.primitive()[0] == 0;
+  return pixel;
+}
+
+Pixel draw_color(const PipelineState& state, const ColorBytes& color, const ColorBytes& under) {
+  const std::array<ColorBytes, 3> colors{color, color, color};
+  return draw_pixel(state, {.homogeneous_positions = kWholePixel, .vertex_colors = colors}, under);
+}
+
+PipelineState plain_state(const HardwareProfile& profile) {
+  PipelineState state;
+  state.profile = profile;
+  state.depth_test.enabled = false;
+  return state;
+}
+
+std::vector<int> values(const ColorBytes& color) {
+  return {color[0], color[1], color[2], color[3]};
+}
+
+// The clip coordinate, divided by w, of a window coordinate in 1/16 pixel, seen from pixel `at`. It stands for the
+// middle of the cell that is cut toward zero to this coordinate.
+float clip_of(int q4, int at) {
+  const int from_pixel = q4 - 16 * at;
+  const double middle = from_pixel + (from_pixel > 0 ? 0.5 : from_pixel < 0 ? -0.5 : 0.0);
+  return static_cast<float>(middle / 8.0 - 1.0);
+}
+
+using Block = std::array<std::uint8_t, 16>;
+
+void put(Block& block, std::size_t first, std::uint64_t value, std::size_t bytes) {
+  for (std::size_t i = 0; i < bytes; ++i) block[first + i] = static_cast<std::uint8_t>(value >> (8 * i));
+}
+
+// The texel of a row's colours, whose alpha stands in `block`, at (x, y).
+Bytes4 texel_of(const MeasuredRow& row, S3tcFormat format, Block block, unsigned x, unsigned y,
+                const HardwareProfile& profile) {
+  const std::size_t colors = s3tc_block_bytes(format) - 8, at = 4 * y + x;
+  put(block, colors, row.digits("c0"), 2);
+  put(block, colors + 2, row.digits("c1"), 2);
+  put(block, colors + 4, static_cast<std::uint64_t>(row.whole("index")) << (2 * at), 4);
+  const std::span<const std::uint8_t> bytes(block.data(), s3tc_block_bytes(format));
+  return decode_s3tc_block(format, profile.dxt1_palette, bytes)[at];
+}
+
+// The picture's blend of a value over another one.
+int shown_over(int value, int alpha, int under) {
+  return (2 * (alpha * value + (255 - alpha) * under) + 255) / 510;
+}
+
+std::vector<int> shown(const Bytes4& texel) {
+  const auto over = [&](int k, int under) { return shown_over(texel[static_cast<std::size_t>(k)], texel[3], under); };
+  return {over(0, 16), over(1, 16), over(2, 16), over(3, 254)};
+}
+
+// The red byte at (s, t), where the texture changes so much from one fragment to the next.
+int sampled(const Texture& texture, const Sampler& sampler, std::array<float, 3> at, const HardwareProfile& profile,
+            float change = 0.0F) {
+  const auto made = TextureSampler::make(profile, texture, sampler);
+  const float none = 0.0F;
+  TextureCoordinates coordinates;
+  for (std::size_t k = 0; k < 3; ++k) {
+    coordinates.value[k] = &at[k];
+    coordinates.dx[k] = coordinates.dy[k] = &none;
+  }
+  coordinates.dx[0] = &change;
+  return made->texel(coordinates, 0).value[0];
+}
+
+Texture luminance(std::vector<TextureSamples> levels) {
+  return make_texture(TextureTarget::texture_2d, InternalFormat::luminance8, {std::move(levels)}).value();
+}
+
+// The coordinate in a texture of two texels that is `place` texels beyond the middle of the first.
+float between_texels(double place) {
+  return static_cast<float>((0.5 + place) / 2.0);
+}
+
+constexpr Sampler kLinear{.min_filter = MinFilter::linear,
+                          .mag_filter = MagFilter::linear,
+                          .wrap_s = Wrap::clamp_to_edge,
+                          .wrap_t = Wrap::clamp_to_edge};
+
+// One level's sample; `level` is the ending of its columns.
+std::uint8_t level_sample(const MeasuredRow& row, const std::string& level, const HardwareProfile& profile) {
+  const auto byte = [&](const char* column) { return row.byte(column + level); };
+  const auto place = [&](const char* column) { return between_texels(byte(column) / 256.0); };
+  const Texture texture = luminance({{2, 2, std::vector{byte("A"), byte("B"), byte("C"), byte("D")}}});
+  return static_cast<std::uint8_t>(sampled(texture, kLinear, {place("fu"), place("fv"), 0.0F}, profile));
+}
+
+}  // namespace
+
+std::vector<int> draw_alpha_test(const MeasuredRow& row, const HardwareProfile& profile) {
+  PipelineState state = plain_state(profile);
+  state.alpha_test = {true, *value_of(kFunctions, row.text("func")), row.byte("ref")};
+  return {draw_color(state, {255, 0, 0, row.byte("alpha_byte")}, {}).is_drawn ? 1 : 0};
+}
+
+std::vector<int> draw_blend(const MeasuredRow& row, const HardwareProfile& profile) {
+  PipelineState state = plain_state(profile);
+  state.blend = {true,
+                 *value_of(kFactors, row.text("sfactor")),
+                 *value_of(kFactors, row.text("dfactor")),
+                 *value_of(kEquations, row.text("equation")),
+                 {0x55, 0x55, 0x55, 0x55}};
+  const ColorBytes blended = draw_color(state, color_of(row.digits("s")), color_of(row.digits("d"))).color;
+  state.blend = {true, BlendFactor::src_alpha, BlendFactor::one_minus_src_alpha, BlendEquation::add, {}};
+  return values(draw_color(state, blended, {32, 32, 32, 255}).color);
+}
+
+std::vector<int> draw_dxt1(const MeasuredRow& row, const HardwareProfile& profile) {
+  const auto x = static_cast<unsigned>(row.whole("x_and_3")), y = static_cast<unsigned>(row.whole("y_and_3"));
+  const Bytes4 texel = texel_of(row, S3tcFormat::dxt1_rgba, {}, x, y, profile);
+  return {texel[0], texel[1], texel[2], texel[3]};
+}
+
+std::vector<int> draw_dxt3(const MeasuredRow& row, const HardwareProfile& profile) {
+  return shown(texel_of(row, S3tcFormat::dxt3, {row.byte("alpha4")}, 0, 0, profile));
+}
+
+std::vector<int> draw_dxt5(const MeasuredRow& row, const HardwareProfile& profile) {
+  return shown(texel_of(row, S3tcFormat::dxt5, {row.byte("alpha0"), row.byte("alpha1"), row.byte("alpha_index")}, 0, 0,
+                        profile));
+}
+
+std::vector<int> draw_filter(const MeasuredRow& row, const HardwareProfile& profile) {
+  const std::uint8_t level = level_sample(row, "", profile);
+  if (row.whole("f") == 0) return {level};
+  // Lambda is the bias: a change of half of a level of two texels a pixel.
+  const std::uint8_t next = level_sample(row, "2", profile);
+  const Texture levels = luminance({{2, 2, std::vector<std::uint8_t>(4, level)}, {1, 1, std::vector{next}}});
+  Sampler sampler = kLinear;
+  sampler.min_filter = MinFilter::linear_mipmap_linear;
+  sampler.lod_bias = static_cast<float>(row.whole("f")) / 256.0F;
+  return {sampled(levels, sampler, {0.5F, 0.5F, 0.0F}, profile, 0.5F)};
+}
+
+std::vector<int> draw_weight(const MeasuredRow& row, const HardwareProfile& profile) {
+  const Texture texture = luminance({{1, 2, std::vector<std::uint8_t>{0, 255}}});
+  const int read = sampled(texture, kLinear, {0.5F, between_texels(row.real("place")), 0.0F}, profile);
+  const auto value = static_cast<int>(std::floor(254.0 * (0.7 * read / 255.0 + 76.0 / 255.0) + 0.5));
+  return {shown_over(value, 127, 32)};
+}
+
+std::vector<int> draw_smooth(const MeasuredRow& row, const HardwareProfile& profile) {
+  constexpr int kHeight = 480;  // of the picture, whose y grows downwards
+  std::array<glm::vec4, 3> corners;
+  std::array<ColorBytes, 3> colors;
+  for (int i = 0; i < 3; ++i) {
+    const std::string n = std::to_string(i);
+    const auto w = static_cast<float>(row.real("w" + n));
+    const int x = row.whole("x" + n), y = 16 * kHeight - row.whole("y" + n);
+    const glm::vec4 at(clip_of(x, row.whole("x")), clip_of(y, kHeight - 1 - row.whole("y")), 0.0F, 1.0F);
+    corners[static_cast<std::size_t>(i)] = at * w;
+    colors[static_cast<std::size_t>(i)] = color_of(row.digits("c" + n));
+  }
+  const VertexArrays arrays{.homogeneous_positions = corners, .vertex_colors = colors};
+  const ColorBytes color = draw_pixel(plain_state(profile), arrays, {}).color;
+  return {color[0], color[1], color[2]};
+}
+
+std::vector<int> draw_depth(const MeasuredRow& row, const HardwareProfile& profile) {
+  const DepthStencilFormat format = row.whole("bits") == 16 ? DepthStencilFormat::d16 : DepthStencilFormat::d24s8;
+  const double largest = max_depth(format);
+  const auto corner = [&](const char* x, int y, const char* z) {
+    return glm::vec4(clip_of(16 * row.whole(x), row.whole("x")), clip_of(16 * y, 0),
+                     static_cast<float>(2.0 * row.whole(z) / largest - 1.0), 1.0F);
+  };
+  const std::array<glm::vec4, 4> corners{corner("x0", -4, "z_left"), corner("x1", -4, "z_right"),
+                                         corner("x1", 4, "z_right"), corner("x0", 4, "z_left")};
+  PipelineState state = plain_state(profile);
+  state.depth_test = {.enabled = true, .function = CompareFunction::always, .write = true};
+  const VertexArrays arrays{.type = PrimitiveType::quads, .homogeneous_positions = corners};
+  return {static_cast<int>(draw_pixel(state, arrays, {}, format).depth)};
+}
+
+std::string wrong_words(const MeasuredRow& row) {
+  const auto check = [&](const char* column, const auto& words) -> std::string {
+    if (!row.has(column) || value_of(words, row.text(column))) return "";
+    std::string known;
+    for (const auto& [name, value] : words) known += (known.empty() ? "" : ", ") + std::string(name);
+    return fmt::format("{} must be one of {}, not '{}'", column, known, tools::shown(row.text(column)));
+  };
+  for (const std::string& wrong : {check("func", kFunctions), check("equation", kEquations), check("sfactor", kFactors),
+                                   check("dfactor", kFactors)}) {
+    if (!wrong.empty()) return wrong;
+  }
+  if (row.has("bits") && row.whole("bits") != 16 && row.whole("bits") != 24) return "bits must be 16 or 24";
+  return "";
+}
+
+}  // namespace ninebit::tools

@@ -1,0 +1,39 @@
+// What a profile gives for the rows of measured tables: the values of the picture, in the order of their columns.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "ninebit/numerics/hardware_profile.h"
+
+namespace ninebit::tools {
+
+class MeasuredRow;
+
+// A fragment of red 1 over black: 1 where it is drawn, else 0.
+[[nodiscard]] std::vector<int> draw_alpha_test(const MeasuredRow& row, const HardwareProfile& profile);
+
+// s over d, whose result a second blend shows over (32, 32, 32, 255).
+[[nodiscard]] std::vector<int> draw_blend(const MeasuredRow& row, const HardwareProfile& profile);
+
+// A texel of a block. Those of DXT3 and DXT5 are shown over 16, and their alpha over 254.
+[[nodiscard]] std::vector<int> draw_dxt1(const MeasuredRow& row, const HardwareProfile& profile);
+[[nodiscard]] std::vector<int> draw_dxt3(const MeasuredRow& row, const HardwareProfile& profile);
+[[nodiscard]] std::vector<int> draw_dxt5(const MeasuredRow& row, const HardwareProfile& profile);
+
+// Four texels of a level, and four of the next one, with their weights.
+[[nodiscard]] std::vector<int> draw_filter(const MeasuredRow& row, const HardwareProfile& profile);
+
+// A place between the texels 0 and 255, read as the luminance of a bump environment and shown over 32.
+[[nodiscard]] std::vector<int> draw_weight(const MeasuredRow& row, const HardwareProfile& profile);
+
+// A pixel of a triangle with three colours.
+[[nodiscard]] std::vector<int> draw_smooth(const MeasuredRow& row, const HardwareProfile& profile);
+
+// The depth code of a pixel of a quad.
+[[nodiscard]] std::vector<int> draw_depth(const MeasuredRow& row, const HardwareProfile& profile);
+
+// What is wrong with a row's words, which draw_… would not know; empty: nothing.
+[[nodiscard]] std::string wrong_words(const MeasuredRow& row);
+
+}  // namespace ninebit::tools

@@ -1,0 +1,87 @@
+// Tables of what pictures of a chip show beside its combiners: blending, textures, smooth colours. `ninebit verify`
+// knows them by their header.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "ninebit/numerics/hardware_profile.h"
+#include "src/tools/input/csv_lines.h"
+
+namespace ninebit::tools {
+
+struct MeasuredColumn {
+  enum class Kind {
+    note,      // what somebody computed; not read
+    word,      // one of the format's words, or a name
+    whole,     // a whole number
+    real,      // a number
+    digits,    // hexadecimal, with or without 0x
+    measured,  // of the picture: whole numbers separated by |, or empty, which is not compared
+    match      // 0: the row lies outside of the rule that was found, and is skipped
+  };
+  std::string_view name;
+  Kind kind = Kind::note;
+  std::int64_t low = 0, high = 0;  // the range of a whole number
+  bool may_be_empty = false;       // an empty cell is 0
+};
+
+// The cells of a row by column.
+class MeasuredRow {
+ public:
+  struct Cell {
+    std::string text;
+    std::int64_t whole = 0;  // of a whole number, or of digits
+    double real = 0.0;
+  };
+  void set(std::string_view column, Cell cell) { cells_.insert_or_assign(std::string(column), std::move(cell)); }
+
+  // The cells of another row that this one does not have.
+  void add(const MeasuredRow& other) { cells_.insert(other.cells_.begin(), other.cells_.end()); }
+
+  [[nodiscard]] bool has(std::string_view column) const { return cells_.find(column) != cells_.end(); }
+
+  // Of a column that the row's format has.
+  [[nodiscard]] const std::string& text(std::string_view column) const { return cell(column).text; }
+  [[nodiscard]] int whole(std::string_view column) const { return static_cast<int>(cell(column).whole); }
+  [[nodiscard]] double real(std::string_view column) const { return cell(column).real; }
+  [[nodiscard]] std::uint8_t byte(std::string_view column) const { return static_cast<std::uint8_t>(whole(column)); }
+  [[nodiscard]] std::uint32_t digits(std::string_view column) const {
+    return static_cast<std::uint32_t>(cell(column).whole);
+  }
+
+ private:
+  [[nodiscard]] const Cell& cell(std::string_view column) const { return cells_.find(column)->second; }
+  std::map<std::string, Cell, std::less<>> cells_;
+};
+
+// What one kind of table measures.
+struct MeasuredFormat {
+  std::string_view place;  // "blending", for the report
+  std::vector<MeasuredColumn> columns;
+  // What the profile gives for the measured columns, in their order.
+  std::vector<int> (*draw)(const MeasuredRow& row, const HardwareProfile& profile);
+  // Another table, in the same folder, that has more of each row's cells; empty: none. Both have the column `key`.
+  std::string_view beside{}, key{};
+  std::vector<MeasuredColumn> columns_beside{};
+};
+
+// The format with this header; null: none.
+[[nodiscard]] const MeasuredFormat* measured_format(std::string_view header);
+
+// Reads fields into a row. Reports a wrong number of fields, and values that the columns do not have.
+[[nodiscard]] Status read_measured(const std::vector<MeasuredColumn>& columns,
+                                   const std::vector<std::string_view>& fields, const std::string& file, int line,
+                                   MeasuredRow& row);
+
+// The rows of the table beside another, by key. `columns` is its format.
+[[nodiscard]] Result<std::map<std::string, MeasuredRow>> read_beside(const std::string& file,
+                                                                     const MeasuredFormat& format);
+
+// The pieces of a line between separators, trimmed.
+[[nodiscard]] std::vector<std::string_view> pieces(std::string_view text, char separator);
+
+}  // namespace ninebit::tools
