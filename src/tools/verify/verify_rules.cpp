@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "ninebit/combiner/program.h"
+#include "ninebit/study/combiner_fields.h"
 #include "src/tools/eval/eval_engine.h"
 
 namespace ninebit::tools {
@@ -24,26 +25,15 @@ const char* name(Narrowing narrowing) {
 std::vector<Rival> rivals_of(const HardwareProfile& profile) {
   std::vector<Rival> rivals;
   if (profile.arithmetic != Arithmetic::integer) return rivals;
-  const auto add = [&](const char* field, std::string value, const char* rules, auto replace) {
-    Rival rival{field, std::move(value), rules, profile};
-    replace(rival.profile);
-    rivals.push_back(std::move(rival));
-  };
-  const Narrowing general = other(profile.general_narrowing), final = other(profile.final_narrowing);
-  add("general_narrowing", name(general), "5, 8", [&](HardwareProfile& p) { p.general_narrowing.value = general; });
-  const bool late = profile.narrowing_point == NarrowingPoint::after_scale;
-  add("narrowing_point", late ? "before-scale" : "after-scale", "7", [&](HardwareProfile& p) {
-    p.narrowing_point.value = late ? NarrowingPoint::before_scale : NarrowingPoint::after_scale;
-  });
-  add("final_narrowing", name(final), "9, 10", [&](HardwareProfile& p) { p.final_narrowing.value = final; });
-  const int one = profile.one;
-  const int half = profile.half == (one + 1) / 2 ? one / 2 : (one + 1) / 2;
-  add("half", std::to_string(half), "4, 11", [&](HardwareProfile& p) { p.half.value = half; });
-  const int offset = profile.expand_offset == one ? one + 1 : one;
-  add("expand_offset", std::to_string(offset), "", [&](HardwareProfile& p) { p.expand_offset.value = offset; });
-  const int lowest = profile.lowest == -one ? -one - 1 : -one;
-  add("lowest", std::to_string(lowest), "", [&](HardwareProfile& p) { p.lowest.value = lowest; });
-  add("arithmetic", "float32", "", [](HardwareProfile& p) { p.arithmetic.value = Arithmetic::float32; });
+  for (const CombinerField& field : arithmetic_fields(profile)) {
+    for (std::size_t i = 1; i < field.values.size(); ++i) {
+      Rival rival{std::string(field.name), field.values[i].word, std::string(field.rules), profile};
+      field.values[i].set(rival.profile);
+      rivals.push_back(std::move(rival));
+    }
+  }
+  rivals.push_back({"arithmetic", "float32", "", profile});
+  rivals.back().profile.arithmetic.value = Arithmetic::float32;
   return rivals;
 }
 
