@@ -30,8 +30,8 @@ const std::map<std::string, std::vector<std::string>> kFolders{
     {"shadow",
      {"frame", "index_order", "index_cube", "depth_cube", "shadow_map", "shadow_volume", "reflective", "light_cookie",
       "ground_truth", ""}},
-    {"study", {"part", "report", "page", "digits", "index_steps", "datapath", "shadows", "depth_packing"}},
-    {"tools", {"input", "common", "help", "eval", "draw", "trace", "verify", "render", "bench", "study", ""}},
+    {"study", {"part", "report", "page", "proof", "digits", "index_steps", "datapath", "shadows", "depth_packing"}},
+    {"tools", {"input", "common", "help", "eval", "draw", "trace", "verify", "render", "bench", "study", "prove", ""}},
 };
 
 // Outside libraries and the rooms that may include them. Besides these there is only the standard library, whose
@@ -54,7 +54,7 @@ const std::vector<Library> kLibraries{
     {std::regex("openssl/.*"), {"system"}},
     {std::regex("pybind11/.*"), {"python"}},
     {std::regex("nlohmann/.*"), {"language", "scene", "study", "tools"}},
-    {std::regex("(dlfcn|fcntl|poll|sched|stdlib|unistd)\\.h|(sys|linux)/.*"), {"system"}},
+    {std::regex("(dlfcn|fcntl|poll|sched|spawn|stdlib|unistd)\\.h|(sys|linux)/.*"), {"system"}},
     {std::regex("stddef\\.h|stdint\\.h"), {"capi"}},
     {std::regex("benchmark/.*|EGL/.*|GL/glcorearb\\.h"), {"bench"}},
 };

@@ -17,6 +17,7 @@
 #include <new>
 #include <optional>
 
+#include "src/system/descriptor.h"
 #include "src/system/process.h"
 #include "src/system/sandbox.h"
 
@@ -33,22 +34,6 @@ enum Report : char { kDone = 'd', kNoMemory = 'm' };
   (void)!::write(kReportDescriptor, &what, 1);
   ::_exit(0);
 }
-
-class Descriptor {
- public:
-  explicit Descriptor(int number = -1) : number_(number) {}
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-  ~Descriptor() { close(); }
-  void close() {
-    if (number_ >= 0) ::close(std::exchange(number_, -1));
-  }
-  [[nodiscard]] int get() const { return number_; }
-  [[nodiscard]] int release() { return std::exchange(number_, -1); }
-
- private:
-  int number_;
-};
 
 // Closes all descriptors that the child does not need, and redirects its standard streams to /dev/null.
 void settle_descriptors(int answer, int report) {

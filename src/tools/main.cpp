@@ -35,6 +35,7 @@ int run(int argc, char** argv) {
   add_bench(app, exit_code);
   add_study(app, exit_code);
   add_verify(app, exit_code);
+  add_prove(app, exit_code);
   add_generate(app, exit_code);
   try {
     app.parse(argc, argv);

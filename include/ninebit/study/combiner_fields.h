@@ -13,7 +13,7 @@ namespace ninebit {
 
 // A value that a field may have.
 struct FieldValue {
-  std::string word;                          // as a profile file writes it: "toward-zero", "-256"
+  std::string word;                           // as a profile file writes it: "toward-zero", "-256"
   std::function<void(HardwareProfile&)> set;  // changes the value of a profile's field and leaves its evidence
 };
 

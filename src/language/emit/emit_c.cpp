@@ -26,9 +26,9 @@ Result<std::string> emit_c(const Program& program, std::string_view function) {
   if (auto fault = refusal(program, function)) return *fault;
   const std::string name(function);
   Graph graph;
-  const Listing listing = list_program(program, graph, [](Register r, int component) {
-    if (r == Register::spare0) return std::string("spare0_alpha");
-    return std::string(short_name_of(r)) + '[' + std::to_string(component) + ']';
+  const Listing listing = list_program(program, [&](Register r, int component) {
+    if (r == Register::spare0) return any_code(program, graph, "spare0_alpha");
+    return any_code(program, graph, std::string(short_name_of(r)) + '[' + std::to_string(component) + ']');
   });
   const Dialect dialect{"const int32_t", name + "_min", name + "_max",
                         name + "_clamp", name + "_abs", name + "_with_sign"};

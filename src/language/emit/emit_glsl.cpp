@@ -8,9 +8,10 @@ Result<std::string> emit_glsl(const Program& program, GlslVersion version, std::
   if (auto fault = refusal(program, function)) return *fault;
   const std::string name(function);
   Graph graph;
-  const Listing listing = list_program(program, graph, [](Register r, int component) {
-    if (r == Register::spare0) return std::string("spare0_alpha");
-    return std::string(short_name_of(r)) + '.' + kComponentLetters[static_cast<std::size_t>(component)];
+  const Listing listing = list_program(program, [&](Register r, int component) {
+    if (r == Register::spare0) return any_code(program, graph, "spare0_alpha");
+    const char letter = kComponentLetters[static_cast<std::size_t>(component)];
+    return any_code(program, graph, std::string(short_name_of(r)) + '.' + letter);
   });
   const Dialect dialect{"int", "min", "max", "clamp", "abs", name + "_with_sign"};
   Printer printer(graph, listing, dialect);

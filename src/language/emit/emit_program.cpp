@@ -41,14 +41,13 @@ class TextRegisters {
 
 class Lister {
  public:
-  Lister(const Program& program, Graph& graph, const InputText& input)
+  Lister(const Program& program, const InputValue& input)
       : program_(program), d_(program.datapath), live_(live_after_stages(program)) {
-    const Interval range{d_.lowest, d_.one};
     for (const Register r : {Register::fog, Register::primary, Register::secondary, Register::texture0,
                              Register::texture1, Register::texture2, Register::texture3}) {
-      for (int c = 0; c < 4; ++c) registers_(r, c) = graph.input(input(r, c), range);
+      for (int c = 0; c < 4; ++c) registers_(r, c) = input(r, c);
     }
-    registers_(Register::spare0, kAlpha) = graph.input(input(Register::spare0, kAlpha), range);
+    registers_(Register::spare0, kAlpha) = input(Register::spare0, kAlpha);
   }
 
   Listing run() {
@@ -197,8 +196,12 @@ std::string_view short_name_of(Register r) {
   return names[static_cast<std::size_t>(r)];
 }
 
-Listing list_program(const Program& program, Graph& graph, const InputText& input) {
-  return Lister(program, graph, input).run();
+Listing list_program(const Program& program, const InputValue& input) {
+  return Lister(program, input).run();
+}
+
+V any_code(const Program& program, Graph& graph, std::string text) {
+  return graph.input(std::move(text), {program.datapath.lowest, program.datapath.one});
 }
 
 std::optional<Diagnostic> refusal(const Program& program, std::string_view function) {

@@ -37,10 +37,13 @@ struct Listing {
 std::string_view short_name_of(Register r);
 inline constexpr std::array<char, 4> kComponentLetters{'r', 'g', 'b', 'a'};
 
-// Evaluates the program symbolically. `input` returns the text of an argument's component, or of spare0's initial
+// Evaluates the program symbolically. `input` returns the value of an argument's component, or of spare0's initial
 // alpha.
-using InputText = std::function<std::string(Register, int component)>;
-Listing list_program(const Program& program, Graph& graph, const InputText& input);
+using InputValue = std::function<V(Register, int component)>;
+Listing list_program(const Program& program, const InputValue& input);
+
+// An argument that may be any register code.
+V any_code(const Program& program, Graph& graph, std::string text);
 
 // Why the program cannot be emitted under this function name; empty: it can.
 std::optional<Diagnostic> refusal(const Program& program, std::string_view function);

@@ -48,9 +48,9 @@ std::vector<CombinerField> arithmetic_fields(const HardwareProfile& profile) {
           make_field("half", "4, 11", profile, &P::half, {number((one + 1) / 2), number(one / 2)}),
           make_field("expand_offset", "", profile, &P::expand_offset, {number(one), number(one + 1)}),
           make_field("general_narrowing", "5, 8", profile, &P::general_narrowing, narrowings),
-          make_field("narrowing_point", "7", profile, &P::narrowing_point,
-                     {named("after-scale", NarrowingPoint::after_scale),
-                      named("before-scale", NarrowingPoint::before_scale)}),
+          make_field(
+              "narrowing_point", "7", profile, &P::narrowing_point,
+              {named("after-scale", NarrowingPoint::after_scale), named("before-scale", NarrowingPoint::before_scale)}),
           make_field("final_narrowing", "9, 10", profile, &P::final_narrowing, narrowings)};
 }
 

@@ -69,12 +69,16 @@ Result<std::string> read_text(const std::string& path) {
 
 }  // namespace
 
-void add_program_flags(CLI::App& verb, ProgramFlags& flags) {
-  verb.add_option("program", flags.file, "Program in any form; - reads standard input")
+void add_program_argument(CLI::App& verb, const std::string& name, ProgramFlags& flags) {
+  verb.add_option(name, flags.file, "Program in any form; - reads standard input")
       ->required()
       ->type_name("PROGRAM")
       ->check(CLI::Validator(
           [](const std::string& text) { return std::string(text.empty() ? "the file name is empty" : ""); }, ""));
+}
+
+void add_program_flags(CLI::App& verb, ProgramFlags& flags) {
+  add_program_argument(verb, "program", flags);
   verb.add_option("--from", flags.from, "Form of the program (default: detected from the content)")
       ->check(CLI::IsMember({"gl", "rc10", "words", "json"}));
   verb.add_option("--chip", flags.chip, "Chip whose register words are read (default: from the profile)")

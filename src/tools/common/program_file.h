@@ -19,6 +19,8 @@ struct ProgramFlags {
   std::string chip;  // of register words: "nv10" or "nv20"; empty: from the profile
 };
 
+// Adds the argument PROGRAM to a verb.
+void add_program_argument(CLI::App& verb, const std::string& name, ProgramFlags& flags);
 // Adds PROGRAM, --from and --chip to a verb.
 void add_program_flags(CLI::App& verb, ProgramFlags& flags);
 

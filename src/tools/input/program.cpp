@@ -49,10 +49,9 @@ OwnedProfile read_profile(const std::string& path) {
   throw InvalidInput(faults);
 }
 
-// Accepts the name of a shipped profile, or reads a file and replaces its path with the name of its profile.
-std::string check_profile(CommonFlags& flags, std::string& text) {
-  flags.own_profile.reset();
-  flags.profile_file.clear();
+// Accepts the name of a shipped profile, or reads a file into `own` and replaces its path with its profile's name.
+std::string check_profile(std::string& text, std::optional<OwnedProfile>& own) {
+  own.reset();
   if (find_profile(text) != nullptr) return {};
   if (!text.ends_with(".json")) {
     std::vector<std::string> names;
@@ -60,9 +59,8 @@ std::string check_profile(CommonFlags& flags, std::string& text) {
     return fmt::format("unknown profile '{}'; expected {}, or the path of a .json file{}", text, fmt::join(names, ", "),
                        did_you_mean(text, names));
   }
-  flags.own_profile = read_profile(text);
-  flags.profile_file = text;
-  text = flags.own_profile->profile.name;
+  own = read_profile(text);
+  text = own->profile.name;
   return {};
 }
 
@@ -94,10 +92,28 @@ void add_common_flags(CLI::App& verb, CommonFlags& flags) {
   verb.add_option("--profile", flags.profile,
                   "Hardware profile to emulate: a name from `ninebit profiles`, or a .json file")
       ->capture_default_str()
-      ->transform(CLI::Validator([&flags](std::string& text) { return check_profile(flags, text); }, "NAME|FILE"));
+      ->transform(CLI::Validator(
+          [&flags](std::string& text) {
+            const std::string given = text;
+            std::string fault = check_profile(text, flags.own_profile);
+            flags.profile_file = flags.own_profile ? given : "";
+            return fault;
+          },
+          "NAME|FILE"));
   verb.add_option("--threads", flags.threads, "Number of threads, 0 for all; results do not depend on it")
       ->capture_default_str()
       ->check(CLI::Range(0, 1024));
+}
+
+CLI::Option* add_profile_option(CLI::App& verb, const std::string& option, ProfileChoice& choice,
+                                const std::string& help) {
+  return verb.add_option(option, choice.name, help)
+      ->transform(CLI::Validator([&choice](std::string& text) { return check_profile(text, choice.own_profile); },
+                                 "NAME|FILE"));
+}
+
+const HardwareProfile& profile_of(const ProfileChoice& choice) {
+  return choice.own_profile ? choice.own_profile->profile : *find_profile(choice.name);
 }
 
 const HardwareProfile& profile_of(const CommonFlags& flags) {

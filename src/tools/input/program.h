@@ -55,6 +55,18 @@ class InvalidInput : public std::runtime_error {
 // command line throws InvalidInput for a profile file that is unreadable or invalid.
 void add_common_flags(CLI::App& verb, CommonFlags& flags);
 
+// A profile beside that of --profile.
+struct ProfileChoice {
+  std::string name;                         // empty: not given
+  std::optional<OwnedProfile> own_profile;  // if it came from a file
+};
+
+// Adds an option or, without dashes, an argument, whose value is checked and read as that of --profile.
+CLI::Option* add_profile_option(CLI::App& verb, const std::string& option, ProfileChoice& choice,
+                                const std::string& help);
+// The profile that was given. Valid as long as the choice.
+[[nodiscard]] const HardwareProfile& profile_of(const ProfileChoice& choice);
+
 // The profile of the parsed flags. Valid as long as the flags.
 [[nodiscard]] const HardwareProfile& profile_of(const CommonFlags& flags);
 
@@ -114,6 +126,7 @@ void add_trace(CLI::App& app, int& exit_code);
 void add_bench(CLI::App& app, int& exit_code);
 void add_study(CLI::App& app, int& exit_code);
 void add_verify(CLI::App& app, int& exit_code);
+void add_prove(CLI::App& app, int& exit_code);
 void add_generate(CLI::App& app, int& exit_code);  // hidden from the help
 
 }  // namespace ninebit::tools

@@ -1,0 +1,194 @@
+#include "src/study/proof/case_table.h"
+
+#include <algorithm>
+#include <bit>
+#include <limits>
+#include <memory>
+#include <unordered_map>
+#include <utility>
+
+#include "src/study/proof/component_flow.h"
+
+namespace ninebit::proof {
+namespace {
+
+// Inputs of a group whose rows are found by running them: two take no time; three are tried if that saves some.
+constexpr std::array<int, 2> kMostInputs{2, 3};
+constexpr std::uint64_t kFewCases = std::uint64_t{1} << 28U;
+constexpr std::size_t kMostComponents = 6;  // of such a group: what a key of 64 bits holds
+constexpr int kKeyBits = 10;                // of a component
+
+// The inputs that components before general combiner `cut` depend on, by component.
+std::array<ComponentMask, kComponents> inputs_at(const Subject& side, int cut) {
+  const ComponentFlow flow = flow_through(side.program, 0, cut);
+  std::array<ComponentMask, kComponents> inputs{};
+  for (std::size_t i = 0; i < inputs.size(); ++i) {
+    for (int from = 0; from < kComponents; ++from) {
+      const Source& source = side.start[static_cast<std::size_t>(from)];
+      if ((flow[i] & mask_of(from)) != 0 && source.input >= 0) inputs[i] |= mask_of(source.input);
+    }
+  }
+  return inputs;
+}
+
+// A group while it is put together.
+struct Draft {
+  ComponentMask inputs = 0;
+  std::vector<CutComponent> components;
+};
+
+// Adds a component; groups that share an input with it become one.
+void add(std::vector<Draft>& drafts, ComponentMask inputs, const CutComponent& component) {
+  Draft joined{inputs, {component}};
+  for (auto draft = drafts.begin(); draft != drafts.end();) {
+    if ((draft->inputs & inputs) == 0) {
+      ++draft;
+      continue;
+    }
+    joined.inputs |= draft->inputs;
+    joined.components.insert(joined.components.end(), draft->components.begin(), draft->components.end());
+    draft = drafts.erase(draft);
+  }
+  drafts.push_back(std::move(joined));
+}
+
+// Runs a side's general combiners before the cut.
+class Head {
+ public:
+  Head(const Subject& side, int cut) : side_(side), batch_(std::make_unique<RegisterBatch>()) {
+    if (cut > 0) program_.emplace(head_of(side.program, cut), BatchOutputs{{false, false, false, false}, true});
+  }
+
+  // Fragment k has the bytes first + k of the inputs.
+  void run(const std::vector<int>& inputs, std::uint32_t first, std::size_t count) {
+    for (int i = 0; i < kComponents; ++i) {
+      const Source& source = side_.start[static_cast<std::size_t>(i)];
+      s9* const plane = (*batch_)(register_at(i), i % 4);
+      const auto at = std::find(inputs.begin(), inputs.end(), source.input);
+      if (source.input < 0 || at == inputs.end()) {
+        std::fill_n(plane, count, source.input < 0 ? source.code : s9{0});
+        continue;
+      }
+      const auto shift = static_cast<unsigned>(8 * (at - inputs.begin()));
+      for (std::size_t k = 0; k < count; ++k) {
+        plane[k] = from_byte(side_.profile, static_cast<std::uint8_t>((first + k) >> shift));
+      }
+    }
+    if (program_) program_->run(*batch_, count, out_);
+  }
+  [[nodiscard]] const s9* plane(int index) const { return (*batch_)(register_at(index), index % 4); }
+
+ private:
+  const Subject& side_;
+  std::optional<BatchProgram> program_;
+  std::unique_ptr<RegisterBatch> batch_;
+  OutputBatch out_{};
+};
+
+// Finds the rows of a group. Returns false if it was cancelled.
+bool fill(CaseGroup& group, std::array<Head, 2>& heads, const std::function<bool()>& go_on) {
+  const std::uint32_t count = std::uint32_t{1} << static_cast<unsigned>(8 * group.inputs.size());
+  std::unordered_map<std::uint64_t, std::uint32_t> rows;  // by key: the first bytes that give it
+  for (std::uint32_t first = 0; first < count; first += kBatchSize) {
+    const std::size_t lanes = std::min<std::size_t>(kBatchSize, count - first);
+    for (Head& head : heads) head.run(group.inputs, first, lanes);
+    for (std::size_t k = 0; k < lanes; ++k) {
+      std::uint64_t key = 0;
+      for (const CutComponent& c : group.components) {
+        key = (key << kKeyBits) | static_cast<std::uint64_t>(heads[c.side].plane(c.index)[k] + (1 << (kKeyBits - 1)));
+      }
+      rows.try_emplace(key, first + static_cast<std::uint32_t>(k));
+    }
+    if (first % (1U << 20U) == 0 && !go_on()) return false;
+  }
+  std::vector<std::pair<std::uint32_t, std::uint64_t>> sorted;  // the same order on every machine
+  for (const auto& [key, origin] : rows) sorted.emplace_back(origin, key);
+  std::sort(sorted.begin(), sorted.end());
+  group.columns.resize(group.components.size());
+  for (const auto& [origin, key] : sorted) {
+    group.origin.push_back(origin);
+    for (std::size_t i = 0; i < group.components.size(); ++i) {
+      const auto shift = static_cast<unsigned>(kKeyBits) * static_cast<unsigned>(group.components.size() - 1 - i);
+      const auto digit = static_cast<int>((key >> shift) & ((1U << kKeyBits) - 1));
+      group.columns[i].push_back(static_cast<s9>(digit - (1 << (kKeyBits - 1))));
+    }
+  }
+  return true;
+}
+
+// The groups of a cut without their rows, or nothing if a group has too many inputs.
+std::optional<std::vector<CaseGroup>> groups_at(const std::array<Subject, 2>& sides, const std::array<int, 2>& cut,
+                                                const ProofTarget& target, int most_inputs) {
+  std::vector<Draft> drafts;
+  for (std::size_t side = 0; side < 2; ++side) {
+    const auto inputs = inputs_at(sides[side], cut[side]);
+    const ComponentMask read = reads_of(sides[side].program, cut[side], target);
+    for (int i = 0; i < kComponents; ++i) {
+      const ComponentMask of = inputs[static_cast<std::size_t>(i)];
+      if ((read & mask_of(i)) != 0 && of != 0) add(drafts, of, {side, i});
+    }
+  }
+  std::vector<CaseGroup> groups;
+  for (const Draft& draft : drafts) {
+    if (std::popcount(draft.inputs) > most_inputs || draft.components.size() > kMostComponents) {
+      return std::nullopt;
+    }
+    CaseGroup group;
+    for (int i = 0; i < kComponents; ++i) {
+      if ((draft.inputs & mask_of(i)) != 0) group.inputs.push_back(i);
+    }
+    group.components = draft.components;
+    groups.push_back(std::move(group));
+  }
+  return groups;
+}
+
+// Finds the rows of all groups, and the components of no group. Empty if it was cancelled.
+std::optional<CaseTable> table_at(const std::array<Subject, 2>& sides, const std::array<int, 2>& cut,
+                                  std::vector<CaseGroup> groups, const std::function<bool()>& go_on) {
+  CaseTable table{cut, std::move(groups), {}};
+  std::array<Head, 2> heads{Head(sides[0], cut[0]), Head(sides[1], cut[1])};
+  for (CaseGroup& group : table.groups) {
+    if (!fill(group, heads, go_on)) return std::nullopt;
+  }
+  for (std::size_t side = 0; side < 2; ++side) {
+    heads[side].run({}, 0, 1);
+    for (int i = 0; i < kComponents; ++i) table.fixed[side][static_cast<std::size_t>(i)] = *heads[side].plane(i);
+  }
+  return table;
+}
+
+}  // namespace
+
+std::uint64_t CaseTable::cases() const {
+  constexpr std::uint64_t kMost = std::numeric_limits<std::uint64_t>::max();
+  std::uint64_t product = 1;
+  for (const CaseGroup& group : groups) {
+    if (product > kMost / group.rows()) return kMost;
+    product *= group.rows();
+  }
+  return product;
+}
+
+std::optional<CaseTable> make_case_table(const std::array<Subject, 2>& sides, const ProofTarget& target,
+                                         const std::function<bool()>& go_on) {
+  // Registers of real numbers are no codes between two stages.
+  const bool integer = sides[0].is_integer() && sides[1].is_integer();
+  const auto last = [&](std::size_t side) { return integer ? sides[side].program.num_general_combiners : 0; };
+  std::optional<CaseTable> best;
+  for (const int most_inputs : kMostInputs) {
+    if (best && best->cases() <= kFewCases) break;
+    for (int a = 0; a <= last(0); ++a) {
+      for (int b = 0; b <= last(1); ++b) {
+        auto groups = groups_at(sides, {a, b}, target, most_inputs);
+        if (!groups) continue;
+        auto table = table_at(sides, {a, b}, std::move(*groups), go_on);
+        if (!table) return std::nullopt;
+        if (!best || table->cases() < best->cases()) best = std::move(table);
+      }
+    }
+  }
+  return best;
+}
+
+}  // namespace ninebit::proof

@@ -1,0 +1,79 @@
+#include "src/study/proof/subject.h"
+
+#include <algorithm>
+
+namespace ninebit::proof {
+namespace {
+
+constexpr Portion kDead{{}, {}, {}, {}, {.sum = Register::discard}};
+
+}  // namespace
+
+Subject::Subject(const ProofSubject& from) : profile(from.profile), program(normalize(from.state, from.profile)) {
+  // With all inputs at 0, what the profile decides is what is left.
+  FragmentInputs inputs;
+  inputs.fog_factor = 0;
+  for (std::size_t unit = 0; unit < 4; ++unit) {
+    if (!from.texture_off[unit]) inputs.texture[unit] = Texel{};
+  }
+  const RegisterFile registers = initial_registers(profile, inputs);
+  const auto input = [&](Register r, int component, Register named) {
+    start[static_cast<std::size_t>(index_of(r, component))].input = index_of(named, component);
+  };
+  for (int i = 0; i < kComponents; ++i) {
+    start[static_cast<std::size_t>(i)].code = registers[register_at(i)][static_cast<std::size_t>(i % 4)];
+  }
+  for (int c = 0; c < 4; ++c) {
+    input(Register::primary, c, Register::primary);
+    input(Register::fog, c, Register::fog);
+    const bool has_one = c == kAlpha && profile.secondary_alpha == SecondaryAlpha::one;
+    if (!has_one) input(Register::secondary, c, Register::secondary);
+    for (int unit = 0; unit < 4; ++unit) {
+      const Register r = texture_register(unit);
+      if (!from.texture_off[static_cast<std::size_t>(unit)]) input(r, c, r);
+    }
+  }
+  if (!from.texture_off[0]) input(Register::spare0, kAlpha, Register::texture0);
+}
+
+int Subject::evaluate(const ProofTarget& target, const std::array<std::uint8_t, kComponents>& bytes) const {
+  RegisterFile registers;
+  for (int i = 0; i < kComponents; ++i) {
+    const Source& from = start[static_cast<std::size_t>(i)];
+    registers[register_at(i)][static_cast<std::size_t>(i % 4)] =
+        from.input < 0 ? from.code : from_byte(profile, bytes[static_cast<std::size_t>(from.input)]);
+  }
+  const EvaluatedFragment fragment = evaluate_fragment(program, registers);
+  const Rgba9& value = target.reg ? fragment.registers[*target.reg] : fragment.color;
+  return shown(target, value[static_cast<std::size_t>(target.component)]);
+}
+
+Program head_of(const Program& program, int count) {
+  Program head = program;
+  head.num_general_combiners = count;
+  return head;
+}
+
+Program tail_of(const Program& program, int count) {
+  Program tail = program;
+  const auto from = static_cast<std::size_t>(count);
+  for (std::size_t i = 0; i < tail.general.size(); ++i) {
+    if (i + from < tail.general.size()) {
+      tail.general[i] = program.general[i + from];
+    } else {
+      tail.general[i] = {};
+      tail.general[i].rgb = tail.general[i].alpha = kDead;
+    }
+  }
+  tail.num_general_combiners = std::max(program.num_general_combiners - count, 1);
+  return tail;
+}
+
+BatchOutputs outputs_for(const ProofTarget& target) {
+  BatchOutputs outputs;
+  outputs.registers = target.reg.has_value();
+  for (int c = 0; c < 4; ++c) outputs.color[static_cast<std::size_t>(c)] = !target.reg && c == target.component;
+  return outputs;
+}
+
+}  // namespace ninebit::proof
