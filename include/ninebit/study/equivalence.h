@@ -59,7 +59,7 @@ struct Counterexample {
 
 struct EquivalenceAnswer {
   ProofAnswer answer = ProofAnswer::unknown;
-  ProofMethod method = ProofMethod::exhaustive;  // smt: at least one target needed the solver
+  ProofMethod method = ProofMethod::exhaustive;  // smt: a target needed the solver, or all are the same formulas
   std::uint64_t cases = 0;                       // that were run, of all targets
   std::optional<Counterexample> counterexample;  // if it is refuted
   std::string reason;                            // if it is unknown: one sentence

@@ -29,7 +29,7 @@ struct FieldEffect {
 
 struct StabilityAnswer {
   ProofAnswer answer = ProofAnswer::proved;      // proved: no open field changes any colour
-  ProofMethod method = ProofMethod::exhaustive;  // smt: at least one question needed formulas or the solver
+  ProofMethod method = ProofMethod::exhaustive;  // smt: a question needed the solver, or all had the same formulas
   std::uint64_t cases = 0;                       // that were run
   std::uint64_t combinations = 0;                // of values of open fields, in all settings of units that were asked
   std::vector<FieldEffect> fields;               // the open fields, in the order of HardwareProfile

@@ -150,8 +150,12 @@ std::optional<Diagnostic> fault_of(const ProofSubject& a, const ProofSubject& b,
 
 // Adds a target's answer to that of all.
 void add(EquivalenceAnswer& all, EquivalenceAnswer one) {
+  // A target that is the same formula on both sides runs no case, and the method is that of the others.
+  const bool by_formulas = all.cases == 0
+                               ? one.method == ProofMethod::smt
+                               : all.method == ProofMethod::smt || (one.cases > 0 && one.method == ProofMethod::smt);
+  all.method = by_formulas ? ProofMethod::smt : ProofMethod::exhaustive;
   all.cases += one.cases;
-  if (one.method == ProofMethod::smt) all.method = ProofMethod::smt;
   if (one.answer == ProofAnswer::refuted) {
     all.answer = ProofAnswer::refuted;
     all.method = one.method;

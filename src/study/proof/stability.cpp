@@ -121,7 +121,7 @@ class Setting {
     auto answer = prove_equivalent(subject(a), subject(b), options_);
     if (!answer) return answer;
     cases_ += answer->cases;
-    by_formulas_ = by_formulas_ || answer->method == ProofMethod::smt;
+    by_formulas_ = by_formulas_ || (answer->cases > 0 && answer->method == ProofMethod::smt);
     if (answer->answer == ProofAnswer::unknown) reason_ = answer->reason;
     return answer;
   }
@@ -216,6 +216,7 @@ Result<StabilityAnswer> prove_stable(const CombinerState& state, const HardwareP
     if (effect.answer == ProofAnswer::refuted) all.answer = ProofAnswer::refuted;
     if (effect.answer == ProofAnswer::unknown && all.answer == ProofAnswer::proved) all.answer = ProofAnswer::unknown;
   }
+  if (all.cases == 0) all.method = ProofMethod::smt;
   if (all.answer != ProofAnswer::unknown) all.reason.clear();
   return all;
 }

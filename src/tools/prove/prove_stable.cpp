@@ -72,10 +72,10 @@ std::string text_of(const StabilityAnswer& proof, const StableFlags& flags) {
   } else {
     text = fmt::format("unknown: {}\n", proof.reason);
   }
-  text += fmt::format("{} combinations of open fields, {} cases run\n\n{:<32}{:<10}{:<10}{:<20}{}\n",
+  text += fmt::format("{} combinations of open fields, {} cases run\n\n{:<32}{:<10}{:<18}{:<18}{}\n",
                       proof.combinations, proof.cases, "field", "evidence", "value", "rivals", "effect");
   for (const FieldEffect& effect : proof.fields) {
-    text += fmt::format("{:<32}{:<10}{:<10}{:<20}{}\n", effect.field.name, name_of(effect.field.evidence),
+    text += fmt::format("{:<32}{:<10}{:<18}{:<18}{}\n", effect.field.name, name_of(effect.field.evidence),
                         effect.field.values.front().word, rival_words(effect.field), effect_word(effect.answer));
     if (effect.example) text += fmt::format("  {}{}\n", counterexample_text(*effect.example), conditions_of(effect));
   }
