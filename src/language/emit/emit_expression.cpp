@@ -64,6 +64,18 @@ std::optional<Reflection> reflection_of(const V& v) {
   return Reflection{node->args[1], node->args[0].constant};
 }
 
+// A value as the smaller, or the larger, of a constant and a value.
+struct Limit {
+  V of;
+  std::int64_t limit = 0;
+};
+
+std::optional<Limit> limit_of(Opcode opcode, const V& v) {
+  const Node* const node = node_at(v);
+  if (node == nullptr || node->opcode != opcode || !node->args[1].is_constant()) return std::nullopt;
+  return Limit{node->args[0], node->args[1].constant};
+}
+
 V times(const V& v, std::int64_t factor) {
   return mul(v, constant_of(factor));
 }
@@ -123,7 +135,7 @@ V Graph::make(Opcode opcode, const std::array<V, 4>& args, Interval range) {
 bool Graph::name(const V& value, const std::string& name) {
   if (value.is_constant()) return false;
   Node& node = value.graph->nodes_[static_cast<std::size_t>(value.node)];
-  if (node.named || node.opcode == Opcode::input) return false;
+  if (node.named || node.opcode == Opcode::input || value.graph->names_ == Names::none) return false;
   node.name = name;
   node.named = true;
   return true;
@@ -188,6 +200,9 @@ V min_of(V a, V b) {
   if (p.high <= q.low) return a;
   if (q.high <= p.low) return b;
   if (a.is_constant()) std::swap(a, b);
+  if (const auto limit = limit_of(Opcode::min_of, a); b.is_constant() && limit) {
+    return min_of(limit->of, constant_of(std::min(limit->limit, b.constant)));
+  }
   if (const auto moved = inside_multiple(a, b, min_of)) return *moved;
   return node_of(Opcode::min_of, a, b, {std::min(p.low, q.low), std::min(p.high, q.high)});
 }
@@ -197,6 +212,13 @@ V max_of(V a, V b) {
   if (p.low >= q.high) return a;
   if (q.low >= p.high) return b;
   if (a.is_constant()) std::swap(a, b);
+  if (const auto limit = limit_of(Opcode::max_of, a); b.is_constant() && limit) {
+    return max_of(limit->of, constant_of(std::max(limit->limit, b.constant)));
+  }
+  // The lower limit moves inside the upper one, so that equal limits meet.
+  if (const auto limit = limit_of(Opcode::min_of, a); b.is_constant() && limit && b.constant <= limit->limit) {
+    return min_of(max_of(limit->of, b), constant_of(limit->limit));
+  }
   if (const auto moved = inside_multiple(a, b, max_of)) return *moved;
   return node_of(Opcode::max_of, a, b, {std::max(p.low, q.low), std::max(p.high, q.high)});
 }

@@ -56,6 +56,9 @@ struct Node {
 class Graph {
  public:
   Graph() = default;
+  // Without names no value ends a simplification.
+  enum class Names : bool { none, kept };
+  explicit Graph(Names names) : names_(names) {}
   Graph(const Graph&) = delete;
   Graph& operator=(const Graph&) = delete;
 
@@ -77,6 +80,7 @@ class Graph {
  private:
   std::vector<Node> nodes_;
   bool negative_division_ = false;
+  Names names_ = Names::kept;
 };
 
 V set(int v);
