@@ -68,7 +68,7 @@ struct EquivalenceAnswer {
 struct EquivalenceOptions {
   std::vector<ProofTarget> targets;                    // none: the colour's four components
   std::uint64_t most_cases = std::uint64_t{1} << 34U;  // that are run for a target
-  double timeout_s = 60;                               // of the solver, for a target
+  double timeout_s = 60;                               // of the solver, for the whole question
   std::uint64_t random_cases = 100'000'000;            // that cross-check each of the solver's proofs
   std::string solver = "z3";                           // a program that reads SMT-LIB 2 with -in, looked up in the PATH
   std::function<bool(double done)> go_on;              // called now and then; false cancels the work

@@ -102,6 +102,20 @@ std::optional<V> inside_multiple(const V& a, const V& b, Rule rule) {
   return times(rule(m.of, constant_of(b.constant / m.factor)), m.factor);
 }
 
+// In formulas, min_of or max_of of a sum or a quotient and a constant: the limit moves inside.
+template <class Rule>
+std::optional<V> inside_formula(const V& a, const V& b, Opcode limit, Rule rule) {
+  const Node* const node = node_at(a);
+  if (node == nullptr || !b.is_constant() || a.graph->purpose() != Graph::Purpose::formulas) return std::nullopt;
+  if (const Offset o = offset_of(a); o.plus != 0) {
+    return add(rule(o.of, constant_of(b.constant - o.plus)), constant_of(o.plus));
+  }
+  if (node->opcode != Opcode::divide || b.constant < 0) return std::nullopt;
+  // The smallest dividend with that quotient, or the largest.
+  const std::int64_t d = node->args[1].constant, dividend = b.constant * d + (limit == Opcode::min_of ? d - 1 : 0);
+  return divide(rule(node->args[0], constant_of(dividend)), static_cast<int>(d));
+}
+
 }  // namespace
 
 Interval V::range() const {
@@ -135,7 +149,7 @@ V Graph::make(Opcode opcode, const std::array<V, 4>& args, Interval range) {
 bool Graph::name(const V& value, const std::string& name) {
   if (value.is_constant()) return false;
   Node& node = value.graph->nodes_[static_cast<std::size_t>(value.node)];
-  if (node.named || node.opcode == Opcode::input || value.graph->names_ == Names::none) return false;
+  if (node.named || node.opcode == Opcode::input || value.graph->purpose_ == Purpose::formulas) return false;
   node.name = name;
   node.named = true;
   return true;
@@ -204,6 +218,7 @@ V min_of(V a, V b) {
     return min_of(limit->of, constant_of(std::min(limit->limit, b.constant)));
   }
   if (const auto moved = inside_multiple(a, b, min_of)) return *moved;
+  if (const auto moved = inside_formula(a, b, Opcode::min_of, min_of)) return *moved;
   return node_of(Opcode::min_of, a, b, {std::min(p.low, q.low), std::min(p.high, q.high)});
 }
 
@@ -220,6 +235,7 @@ V max_of(V a, V b) {
     return min_of(max_of(limit->of, b), constant_of(limit->limit));
   }
   if (const auto moved = inside_multiple(a, b, max_of)) return *moved;
+  if (const auto moved = inside_formula(a, b, Opcode::max_of, max_of)) return *moved;
   return node_of(Opcode::max_of, a, b, {std::max(p.low, q.low), std::max(p.high, q.high)});
 }
 

@@ -56,9 +56,10 @@ struct Node {
 class Graph {
  public:
   Graph() = default;
-  // Without names no value ends a simplification.
-  enum class Names : bool { none, kept };
-  explicit Graph(Names names) : names_(names) {}
+  // Formulas are not for reading: no value has a name, which would end a simplification, and limits move inside sums
+  // and quotients, where equal ones meet.
+  enum class Purpose : bool { text, formulas };
+  explicit Graph(Purpose purpose) : purpose_(purpose) {}
   Graph(const Graph&) = delete;
   Graph& operator=(const Graph&) = delete;
 
@@ -72,6 +73,7 @@ class Graph {
 
   [[nodiscard]] const Node& operator[](int node) const { return nodes_[static_cast<std::size_t>(node)]; }
   [[nodiscard]] std::size_t size() const { return nodes_.size(); }
+  [[nodiscard]] Purpose purpose() const { return purpose_; }
 
   // Whether a dividend may be negative: the result would then depend on the language.
   void refuse_division() { negative_division_ = true; }
@@ -80,7 +82,7 @@ class Graph {
  private:
   std::vector<Node> nodes_;
   bool negative_division_ = false;
-  Names names_ = Names::kept;
+  Purpose purpose_ = Purpose::text;
 };
 
 V set(int v);

@@ -179,7 +179,7 @@ V start_of(const SmtSource& source, emit::Graph& graph) {
 }  // namespace
 
 Result<SmtQuestion> emit_smt_lib(const SmtProgram& a, const SmtProgram& b, int component) {
-  emit::Graph graph(emit::Graph::Names::none);
+  emit::Graph graph(emit::Graph::Purpose::formulas);
   std::vector<V> results;
   for (const SmtProgram* side : {&a, &b}) {
     if (auto fault = emit::refusal(*side->program, "question")) return *fault;

@@ -15,8 +15,9 @@ namespace {
 // Inputs of a group whose rows are found by running them: two take no time; three are tried if that saves some.
 constexpr std::array<int, 2> kMostInputs{2, 3};
 constexpr std::uint64_t kFewCases = std::uint64_t{1} << 28U;
-constexpr std::size_t kMostComponents = 6;  // of such a group: what a key of 64 bits holds
-constexpr int kKeyBits = 10;                // of a component
+constexpr std::uint64_t kMostRows = std::uint64_t{1} << 20U;  // of a group
+constexpr std::size_t kMostComponents = 6;                    // of such a group: what a key of 64 bits holds
+constexpr int kKeyBits = 10;                                  // of a component
 
 // The inputs that components before general combiner `cut` depend on, by component.
 std::array<ComponentMask, kComponents> inputs_at(const Subject& side, int cut) {
@@ -29,6 +30,12 @@ std::array<ComponentMask, kComponents> inputs_at(const Subject& side, int cut) {
     }
   }
   return inputs;
+}
+
+// Saturates at the largest number.
+std::uint64_t product(std::uint64_t a, std::uint64_t b) {
+  constexpr std::uint64_t kMost = std::numeric_limits<std::uint64_t>::max();
+  return b != 0 && a > kMost / b ? kMost : a * b;
 }
 
 // A group while it is put together.
@@ -85,8 +92,10 @@ class Head {
   OutputBatch out_{};
 };
 
-// Finds the rows of a group. Returns false if it was cancelled.
-bool fill(CaseGroup& group, std::array<Head, 2>& heads, const std::function<bool()>& go_on) {
+enum class Fill : std::uint8_t { done, too_many_rows, cancelled };
+
+// Finds the rows of a group, unless they are more than `most`.
+Fill fill(CaseGroup& group, std::array<Head, 2>& heads, std::uint64_t most, const std::function<bool()>& go_on) {
   const std::uint32_t count = std::uint32_t{1} << static_cast<unsigned>(8 * group.inputs.size());
   std::unordered_map<std::uint64_t, std::uint32_t> rows;  // by key: the first bytes that give it
   for (std::uint32_t first = 0; first < count; first += kBatchSize) {
@@ -99,7 +108,8 @@ bool fill(CaseGroup& group, std::array<Head, 2>& heads, const std::function<bool
       }
       rows.try_emplace(key, first + static_cast<std::uint32_t>(k));
     }
-    if (first % (1U << 20U) == 0 && !go_on()) return false;
+    if (rows.size() > most) return Fill::too_many_rows;
+    if (first % (1U << 20U) == 0 && !go_on()) return Fill::cancelled;
   }
   std::vector<std::pair<std::uint32_t, std::uint64_t>> sorted;  // the same order on every machine
   for (const auto& [key, origin] : rows) sorted.emplace_back(origin, key);
@@ -113,7 +123,7 @@ bool fill(CaseGroup& group, std::array<Head, 2>& heads, const std::function<bool
       group.columns[i].push_back(static_cast<s9>(digit - (1 << (kKeyBits - 1))));
     }
   }
-  return true;
+  return Fill::done;
 }
 
 // The groups of a cut without their rows, or nothing if a group has too many inputs.
@@ -143,31 +153,55 @@ std::optional<std::vector<CaseGroup>> groups_at(const std::array<Subject, 2>& si
   return groups;
 }
 
-// Finds the rows of all groups, and the components of no group. Empty if it was cancelled.
-std::optional<CaseTable> table_at(const std::array<Subject, 2>& sides, const std::array<int, 2>& cut,
-                                  std::vector<CaseGroup> groups, const std::function<bool()>& go_on) {
-  CaseTable table{cut, std::move(groups), {}};
-  std::array<Head, 2> heads{Head(sides[0], cut[0]), Head(sides[1], cut[1])};
-  for (CaseGroup& group : table.groups) {
-    if (!fill(group, heads, go_on)) return std::nullopt;
+// Tries cuts and keeps the table with the fewest cases.
+class TableSearch {
+ public:
+  TableSearch(const std::array<Subject, 2>& sides, const ProofTarget& target, const std::function<bool()>& go_on)
+      : sides_(sides), target_(target), go_on_(go_on) {}
+
+  // Groups with more inputs than `most_inputs` rule a cut out. Returns false if it was cancelled.
+  bool try_cut(const std::array<int, 2>& cut, int most_inputs) {
+    auto groups = groups_at(sides_, cut, target_, most_inputs);
+    if (!groups) return true;
+    CaseTable table{cut, std::move(*groups), {}};
+    std::array<Head, 2> heads{Head(sides_[0], cut[0]), Head(sides_[1], cut[1])};
+    std::uint64_t cases = 1;
+    for (CaseGroup& group : table.groups) {
+      const Fill filled = fill(group, heads, most_rows(cases), go_on_);
+      if (filled == Fill::cancelled) return false;
+      if (filled == Fill::too_many_rows) return true;
+      cases = product(cases, group.rows());
+    }
+    if (best_ && best_->cases() <= cases) return true;
+    for (std::size_t side = 0; side < 2; ++side) {
+      heads[side].run({}, 0, 1);
+      for (int i = 0; i < kComponents; ++i) table.fixed[side][static_cast<std::size_t>(i)] = *heads[side].plane(i);
+    }
+    best_ = std::move(table);
+    return true;
   }
-  for (std::size_t side = 0; side < 2; ++side) {
-    heads[side].run({}, 0, 1);
-    for (int i = 0; i < kComponents; ++i) table.fixed[side][static_cast<std::size_t>(i)] = *heads[side].plane(i);
+
+  [[nodiscard]] bool has_few_cases() const { return best_ && best_->cases() <= kFewCases; }
+  [[nodiscard]] std::optional<CaseTable> best() { return std::move(best_); }
+
+ private:
+  // A group with more rows does not make fewer cases than there are.
+  [[nodiscard]] std::uint64_t most_rows(std::uint64_t cases) const {
+    return best_ ? std::min(kMostRows, best_->cases() / cases) : kMostRows;
   }
-  return table;
-}
+
+  const std::array<Subject, 2>& sides_;
+  const ProofTarget& target_;
+  const std::function<bool()>& go_on_;
+  std::optional<CaseTable> best_;
+};
 
 }  // namespace
 
 std::uint64_t CaseTable::cases() const {
-  constexpr std::uint64_t kMost = std::numeric_limits<std::uint64_t>::max();
-  std::uint64_t product = 1;
-  for (const CaseGroup& group : groups) {
-    if (product > kMost / group.rows()) return kMost;
-    product *= group.rows();
-  }
-  return product;
+  std::uint64_t all = 1;
+  for (const CaseGroup& group : groups) all = product(all, group.rows());
+  return all;
 }
 
 std::optional<CaseTable> make_case_table(const std::array<Subject, 2>& sides, const ProofTarget& target,
@@ -175,20 +209,16 @@ std::optional<CaseTable> make_case_table(const std::array<Subject, 2>& sides, co
   // Registers of real numbers are no codes between two stages.
   const bool integer = sides[0].is_integer() && sides[1].is_integer();
   const auto last = [&](std::size_t side) { return integer ? sides[side].program.num_general_combiners : 0; };
-  std::optional<CaseTable> best;
+  TableSearch search(sides, target, go_on);
+  if (!search.try_cut({0, 0}, 1)) return std::nullopt;
   for (const int most_inputs : kMostInputs) {
-    if (best && best->cases() <= kFewCases) break;
     for (int a = 0; a <= last(0); ++a) {
-      for (int b = 0; b <= last(1); ++b) {
-        auto groups = groups_at(sides, {a, b}, target, most_inputs);
-        if (!groups) continue;
-        auto table = table_at(sides, {a, b}, std::move(*groups), go_on);
-        if (!table) return std::nullopt;
-        if (!best || table->cases() < best->cases()) best = std::move(table);
+      for (int b = 0; b <= last(1) && !search.has_few_cases(); ++b) {
+        if (!search.try_cut({a, b}, most_inputs)) return std::nullopt;
       }
     }
   }
-  return best;
+  return search.best();
 }
 
 }  // namespace ninebit::proof

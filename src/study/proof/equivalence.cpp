@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <utility>
 
 #include "ninebit/combiner/validate.h"
@@ -29,9 +30,10 @@ Diagnostic cancelled() {
 // One target of a question.
 class TargetProof {
  public:
+  // The solver may take `seconds`; what it took is subtracted.
   TargetProof(const std::array<Subject, 2>& sides, const ProofTarget& target, const EquivalenceOptions& options,
-              std::function<bool(double)> go_on)
-      : sides_(sides), target_(target), options_(options), go_on_(std::move(go_on)) {}
+              std::function<bool(double)> go_on, double& seconds)
+      : sides_(sides), target_(target), options_(options), go_on_(std::move(go_on)), seconds_(seconds) {}
 
   Result<EquivalenceAnswer> run() {
     const auto wait = [this] { return !go_on_ || go_on_(0); };
@@ -108,7 +110,10 @@ class TargetProof {
           component_name(target_.reg, target_.component));
       return answer_;
     }
-    const auto solved = proof::solve(sides_, target_, options_.solver, options_.timeout_s, wait);
+    const auto begin = std::chrono::steady_clock::now();
+    const auto solved = proof::solve(sides_, target_, options_.solver, seconds_, wait);
+    seconds_ -= std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    seconds_ = std::max(seconds_, 0.0);
     if (!solved) return solved.error();
     answer_.reason = solved->reason;
     if (solved->answer == ProofAnswer::refuted) confirm(solved->bytes);
@@ -126,6 +131,7 @@ class TargetProof {
   ProofTarget target_;
   const EquivalenceOptions& options_;
   std::function<bool(double)> go_on_;
+  double& seconds_;
   EquivalenceAnswer answer_;
 };
 
@@ -179,11 +185,12 @@ Result<EquivalenceAnswer> prove_equivalent(const ProofSubject& a, const ProofSub
   const auto targets = options.targets.empty() ? color_targets() : options.targets;
   EquivalenceAnswer all;
   all.answer = ProofAnswer::proved;
+  double seconds = options.timeout_s;
   for (std::size_t i = 0; i < targets.size(); ++i) {
     const auto go_on = [&](double done) {
       return !options.go_on || options.go_on((static_cast<double>(i) + done) / static_cast<double>(targets.size()));
     };
-    auto answer = TargetProof(sides, targets[i], options, go_on).run();
+    auto answer = TargetProof(sides, targets[i], options, go_on, seconds).run();
     if (!answer) return answer.error();
     add(all, std::move(*answer));
     if (all.answer == ProofAnswer::refuted) break;

@@ -67,7 +67,7 @@ Result<SolverAnswer> solve(const std::array<Subject, 2>& sides, const ProofTarge
     case posix::ProgramEnd::stopped:
       return Diagnostic{.message = "interrupted", .fault = Fault::cancelled};
     case posix::ProgramEnd::out_of_time:
-      return unknown(fmt::format("the solver found no answer in {} seconds", timeout_s));
+      return unknown("the solver found no answer in time");
     case posix::ProgramEnd::not_found:
       return unknown(
           fmt::format("too many cases to run, and the PATH has no solver {0}; install the package {0}", solver));

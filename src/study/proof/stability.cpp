@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <bit>
+#include <chrono>
 
 #include "ninebit/combiner/program.h"
 #include "src/study/proof/component_flow.h"
@@ -30,7 +30,7 @@ bool reads(proof::ComponentMask read, Register r, int component) {
 class Setting {
  public:
   Setting(const CombinerState& state, const HardwareProfile& profile, int texture_off,
-          std::vector<CombinerField> fields, const EquivalenceOptions& options)
+          std::vector<CombinerField> fields, EquivalenceOptions& options)
       : state_(state), profile_(profile), texture_off_(texture_off), fields_(std::move(fields)), options_(options) {}
 
   // Finds the combinations that give the same colours. Returns what made it impossible.
@@ -118,8 +118,13 @@ class Setting {
       if (texture_off_ >= 0) made.texture_off[static_cast<std::size_t>(texture_off_)] = true;
       return made;
     };
+    const auto begin = std::chrono::steady_clock::now();
     auto answer = prove_equivalent(subject(a), subject(b), options_);
     if (!answer) return answer;
+    const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - begin;
+    if (answer->method == ProofMethod::smt && answer->cases > 0) {
+      options_.timeout_s = std::max(options_.timeout_s - passed.count(), 0.0);
+    }
     cases_ += answer->cases;
     by_formulas_ = by_formulas_ || (answer->cases > 0 && answer->method == ProofMethod::smt);
     if (answer->answer == ProofAnswer::unknown) reason_ = answer->reason;
@@ -140,7 +145,7 @@ class Setting {
   const HardwareProfile& profile_;
   int texture_off_;
   std::vector<CombinerField> fields_;
-  const EquivalenceOptions& options_;
+  EquivalenceOptions& options_;  // the solver's time is what is left
   std::vector<Combination> combinations_;
   std::vector<std::size_t> class_;            // by combination
   std::vector<std::size_t> representatives_;  // a combination of each class

@@ -9,7 +9,7 @@ namespace ninebit::tools {
 
 void add_proof_flags(CLI::App& verb, ProofFlags& flags) {
   add_common_flags(verb, flags.common);
-  verb.add_option("--timeout", flags.timeout_s, "Longest time of the solver for one output; then the answer is unknown")
+  verb.add_option("--timeout", flags.timeout_s, "Longest time of the solver; then the answer is unknown")
       ->capture_default_str()
       ->type_name("SECONDS")
       ->check(real_in_range(0.0, kMostSeconds));

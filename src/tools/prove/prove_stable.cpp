@@ -90,7 +90,9 @@ int run(const StableFlags& flags) {
   if (!state) return exit_code;
   const ThreadLimit limit(common.threads);
   ProgressLine progress(common.quiet || common.json);
-  const auto proof = prove_stable(*state, profile, options_of(flags.proof, progress));
+  EquivalenceOptions options = options_of(flags.proof, progress);
+  options.random_cases = 10'000'000;  // there are many proofs
+  const auto proof = prove_stable(*state, profile, options);
   if (!proof) return report(proof.error());
   const int code = common.json ? answer(json_of(*proof, flags)) : answer_exactly(text_of(*proof, flags));
   return code != kDone ? code : exit_code_of(proof->answer);
