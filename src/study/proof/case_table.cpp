@@ -214,6 +214,8 @@ std::optional<CaseTable> make_case_table(const std::array<Subject, 2>& sides, co
   for (const int most_inputs : kMostInputs) {
     for (int a = 0; a <= last(0); ++a) {
       for (int b = 0; b <= last(1) && !search.has_few_cases(); ++b) {
+        // Three inputs take a second: only cuts after or before as many general combiners on both sides.
+        if (most_inputs == kMostInputs.back() && a != b && last(0) - a != last(1) - b) continue;
         if (!search.try_cut({a, b}, most_inputs)) return std::nullopt;
       }
     }
