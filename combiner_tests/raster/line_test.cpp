@@ -92,18 +92,20 @@ TEST(Line, RectanglesByHand) {
   EXPECT_EQ(rectangle(25, 40, 31, 40), Pixels{});          // between two
 }
 
-// The width of a diagonal line is multiplied by 1.5 / 1.414: with 3 eighths the half width reaches 4.5 sixteenths in x
-// and y together, and the centres at a distance of (8, 0) and (0, 8) need 8 of them, which 5.333 eighths would give.
+// Centres lie 40 / 1.414 = 28.28 sixteenths beside a diagonal through the borders of pixels. A rectangle that is not
+// too wide reaches them with 29 eighths; that of rule 30, which is 1.5 / 1.414 as wide, with 27.
 TEST(Line, DiagonalRectanglesAreTooWide) {
-  const auto diagonal = [](float width) { return rectangle(16, 8, 112, 104, width); };  // half a pixel below centres
-  EXPECT_EQ(diagonal(0.625F), Pixels{});
-  EXPECT_EQ(diagonal(0.75F).size(), 12U);  // 0.707 would be the width of a rectangle that is not too wide
+  const auto diagonal = [](float width) { return rectangle(16, 8, 112, 104, width); };
+  EXPECT_EQ(diagonal(0.625F), Pixels{});  // 5 × 1.5 / 1.414 is less than 8 / 1.414
+  EXPECT_EQ(diagonal(0.75F).size(), 12U);
+  EXPECT_EQ(diagonal(3.25F).size(), 24U);
+  EXPECT_EQ(diagonal(3.375F).size(), 35U);
 }
 
 // Of a line that is neither level nor upright, a side to the right has the centres on it, and one to the left has not:
 // so all pictures of an NV2A.
 TEST(Line, CentresOnSlantedSidesFallToTheRight) {
-  // |d| |h| = 4 (40 + 10) = 200 at width 1/2: centres at (±5, 0) · (20, ±40) lie on the sides.
+  // The line is d = (20, 40), and |d| |h| is 4 × 50 = 200: a centre 5 sixteenths to the right or left is on a side.
   const Pixels left_of = rectangle(19 - 10, 24 - 20, 19 + 10, 24 + 20, 0.5F);   // the centre (24, 24) to the right
   const Pixels right_of = rectangle(29 - 10, 24 - 20, 29 + 10, 24 + 20, 0.5F);  // and to the left
   const auto has = [](const Pixels& pixels) {
