@@ -58,7 +58,7 @@ TEST(JsonProfile, EveryFieldCanBeReplaced) {
     "general_narrowing": "nearest-halves-up", "narrowing_point": "before-scale", "final_narrowing": "toward-zero",
     "general_combiners": 5, "texture_units": 3, "per_stage_constants": true, "blue_to_alpha": true,
     "mux_by_lowest_bit": true, "color_sum_inverts": true, "spare0_alpha_without_texture0": 1, "disabled_texture_alpha": 2, "secondary_alpha": "as-given",
-    "fog_alpha_without_fog": 3, "subpixel_bits": 0, "vertex_color_mantissa_bits": 23,
+    "fog_alpha_without_fog": 3, "subpixel_bits": 0, "line_shape": "diamonds", "point_shape": "whole-pixels", "vertex_color_mantissa_bits": 23,
     "polygon_offset_slope": "root", "color_interpolation": "affine", "color_weights": "exact", "depth_narrowing": "nearest-halves-up", "fog_narrowing": "nearest-halves-up",
     "texture_weight_bits": 5, "texture_weight_narrowing": "nearest-halves-up", "texture_filter_rounding": "once",
     "dxt1_palette": "rgb888"})");
@@ -85,6 +85,8 @@ TEST(JsonProfile, EveryFieldCanBeReplaced) {
   EXPECT_EQ(p.secondary_alpha.value, SecondaryAlpha::as_given);
   EXPECT_EQ(p.fog_alpha_without_fog.value, 3);
   EXPECT_EQ(p.subpixel_bits.value, 0);
+  EXPECT_EQ(p.line_shape.value, LineShape::diamonds);
+  EXPECT_EQ(p.point_shape.value, PointShape::whole_pixels);
   EXPECT_EQ(p.vertex_color_mantissa_bits.value, 23);
   EXPECT_EQ(p.polygon_offset_slope.value, OffsetSlope::root);
   EXPECT_EQ(p.color_interpolation.value, ColorInterpolation::affine);
@@ -182,6 +184,7 @@ TEST(JsonProfile, EveryFaultHasItsPlace) {
       "general_combiners, texture_units, per_stage_constants, blue_to_alpha, mux_by_lowest_bit, "
       "color_sum_inverts, spare0_alpha_without_texture0, "
       "disabled_texture_alpha, secondary_alpha, fog_alpha_without_fog, subpixel_bits, "
+      "line_shape, point_shape, "
       "vertex_color_mantissa_bits, polygon_offset_slope, color_interpolation, color_weights, depth_narrowing, "
       "fog_narrowing, "
       "texture_weight_bits, "

@@ -76,6 +76,8 @@ TEST(Profiles, Geforce2IsTheTable) {
   expect_choice(p.secondary_alpha, SecondaryAlpha::one, inferred, "secondary_alpha");
   expect_choice(p.fog_alpha_without_fog, 255, specified, "fog_alpha_without_fog");
   expect_choice(p.subpixel_bits, 4, inferred, "subpixel_bits");
+  expect_choice(p.line_shape, LineShape::rectangles, inferred, "line_shape");
+  expect_choice(p.point_shape, PointShape::squares, inferred, "point_shape");
   expect_choice(p.vertex_color_mantissa_bits, 13, inferred, "vertex_color_mantissa_bits");
   expect_choice(p.polygon_offset_slope, OffsetSlope::larger, inferred, "polygon_offset_slope");
   expect_choice(p.color_interpolation, ColorInterpolation::perspective, assumed, "color_interpolation");
@@ -110,6 +112,8 @@ TEST(Profiles, Nv2aIsTheTable) {
   expect_choice(p.secondary_alpha, SecondaryAlpha::as_given, specified, "secondary_alpha");
   expect_choice(p.fog_alpha_without_fog, 255, specified, "fog_alpha_without_fog");
   expect_choice(p.subpixel_bits, 4, measured, "subpixel_bits");
+  expect_choice(p.line_shape, LineShape::rectangles, measured, "line_shape");
+  expect_choice(p.point_shape, PointShape::squares, measured, "point_shape");
   expect_choice(p.vertex_color_mantissa_bits, 13, measured, "vertex_color_mantissa_bits");
   expect_choice(p.polygon_offset_slope, OffsetSlope::larger, inferred, "polygon_offset_slope");
   expect_choice(p.color_interpolation, ColorInterpolation::perspective, assumed, "color_interpolation");
@@ -161,6 +165,8 @@ TEST(Profiles, RealNumbersAreTheTable) {
     expect_choice(p.disabled_texture_alpha, 255, assumed, "disabled_texture_alpha");
     expect_choice(p.secondary_alpha, SecondaryAlpha::as_given, specified, "secondary_alpha");
     expect_choice(p.subpixel_bits, 4, assumed, "subpixel_bits");
+    expect_choice(p.line_shape, LineShape::diamonds, specified, "line_shape");
+    expect_choice(p.point_shape, PointShape::whole_pixels, specified, "point_shape");
     expect_choice(p.vertex_color_mantissa_bits, 23, assumed, "vertex_color_mantissa_bits");
     expect_choice(p.polygon_offset_slope, OffsetSlope::larger, assumed, "polygon_offset_slope");
     expect_choice(p.color_interpolation, ColorInterpolation::perspective, assumed, "color_interpolation");

@@ -107,6 +107,42 @@ bool exits_diamond(const WindowLine& line, int px, int py) {
   return std::all_of(leaves.begin(), leaves.end(), [&](const Crossing& out) { return less(start, out); });
 }
 
+bool rectangle_covers(const WindowLine& line, int width, int px, int py) {
+  const Wide dx = line[1].x_q4 - line[0].x_q4, dy = line[1].y_q4 - line[0].y_q4;
+  if (dx == 0 && dy == 0) return false;
+  // h is (-dy, dx) times a fraction, which has the squared length below the line. All is multiplied by twice that.
+  const Wide ax = dx < 0 ? -dx : dx, ay = dy < 0 ? -dy : dy;
+  const Wide above = width * (ax + ay + (ax > ay ? ax : ay)), scale = 2 * (dx * dx + dy * dy);
+  struct Place {
+    Wide x, y;
+  };
+  const auto corner = [&](std::size_t end, int up) {
+    return Place{scale * line[end].x_q4 - up * above * dy, scale * line[end].y_q4 + up * above * dx};
+  };
+  const Place centre{scale * (16 * px + 8), scale * (16 * py + 8)};
+  const std::array<Place, 4> corners{corner(0, -1), corner(1, -1), corner(1, 1), corner(0, 1)};
+  for (std::size_t i = 0; i < 4; ++i) {
+    const Place &a = corners[i], &b = corners[(i + 1) % 4];
+    const Wide x = b.x - a.x, y = b.y - a.y;
+    int inner = sign(x * (centre.y - a.y) - y * (centre.x - a.x));
+    // A centre on a side moves a little: to the right, then down, or of slanted lines to the left.
+    if (inner == 0 && (dx == 0 || dy == 0)) inner = y != 0 ? -sign(y) : -sign(x);
+    if (inner == 0) inner = sign(y);
+    if (inner < 0) return false;
+  }
+  return true;
+}
+
+bool square_covers(const WindowVertex& position, int size, int px, int py) {
+  // From the position to the centre, to the right and down, in sixteenths.
+  const std::int64_t right = 16 * px + 8 - position.x_q4, down = position.y_q4 - 16 * py - 8;
+  if (size == 0) return right > -8 && right <= 8 && down > -8 && down <= 8;
+  bool is_power = false;
+  for (int power = 1; power <= size; power *= 2) is_power = is_power || power == size;
+  const auto is_in = [&](std::int64_t from) { return from >= -size && (from < size || (from == size && !is_power)); };
+  return is_in(right) && is_in(down);
+}
+
 Along along_line(const WindowLine& line, int px, int py) {
   const std::int64_t dx = line[1].x_q4 - line[0].x_q4, dy = line[1].y_q4 - line[0].y_q4;
   const std::int64_t squared = dx * dx + dy * dy;

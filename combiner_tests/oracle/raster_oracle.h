@@ -34,6 +34,17 @@ using WindowLine = std::array<WindowVertex, 2>;
 // the pixel and does not end in it.
 [[nodiscard]] bool exits_diamond(const WindowLine& line, int px, int py);
 
+// Whether a line of the NV2A draws the pixel: its centre lies in the rectangle with the corners P ± h, Q ± h, where h
+// is perpendicular to the line and |h| is half the width × (max(|dx|, |dy|) + min(|dx|, |dy|) / 2) / its length.
+// Centres on the sides of a level or upright line follow the top-left rule; of other lines the sides to the right have
+// them. `width` is in eighths of a pixel.
+[[nodiscard]] bool rectangle_covers(const WindowLine& line, int width, int px, int py);
+
+// Whether a point of the NV2A draws the pixel: its centre lies in the square around the position, or on its left or top
+// side; unless the size is a power of two, also on another side. Without size, the pixel that holds the position has
+// it. `size` is in eighths of a pixel.
+[[nodiscard]] bool square_covers(const WindowVertex& position, int size, int px, int py);
+
 // How far along the line the pixel's centre lies, as the fraction along / squared_length, clamped to [0, 1].
 struct Along {
   std::int64_t along = 0;

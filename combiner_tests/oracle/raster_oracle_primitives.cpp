@@ -34,9 +34,19 @@ class Drawing {
   void point(const Source& source, const DrawnVertex& v) {
     const WindowVertex& p = v.position;
     if (beyond_sides({p}) || !within_sides(p)) return;
+    if (state_.profile.point_shape.value == PointShape::squares) {
+      for (int py = viewport_.bottom; py < viewport_.top; ++py) {
+        for (int px = viewport_.left; px < viewport_.right; ++px) {
+          if (!square_covers(p, eighths(state_.point_size), px, py)) continue;
+          fragment(source, px, py, p.z24, color_of(source, {v.color}, {1.0}));
+        }
+      }
+      return;
+    }
     const double x = static_cast<double>(p.x_q4) / 16, y = static_cast<double>(p.y_q4) / 16;
-    const double half = state_.point_size / 2.0;
-    const bool odd = state_.point_size % 2 == 1;
+    const int size = nearest_whole(state_.point_size);
+    const double half = size / 2.0;
+    const bool odd = size % 2 == 1;
     const double cx = odd ? std::floor(x) + 0.5 : std::floor(x + 0.5);
     const double cy = odd ? std::floor(y) + 0.5 : std::floor(y + 0.5);
     for (int py = viewport_.bottom; py < viewport_.top; ++py) {
@@ -50,8 +60,12 @@ class Drawing {
 
   void line(const Source& source, const DrawnVertex& a, const DrawnVertex& b) {
     if (beyond_sides({a.position, b.position})) return;
+    if (state_.profile.line_shape.value == LineShape::rectangles) {
+      rectangle(source, a, b);
+      return;
+    }
     const bool x_major = std::abs(b.position.x_q4 - a.position.x_q4) >= std::abs(b.position.y_q4 - a.position.y_q4);
-    const int width = state_.line_width;
+    const int width = nearest_whole(state_.line_width);
     WindowLine lowest{a.position, b.position};
     for (WindowVertex& v : lowest) (x_major ? v.y_q4 : v.x_q4) -= 8 * (width - 1);
     const auto pixel = [](std::int64_t q4) { return static_cast<int>(std::floor(static_cast<double>(q4) / 16)); };
@@ -63,13 +77,10 @@ class Drawing {
     for (int py = std::max(bottom, viewport_.bottom - 64); py <= std::min(top, viewport_.top); ++py) {
       for (int px = std::max(left, viewport_.left - 64); px <= std::min(right, viewport_.right); ++px) {
         if (!exits_diamond(lowest, px, py)) continue;
-        const Along t = along_line(lowest, px, py);
-        const double share = static_cast<double>(t.along) / static_cast<double>(t.squared_length);
-        const Bytes color = color_of(source, {a.color, b.color}, {1 - share, share});
-        const std::int64_t l = t.squared_length;
-        const std::int64_t sum = (l - t.along) * a.position.z24 + t.along * b.position.z24;
-        const std::int64_t z = cuts_depth() ? sum / l : (2 * sum + l) / (2 * l);
-        for (int k = 0; k < width; ++k) fragment(source, x_major ? px : px + k, x_major ? py + k : py, z, color);
+        const OnLine at = on_line(source, a, b, along_line(lowest, px, py));
+        for (int k = 0; k < width; ++k) {
+          fragment(source, x_major ? px : px + k, x_major ? py + k : py, at.z24, at.color);
+        }
       }
     }
   }
@@ -156,6 +167,35 @@ class Drawing {
       color[i] = static_cast<std::uint8_t>(std::min(std::max(std::floor(real + 0.5), 0.0), 255.0));
     }
     return color;
+  }
+
+  static int eighths(float size) { return static_cast<int>(std::lround(8.0 * static_cast<double>(size))); }
+  // OpenGL's sizes without antialiasing.
+  static int nearest_whole(float size) {
+    return std::max(static_cast<int>(std::floor(static_cast<double>(size) + 0.5)), 1);
+  }
+
+  // What a line has at a place along it.
+  struct OnLine {
+    std::int64_t z24;
+    Bytes color;
+  };
+  OnLine on_line(const Source& source, const DrawnVertex& a, const DrawnVertex& b, const Along& t) const {
+    const double share = static_cast<double>(t.along) / static_cast<double>(t.squared_length);
+    const std::int64_t l = t.squared_length;
+    const std::int64_t sum = (l - t.along) * a.position.z24 + t.along * b.position.z24;
+    return {cuts_depth() ? sum / l : (2 * sum + l) / (2 * l), color_of(source, {a.color, b.color}, {1 - share, share})};
+  }
+
+  void rectangle(const Source& source, const DrawnVertex& a, const DrawnVertex& b) {
+    const WindowLine ends{a.position, b.position};
+    for (int py = viewport_.bottom; py < viewport_.top; ++py) {
+      for (int px = viewport_.left; px < viewport_.right; ++px) {
+        if (!rectangle_covers(ends, eighths(state_.line_width), px, py)) continue;
+        const OnLine at = on_line(source, a, b, along_line(ends, px, py));
+        fragment(source, px, py, at.z24, at.color);
+      }
+    }
   }
 
   void filled(Source source, const WindowTriangle& t, const std::array<Bytes, 3>& colors) {

@@ -96,10 +96,13 @@ TEST(BadInput, NumbersOutOfTheirRangesAreReported) {
     change(state);
     return !draw(state, mesh.arrays()).ok();
   };
-  for (const int size : {0, -1, 65, std::numeric_limits<int>::max(), std::numeric_limits<int>::min()}) {
+  for (const float size : {-1.0F, -0.125F, 0.0625F, 1.1F, 64.125F, 1e30F, -1e30F, kNan, kInfinity, -kInfinity}) {
     EXPECT_TRUE(fails([&](PipelineState& s) { s.point_size = size; })) << size;
     EXPECT_TRUE(fails([&](PipelineState& s) { s.line_width = size; })) << size;
   }
+  EXPECT_TRUE(fails([](PipelineState& s) { s.line_width = 0; }));
+  EXPECT_FALSE(fails([](PipelineState& s) { s.point_size = 0; }));
+  EXPECT_FALSE(fails([](PipelineState& s) { s.point_size = s.line_width = 0.125F; }));
   EXPECT_FALSE(fails([](PipelineState& s) { s.point_size = s.line_width = 64; }));
   for (const float odd : {kNan, kInfinity, -kInfinity}) {
     EXPECT_TRUE(fails([&](PipelineState& s) { s.polygon_offset.factor = odd; })) << odd;
@@ -267,8 +270,10 @@ TEST(BadInput, AnyFloatsAtAllAreSafe) {
     PipelineState state;
     state.front_mode = static_cast<PolygonMode>(random.below(3));
     state.back_mode = static_cast<PolygonMode>(random.below(3));
-    state.line_width = random.pick({1, 2, 64});
-    state.point_size = random.pick({1, 2, 64});
+    state.line_width = random.pick({0.125F, 1.0F, 2.0F, 64.0F});
+    state.point_size = random.pick({0.0F, 1.0F, 2.0F, 64.0F});
+    if (random.one_in(2)) state.profile.line_shape.value = LineShape::diamonds;
+    if (random.one_in(2)) state.profile.point_shape.value = PointShape::whole_pixels;
     state.polygon_offset = {true, true, true, random.pick({0.0F, 1.0F, -kMax, kMax}), random.pick({0.0F, kMax, -3.0F})};
     state.profile.color_interpolation.value =
         random.one_in(2) ? ColorInterpolation::affine : ColorInterpolation::perspective;

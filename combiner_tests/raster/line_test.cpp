@@ -1,4 +1,5 @@
-// Lines: the diamond-exit rule on every kind of tie, wide lines, strips and loops, values along a line, clipping.
+// Lines: the diamond-exit rule and the NV2A's rectangles on every kind of tie, wide lines, strips and loops, values
+// along a line, clipping.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -13,13 +14,14 @@ using Pixels = std::vector<std::array<int, 2>>;
 
 // How often each pixel is drawn by one call of this type.
 PlaneSamples<std::uint8_t> counts(PrimitiveType type, const std::vector<oracle::WindowVertex>& vertices, int size,
-                                  int line_width = 1) {
+                                  float line_width = 1.0F, LineShape shape = LineShape::diamonds) {
   std::vector<glm::vec3> positions;
   for (const oracle::WindowVertex& v : vertices) positions.push_back(clip_position(v, size, size));
   Surface surface = Surface::make(size, size).value();
   RenderTarget target = surface.target();
   PipelineState state = counting_state();
   state.line_width = line_width;
+  state.profile.line_shape.value = shape;
   const Status status = rasterize(state, kIdentity, {.type = type, .positions = positions}, {}, target);
   EXPECT_TRUE(status.ok()) << status.error().message;
   return surface.stencil();
@@ -35,8 +37,12 @@ Pixels drawn_pixels(const PlaneSamples<std::uint8_t>& count, int size) {
   return pixels;
 }
 
-Pixels line(int ax, int ay, int bx, int by, int width = 1) {
-  return drawn_pixels(counts(PrimitiveType::lines, {{ax, ay, 0}, {bx, by, 0}}, 8, width), 8);
+Pixels line(int ax, int ay, int bx, int by, float width = 1.0F, LineShape shape = LineShape::diamonds) {
+  return drawn_pixels(counts(PrimitiveType::lines, {{ax, ay, 0}, {bx, by, 0}}, 8, width, shape), 8);
+}
+
+Pixels rectangle(int ax, int ay, int bx, int by, float width = 1.0F) {
+  return line(ax, ay, bx, by, width, LineShape::rectangles);
 }
 
 // Positions in sixteenths: the centre of pixel i is at 16 i + 8.
@@ -69,6 +75,72 @@ TEST(Line, WideOnesAreColumnsOrRows) {
   // Of an even width there is one more below than above: the lowest line lies half a pixel lower, on a border.
   EXPECT_EQ(line(24, 40, 56, 40, 2), (Pixels{{1, 1}, {2, 1}, {1, 2}, {2, 2}}));
   EXPECT_EQ(line(24, 40, 24, 72, 2), (Pixels{{0, 2}, {1, 2}, {0, 3}, {1, 3}}));
+}
+
+// Rule 30. A level or upright line has the centres on its left and its upper side.
+TEST(Line, RectanglesByHand) {
+  EXPECT_EQ(rectangle(24, 40, 72, 40), (Pixels{{1, 2}, {2, 2}, {3, 2}}));  // from left side to right side
+  EXPECT_EQ(rectangle(72, 40, 24, 40), (Pixels{{1, 2}, {2, 2}, {3, 2}}));
+  EXPECT_EQ(rectangle(24, 40, 24, 88), (Pixels{{1, 3}, {1, 4}, {1, 5}}));  // from lower side to upper side
+  EXPECT_EQ(rectangle(16, 48, 64, 48), (Pixels{{1, 3}, {2, 3}, {3, 3}}));  // centres on both long sides
+  EXPECT_EQ(rectangle(32, 16, 32, 64), (Pixels{{1, 1}, {1, 2}, {1, 3}}));
+  EXPECT_EQ(rectangle(16, 48, 64, 48, 1.125F), (Pixels{{1, 2}, {2, 2}, {3, 2}, {1, 3}, {2, 3}, {3, 3}}));  // and within
+  EXPECT_EQ(rectangle(16, 48, 64, 48, 0.875F), Pixels{});
+  EXPECT_EQ(rectangle(16, 40, 64, 40, 0.125F), (Pixels{{1, 2}, {2, 2}, {3, 2}}));
+  EXPECT_EQ(rectangle(24, 40, 24, 40, 64), Pixels{});      // no length
+  EXPECT_EQ(rectangle(23, 40, 25, 40), (Pixels{{1, 2}}));  // shorter than a pixel, around a centre
+  EXPECT_EQ(rectangle(25, 40, 31, 40), Pixels{});          // between two
+}
+
+// Centres lie 40 / 1.414 = 28.28 sixteenths beside a diagonal through the borders of pixels. A rectangle that is not
+// too wide reaches them with 29 eighths; that of rule 30, which is 1.5 / 1.414 as wide, with 27.
+TEST(Line, DiagonalRectanglesAreTooWide) {
+  const auto diagonal = [](float width) { return rectangle(16, 8, 112, 104, width); };
+  EXPECT_EQ(diagonal(0.625F), Pixels{});  // 5 × 1.5 / 1.414 is less than 8 / 1.414
+  EXPECT_EQ(diagonal(0.75F).size(), 12U);
+  EXPECT_EQ(diagonal(3.25F).size(), 24U);
+  EXPECT_EQ(diagonal(3.375F).size(), 35U);
+}
+
+// Of a line that is neither level nor upright, a side to the right has the centres on it, and one to the left has not:
+// so all pictures of an NV2A.
+TEST(Line, CentresOnSlantedSidesFallToTheRight) {
+  // The line is d = (20, 40), and |d| |h| is 4 × 50 = 200: a centre 5 sixteenths to the right or left is on a side.
+  const Pixels left_of = rectangle(19 - 10, 24 - 20, 19 + 10, 24 + 20, 0.5F);   // the centre (24, 24) to the right
+  const Pixels right_of = rectangle(29 - 10, 24 - 20, 29 + 10, 24 + 20, 0.5F);  // and to the left
+  const auto has = [](const Pixels& pixels) {
+    return std::count(pixels.begin(), pixels.end(), Pixels::value_type{1, 1});
+  };
+  EXPECT_EQ(has(left_of), 1);
+  EXPECT_EQ(has(right_of), 0);
+}
+
+// Every line between points on a coarse grid, in widths of which many have centres on sides.
+TEST(Line, EveryRectangleOnACoarseGridIsTheOracles) {
+  const int size = 4;
+  std::int64_t drawn = 0;
+  for (const int eighths : {1, 3, 4, 8, 11, 16}) {
+    for (int start = 0; start < 81; ++start) {
+      const oracle::WindowVertex a{start % 9 * 6 + 8, start / 9 * 6 + 8, 0};
+      std::vector<oracle::WindowVertex> vertices;
+      std::vector<int> expected(size * size);
+      for (int end = 0; end < 81; ++end) {
+        const oracle::WindowVertex b{end % 9 * 6 + 8, end / 9 * 6 + 8, 0};
+        vertices.insert(vertices.end(), {a, b});
+        for (int i = 0; i < size * size; ++i) {
+          const bool is_drawn = oracle::rectangle_covers({a, b}, eighths, i % size, i / size);
+          expected[static_cast<std::size_t>(i)] += is_drawn ? 1 : 0;
+        }
+      }
+      const auto count =
+          counts(PrimitiveType::lines, vertices, size, static_cast<float>(eighths) / 8.0F, LineShape::rectangles);
+      for (std::size_t i = 0; i < count.size(); ++i) {
+        ASSERT_EQ(count[i], expected[i]) << eighths << ": from " << a.x_q4 << ' ' << a.y_q4 << " pixel " << i;
+        drawn += count[i];
+      }
+    }
+  }
+  EXPECT_GE(drawn, 40000);
 }
 
 // Every line between points on a grid of quarters of a pixel, where all ties lie.
@@ -112,8 +184,12 @@ TEST(Line, CutLinesDrawTheSamePixelsOnce) {
                         std::max({strip.back().x_q4, strip.back().y_q4}) < 16 * size;
     if (!inside) continue;
     ++cut;
-    ASSERT_EQ(counts(PrimitiveType::line_strip, strip, size), counts(PrimitiveType::lines, {a, strip.back()}, size))
-        << "line " << index;
+    for (const LineShape shape : {LineShape::diamonds, LineShape::rectangles}) {
+      const float width = shape == LineShape::diamonds ? 1.0F : static_cast<float>(random.between(1, 40)) / 8.0F;
+      ASSERT_EQ(counts(PrimitiveType::line_strip, strip, size, width, shape),
+                counts(PrimitiveType::lines, {a, strip.back()}, size, width, shape))
+          << "line " << index;
+    }
   }
   EXPECT_GE(cut, 500);
 }
@@ -206,6 +282,7 @@ TEST(Line, MipmapsFollowTheTexelsPerPixelAlongIt) {
   const std::array<TextureUnit, 1> units{
       TextureUnit{&texture, {.min_filter = MinFilter::nearest_mipmap_nearest, .mag_filter = MagFilter::nearest}}};
   PipelineState state;
+  state.profile.line_shape.value = LineShape::diamonds;  // a pixel a column
   state.program = pass_through(Register::texture0, Register::primary);
   constexpr std::array<std::array<int, 2>, 6> kDirections{{{40, 0}, {0, 40}, {-40, 0}, {24, 32}, {-32, 24}, {30, -40}}};
   for (const auto& [dx, dy] : kDirections) {
@@ -249,11 +326,17 @@ TEST(Line, DepthIsExactAlongTheLine) {
     RenderTarget target = surface.target();
     PipelineState state = counting_state();
     state.depth_test = {true, CompareFunction::always, true};
+    const bool is_rectangle = random.one_in(2);
+    if (!is_rectangle) state.profile.line_shape.value = LineShape::diamonds;
+    const int eighths = is_rectangle ? random.between(1, 80) : 8;
+    state.line_width = static_cast<float>(eighths) / 8.0F;
     ASSERT_TRUE(rasterize(state, kIdentity, {.type = PrimitiveType::lines, .positions = positions}, {}, target).ok());
     for (int y = 0; y < size; ++y) {
       for (int x = 0; x < size; ++x) {
         const auto at = static_cast<std::size_t>(y * size + x);
-        ASSERT_EQ(surface.stencil()[at], oracle::exits_diamond(l, x, y) ? 1 : 0);
+        const bool is_drawn =
+            is_rectangle ? oracle::rectangle_covers(l, eighths, x, y) : oracle::exits_diamond(l, x, y);
+        ASSERT_EQ(surface.stencil()[at], is_drawn ? 1 : 0);
         if (surface.stencil()[at] == 0) continue;
         const oracle::Along t = oracle::along_line(l, x, y);
         const std::int64_t sum = (t.squared_length - t.along) * l[0].z24 + t.along * l[1].z24;

@@ -41,7 +41,8 @@ TEST(Point, SquaresOfEverySizeStandWhereTheSpecificationPutsThem) {
   for (int size = 1; size <= 64; ++size) {
     for (const int q4 : {320, 324, 327, 328, 332, 335}) {  // within pixel 20
       PipelineState state;
-      state.point_size = size;
+      state.profile.point_shape.value = PointShape::whole_pixels;
+      state.point_size = static_cast<float>(size);
       const auto positions = clip_positions({{q4, q4 + 16, 0}});
       const auto count = draw(state, {.type = PrimitiveType::points, .positions = positions}).count;
       // Odd: around the pixel. Even: around its nearest corner.
@@ -54,6 +55,45 @@ TEST(Point, SquaresOfEverySizeStandWhereTheSpecificationPutsThem) {
       }
     }
   }
+}
+
+// Rule 31.
+TEST(Point, SquaresByHand) {
+  struct Extent {
+    int first, last;  // columns from pixel 20 on; none if last is before first
+  };
+  const auto extents = [](int q4, int eighths) {
+    PipelineState state;
+    state.point_size = static_cast<float>(eighths) / 8.0F;
+    const auto positions = clip_positions({{320 + q4, 320 + 16 - q4, 0}});
+    const auto count = draw(state, {.type = PrimitiveType::points, .positions = positions}).count;
+    Extent columns{99, -99}, rows{99, -99};
+    for (int y = 0; y < kModeWindow; ++y) {
+      for (int x = 0; x < kModeWindow; ++x) {
+        if (count[static_cast<std::size_t>(y * kModeWindow + x)] == 0) continue;
+        columns = {std::min(columns.first, x - 20), std::max(columns.last, x - 20)};
+        rows = {std::min(rows.first, 20 - y), std::max(rows.last, 20 - y)};  // downwards
+      }
+    }
+    EXPECT_EQ(columns.first, rows.first) << q4 << ' ' << eighths;
+    EXPECT_EQ(columns.last, rows.last) << q4 << ' ' << eighths;
+    return columns;
+  };
+  const auto expect = [&](int q4, int eighths, int first, int last) {
+    const Extent e = extents(q4, eighths);
+    EXPECT_EQ(e.first, first) << q4 << ' ' << eighths;
+    EXPECT_EQ(e.last, last) << q4 << ' ' << eighths;
+  };
+  expect(0, 0, 0, 0);     // without size: the pixel to the right and below
+  expect(15, 0, 0, 0);    // that holds the position
+  expect(0, 7, 99, -99);  // between four centres
+  expect(8, 1, 0, 0);     // on a centre
+  expect(0, 8, -1, -1);   // a power of two: open to the right and below
+  expect(1, 8, 0, 0);
+  expect(0, 24, -2, 1);  // three pixels: closed
+  expect(8, 16, -1, 0);  // two, from centre to centre
+  expect(8, 17, -1, 1);
+  expect(0, 40, -3, 2);
 }
 
 TEST(Point, OutsideTheViewVolumeNothingIsDrawn) {
@@ -89,8 +129,8 @@ TEST(PolygonMode, LinesAreALoopAndPointsAreTheCorners) {
                   : corners == 4 ? PrimitiveType::quads
                                  : PrimitiveType::polygon;
     PipelineState state;
-    state.line_width = random.between(1, 5);
-    state.point_size = random.between(1, 5);
+    state.line_width = static_cast<float>(random.between(1, 40)) / 8.0F;
+    state.point_size = static_cast<float>(random.between(0, 40)) / 8.0F;
     for (const PolygonMode mode : {PolygonMode::line, PolygonMode::point}) {
       state.front_mode = mode;
       state.back_mode = PolygonMode::fill;
@@ -128,6 +168,8 @@ TEST(PolygonMode, ClippingAddsEdgesAndCorners) {
   for (const glm::vec3& p : {glm::vec3(-0.75, -0.5, 0), glm::vec3(0.75, -0.5, 0), glm::vec3(0, 0.5, -2)}) mesh.add(p);
   mesh.add_triangle(0, 1, 2);
   PipelineState state;
+  state.profile.point_shape.value = PointShape::whole_pixels;
+  state.profile.line_shape.value = LineShape::diamonds;
   state.front_mode = state.back_mode = PolygonMode::point;
   state.point_size = 3;
   EXPECT_EQ(total(draw(state, mesh.arrays()).count), 4 * 9);

@@ -70,8 +70,8 @@ Mixture mixture(int i) {
     m.state.back_mode = static_cast<PolygonMode>(random.below(3));
     m.state.polygon_offset = {true, true, true, 1.5F, -3.0F};
   }
-  m.state.line_width = random.between(1, 3);
-  m.state.point_size = random.between(1, 4);
+  m.state.line_width = static_cast<float>(random.between(1, 24)) / 8.0F;
+  m.state.point_size = static_cast<float>(random.between(0, 32)) / 8.0F;
   m.state.depth_test = {true, CompareFunction::lequal, true};
   m.state.stencil_test = {.enabled = true, .front = {.depth_pass = StencilOperation::incr_wrap}};
   return m;
@@ -172,6 +172,8 @@ TEST(PreparedDraw, ReportsWhatItWasNotPreparedFor) {
       {"slope", [](PreparedCase& c) { c.state.profile.polygon_offset_slope.value = OffsetSlope::root; }},
       {"point size", [](PreparedCase& c) { c.state.point_size = 2; }},
       {"line width", [](PreparedCase& c) { c.state.line_width = 2; }},
+      {"shape of points", [](PreparedCase& c) { c.state.profile.point_shape.value = PointShape::whole_pixels; }},
+      {"shape of lines", [](PreparedCase& c) { c.state.profile.line_shape.value = LineShape::diamonds; }},
       {"subpixel bits", [](PreparedCase& c) { c.state.profile.subpixel_bits.value = 3; }},
       {"type", [](PreparedCase& c) { c.arrays.type = PrimitiveType::triangle_strip; }},
       {"positions", [](PreparedCase& c) { c.arrays.positions = c.arrays.positions.first(5); }},
@@ -222,7 +224,7 @@ TEST(PreparedDraw, OfNoDrawDrawsNothing) {
   prepared = std::move(other);
   EXPECT_TRUE(rasterize(c.state, prepared, c.arrays, {}, c.target).ok());
   // After an error nothing of the last draw is left.
-  c.state.point_size = 0;
+  c.state.point_size = -1;
   EXPECT_FALSE(prepare(c.state, kIdentity, c.arrays, c.target, prepared).ok());
   c.state.point_size = 1;
   EXPECT_FALSE(rasterize(c.state, prepared, c.arrays, {}, c.target).ok());

@@ -228,6 +228,8 @@ PassScene random_passes(Random& random, int passes) {
     if (!random.one_in(3)) {
       add_program(random, pass, scene.positions.size());
       pass.state.profile.subpixel_bits.value = view.profile.subpixel_bits.value;
+      pass.state.profile.line_shape.value = view.profile.line_shape.value;
+      pass.state.profile.point_shape.value = view.profile.point_shape.value;
       pass.state.profile.depth_narrowing.value = view.profile.depth_narrowing.value;
     }
     randomize_fragment_operations(random, pass.state);

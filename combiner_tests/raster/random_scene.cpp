@@ -23,8 +23,14 @@ PipelineState random_state(Random& random, const RandomScene& scene) {
   state.front_face = random.one_in(3) ? FrontFace::clockwise : FrontFace::counter_clockwise;
   if (random.one_in(3)) state.front_mode = static_cast<PolygonMode>(random.below(3));
   if (random.one_in(3)) state.back_mode = static_cast<PolygonMode>(random.below(3));
-  state.point_size = random.one_in(2) ? random.between(1, 5) : random.pick({1, 2, 7, 8, 33, 64});
-  state.line_width = random.one_in(2) ? random.between(1, 4) : random.pick({1, 2, 5, 8, 31, 64});
+  if (random.one_in(3)) state.profile.line_shape.value = LineShape::diamonds;
+  if (random.one_in(3)) state.profile.point_shape.value = PointShape::whole_pixels;
+  const auto pixels = [&](std::initializer_list<int> wide, int least_eighths) {
+    const int whole = random.one_in(2) ? random.between(1, 5) : random.pick(wide);
+    return static_cast<float>(random.one_in(3) ? random.between(least_eighths, 60) : 8 * whole) / 8.0F;
+  };
+  state.point_size = pixels({1, 2, 7, 8, 33, 64}, 0);
+  state.line_width = pixels({1, 2, 5, 8, 31, 64}, 1);
   if (random.one_in(3)) {
     PolygonOffset& o = state.polygon_offset;
     o = {random.one_in(2), random.one_in(2), random.one_in(2), 0, 0};
@@ -269,8 +275,9 @@ std::string describe(const RandomScene& scene) {
         << static_cast<int>(s.shade_model) << ", cull " << static_cast<int>(s.cull_face) << ", front face "
         << static_cast<int>(s.front_face) << ", modes " << static_cast<int>(s.front_mode) << ' '
         << static_cast<int>(s.back_mode) << ", point size " << s.point_size << ", line width " << s.line_width
-        << ", offset " << s.polygon_offset.fill << s.polygon_offset.line << s.polygon_offset.point << ' '
-        << s.polygon_offset.factor << ' ' << s.polygon_offset.units << " slope "
+        << ", shapes " << static_cast<int>(s.profile.point_shape.value) << ' '
+        << static_cast<int>(s.profile.line_shape.value) << ", offset " << s.polygon_offset.fill << s.polygon_offset.line
+        << s.polygon_offset.point << ' ' << s.polygon_offset.factor << ' ' << s.polygon_offset.units << " slope "
         << static_cast<int>(s.profile.polygon_offset_slope.value) << ", depth range " << s.depth_near << ' '
         << s.depth_far << ", program " << s.program.has_value() << ", clear " << d.clear.has_value();
     rect("viewport", s.viewport);

@@ -43,9 +43,13 @@ class StateTable {
     add("format", number(format), t.fragments);
     add("shade model", number(s.shade_model), t.fragments);
     add("subpixel bits", s.profile.subpixel_bits, t.fragments);
-    add("point size is even", number(s.point_size % 2 == 0), draw.type == PrimitiveType::points ? t.fragments : 0);
-    add("line width is even", number(s.line_width % 2 == 0),
-        !is_polygon && draw.type != PrimitiveType::points ? t.fragments : 0);
+    const std::uint64_t of_points = draw.type == PrimitiveType::points ? t.fragments : 0;
+    const std::uint64_t of_lines = !is_polygon && draw.type != PrimitiveType::points ? t.fragments : 0;
+    const auto kind = [&](float size) { return size != std::floor(size) ? 2 : number(size) % 2; };
+    add("point size is odd, or not whole", kind(s.point_size), of_points);
+    add("line width is odd, or not whole", kind(s.line_width), of_lines);
+    add("shape of points", number(s.profile.point_shape.value), of_points);
+    add("shape of lines", number(s.profile.line_shape.value), of_lines);
     add("viewport", number(s.viewport.has_value()), t.fragments);
     add("scissor", number(s.scissor.has_value()), t.fragments);
     add("depth range", number(s.depth_near != 0 || s.depth_far != 1), t.fragments);
@@ -97,8 +101,10 @@ class StateTable {
                                              {"subpixel bits", 5},
                                              {"viewport", 2},
                                              {"scissor", 2},
-                                             {"point size is even", 2},
-                                             {"line width is even", 2},
+                                             {"point size is odd, or not whole", 3},
+                                             {"line width is odd, or not whole", 3},
+                                             {"shape of points", 2},
+                                             {"shape of lines", 2},
                                              {"depth range", 2},
                                              {"indices", 2},
                                              {"clear", 2},

@@ -218,7 +218,7 @@ TEST(SharedTiles, ReportsWhatIsWrongWithAnyPassBeforeItDraws) {
   const std::vector<glm::vec3> positions{{-1, -1, 0}, {1, -1, 0}, {0, 1, 0}};
   const std::vector<ColorBytes> colors(3, ColorBytes{9, 9, 9, 9}), too_few(2, ColorBytes{9, 9, 9, 9});
   PipelineState good, wrong_state, other_view, with_texture;
-  wrong_state.point_size = 0;
+  wrong_state.point_size = -1;
   other_view.cull_face = CullFace::front;
   Random random(5);
   const Texture texture =

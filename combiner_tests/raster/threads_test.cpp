@@ -62,8 +62,8 @@ Drawn draw_all(int threads) {
       PipelineState state;
       state.front_mode = static_cast<PolygonMode>(i / 2 % 3);
       state.back_mode = static_cast<PolygonMode>(i / 3 % 3);
-      state.line_width = random.between(1, 3);
-      state.point_size = random.between(1, 4);
+      state.line_width = static_cast<float>(random.between(1, 24)) / 8.0F;
+      state.point_size = static_cast<float>(random.between(0, 32)) / 8.0F;
       state.polygon_offset = {true, true, true, 1.5F, -3.0F};
       state.depth_test = {true, CompareFunction::lequal, true};
       state.stencil_test = {.enabled = true, .front = {.depth_pass = StencilOperation::incr_wrap}};

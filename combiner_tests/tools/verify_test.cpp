@@ -40,6 +40,9 @@ TEST_F(Verify, PixelsOfAnNv2a) {
       {"dxt5", "1294 rows: 1294 agree, 0 differ\n"},
       {"filter", "948 rows: 948 agree, 0 differ\n"},
       {"filter_weight_bits", "167 rows: 167 agree, 0 differ; 1 with match 0 skipped\n"},
+      {"lines", "828 rows: 828 agree, 0 differ; 21 with match 0 skipped\n"},
+      {"line_colors", "406 rows: 406 agree, 0 differ\n"},
+      {"points", "354 rows: 354 agree, 0 differ; 1 with match 0 skipped\n"},
       {"depth_floor", "3024 rows: 3024 agree, 0 differ\n"},
       {"gouraud_pixels", "4901 rows: 4901 agree, 0 differ; 39 with match 0 skipped\n"}};
   for (const auto& [name, answer] : tables) {
@@ -62,6 +65,26 @@ TEST_F(Verify, ARuleOfPixelsIsFound) {
   EXPECT_EQ(object["skipped"], 0);
 }
 
+// OpenGL's lines and points differ, and where nothing is drawn counts, too.
+TEST_F(Verify, TheShapesOfLinesAndPointsAreFound) {
+  for (const auto& [table, rule, differ] :
+       {std::tuple("lines", "line_shape", 663), std::tuple("points", "point_shape", 166)}) {
+    const std::string file = std::string(NINEBIT_SOURCE_DIR) + "/combiner_tests/hardware/nv2a_" + table + ".csv";
+    const Outcome outcome = ninebit({"verify", file, "--profile", "ideal", "--json"});
+    EXPECT_EQ(outcome.code, 1);
+    const Json object = Json::parse(outcome.out);
+    EXPECT_EQ(object["differ"], differ);
+    ASSERT_FALSE(object["rules"].empty());
+    EXPECT_EQ(object["rules"][0]["field"], rule);
+    EXPECT_EQ(object["rules"][0]["explains"], differ);
+  }
+  const std::string points = "picture,size_eighths,hw_first,hw_last,model_first,model_last,match\n";
+  EXPECT_EQ(verify(points + "p,4,,,,,1\n", {"--profile", "nv2a"}).code, 0);
+  EXPECT_EQ(verify(points + "p,4,0,0,,,1\n", {"--profile", "nv2a"}).code, 1);
+  EXPECT_EQ(verify(points + "p,8,,,,,1\n", {"--profile", "nv2a"}).code, 1);
+  EXPECT_EQ(verify(points + "p,8,-1,-2,,,1\n", {"--profile", "nv2a"}).code, 1);
+}
+
 TEST_F(Verify, WrongTablesOfPixels) {
   const std::string smooth = "triangle,x,y,hw_R,hw_G,hw_B,model_R,model_G,model_B,match\n";
   expect_error(verify(smooth), 3, {"nv2a_gouraud_triangles.csv", "No such file"});
@@ -79,6 +102,11 @@ TEST_F(Verify, WrongTablesOfPixels) {
   expect_error(verify(smooth, {"--program", "square.rc"}), 3, {"--program is not for tables of pixels"});
   expect_error(verify("func,ref,alpha_byte,hw_drawn,pixels,model_drawn,match\nSometimes,1,2,1,1,1,1\n"), 3,
                {"rows.csv:2:1", "func must be one of Never, LessThan", "'Sometimes'"});
+  const std::string lines = "picture,width,object,y,hw_runs,model_runs,match\n";
+  expect_error(verify(lines + "p,1,star,388,215-218,,1\n"), 3, {"rows.csv:2:1", "object must be one of quad, loop"});
+  for (const std::string runs : {"215", "-", "215-", "a-b", "1-2,,3-4"}) {
+    expect_error(verify(lines + "p,1,quad,388," + runs + ",,1\n"), 3, {"rows.csv:2:"});
+  }
 }
 
 // An NV2A that cut toward zero, as the GeForce 2 does: the scale of one half shows it, and the rule is found.

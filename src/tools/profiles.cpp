@@ -29,6 +29,12 @@ std::string text_of(SecondaryAlpha v) {
   return v == SecondaryAlpha::one ? "1.0" : "as given";
 }
 
+std::string text_of(LineShape v) {
+  return v == LineShape::diamonds ? "diamonds" : "rectangles";
+}
+std::string text_of(PointShape v) {
+  return v == PointShape::squares ? "squares" : "whole pixels";
+}
 std::string text_of(OffsetSlope v) {
   return v == OffsetSlope::larger ? "the larger of |dz/dx| and |dz/dy|" : "the root of their squares' sum";
 }
@@ -75,6 +81,8 @@ std::vector<ProfileRow> rows_of(const HardwareProfile& p) {
   add("secondary_alpha", p.secondary_alpha);
   add("fog_alpha_without_fog", p.fog_alpha_without_fog);
   add("subpixel_bits", p.subpixel_bits);
+  add("line_shape", p.line_shape);
+  add("point_shape", p.point_shape);
   add("vertex_color_mantissa_bits", p.vertex_color_mantissa_bits);
   add("polygon_offset_slope", p.polygon_offset_slope);
   add("color_interpolation", p.color_interpolation);

@@ -24,7 +24,8 @@ struct OwnedProfile {
 //   arithmetic         integer, exact, float32            general_narrowing, final_narrowing  toward-zero,
 //   narrowing_point    after-scale, before-scale          depth_narrowing, fog_narrowing,     nearest-halves-up
 //   texture_filter_rounding  once, each-blend             texture_weight_narrowing
-//   color_weights      exact, 8-bits
+//   color_weights      exact, 8-bits                      point_shape                         whole-pixels, squares
+//   line_shape         diamonds, rectangles
 //   secondary_alpha    one, as-given                      polygon_offset_slope                larger, root
 //   dxt1_palette       rgb565, rgb888, dithered565        color_interpolation                 perspective, affine
 //

@@ -69,6 +69,16 @@ enum class FilterRounding : std::uint8_t {
   once,       // the weighted sum of all texels
   each_blend  // each blend of two: along s, then along t, then between levels
 };
+// Which pixels a line draws.
+enum class LineShape : std::uint8_t {
+  diamonds,   // OpenGL 1.3, 3.4: those whose diamonds it leaves, side by side as often as its whole width says
+  rectangles  // those whose centres a rectangle around it holds, which is up to 1.118 times too wide
+};
+// Which pixels a point draws.
+enum class PointShape : std::uint8_t {
+  whole_pixels,  // OpenGL 1.3, 3.3: a square of whole pixels, moved to whole pixels
+  squares        // those whose centres a square around the point's own position holds, with a rule for its edges
+};
 // How the colours of a DXT1 texture are kept.
 enum class Dxt1Palette : std::uint8_t {
   rgb565,      // the palette in 5, 6 and 5 bits, then widened
@@ -113,6 +123,8 @@ struct HardwareProfile {
 
   // The rasterizer.
   Choice<int> subpixel_bits;                 // window positions are truncated toward zero to 1/2^this pixel
+  Choice<LineShape> line_shape;              // of lines, and of the edges of polygons in that mode
+  Choice<PointShape> point_shape;            // of points, and of the corners of polygons in that mode
   Choice<int> vertex_color_mantissa_bits;    // a float vertex colour keeps this many fraction bits, then x 255, half up
   Choice<OffsetSlope> polygon_offset_slope;  // m of the polygon offset factor × m + r × units
   Choice<ColorInterpolation> color_interpolation;  // of smooth primary and secondary colours
@@ -158,6 +170,8 @@ inline constexpr HardwareProfile geforce2{
     .secondary_alpha = {SecondaryAlpha::one, Evidence::inferred, "drivers up to 56.90 gave 1.0"},
     .fog_alpha_without_fog = {255, Evidence::specified, "NV_register_combiners, initial register values"},
     .subpixel_bits = {4, Evidence::inferred, "rule 21: modelled by envytools for NV10, measured on NV2A"},
+    .line_shape = {LineShape::rectangles, Evidence::inferred, "rule 30, measured on NV2A"},
+    .point_shape = {PointShape::squares, Evidence::inferred, "rule 31, measured on NV2A"},
     .vertex_color_mantissa_bits = {13, Evidence::inferred, "rule 17: modelled by envytools for NV10, measured on NV2A"},
     .polygon_offset_slope = {OffsetSlope::larger, Evidence::inferred, "rule 20, measured on NV2A"},
     .color_interpolation = {ColorInterpolation::perspective, Evidence::assumed, "OpenGL allows both; rival: affine"},
@@ -211,6 +225,8 @@ consteval HardwareProfile xbox() {
   p.disabled_texture_alpha = {255, Evidence::measured, "rule 16"};
   p.secondary_alpha = {SecondaryAlpha::as_given, Evidence::specified, "NV_register_combiners2"};
   p.subpixel_bits = {4, Evidence::measured, "rule 21"};
+  p.line_shape = {LineShape::rectangles, Evidence::measured, "rule 30: 68,224 pixels of lines"};
+  p.point_shape = {PointShape::squares, Evidence::measured, "rule 31: 354 of 355 points"};
   p.vertex_color_mantissa_bits = {13, Evidence::measured, "rule 17: 273 of 273"};
   p.polygon_offset_slope = {OffsetSlope::larger, Evidence::inferred, "rule 20: equal slopes in depth dumps"};
   p.color_weights = {ColorWeights::eight_bits, Evidence::measured, "rule 27: 1.2 million pixels"};
@@ -248,6 +264,8 @@ consteval HardwareProfile real_numbers(std::string_view name, std::string_view c
   p.color_sum_inverts = {true, Evidence::assumed, as_nv2a};
   p.disabled_texture_alpha = {255, Evidence::assumed, as_nv2a};
   p.subpixel_bits = {4, Evidence::assumed, as_nv2a};
+  p.line_shape = {LineShape::diamonds, Evidence::specified, "OpenGL 1.3, 3.4.1 and 3.4.2"};
+  p.point_shape = {PointShape::whole_pixels, Evidence::specified, "OpenGL 1.3, 3.3"};
   p.vertex_color_mantissa_bits = {23, Evidence::assumed, "no bit of a float is cut before it is rounded to a byte"};
   p.polygon_offset_slope = {OffsetSlope::larger, Evidence::assumed, as_nv2a};
   p.color_interpolation = {ColorInterpolation::perspective, Evidence::assumed, as_nv2a};

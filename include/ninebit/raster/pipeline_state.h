@@ -143,8 +143,10 @@ struct PipelineState {
   PolygonMode front_mode = PolygonMode::fill;           // of front faces
   PolygonMode back_mode = PolygonMode::fill;            // of back faces
   PolygonOffset polygon_offset;                         // of polygons in the enabled modes
-  int point_size = 1;                                   // pixels, 1 to 64
-  int line_width = 1;                                   // pixels, 1 to 64
+  // In pixels, in steps of 1/8, as profile.point_shape and line_shape say. Where they are OpenGL's, sizes are rounded
+  // to whole pixels, halves up, and a size that becomes 0 counts as 1.
+  float point_size = 1.0F;  // 0 to 64; 0 draws one pixel
+  float line_width = 1.0F;  // 1/8 to 64
 
   Fog fog;  // read by programs
   // The register combiners; empty: they are disabled and the fragment's colour is its primary colour.

@@ -84,9 +84,13 @@ struct TextureUnit {
 //   reject pixels, not primitives. Nothing is drawn for primitives with a position that is not finite, points outside
 //   the view volume, and polygons without area after snapping.
 // - Window positions are truncated toward zero to 1/16 pixel (profile.subpixel_bits). A polygon draws the pixels whose
-//   centres lie inside it, or on a top or left edge (top: in the picture, y up). A line draws the pixels whose diamonds
-//   it leaves (OpenGL 1.3, 3.4.1). A line of width w is moved down, or to the left, by (w - 1) / 2 pixels, and draws w
-//   pixels for each of its pixels. A point of size n draws n × n pixels around it (3.3).
+//   centres lie inside it, or on a top or left edge (top: in the picture, y up).
+// - A line draws the pixels whose centres lie in the rectangle around it (profile.line_shape; rule 30): its ends are
+//   square, and its width is multiplied by (max(|dx|, |dy|) + min(|dx|, |dy|) / 2) / its length. A point draws those
+//   whose centres lie in the square around it (profile.point_shape; rule 31). Lines without length draw nothing.
+// - With OpenGL's shapes, a line draws the pixels whose diamonds it leaves (OpenGL 1.3, 3.4.1). A line of width w is
+//   moved down, or to the left, by (w - 1) / 2 pixels, and draws w pixels for each of its pixels. A point of size n
+//   draws n × n pixels around it (3.3).
 // - Quads and polygons are a fan of triangles around their first vertex. A polygon's facing is the sign of the sum of
 //   their areas. It selects the polygon mode and, in the modes line and point, decides culling. In the mode fill each
 //   triangle has its own facing, so that as many front as back faces of a closed mesh cover a pixel, even after
@@ -100,7 +104,7 @@ struct TextureUnit {
 //        triangle.
 //     4. The sum is clamped, and its fraction bits are cut or rounded away as in step 2.
 // - A line's values are evaluated at the foot of the perpendicular from the pixel's centre, clamped to the line's ends.
-//   Pixels side by side of a wide line share them.
+//   Pixels side by side of a wide line of diamonds share them.
 // - Texture coordinates, attributes, fog factors and smooth colours are interpolated in floats, in a fixed order per
 //   fragment: in perspective, but colours as profile.color_interpolation says.
 // - Each fragment then passes through scissor, program, alpha test, stencil test, depth test, blending and masks, in

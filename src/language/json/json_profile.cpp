@@ -62,6 +62,8 @@ class ProfileReader {
                              "secondary_alpha",
                              "fog_alpha_without_fog",
                              "subpixel_bits",
+                             "line_shape",
+                             "point_shape",
                              "vertex_color_mantissa_bits",
                              "polygon_offset_slope",
                              "color_interpolation",
@@ -189,6 +191,10 @@ class ProfileReader {
            {{"one", SecondaryAlpha::one}, {"as-given", SecondaryAlpha::as_given}});
     integer("fog_alpha_without_fog", profile_.fog_alpha_without_fog, 0, 255);
     integer("subpixel_bits", profile_.subpixel_bits, 0, 4);
+    choose("line_shape", profile_.line_shape,
+           {{"diamonds", LineShape::diamonds}, {"rectangles", LineShape::rectangles}});
+    choose("point_shape", profile_.point_shape,
+           {{"whole-pixels", PointShape::whole_pixels}, {"squares", PointShape::squares}});
     integer("vertex_color_mantissa_bits", profile_.vertex_color_mantissa_bits, 1, 23);
     choose("polygon_offset_slope", profile_.polygon_offset_slope,
            {{"larger", OffsetSlope::larger}, {"root", OffsetSlope::root}});

@@ -88,6 +88,8 @@ Status check_prepared(const PreparedDraw::Geometry& g, const PipelineState& stat
       Part{same(p.polygon_offset, state.polygon_offset), "polygon offset"},
       Part{p.profile.polygon_offset_slope.value == state.profile.polygon_offset_slope.value, "polygon offset's slope"},
       Part{p.profile.depth_narrowing.value == state.profile.depth_narrowing.value, "narrowing of depths"},
+      Part{p.profile.point_shape.value == state.profile.point_shape.value, "shape of points"},
+      Part{p.profile.line_shape.value == state.profile.line_shape.value, "shape of lines"},
       Part{p.point_size == state.point_size, "point size"},
       Part{p.line_width == state.line_width, "line width"},
       Part{p.profile.subpixel_bits.value == state.profile.subpixel_bits.value, "number of subpixel bits"},

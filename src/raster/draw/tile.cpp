@@ -4,7 +4,9 @@
 #include <array>
 #include <optional>
 
+#include "src/raster/setup/line_rectangle.h"
 #include "src/raster/setup/line_walk.h"
+#include "src/raster/setup/primitive_size.h"
 #include "src/raster/setup/triangle_edges.h"
 #include "src/raster/surface/floor_divider.h"
 
@@ -69,6 +71,11 @@ class FragmentSink {
   const Next next_;
 };
 
+PixelBox common_pixels(const PixelBox& tile, const PixelBounds& box) {
+  return {std::max<int>(tile.left, box.left), std::max<int>(tile.bottom, box.bottom),
+          std::min<int>(tile.right, box.right + 1), std::min<int>(tile.top, box.top + 1)};
+}
+
 // Not inlined: the caller would be large and short of registers.
 template <class Sink>
 [[gnu::noinline]] void draw_triangle(const PixelBox& tile, const SetupPrimitive& t, Sink sink) {
@@ -87,16 +94,41 @@ template <class Sink>
   }
 }
 
-// The pixels of one column (row) share the position along the line that the lowest one's centre has; beyond an end they
-// have the end's values.
+// Where the centres of pixels lie along a line, and its depth there. Beyond an end it has the end's values.
+class AlongLine {
+ public:
+  explicit AlongLine(const SetupPrimitive& line)
+      : x_(line.x_q4()[0]),
+        y_(line.y_q4()[0]),
+        dx_(line.x_q4()[1] - x_),
+        dy_(line.y_q4()[1] - y_),
+        squared_length_(dx_ * dx_ + dy_ * dy_),
+        divide_(2 * squared_length_),
+        line_(line) {}
+
+  // FragmentPlace::edge at the foot of the perpendicular from the centre.
+  [[nodiscard]] std::array<std::int64_t, 3> at(int x, int y) const {
+    const std::int64_t along = dx_ * (16 * std::int64_t{x} + 8 - x_) + dy_ * (16 * std::int64_t{y} + 8 - y_);
+    const std::int64_t from_start = std::clamp(along, std::int64_t{0}, squared_length_);
+    return {squared_length_ - from_start, from_start, 0};
+  }
+  [[nodiscard]] std::uint32_t z24(const std::array<std::int64_t, 3>& edge) const {
+    const std::int64_t wide = edge[0] * line_.z24[0] + edge[1] * line_.z24[1];
+    return static_cast<std::uint32_t>(divide_(2 * wide + (line_.cuts_depth ? 0 : squared_length_)));
+  }
+
+ private:
+  std::int64_t x_, y_, dx_, dy_, squared_length_;
+  FloorDivider divide_;
+  const SetupPrimitive& line_;
+};
+
+// The pixels of one column (row) share the position along the line that the lowest one's centre has.
 template <class Sink>
-void draw_line(const PixelBox& tile, const SetupPrimitive& line, int width, Sink sink) {
+void draw_diamonds(const PixelBox& tile, const SetupPrimitive& line, int width, Sink sink) {
   const LineWalk walk(line);
-  const std::array<std::int32_t, 3> x_q4 = line.x_q4(), y_q4 = line.y_q4();
+  const AlongLine place(line);
   const bool x_major = walk.is_x_major();
-  const std::int64_t dx = x_q4[1] - x_q4[0], dy = y_q4[1] - y_q4[0];
-  const std::int64_t squared_length = dx * dx + dy * dy;
-  const FloorDivider divide(2 * squared_length);
   const int first = std::max(walk.first(), x_major ? tile.left : tile.bottom);
   const int last = std::min(walk.last(), (x_major ? tile.right : tile.top) - 1);
   const int minor_first = x_major ? tile.bottom : tile.left, minor_end = x_major ? tile.top : tile.right;
@@ -104,11 +136,8 @@ void draw_line(const PixelBox& tile, const SetupPrimitive& line, int width, Sink
     int minor = 0;
     if (!walk.pixel_at(major, minor)) continue;
     const int x = x_major ? major : minor, y = x_major ? minor : major;
-    const std::int64_t along = dx * (16 * std::int64_t{x} + 8 - x_q4[0]) + dy * (16 * std::int64_t{y} + 8 - y_q4[0]);
-    const std::int64_t from_start = std::clamp(along, std::int64_t{0}, squared_length);
-    const std::array<std::int64_t, 3> edge{squared_length - from_start, from_start, 0};
-    const std::int64_t wide = edge[0] * line.z24[0] + edge[1] * line.z24[1];
-    const auto z24 = static_cast<std::uint32_t>(divide(2 * wide + (line.cuts_depth ? 0 : squared_length)));
+    const std::array<std::int64_t, 3> edge = place.at(x, y);
+    const std::uint32_t z24 = place.z24(edge);
     for (int m = std::max(minor, minor_first); m < std::min(minor + width, minor_end); ++m) {
       sink(x_major ? x : m, x_major ? m : y, z24, edge);
     }
@@ -116,12 +145,25 @@ void draw_line(const PixelBox& tile, const SetupPrimitive& line, int width, Sink
 }
 
 template <class Sink>
-void draw_point(const PixelBox& tile, const SetupPrimitive& point, int size, Sink sink) {
-  const int left = point.x_q4()[0] >> 4, bottom = point.y_q4()[0] >> 4;
-  for (int y = std::max(bottom, tile.bottom); y < std::min(bottom + size, tile.top); ++y) {
-    for (int x = std::max(left, tile.left); x < std::min(left + size, tile.right); ++x) {
-      sink(x, y, point.z24[0], {1, 0, 0});
+void draw_rectangle(const PixelBox& tile, const SetupPrimitive& line, int eighths, Sink sink) {
+  const LineRectangle rectangle(line, eighths);
+  const AlongLine place(line);
+  const PixelBox box = common_pixels(tile, line.box);
+  for (int y = box.bottom; y < box.top; ++y) {
+    int first = box.left, last = box.right - 1;
+    if (!rectangle.span(y, first, last)) continue;
+    for (int x = first; x <= last; ++x) {
+      const std::array<std::int64_t, 3> edge = place.at(x, y);
+      sink(x, y, place.z24(edge), edge);
     }
+  }
+}
+
+template <class Sink>
+void draw_point(const PixelBox& tile, const SetupPrimitive& point, Sink sink) {
+  const PixelBox box = common_pixels(tile, point.box);
+  for (int y = box.bottom; y < box.top; ++y) {
+    for (int x = box.left; x < box.right; ++x) sink(x, y, point.z24[0], {1, 0, 0});
   }
 }
 
@@ -140,10 +182,14 @@ void draw_primitive(const DrawContext& context, const PixelBox& tile, const Setu
       draw_triangle(tile, p, sink);
       break;
     case SetupKind::line:
-      draw_line(tile, p, context.state.line_width, sink);
+      if (context.state.profile.line_shape == LineShape::diamonds) {
+        draw_diamonds(tile, p, whole_pixels(eighths_of(context.state.line_width)), sink);
+      } else {
+        draw_rectangle(tile, p, eighths_of(context.state.line_width), sink);
+      }
       break;
     case SetupKind::point:
-      draw_point(tile, p, context.state.point_size, sink);
+      draw_point(tile, p, sink);
       break;
     case SetupKind::pixel:
       draw_pixel(tile, p, sink);

@@ -12,10 +12,18 @@
 namespace ninebit {
 namespace {
 
-constexpr int kMaxPointSize = 64, kMaxLineWidth = 64;
+// The least and the greatest size of points and lines, in pixels.
+constexpr float kLeastPointSize = 0.0F, kLeastLineWidth = 0.125F, kGreatestSize = 64.0F;
 
 Diagnostic fault(std::string message) {
   return Diagnostic{.message = std::move(message)};
+}
+
+// Points and lines have sizes in eighths of a pixel.
+Status check_size(const std::string& what, float size, float least) {
+  if (size >= least && size <= kGreatestSize && 8.0F * size == std::floor(8.0F * size)) return {};
+  return fault(what + ' ' + std::to_string(size) + "; expected " + std::to_string(least) + " to " +
+               std::to_string(kGreatestSize) + " in steps of 1/8");
 }
 
 // A non-empty array must have one entry for each vertex.
@@ -59,14 +67,8 @@ Status check_state(const PipelineState& state, const RenderTarget& target) {
     return fault("the rasterizer's integers hold 0 to 4 subpixel bits, not " +
                  std::to_string(state.profile.subpixel_bits.value));
   }
-  if (state.point_size < 1 || state.point_size > kMaxPointSize) {
-    return fault("points of size " + std::to_string(state.point_size) + "; expected 1 to " +
-                 std::to_string(kMaxPointSize));
-  }
-  if (state.line_width < 1 || state.line_width > kMaxLineWidth) {
-    return fault("lines of width " + std::to_string(state.line_width) + "; expected 1 to " +
-                 std::to_string(kMaxLineWidth));
-  }
+  if (Status s = check_size("points of size", state.point_size, kLeastPointSize); !s) return s;
+  if (Status s = check_size("lines of width", state.line_width, kLeastLineWidth); !s) return s;
   if (std::isnan(state.depth_near) || std::isnan(state.depth_far)) return fault("the depth range is not a number");
   if (!std::isfinite(state.polygon_offset.factor) || !std::isfinite(state.polygon_offset.units)) {
     return fault("the polygon offset's factor and units are not both finite");

@@ -6,6 +6,7 @@
 #include "ninebit/numerics/hardware_profile.h"
 #include "ninebit/raster/pipeline_state.h"
 #include "src/raster/setup/clip.h"
+#include "src/raster/setup/primitive_size.h"
 #include "src/raster/setup/window_primitives.h"
 #include "src/raster/setup/window_transform.h"
 
@@ -24,8 +25,10 @@ struct SetupContext {
         cull_back(state.cull_face == CullFace::back || state.cull_face == CullFace::front_and_back),
         front_mode(state.front_mode),
         back_mode(state.back_mode),
-        point_size(state.point_size),
-        line_width(state.line_width),
+        point_eighths(eighths_of(state.point_size)),
+        line_eighths(eighths_of(state.line_width)),
+        point_shape(state.profile.point_shape),
+        line_shape(state.profile.line_shape),
         offset(state.polygon_offset),
         slope(state.profile.polygon_offset_slope),
         needs_corners(corners) {}
@@ -54,8 +57,10 @@ struct SetupContext {
   bool cull_back;
   PolygonMode front_mode;
   PolygonMode back_mode;
-  int point_size;
-  int line_width;
+  int point_eighths;  // size
+  int line_eighths;   // width
+  PointShape point_shape;
+  LineShape line_shape;
   PolygonOffset offset;
   OffsetSlope slope;
   bool needs_corners;

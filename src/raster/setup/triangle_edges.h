@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "src/raster/rules/one_fragment.h"
+#include "src/raster/setup/pixel_span.h"
 #include "src/raster/setup/window_primitives.h"
 #include "src/raster/surface/floor_divider.h"
 
@@ -41,15 +42,7 @@ class TriangleEdges {
     const std::array<std::int64_t, 3> e = at(0, y);
     std::int64_t low = first, high = last;
     for (std::size_t i = 0; i < 3; ++i) {
-      // The x with e + step · x >= threshold.
-      const std::int64_t need = threshold_[i] - e[i];
-      if (step_x_[i] > 0) {
-        low = std::max(low, ceil_divide(need, step_x_[i]));
-      } else if (step_x_[i] < 0) {
-        high = std::min(high, floor_divide(-need, -step_x_[i]));
-      } else if (need > 0) {
-        return false;
-      }
+      if (!keep_inside(e[i] - threshold_[i], step_x_[i], low, high)) return false;
     }
     first = static_cast<int>(low);
     last = static_cast<int>(high);

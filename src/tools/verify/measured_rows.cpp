@@ -13,6 +13,7 @@
 #include "ninebit/raster/s3tc.h"
 #include "ninebit/raster/sampler.h"
 #include "ninebit/raster/surface.h"
+#include "src/tools/verify/measured_state.h"
 #include "src/tools/verify/measured_table.h"
 
 namespace ninebit::tools {
@@ -62,12 +63,6 @@ std::optional<T> value_of(const Words<T, N>& words, std::string_view word) {
   return std::nullopt;
 }
 
-// AARRGGBB, or RRGGBB, whose alpha is 0.
-ColorBytes color_of(std::uint32_t digits) {
-  const auto byte = [digits](unsigned shift) { return static_cast<std::uint8_t>(digits >> shift); };
-  return {byte(16), byte(8), byte(0), byte(24)};
-}
-
 // One pixel and what was drawn into it.
 struct Pixel {
   ColorBytes color{};
@@ -95,13 +90,6 @@ Pixel draw_pixel(const PipelineState& state, const VertexArrays& arrays, const C
 Pixel draw_color(const PipelineState& state, const ColorBytes& color, const ColorBytes& under) {
   const std::array<ColorBytes, 3> colors{color, color, color};
   return draw_pixel(state, {.homogeneous_positions = kWholePixel, .vertex_colors = colors}, under);
-}
-
-PipelineState plain_state(const HardwareProfile& profile) {
-  PipelineState state;
-  state.profile = profile;
-  state.depth_test.enabled = false;
-  return state;
 }
 
 std::vector<int> values(const ColorBytes& color) {
@@ -275,6 +263,9 @@ std::string wrong_words(const MeasuredRow& row) {
   for (const std::string& wrong : {check("func", kFunctions), check("equation", kEquations), check("sfactor", kFactors),
                                    check("dfactor", kFactors)}) {
     if (!wrong.empty()) return wrong;
+  }
+  if (row.has("object") && row.text("object") != "quad" && row.text("object") != "loop") {
+    return fmt::format("object must be one of quad, loop, not '{}'", tools::shown(row.text("object")));
   }
   if (row.has("bits") && row.whole("bits") != 16 && row.whole("bits") != 24) return "bits must be 16 or 24";
   return "";

@@ -33,6 +33,15 @@ class MeasuredRow;
 // The depth code of a pixel of a quad.
 [[nodiscard]] std::vector<int> draw_depth(const MeasuredRow& row, const HardwareProfile& profile);
 
+// The pixels of a row of an object of lines that are drawn and not measured, or measured and not drawn.
+[[nodiscard]] std::vector<int> draw_lines(const MeasuredRow& row, const HardwareProfile& profile);
+
+// A pixel of a line with two colours.
+[[nodiscard]] std::vector<int> draw_line_color(const MeasuredRow& row, const HardwareProfile& profile);
+
+// The first and the last column of a point at a corner of pixels, from there.
+[[nodiscard]] std::vector<int> draw_point(const MeasuredRow& row, const HardwareProfile& profile);
+
 // What is wrong with a row's words, which draw_… would not know; empty: nothing.
 [[nodiscard]] std::string wrong_words(const MeasuredRow& row);
 

@@ -132,6 +132,30 @@ std::vector<MeasuredFormat> make_formats() {
                 {"match", match},
                 {"match_if_nearest", note}}),
        draw_depth},
+      {"lines",
+       columns({{"picture", note},
+                {"width", real},
+                {"object", word},
+                {"y", pixel},
+                {"hw_runs", {{}, Kind::runs}},
+                {"model_runs", note},
+                {"match", match}}),
+       draw_lines},
+      {"colours of lines",
+       columns({{"Px,Py,Qx,Qy", position},
+                {"c0,c1", digits},
+                {"x,y", pixel},
+                {"hw_R,hw_G,hw_B", measured},
+                {"model_R,model_G,model_B", note},
+                {"match", match}}),
+       draw_line_color},
+      {"points",
+       columns({{"picture", note},
+                {"size_eighths", whole({}, 0, 512)},
+                {"hw_first,hw_last", {{}, Kind::extent}},
+                {"model_first,model_last", note},
+                {"match", match}}),
+       draw_point},
   };
 }
 
@@ -145,7 +169,8 @@ std::string header_of(const std::vector<Column>& all) {
 std::string read_cell(const Column& column, std::string_view field, MeasuredRow::Cell& cell) {
   cell.text = field;
   if (column.kind == Kind::note || column.kind == Kind::word) return "";
-  if (field.empty() && (column.kind == Kind::measured || column.may_be_empty)) return "";
+  const bool is_extent = column.kind == Kind::extent;
+  if (field.empty() && (column.kind == Kind::measured || is_extent || column.may_be_empty)) return "";
   if (column.kind == Kind::real) return reads(field, cell.real) ? "" : "a number";
   if (column.kind == Kind::digits) {
     if (field.starts_with("0x")) field.remove_prefix(2);
@@ -158,6 +183,8 @@ std::string read_cell(const Column& column, std::string_view field, MeasuredRow:
     }
     return "";
   }
+  if (column.kind == Kind::runs) return pixel_runs(field) ? "" : "runs of pixels, such as 3-5 7-7, or empty";
+  if (is_extent) return reads(field, cell.whole) ? "" : "a whole number, or empty";
   if (reads(field, cell.whole) && cell.whole >= column.low && cell.whole <= column.high) return "";
   return fmt::format("a whole number from {} to {}", column.low, column.high);
 }
@@ -172,6 +199,34 @@ std::vector<std::string_view> pieces(std::string_view text, char separator) {
     if (end == std::string_view::npos) return found;
     text.remove_prefix(end + 1);
   }
+}
+
+std::optional<std::vector<PixelRun>> pixel_runs(std::string_view text) {
+  std::vector<PixelRun> runs;
+  if (text.empty()) return runs;
+  for (const std::string_view piece : pieces(text, ' ')) {
+    PixelRun run;
+    const std::size_t dash = piece.find('-');
+    if (dash == std::string_view::npos) return std::nullopt;
+    if (!reads(piece.substr(0, dash), run.first) || !reads(piece.substr(dash + 1), run.last)) return std::nullopt;
+    runs.push_back(run);
+  }
+  return runs;
+}
+
+bool is_of_the_picture(const MeasuredColumn& column) {
+  return column.kind == Kind::measured || column.kind == Kind::extent || column.kind == Kind::runs;
+}
+
+std::vector<int> allowed_values(const MeasuredColumn& column, const std::string& text) {
+  if (column.kind == Kind::runs) return {0};
+  if (column.kind == Kind::extent && text.empty()) return {kNothingDrawn};
+  std::vector<int> allowed;
+  for (const std::string_view piece : pieces(text, '|')) {
+    int value = 0;
+    if (reads(piece, value)) allowed.push_back(value);
+  }
+  return allowed;
 }
 
 const MeasuredFormat* measured_format(std::string_view header) {

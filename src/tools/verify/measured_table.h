@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -21,6 +22,8 @@ struct MeasuredColumn {
     real,      // a number
     digits,    // hexadecimal, with or without 0x
     measured,  // of the picture: whole numbers separated by |, or empty, which is not compared
+    extent,    // of the picture: a whole number, or empty, where nothing is drawn
+    runs,      // of the picture: runs of pixels, such as 3-5 7-7; how many pixels differ is compared with 0
     match      // 0: the row lies outside of the rule that was found, and is skipped
   };
   std::string_view name;
@@ -57,6 +60,21 @@ class MeasuredRow {
   [[nodiscard]] const Cell& cell(std::string_view column) const { return cells_.find(column)->second; }
   std::map<std::string, Cell, std::less<>> cells_;
 };
+
+// What the extent of nothing reads as.
+inline constexpr int kNothingDrawn = -9999;
+
+// Pixels first to last of a row.
+struct PixelRun {
+  int first = 0, last = 0;
+};
+
+// The runs of a cell; empty: it has something else.
+[[nodiscard]] std::optional<std::vector<PixelRun>> pixel_runs(std::string_view text);
+
+// Whether a column is of the picture, and the values that its cell allows; none: it is not compared.
+[[nodiscard]] bool is_of_the_picture(const MeasuredColumn& column);
+[[nodiscard]] std::vector<int> allowed_values(const MeasuredColumn& column, const std::string& text);
 
 // What one kind of table measures.
 struct MeasuredFormat {

@@ -51,6 +51,12 @@ std::vector<Rival> pixel_rivals_of(const HardwareProfile& profile) {
       add(field, word, rules, [&](HardwareProfile& p) { (p.*member).value = other_value; });
     }
   };
+  using Lines = std::pair<const char*, LineShape>;
+  add_others("line_shape", "30", profile.line_shape.value, &HardwareProfile::line_shape,
+             std::array{Lines("diamonds", LineShape::diamonds), Lines("rectangles", LineShape::rectangles)});
+  using Points = std::pair<const char*, PointShape>;
+  add_others("point_shape", "31", profile.point_shape.value, &HardwareProfile::point_shape,
+             std::array{Points("whole-pixels", PointShape::whole_pixels), Points("squares", PointShape::squares)});
   using Weights = std::pair<const char*, ColorWeights>;
   add_others("color_weights", "27", profile.color_weights.value, &HardwareProfile::color_weights,
              std::array{Weights("exact", ColorWeights::exact), Weights("8-bits", ColorWeights::eight_bits)});

@@ -224,12 +224,9 @@ Result<std::optional<VerifyRow>> VerifyTable::measured_row(const CsvLine& line) 
     if (column.kind == Kind::word || column.kind == Kind::whole || column.kind == Kind::digits ||
         column.kind == Kind::real) {
       if (!text.empty()) row.name += fmt::format("{}{} {}", row.name.empty() ? "" : ", ", column.name, text);
-    } else if (column.kind == Kind::measured) {
-      Expectation expected{.column = std::string(column.name), .stage = {}, .allowed = {}};
-      for (const std::string_view piece : pieces(text, '|')) {
-        if (const auto value = number_of(piece)) expected.allowed.push_back(*value);
-      }
-      row.expected.push_back(std::move(expected));
+    } else if (is_of_the_picture(column)) {
+      row.expected.push_back(
+          {.column = std::string(column.name), .stage = {}, .allowed = allowed_values(column, text)});
     }
   }
   return std::optional(std::move(row));

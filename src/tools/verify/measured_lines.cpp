@@ -1,0 +1,142 @@
+// Rows of measured lines and points, drawn in a window that is large enough for each of them.
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <glm/glm.hpp>
+#include <span>
+#include <vector>
+
+#include "ninebit/raster/rasterizer.h"
+#include "ninebit/raster/surface.h"
+#include "src/tools/verify/measured_rows.h"
+#include "src/tools/verify/measured_state.h"
+#include "src/tools/verify/measured_table.h"
+
+namespace ninebit::tools {
+namespace {
+
+constexpr int kSide = 256;  // of the window, in pixels
+
+// Window corners in 1/16 pixel, y growing downwards.
+struct Corner {
+  int x, y;
+};
+
+// The objects of nv2a_lines.csv: that file's first line, from abaire/nxdk_pgraph_tests, src/tests/line_width_tests.cpp.
+constexpr std::array<Corner, 4> kQuad{{{2560, 6368}, {3520, 6208}, {3496, 7574}, {2764, 7288}}};
+constexpr std::array<Corner, 16> kLoop{{{5696, 1520},
+                                        {5664, 1072},
+                                        {5472, 2320},
+                                        {4258, 2048},
+                                        {4592, 2281},
+                                        {4697, 988},
+                                        {5840, 1760},
+                                        {4408, 1024},
+                                        {4512, 816},
+                                        {4433, 2171},
+                                        {5776, 1226},
+                                        {4897, 928},
+                                        {5845, 2176},
+                                        {4560, 2480},
+                                        {5613, 1336},
+                                        {5168, 2463}}};
+
+// The pixel halfway between the least and the greatest coordinate.
+int middle_of(std::span<const Corner> corners, int Corner::*coordinate) {
+  const auto [low, high] = std::minmax_element(
+      corners.begin(), corners.end(), [=](const Corner& a, const Corner& b) { return a.*coordinate < b.*coordinate; });
+  return ((*low).*coordinate + (*high).*coordinate) / 32;
+}
+
+// A window of the picture around the corners, and what is drawn into it.
+class MeasuredWindow {
+ public:
+  explicit MeasuredWindow(std::span<const Corner> corners) {
+    left_ = middle_of(corners, &Corner::x) - kSide / 2;
+    top_ = middle_of(corners, &Corner::y) - kSide / 2;
+    for (const Corner& c : corners) {
+      clip_.emplace_back(clip_of(c.x - 16 * left_), clip_of(16 * (top_ + kSide) - c.y), 0.0F, 1.0F);
+    }
+  }
+
+  // Draws white, or with the corners' colours.
+  void draw(const PipelineState& state, PrimitiveType type, std::span<const ColorBytes> colors = {}) {
+    RenderTarget target = surface_.target();
+    const VertexArrays arrays{.type = type, .homogeneous_positions = clip_, .vertex_colors = colors};
+    // A row with a size that the rasterizer refuses draws nothing.
+    is_drawn_ = rasterize(state, glm::mat4(1.0F), arrays, {}, target).ok();
+  }
+
+  [[nodiscard]] bool covers(int x, int y) const {
+    return is_drawn_ && is_inside(x, y) && surface_.primitive()[at(x, y)] != kUntouched;
+  }
+  [[nodiscard]] int component(int x, int y, int k) const { return covers(x, y) ? surface_.color(k)[at(x, y)] : 0; }
+  // The columns of the window.
+  [[nodiscard]] int left() const { return left_; }
+  [[nodiscard]] int right() const { return left_ + kSide; }
+
+ private:
+  static constexpr std::uint32_t kUntouched = 0xFFFFFFFF;
+
+  // The clip coordinate in the middle of the cell that is cut to this window coordinate.
+  static float clip_of(int q4) { return static_cast<float>((q4 + (q4 < 0 ? -0.5 : 0.5)) / (8.0 * kSide) - 1.0); }
+  [[nodiscard]] bool is_inside(int x, int y) const {
+    return x >= left_ && x < left_ + kSide && y >= top_ && y < top_ + kSide;
+  }
+  [[nodiscard]] std::size_t at(int x, int y) const {
+    return static_cast<std::size_t>(kSide * (top_ + kSide - 1 - y) + x - left_);
+  }
+
+  int left_ = 0, top_ = 0;
+  bool is_drawn_ = false;
+  std::vector<glm::vec4> clip_;
+  Surface surface_ = Surface::make(kSide, kSide, {.with_primitive = true}).value();
+};
+
+}  // namespace
+
+std::vector<int> draw_lines(const MeasuredRow& row, const HardwareProfile& profile) {
+  const bool is_quad = row.text("object") == "quad";
+  MeasuredWindow window(is_quad ? std::span<const Corner>(kQuad) : kLoop);
+  PipelineState state = plain_state(profile);
+  state.line_width = static_cast<float>(row.real("width"));
+  state.front_mode = state.back_mode = PolygonMode::line;
+  window.draw(state, is_quad ? PrimitiveType::quads : PrimitiveType::line_loop);
+  const std::vector<PixelRun> runs = pixel_runs(row.text("hw_runs")).value();
+  int differ = 0;
+  for (int x = window.left(); x < window.right(); ++x) {
+    const auto holds = [x](const PixelRun& run) { return run.first <= x && x <= run.last; };
+    const bool is_measured = std::any_of(runs.begin(), runs.end(), holds);
+    differ += window.covers(x, row.whole("y")) != is_measured ? 1 : 0;
+  }
+  return {differ};
+}
+
+std::vector<int> draw_line_color(const MeasuredRow& row, const HardwareProfile& profile) {
+  const std::array<Corner, 2> ends{{{row.whole("Px"), row.whole("Py")}, {row.whole("Qx"), row.whole("Qy")}}};
+  const std::array<ColorBytes, 2> colors{color_of(row.digits("c0")), color_of(row.digits("c1"))};
+  MeasuredWindow window(ends);
+  PipelineState state = plain_state(profile);
+  state.line_width = 8.0F;  // as in the table's picture
+  window.draw(state, PrimitiveType::lines, colors);
+  const int x = row.whole("x"), y = row.whole("y");
+  return {window.component(x, y, kRed), window.component(x, y, kGreen), window.component(x, y, kBlue)};
+}
+
+std::vector<int> draw_point(const MeasuredRow& row, const HardwareProfile& profile) {
+  const std::array<Corner, 1> place{{{0, 0}}};
+  MeasuredWindow window(place);
+  PipelineState state = plain_state(profile);
+  state.point_size = static_cast<float>(row.whole("size_eighths")) / 8.0F;
+  window.draw(state, PrimitiveType::points);
+  // A column is drawn if the point has a pixel there, above the position or below.
+  std::vector<int> extent{kNothingDrawn, kNothingDrawn};
+  for (int x = window.left(); x < window.right(); ++x) {
+    if (!window.covers(x, 0) && !window.covers(x, -1)) continue;
+    if (extent[0] == kNothingDrawn) extent[0] = x;
+    extent[1] = x;
+  }
+  return extent;
+}
+
+}  // namespace ninebit::tools
