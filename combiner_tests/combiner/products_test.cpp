@@ -38,7 +38,7 @@ int output_by_integers(const HardwareProfile& p, Scale scale, Bias bias, int wid
     if (2 * remainder >= unit) code = cut + 1;
     if (2 * remainder < -unit) code = cut - 1;
   }
-  return std::clamp(code, p.lowest.value, p.one.value);
+  return std::clamp(code, p.lowest_output.value, p.one.value);
 }
 
 // The largest magnitude that a mapping gives: expand and signed negate reach it.
@@ -157,7 +157,7 @@ TEST(Products, EveryWideValueThatTwoDotProductsCanReach) {
       const int saturated = 2 * p.one * (p.one + 1);
       for (int wide = saturated; wide <= most; ++wide) {
         ASSERT_EQ(expected[static_cast<std::size_t>(most + wide)], p.one.value) << p.name << ' ' << wide;
-        ASSERT_EQ(expected[static_cast<std::size_t>(most - wide)], p.lowest.value) << p.name << ' ' << wide;
+        ASSERT_EQ(expected[static_cast<std::size_t>(most - wide)], p.lowest_output.value) << p.name << ' ' << wide;
       }
     }
   }

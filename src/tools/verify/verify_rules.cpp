@@ -1,5 +1,6 @@
 #include "src/tools/verify/verify_rules.h"
 
+#include <algorithm>
 #include <array>
 #include <optional>
 #include <utility>
@@ -42,7 +43,15 @@ std::vector<Rival> rivals_of(const HardwareProfile& profile) {
   const int offset = profile.expand_offset == one ? one + 1 : one;
   add("expand_offset", std::to_string(offset), "", [&](HardwareProfile& p) { p.expand_offset.value = offset; });
   const int lowest = profile.lowest == -one ? -one - 1 : -one;
-  add("lowest", std::to_string(lowest), "", [&](HardwareProfile& p) { p.lowest.value = lowest; });
+  add("lowest", std::to_string(lowest), "", [&](HardwareProfile& p) {
+    p.lowest.value = lowest;
+    p.lowest_output.value = std::max(p.lowest_output.value, lowest);
+  });
+  const int output = profile.lowest_output == -one ? -one - 1 : -one;
+  add("lowest_output", std::to_string(output), "", [&](HardwareProfile& p) {
+    p.lowest_output.value = output;
+    p.lowest.value = std::min(p.lowest.value, output);
+  });
   add("arithmetic", "float32", "", [](HardwareProfile& p) { p.arithmetic.value = Arithmetic::float32; });
   return rivals;
 }
@@ -77,6 +86,8 @@ std::vector<Rival> pixel_rivals_of(const HardwareProfile& profile) {
   add_others("texture_filter_rounding", "26", profile.texture_filter_rounding.value,
              &HardwareProfile::texture_filter_rounding,
              std::array{Rounding("once", FilterRounding::once), Rounding("each-blend", FilterRounding::each_blend)});
+  const Narrowing bias = other(profile.texture_bias_narrowing);
+  add("texture_bias_narrowing", name(bias), "26", [&](HardwareProfile& p) { p.texture_bias_narrowing.value = bias; });
   using Palette = std::pair<const char*, Dxt1Palette>;
   add_others("dxt1_palette", "24", profile.dxt1_palette.value, &HardwareProfile::dxt1_palette,
              std::array{Palette("rgb565", Dxt1Palette::rgb565), Palette("rgb888", Dxt1Palette::rgb888),
