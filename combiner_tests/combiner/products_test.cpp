@@ -89,7 +89,7 @@ TEST(Products, EveryProductOfTwoMappedValues) {
       }
     }
   }
-  EXPECT_EQ(cases, 6 * (4 * 511 * 511 + 255 * 255 + 513 * 513));
+  EXPECT_EQ(cases, 6 * (3 * 511 * 511 + 255 * 255 + 2 * 513 * 513));
 }
 
 // All products of B with A mapped so, and with any sign or with none.

@@ -1,7 +1,9 @@
 // Filters, levels of detail and depth comparisons whose answers can be told by hand.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
+#include <map>
 #include <string>
 
 #include "combiner_tests/hardware/csv.h"
