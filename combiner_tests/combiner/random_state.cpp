@@ -60,8 +60,7 @@ HardwareProfile random_profile(Random& random) {
   const std::vector<HardwareProfile> shipped = integer_profiles();
   HardwareProfile p = shipped[static_cast<std::size_t>(random.below(static_cast<int>(shipped.size())))];
   if (!random.one_in(4)) return p;
-  p.lowest.value = -p.one - random.below(2);
-  p.lowest_output.value = random.one_in(2) ? p.lowest.value : -p.one;
+  if (random.one_in(2)) p.lowest.value = p.lowest_output.value = -p.one - 1;
   if (random.one_in(2)) p.expand_offset.value = p.one + 1;
   if (random.one_in(4)) p.half.value = p.half - 1;
   p.general_narrowing.value = random.one_in(2) ? Narrowing::toward_zero : Narrowing::nearest_halves_up;
