@@ -25,7 +25,7 @@ TEST(ProfileFile, IsListedByItsOwnNameAfterTheShippedOnes) {
       EXPECT_EQ(row.at("evidence"), "assumed");
     }
   }
-  EXPECT_EQ(rows, 30);
+  EXPECT_EQ(rows, 32);
 }
 
 TEST(ProfileFile, EqualsItsBaseInARendering) {
