@@ -87,6 +87,7 @@ void Coverage::add(const CombinerState& state, const HardwareProfile& profile) {
   for (std::size_t v = 0; v < inputs.size(); ++v) final_[v].add(*inputs[v]);
   ++profiles_[std::string(profile.name)];
   count_enum(lowest_, profile.lowest != -profile.one);
+  count_enum(lowest_output_, profile.lowest_output != -profile.one);
   count_enum(half_, profile.half != (profile.one + 1) / 2);
   count_enum(expand_offset_, profile.expand_offset != profile.one.value);
   count_enum(general_narrowing_, profile.general_narrowing.value);
@@ -104,6 +105,7 @@ std::vector<Coverage::Row> Coverage::rows(Arithmetic arithmetic) const {
   }
   if (arithmetic == Arithmetic::integer) {
     out.add_flag("profile: lowest is -one - 1", lowest_);
+    out.add_flag("profile: lowest output is -one - 1", lowest_output_);
     out.add_flag("profile: half is one less", half_);
     out.add_flag("profile: expand is 2v - (one + 1)", expand_offset_);
     out.add_flag("profile: outputs to nearest", general_narrowing_);

@@ -55,8 +55,8 @@ class Coverage {
   std::array<Input, 7> final_{};
   std::map<std::string, std::uint64_t, std::less<>> profiles_;
   // The fields of a profile that the arithmetic reads, by their distance from what geforce2 has.
-  std::array<std::uint64_t, 2> lowest_{}, half_{}, expand_offset_{}, general_narrowing_{}, narrowing_point_{},
-      final_narrowing_{};
+  std::array<std::uint64_t, 2> lowest_{}, lowest_output_{}, half_{}, expand_offset_{}, general_narrowing_{},
+      narrowing_point_{}, final_narrowing_{};
   std::array<std::uint64_t, 5> byte_shift_{};
 };
 

@@ -60,7 +60,7 @@ HardwareProfile random_profile(Random& random) {
   const std::vector<HardwareProfile> shipped = integer_profiles();
   HardwareProfile p = shipped[static_cast<std::size_t>(random.below(static_cast<int>(shipped.size())))];
   if (!random.one_in(4)) return p;
-  if (random.one_in(2)) p.lowest.value = -p.one - 1;
+  if (random.one_in(2)) p.lowest.value = p.lowest_output.value = -p.one - 1;
   if (random.one_in(2)) p.expand_offset.value = p.one + 1;
   if (random.one_in(4)) p.half.value = p.half - 1;
   p.general_narrowing.value = random.one_in(2) ? Narrowing::toward_zero : Narrowing::nearest_halves_up;
@@ -74,7 +74,7 @@ HardwareProfile random_real_profile(Random& random, const HardwareProfile& base)
   if (!random.one_in(8)) return p;
   p.byte_shift.value = 1 + random.below(4);
   p.one.value = 255 >> p.byte_shift.value;
-  p.lowest.value = -p.one.value;
+  p.lowest.value = p.lowest_output.value = -p.one.value;
   p.half.value = (p.one.value + 1) / 2;  // random_code picks its neighbours
   return p;
 }

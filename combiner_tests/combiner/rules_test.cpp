@@ -99,9 +99,9 @@ TEST(Rule, R6_TwiceAndFourTimesAreExactAndSaturate) {
   for (const HardwareProfile& profile : integer_profiles()) {
     for (int v = profile.lowest; v <= profile.one; ++v) {
       ASSERT_EQ(option_of(profile, Scale::by_two, Bias::none, v),
-                std::clamp(2 * v, profile.lowest.value, profile.one.value));
+                std::clamp(2 * v, profile.lowest_output.value, profile.one.value));
       ASSERT_EQ(option_of(profile, Scale::by_four, Bias::none, v),
-                std::clamp(4 * v, profile.lowest.value, profile.one.value));
+                std::clamp(4 * v, profile.lowest_output.value, profile.one.value));
     }
   }
   EXPECT_EQ(option_of(profiles::nv2a, Scale::by_two, Bias::none, 25), 50);

@@ -53,7 +53,7 @@ std::vector<HardwareProfile> profiles_and_rivals() {
   std::vector<HardwareProfile> all = integer_profiles();
   HardwareProfile rival = profiles::geforce2;
   rival.name = "geforce2, lowest -256, expand 2v - 256";
-  rival.lowest.value = -256;
+  rival.lowest.value = rival.lowest_output.value = -256;
   rival.expand_offset.value = 256;
   all.push_back(rival);
   rival = profiles::geforce2_early_truncation;
@@ -96,8 +96,8 @@ FinalCombiner final_of(Register r) {
 std::string describe(const CombinerState& state, const HardwareProfile& p) {
   std::ostringstream out;
   out << "profile " << p.name << ": arithmetic=" << static_cast<int>(p.arithmetic.value) << " one=" << p.one
-      << " lowest=" << p.lowest << " half=" << p.half << " expand_offset=" << p.expand_offset
-      << " byte_shift=" << p.byte_shift
+      << " lowest=" << p.lowest << " lowest_output=" << p.lowest_output << " half=" << p.half
+      << " expand_offset=" << p.expand_offset << " byte_shift=" << p.byte_shift
       << " general_narrowing=" << (p.general_narrowing.value == Narrowing::toward_zero ? "toward_zero" : "nearest")
       << " narrowing_point="
       << (p.narrowing_point.value == NarrowingPoint::after_scale ? "after_scale" : "before_scale")

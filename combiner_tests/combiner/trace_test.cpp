@@ -56,7 +56,7 @@ void check_output(const Datapath& d, const PortionOutput& state, const TracedWid
       ASSERT_LE(std::abs(out.dropped.units), (d.one + 1) / 2.0);
     }
   }
-  const bool in_range = out.narrowed.code >= d.lowest && out.narrowed.code <= d.one;
+  const bool in_range = out.narrowed.code >= d.lowest_output && out.narrowed.code <= d.one;
   ASSERT_EQ(out.cut.code == 0, in_range);
   ASSERT_EQ(out.written.real, out.written.code / static_cast<double>(one));
   ASSERT_EQ(out.scaled.real, out.scaled.units / static_cast<double>(one * one));

@@ -38,7 +38,8 @@ std::string print(const HardwareProfile& p) {
   text += member("byte_shift", p.byte_shift.value);
   if (p.arithmetic == Arithmetic::integer) {
     const bool early = p.narrowing_point == NarrowingPoint::before_scale;
-    text += member("lowest", p.lowest.value) + member("half", p.half.value);
+    text += member("lowest", p.lowest.value) + member("lowest_output", p.lowest_output.value);
+    text += member("half", p.half.value);
     text += member("expand_offset", p.expand_offset.value) + member("general_narrowing", name(p.general_narrowing));
     text += member("narrowing_point", early ? "before-scale" : "after-scale");
     text += member("final_narrowing", name(p.final_narrowing));
@@ -62,6 +63,7 @@ std::string wrong_with_limits(const HardwareProfile& p) {
   if (p.name.empty() || find_profile(p.name) != nullptr) return "the name '" + std::string(p.name) + "'";
   if (!within(p.byte_shift, 0, 4) || p.one != 255 >> p.byte_shift.value) return "one and byte_shift";
   if (integer && !within(p.lowest, -p.one - 1, -p.one)) return "lowest";
+  if (integer && !within(p.lowest_output, p.lowest, -p.one)) return "lowest_output";
   if (integer && !within(p.half, 0, p.one)) return "half";
   if (integer && !within(p.expand_offset, p.one, p.one + 1)) return "expand_offset";
   if (!within(p.general_combiners, 1, 8) || !within(p.texture_units, 1, 4)) return "combiners and texture units";

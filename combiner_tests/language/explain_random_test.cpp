@@ -58,7 +58,7 @@ void check_equations(const Program& program, const Explanation& e, const Registe
     } else {
       wrote = evaluate_final(program, before);
     }
-    const double lowest = equation.stage ? static_cast<double>(d.lowest) : 0.0;
+    const double lowest = equation.stage ? static_cast<double>(d.lowest_output) : 0.0;
     const double tolerance = !equation.stage ? 2.0 : early ? 4.0 : 1.0;
     for (std::size_t c = 0; c < 3; ++c) {
       const double code = said[c] * d.one;

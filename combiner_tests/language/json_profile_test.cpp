@@ -54,19 +54,20 @@ TEST(JsonProfile, ABaseAndANameAreItsCopy) {
 TEST(JsonProfile, EveryFieldCanBeReplaced) {
   const HardwareProfile p = good(R"({
     "ninebit": "profile", "version": 1, "base": "geforce2", "name": "a.b-c_9", "chip": "a chip",
-    "arithmetic": "integer", "byte_shift": 1, "one": 127, "lowest": -128, "half": 63, "expand_offset": 128,
+    "arithmetic": "integer", "byte_shift": 1, "one": 127, "lowest": -128, "lowest_output": -128, "half": 63, "expand_offset": 128,
     "general_narrowing": "nearest-halves-up", "narrowing_point": "before-scale", "final_narrowing": "toward-zero",
     "general_combiners": 5, "texture_units": 3, "per_stage_constants": true, "blue_to_alpha": true,
     "mux_by_lowest_bit": true, "color_sum_inverts": true, "spare0_alpha_without_texture0": 1, "disabled_texture_alpha": 2, "secondary_alpha": "as-given",
     "fog_alpha_without_fog": 3, "subpixel_bits": 0, "line_shape": "diamonds", "point_shape": "whole-pixels", "vertex_color_mantissa_bits": 23,
     "polygon_offset_slope": "root", "color_interpolation": "affine", "color_weights": "exact", "depth_narrowing": "nearest-halves-up", "fog_narrowing": "nearest-halves-up",
     "texture_weight_bits": 5, "texture_weight_narrowing": "nearest-halves-up", "texture_filter_rounding": "once",
+    "texture_bias_narrowing": "nearest-halves-up",
     "dxt1_palette": "rgb888"})");
   EXPECT_EQ(p.name, "a.b-c_9");
   EXPECT_EQ(p.chip, "a chip");
   Datapath d;
   d.one = 127;
-  d.lowest = -128;
+  d.lowest = d.lowest_output = -128;
   d.half = 63;
   d.expand_offset = 128;
   d.general_narrowing = Narrowing::nearest_halves_up;
@@ -96,6 +97,7 @@ TEST(JsonProfile, EveryFieldCanBeReplaced) {
   EXPECT_EQ(p.texture_weight_bits.value, 5);
   EXPECT_EQ(p.texture_weight_narrowing.value, Narrowing::nearest_halves_up);
   EXPECT_EQ(p.texture_filter_rounding.value, FilterRounding::once);
+  EXPECT_EQ(p.texture_bias_narrowing.value, Narrowing::nearest_halves_up);
   EXPECT_EQ(p.dxt1_palette.value, Dxt1Palette::rgb888);
 }
 
@@ -127,6 +129,7 @@ TEST(JsonProfile, OtherArithmeticsTakeCodesOfFewerBits) {
   const HardwareProfile p = good(R"({"base": "ideal", "name": "mine", "byte_shift": 4, "one": 15})");
   EXPECT_EQ(p.arithmetic.value, Arithmetic::exact);
   EXPECT_EQ(p.lowest.value, -15);
+  EXPECT_EQ(p.lowest_output.value, -15);
   const HardwareProfile q = good(R"({"base": "ideal", "name": "mine", "arithmetic": "integer", "half": 127})");
   EXPECT_EQ(q.half.value, 127);
   EXPECT_EQ(q.lowest.source, "mine.json") << "the base says that it does not read it";
@@ -137,6 +140,7 @@ TEST(JsonProfile, OtherArithmeticsTakeCodesOfFewerBits) {
 TEST(JsonProfile, RangesAreChecked) {
   const std::vector<std::pair<std::string_view, std::vector<int>>> bad{{"half", {-1, 256}},
                                                                        {"lowest", {-257, -254, 0, 255}},
+                                                                       {"lowest_output", {-256, -254, 0}},
                                                                        {"expand_offset", {254, 257, 0}},
                                                                        {"byte_shift", {-1, 5}},
                                                                        {"one", {0, 256, 254, 127, -255}},
@@ -160,6 +164,8 @@ TEST(JsonProfile, RangesAreChecked) {
   }
   for (const int half : {0, 127, 255}) EXPECT_EQ(good(with("\"half\": " + std::to_string(half))).half.value, half);
   EXPECT_EQ(good(with(R"("lowest": -256, "expand_offset": 256)")).lowest.value, -256);
+  EXPECT_EQ(good(with(R"("lowest": -256)")).lowest_output.value, -255);
+  EXPECT_EQ(good(with(R"("lowest": -256, "lowest_output": -256)")).lowest_output.value, -256);
 }
 
 TEST(JsonProfile, CodesMustFitTogether) {
@@ -168,6 +174,7 @@ TEST(JsonProfile, CodesMustFitTogether) {
   EXPECT_EQ(
       faults_of(with("\n\"byte_shift\": 1, \"one\": 127")),
       "mine.json:2:25: lowest of the base is -255, but with this value it must be -128 to -127; set it as well\n"
+      "mine.json:2:25: lowest_output of the base is -255, but with this value it must be -128 to -127; set it as well\n"
       "mine.json:2:25: half of the base is 128, but with this value it must be 0 to 127; set it as well\n"
       "mine.json:2:25: expand_offset of the base is 255, but with this value it must be 127 to 128; set it as well\n");
 }
@@ -180,7 +187,7 @@ TEST(JsonProfile, EveryFaultHasItsPlace) {
       "geforce256-8bit, nv2a, ideal, float-shader\n"
       "mine.json:3:11: \"nv2a\" is the name of a shipped profile\n"
       "mine.json:4:3: unknown key \"haf\"; the keys here are ninebit, version, base, name, chip, arithmetic, one, "
-      "lowest, half, expand_offset, byte_shift, general_narrowing, narrowing_point, final_narrowing, "
+      "lowest, lowest_output, half, expand_offset, byte_shift, general_narrowing, narrowing_point, final_narrowing, "
       "general_combiners, texture_units, per_stage_constants, blue_to_alpha, mux_by_lowest_bit, "
       "color_sum_inverts, spare0_alpha_without_texture0, "
       "disabled_texture_alpha, secondary_alpha, fog_alpha_without_fog, subpixel_bits, "
@@ -188,7 +195,7 @@ TEST(JsonProfile, EveryFaultHasItsPlace) {
       "vertex_color_mantissa_bits, polygon_offset_slope, color_interpolation, color_weights, depth_narrowing, "
       "fog_narrowing, "
       "texture_weight_bits, "
-      "texture_weight_narrowing, texture_filter_rounding, dxt1_palette\n"
+      "texture_weight_narrowing, texture_filter_rounding, texture_bias_narrowing, dxt1_palette\n"
       "mine.json:5:10: one must be a whole number, not a string\n"
       "mine.json:6:22: \"two\" is not a valid secondary_alpha; expected one of one, as-given\n"
       "mine.json:7:20: blue_to_alpha must be true or false, not a number\n"

@@ -211,6 +211,33 @@ TEST(RegisterWords, InvertedColorSum) {
   EXPECT_EQ(parse_register_words({"RC_FINAL1 = 0x00001cc0", ""}, ChipClass::nv10, kXbox).value, state);
 }
 
+// Where both words are 0 the NV2A leaves the final combiner out.
+TEST(RegisterWords, AFinalCombinerOfZerosPassesSpare0) {
+  const std::string zeros = "RC_FINAL0 = 0\nRC_FINAL1 = 0\n";
+  CombinerState state;
+  state.color_sum_clamp = false;
+  state.final_combiner = {};
+  for (CombinerInput* in : {&state.final_combiner.a, &state.final_combiner.b, &state.final_combiner.c,
+                            &state.final_combiner.d, &state.final_combiner.e, &state.final_combiner.f}) {
+    *in = {Register::zero, InputMapping::unsigned_identity, ComponentUsage::rgb};
+  }
+  state.final_combiner.g = {Register::zero, InputMapping::unsigned_identity, ComponentUsage::blue};
+  const CombinerState black = state;
+  EXPECT_EQ(decoded(zeros), black) << "NV10 outputs zero";
+  state.final_combiner.d.reg = Register::spare0;
+  state.final_combiner.g = {Register::spare0, InputMapping::unsigned_identity, ComponentUsage::alpha};
+  EXPECT_EQ(decoded(zeros, ChipClass::nv20), state);
+  // One word alone, or a flag, is a final combiner.
+  EXPECT_NE(decoded("RC_FINAL0 = 0\n", ChipClass::nv20).final_combiner.d.reg, Register::spare0);
+  EXPECT_NE(decoded("RC_FINAL0 = 0\nRC_FINAL1 = 0x80\n", ChipClass::nv20).final_combiner.d.reg, Register::spare0);
+  // A program that outputs zero keeps doing so.
+  const std::string printed = print_register_words(black, ChipClass::nv20, kXbox).value();
+  EXPECT_NE(printed.find("RC_FINAL0 = 0x00000000\nRC_FINAL1 = 0x00001000\n"), std::string::npos) << printed;
+  CombinerState still_black = black;
+  still_black.final_combiner.g.usage = ComponentUsage::alpha;
+  EXPECT_EQ(decoded(printed, ChipClass::nv20), still_black);
+}
+
 TEST(RegisterWords, BlueToAlpha) {
   CombinerState state;
   state.general[3].rgb.out = {.ab = Register::spare1, .cd = Register::primary, .ab_blue_to_alpha = true};

@@ -57,9 +57,10 @@ TEST(Profiles, Geforce2IsTheTable) {
   const HardwareProfile& p = profiles::geforce2;
   expect_choice(p.arithmetic, Arithmetic::integer, specified, "arithmetic");
   expect_choice(p.one, 255, measured, "one");
-  expect_choice(p.lowest, -255, assumed, "lowest");
+  expect_choice(p.lowest, -255, inferred, "lowest");
+  expect_choice(p.lowest_output, -255, specified, "lowest_output");
   expect_choice(p.half, 128, inferred, "half");
-  expect_choice(p.expand_offset, 255, assumed, "expand_offset");
+  expect_choice(p.expand_offset, 255, inferred, "expand_offset");
   expect_choice(p.byte_shift, 0, measured, "byte_shift");
   expect_choice(p.general_narrowing, Narrowing::toward_zero, seed, "general_narrowing");
   expect_choice(p.narrowing_point, NarrowingPoint::after_scale, seed, "narrowing_point");
@@ -87,6 +88,7 @@ TEST(Profiles, Geforce2IsTheTable) {
   expect_choice(p.texture_weight_bits, 8, inferred, "texture_weight_bits");
   expect_choice(p.texture_weight_narrowing, Narrowing::toward_zero, inferred, "texture_weight_narrowing");
   expect_choice(p.texture_filter_rounding, FilterRounding::each_blend, inferred, "texture_filter_rounding");
+  expect_choice(p.texture_bias_narrowing, Narrowing::toward_zero, inferred, "texture_bias_narrowing");
   expect_choice(p.dxt1_palette, Dxt1Palette::rgb565, inferred, "dxt1_palette");
 }
 
@@ -94,9 +96,10 @@ TEST(Profiles, Nv2aIsTheTable) {
   const HardwareProfile& p = profiles::nv2a;
   expect_choice(p.arithmetic, Arithmetic::integer, specified, "arithmetic");
   expect_choice(p.one, 255, measured, "one");
-  expect_choice(p.lowest, -255, assumed, "lowest");
+  expect_choice(p.lowest, -256, specified, "lowest");
+  expect_choice(p.lowest_output, -255, specified, "lowest_output");
   expect_choice(p.half, 128, measured, "half");
-  expect_choice(p.expand_offset, 255, assumed, "expand_offset");
+  expect_choice(p.expand_offset, 255, inferred, "expand_offset");
   expect_choice(p.byte_shift, 0, measured, "byte_shift");
   expect_choice(p.general_narrowing, Narrowing::nearest_halves_up, measured, "general_narrowing");
   expect_choice(p.narrowing_point, NarrowingPoint::after_scale, inferred, "narrowing_point");
@@ -123,6 +126,7 @@ TEST(Profiles, Nv2aIsTheTable) {
   expect_choice(p.texture_weight_bits, 8, measured, "texture_weight_bits");
   expect_choice(p.texture_weight_narrowing, Narrowing::toward_zero, measured, "texture_weight_narrowing");
   expect_choice(p.texture_filter_rounding, FilterRounding::each_blend, measured, "texture_filter_rounding");
+  expect_choice(p.texture_bias_narrowing, Narrowing::toward_zero, measured, "texture_bias_narrowing");
   expect_choice(p.dxt1_palette, Dxt1Palette::dithered565, measured, "dxt1_palette");
 }
 
@@ -139,6 +143,7 @@ TEST(Profiles, EightBitsHalveEveryCode) {
   const HardwareProfile& p = profiles::geforce256_8bit;
   expect_choice(p.one, 127, assumed, "one");
   expect_choice(p.lowest, -127, assumed, "lowest");
+  expect_choice(p.lowest_output, -127, assumed, "lowest_output");
   expect_choice(p.half, 64, assumed, "half");
   expect_choice(p.expand_offset, 127, assumed, "expand_offset");
   expect_choice(p.byte_shift, 1, assumed, "byte_shift");
@@ -176,8 +181,11 @@ TEST(Profiles, RealNumbersAreTheTable) {
     expect_choice(p.texture_weight_bits, 8, assumed, "texture_weight_bits");
     expect_choice(p.texture_weight_narrowing, Narrowing::nearest_halves_up, assumed, "texture_weight_narrowing");
     expect_choice(p.texture_filter_rounding, FilterRounding::once, specified, "texture_filter_rounding");
+    expect_choice(p.texture_bias_narrowing, Narrowing::nearest_halves_up, specified, "texture_bias_narrowing");
     expect_choice(p.dxt1_palette, Dxt1Palette::rgb888, specified, "dxt1_palette");
-    for (const auto& choice : {p.lowest, p.half, p.expand_offset}) EXPECT_NE(choice.evidence, measured);
+    for (const auto& choice : {p.lowest, p.lowest_output, p.half, p.expand_offset}) {
+      EXPECT_NE(choice.evidence, measured);
+    }
   }
 }
 
@@ -191,6 +199,9 @@ TEST(Profiles, DatapathTakesEveryFieldThatTheArithmeticReads) {
   EXPECT_EQ(datapath_of(p).one, 254);
   p.lowest.value = -256;
   EXPECT_EQ(datapath_of(p).lowest, -256);
+  EXPECT_EQ(datapath_of(p).lowest_output, -255);
+  p.lowest_output.value = -256;
+  EXPECT_EQ(datapath_of(p).lowest_output, -256);
   p.half.value = 127;
   EXPECT_EQ(datapath_of(p).half, 127);
   p.expand_offset.value = 256;

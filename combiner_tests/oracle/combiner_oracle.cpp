@@ -166,7 +166,7 @@ int general_output(const HardwareProfile& profile, Scale scale, Bias bias, Fract
   if (scale == Scale::by_one_half) codes = times(codes, {1, 2});
   const std::int64_t code = narrowed(profile.general_narrowing, codes);
   if (code > profile.one) return profile.one;
-  if (code < profile.lowest) return profile.lowest;
+  if (code < profile.lowest_output) return profile.lowest_output;
   return static_cast<int>(code);
 }
 

@@ -271,10 +271,33 @@ class Model {
     }
     if (compares()) {
       const std::uint32_t reference = to_code(q_.coordinate[2], largest_);
-      const bool lequal = q_.sampler.comparison == DepthComparison::lequal;
-      code = (lequal ? reference <= code : reference >= code) ? 255 : 0;
+      code = passes(reference, code) ? 255 : 0;
     }
     return code;
+  }
+
+  // Measured on the NV2A, where r is a whole number: r FUNC stored code, all eight functions.
+  bool passes(std::uint32_t r, std::uint32_t stored) const {
+    switch (q_.sampler.comparison) {
+      case DepthComparison::never:
+        return false;
+      case DepthComparison::less:
+        return r < stored;
+      case DepthComparison::equal:
+        return r == stored;
+      case DepthComparison::lequal:
+        return r <= stored;
+      case DepthComparison::greater:
+        return r > stored;
+      case DepthComparison::notequal:
+        return r != stored;
+      case DepthComparison::gequal:
+        return r >= stored;
+      case DepthComparison::none:
+      case DepthComparison::always:
+        return true;
+    }
+    std::abort();
   }
 
   bool compares() const { return depth_ && q_.sampler.comparison != DepthComparison::none; }
@@ -357,7 +380,8 @@ std::vector<TextureAnswer> sample(const TextureQuestion& question) {
   float bias = question.sampler.lod_bias;
   if (std::isnan(bias)) bias = 0;
   bias = bias > 15 ? 15 : bias < -15 ? -15 : bias;
-  const int bias_256 = static_cast<int>(std::floor(static_cast<long double>(bias) * 256 + 0.5L));
+  const long double exact = static_cast<long double>(bias) * 256;
+  const auto bias_256 = static_cast<int>(question.cuts_bias ? exact : std::floor(exact + 0.5L));
   std::vector<TextureAnswer> answers;
   for (const int lambda : levels_of_detail(rho_squared(question))) {
     answers.push_back(Model(question, lambda + bias_256).answer());

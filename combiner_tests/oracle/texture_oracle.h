@@ -18,6 +18,7 @@ struct TextureQuestion {
   int weight_bits = 8;        // profile.texture_weight_bits
   bool cuts_weights = false;  // profile.texture_weight_narrowing is toward zero
   bool rounds_each = false;   // profile.texture_filter_rounding: each blend
+  bool cuts_bias = false;     // profile.texture_bias_narrowing is toward zero
   const Texture* texture = nullptr;
   Sampler sampler;
   std::array<float, 3> coordinate{};  // s, t, r

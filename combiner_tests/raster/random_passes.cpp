@@ -127,7 +127,9 @@ void add_texture(Random& random, RandomPass& pass, std::size_t unit, std::size_t
   s.mag_filter = linear ? MagFilter::linear : MagFilter::nearest;
   s.wrap_s = kWraps[static_cast<std::size_t>(random.below(4))];
   s.wrap_t = kWraps[static_cast<std::size_t>(random.below(4))];
-  if (is_depth(format) && random.one_in(2)) s.comparison = DepthComparison::lequal;
+  if (is_depth(format) && random.one_in(2)) {
+    s.comparison = static_cast<DepthComparison>(random.between(1, static_cast<int>(DepthComparison::always)));
+  }
   for (std::size_t i = 0; i < vertices; ++i) {
     pass.coordinates[unit].emplace_back(random.real_f(-2, 2), random.real_f(-2, 2), random.real_f(-1, 2));
   }

@@ -1,7 +1,9 @@
 // Filters, levels of detail and depth comparisons whose answers can be told by hand.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
+#include <map>
 #include <string>
 
 #include "combiner_tests/hardware/csv.h"
@@ -242,6 +244,53 @@ TEST(TextureFilter, DepthComparesBeforeItFilters) {
   const auto made = TextureSampler::make(profiles::geforce2, texture, sampler);
   EXPECT_EQ(made->format(), TextureFormat::depth);
   EXPECT_FALSE(made->needs_r());
+}
+
+// Of every decision that pictures of an NV2A show; the stage mode of 2D textures compares 0 in place of r.
+TEST(TextureFilter, DepthComparesAsTheNv2a) {
+  const std::map<std::string, DepthComparison> functions{
+      {"N", DepthComparison::never},   {"LT", DepthComparison::less},    {"EQ", DepthComparison::equal},
+      {"LE", DepthComparison::lequal}, {"GT", DepthComparison::greater}, {"NE", DepthComparison::notequal},
+      {"GE", DepthComparison::gequal}, {"A", DepthComparison::always}};
+  std::map<std::string, int> seen;
+  for (const auto& row : read_hardware_table("nv2a_shadow_compare")) {
+    const bool is_16 = row.at("bits") == "16";
+    const std::vector<std::uint32_t> stored{static_cast<std::uint32_t>(std::stoul(row.at("t")))};
+    const Texture texture = make_texture(TextureTarget::texture_2d,
+                                         is_16 ? InternalFormat::depth16 : InternalFormat::depth24, {{{1, 1, stored}}})
+                                .value();
+    Sampler sampler = kNearestSampler;
+    sampler.comparison = functions.at(row.at("func"));
+    const double r = row.at("mode") == "2D" ? 0.0 : std::stod(row.at("r")) / (is_16 ? 65535.0 : 16777215.0);
+    EXPECT_EQ(red(texture, sampler, {0.5F, 0.5F, static_cast<float>(r)}), row.at("hw") == "1" ? 255 : 0)
+        << row.at("picture") << ' ' << row.at("t");
+    ++seen[row.at("func")];
+  }
+  EXPECT_EQ(seen.size(), 8U);
+  for (const auto& [function, rows] : seen) EXPECT_EQ(rows, 42) << function;
+}
+
+// The bias is cut to 1/256 on the NV2A: a level of detail of half a level keeps the finer one.
+TEST(TextureFilter, TheBiasIsCut) {
+  const Texture texture = steps(8, {10, 20, 30, 40});
+  Sampler sampler{.min_filter = MinFilter::nearest_mipmap_nearest, .mag_filter = MagFilter::nearest};
+  HardwareProfile nearest = profiles::nv2a;
+  nearest.texture_bias_narrowing.value = Narrowing::nearest_halves_up;
+  const auto levels = [&](float bias) {
+    sampler.lod_bias = bias;
+    std::array<int, 2> read{};
+    const std::array<float, 3> at{0.5F, 0.5F, 0}, change{0.125F, 0, 0};
+    for (std::size_t i = 0; i < 2; ++i) {
+      const auto made = TextureSampler::make(i == 0 ? profiles::nv2a : nearest, texture, sampler);
+      read[i] = texel_at(*made, at, change).value[0];
+    }
+    return read;
+  };
+  EXPECT_EQ(levels(128.0F / 256), (std::array{10, 10}));
+  EXPECT_EQ(levels(128.25F / 256), (std::array{10, 10}));
+  EXPECT_EQ(levels(128.75F / 256), (std::array{10, 20}));
+  EXPECT_EQ(levels(129.0F / 256), (std::array{20, 20}));
+  EXPECT_EQ(levels(-0.75F / 256), (std::array{10, 10}));
 }
 
 TEST(TextureFilter, EveryDepthOf16BitsBecomesTheNearestByte) {

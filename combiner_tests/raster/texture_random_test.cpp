@@ -42,12 +42,13 @@ TextureCase make_case(std::uint64_t index) {
   c.sampler.wrap_t = take(kWraps);
   const bool mipmaps = c.sampler.min_filter != MinFilter::nearest && c.sampler.min_filter != MinFilter::linear;
   for (float& border : c.sampler.border_color) border = random.real_f(-0.2, 1.2);
-  c.sampler.comparison = random.pick({DepthComparison::none, DepthComparison::lequal, DepthComparison::gequal});
+  c.sampler.comparison = static_cast<DepthComparison>(random.below(static_cast<int>(DepthComparison::always) + 1));
   c.sampler.lod_bias = random.pick({0.0F, 0.0F, random.real_f(-2, 2), std::numeric_limits<float>::quiet_NaN(), 99.0F});
   if (random.one_in(4)) c.profile = profiles::geforce256_8bit;
   c.profile.texture_weight_bits.value = random.one_in(2) ? 8 : random.between(1, 8);
   c.profile.texture_weight_narrowing.value = random.pick({Narrowing::toward_zero, Narrowing::nearest_halves_up});
   c.profile.texture_filter_rounding.value = random.pick({FilterRounding::once, FilterRounding::each_blend});
+  c.profile.texture_bias_narrowing.value = random.pick({Narrowing::toward_zero, Narrowing::nearest_halves_up});
   const int width = 1 << random.below(6);
   const int height = target == TextureTarget::cube_map || random.one_in(3) ? width : 1 << random.below(6);
   c.texture = random_texture(random, target, format, width, height, mipmaps || random.one_in(4));
@@ -120,9 +121,12 @@ void run(std::uint64_t index, TexturesSeen& seen) {
   CodeArrays codes(c.fragments.size());
   if (sampler) sampler->sample(c.fragments.view(), c.fragments.size(), codes.at());
   for (std::size_t i = 0; i < c.fragments.size(); ++i) {
-    oracle::TextureQuestion question{
-        c.profile.texture_weight_bits, c.profile.texture_weight_narrowing.value == Narrowing::toward_zero,
-        c.profile.texture_filter_rounding.value == FilterRounding::each_blend, &c.texture, c.sampler};
+    oracle::TextureQuestion question{c.profile.texture_weight_bits,
+                                     c.profile.texture_weight_narrowing.value == Narrowing::toward_zero,
+                                     c.profile.texture_filter_rounding.value == FilterRounding::each_blend,
+                                     c.profile.texture_bias_narrowing.value == Narrowing::toward_zero,
+                                     &c.texture,
+                                     c.sampler};
     for (std::size_t k = 0; k < 3; ++k) {
       question.coordinate[k] = c.fragments.value[k][i];
       question.dx[k] = c.fragments.dx[k][i];

@@ -72,6 +72,7 @@ std::vector<HardwareProfile> with_rivals(const HardwareProfile& base) {
       p.narrowing_point.value = point;
       all.push_back(p);
       p.lowest.value -= 1;
+      p.lowest_output.value -= 1;
       p.half.value -= 1;
       all.push_back(p);
     }

@@ -33,7 +33,7 @@ inline HardwareProfile small_profile(int one) {
   HardwareProfile profile = profiles::geforce2;
   profile.name = "small";
   profile.one.value = one;
-  profile.lowest.value = -one;
+  profile.lowest.value = profile.lowest_output.value = -one;
   profile.half.value = (one + 1) / 2;
   profile.expand_offset.value = one;
   return profile;

@@ -25,7 +25,7 @@ TEST(ProfileFile, IsListedByItsOwnNameAfterTheShippedOnes) {
       EXPECT_EQ(row.at("evidence"), "assumed");
     }
   }
-  EXPECT_EQ(rows, 32);
+  EXPECT_EQ(rows, 34);
 }
 
 TEST(ProfileFile, EqualsItsBaseInARendering) {

@@ -47,7 +47,7 @@ TEST_F(StudyDatapath, ProgramsOverCombinationsAndTables) {
 
 TEST_F(StudyDatapath, EveryCaseOfTheSum) {
   const std::string profile = write_bytes(folder_ / "small.json", R"({"base": "geforce2", "name": "small",
-      "byte_shift": 4, "one": 15, "lowest": -15, "half": 8, "expand_offset": 15})");
+      "byte_shift": 4, "one": 15, "lowest": -15, "lowest_output": -15, "half": 8, "expand_offset": 15})");
   const Json json = json_of(study({"--exhaustive-sum", "--forms", "x4,biased-x2", "--profile", profile, "--json"}));
   ASSERT_EQ(json["rows"].size(), 62U);
   EXPECT_EQ(json["rows"][0]["form"], "x4");

@@ -44,7 +44,13 @@ TEST_F(Verify, PixelsOfAnNv2a) {
       {"line_colors", "406 rows: 406 agree, 0 differ\n"},
       {"points", "354 rows: 354 agree, 0 differ; 1 with match 0 skipped\n"},
       {"depth_floor", "3024 rows: 3024 agree, 0 differ\n"},
-      {"gouraud_pixels", "4901 rows: 4901 agree, 0 differ; 39 with match 0 skipped\n"}};
+      {"gouraud_pixels", "4901 rows: 4901 agree, 0 differ; 39 with match 0 skipped\n"},
+      {"shadow_compare", "336 rows: 336 agree, 0 differ\n"},
+      {"combiner_ops", "24 rows: 24 agree, 0 differ\n"},
+      {"mux", "6 rows: 6 agree, 0 differ\n"},
+      {"signed_texel", "256 rows: 256 agree, 0 differ\n"},
+      {"vertex_color_to_byte", "16 rows: 16 agree, 0 differ\n"},
+      {"final_AB_pointparams", "273 rows: 273 agree, 0 differ\n"}};
   for (const auto& [name, answer] : tables) {
     const std::string file = std::string(NINEBIT_SOURCE_DIR) + "/combiner_tests/hardware/nv2a_" + name + ".csv";
     const Outcome nv2a = ninebit({"verify", file, "--profile", "nv2a"});
@@ -99,7 +105,7 @@ TEST_F(Verify, WrongTablesOfPixels) {
   expect_error(verify(smooth + "7,,0,1,2,3,1,2,3,1\n"), 3, {"rows.csv:2:3", "x must be a whole number from 0 to 4095"});
   expect_error(verify(smooth + "7,0\n"), 3, {"rows.csv:2:1", "2 fields, the header 10"});
   expect_error(verify(smooth), 3, {"the table has no rows"});
-  expect_error(verify(smooth, {"--program", "square.rc"}), 3, {"--program is not for tables of pixels"});
+  expect_error(verify(smooth, {"--program", "square.rc"}), 3, {"--program is not for measured tables"});
   expect_error(verify("func,ref,alpha_byte,hw_drawn,pixels,model_drawn,match\nSometimes,1,2,1,1,1,1\n"), 3,
                {"rows.csv:2:1", "func must be one of Never, LessThan", "'Sometimes'"});
   const std::string lines = "picture,width,object,y,hw_runs,model_runs,match\n";
@@ -107,6 +113,44 @@ TEST_F(Verify, WrongTablesOfPixels) {
   for (const std::string runs : {"215", "-", "215-", "a-b", "1-2,,3-4"}) {
     expect_error(verify(lines + "p,1,quad,388," + runs + ",,1\n"), 3, {"rows.csv:2:"});
   }
+}
+
+// A number beyond 32 bits would otherwise be compared with nothing.
+TEST_F(Verify, AMeasuredNumberBeyond32Bits) {
+  const std::string mux = "mux_select,spare0_alpha_byte,R,G,B,A,hw_selected,model_selected,match\n";
+  EXPECT_EQ(verify(mux + "MSB,0,255,0,0,255|2147483647,AB,AB,1\n", {"--profile", "nv2a"}).code, 0);
+  for (const char* number : {"2147483648", "4294967551", "-2147483649", "99999999999999999999"}) {
+    expect_error(verify(mux + "MSB,0,255,0,0,255|" + number + ",AB,AB,1\n", {"--profile", "nv2a"}), 3,
+                 {"rows.csv:2:15", "A must be whole numbers of 32 bits separated by |, or empty, not '255|"});
+  }
+  expect_error(verify("program,primary.r,out.r\nsquare.rc,101,4294967305\n"), 3,
+               {"rows.csv:2:15", "out.r must be whole numbers", "'4294967305'"});
+}
+
+TEST_F(Verify, WrongTablesOfCombiners) {
+  const std::string mux = "mux_select,spare0_alpha_byte,R,G,B,A,hw_selected,model_selected,match\n";
+  expect_error(verify(mux + "LSB,0,255,0,0,255,AB,AB,1\n"), 3,
+               {"rows.csv:2:1", "profile geforce2 has no mux by the lowest bit of spare0's alpha"});
+  expect_error(verify(mux + "ISB,0,255,0,0,255,AB,AB,1\n"), 3, {"mux_select must be one of LSB or MSB, not 'ISB'"});
+  expect_error(verify("op,op_code_bits15_17,portion,channel,in,hw_out,model_out,match,how\nSHL3,0,rgb,R,1,1,1,1,\n"), 3,
+               {"rows.csv:2:1", "op must be one of IDENTITY, BIAS", "'SHL3'"});
+  expect_error(verify("float,model,hw,match\n(half),1,1,1\n"), 3, {"rows.csv:2:1", "float must be a number"});
+  const std::string shadow = "picture,mode,bits,r,func,t,hw,model,match\n";
+  expect_error(verify(shadow + "p,4D,16,1,LT,1,1,1,1\n"), 3, {"mode must be one of 2D or 3D"});
+  expect_error(verify(shadow + "p,3D,16,1,<,1,1,1,1\n"), 3, {"func must be one of N, LT"});
+  expect_error(verify(shadow + "p,3D,17,1,LT,1,1,1,1\n"), 3, {"bits must be 16 or 24"});
+  expect_error(verify(shadow + "p,3D,16,65536,LT,1,1,1,1\n"), 3, {"r and t must be whole numbers from 0 to 65535"});
+}
+
+// The scale of one half and the products of the final combiner show how the GeForce 2 narrows.
+TEST_F(Verify, ARuleOfTheCombinersIsFound) {
+  const std::string file = std::string(NINEBIT_SOURCE_DIR) + "/combiner_tests/hardware/nv2a_combiner_ops.csv";
+  const Outcome outcome = ninebit({"verify", file, "--json"});
+  EXPECT_EQ(outcome.code, 1);
+  const Json object = Json::parse(outcome.out);
+  EXPECT_EQ(object["places"], Json::parse(R"([{"place": "scale and bias", "rows": 4}])"));
+  EXPECT_EQ(object["rules"][0]["field"], "general_narrowing");
+  EXPECT_EQ(object["rules"][0]["agree_then"], 24);
 }
 
 // An NV2A that cut toward zero, as the GeForce 2 does: the scale of one half shows it, and the rule is found.

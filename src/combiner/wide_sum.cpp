@@ -200,7 +200,7 @@ Value narrow(ValueGraph& graph, const WideSum& sum, const Narrowed& how) {
 Value combiner_output(ValueGraph& graph, WideSum sum, Scale scale, Bias bias) {
   const Datapath& d = graph.datapath();
   sum.add(reference::add_bias(d, bias, 0));
-  const Narrowed whole{.narrowing = d.general_narrowing, .low = d.lowest, .high = d.one};
+  const Narrowed whole{.narrowing = d.general_narrowing, .low = d.lowest_output, .high = d.one};
   Narrowed scaled = whole;
   scaled.scale = scale;
   if (d.narrowing_point == NarrowingPoint::after_scale || scale == Scale::none) return narrow(graph, sum, scaled);
@@ -211,7 +211,7 @@ Value combiner_output(ValueGraph& graph, WideSum sum, Scale scale, Bias bias) {
     first.high = kMost16;
   }
   const Linear code{narrow(graph, sum, first), false, 1, 0};
-  return graph.affine({&code, 1}, scale, d.general_narrowing, d.lowest, d.one);
+  return graph.affine({&code, 1}, scale, d.general_narrowing, d.lowest_output, d.one);
 }
 
 }  // namespace ninebit::detail

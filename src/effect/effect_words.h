@@ -117,8 +117,15 @@ inline constexpr Words<CullFace, 3> kCullFaces{
 
 inline constexpr Words<ShadeModel, 2> kShadeModels{{{"smooth", ShadeModel::smooth}, {"flat", ShadeModel::flat}}};
 
-inline constexpr Words<DepthComparison, 3> kDepthComparisons{
-    {{"none", DepthComparison::none}, {"lequal", DepthComparison::lequal}, {"gequal", DepthComparison::gequal}}};
+inline constexpr Words<DepthComparison, 9> kDepthComparisons{{{"none", DepthComparison::none},
+                                                              {"never", DepthComparison::never},
+                                                              {"less", DepthComparison::less},
+                                                              {"equal", DepthComparison::equal},
+                                                              {"lequal", DepthComparison::lequal},
+                                                              {"greater", DepthComparison::greater},
+                                                              {"notequal", DepthComparison::notequal},
+                                                              {"gequal", DepthComparison::gequal},
+                                                              {"always", DepthComparison::always}}};
 
 inline constexpr Words<DepthStencilFormat, 3> kDepthStencilFormats{
     {{"d24s8", DepthStencilFormat::d24s8}, {"d16", DepthStencilFormat::d16}, {"d15s1", DepthStencilFormat::d15s1}}};

@@ -108,7 +108,7 @@ void add_programs(py::module_& module) {
           "one", [](const RunnableProgram& p) { return p.program.datapath.one; }, "The code of 1.0.")
       .def_property_readonly(
           "lowest", [](const RunnableProgram& p) { return p.program.datapath.lowest; },
-          "The lowest code of a register.")
+          "The lowest code that a register can hold before the first stage.")
       .def("evaluate", &evaluate, py::arg("inputs"),
            "The colours of n fragments as int16 codes of the shape (4, n). `inputs` has arrays of int16 codes by "
            "register, 'tex0': (4, n), or by component, 'tex0.r': (n,); they are read in place. Missing components are "

@@ -64,6 +64,7 @@ std::vector<ProfileRow> rows_of(const HardwareProfile& p) {
   add("arithmetic", p.arithmetic);
   add("one", p.one);
   add("lowest", p.lowest);
+  add("lowest_output", p.lowest_output);
   add("half", p.half);
   add("expand_offset", p.expand_offset);
   add("byte_shift", p.byte_shift);
@@ -92,6 +93,7 @@ std::vector<ProfileRow> rows_of(const HardwareProfile& p) {
   add("texture_weight_bits", p.texture_weight_bits);
   add("texture_weight_narrowing", p.texture_weight_narrowing);
   add("texture_filter_rounding", p.texture_filter_rounding);
+  add("texture_bias_narrowing", p.texture_bias_narrowing);
   add("dxt1_palette", p.dxt1_palette);
   return rows;
 }

@@ -71,7 +71,10 @@ Result<Verdict> judge_table(const VerifyFlags& flags) {
   auto table = VerifyTable::open(flags.table, flags.program, flags.allow_outside, profile);
   if (!table) return table.error();
   Verdict verdict;
-  verdict.rivals = table->is_measured() ? pixel_rivals_of(profile) : rivals_of(profile);
+  verdict.rivals = rivals_of(profile);
+  if (table->is_measured()) {
+    for (Rival& rival : pixel_rivals_of(profile)) verdict.rivals.push_back(std::move(rival));
+  }
   verdict.explained.resize(verdict.rivals.size());
   verdict.agree_then.resize(verdict.rivals.size());
   ProgressLine progress(flags.common.quiet);
@@ -210,8 +213,7 @@ void add_verify(CLI::App& app, int& exit_code) {
       "  tex0.r, const0.a  inputs, as in `ninebit eval`; an empty field is the default\n"
       "  out.r             expected output\n"
       "  stage0.spare0.r   expected register after general combiner 0\n"
-      "It may also be a table of pixels of a chip (vectors such as nv2a_blend.csv), which is known by its header; "
-      "rows\n"
+      "It may also be a table measured on a chip (nv2a_blend.csv, nv2a_mux.csv), which is known by its header; rows\n"
       "with match 0 are skipped.\n"
       "An expected value of 62|63 accepts either; an empty field is not compared. The report lists where rows first\n"
       "differ, and which single rule of the profile would explain the differences if it had another value.\n"

@@ -172,7 +172,7 @@ NINEBIT_PUBLIC void ninebit_program_free(ninebit_program* program);
 /* Register codes are whole numbers from ninebit_lowest to ninebit_one, which stands for 1.0: -255 and 255 in most
    profiles. */
 NINEBIT_PUBLIC int ninebit_one(const ninebit_program* program);
-/* The lowest code of a register. */
+/* The lowest code that a register can hold before the first stage. */
 NINEBIT_PUBLIC int ninebit_lowest(const ninebit_program* program);
 
 /* The registers of one fragment: red, green, blue, alpha. */

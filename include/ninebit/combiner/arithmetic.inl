@@ -79,13 +79,13 @@ NINEBIT_RULE V narrow_output(const Datapath& d, V scaled, int most) {
   return narrow(d.general_narrowing, scaled, scaled_unit(d), most);
 }
 
-// Clamps a code to the register range, [lowest, one].
+// Clamps a code to the range of outputs, [lowest_output, one].
 NINEBIT_RULE V clamp_output(const Datapath& d, V code) {
-  return clamp_to(code, d.lowest, d.one);
+  return clamp_to(code, d.lowest_output, d.one);
 }
 
 // Rules 3 to 8 and 22: returns the code that a general combiner writes for a wide value: (wide + bias) × scale,
-// narrowed and clamped to [lowest, one].
+// narrowed and clamped to [lowest_output, one].
 NINEBIT_RULE V combiner_output(const Datapath& d, Scale scale, Bias bias, V wide) {
   const V scaled = scale_output(scale, narrow_before_scale(d, add_bias(d, bias, wide)));
   // The first clamp only keeps the quotient small. The last clamp would cut the same values.

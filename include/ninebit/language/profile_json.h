@@ -23,7 +23,8 @@ struct OwnedProfile {
 // Values are whole numbers, true and false, or one of
 //   arithmetic         integer, exact, float32            general_narrowing, final_narrowing  toward-zero,
 //   narrowing_point    after-scale, before-scale          depth_narrowing, fog_narrowing,     nearest-halves-up
-//   texture_filter_rounding  once, each-blend             texture_weight_narrowing
+//   texture_filter_rounding  once, each-blend             texture_weight_narrowing,
+//                                                         texture_bias_narrowing
 //   color_weights      exact, 8-bits                      point_shape                         whole-pixels, squares
 //   line_shape         diamonds, rectangles
 //   secondary_alpha    one, as-given                      polygon_offset_slope                larger, root
@@ -36,7 +37,7 @@ struct OwnedProfile {
 //   lowest          -one - 1 or -one      subpixel_bits               0 to 4
 //   half            0 to one              vertex_color_mantissa_bits  1 to 23
 //   expand_offset   one or one + 1        texture_weight_bits         1 to 8
-//   alpha bytes     0 to 255
+//   lowest_output   lowest to -one        alpha bytes                 0 to 255
 [[nodiscard]] Parsed<OwnedProfile> parse_json_profile(const SourceText& source);
 
 }  // namespace ninebit

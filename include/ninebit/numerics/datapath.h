@@ -10,7 +10,8 @@ namespace NINEBIT_PUBLIC ninebit {
 struct Datapath {
   Arithmetic arithmetic = Arithmetic::integer;  // if not integer, of the rest only `one` is read
   int one = 255;                                // the code of 1.0
-  int lowest = -255;                            // the lowest register value, as a code
+  int lowest = -255;                            // the lowest code that a register can hold before the first stage
+  int lowest_output = -255;                     // the lowest code that a general combiner writes
   int half = 128;           // the code of one half: in the bias, the half-bias mappings and the mux's threshold
   int expand_offset = 255;  // subtracted by the expanding mappings: 2v - expand_offset
   Narrowing general_narrowing = Narrowing::toward_zero;          // of a general combiner's outputs
@@ -22,10 +23,15 @@ struct Datapath {
 
 // Returns these fields of a profile.
 [[nodiscard]] constexpr Datapath datapath_of(const HardwareProfile& profile) {
-  return {profile.arithmetic,      profile.one,
-          profile.lowest,          profile.half,
-          profile.expand_offset,   profile.general_narrowing,
-          profile.narrowing_point, profile.final_narrowing};
+  return {profile.arithmetic,
+          profile.one,
+          profile.lowest,
+          profile.lowest_output,
+          profile.half,
+          profile.expand_offset,
+          profile.general_narrowing,
+          profile.narrowing_point,
+          profile.final_narrowing};
 }
 
 }  // namespace ninebit

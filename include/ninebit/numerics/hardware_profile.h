@@ -95,9 +95,10 @@ struct HardwareProfile {
   Choice<Arithmetic> arithmetic;  // the numbers that the combiners compute in
 
   // Codes. A register component is an integer; `one` is the code of 1.0. If the arithmetic is not integer, `one` and
-  // `byte_shift` define the numbers of codes, and the other three are not read.
+  // `byte_shift` define the numbers of codes, and the other four are not read.
   Choice<int> one;            // the code of 1.0
-  Choice<int> lowest;         // the lowest register value
+  Choice<int> lowest;         // the lowest code that a register can hold before the first stage
+  Choice<int> lowest_output;  // the lowest code that a general combiner writes; at least `lowest`
   Choice<int> half;           // bias of one half, half-bias mapping, mux threshold
   Choice<int> expand_offset;  // the expanding mappings give 2v - this
   Choice<int> byte_shift;     // number of low bits of a byte (texel, colour, constant) that a register drops
@@ -134,6 +135,7 @@ struct HardwareProfile {
   Choice<int> texture_weight_bits;                 // fraction bits of the weights of linear filters
   Choice<Narrowing> texture_weight_narrowing;      // of a place between two texels, to these bits
   Choice<FilterRounding> texture_filter_rounding;  // of linear filters
+  Choice<Narrowing> texture_bias_narrowing;        // of a level-of-detail bias, to 1/256
   Choice<Dxt1Palette> dxt1_palette;                // of DXT1 textures
 };
 
@@ -151,9 +153,14 @@ inline constexpr HardwareProfile geforce2{
     .chip = "NV15, NV11 (GeForce 2)",
     .arithmetic = {Arithmetic::integer, Evidence::specified, "NV_register_combiners, issues: 9-bit signed fixed point"},
     .one = {255, Evidence::measured, "rule 1: 255 x 1.0 = 255 on NV2A, every texel value"},
-    .lowest = {-255, Evidence::assumed, "rival: -256"},
+    .lowest = {-255, Evidence::inferred, "no input of this chip is negative; outputs are: see lowest_output"},
+    .lowest_output = {-255, Evidence::specified,
+                      "NV_register_combiners clamps outputs to [-1, 1]; rival: -256, which NV_texture_shader allows "
+                      "registers to hold"},
     .half = {128, Evidence::inferred, "rules 4 and 22: 255 - half = 127, and the 16-bit depth compare of 2000"},
-    .expand_offset = {255, Evidence::assumed, "rival: 256"},
+    .expand_offset = {255, Evidence::inferred,
+                      "rule 1 and NV_register_combiners: 2x - 1, so 0 gives -1.0; rival: 256, by which "
+                      "NV_texture_expand_normal expands texels"},
     .byte_shift = {0, Evidence::measured, "rule 1: bytes enter as 0..255"},
     .general_narrowing = {Narrowing::toward_zero, Evidence::seed,
                           "rule 8: the square of a small difference is truncated to zero"},
@@ -181,6 +188,7 @@ inline constexpr HardwareProfile geforce2{
     .texture_weight_bits = {8, Evidence::inferred, "rule 26, measured on NV2A"},
     .texture_weight_narrowing = {Narrowing::toward_zero, Evidence::inferred, "rule 26, measured on NV2A"},
     .texture_filter_rounding = {FilterRounding::each_blend, Evidence::inferred, "rule 26, measured on NV2A"},
+    .texture_bias_narrowing = {Narrowing::toward_zero, Evidence::inferred, "rule 26, measured on NV2A"},
     .dxt1_palette = {Dxt1Palette::rgb565, Evidence::inferred,
                      "banding of DXT1 skies in reviews of 2001; how the chip rounds is assumed"},
 };
@@ -201,6 +209,7 @@ consteval HardwareProfile eight_bit() {
   constexpr std::string_view why = "the article: an older card may be less precise";
   p.one = {127, Evidence::assumed, why};
   p.lowest = {-127, Evidence::assumed, why};
+  p.lowest_output = {-127, Evidence::assumed, why};
   p.half = {64, Evidence::assumed, why};
   p.expand_offset = {127, Evidence::assumed, why};
   p.byte_shift = {1, Evidence::assumed, why};
@@ -211,6 +220,8 @@ consteval HardwareProfile xbox() {
   HardwareProfile p = geforce2;
   p.name = "nv2a";
   p.chip = "NV2A (Xbox), GeForce3 class";
+  p.lowest = {-256, Evidence::specified,
+              "NV_texture_shader, number formats: -256 is -1.00392; pictures show no negative texel"};
   p.half = {128, Evidence::measured, "rule 4: 255 - half = 127, and with x2 254"};
   p.general_narrowing = {Narrowing::nearest_halves_up, Evidence::measured,
                          "rule 5: a half of 25, 63, 255; for products assumed"};
@@ -236,6 +247,7 @@ consteval HardwareProfile xbox() {
   p.texture_weight_narrowing = {Narrowing::toward_zero, Evidence::measured,
                                 "rule 26: a ramp of 84 pixels, 167 of 168 rows"};
   p.texture_filter_rounding = {FilterRounding::each_blend, Evidence::measured, "rule 26: 159,744 values"};
+  p.texture_bias_narrowing = {Narrowing::toward_zero, Evidence::measured, "rule 26: the bias is s4.8"};
   p.dxt1_palette = {Dxt1Palette::dithered565, Evidence::measured, "rule 24: 788,736 values of textures in pictures"};
   return p;
 }
@@ -252,6 +264,7 @@ consteval HardwareProfile real_numbers(std::string_view name, std::string_view c
   p.arithmetic = arithmetic;
   p.one = {255, Evidence::specified, "OpenGL: a byte n stands for n / 255"};
   p.lowest = {-255, Evidence::specified, "NV_register_combiners: registers hold [-1, 1]"};
+  p.lowest_output = {-255, Evidence::specified, "NV_register_combiners: outputs are clamped to [-1, 1]"};
   p.half = {128, Evidence::assumed, not_read};
   p.expand_offset = {255, Evidence::assumed, not_read};
   p.byte_shift = {0, Evidence::specified, "OpenGL: a byte n stands for n / 255"};
@@ -275,6 +288,8 @@ consteval HardwareProfile real_numbers(std::string_view name, std::string_view c
   p.texture_weight_bits = {8, Evidence::assumed, as_nv2a};
   p.texture_weight_narrowing = {Narrowing::nearest_halves_up, Evidence::assumed, "the nearest weights of these bits"};
   p.texture_filter_rounding = {FilterRounding::once, Evidence::specified, "OpenGL 1.3, 3.8.8: one weighted sum"};
+  p.texture_bias_narrowing = {Narrowing::nearest_halves_up, Evidence::specified,
+                              "OpenGL 1.4, 3.8.8 adds it as it is: to the nearest step of the level of detail"};
   p.dxt1_palette = {Dxt1Palette::rgb888, Evidence::specified,
                     "EXT_texture_compression_s3tc: real numbers between the colours"};
   return p;

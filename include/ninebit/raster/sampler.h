@@ -11,13 +11,14 @@
 // - Level of detail: rho² = max(ux² + vx², uy² + vy²) in doubles, with ux = width × ds/dx and so on; a sum that is NaN
 //   counts as 0.
 //   lambda = log2(rho²) / 2, rounded down to 1/256: the exponent, and that of the mantissa's 128th power, seven
-//   squarings. The bias, rounded to 1/256, is added. For cube maps, ds/dx is 0.5 × (dsc/dx - (sc / |ma|) × d|ma|/dx) /
-//   |ma|, in doubles, on the face that the fragment's own direction selects.
+//   squarings. The bias, narrowed to 1/256 as
+//   profile.texture_bias_narrowing says (rule 26), is added. For cube maps, ds/dx is 0.5 × (dsc/dx - (sc / |ma|) ×
+//   d|ma|/dx) / |ma|, in doubles, on the face that the fragment's own direction selects.
 // - The weight between two levels is the fraction of lambda, cut to b bits.
 // - A coordinate that is NaN reads as 0; infinity as the end of the range it is clamped to, or 0 where it repeats.
 // - No filter reads across the faces of a cube map: each is wrapped as a texture of its own.
-// - Depth comparison: r is clamped to [0, 1] and rounded to the nearest depth code, halves up; NaN counts as 0. Filters
-//   weigh the results, 0 or 255, not the depths.
+// - Depth comparison (rule 29): r is clamped to [0, 1] and rounded to the nearest depth code, halves up; NaN counts as
+//   0. Filters weigh the results, 0 or 255, not the depths.
 #pragma once
 
 #include <array>
@@ -46,8 +47,9 @@ enum class MinFilter : std::uint8_t {
 enum class MagFilter : std::uint8_t { nearest, linear };
 // The texel for a coordinate outside of [0, 1]. With a linear filter, clamp mixes in the border colour.
 enum class Wrap : std::uint8_t { repeat, clamp, clamp_to_edge, mirrored_repeat };
-// GL_TEXTURE_COMPARE_FUNC: a texel is 1 if the comparison holds, else 0; none reads the depth itself.
-enum class DepthComparison : std::uint8_t { none, lequal, gequal };  // r <= depth, r >= depth
+// GL_TEXTURE_COMPARE_FUNC, in GL's order: a texel is 1 if `r function depth` holds, else 0; none reads the depth
+// itself.
+enum class DepthComparison : std::uint8_t { none, never, less, equal, lequal, greater, notequal, gequal, always };
 
 // A texture object's parameters and the unit's bias, with GL's defaults.
 struct Sampler {

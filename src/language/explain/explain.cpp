@@ -35,7 +35,7 @@ Program with_exact_codes(Program program) {
   Datapath& d = program.datapath;
   d.one *= kFiner;
   d.half = d.one / 2;
-  d.lowest = -d.one;
+  d.lowest = d.lowest_output = -d.one;
   d.expand_offset = d.one;
   const auto finer = [](Rgba9& constant) {
     for (s9& code : constant) code = static_cast<s9>(code * kFiner);
@@ -79,7 +79,8 @@ void add_portion(const Program& program, int stage, PortionName name, const Rang
     if (target == Register::discard) return;
     Equation equation{.stage = stage, .portion = name, .output = std::move(output)};
     equation.target = std::string(short_name(target)) + (components == kRgbBits ? "" : ".a");
-    Fact fact = fact_of(d, combiner_output(d, p.out.scale, p.out.bias, wide), std::move(equation), {d.lowest, d.one});
+    Fact fact =
+        fact_of(d, combiner_output(d, p.out.scale, p.out.bias, wide), std::move(equation), {d.lowest_output, d.one});
     fact.target = target;
     fact.components = components;
     facts.push_back(std::move(fact));

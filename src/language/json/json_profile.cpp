@@ -45,6 +45,7 @@ class ProfileReader {
                              "arithmetic",
                              "one",
                              "lowest",
+                             "lowest_output",
                              "half",
                              "expand_offset",
                              "byte_shift",
@@ -73,6 +74,7 @@ class ProfileReader {
                              "texture_weight_bits",
                              "texture_weight_narrowing",
                              "texture_filter_rounding",
+                             "texture_bias_narrowing",
                              "dxt1_palette"})) {
       return {profile_, text_};
     }
@@ -153,6 +155,7 @@ class ProfileReader {
     // A base with another arithmetic marks these as not read.
     if (base_arithmetic_ != Arithmetic::integer) set_integer_rules(text_->source);
     integer("lowest", profile_.lowest, -one - 1, -one);
+    integer("lowest_output", profile_.lowest_output, std::max(profile_.lowest.value, -one - 1), -one);
     integer("half", profile_.half, 0, one);
     integer("expand_offset", profile_.expand_offset, one, one + 1);
     narrowing("general_narrowing", profile_.general_narrowing);
@@ -166,14 +169,14 @@ class ProfileReader {
   }
 
   void refuse_unread(int one) {
-    for (const std::string_view key :
-         {"lowest", "half", "expand_offset", "general_narrowing", "narrowing_point", "final_narrowing"}) {
+    for (const std::string_view key : {"lowest", "lowest_output", "half", "expand_offset", "general_narrowing",
+                                       "narrowing_point", "final_narrowing"}) {
       if (const Value* const value = find(key)) {
         read_.fault(value->key_offset, std::string(key) + " is not read by this arithmetic; remove it");
       }
     }
     set_integer_rules("not read by this arithmetic");
-    profile_.lowest.value = -one;
+    profile_.lowest.value = profile_.lowest_output.value = -one;
     profile_.half.value = (one + 1) / 2;
     profile_.expand_offset.value = one;
   }
@@ -208,6 +211,7 @@ class ProfileReader {
     narrowing("texture_weight_narrowing", profile_.texture_weight_narrowing);
     choose("texture_filter_rounding", profile_.texture_filter_rounding,
            {{"once", FilterRounding::once}, {"each-blend", FilterRounding::each_blend}});
+    narrowing("texture_bias_narrowing", profile_.texture_bias_narrowing);
     choose(
         "dxt1_palette", profile_.dxt1_palette,
         {{"rgb565", Dxt1Palette::rgb565}, {"rgb888", Dxt1Palette::rgb888}, {"dithered565", Dxt1Palette::dithered565}});
@@ -217,6 +221,7 @@ class ProfileReader {
   void set_integer_rules(std::string_view source) {
     const auto set = [&](auto& choice) { choice = {choice.value, Evidence::assumed, source}; };
     set(profile_.lowest);
+    set(profile_.lowest_output);
     set(profile_.half);
     set(profile_.expand_offset);
     set(profile_.general_narrowing);

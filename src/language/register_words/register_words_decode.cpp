@@ -56,6 +56,10 @@ class Decoder {
     inputs({Kind::final0, 0}, {&f.a, &f.b, &f.c, &f.d});
     inputs({Kind::final1, 0}, {&f.e, &f.f, &f.g, nullptr});
     final_flags();
+    if (leaves_out_final_combiner()) {
+      f.d = {Register::spare0, InputMapping::unsigned_identity, ComponentUsage::rgb};
+      f.g = {Register::spare0, InputMapping::unsigned_identity, ComponentUsage::alpha};
+    }
     state_.constant0 = color({Kind::color, 0});
     state_.constant1 = color({Kind::color, 1});
     const bool mux_by_highest_bit = chip_ == ChipClass::nv10 ? nv10_control() : nv20_control();
@@ -191,6 +195,12 @@ class Decoder {
     state_.color_sum_invert_spare0 = bits(word, kSumInvertSpare0Bit, 1) != 0;
     state_.color_sum_invert_secondary = bits(word, kSumInvertSecondaryBit, 1) != 0;
     state_.color_sum_clamp = bits(word, kColorSumClampBit, 1) != 0;
+  }
+
+  // The NV2A outputs spare0 where both words of the final combiner are 0.
+  bool leaves_out_final_combiner() {
+    const auto is_zero = [](const RegisterWord* word) { return word != nullptr && word->value == 0; };
+    return chip_ == ChipClass::nv20 && is_zero(at({Kind::final0, 0})) && is_zero(at({Kind::final1, 0}));
   }
 
   ColorF color(Slot slot) { return at(slot) == nullptr ? ColorF{} : color_of(at(slot)->value); }

@@ -111,8 +111,11 @@ std::vector<RegisterWord> encode(const CombinerState& state, bool mux_by_lowest_
   put(Kind::color, 0, argb_of(state.constant0));
   put(Kind::color, 1, argb_of(state.constant1));
   const FinalCombiner& f = state.final_combiner;
-  put(Kind::final0, 0, input_word(f.a, f.b, f.c, f.d));
-  put(Kind::final1, 0, final1_word(state));
+  const std::uint32_t final0 = input_word(f.a, f.b, f.c, f.d), final1 = final1_word(state);
+  // The NV2A reads two words of 0 as spare0. The alpha of zero is 0, too.
+  const bool is_black = !nv10 && final0 == 0 && final1 == 0;
+  put(Kind::final0, 0, final0);
+  put(Kind::final1, 0, is_black ? 1U << (8 + kUsageBit) : final1);
   if (!nv10) {
     const auto unique = static_cast<std::uint32_t>(state.per_stage_constants);
     put(Kind::enable, 0,

@@ -4,6 +4,7 @@
 #include <bit>
 #include <cmath>
 
+#include "ninebit/raster/pipeline_state.h"
 #include "src/raster/texture/byte_sampler.h"
 #include "src/raster/texture/cube_face.h"
 #include "src/raster/texture/texture_level.h"
@@ -22,9 +23,19 @@ std::uint32_t code_of(float value, std::uint32_t largest) {
   return static_cast<std::uint32_t>(static_cast<double>(value) * largest + 0.5);
 }
 
-int lod_bias_q8(float bias) {
+// Rule 26: the bias in 1/256 level.
+int lod_bias_q8(float bias, Narrowing narrowing) {
   if (std::isnan(bias)) return 0;
-  return static_cast<int>(std::floor(static_cast<double>(std::clamp(bias, -kMaxLodBias, kMaxLodBias)) * 256.0 + 0.5));
+  const double exact = static_cast<double>(std::clamp(bias, -kMaxLodBias, kMaxLodBias)) * 256.0;
+  return static_cast<int>(narrowing == Narrowing::toward_zero ? std::trunc(exact) : std::floor(exact + 0.5));
+}
+
+// Rule 29. The functions follow `none` in GL's order.
+static_assert(static_cast<int>(DepthComparison::always) - static_cast<int>(DepthComparison::never) ==
+              static_cast<int>(CompareFunction::always));
+bool holds(DepthComparison comparison, std::uint32_t reference, std::uint32_t depth) {
+  const int function = static_cast<int>(comparison) - static_cast<int>(DepthComparison::never);
+  return compare(static_cast<CompareFunction>(function), reference, depth);
 }
 
 std::uint8_t byte_of_depth(std::uint32_t code, std::uint32_t largest) {
@@ -79,7 +90,7 @@ std::optional<TextureSampler> TextureSampler::make(const HardwareProfile& profil
   if (mipmaps) {
     made.last_level_ = static_cast<int>(std::bit_width(static_cast<unsigned>(std::max(base.width, base.height)))) - 1;
   }
-  made.lod_bias_q8_ = lod_bias_q8(sampler.lod_bias);
+  made.lod_bias_q8_ = lod_bias_q8(sampler.lod_bias, profile.texture_bias_narrowing);
   made.filter_rules_ = {.weight_bits = profile.texture_weight_bits,
                         .cuts_weights = profile.texture_weight_narrowing.value == Narrowing::toward_zero,
                         .rounds_each_blend = profile.texture_filter_rounding.value == FilterRounding::each_blend};
@@ -199,7 +210,7 @@ TextureSampler::Filtered TextureSampler::weigh(const Taps& taps, float r) const 
   const std::uint32_t reference = comparison_ == DepthComparison::none ? 0 : code_of(r, max_depth_);
   const auto compared = [&](std::uint32_t depth) -> std::uint32_t {
     if (comparison_ == DepthComparison::none) return depth;
-    return (comparison_ == DepthComparison::lequal ? reference <= depth : reference >= depth) ? 255 : 0;
+    return holds(comparison_, reference, depth) ? 255 : 0;
   };
   const auto is_border = [](int x, int y) { return x == kBorderTexel || y == kBorderTexel; };
   const auto all_codes = [&](auto planes_type) {

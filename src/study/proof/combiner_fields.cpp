@@ -1,5 +1,6 @@
 #include "ninebit/study/combiner_fields.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace ninebit {
@@ -36,6 +37,31 @@ std::pair<std::string, int> number(int value) {
   return {std::to_string(value), value};
 }
 
+// No output is below what a register can hold: the rivals of one field move the other along.
+CombinerField lowest_field(const HardwareProfile& profile) {
+  const int one = profile.one;
+  auto field = make_field("lowest", "", profile, &HardwareProfile::lowest, {number(-one), number(-one - 1)});
+  for (FieldValue& value : field.values) {
+    value.set = [set = value.set](HardwareProfile& p) {
+      set(p);
+      p.lowest_output.value = std::max(p.lowest_output.value, p.lowest.value);
+    };
+  }
+  return field;
+}
+CombinerField lowest_output_field(const HardwareProfile& profile) {
+  const int one = profile.one;
+  auto field =
+      make_field("lowest_output", "", profile, &HardwareProfile::lowest_output, {number(-one), number(-one - 1)});
+  for (FieldValue& value : field.values) {
+    value.set = [set = value.set](HardwareProfile& p) {
+      set(p);
+      p.lowest.value = std::min(p.lowest.value, p.lowest_output.value);
+    };
+  }
+  return field;
+}
+
 }  // namespace
 
 std::vector<CombinerField> arithmetic_fields(const HardwareProfile& profile) {
@@ -44,7 +70,8 @@ std::vector<CombinerField> arithmetic_fields(const HardwareProfile& profile) {
   const int one = profile.one;
   const Words narrowings{named("toward-zero", Narrowing::toward_zero),
                          named("nearest-halves-up", Narrowing::nearest_halves_up)};
-  return {make_field("lowest", "", profile, &P::lowest, {number(-one), number(-one - 1)}),
+  return {lowest_field(profile),
+          lowest_output_field(profile),
           make_field("half", "4, 11", profile, &P::half, {number((one + 1) / 2), number(one / 2)}),
           make_field("expand_offset", "", profile, &P::expand_offset, {number(one), number(one + 1)}),
           make_field("general_narrowing", "5, 8", profile, &P::general_narrowing, narrowings),

@@ -1,4 +1,6 @@
 // Rows of measured lines and points, drawn in a window that is large enough for each of them.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cstdlib>
@@ -137,6 +139,13 @@ std::vector<int> draw_point(const MeasuredRow& row, const HardwareProfile& profi
     extent[1] = x;
   }
   return extent;
+}
+
+std::string wrong_lines(const MeasuredRow& row, const HardwareProfile& /*profile*/) {
+  const std::string_view object = row.text("object");
+  return object == "quad" || object == "loop"
+             ? ""
+             : fmt::format("object must be one of quad, loop, not '{}'", shown(object));
 }
 
 }  // namespace ninebit::tools

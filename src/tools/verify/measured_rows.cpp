@@ -1,26 +1,20 @@
 #include "src/tools/verify/measured_rows.h"
 
-#include <fmt/format.h>
-
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <glm/glm.hpp>
-#include <optional>
 #include <span>
-#include <utility>
 
 #include "ninebit/raster/rasterizer.h"
 #include "ninebit/raster/s3tc.h"
 #include "ninebit/raster/sampler.h"
 #include "ninebit/raster/surface.h"
 #include "src/tools/verify/measured_state.h"
-#include "src/tools/verify/measured_table.h"
+#include "src/tools/verify/measured_words.h"
 
 namespace ninebit::tools {
 namespace {
-
-template <class T, std::size_t N>
-using Words = std::array<std::pair<std::string_view, T>, N>;
 
 constexpr Words<CompareFunction, 8> kFunctions{{{"Never", CompareFunction::never},
                                                 {"LessThan", CompareFunction::less},
@@ -55,13 +49,18 @@ constexpr Words<BlendFactor, 15> kFactors{{{"0", BlendFactor::zero},
                                            {"1-cA", BlendFactor::one_minus_constant_alpha},
                                            {"srcAsat", BlendFactor::src_alpha_saturate}}};
 
-template <class T, std::size_t N>
-std::optional<T> value_of(const Words<T, N>& words, std::string_view word) {
-  for (const auto& [name, value] : words) {
-    if (name == word) return value;
-  }
-  return std::nullopt;
-}
+// r on the left.
+constexpr Words<DepthComparison, 8> kComparisons{{{"N", DepthComparison::never},
+                                                  {"LT", DepthComparison::less},
+                                                  {"EQ", DepthComparison::equal},
+                                                  {"LE", DepthComparison::lequal},
+                                                  {"GT", DepthComparison::greater},
+                                                  {"NE", DepthComparison::notequal},
+                                                  {"GE", DepthComparison::gequal},
+                                                  {"A", DepthComparison::always}}};
+
+// Whether r is compared.
+constexpr Words<bool, 2> kStageModes{{{"2D", false}, {"3D", true}}};
 
 // One pixel and what was drawn into it.
 struct Pixel {
@@ -253,22 +252,42 @@ std::vector<int> draw_depth(const MeasuredRow& row, const HardwareProfile& profi
   return {static_cast<int>(draw_pixel(state, arrays, {}, format).depth)};
 }
 
-std::string wrong_words(const MeasuredRow& row) {
-  const auto check = [&](const char* column, const auto& words) -> std::string {
-    if (!row.has(column) || value_of(words, row.text(column))) return "";
-    std::string known;
-    for (const auto& [name, value] : words) known += (known.empty() ? "" : ", ") + std::string(name);
-    return fmt::format("{} must be one of {}, not '{}'", column, known, tools::shown(row.text(column)));
-  };
-  for (const std::string& wrong : {check("func", kFunctions), check("equation", kEquations), check("sfactor", kFactors),
-                                   check("dfactor", kFactors)}) {
+std::vector<int> draw_shadow(const MeasuredRow& row, const HardwareProfile& profile) {
+  const bool is_16 = row.whole("bits") == 16;
+  const InternalFormat format = is_16 ? InternalFormat::depth16 : InternalFormat::depth24;
+  const double largest = max_depth(is_16 ? DepthStencilFormat::d16 : DepthStencilFormat::d24s8);
+  const std::vector stored{static_cast<std::uint32_t>(row.whole("t"))};
+  const Texture texture = make_texture(TextureTarget::texture_2d, format, {{{1, 1, stored}}}).value();
+  Sampler sampler = kNearestSampler;
+  sampler.comparison = *value_of(kComparisons, row.text("func"));
+  // The stage mode of 2D textures compares 0 in place of r.
+  const double r = *value_of(kStageModes, row.text("mode")) ? row.whole("r") / largest : 0.0;
+  return {sampled(texture, sampler, {0.5F, 0.5F, static_cast<float>(r)}, profile) == 0 ? 0 : 1};
+}
+
+std::string wrong_alpha_test(const MeasuredRow& row, const HardwareProfile&) {
+  return wrong_word(row, "func", kFunctions);
+}
+
+std::string wrong_blend(const MeasuredRow& row, const HardwareProfile&) {
+  for (const std::string& wrong : {wrong_word(row, "equation", kEquations), wrong_word(row, "sfactor", kFactors),
+                                   wrong_word(row, "dfactor", kFactors)}) {
     if (!wrong.empty()) return wrong;
   }
-  if (row.has("object") && row.text("object") != "quad" && row.text("object") != "loop") {
-    return fmt::format("object must be one of quad, loop, not '{}'", tools::shown(row.text("object")));
-  }
-  if (row.has("bits") && row.whole("bits") != 16 && row.whole("bits") != 24) return "bits must be 16 or 24";
   return "";
+}
+
+std::string wrong_depth(const MeasuredRow& row, const HardwareProfile&) {
+  return row.whole("bits") == 16 || row.whole("bits") == 24 ? "" : "bits must be 16 or 24";
+}
+
+std::string wrong_shadow(const MeasuredRow& row, const HardwareProfile& profile) {
+  for (const std::string& wrong :
+       {wrong_word(row, "mode", kStageModes), wrong_word(row, "func", kComparisons), wrong_depth(row, profile)}) {
+    if (!wrong.empty()) return wrong;
+  }
+  if (std::max(row.whole("r"), row.whole("t")) >> row.whole("bits") == 0) return "";
+  return fmt::format("r and t must be whole numbers from 0 to {}", (1 << row.whole("bits")) - 1);
 }
 
 }  // namespace ninebit::tools

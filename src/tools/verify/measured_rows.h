@@ -42,7 +42,14 @@ class MeasuredRow;
 // The first and the last column of a point at a corner of pixels, from there.
 [[nodiscard]] std::vector<int> draw_point(const MeasuredRow& row, const HardwareProfile& profile);
 
+// The comparison of r with a depth texture: 1 where it holds, else 0.
+[[nodiscard]] std::vector<int> draw_shadow(const MeasuredRow& row, const HardwareProfile& profile);
+
 // What is wrong with a row's words, which draw_… would not know; empty: nothing.
-[[nodiscard]] std::string wrong_words(const MeasuredRow& row);
+[[nodiscard]] std::string wrong_alpha_test(const MeasuredRow& row, const HardwareProfile& profile);
+[[nodiscard]] std::string wrong_blend(const MeasuredRow& row, const HardwareProfile& profile);
+[[nodiscard]] std::string wrong_depth(const MeasuredRow& row, const HardwareProfile& profile);
+[[nodiscard]] std::string wrong_lines(const MeasuredRow& row, const HardwareProfile& profile);
+[[nodiscard]] std::string wrong_shadow(const MeasuredRow& row, const HardwareProfile& profile);
 
 }  // namespace ninebit::tools

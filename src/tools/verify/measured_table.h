@@ -1,5 +1,5 @@
-// Tables of what pictures of a chip show beside its combiners: blending, textures, smooth colours. `ninebit verify`
-// knows them by their header.
+// Tables of what pictures of a chip show: of its combiners, and of blending, textures and smooth colours. `ninebit
+// verify` knows them by their header.
 #pragma once
 
 #include <cstdint>
@@ -19,9 +19,9 @@ struct MeasuredColumn {
     note,      // what somebody computed; not read
     word,      // one of the format's words, or a name
     whole,     // a whole number
-    real,      // a number
+    real,      // a number, or a number and a note in parentheses
     digits,    // hexadecimal, with or without 0x
-    measured,  // of the picture: whole numbers separated by |, or empty, which is not compared
+    measured,  // of the picture: whole numbers of 32 bits separated by |, or empty, which is not compared
     extent,    // of the picture: a whole number, or empty, where nothing is drawn
     runs,      // of the picture: runs of pixels, such as 3-5 7-7; how many pixels differ is compared with 0
     match      // 0: the row lies outside of the rule that was found, and is skipped
@@ -82,6 +82,8 @@ struct MeasuredFormat {
   std::vector<MeasuredColumn> columns;
   // What the profile gives for the measured columns, in their order.
   std::vector<int> (*draw)(const MeasuredRow& row, const HardwareProfile& profile);
+  // What is wrong with a row, for a profile; null: nothing ever is.
+  std::string (*wrong)(const MeasuredRow& row, const HardwareProfile& profile) = nullptr;
   // Another table, in the same folder, that has more of each row's cells; empty: none. Both have the column `key`.
   std::string_view beside{}, key{};
   std::vector<MeasuredColumn> columns_beside{};

@@ -1,5 +1,6 @@
 #include "src/tools/verify/verify_rules.h"
 
+#include <algorithm>
 #include <array>
 #include <optional>
 #include <utility>
@@ -73,6 +74,8 @@ std::vector<Rival> pixel_rivals_of(const HardwareProfile& profile) {
   add_others("texture_filter_rounding", "26", profile.texture_filter_rounding.value,
              &HardwareProfile::texture_filter_rounding,
              std::array{Rounding("once", FilterRounding::once), Rounding("each-blend", FilterRounding::each_blend)});
+  const Narrowing bias = other(profile.texture_bias_narrowing);
+  add("texture_bias_narrowing", name(bias), "26", [&](HardwareProfile& p) { p.texture_bias_narrowing.value = bias; });
   using Palette = std::pair<const char*, Dxt1Palette>;
   add_others("dxt1_palette", "24", profile.dxt1_palette.value, &HardwareProfile::dxt1_palette,
              std::array{Palette("rgb565", Dxt1Palette::rgb565), Palette("rgb888", Dxt1Palette::rgb888),

@@ -86,7 +86,7 @@ std::optional<VerifyTable::Column> VerifyTable::column_named(std::string_view fi
 Status VerifyTable::read_header(const CsvLine& line) {
   format_ = measured_format(line.text);
   if (format_ != nullptr) {
-    if (!program_.file.empty()) return csv_fault(name(), line.number, 1, "--program is not for tables of pixels");
+    if (!program_.file.empty()) return csv_fault(name(), line.number, 1, "--program is not for measured tables");
     if (format_->beside.empty()) return {};
     auto beside = read_beside((folder_ / format_->beside).string(), *format_);
     if (!beside) return beside.error();
@@ -206,7 +206,11 @@ Result<std::optional<VerifyRow>> VerifyTable::measured_row(const CsvLine& line) 
   if (Status read = read_measured(format_->columns, pieces(line.text, ','), name(), line.number, cells); !read) {
     return read.error();
   }
-  if (cells.text("match") == "0") {
+  if (format_->wrong != nullptr) {
+    const std::string wrong = format_->wrong(cells, *profile_);
+    if (!wrong.empty()) return csv_fault(name(), line.number, 1, wrong);
+  }
+  if (cells.has("match") && cells.text("match") == "0") {
     ++skipped_;
     return std::optional<VerifyRow>();
   }

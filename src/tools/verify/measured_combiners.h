@@ -1,0 +1,33 @@
+// What a profile's combiners give for the rows of measured tables: the values of the picture, in the order of their
+// columns.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "ninebit/numerics/hardware_profile.h"
+
+namespace ninebit::tools {
+
+class MeasuredRow;
+
+// A byte through a scale and bias, in one portion.
+[[nodiscard]] std::vector<int> run_scale(const MeasuredRow& row, const HardwareProfile& profile);
+
+// Red as AB or blue as CD.
+[[nodiscard]] std::vector<int> run_mux(const MeasuredRow& row, const HardwareProfile& profile);
+
+// A signed texel, as it leaves the final combiner.
+[[nodiscard]] std::vector<int> run_signed_texel(const MeasuredRow& row, const HardwareProfile& profile);
+
+// A float vertex colour, likewise.
+[[nodiscard]] std::vector<int> run_vertex_color(const MeasuredRow& row, const HardwareProfile& profile);
+
+// A float vertex colour times a texel of 255, and of 51, in the final combiner.
+[[nodiscard]] std::vector<int> run_product(const MeasuredRow& row, const HardwareProfile& profile);
+
+// What is wrong with a row's words for a profile; empty: nothing.
+[[nodiscard]] std::string wrong_scale(const MeasuredRow& row, const HardwareProfile& profile);
+[[nodiscard]] std::string wrong_mux(const MeasuredRow& row, const HardwareProfile& profile);
+
+}  // namespace ninebit::tools
