@@ -21,7 +21,7 @@ const std::string kCompare = NINEBIT_SOURCE_DIR "/docs/programs/index_compare.gl
 // What a flag may be, of all those values.
 const std::map<std::string, std::set<std::string>> kRight{
     {"--threads", {"0"}},          {"--floor", {"-1", "0"}}, {"--bias", {"0"}},        {"--biases", {"0"}},
-    {"--budget", {"0", "1e-320"}}, {"--most", {"0"}},        {"--patch-angle", {"0"}},
+    {"--budget", {"0", "1e-320"}}, {"--most", {"0"}},        {"--patch-angle", {"0"}}, {"--timeout", {"0", "1e-320"}},
 };
 
 struct Verb {
@@ -95,6 +95,8 @@ Words command(const Verb& verb, const Flag& flag, const std::string& folder) {
     given["-o"] = folder + "/out/picture.png";
     if (flag.name == "--floor") given["--mesh"] = "cube";
   }
+  if (name == "stable") files = {kCompare};
+  if (name == "equivalent") files = {kCompare, kCompare};
   if (name == "convert") given["--to"] = "json";
   if (name == "eval") given["--inputs"] = folder + "/in.csv";
   if (name == "verify") {

@@ -1,0 +1,168 @@
+// `ninebit prove` as people and programs see it; the proofs themselves are tested beside the library.
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <csignal>
+#include <thread>
+
+#include "combiner_tests/tools/program_support.h"
+
+namespace tools_test {
+namespace {
+
+using Words = std::vector<std::string>;
+
+// The article's comparison in RC1.0, with the second scale given.
+std::string compare_text(const std::string& second_scale) {
+  return "!!RC1.0\n{ rgb { discard = unsigned(col0); discard = -tex0; spare0 = sum(); scale_by_four(); } }\n"
+         "{ rgb { spare1 = spare0 . spare0; " +
+         second_scale + " } }\nout.rgb = zero; out.a = spare1.b;\n";
+}
+
+class Prove : public testing::Test {
+ protected:
+  [[nodiscard]] Outcome equivalent(const std::string& b, const Words& more = {}) const {
+    Words words{"prove", "equivalent", kArticle, b, "--quiet"};
+    words.insert(words.end(), more.begin(), more.end());
+    return ninebit(words);
+  }
+
+  TempFolder folder_;
+  std::string same_ = write_bytes(folder_ / "same.rc", compare_text("scale_by_four();"));
+  std::string other_ = write_bytes(folder_ / "other.rc", compare_text("scale_by_two();"));
+};
+
+TEST_F(Prove, TwoFormsOfOneProgram) {
+  const Outcome people = equivalent(same_);
+  EXPECT_EQ(people.code, 0) << people.err;
+  EXPECT_EQ(people.err, "");
+  EXPECT_TRUE(people.out.starts_with("proved: ")) << people.out;
+
+  const Json object = json_of(equivalent(same_, {"--json"}));
+  EXPECT_EQ(keys_of(object), (Words{"command", "version", "question", "answer", "method", "cases", "profile",
+                                    "other_profile", "programs"}));
+  EXPECT_EQ(object["question"], "equivalent");
+  EXPECT_EQ(object["answer"], "proved");
+  EXPECT_EQ(object["programs"], Json({kArticle, same_}));
+}
+
+TEST_F(Prove, ACounterexampleIsWhatEvalComputes) {
+  const Outcome outcome = equivalent(other_, {"--json"});
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_EQ(outcome.err, "");
+  const Json object = Json::parse(outcome.out);
+  EXPECT_EQ(object["answer"], "refuted");
+  const Json& inputs = object["counterexample"]["inputs"];
+  const Json& outputs = object["counterexample"]["outputs"];
+  ASSERT_EQ(outputs["component"], "out.a");
+  std::string names, values;
+  for (const auto& [name, byte] : inputs.items()) {
+    names += (names.empty() ? "" : ",") + name;
+    values += (values.empty() ? "" : ",") + byte.dump();
+  }
+  const std::string table = write_bytes(folder_ / "in.csv", names + "\n" + values + "\n");
+  for (const auto& [program, side] : {std::pair{kArticle, "a"}, {other_, "b"}}) {
+    const Json rows = json_of(ninebit({"eval", program, "--inputs", table, "--json"}))["rows"];
+    ASSERT_EQ(rows.size(), 1U);
+    EXPECT_EQ(rows[0]["out.a"], outputs[side]) << program;
+  }
+  EXPECT_TRUE(equivalent(other_).out.starts_with("refuted: "));
+}
+
+// A conversion is the same program: for all inputs, under every profile.
+TEST_F(Prove, Conversions) {
+  for (const char* profile : {"geforce2", "nv2a"}) {
+    for (const char* form : {"gl", "rc10", "words", "json"}) {
+      SCOPED_TRACE(std::string(profile) + ' ' + form);
+      const std::string file = folder_ / form;
+      const Outcome converted = ninebit({"convert", kArticle, "--to", form, "-o", file, "--profile", profile});
+      ASSERT_EQ(converted.code, 0) << converted.err;
+      const Outcome outcome = equivalent(file, {"--profile", profile});
+      EXPECT_EQ(outcome.code, 0) << outcome.out << outcome.err;
+      std::filesystem::remove(file);
+    }
+  }
+}
+
+TEST_F(Prove, OtherProfilesAndOutputs) {
+  EXPECT_EQ(equivalent(same_, {"--outputs", "out.r,spare0.a"}).code, 0);
+  EXPECT_EQ(equivalent(other_, {"--outputs", "out.r,spare0.r"}).code, 0) << "they differ in alpha alone";
+  EXPECT_EQ(equivalent(other_, {"--outputs", "spare1.g"}).code, 1);
+  EXPECT_EQ(equivalent(same_, {"--other-profile", "nv2a"}).code, 1) << "expand takes another offset there";
+  expect_error(equivalent(same_, {"--outputs", "spare2.a"}), 2, {"--outputs", "spare2.a", "expected", "spare0.a"});
+}
+
+// Without a solver there are exhaustive proofs, and a sentence where they do not reach.
+TEST_F(Prove, WithoutASolver) {
+  ASSERT_EQ(::setenv("PATH", folder_.path().c_str(), 1), 0);
+  const Outcome compare = equivalent(same_);
+  // Sums of four products of two bytes each: more inputs than all cases can be run of.
+  const std::string text = "!!RC1.0\n{ rgb { discard = col0 * col1; discard = tex0 * tex1; spare0 = sum(); } }\n";
+  const std::string wide =
+      write_bytes(folder_ / "a.rc", text + "out.rgb = spare0 * fog + fog.a * tex0;\nout.a = zero;\n");
+  const std::string swapped =
+      write_bytes(folder_ / "b.rc", text + "out.rgb = fog * spare0 + fog.a * tex0;\nout.a = zero;\n");
+  const Outcome unknown = ninebit({"prove", "equivalent", wide, swapped, "--quiet"});
+  EXPECT_EQ(compare.code, 0) << compare.out << compare.err;
+  if (unknown.code != 0) {
+    EXPECT_EQ(unknown.code, 1) << unknown.err;
+    EXPECT_TRUE(unknown.out.starts_with("unknown: ")) << unknown.out;
+    EXPECT_NE(unknown.out.find("z3"), std::string::npos) << unknown.out;
+  }
+}
+
+TEST_F(Prove, TheFieldsThatTheArticlesProgramRestsOn) {
+  const Outcome outcome = ninebit({"prove", "stable", kArticle, "--json"});
+  EXPECT_EQ(outcome.code, 1);
+  const Json object = Json::parse(outcome.out);
+  EXPECT_EQ(object["question"], "stable");
+  EXPECT_EQ(object["answer"], "refuted");
+  ASSERT_FALSE(object["fields"].empty());
+  for (const Json& field : object["fields"]) {
+    EXPECT_NE(field["evidence"], "measured") << field;
+    EXPECT_NE(field["evidence"], "specified") << field;
+    EXPECT_EQ(field["answer"], field["field"] == "expand_offset" ? "refuted" : "proved") << field;
+    EXPECT_EQ(field.contains("counterexample"), field["field"] == "expand_offset") << field;
+  }
+  const Outcome people = ninebit({"prove", "stable", kArticle});
+  EXPECT_EQ(people.code, 1);
+  EXPECT_TRUE(people.out.starts_with("refuted: ")) << people.out;
+  EXPECT_NE(people.out.find("matters"), std::string::npos);
+  EXPECT_NE(people.out.find("no effect"), std::string::npos);
+}
+
+TEST_F(Prove, ProgramsThatCannotBeRead) {
+  const std::string broken = write_bytes(folder_ / "broken.rc", "!!RC1.0\n{ rgb { spare0 = col0 + ; } }\n");
+  for (const Words& words :
+       {Words{"equivalent", kArticle, broken}, Words{"equivalent", broken, kArticle}, Words{"stable", broken}}) {
+    Words all{"prove"};
+    all.insert(all.end(), words.begin(), words.end());
+    expect_error(ninebit(all), 3, {"broken.rc:2"});
+  }
+  // A state that the profile's hardware refuses: three stages where a GeForce 2 has two.
+  const std::string three =
+      write_bytes(folder_ / "three.rc",
+                  "!!RC1.0\n{ rgb { spare0 = col0 * tex0; } }\n{ rgb { spare0 = spare0 * tex0; } }\n"
+                  "{ rgb { spare0 = spare0 * tex0; } }\nout.rgb = spare0;\nout.a = zero;\n");
+  const Outcome refused = ninebit({"prove", "stable", three});
+  EXPECT_EQ(refused.code, 3) << refused.out;
+  EXPECT_NE(refused.err.find("three.rc"), std::string::npos) << refused.err;
+  EXPECT_EQ(refused.out, "");
+}
+
+TEST_F(Prove, TellsWhichQuestionsThereAre) {
+  const Outcome outcome = ninebit({"prove"});
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_NE(ninebit({"prove", "--help"}).out.find("ninebit prove stable"), std::string::npos);
+}
+
+TEST_F(Prove, EndsWhenInterrupted) {
+  Child child({"prove", "equivalent", kArticle, same_, "--other-profile", "nv2a", "--quiet", "--outputs", "out.a"});
+  child.send(SIGINT);
+  const Outcome outcome = child.wait();
+  // It may have answered before the signal came.
+  EXPECT_TRUE(outcome.code == 130 || outcome.code == 1) << outcome.code << outcome.err;
+}
+
+}  // namespace
+}  // namespace tools_test
