@@ -101,7 +101,7 @@ TEST(Profiles, Nv2aIsTheTable) {
   expect_choice(p.half, 128, measured, "half");
   expect_choice(p.expand_offset, 255, inferred, "expand_offset");
   expect_choice(p.byte_shift, 0, measured, "byte_shift");
-  expect_choice(p.general_narrowing, Narrowing::nearest_halves_up, measured, "general_narrowing");
+  expect_choice(p.general_narrowing, Narrowing::nearest_halves_up, inferred, "general_narrowing");
   expect_choice(p.narrowing_point, NarrowingPoint::after_scale, inferred, "narrowing_point");
   expect_choice(p.final_narrowing, Narrowing::nearest_halves_up, measured, "final_narrowing");
   expect_choice(p.general_combiners, 8, specified, "general_combiners");

@@ -223,8 +223,8 @@ consteval HardwareProfile xbox() {
   p.lowest = {-256, Evidence::specified,
               "NV_texture_shader, number formats: -256 is -1.00392; pictures show no negative texel"};
   p.half = {128, Evidence::measured, "rule 4: 255 - half = 127, and with x2 254"};
-  p.general_narrowing = {Narrowing::nearest_halves_up, Evidence::measured,
-                         "rule 5: a half of 25, 63, 255; for products assumed"};
+  p.general_narrowing = {Narrowing::nearest_halves_up, Evidence::inferred,
+                         "rule 5: measured for a half of 25, 63, 255; products and negative values were never read"};
   p.narrowing_point = {NarrowingPoint::after_scale, Evidence::inferred, "rule 22"};
   p.final_narrowing = {Narrowing::nearest_halves_up, Evidence::measured, "rule 9: 4,600 colours"};
   p.general_combiners = {8, Evidence::specified, "NV_register_combiners2"};
