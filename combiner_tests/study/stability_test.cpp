@@ -64,11 +64,16 @@ TEST(Stability, EachFieldHasAProgramThatSeesIt) {
     for (const FieldEffect& effect : answer.fields)
       EXPECT_EQ(effect.example.has_value(), effect.answer == ProofAnswer::refuted);
   }
-  // -256 is seen where it is not clamped away: 256 - 255, times four.
-  const StabilityAnswer lowest =
-      ask(rc10("{ alpha { discard = -tex0.a; discard = -tex1.a; spare0 = sum(); } }\n"
-               "{ alpha { discard = -spare0.a; discard = expand(zero); spare0 = sum(); scale_by_four(); } }\n"
-               "out.rgb = zero; out.a = spare0.a;\n"));
+  // -256 is seen where it is not clamped away: 256 - 255, times four. The extension decides that no output is so low.
+  const CombinerState sums = rc10(
+      "{ alpha { discard = -tex0.a; discard = -tex1.a; spare0 = sum(); } }\n"
+      "{ alpha { discard = -spare0.a; discard = expand(zero); spare0 = sum(); scale_by_four(); } }\n"
+      "out.rgb = zero; out.a = spare0.a;\n");
+  EXPECT_EQ(effects(ask(sums)).count("lowest_output"), 0U);
+  HardwareProfile undecided = profiles::geforce2;
+  undecided.lowest_output.evidence = Evidence::inferred;
+  const StabilityAnswer lowest = ask(sums, undecided);
+  EXPECT_EQ(effects(lowest).at("lowest_output"), ProofAnswer::refuted);
   EXPECT_EQ(lowest.answer, ProofAnswer::refuted);
 }
 

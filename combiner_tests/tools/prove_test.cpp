@@ -128,7 +128,8 @@ TEST_F(Prove, TheFieldsThatTheArticlesProgramRestsOn) {
 }
 
 TEST_F(Prove, ProgramsThatCannotBeRead) {
-  const std::string broken = write_bytes(folder_ / "broken.rc", "!!RC1.0\n{ rgb { spare0 = col0 + ; } }\n");
+  const std::string broken =
+      write_bytes(folder_ / "broken.rc", "!!RC1.0\n{ rgb { spare0 = col0 + ; } }\nout.rgb = spare0;\nout.a = zero;\n");
   for (const Words& words :
        {Words{"equivalent", kArticle, broken}, Words{"equivalent", broken, kArticle}, Words{"stable", broken}}) {
     Words all{"prove"};

@@ -8,8 +8,9 @@
 #include <vector>
 
 #include "ninebit/numerics/hardware_profile.h"
+#include "ninebit/numerics/visibility.h"
 
-namespace ninebit {
+namespace NINEBIT_PUBLIC ninebit {
 
 // A value that a field may have.
 struct FieldValue {

@@ -34,20 +34,23 @@ struct ProofSubject {
 // general combiner leaves it.
 struct ProofTarget {
   std::optional<Register> reg;  // spare0, spare1, or another that a stage can write; none: the colour
-  int component = 0;
+  int component = 0;            // kRed to kAlpha
   friend bool operator==(const ProofTarget&, const ProofTarget&) = default;
 };
 
 // The name of an input or a target: "tex0.r", "spare1.a", "out.g".
 [[nodiscard]] std::string component_name(std::optional<Register> reg, int component);
 
+// Proved: for all inputs. Refuted: there is an input that shows it. Unknown: neither was found in the time given.
 enum class ProofAnswer : std::uint8_t { proved, refuted, unknown };
+// Exhaustive: all inputs were run. Smt: a solver proved it or found the input.
 enum class ProofMethod : std::uint8_t { exhaustive, smt };
 
+// A component of a register before the first general combiner, and its byte.
 struct ProofInput {
-  Register reg = Register::zero;
-  int component = 0;
-  std::uint8_t byte = 0;
+  Register reg = Register::zero;  // a texture's, a colour's or the fog's
+  int component = 0;              // kRed to kAlpha
+  std::uint8_t byte = 0;          // 0 to 255
 };
 
 // An input for which the sides differ, confirmed by the reference.
@@ -57,14 +60,16 @@ struct Counterexample {
   int a = 0, b = 0;                // its values: bytes of a colour, codes of a register
 };
 
+// Whether two sides give the same values of all targets.
 struct EquivalenceAnswer {
-  ProofAnswer answer = ProofAnswer::unknown;
+  ProofAnswer answer = ProofAnswer::unknown;     // proved: they do
   ProofMethod method = ProofMethod::exhaustive;  // smt: a target needed the solver, or all are the same formulas
   std::uint64_t cases = 0;                       // that were run, of all targets
   std::optional<Counterexample> counterexample;  // if it is refuted
   std::string reason;                            // if it is unknown: one sentence
 };
 
+// What is compared, and how much work it may be.
 struct EquivalenceOptions {
   std::vector<ProofTarget> targets;                    // none: the colour's four components
   std::uint64_t most_cases = std::uint64_t{1} << 34U;  // that are run for a target

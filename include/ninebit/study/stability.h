@@ -16,17 +16,18 @@ namespace NINEBIT_PUBLIC ninebit {
 
 // What a field does to the program's colour.
 struct FieldEffect {
-  CombinerField field;
+  CombinerField field;                       // with the profile's value and its rivals
   ProofAnswer answer = ProofAnswer::proved;  // proved: none of its values changes any colour, whatever the other open
                                              // fields are; refuted: one does
   // If it is refuted: the profile's value and the rival (numbers in field.values), the values of other fields that the
   // example needs, as names and words, the unit that is off (-1: none), and an input.
-  std::size_t rival = 0;
+  std::size_t rival = 0;  // of the value that changes a colour; 0: none does
   std::vector<std::pair<std::string, std::string>> others;
   int texture_off = -1;
   std::optional<Counterexample> example;
 };
 
+// Whether the fields that nobody has measured change what a program computes.
 struct StabilityAnswer {
   ProofAnswer answer = ProofAnswer::proved;      // proved: no open field changes any colour
   ProofMethod method = ProofMethod::exhaustive;  // smt: a question needed the solver, or all had the same formulas

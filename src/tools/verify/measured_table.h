@@ -89,6 +89,9 @@ struct MeasuredFormat {
   std::vector<MeasuredColumn> columns_beside{};
 };
 
+// The names of columns, separated by commas.
+[[nodiscard]] std::string header_of(const std::vector<MeasuredColumn>& columns);
+
 // The format with this header; null: none.
 [[nodiscard]] const MeasuredFormat* measured_format(std::string_view header);
 
