@@ -10,7 +10,7 @@ set(ninebit_without_sanitizers
     # Loops over all inputs of an operation, or over very many.
     Faults.Are.*ForMegabytes IndexCompare "IndexSteps[.](Every|Counts)" ExhaustiveSum DatapathErrors[.]OfAll
     EveryMappingOfEvery NoPairOf65536 TheMuxComparesLowBytes VolumeRandom Trace[.]EveryStep TwoBytesHold16 DigitsInBase
-    "Equivalence[.](Random|TheSolver|FourLive)" "Stability[.](TheArticles|EachField)"
+    "Equivalence[.](Random|TheSolver|FourLive)" "Stability[.](TheArticles|EachField)" FindTheAssignmentOfACard
     GlLegality RandomStatesComeBack EmitC EmitGlsl ExactArithmeticDecides "ProgramErrors[.](All|Stages|Units|Biases)"
     # Damage to texts: the fuzzers do it to the same parsers with the same sanitizers.
     DamagedTexts BrokenTexts
@@ -19,7 +19,7 @@ set(ninebit_without_sanitizers
     EnginesAgreeWithTheLibrary EveryFormToEveryOther ValuesOfRender StudyRun StudyParts StepOneDropsTheShadow
     Cookie[.]FacesThatDoNotFit "DepthCube[.](AgreesWith|MoreBits|StopsBetween)" tools[.]Interrupt EvalStream
     TooManyPolygons OnEveryTarget TheBoundHoldsOnAllScenes
-    "tools[.](Study|Habits|Verbs|UsageError|Verify|Convert|TraceVerb|Cookie|ProfileFile|Prove|All/Pictures|All/RealScenes)"
+    "tools[.](Study|Habits|Verbs|UsageError|Verify|Convert|TraceVerb|Cookie|ProfileFile|Prove|Kit|All/Pictures|All/RealScenes)"
       OtherPrograms IndexStepsStudy IndexRoom[.]Objects DepthCubeCombiners[.]BothPasses tools[.]Bench NoByteMayBeMissing
     WhileAReportIsWritten Limits[.]A LightInSolid JsonSchema Nv20Of EachFaceOfTheMapCasts RowRules TechniqueTable
     AlteredPart OtherKinds Flags[.]OfAll

@@ -8,6 +8,7 @@
 #include "ninebit/combiner/initial_registers.h"
 #include "ninebit/combiner/program.h"
 #include "ninebit/language/rc10.h"
+#include "ninebit/study/discriminate.h"
 #include "ninebit/study/equivalence.h"
 
 namespace ninebit::test {
@@ -43,6 +44,23 @@ inline RegisterFile registers_of(const HardwareProfile& profile, const std::vect
       fragment.texture[static_cast<std::size_t>(texture_unit_of(input.reg))]->value[i] = input.byte;
   }
   return initial_registers(profile, fragment);
+}
+
+// What a program of a search shows, from its text alone, by the library's own table of initial registers.
+inline int shown_by(const Discriminator& program, const HardwareProfile& profile) {
+  const auto parsed = parse_rc10({program.rc10, "test"}, profile);
+  if (!parsed) throw std::runtime_error(parsed.faults.front().text());
+  FragmentInputs inputs;
+  inputs.primary.fill(program.bytes[2]);
+  for (std::size_t unit = 0; unit < 2; ++unit) {
+    const std::uint8_t byte = program.bytes[unit];
+    if (!program.texture_off[unit]) inputs.texture[unit] = Texel{.value = {byte, byte, byte, byte}};
+  }
+  const auto fragment = evaluate_fragment(normalize(*parsed.value, profile), initial_registers(profile, inputs));
+  if (fragment.color[kRed] != fragment.color[kGreen] || fragment.color[kRed] != fragment.color[kBlue]) {
+    throw std::runtime_error("no grey: " + program.rc10);
+  }
+  return to_byte(profile, fragment.color[kRed]);
 }
 
 }  // namespace ninebit::test

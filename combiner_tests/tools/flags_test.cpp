@@ -97,6 +97,9 @@ Words command(const Verb& verb, const Flag& flag, const std::string& folder) {
   }
   if (name == "stable") files = {kCompare};
   if (name == "equivalent") files = {kCompare, kCompare};
+  if (name == "discriminate" && flag.name == "--profile") given["--field"] = "half";
+  if (name == "discriminate" && flag.name != "--profile" && flag.name != "--field") files = {"geforce2", "nv2a"};
+  if (name == "kit") given["-o"] = folder + "/out";
   if (name == "convert") given["--to"] = "json";
   if (name == "eval") given["--inputs"] = folder + "/in.csv";
   if (name == "verify") {

@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <csignal>
+#include <cstdlib>
 #include <thread>
 
 #include "combiner_tests/tools/program_support.h"
@@ -94,6 +95,8 @@ TEST_F(Prove, OtherProfilesAndOutputs) {
 
 // Without a solver there are exhaustive proofs, and a sentence where they do not reach.
 TEST_F(Prove, WithoutASolver) {
+  const char* const before = std::getenv("PATH");
+  const std::string path = before == nullptr ? "" : before;
   ASSERT_EQ(::setenv("PATH", folder_.path().c_str(), 1), 0);
   const Outcome compare = equivalent(same_);
   // Six bytes, and no general combiner between which the question could be cut.
@@ -101,6 +104,7 @@ TEST_F(Prove, WithoutASolver) {
   const std::string a = write_bytes(folder_ / "a.rc", "!!RC1.0\n{ rgb { spare0 = tex0 . tex1;" + end);
   const std::string b = write_bytes(folder_ / "b.rc", "!!RC1.0\n{ rgb { spare0 = -tex0 . -tex1;" + end);
   const Outcome unknown = ninebit({"prove", "equivalent", a, b, "--quiet"});
+  ASSERT_EQ(::setenv("PATH", path.c_str(), 1), 0);
   EXPECT_EQ(compare.code, 0) << compare.out << compare.err;
   EXPECT_EQ(unknown.code, 1) << unknown.err;
   EXPECT_TRUE(unknown.out.starts_with("unknown: ")) << unknown.out;
@@ -145,6 +149,37 @@ TEST_F(Prove, ProgramsThatCannotBeRead) {
   EXPECT_EQ(refused.code, 3) << refused.out;
   EXPECT_NE(refused.err.find("three.rc"), std::string::npos) << refused.err;
   EXPECT_EQ(refused.out, "");
+}
+
+TEST_F(Prove, WhatTellsTwoProfilesApart) {
+  const Outcome people = ninebit({"prove", "discriminate", "--field", "half", "--quiet"});
+  EXPECT_EQ(people.code, 1);
+  EXPECT_NE(people.out.find("!!RC1.0"), std::string::npos) << people.out;
+  EXPECT_NE(people.out.find("the fewest possible"), std::string::npos) << people.out;
+
+  const Outcome outcome = ninebit({"prove", "discriminate", "--field", "half", "--json"});
+  EXPECT_EQ(outcome.code, 1);
+  const Json object = Json::parse(outcome.out);
+  EXPECT_EQ(keys_of(object), (Words{"command", "version", "question", "answer", "method", "cases", "profiles", "fields",
+                                    "program", "general_combiners", "shortest", "texture_off", "counterexample"}));
+  EXPECT_EQ(object["fields"], Json({"half"}));
+  // The program gives these bytes in `eval`, too.
+  const std::string program = write_bytes(folder_ / "found.rc1", object["program"].get<std::string>());
+  const std::string byte = object["counterexample"]["inputs"]["tex0"].dump();
+  const std::string table = write_bytes(folder_ / "in.csv", "tex0.r\n" + byte + "\n");
+  const std::string rival = write_bytes(folder_ / "rival.json", R"({"base": "geforce2", "name": "r", "half": 127})");
+  const Json& outputs = object["counterexample"]["outputs"];
+  for (const auto& [profile, side] : {std::pair{std::string("geforce2"), "a"}, {rival, "b"}}) {
+    const Json rows = json_of(ninebit({"eval", program, "--inputs", table, "--profile", profile, "--json"}))["rows"];
+    EXPECT_EQ(rows[0]["out.r"], outputs[side]) << profile;
+  }
+
+  const Outcome same = ninebit({"prove", "discriminate", "nv2a", "nv2a", "--quiet"});
+  EXPECT_EQ(same.code, 0);
+  EXPECT_TRUE(same.out.starts_with("proved: no program")) << same.out;
+  expect_error(ninebit({"prove", "discriminate", "--field", "halve"}), 2, {"--field", "halve", "half"});
+  expect_error(ninebit({"prove", "discriminate"}), 2, {"two profiles", "--field"});
+  expect_error(ninebit({"prove", "discriminate", "geforce2"}), 2, {"profile2"});
 }
 
 TEST_F(Prove, TellsWhichQuestionsThereAre) {

@@ -6,7 +6,9 @@
 #include <memory>
 #include <optional>
 
+#include "src/tools/common/kit_table.h"
 #include "src/tools/input/printable.h"
+#include "src/tools/verify/decide.h"
 #include "src/tools/verify/verify_rules.h"
 #include "src/tools/verify/verify_table.h"
 
@@ -15,6 +17,7 @@ namespace {
 
 struct VerifyFlags {
   CommonFlags common;
+  DecideFlags decide;
   std::string table;
   ProgramFlags program;
   int most = 20;
@@ -192,6 +195,13 @@ Json json_of(const Verdict& verdict, const VerifyFlags& flags) {
 }
 
 int run(const VerifyFlags& flags) {
+  if (!flags.decide.results.empty()) {
+    DecideFlags decide = flags.decide;
+    decide.json = flags.common.json;
+    decide.quiet = flags.common.quiet;
+    return decide_fields(decide);
+  }
+  if (flags.table.empty()) throw CLI::RequiredError("a table, or --decide");
   const auto verdict = judge_table(flags);
   if (!verdict) return report(verdict.error());
   const bool agree = verdict->agree == verdict->rows;
@@ -199,6 +209,23 @@ int run(const VerifyFlags& flags) {
                                      : answer(text_of(*verdict, flags.table == "-" ? "standard input" : flags.table));
   if (code != kDone) return code;
   return agree ? kDone : kDifference;
+}
+
+// --decide and its own flags; those of the other tables exclude it.
+void add_decide_flags(CLI::App& verb, VerifyFlags& flags, CLI::Option& table) {
+  CLI::Option* decide =
+      verb.add_option("--decide", flags.decide.results,
+                      "Decide fields of a profile by what the kit of `ninebit prove kit` showed on a card")
+          ->type_name("FILE.csv")
+          ->excludes(&table);
+  for (const char* flag : {"--profile", "--threads", "--program", "--from", "--chip", "--allow-outside", "--most"}) {
+    decide->excludes(verb.get_option(flag));
+  }
+  add_family_flag(verb, flags.decide.family);
+  verb.get_option("--family")->needs(decide);
+  verb.add_option("-o,--output", flags.decide.output, "Write the decided profile to this file")
+      ->type_name("FILE")
+      ->needs(decide);
 }
 
 }  // namespace
@@ -220,14 +247,15 @@ void add_verify(CLI::App& app, int& exit_code) {
       "Exit codes: 0 all rows agree, 1 some differ, 3 the table or a program cannot be read.\n"
       "Examples:\n"
       "  ninebit verify results.csv --profile nv2a\n"
-      "  ninebit verify results.csv --program compare.gl --json");
+      "  ninebit verify results.csv --program compare.gl --json\n"
+      "  ninebit verify --decide results.csv --family geforce2 -o card.json");
   auto flags = std::make_shared<VerifyFlags>();
   add_common_flags(*verb, flags->common);
-  verb->add_option("table", flags->table, "Table to check; - reads standard input")
-      ->required()
-      ->type_name("FILE.csv")
-      ->check(CLI::Validator(
-          [](const std::string& text) { return std::string(text.empty() ? "the file name is empty" : ""); }, ""));
+  const CLI::Validator named(
+      [](const std::string& text) { return std::string(text.empty() ? "the file name is empty" : ""); }, "");
+  CLI::Option* table = verb->add_option("table", flags->table, "Table to check; - reads standard input")
+                           ->type_name("FILE.csv")
+                           ->check(named);
   verb->add_option("--program", flags->program.file, "Program of the rows that name none")->type_name("PROGRAM");
   verb->add_option("--from", flags->program.from, "Form of the programs (default: detected from the content)")
       ->check(CLI::IsMember({"gl", "rc10", "words", "json"}));
@@ -238,6 +266,7 @@ void add_verify(CLI::App& app, int& exit_code) {
   verb->add_option("--most", flags->most, "Maximum number of differing rows to list")
       ->capture_default_str()
       ->check(CLI::Range(0, 1'000'000));
+  add_decide_flags(*verb, *flags, *table);
   verb->callback([flags, &exit_code] { exit_code = run(*flags); });
 }
 

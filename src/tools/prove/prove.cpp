@@ -68,9 +68,13 @@ void add_prove(CLI::App& app, int& exit_code) {
       "Examples:\n"
       "  ninebit prove equivalent compare.gl shorter.gl\n"
       "  ninebit prove stable compare.gl\n"
+      "  ninebit prove discriminate geforce2 nv2a\n"
+      "  ninebit prove kit -o kit\n"
       "Run `ninebit prove QUESTION --help` for the flags of a question.");
   add_prove_equivalent(*verb, exit_code);
   add_prove_stable(*verb, exit_code);
+  add_prove_discriminate(*verb, exit_code);
+  add_prove_kit(*verb, exit_code);
 }
 
 }  // namespace ninebit::tools

@@ -35,5 +35,7 @@ void add_proof_flags(CLI::App& verb, ProofFlags& flags);
 // The questions.
 void add_prove_equivalent(CLI::App& prove, int& exit_code);
 void add_prove_stable(CLI::App& prove, int& exit_code);
+void add_prove_discriminate(CLI::App& prove, int& exit_code);
+void add_prove_kit(CLI::App& prove, int& exit_code);
 
 }  // namespace ninebit::tools

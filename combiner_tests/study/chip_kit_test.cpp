@@ -1,0 +1,112 @@
+// The kit decides the fields of a card: our own engine plays cards with all kinds of values.
+#include "ninebit/study/chip_kit.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "combiner_tests/study/proof_support.h"
+
+namespace ninebit::test {
+namespace {
+
+const ChipKit& kit_of(const HardwareProfile& family) {
+  static const auto geforce2 = make_chip_kit(profiles::geforce2), nv2a = make_chip_kit(profiles::nv2a);
+  return family.name == profiles::nv2a.name ? *nv2a : *geforce2;
+}
+
+// What a card with this profile shows.
+std::vector<int> play(const ChipKit& kit, const HardwareProfile& card) {
+  std::vector<int> shown;
+  for (const Discriminator& program : kit.programs) shown.push_back(shown_by(program, card));
+  return shown;
+}
+
+class ChipKits : public testing::TestWithParam<const HardwareProfile*> {};
+
+TEST_P(ChipKits, DecideWhatNobodyHasMeasured) {
+  const ChipKit& kit = kit_of(*GetParam());
+  EXPECT_TRUE(kit.is_complete);
+  std::size_t combinations = 1;
+  for (const CombinerField& field : kit.fields) {
+    EXPECT_TRUE(field.is_open() || field.evidence == Evidence::seed) << field.name;
+    combinations *= field.values.size();
+  }
+  EXPECT_EQ(kit.combinations.size(), combinations);
+  for (std::size_t i = 0; i < combinations; ++i) {
+    EXPECT_EQ(play(kit, kit.profile_with(kit.combinations[i])), kit.shown[i]) << i;
+  }
+}
+
+TEST_P(ChipKits, NoProgramIsSuperfluous) {
+  const ChipKit& kit = kit_of(*GetParam());
+  for (std::size_t i = 0; i < kit.programs.size(); ++i) {
+    ChipKit fewer = kit;
+    for (auto& shown : fewer.shown) shown.erase(shown.begin() + static_cast<std::ptrdiff_t>(i));
+    EXPECT_LT(fewer.classes(), kit.classes()) << kit.programs[i].rc10;
+  }
+}
+
+// 200 cards: the verdict is exactly the combinations that no program tells from the card.
+TEST_P(ChipKits, FindTheAssignmentOfACard) {
+  const ChipKit& kit = kit_of(*GetParam());
+  std::mt19937 random(9);
+  for (int card = 0; card < 200; ++card) {
+    std::vector<std::size_t> values;
+    for (const CombinerField& field : kit.fields) values.push_back(random() % field.values.size());
+    const KitVerdict verdict = decide(kit, play(kit, kit.profile_with(values)));
+    bool is_found = false;
+    for (const std::size_t fitting : verdict.fitting) {
+      is_found = is_found || kit.combinations[fitting] == values;
+      const auto same = discriminate(kit.profile_with(values), kit.profile_with(kit.combinations[fitting]));
+      EXPECT_EQ(same->answer, ProofAnswer::proved);
+    }
+    EXPECT_TRUE(is_found);
+    for (std::size_t field = 0; field < kit.fields.size(); ++field) {
+      EXPECT_TRUE(verdict.fields[field].fits[values[field]]) << kit.fields[field].name;
+      const bool is_invisible = kit.fields[field].name == "lowest";
+      for (std::size_t value = 0; value < kit.fields[field].values.size(); ++value) {
+        const bool fits = verdict.fields[field].fits[value];
+        EXPECT_EQ(fits, value == values[field] || is_invisible) << kit.fields[field].name;
+        EXPECT_EQ(verdict.fields[field].excluded_by[value].empty(), fits);
+      }
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Families, ChipKits, testing::Values(&profiles::geforce2, &profiles::nv2a),
+                         [](const auto& family) { return std::string(family.param->name); });
+
+TEST(ChipKit, ContradictionsNameTheirPrograms) {
+  const ChipKit& kit = kit_of(profiles::nv2a);
+  auto shown = kit.shown.front();
+  shown[0] = 254;  // no value of any field shows it
+  ASSERT_TRUE(std::none_of(kit.shown.begin(), kit.shown.end(), [](const auto& all) { return all[0] == 254; }));
+  const KitVerdict one = decide(kit, shown);
+  EXPECT_TRUE(one.fitting.empty());
+  EXPECT_EQ(one.contradiction, std::vector<std::size_t>{0});
+  EXPECT_TRUE(one.fields.empty());
+  // Colours that occur, but never together.
+  std::size_t found = 0;
+  const ChipKit& geforce2 = kit_of(profiles::geforce2);
+  for (const auto& other : geforce2.shown) {
+    shown = geforce2.shown.front();
+    shown.back() = other.back();
+    const KitVerdict verdict = decide(geforce2, shown);
+    if (!verdict.fitting.empty()) continue;
+    ++found;
+    EXPECT_GT(verdict.contradiction.size(), 1U);
+    for (const std::size_t program : verdict.contradiction) EXPECT_LT(program, geforce2.programs.size());
+  }
+  EXPECT_GT(found, 0U);
+}
+
+TEST(ChipKit, IsForCards) {
+  const auto refused = make_chip_kit(profiles::ideal);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().message, "the arithmetic of profile ideal is not integer: no card has it");
+  EXPECT_EQ(make_chip_kit(profiles::nv2a, [](double) { return false; }).error().fault, Fault::cancelled);
+}
+
+}  // namespace
+}  // namespace ninebit::test

@@ -1,0 +1,213 @@
+// `ninebit prove kit`, the C file that it writes, and `ninebit verify --decide`, which reads what a card showed.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstdio>
+
+#include "combiner_tests/tools/program_support.h"
+#include "ninebit/study/chip_kit.h"
+
+namespace tools_test {
+namespace {
+
+using Words = std::vector<std::string>;
+
+// Runs a shell command; its output, and its exit status.
+std::pair<std::string, int> shell(const std::string& command) {
+  std::FILE* const out = popen((command + " 2>&1").c_str(), "r");
+  if (out == nullptr) return {"popen failed", -1};
+  std::string text;
+  std::array<char, 4096> piece{};
+  while (std::fgets(piece.data(), piece.size(), out) != nullptr) text += piece.data();
+  return {text, WEXITSTATUS(pclose(out))};
+}
+
+bool has_program(const std::string& name) {
+  return shell("command -v " + name).second == 0;
+}
+
+class Kit : public testing::Test {
+ protected:
+  // Writes a family's kit; the answer.
+  Json write_kit(const std::string& family) {
+    return json_of(ninebit({"prove", "kit", "--family", family, "-o", folder_ / family, "--json"}));
+  }
+
+  // The table that a card writes which shows these greys. The rows' beginnings come from the C file.
+  std::string results(const std::string& family, const std::vector<int>& shown, const std::string& comments = "") {
+    const std::string source = read_bytes(folder_ / (family + "/kit.c"));
+    const std::string header = between(source, "#define HEADER \"", "\"", 0);
+    std::string table = comments + header + "\n";
+    std::size_t at = source.find("static const Row rows[]");
+    for (std::size_t i = 0; i < shown.size(); ++i) {
+      at = source.find("{\"k" + std::to_string(i + 1) + ",", at);
+      const std::string byte = std::to_string(shown[i]);
+      table += between(source, "{\"", "\"", at) + byte + "," + byte + "," + byte + "\n";
+    }
+    return write_bytes(folder_ / "results.csv", table);
+  }
+
+  static std::string between(const std::string& text, const std::string& begin, const std::string& end,
+                             std::size_t from) {
+    const std::size_t first = text.find(begin, from) + begin.size();
+    return text.substr(first, text.find(end, first) - first);
+  }
+
+  static std::vector<int> expected_of(const Json& kit) {
+    std::vector<int> shown;
+    for (const Json& program : kit["programs"]) shown.push_back(program["expected"]);
+    return shown;
+  }
+
+  TempFolder folder_;
+};
+
+TEST_F(Kit, HasAProgramForEachQuestion) {
+  const Json kit = write_kit("geforce2");
+  EXPECT_EQ(keys_of(kit), (Words{"command", "version", "question", "family", "combinations", "told_apart", "complete",
+                                 "fields", "programs", "files"}));
+  EXPECT_EQ(kit["complete"], true);
+  EXPECT_EQ(kit["files"].size(), 2 + kit["programs"].size());
+  for (const Json& program : kit["programs"]) {
+    const std::string file = folder_ / ("geforce2/" + std::string(program["name"]) + ".rc1");
+    EXPECT_EQ(read_bytes(file), program["program"]);
+    EXPECT_EQ(ninebit({"validate", file}).code, 0);
+  }
+  const std::string page = read_bytes(folder_ / "geforce2/README.md");
+  for (const Json& field : kit["fields"]) EXPECT_NE(page.find(std::string(field["field"])), std::string::npos);
+}
+
+TEST_F(Kit, CompilesForLinuxAndSaysWhatIsMissing) {
+  write_kit("geforce2");
+  const std::string source = folder_ / "geforce2/kit.c", program = folder_ / "kit";
+  const auto [messages, status] =
+      shell("cc -std=c99 -pedantic -Wall -Wextra -Werror '" + source + "' -o '" + program + "' -lGL -lX11");
+  ASSERT_EQ(status, 0) << messages;
+  const std::string table = folder_ / "results.csv";
+  const auto [no_display, code] = shell("env -u DISPLAY '" + program + "' '" + table + "'");
+  EXPECT_EQ(code, 2);
+  EXPECT_EQ(no_display, "kit: there is no X display; is DISPLAY set?\n");
+  if (has_program("xvfb-run")) {  // Mesa has no combiners
+    const auto [no_combiners, end] = shell("xvfb-run -a -s '-screen 0 320x240x24' '" + program + "' '" + table + "'");
+    EXPECT_EQ(end, 2) << no_combiners;
+    EXPECT_NE(no_combiners.find("this driver has no GL_NV_register_combiners"), std::string::npos) << no_combiners;
+  }
+  EXPECT_FALSE(std::filesystem::exists(table));
+}
+
+TEST_F(Kit, CompilesForWindows) {
+  if (!has_program("x86_64-w64-mingw32-gcc")) GTEST_SKIP() << "needs the package gcc-mingw-w64-x86-64-win32";
+  for (const char* family : {"geforce2", "nv2a"}) {
+    write_kit(family);
+    const auto [messages, status] =
+        shell("x86_64-w64-mingw32-gcc -std=c99 -pedantic -Wall -Wextra -Werror '" +
+              (folder_ / (std::string(family) + "/kit.c")) + "' -o '" + (folder_ / "kit.exe") + "' -lopengl32 -lgdi32");
+    EXPECT_EQ(status, 0) << messages;
+  }
+}
+
+TEST_F(Kit, TheFamilysOwnColoursDecideForItsValues) {
+  for (const char* family : {"geforce2", "nv2a"}) {
+    const Json kit = write_kit(family);
+    const std::string table = results(family, expected_of(kit), "# family: x\n# renderer: GeForce2 MX/AGP\n");
+    const Json verdict = json_of(ninebit({"verify", "--decide", table, "--family", family, "--json"}));
+    EXPECT_EQ(verdict["fields"].size(), kit["fields"].size());
+    for (std::size_t i = 0; i < kit["fields"].size(); ++i) {
+      EXPECT_EQ(verdict["fields"][i]["fits"][0].dump(), [&] {
+        const std::string word = kit["fields"][i]["values"][0];
+        return word.find_first_not_of("-0123456789") == std::string::npos ? word : '"' + word + '"';
+      }());
+    }
+    const std::string name = std::string(family) + "-card";
+    EXPECT_EQ(verdict["profile"], Json({{"base", family}, {"name", name}, {"chip", "GeForce2 MX/AGP"}}));
+  }
+}
+
+// A card with other values: the profile that is written shows its colours.
+TEST_F(Kit, WritesTheProfileOfACard) {
+  const Json kit = write_kit("geforce2");
+  const std::string card = write_bytes(
+      folder_ / "played.json",
+      R"({"base": "geforce2", "name": "played", "half": 127, "final_narrowing": "toward-zero", "secondary_alpha": "as-given"})");
+  std::vector<int> shown = expected_of(kit);
+  for (std::size_t i = 0; i < shown.size(); ++i) {
+    const std::string file = folder_ / ("geforce2/" + std::string(kit["programs"][i]["name"]) + ".rc1");
+    const std::string bytes = read_bytes(folder_ / "geforce2/README.md");
+    // The inputs stand in the page: "| k1 | `…` | 181, 7, 0 | – | 5 |".
+    const std::size_t row = bytes.find("| " + std::string(kit["programs"][i]["name"]) + " |");
+    const std::string inputs = between(bytes, "` | ", " |", row), rest = between(bytes, "` | ", "\n", row);
+    if (rest.find("| 0 |") != std::string::npos) continue;  // unit 0 is off: not played here
+    std::array<int, 3> byte{};
+    ASSERT_EQ(std::sscanf(inputs.c_str(), "%d, %d, %d", &byte[0], &byte[1], &byte[2]), 3) << inputs;
+    std::string header, values;
+    for (const auto& [reg, value] : {std::pair{"tex0.", byte[0]}, {"tex1.", byte[1]}, {"primary.", byte[2]}}) {
+      for (const char c : {'r', 'g', 'b', 'a'}) {
+        header += std::string(header.empty() ? "" : ",") + reg + c;
+        values += (values.empty() ? "" : ",") + std::to_string(value);
+      }
+    }
+    const std::string table = write_bytes(folder_ / "in.csv", header + ",secondary.a\n" + values + ",0\n");
+    const Json rows = json_of(ninebit({"eval", file, "--inputs", table, "--profile", card, "--json"}))["rows"];
+    shown[i] = rows[0]["out.r"];
+  }
+  const std::string output = folder_ / "card.json";
+  const Outcome outcome = ninebit({"verify", "--decide", results("geforce2", shown), "-o", output});
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_NE(outcome.err.find("wrote "), std::string::npos) << outcome.err;
+  EXPECT_EQ(Json::parse(read_bytes(output)), Json({{"base", "geforce2"},
+                                                   {"name", "geforce2-card"},
+                                                   {"half", 127},
+                                                   {"final_narrowing", "toward-zero"},
+                                                   {"secondary_alpha", "as-given"}}));
+  EXPECT_EQ(ninebit({"explain", folder_ / "geforce2/k1.rc1", "--profile", output}).code, 0);
+}
+
+TEST_F(Kit, TablesThatDecideNothing) {
+  const Json kit = write_kit("geforce2");
+  const std::vector<int> right = expected_of(kit);
+  const auto refuse = [&](const std::string& table, const Words& words) {
+    const std::string output = folder_ / "card.json";
+    expect_error(ninebit({"verify", "--decide", table, "-o", output, "--quiet"}), 3, words);
+    EXPECT_FALSE(std::filesystem::exists(output));
+  };
+  std::vector<int> shown = right;
+  shown[0] = 77;  // no value of any field
+  refuse(results("geforce2", shown), {"results.csv", "k1 = 77"});
+
+  // Colours that occur, but not on one card.
+  const auto same = ninebit::make_chip_kit(ninebit::profiles::geforce2);
+  for (std::size_t i = 0; i < same->shown.size(); ++i) {
+    shown = right;
+    shown.back() = same->shown[i].back();
+    if (ninebit::decide(*same, shown).fitting.empty()) break;
+  }
+  ASSERT_NE(shown, right);
+  refuse(results("geforce2", shown), {"k7 = ", " and k8 = ", "together: these rows exclude each other"});
+
+  const std::string table = results("geforce2", right), text = read_bytes(table);
+  write_bytes(table, text.substr(0, text.rfind("k8")));
+  refuse(table, {"results.csv:8:1", "7 of 8 rows", "k8 is missing"});
+  write_bytes(table, text.substr(0, text.size() - 6));
+  refuse(table, {"results.csv:9:", "three equal numbers"});
+  write_bytes(table, text + text.substr(text.rfind("k8")));
+  refuse(table, {"results.csv:10:1", "k8 has two rows"});
+  write_bytes(table, text + "k9,!!RC1.0 out.rgb = zero;,0,0,0,none,0,0,0\n");
+  refuse(table, {"results.csv:10:1", "is no row of the kit for family geforce2"});
+  write_bytes(table, "a,b\n1,2\n");
+  refuse(table, {"results.csv:1:1", "expected the header name,program"});
+  write_bytes(table, "");
+  refuse(table, {"results.csv"});
+  refuse(folder_ / "none.csv", {"none.csv"});
+}
+
+TEST_F(Kit, FlagsOfOtherTables) {
+  const std::string table = folder_ / "results.csv";
+  expect_error(ninebit({"verify", "--decide", table, "--profile", "nv2a"}), 2, {"--profile", "--decide"});
+  expect_error(ninebit({"verify", table, "--family", "nv2a"}), 2, {"--family", "--decide"});
+  expect_error(ninebit({"verify", table, "-o", folder_ / "card.json"}), 2, {"--output", "--decide"});
+  expect_error(ninebit({"verify"}), 2, {"a table", "--decide"});
+  expect_error(ninebit({"prove", "kit", "--family", "ideal", "-o", folder_ / "kit"}), 2, {"--family", "geforce2"});
+}
+
+}  // namespace
+}  // namespace tools_test

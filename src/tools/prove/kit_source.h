@@ -1,0 +1,17 @@
+// The files that a kit consists of.
+#pragma once
+
+#include <string>
+
+#include "ninebit/numerics/result.h"
+#include "ninebit/study/chip_kit.h"
+
+namespace ninebit::tools {
+
+// One C99 file for OpenGL 1.x on GLX or WGL, which runs all programs of the kit on a card and writes results.csv.
+[[nodiscard]] Result<std::string> kit_source(const ChipKit& kit);
+
+// The page that tells an owner of a card what to do, in Markdown.
+[[nodiscard]] std::string kit_page(const ChipKit& kit);
+
+}  // namespace ninebit::tools
