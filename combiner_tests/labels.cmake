@@ -29,7 +29,7 @@ set(ninebit_without_sanitizers
 # Minutes without optimization, and no line that another test does not reach:
 set(ninebit_without_coverage
     DepthCompare IndexCompare Sums Products NarrowLanes "FinalArithmetic.*Every" "GeneralArithmetic.*Every"
-    EveryMappingOfEvery SizesAndLanesPast ForMegabytes GlLegality RandomStatesComeBack BrokenTexts Damage EmitC[.]Random
+    EveryMappingOfEvery SizesAndLanesPast ForMegabytes GlLegality RandomStatesComeBack BrokenTexts Damage "EmitC[.](Random|TheGallery)"
     EmitGlsl EveryStepOfRandom "Nv[12]0Of" "Threads[.]")
 
 foreach(label IN ITEMS without_sanitizers without_coverage)

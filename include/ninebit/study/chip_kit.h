@@ -22,7 +22,7 @@ namespace NINEBIT_PUBLIC ninebit {
 
 // The programs for one family of chips.
 struct ChipKit {
-  HardwareProfile family;
+  HardwareProfile family;                              // its own profile
   std::vector<CombinerField> fields;                   // that it decides, in the order of HardwareProfile
   std::vector<Discriminator> programs;                 // the shortest first
   std::vector<std::vector<std::size_t>> combinations;  // all: for each field the number of a value
