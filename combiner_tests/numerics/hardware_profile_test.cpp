@@ -81,7 +81,7 @@ TEST(Profiles, Geforce2IsTheTable) {
   expect_choice(p.point_shape, PointShape::squares, inferred, "point_shape");
   expect_choice(p.vertex_color_mantissa_bits, 13, inferred, "vertex_color_mantissa_bits");
   expect_choice(p.polygon_offset_slope, OffsetSlope::larger, inferred, "polygon_offset_slope");
-  expect_choice(p.color_interpolation, ColorInterpolation::perspective, assumed, "color_interpolation");
+  expect_choice(p.color_interpolation, ColorInterpolation::perspective, inferred, "color_interpolation");
   expect_choice(p.color_weights, ColorWeights::eight_bits, inferred, "color_weights");
   expect_choice(p.depth_narrowing, Narrowing::toward_zero, inferred, "depth_narrowing");
   expect_choice(p.fog_narrowing, Narrowing::toward_zero, inferred, "fog_narrowing");
@@ -119,7 +119,7 @@ TEST(Profiles, Nv2aIsTheTable) {
   expect_choice(p.point_shape, PointShape::squares, measured, "point_shape");
   expect_choice(p.vertex_color_mantissa_bits, 13, measured, "vertex_color_mantissa_bits");
   expect_choice(p.polygon_offset_slope, OffsetSlope::larger, inferred, "polygon_offset_slope");
-  expect_choice(p.color_interpolation, ColorInterpolation::perspective, assumed, "color_interpolation");
+  expect_choice(p.color_interpolation, ColorInterpolation::perspective, measured, "color_interpolation");
   expect_choice(p.color_weights, ColorWeights::eight_bits, measured, "color_weights");
   expect_choice(p.depth_narrowing, Narrowing::toward_zero, measured, "depth_narrowing");
   expect_choice(p.fog_narrowing, Narrowing::toward_zero, measured, "fog_narrowing");

@@ -181,7 +181,8 @@ inline constexpr HardwareProfile geforce2{
     .point_shape = {PointShape::squares, Evidence::inferred, "rule 31, measured on NV2A"},
     .vertex_color_mantissa_bits = {13, Evidence::inferred, "rule 17: modelled by envytools for NV10, measured on NV2A"},
     .polygon_offset_slope = {OffsetSlope::larger, Evidence::inferred, "rule 20, measured on NV2A"},
-    .color_interpolation = {ColorInterpolation::perspective, Evidence::assumed, "OpenGL allows both; rival: affine"},
+    .color_interpolation = {ColorInterpolation::perspective, Evidence::inferred,
+                            "rule 27: in perspective on NV2A; OpenGL allows both; rival: affine"},
     .color_weights = {ColorWeights::eight_bits, Evidence::inferred, "rule 27, measured on NV2A"},
     .depth_narrowing = {Narrowing::toward_zero, Evidence::inferred, "rule 28, measured on NV2A"},
     .fog_narrowing = {Narrowing::toward_zero, Evidence::inferred, "rule 25, measured on NV2A"},
@@ -240,6 +241,8 @@ consteval HardwareProfile xbox() {
   p.point_shape = {PointShape::squares, Evidence::measured, "rule 31: 354 of 355 points"};
   p.vertex_color_mantissa_bits = {13, Evidence::measured, "rule 17: 273 of 273"};
   p.polygon_offset_slope = {OffsetSlope::larger, Evidence::inferred, "rule 20: equal slopes in depth dumps"};
+  p.color_interpolation = {ColorInterpolation::perspective, Evidence::measured,
+                           "rule 27: 359,729 pixels; affine where a bit of NV097_SET_CONTROL0 is off"};
   p.color_weights = {ColorWeights::eight_bits, Evidence::measured, "rule 27: 1.2 million pixels"};
   p.depth_narrowing = {Narrowing::toward_zero, Evidence::measured, "rule 28: 216,525 of 216,529 pixels"};
   p.fog_narrowing = {Narrowing::toward_zero, Evidence::measured, "rule 25: 662 of 680 pixels"};
