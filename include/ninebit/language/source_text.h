@@ -13,10 +13,25 @@
 
 namespace NINEBIT_PUBLIC ninebit {
 
-// A text to be parsed; both views must outlive the call.
+// The place of a byte of a text.
+struct TextPlace {
+  int line = 1;    // from 1
+  int column = 1;  // from 1, in bytes
+};
+// The place of the byte at `offset`, which may be the text's end.
+[[nodiscard]] TextPlace place_of(std::string_view text, std::size_t offset);
+
+// A text to be parsed; the views must outlive the call.
 struct SourceText {
   std::string_view text;  // UTF-8, at most kMaxSourceBytes
   std::string_view file;  // for messages; empty: none
+  // For a text that stands in another one, such as a program in string literals: the bytes as they are written there,
+  // as many as `text` has, and the place of the first. Empty: the text stands alone.
+  std::string_view written{};
+  TextPlace begin{};
+
+  // The place of a byte in the file.
+  [[nodiscard]] TextPlace place(std::size_t offset) const;
 };
 
 // A fault in a text. Lines and columns are 1-based; a column counts bytes.
@@ -38,18 +53,11 @@ template <class T>
 struct Parsed {
   std::optional<T> value;                                       // empty: there are faults
   std::vector<TextFault> faults;                                // empty if there is a value
+  std::vector<TextFault> notes{};                               // what was skipped or assumed, with or without a value
   explicit operator bool() const { return value.has_value(); }  // whether there is a value
 };
 
 // The longest text that is parsed, in bytes; a longer one is a fault and is not read.
 inline constexpr std::size_t kMaxSourceBytes = std::size_t{16} << 20;
-
-// The place of a byte of a text.
-struct TextPlace {
-  int line = 1;    // from 1
-  int column = 1;  // from 1, in bytes
-};
-// The place of the byte at `offset`, which may be the text's end.
-[[nodiscard]] TextPlace place_of(std::string_view text, std::size_t offset);
 
 }  // namespace ninebit

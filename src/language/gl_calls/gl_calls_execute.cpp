@@ -248,6 +248,12 @@ class Call {
 
 }  // namespace
 
+std::optional<GlElement> element_type(std::string_view name) {
+  if (name == "GLfloat" || name == "GLclampf" || name == "float") return GlElement::real;
+  if (name == "GLint" || name == "int") return GlElement::integer;
+  return std::nullopt;
+}
+
 void execute_gl_call(const GlSignature& call, const std::vector<GlArgument>& arguments, std::size_t offset,
                      gl::Context& context, SourceFaults& faults) {
   Call(call, arguments, offset, context, faults).execute();

@@ -7,7 +7,7 @@
 namespace ninebit::detail {
 namespace {
 
-constexpr std::string_view kPunctuation = "(){}[],;=+-&*";
+constexpr std::string_view kPunctuation = "(){}[],;=+-&*.:";
 
 }  // namespace
 
@@ -21,6 +21,17 @@ GlToken GlLexer::take() {
   end_of_last_ = at_;
   advance();
   return taken;
+}
+
+bool GlLexer::next_is_member() const {
+  std::string_view rest = text_.substr(at_);
+  for (const std::string_view separator : {"::", "->", "."}) {
+    if (rest.starts_with(separator)) {
+      rest.remove_prefix(separator.size());
+      return !rest.empty() && is_word(rest.front()) && !is_digit(rest.front());
+    }
+  }
+  return false;
 }
 
 void GlLexer::skip_line() {
@@ -65,6 +76,7 @@ void GlLexer::advance() {
     while (end < text_.size() && is_word(text_[end])) ++end;
   } else if (kPunctuation.find(c) != std::string_view::npos) {
     token_.kind = GlToken::Kind::punctuation;
+    if (text_.substr(at_).starts_with("->") || text_.substr(at_).starts_with("::")) ++end;
   } else {
     token_.kind = GlToken::Kind::unknown;
     end = unknown_end();

@@ -25,6 +25,8 @@ class GlLexer {
 
   [[nodiscard]] const GlToken& peek() const { return token_; }
   GlToken take();
+  // Whether the next token is followed by . -> or :: and a name, directly.
+  [[nodiscard]] bool next_is_member() const;
   // Skips the rest of the line in which the next token begins.
   void skip_line();
   // The end of the token that was taken last.

@@ -85,6 +85,28 @@ constexpr std::array kNames{NINEBIT_GL(GL_FALSE),
                             Name{"FALSE", gl::GL_FALSE}};
 #undef NINEBIT_GL
 
+// Enumerants of OpenGL that are passed to the calls by mistake: GL takes the number, and refuses it.
+constexpr std::array kOthers{Name{"GL_RED", 0x1903},
+                             Name{"GL_GREEN", 0x1904},
+                             Name{"GL_RGBA", 0x1908},
+                             Name{"GL_LUMINANCE", 0x1909},
+                             Name{"GL_INTENSITY", 0x8049},
+                             Name{"GL_COLOR", 0x1800},
+                             Name{"GL_TEXTURE", 0x1702},
+                             Name{"GL_PRIMARY_COLOR", 0x8577},
+                             Name{"GL_PRIMARY_COLOR_ARB", 0x8577},
+                             Name{"GL_PRIMARY_COLOR_EXT", 0x8577},
+                             Name{"GL_CONSTANT", 0x8576},
+                             Name{"GL_CONSTANT_ARB", 0x8576},
+                             Name{"GL_CONSTANT_COLOR", 0x8001},
+                             Name{"GL_PREVIOUS", 0x8578},
+                             Name{"GL_PREVIOUS_ARB", 0x8578},
+                             Name{"GL_MODULATE", 0x2100},
+                             Name{"GL_REPLACE", 0x1E01},
+                             Name{"GL_ADD", 0x0104},
+                             Name{"GL_SRC_COLOR", 0x0300},
+                             Name{"GL_SRC_ALPHA", 0x0302}};
+
 constexpr std::array kCalls{GlSignature{GlCommand::combiner_parameter_i, "CombinerParameteriNV", "ei"},
                             GlSignature{GlCommand::combiner_parameter_f, "CombinerParameterfNV", "ef"},
                             GlSignature{GlCommand::combiner_parameter_iv, "CombinerParameterivNV", "eI"},
@@ -93,6 +115,9 @@ constexpr std::array kCalls{GlSignature{GlCommand::combiner_parameter_i, "Combin
                             GlSignature{GlCommand::combiner_output, "CombinerOutputNV", "eeeeeeebbb"},
                             GlSignature{GlCommand::final_combiner_input, "FinalCombinerInputNV", "eeee"},
                             GlSignature{GlCommand::combiner_stage_parameter_fv, "CombinerStageParameterfvNV", "eeF"},
+                            // Of Java's LWJGL.
+                            GlSignature{GlCommand::combiner_parameter_fv, "CombinerParameterNV", "eF"},
+                            GlSignature{GlCommand::combiner_stage_parameter_fv, "CombinerStageParameterNV", "eeF"},
                             GlSignature{GlCommand::enable, "Enable", "e"},
                             GlSignature{GlCommand::disable, "Disable", "e"}};
 
@@ -109,25 +134,6 @@ std::optional<gl::GLenum> texture_of_name(std::string_view name) {
     unit = unit * 10 + static_cast<gl::GLenum>(c - '0');
   }
   return unit < 32 ? std::optional(gl::GL_TEXTURE0_ARB + unit) : std::nullopt;
-}
-
-// Whether a function pointer's name may begin like this: gl, pgl, qgl, _gl, __glew, m_gl_, …
-bool is_call_prefix(std::string_view prefix) {
-  constexpr std::size_t kLongest = 16;
-  if (prefix.size() > kLongest) return false;
-  if (prefix.ends_with('_')) prefix.remove_suffix(1);
-  return prefix.ends_with("gl") || prefix.ends_with("glew");
-}
-
-// Whether it may end like this, in upper or lower case, with or without an underscore before it.
-bool is_call_suffix(std::string_view suffix) {
-  if (suffix.empty()) return true;
-  if (suffix.front() == '_') suffix.remove_prefix(1);
-  for (const std::string_view known : {"ext", "proc", "ptr", "func", "fn", "fp"}) {
-    const auto same = [](char a, char b) { return (a >= 'A' && a <= 'Z' ? a - 'A' + 'a' : a) == b; };
-    if (std::equal(suffix.begin(), suffix.end(), known.begin(), known.end(), same)) return true;
-  }
-  return false;
 }
 
 constexpr std::array<std::string_view, 15> kRegisterNames{"GL_ZERO",
@@ -163,18 +169,22 @@ std::string_view at(const std::array<std::string_view, N>& names, Word word) {
 
 std::optional<gl::GLenum> value_of_name(std::string_view name) {
   const auto* const found = std::find_if(kNames.begin(), kNames.end(), [&](const Name& n) { return n.name == name; });
-  return found != kNames.end() ? std::optional(found->value) : texture_of_name(name);
+  if (found != kNames.end()) return found->value;
+  const auto* const other = std::find_if(kOthers.begin(), kOthers.end(), [&](const Name& n) { return n.name == name; });
+  return other != kOthers.end() ? std::optional(other->value) : texture_of_name(name);
 }
 
-const GlSignature* find_gl_call(std::string_view name) {
-  constexpr std::size_t kLongest = 64;
-  if (name.size() > kLongest) return nullptr;
-  for (const GlSignature& call : kCalls) {
-    const std::size_t at = name.find(call.name);
-    if (at == std::string_view::npos || !is_call_prefix(name.substr(0, at))) continue;
-    if (is_call_suffix(name.substr(at + call.name.size()))) return &call;
+std::span<const GlSignature> gl_calls() {
+  return kCalls;
+}
+
+std::vector<std::string_view> gl_names() {
+  std::vector<std::string_view> names;
+  for (const Name& name : kNames) {
+    if (name.name.starts_with("GL_")) names.push_back(name.name);
   }
-  return nullptr;
+  names.insert(names.end(), {"GL_TEXTURE0_ARB", "GL_TEXTURE1_ARB", "GL_TEXTURE2_ARB", "GL_TEXTURE3_ARB"});
+  return names;
 }
 
 std::string_view gl_name(Register reg) {

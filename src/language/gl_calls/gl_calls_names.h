@@ -2,7 +2,9 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string_view>
+#include <vector>
 
 #include "ninebit/language/gl_nv.h"
 
@@ -33,8 +35,11 @@ struct GlSignature {
   std::string_view parameters;
 };
 
-// The call that a name means: GL's name or that of a function pointer (docs/languages.md); nullptr: none.
-[[nodiscard]] const GlSignature* find_gl_call(std::string_view name);
+// All calls that are read.
+[[nodiscard]] std::span<const GlSignature> gl_calls();
+
+// The names of enumerants of the combiners, for suggestions.
+[[nodiscard]] std::vector<std::string_view> gl_names();
 
 // The C name of an enumerator; "0xFFFFFFFF", which GL refuses, for a value that is not an enumerator.
 [[nodiscard]] std::string_view gl_name(Register reg);

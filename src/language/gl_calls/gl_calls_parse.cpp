@@ -9,10 +9,13 @@
 #include "src/language/gl_calls/gl_calls_execute.h"
 #include "src/language/gl_calls/gl_calls_lexer.h"
 #include "src/language/gl_calls/gl_calls_names.h"
+#include "src/language/gl_calls/gl_calls_spelling.h"
+#include "src/language/source/foreign_language.h"
 
 namespace ninebit {
 namespace {
 
+using detail::element_type;
 using detail::GlArgument;
 using detail::GlElement;
 using detail::GlLexer;
@@ -20,12 +23,6 @@ using detail::GlSignature;
 using detail::GlToken;
 using detail::quoted;
 using detail::read_gl_number;
-
-std::optional<GlElement> element_type(std::string_view name) {
-  if (name == "GLfloat" || name == "GLclampf" || name == "float") return GlElement::real;
-  if (name == "GLint" || name == "int") return GlElement::integer;
-  return std::nullopt;
-}
 
 constexpr std::size_t kMostValues = 1024;
 constexpr std::size_t kReadValues = 4;  // the most that GL reads of an array
@@ -59,12 +56,30 @@ class Parser {
       return true;
     }
     if (token.kind != GlToken::Kind::name) return expected("a GL call");
+    const bool qualified = qualifier();
     if (const GlSignature* const call = detail::find_gl_call(token.text)) return call_statement(*call);
+    if (qualified) return unknown_call(lexer_.take());
     if (token.is("static") || token.is("const") || element_type(token.text)) return declaration();
-    const GlToken name = lexer_.take();
-    faults_.add(name.offset, lexer_.peek().is('(') ? quoted(name.text) + " is not a call of the register combiners"
-                                                   : "expected a GL call, found " + quoted(name.text));
+    return unknown_call(lexer_.take());
+  }
+
+  bool unknown_call(const GlToken& name) {
+    const std::string meant = detail::meant_call(name.text);
+    faults_.add(name.offset, (lexer_.peek().is('(') ? quoted(name.text) + " is not a call of the register combiners"
+                                                    : "expected a GL call, found " + quoted(name.text)) +
+                                 meant);
     return false;
+  }
+
+  // Skips gl., ext->, vtkgl:: and the like before a name; whether there was one.
+  bool qualifier() {
+    bool found = false;
+    while (lexer_.peek().kind == GlToken::Kind::name && lexer_.next_is_member()) {
+      lexer_.take();
+      lexer_.take();
+      found = true;
+    }
+    return found;
   }
 
   bool call_statement(const GlSignature& call) {
@@ -230,11 +245,14 @@ class Parser {
       return Read::unknown;
     }
     if (token.kind != GlToken::Kind::name) return expected("an enumerant or a number") ? Read::done : Read::broken;
+    const bool qualified = qualifier();
     const GlToken name = lexer_.take();
-    const auto value = detail::value_of_name(name.text);
+    auto value = detail::value_of_name(name.text);
+    if (!value) value = detail::value_of_spelling(name.text, qualified);
     if (!value) {
-      faults_.add(name.offset,
-                  quoted(name.text) + " is neither an enumerant of the register combiners nor a declared array");
+      faults_.add(name.offset, quoted(name.text) +
+                                   " is neither an enumerant of the register combiners nor a declared array" +
+                                   detail::meant_enumerant(name.text));
       return Read::unknown;
     }
     out.integer = *value;
@@ -288,7 +306,12 @@ class Parser {
 Parsed<CombinerState> parse_gl_calls(const SourceText& source, const HardwareProfile& profile) {
   detail::SourceFaults faults(source);
   if (detail::too_long(source, faults)) return {std::nullopt, faults.take()};
-  return Parser(source, profile).parse();
+  Parsed<CombinerState> parsed = Parser(source, profile).parse();
+  if (parsed) return parsed;
+  const std::string_view language = foreign_language(source.text);
+  if (language.empty()) return parsed;
+  faults.add(0, cannot_run(language));
+  return {std::nullopt, faults.take()};
 }
 
 }  // namespace ninebit

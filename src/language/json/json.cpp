@@ -2,9 +2,11 @@
 #include "ninebit/language/json.h"
 
 #include <array>
+#include <utility>
 
 #include "ninebit/combiner/validate.h"
 #include "src/language/json/json_reader.h"
+#include "src/language/source/nearest_name.h"
 
 namespace ninebit {
 namespace {
@@ -32,9 +34,10 @@ class ProgramReader {
   ProgramReader(std::string_view text, TextFaults& faults) : read_(text, faults) {}
 
   CombinerState read(const Value& root) {
-    if (!read_.object(root, {"ninebit", "version", "num_general_combiners", "color_sum_clamp", "per_stage_constants",
-                             "mux_by_lowest_bit", "color_sum_invert_spare0", "color_sum_invert_secondary",
-                             "constant_color0", "constant_color1", "general_combiners", "final_combiner"})) {
+    if (!read_.object(root,
+                      {"ninebit", "version", "num_general_combiners", "color_sum_clamp", "per_stage_constants",
+                       "mux_by_lowest_bit", "color_sum_invert_spare0", "color_sum_invert_secondary", "constant_color0",
+                       "constant_color1", "general_combiners", "final_combiner", "other_words"})) {
       return state_;
     }
     read_.heading(root, "program", true);
@@ -63,8 +66,11 @@ class ProgramReader {
     with(root, "constant_color1", [&](const Value& value) { color(value, state_.constant1); });
     with(root, "general_combiners", [&](const Value& value) { stages(value); });
     with(root, "final_combiner", [&](const Value& value) { final_combiner(value); });
+    with(root, "other_words", [&](const Value& value) { other_words(value); });
     return state_;
   }
+
+  [[nodiscard]] std::vector<RegisterWord> take_other_words() { return std::move(other_words_); }
 
   // The place in the text that a diagnostic refers to.
   [[nodiscard]] TextPlace place_of(const StateDiagnostic& found) const {
@@ -176,6 +182,21 @@ class ProgramReader {
     }
   }
 
+  void other_words(const Value& value) {
+    if (value.type != Type::object) return read_.wrong_type(value, "an object");
+    for (const Value& child : value.children) {
+      const std::optional<std::uint32_t> word = json::word_of(child);
+      if (std::find(kOtherWordNames.begin(), kOtherWordNames.end(), child.key) == kOtherWordNames.end()) {
+        read_.fault(child.key_offset, "unknown word " + json::in_quotes(child.key) + "; expected PSTextureModes, …" +
+                                          did_you_mean(child.key, kOtherWordNames));
+      } else if (!word) {
+        read_.fault(child.offset, child.key + " must be a string such as \"0x00000021\" or a whole number below 2^32");
+      } else {
+        other_words_.push_back({child.key, *word, read_.place(child.key_offset)});
+      }
+    }
+  }
+
   template <class Enum>
   void name(const Value& value, std::span<const Enum> allowed, std::string_view what, Enum& into) {
     read_.name<Enum>(value, allowed, what, into);
@@ -186,11 +207,13 @@ class ProgramReader {
   std::size_t count_ = 0, per_stage_ = 0, mux_ = 0, inverts_ = 0;
   std::array<std::array<std::array<std::size_t, 5>, 2>, kMaxGeneralCombiners> general_{};
   std::array<std::size_t, 7> final_{};
+  std::vector<RegisterWord> other_words_;
 };
 
 }  // namespace
 
-Parsed<CombinerState> parse_json_program(const SourceText& source, const HardwareProfile& profile) {
+Parsed<CombinerState> parse_json_program(const SourceText& source, const HardwareProfile& profile,
+                                         std::vector<RegisterWord>* other_words) {
   TextFaults faults(source.file);
   if (too_long(source.text, faults)) return {std::nullopt, faults.take()};
   const std::optional<Value> root = json::read_tree(source.text, faults);
@@ -201,6 +224,7 @@ Parsed<CombinerState> parse_json_program(const SourceText& source, const Hardwar
     faults.add(reader.place_of(found), found.message, found.gl_error);
   }
   if (!faults.empty()) return {std::nullopt, faults.take()};
+  if (other_words != nullptr) *other_words = reader.take_other_words();
   return {state, {}};
 }
 

@@ -2,6 +2,7 @@
 #include <charconv>
 
 #include "ninebit/language/json.h"
+#include "src/language/register_words/register_words_layout.h"
 
 namespace ninebit {
 namespace {
@@ -61,7 +62,7 @@ std::string stage_text(const GeneralCombiner& stage) {
 
 }  // namespace
 
-std::string print_json_program(const CombinerState& state) {
+std::string print_json_program(const CombinerState& state, std::span<const RegisterWord> other_words) {
   std::string text = "{\n  \"ninebit\": \"program\",\n  \"version\": 1,\n";
   text += "  \"num_general_combiners\": " + std::to_string(state.num_general_combiners) + ",\n";
   text += "  " + member("color_sum_clamp", state.color_sum_clamp) + ",\n";
@@ -83,6 +84,11 @@ std::string print_json_program(const CombinerState& state) {
   const CombinerInput* const inputs[] = {&f.a, &f.b, &f.c, &f.d, &f.e, &f.f, &f.g};
   for (std::size_t i = 0; i < 7; ++i) {
     text += std::string("    \"") + static_cast<char>('a' + i) + "\": " + object(*inputs[i]) + (i < 6 ? ",\n" : "\n");
+  }
+  if (other_words.empty()) return text + "  }\n}\n";
+  text += "  },\n  \"other_words\": {\n";
+  for (const RegisterWord& word : other_words) {
+    text += "    " + member(word.name, words::hex_text(word.value)) + (&word == &other_words.back() ? "\n" : ",\n");
   }
   return text + "  }\n}\n";
 }

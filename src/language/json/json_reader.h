@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstdint>
 #include <initializer_list>
 #include <optional>
 #include <span>
@@ -13,6 +14,9 @@
 // Exported because effects, in a shared library of their own, are read with it.
 namespace ninebit {
 namespace NINEBIT_PUBLIC json {
+
+// The 32 bits of a string "0x…" or of a whole number; empty if the value is neither or does not fit.
+[[nodiscard]] std::optional<std::uint32_t> word_of(const Value& value);
 
 class Reader {
  public:

@@ -1,4 +1,5 @@
 // Register words as a JSON object.
+#include <algorithm>
 #include <charconv>
 
 #include "ninebit/language/json.h"
@@ -6,13 +7,12 @@
 #include "src/language/register_words/register_words_layout.h"
 
 namespace ninebit {
-namespace {
 
 using json::Type;
 using json::Value;
 
-// The 32 bits of a string "0x…" or of a whole number.
-std::optional<std::uint32_t> word_of(const Value& value) {
+std::optional<std::uint32_t> json::word_of(const Value& value) {
+  if (value.type != Type::string && value.type != Type::number) return std::nullopt;
   std::string_view digits = value.text;
   int base = 10;
   if (value.type == Type::string) {
@@ -26,10 +26,9 @@ std::optional<std::uint32_t> word_of(const Value& value) {
   return word;
 }
 
-}  // namespace
-
 Parsed<CombinerState> parse_json_register_words(const SourceText& source, ChipClass chip,
-                                                const HardwareProfile& profile) {
+                                                const HardwareProfile& profile,
+                                                std::vector<RegisterWord>* other_words) {
   TextFaults faults(source.file);
   if (too_long(source.text, faults)) return {std::nullopt, faults.take()};
   const std::optional<Value> root = json::read_tree(source.text, faults);
@@ -50,8 +49,7 @@ Parsed<CombinerState> parse_json_register_words(const SourceText& source, ChipCl
       continue;
     }
     const bool name_is_text = json::in_quotes(child.key) == '"' + child.key + '"';
-    const std::optional<std::uint32_t> word =
-        child.type == Type::string || child.type == Type::number ? word_of(child) : std::nullopt;
+    const std::optional<std::uint32_t> word = json::word_of(child);
     if (!name_is_text) {
       reader.fault(child.key_offset, json::in_quotes(child.key) + " is not a register word");
     } else if (!word) {
@@ -60,19 +58,24 @@ Parsed<CombinerState> parse_json_register_words(const SourceText& source, ChipCl
       found.push_back({child.key, *word, reader.place(child.key_offset)});
     }
   }
-  Parsed<CombinerState> decoded = decode_register_words(found, source.file, chip, profile);
+  Parsed<CombinerState> decoded = decode_register_words(found, source.file, chip, profile, other_words);
   if (faults.empty()) return decoded;
   faults.add(decoded.faults);
   return {std::nullopt, faults.take()};
 }
 
 Result<std::string> print_json_register_words(const CombinerState& state, ChipClass chip,
-                                              const HardwareProfile& profile) {
+                                              const HardwareProfile& profile,
+                                              std::span<const RegisterWord> other_words) {
   const auto words = encode_register_words(state, chip, profile);
   if (!words) return words.error();
   std::string text = "{\n  \"ninebit\": \"register_words\",\n  \"version\": 1,\n  \"chip\": \"";
   text += std::string(name_of(chip)) + '"';
-  for (const RegisterWord& word : *words) text += ",\n  \"" + word.name + "\": \"" + words::hex_text(word.value) + '"';
+  const auto add = [&](const RegisterWord& word) {
+    text += ",\n  \"" + word.name + "\": \"" + words::hex_text(word.value) + '"';
+  };
+  std::for_each(words->begin(), words->end(), add);
+  if (chip == ChipClass::nv20) std::for_each(other_words.begin(), other_words.end(), add);
   return text + "\n}\n";
 }
 

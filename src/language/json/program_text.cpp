@@ -1,9 +1,14 @@
 #include "ninebit/language/program_text.h"
 
+#include <utility>
+
 #include "ninebit/language/gl_calls.h"
 #include "ninebit/language/json.h"
 #include "ninebit/language/rc10.h"
+#include "ninebit/language/register_log.h"
+#include "ninebit/language/xbox_pixel_shader.h"
 #include "src/language/json/text_kind.h"
+#include "src/language/source/string_literals.h"
 
 namespace ninebit {
 namespace {
@@ -14,34 +19,81 @@ ProgramForm form_of_object(std::string_view text) {
   return said.empty() || said == "register_words" ? ProgramForm::words_json : ProgramForm::json;
 }
 
+// The form of a program in string literals, which the text begins with.
+ProgramForm form_of_literals(std::string_view text) {
+  const std::size_t end = end_of_literals(text, LiteralStyle::c, 0);
+  const LiteralText program({text, {}}, LiteralStyle::c, 0, end);
+  const std::string_view content = without_heading(program.source().text);
+  return content.starts_with('"') ? ProgramForm::gl : form_of(content);
+}
+
 }  // namespace
 
 ProgramForm form_of(std::string_view text) {
   const std::string_view content = without_heading(text);
-  if (content.starts_with("!!RC1.0")) return ProgramForm::rc10;
-  if (content.starts_with('{') || content.starts_with('[')) return form_of_object(content);
-  return is_assignment(content) ? ProgramForm::words : ProgramForm::gl;
+  if (content.starts_with("!!")) return ProgramForm::rc10;
+  const bool definition = is_xbox_pixel_shader(text);
+  // A log's lines may begin with a time in brackets.
+  if (content.starts_with('{') || (content.starts_with('[') && !is_register_log(text))) {
+    return definition ? ProgramForm::xbox : form_of_object(content);
+  }
+  if (is_assignment(content)) return definition ? ProgramForm::xbox : ProgramForm::words;
+  if (is_source_code(text)) return ProgramForm::source;
+  // Both may be columns of numbers; few of them have as many as a definition.
+  if (is_register_log(text) && !(definition && parse_xbox_pixel_shader({text, ""}, profiles::nv2a))) {
+    return ProgramForm::log;
+  }
+  if (definition) return ProgramForm::xbox;
+  return content.starts_with('"') || content.starts_with("R\"") ? form_of_literals(content) : ProgramForm::gl;
 }
 
 ChipClass chip_of(const HardwareProfile& profile) {
   return profile.per_stage_constants ? ChipClass::nv20 : ChipClass::nv10;
 }
 
-Parsed<CombinerState> parse_program(const SourceText& source, ProgramForm form, ChipClass chip,
-                                    const HardwareProfile& profile) {
+namespace {
+
+Parsed<CombinerState> parse_log(const SourceText& source, const HardwareProfile& profile, const ReadOptions& options,
+                                std::vector<RegisterWord>& other_words) {
+  auto log = parse_register_log(source, {.chip = options.chip, .fallback = chip_of(profile)});
+  if (!log) return {std::nullopt, std::move(log.faults), std::move(log.notes)};
+  auto state = program_of(*log.value, options.setup, source.file, profile, &other_words);
+  state.notes.insert(state.notes.begin(), log.notes.begin(), log.notes.end());
+  return state;
+}
+
+Parsed<CombinerState> parse_state(const SourceText& source, ProgramForm form, const HardwareProfile& profile,
+                                  const ReadOptions& options, std::vector<RegisterWord>& other_words) {
   switch (form) {
     case ProgramForm::gl:
       return parse_gl_calls(source, profile);
+    case ProgramForm::source:
+      return parse_source_code(source, options.source, profile);
     case ProgramForm::rc10:
       return parse_rc10(source, profile);
     case ProgramForm::words:
-      return parse_register_words(source, chip, profile);
+      return parse_register_words(source, options.chip.value_or(chip_of(profile)), profile, &other_words);
     case ProgramForm::words_json:
-      return parse_json_register_words(source, chip, profile);
+      return parse_json_register_words(source, options.chip.value_or(chip_of(profile)), profile, &other_words);
     case ProgramForm::json:
-      return parse_json_program(source, profile);
+      return parse_json_program(source, profile, &other_words);
+    case ProgramForm::xbox:
+      return parse_xbox_pixel_shader(source, profile, &other_words);
+    case ProgramForm::log:
+      return parse_log(source, profile, options, other_words);
   }
   return {};
+}
+
+}  // namespace
+
+Parsed<TextProgram> parse_program(const SourceText& source, ProgramForm form, const HardwareProfile& profile,
+                                  const ReadOptions& options) {
+  std::vector<RegisterWord> other_words;
+  Parsed<CombinerState> state = parse_state(source, form, profile, options, other_words);
+  Parsed<TextProgram> program{std::nullopt, std::move(state.faults), std::move(state.notes)};
+  if (state) program.value = TextProgram{*state.value, std::move(other_words)};
+  return program;
 }
 
 }  // namespace ninebit

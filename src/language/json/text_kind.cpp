@@ -35,7 +35,10 @@ bool is_assignment(std::string_view text) {
     return std::isalnum(c) != 0 || std::string_view("_[]()").find(static_cast<char>(c)) != std::string_view::npos;
   };
   while (i < text.size() && is_name(static_cast<unsigned char>(text[i]))) ++i;
-  return i > 0 && after_space(text.substr(i)).starts_with('=');
+  text = after_space(text.substr(i));
+  if (i == 0 || !text.starts_with('=')) return false;
+  text = after_space(text.substr(1));
+  return text.empty() || std::isdigit(static_cast<unsigned char>(text.front())) != 0 || text.front() == '\n';
 }
 
 std::string_view json_kind(std::string_view text) {

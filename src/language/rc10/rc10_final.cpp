@@ -36,7 +36,8 @@ bool Rc10Final::read_operand(Rc10Reader& in, Operand& out, Of of) {
   const Rc10Token token = in.lexer.peek();
   if (token.is('-') || token.is("expand") || token.is("half_bias")) {
     in.faults.add(token.offset,
-                  "the final combiner has only the mappings unsigned and unsigned_invert, not " + quoted(token.text));
+                  "the final combiner has only the mappings unsigned and unsigned_invert, not " + quoted(token.text),
+                  GlError::invalid_enum);
     return false;
   }
   const bool invert = token.is("unsigned_invert");

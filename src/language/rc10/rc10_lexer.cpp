@@ -1,7 +1,6 @@
 #include "src/language/rc10/rc10_lexer.h"
 
 #include <algorithm>
-#include <array>
 
 #include "src/language/source/source_blanks.h"
 
@@ -21,10 +20,15 @@ std::size_t run_of_digits(std::string_view text) {
 
 }  // namespace
 
+std::optional<Register> rc10_name(std::string_view word) {
+  const auto* const found =
+      std::find_if(kRc10Names.begin(), kRc10Names.end(), [&](const Rc10Name& n) { return n.name == word; });
+  return found == kRc10Names.end() ? std::nullopt : std::optional(found->reg);
+}
+
 bool takes_rc10_suffix(std::string_view word) {
-  constexpr std::array<std::string_view, 13> kNames{"fog",  "col0", "col1", "spare0", "spare1", "tex0",  "tex1",
-                                                    "tex2", "tex3", "zero", "one",    "const0", "const1"};
-  return std::find(kNames.begin(), kNames.end(), word) != kNames.end();
+  const auto reg = rc10_name(word);
+  return reg && *reg < Register::e_times_f;
 }
 
 Rc10Token Rc10Lexer::take() {

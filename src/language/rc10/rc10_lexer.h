@@ -1,9 +1,12 @@
 // The tokens of !!RC1.0.
 #pragma once
 
+#include <array>
 #include <cstddef>
+#include <optional>
 #include <string_view>
 
+#include "ninebit/combiner/registers.h"
 #include "src/language/source/source_blanks.h"
 #include "src/language/source/source_faults.h"
 
@@ -26,6 +29,38 @@ struct Rc10Token {
   [[nodiscard]] bool is(char c) const { return kind == Kind::punctuation && text.front() == c; }
   [[nodiscard]] bool is(std::string_view word) const { return kind == Kind::word && text == word; }
 };
+
+// The names of registers. The last seven are those of the Xbox's tools.
+struct Rc10Name {
+  std::string_view name;
+  Register reg;
+};
+inline constexpr std::array kRc10Names{Rc10Name{"fog", Register::fog},
+                                       Rc10Name{"col0", Register::primary},
+                                       Rc10Name{"col1", Register::secondary},
+                                       Rc10Name{"spare0", Register::spare0},
+                                       Rc10Name{"spare1", Register::spare1},
+                                       Rc10Name{"tex0", Register::texture0},
+                                       Rc10Name{"tex1", Register::texture1},
+                                       Rc10Name{"tex2", Register::texture2},
+                                       Rc10Name{"tex3", Register::texture3},
+                                       Rc10Name{"const0", Register::constant0},
+                                       Rc10Name{"const1", Register::constant1},
+                                       Rc10Name{"zero", Register::zero},
+                                       Rc10Name{"one", Register::zero},
+                                       Rc10Name{"discard", Register::discard},
+                                       Rc10Name{"color_sum", Register::spare0_plus_secondary},
+                                       Rc10Name{"final_product", Register::e_times_f},
+                                       Rc10Name{"color", Register::primary},
+                                       Rc10Name{"color0", Register::primary},
+                                       Rc10Name{"color1", Register::secondary},
+                                       Rc10Name{"texture0", Register::texture0},
+                                       Rc10Name{"texture1", Register::texture1},
+                                       Rc10Name{"texture2", Register::texture2},
+                                       Rc10Name{"texture3", Register::texture3}};
+
+// The register of a name without suffix; empty: none.
+[[nodiscard]] std::optional<Register> rc10_name(std::string_view word);
 
 // Whether a word is the name of a register that can have a suffix: tex0, but not discard or color_sum.
 [[nodiscard]] bool takes_rc10_suffix(std::string_view word);

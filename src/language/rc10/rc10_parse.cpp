@@ -1,10 +1,14 @@
+#include <algorithm>
 #include <array>
 #include <optional>
 #include <string>
 
 #include "ninebit/language/rc10.h"
 #include "src/language/rc10/rc10_parser.h"
+#include "src/language/rc10/rc10_parts.h"
+#include "src/language/source/foreign_language.h"
 #include "src/language/source/source_blanks.h"
+#include "src/language/source/string_literals.h"
 
 namespace ninebit {
 namespace {
@@ -37,6 +41,9 @@ class Parser {
   bool part() {
     const Rc10Token token = in_.lexer.peek();
     if (token.is("const0") || token.is("const1")) {
+      // The Xbox's tools: constants after the general combiners are those of the final combiner.
+      if (phase_ == Phase::stages && profile_.per_stage_constants)
+        return detail::read_rc10_constant(in_, finals_, "final");
       enter(Phase::constants, token, "constants must come before the general combiners");
       return detail::read_rc10_constant(in_, globals_, "global");
     }
@@ -92,11 +99,10 @@ class Parser {
     const auto set = [](ColorF& to, const std::optional<ColorF>& color) {
       if (color) to = *color;
     };
-    set(state_.constant0, globals_.color[0]);
-    set(state_.constant1, globals_.color[1]);
-    for (const Rc10Constants& local : locals_) {
-      if (local.color[0] || local.color[1]) state_.per_stage_constants = true;
-    }
+    const auto has_any = [](const Rc10Constants& constants) { return constants.color[0] || constants.color[1]; };
+    set(state_.constant0, finals_.color[0] ? finals_.color[0] : globals_.color[0]);
+    set(state_.constant1, finals_.color[1] ? finals_.color[1] : globals_.color[1]);
+    state_.per_stage_constants = has_any(finals_) || std::any_of(locals_.begin(), locals_.end(), has_any);
     for (std::size_t i = 0; state_.per_stage_constants && i < static_cast<std::size_t>(stages_); ++i) {
       GeneralCombiner& stage = state_.general[i];
       set(stage.constant0, locals_[i].color[0] ? locals_[i].color[0] : globals_.color[0]);
@@ -112,13 +118,17 @@ class Parser {
   detail::SourceFaults faults_;
   Rc10Reader in_;
   CombinerState state_;
-  Rc10Constants globals_;
+  Rc10Constants globals_, finals_;
   std::array<Rc10Constants, kMaxGeneralCombiners> locals_;
   Rc10Final final_;
   Phase phase_ = Phase::constants;
   int stages_ = 0;
   bool too_many_ = false;
 };
+
+bool has_rc10_part(std::string_view text) {
+  return text.find(detail::kRc10Header) != std::string_view::npos;
+}
 
 // The specification requires the header at the very beginning, but real files have comments before it. A missing header
 // is a fault.
@@ -133,10 +143,32 @@ bool begins_with_header(std::string_view text, detail::SourceFaults& faults) {
 }  // namespace
 
 Parsed<CombinerState> parse_rc10(const SourceText& source, const HardwareProfile& profile) {
-  detail::SourceFaults faults(source);
+  detail::SourceFaults faults(source), notes(source);
   if (detail::too_long(source, faults)) return {std::nullopt, faults.take()};
-  if (!begins_with_header(source.text, faults)) return {std::nullopt, faults.take()};
-  return Parser(source, profile).parse();
+  // As it stands in a source: in string literals.
+  const std::size_t quote = find_literal(source.text, "!!");
+  const std::size_t header = source.text.find("!!");
+  if (quote != std::string_view::npos && quote < header) {
+    const LiteralText program(source, LiteralStyle::c, quote, end_of_literals(source.text, LiteralStyle::c, quote));
+    return parse_rc10(program.source(), profile);
+  }
+  if (const std::string_view language = foreign_language(source.text);
+      !language.empty() && !has_rc10_part(source.text)) {
+    faults.add(0, cannot_run(language));
+    return {std::nullopt, faults.take()};
+  }
+  SourceText program = source;
+  const std::optional<std::string> kept = detail::only_rc10(source.text, faults, notes);
+  if (kept) {
+    program.text = *kept;
+    if (program.written.empty()) program.written = source.text;
+  }
+  if (!faults.empty() || !begins_with_header(program.text, faults)) {
+    return {std::nullopt, faults.take(), notes.take()};
+  }
+  Parsed<CombinerState> parsed = Parser(program, profile).parse();
+  parsed.notes = notes.take();
+  return parsed;
 }
 
 }  // namespace ninebit

@@ -2,30 +2,53 @@
 
 #include <algorithm>
 #include <array>
+#include <vector>
+
+#include "src/language/source/nearest_name.h"
 
 namespace ninebit::detail {
 namespace {
 
-struct Name {
-  std::string_view name;
-  Register reg;
-};
-constexpr std::array kNames{Name{"fog", Register::fog},
-                            Name{"col0", Register::primary},
-                            Name{"col1", Register::secondary},
-                            Name{"spare0", Register::spare0},
-                            Name{"spare1", Register::spare1},
-                            Name{"tex0", Register::texture0},
-                            Name{"tex1", Register::texture1},
-                            Name{"tex2", Register::texture2},
-                            Name{"tex3", Register::texture3},
-                            Name{"const0", Register::constant0},
-                            Name{"const1", Register::constant1},
-                            Name{"zero", Register::zero},
-                            Name{"one", Register::zero},
-                            Name{"discard", Register::discard},
-                            Name{"color_sum", Register::spare0_plus_secondary},
-                            Name{"final_product", Register::e_times_f}};
+// Everything that a statement may begin with or name, for suggestions.
+constexpr std::array kKeywords{"rgb",
+                               "alpha",
+                               "expand",
+                               "half_bias",
+                               "unsigned",
+                               "unsigned_invert",
+                               "mux",
+                               "sum",
+                               "lerp",
+                               "clamp_color_sum",
+                               "out.rgb",
+                               "out.a",
+                               "bias_by_negative_one_half_scale_by_two",
+                               "bias_by_negative_one_half",
+                               "scale_by_one_half",
+                               "scale_by_two",
+                               "scale_by_four"};
+
+// "; did you mean 'spare0'?" A suffix is kept: for 'spar0.a', 'spare0.a'.
+std::string suggestion(std::string_view word) {
+  std::vector<std::string> names(kKeywords.begin(), kKeywords.end());
+  const std::size_t dot = std::min(word.find('.'), word.size());
+  std::string_view suffix = word.substr(dot);
+  if (suffix == ".alpha") suffix = ".a";
+  if (suffix == ".blue") suffix = ".b";
+  const bool has_suffix = suffix == ".rgb" || suffix == ".a" || suffix == ".b";
+  for (const Rc10Name& name : kRc10Names) {
+    if (name.reg == Register::spare0_plus_secondary || name.reg == Register::e_times_f || !has_suffix) {
+      names.emplace_back(name.name);
+    } else {
+      names.push_back(std::string(name.name) + std::string(suffix));
+    }
+  }
+  const std::string meant = std::string(word.substr(0, dot)) + std::string(suffix);
+  if (meant != word && std::find(names.begin(), names.end(), meant) != names.end()) {
+    return "; did you mean '" + meant + "'?";
+  }
+  return did_you_mean(word, names);
+}
 
 }  // namespace
 
@@ -34,9 +57,9 @@ std::optional<Rc10Register> rc10_register(const Rc10Token& token) {
   Rc10Register out{.offset = token.offset, .text = token.text};
   const std::size_t dot = std::min(token.text.find('.'), token.text.size());
   const std::string_view name = token.text.substr(0, dot), suffix = token.text.substr(dot);
-  const auto* const found = std::find_if(kNames.begin(), kNames.end(), [&](const Name& n) { return n.name == name; });
-  if (found == kNames.end()) return std::nullopt;
-  out.reg = found->reg;
+  const std::optional<Register> reg = rc10_name(name);
+  if (!reg) return std::nullopt;
+  out.reg = *reg;
   out.is_one = name == "one";
   if (suffix == ".rgb") {
     out.suffix = Rc10Suffix::rgb;
@@ -96,7 +119,11 @@ bool Rc10Reader::expect(std::initializer_list<char> all) {
 bool Rc10Reader::expected(const std::string& what) {
   const Rc10Token& token = lexer.peek();
   if (token.kind != Rc10Token::Kind::end) {
-    faults.add(token.offset, "expected " + what + ", found " + quoted(token.text));
+    const bool known =
+        rc10_register(token) || std::find(kKeywords.begin(), kKeywords.end(), token.text) != kKeywords.end();
+    const bool misspelled = token.kind == Rc10Token::Kind::word && !known;
+    faults.add(token.offset, "expected " + what + ", found " + quoted(token.text) +
+                                 (misspelled ? suggestion(token.text) : std::string()));
   } else if (!lexer.cut_short()) {
     faults.add(token.offset, "expected " + what + ", but the text ends");
   }

@@ -65,7 +65,7 @@ class PortionReader {
       return in_.expect({'(', ')'}) && in_.end_of_statement();
     }
     const auto to = rc10_register(token);
-    if (!to || is_final_only(to->reg)) return in_.expected("a register to write, or a scale");
+    if (!to) return in_.expected("a register to write, or a scale");
     in_.lexer.take();
     check_destination(*to);
     if (!in_.expect('=')) return false;
@@ -112,7 +112,9 @@ class PortionReader {
     const bool writable = to.reg == Register::discard || to.reg == Register::primary || to.reg == Register::secondary ||
                           to.reg == Register::spare0 || to.reg == Register::spare1 || is_texture(to.reg);
     if (!writable) {
-      in_.faults.add(to.offset, quoted(to.text) + " is read-only", GlError::invalid_enum);
+      in_.faults.add(to.offset,
+                     quoted(to.text) + (is_final_only(to.reg) ? " belongs to the final combiner" : " is read-only"),
+                     GlError::invalid_enum);
       return;
     }
     check_register(to, false);
@@ -200,10 +202,13 @@ class PortionReader {
 
   bool read_register(CombinerInput& out, InputMapping mapping) {
     const auto reg = rc10_register(in_.lexer.peek());
-    if (!reg || is_final_only(reg->reg)) return in_.expected("a register to read");
+    if (!reg) return in_.expected("a register to read");
     in_.lexer.take();
-    if (reg->reg == Register::discard) {
-      in_.faults.add(reg->offset, "discard cannot be read", GlError::invalid_enum);
+    if (reg->reg == Register::discard || is_final_only(reg->reg)) {
+      in_.faults.add(reg->offset,
+                     reg->reg == Register::discard ? "discard cannot be read"
+                                                   : quoted(reg->text) + " can be read by the final combiner alone",
+                     GlError::invalid_enum);
       return true;
     }
     check_register(*reg, true);

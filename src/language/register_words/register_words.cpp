@@ -1,6 +1,7 @@
 // Parses and prints `NAME = 0x…` lines.
 #include "ninebit/language/register_words.h"
 
+#include <algorithm>
 #include <charconv>
 
 #include "src/language/register_words/register_words_faults.h"
@@ -111,7 +112,8 @@ class Line {
 
 }  // namespace
 
-Parsed<CombinerState> parse_register_words(const SourceText& source, ChipClass chip, const HardwareProfile& profile) {
+Parsed<CombinerState> parse_register_words(const SourceText& source, ChipClass chip, const HardwareProfile& profile,
+                                           std::vector<RegisterWord>* other_words) {
   TextFaults faults(source.file);
   if (too_long(source.text, faults)) return {std::nullopt, faults.take()};
   // With more words than the chip has, some are repeated; reading on would only repeat that fault.
@@ -124,17 +126,20 @@ Parsed<CombinerState> parse_register_words(const SourceText& source, ChipClass c
     if (std::optional<RegisterWord> word = Line(line, number, faults).read()) found.push_back(std::move(*word));
     start = end + 1;
   }
-  Parsed<CombinerState> decoded = decode_register_words(found, source.file, chip, profile);
+  Parsed<CombinerState> decoded = decode_register_words(found, source.file, chip, profile, other_words);
   if (faults.empty()) return decoded;
   faults.add(decoded.faults);
   return {std::nullopt, faults.take()};
 }
 
-Result<std::string> print_register_words(const CombinerState& state, ChipClass chip, const HardwareProfile& profile) {
+Result<std::string> print_register_words(const CombinerState& state, ChipClass chip, const HardwareProfile& profile,
+                                         std::span<const RegisterWord> other_words) {
   const auto words = encode_register_words(state, chip, profile);
   if (!words) return words.error();
   std::string text;
-  for (const RegisterWord& word : *words) text += word.name + " = " + words::hex_text(word.value) + '\n';
+  const auto add = [&](const RegisterWord& word) { text += word.name + " = " + words::hex_text(word.value) + '\n'; };
+  std::for_each(words->begin(), words->end(), add);
+  if (chip == ChipClass::nv20) std::for_each(other_words.begin(), other_words.end(), add);
   return text;
 }
 

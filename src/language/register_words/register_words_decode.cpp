@@ -1,9 +1,11 @@
 // Decodes words to a state. Checks first what the chip refuses, word by word, then what OpenGL refuses.
 #include <algorithm>
+#include <utility>
 
 #include "ninebit/combiner/validate.h"
 #include "src/language/register_words/register_words_faults.h"
 #include "src/language/register_words/register_words_layout.h"
+#include "src/language/register_words/register_words_other.h"
 
 namespace ninebit {
 namespace words {
@@ -29,6 +31,7 @@ class Decoder {
   // Stores the words by their slots; an unknown or repeated name is a fault.
   void collect(std::span<const RegisterWord> given) {
     for (const RegisterWord& word : given) {
+      if (other_words_.take(word, chip_, faults_)) continue;
       const FoundSlot found = find_slot(word.name, chip_);
       if (!found.slot) {
         faults_.add(word.place, found.fault);
@@ -43,6 +46,8 @@ class Decoder {
       at = &word;
     }
   }
+
+  [[nodiscard]] std::vector<RegisterWord> take_other_words() { return std::move(other_words_.found); }
 
   CombinerState decode() {
     for (int i = 0; i < stages_of(chip_); ++i) {
@@ -96,7 +101,8 @@ class Decoder {
   // `gl_error` is the error that OpenGL raises for the same state; most of what a chip refuses has none.
   void fault(Slot slot, const std::string& what, GlError gl_error = GlError::no_error) {
     const RegisterWord& word = *at(slot);
-    faults_.add(word.place, canonical_name(slot, chip_) + " = " + hex_text(word.value) + ": " + what, gl_error);
+    const std::string name = word.name.starts_with("PS") ? word.name : canonical_name(slot, chip_);  // the Xbox's names
+    faults_.add(word.place, name + " = " + hex_text(word.value) + ": " + what, gl_error);
   }
 
   // Reports the bits that the chip refuses, except `but`, which have their own fault.
@@ -290,6 +296,7 @@ class Decoder {
   ChipClass chip_;
   TextFaults& faults_;
   std::array<std::array<const RegisterWord*, kMaxGeneralCombiners>, kKinds> words_{};
+  OtherWords other_words_;
   CombinerState state_{};
 };
 
@@ -297,7 +304,7 @@ class Decoder {
 }  // namespace words
 
 Parsed<CombinerState> decode_register_words(std::span<const RegisterWord> given, std::string_view file, ChipClass chip,
-                                            const HardwareProfile& profile) {
+                                            const HardwareProfile& profile, std::vector<RegisterWord>* other_words) {
   TextFaults faults(file);
   words::Decoder decoder(chip, faults);
   decoder.collect(given);
@@ -306,6 +313,7 @@ Parsed<CombinerState> decode_register_words(std::span<const RegisterWord> given,
     faults.add(decoder.place_of(found), found.message, found.gl_error);
   }
   if (!faults.empty()) return {std::nullopt, faults.take()};
+  if (other_words != nullptr) *other_words = decoder.take_other_words();
   return {state, {}};
 }
 

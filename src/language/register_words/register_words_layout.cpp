@@ -157,7 +157,7 @@ std::string canonical_name(Slot slot, ChipClass chip) {
   return name;
 }
 
-FoundSlot find_slot(std::string_view name, ChipClass chip) {
+std::string bare_name(std::string_view name) {
   std::string lower(name);
   std::transform(lower.begin(), lower.end(), lower.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
@@ -168,6 +168,11 @@ FoundSlot find_slot(std::string_view name, ChipClass chip) {
     break;
   }
   if (bare.starts_with("set_")) bare.remove_prefix(4);
+  return std::string(bare);
+}
+
+FoundSlot find_slot(std::string_view name, ChipClass chip) {
+  const std::string bare = bare_name(name);
   FoundSlot found = find_bare(bare, name, chip);
   if (found.slot || !found.fault.empty()) return found;
   const ChipClass other = chip == ChipClass::nv10 ? ChipClass::nv20 : ChipClass::nv10;

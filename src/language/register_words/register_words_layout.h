@@ -47,6 +47,9 @@ struct Slot {
 // The envytools name: "RC_IN_RGB[0]", "RC_FINAL0".
 [[nodiscard]] std::string canonical_name(Slot slot, ChipClass chip);
 
+// A name in lower case, without the prefix of a class and without SET_.
+[[nodiscard]] std::string bare_name(std::string_view name);
+
 // The word of a name or an alias, case-insensitive; otherwise `fault` is the message.
 struct FoundSlot {
   std::optional<Slot> slot{};

@@ -1,6 +1,8 @@
 #include "src/language/source/source_faults.h"
 
 #include <algorithm>
+#include <iterator>
+#include <tuple>
 #include <utility>
 
 namespace ninebit::detail {
@@ -9,18 +11,28 @@ void SourceFaults::add(std::size_t offset, std::string message, GlError gl_error
   if (!full()) found_.push_back({offset, std::move(message), gl_error});
 }
 
+void SourceFaults::add(TextFault fault) {
+  if (!full()) placed_.push_back(std::move(fault));
+}
+
 std::vector<TextFault> SourceFaults::take() {
   std::stable_sort(found_.begin(), found_.end(), [](const Found& a, const Found& b) { return a.offset < b.offset; });
   std::vector<TextFault> faults;
-  TextPlace place;
+  const std::string_view written = source_.written.empty() ? source_.text : source_.written;
+  TextPlace place = source_.begin;
   std::size_t from = 0;
   for (Found& found : found_) {
-    const TextPlace step = place_of(source_.text.substr(from), found.offset - from);
-    place = {place.line + step.line - 1, step.line == 1 ? place.column + step.column - 1 : step.column};
+    place = SourceText{written.substr(from), {}, {}, place}.place(found.offset - from);
     from = found.offset;
     faults.push_back({std::string(source_.file), place.line, place.column, std::move(found.message), found.gl_error});
   }
   found_.clear();
+  if (placed_.empty()) return faults;
+  faults.insert(faults.end(), std::make_move_iterator(placed_.begin()), std::make_move_iterator(placed_.end()));
+  placed_.clear();
+  std::stable_sort(faults.begin(), faults.end(), [](const TextFault& a, const TextFault& b) {
+    return std::tie(a.line, a.column) < std::tie(b.line, b.column);
+  });
   return faults;
 }
 

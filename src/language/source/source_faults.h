@@ -16,8 +16,11 @@ class SourceFaults {
   explicit SourceFaults(const SourceText& source) : source_(source) {}
 
   void add(std::size_t offset, std::string message, GlError gl_error = GlError::no_error);
-  [[nodiscard]] bool empty() const { return found_.empty(); }
-  [[nodiscard]] bool full() const { return found_.size() >= kMaxTextFaults; }
+  // Adds a fault of another reader, which has its place.
+  void add(TextFault fault);
+  [[nodiscard]] std::size_t count() const { return found_.size() + placed_.size(); }
+  [[nodiscard]] bool empty() const { return count() == 0; }
+  [[nodiscard]] bool full() const { return count() >= kMaxTextFaults; }
 
   // Returns all faults in the order of the text, with lines and columns, in one pass over the text.
   [[nodiscard]] std::vector<TextFault> take();
@@ -30,6 +33,7 @@ class SourceFaults {
   };
   SourceText source_;
   std::vector<Found> found_;
+  std::vector<TextFault> placed_;
 };
 
 // Adds a fault and returns true if the text is longer than kMaxSourceBytes.

@@ -19,6 +19,11 @@ std::string TextFault::text() const {
   return out;
 }
 
+TextPlace SourceText::place(std::size_t offset) const {
+  const TextPlace inside = place_of(written.empty() ? text : written, offset);
+  return {begin.line + inside.line - 1, inside.line == 1 ? begin.column + inside.column - 1 : inside.column};
+}
+
 TextPlace place_of(std::string_view text, std::size_t offset) {
   const std::string_view before = text.substr(0, offset);
   const std::size_t start = before.rfind('\n') + 1;  // npos + 1 is the text's beginning

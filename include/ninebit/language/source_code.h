@@ -1,0 +1,60 @@
+// Combiner programs in source files: the calls are found and executed, function by function.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "ninebit/combiner/state.h"
+#include "ninebit/language/source_text.h"
+#include "ninebit/numerics/hardware_profile.h"
+#include "ninebit/numerics/visibility.h"
+
+namespace NINEBIT_PUBLIC ninebit {
+
+// A value that a source does not give: a parameter, a member, a variable of another file, a call's result.
+struct Definition {
+  // As the source writes it, without blanks: "unit", "state.shader", "getUnit()"; -> may stand for a point.
+  std::string name{};
+  // A number, an enumerant, an expression of them, or several separated by commas: "1,0,0,1".
+  std::string value{};
+};
+
+// A function of a source that sets combiners.
+struct SourceFunction {
+  std::string name{};      // with its class, if the source gives one: "Water::setup"; "" for code outside of functions
+  int line = 0;            // where its body begins, from 1
+  bool is_helper = false;  // its calls depend on its parameters, and another function calls it
+  int calls_read = 0;      // combiner calls whose arguments are known
+  int calls_not_read = 0;  // the others, and those that are never reached
+  int calls_refused = 0;   // calls read that raise a GL error
+  std::vector<TextFault> refusals{};  // these errors
+  std::vector<std::string> needs{};   // names of values that are not known, for Definition::name
+};
+
+// What to read of a source.
+struct SourceSelection {
+  // Executed in this order on one context, by name or NAME:LINE; empty: the only one.
+  std::vector<std::string> functions{};
+  // Values that the source does not give.
+  std::vector<Definition> definitions{};
+};
+
+// The functions of a source that set combiners, in the order of the text; each is executed by itself with the profile.
+// Reads C, C++, C#, Java and Pascal, as a person would who looks for calls: docs/languages.md says what is understood.
+[[nodiscard]] std::vector<SourceFunction> find_source_functions(const SourceText& source,
+                                                                const std::vector<Definition>& definitions,
+                                                                const HardwareProfile& profile);
+
+// Executes functions of a source on a new context of the profile, and gives its state at the end. A call whose
+// arguments are not known, or of which it is not known whether it is reached, is a fault; one fault lists all names
+// that must be defined. Notes say what was skipped and what was assumed. Without a selection, a source with several
+// functions that set combiners is a fault that lists them.
+[[nodiscard]] Parsed<CombinerState> parse_source_code(const SourceText& source, const SourceSelection& selection,
+                                                      const HardwareProfile& profile);
+
+// Whether a text looks like a source file or a part of one: it has functions, control flow or preprocessor lines, and
+// names calls of the combiners.
+[[nodiscard]] bool is_source_code(std::string_view text);
+
+}  // namespace ninebit

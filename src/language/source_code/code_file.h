@@ -1,0 +1,47 @@
+// A source file as tokens, its macros expanded and its conditional parts chosen.
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "ninebit/language/source_code.h"
+#include "src/language/source/source_faults.h"
+#include "src/language/source_code/code_token.h"
+
+namespace ninebit::code {
+
+// The most tokens of a file, macros expanded.
+inline constexpr std::size_t kMostTokens = std::size_t{1} << 22;
+
+struct File {
+  std::string_view text;
+  Language language = Language::c;
+  std::vector<Token> tokens{};  // the last is Token::Kind::end
+  std::vector<std::uint32_t>
+      closing{};  // of each bracket that opens, the index of the one that closes it; else its own
+  mutable std::deque<std::string> pasted{};  // texts that macros made
+  std::vector<std::uint32_t> calls{};        // where the text names a combiner call, ascending
+
+  std::set<std::string, std::less<>> used_by_conditions{};  // names that the caller defined
+
+  // Whether the bytes [begin, end) name a combiner call.
+  [[nodiscard]] bool calls_between(std::size_t begin, std::size_t end) const;
+};
+
+// The places of all names that mean calls of combiners or of nvparse and are called, also in comments.
+[[nodiscard]] std::vector<std::uint32_t> calls_of(std::string_view text, Language language);
+
+// Reads the tokens of a text without directives or macros.
+void read_tokens(File& file);
+
+// Reads a file. #if and #ifdef of names that neither the file nor `definitions` define are false, as in C, with these
+// exceptions: names of OpenGL's extensions are defined; and if just one branch sets combiners, that one is read, with a
+// note. A skipped branch that sets combiners is noted, too.
+[[nodiscard]] File read_file(const SourceText& source, const std::vector<Definition>& definitions,
+                             detail::SourceFaults& faults, detail::SourceFaults& notes);
+
+}  // namespace ninebit::code

@@ -1,0 +1,275 @@
+#include "src/language/source_code/code_units.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "src/language/gl_calls/gl_calls_spelling.h"
+#include "src/language/source/nearest_name.h"
+#include "src/language/source/string_literals.h"
+
+namespace ninebit::code {
+namespace {
+
+using detail::quoted;
+using UnitKind = Unit::Kind;
+
+constexpr std::string_view kHeaderInText = "!!RC1.0";
+
+template <class Visit>
+void visit_calls(const Expression& e, const Visit& visit) {
+  if (e.kind == Expression::Kind::call) visit(e);
+  for (const Expression& part : e.parts) visit_calls(part, visit);
+}
+template <class Visit>
+void visit_calls(const std::vector<Statement>& statements, const Visit& visit) {
+  for (const Statement& s : statements) {
+    for (const Expression& e : s.value) visit_calls(e, visit);
+    for (const Expression& e : s.step) visit_calls(e, visit);
+    for (const Declared& one : s.declared) {
+      for (const Expression& e : one.value) visit_calls(e, visit);
+    }
+    visit_calls(s.first, visit);
+    visit_calls(s.body, visit);
+    visit_calls(s.otherwise, visit);
+  }
+}
+
+// Whether a call is one of the combiners' own, or of nvparse.
+bool is_combiner_call(const Expression& call, Language language) {
+  const Expression* callee = &call.parts[0];
+  while (callee->kind == Expression::Kind::unary || callee->kind == Expression::Kind::cast) callee = &callee->parts[0];
+  if (callee->text == "nvparse") return true;
+  const auto letters = language == Language::pascal ? detail::NameCase::any : detail::NameCase::exact;
+  const auto* const signature = detail::find_gl_call(callee->text, letters);
+  return signature != nullptr && signature->parameters != "e";
+}
+
+// "NAME:LINE" without ":LINE", which is then `line`.
+std::string without_line(const std::string& name, int& line) {
+  constexpr std::size_t kMostDigits = 8;
+  const std::size_t colon = name.rfind(':');
+  if (colon == std::string::npos || colon == 0 || name[colon - 1] == ':') return name;
+  const std::string digits = name.substr(colon + 1);
+  if (digits.empty() || digits.size() > kMostDigits || !std::all_of(digits.begin(), digits.end(), detail::is_digit)) {
+    return name;
+  }
+  line = std::stoi(digits);
+  return name.substr(0, colon);
+}
+
+}  // namespace
+
+Units::Units(const SourceText& text, const std::vector<Definition>& definitions, const HardwareProfile& profile)
+    : definitions_(definitions),
+      profile_(profile),
+      faults_(text),
+      notes_(text),
+      program_(read_program(text, definitions, faults_, notes_)) {
+  index_program(program_);
+  detail::SourceFaults none(text), nothing(text);
+  Machine machine(program_, definitions_, profile_, none, nothing);
+  if (machine.may_set(program_.outline.code)) {
+    units_.push_back({.kind = UnitKind::code, .offset = program_.outline.code[0].offset, .is_root = true});
+  }
+  find_functions(machine);
+  find_texts();
+}
+
+void Units::find_functions(Machine& machine) {
+  std::map<const Function*, std::size_t> found;
+  for (const Function& function : program_.outline.functions) {
+    if (!machine.may_set(function)) continue;
+    found[&function] = units_.size();
+    units_.push_back({.name = function.name,
+                      .own_name = std::string(function.own_name),
+                      .offset = function.offset,
+                      .function = &function});
+  }
+  std::set<const Function*> called;
+  for (const auto& [function, at] : found) {
+    const Function* const caller = function;
+    visit_calls(machine.body_of(*function), [&](const Expression& call) {
+      const auto helper = found.find(machine.called(call));
+      if (helper != found.end() && helper->first != caller) called.insert(helper->first);
+    });
+  }
+  for (const Function* const one : called) units_[found[one]].is_helper = depends_on_parameters(*one);
+  for (const auto& [function, at] : found) {
+    bool calls_helper = false;
+    visit_calls(machine.body_of(*function), [&](const Expression& call) {
+      const auto helper = found.find(machine.called(call));
+      calls_helper = calls_helper || (helper != found.end() && units_[helper->second].is_helper);
+    });
+    const bool direct = program_.file.calls_between(function->begin, function->end);
+    units_[at].is_root = !units_[at].is_helper && (direct || calls_helper);
+  }
+}
+
+// Whether a function that is executed by itself needs values of its parameters.
+bool Units::depends_on_parameters(const Function& function) {
+  if (function.parameters.empty()) return false;
+  detail::SourceFaults none(program_.source), nothing(program_.source);
+  static const std::vector<Definition> kNone;
+  Machine machine(program_, kNone, profile_, none, nothing);
+  machine.run(function);
+  for (const std::string& need : machine.needs()) {
+    const std::string root = need.substr(0, need.find_first_of(".[("));
+    for (const Parameter& one : function.parameters) {
+      if (program_.key(one.name) == root) return true;
+    }
+  }
+  return false;
+}
+
+void Units::find_texts() {
+  constexpr std::size_t kMostTexts = 1000;
+  const std::vector<Token>& tokens = program_.file.tokens;
+  const LiteralStyle style = program_.file.language == Language::pascal ? LiteralStyle::pascal : LiteralStyle::c;
+  std::size_t texts = 0;
+  for (std::size_t i = 0; i < tokens.size() && texts < kMostTexts; ++i) {
+    if (tokens[i].kind != Token::Kind::text || tokens[i].text.find(kHeaderInText) == std::string_view::npos) continue;
+    const std::size_t end = end_of_literals(program_.source.text, style, tokens[i].offset);
+    std::string name = name_of_text(i);
+    if (name.empty()) name = "string";
+    units_.push_back({.kind = UnitKind::text,
+                      .name = name,
+                      .own_name = name,
+                      .offset = tokens[i].offset,
+                      .end = static_cast<std::uint32_t>(end)});
+    ++texts;
+    while (i + 1 < tokens.size() && tokens[i + 1].offset < end) ++i;
+  }
+}
+
+// The variable that a text is the value of; empty: it has none.
+std::string Units::name_of_text(std::size_t token) const {
+  const std::vector<Token>& tokens = program_.file.tokens;
+  const auto is = [&](std::size_t i, std::string_view text) { return tokens[i].is(text); };
+  std::size_t i = token;
+  while (i > 0 && (tokens[i - 1].kind == Token::Kind::text || is(i - 1, "{") || is(i - 1, "(") || is(i - 1, "+"))) --i;
+  if (i == 0 || (!is(i - 1, "=") && !is(i - 1, ":="))) return "";
+  --i;
+  while (i > 0 && (is(i - 1, "]") || is(i - 1, "[") || tokens[i - 1].kind == Token::Kind::number)) --i;
+  return i > 0 && tokens[i - 1].is_name() ? std::string(tokens[i - 1].text) : "";
+}
+
+void Units::run(Machine& machine, const Unit& unit) {
+  switch (unit.kind) {
+    case UnitKind::function:
+      return machine.run(*unit.function);
+    case UnitKind::code:
+      return machine.run_code();
+    case UnitKind::text:
+      return machine.load(unit.offset, unit.end, unit.offset);
+  }
+}
+
+SourceFunction Units::describe(const Unit& unit) {
+  detail::SourceFaults faults(program_.source), notes(program_.source);
+  Machine machine(program_, definitions_, profile_, faults, notes);
+  run(machine, unit);
+  loaded_.insert(machine.loaded().begin(), machine.loaded().end());
+  SourceFunction out;
+  out.name = unit.name;
+  out.line = line_of(unit);
+  out.is_helper = unit.is_helper;
+  // The calls that stand in the unit itself; without any, those of the functions that it calls.
+  std::set<std::uint32_t> own;
+  const auto note = [&](const Expression& call) {
+    if (is_combiner_call(call, program_.file.language)) own.insert(call.offset);
+  };
+  if (unit.kind == UnitKind::function) visit_calls(machine.body_of(*unit.function), note);
+  if (unit.kind == UnitKind::code) visit_calls(program_.outline.code, note);
+  for (const auto& [offset, site] : machine.sites()) {
+    if (site.is_skipped || (!own.empty() && own.count(offset) == 0)) continue;
+    const bool read = site.is_read && !site.is_unknown;
+    out.calls_read += read ? 1 : 0;
+    out.calls_not_read += read ? 0 : 1;
+    out.calls_refused += site.is_refused ? 1 : 0;
+  }
+  for (const std::uint32_t offset : own) out.calls_not_read += machine.sites().count(offset) == 0 ? 1 : 0;
+  out.needs = machine.needs();
+  for (TextFault& fault : faults.take()) {
+    if (fault.gl_error != GlError::no_error) out.refusals.push_back(std::move(fault));
+  }
+  return out;
+}
+
+std::string Units::list_of_units() const {
+  constexpr std::size_t kMostNames = 24;
+  std::string list;
+  std::size_t shown = 0;
+  for (const Unit& unit : units_) {
+    const auto holds = [&](const Unit& other) {
+      return other.kind == UnitKind::function && other.function->begin < unit.offset &&
+             unit.offset < other.function->end;
+    };
+    const bool is_inner = unit.kind == UnitKind::text && std::any_of(units_.begin(), units_.end(), holds);
+    if (unit.is_helper || is_inner) continue;
+    if (++shown > kMostNames) return list + ", …";
+    const std::string line = std::to_string(line_of(unit));
+    list += list.empty() ? "" : ", ";
+    list += unit.kind == UnitKind::code ? "the code outside of functions" : unit.name + " (line " + line + ")";
+  }
+  return list;
+}
+
+std::vector<const Unit*> Units::choose(const std::vector<std::string>& names) {
+  std::vector<const Unit*> chosen;
+  if (!names.empty()) {
+    for (const std::string& name : names) {
+      if (const Unit* const one = named(name)) chosen.push_back(one);
+    }
+    return chosen;
+  }
+  const auto add = [&](bool texts) {
+    for (const Unit& unit : units_) {
+      if (texts ? unit.kind == UnitKind::text : unit.is_root) chosen.push_back(&unit);
+    }
+  };
+  add(false);
+  if (chosen.empty()) add(true);
+  if (chosen.empty()) {  // they only enable
+    for (const Unit& unit : units_) chosen.push_back(&unit);
+  }
+  if (chosen.size() == 1) return chosen;
+  if (units_.empty()) {
+    faults_.add(0, "no call of the register combiners was found in this source");
+  } else {
+    faults_.add(chosen.empty() ? units_[0].offset : chosen[0]->offset,
+                "several functions set combiners; choose by --function NAME: " + list_of_units());
+  }
+  return {};
+}
+
+// A unit by its name, its name with its class, or either with ":LINE". Of several, those that set combiners.
+const Unit* Units::named(const std::string& wanted) {
+  int line = 0;
+  const std::string name = program_.key(without_line(wanted, line));
+  std::vector<const Unit*> found;
+  std::vector<std::string> known;
+  for (const Unit& unit : units_) {
+    if (!unit.name.empty()) known.push_back(unit.name);
+    const bool same = program_.key(unit.name) == name || program_.key(unit.own_name) == name;
+    if (same && (line == 0 || line_of(unit) == line)) found.push_back(&unit);
+  }
+  if (found.size() == 1) return found[0];
+  if (found.size() > 1) {
+    std::string list;
+    for (const Unit* const one : found) {
+      list += (list.empty() ? "" : ", ") + one->name + ":" + std::to_string(line_of(*one));
+    }
+    faults_.add(found[0]->offset, "several functions are named " + quoted(wanted) + "; choose by --function " + list);
+    return nullptr;
+  }
+  const bool exists =
+      std::any_of(program_.outline.functions.begin(), program_.outline.functions.end(),
+                  [&](const Function& f) { return program_.key(f.name) == name || program_.key(f.own_name) == name; });
+  const std::string list = list_of_units();
+  faults_.add(0, (exists ? "function " + quoted(wanted) + " sets no combiners"
+                         : "no function " + quoted(wanted) + did_you_mean(wanted, known)) +
+                     (list.empty() ? "" : "; combiners are set by " + list));
+  return nullptr;
+}
+
+}  // namespace ninebit::code

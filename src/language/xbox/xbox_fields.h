@@ -1,0 +1,59 @@
+// The members of D3DPIXELSHADERDEF.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "ninebit/language/register_words.h"
+#include "ninebit/language/xbox_pixel_shader.h"
+
+namespace ninebit::xbox {
+
+struct Field {
+  std::string_view name;
+  std::size_t first = 0;  // its first word
+  std::size_t count = 1;  // more than one: an array
+};
+
+// In the order of the struct. Source: Cxbx-Reloaded, XbD3D8Types.h; nv2apretty (pixel_shader_definition.py) reads the
+// same order from titles' memory.
+inline constexpr std::array kFields{Field{"PSAlphaInputs", 0, 8},
+                                    Field{"PSFinalCombinerInputsABCD", 8},
+                                    Field{"PSFinalCombinerInputsEFG", 9},
+                                    Field{"PSConstant0", 10, 8},
+                                    Field{"PSConstant1", 18, 8},
+                                    Field{"PSAlphaOutputs", 26, 8},
+                                    Field{"PSRGBInputs", 34, 8},
+                                    Field{"PSCompareMode", 42},
+                                    Field{"PSFinalCombinerConstant0", 43},
+                                    Field{"PSFinalCombinerConstant1", 44},
+                                    Field{"PSRGBOutputs", 45, 8},
+                                    Field{"PSCombinerCount", 53},
+                                    Field{"PSTextureModes", 54},
+                                    Field{"PSDotMapping", 55},
+                                    Field{"PSInputTexture", 56},
+                                    Field{"PSC0Mapping", 57},
+                                    Field{"PSC1Mapping", 58},
+                                    Field{"PSFinalCombinerConstants", 59}};
+
+// The member of a name, in any case; null: there is none. "PSAphaInputs" is one that Cxbx prints by mistake.
+[[nodiscard]] const Field* find_field(std::string_view name);
+
+// The names of all members, for suggestions.
+[[nodiscard]] std::vector<std::string_view> field_names();
+
+// The member that a word belongs to, and the word's name: "PSRGBInputs[3]".
+[[nodiscard]] const Field& field_of(std::size_t word);
+[[nodiscard]] std::string word_name(std::size_t word);
+
+// A definition, with the place of every word that the text has.
+struct Definition {
+  std::array<std::uint32_t, kXboxDefinitionWords> words{};
+  std::array<std::optional<TextPlace>, kXboxDefinitionWords> places{};
+};
+
+}  // namespace ninebit::xbox

@@ -1,0 +1,253 @@
+#include "src/language/xbox/xbox_parser.h"
+
+#include <algorithm>
+
+#include "src/language/register_words/register_words_layout.h"
+#include "src/language/source/nearest_name.h"
+
+namespace ninebit::xbox {
+namespace {
+
+constexpr std::string_view kExpected =
+    "a D3DPIXELSHADERDEF: an initializer such as D3DPIXELSHADERDEF psd = {…}, or assignments such as "
+    "psd.PSRGBInputs[0] = 0x…";
+
+// Calls that set memory to 0, which a definition is anyway.
+bool clears_memory(const Token& token) {
+  constexpr std::string_view kNames[] = {"memset", "ZeroMemory", "RtlZeroMemory", "XMemSet", "bzero"};
+  return std::find(std::begin(kNames), std::end(kNames), token.text) != std::end(kNames);
+}
+
+}  // namespace
+
+Definition Parser::parse() {
+  if (lexer_.peek().kind == TokenKind::end) fault_here(std::string(kExpected));
+  while (lexer_.peek().kind != TokenKind::end && !faults_.full()) statement();
+  const bool any = std::any_of(definition_.places.begin(), definition_.places.end(),
+                               [](const std::optional<TextPlace>& place) { return place.has_value(); });
+  if (faults_.empty() && !any && !first_initializer_) faults_.add({}, "expected " + std::string(kExpected));
+  if (const auto place = lexer_.unterminated()) faults_.add(*place, "unterminated comment; expected */");
+  return definition_;
+}
+
+void Parser::statement() {
+  const Token token = lexer_.peek();
+  if (token.is(";")) {
+    (void)lexer_.take();
+  } else if (token.is("{")) {
+    initializer();
+  } else if (token.is("#")) {
+    faults_.add(token.place, "lines of the preprocessor are not read; expected " + std::string(kExpected));
+    lexer_.skip_line();
+  } else if (token.kind != TokenKind::name) {
+    fault_here(std::string(kExpected));
+    (void)lexer_.take();
+    skip_statement(token.place.line);
+  } else {
+    (void)lexer_.take();
+    if (clears_memory(token) && lexer_.peek().is("(")) {
+      clear(token);
+    } else if (lexer_.peek().kind == TokenKind::name) {
+      declaration();
+    } else {
+      assignment(token);
+    }
+  }
+}
+
+// After the first word of "static const D3DPIXELSHADERDEF psd = {…};".
+void Parser::declaration() {
+  const int line = lexer_.peek().place.line;
+  while (lexer_.peek().kind == TokenKind::name) (void)lexer_.take();
+  if (lexer_.peek().is(";")) return;
+  if (!expect("=", "after the name of the definition")) return skip_statement(line);
+  if (!lexer_.peek().is("{")) {
+    fault_here("'{' and the words of the definition");
+    return skip_statement(line);
+  }
+  initializer();
+}
+
+void Parser::assignment(const Token& first) {
+  const std::optional<Target> found = target(first);
+  if (found && lexer_.peek().is("(")) {
+    if (calls_.size() < kMaxTextFaults) calls_.push_back({std::string(found->member.text.substr(0, 60)), first.place});
+    return skip_call();
+  }
+  const bool adds_bits = lexer_.peek().is("|=");
+  if (!found || (!adds_bits && !expect("=", "after " + std::string(found->member.text)))) {
+    return skip_statement(first.place.line);
+  }
+  if (adds_bits) (void)lexer_.take();
+  const Field* const field = member(found->member);
+  if (field != nullptr) return assign(*field, *found, adds_bits);
+  if (!values_.read()) skip_statement(first.place.line);
+}
+
+std::optional<Parser::Target> Parser::target(const Token& first) {
+  Target found{{}, first, {}};
+  while (true) {
+    if (lexer_.peek().is("[")) {
+      if (found.index) {
+        fault_here("'='");
+        return std::nullopt;
+      }
+      found.index = index();
+      if (!found.index) return std::nullopt;
+    } else if (lexer_.peek().is(".") || lexer_.peek().is("->")) {
+      found.object += std::string(found.object.empty() ? "" : ".") + std::string(found.member.text);
+      if (found.index) found.object += '[' + std::to_string(*found.index) + ']';
+      (void)lexer_.take();
+      if (lexer_.peek().kind != TokenKind::name) {
+        fault_here("a member of D3DPIXELSHADERDEF");
+        return std::nullopt;
+      }
+      found.member = lexer_.take();
+      found.index.reset();
+    } else {
+      return found;
+    }
+  }
+}
+
+void Parser::assign(const Field& field, const Target& target, bool adds_bits) {
+  check_object(target);
+  const TextPlace place = target.member.place;
+  if (lexer_.peek().is("{") && !target.index && field.count > 1) return elements(field);
+  const std::optional<std::uint32_t> value = values_.read();
+  if (!value) return skip_statement(place.line);
+  if (field.count > 1 && target.index == field.count && lexer_.peek().kind == TokenKind::number) {
+    return all_elements(field, *value, place);
+  }
+  if (field.count == 1 && target.index) {
+    faults_.add(place, std::string(field.name) + " is one word; expected no index");
+  } else if (field.count > 1 && !target.index) {
+    faults_.add(place, std::string(field.name) + " needs an index from 0 to " + std::to_string(field.count - 1));
+  } else if (fits(field, target.index.value_or(0), place)) {
+    store(field.first + target.index.value_or(0), *value, place, adds_bits);
+  }
+}
+
+// As Cxbx prints a definition: an array's size, and all its words after each other.
+void Parser::all_elements(const Field& field, std::uint32_t first, TextPlace place) {
+  store(field.first, first, place);
+  for (std::size_t i = 1; i < field.count; ++i) {
+    const std::optional<std::uint32_t> value = values_.read();
+    if (!value) return skip_statement(place.line);
+    store(field.first + i, *value, place);
+  }
+}
+
+const Field* Parser::member(const Token& name) {
+  const Field* const field = find_field(name.text);
+  if (field != nullptr) return field;
+  const words::FoundSlot word = words::find_slot(name.text, ChipClass::nv20);
+  const bool is_register = word.slot || word.fault.find("needs an index") != std::string::npos;
+  faults_.add(name.place, shown(name) + " is not a member of D3DPIXELSHADERDEF" +
+                              (is_register ? "; register words are another form: --from words"
+                                           : did_you_mean(name.text, field_names())));
+  return nullptr;
+}
+
+std::optional<std::uint32_t> Parser::index() {
+  (void)lexer_.take();
+  const std::optional<std::uint32_t> value = values_.read();
+  if (!value || !expect("]", "after the index")) return std::nullopt;
+  return value;
+}
+
+bool Parser::fits(const Field& field, std::uint32_t index, TextPlace place) {
+  if (index < field.count) return true;
+  faults_.add(place, std::string(field.name) + '[' + std::to_string(index) +
+                         "] is out of range; expected an index from 0 to " + std::to_string(field.count - 1));
+  return false;
+}
+
+void Parser::store(std::size_t word, std::uint32_t value, TextPlace place, bool adds_bits) {
+  std::optional<TextPlace>& given = definition_.places[word];
+  if (adds_bits) {
+    definition_.words[word] |= value;
+  } else if (given) {
+    faults_.add(place, word_name(word) + " was given before, in line " + std::to_string(given->line));
+  } else {
+    definition_.words[word] = value;
+  }
+  if (!given) given = place;
+}
+
+void Parser::check_object(const Target& target) {
+  if (!first_target_) {
+    first_target_ = target;
+  } else if (first_target_->object != target.object) {
+    const auto called = [](const Target& one) {
+      return one.object.empty() ? "no object" : "'" + one.object.substr(0, 40) + "'";
+    };
+    faults_.add(target.member.place, "a member of " + called(target) + ", but of " + called(*first_target_) +
+                                         " in line " + std::to_string(first_target_->member.place.line) +
+                                         "; a text has one definition");
+  }
+}
+
+bool Parser::expect(std::string_view mark, std::string_view where) {
+  if (lexer_.peek().is(mark)) {
+    (void)lexer_.take();
+    return true;
+  }
+  fault_here("'" + std::string(mark) + "' " + std::string(where));
+  return false;
+}
+
+void Parser::fault_here(const std::string& expected) {
+  faults_.add(lexer_.peek().place, "expected " + expected + "; found " + shown(lexer_.peek()));
+}
+
+// A call that sets memory to 0; to anything else is a fault.
+void Parser::clear(const Token& name) {
+  if (name.text == "memset" || name.text == "XMemSet") {
+    Lexer ahead = lexer_;
+    constexpr int kFewTokens = 16;
+    for (int i = 0; i < kFewTokens && !ahead.peek().is(","); ++i) (void)ahead.take();
+    (void)ahead.take();
+    const Token& value = ahead.peek();
+    if (value.kind != TokenKind::number || values_.number(value) != 0) {
+      faults_.add(value.place, "expected 0, as " + std::string(name.text) +
+                                   " is read only to clear a definition; found " + shown(value));
+    }
+  }
+  skip_call();
+}
+
+void Parser::skip_call() {
+  int depth = 0;
+  do {
+    const Token token = lexer_.peek();
+    if (token.kind == TokenKind::end) return fault_here("')'");
+    if (token.is("(")) ++depth;
+    if (token.is(")")) --depth;
+    (void)lexer_.take();
+  } while (depth > 0);
+}
+
+// To the next semicolon or to a name at a later line, where a statement may begin.
+void Parser::skip_statement(int line) {
+  while (lexer_.peek().kind != TokenKind::end) {
+    const Token token = lexer_.peek();
+    if (token.kind == TokenKind::name && token.place.line > line) return;
+    (void)lexer_.take();
+    if (token.is(";")) return;
+  }
+}
+
+// To the comma or bracket that ends a word in braces.
+void Parser::skip_value() {
+  int depth = 0;
+  while (lexer_.peek().kind != TokenKind::end) {
+    const Token token = lexer_.peek();
+    if (depth == 0 && (token.is(",") || token.is("}") || token.is(";"))) return;
+    if (token.is("(") || token.is("{")) ++depth;
+    if ((token.is(")") || token.is("}")) && depth > 0) --depth;
+    (void)lexer_.take();
+  }
+}
+
+}  // namespace ninebit::xbox

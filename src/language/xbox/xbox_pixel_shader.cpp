@@ -1,0 +1,93 @@
+#include "ninebit/language/xbox_pixel_shader.h"
+
+#include <algorithm>
+
+#include "src/language/register_words/register_words_faults.h"
+#include "src/language/source/beyond_opengl.h"
+#include "src/language/xbox/xbox_fields.h"
+#include "src/language/xbox/xbox_lexer.h"
+#include "src/language/xbox/xbox_numbers.h"
+#include "src/language/xbox/xbox_parser.h"
+
+namespace ninebit {
+namespace xbox {
+namespace {
+
+bool names_the_struct(std::string_view name) {
+  std::string upper(name.substr(0, 64));
+  std::transform(upper.begin(), upper.end(), upper.begin(),
+                 [](char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; });
+  return upper.find("PIXELSHADERDEF") != std::string::npos;
+}
+
+// Whether a text in C begins with a definition: with a struct of this name, a member of it, or a brace that is not
+// JSON's.
+bool begins_with_definition(std::string_view text) {
+  constexpr int kTokens = 64;
+  Lexer lexer(text);
+  bool begins = true;  // a statement, or a member of an object
+  for (int i = 0; i < kTokens; ++i) {
+    const Token token = lexer.take();
+    if (token.kind == TokenKind::end) return false;
+    if (token.is("#")) {
+      lexer.skip_line();
+    } else if (i == 0 && token.is("{")) {
+      const Token& next = lexer.peek();
+      return next.kind == TokenKind::number || next.is(".") || next.is("{") || next.is("(") ||
+             (next.kind == TokenKind::name && next.text.starts_with("PS_"));
+    } else if (token.kind == TokenKind::name && names_the_struct(token.text)) {
+      return true;
+    } else if (begins && token.text.starts_with("PS") && !token.text.starts_with("PS_")) {
+      // A member, or one that is misspelled.
+      return lexer.peek().is("=") || lexer.peek().is("[") || lexer.peek().is("|=");
+    }
+    begins = token.is(".") || token.is("->") || token.is(";") || token.is("}");
+  }
+  return false;
+}
+
+Definition read(const SourceText& source, TextFaults& faults, std::vector<TextFault>& notes) {
+  if (is_binary(source.text)) return read_bytes(source.text, faults);
+  if (is_number_list(source.text)) return read_number_list(source.text, faults);
+  Parser parser(source.text, faults);
+  Definition definition = parser.parse();
+  for (const auto& [function, place] : parser.calls()) {
+    notes.push_back({std::string(source.file), place.line, place.column, "the call of " + function + " is skipped"});
+  }
+  const auto& positional = parser.positional();
+  if (positional && positional->words > 1 && positional->words < kXboxDefinitionWords) {
+    notes.push_back({std::string(source.file), positional->place.line, positional->place.column,
+                     "the first " + std::to_string(positional->words) + " of " + std::to_string(kXboxDefinitionWords) +
+                         " words are given; the others are 0"});
+  }
+  return definition;
+}
+
+}  // namespace
+}  // namespace xbox
+
+bool is_xbox_pixel_shader(std::string_view text) {
+  if (xbox::is_binary(text)) return text.size() == kXboxDefinitionBytes;
+  return xbox::is_number_list(text) || xbox::begins_with_definition(text);
+}
+
+Parsed<CombinerState> parse_xbox_pixel_shader(const SourceText& source, const HardwareProfile& profile,
+                                              std::vector<RegisterWord>* other_words) {
+  TextFaults faults(source.file);
+  if (too_long(source.text, faults)) return {std::nullopt, faults.take()};
+  std::vector<TextFault> notes;
+  const xbox::Definition definition = xbox::read(source, faults, notes);
+  if (!faults.empty()) return {std::nullopt, faults.take(), std::move(notes)};
+  std::vector<RegisterWord> given;
+  for (std::size_t i = 0; i < kXboxDefinitionWords; ++i) {
+    given.push_back({xbox::word_name(i), definition.words[i], definition.places[i].value_or(TextPlace{})});
+  }
+  Parsed<CombinerState> decoded = decode_register_words(given, source.file, ChipClass::nv20, profile, other_words);
+  if (!profile.per_stage_constants) {
+    notes.push_back({std::string(source.file), 1, 1, std::string(detail::kReadForOlderChip)});
+  }
+  decoded.notes = std::move(notes);
+  return decoded;
+}
+
+}  // namespace ninebit
