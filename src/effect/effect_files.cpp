@@ -24,14 +24,14 @@ Result<CombinerState> program_in(const std::filesystem::path& file, const Hardwa
   if (!in.eof() || in.bad()) return fault_of(file, "cannot be read, or is too long for a program");
   text.resize(static_cast<std::size_t>(in.gcount()));
   const std::string name = file.string();
-  auto parsed = parse_program({text, name}, form_of(text), chip_of(profile), profile);
+  auto parsed = parse_program({text, name}, form_of(text), profile);
   if (!parsed) {
     const TextFault& first = parsed.faults[0];
     return Diagnostic{.message = first.message, .file = name, .line = first.line};
   }
-  const auto refused = validate(*parsed.value, profile);
+  const auto refused = validate(parsed.value->state, profile);
   if (!refused.empty()) return fault_of(file, refused[0].message);
-  return std::move(*parsed.value);
+  return parsed.value->state;
 }
 
 }  // namespace

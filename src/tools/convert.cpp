@@ -1,4 +1,4 @@
-// `ninebit convert`: the same program in another form.
+// `ninebit convert`: the same program in another form, and the combiner set-ups of a log.
 #include <fmt/format.h>
 
 #include <memory>
@@ -9,6 +9,9 @@
 #include "ninebit/language/glsl.h"
 #include "ninebit/language/json.h"
 #include "ninebit/language/rc10.h"
+#include "ninebit/language/xbox_pixel_shader.h"
+#include "src/language/source/beyond_opengl.h"
+#include "src/tools/common/log_listing.h"
 #include "src/tools/common/output_file.h"
 #include "src/tools/common/program_file.h"
 
@@ -18,21 +21,36 @@ namespace {
 struct ConvertFlags {
   CommonFlags common;
   ProgramFlags program;
-  std::string to;
+  std::string to;           // empty: list the set-ups of a log
+  std::uint32_t frame = 0;  // of a log; 0: all
   std::string output;
 };
 
-Result<std::string> printed(const ConvertFlags& flags, const CombinerState& state) {
+Result<std::string> printed(const ConvertFlags& flags, const TextProgram& program) {
+  const CombinerState& state = program.state;
   const HardwareProfile& profile = profile_of(flags.common);
   const ChipClass chip = chip_of(flags.program, profile);
   if (flags.to == "gl") return print_gl_calls(state, profile);
   if (flags.to == "rc10") return print_rc10(state, profile);
-  if (flags.to == "words") return print_register_words(state, chip, profile);
-  if (flags.to == "words-json") return print_json_register_words(state, chip, profile);
-  if (flags.to == "json") return print_json_program(state);
-  const Program program = normalize(state, profile);
-  if (flags.to == "c") return emit_c(program);
-  return emit_glsl(program, flags.to == "glsl-es" ? GlslVersion::es_300 : GlslVersion::glsl_330);
+  if (flags.to == "words") return print_register_words(state, chip, profile, program.other_words);
+  if (flags.to == "words-json") return print_json_register_words(state, chip, profile, program.other_words);
+  if (flags.to == "json") return print_json_program(state, program.other_words);
+  if (flags.to == "xbox") return print_xbox_pixel_shader(state, profile, program.other_words);
+  const Program normal = normalize(state, profile);
+  if (flags.to == "c") return emit_c(normal);
+  return emit_glsl(normal, flags.to == "glsl-es" ? GlslVersion::es_300 : GlslVersion::glsl_330);
+}
+
+// Says which words have no place in the form that is written.
+void say_left_out(const ConvertFlags& flags, const std::vector<RegisterWord>& other_words) {
+  const bool words = flags.to == "words" || flags.to == "words-json";
+  const bool nv20 = chip_of(flags.program, profile_of(flags.common)) == ChipClass::nv20;
+  if (flags.common.quiet || flags.to == "json" || flags.to == "xbox" || (words && nv20)) return;
+  std::string names;
+  for (const RegisterWord& word : other_words) {
+    if (word.value != 0) names += (names.empty() ? "" : ", ") + word.name;
+  }
+  if (!names.empty()) say(fmt::format("ninebit: note: {} has no place for {}\n", flags.to, names));
 }
 
 int write(const ConvertFlags& flags, const std::string& text) {
@@ -44,17 +62,79 @@ int write(const ConvertFlags& flags, const std::string& text) {
   return kDone;
 }
 
+int wrong_convert(const std::string& message) {
+  say_error(fmt::format("{} (see: ninebit convert --help)", message));
+  return kWrongUsage;
+}
+
+// Lists the set-ups of a log.
+int list(const ConvertFlags& flags, ProgramSource source) {
+  const HardwareProfile& profile = profile_of(flags.common);
+  const auto frame = flags.frame == 0 ? std::nullopt : std::optional(flags.frame);
+  auto log = read_log(source, flags.program, profile, frame);
+  if (!log) return report(log.error());
+  if (!flags.common.quiet) say_notes(log->notes);
+  if (!*log) return report(log->faults, source.text);
+  const RegisterLog& found = *log->value;
+  if (found.chip == ChipClass::nv20 && !profile.per_stage_constants && !flags.common.quiet) {
+    say(fmt::format("ninebit: note: {}\n", detail::kReadForOlderChip));
+  }
+  if (frame && *frame > found.frames) {
+    return wrong_convert(fmt::format("--frame {}: out of range; the log has {} frame{} with draws", *frame,
+                                     found.frames, found.frames == 1 ? "" : "s"));
+  }
+  if (!flags.common.json) return write(flags, log_table(found, frame, source.name, profile));
+  const Json object = log_json(found, frame, source.name, profile, flags.common.profile);
+  if (flags.output.empty()) return answer(object);
+  return write(flags, tools::text_of(object));
+}
+
+// The program to convert. With --frame, it may be the only set-up of the frame.
+std::optional<TextProgram> load(const ConvertFlags& flags, ProgramSource source, int& exit_code) {
+  const HardwareProfile& profile = profile_of(flags.common);
+  if (flags.frame == 0 || source.setup) {
+    return load_text_program(std::move(source), flags.program, profile, flags.common.quiet, exit_code);
+  }
+  auto log = read_log(source, flags.program, profile, flags.frame);
+  if (!log) {
+    exit_code = report(log.error());
+    return std::nullopt;
+  }
+  source.setup = 0;
+  if (*log) {
+    const auto only = only_setup(*log->value, flags.frame, source.name);
+    if (!only) {
+      exit_code = report(only.error());
+      return std::nullopt;
+    }
+    source.setup = *only;
+  }
+  return load_setup(std::move(*log), std::move(source), profile, flags.common.quiet, exit_code);
+}
+
 int run(const ConvertFlags& flags) {
+  auto source = open_program(flags.program);
+  if (!source) return report(source.error());
+  if (misuses_source_flags(flags.program, source->name, source->form)) return kWrongUsage;
+  const bool is_log = source->form == ProgramForm::log;
+  if (flags.frame != 0 && !is_log) {
+    return wrong_convert(fmt::format("--frame is for logs of register writes; {} is not one", source->name));
+  }
+  if (flags.to.empty()) {
+    if (is_log && !source->setup) return list(flags, std::move(*source));
+    return wrong_convert("--to is required; only a log's set-ups are listed without it");
+  }
   int exit_code = kDone;
-  const auto state = load_program(flags.program, profile_of(flags.common), exit_code);
-  if (!state) return exit_code;
-  const auto text = printed(flags, *state);
+  const auto program = load(flags, std::move(*source), exit_code);
+  if (!program) return exit_code;
+  const auto text = printed(flags, *program);
   if (!text) {
     Diagnostic lacking = text.error();
     if (lacking.file.empty()) lacking.file = flags.program.file == "-" ? "standard input" : flags.program.file;
     lacking.message = fmt::format("cannot be written as {}: {}", flags.to, lacking.message);
     return report(lacking);
   }
+  say_left_out(flags, program->other_words);
   if (!flags.common.json) return write(flags, *text);
   Json row{{"form", flags.to}};
   if (flags.output.empty()) {
@@ -76,15 +156,19 @@ void add_convert(CLI::App& app, int& exit_code) {
   CLI::App* verb = app.add_subcommand("convert", "Convert a program to another form");
   verb->footer(
       "If the form cannot express the program, the error names the unsupported features.\n"
+      "Without --to, lists the combiner set-ups of a log of register writes; LOG#N is the set-up N.\n"
       "Examples:\n"
       "  ninebit convert compare.gl --to rc10\n"
+      "  ninebit convert frame.log --frame 2 --profile nv2a\n"
+      "  ninebit convert 'frame.log#3' --to xbox --profile nv2a\n"
       "  ninebit convert program.json --to words --chip nv20 --profile nv2a -o program.words");
   auto flags = std::make_shared<ConvertFlags>();
   add_common_flags(*verb, flags->common);
   add_program_flags(*verb, flags->program);
-  verb->add_option("--to", flags->to, "Form to write")
-      ->required()
-      ->check(CLI::IsMember({"gl", "rc10", "words", "words-json", "json", "glsl", "glsl-es", "c"}));
+  verb->add_option("--to", flags->to, "Form to write; without it, list the set-ups of a log")
+      ->check(CLI::IsMember({"gl", "rc10", "words", "words-json", "json", "xbox", "glsl", "glsl-es", "c"}));
+  verb->add_option("--frame", flags->frame, "Only the draws of this frame of a log, counted from 1")
+      ->check(CLI::Range(1U, 0xffffffffU));
   verb->add_option("-o,--output", flags->output, "Write to this file instead of standard output")->type_name("FILE");
   verb->callback([flags, &exit_code] { exit_code = run(*flags); });
 }

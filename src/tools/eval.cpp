@@ -135,7 +135,7 @@ int run(const EvalFlags& flags) {
     return kWrongUsage;
   }
   int exit_code = kDone;
-  const auto state = load_program(flags.program, profile_of(flags.common), exit_code);
+  const auto state = load_program(flags.program, profile_of(flags.common), flags.common.quiet, exit_code);
   if (!state) return exit_code;
 
   std::optional<ProgressLine> progress(std::in_place, flags.common.quiet || posix::is_terminal(posix::kStandardOutput));

@@ -114,7 +114,7 @@ int run(const TraceFlags& flags) {
   std::optional<Program> program;
   if (!flags.program.file.empty()) {
     int exit_code = kDone;
-    const auto state = load_program(flags.program, profile, exit_code);
+    const auto state = load_program(flags.program, profile, flags.common.quiet, exit_code);
     if (!state) return exit_code;
     program = normalize(*state, profile);
   }

@@ -1,11 +1,13 @@
 // `ninebit validate`: every GL error that a program raises.
 #include "ninebit/combiner/validate.h"
 
-#include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
 #include <array>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string_view>
 
 #include "src/tools/common/program_file.h"
@@ -51,18 +53,78 @@ Json row_of(const Finding& finding) {
           {"message", d.message}};
 }
 
+Json functions_json(const std::vector<SourceFunction>& functions) {
+  Json all = Json::array();
+  for (const SourceFunction& f : functions) {
+    all.push_back({{"name", f.name},
+                   {"line", f.line},
+                   {"helper", f.is_helper},
+                   {"calls_read", f.calls_read},
+                   {"calls_not_read", f.calls_not_read},
+                   {"calls_refused", f.calls_refused},
+                   {"needs", f.needs}});
+  }
+  return all;
+}
+
+std::string functions_text(const std::vector<SourceFunction>& functions) {
+  const auto name_of = [](const SourceFunction& f) {
+    return printable(f.name.empty() ? "(outside of functions)" : f.name);
+  };
+  std::size_t width = 24;
+  for (const SourceFunction& f : functions) width = std::max(width, name_of(f).size());
+  std::string text = fmt::format("{:<{}}  line  calls read  not read  refused  needs\n", "function", width);
+  for (const SourceFunction& f : functions) {
+    std::vector<std::string> needs = f.needs;
+    if (f.is_helper) needs.insert(needs.begin(), "(is called with arguments)");
+    text += fmt::format("{:<{}}  {:>4}  {:>10}  {:>8}  {:>7}  {}\n", name_of(f), width, f.line, f.calls_read,
+                        f.calls_not_read, f.calls_refused, printable(fmt::format("{}", fmt::join(needs, " "))));
+  }
+  return text;
+}
+
+// A source whose functions were not chosen from: what there is.
+int list_functions(const ValidateFlags& flags, const ProgramFile& file, const HardwareProfile& profile) {
+  const auto functions =
+      find_source_functions({file.text, file.name}, selection_of(flags.program).definitions, profile);
+  bool refused = false;
+  std::set<std::string> seen;
+  Json rows = Json::array();
+  std::string text = functions_text(functions);
+  for (const SourceFunction& f : functions) {
+    for (const TextFault& fault : f.refusals) {
+      // A function that is called by another one is executed twice.
+      if (!seen.insert(fault.text()).second) continue;
+      refused = true;
+      rows.push_back(row_of(*refusal(fault)));
+      text += printable(fault.text()) + "\n";
+    }
+  }
+  const Json out{{"command", "validate"},
+                 {"version", NINEBIT_VERSION},
+                 {"profile", flags.common.profile},
+                 {"functions", functions_json(functions)},
+                 {"rows", std::move(rows)}};
+  const int code = flags.common.json ? answer(out) : answer(text);
+  return code == kDone && refused ? kDifference : code;
+}
+
 int run(const ValidateFlags& flags) {
   const HardwareProfile& profile = profile_of(flags.common);
   const auto file = read_program_file(flags.program, profile);
   if (!file) return report(file.error());
+  if (misuses_source_flags(flags.program, file->name, file->form)) return kWrongUsage;
+  if (file->form == ProgramForm::source && flags.program.functions.empty())
+    return list_functions(flags, *file, profile);
+  if (!flags.common.quiet) say_notes(file->parsed.notes);
   std::vector<Finding> findings;
   for (const TextFault& fault : file->parsed.faults) {
     if (const auto finding = refusal(fault)) findings.push_back(*finding);
   }
   // A text that cannot be parsed has no state to validate.
-  if (findings.size() < file->parsed.faults.size()) return report(file->parsed.faults);
+  if (findings.size() < file->parsed.faults.size()) return report(file->parsed.faults, file->text);
   if (file->parsed) {
-    for (const StateDiagnostic& d : validate(*file->parsed.value, profile)) findings.push_back({d});
+    for (const StateDiagnostic& d : validate(file->parsed.value->state, profile)) findings.push_back({d});
   }
 
   int code = kDone;

@@ -7,8 +7,11 @@
 #include <utility>
 
 #include "ninebit/combiner/validate.h"
+#include "src/language/source/foreign_language.h"
+#include "src/language/source/source_faults.h"
+#include "src/tools/common/setup_name.h"
 #include "src/tools/input/file_kind.h"
-#include "src/tools/input/input_file.h"
+#include "src/tools/input/printable.h"
 
 namespace ninebit::tools {
 namespace {
@@ -18,10 +21,14 @@ struct FormName {
   std::string_view kind;  // as kind_of_file() names it
   std::string_view flag;  // of --from
 };
-constexpr std::array kForms{FormName{ProgramForm::gl, kGlKind, "gl"}, FormName{ProgramForm::rc10, kRc10Kind, "rc10"},
+constexpr std::array kForms{FormName{ProgramForm::gl, kGlKind, "gl"},
+                            FormName{ProgramForm::source, kSourceKind, "source"},
+                            FormName{ProgramForm::rc10, kRc10Kind, "rc10"},
                             FormName{ProgramForm::words, kWordsKind, "words"},
                             FormName{ProgramForm::words_json, kJsonWordsKind, "words"},
-                            FormName{ProgramForm::json, kJsonProgramKind, "json"}};
+                            FormName{ProgramForm::json, kJsonProgramKind, "json"},
+                            FormName{ProgramForm::xbox, kXboxKind, "xbox"},
+                            FormName{ProgramForm::log, kLogKind, "log"}};
 
 const FormName* form_of_kind(std::string_view kind) {
   const auto found = std::find_if(kForms.begin(), kForms.end(), [&](const FormName& f) { return f.kind == kind; });
@@ -34,7 +41,10 @@ std::string_view kind_of_form(ProgramForm form) {
 
 // For a file with faults: one sentence if it seems to be of another kind than it was read as; else empty.
 std::string seems_to_be_else(const ProgramFile& file, const std::string& from) {
-  constexpr std::string_view kExpected = "expected a combiner program: GL calls, !!RC1.0, register words or JSON";
+  constexpr std::string_view kExpected =
+      "expected a combiner program: GL calls, !!RC1.0, register words, JSON, an Xbox pixel shader definition or a log "
+      "of register writes";
+  if (!foreign_language(file.text).empty()) return "";  // the fault names it
   constexpr std::size_t kFewFaults = 3;  // so few are listed even if the text does not look like a program
   const std::string kind = kind_of_file(file.text);
   const bool is_json = file.form == ProgramForm::json || file.form == ProgramForm::words_json;
@@ -42,7 +52,8 @@ std::string seems_to_be_else(const ProgramFile& file, const std::string& from) {
     if (!from.empty() || file.parsed.faults.size() <= kFewFaults) return "";
     return fmt::format("seems to be {}; {}", kind.empty() ? "some other text" : kind, kExpected);
   }
-  if (kind == kind_of_form(file.form)) return "";
+  if (kind == kind_of_form(file.form) || (file.form == ProgramForm::xbox && kind == kBinaryKind)) return "";
+  if (file.form == ProgramForm::source && (kind == kGlKind || kind.find("source") != std::string::npos)) return "";
   const FormName* const other = form_of_kind(kind);
   if (other == nullptr) return fmt::format("seems to be {}; {}", kind, kExpected);
   if (from.empty() || from == other->flag) return "";
@@ -50,78 +61,73 @@ std::string seems_to_be_else(const ProgramFile& file, const std::string& from) {
                      kind_of_form(file.form), from, other->flag);
 }
 
-// The text of a file. Reports a file that is too long for a program, with its kind if that is known.
-Result<std::string> read_text(const std::string& path) {
-  auto input = InputFile::open(path);
-  if (!input) return input.error();
-  std::string text;
-  while (text.size() <= kMaxSourceBytes) {
-    auto more = input->read();
-    if (!more) return more.error();
-    if (more->empty()) return text;
-    text.append(*more);
+// The form that --from names, if it is given, else the detected one.
+ProgramForm form_by(const std::string& from, std::string_view text) {
+  if (from == "words") {
+    const bool is_json = without_heading(text).starts_with('{') || without_heading(text).starts_with('[');
+    return is_json ? ProgramForm::words_json : ProgramForm::words;
   }
-  const std::string kind = kind_of_file(text);
-  return Diagnostic{.message = fmt::format("{}is longer than {} bytes, the limit for a program",
-                                           kind.empty() ? "" : "seems to be " + kind + ", and ", kMaxSourceBytes),
-                    .file = input->name()};
+  const auto found = std::find_if(kForms.begin(), kForms.end(), [&](const FormName& f) { return f.flag == from; });
+  return from.empty() || found == kForms.end() ? form_of(text) : found->form;
 }
 
-}  // namespace
-
-void add_program_argument(CLI::App& verb, const std::string& name, ProgramFlags& flags) {
-  verb.add_option(name, flags.file, "Program in any form; - reads standard input")
-      ->required()
-      ->type_name("PROGRAM")
-      ->check(CLI::Validator(
-          [](const std::string& text) { return std::string(text.empty() ? "the file name is empty" : ""); }, ""));
+// The program of a log that was read.
+Parsed<TextProgram> program_in(Parsed<RegisterLog>& log, std::size_t setup, const std::string& name,
+                               const HardwareProfile& profile) {
+  Parsed<TextProgram> program{std::nullopt, std::move(log.faults), std::move(log.notes)};
+  if (!log) return program;
+  std::vector<RegisterWord> other_words;
+  auto state = program_of(*log.value, setup, name, profile, &other_words);
+  program.faults = std::move(state.faults);
+  program.notes.insert(program.notes.end(), state.notes.begin(), state.notes.end());
+  if (state) program.value = TextProgram{*state.value, std::move(other_words)};
+  return program;
 }
 
-void add_program_flags(CLI::App& verb, ProgramFlags& flags) {
-  add_program_argument(verb, "program", flags);
-  verb.add_option("--from", flags.from, "Form of the program (default: detected from the content)")
-      ->check(CLI::IsMember({"gl", "rc10", "words", "json"}));
-  verb.add_option("--chip", flags.chip, "Chip whose register words are read (default: from the profile)")
-      ->check(CLI::IsMember({"nv10", "nv20"}));
-}
+// The lines of a text, for messages. Asked for from the first to the last, they take one pass over the text.
+class SourceLines {
+ public:
+  explicit SourceLines(std::string_view text) : rest_(text) {}
 
-ChipClass chip_of(const ProgramFlags& flags, const HardwareProfile& profile) {
-  if (!flags.chip.empty()) return flags.chip == "nv10" ? ChipClass::nv10 : ChipClass::nv20;
-  return ninebit::chip_of(profile);
-}
-
-Result<ProgramFile> read_program_file(const ProgramFlags& flags, const HardwareProfile& profile) {
-  auto text = read_text(flags.file);
-  if (!text) return text.error();
-  ProgramFile file{.name = flags.file == "-" ? "standard input" : flags.file, .text = std::move(*text), .parsed = {}};
-  if (flags.from.empty() && without_heading(file.text).empty()) {
-    return Diagnostic{.message = "is empty; expected a program", .file = file.name};
+  // The line, and below it a mark under the word at the column; empty if there is no such line, or it is not plain text
+  // of a terminal's width.
+  std::string marked(int line, int column) {
+    for (; number_ < line && !rest_.empty(); ++number_) {
+      rest_.remove_prefix(std::min(rest_.find('\n'), rest_.size() - 1) + 1);
+    }
+    constexpr std::size_t kLongest = 160;
+    std::string shown(rest_.substr(0, std::min(rest_.find('\n'), kLongest + 1)));
+    if (shown.ends_with('\r')) shown.pop_back();
+    std::replace(shown.begin(), shown.end(), '\t', ' ');
+    const auto is_plain = [](char c) { return c >= ' ' && c <= '~'; };
+    const auto at = static_cast<std::size_t>(column - 1);
+    if (number_ != line || at >= shown.size() || shown.size() > kLongest ||
+        !std::all_of(shown.begin(), shown.end(), is_plain)) {
+      return "";
+    }
+    std::size_t end = at;
+    while (end < shown.size() && detail::is_word(shown[end])) ++end;
+    return fmt::format("  {}\n  {}^{}\n", shown, std::string(at, ' '), std::string(end > at ? end - at - 1 : 0, '~'));
   }
-  file.form = form_of(file.text);
-  const bool is_json = file.form == ProgramForm::json || file.form == ProgramForm::words_json;
-  if (flags.from == "gl") file.form = ProgramForm::gl;
-  if (flags.from == "rc10") file.form = ProgramForm::rc10;
-  if (flags.from == "json") file.form = ProgramForm::json;
-  if (flags.from == "words") file.form = is_json ? ProgramForm::words_json : ProgramForm::words;
-  file.parsed = parse_program({file.text, file.name}, file.form, chip_of(flags, profile), profile);
-  if (file.parsed) return file;
-  if (std::string message = seems_to_be_else(file, flags.from); !message.empty()) {
-    return Diagnostic{.message = std::move(message), .file = file.name};
-  }
-  return file;
-}
 
-std::optional<CombinerState> load_program(const ProgramFlags& flags, const HardwareProfile& profile, int& exit_code) {
-  auto file = read_program_file(flags, profile);
+ private:
+  std::string_view rest_;
+  int number_ = 1;
+};
+
+// The program of a file, if there is nothing wrong with it; else prints what is.
+std::optional<TextProgram> checked(Result<ProgramFile> file, const HardwareProfile& profile, bool quiet,
+                                   int& exit_code) {
   if (!file) {
     exit_code = report(file.error());
     return std::nullopt;
   }
+  if (!quiet) say_notes(file->parsed.notes);
   if (!file->parsed) {
-    exit_code = report(file->parsed.faults);
+    exit_code = report(file->parsed.faults, file->text);
     return std::nullopt;
   }
-  const std::vector<StateDiagnostic> refused = validate(*file->parsed.value, profile);
+  const std::vector<StateDiagnostic> refused = validate(file->parsed.value->state, profile);
   for (const StateDiagnostic& d : refused) {
     exit_code = report({.message = fmt::format("{}: {}", name_of(d.gl_error), d.message), .file = file->name});
   }
@@ -129,8 +135,136 @@ std::optional<CombinerState> load_program(const ProgramFlags& flags, const Hardw
   return std::move(file->parsed.value);
 }
 
-int report(const std::vector<TextFault>& faults) {
-  for (const TextFault& fault : faults) say_error(fault.text());
+}  // namespace
+
+Result<ProgramSource> open_program(const ProgramFlags& flags) {
+  const SetupName named = setup_name(flags.file);
+  auto input = InputFile::open(named.file);
+  if (!input) return input.error();
+  ProgramSource source{.name = input->name(), .text = {}};
+  source.setup = named.setup;
+  bool whole = false;
+  while (!whole && source.text.size() <= kMaxSourceBytes) {
+    auto more = input->read();
+    if (!more) return more.error();
+    whole = more->empty();
+    source.text.append(*more);
+  }
+  source.form = form_by(flags.from, source.text);
+  // What looks like a sequence of calls alone may still need values.
+  const bool asks_for_source = !flags.functions.empty() || !flags.defines.empty();
+  if (flags.from.empty() && asks_for_source && source.form == ProgramForm::gl) source.form = ProgramForm::source;
+  const bool is_log = source.form == ProgramForm::log;
+  const bool is_calls = source.form == ProgramForm::gl || source.form == ProgramForm::source;
+  if (flags.from.empty() && is_calls && without_heading(source.text).empty()) {
+    return Diagnostic{.message = "is empty; expected a program", .file = source.name};
+  }
+  if (named.setup && !is_log) {
+    return Diagnostic{
+        .message = fmt::format("is not a log of register writes; #{} picks a combiner set-up of a log", *named.setup),
+        .file = source.name};
+  }
+  if (named.setup == 0U) {
+    return Diagnostic{.message = "#0 is out of range; combiner set-ups are counted from 1", .file = source.name};
+  }
+  if (whole) return source;
+  if (is_log) {
+    source.rest.emplace(std::move(*input));
+    return source;
+  }
+  const std::string kind = kind_of_file(source.text);
+  return Diagnostic{.message = fmt::format("{}is longer than {} bytes, the limit for a program",
+                                           kind.empty() ? "" : "seems to be " + kind + ", and ", kMaxSourceBytes),
+                    .file = source.name};
+}
+
+Result<Parsed<RegisterLog>> read_log(ProgramSource& source, const ProgramFlags& flags, const HardwareProfile& profile,
+                                     std::optional<std::uint32_t> frame) {
+  const auto chip = flags.chip.empty() ? std::nullopt : std::optional(chip_of(flags, profile));
+  RegisterLogReader reader(source.name, {.chip = chip, .fallback = ninebit::chip_of(profile), .frame = frame});
+  reader.read(source.text);
+  while (source.rest) {
+    auto more = source.rest->read();
+    if (!more) return more.error();
+    if (more->empty()) break;
+    reader.read(*more);
+  }
+  return reader.finish();
+}
+
+Result<ProgramFile> read_program_file(const ProgramFlags& flags, const HardwareProfile& profile) {
+  auto source = open_program(flags);
+  if (!source) return source.error();
+  return read_program_file(std::move(*source), flags, profile);
+}
+
+Result<ProgramFile> read_program_file(ProgramSource source, const ProgramFlags& flags, const HardwareProfile& profile) {
+  ProgramFile file{.name = source.name, .text = {}, .form = source.form, .parsed = {}};
+  if (source.form == ProgramForm::log) {
+    auto log = read_log(source, flags, profile);
+    if (!log) return log.error();
+    file.parsed = program_in(*log, source.setup.value_or(0), source.name, profile);
+  } else {
+    file.parsed = parse_program({source.text, source.name}, source.form, profile,
+                                {.chip = chip_of(flags, profile), .source = selection_of(flags)});
+  }
+  file.text = std::move(source.text);
+  if (file.parsed) return file;
+  if (std::string message = seems_to_be_else(file, flags.from); !message.empty()) {
+    return Diagnostic{.message = std::move(message), .file = file.name};
+  }
+  return file;
+}
+
+std::optional<CombinerState> load_program(const ProgramFlags& flags, const HardwareProfile& profile, bool quiet,
+                                          int& exit_code) {
+  const auto program = load_text_program(flags, profile, quiet, exit_code);
+  return program ? std::optional(program->state) : std::nullopt;
+}
+
+std::optional<TextProgram> load_text_program(const ProgramFlags& flags, const HardwareProfile& profile, bool quiet,
+                                             int& exit_code) {
+  auto source = open_program(flags);
+  if (!source) {
+    exit_code = report(source.error());
+    return std::nullopt;
+  }
+  return load_text_program(std::move(*source), flags, profile, quiet, exit_code);
+}
+
+std::optional<TextProgram> load_text_program(ProgramSource source, const ProgramFlags& flags,
+                                             const HardwareProfile& profile, bool quiet, int& exit_code) {
+  if (misuses_source_flags(flags, source.name, source.form)) {
+    exit_code = kWrongUsage;
+    return std::nullopt;
+  }
+  return checked(read_program_file(std::move(source), flags, profile), profile, quiet, exit_code);
+}
+
+std::optional<TextProgram> load_setup(Parsed<RegisterLog> log, ProgramSource source, const HardwareProfile& profile,
+                                      bool quiet, int& exit_code) {
+  ProgramFile file{.name = source.name, .text = {}, .form = source.form, .parsed = {}};
+  file.parsed = program_in(log, source.setup.value_or(0), source.name, profile);
+  file.text = std::move(source.text);
+  return checked(std::move(file), profile, quiet, exit_code);
+}
+
+bool misuses_source_flags(const ProgramFlags& flags, std::string_view name, ProgramForm form) {
+  if (form == ProgramForm::source || (flags.functions.empty() && flags.defines.empty())) return false;
+  say_error(fmt::format("--function and --define are for source files; {} was read as {}", name, kind_of_form(form)));
+  return true;
+}
+
+void say_notes(const std::vector<TextFault>& notes) {
+  for (const TextFault& note : notes) say(fmt::format("ninebit: note: {}\n", printable_briefly(note.text())));
+}
+
+int report(const std::vector<TextFault>& faults, std::string_view text) {
+  SourceLines lines(text);
+  for (const TextFault& fault : faults) {
+    say_error(fault.text());
+    say(lines.marked(fault.line, fault.column));
+  }
   return kInvalidInput;
 }
 

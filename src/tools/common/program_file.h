@@ -7,43 +7,68 @@
 #include <vector>
 
 #include "ninebit/language/program_text.h"
+#include "ninebit/language/register_log.h"
 #include "ninebit/language/register_words.h"
 #include "ninebit/language/source_text.h"
+#include "src/tools/common/program_flags.h"
+#include "src/tools/input/input_file.h"
 #include "src/tools/input/program.h"
 
 namespace ninebit::tools {
 
-struct ProgramFlags {
-  std::string file;  // "-": stdin
-  std::string from;  // "gl", "rc10", "words" or "json"; empty: detected
-  std::string chip;  // of register words: "nv10" or "nv20"; empty: from the profile
+// A file whose form is known, before it is parsed.
+struct ProgramSource {
+  std::string name;  // for messages
+  std::string text;  // of a log, its beginning
+  ProgramForm form = ProgramForm::gl;
+  std::optional<std::size_t> setup{};  // of LOG#N
+  std::optional<InputFile> rest{};     // of a log that is longer than a program may be
 };
 
-// Adds the argument PROGRAM to a verb.
-void add_program_argument(CLI::App& verb, const std::string& name, ProgramFlags& flags);
-// Adds PROGRAM, --from and --chip to a verb.
-void add_program_flags(CLI::App& verb, ProgramFlags& flags);
+// Reads a file until its form is known, and all of it unless it is a long log. Reports a file that cannot be read, is
+// empty or too long, and a set-up of a file that is not a log.
+[[nodiscard]] Result<ProgramSource> open_program(const ProgramFlags& flags);
 
-// The chip whose register words are read.
-[[nodiscard]] ChipClass chip_of(const ProgramFlags& flags, const HardwareProfile& profile);
+// Reads a log to its end. `frame`: as in RegisterLogOptions.
+[[nodiscard]] Result<Parsed<RegisterLog>> read_log(ProgramSource& source, const ProgramFlags& flags,
+                                                   const HardwareProfile& profile,
+                                                   std::optional<std::uint32_t> frame = {});
 
 struct ProgramFile {
   std::string name;  // for messages
   std::string text;
   ProgramForm form = ProgramForm::gl;
-  Parsed<CombinerState> parsed;
+  Parsed<TextProgram> parsed;
 };
 
 // Reads and parses a file. Reports a file that cannot be read, or that has faults and seems to be of another kind or
 // language; other faults in the text are in `parsed`.
 [[nodiscard]] Result<ProgramFile> read_program_file(const ProgramFlags& flags, const HardwareProfile& profile);
+// The same for a file that is open.
+[[nodiscard]] Result<ProgramFile> read_program_file(ProgramSource source, const ProgramFlags& flags,
+                                                    const HardwareProfile& profile);
 
 // The same for verbs that need a valid program. If it is not, prints everything that is wrong, sets `exit_code` and
-// returns nothing.
+// returns nothing. Prints what was skipped or assumed, unless `quiet`.
+[[nodiscard]] std::optional<TextProgram> load_text_program(const ProgramFlags& flags, const HardwareProfile& profile,
+                                                           bool quiet, int& exit_code);
+[[nodiscard]] std::optional<TextProgram> load_text_program(ProgramSource source, const ProgramFlags& flags,
+                                                           const HardwareProfile& profile, bool quiet, int& exit_code);
+// The set-up `source.setup` of a log that was read from the source.
+[[nodiscard]] std::optional<TextProgram> load_setup(Parsed<RegisterLog> log, ProgramSource source,
+                                                    const HardwareProfile& profile, bool quiet, int& exit_code);
+// Its state alone.
 [[nodiscard]] std::optional<CombinerState> load_program(const ProgramFlags& flags, const HardwareProfile& profile,
-                                                        int& exit_code);
+                                                        bool quiet, int& exit_code);
 
-// Prints every fault as "ninebit: error: FILE:LINE:COLUMN: MESSAGE"; returns kInvalidInput.
-[[nodiscard]] int report(const std::vector<TextFault>& faults);
+// Whether --function or --define was given for a file that is not a source; says so.
+[[nodiscard]] bool misuses_source_flags(const ProgramFlags& flags, std::string_view name, ProgramForm form);
+
+// Prints what was skipped or assumed in a text, a line each: "ninebit: note: FILE:LINE:COLUMN: MESSAGE".
+void say_notes(const std::vector<TextFault>& notes);
+
+// Prints every fault as "ninebit: error: FILE:LINE:COLUMN: MESSAGE", then the line of `text`, which has the faults,
+// with a mark under the place, as compilers do. Without the text, only the first line. Returns kInvalidInput.
+[[nodiscard]] int report(const std::vector<TextFault>& faults, std::string_view text = {});
 
 }  // namespace ninebit::tools

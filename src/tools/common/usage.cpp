@@ -6,7 +6,7 @@
 #include <regex>
 #include <vector>
 
-#include "src/tools/input/nearest_name.h"
+#include "src/language/source/nearest_name.h"
 
 namespace ninebit::tools {
 namespace {

@@ -35,18 +35,20 @@ bool is_effect(const std::string& file) {
   return content.starts_with('{') && json_kind(content) == "effect";
 }
 
-Result<CombinerState> read_program(const std::filesystem::path& path, const HardwareProfile& profile) {
+Result<CombinerState> read_program(const std::filesystem::path& path, const HardwareProfile& profile,
+                                   std::vector<std::string>& warnings) {
   ProgramFlags flags;
   flags.file = path.string();
   auto file = read_program_file(flags, profile);
   if (!file) return file.error();
+  for (const TextFault& note : file->parsed.notes) warnings.push_back(note.text());
   if (!file->parsed) {
     const TextFault& first = file->parsed.faults[0];
     for (std::size_t i = 1; i < file->parsed.faults.size(); ++i) say_error(file->parsed.faults[i].text());
     return Diagnostic{.message = first.message, .file = first.file, .line = first.line};
   }
-  const std::vector<StateDiagnostic> refused = validate(*file->parsed.value, profile);
-  if (refused.empty()) return std::move(*file->parsed.value);
+  const std::vector<StateDiagnostic> refused = validate(file->parsed.value->state, profile);
+  if (refused.empty()) return file->parsed.value->state;
   return Diagnostic{.message = fmt::format("{}: {}", name_of(refused[0].gl_error), refused[0].message),
                     .file = file->name};
 }
@@ -98,7 +100,9 @@ DrawnFile read_effect_file(const std::string& file) {
 
 EffectReaders effect_readers(bool allow_outside, std::vector<std::string>& warnings) {
   EffectReaders readers;
-  readers.program = &read_program;
+  readers.program = [&warnings](const std::filesystem::path& path, const HardwareProfile& profile) {
+    return read_program(path, profile, warnings);
+  };
   readers.texture = [&warnings](std::span<const std::filesystem::path> files, const HardwareProfile& profile) {
     return read_texture_files(files, profile, warnings);
   };

@@ -5,6 +5,10 @@
 #include <cctype>
 #include <utility>
 
+#include "ninebit/language/register_log.h"
+#include "ninebit/language/source_code.h"
+#include "ninebit/language/xbox_pixel_shader.h"
+
 namespace ninebit::tools {
 namespace {
 
@@ -97,7 +101,7 @@ std::string kind_of_bytes(std::string_view bytes) {
       (bytes[2] == '\n' || bytes[2] == ' ')) {
     return "a PNM picture";
   }
-  return binary ? "a binary file" : "";
+  return binary ? std::string(kBinaryKind) : "";
 }
 
 std::string kind_of_script(std::string_view line) {
@@ -153,6 +157,7 @@ bool has_gl_call(std::string_view text) {
 std::string kind_of_source(std::string_view text) {
   if (has_line(text, "```") || has_line(text, "## ")) return "a Markdown page";
   if (has_line(text, "#version")) return "a GLSL shader";
+  if (is_source_code(text)) return std::string(kSourceKind);
   if (has_line(text, "#include") || has_line(text, "#pragma") || has_line(text, "#ifndef")) return "C or C++ source";
   if (has_gl_call(text)) return std::string(kGlKind);
   if (has_line(text, "void main") || has_line(text, "int main")) return "C source or a shader";
@@ -165,7 +170,9 @@ std::string kind_of_source(std::string_view text) {
 }  // namespace
 
 std::string kind_of_file(std::string_view bytes) {
-  if (std::string kind = kind_of_bytes(bytes); !kind.empty()) return kind;
+  const std::string kind = kind_of_bytes(bytes);
+  if ((kind.empty() || kind == kBinaryKind) && is_xbox_pixel_shader(bytes)) return std::string(kXboxKind);
+  if (!kind.empty()) return kind;
   if (bytes.starts_with("#!")) return kind_of_script(first_line(bytes));
   const std::string_view text = without_heading(bytes);
   if (text.starts_with("!!RC1.0")) return std::string(kRc10Kind);
@@ -175,9 +182,11 @@ std::string kind_of_file(std::string_view bytes) {
     const auto end = std::find_if_not(line.begin(), line.end(), is_name);
     return "a program in " + std::string(line.begin(), end);
   }
-  if (text.starts_with('{') || text.starts_with('[')) return kind_of_json(text);
+  const bool is_log = !text.starts_with('{') && !is_assignment(text) && is_register_log(bytes);
+  if (text.starts_with('{') || (text.starts_with('[') && !is_log)) return kind_of_json(text);
   if (is_table(text)) return std::string(kTableKind);
-  if (std::string kind = kind_of_source(bytes.substr(0, kLookedAt)); !kind.empty()) return kind;
+  if (is_log) return std::string(kLogKind);
+  if (std::string source = kind_of_source(bytes.substr(0, kLookedAt)); !source.empty()) return source;
   return std::string(is_assignment(text) ? kWordsKind : ""sv);
 }
 

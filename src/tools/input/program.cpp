@@ -10,11 +10,11 @@
 #include <system_error>
 #include <utility>
 
+#include "src/language/source/nearest_name.h"
 #include "src/system/process.h"
 #include "src/system/stream.h"
 #include "src/tools/input/file_kind.h"
 #include "src/tools/input/input_file.h"
-#include "src/tools/input/nearest_name.h"
 #include "src/tools/input/printable.h"
 
 namespace ninebit::tools {

@@ -3,8 +3,8 @@
 
 #include <memory>
 
+#include "src/language/source/nearest_name.h"
 #include "src/tools/common/scene_flags.h"
-#include "src/tools/input/nearest_name.h"
 #include "src/tools/input/printable.h"
 #include "src/tools/prove/prove.h"
 
@@ -77,7 +77,8 @@ int run(const EquivalentFlags& flags) {
   const HardwareProfile &profile = profile_of(common),
                         &other = flags.other.name.empty() ? profile : profile_of(flags.other);
   int exit_code = kDone;
-  const auto a = load_program(flags.a, profile, exit_code), b = load_program(flags.b, other, exit_code);
+  const auto a = load_program(flags.a, profile, common.quiet, exit_code),
+             b = load_program(flags.b, other, common.quiet, exit_code);
   if (!a || !b) return exit_code;
   const ThreadLimit limit(common.threads);
   ProgressLine progress(common.quiet || common.json);

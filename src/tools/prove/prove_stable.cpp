@@ -86,7 +86,7 @@ int run(const StableFlags& flags) {
   const CommonFlags& common = flags.proof.common;
   const HardwareProfile& profile = profile_of(common);
   int exit_code = kDone;
-  const auto state = load_program(flags.program, profile, exit_code);
+  const auto state = load_program(flags.program, profile, common.quiet, exit_code);
   if (!state) return exit_code;
   const ThreadLimit limit(common.threads);
   ProgressLine progress(common.quiet || common.json);

@@ -7,11 +7,11 @@
 #include <set>
 #include <utility>
 
+#include "src/language/source/nearest_name.h"
 #include "src/system/hashing/sha256.h"
 #include "src/tools/common/number_flag.h"
 #include "src/tools/common/number_list.h"
 #include "src/tools/input/input_file.h"
-#include "src/tools/input/nearest_name.h"
 
 namespace ninebit::tools {
 namespace {

@@ -37,7 +37,7 @@ std::vector<std::string> all_forms() {
 }
 
 Result<Program> read_program(const DatapathFlags& flags, const HardwareProfile& profile, StudyQuestion& question) {
-  const auto file = read_program_file({.file = flags.program, .from = "", .chip = ""}, profile);
+  const auto file = read_program_file({.file = flags.program}, profile);
   if (!file) return file.error();
   question.options.emplace_back("--program", flags.program);
   if (Status added = add_content(question, flags.program); !added) return added.error();
@@ -47,7 +47,7 @@ Result<Program> read_program(const DatapathFlags& flags, const HardwareProfile& 
     if (more == 0) return Diagnostic{.message = first};
     return Diagnostic{.message = fmt::format("{}; {} more, run `ninebit validate` to list them", first, more)};
   }
-  auto program = compile(*file->parsed.value, profile);
+  auto program = compile(file->parsed.value->state, profile);
   if (program) return program;
   Diagnostic fault = program.error();
   if (fault.file.empty()) fault.file = file->name;

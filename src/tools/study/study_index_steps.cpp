@@ -52,9 +52,9 @@ void keep_named(std::vector<T>& all, const std::string& list, const Name& name) 
 
 // The file's program for a profile. For a text with faults, reports the first.
 Result<CombinerState> read_state(const std::string& name, const HardwareProfile& profile) {
-  auto file = read_program_file({.file = name, .from = "", .chip = ""}, profile);
+  auto file = read_program_file({.file = name}, profile);
   if (!file) return file.error();
-  if (file->parsed) return *std::move(file->parsed.value);
+  if (file->parsed) return file->parsed.value->state;
   const std::vector<TextFault>& faults = file->parsed.faults;
   TextFault first = faults.front();
   first.file.clear();

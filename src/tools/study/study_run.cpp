@@ -17,6 +17,7 @@
 #include "src/system/inside_folder.h"
 #include "src/system/process.h"
 #include "src/tools/common/scene_flags.h"
+#include "src/tools/common/setup_name.h"
 #include "src/tools/study/study.h"
 
 namespace ninebit::tools {
@@ -148,6 +149,7 @@ std::optional<std::string> why_refused(std::string_view word) {
     const bool is_folder = std::filesystem::is_directory(std::filesystem::symlink_status(piece, error));
     if (piece.empty() || is_folder) continue;
     if (auto why = posix::why_outside("", piece)) return why;
+    if (auto why = posix::why_outside("", without_setup(piece))) return why;
   }
   return std::nullopt;
 }

@@ -6,8 +6,9 @@
 #include <charconv>
 
 #include "ninebit/combiner/validate.h"
+#include "src/language/source/nearest_name.h"
 #include "src/system/inside_folder.h"
-#include "src/tools/input/nearest_name.h"
+#include "src/tools/common/setup_name.h"
 
 namespace ninebit::tools {
 namespace {
@@ -178,22 +179,24 @@ Status VerifyTable::find_program(const CsvLine& line, VerifyRow& row) {
     return {};
   }
   if (is_named_here && !allow_outside_) {
-    const auto why = posix::why_outside(folder_, named);
+    auto why = posix::why_outside(folder_, named);
+    if (!why) why = posix::why_outside(folder_, without_setup(named));
     if (why) return csv_fault(name(), line.number, 1, *why + ", or --allow-outside");
   }
   // A row that names "-" means a file of that name, never standard input.
   if (flags.file == "-" && is_named_here) flags.file = "./-";
   auto file = read_program_file(flags, *profile_);
   if (!file) return file.error();
+  say_notes(file->parsed.notes);
   if (!file->parsed) {
     const TextFault& fault = file->parsed.faults.front();
     return Diagnostic{.message = fault.text()};
   }
-  if (const auto refused = validate(*file->parsed.value, *profile_); !refused.empty()) {
+  if (const auto refused = validate(file->parsed.value->state, *profile_); !refused.empty()) {
     return Diagnostic{.message = fmt::format("{}: {}", name_of(refused[0].gl_error), refused[0].message),
                       .file = file->name};
   }
-  row.program = &programs_.emplace(flags.file, *file->parsed.value).first->second;
+  row.program = &programs_.emplace(flags.file, file->parsed.value->state).first->second;
   return {};
 }
 

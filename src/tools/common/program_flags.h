@@ -1,0 +1,32 @@
+// The flags of verbs that read a program.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+#include <vector>
+
+#include "ninebit/language/register_words.h"
+#include "ninebit/language/source_code.h"
+
+namespace ninebit::tools {
+
+struct ProgramFlags {
+  std::string file{};                    // "-": stdin; LOG#N: a set-up of a log
+  std::string from{};                    // a form, as --from names it; empty: detected
+  std::string chip{};                    // of register words: "nv10" or "nv20"; empty: from the profile
+  std::vector<std::string> functions{};  // of a source
+  std::vector<std::string> defines{};    // of a source: NAME=VALUE
+};
+
+// Adds the argument PROGRAM to a verb.
+void add_program_argument(CLI::App& verb, const std::string& name, ProgramFlags& flags);
+// Adds PROGRAM, --from, --chip, --function and --define to a verb.
+void add_program_flags(CLI::App& verb, ProgramFlags& flags);
+
+// The chip whose register words are read.
+[[nodiscard]] ChipClass chip_of(const ProgramFlags& flags, const HardwareProfile& profile);
+
+// What --function and --define say.
+[[nodiscard]] SourceSelection selection_of(const ProgramFlags& flags);
+
+}  // namespace ninebit::tools
