@@ -13,8 +13,11 @@ namespace ninebit::fuzz {
 using Check = std::string (*)(std::string_view bytes);
 
 std::string check_gl(std::string_view bytes);       // GL calls
+std::string check_source(std::string_view bytes);   // a source file
 std::string check_rc10(std::string_view bytes);     // !!RC1.0
 std::string check_words(std::string_view bytes);    // register words as NAME = 0x… lines
+std::string check_xbox(std::string_view bytes);     // the Xbox's pixel shader definition, in every shape
+std::string check_log(std::string_view bytes);      // a log of register writes, which reads alike in any pieces
 std::string check_json(std::string_view bytes);     // the canonical form, and register words as JSON
 std::string check_profile(std::string_view bytes);  // a hardware profile, which must compute alike in both evaluators
 std::string check_csv(std::string_view bytes);      // a table for `eval`, which reads alike in any pieces

@@ -6,7 +6,10 @@
 #include "combiner_tests/fuzz/common.h"
 #include "ninebit/language/gl_calls.h"
 #include "ninebit/language/rc10.h"
+#include "ninebit/language/register_log.h"
 #include "ninebit/language/register_words.h"
+#include "ninebit/language/source_code.h"
+#include "ninebit/language/xbox_pixel_shader.h"
 
 namespace ninebit::fuzz {
 namespace {
@@ -19,10 +22,26 @@ TEST(Corpus, Rc10) {
   replay("rc10", check_rc10, [](std::string_view text) { return bool(parse_rc10({text, ""}, profiles::nv2a)); });
 }
 
+TEST(Corpus, Source) {
+  replay("source", check_source, [](std::string_view text) {
+    return bool(parse_source_code({text, ""}, {}, profiles::nv2a));
+  });
+}
+
 TEST(Corpus, Words) {
   replay("words", check_words, [](std::string_view text) {
     return bool(parse_register_words({text, ""}, ChipClass::nv20, profiles::nv2a));
   });
+}
+
+TEST(Corpus, Xbox) {
+  replay("xbox", check_xbox, [](std::string_view text) {
+    return bool(parse_xbox_pixel_shader({text, ""}, profiles::nv2a));
+  });
+}
+
+TEST(Corpus, Log) {
+  replay("log", check_log, [](std::string_view text) { return bool(parse_register_log({text, ""})); });
 }
 
 TEST(Corpus, State) {

@@ -62,6 +62,7 @@ TEST(FaultErrors, OfGeneralCombinersInRc10) {
   EXPECT_EQ(of_rgb("tex2 = tex3;"), (Errors{invalid_enum, invalid_enum}));
   EXPECT_EQ(of_rgb("spare0 = tex0; spare0 = tex1;"), Errors{invalid_operation});
   EXPECT_EQ(of_rgb("spare0 = discard;"), Errors{invalid_enum});
+  EXPECT_EQ(of_rgb("spare0 = color_sum; final_product = tex0;"), (Errors{invalid_enum, invalid_enum}));
   EXPECT_EQ(of_rgb("spare0 = tex0.b * fog.a;"), (Errors{invalid_operation, invalid_operation}));
   EXPECT_EQ(of_alpha("spare0 = tex0.rgb . fog;"), (Errors{invalid_operation, invalid_value, invalid_operation}));
   // The suffix of what is written is left out of the call.
@@ -77,6 +78,8 @@ TEST(FaultErrors, OfTheFinalCombinerInRc10) {
   EXPECT_EQ(of_rc10("final_product = color_sum * tex0.b; out.rgb = final_product;"),
             (Errors{invalid_operation, invalid_operation}));
   EXPECT_EQ(of_rc10("out.rgb = color_sum * color_sum;"), Errors{invalid_operation});
+  EXPECT_EQ(of_rc10("out.a = expand(tex0);"), Errors{invalid_enum});
+  EXPECT_EQ(of_rc10("out.rgb = -tex0;"), Errors{invalid_enum});
 }
 
 TEST(FaultErrors, OfWhatAProfileLacksInRc10) {
@@ -90,7 +93,6 @@ TEST(FaultErrors, NoneOfWhatRc10FindsByItself) {
   EXPECT_EQ(of_rc10("out.rgb = final_product;"), Errors{no_error});
   EXPECT_EQ(of_rc10("const0 = (0, 0, 0, 0); const0 = (0, 0, 0, 0); out.a = zero;"), Errors{no_error});
   EXPECT_EQ(of_rgb("spare0 = expand tex0;"), Errors{no_error});
-  EXPECT_EQ(of_rc10("out.a = expand(tex0);"), Errors{no_error});
 }
 
 TEST(FaultErrors, OfRegisterWords) {

@@ -34,11 +34,17 @@ const std::vector<GlFault> kWords{
     {"glEnable(GL_REGISTER_COMBINERS_NV /*", "f:1:35: unterminated comment; expected */\n"},
     {"glEnable(GL_REGISTER_COMBINERS_NV)\nglEnable(GL_FOO);",
      "f:2:1: expected ';', found 'glEnable'\n"
-     "f:2:10: 'GL_FOO' is neither an enumerant of the register combiners nor a declared array\n"},
+     "f:2:10: 'GL_FOO' is neither an enumerant of the register combiners nor a declared array; did you mean "
+     "'GL_FOG'?\n"},
     {"glEnable(GL_A\nglEnable(GL_B);",
      "f:1:10: 'GL_A' is neither an enumerant of the register combiners nor a declared array\n"
      "f:2:1: expected ',', found 'glEnable'\n"
      "f:2:10: 'GL_B' is neither an enumerant of the register combiners nor a declared array\n"},
+    {"glCombinerInptuNV(GL_SPARE0);",
+     "f:1:1: 'glCombinerInptuNV' is not a call of the register combiners; did you mean 'glCombinerInputNV'?\n"},
+    {"glFinalCombinerInputNV(GL_VARAIBLE_A_NV, GL_ZERO, GL_UNSIGNED_IDENTITY, GL_RGB);",
+     "f:1:24: 'GL_VARAIBLE_A_NV' is neither an enumerant of the register combiners nor a declared array; did you mean "
+     "'GL_VARIABLE_A_NV'?\n"},
     {"glEnable(GL_A, GL_B);",
      "f:1:10: 'GL_A' is neither an enumerant of the register combiners nor a declared array\n"
      "f:1:16: 'GL_B' is neither an enumerant of the register combiners nor a declared array\n"},

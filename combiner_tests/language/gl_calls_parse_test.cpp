@@ -127,20 +127,63 @@ TEST(GlCalls, TexturesAndStagesGoByNameNumberAndSum) {
 TEST(GlCalls, FunctionPointersHavePrefixesAndSuffixes) {
   CombinerState wanted;
   wanted.num_general_combiners = 2;
-  for (const char* const name :
-       {"glCombinerParameteriNV", "pglCombinerParameteriNV", "qglCombinerParameteriNV", "_glCombinerParameteriNV",
-        "__glewCombinerParameteriNV", "m_gl_CombinerParameteriNV", "glCombinerParameteriNVptr",
-        "glCombinerParameteriNV_ptr", "glCombinerParameteriNVPROC", "glCombinerParameteriNVEXT",
-        "pglCombinerParameteriNVFunc"}) {
+  for (const char* const name : {"glCombinerParameteriNV",
+                                 "pglCombinerParameteriNV",
+                                 "qglCombinerParameteriNV",
+                                 "_glCombinerParameteriNV",
+                                 "__glewCombinerParameteriNV",
+                                 "m_gl_CombinerParameteriNV",
+                                 "glCombinerParameteriNVptr",
+                                 "glCombinerParameteriNV_ptr",
+                                 "glCombinerParameteriNVPROC",
+                                 "glCombinerParameteriNVEXT",
+                                 "pglCombinerParameteriNVFunc",
+                                 "CombinerParameteriNV",
+                                 "glCombinerParameteri",
+                                 "CombinerParameteri",
+                                 "glCombinerParameteriNVARB",
+                                 "gl_x_CombinerParameteriNV",
+                                 "aVeryLongPrefix_glCombinerParameteriNV",
+                                 "nvCombinerParameteriNV",
+                                 "glue->glCombinerParameteriNV",
+                                 "gl.glCombinerParameteriNV",
+                                 "gl.CombinerParameteriNV",
+                                 "vtkgl::CombinerParameteriNV",
+                                 "This->gl.glCombinerParameteriNV",
+                                 "GL11.glCombinerParameteriNV"}) {
     EXPECT_TRUE(parsed(std::string(name) + "(GL_NUM_GENERAL_COMBINERS_NV, 2);") == wanted) << name;
   }
   for (const char* const name :
-       {"CombinerParameteriNV", "glCombinerParameteri", "glcombinerParameteriNV", "glCombinerParameteriNVARB",
-        "glCombinerParameteriNVGL", "gl_x_CombinerParameteriNV", "aVeryLongPrefix_glCombinerParameteriNV"}) {
+       {"glcombinerParameteriNV", "glCombinerParameteriNVGL", "glGetCombinerParameteriNV", "setCombinerParameteri",
+        "aPrefixOfTwentyOneCharglCombinerParameteriNV", "glCombinerParameteriiNV"}) {
     EXPECT_FALSE(parse_gl_calls({std::string(name) + "(GL_NUM_GENERAL_COMBINERS_NV, 2);", ""}, profiles::nv2a)) << name;
   }
   wanted.per_stage_constants = true;
   EXPECT_TRUE(parsed("qglCombinerParameterfNV(GL_NUM_GENERAL_COMBINERS_NV, 2.0f); pglEnable(0x8535);") == wanted);
+}
+
+TEST(GlCalls, EnumerantsHaveOtherSpellings) {
+  const CombinerState wanted = parsed(
+      "glCombinerInputNV(GL_COMBINER1_NV, GL_RGB, GL_VARIABLE_C_NV, GL_TEXTURE1_ARB, GL_EXPAND_NORMAL_NV, GL_RGB);");
+  for (const char* const text :
+       {"GL_COMBINER1, GL_RGB, GL_VARIABLE_C, GL_TEXTURE1, GL_EXPAND_NORMAL, GL_RGB",
+        "COMBINER1_NV, GL_RGB, VARIABLE_C_NV, GL_TEXTURE1_EXT, EXPAND_NORMAL_NV, GL_RGB",
+        "GL.GL_COMBINER1_NV, GL.GL_RGB, GL.GL_VARIABLE_C_NV, GL.GL_TEXTURE1, GL.GL_EXPAND_NORMAL_NV, GL.GL_RGB",
+        "vtkgl::COMBINER1_NV, vtkgl::RGB, vtkgl::VARIABLE_C_NV, vtkgl::TEXTURE1, vtkgl::EXPAND_NORMAL_NV, vtkgl::RGB",
+        "GL_COMBINER1_ARB, GL_RGB_EXT, GL_VARIABLE_C_EXT, GL_TEXTURE1_NV, GL_EXPAND_NORMAL_ARB, GL_RGB",
+        "NV.Combiner1Nv, All.Rgb, NV.VariableCNv, TextureUnit.Texture1, NV.ExpandNormalNv, All.Rgb"}) {
+    EXPECT_TRUE(parsed(std::string("glCombinerInputNV(") + text + ");") == wanted) << text;
+  }
+  // Without GL_ and without a qualifier these may be anything.
+  for (const char* const name : {"RGB", "ALPHA", "TEXTURE0", "ZERO", "FOG"}) {
+    EXPECT_FALSE(parse_gl_calls({std::string("glEnable(") + name + ");", ""}, profiles::nv2a)) << name;
+  }
+  // Another enumerant that GL has.
+  const auto other = parse_gl_calls(
+      {"glFinalCombinerInputNV(GL_VARIABLE_A_NV, GL_PRIMARY_COLOR_ARB, GL_UNSIGNED_IDENTITY_NV, GL_RGB);", "f"},
+      profiles::nv2a);
+  ASSERT_EQ(other.faults.size(), 1U);
+  EXPECT_EQ(other.faults[0].text(), "f:1:42: GL_INVALID_ENUM: 'GL_PRIMARY_COLOR_ARB' is not a valid input register");
 }
 
 TEST(GlCalls, ArraysAreBracesLiteralsOrDeclared) {

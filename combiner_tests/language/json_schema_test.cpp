@@ -73,6 +73,32 @@ TEST(JsonSchema, AcceptsWhatIsPrinted) {
   }
 }
 
+TEST(JsonSchema, DescribesTheOtherWords) {
+  const Json names = schema().at("properties").at("other_words").at("properties");
+  ASSERT_EQ(names.size(), kOtherWordNames.size());
+  std::vector<RegisterWord> words;
+  for (const std::string_view name : kOtherWordNames) {
+    EXPECT_TRUE(names.contains(name)) << name;
+    words.push_back({std::string(name), 0x89abcdef, {}});
+  }
+  Json whole = Json::parse(print_json_program({}, words));
+  EXPECT_EQ(complaint(whole), "");
+  whole["other_words"]["PSTextureModes"] = 33;
+  EXPECT_EQ(complaint(whole), "");
+  std::vector<RegisterWord> back;
+  ASSERT_TRUE(parse_json_program({whole.dump(), ""}, profiles::nv2a, &back));
+  ASSERT_EQ(back.size(), words.size());
+  const Json wrongs[] = {"33", "0x", "0xg", -1, 4294967296, 1.5, true, nullptr};
+  for (const Json& wrong : wrongs) {
+    whole["other_words"]["PSTextureModes"] = wrong;
+    EXPECT_NE(complaint(whole), "") << wrong;
+    EXPECT_FALSE(parse_json_program({whole.dump(), ""}, profiles::nv2a)) << wrong;
+  }
+  whole["other_words"] = {{"PSTextureMode", 1}};
+  EXPECT_NE(complaint(whole), "");
+  EXPECT_FALSE(parse_json_program({whole.dump(), ""}, profiles::nv2a));
+}
+
 TEST(JsonSchema, RefusesEveryKeyWithALetterMore) {
   const Json whole = Json::parse(print_json_program({}));
   const Json leaves = whole.flatten();

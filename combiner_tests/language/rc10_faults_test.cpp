@@ -45,8 +45,11 @@ TEST(Rc10Faults, OfTheWholeProgram) {
       {"", "1:1: expected !!RC1.0 at the beginning; only blanks and comments may come before it\n"},
       {"; !!RC1.0 out.a = zero;",
        "1:1: expected !!RC1.0 at the beginning; only blanks and comments may come before it\n"},
-      {"// a comment\n!!rc1.0 out.a = zero;",
-       "2:1: expected !!RC1.0 at the beginning; only blanks and comments may come before it\n"},
+      {"// a comment\n!!rc1.0 out.a = zero;", "2:1: unknown part '!!rc1.0'; expected !!RC1.0 or !!TS1.0\n"},
+      {"!!TS1.0\ntexture_2d();\n", "1:1: this is an NV texture shader, which register combiners cannot run\n"},
+      {"!!ARBfp1.0\nEND\n", "1:1: this is an ARB fragment program, which register combiners cannot run\n"},
+      {"!!TS1.0\ntexture_2d();\n!!RC1.0", "3:8: expected out.rgb or out.a, but the text ends\n"},
+      {"!!RC1.0 out.a = zero; // !!XXX\n  !!XXX", "2:3: unknown part '!!XXX'; expected !!RC1.0 or !!TS1.0\n"},
       {"/* !!RC1.0 out.a = zero;", "1:1: unterminated comment; expected */\n"},
       {"!!RC1.0", "1:8: expected out.rgb or out.a, but the text ends\n"},
       {"!!RC1.0 {rgb{spare0=tex0;}}\n", "2:1: expected out.rgb or out.a, but the text ends\n"},
@@ -59,7 +62,7 @@ TEST(Rc10Faults, OfTheWholeProgram) {
       general("}}}}", "2:1: expected a constant, a general combiner in braces, or out.rgb or out.a, found '}'\n"),
       general("hello;", "2:1: expected a constant, a general combiner in braces, or out.rgb or out.a, found 'hello'\n"),
       general("out.a = zero; {rgb{spare0=tex0;}}", "2:15: general combiners must come before the final combiner\n"),
-      general("{rgb{spare0=tex0;}} const0=(0,0,0,0);", "2:21: constants must come before the general combiners\n"),
+      last("out.a = zero; const0=(0,0,0,0);", "2:15: constants must come before the general combiners\n"),
       last("out.a = zero; }", "2:15: expected a statement of the final combiner, found '}'\n"),
   });
 }
@@ -119,13 +122,13 @@ TEST(Rc10Faults, OfStatements) {
       rgb("spare0 = tex0 + tex1;", "3:15: expected ';', found '+'\n"),
       rgb("spare0 = tex0 * ;\nspare1 = tex4;\ncol0 = sum();",
           "3:17: expected a register to read, found ';'\n"
-          "4:10: expected a register to read, found 'tex4'\n"
+          "4:10: expected a register to read, found 'tex4'; did you mean 'tex0'?\n"
           "5:8: 'sum' must come after two products; 'discard = zero;' can be one\n"),
       rgb("spare0 = tex0.r;", "3:15: expected a register to read, found 'r'\n"),
-      rgb("spare0 = tex0.alpha;", "3:10: expected a register to read, found 'tex0.alpha'\n"),
+      rgb("spare0 = tex0.alpha;", "3:10: expected a register to read, found 'tex0.alpha'; did you mean 'tex0.a'?\n"),
       rgb("spare0 = tex0.rgba;", "3:10: expected a register to read, found 'tex0.rgba'\n"),
-      rgb("spare0 = color_sum;", "3:10: expected a register to read, found 'color_sum'\n"),
-      rgb("final_product = tex0;", "3:1: expected a register to write, or a scale, found 'final_product'\n"),
+      rgb("spare0 = color_sum;", "3:10: GL_INVALID_ENUM: 'color_sum' can be read by the final combiner alone\n"),
+      rgb("final_product = tex0;", "3:1: GL_INVALID_ENUM: 'final_product' belongs to the final combiner\n"),
       rgb("spare0 = -unsigned(tex0);",
           "3:11: 'unsigned' cannot be negated; expand, half_bias and plain registers can\n"),
       rgb("spare0 = expand(-tex0);", "3:17: expected a register to read, found '-'\n"),
@@ -186,12 +189,14 @@ TEST(Rc10Faults, OfTheFinalCombiner) {
       last("clamp_color_sum(); clamp_color_sum(); out.a = zero;", "2:20: 'clamp_color_sum' appears twice\n"),
       last("out.a = zero; final_product = tex0 * tex1;", "2:15: 'final_product' must come before out.rgb and out.a\n"),
       last("out.b = zero;",
-           "2:1: expected a constant, a general combiner in braces, or out.rgb or out.a, found 'out.b'\n"
+           "2:1: expected a constant, a general combiner in braces, or out.rgb or out.a, found 'out.b'; did you mean "
+           "'out.a'?\n"
            "2:14: expected out.rgb or out.a, but the text ends\n"),
       last("out.rgb = -tex0;",
-           "2:11: the final combiner has only the mappings unsigned and unsigned_invert, not '-'\n"),
+           "2:11: GL_INVALID_ENUM: the final combiner has only the mappings unsigned and unsigned_invert, not '-'\n"),
       last("out.a = expand(tex0);",
-           "2:9: the final combiner has only the mappings unsigned and unsigned_invert, not 'expand'\n"),
+           "2:9: GL_INVALID_ENUM: the final combiner has only the mappings unsigned and unsigned_invert, not "
+           "'expand'\n"),
       last("out.rgb = tex0 + tex1 * tex2;", "2:23: expected ';', found '*'\n"),
       last("out.rgb = tex0 * tex1 * tex2;", "2:23: expected ';', found '*'\n"),
       last("out.rgb = lerp(tex0, tex1);", "2:26: expected ',', found ')'\n"),

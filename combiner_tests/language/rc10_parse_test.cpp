@@ -253,5 +253,40 @@ TEST(Rc10, CommentsMayStandBeforeTheHeader) {
   }
 }
 
+TEST(Rc10, PartsForOtherUnitsAreSkippedAndNamed) {
+  const auto both =
+      parse_rc10({"// fp20\n!!TS1.0\ntexture_2d(); // tex0\nnop();\n!!RC1.0\nout.rgb = tex0;", "p"}, profiles::nv2a);
+  ASSERT_TRUE(both) << both.faults[0].text();
+  EXPECT_TRUE(*both.value == parsed("!!RC1.0 out.rgb = tex0;"));
+  ASSERT_EQ(both.notes.size(), 1U);
+  EXPECT_EQ(both.notes[0].text(), "p:2:1: skipped an NV texture shader (!!TS1.0): it is not for combiners");
+  const auto after = parse_rc10({"!!RC1.0 out.rgb = tex0;\n!!TS1.0 nop(); !!VP1.0 END", "p"}, profiles::nv2a);
+  ASSERT_TRUE(after);
+  EXPECT_EQ(after.notes.size(), 2U);
+  EXPECT_TRUE(parse_rc10({"!!RC1.0 out.rgb = tex0;", "p"}, profiles::nv2a).notes.empty());
+}
+
+TEST(Rc10, NamesOfTheXboxsTools) {
+  EXPECT_TRUE(parsed("!!RC1.0 {rgb{ spare0 = texture0.rgb * texture3.a; }} out.rgb = color.rgb; out.a = color1.a;") ==
+              parsed("!!RC1.0 {rgb{ spare0 = tex0.rgb * tex3.a; }} out.rgb = col0.rgb; out.a = col1.a;"));
+  EXPECT_TRUE(parsed("!!RC1.0 out.rgb = texture1 * texture2 + color0;") ==
+              parsed("!!RC1.0 out.rgb = tex1 * tex2 + col0;"));
+}
+
+TEST(Rc10, ConstantsAfterTheGeneralCombinersAreThoseOfTheFinalCombiner) {
+  const CombinerState state = parsed(
+      "!!RC1.0 const1 = (0, 1, 0, 0); {rgb{ spare0 = const0 * const1; }} const0 = (1, 0, 0, 0); out.rgb = const0 + "
+      "const1;");
+  EXPECT_TRUE(state.per_stage_constants);
+  EXPECT_EQ(state.general[0].constant0, (ColorF{0, 0, 0, 0}));
+  EXPECT_EQ(state.general[0].constant1, (ColorF{0, 1, 0, 0}));
+  EXPECT_EQ(state.constant0, (ColorF{1, 0, 0, 0}));
+  EXPECT_EQ(state.constant1, (ColorF{0, 1, 0, 0}));
+  const auto refused = parse_rc10({"!!RC1.0 {rgb{ spare0 = zero; }}\nconst0 = (1, 0, 0, 0); out.rgb = const0;", "p"},
+                                  profiles::geforce2);
+  ASSERT_EQ(refused.faults.size(), 1U);
+  EXPECT_EQ(refused.faults[0].text(), "p:2:1: constants must come before the general combiners");
+}
+
 }  // namespace
 }  // namespace ninebit

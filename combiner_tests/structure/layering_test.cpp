@@ -24,7 +24,9 @@ const std::map<std::string, int> kRank{{"system", 0}, {"numerics", 0}, {"combine
 // last.
 const std::map<std::string, std::vector<std::string>> kFolders{
     {"system", {"parallel", "", "hashing"}},
-    {"language", {"source", "gl_nv", "gl_calls", "rc10", "register_words", "emit", "explain", "json"}},
+    {"language",
+     {"source", "gl_nv", "gl_calls", "rc10", "register_words", "xbox", "register_log", "source_code", "emit", "explain",
+      "json"}},
     {"raster", {"rules", "surface", "texture", "setup", "fragment", "lanes", "draw"}},
     {"image", {"output", "texture", "openimageio", "module"}},
     {"shadow",

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <regex>
 #include <set>
 #include <string>
 
@@ -76,6 +77,9 @@ inline std::string schema_complaint(const Json& root, const Json& rule, const Js
     } else if (keyword == "minItems" || keyword == "maxItems") {
       const auto count = argument.get<std::size_t>();
       if (keyword == "minItems" ? value.size() < count : value.size() > count) return at + " has a wrong length";
+    } else if (keyword == "pattern") {
+      const std::regex pattern(argument.get<std::string>());
+      if (!std::regex_search(value.get<std::string>(), pattern)) return at + " does not match " + argument.dump();
     } else if (keyword == "minimum" || keyword == "maximum") {
       const double limit = argument;
       if (keyword == "minimum" ? value.get<double>() < limit : value.get<double>() > limit)

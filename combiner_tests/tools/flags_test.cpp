@@ -56,14 +56,14 @@ struct Flag {
   [[nodiscard]] bool is_choice() const { return type.find('{') != std::string::npos; }
 };
 
-// Flags with values, but for those that name files: any text may be a file's name.
+// Flags with values, but for those that name files or functions: any text may be such a name.
 std::vector<Flag> flags_in(const std::string& help) {
   static const std::regex line("\n  (?:-[a-z],)?(--[a-z0-9-]+) ([^ \n]+)");
-  static const std::regex file("(DIR|FILE|PROGRAM)([,.|\\[].*)?|Needs:|Excludes:");
+  static const std::regex name("(DIR|FILE|PROGRAM)([,.|\\[].*)?|NAME|Needs:|Excludes:");
   std::vector<Flag> flags;
   for (std::sregex_iterator found(help.begin(), help.end(), line), end; found != end; ++found) {
     const Flag flag{(*found)[1], (*found)[2]};
-    if (!std::regex_match(flag.type, file)) flags.push_back(flag);
+    if (!std::regex_match(flag.type, name)) flags.push_back(flag);
   }
   return flags;
 }

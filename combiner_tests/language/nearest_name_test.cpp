@@ -1,12 +1,12 @@
 // Which names are suggested for one that is not known.
-#include "src/tools/input/nearest_name.h"
+#include "src/language/source/nearest_name.h"
 
 #include <gtest/gtest.h>
 
 #include <string>
 #include <vector>
 
-namespace ninebit::tools {
+namespace ninebit {
 namespace {
 
 std::string nearest(std::string_view wrong, const std::vector<std::string>& names) {
@@ -38,4 +38,4 @@ TEST(NearestName, TextsAsLongAsAPageAreNotNames) {
 }
 
 }  // namespace
-}  // namespace ninebit::tools
+}  // namespace ninebit
