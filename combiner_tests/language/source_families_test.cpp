@@ -221,6 +221,25 @@ TEST(SourceFamilies, ProgramsOfNvparseInStrings) {
   EXPECT_TRUE(read("nvparse_demo.cpp", {"unused"}) == rc10("out.rgb = tex0;"));
 }
 
+TEST(SourceFamilies, DisplayListsAreFilledUnderOneCondition) {
+  // What is assumed of the first function's condition holds for the second, too.
+  EXPECT_TRUE(read("display_lists.cpp", {"InitCombiners"}) == after(R"(
+count 2
+in 0 RGB A TEXTURE0 UNSIGNED_IDENTITY RGB
+in 1 RGB A TEXTURE1 EXPAND_NORMAL RGB
+)"));
+}
+
+TEST(SourceFamilies, JavasBuffers) {
+  EXPECT_TRUE(read("buffers.java", {"chained"}) == after(R"(
+count 1
+color 0 0.25f,0.5f,0.75f,1
+color 1 1,0,0,1
+)"));
+  EXPECT_TRUE(read("buffers.java", {"byIndex"}) == after("color 0 0.5f,0.125f,0.25f,1\n"));
+  EXPECT_TRUE(read("buffers.java", {"fromElsewhere"}, {{"red", "0.5"}}) == after("color 0 0.5f,0,0,1\n"));
+}
+
 TEST(SourceFamilies, AreListedWithWhatTheyNeed) {
   const auto listed = [](const std::string& file) {
     std::string out;

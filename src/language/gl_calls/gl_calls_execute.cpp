@@ -1,10 +1,13 @@
 #include "src/language/gl_calls/gl_calls_execute.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <span>
 #include <string>
+#include <utility>
 
 namespace ninebit::detail {
 namespace {
@@ -254,9 +257,20 @@ std::optional<GlElement> element_type(std::string_view name) {
   return std::nullopt;
 }
 
-void execute_gl_call(const GlSignature& call, const std::vector<GlArgument>& arguments, std::size_t offset,
+void execute_gl_call(const GlSignature& call, std::vector<GlArgument> arguments, std::size_t offset,
                      gl::Context& context, SourceFaults& faults) {
-  Call(call, arguments, offset, context, faults).execute();
+  const std::size_t count = call.parameters.size();
+  // Java passes an array and the place of its first number.
+  const bool has_place = arguments.size() == count + 1 && call.parameters.back() == 'F' &&
+                         arguments[count - 1].is_array && arguments[count].is_integer && arguments[count].integer == 0;
+  if (has_place) arguments.pop_back();
+  // Bindings with overloads have one name for numbers and arrays.
+  const bool overload = call.name == "CombinerParameterNV" && arguments.size() == count && !arguments[1].is_array;
+  const auto same = [&](const GlSignature& one) {
+    return one.command == (arguments[1].is_integer ? GlCommand::combiner_parameter_i : GlCommand::combiner_parameter_f);
+  };
+  const std::span<const GlSignature> all = gl_calls();
+  Call(overload ? *std::find_if(all.begin(), all.end(), same) : call, arguments, offset, context, faults).execute();
 }
 
 }  // namespace ninebit::detail

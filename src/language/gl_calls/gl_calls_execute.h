@@ -35,8 +35,9 @@ struct GlArgument {
 // it.
 [[nodiscard]] bool read_gl_number(std::string_view text, GlArgument& out);
 
-// Converts the arguments as C would, runs the call, and reports the faults of both; `offset` is that of the call.
-void execute_gl_call(const GlSignature& call, const std::vector<GlArgument>& arguments, std::size_t offset,
+// Converts the arguments as C would, or as the bindings of other languages do, runs the call, and reports the faults of
+// both; `offset` is that of the call.
+void execute_gl_call(const GlSignature& call, std::vector<GlArgument> arguments, std::size_t offset,
                      gl::Context& context, SourceFaults& faults);
 
 }  // namespace ninebit::detail

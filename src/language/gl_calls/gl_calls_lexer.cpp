@@ -2,12 +2,35 @@
 
 #include <algorithm>
 
+#include "src/language/gl_calls/gl_calls_names.h"
+#include "src/language/gl_calls/gl_calls_spelling.h"
 #include "src/language/source/source_blanks.h"
 
 namespace ninebit::detail {
 namespace {
 
-constexpr std::string_view kPunctuation = "(){}[],;=+-&*.:";
+constexpr std::string_view kPunctuation = "(){}[],;=+-&*.:@";
+constexpr std::size_t kLongestLook = 128;  // bytes ahead
+
+// The first byte from `at` on that is no blank.
+std::size_t behind_blanks(std::string_view text, std::size_t at) {
+  while (at < text.size() && is_blank(text[at])) ++at;
+  return at;
+}
+
+// The word that begins at a byte, with the qualifiers before it; empty: none does. `at` goes behind it.
+std::string_view qualified_word(std::string_view text, std::size_t& at) {
+  std::string_view word;
+  while (at < text.size()) {
+    const std::size_t begin = at;
+    while (at < text.size() && is_word(text[at])) ++at;
+    word = text.substr(begin, at - begin);
+    const bool scope = text.substr(at, 2) == "::" || text.substr(at, 2) == "->";
+    if (!scope && text.substr(at, 1) != ".") break;
+    at += scope ? 2 : 1;
+  }
+  return word;
+}
 
 }  // namespace
 
@@ -32,6 +55,65 @@ bool GlLexer::next_is_member() const {
     }
   }
   return false;
+}
+
+bool GlLexer::next_is_call() const {
+  const std::string_view text = text_.substr(0, std::min(text_.size(), at_ + kLongestLook));
+  std::size_t at = behind_blanks(text, at_);
+  if (token_.text.ends_with("_cast") && text.substr(at, 1) == "<") {
+    at = text.find('>', at);
+    if (at == std::string_view::npos) return false;
+    at = behind_blanks(text, at + 1);
+  }
+  return text.substr(at, 1) == "(";
+}
+
+bool GlLexer::begins_array_type() const {
+  const std::string_view text = text_.substr(0, std::min(text_.size(), at_ + kLongestLook));
+  std::size_t at = behind_blanks(text, at_);
+  while (at < text.size() && (is_word(text[at]) || is_blank(text[at]))) ++at;
+  return text.substr(at, 1) == "[";
+}
+
+bool GlLexer::begins_pointer_call() const {
+  std::size_t at = behind_blanks(text_, at_);
+  if (!token_.is('(') || text_.substr(at, 1) != "*") return false;
+  at = behind_blanks(text_, at + 1);
+  return at < text_.size() && is_word(text_[at]) && !is_digit(text_[at]);
+}
+
+bool GlLexer::wraps_call() const {
+  const std::string_view text = text_.substr(0, std::min(text_.size(), at_ + kLongestLook));
+  std::size_t at = behind_blanks(text, at_);
+  if (text.substr(at, 1) != "(") return false;
+  at = behind_blanks(text, at + 1);
+  return find_gl_call(qualified_word(text, at)) != nullptr;
+}
+
+std::size_t GlLexer::cast_end() const {
+  if (!token_.is('(')) return 0;
+  const std::string_view text = text_.substr(0, std::min(text_.size(), at_ + kLongestLook));
+  std::size_t at = behind_blanks(text, at_);
+  std::string_view type;
+  while (at < text.size() && is_word(text[at]) && !is_digit(text[at])) {
+    type = qualified_word(text, at);
+    at = behind_blanks(text, at);
+  }
+  // (GL_RGB) is no type.
+  if (type.empty() || value_of_name(type) || value_of_spelling(type, true)) return 0;
+  while (at < text.size() && (text[at] == '*' || is_blank(text[at]))) ++at;
+  if (text.substr(at, 1) != ")") return 0;
+  const std::size_t end = at + 1;
+  const std::size_t operand = behind_blanks(text, end);
+  const bool follows = operand < text.size() && (is_word(text[operand]) || text[operand] == '(' ||
+                                                 text[operand] == '&' || text[operand] == '$' || text[operand] == '@');
+  return follows ? end : 0;
+}
+
+void GlLexer::move_to(std::size_t at) {
+  end_of_last_ = at;
+  at_ = at;
+  advance();
 }
 
 void GlLexer::skip_line() {
@@ -68,7 +150,8 @@ void GlLexer::advance() {
   if (at_ >= text_.size()) return;
   const char c = text_[at_];
   std::size_t end = at_ + 1;
-  if (is_digit(c) || (c == '.' && end < text_.size() && is_digit(text_[end]))) {
+  const bool pascals_hex = c == '$' && end < text_.size() && is_word(text_[end]);
+  if (pascals_hex || is_digit(c) || (c == '.' && end < text_.size() && is_digit(text_[end]))) {
     token_.kind = GlToken::Kind::number;
     end = number_end();
   } else if (is_word(c)) {

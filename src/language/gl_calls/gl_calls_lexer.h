@@ -27,6 +27,18 @@ class GlLexer {
   GlToken take();
   // Whether the next token is followed by . -> or :: and a name, directly.
   [[nodiscard]] bool next_is_member() const;
+  // Whether the next token, a name, is followed by a parenthesis, with <…> of a named cast between them or without.
+  [[nodiscard]] bool next_is_call() const;
+  // Whether the next tokens are (TYPE[, as of a compound literal.
+  [[nodiscard]] bool begins_array_type() const;
+  // Whether the next tokens are (* and a name.
+  [[nodiscard]] bool begins_pointer_call() const;
+  // Whether the next token, a name, is followed by a parenthesis and the name of a GL call.
+  [[nodiscard]] bool wraps_call() const;
+  // If the next tokens are (TYPE) or (const TYPE*) before an operand: the byte behind them; else 0.
+  [[nodiscard]] std::size_t cast_end() const;
+  // Goes on reading at a byte.
+  void move_to(std::size_t at);
   // Skips the rest of the line in which the next token begins.
   void skip_line();
   // The end of the token that was taken last.

@@ -82,6 +82,8 @@ constexpr std::array kNames{NINEBIT_GL(GL_FALSE),
                             Name{"true", gl::GL_TRUE},
                             Name{"false", gl::GL_FALSE},
                             Name{"TRUE", gl::GL_TRUE},
+                            Name{"True", gl::GL_TRUE},
+                            Name{"False", gl::GL_FALSE},
                             Name{"FALSE", gl::GL_FALSE}};
 #undef NINEBIT_GL
 

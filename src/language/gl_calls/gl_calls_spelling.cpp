@@ -115,6 +115,24 @@ const GlSignature* find_gl_call(std::string_view name, NameCase letters) {
   return nullptr;
 }
 
+const GlSignature* find_gl_method(std::string_view name) {
+  if (same_letters(name, "enable")) return find_gl_call("glEnable");
+  return same_letters(name, "disable") ? find_gl_call("glDisable") : nullptr;
+}
+
+bool is_conversion(std::string_view name) {
+  constexpr std::array<std::string_view, 16> kTypes{"byte", "bytebool", "boolean", "bool",     "int",   "integer",
+                                                    "uint", "cardinal", "longint", "longword", "dword", "word",
+                                                    "ord",  "float",    "single",  "wrap"};
+  if (name.ends_with("_cast")) return true;
+  const auto is_gls = [&](std::string_view start) {
+    return name.starts_with(start) && name.size() > start.size() && name[start.size()] != '_' &&
+           find_gl_call(name) == nullptr;
+  };
+  if (is_gls("GL") || is_gls("TGL") || is_gls("PGL")) return true;
+  return std::any_of(kTypes.begin(), kTypes.end(), [&](std::string_view one) { return same_letters(name, one); });
+}
+
 std::optional<gl::GLenum> value_of_spelling(std::string_view name, bool qualified) {
   if (name.empty() || name.size() > kLongestName) return std::nullopt;
   const std::string core = core_of(name);

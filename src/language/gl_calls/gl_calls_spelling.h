@@ -15,6 +15,13 @@ enum class NameCase { exact, any };
 // such as gl. or vtkgl:: is not part of the name.
 [[nodiscard]] const GlSignature* find_gl_call(std::string_view name, NameCase letters = NameCase::exact);
 
+// The call that a method of an object or a function of a namespace means, beyond find_gl_call: gl.enable, GL.Disable.
+[[nodiscard]] const GlSignature* find_gl_method(std::string_view name);
+
+// Whether a name before a parenthesis converts a value, and changes nothing in it: GLenum, TGLboolean, Byte, Ord,
+// static_cast, wrap.
+[[nodiscard]] bool is_conversion(std::string_view name);
+
 // The value of an enumerant in another spelling than GL's: without GL_, or with other or no letters at the end
 // (COMBINER0_NV, GL_COMBINER0, GL_TEXTURE0_EXT), or in CamelCase (Combiner0Nv). Names that are also ordinary words,
 // such as RGB or TEXTURE0, need `qualified`: a qualifier stands before them (vtkgl::RGB).

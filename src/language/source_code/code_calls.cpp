@@ -21,11 +21,11 @@ using detail::quoted;
 
 constexpr std::size_t kMostNestedCalls = 24;
 
-// The name that a callee ends with: of p->f, (*f) and a::f it is f.
+// The name that a callee ends with.
 std::string_view own_name(const Expression& callee) {
-  const Expression* at = &callee;
-  while (at->kind == ExpressionKind::unary || at->kind == ExpressionKind::cast) at = &at->parts[0];
-  return at->kind == ExpressionKind::name || at->kind == ExpressionKind::member ? at->text : std::string_view();
+  const Expression& named = called_operand(callee);
+  const bool is_name = named.kind == ExpressionKind::name || named.kind == ExpressionKind::member;
+  return is_name ? named.text : std::string_view();
 }
 
 bool enables(const detail::GlSignature& signature) {
@@ -42,17 +42,27 @@ bool draws(std::string_view name) {
 
 }  // namespace
 
+const Expression& called_operand(const Expression& callee) {
+  const Expression* at = &callee;
+  while (at->kind == ExpressionKind::unary || at->kind == ExpressionKind::cast) at = &at->parts[0];
+  // CHECK(glEnable)(…)
+  const bool wrapped = at->kind == ExpressionKind::call && at->parts.size() == 2;
+  return wrapped && detail::find_gl_call(at->parts[1].text) != nullptr ? at->parts[1] : *at;
+}
+
+const detail::GlSignature* signature_of(const Expression& callee, Language language) {
+  const Expression& named = called_operand(callee);
+  const auto letters = language == Language::pascal ? detail::NameCase::any : detail::NameCase::exact;
+  if (const auto* const found = detail::find_gl_call(named.text, letters)) return found;
+  const bool qualified = named.kind == ExpressionKind::member || named.is_qualified;
+  return qualified ? detail::find_gl_method(named.text) : nullptr;
+}
+
 Value Machine::call(const Expression& e) {
   const Expression& callee = e.parts[0];
   const std::string_view name = own_name(callee);
-  const bool pascal = program_.file.language == Language::pascal;
-  const auto letters = pascal ? detail::NameCase::any : detail::NameCase::exact;
   if (const Function* const function = function_of(callee, e.parts.size() - 1)) return call_function(*function, e);
-  const detail::GlSignature* signature = detail::find_gl_call(name, letters);
-  // gl.Enable, GL11.Enable
-  if (signature == nullptr && callee.kind == ExpressionKind::member && (name == "Enable" || name == "Disable")) {
-    signature = detail::find_gl_call("gl" + std::string(name));
-  }
+  const detail::GlSignature* const signature = signature_of(callee, program_.file.language);
   if (signature != nullptr) {
     call_combiner(*signature, e);
     return {};
@@ -208,14 +218,11 @@ void Machine::call_combiner(const detail::GlSignature& signature, const Expressi
           (capability.integer == gl::GL_REGISTER_COMBINERS_NV || capability.integer == gl::GL_PER_STAGE_CONSTANTS_NV);
       if (!is_ours) return;
     }
-    const bool is_array = i <= signature.parameters.size() && signature.parameters[i - 1] == 'F';
+    const bool is_array = i <= signature.parameters.size() && signature.parameters[i - 1] == 'F' &&
+                          signature.name != "CombinerParameterNV";
     known = argument(e.parts[i], is_array, one) && known;
     arguments.push_back(std::move(one));
   }
-  // Java passes the array and the place of its first number.
-  const bool has_place = arguments.size() == signature.parameters.size() + 1 && signature.parameters.back() == 'F' &&
-                         arguments[arguments.size() - 2].is_array && arguments.back().is_integer;
-  if (has_place && arguments.back().integer == 0) arguments.pop_back();
   if (!switches) {
     ++calls_made_;
     if (drawn_at_ != 0 && !noted_drawing_ && needs_.empty()) {

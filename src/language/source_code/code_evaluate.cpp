@@ -29,6 +29,17 @@ Value character(std::string_view text) {
   return integer_value(c == 'n' ? 10 : c == 't' ? 9 : c == 'r' ? 13 : c == '0' ? 0 : c);
 }
 
+// The elements of an array from an index on, as &array[2] and array + 2 are; unknown: there is none.
+Value elements_from(Value array, const Value& index) {
+  const std::int64_t at = index.integer - array.low;
+  const bool inside = array.kind == Value::Kind::list && index.kind == Value::Kind::integer && at >= 0 &&
+                      at < static_cast<std::int64_t>(array.list.size());
+  if (!inside) return unknown_of(array, index);
+  array.list.erase(array.list.begin(), array.list.begin() + static_cast<std::ptrdiff_t>(at));
+  array.low = 0;
+  return array;
+}
+
 }  // namespace
 
 Value Machine::number(std::string_view text) const {
@@ -92,7 +103,9 @@ Value Machine::evaluate_once(const Expression& e) {
       if ((e.text == "&&" || e.text == "||") && left.is_known() && is_true(left) == (e.text == "||")) {
         return integer_value(e.text == "||" ? 1 : 0);
       }
-      return apply_binary(e.text, left, evaluate(e.parts[1]));
+      const Value right = evaluate(e.parts[1]);
+      if (e.text == "+" && left.kind == Value::Kind::list) return elements_from(left, right);
+      return apply_binary(e.text, left, right);
     }
     case ExpressionKind::assignment:
       return evaluate_assignment(e);
@@ -139,13 +152,8 @@ Value Machine::evaluate_unary(const Expression& e) {
       Value array = evaluate(operand.parts[0]);
       if (array.kind == Value::Kind::list && component) return array;
       const Value index = element ? evaluate(operand.parts[1]) : integer_value(0);
-      const std::int64_t at = index.integer - array.low;
-      if (array.kind == Value::Kind::list && index.kind == Value::Kind::integer && at >= 0 &&
-          at < static_cast<std::int64_t>(array.list.size())) {
-        array.list.erase(array.list.begin(), array.list.begin() + static_cast<std::ptrdiff_t>(at));
-        array.low = 0;
-        return array;
-      }
+      Value from = elements_from(std::move(array), index);
+      if (from.is_known()) return from;
     }
     Value value = evaluate(operand);
     if (!value.is_number()) return value;

@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "src/language/gl_calls/gl_calls_spelling.h"
 #include "src/language/source_code/code_machine.h"
 #include "src/language/source_code/code_types.h"
 
@@ -131,6 +132,7 @@ std::optional<Value> Machine::call_known(std::string_view name, const Expression
     assign(e.parts[1], apply_binary(lower == "inc" ? "+" : "-", evaluate(e.parts[1]), step));
     return Value{};
   }
+  if (auto buffer = call_buffer(name, e)) return buffer;
   if (e.parts[0].kind == Expression::Kind::member) {
     const Expression& object = e.parts[0].parts[0];
     Value* const vector = place(object);
@@ -141,6 +143,9 @@ std::optional<Value> Machine::call_known(std::string_view name, const Expression
       if (gives && count == 0) return *vector;
       *vector = needed_value(path_of(object));
     }
+  }
+  if (count == 1 && detail::is_conversion(name) && program_.by_name.count(program_.key(name)) == 0) {
+    return converted(evaluate(e.parts[1]), name);
   }
   if (count == 0 || count > 4 || !is_of_numbers(name)) return std::nullopt;
   std::vector<Value> arguments;

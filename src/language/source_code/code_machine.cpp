@@ -115,16 +115,21 @@ Machine::Flow Machine::branch(const Statement& s) {
                                 : static_cast<std::uint32_t>(program_.source.text.size());
   const bool more_follow = program_.file.calls_between(s.end, end);
   const std::string text = text_of(s.value[0]);
+  if (const auto before = assumed_.find(text); before != assumed_.end()) {
+    return execute(before->second ? s.body : s.otherwise);
+  }
   if (!yes && !no) {
     const bool guard = ends_function(s.body) && s.otherwise.empty();
     if (!guard) return either(condition, s);
     if (!more_follow) return Flow::normal;
     if (calls_made_ > 0) return either(condition, s);
+    assumed_[text] = false;
     notes_.add(s.offset, "assumed that " + text + " is false: else no combiners are set");
     return Flow::normal;
   }
   // Which way it goes decides whether there is a program at all.
   if (yes != no && calls_made_ == 0 && !more_follow && frames_.size() == 1) {
+    assumed_[text] = yes;
     notes_.add(s.offset, "assumed that " + text + (yes ? " is true" : " is false") + ": only then are combiners set");
     return execute(yes ? s.body : s.otherwise);
   }

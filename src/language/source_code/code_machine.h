@@ -49,6 +49,11 @@ struct Program {
 // Called once a program has its final address.
 void index_program(Program& program);
 
+// The name or member that a call calls: of p->f, (*f) and CHECK(f) it is f.
+[[nodiscard]] const Expression& called_operand(const Expression& callee);
+// The combiners' call that a callee names; nullptr: none.
+[[nodiscard]] const detail::GlSignature* signature_of(const Expression& callee, Language language);
+
 // A name without blanks and without this., with . for ->.
 [[nodiscard]] std::string normal_path(std::string_view name);
 
@@ -137,6 +142,7 @@ class Machine {
   void call_combiner(const detail::GlSignature& signature, const Expression& e);
   Value call_nvparse(const Expression& e);
   std::optional<Value> call_known(std::string_view name, const Expression& e);
+  std::optional<Value> call_buffer(std::string_view name, const Expression& e);
   std::optional<Value> call_of_numbers(std::string_view name, const std::vector<Value>& arguments) const;
   void skip(std::string_view name, const Expression& e);
   const Function* function_of(const Expression& callee, std::size_t arguments) const;
@@ -164,6 +170,7 @@ class Machine {
   std::set<std::uint32_t> loaded_;                        // programs in literals
   std::set<std::uint32_t> misspelled_;                    // calls that were reported
   std::uint32_t first_skipped_ = 0, last_skipped_ = 0;
+  std::map<std::string, bool> assumed_;  // conditions whose value was assumed
   std::map<const void*, bool> may_set_;  // statements that were looked at
   std::deque<std::string> texts_;        // of settled expressions
   std::size_t steps_ = 0, calls_made_ = 0, skips_ = 0, elements_ = 0;

@@ -1,7 +1,6 @@
 // A source parsed for execution; which of its parts set combiners.
 #include <algorithm>
 
-#include "src/language/gl_calls/gl_calls_spelling.h"
 #include "src/language/source_code/code_machine.h"
 #include "src/language/source_code/code_parser.h"
 
@@ -107,15 +106,12 @@ bool Machine::may_set(const std::vector<Statement>& statements) {
 
 bool Machine::may_set(const Expression& e) {
   if (e.kind == ExpressionKind::call) {
-    const Expression* callee = &e.parts[0];
-    while (callee->kind == ExpressionKind::unary || callee->kind == ExpressionKind::cast) callee = &callee->parts[0];
-    const auto letters = program_.file.language == Language::pascal ? detail::NameCase::any : detail::NameCase::exact;
-    const auto* const signature = detail::find_gl_call(callee->text, letters);
+    const auto* const signature = signature_of(e.parts[0], program_.file.language);
     if (signature != nullptr) {
       const bool switches = signature->parameters == "e";
       if (!switches || (e.parts.size() == 2 && names_capability(e.parts[1]))) return true;
     }
-    if (callee->text == "nvparse") return true;
+    if (called_operand(e.parts[0]).text == "nvparse") return true;
     const Function* const function = function_of(e.parts[0], e.parts.size() - 1);
     if (function != nullptr && may_set(*function)) return true;
   }

@@ -36,11 +36,8 @@ void visit_calls(const std::vector<Statement>& statements, const Visit& visit) {
 
 // Whether a call is one of the combiners' own, or of nvparse.
 bool is_combiner_call(const Expression& call, Language language) {
-  const Expression* callee = &call.parts[0];
-  while (callee->kind == Expression::Kind::unary || callee->kind == Expression::Kind::cast) callee = &callee->parts[0];
-  if (callee->text == "nvparse") return true;
-  const auto letters = language == Language::pascal ? detail::NameCase::any : detail::NameCase::exact;
-  const auto* const signature = detail::find_gl_call(callee->text, letters);
+  if (called_operand(call.parts[0]).text == "nvparse") return true;
+  const auto* const signature = signature_of(call.parts[0], language);
   return signature != nullptr && signature->parameters != "e";
 }
 

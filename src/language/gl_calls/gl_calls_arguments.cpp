@@ -1,0 +1,236 @@
+#include "src/language/gl_calls/gl_calls_arguments.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <utility>
+
+#include "src/language/gl_calls/gl_calls_names.h"
+#include "src/language/gl_calls/gl_calls_spelling.h"
+
+namespace ninebit::detail {
+namespace {
+
+constexpr std::size_t kReadValues = 4;     // the most that GL reads of an array
+constexpr int kMostNestedParentheses = 8;  // around one argument
+
+}  // namespace
+
+bool GlArgumentReader::expected(const std::string& what) {
+  const GlToken& token = lexer_.peek();
+  if (token.kind != GlToken::Kind::end) {
+    faults_.add(token.offset, "expected " + what + ", found " + quoted(token.text));
+  } else if (!lexer_.cut_short()) {
+    faults_.add(token.offset, "expected " + what + ", but the text ends");
+  }
+  return false;
+}
+
+bool GlArgumentReader::expect(char c) {
+  if (!lexer_.peek().is(c)) return expected(quoted({&c, 1}));
+  lexer_.take();
+  return true;
+}
+
+bool GlArgumentReader::declare(std::string_view name, GlArgument array) {
+  return arrays_.emplace(name, std::move(array)).second;
+}
+
+void GlArgumentReader::place(GlArgument& out, std::size_t offset) const {
+  out.offset = offset;
+  out.text = source_.text.substr(offset, lexer_.end_of_last() - offset);
+}
+
+bool GlArgumentReader::qualifier() {
+  bool found = false;
+  if (lexer_.peek().text == "::") lexer_.take();
+  while (lexer_.peek().kind == GlToken::Kind::name && lexer_.next_is_member()) {
+    lexer_.take();
+    lexer_.take();
+    found = true;
+  }
+  return found;
+}
+
+bool GlArgumentReader::bounds(std::optional<std::size_t>& size) {
+  if (!expect('[')) return false;
+  if (lexer_.peek().kind == GlToken::Kind::number) {
+    GlArgument number;
+    const GlToken token = lexer_.take();
+    if (!read_gl_number(token.text, number) || !number.is_integer || number.integer < 1 ||
+        number.integer > std::int64_t{kMostGlValues}) {
+      faults_.add(token.offset, "an array has 1 to 1024 elements, not " + quoted(token.text));
+      return false;
+    }
+    size = static_cast<std::size_t>(number.integer);
+  }
+  return expect(']');
+}
+
+bool GlArgumentReader::braces(GlArgument& array, std::optional<std::size_t> size) {
+  array.is_array = true;
+  if (!expect('{')) return false;
+  while (!lexer_.peek().is('}')) {
+    if (array.count > 0 && !expect(',')) return false;
+    if (lexer_.peek().is('}')) break;  // after a trailing comma
+    const std::size_t offset = lexer_.peek().offset;
+    GlArgument value;
+    if (const Read read = scalar(value); read != Read::done) return false;
+    if (array.count == size.value_or(kMostGlValues)) {
+      faults_.add(offset, "too many values; the array has " + std::to_string(array.count) + " elements");
+      return false;
+    }
+    if (array.element == GlElement::integer && !value.is_integer) {
+      faults_.add(offset, quoted(value.text) + " is not an integer");
+      return false;
+    }
+    if (++array.count <= kReadValues) array.values.push_back(std::move(value));
+  }
+  lexer_.take();
+  array.count = size.value_or(array.count);
+  if (size) array.values.resize(std::min(*size, kReadValues));
+  return true;
+}
+
+GlArgumentReader::Read GlArgumentReader::argument(GlArgument& out) {
+  const std::size_t offset = lexer_.peek().offset;
+  Read read = Read::done;
+  if (const std::size_t cast = lexer_.cast_end(); cast != 0) {
+    lexer_.move_to(cast);
+    read = argument(out);
+  } else if (lexer_.peek().is('{')) {
+    read = braces(out, std::nullopt) ? Read::done : Read::broken;
+  } else if (lexer_.peek().is('(') && lexer_.begins_array_type()) {
+    read = compound_literal(out) ? Read::done : Read::broken;
+  } else if (lexer_.peek().is("new")) {
+    read = new_array(out);
+  } else if (lexer_.peek().is('&') || lexer_.peek().is('@')) {
+    read = address(out);
+  } else if (const auto array = arrays_.find(lexer_.peek().text); array != arrays_.end()) {
+    lexer_.take();
+    out = array->second;
+  } else if (is_conversion(lexer_.peek().text) && lexer_.next_is_call()) {
+    read = converted(out);
+  } else {
+    return scalar(out);
+  }
+  place(out, offset);
+  return read;
+}
+
+// "new float[4] {…}".
+GlArgumentReader::Read GlArgumentReader::new_array(GlArgument& out) {
+  lexer_.take();
+  const auto element = element_type(lexer_.peek().text);
+  if (!element) return expected("GLfloat or GLint") ? Read::done : Read::broken;
+  lexer_.take();
+  out.element = *element;
+  std::optional<std::size_t> size;
+  return bounds(size) && braces(out, size) ? Read::done : Read::broken;
+}
+
+// "(GLfloat[4]){…}".
+bool GlArgumentReader::compound_literal(GlArgument& out) {
+  lexer_.take();
+  while (lexer_.peek().is("const")) lexer_.take();
+  const auto element = element_type(lexer_.peek().text);
+  if (!element) return expected("GLfloat or GLint");
+  lexer_.take();
+  out.element = *element;
+  std::optional<std::size_t> size;
+  return bounds(size) && expect(')') && braces(out, size);
+}
+
+// "&name[0]", "&name" or Pascal's "@name", which are the array itself.
+GlArgumentReader::Read GlArgumentReader::address(GlArgument& out) {
+  lexer_.take();
+  const auto array = arrays_.find(lexer_.peek().text);
+  if (array == arrays_.end()) return expected("an array declared above") ? Read::done : Read::broken;
+  lexer_.take();
+  out = array->second;
+  if (!lexer_.peek().is('[')) return Read::done;
+  lexer_.take();
+  if (lexer_.peek().text != "0") return expected("0") ? Read::done : Read::broken;
+  lexer_.take();
+  return expect(']') ? Read::done : Read::broken;
+}
+
+// "GLenum(…)", "static_cast<GLenum>(…)", "FloatBuffer.wrap(…)": what stands between the parentheses.
+GlArgumentReader::Read GlArgumentReader::converted(GlArgument& out) {
+  if (depth_ >= kMostNestedParentheses) return expected("an enumerant or a number") ? Read::done : Read::broken;
+  lexer_.take();
+  while (lexer_.peek().kind != GlToken::Kind::end && !lexer_.peek().is('(')) lexer_.take();
+  if (!expect('(')) return Read::broken;
+  ++depth_;
+  const Read read = argument(out);
+  --depth_;
+  if (read == Read::broken) return read;
+  return expect(')') ? read : Read::broken;
+}
+
+// A number or an enumerant, or a sum of them such as GL_COMBINER0_NV + 1.
+GlArgumentReader::Read GlArgumentReader::scalar(GlArgument& out) {
+  const std::size_t offset = lexer_.peek().offset;
+  Read read = Read::done;
+  bool first = true;
+  while (first || lexer_.peek().is('+') || lexer_.peek().is('-')) {
+    const bool negative = lexer_.peek().is('-');
+    if (negative || lexer_.peek().is('+')) lexer_.take();
+    GlArgument term;
+    const Read one = this->term(term);
+    if (one == Read::broken) return one;
+    if (one == Read::unknown) read = one;
+    if (first && term.is_array) {  // Buffer.wrap(new float[] {…})
+      out = std::move(term);
+      break;
+    }
+    out.is_integer = out.is_integer && term.is_integer;
+    out.integer += negative ? -term.integer : term.integer;
+    out.real += negative ? -term.real : term.real;
+    first = false;
+  }
+  place(out, offset);
+  return read;
+}
+
+GlArgumentReader::Read GlArgumentReader::term(GlArgument& out) {
+  if (const std::size_t cast = lexer_.cast_end(); cast != 0) lexer_.move_to(cast);
+  const GlToken& token = lexer_.peek();
+  if (token.kind == GlToken::Kind::number) {
+    const GlToken number = lexer_.take();
+    if (read_gl_number(number.text, out)) return Read::done;
+    faults_.add(number.offset, quoted(number.text) + " is not a C number, or is out of range");
+    return Read::unknown;
+  }
+  if (token.is('(') && depth_ < kMostNestedParentheses) {
+    lexer_.take();
+    ++depth_;
+    const Read read = scalar(out);
+    --depth_;
+    if (read == Read::broken) return read;
+    return expect(')') ? read : Read::broken;
+  }
+  if (token.kind == GlToken::Kind::name && is_conversion(token.text) && lexer_.next_is_call()) return converted(out);
+  if (token.kind != GlToken::Kind::name && token.text != "::") {
+    return expected("an enumerant or a number") ? Read::done : Read::broken;
+  }
+  return enumerant(out);
+}
+
+GlArgumentReader::Read GlArgumentReader::enumerant(GlArgument& out) {
+  const bool qualified = qualifier();
+  if (is_conversion(lexer_.peek().text) && lexer_.next_is_call()) return converted(out);
+  const GlToken name = lexer_.take();
+  auto value = value_of_name(name.text);
+  if (!value) value = value_of_spelling(name.text, qualified);
+  if (!value) {
+    faults_.add(name.offset, quoted(name.text) +
+                                 " is neither an enumerant of the register combiners nor a declared array" +
+                                 meant_enumerant(name.text));
+    return Read::unknown;
+  }
+  out.integer = *value;
+  out.real = static_cast<double>(*value);
+  return Read::done;
+}
+
+}  // namespace ninebit::detail

@@ -1,0 +1,61 @@
+// Reads the arguments of GL calls: numbers, enumerants and arrays, in C's words or those of other languages.
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "ninebit/language/source_text.h"
+#include "src/language/gl_calls/gl_calls_execute.h"
+#include "src/language/gl_calls/gl_calls_lexer.h"
+#include "src/language/source/source_faults.h"
+
+namespace ninebit::detail {
+
+inline constexpr std::size_t kMostGlValues = 1024;
+
+class GlArgumentReader {
+ public:
+  enum class Read {
+    done,
+    unknown,  // a fault was reported; parsing can continue
+    broken    // a fault was reported; the rest of the statement must be skipped
+  };
+
+  GlArgumentReader(const SourceText& source, GlLexer& lexer, SourceFaults& faults)
+      : source_(source), lexer_(lexer), faults_(faults) {}
+
+  Read argument(GlArgument& out);
+  // "[4]" or "[]".
+  bool bounds(std::optional<std::size_t>& size);
+  // "{1, 0.5f, …}". An array with bounds is padded with zeros.
+  bool braces(GlArgument& array, std::optional<std::size_t> size);
+  // Makes a name mean an array; false: it does already.
+  bool declare(std::string_view name, GlArgument array);
+  // Skips gl., ext->, vtkgl:: and the like before a name; whether there was one.
+  bool qualifier();
+
+  bool expect(char c);
+  // Reports what was found instead; false.
+  bool expected(const std::string& what);
+
+ private:
+  Read new_array(GlArgument& out);
+  bool compound_literal(GlArgument& out);
+  Read address(GlArgument& out);
+  Read converted(GlArgument& out);
+  Read scalar(GlArgument& out);
+  Read term(GlArgument& out);
+  Read enumerant(GlArgument& out);
+  void place(GlArgument& out, std::size_t offset) const;
+
+  SourceText source_;
+  GlLexer& lexer_;
+  SourceFaults& faults_;
+  std::map<std::string_view, GlArgument> arrays_;
+  int depth_ = 0;
+};
+
+}  // namespace ninebit::detail
