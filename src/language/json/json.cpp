@@ -146,7 +146,7 @@ class ProgramReader {
 
   void input(const Value& value, CombinerInput& into) {
     if (!read_.object(value, {"input", "mapping", "usage"})) return;
-    with(value, "input", [&](const Value& part) { name<Register>(part, kInputs, "input", into.reg); });
+    with(value, "input", [&](const Value& part) { name<Register>(part, kInputs, "input", into.reg, kOutputs); });
     with(value, "mapping",
          [&](const Value& part) { name<InputMapping>(part, kInputMappings, "input mapping", into.mapping); });
     with(value, "usage",
@@ -157,9 +157,9 @@ class ProgramReader {
     if (!read_.object(value, {"ab", "cd", "sum", "scale", "bias", "ab_dot_product", "cd_dot_product", "mux_sum",
                               "ab_blue_to_alpha", "cd_blue_to_alpha"}))
       return;
-    with(value, "ab", [&](const Value& part) { name<Register>(part, kOutputs, "output", into.ab); });
-    with(value, "cd", [&](const Value& part) { name<Register>(part, kOutputs, "output", into.cd); });
-    with(value, "sum", [&](const Value& part) { name<Register>(part, kOutputs, "output", into.sum); });
+    with(value, "ab", [&](const Value& part) { name<Register>(part, kOutputs, "output", into.ab, kInputs); });
+    with(value, "cd", [&](const Value& part) { name<Register>(part, kOutputs, "output", into.cd, kInputs); });
+    with(value, "sum", [&](const Value& part) { name<Register>(part, kOutputs, "output", into.sum, kInputs); });
     with(value, "scale", [&](const Value& part) { name<Scale>(part, kScales, "scale", into.scale); });
     with(value, "bias", [&](const Value& part) { name<Bias>(part, kBiases, "bias", into.bias); });
     with(value, "ab_dot_product", [&](const Value& part) { read_.boolean(part, into.ab_dot_product); });
@@ -198,8 +198,9 @@ class ProgramReader {
   }
 
   template <class Enum>
-  void name(const Value& value, std::span<const Enum> allowed, std::string_view what, Enum& into) {
-    read_.name<Enum>(value, allowed, what, into);
+  void name(const Value& value, std::span<const Enum> allowed, std::string_view what, Enum& into,
+            std::span<const Enum> refused = {}) {
+    read_.name<Enum>(value, allowed, what, into, refused);
   }
 
   Reader read_;

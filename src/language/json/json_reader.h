@@ -68,9 +68,11 @@ class Reader {
   // A real number in [0, 1].
   void fraction(const Value& value, float& into);
 
-  // The enumerator with this name, by the combiner's `name_of`.
+  // The enumerator with this name, by the combiner's `name_of`. One of `refused` is a word of the language that OpenGL
+  // rejects here.
   template <class Enum>
-  void name(const Value& value, std::span<const Enum> allowed, std::string_view what, Enum& into) {
+  void name(const Value& value, std::span<const Enum> allowed, std::string_view what, Enum& into,
+            std::span<const Enum> refused = {}) {
     if (value.type != Type::string) return wrong_type(value, "a string");
     std::string names;
     for (const Enum one : allowed) {
@@ -80,7 +82,10 @@ class Reader {
       }
       names += (names.empty() ? "" : ", ") + std::string(ninebit::name_of(one));
     }
-    fault(value.offset, in_quotes(value.text) + " is not a valid " + std::string(what) + "; expected one of " + names);
+    const bool known =
+        std::any_of(refused.begin(), refused.end(), [&](Enum one) { return ninebit::name_of(one) == value.text; });
+    fault(value.offset, in_quotes(value.text) + " is not a valid " + std::string(what) + "; expected one of " + names,
+          known ? GlError::invalid_enum : GlError::no_error);
   }
 
   // Checks "ninebit" and "version", which identify the text; `required`: they must be present.
