@@ -250,5 +250,15 @@ TEST(SpellingVariants, OthersAreNotRead) {
   }
 }
 
+TEST(SpellingVariants, ManyInEachOtherAreBounded) {
+  for (const std::string part : {"(GLenum)", "(", "GLenum(", "static_cast<GLenum>("}) {
+    std::string text = "glEnable(";
+    for (int i = 0; i < 200'000; ++i) text += part;
+    const auto parsed = parse_gl_calls({text + "GL_REGISTER_COMBINERS_NV);", "calls"}, profiles::nv2a);
+    // Casts in a row have no depth.
+    EXPECT_EQ(parsed.value.has_value(), part == "(GLenum)") << part;
+  }
+}
+
 }  // namespace
 }  // namespace ninebit

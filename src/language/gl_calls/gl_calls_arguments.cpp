@@ -91,13 +91,16 @@ bool GlArgumentReader::braces(GlArgument& array, std::optional<std::size_t> size
   return true;
 }
 
+// "(GLenum)", "(const GLfloat*)": the value behind them is what matters.
+void GlArgumentReader::skip_casts() {
+  for (std::size_t end = lexer_.cast_end(); end != 0; end = lexer_.cast_end()) lexer_.move_to(end);
+}
+
 GlArgumentReader::Read GlArgumentReader::argument(GlArgument& out) {
   const std::size_t offset = lexer_.peek().offset;
   Read read = Read::done;
-  if (const std::size_t cast = lexer_.cast_end(); cast != 0) {
-    lexer_.move_to(cast);
-    read = argument(out);
-  } else if (lexer_.peek().is('{')) {
+  skip_casts();
+  if (lexer_.peek().is('{')) {
     read = braces(out, std::nullopt) ? Read::done : Read::broken;
   } else if (lexer_.peek().is('(') && lexer_.begins_array_type()) {
     read = compound_literal(out) ? Read::done : Read::broken;
@@ -193,7 +196,7 @@ GlArgumentReader::Read GlArgumentReader::scalar(GlArgument& out) {
 }
 
 GlArgumentReader::Read GlArgumentReader::term(GlArgument& out) {
-  if (const std::size_t cast = lexer_.cast_end(); cast != 0) lexer_.move_to(cast);
+  skip_casts();
   const GlToken& token = lexer_.peek();
   if (token.kind == GlToken::Kind::number) {
     const GlToken number = lexer_.take();

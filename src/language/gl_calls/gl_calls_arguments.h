@@ -42,6 +42,7 @@ class GlArgumentReader {
   bool expected(const std::string& what);
 
  private:
+  void skip_casts();
   Read new_array(GlArgument& out);
   bool compound_literal(GlArgument& out);
   Read address(GlArgument& out);
