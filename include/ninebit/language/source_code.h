@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "ninebit/combiner/state.h"
+#include "ninebit/language/register_words.h"
 #include "ninebit/language/source_text.h"
 #include "ninebit/numerics/hardware_profile.h"
 #include "ninebit/numerics/visibility.h"
@@ -25,7 +26,7 @@ struct SourceFunction {
   std::string name{};      // with its class, if the source gives one: "Water::setup"; "" for code outside of functions
   int line = 0;            // where its body begins, from 1
   bool is_helper = false;  // its calls depend on its parameters, and another function calls it
-  int calls_read = 0;      // combiner calls whose arguments are known
+  int calls_read = 0;      // combiner calls whose arguments are known; also assignments to an Xbox's definition
   int calls_not_read = 0;  // the others, and those that are never reached
   int calls_refused = 0;   // calls read that raise a GL error
   std::vector<TextFault> refusals{};  // these errors
@@ -50,8 +51,11 @@ struct SourceSelection {
 // arguments are not known, or of which it is not known whether it is reached, is a fault; one fault lists all names
 // that must be defined. Notes say what was skipped and what was assumed. Without a selection, a source with several
 // functions that set combiners is a fault that lists them.
+// Functions may fill a D3DPIXELSHADERDEF instead (xbox_pixel_shader.h): the program is then that of its words, and
+// `other_words` receives those that combiners do not read.
 [[nodiscard]] Parsed<CombinerState> parse_source_code(const SourceText& source, const SourceSelection& selection,
-                                                      const HardwareProfile& profile);
+                                                      const HardwareProfile& profile,
+                                                      std::vector<RegisterWord>* other_words = nullptr);
 
 // Whether a text looks like a source file or a part of one: it has functions, control flow or preprocessor lines, and
 // names calls of the combiners.

@@ -68,7 +68,7 @@ Parsed<CombinerState> parse_state(const SourceText& source, ProgramForm form, co
     case ProgramForm::gl:
       return parse_gl_calls(source, profile);
     case ProgramForm::source:
-      return parse_source_code(source, options.source, profile);
+      return parse_source_code(source, options.source, profile, &other_words);
     case ProgramForm::rc10:
       return parse_rc10(source, profile);
     case ProgramForm::words:

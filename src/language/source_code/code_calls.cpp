@@ -15,7 +15,6 @@
 namespace ninebit::code {
 namespace {
 
-using ExpressionKind = Expression::Kind;
 using detail::GlCommand;
 using detail::quoted;
 
@@ -129,6 +128,7 @@ Value Machine::call_function(const Function& function, const Expression& e) {
       value = evaluate(parameter.value[0]);
     }
     if (!value.is_known() && value.needs.empty()) value = needed_value(path_of(e));
+    if (i + 1 < e.parts.size()) add_alias(parameter.name, e.parts[i + 1], frame);
     frame.values[program_.key(parameter.name)] = std::move(value);
   }
   for (std::size_t i = function.parameters.size() + 1; i < e.parts.size(); ++i) evaluate(e.parts[i]);
@@ -225,6 +225,7 @@ void Machine::call_combiner(const detail::GlSignature& signature, const Expressi
   }
   if (!switches) {
     ++calls_made_;
+    ++calls_made_on_context_;
     if (drawn_at_ != 0 && !noted_drawing_ && needs_.empty()) {
       notes_.add(drawn_at_ - 1, "draws before the combiners are set again; the program is that at the end");
       noted_drawing_ = true;
@@ -248,6 +249,7 @@ void Machine::call_combiner(const detail::GlSignature& signature, const Expressi
 Value Machine::call_nvparse(const Expression& e) {
   CallSite& site = sites_[e.offset];
   ++calls_made_;
+  ++calls_made_on_context_;
   std::vector<Value> arguments;
   for (std::size_t i = 1; i < e.parts.size(); ++i) arguments.push_back(evaluate(e.parts[i]));
   const auto found =

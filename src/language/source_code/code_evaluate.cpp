@@ -176,6 +176,8 @@ Value Machine::evaluate_assignment(const Expression& e) {
     once.parts[0] = settled(e.parts[0]);
     if (is_pure(once.parts[0])) return evaluate_assignment(once);
   }
+  if (const NamedWord word = named_word(e.parts[0]); word.field != nullptr) return assign_word(word, e);
+  look_for_misspelled_member(e.parts[0]);
   Value value = evaluate(e.parts[1]);
   if (e.text != "=") {
     value = apply_binary(e.text.substr(0, e.text.size() - 1), evaluate(e.parts[0]), value);
@@ -193,6 +195,7 @@ Value Machine::evaluate_index(const Expression& e) {
     const Expression once = settled(e);
     if (is_pure(once)) return evaluate_index(once);
   }
+  if (const auto word = assigned_word(e)) return *word;
   const Value index = evaluate(e.parts[1]);
   const std::string path = path_of(e);
   if (const Value* const given = defined(path)) return *given;
@@ -214,6 +217,7 @@ Value Machine::evaluate_index(const Expression& e) {
 }
 
 Value Machine::evaluate_member(const Expression& e) {
+  if (const auto word = assigned_word(e)) return *word;
   const std::string path = path_of(e);
   if (const Value* const given = defined(path)) return *given;
   if (const Value* const known = stored(path)) return *known;

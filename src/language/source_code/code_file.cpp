@@ -7,6 +7,7 @@
 #include "src/language/source_code/code_conditions.h"
 #include "src/language/source_code/code_lexer.h"
 #include "src/language/source_code/code_macros.h"
+#include "src/language/source_code/code_xbox.h"
 
 namespace ninebit::code {
 namespace {
@@ -136,10 +137,12 @@ std::vector<std::uint32_t> calls_of(std::string_view text, Language language) {
     const bool starts = (text[at] == 'o' || text[at] == 'O') &&
                         (text.substr(at).starts_with(kPart) || text.substr(at).starts_with(kPascalsPart));
     const bool parses = text[at] == 'n' && text.substr(at).starts_with("nvparse");
-    if (!starts && !parses) continue;
+    const bool is_word = text[at] == 'P' && text.substr(at).starts_with("PS") && language == Language::c;
+    if (!starts && !parses && !is_word) continue;
     std::size_t begin = at, end = at;
     while (begin > 0 && detail::is_word(text[begin - 1]) && at - begin < 64) --begin;
     while (end < text.size() && detail::is_word(text[end]) && end - at < 64) ++end;
+    if (is_word && begin == at && assigns_word(text, begin, end)) found.push_back(static_cast<std::uint32_t>(begin));
     const bool names = text.substr(begin, end - begin) == "nvparse" ||
                        detail::find_gl_call(text.substr(begin, end - begin), letters) != nullptr;
     if (names && is_called(text, end)) {

@@ -32,7 +32,8 @@ struct File {
   [[nodiscard]] bool calls_between(std::size_t begin, std::size_t end) const;
 };
 
-// The places of all names that mean calls of combiners or of nvparse and are called, also in comments.
+// The places of all names that mean calls of combiners or of nvparse and are called, and of the members of an Xbox's
+// definition that are assigned to; also in comments.
 [[nodiscard]] std::vector<std::uint32_t> calls_of(std::string_view text, Language language);
 
 // Reads the tokens of a text without directives or macros.

@@ -132,6 +132,7 @@ std::optional<Value> Machine::call_known(std::string_view name, const Expression
     assign(e.parts[1], apply_binary(lower == "inc" ? "+" : "-", evaluate(e.parts[1]), step));
     return Value{};
   }
+  if (auto of_xbox = call_of_xbox(name, e)) return of_xbox;
   if (auto buffer = call_buffer(name, e)) return buffer;
   if (e.parts[0].kind == Expression::Kind::member) {
     const Expression& object = e.parts[0].parts[0];

@@ -212,7 +212,9 @@ Machine::Flow Machine::choice(const Statement& s) {
 }
 
 void Machine::declare(const Declared& declared) {
-  frames_.back().values[program_.key(declared.name)] = initial(declared);
+  Value value = initial(declared);
+  if (!declared.value.empty()) add_alias(declared.name, declared.value[0], frames_.back());
+  frames_.back().values[program_.key(declared.name)] = std::move(value);
 }
 
 // The value that a declaration gives to its name.

@@ -18,6 +18,7 @@
 #include "src/language/source_code/code_file.h"
 #include "src/language/source_code/code_tree.h"
 #include "src/language/source_code/code_value.h"
+#include "src/language/source_code/code_xbox.h"
 
 namespace ninebit::code {
 
@@ -85,14 +86,19 @@ class Machine {
   [[nodiscard]] const std::vector<Statement>& body_of(const Function& function);
   // The file's function that a call means; nullptr: none.
   [[nodiscard]] const Function* called(const Expression& call) const {
-    return function_of(call.parts[0], call.parts.size() - 1);
+    const bool calls = call.kind == ExpressionKind::call;
+    return calls ? function_of(call.parts[0], call.parts.size() - 1) : nullptr;
   }
+  // Whether a definition of the Xbox was filled, and the program that it is; reports what is wrong with it.
+  [[nodiscard]] bool fills_definition() const { return !filled_.empty(); }
+  [[nodiscard]] Parsed<CombinerState> program_of_words(std::vector<RegisterWord>* other_words);
 
  private:
   enum class Flow { normal, leave, next, give_back };
   struct Frame {
     const Function* function = nullptr;
     std::unordered_map<std::string, Value> values{};
+    std::unordered_map<std::string, std::string> aliases{};  // of pointers: the objects that they point to
     Value result{};
     bool has_result = false;
   };
@@ -151,6 +157,16 @@ class Machine {
   void need(const Value& value, const Expression& e);
   void use(const Value& value);
 
+  // Definitions of the Xbox: code_xbox.cpp
+  std::string object_of(const Expression& e);
+  void add_alias(std::string_view name, const Expression& value, Frame& frame);
+  std::optional<std::size_t> number_of_word(const NamedWord& word, const Expression& e);
+  Value refuse_value(const Expression& e);
+  Value assign_word(const NamedWord& word, const Expression& e);
+  std::optional<Value> assigned_word(const Expression& e);
+  void look_for_misspelled_member(const Expression& target);
+  std::optional<Value> call_of_xbox(std::string_view name, const Expression& e);
+
   Program& program_;
   const std::vector<Definition>& given_;
   detail::SourceFaults& faults_;
@@ -168,12 +184,13 @@ class Machine {
   std::set<std::string> skipped_;                         // functions that were not executed
   std::string_view skipped_language_{};                   // of a program in a literal that is not for combiners
   std::set<std::uint32_t> loaded_;                        // programs in literals
-  std::set<std::uint32_t> misspelled_;                    // calls that were reported
+  std::set<std::uint32_t> misspelled_;                    // places that were reported
+  std::map<std::string, FilledDefinition> filled_;        // by their objects
   std::uint32_t first_skipped_ = 0, last_skipped_ = 0;
   std::map<std::string, bool> assumed_;  // conditions whose value was assumed
   std::map<const void*, bool> may_set_;  // statements that were looked at
   std::deque<std::string> texts_;        // of settled expressions
-  std::size_t steps_ = 0, calls_made_ = 0, skips_ = 0, elements_ = 0;
+  std::size_t steps_ = 0, calls_made_ = 0, calls_made_on_context_ = 0, skips_ = 0, elements_ = 0;
   std::uint32_t drawn_at_ = 0;  // where the last drawing call stands; 0: none since the last set-up
   bool out_of_steps_ = false, noted_drawing_ = false;
   int depth_ = 0;

@@ -6,11 +6,10 @@
 #include "src/language/gl_calls/gl_calls_spelling.h"
 #include "src/language/source_code/code_machine.h"
 #include "src/language/source_code/code_types.h"
+#include "src/language/xbox/xbox_macros.h"
 
 namespace ninebit::code {
 namespace {
-
-using ExpressionKind = Expression::Kind;
 
 constexpr std::string_view kExtension = "register_combiners", kSecondExtension = "register_combiners2";
 
@@ -227,6 +226,9 @@ std::optional<Value> Machine::constant(const Expression& e) const {
   const auto letters = pascal ? detail::NameCase::any : detail::NameCase::exact;
   const bool qualified = e.is_qualified || e.kind == ExpressionKind::member;
   if (const auto exact = detail::value_of_name(e.text)) return integer_value(*exact);
+  if (e.text.starts_with("PS_")) {
+    if (const xbox::Constant* const known = xbox::find_constant(e.text)) return integer_value(known->value);
+  }
   if (detail::find_gl_call(e.text, letters) != nullptr) {
     Value out;
     out.kind = Value::Kind::entry_point;

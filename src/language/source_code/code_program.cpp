@@ -105,6 +105,7 @@ bool Machine::may_set(const std::vector<Statement>& statements) {
 }
 
 bool Machine::may_set(const Expression& e) {
+  if (assigns_word(e)) return true;
   if (e.kind == ExpressionKind::call) {
     const auto* const signature = signature_of(e.parts[0], program_.file.language);
     if (signature != nullptr) {

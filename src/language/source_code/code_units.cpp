@@ -15,27 +15,29 @@ using UnitKind = Unit::Kind;
 
 constexpr std::string_view kHeaderInText = "!!RC1.0";
 
+// Visits calls and assignments.
 template <class Visit>
-void visit_calls(const Expression& e, const Visit& visit) {
-  if (e.kind == Expression::Kind::call) visit(e);
-  for (const Expression& part : e.parts) visit_calls(part, visit);
+void visit_effects(const Expression& e, const Visit& visit) {
+  if (e.kind == ExpressionKind::call || e.kind == ExpressionKind::assignment) visit(e);
+  for (const Expression& part : e.parts) visit_effects(part, visit);
 }
 template <class Visit>
-void visit_calls(const std::vector<Statement>& statements, const Visit& visit) {
+void visit_effects(const std::vector<Statement>& statements, const Visit& visit) {
   for (const Statement& s : statements) {
-    for (const Expression& e : s.value) visit_calls(e, visit);
-    for (const Expression& e : s.step) visit_calls(e, visit);
+    for (const Expression& e : s.value) visit_effects(e, visit);
+    for (const Expression& e : s.step) visit_effects(e, visit);
     for (const Declared& one : s.declared) {
-      for (const Expression& e : one.value) visit_calls(e, visit);
+      for (const Expression& e : one.value) visit_effects(e, visit);
     }
-    visit_calls(s.first, visit);
-    visit_calls(s.body, visit);
-    visit_calls(s.otherwise, visit);
+    visit_effects(s.first, visit);
+    visit_effects(s.body, visit);
+    visit_effects(s.otherwise, visit);
   }
 }
 
-// Whether a call is one of the combiners' own, or of nvparse.
-bool is_combiner_call(const Expression& call, Language language) {
+// Whether a call is one of the combiners' own, or of nvparse; or an assignment to a definition of the Xbox.
+bool sets_combiners(const Expression& call, Language language) {
+  if (call.kind == ExpressionKind::assignment) return assigns_word(call);
   if (called_operand(call.parts[0]).text == "nvparse") return true;
   const auto* const signature = signature_of(call.parts[0], language);
   return signature != nullptr && signature->parameters != "e";
@@ -85,7 +87,7 @@ void Units::find_functions(Machine& machine) {
   std::set<const Function*> called;
   for (const auto& [function, at] : found) {
     const Function* const caller = function;
-    visit_calls(machine.body_of(*function), [&](const Expression& call) {
+    visit_effects(machine.body_of(*function), [&](const Expression& call) {
       const auto helper = found.find(machine.called(call));
       if (helper != found.end() && helper->first != caller) called.insert(helper->first);
     });
@@ -93,7 +95,7 @@ void Units::find_functions(Machine& machine) {
   for (const Function* const one : called) units_[found[one]].is_helper = depends_on_parameters(*one);
   for (const auto& [function, at] : found) {
     bool calls_helper = false;
-    visit_calls(machine.body_of(*function), [&](const Expression& call) {
+    visit_effects(machine.body_of(*function), [&](const Expression& call) {
       const auto helper = found.find(machine.called(call));
       calls_helper = calls_helper || (helper != found.end() && units_[helper->second].is_helper);
     });
@@ -173,10 +175,10 @@ SourceFunction Units::describe(const Unit& unit) {
   // The calls that stand in the unit itself; without any, those of the functions that it calls.
   std::set<std::uint32_t> own;
   const auto note = [&](const Expression& call) {
-    if (is_combiner_call(call, program_.file.language)) own.insert(call.offset);
+    if (sets_combiners(call, program_.file.language)) own.insert(call.offset);
   };
-  if (unit.kind == UnitKind::function) visit_calls(machine.body_of(*unit.function), note);
-  if (unit.kind == UnitKind::code) visit_calls(program_.outline.code, note);
+  if (unit.kind == UnitKind::function) visit_effects(machine.body_of(*unit.function), note);
+  if (unit.kind == UnitKind::code) visit_effects(program_.outline.code, note);
   for (const auto& [offset, site] : machine.sites()) {
     if (site.is_skipped || (!own.empty() && own.count(offset) == 0)) continue;
     const bool read = site.is_read && !site.is_unknown;

@@ -53,7 +53,7 @@ std::vector<SourceFunction> find_source_functions(const SourceText& source, cons
 }
 
 Parsed<CombinerState> parse_source_code(const SourceText& source, const SourceSelection& selection,
-                                        const HardwareProfile& profile) {
+                                        const HardwareProfile& profile, std::vector<RegisterWord>* other_words) {
   detail::SourceFaults faults(source);
   if (detail::too_long(source, faults)) return {std::nullopt, faults.take()};
   code::Units units(source, selection.definitions, profile);
@@ -63,8 +63,12 @@ Parsed<CombinerState> parse_source_code(const SourceText& source, const SourceSe
   code::Machine machine(units.program(), selection.definitions, profile, units.faults(), units.notes());
   for (const code::Unit* const one : chosen) code::Units::run(machine, *one);
   machine.finish();
+  Parsed<CombinerState> words{};
+  if (machine.fills_definition() && units.faults().empty()) words = machine.program_of_words(other_words);
   Parsed<CombinerState> out{std::nullopt, units.faults().take(), units.notes().take()};
-  if (out.faults.empty()) out.value = machine.state();
+  if (out.faults.empty()) out.value = machine.fills_definition() ? words.value : machine.state();
+  out.faults.insert(out.faults.end(), words.faults.begin(), words.faults.end());
+  out.notes.insert(out.notes.end(), words.notes.begin(), words.notes.end());
   return out;
 }
 

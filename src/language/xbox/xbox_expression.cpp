@@ -194,12 +194,11 @@ Expressions::Value Expressions::call(const Macro& macro, const Token& name, int 
     const Value argument = binary(1, depth + 1);
     if (!argument) return std::nullopt;
     if (count < macro.arguments.size()) {
-      const auto& [shift, most, masked] = macro.arguments[count];
-      if (!masked && (*argument < 0 || *argument > most)) {
+      if (accepts(macro.arguments[count], *argument)) {
+        value |= bits_of(macro.arguments[count], *argument);
+      } else {
         faults_.add(place, "argument " + std::to_string(count + 1) + " of " + std::string(macro.name) + " is " +
-                               hex(*argument) + "; expected 0 to " + hex(most));
-      } else if (shift != Macro::kUnused) {
-        value |= (static_cast<std::uint32_t>(*argument) & (masked ? most : 0xffffffffU)) << shift;
+                               hex(*argument) + "; expected 0 to " + hex(macro.arguments[count].most));
       }
     }
     if (lexer_.peek().is(")")) continue;

@@ -1,6 +1,9 @@
 #include "src/language/xbox/xbox_fields.h"
 
 #include <algorithm>
+#include <iterator>
+
+#include "src/language/source/beyond_opengl.h"
 
 namespace ninebit::xbox {
 namespace {
@@ -39,6 +42,32 @@ std::string word_name(std::size_t word) {
   std::string name(field.name);
   if (field.count > 1) name += '[' + std::to_string(word - field.first) + ']';
   return name;
+}
+
+std::string index_fault(const Field& field, std::optional<std::int64_t> index) {
+  const std::string name(field.name), last = std::to_string(field.count - 1);
+  if (field.count == 1) return index ? name + " is one word; expected no index" : "";
+  if (!index) return name + " needs an index from 0 to " + last;
+  if (*index >= 0 && *index < static_cast<std::int64_t>(field.count)) return "";
+  return name + '[' + std::to_string(*index) + "] is out of range; expected an index from 0 to " + last;
+}
+
+bool clears_memory(std::string_view function) {
+  constexpr std::string_view kNames[] = {"memset", "ZeroMemory", "RtlZeroMemory", "XMemSet", "bzero"};
+  return std::find(std::begin(kNames), std::end(kNames), function) != std::end(kNames);
+}
+
+Parsed<CombinerState> program_of_definition(const Definition& definition, std::string_view file,
+                                            const HardwareProfile& profile, std::vector<RegisterWord>* other_words) {
+  std::vector<RegisterWord> given;
+  for (std::size_t i = 0; i < kXboxDefinitionWords; ++i) {
+    given.push_back({word_name(i), definition.words[i], definition.places[i].value_or(TextPlace{})});
+  }
+  Parsed<CombinerState> decoded = decode_register_words(given, file, ChipClass::nv20, profile, other_words);
+  if (!profile.per_stage_constants) {
+    decoded.notes.push_back({std::string(file), 1, 1, std::string(detail::kReadForOlderChip)});
+  }
+  return decoded;
 }
 
 }  // namespace ninebit::xbox

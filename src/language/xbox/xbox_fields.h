@@ -50,10 +50,21 @@ inline constexpr std::array kFields{Field{"PSAlphaInputs", 0, 8},
 [[nodiscard]] const Field& field_of(std::size_t word);
 [[nodiscard]] std::string word_name(std::size_t word);
 
+// What is wrong with an index of a member, or with there being none; empty: nothing.
+[[nodiscard]] std::string index_fault(const Field& field, std::optional<std::int64_t> index);
+
+// Whether a function sets memory to a value, which for a definition is 0: memset, ZeroMemory, …
+[[nodiscard]] bool clears_memory(std::string_view function);
+
 // A definition, with the place of every word that the text has.
 struct Definition {
   std::array<std::uint32_t, kXboxDefinitionWords> words{};
   std::array<std::optional<TextPlace>, kXboxDefinitionWords> places{};
 };
+
+// The program of a definition; `other_words` receives what parse_xbox_pixel_shader says.
+[[nodiscard]] Parsed<CombinerState> program_of_definition(const Definition& definition, std::string_view file,
+                                                          const HardwareProfile& profile,
+                                                          std::vector<RegisterWord>* other_words);
 
 }  // namespace ninebit::xbox

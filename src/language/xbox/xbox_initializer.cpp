@@ -82,10 +82,6 @@ std::optional<std::size_t> Parser::designator() {
   }
   const Field* const field = member(name);
   if (field == nullptr || !expect("=", "after " + std::string(name.text))) return std::nullopt;
-  if (element && field->count == 1) {
-    faults_.add(name.place, std::string(field->name) + " is one word; expected no index");
-    return std::nullopt;
-  }
   if (element && !fits(*field, *element, name.place)) return std::nullopt;
   return field->first + element.value_or(0);
 }

@@ -148,6 +148,15 @@ const Macro* find_macro(std::string_view name) {
   return find_in(kMacros, name);
 }
 
+bool accepts(const Macro::Argument& argument, std::int64_t value) {
+  return argument.masked || (value >= 0 && value <= argument.most);
+}
+
+std::uint32_t bits_of(const Macro::Argument& argument, std::int64_t value) {
+  if (argument.shift == Macro::kUnused) return 0;
+  return (static_cast<std::uint32_t>(value) & (argument.masked ? argument.most : 0xffffffffU)) << argument.shift;
+}
+
 std::vector<std::string_view> macro_names() {
   std::vector<std::string_view> names;
   for (const Macro& macro : kMacros) names.push_back(macro.name);

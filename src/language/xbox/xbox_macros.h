@@ -30,6 +30,9 @@ struct Macro {
   std::uint32_t always = 0;  // bits that are set whatever the arguments are
 };
 [[nodiscard]] const Macro* find_macro(std::string_view name);
+// Whether a value may stand at this place, and the bits that it sets there.
+[[nodiscard]] bool accepts(const Macro::Argument& argument, std::int64_t value);
+[[nodiscard]] std::uint32_t bits_of(const Macro::Argument& argument, std::int64_t value);
 
 // The names of constants and macros, for suggestions.
 [[nodiscard]] std::vector<std::string_view> macro_names();

@@ -12,12 +12,6 @@ constexpr std::string_view kExpected =
     "a D3DPIXELSHADERDEF: an initializer such as D3DPIXELSHADERDEF psd = {…}, or assignments such as "
     "psd.PSRGBInputs[0] = 0x…";
 
-// Calls that set memory to 0, which a definition is anyway.
-bool clears_memory(const Token& token) {
-  constexpr std::string_view kNames[] = {"memset", "ZeroMemory", "RtlZeroMemory", "XMemSet", "bzero"};
-  return std::find(std::begin(kNames), std::end(kNames), token.text) != std::end(kNames);
-}
-
 }  // namespace
 
 Definition Parser::parse() {
@@ -45,7 +39,7 @@ void Parser::statement() {
     skip_statement(token.place.line);
   } else {
     (void)lexer_.take();
-    if (clears_memory(token) && lexer_.peek().is("(")) {
+    if (clears_memory(token.text) && lexer_.peek().is("(")) {
       clear(token);
     } else if (lexer_.peek().kind == TokenKind::name) {
       declaration();
@@ -119,11 +113,9 @@ void Parser::assign(const Field& field, const Target& target, bool adds_bits) {
   if (field.count > 1 && target.index == field.count && lexer_.peek().kind == TokenKind::number) {
     return all_elements(field, *value, place);
   }
-  if (field.count == 1 && target.index) {
-    faults_.add(place, std::string(field.name) + " is one word; expected no index");
-  } else if (field.count > 1 && !target.index) {
-    faults_.add(place, std::string(field.name) + " needs an index from 0 to " + std::to_string(field.count - 1));
-  } else if (fits(field, target.index.value_or(0), place)) {
+  if (const std::string fault = index_fault(field, target.index); !fault.empty()) {
+    faults_.add(place, fault);
+  } else {
     store(field.first + target.index.value_or(0), *value, place, adds_bits);
   }
 }
@@ -157,10 +149,9 @@ std::optional<std::uint32_t> Parser::index() {
 }
 
 bool Parser::fits(const Field& field, std::uint32_t index, TextPlace place) {
-  if (index < field.count) return true;
-  faults_.add(place, std::string(field.name) + '[' + std::to_string(index) +
-                         "] is out of range; expected an index from 0 to " + std::to_string(field.count - 1));
-  return false;
+  const std::string fault = index_fault(field, index);
+  if (!fault.empty()) faults_.add(place, fault);
+  return fault.empty();
 }
 
 void Parser::store(std::size_t word, std::uint32_t value, TextPlace place, bool adds_bits) {

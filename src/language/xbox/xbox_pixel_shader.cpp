@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "src/language/register_words/register_words_faults.h"
-#include "src/language/source/beyond_opengl.h"
 #include "src/language/xbox/xbox_fields.h"
 #include "src/language/xbox/xbox_lexer.h"
 #include "src/language/xbox/xbox_numbers.h"
@@ -78,16 +77,9 @@ Parsed<CombinerState> parse_xbox_pixel_shader(const SourceText& source, const Ha
   std::vector<TextFault> notes;
   const xbox::Definition definition = xbox::read(source, faults, notes);
   if (!faults.empty()) return {std::nullopt, faults.take(), std::move(notes)};
-  std::vector<RegisterWord> given;
-  for (std::size_t i = 0; i < kXboxDefinitionWords; ++i) {
-    given.push_back({xbox::word_name(i), definition.words[i], definition.places[i].value_or(TextPlace{})});
-  }
-  Parsed<CombinerState> decoded = decode_register_words(given, source.file, ChipClass::nv20, profile, other_words);
-  if (!profile.per_stage_constants) {
-    notes.push_back({std::string(source.file), 1, 1, std::string(detail::kReadForOlderChip)});
-  }
-  decoded.notes = std::move(notes);
-  return decoded;
+  Parsed<CombinerState> program = xbox::program_of_definition(definition, source.file, profile, other_words);
+  program.notes.insert(program.notes.begin(), notes.begin(), notes.end());
+  return program;
 }
 
 }  // namespace ninebit

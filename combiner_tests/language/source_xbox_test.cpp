@@ -1,0 +1,133 @@
+// Functions that fill the Xbox's pixel shader definition: the program is that of the words.
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "combiner_tests/language/all_faults.h"
+#include "ninebit/language/source_code.h"
+#include "ninebit/language/xbox_pixel_shader.h"
+
+namespace ninebit {
+namespace {
+
+std::string definitions_file() {
+  std::ifstream in(NINEBIT_SOURCE_DIR "/combiner_tests/language/sources/definitions.cpp");
+  EXPECT_TRUE(in);
+  std::ostringstream text;
+  text << in.rdbuf();
+  return text.str();
+}
+
+struct Read {
+  Parsed<CombinerState> program{};
+  std::vector<RegisterWord> other_words{};
+};
+
+Read read(const std::string& text, const SourceSelection& selection = {}) {
+  Read out;
+  out.program = parse_source_code({text, "def.cpp"}, selection, profiles::nv2a, &out.other_words);
+  return out;
+}
+
+// The same program as words, and the same other words.
+void expect_words(const Read& found, const std::string& words) {
+  ASSERT_TRUE(found.program) << test::all_faults(found.program);
+  std::vector<RegisterWord> other;
+  const auto expected = parse_xbox_pixel_shader({words, "words"}, profiles::nv2a, &other);
+  ASSERT_TRUE(expected) << test::all_faults(expected);
+  EXPECT_EQ(*found.program.value, *expected.value);
+  ASSERT_EQ(found.other_words.size(), other.size());
+  for (std::size_t i = 0; i < other.size(); ++i) {
+    EXPECT_EQ(found.other_words[i].name, other[i].name);
+    EXPECT_EQ(found.other_words[i].value, other[i].value) << other[i].name;
+  }
+}
+
+TEST(SourceXbox, AFunctionFillsADefinition) {
+  const Read found = read(definitions_file(), {{"CreateLightmapShader"}, {}});
+  expect_words(found,
+               "psd.PSTextureModes = 0x21; psd.PSCombinerCount = 0x1101; psd.PSRGBInputs[0] = 0x08490000;"
+               "psd.PSRGBOutputs[0] = 0xc0; psd.PSConstant0[0] = 0xff804020;"
+               "psd.PSFinalCombinerInputsABCD = 0xc; psd.PSFinalCombinerInputsEFG = 0x1c00;");
+}
+
+TEST(SourceXbox, PointersHelpersAndSwitches) {
+  const std::string text = definitions_file();
+  expect_words(read(text, {{"BuildGlow"}, {{"quality", "GLOW_LOW"}}}),
+               "p.PSRGBInputs[0] = 0x08040c00; p.PSRGBOutputs[0] = 0xc00; p.PSConstant1[0] = 0xff000000;"
+               "p.PSCombinerCount = 0x1001; p.PSFinalCombinerInputsABCD = 0xc;");
+  expect_words(read(text, {{"BuildGlow"}, {{"quality", "1"}}}),
+               "p.PSRGBInputs[0] = 0x08040c00; p.PSRGBInputs[1] = 0x09040c01; p.PSRGBInputs[2] = 0x0a040c01;"
+               "p.PSRGBOutputs[0] = 0xc00; p.PSRGBOutputs[1] = 0xc00; p.PSRGBOutputs[2] = 0xc00;"
+               "p.PSConstant1[2] = 0xff00ff00; p.PSCombinerCount = 0x1003; p.PSFinalCombinerInputsABCD = 0xc;");
+}
+
+TEST(SourceXbox, FunctionsAreListedWithWhatTheyNeed) {
+  const std::string text = definitions_file();
+  const auto found = find_source_functions({text, "def.cpp"}, {}, profiles::nv2a);
+  ASSERT_EQ(found.size(), 3u);
+  EXPECT_EQ(found[0].name, "SetColorStage");
+  EXPECT_TRUE(found[0].is_helper);
+  EXPECT_EQ(found[1].name, "CreateLightmapShader");
+  EXPECT_EQ(found[1].calls_read, 7);
+  EXPECT_TRUE(found[1].needs.empty());
+  EXPECT_EQ(found[2].name, "BuildGlow");
+  EXPECT_EQ(found[2].needs, (std::vector<std::string>{"quality"}));
+  const Read missing = read(text, {{"BuildGlow"}, {}});
+  ASSERT_FALSE(missing.program);
+  EXPECT_NE(test::all_faults(missing.program).find("quality"), std::string::npos);
+}
+
+TEST(SourceXbox, APieceOfAFunction) {
+  const std::string text =
+      "psd.PSRGBInputs[0] = (psd.PSRGBInputs[0] & 0xff) | 0x08040000;\n"
+      "psd.PSRGBOutputs[0] = 0xc0;\n"
+      "psd.PSCombinerCount = psd.PSCombinerCount + 1;\n"
+      "if (SUCCEEDED(device->CreatePixelShader(&psd, &shader))) return shader;\n";
+  EXPECT_TRUE(is_source_code(text));
+  const Read known = read(text, {{}, {{"psd.PSRGBInputs[0]", "0"}}});
+  // What an object had before the text is not known; its own members are 0 once one of them is set.
+  expect_words(known, "psd.PSRGBInputs[0] = 0x08040000; psd.PSRGBOutputs[0] = 0xc0; psd.PSCombinerCount = 1;");
+  EXPECT_FALSE(is_source_code("psd.PSRGBInputs[0] = 0x08040000;\npsd.PSCombinerCount = 1;\n"));
+}
+
+TEST(SourceXbox, WhatWasClearedIsZero) {
+  expect_words(read("void f() { psd.PSRGBInputs[3] = 5; ZeroMemory(&psd, sizeof(psd)); psd.PSCombinerCount = 1; }"),
+               "psd.PSCombinerCount = 1;");
+}
+
+void expect_fault(const std::string& text, const std::string& expected) {
+  const Read found = read(text);
+  ASSERT_FALSE(found.program) << text;
+  EXPECT_NE(test::all_faults(found.program).find(expected), std::string::npos) << test::all_faults(found.program);
+}
+
+TEST(SourceXbox, FaultsNameTheirPlace) {
+  expect_fault("void f() {\n  p->PSRGBInputs[8] = 1;\n}",
+               "def.cpp:2:3: PSRGBInputs[8] is out of range; expected an index from 0 to 7");
+  expect_fault("void f() {\n  p->PSRGBInputs = 1;\n}", "PSRGBInputs needs an index from 0 to 7");
+  expect_fault("void f() {\n  p->PSCombinerCount[1] = 1;\n}", "PSCombinerCount is one word; expected no index");
+  expect_fault("void f() {\n  p->PSCombinerCount = 1;\n  p->PSRGBInput[0] = 1;\n}",
+               "def.cpp:3:3: 'PSRGBInput' is not a member of D3DPIXELSHADERDEF; did you mean 'PSRGBInputs'?");
+  expect_fault("void f() {\n  p->PSConstant0[1] = 0x100000000;\n}", "the value is not a whole number of 32 bits");
+  expect_fault("void f() {\n  p->PSRGBInputs[0] = PS_COMBINERINPUTS(PS_REGISTER_TO, 0, 0, 0);\n}",
+               "def.cpp:2:23: unknown name 'PS_REGISTER_TO'; did you mean 'PS_REGISTER_T0'?");
+  expect_fault("void f() {\n  p->PSRGBInputs[0] = PS_COMBINERINPUTS(0x100, 0, 0, 0);\n}",
+               "def.cpp:2:41: argument 1 of PS_COMBINERINPUTS is out of range; expected 0 to 255");
+  expect_fault("void f() {\n  p->PSRGBInputs[0] = PS_COMBINERINPUTS(1, 0, 0);\n}",
+               "PS_COMBINERINPUTS has 3 arguments; expected 4");
+  expect_fault("void f() {\n  p->PSRGBInputs[i] = g();\n}", "2 values are not known");
+}
+
+TEST(SourceXbox, OneFunctionIsOneProgram) {
+  expect_fault("void f() {\n  a.PSCombinerCount = 1;\n  b.PSCombinerCount = 1;\n}",
+               "several definitions are filled: 'a' (line 2), 'b' (line 3)");
+  expect_fault("void f() {\n  a.PSCombinerCount = 1;\n  glCombinerParameteriNV(GL_NUM_GENERAL_COMBINERS_NV, 1);\n}",
+               "a D3DPIXELSHADERDEF is filled and GL calls set combiners");
+}
+
+}  // namespace
+}  // namespace ninebit

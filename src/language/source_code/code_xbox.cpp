@@ -1,0 +1,226 @@
+#include "src/language/source_code/code_xbox.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "src/language/source/nearest_name.h"
+#include "src/language/source_code/code_machine.h"
+#include "src/language/xbox/xbox_macros.h"
+
+namespace ninebit::code {
+namespace {
+
+using detail::quoted;
+
+constexpr std::int64_t kBeyondWord = std::int64_t{1} << 32;
+
+const Expression& without_cast(const Expression& e) {
+  const Expression* at = &e;
+  while (at->kind == ExpressionKind::cast && at->parts.size() == 1) at = &at->parts[0];
+  return *at;
+}
+
+// Whether a member's name could only be one of a definition.
+bool looks_like_member(std::string_view name) {
+  return name.size() > 4 && name.starts_with("PS") && name[2] >= 'A' && name[2] <= 'Z' && name[3] != '_';
+}
+
+std::string fault_of_range(const xbox::Macro& macro, std::size_t argument) {
+  return "argument " + std::to_string(argument + 1) + " of " + std::string(macro.name) +
+         " is out of range; expected 0 to " + std::to_string(macro.arguments[argument].most);
+}
+
+}  // namespace
+
+NamedWord named_word(const Expression& whole) {
+  const Expression& e = without_cast(whole);
+  const bool is_element = e.kind == ExpressionKind::index && e.parts.size() == 2;
+  const Expression& member = is_element ? without_cast(e.parts[0]) : e;
+  if (member.kind != ExpressionKind::member || !looks_like_member(member.text)) return {};
+  return {xbox::find_field(member.text), &member.parts[0], is_element ? &e.parts[1] : nullptr};
+}
+
+bool assigns_word(const Expression& e) {
+  return e.kind == ExpressionKind::assignment && named_word(e.parts[0]).field != nullptr;
+}
+
+bool assigns_word(std::string_view text, std::size_t begin, std::size_t end) {
+  constexpr std::size_t kLongestIndex = 64;
+  std::size_t before = begin;
+  while (before > 0 && detail::is_blank(text[before - 1])) --before;
+  const bool is_pointer = text.substr(0, before).ends_with("->");
+  if (!is_pointer && !text.substr(0, before).ends_with('.')) return false;
+  // In an initializer no object stands before the point.
+  before -= is_pointer ? 2 : 1;
+  while (before > 0 && detail::is_blank(text[before - 1])) --before;
+  const char last = before > 0 ? text[before - 1] : ';';
+  if ((!detail::is_word(last) && last != ')' && last != ']') ||
+      xbox::find_field(text.substr(begin, end - begin)) == nullptr)
+    return false;
+  const auto skip = [&] {
+    while (end < text.size() && detail::is_blank(text[end])) ++end;
+  };
+  skip();
+  if (end < text.size() && text[end] == '[') {
+    const std::size_t close = text.substr(end, kLongestIndex).find(']');
+    if (close == std::string_view::npos) return false;
+    end += close + 1;
+    skip();
+  }
+  const std::string_view rest = text.substr(end);
+  return (rest.starts_with('=') && !rest.starts_with("==")) || rest.starts_with("|=") || rest.starts_with("+=");
+}
+
+// The name of an object in all functions: a parameter stands for what it was called with.
+std::string Machine::object_of(const Expression& e) {
+  std::string path = path_of(e);
+  if (frames_.empty()) return path;
+  const std::size_t root = std::min(path.find_first_of(".["), path.size());
+  const auto alias = frames_.back().aliases.find(path.substr(0, root));
+  return alias == frames_.back().aliases.end() ? path : alias->second + path.substr(root);
+}
+
+// A member that is given as the value of a pointer is this object.
+void Machine::add_alias(std::string_view name, const Expression& value, Frame& frame) {
+  const Expression* at = &without_cast(value);
+  if (at->kind == ExpressionKind::unary && at->text == "&") at = &at->parts[0];
+  const bool is_place = at->kind == ExpressionKind::name || at->kind == ExpressionKind::member ||
+                        (at->kind == ExpressionKind::index && is_pure(*at));
+  if (is_place) frame.aliases[program_.key(name)] = object_of(*at);
+}
+
+// The word that an expression names, by its number; reports a wrong index.
+std::optional<std::size_t> Machine::number_of_word(const NamedWord& word, const Expression& e) {
+  std::optional<std::int64_t> index;
+  if (word.index != nullptr) {
+    const Value value = evaluate(*word.index);
+    if (!value.is_number()) {
+      need(value, *word.index);
+      return std::nullopt;
+    }
+    index = value.integer;
+  }
+  if (const std::string fault = index_fault(*word.field, index); !fault.empty()) {
+    if (misspelled_.insert(e.offset).second) faults_.add(e.offset, fault);
+    return std::nullopt;
+  }
+  return word.field->first + static_cast<std::size_t>(index.value_or(0));
+}
+
+Value Machine::refuse_value(const Expression& e) {
+  if (misspelled_.insert(e.offset).second) faults_.add(e.offset, "the value is not a whole number of 32 bits");
+  return {};
+}
+
+Value Machine::assign_word(const NamedWord& word, const Expression& e) {
+  ++calls_made_;
+  CallSite& site = sites_[e.offset];
+  const std::optional<std::size_t> at = number_of_word(word, e);
+  Value value = evaluate(e.parts[1]);
+  use(value);
+  if (at && value.is_number()) {
+    FilledDefinition& filled = filled_[object_of(*word.object)];
+    if (filled.offsets.empty()) filled.offset = e.offset;
+    std::uint32_t& stored_word = filled.definition.words[*at];
+    if (e.text != "=") {
+      value = apply_binary(e.text.substr(0, e.text.size() - 1), integer_value(stored_word), value);
+    }
+    if (value.kind == Value::Kind::integer && value.integer > -kBeyondWord && value.integer < kBeyondWord) {
+      stored_word = static_cast<std::uint32_t>(value.integer);
+      filled.offsets[*at] = e.offset;
+      site.is_read = true;
+      return value;
+    }
+    return refuse_value(e);
+  }
+  site.is_unknown = true;
+  if (value.is_number()) return value;
+  if (e.parts[1].kind == ExpressionKind::number) return refuse_value(e);
+  const std::string& name = value.needs.empty() ? text_of(e.parts[1]) : value.needs[0];
+  if (!name.starts_with("PS_") && !name.starts_with("D3DCOLOR_")) {
+    need(value, e.parts[1]);
+  } else if (misspelled_.insert(e.parts[1].offset).second) {
+    faults_.add(e.parts[1].offset, "unknown name " + quoted(name) + did_you_mean(name, xbox::macro_names()));
+  }
+  return value;
+}
+
+// A member as it was assigned; members that were not are 0.
+std::optional<Value> Machine::assigned_word(const Expression& e) {
+  if (filled_.empty()) return std::nullopt;
+  const NamedWord word = named_word(e);
+  if (word.field == nullptr) return std::nullopt;
+  const auto filled = filled_.find(object_of(*word.object));
+  if (filled == filled_.end()) return std::nullopt;
+  const std::optional<std::size_t> at = number_of_word(word, e);
+  return at ? integer_value(filled->second.definition.words[*at]) : Value{};
+}
+
+// A member's name with a wrong letter.
+void Machine::look_for_misspelled_member(const Expression& target) {
+  const Expression& e = without_cast(target);
+  const Expression& member = e.kind == ExpressionKind::index ? without_cast(e.parts[0]) : e;
+  if (member.kind != ExpressionKind::member || !looks_like_member(member.text)) return;
+  const std::string meant = did_you_mean(member.text, xbox::field_names());
+  if (meant.empty() || !misspelled_.insert(target.offset).second) return;
+  faults_.add(target.offset, quoted(member.text) + " is not a member of D3DPIXELSHADERDEF" + meant);
+}
+
+// The macros of the Xbox's headers, and what clears a definition.
+std::optional<Value> Machine::call_of_xbox(std::string_view name, const Expression& e) {
+  const std::size_t count = e.parts.size() - 1;
+  if (count > 0 && xbox::clears_memory(name)) {
+    const Expression& object = without_cast(e.parts[1]);
+    const bool is_address = object.kind == ExpressionKind::unary && object.text == "&";
+    const Expression& cleared = is_address ? object.parts[0] : object;
+    const bool is_filled = filled_.erase(object_of(cleared)) > 0;
+    if (is_filled || place(cleared) == nullptr) return Value{};
+    return std::nullopt;
+  }
+  const xbox::Macro* const macro = xbox::find_macro(name);
+  if (macro == nullptr) return std::nullopt;
+  if (count != macro->arguments.size()) {
+    if (misspelled_.insert(e.offset).second) {
+      faults_.add(e.offset, std::string(macro->name) + " has " + std::to_string(count) + " arguments; expected " +
+                                std::to_string(macro->arguments.size()));
+    }
+    return integer_value(0);
+  }
+  std::uint32_t bits = macro->always;
+  Value unknown = integer_value(0);
+  for (std::size_t i = 0; i < count; ++i) {
+    const Value value = evaluate(e.parts[i + 1]);
+    if (!value.is_number()) {
+      unknown = unknown.is_known() ? unknown_of(value, value) : unknown_of(unknown, value);
+      continue;
+    }
+    use(value);
+    if (accepts(macro->arguments[i], value.integer)) {
+      bits |= bits_of(macro->arguments[i], value.integer);
+    } else if (misspelled_.insert(e.parts[i + 1].offset).second) {
+      faults_.add(e.parts[i + 1].offset, fault_of_range(*macro, i));
+    }
+  }
+  return unknown.is_known() ? integer_value(bits) : unknown;
+}
+
+Parsed<CombinerState> Machine::program_of_words(std::vector<RegisterWord>* other_words) {
+  FilledDefinition& filled = filled_.begin()->second;
+  if (filled_.size() > 1) {
+    std::string list;
+    for (const auto& [object, one] : filled_) {
+      list += (list.empty() ? "" : ", ") + quoted(object) + " (line " +
+              std::to_string(program_.source.place(one.offset).line) + ")";
+    }
+    faults_.add(filled.offset, "several definitions are filled: " + list + "; a program is one of them");
+    return {};
+  }
+  if (calls_made_on_context_ > 0) {
+    faults_.add(filled.offset, "a D3DPIXELSHADERDEF is filled and GL calls set combiners; a program is one of them");
+    return {};
+  }
+  for (const auto& [word, offset] : filled.offsets) filled.definition.places[word] = program_.source.place(offset);
+  return xbox::program_of_definition(filled.definition, program_.source.file, context_.profile(), other_words);
+}
+
+}  // namespace ninebit::code
