@@ -63,6 +63,10 @@ class FinalReader {
   std::optional<Register> place(const ShaderOperand& from, std::size_t i) {
     if (from.file == ShaderFile::sum || from.file == ShaderFile::product) {
       const bool sum = from.file == ShaderFile::sum;
+      if (from.selector == ShaderSelector::alpha) {
+        context_.faults.add(from.offset, quoted(from.text) + " has no alpha", GlError::invalid_operation);
+        return std::nullopt;
+      }
       if (i >= 4 || (sum && i == 0)) {
         context_.faults.add(from.offset,
                             quoted(from.text) + " can be read as " + (sum ? "B, C or D" : "A, B, C or D") + " of xfc alone",

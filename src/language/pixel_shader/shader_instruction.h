@@ -16,7 +16,8 @@ namespace ninebit::detail {
 // The version that a shader's header names.
 struct ShaderVersion {
   int minor = 1;         // of ps.1.x and xps.1.1
-  bool is_xbox = false;  // xps.1.1
+  bool is_xbox = false;     // xps.1.1
+  bool is_nvparse = false;  // !!PS1.0
   std::string name{};    // as messages name it: "ps.1.1"
 };
 

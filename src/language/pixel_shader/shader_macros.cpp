@@ -81,12 +81,20 @@ class ShaderPreprocessor {
       if (!rest.empty()) macros_.erase(rest[0].text);
     } else if (name == "include") {
       out_.includes = true;
-      notes_.add(line[0].offset, "an included file was skipped");
+      notes_.add(line[0].offset, "skipped " + text_of(rest) + "; its names are not known");
     } else if (std::find(kDirectives.begin(), kDirectives.end(), name) == kDirectives.end()) {
       faults_.add(line[1].offset, "'#" + name + "' is not a line of the preprocessor" + did_you_mean(name, kDirectives));
     } else if (name == "error") {
       faults_.add(line[0].offset, "the text ends itself with #error");
     }
+  }
+
+  // What a line has between two of its tokens.
+  static std::string text_of(std::span<const ShaderToken> tokens) {
+    if (tokens.empty()) return "a file";
+    const char* const begin = tokens.front().text.data();
+    const ShaderToken& last = tokens.back();
+    return quoted({begin, static_cast<std::size_t>(last.text.data() + last.text.size() - begin)});
   }
 
   void define(const ShaderToken& word, std::span<const ShaderToken> rest) {

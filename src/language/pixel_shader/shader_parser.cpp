@@ -53,7 +53,9 @@ std::vector<std::string_view> op_names(const ShaderVersion& version) {
 // The version that a header names; empty: an unknown one.
 std::optional<ShaderVersion> version_of(std::string_view header) {
   const std::string name = lower_case(header);
-  if (name.starts_with("!!")) return ShaderVersion{.minor = name.back() - '0', .name = "ps.1." + name.substr(6)};
+  if (name.starts_with("!!")) {
+    return ShaderVersion{.minor = name.back() - '0', .is_nvparse = true, .name = "ps.1." + name.substr(6)};
+  }
   const bool is_xbox = name.starts_with('x');
   const std::string numbers = name.substr(is_xbox ? 3 : 2);
   if (numbers.size() != 4 || numbers[1] != '1' || numbers[3] < '0' || numbers[3] > '4') return std::nullopt;
@@ -95,7 +97,9 @@ class ShaderParser {
                     "unknown version " + quoted(token.text) + "; expected ps.1.0 to ps.1.4, or xps.1.1");
         return false;
       }
+      const bool nvparse = out_.version.is_nvparse || version->is_nvparse;
       out_.version = *version;
+      out_.version.is_nvparse = nvparse;
       is_heading_ = token.text.starts_with('!');
       found = true;
       while (is_heading_ && in_.at_line_end() && !in_.at_end()) in_.take();
@@ -118,13 +122,19 @@ class ShaderParser {
     if (!name(instruction)) return false;
     if (instruction.op() == ShaderOp::def) return definition(paired, word.offset);
     if (!arguments(instruction)) return false;
-    if (!in_.at_line_end()) {
-      reader().expected("the line's end after " + std::to_string(instruction.row->targets + instruction.row->operands) +
-                        " registers of " + std::string(instruction.row->name));
-      return false;
-    }
+    if (!ends()) return after(instruction.row->targets + instruction.row->operands, instruction.row->name);
     keep(std::move(instruction));
     return true;
+  }
+
+  // An instruction ends where another one may begin, in the same line, too.
+  [[nodiscard]] bool ends() const {
+    return in_.at_line_end() || in_.peek().kind == TokenKind::word || in_.peek().is('+');
+  }
+  bool after(int count, std::string_view name) {
+    reader().expected("the next instruction after the " + std::to_string(count) +
+                      (count == 1 ? " argument" : " arguments") + " of " + std::string(name));
+    return false;
   }
 
   void keep(ShaderInstruction instruction) {
@@ -226,7 +236,7 @@ class ShaderParser {
       out.targets.push_back(*target);
     }
     for (int i = 0; i < out.row->operands; ++i) {
-      if (fetches && in_.at_line_end()) return true;
+      if (fetches && !in_.peek().is(',')) return true;
       if ((i > 0 || out.row->targets > 0) && !comma()) return false;
       const auto operand = fetches ? coordinates() : reader().operand();
       if (!operand) return false;
@@ -267,10 +277,7 @@ class ShaderParser {
     for (float& component : value.color) {
       if (!comma() || !number(component)) return false;
     }
-    if (!in_.at_line_end()) {
-      reader().expected("the line's end after four numbers");
-      return false;
-    }
+    if (!ends()) return after(5, "def");
     if (out.defined) {
       faults_.add(constant->offset, quoted(constant->text) + " is defined twice");
       return false;

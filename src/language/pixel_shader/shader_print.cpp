@@ -153,6 +153,9 @@ class ShaderPrinter {
     if (portion.out.sum == Register::discard || portion.out.mux_sum) return false;
     const CombinerInput& in = portion.*kPortionInputs.at(n);
     if (in.mapping != InputMapping::unsigned_identity) return false;
+    for (const CombinerInput Portion::*const one : kPortionInputs) {
+      if (detail::is_unit(portion.*one) || detail::is_unit(portion.*one, true)) return false;  // mad
+    }
     CombinerInput rest = in;
     rest.mapping = InputMapping::unsigned_invert;
     const std::size_t other = n < 2 ? 2 : 0;

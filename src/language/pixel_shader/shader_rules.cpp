@@ -77,8 +77,9 @@ class ShaderRules {
   void write_pending_of_last() {
     for (const ShaderInstruction* const one : pending_) {
       for (const ShaderTarget& target : one->targets) {
-        if (target.file != ShaderFile::temporary) continue;
         const auto i = static_cast<std::size_t>(target.index);
+        if (target.file == ShaderFile::texture) loaded_.at(i) = true;
+        if (target.file != ShaderFile::temporary) continue;
         written_rgb_[i] = written_rgb_[i] || target.rgb;
         written_alpha_[i] = written_alpha_[i] || target.alpha;
       }
@@ -123,7 +124,7 @@ class ShaderRules {
   void check_written(const ShaderInstruction& one) {
     const bool last = version_.minor == 4;
     if (!one.paired) write_pending_of_last();
-    if (!text_.complete) return;
+    if (!text_.complete || version_.is_nvparse) return;
     for (const ShaderOperand& operand : one.operands) {
       const auto i = static_cast<std::size_t>(operand.index);
       if (operand.file == ShaderFile::texture && last) {

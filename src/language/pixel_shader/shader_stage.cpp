@@ -265,6 +265,13 @@ void ShaderPortions::interpolate(Portion& portion, PortionName which) {
   multiply(portion, false, rest, source(2, which));
 }
 
+void ShaderPortions::check_distinct(const PortionOutput& out) {
+  const auto same = [](Register a, Register b) { return a == b && a != Register::discard; };
+  if (same(out.ab, out.cd) || same(out.ab, out.sum) || same(out.cd, out.sum)) {
+    fault(one_.offset, quoted(one_.text) + " writes one register twice", GlError::invalid_operation);
+  }
+}
+
 // xmma, xmmc, xdm, xdd
 void ShaderPortions::combine(Portion& portion, PortionName which) {
   const bool rgb = which == PortionName::rgb;
@@ -283,6 +290,7 @@ void ShaderPortions::combine(Portion& portion, PortionName which) {
     out.ab_dot_product = dot_ab;
     out.cd_dot_product = dot_cd;
   }
+  check_distinct(out);
   const bool third = out.sum != Register::discard;
   if (third || out.ab != Register::discard) multiply(portion, true, source(0, which), source(1, which));
   if (third || out.cd != Register::discard) {
@@ -343,8 +351,8 @@ void ShaderPortions::fill(Portion& portion, PortionName which) {
 Portion ShaderPortions::build(PortionName which) {
   Portion portion = empty_portion(which);
   products_ = doubled_ = 0;
-  const bool alpha_dot = which == PortionName::alpha && one_.op() == ShaderOp::dp3;
-  if (!one_.writes(which == PortionName::alpha) || alpha_dot) return portion;
+  const bool dot = one_.op() == ShaderOp::dp3;  // always in the rgb portion
+  if (dot ? which == PortionName::alpha : !one_.writes(which == PortionName::alpha)) return portion;
   fill(portion, which);
   scale(portion.out);
   return portion;

@@ -66,6 +66,7 @@ class ShaderPortions {
   void interpolate(Portion& portion, PortionName which);
   void combine(Portion& portion, PortionName which);
   void scale(PortionOutput& out);
+  void check_distinct(const PortionOutput& out);
   [[nodiscard]] std::optional<ShaderFactor> source(std::size_t operand, PortionName which);
   [[nodiscard]] std::optional<ComponentUsage> usage(const ShaderOperand& from, PortionName which);
   [[nodiscard]] std::optional<CombinerInput> place(const ShaderOperand& from, ComponentUsage usage, PortionName which);

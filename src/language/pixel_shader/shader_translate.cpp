@@ -21,6 +21,21 @@ bool writes_alpha(const GeneralCombiner& stage, Register reg) {
          (rgb.cd == reg && rgb.cd_blue_to_alpha);
 }
 
+// Whether an instruction is one for general combiners.
+bool is_arithmetic(const ShaderInstruction& one) {
+  switch (one.op()) {
+    case ShaderOp::texture:
+    case ShaderOp::phase:
+    case ShaderOp::bem:
+    case ShaderOp::xfc:
+    case ShaderOp::def:
+    case ShaderOp::nop:
+      return false;
+    default:
+      return true;
+  }
+}
+
 GeneralCombiner empty_stage() {
   GeneralCombiner stage;
   stage.rgb = empty_portion(PortionName::rgb);
@@ -45,11 +60,11 @@ class ShaderTranslator {
     too_many_ = exceeds_version();
     const std::vector<ShaderInstruction>& all = text_.instructions;
     for (std::size_t i = 0; i < all.size() && !faults_.full();) {
-      const bool pair = i + 1 < all.size() && all[i + 1].paired;
+      const bool pair = i + 1 < all.size() && all[i + 1].paired && is_arithmetic(all[i]) && is_arithmetic(all[i + 1]);
       const std::size_t next = i + (pair ? 2 : 1);
       if (all[i].op() == ShaderOp::xfc) {
         final_ = &all[i];
-      } else if (all[i].op() != ShaderOp::texture && all[i].op() != ShaderOp::phase && all[i].op() != ShaderOp::bem) {
+      } else if (is_arithmetic(all[i])) {
         group(all[i], pair ? &all[i + 1] : nullptr, next);
       }
       i = next;

@@ -122,7 +122,8 @@ class PortionPrinter {
       }
       return add(added.first, added.second) && add(taken.first);
     }
-    if (interpolates(first, second) || interpolates(second, first)) return true;
+    const bool has_single = one || other;
+    if (interpolates(first, second, has_single) || interpolates(second, first, has_single)) return true;
     if (!one && !other) {
       refuse("the sum of two products");
       return false;
@@ -137,15 +138,15 @@ class PortionPrinter {
     return source.second && source.first.mapping == InputMapping::unsigned_invert;
   }
 
-  // lrp: x·y + (1 - x)·z
-  bool interpolates(const PrintedTerm& first, const PrintedTerm& second) {
+  // lrp: x·y + (1 - x)·z; not if mad can read the weight without its sign.
+  bool interpolates(const PrintedTerm& first, const PrintedTerm& second, bool has_single) {
     for (const bool swap_first : {false, true}) {
       for (const bool swap_second : {false, true}) {
         const CombinerInput& weight = swap_first ? first.y : first.x;
         const CombinerInput& rest = swap_second ? second.y : second.x;
         const bool same = weight.reg == rest.reg && weight.usage == rest.usage && weight.reg != Register::zero;
         const bool inverse = weight.mapping == InputMapping::unsigned_identity && rest.mapping == InputMapping::unsigned_invert;
-        if (!same || !inverse) continue;
+        if (!same || !inverse || (has_single && is_unsigned(weight))) continue;
         printed_.name = "lrp";
         CombinerInput plain = weight;
         plain.mapping = InputMapping::signed_identity;
@@ -173,15 +174,20 @@ class PortionPrinter {
     return true;
   }
 
+  // Whether a register is read without its sign, or has none.
+  [[nodiscard]] bool is_unsigned(const CombinerInput& in) const {
+    const auto& known = in.usage == ComponentUsage::alpha ? place_.unsigned_alpha : place_.unsigned_rgb;
+    return known[static_cast<std::size_t>(in.reg)];
+  }
+
   bool add(const CombinerInput& in, bool minus = false) {
     if (in.reg == Register::zero) return add_number(in, minus);
     const auto name = register_name(in.reg);
     if (!name) return false;
     PrintedSource source{*name, selector(in)};
-    const auto& known = in.usage == ComponentUsage::alpha ? place_.unsigned_alpha : place_.unsigned_rgb;
     switch (in.mapping) {
       case InputMapping::unsigned_identity:
-        if (!known[static_cast<std::size_t>(in.reg)]) {
+        if (!is_unsigned(in)) {
           refuse(std::string(name_of(in.reg)) + " read without its sign, where it may be negative");
           return false;
         }
