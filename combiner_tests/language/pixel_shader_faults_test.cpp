@@ -60,12 +60,12 @@ TEST(PixelShaderFaults, OfWords) {
       {"ps.1.1\nmov c0, v0\n", "2:5: ps.1.1 does not write 'c0'; it writes r and t registers\n"},
       {"ps.1.1\nmov v0, v1\nmov r0, v0", "2:5: ps.1.1 does not write 'v0'; it writes r and t registers\n"},
       {"ps.1.1\nmov r0_sat, v0\n",
-       "2:5: a register that is written has no modifier, found '_sat'; modifiers of the result follow the instruction's "
+       "2:5: a register that is written has no modifier, found '_sat'; modifiers of the result follow the "
+       "instruction's "
        "name, as in add_sat\n"},
       {"ps.1.1\nmov r0.r, v0\n",
        "2:5: '.r': combiners write red, green and blue together; expected .rgb, .a or nothing\n"},
-      {"ps.1.4\nmov r0, v0.r\n",
-       "2:9: 'v0': combiners do not read red or green alone; expected .rgb, .a or .b\n"},
+      {"ps.1.4\nmov r0, v0.r\n", "2:9: 'v0': combiners do not read red or green alone; expected .rgb, .a or .b\n"},
       {"ps.1.1\nmov r0, v0.bgr\n", "2:9: '.bgr' are not components that a combiner reads; expected .rgb, .a or .b\n"},
       {"ps.1.1\ndp4 r0, v0, v1\n", "2:1: ps.1.1 has no instruction 'dp4'; it begins with ps.1.2\n"},
       {"ps.1.4\ntex t0\nmov r0, v0", "2:1: ps.1.4 has no instruction 'tex'; its last version is ps.1.3\n"},
@@ -104,8 +104,7 @@ TEST(PixelShaderFaults, OfDirect3DsRules) {
       {"ps.1.1\nmov r0, v0\ntex t0\n", "3:1: texture instructions come before arithmetic ones in ps.1.1\n"},
       {"ps.1.1\nmov r0.rgb, v0\n+mul r0, v0, v1\n",
        "3:2: of two instructions that '+' joins, one writes .rgb and one writes .a; both write .rgb\n"},
-      {"ps.1.1\n+mov r0, v0\n",
-       "2:2: '+' joins two arithmetic instructions; expected one before it that has no '+'\n"},
+      {"ps.1.1\n+mov r0, v0\n", "2:2: '+' joins two arithmetic instructions; expected one before it that has no '+'\n"},
       {"ps.1.1\ntex t0\ntex t1\ntex t2\nmad r0, t0, t1, t2\n",
        "5:1: an instruction of ps.1.1 reads at most 2 t registers, found 3\n"},
       {"ps.1.4\nmov r0, t0\n",
@@ -125,14 +124,16 @@ TEST(PixelShaderFaults, OfWhatCombinersDoNotHave) {
        "2:17: 'c2' is a third constant: a general combiner reads two\n"},
       {"xps.1.1\nmov r0, sum\n", "2:9: GL_INVALID_ENUM: 'sum' can be read by xfc alone\n"},
       {"xps.1.1\nmov r0, fog\n", "2:9: GL_INVALID_OPERATION: fog's alpha can be read by xfc alone\n"},
-      {"xps.1.1\nxmma r0, r0, discard, v0, v0, v0, v0\n", "2:1: GL_INVALID_OPERATION: 'xmma' writes one register twice\n"},
+      {"xps.1.1\nxmma r0, r0, discard, v0, v0, v0, v0\n",
+       "2:1: GL_INVALID_OPERATION: 'xmma' writes one register twice\n"},
       {"xps.1.1\nxfc sum, zero, zero, prod, prod, zero, r0_bx2\n",
        "2:5: GL_INVALID_OPERATION: 'sum' can be read as B, C or D of xfc alone\n"
        "2:28: GL_INVALID_OPERATION: 'prod' can be read as A, B, C or D of xfc alone\n"
        "2:40: registers of xfc take no modifier but 1-x, found 'r0_bx2'\n"},
       {"ps.1.1\nmov r0, v0.b\n", "2:9: 'v0'.b: combiners read blue alone only where .a is written\n"},
       {"ps.1.1\ndef c0, 1, -1, 0, 0\nmov r0, c0\n",
-       "3:9: 'c0' has values below 0 and above 0, and constants of combiners have none below 0; expected (x + 1) / 2, read "
+       "3:9: 'c0' has values below 0 and above 0, and constants of combiners have none below 0; expected (x + 1) / 2, "
+       "read "
        "as c0_bx2\n"},
       {"ps.1.1\nmov_sat r0, -v0\nmul r0, -r0, 1-v0\n",
        "3:1: 'mul' negates a register that was saturated, and combiners cannot; expected it without '-'\n"},
@@ -142,10 +143,12 @@ TEST(PixelShaderFaults, OfWhatCombinersDoNotHave) {
        "3:9: 'cmp' tests each component of 'r1'; the mux of combiners tests spare0's alpha alone: expected one "
        "component, such as r1.a\n"},
       {"ps.1.2\nmov r0, v0\ncmp r0.rgb, r0.a, v0, v1\n",
-       "3:1: 'cmp' needs spare0's alpha for its test, which holds a value that is still read; expected a test of r0.a\n"},
+       "3:1: 'cmp' needs spare0's alpha for its test, which holds a value that is still read; expected a test of "
+       "r0.a\n"},
       {"ps.1.4\ntexcrd r0.rgb, t0\nadd r0.rgb, r0, v0\nphase\ntexld r1, r0\nmov r0, r1\n",
        "5:1: 'texld' reads a texture at computed coordinates: combiners run after all textures are read\n"},
-      {"ps.1.4\ntexld r4, t0\nmov r0, r4\n", "2:7: 'r4' loads a fifth or sixth texture; combiners have four, for r0 to r3\n"},
+      {"ps.1.4\ntexld r4, t0\nmov r0, r4\n",
+       "2:7: 'r4' loads a fifth or sixth texture; combiners have four, for r0 to r3\n"},
       {"ps.1.4\nadd r0, v0_x2, v1\n",
        "2:1: 'add' adds a register with _x2 to one without it; combiners scale only the result\n"},
   });
@@ -155,7 +158,8 @@ TEST(PixelShaderFaults, OfWhatCombinersDoNotHave) {
            "3:9: GL_INVALID_ENUM: 't2' is beyond the 2 texture units of profile geforce2\n"},
           {"ps.1.1\nmul r0, v0, c0\nmul r0, r0, c1\nmul r0, r0, c2\n",
            "4:1: GL_INVALID_VALUE: too many general combiners; profile geforce2 has 2, and this instruction needs "
-           "another\n4:13: 'c2' is a third constant: a general combiner reads two, and with profile geforce2 all read the "
+           "another\n4:13: 'c2' is a third constant: a general combiner reads two, and with profile geforce2 all read "
+           "the "
            "same two\n"},
       },
       profiles::geforce2);
@@ -183,8 +187,10 @@ TEST(PixelShaderFaults, BrokenTextsEndInAStateOrInFaults) {
   using namespace std::string_view_literals;
   constexpr auto kBytes = "rtvcx0123_.,+-;#abdmulsop \n\t\0\x80\xFF[]1"sv;
   constexpr auto kWhole =
-      "xps.1.1\n#define K c0.a\ndef c0, 1, 0.5, -.25, 1.f\n#ifdef Z\n#else\ntex t0\n#endif\nmul_x2 r0.rgb, t0_bx2, 1-v0 ; "
-      "c\n+mov r0.a, K\ndp3_sat r1, t0, r0\ncnd r0, r0.a, -r1, v1_bias\nxmma r1, discard, v0, r1, c[1], fog.rgb, 1 - zero\n"
+      "xps.1.1\n#define K c0.a\ndef c0, 1, 0.5, -.25, 1.f\n#ifdef Z\n#else\ntex t0\n#endif\nmul_x2 r0.rgb, t0_bx2, "
+      "1-v0 ; "
+      "c\n+mov r0.a, K\ndp3_sat r1, t0, r0\ncnd r0, r0.a, -r1, v1_bias\nxmma r1, discard, v0, r1, c[1], fog.rgb, 1 - "
+      "zero\n"
       "lrp r0.rgb, r1.a, r0, v0\nxfc fog.a, r0, sum, prod, v0, 1-r1.a, r0.a\n"sv;
   const auto whole = parse_pixel_shader({kWhole, ""}, profiles::nv2a);
   ASSERT_TRUE(whole) << test::all_faults(whole);

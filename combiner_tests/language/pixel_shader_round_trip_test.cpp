@@ -45,9 +45,11 @@ std::string random_instruction(Random& random, const std::string& mask) {
     int sources;
   };
   const bool alpha = mask == ".a";
-  const Op op = random.pick({Op{"mov", 1}, Op{"add", 2}, Op{"sub", 2}, Op{"mul", 2}, Op{"mad", 3}, Op{"cnd", 2}, Op{"dp3", 2}});
+  const Op op =
+      random.pick({Op{"mov", 1}, Op{"add", 2}, Op{"sub", 2}, Op{"mul", 2}, Op{"mad", 3}, Op{"cnd", 2}, Op{"dp3", 2}});
   if (alpha && std::string_view(op.name) == "dp3") return random_instruction(random, mask);
-  std::string text = op.name + random.pick<std::string>({"", "", "_x2", "_x4", "_d2"}) + (random.one_in(4) ? "_sat" : "");
+  std::string text =
+      op.name + random.pick<std::string>({"", "", "_x2", "_x4", "_d2"}) + (random.one_in(4) ? "_sat" : "");
   text += " " + random.pick<std::string>({"r0", "r1", "t0"}) + mask;
   if (std::string_view(op.name) == "cnd") text += ", r0.a";
   for (int i = 0; i < op.sources; ++i) text += ", " + random_source(random, alpha);
@@ -55,7 +57,8 @@ std::string random_instruction(Random& random, const std::string& mask) {
 }
 
 std::string random_shader(Random& random) {
-  std::string text = "ps.1.1\ndef c1, 0.25, 1, 0, 0.5\ndef c3, 1, 0.125, 0.75, 0.25\ntex t0\ntex t1\nmov r0, v0\nmov r1, t1\n";
+  std::string text =
+      "ps.1.1\ndef c1, 0.25, 1, 0, 0.5\ndef c3, 1, 0.125, 0.75, 0.25\ntex t0\ntex t1\nmov r0, v0\nmov r1, t1\n";
   for (int i = random.between(1, 5); i > 0; --i) {
     if (random.one_in(2)) {
       text += random_instruction(random, random.pick<std::string>({"", ".rgb", ".a"}));
@@ -82,7 +85,8 @@ TEST(PixelShaderRoundTrip, RandomShadersMeanTheSame) {
     const auto back = parse_pixel_shader({*again, ""}, profile);
     ASSERT_TRUE(back) << "seed " << kSeed << " case " << i << "\n" << *again << test::all_faults(back);
     ASSERT_TRUE(normalize(*back.value, profile) == normalize(*parsed.value, profile))
-        << "seed " << kSeed << " case " << i << "\n" << text << *again;
+        << "seed " << kSeed << " case " << i << "\n"
+        << text << *again;
     ++printed;
   }
   EXPECT_GT(read, 3000);
@@ -94,7 +98,8 @@ void simplify_for_shaders(Random& random, CombinerState& state) {
   state.mux_by_lowest_bit = false;
   state.final_combiner = {};
   state.final_combiner.a = state.final_combiner.b = state.final_combiner.c = {};
-  state.final_combiner.d.reg = random.pick({Register::spare0, Register::spare0, Register::texture0, Register::constant1});
+  state.final_combiner.d.reg =
+      random.pick({Register::spare0, Register::spare0, Register::texture0, Register::constant1});
   state.num_general_combiners = std::min(state.num_general_combiners, random.between(1, 3));
   const CombinerInput one{Register::zero, InputMapping::unsigned_invert, ComponentUsage::rgb};
   for (GeneralCombiner& stage : state.general) {
@@ -145,13 +150,15 @@ TEST(PixelShaderRoundTrip, RandomProgramsComputeTheSame) {
       registers[Register::spare0] = {0, 0, 0, registers[Register::texture0][3]};
       registers[Register::spare1] = {};
       ASSERT_EQ(evaluate_fragment(after, registers).color, evaluate_fragment(before, registers).color)
-          << "seed " << kSeed << " case " << i << "\n" << *text << *print_gl_calls(state, profile);
+          << "seed " << kSeed << " case " << i << "\n"
+          << *text << *print_gl_calls(state, profile);
     }
     const auto again = print_pixel_shader(*back.value, profile);
     ASSERT_TRUE(again) << *text << again.error().message;
     const auto third = parse_pixel_shader({*again, ""}, profile);
     ASSERT_TRUE(third);
-    ASSERT_TRUE(normalize(*third.value, profile) == after) << "seed " << kSeed << " case " << i << "\n" << *text << *again;
+    ASSERT_TRUE(normalize(*third.value, profile) == after) << "seed " << kSeed << " case " << i << "\n"
+                                                           << *text << *again;
   }
   EXPECT_GT(expressible, 1500);
   EXPECT_GT(refused, 1500);

@@ -42,8 +42,8 @@ void expect_same(const std::vector<SameMeaning>& cases, const std::string& heade
     const std::string rc10 = "!!RC1.0\n" + c.stages + final;
     const auto expected = parse_rc10({rc10, ""}, profile);
     ASSERT_TRUE(expected) << rc10 << test::all_faults(expected);
-    EXPECT_EQ(program_of_shader(header + c.shader, profile), normalize(*expected.value, profile))
-        << c.shader << "\n" << rc10;
+    EXPECT_EQ(program_of_shader(header + c.shader, profile), normalize(*expected.value, profile)) << c.shader << "\n"
+                                                                                                  << rc10;
   }
 }
 
@@ -62,7 +62,8 @@ TEST(PixelShader, AnInstructionIsAGeneralCombiner) {
           {"mad_x4 r0.rgb, t0, 1-t1, -v0.a",
            "{ rgb { discard = tex0 * unsigned_invert(tex1); discard = -col0.a; spare0 = sum(); scale_by_four(); } }\n"},
           {"lrp r0.rgb, v0.a, t0, t1",
-           "{ rgb { discard = unsigned(col0.a) * tex0; discard = unsigned_invert(col0.a) * tex1; spare0 = sum(); } }\n"},
+           "{ rgb { discard = unsigned(col0.a) * tex0; discard = unsigned_invert(col0.a) * tex1; spare0 = sum(); } "
+           "}\n"},
           {"lrp r0.rgb, 1-v0, t0, t1",
            "{ rgb { discard = unsigned_invert(col0) * tex0; discard = unsigned(col0) * tex1; spare0 = sum(); } }\n"},
           {"dp3 r0.rgb, t0_bx2, -v0_bx2\n+mul r0.a, t0.b, t1_bias",
@@ -83,7 +84,8 @@ TEST(PixelShader, ASaturatedRegisterIsReadWithoutItsSign) {
   expect_same(
       {
           {"sub_sat r0.rgb, t0, t1\nmul r0.rgb, r0, v0",
-           "{ rgb { discard = tex0; discard = -tex1; spare0 = sum(); } }\n{ rgb { spare0 = unsigned(spare0) * col0; } }\n"},
+           "{ rgb { discard = tex0; discard = -tex1; spare0 = sum(); } }\n{ rgb { spare0 = unsigned(spare0) * col0; } "
+           "}\n"},
           {"sub_sat r0.rgb, t0, t1\nmov r0.rgb, -r0",
            "{ rgb { discard = tex0; discard = -tex1; spare0 = sum(); } }\n"
            "{ rgb { spare0 = unsigned(spare0) * expand(zero); } }\n"},
@@ -92,7 +94,8 @@ TEST(PixelShader, ASaturatedRegisterIsReadWithoutItsSign) {
            "  alpha { discard = tex0; discard = -tex1; spare0 = sum(); } }\n"
            "{ rgb { discard = tex0; discard = unsigned(spare0.a) * expand(zero); spare0 = sum(); } }\n"},
           {"sub_sat r0.rgb, t0, t1\nmul r0.rgb, -r0, t1",
-           "{ rgb { discard = tex0; discard = -tex1; spare0 = sum(); } }\n{ rgb { spare0 = unsigned(spare0) * -tex1; } }\n"},
+           "{ rgb { discard = tex0; discard = -tex1; spare0 = sum(); } }\n{ rgb { spare0 = unsigned(spare0) * -tex1; } "
+           "}\n"},
       },
       "ps.1.1\ntex t0\ntex t1\n", profiles::geforce2);
 }
@@ -108,18 +111,20 @@ TEST(PixelShader, ConstantsBelongToAStageWhereThereAreMoreThanTwo) {
                 "  rgb { discard = const0 * spare0; discard = const1; spare0 = sum(); } }\n"}},
               "ps.1.1\ndef c0, 1, 0, 0, 0\ndef c1, 0, 1, 0, 0\ndef c2, 0, 0, 1, 0\ntex t0\n", profiles::nv2a);
   // What is below 0 is stored as its negative.
-  expect_same({{"add r0.rgb, t0, c0", "const0 = (0.5, 0, 0.25, 0);\n{ rgb { discard = tex0; discard = -const0; spare0 = sum(); } }\n"}},
+  expect_same({{"add r0.rgb, t0, c0",
+                "const0 = (0.5, 0, 0.25, 0);\n{ rgb { discard = tex0; discard = -const0; spare0 = sum(); } }\n"}},
               "ps.1.1\ndef c0, -0.5, 0, -0.25, 0\ntex t0\n", profiles::geforce2);
 }
 
 TEST(PixelShader, ADotProductOfAllComponentsReachesAlpha) {
   // The NV2A writes blue to alpha; a GeForce 2 reads blue where alpha is meant.
   CombinerState state;
-  state.general[0].rgb = {{Register::texture0, InputMapping::signed_identity},
-                          {Register::primary, InputMapping::signed_identity},
-                          {},
-                          {},
-                          {.ab = Register::spare0, .sum = Register::discard, .ab_dot_product = true, .ab_blue_to_alpha = true}};
+  state.general[0].rgb = {
+      {Register::texture0, InputMapping::signed_identity},
+      {Register::primary, InputMapping::signed_identity},
+      {},
+      {},
+      {.ab = Register::spare0, .sum = Register::discard, .ab_dot_product = true, .ab_blue_to_alpha = true}};
   state.general[0].alpha.out.sum = Register::discard;
   state.final_combiner.a = state.final_combiner.b = state.final_combiner.c = {};
   state.final_combiner.d.reg = Register::spare0;
@@ -134,8 +139,7 @@ TEST(PixelShader, ADotProductOfAllComponentsReachesAlpha) {
   expect_same({{"dp3 r0, t0, v0", "{ rgb { spare0 = tex0 . col0; } }\n"}}, "ps.1.1\ntex t0\n", profiles::geforce2,
               "out.rgb = spare0;\nout.a = spare0.b;\n");
   // Into alpha alone: the colour goes to a register that nothing reads.
-  expect_same({{"mov r0.rgb, t0\ndp3 r0.a, t0, v0",
-                "{ rgb { spare0 = tex0; } }\n{ rgb { spare1 = tex0 . col0; } }\n"}},
+  expect_same({{"mov r0.rgb, t0\ndp3 r0.a, t0, v0", "{ rgb { spare0 = tex0; } }\n{ rgb { spare1 = tex0 . col0; } }\n"}},
               "ps.1.1\ntex t0\n", profiles::geforce2, "out.rgb = spare0;\nout.a = spare1.b;\n");
 }
 
@@ -212,7 +216,8 @@ TEST(PixelShader, Ps14UsesTheTexturesRegisters) {
 
 TEST(PixelShader, NamesAndConditionsOfThePreprocessorAreReplaced) {
   const std::string text =
-      "#define FADE c0.a\n#define LIT mul r0, t0, \\\n  FADE\n#ifdef DAY\nbroken\n#elif 0\nbroken\n#else\n#define LAST add r0, "
+      "#define FADE c0.a\n#define LIT mul r0, t0, \\\n  FADE\n#ifdef DAY\nbroken\n#elif 0\nbroken\n#else\n#define LAST "
+      "add r0, "
       "r0, v0\n#endif\n#if !defined(NIGHT)\nps.1.1\n#endif\ndef c0, 0, 0, 0, 1\ntex t0 LIT\nLAST\n";
   EXPECT_EQ(program_of_shader(text, profiles::nv2a),
             program_of_shader("ps_1_1 def c0, 0, 0, 0, 1 tex t0 mul r0, t0, c0.a add r0, r0, v0", profiles::nv2a));
@@ -231,12 +236,14 @@ TEST(PixelShader, NotesSayWhatIsLeftToOthers) {
 TEST(PixelShader, IsFoundInStringsAndSources) {
   const std::string plain = "ps.1.1\ntex t0\nmul r0, t0, v0\n";
   const Program expected = program_of_shader(plain, profiles::geforce2);
-  EXPECT_EQ(program_of_shader("const char* lit =\n  \"ps.1.1\\n\"\n  // the base\n  \"tex t0\\n\"\n  \"mul r0, t0, v0\\n\";",
-                              profiles::geforce2),
-            expected);
+  EXPECT_EQ(
+      program_of_shader("const char* lit =\n  \"ps.1.1\\n\"\n  // the base\n  \"tex t0\\n\"\n  \"mul r0, t0, v0\\n\";",
+                        profiles::geforce2),
+      expected);
   EXPECT_EQ(program_of_shader("!!PS1.0\nmul r0, t0, v0\n", profiles::geforce2), expected);
   const std::string source =
-      "static const char glow[] = \"xps.1.1\\nmov r0, v0\\n\";\nvoid lit() {\n  nvparse(\"!!PS1.0\\n\"\n    \"mul r0, t0, "
+      "static const char glow[] = \"xps.1.1\\nmov r0, v0\\n\";\nvoid lit() {\n  nvparse(\"!!PS1.0\\n\"\n    \"mul r0, "
+      "t0, "
       "v0\\n\");\n}\n";
   ASSERT_TRUE(is_source_code(source));
   const auto loaded = parse_source_code({source, ""}, {.functions = {"lit"}}, profiles::geforce2);
@@ -248,7 +255,8 @@ TEST(PixelShader, IsFoundInStringsAndSources) {
 }
 
 TEST(PixelShader, IsKnownByItsHeader) {
-  for (const char* text : {"ps.1.1", "; c\n// c\n/* c */ ps_1_4\n", "#define X\n\nXPS.1.1", "!!PS1.0\n", "\xEF\xBB\xBFps.1.0"}) {
+  for (const char* text :
+       {"ps.1.1", "; c\n// c\n/* c */ ps_1_4\n", "#define X\n\nXPS.1.1", "!!PS1.0\n", "\xEF\xBB\xBFps.1.0"}) {
     EXPECT_TRUE(is_pixel_shader(text)) << text;
   }
   for (const char* text : {"", "ps.2.0", "; c\nps_3_0", "vs.1.1", "ps = 1", "!!RC1.0", "tex t0", "maps.1.1"}) {

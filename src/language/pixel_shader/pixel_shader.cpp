@@ -65,7 +65,8 @@ void note_outside(const ShaderText& text, detail::SourceFaults& notes) {
       continue;
     }
     for (const detail::ShaderOperand& from : one.operands) {
-      if (from.file != ShaderFile::constant || text.constants.at(static_cast<std::size_t>(from.index)).defined) continue;
+      if (from.file != ShaderFile::constant || text.constants.at(static_cast<std::size_t>(from.index)).defined)
+        continue;
       if (!first_constant) first_constant = from.offset;
       constants.insert("c" + std::to_string(from.index));
     }
@@ -90,7 +91,8 @@ void note_ranges(const ShaderText& text, detail::SourceFaults& notes) {
     const float highest = *std::max_element(one.color.begin(), one.color.end());
     const bool below = text.version.is_xbox ? lowest < 0 : lowest < -1;
     if (below || highest > 1) {
-      notes.add(one.offset, "c" + std::to_string(i) + " is clamped to " + (text.version.is_xbox ? "0" : "-1") + " to 1");
+      notes.add(one.offset,
+                "c" + std::to_string(i) + " is clamped to " + (text.version.is_xbox ? "0" : "-1") + " to 1");
     }
   }
   if (text.version.minor == 4 && !text.instructions.empty()) {
@@ -118,7 +120,8 @@ void note_result(const ShaderText& text, detail::SourceFaults& notes) {
 namespace detail {
 
 std::size_t find_shader_literal(std::string_view text) {
-  constexpr std::array<std::string_view, 8> kHeaders{"ps.1.", "ps_1_", "xps.1", "xps_1", "PS.1.", "XPS.1", "!!PS1.", "!!ps1."};
+  constexpr std::array<std::string_view, 8> kHeaders{"ps.1.", "ps_1_", "xps.1",  "xps_1",
+                                                     "PS.1.", "XPS.1", "!!PS1.", "!!ps1."};
   std::size_t first = std::string_view::npos;
   for (const std::string_view header : kHeaders) first = std::min(first, find_literal(text, header));
   return first;

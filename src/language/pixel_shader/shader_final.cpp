@@ -68,16 +68,18 @@ class FinalReader {
         return std::nullopt;
       }
       if (i >= 4 || (sum && i == 0)) {
-        context_.faults.add(from.offset,
-                            quoted(from.text) + " can be read as " + (sum ? "B, C or D" : "A, B, C or D") + " of xfc alone",
-                            GlError::invalid_operation);
+        context_.faults.add(
+            from.offset,
+            quoted(from.text) + " can be read as " + (sum ? "B, C or D" : "A, B, C or D") + " of xfc alone",
+            GlError::invalid_operation);
         return std::nullopt;
       }
       return sum ? Register::spare0_plus_secondary : Register::e_times_f;
     }
     if (from.file == ShaderFile::constant) {
       const auto reg = context_.constants.place(from.index);
-      if (!reg) context_.faults.add(from.offset, quoted(from.text) + " is a third constant: the final combiner reads two");
+      if (!reg)
+        context_.faults.add(from.offset, quoted(from.text) + " is a third constant: the final combiner reads two");
       return reg;
     }
     const auto reg = context_.registers.find(from.file, from.index);

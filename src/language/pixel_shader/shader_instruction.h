@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -15,10 +16,10 @@ namespace ninebit::detail {
 
 // The version that a shader's header names.
 struct ShaderVersion {
-  int minor = 1;         // of ps.1.x and xps.1.1
+  int minor = 1;            // of ps.1.x and xps.1.1
   bool is_xbox = false;     // xps.1.1
   bool is_nvparse = false;  // !!PS1.0
-  std::string name{};    // as messages name it: "ps.1.1"
+  std::string name{};       // as messages name it: "ps.1.1"
 };
 
 enum class ShaderFile : std::uint8_t { temporary, texture, color, constant, fog, zero, one, sum, product, discard };
@@ -48,8 +49,26 @@ struct ShaderTarget {
 };
 
 enum class ShaderOp : std::uint8_t {
-  mov, add, sub, mul, mad, lrp, dp3, dp4, cnd, cmp, bem, nop, def, phase, texture,
-  xmma, xmmc, xdm, xdd, xfc
+  mov,
+  add,
+  sub,
+  mul,
+  mad,
+  lrp,
+  dp3,
+  dp4,
+  cnd,
+  cmp,
+  bem,
+  nop,
+  def,
+  phase,
+  texture,
+  xmma,
+  xmmc,
+  xdm,
+  xdd,
+  xfc
 };
 
 // What the language says of an instruction.
@@ -62,6 +81,11 @@ struct ShaderOpRow {
   int last_minor;   // and the last; 0: only xps.1.1 has it
 };
 [[nodiscard]] std::span<const ShaderOpRow> shader_ops();
+// The row of a name in lower case, or nullptr; the names that a version has.
+[[nodiscard]] const ShaderOpRow* shader_op_named(std::string_view name);
+[[nodiscard]] std::vector<std::string_view> shader_op_names(const ShaderVersion& version);
+// The version that a header names; empty: an unknown one.
+[[nodiscard]] std::optional<ShaderVersion> shader_version_of(std::string_view header);
 
 struct ShaderInstruction {
   std::size_t offset = 0;
@@ -75,6 +99,8 @@ struct ShaderInstruction {
   std::vector<ShaderOperand> operands{};
 
   [[nodiscard]] ShaderOp op() const { return row->op; }
+  // Whether it is one for general combiners.
+  [[nodiscard]] bool is_arithmetic() const;
   [[nodiscard]] bool writes(bool alpha) const {
     for (const ShaderTarget& target : targets) {
       if (target.file != ShaderFile::discard && (alpha ? target.alpha : target.rgb)) return true;
@@ -97,6 +123,9 @@ struct ShaderText {
   std::vector<ShaderInstruction> instructions{};  // without def and nop
   std::array<ShaderConstant, kShaderConstants> constants{};
   bool complete = true;  // whether no instruction was left out
+
+  // How many constants the combiners read.
+  [[nodiscard]] std::size_t constants_read() const;
 };
 
 }  // namespace ninebit::detail

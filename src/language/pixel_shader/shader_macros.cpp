@@ -83,7 +83,8 @@ class ShaderPreprocessor {
       out_.includes = true;
       notes_.add(line[0].offset, "skipped " + text_of(rest) + "; its names are not known");
     } else if (std::find(kDirectives.begin(), kDirectives.end(), name) == kDirectives.end()) {
-      faults_.add(line[1].offset, "'#" + name + "' is not a line of the preprocessor" + did_you_mean(name, kDirectives));
+      faults_.add(line[1].offset,
+                  "'#" + name + "' is not a line of the preprocessor" + did_you_mean(name, kDirectives));
     } else if (name == "error") {
       faults_.add(line[0].offset, "the text ends itself with #error");
     }
@@ -188,9 +189,8 @@ class ShaderPreprocessor {
       }
       const ShaderToken& inner = top.body[top.next++];
       const auto macro = macro_of(inner);
-      const bool is_open = macro != macros_.end() && std::any_of(open.begin(), open.end(), [&](const Open& o) {
-                             return o.name == macro->first;
-                           });
+      const bool is_open = macro != macros_.end() &&
+                           std::any_of(open.begin(), open.end(), [&](const Open& o) { return o.name == macro->first; });
       if (macro == macros_.end() || is_open || open.size() == kDeepest) {
         add(inner, token.offset);
       } else {

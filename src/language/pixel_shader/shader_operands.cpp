@@ -28,8 +28,8 @@ struct NamedModifier {
   ShaderModifier modifier;
 };
 constexpr std::array kModifiers{
-    NamedModifier{"bias", ShaderModifier::bias},  NamedModifier{"bx2", ShaderModifier::expand},
-    NamedModifier{"x2", ShaderModifier::by_two},  NamedModifier{"sat", ShaderModifier::saturate},
+    NamedModifier{"bias", ShaderModifier::bias}, NamedModifier{"bx2", ShaderModifier::expand},
+    NamedModifier{"x2", ShaderModifier::by_two}, NamedModifier{"sat", ShaderModifier::saturate},
     NamedModifier{"b", ShaderModifier::bias}};
 
 struct NamedSelector {
@@ -195,8 +195,9 @@ std::optional<ShaderTarget> ShaderOperandReader::target() {
   const bool writable = out.file == ShaderFile::temporary || out.file == ShaderFile::texture ||
                         (version_.is_xbox && (out.file == ShaderFile::color || out.file == ShaderFile::discard));
   if (!writable) {
-    faults_.add(from->offset, version_.name + " does not write " + quoted(from->text) +
-                                  (version_.is_xbox ? "; it writes r, t and v registers" : "; it writes r and t registers"));
+    faults_.add(from->offset,
+                version_.name + " does not write " + quoted(from->text) +
+                    (version_.is_xbox ? "; it writes r, t and v registers" : "; it writes r and t registers"));
     return std::nullopt;
   }
   if (!from->modifiers.empty()) {
@@ -208,8 +209,9 @@ std::optional<ShaderTarget> ShaderOperandReader::target() {
   out.rgb = mask.empty() || mask == "rgba" || mask == "xyzw" || mask == "rgb" || mask == "xyz";
   out.alpha = mask.empty() || mask == "rgba" || mask == "xyzw" || mask == "a" || mask == "w";
   if (!out.rgb && !out.alpha) {
-    faults_.add(from->offset, quoted("." + mask) + ": combiners write red, green and blue together; expected .rgb, .a "
-                                                    "or nothing");
+    faults_.add(from->offset, quoted("." + mask) +
+                                  ": combiners write red, green and blue together; expected .rgb, .a "
+                                  "or nothing");
     return std::nullopt;
   }
   return out;
@@ -255,7 +257,9 @@ bool ShaderOperandReader::apply_modifiers(ShaderOperand& out, const Register& fr
     const NamedModifier* const found = named(kModifiers, name);
     if (found == nullptr) {
       faults_.add(from.offset, quoted("_" + name) + " is not a modifier of a register; expected _bias, _bx2" +
-                                   (version_.minor == 4 ? " or _x2" : version_.is_xbox ? " or _sat" : "") +
+                                   (version_.minor == 4 ? " or _x2"
+                                    : version_.is_xbox  ? " or _sat"
+                                                        : "") +
                                    may_be_included());
       return false;
     }
@@ -282,7 +286,8 @@ bool ShaderOperandReader::apply_selector(ShaderOperand& out, const Register& fro
                           from.suffix.find_first_not_of(from.suffix.front()) == std::string::npos;
   const NamedSelector* const one = replicated ? named(kSelectors, from.suffix.substr(0, 1)) : found;
   if (one == nullptr) {
-    faults_.add(from.offset, quoted("." + from.suffix) + " are not components that a combiner reads; expected .rgb, .a or .b");
+    faults_.add(from.offset,
+                quoted("." + from.suffix) + " are not components that a combiner reads; expected .rgb, .a or .b");
     return false;
   }
   out.selector = one->selector;

@@ -52,9 +52,9 @@ class ShaderOperandReader {
     std::string_view text{};
     ShaderFile file = ShaderFile::zero;
     int index = 0;
-    std::string modifiers{};                // with their underscores, in lower case
-    std::string suffix{};                   // after the dot, in lower case
-    std::optional<std::string> unknown{};   // why there is no such register
+    std::string modifiers{};               // with their underscores, in lower case
+    std::string suffix{};                  // after the dot, in lower case
+    std::optional<std::string> unknown{};  // why there is no such register
   };
   std::optional<Register> read_register();
   bool read_index(Register& out);

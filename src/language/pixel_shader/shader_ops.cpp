@@ -1,6 +1,9 @@
+#include <algorithm>
 #include <array>
+#include <set>
 
 #include "src/language/pixel_shader/shader_instruction.h"
+#include "src/language/pixel_shader/shader_lexer.h"
 
 namespace ninebit::detail {
 namespace {
@@ -54,6 +57,58 @@ constexpr std::array kShaderOps{
 
 std::span<const ShaderOpRow> shader_ops() {
   return kShaderOps;
+}
+
+const ShaderOpRow* shader_op_named(std::string_view name) {
+  const auto rows = shader_ops();
+  const auto found = std::find_if(rows.begin(), rows.end(), [&](const ShaderOpRow& row) { return row.name == name; });
+  return found == rows.end() ? nullptr : &*found;
+}
+
+std::vector<std::string_view> shader_op_names(const ShaderVersion& version) {
+  std::vector<std::string_view> names;
+  for (const ShaderOpRow& row : shader_ops()) {
+    const bool has = row.first_minor <= version.minor && version.minor <= row.last_minor;
+    if (has || version.is_xbox) names.push_back(row.name);
+  }
+  return names;
+}
+
+std::optional<ShaderVersion> shader_version_of(std::string_view header) {
+  const std::string name = lower_case(header);
+  if (name.starts_with("!!")) {
+    return ShaderVersion{.minor = name.back() - '0', .is_nvparse = true, .name = "ps.1." + name.substr(6)};
+  }
+  const bool is_xbox = name.starts_with('x');
+  const std::string numbers = name.substr(is_xbox ? 3 : 2);
+  if (numbers.size() != 4 || numbers[1] != '1' || numbers[3] < '0' || numbers[3] > '4') return std::nullopt;
+  const int minor = numbers[3] - '0';
+  if (is_xbox && minor != 1) return std::nullopt;
+  return ShaderVersion{.minor = minor, .is_xbox = is_xbox, .name = name};
+}
+
+bool ShaderInstruction::is_arithmetic() const {
+  switch (op()) {
+    case ShaderOp::texture:
+    case ShaderOp::phase:
+    case ShaderOp::bem:
+    case ShaderOp::xfc:
+    case ShaderOp::def:
+    case ShaderOp::nop:
+      return false;
+    default:
+      return true;
+  }
+}
+
+std::size_t ShaderText::constants_read() const {
+  std::set<int> read;
+  for (const ShaderInstruction& one : instructions) {
+    for (const ShaderOperand& from : one.operands) {
+      if (from.file == ShaderFile::constant && one.op() != ShaderOp::texture) read.insert(from.index);
+    }
+  }
+  return read.size();
 }
 
 }  // namespace ninebit::detail

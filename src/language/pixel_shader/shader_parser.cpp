@@ -24,45 +24,15 @@ struct ResultModifier {
   bool saturate;
   bool expressible;
 };
-constexpr std::array kResultModifiers{
-    ResultModifier{"x2", Scale::by_two, Bias::none, false, true},
-    ResultModifier{"x4", Scale::by_four, Bias::none, false, true},
-    ResultModifier{"d2", Scale::by_one_half, Bias::none, false, true},
-    ResultModifier{"sat", Scale::none, Bias::none, true, true},
-    ResultModifier{"bias", Scale::none, Bias::by_negative_one_half, false, true},
-    ResultModifier{"bx2", Scale::by_two, Bias::by_negative_one_half, false, true},
-    ResultModifier{"x8", Scale::none, Bias::none, false, false},
-    ResultModifier{"d4", Scale::none, Bias::none, false, false},
-    ResultModifier{"d8", Scale::none, Bias::none, false, false}};
-
-const ShaderOpRow* op_named(std::string_view name) {
-  const auto rows = shader_ops();
-  const auto found = std::find_if(rows.begin(), rows.end(), [&](const ShaderOpRow& row) { return row.name == name; });
-  return found == rows.end() ? nullptr : &*found;
-}
-
-std::vector<std::string_view> op_names(const ShaderVersion& version) {
-  std::vector<std::string_view> names;
-  for (const ShaderOpRow& row : shader_ops()) {
-    const bool has = row.first_minor <= version.minor && version.minor <= row.last_minor;
-    if (has || version.is_xbox) names.push_back(row.name);
-  }
-  return names;
-}
-
-// The version that a header names; empty: an unknown one.
-std::optional<ShaderVersion> version_of(std::string_view header) {
-  const std::string name = lower_case(header);
-  if (name.starts_with("!!")) {
-    return ShaderVersion{.minor = name.back() - '0', .is_nvparse = true, .name = "ps.1." + name.substr(6)};
-  }
-  const bool is_xbox = name.starts_with('x');
-  const std::string numbers = name.substr(is_xbox ? 3 : 2);
-  if (numbers.size() != 4 || numbers[1] != '1' || numbers[3] < '0' || numbers[3] > '4') return std::nullopt;
-  const int minor = numbers[3] - '0';
-  if (is_xbox && minor != 1) return std::nullopt;
-  return ShaderVersion{.minor = minor, .is_xbox = is_xbox, .name = name};
-}
+constexpr std::array kResultModifiers{ResultModifier{"x2", Scale::by_two, Bias::none, false, true},
+                                      ResultModifier{"x4", Scale::by_four, Bias::none, false, true},
+                                      ResultModifier{"d2", Scale::by_one_half, Bias::none, false, true},
+                                      ResultModifier{"sat", Scale::none, Bias::none, true, true},
+                                      ResultModifier{"bias", Scale::none, Bias::by_negative_one_half, false, true},
+                                      ResultModifier{"bx2", Scale::by_two, Bias::by_negative_one_half, false, true},
+                                      ResultModifier{"x8", Scale::none, Bias::none, false, false},
+                                      ResultModifier{"d4", Scale::none, Bias::none, false, false},
+                                      ResultModifier{"d8", Scale::none, Bias::none, false, false}};
 
 class ShaderParser {
  public:
@@ -91,10 +61,9 @@ class ShaderParser {
     // nvparse's header may stand before Direct3D's.
     while (in_.peek().kind == TokenKind::version && (!found || out_.version.name.empty() || is_heading_)) {
       const ShaderToken& token = in_.take();
-      const auto version = version_of(token.text);
+      const auto version = shader_version_of(token.text);
       if (!version) {
-        faults_.add(token.offset,
-                    "unknown version " + quoted(token.text) + "; expected ps.1.0 to ps.1.4, or xps.1.1");
+        faults_.add(token.offset, "unknown version " + quoted(token.text) + "; expected ps.1.0 to ps.1.4, or xps.1.1");
         return false;
       }
       const bool nvparse = out_.version.is_nvparse || version->is_nvparse;
@@ -155,18 +124,19 @@ class ShaderParser {
     const std::size_t underscore = std::min(written.find('_'), written.size());
     const std::string base = written.substr(0, underscore);
     const ShaderVersion& version = out_.version;
-    out.row = op_named(base);
+    out.row = shader_op_named(base);
     if (out.row == nullptr) {
       faults_.add(out.offset, quoted(out.text) + " is not an instruction of " + version.name +
-                                  did_you_mean(base, op_names(version)) + reader().may_be_included());
+                                  did_you_mean(base, shader_op_names(version)) + reader().may_be_included());
       return false;
     }
     const bool has = out.row->first_minor <= version.minor && version.minor <= out.row->last_minor;
     if (!has && !version.is_xbox) {
       const ShaderOpRow& row = *out.row;
-      const std::string where = row.last_minor == 0        ? "only xps.1.1 has it"
-                                : version.minor < row.first_minor ? "it begins with ps.1." + std::to_string(row.first_minor)
-                                                           : "its last version is ps.1." + std::to_string(row.last_minor);
+      const std::string where = row.last_minor == 0 ? "only xps.1.1 has it"
+                                : version.minor < row.first_minor
+                                    ? "it begins with ps.1." + std::to_string(row.first_minor)
+                                    : "its last version is ps.1." + std::to_string(row.last_minor);
       faults_.add(out.offset, version.name + " has no instruction " + quoted(base) + "; " + where);
       return false;
     }
@@ -186,7 +156,8 @@ class ShaderParser {
       const auto found = std::find_if(kResultModifiers.begin(), kResultModifiers.end(),
                                       [&](const ResultModifier& m) { return m.name == one; });
       if (found == kResultModifiers.end()) {
-        faults_.add(out.offset, quoted("_" + one) + " is not a modifier of an instruction; expected _x2, _x4, _d2 or _sat");
+        faults_.add(out.offset,
+                    quoted("_" + one) + " is not a modifier of an instruction; expected _x2, _x4, _d2 or _sat");
         return false;
       }
       if (!may_have(out, *found)) return false;

@@ -8,6 +8,7 @@
 
 #include "ninebit/combiner/program.h"
 #include "ninebit/language/pixel_shader.h"
+#include "src/language/pixel_shader/shader_signs.h"
 #include "src/language/pixel_shader/shader_words.h"
 
 namespace ninebit {
@@ -20,16 +21,6 @@ using detail::PrintedPortion;
 using RegisterFlags = std::array<bool, kRegisterCount>;
 
 constexpr std::array kPortionInputs{&Portion::a, &Portion::b, &Portion::c, &Portion::d};
-
-Register written_by(const PortionOutput& out) {
-  return out.ab != Register::discard ? out.ab : out.cd != Register::discard ? out.cd : out.sum;
-}
-
-// How the registers are read after a write until the next.
-struct ReadSigns {
-  bool without = false;  // as unsigned_identity
-  bool with = false;     // as signed_identity or signed_negate
-};
 
 class ShaderPrinter {
  public:
@@ -112,8 +103,8 @@ class ShaderPrinter {
     if (g.usage != ComponentUsage::blue || g.reg != Register::spare0 || last_) return;
     for (std::size_t i = stages_.size(); i > 0; --i) {
       const PortionOutput& out = stages_[i - 1].rgb.out;
-      if (written_by(stages_[i - 1].alpha.out) == Register::spare0) break;
-      if (written_by(out) != Register::spare0) continue;
+      if (detail::written_register(stages_[i - 1].alpha.out) == Register::spare0) break;
+      if (detail::written_register(out) != Register::spare0) continue;
       if (out.ab == Register::spare0 && out.ab_dot_product && !is_live(stages_[i - 1].alpha.out)) {
         blue_result_ = i - 1;
         return;
@@ -121,45 +112,6 @@ class ShaderPrinter {
       break;
     }
     if (why_.empty()) why_ = "spare0's blue as the resulting alpha";
-  }
-
-  // How the value that stage `i` writes is read.
-  [[nodiscard]] ReadSigns signs_of(std::size_t i, Register reg, bool alpha) const {
-    ReadSigns out;
-    for (std::size_t k = i + 1; k < stages_.size(); ++k) {
-      const ProgramStage& stage = stages_[k];
-      for (const Portion* const portion : {&stage.rgb, &stage.alpha}) {
-        for (std::size_t n = 0; n < kPortionInputs.size(); ++n) {
-          const CombinerInput& in = portion->*kPortionInputs.at(n);
-          if (in.reg != reg || (in.usage == ComponentUsage::alpha) != alpha || is_weight(*portion, n)) continue;
-          out.without = out.without || in.mapping == InputMapping::unsigned_identity;
-          out.with = out.with || in.mapping == InputMapping::signed_identity || in.mapping == InputMapping::signed_negate;
-        }
-      }
-      if (writes(stage, reg, alpha)) break;
-    }
-    return out;
-  }
-
-  static bool writes(const ProgramStage& stage, Register reg, bool alpha) {
-    const PortionOutput& rgb = stage.rgb.out;
-    if (!alpha) return written_by(rgb) == reg;
-    const bool raised = (rgb.ab == reg && rgb.ab_blue_to_alpha) || (rgb.cd == reg && rgb.cd_blue_to_alpha);
-    return written_by(stage.alpha.out) == reg || raised;
-  }
-
-  // Whether an input is the weight of lrp, which is read without its sign anyway.
-  static bool is_weight(const Portion& portion, std::size_t n) {
-    if (portion.out.sum == Register::discard || portion.out.mux_sum) return false;
-    const CombinerInput& in = portion.*kPortionInputs.at(n);
-    if (in.mapping != InputMapping::unsigned_identity) return false;
-    for (const CombinerInput Portion::*const one : kPortionInputs) {
-      if (detail::is_unit(portion.*one) || detail::is_unit(portion.*one, true)) return false;  // mad
-    }
-    CombinerInput rest = in;
-    rest.mapping = InputMapping::unsigned_invert;
-    const std::size_t other = n < 2 ? 2 : 0;
-    return portion.*kPortionInputs.at(other) == rest || portion.*kPortionInputs.at(other + 1) == rest;
   }
 
   // The registers that a stage may read without their sign.
@@ -203,7 +155,8 @@ class ShaderPrinter {
 
   void print_stage(std::size_t i) {
     const ProgramStage& stage = stages_[i];
-    const std::string name = last_ && i + 1 == stages_.size() ? "final combiner" : "general combiner " + std::to_string(i);
+    const std::string name =
+        last_ && i + 1 == stages_.size() ? "final combiner" : "general combiner " + std::to_string(i);
     check_reads(stage);
     if (!why_.empty()) why_ = name + ": " + why_;
     if (own_constants_) constants_.next_scope();
@@ -242,15 +195,16 @@ class ShaderPrinter {
 
   bool saturates(std::size_t i, const ProgramStage& stage, bool alpha) {
     const PortionOutput& out = alpha ? stage.alpha.out : stage.rgb.out;
-    const Register reg = written_by(out);
-    ReadSigns signs = signs_of(i, reg, alpha);
+    const Register reg = detail::written_register(out);
+    detail::ReadSigns signs = detail::signs_of(stages_, i, reg, alpha);
     if (!alpha && (out.ab_blue_to_alpha || out.cd_blue_to_alpha)) {
-      const ReadSigns raised = signs_of(i, reg, true);
+      const detail::ReadSigns raised = detail::signs_of(stages_, i, reg, true);
       signs.without = signs.without || raised.without;
       signs.with = signs.with || raised.with;
     }
     if (signs.without && signs.with && why_.empty()) {
-      why_ = "general combiner " + std::to_string(i) + ": " + std::string(name_of(reg)) + " is read both with its sign and without";
+      why_ = "general combiner " + std::to_string(i) + ": " + std::string(name_of(reg)) +
+             " is read both with its sign and without";
     }
     return signs.without;
   }
@@ -261,7 +215,7 @@ class ShaderPrinter {
       written[index(reg)] = true;
       saturated[index(reg)] = is_saturated;
     };
-    const Register rgb = written_by(stage.rgb.out), alpha = written_by(stage.alpha.out);
+    const Register rgb = detail::written_register(stage.rgb.out), alpha = detail::written_register(stage.alpha.out);
     const bool rgb_saturates = rgb != Register::discard && saturates(i, stage, false);
     note(written_rgb_, saturated_rgb_, rgb, rgb_saturates);
     if (stage.rgb.out.ab_blue_to_alpha || stage.rgb.out.cd_blue_to_alpha) {

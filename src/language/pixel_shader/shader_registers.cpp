@@ -17,7 +17,8 @@ ShaderRegisters::ShaderRegisters(const ShaderText& text, const HardwareProfile& 
 void ShaderRegisters::place_loaded(SourceFaults& faults) {
   bool computes = false;
   for (const ShaderInstruction& one : text_.instructions) {
-    const bool loads = one.op() == ShaderOp::texture && one.targets[0].file == ShaderFile::temporary && one.text.size() > 4;
+    const bool loads =
+        one.op() == ShaderOp::texture && one.targets[0].file == ShaderFile::temporary && one.text.size() > 4;
     if (one.op() == ShaderOp::bem) {
       faults.add(one.offset, "'bem' changes coordinates of textures: combiners run after all textures are read");
     }
@@ -61,7 +62,8 @@ void ShaderRegisters::place_others(SourceFaults& faults) {
     if (to != Register::discard) return;
     const auto* const free = std::find_if(kOrder.begin(), kOrder.end(), [&](Register r) { return is_free(r); });
     if (free == kOrder.end()) {
-      faults.add(offset, "profile " + std::string(profile_.name) + " has no register left for r" + std::to_string(index));
+      faults.add(offset,
+                 "profile " + std::string(profile_.name) + " has no register left for r" + std::to_string(index));
       to = Register::spare1;
       return;
     }
@@ -122,7 +124,8 @@ bool ShaderRegisters::reads_alpha(const ShaderInstruction& by, std::size_t opera
 bool ShaderRegisters::reads_rgb(const ShaderInstruction& by, std::size_t operand) {
   const ShaderOperand& from = by.operands[operand];
   if (from.selector != ShaderSelector::none) return from.selector != ShaderSelector::alpha;
-  const bool dot = by.op() == ShaderOp::dp3 || by.op() == ShaderOp::dp4 || by.op() == ShaderOp::xdd || by.op() == ShaderOp::xdm;
+  const bool dot =
+      by.op() == ShaderOp::dp3 || by.op() == ShaderOp::dp4 || by.op() == ShaderOp::xdd || by.op() == ShaderOp::xdm;
   if (by.op() == ShaderOp::xfc) return operand < 6;
   return dot || by.writes(false);
 }
@@ -136,7 +139,8 @@ bool ShaderRegisters::needs(Register reg, std::size_t first, bool alpha) const {
     for (std::size_t k = 0; k < one.operands.size(); ++k) {
       const ShaderOperand& from = one.operands[k];
       // The colour sum has the result and the secondary colour in it.
-      const bool in_sum = from.file == ShaderFile::sum && !alpha && (reg == Register::spare0 || reg == Register::secondary);
+      const bool in_sum =
+          from.file == ShaderFile::sum && !alpha && (reg == Register::spare0 || reg == Register::secondary);
       const bool same = find(from.file, from.index) == reg && (alpha ? reads_alpha(one, k) : reads_rgb(one, k));
       if (same || in_sum) return true;
     }

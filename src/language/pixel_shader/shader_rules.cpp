@@ -29,13 +29,16 @@ class ShaderRules {
     write_pending_of_last();
     if (version_.is_xbox || text_.instructions.empty() || !text_.complete) return;
     if (!written_rgb_[0] && !written_alpha_[0]) {
-      faults_.add(text_.instructions.back().offset, "no instruction writes r0, which is the result of " + version_.name);
+      faults_.add(text_.instructions.back().offset,
+                  "no instruction writes r0, which is the result of " + version_.name);
     }
   }
 
  private:
   void check_pair(const ShaderInstruction* before, const ShaderInstruction& one) {
-    const auto is_arithmetic = [](const ShaderInstruction& i) { return i.row->targets == 1 && i.op() != ShaderOp::texture; };
+    const auto is_arithmetic = [](const ShaderInstruction& i) {
+      return i.row->targets == 1 && i.op() != ShaderOp::texture;
+    };
     if (before == nullptr || !is_arithmetic(*before) || !is_arithmetic(one)) {
       faults_.add(one.offset, "'+' joins two arithmetic instructions; expected one before it that has no '+'");
       return;
@@ -117,8 +120,8 @@ class ShaderRules {
       if (operand.file == file) read.insert(operand.index);
     }
     if (static_cast<int>(read.size()) <= most) return;
-    faults_.add(one.offset, "an instruction of " + version_.name + " reads at most " + std::to_string(most) + " " + what +
-                                ", found " + std::to_string(read.size()));
+    faults_.add(one.offset, "an instruction of " + version_.name + " reads at most " + std::to_string(most) + " " +
+                                what + ", found " + std::to_string(read.size()));
   }
 
   void check_written(const ShaderInstruction& one) {
@@ -132,9 +135,9 @@ class ShaderRules {
                                         quoted(operand.text) + " with texld or texcrd");
       } else if (operand.file == ShaderFile::texture && !loaded_[i]) {
         if (!reported_texture_[i]) {
-          faults_.add(operand.offset,
-                      quoted(operand.text) + " is read, but no texture instruction before loads it, such as tex t" +
-                          std::to_string(i));
+          faults_.add(operand.offset, quoted(operand.text) +
+                                          " is read, but no texture instruction before loads it, such as tex t" +
+                                          std::to_string(i));
         }
         reported_texture_[i] = true;
       } else if (operand.file == ShaderFile::temporary) {
@@ -147,16 +150,19 @@ class ShaderRules {
     const auto i = static_cast<std::size_t>(operand.index);
     const ShaderSelector selector = operand.selector;
     const bool dot = one.op() == ShaderOp::dp3;
-    const bool alpha_only = selector == ShaderSelector::alpha || (!one.writes(false) && selector == ShaderSelector::none && !dot);
-    const bool rgb_only = (selector != ShaderSelector::none && selector != ShaderSelector::alpha) || dot || !one.writes(true);
+    const bool alpha_only =
+        selector == ShaderSelector::alpha || (!one.writes(false) && selector == ShaderSelector::none && !dot);
+    const bool rgb_only =
+        (selector != ShaderSelector::none && selector != ShaderSelector::alpha) || dot || !one.writes(true);
     const bool reads_rgb = !alpha_only && !(selector == ShaderSelector::alpha);
     const bool reads_alpha = alpha_only || !rgb_only;
     const bool missing = (reads_rgb && !written_rgb_[i]) || (reads_alpha && !written_alpha_[i]);
     if (!missing || reported_temporary_[i]) return;
     const bool some = written_rgb_[i] || written_alpha_[i];
     reported_temporary_[i] = true;
-    faults_.add(operand.offset, quoted(operand.text) + (some ? " is read where only its " : " is read before it is written") +
-                                    (some ? (written_rgb_[i] ? "red, green and blue were written" : "alpha was written") : ""));
+    faults_.add(operand.offset,
+                quoted(operand.text) + (some ? " is read where only its " : " is read before it is written") +
+                    (some ? (written_rgb_[i] ? "red, green and blue were written" : "alpha was written") : ""));
   }
 
   const ShaderText& text_;

@@ -51,8 +51,7 @@ struct ShaderContext {
 // Builds the portions of one instruction. Faults of a source that both portions read are reported once.
 class ShaderPortions {
  public:
-  ShaderPortions(ShaderContext& context, const ShaderInstruction& instruction)
-      : context_(context), one_(instruction) {}
+  ShaderPortions(ShaderContext& context, const ShaderInstruction& instruction) : context_(context), one_(instruction) {}
 
   // The portion of the instruction; one that it does not write is empty.
   [[nodiscard]] Portion build(PortionName which);
@@ -79,6 +78,12 @@ class ShaderPortions {
   std::vector<std::size_t> reported_;  // places of faults
 };
 
+// The mapping of -x; empty: combiners have none. `reg` may be zero, of which 1 - x is 1.
+[[nodiscard]] std::optional<InputMapping> negated_mapping(InputMapping mapping, Register reg);
+// The components that a portion writes.
+[[nodiscard]] constexpr ComponentUsage shader_usage(PortionName which) {
+  return which == PortionName::rgb ? ComponentUsage::rgb : ComponentUsage::alpha;
+}
 // An empty portion: it reads zero and writes nothing.
 [[nodiscard]] Portion empty_portion(PortionName which);
 // The constant 1 in a portion.

@@ -1,47 +1,14 @@
 #include "src/language/pixel_shader/shader_translate.h"
 
 #include <algorithm>
-#include <set>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "ninebit/combiner/program.h"
+#include "src/language/pixel_shader/shader_stages.h"
 
 namespace ninebit::detail {
 namespace {
-
-bool writes_rgb(const GeneralCombiner& stage, Register reg) {
-  const PortionOutput& out = stage.rgb.out;
-  return out.ab == reg || out.cd == reg || out.sum == reg;
-}
-bool writes_alpha(const GeneralCombiner& stage, Register reg) {
-  const PortionOutput &out = stage.alpha.out, &rgb = stage.rgb.out;
-  return out.ab == reg || out.cd == reg || out.sum == reg || (rgb.ab == reg && rgb.ab_blue_to_alpha) ||
-         (rgb.cd == reg && rgb.cd_blue_to_alpha);
-}
-
-// Whether an instruction is one for general combiners.
-bool is_arithmetic(const ShaderInstruction& one) {
-  switch (one.op()) {
-    case ShaderOp::texture:
-    case ShaderOp::phase:
-    case ShaderOp::bem:
-    case ShaderOp::xfc:
-    case ShaderOp::def:
-    case ShaderOp::nop:
-      return false;
-    default:
-      return true;
-  }
-}
-
-GeneralCombiner empty_stage() {
-  GeneralCombiner stage;
-  stage.rgb = empty_portion(PortionName::rgb);
-  stage.alpha = empty_portion(PortionName::alpha);
-  return stage;
-}
 
 class ShaderTranslator {
  public:
@@ -53,18 +20,18 @@ class ShaderTranslator {
                  .profile = profile,
                  .faults = faults,
                  .notes = notes,
-                 .registers = ShaderRegisters(text, profile, faults)} {}
+                 .registers = ShaderRegisters(text, profile, faults)},
+        own_constants_(profile.per_stage_constants && (text.version.is_xbox || text.constants_read() > 2)),
+        stages_(context_, state_, own_constants_, exceeds_version()) {}
 
   CombinerState translate() {
-    own_constants_ = profile_.per_stage_constants && (text_.version.is_xbox || constants() > 2);
-    too_many_ = exceeds_version();
     const std::vector<ShaderInstruction>& all = text_.instructions;
     for (std::size_t i = 0; i < all.size() && !faults_.full();) {
-      const bool pair = i + 1 < all.size() && all[i + 1].paired && is_arithmetic(all[i]) && is_arithmetic(all[i + 1]);
+      const bool pair = i + 1 < all.size() && all[i + 1].paired && all[i].is_arithmetic() && all[i + 1].is_arithmetic();
       const std::size_t next = i + (pair ? 2 : 1);
       if (all[i].op() == ShaderOp::xfc) {
         final_ = &all[i];
-      } else if (is_arithmetic(all[i])) {
+      } else if (all[i].is_arithmetic()) {
         group(all[i], pair ? &all[i + 1] : nullptr, next);
       }
       i = next;
@@ -76,26 +43,16 @@ class ShaderTranslator {
  private:
   // Whether Direct3D's own limit, of 8 instructions, is exceeded where the profile has as many.
   [[nodiscard]] bool exceeds_version() const {
-    if (text_.version.is_xbox || text_.version.minor == 4 || profile_.general_combiners < kMaxGeneralCombiners) return false;
+    if (text_.version.is_xbox || text_.version.minor == 4 || profile_.general_combiners < kMaxGeneralCombiners)
+      return false;
     return std::count_if(text_.instructions.begin(), text_.instructions.end(), [](const ShaderInstruction& one) {
              return one.op() != ShaderOp::texture && !one.paired;
            }) > kMaxGeneralCombiners;
   }
 
-  // How many constants the arithmetic reads.
-  [[nodiscard]] std::size_t constants() const {
-    std::set<int> read;
-    for (const ShaderInstruction& one : text_.instructions) {
-      for (const ShaderOperand& from : one.operands) {
-        if (from.file == ShaderFile::constant && one.op() != ShaderOp::texture) read.insert(from.index);
-      }
-    }
-    return read.size();
-  }
-
   // One stage, and what must come before it.
   void group(const ShaderInstruction& first, const ShaderInstruction* second, std::size_t next) {
-    offset_ = first.offset;
+    stages_.belongs_to(first.offset);
     if (first.op() == ShaderOp::dp4) return dot_of_four(first, second);
     for (const ShaderInstruction* const one : {&first, second}) {
       if (one != nullptr && one->op() == ShaderOp::dp4) {
@@ -106,8 +63,8 @@ class ShaderTranslator {
     for (const ShaderInstruction* const one : {&first, second}) {
       if (one != nullptr && !prepare_mux(*one, second != nullptr, next)) return;
     }
-    begin_stage();
-    GeneralCombiner stage = empty_stage();
+    stages_.begin();
+    GeneralCombiner stage = empty_shader_stage();
     for (const ShaderInstruction* const one : {&first, second}) {
       if (one == nullptr) continue;
       ShaderPortions portions(context_, *one);
@@ -118,76 +75,11 @@ class ShaderTranslator {
     for (const ShaderInstruction* const one : {&first, second}) {
       if (one != nullptr) dots(*one, second != nullptr, stage, next, late);
     }
-    end_stage(stage);
+    stages_.end(stage);
     for (const ShaderInstruction* const one : {&first, second}) {
       if (one != nullptr) note_saturation(*one);
     }
     for (const auto& [to, from] : late) context_.values.alpha_is_blue_of[index_of(to)] = from;
-  }
-
-  void begin_stage() {
-    if (own_constants_) context_.constants.clear();
-  }
-
-  // Adds a stage; alphas that would be lost are written by its alpha portion, or by a stage before.
-  void end_stage(GeneralCombiner& stage) {
-    for (std::size_t i = 0; i < kRegisterCount; ++i) {
-      std::optional<Register>& source = context_.values.alpha_is_blue_of[i];
-      const auto reg = static_cast<Register>(i);
-      if (!source) continue;
-      if (writes_alpha(stage, reg)) {
-        source.reset();
-      } else if (writes_rgb(stage, *source)) {
-        write_alpha(stage, reg, *source);
-        source.reset();
-      }
-    }
-    add(stage);
-  }
-
-  void write_alpha(GeneralCombiner& stage, Register to, Register from) {
-    Portion& alpha = stage.alpha;
-    if (!is_live(alpha.out)) {
-      alpha = alpha_from_blue(to, from);
-      return;
-    }
-    const bool only_alpha = alpha.out.cd == Register::discard && alpha.out.sum == Register::discard &&
-                            alpha.out.scale == Scale::none && alpha.out.bias == Bias::none;
-    if (only_alpha) {
-      const Portion more = alpha_from_blue(to, from);
-      alpha.c = more.a;
-      alpha.d = more.b;
-      alpha.out.cd = to;
-      return;
-    }
-    GeneralCombiner before = empty_stage();
-    before.alpha = alpha_from_blue(to, from);
-    add(before);
-  }
-
-  [[nodiscard]] static Portion alpha_from_blue(Register to, Register from) {
-    Portion portion = empty_portion(PortionName::alpha);
-    portion.a = {from, InputMapping::signed_identity, ComponentUsage::blue};
-    portion.b = shader_one(PortionName::alpha);
-    portion.out.ab = to;
-    return portion;
-  }
-
-  void add(GeneralCombiner& stage) {
-    if (own_constants_) context_.constants.store(text_, stage.constant0, stage.constant1);
-    const auto i = static_cast<std::size_t>(stages_);
-    if (stages_ == profile_.general_combiners) {
-      if (!too_many_) {
-        faults_.add(offset_,
-                    "too many general combiners; profile " + std::string(profile_.name) + " has " +
-                        std::to_string(stages_) + ", and this instruction needs another",
-                    GlError::invalid_value);
-      }
-      too_many_ = true;
-      return;
-    }
-    state_.general.at(i) = stage;
-    ++stages_;
   }
 
   // Dot products that go to alpha, too: alpha portions have none.
@@ -214,21 +106,29 @@ class ShaderTranslator {
   void dot_to_alpha(const ShaderInstruction& one, bool is_paired, GeneralCombiner& stage, std::size_t next,
                     std::vector<std::pair<Register, Register>>& late) {
     if (is_paired || one.op() != ShaderOp::dp3) {
-      faults_.add(one.offset, quoted(one.text) +
-                                  " writes a dot product to .a alone; alpha portions have none, and the rgb portion is in use");
+      faults_.add(one.offset,
+                  quoted(one.text) +
+                      " writes a dot product to .a alone; alpha portions have none, and the rgb portion is in use");
       return;
     }
     const Register to = context_.registers.find(one.targets[0].file, one.targets[0].index).value_or(Register::discard);
-    const std::array free{to,                 Register::spare1,   Register::secondary, Register::primary,
-                          Register::texture3, Register::texture2, Register::texture1,  Register::texture0,
+    const std::array free{to,
+                          Register::spare1,
+                          Register::secondary,
+                          Register::primary,
+                          Register::texture3,
+                          Register::texture2,
+                          Register::texture1,
+                          Register::texture0,
                           Register::spare0};
     const auto* const found = std::find_if(free.begin(), free.end(), [&](Register reg) {
       const bool exists = !is_texture(reg) || texture_unit_of(reg) < profile_.texture_units;
       return exists && !context_.registers.needs_rgb(reg, next);
     });
     if (found == free.end()) {
-      faults_.add(one.offset, quoted(one.text) +
-                                  " writes a dot product to .a alone, for which another register's colour must be free");
+      faults_.add(
+          one.offset,
+          quoted(one.text) + " writes a dot product to .a alone, for which another register's colour must be free");
       return;
     }
     stage.rgb.out.ab = dot_register_ = *found;
@@ -257,21 +157,22 @@ class ShaderTranslator {
   bool prepare_mux(const ShaderInstruction& one, bool is_paired, std::size_t next) {
     const bool is_cmp = one.op() == ShaderOp::cmp;
     if (one.op() == ShaderOp::xmmc) {
-      settle_mux_alpha();
+      stages_.settle_spare0_alpha();
       return true;
     }
     if (one.op() != ShaderOp::cnd && !is_cmp) return true;
     const ShaderOperand& tested = one.operands[0];
     const bool whole = tested.selector == ShaderSelector::none;
     const bool is_spare0 = context_.registers.find(tested.file, tested.index) == Register::spare0;
-    const bool scalar = tested.selector == ShaderSelector::alpha || (!one.writes(false) && tested.selector != ShaderSelector::rgb) ||
+    const bool scalar = tested.selector == ShaderSelector::alpha ||
+                        (!one.writes(false) && tested.selector != ShaderSelector::rgb) ||
                         (text_.version.is_xbox && whole && is_spare0);
     const bool half = tested.modifier == ShaderModifier::bias || tested.modifier == ShaderModifier::expand;
     const bool as_it_is = is_spare0 && !tested.negate && !tested.invert &&
                           (is_cmp ? half : tested.modifier == ShaderModifier::none) &&
                           tested.selector != ShaderSelector::blue;
     if (scalar && as_it_is) {
-      settle_mux_alpha();
+      stages_.settle_spare0_alpha();
       return true;
     }
     if (text_.version.minor < 4 && !is_cmp) {
@@ -279,9 +180,10 @@ class ShaderTranslator {
       return false;
     }
     if (!scalar) {
-      faults_.add(tested.offset, quoted(one.row->name) + " tests each component of " + quoted(tested.text) +
-                                     "; the mux of combiners tests spare0's alpha alone: expected one component, such as " +
-                                     std::string(tested.text) + ".a");
+      faults_.add(tested.offset,
+                  quoted(one.row->name) + " tests each component of " + quoted(tested.text) +
+                      "; the mux of combiners tests spare0's alpha alone: expected one component, such as " +
+                      std::string(tested.text) + ".a");
       return false;
     }
     return test(one, is_paired, next);
@@ -299,9 +201,10 @@ class ShaderTranslator {
       written = written || (to.alpha && context_.registers.find(to.file, to.index) == Register::spare0);
     }
     if (is_paired || own || (!written && context_.registers.needs_alpha(Register::spare0, next))) {
-      faults_.add(one.offset, quoted(one.text) +
-                                  " needs spare0's alpha for its test, which holds a value that is still read; expected a "
-                                  "test of r0.a");
+      faults_.add(one.offset,
+                  quoted(one.text) +
+                      " needs spare0's alpha for its test, which holds a value that is still read; expected a "
+                      "test of r0.a");
       return false;
     }
     ShaderOperand tested = one.operands[0];
@@ -309,8 +212,8 @@ class ShaderTranslator {
     ShaderInstruction move{.offset = one.offset, .text = one.text, .row = one.row, .targets = one.targets};
     for (ShaderTarget& to : move.targets) to.rgb = false;
     ShaderPortions portions(context_, move);
-    begin_stage();
-    GeneralCombiner stage = empty_stage();
+    stages_.begin();
+    GeneralCombiner stage = empty_shader_stage();
     Portion& alpha = stage.alpha;
     const ShaderFactor unit{.input = shader_one(PortionName::alpha)};
     portions.multiply(alpha, true, portions.factor(tested, PortionName::alpha), unit);
@@ -321,43 +224,34 @@ class ShaderTranslator {
     } else {
       alpha.out.ab = Register::spare0;
     }
-    end_stage(stage);
+    stages_.end(stage);
     context_.values.saturated_alpha[index_of(Register::spare0)] = false;
     return true;
-  }
-
-  // The mux reads spare0's alpha itself.
-  void settle_mux_alpha() {
-    std::optional<Register>& source = context_.values.alpha_is_blue_of[index_of(Register::spare0)];
-    if (!source) return;
-    begin_stage();
-    GeneralCombiner stage = empty_stage();
-    stage.alpha = alpha_from_blue(Register::spare0, *source);
-    source.reset();
-    add(stage);
   }
 
   // The dot product of three components and the product of the fourth, then their sum.
   void dot_of_four(const ShaderInstruction& one, const ShaderInstruction* second) {
     const ShaderTarget& to = one.targets[0];
     if (second != nullptr || !to.rgb || !to.alpha) {
-      faults_.add(one.offset, "dp4 needs two general combiners, of which the first writes .rgb and .a; expected it alone, "
-                              "with all components");
+      faults_.add(one.offset,
+                  "dp4 needs two general combiners, of which the first writes .rgb and .a; expected it alone, "
+                  "with all components");
       return;
     }
     const Register reg = context_.registers.find(to.file, to.index).value_or(Register::discard);
     ShaderPortions portions(context_, one);
-    begin_stage();
-    GeneralCombiner products = empty_stage();
+    stages_.begin();
+    GeneralCombiner products = empty_shader_stage();
     for (const PortionName which : {PortionName::rgb, PortionName::alpha}) {
       Portion& portion = which == PortionName::rgb ? products.rgb : products.alpha;
-      portions.multiply(portion, true, portions.factor(one.operands[0], which), portions.factor(one.operands[1], which));
+      portions.multiply(portion, true, portions.factor(one.operands[0], which),
+                        portions.factor(one.operands[1], which));
       portion.out.ab = reg;
       portion.out.ab_dot_product = which == PortionName::rgb;
     }
-    end_stage(products);
-    begin_stage();
-    GeneralCombiner sum = empty_stage();
+    stages_.end(products);
+    stages_.begin();
+    GeneralCombiner sum = empty_shader_stage();
     for (const PortionName which : {PortionName::rgb, PortionName::alpha}) {
       Portion& portion = which == PortionName::rgb ? sum.rgb : sum.alpha;
       const ComponentUsage dot = which == PortionName::rgb ? ComponentUsage::rgb : ComponentUsage::blue;
@@ -367,12 +261,12 @@ class ShaderTranslator {
       portion.out.sum = reg;
       portion.out.scale = one.scale;
     }
-    end_stage(sum);
+    stages_.end(sum);
     note_saturation(one);
   }
 
   void finish() {
-    if (own_constants_) context_.constants.clear();
+    stages_.begin();
     if (final_ != nullptr) {
       translate_final(context_, *final_, state_.final_combiner);
     } else {
@@ -380,8 +274,8 @@ class ShaderTranslator {
     }
     context_.constants.store(text_, state_.constant0, state_.constant1);
     state_.per_stage_constants = own_constants_;
-    state_.num_general_combiners = std::max(stages_, 1);
-    if (stages_ == 0) state_.general[0] = empty_stage();
+    state_.num_general_combiners = std::max(stages_.count(), 1);
+    if (stages_.count() == 0) state_.general[0] = empty_shader_stage();
   }
 
   const ShaderText& text_;
@@ -389,11 +283,10 @@ class ShaderTranslator {
   SourceFaults& faults_;
   ShaderContext context_;
   CombinerState state_;
+  bool own_constants_;
+  ShaderStages stages_;
   Register dot_register_ = Register::spare0;  // that holds a dot product for an alpha
   const ShaderInstruction* final_ = nullptr;
-  bool own_constants_ = false, too_many_ = false;
-  int stages_ = 0;
-  std::size_t offset_ = 0;
 };
 
 }  // namespace

@@ -21,7 +21,8 @@ class PortionPrinter {
       : portion_(portion), out_(portion.out), place_(place), constants_(constants), why_(why) {}
 
   std::optional<PrintedPortion> print() {
-    const bool ab = out_.ab != Register::discard, cd = out_.cd != Register::discard, sum = out_.sum != Register::discard;
+    const bool ab = out_.ab != Register::discard, cd = out_.cd != Register::discard,
+               sum = out_.sum != Register::discard;
     if ((ab ? 1 : 0) + (cd ? 1 : 0) + (sum ? 1 : 0) > 1) return refuse("several outputs");
     if (out_.bias != Bias::none) return refuse("a bias of -1/2");
     printed_.to = ab ? out_.ab : cd ? out_.cd : out_.sum;
@@ -145,7 +146,8 @@ class PortionPrinter {
         const CombinerInput& weight = swap_first ? first.y : first.x;
         const CombinerInput& rest = swap_second ? second.y : second.x;
         const bool same = weight.reg == rest.reg && weight.usage == rest.usage && weight.reg != Register::zero;
-        const bool inverse = weight.mapping == InputMapping::unsigned_identity && rest.mapping == InputMapping::unsigned_invert;
+        const bool inverse =
+            weight.mapping == InputMapping::unsigned_identity && rest.mapping == InputMapping::unsigned_invert;
         if (!same || !inverse || (has_single && is_unsigned(weight))) continue;
         printed_.name = "lrp";
         CombinerInput plain = weight;

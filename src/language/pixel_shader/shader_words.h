@@ -43,10 +43,10 @@ struct PrintedPortion {
 // What is known where a portion is printed.
 struct PortionPlace {
   PortionName which = PortionName::rgb;
-  bool saturates = false;               // its result is read as unsigned
-  std::array<bool, kRegisterCount> unsigned_rgb{};    // the registers of which reads are unsigned, or cannot be negative
+  bool saturates = false;                           // its result is read as unsigned
+  std::array<bool, kRegisterCount> unsigned_rgb{};  // the registers of which reads are unsigned, or cannot be negative
   std::array<bool, kRegisterCount> unsigned_alpha{};
-  std::array<std::optional<ColorF>, 2> constants{};   // that the stage reads
+  std::array<std::optional<ColorF>, 2> constants{};  // that the stage reads
 };
 
 // Makes the instruction of a normalized portion; `why` receives what ps.1.1 does not have, if anything.

@@ -280,8 +280,8 @@ void Machine::load(std::uint32_t begin, std::uint32_t end, std::uint32_t offset,
   CallSite& site = sites_[offset];
   const SourceText program = literal.source();
   const bool is_shader = is_pixel_shader(program.text) && program.text.find("!!RC1.0") == std::string_view::npos;
-  Parsed<CombinerState> parsed = is_shader ? parse_pixel_shader(program, context_.profile())
-                                           : parse_rc10(program, context_.profile());
+  Parsed<CombinerState> parsed =
+      is_shader ? parse_pixel_shader(program, context_.profile()) : parse_rc10(program, context_.profile());
   site.is_read = true;
   for (TextFault& fault : parsed.notes) notes_.add(std::move(fault));
   for (TextFault& fault : parsed.faults) {
