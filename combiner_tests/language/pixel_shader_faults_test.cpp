@@ -102,6 +102,8 @@ TEST(PixelShaderFaults, OfDirect3DsRules) {
       {"ps.1.1\nmov r0.rgb, v0\nmov r0, r0\n", "3:9: 'r0' is read where only its red, green and blue were written\n"},
       {"ps.1.1\nmov r0, t1\n", "2:9: 't1' is read, but no texture instruction before loads it, such as tex t1\n"},
       {"ps.1.1\nmov r0, v0\ntex t0\n", "3:1: texture instructions come before arithmetic ones in ps.1.1\n"},
+      {"ps.1.1\ntex t0\ntexbem t1, t0\nadd r0, t1, t0\n",
+       "4:13: 't0' was read by texbem; ps.1.1 lets no other instruction read it\n"},
       {"ps.1.1\nmov r0.rgb, v0\n+mul r0, v0, v1\n",
        "3:2: of two instructions that '+' joins, one writes .rgb and one writes .a; both write .rgb\n"},
       {"ps.1.1\n+mov r0, v0\n", "2:2: '+' joins two arithmetic instructions; expected one before it that has no '+'\n"},
@@ -126,10 +128,10 @@ TEST(PixelShaderFaults, OfWhatCombinersDoNotHave) {
       {"xps.1.1\nmov r0, fog\n", "2:9: GL_INVALID_OPERATION: fog's alpha can be read by xfc alone\n"},
       {"xps.1.1\nxmma r0, r0, discard, v0, v0, v0, v0\n",
        "2:1: GL_INVALID_OPERATION: 'xmma' writes one register twice\n"},
-      {"xps.1.1\nxfc sum, zero, zero, prod, prod, zero, r0_bx2\n",
+      {"xps.1.1\nxfc sum, zero, v0, prod, prod, zero, r0_bx2\n",
        "2:5: GL_INVALID_OPERATION: 'sum' can be read as B, C or D of xfc alone\n"
-       "2:28: GL_INVALID_OPERATION: 'prod' can be read as A, B, C or D of xfc alone\n"
-       "2:40: registers of xfc take no modifier but 1-x, found 'r0_bx2'\n"},
+       "2:26: GL_INVALID_OPERATION: 'prod' can be read as A, B, C or D of xfc alone\n"
+       "2:38: registers of xfc take no modifier but 1-x, found 'r0_bx2'\n"},
       {"ps.1.1\nmov r0, v0.b\n", "2:9: 'v0'.b: combiners read blue alone only where .a is written\n"},
       {"ps.1.1\ndef c0, 1, -1, 0, 0\nmov r0, c0\n",
        "3:9: 'c0' has values below 0 and above 0, and constants of combiners have none below 0; expected (x + 1) / 2, "
@@ -173,7 +175,7 @@ TEST(PixelShaderFaults, HostileTextsEnd) {
   }
   const auto doubled = parse_pixel_shader({names + "a31\nmov r0, v0\n", ""}, profiles::nv2a);
   ASSERT_FALSE(doubled);
-  EXPECT_EQ(doubled.faults.front().message, "the text is longer than 2097152 words");
+  EXPECT_EQ(doubled.faults.front().message, "the text is longer than 1048576 words");
   std::string many = "ps.1.1\n";
   for (int i = 0; i < 5000; ++i) many += "mov r0, v" + std::to_string(2 + i % 7) + "\n";
   EXPECT_EQ(parse_pixel_shader({many, ""}, profiles::nv2a).faults.size(), kMaxTextFaults);

@@ -54,18 +54,19 @@ TEST(PixelShader, AnInstructionIsAGeneralCombiner) {
           {"add r0, t0, v0",
            "{ rgb { discard = tex0; discard = col0; spare0 = sum(); }\n"
            "  alpha { discard = tex0; discard = col0; spare0 = sum(); } }\n"},
-          {"sub r0.rgb, t0, v1", "{ rgb { discard = tex0; discard = -col1; spare0 = sum(); } }\n"},
+          {"sub r0.rgb, t0, v1", "{ rgb { discard = tex0; discard = col1 * expand(zero); spare0 = sum(); } }\n"},
           {"sub r0.rgb, t0, 1-v1",
            "{ rgb { discard = tex0; discard = unsigned_invert(col1) * expand(zero); spare0 = sum(); } }\n"},
           {"mul_x2 r0.rgb, t0, t1\n+mov_d2 r0.a, v0",
            "{ rgb { spare0 = tex0 * tex1; scale_by_two(); } alpha { spare0 = col0; scale_by_one_half(); } }\n"},
           {"mad_x4 r0.rgb, t0, 1-t1, -v0.a",
-           "{ rgb { discard = tex0 * unsigned_invert(tex1); discard = -col0.a; spare0 = sum(); scale_by_four(); } }\n"},
+           "{ rgb { discard = tex0 * unsigned_invert(tex1); discard = one * -col0.a; spare0 = sum(); scale_by_four(); "
+           "} }\n"},
           {"lrp r0.rgb, v0.a, t0, t1",
-           "{ rgb { discard = unsigned(col0.a) * tex0; discard = unsigned_invert(col0.a) * tex1; spare0 = sum(); } "
+           "{ rgb { discard = unsigned(col0.a) * tex0; discard = tex1 * unsigned_invert(col0.a); spare0 = sum(); } "
            "}\n"},
           {"lrp r0.rgb, 1-v0, t0, t1",
-           "{ rgb { discard = unsigned_invert(col0) * tex0; discard = unsigned(col0) * tex1; spare0 = sum(); } }\n"},
+           "{ rgb { discard = unsigned_invert(col0) * tex0; discard = tex1 * unsigned(col0); spare0 = sum(); } }\n"},
           {"dp3 r0.rgb, t0_bx2, -v0_bx2\n+mul r0.a, t0.b, t1_bias",
            "{ rgb { spare0 = expand(tex0) . -expand(col0); } alpha { spare0 = tex0.b * half_bias(tex1); } }\n"},
           {"mov r0, t0\ncnd r0.rgb, r0.a, t1, -t0\n",
@@ -84,17 +85,19 @@ TEST(PixelShader, ASaturatedRegisterIsReadWithoutItsSign) {
   expect_same(
       {
           {"sub_sat r0.rgb, t0, t1\nmul r0.rgb, r0, v0",
-           "{ rgb { discard = tex0; discard = -tex1; spare0 = sum(); } }\n{ rgb { spare0 = unsigned(spare0) * col0; } "
+           "{ rgb { discard = tex0; discard = tex1 * expand(zero); spare0 = sum(); } }\n{ rgb { spare0 = "
+           "unsigned(spare0) * col0; } "
            "}\n"},
           {"sub_sat r0.rgb, t0, t1\nmov r0.rgb, -r0",
-           "{ rgb { discard = tex0; discard = -tex1; spare0 = sum(); } }\n"
+           "{ rgb { discard = tex0; discard = tex1 * expand(zero); spare0 = sum(); } }\n"
            "{ rgb { spare0 = unsigned(spare0) * expand(zero); } }\n"},
           {"sub_sat r0, t0, t1\nsub r0.rgb, t0, r0.a",
-           "{ rgb { discard = tex0; discard = -tex1; spare0 = sum(); }\n"
-           "  alpha { discard = tex0; discard = -tex1; spare0 = sum(); } }\n"
+           "{ rgb { discard = tex0; discard = tex1 * expand(zero); spare0 = sum(); }\n"
+           "  alpha { discard = tex0; discard = tex1 * expand(zero); spare0 = sum(); } }\n"
            "{ rgb { discard = tex0; discard = unsigned(spare0.a) * expand(zero); spare0 = sum(); } }\n"},
           {"sub_sat r0.rgb, t0, t1\nmul r0.rgb, -r0, t1",
-           "{ rgb { discard = tex0; discard = -tex1; spare0 = sum(); } }\n{ rgb { spare0 = unsigned(spare0) * -tex1; } "
+           "{ rgb { discard = tex0; discard = tex1 * expand(zero); spare0 = sum(); } }\n{ rgb { spare0 = "
+           "unsigned(spare0) * -tex1; } "
            "}\n"},
       },
       "ps.1.1\ntex t0\ntex t1\n", profiles::geforce2);
@@ -103,12 +106,12 @@ TEST(PixelShader, ASaturatedRegisterIsReadWithoutItsSign) {
 TEST(PixelShader, ConstantsBelongToAStageWhereThereAreMoreThanTwo) {
   expect_same({{"mul r0.rgb, c3, t0\nmad r0.rgb, c5, r0, c3",
                 "const0 = (1, 0.5, 0, 0);\nconst1 = (0, 0, 0, 1);\n{ rgb { spare0 = const0 * tex0; } }\n"
-                "{ rgb { discard = const1 * spare0; discard = const0; spare0 = sum(); } }\n"}},
+                "{ rgb { discard = const1 * spare0; discard = one * const0; spare0 = sum(); } }\n"}},
               "ps.1.1\ndef c3, 1, .5, 0, 0\ndef c5, 0, 0, 0, 1.0f\ntex t0\n", profiles::geforce2);
   expect_same({{"mul r0.rgb, c1, t0\nmad r0.rgb, c2, r0, c0",
                 "{ const0 = (0, 1, 0, 0); rgb { spare0 = const0 * tex0; } }\n"
                 "{ const0 = (0, 0, 1, 0); const1 = (1, 0, 0, 0);\n"
-                "  rgb { discard = const0 * spare0; discard = const1; spare0 = sum(); } }\n"}},
+                "  rgb { discard = const0 * spare0; discard = one * const1; spare0 = sum(); } }\n"}},
               "ps.1.1\ndef c0, 1, 0, 0, 0\ndef c1, 0, 1, 0, 0\ndef c2, 0, 0, 1, 0\ntex t0\n", profiles::nv2a);
   // What is below 0 is stored as its negative.
   expect_same({{"add r0.rgb, t0, c0",
@@ -207,8 +210,8 @@ TEST(PixelShader, TheXboxsTextGivesTheXboxsWords) {
 TEST(PixelShader, Ps14UsesTheTexturesRegisters) {
   expect_same({{"texld r0, t0\ntexld r1, t1_dz.xyw\nmul r2, r0, r1\nmad r0, r2, v0, r1",
                 "{ rgb { spare0 = tex0 * tex1; } alpha { spare0 = tex0 * tex1; } }\n"
-                "{ rgb { discard = spare0 * col0; discard = tex1; tex0 = sum(); }\n"
-                "  alpha { discard = spare0 * col0; discard = tex1; tex0 = sum(); } }\n"},
+                "{ rgb { discard = spare0 * col0; discard = one * tex1; tex0 = sum(); }\n"
+                "  alpha { discard = spare0 * col0; discard = one * tex1; tex0 = sum(); } }\n"},
                {"texld r0, t0\nphase\ntexld r1, t0\nmul_x2 r0, r0_x2, r1",
                 "{ rgb { tex0 = tex0 * tex1; scale_by_four(); } alpha { tex0 = tex0 * tex1; scale_by_four(); } }\n"}},
               "ps.1.4\n", profiles::nv2a, "out.rgb = tex0;\nout.a = tex0;\n");

@@ -24,7 +24,8 @@ namespace NINEBIT_PUBLIC ninebit {
 [[nodiscard]] Parsed<CombinerState> parse_pixel_shader(const SourceText& source, const HardwareProfile& profile);
 
 // The state as a ps.1.1 text, or a Diagnostic that names what the language cannot express. parse_pixel_shader of the
-// text returns a state that normalizes to the same program.
+// text returns a state that computes the same for every fragment; if this one came from a ps.1.x text, it normalizes to
+// the same program.
 [[nodiscard]] Result<std::string> print_pixel_shader(const CombinerState& state, const HardwareProfile& profile);
 
 }  // namespace ninebit

@@ -2,6 +2,7 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "src/language/pixel_shader/shader_translate.h"
 
@@ -42,11 +43,11 @@ class FinalReader {
     return quoted((from.negate ? "-" : "") + name);
   }
 
-  // GL has no blue in A to F, and no rgb in G.
+  // The Xbox has one bit for rgb and blue. G has no rgb.
   ComponentUsage usage(const ShaderOperand& from, bool is_g) {
     switch (from.selector) {
       case ShaderSelector::none:
-        return is_g ? ComponentUsage::alpha : ComponentUsage::rgb;
+        return is_g ? ComponentUsage::blue : ComponentUsage::rgb;
       case ShaderSelector::alpha:
         return ComponentUsage::alpha;
       case ShaderSelector::rgb:
@@ -67,7 +68,7 @@ class FinalReader {
         context_.faults.add(from.offset, quoted(from.text) + " has no alpha", GlError::invalid_operation);
         return std::nullopt;
       }
-      if (i >= 4 || (sum && i == 0)) {
+      if (i >= 4 || (sum && i == 0 && !swaps_sum())) {
         context_.faults.add(
             from.offset,
             quoted(from.text) + " can be read as " + (sum ? "B, C or D" : "A, B, C or D") + " of xfc alone",
@@ -93,6 +94,12 @@ class FinalReader {
     return reg;
   }
 
+  // GL does not read the colour sum as A. Where C is zero, A and B can be swapped.
+  [[nodiscard]] bool swaps_sum() const {
+    const ShaderOperand &b = xfc_.operands[1], &c = xfc_.operands[2];
+    return b.file != ShaderFile::sum && c.file == ShaderFile::zero && !c.invert;
+  }
+
   ShaderContext& context_;
   const ShaderInstruction& xfc_;
 };
@@ -104,6 +111,7 @@ void translate_final(ShaderContext& context, const ShaderInstruction& xfc, Final
   constexpr std::array kInputs{&FinalCombiner::a, &FinalCombiner::b, &FinalCombiner::c, &FinalCombiner::d,
                                &FinalCombiner::e, &FinalCombiner::f, &FinalCombiner::g};
   for (std::size_t i = 0; i < kInputs.size(); ++i) out.*kInputs.at(i) = reader.input(i);
+  if (out.a.reg == Register::spare0_plus_secondary) std::swap(out.a, out.b);
 }
 
 FinalCombiner plain_final(const ShaderContext& context) {

@@ -28,6 +28,10 @@ class ShaderLexer {
 
   std::vector<ShaderToken> read() {
     while (at_ < text_.size()) {
+      if (tokens_.size() == kMostShaderTokens) {
+        faults_.add(at_, "the text is longer than " + std::to_string(kMostShaderTokens) + " words");
+        break;
+      }
       if (!skipped()) token();
     }
     add(ShaderToken::Kind::end_of_line, 0);

@@ -26,6 +26,9 @@ struct ShaderToken {
   [[nodiscard]] bool is(char c) const { return kind == Kind::punctuation && text.front() == c; }
 };
 
+// The most tokens of a text, as it is written and with names replaced.
+inline constexpr std::size_t kMostShaderTokens = std::size_t{1} << 20;
+
 // A token's text in lower case: the language does not distinguish.
 [[nodiscard]] std::string lower_case(std::string_view text);
 
@@ -33,7 +36,7 @@ struct ShaderToken {
 [[nodiscard]] std::size_t shader_version_length(std::string_view text);
 
 // All tokens, without comments; a line that ends with a backslash goes on in the next one. An unterminated comment is a
-// fault.
+// fault, and so is a text of more than kMostShaderTokens.
 [[nodiscard]] std::vector<ShaderToken> lex_shader(std::string_view text, SourceFaults& faults);
 
 }  // namespace ninebit::detail

@@ -16,8 +16,7 @@ using TokenKind = ShaderToken::Kind;
 
 constexpr std::array<std::string_view, 12> kDirectives{"define", "undef", "include", "pragma", "if",   "ifdef",
                                                        "ifndef", "elif",  "else",    "endif",  "line", "error"};
-constexpr std::size_t kMostTokens = std::size_t{1} << 21;  // after names are replaced
-constexpr std::size_t kDeepest = 32;                       // names in names, conditions in conditions
+constexpr std::size_t kDeepest = 32;  // names in names, conditions in conditions
 
 class ShaderPreprocessor {
  public:
@@ -181,7 +180,7 @@ class ShaderPreprocessor {
     const auto first = macro_of(token);
     if (first == macros_.end()) return add(token, token.offset);
     std::vector<Open> open{{first->first, first->second}};
-    while (!open.empty() && ++steps_ < kMostTokens) {
+    while (!open.empty() && ++steps_ < kMostShaderTokens) {
       Open& top = open.back();
       if (top.next == top.body.size()) {
         open.pop_back();
@@ -200,8 +199,8 @@ class ShaderPreprocessor {
   }
 
   void add(ShaderToken token, std::size_t offset) {
-    if (++steps_ >= kMostTokens && token.kind != TokenKind::end) {
-      if (!overflowed_) faults_.add(offset, "the text is longer than " + std::to_string(kMostTokens) + " words");
+    if (++steps_ >= kMostShaderTokens && token.kind != TokenKind::end) {
+      if (!overflowed_) faults_.add(offset, "the text is longer than " + std::to_string(kMostShaderTokens) + " words");
       overflowed_ = true;
       return;
     }

@@ -39,7 +39,7 @@ class ShaderPrinter {
     for (std::size_t i = 0; i < stages_.size() && why_.empty(); ++i) print_stage(i);
     if (why_.empty() && stages_.size() > kMostInstructions) why_ = "more than 8 instructions";
     if (why_.empty() && static_cast<int>(stages_.size()) > profile_.general_combiners) {
-      why_ = "the final combiner's inputs, which need another general combiner";
+      why_ = "the final combiner outputs other registers than spare0, for which all general combiners are in use";
     }
     if (why_.empty() && !written_rgb_[index(Register::spare0)]) why_ = "spare0's colour is read before it is written";
     if (!why_.empty()) return Diagnostic{.message = "ps.1.1 cannot express this: " + why_};

@@ -108,7 +108,7 @@ bool ShaderRegisters::reads_alpha(const ShaderInstruction& by, std::size_t opera
   if (from.selector != ShaderSelector::none) return from.selector == ShaderSelector::alpha;
   switch (by.op()) {
     case ShaderOp::xfc:
-      return operand == 6;
+      return false;
     case ShaderOp::cnd:
       return operand == 0 || by.writes(true);
     case ShaderOp::dp3:
@@ -126,7 +126,7 @@ bool ShaderRegisters::reads_rgb(const ShaderInstruction& by, std::size_t operand
   if (from.selector != ShaderSelector::none) return from.selector != ShaderSelector::alpha;
   const bool dot =
       by.op() == ShaderOp::dp3 || by.op() == ShaderOp::dp4 || by.op() == ShaderOp::xdd || by.op() == ShaderOp::xdm;
-  if (by.op() == ShaderOp::xfc) return operand < 6;
+  if (by.op() == ShaderOp::xfc) return true;
   return dot || by.writes(false);
 }
 

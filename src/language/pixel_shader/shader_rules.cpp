@@ -36,10 +36,7 @@ class ShaderRules {
 
  private:
   void check_pair(const ShaderInstruction* before, const ShaderInstruction& one) {
-    const auto is_arithmetic = [](const ShaderInstruction& i) {
-      return i.row->targets == 1 && i.op() != ShaderOp::texture;
-    };
-    if (before == nullptr || !is_arithmetic(*before) || !is_arithmetic(one)) {
+    if (before == nullptr || !before->is_arithmetic() || !one.is_arithmetic()) {
       faults_.add(one.offset, "'+' joins two arithmetic instructions; expected one before it that has no '+'");
       return;
     }
@@ -97,6 +94,9 @@ class ShaderRules {
       faults_.add(one.offset, "texture instructions come before arithmetic ones in " + version_.name);
       reported_late_ = true;
     }
+    if (one.row->name.starts_with("texbem") && !one.operands.empty()) {
+      bumps_.at(static_cast<std::size_t>(one.operands[0].index)) = true;
+    }
     const ShaderTarget& target = one.targets[0];
     const auto i = static_cast<std::size_t>(target.index);
     if (target.file == ShaderFile::temporary) {
@@ -140,6 +140,9 @@ class ShaderRules {
                                           std::to_string(i));
         }
         reported_texture_[i] = true;
+      } else if (operand.file == ShaderFile::texture && bumps_.at(i)) {
+        faults_.add(operand.offset, quoted(operand.text) + " was read by texbem; " + version_.name +
+                                        " lets no other instruction read it");
       } else if (operand.file == ShaderFile::temporary) {
         check_temporary(one, operand);
       }
@@ -171,6 +174,7 @@ class ShaderRules {
   int arithmetic_ = 0;
   int finals_ = 0;
   bool reported_final_ = false, reported_late_ = false;
+  std::array<bool, 10> bumps_{};  // t registers with offsets for other textures
   std::array<bool, 6> loaded_{}, written_rgb_{}, written_alpha_{}, reported_texture_{}, reported_temporary_{};
   std::vector<const ShaderInstruction*> pending_;
 };

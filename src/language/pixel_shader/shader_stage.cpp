@@ -33,7 +33,9 @@ void ShaderPortions::multiply(Portion& portion, bool ab, std::optional<ShaderFac
     ShaderFactor& other = x->negate ? *y : *x;
     const auto mapping = negated_mapping(other.input.mapping, other.input.reg);
     if (mapping) {
-      other.input.mapping = *mapping;
+      // -1 of zero becomes 1 as it is written elsewhere.
+      const bool minus_one = other.input.reg == Register::zero && other.input.mapping == InputMapping::expand_normal;
+      other.input.mapping = minus_one ? InputMapping::unsigned_invert : *mapping;
     } else {
       fault(one_.offset, quoted(one_.text) +
                              " negates a register that was saturated, and combiners cannot; expected it without '-'");
@@ -71,7 +73,7 @@ void ShaderPortions::scale(PortionOutput& out) {
   }
 }
 
-// A·B + (1 - A)·C
+// A·B + C·(1 - A), in the order of the Xbox's assembler.
 void ShaderPortions::interpolate(Portion& portion, PortionName which) {
   auto weight = source(0, which);
   if (!weight) return;
@@ -87,7 +89,7 @@ void ShaderPortions::interpolate(Portion& portion, PortionName which) {
   auto rest = weight;
   rest->input.mapping = inverted ? same : other;
   multiply(portion, true, weight, source(1, which));
-  multiply(portion, false, rest, source(2, which));
+  multiply(portion, false, source(2, which), rest);
 }
 
 void ShaderPortions::check_distinct(const PortionOutput& out) {
@@ -140,24 +142,15 @@ void ShaderPortions::fill(Portion& portion, PortionName which) {
     case ShaderOp::add:
     case ShaderOp::sub: {
       out.sum = to;
-      ShaderOperand second = one_.operands[1];
-      const bool minus = one_.op() == ShaderOp::sub;
-      auto added = factor(second, which);
-      if (added && minus) {
-        const auto mapping = negated_mapping(added->input.mapping, added->input.reg);
-        if (mapping && !added->negate) {
-          added->input.mapping = *mapping;
-        } else {
-          added->negate = !added->negate;
-        }
-      }
+      ShaderFactor last = *one;
+      if (one_.op() == ShaderOp::sub) last.input.mapping = InputMapping::expand_normal;  // of zero: -1
       multiply(portion, true, source(0, which), one);
-      return multiply(portion, false, added, one);
+      return multiply(portion, false, source(1, which), last);
     }
     case ShaderOp::mad:
       out.sum = to;
       multiply(portion, true, source(0, which), source(1, which));
-      return multiply(portion, false, source(2, which), one);
+      return multiply(portion, false, one, source(2, which));
     case ShaderOp::lrp:
       out.sum = to;
       return interpolate(portion, which);

@@ -64,6 +64,8 @@ class ShaderTranslator {
       if (one != nullptr && !prepare_mux(*one, second != nullptr, next)) return;
     }
     stages_.begin();
+    place_constants(first);
+    if (second != nullptr) place_constants(*second);
     GeneralCombiner stage = empty_shader_stage();
     for (const ShaderInstruction* const one : {&first, second}) {
       if (one == nullptr) continue;
@@ -80,6 +82,13 @@ class ShaderTranslator {
       if (one != nullptr) note_saturation(*one);
     }
     for (const auto& [to, from] : late) context_.values.alpha_is_blue_of[index_of(to)] = from;
+  }
+
+  // Constants have their registers in the order of the text.
+  void place_constants(const ShaderInstruction& one) {
+    for (const ShaderOperand& from : one.operands) {
+      if (from.file == ShaderFile::constant) (void)context_.constants.place(from.index);
+    }
   }
 
   // Dot products that go to alpha, too: alpha portions have none.
@@ -241,6 +250,7 @@ class ShaderTranslator {
     const Register reg = context_.registers.find(to.file, to.index).value_or(Register::discard);
     ShaderPortions portions(context_, one);
     stages_.begin();
+    place_constants(one);
     GeneralCombiner products = empty_shader_stage();
     for (const PortionName which : {PortionName::rgb, PortionName::alpha}) {
       Portion& portion = which == PortionName::rgb ? products.rgb : products.alpha;

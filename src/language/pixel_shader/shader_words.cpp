@@ -108,20 +108,11 @@ class PortionPrinter {
   bool sum(const PrintedTerm& first, const PrintedTerm& second) {
     const auto one = single(first), other = single(second);
     if (one && other) {
-      // -(1 - x) has no modifier; sub has it.
-      const bool last = needs_sub(*other);
-      const auto& added = last ? *one : *other;
-      if (!last && !needs_sub(*one)) {
-        printed_.name = "add";
-        return add(one->first, one->second) && add(other->first, other->second);
-      }
-      printed_.name = "sub";
-      const auto& taken = last ? *other : *one;
-      if (needs_sub(added)) {
-        refuse("-(1 - x)");
-        return false;
-      }
-      return add(added.first, added.second) && add(taken.first);
+      // x * -1 is what sub makes of x; -(1 - x) has no modifier.
+      const bool swaps = one->second && !other->second && one->first.mapping == InputMapping::unsigned_invert;
+      const auto &added = swaps ? *other : *one, &last = swaps ? *one : *other;
+      printed_.name = last.second ? "sub" : "add";
+      return add(added.first, added.second) && add(last.first);
     }
     const bool has_single = one || other;
     if (interpolates(first, second, has_single) || interpolates(second, first, has_single)) return true;
@@ -133,10 +124,6 @@ class PortionPrinter {
     const PrintedTerm& factors = one ? second : first;
     const auto& added = one ? *one : *other;
     return add(factors.x) && add(factors.y) && add(added.first, added.second);
-  }
-
-  static bool needs_sub(const std::pair<CombinerInput, bool>& source) {
-    return source.second && source.first.mapping == InputMapping::unsigned_invert;
   }
 
   // lrp: x·y + (1 - x)·z; not if mad can read the weight without its sign.
