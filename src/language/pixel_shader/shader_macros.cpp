@@ -12,7 +12,7 @@
 namespace ninebit::detail {
 namespace {
 
-using TokenKind = ShaderToken::Kind;
+using MacroTokenKind = ShaderToken::Kind;
 
 constexpr std::array<std::string_view, 12> kDirectives{"define", "undef", "include", "pragma", "if",   "ifdef",
                                                        "ifndef", "elif",  "else",    "endif",  "line", "error"};
@@ -29,8 +29,8 @@ class ShaderPreprocessor {
       const ShaderToken& token = tokens_[at_];
       if (line_begins && token.is('#')) {
         directive(line());
-      } else if (token.kind == TokenKind::end || reads()) {
-        line_begins = token.kind == TokenKind::end_of_line;
+      } else if (token.kind == MacroTokenKind::end || reads()) {
+        line_begins = token.kind == MacroTokenKind::end_of_line;
         replaced(token);
         ++at_;
         continue;
@@ -57,15 +57,15 @@ class ShaderPreprocessor {
   // Takes the rest of a line, with its end.
   std::span<const ShaderToken> line() {
     const std::size_t begin = at_;
-    while (tokens_[at_].kind != TokenKind::end_of_line && tokens_[at_].kind != TokenKind::end) ++at_;
+    while (tokens_[at_].kind != MacroTokenKind::end_of_line && tokens_[at_].kind != MacroTokenKind::end) ++at_;
     const std::span<const ShaderToken> all(tokens_);
     const std::size_t end = at_;
-    if (tokens_[at_].kind == TokenKind::end_of_line) ++at_;
+    if (tokens_[at_].kind == MacroTokenKind::end_of_line) ++at_;
     return all.subspan(begin, end - begin);
   }
 
   void directive(std::span<const ShaderToken> line) {
-    if (line.size() < 2 || line[1].kind != TokenKind::word) return;  // a lone # does nothing
+    if (line.size() < 2 || line[1].kind != MacroTokenKind::word) return;  // a lone # does nothing
     const std::string name = lower_case(line[1].text);
     const auto rest = line.subspan(2);
     if (name == "if" || name == "ifdef" || name == "ifndef") {
@@ -98,7 +98,7 @@ class ShaderPreprocessor {
   }
 
   void define(const ShaderToken& word, std::span<const ShaderToken> rest) {
-    if (rest.empty() || rest[0].kind != TokenKind::word) {
+    if (rest.empty() || rest[0].kind != MacroTokenKind::word) {
       faults_.add(word.offset, "expected a name after #define");
       return;
     }
@@ -152,8 +152,8 @@ class ShaderPreprocessor {
     std::size_t i = 0;
     const auto is = [&](char c) { return i < rest.size() && rest[i].is(c); };
     for (; is('!') || is('('); ++i) wanted = is('!') ? !wanted : wanted;
-    if (i < rest.size() && rest[i].kind == TokenKind::number) return (rest[i].text != "0") == wanted;
-    if (i < rest.size() && rest[i].kind == TokenKind::word) {
+    if (i < rest.size() && rest[i].kind == MacroTokenKind::number) return (rest[i].text != "0") == wanted;
+    if (i < rest.size() && rest[i].kind == MacroTokenKind::word) {
       if (lower_case(rest[i].text) != "defined") {
         const auto macro = macros_.find(rest[i].text);
         const bool zero = macro == macros_.end() || macro->second.empty() || macro->second[0].text == "0";
@@ -161,7 +161,7 @@ class ShaderPreprocessor {
       }
       ++i;
       if (is('(')) ++i;
-      if (i < rest.size() && rest[i].kind == TokenKind::word) return macros_.contains(rest[i].text) == wanted;
+      if (i < rest.size() && rest[i].kind == MacroTokenKind::word) return macros_.contains(rest[i].text) == wanted;
     }
     faults_.add(offset, "expected a number, a name or defined(NAME) after #if");
     return false;
@@ -175,7 +175,7 @@ class ShaderPreprocessor {
       std::size_t next = 0;
     };
     const auto macro_of = [&](const ShaderToken& of) {
-      return of.kind == TokenKind::word ? macros_.find(of.text) : macros_.end();
+      return of.kind == MacroTokenKind::word ? macros_.find(of.text) : macros_.end();
     };
     const auto first = macro_of(token);
     if (first == macros_.end()) return add(token, token.offset);
@@ -199,7 +199,7 @@ class ShaderPreprocessor {
   }
 
   void add(ShaderToken token, std::size_t offset) {
-    if (++steps_ >= kMostShaderTokens && token.kind != TokenKind::end) {
+    if (++steps_ >= kMostShaderTokens && token.kind != MacroTokenKind::end) {
       if (!overflowed_) faults_.add(offset, "the text is longer than " + std::to_string(kMostShaderTokens) + " words");
       overflowed_ = true;
       return;
@@ -223,10 +223,10 @@ class ShaderPreprocessor {
 
 ShaderTokens preprocess_shader(std::vector<ShaderToken> tokens, SourceFaults& faults, SourceFaults& notes) {
   ShaderTokens out = ShaderPreprocessor(std::move(tokens), faults, notes).run();
-  if (out.tokens.empty() || out.tokens.back().kind != TokenKind::end) {
+  if (out.tokens.empty() || out.tokens.back().kind != MacroTokenKind::end) {
     const std::size_t offset = out.tokens.empty() ? 0 : out.tokens.back().offset;
-    out.tokens.push_back({TokenKind::end_of_line, offset, {}});
-    out.tokens.push_back({TokenKind::end, offset, {}});
+    out.tokens.push_back({MacroTokenKind::end_of_line, offset, {}});
+    out.tokens.push_back({MacroTokenKind::end, offset, {}});
   }
   return out;
 }
