@@ -5,6 +5,7 @@
 #include "combiner_tests/fuzz/common.h"
 #include "ninebit/combiner/program.h"
 #include "ninebit/language/gl_calls.h"
+#include "ninebit/language/pixel_shader.h"
 #include "ninebit/language/rc10.h"
 #include "ninebit/language/register_log.h"
 #include "ninebit/language/register_words.h"
@@ -53,6 +54,15 @@ std::string check_rc10(std::string_view bytes) {
     if (const auto printed = print_rc10(*parsed.value, *profile); !printed) {
       return "what the language said it cannot say: " + printed.error().message;
     }
+  }
+  return {};
+}
+
+std::string check_ps(std::string_view bytes) {
+  (void)is_pixel_shader(bytes);
+  for (const HardwareProfile* const profile : kProfiles) {
+    std::string wrong = wrong_with(parse_pixel_shader({bytes, kFile}, *profile), bytes, *profile);
+    if (!wrong.empty()) return wrong;
   }
   return {};
 }

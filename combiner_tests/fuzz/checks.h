@@ -15,6 +15,7 @@ using Check = std::string (*)(std::string_view bytes);
 std::string check_gl(std::string_view bytes);       // GL calls
 std::string check_source(std::string_view bytes);   // a source file
 std::string check_rc10(std::string_view bytes);     // !!RC1.0
+std::string check_ps(std::string_view bytes);       // a pixel shader of Direct3D 8 in assembly
 std::string check_words(std::string_view bytes);    // register words as NAME = 0x… lines
 std::string check_xbox(std::string_view bytes);     // the Xbox's pixel shader definition, in every shape
 std::string check_log(std::string_view bytes);      // a log of register writes, which reads alike in any pieces

@@ -9,6 +9,7 @@
 #include "ninebit/language/explain.h"
 #include "ninebit/language/gl_calls.h"
 #include "ninebit/language/glsl.h"
+#include "ninebit/language/pixel_shader.h"
 #include "ninebit/language/rc10.h"
 #include "ninebit/language/register_words.h"
 
@@ -51,6 +52,20 @@ std::string wrong_with_rc10(const CombinerState& state, const Program& program, 
   if (normalize(*back.value, profile) != program) return "!!RC1.0 gives another program:\n" + *text;
   const auto again = print_rc10(*back.value, profile);
   return again && *again == *text ? "" : "!!RC1.0 is printed in another way again:\n" + *text;
+}
+
+// A text need not give the same program, but it must give the same one again.
+std::string wrong_with_ps(const CombinerState& state, const HardwareProfile& profile) {
+  const auto text = print_pixel_shader(state, profile);
+  if (!text) return wrong_with_message(text.error().message);
+  const auto back = parse_pixel_shader({*text, kFile}, profile);
+  if (!back) return refused("ps.1.1 texts", back, *text);
+  const auto again = print_pixel_shader(*back.value, profile);
+  if (!again) return "a ps.1.1 text is not printed again: " + again.error().message + "\n" + *text;
+  const auto third = parse_pixel_shader({*again, kFile}, profile);
+  if (!third) return refused("ps.1.1 texts", third, *again);
+  const bool same = normalize(*third.value, profile) == normalize(*back.value, profile);
+  return same ? "" : "ps.1.1 gives another program:\n" + *text + *again;
 }
 
 std::string wrong_with_words(const CombinerState& state, const Program& program, ChipClass chip,
@@ -120,6 +135,7 @@ std::string wrong_with_state(const CombinerState& state, const HardwareProfile& 
   if (*program != normalize(state, profile)) return "compile() and normalize() give different programs";
   return first_of(
       wrong_with_gl_calls(state, profile), [&] { return wrong_with_rc10(state, *program, profile); },
+      [&] { return wrong_with_ps(state, profile); },
       [&] { return wrong_with_words(state, *program, ChipClass::nv10, profile); },
       [&] { return wrong_with_words(state, *program, ChipClass::nv20, profile); },
       [&] { return wrong_with_outputs(*program, profile); });

@@ -5,6 +5,7 @@
 
 #include "combiner_tests/fuzz/common.h"
 #include "ninebit/language/gl_calls.h"
+#include "ninebit/language/pixel_shader.h"
 #include "ninebit/language/rc10.h"
 #include "ninebit/language/register_log.h"
 #include "ninebit/language/register_words.h"
@@ -20,6 +21,10 @@ TEST(Corpus, Gl) {
 
 TEST(Corpus, Rc10) {
   replay("rc10", check_rc10, [](std::string_view text) { return bool(parse_rc10({text, ""}, profiles::nv2a)); });
+}
+
+TEST(Corpus, Ps) {
+  replay("ps", check_ps, [](std::string_view text) { return bool(parse_pixel_shader({text, ""}, profiles::nv2a)); });
 }
 
 TEST(Corpus, Source) {

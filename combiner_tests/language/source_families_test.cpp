@@ -14,7 +14,7 @@
 namespace ninebit {
 namespace {
 
-std::string source(const std::string& name) {
+std::string family_source(const std::string& name) {
   const std::string folder = name == "lights.c" ? "/docs/programs/" : "/combiner_tests/language/sources/";
   std::ifstream in(NINEBIT_SOURCE_DIR + folder + name);
   EXPECT_TRUE(in) << name;
@@ -25,7 +25,7 @@ std::string source(const std::string& name) {
 
 CombinerState read(const std::string& file, const std::vector<std::string>& functions,
                    const std::vector<Definition>& definitions = {}) {
-  const std::string text = source(file);
+  const std::string text = family_source(file);
   const auto parsed = parse_source_code({text, file}, {functions, definitions}, profiles::nv2a);
   EXPECT_TRUE(parsed) << test::all_faults(parsed);
   return parsed.value.value_or(CombinerState{});
@@ -243,7 +243,7 @@ color 1 1,0,0,1
 TEST(SourceFamilies, AreListedWithWhatTheyNeed) {
   const auto listed = [](const std::string& file) {
     std::string out;
-    const std::string text = source(file);
+    const std::string text = family_source(file);
     for (const SourceFunction& f : find_source_functions({text, file}, {}, profiles::nv2a)) {
       out += f.name + ":" + std::to_string(f.line) + " " + std::to_string(f.calls_read) + "/" +
              std::to_string(f.calls_not_read) + (f.is_helper ? " helper" : "");

@@ -25,8 +25,8 @@ const std::map<std::string, int> kRank{{"system", 0}, {"numerics", 0}, {"combine
 const std::map<std::string, std::vector<std::string>> kFolders{
     {"system", {"parallel", "", "hashing"}},
     {"language",
-     {"source", "gl_nv", "gl_calls", "rc10", "register_words", "xbox", "register_log", "source_code", "emit", "explain",
-      "json"}},
+     {"source", "gl_nv", "gl_calls", "rc10", "pixel_shader", "register_words", "xbox", "register_log", "source_code",
+      "emit", "explain", "json"}},
     {"raster", {"rules", "surface", "texture", "setup", "fragment", "lanes", "draw"}},
     {"image", {"output", "texture", "openimageio", "module"}},
     {"shadow",

@@ -27,6 +27,7 @@
 #include "ninebit/language/gl_calls.h"
 #include "ninebit/language/gl_nv.h"
 #include "ninebit/language/glsl.h"
+#include "ninebit/language/pixel_shader.h"
 #include "ninebit/language/rc10.h"
 #include "ninebit/language/register_words.h"
 #include "ninebit/numerics/fixed9.h"

@@ -8,6 +8,7 @@
 #include "ninebit/language/gl_calls.h"
 #include "ninebit/language/glsl.h"
 #include "ninebit/language/json.h"
+#include "ninebit/language/pixel_shader.h"
 #include "ninebit/language/rc10.h"
 #include "ninebit/language/xbox_pixel_shader.h"
 #include "src/language/source/beyond_opengl.h"
@@ -32,6 +33,7 @@ Result<std::string> printed(const ConvertFlags& flags, const TextProgram& progra
   const ChipClass chip = chip_of(flags.program, profile);
   if (flags.to == "gl") return print_gl_calls(state, profile);
   if (flags.to == "rc10") return print_rc10(state, profile);
+  if (flags.to == "ps11") return print_pixel_shader(state, profile);
   if (flags.to == "words") return print_register_words(state, chip, profile, program.other_words);
   if (flags.to == "words-json") return print_json_register_words(state, chip, profile, program.other_words);
   if (flags.to == "json") return print_json_program(state, program.other_words);
@@ -166,7 +168,7 @@ void add_convert(CLI::App& app, int& exit_code) {
   add_common_flags(*verb, flags->common);
   add_program_flags(*verb, flags->program);
   verb->add_option("--to", flags->to, "Form to write; without it, list the set-ups of a log")
-      ->check(CLI::IsMember({"gl", "rc10", "words", "words-json", "json", "xbox", "glsl", "glsl-es", "c"}));
+      ->check(CLI::IsMember({"gl", "rc10", "ps11", "words", "words-json", "json", "xbox", "glsl", "glsl-es", "c"}));
   verb->add_option("--frame", flags->frame, "Only the draws of this frame of a log, counted from 1")
       ->check(CLI::Range(1U, 0xffffffffU));
   verb->add_option("-o,--output", flags->output, "Write to this file instead of standard output")->type_name("FILE");

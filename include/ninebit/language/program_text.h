@@ -21,6 +21,7 @@ enum class ProgramForm : std::uint8_t {
   gl,          // GL calls: gl_calls.h
   source,      // a source file with GL calls in it: source_code.h
   rc10,        // !!RC1.0: rc10.h
+  ps,          // a pixel shader of Direct3D 8 in assembly: pixel_shader.h
   words,       // register words as text: register_words.h
   words_json,  // register words as a JSON object: json.h
   json,        // the canonical form: json.h

@@ -4,6 +4,7 @@
 
 #include "ninebit/language/gl_calls.h"
 #include "ninebit/language/json.h"
+#include "ninebit/language/pixel_shader.h"
 #include "ninebit/language/rc10.h"
 #include "ninebit/language/register_log.h"
 #include "ninebit/language/xbox_pixel_shader.h"
@@ -31,6 +32,7 @@ ProgramForm form_of_literals(std::string_view text) {
 
 ProgramForm form_of(std::string_view text) {
   const std::string_view content = without_heading(text);
+  if (is_pixel_shader(text)) return ProgramForm::ps;
   if (content.starts_with("!!")) return ProgramForm::rc10;
   const bool definition = is_xbox_pixel_shader(text);
   // A log's lines may begin with a time in brackets.
@@ -71,6 +73,8 @@ Parsed<CombinerState> parse_state(const SourceText& source, ProgramForm form, co
       return parse_source_code(source, options.source, profile, &other_words);
     case ProgramForm::rc10:
       return parse_rc10(source, profile);
+    case ProgramForm::ps:
+      return parse_pixel_shader(source, profile);
     case ProgramForm::words:
       return parse_register_words(source, options.chip.value_or(chip_of(profile)), profile, &other_words);
     case ProgramForm::words_json:

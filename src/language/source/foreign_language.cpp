@@ -50,6 +50,13 @@ bool has_any(std::string_view text, std::initializer_list<std::string_view> word
   return std::any_of(words.begin(), words.end(), [&](std::string_view word) { return has_word(text, word); });
 }
 
+// Skips a comment of Direct3D's assembly; false: there is none.
+bool skipped_assembly_comment(std::string_view text, std::size_t& at) {
+  if (at >= text.size() || text[at] != ';') return false;
+  at = std::min(text.find('\n', at), text.size());
+  return true;
+}
+
 std::string_view language_of_words(std::string_view text) {
   // A program for OpenGL or Direct3D may hold shaders; its own calls say what it is.
   if (has_any(text,
@@ -92,7 +99,9 @@ std::string_view foreign_language(std::string_view text) {
   while (at < text.size() && detail::is_blank(text[at])) ++at;
   if (!text.substr(at).starts_with("#version")) {
     detail::SourceFaults none({text, {}});
-    if (!detail::skip_blanks(text, at, {.hash_comments = true, .heading = {}}, none)) return {};
+    do {
+      if (!detail::skip_blanks(text, at, {.hash_comments = true, .heading = {}}, none)) return {};
+    } while (skipped_assembly_comment(text, at));
   }
   const std::string_view content = text.substr(at);
   const auto is_header = [](char c) { return detail::is_word(c) || c == '!' || c == '.'; };

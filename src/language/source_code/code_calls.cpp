@@ -4,6 +4,7 @@
 #include <tuple>
 #include <utility>
 
+#include "ninebit/language/pixel_shader.h"
 #include "ninebit/language/rc10.h"
 #include "src/language/gl_calls/gl_calls_execute.h"
 #include "src/language/gl_calls/gl_calls_spelling.h"
@@ -279,7 +280,10 @@ void Machine::load(std::uint32_t begin, std::uint32_t end, std::uint32_t offset,
     return;
   }
   CallSite& site = sites_[offset];
-  Parsed<CombinerState> parsed = parse_rc10(literal.source(), context_.profile());
+  const SourceText program = literal.source();
+  const bool is_shader = is_pixel_shader(program.text) && program.text.find("!!RC1.0") == std::string_view::npos;
+  Parsed<CombinerState> parsed =
+      is_shader ? parse_pixel_shader(program, context_.profile()) : parse_rc10(program, context_.profile());
   site.is_read = true;
   for (TextFault& fault : parsed.notes) notes_.add(std::move(fault));
   for (TextFault& fault : parsed.faults) {

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "src/language/gl_calls/gl_calls_spelling.h"
+#include "src/language/pixel_shader/shader_literal.h"
 #include "src/language/source/nearest_name.h"
 #include "src/language/source/string_literals.h"
 
@@ -13,7 +14,11 @@ namespace {
 using detail::quoted;
 using UnitKind = Unit::Kind;
 
-constexpr std::string_view kHeaderInText = "!!RC1.0";
+// Whether a string literal holds a program.
+bool holds_program(std::string_view literal) {
+  return literal.find("!!RC1.0") != std::string_view::npos ||
+         detail::find_shader_literal(literal) != std::string_view::npos;
+}
 
 // Visits calls and assignments.
 template <class Visit>
@@ -126,7 +131,7 @@ void Units::find_texts() {
   const LiteralStyle style = program_.file.language == Language::pascal ? LiteralStyle::pascal : LiteralStyle::c;
   std::size_t texts = 0;
   for (std::size_t i = 0; i < tokens.size() && texts < kMostTexts; ++i) {
-    if (tokens[i].kind != Token::Kind::text || tokens[i].text.find(kHeaderInText) == std::string_view::npos) continue;
+    if (tokens[i].kind != Token::Kind::text || !holds_program(tokens[i].text)) continue;
     const std::size_t end = end_of_literals(program_.source.text, style, tokens[i].offset);
     std::string name = name_of_text(i);
     if (name.empty()) name = "string";

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "src/language/pixel_shader/shader_literal.h"
 #include "src/language/source/string_literals.h"
 #include "src/language/source_code/code_lexer.h"
 #include "src/language/source_code/code_units.h"
@@ -24,6 +25,7 @@ bool shows_structure(const code::Token& token) {
 bool is_source_code(std::string_view text) {
   if (text.size() > kMaxSourceBytes) return false;
   if (find_literal(text, "!!RC1.0") != std::string_view::npos) return true;
+  if (detail::find_shader_literal(text) != std::string_view::npos) return true;
   // A page may show calls.
   if (text.find("\n```") != std::string_view::npos || text.find("\n## ") != std::string_view::npos) return false;
   const code::Language language = code::language_of(text);

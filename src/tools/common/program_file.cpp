@@ -24,6 +24,7 @@ struct FormName {
 constexpr std::array kForms{FormName{ProgramForm::gl, kGlKind, "gl"},
                             FormName{ProgramForm::source, kSourceKind, "source"},
                             FormName{ProgramForm::rc10, kRc10Kind, "rc10"},
+                            FormName{ProgramForm::ps, kShaderKind, "ps"},
                             FormName{ProgramForm::words, kWordsKind, "words"},
                             FormName{ProgramForm::words_json, kJsonWordsKind, "words"},
                             FormName{ProgramForm::json, kJsonProgramKind, "json"},
@@ -42,8 +43,9 @@ std::string_view kind_of_form(ProgramForm form) {
 // For a file with faults: one sentence if it seems to be of another kind than it was read as; else empty.
 std::string seems_to_be_else(const ProgramFile& file, const std::string& from) {
   constexpr std::string_view kExpected =
-      "expected a combiner program: GL calls, !!RC1.0, register words, JSON, an Xbox pixel shader definition or a log "
-      "of register writes";
+      "expected a combiner program: GL calls, !!RC1.0, a ps.1.x pixel shader, register words, JSON, an Xbox pixel "
+      "shader "
+      "definition or a log of register writes";
   if (!foreign_language(file.text).empty()) return "";  // the fault names it
   constexpr std::size_t kFewFaults = 3;  // so few are listed even if the text does not look like a program
   const std::string kind = kind_of_file(file.text);

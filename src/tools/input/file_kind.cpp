@@ -5,6 +5,7 @@
 #include <cctype>
 #include <utility>
 
+#include "ninebit/language/pixel_shader.h"
 #include "ninebit/language/register_log.h"
 #include "ninebit/language/source_code.h"
 #include "ninebit/language/xbox_pixel_shader.h"
@@ -175,6 +176,7 @@ std::string kind_of_file(std::string_view bytes) {
   if (!kind.empty()) return kind;
   if (bytes.starts_with("#!")) return kind_of_script(first_line(bytes));
   const std::string_view text = without_heading(bytes);
+  if (is_pixel_shader(bytes.substr(0, kLookedAt))) return std::string(kShaderKind);
   if (text.starts_with("!!RC1.0")) return std::string(kRc10Kind);
   if (text.starts_with("!!")) {
     const std::string_view line = first_line(text);

@@ -11,8 +11,8 @@ namespace ninebit::tools {
 
 // The kinds that ninebit reads, as kind_of_file() returns them.
 inline constexpr std::string_view kGlKind = "GL calls", kSourceKind = "a source file with GL calls",
-                                  kRc10Kind = "an !!RC1.0 program", kWordsKind = "register words",
-                                  kJsonProgramKind = "a combiner program as JSON",
+                                  kRc10Kind = "an !!RC1.0 program", kShaderKind = "a ps.1.x pixel shader",
+                                  kWordsKind = "register words", kJsonProgramKind = "a combiner program as JSON",
                                   kJsonWordsKind = "register words as JSON", kProfileKind = "a hardware profile",
                                   kEffectKind = "an effect", kPartKind = "a part of a study",
                                   kTableKind = "a table of comma-separated values", kJsonKind = "JSON of another kind",

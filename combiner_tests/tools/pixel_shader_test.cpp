@@ -1,0 +1,92 @@
+// Pixel shaders in assembly as a form of programs, for every verb that reads or writes one.
+#include <gtest/gtest.h>
+
+#include "combiner_tests/tools/program_support.h"
+
+namespace tools_test {
+namespace {
+
+const std::string kShader =
+    "ps.1.1\ndef c0, 0.25, 0.5, 0.75, 1\ntex t0\nmul_x2 r0.rgb, t0, v0\n+mov r0.a, c0\nadd_sat r0.rgb, r0, -c0\n";
+const std::string kSameRc10 =
+    "!!RC1.0\nconst0 = (0.25, 0.5, 0.75, 1);\n{ rgb { spare0 = tex0 * col0; scale_by_two(); } alpha { spare0 = const0; "
+    "} }\n"
+    "{ rgb { discard = spare0; discard = -const0; spare0 = sum(); } }\nout.rgb = spare0;\nout.a = spare0;\n";
+
+class PixelShaderTool : public testing::Test {
+ protected:
+  std::string file(const std::string& text, const std::string& name = "shader.psh") const {
+    return write_bytes(folder_ / name, text);
+  }
+  const TempFolder folder_;
+};
+
+TEST_F(PixelShaderTool, IsReadByItsContentAndByTheFlag) {
+  const std::string shader = file(kShader), same = file(kSameRc10, "same.rc1");
+  const Outcome rc10 = ninebit({"convert", shader, "--to", "rc10", "--quiet"});
+  EXPECT_EQ(rc10.code, 0) << rc10.err;
+  EXPECT_EQ(rc10.out, ninebit({"convert", same, "--to", "rc10"}).out);
+  EXPECT_EQ(ninebit({"convert", shader, "--from", "ps", "--to", "rc10"}).out, rc10.out);
+  EXPECT_EQ(ninebit({"validate", shader}).code, 0);
+  EXPECT_NE(ninebit({"explain", shader}).out.find("spare0 = 2·(tex0 × primary)"), std::string::npos);
+  expect_error(ninebit({"validate", shader, "--from", "rc10"}), 3,
+               {"seems to be a ps.1.x pixel shader", "leave out --from, or give --from ps"});
+  expect_error(ninebit({"validate", same, "--from", "ps"}), 3,
+               {"seems to be an !!RC1.0 program", "leave out --from, or give --from rc10"});
+}
+
+TEST_F(PixelShaderTool, SaysWhatTheApplicationSets) {
+  const std::string shader = file("xps.1.1\ntex t0\nmul r0, t0, c5\n");
+  const Outcome outcome = ninebit({"explain", shader, "--profile", "nv2a"});
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_NE(outcome.err.find("shader.psh:2:1: tex is executed before the combiners"), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find("shader.psh:3:13: c5 is not defined here"), std::string::npos) << outcome.err;
+  EXPECT_EQ(ninebit({"explain", shader, "--profile", "nv2a", "--quiet"}).err, "");
+}
+
+TEST_F(PixelShaderTool, IsWritten) {
+  const std::string shader = file(kShader), same = file(kSameRc10, "same.rc1");
+  // The result's saturation has no effect: the final combiner clamps, too.
+  const std::string expected =
+      "ps.1.1\ndef c0, 0.25, 0.5, 0.75, 1\ntex t0\nmul_x2 r0.rgb, t0, v0\n+mov r0.a, c0\nadd r0.rgb, r0, -c0\n";
+  EXPECT_EQ(ninebit({"convert", shader, "--to", "ps11", "--quiet"}).out, expected);
+  EXPECT_EQ(ninebit({"convert", same, "--to", "ps11"}).out, expected);
+  const std::string written = folder_ / "again.psh";
+  EXPECT_EQ(ninebit({"convert", same, "--to", "ps11", "-o", written}).code, 0);
+  EXPECT_EQ(ninebit({"convert", written, "--to", "rc10", "--quiet"}).out,
+            ninebit({"convert", same, "--to", "rc10"}).out);
+  const std::string products = file(
+      "!!RC1.0\n{ rgb { discard = tex0 * col0; discard = tex1 * col1; spare0 = sum(); } }\nout.rgb = spare0;\n", "two");
+  expect_error(
+      ninebit({"convert", products, "--to", "ps11"}), 3,
+      {"cannot be written as ps11: ps.1.1 cannot express this: general combiner 0, RGB portion: the sum of two "
+       "products"});
+}
+
+TEST_F(PixelShaderTool, ExitCodesAreThoseOfTheOtherForms) {
+  expect_error(
+      ninebit({"validate", file("ps.1.1\nmull r0, t0, v0\nmov r0, v0\n")}), 3,
+      {"shader.psh:2:1: 'mull' is not an instruction of ps.1.1; did you mean 'mul'?", "mull r0, t0, v0\n  ^~~~"});
+  expect_error(ninebit({"validate", file("ps.2.0\n")}), 3, {"this is a Direct3D pixel shader of version 2"});
+  // More instructions than the profile has combiners, and a texture unit that it does not have.
+  const std::string three = file("ps.1.1\nmov r0, v0\nmov r1, r0\nmov r0, r1\n");
+  const Outcome refused = ninebit({"validate", three});
+  EXPECT_EQ(refused.code, 1) << refused.err;
+  EXPECT_NE(refused.out.find("GL_INVALID_VALUE: too many general combiners"), std::string::npos) << refused.out;
+  EXPECT_EQ(ninebit({"validate", three, "--profile", "nv2a"}).code, 0);
+  EXPECT_EQ(ninebit({"validate", file("ps.1.1\ntex t3\nmov r0, t3\n")}).code, 1);
+}
+
+TEST_F(PixelShaderTool, AreListedInSources) {
+  const std::string source = file(
+      "const char* glow = \"xps.1.1\\n\" \"mov r0, v0\\n\";\nvoid set() { nvparse(\"!!PS1.0\\nmul r0, t0, v0\\n\"); "
+      "}\n",
+      "a.c");
+  const Outcome listed = ninebit({"validate", source, "--from", "source"});
+  EXPECT_NE(listed.out.find("glow"), std::string::npos) << listed.out << listed.err;
+  EXPECT_NE(listed.out.find("set"), std::string::npos) << listed.out;
+  EXPECT_NE(ninebit({"explain", source, "--function", "glow"}).out.find("spare0 = primary"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace tools_test

@@ -1,0 +1,31 @@
+// Direct3D 8's pixel shaders in assembly, ps.1.0 to ps.1.4, and the Xbox's dialect of them, xps.1.1.
+// docs/languages.md documents what combiners can express, and the sources.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "ninebit/combiner/state.h"
+#include "ninebit/language/source_text.h"
+#include "ninebit/numerics/hardware_profile.h"
+#include "ninebit/numerics/result.h"
+#include "ninebit/numerics/visibility.h"
+
+namespace NINEBIT_PUBLIC ninebit {
+
+// Whether a text begins with the header of such a shader, after blanks, comments and lines of the preprocessor.
+[[nodiscard]] bool is_pixel_shader(std::string_view text);
+
+// Translates a shader as drivers of the GeForce3 and the Xbox's assembler did: an arithmetic instruction, or a pair of
+// them, becomes one general combiner, and the final combiner outputs r0. Texture instructions run before the combiners:
+// a note names them. Reports all faults: of the syntax, of Direct3D's rules for the version, and what register
+// combiners cannot express. A shader with more instructions than the profile has general combiners is
+// GL_INVALID_VALUE.
+[[nodiscard]] Parsed<CombinerState> parse_pixel_shader(const SourceText& source, const HardwareProfile& profile);
+
+// The state as a ps.1.1 text, or a Diagnostic that names what the language cannot express. parse_pixel_shader of the
+// text returns a state that computes the same for every fragment; if this one came from a ps.1.x text, it normalizes to
+// the same program.
+[[nodiscard]] Result<std::string> print_pixel_shader(const CombinerState& state, const HardwareProfile& profile);
+
+}  // namespace ninebit

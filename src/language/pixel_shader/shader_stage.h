@@ -1,0 +1,92 @@
+// Instructions of a pixel shader as portions of general combiners.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ninebit/combiner/state.h"
+#include "ninebit/numerics/hardware_profile.h"
+#include "src/language/pixel_shader/shader_instruction.h"
+#include "src/language/pixel_shader/shader_registers.h"
+#include "src/language/source/source_faults.h"
+
+namespace ninebit::detail {
+
+// The two constants that a stage can read, or all stages together.
+class ShaderConstants {
+ public:
+  // The register of a shader's constant; empty: both hold others.
+  [[nodiscard]] std::optional<Register> place(int index);
+  // The constants, as far as the text defines them.
+  void store(const ShaderText& text, ColorF& constant0, ColorF& constant1) const;
+  void clear() { placed_ = {}; }
+
+ private:
+  std::array<std::optional<int>, 2> placed_{};
+};
+
+// A source as a factor.
+struct ShaderFactor {
+  CombinerInput input{};
+  bool negate = false;   // its mapping has no negative; the other factor must have it
+  bool doubled = false;  // _x2, which the scale must do
+};
+
+// Whether a constant is stored as its negative: no component is above 0, and one is below.
+[[nodiscard]] bool is_negative(const ShaderConstant& constant);
+
+// What all stages of a shader have in common.
+struct ShaderContext {
+  const ShaderText& text;
+  const HardwareProfile& profile;
+  SourceFaults& faults;
+  SourceFaults& notes;
+  ShaderRegisters registers;
+  ShaderValues values{};
+  ShaderConstants constants{};
+};
+
+// Builds the portions of one instruction. Faults of a source that both portions read are reported once.
+class ShaderPortions {
+ public:
+  ShaderPortions(ShaderContext& context, const ShaderInstruction& instruction) : context_(context), one_(instruction) {}
+
+  // The portion of the instruction; one that it does not write is empty.
+  [[nodiscard]] Portion build(PortionName which);
+  // A source in a portion; without a value there is a fault.
+  [[nodiscard]] std::optional<ShaderFactor> factor(const ShaderOperand& from, PortionName which);
+  // Makes A·B (or C·D) of a portion. Without a second factor it is 1.
+  void multiply(Portion& portion, bool ab, std::optional<ShaderFactor> x, std::optional<ShaderFactor> y);
+
+ private:
+  void fill(Portion& portion, PortionName which);
+  void interpolate(Portion& portion, PortionName which);
+  void combine(Portion& portion, PortionName which);
+  void scale(PortionOutput& out);
+  void check_distinct(const PortionOutput& out);
+  [[nodiscard]] std::optional<ShaderFactor> source(std::size_t operand, PortionName which);
+  [[nodiscard]] std::optional<ComponentUsage> usage(const ShaderOperand& from, PortionName which);
+  [[nodiscard]] std::optional<CombinerInput> place(const ShaderOperand& from, ComponentUsage usage, PortionName which);
+  [[nodiscard]] Register written(std::size_t target, PortionName which) const;
+  void fault(std::size_t offset, const std::string& message, GlError gl_error = GlError::no_error);
+
+  ShaderContext& context_;
+  const ShaderInstruction& one_;
+  int doubled_ = 0, products_ = 0;
+  std::vector<std::size_t> reported_;  // places of faults
+};
+
+// The mapping of -x; empty: combiners have none. `reg` may be zero, of which 1 - x is 1.
+[[nodiscard]] std::optional<InputMapping> negated_mapping(InputMapping mapping, Register reg);
+// The components that a portion writes.
+[[nodiscard]] constexpr ComponentUsage shader_usage(PortionName which) {
+  return which == PortionName::rgb ? ComponentUsage::rgb : ComponentUsage::alpha;
+}
+// An empty portion: it reads zero and writes nothing.
+[[nodiscard]] Portion empty_portion(PortionName which);
+// The constant 1 in a portion.
+[[nodiscard]] CombinerInput shader_one(PortionName which);
+
+}  // namespace ninebit::detail

@@ -1,0 +1,43 @@
+// The general combiners of a pixel shader, one after the other.
+#pragma once
+
+#include <cstddef>
+
+#include "ninebit/combiner/state.h"
+#include "src/language/pixel_shader/shader_stage.h"
+
+namespace ninebit::detail {
+
+// Portions that read zero and write nothing.
+[[nodiscard]] GeneralCombiner empty_shader_stage();
+
+class ShaderStages {
+ public:
+  // `own_constants`: each stage has two constants of its own. `limit_reported`: too many stages are no fault any more.
+  ShaderStages(ShaderContext& context, CombinerState& state, bool own_constants, bool limit_reported)
+      : context_(context), state_(state), own_constants_(own_constants), too_many_(limit_reported) {}
+
+  // The instruction that the next stages belong to.
+  void belongs_to(std::size_t offset) { offset_ = offset; }
+  // Before the sources of a stage are placed.
+  void begin() {
+    if (own_constants_) context_.constants.clear();
+  }
+  // Adds a stage; alphas that would be lost are written by its alpha portion, or by a stage before.
+  void end(GeneralCombiner& stage);
+  // Writes spare0's alpha, if it is another register's blue: a mux reads it itself.
+  void settle_spare0_alpha();
+  [[nodiscard]] int count() const { return count_; }
+
+ private:
+  void write_alpha(GeneralCombiner& stage, Register to, Register from);
+  void add(GeneralCombiner& stage);
+
+  ShaderContext& context_;
+  CombinerState& state_;
+  bool own_constants_, too_many_;
+  int count_ = 0;
+  std::size_t offset_ = 0;
+};
+
+}  // namespace ninebit::detail
