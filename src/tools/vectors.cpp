@@ -1,13 +1,15 @@
 // `ninebit vectors`: writes a pack of programs, inputs and expected outputs for emulators.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
 
 #include "ninebit/image/staged_files.h"
+#include "ninebit/language/json.h"
 #include "ninebit/study/vectors.h"
 #include "src/tools/common/output_file.h"
 #include "src/tools/common/scene_flags.h"
-#include "src/tools/vectors/program_line.h"
+#include "src/tools/vectors/packed_text.h"
 #include "src/tools/vectors/runner_text.h"
 
 namespace ninebit::tools {
@@ -23,6 +25,18 @@ struct WrittenPack {
   VectorPack pack;
   std::vector<std::filesystem::path> files;
 };
+
+// The canonical JSON form on one line.
+std::string program_line(const CombinerState& state) {
+  const std::string text = print_json_program(state);
+  std::string line;
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t end = std::min(text.find('\n', begin), text.size());
+    line.append(text, begin, end - begin);
+    begin = std::min(text.find_first_not_of("\n ", end), text.size());
+  }
+  return line;
+}
 
 // Line N is program N of vectors.txt.
 Result<std::string> program_lines(const VectorPack& pack, ProgressLine& progress) {
@@ -51,7 +65,7 @@ Result<WrittenPack> write_pack(const VectorsFlags& flags) {
   const std::string text = print_vector_pack(*pack);
   if (ProgressLine::stopped()) return Diagnostic{.message = "interrupted", .fault = Fault::cancelled};
   if (Status written = write_staged(*files, "vectors.txt", text); !written) return written.error();
-  if (Status written = write_staged(*files, "programs.jsonl", *lines); !written) return written.error();
+  if (Status written = write_staged(*files, "programs.jsonl.gz", packed_text(*lines)); !written) return written.error();
   if (Status written = write_staged(*files, "runner.c", kRunnerText); !written) return written.error();
   if (Status committed = files->commit(); !committed) return committed.error();
   return WrittenPack{std::move(*pack), files->files()};
@@ -120,9 +134,9 @@ void add_vectors(CLI::App& app, int& exit_code) {
   CLI::App* verb = app.add_subcommand(
       "vectors", "Write a pack of programs, inputs and expected outputs that checks an emulator's combiners");
   verb->footer(
-      "The folder gets vectors.txt, the pack in lines that a few lines of C read; programs.jsonl, whose line N is\n"
-      "program N as JSON; and runner.c, a C99 file that calls the emulator's combiners and prints the first group that\n"
-      "fails. It writes results for `ninebit verify`, which names the rule that is broken.\n"
+      "The folder gets vectors.txt, the pack in lines that a few lines of C read; programs.jsonl.gz, whose line N\n"
+      "is program N as JSON; and runner.c, a C99 file that calls the emulator's combiners and prints the first group\n"
+      "that fails. It writes results for `ninebit verify`, which names the rule that is broken.\n"
       "The same flags write the same bytes.\n"
       "Examples:\n"
       "  ninebit vectors --profile nv2a -o pack\n"
