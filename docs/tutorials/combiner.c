@@ -13,7 +13,7 @@
 #define CLAMPS_NEGATIVE 1 /* whether mappings take a negative register as 0 */
 #endif
 #ifndef MUX_BY_MSB
-#define MUX_BY_MSB(control) ((control) >> 8 & 1) /* whether the mux looks at the most significant bit */
+#define MUX_BY_MSB(control) 1 /* whether the mux looks at the most significant bit, by the control word */
 #endif
 
 enum { CONST0 = 1, CONST1 = 2, SECONDARY = 5, TEX0 = 8, SPARE0 = 12, COLOR_SUM = 14, E_TIMES_F = 15 };
@@ -63,6 +63,7 @@ typedef struct {
 static void compute(uint32_t in, uint32_t out, uint32_t control, int first, int end, Outputs *to) {
   double wide[3][4];
   int c, k;
+  (void)control; /* a MUX_BY_MSB may not use it */
   for (c = first; c < end; ++c) {
     const int component = c == 3 ? 2 : c; /* an alpha portion reads blue without the alpha bit */
     wide[0][c] = input(in >> 24, component) * input(in >> 16, component);

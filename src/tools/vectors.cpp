@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 #include <memory>
 
 #include "ninebit/image/staged_files.h"
@@ -118,6 +119,11 @@ int run(const VectorsFlags& flags) {
                                fmt::format("{} is too few; expected at least {}, one for each group of profile {}",
                                            flags.settings.programs, least, flags.common.profile));
   }
+  if (flags.settings.programs > kMostVectorColors / flags.settings.fragments) {
+    throw CLI::ValidationError("--programs", fmt::format("{} of {} fragments are too many; expected at most {} fragments",
+                                                         flags.settings.programs, flags.settings.fragments,
+                                                         kMostVectorColors));
+  }
   const ThreadLimit limit(flags.common.threads);
   const auto written = write_pack(flags);
   if (!written) return report(written.error());
@@ -151,7 +157,9 @@ void add_vectors(CLI::App& app, int& exit_code) {
   verb->add_option("--fragments", flags->settings.fragments, "Number of fragments of each program")
       ->capture_default_str()
       ->check(CLI::Range(1, kMostVectorFragments));
-  verb->add_option("--seed", flags->settings.seed, "Seed of the random programs and inputs")->capture_default_str();
+  verb->add_option("--seed", flags->settings.seed, "Seed of the random programs and inputs")
+      ->capture_default_str()
+      ->check(CLI::Range(std::uint64_t{0}, std::numeric_limits<std::uint64_t>::max()));
   verb->callback([flags, &exit_code] { exit_code = run(*flags); });
 }
 

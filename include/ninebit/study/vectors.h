@@ -29,7 +29,8 @@ inline constexpr std::array kVectorRegisters{Register::fog,      Register::prima
                                              Register::spare0,   Register::spare1,   Register::texture0,
                                              Register::texture1, Register::texture2, Register::texture3};
 
-inline constexpr int kMostVectorPrograms = 1'000'000, kMostVectorFragments = 256;
+// Limits of a pack: programs, fragments of each, fragments of all together.
+inline constexpr int kMostVectorPrograms = 100'000, kMostVectorFragments = 256, kMostVectorColors = 1 << 23;
 
 struct VectorSettings {
   int programs = 10000;     // from least_vector_programs() to kMostVectorPrograms
@@ -123,7 +124,7 @@ struct VectorVerdict {
   std::size_t fragments = 0, differ = 0;
   std::vector<GroupCount> groups;       // by group
   std::vector<Place> first;             // that differ, in the pack's order: at most as many as were asked for
-  std::vector<VectorMistake> mistakes;  // that explain a differing fragment; first those with the most that agree
+  std::vector<VectorMistake> mistakes;  // that explain more fragments than they break; the best first
 };
 
 // Compares results with the pack and, if any differ, with every mistake. Fails with Fault::cancelled if `go_on` ends

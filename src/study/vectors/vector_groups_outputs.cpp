@@ -73,6 +73,30 @@ CombinerState negative_results(Maker& m) {
   return state;
 }
 
+// Stage 0 makes -1 - x, which is clamped to -1. Stage 1 shows -spare0 - c with a constant c, because -spare0 alone
+// would be clamped to 1.
+CombinerState results_below(Maker& m) {
+  CombinerState state = shows_spare0();
+  state.num_general_combiners = 2;
+  state.constant0 = grey(1 + m.random.below(254));
+  state.constant1 = grey(255);
+  set_inputs(state.general[0], rgb_of(m.source(), InputMapping::signed_negate), kPlusOne,
+             rgb_of(Register::constant1, InputMapping::signed_negate), kPlusOne);
+  set_inputs(state.general[1], rgb_of(Register::spare0, InputMapping::signed_negate), kPlusOne,
+             rgb_of(Register::constant0, InputMapping::signed_negate), kPlusOne);
+  return state;
+}
+
+// Halves of negative codes: stage 1 shows them negated.
+CombinerState negative_halves(Maker& m) {
+  CombinerState state = shows_spare0();
+  state.num_general_combiners = 2;
+  set_inputs(state.general[0], rgb_of(m.source(), InputMapping::signed_negate), kPlusOne);
+  set_scale(state.general[0], Scale::by_one_half);
+  state.general[1] = negating_stage();
+  return state;
+}
+
 CombinerState outputs(Maker& m) {
   constexpr std::array kTargets{Register::spare1, Register::primary, Register::secondary, Register::texture0,
                                 Register::texture1};
@@ -168,11 +192,14 @@ constexpr Group kOutputGroups[] = {
     {"difference", "7, 22", "AB - CD", 24, Inputs::bytes, difference},
     {"negative-results", "", "results in [-2, 0], negated by stage 1", 24, Inputs::bytes, negative_results,
      has_two_stages},
+    {"results-below-minus-1", "", "results in [-2, -1] are clamped to -1", 12, Inputs::bytes, results_below,
+     has_two_stages},
     {"outputs", "", "AB and CD go to other registers, with and without the third output", 20, Inputs::bytes, outputs},
     {"scale-by-two", "6", "times 2", 16, Inputs::bytes, scale_group<Scale::by_two, kNoBias>, has_two_stages},
     {"scale-by-four", "6", "times 4", 16, Inputs::bytes, scale_group<Scale::by_four, kNoBias>, has_two_stages},
     {"scale-by-one-half", "5", "divided by 2", 16, Inputs::bytes, scale_group<Scale::by_one_half, kNoBias>,
      has_two_stages},
+    {"negative-halves", "5", "negative codes divided by 2", 12, Inputs::bytes, negative_halves, has_two_stages},
     {"bias", "4", "minus 1/2", 16, Inputs::bytes, scale_group<Scale::none, kMinusHalf>, has_two_stages},
     {"bias-then-scale", "3, 4", "minus 1/2, then times 2", 16, Inputs::bytes, scale_group<Scale::by_two, kMinusHalf>,
      has_two_stages},

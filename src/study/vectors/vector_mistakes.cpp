@@ -1,5 +1,7 @@
 #include "src/study/vectors/vector_mistakes.h"
 
+#include <utility>
+
 #include "ninebit/combiner/portion_walk.h"
 #include "ninebit/study/combiner_fields.h"
 #include "src/study/vectors/mistaken_codes.h"
@@ -133,8 +135,12 @@ std::vector<Mistake> mistakes_of(const HardwareProfile& profile) {
   }
   const bool is_integer = profile.arithmetic.value == Arithmetic::integer;
   if (is_integer) {
-    found.push_back({"arithmetic = float32 (floats, nothing rounded between stages)", "5, 8", profile});
-    found.back().profile.arithmetic.value = Arithmetic::float32;
+    // Nothing is rounded between stages.
+    for (const auto& [name, arithmetic] : {std::pair("arithmetic = float32", Arithmetic::float32),
+                                           std::pair("arithmetic = exact", Arithmetic::exact)}) {
+      found.push_back({name, "5, 8", profile});
+      found.back().profile.arithmetic.value = arithmetic;
+    }
     for (const NamedSlip& one : kSlips) found.push_back({one.name, one.rules, profile, one.slip});
   }
   for (const Edit& one : kEdits) found.push_back({one.name, one.rules, profile, Slip::none, one.edit});

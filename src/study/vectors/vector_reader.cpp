@@ -21,8 +21,9 @@ class PackReader {
     if (Status status = read_header(); !status) return status.error();
     if (Status status = read_groups(); !status) return status.error();
     if (id_of(body) != pack_.id) {
-      return Lines("", file_()).fault("the pack was changed: its first line has the hash " + pack_.id +
-                                      ", the lines after it " + id_of(body) + "; make it again");
+      return Diagnostic{"the pack was changed: its first line has the hash " + pack_.id + ", the lines after it " +
+                            id_of(body) + "; make it again",
+                        file_(), 1};
     }
     if (Status status = check_programs(); !status) return status.error();
     return std::move(pack_);

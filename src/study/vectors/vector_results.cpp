@@ -49,17 +49,17 @@ void judge_mistakes(const VectorPack& pack, const VectorProgram& program, const 
   }
 }
 
-// The mistakes that explain something, those under which most fragments agree first.
-std::vector<VectorMistake> explaining(const std::vector<Mistake>& mistakes, const std::vector<ProgramVerdict>& judged) {
+// The mistakes under which more than `agree` fragments agree, most first.
+std::vector<VectorMistake> explaining(const std::vector<Mistake>& mistakes, const std::vector<ProgramVerdict>& judged,
+                                      std::size_t agree) {
   std::vector<VectorMistake> found;
   for (std::size_t m = 0; m < mistakes.size(); ++m) {
     VectorMistake one{mistakes[m].name, mistakes[m].rules};
     for (const ProgramVerdict& verdict : judged) {
-      if (verdict.agree.empty()) continue;
       one.explains += verdict.explains[m];
       one.agree += verdict.agree[m];
     }
-    if (one.explains > 0) found.push_back(std::move(one));
+    if (one.agree > agree) found.push_back(std::move(one));
   }
   std::stable_sort(found.begin(), found.end(), [](const VectorMistake& x, const VectorMistake& y) {
     return std::pair(x.agree, x.explains) > std::pair(y.agree, y.explains);
@@ -130,7 +130,7 @@ Result<VectorVerdict> judge_vectors(const VectorPack& pack, const VectorResults&
     judge_mistakes(pack, pack.programs[given[i].first], *given[i].second, mistakes, judged[i]);
   });
   if (!all) return Diagnostic{.message = "interrupted", .fault = Fault::cancelled};
-  verdict.mistakes = explaining(mistakes, judged);
+  verdict.mistakes = explaining(mistakes, judged, verdict.fragments - verdict.differ);
   return verdict;
 }
 

@@ -72,6 +72,9 @@ Result<VectorPack> make_vector_pack(const HardwareProfile& profile, const Vector
   if (settings.fragments < 1 || settings.fragments > kMostVectorFragments) {
     return Diagnostic{.message = "a program has 1 to " + std::to_string(kMostVectorFragments) + " fragments"};
   }
+  if (settings.programs > kMostVectorColors / settings.fragments) {
+    return Diagnostic{.message = "a pack has at most " + std::to_string(kMostVectorColors) + " fragments together"};
+  }
   VectorPack pack;
   pack.profile = profile;
   pack.chip = vectors::is_nv20(profile) ? ChipClass::nv20 : ChipClass::nv10;

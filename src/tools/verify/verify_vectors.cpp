@@ -116,15 +116,15 @@ std::string text_of(const JudgedResults& judged, const std::string& file) {
     if (is_first) text += fmt::format("    {}\n", with_rules(pack.groups[g].what, pack.groups[g].rules));
     is_first = false;
   }
-  if (verdict.mistakes.empty()) return text + "\nNo mistake that ninebit knows explains any of them.\n";
-  text += fmt::format("\n{:<62}{:>9}{:>12}\n", "with this mistake", "explains", "then agree");
+  if (verdict.mistakes.empty()) return text + "\nNo known mistake explains more fragments than it breaks.\n";
+  text += fmt::format("\n{:<62}{:>9}  {}\n", "with this mistake", "explains", "fragments that then agree");
   for (const VectorMistake& mistake : verdict.mistakes) {
-    text += fmt::format("  {:<60}{:>9}{:>12}\n", with_rules(mistake.name, mistake.rules), mistake.explains,
+    text += fmt::format("  {:<60}{:>9}{:>27}\n", with_rules(mistake.name, mistake.rules), mistake.explains,
                         mistake.agree);
   }
   const VectorMistake& best = verdict.mistakes.front();
-  if (best.agree < verdict.fragments) return text;
-  return text + fmt::format("\nOne mistake explains all of them: {}.\n", with_rules(best.name, best.rules));
+  if (best.agree < verdict.fragments) return text + "\nNo single mistake explains all of them.\n";
+  return text + fmt::format("\nOne mistake explains all of them: {}\n", with_rules(best.name, best.rules));
 }
 
 Json json_of(const JudgedResults& judged, const VectorResultsFlags& flags) {
