@@ -32,8 +32,11 @@ const std::map<std::string, std::vector<std::string>> kFolders{
     {"shadow",
      {"frame", "index_order", "index_cube", "depth_cube", "shadow_map", "shadow_volume", "reflective", "light_cookie",
       "ground_truth", ""}},
-    {"study", {"part", "report", "page", "proof", "vectors", "digits", "index_steps", "datapath", "shadows", "depth_packing"}},
-    {"tools", {"input", "common", "help", "eval", "draw", "trace", "verify", "render", "bench", "study", "prove", "vectors", ""}},
+    {"study",
+     {"part", "report", "page", "proof", "vectors", "digits", "index_steps", "datapath", "shadows", "depth_packing"}},
+    {"tools",
+     {"input", "common", "help", "eval", "draw", "trace", "verify", "render", "bench", "study", "prove", "vectors",
+      ""}},
 };
 
 // Outside libraries and the rooms that may include them. Besides these there is only the standard library, whose

@@ -260,9 +260,9 @@ TEST(Vectors, EveryMistakeIsNamed) {
       ASSERT_FALSE(verdict->mistakes.empty());
       EXPECT_EQ(verdict->mistakes.front().agree, verdict->fragments);
       EXPECT_EQ(verdict->mistakes.front().explains, verdict->differ);
-      const bool is_named = std::any_of(verdict->mistakes.begin(), verdict->mistakes.end(), [&](const VectorMistake& x) {
-        return x.name == mistakes[m].name && x.agree == verdict->fragments;
-      });
+      const bool is_named = std::any_of(
+          verdict->mistakes.begin(), verdict->mistakes.end(),
+          [&](const VectorMistake& x) { return x.name == mistakes[m].name && x.agree == verdict->fragments; });
       EXPECT_TRUE(is_named);
     }
     if (std::string(name) == "nv2a") {
@@ -274,7 +274,7 @@ TEST(Vectors, EveryMistakeIsNamed) {
 }
 
 TEST(Vectors, WrongResults) {
-  VectorPack pack = pack_of(profiles::nv2a, 60, 2);
+  VectorPack pack = pack_of(profiles::nv2a, 70, 2);
   (void)print_vector_pack(pack);
   const std::string title = "ninebit-results 1 " + pack.id + "\n";
   const auto fault = [&](const std::string& text) {
@@ -287,9 +287,9 @@ TEST(Vectors, WrongResults) {
             "r.txt:1: these are results of pack 0123456789abcdef, not of pack " + pack.id);
   EXPECT_EQ(fault(title), "r.txt:2: the results have no program");
   EXPECT_EQ(fault(title + "0 00000000 00000000\n"),
-            "r.txt:2: expected a program from 1 to 60 and 2 colours of 8 hexadecimal digits");
-  EXPECT_EQ(fault(title + "61 00000000 00000000\n"),
-            "r.txt:2: expected a program from 1 to 60 and 2 colours of 8 hexadecimal digits");
+            "r.txt:2: expected a program from 1 to 70 and 2 colours of 8 hexadecimal digits");
+  EXPECT_EQ(fault(title + "71 00000000 00000000\n"),
+            "r.txt:2: expected a program from 1 to 70 and 2 colours of 8 hexadecimal digits");
   EXPECT_EQ(fault(title + "1 00000000 0000000\n"), "r.txt:2: expected 2 colours of 8 hexadecimal digits");
   EXPECT_EQ(fault(title + "1 00000000\n"), "r.txt:2: expected 2 colours of 8 hexadecimal digits");
   EXPECT_EQ(fault(title + "1 00000000 00000000 00000000\n"),

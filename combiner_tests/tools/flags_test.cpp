@@ -20,9 +20,9 @@ const std::string kCompare = NINEBIT_SOURCE_DIR "/docs/programs/index_compare.gl
 
 // What a flag may be, of all those values.
 const std::map<std::string, std::set<std::string>> kRight{
-    {"--threads", {"0"}},          {"--floor", {"-1", "0"}}, {"--bias", {"0"}},        {"--biases", {"0"}},
-    {"--budget", {"0", "1e-320"}}, {"--most", {"0"}},        {"--patch-angle", {"0"}}, {"--timeout", {"0", "1e-320"}},
-    {"--seed", {"0"}},
+    {"--threads", {"0"}},     {"--floor", {"-1", "0"}},       {"--bias", {"0"}},
+    {"--biases", {"0"}},      {"--budget", {"0", "1e-320"}},  {"--most", {"0"}},
+    {"--patch-angle", {"0"}}, {"--timeout", {"0", "1e-320"}}, {"--seed", {"0"}},
 };
 
 struct Verb {

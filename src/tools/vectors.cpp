@@ -1,4 +1,6 @@
 // `ninebit vectors`: writes a pack of programs, inputs and expected outputs for emulators.
+#include "ninebit/study/vectors.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -7,7 +9,6 @@
 
 #include "ninebit/image/staged_files.h"
 #include "ninebit/language/json.h"
-#include "ninebit/study/vectors.h"
 #include "src/tools/common/output_file.h"
 #include "src/tools/common/scene_flags.h"
 #include "src/tools/vectors/packed_text.h"
@@ -44,9 +45,8 @@ Result<std::string> program_lines(const VectorPack& pack, ProgressLine& progress
   std::string text;
   for (std::size_t i = 0; i < pack.programs.size(); ++i) {
     constexpr std::size_t kLinesPerStep = 256;
-    const bool goes_on =
-        i % kLinesPerStep != 0 ||
-        progress.step("JSON", static_cast<double>(i) / static_cast<double>(pack.programs.size()));
+    const bool goes_on = i % kLinesPerStep != 0 ||
+                         progress.step("JSON", static_cast<double>(i) / static_cast<double>(pack.programs.size()));
     if (!goes_on) return Diagnostic{.message = "interrupted", .fault = Fault::cancelled};
     text += program_line(pack.programs[i].state) + '\n';
   }
@@ -54,10 +54,10 @@ Result<std::string> program_lines(const VectorPack& pack, ProgressLine& progress
 }
 
 Result<WrittenPack> write_pack(const VectorsFlags& flags) {
+  ProgressLine progress(flags.common.quiet || flags.common.json);
   // Before the work: a folder that cannot be written into is reported at once.
   auto files = StagedFiles::open(flags.folder);
   if (!files) return files.error();
-  ProgressLine progress(flags.common.quiet || flags.common.json);
   auto pack = make_vector_pack(profile_of(flags.common), flags.settings,
                                [&](double done) { return progress.step("programs", done); });
   if (!pack) return pack.error();
@@ -65,8 +65,10 @@ Result<WrittenPack> write_pack(const VectorsFlags& flags) {
   if (!lines) return lines.error();
   const std::string text = print_vector_pack(*pack);
   if (ProgressLine::stopped()) return Diagnostic{.message = "interrupted", .fault = Fault::cancelled};
+  const std::string packed = packed_text(*lines);
+  if (ProgressLine::stopped()) return Diagnostic{.message = "interrupted", .fault = Fault::cancelled};
   if (Status written = write_staged(*files, "vectors.txt", text); !written) return written.error();
-  if (Status written = write_staged(*files, "programs.jsonl.gz", packed_text(*lines)); !written) return written.error();
+  if (Status written = write_staged(*files, "programs.jsonl.gz", packed); !written) return written.error();
   if (Status written = write_staged(*files, "runner.c", kRunnerText); !written) return written.error();
   if (Status committed = files->commit(); !committed) return committed.error();
   return WrittenPack{std::move(*pack), files->files()};
@@ -120,9 +122,9 @@ int run(const VectorsFlags& flags) {
                                            flags.settings.programs, least, flags.common.profile));
   }
   if (flags.settings.programs > kMostVectorColors / flags.settings.fragments) {
-    throw CLI::ValidationError("--programs", fmt::format("{} of {} fragments are too many; expected at most {} fragments",
-                                                         flags.settings.programs, flags.settings.fragments,
-                                                         kMostVectorColors));
+    throw CLI::ValidationError("--programs",
+                               fmt::format("{} of {} fragments are too many; expected at most {} fragments",
+                                           flags.settings.programs, flags.settings.fragments, kMostVectorColors));
   }
   const ThreadLimit limit(flags.common.threads);
   const auto written = write_pack(flags);

@@ -206,8 +206,7 @@ int run(const VerifyFlags& flags) {
   }
   if (flags.table.empty()) throw CLI::RequiredError("a table, or --decide");
   if (!flags.vectors.empty() || begins_as_vector_results(flags.table)) {
-    return verify_vector_results(
-        {&flags.common, flags.profile_given, flags.table, flags.vectors, flags.most});
+    return verify_vector_results({&flags.common, flags.profile_given, flags.table, flags.vectors, flags.most});
   }
   const auto verdict = judge_table(flags);
   if (!verdict) return report(verdict.error());
@@ -225,7 +224,8 @@ void add_decide_flags(CLI::App& verb, VerifyFlags& flags, CLI::Option& table) {
                       "Decide fields of a profile by what the kit of `ninebit prove kit` showed on a card")
           ->type_name("FILE.csv")
           ->excludes(&table);
-  for (const char* flag : {"--profile", "--threads", "--program", "--from", "--chip", "--allow-outside", "--most", "--vectors"}) {
+  for (const char* flag :
+       {"--profile", "--threads", "--program", "--from", "--chip", "--allow-outside", "--most", "--vectors"}) {
     decide->excludes(verb.get_option(flag));
   }
   add_family_flag(verb, flags.decide.family);
@@ -248,7 +248,8 @@ void add_verify(CLI::App& app, int& exit_code) {
       "  out.r             expected output\n"
       "  stage0.spare0.r   expected register after general combiner 0\n"
       "It may also be a table measured on a chip (nv2a_blend.csv, nv2a_mux.csv), which is known by its header; rows\n"
-      "with match 0 are skipped. Or it is what the runner of a pack of `ninebit vectors` wrote: the report then names the\n"
+      "with match 0 are skipped. Or it is what the runner of a pack of `ninebit vectors` wrote: the report then names "
+      "the\n"
       "first group of programs that fails, and the mistake that explains it.\n"
       "An expected value of 62|63 accepts either; an empty field is not compared. The report lists where rows first\n"
       "differ, and which single rule of the profile would explain the differences if it had another value.\n"
@@ -279,7 +280,8 @@ void add_verify(CLI::App& app, int& exit_code) {
   verb->add_option("--most", flags->most, "Maximum number of differing rows to list")
       ->capture_default_str()
       ->check(CLI::Range(0, 1'000'000));
-  for (const char* flag : {"--program", "--from", "--chip", "--allow-outside"}) vectors->excludes(verb->get_option(flag));
+  for (const char* flag : {"--program", "--from", "--chip", "--allow-outside"})
+    vectors->excludes(verb->get_option(flag));
   add_decide_flags(*verb, *flags, *table);
   verb->callback([flags, verb, &exit_code] {
     flags->profile_given = verb->count("--profile") > 0;

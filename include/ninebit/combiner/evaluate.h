@@ -177,13 +177,12 @@ constexpr Rgba9 walk_final(const Rules& rules, const Program& program, const Reg
     const auto i = static_cast<std::size_t>(c);
     ef[i] = static_cast<s9>(rules.product(mapped(f.e, c, {}, {}), mapped(f.f, c, {}, {})));
     const auto part = [&](bool inverted, Register r) { return rules.sum_part(inverted, registers[r][i]); };
-    sum[i] =
-        static_cast<s9>(rules.sum(program.color_sum_clamp, part(program.color_sum_invert_spare0, Register::spare0),
-                                  part(program.color_sum_invert_secondary, Register::secondary)));
+    sum[i] = static_cast<s9>(rules.sum(program.color_sum_clamp, part(program.color_sum_invert_spare0, Register::spare0),
+                                       part(program.color_sum_invert_secondary, Register::secondary)));
   }
   for (int c = 0; c < 3; ++c) {
-    out[static_cast<std::size_t>(c)] = static_cast<s9>(rules.rgb(mapped(f.a, c, ef, sum), mapped(f.b, c, ef, sum),
-                                                                 mapped(f.c, c, ef, sum), mapped(f.d, c, ef, sum)));
+    out[static_cast<std::size_t>(c)] = static_cast<s9>(
+        rules.rgb(mapped(f.a, c, ef, sum), mapped(f.b, c, ef, sum), mapped(f.c, c, ef, sum), mapped(f.d, c, ef, sum)));
   }
   out[kAlpha] = static_cast<s9>(rules.alpha(mapped(f.g, kAlpha, ef, sum)));
   return out;

@@ -33,9 +33,9 @@ inline constexpr std::array kVectorRegisters{Register::fog,      Register::prima
 inline constexpr int kMostVectorPrograms = 100'000, kMostVectorFragments = 256, kMostVectorColors = 1 << 23;
 
 struct VectorSettings {
-  int programs = 10000;     // from least_vector_programs() to kMostVectorPrograms
-  int fragments = 16;       // of each program: 1 to kMostVectorFragments
-  std::uint64_t seed = 1;   // of the random inputs and programs
+  int programs = 10000;    // from least_vector_programs() to kMostVectorPrograms
+  int fragments = 16;      // of each program: 1 to kMostVectorFragments
+  std::uint64_t seed = 1;  // of the random inputs and programs
 };
 
 // Programs that test one thing.
@@ -56,7 +56,7 @@ struct VectorProgram {
 
 struct VectorPack {
   HardwareProfile profile;
-  ChipClass chip = ChipClass::nv20;     // whose words the programs are
+  ChipClass chip = ChipClass::nv20;  // whose words the programs are
   std::uint64_t seed = 0;
   std::size_t fragments = 0;            // of each program
   std::vector<std::string> word_names;  // "RC_IN_RGB[0]"

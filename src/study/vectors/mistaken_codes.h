@@ -28,9 +28,9 @@ class MistakenCodes {
       : d_(d), slip_(slip), stage_(stage), registers_(registers), right_(d, stage, registers) {}
 
   constexpr V input(const CombinerInput& in, int component) const {
-    if (slip_ != Slip::negative_inputs) return right_.input(in, component);
-    return map_unclamped(d_, in.mapping,
-                         reference::fetch(registers_, in.reg, component, stage_.constant0, stage_.constant1));
+    if (slip_ == Slip::half_exact) return twice(in, component);
+    return slip_ == Slip::negative_inputs ? map_unclamped(d_, in.mapping, fetched(in, component))
+                                          : right_.input(in, component);
   }
   constexpr V product(V x, V y) const {
     const V wide = right_.product(x, y);
@@ -61,6 +61,13 @@ class MistakenCodes {
         const V n = scaled(out, wide);
         return reference::clamp_output(d_, reference::negate_where_negative(n, nearest(reference::abs_of(n))));
       }
+      case Slip::half_exact: {
+        // Inputs are doubled, so that half a code is whole: wide values are four times what they are.
+        const V bias = out.bias == Bias::none ? 0 : 2 * d_.one * d_.one;
+        return reference::clamp_output(
+            d_, reference::narrow(d_.general_narrowing, reference::scale_output(out.scale, wide - bias), 8 * d_.one,
+                                  kMostCodes));
+      }
       case Slip::shifted: {
         const V bias = out.bias == Bias::none ? 0 : d_.half * (d_.one + 1);
         return reference::clamp_output(d_, floor_of(reference::scale_output(out.scale, wide - bias), 2 * (d_.one + 1)));
@@ -75,6 +82,22 @@ class MistakenCodes {
   // Wide values of unclamped registers, times the scale, stay below this many codes.
   static constexpr int kMostCodes = 400'000;
 
+  [[nodiscard]] constexpr V fetched(const CombinerInput& in, int component) const {
+    return reference::fetch(registers_, in.reg, component, stage_.constant0, stage_.constant1);
+  }
+  // Twice a mapped input with a half of one / 2: the expanding mappings, 2x - one, are twice the half-bias mappings.
+  [[nodiscard]] constexpr V twice(const CombinerInput& in, int component) const {
+    Datapath expanding = d_;
+    expanding.expand_offset = d_.one;
+    const V code = fetched(in, component);
+    if (in.mapping == InputMapping::half_bias_normal) {
+      return reference::map_input(expanding, InputMapping::expand_normal, code);
+    }
+    if (in.mapping == InputMapping::half_bias_negate) {
+      return reference::map_input(expanding, InputMapping::expand_negate, code);
+    }
+    return 2 * reference::map_input(d_, in.mapping, code);
+  }
   [[nodiscard]] constexpr V scaled(const PortionOutput& out, V wide) const {
     return reference::scale_output(out.scale,
                                    reference::narrow_before_scale(d_, reference::add_bias(d_, out.bias, wide)));

@@ -15,7 +15,9 @@ namespace ninebit::vectors {
 class VectorRandom {
  public:
   // Case `index` of a run with `seed`; it needs no earlier case.
-  VectorRandom(std::uint64_t seed, std::uint64_t index) : state_(seed) { state_ = next() ^ (index * 0xD1342543DE82EF95U); }
+  VectorRandom(std::uint64_t seed, std::uint64_t index) : state_(seed) {
+    state_ = next() ^ (index * 0xD1342543DE82EF95U);
+  }
 
   std::uint64_t next() {
     state_ += 0x9E3779B97F4A7C15U;
@@ -99,16 +101,13 @@ struct Group {
 // ---- Parts of programs ----------------------------------------------------------------------------------------------
 
 // An input of an RGB portion or of A to F: its components, or its alpha.
-[[nodiscard]] constexpr CombinerInput rgb_of(Register reg,
-                                             InputMapping mapping = InputMapping::unsigned_identity) {
+[[nodiscard]] constexpr CombinerInput rgb_of(Register reg, InputMapping mapping = InputMapping::unsigned_identity) {
   return {reg, mapping, ComponentUsage::rgb};
 }
-[[nodiscard]] constexpr CombinerInput alpha_of(Register reg,
-                                               InputMapping mapping = InputMapping::unsigned_identity) {
+[[nodiscard]] constexpr CombinerInput alpha_of(Register reg, InputMapping mapping = InputMapping::unsigned_identity) {
   return {reg, mapping, ComponentUsage::alpha};
 }
-[[nodiscard]] constexpr CombinerInput blue_of(Register reg,
-                                              InputMapping mapping = InputMapping::unsigned_identity) {
+[[nodiscard]] constexpr CombinerInput blue_of(Register reg, InputMapping mapping = InputMapping::unsigned_identity) {
   return {reg, mapping, ComponentUsage::blue};
 }
 // 1 and -1, from zero.

@@ -7,8 +7,8 @@ namespace ninebit::vectors {
 namespace {
 
 CombinerState final_reads(Maker& m) {
-  constexpr std::array kOthers{Register::zero, Register::fog, Register::spare1, Register::spare0, Register::constant0,
-                               Register::constant1};
+  constexpr std::array kOthers{Register::zero,   Register::fog,       Register::spare1,
+                               Register::spare0, Register::constant0, Register::constant1};
   CombinerState state;
   state.general[0] = idle_stage();
   const Register reg = m.of(2) == 0 ? m.source() : m.of(std::span<const Register>(kOthers));

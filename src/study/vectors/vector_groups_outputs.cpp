@@ -32,15 +32,19 @@ ColorF grey(int byte) {
   return {value, value, value, value};
 }
 
-// Both factors are constants at the edges; C and D are not used.
+// A constant at the edges times a register, in every pair of mappings; negated by stage 1 in half of the programs.
 CombinerState extremes(Maker& m) {
   constexpr std::array kEdges{0, 1, 127, 128, 254, 255};
   CombinerState state = shows_spare0();
-  state.constant0 = grey(m.of(std::span<const int>(kEdges)));
-  state.constant1 = grey(m.of(std::span<const int>(kEdges)));
   const InputMapping first = kInputMappings[static_cast<std::size_t>(m.of(8))];
   const InputMapping second = kInputMappings[static_cast<std::size_t>(m.of(8))];
-  set_inputs(state.general[0], rgb_of(Register::constant0, first), rgb_of(Register::constant1, second));
+  for (float& component : state.constant0) {
+    component = static_cast<float>(kEdges[static_cast<std::size_t>(m.random.below(6))]) / 255.0F;
+  }
+  set_inputs(state.general[0], rgb_of(Register::constant0, first), rgb_of(m.random_source(), second));
+  if (m.of(2) == 0) return state;
+  state.num_general_combiners = 2;
+  state.general[1] = negating_stage();
   return state;
 }
 
@@ -187,7 +191,8 @@ bool has_two_stages(const HardwareProfile& p) {
 constexpr Group kOutputGroups[] = {
     {"product", "8", "spare0 = AB of two registers", 24, Inputs::bytes, product},
     {"product-signed", "8", "AB of mappings that give a sign", 24, Inputs::bytes, signed_product},
-    {"product-extremes", "", "AB of constants 0, 1, 127, 128, 254, 255 in every mapping", 24, Inputs::bytes, extremes},
+    {"product-extremes", "", "AB of 0, 1, 127, 128, 254, 255 and a register, in every pair of mappings", 24,
+     Inputs::bytes, extremes, has_two_stages},
     {"sum", "7, 22", "AB + CD", 24, Inputs::bytes, sum},
     {"difference", "7, 22", "AB - CD", 24, Inputs::bytes, difference},
     {"negative-results", "", "results in [-2, 0], negated by stage 1", 24, Inputs::bytes, negative_results,

@@ -127,10 +127,9 @@ CombinerState number_of_stages(Maker& m) {
   state.num_general_combiners = stages;
   for (int i = 0; i < (stages < most ? stages + 1 : stages); ++i) {
     GeneralCombiner& stage = state.general[static_cast<std::size_t>(i)];
-    const CombinerInput in =
-        i == 0 ? rgb_of(m.random_source(), InputMapping::unsigned_invert)
-               : rgb_of(Register::spare0, m.random.one_in(2) ? InputMapping::unsigned_invert
-                                                             : InputMapping::unsigned_identity);
+    const CombinerInput in = i == 0 ? rgb_of(m.random_source(), InputMapping::unsigned_invert)
+                                    : rgb_of(Register::spare0, m.random.one_in(2) ? InputMapping::unsigned_invert
+                                                                                  : InputMapping::unsigned_identity);
     set_inputs(stage, in, m.random.one_in(3) ? in : kPlusOne);
   }
   return state;

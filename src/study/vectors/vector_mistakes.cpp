@@ -97,9 +97,13 @@ const Edit kEdits[] = {
     {"the colour sum never inverted", "13, 23",
      [](CombinerState& s) { s.color_sum_invert_spare0 = s.color_sum_invert_secondary = false; }},
     {"E times F is 0", "10",
-     [](CombinerState& s) { s.final_combiner.e = {Register::zero, InputMapping::unsigned_identity}; }},
+     [](CombinerState& s) {
+       s.final_combiner.e = {Register::zero, InputMapping::unsigned_identity};
+     }},
     {"D of the final combiner is not added", "9",
-     [](CombinerState& s) { s.final_combiner.d = {Register::zero, InputMapping::unsigned_identity}; }},
+     [](CombinerState& s) {
+       s.final_combiner.d = {Register::zero, InputMapping::unsigned_identity};
+     }},
 };
 
 struct NamedSlip {
@@ -118,6 +122,7 @@ const NamedSlip kSlips[] = {
     {"the alpha portion reads what the RGB portion wrote", "12", Slip::portions_in_turn},
     {"general combiners round down", "5, 8", Slip::rounded_down},
     {"general combiners round halves away from zero", "5", Slip::halves_from_zero},
+    {"half = 127.5", "4", Slip::half_exact},
     {"a shift by 8 instead of a division by 255", "9, 10", Slip::shifted},
     {"spare0's alpha starts as 0", "", Slip::spare0_alpha_zero},
 };
@@ -136,8 +141,8 @@ std::vector<Mistake> mistakes_of(const HardwareProfile& profile) {
   const bool is_integer = profile.arithmetic.value == Arithmetic::integer;
   if (is_integer) {
     // Nothing is rounded between stages.
-    for (const auto& [name, arithmetic] : {std::pair("arithmetic = float32", Arithmetic::float32),
-                                           std::pair("arithmetic = exact", Arithmetic::exact)}) {
+    for (const auto& [name, arithmetic] :
+         {std::pair("arithmetic = float32", Arithmetic::float32), std::pair("arithmetic = exact", Arithmetic::exact)}) {
       found.push_back({name, "5, 8", profile});
       found.back().profile.arithmetic.value = arithmetic;
     }

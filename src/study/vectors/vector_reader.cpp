@@ -23,14 +23,14 @@ class PackReader {
     if (id_of(body) != pack_.id) {
       return Diagnostic{"the pack was changed: its first line has the hash " + pack_.id + ", the lines after it " +
                             id_of(body) + "; make it again",
-                        file_(), 1};
+                        file(), 1};
     }
     if (Status status = check_programs(); !status) return status.error();
     return std::move(pack_);
   }
 
  private:
-  [[nodiscard]] std::string file_() const { return lines_.fault("").file; }
+  [[nodiscard]] std::string file() const { return lines_.fault("").file; }
   [[nodiscard]] Diagnostic expected(const std::string& what) const { return lines_.fault("expected " + what); }
 
   Status read_title() {
@@ -65,9 +65,8 @@ class PackReader {
     const HardwareProfile& profile = pack_.profile;
     pack_.chip = profile.per_stage_constants.value ? ChipClass::nv20 : ChipClass::nv10;
     pack_.word_names = word_names(pack_.chip);
-    for (const std::string& line :
-         {"profile " + std::string(profile.name), "one " + std::to_string(profile.one.value),
-          "chip " + std::string(name_of(pack_.chip))}) {
+    for (const std::string& line : {"profile " + std::string(profile.name), "one " + std::to_string(profile.one.value),
+                                    "chip " + std::string(name_of(pack_.chip))}) {
       if (Status status = read_line(line); !status) return status;
     }
     std::size_t most = kMostVectorPrograms, fragments = kMostVectorFragments, inputs = 0;
@@ -109,8 +108,9 @@ class PackReader {
       const std::string_view word = lines_.word();
       const std::size_t sign = std::min(word.find('='), word.size());
       const auto index = Lines::number_of<std::size_t>(word.substr(0, sign), 0, words.size() - 1);
-      const auto value =
-          sign == word.size() ? std::nullopt : Lines::number_of<std::uint32_t>(word.substr(sign + 1), 0, UINT32_MAX, 16);
+      const auto value = sign == word.size()
+                             ? std::nullopt
+                             : Lines::number_of<std::uint32_t>(word.substr(sign + 1), 0, UINT32_MAX, 16);
       if (!index || !value) return expected("words as INDEX=HEX, not '" + std::string(word.substr(0, 40)) + "'");
       words[*index] = *value;
     }
@@ -183,7 +183,7 @@ class PackReader {
     (void)in_blocks(checked.size(), {}, [&](std::size_t i) {
       VectorProgram& program = pack_.programs[i];
       const auto fault = [&](const std::string& message) {
-        checked[i] = Diagnostic{message, file_(), lines_of_programs_[i]};
+        checked[i] = Diagnostic{message, file(), lines_of_programs_[i]};
       };
       const auto state = state_of(pack_, program.words);
       if (!state) return fault(state.error().message);

@@ -40,8 +40,8 @@ void judge_mistakes(const VectorPack& pack, const VectorProgram& program, const 
     for (std::size_t i = 0; i < colors.size(); ++i) {
       const Bytes4 color =
           is_right ? program.expected[i]
-                   : vectors::bytes_of(pack.profile, vectors::run_mistaken(mistake, compiled,
-                                                                           pack.inputs[program.first_input + i]));
+                   : vectors::bytes_of(pack.profile,
+                                       vectors::run_mistaken(mistake, compiled, pack.inputs[program.first_input + i]));
       if (color != colors[i]) continue;
       ++verdict.agree[m];
       if (colors[i] != program.expected[i]) ++verdict.explains[m];
@@ -76,7 +76,8 @@ bool are_vector_results(std::string_view text) {
 Result<VectorResults> read_vector_results(std::string_view text, const std::string& file, const VectorPack& pack) {
   Lines lines(text, file);
   const bool has_title = lines.next() && are_vector_results(lines.words());
-  if (!has_title) return lines.fault("expected the first line of results, '" + std::string(vectors::kResultsTitle) + " HASH'");
+  if (!has_title)
+    return lines.fault("expected the first line of results, '" + std::string(vectors::kResultsTitle) + " HASH'");
   (void)lines.word();
   (void)lines.word();
   VectorResults results;
@@ -88,7 +89,8 @@ Result<VectorResults> read_vector_results(std::string_view text, const std::stri
   while (lines.next()) {
     if (lines.at_end()) continue;
     const auto number = lines.number<std::size_t>(1, pack.programs.size());
-    if (!number) return lines.fault("expected a program from 1 to " + std::to_string(pack.programs.size()) + " and " + colors);
+    if (!number)
+      return lines.fault("expected a program from 1 to " + std::to_string(pack.programs.size()) + " and " + colors);
     const auto [place, is_new] = results.programs.try_emplace(*number - 1);
     if (!is_new) {
       return lines.fault("program " + std::to_string(*number) + " is in line " + std::to_string(place->second.line) +

@@ -120,8 +120,7 @@ std::string header_text(const VectorPack& pack) {
 
 std::string program_text(const VectorPack& pack, std::size_t index, const std::vector<std::uint32_t>& base) {
   const VectorProgram& program = pack.programs[index];
-  std::string text =
-      fmt::format("p {} {}{}\no", index + 1, program.first_input, word_changes(program.words, base));
+  std::string text = fmt::format("p {} {}{}\no", index + 1, program.first_input, word_changes(program.words, base));
   for (const Bytes4& color : program.expected) text += ' ' + color_text(color);
   return text + '\n' + trace_lines(pack, program);
 }

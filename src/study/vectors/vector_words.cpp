@@ -18,8 +18,8 @@ std::vector<std::string> word_names(ChipClass chip) {
   put(Kind::color, 0);
   put(Kind::color, 1);
   for (int stage = 0; stage < words::stages_of(chip); ++stage) {
-    for (const Kind kind : {Kind::in_rgb, Kind::out_rgb, Kind::in_alpha, Kind::out_alpha, Kind::stage_color0,
-                            Kind::stage_color1}) {
+    for (const Kind kind :
+         {Kind::in_rgb, Kind::out_rgb, Kind::in_alpha, Kind::out_alpha, Kind::stage_color0, Kind::stage_color1}) {
       put(kind, stage);
     }
   }

@@ -42,9 +42,8 @@ Status make_program(const VectorPack& pack, const Group& group, std::uint64_t in
   for (std::uint64_t attempt = 0; attempt < kTries; ++attempt) {
     Maker maker(pack.profile, pack.seed, index + (attempt << 32U), number);
     program.state = group.make(maker);
-    const std::size_t first = group.inputs == vectors::Inputs::bytes || !vectors::is_nv20(pack.profile)
-                                  ? 0
-                                  : vectors::kByteInputs;
+    const std::size_t first =
+        group.inputs == vectors::Inputs::bytes || !vectors::is_nv20(pack.profile) ? 0 : vectors::kByteInputs;
     const auto places = static_cast<int>(vectors::kByteInputs - pack.fragments + 1);
     program.first_input = first + static_cast<std::size_t>(maker.random.below(places));
     program.expected = vectors::expected_colors(pack, program);

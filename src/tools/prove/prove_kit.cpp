@@ -27,7 +27,8 @@ Result<std::vector<std::filesystem::path>> write_kit(const ChipKit& kit, const s
   if (Status written = write_staged(*files, "kit.c", *source); !written) return written.error();
   if (Status written = write_staged(*files, "README.md", kit_page(kit)); !written) return written.error();
   for (std::size_t i = 0; i < kit.programs.size(); ++i) {
-    if (Status written = write_staged(*files, kit_name(i) + ".rc1", kit.programs[i].rc10); !written) return written.error();
+    if (Status written = write_staged(*files, kit_name(i) + ".rc1", kit.programs[i].rc10); !written)
+      return written.error();
   }
   if (Status committed = files->commit(); !committed) return committed.error();
   return files->files();

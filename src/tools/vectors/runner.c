@@ -131,7 +131,7 @@ static void print_report(unsigned fragment) {
   const int16_t *in = inputs[first_input + fragment];
   unsigned i, c;
   printf("first failing group: %s", group->name);
-  if (group->rules[0] != '-') printf(" (rules %s)", group->rules);
+  if (group->rules[0] != '-') printf(" (rule%s %s)", strchr(group->rules, ',') ? "s" : "", group->rules);
   printf(": %s\n  program %u, fragment %u\n", group->what, program, fragment + 1);
   for (i = 0; i < word_count; ++i) {
     if (words[i] != 0) printf("  %s = 0x%08lx\n", word_names[i], (unsigned long)words[i]);

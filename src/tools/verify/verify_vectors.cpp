@@ -53,14 +53,12 @@ Result<const HardwareProfile*> profile_named(const std::string& name, const std:
   }
   if (flags.profile_given) {
     if (common.profile == name) return &profile_of(common);
-    return Diagnostic{.message = fmt::format("the pack is of profile {}, not of {}", name, common.profile),
-                      .file = file,
-                      .line = 2};
+    return Diagnostic{
+        .message = fmt::format("the pack is of profile {}, not of {}", name, common.profile), .file = file, .line = 2};
   }
   if (const HardwareProfile* const shipped = find_profile(name)) return shipped;
-  return Diagnostic{.message = fmt::format("the pack is of profile {}; give its file with --profile", name),
-                    .file = file,
-                    .line = 2};
+  return Diagnostic{
+      .message = fmt::format("the pack is of profile {}; give its file with --profile", name), .file = file, .line = 2};
 }
 
 Result<JudgedResults> judge_results(const VectorResultsFlags& flags) {
@@ -119,8 +117,8 @@ std::string text_of(const JudgedResults& judged, const std::string& file) {
   if (verdict.mistakes.empty()) return text + "\nNo known mistake explains more fragments than it breaks.\n";
   text += fmt::format("\n{:<62}{:>9}  {}\n", "with this mistake", "explains", "fragments that then agree");
   for (const VectorMistake& mistake : verdict.mistakes) {
-    text += fmt::format("  {:<60}{:>9}{:>27}\n", with_rules(mistake.name, mistake.rules), mistake.explains,
-                        mistake.agree);
+    text +=
+        fmt::format("  {:<60}{:>9}{:>27}\n", with_rules(mistake.name, mistake.rules), mistake.explains, mistake.agree);
   }
   const VectorMistake& best = verdict.mistakes.front();
   if (best.agree < verdict.fragments) return text + "\nNo single mistake explains all of them.\n";
@@ -181,9 +179,9 @@ int verify_vector_results(const VectorResultsFlags& flags) {
   const ThreadLimit limit(flags.common->threads);
   const auto judged = judge_results(flags);
   if (!judged) return report(judged.error());
-  const int code = flags.common->json ? answer(json_of(*judged, flags))
-                                      : answer_exactly(text_of(*judged, flags.results == "-" ? "standard input"
-                                                                                             : flags.results));
+  const int code = flags.common->json
+                       ? answer(json_of(*judged, flags))
+                       : answer_exactly(text_of(*judged, flags.results == "-" ? "standard input" : flags.results));
   if (code != kDone) return code;
   return judged->verdict.differ == 0 ? kDone : kDifference;
 }
