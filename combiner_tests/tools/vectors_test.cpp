@@ -167,9 +167,11 @@ TEST_F(Vectors, TwoMistakesAreListed) {
   const std::string folder = pack();
   EXPECT_EQ(check(folder, "-DROUNDS=1 -DHALF=127").second, 1);
   const Json object = verdict(folder, 1);
-  ASSERT_GE(object["mistakes"].size(), 2U);
-  EXPECT_EQ(object["mistakes"][0]["mistake"], "half = 127");
-  EXPECT_EQ(object["mistakes"][1]["mistake"], "mux always by the threshold of spare0's alpha");
+  std::vector<std::string> names;
+  for (const Json& mistake : object["mistakes"]) names.push_back(mistake["mistake"]);
+  ASSERT_FALSE(names.empty());
+  EXPECT_EQ(names.front(), "half = 127");
+  EXPECT_NE(std::find(names.begin(), names.end(), "mux always by the threshold of spare0's alpha"), names.end());
   EXPECT_LT(object["mistakes"][0]["agree_then"], object["count"]);
   const Outcome outcome = ninebit({"verify", results_, "--vectors", folder, "--most", "0"});
   EXPECT_NE(outcome.out.find("\nNo single mistake explains all of them.\n"), std::string::npos) << outcome.out;
