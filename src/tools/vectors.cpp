@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <limits>
 #include <memory>
 
@@ -114,6 +115,16 @@ std::string text_of(const VectorPack& pack) {
   return text;
 }
 
+// What is wrong with a seed; empty: nothing. CLI11's own check takes a larger number as the largest.
+std::string wrong_seed(const std::string& text) {
+  std::uint64_t seed = 0;
+  const char* const end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, seed);
+  if (error == std::errc() && stop == end) return {};
+  return fmt::format("{} is not a valid seed; expected a whole number from 0 to {}", text,
+                     std::numeric_limits<std::uint64_t>::max());
+}
+
 int run(const VectorsFlags& flags) {
   const int least = least_vector_programs(profile_of(flags.common));
   if (flags.settings.programs < least) {
@@ -145,7 +156,7 @@ void add_vectors(CLI::App& app, int& exit_code) {
       "The folder gets vectors.txt, the pack in lines that a few lines of C read; programs.jsonl.gz, whose line N\n"
       "is program N as JSON; and runner.c, a C99 file that calls the emulator's combiners and prints the first group\n"
       "that fails. It writes results for `ninebit verify`, which names the rule that is broken.\n"
-      "The same flags write the same bytes.\n"
+      "The same flags write the same vectors.txt, on any number of threads.\n"
       "Examples:\n"
       "  ninebit vectors --profile nv2a -o pack\n"
       "  cc -std=c99 pack/runner.c emulator.c -o check && ./check pack/vectors.txt --results results.txt\n"
@@ -161,7 +172,7 @@ void add_vectors(CLI::App& app, int& exit_code) {
       ->check(CLI::Range(1, kMostVectorFragments));
   verb->add_option("--seed", flags->settings.seed, "Seed of the random programs and inputs")
       ->capture_default_str()
-      ->check(CLI::Range(std::uint64_t{0}, std::numeric_limits<std::uint64_t>::max()));
+      ->check(CLI::Validator(wrong_seed, ""));
   verb->callback([flags, &exit_code] { exit_code = run(*flags); });
 }
 
