@@ -19,7 +19,7 @@ set(ninebit_without_sanitizers
     EnginesAgreeWithTheLibrary EveryFormToEveryOther ValuesOfRender StudyRun StudyParts StepOneDropsTheShadow
     Cookie[.]FacesThatDoNotFit "DepthCube[.](AgreesWith|MoreBits|StopsBetween)" tools[.]Interrupt EvalStream
     TooManyPolygons OnEveryTarget TheBoundHoldsOnAllScenes
-    "tools[.](Study|Habits|Verbs|UsageError|Verify|Convert|TraceVerb|Cookie|ProfileFile|Prove|Kit|All/Pictures|All/RealScenes)"
+    "tools[.](Study|Habits|Verbs|UsageError|Verify|Convert|TraceVerb|Cookie|ProfileFile|Prove|Kit|Vectors|All/Pictures|All/RealScenes)"
       OtherPrograms IndexStepsStudy IndexRoom[.]Objects DepthCubeCombiners[.]BothPasses tools[.]Bench NoByteMayBeMissing
     WhileAReportIsWritten Limits[.]A LightInSolid JsonSchema Nv20Of EachFaceOfTheMapCasts RowRules TechniqueTable
     AlteredPart OtherKinds Flags[.]OfAll

@@ -3,9 +3,9 @@
 
 usage: run_commands.py [--here] PROGRAM PAGE ...
 
-In fenced blocks without a language, a line that begins with `ninebit `, `python3 `, `cp ` or `sed ` is a command,
-`cat > FILE <<END` is one with all lines to END, and so is a line that begins with `$ ninebit `; the lines below the
-latter are what it prints, on both streams. Commands run from top to bottom, a page's in the same folder: a new one with
+In fenced blocks without a language, a line that begins with `ninebit `, `python3 `, `cp `, `sed `, `cc ` or `./check `
+is a command, `cat > FILE <<END` is one with all lines to END, and so is a line that begins with `$ ninebit ` or
+`$ ./check `; the lines below the latter are what it prints, on both streams. Commands run from top to bottom, a page's in the same folder: a new one with
 copies of docs/, scenes/ and combiner_tests/hardware/, or with --here the current one. Output is compared word by word, so
 that a page may break lines; `…` stands for whatever a page leaves out. A command must exit with 0, or, where the page
 shows its output, with 1 after a found fault or 3 after `ninebit: error:`.
@@ -27,7 +27,8 @@ import time
 
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 REMARK = re.compile(r'<!-- (not run|run with): (.*?) -->$')
-COMMANDS = ('ninebit ', 'python3 ', 'cp ', 'sed ', 'cat > ')
+COMMANDS = ('ninebit ', 'python3 ', 'cp ', 'sed ', 'cat > ', 'cc ', './check ')
+SHOWN = ('$ ninebit ', '$ ./check ')
 LIMIT_S = 300
 
 
@@ -42,7 +43,7 @@ def read_block(lines, begin):
     commands, at = [], begin + 1
     while at < len(lines) and lines[at] != '```':
         text, number = lines[at], at + 1
-        shown = text.startswith('$ ninebit ')
+        shown = text.startswith(SHOWN)
         if shown or text.startswith(COMMANDS):
             while text.endswith('\\') or (text.startswith('cat > ') and not text.endswith('\nEND')):
                 at += 1

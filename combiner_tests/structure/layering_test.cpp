@@ -32,8 +32,11 @@ const std::map<std::string, std::vector<std::string>> kFolders{
     {"shadow",
      {"frame", "index_order", "index_cube", "depth_cube", "shadow_map", "shadow_volume", "reflective", "light_cookie",
       "ground_truth", ""}},
-    {"study", {"part", "report", "page", "proof", "digits", "index_steps", "datapath", "shadows", "depth_packing"}},
-    {"tools", {"input", "common", "help", "eval", "draw", "trace", "verify", "render", "bench", "study", "prove", ""}},
+    {"study",
+     {"part", "report", "page", "proof", "vectors", "digits", "index_steps", "datapath", "shadows", "depth_packing"}},
+    {"tools",
+     {"input", "common", "help", "eval", "draw", "trace", "verify", "render", "bench", "study", "prove", "vectors",
+      ""}},
 };
 
 // Outside libraries and the rooms that may include them. Besides these there is only the standard library, whose
@@ -53,6 +56,7 @@ const std::vector<Library> kLibraries{
     {std::regex("OpenImageIO/.*|png\\.h|Imf.*|OpenEXR/.*|Iex.*|half\\.h|Imath.*"), {"image"}},
     {std::regex("CLI/.*"), {"tools"}},
     {std::regex("cairo\\.h"), {"study"}},
+    {std::regex("zlib\\.h"), {"tools"}},
     {std::regex("openssl/.*"), {"system"}},
     {std::regex("pybind11/.*"), {"python"}},
     {std::regex("nlohmann/.*"), {"language", "scene", "study", "tools"}},

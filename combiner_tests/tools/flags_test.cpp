@@ -20,8 +20,9 @@ const std::string kCompare = NINEBIT_SOURCE_DIR "/docs/programs/index_compare.gl
 
 // What a flag may be, of all those values.
 const std::map<std::string, std::set<std::string>> kRight{
-    {"--threads", {"0"}},          {"--floor", {"-1", "0"}}, {"--bias", {"0"}},        {"--biases", {"0"}},
-    {"--budget", {"0", "1e-320"}}, {"--most", {"0"}},        {"--patch-angle", {"0"}}, {"--timeout", {"0", "1e-320"}},
+    {"--threads", {"0"}},     {"--floor", {"-1", "0"}},       {"--bias", {"0"}},
+    {"--biases", {"0"}},      {"--budget", {"0", "1e-320"}},  {"--most", {"0"}},
+    {"--patch-angle", {"0"}}, {"--timeout", {"0", "1e-320"}}, {"--seed", {"0"}},
 };
 
 struct Verb {
@@ -100,6 +101,7 @@ Words command(const Verb& verb, const Flag& flag, const std::string& folder) {
   if (name == "discriminate" && flag.name == "--profile") given["--field"] = "half";
   if (name == "discriminate" && flag.name != "--profile" && flag.name != "--field") files = {"geforce2", "nv2a"};
   if (name == "kit") given["-o"] = folder + "/out";
+  if (name == "vectors") given.insert({{"-o", folder + "/out"}, {"--programs", "100"}});
   if (name == "convert") given["--to"] = "json";
   if (name == "eval") given["--inputs"] = folder + "/in.csv";
   if (name == "verify") {

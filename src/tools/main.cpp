@@ -36,6 +36,7 @@ int run(int argc, char** argv) {
   add_study(app, exit_code);
   add_verify(app, exit_code);
   add_prove(app, exit_code);
+  add_vectors(app, exit_code);
   add_generate(app, exit_code);
   try {
     app.parse(argc, argv);

@@ -11,6 +11,7 @@
 #include "src/tools/verify/decide.h"
 #include "src/tools/verify/verify_rules.h"
 #include "src/tools/verify/verify_table.h"
+#include "src/tools/verify/verify_vectors.h"
 
 namespace ninebit::tools {
 namespace {
@@ -20,6 +21,8 @@ struct VerifyFlags {
   DecideFlags decide;
   std::string table;
   ProgramFlags program;
+  std::string vectors;         // the pack of a runner's results
+  bool profile_given = false;  // on the command line
   int most = 20;
   bool allow_outside = false;
 };
@@ -202,6 +205,9 @@ int run(const VerifyFlags& flags) {
     return decide_fields(decide);
   }
   if (flags.table.empty()) throw CLI::RequiredError("a table, or --decide");
+  if (!flags.vectors.empty() || begins_as_vector_results(flags.table)) {
+    return verify_vector_results({&flags.common, flags.profile_given, flags.table, flags.vectors, flags.most});
+  }
   const auto verdict = judge_table(flags);
   if (!verdict) return report(verdict.error());
   const bool agree = verdict->agree == verdict->rows;
@@ -218,7 +224,8 @@ void add_decide_flags(CLI::App& verb, VerifyFlags& flags, CLI::Option& table) {
                       "Decide fields of a profile by what the kit of `ninebit prove kit` showed on a card")
           ->type_name("FILE.csv")
           ->excludes(&table);
-  for (const char* flag : {"--profile", "--threads", "--program", "--from", "--chip", "--allow-outside", "--most"}) {
+  for (const char* flag :
+       {"--profile", "--threads", "--program", "--from", "--chip", "--allow-outside", "--most", "--vectors"}) {
     decide->excludes(verb.get_option(flag));
   }
   add_family_flag(verb, flags.decide.family);
@@ -241,13 +248,16 @@ void add_verify(CLI::App& app, int& exit_code) {
       "  out.r             expected output\n"
       "  stage0.spare0.r   expected register after general combiner 0\n"
       "It may also be a table measured on a chip (nv2a_blend.csv, nv2a_mux.csv), which is known by its header; rows\n"
-      "with match 0 are skipped.\n"
+      "with match 0 are skipped. Or it is what the runner of a pack of `ninebit vectors` wrote: the report then names "
+      "the\n"
+      "first group of programs that fails, and the mistake that explains it.\n"
       "An expected value of 62|63 accepts either; an empty field is not compared. The report lists where rows first\n"
       "differ, and which single rule of the profile would explain the differences if it had another value.\n"
       "Exit codes: 0 all rows agree, 1 some differ, 3 the table or a program cannot be read.\n"
       "Examples:\n"
       "  ninebit verify results.csv --profile nv2a\n"
       "  ninebit verify results.csv --program compare.gl --json\n"
+      "  ninebit verify results.txt --vectors pack\n"
       "  ninebit verify --decide results.csv --family geforce2 -o card.json");
   auto flags = std::make_shared<VerifyFlags>();
   add_common_flags(*verb, flags->common);
@@ -261,13 +271,22 @@ void add_verify(CLI::App& app, int& exit_code) {
       ->check(CLI::IsMember({"gl", "rc10", "ps", "words", "json"}));
   verb->add_option("--chip", flags->program.chip, "Chip whose register words are read (default: from the profile)")
       ->check(CLI::IsMember({"nv10", "nv20"}));
+  CLI::Option* vectors =
+      verb->add_option("--vectors", flags->vectors,
+                       "Pack whose results the table has (default: vectors.txt beside results of a pack)")
+          ->type_name("DIR|FILE");
   verb->add_flag("--allow-outside", flags->allow_outside,
                  "Also read programs that are not below the folder of the table");
   verb->add_option("--most", flags->most, "Maximum number of differing rows to list")
       ->capture_default_str()
       ->check(CLI::Range(0, 1'000'000));
+  for (const char* flag : {"--program", "--from", "--chip", "--allow-outside"})
+    vectors->excludes(verb->get_option(flag));
   add_decide_flags(*verb, *flags, *table);
-  verb->callback([flags, &exit_code] { exit_code = run(*flags); });
+  verb->callback([flags, verb, &exit_code] {
+    flags->profile_given = verb->count("--profile") > 0;
+    exit_code = run(*flags);
+  });
 }
 
 }  // namespace ninebit::tools

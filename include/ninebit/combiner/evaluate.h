@@ -146,7 +146,49 @@ class CodeDomain {
   RegisterFile& registers_;
 };
 
+// The rules of the final combiner on codes: what walk_final goes through.
+struct FinalCodes {
+  const Datapath& d;
+  constexpr V map(InputMapping mapping, V e) const { return map_input(d, mapping, e); }
+  constexpr V sum_part(bool inverted, V v) const { return color_sum_part(d, inverted, v); }
+  constexpr V sum(bool clamp, V spare0, V secondary) const { return color_sum(d, clamp, spare0, secondary); }
+  constexpr V product(V e, V f) const { return e_times_f(d, e, f); }
+  constexpr V rgb(V a, V b, V c, V added) const { return final_rgb(d, a, b, c, added); }
+  constexpr V alpha(V g) const { return final_alpha(d, g); }
+};
+
 }  // namespace reference
+
+namespace detail {
+
+// The walk through the final combiner, for rules with the members of reference::FinalCodes.
+template <class Rules>
+constexpr Rgba9 walk_final(const Rules& rules, const Program& program, const RegisterFile& registers) {
+  const FinalCombiner& f = program.final_combiner;
+  const auto mapped = [&](const CombinerInput& in, int channel, const Rgba9& ef, const Rgba9& sum) -> reference::V {
+    const Rgba9 value = in.reg == Register::e_times_f ? ef
+                        : in.reg == Register::spare0_plus_secondary
+                            ? sum
+                            : reference::fetch(registers, in.reg, program.constant0, program.constant1);
+    return rules.map(in.mapping, value[static_cast<std::size_t>(component_of(in.usage, channel))]);
+  };
+  Rgba9 ef{}, sum{}, out{};
+  for (int c = 0; c < 3; ++c) {
+    const auto i = static_cast<std::size_t>(c);
+    ef[i] = static_cast<s9>(rules.product(mapped(f.e, c, {}, {}), mapped(f.f, c, {}, {})));
+    const auto part = [&](bool inverted, Register r) { return rules.sum_part(inverted, registers[r][i]); };
+    sum[i] = static_cast<s9>(rules.sum(program.color_sum_clamp, part(program.color_sum_invert_spare0, Register::spare0),
+                                       part(program.color_sum_invert_secondary, Register::secondary)));
+  }
+  for (int c = 0; c < 3; ++c) {
+    out[static_cast<std::size_t>(c)] = static_cast<s9>(
+        rules.rgb(mapped(f.a, c, ef, sum), mapped(f.b, c, ef, sum), mapped(f.c, c, ef, sum), mapped(f.d, c, ef, sum)));
+  }
+  out[kAlpha] = static_cast<s9>(rules.alpha(mapped(f.g, kAlpha, ef, sum)));
+  return out;
+}
+
+}  // namespace detail
 
 // Runs the general combiners over one fragment's registers, in place. constexpr if the arithmetic is integer.
 constexpr void evaluate_general(const Program& program, RegisterFile& registers) {
@@ -167,33 +209,7 @@ constexpr void evaluate_general(const Program& program, RegisterFile& registers)
 // evaluate() and evaluate_fragment() round once, at the end.
 [[nodiscard]] constexpr Rgba9 evaluate_final(const Program& program, const RegisterFile& registers) {
   if (program.datapath.arithmetic != Arithmetic::integer) return detail::evaluate_real_final(program, registers);
-  const Datapath& d = program.datapath;
-  const FinalCombiner& f = program.final_combiner;
-  const auto mapped = [&](const CombinerInput& in, int channel, const Rgba9& ef, const Rgba9& sum) -> reference::V {
-    const Rgba9 value = in.reg == Register::e_times_f ? ef
-                        : in.reg == Register::spare0_plus_secondary
-                            ? sum
-                            : reference::fetch(registers, in.reg, program.constant0, program.constant1);
-    const int component = detail::component_of(in.usage, channel);
-    return reference::map_input(d, in.mapping, value[static_cast<std::size_t>(component)]);
-  };
-  Rgba9 ef{}, sum{}, out{};
-  for (int c = 0; c < 3; ++c) {
-    const auto i = static_cast<std::size_t>(c);
-    ef[i] = static_cast<s9>(reference::e_times_f(d, mapped(f.e, c, {}, {}), mapped(f.f, c, {}, {})));
-    const auto part = [&](bool inverted, Register r) {
-      return reference::color_sum_part(d, inverted, registers[r][i]);
-    };
-    sum[i] = static_cast<s9>(reference::color_sum(d, program.color_sum_clamp,
-                                                  part(program.color_sum_invert_spare0, Register::spare0),
-                                                  part(program.color_sum_invert_secondary, Register::secondary)));
-  }
-  for (int c = 0; c < 3; ++c) {
-    out[static_cast<std::size_t>(c)] = static_cast<s9>(reference::final_rgb(
-        d, mapped(f.a, c, ef, sum), mapped(f.b, c, ef, sum), mapped(f.c, c, ef, sum), mapped(f.d, c, ef, sum)));
-  }
-  out[kAlpha] = static_cast<s9>(reference::final_alpha(d, mapped(f.g, kAlpha, ef, sum)));
-  return out;
+  return detail::walk_final(reference::FinalCodes{program.datapath}, program, registers);
 }
 
 // Runs general combiners and final combiner over one fragment. Returns codes in [0, one]. constexpr if the arithmetic

@@ -14,7 +14,7 @@
 //
 // The domains:
 //
-//   codes                       evaluate.h, the reference; src/combiner/trace.cpp, with every step kept
+//   codes                       evaluate.h, the reference; src/combiner/trace.cpp; src/study/vectors/mistaken_codes.h
 //   exact fractions, floats     src/combiner/real_rules.h
 //   values with their ranges    src/combiner/batch_compiler.cpp, which makes vector operations of them
 //   text                        src/language/emit/emit_program.cpp

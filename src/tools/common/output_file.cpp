@@ -54,4 +54,11 @@ Status OutputFile::finish() {
   return staged_ ? staged_->commit() : Status();
 }
 
+Status write_staged(StagedFiles& files, const std::string& name, std::string_view text) {
+  auto file = OutputFile::open(files.stage(name).string());
+  if (!file) return file.error();
+  if (Status written = file->write(text); !written) return written;
+  return file->finish();
+}
+
 }  // namespace ninebit::tools

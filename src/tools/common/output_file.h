@@ -29,4 +29,7 @@ class OutputFile {
   std::optional<StagedFiles> staged_;
 };
 
+// Writes a text under the staged name of a file.
+[[nodiscard]] Status write_staged(StagedFiles& files, const std::string& name, std::string_view text);
+
 }  // namespace ninebit::tools

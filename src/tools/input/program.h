@@ -127,6 +127,7 @@ void add_bench(CLI::App& app, int& exit_code);
 void add_study(CLI::App& app, int& exit_code);
 void add_verify(CLI::App& app, int& exit_code);
 void add_prove(CLI::App& app, int& exit_code);
+void add_vectors(CLI::App& app, int& exit_code);
 void add_generate(CLI::App& app, int& exit_code);  // hidden from the help
 
 }  // namespace ninebit::tools

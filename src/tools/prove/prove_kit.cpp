@@ -19,23 +19,16 @@ struct KitFlags {
   std::string family = "geforce2", folder;
 };
 
-// Writes a text under the staged name of a file.
-Status write(StagedFiles& files, const std::string& name, const std::string& text) {
-  auto file = OutputFile::open(files.stage(name).string());
-  if (!file) return file.error();
-  if (Status written = file->write(text); !written) return written;
-  return file->finish();
-}
-
 Result<std::vector<std::filesystem::path>> write_kit(const ChipKit& kit, const std::string& folder) {
   const auto source = kit_source(kit);
   if (!source) return source.error();
   auto files = StagedFiles::open(folder);
   if (!files) return files.error();
-  if (Status written = write(*files, "kit.c", *source); !written) return written.error();
-  if (Status written = write(*files, "README.md", kit_page(kit)); !written) return written.error();
+  if (Status written = write_staged(*files, "kit.c", *source); !written) return written.error();
+  if (Status written = write_staged(*files, "README.md", kit_page(kit)); !written) return written.error();
   for (std::size_t i = 0; i < kit.programs.size(); ++i) {
-    if (Status written = write(*files, kit_name(i) + ".rc1", kit.programs[i].rc10); !written) return written.error();
+    if (Status written = write_staged(*files, kit_name(i) + ".rc1", kit.programs[i].rc10); !written)
+      return written.error();
   }
   if (Status committed = files->commit(); !committed) return committed.error();
   return files->files();

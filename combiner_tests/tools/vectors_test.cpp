@@ -1,0 +1,283 @@
+// `ninebit vectors`, its runner with right and broken emulators, and `ninebit verify` of what the runner wrote.
+#include "ninebit/study/vectors.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <csignal>
+#include <cstdio>
+#include <sstream>
+#include <thread>
+
+#include "combiner_tests/tools/support.h"
+#include "ninebit/combiner/program.h"
+#include "ninebit/language/json.h"
+
+namespace tools_test {
+namespace {
+
+using Words = std::vector<std::string>;
+const std::string kEmulator = NINEBIT_SOURCE_DIR "/docs/tutorials/combiner.c";
+const std::string kReader = NINEBIT_SOURCE_DIR "/docs/tutorials/read_vectors.c";
+const std::string kMux = "'-DMUX_BY_MSB(c)=((c)>>8&1)' ", kRight = kMux + "-DROUNDS=1 -DHALF=128";
+
+// Runs a shell command; both its streams, and its exit status.
+std::pair<std::string, int> in_shell(const std::string& command) {
+  std::FILE* const out = popen((command + " 2>&1").c_str(), "r");
+  if (out == nullptr) return {"popen failed", -1};
+  std::string text;
+  for (int byte = std::fgetc(out); byte != EOF; byte = std::fgetc(out)) text += static_cast<char>(byte);
+  return {text, WEXITSTATUS(pclose(out))};
+}
+
+class Vectors : public testing::Test {
+ protected:
+  std::string pack(const Words& more = {}) {
+    const std::string folder = folder_ / "pack";
+    Words words{"vectors", "-o", folder, "--profile", "nv2a", "--quiet", "--programs", "1200", "--fragments", "6"};
+    words.insert(words.end(), more.begin(), more.end());
+    const Outcome outcome = ninebit(words);
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    return folder;
+  }
+
+  // What the runner prints with the emulator that is compiled with these flags.
+  std::pair<std::string, int> check(const std::string& pack, const std::string& flags) {
+    const std::string program = folder_ / "check";
+    const auto [messages, status] = in_shell("cc -std=c99 -O1 -pedantic -Wall -Wextra -Werror " + flags + " '" + pack +
+                                             "/runner.c' '" + kEmulator + "' -o '" + program + "'");
+    EXPECT_EQ(status, 0) << messages;
+    return in_shell("'" + program + "' '" + pack + "/vectors.txt' --results '" + results_ + "'");
+  }
+
+  Json verdict(const std::string& pack, int code) {
+    const Outcome outcome = ninebit({"verify", results_, "--vectors", pack, "--json"});
+    EXPECT_EQ(outcome.code, code) << outcome.err;
+    return Json::parse(outcome.out, nullptr, false);
+  }
+
+  TempFolder folder_;
+  std::string results_ = folder_ / "results.txt";
+};
+
+TEST_F(Vectors, TheDefaultPackIsSmallAndItsFilesAreNamed) {
+  const std::string folder = folder_ / "pack";
+  const Outcome outcome = ninebit({"vectors", "-o", folder, "--profile", "nv2a"});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_TRUE(outcome.out.starts_with("pack ")) << outcome.out;
+  EXPECT_NE(outcome.out.find(": 10000 programs, 16 fragments each, seed 1\n"), std::string::npos) << outcome.out;
+  std::size_t bytes = 0;
+  const Files files = files_in(folder);
+  for (const auto& [name, content] : files) {
+    bytes += content.size();
+    EXPECT_NE(outcome.err.find("wrote " + folder + "/" + name + "\n"), std::string::npos) << outcome.err;
+  }
+  EXPECT_EQ(files.size(), 3U);
+  EXPECT_LE(bytes, 6'000'000U);
+}
+
+TEST_F(Vectors, AnswersAndIsTheSameOnAnyNumberOfThreads) {
+  const std::string folder = folder_ / "a";
+  const Json object =
+      json_of(ninebit({"vectors", "-o", folder, "--programs", "200", "--fragments", "3", "--seed", "9", "--json"}));
+  EXPECT_EQ(keys_of(object),
+            (Words{"command", "version", "profile", "chip", "seed", "programs", "fragments", "id", "rows", "files"}));
+  EXPECT_EQ(object["profile"], "geforce2");
+  EXPECT_EQ(object["chip"], "nv10");
+  EXPECT_EQ(keys_of(object["rows"][0]), (Words{"group", "rules", "what", "programs"}));
+  std::size_t programs = 0;
+  for (const Json& row : object["rows"]) programs += row["programs"].get<std::size_t>();
+  EXPECT_EQ(programs, 200U);
+  const std::string other = folder_ / "b";
+  (void)json_of(ninebit(
+      {"vectors", "-o", other, "--programs", "200", "--fragments", "3", "--seed", "9", "--json", "--threads", "1"}));
+  EXPECT_EQ(files_in(folder), files_in(other));
+}
+
+TEST_F(Vectors, TheJsonOfAProgramIsThatOfItsWords) {
+  const std::string folder = pack();
+  const auto read = ninebit::read_vector_pack(read_bytes(folder + "/vectors.txt"), "v.txt", ninebit::profiles::nv2a);
+  ASSERT_TRUE(read.ok()) << read.error().text();
+  std::istringstream lines(in_shell("gzip -dc '" + folder + "/programs.jsonl.gz'").first);
+  std::size_t program = 0;
+  for (std::string line; std::getline(lines, line); ++program) {
+    const auto parsed = ninebit::parse_json_program({line, "p"}, ninebit::profiles::nv2a);
+    ASSERT_TRUE(parsed) << parsed.faults.front().text();
+    ASSERT_LT(program, read->programs.size());
+    EXPECT_EQ(ninebit::normalize(*parsed.value, ninebit::profiles::nv2a),
+              ninebit::normalize(read->programs[program].state, ninebit::profiles::nv2a))
+        << line;
+  }
+  EXPECT_EQ(program, read->programs.size());
+}
+
+TEST_F(Vectors, ARightEmulatorPasses) {
+  const std::string folder = pack();
+  const auto [text, status] = check(folder, kRight);
+  EXPECT_EQ(status, 0);
+  EXPECT_EQ(text, "profile nv2a: 7200 fragments, 0 differ; 61 of 61 groups pass\n");
+  const Json object = verdict(folder, 0);
+  EXPECT_EQ(object["count"], 7200);
+  EXPECT_EQ(object["agree"], 7200);
+  EXPECT_TRUE(object["mistakes"].empty());
+  const Outcome outcome = ninebit({"verify", results_, "--vectors", folder + "/vectors.txt", "--profile", "nv2a"});
+  EXPECT_EQ(outcome.out, "7200 fragments of 1200 programs: 7200 agree, 0 differ\n");
+}
+
+struct Broken {
+  std::string flags;
+  const char *group, *mistake;
+};
+
+// Three emulators that are wrong in one thing each, and others.
+TEST_F(Vectors, BrokenEmulatorsAreNamed) {
+  const std::string folder = pack();
+  const Broken cases[] = {
+      {kMux + "-DROUNDS=0 -DHALF=127.5", "mapping-half-bias-normal (rule 4)", "arithmetic = exact"},
+      {kRight + " -DCLAMPS_NEGATIVE=0", "negative-texels (rules 2,15)", "negative inputs are not clamped to 0"},
+      {"-DROUNDS=1 -DHALF=128 '-DMUX_BY_MSB(c)=!((c)>>8&1)'", "mux-threshold (rules 11,22)",
+       "mux by the other bit of spare0's alpha"},
+      {"-DROUNDS=1 -DHALF=128 '-DMUX_BY_MSB(c)=1'", "mux-lowest-bit (rule 11)",
+       "mux always by the threshold of spare0's alpha"},
+      {kMux + "-DROUNDS=1 -DHALF=127", "mapping-half-bias-normal (rule 4)", "half = 127"},
+  };
+  for (const Broken& broken : cases) {
+    SCOPED_TRACE(broken.flags);
+    const auto [text, status] = check(folder, broken.flags);
+    EXPECT_EQ(status, 1);
+    EXPECT_TRUE(text.starts_with("first failing group: " + std::string(broken.group) + ": ")) << text;
+    for (const char* part : {"\n  program ", "\n  RC_ENABLE = 0x", "\n  tex0 ", "\n  after stage 0: spare0.r ",
+                             "\n  expected ", "\n  got ", "\ngroups that differ:\n"}) {
+      EXPECT_NE(text.find(part), std::string::npos) << part << text;
+    }
+    const Json object = verdict(folder, 1);
+    ASSERT_FALSE(object["mistakes"].empty());
+    EXPECT_EQ(object["mistakes"][0]["mistake"], broken.mistake) << object["mistakes"].dump();
+    EXPECT_EQ(object["mistakes"][0]["agree_then"], object["count"]) << object["mistakes"].dump();
+    EXPECT_EQ(object["mistakes"][0]["explains"], object["differ"]);
+    const Outcome outcome = ninebit({"verify", results_, "--vectors", folder, "--most", "2"});
+    EXPECT_EQ(outcome.code, 1);
+    EXPECT_NE(outcome.out.find("\nOne mistake explains all of them: " + std::string(broken.mistake)), std::string::npos)
+        << outcome.out;
+  }
+}
+
+// Two mistakes at once: neither explains all, and both are listed.
+TEST_F(Vectors, TwoMistakesAreListed) {
+  const std::string folder = pack();
+  EXPECT_EQ(check(folder, "-DROUNDS=1 -DHALF=127").second, 1);
+  const Json object = verdict(folder, 1);
+  std::vector<std::string> names;
+  for (const Json& mistake : object["mistakes"]) names.push_back(mistake["mistake"]);
+  ASSERT_FALSE(names.empty());
+  EXPECT_EQ(names.front(), "half = 127");
+  EXPECT_NE(std::find(names.begin(), names.end(), "mux always by the threshold of spare0's alpha"), names.end());
+  EXPECT_LT(object["mistakes"][0]["agree_then"], object["count"]);
+  const Outcome outcome = ninebit({"verify", results_, "--vectors", folder, "--most", "0"});
+  EXPECT_NE(outcome.out.find("\nNo single mistake explains all of them.\n"), std::string::npos) << outcome.out;
+}
+
+// With combine_stage the runner names the emulator's first wrong register.
+TEST_F(Vectors, StagesAreCompared) {
+  const auto [text, status] = check(pack(), kMux + "-DCOMBINE_STAGE -DROUNDS=1 -DHALF=127");
+  EXPECT_EQ(status, 1);
+  const std::size_t stage = text.find("\n  after stage 0: ");
+  ASSERT_NE(stage, std::string::npos) << text;
+  EXPECT_NE(text.substr(stage, text.find('\n', stage + 1) - stage).find(" (yours is "), std::string::npos) << text;
+}
+
+TEST_F(Vectors, ThirtyLinesOfCReadAPack) {
+  const std::string folder = pack(), program = folder_ / "read", source = read_bytes(kReader);
+  EXPECT_LE(std::count(source.begin(), source.end(), '\n'), 30);
+  for (const std::string& flags : {kRight, kMux + "-DROUNDS=1 -DHALF=127"}) {
+    const auto [messages, compiled] = in_shell("cc -std=c99 -pedantic -Wall -Wextra -Werror " + flags + " '" + kReader +
+                                               "' '" + kEmulator + "' -o '" + program + "'");
+    ASSERT_EQ(compiled, 0) << messages;
+    const auto [text, status] = in_shell("cd '" + folder + "' && '" + program + "'");
+    const bool is_right = flags == kRight;
+    EXPECT_EQ(status, is_right ? 0 : 1) << text;
+    EXPECT_TRUE(!is_right || text == "0 of 7200 fragments are wrong\n") << text;
+  }
+}
+
+TEST_F(Vectors, TheRunnerReportsWhatItCannotRead) {
+  const std::string folder = pack();
+  (void)check(folder, kRight);
+  const std::string text = read_bytes(folder + "/vectors.txt"), program = "'" + (folder_ / "check") + "'";
+  const auto run = [&](const std::string& pack) {
+    write_bytes(folder_ / "v.txt", pack);
+    return in_shell(program + " '" + (folder_ / "v.txt") + "'");
+  };
+  using Answer = std::pair<std::string, int>;
+  EXPECT_EQ(run("hello\n"), Answer("runner: cannot read a pack from " + (folder_ / "v.txt") + "\n", 2));
+  EXPECT_EQ(in_shell(program).second, 2);
+  const Answer cut = run(text.substr(0, text.rfind("\np ") + 1));
+  EXPECT_EQ(cut.second, 2);
+  EXPECT_NE(cut.first.find("the pack is cut off: 'end' is missing"), std::string::npos) << cut.first;
+  std::string wrong = text;
+  wrong.replace(wrong.find("\nbase "), 6, "\nbase x");
+  const Answer words = run(wrong);
+  EXPECT_EQ(words.second, 2);
+  EXPECT_NE(words.first.find(": wrong words\n"), std::string::npos) << words.first;
+}
+
+TEST_F(Vectors, ResultsThatCannotBeJudged) {
+  const std::string folder = pack();
+  (void)check(folder, kRight);
+  const std::string text = read_bytes(results_);
+  expect_error(ninebit({"verify", results_}), 3, {"vectors.txt", "No such file"});
+  expect_error(ninebit({"verify", results_, "--vectors", results_}), 3, {"results.txt:1", "expected a pack"});
+  expect_error(ninebit({"verify", results_, "--vectors", folder, "--profile", "geforce2"}), 3,
+               {"vectors.txt:2", "the pack is of profile nv2a, not of geforce2"});
+  expect_error(ninebit({"verify", results_, "--vectors", folder, "--program", "x.gl"}), 2, {"--vectors", "--program"});
+  write_bytes(results_, text.substr(0, text.size() - 4));
+  expect_error(ninebit({"verify", results_, "--vectors", folder}), 3,
+               {"results.txt:1201", "expected 6 colours of 8 hexadecimal digits"});
+  write_bytes(folder + "/results.txt", text);
+  EXPECT_EQ(ninebit({"verify", folder + "/results.txt"}).code, 0) << "the pack is beside it";
+  EXPECT_EQ(ninebit({"verify", "-", "--vectors", folder}, {.in = folder + "/results.txt"}).code, 0);
+}
+
+// A profile of one's own has packs, too; verify needs its file.
+TEST_F(Vectors, OfAProfileOfOnesOwn) {
+  const std::string own = write_bytes(folder_ / "own.json", R"({"base": "nv2a", "name": "mine", "half": 127})");
+  const std::string folder = folder_ / "own";
+  ASSERT_EQ(ninebit({"vectors", "-o", folder, "--profile", own, "--programs", "300", "--fragments", "4"}).code, 0);
+  EXPECT_EQ(check(folder, kMux + "-DROUNDS=1 -DHALF=127").second, 0);
+  expect_error(ninebit({"verify", results_, "--vectors", folder}), 3, {"profile mine", "give its file with --profile"});
+  EXPECT_EQ(ninebit({"verify", results_, "--vectors", folder, "--profile", own}).code, 0);
+}
+
+TEST_F(Vectors, OtherFilesOfTheFolderStay) {
+  std::filesystem::create_directories(folder_ / "pack");
+  write_bytes(folder_ / "pack/notes.txt", "mine");
+  const std::string first = read_bytes(pack() + "/vectors.txt");
+  const std::string again = read_bytes(pack({"--seed", "2"}) + "/vectors.txt");
+  EXPECT_NE(first, again);
+  EXPECT_EQ(read_bytes(folder_ / "pack/notes.txt"), "mine");
+  EXPECT_EQ(files_in(folder_ / "pack").size(), 4U);
+}
+
+TEST_F(Vectors, AnInterruptLeavesNothing) {
+  const std::string folder = folder_ / "pack";
+  Child child({"vectors", "-o", folder, "--programs", "100000", "--fragments", "80", "--threads", "1"});
+  while (!std::filesystem::exists(folder) && !child.ended()) std::this_thread::yield();
+  child.send(SIGINT);
+  const Outcome outcome = child.wait();
+  EXPECT_EQ(outcome.code, 130) << outcome.err;
+  EXPECT_FALSE(std::filesystem::exists(folder));
+}
+
+TEST_F(Vectors, WrongUsage) {
+  expect_error(ninebit({"vectors"}), 2, {"--output"});
+  expect_error(ninebit({"vectors", "-o", folder_ / "x", "--programs", "3"}), 2,
+               {"--programs", "3 is too few", "expected at least"});
+  expect_error(ninebit({"vectors", "-o", folder_ / "x", "--programs", "100000", "--fragments", "256"}), 2,
+               {"--programs", "too many", "expected at most 8388608 fragments"});
+  write_bytes(folder_ / "file", "");
+  expect_error(ninebit({"vectors", "-o", folder_ / "file/x", "--programs", "100"}), 4, {"file/x"});
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "x"));
+}
+
+}  // namespace
+}  // namespace tools_test

@@ -1,0 +1,152 @@
+// The arithmetic of the combiners with one rule broken. All other rules are those of combiner/arithmetic.inl.
+#pragma once
+
+#include "ninebit/combiner/evaluate.h"
+#include "src/study/vectors/vector_mistakes.h"
+
+namespace ninebit::vectors {
+
+using reference::V;
+
+// A mapping that does not clamp negative codes: the line through what it gives for 0 and for 1.
+constexpr V map_unclamped(const Datapath& d, InputMapping mapping, V e) {
+  const V at_0 = reference::map_input(d, mapping, 0);
+  return e >= 0 ? reference::map_input(d, mapping, e) : at_0 + (reference::map_input(d, mapping, 1) - at_0) * e;
+}
+
+// Registers that are not clamped hold what fits 12 bits, so that their products fit 32.
+inline constexpr V kMostUnclamped = 2047;
+
+// The value domain (portion_walk.h) of a mistake.
+class MistakenCodes {
+ public:
+  using Input = V;
+  using Wide = V;
+  using Output = V;
+
+  constexpr MistakenCodes(const Datapath& d, Slip slip, const ProgramStage& stage, RegisterFile& registers)
+      : d_(d), slip_(slip), stage_(stage), registers_(registers), right_(d, stage, registers) {}
+
+  constexpr V input(const CombinerInput& in, int component) const {
+    if (slip_ == Slip::half_exact) return twice(in, component);
+    return slip_ == Slip::negative_inputs ? map_unclamped(d_, in.mapping, fetched(in, component))
+                                          : right_.input(in, component);
+  }
+  constexpr V product(V x, V y) const {
+    const V wide = right_.product(x, y);
+    if (slip_ != Slip::products_narrowed) return wide;
+    return reference::narrow(d_.general_narrowing, wide, d_.one, 2 * d_.one) * d_.one;
+  }
+  constexpr V sum(V x, V y) const {
+    const V wide = right_.sum(x, y);
+    return slip_ == Slip::sums_clamped ? reference::clamp_to(wide, -d_.one * d_.one, d_.one * d_.one) : wide;
+  }
+  constexpr V mux(V ab, V cd) const { return slip_ == Slip::mux_swapped ? right_.mux(cd, ab) : right_.mux(ab, cd); }
+  constexpr V output(const detail::Target& target, V wide) const {
+    const PortionOutput& out = target.out;
+    switch (slip_) {
+      case Slip::outputs_from_zero:
+        return reference::max_of(right_.output(target, wide), 0);
+      case Slip::outputs_unclamped:
+        return reference::clamp_to(narrowed(scaled(out, wide)), -kMostUnclamped, kMostUnclamped);
+      case Slip::bias_after_scale: {
+        // scale_output doubles, so the bias is added twice.
+        const V doubled = reference::scale_output(out.scale, wide);
+        return clamped(reference::add_bias(d_, out.bias, reference::add_bias(d_, out.bias, doubled)));
+      }
+      case Slip::rounded_down:
+        // To the nearest code, of half a unit less.
+        return reference::clamp_output(d_, nearest(scaled(out, wide) - reference::scaled_unit(d_) / 2));
+      case Slip::halves_from_zero: {
+        const V n = scaled(out, wide);
+        return reference::clamp_output(d_, reference::negate_where_negative(n, nearest(reference::abs_of(n))));
+      }
+      case Slip::half_exact: {
+        // Inputs are doubled, so that half a code is whole: wide values are four times what they are.
+        const V bias = out.bias == Bias::none ? 0 : 2 * d_.one * d_.one;
+        return reference::clamp_output(
+            d_, reference::narrow(d_.general_narrowing, reference::scale_output(out.scale, wide - bias), 8 * d_.one,
+                                  kMostCodes));
+      }
+      case Slip::shifted: {
+        const V bias = out.bias == Bias::none ? 0 : d_.half * (d_.one + 1);
+        return reference::clamp_output(d_, floor_of(reference::scale_output(out.scale, wide - bias), 2 * (d_.one + 1)));
+      }
+      default:
+        return right_.output(target, wide);
+    }
+  }
+  constexpr void write(Register to, int component, V code) { right_.write(to, component, code); }
+
+ private:
+  // Wide values of unclamped registers, times the scale, stay below this many codes.
+  static constexpr int kMostCodes = 400'000;
+
+  [[nodiscard]] constexpr V fetched(const CombinerInput& in, int component) const {
+    return reference::fetch(registers_, in.reg, component, stage_.constant0, stage_.constant1);
+  }
+  // Twice a mapped input with a half of one / 2: the expanding mappings, 2x - one, are twice the half-bias mappings.
+  [[nodiscard]] constexpr V twice(const CombinerInput& in, int component) const {
+    Datapath expanding = d_;
+    expanding.expand_offset = d_.one;
+    const V code = fetched(in, component);
+    if (in.mapping == InputMapping::half_bias_normal) {
+      return reference::map_input(expanding, InputMapping::expand_normal, code);
+    }
+    if (in.mapping == InputMapping::half_bias_negate) {
+      return reference::map_input(expanding, InputMapping::expand_negate, code);
+    }
+    return 2 * reference::map_input(d_, in.mapping, code);
+  }
+  [[nodiscard]] constexpr V scaled(const PortionOutput& out, V wide) const {
+    return reference::scale_output(out.scale,
+                                   reference::narrow_before_scale(d_, reference::add_bias(d_, out.bias, wide)));
+  }
+  [[nodiscard]] constexpr V narrowed(V scaled) const { return reference::narrow_output(d_, scaled, kMostCodes); }
+  [[nodiscard]] constexpr V clamped(V scaled) const { return reference::clamp_output(d_, narrowed(scaled)); }
+  [[nodiscard]] constexpr V nearest(V scaled) const {
+    return reference::narrow(Narrowing::nearest_halves_up, scaled, reference::scaled_unit(d_), kMostCodes);
+  }
+  [[nodiscard]] static constexpr V floor_of(V n, int divisor) {
+    return reference::narrow(Narrowing::nearest_halves_up, n - divisor / 2, divisor, kMostCodes);
+  }
+
+  const Datapath d_;
+  Slip slip_;
+  const ProgramStage& stage_;
+  RegisterFile& registers_;
+  reference::CodeDomain right_;
+};
+
+// The final combiner of a mistake.
+struct MistakenFinal {
+  reference::FinalCodes right;
+  Slip slip;
+
+  constexpr V map(InputMapping mapping, V e) const {
+    return slip == Slip::negative_inputs ? map_unclamped(right.d, mapping, e) : right.map(mapping, e);
+  }
+  constexpr V sum_part(bool inverted, V v) const {
+    return inverted && slip == Slip::negative_inputs ? map(InputMapping::unsigned_invert, v)
+                                                     : right.sum_part(inverted, v);
+  }
+  constexpr V sum(bool clamp, V spare0, V secondary) const {
+    if (slip != Slip::negative_inputs) return right.sum(clamp, spare0, secondary);
+    return clamp ? reference::min_of(spare0 + secondary, right.d.one) : spare0 + secondary;
+  }
+  constexpr V product(V e, V f) const { return slip == Slip::shifted ? shift(e * f) : narrow(e * f); }
+  constexpr V rgb(V a, V b, V c, V added) const {
+    const V mix = a * b + reference::one_minus_a_times_c(right.d, a, c);
+    return reference::clamp_final(right.d, (slip == Slip::shifted ? shift(mix) : narrow(mix)) + added);
+  }
+  constexpr V alpha(V g) const { return right.alpha(g); }
+
+ private:
+  // Inputs that are not clamped reach ±2 and more: quotients stay below 16.
+  [[nodiscard]] constexpr V narrow(V wide) const {
+    return reference::narrow(right.d.final_narrowing, wide, right.d.one, 16 * right.d.one);
+  }
+  [[nodiscard]] constexpr V shift(V wide) const { return wide >> 8; }
+};
+
+}  // namespace ninebit::vectors

@@ -1,0 +1,161 @@
+// Groups on stages: the mux, blue to alpha, the order of reads and writes, constants, the number of stages.
+#include "src/study/vectors/vector_groups.h"
+
+namespace ninebit::vectors {
+namespace {
+
+bool has_stages(const HardwareProfile& p) {
+  return p.general_combiners.value > 1;
+}
+
+// A mux in one portion; spare0's alpha is still that of texture 0.
+CombinerState mux(Maker& m, bool by_lowest_bit) {
+  CombinerState state = shows_spare0();
+  state.mux_by_lowest_bit = by_lowest_bit;
+  GeneralCombiner& stage = state.general[0];
+  const bool of_products = m.of(3) == 2;
+  set_inputs(stage, rgb_of(m.source()), of_products ? rgb_of(m.random_source()) : kPlusOne, rgb_of(m.random_source()),
+             of_products ? rgb_of(m.random_source()) : kPlusOne);
+  switch (m.of(3)) {
+    case 0:
+      stage.rgb.out.mux_sum = true;
+      break;
+    case 1:
+      stage.alpha.out.mux_sum = true;
+      break;
+    default:
+      stage.rgb.out.mux_sum = stage.alpha.out.mux_sum = true;
+  }
+  return state;
+}
+CombinerState mux_threshold(Maker& m) {
+  return mux(m, false);
+}
+CombinerState mux_lowest_bit(Maker& m) {
+  return mux(m, true);
+}
+
+// Stage 0 writes spare0's alpha, negative ones among it; stage 1 muxes by it.
+CombinerState mux_of_results(Maker& m) {
+  CombinerState state = shows_spare0();
+  state.num_general_combiners = 2;
+  state.mux_by_lowest_bit = m.profile.mux_by_lowest_bit.value && m.of(2) == 1;
+  GeneralCombiner& first = state.general[0];
+  set_inputs(first, rgb_of(m.source()), rgb_of(m.random_source()));
+  if (m.of(2) == 1) first.alpha.a.mapping = InputMapping::half_bias_normal;
+  GeneralCombiner& second = state.general[1];
+  set_inputs(second, rgb_of(m.random_source()), kPlusOne, rgb_of(m.random_source(), InputMapping::unsigned_invert),
+             kPlusOne);
+  second.rgb.out.mux_sum = second.alpha.out.mux_sum = true;
+  return state;
+}
+
+CombinerState blue_to_alpha(Maker& m) {
+  CombinerState state = shows_spare0();
+  GeneralCombiner& stage = state.general[0];
+  const bool ab = m.of(2) == 0;
+  const bool alpha_writes_too = m.of(3) == 2;
+  set_inputs(stage, rgb_of(m.source()), rgb_of(m.random_source()), rgb_of(m.random_source()), kPlusOne);
+  PortionOutput& out = stage.rgb.out;
+  (ab ? out.ab : out.cd) = Register::spare0;
+  (ab ? out.ab_blue_to_alpha : out.cd_blue_to_alpha) = true;
+  out.sum = Register::discard;
+  if (!alpha_writes_too) stage.alpha.out.sum = Register::discard;
+  return state;
+}
+
+// What one portion writes is what the other one reads: it reads what stood there before.
+CombinerState reads_before_writes(Maker& m) {
+  CombinerState state = shows_spare0();
+  GeneralCombiner& stage = state.general[0];
+  const Register reg = m.source();
+  const bool rgb_writes = m.of(2) == 0;
+  set_inputs(stage, rgb_of(m.random_source()), rgb_of(m.random_source()));
+  if (rgb_writes) {
+    stage.alpha.a = blue_of(reg);
+    stage.alpha.b = for_alpha(kPlusOne);
+    stage.rgb.out.sum = reg;
+  } else {
+    stage.rgb.a = alpha_of(reg);
+    stage.rgb.b = kPlusOne;
+    stage.alpha.out.sum = reg;
+  }
+  set_final(state, kNothing, kNothing, rgb_of(rgb_writes ? reg : Register::spare0));
+  state.final_combiner.g = alpha_of(rgb_writes ? Register::spare0 : reg);
+  return state;
+}
+
+// One pair of constants for all stages.
+CombinerState constants(Maker& m) {
+  CombinerState state = shows_spare0();
+  state.constant0 = m.color();
+  state.constant1 = m.color();
+  const Register constant = m.of(2) == 0 ? Register::constant0 : Register::constant1;
+  const int stage = m.of(m.profile.general_combiners.value < 3 ? m.profile.general_combiners.value : 3);
+  state.num_general_combiners = stage + 1;
+  for (int i = 0; i < stage; ++i) state.general[static_cast<std::size_t>(i)] = idle_stage();
+  set_inputs(state.general[static_cast<std::size_t>(stage)], rgb_of(m.source()), rgb_of(constant));
+  return state;
+}
+
+// A pair for each stage, and another one for the final combiner.
+CombinerState stage_constants(Maker& m) {
+  CombinerState state = shows_spare0();
+  state.per_stage_constants = true;
+  state.constant0 = m.color();
+  state.constant1 = m.color();
+  const int stages = 1 + m.of(3);
+  const bool in_final = m.of(2) == 1;
+  state.num_general_combiners = stages;
+  for (int i = 0; i < stages; ++i) {
+    GeneralCombiner& stage = state.general[static_cast<std::size_t>(i)];
+    stage.constant0 = m.color();
+    stage.constant1 = m.color();
+    const Register constant = m.random.one_in(2) ? Register::constant0 : Register::constant1;
+    set_inputs(stage, rgb_of(i == 0 ? m.random_source() : Register::spare0, InputMapping::unsigned_invert),
+               rgb_of(constant));
+  }
+  if (in_final) state.final_combiner.d = rgb_of(m.random.one_in(2) ? Register::constant0 : Register::constant1);
+  return state;
+}
+
+// Each stage squares, halves, inverts or passes; those past the last would change the result.
+CombinerState number_of_stages(Maker& m) {
+  CombinerState state = shows_spare0();
+  const int most = m.profile.general_combiners.value;
+  const int stages = 1 + m.of(most);
+  state.num_general_combiners = stages;
+  for (int i = 0; i < (stages < most ? stages + 1 : stages); ++i) {
+    GeneralCombiner& stage = state.general[static_cast<std::size_t>(i)];
+    const CombinerInput in = i == 0 ? rgb_of(m.random_source(), InputMapping::unsigned_invert)
+                                    : rgb_of(Register::spare0, m.random.one_in(2) ? InputMapping::unsigned_invert
+                                                                                  : InputMapping::unsigned_identity);
+    set_inputs(stage, in, m.random.one_in(3) ? in : kPlusOne);
+  }
+  return state;
+}
+
+constexpr Group kStageGroups[] = {
+    {"mux-threshold", "11, 22", "the mux takes CD where spare0's alpha is at least 1/2", 30, Inputs::bytes,
+     mux_threshold},
+    {"mux-lowest-bit", "11", "the mux takes CD where spare0's alpha is odd", 30, Inputs::bytes, mux_lowest_bit,
+     [](const HardwareProfile& p) { return p.mux_by_lowest_bit.value; }},
+    {"mux-of-results", "11", "stage 1 muxes by the alpha that stage 0 wrote", 24, Inputs::bytes, mux_of_results,
+     has_stages},
+    {"blue-to-alpha", "23", "the blue of AB or CD goes to alpha, too", 20, Inputs::bytes, blue_to_alpha,
+     [](const HardwareProfile& p) { return p.blue_to_alpha.value; }},
+    {"reads-before-writes", "12", "a portion reads what the other portion overwrites", 16, Inputs::bytes,
+     reads_before_writes},
+    {"constants", "1", "one pair of constants for all stages", 20, Inputs::bytes, constants},
+    {"constants-of-stages", "1", "a pair of constants for each stage and for the final combiner", 24, Inputs::bytes,
+     stage_constants, [](const HardwareProfile& p) { return p.per_stage_constants.value; }},
+    {"number-of-stages", "", "stages past the last do nothing", 16, Inputs::bytes, number_of_stages},
+};
+
+}  // namespace
+
+std::span<const Group> stage_groups() {
+  return kStageGroups;
+}
+
+}  // namespace ninebit::vectors

@@ -1,0 +1,52 @@
+// Wrong models of the combiners: mistakes that emulators make.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "ninebit/combiner/evaluate.h"
+#include "ninebit/combiner/initial_registers.h"
+#include "ninebit/combiner/program.h"
+#include "ninebit/combiner/state.h"
+#include "ninebit/numerics/hardware_profile.h"
+
+namespace ninebit::vectors {
+
+// A rule of the arithmetic that a model breaks, if no field of a profile has the wrong value for it.
+enum class Slip {
+  none,
+  negative_inputs,    // mappings do not clamp negative codes to 0
+  outputs_from_zero,  // general combiners clamp their outputs to [0, one]
+  outputs_unclamped,  // general combiners do not clamp their outputs
+  bias_after_scale,   // wide × scale + bias
+  products_narrowed,  // each product is narrowed before it is added
+  sums_clamped,       // sums and dot products are clamped to [-1, 1] before bias and scale
+  mux_swapped,        // the mux takes AB where it should take CD
+  portions_in_turn,   // the alpha portion reads what the RGB portion wrote
+  rounded_down,       // general combiners narrow toward minus infinity
+  halves_from_zero,   // general combiners narrow halves away from zero
+  half_exact,         // one half is one / 2, which is not a code
+  shifted,            // products are shifted by 8 instead of divided by 255
+  spare0_alpha_zero   // spare0's alpha starts as 0
+};
+
+struct Mistake {
+  std::string name, rules;
+  HardwareProfile profile;  // the pack's, or with another value in one field
+  Slip slip = Slip::none;
+  void (*edit)(CombinerState&) = nullptr;  // what the model does to every program; null: nothing
+};
+
+// The mistakes that may be made instead of a profile's rules.
+[[nodiscard]] std::vector<Mistake> mistakes_of(const HardwareProfile& profile);
+
+// The program that a model runs for a state.
+[[nodiscard]] Program mistaken_program(const Mistake& mistake, const CombinerState& state);
+
+// What the model computes.
+[[nodiscard]] Rgba9 run_mistaken(const Mistake& mistake, const Program& program, RegisterFile registers);
+
+// A colour as bytes.
+[[nodiscard]] Bytes4 bytes_of(const HardwareProfile& profile, const Rgba9& color);
+
+}  // namespace ninebit::vectors

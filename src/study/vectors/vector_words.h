@@ -1,0 +1,38 @@
+// A pack's programs as words, the colours that they show, and loops over them.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "ninebit/study/vectors.h"
+#include "src/system/parallel/parallel_loop.h"
+
+namespace ninebit::vectors {
+
+// The names of a chip's words in the order of a pack: those that are there once, then those of stage 0, of stage 1, …
+[[nodiscard]] std::vector<std::string> word_names(ChipClass chip);
+
+// A state's words in that order.
+[[nodiscard]] Result<std::vector<std::uint32_t>> words_of(const VectorPack& pack, const CombinerState& state);
+
+// The state of words, or what is wrong with them.
+[[nodiscard]] Result<CombinerState> state_of(const VectorPack& pack, const std::vector<std::uint32_t>& words);
+
+// What a program's fragments show with the pack's profile.
+[[nodiscard]] std::vector<Bytes4> expected_colors(const VectorPack& pack, const VectorProgram& program);
+
+// Calls body(i) for 0 <= i < count on several threads, and `go_on` between blocks of them on this one. Returns false
+// if `go_on` did.
+template <class Body>
+[[nodiscard]] bool in_blocks(std::size_t count, const VectorProgress& go_on, const Body& body) {
+  constexpr std::size_t kBlock = 256, kWorthATask = 8;
+  for (std::size_t begin = 0; begin < count; begin += kBlock) {
+    if (go_on && !go_on(static_cast<double>(begin) / static_cast<double>(count))) return false;
+    parallel_for(std::min(kBlock, count - begin), kWorthATask, [&](std::size_t i) { body(begin + i); });
+  }
+  return true;
+}
+
+}  // namespace ninebit::vectors

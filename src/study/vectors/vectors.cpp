@@ -1,0 +1,118 @@
+#include "ninebit/study/vectors.h"
+
+#include <algorithm>
+#include <optional>
+
+#include "ninebit/combiner/program.h"
+#include "src/study/vectors/vector_groups.h"
+#include "src/study/vectors/vector_inputs.h"
+#include "src/study/vectors/vector_mistakes.h"
+#include "src/study/vectors/vector_words.h"
+#include "src/system/parallel/parallel_loop.h"
+
+namespace ninebit {
+namespace {
+
+using vectors::Group;
+using vectors::Maker;
+
+// Numbers of programs by group: at least one each, the rest by weight.
+std::vector<std::size_t> programs_by_group(const std::vector<Group>& groups, std::size_t programs) {
+  std::size_t weights = 0, so_far = 0;
+  for (const Group& group : groups) weights += static_cast<std::size_t>(group.weight);
+  const std::size_t rest = programs - groups.size();
+  std::vector<std::size_t> counts;
+  for (const Group& group : groups) {
+    const std::size_t before = rest * so_far / weights;
+    so_far += static_cast<std::size_t>(group.weight);
+    counts.push_back(1 + rest * so_far / weights - before);
+  }
+  return counts;
+}
+
+bool shows_one_color(const VectorProgram& program) {
+  return std::all_of(program.expected.begin(), program.expected.end(),
+                     [&](const Bytes4& color) { return color == program.expected.front(); });
+}
+
+// A program of a group. One that shows the same colour for all fragments is drawn again, a few times.
+Status make_program(const VectorPack& pack, const Group& group, std::uint64_t index, std::size_t number,
+                    VectorProgram& program) {
+  constexpr std::uint64_t kTries = 4;
+  for (std::uint64_t attempt = 0; attempt < kTries; ++attempt) {
+    Maker maker(pack.profile, pack.seed, index + (attempt << 32U), number);
+    program.state = group.make(maker);
+    const std::size_t first =
+        group.inputs == vectors::Inputs::bytes || !vectors::is_nv20(pack.profile) ? 0 : vectors::kByteInputs;
+    const auto places = static_cast<int>(vectors::kByteInputs - pack.fragments + 1);
+    program.first_input = first + static_cast<std::size_t>(maker.random.below(places));
+    program.expected = vectors::expected_colors(pack, program);
+    if (pack.fragments == 1 || !shows_one_color(program)) break;
+  }
+  auto words = vectors::words_of(pack, program.state);
+  if (!words) return words.error();
+  program.words = std::move(*words);
+  return {};
+}
+
+}  // namespace
+
+int least_vector_programs(const HardwareProfile& profile) {
+  return static_cast<int>(vectors::groups_of(profile).size());
+}
+
+Result<VectorPack> make_vector_pack(const HardwareProfile& profile, const VectorSettings& settings,
+                                    const VectorProgress& go_on) {
+  const int least = least_vector_programs(profile);
+  if (settings.programs < least || settings.programs > kMostVectorPrograms) {
+    return Diagnostic{.message = "a pack for " + std::string(profile.name) + " has at least " + std::to_string(least) +
+                                 " programs, one of each group, and at most " + std::to_string(kMostVectorPrograms)};
+  }
+  if (settings.fragments < 1 || settings.fragments > kMostVectorFragments) {
+    return Diagnostic{.message = "a program has 1 to " + std::to_string(kMostVectorFragments) + " fragments"};
+  }
+  if (settings.programs > kMostVectorColors / settings.fragments) {
+    return Diagnostic{.message = "a pack has at most " + std::to_string(kMostVectorColors) + " fragments together"};
+  }
+  VectorPack pack;
+  pack.profile = profile;
+  pack.chip = vectors::is_nv20(profile) ? ChipClass::nv20 : ChipClass::nv10;
+  pack.seed = settings.seed;
+  pack.fragments = static_cast<std::size_t>(settings.fragments);
+  pack.word_names = vectors::word_names(pack.chip);
+  pack.inputs = vectors::vector_inputs(profile, settings.seed);
+  const std::vector<Group> groups = vectors::groups_of(profile);
+  const std::vector<std::size_t> counts = programs_by_group(groups, static_cast<std::size_t>(settings.programs));
+  std::vector<std::size_t> numbers;  // by program: of it in its group
+  for (std::size_t g = 0; g < groups.size(); ++g) {
+    pack.groups.push_back({groups[g].name, groups[g].rules, groups[g].what});
+    for (std::size_t i = 0; i < counts[g]; ++i) {
+      pack.programs.emplace_back().group = g;
+      numbers.push_back(i);
+    }
+  }
+  std::vector<Status> made(pack.programs.size());
+  const bool all = vectors::in_blocks(pack.programs.size(), go_on, [&](std::size_t i) {
+    VectorProgram& program = pack.programs[i];
+    made[i] = make_program(pack, groups[program.group], i, numbers[i], program);
+  });
+  if (!all) return Diagnostic{.message = "interrupted", .fault = Fault::cancelled};
+  for (const Status& status : made) {
+    if (!status) return status.error();
+  }
+  return pack;
+}
+
+std::vector<VectorMistake> vector_mistakes(const HardwareProfile& profile) {
+  std::vector<VectorMistake> found;
+  for (const vectors::Mistake& mistake : vectors::mistakes_of(profile)) found.push_back({mistake.name, mistake.rules});
+  return found;
+}
+
+Bytes4 mistaken_color(const HardwareProfile& profile, std::size_t mistake, const CombinerState& state,
+                      const RegisterFile& input) {
+  const vectors::Mistake one = vectors::mistakes_of(profile)[mistake];
+  return vectors::bytes_of(profile, vectors::run_mistaken(one, vectors::mistaken_program(one, state), input));
+}
+
+}  // namespace ninebit

@@ -1,0 +1,12 @@
+// A text as a gzip file.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace ninebit::tools {
+
+// The bytes of a gzip file (RFC 1952) with this text, without a name or a time. The same text gives the same bytes.
+[[nodiscard]] std::string packed_text(std::string_view text);
+
+}  // namespace ninebit::tools
