@@ -4,9 +4,9 @@
 
 #include "combiner_tests/fuzz/checks.h"
 #include "combiner_tests/fuzz/common.h"
-#include "src/scene/file_kind.h"
-#include "src/scene/json_value.h"
-#include "src/scene/scene_readers.h"
+#include "src/scene/files/file_kind.h"
+#include "src/scene/files/json_value.h"
+#include "src/scene/files/scene_readers.h"
 
 namespace ninebit::fuzz {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "src/scene/scene_readers.h"
+#include "src/scene/files/scene_readers.h"
 
 namespace ninebit::fuzz {
 namespace {

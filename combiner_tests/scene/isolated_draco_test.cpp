@@ -7,7 +7,7 @@
 #include <thread>
 
 #include "combiner_tests/scene/draco_text.h"
-#include "src/scene/draco_meshes.h"
+#include "src/scene/files/draco_meshes.h"
 #include "src/system/sandbox.h"
 
 namespace ninebit {

@@ -1,5 +1,5 @@
 // Importers that crash, hang, eat memory and lie, in a child process; and a right one, whose scene is the same.
-#include "src/scene/isolated_import.h"
+#include "src/scene/files/isolated_import.h"
 
 #include <fcntl.h>
 #include <gtest/gtest.h>

@@ -4,10 +4,10 @@
 
 #include "combiner_tests/scene/gltf_text.h"
 #include "combiner_tests/scene/scene_test_support.h"
-#include "src/scene/file_kind.h"
-#include "src/scene/gltf_storage.h"
-#include "src/scene/json_value.h"
-#include "src/scene/text_scan.h"
+#include "src/scene/files/file_kind.h"
+#include "src/scene/files/gltf_storage.h"
+#include "src/scene/files/json_value.h"
+#include "src/scene/files/text_scan.h"
 
 namespace ninebit::scene_tests {
 namespace {

@@ -42,6 +42,7 @@
 #include "ninebit/shadow/ground_truth.h"
 #include "ninebit/shadow/index_cube.h"
 #include "ninebit/shadow/light_cookie.h"
+#include "ninebit/shadow/picture_files.h"
 #include "ninebit/shadow/pictures.h"
 #include "ninebit/shadow/reflective.h"
 #include "ninebit/shadow/shadow_map.h"

@@ -10,7 +10,7 @@
 #include "ninebit/effect/effect_renderer.h"
 #include "ninebit/image/image_io.h"
 #include "ninebit/image/staged_files.h"
-#include "ninebit/shadow/pictures.h"
+#include "ninebit/shadow/picture_files.h"
 #include "src/system/hashing/sha256.h"
 #include "src/tools/draw/draw_files.h"
 #include "src/tools/draw/draw_flags.h"

@@ -5,7 +5,7 @@
 #include <memory>
 #include <utility>
 
-#include "ninebit/shadow/pictures.h"
+#include "ninebit/shadow/picture_files.h"
 #include "src/tools/common/index_order.h"
 #include "src/tools/common/pixel_flag.h"
 #include "src/tools/common/scene_textures.h"

@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <system_error>
 
-#include "ninebit/shadow/pictures.h"
+#include "ninebit/shadow/picture_files.h"
 
 namespace ninebit::tools {
 namespace {

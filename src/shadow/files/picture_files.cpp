@@ -1,0 +1,121 @@
+#include "ninebit/shadow/picture_files.h"
+
+#include <algorithm>
+#include <array>
+#include <functional>
+#include <utility>
+
+#include "src/shadow/frame/upright.h"
+
+namespace ninebit {
+namespace {
+
+// An EXR channel whose rows are made from a plane's samples on demand.
+template <class To, class Value>
+ExrChannel channel(std::string name, Value value_at_row) {
+  return {std::move(name), std::function<void(int, std::span<To>)>(std::move(value_at_row))};
+}
+
+Status write_index_cube(const Rendering& rendering, const std::filesystem::path& file) {
+  const int size = rendering.index_map.front().size;
+  const auto n = static_cast<std::size_t>(size);
+  std::array<std::vector<ExrChannel>, 6> faces;
+  for (std::size_t f = 0; f < 6; ++f) {
+    faces[f].push_back(channel<std::uint32_t>("index", [&rendering, f, n](int row, std::span<std::uint32_t> out) {
+      for (std::size_t x = 0; x < n; ++x)
+        out[x] = rendering.codes.number(rendering.index_map[f].texel(static_cast<std::size_t>(row) * n + x));
+    }));
+    for (std::size_t c = 0; c < 4; ++c) {
+      const Plane<const std::uint8_t> plane = rendering.index_map[f].plane(static_cast<int>(c));
+      if (!plane) continue;
+      const char name = c == 0 && rendering.codes.format() != IndexFormat::rgb ? 'Y' : "RGBA"[c];
+      faces[f].push_back(channel<float>(std::string(1, name), [plane, size](int row, std::span<float> out) {
+        for (int x = 0; x < size; ++x) out[static_cast<std::size_t>(x)] = static_cast<float>(plane.at(x, row)) / 255.0F;
+      }));
+    }
+  }
+  return write_exr_cube(file, size, faces);
+}
+
+// Layers as the parts of a file, each part at the place of its first layer; the layers must outlive them.
+std::vector<ExrPart> parts_of(const std::deque<Layer>& layers) {
+  std::vector<ExrPart> parts;
+  for (const Layer& layer : layers) {
+    auto part = std::find_if(parts.begin(), parts.end(), [&](const ExrPart& p) { return p.name == layer.part; });
+    if (part == parts.end()) part = parts.insert(part, ExrPart{layer.part, layer.width, layer.height, {}});
+    const auto plane = [&](const auto& samples) { return upside_down(samples.data(), layer.width, layer.height); };
+    part->channels.push_back(exr_channel(layer.channel, std::visit(plane, layer.samples)));
+  }
+  return parts;
+}
+
+}  // namespace
+
+Status write_layers(const std::deque<Layer>& layers, const std::filesystem::path& file) {
+  return write_exr_parts(file, parts_of(layers));
+}
+
+namespace {
+
+using Path = std::filesystem::path;
+
+// A file of a rendering, and how it is written.
+struct RenderedFile {
+  std::string name;
+  std::function<Status(const Path&)> write;
+};
+
+// Writes a picture, averaged if it has the size of the frame.
+Status write_picture(const Path& file, const Image8& image, const Rendering& rendering, int supersample) {
+  const bool of_frame = image.width == rendering.frame.width() && image.height == rendering.frame.height();
+  return write_png(file, of_frame && supersample > 1 ? averaged(image, supersample) : image);
+}
+
+std::vector<RenderedFile> files_of(const Rendering& rendering, int supersample) {
+  std::vector<RenderedFile> files;
+  const auto png = [&](std::string name, auto picture) {
+    files.push_back({std::move(name), [&rendering, picture, supersample](const Path& file) {
+                       return write_picture(file, picture(rendering), rendering, supersample);
+                     }});
+  };
+  png("color.png", &color_picture);
+  png("shadow.png", &stencil_picture);
+  if (!rendering.index_map.empty()) {
+    files.push_back(
+        {"index_cube.png", [&rendering](const Path& file) { return write_png(file, index_cross_picture(rendering)); }});
+    files.push_back({"index_cube.exr", [&rendering](const Path& file) { return write_index_cube(rendering, file); }});
+  }
+  for (const NamedPicture& picture : rendering.pictures) {
+    files.push_back({picture.file, [&picture, &rendering, supersample](const Path& file) {
+                       return write_picture(file, picture.image, rendering, supersample);
+                     }});
+  }
+  if (rendering.layers.empty()) return files;
+  files.push_back({"layers.exr", [&rendering](const Path& file) { return write_layers(rendering.layers, file); }});
+  if (rendering.maps.empty()) return files;
+  files.push_back({"maps.exr", [&rendering](const Path& file) { return write_layers(rendering.maps, file); }});
+  return files;
+}
+
+}  // namespace
+
+std::vector<std::string> file_names(const Rendering& rendering) {
+  std::vector<std::string> names;
+  for (RenderedFile& file : files_of(rendering, 1)) names.push_back(std::move(file.name));
+  return names;
+}
+
+Status write_rendering(const Rendering& rendering, StagedFiles& files, const RenderedFiles& chosen) {
+  for (const RenderedFile& file : files_of(rendering, chosen.supersample)) {
+    const auto& only = chosen.only;
+    if (!only.empty() && std::find(only.begin(), only.end(), file.name) == only.end()) continue;
+    if (Status written = file.write(files.stage(file.name)); !written) {
+      Diagnostic fault = written.error();
+      fault.file = files.files().back().string();
+      return fault;
+    }
+  }
+  return {};
+}
+
+}  // namespace ninebit
