@@ -21,19 +21,19 @@ std::string definitions_file() {
   return text.str();
 }
 
-struct Read {
+struct ReadWords {
   Parsed<CombinerState> program{};
   std::vector<RegisterWord> other_words{};
 };
 
-Read read(const std::string& text, const SourceSelection& selection = {}) {
-  Read out;
+ReadWords read_words(const std::string& text, const SourceSelection& selection = {}) {
+  ReadWords out;
   out.program = parse_source_code({text, "def.cpp"}, selection, profiles::nv2a, &out.other_words);
   return out;
 }
 
 // The same program as words, and the same other words.
-void expect_words(const Read& found, const std::string& words) {
+void expect_words(const ReadWords& found, const std::string& words) {
   ASSERT_TRUE(found.program) << test::all_faults(found.program);
   std::vector<RegisterWord> other;
   const auto expected = parse_xbox_pixel_shader({words, "words"}, profiles::nv2a, &other);
@@ -47,7 +47,7 @@ void expect_words(const Read& found, const std::string& words) {
 }
 
 TEST(SourceXbox, AFunctionFillsADefinition) {
-  const Read found = read(definitions_file(), {{"CreateLightmapShader"}, {}});
+  const ReadWords found = read_words(definitions_file(), {{"CreateLightmapShader"}, {}});
   expect_words(found,
                "psd.PSTextureModes = 0x21; psd.PSCombinerCount = 0x1101; psd.PSRGBInputs[0] = 0x08490000;"
                "psd.PSRGBOutputs[0] = 0xc0; psd.PSConstant0[0] = 0xff804020;"
@@ -56,10 +56,10 @@ TEST(SourceXbox, AFunctionFillsADefinition) {
 
 TEST(SourceXbox, PointersHelpersAndSwitches) {
   const std::string text = definitions_file();
-  expect_words(read(text, {{"BuildGlow"}, {{"quality", "GLOW_LOW"}}}),
+  expect_words(read_words(text, {{"BuildGlow"}, {{"quality", "GLOW_LOW"}}}),
                "p.PSRGBInputs[0] = 0x08040c00; p.PSRGBOutputs[0] = 0xc00; p.PSConstant1[0] = 0xff000000;"
                "p.PSCombinerCount = 0x1001; p.PSFinalCombinerInputsABCD = 0xc;");
-  expect_words(read(text, {{"BuildGlow"}, {{"quality", "1"}}}),
+  expect_words(read_words(text, {{"BuildGlow"}, {{"quality", "1"}}}),
                "p.PSRGBInputs[0] = 0x08040c00; p.PSRGBInputs[1] = 0x09040c01; p.PSRGBInputs[2] = 0x0a040c01;"
                "p.PSRGBOutputs[0] = 0xc00; p.PSRGBOutputs[1] = 0xc00; p.PSRGBOutputs[2] = 0xc00;"
                "p.PSConstant1[2] = 0xff00ff00; p.PSCombinerCount = 0x1003; p.PSFinalCombinerInputsABCD = 0xc;");
@@ -76,7 +76,7 @@ TEST(SourceXbox, FunctionsAreListedWithWhatTheyNeed) {
   EXPECT_TRUE(found[1].needs.empty());
   EXPECT_EQ(found[2].name, "BuildGlow");
   EXPECT_EQ(found[2].needs, (std::vector<std::string>{"quality"}));
-  const Read missing = read(text, {{"BuildGlow"}, {}});
+  const ReadWords missing = read_words(text, {{"BuildGlow"}, {}});
   ASSERT_FALSE(missing.program);
   EXPECT_NE(test::all_faults(missing.program).find("quality"), std::string::npos);
 }
@@ -88,19 +88,20 @@ TEST(SourceXbox, APieceOfAFunction) {
       "psd.PSCombinerCount = psd.PSCombinerCount + 1;\n"
       "if (SUCCEEDED(device->CreatePixelShader(&psd, &shader))) return shader;\n";
   EXPECT_TRUE(is_source_code(text));
-  const Read known = read(text, {{}, {{"psd.PSRGBInputs[0]", "0"}}});
+  const ReadWords known = read_words(text, {{}, {{"psd.PSRGBInputs[0]", "0"}}});
   // What an object had before the text is not known; its own members are 0 once one of them is set.
   expect_words(known, "psd.PSRGBInputs[0] = 0x08040000; psd.PSRGBOutputs[0] = 0xc0; psd.PSCombinerCount = 1;");
   EXPECT_FALSE(is_source_code("psd.PSRGBInputs[0] = 0x08040000;\npsd.PSCombinerCount = 1;\n"));
 }
 
 TEST(SourceXbox, WhatWasClearedIsZero) {
-  expect_words(read("void f() { psd.PSRGBInputs[3] = 5; ZeroMemory(&psd, sizeof(psd)); psd.PSCombinerCount = 1; }"),
-               "psd.PSCombinerCount = 1;");
+  expect_words(
+      read_words("void f() { psd.PSRGBInputs[3] = 5; ZeroMemory(&psd, sizeof(psd)); psd.PSCombinerCount = 1; }"),
+      "psd.PSCombinerCount = 1;");
 }
 
 void expect_fault(const std::string& text, const std::string& expected) {
-  const Read found = read(text);
+  const ReadWords found = read_words(text);
   ASSERT_FALSE(found.program) << text;
   EXPECT_NE(test::all_faults(found.program).find(expected), std::string::npos) << test::all_faults(found.program);
 }

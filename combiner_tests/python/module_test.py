@@ -40,6 +40,17 @@ class States(unittest.TestCase):
             ninebit.State("voodoo")
         with self.assertRaisesRegex(ninebit.Error, "unknown form"):
             ninebit.State.parse("", "basic")
+
+    def test_the_form_is_found(self):
+        shader = "ps.1.1\ntex t0\nmul r0, t0, v0"
+        state = ninebit.State.parse(shader)
+        self.assertEqual(state, ninebit.State.parse(shader, "ps"))
+        source = "void f() { glCombinerParameteriNV(GL_NUM_GENERAL_COMBINERS_NV, 1); }"
+        self.assertEqual(ninebit.State.parse(source), ninebit.State.parse(source, "source"))
+        for form, read in [("gl", "gl"), ("rc10", "rc10"), ("ps11", "ps"), ("words", "words"), ("xbox", "xbox")]:
+            text = ninebit.State.parse(shader, profile="nv2a").print(form)
+            again = ninebit.State.parse(text, profile="nv2a")
+            self.assertEqual(again, ninebit.State.parse(text, read, "nv2a"), form)
         self.assertTrue(issubclass(ninebit.Error, ValueError))
 
 

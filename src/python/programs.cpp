@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "ninebit/combiner/validate.h"
@@ -15,8 +16,11 @@
 #include "ninebit/language/gl_calls.h"
 #include "ninebit/language/glsl.h"
 #include "ninebit/language/json.h"
+#include "ninebit/language/pixel_shader.h"
+#include "ninebit/language/program_text.h"
 #include "ninebit/language/rc10.h"
 #include "ninebit/language/register_words.h"
+#include "ninebit/language/xbox_pixel_shader.h"
 #include "src/python/evaluation.h"
 #include "src/python/module.h"
 
@@ -25,21 +29,23 @@ namespace py = pybind11;
 namespace ninebit::python {
 namespace {
 
-ChipClass chip_of(const HardwareProfile& profile) {
-  return profile.per_stage_constants ? ChipClass::nv20 : ChipClass::nv10;
-}
+// The forms that parse() reads, by name.
+constexpr std::array kForms{std::pair{"gl", ProgramForm::gl},       std::pair{"source", ProgramForm::source},
+                            std::pair{"rc10", ProgramForm::rc10},   std::pair{"ps", ProgramForm::ps},
+                            std::pair{"words", ProgramForm::words}, std::pair{"words-json", ProgramForm::words_json},
+                            std::pair{"json", ProgramForm::json},   std::pair{"xbox", ProgramForm::xbox},
+                            std::pair{"log", ProgramForm::log}};
 
-State parse(const std::string& text, const std::string& form, const std::string& profile_name) {
+State parse(const std::string& text, const std::optional<std::string>& form, const std::string& profile_name) {
   const HardwareProfile& profile = profile_named(profile_name);
-  const SourceText source{text, {}};
-  const auto parsed = form == "gl"           ? parse_gl_calls(source, profile)
-                      : form == "rc10"       ? parse_rc10(source, profile)
-                      : form == "words"      ? parse_register_words(source, chip_of(profile), profile)
-                      : form == "words-json" ? parse_json_register_words(source, chip_of(profile), profile)
-                      : form == "json"
-                          ? parse_json_program(source, profile)
-                          : throw Error{"unknown form; expected 'gl', 'rc10', 'words', 'words-json' or 'json'"};
-  if (parsed) return {*parsed.value, &profile};
+  const auto named = std::find_if(kForms.begin(), kForms.end(), [&](const auto& one) { return form == one.first; });
+  if (form && named == kForms.end()) {
+    std::string names;
+    for (const auto& one : kForms) names += std::string(names.empty() ? "" : ", ") + one.first;
+    throw Error{"unknown form '" + *form + "'; expected one of " + names};
+  }
+  const auto parsed = parse_program({text, {}}, form ? named->second : form_of(text), profile);
+  if (parsed) return {parsed.value->state, &profile};
   std::string faults;
   for (const TextFault& fault : parsed.faults) faults += (faults.empty() ? "" : "\n") + fault.text();
   throw Error{faults};
@@ -48,12 +54,15 @@ State parse(const std::string& text, const std::string& form, const std::string&
 std::string print(const State& state, const std::string& form) {
   const HardwareProfile& profile = *state.profile;
   if (form == "json") return print_json_program(state.state);
-  const auto text = form == "gl"      ? print_gl_calls(state.state, profile)
-                    : form == "rc10"  ? print_rc10(state.state, profile)
-                    : form == "words" ? print_register_words(state.state, chip_of(profile), profile)
-                    : form == "words-json"
-                        ? print_json_register_words(state.state, chip_of(profile), profile)
-                        : throw Error{"unknown form; expected 'gl', 'rc10', 'words', 'words-json' or 'json'"};
+  const auto text =
+      form == "gl"           ? print_gl_calls(state.state, profile)
+      : form == "rc10"       ? print_rc10(state.state, profile)
+      : form == "ps11"       ? print_pixel_shader(state.state, profile)
+      : form == "words"      ? print_register_words(state.state, chip_of(profile), profile)
+      : form == "words-json" ? print_json_register_words(state.state, chip_of(profile), profile)
+      : form == "xbox"
+          ? print_xbox_pixel_shader(state.state, profile)
+          : throw Error{"unknown form '" + form + "'; expected one of gl, rc10, ps11, words, words-json, json, xbox"};
   if (!text) throw Error{text.error().text()};
   return *text;
 }
@@ -88,9 +97,11 @@ void add_programs(py::module_& module) {
              return State{{}, &profile_named(profile)};
            }),
            py::arg("profile") = "geforce2", "OpenGL's default state.")
-      .def_static("parse", &parse, py::arg("text"), py::arg("form"), py::arg("profile") = "geforce2",
-                  "Parses a text in the form 'gl' (GL calls), 'rc10' (!!RC1.0), 'words' or 'words-json' (register "
-                  "words), 'json'.")
+      .def_static(
+          "parse", &parse, py::arg("text"), py::arg("form") = py::none(), py::arg("profile") = "geforce2",
+          "Parses a text in the form 'gl' (GL calls), 'source' (a source file with them), 'rc10' (!!RC1.0), 'ps' "
+          "(a ps.1.x pixel shader), 'words' or 'words-json' (register words), 'json', 'xbox' (a "
+          "D3DPIXELSHADERDEF) or 'log' (register writes with one set-up); None: as the text looks.")
       .def("print", &print, py::arg("form"), "The state as a text of that form; Error if the form cannot express it.")
       .def("validate", &diagnostics,
            "The faults that OpenGL would refuse, one dictionary each; an empty list if the state is valid.")

@@ -3,7 +3,8 @@ from typing import Any, Callable, Literal, Mapping, Sequence, TypedDict
 import numpy as np
 from numpy.typing import NDArray
 
-Form = Literal["gl", "rc10", "words", "words-json", "json"]
+ReadForm = Literal["gl", "source", "rc10", "ps", "words", "words-json", "json", "xbox", "log"]
+Form = Literal["gl", "rc10", "ps11", "words", "words-json", "json", "xbox"]
 Point = tuple[float, float, float]
 
 __version__: str
@@ -51,7 +52,7 @@ class Rendering(TypedDict):
 class State:
     def __init__(self, profile: str = "geforce2") -> None: ...
     @staticmethod
-    def parse(text: str, form: Form, profile: str = "geforce2") -> State: ...
+    def parse(text: str, form: ReadForm | None = None, profile: str = "geforce2") -> State: ...
     def print(self, form: Form) -> str: ...
     def validate(self) -> list[Diagnostic]: ...
     @property
