@@ -12,7 +12,7 @@ namespace {
 constexpr std::string_view kPunctuation = "(){}[],;=+-&*.:@";
 constexpr std::size_t kLongestLook = 128;  // bytes ahead
 
-// The first byte from `at` on that is no blank.
+// The first byte from `at` on that is not a blank.
 std::size_t behind_blanks(std::string_view text, std::size_t at) {
   while (at < text.size() && is_blank(text[at])) ++at;
   return at;
@@ -99,7 +99,7 @@ std::size_t GlLexer::cast_end() const {
     type = qualified_word(text, at);
     at = behind_blanks(text, at);
   }
-  // (GL_RGB) is no type.
+  // (GL_RGB) is not a type.
   if (type.empty() || value_of_name(type) || value_of_spelling(type, true)) return 0;
   while (at < text.size() && (text[at] == '*' || is_blank(text[at]))) ++at;
   if (text.substr(at, 1) != ")") return 0;

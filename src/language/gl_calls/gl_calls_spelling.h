@@ -27,7 +27,7 @@ enum class NameCase { exact, any };
 // such as RGB or TEXTURE0, need `qualified`: a qualifier stands before them (vtkgl::RGB).
 [[nodiscard]] std::optional<gl::GLenum> value_of_spelling(std::string_view name, bool qualified);
 
-// "; did you mean 'GL_SPARE0_NV'?" for a name that is no enumerant; empty: nothing is near.
+// "; did you mean 'GL_SPARE0_NV'?" for a name that is not an enumerant; empty if no known name is near.
 [[nodiscard]] std::string meant_enumerant(std::string_view name);
 // The same for a call.
 [[nodiscard]] std::string meant_call(std::string_view name);

@@ -54,7 +54,7 @@ class ShaderOperandReader {
     int index = 0;
     std::string modifiers{};               // with their underscores, in lower case
     std::string suffix{};                  // after the dot, in lower case
-    std::optional<std::string> unknown{};  // why there is no such register
+    std::optional<std::string> unknown{};  // why the register does not exist
   };
   std::optional<Register> read_register();
   bool read_index(Register& out);

@@ -13,7 +13,7 @@ namespace ninebit::detail {
 
 class ShaderStages {
  public:
-  // `own_constants`: each stage has two constants of its own. `limit_reported`: too many stages are no fault any more.
+  // `own_constants`: each stage has two constants of its own. `limit_reported`: too many stages were reported before.
   ShaderStages(ShaderContext& context, CombinerState& state, bool own_constants, bool limit_reported)
       : context_(context), state_(state), own_constants_(own_constants), too_many_(limit_reported) {}
 
