@@ -79,6 +79,10 @@ class LiteralReader {
       }
       if (++at_ >= from_.size()) return;
       const char c = from_[at_];
+      if (c == '\r' && from_.substr(at_).starts_with("\r\n")) {
+        ++at_;
+        continue;
+      }
       into_[at_] = c == 'n' ? '\n' : c == 't' || c == 'r' || c == '\n' || c == '0' ? ' ' : c;
     }
     ++at_;

@@ -240,9 +240,13 @@ bool StatementParser::type_definition(Statement& out) {
   const std::size_t constants = out.declared.size();
   declarators(out, name, false);
   // What a typedef declares are other names of the type.
-  if (!keyword.is("enum")) outline_.structs[name] = found;
+  const auto name_type = [&](std::string_view type) {
+    if (keyword.is("union")) outline_.unions.insert(type);
+    if (keyword.is("struct") || keyword.is("class")) outline_.structs[type] = found;
+  };
+  name_type(name);
   if (is_typedef) {
-    for (std::size_t i = constants; i < out.declared.size(); ++i) outline_.structs[out.declared[i].name] = found;
+    for (std::size_t i = constants; i < out.declared.size(); ++i) name_type(out.declared[i].name);
     out.declared.resize(constants);
   }
   in_.takes(";");

@@ -223,6 +223,7 @@ Value Machine::evaluate_member(const Expression& e) {
   if (const Value* const known = stored(path)) return *known;
   if (const auto known = constant(e)) return *known;
   Value object = evaluate(e.parts[0]);
+  if (points_to_struct(object)) object = Value(object.list[0]);
   if (object.kind == Value::Kind::list) {
     const auto members = program_.outline.structs.find(object.type);
     std::size_t at = object.list.size();
@@ -239,17 +240,6 @@ Value Machine::evaluate_member(const Expression& e) {
     return at < object.list.size() ? std::move(object.list[at]) : Value{};
   }
   return !object.is_known() && object.symbol.empty() && !object.needs.empty() ? object : needed_value(path);
-}
-
-Value Machine::evaluate_list(const Expression& e) {
-  Value out;
-  out.kind = Value::Kind::list;
-  if (e.parts.size() > kMostElements) return {};
-  for (const Expression& part : e.parts) {
-    if (part.kind == ExpressionKind::assignment) return {};  // .member = value: the order is another one
-    out.list.push_back(evaluate(part));
-  }
-  return out;
 }
 
 }  // namespace ninebit::code

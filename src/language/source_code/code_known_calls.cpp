@@ -46,6 +46,14 @@ std::string plain_name(std::string_view called) {
   return name;
 }
 
+// How many numbers and pointers a value holds.
+std::int64_t numbers_in(const Value& value) {
+  if (value.kind != Value::Kind::list) return 1;
+  std::int64_t numbers = 0;
+  for (const Value& one : value.list) numbers += numbers_in(one);
+  return numbers;
+}
+
 bool is_of_two(std::string_view name) {
   return name == "pow" || name == "powf" || name == "min" || name == "max" || name == "fmin" || name == "fmax";
 }
@@ -108,12 +116,9 @@ std::optional<Value> Machine::call_known(std::string_view name, const Expression
   if (lower == "sizeof" && count == 1) {
     const Value value = evaluate(e.parts[1]);
     constexpr std::int64_t kSizeOfNumber = 4;
-    if (value.is_number()) return integer_value(kSizeOfNumber);
-    if (value.kind != Value::Kind::list) return std::nullopt;
-    std::int64_t numbers = 0;
-    for (const Value& one : value.list)
-      numbers += one.kind == Value::Kind::list ? static_cast<std::int64_t>(one.list.size()) : 1;
-    return integer_value(kSizeOfNumber * numbers);
+    const bool is_element = e.parts[1].kind == ExpressionKind::index && place(e.parts[1]) != nullptr;
+    if (!value.is_known() && !is_element) return std::nullopt;
+    return integer_value(kSizeOfNumber * numbers_in(value));
   }
   // Whether an extension is there, by its name in a string.
   for (std::size_t i = 1; i <= count; ++i) {
@@ -132,11 +137,22 @@ std::optional<Value> Machine::call_known(std::string_view name, const Expression
     assign(e.parts[1], apply_binary(lower == "inc" ? "+" : "-", evaluate(e.parts[1]), step));
     return Value{};
   }
+  if (program_.file.language == Language::pascal && count == 1) {
+    const bool is_bound = lower == "low" || lower == "high" || lower == "length";
+    const Value value = is_bound || lower == "pchar" || lower == "pansichar" ? evaluate(e.parts[1]) : Value{};
+    if (value.kind == Value::Kind::text) return value;
+    if (is_bound && value.kind == Value::Kind::list) {
+      const auto size = static_cast<std::int64_t>(value.list.size());
+      return integer_value(lower == "length" ? size : value.low + (lower == "low" ? 0 : size - 1));
+    }
+  }
   if (auto of_xbox = call_of_xbox(name, e)) return of_xbox;
   if (auto buffer = call_buffer(name, e)) return buffer;
   if (e.parts[0].kind == Expression::Kind::member) {
     const Expression& object = e.parts[0].parts[0];
     Value* const vector = place(object);
+    const bool is_text = vector != nullptr && vector->kind == Value::Kind::text;
+    if (is_text && count == 0 && (lower == "c_str" || lower == "data")) return *vector;
     if (vector != nullptr && vector->kind == Value::Kind::list) {
       // A vector's own function gives its numbers, or may change them.
       const bool gives = lower.find("ptr") != std::string::npos || lower.find("data") != std::string::npos ||

@@ -51,6 +51,8 @@ bool Lexer::skip_comment() {
 // Returns whether there were any.
 bool Lexer::skip_blanks() {
   const std::size_t begin = at_;
+  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+  if (at_ == 0 && text_.starts_with(kByteOrderMark)) at_ = kByteOrderMark.size();
   while (at_ < text_.size()) {
     if (text_[at_] == '\n') {
       line_begins_ = true;
@@ -86,7 +88,9 @@ std::size_t Lexer::quoted_end(char quote) {
   std::size_t end = at_ + 1;
   while (end < text_.size() && text_[end] != quote && text_[end] != '\n') {
     const bool escape = language_ == Language::c && text_[end] == '\\' && end + 1 < text_.size();
-    end += escape ? 2 : 1;
+    // Behind a backslash, a line may end as Windows ends it.
+    const bool line_goes_on = escape && text_.substr(end + 1).starts_with("\r\n");
+    end += line_goes_on ? 3 : escape ? 2 : 1;
   }
   if (end < text_.size() && text_[end] == quote) return end + 1;
   cut_short_ = true;

@@ -11,19 +11,12 @@ namespace {
 
 // How many statements are executed at most, and how often an endless loop goes round.
 constexpr std::size_t kMostSteps = 200'000, kMostRounds = 500;
-// The most elements that declarations without values make.
-constexpr std::size_t kMostMadeElements = std::size_t{1} << 18;
-
-// Elements that are not known yet are known if `name` is defined.
-void name_unknowns(Value& value, const std::string& name) {
-  if (!value.is_known() && value.needs.empty()) value.needs.push_back(name);
-  for (Value& element : value.list) name_unknowns(element, name);
-}
 
 bool ends_function(const std::vector<Statement>& statements) {
   if (statements.empty()) return false;
   const Statement& last = statements.back();
-  return last.kind == StatementKind::give_back || (last.kind == StatementKind::block && ends_function(last.body));
+  return last.kind == StatementKind::give_back || last.kind == StatementKind::jump ||
+         (last.kind == StatementKind::block && ends_function(last.body));
 }
 
 }  // namespace
@@ -84,8 +77,12 @@ Machine::Flow Machine::execute(const Statement& s) {
       return branch(s);
     case StatementKind::loop:
       return loop(s);
+    case StatementKind::each:
+      return each(s);
     case StatementKind::choice:
       return choice(s);
+    case StatementKind::jump:
+      return jump(s);
     case StatementKind::leave:
       return Flow::leave;
     case StatementKind::next:
@@ -120,7 +117,7 @@ Machine::Flow Machine::branch(const Statement& s) {
   }
   if (!yes && !no) {
     const bool guard = ends_function(s.body) && s.otherwise.empty();
-    if (!guard) return either(condition, s);
+    if (!guard || jumps_to_calls(s.body)) return either(condition, s);
     if (!more_follow) return Flow::normal;
     if (calls_made_ > 0) return either(condition, s);
     assumed_[text] = false;
@@ -142,8 +139,10 @@ Machine::Flow Machine::either(const Value& condition, const Statement& s) {
   const bool guard = ends_function(s.body) && s.otherwise.empty();
   if (may_set(s.body) || may_set(s.otherwise) || guard) {
     need(condition, s.value[0]);
+    ++guesses_;
     execute(s.body);
     execute(s.otherwise);
+    --guesses_;
   }
   forget(s.body, condition);
   forget(s.otherwise, condition);
@@ -173,6 +172,58 @@ Machine::Flow Machine::loop(const Statement& s) {
     if (flow == Flow::give_back) return flow;
     if (!s.step.empty()) evaluate(s.step[0]);
   }
+}
+
+Machine::Flow Machine::each(const Statement& s) {
+  const Value range = evaluate(s.value[0]);
+  const std::string name = program_.key(s.declared[0].name);
+  if (range.kind != Value::Kind::list) {
+    if (may_set(s.body)) {
+      need(range, s.value[0]);
+      frames_.back().values[name] = needed_value(name);
+      execute(s.body);
+    }
+    forget(s.body, range);
+    return Flow::normal;
+  }
+  for (const Value& element : range.list) {
+    if (out_of_steps_) return Flow::normal;
+    frames_.back().values[name] = element.is_known() || !element.needs.empty() ? element : needed_value(name);
+    const Flow flow = execute(s.body);
+    if (flow == Flow::leave) return Flow::normal;
+    if (flow == Flow::give_back) return flow;
+  }
+  return Flow::normal;
+}
+
+// Whether statements end with a goto behind whose label calls of the combiners stand.
+bool Machine::jumps_to_calls(const std::vector<Statement>& statements) const {
+  if (statements.empty()) return false;
+  const Statement& last = statements.back();
+  if (last.kind == StatementKind::block) return jumps_to_calls(last.body);
+  return last.kind == StatementKind::jump && leads_to_calls(last);
+}
+
+bool Machine::leads_to_calls(const Statement& jump) const {
+  const Function* const function = frames_.back().function;
+  const std::size_t end = function != nullptr ? function->end : program_.source.text.size();
+  const std::string_view behind = program_.source.text.substr(jump.end, end - jump.end);
+  for (std::size_t at = behind.find(jump.message); at != std::string_view::npos;
+       at = behind.find(jump.message, at + 1)) {
+    const std::size_t next = behind.find_first_not_of(" \t\r\n", at + jump.message.size());
+    const bool is_word = at == 0 || !detail::is_word(behind[at - 1]);
+    const bool is_label = is_word && next != std::string_view::npos && behind[next] == ':';
+    if (is_label) return program_.file.calls_between(jump.end + at, end);
+  }
+  return true;  // it leads back
+}
+
+// A goto to where no calls follow is a return.
+Machine::Flow Machine::jump(const Statement& s) {
+  if (guesses_ == 0 && leads_to_calls(s) && misspelled_.insert(s.offset).second) {
+    faults_.add(s.offset, "goto is not followed, and calls of the combiners stand behind its label");
+  }
+  return Flow::give_back;
 }
 
 Machine::Flow Machine::choice(const Statement& s) {
@@ -209,73 +260,6 @@ Machine::Flow Machine::choice(const Statement& s) {
     if (flow != Flow::normal) return flow;
   }
   return Flow::normal;
-}
-
-void Machine::declare(const Declared& declared) {
-  Value value = initial(declared);
-  if (!declared.value.empty()) add_alias(declared.name, declared.value[0], frames_.back());
-  frames_.back().values[program_.key(declared.name)] = std::move(value);
-}
-
-// The value that a declaration gives to its name.
-Value Machine::initial(const Declared& declared) {
-  const auto members = program_.outline.structs.find(declared.type);
-  const bool is_struct = members != program_.outline.structs.end();
-  if (declared.value.empty()) {
-    if (!declared.is_array && !is_struct) return needed_value(program_.key(declared.name));
-    Value empty;
-    empty.kind = Value::Kind::list;
-    if (!declared.is_array) {
-      empty.type = declared.type;
-      empty.list.resize(members->second.size());
-    }
-    Value out = declared.is_array ? shaped(declared, std::move(empty), 0) : std::move(empty);
-    name_unknowns(out, program_.key(declared.name));
-    return out;
-  }
-  Value value = evaluate(declared.value[0]);
-  if (value.kind == Value::Kind::list && (declared.is_array || is_struct)) return shaped(declared, std::move(value), 0);
-  // TYPE name(x), name{x} or name = {x} of a number.
-  const bool alone =
-      value.kind == Value::Kind::list && value.list.size() == 1 && type_kind(declared.type) != TypeKind::other;
-  return converted(alone ? Value(value.list[0]) : value, declared.is_array ? std::string_view() : declared.type);
-}
-
-// Gives a list the bounds of its declaration, with zeros for what is left out, and the members' order to its structs.
-Value Machine::shaped(const Declared& declared, Value value, std::size_t level) {
-  if (value.kind != Value::Kind::list) return converted(value, declared.type);
-  const auto members = program_.outline.structs.find(declared.type);
-  if (level >= declared.bounds.size()) {
-    if (members != program_.outline.structs.end()) {
-      value.type = declared.type;
-      const bool filled = !value.list.empty();
-      while (filled && value.list.size() < members->second.size()) value.list.push_back(integer_value(0));
-    }
-    return value;
-  }
-  if (level < declared.low.size()) {
-    const Value low = evaluate(declared.low[level]);
-    value.low =
-        low.kind == Value::Kind::integer ? static_cast<int>(std::clamp<std::int64_t>(low.integer, -4096, 4096)) : 0;
-  }
-  const bool bounded = declared.bounds[level].kind != Expression::Kind::unreadable;
-  const Value bound = bounded ? evaluate(declared.bounds[level]) : Value{};
-  const bool filled = !value.list.empty();
-  if (bound.kind == Value::Kind::integer && bound.integer >= 0 &&
-      bound.integer <= static_cast<std::int64_t>(kMostElements)) {
-    const auto size = static_cast<std::size_t>(bound.integer);
-    const bool inner = level + 1 < declared.bounds.size() || members != program_.outline.structs.end();
-    while (value.list.size() < size && ++elements_ <= kMostMadeElements) {
-      value.list.push_back(filled && !inner ? integer_value(0) : Value{});
-    }
-  }
-  for (Value& element : value.list) {
-    if (element.kind == Value::Kind::unknown && element.needs.empty() && level + 1 < declared.bounds.size()) {
-      element.kind = Value::Kind::list;
-    }
-    element = shaped(declared, std::move(element), level + 1);
-  }
-  return value;
 }
 
 }  // namespace ninebit::code

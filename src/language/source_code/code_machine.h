@@ -103,15 +103,21 @@ class Machine {
     bool has_result = false;
   };
 
-  // Statements: code_machine.cpp
+  // Statements: code_machine.cpp; declarations: code_initial.cpp
   Flow execute(const std::vector<Statement>& statements);
   Flow execute(const Statement& statement);
   Flow branch(const Statement& statement);
   Flow loop(const Statement& statement);
+  Flow each(const Statement& statement);
+  Flow jump(const Statement& statement);
+  [[nodiscard]] bool leads_to_calls(const Statement& jump) const;
+  [[nodiscard]] bool jumps_to_calls(const std::vector<Statement>& statements) const;
   Flow choice(const Statement& statement);
   Flow either(const Value& condition, const Statement& statement);
   void declare(const Declared& declared);
   Value initial(const Declared& declared);
+  std::map<std::string_view, Members>::const_iterator designated_struct(const Expression& e) const;
+  Value evaluate_list(const Expression& e);
   Value shaped(const Declared& declared, Value value, std::size_t level);
   bool spend();
 
@@ -122,7 +128,6 @@ class Machine {
   Value evaluate_assignment(const Expression& e);
   Value evaluate_index(const Expression& e);
   Value evaluate_member(const Expression& e);
-  Value evaluate_list(const Expression& e);
   Value number(std::string_view text) const;
 
   // Names and places: code_places.cpp
@@ -194,6 +199,7 @@ class Machine {
   std::uint32_t drawn_at_ = 0;  // where the last drawing call stands; 0: none since the last set-up
   bool out_of_steps_ = false, noted_drawing_ = false;
   int depth_ = 0;
+  int guesses_ = 0;  // conditions around the current statement that are not known
 };
 
 }  // namespace ninebit::code

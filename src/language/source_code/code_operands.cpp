@@ -70,7 +70,7 @@ Expression ExpressionParser::list(std::string_view close) {
     // .member = value
     const bool designated = in_.peek().is(".") && in_.peek(1).is_name() && in_.peek(2).is("=");
     if (designated) in_.take();
-    Expression part = in_.peek().is("{") ? list("}") : assignment();
+    Expression part = in_.peek().is("{") ? list("}") : in_.peek().is("[") ? designated_element() : assignment();
     if (failed(part) || (!in_.peek().is(",") && !in_.peek().is(close))) {
       --depth_;
       return failed(part) ? part : fail(in_.peek());
@@ -81,6 +81,19 @@ Expression ExpressionParser::list(std::string_view close) {
   --depth_;
   const std::uint32_t end = in_.take().end;
   return made(ExpressionKind::list, {}, begin.offset, end, std::move(parts));
+}
+
+// [index] = value, as an assignment "[]=".
+Expression ExpressionParser::designated_element() {
+  const Token begin = in_.take();
+  Expression index = expression();
+  if (failed(index) || !in_.takes("]") || !in_.takes("=")) return fail(in_.peek());
+  Expression value = in_.peek().is("{") ? list("}") : assignment();
+  if (failed(value)) return value;
+  std::vector<Expression> parts;
+  parts.push_back(std::move(index));
+  parts.push_back(std::move(value));
+  return made(ExpressionKind::assignment, kDesignatedElement, begin.offset, in_.last_end(), std::move(parts));
 }
 
 // new TYPE[] { … }, new TYPE[n], new TYPE(…).

@@ -63,6 +63,7 @@ class ExpressionParser {
   Expression literals(const Token& begin);
   Expression parenthesis();
   Expression creation(const Token& begin);
+  Expression designated_element();
   Expression named(const Token& begin);
   Expression fail(const Token& at) const;
   [[nodiscard]] bool is_cast() const;
@@ -89,6 +90,7 @@ class StatementParser {
   Statement controlled(const Token& keyword);
   Statement branch(const Token& keyword);
   Statement loop(const Token& keyword);
+  bool for_each(Statement& out);
   Statement choice(const Token& keyword);
   Statement block();
   Statement plain();

@@ -166,8 +166,9 @@ Value* Machine::place(const Expression& e) {
     return inside ? &array->list[static_cast<std::size_t>(at)] : nullptr;
   }
   if (e.kind != ExpressionKind::member) return nullptr;
-  Value* const object = place(e.parts[0]);
+  Value* object = place(e.parts[0]);
   if (object == nullptr || object->kind != Value::Kind::list) return stored(path_of(e));
+  if (points_to_struct(*object)) object = object->list.data();
   const auto members = program_.outline.structs.find(object->type);
   if (members != program_.outline.structs.end() && !object->type.empty()) {
     const auto found = std::find(members->second.begin(), members->second.end(), e.text);

@@ -168,7 +168,11 @@ Statement StatementParser::loop(const Token& keyword) {
   }
   const std::size_t open = in_.at();
   if (!in_.takes("(")) return unreadable(begin, "'(' after " + std::string(keyword.text));
-  out.first.push_back(is_declaration() ? declaration() : plain());
+  if (for_each(out)) return out;
+  const bool nothing_first = in_.peek().is(";");
+  out.first.push_back(nothing_first      ? empty_at(in_.take(), StatementKind::nothing)
+                      : is_declaration() ? declaration()
+                                         : plain());
   bool good = out.first[0].kind != StatementKind::unreadable;
   if (good && !in_.peek().is(";")) {
     out.value.push_back(expressions_.expression(true));
@@ -193,6 +197,35 @@ Statement StatementParser::loop(const Token& keyword) {
   return out;
 }
 
+// TYPE NAME : RANGE) or TYPE NAME in RANGE), and what is done for each element; false: it is another loop.
+bool StatementParser::for_each(Statement& out) {
+  constexpr std::size_t kLongestType = 16;
+  std::size_t ahead = 0;
+  while (ahead < kLongestType &&
+         (in_.peek(ahead).is_name() || in_.peek(ahead).is("*") || in_.peek(ahead).is("&") || in_.peek(ahead).is("::") ||
+          in_.peek(ahead).is("<") || in_.peek(ahead).is(">")) &&
+         !in_.peek(ahead).is("in")) {
+    ++ahead;
+  }
+  const bool is_range = in_.peek(ahead).is(":") || in_.peek(ahead).is("in");
+  if (ahead < 2 || !is_range || !in_.peek(ahead - 1).is_name()) return false;
+  const std::size_t begin = in_.at();
+  Declared element;
+  element.name = in_.peek(ahead - 1).text;
+  element.offset = in_.peek(ahead - 1).offset;
+  in_.move_to(begin + ahead + 1);
+  Expression range = expressions_.expression();
+  if (failed(range) || !in_.takes(")")) {
+    in_.move_to(begin);
+    return false;
+  }
+  out.kind = StatementKind::each;
+  out.declared.push_back(std::move(element));
+  out.value.push_back(std::move(range));
+  out.body.push_back(statement());
+  return true;
+}
+
 Statement StatementParser::choice(const Token& keyword) {
   const std::size_t begin = in_.at();
   Statement out = empty_at(in_.take(), StatementKind::choice);
@@ -209,8 +242,10 @@ Statement StatementParser::plain() {
   const Token token = in_.peek();
   for (const std::string_view word : {"goto", "throw", "delete", "asm", "__asm", "import", "package"}) {
     if (token.is(word)) {
+      const std::string label(in_.peek(1).text);
       Statement skipped = unreadable(begin, "");
-      skipped.kind = StatementKind::nothing;
+      skipped.kind = token.is("goto") ? StatementKind::jump : StatementKind::nothing;
+      skipped.message = label;
       return skipped;
     }
   }

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <deque>
 #include <map>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -21,7 +22,7 @@ struct Expression {
     name,         // text, without qualifiers; is_qualified
     unary,        // text is the operator; "post++" and "post--" after the operand
     binary,       // text is the operator, C's; two parts
-    assignment,   // text is "=" or "+=", …; target and value
+    assignment,   // text is "=" or "+=", …; target and value; in a list kDesignatedElement: index and value
     conditional,  // three parts
     call,         // the callee, then the arguments
     index,        // the array and the index
@@ -38,6 +39,7 @@ struct Expression {
 };
 
 using ExpressionKind = Expression::Kind;
+inline constexpr std::string_view kDesignatedElement = "[]=";
 
 // One name of a declaration.
 struct Declared {
@@ -59,11 +61,13 @@ struct Statement {
     block,        // body
     branch,       // value, body, otherwise
     loop,         // first, value (none: forever), step, body; tests_last
+    each,         // declared (one, without a value), value, body: the body for each element of the value
     choice,       // value, body with labels
     label,        // value (none: default)
     leave,        // break
     next,         // continue
     give_back,    // return; value, if any
+    jump,         // goto; message is the label
     unreadable    // message
   };
   Kind kind = Kind::nothing;
@@ -111,6 +115,7 @@ struct Outline {
   std::vector<Statement> globals{};  // declarations outside of functions; also of classes
   std::vector<Statement> code{};     // statements outside of functions
   std::map<std::string_view, Members> structs{};
+  std::set<std::string_view> unions{};        // types whose members share their place
   std::map<std::string, ArrayType> arrays{};  // array types by name; in Pascal, in lower case
   std::deque<std::string> names{};            // of structs without one
 };

@@ -190,6 +190,11 @@ Value apply_binary(std::string_view op, const Value& left, const Value& right) {
   return from(binary(op, left, right), left, right);
 }
 
+bool points_to_struct(const Value& value) {
+  return value.kind == Value::Kind::list && value.type.empty() && !value.list.empty() &&
+         value.list[0].kind == Value::Kind::list && !value.list[0].type.empty();
+}
+
 bool is_true(const Value& value) {
   return value.is_number() ? value.real != 0 : true;
 }

@@ -54,6 +54,9 @@ void add_needs(std::vector<std::string>& to, const std::vector<std::string>& mor
 [[nodiscard]] Value apply_unary(std::string_view op, const Value& operand);
 [[nodiscard]] Value apply_binary(std::string_view op, const Value& left, const Value& right);
 
+// Whether a value is the elements of an array of structs, so that a member of it is one of the first.
+[[nodiscard]] bool points_to_struct(const Value& value);
+
 // Whether a value is true in a condition; needs a known number, text, entry point or symbol.
 [[nodiscard]] bool is_true(const Value& value);
 
