@@ -275,6 +275,19 @@ TEST(XboxPixelShader, EveryFaultHasItsPlace) {
       {"00000000 00000001 00000002 00000003 0000", 1, 37,
        "'0000' is not a number of this list; expected 8 hexadecimal"},
       {"0x1, 0x2, 0x3, 0x4, 17", 1, 21, "'17' is not a number of this list; expected 0x and up to 8"},
+      {"00 01 02 03\n*\n04 05 06 07", 2, 1, "'*' stands for repeated rows, but not for how many; expected offsets"},
+      {"0000: 00 01 02 03\n*\n", 2, 1, "'*' stands for repeated rows, but not for how many; expected offsets"},
+      {"0000: 00 01 02 03\n*\n0006: 04 05", 2, 1, "but the offsets do not fit the rows"},
+      {"0000: 00 01 02 03\n*\nfffffffffffffff0: 04", 2, 1, "more than 1000 bytes"},
+      {"DWORD ps[3] = { 1, 2, 3 };", 1, 23, "3 words of 32 bits; expected the 60 of a D3DPIXELSHADERDEF"},
+      {"const BYTE ps[] = {1, 2};", 1, 23, "2 bytes; expected the 240 of a D3DPIXELSHADERDEF"},
+      {"WORD ps[] = {};", 1, 13, "0 words of 16 bits; expected the 120 of a D3DPIXELSHADERDEF"},
+      {"DWORD ps[] = {1 2};", 1, 17, "expected ',' or '}' after a number; found '2'"},
+      {"DWORD ps[] = {1, 2", 1, 19, "expected ',' or '}' after a number; found the end of the text"},
+      {"DWORD ps[] = {1, {2}};", 1, 18, "expected a value; found '{'"},
+      {"const DWORD ps[] = { 0xffff0101, 0x0000ffff };", 1, 22,
+       "these are the tokens of an assembled pixel shader (ps.1.1), which ninebit does not read; disassemble it"},
+      {"ffff0104 00000042 b00f0000 0000ffff", 1, 1, "assembled pixel shader (ps.1.4), which ninebit does not read"},
   };
   for (const Fault& fault : faults) expect_fault(fault, fault.text);
 }
@@ -362,7 +375,7 @@ TEST(XboxPixelShader, OtherTextsAreNot) {
 
 // Sources that grow take as much longer as they grow.
 TEST(XboxPixelShader, HostileSourcesTakeLinearTime) {
-  const std::string beginnings[] = {"PSCombinerCount = ", "D3DPIXELSHADERDEF psd = {", "psd", ""};
+  const std::string beginnings[] = {"PSCombinerCount = ", "D3DPIXELSHADERDEF psd = {", "DWORD ps[] = {", "psd", ""};
   const std::string repeated[] = {"(",
                                   "{",
                                   "-",
@@ -387,7 +400,11 @@ TEST(XboxPixelShader, HostileSourcesTakeLinearTime) {
                                   "memset() ",
                                   "memset(a ",
                                   "f();",
-                                  "PSDotMapping |= 1 "};
+                                  "PSDotMapping |= 1 ",
+                                  "0000 00 00 00 00\n*\n",
+                                  "00-00 ",
+                                  "DWORD a[] = {1, 2};",
+                                  "0  00 "};
   constexpr std::size_t kBytes = std::size_t{1} << 20;
   for (const std::string& beginning : beginnings) {
     for (const std::string& piece : repeated) {

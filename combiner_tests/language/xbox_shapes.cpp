@@ -124,6 +124,63 @@ std::string plain_bytes(const Words& words, std::size_t a_line, const std::strin
   return text;
 }
 
+// As hexdump and od write rows: '*' for those that are the same as the row above, and the offset of the end.
+std::string starred(const Words& words, const char* offset, const char* format, std::size_t unit) {
+  const std::string bytes = as_bytes(words);
+  std::string text, above;
+  bool has_star = false;
+  for (std::size_t start = 0; start < bytes.size(); start += 16) {
+    std::string row;
+    for (std::size_t i = 0; i < 16; i += unit) {
+      std::uint32_t value = 0;
+      for (std::size_t k = unit; k-- > 0;) value = value << 8 | static_cast<unsigned char>(bytes[start + i + k]);
+      row += ' ' + hex(value, format);
+    }
+    if (row == above) {
+      text += has_star ? "" : "*\n";
+      has_star = true;
+      continue;
+    }
+    text += hex(static_cast<std::uint32_t>(start), offset) + row + '\n';
+    has_star = false;
+    above = row;
+  }
+  return text + hex(static_cast<std::uint32_t>(bytes.size()), offset) + '\n';
+}
+
+// WinDbg's db, with a hyphen in the middle and characters, and dc, with addresses of 64 bits.
+std::string windbg(const Words& words, bool as_words) {
+  constexpr std::uint32_t kAddress = 0x00123450;
+  const std::string bytes = as_bytes(words);
+  std::string text;
+  for (std::size_t start = 0; start < bytes.size(); start += 16) {
+    const std::uint32_t address = kAddress + static_cast<std::uint32_t>(start);
+    text += (as_words ? "00007ff6`" : "") + hex(address, "%08x ");
+    std::string shown;
+    for (std::size_t i = 0; i < 16; ++i) {
+      const auto byte = static_cast<unsigned char>(bytes[start + i]);
+      if (!as_words) text += (i == 8 ? "-" : " ") + hex(byte, "%02x");
+      if (as_words && i % 4 == 0) text += ' ' + hex(words[(start + i) / 4], "%08x");
+      shown += printable_byte(byte);
+    }
+    text += "  " + shown + "\r\n";
+  }
+  return text;
+}
+
+std::string word_array(const Words& words, const std::string& head) {
+  std::string text = "#pragma once\n" + head + " = {\n";
+  for (const std::uint32_t word : words) text += hex(word, "0x%08x,\n");
+  return text + "};\n";
+}
+
+std::string byte_array(const Words& words, const std::string& head, const std::string& end) {
+  std::string text = head;
+  for (const char byte : as_bytes(words)) text += hex(static_cast<unsigned char>(byte), " 0x%02x,");
+  text.pop_back();
+  return text + end;
+}
+
 }  // namespace
 
 std::string hex(std::uint32_t word, const char* format) {
@@ -191,6 +248,25 @@ std::vector<Shape> all_shapes() {
       {"hexdump -C", [](const Words& w) { return byte_dump(w, false); }},
       {"bytes", [](const Words& w) { return plain_bytes(w, 16, " "); }},
       {"bytes with commas", [](const Words& w) { return plain_bytes(w, 12, ", "); }},
+      {"hexdump", [](const Words& w) { return starred(w, "%07x", "%04x", 2); }},
+      {"od -t x1", [](const Words& w) { return starred(w, "%07o", "%02x", 1); }},
+      {"od -x", [](const Words& w) { return starred(w, "%07o", "%04x", 2); }},
+      {"od -A x -t x4", [](const Words& w) { return starred(w, "%06x", "%08x", 4); }},
+      {"od -A d -t x4", [](const Words& w) { return starred(w, "%07u", "%08x", 4); }},
+      {"hexdump -C without characters", [](const Words& w) { return starred(w, "%08x ", "%02x", 1); }},
+      {"WinDbg's db", [](const Words& w) { return windbg(w, false); }},
+      {"WinDbg's dc", [](const Words& w) { return windbg(w, true); }},
+      {"WinDbg's dd", [](const Words& w) { return numbers(w, "%08x", " ", 4, "%08x  "); }},
+      {"an array of DWORD", [](const Words& w) { return word_array(w, "DWORD ps[60]"); }},
+      {"an array of unsigned int", [](const Words& w) { return word_array(w, "static const unsigned int ps[]"); }},
+      {"an array of uint32_t", [](const Words& w) { return word_array(w, "constexpr std::uint32_t ps[8 * 7 + 4]"); }},
+      {"an array of BYTE", [](const Words& w) { return byte_array(w, "const BYTE ps[240] = {", "};"); }},
+      {"xxd -i",
+       [](const Words& w) {
+         return byte_array(w, "unsigned char psd_bin[] = {\n ", "\n};\nunsigned int psd_bin_len = 240;\n");
+       }},
+      {"xxd -i of a pipe", [](const Words& w) { return byte_array(w, " ", "\n"); }},
+      {"bytes in braces", [](const Words& w) { return byte_array(w, "{", "}"); }},
       {"binary", as_bytes},
   };
 }

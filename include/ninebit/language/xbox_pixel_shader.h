@@ -26,7 +26,8 @@ inline constexpr std::size_t kXboxDefinitionWords = 60, kXboxDefinitionBytes = 2
 // Reads a definition, whichever of these the text is:
 // - a C initializer of the struct, or assignments to its members (`psd.PSRGBInputs[0] = 0x…;`); values are constant
 //   expressions of numbers and of the macros of the Xbox's headers
-// - 60 numbers in hexadecimal, or the bytes of them as a hex dump
+// - 60 numbers in hexadecimal, or the bytes of them as a hex dump of xxd, hexdump, od or WinDbg
+// - a C array of the 60 words or of the 240 bytes
 // - the 240 bytes themselves, little endian
 // Missing words are 0. The words are those of NV20 and mean what decode_register_words says, with the same faults; the
 // profile decides which of NV20's features there are. Unknown members and macros, values out of range and wrong counts

@@ -9,6 +9,7 @@
 #include "src/language/gl_calls/gl_calls_lexer.h"
 #include "src/language/gl_calls/gl_calls_names.h"
 #include "src/language/gl_calls/gl_calls_spelling.h"
+#include "src/language/source/assembled_shader.h"
 #include "src/language/source/foreign_language.h"
 
 namespace ninebit {
@@ -170,6 +171,10 @@ Parsed<CombinerState> parse_gl_calls(const SourceText& source, const HardwarePro
   if (detail::too_long(source, faults)) return {std::nullopt, faults.take()};
   Parsed<CombinerState> parsed = Parser(source, profile).parse();
   if (parsed) return parsed;
+  if (const auto shader = assembled_shader_in(source.text)) {
+    faults.add(shader->offset, shader->message);
+    return {std::nullopt, faults.take()};
+  }
   const std::string_view language = foreign_language(source.text);
   if (language.empty()) return parsed;
   faults.add(0, cannot_run(language));

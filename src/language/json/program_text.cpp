@@ -10,6 +10,7 @@
 #include "ninebit/language/xbox_pixel_shader.h"
 #include "src/language/json/text_kind.h"
 #include "src/language/source/string_literals.h"
+#include "src/language/xbox/xbox_dump.h"
 
 namespace ninebit {
 namespace {
@@ -41,10 +42,12 @@ ProgramForm form_of(std::string_view text) {
   }
   if (is_assignment(content)) return definition ? ProgramForm::xbox : ProgramForm::words;
   if (is_source_code(text)) return ProgramForm::source;
-  // Both may be columns of numbers; few of them have as many as a definition.
-  if (is_register_log(text) && !(definition && parse_xbox_pixel_shader({text, ""}, profiles::nv2a))) {
-    return ProgramForm::log;
-  }
+  // Both may be columns of numbers. A hex dump has offsets that fit its rows; few logs have as many numbers as a
+  // definition.
+  const auto is_dump = [&] {
+    return xbox::is_hex_dump(text) || bool(parse_xbox_pixel_shader({text, ""}, profiles::nv2a));
+  };
+  if (is_register_log(text) && !(definition && is_dump())) return ProgramForm::log;
   if (definition) return ProgramForm::xbox;
   return content.starts_with('"') || content.starts_with("R\"") ? form_of_literals(content) : ProgramForm::gl;
 }

@@ -13,11 +13,13 @@ namespace ninebit::xbox {
 // The words of 240 bytes, little endian; another size is a fault.
 [[nodiscard]] Definition read_bytes(std::string_view bytes, TextFaults& faults);
 
-// Whether a text begins like 60 numbers in hexadecimal or like a hex dump of them: a line of nothing else.
-[[nodiscard]] bool is_number_list(std::string_view text);
-// Reads such a text. Numbers have eight digits, or any number of them after 0x; or two or four, which are bytes in
-// their order. Lines may begin with an offset and end with the bytes as characters. Any other count than 60 words is a
-// fault.
+// Reads a text for which is_number_list() is true. Numbers have eight digits, or any number of them after 0x; or two,
+// which are bytes in their order; or four, which are two bytes in their order, or 16 bits in little endian in a dump
+// whose offsets have no colon. Lines may begin with an offset and end with the bytes as characters; '*' repeats the row
+// above. Any other count than 60 words is a fault.
 [[nodiscard]] Definition read_number_list(std::string_view text, TextFaults& faults);
+
+// Adds a fault if the count of `what` ("bytes") is not that of a definition.
+void check_count(std::size_t found, std::string_view what, std::size_t expected, TextPlace place, TextFaults& faults);
 
 }  // namespace ninebit::xbox

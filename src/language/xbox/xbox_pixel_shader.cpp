@@ -3,6 +3,8 @@
 #include <algorithm>
 
 #include "src/language/register_words/register_words_faults.h"
+#include "src/language/xbox/xbox_array.h"
+#include "src/language/xbox/xbox_dump.h"
 #include "src/language/xbox/xbox_fields.h"
 #include "src/language/xbox/xbox_lexer.h"
 #include "src/language/xbox/xbox_numbers.h"
@@ -48,6 +50,7 @@ bool begins_with_definition(std::string_view text) {
 Definition read(const SourceText& source, TextFaults& faults, std::vector<TextFault>& notes) {
   if (is_binary(source.text)) return read_bytes(source.text, faults);
   if (is_number_list(source.text)) return read_number_list(source.text, faults);
+  if (is_number_array(source.text)) return read_array(source.text, faults);
   Parser parser(source.text, faults);
   Definition definition = parser.parse();
   for (const auto& [function, place] : parser.calls()) {
@@ -67,7 +70,7 @@ Definition read(const SourceText& source, TextFaults& faults, std::vector<TextFa
 
 bool is_xbox_pixel_shader(std::string_view text) {
   if (xbox::is_binary(text)) return text.size() == kXboxDefinitionBytes;
-  return xbox::is_number_list(text) || xbox::begins_with_definition(text);
+  return xbox::is_number_list(text) || xbox::begins_with_definition(text) || xbox::is_definition_array(text);
 }
 
 Parsed<CombinerState> parse_xbox_pixel_shader(const SourceText& source, const HardwareProfile& profile,

@@ -1,0 +1,245 @@
+#include "src/language/xbox/xbox_dump.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cstdint>
+#include <iterator>
+#include <utility>
+
+#include "ninebit/language/xbox_pixel_shader.h"
+#include "src/language/source/source_blanks.h"
+#include "src/language/source/source_faults.h"
+#include "src/language/xbox/xbox_dump_line.h"
+
+namespace ninebit::xbox {
+namespace {
+
+struct Row {
+  std::optional<DumpNumber> offset{};
+  std::vector<DumpNumber> numbers{};
+  TextPlace place{};
+  bool repeats = false;  // '*': the row above, up to the next row's offset
+
+  [[nodiscard]] std::size_t bytes() const {
+    std::size_t sum = 0;
+    for (const DumpNumber& number : numbers) sum += bytes_of(number);
+    return sum;
+  }
+};
+using Rows = std::vector<Row>;
+
+std::string_view behind_mark(std::string_view text) {
+  if (text.starts_with(detail::kByteOrderMark)) text.remove_prefix(detail::kByteOrderMark.size());
+  return text;
+}
+
+// A number that a dump has: 0x…, or two, four or eight digits, or many bytes without blanks.
+bool is_dump_number(const DumpNumber& number) {
+  const std::size_t digits = number.digits.size();
+  if (!is_hex_number(number)) return false;
+  return number.prefixed ? digits <= 8 : digits == 2 || digits == 4 || (digits >= 8 && digits % 2 == 0);
+}
+
+// The rows of a text that have any tokens, offsets among their numbers.
+Rows split_rows(std::string_view text) {
+  Rows rows;
+  const auto mark = static_cast<int>(text.size() - behind_mark(text).size());
+  text = behind_mark(text);
+  std::size_t found = 0;
+  for (int line = 1; !text.empty() && found <= kMostNumbers; ++line) {
+    DumpLine split(take_line(text), line);
+    Row row;
+    while (std::optional<DumpNumber> number = split.take()) {
+      if (split.in_characters()) break;
+      if (line == 1) number->place.column += mark;
+      row.numbers.push_back(*number);
+      if (++found > kMostNumbers) break;
+    }
+    if (row.numbers.empty()) continue;
+    row.place = row.numbers.front().place;
+    row.repeats = row.numbers.size() == 1 && row.numbers.front().digits == "*";
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+// Makes the first number of each row its offset, or those alone that are marked as offsets.
+Rows with_offsets(Rows rows, bool marked_alone) {
+  for (Row& row : rows) {
+    if (row.repeats || (marked_alone && !row.numbers.front().is_offset)) continue;
+    row.offset = row.numbers.front();
+    row.numbers.erase(row.numbers.begin());
+  }
+  return rows;
+}
+
+std::optional<std::uint64_t> offset_value(const Row& row, int base) {
+  if (!row.offset) return std::nullopt;
+  std::string digits;
+  std::copy_if(row.offset->digits.begin(), row.offset->digits.end(), std::back_inserter(digits),
+               [](char c) { return c != '`'; });
+  std::uint64_t value = 0;
+  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value, base);
+  if (error != std::errc() || end != digits.data() + digits.size()) return std::nullopt;
+  return value;
+}
+
+// How often each row stands in the dump, if the offsets are numbers of this base: 1, or for '*' the rows that are left
+// out. Empty: an offset is missing or not the one above plus its row's bytes.
+std::optional<std::vector<std::uint64_t>> counts_of_rows(const Rows& rows, int base) {
+  std::vector<std::uint64_t> counts(rows.size(), 1);
+  std::size_t above = 0;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    if (rows[i].repeats) {
+      if (i == 0 || i + 1 == rows.size() || rows[i - 1].repeats) return std::nullopt;
+      continue;
+    }
+    const auto here = offset_value(rows[i], base);
+    if (!here) return std::nullopt;
+    if (i > 0) {
+      const std::uint64_t before = offset_value(rows[above], base).value_or(0), bytes = rows[above].bytes();
+      if (bytes == 0 || *here <= before || (*here - before) % bytes != 0) return std::nullopt;
+      const std::uint64_t steps = (*here - before) / bytes;
+      if (i - above == 1 ? steps != 1 : steps < 2) return std::nullopt;
+      if (i - above > 1) counts[i - 1] = steps - 1;
+    }
+    above = i;
+  }
+  return counts;
+}
+
+// As counts_of_rows(), in the base that gives a definition's bytes, or else in the first base that fits.
+std::optional<std::vector<std::uint64_t>> counts_of_rows(const Rows& rows) {
+  std::optional<std::vector<std::uint64_t>> first;
+  for (const int base : {16, 8, 10}) {
+    auto counts = counts_of_rows(rows, base);
+    if (!counts) continue;
+    std::uint64_t bytes = 0;
+    for (std::size_t i = 0; i < rows.size() && bytes <= kXboxDefinitionBytes; ++i) {
+      const std::uint64_t row = rows[i].repeats ? rows[i - 1].bytes() : rows[i].bytes();
+      bytes += row * std::min<std::uint64_t>((*counts)[i], kXboxDefinitionBytes + 1);
+    }
+    if (bytes == kXboxDefinitionBytes) return counts;
+    if (!first) first = std::move(counts);
+  }
+  return first;
+}
+
+// Whether the first numbers of the rows are longer or shorter than all others.
+bool leads_differ(const Rows& rows) {
+  const auto other = std::find_if(rows.begin(), rows.end(), [](const Row& row) { return row.numbers.size() > 1; });
+  if (other == rows.end()) return false;
+  const std::size_t width = other->numbers[1].digits.size();
+  return std::all_of(rows.begin(), rows.end(), [&](const Row& row) {
+    return row.repeats || (row.numbers[0].digits.size() != width &&
+                           std::all_of(row.numbers.begin() + 1, row.numbers.end(),
+                                       [&](const DumpNumber& number) { return number.digits.size() == width; }));
+  });
+}
+
+constexpr std::size_t kFewRows = 3;  // in so many, offsets that fit are not there by chance
+
+// Finds the offsets: tokens with a colon; or the first of each line if they are longer or shorter than the others, grow
+// by the bytes of their rows, or are as many more numbers as a definition does not have.
+Rows find_offsets(Rows rows) {
+  std::size_t numbers = 0, lines = 0;
+  bool marked = false, prefixed = false;
+  for (const Row& row : rows) {
+    if (row.repeats) continue;
+    ++lines;
+    numbers += row.numbers.size();
+    marked = marked || row.numbers.front().is_offset;
+    prefixed = prefixed || (row.numbers.size() > 1 && row.numbers[1].prefixed);
+  }
+  if (marked) return with_offsets(std::move(rows), true);
+  if (lines < 2 || numbers == lines) return rows;
+  if (leads_differ(rows)) return with_offsets(std::move(rows), false);
+  if (lines >= kFewRows && !prefixed) {
+    Rows tried = with_offsets(rows, false);
+    if (counts_of_rows(tried)) return tried;
+  }
+  const bool one_more_each = numbers != kXboxDefinitionWords && numbers - lines == kXboxDefinitionWords;
+  return one_more_each && !prefixed ? with_offsets(std::move(rows), false) : rows;
+}
+
+// What is wrong with the first '*' of rows for which counts_of_rows() finds no counts.
+std::string star_fault(const Rows& rows, std::size_t star) {
+  if (star == 0 || rows[star - 1].numbers.empty()) return "'*' repeats the row above it, and there is no such row";
+  if (!rows[star - 1].offset || star + 1 == rows.size() || !rows[star + 1].offset) {
+    return "'*' stands for repeated rows, but not for how many; expected offsets in the rows around it";
+  }
+  return "'*' stands for repeated rows, but the offsets do not fit the rows; expected each to be the one above plus "
+         "the "
+         "bytes of its row";
+}
+
+}  // namespace
+
+DumpNumbers read_dump(std::string_view text, TextFaults& faults) {
+  const Rows rows = find_offsets(split_rows(text));
+  DumpNumbers dump;
+  const auto star = std::find_if(rows.begin(), rows.end(), [](const Row& row) { return row.repeats; });
+  std::vector<std::uint64_t> counts(rows.size(), 1);
+  if (star != rows.end()) {
+    if (auto found = counts_of_rows(rows)) {
+      counts = std::move(*found);
+    } else {
+      faults.add(star->place, star_fault(rows, static_cast<std::size_t>(star - rows.begin())));
+    }
+  }
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    if (rows[i].offset && !rows[i].offset->is_offset) dump.little_endian_halves = true;
+    if (rows[i].offset && rows[i].offset->digits.find('`') != std::string_view::npos) dump.little_endian_halves = true;
+    if (rows[i].repeats && i == 0) continue;
+    const Row& shown = rows[i].repeats ? rows[i - 1] : rows[i];
+    for (std::uint64_t k = 0; k < counts[i] && dump.numbers.size() <= kMostNumbers && !shown.repeats; ++k) {
+      for (DumpNumber number : shown.numbers) {
+        if (rows[i].repeats) number.place = rows[i].place;
+        dump.numbers.push_back(number);
+      }
+      if (shown.numbers.empty()) break;
+    }
+  }
+  return dump;
+}
+
+bool is_number_list(std::string_view text) {
+  constexpr std::size_t kFew = 4;
+  constexpr int kLines = 64;
+  constexpr std::size_t kLooked = 4096;
+  std::size_t found = 0;
+  text = behind_mark(text);
+  for (int lines = 0; !text.empty() && found < kFew && lines < kLines; ++lines) {
+    DumpLine line(take_line(text).substr(0, kLooked), 1);
+    while (const std::optional<DumpNumber> number = line.take()) {
+      if (line.in_characters()) break;
+      // An offset may have any number of digits.
+      const bool fits =
+          line.leads() ? is_row_offset(*number) || (found > 0 && number->digits == "*") : is_dump_number(*number);
+      if (!fits) return false;
+      found += std::max<std::size_t>(1, number->digits.size() / 8);
+    }
+  }
+  return found >= kFew;
+}
+
+bool is_hex_dump(std::string_view text) {
+  constexpr std::size_t kLooked = std::size_t{1} << 14, kLeastBytes = 8;
+  if (!is_number_list(text)) return false;
+  // The last line that is looked at may be cut.
+  if (text.size() > kLooked) text = text.substr(0, std::min(text.rfind('\n', kLooked), kLooked));
+  Rows rows = split_rows(text);
+  if (rows.size() < kFewRows || rows[0].bytes() <= kLeastBytes) return false;
+  const bool marked = rows[0].numbers.front().is_offset;
+  const auto numbers_fit = [](const Row& row) {
+    return row.repeats || std::all_of(row.numbers.begin() + 1, row.numbers.end(), is_dump_number);
+  };
+  if (!std::all_of(rows.begin(), rows.end(), numbers_fit)) return false;
+  rows = with_offsets(std::move(rows), marked);
+  if (rows[0].bytes() < kLeastBytes) return false;
+  while (!rows.empty() && rows.back().repeats) rows.pop_back();
+  return rows.size() >= kFewRows - 1 && counts_of_rows(rows).has_value();
+}
+
+}  // namespace ninebit::xbox
