@@ -71,6 +71,9 @@ TEST_F(SourceValidate, PartsOfProgramsAreNoFaults) {
       "void f(void) { " +
       kGood + " }\n");
   EXPECT_EQ(outcome.code, 0) << outcome.out << outcome.err;
+  const std::vector<std::string> lines = lines_of(outcome.out);
+  ASSERT_EQ(lines.size(), 4U) << outcome.out;
+  EXPECT_TRUE(lines[2].starts_with("string                       1           0         1        0")) << lines[2];
 }
 
 TEST_F(SourceValidate, DestructorsHaveTheirNames) {

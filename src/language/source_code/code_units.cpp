@@ -198,8 +198,12 @@ SourceFunction Units::describe(const Unit& unit) {
   }
   for (const std::uint32_t offset : own) out.calls_not_read += machine.sites().count(offset) == 0 ? 1 : 0;
   out.needs = machine.needs();
-  // What is wrong with a part of a text need not be wrong with the whole.
-  if (!unit.is_part) out.faults = faults.take();
+  out.faults = faults.take();
+  if (!unit.is_part || out.faults.empty()) return out;
+  // What is wrong with a part of a text need not be wrong with the whole, which is not read.
+  out.faults.clear();
+  std::swap(out.calls_read, out.calls_not_read);
+  out.calls_refused = 0;
   return out;
 }
 
