@@ -194,7 +194,7 @@ class Parser {
   }
 
   void recover() {
-    if (lexer_.peek().offset < dump_end_) return lexer_.move_to(dump_end_);
+    if (dump_end_ != 0) return lexer_.move_to(dump_end_);
     while (lexer_.peek().kind != GlToken::Kind::end) {
       if (lexer_.peek().kind == GlToken::Kind::name && detail::find_gl_call(lexer_.peek().text) != nullptr) return;
       if (lexer_.take().is(';')) return;
