@@ -37,11 +37,14 @@ std::string check_source(std::string_view bytes) {
     if (!wrong.empty()) return wrong;
   }
   for (const SourceFunction& function : find_source_functions({bytes, kFile}, {}, profiles::nv2a)) {
-    if (function.calls_read + function.calls_not_read == 0) return "a function without calls: " + function.name;
+    if (function.calls_read + function.calls_not_read == 0 && function.faults.empty()) {
+      return "a function without calls or faults: " + function.name;
+    }
     std::string wrong = wrong_with_place({function.line, 1}, bytes);
     if (!wrong.empty()) return wrong;
   }
   (void)is_source_code(bytes);
+  (void)is_gl_source_code(bytes);
   return {};
 }
 

@@ -61,6 +61,7 @@ const std::vector<Variants> kInputs{
          "GL.NV.CombinerInput((NvRegisterCombiners)All.Combiner0Nv, All.Rgb, All.VariableBNv, All.Texture1, "
          "All.ExpandNormalNv, All.Rgb);",
          "Gl.CombinerInputNV(Gl.COMBINER0_NV, Gl.RGB, Gl.VARIABLE_B_NV, Gl.TEXTURE1, Gl.EXPAND_NORMAL_NV, Gl.RGB);",
+         "glCombinerInputNV(COMBINER0_NV, GL_RGB, VARIABLE_B_NV, TEXTURE1_ARB, EXPAND_NORMAL_NV, RGB_EXT);",
          "glCombinerInputNV(0x8550, 0x1907, 0x8524, 0x84C1, 0x8538, 0x1907);",
          "glCombinerInputNV(34128u, 6407u, 34084u, 33985u, 34104u, 6407u);",
          "glCombinerInputNV(GL_COMBINER0_NV + 0, GL_RGB, GL_VARIABLE_A_NV + 1, GL_TEXTURE0_ARB + 1, "
@@ -85,6 +86,8 @@ const std::vector<Variants> kOthers{
          "0, 0);",
          "glCombinerOutputNV(GL_COMBINER1_NV, GL_RGB, GL_SPARE0_NV, GL_DISCARD_NV, GL_DISCARD_NV, GL_NONE, GL_NONE, "
          "(GLboolean)GL_TRUE, (GLboolean)0, GLboolean(0));",
+         "glCombinerOutputNV(COMBINER1_NV, GL_RGB, SPARE0_NV, DISCARD_NV, DISCARD_NV, GL_NONE, GL_NONE, GL_TRUE, "
+         "GL_FALSE, GL_FALSE);",
          "vtkgl::CombinerOutputNV(vtkgl::COMBINER1_NV, GL_RGB, vtkgl::SPARE0_NV, vtkgl::DISCARD_NV, "
          "vtkgl::DISCARD_NV, GL_NONE, GL_NONE, GL_TRUE, GL_FALSE, GL_FALSE);",
          "GL.NV.CombinerOutput(NvRegisterCombiners.Combiner1Nv, NvRegisterCombiners.Rgb, NvRegisterCombiners.Spare0Nv, "
@@ -234,6 +237,8 @@ TEST(SpellingVariants, OthersAreNotRead) {
       "glCombinerInputNV(GL_COMBINER0_NV, GL_RGB, GL_VARIABLE_B_NV, GL_TEXTURE1_ARB, GL_EXPAND_NORMAL_NV);",
       "glCombinerInputNV(GL_COMBINER0_NV, GL_RGB, GL_VARIABLE_B_NV, (GL_TEXTURE1_ARB, GL_EXPAND_NORMAL_NV, GL_RGB);",
       "glCombinerInputNV(GL_COMBINER0_NV, GL_RGB, GL_VARIABLE_B_NV, other(GL_TEXTURE1), GL_EXPAND_NORMAL_NV, GL_RGB);",
+      "glCombinerInputNV(GL_COMBINER0_NV, GL_RGB, GL_VARIABLE_B_NV, SPARE0, GL_EXPAND_NORMAL_NV, GL_RGB);",
+      "glCombinerInputNV(GL_COMBINER0_NV, GL_RGB, GL_VARIABLE_B_NV, ZERO, GL_EXPAND_NORMAL_NV, GL_RGB);",
       "glGetCombinerInputParameterivNV(GL_COMBINER0_NV, GL_RGB, GL_VARIABLE_A_NV, GL_COMBINER_INPUT_NV, v);",
       "CHECK(glEnable(GL_REGISTER_COMBINERS_NV);",
       "(*glEnable(GL_REGISTER_COMBINERS_NV);",

@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <array>
 #include <memory>
-#include <optional>
 #include <set>
 #include <string_view>
+#include <tuple>
 
 #include "src/tools/common/program_file.h"
 #include "src/tools/input/printable.h"
@@ -26,9 +26,12 @@ struct Finding {
   int line = 0, column = 0;  // 0: not about one place in the text
 };
 
-// The finding of a fault that raises a GL error; faults without one are syntax errors of the text.
-std::optional<Finding> refusal(const TextFault& fault) {
-  if (fault.gl_error == GlError::no_error) return std::nullopt;
+// Faults without a GL error are about the text: misspelled names, wrong numbers of arguments, faulty programs.
+bool is_refusal(const TextFault& fault) {
+  return fault.gl_error != GlError::no_error;
+}
+
+Finding finding_of(const TextFault& fault) {
   Finding finding{{}, fault.line, fault.column};
   finding.what.gl_error = fault.gl_error;
   finding.what.message = fault.message;
@@ -44,7 +47,7 @@ Json row_of(const Finding& finding) {
   const StateDiagnostic& d = finding.what;
   const bool rgb = d.portion == PortionName::rgb;
   const auto variable = d.variable ? static_cast<std::size_t>(*d.variable) : std::size_t{0};
-  return {{"gl_error", name_of(d.gl_error)},
+  return {{"gl_error", or_null(name_of(d.gl_error), d.gl_error != GlError::no_error)},
           {"stage", or_null(d.stage.value_or(0), d.stage.has_value())},
           {"portion", or_null(rgb ? "rgb" : "alpha", d.portion.has_value())},
           {"variable", or_null(std::string(kVariables.substr(variable, 1)), d.variable.has_value())},
@@ -83,22 +86,34 @@ std::string functions_text(const std::vector<SourceFunction>& functions) {
   return text;
 }
 
+// The faults of all functions in the order of the text, each once: a function that is called by another one is
+// executed twice.
+std::vector<TextFault> faults_of(const std::vector<SourceFunction>& functions) {
+  std::set<std::string> seen;
+  std::vector<TextFault> faults;
+  for (const SourceFunction& f : functions) {
+    for (const TextFault& fault : f.faults) {
+      if (seen.insert(fault.text()).second) faults.push_back(fault);
+    }
+  }
+  std::stable_sort(faults.begin(), faults.end(), [](const TextFault& a, const TextFault& b) {
+    return std::tie(a.line, a.column) < std::tie(b.line, b.column);
+  });
+  return faults;
+}
+
 // A source whose functions were not chosen from: what there is.
 int list_functions(const ValidateFlags& flags, const ProgramFile& file, const HardwareProfile& profile) {
   const auto functions =
       find_source_functions({file.text, file.name}, selection_of(flags.program).definitions, profile);
-  bool refused = false;
-  std::set<std::string> seen;
+  if (functions.empty() && !file.parsed) return report(file.parsed.faults, file.text);
+  const std::vector<TextFault> faults = faults_of(functions);
+  const bool refused_only = std::all_of(faults.begin(), faults.end(), is_refusal);
   Json rows = Json::array();
   std::string text = functions_text(functions);
-  for (const SourceFunction& f : functions) {
-    for (const TextFault& fault : f.refusals) {
-      // A function that is called by another one is executed twice.
-      if (!seen.insert(fault.text()).second) continue;
-      refused = true;
-      rows.push_back(row_of(*refusal(fault)));
-      text += printable(fault.text()) + "\n";
-    }
+  for (const TextFault& fault : faults) {
+    rows.push_back(row_of(finding_of(fault)));
+    if (refused_only) text += printable(fault.text()) + "\n";
   }
   const Json out{{"command", "validate"},
                  {"version", NINEBIT_VERSION},
@@ -106,7 +121,8 @@ int list_functions(const ValidateFlags& flags, const ProgramFile& file, const Ha
                  {"functions", functions_json(functions)},
                  {"rows", std::move(rows)}};
   const int code = flags.common.json ? answer(out) : answer(text);
-  return code == kDone && refused ? kDifference : code;
+  if (code != kDone || faults.empty()) return code;
+  return refused_only ? kDifference : report(faults, file.text);
 }
 
 int run(const ValidateFlags& flags) {
@@ -119,7 +135,7 @@ int run(const ValidateFlags& flags) {
   if (!flags.common.quiet) say_notes(file->parsed.notes);
   std::vector<Finding> findings;
   for (const TextFault& fault : file->parsed.faults) {
-    if (const auto finding = refusal(fault)) findings.push_back(*finding);
+    if (is_refusal(fault)) findings.push_back(finding_of(fault));
   }
   // A text that cannot be parsed has no state to validate.
   if (findings.size() < file->parsed.faults.size()) return report(file->parsed.faults, file->text);
@@ -158,6 +174,8 @@ void add_validate(CLI::App& app, int& exit_code) {
   CLI::App* verb = app.add_subcommand("validate", "List the OpenGL errors that a program raises");
   verb->footer(
       "Exit codes: 0 the program is valid, 1 it raises an error, 3 it cannot be read as a program.\n"
+      "Without --function, the functions of a source file are listed, and their faults below; values that are not\n"
+      "known are not faults: give them by --define.\n"
       "Examples:\n"
       "  ninebit validate compare.gl\n"
       "  ninebit validate program.json --profile nv2a --json");

@@ -28,9 +28,9 @@ struct SourceFunction {
   bool is_helper = false;  // its calls depend on its parameters, and another function calls it
   int calls_read = 0;      // combiner calls whose arguments are known; also assignments to an Xbox's definition
   int calls_not_read = 0;  // the others, and those that are never reached
-  int calls_refused = 0;   // calls read that raise a GL error
-  std::vector<TextFault> refusals{};  // these errors
-  std::vector<std::string> needs{};   // names of values that are not known, for Definition::name
+  int calls_refused = 0;   // calls read that GL refuses, or whose arguments or programs are faulty
+  std::vector<TextFault> faults{};   // what is wrong: GL errors, misspelled names, wrong arguments, faulty programs
+  std::vector<std::string> needs{};  // names of values that are not known, for Definition::name
 };
 
 // What to read of a source.
@@ -60,5 +60,9 @@ struct SourceSelection {
 // Whether a text looks like a source file or a part of one: it has functions, control flow or preprocessor lines, and
 // names calls of the combiners.
 [[nodiscard]] bool is_source_code(std::string_view text);
+
+// Whether a text looks like source code for OpenGL that need not name a call of the combiners: it has functions, and
+// calls some of GL's.
+[[nodiscard]] bool is_gl_source_code(std::string_view text);
 
 }  // namespace ninebit

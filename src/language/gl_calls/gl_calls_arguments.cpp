@@ -68,10 +68,12 @@ bool GlArgumentReader::bounds(std::optional<std::size_t>& size) {
 
 bool GlArgumentReader::braces(GlArgument& array, std::optional<std::size_t> size) {
   array.is_array = true;
-  if (!expect('{')) return false;
-  while (!lexer_.peek().is('}')) {
+  const char close = lexer_.peek().is('[') ? ']' : '}';
+  if (close == ']') lexer_.take();
+  if (close == '}' && !expect('{')) return false;
+  while (!lexer_.peek().is(close)) {
     if (array.count > 0 && !expect(',')) return false;
-    if (lexer_.peek().is('}')) break;  // after a trailing comma
+    if (lexer_.peek().is(close)) break;  // after a trailing comma
     const std::size_t offset = lexer_.peek().offset;
     GlArgument value;
     if (const Read read = scalar(value); read != Read::done) return false;
@@ -97,10 +99,14 @@ void GlArgumentReader::skip_casts() {
 }
 
 GlArgumentReader::Read GlArgumentReader::argument(GlArgument& out) {
+  if (lexer_.peek().kind == GlToken::Kind::name && lexer_.next_is_assignment()) {  // "pname = " of a dump
+    lexer_.take();
+    lexer_.take();
+  }
   const std::size_t offset = lexer_.peek().offset;
   Read read = Read::done;
   skip_casts();
-  if (lexer_.peek().is('{')) {
+  if (lexer_.peek().is('{') || lexer_.peek().is('[')) {
     read = braces(out, std::nullopt) ? Read::done : Read::broken;
   } else if (lexer_.peek().is('(') && lexer_.begins_array_type()) {
     read = compound_literal(out) ? Read::done : Read::broken;

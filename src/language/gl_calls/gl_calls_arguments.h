@@ -30,7 +30,7 @@ class GlArgumentReader {
   Read argument(GlArgument& out);
   // "[4]" or "[]".
   bool bounds(std::optional<std::size_t>& size);
-  // "{1, 0.5f, …}". An array with bounds is padded with zeros.
+  // "{1, 0.5f, …}", or "[1, 0.5, …]" of a dump. An array with bounds is padded with zeros.
   bool braces(GlArgument& array, std::optional<std::size_t> size);
   // Makes a name mean an array; false: it does already.
   bool declare(std::string_view name, GlArgument array);

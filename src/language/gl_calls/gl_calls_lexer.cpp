@@ -68,6 +68,12 @@ bool GlLexer::next_is_call() const {
   return text.substr(at, 1) == "(";
 }
 
+bool GlLexer::next_is_assignment() const {
+  const std::string_view text = text_.substr(0, std::min(text_.size(), at_ + kLongestLook));
+  const std::size_t at = behind_blanks(text, at_);
+  return text.substr(at, 1) == "=" && text.substr(at, 2) != "==";
+}
+
 bool GlLexer::begins_array_type() const {
   const std::string_view text = text_.substr(0, std::min(text_.size(), at_ + kLongestLook));
   std::size_t at = behind_blanks(text, at_);

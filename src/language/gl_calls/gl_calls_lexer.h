@@ -29,6 +29,8 @@ class GlLexer {
   [[nodiscard]] bool next_is_member() const;
   // Whether the next token, a name, is followed by a parenthesis, with <…> of a named cast between them or without.
   [[nodiscard]] bool next_is_call() const;
+  // Whether the next token is followed by = alone.
+  [[nodiscard]] bool next_is_assignment() const;
   // Whether the next tokens are (TYPE[, as of a compound literal.
   [[nodiscard]] bool begins_array_type() const;
   // Whether the next tokens are (* and a name.

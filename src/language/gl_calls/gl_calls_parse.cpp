@@ -1,10 +1,13 @@
+#include <algorithm>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 #include "ninebit/language/gl_calls.h"
 #include "src/language/gl_calls/gl_calls_arguments.h"
+#include "src/language/gl_calls/gl_calls_dump.h"
 #include "src/language/gl_calls/gl_calls_execute.h"
 #include "src/language/gl_calls/gl_calls_lexer.h"
 #include "src/language/gl_calls/gl_calls_names.h"
@@ -28,7 +31,9 @@ using detail::quoted;
 class Parser {
  public:
   Parser(const SourceText& source, const HardwareProfile& profile)
-      : faults_(source),
+      : text_(source.text),
+        faults_(source),
+        notes_(source),
         lexer_(source.text, faults_),
         values_(source, lexer_, faults_),
         context_(profile),
@@ -36,10 +41,12 @@ class Parser {
 
   Parsed<CombinerState> parse() {
     while (lexer_.peek().kind != GlToken::Kind::end && !faults_.full()) {
+      dump_end_ = 0;
       if (!statement()) recover();
     }
-    if (faults_.empty()) return {context_.state(), {}};
-    return {std::nullopt, faults_.take()};
+    note_skipped();
+    if (faults_.empty()) return {context_.state(), {}, notes_.take()};
+    return {std::nullopt, faults_.take(), notes_.take()};
   }
 
  private:
@@ -55,6 +62,9 @@ class Parser {
       lexer_.skip_line();
       return true;
     }
+    if (token.kind == GlToken::Kind::number) {
+      if (const auto line = detail::gl_dump_line(text_, token.offset)) return dump_line(*line);
+    }
     const bool pointer = lexer_.begins_pointer_call();  // (*glEnable)(…)
     if (pointer) {
       lexer_.take();
@@ -67,6 +77,33 @@ class Parser {
     if (lexer_.next_is_call() && lexer_.wraps_call()) return wrapped_call();
     if (token.is("static") || token.is("const") || element_type(token.text)) return declaration();
     return unknown_call(lexer_.take());
+  }
+
+  // A call of a dump, which has a number before it. Those that set no combiners are skipped.
+  bool dump_line(const detail::GlDumpLine& line) {
+    if (line.sets_combiners) {
+      lexer_.move_to(line.call);
+      dump_end_ = line.end;
+      return call_statement(*detail::find_gl_call(line.name), false, false);
+    }
+    constexpr std::size_t kMostNames = 6;
+    const bool is_new = std::find(skipped_names_.begin(), skipped_names_.end(), line.name) == skipped_names_.end();
+    if (skipped_++ == 0) first_skipped_ = line.call;
+    if (is_new && skipped_names_.size() <= kMostNames) skipped_names_.push_back(line.name);
+    if (skipped_names_.size() > kMostNames) skipped_names_.back() = "…";
+    lexer_.move_to(line.end);
+    return true;
+  }
+
+  void note_skipped() {
+    if (skipped_ == 0) return;
+    if (!called_ && faults_.empty()) {
+      faults_.add(first_skipped_, "no call of the register combiners was found in this dump");
+    }
+    std::string names;
+    for (const std::string_view name : skipped_names_) names += (names.empty() ? "" : ", ") + std::string(name);
+    notes_.add(first_skipped_, "skipped " + std::to_string(skipped_) +
+                                   (skipped_ == 1 ? " call that sets" : " calls that set") + " no combiners: " + names);
   }
 
   // The call that the next name means. With an object before them, enable and disable are GL's.
@@ -97,6 +134,7 @@ class Parser {
   // `closes_name`: a parenthesis closes behind the name; `closes_call`: another one behind the arguments.
   bool call_statement(const GlSignature& call, bool closes_name, bool closes_call) {
     const std::size_t offset = lexer_.take().offset;
+    called_ = true;
     std::vector<GlArgument> arguments;
     bool good = true;
     if (closes_name && !values_.expect(')')) return false;
@@ -145,23 +183,35 @@ class Parser {
 
   // If only the semicolon is missing, nothing is skipped. A text without any is of a language without them.
   bool end_of_statement() {
+    if (lexer_.peek().is('=')) {  // what a dump says that the call returned
+      lexer_.take();
+      if (lexer_.peek().is('-')) lexer_.take();
+      lexer_.take();
+    }
+    if (dump_end_ != 0) return true;
     if (!has_semicolons_ && !lexer_.cut_short()) return true;
     if (!values_.expect(';')) return detail::find_gl_call(lexer_.peek().text) != nullptr;
     return true;
   }
 
   void recover() {
+    if (dump_end_ != 0) return lexer_.move_to(dump_end_);
     while (lexer_.peek().kind != GlToken::Kind::end) {
       if (lexer_.peek().kind == GlToken::Kind::name && detail::find_gl_call(lexer_.peek().text) != nullptr) return;
       if (lexer_.take().is(';')) return;
     }
   }
 
-  detail::SourceFaults faults_;
+  std::string_view text_;
+  detail::SourceFaults faults_, notes_;
   GlLexer lexer_;
   GlArgumentReader values_;
   gl::Context context_;
   bool has_semicolons_;
+  bool called_ = false;       // a call of the combiners was found
+  std::size_t dump_end_ = 0;  // of the line of a dump that is read; else 0
+  std::size_t skipped_ = 0, first_skipped_ = 0;
+  std::vector<std::string_view> skipped_names_;
 };
 
 }  // namespace
@@ -175,7 +225,9 @@ Parsed<CombinerState> parse_gl_calls(const SourceText& source, const HardwarePro
     faults.add(shader->offset, shader->message);
     return {std::nullopt, faults.take()};
   }
-  const std::string_view language = foreign_language(source.text);
+  std::string_view language = foreign_language(source.text);
+  const bool names_combiners = source.text.find("ombiner") != std::string_view::npos;
+  if (language.empty() && !names_combiners) language = foreign_calls(source.text);
   if (language.empty()) return parsed;
   faults.add(0, cannot_run(language));
   return {std::nullopt, faults.take()};

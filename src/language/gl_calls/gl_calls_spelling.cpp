@@ -81,6 +81,11 @@ bool is_ordinary(std::string_view core) {
          std::find(kOrdinary.begin(), kOrdinary.end(), core) != kOrdinary.end();
 }
 
+// Whether a name ends as only names of extensions do.
+bool has_ending(std::string_view name) {
+  return name.ends_with("_NV") || name.ends_with("_ARB") || name.ends_with("_EXT");
+}
+
 struct Core {
   std::string core;
   gl::GLenum value;
@@ -137,7 +142,7 @@ std::optional<gl::GLenum> value_of_spelling(std::string_view name, bool qualifie
   if (name.empty() || name.size() > kLongestName) return std::nullopt;
   const std::string core = core_of(name);
   const bool has_gl = name.starts_with("GL") || name.starts_with("gl");
-  if (!has_gl && !qualified && is_ordinary(core)) return std::nullopt;
+  if (!has_gl && !qualified && !has_ending(name) && is_ordinary(core)) return std::nullopt;
   for (const Core& known : cores()) {
     if (known.core == core) return known.value;
   }

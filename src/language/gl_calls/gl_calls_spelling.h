@@ -24,7 +24,7 @@ enum class NameCase { exact, any };
 
 // The value of an enumerant in another spelling than GL's: without GL_, or with other or no letters at the end
 // (COMBINER0_NV, GL_COMBINER0, GL_TEXTURE0_EXT), or in CamelCase (Combiner0Nv). Names that are also ordinary words,
-// such as RGB or TEXTURE0, need `qualified`: a qualifier stands before them (vtkgl::RGB).
+// such as RGB or TEXTURE0, need `qualified`: a qualifier stands before them (vtkgl::RGB); or an ending: SPARE0_NV.
 [[nodiscard]] std::optional<gl::GLenum> value_of_spelling(std::string_view name, bool qualified);
 
 // "; did you mean 'GL_SPARE0_NV'?" for a name that is not an enumerant; empty if no known name is near.

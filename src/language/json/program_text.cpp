@@ -9,6 +9,7 @@
 #include "ninebit/language/register_log.h"
 #include "ninebit/language/xbox_pixel_shader.h"
 #include "src/language/json/text_kind.h"
+#include "src/language/source/foreign_language.h"
 #include "src/language/source/string_literals.h"
 #include "src/language/xbox/xbox_dump.h"
 
@@ -49,7 +50,10 @@ ProgramForm form_of(std::string_view text) {
   };
   if (is_register_log(text) && !(definition && is_dump())) return ProgramForm::log;
   if (definition) return ProgramForm::xbox;
-  return content.starts_with('"') || content.starts_with("R\"") ? form_of_literals(content) : ProgramForm::gl;
+  if (content.starts_with('"') || content.starts_with("R\"")) return form_of_literals(content);
+  // Code without combiners is no sequence of calls, either.
+  const bool is_code = is_gl_source_code(text) && foreign_language(text).empty();
+  return is_code ? ProgramForm::source : ProgramForm::gl;
 }
 
 ChipClass chip_of(const HardwareProfile& profile) {

@@ -112,6 +112,25 @@ std::string_view foreign_language(std::string_view text) {
   return language_of_words(text);
 }
 
+std::string_view foreign_calls(std::string_view text) {
+  struct Part {
+    std::string_view part, what;
+  };
+  constexpr std::array kParts{
+      Part{"FragmentOp1ATI(", "code for ATI_fragment_shader"},
+      Part{"FragmentOp2ATI(", "code for ATI_fragment_shader"},
+      Part{"FragmentOp3ATI(", "code for ATI_fragment_shader"},
+      Part{"BeginFragmentShaderATI(", "code for ATI_fragment_shader"},
+      Part{"GL_SHADER_OPERATION_NV", "code for NV_texture_shader"},
+      Part{"GL_COMBINE_RGB", "code for texture environments"},
+      Part{"GL_COMBINE_ALPHA", "code for texture environments"},
+      Part{"GL_COMBINE4_NV", "code for texture environments"},
+  };
+  const auto* const found = std::find_if(
+      kParts.begin(), kParts.end(), [&](const Part& known) { return text.find(known.part) != std::string_view::npos; });
+  return found == kParts.end() ? std::string_view() : found->what;
+}
+
 std::string cannot_run(std::string_view language) {
   return "this is " + std::string(language) + ", which register combiners cannot run";
 }

@@ -4,21 +4,14 @@
 #include <utility>
 
 #include "src/language/gl_calls/gl_calls_spelling.h"
-#include "src/language/pixel_shader/shader_literal.h"
+#include "src/language/source/foreign_language.h"
 #include "src/language/source/nearest_name.h"
-#include "src/language/source/string_literals.h"
 
 namespace ninebit::code {
 namespace {
 
 using detail::quoted;
 using UnitKind = Unit::Kind;
-
-// Whether a string literal holds a program.
-bool holds_program(std::string_view literal) {
-  return literal.find("!!RC1.0") != std::string_view::npos ||
-         detail::find_shader_literal(literal) != std::string_view::npos;
-}
 
 // Visits calls and assignments.
 template <class Visit>
@@ -46,6 +39,19 @@ bool sets_combiners(const Expression& call, Language language) {
   if (called_operand(call.parts[0]).text == "nvparse") return true;
   const auto* const signature = signature_of(call.parts[0], language);
   return signature != nullptr && signature->parameters != "e";
+}
+
+// The name of a destructor, which the outline gives without its ~ and maybe without its class; else empty.
+std::string destructor_name(std::string_view text, const Function& function) {
+  const char* const name = function.own_name.data();
+  if (name <= text.data() || name > text.data() + text.size() || name[-1] != '~') return "";
+  const std::string own = "~" + std::string(function.own_name);
+  if (function.name.size() > function.own_name.size()) {
+    return function.name.substr(0, function.name.size() - function.own_name.size()) + own;
+  }
+  const std::string scope = std::string(function.own_name) + "::";
+  const std::string_view before = text.substr(0, static_cast<std::size_t>(name - text.data()) - 1);
+  return before.ends_with(scope) ? scope + own : own;
 }
 
 // "NAME:LINE" without ":LINE", which is then `line`.
@@ -81,11 +87,15 @@ Units::Units(const SourceText& text, const std::vector<Definition>& definitions,
 
 void Units::find_functions(Machine& machine) {
   std::map<const Function*, std::size_t> found;
+  const std::vector<std::uint32_t> misspelled = misspelled_calls();
   for (const Function& function : program_.outline.functions) {
-    if (!machine.may_set(function)) continue;
+    const auto first = std::lower_bound(misspelled.begin(), misspelled.end(), function.begin);
+    const bool misspells = first != misspelled.end() && *first < function.end;
+    if (!misspells && !machine.may_set(function)) continue;
     found[&function] = units_.size();
-    units_.push_back({.name = function.name,
-                      .own_name = std::string(function.own_name),
+    const std::string destructor = destructor_name(program_.source.text, function);
+    units_.push_back({.name = destructor.empty() ? function.name : destructor,
+                      .own_name = (destructor.empty() ? "" : "~") + std::string(function.own_name),
                       .offset = function.offset,
                       .function = &function});
   }
@@ -109,6 +119,33 @@ void Units::find_functions(Machine& machine) {
   }
 }
 
+// Where calls stand whose names are nearly those of the combiners' calls, ascending.
+std::vector<std::uint32_t> Units::misspelled_calls() const {
+  std::vector<std::uint32_t> found;
+  const std::vector<Token>& tokens = program_.file.tokens;
+  for (std::size_t i = 0; i + 1 < tokens.size(); ++i) {
+    const std::string_view name = tokens[i].text;
+    if (!tokens[i].is_name() || !tokens[i + 1].is("(") || name.find("ombin") == std::string_view::npos) continue;
+    if (detail::find_gl_call(name, detail::NameCase::any) != nullptr) continue;
+    const bool is_own = program_.by_name.find(program_.key(name)) != program_.by_name.end();
+    if (!is_own && !detail::meant_call(name).empty()) found.push_back(tokens[i].offset);
+  }
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+void Units::report_no_units() {
+  for (const std::uint32_t offset : misspelled_calls()) {
+    const std::string_view rest = program_.source.text.substr(offset);
+    const auto end = std::find_if_not(rest.begin(), rest.end(), detail::is_word);
+    const std::string name(rest.begin(), end);
+    faults_.add(offset, quoted(name) + " is not a call of the register combiners" + detail::meant_call(name));
+  }
+  if (!faults_.empty()) return;
+  const std::string_view other = foreign_calls(program_.source.text);
+  faults_.add(0, other.empty() ? "no call of the register combiners was found in this source" : cannot_run(other));
+}
+
 // Whether a function that is executed by itself needs values of its parameters.
 bool Units::depends_on_parameters(const Function& function) {
   if (function.parameters.empty()) return false;
@@ -123,38 +160,6 @@ bool Units::depends_on_parameters(const Function& function) {
     }
   }
   return false;
-}
-
-void Units::find_texts() {
-  constexpr std::size_t kMostTexts = 1000;
-  const std::vector<Token>& tokens = program_.file.tokens;
-  const LiteralStyle style = program_.file.language == Language::pascal ? LiteralStyle::pascal : LiteralStyle::c;
-  std::size_t texts = 0;
-  for (std::size_t i = 0; i < tokens.size() && texts < kMostTexts; ++i) {
-    if (tokens[i].kind != Token::Kind::text || !holds_program(tokens[i].text)) continue;
-    const std::size_t end = end_of_literals(program_.source.text, style, tokens[i].offset);
-    std::string name = name_of_text(i);
-    if (name.empty()) name = "string";
-    units_.push_back({.kind = UnitKind::text,
-                      .name = name,
-                      .own_name = name,
-                      .offset = tokens[i].offset,
-                      .end = static_cast<std::uint32_t>(end)});
-    ++texts;
-    while (i + 1 < tokens.size() && tokens[i + 1].offset < end) ++i;
-  }
-}
-
-// The variable that a text is the value of; empty: it has none.
-std::string Units::name_of_text(std::size_t token) const {
-  const std::vector<Token>& tokens = program_.file.tokens;
-  const auto is = [&](std::size_t i, std::string_view text) { return tokens[i].is(text); };
-  std::size_t i = token;
-  while (i > 0 && (tokens[i - 1].kind == Token::Kind::text || is(i - 1, "{") || is(i - 1, "(") || is(i - 1, "+"))) --i;
-  if (i == 0 || (!is(i - 1, "=") && !is(i - 1, ":="))) return "";
-  --i;
-  while (i > 0 && (is(i - 1, "]") || is(i - 1, "[") || tokens[i - 1].kind == Token::Kind::number)) --i;
-  return i > 0 && tokens[i - 1].is_name() ? std::string(tokens[i - 1].text) : "";
 }
 
 void Units::run(Machine& machine, const Unit& unit) {
@@ -193,9 +198,12 @@ SourceFunction Units::describe(const Unit& unit) {
   }
   for (const std::uint32_t offset : own) out.calls_not_read += machine.sites().count(offset) == 0 ? 1 : 0;
   out.needs = machine.needs();
-  for (TextFault& fault : faults.take()) {
-    if (fault.gl_error != GlError::no_error) out.refusals.push_back(std::move(fault));
-  }
+  out.faults = faults.take();
+  if (!unit.is_part || out.faults.empty()) return out;
+  // What is wrong with a part of a text need not be wrong with the whole, which is not read.
+  out.faults.clear();
+  std::swap(out.calls_read, out.calls_not_read);
+  out.calls_refused = 0;
   return out;
 }
 
@@ -238,7 +246,7 @@ std::vector<const Unit*> Units::choose(const std::vector<std::string>& names) {
   }
   if (chosen.size() == 1) return chosen;
   if (units_.empty()) {
-    faults_.add(0, "no call of the register combiners was found in this source");
+    report_no_units();
   } else {
     faults_.add(chosen.empty() ? units_[0].offset : chosen[0]->offset,
                 "several functions set combiners; choose by --function NAME: " + list_of_units());

@@ -20,6 +20,7 @@ struct Unit {
   std::uint32_t offset = 0;            // where it stands
   const Function* function = nullptr;  // of Kind::function
   std::uint32_t end = 0;               // of a text, which begins at `offset`
+  bool is_part = false;                // of a text: as far as the source shows, not a whole program
   bool is_helper = false;              // its calls depend on its parameters, and another function calls it
   bool is_root = false;                // it has calls of its own, or gives their arguments, and is no helper
 };
@@ -44,8 +45,11 @@ class Units {
 
  private:
   void find_functions(Machine& machine);
+  [[nodiscard]] std::vector<std::uint32_t> misspelled_calls() const;
+  void report_no_units();
   [[nodiscard]] bool depends_on_parameters(const Function& function);
   void find_texts();
+  [[nodiscard]] bool is_joined(std::size_t token) const;
   [[nodiscard]] std::string name_of_text(std::size_t token) const;
   [[nodiscard]] const Unit* named(const std::string& wanted);
   [[nodiscard]] std::string list_of_units() const;

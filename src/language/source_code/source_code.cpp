@@ -20,14 +20,51 @@ bool shows_structure(const code::Token& token) {
   return false;
 }
 
+// Whether a name is that of a GL function, also of a pointer to one: glEnable, qglEnable, pfn_glEnable.
+bool names_gl_function(std::string_view name) {
+  constexpr std::size_t kLongestPrefix = 6;
+  const std::size_t at = name.find("gl");
+  const std::string_view own = at <= kLongestPrefix ? name.substr(at + 2) : std::string_view();
+  const auto is_upper = [](char c) { return c >= 'A' && c <= 'Z'; };
+  return own.size() > 2 && is_upper(own[0]) && !is_upper(own[1]) && own[1] != '_';
+}
+
+bool is_page(std::string_view text) {
+  return text.find("\n```") != std::string_view::npos || text.find("\n## ") != std::string_view::npos;
+}
+
 }  // namespace
+
+bool is_gl_source_code(std::string_view text) {
+  if (text.size() > kMaxSourceBytes || is_page(text)) return false;
+  const code::Language language = code::language_of(text);
+  bool has_function = language == code::Language::pascal, calls_gl = false, is_name = false;
+  // Whether each parenthesis that is open stands behind a name, as parameters do.
+  std::vector<bool> open;
+  bool closed_parameters = false;
+  std::string_view last;
+  code::Lexer lexer(text, language, 0, text.size());
+  for (code::Token token = lexer.next(); token.kind != code::Token::Kind::end; token = lexer.next()) {
+    if (token.is("(")) {
+      open.push_back(is_name);
+      calls_gl = calls_gl || (is_name && names_gl_function(last));
+    }
+    has_function = has_function || (token.is("{") && closed_parameters);
+    closed_parameters = token.is(")") && !open.empty() && open.back();
+    if (token.is(")") && !open.empty()) open.pop_back();
+    if (has_function && calls_gl) return true;
+    is_name = token.is_name();
+    last = token.text;
+  }
+  return false;
+}
 
 bool is_source_code(std::string_view text) {
   if (text.size() > kMaxSourceBytes) return false;
   if (find_literal(text, "!!RC1.0") != std::string_view::npos) return true;
   if (detail::find_shader_literal(text) != std::string_view::npos) return true;
   // A page may show calls.
-  if (text.find("\n```") != std::string_view::npos || text.find("\n## ") != std::string_view::npos) return false;
+  if (is_page(text)) return false;
   const code::Language language = code::language_of(text);
   const std::vector<std::uint32_t> calls = code::calls_of(text, language);
   if (calls.empty()) return false;
@@ -49,7 +86,7 @@ std::vector<SourceFunction> find_source_functions(const SourceText& source, cons
   for (const code::Unit& unit : units.all()) {
     if (unit.kind == code::Unit::Kind::text && units.is_loaded(unit)) continue;
     SourceFunction one = units.describe(unit);
-    if (one.calls_read + one.calls_not_read > 0) all.push_back(std::move(one));
+    if (one.calls_read + one.calls_not_read > 0 || !one.faults.empty()) all.push_back(std::move(one));
   }
   return all;
 }

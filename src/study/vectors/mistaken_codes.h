@@ -34,6 +34,7 @@ class MistakenCodes {
   }
   constexpr V product(V x, V y) const {
     const V wide = right_.product(x, y);
+    if (slip_ == Slip::products_shifted) return wide >> 8;
     if (slip_ != Slip::products_narrowed) return wide;
     return reference::narrow(d_.general_narrowing, wide, d_.one, 2 * d_.one) * d_.one;
   }
@@ -41,7 +42,14 @@ class MistakenCodes {
     const V wide = right_.sum(x, y);
     return slip_ == Slip::sums_clamped ? reference::clamp_to(wide, -d_.one * d_.one, d_.one * d_.one) : wide;
   }
-  constexpr V mux(V ab, V cd) const { return slip_ == Slip::mux_swapped ? right_.mux(cd, ab) : right_.mux(ab, cd); }
+  constexpr V mux(V ab, V cd) const {
+    if (slip_ == Slip::mux_above_half) {
+      Datapath above = d_;
+      ++above.half;
+      return reference::CodeDomain(above, stage_, registers_).mux(ab, cd);
+    }
+    return slip_ == Slip::mux_swapped ? right_.mux(cd, ab) : right_.mux(ab, cd);
+  }
   constexpr V output(const detail::Target& target, V wide) const {
     const PortionOutput& out = target.out;
     switch (slip_) {
@@ -68,9 +76,17 @@ class MistakenCodes {
             d_, reference::narrow(d_.general_narrowing, reference::scale_output(out.scale, wide - bias), 8 * d_.one,
                                   kMostCodes));
       }
-      case Slip::shifted: {
-        const V bias = out.bias == Bias::none ? 0 : d_.half * (d_.one + 1);
+      case Slip::shifted:
+      case Slip::shifted_bias_255: {
+        const V unit = slip_ == Slip::shifted ? d_.one + 1 : d_.one;
+        const V bias = out.bias == Bias::none ? 0 : d_.half * unit;
         return reference::clamp_output(d_, floor_of(reference::scale_output(out.scale, wide - bias), 2 * (d_.one + 1)));
+      }
+      case Slip::sums_shifted:
+      case Slip::products_shifted: {
+        const V code = slip_ == Slip::sums_shifted ? wide >> 8 : wide;
+        const V bias = out.bias == Bias::none ? 0 : d_.half;
+        return reference::clamp_output(d_, reference::scale_output(out.scale, code - bias) >> 1);
       }
       default:
         return right_.output(target, wide);
@@ -134,10 +150,11 @@ struct MistakenFinal {
     if (slip != Slip::negative_inputs) return right.sum(clamp, spare0, secondary);
     return clamp ? reference::min_of(spare0 + secondary, right.d.one) : spare0 + secondary;
   }
-  constexpr V product(V e, V f) const { return slip == Slip::shifted ? shift(e * f) : narrow(e * f); }
+  constexpr V product(V e, V f) const { return shifts() ? shift(e * f) : narrow(e * f); }
   constexpr V rgb(V a, V b, V c, V added) const {
-    const V mix = a * b + reference::one_minus_a_times_c(right.d, a, c);
-    return reference::clamp_final(right.d, (slip == Slip::shifted ? shift(mix) : narrow(mix)) + added);
+    const V ab = a * b, rest = reference::one_minus_a_times_c(right.d, a, c);
+    if (slip == Slip::products_shifted) return reference::clamp_final(right.d, shift(ab) + shift(rest) + added);
+    return reference::clamp_final(right.d, (shifts() ? shift(ab + rest) : narrow(ab + rest)) + added);
   }
   constexpr V alpha(V g) const { return right.alpha(g); }
 
@@ -146,7 +163,11 @@ struct MistakenFinal {
   [[nodiscard]] constexpr V narrow(V wide) const {
     return reference::narrow(right.d.final_narrowing, wide, right.d.one, 16 * right.d.one);
   }
-  [[nodiscard]] constexpr V shift(V wide) const { return wide >> 8; }
+  [[nodiscard]] constexpr bool shifts() const {
+    return slip == Slip::shifted || slip == Slip::shifted_bias_255 || slip == Slip::sums_shifted ||
+           slip == Slip::products_shifted;
+  }
+  [[nodiscard]] static constexpr V shift(V wide) { return wide >> 8; }
 };
 
 }  // namespace ninebit::vectors

@@ -109,6 +109,7 @@ const Edit kEdits[] = {
 struct NamedSlip {
   const char *name, *rules;
   Slip slip;
+  bool in_general = true, in_final = true;
 };
 
 const NamedSlip kSlips[] = {
@@ -119,11 +120,20 @@ const NamedSlip kSlips[] = {
     {"each product is rounded before the sum", "7", Slip::products_narrowed},
     {"sums are clamped before bias and scale", "22", Slip::sums_clamped},
     {"the mux takes AB for CD", "11", Slip::mux_swapped},
+    {"the mux compares spare0's alpha by > instead of >=", "11", Slip::mux_above_half},
     {"the alpha portion reads what the RGB portion wrote", "12", Slip::portions_in_turn},
     {"general combiners round down", "5, 8", Slip::rounded_down},
     {"general combiners round halves away from zero", "5", Slip::halves_from_zero},
     {"half = 127.5", "4", Slip::half_exact},
     {"a shift by 8 instead of a division by 255", "9, 10", Slip::shifted},
+    {"general combiners shift by 8", "5, 8", Slip::shifted, true, false},
+    {"the final combiner shifts by 8", "9, 10", Slip::shifted, false, true},
+    {"a shift by 8, bias half * 255", "4, 9, 10", Slip::shifted_bias_255},
+    {"general combiners shift by 8, bias half * 255", "4, 5, 8", Slip::shifted_bias_255, true, false},
+    {"a shift by 8 before the bias", "7, 9, 10", Slip::sums_shifted},
+    {"general combiners shift by 8 before the bias", "5, 7, 8", Slip::sums_shifted, true, false},
+    {"a shift by 8 of each product", "7, 9, 10", Slip::products_shifted},
+    {"general combiners shift each product by 8", "5, 7, 8", Slip::products_shifted, true, false},
     {"spare0's alpha starts as 0", "", Slip::spare0_alpha_zero},
 };
 
@@ -146,7 +156,9 @@ std::vector<Mistake> mistakes_of(const HardwareProfile& profile) {
       found.push_back({name, "5, 8", profile});
       found.back().profile.arithmetic.value = arithmetic;
     }
-    for (const NamedSlip& one : kSlips) found.push_back({one.name, one.rules, profile, one.slip});
+    for (const NamedSlip& one : kSlips) {
+      found.push_back({one.name, one.rules, profile, one.slip, nullptr, one.in_general, one.in_final});
+    }
   }
   for (const Edit& one : kEdits) found.push_back({one.name, one.rules, profile, Slip::none, one.edit});
   return found;
@@ -164,7 +176,7 @@ Rgba9 run_mistaken(const Mistake& mistake, const Program& program, RegisterFile 
   if (mistake.slip == Slip::spare0_alpha_zero) registers[Register::spare0][kAlpha] = 0;
   for (int i = 0; i < program.num_general_combiners; ++i) {
     const ProgramStage& stage = program.general[static_cast<std::size_t>(i)];
-    MistakenCodes codes(program.datapath, mistake.slip, stage, registers);
+    MistakenCodes codes(program.datapath, mistake.in_general ? mistake.slip : Slip::none, stage, registers);
     detail::StageSteps<MistakenCodes> steps;
     if (mistake.slip != Slip::portions_in_turn) {
       detail::walk_stage(codes, stage, steps);
@@ -175,7 +187,8 @@ Rgba9 run_mistaken(const Mistake& mistake, const Program& program, RegisterFile 
     detail::compute_portion<PortionName::alpha>(codes, stage.alpha, steps);
     detail::write_portion<PortionName::alpha>(codes, stage.alpha.out, steps);
   }
-  return detail::walk_final(MistakenFinal{{program.datapath}, mistake.slip}, program, registers);
+  return detail::walk_final(MistakenFinal{{program.datapath}, mistake.in_final ? mistake.slip : Slip::none}, program,
+                            registers);
 }
 
 Bytes4 bytes_of(const HardwareProfile& profile, const Rgba9& color) {

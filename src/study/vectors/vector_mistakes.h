@@ -21,12 +21,16 @@ enum class Slip {
   bias_after_scale,   // wide × scale + bias
   products_narrowed,  // each product is narrowed before it is added
   sums_clamped,       // sums and dot products are clamped to [-1, 1] before bias and scale
+  mux_above_half,     // the mux takes CD above one half, not at one half
   mux_swapped,        // the mux takes AB where it should take CD
   portions_in_turn,   // the alpha portion reads what the RGB portion wrote
   rounded_down,       // general combiners narrow toward minus infinity
   halves_from_zero,   // general combiners narrow halves away from zero
   half_exact,         // one half is one / 2, which is not a code
-  shifted,            // products are shifted by 8 instead of divided by 255
+  shifted,            // sums are shifted by 8 instead of divided by 255; so is the bias, of one half times 256
+  shifted_bias_255,   // the same with a bias of one half times 255
+  sums_shifted,       // sums are shifted by 8 before bias and scale
+  products_shifted,   // each product is shifted by 8 before the sum
   spare0_alpha_zero   // spare0's alpha starts as 0
 };
 
@@ -34,7 +38,8 @@ struct Mistake {
   std::string name, rules;
   HardwareProfile profile;  // the pack's, or with another value in one field
   Slip slip = Slip::none;
-  void (*edit)(CombinerState&) = nullptr;  // what the model does to every program; null: nothing
+  void (*edit)(CombinerState&) = nullptr;   // what the model does to every program; null: nothing
+  bool in_general = true, in_final = true;  // the combiners in which the slip is made
 };
 
 // The mistakes that may be made instead of a profile's rules.

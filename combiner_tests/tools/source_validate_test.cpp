@@ -1,0 +1,117 @@
+// `ninebit validate` of source files without --function: the faults of all functions stand below the table.
+#include <gtest/gtest.h>
+
+#include "combiner_tests/tools/program_support.h"
+
+namespace tools_test {
+namespace {
+
+class SourceValidate : public testing::Test {
+ protected:
+  Outcome validate(const std::string& text, const std::vector<std::string>& more = {}) {
+    std::vector<std::string> arguments{"validate", write_bytes(folder_ / "set.c", text)};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return ninebit(arguments);
+  }
+  TempFolder folder_;
+};
+
+const std::string kGood = "glFinalCombinerInputNV(GL_VARIABLE_D_NV, GL_SPARE0_NV, GL_UNSIGNED_IDENTITY_NV, GL_RGB);";
+
+TEST_F(SourceValidate, FaultsOfTheTextAreListed) {
+  const std::vector<std::pair<std::string, std::string>> faults{
+      {"glFinalCombinerInputNV(GL_VARIABLE_D_NV, GL_SPARE0_NVV, GL_UNSIGNED_IDENTITY_NV, GL_RGB);",
+       "did you mean 'GL_SPARE0_NV'?"},
+      {"glFinalCombinerInputNV(GL_VARIABLE_D_NV, GL_SPARE0_NV, GL_UNSIGNED_IDENTITY_NV);", "4 arguments"},
+      {"nvparse(\"!!RC1.0\\n{ rgb { spare0 = colr0; } } out.rgb = spare0;\");", "colr0"},
+      {"glFinalCombinrInputNV(GL_VARIABLE_D_NV, GL_SPARE0_NV, GL_UNSIGNED_IDENTITY_NV, GL_RGB);",
+       "did you mean 'glFinalCombinerInputNV'?"},
+  };
+  for (const auto& [call, message] : faults) {
+    SCOPED_TRACE(call);
+    const std::string text = "void good(void)\n{\n  " + kGood + "\n}\nvoid f(void)\n{\n  " + call + "\n}\n";
+    const Outcome outcome = validate(text);
+    EXPECT_EQ(outcome.code, 3);
+    EXPECT_NE(outcome.out.find("\nf "), std::string::npos) << outcome.out;
+    EXPECT_NE(outcome.err.find(folder_ / "set.c" + ":7:"), std::string::npos) << outcome.err;
+    EXPECT_NE(outcome.err.find(message), std::string::npos) << outcome.err;
+    const Outcome json = validate(text, {"--json"});
+    EXPECT_EQ(json.code, 3);
+    const Json rows = Json::parse(json.out)["rows"];
+    ASSERT_EQ(rows.size(), 1U) << json.out;
+    EXPECT_TRUE(rows[0]["gl_error"].is_null());
+    EXPECT_EQ(rows[0]["line"], 7);
+    EXPECT_NE(rows[0]["message"].get<std::string>().find(message), std::string::npos) << json.out;
+    // The faults are those of the function itself.
+    const Outcome alone = validate(text, {"--function", "f", "--quiet"});
+    EXPECT_EQ(alone.code, 3);
+    EXPECT_EQ(alone.err, outcome.err);
+  }
+}
+
+TEST_F(SourceValidate, ValuesThatAreNotKnownAreNoFaults) {
+  const std::string helper =
+      "static void set(GLenum stage, GLenum input, const GLfloat *color)\n{\n"
+      "  glCombinerInputNV(stage, GL_RGB, GL_VARIABLE_A_NV, input, GL_SIGNED_IDENTITY_NV, GL_RGB);\n"
+      "  glCombinerParameterfvNV(GL_CONSTANT_COLOR0_NV, color);\n  nvparse(text_of(stage));\n}\n";
+  EXPECT_EQ(validate(helper).code, 0);
+  const Outcome outcome = validate(helper + "void all(void) { set(GL_COMBINER0_NV, GL_TEXTURE0_ARB, tint); }\n");
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_EQ(outcome.err, "");
+  const Outcome wrong = validate(helper + "void all(void) { set(GL_COMBINER0_NV, GL_ONE, tint); }\n");
+  EXPECT_EQ(wrong.code, 1) << wrong.err;
+  EXPECT_NE(wrong.out.find("GL_INVALID_ENUM"), std::string::npos) << wrong.out;
+}
+
+// Such strings are compared with, or are the beginning of a program.
+TEST_F(SourceValidate, PartsOfProgramsAreNoFaults) {
+  const Outcome outcome = validate(
+      "int is_program(const char *s) { return strncmp(s, \"!!RC1.0\", 7) == 0; }\n"
+      "std::string made() { return \"!!RC1.0\\n{ rgb { spare0 = \" + name + \"; } }\"; }\n"
+      "void f(void) { " +
+      kGood + " }\n");
+  EXPECT_EQ(outcome.code, 0) << outcome.out << outcome.err;
+  const std::vector<std::string> lines = lines_of(outcome.out);
+  ASSERT_EQ(lines.size(), 4U) << outcome.out;
+  EXPECT_TRUE(lines[2].starts_with("string                       1           0         1        0")) << lines[2];
+}
+
+TEST_F(SourceValidate, DestructorsHaveTheirNames) {
+  const Outcome outcome = validate("struct In { In() { " + kGood + " } ~In() { " + kGood + " } };\nSetup::Setup() { " +
+                                   kGood + " }\nSetup::~Setup() { " + kGood + " }\n");
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  for (const char* const name : {"\nIn::In ", "\nIn::~In ", "\nSetup::Setup ", "\nSetup::~Setup "}) {
+    EXPECT_NE(outcome.out.find(name), std::string::npos) << outcome.out;
+  }
+  EXPECT_EQ(
+      validate("Setup::Setup() { " + kGood + " }\nSetup::~Setup() { " + kGood + " }\n", {"--function", "Setup::~Setup"})
+          .code,
+      0);
+}
+
+// Code for OpenGL without combiners is code, too.
+TEST_F(SourceValidate, CodeWithoutCombiners) {
+  expect_error(validate("void f(void)\n{\n  glFinalCombinrInputNV(GL_VARIABLE_D_NV, GL_SPARE0_NV, "
+                        "GL_UNSIGNED_IDENTITY_NV, GL_RGB);\n  glEnable(GL_REGISTER_COMBINERS_NV);\n}\n",
+                        {"--json", "--function", "f", "--quiet"}),
+               3, {"set.c:3:3: ", "did you mean 'glFinalCombinerInputNV'?"});
+  EXPECT_EQ(validate("void f(void) { glEnable(GL_REGISTER_COMBINERS_NV); }\n").code, 0);
+  expect_error(validate("if (ready) {\n  glCombinrOutputNV(GL_COMBINER0_NV);\n}\nvoid f(void) { glFlush(); }\n"), 3,
+               {"set.c:2:3: ", "did you mean 'glCombinerOutputNV'?"});
+  const std::vector<std::pair<std::string, std::string>> texts{
+      {"glBegin(GL_TRIANGLES); glEnd();", "no call of the register combiners was found in this source"},
+      {"glColorFragmentOp1ATI(GL_MOV_ATI, GL_REG_0_ATI, GL_NONE, GL_NONE, GL_REG_1_ATI, GL_NONE, GL_NONE);",
+       "this is code for ATI_fragment_shader, which register combiners cannot run"},
+      {"glTexEnvi(GL_TEXTURE_ENV, GL_COMBINE_RGB_ARB, GL_DOT3_RGB_ARB);",
+       "this is code for texture environments, which register combiners cannot run"},
+      {"glTexEnvi(GL_TEXTURE_SHADER_NV, GL_SHADER_OPERATION_NV, GL_TEXTURE_2D);",
+       "this is code for NV_texture_shader, which register combiners cannot run"},
+  };
+  for (const auto& [call, message] : texts) {
+    expect_error(validate("void f(void)\n{\n  " + call + "\n}\n"), 3, {message});
+    if (message.starts_with("this")) expect_error(validate(call + "\n"), 3, {message});
+  }
+}
+
+}  // namespace
+}  // namespace tools_test
