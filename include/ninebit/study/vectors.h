@@ -32,6 +32,7 @@ inline constexpr std::array kVectorRegisters{Register::fog,      Register::prima
 // Limits of a pack: programs, fragments of each, fragments of all together.
 inline constexpr int kMostVectorPrograms = 100'000, kMostVectorFragments = 256, kMostVectorColors = 1 << 23;
 
+// What a pack is made of.
 struct VectorSettings {
   int programs = 10000;    // from least_vector_programs() to kMostVectorPrograms
   int fragments = 16;      // of each program: 1 to kMostVectorFragments
@@ -54,14 +55,15 @@ struct VectorProgram {
   std::vector<Bytes4> expected;      // by fragment
 };
 
+// Programs with inputs and expected colours.
 struct VectorPack {
-  HardwareProfile profile;
-  ChipClass chip = ChipClass::nv20;  // whose words the programs are
-  std::uint64_t seed = 0;
+  HardwareProfile profile;              // whose results are expected
+  ChipClass chip = ChipClass::nv20;     // whose words the programs are
+  std::uint64_t seed = 0;               // VectorSettings::seed
   std::size_t fragments = 0;            // of each program
   std::vector<std::string> word_names;  // "RC_IN_RGB[0]"
   std::vector<RegisterFile> inputs;     // as a chip may hold them before the first general combiner
-  std::vector<VectorGroup> groups;
+  std::vector<VectorGroup> groups;      // in the order of the pack
   std::vector<VectorProgram> programs;  // by group
   std::string id;                       // 16 hexadecimal digits of the hash of its text
 };
@@ -91,6 +93,7 @@ using VectorProgress = std::function<bool(double done)>;
 // What an emulator computed for a pack.
 struct VectorResults {
   std::string id;  // of the pack
+  // The colours of one program.
   struct Colors {
     int line = 0;                // in its file
     std::vector<Bytes4> colors;  // by fragment
@@ -115,13 +118,18 @@ struct VectorMistake {
 
 // What results say about an emulator.
 struct VectorVerdict {
+  // A fragment.
   struct Place {
-    std::size_t program = 0, fragment = 0;
+    std::size_t program = 0;   // index in the pack
+    std::size_t fragment = 0;  // index in the program
   };
+  // The fragments of a group.
   struct GroupCount {
-    std::size_t fragments = 0, differ = 0;
+    std::size_t fragments = 0;  // that were compared
+    std::size_t differ = 0;     // from what is expected
   };
-  std::size_t fragments = 0, differ = 0;
+  std::size_t fragments = 0;            // that were compared
+  std::size_t differ = 0;               // from what is expected
   std::vector<GroupCount> groups;       // by group
   std::vector<Place> first;             // that differ, in the pack's order: at most as many as were asked for
   std::vector<VectorMistake> mistakes;  // that explain more fragments than they break; the best first
