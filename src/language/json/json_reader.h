@@ -11,12 +11,16 @@
 
 #include "src/language/json/json_tree.h"
 
-// Exported because effects, in a shared library of their own, are read with it.
-namespace ninebit {
-namespace NINEBIT_PUBLIC json {
+namespace ninebit::json {
 
 // The 32 bits of a string "0x…" or of a whole number; empty if the value is neither or does not fit.
 [[nodiscard]] std::optional<std::uint32_t> word_of(const Value& value);
+
+}  // namespace ninebit::json
+
+// Exported because effects, in a shared library of their own, are read with it.
+namespace ninebit {
+namespace NINEBIT_PUBLIC json {
 
 class Reader {
  public:
