@@ -16,7 +16,7 @@ SECONDS = 10.0  # a run may take
 MIB = 2048.0  # its processes may hold together
 SAMPLE_MS = 25  # between two looks at the memory
 MESSAGE_LINES = 8  # on stderr, where a file is refused
-FAULT_LINES = 110  # where a program or a profile is: at most 100 faults are told
+FAULT_LINES = 310  # where a program or a profile is: at most 100 faults, each with its line and a mark below it
 LINE_LENGTH = 4096
 OWN_WORDS = "ninebit: "  # an error begins with them, a note with the name of a file
 
