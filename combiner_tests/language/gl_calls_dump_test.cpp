@@ -5,7 +5,6 @@
 
 #include "combiner_tests/language/all_faults.h"
 #include "ninebit/language/gl_calls.h"
-#include "ninebit/language/program_text.h"
 
 namespace ninebit {
 namespace {
@@ -38,7 +37,6 @@ glEnable(GL_REGISTER_COMBINERS_NV);
 )";
 
 TEST(GlCallsDump, IsReadAsTheCalls) {
-  EXPECT_EQ(form_of(kDump), ProgramForm::gl);
   const auto dump = parse_gl_calls({kDump, "dump"}, profiles::nv2a);
   ASSERT_TRUE(dump) << test::all_faults(dump);
   const auto calls = parse_gl_calls({kCalls, "calls"}, profiles::nv2a);

@@ -23,6 +23,12 @@ std::string text_of(const std::vector<RegisterWord>& words) {
   return text;
 }
 
+TEST(ProgramForms, ADumpOfCallsIsReadAsCalls) {
+  EXPECT_EQ(form_of("1235 glCombinerParameteriNV(pname = GL_NUM_GENERAL_COMBINERS_NV, param = 2)\n"
+                    "1236 glEnable(cap = GL_REGISTER_COMBINERS_NV)\n"),
+            ProgramForm::gl);
+}
+
 TEST(ProgramForms, EveryShapeOfADefinitionAndEveryLogIsDetected) {
   for (int i = 0; i < 50; ++i) {
     Random random(121, static_cast<std::uint64_t>(i));
