@@ -51,7 +51,7 @@ ProgramForm form_of(std::string_view text) {
   if (is_register_log(text) && !(definition && is_dump())) return ProgramForm::log;
   if (definition) return ProgramForm::xbox;
   if (content.starts_with('"') || content.starts_with("R\"")) return form_of_literals(content);
-  // Code without combiners is no sequence of calls, either.
+  // Code without combiners is not a sequence of calls, either.
   const bool is_code = is_gl_source_code(text) && foreign_language(text).empty();
   return is_code ? ProgramForm::source : ProgramForm::gl;
 }

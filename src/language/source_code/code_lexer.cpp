@@ -51,8 +51,7 @@ bool Lexer::skip_comment() {
 // Returns whether there were any.
 bool Lexer::skip_blanks() {
   const std::size_t begin = at_;
-  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
-  if (at_ == 0 && text_.starts_with(kByteOrderMark)) at_ = kByteOrderMark.size();
+  if (at_ == 0 && text_.starts_with(detail::kByteOrderMark)) at_ = detail::kByteOrderMark.size();
   while (at_ < text_.size()) {
     if (text_[at_] == '\n') {
       line_begins_ = true;

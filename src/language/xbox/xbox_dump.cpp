@@ -138,7 +138,7 @@ bool leads_differ(const Rows& rows) {
   });
 }
 
-constexpr std::size_t kFewRows = 3;  // in so many, offsets that fit are not there by chance
+constexpr std::size_t kFewRows = 3;  // offsets that fit in this many rows are not there by chance
 
 // Finds the offsets: tokens with a colon; or the first of each line if they are longer or shorter than the others, grow
 // by the bytes of their rows, or are as many more numbers as a definition does not have.
