@@ -1,12 +1,34 @@
 #include "src/language/xbox/xbox_fields.h"
 
 #include <algorithm>
+#include <array>
 #include <iterator>
 
 #include "src/language/source/beyond_opengl.h"
 
 namespace ninebit::xbox {
 namespace {
+
+// Source: Cxbx-Reloaded, XbD3D8Types.h; nv2apretty (pixel_shader_definition.py) reads the same order from titles'
+// memory.
+constexpr std::array kFields{Field{"PSAlphaInputs", 0, 8},
+                             Field{"PSFinalCombinerInputsABCD", 8},
+                             Field{"PSFinalCombinerInputsEFG", 9},
+                             Field{"PSConstant0", 10, 8},
+                             Field{"PSConstant1", 18, 8},
+                             Field{"PSAlphaOutputs", 26, 8},
+                             Field{"PSRGBInputs", 34, 8},
+                             Field{"PSCompareMode", 42},
+                             Field{"PSFinalCombinerConstant0", 43},
+                             Field{"PSFinalCombinerConstant1", 44},
+                             Field{"PSRGBOutputs", 45, 8},
+                             Field{"PSCombinerCount", 53},
+                             Field{"PSTextureModes", 54},
+                             Field{"PSDotMapping", 55},
+                             Field{"PSInputTexture", 56},
+                             Field{"PSC0Mapping", 57},
+                             Field{"PSC1Mapping", 58},
+                             Field{"PSFinalCombinerConstants", 59}};
 
 char lower_of(char c) {
   return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
@@ -17,6 +39,10 @@ bool same_but_case(std::string_view a, std::string_view b) {
 }
 
 }  // namespace
+
+std::span<const Field> fields() {
+  return kFields;
+}
 
 const Field* find_field(std::string_view name) {
   if (same_but_case(name, "PSAphaInputs")) return kFields.data();

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -19,26 +20,8 @@ struct Field {
   std::size_t count = 1;  // more than one: an array
 };
 
-// In the order of the struct. Source: Cxbx-Reloaded, XbD3D8Types.h; nv2apretty (pixel_shader_definition.py) reads the
-// same order from titles' memory.
-inline constexpr std::array kFields{Field{"PSAlphaInputs", 0, 8},
-                                    Field{"PSFinalCombinerInputsABCD", 8},
-                                    Field{"PSFinalCombinerInputsEFG", 9},
-                                    Field{"PSConstant0", 10, 8},
-                                    Field{"PSConstant1", 18, 8},
-                                    Field{"PSAlphaOutputs", 26, 8},
-                                    Field{"PSRGBInputs", 34, 8},
-                                    Field{"PSCompareMode", 42},
-                                    Field{"PSFinalCombinerConstant0", 43},
-                                    Field{"PSFinalCombinerConstant1", 44},
-                                    Field{"PSRGBOutputs", 45, 8},
-                                    Field{"PSCombinerCount", 53},
-                                    Field{"PSTextureModes", 54},
-                                    Field{"PSDotMapping", 55},
-                                    Field{"PSInputTexture", 56},
-                                    Field{"PSC0Mapping", 57},
-                                    Field{"PSC1Mapping", 58},
-                                    Field{"PSFinalCombinerConstants", 59}};
+// In the order of the struct.
+[[nodiscard]] std::span<const Field> fields();
 
 // The member of a name, in any case; null: there is none. "PSAphaInputs" is one that Cxbx prints by mistake.
 [[nodiscard]] const Field* find_field(std::string_view name);

@@ -156,8 +156,8 @@ std::string word_line(std::string_view indent, const Field& field, std::uint32_t
 // Words at the end of an array that are 0 are left out, as C does.
 std::string printed(const Definition& definition) {
   std::string text = "D3DPIXELSHADERDEF psd = {\n";
-  for (const Field& field : kFields) {
-    const bool last = &field == &kFields.back();
+  for (const Field& field : fields()) {
+    const bool last = &field == &fields().back();
     text += "  // " + std::string(field.name) + '\n';
     if (field.count == 1) {
       text += word_line("  ", field, definition.words[field.first], !last);
