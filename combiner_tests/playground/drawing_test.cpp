@@ -115,7 +115,8 @@ TEST(PlaygroundCompare, CountsThePixelsThatDiffer) {
   const auto bytes = engine.bytes();
   for (std::size_t i = 0; i < 32 * 16; ++i) {
     int largest = 0;
-    for (std::size_t c = 0; c < 4; ++c) largest = std::max(largest, std::abs(bytes[4 * i + c] - bytes[2048 + 4 * i + c]));
+    for (std::size_t c = 0; c < 4; ++c)
+      largest = std::max(largest, std::abs(bytes[4 * i + c] - bytes[2048 + 4 * i + c]));
     differ += largest > 0 ? 1U : 0U;
     most = std::max(most, largest);
     ASSERT_EQ(bytes[4096 + 4 * i], std::min(16 * largest, 255));

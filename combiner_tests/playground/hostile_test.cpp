@@ -68,7 +68,8 @@ TEST(PlaygroundHostile, EveryRefusalSaysWhatIsWrong) {
       {R"({"do": "pixel", "x": 0, "y": 0})", "nothing was drawn yet"},
       {"{\"do\": \"read\", \"text\": \"\xFF\xFE\"}", "not valid JSON"},
       {std::string(100'000, '['), "nested more than 16 deep"},
-      {R"({"do": "about", "x": )" + std::string(10'000, '[') + std::string(10'000, ']') + "}", "nested more than 16 deep"},
+      {R"({"do": "about", "x": )" + std::string(10'000, '[') + std::string(10'000, ']') + "}",
+       "nested more than 16 deep"},
       {std::string((std::size_t{16} << 20) + 1, ' '), "at most 16777216 are read"},
   };
   for (const Case& one : cases) {
@@ -78,7 +79,8 @@ TEST(PlaygroundHostile, EveryRefusalSaysWhatIsWrong) {
     const std::string all = answer.dump();
     EXPECT_NE(message, "") << one.request.substr(0, 200);
     EXPECT_NE((message + " " + answer["fault"].value("file", "")).find(one.message), std::string::npos)
-        << one.request.substr(0, 200) << "\n" << all.substr(0, 400);
+        << one.request.substr(0, 200) << "\n"
+        << all.substr(0, 400);
     EXPECT_TRUE(engine.bytes().empty());
   }
 }

@@ -128,8 +128,8 @@ TEST(PlaygroundTrace, StepsThroughTheGivenCodes) {
   ASSERT_EQ(fault_of_answer(answer), "") << answer;
   EXPECT_EQ(answer["command"], "trace");
   EXPECT_EQ(answer["program"], nullptr);
-  const PageJson refused =
-      ask({{"do", "trace"}, {"text", kTexelTimesColor}, {"registers", {{"tex0", {256, 0, 0, 0}}, {"tex9", {0, 0, 0, 0}}}}});
+  const PageJson refused = ask(
+      {{"do", "trace"}, {"text", kTexelTimesColor}, {"registers", {{"tex0", {256, 0, 0, 0}}, {"tex9", {0, 0, 0, 0}}}}});
   EXPECT_NE(fault_of_answer(refused).find("from -255 to 255"), std::string::npos) << refused;
   EXPECT_EQ(refused["fault"]["others"].size(), 1U) << refused;
 }

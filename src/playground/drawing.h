@@ -16,10 +16,19 @@ inline constexpr std::size_t kMaxDrawnPixels = std::size_t{1} << 24;  // of the 
 inline constexpr std::size_t kMaxTexels = std::size_t{1} << 25;       // of all textures together, without mip-maps
 inline constexpr int kMaxDrawnSegments = 512;                         // N of a generated mesh
 
+inline constexpr std::uint64_t kMaxFileTriangles = std::uint64_t{1} << 19;  // of a scene file that was put
+
+// The scene that is always there: scenes/index_room.gltf. An effect of the gallery names it by that path.
+inline constexpr std::string_view kRoomName = "room";
+
+// A scene file that was put, or the room.
+[[nodiscard]] Result<Scene> shelf_scene(const std::string& name, const Shelf& shelf, std::optional<UpAxis> up);
+
 // The file texts of a request by name.
 using FileTexts = std::map<std::string, std::string, std::less<>>;
 
 // What is wrong with drawing this effect here: too many pixels, texels or polygons. Nothing: empty.
+[[nodiscard]] std::string complaint_about_mesh(const std::string& mesh);
 [[nodiscard]] std::string complaint_about_amount(const Effect& effect, const Shelf& shelf);
 
 // Readers of programs from the texts, and of textures and meshes from the shelf.

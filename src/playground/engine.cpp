@@ -44,7 +44,7 @@ Reply Engine::reply_to(Request& request, std::string_view verb) {
   if (verb == "draw") return draw(request);
   if (verb == "pixel") return pixel(request);
   if (verb == "compare") return compare(request);
-  if (verb == "shadow") return shadow_answer(request, bytes_);
+  if (verb == "shadow") return shadow_answer(request, shelf_, bytes_);
   request.reader().fault(request.find("do")->offset,
                          json::in_quotes(verb) + " is not a request; expected " + std::string(kVerbs));
   return request.refused();

@@ -1,8 +1,6 @@
 #include "src/playground/request.h"
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
 #include <cstdlib>
 
 namespace ninebit::playground {
@@ -74,17 +72,10 @@ bool Request::flag_or(std::string_view key, bool otherwise) {
   return otherwise;
 }
 
-double Request::real(std::string_view key, double lowest, double highest) {
-  const json::Value* const found = value(key);
-  if (found == nullptr) return lowest;
-  if (found->type != json::Type::number) {
-    reader_.wrong_type(*found, "a number");
-    return lowest;
-  }
-  const double number = std::strtod(found->text.c_str(), nullptr);
-  if (number >= lowest && number <= highest) return number;
-  reader_.fault(found->offset, std::string(key) + " is out of range");
-  return lowest;
+std::optional<double> Request::real_of(const json::Value& value, double lowest, double highest) {
+  if (value.type != json::Type::number) return std::nullopt;
+  const double number = std::strtod(value.text.c_str(), nullptr);
+  return number >= lowest && number <= highest ? std::optional(number) : std::nullopt;
 }
 
 std::vector<std::pair<std::string, std::string>> Request::texts(std::string_view key) {

@@ -44,8 +44,8 @@ class Request {
   [[nodiscard]] std::string word_or(std::string_view key, std::string_view otherwise);
   [[nodiscard]] int number(std::string_view key, int lowest, int highest);
   [[nodiscard]] bool flag_or(std::string_view key, bool otherwise);
-  // A real number, not NaN or infinite.
-  [[nodiscard]] double real(std::string_view key, double lowest, double highest);
+  // The number that a value is, if it is one of this range.
+  [[nodiscard]] static std::optional<double> real_of(const json::Value& value, double lowest, double highest);
   // The members of an object of strings; none without the key.
   [[nodiscard]] std::vector<std::pair<std::string, std::string>> texts(std::string_view key);
   // The value of a key, which must be there.

@@ -4,11 +4,11 @@
 #include <cstdint>
 #include <vector>
 
-#include "src/playground/request.h"
+#include "src/playground/engine.h"
 
 namespace ninebit::playground {
 
 // {"do": "shadow", …}: the picture, then the index cube unfolded, as RGBA in `bytes`.
-[[nodiscard]] Reply shadow_answer(Request& request, std::vector<std::uint8_t>& bytes);
+[[nodiscard]] Reply shadow_answer(Request& request, const Shelf& shelf, std::vector<std::uint8_t>& bytes);
 
 }  // namespace ninebit::playground

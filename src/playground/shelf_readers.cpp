@@ -5,8 +5,10 @@
 
 #include "ninebit/effect/generated_meshes.h"
 #include "src/playground/drawing.h"
+#include "src/playground/room_text.h"
 #include "src/playground/texts.h"
 #include "src/raster/texture/resample.h"
+#include "src/scene/files/scene_bytes.h"
 
 namespace ninebit::playground {
 namespace {
@@ -47,6 +49,12 @@ std::string put_names(const Shelf& shelf) {
 
 }  // namespace
 
+std::string complaint_about_mesh(const std::string& mesh) {
+  if (!is_generated_mesh(mesh) || segments_of(mesh) <= kMaxDrawnSegments) return {};
+  const std::string most = std::to_string(kMaxDrawnSegments);
+  return "a generated mesh of the playground has at most " + most + " segments, as sphere:" + most;
+}
+
 std::string complaint_about_amount(const Effect& effect, const Shelf& shelf) {
   const auto area = [](int width, int height) {
     return static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
@@ -62,12 +70,19 @@ std::string complaint_about_amount(const Effect& effect, const Shelf& shelf) {
     return "the textures have " + std::to_string(texels) + " texels; the playground takes at most " +
            std::to_string(kMaxTexels);
   }
-  const bool generated = is_generated_mesh(effect.scene.mesh);
-  if (generated && segments_of(effect.scene.mesh) > kMaxDrawnSegments) {
-    return "a generated mesh of the playground has at most " + std::to_string(kMaxDrawnSegments) +
-           " segments, as sphere:" + std::to_string(kMaxDrawnSegments);
+  return complaint_about_mesh(effect.scene.mesh);
+}
+
+Result<Scene> shelf_scene(const std::string& name, const Shelf& shelf, std::optional<UpAxis> up) {
+  const auto found = shelf.files.find(name);
+  const bool is_room = found == shelf.files.end() && (name == kRoomName || name.ends_with("/index_room.gltf"));
+  if (is_room) return scene_of_bytes(kRoomText, "index_room.gltf", up, kMaxFileTriangles);
+  if (found == shelf.files.end()) {
+    return Diagnostic{.message = "is no file that was put; take room, sphere:N, torus:N, plane:N or cube",
+                      .file = name};
   }
-  return {};
+  const std::vector<std::uint8_t>& bytes = found->second;
+  return scene_of_bytes({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, name, up, kMaxFileTriangles);
 }
 
 EffectReaders ShelfReaders::readers() {
@@ -80,11 +95,12 @@ EffectReaders ShelfReaders::readers() {
     for (const std::filesystem::path& file : files) names.push_back(file.string());
     return read_texture(names);
   };
-  readers.scene = [this](const std::filesystem::path& file, std::optional<UpAxis>) -> Result<Scene> {
-    const bool put = shelf_.files.contains(file.string());
-    return Diagnostic{.message = put ? "mesh files are not read here; take sphere:N, torus:N, plane:N or cube"
-                                     : "is not on the shelf; take sphere:N, torus:N, plane:N or cube",
-                      .file = file.string()};
+  readers.scene = [this](const std::filesystem::path& file, std::optional<UpAxis> up) -> Result<Scene> {
+    auto scene = shelf_scene(file.string(), shelf_, up);
+    if (scene) {
+      for (const std::string& note : scene->notes) warnings_.push_back(file.string() + ": ignored: " + note);
+    }
+    return scene;
   };
   return readers;
 }
