@@ -15,10 +15,11 @@ namespace {
 namespace fs = std::filesystem;
 
 // A room knows the rooms of a lower rank and itself. system and numerics do not know each other, nor do scene and
-// image, effect and study, or capi and raster.
-const std::map<std::string, int> kRank{{"system", 0}, {"numerics", 0}, {"combiner", 1}, {"language", 2}, {"capi", 3},
-                                       {"raster", 3}, {"scene", 4},    {"image", 4},    {"shadow", 5},   {"effect", 6},
-                                       {"study", 6},  {"bench", 7},    {"tools", 8},    {"python", 8}};
+// image, effect and study, capi and raster, or playground and bench.
+const std::map<std::string, int> kRank{{"system", 0}, {"numerics", 0}, {"combiner", 1}, {"language", 2},
+                                       {"capi", 3},   {"raster", 3},   {"scene", 4},    {"image", 4},
+                                       {"shadow", 5}, {"effect", 6},   {"study", 6},    {"playground", 7},
+                                       {"bench", 7},  {"tools", 8},    {"python", 8}};
 
 // The folders of rooms in src/. A folder knows those before it and itself; files that stand beside the folders come
 // last.
@@ -28,12 +29,13 @@ const std::map<std::string, std::vector<std::string>> kFolders{
      {"source", "gl_nv", "gl_calls", "rc10", "pixel_shader", "register_words", "xbox", "register_log", "source_code",
       "emit", "explain", "json"}},
     {"raster", {"rules", "surface", "texture", "setup", "fragment", "lanes", "draw"}},
-    {"scene", {"", "files"}},
+    {"scene", {"", "files", "emscripten"}},
     {"image", {"output", "texture", "openimageio", "module"}},
     {"shadow",
      {"frame", "index_order", "index_cube", "depth_cube", "shadow_map", "shadow_volume", "reflective", "light_cookie",
-      "ground_truth", "", "files"}},
+      "ground_truth", "", "files", "emscripten"}},
     {"effect", {"", "files"}},
+    {"playground", {"", "emscripten"}},
     {"study",
      {"part", "report", "page", "proof", "vectors", "digits", "index_steps", "datapath", "shadows", "depth_packing"}},
     {"tools",
@@ -61,7 +63,7 @@ const std::vector<Library> kLibraries{
     {std::regex("zlib\\.h"), {"tools"}},
     {std::regex("openssl/.*"), {"system"}},
     {std::regex("pybind11/.*"), {"python"}},
-    {std::regex("nlohmann/.*"), {"language", "scene", "study", "tools"}},
+    {std::regex("nlohmann/.*"), {"language", "scene", "study", "playground", "tools"}},
     {std::regex("(dlfcn|fcntl|poll|sched|spawn|stdlib|unistd)\\.h|(sys|linux)/.*"), {"system"}},
     {std::regex("stddef\\.h|stdint\\.h"), {"capi"}},
     {std::regex("benchmark/.*|EGL/.*|GL/glcorearb\\.h"), {"bench"}},

@@ -3,14 +3,9 @@
 
 #include <memory>
 #include <utility>
+#include <vector>
 
-#include "ninebit/language/c_source.h"
-#include "ninebit/language/gl_calls.h"
-#include "ninebit/language/glsl.h"
-#include "ninebit/language/json.h"
-#include "ninebit/language/pixel_shader.h"
-#include "ninebit/language/rc10.h"
-#include "ninebit/language/xbox_pixel_shader.h"
+#include "src/language/json/printed_form.h"
 #include "src/language/source/beyond_opengl.h"
 #include "src/tools/common/log_listing.h"
 #include "src/tools/common/output_file.h"
@@ -26,22 +21,6 @@ struct ConvertFlags {
   std::uint32_t frame = 0;  // of a log; 0: all
   std::string output;
 };
-
-Result<std::string> printed(const ConvertFlags& flags, const TextProgram& program) {
-  const CombinerState& state = program.state;
-  const HardwareProfile& profile = profile_of(flags.common);
-  const ChipClass chip = chip_of(flags.program, profile);
-  if (flags.to == "gl") return print_gl_calls(state, profile);
-  if (flags.to == "rc10") return print_rc10(state, profile);
-  if (flags.to == "ps11") return print_pixel_shader(state, profile);
-  if (flags.to == "words") return print_register_words(state, chip, profile, program.other_words);
-  if (flags.to == "words-json") return print_json_register_words(state, chip, profile, program.other_words);
-  if (flags.to == "json") return print_json_program(state, program.other_words);
-  if (flags.to == "xbox") return print_xbox_pixel_shader(state, profile, program.other_words);
-  const Program normal = normalize(state, profile);
-  if (flags.to == "c") return emit_c(normal);
-  return emit_glsl(normal, flags.to == "glsl-es" ? GlslVersion::es_300 : GlslVersion::glsl_330);
-}
 
 // Says which words have no place in the form that is written.
 void say_left_out(const ConvertFlags& flags, const std::vector<RegisterWord>& other_words) {
@@ -129,7 +108,8 @@ int run(const ConvertFlags& flags) {
   int exit_code = kDone;
   const auto program = load(flags, std::move(*source), exit_code);
   if (!program) return exit_code;
-  const auto text = printed(flags, *program);
+  const HardwareProfile& profile = profile_of(flags.common);
+  const auto text = print_in_form(flags.to, *program, chip_of(flags.program, profile), profile);
   if (!text) {
     Diagnostic lacking = text.error();
     if (lacking.file.empty()) lacking.file = flags.program.file == "-" ? "standard input" : flags.program.file;
@@ -168,7 +148,7 @@ void add_convert(CLI::App& app, int& exit_code) {
   add_common_flags(*verb, flags->common);
   add_program_flags(*verb, flags->program);
   verb->add_option("--to", flags->to, "Form to write; without it, list the set-ups of a log")
-      ->check(CLI::IsMember({"gl", "rc10", "ps11", "words", "words-json", "json", "xbox", "glsl", "glsl-es", "c"}));
+      ->check(CLI::IsMember(std::vector<std::string>(kPrintedForms.begin(), kPrintedForms.end())));
   verb->add_option("--frame", flags->frame, "Only the draws of this frame of a log, counted from 1")
       ->check(CLI::Range(1U, 0xffffffffU));
   verb->add_option("-o,--output", flags->output, "Write to this file instead of standard output")->type_name("FILE");

@@ -6,7 +6,7 @@
 #include <memory>
 #include <optional>
 
-#include "ninebit/language/trace_json.h"
+#include "src/playground/trace_answer.h"
 #include "src/system/process.h"
 #include "src/system/stream.h"
 #include "src/tools/common/index_order.h"
@@ -51,11 +51,8 @@ int print(const TraceFlags& flags, const Drawn& drawn, const Program* program, c
   std::optional<Trace> traced;
   if (program != nullptr) traced = trace(*program, *drawn.profile, registers);
   if (flags.common.json) {
-    Json out{{"command", "trace"}, {"version", NINEBIT_VERSION}, {"profile", profile}};
-    out["program"] = flags.program.file.empty() ? Json() : Json(flags.program.file);
-    if (pixel != nullptr) out[flags.effect.empty() ? "scene" : "effect"] = pixel_json(*pixel);
-    if (traced) out.update(Json::parse(print_json_trace(*program, *traced)));
-    return answer(out);
+    const playground::TraceHeading heading{.profile = profile, .program = flags.program.file, .pixel = pixel};
+    return answer(playground::trace_answer(heading, program, traced ? &*traced : nullptr));
   }
   std::string text = pixel != nullptr ? pixel_text(*pixel) : "";
   if (traced) {

@@ -24,6 +24,8 @@ struct SceneReadOptions {
   // always read by such a child. The child is a fork of this one: no
   // other thread may be inside Assimp meanwhile.
   bool isolated = false;
+  // The most triangles of a glTF file with all its nodes: at most 2^27.
+  std::uint64_t most_triangles = std::uint64_t{1} << 27U;
   std::function<bool()> go_on{};  // called while a child reads; false ends it with Fault::cancelled; may be empty
 };
 

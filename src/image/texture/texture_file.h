@@ -47,11 +47,7 @@ struct PictureSource {
 // The bytes of a PNG or JPEG file, by their first bytes; nullptr: of neither, else the usual extension, ".png".
 [[nodiscard]] const char* extension_of_bytes(std::span<const std::uint8_t> bytes);
 
-// Scales a picture with one level of bytes or floats, whose sides are not powers of two, to the next ones. As
-// gluScaleImage with GL_LINEAR, but in integers: target sample i of n lies at (2i + 1) source / (2n) - 1/2 of the
-// source, rounded to 1/256 of a sample, halves up, and clamped to the first and the last sample. Along x, then along y,
-// a byte is (a (256 - w) + b w + 128) / 256, rounded down; floats are computed in the same order as a + (b - a) w /
-// 256.
+// Scales the first level of each face as resample_to_powers_of_two() of src/raster/texture/resample.h does.
 void resample_to_powers_of_two(FileTexture& texture);
 
 // The reader of all files except DDS. It is OpenImageIO, which depends on 250 shared libraries: the library links it,

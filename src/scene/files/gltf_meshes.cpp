@@ -43,7 +43,7 @@ GltfMeshes::GltfMeshes(const JsonValue& root, GltfStorage& storage, Scene& scene
 
 std::optional<Diagnostic> GltfMeshes::prepare(const std::vector<GltfPlacement>& placements, std::uint64_t file_bytes,
                                               const SceneReadOptions& options) {
-  const std::uint64_t most = std::min(kMostTriangles, file_bytes + kMostPlacedAgain);
+  const std::uint64_t most = std::min({kMostTriangles, options.most_triangles, file_bytes + kMostPlacedAgain});
   std::uint64_t placed = 0;
   for (const GltfPlacement& placement : placements) {
     Mesh& mesh = meshes_[placement.mesh];

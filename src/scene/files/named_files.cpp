@@ -35,6 +35,7 @@ Result<std::string> read_whole_file(const std::filesystem::path& file, std::uint
 Status NamedFiles::check(std::string_view name) const {
   if (name.empty() || name.find('\0') != std::string_view::npos)
     return fault_of("names a file whose name is empty or has a byte 0");
+  if (alone_) return fault_of("names another file, and files are read alone here");
   if (allow_outside_) return {};
   if (const std::optional<std::string> why = posix::why_outside(folder_, name))
     return fault_of(fmt::format("names a file that is not allowed without --allow-outside: {}", *why));

@@ -20,6 +20,12 @@ class NamedFiles {
   // `file`: the scene file. `allow_outside`: names may lead out of its folder.
   NamedFiles(const std::filesystem::path& file, bool allow_outside)
       : folder_(file.parent_path()), stem_(file.stem().string()), allow_outside_(allow_outside) {}
+  // Of a scene file that is in memory: no other file is read.
+  [[nodiscard]] static NamedFiles alone(const std::filesystem::path& file) {
+    NamedFiles files(file, false);
+    files.alone_ = true;
+    return files;
+  }
 
   // The name of the scene file with another extension.
   [[nodiscard]] std::string sibling(const std::string& extension) const { return stem_ + extension; }
@@ -37,6 +43,7 @@ class NamedFiles {
   std::filesystem::path folder_;
   std::string stem_;
   bool allow_outside_;
+  bool alone_ = false;
 };
 
 // Names a picture: sets its name and file, or the fault of a name that may not be read. Opens no file.

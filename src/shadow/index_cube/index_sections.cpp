@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "ninebit/shadow/index_codes.h"
+#include "src/shadow/frame/weld.h"
 
 namespace ninebit {
 namespace {
@@ -37,11 +38,10 @@ struct ObjectMesh {
 class SectionCutter {
  public:
   SectionCutter(const Scene& scene, int size)
-      : scene_(scene), size_(triangles_in_section(size)), place_(scene.positions.size()) {
+      : scene_(scene),
+        size_(triangles_in_section(size)),
+        place_(weld_vertices(scene.triangles, scene.positions).of_vertex) {
     sections_.of_triangle.resize(scene.triangles.size());
-    const std::vector<unsigned int> all = numbers_of(scene);
-    meshopt_generateVertexRemap(place_.data(), all.data(), all.size(), scene.positions.data(), scene.positions.size(),
-                                sizeof(glm::vec3));
     in_mesh_.assign(scene.positions.size(), kNowhere);
     corners_at_.resize(scene.positions.size());
   }
@@ -53,13 +53,6 @@ class SectionCutter {
 
  private:
   static constexpr unsigned int kNowhere = ~0U;
-
-  static std::vector<unsigned int> numbers_of(const Scene& scene) {
-    std::vector<unsigned int> numbers;
-    numbers.reserve(scene.triangles.size() * 3);
-    for (const glm::uvec3& t : scene.triangles) numbers.insert(numbers.end(), {t.x, t.y, t.z});
-    return numbers;
-  }
 
   ObjectMesh mesh_of(const SceneObject& object) {
     ObjectMesh mesh;
@@ -120,7 +113,7 @@ class SectionCutter {
 
   const Scene& scene_;
   std::size_t size_;
-  std::vector<unsigned int> place_;       // first vertex at the same position, per vertex of the scene
+  std::vector<unsigned int> place_;       // per vertex of the scene
   std::vector<unsigned int> in_mesh_;     // latest vertex at each position, in the object being cut
   std::vector<unsigned int> corners_at_;  // triangle corners at that vertex
   Sections sections_;

@@ -1,19 +1,17 @@
 #include "src/shadow/index_order/scene_surface.h"
 
-#include <meshoptimizer.h>
-
 #include <numeric>
 
+#include "src/shadow/frame/weld.h"
 #include "src/system/parallel/parallel_loop.h"
 
 namespace ninebit {
 
 SceneSurface::SceneSurface(const Scene& scene) {
   const std::size_t count = scene.triangles.size();
-  std::vector<unsigned int> place(scene.positions.size());
-  const std::size_t places =
-      meshopt_generateVertexRemap(place.data(), &scene.triangles[0].x, count * 3, scene.positions.data(),
-                                  scene.positions.size(), sizeof(glm::vec3));
+  const WeldedVertices welded = weld_vertices(scene.triangles, scene.positions);
+  const std::vector<unsigned int>& place = welded.of_vertex;
+  const std::size_t places = welded.places;
   position_.resize(places);
   for (std::size_t v = 0; v < place.size(); ++v) {
     if (place[v] < places) position_[place[v]] = scene.positions[v];

@@ -20,31 +20,6 @@ Result<Effect> effect_in(const std::string& file) {
   return Diagnostic{.message = first.message, .file = first.file, .line = first.line};
 }
 
-// Moves the fragments of the rectangle's passes behind the mesh's polygons.
-void number_rectangles(const Effect& effect, const Scene& scene, TracedPixel& pixel) {
-  const bool has_mesh = !effect.scene.mesh.empty();
-  const auto first = static_cast<std::uint32_t>(has_mesh ? scene.triangles.size() : 0);
-  if (has_mesh) {
-    for (const SceneObject& object : scene.objects) pixel.objects.push_back(object.name);
-    pixel.object_of = scene.triangle_object;
-  }
-  pixel.object_of.insert(pixel.object_of.end(), 2, static_cast<std::uint32_t>(pixel.objects.size()));
-  pixel.objects.emplace_back("rectangle");
-  for (ProbedPass& pass : pixel.passes) {
-    const auto from = std::find_if(effect.passes.begin(), effect.passes.end(),
-                                   [&](const EffectPass& p) { return p.name == pass.name; });
-    if (from->geometry == EffectGeometry::mesh) continue;
-    for (ProbedFragment& fragment : pass.fragments) fragment.primitive += first;
-  }
-}
-
-bool is_drawn(const TracedPixel& pixel) {
-  return std::any_of(pixel.passes.begin(), pixel.passes.end(), [](const ProbedPass& pass) {
-    return std::any_of(pass.fragments.begin(), pass.fragments.end(),
-                       [](const ProbedFragment& f) { return f.fate == FragmentFate::written; });
-  });
-}
-
 }  // namespace
 
 Result<TracedEffect> draw_pixel(const std::string& file, const std::string& pixel, const CommonFlags& common,
@@ -68,15 +43,7 @@ Result<TracedEffect> draw_pixel(const std::string& file, const std::string& pixe
   if (!renderer) return renderer.error();
   Status drawn = renderer->draw([&](std::string_view pass, double done) { return line.step(pass, done); });
   if (!drawn) return drawn.error();
-  TracedPixel& out = traced.pixel;
-  out.x = at->x;
-  out.y = effect->height - 1 - at->y;
-  out.file = file;
-  out.size = fmt::format("{}x{}", effect->width, effect->height);
-  out.passes = renderer->probed();
-  number_rectangles(*effect, renderer->scene(), out);
-  out.state = is_drawn(out) ? "drawn" : "not drawn";
-  choose_fragment(out, false);
+  traced.pixel = playground::pixel_of_effect(*effect, *renderer, at->x, effect->height - 1 - at->y, file);
   return traced;
 }
 

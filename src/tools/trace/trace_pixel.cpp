@@ -11,20 +11,6 @@
 namespace ninebit::tools {
 namespace {
 
-std::string_view fate_text(FragmentFate fate) {
-  switch (fate) {
-    case FragmentFate::alpha_failed:
-      return "alpha test failed";
-    case FragmentFate::stencil_failed:
-      return "stencil test failed";
-    case FragmentFate::depth_failed:
-      return "depth test failed";
-    case FragmentFate::written:
-      return "written";
-  }
-  return "";
-}
-
 std::string state_of(const Surface& frame, std::size_t at) {
   if (frame.depth()[at] == max_depth(frame.format())) return "background";
   return frame.stencil()[at] == 0 ? "lit" : "shadowed";
@@ -33,23 +19,10 @@ std::string state_of(const Surface& frame, std::size_t at) {
 std::string fragment_text(const TracedPixel& pixel, const ProbedFragment& f) {
   const std::uint32_t object = pixel.object_of[f.primitive];
   return fmt::format("polygon {} of object {} '{}': depth {} against stored {}, {}", f.primitive + 1, object + 1,
-                     printable(pixel.objects[object]), f.depth, f.stored_depth, fate_text(f.fate));
+                     printable(pixel.objects[object]), f.depth, f.stored_depth, playground::text_of_fate(f.fate));
 }
 
 }  // namespace
-
-void choose_fragment(TracedPixel& pixel, bool other_program) {
-  const bool any_program =
-      std::any_of(pixel.passes.begin(), pixel.passes.end(), [](const ProbedPass& p) { return p.program.has_value(); });
-  for (std::size_t i = 0; i < pixel.passes.size(); ++i) {
-    const ProbedPass& pass = pixel.passes[i];
-    if (any_program ? !pass.program : !other_program) continue;
-    const ProbedFragment* decided = deciding_fragment(pass);
-    if (decided == nullptr) continue;
-    pixel.pass = i;
-    pixel.fragment = static_cast<std::size_t>(decided - pass.fragments.data());
-  }
-}
 
 Result<TracedPixel> render_pixel(const SceneFlags& flags, const CommonFlags& common, int x, int y, bool other_program) {
   const ThreadLimit limit(common.threads);
@@ -78,7 +51,7 @@ Result<TracedPixel> render_pixel(const SceneFlags& flags, const CommonFlags& com
   pixel.index_order = std::move(rendering->index_order);
   for (const SceneObject& object : scene->objects) pixel.objects.push_back(object.name);
   pixel.object_of = scene->triangle_object;
-  choose_fragment(pixel, other_program);
+  playground::choose_fragment(pixel, other_program);
   return pixel;
 }
 
@@ -106,33 +79,6 @@ std::string pixel_text(const TracedPixel& pixel) {
     }
   }
   return text + "no pass with a program drew a visible fragment: nothing to trace\n";
-}
-
-Json pixel_json(const TracedPixel& pixel) {
-  Json passes = Json::array();
-  for (const ProbedPass& pass : pixel.passes) {
-    Json fragments = Json::array();
-    for (const ProbedFragment& f : pass.fragments) {
-      const std::uint32_t object = pixel.object_of[f.primitive];
-      fragments.push_back({{"polygon", f.primitive + 1},
-                           {"object", object + 1},
-                           {"object_name", pixel.objects[object]},
-                           {"depth", f.depth},
-                           {"depth_met", f.stored_depth},
-                           {"stencil_met", f.stored_stencil},
-                           {"depth_passes", f.depth_passes},
-                           {"fate", fate_text(f.fate)},
-                           {"color", f.color}});
-    }
-    passes.push_back({{"name", pass.name}, {"has_program", pass.program.has_value()}, {"fragments", fragments}});
-  }
-  return {{"file", pixel.file},
-          {"technique", pixel.technique.empty() ? Json() : Json(pixel.technique)},
-          {"pixel", {pixel.x, pixel.y}},
-          {"state", pixel.state},
-          {"passes", std::move(passes)},
-          {"pass", pixel.pass ? Json(pixel.passes[*pixel.pass].name) : Json()},
-          {"fragment", pixel.fragment ? Json(*pixel.fragment) : Json()}};
 }
 
 }  // namespace ninebit::tools

@@ -1,0 +1,132 @@
+// What the engine draws.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "combiner_tests/playground/support.h"
+#include "src/playground/plane_hash.h"
+#include "src/system/hashing/sha256.h"
+
+namespace ninebit::test {
+namespace {
+
+// The red plane and so on, the lowest row first, of the answer's picture.
+std::string hash_of_bytes(std::span<const std::uint8_t> rgba, std::size_t width) {
+  const std::size_t height = rgba.size() / 4 / width;
+  Sha256 hash;
+  for (std::size_t c = 0; c < 4; ++c) {
+    std::vector<std::uint8_t> plane;
+    for (std::size_t y = height; y-- > 0;) {
+      for (std::size_t x = 0; x < width; ++x) plane.push_back(rgba[4 * (y * width + x) + c]);
+    }
+    hash.add(plane);
+  }
+  return hash.finish();
+}
+
+TEST(PlaneHash, IsSha256) {
+  std::vector<std::uint8_t> bytes;
+  for (int size = 0; size < 300; ++size) {
+    playground::PlaneHash hash;
+    const std::span<const std::uint8_t> all(bytes);
+    const std::size_t cut = bytes.size() / 3;
+    hash.add(all.first(cut));
+    hash.add(all.subspan(cut));
+    Sha256 expected;
+    expected.add(bytes);
+    ASSERT_EQ(hash.finish(), expected.finish()) << size << " bytes";
+    bytes.push_back(static_cast<std::uint8_t>(size * 7 + 1));
+  }
+}
+
+TEST(PlaygroundDraw, GivesThePictureFromTheTop) {
+  Engine engine;
+  const PageJson answer = ask(engine, draw_request());
+  ASSERT_EQ(fault_of_answer(answer), "");
+  EXPECT_EQ(answer["width"], 32);
+  EXPECT_EQ(answer["height"], 16);
+  EXPECT_EQ(answer["profile"], "geforce2");
+  ASSERT_EQ(answer["bytes"], 32 * 16 * 4);
+  const auto bytes = engine.bytes();
+  ASSERT_EQ(bytes.size(), 32U * 16 * 4);
+  EXPECT_EQ(answer["hash"]["color"], hash_of_bytes(bytes, 32));
+  // The square at (0, 0) is white, and the texture's first row is at the top: the primary colour's own bytes.
+  EXPECT_EQ((std::vector<int>{bytes[0], bytes[1], bytes[2]}), (std::vector<int>{255, 128, 64}));
+}
+
+TEST(PlaygroundDraw, TakesPicturesThatWerePut) {
+  Engine engine;
+  PageJson request = draw_request();
+  request["effect"]["textures"]["squares"]["source"] = "my picture.png";
+  EXPECT_NE(fault_of_answer(ask(engine, request)).find("is no picture that was put"), std::string::npos);
+  const auto buffer = engine.buffer(3 * 2 * 4);
+  std::fill(buffer.begin(), buffer.end(), std::uint8_t{255});
+  const PageJson put{{"do", "put"}, {"name", "my picture.png"}, {"kind", "pixels"}, {"width", 3}, {"height", 2}};
+  ASSERT_EQ(fault_of_answer(ask(engine, put)), "");
+  const PageJson answer = ask(engine, request);
+  ASSERT_EQ(fault_of_answer(answer), "");
+  ASSERT_EQ(answer["warnings"].size(), 1U);
+  EXPECT_NE(answer["warnings"][0].get<std::string>().find("3 x 2 is resampled"), std::string::npos);
+  EXPECT_EQ(engine.bytes()[1], 128);
+  // The buffer was taken.
+  EXPECT_NE(fault_of_answer(ask(engine, put)).find("the buffer has 0 bytes"), std::string::npos);
+}
+
+TEST(PlaygroundDraw, NamesThePlaceOfAFaultInAProgram) {
+  PageJson request = draw_request();
+  request["files"]["mine.gl"] = "glEnable(GL_REGISTER_COMBINERS_NV);\nglNothing();\n";
+  const PageJson fault = ask(request)["fault"];
+  EXPECT_EQ(fault["file"], "mine.gl");
+  EXPECT_EQ(fault["line"], 2);
+  EXPECT_EQ(fault["column"], 1);
+  PageJson effect = draw_request();
+  effect["effect"] = "{\n  \"ninebit\": \"effect\", \"version\": 1,\n  \"passes\": [{\"colour\": 1}]\n}";
+  const PageJson key = ask(effect)["fault"];
+  EXPECT_EQ(key["file"], "effect");
+  EXPECT_EQ(key["line"], 3);
+  EXPECT_NE(key["message"].get<std::string>().find("unknown key \"colour\""), std::string::npos) << key;
+}
+
+TEST(PlaygroundPixel, TracesTheLastDrawing) {
+  Engine engine;
+  EXPECT_EQ(fault_of_answer(ask(engine, {{"do", "pixel"}, {"x", 0}, {"y", 0}})), "nothing was drawn yet");
+  ask(engine, draw_request());
+  const PageJson answer = ask(engine, {{"do", "pixel"}, {"x", 1}, {"y", 0}});
+  ASSERT_EQ(fault_of_answer(answer), "");
+  EXPECT_EQ(answer["effect"]["pixel"], PageJson({1, 0}));
+  EXPECT_EQ(answer["effect"]["state"], "drawn");
+  EXPECT_EQ(answer["effect"]["passes"][0]["fragments"][0]["color"], PageJson({255, 128, 64, 255}));
+  EXPECT_NE(fault_of_answer(ask(engine, {{"do", "pixel"}, {"x", 32}, {"y", 0}})), "");
+}
+
+TEST(PlaygroundCompare, CountsThePixelsThatDiffer) {
+  Engine engine;
+  PageJson request = draw_request();
+  request["do"] = "compare";
+  request["profiles"] = {"geforce2", "geforce256-8bit"};
+  const PageJson answer = ask(engine, request);
+  ASSERT_EQ(fault_of_answer(answer), "");
+  ASSERT_EQ(engine.bytes().size(), 3U * 32 * 16 * 4);
+  EXPECT_EQ(answer["bytes"], engine.bytes().size());
+  std::size_t differ = 0;
+  int most = 0;
+  const auto bytes = engine.bytes();
+  for (std::size_t i = 0; i < 32 * 16; ++i) {
+    int largest = 0;
+    for (std::size_t c = 0; c < 4; ++c)
+      largest = std::max(largest, std::abs(bytes[4 * i + c] - bytes[2048 + 4 * i + c]));
+    differ += largest > 0 ? 1U : 0U;
+    most = std::max(most, largest);
+    ASSERT_EQ(bytes[4096 + 4 * i], std::min(16 * largest, 255));
+  }
+  EXPECT_GT(differ, 0U);
+  EXPECT_EQ(answer["difference"]["pixels"], differ);
+  EXPECT_EQ(answer["difference"]["max"], most);
+  request["profiles"] = {"geforce2", "geforce2"};
+  EXPECT_EQ(ask(engine, request)["difference"]["pixels"], 0);
+}
+
+}  // namespace
+}  // namespace ninebit::test

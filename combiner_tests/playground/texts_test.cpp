@@ -1,0 +1,138 @@
+// What the engine answers about texts.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+#include <string>
+
+#include "combiner_tests/playground/support.h"
+#include "ninebit/language/explain.h"
+#include "ninebit/language/profile_json.h"
+#include "ninebit/language/program_text.h"
+#include "src/language/gl_calls/gl_calls_names.h"
+#include "src/language/json/printed_form.h"
+#include "src/language/pixel_shader/shader_instruction.h"
+#include "src/language/rc10/rc10_lexer.h"
+
+namespace ninebit::test {
+namespace {
+
+TEST(PlaygroundAbout, ListsProfilesAsProfileFilesHaveThem) {
+  const PageJson answer = ask({{"do", "about"}});
+  ASSERT_EQ(fault_of_answer(answer), "");
+  ASSERT_EQ(answer["profiles"].size(), hardware_profiles().size());
+  int fields = 0;
+  for (const PageJson& profile : answer["profiles"]) {
+    for (const PageJson& field : profile["fields"]) {
+      if (!field["read"]) continue;
+      // A file that sets the field to the value that it has, and to each of its choices, is a profile.
+      std::vector<PageJson> values{field["value"]};
+      for (const PageJson& word : field.value("choices", PageJson::array())) values.push_back(word);
+      if (field["name"] == "arithmetic") values.resize(1);
+      for (const PageJson& value : values) {
+        const PageJson file{{"base", profile["name"]}, {"name", "mine"}, {field["name"].get<std::string>(), value}};
+        const auto parsed = parse_json_profile({file.dump(), "test"});
+        EXPECT_TRUE(parsed) << file << ": " << (parsed ? "" : parsed.faults[0].message);
+        ++fields;
+      }
+      if (field.contains("range")) {
+        const PageJson beyond = field["range"][1].get<int>() + 1;
+        const PageJson file{{"base", profile["name"]}, {"name", "mine"}, {field["name"].get<std::string>(), beyond}};
+        EXPECT_FALSE(parse_json_profile({file.dump(), "test"})) << file;
+      }
+    }
+  }
+  EXPECT_GT(fields, 200);
+}
+
+TEST(PlaygroundVocabulary, HasHelpForEveryNameThatIsRead) {
+  const PageJson answer = ask({{"do", "vocabulary"}});
+  ASSERT_EQ(fault_of_answer(answer), "");
+  std::set<std::string> words;
+  for (const PageJson& word : answer["words"]) {
+    words.insert(word["kind"].get<std::string>() + " " + word["word"].get<std::string>());
+    EXPECT_GE(word["help"].get<std::string>().size(), 4U) << word;
+    EXPECT_LE(word["help"].get<std::string>().size(), 160U) << word;
+  }
+  EXPECT_EQ(words.size(), answer["words"].size()) << "a word stands there twice";
+  const auto expect = [&](const std::string& kind, std::string_view name) {
+    EXPECT_EQ(words.count(kind + " " + std::string(name)), 1U) << kind << " " << name;
+  };
+  for (const std::string_view name : detail::gl_names()) expect("gl-constant", name);
+  for (const detail::GlSignature& call : detail::gl_calls()) expect("gl-function", "gl" + std::string(call.name));
+  for (const detail::Rc10Name& name : detail::kRc10Names) expect("rc10", name.name);
+  for (const detail::ShaderOpRow& op : detail::shader_ops()) expect("ps", op.name);
+  for (const HardwareProfile& profile : hardware_profiles()) expect("profile", profile.name);
+}
+
+TEST(PlaygroundRead, FindsTheFormAndWhatIsComputed) {
+  const PageJson answer = ask({{"do", "read"}, {"text", kTexelTimesColor}});
+  ASSERT_EQ(fault_of_answer(answer), "");
+  EXPECT_EQ(answer["form"], "gl");
+  EXPECT_TRUE(answer["valid"]);
+  EXPECT_EQ(answer["faults"], PageJson::array());
+  EXPECT_EQ(answer["textures"], PageJson({0}));
+  EXPECT_EQ(answer["general_combiners"], 1);
+  EXPECT_NE(answer["explanation"].get<std::string>().find("spare0 = tex0 × primary"), std::string::npos) << answer;
+}
+
+TEST(PlaygroundRead, MarksEveryFaultAtItsWord) {
+  const std::string text =
+      "glEnable(GL_REGISTER_COMBINERS_NV);\n"
+      "/* \xC3\xA9\xF0\x9F\x8E\xA8 */ glCombinerParameteriNV(GL_NUM_GENERAL_COMBINERS_VN, 1);\n"
+      "glCombinerParameteriNV(GL_NUM_GENERAL_COMBINERS_NV, 9);\n";
+  const PageJson answer = ask({{"do", "read"}, {"text", text}});
+  ASSERT_EQ(answer["faults"].size(), 2U) << answer;
+  EXPECT_FALSE(answer["valid"]);
+  EXPECT_FALSE(answer.contains("explanation"));
+  const PageJson& misspelled = answer["faults"][0];
+  EXPECT_EQ(misspelled["line"], 2);
+  // Three letters, é, a picture of two units, three letters, then the call's 23.
+  EXPECT_EQ(misspelled["column"], 3 + 1 + 2 + 4 + 23) << misspelled;
+  EXPECT_EQ(misspelled["length"], 27);
+  EXPECT_EQ(misspelled["gl_error"], nullptr);
+  EXPECT_EQ(answer["faults"][1]["line"], 3);
+  EXPECT_EQ(answer["faults"][1]["gl_error"], "GL_INVALID_VALUE");
+}
+
+TEST(PlaygroundRead, TakesAProfileOfOnesOwn) {
+  const std::string three = R"({"ninebit": "program", "version": 1, "num_general_combiners": 3})";
+  EXPECT_FALSE(ask({{"do", "read"}, {"text", three}})["valid"]);
+  EXPECT_TRUE(ask({{"do", "read"}, {"text", three}, {"profile", "nv2a"}})["valid"]);
+  const PageJson mine{{"base", "geforce2"}, {"name", "mine"}, {"general_combiners", 3}};
+  EXPECT_TRUE(ask({{"do", "read"}, {"text", three}, {"profile", mine}})["valid"]);
+  EXPECT_TRUE(ask({{"do", "read"}, {"text", three}, {"profile", mine.dump()}})["valid"]);
+  const PageJson wrong{{"base", "geforce2"}, {"name", "mine"}, {"general_combiners", 99}};
+  const std::string fault = fault_of_answer(ask({{"do", "read"}, {"text", three}, {"profile", wrong}}));
+  EXPECT_NE(fault.find("general_combiners must be a whole number from 1 to 8"), std::string::npos) << fault;
+}
+
+TEST(PlaygroundConvert, WritesWhatConvertWrites) {
+  const auto program = parse_program({kTexelTimesColor, ""}, ProgramForm::gl, profiles::geforce2);
+  ASSERT_TRUE(program);
+  for (const std::string_view form : kPrintedForms) {
+    const PageJson answer = ask({{"do", "convert"}, {"text", kTexelTimesColor}, {"to", form}});
+    const auto expected = print_in_form(form, *program.value, chip_of(profiles::geforce2), profiles::geforce2);
+    if (expected) {
+      EXPECT_EQ(answer["text"], *expected) << form;
+    } else {
+      EXPECT_NE(fault_of_answer(answer).find(expected.error().message), std::string::npos) << form;
+    }
+  }
+}
+
+TEST(PlaygroundTrace, StepsThroughTheGivenCodes) {
+  const PageJson answer = ask({{"do", "trace"},
+                               {"text", kTexelTimesColor},
+                               {"registers", {{"tex0", {255, 128, 0, 255}}, {"primary", {100, 100, 100, 50}}}}});
+  ASSERT_EQ(fault_of_answer(answer), "") << answer;
+  EXPECT_EQ(answer["command"], "trace");
+  EXPECT_EQ(answer["program"], nullptr);
+  const PageJson refused = ask(
+      {{"do", "trace"}, {"text", kTexelTimesColor}, {"registers", {{"tex0", {256, 0, 0, 0}}, {"tex9", {0, 0, 0, 0}}}}});
+  EXPECT_NE(fault_of_answer(refused).find("from -255 to 255"), std::string::npos) << refused;
+  EXPECT_EQ(refused["fault"]["others"].size(), 1U) << refused;
+}
+
+}  // namespace
+}  // namespace ninebit::test

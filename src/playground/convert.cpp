@@ -1,0 +1,129 @@
+// The same program in another form, and its trace.
+#include <algorithm>
+#include <utility>
+
+#include "ninebit/combiner/trace.h"
+#include "src/language/json/printed_form.h"
+#include "src/playground/texts.h"
+#include "src/playground/trace_answer.h"
+
+namespace ninebit::playground {
+namespace {
+
+// The registers of a trace, in the defaults of `ninebit eval`, and which components of constants were given.
+struct GivenRegisters {
+  RegisterFile file{};
+  std::array<bool, kRegisterCount> given{};
+};
+
+std::optional<Register> register_called(std::string_view name, const HardwareProfile& profile) {
+  for (std::size_t i = static_cast<std::size_t>(Register::constant0); i < kRegisterCount; ++i) {
+    const auto reg = static_cast<Register>(i);
+    if (is_texture(reg) && texture_unit_of(reg) >= profile.texture_units) continue;
+    if (short_name(reg) == name) return reg;
+  }
+  return std::nullopt;
+}
+
+GivenRegisters default_registers(const HardwareProfile& profile) {
+  GivenRegisters out;
+  for (std::size_t i = 0; i < kRegisterCount; ++i) {
+    const auto reg = static_cast<Register>(i);
+    if (reg == Register::fog || is_texture(reg)) out.file.value[i][kAlpha] = static_cast<s9>(profile.one.value);
+  }
+  return out;
+}
+
+GivenRegisters given_registers(Request& request, const HardwareProfile& profile) {
+  GivenRegisters out = default_registers(profile);
+  const json::Value* const registers = request.find("registers");
+  if (registers != nullptr && registers->type != json::Type::object) {
+    request.reader().wrong_type(*registers, "an object");
+    return out;
+  }
+  for (std::size_t i = 0; registers != nullptr && i < registers->children.size(); ++i) {
+    const json::Value& child = registers->children[i];
+    const auto reg = register_called(child.key, profile);
+    if (!reg) {
+      request.reader().fault(child.key_offset, "unknown register " + json::in_quotes(child.key) +
+                                                   "; expected const0, const1, fog, primary, secondary, spare0, "
+                                                   "spare1 or tex0 to tex" +
+                                                   std::to_string(profile.texture_units.value - 1));
+      continue;
+    }
+    if (child.type != json::Type::array || child.children.size() != 4) {
+      request.reader().fault(child.offset, child.key + " must be an array of four codes: red, green, blue, alpha");
+      continue;
+    }
+    const auto at = static_cast<std::size_t>(*reg);
+    out.given[at] = true;
+    for (std::size_t c = 0; c < 4; ++c) {
+      int code = 0;
+      request.reader().integer(child.children[c], profile.lowest, profile.one, code);
+      out.file.value[at][c] = static_cast<s9>(code);
+    }
+  }
+  if (!out.given[static_cast<std::size_t>(Register::spare0)]) {
+    out.file.value[static_cast<std::size_t>(Register::spare0)][kAlpha] =
+        out.file.value[static_cast<std::size_t>(Register::texture0)][kAlpha];
+  }
+  return out;
+}
+
+// Constants that were given replace the program's own.
+void set_given_constants(const GivenRegisters& registers, Program& program) {
+  const auto value = [&](Register reg) { return registers.file.value[static_cast<std::size_t>(reg)]; };
+  const bool first = registers.given[static_cast<std::size_t>(Register::constant0)];
+  const bool second = registers.given[static_cast<std::size_t>(Register::constant1)];
+  for (ProgramStage& stage : program.general) {
+    if (first) stage.constant0 = value(Register::constant0);
+    if (second) stage.constant1 = value(Register::constant1);
+  }
+  if (first) program.constant0 = value(Register::constant0);
+  if (second) program.constant1 = value(Register::constant1);
+}
+
+}  // namespace
+
+Reply convert_text(Request& request) {
+  request.allow({"text", "profile", "to"});
+  const std::string text = request.word("text"), to = request.word("to");
+  const ChosenProfile chosen = request.profile("profile");
+  if (!request.failed() && std::find(kPrintedForms.begin(), kPrintedForms.end(), to) == kPrintedForms.end()) {
+    std::string forms;
+    for (const std::string_view form : kPrintedForms) forms += (forms.empty() ? "" : ", ") + std::string(form);
+    request.reader().fault(request.find("to")->offset,
+                           json::in_quotes(to) + " is not a form to write; expected one of " + forms);
+  }
+  if (request.failed()) return request.refused();
+  const HardwareProfile& profile = chosen.profile();
+  const auto program = valid_program(text, "text", profile);
+  if (!program) return refusals(program.faults, text);
+  const auto printed = print_in_form(to, *program.value, chip_of(profile), profile);
+  if (!printed) return refusal("cannot be written as " + to + ": " + printed.error().message, "text");
+  return {Json{{"form", to}, {"text", *printed}}, {}};
+}
+
+Reply trace_text(Request& request) {
+  request.allow({"text", "profile", "registers", "name"});
+  const std::string text = request.word("text"), name = request.word_or("name", "");
+  const ChosenProfile chosen = request.profile("profile");
+  if (request.failed()) return request.refused();
+  const HardwareProfile& profile = chosen.profile();
+  const GivenRegisters registers = given_registers(request, profile);
+  if (request.failed()) return request.refused();
+  const auto parsed = valid_program(text, "text", profile);
+  if (!parsed) return refusals(parsed.faults, text);
+  Program program = normalize(parsed.value->state, profile);
+  set_given_constants(registers, program);
+  RegisterFile file = registers.file;
+  // The program has the constants; the trace's registers have none.
+  for (const Register reg : {Register::zero, Register::constant0, Register::constant1}) {
+    file.value[static_cast<std::size_t>(reg)] = {};
+  }
+  const Trace traced = trace(program, profile, file);
+  return {trace_answer({.profile = std::string(profile.name), .program = name, .pixel = nullptr}, &program, &traced),
+          {}};
+}
+
+}  // namespace ninebit::playground

@@ -1,0 +1,220 @@
+// Drawing: the picture, one pixel of it, and two profiles beside each other.
+#include <algorithm>
+#include <cstdlib>
+#include <utility>
+
+#include "ninebit/effect/effect_json.h"
+#include "src/playground/drawing.h"
+#include "src/playground/plane_hash.h"
+#include "src/playground/trace_answer.h"
+
+namespace ninebit::playground {
+namespace {
+
+// What an effect's request says besides its profiles. Faults of the effect's own text are in `refused`.
+struct AskedEffect {
+  LastDrawing what{};
+  std::optional<Reply> refused{};
+};
+
+// Files with names that an effect cannot have would be ignored: the same text for two names is not a fault.
+void read_texts(Request& request, LastDrawing& what) {
+  for (auto& [name, text] : request.texts("files")) what.files.insert_or_assign(name, std::move(text));
+}
+
+void read_drawn_size(Request& request, Effect& effect) {
+  const json::Value* const size = request.find("size");
+  if (size == nullptr) return;
+  if (size->type != json::Type::array || size->children.size() != 2) {
+    request.reader().fault(size->offset, "size must be an array of width and height");
+    return;
+  }
+  request.reader().integer(size->children[0], 1, kMaxDrawnSide, effect.width);
+  request.reader().integer(size->children[1], 1, kMaxDrawnSide, effect.height);
+}
+
+AskedEffect asked_effect(Request& request) {
+  AskedEffect out;
+  const InnerText text = request.inner("effect");
+  out.what.name = request.word_or("name", "effect");
+  read_texts(request, out.what);
+  if (request.failed()) {
+    out.refused = request.refused();
+    return out;
+  }
+  auto parsed = parse_effect({text.text, "effect"});
+  if (!parsed) {
+    out.refused = refusals(std::move(parsed.faults), text.text);
+    return out;
+  }
+  out.what.effect = std::move(*parsed.value);
+  read_drawn_size(request, out.what.effect);
+  if (request.failed()) out.refused = request.refused();
+  return out;
+}
+
+// The request's profile, else the effect's, else geforce2.
+std::optional<Reply> choose_drawn_profile(Request& request, LastDrawing& what) {
+  if (request.has("profile") || what.effect.profile.empty()) {
+    what.profile = request.profile("profile");
+    if (request.failed()) return request.refused();
+    return std::nullopt;
+  }
+  const HardwareProfile* const shipped = find_profile(what.effect.profile);
+  if (shipped == nullptr) {
+    return refusal("profile " + json::in_quotes(what.effect.profile) + " is unknown; expected one that `about` lists",
+                   "effect");
+  }
+  what.profile.shipped = shipped;
+  return std::nullopt;
+}
+
+Json pass_names(const Effect& effect) {
+  Json names = Json::array();
+  for (const EffectPass& pass : effect.passes) names.push_back(pass.name);
+  return names;
+}
+
+// The difference of two pictures in `bytes`, appended as a grey picture: the largest of a pixel's four components,
+// times 16.
+Json append_difference(std::vector<std::uint8_t>& bytes, std::size_t each) {
+  std::size_t pixels = 0;
+  int most = 0;
+  bytes.resize(3 * each);
+  for (std::size_t i = 0; i < each; i += 4) {
+    int largest = 0;
+    for (std::size_t c = 0; c < 4; ++c) largest = std::max(largest, std::abs(bytes[i + c] - bytes[each + i + c]));
+    pixels += largest != 0 ? 1U : 0U;
+    most = std::max(most, largest);
+    const auto grey = static_cast<std::uint8_t>(std::min(16 * largest, 255));
+    for (std::size_t c = 0; c < 3; ++c) bytes[2 * each + i + c] = grey;
+    bytes[2 * each + i + 3] = 255;
+  }
+  return Json{{"pixels", pixels}, {"max", most}};
+}
+
+}  // namespace
+
+Drawn draw_effect(const LastDrawing& what, const Shelf& shelf, const EffectOptions& options) {
+  Drawn drawn;
+  if (std::string complaint = complaint_about_amount(what.effect, shelf); !complaint.empty()) {
+    drawn.refused = refusal(std::move(complaint), "effect");
+    return drawn;
+  }
+  ShelfReaders shelf_readers(what.files, shelf);
+  auto renderer = EffectRenderer::make(what.effect, what.profile.profile(), shelf_readers.readers(), options);
+  Status done = renderer ? renderer->draw() : Status(renderer.error());
+  if (!done) {
+    const bool in_program = !renderer && !shelf_readers.program_faults().empty();
+    drawn.refused = in_program ? Reply{std::nullopt, shelf_readers.program_faults()} : refusal(done.error());
+    return drawn;
+  }
+  drawn.warnings = shelf_readers.warnings();
+  drawn.warnings.insert(drawn.warnings.end(), renderer->warnings().begin(), renderer->warnings().end());
+  drawn.renderer.emplace(std::move(*renderer));
+  return drawn;
+}
+
+void append_picture(const Surface& surface, std::vector<std::uint8_t>& bytes) {
+  const auto width = static_cast<std::size_t>(surface.width()), height = static_cast<std::size_t>(surface.height());
+  const std::size_t first = bytes.size();
+  bytes.resize(first + width * height * 4);
+  for (std::size_t c = 0; c < 4; ++c) {
+    const auto& plane = surface.color(static_cast<int>(c));
+    for (std::size_t y = 0; y < height; ++y) {
+      std::uint8_t* to = bytes.data() + first + 4 * y * width + c;
+      const std::uint8_t* from = plane.data() + (height - 1 - y) * width;
+      for (std::size_t x = 0; x < width; ++x) to[4 * x] = from[x];
+    }
+  }
+}
+
+Json hashes_of(const Surface& surface) {
+  PlaneHash color, stencil;
+  for (int c = 0; c < 4; ++c) color.add({surface.color(c).data(), surface.color(c).size()});
+  Json hashes{{"color", color.finish()}};
+  if (surface.stencil().empty()) return hashes;
+  stencil.add({surface.stencil().data(), surface.stencil().size()});
+  hashes["stencil"] = stencil.finish();
+  return hashes;
+}
+
+Reply Engine::draw(Request& request) {
+  request.allow({"effect", "files", "profile", "size", "name", "hash"});
+  AskedEffect asked = asked_effect(request);
+  if (asked.refused) return *asked.refused;
+  const bool hashed = request.flag_or("hash", true);
+  if (request.failed()) return request.refused();
+  if (auto refused = choose_drawn_profile(request, asked.what)) return *refused;
+  Drawn drawn = draw_effect(asked.what, shelf_, {});
+  if (!drawn.renderer) return drawn.refused;
+  const Surface& picture = drawn.renderer->picture();
+  append_picture(picture, bytes_);
+  Json out{{"width", picture.width()}, {"height", picture.height()}};
+  out["profile"] = asked.what.profile.profile().name;
+  out["passes"] = pass_names(asked.what.effect);
+  out["warnings"] = drawn.warnings;
+  if (hashed) out["hash"] = hashes_of(picture);
+  out["bytes"] = bytes_.size();
+  last_ = std::move(asked.what);
+  return {std::move(out), {}};
+}
+
+Reply Engine::pixel(Request& request) {
+  request.allow({"x", "y", "pass"});
+  if (!last_) return refusal("nothing was drawn yet");
+  const Effect& effect = last_->effect;
+  const int x = request.number("x", 0, effect.width - 1), y = request.number("y", 0, effect.height - 1);
+  const std::string wanted = request.word_or("pass", "");
+  if (request.failed()) return request.refused();
+  const Drawn drawn = draw_effect(*last_, shelf_, {.layers = false, .pixel = glm::ivec2(x, effect.height - 1 - y)});
+  if (!drawn.renderer) return drawn.refused;
+  TracedPixel pixel = pixel_of_effect(effect, *drawn.renderer, x, y, last_->name);
+  const HardwareProfile& profile = last_->profile.profile();
+  const TraceHeading heading{.profile = std::string(profile.name), .program = {}, .pixel = &pixel};
+  if (!wanted.empty()) {
+    const auto found = std::find_if(pixel.passes.begin(), pixel.passes.end(),
+                                    [&](const ProbedPass& pass) { return pass.name == wanted; });
+    if (found == pixel.passes.end()) return refusal("no pass " + json::in_quotes(wanted) + " drew into the picture");
+    pixel.pass.reset();
+    pixel.fragment.reset();
+    const ProbedFragment* const decided = deciding_fragment(*found);
+    if (decided != nullptr && found->program) {
+      pixel.pass = static_cast<std::size_t>(found - pixel.passes.begin());
+      pixel.fragment = static_cast<std::size_t>(decided - found->fragments.data());
+    }
+  }
+  if (!pixel.fragment) return {trace_answer(heading, nullptr, nullptr), {}};
+  const ProbedPass& pass = pixel.passes[*pixel.pass];
+  const Trace traced = trace(*pass.program, profile, pass.fragments[*pixel.fragment].registers);
+  return {trace_answer(heading, &*pass.program, &traced), {}};
+}
+
+Reply Engine::compare(Request& request) {
+  request.allow({"effect", "files", "profiles", "size", "name"});
+  AskedEffect asked = asked_effect(request);
+  if (asked.refused) return *asked.refused;
+  const json::Value* const profiles = request.value("profiles");
+  if (profiles != nullptr && (profiles->type != json::Type::array || profiles->children.size() != 2)) {
+    request.reader().fault(profiles->offset, "profiles must be an array of two profiles");
+  }
+  Json names = Json::array();
+  Json out;
+  for (std::size_t i = 0; i < 2 && !request.failed(); ++i) {
+    asked.what.profile = request.profile_in(profiles->children[i]);
+    if (request.failed()) break;
+    const Drawn drawn = draw_effect(asked.what, shelf_, {});
+    if (!drawn.renderer) return drawn.refused;
+    append_picture(drawn.renderer->picture(), bytes_);
+    names.push_back(asked.what.profile.profile().name);
+    out["width"] = drawn.renderer->picture().width();
+    out["height"] = drawn.renderer->picture().height();
+  }
+  if (request.failed()) return request.refused();
+  out["profiles"] = std::move(names);
+  out["difference"] = append_difference(bytes_, bytes_.size() / 2);
+  out["bytes"] = bytes_.size();
+  return {std::move(out), {}};
+}
+
+}  // namespace ninebit::playground

@@ -1,0 +1,71 @@
+// Drawing effects from what a request and the shelf hold.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ninebit/effect/effect_renderer.h"
+#include "src/playground/engine.h"
+
+namespace ninebit::playground {
+
+// What a drawing may take, so that a browser's memory suffices.
+inline constexpr std::size_t kMaxDrawnPixels = std::size_t{1} << 24;  // of the picture and all targets together
+inline constexpr std::size_t kMaxTexels = std::size_t{1} << 25;       // of all textures together, without mip-maps
+inline constexpr int kMaxDrawnSegments = 512;                         // N of a generated mesh
+
+inline constexpr std::uint64_t kMaxFileTriangles = std::uint64_t{1} << 19;  // of a scene file that was put
+
+// The scene that is always there: scenes/index_room.gltf. An effect of the gallery names it by that path.
+inline constexpr std::string_view kRoomName = "room";
+
+// A scene file that was put, or the room.
+[[nodiscard]] Result<Scene> shelf_scene(const std::string& name, const Shelf& shelf, std::optional<UpAxis> up);
+
+// The file texts of a request by name.
+using FileTexts = std::map<std::string, std::string, std::less<>>;
+
+// What is wrong with drawing this effect here: too many pixels, texels or polygons. Nothing: empty.
+[[nodiscard]] std::string complaint_about_mesh(const std::string& mesh);
+[[nodiscard]] std::string complaint_about_amount(const Effect& effect, const Shelf& shelf);
+
+// Readers of programs from the texts, and of textures and meshes from the shelf.
+class ShelfReaders {
+ public:
+  // The views must outlive the readers.
+  ShelfReaders(const FileTexts& texts, const Shelf& shelf) : texts_(texts), shelf_(shelf) {}
+
+  [[nodiscard]] EffectReaders readers();
+  // Faults of the program that was read last, with places in its text; none: the reading did not fail there.
+  [[nodiscard]] const std::vector<TextFault>& program_faults() const { return program_faults_; }
+  // What was done to files that may not be expected.
+  [[nodiscard]] const std::vector<std::string>& warnings() const { return warnings_; }
+
+ private:
+  Result<CombinerState> read_program(const std::string& name, const HardwareProfile& profile);
+  Result<Texture> read_texture(const std::vector<std::string>& names);
+  Result<TextureSamples> samples_of(const std::string& name, bool opaque);
+
+  const FileTexts& texts_;
+  const Shelf& shelf_;
+  std::vector<TextFault> program_faults_{};
+  std::vector<std::string> warnings_{};
+};
+
+// An effect that was drawn, or why it was not.
+struct Drawn {
+  std::optional<EffectRenderer> renderer{};
+  std::vector<std::string> warnings{};
+  Reply refused{};  // if there is no renderer
+};
+[[nodiscard]] Drawn draw_effect(const LastDrawing& what, const Shelf& shelf, const EffectOptions& options);
+
+// The picture's RGBA, rows from the top, appended to `bytes`.
+void append_picture(const Surface& surface, std::vector<std::uint8_t>& bytes);
+
+// The hashes of a picture's planes, as `ninebit draw --json` names them.
+[[nodiscard]] Json hashes_of(const Surface& surface);
+
+}  // namespace ninebit::playground

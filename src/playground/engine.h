@@ -1,0 +1,70 @@
+// The engine of the playground: requests as JSON, answers as JSON, pictures as bytes. docs/playground.md lists both.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "ninebit/effect/effect.h"
+#include "src/playground/request.h"
+
+namespace ninebit::playground {
+
+// The longest request, and the largest put, in bytes.
+inline constexpr std::size_t kMaxRequestBytes = std::size_t{16} << 20;
+inline constexpr std::size_t kMaxPutBytes = std::size_t{64} << 20;
+// The most that is kept of what was put, in bytes.
+inline constexpr std::size_t kMaxKeptBytes = std::size_t{256} << 20;
+// The largest width and height of a picture that is drawn or put.
+inline constexpr int kMaxDrawnSide = 4096;
+
+// A picture that was put: RGBA, rows from the top.
+struct PutPixels {
+  int width = 0, height = 0;
+  std::vector<std::uint8_t> rgba{};
+};
+
+// What an effect refers to by name.
+struct Shelf {
+  std::map<std::string, PutPixels, std::less<>> pixels{};
+  std::map<std::string, std::vector<std::uint8_t>, std::less<>> files{};
+};
+
+// What was drawn last, for "pixel".
+struct LastDrawing {
+  std::string name{};                                       // of the effect
+  Effect effect{};                                          // with the size of the request
+  ChosenProfile profile{};                                  // that it was drawn with
+  std::map<std::string, std::string, std::less<>> files{};  // the texts of the request
+};
+
+// Answers one request after the other. It keeps what is put and the last drawing; nothing else that is asked changes an
+// answer. The same requests give the same answers, byte for byte, on every machine.
+class Engine {
+ public:
+  // One JSON object. A request that is not one, or asks for something that is not there, is answered by a fault.
+  [[nodiscard]] std::string answer(std::string_view request);
+  // Memory for the next "put". Its content is that of the last call, cut or extended by zeros; more than kMaxPutBytes
+  // gives none.
+  [[nodiscard]] std::span<std::uint8_t> buffer(std::size_t bytes);
+  // The binary part of the last answer, as many bytes as its "bytes" says; empty: it has none.
+  [[nodiscard]] std::span<const std::uint8_t> bytes() const { return bytes_; }
+
+ private:
+  Reply reply_to(Request& request, std::string_view verb);
+  Reply put(Request& request);
+  Reply draw(Request& request);
+  Reply pixel(Request& request);
+  Reply compare(Request& request);
+
+  Shelf shelf_{};
+  std::vector<std::uint8_t> buffer_{};
+  std::vector<std::uint8_t> bytes_{};
+  std::optional<LastDrawing> last_{};
+};
+
+}  // namespace ninebit::playground

@@ -1,0 +1,145 @@
+#include "src/playground/request.h"
+
+#include <algorithm>
+#include <cstdlib>
+
+namespace ninebit::playground {
+namespace {
+
+// The end of a bracketed value that starts at `at` of a text that is JSON.
+std::size_t end_of_brackets(std::string_view text, std::size_t at) {
+  int open = 0;
+  for (; at < text.size(); ++at) {
+    const char c = text[at];
+    if (c == '"') {
+      for (++at; at < text.size() && text[at] != '"'; ++at) {
+        if (text[at] == '\\') ++at;
+      }
+    } else if (c == '{' || c == '[') {
+      ++open;
+    } else if ((c == '}' || c == ']') && --open == 0) {
+      return at + 1;
+    }
+  }
+  return text.size();
+}
+
+std::string shipped_names() {
+  std::string names;
+  for (const HardwareProfile& profile : hardware_profiles()) {
+    names += (names.empty() ? "" : ", ") + std::string(profile.name);
+  }
+  return names;
+}
+
+}  // namespace
+
+void Request::allow(std::initializer_list<std::string_view> keys) {
+  for (const json::Value& child : root_.children) {
+    if (child.key == "do" || std::find(keys.begin(), keys.end(), child.key) != keys.end()) continue;
+    std::string message = "unknown key " + json::in_quotes(child.key) + "; the keys here are do";
+    for (const std::string_view key : keys) message += ", " + std::string(key);
+    reader_.fault(child.key_offset, message);
+  }
+}
+
+const json::Value* Request::value(std::string_view key) {
+  const json::Value* const found = find(key);
+  if (found == nullptr) reader_.fault(root_.offset, "the key " + json::in_quotes(key) + " is missing");
+  return found;
+}
+
+std::string Request::word(std::string_view key) {
+  const json::Value* const found = value(key);
+  if (found == nullptr) return {};
+  if (found->type == json::Type::string) return found->text;
+  reader_.wrong_type(*found, "a string");
+  return {};
+}
+
+std::string Request::word_or(std::string_view key, std::string_view otherwise) {
+  return has(key) ? word(key) : std::string(otherwise);
+}
+
+int Request::number(std::string_view key, int lowest, int highest) {
+  int number = lowest;
+  if (const json::Value* const found = value(key)) reader_.integer(*found, lowest, highest, number);
+  return number;
+}
+
+bool Request::flag_or(std::string_view key, bool otherwise) {
+  if (const json::Value* const found = find(key)) reader_.boolean(*found, otherwise);
+  return otherwise;
+}
+
+std::optional<double> Request::real_of(const json::Value& value, double lowest, double highest) {
+  if (value.type != json::Type::number) return std::nullopt;
+  const double number = std::strtod(value.text.c_str(), nullptr);
+  return number >= lowest && number <= highest ? std::optional(number) : std::nullopt;
+}
+
+std::vector<std::pair<std::string, std::string>> Request::texts(std::string_view key) {
+  std::vector<std::pair<std::string, std::string>> all;
+  const json::Value* const found = find(key);
+  if (found == nullptr) return all;
+  if (found->type != json::Type::object) {
+    reader_.wrong_type(*found, "an object");
+    return all;
+  }
+  for (const json::Value& child : found->children) {
+    if (child.type != json::Type::string) {
+      reader_.fault(child.offset, json::in_quotes(child.key) + " must be a string, the text of a file");
+      continue;
+    }
+    all.emplace_back(child.key, child.text);
+  }
+  return all;
+}
+
+InnerText Request::inner(std::string_view key) {
+  const json::Value* const found = value(key);
+  return found == nullptr ? InnerText{} : inner(*found);
+}
+
+InnerText Request::inner(const json::Value& value) {
+  if (value.type == json::Type::string) return {value.text};
+  if (value.type == json::Type::object) {
+    const std::size_t end = end_of_brackets(text_, value.offset);
+    return {std::string(text_.substr(value.offset, end - value.offset))};
+  }
+  reader_.wrong_type(value, "an object, or a string with its text");
+  return {};
+}
+
+ChosenProfile Request::profile(std::string_view key) {
+  const json::Value* const found = find(key);
+  return found == nullptr ? ChosenProfile{} : profile_in(*found);
+}
+
+ChosenProfile Request::profile_in(const json::Value& value) {
+  ChosenProfile chosen;
+  if (value.type == json::Type::string && !value.text.starts_with('{')) {
+    if (const HardwareProfile* const shipped = find_profile(value.text)) {
+      chosen.shipped = shipped;
+    } else {
+      reader_.fault(value.offset, "unknown profile " + json::in_quotes(value.text) + "; expected one of " +
+                                      shipped_names() + ", or a profile as an object");
+    }
+    return chosen;
+  }
+  const InnerText inner_text = inner(value);
+  if (failed()) return chosen;
+  auto parsed = parse_json_profile({inner_text.text, "profile"});
+  if (parsed) {
+    chosen.own = *std::move(parsed.value);
+    return chosen;
+  }
+  // They are of another text than the request's own.
+  for (const TextFault& fault : parsed.faults) {
+    const std::string place = std::to_string(fault.line) + ":" + std::to_string(fault.column);
+    reader_.fault(value.offset, "profile:" + place + ": " + fault.message);
+  }
+  return chosen;
+}
+
+}  // namespace ninebit::playground

@@ -1,0 +1,69 @@
+// What is asked of the engine of the playground.
+#pragma once
+
+#include <initializer_list>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "ninebit/language/profile_json.h"
+#include "src/language/json/json_reader.h"
+#include "src/playground/reply.h"
+
+namespace ninebit::playground {
+
+// A profile, which stays valid as long as this.
+struct ChosenProfile {
+  const HardwareProfile* shipped = &profiles::geforce2;  // if it is not one's own
+  std::optional<OwnedProfile> own{};                     // if it is
+  [[nodiscard]] const HardwareProfile& profile() const { return own ? own->profile : *shipped; }
+};
+
+// A text in a request: a string, or the text of an object in it.
+struct InnerText {
+  std::string text;
+};
+
+// A request, an object with the key "do". Where a value is missing, of another type or out of range, its reader adds a
+// fault and returns a value without meaning: take the faults before the values are used.
+class Request {
+ public:
+  // The views must outlive the request.
+  Request(std::string_view text, const json::Value& root, TextFaults& faults)
+      : text_(text), root_(root), faults_(faults), reader_(text, faults) {}
+
+  // Reports keys other than these and "do".
+  void allow(std::initializer_list<std::string_view> keys);
+  [[nodiscard]] bool failed() const { return !faults_.empty(); }
+  [[nodiscard]] Reply refused() { return refusals(faults_.take(), text_); }
+
+  [[nodiscard]] bool has(std::string_view key) const { return json::Reader::find(root_, key) != nullptr; }
+  [[nodiscard]] std::string word(std::string_view key);
+  [[nodiscard]] std::string word_or(std::string_view key, std::string_view otherwise);
+  [[nodiscard]] int number(std::string_view key, int lowest, int highest);
+  [[nodiscard]] bool flag_or(std::string_view key, bool otherwise);
+  // The number that a value is, if it is one of this range.
+  [[nodiscard]] static std::optional<double> real_of(const json::Value& value, double lowest, double highest);
+  // The members of an object of strings; none without the key.
+  [[nodiscard]] std::vector<std::pair<std::string, std::string>> texts(std::string_view key);
+  // The value of a key, which must be there.
+  [[nodiscard]] const json::Value* value(std::string_view key);
+  [[nodiscard]] const json::Value* find(std::string_view key) const { return json::Reader::find(root_, key); }
+  // A string, or an object as its text.
+  [[nodiscard]] InnerText inner(std::string_view key);
+  [[nodiscard]] InnerText inner(const json::Value& value);
+  // The profile under a key: the name of a shipped one, or a profile file's object or text. Without the key geforce2.
+  [[nodiscard]] ChosenProfile profile(std::string_view key);
+  [[nodiscard]] ChosenProfile profile_in(const json::Value& value);
+  [[nodiscard]] json::Reader& reader() { return reader_; }
+
+ private:
+  std::string_view text_;
+  const json::Value& root_;
+  TextFaults& faults_;
+  json::Reader reader_;
+};
+
+}  // namespace ninebit::playground

@@ -1,0 +1,158 @@
+#include "src/playground/shadow_answer.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <utility>
+
+#include "ninebit/effect/generated_meshes.h"
+#include "ninebit/shadow/index_cube.h"
+#include "ninebit/shadow/pictures.h"
+#include "src/playground/drawing.h"
+
+namespace ninebit::playground {
+namespace {
+
+constexpr double kFarthest = 1e6;
+constexpr int kMaxShadowMap = 2048;
+
+// What is asked, besides the profile.
+struct AskedShadow {
+  std::string scene{};
+  SceneSetup setup{};
+  RenderSettings settings{};
+};
+
+std::optional<glm::vec3> asked_point(Request& request, const json::Value* value) {
+  if (value == nullptr) return std::nullopt;
+  glm::vec3 point(0.0F);
+  bool good = value->type == json::Type::array && value->children.size() == 3;
+  for (std::size_t i = 0; good && i < 3; ++i) {
+    const auto number = request.real_of(value->children[i], -kFarthest, kFarthest);
+    good = number.has_value();
+    if (good) point[static_cast<glm::length_t>(i)] = static_cast<float>(*number);
+  }
+  if (good) return point;
+  request.reader().fault(value->offset, "a point is an array of three numbers from -1e6 to 1e6");
+  return std::nullopt;
+}
+
+void read_shadow_camera(Request& request, SceneSetup& setup) {
+  const json::Value* const camera = request.find("camera");
+  if (camera == nullptr || !request.reader().object(*camera, {"position", "target", "fov"})) return;
+  setup.camera = asked_point(request, json::Reader::find(*camera, "position"));
+  setup.look_at = asked_point(request, json::Reader::find(*camera, "target"));
+  if (const json::Value* const fov = json::Reader::find(*camera, "fov")) {
+    const auto degrees = request.real_of(*fov, 0.01, 170.0);
+    if (!degrees) request.reader().fault(fov->offset, "fov is a number of degrees from 0.01 to 170");
+    if (degrees) setup.fov_degrees = static_cast<float>(*degrees);
+  }
+}
+
+AskedShadow asked_shadow(Request& request) {
+  AskedShadow asked;
+  asked.scene = request.word_or("scene", kRoomName);
+  RenderSettings& settings = asked.settings;
+  settings.width = 640;
+  settings.height = 480;
+  if (const json::Value* const size = request.find("size")) {
+    const bool pair = size->type == json::Type::array && size->children.size() == 2;
+    if (!pair) request.reader().fault(size->offset, "size must be an array of width and height");
+    if (pair) request.reader().integer(size->children[0], 1, kMaxDrawnSide, settings.width);
+    if (pair) request.reader().integer(size->children[1], 1, kMaxDrawnSide, settings.height);
+  }
+  if (request.has("step")) settings.index.step = request.number("step", 1, kMaxIndexStep);
+  if (request.has("map_size")) settings.map_size = request.number("map_size", 1, kMaxShadowMap);
+  if (!request.failed() && !std::has_single_bit(static_cast<unsigned>(settings.map_size))) {
+    request.reader().fault(request.find("map_size")->offset, "map_size must be a power of two");
+  }
+  const std::string order = request.word_or("order", "file");
+  if (order == "neighbour") settings.index.order = IndexOrder::neighbour;
+  if (!request.failed() && order != "file" && order != "neighbour") {
+    request.reader().fault(request.find("order")->offset,
+                           json::in_quotes(order) + " is not an order; expected file or neighbour");
+  }
+  settings.cartoon = request.flag_or("cartoon", false);
+  settings.light_facing = request.flag_or("light_facing", false);
+  read_shadow_camera(request, asked.setup);
+  asked.setup.light = asked_point(request, request.find("light"));
+  return asked;
+}
+
+// Appends a picture of 1, 3 or 4 components as RGBA.
+void append_image(const Image8& image, std::vector<std::uint8_t>& bytes) {
+  const auto channels = static_cast<std::size_t>(image.channels);
+  const std::size_t count = image.pixels.size() / channels;
+  for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t c = 0; c < 3; ++c) bytes.push_back(image.pixels[i * channels + std::min(c, channels - 1)]);
+    bytes.push_back(channels == 4 ? image.pixels[i * channels + 3] : 255);
+  }
+}
+
+Json facts_of(const Rendering& rendering) {
+  Json facts = Json::object();
+  for (const Fact& fact : rendering.facts) {
+    std::visit([&](const auto& value) { facts[fact.name] = value; }, fact.value);
+  }
+  return facts;
+}
+
+Json order_of(const IndexOrderReport& report) {
+  Json order{{"used", name_of(report.order)}};
+  if (!report.reason.empty()) order["reason"] = report.reason;
+  if (report.order == IndexOrder::file) return order;
+  order["patches"] = report.patches;
+  order["borders"] = report.borders;
+  order["broken_borders"] = report.broken_borders;
+  order["broken_share"] = report.broken_share;
+  return order;
+}
+
+Json view_of(const Scene& scene) {
+  const auto list = [](const glm::vec3& v) { return Json{v.x, v.y, v.z}; };
+  const Camera& camera = scene.cameras[0];
+  return Json{{"position", list(camera.position)},
+              {"target", list(camera.look_at)},
+              {"fov", camera.vertical_fov_degrees},
+              {"light", list(scene.lights[0].position)}};
+}
+
+}  // namespace
+
+Reply shadow_answer(Request& request, const Shelf& shelf, std::vector<std::uint8_t>& bytes) {
+  request.allow(
+      {"scene", "step", "map_size", "profile", "order", "camera", "light", "size", "cartoon", "light_facing"});
+  AskedShadow asked = asked_shadow(request);
+  const ChosenProfile chosen = request.profile("profile");
+  if (request.failed()) return request.refused();
+  asked.settings.profile = chosen.profile();
+  const bool generated = is_generated_mesh(asked.scene);
+  if (generated) {
+    if (std::string complaint = complaint_about_mesh(asked.scene); !complaint.empty())
+      return refusal(complaint, "request");
+  }
+  auto scene = generated ? generated_mesh(asked.scene) : shelf_scene(asked.scene, shelf, std::nullopt);
+  if (!scene) return refusal(scene.error());
+  const float aspect = static_cast<float>(asked.settings.width) / static_cast<float>(asked.settings.height);
+  auto complete = complete_scene(std::move(*scene), asked.setup, aspect);
+  if (!complete) return refusal(complete.error());
+  const auto rendering = render_index_cube(*complete, asked.settings, {});
+  if (!rendering) return refusal(rendering.error());
+  const Image8 picture = color_picture(*rendering), cross = index_cross_picture(*rendering);
+  append_image(picture, bytes);
+  append_image(cross, bytes);
+  Json out{{"width", picture.width}, {"height", picture.height}};
+  out["cube"] = {{"width", cross.width}, {"height", cross.height}};
+  out["profile"] = chosen.profile().name;
+  out["triangles"] = complete->triangles.size();
+  out["pixels"] = {{"background", rendering->background}, {"lit", rendering->lit}, {"shadowed", rendering->shadowed}};
+  out["codes_used"] = rendering->codes_used;
+  out["order"] = order_of(rendering->index_order);
+  out["facts"] = facts_of(*rendering);
+  out["view"] = view_of(*complete);
+  out["hash"] = hashes_of(rendering->frame);
+  out["bytes"] = bytes.size();
+  return {std::move(out), {}};
+}
+
+}  // namespace ninebit::playground

@@ -1,0 +1,30 @@
+// The answers about texts, which need no picture.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "ninebit/language/program_text.h"
+#include "src/playground/request.h"
+
+namespace ninebit::playground {
+
+// {"do": "about"}: what there is to choose from.
+[[nodiscard]] Reply about(Request& request);
+// {"do": "vocabulary"}: every word of the forms, with help.
+[[nodiscard]] Reply vocabulary(Request& request);
+// {"do": "read", "text", "profile"}: what is wrong with a program, and what it computes.
+[[nodiscard]] Reply read_text(Request& request);
+// {"do": "convert", "text", "profile", "to"}.
+[[nodiscard]] Reply convert_text(Request& request);
+// {"do": "trace", "text", "profile", "registers", "name"}.
+[[nodiscard]] Reply trace_text(Request& request);
+
+// "gl", "rc10", …: the name of a form as --from takes it.
+[[nodiscard]] std::string_view name_of_form(ProgramForm form);
+
+// A program that the profile accepts, or every fault of its text. `name` is for messages.
+[[nodiscard]] Parsed<TextProgram> valid_program(std::string_view text, std::string_view name,
+                                                const HardwareProfile& profile);
+
+}  // namespace ninebit::playground

@@ -1,0 +1,57 @@
+// What `ninebit trace --json` prints, and the playground shows.
+#pragma once
+
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "ninebit/combiner/program.h"
+#include "ninebit/combiner/trace.h"
+#include "ninebit/effect/effect_renderer.h"
+#include "ninebit/shadow/technique.h"
+
+namespace ninebit::playground {
+
+// A pixel that was probed while a scene was rendered.
+struct TracedPixel {
+  int x = 0;                             // from the left of the picture
+  int y = 0;                             // from its top
+  std::string file;                      // the scene's or the effect's
+  std::string technique;                 // empty: an effect
+  std::string size;                      // of the picture, WxH
+  std::string state;                     // "background", "lit", "shadowed"; of an effect "drawn" or "not drawn"
+  std::vector<ProbedPass> passes;        // of the camera
+  std::optional<std::size_t> pass;       // of the traced fragment; empty: none
+  std::optional<std::size_t> fragment;   // of that pass
+  std::vector<std::string> objects;      // names
+  std::vector<std::uint32_t> object_of;  // for each triangle
+  IndexOrderReport index_order;          // of the rendering
+};
+
+// The pixel of an effect that a renderer with this pixel as EffectOptions::pixel has drawn; x and y as in TracedPixel.
+// The fragment is chosen as choose_fragment does.
+[[nodiscard]] TracedPixel pixel_of_effect(const Effect& effect, const EffectRenderer& renderer, int x, int y,
+                                          std::string file);
+
+// Selects the fragment that decided the result of the last pass with a program. `other_program`: the trace uses another
+// program, so that any pass is accepted if none has a program.
+void choose_fragment(TracedPixel& pixel, bool other_program);
+
+// "written", "depth test failed", …
+[[nodiscard]] std::string_view text_of_fate(FragmentFate fate);
+
+// What is traced.
+struct TraceHeading {
+  std::string profile{};               // its name
+  std::string program{};               // the file's name; empty: none
+  const TracedPixel* pixel = nullptr;  // of a picture
+};
+
+// The object that is printed; without a trace only the pixel.
+[[nodiscard]] nlohmann::ordered_json trace_answer(const TraceHeading& heading, const Program* program,
+                                                  const Trace* traced);
+
+}  // namespace ninebit::playground

@@ -1,0 +1,15 @@
+// What meshoptimizer's library defines for sections: there are its headers alone for Emscripten. The page asks for no
+// sections; whoever does gets none.
+#include <meshoptimizer.h>
+
+extern "C" {
+
+size_t meshopt_buildMeshletsBound(size_t, size_t, size_t) {
+  return 0;
+}
+
+size_t meshopt_buildMeshlets(meshopt_Meshlet*, unsigned int*, unsigned char*, const unsigned int*, size_t, const float*,
+                             size_t, size_t, size_t, size_t, float) {
+  return 0;
+}
+}
