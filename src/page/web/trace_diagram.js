@@ -1,0 +1,332 @@
+// The diagram of one fragment's trace, as the hardware's block picture.
+//
+//   import { traceDiagram } from './trace_diagram.js';
+//   const diagram = traceDiagram(element, trace);  // trace: the object that `ninebit trace --json` prints
+//
+// It fills the element. The result has step(n) (0: everything is shown), count (the number of steps), and remove().
+// Texts from the trace only ever become text nodes.
+import { kDiagramStyle } from './diagram_style.js';
+import { layOut } from './diagram_layout.js';
+import { traceModel } from './trace_model.js';
+import { differs, factsOf, heldText, kGlyphs, placeOf, realText, spoken } from './diagram_words.js';
+
+const kSvg = 'http://www.w3.org/2000/svg';
+const kValuedWidth = 196;
+
+function make(tag, className, text) {
+  const element = document.createElement(tag);
+  if (className) element.className = className;
+  if (text !== undefined) element.textContent = text;
+  return element;
+}
+
+function place(element, x, y, width, height) {
+  element.style.left = `${x}px`;
+  element.style.top = `${y}px`;
+  if (width !== undefined) element.style.width = `${width}px`;
+  if (height !== undefined) element.style.height = `${height}px`;
+  return element;
+}
+
+function addStyleOnce() {
+  if (document.getElementById('nb-diagram-style')) return;
+  const style = make('style', '', kDiagramStyle);
+  style.id = 'nb-diagram-style';
+  document.head.append(style);
+}
+
+function cellElement(cell, model) {
+  const element = make('div', 'nb-cell');
+  const { value, mark } = cell;
+  element.append(make('span', '', cell.label), make('span', 'nb-glyph', mark ? kGlyphs[mark.kind] : ''));
+  if (value) {
+    element.append(make('span', 'nb-held', heldText(value)), make('span', 'nb-real', realText(value.real)),
+                   make('span', 'nb-ideal', realText(value.ideal)));
+    element.classList.toggle('nb-differs', differs(value));
+  }
+  if (mark) element.classList.add(`nb-${mark.kind}`);
+  element.tabIndex = -1;
+  element.setAttribute('role', 'img');
+  element.setAttribute('aria-label', spoken(cell, model.one));
+  element.nbCell = cell;
+  cell.element = element;
+  return element;
+}
+
+function boxElement(box, model) {
+  const element = place(make('div', `nb-box nb-${box.kind}`), box.x, box.y, box.w, box.h);
+  element.setAttribute('role', 'group');
+  element.setAttribute('aria-label', `${box.section.title}: ${box.title}, ${box.sub}`);
+  const head = make('header');
+  head.append(make('b', '', box.title), make('small', '', box.sub));
+  head.title = `${box.title}\n${box.sub}`;
+  if (box.symbol) head.append(make('span', 'nb-symbol', box.symbol));
+  if (box.bytes) {
+    const swatch = make('span', 'nb-swatch');
+    swatch.style.background = `rgb(${box.bytes.slice(0, 3).map(Number).join(' ')})`;
+    head.append(swatch);
+  }
+  element.append(head);
+  for (const part of box.parts) {
+    if (part.caption) {
+      const caption = make('div', 'nb-caption');
+      caption.append(make('span', '', part.caption));
+      const mark = part.cells.find((c) => c.mark)?.mark;
+      if (mark) caption.append(make('span', `nb-mark nb-${mark.kind}`, `${kGlyphs[mark.kind]} ${mark.kind}`));
+      element.append(caption);
+    }
+    for (const cell of part.cells) element.append(cellElement(cell, model));
+  }
+  box.element = element;
+  return element;
+}
+
+function sectionElements(section, model, boxWidth) {
+  const head = place(make('section', 'nb-section'), section.columnX[0], section.y, undefined, 22);
+  head.append(make('h3', '', section.title));
+  const elements = [head];
+  section.columns.forEach((name, i) => {
+    if (!name) return;
+    const column = place(make('div', 'nb-column', name), section.columnX[i], section.y + 30, boxWidth);
+    if (model.valued) column.append(make('span', '', 'real   ideal '));
+    elements.push(column);
+  });
+  section.notes.forEach((note, i) => {
+    elements.push(place(make('div', 'nb-note', note), section.columnX[1], section.noteY[i]));
+  });
+  return elements;
+}
+
+function wireElements(layout) {
+  const svg = document.createElementNS(kSvg, 'svg');
+  svg.setAttribute('class', 'nb-wires');
+  svg.setAttribute('width', layout.width);
+  svg.setAttribute('height', layout.height);
+  svg.setAttribute('aria-hidden', 'true');
+  for (const wire of layout.wires) {
+    wire.element = document.createElementNS(kSvg, 'path');
+    wire.element.setAttribute('d', wire.path);
+    if (wire.refused) wire.element.setAttribute('class', 'nb-refused');
+    svg.append(wire.element);
+  }
+  return svg;
+}
+
+function ancestorsOf(cell) {
+  const found = new Set([cell]);
+  for (const one of found) for (const parent of one.parents) found.add(parent);
+  return found;
+}
+
+// The boxes in the order of evaluation; all registers that a combiner reads are one step.
+function stepsOf(model) {
+  const steps = [];
+  for (const section of model.sections) {
+    const registers = section.boxes.filter((b) => b.group === 'in');
+    if (registers.length) steps.push(registers);
+    for (const box of section.boxes) if (box.group !== 'in') steps.push([box]);
+  }
+  return steps;
+}
+
+function toolbar(count) {
+  const bar = make('div', 'nb-bar');
+  bar.setAttribute('role', 'toolbar');
+  bar.setAttribute('aria-label', 'Steps');
+  const button = (text, label) => {
+    const b = make('button', '', text);
+    b.type = 'button';
+    b.title = label;
+    b.setAttribute('aria-label', label);
+    return b;
+  };
+  const back = button('◀', 'Step back (left arrow)');
+  const forward = button('▶', 'Step forward (right arrow)');
+  const all = button('Show all', 'Show all steps (Escape)');
+  const range = make('input');
+  Object.assign(range, { type: 'range', min: 0, max: count, value: 0 });
+  range.setAttribute('aria-label', 'Step');
+  const text = make('span', 'nb-step');
+  bar.append(back, range, forward, text, all);
+  return { bar, back, forward, all, range, text };
+}
+
+function legend(model) {
+  const list = make('div', 'nb-legend');
+  const item = (mark, text, className) => {
+    const span = make('span');
+    span.append(make('b', className, mark), ` ${text}`);
+    list.append(span);
+  };
+  item('code', `n/${model.one}, products n/${model.one * model.one}`);
+  item('ideal', 'exact arithmetic');
+  item('▾', 'truncated', 'nb-truncated');
+  item('■', 'clamped', 'nb-clamped');
+  return list;
+}
+
+// What a cell is and holds, in the line above the diagram.
+function say(said, cell, model) {
+  const { place: where, what, channel } = placeOf(cell);
+  const { values, loss } = factsOf(cell, model.one);
+  const title = make('div');
+  title.append(make('span', 'nb-place', where), make('span', '', `${what}, ${channel}`));
+  const line = make('div');
+  for (const [name, text] of values) {
+    const value = make('span', 'nb-value');
+    value.append(make('i', '', `${name} `), text);
+    line.append(value);
+  }
+  if (loss) line.append(make('span', `nb-${cell.mark.kind}`, `${kGlyphs[cell.mark.kind]} ${loss}`));
+  said.replaceChildren(title, line);
+}
+
+// Lights a cell and all that it was computed from.
+function light(root, model, layout, cell) {
+  const lit = cell ? ancestorsOf(cell) : new Set();
+  root.classList.toggle('nb-tracing', Boolean(cell));
+  const boxes = new Set([...lit].map((c) => c.box));
+  for (const one of model.cells.values()) {
+    one.element.classList.toggle('nb-lit', lit.has(one));
+    one.element.classList.toggle('nb-chosen', one === cell);
+  }
+  for (const section of model.sections) for (const box of section.boxes) box.element.classList.toggle('nb-lit', boxes.has(box));
+  const used = new Set();
+  for (const one of lit) for (const parent of one.parents) used.add(`${parent.box.id}>${one.box.id}`);
+  for (const wire of layout.wires) wire.element.classList.toggle('nb-lit', used.has(`${wire.from.id}>${wire.to.id}`));
+}
+
+class Diagram {
+  constructor(container, model, boxWidth, hint) {
+    this.model = model;
+    this.hint = hint;
+    this.layout = layOut(model, boxWidth);
+    this.steps = stepsOf(model);
+    this.now = 0;
+    this.pinned = null;
+    this.root = make('div', 'nb-diagram');
+    this.bar = toolbar(this.steps.length);
+    if (model.valued) this.bar.bar.append(legend(model));
+    this.said = make('div', 'nb-said');
+    this.said.setAttribute('role', 'status');
+    this.scroll = make('div', 'nb-scroll');
+    this.scroll.tabIndex = 0;
+    this.scroll.setAttribute('role', 'group');
+    this.scroll.setAttribute('aria-label', 'Diagram. Left and right arrow: step. Up and down arrow: choose a value. Escape: show all.');
+    const sheet = make('div', 'nb-sheet');
+    sheet.style.width = `${this.layout.width}px`;
+    sheet.style.height = `${this.layout.height}px`;
+    sheet.append(wireElements(this.layout));
+    for (const section of model.sections) {
+      sheet.append(...sectionElements(section, model, boxWidth), ...section.boxes.map((box) => boxElement(box, model)));
+    }
+    this.scroll.append(sheet);
+    this.root.append(this.bar.bar, this.said, this.scroll);
+    container.replaceChildren(this.root);
+    this.listen();
+    this.step(0);
+  }
+
+  listen() {
+    this.bar.back.addEventListener('click', () => this.step(this.now - 1));
+    this.bar.forward.addEventListener('click', () => this.step(this.now + 1));
+    this.bar.all.addEventListener('click', () => this.clear());
+    this.bar.range.addEventListener('input', () => this.step(Number(this.bar.range.value)));
+    const cellAt = (event) => event.target.closest?.('.nb-cell')?.nbCell;
+    this.scroll.addEventListener('pointerover', (event) => { if (event.pointerType !== 'touch' && !this.pinned) this.choose(cellAt(event)); });
+    this.scroll.addEventListener('pointerleave', () => { if (!this.pinned) this.choose(undefined); });
+    this.scroll.addEventListener('focusin', (event) => { if (cellAt(event)) this.choose(cellAt(event)); });
+    this.scroll.addEventListener('click', (event) => {
+      const cell = cellAt(event);
+      this.pinned = cell && cell !== this.pinned ? cell : null;
+      this.choose(cell);
+      if (cell) this.chosen = cell;
+    });
+    this.root.addEventListener('keydown', (event) => this.key(event));
+  }
+
+  key(event) {
+    if (event.altKey || event.ctrlKey || event.metaKey || event.target === this.bar.range) return;
+    const actions = {
+      ArrowLeft: () => this.step(this.now - 1), ArrowRight: () => this.step(this.now + 1),
+      ArrowDown: () => this.move(1), ArrowUp: () => this.move(-1), Escape: () => this.clear(),
+    };
+    if (!actions[event.key]) return;
+    event.preventDefault();
+    actions[event.key]();
+  }
+
+  // The next or previous value in the order of evaluation gets the focus.
+  move(by) {
+    const cells = this.steps.flat().flatMap((box) => box.parts.flatMap((part) => part.cells));
+    const at = cells.indexOf(this.chosen);
+    const next = cells[Math.min(cells.length - 1, Math.max(0, at < 0 ? (by > 0 ? 0 : cells.length - 1) : at + by))];
+    this.pinned = next;
+    next.element.focus({ preventScroll: true });
+    next.element.scrollIntoView({ block: 'nearest', inline: 'nearest' });
+  }
+
+  choose(cell) {
+    if (cell) this.chosen = cell;
+    light(this.root, this.model, this.layout, cell);
+    if (cell) say(this.said, cell, this.model);
+    else this.sayStep();
+  }
+
+  clear() {
+    this.pinned = null;
+    this.chosen = undefined;
+    this.step(0);
+  }
+
+  step(to) {
+    this.now = Math.min(this.steps.length, Math.max(0, to));
+    this.pinned = null;
+    const shown = new Set(this.steps.slice(0, this.now).flat());
+    const current = new Set(this.now ? this.steps[this.now - 1] : []);
+    const pending = (box) => this.now !== 0 && !shown.has(box);
+    for (const box of this.steps.flat()) {
+      box.element.classList.toggle('nb-pending', pending(box));
+      box.element.classList.toggle('nb-current', current.has(box));
+    }
+    for (const wire of this.layout.wires) wire.element.classList.toggle('nb-pending', pending(wire.from) || pending(wire.to));
+    this.bar.back.disabled = this.now === 0;
+    this.bar.forward.disabled = this.now === this.steps.length;
+    this.bar.range.value = this.now;
+    this.bar.text.textContent = this.now ? `step ${this.now} of ${this.steps.length}` : `${this.steps.length} steps`;
+    for (const box of current) box.element.scrollIntoView({ block: 'nearest', inline: 'nearest' });
+    this.choose(undefined);
+  }
+
+  sayStep() {
+    if (!this.now) {
+      this.said.replaceChildren(make('div', 'nb-place', this.hint));
+      return;
+    }
+    const lines = this.steps[this.now - 1].slice(0, 3).map((box) => {
+      const line = make('div');
+      line.append(make('span', 'nb-place', box.section.title), make('b', '', box.title), ` ${box.sub}`);
+      return line;
+    });
+    this.said.replaceChildren(...lines);
+  }
+}
+
+// Draws `model` in the container; see traceDiagram.
+export function drawModel(container, model, boxWidth, hint) {
+  addStyleOnce();
+  const diagram = new Diagram(container, model, boxWidth, hint);
+  return {
+    count: diagram.steps.length,
+    step: (n) => diagram.step(n),
+    remove: () => diagram.root.remove(),
+  };
+}
+
+// options: {maxHeight}, a CSS length; the diagram then also scrolls vertically inside its own box.
+export function traceDiagram(container, trace, options = {}) {
+  const hint = 'Point at a value to see what it was computed from. Step with the arrow keys or the buttons.';
+  const drawn = drawModel(container, traceModel(trace), kValuedWidth, hint);
+  if (options.maxHeight) container.firstChild.style.setProperty('--nb-max-height', options.maxHeight);
+  return drawn;
+}
