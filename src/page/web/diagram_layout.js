@@ -7,11 +7,14 @@ const kRow = 16;
 const kCaption = 17;
 const kSectionHead = 64;
 const kNote = 22;
+const kEquation = 20;   // a line of an equation
 const kMargin = 36;     // left and right, where wires between sections run
 const kBetween = 44;    // between sections
 
+const rowsOf = (part) => part.cells.filter((cell) => !cell.whole).length;
+
 export function boxHeight(box) {
-  const parts = box.parts.reduce((sum, part) => sum + (part.caption ? kCaption : 0) + part.cells.length * kRow, 0);
+  const parts = box.parts.reduce((sum, part) => sum + (part.caption ? kCaption : 0) + rowsOf(part) * kRow, 0);
   return kHead + parts + (parts ? 8 : 0);
 }
 
@@ -39,6 +42,18 @@ function placeGroup(boxes, top, left) {
   return Math.max(top, ...bottom.values());
 }
 
+// The equations of a group stand above its boxes, beside the registers.
+function placeEquations(section, group, top, width) {
+  const lines = section.equations?.[group] ?? [];
+  let y = top;
+  for (const line of lines) {
+    const rows = Math.max(1, Math.ceil(([...line.text].length + 12) * 7.6 / width));
+    Object.assign(line, { y, width, h: rows * kEquation });
+    y += line.h;
+  }
+  return lines.length ? y + 10 : top;
+}
+
 export function layOut(model, boxWidth) {
   const left = (column) => kMargin + column * (boxWidth + kColumnGap);
   let y = 8;
@@ -50,7 +65,9 @@ export function layOut(model, boxWidth) {
     let next = top;
     for (const group of ['rgb', 'alpha', 'sum']) {
       const boxes = section.boxes.filter((b) => b.group === group);
-      if (boxes.length) next = placeGroup(boxes, next, left) + kGap;
+      if (!boxes.length) continue;
+      next = placeEquations(section, group, next, left(5) - kColumnGap - left(1));
+      next = placeGroup(boxes, next, left) + kGap;
     }
     bottom = Math.max(bottom, next);
     section.noteY = section.notes.map((_, i) => bottom + i * kNote);

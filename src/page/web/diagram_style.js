@@ -59,8 +59,12 @@ export const kDiagramStyle = `
 .nb-caption { height: 17px; padding: 0 8px; font-size: 11px; line-height: 17px; color: var(--nb-quiet); display: flex;
   justify-content: space-between; white-space: nowrap; }
 .nb-caption .nb-mark { font-weight: 600; }
-.nb-cell { display: grid; grid-template-columns: 12px 10px 1fr 8.2ch 8.2ch; height: 16px; padding: 0 7px; font: 10.5px/16px var(--nb-mono);
+.nb-cell { display: grid; grid-template-columns: 20px 10px 1fr 9.2ch 9.2ch; height: 16px; padding: 0 7px; font: 10.5px/16px var(--nb-mono);
   text-align: right; cursor: default; white-space: pre; transition: opacity .12s; }
+.nb-cell.nb-word { display: block; text-align: left; }
+.nb-cell.nb-word .nb-glyph { display: none; }
+.nb-equation { position: absolute; font: 600 12.5px/20px var(--nb-mono); overflow-wrap: anywhere; white-space: pre-wrap; }
+.nb-equation i { font-weight: 400; color: var(--nb-quiet); }
 .nb-cell:focus { outline: 2px solid var(--nb-accent); outline-offset: -2px; border-radius: 3px; }
 .nb-cell span:first-child { text-align: left; color: var(--nb-quiet); }
 .nb-cell .nb-held { font-weight: 700; }
@@ -81,6 +85,8 @@ export const kDiagramStyle = `
 .nb-tracing .nb-box.nb-lit { opacity: 1; border-color: var(--nb-accent); }
 .nb-tracing .nb-box.nb-lit .nb-cell:not(.nb-lit), .nb-tracing .nb-box.nb-lit .nb-caption { opacity: .32; }
 .nb-tracing .nb-cell.nb-lit { opacity: 1; }
+.nb-box:focus { outline: none; }
+.nb-tracing .nb-box.nb-chosen { box-shadow: 0 0 0 2px var(--nb-accent); }
 .nb-tracing .nb-cell.nb-chosen { background: var(--nb-accent); color: var(--nb-paper); border-radius: 3px; }
 .nb-tracing .nb-cell.nb-chosen span { color: inherit; }
 .nb-tracing .nb-wires path.nb-lit { stroke: var(--nb-accent); stroke-width: 2.5; opacity: 1; }

@@ -1,6 +1,6 @@
 // Numbers and sentences of the diagram.
 
-export const kChannelNames = { r: 'red', g: 'green', b: 'blue', a: 'alpha' };
+export const kChannelNames = { r: 'red', g: 'green', b: 'blue', a: 'alpha', rgb: 'red, green, blue' };
 export const kGlyphs = { truncated: '▾', clamped: '■' };
 
 // A code or wide value: whole, or a half.
@@ -51,5 +51,6 @@ export function placeOf(cell) {
 export function spoken(cell, one) {
   const { what, channel } = placeOf(cell);
   const { values, loss } = factsOf(cell, one);
+  if (!values.length) return cell.whole ? what : `${what}, ${channel}`;
   return `${what}, ${channel}: ${values.map(([n, v]) => `${n} ${v}`).join(', ')}${loss ? `; ${loss}` : ''}`;
 }

@@ -1,116 +1,17 @@
 // The diagram of one fragment's trace, as the hardware's block picture.
 //
-//   import { traceDiagram } from './trace_diagram.js';
-//   const diagram = traceDiagram(element, trace);  // trace: the object that `ninebit trace --json` prints
+//   //   const diagram = traceDiagram(element, trace);  // trace: the object that `ninebit trace --json` prints
 //
 // It fills the element. The result has step(n) (0: everything is shown), count (the number of steps), and remove().
 // Texts from the trace only ever become text nodes.
-import { kDiagramStyle } from './diagram_style.js';
+import { addStyleOnce, boxElement, legend, make, sectionElements, toolbar, wireElements } from './diagram_elements.js';
 import { layOut } from './diagram_layout.js';
+import { factsOf, kGlyphs, placeOf } from './diagram_words.js';
+import { addEquations, programModel } from './program_model.js';
 import { traceModel } from './trace_model.js';
-import { differs, factsOf, heldText, kGlyphs, placeOf, realText, spoken } from './diagram_words.js';
 
-const kSvg = 'http://www.w3.org/2000/svg';
-const kValuedWidth = 196;
-
-function make(tag, className, text) {
-  const element = document.createElement(tag);
-  if (className) element.className = className;
-  if (text !== undefined) element.textContent = text;
-  return element;
-}
-
-function place(element, x, y, width, height) {
-  element.style.left = `${x}px`;
-  element.style.top = `${y}px`;
-  if (width !== undefined) element.style.width = `${width}px`;
-  if (height !== undefined) element.style.height = `${height}px`;
-  return element;
-}
-
-function addStyleOnce() {
-  if (document.getElementById('nb-diagram-style')) return;
-  const style = make('style', '', kDiagramStyle);
-  style.id = 'nb-diagram-style';
-  document.head.append(style);
-}
-
-function cellElement(cell, model) {
-  const element = make('div', 'nb-cell');
-  const { value, mark } = cell;
-  element.append(make('span', '', cell.label), make('span', 'nb-glyph', mark ? kGlyphs[mark.kind] : ''));
-  if (value) {
-    element.append(make('span', 'nb-held', heldText(value)), make('span', 'nb-real', realText(value.real)),
-                   make('span', 'nb-ideal', realText(value.ideal)));
-    element.classList.toggle('nb-differs', differs(value));
-  }
-  if (mark) element.classList.add(`nb-${mark.kind}`);
-  element.tabIndex = -1;
-  element.setAttribute('role', 'img');
-  element.setAttribute('aria-label', spoken(cell, model.one));
-  element.nbCell = cell;
-  cell.element = element;
-  return element;
-}
-
-function boxElement(box, model) {
-  const element = place(make('div', `nb-box nb-${box.kind}`), box.x, box.y, box.w, box.h);
-  element.setAttribute('role', 'group');
-  element.setAttribute('aria-label', `${box.section.title}: ${box.title}, ${box.sub}`);
-  const head = make('header');
-  head.append(make('b', '', box.title), make('small', '', box.sub));
-  head.title = `${box.title}\n${box.sub}`;
-  if (box.symbol) head.append(make('span', 'nb-symbol', box.symbol));
-  if (box.bytes) {
-    const swatch = make('span', 'nb-swatch');
-    swatch.style.background = `rgb(${box.bytes.slice(0, 3).map(Number).join(' ')})`;
-    head.append(swatch);
-  }
-  element.append(head);
-  for (const part of box.parts) {
-    if (part.caption) {
-      const caption = make('div', 'nb-caption');
-      caption.append(make('span', '', part.caption));
-      const mark = part.cells.find((c) => c.mark)?.mark;
-      if (mark) caption.append(make('span', `nb-mark nb-${mark.kind}`, `${kGlyphs[mark.kind]} ${mark.kind}`));
-      element.append(caption);
-    }
-    for (const cell of part.cells) element.append(cellElement(cell, model));
-  }
-  box.element = element;
-  return element;
-}
-
-function sectionElements(section, model, boxWidth) {
-  const head = place(make('section', 'nb-section'), section.columnX[0], section.y, undefined, 22);
-  head.append(make('h3', '', section.title));
-  const elements = [head];
-  section.columns.forEach((name, i) => {
-    if (!name) return;
-    const column = place(make('div', 'nb-column', name), section.columnX[i], section.y + 30, boxWidth);
-    if (model.valued) column.append(make('span', '', 'real   ideal '));
-    elements.push(column);
-  });
-  section.notes.forEach((note, i) => {
-    elements.push(place(make('div', 'nb-note', note), section.columnX[1], section.noteY[i]));
-  });
-  return elements;
-}
-
-function wireElements(layout) {
-  const svg = document.createElementNS(kSvg, 'svg');
-  svg.setAttribute('class', 'nb-wires');
-  svg.setAttribute('width', layout.width);
-  svg.setAttribute('height', layout.height);
-  svg.setAttribute('aria-hidden', 'true');
-  for (const wire of layout.wires) {
-    wire.element = document.createElementNS(kSvg, 'path');
-    wire.element.setAttribute('d', wire.path);
-    if (wire.refused) wire.element.setAttribute('class', 'nb-refused');
-    svg.append(wire.element);
-  }
-  return svg;
-}
+const kValuedWidth = 204;
+const kPlainWidth = 158;
 
 function ancestorsOf(cell) {
   const found = new Set([cell]);
@@ -129,48 +30,12 @@ function stepsOf(model) {
   return steps;
 }
 
-function toolbar(count) {
-  const bar = make('div', 'nb-bar');
-  bar.setAttribute('role', 'toolbar');
-  bar.setAttribute('aria-label', 'Steps');
-  const button = (text, label) => {
-    const b = make('button', '', text);
-    b.type = 'button';
-    b.title = label;
-    b.setAttribute('aria-label', label);
-    return b;
-  };
-  const back = button('◀', 'Step back (left arrow)');
-  const forward = button('▶', 'Step forward (right arrow)');
-  const all = button('Show all', 'Show all steps (Escape)');
-  const range = make('input');
-  Object.assign(range, { type: 'range', min: 0, max: count, value: 0 });
-  range.setAttribute('aria-label', 'Step');
-  const text = make('span', 'nb-step');
-  bar.append(back, range, forward, text, all);
-  return { bar, back, forward, all, range, text };
-}
-
-function legend(model) {
-  const list = make('div', 'nb-legend');
-  const item = (mark, text, className) => {
-    const span = make('span');
-    span.append(make('b', className, mark), ` ${text}`);
-    list.append(span);
-  };
-  item('code', `n/${model.one}, products n/${model.one * model.one}`);
-  item('ideal', 'exact arithmetic');
-  item('▾', 'truncated', 'nb-truncated');
-  item('■', 'clamped', 'nb-clamped');
-  return list;
-}
-
 // What a cell is and holds, in the line above the diagram.
 function say(said, cell, model) {
   const { place: where, what, channel } = placeOf(cell);
   const { values, loss } = factsOf(cell, model.one);
   const title = make('div');
-  title.append(make('span', 'nb-place', where), make('span', '', `${what}, ${channel}`));
+  title.append(make('span', 'nb-place', where), make('span', '', cell.whole ? what : `${what}, ${channel}`));
   const line = make('div');
   for (const [name, text] of values) {
     const value = make('span', 'nb-value');
@@ -232,7 +97,7 @@ class Diagram {
     this.bar.forward.addEventListener('click', () => this.step(this.now + 1));
     this.bar.all.addEventListener('click', () => this.clear());
     this.bar.range.addEventListener('input', () => this.step(Number(this.bar.range.value)));
-    const cellAt = (event) => event.target.closest?.('.nb-cell')?.nbCell;
+    const cellAt = (event) => (event.target.closest?.('.nb-cell') ?? event.target.closest?.('.nb-box'))?.nbCell;
     this.scroll.addEventListener('pointerover', (event) => { if (event.pointerType !== 'touch' && !this.pinned) this.choose(cellAt(event)); });
     this.scroll.addEventListener('pointerleave', () => { if (!this.pinned) this.choose(undefined); });
     this.scroll.addEventListener('focusin', (event) => { if (cellAt(event)) this.choose(cellAt(event)); });
@@ -323,10 +188,22 @@ export function drawModel(container, model, boxWidth, hint) {
   };
 }
 
-// options: {maxHeight}, a CSS length; the diagram then also scrolls vertically inside its own box.
-export function traceDiagram(container, trace, options = {}) {
-  const hint = 'Point at a value to see what it was computed from. Step with the arrow keys or the buttons.';
-  const drawn = drawModel(container, traceModel(trace), kValuedWidth, hint);
+function drawWith(container, model, width, hint, options) {
+  if (options.explanation) addEquations(model.sections, options.explanation);
+  const drawn = drawModel(container, model, width, hint);
   if (options.maxHeight) container.firstChild.style.setProperty('--nb-max-height', options.maxHeight);
   return drawn;
+}
+
+// options: {maxHeight, explanation}: a CSS length, so that the diagram also scrolls vertically inside its own box; and
+// the object that `ninebit explain --json` prints, whose equations then stand in the diagram.
+export function traceDiagram(container, trace, options = {}) {
+  const hint = 'Point at a value to see what it was computed from. Step with the arrow keys or the buttons.';
+  return drawWith(container, traceModel(trace), kValuedWidth, hint, options);
+}
+
+// The same picture of a program without a fragment. program: the JSON form that `ninebit convert --to json` prints.
+export function programDiagram(container, program, options = {}) {
+  const hint = 'Point at a unit to see what it depends on. Step with the arrow keys or the buttons.';
+  return drawWith(container, programModel(program), kPlainWidth, hint, options);
 }

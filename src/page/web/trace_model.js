@@ -88,6 +88,10 @@ export class ModelBuilder {
     const suffix = other && (inputs.length > 1 || component === 'b') ? { a: '.alpha', b: '.blue' }[component] ?? '' : '';
     const box = this.box({ id: `${group}-${letter}`, column: 1, group, kind: 'input', letter,
                            title: `${letter} = ${registerText(register)}${suffix}`, sub: mappingText(mapping) });
+    if (register === 'zero' && inputs.length > 1) {
+      const [cell] = this.part(box, '', [{ label: 'rgb', value: inputs[0].mapped }]);
+      return inputs.map(() => cell);
+    }
     return this.part(box, '', inputs.map((input) => ({
       label: input.channel, value: input.mapped,
       parents: [this.register(register, input.component, input.read)],
