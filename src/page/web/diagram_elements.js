@@ -86,8 +86,12 @@ export function sectionElements(section, model, boxWidth) {
   const elements = [head];
   section.columns.forEach((name, i) => {
     if (!section.boxes.some((box) => box.column === i)) return;
-    const column = place(make('div', 'nb-column', name), section.columnX[i], section.y + 30, boxWidth);
-    if (model.valued) column.append(make('span', '', 'real   ideal '));
+    const column = place(make('div', 'nb-column', name), section.columnX[i], section.y + 28, boxWidth);
+    if (model.valued) {
+      const names = make('div', 'nb-cell');
+      names.append(...['', '', section.codeNames?.[i] ?? 'code', 'real', 'ideal'].map((text) => make('span', '', text)));
+      column.append(names);
+    }
     elements.push(column);
   });
   for (const line of Object.values(section.equations ?? {}).flat()) {

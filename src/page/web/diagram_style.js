@@ -22,7 +22,7 @@ export const kDiagramStyle = `
 .nb-bar input[type=range] { flex: 1 1 110px; min-width: 80px; max-width: 260px; accent-color: var(--nb-accent); }
 .nb-step { color: var(--nb-quiet); font-variant-numeric: tabular-nums; white-space: nowrap; }
 .nb-legend { display: flex; flex-wrap: wrap; gap: 2px 14px; margin-left: auto; color: var(--nb-quiet); font-size: 12px; }
-.nb-legend b { color: var(--nb-ink); font-weight: 600; }
+.nb-legend b:not([class]) { color: var(--nb-ink); font-weight: 600; }
 .nb-said { padding: 7px 12px; min-height: 3.9em; border-bottom: 1px solid var(--nb-rule); background: var(--nb-box);
   font-variant-numeric: tabular-nums; overflow-wrap: anywhere; }
 .nb-said .nb-place { color: var(--nb-quiet); margin-right: .6em; }
@@ -39,7 +39,7 @@ export const kDiagramStyle = `
   display: inline-block; padding-right: 10px; }
 .nb-column { position: absolute; color: var(--nb-quiet); font-size: 11px; line-height: 14px; white-space: nowrap;
   border-top: 1px solid var(--nb-rule); padding-top: 3px; }
-.nb-column span { float: right; font-family: var(--nb-mono); font-size: 10px; white-space: pre; }
+.nb-column .nb-cell { padding: 0 8px; font-size: 10px; grid-template-columns: 20px 10px 1fr 9.66ch 9.66ch; }
 .nb-note { position: absolute; color: var(--nb-quiet); font-style: italic; overflow-wrap: anywhere; }
 .nb-box { position: absolute; background: var(--nb-box); border: 1px solid var(--nb-rule); border-radius: 6px; overflow: hidden;
   transition: opacity .12s; }

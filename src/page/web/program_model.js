@@ -8,7 +8,7 @@ const kShortNames = {
 const kScaleMarks = { scale_by_two: '× 2', scale_by_four: '× 4', scale_by_one_half: '÷ 2' };
 
 const shortOf = (name) => kShortNames[name] ?? String(name);
-const isPlainZero = (input) => input.input === 'zero' && input.mapping === 'unsigned_identity';
+const isUnusedInput = (input) => input.input === 'zero' && input.mapping === 'unsigned_identity';
 
 // What a variable of a portion reads of its register: its colour, alpha, or blue.
 function readOf(input, group) {
@@ -99,10 +99,10 @@ function addProgramFinal(model, f) {
   }
   model.section('final', 'Final combiner', kFinalColumns);
   const out = (parents) => {
-    const box = model.box({ id: 'rgb', column: 4, group: 'rgb', kind: 'result', title: 'out: red, green, blue', sub: 'add D, clamp' });
+    const box = model.box({ id: 'rgb', column: 4, group: 'rgb', kind: 'result', title: 'out rgb', sub: 'add D, clamp' });
     model.part(box, '', [{ label: 'colour', parents }]);
   };
-  if ([f.a, f.b, f.c, f.d].every(isPlainZero)) {
+  if ([f.a, f.b, f.c, f.d].every(isUnusedInput)) {
     out([]);
   } else {
     const [a, b, c, d] = ['A', 'B', 'C', 'D'].map((l) => variableOf(model, l, 'rgb', f[l.toLowerCase()]));
@@ -115,7 +115,7 @@ function addProgramFinal(model, f) {
     out([operator('mix', 3, 'A·B + (1 − A)·C', '+', [ab, ac]), d]);
   }
   const g = variableOf(model, 'G', 'alpha', f.g);
-  const box = model.box({ id: 'alpha', column: 4, group: 'alpha', kind: 'result', title: 'out: alpha', sub: 'clamp' });
+  const box = model.box({ id: 'alpha', column: 4, group: 'alpha', kind: 'result', title: 'out alpha', sub: 'clamp' });
   model.part(box, '', [{ label: 'alpha', parents: [g] }]);
 }
 

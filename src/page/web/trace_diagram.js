@@ -6,7 +6,7 @@
 // Texts from the trace only ever become text nodes.
 import { addStyleOnce, boxElement, legend, make, sectionElements, toolbar, wireElements } from './diagram_elements.js';
 import { layOut } from './diagram_layout.js';
-import { factsOf, kGlyphs, placeOf } from './diagram_words.js';
+import { factsOf, heldText, kGlyphs, placeOf, realText } from './diagram_words.js';
 import { addEquations, programModel } from './program_model.js';
 import { traceModel } from './trace_model.js';
 
@@ -168,12 +168,21 @@ class Diagram {
       this.said.replaceChildren(make('div', 'nb-place', this.hint));
       return;
     }
-    const lines = this.steps[this.now - 1].slice(0, 3).map((box) => {
-      const line = make('div');
-      line.append(make('span', 'nb-place', box.section.title), make('b', '', box.title), ` ${box.sub}`);
-      return line;
-    });
-    this.said.replaceChildren(...lines);
+    const boxes = this.steps[this.now - 1];
+    const title = make('div');
+    title.append(make('span', 'nb-place', placeOf(boxes[0].parts[0].cells[0]).place), make('b', '', boxes.map((b) => b.title).join(', ')));
+    if (boxes.length === 1) title.append(`, ${boxes[0].sub}`);
+    const line = make('div');
+    for (const box of boxes.slice(0, 3)) {
+      for (const { label, value } of box.parts.at(-1).cells) {
+        if (!value) continue;
+        const item = make('span', 'nb-value');
+        item.append(make('i', '', `${boxes.length > 1 ? `${box.title}.` : ''}${label} `), `${heldText(value)} (${realText(value.real)})`);
+        line.append(item);
+      }
+    }
+    if (boxes.length > 3) line.append('…');
+    this.said.replaceChildren(title, line);
   }
 }
 

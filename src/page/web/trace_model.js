@@ -8,7 +8,7 @@ const kScaleText = { none: '', scale_by_two: '× 2', scale_by_four: '× 4', scal
 const kMappingText = {
   unsigned_identity: 'max(0, x)', unsigned_invert: '1 − max(0, x)', expand_normal: '2·max(0, x) − 1',
   expand_negate: '1 − 2·max(0, x)', half_bias_normal: 'max(0, x) − ½', half_bias_negate: '½ − max(0, x)',
-  signed_identity: 'x', signed_negate: '−x',
+  signed_identity: 'x, unchanged', signed_negate: '−x',
 };
 const kSpecialRegister = { e_times_f: 'E·F', spare0_plus_secondary: 'colour sum' };
 
@@ -154,7 +154,7 @@ function addOutput(model, stage, group, portion, name, from) {
   if (outputs[0].narrowed_before_scale) cells = add('narrowed first', 'narrowed_before_scale', cells);
   if (portion.scale !== 'none') cells = add(kScaleText[portion.scale], 'scaled', cells);
   cells = add('narrowed', 'narrowed', cells, (o) => truncated(o.dropped));
-  if (outputs.some((o) => isLost(o.cut) || o.cut.ideal !== 0)) cells = add('clamped', 'written', cells, (o) => clamped(o.cut));
+  if (outputs.some((o) => isLost(o.cut) || o.cut.ideal !== 0)) cells = add('into range', 'written', cells, (o) => clamped(o.cut));
   return { register, cells, blueToAlpha };
 }
 
@@ -181,6 +181,7 @@ export const kFinalColumns = ['registers', 'inputs, mapped', 'products', 'mix', 
 // Both portions read the registers before either writes.
 function addStage(model, stage) {
   model.section(`stage${stage.stage}`, `General combiner ${stage.stage}`, kStageColumns);
+  model.now.codeNames = ['code', 'code', 'wide', 'wide', 'code'];
   const written = ['rgb', 'alpha'].flatMap((group) => addPortion(model, stage, group));
   for (const { register, cells, blueToAlpha } of written) {
     const origin = `of general combiner ${stage.stage}`;
@@ -219,17 +220,23 @@ function addEarlyFinal(model, trace) {
     const isCut = (c) => c.color_sum.clamped.real !== c.color_sum.unclamped.real;
     const difference = ({ unclamped: u, clamped: v }) => ({ code: u.code - v.code, real: u.real - v.real, ideal: u.ideal - v.ideal });
     const cells = rgb.some(isCut)
-      ? model.part(box, 'clamped', rgb.map((c, i) => ({ label: c.channel, value: c.color_sum.clamped, parents: [sums[i]],
+      ? model.part(box, 'into range', rgb.map((c, i) => ({ label: c.channel, value: c.color_sum.clamped, parents: [sums[i]],
                                                         mark: clamped(difference(c.color_sum)) })))
       : sums;
     for (const cell of cells) model.writes('spare0_plus_secondary', cell.label, cell, 'of the final combiner');
   }
 }
 
-function addFinal(model, trace) {
-  addEarlyFinal(model, trace);
-  const { rgb, alpha } = trace.final;
-  model.section('final', 'Final combiner', kFinalColumns);
+const isPlainZero = (input) => input.register === 'zero' && input.mapping === 'unsigned_identity';
+
+function addFinalColor(model, trace) {
+  const { rgb } = trace.final;
+  const bytes = trace.out.bytes.slice(0, 3);
+  const result = (sub) => model.box({ id: 'rgb', column: 4, group: 'rgb', kind: 'result', title: 'out rgb', sub, bytes });
+  if (['a', 'b', 'c', 'd'].every((l) => isPlainZero(rgb[0][l]))) {
+    model.part(result('A, B, C, D = zero'), '', rgb.map((v) => ({ label: v.channel, value: v.written })));
+    return;
+  }
   const [a, b, c, d] = ['A', 'B', 'C', 'D'].map((l) => model.variable(l, 'rgb', inputsOf(rgb, l.toLowerCase())));
   const product = (id, title, key, factors) => {
     const box = model.box({ id, column: 2, group: 'rgb', kind: 'operator', symbol: '×', title, sub: 'product' });
@@ -241,14 +248,21 @@ function addFinal(model, trace) {
   const mix = model.part(mixBox, '', rgb.map((v, i) => ({ label: v.channel, value: v.mix, parents: [ab[i], ac[i]] })));
   const narrowed = model.part(mixBox, 'narrowed', rgb.map((v, i) => ({
     label: v.channel, value: v.narrowed, parents: [mix[i]], mark: truncated(v.dropped) })));
-  const out = model.box({ id: 'rgb', column: 4, group: 'rgb', kind: 'result', title: 'out: red, green, blue',
-                          sub: `bytes ${trace.out.bytes.slice(0, 3).join(', ')}`, bytes: trace.out.bytes });
+  const out = result(`bytes ${bytes.join(', ')}`);
   const sums = model.part(out, '+ D', rgb.map((v, i) => ({ label: v.channel, value: v.sum, parents: [narrowed[i], d[i]] })));
   if (rgb.some((v) => isLost(v.cut) || v.cut.ideal !== 0)) {
-    model.part(out, 'clamped', rgb.map((v, i) => ({ label: v.channel, value: v.written, parents: [sums[i]], mark: clamped(v.cut) })));
+    model.part(out, 'into range', rgb.map((v, i) => ({ label: v.channel, value: v.written, parents: [sums[i]], mark: clamped(v.cut) })));
   }
+}
+
+function addFinal(model, trace) {
+  addEarlyFinal(model, trace);
+  const { alpha } = trace.final;
+  model.section('final', 'Final combiner', kFinalColumns);
+  model.now.codeNames = ['code', 'code', 'wide', 'wide', 'code'];
+  addFinalColor(model, trace);
   const g = model.variable('G', 'alpha', [{ ...alpha.g, channel: 'a' }]);
-  const last = model.box({ id: 'alpha', column: 4, group: 'alpha', kind: 'result', title: 'out: alpha', sub: `byte ${trace.out.bytes[3]}` });
+  const last = model.box({ id: 'alpha', column: 4, group: 'alpha', kind: 'result', title: 'out alpha', sub: `byte ${trace.out.bytes[3]}` });
   model.part(last, '', [{ label: 'a', value: alpha.written, parents: [g[0]], mark: clamped(alpha.cut) }]);
 }
 
