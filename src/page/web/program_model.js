@@ -1,5 +1,5 @@
 // A program without a fragment, in the boxes of the same block picture: which registers each unit reads and writes.
-import { kFinalColumns, kStageColumns, mappingText, ModelBuilder, registerText } from './trace_model.js';
+import { kEarlyColumns, kFinalColumns, kStageColumns, mappingText, ModelBuilder, registerText } from './trace_model.js';
 
 const kShortNames = {
   primary_color: 'primary', secondary_color: 'secondary', constant_color0: 'const0', constant_color1: 'const1',
@@ -19,7 +19,7 @@ function readOf(input, group) {
 function variableOf(model, letter, group, input) {
   const register = shortOf(input.input);
   const read = readOf(input, group);
-  const named = register !== 'zero' && read !== (group === 'alpha' ? 'alpha' : 'colour') ? `.${read}` : '';
+  const named = register !== 'zero' && read !== 'colour' ? `.${read}` : '';
   const box = model.box({ id: `${group}-${letter}`, column: 1, group, kind: 'input',
                           title: `${letter} = ${registerText(register)}${named}`, sub: mappingText(input.mapping) });
   return model.part(box, '', [{ label: 'value', parents: [model.wordOf(register, read)] }])[0];
@@ -61,7 +61,7 @@ function addProgramPortion(model, stage, group, portion) {
   if (third || out.cd !== 'discard') products.cd = productOf(model, group, portion, 'CD', out.cd_dot_product);
   if (third) {
     const test = out.mux_sum ? model.wordOf('spare0', 'alpha') : undefined;
-    const box = model.box({ id: `${group}-third`, column: 3, group, kind: 'operator', symbol: out.mux_sum ? '⑂' : '+',
+    const box = model.box({ id: `${group}-third`, column: 3, group, kind: 'operator', symbol: out.mux_sum ? '?' : '+',
                             title: out.mux_sum ? 'mux' : 'A·B + C·D', sub: out.mux_sum ? 'spare0.a < ½: A·B, else C·D' : 'sum' });
     products.sum = model.part(box, '', [{ label: 'value', parents: [products.ab, products.cd, test] }])[0];
   }
@@ -71,7 +71,7 @@ function addProgramPortion(model, stage, group, portion) {
     const register = shortOf(out[name]);
     const what = { ab: 'A·B', cd: 'C·D', sum: out.mux_sum ? 'mux' : 'sum' }[name];
     const steps = [out.bias === 'none' ? '' : '− ½', kScaleMarks[out.scale] ?? '', 'narrow, clamp'].filter(Boolean).join(', ');
-    const box = model.box({ id: `${group}-out-${name}`, column: 4, group, kind: 'output', title: `${what} → ${register}`, sub: steps });
+    const box = model.box({ id: `${group}-out-${name}`, column: 4, group, kind: 'output', title: `${what} → ${register}${group === 'alpha' ? '.alpha' : ''}`, sub: steps });
     const word = group === 'alpha' ? 'alpha' : 'colour';
     const [cell] = model.part(box, '', [{ label: word, parents: [products[name]] }]);
     written.push({ register, word, cell });
@@ -85,7 +85,8 @@ function addProgramFinal(model, f) {
   const reads = (name) => inputs.some((input) => shortOf(input.input) === name);
   const origin = 'of the final combiner';
   if (reads('e_times_f') || reads('spare0_plus_secondary')) {
-    model.section('early', 'Final combiner: E·F and colour sum', ['registers', 'inputs, mapped', 'products', '', 'narrow, clamp']);
+    const names = [reads('e_times_f') && 'E·F', reads('spare0_plus_secondary') && 'colour sum'].filter(Boolean);
+    model.section('early', `Final combiner: ${names.join(' and ')}`, kEarlyColumns);
   }
   if (reads('e_times_f')) {
     const product = productOf(model, 'rgb', f, 'EF', false);
@@ -98,21 +99,22 @@ function addProgramFinal(model, f) {
     model.writes('spare0_plus_secondary', 'colour', model.part(box, '', [{ label: 'colour', parents }])[0], origin);
   }
   model.section('final', 'Final combiner', kFinalColumns);
-  const out = (parents) => {
-    const box = model.box({ id: 'rgb', column: 4, group: 'rgb', kind: 'result', title: 'out rgb', sub: 'add D, clamp' });
+  const out = (parents, adds = 'add D, clamp') => {
+    const box = model.box({ id: 'rgb', column: 4, group: 'rgb', kind: 'result', title: 'out rgb', sub: adds });
     model.part(box, '', [{ label: 'colour', parents }]);
   };
   if ([f.a, f.b, f.c, f.d].every(isUnusedInput)) {
-    out([]);
+    out([], 'A, B, C, D = zero');
   } else {
-    const [a, b, c, d] = ['A', 'B', 'C', 'D'].map((l) => variableOf(model, l, 'rgb', f[l.toLowerCase()]));
+    const [a, b, c] = ['A', 'B', 'C'].map((l) => variableOf(model, l, 'rgb', f[l.toLowerCase()]));
+    const d = isUnusedInput(f.d) ? undefined : variableOf(model, 'D', 'rgb', f.d);
     const operator = (id, column, title, symbol, parents) => {
       const box = model.box({ id, column, group: 'rgb', kind: 'operator', symbol, title, sub: symbol === '×' ? 'product' : 'mix' });
       return model.part(box, '', [{ label: 'value', parents }])[0];
     };
     const ab = operator('ab', 2, 'A · B', '×', [a, b]);
     const ac = operator('ac', 2, '(1 − A) · C', '×', [a, c]);
-    out([operator('mix', 3, 'A·B + (1 − A)·C', '+', [ab, ac]), d]);
+    out([operator('mix', 3, 'A·B + (1 − A)·C', '+', [ab, ac]), d], d ? 'add D, clamp' : 'clamp');
   }
   const g = variableOf(model, 'G', 'alpha', f.g);
   const box = model.box({ id: 'alpha', column: 4, group: 'alpha', kind: 'result', title: 'out alpha', sub: 'clamp' });

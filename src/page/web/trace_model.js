@@ -83,9 +83,8 @@ export class ModelBuilder {
   variable(letter, group, inputs) {
     const { register, mapping } = inputs[0];
     const component = inputs[0].component;
-    const other = register !== 'zero' && inputs.every((i) => i.component === component) &&
-                  (inputs.length > 1 || component !== 'a');
-    const suffix = other && (inputs.length > 1 || component === 'b') ? { a: '.alpha', b: '.blue' }[component] ?? '' : '';
+    const isOne = register !== 'zero' && inputs.every((i) => i.component === component);
+    const suffix = isOne ? { a: '.alpha', b: '.blue' }[component] ?? '' : '';
     const box = this.box({ id: `${group}-${letter}`, column: 1, group, kind: 'input', letter,
                            title: `${letter} = ${registerText(register)}${suffix}`, sub: mappingText(mapping) });
     if (register === 'zero' && inputs.length > 1) {
@@ -123,17 +122,18 @@ function addProduct(model, group, channels, name, letters, isDot) {
 
 function addThird(model, stage, group, channels, output, products) {
   const isMux = output === 'mux';
-  const box = model.box({ id: `${group}-third`, column: 3, group, kind: 'operator', symbol: isMux ? '⑂' : '+',
-                          title: isMux ? 'mux' : 'A·B + C·D', sub: isMux ? `takes ${stage.mux_takes === 'cd' ? 'C·D' : 'A·B'}` : 'sum' });
+  const box = model.box({ id: `${group}-third`, column: 3, group, kind: 'operator', symbol: isMux ? '?' : '+',
+                          title: isMux ? 'mux' : 'A·B + C·D', sub: 'sum' });
   let chosen = [products.ab, products.cd];
   let test;
   if (isMux) {
     test = model.register('spare0', 'a', stage.spare0_alpha);
     chosen = [products[stage.mux_takes]];
     box.refused = products[stage.mux_takes === 'cd' ? 'ab' : 'cd']?.[0]?.box;
-    const condition = stage.mux_by_lowest_bit ? 'its lowest bit' : 'spare0.a ≥ ½';
-    box.sub = `${condition}: ${stage.mux_takes === 'cd' ? 'C·D' : 'A·B'}`;
-    if (stage.mux_takes !== stage.ideal_mux_takes) box.sub += ', ideal not';
+    const takesCd = stage.mux_takes === 'cd';
+    const condition = stage.mux_by_lowest_bit ? (takesCd ? 'odd' : 'even') : takesCd ? '≥ ½' : '< ½';
+    box.sub = `spare0.a ${condition}: ${takesCd ? 'C·D' : 'A·B'}`;
+    if (stage.mux_takes !== stage.ideal_mux_takes) box.sub += takesCd ? ', ideal A·B' : ', ideal C·D';
   }
   return model.part(box, '', channels.map((c, i) => ({
     label: c.channel, value: c.outputs.find((o) => o.output === output).wide,
@@ -145,8 +145,8 @@ function addOutput(model, stage, group, portion, name, from) {
   const register = outputs[0].target.split('.')[0];
   const what = { ab: 'A·B', cd: 'C·D', sum: 'sum', mux: 'mux' }[name];
   const blueToAlpha = Boolean(portion[`${name}_blue_to_alpha`]);
-  const box = model.box({ id: `${group}-out-${name}`, column: 4, group, kind: 'output', title: `${what} → ${register}`,
-                          sub: blueToAlpha ? 'blue also to alpha' : group === 'alpha' ? 'alpha' : 'red, green, blue' });
+  const box = model.box({ id: `${group}-out-${name}`, column: 4, group, kind: 'output', title: `${what} → ${register}${group === 'alpha' ? '.alpha' : ''}`,
+                          sub: blueToAlpha ? 'red, green, blue; blue also to alpha' : group === 'alpha' ? 'alpha' : 'red, green, blue' });
   const add = (caption, key, cells, mark = () => undefined) => model.part(box, caption, outputs.map((o, i) => ({
     label: o.channel, value: o[key], parents: [cells[i]], mark: mark(o) })));
   let cells = from;
@@ -176,12 +176,14 @@ function addPortion(model, stage, group) {
 }
 
 export const kStageColumns = ['registers', 'inputs, mapped', 'products', 'sum or mux', 'scale, narrow, clamp'];
+export const kEarlyColumns = ['registers', 'inputs, mapped', 'products', '', 'narrow, clamp'];
+const kCodeNames = ['code', 'code', 'wide', 'wide', 'code'];
 export const kFinalColumns = ['registers', 'inputs, mapped', 'products', 'mix', 'add, clamp'];
 
 // Both portions read the registers before either writes.
 function addStage(model, stage) {
   model.section(`stage${stage.stage}`, `General combiner ${stage.stage}`, kStageColumns);
-  model.now.codeNames = ['code', 'code', 'wide', 'wide', 'code'];
+  model.now.codeNames = kCodeNames;
   const written = ['rgb', 'alpha'].flatMap((group) => addPortion(model, stage, group));
   for (const { register, cells, blueToAlpha } of written) {
     const origin = `of general combiner ${stage.stage}`;
@@ -196,7 +198,9 @@ function addEarlyFinal(model, trace) {
   const { rgb } = trace.final;
   if (!rgb[0].e_times_f && !rgb[0].color_sum) return;
   const last = trace.stages.length ? trace.stages[trace.stages.length - 1].after : trace.before;
-  model.section('early', 'Final combiner: E·F and colour sum', ['registers', 'inputs, mapped', 'products', '', 'narrow, clamp']);
+  const names = [rgb[0].e_times_f && 'E·F', rgb[0].color_sum && 'colour sum'].filter(Boolean);
+  model.section('early', `Final combiner: ${names.join(' and ')}`, kEarlyColumns);
+  model.now.codeNames = kCodeNames;
   if (rgb[0].e_times_f) {
     const [e, f] = ['E', 'F'].map((l) => model.variable(l, 'rgb', inputsOf(rgb, l.toLowerCase())));
     const product = model.box({ id: 'ef', column: 2, group: 'rgb', kind: 'operator', symbol: '×', title: 'E · F', sub: 'product' });
@@ -237,7 +241,10 @@ function addFinalColor(model, trace) {
     model.part(result('A, B, C, D = zero'), '', rgb.map((v) => ({ label: v.channel, value: v.written })));
     return;
   }
-  const [a, b, c, d] = ['A', 'B', 'C', 'D'].map((l) => model.variable(l, 'rgb', inputsOf(rgb, l.toLowerCase())));
+  const variable = (letter) => model.variable(letter, 'rgb', inputsOf(rgb, letter.toLowerCase()));
+  const [a, b, c] = ['A', 'B', 'C'].map(variable);
+  const addsD = !isPlainZero(rgb[0].d);
+  const d = addsD ? variable('D') : [];
   const product = (id, title, key, factors) => {
     const box = model.box({ id, column: 2, group: 'rgb', kind: 'operator', symbol: '×', title, sub: 'product' });
     return model.part(box, '', rgb.map((v, i) => ({ label: v.channel, value: v[key], parents: factors.map((f) => f[i]) })));
@@ -249,7 +256,7 @@ function addFinalColor(model, trace) {
   const narrowed = model.part(mixBox, 'narrowed', rgb.map((v, i) => ({
     label: v.channel, value: v.narrowed, parents: [mix[i]], mark: truncated(v.dropped) })));
   const out = result(`bytes ${bytes.join(', ')}`);
-  const sums = model.part(out, '+ D', rgb.map((v, i) => ({ label: v.channel, value: v.sum, parents: [narrowed[i], d[i]] })));
+  const sums = model.part(out, addsD ? '+ D' : 'D = zero', rgb.map((v, i) => ({ label: v.channel, value: v.sum, parents: [narrowed[i], d[i]] })));
   if (rgb.some((v) => isLost(v.cut) || v.cut.ideal !== 0)) {
     model.part(out, 'into range', rgb.map((v, i) => ({ label: v.channel, value: v.written, parents: [sums[i]], mark: clamped(v.cut) })));
   }
@@ -259,7 +266,7 @@ function addFinal(model, trace) {
   addEarlyFinal(model, trace);
   const { alpha } = trace.final;
   model.section('final', 'Final combiner', kFinalColumns);
-  model.now.codeNames = ['code', 'code', 'wide', 'wide', 'code'];
+  model.now.codeNames = kCodeNames;
   addFinalColor(model, trace);
   const g = model.variable('G', 'alpha', [{ ...alpha.g, channel: 'a' }]);
   const last = model.box({ id: 'alpha', column: 4, group: 'alpha', kind: 'result', title: 'out alpha', sub: `byte ${trace.out.bytes[3]}` });
