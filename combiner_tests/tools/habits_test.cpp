@@ -78,11 +78,15 @@ std::string seen_on_a_terminal(const std::vector<std::string>& arguments) {
 TEST(Habits, ColoursOnTerminalsAlone) {
   const std::string red = "\x1b[1;31mninebit: error:\x1b[0m ";
   ::unsetenv("NO_COLOR");
+  ::setenv("TERM", "xterm", 1);
   EXPECT_TRUE(seen_on_a_terminal({"xyzzy"}).starts_with(red)) << seen_on_a_terminal({"xyzzy"});
   EXPECT_TRUE(ninebit({"xyzzy"}).err.starts_with("ninebit: error: ")) << "into a file";
   ::setenv("NO_COLOR", "1", 1);
   EXPECT_TRUE(seen_on_a_terminal({"xyzzy"}).starts_with("ninebit: error: "));
   ::unsetenv("NO_COLOR");
+  ::setenv("TERM", "dumb", 1);
+  EXPECT_TRUE(seen_on_a_terminal({"xyzzy"}).starts_with("ninebit: error: "));
+  ::setenv("TERM", "xterm", 1);
 }
 
 // The verbs that the help lists, "study index-steps" among them.

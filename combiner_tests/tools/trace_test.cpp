@@ -53,19 +53,18 @@ TEST_F(TraceVerb, TheArticlesDifferences) {
   };
   const std::string two = trace("primary=102,0,0,0");
   EXPECT_EQ(words_of(line_of(two, "stage 0, RGB", "spare0")),
-            (Words{"spare0", "code", "8", "0", "0", "0.03137", "0", "0", "0.03137", "0", "0"}));
-  EXPECT_EQ(words_of(line_of(two, "stage 1, RGB", "· 4"))[3], "256");
-  EXPECT_EQ(words_of(line_of(two, "stage 1, RGB", "dropped"))[2], "1");
+            (Words{"spare0", "code", "r", "8", "0.03137", "0.03137"}));
+  EXPECT_EQ(words_of(line_of(two, "stage 1, RGB", "· 4"))[4], "256");
+  EXPECT_EQ(words_of(line_of(two, "stage 1, RGB", "dropped"))[3], "1");
   EXPECT_EQ(words_of(line_of(two, "stage 1, RGB", "spare1")),
-            (Words{"spare1", "code", "1", "1", "1", "0.00392", "0.00392", "0.00392", "0.00394", "0.00394", "0.00394"}));
+            (Words{"spare1", "code", "rgb", "1", "0.00392", "0.00394"}));
   EXPECT_TRUE(two.ends_with("\nout: bytes 0, 0, 0, 1\n")) << two;
   EXPECT_NE(two.find("stage 0, alpha portion: writes nothing\n"), std::string::npos);
 
   const std::string one = trace("primary.r=101");
-  EXPECT_EQ(words_of(line_of(one, "stage 1, RGB", "· 4"))[3], "64");
+  EXPECT_EQ(words_of(line_of(one, "stage 1, RGB", "· 4"))[4], "64");
   EXPECT_NE(line_of(one, "stage 1, RGB", "dropped").find("<- everything"), std::string::npos) << one;
-  EXPECT_EQ(words_of(line_of(one, "stage 1, RGB", "spare1")),
-            (Words{"spare1", "code", "0", "0", "0", "0", "0", "0", "0.00098", "0.00098", "0.00098"}));
+  EXPECT_EQ(words_of(line_of(one, "stage 1, RGB", "spare1")), (Words{"spare1", "code", "rgb", "0", "0", "0.00098"}));
   EXPECT_TRUE(one.ends_with("\nout: bytes 0, 0, 0, 0\n"));
 }
 

@@ -1,6 +1,7 @@
 #include "src/system/process.h"
 
 #include <fcntl.h>
+#include <sys/ioctl.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
@@ -16,6 +17,12 @@ bool is_address_space_limited() {
 
 bool is_terminal(int standard_stream) {
   return ::isatty(standard_stream) != 0;
+}
+
+std::optional<int> terminal_columns(int standard_stream) {
+  winsize size{};
+  if (::ioctl(standard_stream, TIOCGWINSZ, &size) != 0 || size.ws_col == 0) return std::nullopt;
+  return size.ws_col;
 }
 
 void guard_streams() {

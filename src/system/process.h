@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 
 #include "src/system/stream.h"
@@ -12,6 +13,9 @@ namespace ninebit::posix {
 [[nodiscard]] bool is_address_space_limited();
 
 [[nodiscard]] bool is_terminal(int standard_stream);
+
+// Columns of the terminal; empty if the stream is not a terminal or does not know its size.
+[[nodiscard]] std::optional<int> terminal_columns(int standard_stream);
 
 // Opens closed standard streams on /dev/null, so that no other file gets their numbers. Makes a write beyond the file
 // size limit fail instead of ending the program.

@@ -1,12 +1,15 @@
 // `ninebit explain`: what a program computes, as equations.
 #include "ninebit/language/explain.h"
 
-#include <fmt/format.h>
-
 #include <memory>
 
-#include "ninebit/language/xbox_pixel_shader.h"
+#include "ninebit/language/json.h"
+#include "src/system/stream.h"
+#include "src/tools/common/explanation.h"
+#include "src/tools/common/page_file.h"
 #include "src/tools/common/program_file.h"
+#include "src/tools/input/printable.h"
+#include "src/tools/input/terminal.h"
 
 namespace ninebit::tools {
 namespace {
@@ -14,52 +17,17 @@ namespace {
 struct ExplainFlags {
   CommonFlags common;
   ProgramFlags program;
+  std::string output;
 };
 
-std::string_view portion_name(PortionName portion) {
-  return portion == PortionName::rgb ? "rgb" : "alpha";
-}
-
-// The words beside the combiners', and what they say.
-Json other_words_json(const std::vector<RegisterWord>& other_words) {
-  Json rows = Json::array();
-  for (const RegisterWord& word : other_words) {
-    rows.push_back(
-        {{"name", word.name}, {"value", fmt::format("{:#010x}", word.value)}, {"says", explain_other_word(word)}});
-  }
-  return rows;
-}
-
-std::string other_words_text(const std::vector<RegisterWord>& other_words) {
-  if (other_words.empty()) return "";
-  std::string text = "\nwords that combiners do not read\n";
-  for (const RegisterWord& word : other_words) {
-    text += fmt::format("  {} = {:#010x}\n", word.name, word.value);
-    for (const std::string& phrase : explain_other_word(word)) text += fmt::format("    {}\n", phrase);
-  }
-  return text;
-}
-
-Json json_of(const Explanation& e, const std::vector<RegisterWord>& other_words, const CommonFlags& flags) {
-  Json rows = Json::array();
-  for (const Equation& equation : e.equations) {
-    rows.push_back({{"stage", equation.stage ? Json(*equation.stage) : Json("final")},
-                    {"portion", portion_name(equation.portion)},
-                    {"output", equation.output},
-                    {"target", equation.target},
-                    {"expression", equation.expression},
-                    {"used", equation.used},
-                    {"clamps", equation.clamps}});
-  }
-  Json dead = Json::array();
-  for (const DeadPortion& portion : e.dead) {
-    dead.push_back({{"stage", portion.stage}, {"portion", portion_name(portion.portion)}, {"reason", portion.reason}});
-  }
-  return {{"command", "explain"},     {"version", NINEBIT_VERSION},
-          {"profile", flags.profile}, {"num_general_combiners", e.num_general_combiners},
-          {"rows", std::move(rows)},  {"dead", std::move(dead)},
-          {"constants", e.constants}, {"notes", e.notes},
-          {"legend", e.legend},       {"other_words", other_words_json(other_words)}};
+DiagramPage page_of(const ExplainFlags& flags, const TextProgram& program, const Json& explanation,
+                    const std::string& text) {
+  DiagramPage page{.kind = "ninebit explain", .title = printable(flags.program.file)};
+  page.facts = {{"Profile", printable(flags.common.profile)}, {"Version", "ninebit " NINEBIT_VERSION}};
+  page.program = print_json_program(program.state);
+  page.explanation = text_of(explanation);
+  page.text = printable_lines(text);
+  return page;
 }
 
 int run(const ExplainFlags& flags) {
@@ -68,8 +36,16 @@ int run(const ExplainFlags& flags) {
   const auto program = load_text_program(flags.program, profile, flags.common.quiet, exit_code);
   if (!program) return exit_code;
   const Explanation explanation = explain(normalize(program->state, profile), profile);
-  if (flags.common.json) return answer(json_of(explanation, program->other_words, flags.common));
-  return answer(print_explanation(explanation) + other_words_text(program->other_words));
+  Json object = explanation_json(explanation, program->other_words, flags.common.profile);
+  const std::string text = explanation_text(explanation, program->other_words);
+  if (!flags.output.empty()) {
+    const Status written = write_page(flags.output, page_of(flags, *program, object, text));
+    if (!written) return report(written.error());
+    if (!flags.common.quiet) say_written(flags.output);
+    object["files"] = Json::array({flags.output});
+  }
+  if (flags.common.json) return answer(object);
+  return flags.output.empty() ? answer(wrapped(text, terminal_columns(posix::kStandardOutput))) : kDone;
 }
 
 }  // namespace
@@ -79,10 +55,12 @@ void add_explain(CLI::App& app, int& exit_code) {
   verb->footer(
       "Examples:\n"
       "  ninebit explain compare.gl\n"
-      "  ninebit explain program.json --profile nv2a --json");
+      "  ninebit explain program.json --profile nv2a --json\n"
+      "  ninebit explain compare.gl -o compare.html");
   auto flags = std::make_shared<ExplainFlags>();
   add_common_flags(*verb, flags->common);
   add_program_flags(*verb, flags->program);
+  add_page_flag(*verb, flags->output);
   verb->callback([flags, &exit_code] { exit_code = run(*flags); });
 }
 

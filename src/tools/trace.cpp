@@ -6,16 +6,21 @@
 #include <memory>
 #include <optional>
 
+#include "ninebit/language/explain.h"
 #include "src/playground/trace_answer.h"
 #include "src/system/process.h"
 #include "src/system/stream.h"
+#include "src/tools/common/explanation.h"
 #include "src/tools/common/index_order.h"
+#include "src/tools/common/page_file.h"
 #include "src/tools/common/pixel_flag.h"
 #include "src/tools/common/program_file.h"
 #include "src/tools/eval/eval_engine.h"
 #include "src/tools/input/printable.h"
+#include "src/tools/input/terminal.h"
 #include "src/tools/trace/trace_effect.h"
 #include "src/tools/trace/trace_inputs.h"
+#include "src/tools/trace/trace_page.h"
 #include "src/tools/trace/trace_pixel.h"
 #include "src/tools/trace/trace_text.h"
 
@@ -29,6 +34,7 @@ struct TraceFlags {
   SceneFlags scene;
   std::string effect;
   std::string pixel;
+  std::string output;
   CLI::Option* profile = nullptr;  // --profile; whether it was given
 };
 
@@ -43,6 +49,7 @@ int wrong_usage(const std::string& message) {
   return kWrongUsage;
 }
 
+// The answer for people, for programs, and as a page.
 int print(const TraceFlags& flags, const Drawn& drawn, const Program* program, const RegisterFile& registers) {
   const TracedPixel* const pixel = drawn.pixel;
   // A profile file may give another name to the profile than the command line.
@@ -50,19 +57,36 @@ int print(const TraceFlags& flags, const Drawn& drawn, const Program* program, c
   const std::string profile = named_by_flag ? flags.common.profile : std::string(drawn.profile->name);
   std::optional<Trace> traced;
   if (program != nullptr) traced = trace(*program, *drawn.profile, registers);
-  if (flags.common.json) {
-    const playground::TraceHeading heading{.profile = profile, .program = flags.program.file, .pixel = pixel};
-    return answer(playground::trace_answer(heading, program, traced ? &*traced : nullptr));
+
+  const auto text = [&](TraceLayout layout) {
+    std::string lines = pixel != nullptr ? pixel_text(*pixel) : "";
+    if (traced) {
+      if (!flags.program.file.empty()) lines += fmt::format("program {}, ", printable(flags.program.file));
+      lines += fmt::format("profile {}\n", printable(profile));
+    }
+    lines = wrapped(printable_lines(lines), layout.columns);
+    // The trace itself contains no foreign names, but may contain colour escapes.
+    return traced ? lines + trace_text(*program, *traced, layout) : lines;
+  };
+  const playground::TraceHeading heading{.profile = profile, .program = flags.program.file, .pixel = pixel};
+  Json object = playground::trace_answer(heading, program, traced ? &*traced : nullptr);
+
+  if (!flags.output.empty()) {
+    const TraceFacts facts{flags.program.file, profile, pixel, traced ? &*traced : nullptr};
+    DiagramPage page = trace_page(facts);
+    page.text = text({});
+    if (traced) {
+      page.trace = text_of(object);
+      page.explanation = text_of(explanation_json(explain(*program, *drawn.profile), {}, profile));
+    }
+    if (const Status written = write_page(flags.output, page); !written) return report(written.error());
+    if (!flags.common.quiet) say_written(flags.output);
+    object["files"] = Json::array({flags.output});
   }
-  std::string text = pixel != nullptr ? pixel_text(*pixel) : "";
-  if (traced) {
-    if (!flags.program.file.empty()) text += fmt::format("program {}, ", printable(flags.program.file));
-    text += fmt::format("profile {}\n", printable(profile));
-  }
-  text = printable_lines(text);
-  // The trace itself contains no foreign names, but may contain colour escapes.
-  if (traced) text += trace_text(*program, *traced, wants_colors(posix::kStandardOutput));
-  return answer_exactly(text);
+  if (flags.common.json) return answer(object);
+  if (!flags.output.empty()) return kDone;
+  return answer_exactly(
+      text({.colors = wants_colors(posix::kStandardOutput), .columns = terminal_columns(posix::kStandardOutput)}));
 }
 
 int trace_set(const TraceFlags& flags, std::optional<Program> program) {
@@ -132,7 +156,8 @@ void add_trace(CLI::App& app, int& exit_code) {
       "  ninebit trace compare.gl --set primary=102,0,0,0 --set tex0=100,0,0,255\n"
       "  ninebit trace compare.gl --set primary.r=102 --set tex0.r=101 --profile nv2a --json\n"
       "  ninebit trace --scene scenes/index_room.gltf --pixel 400,300 --map-size 256\n"
-      "  ninebit trace --effect scenes/effects/dot3_specular.json --pixel 128,80");
+      "  ninebit trace --effect scenes/effects/dot3_specular.json --pixel 128,80\n"
+      "  ninebit trace compare.gl --set primary.r=102 --set tex0.r=101 -o compare.html");
   auto flags = std::make_shared<TraceFlags>();
   add_common_flags(*verb, flags->common);
   flags->profile = verb->get_option("--profile");
@@ -148,6 +173,7 @@ void add_trace(CLI::App& app, int& exit_code) {
       ->excludes(set)
       ->excludes(scene);
   add_pixel_flag(*verb, "--pixel", flags->pixel, "Pixel to trace, counted from the top left of the picture");
+  add_page_flag(*verb, flags->output);
   for (CLI::Option* const option : add_scene_flags(*verb, flags->scene)) option->needs(scene);
   verb->callback([flags, &exit_code] { exit_code = run(*flags); });
 }

@@ -121,8 +121,12 @@ const HardwareProfile& profile_of(const CommonFlags& flags) {
 }
 
 bool wants_colors(int stream) {
-  const char* const no_color = std::getenv("NO_COLOR");
-  return posix::is_terminal(stream) && (no_color == nullptr || *no_color == '\0');
+  const auto is_set_to = [](const char* name, auto accepts) {
+    const char* const value = std::getenv(name);
+    return value != nullptr && accepts(std::string_view(value));
+  };
+  return posix::is_terminal(stream) && !is_set_to("NO_COLOR", [](std::string_view value) { return !value.empty(); }) &&
+         !is_set_to("TERM", [](std::string_view value) { return value == "dumb"; });
 }
 
 void say(std::string_view text) noexcept {

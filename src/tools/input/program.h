@@ -70,7 +70,8 @@ CLI::Option* add_profile_option(CLI::App& verb, const std::string& option, Profi
 // The profile of the parsed flags. Valid as long as the flags.
 [[nodiscard]] const HardwareProfile& profile_of(const CommonFlags& flags);
 
-// Whether to colour text for the stream of this number: it is a terminal, and NO_COLOR is not set.
+// Whether to colour text for the stream of this number: it is a terminal, NO_COLOR is not set,
+// and TERM is not "dumb".
 [[nodiscard]] bool wants_colors(int stream);
 
 // Writes lines to stderr, with "ninebit: error:" in red if it wants colours, and control characters escaped as in

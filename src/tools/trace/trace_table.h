@@ -1,4 +1,5 @@
-// Aligned rows of traced values: label, unit, then a column per channel for each of integer, real and ideal.
+// Aligned rows of traced values: label, unit, then integer, real and ideal. On at least 134 columns each of them is a
+// column per channel; on fewer, each channel is a line, and neighbours with equal values share one.
 #pragma once
 
 #include <array>
@@ -17,6 +18,7 @@ struct TraceCell {
   double ideal = 0;
   TraceCell(const TracedCode& v) : held(v.code), real(v.real), ideal(v.ideal) {}
   TraceCell(const TracedWide& v) : held(v.units), real(v.real), ideal(v.ideal) {}
+  bool operator==(const TraceCell&) const = default;
 };
 using TraceCells = std::vector<TraceCell>;  // one for each channel of the table
 
@@ -24,12 +26,14 @@ enum class TraceEmphasis { none, result, loss, cut };
 
 class TraceTable {
  public:
-  explicit TraceTable(bool colors) : colors_(colors) {}
+  // Lines have at most `columns` code points where that is at least 80; on fewer they have at most 80.
+  TraceTable(bool colors, int columns);
 
-  // Starts a table: its title, and the names of the channels above the columns.
+  // Starts a table: its title, and the names of the channels.
   void begin(const std::string& title, std::span<const std::string_view> channels);
 
-  // Adds a row; `note` follows the last column.
+  // Adds a row; `note` follows the last column. With a line per channel, loss and cut emphasize only the lines that are
+  // not 0.
   void codes(const std::string& label, const TraceCells& cells, TraceEmphasis emphasis = TraceEmphasis::none,
              const std::string& note = "");
   void wide(const std::string& label, const TraceCells& cells, TraceEmphasis emphasis = TraceEmphasis::none,
@@ -40,10 +44,22 @@ class TraceTable {
   [[nodiscard]] const std::string& text() const { return text_; }
 
  private:
-  void row(const std::string& label, const char* unit, const TraceCells& cells, TraceEmphasis emphasis,
-           const std::string& note);
+  struct Row {
+    const std::string& label;
+    const char* unit;
+    const TraceCells& cells;
+    TraceEmphasis emphasis;
+    const std::string& note;
+  };
+  void row(const Row& row);
+  void side_by_side(const Row& row);
+  void line_by_channel(const Row& row);
+  void end_line(const std::string& line, TraceEmphasis emphasis);
 
   bool colors_;
+  int columns_;
+  bool side_by_side_;
+  std::string channels_;  // initials of the table's channels
   std::string text_;
 };
 

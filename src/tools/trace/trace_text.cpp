@@ -42,8 +42,8 @@ bool is_plain_zero(const CombinerInput& in) {
 
 class TextWriter {
  public:
-  TextWriter(const Program& program, const Trace& trace, bool colors)
-      : program_(program), d_(program.datapath), trace_(trace), table_(colors) {}
+  TextWriter(const Program& program, const Trace& trace, TraceLayout layout)
+      : program_(program), d_(program.datapath), trace_(trace), table_(layout.colors, layout.columns) {}
 
   std::string run() {
     legend();
@@ -272,8 +272,8 @@ class TextWriter {
 
 }  // namespace
 
-std::string trace_text(const Program& program, const Trace& trace, bool colors) {
-  return TextWriter(program, trace, colors).run();
+std::string trace_text(const Program& program, const Trace& trace, TraceLayout layout) {
+  return TextWriter(program, trace, layout).run();
 }
 
 }  // namespace ninebit::tools

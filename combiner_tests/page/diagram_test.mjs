@@ -1,0 +1,130 @@
+// The diagram's model and layout, against traces that the program prints; and the script of the pages that it writes.
+// usage: node diagram_test.mjs NINEBIT SOURCE_DIR
+import assert from 'node:assert/strict';
+import { execFileSync } from 'node:child_process';
+import { mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+
+const [, , ninebit, source] = process.argv;
+const web = join(source, 'src/page/web');
+const folder = mkdtempSync(join(tmpdir(), 'ninebit-diagram-'));
+process.on('exit', () => rmSync(folder, { recursive: true }));
+
+// The modules, where Node takes them for modules whatever the folder's packages say.
+for (const name of readdirSync(web).filter((n) => n.endsWith('.js'))) {
+  const text = readFileSync(join(web, name), 'utf8');
+  writeFileSync(join(folder, name.replace('.js', '.mjs')), text.replace(/(from '\.\/\w+)\.js'/g, "$1.mjs'"));
+}
+const { traceModel } = await import(join(folder, 'trace_model.mjs'));
+const { programModel, addEquations } = await import(join(folder, 'program_model.mjs'));
+const { layOut } = await import(join(folder, 'diagram_layout.mjs'));
+
+const run = (...args) => execFileSync(ninebit, args, { encoding: 'utf8', maxBuffer: 1 << 26, stdio: ['ignore', 'pipe', 'ignore'] });
+const boxesOf = (model) => model.sections.flatMap((s) => s.boxes);
+
+function checkModel(model, where) {
+  for (const cell of model.cells.values()) {
+    for (const parent of cell.parents) assert.equal(model.cells.get(parent.id), parent, `${where}: ${cell.id} has a stray parent`);
+  }
+  assert.equal(new Set(boxesOf(model).map((b) => b.id)).size, boxesOf(model).length, `${where}: a box twice`);
+}
+
+function checkLayout(model, where) {
+  const { width, height, wires } = layOut(model, 204);
+  const boxes = boxesOf(model);
+  boxes.forEach((a, i) => {
+    assert.ok(a.x >= 0 && a.x + a.w <= width && a.y >= 0 && a.y + a.h <= height, `${where}: ${a.id} is outside`);
+    for (const b of boxes.slice(i + 1)) {
+      const apart = a.x + a.w <= b.x || b.x + b.w <= a.x || a.y + a.h <= b.y || b.y + b.h <= a.y;
+      assert.ok(apart, `${where}: ${a.id} lies on ${b.id}`);
+    }
+  });
+  for (const wire of wires) assert.ok(!/NaN|undefined/.test(wire.path), `${where}: a wire without a way`);
+  return wires;
+}
+
+const heldBy = (cell) => cell.value.code ?? cell.value.units;
+const ancestors = (cell) => {
+  const found = new Set([cell]);
+  for (const one of found) for (const parent of one.parents) found.add(parent);
+  return found;
+};
+
+// Each value follows from its parents where one step is enough to see it.
+function checkTrace(trace, where) {
+  const model = traceModel(trace);
+  checkModel(model, where);
+  const last = (id) => boxesOf(model).find((b) => b.id === id).parts.at(-1).cells.map(heldBy);
+  assert.deepEqual([...last('final/rgb'), ...last('final/alpha')], trace.out.codes, where);
+  for (const box of boxesOf(model)) {
+    if (box.kind === 'register') {
+      for (const cell of box.parts[0].cells) {
+        for (const parent of cell.parents) assert.equal(heldBy(parent), heldBy(cell), `${where}: ${cell.id} is not what was written`);
+        if (!cell.parents.length && trace.before[box.register]) {
+          assert.equal(heldBy(cell), trace.before[box.register].codes['rgba'.indexOf(cell.label)], `${where}: ${cell.id}`);
+        }
+      }
+    }
+    for (const part of box.parts) {
+      for (const cell of part.cells) {
+        if (box.title === 'A · B' || box.title === 'C · D') {
+          assert.equal(heldBy(cell), cell.parents.map(heldBy).reduce((x, y) => x * y), `${where}: ${cell.id}`);
+        }
+        if (box.title === 'A·B + C·D') {
+          assert.equal(heldBy(cell), cell.parents.map(heldBy).reduce((x, y) => x + y), `${where}: ${cell.id}`);
+        }
+        if (part.caption === 'their sum') {
+          assert.equal(heldBy(cell), cell.parents.map(heldBy).reduce((x, y) => x + y), `${where}: ${cell.id}`);
+        }
+        if (part.caption === 'into range') {
+          assert.equal(Boolean(cell.mark), heldBy(cell) !== heldBy(cell.parents[0]), `${where}: ${cell.id}`);
+        }
+      }
+    }
+  }
+  checkLayout(model, where);
+  return model;
+}
+
+let marks = { truncated: 0, clamped: 0 };
+let cells = 0;
+const effects = readdirSync(join(source, 'scenes/effects')).filter((n) => n.endsWith('.json') && n !== 'expected_hashes.json');
+for (const effect of effects) {
+  const trace = JSON.parse(run('trace', '--effect', join(source, 'scenes/effects', effect), '--pixel', '128,80', '--json'));
+  if (!trace.stages) continue;
+  const model = checkTrace(trace, effect);
+  cells += model.cells.size;
+  for (const cell of model.cells.values()) if (cell.mark) ++marks[cell.mark.kind];
+}
+assert.ok(effects.length > 15 && cells > 1000 && marks.truncated > 50 && marks.clamped > 2, JSON.stringify({ cells, marks }));
+
+// The article's program: the output's alpha depends on all three channels of both colours, and on nothing else.
+const article = join(source, 'docs/programs/index_compare.gl');
+const model = checkTrace(JSON.parse(run('trace', article, '--set', 'primary=102,7,9,0', '--set', 'tex0=100,7,8,255', '--json')), 'article');
+const alpha = boxesOf(model).find((b) => b.id === 'final/alpha').parts.at(-1).cells[0];
+const sources = [...ancestors(alpha)].filter((c) => c.box.kind === 'register' && !c.parents.length).map((c) => `${c.box.register}.${c.label}`);
+assert.deepEqual(sources.sort(), ['primary.b', 'primary.g', 'primary.r', 'tex0.b', 'tex0.g', 'tex0.r']);
+
+for (const name of readdirSync(join(source, 'scenes/effects/programs'))) {
+  const file = join(source, 'scenes/effects/programs', name);
+  const program = programModel(JSON.parse(run('convert', file, '--to', 'json', '--profile', 'nv2a')));
+  addEquations(program.sections, JSON.parse(run('explain', file, '--json', '--profile', 'nv2a')));
+  checkModel(program, name);
+  checkLayout(program, name);
+  assert.ok(program.sections.some((s) => s.equations), name);
+}
+
+// The page's script is one script: no name is declared twice, and each function that it calls is there.
+for (const verb of ['trace', 'explain']) {
+  const page = join(folder, 'page.html');
+  run(verb, article, '--quiet', '-o', page);
+  const script = /<script type="module">\n([^]*?)<\/script>/.exec(readFileSync(page, 'utf8'))[1];
+  const file = join(folder, `${verb}.mjs`);
+  writeFileSync(file, script);
+  execFileSync(process.execPath, ['--check', file]);
+  for (const name of ['layOut', 'traceModel', 'programModel', 'addEquations', 'boxElement', 'traceDiagram', 'programDiagram']) {
+    assert.ok(script.includes(`\nfunction ${name}(`), `${verb}: no ${name}`);
+  }
+}
+console.log(`${effects.length} effects, ${cells} values, ${marks.truncated} truncated, ${marks.clamped} clamped: as they should be`);

@@ -1,0 +1,154 @@
+// The text of `ninebit trace` and `ninebit explain` fits the terminal that it is read on.
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <poll.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+
+#include "combiner_tests/combiner/random_state.h"
+#include "combiner_tests/tools/program_support.h"
+
+namespace tools_test {
+namespace {
+
+const std::string kEffects = NINEBIT_SOURCE_DIR "/scenes/effects";
+
+class TerminalText : public testing::Test {
+ protected:
+  void SetUp() override {
+    ::unsetenv("COLUMNS");
+    ::unsetenv("NO_COLOR");
+    ::setenv("TERM", "xterm", 1);
+  }
+  void TearDown() override { SetUp(); }
+  TempFolder folder_;
+};
+
+std::size_t code_points(const std::string& line) {
+  return static_cast<std::size_t>(
+      std::count_if(line.begin(), line.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80; }));
+}
+
+// The number of lines; each has at most `columns` code points, or is one word.
+std::size_t expect_fit(const Outcome& outcome, std::size_t columns) {
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  const std::vector<std::string> lines = lines_of(outcome.out);
+  for (const std::string& line : lines) {
+    const std::size_t begin = std::min(line.find_first_not_of(' '), line.size());
+    if (line.find(' ', begin) != std::string::npos) EXPECT_LE(code_points(line), columns) << line;
+  }
+  return lines.size();
+}
+
+// What the program writes to a terminal of this width as its stdout.
+std::string shown_on(unsigned short columns, const std::vector<std::string>& arguments) {
+  const int terminal = ::posix_openpt(O_RDWR | O_NOCTTY | O_NONBLOCK);
+  if (terminal < 0 || ::grantpt(terminal) != 0 || ::unlockpt(terminal) != 0) return "no terminal";
+  const std::string name = ::ptsname(terminal);
+  const int held = ::open(name.c_str(), O_RDWR | O_NOCTTY);
+  const winsize size{.ws_row = 24, .ws_col = columns, .ws_xpixel = 0, .ws_ypixel = 0};
+  (void)::ioctl(terminal, TIOCSWINSZ, &size);
+  Child child(arguments, {.out = name});
+  std::string seen;
+  for (bool last = false;;) {
+    pollfd wait{terminal, POLLIN, 0};
+    char piece[4096];
+    if (::poll(&wait, 1, 100) > 0) {
+      const ssize_t count = ::read(terminal, piece, sizeof piece);
+      if (count > 0) seen.append(piece, static_cast<std::size_t>(count));
+      last = false;
+    } else if (last) {
+      break;
+    } else {
+      last = child.ended();
+    }
+  }
+  (void)child.wait();
+  ::close(held);
+  ::close(terminal);
+  std::erase(seen, '\r');
+  return seen;
+}
+
+TEST_F(TerminalText, TracesOfTheGalleryFitEightyColumns) {
+  std::size_t lines = 0, effects = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(kEffects)) {
+    if (entry.path().extension() != ".json" || entry.path().stem() == "expected_hashes") continue;
+    SCOPED_TRACE(entry.path().filename());
+    lines += expect_fit(ninebit({"trace", "--effect", entry.path().string(), "--pixel", "128,80"}), 80);
+    ++effects;
+  }
+  EXPECT_GT(effects, 15U);
+  EXPECT_GT(lines, 1000U);
+}
+
+TEST_F(TerminalText, ExplanationsOfTheGalleryFitEightyColumns) {
+  std::size_t lines = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(kEffects + "/programs")) {
+    SCOPED_TRACE(entry.path().filename());
+    lines += expect_fit(ninebit({"explain", entry.path().string(), "--profile", "nv2a"}), 80);
+  }
+  EXPECT_GT(lines, 200U);
+}
+
+// Random programs have every kind of row and the longest equations.
+TEST_F(TerminalText, RandomProgramsFit) {
+  using ninebit::HardwareProfile;
+  const std::span<const HardwareProfile> all = ninebit::hardware_profiles();
+  for (std::uint64_t index = 0; index < 12; ++index) {
+    SCOPED_TRACE(index);
+    ninebit::test::Random random(0x80C015, index);
+    const HardwareProfile& profile = all[index % all.size()];
+    const std::string program = write_program(folder_, "p.json", ninebit::test::random_state(random, profile));
+    const std::vector<std::string> more{program, "--profile", std::string(profile.name)};
+    for (const char* verb : {"trace", "explain"}) {
+      std::vector<std::string> arguments{verb};
+      arguments.insert(arguments.end(), more.begin(), more.end());
+      EXPECT_GT(expect_fit(ninebit(arguments), 80), 8U);
+    }
+  }
+}
+
+TEST_F(TerminalText, ColumnsDecides) {
+  const std::vector<std::string> trace{"trace", kArticle, "--set", "primary=10,20,30,40"};
+  const auto has_side_by_side = [](const std::string& text) {
+    return text.find("red    green     blue        red") != std::string::npos;
+  };
+  const std::string usual = ninebit(trace).out;
+  EXPECT_FALSE(has_side_by_side(usual));
+  ::setenv("COLUMNS", "134", 1);
+  const Outcome wide = ninebit(trace);
+  EXPECT_TRUE(has_side_by_side(wide.out));
+  expect_fit(wide, 134);
+  for (const char* columns : {"133", "80", "20", "", "0", "-140", "140x", "10001", "99999999999999999999"}) {
+    ::setenv("COLUMNS", columns, 1);
+    EXPECT_EQ(has_side_by_side(ninebit(trace).out), false) << columns;
+  }
+  EXPECT_EQ(ninebit(trace).out, usual);
+  ::setenv("COLUMNS", "50", 1);
+  const std::string program = kEffects + "/programs/dot3_specular.rc1";
+  expect_fit(ninebit({"explain", program, "--profile", "nv2a"}), 50);
+}
+
+TEST_F(TerminalText, ATerminalsWidthAndColours) {
+  const std::vector<std::string> trace{"trace", kArticle, "--set", "primary.r=120", "--set", "tex0.r=100"};
+  const std::string narrow = shown_on(90, trace), wide = shown_on(150, trace);
+  if (narrow == "no terminal") GTEST_SKIP() << "no pseudo-terminal";
+  EXPECT_NE(narrow.find("\x1b[31m    cut by the clamp"), std::string::npos) << narrow;
+  EXPECT_EQ(narrow.find("green     blue"), std::string::npos) << narrow;
+  EXPECT_NE(wide.find("red    green     blue        red"), std::string::npos) << wide;
+  ::setenv("TERM", "dumb", 1);
+  const std::string plain = shown_on(80, trace);
+  EXPECT_EQ(plain.find('\x1b'), std::string::npos);
+  EXPECT_EQ(plain, ninebit(trace).out);
+  ::setenv("TERM", "xterm", 1);
+  ::setenv("NO_COLOR", "1", 1);
+  EXPECT_EQ(shown_on(80, trace), plain);
+}
+
+}  // namespace
+}  // namespace tools_test

@@ -1,0 +1,117 @@
+#include "src/page/diagram_page.h"
+
+#include <algorithm>
+#include <string_view>
+
+#include "src/page/page_texts.h"
+
+namespace ninebit {
+namespace {
+
+// The modules import each other's functions by name. In one script all of them are in scope: its lines are the modules'
+// lines without `import …` lines and without `export` before declarations.
+void append_plain_script(std::string& script, std::string_view module) {
+  constexpr std::string_view kExport = "export ";
+  while (!module.empty()) {
+    const std::size_t end = std::min(module.find('\n'), module.size() - 1) + 1;
+    std::string_view line = module.substr(0, end);
+    module.remove_prefix(end);
+    if (line.starts_with("import ")) continue;
+    if (line.starts_with(kExport)) line.remove_prefix(kExport.size());
+    script += line;
+  }
+}
+
+std::string diagram_script() {
+  std::string script;
+  for (const std::string_view module :
+       {kDiagramStyleModule, kDiagramLayoutModule, kDiagramWordsModule, kDiagramPartsModule, kTraceModelModule,
+        kProgramModelModule, kTraceDiagramModule}) {
+    append_plain_script(script, module);
+  }
+  return script;
+}
+
+std::string facts_of(const DiagramPage& page) {
+  std::string out = "<dl>\n";
+  for (const auto& [name, value] : page.facts) {
+    out += "<dt>" + escaped_markup(name) + "</dt><dd>" + escaped_markup(value) + "</dd>\n";
+  }
+  return out + "</dl>\n";
+}
+
+std::string data_element(const char* id, const std::string& json) {
+  if (json.empty()) return {};
+  return std::string("<script type=\"application/json\" id=\"") + id + "\">" + script_json(json) + "</script>\n";
+}
+
+}  // namespace
+
+std::string escaped_markup(const std::string& text) {
+  std::string out;
+  for (const char c : text) {
+    switch (c) {
+      case '&':
+        out += "&amp;";
+        break;
+      case '<':
+        out += "&lt;";
+        break;
+      case '>':
+        out += "&gt;";
+        break;
+      case '"':
+        out += "&quot;";
+        break;
+      default:
+        out += c;
+    }
+  }
+  return out;
+}
+
+std::string script_json(const std::string& json) {
+  std::string out;
+  for (const char c : json) {
+    if (c == '<') {
+      out += "\\u003c";
+    } else {
+      out += c;
+    }
+  }
+  return out;
+}
+
+std::string diagram_page(const DiagramPage& page) {
+  const bool traced = !page.trace.empty(), drawn = traced || !page.program.empty();
+  const std::string title = escaped_markup(page.title);
+  // The policy makes browsers refuse all external resources.
+  std::string out =
+      "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
+      "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; script-src 'unsafe-inline'; "
+      "style-src 'unsafe-inline'; img-src data:\">\n<link rel=\"icon\" href=\"data:,\">\n<title>" +
+      title + " – " + escaped_markup(page.kind) + "</title>\n<style>\n";
+  out += kPageLook;
+  out += "</style>\n</head>\n<body>\n<header>\n<p class=\"kind\">" + escaped_markup(page.kind) + "</p>\n<h1>" + title +
+         "</h1>\n" + facts_of(page) + "</header>\n<main>\n";
+  if (drawn)
+    out +=
+        "<div id=\"diagram\"><noscript>The diagram needs JavaScript. The text below has the same "
+        "content.</noscript></div>\n";
+  out += std::string("<details") + (drawn ? "" : " open") + "><summary>As text</summary>\n<pre tabindex=\"0\">" +
+         escaped_markup(page.text) + "</pre></details>\n</main>\n";
+  if (drawn) {
+    out += data_element("trace", page.trace) + data_element("program", page.program) +
+           data_element("explanation", page.explanation) + "<script type=\"module\">\n" + diagram_script() +
+           "const readData = (id) => JSON.parse(document.getElementById(id)?.textContent ?? 'null');\n"
+           "const options = { explanation: readData('explanation') ?? undefined };\n"
+           "const diagramElement = document.getElementById('diagram');\n" +
+           (traced ? "traceDiagram(diagramElement, readData('trace'), options);\n"
+                   : "programDiagram(diagramElement, readData('program'), options);\n") +
+           "</script>\n";
+  }
+  return out + "</body>\n</html>\n";
+}
+
+}  // namespace ninebit

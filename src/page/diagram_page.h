@@ -1,0 +1,30 @@
+// Pages with the diagram of a fragment's trace, or of a program. They need no other file and load nothing.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace ninebit {
+
+// What such a page shows. Texts are UTF-8 and may have any content: the page shows markup and does not run it.
+struct DiagramPage {
+  std::string kind{};                                        // above the title: "ninebit trace"
+  std::string title{};                                       // of the page
+  std::vector<std::pair<std::string, std::string>> facts{};  // names and values, in this order
+  std::string trace{};                                       // as `ninebit trace --json` prints it; empty: no fragment
+  std::string program{};                                     // the program's canonical JSON form, if there is no trace
+  std::string explanation{};                                 // as `ninebit explain --json` prints it
+  std::string text{};                                        // the same for people, lines of text
+};
+
+// The page as HTML. With neither a trace nor a program it has no diagram.
+[[nodiscard]] std::string diagram_page(const DiagramPage& page);
+
+// JSON text as the content of a script element: `<` is escaped, so that no name can end the element.
+[[nodiscard]] std::string script_json(const std::string& json);
+
+// Text between tags or in a quoted attribute.
+[[nodiscard]] std::string escaped_markup(const std::string& text);
+
+}  // namespace ninebit
