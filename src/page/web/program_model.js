@@ -52,7 +52,7 @@ function productOf(model, group, portion, letters, isDot) {
   return model.part(box, '', [{ label: 'value', parents: factors }])[0];
 }
 
-function addProgramPortion(model, stage, group, portion) {
+function addProgramPortion(model, group, portion, byLowestBit) {
   const out = portion.output;
   const third = out.sum !== 'discard';
   if (out.ab === 'discard' && out.cd === 'discard' && !third) return [];
@@ -62,7 +62,7 @@ function addProgramPortion(model, stage, group, portion) {
   if (third) {
     const test = out.mux_sum ? model.wordOf('spare0', 'alpha') : undefined;
     const box = model.box({ id: `${group}-third`, column: 3, group, kind: 'operator', symbol: out.mux_sum ? '?' : '+',
-                            title: out.mux_sum ? 'mux' : 'A·B + C·D', sub: out.mux_sum ? 'spare0.a < ½: A·B, else C·D' : 'sum' });
+                            title: out.mux_sum ? 'mux' : 'A·B + C·D', sub: out.mux_sum ? `spare0.a ${byLowestBit ? 'even' : '< ½'}: A·B` : 'sum' });
     products.sum = model.part(box, '', [{ label: 'value', parents: [products.ab, products.cd, test] }])[0];
   }
   const written = [];
@@ -80,7 +80,8 @@ function addProgramPortion(model, stage, group, portion) {
   return written;
 }
 
-function addProgramFinal(model, f) {
+function addProgramFinal(model, program) {
+  const f = program.final_combiner;
   const inputs = [f.a, f.b, f.c, f.d, f.g];
   const reads = (name) => inputs.some((input) => shortOf(input.input) === name);
   const origin = 'of the final combiner';
@@ -94,7 +95,8 @@ function addProgramFinal(model, f) {
     model.writes('e_times_f', 'colour', model.part(box, '', [{ label: 'colour', parents: [product] }])[0], origin);
   }
   if (reads('spare0_plus_secondary')) {
-    const box = model.box({ id: 'colour-sum', column: 4, group: 'sum', kind: 'output', title: 'colour sum', sub: 'spare0 + secondary' });
+    const terms = ['spare0', 'secondary'].map((r) => (program[`color_sum_invert_${r}`] ? `(1 − ${r})` : r));
+    const box = model.box({ id: 'colour-sum', column: 4, group: 'sum', kind: 'output', title: 'colour sum', sub: terms.join(' + ') });
     const parents = ['spare0', 'secondary'].map((r) => model.wordOf(r, 'colour'));
     model.writes('spare0_plus_secondary', 'colour', model.part(box, '', [{ label: 'colour', parents }])[0], origin);
   }
@@ -145,10 +147,10 @@ export function programModel(program) {
   const count = program.num_general_combiners ?? program.general_combiners.length;
   program.general_combiners.slice(0, count).forEach((stage, i) => {
     model.section(`stage${i}`, `General combiner ${i}`, kStageColumns);
-    const written = ['rgb', 'alpha'].flatMap((group) => addProgramPortion(model, i, group, stage[group]));
+    const written = ['rgb', 'alpha'].flatMap((group) => addProgramPortion(model, group, stage[group], program.mux_by_lowest_bit));
     for (const { register, word, cell } of written) model.writes(register, word, cell, `of general combiner ${i}`);
   });
-  addProgramFinal(model, program.final_combiner);
+  addProgramFinal(model, program);
   // A box with one cell is that cell.
   for (const section of model.sections) {
     for (const { parts: [{ cells }], kind } of section.boxes) {

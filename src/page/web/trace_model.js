@@ -193,6 +193,15 @@ function addStage(model, stage) {
   }
 }
 
+// What the colour sum adds. A trace does not say which of its terms the program inverts, but their values do.
+function colorSumText(rgb, last, one) {
+  const code = (register, i) => Math.max(0, last[register].codes[i]);
+  const terms = [['spare0', 'secondary'], ['(1 − spare0)', 'secondary'], ['spare0', '(1 − secondary)'], ['(1 − spare0)', '(1 − secondary)']];
+  const term = (text, i) => (text.startsWith('(') ? one - code(text.slice(5, -1), i) : code(text, i));
+  const found = terms.find(([x, y]) => rgb.every((c, i) => Math.abs(term(x, i) + term(y, i) - c.color_sum.unclamped.code) <= 1));
+  return (found ?? terms[0]).join(' + ');
+}
+
 // E·F and the colour sum, which A to D and G may read.
 function addEarlyFinal(model, trace) {
   const { rgb } = trace.final;
@@ -217,7 +226,8 @@ function addEarlyFinal(model, trace) {
       const v = last[register];
       return { code: v.codes[k], real: v.real[k], ideal: v.ideal[k] };
     };
-    const box = model.box({ id: 'colour-sum', column: 4, group: 'sum', kind: 'output', title: 'colour sum', sub: 'spare0 + secondary' });
+    const box = model.box({ id: 'colour-sum', column: 4, group: 'sum', kind: 'output', title: 'colour sum',
+                            sub: colorSumText(rgb, last, trace.one) });
     const sums = model.part(box, 'sum', rgb.map((c) => ({
       label: c.channel, value: c.color_sum.unclamped,
       parents: ['spare0', 'secondary'].map((r) => model.register(r, c.channel, value(r, c.channel))) })));
