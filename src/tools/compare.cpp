@@ -12,13 +12,9 @@
 namespace ninebit::tools {
 namespace {
 
-
 std::string light_in_words(const Light& light) {
-  const char* kind = light.kind == LightKind::point  ? "point"
-                     : light.kind == LightKind::spot ? "spot"
-                                                     : "directional";
   const glm::vec3& at = light.kind == LightKind::directional ? light.direction : light.position;
-  return fmt::format("{} light {} {:.4g}, {:.4g}, {:.4g}", kind,
+  return fmt::format("{} light {} {:.4g}, {:.4g}, {:.4g}", light_kind_name(light.kind),
                      light.kind == LightKind::directional ? "along" : "at", at.x, at.y, at.z);
 }
 
@@ -126,7 +122,7 @@ std::string summary_of(const Comparison& comparison) {
     }
   }
   for (const LeftOut& one : comparison.compared.left_out) {
-    text += fmt::format("left out: {}, which {}\n", one.technique, one.reason);
+    text += fmt::format("left out: {} ({})\n", one.technique, one.reason);
   }
   return text;
 }
@@ -175,7 +171,8 @@ ComparedPoints checked_points(const CLI::App& verb, const CompareFlags& flags) {
 void add_compare(CLI::App& app, int& exit_code) {
   CLI::App* verb = app.add_subcommand("compare", "Put techniques, or settings of one, side by side on one page");
   verb->footer(
-      "Without --vary, all techniques that support the scene's light are compared. With --vary, all combinations of the "
+      "Without --vary, all techniques that support the scene's light are compared. With --vary, all combinations of "
+      "the "
       "lists, with --technique.\n"
       "Examples:\n"
       "  ninebit compare scenes/index_room.gltf -o out\n"

@@ -22,6 +22,7 @@ export function pictureSwipe(width, height) {
   const element = document.createElement("div");
   element.className = "swipe";
   element.style.aspectRatio = `${width} / ${height}`;
+  element.style.maxWidth = `calc(80vh * ${width / height})`;
   const sides = { right: swipeSide(element, "right"), left: swipeSide(element, "left") };
   const divider = document.createElement("div");
   divider.className = "swipe-divider";

@@ -23,7 +23,7 @@ struct SceneFlags {
   std::string bias, polygon_offset, cookie, light_rotate;
   std::optional<double> fov, spot_angle;
   std::optional<LightKinds> light_kinds;  // empty: those of the technique; without effect if light_type is given
-  RenderSettings settings;  // all that the texts above do not hold; settings_of() completes it
+  RenderSettings settings;                // all that the texts above do not hold; settings_of() completes it
 };
 
 // The names of enumerators in flags and in JSON.

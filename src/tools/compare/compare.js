@@ -1,26 +1,13 @@
 // The page of `ninebit compare`. Its data are in the element "data"; every name is shown as text.
 import { pictureSwipe } from "../../page/web/picture_swipe.js";
 import { sortableTable } from "../../page/web/sortable_table.js";
+import { causeColors, causeHelp, heatStops, wrongPixels } from "./wrong_pixels.js";
 
 const data = JSON.parse(document.getElementById("data").textContent);
 const [pictureWidth, pictureHeight] = data.size;
 const drawn = data.rows.filter((row) => row.color);
+const { pixelsOf, pointsOf, densityOf, heatOf, heatRadius } = wrongPixels(pictureWidth, pictureHeight, data.causes);
 const judged = drawn.filter((row) => row.wrong_pixels);
-
-// Colours that colour-blind readers can distinguish (Okabe and Ito), by cause.
-const causeColors = {
-  truncation: "#e69f00", joint: "#56b4e9", vanished: "#009e73", shared: "#f0e442",
-  acne: "#d55e00", detached: "#cc79a7", sampling: "#4a7dff",
-};
-const causeHelp = {
-  truncation: "two different indices compare equal in the combiners",
-  joint: "the texel holds a neighbour of the polygon on the same surface",
-  vanished: "the polygon owns no texel of the map",
-  shared: "the polygon that casts the shadow has the same index",
-  acne: "the polygon shadows itself or its neighbour",
-  detached: "the comparison lets light through under a contact",
-  sampling: "the texel's centre does not see what the pixel sees",
-};
 
 const grouped = (value) => (value === null || value === undefined ? value : value.toLocaleString("en").replace(/,/g, "\u202f"));
 
@@ -41,93 +28,6 @@ function section(parent, title, text) {
   return element;
 }
 
-// ---- Wrong pixels
-
-async function pixelsOf(url) {
-  const picture = new Image();
-  picture.src = url;
-  await picture.decode();
-  const canvas = new OffscreenCanvas(pictureWidth, pictureHeight);
-  const context = canvas.getContext("2d", { willReadFrequently: true });
-  context.drawImage(picture, 0, 0);
-  const { data: rgba } = context.getImageData(0, 0, pictureWidth, pictureHeight);
-  const plane = new Uint8Array(pictureWidth * pictureHeight);
-  for (let i = 0; i < plane.length; ++i) plane[i] = rgba[4 * i];
-  return plane;
-}
-
-const rgbOf = (color) => [1, 3, 5].map((at) => parseInt(color.slice(at, at + 2), 16));
-
-function canvasOf(paint) {
-  const canvas = document.createElement("canvas");
-  canvas.width = pictureWidth;
-  canvas.height = pictureHeight;
-  const context = canvas.getContext("2d");
-  const image = context.createImageData(pictureWidth, pictureHeight);
-  paint(image.data);
-  context.putImageData(image, 0, 0);
-  return canvas;
-}
-
-// Each wrong pixel in the colour of its cause. `cause`: a number of data.causes; 0: all.
-function pointsOf(row, cause) {
-  const colors = data.causes.map((name) => rgbOf(causeColors[name] ?? "#000000"));
-  return canvasOf((out) => {
-    row.plane.forEach((value, i) => {
-      const number = value & 127;
-      if (number === 0 || (cause !== 0 && number !== cause)) return;
-      out.set(colors[number], 4 * i);
-      out[4 * i + 3] = 255;
-    });
-  });
-}
-
-const heatRadius = Math.max(2, Math.round(pictureWidth / 100));
-
-// The share of wrong pixels in the square around each pixel.
-function densityOf(row, cause) {
-  const w = pictureWidth, h = pictureHeight;
-  const sums = new Uint32Array((w + 1) * (h + 1));
-  for (let y = 0; y < h; ++y) {
-    let line = 0;
-    for (let x = 0; x < w; ++x) {
-      const number = row.plane[y * w + x] & 127;
-      if (number !== 0 && (cause === 0 || number === cause)) ++line;
-      sums[(y + 1) * (w + 1) + x + 1] = sums[y * (w + 1) + x + 1] + line;
-    }
-  }
-  const density = new Float32Array(w * h);
-  for (let y = 0; y < h; ++y) {
-    const top = Math.max(0, y - heatRadius), bottom = Math.min(h, y + heatRadius + 1);
-    for (let x = 0; x < w; ++x) {
-      const left = Math.max(0, x - heatRadius), right = Math.min(w, x + heatRadius + 1);
-      const sum = sums[bottom * (w + 1) + right] - sums[top * (w + 1) + right] - sums[bottom * (w + 1) + left] +
-        sums[top * (w + 1) + left];
-      density[y * w + x] = sum / ((bottom - top) * (right - left));
-    }
-  }
-  return density;
-}
-
-// Dark violet over red to light yellow: lighter is more.
-const heatStops = [[58, 12, 92], [150, 26, 105], [217, 70, 61], [248, 149, 48], [252, 244, 160]];
-function heatColor(share) {
-  const place = Math.min(1, share) * (heatStops.length - 1);
-  const low = Math.min(heatStops.length - 2, Math.floor(place));
-  return heatStops[low].map((value, c) => Math.round(value + (heatStops[low + 1][c] - value) * (place - low)));
-}
-
-function heatOf(density, most) {
-  return canvasOf((out) => {
-    density.forEach((value, i) => {
-      if (value === 0) return;
-      const share = Math.sqrt(value / most);
-      out.set(heatColor(share), 4 * i);
-      out[4 * i + 3] = Math.round(255 * Math.min(1, 0.35 + share));
-    });
-  });
-}
-
 // ---- The parts of the page
 
 function addHeader(page) {
@@ -145,7 +45,10 @@ function addHeader(page) {
   fact("Profile", data.vary.some((text) => /^-*profile=/.test(text)) ? "varied" : data.profile);
   if (data.vary.length > 0) fact("Varied", data.vary.join("; "));
   if (data.ignored.length > 0) fact("Ignored", data.ignored.join("; "));
-  for (const { technique, reason } of data.left_out) fact("Left out", `${technique}, which ${reason}`);
+  for (const reason of new Set(data.left_out.map((one) => one.reason))) {
+    const names = data.left_out.filter((one) => one.reason === reason).map((one) => one.technique);
+    fact("Left out", `${names.join(", ")}: ${reason}`);
+  }
   for (const row of data.rows.filter((one) => one.refused)) fact("Not drawn", `${row.name}: ${row.refused}`);
 }
 
@@ -210,11 +113,21 @@ function addTable(page) {
     { title: "Name", value: (row) => row.name },
     { title: "Wrong pixels", number: true, value: wrong("wrong"), text: (row) => grouped(row.errors?.wrong) },
     {
-      title: "% of the scene",
+      title: "% of scene",
       number: true,
       help: "of the pixels that show the scene",
       value: (row) => (row.errors ? (100 * row.errors.wrong) / Math.max(1, row.pixels.lit + row.pixels.shadowed) : null),
       text: (row) => (row.errors ? ((100 * row.errors.wrong) / Math.max(1, row.pixels.lit + row.pixels.shadowed)).toFixed(2) : null),
+    },
+    { title: "Time ms", number: true, value: (row) => row.time_ms?.total, text: (row) => row.time_ms?.total.toFixed(1) },
+    { title: "Texture units", number: true, help: "that the comparison reads", value: (row) => row.texture_units },
+    { title: "Passes", number: true, value: (row) => row.passes },
+    {
+      title: "Maps KiB",
+      number: true,
+      help: "memory of the light's maps as textures",
+      value: (row) => row.map_bytes,
+      text: (row) => (row.map_bytes === undefined ? null : grouped(Math.round(row.map_bytes / 1024))),
     },
     { title: "Falsely lit", number: true, value: wrong("false_lit"), text: (row) => grouped(row.errors?.false_lit) },
     { title: "Falsely shadowed", number: true, value: wrong("false_shadowed"), text: (row) => grouped(row.errors?.false_shadowed) },
@@ -225,23 +138,13 @@ function addTable(page) {
       value: (row) => row.errors?.by_cause[name],
       text: (row) => grouped(row.errors?.by_cause[name]),
     })),
-    { title: "Time, ms", number: true, value: (row) => row.time_ms?.total, text: (row) => row.time_ms?.total.toFixed(1) },
-    { title: "Texture units", number: true, help: "that the comparison reads", value: (row) => row.texture_units },
-    { title: "Passes", number: true, value: (row) => row.passes },
-    {
-      title: "Maps, KiB",
-      number: true,
-      help: "memory of the light's maps as textures",
-      value: (row) => row.map_bytes,
-      text: (row) => (row.map_bytes === undefined ? null : grouped(Math.round(row.map_bytes / 1024))),
-    },
   ];
   const scroll = add(part, "div", undefined, "scroll");
   scroll.tabIndex = 0;
   scroll.setAttribute("role", "region");
   scroll.setAttribute("aria-label", "Figures; scrolls sideways");
   scroll.append(sortableTable(columns, data.rows, { sorted: 1, label: "Figures of all renderings" }));
-  add(part, "p", "A dash: no shadows were drawn, not drawn at all, or no such figure. Time is that of one rendering on the machine that made this page, without the rays. Texture units are those that the comparison of the shadow reads; a comparison in floats, which no such hardware has, has none. A pass draws the scene, its shadow volumes or a rectangle of the picture's size. Memory is that of the light's maps, without the depth buffer that drawing them takes.", "note");
+  add(part, "p", "A dash: there is no such figure. Time is that of one rendering on the machine that made this page, without the rays. Texture units are those that the comparison of the shadow reads; a comparison in floats, which no such hardware has, has none. A pass draws the scene, its shadow volumes or a rectangle of the picture's size. Memory is that of the light's maps, without the depth buffer that drawing them takes.", "note");
 }
 
 function addLegend(part) {

@@ -32,7 +32,8 @@ constexpr std::uint64_t kReflectiveTexel = 4 + 3 * 3 * 2;
 }  // namespace
 
 TechniqueCosts costs_of(const std::string& technique, const RenderSettings& settings, const Rendering& rendering) {
-  const std::uint64_t texels = static_cast<std::uint64_t>(settings.map_size) * static_cast<std::uint64_t>(settings.map_size);
+  const std::uint64_t texels =
+      static_cast<std::uint64_t>(settings.map_size) * static_cast<std::uint64_t>(settings.map_size);
   TechniqueCosts costs{.texture_units = std::nullopt, .passes = kSharedPasses};
   const bool indices = technique == "index-cube" || (technique == "light-cookie" && settings.light_cookie.shadows);
   if (indices) {

@@ -62,6 +62,7 @@ std::string compare_page(const CompareFlags& flags, const Comparison& comparison
                       page_json(flags, comparison));
   page += kPictureSwipe;
   page += kSortableTable;
+  page += kWrongPixels;
   page += without_imports(kCompareScript);
   return page + "</script>\n</body>\n</html>\n";
 }

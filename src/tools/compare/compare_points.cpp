@@ -152,6 +152,10 @@ std::size_t pixels_of_size(const CompareFlags& flags) {
 
 }  // namespace
 
+const char* light_kind_name(LightKind kind) {
+  return kind == LightKind::point ? "point" : kind == LightKind::spot ? "spot" : "directional";
+}
+
 LightKinds light_kinds_of(const CompareFlags& flags) {
   LightKinds kinds{.point = true, .spot = true, .directional = true};
   if (flags.vary.empty()) return kinds;
@@ -205,7 +209,7 @@ Result<ComparedPoints> technique_points(const CompareFlags& flags, LightKind lig
   for (const Technique& technique : techniques()) {
     const std::string name(technique.name);
     if (!technique.lights.has(light)) {
-      all.left_out.push_back({name, "does not support this kind of light"});
+      all.left_out.push_back({name, fmt::format("no support for a {} light", light_kind_name(light))});
       continue;
     }
     if (name == "light-cookie" && flags.scene.cookie.empty()) {

@@ -13,13 +13,13 @@ struct CompareFlags {
   CommonFlags common;
   SceneFlags scene;
   std::string folder;
-  std::vector<std::string> vary;           // each FLAG=VALUE,VALUE…
+  std::vector<std::string> vary;            // each FLAG=VALUE,VALUE…
   std::vector<CLI::Option*> scene_options;  // those of add_scene_flags, and --profile
 };
 
 // One rendering, with the flags that `render` would get.
 struct ComparedPoint {
-  std::string name;                                          // unique: "index-cube", "index-step 1, map-size 256"
+  std::string name;                                           // unique: "index-cube", "index-step 1, map-size 256"
   std::vector<std::pair<std::string, std::string>> varied{};  // flag without dashes, value
   SceneFlags scene{};
   CommonFlags common{};
@@ -39,6 +39,9 @@ struct ComparedPoints {
 // The most renderings, and the most pixels of all of them together: their pictures are part of the page.
 inline constexpr std::size_t kMostCompared = 64;
 inline constexpr std::size_t kMostComparedPixels = std::size_t{1} << 26;
+
+// "point", "spot" or "directional".
+[[nodiscard]] const char* light_kind_name(LightKind kind);
 
 // The kinds of light that the scene may have: those that all techniques of --vary support; any without --vary.
 // Throws CLI::ValidationError if there is none.

@@ -20,7 +20,8 @@ Image8 cause_plane(const GroundTruth& truth, int width, int height) {
       const std::size_t from = (h - 1 - y) * w + x;
       if (truth.cause[from] == ErrorCause::none) continue;
       const bool lit = truth.truth[from] == PixelTruth::shadowed;
-      image.pixels[y * w + x] = static_cast<std::uint8_t>(static_cast<int>(truth.cause[from]) + (lit ? kFalselyLit : 0));
+      image.pixels[y * w + x] =
+          static_cast<std::uint8_t>(static_cast<int>(truth.cause[from]) + (lit ? kFalselyLit : 0));
     }
   }
   return image;
@@ -66,8 +67,8 @@ Json row_json(const ComparedPoint& point, const ComparedRow& row) {
   out["pixels"] = {{"background", row.background}, {"lit", row.lit}, {"shadowed", row.shadowed}};
   out["errors"] = row.errors ? errors_of_row(*row.errors) : Json();
   const PassTimes& pass = row.times;
-  out["time_ms"] = {{"transform", pass.transform}, {"maps", pass.maps},
-                    {"camera", pass.camera},       {"compare", pass.compare},
+  out["time_ms"] = {{"transform", pass.transform},     {"maps", pass.maps},
+                    {"camera", pass.camera},           {"compare", pass.compare},
                     {"shade", pass.lit + pass.shadow}, {"total", total_ms(pass)}};
   out["texture_units"] = row.costs.texture_units ? Json(*row.costs.texture_units) : Json();
   out["passes"] = row.costs.passes;
