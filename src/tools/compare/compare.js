@@ -180,7 +180,7 @@ function addMaps(page) {
       row.count.textContent = ` ${grouped(count)} ${count === 1 ? "pixel" : "pixels"}`;
     });
     scale.hidden = points;
-    high.textContent = `${(100 * Math.min(1, most)).toPrecision(2)} % wrong`;
+    high.textContent = `${Number((100 * Math.min(1, most)).toPrecision(most < 0.1 ? 2 : 3))} % wrong`;
   };
   choiceOf(controls, "Cause ", ["all causes", ...known.map(({ name }) => name)], 0, (number) => {
     cause = number === 0 ? 0 : known[number - 1].number;
