@@ -39,8 +39,8 @@ const std::map<std::string, std::vector<std::string>> kFolders{
     {"study",
      {"part", "report", "page", "proof", "vectors", "digits", "index_steps", "datapath", "shadows", "depth_packing"}},
     {"tools",
-     {"input", "common", "help", "eval", "draw", "trace", "verify", "render", "bench", "study", "prove", "vectors",
-      ""}},
+     {"input", "common", "help", "eval", "draw", "trace", "verify", "render", "compare", "bench", "study", "prove",
+      "vectors", ""}},
 };
 
 // Outside libraries and the rooms that may include them. Besides these there is only the standard library, whose

@@ -74,7 +74,7 @@ Words command(const Verb& verb, const Flag& flag, const std::string& folder) {
   const std::string name = verb.words.back();
   std::map<std::string, std::string> given;
   Words files;
-  const bool draws = name == "render" || name == "frame" || name == "shadows" ||
+  const bool draws = name == "render" || name == "compare" || name == "frame" || name == "shadows" ||
                      (name == "trace" && flag.name != "--set" && !flag.is_choice());
   if (draws) {
     given["--size"] = "8x6";
@@ -87,7 +87,7 @@ Words command(const Verb& verb, const Flag& flag, const std::string& folder) {
     }
   }
   if (flag.name == "--bias" || flag.name == "--biases") given["--technique"] = "depth-cube";
-  if (name == "render" || verb.words.front() == "study") given["-o"] = folder + "/out";
+  if (name == "render" || name == "compare" || verb.words.front() == "study") given["-o"] = folder + "/out";
   const bool reads = name == "explain" || name == "convert" || name == "validate" || name == "eval";
   if (reads || (name == "trace" && !draws)) files = {kCompare};
   if (name == "draw") {

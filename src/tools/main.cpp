@@ -25,6 +25,7 @@ int run(int argc, char** argv) {
   int exit_code = kDone;
   add_render(app, exit_code);
   add_draw(app, exit_code);
+  add_compare(app, exit_code);
   add_profiles(app, exit_code);
   add_info(app, exit_code);
   add_eval(app, exit_code);

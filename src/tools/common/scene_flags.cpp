@@ -35,7 +35,7 @@ SceneSetup setup_of(const SceneFlags& flags) {
   setup.camera = point(flags.camera);
   setup.look_at = point(flags.look_at);
   setup.light = point(flags.light);
-  setup.light_kinds = find_technique(flags.technique)->lights;
+  setup.light_kinds = flags.light_kinds.value_or(find_technique(flags.technique)->lights);
   if (const auto kind = light_kind(flags)) {
     setup.light_kinds = {.point = kind == LightKind::point,
                          .spot = kind == LightKind::spot,

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "ninebit/scene/scene.h"
+#include "ninebit/scene/scene_io.h"
 #include "ninebit/shadow/technique.h"
 #include "src/system/parallel/parallel_loop.h"
 #include "src/tools/input/program.h"
@@ -21,7 +22,8 @@ struct SceneFlags {
   std::string camera, look_at, light, light_type, light_target, floor = "auto";
   std::string bias, polygon_offset, cookie, light_rotate;
   std::optional<double> fov, spot_angle;
-  RenderSettings settings;  // all that the texts above do not hold; settings_of() completes it
+  std::optional<LightKinds> light_kinds;  // empty: those of the technique; without effect if light_type is given
+  RenderSettings settings;                // all that the texts above do not hold; settings_of() completes it
 };
 
 // The names of enumerators in flags and in JSON.

@@ -96,7 +96,7 @@ Status read_textures(const std::string& scene_file, const RenderSettings& settin
 // What the technique leaves out of the lights and cameras of a file.
 void add_viewpoints(const Scene& scene, const SceneFlags& flags, std::vector<std::string>& out) {
   if (scene.cameras.size() > 1) out.emplace_back("cameras beyond the first");
-  const LightKinds kinds = find_technique(flags.technique)->lights;
+  const LightKinds kinds = flags.light_kinds.value_or(find_technique(flags.technique)->lights);
   const auto drawn = std::count_if(scene.lights.begin(), scene.lights.end(),
                                    [&](const Light& light) { return kinds.has(light.kind); });
   if (drawn == 0 && kinds.point && !scene.lights.empty()) {
@@ -106,9 +106,11 @@ void add_viewpoints(const Scene& scene, const SceneFlags& flags, std::vector<std
   }
 }
 
-// What the technique leaves out of the materials.
-void add_materials(const Scene& scene, const std::string& technique, const RenderSettings& settings,
-                   std::vector<std::string>& out) {
+}  // namespace
+
+std::vector<std::string> ignored_materials(const Scene& scene, const std::string& technique,
+                                           const RenderSettings& settings) {
+  std::vector<std::string> out;
   const bool textured = any_used(scene, [](const Material& m) { return m.base_texture.has_value(); });
   const bool masked = any_used(scene, [](const Material& m) { return m.alpha_mode == AlphaMode::mask; });
   const bool reflective = technique == "reflective";
@@ -121,7 +123,7 @@ void add_materials(const Scene& scene, const std::string& technique, const Rende
   }
   if (!scene.colors.empty() && settings.cartoon) out.emplace_back("vertex colours, by --style cartoon");
   if (!scene.colors.empty() && reflective) out.emplace_back("vertex colours, by technique reflective");
-  if (!masked) return;
+  if (!masked) return out;
   const bool index_in_alpha =
       settings.index.format == IndexFormat::luminance_alpha || settings.index.format == IndexFormat::alpha;
   if (reflective) {
@@ -132,9 +134,8 @@ void add_materials(const Scene& scene, const std::string& technique, const Rende
     out.emplace_back("alpha masks in the shadows, by an --index-format with alpha");
   }
   if (settings.evidence) out.emplace_back("alpha masks in the ground truth");
+  return out;
 }
-
-}  // namespace
 
 Result<DrawnScene> load_drawn_scene(const SceneFlags& flags, const RenderSettings& settings, bool quiet) {
   auto scene = read_scene_of(flags);
@@ -142,7 +143,7 @@ Result<DrawnScene> load_drawn_scene(const SceneFlags& flags, const RenderSetting
   if (Status read = read_textures(flags.file, settings, *scene); !read) return read.error();
   std::vector<std::string> ignored = scene->notes;
   add_viewpoints(*scene, flags, ignored);
-  add_materials(*scene, flags.technique, settings, ignored);
+  for (std::string& part : ignored_materials(*scene, flags.technique, settings)) ignored.push_back(std::move(part));
   auto complete = complete_scene_of(flags, settings, std::move(*scene));
   if (!complete) return complete.error();
   warn_of_ignored(flags.file, ignored, quiet);

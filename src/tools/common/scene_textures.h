@@ -22,6 +22,10 @@ struct DrawnScene {
 // given) or beyond the limits.
 [[nodiscard]] Result<DrawnScene> load_drawn_scene(const SceneFlags& flags, const RenderSettings& settings, bool quiet);
 
+// What a technique leaves out of the scene's materials, one entry each kind.
+[[nodiscard]] std::vector<std::string> ignored_materials(const Scene& scene, const std::string& technique,
+                                                         const RenderSettings& settings);
+
 // One warning that names what is ignored; prints nothing if that is empty or `quiet`.
 void warn_of_ignored(const std::string& scene_file, const std::vector<std::string>& ignored, bool quiet);
 

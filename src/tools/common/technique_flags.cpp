@@ -82,4 +82,17 @@ std::string unread_flag(const CLI::App& verb, const SceneFlags& flags) {
   return {};
 }
 
+std::vector<std::string> technique_flags() {
+  std::vector<std::string> names;
+  for (const TechniqueFlag& f : kFlags) names.emplace_back(f.flag);
+  return names;
+}
+
+bool reads_flag(const SceneFlags& flags, std::string_view flag) {
+  for (const TechniqueFlag& f : kFlags) {
+    if (f.flag == flag) return (f.readers & readers_of(flags)) != 0;
+  }
+  return true;
+}
+
 }  // namespace ninebit::tools

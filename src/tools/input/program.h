@@ -117,6 +117,7 @@ class ProgressLine {
 // Each verb adds itself; running it sets `exit_code`.
 void add_render(CLI::App& app, int& exit_code);
 void add_draw(CLI::App& app, int& exit_code);
+void add_compare(CLI::App& app, int& exit_code);
 void add_profiles(CLI::App& app, int& exit_code);
 void add_info(CLI::App& app, int& exit_code);
 void add_eval(CLI::App& app, int& exit_code);

@@ -1,0 +1,142 @@
+// `ninebit compare`: which techniques and settings, their figures, the page, wrong usage.
+#include <gtest/gtest.h>
+
+#include <csignal>
+
+#include "combiner_tests/tools/support.h"
+
+namespace tools_test {
+namespace {
+
+using ManyWords = std::vector<std::string>;
+
+ManyWords small_compare(const std::string& scene, const std::string& folder, const ManyWords& more = {}) {
+  ManyWords words{"compare", scene, "-o", folder, "--size", "64x48", "--map-size", "32", "--quiet"};
+  words.insert(words.end(), more.begin(), more.end());
+  return words;
+}
+
+ManyWords names_of_rows(const Json& object) {
+  ManyWords names;
+  for (const Json& row : object["rows"]) names.push_back(row["name"]);
+  return names;
+}
+
+TEST(Compare, AllTechniquesThatTheLightAllows) {
+  const TempFolder folder;
+  const Json point = json_of(ninebit(small_compare(kRoom, folder / "point", {"--json"})));
+  EXPECT_EQ(names_of_rows(point), (ManyWords{"index-cube", "depth-cube", "shadow-volume"}));
+  ASSERT_EQ(point["left_out"].size(), 3U);
+  EXPECT_EQ(point["left_out"][2]["technique"], "light-cookie");
+  EXPECT_NE(point["left_out"][2]["reason"].get<std::string>().find("--cookie"), std::string::npos);
+  const Json spot = json_of(ninebit(
+      small_compare(kRoom, folder / "spot", {"--json", "--light-type", "spot", "--samples", "4", "--kernel", "3"})));
+  EXPECT_EQ(names_of_rows(spot), (ManyWords{"shadow-map", "shadow-volume", "reflective"}));
+  EXPECT_TRUE(spot["light"].get<std::string>().starts_with("spot light at ")) << spot["light"];
+}
+
+// A row has the bits and the wrong pixels of the same rendering by `render`.
+TEST(Compare, RowsAreThoseOfRender) {
+  const TempFolder folder;
+  const Json object = json_of(ninebit(
+      small_compare(kRoom, folder / "out", {"--json", "--vary", "index-step=1,2", "--vary", "index-format=rgb,la"})));
+  EXPECT_EQ(names_of_rows(object), (ManyWords{"index-step 1, index-format rgb", "index-step 1, index-format la",
+                                              "index-step 2, index-format rgb", "index-step 2, index-format la"}));
+  const ManyWords render{"render",         kRoom,          "-o", folder / "render", "--size",
+                         "64x48",          "--map-size",   "32", "--json",          "--quiet",
+                         "--ground-truth", "--index-step", "1",  "--index-format",  "la"};
+  const Json alone = json_of(ninebit(render));
+  const Json& row = object["rows"][1];
+  EXPECT_EQ(row["hash"]["color"], alone["hash"]["color"]);
+  EXPECT_EQ(row["errors"]["false_lit"], alone["errors"]["false_lit"]);
+  EXPECT_EQ(row["errors"]["by_cause"], alone["errors"]["by_cause"]);
+  EXPECT_NE(row["hash"]["index_map"], object["rows"][0]["hash"]["index_map"]);
+  EXPECT_EQ(row["map_bytes"], 6 * 32 * 32 * 2);
+  EXPECT_EQ(row["passes"], 10);
+  EXPECT_EQ(row["texture_units"], 1);
+}
+
+// A flag applies to the techniques that read it; one that none of them reads is an error.
+TEST(Compare, FlagsOfOneTechnique) {
+  const TempFolder folder;
+  const Json plain = json_of(ninebit(small_compare(kRoom, folder / "a", {"--json"})));
+  const Json biased = json_of(ninebit(small_compare(kRoom, folder / "b", {"--json", "--bias", "2"})));
+  EXPECT_EQ(plain["rows"][0]["hash"], biased["rows"][0]["hash"]) << "index-cube";
+  EXPECT_NE(plain["rows"][1]["hash"]["stencil"], biased["rows"][1]["hash"]["stencil"]) << "depth-cube";
+  expect_error(ninebit(small_compare(kRoom, folder / "c", {"--bias", "2", "--light-type", "spot"})), 2,
+               {"--bias", "none of the compared techniques"});
+  EXPECT_TRUE(files_in(folder / "c").empty());
+}
+
+TEST(Compare, OffsetsHaveSemicolons) {
+  const TempFolder folder;
+  const Json object = json_of(ninebit(small_compare(
+      kRoom, folder / "out", {"--json", "--technique", "shadow-map", "--vary", "polygon-offset=0,0;1,16"})));
+  EXPECT_EQ(names_of_rows(object), (ManyWords{"polygon-offset 0,0", "polygon-offset 1,16"}));
+  EXPECT_NE(object["rows"][0]["errors"]["wrong"], object["rows"][1]["errors"]["wrong"]);
+}
+
+// One page without other files, and the same figures beside it. Names are data: no markup comes from them.
+TEST(Compare, ThePageHoldsAll) {
+  const TempFolder folder;
+  const std::string hostile = folder / "<img src=x onerror=alert(1)>.gltf";
+  write_bytes(hostile, read_bytes(kCornell));
+  const Json object =
+      json_of(ninebit(small_compare(hostile, folder / "out", {"--json", "--vary", "technique=index-cube,depth-cube"})));
+  const Files files = files_in(folder / "out");
+  ASSERT_EQ(files.size(), 2U);
+  const std::string& page = files.at("index.html");
+  EXPECT_EQ(page.find("<img"), std::string::npos);
+  EXPECT_NE(page.find("\\u003cimg src=x"), std::string::npos);
+  EXPECT_EQ(page.find("\nimport "), std::string::npos);
+  for (const char* part : {"http:", "https:"}) EXPECT_EQ(page.find(part), std::string::npos) << part;
+  for (const char* part : {"function pictureSwipe", "function sortableTable", "data:image/png;base64,"}) {
+    EXPECT_NE(page.find(part), std::string::npos) << part;
+  }
+  const Json report = Json::parse(files.at("report.json"));
+  EXPECT_EQ(report["rows"], object["rows"]);
+}
+
+TEST(Compare, WrongUsage) {
+  const TempFolder folder;
+  struct Case {
+    ManyWords flags, words;
+  };
+  const std::vector<Case> cases{
+      {{"--technique", "depth-cube"}, {"--technique", "--vary"}},
+      {{"--vary", "index-step"}, {"--vary", "FLAG=VALUE"}},
+      {{"--vary", "index-stp=1"}, {"index-stp", "did you mean 'index-step'"}},
+      {{"--vary", "size=8x8,9x9"}, {"'size' cannot be varied"}},
+      {{"--vary", "index-step=1,900"}, {"index-step", "900"}},
+      {{"--vary", "index-step=1,1"}, {"given twice"}},
+      {{"--vary", "index-step=1,"}, {"empty"}},
+      {{"--vary", "index-step=1", "--vary", "index-step=2"}, {"varied twice"}},
+      {{"--vary", "index-step=1,2", "--index-step", "3"}, {"--index-step is also given"}},
+      {{"--vary", "bias=1,2"}, {"--bias", "index-cube does not read it"}},
+      {{"--vary", "technique=index-cube,shadow-map"}, {"no kind of light"}},
+      {{"--vary", "index-step=1,2,3,4,5,6,7,8", "--vary", "section-size=8,12,16,20,24,28,32,36,40"}, {"64 pictures"}},
+      {{"--vary", "profile=geforce2,voodoo"}, {"voodoo", "geforce2"}},
+  };
+  for (const Case& c : cases) {
+    SCOPED_TRACE(testing::PrintToString(c.flags));
+    expect_error(ninebit(small_compare(kRoom, folder / "out", c.flags)), 2, c.words);
+  }
+  EXPECT_TRUE(files_in(folder / "out").empty());
+  expect_error(ninebit(small_compare(folder / "missing.obj", folder / "out")), 3, {"missing.obj"});
+  write_bytes(folder / "file", "");
+  expect_error(ninebit(small_compare(kRoom, folder / "file/out")), 4, {"file/out"});
+}
+
+TEST(Compare, AnInterruptLeavesNothing) {
+  const TempFolder folder;
+  Child child({"compare", kRoom, "-o", folder / "out", "--size", "1600x1200", "--quiet", "--vary",
+               "index-step=1,2,3,4,5,6,7,8"});
+  while (!child.ended() && !std::filesystem::exists(folder / "out")) {
+  }
+  child.send(SIGINT);
+  EXPECT_EQ(child.wait().code, 130);
+  EXPECT_TRUE(files_in(folder / "out").empty());
+}
+
+}  // namespace
+}  // namespace tools_test

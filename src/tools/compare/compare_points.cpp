@@ -1,0 +1,242 @@
+#include "src/tools/compare/compare_points.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+#include <utility>
+
+#include "src/language/source/nearest_name.h"
+#include "src/tools/common/technique_flags.h"
+
+namespace ninebit::tools {
+namespace {
+
+// One --vary.
+struct VariedFlag {
+  std::string flag;  // without dashes
+  std::vector<std::string> values;
+};
+
+// Flags whose values contain commas; their lists have semicolons.
+constexpr std::array<std::string_view, 3> kCommaFlags{"polygon-offset", "light-rotate", "cookie"};
+
+std::vector<std::string> flags_to_vary() {
+  std::vector<std::string> names{"technique", "profile", "cull", "depth-stencil"};
+  for (const std::string& flag : technique_flags()) names.push_back(flag.substr(2));
+  return names;
+}
+
+std::vector<std::string> parts_of_list(std::string_view list, char separator) {
+  std::vector<std::string> parts;
+  while (true) {
+    const std::size_t end = list.find(separator);
+    parts.emplace_back(list.substr(0, end));
+    if (end == std::string_view::npos) return parts;
+    list.remove_prefix(end + 1);
+  }
+}
+
+[[noreturn]] void refuse_vary(const std::string& text, const std::string& why) {
+  throw CLI::ValidationError(fmt::format("--vary {}: {}", text, why));
+}
+
+VariedFlag varied_flag(const std::string& text) {
+  const std::size_t equals = text.find('=');
+  std::string flag = text.substr(0, equals);
+  flag.erase(0, std::min(flag.find_first_not_of('-'), flag.size()));
+  const std::vector<std::string> known = flags_to_vary();
+  if (equals == std::string::npos || equals + 1 == text.size()) {
+    refuse_vary(text, "expected FLAG=VALUE,VALUE, such as index-step=1,2,3");
+  }
+  if (std::find(known.begin(), known.end(), flag) == known.end()) {
+    refuse_vary(text, fmt::format("'{}' cannot be varied; expected one of {}{}", flag, fmt::join(known, ", "),
+                                  did_you_mean(flag, known)));
+  }
+  const bool has_commas = std::find(kCommaFlags.begin(), kCommaFlags.end(), flag) != kCommaFlags.end();
+  VariedFlag varied{std::move(flag), parts_of_list(std::string_view(text).substr(equals + 1), has_commas ? ';' : ',')};
+  for (auto value = varied.values.begin(); value != varied.values.end(); ++value) {
+    if (value->empty()) refuse_vary(text, "a value is empty; expected a value before and after each separator");
+    if (std::find(varied.values.begin(), value, *value) != value) {
+      refuse_vary(text, fmt::format("the value {} is given twice; expected different values", *value));
+    }
+  }
+  return varied;
+}
+
+std::vector<VariedFlag> varied_flags(const CompareFlags& flags) {
+  std::vector<VariedFlag> all;
+  for (const std::string& text : flags.vary) {
+    VariedFlag varied = varied_flag(text);
+    for (const VariedFlag& other : all) {
+      if (other.flag == varied.flag) refuse_vary(text, "this flag is varied twice; expected one list");
+    }
+    for (const CLI::Option* option : flags.scene_options) {
+      if (option->get_name() == "--" + varied.flag && option->count() > 0) {
+        refuse_vary(text, fmt::format("--{} is also given; expected one of them", varied.flag));
+      }
+    }
+    all.push_back(std::move(varied));
+  }
+  return all;
+}
+
+// Parses the flags as `render` does. Throws CLI::ParseError.
+ComparedPoint parse_point(std::vector<std::string> arguments) {
+  ComparedPoint point;
+  CLI::App verb;
+  add_common_flags(verb, point.common);
+  add_scene_file(verb, "scene", point.scene);
+  add_scene_flags(verb, point.scene);
+  std::reverse(arguments.begin(), arguments.end());  // CLI11 takes them from the end
+  verb.parse(arguments);
+  return point;
+}
+
+// The given flags as arguments, but for the technique and those that `reads` rejects.
+template <class Reads>
+std::vector<std::string> given_arguments(const CompareFlags& flags, const Reads& reads) {
+  std::vector<std::string> arguments;
+  for (const CLI::Option* option : flags.scene_options) {
+    const std::string name = option->get_name();
+    if (option->count() == 0 || name == "--technique" || !reads(name)) continue;
+    if (name == "--profile") {  // its text became the profile's name
+      const CommonFlags& common = flags.common;
+      arguments.push_back(name + '=' + (common.profile_file.empty() ? common.profile : common.profile_file));
+    } else if (option->get_items_expected_max() == 0) {
+      arguments.push_back(name);
+    } else {
+      arguments.push_back(name + '=' + option->results().back());
+    }
+  }
+  return arguments;
+}
+
+void complete_point(const CompareFlags& flags, const LightKinds& kinds, ComparedPoint& point) {
+  point.scene.file = flags.scene.file;
+  point.scene.allow_outside = flags.scene.allow_outside;
+  point.scene.up = flags.scene.up;
+  point.scene.light_kinds = kinds;
+}
+
+ComparedPoint varied_point(const CompareFlags& flags, const std::vector<VariedFlag>& varied, std::size_t number,
+                           std::vector<std::string> arguments) {
+  std::vector<std::pair<std::string, std::string>> values;
+  for (auto flag = varied.rbegin(); flag != varied.rend(); ++flag) {
+    values.emplace_back(flag->flag, flag->values[number % flag->values.size()]);
+    number /= flag->values.size();
+  }
+  std::reverse(values.begin(), values.end());
+  std::vector<std::string> words;
+  for (const auto& [flag, value] : values) {
+    arguments.push_back(fmt::format("--{}={}", flag, value));
+    words.push_back(flag == "technique" ? value : fmt::format("{} {}", flag, value));
+  }
+  const std::string name = fmt::format("{}", fmt::join(words, ", "));
+  try {
+    ComparedPoint point = parse_point(std::move(arguments));
+    point.name = name;
+    point.varied = std::move(values);
+    return point;
+  } catch (const CLI::ParseError& error) {
+    throw CLI::ValidationError(fmt::format("--vary {}: {}", fmt::join(flags.vary, " --vary "), error.what()));
+  }
+}
+
+std::size_t pixels_of_size(const CompareFlags& flags) {
+  const RenderSettings settings = settings_of(flags.scene, flags.common);
+  return static_cast<std::size_t>(settings.width) * static_cast<std::size_t>(settings.height);
+}
+
+}  // namespace
+
+const char* light_kind_name(LightKind kind) {
+  return kind == LightKind::point ? "point" : kind == LightKind::spot ? "spot" : "directional";
+}
+
+LightKinds light_kinds_of(const CompareFlags& flags) {
+  LightKinds kinds{.point = true, .spot = true, .directional = true};
+  if (flags.vary.empty()) return kinds;
+  std::vector<std::string> names{flags.scene.technique};
+  for (const VariedFlag& varied : varied_flags(flags)) {
+    if (varied.flag == "technique") names = varied.values;
+  }
+  for (const std::string& name : names) {
+    const Technique* technique = find_technique(name);
+    if (technique == nullptr) continue;  // varied_points reports it
+    kinds.point = kinds.point && technique->lights.point;
+    kinds.spot = kinds.spot && technique->lights.spot;
+    kinds.directional = kinds.directional && technique->lights.directional;
+  }
+  if (kinds.point || kinds.spot || kinds.directional) return kinds;
+  throw CLI::ValidationError(
+      fmt::format("--vary technique={}: no kind of light is supported by all of them; expected techniques that share "
+                  "one",
+                  fmt::join(names, ",")));
+}
+
+ComparedPoints varied_points(const CompareFlags& flags) {
+  const LightKinds kinds = light_kinds_of(flags);
+  const std::vector<VariedFlag> varied = varied_flags(flags);
+  std::size_t count = 1;
+  for (const VariedFlag& flag : varied) {
+    count *= flag.values.size();
+    if (count <= kMostCompared && count * pixels_of_size(flags) <= kMostComparedPixels) continue;
+    throw CLI::ValidationError(
+        fmt::format("--vary {}: more than {} pictures, or {} pixels in all of them; expected fewer values or a "
+                    "smaller --size",
+                    fmt::join(flags.vary, " --vary "), kMostCompared, kMostComparedPixels));
+  }
+  std::vector<std::string> arguments = given_arguments(flags, [](const std::string&) { return true; });
+  const bool names_technique =
+      std::any_of(varied.begin(), varied.end(), [](const VariedFlag& flag) { return flag.flag == "technique"; });
+  if (!names_technique) arguments.push_back("--technique=" + flags.scene.technique);
+  ComparedPoints all;
+  for (std::size_t i = 0; i < count; ++i) {
+    all.points.push_back(varied_point(flags, varied, i, arguments));
+    complete_point(flags, kinds, all.points.back());
+  }
+  return all;
+}
+
+Result<ComparedPoints> technique_points(const CompareFlags& flags, LightKind light) {
+  const LightKinds kinds{.point = light == LightKind::point,
+                         .spot = light == LightKind::spot,
+                         .directional = light == LightKind::directional};
+  ComparedPoints all;
+  for (const Technique& technique : techniques()) {
+    const std::string name(technique.name);
+    if (!technique.lights.has(light)) {
+      all.left_out.push_back({name, fmt::format("no support for a {} light", light_kind_name(light))});
+      continue;
+    }
+    if (name == "light-cookie" && flags.scene.cookie.empty()) {
+      all.left_out.push_back({name, "requires --cookie FILE"});
+      continue;
+    }
+    SceneFlags own = flags.scene;
+    own.technique = name;
+    std::vector<std::string> arguments =
+        given_arguments(flags, [&](const std::string& flag) { return reads_flag(own, flag); });
+    arguments.push_back("--technique=" + name);
+    try {
+      all.points.push_back(parse_point(std::move(arguments)));
+    } catch (const CLI::ParseError& error) {
+      return Diagnostic{.message = error.what()};
+    }
+    all.points.back().name = name;
+    complete_point(flags, kinds, all.points.back());
+  }
+  for (const CLI::Option* option : flags.scene_options) {
+    const auto reads = [&](const ComparedPoint& point) { return reads_flag(point.scene, option->get_name()); };
+    if (option->count() == 0 || std::any_of(all.points.begin(), all.points.end(), reads)) continue;
+    return Diagnostic{.message = fmt::format("{}: none of the compared techniques reads it; expected flags that one of "
+                                             "them reads, or another --light-type",
+                                             option->get_name())};
+  }
+  return all;
+}
+
+}  // namespace ninebit::tools

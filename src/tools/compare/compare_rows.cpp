@@ -1,0 +1,140 @@
+#include "src/tools/compare/compare_rows.h"
+
+#include <utility>
+
+#include "ninebit/image/image_io.h"
+#include "ninebit/shadow/pictures.h"
+#include "src/tools/common/picture_hashes.h"
+
+namespace ninebit::tools {
+namespace {
+
+constexpr int kFalselyLit = 128;
+
+// The causes of the wrong pixels, the top row first.
+Image8 cause_plane(const GroundTruth& truth, int width, int height) {
+  const auto w = static_cast<std::size_t>(width), h = static_cast<std::size_t>(height);
+  Image8 image{.width = width, .height = height, .channels = 1, .pixels = std::vector<std::uint8_t>(w * h)};
+  for (std::size_t y = 0; y < h; ++y) {
+    for (std::size_t x = 0; x < w; ++x) {
+      const std::size_t from = (h - 1 - y) * w + x;
+      if (truth.cause[from] == ErrorCause::none) continue;
+      const bool lit = truth.truth[from] == PixelTruth::shadowed;
+      image.pixels[y * w + x] =
+          static_cast<std::uint8_t>(static_cast<int>(truth.cause[from]) + (lit ? kFalselyLit : 0));
+    }
+  }
+  return image;
+}
+
+Status judge_row(const Rendering& rendering, const RenderSettings& settings, const GroundTruthScene& rays,
+                 const Progress& progress, ComparedRow& row) {
+  if (!rendering.evidence) return {};
+  const auto truth = measure(rays, settings, rendering, progress);
+  if (!truth) return truth.error();
+  ComparedErrors errors{.false_lit = truth->false_lit, .false_shadowed = truth->false_shadowed};
+  for (const ErrorCause cause : causes_of(*rendering.evidence)) {
+    errors.by_cause.emplace_back(name_of(cause), truth->by_cause[static_cast<std::size_t>(cause)]);
+  }
+  auto plane = encode_png(cause_plane(*truth, settings.width, settings.height));
+  if (!plane) return plane.error();
+  row.wrong = std::move(*plane);
+  row.errors = std::move(errors);
+  return {};
+}
+
+Json errors_of_row(const ComparedErrors& errors) {
+  Json by_cause = Json::object();
+  for (const auto& [cause, count] : errors.by_cause) by_cause[cause] = count;
+  return {{"wrong", errors.false_lit + errors.false_shadowed},
+          {"false_lit", errors.false_lit},
+          {"false_shadowed", errors.false_shadowed},
+          {"by_cause", std::move(by_cause)}};
+}
+
+Json row_json(const ComparedPoint& point, const ComparedRow& row) {
+  Json varied = Json::object(), hashes = Json::object();
+  for (const auto& [flag, value] : point.varied) varied[flag] = value;
+  for (const auto& [name, hash] : row.hashes) hashes[name] = hash;
+  Json out{{"name", point.name},
+           {"technique", point.scene.technique},
+           {"profile", point.common.profile},
+           {"varied", std::move(varied)}};
+  if (!row.refused.empty()) {
+    out["refused"] = row.refused;
+    return out;
+  }
+  out["pixels"] = {{"background", row.background}, {"lit", row.lit}, {"shadowed", row.shadowed}};
+  out["errors"] = row.errors ? errors_of_row(*row.errors) : Json();
+  const PassTimes& pass = row.times;
+  out["time_ms"] = {{"transform", pass.transform},     {"maps", pass.maps},
+                    {"camera", pass.camera},           {"compare", pass.compare},
+                    {"shade", pass.lit + pass.shadow}, {"total", total_ms(pass)}};
+  out["texture_units"] = row.costs.texture_units ? Json(*row.costs.texture_units) : Json();
+  out["passes"] = row.costs.passes;
+  out["map_bytes"] = row.costs.map_bytes;
+  out["hash"] = std::move(hashes);
+  return out;
+}
+
+}  // namespace
+
+double total_ms(const PassTimes& times) {
+  return times.transform + times.maps + times.camera + times.compare + times.lit + times.shadow;
+}
+
+Result<ComparedRow> compared_row(const ComparedPoint& point, const Scene& scene, const GroundTruthScene& rays,
+                                 const Progress& progress) {
+  ComparedRow row;
+  RenderSettings settings = settings_of(point.scene, point.common);
+  settings.evidence = true;
+  const auto part = [&](double from, double share) {
+    return [&progress, from, share](std::string_view pass, double done) { return progress(pass, from + share * done); };
+  };
+  {
+    const auto judged = render_scene(point.scene, scene, settings, part(0.0, 0.4));
+    if (!judged && judged.error().fault != Fault::invalid_input) return judged.error();
+    if (!judged) {
+      row.refused = judged.error().message;
+      return row;
+    }
+    if (Status done = judge_row(*judged, settings, rays, part(0.4, 0.3), row); !done) return done.error();
+  }
+  // Rendered again, because keeping the evidence takes time of its own.
+  settings.evidence = false;
+  const auto rendering = render_scene(point.scene, scene, settings, part(0.7, 0.3));
+  if (!rendering) return rendering.error();
+  row.background = rendering->background;
+  row.lit = rendering->lit;
+  row.shadowed = rendering->shadowed;
+  row.times = rendering->times;
+  row.costs = costs_of(point.scene.technique, settings, *rendering);
+  row.hashes = picture_hashes(*rendering);
+  auto color = encode_png(color_picture(*rendering));
+  if (!color) return color.error();
+  row.color = std::move(*color);
+  return row;
+}
+
+Json compare_json(const CompareFlags& flags, const Comparison& comparison) {
+  Json rows = Json::array(), left_out = Json::array();
+  for (std::size_t i = 0; i < comparison.rows.size(); ++i) {
+    rows.push_back(row_json(comparison.compared.points[i], comparison.rows[i]));
+  }
+  for (const LeftOut& one : comparison.compared.left_out) {
+    left_out.push_back({{"technique", one.technique}, {"reason", one.reason}});
+  }
+  return {{"command", "compare"},
+          {"version", NINEBIT_VERSION},
+          {"profile", flags.common.profile},
+          {"scene", flags.scene.file},
+          {"triangles", comparison.triangles},
+          {"size", {comparison.width, comparison.height}},
+          {"light", comparison.light},
+          {"vary", flags.vary},
+          {"rows", std::move(rows)},
+          {"left_out", std::move(left_out)},
+          {"ignored", comparison.ignored}};
+}
+
+}  // namespace ninebit::tools

@@ -1,0 +1,50 @@
+// The rows of `ninebit compare`: each point rendered, judged by rays and measured.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ninebit/shadow/ground_truth.h"
+#include "src/tools/compare/compare_costs.h"
+#include "src/tools/compare/compare_points.h"
+
+namespace ninebit::tools {
+
+// The wrong pixels of a rendering.
+struct ComparedErrors {
+  std::uint64_t false_lit = 0, false_shadowed = 0;
+  std::vector<std::pair<std::string, std::uint64_t>> by_cause{};  // the causes that are possible
+};
+
+struct ComparedRow {
+  std::string refused{};  // why the technique cannot draw the scene; empty: it was drawn
+  std::uint64_t background = 0, lit = 0, shadowed = 0;
+  std::optional<ComparedErrors> errors{};  // empty if no shadows were drawn
+  PassTimes times{};                       // of a rendering that is not judged
+  TechniqueCosts costs{};
+  std::vector<std::pair<std::string, std::string>> hashes{};  // as picture_hashes
+  std::string color{};                                        // the picture as PNG
+  std::string wrong{};  // as PNG, grey: 0, or the number of an ErrorCause, plus 128 if the pixel is falsely lit
+};
+
+// Everything that a comparison found.
+struct Comparison {
+  ComparedPoints compared{};
+  std::vector<ComparedRow> rows{};  // one per point
+  std::vector<std::string> ignored{};
+  std::string light{};  // "point light at 1, 2, 3"
+  int width = 0, height = 0;
+  std::size_t triangles = 0;
+};
+
+// Renders, judges and measures one point. A scene or a setting that the technique cannot draw is a row with the reason.
+[[nodiscard]] Result<ComparedRow> compared_row(const ComparedPoint& point, const Scene& scene,
+                                               const GroundTruthScene& rays, const Progress& progress);
+
+[[nodiscard]] double total_ms(const PassTimes& times);
+
+// The object of --json and report.json.
+[[nodiscard]] Json compare_json(const CompareFlags& flags, const Comparison& comparison);
+
+}  // namespace ninebit::tools
