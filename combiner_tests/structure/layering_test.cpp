@@ -59,7 +59,6 @@ const std::vector<Library> kLibraries{
     {std::regex("embree3/.*"), {"shadow"}},
     {std::regex("OpenImageIO/.*|png\\.h|Imf.*|OpenEXR/.*|Iex.*|half\\.h|Imath.*"), {"image"}},
     {std::regex("CLI/.*"), {"tools"}},
-    {std::regex("cairo\\.h"), {"study"}},
     {std::regex("zlib\\.h"), {"tools"}},
     {std::regex("openssl/.*"), {"system"}},
     {std::regex("pybind11/.*"), {"python"}},

@@ -11,6 +11,7 @@
 
 #include "combiner_tests/study/support.h"
 #include "ninebit/combiner/evaluate.h"
+#include "ninebit/study/report_files.h"
 #include "src/study/datapath/operations.h"
 #include "src/study/digits/wide_counts.h"
 
@@ -241,6 +242,12 @@ void the_report_has_maps_and_tables() {
   }
   EXPECT_EQ(products, 1);
   EXPECT_EQ(small, 1);
+  const auto html = report_html(study().question(), "1", *report, rows());
+  ASSERT_TRUE(html.ok());
+  EXPECT_LT(html->size(), 2000000U);
+  EXPECT_EQ(report->headlines.size(), 1U);
+  ASSERT_EQ(report->summary.size(), 2U);
+  EXPECT_EQ(report->summary[0].rows.size(), 4U);
   // Half of what there is, for a run that was interrupted.
   const auto part = study().report(std::span(rows()).first(8), 1);
   ASSERT_TRUE(part.ok());

@@ -198,6 +198,10 @@ TEST(DepthPackingStudy, UnitsAnswerWhatIsAsked) {
   EXPECT_EQ(answers.find("rgba8-mod (round) shifts"), std::string::npos) << answers;
   ASSERT_EQ(report->tables.size(), 1U);
   EXPECT_EQ(report->tables[0].rows.size(), 4U);
+  const auto& columns = report->tables[0].columns;
+  EXPECT_NE(std::find(columns.begin(), columns.end(), "max_error below 1"), columns.end());
+  ASSERT_EQ(report->summary.size(), 1U);
+  EXPECT_EQ(report->summary[0].rows.size(), 4U);
   EXPECT_EQ(report->plots.size(), 4U);
   ASSERT_EQ(report->heat_maps.size(), 3U);  // both of fract; mod where it is cut
   EXPECT_EQ(report->heat_maps[0].values.size(), 65536U);

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <map>
 #include <set>
@@ -187,13 +188,52 @@ TEST(IndexStepsStudy, TheReportAnswersInWordsTablesAndPictures) {
   EXPECT_EQ(at(0, 1), 1.0F);
   EXPECT_EQ(at(1, 1), 1.0F);
   EXPECT_EQ(at(-1, 1), 1.0F);
-  EXPECT_EQ(at(2, 1), -1.0F);
-  EXPECT_EQ(at(1, 2), 0.0F);
-  EXPECT_EQ(at(2, 2), -1.0F);
+  EXPECT_EQ(at(2, 1), 0.0F);
+  EXPECT_TRUE(std::isnan(at(1, 2)));  // even values have no such pair
+  EXPECT_EQ(at(2, 2), 0.0F);
+  EXPECT_EQ(map->low, 0.0F);
+  const auto pairs = std::find_if(report->heat_maps.begin(), report->heat_maps.end(),
+                                  [](const HeatMap& m) { return m.file == "alpha-geforce2-both-x4"; });
+  ASSERT_NE(pairs, report->heat_maps.end());
+  EXPECT_EQ(pairs->values[0], 0.0F);          // equal
+  EXPECT_TRUE(std::isnan(pairs->values[1]));  // 0 and 1 compare equal
+  EXPECT_GT(pairs->values[255], 200.0F);
+
+  // The page begins with one sentence and a table of steps.
+  EXPECT_EQ(
+      report->headlines,
+      (std::vector<std::string>{"both-x4: the smallest safe step is 2 on geforce2; 4 on geforce2-early-truncation."}));
+  ASSERT_EQ(report->summary.size(), 1U);
+  EXPECT_EQ(report->summary[0].columns, (std::vector<std::string>{"variant", "geforce2", "geforce2-early-truncation"}));
+  EXPECT_EQ(report->summary[0].rows[0][2], StudyValue(std::int64_t{4}));
+  EXPECT_EQ(report->summary[0].rows[1][1], StudyValue(std::string("none")));
 
   const auto part = (*made)->report(std::span(rows).first(4), 1);
   ASSERT_TRUE(part.ok());
   EXPECT_EQ(part->answers[0], "1 of 8 combinations of profile, format and variant were counted.");
+  EXPECT_EQ(part->headlines[0], part->answers[0]);
+}
+
+TEST(IndexStepsStudy, PlotsCompareWhatThereIs) {
+  const auto plots_of = [](const std::set<std::string_view>& names, int profiles) {
+    IndexStepsOptions options{.profiles = {profiles::geforce2},
+                              .formats = {StudyFormat::channel, StudyFormat::luminance, StudyFormat::alpha},
+                              .variants = variants(names),
+                              .last_step = 2};
+    if (profiles > 1) options.profiles.push_back(profiles::geforce2_early_truncation);
+    const auto made = index_steps_study(options);
+    std::vector<std::string> titles;
+    for (const Plot& plot : (*made)->report(rows_of(**made), (*made)->units())->plots) {
+      if (plot.title.starts_with("False matches")) titles.push_back(plot.title);
+    }
+    return titles;
+  };
+  using Titles = std::vector<std::string>;
+  // The lines of these formats are the same, so they share a plot.
+  EXPECT_EQ(plots_of({"both-x4"}, 1), (Titles{"False matches in channel, l, a: both-x4, geforce2"}));
+  EXPECT_EQ(plots_of({"both-x4", "no-scale"}, 1),
+            (Titles{"False matches in channel, l, a: geforce2, by variant of the program"}));
+  EXPECT_EQ(plots_of({"both-x4"}, 2), (Titles{"False matches in channel, l, a: both-x4, by profile"}));
 }
 
 TEST(IndexStepsStudy, AProgramOfOnesOwn) {

@@ -99,12 +99,13 @@ ExampleReport example() {
     }
   }
   made.rows.push_back({"worst", {{"operation", std::string("product")}, {"error", 1.0 / 3.0}}});
-  Plot bars{.file = "errors-by-stage",
-            .title = "Mean error by stage",
-            .x_label = "stage",
-            .y_label = "mean error",
-            .bars = true,
-            .series = {{"rgb", {{1, 0.25}, {2, 0.75}, {3, 1.5}}}, {"alpha", {{1, -0.5}, {3, 1.0}}}}};
+  Plot bars{
+      .file = "errors-by-stage",
+      .title = "Mean error by stage",
+      .x_label = "stage",
+      .y_label = "mean error",
+      .bars = true,
+      .series = {{"rgb", {{1, 0.25}, {2, 0.75}, {3, 1.5}}}, {"<img src=x onerror=alert(1)>", {{1, -0.5}, {3, 1.0}}}}};
   made.report = {.title = "Index steps <example>",
                  .answers = {"geforce2: step 2 is the smallest that loses no pair; it leaves 128 codes a channel.",
                              "geforce256-8bit: step 4; step 3 loses 86 of 7,140 pairs (1.2 %)."},

@@ -172,6 +172,23 @@ def check(browser, folder):
         browser.click(x + width / 2, y + height / 2)
         expect(browser.value(shown) == expected, f"a click in the legend: {expected}")
 
+    # Markup in a name is text.
+    legend = browser.value("[...document.querySelectorAll('.legend')].pop().textContent")
+    expect("<img src=x onerror=alert(1)>" in legend, f"a series with markup in its name is shown: {legend}")
+    expect(browser.value("document.querySelectorAll('img[src=x], b b, header b').length") == 0, "and is not run")
+
+    # Whole steps on an axis of steps; the plot is saved from the same description.
+    ticks = browser.value("Chart.getChart('plot-0').scales.x.ticks.map(tick => tick.value)")
+    expect(all(tick == int(tick) for tick in ticks) and len(ticks) > 3, f"steps are whole numbers: {ticks}")
+    saved = browser.value("""new Promise(done => {
+        HTMLAnchorElement.prototype.click = function () { done([this.download, this.href]); };
+        document.querySelector(".save").click();
+    })""")
+    picture = base64.b64decode(saved[1].partition(",")[2])
+    expect(saved[0] == "false-matches.png" and picture[:8] == b"\x89PNG\r\n\x1a\n" and len(picture) > 10000,
+           f"a plot is saved as {saved[0]}, {len(picture)} bytes")
+    expect(picture[16:24] == (1280).to_bytes(4, "big") + (800).to_bytes(4, "big"), "of 1280 x 800 pixels")
+
     # A heat map: drawn, and read by pointer and by keys. The pixel under the pointer is column 255 + 100, row 255 - 50.
     expect(browser.value(COLOURS % "'#map-0 .field canvas'") > 100, "a heat map is drawn")
     told = "document.querySelector('#map-0 output').textContent"

@@ -150,6 +150,8 @@ TEST(Report, NothingBreaksOutOfThePage) {
   made.report.heat_maps[0].title = made.report.heat_maps[0].caption = made.report.heat_maps[0].x_label = evil;
   made.report.heat_maps[0].y_label = made.report.heat_maps[0].file = evil;
   made.report.pictures[0].title = made.report.pictures[0].caption = made.report.pictures[0].file = evil;
+  made.report.heat_maps[0].none = evil;
+  made.report.summary = made.report.tables;
   made.rows[0].table = evil;
   const std::string html = html_of(made);
   EXPECT_EQ(times(html, "<script>alert"), 0U);
@@ -182,15 +184,63 @@ TEST(Report, DataOfPlotsAndMaps) {
   EXPECT_EQ(data["plots"][0]["series"][0]["points"][0]["y"], 12000.0);
   EXPECT_EQ(data["plots"][1]["labels"], nlohmann::json({"1", "2", "3"}));
   EXPECT_EQ(data["plots"][1]["series"][1]["points"], nlohmann::json({-0.5, nullptr, 1.0}));
-  // Values that are few are listed; the others are floats, four bytes each.
+  // Values that are few are listed.
   EXPECT_EQ(data["maps"][1]["known"].size(), 32U);
   EXPECT_TRUE(data["maps"][1]["known"][5].is_null());
   EXPECT_EQ(data["maps"][1]["values"], base64(std::string("\0\1\2\3\4\5\6\7", 8) + "\x08\x09\x0a\x0b\x0c\x0d\x0e\x0f" +
                                               "\x10\x11\x12\x13\x14\x15\x16\x17\x18\x19\x1a\x1b\x1c\x1d\x1e\x1f"));
-  EXPECT_FALSE(data["maps"][0].contains("known"));
-  EXPECT_EQ(data["maps"][0]["values"].get<std::string>().size(), (511U * 511U * 4U + 2U) / 3U * 4U);
+  EXPECT_EQ(data["maps"][0]["by"], "product");
   EXPECT_EQ(base64("Man"), "TWFu");
   EXPECT_EQ(base64(""), "");
+}
+
+// Left-out points break a line; the beginning and the end of a line need no mark.
+TEST(Report, LinesDoNotCrossPointsThatAreLeftOut) {
+  StudyReport report{.title = "a", .answers = {}};
+  report.plots.push_back({.file = "a",
+                          .title = "a",
+                          .x_label = "",
+                          .y_label = "",
+                          .log_y = true,
+                          .series = {{"a", {{1, 0}, {2, 3}, {3, 0}, {4, 0}, {5, 7}, {6, 1e300}}}}});
+  report.plots.push_back(report.plots[0]);
+  report.plots[1].even_x = true;
+  const auto text = page_data(report);
+  ASSERT_TRUE(text.ok());
+  const auto plots = nlohmann::json::parse(*text)["plots"];
+  EXPECT_EQ(plots[0]["series"][0]["points"],
+            nlohmann::json::parse(R"([{"x":2.0,"y":3.0},{"x":5.0,"y":null},{"x":5.0,"y":7.0}])"));
+  EXPECT_EQ(plots[1]["labels"], nlohmann::json({"2", "5"}));
+  EXPECT_EQ(plots[1]["series"][0]["points"], nlohmann::json({3.0, 7.0}));
+}
+
+TEST(Report, HeadlinesAndTheirTablesStandForTheAnswers) {
+  ExampleReport made = example();
+  made.report.headlines = {"One sentence."};
+  made.report.summary = {{.title = "Figures", .columns = {"step", "lost"}, .rows = {{std::int64_t{1}, 0.5}}}};
+  const std::string html = html_of(made);
+  EXPECT_NE(html.find("<li>One sentence.</li>"), std::string::npos);
+  EXPECT_EQ(html.find("step 2 is the smallest"), std::string::npos);
+  EXPECT_LT(html.find("<h3>Figures</h3>"), html.find("How it was made"));
+}
+
+TEST(Report, OneColumnOfATableStaysInView) {
+  ExampleReport made = example();
+  EXPECT_EQ(times(html_of(made), "class=\"n kept\""), 0U);
+  made.report.tables[0].kept = "false matches";
+  EXPECT_EQ(times(html_of(made), "class=\"n kept\""), made.report.tables[0].rows.size() + 1);
+}
+
+TEST(Report, UnevenColumnsOfAMapHaveTheirOwnLabels) {
+  ExampleReport made = example();
+  HeatMap& map = made.report.heat_maps[1];
+  map.x_values = {0, 1, 16, 64, 256, 1024, 4096, 16384};
+  EXPECT_NE(html_of(made).find("<span>256</span><span>1024</span><span>4096</span>"), std::string::npos);
+  EXPECT_EQ(nlohmann::json::parse(*page_data(made.report))["maps"][1]["x_values"].size(), 8U);
+  map.x_values.pop_back();
+  const auto failed = report_html(made.question, "1", made.report, made.rows);
+  ASSERT_FALSE(failed.ok());
+  EXPECT_NE(failed.error().message.find("7 and 0 coordinates; expected 8 and 4"), std::string::npos);
 }
 
 TEST(Report, AMapOfAnotherSizeIsReported) {
@@ -208,9 +258,8 @@ TEST(Report, FilesAreTheSameEachTime) {
   const auto second = write_report(folder.path() / "2", made.question, "1.2.3", made.report, made.rows);
   ASSERT_TRUE(first.ok()) << first.error().text();
   ASSERT_TRUE(second.ok());
-  const std::vector<std::string> names{"report.html",        "rows.json",         "rows.csv",
-                                       "worst.csv",          "false-matches.png", "errors-by-stage.png",
-                                       "product-errors.png", "by-step.png",       "wrong-pixels.png"};
+  const std::vector<std::string> names{"report.html",        "rows.json",   "rows.csv",        "worst.csv",
+                                       "product-errors.png", "by-step.png", "wrong-pixels.png"};
   ASSERT_EQ(first->size(), names.size());
   for (std::size_t i = 0; i < names.size(); ++i) {
     EXPECT_EQ((*first)[i], folder.path() / "1" / names[i]);
@@ -219,7 +268,7 @@ TEST(Report, FilesAreTheSameEachTime) {
     EXPECT_EQ(bytes, read_bytes((*second)[i])) << names[i];
   }
   EXPECT_EQ(read_bytes(folder.path() / "1/rows.csv"), report_csv(made.rows)[0].second);
-  EXPECT_EQ(std::distance(fs::directory_iterator(folder.path() / "1"), {}), 9);
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder.path() / "1"), {}), 7);
 }
 
 TEST(Report, AllFilesOrNone) {
@@ -235,12 +284,12 @@ TEST(Report, AllFilesOrNone) {
   EXPECT_EQ(failed.error().fault, Fault::cannot_write);
   EXPECT_NE(failed.error().text().find("late.png"), std::string::npos) << failed.error().text();
   EXPECT_EQ(read_bytes(folder.path() / "report.html"), old);
-  EXPECT_EQ(std::distance(fs::directory_iterator(folder.path()), {}), 10);  // and nothing is left over
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder.path()), {}), 8);  // and nothing is left over
   // Two of the same name would be one file.
-  made.report.pictures[0].file = made.report.plots[0].file;
+  made.report.pictures[0].file = made.report.heat_maps[0].file;
   const auto doubled = write_report(folder.path(), made.question, "new", made.report, made.rows);
   ASSERT_FALSE(doubled.ok());
-  EXPECT_NE(doubled.error().text().find("false-matches.png: two files"), std::string::npos) << doubled.error().text();
+  EXPECT_NE(doubled.error().text().find("product-errors.png: two files"), std::string::npos) << doubled.error().text();
   EXPECT_EQ(read_bytes(folder.path() / "report.html"), old);
 }
 

@@ -305,7 +305,10 @@ TEST(ShadowSweepReport, FindsTheBestOffsetAndItsPrice) {
   EXPECT_EQ(report.heat_maps[0].width, 2);
   EXPECT_EQ(report.heat_maps[0].height, 3);
   EXPECT_EQ(report.heat_maps[0].values, (std::vector<float>{8010, 5011, 540, 150, 320, 410}));
+  EXPECT_EQ(report.heat_maps[0].low, 150.0F);
   EXPECT_EQ(report.heat_maps[0].high, 8010.0F);
+  EXPECT_EQ(report.heat_maps[0].x_values, (std::vector<double>{0, 16}));
+  EXPECT_EQ(report.heat_maps[0].y_values, (std::vector<double>{0, 1, 4}));
 }
 
 TEST(ShadowSweepReport, TellsHowErrorsFallWithTheMap) {
@@ -322,7 +325,18 @@ TEST(ShadowSweepReport, TellsHowErrorsFallWithTheMap) {
   ASSERT_EQ(report.plots[0].series.size(), 1U);
   EXPECT_EQ(report.plots[0].series[0].points,
             (std::vector<std::pair<double, double>>{{128, 800}, {256, 500}, {512, 200}}));
-  EXPECT_EQ(report.plots[1].series.size(), 3U);  // acne, detached, sampling
+  ASSERT_EQ(report.plots[1].series.size(), 1U);
+  EXPECT_EQ(report.plots[1].series[0].name, "acne");
+  EXPECT_NE(report.plots[1].caption.find("Causes without a pixel: detached, sampling."), std::string::npos);
+  EXPECT_TRUE(report.plots[0].log_x);
+  EXPECT_FALSE(report.plots[0].log_y);  // 800 to 200
+  // The table shows what differs, and keeps the wrong pixels in view.
+  ASSERT_EQ(report.tables.size(), 1U);
+  EXPECT_EQ(report.tables[0].kept, "wrong");
+  const auto& columns = report.tables[0].columns;
+  EXPECT_NE(std::find(columns.begin(), columns.end(), "wrong"), columns.end());
+  EXPECT_EQ(std::find(columns.begin(), columns.end(), "technique"), columns.end());
+  EXPECT_NE(report.tables[0].caption.find("technique shadow-map"), std::string::npos) << report.tables[0].caption;
 }
 
 TEST(ShadowSweepReport, SaysWhatIsNotDoneYet) {

@@ -49,12 +49,13 @@ struct PlotSeries {
 
 // Series over common axes.
 struct Plot {
-  std::string file;                    // name of the PNG file without ".png": "false-matches-rgb"
-  std::string title;                   // shown above the plot
-  std::string x_label, y_label;        // names of the axes
+  std::string file;              // the name, without ".png", under which the page saves the plot: "false-matches-rgb"
+  std::string title;             // shown above the plot
+  std::string x_label, y_label;  // names of the axes
   std::vector<std::string> x_names{};  // labels of the bars at x = 1, 2, …; if empty, bars show their numbers
   bool bars = false;                   // bars at each x instead of lines between points
   bool log_x = false, log_y = false;   // points at 0 or below are left out on a logarithmic axis
+  bool even_x = false;                 // equal distances between the x of all points, whatever their values
   std::vector<PlotSeries> series;      // in the order of the legend
   std::string caption{};               // shown below the plot; may be empty
 };
@@ -70,7 +71,9 @@ struct HeatMap {
   std::vector<float> values;           // width × height
   // The values at the ends of the colour scale. If low < 0, negative and positive values differ in hue, and 0 is white.
   float low = 0.0F, high = 1.0F;
-  std::string caption{};  // shown below the map; may be empty
+  std::string caption{};                       // shown below the map; may be empty
+  std::string none = "none";                   // the page's word for a NaN, which is drawn grey
+  std::vector<double> x_values{}, y_values{};  // coordinates of the columns and rows, where they are not evenly spaced
 };
 
 // A picture that is shown unchanged.
@@ -87,12 +90,16 @@ struct ReportTable {
   std::vector<std::string> columns;           // column headings
   std::vector<std::vector<StudyValue>> rows;  // each with one value per column
   std::string caption{};                      // shown below the table; may be empty
+  std::string kept{};                         // heading of the column that stays in view when the table scrolls
 };
 
 // A study's report for people: answers first, then the data behind them.
 struct StudyReport {
-  std::string title;                      // "Index steps"
-  std::vector<std::string> answers;       // sentences that answer the study's question
+  std::string title;                 // "Index steps"
+  std::vector<std::string> answers;  // sentences that answer the study's question
+  // The page's opening sentences instead of `answers`, and the tables under them: for answers with many figures.
+  std::vector<std::string> headlines{};
+  std::vector<ReportTable> summary{};
   std::vector<ReportTable> tables{};      // in the order shown
   std::vector<Plot> plots{};              // in the order shown
   std::vector<HeatMap> heat_maps{};       // in the order shown

@@ -24,6 +24,7 @@ class Writer {
       out_.tables.push_back(table_of(profile));
     }
     compare();
+    if (profiles_.size() > 1) summarize();
     plot_operations("max-error-by-operation", "Largest error", "largest error, in codes", "max_error");
     plot_operations("mean-error-by-operation", "Mean error", "mean error, in codes", "mean_error");
     plot_forms();
@@ -48,6 +49,56 @@ class Writer {
     return row.text("operation") + (form.empty() ? "" : " (" + form + ")");
   }
 
+  // The row of the operation with the largest error; nullptr if there is no row.
+  [[nodiscard]] const StudyRow* worst_of(const HardwareProfile& profile) const {
+    const StudyRow* worst = nullptr;
+    for (const StudyRow& row : rows_) {
+      if (row.table != "rows" || row.text("profile") != profile.name) continue;
+      // Larger by more than rounding: so the first of several equal rows wins.
+      if (worst == nullptr || row.number("max_error") > worst->number("max_error") + 1e-12) worst = &row;
+    }
+    return worst;
+  }
+
+  // The page's opening if several profiles are compared: their worst operations, and tables of what the answers say.
+  void summarize() {
+    ReportTable table{.title = "Products and the worst operation, by profile",
+                      .columns = {"profile", "x1: exact, %", "x1: mean", "x4: exact, %", "x4: mean", "largest error",
+                                  "of operation", "at"},
+                      .rows = {},
+                      .caption = "Errors are in codes. x1 and x4: a product with that scale."};
+    double largest = -1.0;
+    for (const HardwareProfile& profile : profiles_) {
+      const StudyRow* worst = worst_of(profile);
+      if (worst == nullptr) continue;
+      std::vector<StudyValue>& values = table.rows.emplace_back();
+      values.emplace_back(std::string(profile.name));
+      for (const OutputForm& form : {kOutputForms[0], kOutputForms[2]}) {
+        const StudyRow* product = find(profile.name, "product", form.name);
+        values.resize(values.size() + 2);
+        if (product == nullptr) continue;
+        const auto last = values.end();
+        last[-2] = percent(product->count("exact"), product->count("cases"));
+        last[-1] = product->number("mean_error") * profile.one;
+      }
+      const double error = worst->number("max_error") * profile.one;
+      values.insert(values.end(), {error, name_of_row(*worst), (*worst)["worst"]});
+      if (error > largest) {
+        out_.headlines = {
+            fmt::format("The largest error of any operation and profile is {:.3f} codes, of {} at {} on {}.", error,
+                        name_of_row(*worst), worst->text("worst"), profile.name)};
+      }
+      largest = std::max(largest, error);
+    }
+    out_.summary.push_back(std::move(table));
+    if (!pairs_.rows.empty()) out_.summary.push_back(std::move(pairs_));
+  }
+
+  static std::string worst_in_words(const HardwareProfile& profile, const StudyRow& worst) {
+    return fmt::format("{}: the largest error of any operation is {:.3f} codes, of {} at {}.", profile.name,
+                       worst.number("max_error") * profile.one, name_of_row(worst), worst.text("worst"));
+  }
+
   // Describes products, on which everything else is built, then the worst of all operations.
   void describe(const HardwareProfile& profile) {
     for (const OutputForm& form : {kOutputForms[0], kOutputForms[2]}) {
@@ -61,16 +112,7 @@ class Writer {
           product->number("worst_exact") * profile.one, product->number("mean_error") * profile.one,
           plain(product->number("mean_bias") * profile.one)));
     }
-    const StudyRow* worst = nullptr;
-    for (const StudyRow& row : rows_) {
-      if (row.table != "rows" || row.text("profile") != profile.name) continue;
-      // Larger by more than rounding: so the first of several equal rows wins.
-      if (worst == nullptr || row.number("max_error") > worst->number("max_error") + 1e-12) worst = &row;
-    }
-    if (worst == nullptr) return;
-    out_.answers.push_back(fmt::format("{}: the largest error of any operation is {:.3f} codes, of {} at {}.",
-                                       profile.name, worst->number("max_error") * profile.one, name_of_row(*worst),
-                                       worst->text("worst")));
+    if (const StudyRow* worst = worst_of(profile)) out_.answers.push_back(worst_in_words(profile, *worst));
   }
 
   [[nodiscard]] ReportTable table_of(const HardwareProfile& profile) const {
@@ -127,6 +169,9 @@ class Writer {
         sentence += fmt::format("; they differ most in {}: on {:.3g} % of its inputs", name_of_row(*most), most_share);
       }
       out_.answers.push_back(sentence + ".");
+      pairs_.rows.push_back({first, second, std::uint64_t{agree}, std::uint64_t{all},
+                             most == nullptr ? StudyValue() : StudyValue(name_of_row(*most)),
+                             most == nullptr ? StudyValue() : StudyValue(most_share)});
     }
     if (!table.rows.empty()) out_.tables.push_back(std::move(table));
   }
@@ -155,6 +200,7 @@ class Writer {
       }
       plot.series.push_back(std::move(series));
     }
+    if (profiles_.size() == 1) plot.caption = fmt::format("On {}.", profiles_.front().name);
     out_.plots.push_back(std::move(plot));
   }
 
@@ -175,11 +221,16 @@ class Writer {
       }
       plot.series.push_back(std::move(series));
     }
+    if (profiles_.size() == 1) plot.caption = fmt::format("On {}.", profiles_.front().name);
     out_.plots.push_back(std::move(plot));
   }
 
   std::span<const HardwareProfile> profiles_;
   std::span<const StudyRow> rows_;
+  ReportTable pairs_{.title = "Agreement of profiles",
+                     .columns = {"first", "second", "operations that agree", "of", "differ most in", "% of its inputs"},
+                     .rows = {},
+                     .caption = "Two profiles agree on an operation if it gives the same codes for all inputs."};
   StudyReport out_;
 };
 
@@ -193,7 +244,9 @@ StudyReport datapath_report(std::span<const HardwareProfile> profiles, std::span
                             std::size_t units) {
   StudyReport report = Writer(profiles, rows).write();
   if (done < units) {
-    report.answers.insert(report.answers.begin(), fmt::format("Only {} of {} units were measured.", done, units));
+    const std::string partial = fmt::format("Only {} of {} units were measured.", done, units);
+    report.answers.insert(report.answers.begin(), partial);
+    if (!report.headlines.empty()) report.headlines.insert(report.headlines.begin(), partial);
   }
   return report;
 }

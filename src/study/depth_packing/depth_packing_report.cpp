@@ -8,42 +8,10 @@
 #include <set>
 #include <utility>
 
+#include "src/study/depth_packing/depth_packing_plots.h"
+
 namespace ninebit {
 namespace {
-
-double error_of(const DepthPacking& packing, ChannelStorage storage, float depth) {
-  return static_cast<double>(read_depth(packing, store_depth(packing, depth, storage))) - static_cast<double>(depth);
-}
-
-// The errors of a packing and storage at all depths of two digits, in steps of the second digit.
-struct Grid {
-  const DepthPacking* packing;
-  ChannelStorage storage;
-  std::vector<float> shift;  // [highest][second]
-  float largest = 0.0F;      // largest absolute shift
-
-  // False for a packing whose digits are in the wrong order: it loses the depth, and would dwarf the others in a plot.
-  [[nodiscard]] bool keeps_depth() const { return largest < 4096.0F; }
-  [[nodiscard]] std::string name() const { return fmt::format("{}-{}", packing->name, name_of(storage)); }
-};
-
-Grid grid_of(const DepthPacking& packing, ChannelStorage storage) {
-  Grid grid{.packing = &packing, .storage = storage, .shift = {}};
-  grid.shift.reserve(65536);
-  for (int i = 0; i < 65536; ++i) {
-    grid.shift.push_back(static_cast<float>(store_two_digits(packing, storage, i / 256, i % 256).shift));
-    grid.largest = std::max(grid.largest, std::fabs(grid.shift.back()));
-  }
-  return grid;
-}
-
-std::vector<Grid> grids_of(const DepthPackingOptions& options) {
-  std::vector<Grid> grids;
-  for (const std::string& name : options.packings) {
-    for (const ChannelStorage storage : options.storages) grids.push_back(grid_of(*find_depth_packing(name), storage));
-  }
-  return grids;
-}
 
 // The rows of one storage and set.
 std::vector<const StudyRow*> rows_of(std::span<const StudyRow> rows, std::string_view storage, std::string_view set) {
@@ -77,8 +45,8 @@ std::vector<std::string> errors_in_words(const DepthPackingOptions& options, std
                         (exact ? " is exact"
                          : exact_below_one
                              ? fmt::format(" is exact below depth 1{}", order_sentence(*row))
-                             : fmt::format(" has an error of up to {:.3g} (mean {:.3g}{})", row->number("max_error"),
-                                           row->number("mean_error"), order_sentence(*row))));
+                             : fmt::format(" has an error of up to {:.3g} below depth 1 (mean {:.3g}{})",
+                                           row->number("max_error"), row->number("mean_error"), order_sentence(*row))));
       }
       sentences.push_back(fmt::format(
           "{}, components {}: {}.",
@@ -107,9 +75,9 @@ std::vector<std::string> ends_in_words(std::span<const StudyRow> rows) {
   return {fmt::format("Changed ends of the range: {}.", fmt::join(changed, "; "))};
 }
 
-std::vector<std::string> digits_in_words(const std::vector<Grid>& grids, std::span<const StudyRow> rows) {
+std::vector<std::string> digits_in_words(const std::vector<DigitGrid>& grids, std::span<const StudyRow> rows) {
   std::vector<std::string> sentences;
-  for (const Grid& grid : grids) {
+  for (const DigitGrid& grid : grids) {
     std::vector<double> shifts;
     for (const StudyRow& row : rows) {
       if (row.table == kSecondDigitTable && row.text("packing") == grid.packing->name &&
@@ -127,13 +95,97 @@ std::vector<std::string> digits_in_words(const std::vector<Grid>& grids, std::sp
   return sentences;
 }
 
+std::string set_in_words(std::string_view set) {
+  return set == name_of(DepthSet::floats) ? "floats" : fmt::format("{} bits", set);
+}
+
+// The packings of these rows, with the storage if not all storages are among them.
+std::string packings_in_words(const DepthPackingOptions& options, const std::vector<const StudyRow*>& rows) {
+  std::vector<std::string> names;
+  for (const std::string& packing : options.packings) {
+    std::set<std::string> storages;
+    for (const StudyRow* row : rows) {
+      if (row->text("packing") == packing) storages.insert(row->text("storage"));
+    }
+    if (storages.empty()) continue;
+    const bool all = storages.size() == options.storages.size();
+    names.push_back(all ? packing : fmt::format("{} ({})", packing, fmt::join(storages, ", ")));
+  }
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
+// The opening of the page: which packings are exact, for each set of depths, and which change depth 1.
+std::vector<std::string> exactness_in_words(const DepthPackingOptions& options, std::span<const StudyRow> rows) {
+  std::vector<std::string> sentences;
+  std::vector<const StudyRow*> changed;
+  for (const DepthSet set : options.sets) {
+    std::vector<const StudyRow*> exact, below_one;
+    bool measured = false;
+    for (const StudyRow& row : rows) {
+      if (row.table != "rows" || row.text("depths") != name_of(set)) continue;
+      measured = true;
+      if (row.count("exact") == row.count("count")) {
+        exact.push_back(&row);
+      } else if (row.number("max_error") == 0.0) {
+        below_one.push_back(&row);
+      }
+      if (row.number("one_reads_as") != 1.0) changed.push_back(&row);
+    }
+    const std::string of = set_in_words(name_of(set));
+    if (!exact.empty()) {
+      sentences.push_back(fmt::format("Exact for all depths ({}): {}.", of, packings_in_words(options, exact)));
+    }
+    if (!below_one.empty()) {
+      sentences.push_back(fmt::format("Exact for all depths below 1, but not for depth 1 ({}): {}.", of,
+                                      packings_in_words(options, below_one)));
+    }
+    if (measured && exact.empty() && below_one.empty())
+      sentences.push_back(fmt::format("No packing is exact ({}).", of));
+  }
+  if (!changed.empty()) {
+    sentences.push_back(fmt::format("Depth 1 is not restored by {}.", packings_in_words(options, changed)));
+  }
+  return sentences;
+}
+
+// A row for each packing and storage, with the largest error in each set of depths.
+ReportTable largest_errors(const DepthPackingOptions& options, std::span<const StudyRow> rows) {
+  ReportTable table{.title = "Largest error below depth 1",
+                    .columns = {"packing", "storage"},
+                    .rows = {},
+                    .caption = "The errors leave depth 1 out: its value is in the last column."};
+  for (const DepthSet set : options.sets) table.columns.push_back(set_in_words(name_of(set)));
+  table.columns.insert(table.columns.end(), {"0 reads as", "1 reads as"});
+  for (const StudyRow& row : rows) {
+    if (row.table != "rows" || row.text("depths") != name_of(options.sets.front())) continue;
+    std::vector<StudyValue>& values = table.rows.emplace_back();
+    values = {row["packing"], row["storage"]};
+    for (const DepthSet set : options.sets) {
+      const auto of_set = rows_of(rows, row.text("storage"), name_of(set));
+      const auto found = std::find_if(of_set.begin(), of_set.end(),
+                                      [&](const StudyRow* other) { return (*other)["packing"] == row["packing"]; });
+      values.push_back(found == of_set.end() ? StudyValue() : (**found)["max_error"]);
+    }
+    values.insert(values.end(), {row["zero_reads_as"], row["one_reads_as"]});
+  }
+  return table;
+}
+
+// The fields that leave depth 1 out.
+bool is_below_one(std::string_view field) {
+  return field.ends_with("_error") || field == "mean_bias" || field.starts_with("worst_");
+}
+
 ReportTable error_table(std::span<const StudyRow> rows) {
   ReportTable table{.title = "Round trips", .columns = {}, .rows = {}};
   for (const StudyRow& row : rows) {
     if (row.table != "rows") continue;
     if (table.columns.empty()) {
       table.columns = {"packing", "three.js"};
-      for (std::size_t i = 1; i < row.fields.size(); ++i) table.columns.push_back(row.fields[i].first);
+      for (std::size_t i = 1; i < row.fields.size(); ++i) {
+        const std::string& name = row.fields[i].first;
+        table.columns.push_back(is_below_one(name) ? name + " below 1" : name);
+      }
     }
     std::vector<StudyValue> values{row.text("packing"), std::string(find_depth_packing(row.text("packing"))->releases)};
     for (std::size_t i = 1; i < row.fields.size(); ++i) values.push_back(row.fields[i].second);
@@ -146,107 +198,21 @@ ReportTable error_table(std::span<const StudyRow> rows) {
   return table;
 }
 
-// The signed error with the largest absolute value in each of 512 parts of the range.
-Plot error_plot(const std::vector<Grid>& grids, ChannelStorage storage) {
-  constexpr int kStretches = 512, kDepths = 512;
-  Plot plot{
-      .file = fmt::format("error-by-depth-{}", name_of(storage)),
-      .title = fmt::format("Error by depth, components {}", storage == ChannelStorage::round ? "rounded" : "truncated"),
-      .x_label = "depth",
-      .y_label = "largest error",
-      .series = {}};
-  for (const Grid& grid : grids) {
-    if (grid.storage != storage || !grid.keeps_depth()) continue;
-    PlotSeries series{.name = std::string(grid.packing->name), .points = {}};
-    for (int s = 0; s < kStretches; ++s) {
-      double largest = 0.0;
-      for (int i = 0; i < kDepths; ++i) {
-        const float depth = static_cast<float>(s * kDepths + i) / (kStretches * kDepths);
-        const double error = error_of(*grid.packing, storage, depth);
-        if (std::fabs(error) > std::fabs(largest)) largest = error;
-      }
-      series.points.emplace_back((s + 0.5) / kStretches, largest);
-    }
-    plot.series.push_back(std::move(series));
-  }
-  plot.caption = "For each 512th of the range, the error with the largest absolute value among 512 depths.";
-  return plot;
-}
-
-// In a scene 256 units deep. The error ranges from half a unit too far to half a unit too near.
-Plot middle_plot(const std::vector<Grid>& grids) {
-  Plot plot{.file = "error-halfway",
-            .title = "Error halfway through a range of 256 units, components rounded",
-            .x_label = "depth in units of 1/256",
-            .y_label = "error in units of 1/256",
-            .series = {}};
-  for (const Grid& grid : grids) {
-    if (grid.storage != ChannelStorage::round || !grid.keeps_depth()) continue;
-    PlotSeries series{.name = std::string(grid.packing->name), .points = {}};
-    for (int i = 126 * 128; i <= 132 * 128; ++i) {
-      const float depth = static_cast<float>(i) / 32768.0F;
-      series.points.emplace_back(i / 128.0, 256.0 * error_of(*grid.packing, grid.storage, depth));
-    }
-    plot.series.push_back(std::move(series));
-  }
-  plot.caption = "Where a surface is deeper than its stored depth, it shades itself; before the jump, light leaks.";
-  return plot;
-}
-
-Plot digit_plot(const std::vector<Grid>& grids) {
-  Plot plot{.file = "second-digit",
-            .title = fmt::format("Shift of the second component where the highest is {}", kChartDigit),
-            .x_label = "second digit",
-            .y_label = "shift in steps of the second digit",
-            .series = {}};
-  for (const Grid& grid : grids) {
-    if (!grid.keeps_depth()) continue;
-    PlotSeries series{.name = grid.name(), .points = {}};
-    for (std::size_t digit = 0; digit < 256; ++digit) {
-      series.points.emplace_back(digit, grid.shift[kChartDigit * 256 + digit]);
-    }
-    plot.series.push_back(std::move(series));
-  }
-  plot.caption = "The value read back for a depth of two digits in base 256, minus the depth.";
-  return plot;
-}
-
-HeatMap digits_map(const Grid& grid) {
-  return {.file = fmt::format("shift-{}", grid.name()),
-          .title = fmt::format("Shift by both digits: {}", grid.name()),
-          .x_label = "second digit",
-          .y_label = "highest digit",
-          .x_first = 0.0,
-          .x_last = 255.0,
-          .y_first = 0.0,
-          .y_last = 255.0,
-          .width = 256,
-          .height = 256,
-          .values = grid.shift,
-          .low = -grid.largest,
-          .high = grid.largest,
-          .caption = "In steps of the second digit, 1/65536 of the range."};
-}
-
 }  // namespace
 
 StudyReport depth_packing_report(const DepthPackingOptions& options, std::span<const StudyRow> rows) {
   StudyReport report{.title = "Depth packing", .answers = {}};
-  const std::vector<Grid> grids = grids_of(options);
+  const std::vector<DigitGrid> grids = digit_grids(options);
   for (const auto& sentences : {errors_in_words(options, rows), ends_in_words(rows), digits_in_words(grids, rows)}) {
     report.answers.insert(report.answers.end(), sentences.begin(), sentences.end());
   }
+  report.headlines = exactness_in_words(options, rows);
+  const std::vector<std::string> shifts = digits_in_words(grids, rows);
+  report.headlines.insert(report.headlines.end(), shifts.begin(), shifts.end());
+  report.summary.push_back(largest_errors(options, rows));
   report.tables.push_back(error_table(rows));
-  std::vector<Plot> plots;
-  for (const ChannelStorage storage : options.storages) plots.push_back(error_plot(grids, storage));
-  plots.push_back(middle_plot(grids));
-  plots.push_back(digit_plot(grids));
-  for (Plot& plot : plots) {
-    if (!plot.series.empty()) report.plots.push_back(std::move(plot));
-  }
-  for (const Grid& grid : grids) {
-    if (grid.largest >= 1.0F && grid.keeps_depth()) report.heat_maps.push_back(digits_map(grid));
-  }
+  report.plots = depth_packing_plots(options, grids);
+  report.heat_maps = depth_packing_maps(grids);
   return report;
 }
 

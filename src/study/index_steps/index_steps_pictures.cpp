@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdlib>
+#include <limits>
 #include <memory>
 
 #include "ninebit/combiner/batch_program.h"
@@ -49,11 +50,12 @@ HeatMap pair_map(const std::string& name, std::string_view file, const std::vect
               .width = kBytes,
               .height = kBytes,
               .values = {alphas.begin(), alphas.end()},
-              .low = -255.0F,
+              .low = 0.0F,
               .high = 255.0F,
-              .caption = "-255 marks different values that compare equal (alpha 0)."};
+              .caption = "Grey: different values that compare equal (alpha 0).",
+              .none = "0, compares equal"};
   for (std::size_t i = 0; i < map.values.size(); ++i) {
-    if (i / kBytes != i % kBytes && alphas[i] == 0) map.values[i] = -255.0F;
+    if (i / kBytes != i % kBytes && alphas[i] == 0) map.values[i] = std::numeric_limits<float>::quiet_NaN();
   }
   return map;
 }
@@ -73,11 +75,12 @@ HeatMap step_map(const IndexStepsOptions& options, const std::string& name, std:
               .width = width,
               .height = options.last_step - options.first_step + 1,
               .values = {},
-              .low = -1.0F,
+              .low = 0.0F,
               .high = 1.0F,
               .caption =
                   "The share of the step's pairs with that difference that compare equal. It should be 0 except at "
-                  "difference 0. -1: the step has no such pair."};
+                  "difference 0. Grey: the step has no such pair.",
+              .none = "no such pair"};
   for (int step = options.first_step; step <= options.last_step; ++step) {
     std::vector<int> pairs(static_cast<std::size_t>(width)), equal(pairs);
     for (int own = 0; own < kBytes; own += step) {
@@ -90,7 +93,7 @@ HeatMap step_map(const IndexStepsOptions& options, const std::string& name, std:
     }
     for (std::size_t i = 0; i < pairs.size(); ++i) {
       const float share = static_cast<float>(equal[i]) / static_cast<float>(std::max(pairs[i], 1));
-      map.values.push_back(pairs[i] > 0 && equal[i] == 0 ? -1.0F : share);
+      map.values.push_back(pairs[i] > 0 ? share : std::numeric_limits<float>::quiet_NaN());
     }
   }
   return map;

@@ -6,51 +6,17 @@
 #include <optional>
 #include <utility>
 
+#include "src/study/index_steps/index_ladders.h"
 #include "src/study/index_steps/index_steps_study.h"
 
 namespace ninebit {
 namespace {
-
-// The rows of one profile, format and variant, by step.
-struct Ladder {
-  std::string profile, variant;
-  StudyFormat format = StudyFormat::channel;
-  std::vector<IndexStepRow> steps;
-
-  // The smallest safe step, and the largest step with a false match.
-  [[nodiscard]] const IndexStepRow* safe() const {
-    const auto step = smallest_safe_step(steps, profile, format, variant);
-    const auto found = std::find_if(steps.begin(), steps.end(), [&](const auto& row) { return row.step == step; });
-    return found == steps.end() ? nullptr : &*found;
-  }
-  [[nodiscard]] const IndexStepRow* lossy() const {
-    const auto found =
-        std::find_if(steps.rbegin(), steps.rend(), [](const auto& row) { return row.count.false_matches > 0; });
-    return found == steps.rend() ? nullptr : &*found;
-  }
-};
-
-double share(const FalseMatches& count) {
-  return count.pairs == 0 ? 0.0 : static_cast<double>(count.false_matches) / static_cast<double>(count.pairs);
-}
 
 // A number with thousands separators: 2,097,152.
 std::string grouped(std::uint64_t n) {
   std::string text = std::to_string(n);
   for (std::size_t at = text.size(); at > 3; at -= 3) text.insert(at - 3, 1, ',');
   return text;
-}
-
-std::vector<Ladder> ladders_of(std::span<const StudyRow> rows) {
-  std::vector<Ladder> ladders;
-  for (const StudyRow& study_row : rows) {
-    IndexStepRow row = index_step_row(study_row);
-    const bool same = !ladders.empty() && ladders.back().profile == row.profile &&
-                      ladders.back().variant == row.variant && ladders.back().format == row.format;
-    if (!same) ladders.push_back({row.profile, row.variant, row.format, {}});
-    ladders.back().steps.push_back(std::move(row));
-  }
-  return ladders;
 }
 
 // Statements with the formats that they apply to, in order of first appearance.
@@ -76,10 +42,10 @@ class Sayings {
 };
 
 // The smallest safe steps of one profile and variant, with the codes that remain in each format.
-std::string safe_steps(std::span<const Ladder* const> ladders) {
+std::string safe_steps(std::span<const IndexLadder* const> ladders) {
   std::map<int, Sayings> by_step;
   Sayings unsafe;
-  for (const Ladder* ladder : ladders) {
+  for (const IndexLadder* ladder : ladders) {
     const IndexStepRow* const safe = ladder->safe();
     if (safe != nullptr) by_step[safe->step].add(grouped(safe->count.codes) + " codes", ladder->format);
     if (safe == nullptr) unsafe.add("no studied step is safe", ladder->format);
@@ -92,12 +58,12 @@ std::string safe_steps(std::span<const Ladder* const> ladders) {
 }
 
 // The share of false matches at the largest step that has any.
-std::string losses(std::span<const Ladder* const> ladders) {
+std::string losses(std::span<const IndexLadder* const> ladders) {
   std::map<int, Sayings> by_step;
-  for (const Ladder* ladder : ladders) {
+  for (const IndexLadder* ladder : ladders) {
     const IndexStepRow* const lossy = ladder->lossy();
     if (lossy == nullptr) continue;
-    by_step[lossy->step].add(fmt::format("{:.3g} %", 100.0 * share(lossy->count)), ladder->format);
+    by_step[lossy->step].add(fmt::format("{:.3g} %", 100.0 * false_share(lossy->count)), ladder->format);
   }
   std::string text;
   for (const auto& [step, shares] : by_step) {
@@ -108,9 +74,10 @@ std::string losses(std::span<const Ladder* const> ladders) {
 }
 
 // One answer for each profile and variant; profiles with the same answer for a variant share it.
-std::vector<std::string> answers_of(const std::vector<Ladder>& ladders) {
-  std::vector<std::pair<const Ladder*, std::vector<const Ladder*>>> groups;  // by profile and variant: the first, all
-  for (const Ladder& ladder : ladders) {
+std::vector<std::string> answers_of(const std::vector<IndexLadder>& ladders) {
+  std::vector<std::pair<const IndexLadder*, std::vector<const IndexLadder*>>>
+      groups;  // by profile and variant: the first, all
+  for (const IndexLadder& ladder : ladders) {
     auto group = std::find_if(groups.begin(), groups.end(), [&](const auto& g) {
       return g.first->profile == ladder.profile && g.first->variant == ladder.variant;
     });
@@ -130,13 +97,74 @@ std::vector<std::string> answers_of(const std::vector<Ladder>& ladders) {
   return text;
 }
 
-ReportTable table_of_safe_steps(const std::vector<Ladder>& ladders) {
+// The smallest safe steps of one profile and variant, in the fewest words: "2", "2 (rgb: 3)", "none".
+std::string safe_steps_in_short(std::span<const IndexLadder* const> ladders) {
+  const auto step_of = [](const IndexLadder* ladder) {
+    const IndexStepRow* const safe = ladder->safe();
+    return safe == nullptr ? std::string("none") : std::to_string(safe->step);
+  };
+  if (ladders.empty()) return {};
+  const std::string first = step_of(ladders.front());
+  std::vector<std::string> others;
+  for (const IndexLadder* ladder : ladders) {
+    if (step_of(ladder) != first) others.push_back(fmt::format("{}: {}", name_of(ladder->format), step_of(ladder)));
+  }
+  return others.empty() ? first : fmt::format("{} ({})", first, fmt::join(others, ", "));
+}
+
+// A row for each variant, a column for each profile.
+ReportTable safe_step_matrix(const std::vector<IndexLadder>& ladders) {
+  ReportTable table{.title = "Smallest safe step by variant and profile",
+                    .columns = {"variant"},
+                    .rows = {},
+                    .caption =
+                        "A step is safe if neither it nor any larger studied step has a false match. In "
+                        "brackets: formats with another step. The tables below have codes and false matches."};
+  std::vector<std::string> variants;
+  for (const IndexLadder& ladder : ladders) {
+    const auto add = [](std::vector<std::string>& names, const std::string& name) {
+      if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+    };
+    add(variants, ladder.variant);
+    add(table.columns, ladder.profile);
+  }
+  for (const std::string& variant : variants) {
+    std::vector<StudyValue>& row = table.rows.emplace_back();
+    row.emplace_back(variant);
+    for (std::size_t c = 1; c < table.columns.size(); ++c) {
+      std::vector<const IndexLadder*> cell;
+      for (const IndexLadder& ladder : ladders) {
+        if (ladder.variant == variant && ladder.profile == table.columns[c]) cell.push_back(&ladder);
+      }
+      const std::string text = safe_steps_in_short(cell);
+      const bool is_whole = !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
+      row.push_back(is_whole ? StudyValue(std::int64_t{std::stoi(text)}) : StudyValue(text));
+    }
+  }
+  return table;
+}
+
+// The answer for the first variant: the profiles of each smallest safe step.
+std::string first_variant_in_words(const ReportTable& matrix) {
+  std::vector<std::pair<std::string, std::vector<std::string>>> steps;
+  for (std::size_t c = 1; c < matrix.columns.size(); ++c) {
+    const std::string step = text_of(matrix.rows.front()[c]);
+    auto found = std::find_if(steps.begin(), steps.end(), [&](const auto& s) { return s.first == step; });
+    if (found == steps.end()) found = steps.insert(steps.end(), {step, {}});
+    found->second.push_back(matrix.columns[c]);
+  }
+  std::vector<std::string> parts;
+  for (const auto& [step, profiles] : steps) parts.push_back(fmt::format("{} on {}", step, fmt::join(profiles, ", ")));
+  return fmt::format("{}: the smallest safe step is {}.", text_of(matrix.rows.front().front()), fmt::join(parts, "; "));
+}
+
+ReportTable table_of_safe_steps(const std::vector<IndexLadder>& ladders) {
   ReportTable table{.title = "Smallest safe steps",
                     .columns = {"profile", "format", "variant", "smallest safe step", "codes at that step",
                                 "largest step with false matches", "false matches there", "share of the pairs"},
                     .rows = {},
                     .caption = "A step is safe if neither it nor any larger studied step has a false match."};
-  for (const Ladder& ladder : ladders) {
+  for (const IndexLadder& ladder : ladders) {
     std::vector<StudyValue> row{ladder.profile, std::string(name_of(ladder.format)), ladder.variant};
     row.resize(table.columns.size());
     if (const IndexStepRow* const safe = ladder.safe()) {
@@ -146,20 +174,20 @@ ReportTable table_of_safe_steps(const std::vector<Ladder>& ladders) {
     if (const IndexStepRow* const lossy = ladder.lossy()) {
       row[5] = std::int64_t{lossy->step};
       row[6] = lossy->count.false_matches;
-      row[7] = share(lossy->count);
+      row[7] = false_share(lossy->count);
     }
     table.rows.push_back(std::move(row));
   }
   return table;
 }
 
-ReportTable table_by_step(const IndexStepsOptions& options, const std::vector<Ladder>& ladders) {
+ReportTable table_by_step(const IndexStepsOptions& options, const std::vector<IndexLadder>& ladders) {
   ReportTable table{.title = "False matches by step",
                     .columns = {"profile", "format", "variant"},
                     .rows = {},
                     .caption = "Ordered pairs of different indices that compare equal; one column per step."};
   for (int step = options.first_step; step <= options.last_step; ++step) table.columns.push_back(std::to_string(step));
-  for (const Ladder& ladder : ladders) {
+  for (const IndexLadder& ladder : ladders) {
     std::vector<StudyValue> row{ladder.profile, std::string(name_of(ladder.format)), ladder.variant};
     for (const IndexStepRow& step : ladder.steps) row.emplace_back(step.count.false_matches);
     row.resize(table.columns.size());
@@ -168,63 +196,18 @@ ReportTable table_by_step(const IndexStepsOptions& options, const std::vector<La
   return table;
 }
 
-// Adds a plot with one line of the share of false matches for each ladder that `wanted` accepts, unless there are none.
-template <class Wanted, class Name>
-std::optional<Plot> plot_of(const std::vector<Ladder>& ladders, Plot plot, const Wanted& wanted, const Name& name) {
-  plot.x_label = "step";
-  plot.y_label = "false matches per pair";
-  plot.log_y = true;
-  bool lost = false;
-  for (const Ladder& ladder : ladders) {
-    if (!wanted(ladder)) continue;
-    PlotSeries& series = plot.series.emplace_back(PlotSeries{name(ladder), {}});
-    for (const IndexStepRow& row : ladder.steps) {
-      series.points.emplace_back(row.step, share(row.count));
-      lost = lost || row.count.false_matches > 0;
-    }
-  }
-  if (!lost) return std::nullopt;
-  return plot;
-}
-
-void add_plots(const IndexStepsOptions& options, const std::vector<Ladder>& ladders, StudyReport& report) {
-  if (ladders.empty()) return;
-  const std::string first_variant = ladders.front().variant, first_profile = ladders.front().profile;
-  for (const StudyFormat format : options.formats) {
-    const std::string of(name_of(format));
-    auto profiles = plot_of(
-        ladders,
-        {.file = "profiles-" + of,
-         .title = fmt::format("False matches in {}, {}, by profile", of, first_variant),
-         .x_label = "",
-         .y_label = "",
-         .series = {},
-         .caption = "Where a line ends, no pair is lost any more."},
-        [&](const Ladder& l) { return l.format == format && l.variant == first_variant; },
-        [](const Ladder& l) { return l.profile; });
-    auto variants = plot_of(
-        ladders,
-        {.file = "variants-" + of,
-         .title = fmt::format("False matches in {}, {}, by variant of the program", of, first_profile),
-         .x_label = "",
-         .y_label = "",
-         .series = {},
-         .caption = "Where a line ends, no pair is lost any more."},
-        [&](const Ladder& l) { return l.format == format && l.profile == first_profile; },
-        [](const Ladder& l) { return l.variant; });
-    if (profiles) report.plots.push_back(std::move(*profiles));
-    if (variants && variants->series.size() > 1) report.plots.push_back(std::move(*variants));
-  }
-}
-
 }  // namespace
 
 StudyReport index_steps_report(const IndexStepsOptions& options, std::span<const IndexStepsUnit> units,
                                std::span<const StudyRow> rows) {
-  const std::vector<Ladder> ladders = ladders_of(rows);
+  const std::vector<IndexLadder> ladders = index_ladders(rows);
   StudyReport report{.title = "Index steps", .answers = answers_of(ladders)};
+  if (!ladders.empty()) {
+    report.summary = {safe_step_matrix(ladders)};
+    report.headlines = {first_variant_in_words(report.summary.front())};
+  }
   report.tables = {table_of_safe_steps(ladders), table_by_step(options, ladders)};
-  add_plots(options, ladders, report);
+  add_ladder_plots(options, ladders, report);
   add_channel_pictures(options, units, report);
   return report;
 }

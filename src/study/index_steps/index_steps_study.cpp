@@ -60,9 +60,10 @@ class IndexSteps final : public Study {
   [[nodiscard]] Result<StudyReport> report(std::span<const StudyRow> rows, std::size_t done) const override {
     StudyReport report = index_steps_report(options_, units_, rows);
     if (done < units_.size()) {
-      report.answers.insert(report.answers.begin(), fmt::format("{} of {} combinations of profile, format and variant "
-                                                                "were counted.",
-                                                                done, units_.size()));
+      const std::string partial =
+          fmt::format("{} of {} combinations of profile, format and variant were counted.", done, units_.size());
+      report.answers.insert(report.answers.begin(), partial);
+      if (!report.headlines.empty()) report.headlines.insert(report.headlines.begin(), partial);
     }
     return report;
   }

@@ -3,13 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
-#include <map>
 #include <nlohmann/json.hpp>
 #include <vector>
 
-#include "src/study/report/plot_picture.h"
+#include "src/study/report/map_values.h"
 #include "src/study/report/report_colors.h"
 #include "src/system/hashing/base64.h"
 
@@ -18,64 +16,78 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+bool can_be_shown(const Plot& plot, const std::pair<double, double>& point) {
+  constexpr double kGreatest = 1e150;  // keeps the lengths of axes finite
+  if (!(std::fabs(point.first) < kGreatest) || !(std::fabs(point.second) < kGreatest)) return false;
+  const bool log_x = plot.log_x && !plot.bars && !plot.even_x;
+  return (!log_x || point.first > 1.0 / kGreatest) && (!plot.log_y || point.second > 1.0 / kGreatest);
+}
+
+// The positions that stand at equal distances: each x of a point, ascending.
+std::vector<double> even_positions(const Plot& plot) {
+  std::vector<double> positions;
+  for (const PlotSeries& series : plot.series) {
+    for (const auto& point : series.points) {
+      if (can_be_shown(plot, point)) positions.push_back(point.first);
+    }
+  }
+  std::sort(positions.begin(), positions.end());
+  positions.erase(std::unique(positions.begin(), positions.end()), positions.end());
+  return positions;
+}
+
+// The label of a position: its name or number.
+std::string position_label(const Plot& plot, double x) {
+  const bool named = x >= 1.0 && x <= static_cast<double>(plot.x_names.size());
+  return named ? plot.x_names[static_cast<std::size_t>(x) - 1] : text_of(x);
+}
+
 Json json_of(const Plot& plot) {
-  // Bars are in named groups; in each group a series has a value or none.
-  const std::vector<double> groups = plot.bars ? bar_groups(plot) : std::vector<double>();
+  // At each of the even positions a series has a value or none.
+  const bool even = plot.bars || plot.even_x;
+  const std::vector<double> groups = even ? even_positions(plot) : std::vector<double>();
   Json labels = Json::array(), all = Json::array();
-  for (const double x : groups) labels.push_back(bar_label(plot, x));
+  for (const double x : groups) labels.push_back(position_label(plot, x));
   for (const PlotSeries& series : plot.series) {
     Json points = Json::array();
-    if (plot.bars) points = Json::array_t(groups.size(), nullptr);
+    if (even) points = Json::array_t(groups.size(), nullptr);
+    bool gap = false;
     for (const auto& point : series.points) {
-      if (!can_be_shown(plot, point)) continue;
-      if (plot.bars) {
+      if (!can_be_shown(plot, point)) {
+        gap = true;
+        continue;
+      }
+      if (even) {
         const auto at = std::lower_bound(groups.begin(), groups.end(), point.first) - groups.begin();
         points[static_cast<std::size_t>(at)] = point.second;
       } else {
+        // Breaks the line where a point was left out.
+        if (gap && !points.empty()) points.push_back({{"x", point.first}, {"y", nullptr}});
         points.push_back({{"x", point.first}, {"y", point.second}});
       }
+      gap = false;
     }
     all.push_back({{"name", series.name}, {"points", std::move(points)}});
   }
-  return {{"title", plot.title}, {"x_label", plot.x_label}, {"y_label", plot.y_label}, {"bars", plot.bars},
-          {"log_x", plot.log_x}, {"log_y", plot.log_y},     {"labels", labels},        {"series", std::move(all)}};
-}
-
-// Appends 32 bits in little-endian byte order on every machine.
-void append_bits(std::string& bytes, std::uint32_t bits) {
-  for (unsigned shift = 0; shift < 32; shift += 8) bytes += static_cast<char>(bits >> shift & 0xFFU);
-}
-
-// If there are few different values, each is stored as a one-byte number.
-void put_values(const std::vector<float>& values, Json& out) {
-  constexpr std::size_t kMostKnown = 256;
-  std::map<std::uint32_t, std::uint8_t> numbers;  // by their bits, which also works for NaN
-  Json known = Json::array();
-  std::string bytes;
-  for (const float value : values) {
-    const auto bits = std::bit_cast<std::uint32_t>(value);
-    auto found = numbers.find(bits);
-    if (found == numbers.end()) {
-      if (numbers.size() == kMostKnown) break;
-      found = numbers.emplace(bits, static_cast<std::uint8_t>(numbers.size())).first;
-      known.push_back(value);
-    }
-    bytes += static_cast<char>(found->second);
-  }
-  if (bytes.size() == values.size()) {
-    out["known"] = std::move(known);
-  } else {
-    bytes.clear();
-    for (const float value : values) append_bits(bytes, std::bit_cast<std::uint32_t>(value));
-  }
-  out["values"] = base64(bytes);
+  return {{"file", plot.file},
+          {"title", plot.title},
+          {"x_label", plot.x_label},
+          {"y_label", plot.y_label},
+          {"bars", plot.bars},
+          {"even", even},
+          {"log_x", plot.log_x && !even},
+          {"log_y", plot.log_y},
+          {"labels", labels},
+          {"series", std::move(all)}};
 }
 
 Json json_of(const HeatMap& map) {
   Json out{{"x_label", map.x_label}, {"y_label", map.y_label}, {"x_first", map.x_first}, {"x_last", map.x_last},
            {"y_first", map.y_first}, {"y_last", map.y_last},   {"width", map.width},     {"height", map.height},
-           {"low", map.low},         {"high", map.high}};
-  put_values(map.values, out);
+           {"low", map.low},         {"high", map.high},       {"none", map.none}};
+  if (!map.x_values.empty()) out["x_values"] = map.x_values;
+  if (!map.y_values.empty()) out["y_values"] = map.y_values;
+  put_map_values(map, out);
   return out;
 }
 

@@ -6,7 +6,10 @@
 namespace ninebit {
 
 extern const std::string_view kChartScript;  // Chart.js, from the distribution's package libjs-chart.js
-extern const std::string_view kPageScript;   // page/report.js
-extern const std::string_view kPageStyle;    // page/report.css
+// The page's own script, in this order:
+extern const std::string_view kValuesScript;  // page/values.js
+extern const std::string_view kPlotsScript;   // page/plots.js
+extern const std::string_view kPageScript;    // page/report.js
+extern const std::string_view kPageStyle;     // page/report.css
 
 }  // namespace ninebit

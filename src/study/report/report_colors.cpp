@@ -72,6 +72,13 @@ Status check_size(const HeatMap& map) {
     return Diagnostic{fmt::format("the heat map \"{}\" has {} values; expected {} x {}, with sides of 1 to {}",
                                   map.title, map.values.size(), map.width, map.height, kLargestMap)};
   }
+  const auto fits = [](const std::vector<double>& values, int side) {
+    return values.empty() || values.size() == static_cast<std::size_t>(side);
+  };
+  if (!fits(map.x_values, map.width) || !fits(map.y_values, map.height)) {
+    return Diagnostic{fmt::format("the heat map \"{}\" has {} and {} coordinates; expected {} and {}, or none",
+                                  map.title, map.x_values.size(), map.y_values.size(), map.width, map.height)};
+  }
   return {};
 }
 

@@ -35,7 +35,7 @@ using ColorRamp = std::array<Rgb, kRampSize>;
 [[nodiscard]] const ColorRamp& color_ramp(const HeatMap& map);
 [[nodiscard]] Rgb color_of(const HeatMap& map, float value);
 
-// Reports a map whose number of values does not match its size, and a side outside 1 to 4096.
+// Reports a map whose number of values or coordinates does not match its size, and a side outside 1 to 4096.
 [[nodiscard]] Status check_size(const HeatMap& map);
 
 // The map as a picture, one pixel per value. A map smaller than `least_side` on both sides is enlarged by a whole

@@ -7,7 +7,6 @@
 
 #include "ninebit/image/staged_files.h"
 #include "src/image/output/faults.h"
-#include "src/study/report/plot_picture.h"
 #include "src/study/report/report_colors.h"
 
 namespace ninebit {
@@ -75,9 +74,6 @@ Result<std::vector<std::filesystem::path>> write_report(const std::filesystem::p
   if (Status status = files.text("rows.json", report_json(question, version, rows)); !status) return status.error();
   for (const auto& [table, text] : report_csv(rows)) {
     if (Status status = files.text(table + ".csv", text); !status) return status.error();
-  }
-  for (const Plot& plot : report.plots) {
-    if (Status status = files.picture(plot.file, picture_of(plot)); !status) return status.error();
   }
   for (const HeatMap& map : report.heat_maps) {
     if (Status status = files.picture(map.file, picture_of(map, kLeastMapSide)); !status) return status.error();

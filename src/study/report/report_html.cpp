@@ -62,11 +62,16 @@ std::string file_line(const std::string& file) {
   return fmt::format("<p class=\"file\">{}.png</p>\n</figure>\n", escaped(file));
 }
 
+void append_table(std::string& out, const ReportTable& table);
+
 std::string answers(const StudyReport& report) {
-  if (report.answers.empty()) return {};
+  const auto& sentences = report.headlines.empty() ? report.answers : report.headlines;
+  if (sentences.empty()) return {};
   std::string out = "<section aria-label=\"Answers\">\n<ul class=\"answers\">\n";
-  for (const std::string& answer : report.answers) out += fmt::format("<li>{}</li>\n", escaped(answer));
-  return out + "</ul>\n</section>\n";
+  for (const std::string& answer : sentences) out += fmt::format("<li>{}</li>\n", escaped(answer));
+  out += "</ul>\n";
+  for (const ReportTable& table : report.summary) append_table(out, table);
+  return out + "</section>\n";
 }
 
 // Command, profile, version, the question's facts about files, and hashes, which are the same on every machine.
@@ -101,11 +106,22 @@ std::string plots(const StudyReport& report) {
     const Plot& plot = report.plots[i];
     out += fmt::format(
         "<figure>\n<figcaption><h3>{0}</h3>{1}</figcaption>\n<div class=\"chart\"><canvas id=\"plot-{2}\" role=\"img\" "
-        "aria-label=\"{0}\">{0}</canvas></div>\n",
+        "aria-label=\"{0}\">{0}</canvas></div>\n</figure>\n",
         escaped(plot.title), caption(plot.caption), i);
-    out += file_line(plot.file);
   }
   return out;
+}
+
+// The labels along one side of a map: its ends around its name, or the coordinate of each column or row below or beside
+// its name, if these are not evenly spaced.
+std::string side_of_map(char side, const std::string& name, double first, double last,
+                        const std::vector<double>& values) {
+  const auto number = [](double value) { return fmt::format("<span>{:.6g}</span>", value); };
+  const std::string title = fmt::format("<span class=\"name\">{}</span>", escaped(name));
+  if (values.empty()) return fmt::format("<div class=\"{}\">{}{}{}</div>\n", side, number(first), title, number(last));
+  std::string labels;
+  for (const double value : values) labels += number(value);
+  return fmt::format("<div class=\"{0} each\">{1}<div class=\"labels\">{2}</div></div>\n", side, title, labels);
 }
 
 std::string heat_maps(const StudyReport& report) {
@@ -113,15 +129,14 @@ std::string heat_maps(const StudyReport& report) {
   for (std::size_t i = 0; i < report.heat_maps.size(); ++i) {
     const HeatMap& map = report.heat_maps[i];
     const auto end = [](double value) { return fmt::format("<span>{:.6g}</span>", value); };
-    const auto name = [](const std::string& text) { return fmt::format("<span>{}</span>", escaped(text)); };
     out += fmt::format("<figure id=\"map-{}\">\n<figcaption><h3>{}</h3>{}</figcaption>\n<div class=\"map\">\n", i,
                        escaped(map.title), caption(map.caption));
-    out += fmt::format("<div class=\"y\">{}{}{}</div>\n", end(map.y_first), name(map.y_label), end(map.y_last));
+    out += side_of_map('y', map.y_label, map.y_first, map.y_last, map.y_values);
     out += fmt::format(
         "<div class=\"field\"><canvas tabindex=\"0\" role=\"img\" aria-label=\"{}; the arrow keys move through its "
         "values\"></canvas><div class=\"at\" hidden></div></div>\n",
         escaped(map.title));
-    out += fmt::format("<div class=\"x\">{}{}{}</div>\n</div>\n", end(map.x_first), name(map.x_label), end(map.x_last));
+    out += side_of_map('x', map.x_label, map.x_first, map.x_last, map.x_values) + "</div>\n";
     out +=
         "<output class=\"value\">Point at the map, or move through it with the arrow keys, to read a value.</output>\n";
     out += fmt::format("<div class=\"scale\">{}<canvas role=\"img\" aria-label=\"colour scale\"></canvas>{}</div>\n",
@@ -145,28 +160,40 @@ Result<std::string> pictures(const StudyReport& report) {
   return out;
 }
 
-std::string cell(const StudyValue& value) {
-  if (!is_number(value)) return fmt::format("<td>{}</td>", escaped(text_of(value)));
+// "n" right-aligns a number; "kept" holds the column in view.
+std::string class_attribute(bool number, bool kept) {
+  if (!number && !kept) return {};
+  return fmt::format(" class=\"{}{}{}\"", number ? "n" : "", number && kept ? " " : "", kept ? "kept" : "");
+}
+
+std::string cell(const StudyValue& value, bool number, bool kept) {
+  const std::string classes = class_attribute(number, kept);
+  if (!is_number(value)) return fmt::format("<td{}>{}</td>", classes, escaped(text_of(value)));
   const std::string exact = text_of(value), text = readable(value);
-  if (exact == text) return fmt::format("<td class=\"n\">{}</td>", text);
-  return fmt::format("<td class=\"n\" data-v=\"{0}\" title=\"{0}\">{1}</td>", exact, text);
+  if (exact == text) return fmt::format("<td{}>{}</td>", classes, text);
+  return fmt::format("<td{0} data-v=\"{1}\" title=\"{1}\">{2}</td>", classes, exact, text);
 }
 
 void append_table(std::string& out, const ReportTable& table) {
+  const auto is_kept = [&](std::size_t column) { return !table.kept.empty() && table.columns[column] == table.kept; };
   out += fmt::format(
       "<div class=\"table\">\n<h3>{0}</h3>{1}\n<div class=\"scroll\" role=\"region\" aria-label=\"{0}\" "
       "tabindex=\"0\">\n<table class=\"sorts\" aria-label=\"{0}\">\n<thead><tr>",
       escaped(table.title), caption(table.caption));
+  std::vector<bool> numbers;  // columns with a number
   for (std::size_t c = 0; c < table.columns.size(); ++c) {
     const bool number = std::any_of(table.rows.begin(), table.rows.end(),
                                     [c](const auto& row) { return c < row.size() && is_number(row[c]); });
+    numbers.push_back(number);
     out += fmt::format("<th scope=\"col\"{} aria-sort=\"none\"><button type=\"button\">{}</button></th>",
-                       number ? " class=\"n\"" : "", escaped(table.columns[c]));
+                       class_attribute(number, is_kept(c)), escaped(table.columns[c]));
   }
   out += "</tr></thead>\n<tbody>\n";
   for (const auto& row : table.rows) {
     out += "<tr>";
-    for (std::size_t c = 0; c < table.columns.size(); ++c) out += c < row.size() ? cell(row[c]) : "<td></td>";
+    for (std::size_t c = 0; c < table.columns.size(); ++c) {
+      out += cell(c < row.size() ? row[c] : StudyValue(), numbers[c], is_kept(c));
+    }
     out += "</tr>\n";
   }
   out += "</tbody>\n</table>\n</div>\n</div>\n";
@@ -208,7 +235,7 @@ Result<std::string> report_html(const StudyQuestion& question, std::string_view 
   page += fmt::format("</main>\n<script type=\"application/json\" id=\"data\">{}</script>\n<script>\n", *data);
   page += kChartScript;
   page += "</script>\n<script>\n";
-  page += kPageScript;
+  for (const std::string_view script : {kValuesScript, kPlotsScript, kPageScript}) page += script;
   return page + "</script>\n</body>\n</html>\n";
 }
 

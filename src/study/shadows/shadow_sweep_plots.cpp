@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <set>
 #include <utility>
 
@@ -14,7 +15,7 @@ namespace {
 
 constexpr std::size_t kMaxSeries = 8;  // more are hard to distinguish
 
-// Columns with a numeric axis. It is logarithmic for map_size, whose values are powers of two above 0.
+// Columns with a numeric axis.
 constexpr std::array<std::string_view, 5> kNumeric{"map_size", "index_step", "bias", "polygon_offset_factor",
                                                    "polygon_offset_units"};
 
@@ -33,12 +34,44 @@ PlotSeries series_of(std::string name, const std::vector<const StudyRow*>& rows,
 }
 
 Plot plot_of(const std::string& column, std::string_view what, std::string title) {
-  return {.file = file_name(what, column),
-          .title = std::move(title),
-          .x_label = column,
-          .y_label = "pixels",
-          .log_x = column == "map_size",
-          .series = {}};
+  return {
+      .file = file_name(what, column), .title = std::move(title), .x_label = column, .y_label = "pixels", .series = {}};
+}
+
+// The values span at least so many times the least of them above 0.
+bool spans(const std::vector<double>& values, double times) {
+  double least = std::numeric_limits<double>::infinity(), most = 0.0;
+  for (const double value : values) {
+    if (value > 0.0) least = std::min(least, value);
+    most = std::max(most, value);
+  }
+  return most >= times * least;
+}
+
+bool has_zero(const std::vector<double>& values) {
+  return std::any_of(values.begin(), values.end(), [](double value) { return !(value > 0.0); });
+}
+
+void add_sentence(Plot& plot, std::string_view sentence) {
+  if (!plot.caption.empty()) plot.caption += ' ';
+  plot.caption += sentence;
+}
+
+// Chooses the axes that show values which span decades. Powers of two are evenly spaced on a logarithmic axis, too;
+// with 0 among them, every value gets the same room.
+void choose_axes(Plot& plot) {
+  constexpr double kDecade = 10.0;
+  std::vector<double> xs, ys;
+  for (const PlotSeries& series : plot.series) {
+    for (const auto& [x, y] : series.points) {
+      xs.push_back(x);
+      ys.push_back(y);
+    }
+  }
+  plot.even_x = has_zero(xs) && spans(xs, kDecade * kDecade);
+  plot.log_x = !has_zero(xs) && (plot.x_label == "map_size" || spans(xs, kDecade * kDecade));
+  plot.log_y = spans(ys, kDecade);
+  if (plot.log_y && has_zero(ys)) add_sentence(plot, "Points with 0 pixels are left out.");
 }
 
 Plot wrong_plot(const SweepView& view, const std::string& column) {
@@ -66,15 +99,26 @@ Plot wrong_plot(const SweepView& view, const std::string& column) {
   }
   if (all > kMaxSeries)
     plot.caption = fmt::format("The {} curves with the fewest wrong pixels, of {}.", kMaxSeries, all);
+  choose_axes(plot);
   return plot;
 }
 
 Plot cause_plot(const SweepView& view, const std::string& column) {
   const std::array<std::string, 1> columns{column};
   Plot plot = plot_of(column, "causes", fmt::format("Causes by {}", column));
-  plot.caption = view.label(*view.best, columns);
+  if (const std::string others = view.label(*view.best, columns); !others.empty()) plot.caption = others + '.';
   const auto rows = view.beside(*view.best, columns);
-  for (const std::string& cause : view.causes) plot.series.push_back(series_of(cause, rows, column, cause));
+  std::vector<std::string> absent;
+  for (const std::string& cause : view.causes) {
+    const auto has_none = [&](const StudyRow* row) { return row->count(cause) == 0; };
+    if (std::all_of(rows.begin(), rows.end(), has_none)) {
+      absent.push_back(cause);
+    } else {
+      plot.series.push_back(series_of(cause, rows, column, cause));
+    }
+  }
+  if (!absent.empty()) add_sentence(plot, fmt::format("Causes without a pixel: {}.", fmt::join(absent, ", ")));
+  choose_axes(plot);
   return plot;
 }
 
@@ -108,21 +152,24 @@ std::vector<HeatMap> offset_maps(const SweepView& view) {
     };
     wrong[at(factors, 0) * units.size() + at(units, 1)] = static_cast<float>(row->count("wrong"));
   }
-  const float most = *std::max_element(wrong.begin(), wrong.end());
+  const auto [least, most] = std::minmax_element(wrong.begin(), wrong.end());
+  const float low = *least, high = std::max(*most, low + 1.0F);
   return {{.file = "wrong-by-offset",
            .title = "Wrong pixels by polygon offset",
-           .x_label = fmt::format("units, one per column: {}", fmt::join(units, ", ")),
-           .y_label = fmt::format("factor, one per row: {}", fmt::join(factors, ", ")),
-           .x_first = 1.0,
-           .x_last = static_cast<double>(units.size()),
-           .y_first = 1.0,
-           .y_last = static_cast<double>(factors.size()),
+           .x_label = "units",
+           .y_label = "factor",
+           .x_first = units.front(),
+           .x_last = units.back(),
+           .y_first = factors.front(),
+           .y_last = factors.back(),
            .width = static_cast<int>(units.size()),
            .height = static_cast<int>(factors.size()),
            .values = std::move(wrong),
-           .low = 0.0F,
-           .high = std::max(most, 1.0F),
-           .caption = view.label(*view.best, kOffsetColumns)}};
+           .low = low,
+           .high = high,
+           .caption = view.label(*view.best, kOffsetColumns),
+           .x_values = units,
+           .y_values = factors}};
 }
 
 }  // namespace ninebit

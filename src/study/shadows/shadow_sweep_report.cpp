@@ -197,18 +197,6 @@ std::string orders_in_words(const SweepView& view) {
                      count, view.rows.size(), first);
 }
 
-ReportTable point_table(std::span<const StudyRow> rows) {
-  ReportTable table{.title = "Points", .columns = {}, .rows = {}};
-  for (const auto& field : rows.front().fields) table.columns.push_back(field.first);
-  for (const StudyRow& row : rows) {
-    std::vector<StudyValue> values;
-    for (const auto& field : row.fields) values.push_back(field.second);
-    table.rows.push_back(std::move(values));
-  }
-  table.caption = "wrong_share is the share of the pixels that show the scene.";
-  return table;
-}
-
 }  // namespace
 
 const std::vector<std::string> kOffsetColumns{"polygon_offset_factor", "polygon_offset_units"};
@@ -267,17 +255,23 @@ StudyReport shadow_sweep_report(const SweptSettings& known, std::span<const Swee
     report.answers.push_back(offset_in_words(view, *least));
     report.tables.push_back(offset_table(view, choices));
   }
+  report.headlines = report.answers;
   for (const std::string& column : view.columns) {
     const bool told = column == "map_size" || column == kOffsetColumns[0] || column == kOffsetColumns[1];
-    if (!told) report.answers.push_back(values_in_words(view, column));
+    if (told) continue;
+    report.answers.push_back(values_in_words(view, column));
+    report.summary.push_back(value_table(view, column));
   }
   if (view.changes("index_step")) report.answers.push_back(truncation_in_words(view));
-  if (const std::string orders = orders_in_words(view); !orders.empty()) report.answers.push_back(orders);
+  std::vector<std::string> notes;
+  if (const std::string orders = orders_in_words(view); !orders.empty()) notes.push_back(orders);
   if (view.rows.size() < rows.size()) {
     const auto refused = std::find_if(rows.begin(), rows.end(), [](const StudyRow& row) { return !was_drawn(row); });
-    report.answers.push_back(fmt::format("{} of {} points cannot be drawn; the first of them: {}.",
-                                         rows.size() - view.rows.size(), rows.size(), refused->text("refused")));
+    notes.push_back(fmt::format("{} of {} points cannot be drawn; the first of them: {}.",
+                                rows.size() - view.rows.size(), rows.size(), refused->text("refused")));
   }
+  report.answers.insert(report.answers.end(), notes.begin(), notes.end());
+  report.headlines.insert(report.headlines.end(), notes.begin(), notes.end());
   report.plots = sweep_plots(view);
   report.heat_maps = offset_maps(view);
   return report;

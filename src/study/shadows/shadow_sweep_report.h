@@ -37,6 +37,12 @@ struct SweepView {
 // combination of several factors and units.
 [[nodiscard]] std::vector<HeatMap> offset_maps(const SweepView& view);
 
+// All points with the columns that differ among them; the caption has the others. Wrong pixels stay in view.
+[[nodiscard]] ReportTable point_table(std::span<const StudyRow> rows);
+
+// The fewest wrong pixels for each value of a column, and for index_step the most that are lost to truncation.
+[[nodiscard]] ReportTable value_table(const SweepView& view, const std::string& column);
+
 extern const std::vector<std::string> kOffsetColumns;
 
 // The whole report except the pictures. At least one row was drawn.

@@ -28,7 +28,7 @@ void add_study_flags(CLI::App& verb, StudyFlags& flags) {
   add_common_flags(verb, flags.common);
   flags.profile = verb.get_option("--profile");
   CLI::Option* folder = verb.add_option("-o,--output", flags.folder,
-                                        "Folder for report.html, rows.json, tables and plots; created if missing. "
+                                        "Folder for report.html, rows.json, tables and pictures; created if missing. "
                                         "An interrupted run resumes there")
                             ->type_name("DIR");
   const auto check_shard = [](const std::string& text) -> std::string {
