@@ -24,13 +24,16 @@ async function bundled(name) {
   return outputFiles[0].text;
 }
 
-/** The gallery: effects, their programs, their pictures and meshes by the names that effects give them. */
+/** The gallery: effects, their programs, their pictures by the names that effects give them. */
 function gallery() {
   const content = { effects: {}, programs: {}, files: {} };
   const read = (name) => readFileSync(join(effectsFolder, name));
   for (const name of readdirSync(effectsFolder).sort()) {
     if (!name.endsWith('.json') || name === 'expected_hashes.json') continue;
-    content.effects[name.replace('.json', '')] = JSON.parse(read(name).toString());
+    const effect = JSON.parse(read(name).toString());
+    // The engine in the page reads no mesh files.
+    if (/\.\w+$/.test(effect.scene?.mesh ?? '')) continue;
+    content.effects[name.replace('.json', '')] = effect;
   }
   for (const name of readdirSync(join(effectsFolder, 'programs')).sort()) {
     content.programs[`programs/${name}`] = read(`programs/${name}`).toString();
@@ -38,7 +41,6 @@ function gallery() {
   for (const name of readdirSync(join(effectsFolder, 'textures')).sort()) {
     content.files[`textures/${name}`] = read(`textures/${name}`).toString('base64');
   }
-  content.files['../index_room.gltf'] = read('../index_room.gltf').toString('base64');
   return content;
 }
 

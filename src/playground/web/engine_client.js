@@ -4,9 +4,10 @@
 
 /** What the engine said is wrong with a request. */
 export class Fault extends Error {
-  /** @param {{message: string, line?: number, column?: number}} fault */
+  /** @param {{message: string, file?: string, line?: number, column?: number}} fault */
   constructor(fault) {
     super(fault.message);
+    this.file = fault.file;
     this.line = fault.line;
     this.column = fault.column;
   }

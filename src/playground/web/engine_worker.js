@@ -33,7 +33,11 @@ function textAt(at) {
 /** One call of the engine. */
 function answer(request, bytes) {
   const { engine } = state;
-  if (bytes) engine.HEAPU8.set(bytes, engine._ninebit_buffer(bytes.length));
+  if (bytes) {
+    const place = engine._ninebit_buffer(bytes.length);
+    if (place === 0) return { answer: { fault: { message: `${bytes.length} bytes are more than the engine takes` } } };
+    engine.HEAPU8.set(bytes, place);
+  }
   const at = textInMemory(JSON.stringify(request));
   const text = textAt(engine._ninebit_answer(at));
   engine._free(at);

@@ -43,7 +43,7 @@ export class InputsPanel {
           choice('Secondary colour', colours, pass.secondary ?? 'constant:0,0,0', (value) => this.edit((now) => { now.secondary = value; }))),
         element('fieldset', {}, element('legend', {}, 'Constants'), this.constant('const0'), this.constant('const1'),
           element('p', { class: 'quiet' }, 'They replace the program’s own constants.'))),
-      element('p', { class: 'quiet' }, 'Drop a picture or a glTF, OBJ, PLY or OFF file on the page, or ',
+      element('p', { class: 'quiet' }, 'Drop pictures or a program on the page, or ',
         element('label', { class: 'link' }, 'choose one', element('input', { type: 'file', class: 'hidden-file', id: 'choose-file', multiple: true })), '.'));
     this.parent.querySelector('#choose-file').addEventListener('change', (event) => this.onfiles?.([...event.target.files]));
   }
@@ -56,7 +56,7 @@ export class InputsPanel {
     const { effect } = this.store.state;
     const rectangle = 'rectangle';
     const now = effect.scene?.mesh ?? rectangle;
-    return choice('Mesh', [rectangle, ...this.about.meshes, ...this.shelf.meshes()], now, (value) => this.edit((pass, edited) => {
+    return choice('Mesh', [rectangle, ...this.about.meshes], now, (value) => this.edit((pass, edited) => {
       edited.scene ??= {};
       if (value === rectangle) delete edited.scene.mesh;
       else edited.scene.mesh = value;
@@ -67,7 +67,9 @@ export class InputsPanel {
   unit(number, unit) {
     const { effect } = this.store.state;
     const texture = effect.textures?.[unit?.texture];
-    const sources = [off, ...this.about.textures, ...this.shelf.names(), ...this.shelf.names().map((name) => `normals:${name}`)];
+    const files = this.shelf.names();
+    const title = (name) => name.replace(/^(normals:)?(textures|dropped)\//, '$1');
+    const sources = [off, ...this.about.textures, ...[...files, ...files.map((name) => `normals:${name}`)].map((name) => [name, title(name)])];
     const picture = this.shelf.pictures.get(String(texture?.source ?? '').replace(/^normals:/, ''));
     const rows = [choice('Texture', sources, texture?.source ?? off, (value) => this.setSource(number, value))];
     if (texture) {

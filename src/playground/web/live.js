@@ -13,6 +13,8 @@ export class Live {
    */
   constructor(store, engine, shelf, view) {
     Object.assign(this, { store, engine, shelf, view });
+    /** The effect's text while it is edited, so that faults have its lines. @type {() => string|null} */
+    this.effectText = () => null;
     /** The pixel whose trace is shown. @type {{x: number, y: number}|null} */
     this.pixel = null;
   }
@@ -40,7 +42,8 @@ export class Live {
   async draw() {
     try {
       await this.shelf.loadFor(this.store.state.effect);
-      const result = await this.engine.ask(Live.request(this.store.state), { key: 'draw' });
+      const { effect, ...rest } = Live.request(this.store.state);
+      const result = await this.engine.ask({ ...rest, effect: this.effectText() ?? effect }, { key: 'draw' });
       this.view.drawn(result);
     } catch (error) {
       if (!(error instanceof Replaced)) this.view.failed(error);

@@ -5,7 +5,7 @@ import { CommandPanel, commandsOf } from './command_line.js';
 import { ConvertPanel } from './convert_panel.js';
 import { afterPause, byId, choice } from './dom.js';
 import { acceptDrops } from './drop.js';
-import { Engine, Replaced } from './engine_client.js';
+import { Engine, Replaced, Stopped } from './engine_client.js';
 import { Gallery } from './gallery.js';
 import { GpuPanel } from './gpu_panel.js';
 import { InputsPanel } from './inputs_panel.js';
@@ -55,6 +55,7 @@ class Page {
       read: (answer) => this.read(answer), drawn: (result) => this.drawn(result), failed: (error) => this.failed(error),
       traced: (trace) => this.trace.show(trace, this.live.pixel),
     });
+    this.live.effectText = () => this.program.effectText;
     this.picture = new Picture(byId('picture'), (x, y) => this.chosen(x, y));
     this.trace = new TracePanel(byId('trace'), byId('trace-place'));
     this.inputs = new InputsPanel(byId('panel-inputs'), store, this.shelf, { textures: about.textures ?? [], meshes: about.meshes ?? [] });
@@ -132,9 +133,10 @@ class Page {
     byId('picture').dataset.hash = '';
     byId('drawing').textContent = 'not drawn: the last good picture is below';
     const fault = { message: error.message };
-    if (this.program.shows === 'effect') Object.assign(fault, { line: error.line, column: error.column });
+    if (error.file === 'effect' && this.program.shows === 'effect') Object.assign(fault, { line: error.line, column: error.column });
+    else if (error.file && error.file !== 'effect') fault.message = `${error.file}: ${error.message}`;
     this.program.setFaults('draw', [fault]);
-    if (error.name !== 'Error' || /^the engine/.test(error.message)) say(`${error.message}. The text is kept.`);
+    if (error instanceof Stopped) say(`${error.message}. The text is kept.`);
     document.body.dataset.ready = 'true';
   }
 
@@ -211,6 +213,7 @@ async function start() {
   page.changed('all');
   const { answer } = await engine.ask({ do: 'vocabulary' });
   page.program.editor.setWords(answer.words ?? []);
+  page.words = answer.words?.length ?? 0;
 }
 
 start().catch((error) => {

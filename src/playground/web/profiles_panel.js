@@ -4,7 +4,10 @@
 import { choice, element, paint } from './dom.js';
 import { Replaced } from './engine_client.js';
 
-/** @typedef {{name: string, summary?: string, fields: {name: string, value: any, evidence: string, choices?: any[]}[]}} Profile */
+/**
+ * @typedef {{name: string, value: any, evidence: string, help: string, read: boolean, choices?: string[], range?: [number, number]}} Field
+ * @typedef {{name: string, summary: string, fields: Field[]}} Profile
+ */
 
 export class ProfilesPanel {
   /**
@@ -43,7 +46,7 @@ export class ProfilesPanel {
     this.update();
   }
 
-  field({ name, value, evidence, choices }, base) {
+  field({ name, value, evidence, choices, range, help, read }, base) {
     const { profile } = this.store.state;
     const own = typeof profile === 'object' && name in profile ? profile[name] : value;
     const write = (edited) => this.store.change('profile', (now) => {
@@ -53,15 +56,13 @@ export class ProfilesPanel {
       now.profile = Object.keys(made).some((key) => key !== 'base' && key !== 'name') ? made : base;
     });
     const changed = String(own) !== String(value);
-    const typed = (text) => (text === 'true' || text === 'false' ? text === 'true' : /^-?\d+$/.test(text) ? Number(text) : text);
     let control;
-    if (choices?.length) {
-      control = choice(name, choices.map(String), String(own), (text) => write(typed(text)));
-    } else {
-      const input = element('input', { value: String(own), onchange: () => write(typed(input.value.trim())) });
-      control = element('label', { class: 'field' }, element('span', {}, name), input);
-    }
+    if (choices?.length) control = choice(name, choices, String(own), write);
+    else if (typeof value === 'boolean') control = choice(name, ['true', 'false'], String(own), (text) => write(text === 'true'));
+    else control = slider(name, Number(own), range, write);
+    control.title = help ?? '';
     if (changed) control.classList.add('changed');
+    if (read === false || (range && range[0] === range[1])) control.querySelector('select, input').disabled = true;
     control.append(element('small', { class: 'quiet' }, evidence));
     return control;
   }
@@ -75,12 +76,23 @@ export class ProfilesPanel {
       const part = width * height * 4;
       this.canvases.forEach((canvas, at) => paint(canvas, opaque(bytes.subarray(at * part, (at + 1) * part)), width, height));
       [this.title(), state.other, 'difference'].forEach((text, at) => { this.captions[at].textContent = text; });
-      const share = (100 * answer.count / (width * height)).toFixed(2);
-      this.result.textContent = `${answer.count.toLocaleString('en')} of ${(width * height).toLocaleString('en')} pixels differ (${share} %), by ${answer.max_difference ?? answer.max ?? 0} at most`;
+      const { pixels, max } = answer.difference;
+      const share = (100 * pixels / (width * height)).toFixed(2);
+      this.result.textContent = `${pixels.toLocaleString('en')} of ${(width * height).toLocaleString('en')} pixels differ (${share} %), by ${max} of 255 at most`;
     } catch (error) {
       if (!(error instanceof Replaced)) this.result.textContent = error.message;
     }
   }
+}
+
+/** A number as a slider. @param {string} name @param {number} value @param {[number, number]} range */
+function slider(name, value, [lowest, highest], write) {
+  const shown = element('output', {}, value);
+  const input = element('input', {
+    type: 'range', min: lowest, max: highest, oninput: () => { shown.textContent = input.value; }, onchange: () => write(Number(input.value)),
+  });
+  input.value = String(value);
+  return element('label', { class: 'field' }, element('span', {}, name), element('span', { class: 'slider' }, input, shown));
 }
 
 function opaque(pixels) {

@@ -11,7 +11,7 @@ export class ProgramPane {
    * @param {Record<string, string>} programs the gallery's programs, for names that an edited effect adds
    */
   constructor(store, programs) {
-    Object.assign(this, { store, programs, shows: 'program' });
+    Object.assign(this, { store, programs, shows: 'program', effectText: null });
     this.editor = new Editor(byId('editor'), (text) => this.edited(text));
     /** Faults of the program or the effect, and of the drawing. */
     this.faults = { read: [], draw: [] };
@@ -25,6 +25,7 @@ export class ProgramPane {
     byId('file-choice').replaceChildren(choice('Edit', [...passes, [effectFile, 'the effect itself (JSON)']], value, (chosen) => this.choose(chosen)));
     const text = this.shows === 'effect' ? JSON.stringify(state.effect, null, 2) : state.files[passOf(state).program] ?? '';
     this.editor.setText(text);
+    this.effectText = this.shows === 'effect' ? text : null;
   }
 
   choose(value) {
@@ -36,6 +37,7 @@ export class ProgramPane {
 
   edited(text) {
     if (this.shows === 'effect') {
+      this.effectText = text;
       this.editedEffect(text);
       return;
     }

@@ -1,12 +1,10 @@
 /**
- * The pictures and meshes that effects read: those of the gallery, which are part of the page, and what is dropped.
+ * The pictures that effects read: those of the gallery, which are part of the page, and what is dropped.
  */
 import { decodePicture, mostBytes } from './decode_picture.js';
 
 /** @param {string} text base64 */
 export const bytesOf = (text) => Uint8Array.from(atob(text), (character) => character.charCodeAt(0));
-
-const meshEnding = /\.(gltf|glb|obj|ply|off)$/i;
 
 export class Shelf {
   /**
@@ -26,12 +24,7 @@ export class Shelf {
 
   /** Names of pictures to choose from. */
   names() {
-    return [...Object.keys(this.embedded).filter((name) => name.endsWith('.png')), ...[...this.dropped].filter((name) => !meshEnding.test(name))];
-  }
-
-  /** Names of meshes to choose from. */
-  meshes() {
-    return [...Object.keys(this.embedded), ...this.dropped].filter((name) => meshEnding.test(name));
+    return [...Object.keys(this.embedded), ...this.dropped];
   }
 
   /** Puts a file of the page into the engine, once. @param {string} name */
@@ -44,31 +37,25 @@ export class Shelf {
   /** Loads all files that an effect names. @param {any} effect */
   async loadFor(effect) {
     const sources = Object.values(effect.textures ?? {}).map((texture) => String(texture?.source ?? ''));
-    sources.push(String(effect.scene?.mesh ?? ''));
     const names = sources.flatMap((source) => source.replace(/^normals:/, '').split(','));
     await Promise.all(names.map((name) => this.load(name)));
   }
 
   async put(name, file) {
-    if (meshEnding.test(name)) {
-      await this.engine.put({ name, kind: 'file' }, new Uint8Array(await file.arrayBuffer()));
-      return;
-    }
     const picture = await decodePicture(file);
     this.pictures.set(name, picture);
     await this.engine.put({ name, kind: 'pixels', width: picture.width, height: picture.height }, picture.pixels);
   }
 
   /**
-   * Takes a dropped file.
+   * Takes a dropped picture.
    * @param {File} file
-   * @returns {Promise<{name: string, mesh: boolean}>}
+   * @returns {Promise<string>} its name in effects
    */
   async take(file) {
     if (file.size > mostBytes) {
       throw new Error(`${file.name}: ${Math.round(file.size / 1e6)} MB; the page takes ${Math.round(mostBytes / 1e6)} MB at most`);
     }
-    const mesh = meshEnding.test(file.name);
     // The effect's words take no commas or colons in a file's name.
     const name = `dropped/${file.name.replace(/[,:\\]/g, '_')}`;
     try {
@@ -77,6 +64,6 @@ export class Shelf {
       throw new Error(`${file.name}: ${error.message}`);
     }
     this.dropped.add(name);
-    return { name, mesh };
+    return name;
   }
 }
