@@ -26,11 +26,13 @@ export class Engine {
    * @param {string} workerScript
    * @param {string} engineScript
    * @param {(busy: boolean) => void} busy hears when work begins and ends
+   * @param {(reason: string) => void} broken hears why the engine started anew
    */
-  constructor(workerScript, engineScript, busy) {
+  constructor(workerScript, engineScript, busy, broken) {
     this.workerScript = workerScript;
     this.engineScript = engineScript;
     this.busy = busy;
+    this.broken = broken;
     /** @type {any[]} */
     this.waiting = [];
     this.running = null;
@@ -117,6 +119,7 @@ export class Engine {
   restart(reason) {
     clearTimeout(this.timer);
     this.worker.terminate();
+    this.broken(reason);
     const broken = this.running;
     this.running = null;
     broken?.reject(new Stopped(reason));

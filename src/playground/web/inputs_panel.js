@@ -1,6 +1,7 @@
 /**
  * What a pass reads: mesh, textures and their coordinates, colours, constants.
  */
+import { cameraSliders } from './camera.js';
 import { choice, element } from './dom.js';
 import { passOf } from './state.js';
 
@@ -56,12 +57,18 @@ export class InputsPanel {
     const { effect } = this.store.state;
     const rectangle = 'rectangle';
     const now = effect.scene?.mesh ?? rectangle;
-    return choice('Mesh', [rectangle, ...this.about.meshes], now, (value) => this.edit((pass, edited) => {
-      edited.scene ??= {};
-      if (value === rectangle) delete edited.scene.mesh;
-      else edited.scene.mesh = value;
-      if (Object.keys(edited.scene).length === 0) delete edited.scene;
-    }));
+    const mesh = choice('Mesh', [rectangle, ...this.about.meshes], now, (value) => {
+      this.edit((pass, edited) => {
+        edited.scene ??= {};
+        if (value === rectangle) delete edited.scene.mesh;
+        else edited.scene.mesh = value;
+        if (Object.keys(edited.scene).length === 0) delete edited.scene;
+      });
+      this.show();
+    });
+    if (now === rectangle) return mesh;
+    const camera = cameraSliders(effect.scene, (place) => this.edit((pass, edited) => { edited.scene.camera = place; }));
+    return element('div', { class: 'camera' }, mesh, camera);
   }
 
   unit(number, unit) {

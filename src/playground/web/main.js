@@ -5,7 +5,7 @@ import { CommandPanel, commandsOf } from './command_line.js';
 import { ConvertPanel } from './convert_panel.js';
 import { afterPause, byId, choice } from './dom.js';
 import { acceptDrops } from './drop.js';
-import { Engine, Replaced, Stopped } from './engine_client.js';
+import { Engine, Replaced } from './engine_client.js';
 import { Gallery } from './gallery.js';
 import { GpuPanel } from './gpu_panel.js';
 import { InputsPanel } from './inputs_panel.js';
@@ -136,7 +136,6 @@ class Page {
     if (error.file === 'effect' && this.program.shows === 'effect') Object.assign(fault, { line: error.line, column: error.column });
     else if (error.file && error.file !== 'effect') fault.message = `${error.file}: ${error.message}`;
     this.program.setFaults('draw', [fault]);
-    if (error instanceof Stopped) say(`${error.message}. The text is kept.`);
     document.body.dataset.ready = 'true';
   }
 
@@ -201,7 +200,7 @@ function busyMark() {
 }
 
 async function start() {
-  const engine = new Engine(byId('worker').textContent, await engineScript(), busyMark());
+  const engine = new Engine(byId('worker').textContent, await engineScript(), busyMark(), (reason) => say(`${reason}. The text is kept; the next edit draws again.`));
   const store = new Store(await firstState());
   const { answer: about } = await engine.ask({ do: 'about' });
   byId('version').textContent = `ninebit ${about.version ?? ''}`;
