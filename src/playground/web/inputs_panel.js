@@ -81,11 +81,19 @@ export class InputsPanel {
     const rows = [choice('Texture', sources, texture?.source ?? off, (value) => this.setSource(number, value))];
     if (texture) {
       rows.push(
-        choice('Filter', ['nearest', 'linear', 'bilinear-mipmap', 'trilinear'], texture.filter ?? 'linear', (value) => this.edit(() => { texture.filter = value; })),
-        choice('Wrap', ['repeat', 'clamp', 'clamp-to-edge', 'mirrored-repeat'], texture.wrap ?? 'repeat', (value) => this.edit(() => { texture.wrap = value; })),
+        this.sampler('Filter', 'filter', ['nearest', 'linear', 'bilinear-mipmap', 'trilinear'], texture),
+        this.sampler('Wrap', 'wrap', ['repeat', 'clamp', 'clamp-to-edge', 'mirrored-repeat'], texture),
         choice('Coordinates', coordinates, unit.coordinates ?? 'uv', (value) => this.edit((pass) => { pass.units[number].coordinates = value; })));
     }
     return element('fieldset', { 'data-unit': number }, element('legend', {}, `Texture ${number}`), picture ? thumbnail(picture) : null, ...rows);
+  }
+
+  /** A choice of how a texture is sampled; the default depends on its source. */
+  sampler(title, key, words, texture) {
+    return choice(title, [['', 'default'], ...words], texture[key] ?? '', (value) => this.edit(() => {
+      if (value) texture[key] = value;
+      else delete texture[key];
+    }));
   }
 
   /** @param {number} number @param {string} source */
