@@ -1,10 +1,9 @@
 /**
- * Files dropped on the page: pictures become textures, texts the program.
+ * Files dropped on the page: pictures become textures, meshes the effect's mesh, texts the program.
  */
 import { mostBytes } from './decode_picture.js';
+import { meshEnding } from './shelf.js';
 import { mostCharacters, passOf } from './state.js';
-
-const meshes = /\.(gltf|glb|obj|ply|off)$/i;
 
 /**
  * @param {File} file
@@ -17,12 +16,14 @@ async function take(file, unit, { store, shelf, inputs, editor }) {
   }
   if (file.type.startsWith('image/')) {
     inputs.setSource(unit, await shelf.take(file));
-  } else if (meshes.test(file.name)) {
-    throw new Error(`${file.name}: the page does not read mesh files; choose a sphere, a torus, a plane or a cube under Inputs`);
+  } else if (meshEnding.test(file.name)) {
+    const name = await shelf.take(file);
+    store.change('inputs', ({ effect }) => { effect.scene = { ...effect.scene, mesh: name }; });
+    inputs.show();
   } else {
     if (file.size > mostCharacters) throw new Error(`${file.name}: a program has at most ${mostCharacters / 1e6} MB`);
     const text = await file.text();
-    if (text.includes('\0')) throw new Error(`${file.name}: not a picture or a program; expected a picture such as PNG, or a text`);
+    if (text.includes('\0')) throw new Error(`${file.name}: not a picture, a mesh or a program; expected a picture such as PNG, a glTF, OBJ, PLY or OFF file, or a text`);
     store.change('text', (state) => { state.files[passOf(state).program ??= 'program.rc1'] = text; });
     editor();
   }

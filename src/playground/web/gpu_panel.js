@@ -88,7 +88,7 @@ export class GpuPanel {
     const textures = this.textures();
     await Promise.all(textures.map((pixels, unit) => this.engine.put({ name: `gpu/gpu${unit}.png`, kind: 'pixels', width: size, height: size }, pixels)));
     const effect = this.effect(read.answer.textures ?? []);
-    const emulated = await this.engine.ask({ do: 'draw', effect, files: { gpu: text }, profile: state.profile }, { key: 'gpu' });
+    const emulated = await this.engine.ask({ do: 'draw', effect, files: { gpu: text }, profile: state.profile, hash: false }, { key: 'gpu' });
     const { answer } = await this.engine.ask({ do: 'convert', text, profile: state.profile, to: 'glsl-es' }, { key: 'gpu-convert' });
     const { pixels, framesPerSecond, renderer } = runOnGpu(answer.text, { size, textures, primary });
     const difference = new Uint8Array(pixels.length);

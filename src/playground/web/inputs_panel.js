@@ -44,7 +44,7 @@ export class InputsPanel {
           choice('Secondary colour', colours, pass.secondary ?? 'constant:0,0,0', (value) => this.edit((now) => { now.secondary = value; }))),
         element('fieldset', {}, element('legend', {}, 'Constants'), this.constant('const0'), this.constant('const1'),
           element('p', { class: 'quiet' }, 'They replace the program’s own constants.'))),
-      element('p', { class: 'quiet' }, 'Drop pictures or a program on the page, or ',
+      element('p', { class: 'quiet' }, 'Drop pictures, a program, or a glTF, OBJ, PLY or OFF file on the page, or ',
         element('label', { class: 'link' }, 'choose one', element('input', { type: 'file', class: 'hidden-file', id: 'choose-file', multiple: true })), '.'));
     this.parent.querySelector('#choose-file').addEventListener('change', (event) => this.onfiles?.([...event.target.files]));
   }
@@ -57,7 +57,7 @@ export class InputsPanel {
     const { effect } = this.store.state;
     const rectangle = 'rectangle';
     const now = effect.scene?.mesh ?? rectangle;
-    const mesh = choice('Mesh', [rectangle, ...this.about.meshes], now, (value) => {
+    const mesh = choice('Mesh', [rectangle, ...this.about.meshes, ...this.shelf.meshes()], now, (value) => {
       this.edit((pass, edited) => {
         edited.scene ??= {};
         if (value === rectangle) delete edited.scene.mesh;

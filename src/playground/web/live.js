@@ -21,7 +21,7 @@ export class Live {
 
   /** The request that draws a state. @param {import('./state.js').State} state */
   static request({ effect, files, profile }) {
-    return { do: 'draw', effect, files, profile };
+    return { do: 'draw', effect, files, profile, hash: false };
   }
 
   async read() {
@@ -43,7 +43,7 @@ export class Live {
     try {
       await this.shelf.loadFor(this.store.state.effect);
       const { effect, ...rest } = Live.request(this.store.state);
-      const result = await this.engine.ask({ ...rest, effect: this.effectText() ?? effect }, { key: 'draw' });
+      const result = await this.engine.ask({ ...rest, effect: this.effectText() ?? effect, hash: true }, { key: 'draw' });
       this.view.drawn(result);
     } catch (error) {
       if (!(error instanceof Replaced)) this.view.failed(error);

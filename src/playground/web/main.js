@@ -14,6 +14,7 @@ import { addressOf, stateOfAddress } from './permalink.js';
 import { Picture } from './picture.js';
 import { ProfilesPanel } from './profiles_panel.js';
 import { ProgramPane } from './program_pane.js';
+import { ShadowPanel } from './shadow_panel.js';
 import { bytesOf, Shelf } from './shelf.js';
 import { newState, passOf, stateOf, Store } from './state.js';
 import { tabs } from './tabs.js';
@@ -62,7 +63,9 @@ class Page {
     this.profiles = new ProfilesPanel(byId('panel-profiles'), store, about.profiles ?? [], (profiles) => this.live.compare(profiles));
     this.gpu = new GpuPanel(byId('panel-gpu'), store, this.shelf, engine);
     this.convert = new ConvertPanel(byId('panel-convert'), (to) => this.live.convert(to));
+    this.shadow = new ShadowPanel(byId('panel-shadow'), store, this.shelf, { engine, meshes: about.meshes ?? [] });
     this.command = new CommandPanel(byId('panel-command'), () => commandsOf(store.state, this.live.pixel));
+    this.forms = new Map((about.forms ?? []).map(({ name, title }) => [name, title]));
     this.profileNames = (about.profiles ?? []).map(({ name }) => name);
     this.showPanel = tabs(document.querySelector('[role=tablist]'), (name) => this.panelShown(name));
     this.later = afterPause(150, () => this.refresh());
@@ -105,7 +108,7 @@ class Page {
   }
 
   async refresh() {
-    const panels = [this.profiles, this.gpu, this.convert, this.command];
+    const panels = [this.profiles, this.gpu, this.convert, this.command, this.shadow];
     if (this.program.shows === 'program') this.live.read();
     await this.live.draw();
     if (!byId('panel-trace').hidden) this.live.trace();
@@ -115,7 +118,7 @@ class Page {
   read(answer) {
     const notes = (answer.notes ?? []).map((note) => ({ ...note, severity: 'info' }));
     this.program.setFaults('read', [...(answer.faults ?? []), ...notes]);
-    byId('form').textContent = answer.form ? `read as ${answer.form}` : '';
+    byId('form').textContent = answer.form ? `read as: ${this.forms.get(answer.form) ?? answer.form}` : '';
     byId('explanation').textContent = answer.explanation ?? '';
     this.inputs.setConstants(answer.constants ?? {});
   }

@@ -1,10 +1,13 @@
 /**
- * The pictures that effects read: those of the gallery, which are part of the page, and what is dropped.
+ * The pictures and meshes that effects read: the gallery's pictures, which are part of the page, and what is dropped.
  */
 import { decodePicture, mostBytes } from './decode_picture.js';
 
 /** @param {string} text base64 */
 export const bytesOf = (text) => Uint8Array.from(atob(text), (character) => character.charCodeAt(0));
+
+/** Names of mesh files. */
+export const meshEnding = /\.(gltf|glb|obj|ply|off)$/i;
 
 export class Shelf {
   /**
@@ -24,7 +27,12 @@ export class Shelf {
 
   /** Names of pictures to choose from. */
   names() {
-    return [...Object.keys(this.embedded), ...this.dropped];
+    return [...Object.keys(this.embedded), ...[...this.dropped].filter((name) => !meshEnding.test(name))];
+  }
+
+  /** Names of meshes to choose from: the room, which the engine has, and what was dropped. */
+  meshes() {
+    return ['../index_room.gltf', ...[...this.dropped].filter((name) => meshEnding.test(name))];
   }
 
   /** Puts a file of the page into the engine, once. @param {string} name */
@@ -42,13 +50,17 @@ export class Shelf {
   }
 
   async put(name, file) {
+    if (meshEnding.test(name)) {
+      await this.engine.put({ name, kind: 'file' }, new Uint8Array(await file.arrayBuffer()));
+      return;
+    }
     const picture = await decodePicture(file);
     this.pictures.set(name, picture);
     await this.engine.put({ name, kind: 'pixels', width: picture.width, height: picture.height }, picture.pixels);
   }
 
   /**
-   * Takes a dropped picture.
+   * Takes a dropped picture or mesh.
    * @param {File} file
    * @returns {Promise<string>} its name in effects
    */
