@@ -1,8 +1,10 @@
 /** Files that are dropped on the page. */
 import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import { join } from 'node:path';
 import { after, before, test } from 'node:test';
 import { crc32, deflateSync } from 'node:zlib';
-import { launch, nativeHash, openPage, stateOf, waitForHash } from './support.mjs';
+import { launch, nativeHash, openPage, root, stateOf, waitForHash } from './support.mjs';
 
 let browser;
 let page;
@@ -77,11 +79,19 @@ test('a text becomes the program', async () => {
   assert.equal(await page.evaluate(() => globalThis.ninebit.page.program.editor.view.state.doc.toString()), text);
 });
 
+test('a mesh becomes the mesh', async () => {
+  const content = readFileSync(join(root, 'scenes/index_room.gltf'));
+  await drop('room.gltf', '', content.toString('base64'));
+  const name = 'dropped/room.gltf';
+  await page.waitForFunction((mesh) => globalThis.ninebit.store.state.effect.scene?.mesh === mesh, {}, name);
+  await waitForHash(page, nativeHash(await stateOf(page), { [name]: content, 'dropped/my picture <b>.png': picture(64) }));
+});
+
 test('100 MB, a broken picture and a binary file are refused with a message', async () => {
   const before = await stateOf(page);
   const cases = [['large.png', 'image/png', 100_000_000, /large\.png: 100 MB; the page takes 67 MB at most/],
     ['broken.png', 'image/png', Buffer.from('no picture').toString('base64'), /broken\.png: the browser cannot decode it/],
-    ['thing.bin', '', 100, /thing\.bin: not a picture or a program/], ['room.gltf', '', 100, /room\.gltf: the page does not read mesh files/]];
+    ['thing.bin', '', 100, /thing\.bin: not a picture, a mesh or a program/]];
   for (const [name, type, content, expected] of cases) {
     await drop(name, type, content);
     await page.waitForFunction((file) => document.getElementById('message').textContent.includes(file), {}, name);

@@ -15,15 +15,28 @@ uniform highp usampler2D ninebit_texture1;
 uniform highp usampler2D ninebit_texture2;
 uniform highp usampler2D ninebit_texture3;
 uniform ivec4 ninebit_primary;
+uniform ivec4 ninebit_fog;
+uniform int ninebit_byte_shift;
 out highp uvec4 ninebit_color;
 
+ivec4 ninebit_codes(highp usampler2D from) {
+  return ivec4(texelFetch(from, ivec2(gl_FragCoord.xy), 0)) >> ninebit_byte_shift;
+}
+
+// The byte of a code: low bits that a register drops are filled with the code's upper bits.
+uint ninebit_byte(int code) {
+  if (code >= 255 >> ninebit_byte_shift) return 255u;
+  if (ninebit_byte_shift == 0) return uint(code);
+  return uint((code << ninebit_byte_shift) | (code >> (8 - 2 * ninebit_byte_shift)));
+}
+
 void main() {
-  ivec2 at = ivec2(gl_FragCoord.xy);
-  ivec4 texture0 = ivec4(texelFetch(ninebit_texture0, at, 0));
-  ninebit_color = uvec4(ninebit_combine(ninebit_primary, ivec4(0, 0, 0, 255), ivec4(0, 0, 0, 255), texture0,
-                                        ivec4(texelFetch(ninebit_texture1, at, 0)),
-                                        ivec4(texelFetch(ninebit_texture2, at, 0)),
-                                        ivec4(texelFetch(ninebit_texture3, at, 0)), texture0.a));
+  ivec4 texture0 = ninebit_codes(ninebit_texture0);
+  ivec4 secondary = ivec4(0, 0, 0, 255) >> ninebit_byte_shift;
+  ivec4 color = ninebit_combine(ninebit_primary >> ninebit_byte_shift, secondary, ninebit_fog >> ninebit_byte_shift,
+                                texture0, ninebit_codes(ninebit_texture1), ninebit_codes(ninebit_texture2),
+                                ninebit_codes(ninebit_texture3), texture0.a);
+  ninebit_color = uvec4(ninebit_byte(color.r), ninebit_byte(color.g), ninebit_byte(color.b), ninebit_byte(color.a));
 }`;
 
 function compiled(gl, kind, source) {
@@ -54,10 +67,11 @@ function integerTexture(gl, unit, size, pixels) {
 
 /**
  * @param {string} glsl what the engine emits as "glsl-es"
- * @param {{size: number, textures: Uint8Array[], primary: number[]}} inputs four textures of size x size RGBA8 texels
+ * @param {{size: number, textures: Uint8Array[], primary: number[], fog: number[], byteShift: number}} inputs four textures of
+ *     size x size RGBA8 texels; colours as bytes; how many low bits of a byte the profile drops
  * @returns {{pixels: Uint8Array, framesPerSecond: number, renderer: string}} rows in the order of the textures' rows
  */
-export function runOnGpu(glsl, { size, textures, primary }) {
+export function runOnGpu(glsl, { size, textures, primary, fog, byteShift }) {
   const gl = new OffscreenCanvas(size, size).getContext('webgl2');
   if (!gl) throw new Error('the browser offers no WebGL 2 here');
   try {
@@ -68,6 +82,8 @@ export function runOnGpu(glsl, { size, textures, primary }) {
       gl.uniform1i(gl.getUniformLocation(program, `ninebit_texture${unit}`), unit);
     });
     gl.uniform4iv(gl.getUniformLocation(program, 'ninebit_primary'), primary);
+    gl.uniform4iv(gl.getUniformLocation(program, 'ninebit_fog'), fog);
+    gl.uniform1i(gl.getUniformLocation(program, 'ninebit_byte_shift'), byteShift);
     gl.activeTexture(gl.TEXTURE4);
     const target = gl.createTexture();
     gl.bindTexture(gl.TEXTURE_2D, target);

@@ -26,10 +26,10 @@ export class GpuPanel {
    * @param {HTMLElement} parent
    * @param {import('./state.js').Store} store
    * @param {import('./shelf.js').Shelf} shelf
-   * @param {import('./engine_client.js').Engine} engine
+   * @param {{engine: import('./engine_client.js').Engine, profiles: import('./profiles_panel.js').Profile[]}} offered
    */
-  constructor(parent, store, shelf, engine) {
-    Object.assign(this, { parent, store, shelf, engine });
+  constructor(parent, store, shelf, { engine, profiles }) {
+    Object.assign(this, { parent, store, shelf, engine, profiles });
     this.result = element('p', { role: 'status', id: 'gpu-result' });
     this.figures = ['The emulator', 'Your GPU', 'Difference'].map((title) => {
       const canvas = element('canvas', { width: 1, height: 1 });
@@ -48,6 +48,14 @@ export class GpuPanel {
       const picture = this.shelf.pictures.get(source);
       return picture?.width === size && picture.height === size ? picture.pixels : pattern(unit);
     });
+  }
+
+  /** A field of the chosen profile. @param {string} name */
+  field(name) {
+    const { profile } = this.store.state;
+    if (typeof profile === 'object' && name in profile) return profile[name];
+    const base = typeof profile === 'string' ? profile : profile.base ?? 'geforce2';
+    return this.profiles.find((known) => known.name === base)?.fields.find((field) => field.name === name)?.value ?? 0;
   }
 
   /** The same as an effect: a rectangle, nearest texels, the textures that the program reads. */
@@ -90,7 +98,9 @@ export class GpuPanel {
     const effect = this.effect(read.answer.textures ?? []);
     const emulated = await this.engine.ask({ do: 'draw', effect, files: { gpu: text }, profile: state.profile, hash: false }, { key: 'gpu' });
     const { answer } = await this.engine.ask({ do: 'convert', text, profile: state.profile, to: 'glsl-es' }, { key: 'gpu-convert' });
-    const { pixels, framesPerSecond, renderer } = runOnGpu(answer.text, { size, textures, primary });
+    const { pixels, framesPerSecond, renderer } = runOnGpu(answer.text, {
+      size, textures, primary, fog: [0, 0, 0, this.field('fog_alpha_without_fog')], byteShift: this.field('byte_shift'),
+    });
     const difference = new Uint8Array(pixels.length);
     let count = 0;
     for (let at = 0; at < pixels.length; at += 4) {

@@ -61,7 +61,7 @@ class Page {
     this.trace = new TracePanel(byId('trace'), byId('trace-place'));
     this.inputs = new InputsPanel(byId('panel-inputs'), store, this.shelf, { textures: about.textures ?? [], meshes: about.meshes ?? [] });
     this.profiles = new ProfilesPanel(byId('panel-profiles'), store, about.profiles ?? [], (profiles) => this.live.compare(profiles));
-    this.gpu = new GpuPanel(byId('panel-gpu'), store, this.shelf, engine);
+    this.gpu = new GpuPanel(byId('panel-gpu'), store, this.shelf, { engine, profiles: about.profiles ?? [] });
     this.convert = new ConvertPanel(byId('panel-convert'), (to) => this.live.convert(to));
     this.shadow = new ShadowPanel(byId('panel-shadow'), store, this.shelf, { engine, meshes: about.meshes ?? [] });
     this.command = new CommandPanel(byId('panel-command'), () => commandsOf(store.state, this.live.pixel));
@@ -213,6 +213,8 @@ async function start() {
   // For the console and the tests.
   globalThis.ninebit = { store, engine, page, passOf };
   page.changed('all');
+  // The words can wait for the first picture.
+  await page.refresh();
   const { answer } = await engine.ask({ do: 'vocabulary' });
   page.program.editor.setWords(answer.words ?? []);
   page.words = answer.words?.length ?? 0;
