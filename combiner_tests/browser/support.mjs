@@ -1,0 +1,126 @@
+/**
+ * The page in Chromium, and the native program beside it.
+ */
+import assert from 'node:assert/strict';
+import { execFileSync } from 'node:child_process';
+import { cpSync, mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { createRequire } from 'node:module';
+import { tmpdir } from 'node:os';
+import { dirname, join, resolve } from 'node:path';
+import { fileURLToPath } from 'node:url';
+
+export const root = resolve(dirname(fileURLToPath(import.meta.url)), '../..');
+export const pageFile = join(root, 'build/playground/index.html');
+const program = join(root, 'build/release/bin/ninebit');
+const puppeteer = createRequire(join(root, 'build/playground/npm/package.json'))('puppeteer-core');
+
+const flags = ['--no-sandbox', '--disable-quic', '--no-first-run', '--disable-background-networking',
+  '--disable-component-update', '--disable-sync', '--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader'];
+
+export function launch() {
+  const executablePath = execFileSync('which', [process.env.CHROMIUM ?? 'chromium']).toString().trim();
+  return puppeteer.launch({ executablePath, args: flags });
+}
+
+/**
+ * Opens the page and waits for its first picture. `page.complaints` are errors of the console, of scripts, dialogs, and
+ * requests that leave the page.
+ */
+export async function openPage(browser, { hash = '', width = 1280, height = 900 } = {}) {
+  const page = await browser.newPage();
+  page.complaints = [];
+  const complain = (text) => page.complaints.push(text);
+  page.on('console', (message) => { if (['error', 'warn'].includes(message.type())) complain(`console: ${message.text()}`); });
+  page.on('pageerror', (error) => complain(`error: ${error.message}`));
+  page.on('dialog', async (dialog) => {
+    complain(`dialog: ${dialog.message()}`);
+    await dialog.dismiss();
+  });
+  page.on('request', (request) => {
+    if (!/^(blob:|data:)/.test(request.url()) && request.url().split('#')[0] !== `file://${pageFile}`) complain(`request: ${request.url()}`);
+  });
+  await page.setViewport({ width, height });
+  await page.goto(`file://${pageFile}${hash}`);
+  await page.waitForFunction(() => document.body.dataset.ready, { timeout: 60_000 });
+  return page;
+}
+
+export const hashOf = (page) => page.$eval('#picture', (element) => element.dataset.hash);
+
+/** Waits until the picture has a hash. */
+export async function waitForHash(page, hash) {
+  try {
+    await page.waitForFunction((wanted) => document.getElementById('picture').dataset.hash === wanted, { timeout: 20_000 }, hash);
+  } catch {
+    const faults = await page.$eval('#faults', (list) => list.textContent);
+    assert.equal(await hashOf(page), hash, `the picture's hash; faults: ${faults}`);
+  }
+}
+
+/** Replaces the editor's text by what a keyboard would write. */
+export async function type(page, text) {
+  await page.focus('.cm-content');
+  await page.keyboard.down('Control');
+  await page.keyboard.press('a');
+  await page.keyboard.up('Control');
+  await page.keyboard.sendCharacter(text);
+}
+
+/** Opens an effect of the gallery as if its card were clicked. */
+export async function openEffect(page, name) {
+  await page.evaluate(() => document.getElementById('picture').removeAttribute('data-hash'));
+  await page.click('#open-gallery');
+  await page.click(`[data-effect="${name}"]`);
+  await page.waitForFunction(() => document.getElementById('picture').dataset.hash !== undefined, { timeout: 30_000 });
+}
+
+/** Clicks a pixel of the picture, counted from the upper left corner. */
+export async function clickPixel(page, x, y) {
+  const place = await page.$eval('#picture canvas', (canvas, column, row) => {
+    canvas.scrollIntoView({ block: 'center' });
+    const box = canvas.getBoundingClientRect();
+    return { x: box.left + (column + 0.5) * box.width / canvas.width, y: box.top + (row + 0.5) * box.height / canvas.height };
+  }, x, y);
+  await page.mouse.click(place.x, place.y);
+}
+
+/** The page's state as data. */
+export const stateOf = (page) => page.evaluate(() => structuredClone(globalThis.ninebit.store.state));
+
+/** A folder with the state's files and the gallery's pictures, for the native program. */
+export function folderOf(state, more = {}) {
+  const folder = mkdtempSync(join(tmpdir(), 'ninebit-browser-'));
+  process.on('exit', () => rmSync(folder, { recursive: true, force: true }));
+  cpSync(join(root, 'scenes/effects/textures'), join(folder, 'textures'), { recursive: true });
+  for (const [name, content] of Object.entries({ ...state.files, ...more, 'effect.json': JSON.stringify(state.effect) })) {
+    mkdirSync(dirname(join(folder, name)), { recursive: true });
+    writeFileSync(join(folder, name), content);
+  }
+  if (typeof state.profile === 'object') writeFileSync(join(folder, 'profile.json'), JSON.stringify(state.profile));
+  return folder;
+}
+
+const profileOf = (state) => (typeof state.profile === 'object' ? 'profile.json' : state.profile);
+
+/** What the native program prints, as an object. */
+export function native(folder, ...words) {
+  return JSON.parse(execFileSync(program, [...words, '--json'], { cwd: folder, stdio: ['ignore', 'pipe', 'ignore'], maxBuffer: 1 << 28 }));
+}
+
+/** The hash that the native program gives the state's picture. */
+export const nativeHash = (state, more) => native(folderOf(state, more), 'draw', 'effect.json', '--profile', profileOf(state), '-o', 'picture.png').hash.color;
+
+/** The native trace of a pixel. */
+export const nativeTrace = (state, x, y) => native(folderOf(state), 'trace', '--effect', 'effect.json', '--profile', profileOf(state), '--pixel', `${x},${y}`);
+
+/** The messages of `ninebit validate` on a text. */
+export function nativeFaults(text, profile) {
+  const folder = folderOf({ files: { 'program.txt': text }, effect: {} });
+  try {
+    return execFileSync(program, ['validate', 'program.txt', '--profile', profile], { cwd: folder, stdio: ['ignore', 'pipe', 'pipe'] }).toString();
+  } catch (error) {
+    return `${error.stdout}${error.stderr}`;
+  }
+}
+
+export const expectedHashes = () => JSON.parse(readFileSync(join(root, 'scenes/effects/expected_hashes.json'), 'utf8'));

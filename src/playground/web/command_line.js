@@ -1,0 +1,54 @@
+/**
+ * The same with `ninebit`: a shell script that writes the files and runs the program.
+ */
+import { element, save } from './dom.js';
+
+/** A word for a shell. @param {string} word */
+const quoted = (word) => (/^[\w./,:=-]+$/.test(word) ? word : `'${word.replaceAll("'", "'\\''")}'`);
+
+/** A file as a here-document whose end the text does not contain. */
+function hereDocument(name, text) {
+  let end = 'END';
+  while (text.split('\n').includes(end)) end += '_';
+  return `cat > ${quoted(name)} <<'${end}'\n${text.replace(/\n?$/, '\n')}${end}\n`;
+}
+
+/**
+ * @param {import('./state.js').State} state
+ * @param {{x: number, y: number}|null} pixel the last traced pixel
+ * @returns {string}
+ */
+export function commandsOf(state, pixel) {
+  const { effect, files, profile } = state;
+  const name = 'effect.json';
+  const folders = [...new Set(Object.keys(files).filter((file) => file.includes('/')).map((file) => file.replace(/\/[^/]*$/, '')))];
+  const lines = [];
+  if (folders.length) lines.push(`mkdir -p ${folders.map(quoted).join(' ')}\n`);
+  for (const [file, text] of Object.entries(files)) lines.push(hereDocument(file, text));
+  lines.push(hereDocument(name, JSON.stringify(effect, null, 2)));
+  if (typeof profile === 'object') lines.push(hereDocument('profile.json', JSON.stringify(profile, null, 2)));
+  const sources = Object.values(effect.textures ?? {}).map((texture) => String(texture?.source ?? ''));
+  const pictures = sources.filter((source) => /\.\w+$/.test(source)).map((source) => source.replace(/^normals:/, ''));
+  if (effect.scene?.mesh && /\.\w+$/.test(effect.scene.mesh)) pictures.push(effect.scene.mesh);
+  for (const picture of pictures) lines.push(`# Needs ${picture.replaceAll('\n', ' ')}; the gallery's files are in scenes/effects.\n`);
+  const flags = `--profile ${typeof profile === 'string' ? quoted(profile) : 'profile.json'}`;
+  lines.push(`ninebit draw ${name} ${flags} -o picture.png\n`);
+  if (pixel) lines.push(`ninebit trace --effect ${name} ${flags} --pixel ${pixel.x},${pixel.y}\n`);
+  return lines.join('');
+}
+
+export class CommandPanel {
+  /** @param {HTMLElement} parent @param {() => string} commands */
+  constructor(parent, commands) {
+    Object.assign(this, { parent, commands });
+    this.text = element('pre', { tabindex: 0, 'aria-label': 'Commands' });
+    const button = (title, run) => element('button', { type: 'button', class: 'small', onclick: run }, title);
+    parent.append(element('div', { class: 'bar' }, element('span', { class: 'quiet' }, 'The same picture with the program ninebit:'),
+      button('Copy', () => navigator.clipboard?.writeText(this.text.textContent)),
+      button('Save as playground.sh', () => save('playground.sh', this.text.textContent))), this.text);
+  }
+
+  update() {
+    if (!this.parent.hidden) this.text.textContent = this.commands();
+  }
+}

@@ -1,0 +1,73 @@
+/**
+ * Elements without markup: texts are always set as text, so a name such as `<script>` is shown and not run.
+ */
+
+/**
+ * An element with attributes, listeners (`onclick`) and children.
+ * @param {string} name
+ * @param {Record<string, any>} [attributes] `null`, `undefined` and `false` are left out, `true` is an empty attribute.
+ * @param {...(Node|string|number|null)} children
+ * @returns {any}
+ */
+export function element(name, attributes = {}, ...children) {
+  const made = document.createElement(name);
+  for (const [key, value] of Object.entries(attributes)) {
+    if (value === null || value === undefined || value === false) continue;
+    if (key.startsWith('on')) made.addEventListener(key.slice(2), value);
+    else if (key === 'value') made.value = value;
+    else made.setAttribute(key, value === true ? '' : String(value));
+  }
+  made.append(...children.filter((child) => child !== null).map((child) => (typeof child === 'number' ? String(child) : child)));
+  return made;
+}
+
+/** @param {string} id @returns {any} the page's element of that id */
+export const byId = (id) => document.getElementById(id);
+
+/**
+ * A labelled choice.
+ * @param {string} label
+ * @param {(string|[string, string])[]} options values, or pairs of value and title
+ * @param {string} chosen
+ * @param {(value: string) => void} change
+ */
+export function choice(label, options, chosen, change) {
+  const pairs = options.map((option) => (Array.isArray(option) ? option : [option, option]));
+  if (!pairs.some(([value]) => value === chosen)) pairs.push([chosen, chosen]);
+  const select = element('select', { onchange: () => change(select.value) },
+    ...pairs.map(([value, title]) => element('option', { value }, title)));
+  select.value = chosen;
+  return element('label', { class: 'field' }, element('span', {}, label), select);
+}
+
+/**
+ * Puts pixels into a canvas of their size.
+ * @param {HTMLCanvasElement} canvas
+ * @param {Uint8Array} pixels RGBA8, rows from the top
+ */
+export function paint(canvas, pixels, width, height) {
+  canvas.width = width;
+  canvas.height = height;
+  const image = new ImageData(new Uint8ClampedArray(pixels), width, height);
+  canvas.getContext('2d').putImageData(image, 0, 0);
+}
+
+/**
+ * A function that runs once the calls to it have paused.
+ * @param {number} milliseconds
+ * @param {() => void} run
+ */
+export function afterPause(milliseconds, run) {
+  let timer = 0;
+  return () => {
+    clearTimeout(timer);
+    timer = setTimeout(run, milliseconds);
+  };
+}
+
+/** Offers a text as a file. @param {string} name @param {string|Blob} content */
+export function save(name, content) {
+  const address = URL.createObjectURL(content instanceof Blob ? content : new Blob([content], { type: 'text/plain' }));
+  element('a', { href: address, download: name }).click();
+  setTimeout(() => URL.revokeObjectURL(address), 1000);
+}

@@ -1,0 +1,64 @@
+/**
+ * Files dropped on the page: pictures become textures, meshes the effect's mesh, texts the program.
+ */
+import { mostBytes } from './decode_picture.js';
+import { meshEnding } from './shelf.js';
+import { mostCharacters, passOf } from './state.js';
+
+/**
+ * @param {File} file
+ * @param {number} unit the texture unit that a picture is for
+ * @param {{store: any, shelf: any, inputs: any, editor: any}} page
+ */
+async function take(file, unit, { store, shelf, inputs, editor }) {
+  if (file.size > mostBytes) {
+    throw new Error(`${file.name}: ${Math.round(file.size / 1e6)} MB; the page takes ${Math.round(mostBytes / 1e6)} MB at most`);
+  }
+  if (file.type.startsWith('image/')) {
+    inputs.setSource(unit, await shelf.take(file));
+  } else if (meshEnding.test(file.name)) {
+    const name = await shelf.take(file);
+    store.change('inputs', ({ effect }) => { effect.scene = { ...effect.scene, mesh: name }; });
+    inputs.show();
+  } else {
+    if (file.size > mostCharacters) throw new Error(`${file.name}: a program has at most ${mostCharacters / 1e6} MB`);
+    const text = await file.text();
+    if (text.includes('\0')) throw new Error(`${file.name}: not a picture, a mesh or a program; expected a picture such as PNG, a glTF, OBJ, PLY or OFF file, or a text`);
+    store.change('text', (state) => { state.files[passOf(state).program ??= 'program.rc1'] = text; });
+    editor();
+  }
+}
+
+/**
+ * @param {{store: any, shelf: any, inputs: any, editor: () => void}} page `editor` shows the state's text
+ * @param {(message: string) => void} say shows what went wrong
+ */
+export function acceptDrops(page, say) {
+  const takeAll = async (files, unit) => {
+    for (const [number, file] of files.entries()) {
+      try {
+        await take(file, Math.min(3, unit + number), page);
+      } catch (error) {
+        say(error.message);
+      }
+    }
+  };
+  page.inputs.onfiles = (files) => takeAll(files, 0);
+  const { body } = document;
+  document.addEventListener('dragover', (event) => {
+    event.preventDefault();
+    body.classList.add('dropping');
+  });
+  document.addEventListener('dragleave', (event) => {
+    if (!event.relatedTarget) body.classList.remove('dropping');
+  });
+  // Before the editor's own handler, which would insert the file as text.
+  document.addEventListener('drop', (event) => {
+    body.classList.remove('dropping');
+    const files = [...event.dataTransfer?.files ?? []];
+    if (files.length === 0) return;
+    event.preventDefault();
+    event.stopPropagation();
+    takeAll(files, Number(event.target.closest?.('[data-unit]')?.dataset.unit ?? 0));
+  }, { capture: true });
+}

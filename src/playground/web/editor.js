@@ -1,0 +1,75 @@
+/**
+ * The editor: CodeMirror with the programs' language and the engine's diagnostics under their lines.
+ *
+ * @typedef {{line: number, column: number, length?: number, message: string, severity?: 'error'|'info'}} Diagnostic
+ */
+import { autocompletion, closeBrackets, completionKeymap } from '@codemirror/autocomplete';
+import { defaultKeymap, history, historyKeymap } from '@codemirror/commands';
+import { bracketMatching } from '@codemirror/language';
+import { lintGutter, lintKeymap, setDiagnostics } from '@codemirror/lint';
+import { highlightSelectionMatches, searchKeymap } from '@codemirror/search';
+import { Compartment, EditorState } from '@codemirror/state';
+import { drawSelection, EditorView, highlightActiveLine, keymap, lineNumbers } from '@codemirror/view';
+import { programLanguage } from './language.js';
+
+export class Editor {
+  /**
+   * @param {HTMLElement} parent
+   * @param {(text: string) => void} changed hears of every edit by the user
+   */
+  constructor(parent, changed) {
+    this.language = new Compartment();
+    this.silent = false;
+    const listener = EditorView.updateListener.of((update) => {
+      if (update.docChanged && !this.silent) changed(update.state.doc.toString());
+    });
+    // Tab leaves the editor, so that the keyboard alone suffices: Control-] and Control-[ indent.
+    this.view = new EditorView({
+      parent,
+      extensions: [
+        lineNumbers(), history(), drawSelection(), bracketMatching(), closeBrackets(), highlightActiveLine(),
+        highlightSelectionMatches(), autocompletion(), lintGutter(), EditorView.lineWrapping, EditorState.tabSize.of(2),
+        keymap.of([...defaultKeymap, ...historyKeymap, ...searchKeymap, ...completionKeymap, ...lintKeymap]),
+        this.language.of(programLanguage([])), EditorView.contentAttributes.of({ 'aria-label': 'Program' }), listener,
+      ],
+    });
+  }
+
+  /** @param {import('./language.js').Word[]} words */
+  setWords(words) {
+    this.view.dispatch({ effects: this.language.reconfigure(programLanguage(words)) });
+  }
+
+  /** @param {string} text */
+  setText(text) {
+    if (text === this.view.state.doc.toString()) return;
+    this.silent = true;
+    this.view.dispatch({ changes: { from: 0, to: this.view.state.doc.length, insert: text } });
+    this.silent = false;
+    this.show([]);
+  }
+
+  /** @param {Diagnostic[]} diagnostics */
+  show(diagnostics) {
+    const { doc } = this.view.state;
+    const placed = diagnostics.map(({ line, column, length, message, severity }) => {
+      const place = doc.line(Math.min(Math.max(1, line || 1), doc.lines));
+      const from = Math.min(place.from + Math.max(0, (column || 1) - 1), place.to);
+      const word = /^[\w.]+/.exec(doc.sliceString(from, place.to))?.[0].length ?? 1;
+      const to = Math.min(from + (length || word), place.to);
+      // A place at the line's end has nothing to underline but the last character.
+      return { from: from === to ? Math.max(place.from, from - 1) : from, to, message, severity: severity ?? 'error' };
+    });
+    placed.sort((a, b) => a.from - b.from);
+    this.view.dispatch(setDiagnostics(this.view.state, placed));
+  }
+
+  /** Moves to a place and into the editor. */
+  go(line, column) {
+    const { doc } = this.view.state;
+    const place = doc.line(Math.min(Math.max(1, line || 1), doc.lines));
+    const at = Math.min(place.from + Math.max(0, (column || 1) - 1), place.to);
+    this.view.dispatch({ selection: { anchor: at }, scrollIntoView: true });
+    this.view.focus();
+  }
+}

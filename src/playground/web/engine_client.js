@@ -1,0 +1,137 @@
+/**
+ * The page's side of the engine: requests one after the other, a time limit, and a new worker after a crash.
+ */
+
+/** What the engine said is wrong with a request. */
+export class Fault extends Error {
+  /** @param {{message: string, file?: string, line?: number, column?: number}} fault */
+  constructor(fault) {
+    super(fault.message);
+    this.file = fault.file;
+    this.line = fault.line;
+    this.column = fault.column;
+  }
+}
+
+/** A request that a newer one of the same kind has replaced: nobody waits for it. */
+export class Replaced extends Error {}
+
+/** The engine crashed, took too long or was stopped. */
+export class Stopped extends Error {}
+
+const limit = 20_000;
+
+export class Engine {
+  /**
+   * @param {string} workerScript
+   * @param {string} engineScript
+   * @param {(busy: boolean) => void} busy hears when work begins and ends
+   * @param {(reason: string) => void} broken hears why the engine started anew
+   */
+  constructor(workerScript, engineScript, busy, broken) {
+    this.workerScript = workerScript;
+    this.engineScript = engineScript;
+    this.busy = busy;
+    this.broken = broken;
+    /** @type {any[]} */
+    this.waiting = [];
+    this.running = null;
+    this.number = 0;
+    /** Why the engine cannot start. @type {string|null} */
+    this.dead = null;
+    /** What was put in, to be put in again after a crash. @type {Map<string, {request: any, bytes: Uint8Array}>} */
+    this.kept = new Map();
+    this.start();
+  }
+
+  start() {
+    const address = URL.createObjectURL(new Blob([this.workerScript], { type: 'text/javascript' }));
+    this.worker = new Worker(address);
+    URL.revokeObjectURL(address);
+    this.worker.onmessage = ({ data }) => this.finished(data);
+    this.worker.onerror = (event) => {
+      event.preventDefault();
+      this.restart(`the engine crashed: ${event.message || 'out of memory'}`);
+    };
+    const first = [{ script: this.engineScript }, ...this.kept.values()];
+    for (const entry of first.reverse()) {
+      this.waiting.unshift({ ...entry, resolve() {}, reject() {} });
+    }
+    this.next();
+  }
+
+  /**
+   * The engine's answer. `bytes` of the answer is its binary part; `milliseconds` the time in the engine.
+   * @param {any} request
+   * @param {{key?: string, bytes?: Uint8Array}} [options] `key`: an older request of the same key is given up
+   * @returns {Promise<{answer: any, bytes: Uint8Array, milliseconds: number}>}
+   */
+  ask(request, { key, bytes } = {}) {
+    return new Promise((resolve, reject) => {
+      if (this.dead) {
+        reject(new Stopped(this.dead));
+        return;
+      }
+      if (key) {
+        for (const old of this.waiting.filter((entry) => entry.key === key)) old.reject(new Replaced());
+        this.waiting = this.waiting.filter((entry) => entry.key !== key);
+      }
+      this.waiting.push({ request, bytes, key, resolve, reject });
+      this.next();
+    });
+  }
+
+  /** Puts a picture or a file into the engine under a name. */
+  put(request, bytes) {
+    const entry = { request: { do: 'put', ...request }, bytes };
+    this.kept.set(request.name, entry);
+    return this.ask(entry.request, { bytes });
+  }
+
+  next() {
+    if (this.running || this.waiting.length === 0) {
+      if (!this.running) this.busy(false);
+      return;
+    }
+    this.running = this.waiting.shift();
+    this.running.id = ++this.number;
+    const { id, request, bytes, script } = this.running;
+    this.timer = setTimeout(() => this.restart(`the engine took longer than ${limit / 1000} s and was stopped`), limit);
+    this.busy(true);
+    this.worker.postMessage({ id, request, bytes, script });
+  }
+
+  finished(data) {
+    if (!this.running || data.id !== this.running.id) return;
+    if (data.crash) {
+      this.restart(`the engine crashed: ${data.crash}`);
+      return;
+    }
+    clearTimeout(this.timer);
+    const { resolve, reject } = this.running;
+    this.running = null;
+    if (data.answer.fault) reject(new Fault(data.answer.fault));
+    else resolve(data);
+    this.next();
+  }
+
+  /** Gives up what runs and starts anew; everything that waited still runs. @param {string} reason */
+  restart(reason) {
+    clearTimeout(this.timer);
+    this.worker.terminate();
+    this.broken(reason);
+    const broken = this.running;
+    this.running = null;
+    broken?.reject(new Stopped(reason));
+    if (broken?.script) {
+      this.dead = reason;
+      for (const entry of this.waiting) entry.reject(new Stopped(reason));
+      this.waiting = [];
+      this.busy(false);
+      return;
+    }
+    if (broken?.request?.do === 'put') this.kept.delete(broken.request.name);
+    this.waiting = this.waiting.filter((entry) => entry.request?.do !== 'put' || !this.kept.has(entry.request.name));
+    this.start();
+  }
+}

@@ -1,0 +1,64 @@
+/**
+ * The engine in its worker. One request in, one answer out; the first message is the engine's own script.
+ *
+ * A request is `{id, request, bytes?}`; an answer is `{id, answer, bytes?}`, or `{id, crash}` with what broke.
+ */
+
+const state = { engine: null };
+
+/** Runs the engine's script, which defines `createNinebit`. */
+async function start(script) {
+  const address = URL.createObjectURL(new Blob([script], { type: 'text/javascript' }));
+  importScripts(address);
+  URL.revokeObjectURL(address);
+  state.engine = await self.createNinebit({ print() {}, printErr() {} });
+}
+
+/** A text in the engine's memory, ended by a zero. */
+function textInMemory(text) {
+  const { engine } = state;
+  const bytes = new TextEncoder().encode(text);
+  const at = engine._malloc(bytes.length + 1);
+  engine.HEAPU8.set(bytes, at);
+  engine.HEAPU8[at + bytes.length] = 0;
+  return at;
+}
+
+/** The text at a place of the engine's memory. */
+function textAt(at) {
+  const { HEAPU8 } = state.engine;
+  return new TextDecoder().decode(HEAPU8.subarray(at, HEAPU8.indexOf(0, at)));
+}
+
+/** One call of the engine. */
+function answer(request, bytes) {
+  const { engine } = state;
+  if (bytes) {
+    const place = engine._ninebit_buffer(bytes.length);
+    if (place === 0) return { answer: { fault: { message: `${bytes.length} bytes are more than the engine takes` } } };
+    engine.HEAPU8.set(bytes, place);
+  }
+  const at = textInMemory(JSON.stringify(request));
+  const text = textAt(engine._ninebit_answer(at));
+  engine._free(at);
+  const found = JSON.parse(text);
+  if (!found.bytes) return { answer: found };
+  const from = engine._ninebit_bytes();
+  return { answer: found, bytes: engine.HEAPU8.slice(from, from + found.bytes) };
+}
+
+self.onmessage = async ({ data }) => {
+  try {
+    if (data.script) {
+      await start(data.script);
+      self.postMessage({ id: data.id, answer: {} });
+      return;
+    }
+    const begin = performance.now();
+    const found = answer(data.request, data.bytes);
+    const message = { id: data.id, milliseconds: performance.now() - begin, ...found };
+    self.postMessage(message, found.bytes ? [found.bytes.buffer] : []);
+  } catch (error) {
+    self.postMessage({ id: data.id, crash: String(error?.message ?? error).slice(0, 500) });
+  }
+};

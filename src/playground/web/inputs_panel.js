@@ -1,0 +1,167 @@
+/**
+ * What a pass reads: mesh, textures and their coordinates, colours, constants.
+ */
+import { cameraSliders } from './camera.js';
+import { choice, element } from './dom.js';
+import { passOf } from './state.js';
+
+const coordinates = ['uv', 'screen', 'projected', 'position', 'normal', 'from-light', 'light-vector', 'view-vector', 'half-vector',
+  'reflection', 'tangent-light-vector', 'tangent-half-vector'];
+const colours = [...coordinates.slice(3), 'color', 'lambert', 'index', 'constant:1,1,1', 'constant:0,0,0', 'constant:0.5,0.5,0.5'];
+const off = '(off)';
+
+/** @param {number} value 0 to 1 */
+const hex = (value) => Math.round(Math.min(1, Math.max(0, value)) * 255).toString(16).padStart(2, '0');
+
+export class InputsPanel {
+  /**
+   * @param {HTMLElement} parent
+   * @param {import('./state.js').Store} store
+   * @param {import('./shelf.js').Shelf} shelf
+   * @param {{textures: string[], meshes: string[]}} about what the engine offers
+   */
+  constructor(parent, store, shelf, about) {
+    Object.assign(this, { parent, store, shelf, about });
+    /** The constants that the program sets itself. @type {Record<string, number[]>} */
+    this.ofProgram = {};
+  }
+
+  /** @param {Record<string, number[]>} constants */
+  setConstants(constants) {
+    if (JSON.stringify(constants) === JSON.stringify(this.ofProgram)) return;
+    this.ofProgram = constants;
+    if (!this.parent.contains(document.activeElement)) this.show();
+  }
+
+  show() {
+    const { state } = this.store;
+    const pass = passOf(state);
+    const units = [0, 1, 2, 3].map((unit) => this.unit(unit, pass.units?.[unit] ?? null));
+    this.parent.replaceChildren(
+      element('div', { class: 'cards' }, ...units,
+        element('fieldset', {}, element('legend', {}, 'Vertices'), this.mesh(),
+          choice('Primary colour', colours, pass.primary ?? 'constant:1,1,1', (value) => this.edit((now) => { now.primary = value; })),
+          choice('Secondary colour', colours, pass.secondary ?? 'constant:0,0,0', (value) => this.edit((now) => { now.secondary = value; }))),
+        element('fieldset', {}, element('legend', {}, 'Constants'), this.constant('const0'), this.constant('const1'),
+          element('p', { class: 'quiet' }, 'They replace the program’s own constants.'))),
+      element('p', { class: 'quiet' }, 'Drop pictures, a program, or a glTF, OBJ, PLY or OFF file on the page, or ',
+        element('label', { class: 'link' }, 'choose one', element('input', { type: 'file', class: 'hidden-file', id: 'choose-file', multiple: true })), '.'));
+    this.parent.querySelector('#choose-file').addEventListener('change', (event) => this.onfiles?.([...event.target.files]));
+  }
+
+  edit(change) {
+    this.store.change('inputs', (state) => change(passOf(state), state.effect));
+  }
+
+  mesh() {
+    const { effect } = this.store.state;
+    const rectangle = 'rectangle';
+    const now = effect.scene?.mesh ?? rectangle;
+    const mesh = choice('Mesh', [rectangle, ...this.about.meshes, ...this.shelf.meshes()], now, (value) => {
+      this.edit((pass, edited) => {
+        edited.scene ??= {};
+        if (value === rectangle) delete edited.scene.mesh;
+        else edited.scene.mesh = value;
+        if (Object.keys(edited.scene).length === 0) delete edited.scene;
+      });
+      this.show();
+    });
+    if (now === rectangle) return mesh;
+    const camera = cameraSliders(effect.scene, (place) => this.edit((pass, edited) => { edited.scene.camera = place; }));
+    return element('div', { class: 'camera' }, mesh, camera);
+  }
+
+  unit(number, unit) {
+    const { effect } = this.store.state;
+    const texture = effect.textures?.[unit?.texture];
+    const files = this.shelf.names();
+    const title = (name) => name.replace(/^(normals:)?(textures|dropped)\//, '$1');
+    const sources = [off, ...this.about.textures, ...[...files, ...files.map((name) => `normals:${name}`)].map((name) => [name, title(name)])];
+    const picture = this.shelf.pictures.get(String(texture?.source ?? '').replace(/^normals:/, ''));
+    const rows = [choice('Texture', sources, texture?.source ?? off, (value) => this.setSource(number, value))];
+    if (texture) {
+      rows.push(
+        this.sampler('Filter', 'filter', ['nearest', 'linear', 'bilinear-mipmap', 'trilinear'], texture),
+        this.sampler('Wrap', 'wrap', ['repeat', 'clamp', 'clamp-to-edge', 'mirrored-repeat'], texture),
+        choice('Coordinates', coordinates, unit.coordinates ?? 'uv', (value) => this.edit((pass) => { pass.units[number].coordinates = value; })));
+    }
+    return element('fieldset', { 'data-unit': number }, element('legend', {}, `Texture ${number}`), picture ? thumbnail(picture) : null, ...rows);
+  }
+
+  /** A choice of how a texture is sampled; the default depends on its source. */
+  sampler(title, key, words, texture) {
+    return choice(title, [['', 'default'], ...words], texture[key] ?? '', (value) => this.edit(() => {
+      if (value) texture[key] = value;
+      else delete texture[key];
+    }));
+  }
+
+  /** @param {number} number @param {string} source */
+  setSource(number, source) {
+    this.edit((pass, effect) => {
+      pass.units = [0, 1, 2, 3].map((unit) => pass.units?.[unit] ?? null);
+      if (source === off) {
+        pass.units[number] = null;
+      } else {
+        effect.textures ??= {};
+        const used = pass.units[number]?.texture ?? `tex${number}`;
+        // Another pass may read the texture: it keeps its source.
+        const shared = effect.passes.some((other) => (other.units ?? []).some((unit, at) => unit?.texture === used && (other !== pass || at !== number)));
+        const name = shared ? `${used}-${number}` : used;
+        effect.textures[name] = { ...effect.textures[used], source };
+        pass.units[number] = { coordinates: 'uv', ...pass.units[number], texture: name };
+      }
+      while (pass.units.length > 0 && pass.units.at(-1) === null) pass.units.pop();
+    });
+    this.show();
+  }
+
+  constant(name) {
+    const pass = passOf(this.store.state);
+    const set = pass.constants?.[name];
+    const value = set ?? this.ofProgram[name] ?? [0, 0, 0, 0];
+    const write = (edited) => {
+      this.edit((now) => { now.constants = { ...now.constants, [name]: edited }; });
+      own.hidden = false;
+    };
+    const current = () => passOf(this.store.state).constants?.[name] ?? this.ofProgram[name] ?? [0, 0, 0, 0];
+    const well = element('input', {
+      type: 'color', value: `#${value.slice(0, 3).map(hex).join('')}`, 'aria-label': `${name}, colour`, 'data-constant': name,
+      oninput: () => {
+        const parts = [1, 3, 5].map((at) => parseInt(well.value.slice(at, at + 2), 16) / 255);
+        write([...parts, current()[3]]);
+      },
+    });
+    const alpha = element('input', {
+      type: 'range', min: 0, max: 255, 'aria-label': `${name}, alpha`,
+      oninput: () => {
+        shown.textContent = alpha.value;
+        write([...current().slice(0, 3), Number(alpha.value) / 255]);
+      },
+    });
+    alpha.value = String(Math.round(value[3] * 255));
+    const shown = element('output', {}, alpha.value);
+    const own = element('button', {
+      type: 'button', class: 'small', hidden: !set, title: `Use the program’s ${name}`,
+      onclick: () => {
+        this.edit((now) => {
+          delete now.constants?.[name];
+          if (Object.keys(now.constants ?? {}).length === 0) delete now.constants;
+        });
+        this.show();
+      },
+    }, 'reset');
+    return element('div', { class: 'constant' }, element('code', {}, name), well, element('label', {}, 'alpha ', alpha), shown, own);
+  }
+}
+
+/** A small picture of a texture. */
+function thumbnail({ width, height, pixels }) {
+  const canvas = element('canvas', { class: 'texture-thumbnail', 'aria-hidden': 'true' });
+  canvas.width = width;
+  canvas.height = height;
+  const opaque = new Uint8ClampedArray(pixels);
+  for (let at = 3; at < opaque.length; at += 4) opaque[at] = 255;
+  canvas.getContext('2d').putImageData(new ImageData(opaque, width, height), 0, 0);
+  return canvas;
+}

@@ -1,0 +1,225 @@
+/**
+ * The playground: builds the page from its parts and connects them.
+ */
+import { CommandPanel, commandsOf } from './command_line.js';
+import { ConvertPanel } from './convert_panel.js';
+import { afterPause, byId, choice } from './dom.js';
+import { acceptDrops } from './drop.js';
+import { Engine, Replaced } from './engine_client.js';
+import { Gallery } from './gallery.js';
+import { GpuPanel } from './gpu_panel.js';
+import { InputsPanel } from './inputs_panel.js';
+import { Live } from './live.js';
+import { addressOf, stateOfAddress } from './permalink.js';
+import { Picture } from './picture.js';
+import { ProfilesPanel } from './profiles_panel.js';
+import { ProgramPane } from './program_pane.js';
+import { ShadowPanel } from './shadow_panel.js';
+import { bytesOf, Shelf } from './shelf.js';
+import { newState, passOf, stateOf, Store } from './state.js';
+import { tabs } from './tabs.js';
+import { TracePanel } from './trace_panel.js';
+
+const content = JSON.parse(byId('content').textContent);
+const first = () => stateOf(content.effects.sepia ?? Object.values(content.effects)[0], content.programs);
+
+/** Shows a message above everything, or hides it. @param {string|null} text */
+function say(text) {
+  byId('message').textContent = text ?? '';
+  byId('message').hidden = !text;
+}
+
+/** The engine's script, which the page holds compressed. */
+async function engineScript() {
+  const stream = new Blob([bytesOf(byId('engine').textContent)]).stream().pipeThrough(new DecompressionStream('gzip'));
+  return new Response(stream).text();
+}
+
+/** The state of the address, or the first effect and a message. */
+async function firstState() {
+  try {
+    return await stateOfAddress(location.hash) ?? first();
+  } catch (error) {
+    say(`This link cannot be opened: ${error.message}.`);
+    return first();
+  }
+}
+
+/** Everything that shows the state. */
+class Page {
+  constructor(store, engine, about) {
+    this.store = store;
+    this.engine = engine;
+    this.shelf = new Shelf(engine, content.files);
+    this.program = new ProgramPane(store, content.programs);
+    this.live = new Live(store, engine, this.shelf, {
+      read: (answer) => this.read(answer), drawn: (result) => this.drawn(result), failed: (error) => this.failed(error),
+      traced: (trace) => this.trace.show(trace, this.live.pixel),
+    });
+    this.live.effectText = () => this.program.effectText;
+    this.picture = new Picture(byId('picture'), (x, y) => this.chosen(x, y));
+    this.trace = new TracePanel(byId('trace'), byId('trace-place'));
+    this.inputs = new InputsPanel(byId('panel-inputs'), store, this.shelf, { textures: about.textures ?? [], meshes: about.meshes ?? [] });
+    this.profiles = new ProfilesPanel(byId('panel-profiles'), store, about.profiles ?? [], (profiles) => this.live.compare(profiles));
+    this.gpu = new GpuPanel(byId('panel-gpu'), store, this.shelf, { engine, profiles: about.profiles ?? [] });
+    this.convert = new ConvertPanel(byId('panel-convert'), (to) => this.live.convert(to));
+    this.shadow = new ShadowPanel(byId('panel-shadow'), store, this.shelf, { engine, meshes: about.meshes ?? [] });
+    this.command = new CommandPanel(byId('panel-command'), () => commandsOf(store.state, this.live.pixel));
+    this.forms = new Map((about.forms ?? []).map(({ name, title }) => [name, title]));
+    this.profileNames = (about.profiles ?? []).map(({ name }) => name);
+    this.showPanel = tabs(document.querySelector('[role=tablist]'), (name) => this.panelShown(name));
+    this.later = afterPause(150, () => this.refresh());
+    this.link = afterPause(400, () => this.writeAddress());
+    store.listen((what) => this.changed(what));
+  }
+
+  panelShown(name) {
+    if (name === 'profiles') this.profiles.show();
+    else if (name === 'inputs') this.inputs.show();
+    else if (name === 'trace') this.live.trace();
+    else this[name]?.update?.();
+  }
+
+  changed(what) {
+    if (what === 'all') {
+      this.live.pixel = null;
+      this.program.shows = 'program';
+      this.trace.clear();
+      this.inputs.ofProgram = {};
+    }
+    if (what === 'all' || (what === 'inputs' && this.program.shows === 'effect')) this.inputs.show();
+    if (what === 'all') this.program.show();
+    if (what === 'pass') this.inputs.show();
+    if (what === 'all' || what === 'profile') {
+      this.showProfile();
+      this.profiles.show();
+    }
+    if (what === 'other') this.profiles.update();
+    else this.later();
+    this.link();
+  }
+
+  showProfile() {
+    const { profile } = this.store.state;
+    const name = typeof profile === 'string' ? profile : this.profiles.title();
+    byId('profile-choice').replaceChildren(choice('Profile', this.profileNames, name, (value) => {
+      if (this.profileNames.includes(value)) this.store.change('profile', (state) => { state.profile = value; });
+    }));
+  }
+
+  async refresh() {
+    const panels = [this.profiles, this.gpu, this.convert, this.command, this.shadow];
+    if (this.program.shows === 'program') this.live.read();
+    await this.live.draw();
+    if (!byId('panel-trace').hidden) this.live.trace();
+    for (const panel of panels) panel.update();
+  }
+
+  read(answer) {
+    const notes = (answer.notes ?? []).map((note) => ({ ...note, severity: 'info' }));
+    this.program.setFaults('read', [...(answer.faults ?? []), ...notes]);
+    byId('form').textContent = answer.form ? `read as: ${this.forms.get(answer.form) ?? answer.form}` : '';
+    byId('explanation').textContent = answer.explanation ?? '';
+    this.inputs.setConstants(answer.constants ?? {});
+  }
+
+  drawn({ answer, bytes, milliseconds }) {
+    this.program.setFaults('draw', []);
+    this.picture.show(bytes, answer.width, answer.height);
+    byId('picture').dataset.hash = answer.hash?.color ?? '';
+    byId('title').textContent = this.store.state.effect.title ?? 'Untitled';
+    byId('drawing').textContent = `${answer.width} x ${answer.height}, ${milliseconds.toFixed(1)} ms`;
+    document.body.dataset.ready = 'true';
+  }
+
+  failed(error) {
+    byId('picture').dataset.hash = '';
+    byId('drawing').textContent = 'not drawn: the last good picture is below';
+    const fault = { message: error.message };
+    if (error.file === 'effect' && this.program.shows === 'effect') Object.assign(fault, { line: error.line, column: error.column });
+    else if (error.file && error.file !== 'effect') fault.message = `${error.file}: ${error.message}`;
+    this.program.setFaults('draw', [fault]);
+    document.body.dataset.ready = 'true';
+  }
+
+  chosen(x, y) {
+    this.live.pixel = { x, y };
+    this.showPanel('trace');
+  }
+
+  async writeAddress() {
+    history.replaceState(null, '', await addressOf(this.store.state));
+  }
+
+  async copyLink() {
+    await this.writeAddress();
+    const { length } = location.href;
+    const dropped = [...this.shelf.dropped].some((name) => JSON.stringify(this.store.state.effect).includes(JSON.stringify(name).slice(1, -1)));
+    try {
+      await navigator.clipboard.writeText(location.href);
+      say(null);
+      byId('copy-link').textContent = `Copied: ${length} characters`;
+    } catch {
+      byId('copy-link').textContent = 'It is in the address bar';
+    }
+    if (dropped) say('The link does not hold the files that you dropped: whoever opens it sees the program without them.');
+    setTimeout(() => { byId('copy-link').textContent = 'Copy link'; }, 3000);
+  }
+
+  listen() {
+    const draw = async (state) => {
+      await this.shelf.loadFor(state.effect);
+      return this.engine.ask(Live.request(state));
+    };
+    const open = (state) => {
+      say(null);
+      this.store.replace(state);
+    };
+    const gallery = new Gallery(byId('gallery'), content, draw, open);
+    byId('open-gallery').addEventListener('click', () => gallery.show());
+    byId('new-program').addEventListener('click', () => open(newState()));
+    byId('copy-link').addEventListener('click', () => this.copyLink());
+    byId('cancel').addEventListener('click', () => this.engine.restart('the engine was stopped'));
+    acceptDrops({ store: this.store, shelf: this.shelf, inputs: this.inputs, editor: () => this.program.show() }, say);
+    window.addEventListener('hashchange', async () => {
+      try {
+        const state = await stateOfAddress(location.hash);
+        if (state) open(state);
+      } catch (error) {
+        say(`This link cannot be opened: ${error.message}.`);
+      }
+    });
+  }
+}
+
+/** Shows that the engine works, once it has for a while. */
+function busyMark() {
+  let timer = 0;
+  return (busy) => {
+    clearTimeout(timer);
+    if (busy) timer = setTimeout(() => { byId('cancel').hidden = false; }, 500);
+    else byId('cancel').hidden = true;
+  };
+}
+
+async function start() {
+  const engine = new Engine(byId('worker').textContent, await engineScript(), busyMark(), (reason) => say(`${reason}. The text is kept; the next edit draws again.`));
+  const store = new Store(await firstState());
+  const { answer: about } = await engine.ask({ do: 'about' });
+  byId('version').textContent = `ninebit ${about.version ?? ''}`;
+  const page = new Page(store, engine, about);
+  page.listen();
+  page.showPanel('inputs');
+  // For the console and the tests.
+  globalThis.ninebit = { store, engine, page, passOf };
+  page.changed('all');
+  // The words can wait for the first picture.
+  await page.refresh();
+  const { answer } = await engine.ask({ do: 'vocabulary' });
+  page.program.editor.setWords(answer.words ?? []);
+  page.words = answer.words?.length ?? 0;
+}
+
+start().catch((error) => {
+  if (!(error instanceof Replaced)) say(`The playground cannot start: ${error.message}.`);
+});

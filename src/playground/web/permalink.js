@@ -1,0 +1,54 @@
+/**
+ * The state in the page's address: `#1.` and the JSON, deflated, in the alphabet of base64url. 1 is the version.
+ */
+import { checkedState, mostCharacters } from './state.js';
+
+const version = 1;
+
+/** @param {Blob} blob @param {'compress'|'decompress'} what */
+async function through(blob, what) {
+  const stream = what === 'compress' ? new CompressionStream('deflate-raw') : new DecompressionStream('deflate-raw');
+  const reader = blob.stream().pipeThrough(stream).getReader();
+  const parts = [];
+  let size = 0;
+  for (;;) {
+    const { done, value } = await reader.read();
+    if (done) return new Blob(parts);
+    size += value.length;
+    if (size > mostCharacters * 4) throw new Error('the address unpacks to more than a program needs');
+    parts.push(value);
+  }
+}
+
+/** @param {import('./state.js').State} state @returns {Promise<string>} the address's part from `#` on */
+export async function addressOf(state) {
+  const packed = new Uint8Array(await (await through(new Blob([JSON.stringify(state)]), 'compress')).arrayBuffer());
+  let binary = '';
+  for (const byte of packed) binary += String.fromCharCode(byte);
+  return `#${version}.${btoa(binary).replaceAll('+', '-').replaceAll('/', '_').replaceAll('=', '')}`;
+}
+
+/**
+ * The state of an address, or `null` where there is none. Anything else is an error in words.
+ * @param {string} hash
+ * @returns {Promise<import('./state.js').State|null>}
+ */
+export async function stateOfAddress(hash) {
+  if (hash.length < 2) return null;
+  const match = /^#(\d+)\.([A-Za-z0-9_-]*)$/.exec(hash);
+  if (!match) throw new Error('the address is not one that this page has written');
+  if (Number(match[1]) > version) {
+    throw new Error(`the address is of version ${match[1]}; this page reads versions up to ${version}: open it in a newer playground`);
+  }
+  if (Number(match[1]) < 1 || match[2].length > mostCharacters) throw new Error('the address is damaged or too long');
+  let text;
+  try {
+    const binary = atob(match[2].replaceAll('-', '+').replaceAll('_', '/'));
+    const bytes = Uint8Array.from(binary, (character) => character.charCodeAt(0));
+    text = await (await through(new Blob([bytes]), 'decompress')).text();
+    text = JSON.parse(text);
+  } catch {
+    throw new Error('the address is damaged: part of it is missing or changed');
+  }
+  return checkedState(text);
+}

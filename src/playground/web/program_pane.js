@@ -1,0 +1,80 @@
+/**
+ * The left pane: which text is edited, the editor, the diagnostics as a list.
+ */
+import { byId, choice, element } from './dom.js';
+import { Editor } from './editor.js';
+import { effectFile, passOf } from './state.js';
+
+export class ProgramPane {
+  /**
+   * @param {import('./state.js').Store} store
+   * @param {Record<string, string>} programs the gallery's programs, for names that an edited effect adds
+   */
+  constructor(store, programs) {
+    Object.assign(this, { store, programs, shows: 'program', effectText: null });
+    this.editor = new Editor(byId('editor'), (text) => this.edited(text));
+    /** Faults of the program or the effect, and of the drawing. */
+    this.faults = { read: [], draw: [] };
+  }
+
+  /** Shows the text of the state. */
+  show() {
+    const { state } = this.store;
+    const passes = state.effect.passes.map((pass, at) => [String(at), `${pass.name ?? `pass ${at}`}: ${pass.program ?? 'no program'}`]);
+    const value = this.shows === 'effect' ? effectFile : String(state.pass);
+    byId('file-choice').replaceChildren(choice('Edit', [...passes, [effectFile, 'the effect itself (JSON)']], value, (chosen) => this.choose(chosen)));
+    const text = this.shows === 'effect' ? JSON.stringify(state.effect, null, 2) : state.files[passOf(state).program] ?? '';
+    this.editor.setText(text);
+    this.effectText = this.shows === 'effect' ? text : null;
+  }
+
+  choose(value) {
+    this.shows = value === effectFile ? 'effect' : 'program';
+    this.faults = { read: [], draw: [] };
+    this.store.change('pass', (state) => { if (value !== effectFile) state.pass = Number(value); });
+    this.show();
+  }
+
+  edited(text) {
+    if (this.shows === 'effect') {
+      this.effectText = text;
+      this.editedEffect(text);
+      return;
+    }
+    this.store.change('text', (state) => { state.files[passOf(state).program ??= 'program.rc1'] = text; });
+  }
+
+  editedEffect(text) {
+    let effect;
+    try {
+      effect = JSON.parse(text);
+      if (!Array.isArray(effect?.passes) || !effect.passes.every((pass) => typeof pass === 'object' && pass)) throw new Error('an effect needs "passes", a list of objects');
+    } catch (error) {
+      this.setFaults('read', [{ ...placeIn(text, error.message), message: error.message }]);
+      return;
+    }
+    this.setFaults('read', []);
+    this.store.change('inputs', (state) => {
+      state.effect = effect;
+      state.pass = Math.min(state.pass, Math.max(0, effect.passes.length - 1));
+      for (const { program } of effect.passes) if (program) state.files[program] ??= this.programs[program] ?? '';
+    });
+  }
+
+  /** @param {'read'|'draw'} of @param {import('./editor.js').Diagnostic[]} faults */
+  setFaults(of, faults) {
+    this.faults[of] = faults;
+    const all = [...this.faults.read, ...(this.faults.read.some(({ severity }) => severity !== 'info') ? [] : this.faults.draw)];
+    this.editor.show(all.filter(({ line }) => line));
+    byId('faults').replaceChildren(...all.map(({ line, column, message, severity }) => element('li', {},
+      element('button', { type: 'button', class: severity === 'info' ? 'info' : 'error', onclick: () => line && this.editor.go(line, column) },
+        line ? `${line}:${column ?? 1}  ` : '', message))));
+  }
+}
+
+/** Where JSON.parse says that it stopped. */
+function placeIn(text, message) {
+  const found = /position (\d+)/.exec(message);
+  const before = text.slice(0, found ? Number(found[1]) : 0).split('\n');
+  return { line: before.length, column: before.at(-1).length + 1 };
+}

@@ -1,0 +1,98 @@
+/**
+ * Index cube shadows: the picture, and beside it the cube map that the light sees, unfolded.
+ */
+import { cameraOf, orbitOf } from './camera.js';
+import { choice, element, paint } from './dom.js';
+import { Replaced } from './engine_client.js';
+
+const order = [['neighbour', 'codes that know their neighbours'], ['file', 'the article’s: as in the file']];
+
+export class ShadowPanel {
+  /**
+   * @param {HTMLElement} parent
+   * @param {import('./state.js').Store} store
+   * @param {import('./shelf.js').Shelf} shelf
+   * @param {{engine: import('./engine_client.js').Engine, meshes: string[]}} offered
+   */
+  constructor(parent, store, shelf, { engine, meshes }) {
+    Object.assign(this, { parent, store, shelf, engine, meshes });
+    this.asked = { scene: 'room', step: 2, map_size: 512, order: 'file' };
+    /** Where the scene's own camera is; known after the first picture. */
+    this.view = null;
+    this.controls = element('div', { class: 'shadow-controls' });
+    this.result = element('p', { role: 'status', id: 'shadow-result' });
+    this.canvases = [0, 1].map(() => element('canvas', { width: 1, height: 1 }));
+    const captions = ['The picture', 'The index cube, unfolded'];
+    parent.append(this.controls, this.result,
+      element('div', { class: 'trio' }, ...this.canvases.map((canvas, at) => element('figure', {}, canvas, element('figcaption', {}, captions[at])))));
+  }
+
+  ask(change) {
+    Object.assign(this.asked, change);
+    this.draw();
+  }
+
+  show() {
+    const scenes = [['room', 'the room'], ...this.meshes, ...this.shelf.meshes().slice(1)];
+    const scene = choice('Scene', scenes, this.asked.scene, (value) => {
+      this.view = null;
+      delete this.asked.camera;
+      this.ask({ scene: value });
+    });
+    const sizes = [64, 128, 256, 512, 1024, 2048].map(String);
+    this.controls.replaceChildren(scene, choice('Order', order, this.asked.order, (value) => this.ask({ order: value })),
+      slider('Step', { min: 1, max: 4, step: 1, value: this.asked.step }, (value) => this.ask({ step: value })),
+      choice('Map size', sizes, String(this.asked.map_size), (value) => this.ask({ map_size: Number(value) })), ...this.camera());
+  }
+
+  camera() {
+    if (!this.view) return [];
+    const scene = { camera: this.view.position, look_at: this.view.target };
+    const orbit = orbitOf({ ...scene, camera: this.asked.camera?.position ?? scene.camera });
+    const part = (title, key, range) => slider(title, { ...range, value: orbit[key] }, (value) => {
+      orbit[key] = value;
+      this.ask({ camera: { position: cameraOf(scene, orbit), target: this.view.target, fov: this.view.fov } });
+    });
+    const far = Math.max(4, orbit.distance * 2);
+    return [part('Around', 'around', { min: -180, max: 180, step: 1 }), part('Above', 'above', { min: -85, max: 85, step: 1 }),
+      part('Distance', 'distance', { min: far / 20, max: far, step: far / 200 })];
+  }
+
+  update() {
+    if (this.parent.hidden) return;
+    this.show();
+    this.draw();
+  }
+
+  async draw() {
+    try {
+      const request = { do: 'shadow', size: [480, 360], profile: this.store.state.profile, ...this.asked };
+      const { answer, bytes, milliseconds } = await this.engine.ask(request, { key: 'shadow' });
+      const first = answer.width * answer.height * 4;
+      paint(this.canvases[0], bytes.subarray(0, first), answer.width, answer.height);
+      paint(this.canvases[1], bytes.subarray(first), answer.cube.width, answer.cube.height);
+      const { lit, shadowed } = answer.pixels;
+      this.result.textContent = `${shadowed.toLocaleString('en')} pixels in shadow, ${lit.toLocaleString('en')} lit; ` +
+        `${answer.triangles.toLocaleString('en')} triangles, ${answer.codes_used.toLocaleString('en')} codes; ${milliseconds.toFixed(0)} ms`;
+      if (!this.view) {
+        this.view = answer.view;
+        this.show();
+      }
+    } catch (error) {
+      if (!(error instanceof Replaced)) this.result.textContent = error.message;
+    }
+  }
+}
+
+/** A number with its value beside it. @param {string} title @param {{value: number, min: number, max: number, step: number}} range */
+function slider(title, { value, ...range }, write) {
+  const shown = element('output', {}, value);
+  const input = element('input', {
+    type: 'range', ...range, oninput: () => {
+      shown.textContent = input.value;
+      write(Number(input.value));
+    },
+  });
+  input.value = String(value);
+  return element('label', { class: 'field' }, element('span', {}, title), element('span', { class: 'slider' }, input, shown));
+}

@@ -1,0 +1,81 @@
+/**
+ * The pictures and meshes that effects read: the gallery's pictures, which are part of the page, and what is dropped.
+ */
+import { decodePicture, mostBytes } from './decode_picture.js';
+
+/** @param {string} text base64 */
+export const bytesOf = (text) => Uint8Array.from(atob(text), (character) => character.charCodeAt(0));
+
+/** Names of mesh files. */
+export const meshEnding = /\.(gltf|glb|obj|ply|off)$/i;
+
+export class Shelf {
+  /**
+   * @param {import('./engine_client.js').Engine} engine
+   * @param {Record<string, string>} embedded files of the page, base64, by the names that effects give them
+   */
+  constructor(engine, embedded) {
+    this.engine = engine;
+    this.embedded = embedded;
+    /** Small pictures to choose from, by name. @type {Map<string, {width: number, height: number, pixels: Uint8Array}>} */
+    this.pictures = new Map();
+    /** Names of what was dropped. @type {Set<string>} */
+    this.dropped = new Set();
+    /** @type {Map<string, Promise<void>>} */
+    this.loading = new Map();
+  }
+
+  /** Names of pictures to choose from. */
+  names() {
+    return [...Object.keys(this.embedded), ...[...this.dropped].filter((name) => !meshEnding.test(name))];
+  }
+
+  /** Names of meshes to choose from: the room, which the engine has, and what was dropped. */
+  meshes() {
+    return ['../index_room.gltf', ...[...this.dropped].filter((name) => meshEnding.test(name))];
+  }
+
+  /** Puts a file of the page into the engine, once. @param {string} name */
+  load(name) {
+    if (!(name in this.embedded)) return Promise.resolve();
+    if (!this.loading.has(name)) this.loading.set(name, this.put(name, new Blob([bytesOf(this.embedded[name])])));
+    return this.loading.get(name);
+  }
+
+  /** Loads all files that an effect names. @param {any} effect */
+  async loadFor(effect) {
+    const sources = Object.values(effect.textures ?? {}).map((texture) => String(texture?.source ?? ''));
+    const names = sources.flatMap((source) => source.replace(/^normals:/, '').split(','));
+    await Promise.all(names.map((name) => this.load(name)));
+  }
+
+  async put(name, file) {
+    if (meshEnding.test(name)) {
+      await this.engine.put({ name, kind: 'file' }, new Uint8Array(await file.arrayBuffer()));
+      return;
+    }
+    const picture = await decodePicture(file);
+    this.pictures.set(name, picture);
+    await this.engine.put({ name, kind: 'pixels', width: picture.width, height: picture.height }, picture.pixels);
+  }
+
+  /**
+   * Takes a dropped picture or mesh.
+   * @param {File} file
+   * @returns {Promise<string>} its name in effects
+   */
+  async take(file) {
+    if (file.size > mostBytes) {
+      throw new Error(`${file.name}: ${Math.round(file.size / 1e6)} MB; the page takes ${Math.round(mostBytes / 1e6)} MB at most`);
+    }
+    // The effect's words take no commas or colons in a file's name.
+    const name = `dropped/${file.name.replace(/[,:\\]/g, '_')}`;
+    try {
+      await this.put(name, file);
+    } catch (error) {
+      throw new Error(`${file.name}: ${error.message}`);
+    }
+    this.dropped.add(name);
+    return name;
+  }
+}
