@@ -84,6 +84,11 @@ test('a mesh becomes the mesh', async () => {
   await drop('room.gltf', '', content.toString('base64'));
   const name = 'dropped/room.gltf';
   await page.waitForFunction((mesh) => globalThis.ninebit.store.state.effect.scene?.mesh === mesh, {}, name);
+  // The room has no texture coordinates.
+  await page.evaluate(() => globalThis.ninebit.store.change('inputs', (state) => {
+    state.files['programs/sepia.rc1'] = '!!RC1.0\nout.rgb = col0;\nout.a = unsigned_invert(zero);\n';
+    Object.assign(state.effect.passes[0], { units: [], primary: 'lambert' });
+  }));
   await waitForHash(page, nativeHash(await stateOf(page), { [name]: content, 'dropped/my picture <b>.png': picture(64) }));
 });
 

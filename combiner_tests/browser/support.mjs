@@ -104,7 +104,7 @@ const profileOf = (state) => (typeof state.profile === 'object' ? 'profile.json'
 
 /** What the native program prints, as an object. */
 export function native(folder, ...words) {
-  return JSON.parse(execFileSync(program, [...words, '--json'], { cwd: folder, stdio: ['ignore', 'pipe', 'ignore'], maxBuffer: 1 << 28 }));
+  return JSON.parse(execFileSync(program, [...words, '--json'], { cwd: folder, stdio: ['ignore', 'pipe', 'pipe'], maxBuffer: 1 << 28 }));
 }
 
 /** The hash that the native program gives the state's picture. */

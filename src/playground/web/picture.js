@@ -47,7 +47,8 @@ export class Picture {
 
   scale() {
     if (this.zoom > 0) return this.zoom;
-    const room = Math.min(this.scroll.clientWidth / this.width, this.scroll.clientHeight / this.height);
+    const around = 28; // the space that style.css keeps around the picture
+    const room = Math.min((this.scroll.clientWidth - around) / this.width, (this.scroll.clientHeight - around) / this.height);
     return room >= 1 ? Math.floor(room) : room;
   }
 
