@@ -62,8 +62,8 @@ def check_trace(browser, path):
            "a hostile name is shown")
     expect(browser.value("typeof hit") == "undefined" and browser.value(COUNT % "img") == 0, "and not run")
     boxes, wires = browser.value(COUNT % ".nb-box"), browser.value(COUNT % ".nb-wires path")
-    expect(boxes == 17 and wires == 16, f"boxes and wires: {boxes}, {wires}")
-    expect(browser.value(COUNT % ".nb-cell.nb-clamped") == 3 and browser.value(COUNT % ".nb-cell.nb-truncated") == 3,
+    expect(boxes == 19 and wires == 18, f"boxes and wires: {boxes}, {wires}")
+    expect(browser.value(COUNT % ".nb-cell.nb-clamped") == 5 and browser.value(COUNT % ".nb-cell.nb-truncated") == 3,
            "what was clamped and truncated is marked")
 
     # The value under the pointer: what it was computed from is lit, and the rest fades.
@@ -71,7 +71,7 @@ def check_trace(browser, path):
     x, y, width, height = browser.box("#last")
     browser.move_to(x + width / 2, y + height / 2)
     browser.value(FRAME)
-    expect(browser.value(COUNT % ".nb-box.nb-lit") == 16, "all boxes but the colour's result are lit")
+    expect(browser.value(COUNT % ".nb-box.nb-lit") == 18, "all boxes but the colour's result are lit")
     browser.value("new Promise(done => setTimeout(done, 300))")
     faded = "getComputedStyle(document.querySelectorAll('.nb-result')[0]).opacity"
     expect(float(browser.value(faded)) < 0.5, "which fades")
@@ -101,7 +101,7 @@ def check_trace(browser, path):
 def check_explanation(browser, path):
     open_page(browser, path)
     boxes, equations = browser.value(COUNT % ".nb-box"), browser.value(COUNT % ".nb-equation")
-    expect(boxes == 17 and equations == 4, f"boxes and equations: {boxes}, {equations}")
+    expect(boxes == 19 and equations == 4, f"boxes and equations: {boxes}, {equations}")
     first = browser.value("document.querySelector('.nb-equation').textContent")
     expect(first == "spare0 = 4·(primary − tex0)", f"an equation: {first}")
     check_colors_and_phone(browser)
