@@ -114,7 +114,7 @@ TEST(PlaygroundHostile, DamagedRequestsAreAnswered) {
   int refused = 0;
   for (int i = 0; i < 2000; ++i) {
     std::string request = whole[static_cast<std::size_t>(i) % whole.size()];
-    for (unsigned n = 1 + random() % 3; n > 0; --n) {
+    for (auto n = 1 + random() % 3; n > 0; --n) {
       const std::size_t at = random() % request.size();
       constexpr std::string_view kBytes = "{}[]\",:0-e.\\\n\x01\xFFtx";
       if (random() % 3 == 0) {
