@@ -223,7 +223,8 @@ TEST(IndexStepsStudy, PlotsCompareWhatThereIs) {
     if (profiles > 1) options.profiles.push_back(profiles::geforce2_early_truncation);
     const auto made = index_steps_study(options);
     std::vector<std::string> titles;
-    for (const Plot& plot : (*made)->report(rows_of(**made), (*made)->units())->plots) {
+    const auto report = (*made)->report(rows_of(**made), (*made)->units());
+    for (const Plot& plot : report->plots) {
       if (plot.title.starts_with("False matches")) titles.push_back(plot.title);
     }
     return titles;
