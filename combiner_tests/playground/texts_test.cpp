@@ -71,7 +71,7 @@ TEST(PlaygroundRead, FindsTheFormAndWhatIsComputed) {
   EXPECT_EQ(answer["form"], "gl");
   EXPECT_TRUE(answer["valid"]);
   EXPECT_EQ(answer["faults"], PageJson::array());
-  EXPECT_EQ(answer["textures"], PageJson({0}));
+  EXPECT_EQ(answer["textures"], PageJson::array({0}));
   EXPECT_EQ(answer["general_combiners"], 1);
   EXPECT_NE(answer["explanation"].get<std::string>().find("spare0 = tex0 × primary"), std::string::npos) << answer;
 }

@@ -79,7 +79,7 @@ Status draw_compared(const Scene& scene, ProgressLine& line, Comparison& out) {
 Status write_compared(const CompareFlags& flags, const Comparison& comparison, ProgressLine& line, StagedFiles& files) {
   if (!line.step("writing", 0.95)) return kInterruptedComparison;
   if (Status done = write_staged(files, "index.html", compare_page(flags, comparison)); !done) return done;
-  const std::string report = tools::text_of(compare_json(flags, comparison));
+  const std::string report = json_text(compare_json(flags, comparison));
   if (Status done = write_staged(files, "report.json", report); !done) return done;
   if (ProgressLine::stopped()) return kInterruptedComparison;
   return files.commit();

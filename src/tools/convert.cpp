@@ -67,7 +67,7 @@ int list(const ConvertFlags& flags, ProgramSource source) {
   if (!flags.common.json) return write(flags, log_table(found, frame, source.name, profile));
   const Json object = log_json(found, frame, source.name, profile, flags.common.profile);
   if (flags.output.empty()) return answer(object);
-  return write(flags, tools::text_of(object));
+  return write(flags, json_text(object));
 }
 
 // The program to convert. With --frame, it may be the only set-up of the frame.

@@ -25,7 +25,7 @@ DiagramPage page_of(const ExplainFlags& flags, const TextProgram& program, const
   DiagramPage page{.kind = "ninebit explain", .title = printable(flags.program.file)};
   page.facts = {{"Profile", printable(flags.common.profile)}, {"Version", "ninebit " NINEBIT_VERSION}};
   page.program = print_json_program(program.state);
-  page.explanation = text_of(explanation);
+  page.explanation = json_text(explanation);
   page.text = printable_lines(text);
   return page;
 }

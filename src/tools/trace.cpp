@@ -76,8 +76,8 @@ int print(const TraceFlags& flags, const Drawn& drawn, const Program* program, c
     DiagramPage page = trace_page(facts);
     page.text = text({});
     if (traced) {
-      page.trace = text_of(object);
-      page.explanation = text_of(explanation_json(explain(*program, *drawn.profile), {}, profile));
+      page.trace = json_text(object);
+      page.explanation = json_text(explanation_json(explain(*program, *drawn.profile), {}, profile));
     }
     if (const Status written = write_page(flags.output, page); !written) return report(written.error());
     if (!flags.common.quiet) say_written(flags.output);

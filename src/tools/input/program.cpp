@@ -163,7 +163,7 @@ int answer(const std::string& text) {
 }
 
 int answer(const Json& object) {
-  return answer_exactly(text_of(object));
+  return answer_exactly(json_text(object));
 }
 
 int answer_exactly(const std::string& text) {
@@ -172,7 +172,7 @@ int answer_exactly(const std::string& text) {
   return report({.message = "could not be written: " + why, .file = "standard output", .fault = Fault::cannot_write});
 }
 
-std::string text_of(const Json& object) {
+std::string json_text(const Json& object) {
   return object.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

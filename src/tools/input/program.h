@@ -92,7 +92,7 @@ void say_written(const std::filesystem::path& file);
 [[nodiscard]] int answer_exactly(const std::string& text);
 
 // The text of a JSON answer. Invalid UTF-8 is replaced with U+FFFD.
-[[nodiscard]] std::string text_of(const Json& object);
+[[nodiscard]] std::string json_text(const Json& object);
 
 // Prints "ninebit: error: TEXT" to stderr and returns the exit code of the fault.
 [[nodiscard]] int report(const Diagnostic& diagnostic);
