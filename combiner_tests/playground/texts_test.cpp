@@ -87,8 +87,8 @@ TEST(PlaygroundRead, MarksEveryFaultAtItsWord) {
   EXPECT_FALSE(answer.contains("explanation"));
   const PageJson& misspelled = answer["faults"][0];
   EXPECT_EQ(misspelled["line"], 2);
-  // Three letters, é, a picture of two units, three letters, then the call's 23.
-  EXPECT_EQ(misspelled["column"], 3 + 1 + 2 + 4 + 23) << misspelled;
+  // Three letters, é, a picture of two units, four letters, then the call's 23; columns begin at 1.
+  EXPECT_EQ(misspelled["column"], 3 + 1 + 2 + 4 + 23 + 1) << misspelled;
   EXPECT_EQ(misspelled["length"], 27);
   EXPECT_EQ(misspelled["gl_error"], nullptr);
   EXPECT_EQ(answer["faults"][1]["line"], 3);

@@ -136,7 +136,7 @@ TEST_F(TerminalText, ColumnsDecides) {
 }
 
 TEST_F(TerminalText, ATerminalsWidthAndColours) {
-  const std::vector<std::string> trace{"trace", kArticle, "--set", "primary.r=120", "--set", "tex0.r=100"};
+  const std::vector<std::string> trace{"trace", kArticle, "--set", "primary.r=200", "--set", "tex0.r=100"};
   const std::string narrow = shown_on(90, trace), wide = shown_on(150, trace);
   if (narrow == "no terminal") GTEST_SKIP() << "no pseudo-terminal";
   EXPECT_NE(narrow.find("\x1b[31m    cut by the clamp"), std::string::npos) << narrow;

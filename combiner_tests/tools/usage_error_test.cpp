@@ -14,8 +14,8 @@ struct WrongUsage {
 TEST(UsageError, VerbsAndArguments) {
   const TempFolder folder;
   const std::vector<WrongUsage> cases{
-      {{}, {"a command is required", "render, draw, profiles, info", "ninebit --help"}},
-      {{"rendr", "x"}, {"unknown command 'rendr'", "render, draw, profiles, info"}},
+      {{}, {"a command is required", "render, draw, compare, profiles, info", "ninebit --help"}},
+      {{"rendr", "x"}, {"unknown command 'rendr'", "render, draw, compare, profiles, info"}},
       {{"--bogus"}, {"unknown flag '--bogus'"}},
       {{"render"}, {"scene is required", "ninebit render --help"}},
       {{"render", kRoom}, {"--output is required"}},

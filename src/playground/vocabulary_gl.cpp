@@ -7,8 +7,8 @@ namespace ninebit::playground {
 namespace {
 
 constexpr std::array kGlConstantHelp{
-    HelpedWord{"GL_FALSE", "Off."},
-    HelpedWord{"GL_TRUE", "On."},
+    HelpedWord{"GL_FALSE", "The number 0: off."},
+    HelpedWord{"GL_TRUE", "The number 1: on."},
     HelpedWord{"GL_NONE", "No scale or no bias: the outputs stay as they are."},
     HelpedWord{"GL_ZERO", "The register that always holds 0. Inverted it is 1, which passes the other factor on."},
     HelpedWord{"GL_ONE", "No register: GL refuses it. For 1.0 read GL_ZERO through GL_UNSIGNED_INVERT_NV."},
