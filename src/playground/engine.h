@@ -1,4 +1,5 @@
-// The engine of the playground: requests as JSON, answers as JSON, pictures as bytes. docs/playground_engine.md lists both.
+// The engine of the playground: requests as JSON, answers as JSON, pictures as bytes. docs/playground_engine.md lists
+// both.
 #pragma once
 
 #include <cstdint>
