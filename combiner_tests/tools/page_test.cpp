@@ -114,7 +114,7 @@ TEST_F(Pages, JsonNamesTheFile) {
 TEST_F(Pages, WhatCannotBeWrittenLeavesTheOlderFile) {
   const std::string older = write_bytes(folder_ / "page.html", "older");
   for (const char* verb : {"trace", "explain"}) {
-    expect_error(ninebit({verb, kArticle, "-o", older + "/page.html"}), 4, {"page.html", "Not a directory"});
+    expect_error(ninebit({verb, kArticle, "-o", older + "/page.html"}), 4, {"page.html", "File exists"});
   }
   const Outcome outcome = ninebit({"explain", kArticle, "-o", older}, {.file_size_limit = 4096});
   EXPECT_EQ(outcome.code, 4);
