@@ -56,7 +56,7 @@ std::optional<GlDumpLine> gl_dump_line(std::string_view text, std::size_t number
   const std::size_t blank = at;
   at = behind(text, at, is_space);
   if (at < text.size() && text[at] == '@') at = behind(text, behind(text, at + 1, is_digit), is_space);  // a thread
-  if (at == blank && text[at - 1] != ':') return std::nullopt;
+  if (at == blank && (at == 0 || text[at - 1] != ':')) return std::nullopt;
   GlDumpLine line{.call = at};
   const std::size_t name_end = behind(text, at, is_word);
   line.name = text.substr(at, name_end - at);
