@@ -15,7 +15,7 @@ set(ninebit_without_sanitizers
     # Damage to texts: the fuzzers do it to the same parsers with the same sanitizers.
     DamagedTexts BrokenTexts
     # How long a text takes.
-    LongLogsTake OfAHundredMegabytes Playground
+    LongLogsTake OfAHundredMegabytes
     # What the program only asks of libraries whose own tests stay, and their longest tests. The golden hashes are
     # another build's.
     EnginesAgreeWithTheLibrary EveryFormToEveryOther ValuesOfRender StudyRun StudyParts StepOneDropsTheShadow
