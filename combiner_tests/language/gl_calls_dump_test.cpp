@@ -88,6 +88,8 @@ TEST(GlCallsDump, OthersAreFaults) {
            "glFlush(); 7 glEnable(GL_REGISTER_COMBINERS_NV);",  // the number does not begin the line
            "7\nglEnable(GL_REGISTER_COMBINERS_NV);",            // it stands alone
            "7glEnable(GL_REGISTER_COMBINERS_NV);",              // it is no number
+           "-7 glEnable(GL_REGISTER_COMBINERS_NV);",            // it has a sign
+           ".7 glEnable(GL_REGISTER_COMBINERS_NV);",            // it is no whole number
            "glEnable(cap == GL_REGISTER_COMBINERS_NV);",        // that is no name
            "glEnable(cap = );",                                 // there is no value
        }) {

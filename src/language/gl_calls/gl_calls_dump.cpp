@@ -52,11 +52,12 @@ bool names_capability(std::string_view arguments) {
 std::optional<GlDumpLine> gl_dump_line(std::string_view text, std::size_t number) {
   if (!begins_line(text, number)) return std::nullopt;
   std::size_t at = behind(text, number, is_digit);
-  if (at < text.size() && text[at] == ':') ++at;
+  const bool has_colon = at < text.size() && text[at] == ':';
+  if (has_colon) ++at;
   const std::size_t blank = at;
   at = behind(text, at, is_space);
   if (at < text.size() && text[at] == '@') at = behind(text, behind(text, at + 1, is_digit), is_space);  // a thread
-  if (at == blank && (at == 0 || text[at - 1] != ':')) return std::nullopt;
+  if (at == blank && !has_colon) return std::nullopt;
   GlDumpLine line{.call = at};
   const std::size_t name_end = behind(text, at, is_word);
   line.name = text.substr(at, name_end - at);
