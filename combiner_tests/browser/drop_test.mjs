@@ -2,17 +2,11 @@
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { after, before, test } from 'node:test';
+import { test } from 'node:test';
 import { crc32, deflateSync } from 'node:zlib';
-import { launch, nativeHash, openPage, root, stateOf, waitForHash } from './support.mjs';
+import { nativeHash, onePage, root, stateOf, waitForHash } from './support.mjs';
 
-let browser;
-let page;
-before(async () => {
-  browser = await launch();
-  page = await openPage(browser);
-});
-after(() => browser.close());
+const page = await onePage();
 
 /** The checksum of a PNG chunk; node's zlib has it only in later versions. */
 function checksum(bytes) {

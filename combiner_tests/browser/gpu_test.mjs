@@ -1,15 +1,9 @@
 /** The emitted GLSL ES in WebGL 2 gives the emulator's pixels. */
 import assert from 'node:assert/strict';
-import { after, before, test } from 'node:test';
-import { launch, openEffect, openPage } from './support.mjs';
+import { test } from 'node:test';
+import { onePage, openEffect } from './support.mjs';
 
-let browser;
-let page;
-before(async () => {
-  browser = await launch();
-  page = await openPage(browser);
-});
-after(() => browser.close());
+const page = await onePage();
 
 /** The number of pixels that differ, after a new run. */
 async function difference() {

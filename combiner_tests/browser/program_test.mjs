@@ -1,15 +1,9 @@
 /** What is typed, drawn and traced is what the native program draws and traces. */
 import assert from 'node:assert/strict';
-import { after, before, test } from 'node:test';
-import { clickPixel, expectedHashes, folderOf, hashOf, launch, native, nativeFaults, nativeHash, nativeTrace, openEffect, openPage, root, stateOf, type, waitForHash } from './support.mjs';
+import { test } from 'node:test';
+import { clickPixel, expectedHashes, folderOf, hashOf, native, nativeFaults, nativeHash, nativeTrace, onePage, openEffect, root, stateOf, type, waitForHash } from './support.mjs';
 
-let browser;
-let page;
-before(async () => {
-  browser = await launch();
-  page = await openPage(browser);
-});
-after(() => browser.close());
+const page = await onePage();
 
 const brighter = `!!RC1.0
 const0 = (0.2, 0.7, 0.1, 1.0);

@@ -7,6 +7,7 @@ import { cpSync, mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } f
 import { createRequire } from 'node:module';
 import { tmpdir } from 'node:os';
 import { dirname, join, resolve } from 'node:path';
+import { after } from 'node:test';
 import { fileURLToPath } from 'node:url';
 
 export const root = resolve(dirname(fileURLToPath(import.meta.url)), '../..');
@@ -43,6 +44,13 @@ export async function openPage(browser, { hash = '', width = 1280, height = 900 
   await page.goto(`file://${pageFile}${hash}`);
   await page.waitForFunction(() => document.body.dataset.ready, { timeout: 60_000 });
   return page;
+}
+
+/** One page for all tests of a file; its browser is closed after them. */
+export async function onePage() {
+  const browser = await launch();
+  after(() => browser.close());
+  return openPage(browser);
 }
 
 export const hashOf = (page) => page.$eval('#picture', (element) => element.dataset.hash);
