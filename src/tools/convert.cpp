@@ -35,10 +35,7 @@ void say_left_out(const ConvertFlags& flags, const std::vector<RegisterWord>& ot
 }
 
 int write(const ConvertFlags& flags, const std::string& text) {
-  auto file = OutputFile::open(flags.output);
-  if (!file) return report(file.error());
-  if (Status written = file->write(text); !written) return report(written.error());
-  if (Status finished = file->finish(); !finished) return report(finished.error());
+  if (Status written = write_output(flags.output, text); !written) return report(written.error());
   if (!flags.output.empty() && !flags.common.quiet) say_written(flags.output);
   return kDone;
 }

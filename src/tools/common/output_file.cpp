@@ -54,11 +54,15 @@ Status OutputFile::finish() {
   return staged_ ? staged_->commit() : Status();
 }
 
-Status write_staged(StagedFiles& files, const std::string& name, std::string_view text) {
-  auto file = OutputFile::open(files.stage(name).string());
+Status write_output(const std::string& path, std::string_view text) {
+  auto file = OutputFile::open(path);
   if (!file) return file.error();
   if (Status written = file->write(text); !written) return written;
   return file->finish();
+}
+
+Status write_staged(StagedFiles& files, const std::string& name, std::string_view text) {
+  return write_output(files.stage(name).string(), text);
 }
 
 }  // namespace ninebit::tools

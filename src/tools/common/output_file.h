@@ -29,6 +29,9 @@ class OutputFile {
   std::optional<StagedFiles> staged_;
 };
 
+// Writes a text as one output.
+[[nodiscard]] Status write_output(const std::string& path, std::string_view text);
+
 // Writes a text under the staged name of a file.
 [[nodiscard]] Status write_staged(StagedFiles& files, const std::string& name, std::string_view text);
 

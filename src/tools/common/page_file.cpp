@@ -11,10 +11,7 @@ CLI::Option* add_page_flag(CLI::App& verb, std::string& output) {
 }
 
 Status write_page(const std::string& path, const DiagramPage& page) {
-  auto file = OutputFile::open(path);
-  if (!file) return file.error();
-  if (Status written = file->write(diagram_page(page)); !written) return written;
-  return file->finish();
+  return write_output(path, diagram_page(page));
 }
 
 }  // namespace ninebit::tools

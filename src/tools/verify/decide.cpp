@@ -76,10 +76,7 @@ Json profile_json(const Decided& decided, const DecideFlags& flags) {
 }
 
 Status write_profile(const Json& profile, const std::string& path) {
-  auto file = OutputFile::open(path);
-  if (!file) return file.error();
-  if (Status written = file->write(profile.dump(2) + "\n"); !written) return written;
-  return file->finish();
+  return write_output(path, profile.dump(2) + "\n");
 }
 
 Json json_of(const Decided& decided, const DecideFlags& flags) {
