@@ -3,14 +3,15 @@
 #include <utility>
 
 #include "ninebit/combiner/trace.h"
+#include "src/combiner/given_registers.h"
+#include "src/effect/traced_pixel.h"
 #include "src/language/json/printed_form.h"
 #include "src/playground/texts.h"
-#include "src/playground/trace_answer.h"
 
 namespace ninebit::playground {
 namespace {
 
-// The registers of a trace, in the defaults of `ninebit eval`, and which components of constants were given.
+// The registers of a trace, and which of them were given.
 struct GivenRegisters {
   RegisterFile file{};
   std::array<bool, kRegisterCount> given{};
@@ -25,17 +26,8 @@ std::optional<Register> register_called(std::string_view name, const HardwarePro
   return std::nullopt;
 }
 
-GivenRegisters default_registers(const HardwareProfile& profile) {
-  GivenRegisters out;
-  for (std::size_t i = 0; i < kRegisterCount; ++i) {
-    const auto reg = static_cast<Register>(i);
-    if (reg == Register::fog || is_texture(reg)) out.file.value[i][kAlpha] = static_cast<s9>(profile.one.value);
-  }
-  return out;
-}
-
 GivenRegisters given_registers(Request& request, const HardwareProfile& profile) {
-  GivenRegisters out = default_registers(profile);
+  GivenRegisters out{.file = default_registers(profile)};
   const json::Value* const registers = request.find("registers");
   if (registers != nullptr && registers->type != json::Type::object) {
     request.reader().wrong_type(*registers, "an object");
@@ -63,24 +55,18 @@ GivenRegisters given_registers(Request& request, const HardwareProfile& profile)
       out.file.value[at][c] = static_cast<s9>(code);
     }
   }
-  if (!out.given[static_cast<std::size_t>(Register::spare0)]) {
-    out.file.value[static_cast<std::size_t>(Register::spare0)][kAlpha] =
-        out.file.value[static_cast<std::size_t>(Register::texture0)][kAlpha];
-  }
+  const bool has_spare0 = out.given[static_cast<std::size_t>(Register::spare0)];
+  if (!has_spare0) out.file[Register::spare0][kAlpha] = out.file[Register::texture0][kAlpha];
   return out;
 }
 
 // Constants that were given replace the program's own.
 void set_given_constants(const GivenRegisters& registers, Program& program) {
-  const auto value = [&](Register reg) { return registers.file.value[static_cast<std::size_t>(reg)]; };
-  const bool first = registers.given[static_cast<std::size_t>(Register::constant0)];
-  const bool second = registers.given[static_cast<std::size_t>(Register::constant1)];
-  for (ProgramStage& stage : program.general) {
-    if (first) stage.constant0 = value(Register::constant0);
-    if (second) stage.constant1 = value(Register::constant1);
+  for (const Register constant : {Register::constant0, Register::constant1}) {
+    if (!registers.given[static_cast<std::size_t>(constant)]) continue;
+    for (std::size_t c = 0; c < 4; ++c)
+      replace_constant(program, constant, static_cast<int>(c), registers.file[constant][c]);
   }
-  if (first) program.constant0 = value(Register::constant0);
-  if (second) program.constant1 = value(Register::constant1);
 }
 
 }  // namespace
@@ -119,7 +105,7 @@ Reply trace_text(Request& request) {
   RegisterFile file = registers.file;
   // The program has the constants; the trace's registers have none.
   for (const Register reg : {Register::zero, Register::constant0, Register::constant1}) {
-    file.value[static_cast<std::size_t>(reg)] = {};
+    file[reg] = {};
   }
   const Trace traced = trace(program, profile, file);
   return {trace_answer({.profile = std::string(profile.name), .program = name, .pixel = nullptr}, &program, &traced),

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "src/combiner/given_registers.h"
+
 namespace ninebit::tools {
 namespace {
 
@@ -22,13 +24,6 @@ ComponentSet varying_constants(const EvalRows& rows) {
 
 }  // namespace
 
-void replace_constant(Program& program, const EvalColumn& column, s9 code) {
-  const std::size_t i = index_of(column.component);
-  const bool first = column.reg == Register::constant0;
-  for (ProgramStage& stage : program.general) (first ? stage.constant0 : stage.constant1)[i] = code;
-  (first ? program.constant0 : program.constant1)[i] = code;
-}
-
 EvalRunner::EvalRunner(const CombinerState& state, const HardwareProfile& profile, const EvalRows& rows,
                        EvalEngine engine)
     : program_(normalize(state, profile)),
@@ -43,7 +38,7 @@ EvalRunner::EvalRunner(const CombinerState& state, const HardwareProfile& profil
 
 void EvalRunner::set_constants(const EvalBatch& batch, std::size_t row) {
   for (const EvalColumn& column : constants_) {
-    replace_constant(program_, column, batch.registers(column.reg, column.component)[row]);
+    replace_constant(program_, column.reg, column.component, batch.registers(column.reg, column.component)[row]);
   }
 }
 

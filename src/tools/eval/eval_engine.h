@@ -9,9 +9,6 @@ namespace ninebit::tools {
 
 enum class EvalEngine { reference, simd };
 
-// Replaces a component of a constant, in every stage and in the final combiner.
-void replace_constant(Program& program, const EvalColumn& column, s9 code);
-
 class EvalRunner {
  public:
   // `state` must be valid for the profile. Constants that are columns of `rows` replace the program's own, in every

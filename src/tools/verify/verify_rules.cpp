@@ -7,7 +7,7 @@
 
 #include "ninebit/combiner/program.h"
 #include "ninebit/study/combiner_fields.h"
-#include "src/tools/eval/eval_engine.h"
+#include "src/combiner/given_registers.h"
 
 namespace ninebit::tools {
 
@@ -86,7 +86,7 @@ std::vector<Rival> pixel_rivals_of(const HardwareProfile& profile) {
 std::vector<int> computed(const VerifyRow& row, const HardwareProfile& profile) {
   if (row.format != nullptr) return row.format->draw(row.measured, profile);
   Program program = normalize(*row.program, profile);
-  for (const auto& [column, code] : row.constants) replace_constant(program, column, code);
+  for (const auto& [column, code] : row.constants) replace_constant(program, column.reg, column.component, code);
   std::vector<int> codes;
   std::optional<int> ran;  // the general combiner that `fragment` was evaluated up to
   EvaluatedFragment fragment;

@@ -6,6 +6,7 @@
 #include <charconv>
 
 #include "ninebit/combiner/validate.h"
+#include "src/combiner/given_registers.h"
 #include "src/language/source/nearest_name.h"
 #include "src/system/inside_folder.h"
 #include "src/tools/common/setup_name.h"
@@ -18,16 +19,6 @@ std::optional<int> number_of(std::string_view text) {
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
   return value;
-}
-
-// The registers of a fragment before the row sets any; the same defaults as `ninebit eval`.
-RegisterFile default_registers(const HardwareProfile& profile) {
-  RegisterFile file;
-  for (const Register reg :
-       {Register::fog, Register::texture0, Register::texture1, Register::texture2, Register::texture3}) {
-    file[reg][kAlpha] = static_cast<s9>(profile.one.value);
-  }
-  return file;
 }
 
 }  // namespace
