@@ -4,9 +4,9 @@
 #include <utility>
 
 #include "ninebit/effect/effect_json.h"
+#include "src/effect/traced_pixel.h"
 #include "src/playground/drawing.h"
 #include "src/playground/plane_hash.h"
-#include "src/playground/trace_answer.h"
 
 namespace ninebit::playground {
 namespace {
@@ -17,38 +17,26 @@ struct AskedEffect {
   std::optional<Reply> refused{};
 };
 
-// Files with names that an effect cannot have would be ignored: the same text for two names is not a fault.
 void read_texts(Request& request, LastDrawing& what) {
   for (auto& [name, text] : request.texts("files")) what.files.insert_or_assign(name, std::move(text));
 }
 
-void read_drawn_size(Request& request, Effect& effect) {
-  const json::Value* const size = request.find("size");
-  if (size == nullptr) return;
-  if (size->type != json::Type::array || size->children.size() != 2) {
-    request.reader().fault(size->offset, "size must be an array of width and height");
-    return;
-  }
-  request.reader().integer(size->children[0], 1, kMaxDrawnSide, effect.width);
-  request.reader().integer(size->children[1], 1, kMaxDrawnSide, effect.height);
-}
-
 AskedEffect asked_effect(Request& request) {
   AskedEffect out;
-  const InnerText text = request.inner("effect");
+  const std::string text = request.inner("effect");
   out.what.name = request.word_or("name", "effect");
   read_texts(request, out.what);
   if (request.failed()) {
     out.refused = request.refused();
     return out;
   }
-  auto parsed = parse_effect({text.text, "effect"});
+  auto parsed = parse_effect({text, "effect"});
   if (!parsed) {
-    out.refused = refusals(std::move(parsed.faults), text.text);
+    out.refused = refusals(std::move(parsed.faults), text);
     return out;
   }
   out.what.effect = std::move(*parsed.value);
-  read_drawn_size(request, out.what.effect);
+  request.picture_size(out.what.effect.width, out.what.effect.height);
   if (request.failed()) out.refused = request.refused();
   return out;
 }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "src/playground/engine.h"
+
 namespace ninebit::playground {
 namespace {
 
@@ -96,19 +98,30 @@ std::vector<std::pair<std::string, std::string>> Request::texts(std::string_view
   return all;
 }
 
-InnerText Request::inner(std::string_view key) {
+std::string Request::inner(std::string_view key) {
   const json::Value* const found = value(key);
-  return found == nullptr ? InnerText{} : inner(*found);
+  return found == nullptr ? "" : inner(*found);
 }
 
-InnerText Request::inner(const json::Value& value) {
-  if (value.type == json::Type::string) return {value.text};
+std::string Request::inner(const json::Value& value) {
+  if (value.type == json::Type::string) return value.text;
   if (value.type == json::Type::object) {
     const std::size_t end = end_of_brackets(text_, value.offset);
-    return {std::string(text_.substr(value.offset, end - value.offset))};
+    return std::string(text_.substr(value.offset, end - value.offset));
   }
   reader_.wrong_type(value, "an object, or a string with its text");
   return {};
+}
+
+void Request::picture_size(int& width, int& height) {
+  const json::Value* const size = find("size");
+  if (size == nullptr) return;
+  if (size->type != json::Type::array || size->children.size() != 2) {
+    reader_.fault(size->offset, "size must be an array of width and height");
+    return;
+  }
+  reader_.integer(size->children[0], 1, kMaxDrawnSide, width);
+  reader_.integer(size->children[1], 1, kMaxDrawnSide, height);
 }
 
 ChosenProfile Request::profile(std::string_view key) {
@@ -127,9 +140,9 @@ ChosenProfile Request::profile_in(const json::Value& value) {
     }
     return chosen;
   }
-  const InnerText inner_text = inner(value);
+  const std::string text = inner(value);
   if (failed()) return chosen;
-  auto parsed = parse_json_profile({inner_text.text, "profile"});
+  auto parsed = parse_json_profile({text, "profile"});
   if (parsed) {
     chosen.own = *std::move(parsed.value);
     return chosen;

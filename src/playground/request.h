@@ -21,11 +21,6 @@ struct ChosenProfile {
   [[nodiscard]] const HardwareProfile& profile() const { return own ? own->profile : *shipped; }
 };
 
-// A text in a request: a string, or the text of an object in it.
-struct InnerText {
-  std::string text;
-};
-
 // A request, an object with the key "do". Where a value is missing, of another type or out of range, its reader adds a
 // fault and returns a value without meaning: take the faults before the values are used.
 class Request {
@@ -52,8 +47,10 @@ class Request {
   [[nodiscard]] const json::Value* value(std::string_view key);
   [[nodiscard]] const json::Value* find(std::string_view key) const { return json::Reader::find(root_, key); }
   // A string, or an object as its text.
-  [[nodiscard]] InnerText inner(std::string_view key);
-  [[nodiscard]] InnerText inner(const json::Value& value);
+  [[nodiscard]] std::string inner(std::string_view key);
+  [[nodiscard]] std::string inner(const json::Value& value);
+  // Reads "size", an array of a picture's width and height; without it both stay.
+  void picture_size(int& width, int& height);
   // The profile under a key: the name of a shipped one, or a profile file's object or text. Without the key geforce2.
   [[nodiscard]] ChosenProfile profile(std::string_view key);
   [[nodiscard]] ChosenProfile profile_in(const json::Value& value);

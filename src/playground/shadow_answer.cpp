@@ -55,12 +55,7 @@ AskedShadow asked_shadow(Request& request) {
   RenderSettings& settings = asked.settings;
   settings.width = 640;
   settings.height = 480;
-  if (const json::Value* const size = request.find("size")) {
-    const bool pair = size->type == json::Type::array && size->children.size() == 2;
-    if (!pair) request.reader().fault(size->offset, "size must be an array of width and height");
-    if (pair) request.reader().integer(size->children[0], 1, kMaxDrawnSide, settings.width);
-    if (pair) request.reader().integer(size->children[1], 1, kMaxDrawnSide, settings.height);
-  }
+  request.picture_size(settings.width, settings.height);
   if (request.has("step")) settings.index.step = request.number("step", 1, kMaxIndexStep);
   if (request.has("map_size")) settings.map_size = request.number("map_size", 1, kMaxShadowMap);
   if (!request.failed() && !std::has_single_bit(static_cast<unsigned>(settings.map_size))) {
