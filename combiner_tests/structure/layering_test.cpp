@@ -62,7 +62,7 @@ const std::vector<Library> kLibraries{
     {std::regex("zlib\\.h"), {"tools"}},
     {std::regex("openssl/.*"), {"system"}},
     {std::regex("pybind11/.*"), {"python"}},
-    {std::regex("nlohmann/.*"), {"language", "scene", "study", "playground", "tools"}},
+    {std::regex("nlohmann/.*"), {"language", "scene", "effect", "study", "playground", "tools"}},
     {std::regex("(dlfcn|fcntl|poll|sched|spawn|stdlib|unistd)\\.h|(sys|linux)/.*"), {"system"}},
     {std::regex("stddef\\.h|stdint\\.h"), {"capi"}},
     {std::regex("benchmark/.*|EGL/.*|GL/glcorearb\\.h"), {"bench"}},

@@ -1,11 +1,11 @@
-#include "src/playground/trace_answer.h"
+#include "src/effect/traced_pixel.h"
 
 #include <algorithm>
 #include <utility>
 
 #include "ninebit/language/trace_json.h"
 
-namespace ninebit::playground {
+namespace ninebit {
 namespace {
 
 using AnswerJson = nlohmann::ordered_json;
@@ -114,4 +114,4 @@ AnswerJson trace_answer(const TraceHeading& heading, const Program* program, con
   return out;
 }
 
-}  // namespace ninebit::playground
+}  // namespace ninebit

@@ -13,7 +13,7 @@
 #include "ninebit/effect/effect_renderer.h"
 #include "ninebit/shadow/technique.h"
 
-namespace ninebit::playground {
+namespace ninebit {
 
 // A pixel that was probed while a scene was rendered.
 struct TracedPixel {
@@ -54,4 +54,4 @@ struct TraceHeading {
 [[nodiscard]] nlohmann::ordered_json trace_answer(const TraceHeading& heading, const Program* program,
                                                   const Trace* traced);
 
-}  // namespace ninebit::playground
+}  // namespace ninebit

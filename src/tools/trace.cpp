@@ -7,7 +7,8 @@
 #include <optional>
 
 #include "ninebit/language/explain.h"
-#include "src/playground/trace_answer.h"
+#include "src/combiner/given_registers.h"
+#include "src/effect/traced_pixel.h"
 #include "src/system/process.h"
 #include "src/system/stream.h"
 #include "src/tools/common/explanation.h"
@@ -15,7 +16,6 @@
 #include "src/tools/common/page_file.h"
 #include "src/tools/common/pixel_flag.h"
 #include "src/tools/common/program_file.h"
-#include "src/tools/eval/eval_engine.h"
 #include "src/tools/input/printable.h"
 #include "src/tools/input/terminal.h"
 #include "src/tools/trace/trace_effect.h"
@@ -68,8 +68,8 @@ int print(const TraceFlags& flags, const Drawn& drawn, const Program* program, c
     // The trace itself contains no foreign names, but may contain colour escapes.
     return traced ? lines + trace_text(*program, *traced, layout) : lines;
   };
-  const playground::TraceHeading heading{.profile = profile, .program = flags.program.file, .pixel = pixel};
-  Json object = playground::trace_answer(heading, program, traced ? &*traced : nullptr);
+  const TraceHeading heading{.profile = profile, .program = flags.program.file, .pixel = pixel};
+  Json object = trace_answer(heading, program, traced ? &*traced : nullptr);
 
   if (!flags.output.empty()) {
     const TraceFacts facts{flags.program.file, profile, pixel, traced ? &*traced : nullptr};
@@ -92,7 +92,7 @@ int print(const TraceFlags& flags, const Drawn& drawn, const Program* program, c
 int trace_set(const TraceFlags& flags, std::optional<Program> program) {
   const auto inputs = parse_trace_inputs(flags.set, profile_of(flags.common));
   if (!inputs) return wrong_usage(inputs.error().message);
-  for (const auto& [column, code] : inputs->constants) replace_constant(*program, column, code);
+  for (const auto& [column, code] : inputs->constants) replace_constant(*program, column.reg, column.component, code);
   return print(flags, {.profile = &profile_of(flags.common)}, &*program, inputs->registers);
 }
 

@@ -43,7 +43,7 @@ Result<TracedEffect> draw_pixel(const std::string& file, const std::string& pixe
   if (!renderer) return renderer.error();
   Status drawn = renderer->draw([&](std::string_view pass, double done) { return line.step(pass, done); });
   if (!drawn) return drawn.error();
-  traced.pixel = playground::pixel_of_effect(*effect, *renderer, at->x, effect->height - 1 - at->y, file);
+  traced.pixel = pixel_of_effect(*effect, *renderer, at->x, effect->height - 1 - at->y, file);
   return traced;
 }
 

@@ -19,7 +19,7 @@ std::string state_of(const Surface& frame, std::size_t at) {
 std::string fragment_text(const TracedPixel& pixel, const ProbedFragment& f) {
   const std::uint32_t object = pixel.object_of[f.primitive];
   return fmt::format("polygon {} of object {} '{}': depth {} against stored {}, {}", f.primitive + 1, object + 1,
-                     printable(pixel.objects[object]), f.depth, f.stored_depth, playground::text_of_fate(f.fate));
+                     printable(pixel.objects[object]), f.depth, f.stored_depth, text_of_fate(f.fate));
 }
 
 }  // namespace
@@ -51,7 +51,7 @@ Result<TracedPixel> render_pixel(const SceneFlags& flags, const CommonFlags& com
   pixel.index_order = std::move(rendering->index_order);
   for (const SceneObject& object : scene->objects) pixel.objects.push_back(object.name);
   pixel.object_of = scene->triangle_object;
-  playground::choose_fragment(pixel, other_program);
+  choose_fragment(pixel, other_program);
   return pixel;
 }
 

@@ -4,13 +4,11 @@
 #include <optional>
 #include <string>
 
-#include "src/playground/trace_answer.h"
+#include "src/effect/traced_pixel.h"
 #include "src/tools/common/scene_flags.h"
 #include "src/tools/input/program.h"
 
 namespace ninebit::tools {
-
-using playground::TracedPixel;
 
 // Renders the scene and probes the pixel, which must be inside the picture. The traced fragment is the one that decided
 // the result of the last pass with a program. `other_program`: the trace uses another program, so that any pass is
