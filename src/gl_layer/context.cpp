@@ -1,8 +1,12 @@
 #include "src/gl_layer/context.h"
 
 #include <cstdlib>
+#include <fstream>
+#include <map>
+#include <sstream>
 #include <string>
 
+#include "ninebit/language/profile_json.h"
 #include "src/gl_layer/display_lists.h"
 #include "src/gl_layer/driver.h"
 #include "src/gl_layer/log.h"
@@ -39,12 +43,36 @@ void Context::record(const std::function<void()>& command) {
   open_driver_list(*this);
 }
 
+namespace {
+
+// The profile in a file; nullptr: the log says why.
+const HardwareProfile* profile_in(const std::string& file) {
+  // Never destroyed: contexts use them as long as the process lives.
+  static auto& read = *new std::map<std::string, OwnedProfile>;
+  static auto& mutex = *new std::mutex;
+  const std::lock_guard lock(mutex);
+  if (const auto found = read.find(file); found != read.end()) return &found->second.profile;
+  std::ifstream stream(file, std::ios::binary);
+  std::ostringstream text;
+  text << stream.rdbuf();
+  const std::string content = text.str();
+  auto profile = parse_json_profile({.text = content, .file = file});
+  if (!profile) {
+    log_once(stream ? profile.faults.front().text() : file + ": cannot be read");
+    return nullptr;
+  }
+  return &read.emplace(file, std::move(*profile.value)).first->second.profile;
+}
+
+}  // namespace
+
 const HardwareProfile& layer_profile() {
-  const char* const name = std::getenv("NINEBIT_GL_PROFILE");
-  if (name == nullptr || *name == '\0') return profiles::nv2a;
-  const HardwareProfile* const found = find_profile(name);
+  const char* const given = std::getenv("NINEBIT_GL_PROFILE");
+  const std::string name = given != nullptr ? given : "";
+  if (name.empty()) return profiles::nv2a;
+  const HardwareProfile* const found = name.ends_with(".json") ? profile_in(name) : find_profile(name);
   if (found != nullptr && found->arithmetic.value == Arithmetic::integer) return *found;
-  log_once("NINEBIT_GL_PROFILE: '" + std::string(name) + "' is not a profile with integer arithmetic; using nv2a");
+  log_once("NINEBIT_GL_PROFILE: '" + name + "' is not a profile with integer arithmetic; using nv2a");
   return profiles::nv2a;
 }
 
