@@ -16,8 +16,20 @@ namespace ninebit::gl_layer {
 
 constinit thread_local Context* current_context [[gnu::tls_model("initial-exec")]] = nullptr;
 
+namespace {
+
+std::string environment_value(const char* name) {
+  const char* const value = std::getenv(name);
+  return value != nullptr ? value : "";
+}
+
+}  // namespace
+
 Context::Context(std::shared_ptr<ShareGroup> of, const HardwareProfile& profile)
-    : group(std::move(of)), combiners(profile), programs(std::make_unique<ProgramCache>()) {}
+    : group(std::move(of)),
+      combiners(profile),
+      writes_inputs(!environment_value("NINEBIT_GL_WRITE_INPUTS").empty()),
+      programs(std::make_unique<ProgramCache>()) {}
 Context::~Context() = default;
 
 void Context::raise(unsigned error) {
@@ -67,8 +79,7 @@ const HardwareProfile* profile_in(const std::string& file) {
 }  // namespace
 
 const HardwareProfile& layer_profile() {
-  const char* const given = std::getenv("NINEBIT_GL_PROFILE");
-  const std::string name = given != nullptr ? given : "";
+  const std::string name = environment_value("NINEBIT_GL_PROFILE");
   if (name.empty()) return profiles::nv2a;
   const HardwareProfile* const found = name.ends_with(".json") ? profile_in(name) : find_profile(name);
   if (found != nullptr && found->arithmetic.value == Arithmetic::integer) return *found;

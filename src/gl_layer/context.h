@@ -81,6 +81,8 @@ class Context {
   gl::Context combiners;
   TextureShaders texture_shaders{};
 
+  // Whether shaders write their inputs to the colour buffers after the first: NINEBIT_GL_WRITE_INPUTS is set.
+  const bool writes_inputs;
   DriverFeatures features{};  // found when the context is first made current
   // The shaders are not shared with other contexts, because constants are uniforms, which would be shared as well.
   const std::unique_ptr<ProgramCache> programs;

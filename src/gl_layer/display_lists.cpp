@@ -5,6 +5,7 @@
 
 #include "src/gl_layer/draw_state.h"
 #include "src/gl_layer/driver.h"
+#include "src/gl_layer/dump.h"
 
 namespace ninebit::gl_layer {
 namespace {
@@ -45,9 +46,13 @@ void drop_list(Context& context, GLuint number) {
 
 void play_driver_list(GLuint number) {
   Context* const context = current();
-  if (context != nullptr) prepare_draw(*context);
+  if (context == nullptr) return found_driver.CallList(number);
+  prepare_draw(*context);
+  count_draw(*context);
+  const bool captured = begin_capture(*context, "glCallList");
   found_driver.CallList(number);
-  if (context != nullptr) context->forget();
+  if (captured) end_capture(*context);
+  context->forget();
 }
 
 // glCallList outside of a list's compilation.

@@ -18,6 +18,7 @@ bool before_draw(const char* call) {
     return false;
   }
   prepare_draw(*context);
+  count_draw(*context);
   return begin_capture(*context, call);
 }
 

@@ -114,7 +114,7 @@ ShaderInputs find_inputs(const Context& context) {
   // Lighting with a single colour has no secondary colour; without lighting it is the current one.
   const bool lit = enabled(GL_LIGHTING) && !(context.features.vertex_program && enabled(GL_VERTEX_PROGRAM_ARB));
   inputs.secondary = !lit || integer(GL_LIGHT_MODEL_COLOR_CONTROL) != GL_SINGLE_COLOR;
-  inputs.write_inputs = writes_inputs();
+  inputs.write_inputs = context.writes_inputs;
   return inputs;
 }
 
@@ -171,14 +171,16 @@ void prepare_draw(Context& context) {
     if (cached == nullptr || context.program_stale) {
       const std::size_t known = context.programs->size();
       cached = &context.programs->find(without_constants(program), profile, context.inputs);
-      if (context.programs->size() != known) context.bound = false;  // the driver has another program current
+      if (context.programs->size() != known) {
+        context.bound = false;  // the driver has another program current
+        dump_program(context, *cached);
+      }
     }
     context.program_stale = context.constants_stale = false;
     if (cached->driver_program == 0) {
       context.bound = true;  // whichever is current, it is not the one that belongs there
       draw_without_combiners(context);
       context.program = cached;
-      ++cached->draws;
       return;
     }
     use(context, *cached);
@@ -186,7 +188,10 @@ void prepare_draw(Context& context) {
   } else if (context.program->driver_program != 0) {
     use(context, *context.program);
   }
-  ++context.program->draws;
+}
+
+void count_draw(const Context& context) {
+  if (context.program != nullptr) ++*context.program->draws;
 }
 
 }  // namespace ninebit::gl_layer

@@ -12,4 +12,7 @@ namespace ninebit::gl_layer {
 // something takes precedence over them. Not between glBegin and glEnd, nor while a list of the driver is open.
 void prepare_draw(Context& context);
 
+// A draw call with the shader of the last preparation follows.
+void count_draw(const Context& context);
+
 }  // namespace ninebit::gl_layer

@@ -13,21 +13,24 @@ namespace ninebit::gl_layer {
 // clang-format off
 // Needed of every driver.
 #define NINEBIT_CORE_FUNCTIONS(X) \
-  X(Begin) X(BindTexture) X(Bitmap) X(CallList) X(CallLists) X(CopyPixels) X(CopyTexImage1D) X(CopyTexImage2D) \
-  X(DeleteLists) X(DeleteTextures) X(Disable) X(DrawArrays) X(DrawElements) X(DrawPixels) X(Enable) X(End) X(EndList) \
+  X(Begin) X(BindTexture) X(Bitmap) X(CallList) X(CallLists) X(ColorMask) X(CopyPixels) X(CopyTexImage1D) X(CopyTexImage2D) \
+  X(DeleteLists) X(DeleteTextures) X(Disable) X(DrawArrays) X(DrawElements) X(DrawPixels) X(Enable) X(End) X(EndList) X(GenTextures) \
   X(EvalMesh1) X(EvalMesh2) X(Fogf) X(Fogfv) X(Fogi) X(Fogiv) X(GetBooleanv) X(GetDoublev) X(GetError) X(GetFloatv) \
   X(GetIntegerv) X(GetString) X(GetTexEnvfv) X(GetTexEnviv) X(GetTexImage) X(GetTexLevelParameteriv) X(GetTexParameteriv) \
   X(IsEnabled) X(IsList) X(LightModelf) X(LightModelfv) X(LightModeli) X(LightModeliv) X(NewList) X(PixelStorei) \
-  X(PopAttrib) X(PopClientAttrib) X(PushAttrib) X(PushClientAttrib) X(Rectd) X(Rectdv) X(Rectf) X(Rectfv) X(Recti) \
+  X(PopAttrib) X(PopClientAttrib) X(PushAttrib) X(PushClientAttrib) X(ReadBuffer) X(ReadPixels) X(Rectd) X(Rectdv) X(Rectf) X(Rectfv) X(Recti) \
   X(Rectiv) X(Rects) X(Rectsv) X(TexEnvf) X(TexEnvfv) X(TexEnvi) X(TexEnviv) X(TexImage1D) X(TexImage2D) \
   X(TexParameterf) X(TexParameterfv) X(TexParameteri) X(TexParameteriv)
 // nullptr where the driver does not have them.
 #define NINEBIT_LATER_FUNCTIONS(X) \
-  X(ActiveTexture) X(AttachShader) X(BindBuffer) X(CompileShader) X(CompressedTexImage1D) X(CompressedTexImage2D) \
-  X(CompressedTexImage3D) X(CreateProgram) X(CreateShader) X(DeleteProgram) X(DeleteShader) X(DrawArraysInstanced) \
-  X(DrawElementsBaseVertex) X(DrawElementsInstanced) X(DrawRangeElements) X(DrawRangeElementsBaseVertex) X(GetHandleARB) \
+  X(ActiveTexture) X(AttachShader) X(BindBuffer) X(BindFramebuffer) X(BindRenderbuffer) X(BlitFramebuffer) \
+  X(CheckFramebufferStatus) X(ClearBufferfv) X(ColorMaski) X(CompileShader) X(CompressedTexImage1D) X(CompressedTexImage2D) \
+  X(CompressedTexImage3D) X(CreateProgram) X(CreateShader) X(DeleteFramebuffers) X(DeleteProgram) \
+  X(DeleteRenderbuffers) X(DeleteShader) X(Disablei) X(DrawArraysInstanced) X(DrawBuffers) \
+  X(DrawElementsBaseVertex) X(DrawElementsInstanced) X(DrawRangeElements) X(DrawRangeElementsBaseVertex) X(FramebufferRenderbuffer) \
+  X(FramebufferTexture2D) X(GenFramebuffers) X(GenRenderbuffers) X(GetBooleani_v) X(GetHandleARB) \
   X(GetProgramInfoLog) X(GetProgramiv) X(GetShaderInfoLog) X(GetShaderiv) X(GetStringi) X(GetUniformLocation) \
-  X(LinkProgram) X(MultiDrawArrays) X(MultiDrawElements) X(ShaderSource) X(TexImage3D) X(TexStorage1D) X(TexStorage2D) \
+  X(LinkProgram) X(MultiDrawArrays) X(MultiDrawElements) X(RenderbufferStorage) X(ShaderSource) X(TexImage3D) X(TexStorage1D) X(TexStorage2D) \
   X(TexStorage3D) X(Uniform1i) X(Uniform4iv) X(UseProgram) X(UseProgramObjectARB)
 // clang-format on
 

@@ -4,7 +4,6 @@
 #include <string>
 
 #include "src/gl_layer/driver.h"
-#include "src/gl_layer/dump.h"
 #include "src/gl_layer/fragment_shader.h"
 #include "src/gl_layer/log.h"
 
@@ -125,9 +124,9 @@ CachedProgram& ProgramCache::find(const Program& program, const HardwareProfile&
   if (!text) {
     log_line("no shader for a program: " + text.error().message);
   } else if ((added->driver_program = link(*text)) != 0) {
+    added->shader = *text;
     set_samplers(added->driver_program);
     added->constants = found_driver.GetUniformLocation(added->driver_program, "ninebit_combine_constants");
-    dump_program(*added, *text);
   }
   ++size_;
   candidates.push_back(std::move(added));

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <array>
+#include <atomic>
 #include <cstdint>
 #include <memory>
+#include <string>
 #include <unordered_map>
 #include <vector>
 
@@ -22,7 +24,8 @@ struct CachedProgram {
   unsigned driver_program = 0;  // 0: the driver refused the shader
   int constants = -1;           // the uniform array's location; -1: the shader reads none
   std::size_t number = 0;       // in the order of first use in the process, from 1
-  std::uint64_t draws = 0;      // draw calls with it
+  std::string shader{};         // its text
+  std::shared_ptr<std::atomic<std::uint64_t>> draws = std::make_shared<std::atomic<std::uint64_t>>(0);  // calls with it
   ConstantCodes uploaded{};     // what the uniform array holds
 };
 
@@ -31,8 +34,6 @@ class ProgramCache {
   // The program for a state, compiled if it is new. Makes a program of the driver current when it compiles.
   CachedProgram& find(const Program& program, const HardwareProfile& profile, const ShaderInputs& inputs);
   [[nodiscard]] std::size_t size() const { return size_; }
-  // All programs, in the order of their numbers.
-  [[nodiscard]] std::vector<const CachedProgram*> all() const;
 
  private:
   std::size_t size_ = 0;
