@@ -51,12 +51,14 @@ void get(const Command& command) {
   if (context != nullptr && context->outside_begin()) run(*context, command);
 }
 
-// The values behind a pointer of glCombinerParameter: one, or four of a colour. A null pointer stays one.
+// The values behind a pointer of glCombinerParameter: four of a colour, one of a number, none of an unknown name. A null
+// pointer stays one.
 template <class T>
 class Copied {
  public:
   Copied(GLenum pname, const T* params) : null_(params == nullptr) {
-    if (!null_) std::copy_n(params, is_color(pname) ? 4 : 1, values_.begin());
+    const bool is_number = pname == GL_NUM_GENERAL_COMBINERS_NV || pname == GL_COLOR_SUM_CLAMP_NV;
+    if (!null_) std::copy_n(params, is_color(pname) ? 4 : is_number ? 1 : 0, values_.begin());
   }
   [[nodiscard]] const T* get() const { return null_ ? nullptr : values_.data(); }
   static bool is_color(GLenum pname) { return pname == GL_CONSTANT_COLOR0_NV || pname == GL_CONSTANT_COLOR1_NV; }

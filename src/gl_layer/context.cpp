@@ -34,9 +34,20 @@ Context::~Context() = default;
 
 void Context::raise(unsigned error) {
   if (pending_error != 0) return;
+  if (in_begin) {
+    if (begin_error == 0) begin_error = error;
+    return;
+  }
   // The driver may hold an error that came first.
-  const GLenum first = in_begin ? GLenum{GL_NO_ERROR} : found_driver.GetError();
+  const GLenum first = found_driver.GetError();
   pending_error = first != GL_NO_ERROR ? first : error;
+}
+
+void Context::begin_has_ended() {
+  in_begin = false;
+  const unsigned error = begin_error;
+  begin_error = 0;
+  if (error != 0) raise(error);
 }
 
 bool Context::outside_begin() {

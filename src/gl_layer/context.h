@@ -107,6 +107,9 @@ class Context {
   // The pending error of a command that the layer executes: GL keeps the first until glGetError.
   void raise(unsigned error);
   unsigned pending_error = 0;
+  unsigned begin_error = 0;  // raised between glBegin and glEnd, where the driver cannot be asked for an error of before
+  // After glEnd.
+  void begin_has_ended();
 
   // A function that the layer executes: GL forbids it between glBegin and glEnd. Raises the error and returns false.
   bool outside_begin();

@@ -43,7 +43,7 @@ GLAPI void GLAPIENTRY glEnd() {
   find_driver().End();
   Context* const context = current();
   if (context == nullptr) return;
-  context->in_begin = false;
+  if (context->in_begin) context->begin_has_ended();
   if (context->open_list != nullptr) context->open_list->in_begin = false;
   if (captured_until_end) end_capture(*context);
   captured_until_end = false;

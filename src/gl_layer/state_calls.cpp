@@ -133,7 +133,8 @@ GLAPI GLenum GLAPIENTRY glGetError() {
   if (context == nullptr || context->in_begin || context->pending_error == 0) return find_driver().GetError();
   const GLenum error = context->pending_error;
   context->pending_error = 0;
-  while (found_driver.GetError() != GL_NO_ERROR) {
+  // Later errors are not kept. A lost context may have no end of them.
+  for (int i = 0; i < 8 && found_driver.GetError() != GL_NO_ERROR; ++i) {
   }
   return error;
 }

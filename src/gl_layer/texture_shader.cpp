@@ -147,19 +147,27 @@ std::size_t number_of(GLenum pname) {
 
 using Values = std::array<GLfloat, 4>;
 
-// glTexEnv with the target GL_TEXTURE_SHADER_NV.
-void set(GLenum pname, const Values& values) {
+// glTexEnv with the target GL_TEXTURE_SHADER_NV. `values` is empty for a null pointer.
+struct Setting {
+  GLenum pname;
+  bool scalar;
+  std::optional<Values> values;
+};
+
+void set(const Setting& setting) {
   Context* const context = current();
   if (context == nullptr) return;
   context->touched = true;
   if (!context->outside_begin()) return;
   if (context->open_list != nullptr) {
     if (context->open_list->in_begin) return context->raise(GL_INVALID_OPERATION);
-    return context->record([=] { set(pname, values); });
+    return context->record([setting] { set(setting); });
   }
+  if (setting.scalar && is_vector(setting.pname)) return context->raise(GL_INVALID_ENUM);
+  if (!setting.values) return context->raise(GL_INVALID_VALUE);
   UnitShader* const unit = active_unit(*context);
   if (unit == nullptr) return context->raise(GL_INVALID_OPERATION);
-  set_parameter(*context, *unit, pname, values.data());
+  set_parameter(*context, *unit, setting.pname, setting.values->data());
   context->inputs_stale = true;
 }
 
@@ -171,16 +179,15 @@ bool is_ours(GLenum target) {
 
 template <class T>
 void set_scalar(GLenum pname, T param) {
-  if (is_vector(pname)) return current()->raise(GL_INVALID_ENUM);
-  set(pname, {static_cast<GLfloat>(param)});
+  set({pname, true, Values{static_cast<GLfloat>(param)}});
 }
 
 template <class T>
 void set_vector(GLenum pname, const T* params) {
-  if (params == nullptr) return current()->raise(GL_INVALID_VALUE);
+  if (params == nullptr) return set({pname, false, std::nullopt});
   Values values{};
   for (std::size_t i = 0; i < number_of(pname); ++i) values[i] = static_cast<GLfloat>(params[i]);
-  set(pname, values);
+  set({pname, false, values});
 }
 
 // The values of a parameter; empty: there is none of that name.
