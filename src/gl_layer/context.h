@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <atomic>
 #include <cstdint>
 #include <functional>
 #include <map>
@@ -34,6 +35,7 @@ struct StepList {
 struct ShareGroup {
   std::mutex mutex{};
   std::map<unsigned, std::shared_ptr<const StepList>> lists{};  // by the program's number; others are the driver's alone
+  std::atomic<bool> had_steps = false;  // whether there ever was one
 };
 
 // A display list while it is compiled.

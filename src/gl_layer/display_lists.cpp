@@ -101,6 +101,13 @@ GLuint list_offset(const void* lists, GLenum type, GLsizei i) {
   }
 }
 
+// The current context if its lists may have commands of the layer: then a call makes it use the combiners.
+Context* context_of_lists() {
+  Context* const context = current();
+  if (context != nullptr && context->group->had_steps) context->touched = true;
+  return context;
+}
+
 bool has_step_lists(Context& context) {
   const std::lock_guard lock(context.group->mutex);
   return !context.group->lists.empty();
@@ -162,11 +169,12 @@ GLAPI void GLAPIENTRY glEndList() {
   open->list.steps.emplace_back([number = open->driver_number] { play_driver_list(number); });
   open->list.driver_lists.push_back(open->driver_number);
   const std::lock_guard lock(context->group->mutex);
+  context->group->had_steps = true;
   context->group->lists[open->number] = std::make_shared<const StepList>(std::move(open->list));
 }
 
 GLAPI void GLAPIENTRY glCallList(GLuint list) {
-  Context* const context = current();
+  Context* const context = context_of_lists();
   if (context == nullptr || (!context->touched && context->open_list == nullptr)) return find_driver().CallList(list);
   if (context->recording() && !context->open_list->in_begin) return context->record([list] { glCallList(list); });
   if (context->open_list != nullptr) return found_driver.CallList(list);
@@ -174,7 +182,7 @@ GLAPI void GLAPIENTRY glCallList(GLuint list) {
 }
 
 GLAPI void GLAPIENTRY glCallLists(GLsizei n, GLenum type, const GLvoid* lists) {
-  Context* const context = current();
+  Context* const context = context_of_lists();
   const bool by_driver = context == nullptr || !context->touched || n <= 0 || lists == nullptr || !is_list_type(type) ||
                          (context->open_list != nullptr && context->open_list->in_begin);
   if (by_driver) return find_driver().CallLists(n, type, lists);

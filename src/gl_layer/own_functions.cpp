@@ -33,13 +33,18 @@ struct Entry {
 #define NINEBIT_ENTRY(name) Entry{#name, reinterpret_cast<AnyFunction>(&::name)},
 #define NINEBIT_ALIAS(alias, name) Entry{#alias, reinterpret_cast<AnyFunction>(&::name)},
 
+// Without their suffix, because libglvnd has a function of every name: mplayer 1.5 asks for those first.
 // clang-format off
 #define NINEBIT_OWN_FUNCTIONS(X, A) \
   X(eglCreateContext) X(eglDestroyContext) X(eglGetProcAddress) X(eglMakeCurrent) X(eglSwapBuffers) X(glBegin) \
-  X(glBindTexture) A(glBindTextureEXT, glBindTexture) X(glBitmap) X(glCallList) X(glCallLists) X(glCombinerInputNV) \
-  X(glCombinerOutputNV) X(glCombinerParameterfNV) X(glCombinerParameterfvNV) X(glCombinerParameteriNV) \
-  X(glCombinerParameterivNV) X(glCombinerStageParameterfvNV) X(glCompressedTexImage1D) \
-  A(glCompressedTexImage1DARB, glCompressedTexImage1D) X(glCompressedTexImage2D) \
+  X(glBindTexture) A(glBindTextureEXT, glBindTexture) X(glBitmap) X(glCallList) X(glCallLists) \
+  A(glCombinerInput, glCombinerInputNV) X(glCombinerInputNV) A(glCombinerOutput, glCombinerOutputNV) \
+  X(glCombinerOutputNV) A(glCombinerParameterf, glCombinerParameterfNV) X(glCombinerParameterfNV) \
+  A(glCombinerParameterfv, glCombinerParameterfvNV) X(glCombinerParameterfvNV) \
+  A(glCombinerParameteri, glCombinerParameteriNV) X(glCombinerParameteriNV) \
+  A(glCombinerParameteriv, glCombinerParameterivNV) X(glCombinerParameterivNV) \
+  A(glCombinerStageParameterfv, glCombinerStageParameterfvNV) X(glCombinerStageParameterfvNV) \
+  X(glCompressedTexImage1D) A(glCompressedTexImage1DARB, glCompressedTexImage1D) X(glCompressedTexImage2D) \
   A(glCompressedTexImage2DARB, glCompressedTexImage2D) X(glCompressedTexImage3D) \
   A(glCompressedTexImage3DARB, glCompressedTexImage3D) X(glCopyPixels) X(glCopyTexImage1D) \
   A(glCopyTexImage1DEXT, glCopyTexImage1D) X(glCopyTexImage2D) A(glCopyTexImage2DEXT, glCopyTexImage2D) \
@@ -49,19 +54,25 @@ struct Entry {
   X(glDrawElementsInstanced) A(glDrawElementsInstancedARB, glDrawElementsInstanced) \
   A(glDrawElementsInstancedEXT, glDrawElementsInstanced) X(glDrawPixels) X(glDrawRangeElements) \
   X(glDrawRangeElementsBaseVertex) A(glDrawRangeElementsEXT, glDrawRangeElements) X(glEnable) X(glEnd) X(glEndList) \
-  X(glEvalMesh1) X(glEvalMesh2) X(glFinalCombinerInputNV) X(glFogf) X(glFogfv) X(glFogi) X(glFogiv) X(glGetBooleanv) \
-  X(glGetCombinerInputParameterfvNV) X(glGetCombinerInputParameterivNV) X(glGetCombinerOutputParameterfvNV) \
-  X(glGetCombinerOutputParameterivNV) X(glGetCombinerStageParameterfvNV) X(glGetDoublev) X(glGetError) \
-  X(glGetFinalCombinerInputParameterfvNV) X(glGetFinalCombinerInputParameterivNV) X(glGetFloatv) X(glGetHandleARB) \
-  X(glGetIntegerv) X(glGetString) X(glGetStringi) X(glGetTexEnvfv) X(glGetTexEnviv) X(glIsEnabled) X(glLightModelf) \
-  X(glLightModelfv) X(glLightModeli) X(glLightModeliv) X(glMultiDrawArrays) A(glMultiDrawArraysEXT, glMultiDrawArrays) \
-  X(glMultiDrawElements) A(glMultiDrawElementsEXT, glMultiDrawElements) X(glNewList) X(glPopAttrib) X(glPushAttrib) \
-  X(glRectd) X(glRectdv) X(glRectf) X(glRectfv) X(glRecti) X(glRectiv) X(glRects) X(glRectsv) X(glTexEnvf) X(glTexEnvfv) \
-  X(glTexEnvi) X(glTexEnviv) X(glTexImage1D) X(glTexImage2D) X(glTexImage3D) A(glTexImage3DEXT, glTexImage3D) \
-  X(glTexParameterf) X(glTexParameterfv) X(glTexParameteri) X(glTexParameteriv) X(glTexStorage1D) X(glTexStorage2D) \
-  X(glTexStorage3D) X(glUseProgram) X(glUseProgramObjectARB) X(glXCreateContext) X(glXCreateContextAttribsARB) \
-  X(glXCreateNewContext) X(glXDestroyContext) X(glXGetProcAddress) X(glXGetProcAddressARB) X(glXMakeContextCurrent) \
-  X(glXMakeCurrent) A(glXMakeCurrentReadSGI, glXMakeContextCurrent) X(glXSwapBuffers)
+  X(glEvalMesh1) X(glEvalMesh2) A(glFinalCombinerInput, glFinalCombinerInputNV) X(glFinalCombinerInputNV) X(glFogf) \
+  X(glFogfv) X(glFogi) X(glFogiv) X(glGetBooleanv) A(glGetCombinerInputParameterfv, glGetCombinerInputParameterfvNV) \
+  X(glGetCombinerInputParameterfvNV) A(glGetCombinerInputParameteriv, glGetCombinerInputParameterivNV) \
+  X(glGetCombinerInputParameterivNV) A(glGetCombinerOutputParameterfv, glGetCombinerOutputParameterfvNV) \
+  X(glGetCombinerOutputParameterfvNV) A(glGetCombinerOutputParameteriv, glGetCombinerOutputParameterivNV) \
+  X(glGetCombinerOutputParameterivNV) A(glGetCombinerStageParameterfv, glGetCombinerStageParameterfvNV) \
+  X(glGetCombinerStageParameterfvNV) X(glGetDoublev) X(glGetError) \
+  A(glGetFinalCombinerInputParameterfv, glGetFinalCombinerInputParameterfvNV) X(glGetFinalCombinerInputParameterfvNV) \
+  A(glGetFinalCombinerInputParameteriv, glGetFinalCombinerInputParameterivNV) X(glGetFinalCombinerInputParameterivNV) \
+  X(glGetFloatv) X(glGetHandleARB) X(glGetIntegerv) X(glGetString) X(glGetStringi) X(glGetTexEnvfv) X(glGetTexEnviv) \
+  X(glIsEnabled) X(glLightModelf) X(glLightModelfv) X(glLightModeli) X(glLightModeliv) X(glMultiDrawArrays) \
+  A(glMultiDrawArraysEXT, glMultiDrawArrays) X(glMultiDrawElements) A(glMultiDrawElementsEXT, glMultiDrawElements) \
+  X(glNewList) X(glPopAttrib) X(glPushAttrib) X(glRectd) X(glRectdv) X(glRectf) X(glRectfv) X(glRecti) X(glRectiv) \
+  X(glRects) X(glRectsv) X(glTexEnvf) X(glTexEnvfv) X(glTexEnvi) X(glTexEnviv) X(glTexImage1D) X(glTexImage2D) \
+  X(glTexImage3D) A(glTexImage3DEXT, glTexImage3D) X(glTexParameterf) X(glTexParameterfv) X(glTexParameteri) \
+  X(glTexParameteriv) X(glTexStorage1D) X(glTexStorage2D) X(glTexStorage3D) X(glUseProgram) X(glUseProgramObjectARB) \
+  X(glXCreateContext) X(glXCreateContextAttribsARB) X(glXCreateNewContext) X(glXDestroyContext) X(glXGetProcAddress) \
+  X(glXGetProcAddressARB) X(glXMakeContextCurrent) X(glXMakeCurrent) A(glXMakeCurrentReadSGI, glXMakeContextCurrent) \
+  X(glXSwapBuffers)
 // clang-format on
 
 const Entry kFunctions[]{NINEBIT_OWN_FUNCTIONS(NINEBIT_ENTRY, NINEBIT_ALIAS)};
