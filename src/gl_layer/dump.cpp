@@ -128,7 +128,11 @@ struct Captured {
   std::unique_ptr<Capture> capture{};  // nullptr: only the state is listed
   Json state{};
 };
-thread_local Captured captured;
+
+Captured& captured_draw() {
+  thread_local auto& draw = *new Captured;  // without a destructor: programs draw at their exit
+  return draw;
+}
 
 }  // namespace
 
@@ -140,12 +144,13 @@ void dump_program(const Context& context, const CachedProgram& cached) {
 
 bool begin_capture(Context& context, const char* call) {
   if (!Dump::get().captures(context)) return false;
-  captured.state = describe_draw(context, call);
-  captured.capture = Capture::begin(context, call);
+  captured_draw().state = describe_draw(context, call);
+  captured_draw().capture = Capture::begin(context, call);
   return true;
 }
 
 void end_capture(Context& context) {
+  Captured& captured = captured_draw();
   if (captured.capture == nullptr) {
     Dump::get().add_draw(context, std::move(captured.state), nullptr);
     return;

@@ -27,8 +27,9 @@ Contexts& contexts() {
   return all;
 }
 
-// Keeps a context that is current alive when the program destroys it.
-thread_local std::shared_ptr<Context> held_context;
+// Keeps a context that is current alive when the program destroys it. It has no destructor: programs release contexts
+// at their exit, when a thread's objects are gone.
+constinit thread_local std::shared_ptr<Context>* held_context = nullptr;
 
 void created(Handle handle, Handle share) {
   if (handle == nullptr) return;
@@ -49,7 +50,8 @@ void destroyed(Handle handle) {
 
 void made_current(Handle handle) {
   current_context = nullptr;
-  held_context = nullptr;
+  if (held_context == nullptr) held_context = new std::shared_ptr<Context>;
+  held_context->reset();
   if (handle == nullptr) return;
   Contexts& all = contexts();
   const std::lock_guard lock(all.mutex);
@@ -60,7 +62,7 @@ void made_current(Handle handle) {
     context = std::make_shared<Context>(group, layer_profile());
     context->features = find_features();
   }
-  held_context = context;
+  *held_context = context;
   if (context->features.enough) current_context = context.get();
 }
 
