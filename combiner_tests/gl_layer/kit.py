@@ -75,10 +75,10 @@ class Kit:
         return subprocess.run(command, env=environment, cwd=cwd, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
                               stderr=subprocess.STDOUT, text=True, errors="replace", timeout=timeout)
 
-    def evaluate(self, program, columns, rows, profile="geforce2"):
+    def evaluate(self, program, columns, rows, profile="geforce2", more=()):
         """`ninebit eval` of a program for rows of register codes: lists of (red, green, blue, alpha)."""
         table = ",".join(columns) + "\n" + "".join(",".join(map(str, row)) + "\n" for row in rows)
-        lines = self.ninebit("eval", program, "--profile", profile, "--inputs", "-", text=table).splitlines()
+        lines = self.ninebit("eval", program, "--profile", profile, *more, "--inputs", "-", text=table).splitlines()
         names = lines[0].split(",")
         order = [names.index(f"out.{c}") for c in "rgba"]
         return [[int(line.split(",")[i]) for i in order] for line in lines[1:]]

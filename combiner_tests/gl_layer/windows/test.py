@@ -1,0 +1,96 @@
+"""A Windows program under Wine: with the layer wglGetProcAddress finds the combiners, and what it draws is `ninebit eval`'s.
+
+The layer is loaded into Wine's own process, where Wine's OpenGL asks the system's for its functions. Wine's prefix is made
+for the test and removed afterwards.
+"""
+import shutil
+import subprocess
+
+import numpy
+
+from kit import HERE, build, display, require
+
+PACKAGES = "wine, wine64, gcc-mingw-w64-x86-64-win32, python3-numpy and xvfb"
+COMPILER = "x86_64-w64-mingw32-gcc"
+PROGRAMS = ["compare", "specular", "mux", "final"]
+FOG = [51, 102, 153, 255]
+QUIET = {"WINEDEBUG": "-all", "WINEDLLOVERRIDES": "mscoree,mshtml,winemenubuilder.exe="}  # no questions, no menus
+# What print_errors() of the program prints: INVALID_ENUM 0500, INVALID_VALUE 0501, INVALID_OPERATION 0502; the defaults of
+# A, PRIMARY_COLOR_NV, and of G, ALPHA.
+ERRORS = """input GL_ONE: 0x0500
+RGB in the alpha portion: 0x0502
+99 combiners: 0x0501
+input of A: 0x852c
+usage of G: 0x1906
+combiners: 2
+combiners in use: 1
+error: 0x0000"""
+
+
+def make_inputs(path):
+    """Four planes of 256 colours: primary, secondary, and two textures; many bytes at the ends of their range."""
+    random = numpy.random.default_rng(7)
+    planes = random.integers(0, 256, (4, 256, 4), dtype=numpy.uint8)
+    ends = numpy.array([0, 1, 127, 128, 254, 255], numpy.uint8)
+    planes = numpy.where(random.random(planes.shape) < 0.3, random.choice(ends, planes.shape), planes)
+    # Half of the fragments compare colours that are equal or nearly so.
+    planes[2, :128, :3] = numpy.clip(planes[0, :128, :3].astype(int) + random.integers(-1, 2, (128, 3)), 0, 255)
+    path.write_bytes(planes.tobytes())
+    return planes
+
+
+def expected(kit, name, planes):
+    columns = [f"{register}.{c}" for register in ("primary", "secondary", "tex0", "tex1", "fog") for c in "rgba"]
+    columns.remove("secondary.a")  # the profile's
+    fog = numpy.tile(FOG, (256, 1))
+    rows = numpy.concatenate([planes[0], planes[1][:, :3], planes[2], planes[3], fog], axis=1).tolist()
+    codes = kit.evaluate(HERE / "windows/programs.c", columns, rows, more=["--from", "source", "--function", f"set_up_{name}"])
+    return numpy.clip(codes, 0, 255)
+
+
+def judge(kit, text, name, wanted):
+    head, _, rest = text.partition(f"program {name}: ")[2].partition("\n")
+    rows = [list(map(int, line.split())) for line in rest.splitlines()[:256] if line[:1].isdigit()]
+    if len(rows) != 256:
+        kit.check(False, f"windows, {name}: {len(rows)} of 256 results were printed")
+        return
+    wrong = (numpy.array(rows) != wanted).any(axis=1).sum()
+    distinct = len(numpy.unique(wanted, axis=0))
+    kit.check(wrong == 0 and head == "error 0x0000, 0 pixels unlike their cell" and distinct > 30,
+              f"windows, {name}: {wrong} of 256 fragments differ from eval, with {distinct} results; {head}")
+
+
+def run(kit):
+    require(PACKAGES, [COMPILER, "wine", "wineserver", "Xvfb"])
+    folder = kit.folder("windows")
+    planes = make_inputs(folder / "inputs.bin")
+    build([COMPILER, "-std=gnu99", "-O2", "-Wall", "-Wextra", "-Werror", HERE / "windows/combiners.c", "-o",
+           folder / "combiners.exe", "-lopengl32", "-lgdi32"])
+    prefix = folder / "prefix"
+    with display() as environment:
+        environment |= {**QUIET, "WINEPREFIX": str(prefix)}
+        try:
+            subprocess.run(["wineboot", "--init"], env=environment, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
+                           stderr=subprocess.DEVNULL, timeout=300, check=True)
+            draw(kit, folder, planes, environment)
+        finally:
+            subprocess.run(["wineserver", "--kill"], env=environment, stderr=subprocess.DEVNULL)
+            subprocess.run(["wineserver", "--wait"], env=environment, stderr=subprocess.DEVNULL, timeout=60)
+            shutil.rmtree(prefix, ignore_errors=True)
+
+
+def draw(kit, folder, planes, environment):
+    command = ["wine", "combiners.exe", "inputs.bin"]
+    done = kit.run(command, environment, cwd=folder)
+    kit.check(done.returncode == 2 and "address of glCombinerInputNV: none" in done.stdout and
+              "GL_NV_register_combiners is missing" in done.stdout,
+              f"windows, without the layer: {'; '.join(done.stdout.split(chr(10)))[:200].strip('; ')}")
+
+    done = kit.run(command, environment, layer=True, cwd=folder)
+    (folder / "results.txt").write_text(done.stdout)
+    kit.check(done.returncode == 0 and "functions: 16 of 16" in done.stdout,
+              f"windows, with the layer: exit status {done.returncode}, {done.stdout.strip().partition('program')[0][-300:]!r}"
+              if done.returncode else "windows, with the layer: functions: 16 of 16")
+    kit.check(ERRORS in done.stdout, "windows, errors and gets are those of the specification")
+    for name in PROGRAMS:
+        judge(kit, done.stdout, name, expected(kit, name, planes))
