@@ -22,10 +22,14 @@ def require(packages, programs=(), files=()):
 
 
 @contextlib.contextmanager
-def display(size="1280x1024"):
-    """An X server without a screen. Gives the environment for its programs, which draw by llvmpipe."""
+def display(size="1280x1024", memory=None):
+    """An X server without a screen. Gives the environment for its programs, which draw by llvmpipe.
+
+    memory: a folder in which the file Xvfb_screen0 shows what is on the screen.
+    """
     read, write = os.pipe()
-    server = subprocess.Popen(["Xvfb", "-displayfd", str(write), "-screen", "0", f"{size}x24", "-nolisten", "tcp"],
+    server = subprocess.Popen(["Xvfb", "-displayfd", str(write), "-screen", "0", f"{size}x24", "-nolisten", "tcp",
+                               *(["-fbdir", str(memory)] if memory else [])],
                               pass_fds=[write], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
     os.close(write)
     with os.fdopen(read) as answer:
@@ -67,13 +71,16 @@ class Kit:
             raise RuntimeError(f"ninebit {' '.join(map(str, arguments))}: {done.stderr.strip()}")
         return done.stdout
 
+    def command(self, command, layer, profile=None):
+        """The arguments that run a program, with the layer if asked for."""
+        start = [self.ninebit_path, "gl-run", *(["--profile", profile] if profile else []), "--"] if layer else []
+        return [str(word) for word in start + list(command)]
+
     def run(self, command, environment, layer=False, profile=None, timeout=120, cwd=None):
-        """Runs a program, with the layer if asked for. Its output and messages are one text."""
-        command = list(map(str, command))
-        if layer:
-            command = [str(self.ninebit_path), "gl-run", *(["--profile", profile] if profile else []), "--", *command]
-        return subprocess.run(command, env=environment, cwd=cwd, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
-                              stderr=subprocess.STDOUT, text=True, errors="replace", timeout=timeout)
+        """Runs a program to its end. Its output and messages are one text."""
+        return subprocess.run(self.command(command, layer, profile), env=environment, cwd=cwd, stdin=subprocess.DEVNULL,
+                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, errors="replace",
+                              timeout=timeout)
 
     def evaluate(self, program, columns, rows, profile="geforce2", more=()):
         """`ninebit eval` of a program for rows of register codes: lists of (red, green, blue, alpha)."""

@@ -75,6 +75,16 @@ def unfilter(kind, row, above, out):
     out[:] = numpy.array(line, numpy.uint8).reshape(out.shape)
 
 
+def read_xwd(path):
+    """The screen of an X server that draws into a file: height x width x RGB, from 32 bits a pixel."""
+    with open(path, "rb") as file:
+        data = file.read()
+    header = struct.unpack_from(">25I", data)
+    width, height, row, colors = header[4], header[5], header[12], header[19]
+    pixels = numpy.frombuffer(data, numpy.uint8, row * height, header[0] + 12 * colors).reshape(height, row)
+    return pixels[:, :4 * width].reshape(height, width, 4)[:, :, 2::-1]
+
+
 def read_layers(path):
     """The parts of the layers.exr that `ninebit render --layers` writes: {part: {channel: array}}. Scan lines, ZIP."""
     with open(path, "rb") as file:

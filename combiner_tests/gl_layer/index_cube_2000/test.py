@@ -121,7 +121,7 @@ def run(kit):
                   f"index_cube_2000, without the layer: {done.stdout.strip()}")
 
         expected = {(2, "geforce2"): render("render_2", 2, "geforce2"), (1, "geforce2"): render("render_1", 1, "geforce2"),
-                    (1, "ideal"): render("render_ideal", 1, "ideal")}
+                    (1, "nv2a"): render("render_nv2a", 1, "nv2a")}
         for (step, profile), theirs in expected.items():
             ours = draw(f"layer_step_{step}_{profile}", step, layer=True, profile=profile)
             if ours:

@@ -17,14 +17,16 @@ FOG = [51, 102, 153, 255]
 QUIET = {"WINEDEBUG": "-all", "WINEDLLOVERRIDES": "mscoree,mshtml,winemenubuilder.exe="}  # no questions, no menus
 # What print_errors() of the program prints: INVALID_ENUM 0500, INVALID_VALUE 0501, INVALID_OPERATION 0502; the defaults of
 # A, PRIMARY_COLOR_NV, and of G, ALPHA.
-ERRORS = """input GL_ONE: 0x0500
+ERRORS = """\
+input GL_ONE: 0x0500
 RGB in the alpha portion: 0x0502
 99 combiners: 0x0501
 input of A: 0x852c
 usage of G: 0x1906
-combiners: 2
+combiners: {}
 combiners in use: 1
 error: 0x0000"""
+PROFILES = {"geforce2": 2, "nv2a": 8}  # and their combiners
 
 
 def make_inputs(path):
@@ -39,25 +41,25 @@ def make_inputs(path):
     return planes
 
 
-def expected(kit, name, planes):
+def expected(kit, name, planes, profile):
     columns = [f"{register}.{c}" for register in ("primary", "secondary", "tex0", "tex1", "fog") for c in "rgba"]
     columns.remove("secondary.a")  # the profile's
     fog = numpy.tile(FOG, (256, 1))
     rows = numpy.concatenate([planes[0], planes[1][:, :3], planes[2], planes[3], fog], axis=1).tolist()
-    codes = kit.evaluate(HERE / "windows/programs.c", columns, rows, more=["--from", "source", "--function", f"set_up_{name}"])
+    codes = kit.evaluate(HERE / "windows/programs.c", columns, rows, profile,
+                         more=["--from", "source", "--function", f"set_up_{name}"])
     return numpy.clip(codes, 0, 255)
 
 
-def judge(kit, text, name, wanted):
+def judge(kit, profile, text, name, wanted):
     head, _, rest = text.partition(f"program {name}: ")[2].partition("\n")
     rows = [list(map(int, line.split())) for line in rest.splitlines()[:256] if line[:1].isdigit()]
     if len(rows) != 256:
-        kit.check(False, f"windows, {name}: {len(rows)} of 256 results were printed")
+        kit.check(False, f"windows, {profile}, {name}: {len(rows)} of 256 results were printed")
         return
-    wrong = (numpy.array(rows) != wanted).any(axis=1).sum()
-    distinct = len(numpy.unique(wanted, axis=0))
+    wrong, distinct = (numpy.array(rows) != wanted).any(axis=1).sum(), len(numpy.unique(wanted, axis=0))
     kit.check(wrong == 0 and head == "error 0x0000, 0 pixels unlike their cell" and distinct > 30,
-              f"windows, {name}: {wrong} of 256 fragments differ from eval, with {distinct} results; {head}")
+              f"windows, {profile}, {name}: {wrong} of 256 fragments differ from eval, with {distinct} results; {head}")
 
 
 def run(kit):
@@ -86,11 +88,13 @@ def draw(kit, folder, planes, environment):
               "GL_NV_register_combiners is missing" in done.stdout,
               f"windows, without the layer: {'; '.join(done.stdout.split(chr(10)))[:200].strip('; ')}")
 
-    done = kit.run(command, environment, layer=True, cwd=folder)
-    (folder / "results.txt").write_text(done.stdout)
-    kit.check(done.returncode == 0 and "functions: 16 of 16" in done.stdout,
-              f"windows, with the layer: exit status {done.returncode}, {done.stdout.strip().partition('program')[0][-300:]!r}"
-              if done.returncode else "windows, with the layer: functions: 16 of 16")
-    kit.check(ERRORS in done.stdout, "windows, errors and gets are those of the specification")
-    for name in PROGRAMS:
-        judge(kit, done.stdout, name, expected(kit, name, planes))
+    for profile, combiners in PROFILES.items():
+        done = kit.run(command, environment, layer=True, profile=profile, cwd=folder)
+        (folder / f"results_{profile}.txt").write_text(done.stdout)
+        head = done.stdout.partition("program ")[0].strip()
+        kit.check(done.returncode == 0 and "functions: 16 of 16" in head,
+                  f"windows, {profile}: exit status {done.returncode}, functions: 16 of 16")
+        kit.check(ERRORS.format(combiners) in head,
+                  f"windows, {profile}: errors and gets of the specification: {', '.join(head.splitlines()[2:])}")
+        for name in PROGRAMS:
+            judge(kit, profile, done.stdout, name, expected(kit, name, planes, profile))
