@@ -1,5 +1,5 @@
-/* Index cube shadow mapping as a program of the year 2000 does it: GLUT, immediate mode, and the register combiners that
- * the article sets up. It knows nothing of ninebit. It needs GL_NV_register_combiners, GL_ARB_multitexture and
+/* Index cube shadow mapping as a program of the year 2000 does it: GLUT, immediate mode, and the register combiners
+ * that the article sets up. It knows nothing of ninebit. It needs GL_NV_register_combiners, GL_ARB_multitexture and
  * GL_ARB_texture_cube_map; without them it says so and exits with 2.
  *
  *   index_cube_2000 SCENE.txt [--size WxH] [--map-size N] [--step N] [--frames N] [--output PREFIX] [--glsl FILE]
@@ -18,76 +18,18 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "extensions.h"
 #include "scene.h"
-
-void (*glXGetProcAddressARB(const GLubyte *name))(void); /* as in every header of the time */
-
-static PFNGLCOMBINERPARAMETERINVPROC p_glCombinerParameteriNV;
-static PFNGLCOMBINERINPUTNVPROC p_glCombinerInputNV;
-static PFNGLCOMBINEROUTPUTNVPROC p_glCombinerOutputNV;
-static PFNGLFINALCOMBINERINPUTNVPROC p_glFinalCombinerInputNV;
-#define glCombinerParameteriNV p_glCombinerParameteriNV
-#define glCombinerInputNV p_glCombinerInputNV
-#define glCombinerOutputNV p_glCombinerOutputNV
-#define glFinalCombinerInputNV p_glFinalCombinerInputNV
 
 static Scene scene;
 static int width = 640, height = 480, map_size = 256, step = 2, frames = 1, frame;
 static const char *output, *glsl_file;
-static GLuint cube_map, glsl_program;
-static PFNGLUSEPROGRAMPROC p_glUseProgram;
+static GLuint cube_map;
 static int begin;
-
-static void quit(const char *text) {
-  fprintf(stderr, "index_cube_2000: %s\n", text);
-  exit(2);
-}
-
-static int has_extension(const char *name) {
-  return strstr((const char *)glGetString(GL_EXTENSIONS), name) != NULL;
-}
-
-static void *address(const char *name) {
-  return (void *)glXGetProcAddressARB((const GLubyte *)name);
-}
-
-static void load_extensions(void) {
-  if (!has_extension("GL_ARB_texture_cube_map")) quit("GL_ARB_texture_cube_map is missing");
-  if (glsl_file) return;
-  if (!has_extension("GL_NV_register_combiners")) quit("GL_NV_register_combiners is missing");
-  glCombinerParameteriNV = (PFNGLCOMBINERPARAMETERINVPROC)address("glCombinerParameteriNV");
-  glCombinerInputNV = (PFNGLCOMBINERINPUTNVPROC)address("glCombinerInputNV");
-  glCombinerOutputNV = (PFNGLCOMBINEROUTPUTNVPROC)address("glCombinerOutputNV");
-  glFinalCombinerInputNV = (PFNGLFINALCOMBINERINPUTNVPROC)address("glFinalCombinerInputNV");
-  if (!glCombinerParameteriNV || !glCombinerInputNV || !glCombinerOutputNV || !glFinalCombinerInputNV) {
-    quit("an entry point of GL_NV_register_combiners is missing");
-  }
-}
 
 /* The article's calls. */
 static void set_up_combiners(void) {
 #include "compare.gl"
-}
-
-/* The same by a shader that somebody wrote by hand. */
-static void load_shader(void) {
-  static char text[8192];
-  const GLchar *source = text;
-  GLint linked = 0;
-  GLuint shader;
-  FILE *file = fopen(glsl_file, "r");
-  if (!file) quit("the shader's file cannot be read");
-  text[fread(text, 1, sizeof text - 1, file)] = 0;
-  fclose(file);
-  shader = ((PFNGLCREATESHADERPROC)address("glCreateShader"))(GL_FRAGMENT_SHADER);
-  ((PFNGLSHADERSOURCEPROC)address("glShaderSource"))(shader, 1, &source, NULL);
-  ((PFNGLCOMPILESHADERPROC)address("glCompileShader"))(shader);
-  glsl_program = ((PFNGLCREATEPROGRAMPROC)address("glCreateProgram"))();
-  ((PFNGLATTACHSHADERPROC)address("glAttachShader"))(glsl_program, shader);
-  ((PFNGLLINKPROGRAMPROC)address("glLinkProgram"))(glsl_program);
-  ((PFNGLGETPROGRAMIVPROC)address("glGetProgramiv"))(glsl_program, GL_LINK_STATUS, &linked);
-  if (!linked) quit("the shader does not link");
-  p_glUseProgram = (PFNGLUSEPROGRAMPROC)address("glUseProgram");
 }
 
 /* Counts by `step` in red, then green, then blue. Number 0 is the cleared map. */
@@ -112,7 +54,7 @@ static void draw_lit(int in_shadow) {
   glBegin(GL_TRIANGLES);
   for (i = 0; i < scene.triangle_count; ++i) {
     for (corner = 0; corner < 3; ++corner) {
-      const Vertex *v = &scene.vertices[scene.triangles[i][corner]];
+      const Vertex* v = &scene.vertices[scene.triangles[i][corner]];
       glColor3fv(in_shadow ? v->shadowed : v->lit);
       glVertex3fv(v->position);
     }
@@ -122,9 +64,9 @@ static void draw_lit(int in_shadow) {
 
 /* The light's six views with the indices as colours. The window must be at least as large as a face. */
 static void make_cube_map(void) {
-  static const GLdouble looks[6][6] = {{1, 0, 0, 0, -1, 0}, {-1, 0, 0, 0, -1, 0}, {0, 1, 0, 0, 0, 1},
-                                       {0, -1, 0, 0, 0, -1}, {0, 0, 1, 0, -1, 0}, {0, 0, -1, 0, -1, 0}};
-  const float *l = scene.light;
+  static const GLdouble looks[6][6] = {{1, 0, 0, 0, -1, 0},  {-1, 0, 0, 0, -1, 0}, {0, 1, 0, 0, 0, 1},
+                                       {0, -1, 0, 0, 0, -1}, {0, 0, 1, 0, -1, 0},  {0, 0, -1, 0, -1, 0}};
+  const float* l = scene.light;
   int face;
   glShadeModel(GL_FLAT);
   glDisable(GL_STENCIL_TEST);
@@ -136,7 +78,7 @@ static void make_cube_map(void) {
   glViewport(0, 0, map_size, map_size);
   glBindTexture(GL_TEXTURE_CUBE_MAP_ARB, cube_map);
   for (face = 0; face < 6; ++face) {
-    const GLdouble *d = looks[face];
+    const GLdouble* d = looks[face];
     glMatrixMode(GL_PROJECTION);
     glLoadIdentity();
     gluPerspective(90.0, 1.0, scene.light_near, scene.light_far);
@@ -162,7 +104,8 @@ static void look_from_camera(void) {
 /* Texture coordinates are positions relative to the light: the position by texgen, the rest by the texture matrix. */
 static void enable_cube_map(int on) {
   static const GLfloat planes[3][4] = {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}};
-  static const GLenum coordinates[3] = {GL_S, GL_T, GL_R}, gens[3] = {GL_TEXTURE_GEN_S, GL_TEXTURE_GEN_T, GL_TEXTURE_GEN_R};
+  static const GLenum coordinates[3] = {GL_S, GL_T, GL_R},
+                      gens[3] = {GL_TEXTURE_GEN_S, GL_TEXTURE_GEN_T, GL_TEXTURE_GEN_R};
   int i;
   for (i = 0; i < 3; ++i) {
     glTexGeni(coordinates[i], GL_TEXTURE_GEN_MODE, GL_OBJECT_LINEAR);
@@ -219,11 +162,11 @@ static void draw_light(void) {
 }
 
 /* What the window shows, to a file with the first row on top. */
-static void write_picture(const char *name, GLenum format, int channels, int scale) {
+static void write_picture(const char* name, GLenum format, int channels, int scale) {
   char path[1024];
   size_t row = (size_t)width * channels, i, size = row * height;
-  GLubyte *pixels = malloc(size);
-  FILE *file;
+  GLubyte* pixels = malloc(size);
+  FILE* file;
   int y;
   glPixelStorei(GL_PACK_ALIGNMENT, 1);
   glReadPixels(0, 0, width, height, format, GL_UNSIGNED_BYTE, pixels);
@@ -289,7 +232,7 @@ static void make_textures(void) {
   glTexParameteri(GL_TEXTURE_CUBE_MAP_ARB, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
 }
 
-int main(int argc, char **argv) {
+int main(int argc, char** argv) {
   int i;
   glutInit(&argc, argv);
   if (argc < 2) quit("expected a scene file");
@@ -306,10 +249,10 @@ int main(int argc, char **argv) {
   glutInitDisplayMode(GLUT_RGB | GLUT_DOUBLE | GLUT_DEPTH | GLUT_STENCIL);
   glutInitWindowSize(width, height);
   glutCreateWindow("Index Cube Shadow Mapping");
-  load_extensions();
+  load_extensions(glsl_file);
   glDisable(GL_DITHER);
   make_textures();
-  if (glsl_file) load_shader();
+  if (glsl_file) load_shader(glsl_file);
   glutDisplayFunc(display);
   glutIdleFunc(glutPostRedisplay);
   glutMainLoop();

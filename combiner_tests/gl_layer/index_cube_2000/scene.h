@@ -16,13 +16,13 @@ typedef struct {
   double eye[3], look_at[3];
   float light[3];
   int vertex_count, triangle_count;
-  Vertex *vertices;
+  Vertex* vertices;
   int (*triangles)[3];
 } Scene;
 
 /* Returns 0 where the file is not as described. */
-static int read_scene(const char *path, Scene *s) {
-  FILE *file = fopen(path, "r");
+static int read_scene(const char* path, Scene* s) {
+  FILE* file = fopen(path, "r");
   int i, c, good;
   if (!file) return 0;
   good = fscanf(file, " camera %lf %lf %lf %lf %lf %lf %lf %lf %lf", &s->eye[0], &s->eye[1], &s->eye[2], &s->look_at[0],
@@ -32,7 +32,7 @@ static int read_scene(const char *path, Scene *s) {
          fscanf(file, " vertices %d", &s->vertex_count) == 1 && s->vertex_count > 0;
   if (good) s->vertices = calloc((size_t)s->vertex_count, sizeof *s->vertices);
   for (i = 0; good && i < s->vertex_count; ++i) {
-    Vertex *v = &s->vertices[i];
+    Vertex* v = &s->vertices[i];
     good = fscanf(file, "%f %f %f %f %f %f %f %f %f", &v->position[0], &v->position[1], &v->position[2], &v->lit[0],
                   &v->lit[1], &v->lit[2], &v->shadowed[0], &v->shadowed[1], &v->shadowed[2]) == 9;
   }
@@ -40,7 +40,8 @@ static int read_scene(const char *path, Scene *s) {
   if (good) s->triangles = calloc((size_t)s->triangle_count, sizeof *s->triangles);
   for (i = 0; good && i < s->triangle_count; ++i) {
     for (c = 0; good && c < 3; ++c) {
-      good = fscanf(file, "%d", &s->triangles[i][c]) == 1 && s->triangles[i][c] >= 0 && s->triangles[i][c] < s->vertex_count;
+      good = fscanf(file, "%d", &s->triangles[i][c]) == 1 && s->triangles[i][c] >= 0 &&
+             s->triangles[i][c] < s->vertex_count;
     }
   }
   fclose(file);

@@ -1,5 +1,5 @@
-/* Combiner set-ups, each complete from the state of a new context. They are C, which combiners.c includes, and source that
- * `ninebit eval --function NAME` executes. */
+/* Combiner set-ups, each complete from the state of a new context. They are C, which combiners.c includes, and source
+ * that `ninebit eval --function NAME` executes. */
 
 static void set_up_compare(void) {
   glCombinerParameteriNV(GL_NUM_GENERAL_COMBINERS_NV, 2);
@@ -40,7 +40,8 @@ static void set_up_specular(void) {
   glCombinerOutputNV(GL_COMBINER1_NV, GL_RGB, GL_SPARE0_NV, GL_DISCARD_NV, GL_DISCARD_NV, GL_SCALE_BY_TWO_NV, GL_NONE,
                      GL_FALSE, GL_FALSE, GL_FALSE);
   glCombinerInputNV(GL_COMBINER1_NV, GL_ALPHA, GL_VARIABLE_A_NV, GL_SPARE1_NV, GL_SIGNED_NEGATE_NV, GL_BLUE);
-  glCombinerInputNV(GL_COMBINER1_NV, GL_ALPHA, GL_VARIABLE_B_NV, GL_CONSTANT_COLOR0_NV, GL_UNSIGNED_IDENTITY_NV, GL_ALPHA);
+  glCombinerInputNV(GL_COMBINER1_NV, GL_ALPHA, GL_VARIABLE_B_NV, GL_CONSTANT_COLOR0_NV, GL_UNSIGNED_IDENTITY_NV,
+                    GL_ALPHA);
   glFinalCombinerInputNV(GL_VARIABLE_A_NV, GL_SPARE0_NV, GL_UNSIGNED_IDENTITY_NV, GL_RGB);
   glFinalCombinerInputNV(GL_VARIABLE_B_NV, GL_CONSTANT_COLOR0_NV, GL_UNSIGNED_IDENTITY_NV, GL_RGB);
   glFinalCombinerInputNV(GL_VARIABLE_C_NV, GL_TEXTURE1_ARB, GL_UNSIGNED_IDENTITY_NV, GL_RGB);
@@ -57,8 +58,8 @@ static void set_up_mux(void) {
                      GL_BIAS_BY_NEGATIVE_ONE_HALF_NV, GL_FALSE, GL_FALSE, GL_TRUE);
   glCombinerInputNV(GL_COMBINER0_NV, GL_ALPHA, GL_VARIABLE_A_NV, GL_TEXTURE1_ARB, GL_UNSIGNED_IDENTITY_NV, GL_ALPHA);
   glCombinerInputNV(GL_COMBINER0_NV, GL_ALPHA, GL_VARIABLE_B_NV, GL_PRIMARY_COLOR_NV, GL_HALF_BIAS_NEGATE_NV, GL_BLUE);
-  glCombinerOutputNV(GL_COMBINER0_NV, GL_ALPHA, GL_SPARE1_NV, GL_DISCARD_NV, GL_DISCARD_NV, GL_SCALE_BY_FOUR_NV, GL_NONE,
-                     GL_FALSE, GL_FALSE, GL_FALSE);
+  glCombinerOutputNV(GL_COMBINER0_NV, GL_ALPHA, GL_SPARE1_NV, GL_DISCARD_NV, GL_DISCARD_NV, GL_SCALE_BY_FOUR_NV,
+                     GL_NONE, GL_FALSE, GL_FALSE, GL_FALSE);
   glCombinerInputNV(GL_COMBINER1_NV, GL_RGB, GL_VARIABLE_A_NV, GL_SPARE1_NV, GL_SIGNED_NEGATE_NV, GL_RGB);
   glCombinerInputNV(GL_COMBINER1_NV, GL_RGB, GL_VARIABLE_B_NV, GL_SPARE0_NV, GL_SIGNED_IDENTITY_NV, GL_RGB);
   glCombinerInputNV(GL_COMBINER1_NV, GL_RGB, GL_VARIABLE_C_NV, GL_SECONDARY_COLOR_NV, GL_SIGNED_IDENTITY_NV, GL_RGB);
