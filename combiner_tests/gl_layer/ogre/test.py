@@ -13,7 +13,8 @@ import pictures
 from kit import HERE, display, require
 
 PACKAGES = "python3-ogre-1.12, libogre1.12.10, python3-numpy and xvfb"
-FIXED, COMBINERS = ["textured", "colored"], ["dot3", "gloss", "final"]
+FIXED, COMBINERS = ["textured", "colored"], ["dot3", "gloss", "final", "tinted"]
+TINT = "const0 = (0.9, 0.6, 0.2, 0.8);"  # what OGRE gives the program of `tinted`
 PROFILE = "nv2a"  # fp20 needs four texture units and constants of each stage
 CELLS, CELL = 8, 8  # cells a side of the square, pixels a side of a cell
 
@@ -69,7 +70,8 @@ def run(kit):
     cells = {"textured": inputs.textures[0], "colored": inputs.colors}
     for name in COMBINERS:
         program = folder / f"{name}.rc1"  # the part that ninebit reads
-        program.write_text("!!RC1.0" + (here / f"{name}.fp20").read_text().split("!!RC1.0")[1])
+        text = "!!RC1.0" + (here / f"{name}.fp20").read_text().split("!!RC1.0")[1]
+        program.write_text(text.replace("{", "{ " + TINT, 1) if name == "tinted" else text)
         cells[name] = inputs.expected(kit, program)
 
     with display() as environment:
@@ -81,6 +83,8 @@ def run(kit):
             profiles = next((line for line in done.stdout.splitlines() if line.startswith("profiles: ")), done.stdout[-300:])
             kit.check(("fp20" in profiles.split()) == layer and f"fp20: {'yes' if layer else 'no'}" in done.stdout,
                       f"ogre, {how}: {profiles.strip()}")
+            log = (folder / "ogre.log").read_text(errors="replace")
+            kit.check("nvparse" not in log, f"ogre, {how}: nvparse reports nothing")
             for name in FIXED:
                 judge(kit, folder, name, cells[name], how)
             for name in COMBINERS:
