@@ -52,8 +52,8 @@ void get(const Command& command) {
   if (context != nullptr && context->outside_begin()) run(*context, command);
 }
 
-// The values behind a pointer of glCombinerParameter: four of a colour, one of a number, none of an unknown name. A null
-// pointer stays one.
+// The values behind a pointer of glCombinerParameter: four of a colour, one of a number, none of an unknown name. A
+// null pointer stays one.
 template <class T>
 class Copied {
  public:
@@ -117,8 +117,9 @@ GLAPI void GLAPIENTRY glCombinerStageParameterfvNV(GLenum stage, GLenum pname, c
   // An unknown stage is refused without a look behind the pointer: OGRE 1.12 passes the end of its array there.
   const Context* const context = current();
   const GLfloat none[4]{};
-  const bool known = context != nullptr && stage - GL_COMBINER0_NV < static_cast<GLuint>(
-                                               context->combiners.profile().general_combiners.value);
+  const bool known =
+      context != nullptr &&
+      stage - GL_COMBINER0_NV < static_cast<GLuint>(context->combiners.profile().general_combiners.value);
   const Copied<GLfloat> copied(pname, known ? params : none);
   set_constant([=] { front::glCombinerStageParameterfvNV(stage, pname, copied.get()); });
 }

@@ -3,9 +3,9 @@
 #include <cstring>
 #include <utility>
 
+#include "src/gl_layer/capture/dump.h"
 #include "src/gl_layer/draw/draw_state.h"
 #include "src/gl_layer/driver/driver.h"
-#include "src/gl_layer/capture/dump.h"
 
 namespace ninebit::gl_layer {
 namespace {

@@ -1,9 +1,9 @@
 // OpenGL's draw calls: before each of them the right shader becomes current.
-#include "src/gl_layer/context/context.h"
 #include "src/gl_layer/calls/display_lists.h"
+#include "src/gl_layer/capture/dump.h"
+#include "src/gl_layer/context/context.h"
 #include "src/gl_layer/draw/draw_state.h"
 #include "src/gl_layer/driver/driver.h"
-#include "src/gl_layer/capture/dump.h"
 
 using namespace ninebit::gl_layer;  // NOLINT(google-build-using-namespace): these are OpenGL's names
 
@@ -49,12 +49,12 @@ GLAPI void GLAPIENTRY glEnd() {
   captured_until_end = false;
 }
 
-#define NINEBIT_DRAW_CALL(name, parameters, arguments)   \
-  GLAPI void GLAPIENTRY gl##name parameters {            \
-    const bool captured = before_draw("gl" #name);       \
-    const auto draw = find_driver().name;                \
-    if (draw != nullptr) draw arguments;                 \
-    if (captured) end_capture(*current());               \
+#define NINEBIT_DRAW_CALL(name, parameters, arguments) \
+  GLAPI void GLAPIENTRY gl##name parameters {          \
+    const bool captured = before_draw("gl" #name);     \
+    const auto draw = find_driver().name;              \
+    if (draw != nullptr) draw arguments;               \
+    if (captured) end_capture(*current());             \
   }
 
 NINEBIT_DRAW_CALL(DrawArrays, (GLenum mode, GLint first, GLsizei count), (mode, first, count))
@@ -73,8 +73,7 @@ NINEBIT_DRAW_CALL(DrawArraysInstanced, (GLenum mode, GLint first, GLsizei count,
 NINEBIT_DRAW_CALL(DrawElementsInstanced,
                   (GLenum mode, GLsizei count, GLenum type, const void* indices, GLsizei instances),
                   (mode, count, type, indices, instances))
-NINEBIT_DRAW_CALL(DrawElementsBaseVertex,
-                  (GLenum mode, GLsizei count, GLenum type, const void* indices, GLint base),
+NINEBIT_DRAW_CALL(DrawElementsBaseVertex, (GLenum mode, GLsizei count, GLenum type, const void* indices, GLint base),
                   (mode, count, type, indices, base))
 NINEBIT_DRAW_CALL(DrawRangeElementsBaseVertex,
                   (GLenum mode, GLuint start, GLuint end, GLsizei count, GLenum type, const void* indices, GLint base),

@@ -1,5 +1,5 @@
-// Commands that change what a shader of the layer depends on: bound and enabled textures, fog, lighting, shaders. They go
-// to the driver as they are.
+// Commands that change what a shader of the layer depends on: bound and enabled textures, fog, lighting, shaders. They
+// go to the driver as they are.
 #include "src/gl_layer/calls/display_lists.h"
 #include "src/gl_layer/context/context.h"
 #include "src/gl_layer/driver/driver.h"

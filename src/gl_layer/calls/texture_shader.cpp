@@ -93,7 +93,8 @@ void set_operation(Context& context, UnitShader& unit, GLenum value) {
     return;
   }
   if (const char* const name = name_of_other_operation(value)) {
-    log_once(std::string(name) + ": this operation of texture shaders is unsupported; the program gets GL_INVALID_ENUM");
+    log_once(std::string(name) +
+             ": this operation of texture shaders is unsupported; the program gets GL_INVALID_ENUM");
   }
   context.raise(GL_INVALID_ENUM);
 }

@@ -4,10 +4,10 @@
 #include <memory>
 #include <mutex>
 
+#include "src/gl_layer/capture/dump.h"
 #include "src/gl_layer/context/context.h"
 #include "src/gl_layer/driver/driver.h"
 #include "src/gl_layer/driver/driver_features.h"
-#include "src/gl_layer/capture/dump.h"
 #include "src/gl_layer/driver/symbols.h"
 
 namespace ninebit::gl_layer {

@@ -62,8 +62,8 @@ class PlainReads {
  public:
   PlainReads() : buffer_(integer_of(GL_PIXEL_PACK_BUFFER_BINDING)) {
     found_driver.PushClientAttrib(GL_CLIENT_PIXEL_STORE_BIT);
-    for (const GLenum name : std::to_array<GLenum>(
-             {GL_PACK_ROW_LENGTH, GL_PACK_SKIP_ROWS, GL_PACK_SKIP_PIXELS, GL_PACK_SWAP_BYTES})) {
+    for (const GLenum name :
+         std::to_array<GLenum>({GL_PACK_ROW_LENGTH, GL_PACK_SKIP_ROWS, GL_PACK_SKIP_PIXELS, GL_PACK_SWAP_BYTES})) {
       found_driver.PixelStorei(name, 0);
     }
     found_driver.PixelStorei(GL_PACK_ALIGNMENT, 4);
@@ -129,10 +129,11 @@ bool Capture::make_buffers() {
   d.GenTextures(static_cast<GLsizei>(kBuffers), textures_.data());
   for (std::size_t i = 0; i < kBuffers; ++i) {
     d.BindTexture(GL_TEXTURE_2D, textures_[i]);
-    d.TexImage2D(GL_TEXTURE_2D, 0, i == 0 ? GL_RGBA8 : GL_RGBA32F, draw_.width, draw_.height, 0, GL_RGBA, GL_FLOAT, nullptr);
+    d.TexImage2D(GL_TEXTURE_2D, 0, i == 0 ? GL_RGBA8 : GL_RGBA32F, draw_.width, draw_.height, 0, GL_RGBA, GL_FLOAT,
+                 nullptr);
     d.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-    d.FramebufferTexture2D(GL_DRAW_FRAMEBUFFER, GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(i), GL_TEXTURE_2D, textures_[i],
-                           0);
+    d.FramebufferTexture2D(GL_DRAW_FRAMEBUFFER, GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(i), GL_TEXTURE_2D,
+                           textures_[i], 0);
   }
   d.GenRenderbuffers(1, &depth_buffer_);
   d.BindRenderbuffer(GL_RENDERBUFFER, depth_buffer_);
@@ -185,7 +186,8 @@ void Capture::blit() const {
   found_driver.BlitFramebuffer(0, 0, w, h, 0, 0, w, h, GL_COLOR_BUFFER_BIT, GL_NEAREST);
   found_driver.BlitFramebuffer(0, 0, w, h, 0, 0, w, h, GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT, GL_NEAREST);
   if (found_driver.GetError() != GL_NO_ERROR) {
-    log_once("this framebuffer has no depth of 24 bits and stencil of 8: captured draw calls are not tested against it");
+    log_once(
+        "this framebuffer has no depth of 24 bits and stencil of 8: captured draw calls are not tested against it");
   }
 }
 

@@ -7,8 +7,8 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "src/gl_layer/driver/log.h"
 #include "src/gl_layer/capture/png.h"
+#include "src/gl_layer/driver/log.h"
 
 namespace ninebit::gl_layer {
 namespace {
@@ -64,7 +64,8 @@ class PixelMesh {
     std::size_t end = x + 1;
     while (end < width && is_drawn(draw_, first + end) && bytes_of(draw_.primary[first + end]) == color) ++end;
     for (const auto& [column, line] : {std::pair{x, row}, {end, row}, {end, row + 1}, {x, row + 1}}) {
-      append(vertices_, (2.0F * static_cast<float>(column) - static_cast<float>(draw_.width)) / static_cast<float>(draw_.height));
+      append(vertices_,
+             (2.0F * static_cast<float>(column) - static_cast<float>(draw_.width)) / static_cast<float>(draw_.height));
       append(vertices_, 2.0F * static_cast<float>(line) / static_cast<float>(draw_.height) - 1.0F);
       append(vertices_, 0.0F);
       for (const unsigned char byte : color) vertices_ += static_cast<char>(byte);
@@ -141,20 +142,22 @@ Json color_of(const ColorF& color) {
 Json matrix_to(const CapturedDraw& draw) {
   const double s = static_cast<double>(draw.width) / static_cast<double>(power_of_two(draw.width));
   const double t = static_cast<double>(draw.height) / static_cast<double>(power_of_two(draw.height));
-  return Json::array({Json::array({s, 0, 0, 0}), Json::array({0, t, 0, 0}), Json::array({0, 0, 1, 0}),
-                      Json::array({0, 0, 0, 1})});
+  return Json::array(
+      {Json::array({s, 0, 0, 0}), Json::array({0, t, 0, 0}), Json::array({0, 0, 1, 0}), Json::array({0, 0, 0, 1})});
 }
 
 // The effect's pass; the program file holds the constants of the state when it was first drawn with.
 Json pass_of(const CapturedDraw& draw, const CombinerState& state, const HardwareProfile& profile,
              const std::string& program, CapturedFiles& files) {
-  Json pass{{"name", draw.call}, {"program", "../" + program}, {"primary", "color"}, {"shade", "flat"}, {"depth", nullptr}};
+  Json pass{
+      {"name", draw.call}, {"program", "../" + program}, {"primary", "color"}, {"shade", "flat"}, {"depth", nullptr}};
   Json& constants = pass["constants"];
   constants = {{"const0", color_of(state.constant0)}, {"const1", color_of(state.constant1)}};
   if (profile.per_stage_constants && state.per_stage_constants) {
     constants["combiners"] = Json::array();
     for (const GeneralCombiner& general : state.general) {
-      constants["combiners"].push_back({{"const0", color_of(general.constant0)}, {"const1", color_of(general.constant1)}});
+      constants["combiners"].push_back(
+          {{"const0", color_of(general.constant0)}, {"const1", color_of(general.constant1)}});
     }
   }
   const auto secondary = common_bytes(draw, draw.secondary);

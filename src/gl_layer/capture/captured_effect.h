@@ -16,9 +16,9 @@ struct CapturedFiles {
   std::vector<std::string> left_out;
 };
 
-// Writes FOLDER/NAME.json, an effect that gives the same inputs to the same program at each pixel that was drawn (a mesh
-// with the primary colours, textures with the texels), its files, and NAME.png, the colour buffer after the draw call.
-// `program` is a file in the folder's parent.
+// Writes FOLDER/NAME.json, an effect that gives the same inputs to the same program at each pixel that was drawn (a
+// mesh with the primary colours, textures with the texels), its files, and NAME.png, the colour buffer after the draw
+// call. `program` is a file in the folder's parent.
 [[nodiscard]] CapturedFiles write_effect(const std::filesystem::path& folder, const std::string& name,
                                          const CapturedDraw& draw, const CombinerState& state,
                                          const HardwareProfile& profile, const std::string& program);

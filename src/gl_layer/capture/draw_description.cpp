@@ -24,17 +24,33 @@ Json word_of(GLint value) {
     GLint value;
     const char* name;
   };
-  static constexpr Word kWords[]{
-      {GL_NEVER, "GL_NEVER"}, {GL_LESS, "GL_LESS"}, {GL_EQUAL, "GL_EQUAL"}, {GL_LEQUAL, "GL_LEQUAL"},
-      {GL_GREATER, "GL_GREATER"}, {GL_NOTEQUAL, "GL_NOTEQUAL"}, {GL_GEQUAL, "GL_GEQUAL"}, {GL_ALWAYS, "GL_ALWAYS"},
-      {GL_KEEP, "GL_KEEP"}, {GL_REPLACE, "GL_REPLACE"}, {GL_INCR, "GL_INCR"}, {GL_DECR, "GL_DECR"},
-      {GL_INVERT, "GL_INVERT"}, {GL_INCR_WRAP, "GL_INCR_WRAP"}, {GL_DECR_WRAP, "GL_DECR_WRAP"},
-      {GL_SRC_COLOR, "GL_SRC_COLOR"}, {GL_ONE_MINUS_SRC_COLOR, "GL_ONE_MINUS_SRC_COLOR"},
-      {GL_SRC_ALPHA, "GL_SRC_ALPHA"}, {GL_ONE_MINUS_SRC_ALPHA, "GL_ONE_MINUS_SRC_ALPHA"},
-      {GL_DST_ALPHA, "GL_DST_ALPHA"}, {GL_ONE_MINUS_DST_ALPHA, "GL_ONE_MINUS_DST_ALPHA"},
-      {GL_DST_COLOR, "GL_DST_COLOR"}, {GL_ONE_MINUS_DST_COLOR, "GL_ONE_MINUS_DST_COLOR"},
-      {GL_SRC_ALPHA_SATURATE, "GL_SRC_ALPHA_SATURATE"}, {GL_LINEAR, "GL_LINEAR"}, {GL_EXP, "GL_EXP"},
-      {GL_EXP2, "GL_EXP2"}};
+  static constexpr Word kWords[]{{GL_NEVER, "GL_NEVER"},
+                                 {GL_LESS, "GL_LESS"},
+                                 {GL_EQUAL, "GL_EQUAL"},
+                                 {GL_LEQUAL, "GL_LEQUAL"},
+                                 {GL_GREATER, "GL_GREATER"},
+                                 {GL_NOTEQUAL, "GL_NOTEQUAL"},
+                                 {GL_GEQUAL, "GL_GEQUAL"},
+                                 {GL_ALWAYS, "GL_ALWAYS"},
+                                 {GL_KEEP, "GL_KEEP"},
+                                 {GL_REPLACE, "GL_REPLACE"},
+                                 {GL_INCR, "GL_INCR"},
+                                 {GL_DECR, "GL_DECR"},
+                                 {GL_INVERT, "GL_INVERT"},
+                                 {GL_INCR_WRAP, "GL_INCR_WRAP"},
+                                 {GL_DECR_WRAP, "GL_DECR_WRAP"},
+                                 {GL_SRC_COLOR, "GL_SRC_COLOR"},
+                                 {GL_ONE_MINUS_SRC_COLOR, "GL_ONE_MINUS_SRC_COLOR"},
+                                 {GL_SRC_ALPHA, "GL_SRC_ALPHA"},
+                                 {GL_ONE_MINUS_SRC_ALPHA, "GL_ONE_MINUS_SRC_ALPHA"},
+                                 {GL_DST_ALPHA, "GL_DST_ALPHA"},
+                                 {GL_ONE_MINUS_DST_ALPHA, "GL_ONE_MINUS_DST_ALPHA"},
+                                 {GL_DST_COLOR, "GL_DST_COLOR"},
+                                 {GL_ONE_MINUS_DST_COLOR, "GL_ONE_MINUS_DST_COLOR"},
+                                 {GL_SRC_ALPHA_SATURATE, "GL_SRC_ALPHA_SATURATE"},
+                                 {GL_LINEAR, "GL_LINEAR"},
+                                 {GL_EXP, "GL_EXP"},
+                                 {GL_EXP2, "GL_EXP2"}};
   for (const Word& word : kWords) {
     if (word.value == value) return word.name;
   }
@@ -86,12 +102,11 @@ struct Target {
 
 // nullptr: the unit samples no texture.
 const Target* target_of_unit(UnitSource source) {
-  static constexpr Target kTargets[]{
-      {GL_TEXTURE_1D, GL_TEXTURE_BINDING_1D, "GL_TEXTURE_1D"},
-      {GL_TEXTURE_2D, GL_TEXTURE_BINDING_2D, "GL_TEXTURE_2D"},
-      {GL_TEXTURE_RECTANGLE, GL_TEXTURE_BINDING_RECTANGLE, "GL_TEXTURE_RECTANGLE"},
-      {GL_TEXTURE_3D, GL_TEXTURE_BINDING_3D, "GL_TEXTURE_3D"},
-      {GL_TEXTURE_CUBE_MAP, GL_TEXTURE_BINDING_CUBE_MAP, "GL_TEXTURE_CUBE_MAP"}};
+  static constexpr Target kTargets[]{{GL_TEXTURE_1D, GL_TEXTURE_BINDING_1D, "GL_TEXTURE_1D"},
+                                     {GL_TEXTURE_2D, GL_TEXTURE_BINDING_2D, "GL_TEXTURE_2D"},
+                                     {GL_TEXTURE_RECTANGLE, GL_TEXTURE_BINDING_RECTANGLE, "GL_TEXTURE_RECTANGLE"},
+                                     {GL_TEXTURE_3D, GL_TEXTURE_BINDING_3D, "GL_TEXTURE_3D"},
+                                     {GL_TEXTURE_CUBE_MAP, GL_TEXTURE_BINDING_CUBE_MAP, "GL_TEXTURE_CUBE_MAP"}};
   if (source < UnitSource::texture_1d || source > UnitSource::texture_cube_map) return nullptr;
   return &kTargets[static_cast<std::size_t>(source) - static_cast<std::size_t>(UnitSource::texture_1d)];
 }

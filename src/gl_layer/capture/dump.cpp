@@ -110,7 +110,8 @@ class Dump {
   void write_list() const {
     Json list = Json::array();
     for (const auto& [number, entry] : programs_) {
-      list.push_back({{"program", number}, {"draws", entry.draws->load()}, {"profile", entry.profile}, {"files", entry.files}});
+      list.push_back(
+          {{"program", number}, {"draws", entry.draws->load()}, {"profile", entry.profile}, {"files", entry.files}});
     }
     const Json all{{"ninebit", "dumped programs"}, {"version", 1}, {"programs", list}};
     write_file(folder_ / "programs.json", all.dump(2) + '\n');

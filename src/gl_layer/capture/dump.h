@@ -5,8 +5,8 @@
 
 namespace ninebit::gl_layer {
 
-// Before a draw call whose shader is prepared: writes its program if it is new, and returns whether the call is captured.
-// Then end_capture follows it.
+// Before a draw call whose shader is prepared: writes its program if it is new, and returns whether the call is
+// captured. Then end_capture follows it.
 [[nodiscard]] bool begin_capture(Context& context, const char* call);
 void end_capture(Context& context);
 

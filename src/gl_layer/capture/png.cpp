@@ -63,7 +63,8 @@ std::string png_file(const std::vector<std::array<unsigned char, 4>>& pixels, st
     if (i % width == 0) rows += '\0';  // no filter
     for (const unsigned char byte : pixels[i]) rows += static_cast<char>(byte);
   }
-  const std::string size = big_endian(static_cast<std::uint32_t>(width)) + big_endian(static_cast<std::uint32_t>(height));
+  const std::string size =
+      big_endian(static_cast<std::uint32_t>(width)) + big_endian(static_cast<std::uint32_t>(height));
   return "\x89PNG\r\n\x1A\n" + chunk("IHDR", size + std::string("\x08\x06\0\0\0", 5)) + chunk("IDAT", stored(rows)) +
          chunk("IEND", "");
 }

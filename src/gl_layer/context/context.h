@@ -29,7 +29,8 @@ struct StepList {
 // What contexts share.
 struct ShareGroup {
   std::mutex mutex{};
-  std::map<unsigned, std::shared_ptr<const StepList>> lists{};  // by the program's number; others are the driver's alone
+  std::map<unsigned, std::shared_ptr<const StepList>>
+      lists{};                          // by the program's number; others are the driver's alone
   std::atomic<bool> had_steps = false;  // whether there ever was one
 };
 
@@ -62,8 +63,8 @@ struct TextureShaders {
 // What glPushAttrib saves of the layer's own state.
 struct SavedState {
   unsigned mask = 0;
-  int depth = 0;  // of the driver's stack after the push
-  std::unique_ptr<gl::Context> combiners{};        // for the texture group, and for the enables
+  int depth = 0;                             // of the driver's stack after the push
+  std::unique_ptr<gl::Context> combiners{};  // for the texture group, and for the enables
   std::unique_ptr<TextureShaders> texture_shaders{};
 };
 
@@ -85,26 +86,27 @@ class Context {
   const std::unique_ptr<ProgramCache> programs;
   // Whether the program has used the combiners or texture shaders: before that the layer only watches for it.
   bool touched = false;
-  bool in_begin = false;         // between glBegin and glEnd
-  unsigned app_program = 0;      // glUseProgram's argument
+  bool in_begin = false;             // between glBegin and glEnd
+  unsigned app_program = 0;          // glUseProgram's argument
   CachedProgram* program = nullptr;  // of the last draw; nullptr: drawn without combiners
-  bool bound = false;            // whether the driver's current program is this one
-  ShaderInputs inputs{};         // as of the last draw with combiners
-  bool own_fragments = false;    // whether something took precedence over combiners then
-  std::uint32_t frame = 0;       // buffer swaps so far
+  bool bound = false;                // whether the driver's current program is this one
+  ShaderInputs inputs{};             // as of the last draw with combiners
+  bool own_fragments = false;        // whether something took precedence over combiners then
+  std::uint32_t frame = 0;           // buffer swaps so far
   std::unique_ptr<OpenList> open_list{};
-  int list_depth = 0;            // nested glCallList
+  int list_depth = 0;  // nested glCallList
   std::vector<SavedState> attribute_stack{};
 
   // What has changed since the last draw.
-  bool inputs_stale = true;     // enabled textures, fog, lighting, the program's own shaders
-  bool program_stale = true;    // the combiners' state, apart from constants
+  bool inputs_stale = true;   // enabled textures, fog, lighting, the program's own shaders
+  bool program_stale = true;  // the combiners' state, apart from constants
   bool constants_stale = true;
 
   // The pending error of a command that the layer executes: GL keeps the first until glGetError.
   void raise(unsigned error);
   unsigned pending_error = 0;
-  unsigned begin_error = 0;  // raised between glBegin and glEnd, where the driver cannot be asked for an error of before
+  unsigned begin_error =
+      0;  // raised between glBegin and glEnd, where the driver cannot be asked for an error of before
   // After glEnd.
   void begin_has_ended();
 
@@ -129,8 +131,8 @@ extern constinit thread_local Context* current_context [[gnu::tls_model("initial
   return current_context;
 }
 
-// The profile for new contexts: the one that NINEBIT_GL_PROFILE names, else the one of the GeForce 3 class, which has all
-// extensions. A name that does not fit is reported once.
+// The profile for new contexts: the one that NINEBIT_GL_PROFILE names, else the one of the GeForce 3 class, which has
+// all extensions. A name that does not fit is reported once.
 [[nodiscard]] const HardwareProfile& layer_profile();
 
 }  // namespace ninebit::gl_layer

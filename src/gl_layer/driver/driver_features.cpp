@@ -49,8 +49,7 @@ bool is_enough(const char* version_text) {
   const Driver& driver = find_driver();
   const Version version = version_of(version_text);
   if (std::strncmp(version_text, "OpenGL ES", 9) == 0) return false;  // these programs never ask for combiners
-  const Version language =
-      version.at_least(2, 0) ? version_of(text_of(GL_SHADING_LANGUAGE_VERSION)) : Version{};
+  const Version language = version.at_least(2, 0) ? version_of(text_of(GL_SHADING_LANGUAGE_VERSION)) : Version{};
   if (!language.at_least(1, 30)) return refused("GLSL 1.30, which has integers, is missing");
   if (!is_compatible(version)) return refused("it is a core profile, and fixed functions are missing");
 #define NINEBIT_CHECK(name) \

@@ -1,5 +1,5 @@
-// How a program finds OpenGL's functions: the dynamic linker, dlsym and the window systems' GetProcAddress. Each of them
-// gives this library's function where there is one.
+// How a program finds OpenGL's functions: the dynamic linker, dlsym and the window systems' GetProcAddress. Each of
+// them gives this library's function where there is one.
 #pragma once
 
 #include <string_view>

@@ -60,7 +60,8 @@ std::string texel_lines(const UnitInput& unit, std::size_t i) {
     std::string lines;
     if (unit.source == UnitSource::cull_fragment) {
       for (std::size_t c = 0; c < 4; ++c) {
-        lines += "  if (" + coordinates + '.' + "xyzw"[c] + (unit.cull_if_less[c] ? " >= 0.0" : " < 0.0") + ") discard;\n";
+        lines +=
+            "  if (" + coordinates + '.' + "xyzw"[c] + (unit.cull_if_less[c] ? " >= 0.0" : " < 0.0") + ") discard;\n";
       }
     }
     return lines + "  vec4 " + name + " = vec4(0.0);\n";
@@ -95,8 +96,8 @@ std::string code_of_byte(const HardwareProfile& profile, int byte) {
 std::string conversions(const HardwareProfile& profile) {
   const int shift = profile.byte_shift;
   const std::string down = shift == 0 ? "" : " >> " + std::to_string(shift);
-  std::string text = "\nivec4 ninebit_codes(vec4 v) {\n  return ivec4(floor(clamp(v, 0.0, 1.0) * 255.0 + 0.5))" + down +
-                     ";\n}\n";
+  std::string text =
+      "\nivec4 ninebit_codes(vec4 v) {\n  return ivec4(floor(clamp(v, 0.0, 1.0) * 255.0 + 0.5))" + down + ";\n}\n";
   text += "\nint ninebit_fog_code(float factor) {\n  return int(floor(clamp(factor, 0.0, 1.0) * 255.0";
   if (profile.fog_narrowing.value == Narrowing::nearest_halves_up) text += " + 0.5";
   text += "))" + down + ";\n}\n\nvec4 ninebit_color(ivec4 codes) {\n";
@@ -133,13 +134,16 @@ std::string main_function(const HardwareProfile& profile, const ShaderInputs& in
   text += "  int spare0_alpha = ";
   text += inputs.units[0].source == UnitSource::disabled ? code_of_byte(profile, profile.spare0_alpha_without_texture0)
                                                          : "texture0.a";
-  text += ";\n  vec4 color = ninebit_color(ninebit_combine(ninebit_codes(gl_Color), secondary, fog,\n"
-          "      texture0, texture1, texture2, texture3, spare0_alpha));\n";
+  text +=
+      ";\n  vec4 color = ninebit_color(ninebit_combine(ninebit_codes(gl_Color), secondary, fog,\n"
+      "      texture0, texture1, texture2, texture3, spare0_alpha));\n";
   if (!inputs.write_inputs) return text + "  gl_FragColor = color;\n}\n";
-  text += "  gl_FragData[0] = color;\n  gl_FragData[1] = gl_Color;\n  gl_FragData[2] = secondary_color;\n"
-          "  gl_FragData[3] = vec4(gl_Fog.color.rgb, fog_factor);\n";
+  text +=
+      "  gl_FragData[0] = color;\n  gl_FragData[1] = gl_Color;\n  gl_FragData[2] = secondary_color;\n"
+      "  gl_FragData[3] = vec4(gl_Fog.color.rgb, fog_factor);\n";
   for (std::size_t i = 0; i < kLayerUnits; ++i) {
-    const std::string texel = inputs.units[i].source == UnitSource::disabled ? "vec4(0.0)" : "texel" + std::to_string(i);
+    const std::string texel =
+        inputs.units[i].source == UnitSource::disabled ? "vec4(0.0)" : "texel" + std::to_string(i);
     text += "  gl_FragData[" + std::to_string(4 + i) + "] = " + texel + ";\n";
   }
   return text + "}\n";
@@ -147,7 +151,8 @@ std::string main_function(const HardwareProfile& profile, const ShaderInputs& in
 
 }  // namespace
 
-Result<std::string> fragment_shader(const Program& program, const HardwareProfile& profile, const ShaderInputs& inputs) {
+Result<std::string> fragment_shader(const Program& program, const HardwareProfile& profile,
+                                    const ShaderInputs& inputs) {
   const auto combine = emit_glsl_with_uniform_constants(program, GlslVersion::glsl_130);
   if (!combine) return combine.error();
   const std::size_t head = combine->find('\n') + 1;

@@ -4,8 +4,8 @@
 #include <string>
 
 #include "src/gl_layer/driver/driver.h"
-#include "src/gl_layer/shader/fragment_shader.h"
 #include "src/gl_layer/driver/log.h"
+#include "src/gl_layer/shader/fragment_shader.h"
 
 namespace ninebit::gl_layer {
 namespace {

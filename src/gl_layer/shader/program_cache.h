@@ -26,8 +26,8 @@ struct CachedProgram {
   std::size_t number = 0;       // in the order of first use in the process, from 1
   std::string shader{};         // its text
   std::shared_ptr<std::atomic<std::uint64_t>> draws = std::make_shared<std::atomic<std::uint64_t>>(0);  // calls with it
-  ConstantCodes uploaded{};     // what the uniform array holds
-  bool dumped = false;          // whether --dump has written it
+  ConstantCodes uploaded{};  // what the uniform array holds
+  bool dumped = false;       // whether --dump has written it
 };
 
 class ProgramCache {

@@ -35,8 +35,8 @@ enum class UnitSource : std::uint8_t {
   cull_fragment  // zero, or no fragment
 };
 
-// What a texture has. Depth textures enter the combiners by a rule of their own; GL_DEPTH_TEXTURE_MODE, which is ignored,
-// decides where GLSL finds the depth.
+// What a texture has. Depth textures enter the combiners by a rule of their own; GL_DEPTH_TEXTURE_MODE, which is
+// ignored, decides where GLSL finds the depth.
 enum class TexelKind : std::uint8_t { color, depth, depth_in_alpha, comparison, comparison_in_alpha };
 
 struct UnitInput {
