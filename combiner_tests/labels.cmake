@@ -1,7 +1,8 @@
 # Labels of tests besides their room's. CTest reads this file after the lists of tests, whose names the patterns match as
 # ROOM.SUITE.TEST. A step of .ci/run or a verb of ./dev chooses tests by these labels alone (ctest -L, -LE).
 
-set(ninebit_rooms numerics combiner language structure capi raster system scene image effect playground shadow study bench tools)
+set(ninebit_rooms numerics combiner language structure capi raster system scene image effect playground shadow study gl_layer bench
+    tools)
 
 # Too long for the step with sanitizers, and something else there checks the same lines:
 set(ninebit_without_sanitizers

@@ -16,10 +16,10 @@ namespace fs = std::filesystem;
 
 // A room knows the rooms of a lower rank and itself. system and numerics do not know each other, nor do scene and
 // image, effect and study, capi and raster, or playground and bench.
-const std::map<std::string, int> kRank{{"system", 0},     {"numerics", 0}, {"combiner", 1}, {"language", 2},
-                                       {"capi", 3},       {"raster", 3},   {"scene", 4},    {"image", 4},
-                                       {"shadow", 5},     {"effect", 6},   {"study", 6},    {"page", 5},
-                                       {"playground", 7}, {"bench", 7},    {"tools", 8},    {"python", 8}};
+const std::map<std::string, int> kRank{
+    {"system", 0},     {"numerics", 0}, {"combiner", 1}, {"language", 2}, {"capi", 3},    {"raster", 3},
+    {"scene", 4},      {"image", 4},    {"shadow", 5},   {"effect", 6},   {"study", 6},   {"page", 5},
+    {"playground", 7}, {"bench", 7},    {"tools", 8},    {"python", 8},   {"gl_layer", 8}};
 
 // The folders of rooms in src/. A folder knows those before it and itself; files that stand beside the folders come
 // last.
@@ -36,6 +36,7 @@ const std::map<std::string, std::vector<std::string>> kFolders{
       "ground_truth", "", "files", "emscripten"}},
     {"effect", {"", "files"}},
     {"playground", {"", "emscripten"}},
+    {"gl_layer", {"driver", "shader", "context", "draw", "capture", "calls"}},
     {"study",
      {"part", "report", "page", "proof", "vectors", "digits", "index_steps", "datapath", "shadows", "depth_packing"}},
     {"tools",
@@ -62,8 +63,10 @@ const std::vector<Library> kLibraries{
     {std::regex("zlib\\.h"), {"tools"}},
     {std::regex("openssl/.*"), {"system"}},
     {std::regex("pybind11/.*"), {"python"}},
-    {std::regex("nlohmann/.*"), {"language", "scene", "effect", "study", "playground", "tools"}},
-    {std::regex("(dlfcn|fcntl|poll|sched|spawn|stdlib|unistd)\\.h|(sys|linux)/.*"), {"system"}},
+    {std::regex("nlohmann/.*"), {"language", "scene", "effect", "study", "playground", "tools", "gl_layer"}},
+    {std::regex("dlfcn\\.h"), {"system", "gl_layer"}},
+    {std::regex("(fcntl|poll|sched|spawn|stdlib|unistd)\\.h|(sys|linux)/.*"), {"system"}},
+    {std::regex("GL/(gl|glext)\\.h"), {"gl_layer"}},
     {std::regex("stddef\\.h|stdint\\.h"), {"capi"}},
     {std::regex("benchmark/.*|EGL/.*|GL/glcorearb\\.h"), {"bench"}},
 };

@@ -8,6 +8,8 @@
 #include <csignal>
 #include <cstdlib>
 
+#include "src/system/last_error.h"
+
 namespace ninebit::posix {
 
 bool is_address_space_limited() {
@@ -49,6 +51,19 @@ std::filesystem::path program_file() {
 
 void set_environment(const char* name, const std::string& value) {
   ::setenv(name, value.c_str(), 1);
+}
+
+std::string environment(const char* name) {
+  const char* const value = std::getenv(name);
+  return value != nullptr ? value : "";
+}
+
+std::error_code become_program(const std::vector<std::string>& arguments) {
+  std::vector<char*> words;
+  for (const std::string& argument : arguments) words.push_back(const_cast<char*>(argument.c_str()));
+  words.push_back(nullptr);
+  ::execvp(words.front(), words.data());
+  return last_error();
 }
 
 }  // namespace ninebit::posix

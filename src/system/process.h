@@ -4,6 +4,8 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <system_error>
+#include <vector>
 
 #include "src/system/stream.h"
 
@@ -29,5 +31,10 @@ void catch_interrupts(void (*handler)(int signal));
 [[nodiscard]] std::filesystem::path program_file();
 
 void set_environment(const char* name, const std::string& value);
+// The value of a variable; empty if it is not set.
+[[nodiscard]] std::string environment(const char* name);
+
+// Becomes another program, found as a shell finds it. Returns only if that fails.
+[[nodiscard]] std::error_code become_program(const std::vector<std::string>& arguments);
 
 }  // namespace ninebit::posix

@@ -38,6 +38,7 @@ int run(int argc, char** argv) {
   add_verify(app, exit_code);
   add_prove(app, exit_code);
   add_vectors(app, exit_code);
+  add_gl_run(app, exit_code);
   add_generate(app, exit_code);
   try {
     app.parse(argc, argv);

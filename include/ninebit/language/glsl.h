@@ -13,6 +13,7 @@ namespace NINEBIT_PUBLIC ninebit {
 
 // The GLSL version to emit; the versions differ in the #version line and the precision qualifiers.
 enum class GlslVersion : std::uint8_t {
+  glsl_130,  // OpenGL 2.1 with integers in its shaders
   glsl_330,  // OpenGL 3.3 core
   es_300     // OpenGL ES 3.0
 };
@@ -32,5 +33,15 @@ enum class GlslVersion : std::uint8_t {
 // invalid name.
 [[nodiscard]] Result<std::string> emit_glsl(const Program& program, GlslVersion version,
                                             std::string_view function = "ninebit_combine");
+
+// The number of elements in the uniform array of emit_glsl_with_uniform_constants.
+inline constexpr int kGlslConstants = 2 * (kMaxGeneralCombiners + 1);
+
+// The same function, but the program's constants are read from `uniform ivec4 FUNCTION_constants[kGlslConstants]`,
+// which the text declares: elements 2 i and 2 i + 1 are the codes of constant colours 0 and 1 of general combiner i,
+// the last two those of the final combiner. Programs that differ only in their constants give the same text, apart from
+// comments.
+[[nodiscard]] Result<std::string> emit_glsl_with_uniform_constants(const Program& program, GlslVersion version,
+                                                                   std::string_view function = "ninebit_combine");
 
 }  // namespace ninebit

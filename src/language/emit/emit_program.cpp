@@ -26,23 +26,14 @@ class TextRegisters {
     return value_[static_cast<std::size_t>(r)][static_cast<std::size_t>(component)];
   }
 
-  // A component as a combiner input reads it.
-  [[nodiscard]] V read(Register r, int component, const Rgba9& constant0, const Rgba9& constant1) const {
-    const auto i = static_cast<std::size_t>(component);
-    if (r == Register::zero) return set(0);
-    if (r == Register::constant0) return set(constant0[i]);
-    if (r == Register::constant1) return set(constant1[i]);
-    return (*this)(r, component);
-  }
-
  private:
   std::array<Values, kRegisterCount> value_{};
 };
 
 class Lister {
  public:
-  Lister(const Program& program, const InputValue& input)
-      : program_(program), d_(program.datapath), live_(live_after_stages(program)) {
+  Lister(const Program& program, const InputValue& input, const ConstantValue& constant)
+      : program_(program), constant_(constant), d_(program.datapath), live_(live_after_stages(program)) {
     for (const Register r : {Register::fog, Register::primary, Register::secondary, Register::texture0,
                              Register::texture1, Register::texture2, Register::texture3}) {
       for (int c = 0; c < 4; ++c) registers_(r, c) = input(r, c);
@@ -81,7 +72,7 @@ class Lister {
           live_(lister.live_[static_cast<std::size_t>(stage)]) {}
 
     V input(const CombinerInput& in, int component) const {
-      const V value = lister_.registers_.read(in.reg, component, stage_.constant0, stage_.constant1);
+      const V value = lister_.read(in.reg, component, number_, stage_.constant0, stage_.constant1);
       return map_input(lister_.d_, in.mapping, value);
     }
     static V product(const V& x, const V& y) { return mul(x, y); }
@@ -143,11 +134,20 @@ class Lister {
     std::array<PortionLines, 2> lines_{};  // RGB, alpha
   };
 
+  // A component as an input of a combiner reads it.
+  V read(Register r, int component, int stage, const Rgba9& constant0, const Rgba9& constant1) const {
+    if (r == Register::zero) return set(0);
+    if (r != Register::constant0 && r != Register::constant1) return registers_(r, component);
+    if (constant_) return constant_(r, stage, component);
+    return set((r == Register::constant0 ? constant0 : constant1)[static_cast<std::size_t>(component)]);
+  }
+
   Values final_result() const {
     const FinalCombiner& f = program_.final_combiner;
     const auto plain = [&](const CombinerInput& in, int channel) {
       const int component = reference::component_of(in.usage, channel);
-      return map_input(d_, in.mapping, registers_.read(in.reg, component, program_.constant0, program_.constant1));
+      return map_input(d_, in.mapping,
+                       read(in.reg, component, kMaxGeneralCombiners, program_.constant0, program_.constant1));
     };
     const auto mapped = [&](const CombinerInput& in, int channel) {
       if (in.reg == Register::e_times_f) {
@@ -174,6 +174,7 @@ class Lister {
   }
 
   const Program& program_;
+  const ConstantValue& constant_;
   const Datapath& d_;
   std::vector<LiveSet> live_;
   TextRegisters registers_;
@@ -196,8 +197,8 @@ std::string_view short_name_of(Register r) {
   return names[static_cast<std::size_t>(r)];
 }
 
-Listing list_program(const Program& program, const InputValue& input) {
-  return Lister(program, input).run();
+Listing list_program(const Program& program, const InputValue& input, const ConstantValue& constant) {
+  return Lister(program, input, constant).run();
 }
 
 V any_code(const Program& program, Graph& graph, std::string text) {

@@ -86,9 +86,7 @@ void say_printable(std::string_view text) noexcept {
 InvalidInput::InvalidInput(const std::vector<std::string>& faults)
     : std::runtime_error(faults.empty() ? "invalid input" : faults.front()), faults_(faults) {}
 
-void add_common_flags(CLI::App& verb, CommonFlags& flags) {
-  verb.add_flag("--json", flags.json, "Print one JSON object to stdout, and nothing else");
-  verb.add_flag("--quiet", flags.quiet, "Do not print progress or the names of written files");
+void add_profile_flag(CLI::App& verb, CommonFlags& flags) {
   verb.add_option("--profile", flags.profile,
                   "Hardware profile to emulate: a name from `ninebit profiles`, or a .json file")
       ->capture_default_str()
@@ -100,6 +98,12 @@ void add_common_flags(CLI::App& verb, CommonFlags& flags) {
             return fault;
           },
           "NAME|FILE"));
+}
+
+void add_common_flags(CLI::App& verb, CommonFlags& flags) {
+  verb.add_flag("--json", flags.json, "Print one JSON object to stdout, and nothing else");
+  verb.add_flag("--quiet", flags.quiet, "Do not print progress or the names of written files");
+  add_profile_flag(verb, flags);
   verb.add_option("--threads", flags.threads, "Number of threads, 0 for all; results do not depend on it")
       ->capture_default_str()
       ->check(CLI::Range(0, 1024));

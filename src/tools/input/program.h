@@ -54,6 +54,8 @@ class InvalidInput : public std::runtime_error {
 // Adds the common flags to a verb. An unknown profile or a thread count out of range is wrong usage; parsing the
 // command line throws InvalidInput for a profile file that is unreadable or invalid.
 void add_common_flags(CLI::App& verb, CommonFlags& flags);
+// --profile alone.
+void add_profile_flag(CLI::App& verb, CommonFlags& flags);
 
 // A profile beside that of --profile.
 struct ProfileChoice {
@@ -130,6 +132,7 @@ void add_study(CLI::App& app, int& exit_code);
 void add_verify(CLI::App& app, int& exit_code);
 void add_prove(CLI::App& app, int& exit_code);
 void add_vectors(CLI::App& app, int& exit_code);
+void add_gl_run(CLI::App& app, int& exit_code);
 void add_generate(CLI::App& app, int& exit_code);  // hidden from the help
 
 }  // namespace ninebit::tools

@@ -1,0 +1,34 @@
+// 256 fragments with inputs of their own, drawn by OpenGL and computed by the library.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "combiner_tests/gl_layer/gl_context.h"
+#include "combiner_tests/support/random.h"
+#include "ninebit/combiner/initial_registers.h"
+#include "ninebit/combiner/program.h"
+
+namespace ninebit::test {
+
+inline constexpr std::size_t kFragments = kPictureSize * kPictureSize;
+
+// Inputs of each fragment: the textures of the first `units` units; the fog factor if `fog`. One fog colour for all.
+struct Fragments {
+  bool fog = false;
+  std::size_t units = 0;
+  std::array<FragmentInputs, kFragments> inputs{};
+};
+
+// Inputs that lean towards 0, 127, 128 and 255.
+Fragments random_fragments(Random& random, const HardwareProfile& profile);
+
+// Draws them as points, one a pixel, with nearest textures; returns the picture, red, green, blue, alpha, by rows from
+// below.
+std::vector<std::array<std::uint8_t, 4>> draw(const Fragments& fragments, const HardwareProfile& profile);
+
+// The same as the library computes it.
+std::vector<std::array<std::uint8_t, 4>> compute(const Program& program, const HardwareProfile& profile,
+                                                 const Fragments& fragments);
+
+}  // namespace ninebit::test

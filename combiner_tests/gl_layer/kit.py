@@ -1,0 +1,99 @@
+"""What the three tests share: a display of their own, the program with and without the layer, and lines of results."""
+import contextlib
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+
+HERE = pathlib.Path(__file__).resolve().parent
+ROOT = HERE.parents[1]
+
+
+class Missing(Exception):
+    """Something that a test needs is not installed."""
+
+
+def require(packages, programs=(), files=()):
+    """Raises Missing where a program or a file is not there; the packages are what to install then."""
+    missing = [p for p in programs if not shutil.which(p)] + [f for f in files if not os.path.exists(f)]
+    if missing:
+        raise Missing(f"{', '.join(missing)} not found; install the packages {packages}")
+
+
+@contextlib.contextmanager
+def display(size="1280x1024", memory=None):
+    """An X server without a screen. Gives the environment for its programs, which draw by llvmpipe.
+
+    memory: a folder in which the file Xvfb_screen0 shows what is on the screen.
+    """
+    read, write = os.pipe()
+    server = subprocess.Popen(["Xvfb", "-displayfd", str(write), "-screen", "0", f"{size}x24", "-nolisten", "tcp",
+                               *(["-fbdir", str(memory)] if memory else [])],
+                              pass_fds=[write], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    os.close(write)
+    with os.fdopen(read) as answer:
+        number = answer.readline().strip()
+    if not number:
+        server.wait()
+        raise RuntimeError("Xvfb does not start")
+    try:
+        yield {**os.environ, "DISPLAY": f":{number}", "LIBGL_ALWAYS_SOFTWARE": "1", "GALLIUM_DRIVER": "llvmpipe"}
+    finally:
+        server.terminate()
+        server.wait()
+
+
+class Kit:
+    """The program under test, the folder for files, and the judgement so far."""
+
+    def __init__(self, build, output):
+        self.ninebit_path = pathlib.Path(build).resolve() / "bin/ninebit"
+        self.output = pathlib.Path(output).resolve()
+        self.failed = 0
+
+    def folder(self, name):
+        folder = self.output / name
+        shutil.rmtree(folder, ignore_errors=True)
+        folder.mkdir(parents=True)
+        return folder
+
+    def check(self, good, text):
+        """One line; `text` says what is expected, with the figures that were found."""
+        print(f"{'ok    ' if good else 'FAILED'}  {text}", flush=True)
+        self.failed += not good
+        return good
+
+    def ninebit(self, *arguments, text=None):
+        """Runs ninebit and returns what it prints."""
+        done = subprocess.run([self.ninebit_path, *map(str, arguments)], input=text, capture_output=True, text=True)
+        if done.returncode != 0:
+            raise RuntimeError(f"ninebit {' '.join(map(str, arguments))}: {done.stderr.strip()}")
+        return done.stdout
+
+    def command(self, command, layer, profile=None):
+        """The arguments that run a program, with the layer if asked for."""
+        start = [self.ninebit_path, "gl-run", *(["--profile", profile] if profile else []), "--"] if layer else []
+        return [str(word) for word in start + list(command)]
+
+    def run(self, command, environment, layer=False, profile=None, timeout=120, cwd=None):
+        """Runs a program to its end. Its output and messages are one text."""
+        return subprocess.run(self.command(command, layer, profile), env=environment, cwd=cwd, stdin=subprocess.DEVNULL,
+                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, errors="replace",
+                              timeout=timeout)
+
+    def evaluate(self, program, columns, rows, profile="geforce2", more=()):
+        """`ninebit eval` of a program for rows of register codes: lists of (red, green, blue, alpha)."""
+        table = ",".join(columns) + "\n" + "".join(",".join(map(str, row)) + "\n" for row in rows)
+        lines = self.ninebit("eval", program, "--profile", profile, *more, "--inputs", "-", text=table).splitlines()
+        names = lines[0].split(",")
+        order = [names.index(f"out.{c}") for c in "rgba"]
+        return [[int(line.split(",")[i]) for i in order] for line in lines[1:]]
+
+
+def build(command):
+    """Compiles something. A compiler's complaint is a failure of the test."""
+    done = subprocess.run(list(map(str, command)), capture_output=True, text=True)
+    if done.returncode != 0:
+        sys.stderr.write(done.stderr)
+        raise RuntimeError(f"{command[0]} failed")

@@ -1,0 +1,33 @@
+"""A freeglut program that draws in all ways of its time: with combiners the picture is the negative of the fixed-function one.
+
+A smooth colour that lies within a float's error of the middle between two bytes may be rounded either way, which at most 1
+in 200 pixels may be. Combiners in their default state draw fog and a separate highlight as fixed function does, within 2.
+"""
+import re
+
+from kit import HERE, build, display, require
+
+PACKAGES = "freeglut3-dev, gcc, python3-numpy and xvfb"
+FIXED_FUNCTION = ("highlight", "fog")  # compared with itself, within 2
+
+
+def run(kit):
+    require(PACKAGES, ["gcc", "Xvfb"], ["/usr/include/GL/glut.h"])
+    program = kit.folder("old_ways") / "old_ways"
+    build(["gcc", "-std=gnu99", "-O2", "-Wall", "-Wextra", "-Wno-cast-function-type", "-Werror",
+           HERE / "old_ways/old_ways.c", "-o", program, "-lglut", "-lGLU", "-lGL"])
+    with display() as environment:
+        done = kit.run([program], environment)
+        kit.check(done.returncode == 2, f"old_ways, without the layer: {done.stdout.strip()}")
+        for profile in ("geforce2", "nv2a"):
+            done = kit.run([program], environment, layer=True, profile=profile)
+            ways = re.findall(r"^(.*): drawn (\d+), close (\d+), wrong (\d+), error (0x\d+)$", done.stdout, re.M)
+            bad = [name for name, drawn, close, wrong, error in ways
+                   if int(drawn) < 100 or int(wrong) or error != "0x0000" or
+                   (int(close) * 200 > int(drawn) and name not in FIXED_FUNCTION)]
+            close = sum(int(way[2]) for way in ways if way[0] not in FIXED_FUNCTION)
+            drawn = sum(int(way[1]) for way in ways)
+            kit.check(done.returncode == 0 and len(ways) == 33 and not bad,
+                      f"old_ways, {profile}: {len(ways)} of 33 ways, {len(bad)} wrong ({', '.join(bad) or 'none'}); "
+                      f"{close} of {drawn} pixels were rounded the other way")
+            (program.parent / f"{profile}.txt").write_text(done.stdout)

@@ -1,0 +1,69 @@
+#include "combiner_tests/gl_layer/pictures.h"
+
+namespace ninebit::test {
+namespace {
+
+void final_input(GLenum variable, GLenum reg, GLenum usage) {
+  glFinalCombinerInputNV(variable, reg, GL_UNSIGNED_IDENTITY_NV, usage);
+}
+
+}  // namespace
+
+void show_register(GLenum reg) {
+  glCombinerParameteriNV(GL_NUM_GENERAL_COMBINERS_NV, 1);
+  for (const int portion : {GL_RGB, GL_ALPHA}) {
+    glCombinerOutputNV(GL_COMBINER0_NV, static_cast<GLenum>(portion), GL_DISCARD_NV, GL_DISCARD_NV, GL_DISCARD_NV,
+                       GL_NONE, GL_NONE, GL_FALSE, GL_FALSE, GL_FALSE);
+  }
+  for (GLenum variable = GL_VARIABLE_A_NV; variable <= GL_VARIABLE_F_NV; ++variable) {
+    final_input(variable, variable == GL_VARIABLE_D_NV ? reg : GLenum{GL_ZERO}, GL_RGB);
+  }
+  final_input(GL_VARIABLE_G_NV, reg, GL_ALPHA);
+  glEnable(GL_REGISTER_COMBINERS_NV);
+}
+
+void show_constant(const std::array<GLfloat, 4>& color) {
+  glCombinerParameterfvNV(GL_CONSTANT_COLOR0_NV, color.data());
+  show_register(GL_CONSTANT_COLOR0_NV);
+}
+
+void clear_picture() {
+  glClearColor(0, 0, 0, 0);
+  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+}
+
+void draw_square() {
+  glBegin(GL_QUADS);
+  for (const auto& [x, y] : {std::pair{0.0F, 0.0F}, {1.0F, 0.0F}, {1.0F, 1.0F}, {0.0F, 1.0F}}) {
+    for (GLenum unit = 0; unit < 4; ++unit) glMultiTexCoord2f(GL_TEXTURE0 + unit, x, y);
+    glVertex2f(2.0F * x - 1.0F, 2.0F * y - 1.0F);
+  }
+  glEnd();
+}
+
+std::vector<Pixel> read_picture() {
+  std::vector<Pixel> picture(static_cast<std::size_t>(kPictureSize) * kPictureSize);
+  glReadPixels(0, 0, kPictureSize, kPictureSize, GL_RGBA, GL_UNSIGNED_BYTE, picture.data());
+  return picture;
+}
+
+Pixel center_pixel() {
+  Pixel pixel{};
+  glReadPixels(kPictureSize / 2, kPictureSize / 2, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, pixel.data());
+  return pixel;
+}
+
+GLuint make_green_program() {
+  const char* const text = "void main() { gl_FragColor = vec4(0.0, 1.0, 0.0, 1.0); }";
+  const GLuint shader = glCreateShader(GL_FRAGMENT_SHADER), program = glCreateProgram();
+  glShaderSource(shader, 1, &text, nullptr);
+  glCompileShader(shader);
+  glAttachShader(program, shader);
+  glDeleteShader(shader);
+  glLinkProgram(program);
+  GLint linked = 0;
+  glGetProgramiv(program, GL_LINK_STATUS, &linked);
+  return linked != 0 ? program : 0;
+}
+
+}  // namespace ninebit::test

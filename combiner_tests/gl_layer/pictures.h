@@ -1,0 +1,31 @@
+// Small things to draw, and what is read back.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "combiner_tests/gl_layer/gl_context.h"
+
+namespace ninebit::test {
+
+// Red, green, blue, alpha.
+using Pixel = std::array<std::uint8_t, 4>;
+
+// The combiners show a constant colour: they are enabled and reset, and the final combiner's D and G are constant 0.
+void show_constant(const std::array<GLfloat, 4>& color);
+// The same with a register, as colour and as alpha; E_TIMES_F and the sum are not possible.
+void show_register(GLenum reg);
+
+// Black and transparent.
+void clear_picture();
+// The whole picture, with a texture coordinate of (0, 0) to (1, 1) in units 0 to 3. No fog, lighting, or matrices are
+// touched.
+void draw_square();
+std::vector<Pixel> read_picture();
+Pixel center_pixel();
+
+// A fragment shader that draws green; 0: the driver refuses it.
+GLuint make_green_program();
+
+}  // namespace ninebit::test

@@ -1,0 +1,50 @@
+// The driver's own OpenGL functions, which this library's functions of the same names stand in front of.
+#pragma once
+
+// ninebit's enumerants have to stand before the macros of the same names.
+#include "ninebit/language/gl_enums.h"
+
+#define GL_GLEXT_PROTOTYPES 1
+#include <GL/gl.h>
+#include <GL/glext.h>
+
+namespace ninebit::gl_layer {
+
+// clang-format off
+// Needed of every driver.
+#define NINEBIT_CORE_FUNCTIONS(X) \
+  X(Begin) X(BindTexture) X(Bitmap) X(CallList) X(CallLists) X(ColorMask) X(CopyPixels) X(CopyTexImage1D) X(CopyTexImage2D) \
+  X(DeleteLists) X(DeleteTextures) X(Disable) X(DrawArrays) X(DrawElements) X(DrawPixels) X(Enable) X(End) X(EndList) X(GenTextures) \
+  X(EvalMesh1) X(EvalMesh2) X(Fogf) X(Fogfv) X(Fogi) X(Fogiv) X(GetBooleanv) X(GetDoublev) X(GetError) X(GetFloatv) \
+  X(GetIntegerv) X(GetString) X(GetTexEnvfv) X(GetTexEnviv) X(GetTexImage) X(GetTexLevelParameteriv) X(GetTexParameteriv) \
+  X(IsEnabled) X(IsList) X(LightModelf) X(LightModelfv) X(LightModeli) X(LightModeliv) X(NewList) X(PixelStorei) \
+  X(PopAttrib) X(PopClientAttrib) X(PushAttrib) X(PushClientAttrib) X(ReadBuffer) X(ReadPixels) X(Rectd) X(Rectdv) X(Rectf) X(Rectfv) X(Recti) \
+  X(Rectiv) X(Rects) X(Rectsv) X(TexEnvf) X(TexEnvfv) X(TexEnvi) X(TexEnviv) X(TexImage1D) X(TexImage2D) \
+  X(TexParameterf) X(TexParameterfv) X(TexParameteri) X(TexParameteriv)
+// nullptr where the driver does not have them.
+#define NINEBIT_LATER_FUNCTIONS(X) \
+  X(ActiveTexture) X(AttachShader) X(BindBuffer) X(BindFramebuffer) X(BindRenderbuffer) X(BlitFramebuffer) \
+  X(CheckFramebufferStatus) X(ClearBufferfv) X(ColorMaski) X(CompileShader) X(CompressedTexImage1D) X(CompressedTexImage2D) \
+  X(CompressedTexImage3D) X(CreateProgram) X(CreateShader) X(DeleteFramebuffers) X(DeleteProgram) \
+  X(DeleteRenderbuffers) X(DeleteShader) X(Disablei) X(DrawArraysInstanced) X(DrawBuffers) \
+  X(DrawElementsBaseVertex) X(DrawElementsInstanced) X(DrawRangeElements) X(DrawRangeElementsBaseVertex) X(FramebufferRenderbuffer) \
+  X(FramebufferTexture2D) X(GenFramebuffers) X(GenRenderbuffers) X(GetBooleani_v) X(GetHandleARB) \
+  X(GetProgramInfoLog) X(GetProgramiv) X(GetShaderInfoLog) X(GetShaderiv) X(GetStringi) X(GetUniformLocation) \
+  X(LinkProgram) X(MultiDrawArrays) X(MultiDrawElements) X(RenderbufferStorage) X(ShaderSource) X(TexImage3D) X(TexStorage1D) X(TexStorage2D) \
+  X(TexStorage3D) X(Uniform1i) X(Uniform4iv) X(UseProgram) X(UseProgramObjectARB)
+// clang-format on
+
+struct Driver {
+#define NINEBIT_POINTER(name) decltype(&::gl##name) name = nullptr;
+  NINEBIT_CORE_FUNCTIONS(NINEBIT_POINTER)
+  NINEBIT_LATER_FUNCTIONS(NINEBIT_POINTER)
+#undef NINEBIT_POINTER
+};
+
+// The functions, found at the first call in a process. A function that is missing stays nullptr.
+const Driver& find_driver();
+
+// The same without the check for the first call: only after find_driver().
+extern Driver found_driver;
+
+}  // namespace ninebit::gl_layer

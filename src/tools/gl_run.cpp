@@ -1,0 +1,97 @@
+// `ninebit gl-run`: runs a program with register combiners added to its OpenGL driver.
+#include <filesystem>
+#include <memory>
+
+#include "src/system/process.h"
+#include "src/tools/input/printable.h"
+#include "src/tools/input/program.h"
+
+namespace ninebit::tools {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct GlRunFlags {
+  CommonFlags common;
+  std::string dump, log;
+  int frame = 0;
+  std::vector<std::string> program;
+};
+
+// The layer: beside the program in a build folder, in lib/ninebit where it is installed.
+fs::path layer_file() {
+  std::error_code ignored;
+  const fs::path folder = fs::canonical(posix::program_file(), ignored).parent_path();
+  for (const fs::path& file : {folder / "libninebit_gl.so", folder.parent_path() / "lib/ninebit/libninebit_gl.so"}) {
+    if (fs::exists(file, ignored)) return file;
+  }
+  return {};
+}
+
+// The program may change its folder before it draws.
+std::string absolute(const std::string& name) {
+  return name.empty() ? name : fs::absolute(name).lexically_normal().string();
+}
+
+int run(const GlRunFlags& flags) {
+  const fs::path layer = layer_file();
+  if (layer.empty()) {
+    say_error("libninebit_gl.so is missing; build ninebit where OpenGL's headers are (the package libgl-dev)");
+    return kInvalidInput;
+  }
+  if (layer.string().find_first_of(" :") != std::string::npos) {
+    say_error(printable(layer.string()) + ": the dynamic linker cannot preload a path with a space or a colon");
+    return kInvalidInput;
+  }
+  if (profile_of(flags.common).arithmetic.value != Arithmetic::integer) {
+    say_error("--profile " + printable(flags.common.profile) + ": expected a profile with integer arithmetic");
+    return kWrongUsage;
+  }
+  if (!flags.dump.empty()) {
+    std::error_code fault;
+    fs::create_directories(flags.dump, fault);
+    if (fault) {
+      say_error(printable(flags.dump) + ": cannot create the folder: " + fault.message());
+      return kCannotWrite;
+    }
+  }
+  const std::string preloaded = posix::environment("LD_PRELOAD");
+  posix::set_environment("LD_PRELOAD", preloaded.empty() ? layer.string() : layer.string() + ':' + preloaded);
+  posix::set_environment("NINEBIT_GL_PROFILE", flags.common.profile_file.empty() ? flags.common.profile
+                                                                                 : absolute(flags.common.profile_file));
+  posix::set_environment("NINEBIT_GL_DUMP", absolute(flags.dump));
+  posix::set_environment("NINEBIT_GL_DUMP_FRAME", flags.frame > 0 ? std::to_string(flags.frame) : "");
+  posix::set_environment("NINEBIT_GL_LOG", absolute(flags.log));
+  const std::error_code fault = posix::become_program(flags.program);
+  say_error("cannot run '" + printable(flags.program.front()) + "': " + fault.message());
+  return kInvalidInput;
+}
+
+}  // namespace
+
+void add_gl_run(CLI::App& app, int& exit_code) {
+  CLI::App* verb = app.add_subcommand("gl-run", "Run a program with register combiners added to its OpenGL driver");
+  verb->footer(
+      "Examples:\n"
+      "  ninebit gl-run -- ./old_game -windowed\n"
+      "  ninebit gl-run --profile geforce2 --dump programs -- ./old_demo\n"
+      "The exit code is the program's.");
+  auto flags = std::make_shared<GlRunFlags>();
+  flags->common.profile = "nv2a";  // of the chips' class that has all three extensions
+  add_profile_flag(*verb, flags->common);
+  auto* const dump =
+      verb->add_option("--dump", flags->dump, "Write each combiner program that is drawn with into this folder")
+          ->type_name("DIR");
+  verb->add_option("--dump-frame", flags->frame,
+                   "Write the draw calls of this frame, too: their states, inputs and pictures; 1 is the first")
+      ->needs(dump)
+      ->check(CLI::Range(1, 1000000000));
+  verb->add_option("--log", flags->log, "Append the layer's messages to this file instead of standard error")
+      ->type_name("FILE");
+  verb->add_option("program", flags->program, "The program and its arguments, after --")
+      ->type_name("PROGRAM [ARGUMENT] ...")
+      ->required();
+  verb->callback([flags, &exit_code] { exit_code = run(*flags); });
+}
+
+}  // namespace ninebit::tools
