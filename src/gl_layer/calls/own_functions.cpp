@@ -1,5 +1,6 @@
 // This library's functions by name, for programs that look them up.
 #include <algorithm>
+#include <atomic>
 #include <iterator>
 
 #include "src/gl_layer/driver/driver.h"
@@ -75,6 +76,8 @@ struct Entry {
   X(glXSwapBuffers)
 // clang-format on
 
+constinit std::atomic<bool> looked_up{false};
+
 const Entry kFunctions[]{NINEBIT_OWN_FUNCTIONS(NINEBIT_ENTRY, NINEBIT_ALIAS)};
 
 }  // namespace
@@ -82,7 +85,13 @@ const Entry kFunctions[]{NINEBIT_OWN_FUNCTIONS(NINEBIT_ENTRY, NINEBIT_ALIAS)};
 AnyFunction own_function(std::string_view name) {
   const auto* const found = std::lower_bound(std::begin(kFunctions), std::end(kFunctions), name,
                                              [](const Entry& entry, std::string_view of) { return entry.name < of; });
-  return found != std::end(kFunctions) && found->name == name ? found->function : nullptr;
+  if (found == std::end(kFunctions) || found->name != name) return nullptr;
+  if (name.starts_with("glCombiner")) looked_up.store(true, std::memory_order_relaxed);
+  return found->function;
+}
+
+bool combiners_looked_up() {
+  return looked_up.load(std::memory_order_relaxed);
 }
 
 }  // namespace ninebit::gl_layer

@@ -160,11 +160,11 @@ void set(const Setting& setting) {
   Context* const context = current();
   if (context == nullptr) return;
   context->touched = true;
-  if (!context->outside_begin()) return;
   if (context->open_list != nullptr) {
-    if (context->open_list->in_begin) return context->raise(GL_INVALID_OPERATION);
+    if (context->list_in_begin()) return record_begin_error(*context);
     return record(*context, [setting] { set(setting); });
   }
+  if (!context->outside_begin()) return;
   if (setting.scalar && is_vector(setting.pname)) return context->raise(GL_INVALID_ENUM);
   if (!setting.values) return context->raise(GL_INVALID_VALUE);
   UnitShader* const unit = active_unit(*context);
