@@ -19,6 +19,7 @@ ninebit::gl_layer::AnyFunction glXGetProcAddressARB(const GLubyte*);
 void* eglCreateContext(void*, void*, void*, const int*);
 unsigned eglDestroyContext(void*, void*);
 unsigned eglMakeCurrent(void*, void*, void*, void*);
+unsigned eglReleaseThread();
 unsigned eglSwapBuffers(void*, void*);
 ninebit::gl_layer::AnyFunction eglGetProcAddress(const char*);
 }
@@ -37,8 +38,8 @@ struct Entry {
 // Without their suffix, because libglvnd has a function of every name: mplayer 1.5 asks for those first.
 // clang-format off
 #define NINEBIT_OWN_FUNCTIONS(X, A) \
-  X(eglCreateContext) X(eglDestroyContext) X(eglGetProcAddress) X(eglMakeCurrent) X(eglSwapBuffers) X(glBegin) \
-  X(glBindTexture) A(glBindTextureEXT, glBindTexture) X(glBitmap) X(glCallList) X(glCallLists) \
+  X(eglCreateContext) X(eglDestroyContext) X(eglGetProcAddress) X(eglMakeCurrent) X(eglReleaseThread) \
+  X(eglSwapBuffers) X(glBegin) X(glBindTexture) A(glBindTextureEXT, glBindTexture) X(glBitmap) X(glCallList) X(glCallLists) \
   A(glCombinerInput, glCombinerInputNV) X(glCombinerInputNV) A(glCombinerOutput, glCombinerOutputNV) \
   X(glCombinerOutputNV) A(glCombinerParameterf, glCombinerParameterfNV) X(glCombinerParameterfNV) \
   A(glCombinerParameterfv, glCombinerParameterfvNV) X(glCombinerParameterfvNV) \

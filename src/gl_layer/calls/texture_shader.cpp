@@ -111,7 +111,8 @@ void set_cull_modes(Context& context, UnitShader& unit, const GLfloat* values) {
 
 // `values` has as many as the parameter.
 void set_parameter(Context& context, UnitShader& unit, GLenum pname, const GLfloat* values) {
-  const auto word = static_cast<GLenum>(std::clamp(values[0], 0.0F, 65535.0F));
+  const bool is_word = values[0] >= 0.0F && values[0] <= 65535.0F;
+  const GLenum word = is_word ? static_cast<GLenum>(values[0]) : 0xFFFFFFFFU;  // which no enumerant is
   switch (pname) {
     case GL_SHADER_OPERATION_NV:
       return set_operation(context, unit, word);
