@@ -53,6 +53,20 @@ Pixel center_pixel() {
   return pixel;
 }
 
+std::string differences(const std::vector<Pixel>& got, const std::vector<Pixel>& expected) {
+  if (got.size() != expected.size()) return "the pictures have different sizes";
+  std::string text;
+  int listed = 0;
+  for (std::size_t i = 0; i < got.size(); ++i) {
+    if (got[i] == expected[i] || ++listed > 12) continue;
+    text += "\n(" + std::to_string(i % kPictureSize) + ", " + std::to_string(i / kPictureSize) + "): got";
+    for (const std::uint8_t value : got[i]) text += ' ' + std::to_string(value);
+    text += ", expected";
+    for (const std::uint8_t value : expected[i]) text += ' ' + std::to_string(value);
+  }
+  return text;
+}
+
 GLuint make_green_program() {
   const char* const text = "void main() { gl_FragColor = vec4(0.0, 1.0, 0.0, 1.0); }";
   const GLuint shader = glCreateShader(GL_FRAGMENT_SHADER), program = glCreateProgram();

@@ -25,6 +25,9 @@ void draw_square();
 std::vector<Pixel> read_picture();
 Pixel center_pixel();
 
+// The first pixels that differ, as text; empty: none does.
+std::string differences(const std::vector<Pixel>& got, const std::vector<Pixel>& expected);
+
 // A fragment shader that draws green; 0: the driver refuses it.
 GLuint make_green_program();
 

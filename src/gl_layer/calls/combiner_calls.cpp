@@ -27,11 +27,11 @@ void set(const Command& command) {
   Context* const context = current();
   if (context == nullptr) return;
   context->touched = true;
-  if (!context->outside_begin()) return;
   if (context->open_list != nullptr) {
-    if (context->open_list->in_begin) return context->raise(GL_INVALID_OPERATION);
+    if (context->list_in_begin()) return record_begin_error(*context);
     return record(*context, [command] { set(command); });
   }
+  if (!context->outside_begin()) return;
   run(*context, command);
   context->program_stale = context->constants_stale = true;
 }

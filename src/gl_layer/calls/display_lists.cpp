@@ -1,5 +1,6 @@
 #include "src/gl_layer/calls/display_lists.h"
 
+#include <atomic>
 #include <cstring>
 #include <utility>
 
@@ -13,12 +14,12 @@ namespace {
 constexpr int kMostNestedLists = 64;
 
 // A number that the driver has not given out and that a program is unlikely to use without asking: programs of the time
-// count from 1.
+// count from 1, and a driver gives out numbers above the highest that it has.
 GLuint unused_list() {
-  static thread_local GLuint next = 0xFFFF0000U;
-  while (found_driver.IsList(--next) == GL_TRUE) {
-  }
-  return next;
+  static std::atomic<GLuint> next{0x40000000U};  // no two threads get the same, as their contexts may share lists
+  GLuint number = --next;
+  while (found_driver.IsList(number) == GL_TRUE) number = --next;
+  return number;
 }
 
 std::shared_ptr<const StepList> find_list(Context& context, GLuint number) {
@@ -45,24 +46,26 @@ void drop_list(Context& context, GLuint number) {
 }
 
 // Plays a list of the driver; `draws`: with a draw call in it, as far as the layer knows.
-void play_driver_list(GLuint number, bool draws = true) {
+void play_driver_list(GLuint number, bool draws, BeginEffect effect) {
   Context* const context = current();
   if (context == nullptr) return found_driver.CallList(number);
-  prepare_draw(*context);
-  if (draws) count_draw(*context);
+  draws = draws && !context->in_begin;
+  if (draws) {
+    prepare_draw(*context);
+    count_draw(*context);
+  }
   const bool captured = draws && begin_capture(*context, "glCallList");
   found_driver.CallList(number);
   if (captured) end_capture(*context);
   context->forget();
+  if (effect == BeginEffect::inside) context->in_begin = true;
+  if (effect == BeginEffect::outside && context->in_begin) context->begin_has_ended();
 }
 
 // glCallList outside of a list's compilation.
 void play(Context& context, GLuint number) {
-  const auto list = context.in_begin ? nullptr : find_list(context, number);
-  if (list == nullptr) {
-    if (!context.in_begin) return play_driver_list(number);
-    return found_driver.CallList(number);
-  }
+  const auto list = find_list(context, number);
+  if (list == nullptr) return play_driver_list(number, true, BeginEffect::unchanged);
   if (context.list_depth >= kMostNestedLists) return;
   ++context.list_depth;
   for (const auto& step : list->steps) step();
@@ -102,16 +105,55 @@ GLuint list_offset(const void* lists, GLenum type, GLsizei i) {
   }
 }
 
-// The current context if its lists may have commands of the layer: then a call makes it use the combiners.
-Context* context_of_lists() {
-  Context* const context = current();
-  if (context != nullptr && context->group->had_steps) context->touched = true;
-  return context;
+std::size_t bytes_of(GLenum type) {
+  switch (type) {
+    case GL_BYTE:
+    case GL_UNSIGNED_BYTE:
+      return 1;
+    case GL_SHORT:
+    case GL_UNSIGNED_SHORT:
+    case GL_2_BYTES:
+      return 2;
+    case GL_3_BYTES:
+      return 3;
+    default:
+      return 4;
+  }
 }
 
-bool has_step_lists(Context& context) {
+// Makes the driver's list that has been closed a step.
+void add_step(OpenList& open) {
+  open.list.steps.emplace_back([number = open.driver_number, draws = open.draws, effect = open.effect] {
+    play_driver_list(number, draws, effect);
+  });
+  if (open.begin_error) {
+    open.list.steps.emplace_back([] {
+      if (Context* const context = current()) context->raise(GL_INVALID_OPERATION);
+    });
+  }
+  if (open.driver_number != open.number) open.list.driver_lists.push_back(open.driver_number);
+  open.driver_number = 0;
+  open.effect = BeginEffect::unchanged;
+  open.stale = open.draws = open.begin_error = false;
+}
+
+// After the driver's glEndList.
+void finish_list(Context& context) {
+  const std::unique_ptr<OpenList> open = std::move(context.open_list);
+  open->half_begin = open->half_begin || open->in_begin;
+  drop_list(context, open->number);  // until here a call of this number played the former list
+  if (open->mode == GL_COMPILE_AND_EXECUTE) context.forget();
+  if (open->list.steps.empty() && !open->half_begin && !open->begin_error) return;
+  add_step(*open);
   const std::lock_guard lock(context.group->mutex);
-  return !context.group->lists.empty();
+  context.group->lists[open->number] = std::make_shared<const StepList>(std::move(open->list));
+  context.group->had_steps = true;
+}
+
+// Whether a call of lists, while a list is compiled, becomes a step. Between glBegin and glEnd lists hold vertices, and
+// the driver's list cannot be split: Mesa 22.3 draws other primitives wrongly after a list that ends there.
+bool goes_into_steps(const Context& context) {
+  return context.recording() && !context.list_in_begin();
 }
 
 bool is_list_type(GLenum type) {
@@ -121,12 +163,8 @@ bool is_list_type(GLenum type) {
 }  // namespace
 
 void close_driver_list(Context& context) {
-  OpenList& open = *context.open_list;
   found_driver.EndList();
-  open.list.steps.emplace_back([number = open.driver_number, draws = open.draws] { play_driver_list(number, draws); });
-  if (open.driver_number != open.number) open.list.driver_lists.push_back(open.driver_number);
-  open.driver_number = 0;
-  open.stale = open.draws = false;
+  add_step(*context.open_list);
 }
 
 void open_driver_list(Context& context) {
@@ -146,6 +184,11 @@ void record(Context& context, const std::function<void()>& command) {
   open_driver_list(context);
 }
 
+void record_begin_error(Context& context) {
+  context.open_list->begin_error = true;
+  if (context.open_list->mode == GL_COMPILE_AND_EXECUTE) context.raise(GL_INVALID_OPERATION);
+}
+
 void prepare_list_for_draw(Context& context) {
   OpenList& open = *context.open_list;
   const bool executes = open.mode == GL_COMPILE_AND_EXECUTE;
@@ -154,7 +197,18 @@ void prepare_list_for_draw(Context& context) {
     if (executes) prepare_draw(context);
     open_driver_list(context);
   }
-  open.draws = true;
+}
+
+void end_in_list(Context& context) {
+  OpenList& open = *context.open_list;
+  open.half_begin = open.half_begin || !open.in_begin;
+  open.in_begin = false;
+  open.effect = BeginEffect::outside;
+  if (!open.ended_in_begin) return;
+  open.ended_in_begin = false;
+  GLint number = 0;
+  found_driver.GetIntegerv(GL_LIST_INDEX, &number);
+  if (number == 0) finish_list(context);
 }
 
 }  // namespace ninebit::gl_layer
@@ -174,37 +228,43 @@ GLAPI void GLAPIENTRY glNewList(GLuint list, GLenum mode) {
 
 GLAPI void GLAPIENTRY glEndList() {
   Context* const context = current();
-  if (context == nullptr || context->open_list == nullptr || context->in_begin) return find_driver().EndList();
-  const std::unique_ptr<OpenList> open = std::move(context->open_list);
-  found_driver.EndList();
-  drop_list(*context, open->number);  // until here a call of this number played the former list
-  if (open->mode == GL_COMPILE_AND_EXECUTE) context->forget();
-  if (open->list.steps.empty()) return;
-  open->list.steps.emplace_back([number = open->driver_number, draws = open->draws] { play_driver_list(number, draws); });
-  open->list.driver_lists.push_back(open->driver_number);
-  const std::lock_guard lock(context->group->mutex);
-  context->group->had_steps = true;
-  context->group->lists[open->number] = std::make_shared<const StepList>(std::move(open->list));
+  find_driver().EndList();
+  if (context == nullptr || context->open_list == nullptr) return;
+  context->open_list->ended_in_begin = context->in_begin;
+  if (!context->in_begin) finish_list(*context);
 }
 
 GLAPI void GLAPIENTRY glCallList(GLuint list) {
-  Context* const context = context_of_lists();
-  if (context == nullptr || (!context->touched && context->open_list == nullptr)) return find_driver().CallList(list);
-  if (context->recording() && !context->open_list->in_begin) return record(*context, [list] { glCallList(list); });
-  if (context->open_list != nullptr) return found_driver.CallList(list);
+  Context* const context = current();
+  if (context == nullptr) return find_driver().CallList(list);
+  if (context->open_list != nullptr) {
+    if (goes_into_steps(*context)) return record(*context, [list] { glCallList(list); });
+    context->open_list->draws = true;
+    return found_driver.CallList(list);
+  }
+  if (!context->touched && !context->group->had_steps) return found_driver.CallList(list);
   play(*context, list);
 }
 
 GLAPI void GLAPIENTRY glCallLists(GLsizei n, GLenum type, const GLvoid* lists) {
-  Context* const context = context_of_lists();
-  const bool by_driver = context == nullptr || !context->touched || n <= 0 || lists == nullptr || !is_list_type(type) ||
-                         (context->open_list != nullptr && context->open_list->in_begin);
-  if (by_driver) return find_driver().CallLists(n, type, lists);
-  if (!context->recording() && (context->in_begin || !has_step_lists(*context))) {
+  Context* const context = current();
+  if (context == nullptr || n <= 0 || lists == nullptr || !is_list_type(type)) {
+    return find_driver().CallLists(n, type, lists);
+  }
+  if (context->open_list != nullptr) {
+    if (!goes_into_steps(*context)) {
+      context->open_list->draws = true;
+      return found_driver.CallLists(n, type, lists);
+    }
+    const auto* const bytes = static_cast<const unsigned char*>(lists);
+    const std::vector<unsigned char> copy(bytes, bytes + static_cast<std::size_t>(n) * bytes_of(type));
+    return record(*context, [n, type, copy] { glCallLists(n, type, copy.data()); });
+  }
+  // One list may change what the shader of the next depends on.
+  if (!context->group->had_steps && (context->in_begin || !context->combiners.register_combiners_enabled())) {
     if (!context->in_begin) prepare_draw(*context);
     found_driver.CallLists(n, type, lists);
-    context->forget();
-    return;
+    return context->forget();
   }
   GLint base = 0;
   found_driver.GetIntegerv(GL_LIST_BASE, &base);
@@ -214,7 +274,7 @@ GLAPI void GLAPIENTRY glCallLists(GLsizei n, GLenum type, const GLvoid* lists) {
 GLAPI void GLAPIENTRY glDeleteLists(GLuint list, GLsizei range) {
   find_driver().DeleteLists(list, range);
   Context* const context = current();
-  if (context == nullptr || range <= 0 || context->in_begin || !has_step_lists(*context)) return;
+  if (context == nullptr || range <= 0 || context->in_begin || !context->group->had_steps) return;
   std::vector<GLuint> numbers;
   {
     const std::lock_guard lock(context->group->mutex);

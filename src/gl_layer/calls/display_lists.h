@@ -14,7 +14,13 @@ void open_driver_list(Context& context);
 // Puts a command into the display list that is being compiled, and executes it if the list's mode says so.
 void record(Context& context, const std::function<void()>& command);
 
+// The same for a command of the layer between glBegin and glEnd, which is an error.
+void record_begin_error(Context& context);
+
 // Before a draw call that goes into a list: what a shader depends on may be different from here on.
 void prepare_list_for_draw(Context& context);
+
+// After a glEnd that goes into a list.
+void end_in_list(Context& context);
 
 }  // namespace ninebit::gl_layer

@@ -12,11 +12,13 @@ namespace {
 // Returns whether the draw is captured, which after_draw ends.
 bool before_draw(const char* call) {
   Context* const context = current();
-  if (context == nullptr || !context->watches_draws() || context->in_begin) return false;
+  if (context == nullptr || context->in_begin) return false;
   if (context->open_list != nullptr) {
-    if (!context->open_list->in_begin) prepare_list_for_draw(*context);
+    if (context->recording() && !context->open_list->in_begin) prepare_list_for_draw(*context);
+    context->open_list->draws = true;
     return false;
   }
+  if (!context->watches_draws()) return false;
   prepare_draw(*context);
   count_draw(*context);
   return begin_capture(*context, call);
@@ -34,6 +36,7 @@ GLAPI void GLAPIENTRY glBegin(GLenum mode) {
   if (context == nullptr || mode > GL_POLYGON) return;
   if (context->open_list != nullptr) {
     context->open_list->in_begin = true;
+    context->open_list->effect = BeginEffect::inside;
     if (context->open_list->mode == GL_COMPILE) return;
   }
   context->in_begin = true;
@@ -44,7 +47,7 @@ GLAPI void GLAPIENTRY glEnd() {
   Context* const context = current();
   if (context == nullptr) return;
   if (context->in_begin) context->begin_has_ended();
-  if (context->open_list != nullptr) context->open_list->in_begin = false;
+  if (context->open_list != nullptr) end_in_list(*context);
   if (captured_until_end) end_capture(*context);
   captured_until_end = false;
 }

@@ -19,7 +19,9 @@ void mark_stale() {
 void use_program(GLuint program) {
   Context* const context = current();
   if (context == nullptr || context->in_begin) return found_driver.UseProgram(program);
-  if (context->recording()) return record(*context, [program] { glUseProgram(program); });
+  if (context->recording() && !context->list_in_begin()) {
+    return record(*context, [program] { glUseProgram(program); });
+  }
   found_driver.UseProgram(program);
   if (context->open_list != nullptr && context->open_list->mode == GL_COMPILE) return mark_stale();
   GLint now = 0;

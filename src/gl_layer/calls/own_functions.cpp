@@ -1,5 +1,6 @@
 // This library's functions by name, for programs that look them up.
 #include <algorithm>
+#include <atomic>
 #include <iterator>
 
 #include "src/gl_layer/driver/driver.h"
@@ -18,6 +19,7 @@ ninebit::gl_layer::AnyFunction glXGetProcAddressARB(const GLubyte*);
 void* eglCreateContext(void*, void*, void*, const int*);
 unsigned eglDestroyContext(void*, void*);
 unsigned eglMakeCurrent(void*, void*, void*, void*);
+unsigned eglReleaseThread();
 unsigned eglSwapBuffers(void*, void*);
 ninebit::gl_layer::AnyFunction eglGetProcAddress(const char*);
 }
@@ -36,8 +38,8 @@ struct Entry {
 // Without their suffix, because libglvnd has a function of every name: mplayer 1.5 asks for those first.
 // clang-format off
 #define NINEBIT_OWN_FUNCTIONS(X, A) \
-  X(eglCreateContext) X(eglDestroyContext) X(eglGetProcAddress) X(eglMakeCurrent) X(eglSwapBuffers) X(glBegin) \
-  X(glBindTexture) A(glBindTextureEXT, glBindTexture) X(glBitmap) X(glCallList) X(glCallLists) \
+  X(eglCreateContext) X(eglDestroyContext) X(eglGetProcAddress) X(eglMakeCurrent) X(eglReleaseThread) \
+  X(eglSwapBuffers) X(glBegin) X(glBindTexture) A(glBindTextureEXT, glBindTexture) X(glBitmap) X(glCallList) X(glCallLists) \
   A(glCombinerInput, glCombinerInputNV) X(glCombinerInputNV) A(glCombinerOutput, glCombinerOutputNV) \
   X(glCombinerOutputNV) A(glCombinerParameterf, glCombinerParameterfNV) X(glCombinerParameterfNV) \
   A(glCombinerParameterfv, glCombinerParameterfvNV) X(glCombinerParameterfvNV) \
@@ -75,6 +77,8 @@ struct Entry {
   X(glXSwapBuffers)
 // clang-format on
 
+constinit std::atomic<bool> looked_up{false};
+
 const Entry kFunctions[]{NINEBIT_OWN_FUNCTIONS(NINEBIT_ENTRY, NINEBIT_ALIAS)};
 
 }  // namespace
@@ -82,7 +86,13 @@ const Entry kFunctions[]{NINEBIT_OWN_FUNCTIONS(NINEBIT_ENTRY, NINEBIT_ALIAS)};
 AnyFunction own_function(std::string_view name) {
   const auto* const found = std::lower_bound(std::begin(kFunctions), std::end(kFunctions), name,
                                              [](const Entry& entry, std::string_view of) { return entry.name < of; });
-  return found != std::end(kFunctions) && found->name == name ? found->function : nullptr;
+  if (found == std::end(kFunctions) || found->name != name) return nullptr;
+  if (name.starts_with("glCombiner")) looked_up.store(true, std::memory_order_relaxed);
+  return found->function;
+}
+
+bool combiners_looked_up() {
+  return looked_up.load(std::memory_order_relaxed);
 }
 
 }  // namespace ninebit::gl_layer

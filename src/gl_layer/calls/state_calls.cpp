@@ -46,11 +46,11 @@ void set_enabled(GLenum cap, bool enabled) {
     return;
   }
   context->touched = true;
-  if (!context->outside_begin()) return;
   if (context->open_list != nullptr) {
-    if (context->open_list->in_begin) return context->raise(GL_INVALID_OPERATION);
+    if (context->list_in_begin()) return record_begin_error(*context);
     return record(*context, [cap, enabled] { set_enabled(cap, enabled); });
   }
+  if (!context->outside_begin()) return;
   if (owner == Owner::texture_shaders) {
     context->texture_shaders.enabled = enabled;
   } else {
@@ -143,7 +143,7 @@ GLAPI GLenum GLAPIENTRY glGetError() {
 GLAPI void GLAPIENTRY glPushAttrib(GLbitfield mask) {
   Context* const context = current();
   const bool by_driver = context == nullptr || context->in_begin ||
-                         (context->open_list != nullptr && (!context->touched || context->open_list->in_begin));
+                         (context->open_list != nullptr && (!context->recording() || context->list_in_begin()));
   if (by_driver) return find_driver().PushAttrib(mask);
   if (context->recording()) return record(*context, [mask] { glPushAttrib(mask); });
   push(*context, mask);
@@ -152,7 +152,7 @@ GLAPI void GLAPIENTRY glPushAttrib(GLbitfield mask) {
 GLAPI void GLAPIENTRY glPopAttrib() {
   Context* const context = current();
   const bool by_driver = context == nullptr || context->in_begin ||
-                         (context->open_list != nullptr && (!context->touched || context->open_list->in_begin));
+                         (context->open_list != nullptr && (!context->recording() || context->list_in_begin()));
   if (by_driver) return find_driver().PopAttrib();
   if (context->recording()) return record(*context, [] { glPopAttrib(); });
   pop(*context);

@@ -111,7 +111,8 @@ void set_cull_modes(Context& context, UnitShader& unit, const GLfloat* values) {
 
 // `values` has as many as the parameter.
 void set_parameter(Context& context, UnitShader& unit, GLenum pname, const GLfloat* values) {
-  const auto word = static_cast<GLenum>(std::clamp(values[0], 0.0F, 65535.0F));
+  const bool is_word = values[0] >= 0.0F && values[0] <= 65535.0F;
+  const GLenum word = is_word ? static_cast<GLenum>(values[0]) : 0xFFFFFFFFU;  // which no enumerant is
   switch (pname) {
     case GL_SHADER_OPERATION_NV:
       return set_operation(context, unit, word);
@@ -160,11 +161,11 @@ void set(const Setting& setting) {
   Context* const context = current();
   if (context == nullptr) return;
   context->touched = true;
-  if (!context->outside_begin()) return;
   if (context->open_list != nullptr) {
-    if (context->open_list->in_begin) return context->raise(GL_INVALID_OPERATION);
+    if (context->list_in_begin()) return record_begin_error(*context);
     return record(*context, [setting] { set(setting); });
   }
+  if (!context->outside_begin()) return;
   if (setting.scalar && is_vector(setting.pname)) return context->raise(GL_INVALID_ENUM);
   if (!setting.values) return context->raise(GL_INVALID_VALUE);
   UnitShader* const unit = active_unit(*context);

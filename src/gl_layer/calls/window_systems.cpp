@@ -153,6 +153,13 @@ unsigned eglMakeCurrent(void* display, void* draw, void* read, void* context) {
   return done;
 }
 
+unsigned eglReleaseThread() {
+  static const auto next = next_function_as<decltype(&eglReleaseThread)>("eglReleaseThread");
+  const unsigned done = next != nullptr ? next() : 0;
+  if (done != 0) made_current(nullptr);
+  return done;
+}
+
 unsigned eglSwapBuffers(void* display, void* surface) {
   static const auto next = next_function_as<decltype(&eglSwapBuffers)>("eglSwapBuffers");
   end_frame();

@@ -13,6 +13,7 @@
 
 #include "ninebit/language/gl_nv.h"
 #include "src/gl_layer/driver/driver_features.h"
+#include "src/gl_layer/driver/symbols.h"
 #include "src/gl_layer/shader/shader_inputs.h"
 
 namespace ninebit::gl_layer {
@@ -34,15 +35,22 @@ struct ShareGroup {
   std::atomic<bool> had_steps = false;  // whether there ever was one
 };
 
+// Where a list of the driver leaves a context: between glBegin and glEnd, or not; `unchanged`: it has neither command.
+enum class BeginEffect : std::uint8_t { unchanged, inside, outside };
+
 // A display list while it is compiled.
 struct OpenList {
-  unsigned number = 0;         // the program's
-  unsigned mode = 0;           // GL_COMPILE or GL_COMPILE_AND_EXECUTE
-  unsigned driver_number = 0;  // of the driver's list that is open
-  bool stale = false;          // whether a command in the driver's list changes what shaders depend on
-  bool draws = false;          // whether there is a draw call in the driver's list
-  bool in_begin = false;       // between glBegin and glEnd
-  StepList list{};             // the steps before the driver's open list
+  unsigned number = 0;          // the program's
+  unsigned mode = 0;            // GL_COMPILE or GL_COMPILE_AND_EXECUTE
+  unsigned driver_number = 0;   // of the driver's list that is open
+  bool stale = false;           // whether a command in the driver's list changes what shaders depend on
+  bool in_begin = false;        // between glBegin and glEnd
+  bool half_begin = false;      // it has only one of a pair of glBegin and glEnd
+  bool begin_error = false;     // the driver's list has a command of the layer between glBegin and glEnd
+  bool ended_in_begin = false;  // glEndList, between glBegin and glEnd that execute: drivers differ
+  bool draws = false;           // the driver's list may draw
+  BeginEffect effect = BeginEffect::unchanged;  // of the driver's list
+  StepList list{};                              // the steps before the driver's open list
 };
 
 // NV_texture_shader's state of a texture unit.
@@ -116,8 +124,10 @@ class Context {
 
   // Whether draw calls have to be looked at.
   [[nodiscard]] bool watches_draws() const { return touched; }
-  // Whether commands of the layer go into a display list.
-  [[nodiscard]] bool recording() const { return open_list != nullptr && touched; }
+  // Whether commands that the layer has to see when they are executed go into a display list as its steps.
+  [[nodiscard]] bool recording() const { return open_list != nullptr && (touched || combiners_looked_up()); }
+  // Whether the next command of the open list is between glBegin and glEnd.
+  [[nodiscard]] bool list_in_begin() const { return in_begin || open_list->in_begin; }
 
   std::string extensions{};  // glGetString(GL_EXTENSIONS), once a program has asked
 

@@ -11,6 +11,9 @@ using AnyFunction = void (*)();
 // This library's function of that name; nullptr if it has none.
 [[nodiscard]] AnyFunction own_function(std::string_view name);
 
+// Whether the program has looked up an entry point of the combiners, and so may use them.
+[[nodiscard]] bool combiners_looked_up();
+
 // The function that a program would get without this library; nullptr if there is none.
 [[nodiscard]] AnyFunction next_function(const char* name);
 
