@@ -24,10 +24,22 @@ EGLDisplay display_of_tests() {
 }
 
 EGLConfig find_config(EGLDisplay display) {
-  constexpr std::array<EGLint, 17> wanted{EGL_SURFACE_TYPE, EGL_PBUFFER_BIT, EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT,
-                                          EGL_RED_SIZE,     8,               EGL_GREEN_SIZE,      8,
-                                          EGL_BLUE_SIZE,    8,               EGL_ALPHA_SIZE,      8,
-                                          EGL_DEPTH_SIZE,   24,              EGL_STENCIL_SIZE,    8,
+  constexpr std::array<EGLint, 17> wanted{EGL_SURFACE_TYPE,
+                                          EGL_PBUFFER_BIT,
+                                          EGL_RENDERABLE_TYPE,
+                                          EGL_OPENGL_BIT,
+                                          EGL_RED_SIZE,
+                                          8,
+                                          EGL_GREEN_SIZE,
+                                          8,
+                                          EGL_BLUE_SIZE,
+                                          8,
+                                          EGL_ALPHA_SIZE,
+                                          8,
+                                          EGL_DEPTH_SIZE,
+                                          24,
+                                          EGL_STENCIL_SIZE,
+                                          8,
                                           EGL_NONE};
   EGLConfig config = nullptr;
   EGLint number = 0;

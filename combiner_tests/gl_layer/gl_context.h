@@ -1,5 +1,5 @@
-// OpenGL contexts on a software renderer, without a window. The test program links the layer before the driver, which is
-// what loading it before a program amounts to.
+// OpenGL contexts on a software renderer, without a window. The test program links the layer before the driver, which
+// is what loading it before a program amounts to.
 #pragma once
 
 #include "ninebit/combiner/state.h"
@@ -43,7 +43,7 @@ void set_combiners(const CombinerState& state, const HardwareProfile& profile);
 }  // namespace ninebit::test
 
 // Begins a test: a current context, or a skipped test that says why.
-#define NINEBIT_GL_CONTEXT(name, ...)                                                  \
-  std::string why_not;                                                                 \
+#define NINEBIT_GL_CONTEXT(name, ...)                                                   \
+  std::string why_not;                                                                  \
   const auto name = ninebit::test::GlContext::make(why_not __VA_OPT__(, ) __VA_ARGS__); \
   if (name == nullptr) GTEST_SKIP() << why_not

@@ -23,8 +23,9 @@ class LayerInputs : public ::testing::TestWithParam<HardwareProfile> {};
 TEST_P(LayerInputs, EveryRegister) {
   const HardwareProfile& profile = GetParam();
   NINEBIT_GL_CONTEXT(context, profile);
-  for (const Register reg : {Register::primary, Register::secondary, Register::fog, Register::texture0, Register::texture1,
-                             Register::texture2, Register::texture3, Register::spare0, Register::spare1}) {
+  for (const Register reg :
+       {Register::primary, Register::secondary, Register::fog, Register::texture0, Register::texture1,
+        Register::texture2, Register::texture3, Register::spare0, Register::spare1}) {
     const auto unit = static_cast<int>(reg) - static_cast<int>(Register::texture0);
     if (unit >= profile.texture_units && reg <= Register::texture3) continue;
     for (std::uint64_t round = 0; round < 8; ++round) {

@@ -58,7 +58,7 @@ int run(const GlRunFlags& flags) {
   const std::string preloaded = posix::environment("LD_PRELOAD");
   posix::set_environment("LD_PRELOAD", preloaded.empty() ? layer.string() : layer.string() + ':' + preloaded);
   posix::set_environment("NINEBIT_GL_PROFILE", flags.common.profile_file.empty() ? flags.common.profile
-                                                                                : absolute(flags.common.profile_file));
+                                                                                 : absolute(flags.common.profile_file));
   posix::set_environment("NINEBIT_GL_DUMP", absolute(flags.dump));
   posix::set_environment("NINEBIT_GL_DUMP_FRAME", flags.frame > 0 ? std::to_string(flags.frame) : "");
   posix::set_environment("NINEBIT_GL_LOG", absolute(flags.log));
@@ -70,8 +70,7 @@ int run(const GlRunFlags& flags) {
 }  // namespace
 
 void add_gl_run(CLI::App& app, int& exit_code) {
-  CLI::App* verb =
-      app.add_subcommand("gl-run", "Run a program with register combiners added to its OpenGL driver");
+  CLI::App* verb = app.add_subcommand("gl-run", "Run a program with register combiners added to its OpenGL driver");
   verb->footer(
       "Examples:\n"
       "  ninebit gl-run -- ./old_game -windowed\n"
@@ -80,9 +79,9 @@ void add_gl_run(CLI::App& app, int& exit_code) {
   auto flags = std::make_shared<GlRunFlags>();
   flags->common.profile = "nv2a";  // of the chips' class that has all three extensions
   add_profile_flag(*verb, flags->common);
-  auto* const dump = verb->add_option("--dump", flags->dump,
-                                      "Write each combiner program that is drawn with into this folder")
-                         ->type_name("DIR");
+  auto* const dump =
+      verb->add_option("--dump", flags->dump, "Write each combiner program that is drawn with into this folder")
+          ->type_name("DIR");
   verb->add_option("--dump-frame", flags->frame,
                    "Write the draw calls of this frame, too: their states, inputs and pictures; 1 is the first")
       ->needs(dump)

@@ -37,9 +37,10 @@ enum class GlslVersion : std::uint8_t {
 // The number of elements in the uniform array of emit_glsl_with_uniform_constants.
 inline constexpr int kGlslConstants = 2 * (kMaxGeneralCombiners + 1);
 
-// The same function, but the program's constants are read from `uniform ivec4 FUNCTION_constants[kGlslConstants]`, which
-// the text declares: elements 2 i and 2 i + 1 are the codes of constant colours 0 and 1 of general combiner i, the last
-// two those of the final combiner. Programs that differ only in their constants give the same text, apart from comments.
+// The same function, but the program's constants are read from `uniform ivec4 FUNCTION_constants[kGlslConstants]`,
+// which the text declares: elements 2 i and 2 i + 1 are the codes of constant colours 0 and 1 of general combiner i,
+// the last two those of the final combiner. Programs that differ only in their constants give the same text, apart from
+// comments.
 [[nodiscard]] Result<std::string> emit_glsl_with_uniform_constants(const Program& program, GlslVersion version,
                                                                    std::string_view function = "ninebit_combine");
 

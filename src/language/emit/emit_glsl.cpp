@@ -19,7 +19,8 @@ std::string_view head_of(GlslVersion version) {
 
 enum class Constants : bool { literal, uniform };
 
-Result<std::string> glsl_text(const Program& program, GlslVersion version, std::string_view function, Constants constants) {
+Result<std::string> glsl_text(const Program& program, GlslVersion version, std::string_view function,
+                              Constants constants) {
   using namespace emit;  // NOLINT(google-build-using-namespace)
   if (auto fault = refusal(program, function)) return *fault;
   const std::string name(function), array = name + "_constants";
@@ -30,7 +31,8 @@ Result<std::string> glsl_text(const Program& program, GlslVersion version, std::
   ConstantValue constant;
   if (constants == Constants::uniform) {
     constant = [&](Register r, int stage, int component) {
-      return component_of(array + '[' + std::to_string(2 * stage + (r == Register::constant1 ? 1 : 0)) + ']', component);
+      return component_of(array + '[' + std::to_string(2 * stage + (r == Register::constant1 ? 1 : 0)) + ']',
+                          component);
     };
   }
   const Listing listing = list_program(

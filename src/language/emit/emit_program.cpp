@@ -26,7 +26,6 @@ class TextRegisters {
     return value_[static_cast<std::size_t>(r)][static_cast<std::size_t>(component)];
   }
 
-
  private:
   std::array<Values, kRegisterCount> value_{};
 };

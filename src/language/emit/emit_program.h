@@ -38,8 +38,8 @@ std::string_view short_name_of(Register r);
 inline constexpr std::array<char, 4> kComponentLetters{'r', 'g', 'b', 'a'};
 
 // Evaluates the program symbolically. `input` returns the value of an argument's component, or of spare0's initial
-// alpha. `constant` returns a component of constant colour 0 or 1 of a general combiner, or of the final combiner, whose
-// stage is kMaxGeneralCombiners; without it the program's own constants are literals.
+// alpha. `constant` returns a component of constant colour 0 or 1 of a general combiner, or of the final combiner,
+// whose stage is kMaxGeneralCombiners; without it the program's own constants are literals.
 using InputValue = std::function<V(Register, int component)>;
 using ConstantValue = std::function<V(Register, int stage, int component)>;
 Listing list_program(const Program& program, const InputValue& input, const ConstantValue& constant = {});

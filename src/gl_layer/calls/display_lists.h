@@ -1,0 +1,20 @@
+// Display lists that hold commands of this layer. The driver's lists cannot hold them, so such a list is a sequence of
+// steps: lists of the driver, and commands between them. Lists without such commands are the driver's alone.
+#pragma once
+
+#include "src/gl_layer/context/context.h"
+
+namespace ninebit::gl_layer {
+
+// Ends the driver's list that is open and makes it a step of the context's open list.
+void close_driver_list(Context& context);
+// Opens the next list of the driver.
+void open_driver_list(Context& context);
+
+// Puts a command into the display list that is being compiled, and executes it if the list's mode says so.
+void record(Context& context, const std::function<void()>& command);
+
+// Before a draw call that goes into a list: what a shader depends on may be different from here on.
+void prepare_list_for_draw(Context& context);
+
+}  // namespace ninebit::gl_layer

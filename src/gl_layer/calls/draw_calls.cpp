@@ -1,0 +1,98 @@
+// OpenGL's draw calls: before each of them the right shader becomes current.
+#include "src/gl_layer/calls/display_lists.h"
+#include "src/gl_layer/capture/dump.h"
+#include "src/gl_layer/context/context.h"
+#include "src/gl_layer/draw/draw_state.h"
+#include "src/gl_layer/driver/driver.h"
+
+using namespace ninebit::gl_layer;  // NOLINT(google-build-using-namespace): these are OpenGL's names
+
+namespace {
+
+// Returns whether the draw is captured, which after_draw ends.
+bool before_draw(const char* call) {
+  Context* const context = current();
+  if (context == nullptr || !context->watches_draws() || context->in_begin) return false;
+  if (context->open_list != nullptr) {
+    if (!context->open_list->in_begin) prepare_list_for_draw(*context);
+    return false;
+  }
+  prepare_draw(*context);
+  count_draw(*context);
+  return begin_capture(*context, call);
+}
+
+// A captured draw that glBegin began.
+thread_local bool captured_until_end = false;
+
+}  // namespace
+
+GLAPI void GLAPIENTRY glBegin(GLenum mode) {
+  captured_until_end = before_draw("glBegin");
+  found_driver.Begin != nullptr ? found_driver.Begin(mode) : find_driver().Begin(mode);
+  Context* const context = current();
+  if (context == nullptr || mode > GL_POLYGON) return;
+  if (context->open_list != nullptr) {
+    context->open_list->in_begin = true;
+    if (context->open_list->mode == GL_COMPILE) return;
+  }
+  context->in_begin = true;
+}
+
+GLAPI void GLAPIENTRY glEnd() {
+  find_driver().End();
+  Context* const context = current();
+  if (context == nullptr) return;
+  if (context->in_begin) context->begin_has_ended();
+  if (context->open_list != nullptr) context->open_list->in_begin = false;
+  if (captured_until_end) end_capture(*context);
+  captured_until_end = false;
+}
+
+#define NINEBIT_DRAW_CALL(name, parameters, arguments) \
+  GLAPI void GLAPIENTRY gl##name parameters {          \
+    const bool captured = before_draw("gl" #name);     \
+    const auto draw = find_driver().name;              \
+    if (draw != nullptr) draw arguments;               \
+    if (captured) end_capture(*current());             \
+  }
+
+NINEBIT_DRAW_CALL(DrawArrays, (GLenum mode, GLint first, GLsizei count), (mode, first, count))
+NINEBIT_DRAW_CALL(DrawElements, (GLenum mode, GLsizei count, GLenum type, const GLvoid* indices),
+                  (mode, count, type, indices))
+NINEBIT_DRAW_CALL(DrawRangeElements,
+                  (GLenum mode, GLuint start, GLuint end, GLsizei count, GLenum type, const GLvoid* indices),
+                  (mode, start, end, count, type, indices))
+NINEBIT_DRAW_CALL(MultiDrawArrays, (GLenum mode, const GLint* first, const GLsizei* count, GLsizei drawcount),
+                  (mode, first, count, drawcount))
+NINEBIT_DRAW_CALL(MultiDrawElements,
+                  (GLenum mode, const GLsizei* count, GLenum type, const void* const* indices, GLsizei drawcount),
+                  (mode, count, type, indices, drawcount))
+NINEBIT_DRAW_CALL(DrawArraysInstanced, (GLenum mode, GLint first, GLsizei count, GLsizei instances),
+                  (mode, first, count, instances))
+NINEBIT_DRAW_CALL(DrawElementsInstanced,
+                  (GLenum mode, GLsizei count, GLenum type, const void* indices, GLsizei instances),
+                  (mode, count, type, indices, instances))
+NINEBIT_DRAW_CALL(DrawElementsBaseVertex, (GLenum mode, GLsizei count, GLenum type, const void* indices, GLint base),
+                  (mode, count, type, indices, base))
+NINEBIT_DRAW_CALL(DrawRangeElementsBaseVertex,
+                  (GLenum mode, GLuint start, GLuint end, GLsizei count, GLenum type, const void* indices, GLint base),
+                  (mode, start, end, count, type, indices, base))
+NINEBIT_DRAW_CALL(Rectd, (GLdouble x1, GLdouble y1, GLdouble x2, GLdouble y2), (x1, y1, x2, y2))
+NINEBIT_DRAW_CALL(Rectf, (GLfloat x1, GLfloat y1, GLfloat x2, GLfloat y2), (x1, y1, x2, y2))
+NINEBIT_DRAW_CALL(Recti, (GLint x1, GLint y1, GLint x2, GLint y2), (x1, y1, x2, y2))
+NINEBIT_DRAW_CALL(Rects, (GLshort x1, GLshort y1, GLshort x2, GLshort y2), (x1, y1, x2, y2))
+NINEBIT_DRAW_CALL(Rectdv, (const GLdouble* v1, const GLdouble* v2), (v1, v2))
+NINEBIT_DRAW_CALL(Rectfv, (const GLfloat* v1, const GLfloat* v2), (v1, v2))
+NINEBIT_DRAW_CALL(Rectiv, (const GLint* v1, const GLint* v2), (v1, v2))
+NINEBIT_DRAW_CALL(Rectsv, (const GLshort* v1, const GLshort* v2), (v1, v2))
+NINEBIT_DRAW_CALL(EvalMesh1, (GLenum mode, GLint i1, GLint i2), (mode, i1, i2))
+NINEBIT_DRAW_CALL(EvalMesh2, (GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2), (mode, i1, i2, j1, j2))
+NINEBIT_DRAW_CALL(DrawPixels, (GLsizei width, GLsizei height, GLenum format, GLenum type, const GLvoid* pixels),
+                  (width, height, format, type, pixels))
+NINEBIT_DRAW_CALL(CopyPixels, (GLint x, GLint y, GLsizei width, GLsizei height, GLenum type),
+                  (x, y, width, height, type))
+NINEBIT_DRAW_CALL(Bitmap,
+                  (GLsizei width, GLsizei height, GLfloat xorig, GLfloat yorig, GLfloat xmove, GLfloat ymove,
+                   const GLubyte* bitmap),
+                  (width, height, xorig, yorig, xmove, ymove, bitmap))

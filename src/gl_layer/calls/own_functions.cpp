@@ -1,0 +1,88 @@
+// This library's functions by name, for programs that look them up.
+#include <algorithm>
+#include <iterator>
+
+#include "src/gl_layer/driver/driver.h"
+#include "src/gl_layer/driver/symbols.h"
+
+extern "C" {
+void* glXCreateContext(void*, void*, void*, int);
+void* glXCreateNewContext(void*, void*, int, void*, int);
+void* glXCreateContextAttribsARB(void*, void*, void*, int, const int*);
+void glXDestroyContext(void*, void*);
+int glXMakeCurrent(void*, unsigned long, void*);
+int glXMakeContextCurrent(void*, unsigned long, unsigned long, void*);
+void glXSwapBuffers(void*, unsigned long);
+ninebit::gl_layer::AnyFunction glXGetProcAddress(const GLubyte*);
+ninebit::gl_layer::AnyFunction glXGetProcAddressARB(const GLubyte*);
+void* eglCreateContext(void*, void*, void*, const int*);
+unsigned eglDestroyContext(void*, void*);
+unsigned eglMakeCurrent(void*, void*, void*, void*);
+unsigned eglSwapBuffers(void*, void*);
+ninebit::gl_layer::AnyFunction eglGetProcAddress(const char*);
+}
+
+namespace ninebit::gl_layer {
+namespace {
+
+struct Entry {
+  std::string_view name;
+  AnyFunction function;
+};
+
+#define NINEBIT_ENTRY(name) Entry{#name, reinterpret_cast<AnyFunction>(&::name)},
+#define NINEBIT_ALIAS(alias, name) Entry{#alias, reinterpret_cast<AnyFunction>(&::name)},
+
+// Without their suffix, because libglvnd has a function of every name: mplayer 1.5 asks for those first.
+// clang-format off
+#define NINEBIT_OWN_FUNCTIONS(X, A) \
+  X(eglCreateContext) X(eglDestroyContext) X(eglGetProcAddress) X(eglMakeCurrent) X(eglSwapBuffers) X(glBegin) \
+  X(glBindTexture) A(glBindTextureEXT, glBindTexture) X(glBitmap) X(glCallList) X(glCallLists) \
+  A(glCombinerInput, glCombinerInputNV) X(glCombinerInputNV) A(glCombinerOutput, glCombinerOutputNV) \
+  X(glCombinerOutputNV) A(glCombinerParameterf, glCombinerParameterfNV) X(glCombinerParameterfNV) \
+  A(glCombinerParameterfv, glCombinerParameterfvNV) X(glCombinerParameterfvNV) \
+  A(glCombinerParameteri, glCombinerParameteriNV) X(glCombinerParameteriNV) \
+  A(glCombinerParameteriv, glCombinerParameterivNV) X(glCombinerParameterivNV) \
+  A(glCombinerStageParameterfv, glCombinerStageParameterfvNV) X(glCombinerStageParameterfvNV) \
+  X(glCompressedTexImage1D) A(glCompressedTexImage1DARB, glCompressedTexImage1D) X(glCompressedTexImage2D) \
+  A(glCompressedTexImage2DARB, glCompressedTexImage2D) X(glCompressedTexImage3D) \
+  A(glCompressedTexImage3DARB, glCompressedTexImage3D) X(glCopyPixels) X(glCopyTexImage1D) \
+  A(glCopyTexImage1DEXT, glCopyTexImage1D) X(glCopyTexImage2D) A(glCopyTexImage2DEXT, glCopyTexImage2D) \
+  X(glDeleteLists) X(glDeleteTextures) A(glDeleteTexturesEXT, glDeleteTextures) X(glDisable) X(glDrawArrays) \
+  A(glDrawArraysEXT, glDrawArrays) X(glDrawArraysInstanced) A(glDrawArraysInstancedARB, glDrawArraysInstanced) \
+  A(glDrawArraysInstancedEXT, glDrawArraysInstanced) X(glDrawElements) X(glDrawElementsBaseVertex) \
+  X(glDrawElementsInstanced) A(glDrawElementsInstancedARB, glDrawElementsInstanced) \
+  A(glDrawElementsInstancedEXT, glDrawElementsInstanced) X(glDrawPixels) X(glDrawRangeElements) \
+  X(glDrawRangeElementsBaseVertex) A(glDrawRangeElementsEXT, glDrawRangeElements) X(glEnable) X(glEnd) X(glEndList) \
+  X(glEvalMesh1) X(glEvalMesh2) A(glFinalCombinerInput, glFinalCombinerInputNV) X(glFinalCombinerInputNV) X(glFogf) \
+  X(glFogfv) X(glFogi) X(glFogiv) X(glGetBooleanv) A(glGetCombinerInputParameterfv, glGetCombinerInputParameterfvNV) \
+  X(glGetCombinerInputParameterfvNV) A(glGetCombinerInputParameteriv, glGetCombinerInputParameterivNV) \
+  X(glGetCombinerInputParameterivNV) A(glGetCombinerOutputParameterfv, glGetCombinerOutputParameterfvNV) \
+  X(glGetCombinerOutputParameterfvNV) A(glGetCombinerOutputParameteriv, glGetCombinerOutputParameterivNV) \
+  X(glGetCombinerOutputParameterivNV) A(glGetCombinerStageParameterfv, glGetCombinerStageParameterfvNV) \
+  X(glGetCombinerStageParameterfvNV) X(glGetDoublev) X(glGetError) \
+  A(glGetFinalCombinerInputParameterfv, glGetFinalCombinerInputParameterfvNV) X(glGetFinalCombinerInputParameterfvNV) \
+  A(glGetFinalCombinerInputParameteriv, glGetFinalCombinerInputParameterivNV) X(glGetFinalCombinerInputParameterivNV) \
+  X(glGetFloatv) X(glGetHandleARB) X(glGetIntegerv) X(glGetString) X(glGetStringi) X(glGetTexEnvfv) X(glGetTexEnviv) \
+  X(glIsEnabled) X(glLightModelf) X(glLightModelfv) X(glLightModeli) X(glLightModeliv) X(glMultiDrawArrays) \
+  A(glMultiDrawArraysEXT, glMultiDrawArrays) X(glMultiDrawElements) A(glMultiDrawElementsEXT, glMultiDrawElements) \
+  X(glNewList) X(glPopAttrib) X(glPushAttrib) X(glRectd) X(glRectdv) X(glRectf) X(glRectfv) X(glRecti) X(glRectiv) \
+  X(glRects) X(glRectsv) X(glTexEnvf) X(glTexEnvfv) X(glTexEnvi) X(glTexEnviv) X(glTexImage1D) X(glTexImage2D) \
+  X(glTexImage3D) A(glTexImage3DEXT, glTexImage3D) X(glTexParameterf) X(glTexParameterfv) X(glTexParameteri) \
+  X(glTexParameteriv) X(glTexStorage1D) X(glTexStorage2D) X(glTexStorage3D) X(glUseProgram) X(glUseProgramObjectARB) \
+  X(glXCreateContext) X(glXCreateContextAttribsARB) X(glXCreateNewContext) X(glXDestroyContext) X(glXGetProcAddress) \
+  X(glXGetProcAddressARB) X(glXMakeContextCurrent) X(glXMakeCurrent) A(glXMakeCurrentReadSGI, glXMakeContextCurrent) \
+  X(glXSwapBuffers)
+// clang-format on
+
+const Entry kFunctions[]{NINEBIT_OWN_FUNCTIONS(NINEBIT_ENTRY, NINEBIT_ALIAS)};
+
+}  // namespace
+
+AnyFunction own_function(std::string_view name) {
+  const auto* const found = std::lower_bound(std::begin(kFunctions), std::end(kFunctions), name,
+                                             [](const Entry& entry, std::string_view of) { return entry.name < of; });
+  return found != std::end(kFunctions) && found->name == name ? found->function : nullptr;
+}
+
+}  // namespace ninebit::gl_layer

@@ -1,0 +1,157 @@
+// What a program asks of a context: the extension string, and the values of the extensions' state.
+#include <cmath>
+#include <cstring>
+#include <string>
+#include <vector>
+
+#include "src/gl_layer/context/context.h"
+#include "src/gl_layer/driver/driver.h"
+#include "src/gl_layer/driver/driver_features.h"
+
+using namespace ninebit::gl_layer;  // NOLINT(google-build-using-namespace): these are OpenGL's names
+namespace front = ninebit::gl;
+
+namespace {
+
+// The extensions that the layer adds. A driver that has one itself lists it already.
+std::vector<const char*> added_extensions(const Context& context) {
+  std::vector<const char*> names{"GL_NV_register_combiners"};
+  if (context.combiners.profile().per_stage_constants) {
+    names.push_back("GL_NV_register_combiners2");
+    names.push_back("GL_NV_texture_shader");
+  }
+  const auto* const listed = reinterpret_cast<const char*>(found_driver.GetString(GL_EXTENSIONS));
+  std::erase_if(names, [&](const char* name) { return listed != nullptr && has_word(listed, name); });
+  return names;
+}
+
+const GLubyte* extension_string(Context& context) {
+  const auto* const listed = reinterpret_cast<const char*>(found_driver.GetString(GL_EXTENSIONS));
+  if (listed == nullptr) return nullptr;
+  if (context.extensions.empty()) {
+    context.extensions = listed;
+    for (const char* name : added_extensions(context)) {
+      if (!context.extensions.empty() && context.extensions.back() != ' ') context.extensions += ' ';
+      context.extensions += name;
+    }
+  }
+  return reinterpret_cast<const GLubyte*>(context.extensions.c_str());
+}
+
+GLint number_of_driver_extensions() {
+  GLint number = 0;
+  found_driver.GetIntegerv(GL_NUM_EXTENSIONS, &number);
+  return number;
+}
+
+// The number of values that a query of the layer's state returns; 0: the state is the driver's.
+int number_of_values(const Context& context, GLenum pname) {
+  switch (pname) {
+    case GL_CONSTANT_COLOR0_NV:
+    case GL_CONSTANT_COLOR1_NV:
+      return 4;
+    case GL_REGISTER_COMBINERS_NV:
+    case GL_NUM_GENERAL_COMBINERS_NV:
+    case GL_MAX_GENERAL_COMBINERS_NV:
+    case GL_COLOR_SUM_CLAMP_NV:
+    case GL_NUM_EXTENSIONS:
+      return 1;
+    case GL_CURRENT_PROGRAM:
+      return context.bound ? 1 : 0;
+    case GL_PER_STAGE_CONSTANTS_NV:
+    case GL_TEXTURE_SHADER_NV:
+      return context.combiners.profile().per_stage_constants ? 1 : 0;
+    default:
+      return 0;
+  }
+}
+
+// The state as floats, as integers by `integers`.
+void values_of(Context& context, GLenum pname, GLfloat* floats, GLint* integers) {
+  if (pname == GL_TEXTURE_SHADER_NV) {
+    *integers = context.texture_shaders.enabled ? 1 : 0;
+  } else if (pname == GL_CURRENT_PROGRAM) {
+    *integers = static_cast<GLint>(context.app_program);
+  } else if (pname == GL_NUM_EXTENSIONS) {
+    *integers = number_of_driver_extensions() + static_cast<GLint>(added_extensions(context).size());
+  } else {
+    const front::CurrentContext current(context.combiners);
+    front::glGetFloatv(pname, floats);
+    return front::glGetIntegerv(pname, integers);
+  }
+  *floats = static_cast<GLfloat>(*integers);
+}
+
+enum class As : std::uint8_t { booleans, integers, floats };
+
+// Answers a query of the layer's state; false: it is the driver's.
+template <class T>
+bool answer(GLenum pname, T* params, As as) {
+  Context* const context = current();
+  const int number = context != nullptr ? number_of_values(*context, pname) : 0;
+  if (number == 0) return false;
+  if (!context->outside_begin()) return true;
+  if (params == nullptr) {
+    context->raise(GL_INVALID_VALUE);
+    return true;
+  }
+  GLfloat floats[4]{};
+  GLint integers[4]{};
+  values_of(*context, pname, floats, integers);
+  for (int i = 0; i < number; ++i) {
+    switch (as) {
+      case As::booleans:
+        params[i] = static_cast<T>(floats[i] != 0.0F ? 1 : 0);
+        break;
+      case As::integers:
+        params[i] = static_cast<T>(integers[i]);
+        break;
+      case As::floats:
+        params[i] = static_cast<T>(floats[i]);
+        break;
+    }
+  }
+  return true;
+}
+
+}  // namespace
+
+GLAPI void GLAPIENTRY glGetBooleanv(GLenum pname, GLboolean* params) {
+  if (!answer(pname, params, As::booleans)) find_driver().GetBooleanv(pname, params);
+}
+
+GLAPI void GLAPIENTRY glGetIntegerv(GLenum pname, GLint* params) {
+  if (!answer(pname, params, As::integers)) find_driver().GetIntegerv(pname, params);
+}
+
+GLAPI void GLAPIENTRY glGetFloatv(GLenum pname, GLfloat* params) {
+  if (!answer(pname, params, As::floats)) find_driver().GetFloatv(pname, params);
+}
+
+GLAPI void GLAPIENTRY glGetDoublev(GLenum pname, GLdouble* params) {
+  if (!answer(pname, params, As::floats)) find_driver().GetDoublev(pname, params);
+}
+
+GLAPI GLhandleARB GLAPIENTRY glGetHandleARB(GLenum pname) {
+  const Context* const context = current();
+  if (context != nullptr && context->bound && pname == GL_PROGRAM_OBJECT_ARB) return context->app_program;
+  const auto get = find_driver().GetHandleARB;
+  return get != nullptr ? get(pname) : 0;
+}
+
+GLAPI const GLubyte* GLAPIENTRY glGetString(GLenum name) {
+  Context* const context = current();
+  if (context == nullptr || name != GL_EXTENSIONS || context->in_begin) return find_driver().GetString(name);
+  return extension_string(*context);
+}
+
+GLAPI const GLubyte* GLAPIENTRY glGetStringi(GLenum name, GLuint index) {
+  const auto get = find_driver().GetStringi;
+  if (get == nullptr) return nullptr;
+  Context* const context = current();
+  if (context == nullptr || name != GL_EXTENSIONS || context->in_begin) return get(name, index);
+  const auto listed = static_cast<GLuint>(number_of_driver_extensions());
+  const auto added = added_extensions(*context);
+  if (index < listed || index - listed >= added.size()) return get(name, index);
+  return reinterpret_cast<const GLubyte*>(added[index - listed]);
+}

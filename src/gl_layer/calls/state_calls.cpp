@@ -1,0 +1,159 @@
+// glEnable and its like, errors, and the attribute stack.
+#include "src/gl_layer/calls/display_lists.h"
+#include "src/gl_layer/context/context.h"
+#include "src/gl_layer/driver/driver.h"
+
+using namespace ninebit::gl_layer;  // NOLINT(google-build-using-namespace): these are OpenGL's names
+namespace front = ninebit::gl;
+
+namespace {
+
+enum class Owner : std::uint8_t { driver, combiners, texture_shaders };
+
+Owner owner_of(const Context& context, GLenum cap) {
+  const bool second = context.combiners.profile().per_stage_constants;
+  if (cap == GL_REGISTER_COMBINERS_NV || (cap == GL_PER_STAGE_CONSTANTS_NV && second)) return Owner::combiners;
+  return cap == GL_TEXTURE_SHADER_NV && second ? Owner::texture_shaders : Owner::driver;
+}
+
+bool changes_inputs(GLenum cap) {
+  switch (cap) {
+    case GL_TEXTURE_1D:
+    case GL_TEXTURE_2D:
+    case GL_TEXTURE_3D:
+    case GL_TEXTURE_CUBE_MAP:
+    case GL_TEXTURE_RECTANGLE:
+    case GL_FOG:
+    case GL_LIGHTING:
+    case GL_FRAGMENT_PROGRAM_ARB:
+    case GL_VERTEX_PROGRAM_ARB:
+      return true;
+    default:
+      return false;
+  }
+}
+
+void set_enabled(GLenum cap, bool enabled) {
+  Context* const context = current();
+  const auto by_driver = enabled ? find_driver().Enable : find_driver().Disable;
+  if (context == nullptr) return by_driver(cap);
+  const Owner owner = owner_of(*context, cap);
+  if (owner == Owner::driver) {
+    by_driver(cap);
+    if (!changes_inputs(cap)) return;
+    context->inputs_stale = true;
+    if (context->open_list != nullptr) context->open_list->stale = true;
+    return;
+  }
+  context->touched = true;
+  if (!context->outside_begin()) return;
+  if (context->open_list != nullptr) {
+    if (context->open_list->in_begin) return context->raise(GL_INVALID_OPERATION);
+    return record(*context, [cap, enabled] { set_enabled(cap, enabled); });
+  }
+  if (owner == Owner::texture_shaders) {
+    context->texture_shaders.enabled = enabled;
+  } else {
+    const front::CurrentContext current(context->combiners);
+    enabled ? front::glEnable(cap) : front::glDisable(cap);
+  }
+  context->forget();
+}
+
+// The attribute groups in which the layer has state.
+constexpr GLbitfield kGroups = GL_ENABLE_BIT | GL_TEXTURE_BIT;
+
+int stack_depth() {
+  GLint depth = 0;
+  found_driver.GetIntegerv(GL_ATTRIB_STACK_DEPTH, &depth);
+  return depth;
+}
+
+void push(Context& context, GLbitfield mask) {
+  const int before = stack_depth();
+  found_driver.PushAttrib(mask);
+  const int depth = stack_depth();
+  if (depth == before || (mask & kGroups) == 0) return;
+  SavedState saved{.mask = mask, .depth = depth};
+  if (context.touched) {
+    saved.combiners = std::make_unique<front::Context>(context.combiners);
+    saved.texture_shaders = std::make_unique<TextureShaders>(context.texture_shaders);
+  }
+  context.attribute_stack.push_back(std::move(saved));
+}
+
+void restore(Context& context, const SavedState& saved) {
+  // Saved before the program used combiners: the defaults.
+  const front::Context combiners =
+      saved.combiners != nullptr ? *saved.combiners : front::Context(context.combiners.profile());
+  const TextureShaders shaders = saved.texture_shaders != nullptr ? *saved.texture_shaders : TextureShaders{};
+  context.combiners.enable_register_combiners(combiners.register_combiners_enabled());
+  context.texture_shaders.enabled = shaders.enabled;
+  if ((saved.mask & GL_TEXTURE_BIT) != 0) {
+    context.combiners.state() = combiners.state();
+    context.texture_shaders = shaders;
+  } else {
+    context.combiners.state().per_stage_constants = combiners.state().per_stage_constants;
+  }
+}
+
+void pop(Context& context) {
+  const int depth = stack_depth();
+  found_driver.PopAttrib();
+  auto& stack = context.attribute_stack;
+  while (!stack.empty() && stack.back().depth > depth) stack.pop_back();  // popped where the layer did not see it
+  if (!stack.empty() && stack.back().depth == depth) {
+    if (context.touched) restore(context, stack.back());
+    stack.pop_back();
+  }
+  context.forget();
+}
+
+}  // namespace
+
+GLAPI void GLAPIENTRY glEnable(GLenum cap) {
+  set_enabled(cap, true);
+}
+
+GLAPI void GLAPIENTRY glDisable(GLenum cap) {
+  set_enabled(cap, false);
+}
+
+GLAPI GLboolean GLAPIENTRY glIsEnabled(GLenum cap) {
+  Context* const context = current();
+  const Owner owner = context != nullptr ? owner_of(*context, cap) : Owner::driver;
+  if (owner == Owner::driver) return find_driver().IsEnabled(cap);
+  if (!context->outside_begin()) return GL_FALSE;
+  if (owner == Owner::texture_shaders) return context->texture_shaders.enabled ? GL_TRUE : GL_FALSE;
+  const front::CurrentContext current(context->combiners);
+  return front::glIsEnabled(cap);
+}
+
+GLAPI GLenum GLAPIENTRY glGetError() {
+  Context* const context = current();
+  if (context == nullptr || context->in_begin || context->pending_error == 0) return find_driver().GetError();
+  const GLenum error = context->pending_error;
+  context->pending_error = 0;
+  // Later errors are not kept. A lost context may have no end of them.
+  for (int i = 0; i < 8 && found_driver.GetError() != GL_NO_ERROR; ++i) {
+  }
+  return error;
+}
+
+GLAPI void GLAPIENTRY glPushAttrib(GLbitfield mask) {
+  Context* const context = current();
+  const bool by_driver = context == nullptr || context->in_begin ||
+                         (context->open_list != nullptr && (!context->touched || context->open_list->in_begin));
+  if (by_driver) return find_driver().PushAttrib(mask);
+  if (context->recording()) return record(*context, [mask] { glPushAttrib(mask); });
+  push(*context, mask);
+}
+
+GLAPI void GLAPIENTRY glPopAttrib() {
+  Context* const context = current();
+  const bool by_driver = context == nullptr || context->in_begin ||
+                         (context->open_list != nullptr && (!context->touched || context->open_list->in_begin));
+  if (by_driver) return find_driver().PopAttrib();
+  if (context->recording()) return record(*context, [] { glPopAttrib(); });
+  pop(*context);
+}

@@ -1,0 +1,138 @@
+// What the layer knows of an OpenGL context. This header is free of OpenGL's own, whose macros exclude ninebit's names.
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "ninebit/language/gl_nv.h"
+#include "src/gl_layer/driver/driver_features.h"
+#include "src/gl_layer/shader/shader_inputs.h"
+
+namespace ninebit::gl_layer {
+
+class ProgramCache;
+struct CachedProgram;
+
+// A display list that this layer plays step by step: commands of its own between lists of the driver.
+struct StepList {
+  std::vector<std::function<void()>> steps{};
+  std::vector<unsigned> driver_lists{};  // without the program's own number
+};
+
+// What contexts share.
+struct ShareGroup {
+  std::mutex mutex{};
+  std::map<unsigned, std::shared_ptr<const StepList>>
+      lists{};                          // by the program's number; others are the driver's alone
+  std::atomic<bool> had_steps = false;  // whether there ever was one
+};
+
+// A display list while it is compiled.
+struct OpenList {
+  unsigned number = 0;         // the program's
+  unsigned mode = 0;           // GL_COMPILE or GL_COMPILE_AND_EXECUTE
+  unsigned driver_number = 0;  // of the driver's list that is open
+  bool stale = false;          // whether a command in the driver's list changes what shaders depend on
+  bool in_begin = false;       // between glBegin and glEnd
+  StepList list{};             // the steps before the driver's open list
+};
+
+// NV_texture_shader's state of a texture unit.
+struct UnitShader {
+  ShaderOperation operation = ShaderOperation::none;
+  std::array<bool, 4> cull_if_less{};  // GL_CULL_MODES_NV: true is GL_LESS, false GL_GEQUAL
+  unsigned previous_texture = 0x84C0;  // GL_PREVIOUS_TEXTURE_INPUT_NV, a GL_TEXTUREi; kept for queries alone
+  unsigned dot_mapping = 0x8536;       // GL_RGBA_UNSIGNED_DOT_PRODUCT_MAPPING_NV, likewise
+  std::array<float, 3> const_eye{0.0F, 0.0F, -1.0F};
+  std::array<float, 4> offset_matrix{1.0F, 0.0F, 0.0F, 1.0F};
+  float offset_scale = 1.0F, offset_bias = 0.0F;
+};
+
+struct TextureShaders {
+  bool enabled = false;  // GL_TEXTURE_SHADER_NV
+  std::array<UnitShader, kLayerUnits> units{};
+};
+
+// What glPushAttrib saves of the layer's own state.
+struct SavedState {
+  unsigned mask = 0;
+  int depth = 0;                             // of the driver's stack after the push
+  std::unique_ptr<gl::Context> combiners{};  // for the texture group, and for the enables
+  std::unique_ptr<TextureShaders> texture_shaders{};
+};
+
+class Context {
+ public:
+  Context(std::shared_ptr<ShareGroup> group, const HardwareProfile& profile);
+  ~Context();
+  Context(const Context&) = delete;
+  Context& operator=(const Context&) = delete;
+
+  const std::shared_ptr<ShareGroup> group;
+  gl::Context combiners;
+  TextureShaders texture_shaders{};
+
+  // Whether shaders write their inputs to the colour buffers after the first: NINEBIT_GL_WRITE_INPUTS is set.
+  const bool writes_inputs;
+  DriverFeatures features{};  // found when the context is first made current
+  // The shaders are not shared with other contexts, because constants are uniforms, which would be shared as well.
+  const std::unique_ptr<ProgramCache> programs;
+  // Whether the program has used the combiners or texture shaders: before that the layer only watches for it.
+  bool touched = false;
+  bool in_begin = false;             // between glBegin and glEnd
+  unsigned app_program = 0;          // glUseProgram's argument
+  CachedProgram* program = nullptr;  // of the last draw; nullptr: drawn without combiners
+  bool bound = false;                // whether the driver's current program is this one
+  ShaderInputs inputs{};             // as of the last draw with combiners
+  bool own_fragments = false;        // whether something took precedence over combiners then
+  std::uint32_t frame = 0;           // buffer swaps so far
+  std::unique_ptr<OpenList> open_list{};
+  int list_depth = 0;  // nested glCallList
+  std::vector<SavedState> attribute_stack{};
+
+  // What has changed since the last draw.
+  bool inputs_stale = true;   // enabled textures, fog, lighting, the program's own shaders
+  bool program_stale = true;  // the combiners' state, apart from constants
+  bool constants_stale = true;
+
+  // The pending error of a command that the layer executes: GL keeps the first until glGetError.
+  void raise(unsigned error);
+  unsigned pending_error = 0;
+  unsigned begin_error =
+      0;  // raised between glBegin and glEnd, where the driver cannot be asked for an error of before
+  // After glEnd.
+  void begin_has_ended();
+
+  // A function that the layer executes: GL forbids it between glBegin and glEnd. Raises the error and returns false.
+  bool outside_begin();
+
+  // Whether draw calls have to be looked at.
+  [[nodiscard]] bool watches_draws() const { return touched; }
+  // Whether commands of the layer go into a display list.
+  [[nodiscard]] bool recording() const { return open_list != nullptr && touched; }
+
+  std::string extensions{};  // glGetString(GL_EXTENSIONS), once a program has asked
+
+  // Everything may have changed.
+  void forget() { inputs_stale = program_stale = constants_stale = true; }
+};
+
+// This thread's context; nullptr: none, or one that the layer leaves alone.
+extern constinit thread_local Context* current_context [[gnu::tls_model("initial-exec")]];
+
+[[nodiscard]] inline Context* current() {
+  return current_context;
+}
+
+// The profile for new contexts: the one that NINEBIT_GL_PROFILE names, else the one of the GeForce 3 class, which has
+// all extensions. A name that does not fit is reported once.
+[[nodiscard]] const HardwareProfile& layer_profile();
+
+}  // namespace ninebit::gl_layer

@@ -1,0 +1,18 @@
+// What the layer needs of a driver.
+#pragma once
+
+namespace ninebit::gl_layer {
+
+// What the driver of a context has.
+struct DriverFeatures {
+  bool enough = false;  // what the layer needs; without it the layer leaves the context alone
+  bool fragment_program = false, vertex_program = false, rectangle = false;
+};
+
+// Asks the driver of the context that has just become current. What is missing is written to the log.
+[[nodiscard]] DriverFeatures find_features();
+
+// Whether a list of words, separated by spaces, has this one.
+[[nodiscard]] bool has_word(const char* list, const char* word);
+
+}  // namespace ninebit::gl_layer

@@ -1,0 +1,138 @@
+#include "src/gl_layer/driver/symbols.h"
+
+#include <dlfcn.h>
+
+#include <array>
+#include <cstring>
+
+#include "src/gl_layer/driver/driver.h"
+
+namespace ninebit::gl_layer {
+namespace {
+
+using FindSymbol = void* (*)(void*, const char*);
+using GetProcAddress = AnyFunction (*)(const char*);
+
+// The C library's dlsym, by the version that it has on this processor.
+FindSymbol next_dlsym() {
+  static const FindSymbol found = [] {
+    for (const char* version : {"GLIBC_2.34", "GLIBC_2.2.5", "GLIBC_2.17", "GLIBC_2.0"}) {
+      if (void* const symbol = dlvsym(RTLD_NEXT, "dlsym", version)) return reinterpret_cast<FindSymbol>(symbol);
+    }
+    return FindSymbol{nullptr};
+  }();
+  return found;
+}
+
+// The window systems' lookups that a program has found in a library which is not in the global scope.
+constinit GetProcAddress loaded_glx = nullptr, loaded_egl = nullptr;
+
+// A library that the program has loaded without making its symbols global.
+AnyFunction from_loaded_library(const char* name) {
+  for (const char* file : {"libGL.so.1", "libOpenGL.so.0", "libGLX.so.0", "libEGL.so.1"}) {
+    void* const library = dlopen(file, RTLD_LAZY | RTLD_NOLOAD);
+    if (library == nullptr) continue;
+    void* const symbol = next_dlsym()(library, name);
+    dlclose(library);
+    if (symbol != nullptr) return reinterpret_cast<AnyFunction>(symbol);
+  }
+  return nullptr;
+}
+
+bool may_be_ours(const char* name) {
+  return name != nullptr && ((name[0] == 'g' && name[1] == 'l') || (name[0] == 'e' && name[1] == 'g'));
+}
+
+void remember(std::string_view name, void* symbol) {
+  if (name == "glXGetProcAddress" || name == "glXGetProcAddressARB") {
+    loaded_glx = reinterpret_cast<GetProcAddress>(symbol);
+  } else if (name == "eglGetProcAddress") {
+    loaded_egl = reinterpret_cast<GetProcAddress>(symbol);
+  }
+}
+
+// What dlsym returns for a name that may be one of OpenGL's. A library without OpenGL has no function of ours either.
+void* looked_up(void* handle, const char* name) {
+  void* const symbol = next_dlsym()(handle, name);
+  const AnyFunction own = own_function(name);
+  if (own == nullptr || symbol == reinterpret_cast<void*>(own)) return symbol;
+  if (symbol == nullptr) {
+    return next_dlsym()(handle, "glBegin") != nullptr ? reinterpret_cast<void*>(own) : nullptr;
+  }
+  remember(name, symbol);
+  return reinterpret_cast<void*>(own);
+}
+
+AnyFunction proc_address(const char* name, const char* lookup, GetProcAddress loaded) {
+  if (name == nullptr) return nullptr;
+  if (const AnyFunction own = own_function(name)) return own;
+  const auto next = next_function_as<GetProcAddress>(lookup);
+  const GetProcAddress get = next != nullptr ? next : loaded;
+  return get != nullptr ? get(name) : nullptr;
+}
+
+}  // namespace
+
+AnyFunction next_function(const char* name) {
+  if (void* const symbol = next_dlsym()(RTLD_NEXT, name)) return reinterpret_cast<AnyFunction>(symbol);
+  if (const AnyFunction found = from_loaded_library(name)) return found;
+  for (const GetProcAddress get : {loaded_glx, loaded_egl}) {
+    if (get == nullptr || std::strstr(name, "GetProcAddress") != nullptr) continue;
+    if (const AnyFunction found = get(name)) return found;
+  }
+  // Functions that the library does not export.
+  for (const char* lookup : {"glXGetProcAddressARB", "eglGetProcAddress"}) {
+    if (name[0] == 'e' || name[2] == 'X') break;
+    void* const symbol = next_dlsym()(RTLD_NEXT, lookup);
+    if (symbol == nullptr) continue;
+    if (const AnyFunction found = reinterpret_cast<GetProcAddress>(symbol)(name)) return found;
+  }
+  return nullptr;
+}
+
+Driver found_driver;
+
+const Driver& find_driver() {
+  static const bool found = [] {
+#define NINEBIT_FIND(name) found_driver.name = next_function_as<decltype(found_driver.name)>("gl" #name);
+    NINEBIT_CORE_FUNCTIONS(NINEBIT_FIND)
+    NINEBIT_LATER_FUNCTIONS(NINEBIT_FIND)
+#undef NINEBIT_FIND
+    return true;
+  }();
+  static_cast<void>(found);
+  return found_driver;
+}
+
+}  // namespace ninebit::gl_layer
+
+extern "C" {
+
+// RTLD_NEXT means the library that calls: so the C library's function has to be jumped to, which GCC and Clang do with
+// a call at a function's end when they optimize.
+#if defined(__clang__)
+#define NINEBIT_JUMP [[clang::musttail]] return
+__attribute__((visibility("default")))
+#else
+#define NINEBIT_JUMP return
+__attribute__((visibility("default"), optimize("O2")))
+#endif
+void* dlsym(void* handle, const char* name) {
+  if (ninebit::gl_layer::may_be_ours(name)) return ninebit::gl_layer::looked_up(handle, name);
+  NINEBIT_JUMP ninebit::gl_layer::next_dlsym()(handle, name);
+}
+
+__attribute__((visibility("default"))) ninebit::gl_layer::AnyFunction glXGetProcAddress(const GLubyte* name) {
+  return ninebit::gl_layer::proc_address(reinterpret_cast<const char*>(name), "glXGetProcAddress",
+                                         ninebit::gl_layer::loaded_glx);
+}
+
+__attribute__((visibility("default"))) ninebit::gl_layer::AnyFunction glXGetProcAddressARB(const GLubyte* name) {
+  return glXGetProcAddress(name);
+}
+
+__attribute__((visibility("default"))) ninebit::gl_layer::AnyFunction eglGetProcAddress(const char* name) {
+  return ninebit::gl_layer::proc_address(name, "eglGetProcAddress", ninebit::gl_layer::loaded_egl);
+}
+
+}  // extern "C"
