@@ -34,12 +34,12 @@ def formula(patches):
     return numpy.clip(numpy.rint(rgb), 0, 255).astype(int)
 
 
-def film_on_screen(kit, folder, environment, layer):
+def film_on_screen(kit, folder, environment, layer, options="yuv=1"):
     """The middles of the patches once they stand still, and MPlayer's messages."""
     command = ["mplayer", "-noconfig", "all", "-nosound", "-nolirc", "-noconsolecontrols", "-geometry", "0:0", "-vo",
-               "gl:yuv=1", "-msglevel", "vo=6", "-demuxer", "rawvideo", "-rawvideo",
+               f"gl:{options}", "-msglevel", "vo=6", "-demuxer", "rawvideo", "-rawvideo",
                f"w={WIDTH}:h={HEIGHT}:format=yv12:fps=1", "film.yuv"]
-    log = folder / f"{'with' if layer else 'without'}_layer.log"
+    log = folder / f"{options.replace(':', '_')}_{'with' if layer else 'without'}_layer.log"
     with open(log, "wb") as output:
         player = subprocess.Popen(kit.command(command, layer, PROFILE), env=environment, cwd=folder,
                                   stdin=subprocess.DEVNULL, stdout=output, stderr=subprocess.STDOUT)
@@ -73,8 +73,10 @@ def run(kit):
         off = abs(seen - formula(patches)).max()
         kit.check("Combiner functions missing" in log and off > 50,
                   f"mplayer, without the layer: combiner functions are missing, colours are off by up to {off}")
-        seen, log = film_on_screen(kit, folder, environment, layer=True)
-    wrong, off = (seen != expected).any(axis=-1).sum(), abs(seen - formula(patches)).max()
-    kit.check("Combiner functions missing" not in log and "yuv = 1" in log, "mplayer, with the layer: yuv = 1, no complaint")
-    kit.check(wrong == 0, f"mplayer, with the layer: {wrong} of {ACROSS * DOWN} patches differ from eval")
-    kit.check(off <= 3, f"mplayer, with the layer: colours are off the formula by up to {off}, at most 3")
+        for options in ("yuv=1", "yuv=1:rectangle=1"):  # textures with power-of-two sizes, and rectangle textures
+            seen, log = film_on_screen(kit, folder, environment, True, options)
+            wrong, off = (seen != expected).any(axis=-1).sum(), abs(seen - formula(patches)).max()
+            kit.check("Combiner functions missing" not in log and "yuv = 1" in log,
+                      f"mplayer, {options}: MPlayer uses combiners without a complaint")
+            kit.check(wrong == 0, f"mplayer, {options}: {wrong} of {ACROSS * DOWN} patches differ from eval")
+            kit.check(off <= 3, f"mplayer, {options}: colours are off the formula by up to {off}, at most 3")
