@@ -1,7 +1,7 @@
 /** What is typed, drawn and traced is what the native program draws and traces. */
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { clickPixel, expectedHashes, folderOf, hashOf, native, nativeFaults, nativeHash, nativeTrace, onePage, openEffect, root, stateOf, type, waitForHash } from './support.mjs';
+import { clickPixel, expectedHashes, hashOf, nativeFaults, nativeHash, nativeTrace, onePage, openEffect, stateOf, type, waitForHash } from './support.mjs';
 
 const page = await onePage();
 
@@ -82,14 +82,6 @@ test('a constant, a mesh, a colour and a field of the profile change the picture
     store.change('profile', (state) => { state.profile = { base: 'nv2a', name: 'mine', general_narrowing: 'nearest-halves-up' }; });
   });
   await waitForHash(page, nativeHash(await stateOf(page)));
-});
-
-test('index shadows have the pixels of `ninebit render`', async () => {
-  const { pixels } = native(root, 'render', 'scenes/index_room.gltf', '-o', folderOf({ files: {}, effect: {} }), '--size', '480x360', '--profile', 'geforce2');
-  await page.evaluate(() => globalThis.ninebit.store.change('profile', (state) => { state.profile = 'geforce2'; }));
-  await page.click('#tab-shadow');
-  const text = `${pixels.shadowed.toLocaleString('en')} pixels in shadow, ${pixels.lit.toLocaleString('en')} lit`;
-  await page.waitForFunction((expected) => document.getElementById('shadow-result').textContent.startsWith(expected), {}, text);
 });
 
 test('nothing complained', () => assert.deepEqual(page.complaints, []));

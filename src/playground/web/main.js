@@ -47,7 +47,12 @@ async function firstState() {
 
 /** Everything that shows the state. */
 class Page {
-  constructor(store, engine, about) {
+  /**
+   * @param {Store} store
+   * @param {{engine: Engine, newEngine: () => Engine}} engines the one that draws, and more of them
+   * @param {any} about
+   */
+  constructor(store, { engine, newEngine }, about) {
     this.store = store;
     this.engine = engine;
     this.shelf = new Shelf(engine, content.files);
@@ -60,10 +65,11 @@ class Page {
     this.picture = new Picture(byId('picture'), (x, y) => this.chosen(x, y));
     this.trace = new TracePanel(byId('trace'), byId('trace-place'));
     this.inputs = new InputsPanel(byId('panel-inputs'), store, this.shelf, { textures: about.textures ?? [], meshes: about.meshes ?? [] });
-    this.profiles = new ProfilesPanel(byId('panel-profiles'), store, about.profiles ?? [], (profiles) => this.live.compare(profiles));
+    this.profiles = new ProfilesPanel(byId('panel-profiles'), store, about.profiles ?? [],
+      { compare: (profiles) => this.live.compare(profiles), engine });
     this.gpu = new GpuPanel(byId('panel-gpu'), store, this.shelf, { engine, profiles: about.profiles ?? [] });
     this.convert = new ConvertPanel(byId('panel-convert'), (to) => this.live.convert(to));
-    this.shadow = new ShadowPanel(byId('panel-shadow'), store, this.shelf, { engine, meshes: about.meshes ?? [] });
+    this.shadow = new ShadowPanel(byId('panel-shadow'), store, this.shelf, { engine, newEngine, meshes: about.meshes ?? [] });
     this.command = new CommandPanel(byId('panel-command'), () => commandsOf(store.state, this.live.pixel));
     this.forms = new Map((about.forms ?? []).map(({ name, title }) => [name, title]));
     this.profileNames = (about.profiles ?? []).map(({ name }) => name);
@@ -203,11 +209,13 @@ function busyMark() {
 }
 
 async function start() {
-  const engine = new Engine(byId('worker').textContent, await engineScript(), busyMark(), (reason) => say(`${reason}. The text is kept; the next edit draws again.`));
+  const scripts = [byId('worker').textContent, await engineScript()];
+  const engine = new Engine(...scripts, busyMark(), (reason) => say(`${reason}. The text is kept; the next edit draws again.`));
+  const newEngine = () => new Engine(...scripts, () => {}, () => {});
   const store = new Store(await firstState());
   const { answer: about } = await engine.ask({ do: 'about' });
   byId('version').textContent = `ninebit ${about.version ?? ''}`;
-  const page = new Page(store, engine, about);
+  const page = new Page(store, { engine, newEngine }, about);
   page.listen();
   page.showPanel('inputs');
   // For the console and the tests.

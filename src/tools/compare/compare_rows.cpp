@@ -4,28 +4,11 @@
 
 #include "ninebit/image/image_io.h"
 #include "ninebit/shadow/pictures.h"
+#include "src/shadow/ground_truth/cause_plane.h"
 #include "src/tools/common/picture_hashes.h"
 
 namespace ninebit::tools {
 namespace {
-
-constexpr int kFalselyLit = 128;
-
-// The causes of the wrong pixels, the top row first.
-Image8 cause_plane(const GroundTruth& truth, int width, int height) {
-  const auto w = static_cast<std::size_t>(width), h = static_cast<std::size_t>(height);
-  Image8 image{.width = width, .height = height, .channels = 1, .pixels = std::vector<std::uint8_t>(w * h)};
-  for (std::size_t y = 0; y < h; ++y) {
-    for (std::size_t x = 0; x < w; ++x) {
-      const std::size_t from = (h - 1 - y) * w + x;
-      if (truth.cause[from] == ErrorCause::none) continue;
-      const bool lit = truth.truth[from] == PixelTruth::shadowed;
-      image.pixels[y * w + x] =
-          static_cast<std::uint8_t>(static_cast<int>(truth.cause[from]) + (lit ? kFalselyLit : 0));
-    }
-  }
-  return image;
-}
 
 Status judge_row(const Rendering& rendering, const RenderSettings& settings, const GroundTruthScene& rays,
                  const Progress& progress, ComparedRow& row) {
