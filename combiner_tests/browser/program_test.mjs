@@ -62,6 +62,17 @@ test('the keyboard moves the mark and traces', async () => {
   await page.waitForFunction(() => document.getElementById('trace-place').textContent.startsWith('Pixel (21, 30)'));
 });
 
+test('a pixel that several passes drew shows the trace of each', async () => {
+  await openEffect(page, 'index_cube');
+  await clickPixel(page, 300, 240);
+  await page.waitForFunction(() => globalThis.ninebit.page.trace.trace?.effect.pass === 'shadow');
+  await page.select('#trace-place select', 'comparison');
+  await page.waitForFunction(() => globalThis.ninebit.page.trace.trace?.effect.pass === 'comparison');
+  assert.equal(await page.$eval('#trace-place select', ({ value }) => value), 'comparison');
+  await page.select('#trace-place select', 'lit');
+  await page.waitForFunction(() => globalThis.ninebit.page.trace.trace && !globalThis.ninebit.page.trace.trace.stages);
+});
+
 test('every effect of the gallery has its golden hash', async () => {
   const names = await page.$$eval('[data-effect]', (cards) => cards.map((card) => card.dataset.effect));
   assert.ok(names.length >= 15, `${names.length} effects`);

@@ -59,7 +59,7 @@ TEST(PlaygroundProfile, FieldsThatTheArithmeticDoesNotReadGo) {
 TEST(PlaygroundProfile, EveryStepIsValid) {
   std::mt19937 random(1);
   int coupled = 0;
-  for (const char* base : {"geforce2", "nv2a", "geforce256-8bit", "float-shader", "exact"}) {
+  for (const char* base : {"geforce2", "nv2a", "geforce256-8bit", "float-shader", "ideal"}) {
     PageJson profile = base;
     for (int step = 0; step < 150; ++step) {
       const PageJson fields = fields_of(profile);

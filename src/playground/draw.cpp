@@ -164,12 +164,10 @@ Reply Engine::pixel(Request& request) {
     const auto found = std::find_if(pixel.passes.begin(), pixel.passes.end(),
                                     [&](const ProbedPass& pass) { return pass.name == wanted; });
     if (found == pixel.passes.end()) return refusal("no pass " + json::in_quotes(wanted) + " drew into the picture");
-    pixel.pass.reset();
-    pixel.fragment.reset();
-    const ProbedFragment* const decided = deciding_fragment(*found);
-    if (decided != nullptr && found->program) {
-      pixel.pass = static_cast<std::size_t>(found - pixel.passes.begin());
-      pixel.fragment = static_cast<std::size_t>(decided - found->fragments.data());
+    const bool decided = choose_pass(pixel, static_cast<std::size_t>(found - pixel.passes.begin()));
+    if (!decided || !found->program) {
+      pixel.pass.reset();
+      pixel.fragment.reset();
     }
   }
   if (!pixel.fragment) return {trace_answer(heading, nullptr, nullptr), {}};

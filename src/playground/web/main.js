@@ -59,11 +59,11 @@ class Page {
     this.program = new ProgramPane(store, content.programs);
     this.live = new Live(store, engine, this.shelf, {
       read: (answer) => this.read(answer), drawn: (result) => this.drawn(result), failed: (error) => this.failed(error),
-      traced: (trace) => this.trace.show(trace, this.live.pixel),
+      traced: (trace, pass) => this.trace.show(trace, this.live.pixel, pass),
     });
     this.live.effectText = () => this.program.effectText;
     this.picture = new Picture(byId('picture'), (x, y) => this.chosen(x, y));
-    this.trace = new TracePanel(byId('trace'), byId('trace-place'));
+    this.trace = new TracePanel(byId('trace'), byId('trace-place'), (pass) => this.live.trace(pass));
     this.inputs = new InputsPanel(byId('panel-inputs'), store, this.shelf, { textures: about.textures ?? [], meshes: about.meshes ?? [] });
     this.profiles = new ProfilesPanel(byId('panel-profiles'), store, about.profiles ?? [],
       { compare: (profiles) => this.live.compare(profiles), engine });
