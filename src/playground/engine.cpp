@@ -10,8 +10,8 @@ namespace ninebit::playground {
 namespace {
 
 constexpr std::string_view kVerbs =
-    "about, vocabulary, read, convert, trace, profile, edit_profile, put, draw, pixel, compare, shadow, judge or "
-    "judge_rows";
+    "about, vocabulary, read, convert, trace, profile, edit_profile, put, draw, pixel, compare, combiners, shadow, "
+    "judge or judge_rows";
 
 }  // namespace
 
@@ -52,6 +52,7 @@ Reply Engine::reply_to(Request& request, std::string_view verb) {
   if (verb == "draw") return draw(request);
   if (verb == "pixel") return pixel(request);
   if (verb == "compare") return compare(request);
+  if (verb == "combiners") return combiners(request);
   if (verb == "shadow") return shadow_answer(request, shelf_, bytes_);
   if (verb == "judge") return judge(request);
   if (verb == "judge_rows") return judge_rows(request);

@@ -70,6 +70,7 @@ class Engine {
   Reply draw(Request& request);
   Reply pixel(Request& request);
   Reply compare(Request& request);
+  Reply combiners(Request& request);
   Reply judge(Request& request);
   Reply judge_rows(Request& request);
 
