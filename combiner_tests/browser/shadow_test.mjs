@@ -50,6 +50,13 @@ test('each wrong pixel is marked, and a heat map covers more', async () => {
   assert.equal((await marked()).hidden, true);
   await page.select('#mark-wrong', 'points');
   assert.deepEqual(await marked(), { hidden: false, pixels: lit + shadowed });
+  const above = await page.evaluate(() => {
+    const { overlay } = globalThis.ninebit.page.shadow.wrong;
+    overlay.scrollIntoView({ block: 'center' });
+    const { left, top, width, height } = overlay.getBoundingClientRect();
+    return document.elementFromPoint(left + width / 2, top + height / 2) === overlay;
+  });
+  assert.ok(above, 'the marks are over the picture');
   await page.select('#mark-wrong', 'heat');
   const heat = await marked();
   assert.equal(heat.hidden, false);

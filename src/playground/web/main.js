@@ -92,6 +92,14 @@ class Page {
   }
 
   changed(what) {
+    this.show(what);
+    if (what === 'other') this.profiles.update();
+    else this.later();
+    this.link();
+  }
+
+  /** Shows a change in the controls. */
+  show(what) {
     if (what === 'all') {
       this.live.pixel = null;
       this.program.shows = 'program';
@@ -105,9 +113,6 @@ class Page {
       this.showProfile();
       this.profiles.show();
     }
-    if (what === 'other') this.profiles.update();
-    else this.later();
-    this.link();
   }
 
   showProfile() {
@@ -225,7 +230,8 @@ async function start() {
   page.showPanel('inputs');
   // For the console and the tests.
   globalThis.ninebit = { store, engine, page, passOf };
-  page.changed('all');
+  page.show('all');
+  page.link();
   // The words can wait for the first picture.
   await page.refresh();
   const { answer } = await engine.ask({ do: 'vocabulary' });
