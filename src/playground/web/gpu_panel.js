@@ -33,7 +33,7 @@ export class GpuPanel {
    * @param {import('./engine_client.js').Engine} engine
    */
   constructor(parent, store, shelf, engine) {
-    Object.assign(this, { parent, store, shelf, engine });
+    Object.assign(this, { parent, store, shelf, engine, turn: 0 });
     this.result = element('p', { role: 'status', id: 'gpu-result' });
     this.figures = ['The emulator', 'Your GPU', 'Difference'].map((title) => {
       const canvas = element('canvas', { width: 1, height: 1 });
@@ -47,23 +47,26 @@ export class GpuPanel {
 
   async update() {
     if (this.parent.hidden) return;
+    const turn = ++this.turn;
     try {
       if (programOf(this.store.state) === undefined) throw new Error('This pass has no program.');
-      await this.run();
+      await this.run(() => turn === this.turn);
     } catch (error) {
-      if (error instanceof Replaced) return;
+      if (error instanceof Replaced || turn !== this.turn) return;
       this.result.textContent = error.message;
       delete this.result.dataset.count;
       for (const { canvas } of this.figures) canvas.getContext('2d').clearRect(0, 0, canvas.width, canvas.height);
     }
   }
 
-  async run() {
+  /** @param {() => boolean} current whether nothing newer was asked for */
+  async run(current) {
     const { state } = this.store;
     const { effect, files, profile, pass } = state;
     await this.shelf.loadFor(effect);
     const { answer, bytes } = await this.engine.ask({ do: 'combiners', effect, files, profile, pass }, { key: 'gpu' });
     const picture = await this.engine.ask({ do: 'draw', effect, files, profile, hash: false }, { key: 'gpu-draw' });
+    if (!current()) return;
     const fragments = fragmentsOf(answer, bytes);
     const { pixels, framesPerSecond, renderer } = runOnGpu(answer.glsl, { ...fragments, byteShift: answer.byte_shift });
     const difference = new Uint8Array(pixels.length);
