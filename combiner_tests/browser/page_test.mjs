@@ -14,6 +14,15 @@ test('one file of at most 5 MB that names no other', () => {
   assert.doesNotMatch(head, /\b(src|href)="(?!data:)/);
 });
 
+test('the first picture', async (context) => {
+  const page = await openPage(browser);
+  const milliseconds = Number(await page.evaluate(() => document.body.dataset.ready));
+  assert.ok(milliseconds > 0);
+  // A figure, not a limit: the machine may be busy.
+  context.diagnostic(`the first picture was there after ${milliseconds} ms`);
+  assert.deepEqual(page.complaints, []);
+});
+
 test('a phone shows everything without scrolling sideways', async () => {
   const page = await openPage(browser, { width: 390, height: 844 });
   for (const tab of ['inputs', 'explain', 'profiles', 'gpu', 'convert', 'command', 'trace']) {

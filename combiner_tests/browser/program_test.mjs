@@ -1,7 +1,7 @@
 /** What is typed, drawn and traced is what the native program draws and traces. */
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { clickPixel, expectedHashes, folderOf, hashOf, native, nativeFaults, nativeHash, nativeTrace, onePage, openEffect, root, stateOf, type, waitForHash } from './support.mjs';
+import { clickPixel, expectedHashes, hashOf, nativeFaults, nativeHash, nativeTrace, onePage, openEffect, stateOf, type, waitForHash } from './support.mjs';
 
 const page = await onePage();
 
@@ -62,6 +62,17 @@ test('the keyboard moves the mark and traces', async () => {
   await page.waitForFunction(() => document.getElementById('trace-place').textContent.startsWith('Pixel (21, 30)'));
 });
 
+test('a pixel that several passes drew shows the trace of each', async () => {
+  await openEffect(page, 'index_cube');
+  await clickPixel(page, 300, 240);
+  await page.waitForFunction(() => globalThis.ninebit.page.trace.trace?.effect.pass === 'shadow');
+  await page.select('#trace-place select', 'comparison');
+  await page.waitForFunction(() => globalThis.ninebit.page.trace.trace?.effect.pass === 'comparison');
+  assert.equal(await page.$eval('#trace-place select', ({ value }) => value), 'comparison');
+  await page.select('#trace-place select', 'lit');
+  await page.waitForFunction(() => globalThis.ninebit.page.trace.trace && !globalThis.ninebit.page.trace.trace.stages);
+});
+
 test('every effect of the gallery has its golden hash', async () => {
   const names = await page.$$eval('[data-effect]', (cards) => cards.map((card) => card.dataset.effect));
   assert.ok(names.length >= 15, `${names.length} effects`);
@@ -82,14 +93,6 @@ test('a constant, a mesh, a colour and a field of the profile change the picture
     store.change('profile', (state) => { state.profile = { base: 'nv2a', name: 'mine', general_narrowing: 'nearest-halves-up' }; });
   });
   await waitForHash(page, nativeHash(await stateOf(page)));
-});
-
-test('index shadows have the pixels of `ninebit render`', async () => {
-  const { pixels } = native(root, 'render', 'scenes/index_room.gltf', '-o', folderOf({ files: {}, effect: {} }), '--size', '480x360', '--profile', 'geforce2');
-  await page.evaluate(() => globalThis.ninebit.store.change('profile', (state) => { state.profile = 'geforce2'; }));
-  await page.click('#tab-shadow');
-  const text = `${pixels.shadowed.toLocaleString('en')} pixels in shadow, ${pixels.lit.toLocaleString('en')} lit`;
-  await page.waitForFunction((expected) => document.getElementById('shadow-result').textContent.startsWith(expected), {}, text);
 });
 
 test('nothing complained', () => assert.deepEqual(page.complaints, []));

@@ -98,6 +98,29 @@ def check_trace(browser, path):
     check_quiet(browser, path)
 
 
+def check_passes(browser, path):
+    """The page of a pixel goes from pass to pass."""
+    open_page(browser, path)
+    tab = "document.querySelector('.passes [aria-selected=true]')"
+    tabs, first = browser.value(COUNT % ".passes button"), browser.value(tab + ".textContent")
+    expect(tabs == 4 and first == "4. shadow", f"the deciding pass of {tabs} is shown: {first}")
+    boxes = browser.value(COUNT % ".nb-box")
+    browser.value(tab + ".focus()")
+    browser.press("ArrowLeft")
+    expect(browser.value(tab + ".textContent") == "3. lit" and browser.value(COUNT % ".nb-box") == 0,
+           "a pass without a program has no diagram")
+    expect(browser.value("document.querySelector('#pass .note').textContent").startswith("No program"), "and says so")
+    browser.press("ArrowLeft")
+    compared = browser.value(COUNT % ".nb-box")
+    expect(browser.value(tab + ".textContent") == "2. comparison" and compared not in (0, boxes),
+           "an arrow key shows another pass with its own program")
+    x, y, width, height = browser.box(".passes button:nth-child(4)")
+    browser.click(x + width / 2, y + height / 2)
+    expect(browser.value(COUNT % ".nb-box") == boxes, "a click shows the first one again")
+    check_colors_and_phone(browser)
+    check_quiet(browser, path)
+
+
 def check_explanation(browser, path):
     open_page(browser, path)
     boxes, equations = browser.value(COUNT % ".nb-box"), browser.value(COUNT % ".nb-equation")
@@ -117,15 +140,19 @@ def main():
     with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as folder:
         article = os.path.join(folder, "<img src=x onerror=hit=1>.gl")
         shutil.copy(os.path.join(source, "docs/programs/index_compare.gl"), article)
-        trace, explanation = os.path.join(folder, "trace.html"), os.path.join(folder, "explain.html")
+        trace, explanation, passes = (os.path.join(folder, name) for name in ("trace.html", "explain.html", "passes.html"))
         subprocess.run([ninebit, "trace", article, "--set", "primary=10,20,30,255", "--set", "tex0=50,100,150,255", "-o",
                         trace, "--quiet"], check=True)
         subprocess.run([ninebit, "explain", article, "-o", explanation, "--quiet"], check=True)
+        subprocess.run([ninebit, "trace", "--effect", os.path.join(source, "scenes/effects/index_cube.json"), "--pixel",
+                        "300,240", "-o", passes, "--quiet"], check=True)
         browser = Browser(program, os.path.join(folder, "profile"))
         try:
             check_trace(browser, trace)
             browser.session = None
             check_explanation(browser, explanation)
+            browser.session = None
+            check_passes(browser, passes)
         finally:
             browser.close()
     return 1 if report_in_browser.failures else 0

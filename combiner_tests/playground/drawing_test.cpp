@@ -128,5 +128,40 @@ TEST(PlaygroundCompare, CountsThePixelsThatDiffer) {
   EXPECT_EQ(ask(engine, request)["difference"]["pixels"], 0);
 }
 
+TEST(PlaygroundDrawing, RecordsWhatThePassCombines) {
+  Engine engine;
+  PageJson request = draw_request();
+  request["do"] = "combiners";
+  request["pass"] = 0;
+  const PageJson answer = ask(engine, request);
+  ASSERT_EQ(fault_of_answer(answer), "");
+  EXPECT_EQ(answer["drawn"], 32 * 16);
+  const std::vector<std::string> names = answer["registers"];
+  ASSERT_EQ(names.size(), 8U);
+  const std::size_t plane = 32 * 16 * 4;
+  ASSERT_EQ(engine.bytes().size(), names.size() * plane * 2 + plane + 32 * 16);
+  const auto code = [&](const std::string& name, std::size_t pixel, std::size_t component) {
+    const auto reg = static_cast<std::size_t>(std::find(names.begin(), names.end(), name) - names.begin());
+    const std::size_t at = reg * plane * 2 + (pixel * 4 + component) * 2;
+    return static_cast<std::int16_t>(engine.bytes()[at] | (engine.bytes()[at + 1] << 8));
+  };
+  const std::uint8_t* const output = engine.bytes().data() + names.size() * plane * 2;
+  for (std::size_t i = 0; i < 32 * 16; ++i) {
+    // The program is the texel times the primary colour, 1, 0.5, 0.25.
+    EXPECT_EQ(code("primary", i, 2), 64);
+    EXPECT_EQ(output[4 * i + 2], code("tex0", i, 2) * 64 / 255) << i;
+    EXPECT_EQ(engine.bytes()[names.size() * plane * 2 + plane + i], 1);
+  }
+  EXPECT_NE(answer["glsl"].get<std::string>().find("ivec4 ninebit_combine("), std::string::npos);
+  request["pass"] = 1;
+  EXPECT_NE(fault_of_answer(ask(engine, request)), "");
+  request["pass"] = 0;
+  request["size"] = {2048, 1024};
+  EXPECT_NE(fault_of_answer(ask(engine, request)).find("at most 1048576"), std::string::npos);
+  request["effect"]["passes"][0].erase("program");
+  request["size"] = {32, 16};
+  EXPECT_NE(fault_of_answer(ask(engine, request)).find("has no program"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace ninebit::test

@@ -1,12 +1,24 @@
 // Index shadows in the playground.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "combiner_tests/playground/support.h"
+#include "ninebit/scene/scene_io.h"
+#include "ninebit/shadow/ground_truth.h"
+#include "ninebit/shadow/index_cube.h"
 
 namespace ninebit::test {
 namespace {
+
+Scene room() {
+  auto read = read_scene(NINEBIT_SOURCE_DIR "/scenes/index_room.gltf");
+  if (!read) throw std::runtime_error(read.error().text());
+  return std::move(*read);
+}
 
 TEST(PlaygroundShadow, DrawsTheRoomAndItsCube) {
   Engine engine;
@@ -32,6 +44,80 @@ TEST(PlaygroundShadow, DrawsTheRoomAndItsCube) {
   EXPECT_EQ(other["view"]["fov"], 40);
   moved["order"] = "neighbour";
   EXPECT_EQ(ask(engine, moved)["order"]["used"], "neighbour");
+}
+
+// The last answer of a judgement, some rows at a time.
+PageJson judge_by_rows(Engine& engine, PageJson request, int rows) {
+  request["do"] = "judge";
+  PageJson answer = ask(engine, request);
+  EXPECT_EQ(fault_of_answer(answer), "");
+  EXPECT_EQ(answer["judged"], 0);
+  for (int judged = 0; judged < answer["height"];) {
+    EXPECT_FALSE(answer.contains("errors"));
+    answer = ask(engine, {{"do", "judge_rows"}, {"rows", rows}});
+    if (!fault_of_answer(answer).empty()) return answer;
+    EXPECT_EQ(answer["judged"], std::min(judged + rows, answer["height"].get<int>()));
+    judged = answer["judged"];
+  }
+  return answer;
+}
+
+TEST(PlaygroundShadow, CountsWrongPixelsByRaysSomeRowsAtATime) {
+  Engine engine;
+  const PageJson request{{"size", {80, 60}}, {"map_size", 64}, {"profile", "nv2a"}};
+  const PageJson answer = judge_by_rows(engine, request, 7);
+  ASSERT_EQ(fault_of_answer(answer), "");
+  // The same scene, judged with Embree.
+  auto read = complete_scene(room(), {}, 80.0F / 60.0F);
+  ASSERT_TRUE(read);
+  RenderSettings settings;
+  settings.width = 80;
+  settings.height = 60;
+  settings.map_size = 64;
+  settings.profile = profiles::nv2a;
+  settings.evidence = true;
+  const auto rendering = render_index_cube(*read, settings, {});
+  ASSERT_TRUE(rendering);
+  const auto rays = GroundTruthScene::make(*read);
+  ASSERT_TRUE(rays);
+  const auto truth = measure(*rays, settings, *rendering);
+  ASSERT_TRUE(truth);
+  EXPECT_GT(truth->false_lit + truth->false_shadowed, 100U);
+  EXPECT_EQ(answer["errors"]["false_lit"], truth->false_lit);
+  EXPECT_EQ(answer["errors"]["false_shadowed"], truth->false_shadowed);
+  for (const ErrorCause cause : causes_of(*rendering->evidence)) {
+    EXPECT_EQ(answer["errors"]["by_cause"][std::string(name_of(cause))],
+              truth->by_cause[static_cast<std::size_t>(cause)]);
+  }
+  EXPECT_EQ(answer["pixels"]["lit"], rendering->lit);
+  ASSERT_EQ(engine.bytes().size(), 80U * 60U);
+  // From the top, and falsely lit pixels have 128 more.
+  std::size_t lit = 0;
+  for (std::size_t i = 0; i < truth->cause.size(); ++i) {
+    const std::uint8_t byte = engine.bytes()[(59 - i / 80) * 80 + i % 80];
+    ASSERT_EQ(byte & 127, static_cast<int>(truth->cause[i])) << i;
+    lit += byte >> 7;
+  }
+  EXPECT_EQ(lit, truth->false_lit);
+  EXPECT_EQ(judge_by_rows(engine, request, 60), answer) << "all rows at once";
+  EXPECT_NE(fault_of_answer(ask(engine, {{"do", "judge_rows"}, {"rows", 1}})).find("nothing is being judged"),
+            std::string::npos);
+}
+
+TEST(PlaygroundShadow, ANewJudgementReplacesTheOneThatRuns) {
+  Engine engine;
+  const PageJson coarse{{"size", {40, 30}}, {"map_size", 32}}, fine{{"size", {40, 30}}, {"map_size", 256}};
+  const PageJson expected = judge_by_rows(engine, fine, 30);
+  PageJson begun = coarse;
+  begun["do"] = "judge";
+  ask(engine, begun);
+  ask(engine, {{"do", "judge_rows"}, {"rows", 10}});
+  EXPECT_EQ(judge_by_rows(engine, fine, 11), expected);
+  EXPECT_NE(judge_by_rows(engine, coarse, 11)["errors"], expected["errors"]);
+  // What cannot be rendered leaves nothing to judge.
+  begun["map_size"] = 33;
+  EXPECT_NE(fault_of_answer(ask(engine, begun)), "");
+  EXPECT_NE(fault_of_answer(ask(engine, {{"do", "judge_rows"}, {"rows", 1}})), "");
 }
 
 TEST(PlaygroundShadow, ReadsAMeshThatWasPut) {

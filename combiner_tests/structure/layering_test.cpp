@@ -33,7 +33,7 @@ const std::map<std::string, std::vector<std::string>> kFolders{
     {"image", {"output", "texture", "openimageio", "module"}},
     {"shadow",
      {"frame", "index_order", "index_cube", "depth_cube", "shadow_map", "shadow_volume", "reflective", "light_cookie",
-      "ground_truth", "", "files", "emscripten"}},
+      "ground_truth", "embree", "", "files", "emscripten"}},
     {"effect", {"", "files"}},
     {"playground", {"", "emscripten"}},
     {"gl_layer", {"driver", "shader", "context", "draw", "capture", "calls"}},

@@ -53,6 +53,8 @@ TEST(Compare, RowsAreThoseOfRender) {
   EXPECT_NE(row["hash"]["index_map"], object["rows"][0]["hash"]["index_map"]);
   EXPECT_EQ(row["map_bytes"], 6 * 32 * 32 * 2);
   EXPECT_EQ(row["passes"], 10);
+  EXPECT_EQ(row["drawn"],
+            Json({"map +X", "map -X", "map +Y", "map -Y", "map +Z", "map -Z", "depth", "comparison", "lit", "shadow"}));
   EXPECT_EQ(row["texture_units"], 1);
 }
 

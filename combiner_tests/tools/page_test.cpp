@@ -48,13 +48,14 @@ std::vector<std::string> with(std::vector<std::string> arguments, const std::vec
 
 TEST_F(Pages, ATraceHasItsJsonAndItsText) {
   const std::string page = page_of(kArticleFragment);
-  EXPECT_EQ(data_of(page, "trace"), json_of(ninebit(with(kArticleFragment, {"--json"}))));
-  EXPECT_EQ(data_of(page, "explanation")["rows"], json_of(ninebit({"explain", kArticle, "--json"}))["rows"]);
+  const Json pass = data_of(page, "passes")["passes"].at(0);
+  EXPECT_EQ(pass["trace"], json_of(ninebit(with(kArticleFragment, {"--json"}))));
+  EXPECT_EQ(pass["explanation"]["rows"], json_of(ninebit({"explain", kArticle, "--json"}))["rows"]);
   EXPECT_NE(page.find("<dt>Out</dt><dd>bytes 0, 0, 0, 1</dd>"), std::string::npos);
   ::unsetenv("COLUMNS");
   const std::string text = ninebit(kArticleFragment).out;
   EXPECT_NE(page.find(text.substr(0, text.find('<'))), std::string::npos);
-  EXPECT_EQ(occurrences(page, "\ntraceDiagram("), 1U);
+  EXPECT_EQ(occurrences(page, "\npassSwitch("), 1U);
 }
 
 TEST_F(Pages, AnExplanationHasTheProgram) {
@@ -84,17 +85,17 @@ TEST_F(Pages, HostileNamesAreShownAndNotRun) {
   std::filesystem::create_directories(inner);
   const std::string program = inner + "/<b>.gl";
   write_bytes(program, read_bytes(kArticle));
-  for (const std::vector<std::string>& arguments :
-       {std::vector<std::string>{"trace", program}, std::vector<std::string>{"explain", program}}) {
-    const std::string page = page_of(arguments);
-    EXPECT_EQ(occurrences(page, "<script"), 3U);
-    EXPECT_EQ(occurrences(page, "</script"), 3U);
+  for (const std::string verb : {"trace", "explain"}) {
+    const std::string page = page_of({verb, program});
+    const std::size_t scripts = verb == "trace" ? 2 : 3;  // with one element of data, or two
+    EXPECT_EQ(occurrences(page, "<script"), scripts);
+    EXPECT_EQ(occurrences(page, "</script"), scripts);
     EXPECT_EQ(occurrences(page, "<img"), 0U);
     EXPECT_EQ(occurrences(page, "<b>"), 0U);
     EXPECT_GE(occurrences(page, "a&lt;/script&gt;&lt;img src=x onerror=alert(1)&gt;&amp;'&quot;/&lt;b&gt;.gl"), 2U);
   }
-  const Json trace = data_of(page_of({"trace", program}), "trace");
-  EXPECT_EQ(trace["program"], program);
+  const Json passes = data_of(page_of({"trace", program}), "passes")["passes"];
+  EXPECT_EQ(passes.at(0)["trace"]["program"], program);
 }
 
 TEST_F(Pages, JsonNamesTheFile) {
@@ -126,11 +127,43 @@ TEST_F(Pages, APixelAndAPixelWithoutFragment) {
   const std::string effect = NINEBIT_SOURCE_DIR "/scenes/effects/dot3_specular.json";
   const std::string drawn = page_of({"trace", "--effect", effect, "--pixel", "128,80"});
   EXPECT_NE(drawn.find("<h1>Pixel 128,80 of "), std::string::npos);
-  EXPECT_EQ(data_of(drawn, "trace")["effect"]["pixel"], Json({128, 80}));
+  EXPECT_EQ(data_of(drawn, "passes")["passes"].at(0)["trace"]["effect"]["pixel"], Json({128, 80}));
   const std::string sky = page_of({"trace", "--scene", kRoom, "--pixel", "3,4", "--size", "20x20", "--light", "0,1,0",
                                    "--camera", "0,50,0", "--look-at", "0,90,1", "--floor", "none"});
   EXPECT_EQ(occurrences(sky, "<script"), 0U);
   EXPECT_NE(sky.find("no fragment to trace"), std::string::npos);
+}
+
+// Each pass that drew here has its own trace, whose colour is that of its fragment.
+TEST_F(Pages, EveryPassThatDrewAtAPixel) {
+  const std::vector<std::string> room{"trace", "--scene", kRoom, "--size", "80x60", "--pixel", "40,50"};
+  const std::vector<std::string> effect{"trace", "--effect", NINEBIT_SOURCE_DIR "/scenes/effects/index_cube.json",
+                                        "--pixel", "300,240"};
+  for (const auto& arguments : {room, effect}) {
+    const Json object = json_of(ninebit(with(arguments, {"--json", "--quiet"})));
+    const Json& pixel = object[object.contains("scene") ? "scene" : "effect"];
+    const Json drawn = data_of(page_of(arguments), "passes");
+    EXPECT_EQ(drawn["passes"].at(drawn["first"].get<std::size_t>())["trace"], object) << "shown first";
+    std::size_t number = 0, traced = 0;
+    for (const Json& pass : pixel["passes"]) {
+      if (pass["fragments"].empty()) continue;
+      ASSERT_LT(number, drawn["passes"].size());
+      const Json& shown = drawn["passes"][number++];
+      EXPECT_EQ(shown["name"], pass["name"]);
+      const bool has_program = pass["has_program"];
+      EXPECT_EQ(shown["notes"].size(), pass["fragments"].size() + (has_program ? 0 : 1));
+      ASSERT_EQ(shown.contains("trace"), has_program);
+      if (!has_program) continue;
+      ++traced;
+      const Json& trace = shown["trace"];
+      const Json& of = trace[object.contains("scene") ? "scene" : "effect"];
+      EXPECT_EQ(of["pass"], pass["name"]);
+      EXPECT_EQ(trace["out"]["bytes"], pass["fragments"].at(of["fragment"].get<std::size_t>())["color"]);
+    }
+    EXPECT_EQ(number, drawn["passes"].size());
+    EXPECT_GE(number, 2U);
+    EXPECT_GE(traced, 1U);
+  }
 }
 
 }  // namespace

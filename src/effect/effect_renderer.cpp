@@ -7,6 +7,7 @@
 
 #include "ninebit/raster/prepared_draw.h"
 #include "ninebit/raster/rasterizer.h"
+#include "src/effect/combiner_record.h"
 #include "src/effect/effect_inputs.h"
 #include "src/effect/effect_layers.h"
 #include "src/effect/effect_targets.h"
@@ -48,6 +49,7 @@ struct EffectRenderer::Prepared {
   std::vector<double> times{};
   std::deque<Layer> layers{};
   std::vector<ProbedPass> probed{};
+  CombinerRecord recorded{};
   PreparedDraw geometry{};  // of a pass; keeps its memory for the next one
 
   Status load(const EffectReaders& readers);
@@ -57,8 +59,6 @@ struct EffectRenderer::Prepared {
   Status set_primary(const EffectPass& pass, const VertexInputs& inputs, PreparedPass& prepared) const;
   Status draw_pass(std::size_t number);
   Status draw_face(std::size_t number, RenderTarget& target, const glm::mat4& projection, bool is_first);
-  // The clear before a pass, as part of the draw; empty if only some planes are cleared, which is done here.
-  Result<std::optional<ClearValues>> clear_for(const EffectClear& clear, RenderTarget& target, bool is_first) const;
 };
 
 namespace {
@@ -228,27 +228,11 @@ Status EffectRenderer::Prepared::draw_pass(std::size_t number) {
   return {};
 }
 
-Result<std::optional<ClearValues>> EffectRenderer::Prepared::clear_for(const EffectClear& c, RenderTarget& target,
-                                                                       bool is_first) const {
-  const bool has_stencil = stencil_bits(target.format) > 0;
-  ClearValues values;
-  if (c.color) values.color = c.values.color;
-  if (c.depth) values.depth = c.values.depth;
-  if (c.stencil) values.stencil = c.values.stencil;
-  if (is_first || (c.color && c.depth && (c.stencil || !has_stencil))) return std::optional(values);
-  if (c.color || c.depth || c.stencil) {
-    PipelineState everything;
-    Status cleared = clear(everything, {c.color, c.depth, c.stencil && has_stencil}, c.values, target);
-    if (!cleared) return cleared.error();
-  }
-  return std::optional<ClearValues>();
-}
-
 Status EffectRenderer::Prepared::draw_face(std::size_t number, RenderTarget& target, const glm::mat4& projection,
                                            bool is_first) {
   const EffectPass& said = effect.passes[number];
   const PreparedPass& pass = passes[number];
-  const auto cleared = clear_for(said.clear, target, is_first);
+  const auto cleared = clear_before_pass(said.clear, target, is_first);
   if (!cleared) return cleared.error();
   VertexArrays arrays{.positions = pass.positions, .indices = index_list(pass.scene->triangles)};
   if (said.primary.source == VertexSource::index) {
@@ -269,6 +253,11 @@ Status EffectRenderer::Prepared::draw_face(std::size_t number, RenderTarget& tar
     arrays.texture_q[i] = pass.coordinates[i].q;
   }
   const std::span<const TextureUnit> units(all.data(), used);
+  if (options.recorded_pass == number && pass.state.program) {
+    auto made = record_combiners({pass.state, projection, arrays, units, *cleared}, target);
+    if (!made) return made.error();
+    recorded = std::move(*made);
+  }
   const bool on_picture = said.target == kPictureTarget;
   if (on_picture && options.layers) capture_registers(layers, said.name, target);
   FragmentProbe probe;
@@ -312,6 +301,10 @@ const std::deque<Layer>& EffectRenderer::layers() const {
 
 const std::vector<ProbedPass>& EffectRenderer::probed() const {
   return prepared_->probed;
+}
+
+const CombinerRecord& EffectRenderer::recorded() const {
+  return prepared_->recorded;
 }
 
 }  // namespace ninebit

@@ -4,6 +4,7 @@
 #include <array>
 #include <utility>
 
+#include "ninebit/raster/rasterizer.h"
 #include "src/effect/effect_inputs.h"
 #include "src/effect/effect_words.h"
 
@@ -82,6 +83,21 @@ Result<Texture> EffectTargets::texture(const EffectTexture& texture) {
     return fault_in("texture " + effect_detail::in_quotes(texture.name), checked.error());
   }
   return view;
+}
+
+Result<std::optional<ClearValues>> clear_before_pass(const EffectClear& c, RenderTarget& target, bool is_first) {
+  const bool has_stencil = stencil_bits(target.format) > 0;
+  ClearValues values;
+  if (c.color) values.color = c.values.color;
+  if (c.depth) values.depth = c.values.depth;
+  if (c.stencil) values.stencil = c.values.stencil;
+  if (is_first || (c.color && c.depth && (c.stencil || !has_stencil))) return std::optional(values);
+  if (c.color || c.depth || c.stencil) {
+    PipelineState everything;
+    Status cleared = clear(everything, {c.color, c.depth, c.stencil && has_stencil}, c.values, target);
+    if (!cleared) return cleared.error();
+  }
+  return std::optional<ClearValues>();
 }
 
 }  // namespace ninebit

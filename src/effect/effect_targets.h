@@ -1,6 +1,7 @@
 // The surfaces that an effect draws into.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -45,5 +46,10 @@ class EffectTargets {
   };
   std::vector<Target> targets_{};
 };
+
+// The clear before a pass, as part of its draw; empty if only some planes are cleared, which is done here. `is_first`:
+// the target holds nothing yet. Reports what clear() reports.
+[[nodiscard]] Result<std::optional<ClearValues>> clear_before_pass(const EffectClear& clear, RenderTarget& target,
+                                                                   bool is_first);
 
 }  // namespace ninebit

@@ -97,11 +97,19 @@ void choose_fragment(TracedPixel& pixel, bool other_program) {
   for (std::size_t i = 0; i < pixel.passes.size(); ++i) {
     const ProbedPass& pass = pixel.passes[i];
     if (any_program ? !pass.program : !other_program) continue;
-    const ProbedFragment* decided = deciding_fragment(pass);
-    if (decided == nullptr) continue;
-    pixel.pass = i;
-    pixel.fragment = static_cast<std::size_t>(decided - pass.fragments.data());
+    if (deciding_fragment(pass) != nullptr) choose_pass(pixel, i);
   }
+}
+
+bool choose_pass(TracedPixel& pixel, std::size_t pass) {
+  const ProbedPass& chosen = pixel.passes[pass];
+  const ProbedFragment* const decided = deciding_fragment(chosen);
+  pixel.pass.reset();
+  pixel.fragment.reset();
+  if (decided == nullptr) return false;
+  pixel.pass = pass;
+  pixel.fragment = static_cast<std::size_t>(decided - chosen.fragments.data());
+  return true;
 }
 
 AnswerJson trace_answer(const TraceHeading& heading, const Program* program, const Trace* traced) {

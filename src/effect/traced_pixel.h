@@ -40,6 +40,9 @@ struct TracedPixel {
 // program, so that any pass is accepted if none has a program.
 void choose_fragment(TracedPixel& pixel, bool other_program);
 
+// Selects the fragment that decided pass number `pass`; empty, and false, if no fragment did.
+bool choose_pass(TracedPixel& pixel, std::size_t pass);
+
 // "written", "depth test failed", …
 [[nodiscard]] std::string_view text_of_fate(FragmentFate fate);
 

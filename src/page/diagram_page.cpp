@@ -26,7 +26,7 @@ std::string diagram_script() {
   std::string script;
   for (const std::string_view module :
        {kDiagramStyleModule, kDiagramLayoutModule, kDiagramWordsModule, kDiagramPartsModule, kTraceModelModule,
-        kProgramModelModule, kTraceDiagramModule}) {
+        kProgramModelModule, kTraceDiagramModule, kPassSwitchModule}) {
     append_plain_script(script, module);
   }
   return script;
@@ -83,7 +83,7 @@ std::string script_json(const std::string& json) {
 }
 
 std::string diagram_page(const DiagramPage& page) {
-  const bool traced = !page.trace.empty(), drawn = traced || !page.program.empty();
+  const bool traced = !page.passes.empty(), drawn = traced || !page.program.empty();
   const std::string title = escaped_markup(page.title);
   // The policy makes browsers refuse all external resources.
   std::string out =
@@ -102,13 +102,13 @@ std::string diagram_page(const DiagramPage& page) {
   out += std::string("<details") + (drawn ? "" : " open") + "><summary>As text</summary>\n<pre tabindex=\"0\">" +
          escaped_markup(page.text) + "</pre></details>\n</main>\n";
   if (drawn) {
-    out += data_element("trace", page.trace) + data_element("program", page.program) +
+    out += data_element("passes", page.passes) + data_element("program", page.program) +
            data_element("explanation", page.explanation) + "<script type=\"module\">\n" + diagram_script() +
            "const readData = (id) => JSON.parse(document.getElementById(id)?.textContent ?? 'null');\n"
-           "const options = { explanation: readData('explanation') ?? undefined };\n"
            "const diagramElement = document.getElementById('diagram');\n" +
-           (traced ? "traceDiagram(diagramElement, readData('trace'), options);\n"
-                   : "programDiagram(diagramElement, readData('program'), options);\n") +
+           (traced ? "passSwitch(diagramElement, readData('passes'));\n"
+                   : "programDiagram(diagramElement, readData('program'), { explanation: readData('explanation') ?? "
+                     "undefined });\n") +
            "</script>\n";
   }
   return out + "</body>\n</html>\n";

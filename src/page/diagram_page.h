@@ -1,4 +1,4 @@
-// Pages with the diagram of a fragment's trace, or of a program. They need no other file and load nothing.
+// Pages with the diagrams of a pixel's traces, or of a program. They need no other file and load nothing.
 #pragma once
 
 #include <string>
@@ -12,9 +12,9 @@ struct DiagramPage {
   std::string kind{};                                        // above the title: "ninebit trace"
   std::string title{};                                       // of the page
   std::vector<std::pair<std::string, std::string>> facts{};  // names and values, in this order
-  std::string trace{};                                       // as `ninebit trace --json` prints it; empty: no fragment
-  std::string program{};                                     // the program's canonical JSON form, if there is no trace
-  std::string explanation{};                                 // as `ninebit explain --json` prints it
+  std::string passes{};                                      // traces, as pass_switch.js reads them; empty: none
+  std::string program{};                                     // its canonical JSON form, if there is no trace
+  std::string explanation{};                                 // of the program, as `ninebit explain --json` prints it
   std::string text{};                                        // the same for people, lines of text
 };
 

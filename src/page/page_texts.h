@@ -13,5 +13,6 @@ extern const std::string_view kDiagramPartsModule;   // web/diagram_elements.js
 extern const std::string_view kTraceModelModule;     // web/trace_model.js
 extern const std::string_view kProgramModelModule;   // web/program_model.js
 extern const std::string_view kTraceDiagramModule;   // web/trace_diagram.js
+extern const std::string_view kPassSwitchModule;     // web/pass_switch.js
 
 }  // namespace ninebit

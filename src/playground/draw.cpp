@@ -11,50 +11,8 @@
 namespace ninebit::playground {
 namespace {
 
-// What an effect's request says besides its profiles. Faults of the effect's own text are in `refused`.
-struct AskedEffect {
-  LastDrawing what{};
-  std::optional<Reply> refused{};
-};
-
 void read_texts(Request& request, LastDrawing& what) {
   for (auto& [name, text] : request.texts("files")) what.files.insert_or_assign(name, std::move(text));
-}
-
-AskedEffect asked_effect(Request& request) {
-  AskedEffect out;
-  const std::string text = request.inner("effect");
-  out.what.name = request.word_or("name", "effect");
-  read_texts(request, out.what);
-  if (request.failed()) {
-    out.refused = request.refused();
-    return out;
-  }
-  auto parsed = parse_effect({text, "effect"});
-  if (!parsed) {
-    out.refused = refusals(std::move(parsed.faults), text);
-    return out;
-  }
-  out.what.effect = std::move(*parsed.value);
-  request.picture_size(out.what.effect.width, out.what.effect.height);
-  if (request.failed()) out.refused = request.refused();
-  return out;
-}
-
-// The request's profile, else the effect's, else geforce2.
-std::optional<Reply> choose_drawn_profile(Request& request, LastDrawing& what) {
-  if (request.has("profile") || what.effect.profile.empty()) {
-    what.profile = request.profile("profile");
-    if (request.failed()) return request.refused();
-    return std::nullopt;
-  }
-  const HardwareProfile* const shipped = find_profile(what.effect.profile);
-  if (shipped == nullptr) {
-    return refusal("profile " + json::in_quotes(what.effect.profile) + " is unknown; expected one that `about` lists",
-                   "effect");
-  }
-  what.profile.shipped = shipped;
-  return std::nullopt;
 }
 
 Json pass_names(const Effect& effect) {
@@ -82,6 +40,41 @@ Json append_difference(std::vector<std::uint8_t>& bytes, std::size_t each) {
 }
 
 }  // namespace
+
+AskedEffect asked_effect(Request& request) {
+  AskedEffect out;
+  const std::string text = request.inner("effect");
+  out.what.name = request.word_or("name", "effect");
+  read_texts(request, out.what);
+  if (request.failed()) {
+    out.refused = request.refused();
+    return out;
+  }
+  auto parsed = parse_effect({text, "effect"});
+  if (!parsed) {
+    out.refused = refusals(std::move(parsed.faults), text);
+    return out;
+  }
+  out.what.effect = std::move(*parsed.value);
+  request.picture_size(out.what.effect.width, out.what.effect.height);
+  if (request.failed()) out.refused = request.refused();
+  return out;
+}
+
+std::optional<Reply> choose_drawn_profile(Request& request, LastDrawing& what) {
+  if (request.has("profile") || what.effect.profile.empty()) {
+    what.profile = request.profile("profile");
+    if (request.failed()) return request.refused();
+    return std::nullopt;
+  }
+  const HardwareProfile* const shipped = find_profile(what.effect.profile);
+  if (shipped == nullptr) {
+    return refusal("profile " + json::in_quotes(what.effect.profile) + " is unknown; expected one that `about` lists",
+                   "effect");
+  }
+  what.profile.shipped = shipped;
+  return std::nullopt;
+}
 
 Drawn draw_effect(const LastDrawing& what, const Shelf& shelf, const EffectOptions& options) {
   Drawn drawn;
@@ -164,12 +157,10 @@ Reply Engine::pixel(Request& request) {
     const auto found = std::find_if(pixel.passes.begin(), pixel.passes.end(),
                                     [&](const ProbedPass& pass) { return pass.name == wanted; });
     if (found == pixel.passes.end()) return refusal("no pass " + json::in_quotes(wanted) + " drew into the picture");
-    pixel.pass.reset();
-    pixel.fragment.reset();
-    const ProbedFragment* const decided = deciding_fragment(*found);
-    if (decided != nullptr && found->program) {
-      pixel.pass = static_cast<std::size_t>(found - pixel.passes.begin());
-      pixel.fragment = static_cast<std::size_t>(decided - found->fragments.data());
+    const bool decided = choose_pass(pixel, static_cast<std::size_t>(found - pixel.passes.begin()));
+    if (!decided || !found->program) {
+      pixel.pass.reset();
+      pixel.fragment.reset();
     }
   }
   if (!pixel.fragment) return {trace_answer(heading, nullptr, nullptr), {}};

@@ -54,6 +54,16 @@ class ShelfReaders {
   std::vector<std::string> warnings_{};
 };
 
+// What an effect's request says besides its profiles. Faults of the effect's own text are in `refused`.
+struct AskedEffect {
+  LastDrawing what{};
+  std::optional<Reply> refused{};
+};
+[[nodiscard]] AskedEffect asked_effect(Request& request);
+
+// Takes the request's profile, else the effect's, else geforce2. Returns why it cannot.
+[[nodiscard]] std::optional<Reply> choose_drawn_profile(Request& request, LastDrawing& what);
+
 // An effect that was drawn, or why it was not.
 struct Drawn {
   std::optional<EffectRenderer> renderer{};

@@ -2,15 +2,21 @@
 
 #include <utility>
 
+#include "src/playground/judging.h"
 #include "src/playground/shadow_answer.h"
 #include "src/playground/texts.h"
 
 namespace ninebit::playground {
 namespace {
 
-constexpr std::string_view kVerbs = "about, vocabulary, read, convert, trace, put, draw, pixel, compare or shadow";
+constexpr std::string_view kVerbs =
+    "about, vocabulary, read, convert, trace, profile, edit_profile, put, draw, pixel, compare, combiners, shadow, "
+    "judge or judge_rows";
 
 }  // namespace
+
+Engine::Engine() = default;
+Engine::~Engine() = default;
 
 std::string Engine::answer(std::string_view request) {
   bytes_.clear();
@@ -40,11 +46,16 @@ Reply Engine::reply_to(Request& request, std::string_view verb) {
   if (verb == "read") return read_text(request);
   if (verb == "convert") return convert_text(request);
   if (verb == "trace") return trace_text(request);
+  if (verb == "profile") return list_profile(request);
+  if (verb == "edit_profile") return edit_profile(request);
   if (verb == "put") return put(request);
   if (verb == "draw") return draw(request);
   if (verb == "pixel") return pixel(request);
   if (verb == "compare") return compare(request);
+  if (verb == "combiners") return combiners(request);
   if (verb == "shadow") return shadow_answer(request, shelf_, bytes_);
+  if (verb == "judge") return judge(request);
+  if (verb == "judge_rows") return judge_rows(request);
   request.reader().fault(request.find("do")->offset,
                          json::in_quotes(verb) + " is not a request; expected " + std::string(kVerbs));
   return request.refused();
@@ -92,6 +103,24 @@ Reply Engine::put(Request& request) {
   }
   buffer_ = {};
   return {std::move(out), {}};
+}
+
+Reply Engine::judge(Request& request) {
+  judging_.reset();  // its memory may be needed
+  Reply refused;
+  judging_ = Judging::begin(request, shelf_, refused);
+  if (!judging_) return refused;
+  return {judging_->progress(), {}};
+}
+
+Reply Engine::judge_rows(Request& request) {
+  request.allow({"rows"});
+  const int rows = request.number("rows", 1, kMaxDrawnSide);
+  if (request.failed()) return request.refused();
+  if (!judging_) return refusal("nothing is being judged");
+  Reply reply = judging_->judge(rows, bytes_);
+  if (judging_->done()) judging_.reset();
+  return reply;
 }
 
 }  // namespace ninebit::playground

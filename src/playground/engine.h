@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -43,10 +44,18 @@ struct LastDrawing {
   std::map<std::string, std::string, std::less<>> files{};  // the texts of the request
 };
 
-// Answers one request after the other. It keeps what is put and the last drawing; nothing else that is asked changes an
-// answer. The same requests give the same answers, byte for byte, on every machine.
+class Judging;
+
+// Answers one request after the other. It keeps what is put, the last drawing and the shadows that are being judged;
+// nothing else that is asked changes an answer. The same requests give the same answers, byte for byte, on every
+// machine.
 class Engine {
  public:
+  Engine();
+  ~Engine();
+  Engine(const Engine&) = delete;
+  Engine& operator=(const Engine&) = delete;
+
   // One JSON object. A request that is not one, or asks for something that is not there, is answered by a fault.
   [[nodiscard]] std::string answer(std::string_view request);
   // Memory for the next "put". Its content is that of the last call, cut or extended by zeros; more than kMaxPutBytes
@@ -61,11 +70,15 @@ class Engine {
   Reply draw(Request& request);
   Reply pixel(Request& request);
   Reply compare(Request& request);
+  Reply combiners(Request& request);
+  Reply judge(Request& request);
+  Reply judge_rows(Request& request);
 
   Shelf shelf_{};
   std::vector<std::uint8_t> buffer_{};
   std::vector<std::uint8_t> bytes_{};
   std::optional<LastDrawing> last_{};
+  std::unique_ptr<Judging> judging_;
 };
 
 }  // namespace ninebit::playground

@@ -114,13 +114,14 @@ Json view_of(const Scene& scene) {
 
 }  // namespace
 
-Reply shadow_answer(Request& request, const Shelf& shelf, std::vector<std::uint8_t>& bytes) {
+std::optional<Reply> ask_for_shadow(Request& request, const Shelf& shelf, ShadowRequest& out) {
   request.allow(
       {"scene", "step", "map_size", "profile", "order", "camera", "light", "size", "cartoon", "light_facing"});
   AskedShadow asked = asked_shadow(request);
-  const ChosenProfile chosen = request.profile("profile");
+  out.profile = request.profile("profile");
   if (request.failed()) return request.refused();
-  asked.settings.profile = chosen.profile();
+  out.settings = asked.settings;
+  out.settings.profile = out.profile.profile();
   const bool generated = is_generated_mesh(asked.scene);
   if (generated) {
     if (std::string complaint = complaint_about_mesh(asked.scene); !complaint.empty())
@@ -128,23 +129,30 @@ Reply shadow_answer(Request& request, const Shelf& shelf, std::vector<std::uint8
   }
   auto scene = generated ? generated_mesh(asked.scene) : shelf_scene(asked.scene, shelf, std::nullopt);
   if (!scene) return refusal(scene.error());
-  const float aspect = static_cast<float>(asked.settings.width) / static_cast<float>(asked.settings.height);
+  const float aspect = static_cast<float>(out.settings.width) / static_cast<float>(out.settings.height);
   auto complete = complete_scene(std::move(*scene), asked.setup, aspect);
   if (!complete) return refusal(complete.error());
-  const auto rendering = render_index_cube(*complete, asked.settings, {});
+  out.scene = std::move(*complete);
+  return std::nullopt;
+}
+
+Reply shadow_answer(Request& request, const Shelf& shelf, std::vector<std::uint8_t>& bytes) {
+  ShadowRequest asked;
+  if (auto refused = ask_for_shadow(request, shelf, asked)) return std::move(*refused);
+  const auto rendering = render_index_cube(asked.scene, asked.settings, {});
   if (!rendering) return refusal(rendering.error());
   const Image8 picture = color_picture(*rendering), cross = index_cross_picture(*rendering);
   append_image(picture, bytes);
   append_image(cross, bytes);
   Json out{{"width", picture.width}, {"height", picture.height}};
   out["cube"] = {{"width", cross.width}, {"height", cross.height}};
-  out["profile"] = chosen.profile().name;
-  out["triangles"] = complete->triangles.size();
+  out["profile"] = asked.settings.profile.name;
+  out["triangles"] = asked.scene.triangles.size();
   out["pixels"] = {{"background", rendering->background}, {"lit", rendering->lit}, {"shadowed", rendering->shadowed}};
   out["codes_used"] = rendering->codes_used;
   out["order"] = order_of(rendering->index_order);
   out["facts"] = facts_of(*rendering);
-  out["view"] = view_of(*complete);
+  out["view"] = view_of(asked.scene);
   out["hash"] = hashes_of(rendering->frame);
   out["bytes"] = bytes.size();
   return {std::move(out), {}};

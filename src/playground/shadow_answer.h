@@ -2,11 +2,23 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
+#include "ninebit/scene/scene.h"
+#include "ninebit/shadow/settings.h"
 #include "src/playground/engine.h"
 
 namespace ninebit::playground {
+
+// What {"do": "shadow", …} and {"do": "judge", …} ask for.
+struct ShadowRequest {
+  Scene scene{};              // complete: one camera, one light
+  RenderSettings settings{};  // their profile's name stays valid as long as `profile`
+  ChosenProfile profile{};
+};
+// Fills `out`, or returns why that is not possible.
+[[nodiscard]] std::optional<Reply> ask_for_shadow(Request& request, const Shelf& shelf, ShadowRequest& out);
 
 // {"do": "shadow", …}: the picture, then the index cube unfolded, as RGBA in `bytes`.
 [[nodiscard]] Reply shadow_answer(Request& request, const Shelf& shelf, std::vector<std::uint8_t>& bytes);

@@ -20,6 +20,12 @@ namespace ninebit::playground {
 // {"do": "trace", "text", "profile", "registers", "name"}.
 [[nodiscard]] Reply trace_text(Request& request);
 
+// {"do": "profile", "profile"}: its fields, as `about` lists them for shipped profiles.
+[[nodiscard]] Reply list_profile(Request& request);
+// {"do": "edit_profile", "profile", "field", "value"}: the profile with that field changed and the fields that depend
+// on it, which "coupled" names.
+[[nodiscard]] Reply edit_profile(Request& request);
+
 // "gl", "rc10", …: the name of a form as --from takes it.
 [[nodiscard]] std::string_view name_of_form(ProgramForm form);
 

@@ -6,12 +6,10 @@
 #include <memory>
 #include <optional>
 
-#include "ninebit/language/explain.h"
 #include "src/combiner/given_registers.h"
 #include "src/effect/traced_pixel.h"
 #include "src/system/process.h"
 #include "src/system/stream.h"
-#include "src/tools/common/explanation.h"
 #include "src/tools/common/index_order.h"
 #include "src/tools/common/page_file.h"
 #include "src/tools/common/pixel_flag.h"
@@ -49,44 +47,46 @@ int wrong_usage(const std::string& message) {
   return kWrongUsage;
 }
 
+// The texts for people: the pixel, then the traced fragment.
+std::string text_of(const TraceFacts& facts, const Program* program, const Trace* traced, TraceLayout layout) {
+  std::string lines = facts.pixel != nullptr ? pixel_text(*facts.pixel) : "";
+  if (traced != nullptr) {
+    if (!facts.program.empty()) lines += fmt::format("program {}, ", printable(facts.program));
+    lines += fmt::format("profile {}\n", printable(facts.profile));
+  }
+  lines = wrapped(printable_lines(lines), layout.columns);
+  // The trace itself contains no foreign names, but may contain colour escapes.
+  return traced != nullptr ? lines + trace_text(*program, *traced, layout) : lines;
+}
+
 // The answer for people, for programs, and as a page.
 int print(const TraceFlags& flags, const Drawn& drawn, const Program* program, const RegisterFile& registers) {
-  const TracedPixel* const pixel = drawn.pixel;
   // A profile file may give another name to the profile than the command line.
   const bool named_by_flag = drawn.profile == &profile_of(flags.common);
   const std::string profile = named_by_flag ? flags.common.profile : std::string(drawn.profile->name);
   std::optional<Trace> traced;
   if (program != nullptr) traced = trace(*program, *drawn.profile, registers);
-
-  const auto text = [&](TraceLayout layout) {
-    std::string lines = pixel != nullptr ? pixel_text(*pixel) : "";
-    if (traced) {
-      if (!flags.program.file.empty()) lines += fmt::format("program {}, ", printable(flags.program.file));
-      lines += fmt::format("profile {}\n", printable(profile));
-    }
-    lines = wrapped(printable_lines(lines), layout.columns);
-    // The trace itself contains no foreign names, but may contain colour escapes.
-    return traced ? lines + trace_text(*program, *traced, layout) : lines;
-  };
-  const TraceHeading heading{.profile = profile, .program = flags.program.file, .pixel = pixel};
-  Json object = trace_answer(heading, program, traced ? &*traced : nullptr);
-
+  const Trace* const shown = traced ? &*traced : nullptr;
+  const TraceFacts facts{.program = flags.program.file,
+                         .profile = profile,
+                         .pixel = drawn.pixel,
+                         .hardware = drawn.profile,
+                         .given = flags.program.file.empty() ? nullptr : program,
+                         .registers = registers};
+  const TraceHeading heading{.profile = profile, .program = flags.program.file, .pixel = drawn.pixel};
+  Json object = trace_answer(heading, program, shown);
   if (!flags.output.empty()) {
-    const TraceFacts facts{flags.program.file, profile, pixel, traced ? &*traced : nullptr};
     DiagramPage page = trace_page(facts);
-    page.text = text({});
-    if (traced) {
-      page.trace = json_text(object);
-      page.explanation = json_text(explanation_json(explain(*program, *drawn.profile), {}, profile));
-    }
+    page.text = text_of(facts, program, shown, {});
     if (const Status written = write_page(flags.output, page); !written) return report(written.error());
     if (!flags.common.quiet) say_written(flags.output);
     object["files"] = Json::array({flags.output});
   }
   if (flags.common.json) return answer(object);
   if (!flags.output.empty()) return kDone;
-  return answer_exactly(
-      text({.colors = wants_colors(posix::kStandardOutput), .columns = terminal_columns(posix::kStandardOutput)}));
+  const TraceLayout layout{.colors = wants_colors(posix::kStandardOutput),
+                           .columns = terminal_columns(posix::kStandardOutput)};
+  return answer_exactly(text_of(facts, program, shown, layout));
 }
 
 int trace_set(const TraceFlags& flags, std::optional<Program> program) {

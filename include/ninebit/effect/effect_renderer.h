@@ -1,6 +1,8 @@
 // Draws effects.
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <deque>
 #include <filesystem>
 #include <functional>
@@ -11,6 +13,8 @@
 #include <string_view>
 #include <vector>
 
+#include "ninebit/combiner/program.h"
+#include "ninebit/combiner/registers.h"
 #include "ninebit/combiner/state.h"
 #include "ninebit/effect/effect.h"
 #include "ninebit/numerics/hardware_profile.h"
@@ -38,6 +42,26 @@ struct EffectReaders {
 struct EffectOptions {
   bool layers = false;                // every register and output of the picture's passes, and depth and stencil
   std::optional<glm::ivec2> pixel{};  // of the picture, to be probed: window coordinates, y up
+  // The number of a pass with a program, to be recorded. Each draw() then draws it twice more.
+  std::optional<std::size_t> recorded_pass{};
+};
+
+// The registers of a CombinerRecord, in its order.
+inline constexpr std::array kRecordedRegisters{Register::primary,  Register::secondary, Register::fog,
+                                               Register::texture0, Register::texture1,  Register::texture2,
+                                               Register::texture3, Register::spare0};
+
+// What the combiners of one pass read and gave at each pixel of its target (of a cube map, of its last face), for the
+// last fragment that passed the depth test. The alpha test is left out. Planes lowest row first, 0 where nothing was
+// drawn.
+struct CombinerRecord {
+  std::optional<Program> program{};  // of the pass, with its constants; empty: nothing was recorded
+  int width = 0;                     // pixels
+  int height = 0;                    // pixels
+  // Codes before the first general combiner, by register and component.
+  std::array<std::array<std::vector<s9>, 4>, kRecordedRegisters.size()> inputs{};
+  std::array<std::vector<std::uint8_t>, 4> output{};  // the final combiner's colour, before blending
+  std::vector<bool> drawn{};                          // whether there is a fragment
 };
 
 // An effect with all that it draws: its files are read, programs compiled, vertices computed. Any number of frames can
@@ -73,6 +97,8 @@ class EffectRenderer {
   [[nodiscard]] const std::deque<Layer>& layers() const;
   // With options.pixel, each pass that drew into the picture.
   [[nodiscard]] const std::vector<ProbedPass>& probed() const;
+  // With options.recorded_pass, the combiners of that pass in the last draw().
+  [[nodiscard]] const CombinerRecord& recorded() const;
 
  private:
   struct Prepared;

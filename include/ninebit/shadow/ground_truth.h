@@ -57,6 +57,9 @@ class GroundTruthScene {
   // The scene, which must outlive it, has exactly one camera and one light, as for Technique::render. Reports what
   // validate() reports, and an Embree that cannot start.
   [[nodiscard]] static Result<GroundTruthScene> make(const Scene& scene);
+  // The same without Embree, with a small tree of boxes: for builds that have none, such as those for browsers.
+  // measure() gives the same results, more slowly.
+  [[nodiscard]] static Result<GroundTruthScene> make_portable(const Scene& scene);
   ~GroundTruthScene();
   GroundTruthScene(GroundTruthScene&& other) noexcept;
   GroundTruthScene& operator=(GroundTruthScene&& other) noexcept;
@@ -79,7 +82,8 @@ class GroundTruthScene {
 // settings.light_facing, if its triangle faces away from the light. All of this is decided in doubles. Triangles touch,
 // and are left out, if their plane is nearer to the point or to the light than four units in the last place of a float
 // at the size of the scene's largest coordinate (2^-22 times it). The results are the same bits for any number of
-// threads and on any machine: Embree only finds the candidates, with boxes that are larger than its rounding.
+// threads and on any machine: Embree, or the tree of boxes, only finds the candidates, with boxes that are larger than
+// its rounding.
 //
 // Reports a rendering without evidence (the technique draws no shadows, or settings.evidence was not set) or of another
 // size than the settings', and Fault::cancelled if `progress` returns false.

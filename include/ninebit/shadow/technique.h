@@ -128,6 +128,13 @@ struct ProbedPass {
   std::vector<ProbedFragment> fragments;  // in drawing order; `primitive` is the number of the scene's triangle
 };
 
+// A pass of a rendering: the scene, its shadow volumes, or a rectangle of the picture's size, drawn with one state.
+struct DrawnPass {
+  std::string name;                    // such as "comparison"
+  bool marks_shadows = false;          // in the stencil buffer
+  std::optional<int> texture_units{};  // that its program reads; empty: computed in floats, beyond the hardware
+};
+
 // The fragment that decided the pixel's result in a pass: the last one that was written or, if none was, the last one
 // that passed the depth test; nullptr if there is neither.
 [[nodiscard]] const ProbedFragment* deciding_fragment(const ProbedPass& pass);
@@ -146,8 +153,12 @@ struct Rendering {
   std::vector<Fact> facts{};                 // in the order in which they are reported
   std::optional<ShadowEvidence> evidence{};  // with settings.evidence, by techniques that draw shadows
   std::vector<ProbedPass> probed{};          // in the order of drawing; empty without settings.pixel
-  std::optional<PickedIndex> picked{};       // with settings.pick, by techniques that draw indices
-  PassTimes times{};                         // of the whole rendering
+  std::vector<DrawnPass> drawn{};            // all passes that make the picture, in the order of drawing
+  // Memory of the light's maps as textures: three components take four bytes, 24 bits of depth as well. The depth
+  // buffer that drawing a map takes is not counted, nor is the picture of a light cookie.
+  std::uint64_t map_bytes = 0;
+  std::optional<PickedIndex> picked{};  // with settings.pick, by techniques that draw indices
+  PassTimes times{};                    // of the whole rendering
 };
 
 // A shadow technique: an entry of the table techniques().

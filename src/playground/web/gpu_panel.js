@@ -1,24 +1,28 @@
 /**
- * "Your GPU": the pass's program by the emulator and by WebGL 2 on the same texels, and how many pixels differ.
+ * "Your GPU": the pass's program by the emulator and by WebGL 2 on the same fragments, and how many pixels differ.
  */
 import { element, paint } from './dom.js';
 import { Replaced } from './engine_client.js';
-import { runOnGpu } from './gpu.js';
-import { passOf, programOf } from './state.js';
+import { registers, runOnGpu } from './gpu.js';
+import { programOf } from './state.js';
 
-const size = 256;
-const primary = [204, 102, 51, 255];
+/** The parts of the engine's answer about a pass's combiners. */
+function fragmentsOf({ width, height }, bytes) {
+  const values = width * height * 4;
+  const inputs = registers.map((name, at) => new Int16Array(bytes.buffer, at * values * 2, values));
+  const rest = registers.length * values * 2;
+  return { width, height, inputs, output: bytes.subarray(rest, rest + values), drawn: bytes.subarray(rest + values) };
+}
 
-/** Texels that pair every byte with every other one: unit 0's red with unit 1's red, and so on. */
-function pattern(unit) {
-  const pixels = new Uint8Array(size * size * 4);
-  for (let y = 0; y < size; y++) {
-    for (let x = 0; x < size; x++) {
-      const values = [x, y, (x * y + 17) & 255, x ^ y];
-      for (let part = 0; part < 4; part++) pixels[(y * size + x) * 4 + part] = values[(part + unit) & 3];
-    }
+/** Pixels for a canvas: opaque where something was drawn, the top row first. */
+function upright(pixels, { width, height, drawn }) {
+  const out = new Uint8Array(pixels.length);
+  for (let y = 0; y < height; y++) {
+    const from = (height - 1 - y) * width * 4;
+    out.set(pixels.subarray(from, from + width * 4), y * width * 4);
+    for (let x = 0; x < width; x++) out[(y * width + x) * 4 + 3] = drawn[from / 4 + x] ? 255 : 0;
   }
-  return pixels;
+  return out;
 }
 
 export class GpuPanel {
@@ -26,97 +30,62 @@ export class GpuPanel {
    * @param {HTMLElement} parent
    * @param {import('./state.js').Store} store
    * @param {import('./shelf.js').Shelf} shelf
-   * @param {{engine: import('./engine_client.js').Engine, profiles: import('./profiles_panel.js').Profile[]}} offered
+   * @param {import('./engine_client.js').Engine} engine
    */
-  constructor(parent, store, shelf, { engine, profiles }) {
-    Object.assign(this, { parent, store, shelf, engine, profiles });
+  constructor(parent, store, shelf, engine) {
+    Object.assign(this, { parent, store, shelf, engine, turn: 0 });
     this.result = element('p', { role: 'status', id: 'gpu-result' });
     this.figures = ['The emulator', 'Your GPU', 'Difference'].map((title) => {
       const canvas = element('canvas', { width: 1, height: 1 });
       const caption = element('figcaption', {}, title);
       return { canvas, caption, title };
     });
-    parent.append(element('p', { class: 'quiet' }, 'The program as GLSL ES in WebGL 2, on a rectangle where every pixel reads one texel. ',
-      'Textures of 256 x 256 texels are the pass’s own; the others are a pattern that pairs every byte with every other.'),
+    parent.append(element('p', { class: 'quiet' }, 'The pass’s program as GLSL ES in WebGL 2. The emulator’s rasterizer gives both the registers of each fragment, ',
+      'so this compares the combiners. Blending and the alpha test come after them.'),
     this.result, element('div', { class: 'trio' }, ...this.figures.map(({ canvas, caption }) => element('figure', {}, canvas, caption))));
-  }
-
-  textures() {
-    const pass = passOf(this.store.state);
-    return [0, 1, 2, 3].map((unit) => {
-      const source = this.store.state.effect.textures?.[pass.units?.[unit]?.texture]?.source;
-      const picture = this.shelf.pictures.get(source);
-      return picture?.width === size && picture.height === size ? picture.pixels : pattern(unit);
-    });
-  }
-
-  /** A field of the chosen profile. @param {string} name */
-  field(name) {
-    const { profile } = this.store.state;
-    if (typeof profile === 'object' && name in profile) return profile[name];
-    const base = typeof profile === 'string' ? profile : profile.base ?? 'geforce2';
-    return this.profiles.find((known) => known.name === base)?.fields.find((field) => field.name === name)?.value ?? 0;
-  }
-
-  /** The same as an effect: a rectangle, nearest texels, the textures that the program reads. */
-  effect(used) {
-    const units = [0, 1, 2, 3].map((unit) => (unit === 0 || used.includes(unit) ? { texture: `gpu${unit}`, coordinates: 'uv' } : null));
-    while (units.at(-1) === null) units.pop();
-    const textures = Object.fromEntries(units.flatMap((unit) => (unit ? [[unit.texture, { source: `gpu/${unit.texture}.png`, filter: 'nearest' }]] : [])));
-    const made = { name: 'gpu', draw: 'rectangle', program: 'gpu', units, primary: `constant:${primary.slice(0, 3).map((code) => code / 255).join(',')}` };
-    return { ninebit: 'effect', version: 1, size: [size, size], textures, passes: [made] };
   }
 
   async update() {
     if (this.parent.hidden) return;
+    const turn = ++this.turn;
     try {
       if (programOf(this.store.state) === undefined) throw new Error('This pass has no program.');
-      await this.run();
+      await this.run(() => turn === this.turn);
     } catch (error) {
-      if (error instanceof Replaced) return;
+      if (error instanceof Replaced || turn !== this.turn) return;
       this.result.textContent = error.message;
+      delete this.result.dataset.count;
       for (const { canvas } of this.figures) canvas.getContext('2d').clearRect(0, 0, canvas.width, canvas.height);
     }
   }
 
-  /** The program's text, with the pass's constants in it. */
-  async program() {
+  /** @param {() => boolean} current whether nothing newer was asked for */
+  async run(current) {
     const { state } = this.store;
-    const { constants } = passOf(state);
-    const text = programOf(state);
-    if (!constants) return text;
-    const { answer } = await this.engine.ask({ do: 'convert', text, profile: state.profile, to: 'json' });
-    return JSON.stringify({ ...JSON.parse(answer.text), ...(constants.const0 && { constant_color0: constants.const0 }), ...(constants.const1 && { constant_color1: constants.const1 }) });
-  }
-
-  async run() {
-    const { state } = this.store;
-    const text = await this.program();
-    const read = await this.engine.ask({ do: 'read', text, profile: state.profile });
-    const textures = this.textures();
-    await Promise.all(textures.map((pixels, unit) => this.engine.put({ name: `gpu/gpu${unit}.png`, kind: 'pixels', width: size, height: size }, pixels)));
-    const effect = this.effect(read.answer.textures ?? []);
-    const emulated = await this.engine.ask({ do: 'draw', effect, files: { gpu: text }, profile: state.profile, hash: false }, { key: 'gpu' });
-    const { answer } = await this.engine.ask({ do: 'convert', text, profile: state.profile, to: 'glsl-es' }, { key: 'gpu-convert' });
-    const { pixels, framesPerSecond, renderer } = runOnGpu(answer.text, {
-      size, textures, primary, fog: [0, 0, 0, this.field('fog_alpha_without_fog')], byteShift: this.field('byte_shift'),
-    });
+    const { effect, files, profile, pass } = state;
+    await this.shelf.loadFor(effect);
+    const { answer, bytes } = await this.engine.ask({ do: 'combiners', effect, files, profile, pass }, { key: 'gpu' });
+    const picture = await this.engine.ask({ do: 'draw', effect, files, profile, hash: false }, { key: 'gpu-draw' });
+    if (!current()) return;
+    const fragments = fragmentsOf(answer, bytes);
+    const { pixels, framesPerSecond, renderer } = runOnGpu(answer.glsl, { ...fragments, byteShift: answer.byte_shift });
     const difference = new Uint8Array(pixels.length);
     let count = 0;
-    for (let at = 0; at < pixels.length; at += 4) {
+    for (let pixel = 0; pixel < fragments.drawn.length; pixel++) {
+      if (!fragments.drawn[pixel]) continue;
       let most = 0;
-      for (let part = 0; part < 4; part++) most = Math.max(most, Math.abs(pixels[at + part] - emulated.bytes[at + part]));
+      for (let at = 4 * pixel; at < 4 * pixel + 4; at++) most = Math.max(most, Math.abs(pixels[at] - fragments.output[at]));
       if (most) count++;
-      difference.fill(Math.min(255, most * 16), at, at + 3);
+      difference.fill(Math.min(255, most * 16), 4 * pixel, 4 * pixel + 3);
     }
-    [emulated.bytes, pixels, difference].forEach((shown, at) => {
-      const opaque = shown.slice();
-      for (let alpha = 3; alpha < opaque.length; alpha += 4) opaque[alpha] = 255;
-      paint(this.figures[at].canvas, opaque, size, size);
+    [fragments.output, pixels, difference].forEach((shown, at) => {
+      paint(this.figures[at].canvas, upright(shown, fragments), fragments.width, fragments.height);
     });
-    this.figures[0].caption.textContent = `The emulator: ${Math.round(1000 / Math.max(0.1, emulated.milliseconds))} frames/s`;
-    this.figures[1].caption.textContent = `${renderer}: ${Math.round(framesPerSecond)} frames/s`;
-    this.result.textContent = `${count.toLocaleString('en')} of ${(size * size).toLocaleString('en')} pixels differ`;
+    const rate = Math.round(1000 / Math.max(0.1, picture.milliseconds));
+    this.figures[0].caption.textContent = `The emulator; ${rate.toLocaleString('en')} whole pictures/s`;
+    this.figures[1].caption.textContent = `${renderer}; this pass’s combiners ${Math.round(framesPerSecond).toLocaleString('en')} times/s`;
+    this.result.textContent = `Pass ${answer.pass}: ${count.toLocaleString('en')} of ${answer.drawn.toLocaleString('en')} pixels differ`;
     this.result.dataset.count = String(count);
+    this.result.dataset.drawn = String(answer.drawn);
   }
 }

@@ -9,7 +9,7 @@ export class Live {
    * @param {import('./state.js').Store} store
    * @param {import('./engine_client.js').Engine} engine
    * @param {import('./shelf.js').Shelf} shelf
-   * @param {{read: (answer: any) => void, drawn: (result: any) => void, failed: (error: Error) => void, traced: (trace: any) => void}} view
+   * @param {{read: (answer: any) => void, drawn: (result: any) => void, failed: (error: Error) => void, traced: (trace: any, pass?: string) => void}} view
    */
   constructor(store, engine, shelf, view) {
     Object.assign(this, { store, engine, shelf, view });
@@ -50,13 +50,16 @@ export class Live {
     }
   }
 
-  /** Traces a pixel. The drawing comes first, as the engine traces the last one, whoever asked for it. */
-  async trace() {
+  /**
+   * Traces a pixel. The drawing comes first, as the engine traces the last one, whoever asked for it.
+   * @param {string} [pass] without it the last pass with a program
+   */
+  async trace(pass) {
     if (!this.pixel) return;
     try {
       this.engine.ask(Live.request(this.store.state)).catch(() => {});
-      const { answer } = await this.engine.ask({ do: 'pixel', ...this.pixel });
-      this.view.traced(answer);
+      const { answer } = await this.engine.ask({ do: 'pixel', ...this.pixel, ...(pass && { pass }) });
+      this.view.traced(answer, pass);
     } catch (error) {
       this.view.traced({ error });
     }

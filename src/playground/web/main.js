@@ -29,6 +29,11 @@ function say(text) {
   byId('message').hidden = !text;
 }
 
+/** The milliseconds from the page's opening to its first picture, or to the reason why there is none: for the tests. */
+function ready() {
+  document.body.dataset.ready ??= String(Math.round(performance.now()));
+}
+
 /** The engine's script, which the page holds compressed. */
 async function engineScript() {
   const stream = new Blob([bytesOf(byId('engine').textContent)]).stream().pipeThrough(new DecompressionStream('gzip'));
@@ -47,23 +52,29 @@ async function firstState() {
 
 /** Everything that shows the state. */
 class Page {
-  constructor(store, engine, about) {
+  /**
+   * @param {Store} store
+   * @param {{engine: Engine, newEngine: () => Engine}} engines the one that draws, and more of them
+   * @param {any} about
+   */
+  constructor(store, { engine, newEngine }, about) {
     this.store = store;
     this.engine = engine;
     this.shelf = new Shelf(engine, content.files);
     this.program = new ProgramPane(store, content.programs);
     this.live = new Live(store, engine, this.shelf, {
       read: (answer) => this.read(answer), drawn: (result) => this.drawn(result), failed: (error) => this.failed(error),
-      traced: (trace) => this.trace.show(trace, this.live.pixel),
+      traced: (trace, pass) => this.trace.show(trace, this.live.pixel, pass),
     });
     this.live.effectText = () => this.program.effectText;
     this.picture = new Picture(byId('picture'), (x, y) => this.chosen(x, y));
-    this.trace = new TracePanel(byId('trace'), byId('trace-place'));
+    this.trace = new TracePanel(byId('trace'), byId('trace-place'), (pass) => this.live.trace(pass));
     this.inputs = new InputsPanel(byId('panel-inputs'), store, this.shelf, { textures: about.textures ?? [], meshes: about.meshes ?? [] });
-    this.profiles = new ProfilesPanel(byId('panel-profiles'), store, about.profiles ?? [], (profiles) => this.live.compare(profiles));
-    this.gpu = new GpuPanel(byId('panel-gpu'), store, this.shelf, { engine, profiles: about.profiles ?? [] });
+    this.profiles = new ProfilesPanel(byId('panel-profiles'), store, about.profiles ?? [],
+      { compare: (profiles) => this.live.compare(profiles), engine });
+    this.gpu = new GpuPanel(byId('panel-gpu'), store, this.shelf, engine);
     this.convert = new ConvertPanel(byId('panel-convert'), (to) => this.live.convert(to));
-    this.shadow = new ShadowPanel(byId('panel-shadow'), store, this.shelf, { engine, meshes: about.meshes ?? [] });
+    this.shadow = new ShadowPanel(byId('panel-shadow'), store, this.shelf, { engine, newEngine, meshes: about.meshes ?? [] });
     this.command = new CommandPanel(byId('panel-command'), () => commandsOf(store.state, this.live.pixel));
     this.forms = new Map((about.forms ?? []).map(({ name, title }) => [name, title]));
     this.profileNames = (about.profiles ?? []).map(({ name }) => name);
@@ -81,6 +92,14 @@ class Page {
   }
 
   changed(what) {
+    this.show(what);
+    if (what === 'other') this.profiles.update();
+    else this.later();
+    this.link();
+  }
+
+  /** Shows a change in the controls. */
+  show(what) {
     if (what === 'all') {
       this.live.pixel = null;
       this.program.shows = 'program';
@@ -94,9 +113,6 @@ class Page {
       this.showProfile();
       this.profiles.show();
     }
-    if (what === 'other') this.profiles.update();
-    else this.later();
-    this.link();
   }
 
   showProfile() {
@@ -129,7 +145,7 @@ class Page {
     byId('picture').dataset.hash = answer.hash?.color ?? '';
     byId('title').textContent = this.store.state.effect.title ?? 'Untitled';
     byId('drawing').textContent = `${answer.width} x ${answer.height}, ${milliseconds.toFixed(1)} ms`;
-    document.body.dataset.ready = 'true';
+    ready();
   }
 
   failed(error) {
@@ -139,7 +155,7 @@ class Page {
     if (error.file === 'effect' && this.program.shows === 'effect') Object.assign(fault, { line: error.line, column: error.column });
     else if (error.file && error.file !== 'effect') fault.message = `${error.file}: ${error.message}`;
     this.program.setFaults('draw', [fault]);
-    document.body.dataset.ready = 'true';
+    ready();
   }
 
   chosen(x, y) {
@@ -203,16 +219,19 @@ function busyMark() {
 }
 
 async function start() {
-  const engine = new Engine(byId('worker').textContent, await engineScript(), busyMark(), (reason) => say(`${reason}. The text is kept; the next edit draws again.`));
+  const scripts = [byId('worker').textContent, await engineScript()];
+  const engine = new Engine(...scripts, busyMark(), (reason) => say(`${reason}. The text is kept; the next edit draws again.`));
+  const newEngine = () => new Engine(...scripts, () => {}, () => {});
   const store = new Store(await firstState());
   const { answer: about } = await engine.ask({ do: 'about' });
   byId('version').textContent = `ninebit ${about.version ?? ''}`;
-  const page = new Page(store, engine, about);
+  const page = new Page(store, { engine, newEngine }, about);
   page.listen();
   page.showPanel('inputs');
   // For the console and the tests.
   globalThis.ninebit = { store, engine, page, passOf };
-  page.changed('all');
+  page.show('all');
+  page.link();
   // The words can wait for the first picture.
   await page.refresh();
   const { answer } = await engine.ask({ do: 'vocabulary' });

@@ -14,21 +14,23 @@ export class ProfilesPanel {
    * @param {HTMLElement} parent
    * @param {import('./state.js').Store} store
    * @param {Profile[]} profiles
-   * @param {(profiles: any[]) => Promise<any>} compare asks the engine
+   * @param {{compare: (profiles: any[]) => Promise<any>, engine: import('./engine_client.js').Engine}} asks
    */
-  constructor(parent, store, profiles, compare) {
-    Object.assign(this, { parent, store, profiles, compare });
+  constructor(parent, store, profiles, { compare, engine }) {
+    Object.assign(this, { parent, store, profiles, compare, engine });
     const names = profiles.map(({ name }) => name);
     this.result = element('p', { role: 'status', id: 'difference-count' });
     this.canvases = [0, 1, 2].map(() => element('canvas', { width: 1, height: 1 }));
     this.captions = [0, 1, 2].map(() => element('figcaption'));
     this.fields = element('div', { class: 'fields' });
+    this.coupled = element('p', { role: 'status', id: 'coupled-fields' });
     this.other = element('div');
     this.names = names;
     parent.append(element('div', { class: 'bar' }, this.other, this.result),
       element('div', { class: 'trio' }, ...this.canvases.map((canvas, at) => element('figure', {}, canvas, this.captions[at]))),
       element('details', { open: true }, element('summary', {}, 'A profile of your own'),
-        element('p', { class: 'quiet' }, 'Change a field: the picture and the trace follow. The evidence of each field stands beside it.'), this.fields));
+        element('p', { class: 'quiet' }, 'Change a field: the picture and the trace follow. Fields that depend on it change with it. The evidence of each field stands beside it.'),
+        this.coupled, this.fields));
   }
 
   /** The profile's name as one reads it. */
@@ -40,28 +42,42 @@ export class ProfilesPanel {
   show() {
     const { state } = this.store;
     this.other.replaceChildren(choice('Compare with', this.names, state.other, (value) => this.store.change('other', (now) => { now.other = value; })));
-    const base = typeof state.profile === 'string' ? state.profile : state.profile.base ?? 'geforce2';
-    const known = this.profiles.find(({ name }) => name === base);
-    this.fields.replaceChildren(...(known?.fields ?? []).map((field) => this.field(field, base)));
+    this.showFields(state.profile);
     this.update();
   }
 
+  /** The fields of the profile, with the ranges that they have in it. */
+  async showFields(profile) {
+    try {
+      const { answer } = await this.engine.ask({ do: 'profile', profile }, { key: 'profile' });
+      const base = this.profiles.find(({ name }) => name === (profile.base ?? profile));
+      this.fields.replaceChildren(...answer.fields.map((field, at) => this.field(field, base?.fields[at])));
+    } catch (error) {
+      if (!(error instanceof Replaced)) this.fields.replaceChildren(element('p', {}, error.message));
+    }
+  }
+
+  /** Changes a field, and what depends on it. */
+  async edit(field, value) {
+    try {
+      const { answer } = await this.engine.ask({ do: 'edit_profile', profile: this.store.state.profile, field, value });
+      const others = answer.coupled.map((other) => `${other.name} ${other.value}`);
+      this.coupled.textContent = others.length ? `With ${field} ${value} also changed: ${others.join(', ')}.` : '';
+      this.store.change('profile', (now) => { now.profile = answer.profile; });
+    } catch (error) {
+      this.coupled.textContent = error.message;
+      this.show();
+    }
+  }
+
   field({ name, value, evidence, choices, range, help, read }, base) {
-    const { profile } = this.store.state;
-    const own = typeof profile === 'object' && name in profile ? profile[name] : value;
-    const write = (edited) => this.store.change('profile', (now) => {
-      const made = typeof now.profile === 'string' ? { base, name: 'mine' } : { ...now.profile };
-      if (String(edited) === String(value)) delete made[name];
-      else made[name] = edited;
-      now.profile = Object.keys(made).some((key) => key !== 'base' && key !== 'name') ? made : base;
-    });
-    const changed = String(own) !== String(value);
+    const write = (edited) => this.edit(name, edited);
     let control;
-    if (choices?.length) control = choice(name, choices, String(own), write);
-    else if (typeof value === 'boolean') control = choice(name, ['true', 'false'], String(own), (text) => write(text === 'true'));
-    else control = slider(name, Number(own), range, write);
+    if (choices?.length) control = choice(name, choices, String(value), write);
+    else if (typeof value === 'boolean') control = choice(name, ['true', 'false'], String(value), (text) => write(text === 'true'));
+    else control = slider(name, Number(value), range, write);
     control.title = help ?? '';
-    if (changed) control.classList.add('changed');
+    if (base && base.value !== value) control.classList.add('changed');
     if (read === false || (range && range[0] === range[1])) control.querySelector('select, input').disabled = true;
     control.append(element('small', { class: 'quiet' }, evidence));
     return control;

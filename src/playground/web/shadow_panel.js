@@ -1,9 +1,11 @@
 /**
- * Index cube shadows: the picture, and beside it the cube map that the light sees, unfolded.
+ * Index cube shadows: the picture with its wrong pixels, and beside it the cube map that the light sees, unfolded.
  */
 import { cameraOf, orbitOf } from './camera.js';
 import { choice, element, paint } from './dom.js';
 import { Replaced } from './engine_client.js';
+import { Judge } from './judge.js';
+import { WrongPixels } from './wrong_panel.js';
 
 const order = [['neighbour', 'codes that know their neighbours'], ['file', 'the article’s: as in the file']];
 
@@ -12,9 +14,10 @@ export class ShadowPanel {
    * @param {HTMLElement} parent
    * @param {import('./state.js').Store} store
    * @param {import('./shelf.js').Shelf} shelf
-   * @param {{engine: import('./engine_client.js').Engine, meshes: string[]}} offered
+   * @param {{engine: import('./engine_client.js').Engine, newEngine: () => import('./engine_client.js').Engine,
+   *     meshes: string[]}} offered
    */
-  constructor(parent, store, shelf, { engine, meshes }) {
+  constructor(parent, store, shelf, { engine, newEngine, meshes }) {
     Object.assign(this, { parent, store, shelf, engine, meshes });
     this.asked = { scene: 'room', step: 2, map_size: 512, order: 'file' };
     /** Where the scene's own camera is; known after the first picture. */
@@ -22,9 +25,12 @@ export class ShadowPanel {
     this.controls = element('div', { class: 'shadow-controls' });
     this.result = element('p', { role: 'status', id: 'shadow-result' });
     this.canvases = [0, 1].map(() => element('canvas', { width: 1, height: 1 }));
-    const captions = ['The picture', 'The index cube, unfolded'];
-    parent.append(this.controls, this.result,
-      element('div', { class: 'trio' }, ...this.canvases.map((canvas, at) => element('figure', {}, canvas, element('figcaption', {}, captions[at])))));
+    this.wrong = new WrongPixels(() => this.judgeAgain());
+    this.judge = new Judge(newEngine, engine, this.wrong);
+    const figure = (shown, caption) => element('figure', {}, shown, element('figcaption', {}, caption));
+    parent.append(this.controls, this.result, this.wrong.element,
+      element('div', { class: 'trio' }, figure(this.wrong.over(this.canvases[0]), 'The picture'),
+        figure(this.canvases[1], 'The index cube, unfolded')));
   }
 
   ask(change) {
@@ -59,9 +65,18 @@ export class ShadowPanel {
   }
 
   update() {
-    if (this.parent.hidden) return;
+    if (this.parent.hidden) {
+      this.judge.stop();
+      return;
+    }
     this.show();
     this.draw();
+  }
+
+  /** Judges the picture that is shown, or gives that up. */
+  judgeAgain() {
+    if (this.drawn && this.wrong.wanted) this.judge.ask(this.drawn);
+    else this.judge.stop();
   }
 
   async draw() {
@@ -71,6 +86,9 @@ export class ShadowPanel {
       const first = answer.width * answer.height * 4;
       paint(this.canvases[0], bytes.subarray(0, first), answer.width, answer.height);
       paint(this.canvases[1], bytes.subarray(first), answer.cube.width, answer.cube.height);
+      this.drawn = structuredClone(request);
+      this.wrong.pictureIs(this.drawn);
+      this.judgeAgain();
       const { lit, shadowed } = answer.pixels;
       this.result.textContent = `${shadowed.toLocaleString('en')} pixels in shadow, ${lit.toLocaleString('en')} lit; ` +
         `${answer.triangles.toLocaleString('en')} triangles, ${answer.codes_used.toLocaleString('en')} codes; ${milliseconds.toFixed(0)} ms`;

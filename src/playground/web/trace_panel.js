@@ -2,11 +2,16 @@
  * The trace of the chosen pixel, as the diagram of the room `page` draws it.
  */
 import { traceDiagram } from '../../page/web/trace_diagram.js';
+import { choice } from './dom.js';
 
 export class TracePanel {
-  /** @param {HTMLElement} parent @param {HTMLElement} place says which pixel it is */
-  constructor(parent, place) {
-    Object.assign(this, { parent, place });
+  /**
+   * @param {HTMLElement} parent
+   * @param {HTMLElement} place says which pixel it is
+   * @param {(pass: string) => void} choose hears which of the pixel's passes to trace
+   */
+  constructor(parent, place, choose) {
+    Object.assign(this, { parent, place, choose });
     /** The object that `ninebit trace --json` prints. */
     this.trace = null;
   }
@@ -17,8 +22,8 @@ export class TracePanel {
     this.place.textContent = 'Click a pixel of the picture, or move there with the arrow keys and press Enter.';
   }
 
-  /** @param {any} trace @param {{x: number, y: number}} pixel */
-  show(trace, pixel) {
+  /** @param {any} trace @param {{x: number, y: number}} pixel @param {string} [pass] the one that was chosen */
+  show(trace, pixel, pass) {
     this.parent.replaceChildren();
     this.trace = null;
     const where = `Pixel (${pixel.x}, ${pixel.y})`;
@@ -30,6 +35,8 @@ export class TracePanel {
     const effect = trace.effect ?? {};
     const fragments = (effect.passes ?? []).flatMap((pass) => (pass.fragments ?? []).map((fragment) => `${pass.name}: ${fragment.fate}`));
     this.place.textContent = [where, effect.pass && `pass ${effect.pass}`, ...fragments].filter(Boolean).join(' · ');
+    const names = (effect.passes ?? []).filter((drawn) => drawn.fragments?.length).map((drawn) => drawn.name);
+    if (names.length > 1) this.place.append(' ', choice('Pass', names, pass ?? effect.pass ?? names[0], this.choose));
     if (trace.stages) traceDiagram(this.parent, trace, {});
   }
 }

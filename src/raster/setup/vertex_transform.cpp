@@ -11,6 +11,7 @@
 #define HWY_TARGET_INCLUDE "src/raster/setup/vertex_transform.cpp"
 #include "hwy/foreach_target.h"  // IWYU pragma: keep
 #include "hwy/highway.h"
+#include "src/system/emscripten/wasm_doubles-inl.h"
 #include "src/system/parallel/parallel_loop.h"
 
 HWY_BEFORE_NAMESPACE();

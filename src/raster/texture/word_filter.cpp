@@ -10,6 +10,7 @@
 #include "hwy/highway.h"
 #include "src/raster/texture/texture_axis-inl.h"
 #include "src/raster/texture/word_sums-inl.h"
+#include "src/system/emscripten/wasm_doubles-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace ninebit::HWY_NAMESPACE {

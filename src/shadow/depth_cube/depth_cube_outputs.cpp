@@ -5,6 +5,7 @@
 
 #include "src/shadow/depth_cube/depth_cube_renderer.h"
 #include "src/shadow/frame/cube_cross.h"
+#include "src/shadow/frame/drawn_passes.h"
 #include "src/shadow/frame/texture_units.h"
 
 namespace ninebit {

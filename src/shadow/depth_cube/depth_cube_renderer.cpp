@@ -10,6 +10,7 @@
 #include "ninebit/raster/rasterizer.h"
 #include "ninebit/raster/sampler.h"
 #include "src/raster/texture/texture_wrap.h"
+#include "src/shadow/frame/drawn_passes.h"
 #include "src/shadow/frame/map_evidence.h"
 #include "src/system/parallel/parallel_loop.h"
 
@@ -131,6 +132,7 @@ Status DepthCubeRenderer::draw_map(std::size_t face) {
     target.color[kRed] = {into.luminance.data(), size};
     if (code_.code_bits == 16) target.color[kAlpha] = {into.alpha.data(), size};
   }
+  note_pass(rendering(), fmt::format("map {}", kCubeFaceNames[face]), passes_.map);
   if (Status made = prepare(passes_.map, face_projections_[face], arrays, target, prepared_map_); !made) return made;
   const DrawPass pass{.state = &passes_.map, .arrays = arrays, .units = units};
   const DrawActions actions{.clear = ClearValues{.color = {255, 255, 255, 255}}, .discard_depth = true};
@@ -170,6 +172,10 @@ Status DepthCubeRenderer::draw_directions() {
   const PipelineState state = surface_pass(settings());
   VertexArrays arrays = frame_.all_triangles(frame_.scene().positions);
   arrays.attributes[0] = from_light_four_;
+  if (uses_floats()) {  // else the directions are for people
+    note_float_pass(rendering(), "comparison", true);
+    rendering().map_bytes = faces_.size() * faces_[0].distance.size() * sizeof(float);
+  }
   return rasterize(state, prepared_camera_, arrays, {}, target);
 }
 
@@ -210,13 +216,15 @@ Status DepthCubeRenderer::draw_comparison(std::size_t comparison, std::size_t fa
   VertexArrays arrays = frame_.all_triangles(frame_.scene().positions);
   arrays.texture_coordinates[0] = ramp_coordinates_;
   arrays.texture_coordinates[1] = from_light_;
+  rendering().map_bytes = texture_bytes(map);
+  const std::string name = fmt::format("{} {}", pass.name, kCubeFaceNames[face]);
   const std::size_t layers_before = rendering().layers.size();
   RenderTarget target = frame_.capturing_target(2, passes_.comparisons.size() > 1 ? pass.name + " " : "");
   const std::size_t layers_drawn = rendering().layers.size() - layers_before;
   if (!settings().pixel) {
+    note_pass(rendering(), name, pass.state);
     if (Status drawn = rasterize(pass.state, prepared_camera_, arrays, units, target); !drawn) return drawn;
   } else {
-    const std::string name = fmt::format("{} {}", pass.name, kCubeFaceNames[face]);
     if (Status drawn = frame_.draw(name, pass.state, arrays, units, target); !drawn) return drawn;
     // A probe that looked up a blank face is dropped.
     const auto at = static_cast<std::size_t>(settings().pixel->y) * static_cast<std::size_t>(target.width) +

@@ -16,7 +16,6 @@
 namespace ninebit {
 
 // In the order of CubeFace.
-inline constexpr std::array kCubeFaceNames{"+X", "-X", "+Y", "-Y", "+Z", "-Z"};
 
 // One scene seen from its camera, lit by its light. The passes are drawn in the order of these functions.
 class DepthCubeRenderer {

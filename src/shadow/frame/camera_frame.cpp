@@ -7,6 +7,7 @@
 #include <bit>
 #include <utility>
 
+#include "src/shadow/frame/drawn_passes.h"
 #include "src/shadow/frame/pass_timer.h"
 #include "src/shadow/frame/views.h"
 #include "src/system/parallel/parallel_loop.h"
@@ -125,6 +126,7 @@ Status CameraFrame::draw(std::string_view name, const PipelineState& state, Vert
   if (arrays.vertex_count() == 0) arrays.positions = scene_->positions;
   // Not empty, which would mean all vertices: validate requires triangles.
   if (arrays.indices.empty()) arrays.indices = index_list(scene_->triangles);
+  note_pass(rendering_, name, state);
   if (!settings_.pixel) return rasterize(state, projection_, arrays, units, target);
   FragmentProbe probe{.x = settings_.pixel->x, .y = settings_.pixel->y};
   target.probe = &probe;

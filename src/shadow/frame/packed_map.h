@@ -22,6 +22,13 @@ class PackedMap {
   // The largest change that packing made to a drawn depth, in the range [0, 1].
   [[nodiscard]] double largest_error() const { return largest_error_; }
 
+  // The memory of its texels.
+  [[nodiscard]] std::uint64_t bytes() const {
+    std::uint64_t sum = 0;
+    for (const auto& plane : bytes_) sum += plane.size();
+    return sum;
+  }
+
   // The depth that a shader reads at the nearest texel; s and t are from 0 to 1.
   [[nodiscard]] float depth_at(float s, float t) const;
 

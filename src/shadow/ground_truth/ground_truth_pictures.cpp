@@ -6,6 +6,7 @@
 #include "ninebit/shadow/pictures.h"
 #include "src/shadow/frame/camera_frame.h"
 #include "src/shadow/frame/upright.h"
+#include "src/shadow/ground_truth/cause_plane.h"
 
 namespace ninebit {
 namespace {
@@ -13,6 +14,7 @@ namespace {
 using Rgb = std::array<std::uint8_t, 3>;
 constexpr Rgb kFalseLit{255, 176, 0};
 constexpr Rgb kFalseShadowed{70, 150, 255};
+constexpr int kFalselyLit = 128;
 
 template <class Value>
 void add_plane(Rendering& rendering, const char* name, const std::vector<Value>& values) {
@@ -34,6 +36,17 @@ Image8 error_picture(const Rendering& rendering, const GroundTruth& truth) {
       shown = truth.truth[i] == PixelTruth::shadowed ? kFalseLit : kFalseShadowed;
     }
     std::copy(shown.begin(), shown.end(), pixel);
+  }
+  return image;
+}
+
+Image8 cause_plane(const GroundTruth& truth, int width, int height) {
+  Image8 image{.width = width, .height = height, .channels = 1, .pixels = {}};
+  image.pixels.resize(truth.cause.size());
+  for (std::size_t i = 0; i < truth.cause.size(); ++i) {
+    if (truth.cause[i] == ErrorCause::none) continue;
+    const int lit = truth.truth[i] == PixelTruth::shadowed ? kFalselyLit : 0;
+    image.pixels[upright_index(i, width, height)] = static_cast<std::uint8_t>(static_cast<int>(truth.cause[i]) + lit);
   }
   return image;
 }

@@ -1,5 +1,4 @@
-// The triangles between a point and the light. Embree finds the triangles whose boxes a ray hits; whether the ray
-// passes through a triangle is decided in doubles.
+// The triangles between a point and the light. Boxes give candidates; crossing() decides, in doubles.
 #pragma once
 
 #include <cstdint>
@@ -9,9 +8,6 @@
 #include "ninebit/shadow/ground_truth.h"
 #include "src/shadow/ground_truth/ground_truth_geometry.h"
 
-struct RTCDeviceTy;
-struct RTCSceneTy;
-
 namespace ninebit {
 
 struct Crossed {
@@ -19,8 +15,36 @@ struct Crossed {
   double at;  // along the ray, as crossing() returns it
 };
 
+// The decision about the candidates of one ray.
+class CandidateTest {
+ public:
+  // `own`: the triangle where the ray begins, which is left out. `all` collects the crossed triangles; nullptr: the
+  // first one ends the search. The references must outlive it.
+  CandidateTest(const GroundTruthScene::Rays& rays, const LightRay& ray, std::uint32_t own, std::vector<Crossed>* all)
+      : rays_(rays), ray_(ray), own_(own), all_(all) {}
+
+  // Returns whether the search can end.
+  bool take(std::uint32_t triangle);
+
+ private:
+  const GroundTruthScene::Rays& rays_;
+  const LightRay& ray_;
+  std::uint32_t own_;
+  std::vector<Crossed>* all_;
+};
+
+// Finds candidates: the triangles whose boxes a ray passes through.
+class BoxSearch {
+ public:
+  virtual ~BoxSearch() = default;
+  // Offers each candidate to the test, in any order, until the test ends the search. Returns whether it did. Boxes that
+  // the ray misses may be among the candidates.
+  [[nodiscard]] virtual bool search(const LightRay& ray, CandidateTest& test) const = 0;
+};
+
 struct GroundTruthScene::Rays {
-  static Result<std::unique_ptr<Rays>> make(const Scene& scene);
+  // The scene must outlive it.
+  Rays(const Scene& judged, std::unique_ptr<BoxSearch> search);
 
   // Whether any triangle but `own` lies on the way to the light.
   [[nodiscard]] bool blocked(const LightRay& ray, std::uint32_t own) const;
@@ -29,15 +53,23 @@ struct GroundTruthScene::Rays {
 
   const Scene* scene;
   double touching;  // touching_distance
-  double margin;    // by which boxes are larger than their triangles
-  struct Releaser {
-    void operator()(RTCDeviceTy* released) const;
-    void operator()(RTCSceneTy* released) const;
-  };
-  // Declared before `boxes`, so it is released after the scene: if the scene has the last reference to its device,
-  // Embree 3.13 frees the device and then reads it.
-  std::unique_ptr<RTCDeviceTy, Releaser> device;
-  std::unique_ptr<RTCSceneTy, Releaser> boxes;
+  std::unique_ptr<BoxSearch> boxes;
 };
+
+// By how much the box of a triangle is larger than the triangle, on each side. Where a caster turns a ray into floats,
+// origin and direction are each rounded by half a unit in the last place; across the scene the direction moves it by as
+// much again.
+[[nodiscard]] inline double box_margin(const Scene& scene) {
+  return 8.0 * touching_distance(scene);
+}
+
+struct TriangleBox {
+  glm::vec3 low, high;
+};
+// The box of a triangle, enlarged by `margin`.
+[[nodiscard]] TriangleBox box_of(const Scene& scene, std::uint32_t triangle, double margin);
+
+// Reports a scene that cannot be judged.
+[[nodiscard]] Status check_judged(const Scene& scene);
 
 }  // namespace ninebit

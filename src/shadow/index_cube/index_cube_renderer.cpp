@@ -9,6 +9,7 @@
 
 #include "ninebit/raster/rasterizer.h"
 #include "ninebit/raster/sampler.h"
+#include "src/shadow/frame/drawn_passes.h"
 #include "src/shadow/frame/map_evidence.h"
 #include "src/shadow/frame/pass_timer.h"
 #include "src/shadow/frame/views.h"
@@ -107,6 +108,8 @@ Status IndexCubeRenderer::draw_maps() {
   VertexArrays arrays = frame_.all_triangles(from_light_);
   arrays.primitive_colors = indices_.color;
   const DrawPass pass{.state = &passes_.map, .arrays = arrays};
+  for (const std::string_view face : kCubeFaceNames) note_pass(rendering(), fmt::format("map {}", face), passes_.map);
+  rendering().map_bytes = texture_bytes(map_);
   std::array<Status, 6> drawn;
   parallel_for(std::size_t{6}, [&](std::size_t i) {
     RenderTarget target{.width = frame_.settings().map_size, .height = frame_.settings().map_size};
@@ -182,6 +185,7 @@ Status IndexCubeRenderer::draw_camera_together() {
   for (std::size_t i = 0; i < passes.size(); ++i) {
     passes[i].arrays = geometry;
     passes[i].time = &busy[i];
+    note_pass(rendering(), std::array{"depth", "comparison", "lit", "shadow"}[i], *passes[i].state);
   }
   passes[1].units = units;
   passes[1].arrays.texture_coordinates[0] = from_light_;

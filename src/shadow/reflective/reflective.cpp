@@ -10,6 +10,7 @@
 
 #include "ninebit/shadow/shadow_map.h"
 #include "src/shadow/frame/camera_frame.h"
+#include "src/shadow/frame/drawn_passes.h"
 #include "src/shadow/frame/pass_timer.h"
 #include "src/shadow/frame/surface_planes.h"
 #include "src/shadow/frame/upright.h"
@@ -85,6 +86,11 @@ Status ReflectiveRenderer::draw_map() {
   auto map = draw_reflective_map(scene_, settings_);
   if (!map) return map.error();
   map_ = std::move(*map);
+  note_pass(rendering_, "reflective map", reflective_map_pass(settings_));
+  rendering_.map_bytes += map_.depth.size() * sizeof map_.depth[0];
+  for (const auto* planes : {&map_.position, &map_.normal, &map_.flux}) {
+    for (const auto& plane : *planes) rendering_.map_bytes += plane.size() * sizeof plane[0];
+  }
   lights_ = pixel_lights(map_, scene_.lights[0], settings_.reflective.pattern);
   return {};
 }
@@ -107,7 +113,9 @@ Status ReflectiveRenderer::draw_surface() {
   arrays.indices = index_list(scene_.triangles);
   const float aspect = static_cast<float>(frame.width()) / static_cast<float>(frame.height());
   const glm::mat4 projection = camera_projection(scene_, scene_.cameras[0], aspect);
-  if (Status drawn = rasterize(surface_pass(settings_), projection, arrays, {}, target); !drawn) return drawn;
+  const PipelineState state = surface_pass(settings_);
+  note_pass(rendering_, "surface", state);
+  if (Status drawn = rasterize(state, projection, arrays, {}, target); !drawn) return drawn;
   drawn_.resize(frame.depth().size());
   for (std::size_t i = 0; i < drawn_.size(); ++i) drawn_[i] = frame.depth()[i] != max_depth(frame.format());
   return {};
@@ -115,6 +123,7 @@ Status ReflectiveRenderer::draw_surface() {
 
 Status ReflectiveRenderer::gather() {
   const ReflectiveSettings& settings = settings_.reflective;
+  note_float_pass(rendering_, "gathering", false);
   indirect_.emplace(map_, lights_, surface_, make_pattern(settings), settings.kernel);
   return indirect_->compute(drawn_, settings.gather_scale, bounds_of(scene_).diagonal() * kSimilarDistance,
                             between("indirect light", 0.3, 0.85));

@@ -7,6 +7,7 @@
 
 #include "ninebit/raster/rasterizer.h"
 #include "src/shadow/frame/camera_frame.h"
+#include "src/shadow/frame/drawn_passes.h"
 #include "src/shadow/frame/light_beam.h"
 #include "src/shadow/frame/map_evidence.h"
 #include "src/shadow/frame/packed_map.h"
@@ -124,6 +125,7 @@ Status ShadowMapRenderer::draw_map() {
 Status ShadowMapRenderer::draw_casters(RenderTarget& target) {
   const SurfaceGroups& groups = frame_.groups();
   VertexArrays arrays = frame_.all_triangles(frame_.scene().positions);
+  note_pass(rendering(), "map", passes_.map);
   if (!groups.masked()) return rasterize(passes_.map, beam_.projection(), arrays, {}, target);
   const TrianglePart opaque = groups.opaque_part(frame_.scene(), false);
   if (!opaque.triangles.empty()) {
@@ -178,6 +180,7 @@ Status ShadowMapRenderer::compare_depth_texture() {
   const TextureImage image{size, size, std::array<Plane<const std::uint32_t>, 4>{{{depth_->data(), size}, {}, {}, {}}}};
   const Texture map = texture_view(
       map_format_ == DepthStencilFormat::d16 ? InternalFormat::depth16 : InternalFormat::depth24, {&image, 1});
+  rendering().map_bytes = texture_bytes(map);
   const Texture beam = beam_texture();
   Sampler comparing = kNearestSampler;
   comparing.comparison = DepthComparison::lequal;
@@ -200,6 +203,8 @@ Status ShadowMapRenderer::compare_packed() {
   add_coordinate_planes(target);
   VertexArrays arrays;
   arrays.attributes[0] = interpolated_;
+  note_float_pass(r, "coordinates", true);
+  r.map_bytes = packed_->bytes();
   if (Status drawn = frame_.draw("coordinates", passes_.coordinate, arrays, {}, target); !drawn) return drawn;
   std::vector<float>* read = nullptr;
   if (settings().layers) {

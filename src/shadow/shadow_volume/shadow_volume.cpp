@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "src/shadow/frame/camera_frame.h"
+#include "src/shadow/frame/drawn_passes.h"
 #include "src/shadow/frame/pass_timer.h"
 #include "src/shadow/frame/views.h"
 #include "src/shadow/shadow_volume/volume_extrusion.h"
@@ -121,6 +122,7 @@ Status VolumeRenderer::draw_pass(const VolumePass& pass, RenderTarget& target) {
   if (Status drawn = draw(volumes_.outward, FrontFace::counter_clockwise); !drawn) return drawn;
   if (Status drawn = draw(volumes_.inward, FrontFace::clockwise); !drawn) return drawn;
   if (pyramid_.triangles.empty()) return {};
+  note_pass(frame_.rendering(), pass.name, pass.state);
   VertexArrays arrays;
   arrays.homogeneous_positions = pyramid_.positions;
   arrays.indices = index_list(pyramid_.triangles);
@@ -140,6 +142,7 @@ Status VolumeRenderer::clear_background(RenderTarget& target) {
   state.depth_test = {.enabled = true, .function = CompareFunction::equal, .write = false};
   state.stencil_test = {.enabled = true, .front = {.depth_pass = StencilOperation::zero}};
   constexpr std::array<glm::vec3, 4> kFarPlane{{{-1, -1, 1}, {1, -1, 1}, {1, 1, 1}, {-1, 1, 1}}};
+  note_pass(frame_.rendering(), "background", state);
   VertexArrays arrays;
   arrays.type = PrimitiveType::quads;
   arrays.positions = kFarPlane;

@@ -1,7 +1,7 @@
 // The page of `ninebit compare`. Its data are in the element "data"; every name is shown as text.
 import { pictureSwipe } from "../../page/web/picture_swipe.js";
 import { sortableTable } from "../../page/web/sortable_table.js";
-import { causeColors, causeHelp, heatStops, wrongPixels } from "./wrong_pixels.js";
+import { causeColors, causeHelp, heatStops, wrongPixels } from "../../page/web/wrong_pixels.js";
 
 const data = JSON.parse(document.getElementById("data").textContent);
 const [pictureWidth, pictureHeight] = data.size;

@@ -1,31 +1,16 @@
 #include "src/tools/compare/compare_rows.h"
 
+#include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "ninebit/image/image_io.h"
 #include "ninebit/shadow/pictures.h"
+#include "src/shadow/ground_truth/cause_plane.h"
 #include "src/tools/common/picture_hashes.h"
 
 namespace ninebit::tools {
 namespace {
-
-constexpr int kFalselyLit = 128;
-
-// The causes of the wrong pixels, the top row first.
-Image8 cause_plane(const GroundTruth& truth, int width, int height) {
-  const auto w = static_cast<std::size_t>(width), h = static_cast<std::size_t>(height);
-  Image8 image{.width = width, .height = height, .channels = 1, .pixels = std::vector<std::uint8_t>(w * h)};
-  for (std::size_t y = 0; y < h; ++y) {
-    for (std::size_t x = 0; x < w; ++x) {
-      const std::size_t from = (h - 1 - y) * w + x;
-      if (truth.cause[from] == ErrorCause::none) continue;
-      const bool lit = truth.truth[from] == PixelTruth::shadowed;
-      image.pixels[y * w + x] =
-          static_cast<std::uint8_t>(static_cast<int>(truth.cause[from]) + (lit ? kFalselyLit : 0));
-    }
-  }
-  return image;
-}
 
 Status judge_row(const Rendering& rendering, const RenderSettings& settings, const GroundTruthScene& rays,
                  const Progress& progress, ComparedRow& row) {
@@ -52,6 +37,17 @@ Json errors_of_row(const ComparedErrors& errors) {
           {"by_cause", std::move(by_cause)}};
 }
 
+// The most texture units that a pass reads which marks shadows; null if it is computed in floats, or if there is none.
+Json comparison_units(const std::vector<DrawnPass>& drawn) {
+  std::optional<int> most;
+  for (const DrawnPass& pass : drawn) {
+    if (!pass.marks_shadows) continue;
+    if (!pass.texture_units) return {};
+    most = std::max(most.value_or(0), *pass.texture_units);
+  }
+  return most ? Json(*most) : Json();
+}
+
 Json row_json(const ComparedPoint& point, const ComparedRow& row) {
   Json varied = Json::object(), hashes = Json::object();
   for (const auto& [flag, value] : point.varied) varied[flag] = value;
@@ -70,9 +66,11 @@ Json row_json(const ComparedPoint& point, const ComparedRow& row) {
   out["time_ms"] = {{"transform", pass.transform},     {"maps", pass.maps},
                     {"camera", pass.camera},           {"compare", pass.compare},
                     {"shade", pass.lit + pass.shadow}, {"total", total_ms(pass)}};
-  out["texture_units"] = row.costs.texture_units ? Json(*row.costs.texture_units) : Json();
-  out["passes"] = row.costs.passes;
-  out["map_bytes"] = row.costs.map_bytes;
+  out["texture_units"] = comparison_units(row.drawn);
+  out["passes"] = row.drawn.size();
+  out["drawn"] = Json::array();
+  for (const DrawnPass& drawn : row.drawn) out["drawn"].push_back(drawn.name);
+  out["map_bytes"] = row.map_bytes;
   out["hash"] = std::move(hashes);
   return out;
 }
@@ -108,7 +106,8 @@ Result<ComparedRow> compared_row(const ComparedPoint& point, const Scene& scene,
   row.lit = rendering->lit;
   row.shadowed = rendering->shadowed;
   row.times = rendering->times;
-  row.costs = costs_of(point.scene.technique, settings, *rendering);
+  row.drawn = rendering->drawn;
+  row.map_bytes = rendering->map_bytes;
   row.hashes = picture_hashes(*rendering);
   auto color = encode_png(color_picture(*rendering));
   if (!color) return color.error();

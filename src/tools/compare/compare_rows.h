@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "ninebit/shadow/ground_truth.h"
-#include "src/tools/compare/compare_costs.h"
+#include "ninebit/shadow/technique.h"
 #include "src/tools/compare/compare_points.h"
 
 namespace ninebit::tools {
@@ -20,9 +20,10 @@ struct ComparedErrors {
 struct ComparedRow {
   std::string refused{};  // why the technique cannot draw the scene; empty: it was drawn
   std::uint64_t background = 0, lit = 0, shadowed = 0;
-  std::optional<ComparedErrors> errors{};  // empty if no shadows were drawn
-  PassTimes times{};                       // of a rendering that is not judged
-  TechniqueCosts costs{};
+  std::optional<ComparedErrors> errors{};                     // empty if no shadows were drawn
+  PassTimes times{};                                          // of a rendering that is not judged
+  std::vector<DrawnPass> drawn{};                             // as Rendering::drawn
+  std::uint64_t map_bytes = 0;                                // as Rendering::map_bytes
   std::vector<std::pair<std::string, std::string>> hashes{};  // as picture_hashes
   std::string color{};                                        // the picture as PNG
   std::string wrong{};  // as PNG, grey: 0, or the number of an ErrorCause, plus 128 if the pixel is falsely lit

@@ -2,9 +2,62 @@
 
 #include <fmt/format.h>
 
+#include <array>
+#include <utility>
+
+#include "ninebit/language/explain.h"
+#include "src/tools/common/explanation.h"
 #include "src/tools/input/printable.h"
+#include "src/tools/trace/trace_pixel.h"
 
 namespace ninebit::tools {
+namespace {
+
+// The trace of one fragment, and its program's equations.
+Json page_trace(const TraceFacts& facts, const TracedPixel* pixel, const Program& program,
+                const RegisterFile& registers) {
+  const TraceHeading heading{.profile = facts.profile, .program = facts.program, .pixel = pixel};
+  const Trace traced = trace(program, *facts.hardware, registers);
+  return {{"trace", trace_answer(heading, &program, &traced)},
+          {"explanation", explanation_json(explain(program, *facts.hardware), {}, facts.profile)}};
+}
+
+// What the page says about a pass beside its diagram.
+Json pass_notes(const TracedPixel& pixel, const ProbedPass& pass, const Program* program) {
+  Json notes = Json::array();
+  if (program == nullptr) notes.push_back("No program: the combiners are off, and the primary colour is drawn.");
+  for (const ProbedFragment& fragment : pass.fragments) {
+    const bool decided = &fragment == deciding_fragment(pass) && program != nullptr;
+    notes.push_back(fmt::format("{}: {}; colour {}", decided ? "Traced fragment" : "Fragment",
+                                fragment_text(pixel, fragment), fmt::join(fragment.color, ", ")));
+  }
+  return notes;
+}
+
+Json drawn_passes(const TraceFacts& facts) {
+  TracedPixel pixel = *facts.pixel;
+  Json passes = Json::array();
+  std::size_t first = 0;
+  for (std::size_t i = 0; i < pixel.passes.size(); ++i) {
+    const ProbedPass& pass = pixel.passes[i];
+    if (pass.fragments.empty()) continue;
+    // A program that is given replaces those of passes; if no pass has one, it is traced in all of them.
+    const bool traced = pass.program || (facts.given != nullptr && facts.pixel->pass == i);
+    const Program* const program = !traced ? nullptr : facts.given != nullptr ? facts.given : &*pass.program;
+    if (facts.pixel->pass == i) first = passes.size();
+    Json shown = Json::object();
+    const bool chosen = choose_pass(pixel, i);
+    if (program != nullptr && chosen) {
+      shown = page_trace(facts, &pixel, *program, pass.fragments[*pixel.fragment].registers);
+    }
+    shown["name"] = printable(pass.name);
+    shown["notes"] = pass_notes(*facts.pixel, pass, program);
+    passes.push_back(std::move(shown));
+  }
+  return passes.empty() ? Json() : Json{{"first", first}, {"passes", std::move(passes)}};
+}
+
+}  // namespace
 
 DiagramPage trace_page(const TraceFacts& facts) {
   DiagramPage page{.kind = "ninebit trace", .title = printable(facts.program)};
@@ -17,13 +70,19 @@ DiagramPage trace_page(const TraceFacts& facts) {
     if (!pixel->technique.empty()) fact("Technique", pixel->technique);
     fact("Size", pixel->size);
     fact("State", pixel->state);
-    if (pixel->pass) fact("Pass", pixel->passes[*pixel->pass].name);
   }
   fact("Profile", facts.profile);
-  if (facts.trace != nullptr) {
-    fact("Out", fmt::format("bytes {}", fmt::join(facts.trace->bytes, ", ")));
+  Json drawn;
+  if (facts.pixel != nullptr) {
+    drawn = drawn_passes(facts);
+  } else {
+    Json only = page_trace(facts, nullptr, *facts.given, facts.registers);
+    const auto bytes = only["trace"]["out"]["bytes"].get<std::array<int, 4>>();
+    fact("Out", fmt::format("bytes {}", fmt::join(bytes, ", ")));
+    drawn = {{"first", 0}, {"passes", Json::array({std::move(only)})}};
   }
   fact("Version", "ninebit " NINEBIT_VERSION);
+  if (!drawn.is_null()) page.passes = json_text(drawn);
   return page;
 }
 

@@ -1,22 +1,26 @@
-// What the page of a trace says above its diagram.
+// The page of a trace.
 #pragma once
 
 #include <string>
 
 #include "ninebit/combiner/trace.h"
+#include "src/effect/traced_pixel.h"
 #include "src/page/diagram_page.h"
-#include "src/tools/trace/trace_pixel.h"
 
 namespace ninebit::tools {
 
+// What was traced.
 struct TraceFacts {
-  std::string program;                 // file; empty: the program of the pixel's pass
-  std::string profile;                 // name
-  const TracedPixel* pixel = nullptr;  // nullptr: registers were given
-  const Trace* trace = nullptr;        // nullptr: the pixel has no fragment to trace
+  std::string program{};                      // file; empty: the program of the pixel's pass
+  std::string profile{};                      // its name for people
+  const TracedPixel* pixel = nullptr;         // nullptr: registers were given
+  const HardwareProfile* hardware = nullptr;  // that the fragments were drawn with
+  const Program* given = nullptr;             // the program of the file; nullptr: those of the passes
+  RegisterFile registers{};                   // without a pixel
 };
 
-// The page without its trace, explanation and text.
+// The page with every pass that drew at the pixel, but without its text. A pass is traced at the fragment that decided
+// it. Without any fragment the page has no diagram.
 [[nodiscard]] DiagramPage trace_page(const TraceFacts& facts);
 
 }  // namespace ninebit::tools

@@ -16,12 +16,6 @@ std::string state_of(const Surface& frame, std::size_t at) {
   return frame.stencil()[at] == 0 ? "lit" : "shadowed";
 }
 
-std::string fragment_text(const TracedPixel& pixel, const ProbedFragment& f) {
-  const std::uint32_t object = pixel.object_of[f.primitive];
-  return fmt::format("polygon {} of object {} '{}': depth {} against stored {}, {}", f.primitive + 1, object + 1,
-                     printable(pixel.objects[object]), f.depth, f.stored_depth, text_of_fate(f.fate));
-}
-
 }  // namespace
 
 Result<TracedPixel> render_pixel(const SceneFlags& flags, const CommonFlags& common, int x, int y, bool other_program) {
@@ -53,6 +47,12 @@ Result<TracedPixel> render_pixel(const SceneFlags& flags, const CommonFlags& com
   pixel.object_of = scene->triangle_object;
   choose_fragment(pixel, other_program);
   return pixel;
+}
+
+std::string fragment_text(const TracedPixel& pixel, const ProbedFragment& f) {
+  const std::uint32_t object = pixel.object_of[f.primitive];
+  return fmt::format("polygon {} of object {} '{}': depth {} against stored {}, {}", f.primitive + 1, object + 1,
+                     printable(pixel.objects[object]), f.depth, f.stored_depth, text_of_fate(f.fate));
 }
 
 std::string pixel_text(const TracedPixel& pixel) {

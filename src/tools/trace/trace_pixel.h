@@ -18,4 +18,7 @@ namespace ninebit::tools {
 
 [[nodiscard]] std::string pixel_text(const TracedPixel& pixel);
 
+// One fragment of it: "polygon 3 of object 1 'torus': depth … against stored …, written".
+[[nodiscard]] std::string fragment_text(const TracedPixel& pixel, const ProbedFragment& fragment);
+
 }  // namespace ninebit::tools

@@ -1,0 +1,39 @@
+// A rendering judged by rays, rows of pixels at a time.
+#pragma once
+
+#include <vector>
+
+#include "src/shadow/ground_truth/ground_truth_rays.h"
+
+namespace ninebit {
+
+// Reports a rendering that cannot be judged with these settings.
+[[nodiscard]] Status check_rendering(const RenderSettings& settings, const Rendering& rendering);
+
+class Judge {
+ public:
+  // The rendering was made with these settings, and check_rendering accepts it. All three must outlive the judge.
+  Judge(const GroundTruthScene::Rays& rays, const RenderSettings& settings, const Rendering& rendering);
+
+  // Judges rows [first, last), counted from the lowest.
+  void judge_rows(int first, int last);
+
+  // The truth about all rows, after all of them were judged once. The judge is empty then.
+  [[nodiscard]] GroundTruth finish();
+
+ private:
+  void judge_pixel(int x, int y, std::vector<Crossed>& between);
+  [[nodiscard]] bool turns_away(const Corners& triangle) const;
+  [[nodiscard]] bool outside_spot(const glm::dvec3& point) const;
+
+  const GroundTruthScene::Rays& rays_;
+  const Scene& scene_;
+  const Light& light_;
+  const RenderSettings& settings_;
+  const Rendering& rendering_;
+  PixelRays pixel_rays_;
+  glm::dmat4 spot_{1.0};
+  GroundTruth truth_;
+};
+
+}  // namespace ninebit
