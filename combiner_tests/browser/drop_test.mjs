@@ -42,15 +42,19 @@ function picture(side) {
     chunk('IEND', Buffer.alloc(0))]);
 }
 
-/** Drops a file on the picture. `content`: base64, or a number of zero bytes. */
-function drop(name, type, content) {
-  return page.evaluate(({ file, kind, data }) => {
-    const bytes = typeof data === 'number' ? new Uint8Array(data) : Uint8Array.from(atob(data), (character) => character.charCodeAt(0));
+/** Drops files on the picture. `content`: base64, or a number of zero bytes. */
+function dropAll(files) {
+  return page.evaluate((all) => {
     const dataTransfer = new DataTransfer();
-    dataTransfer.items.add(new File([bytes], file, { type: kind }));
+    for (const { name, type, content } of all) {
+      const bytes = typeof content === 'number' ? new Uint8Array(content) : Uint8Array.from(atob(content), (character) => character.charCodeAt(0));
+      dataTransfer.items.add(new File([bytes], name, { type }));
+    }
     document.getElementById('picture').dispatchEvent(new DragEvent('drop', { bubbles: true, cancelable: true, dataTransfer }));
-  }, { file: name, kind: type, data: content });
+  }, files);
 }
+
+const drop = (name, type, content) => dropAll([{ name, type, content }]);
 
 const message = () => page.$eval('#message', (element) => (element.hidden ? '' : element.textContent));
 
@@ -100,3 +104,30 @@ test('100 MB, a broken picture and a binary file are refused with a message', as
 });
 
 test('nothing complained', () => assert.deepEqual(page.complaints, []));
+
+test('an effect file opens with the files that it names', async () => {
+  const effect = JSON.stringify({
+    ninebit: 'effect', version: 1, title: 'Captured', profile: 'geforce2', size: [32, 32],
+    scene: { mesh: 'draw-001.ply', camera: [0, 0, 3], look_at: [0, 0, 0], fov: 36.86989764584402, light: [-1, 1, 1] },
+    textures: { texel0: { source: 'draw-001.texel0.png', filter: 'nearest', wrap: 'clamp-to-edge' } },
+    passes: [{ name: 'glBegin', program: '../program-001.gl', primary: 'color', shade: 'flat', depth: null,
+      units: [{ texture: 'texel0', coordinates: 'screen' }] }],
+  });
+  const program = 'glCombinerInputNV(GL_COMBINER0_NV, GL_RGB, GL_VARIABLE_B_NV, GL_TEXTURE0_ARB, GL_UNSIGNED_INVERT_NV, GL_RGB);\n';
+  const mesh = ['ply', 'format ascii 1.0', 'element vertex 4', 'property float x', 'property float y', 'property float z',
+    'property uchar red', 'property uchar green', 'property uchar blue', 'property uchar alpha', 'element face 1',
+    'property list uchar int vertex_indices', 'end_header', '-1 -1 0 200 90 10 255', '0.5 -1 0 200 90 10 255',
+    '0.5 0.5 0 200 90 10 255', '-1 0.5 0 200 90 10 255', '4 0 1 2 3', ''].join('\n');
+  const base64 = (text) => Buffer.from(text).toString('base64');
+  const files = [
+    { name: 'draw-001.json', type: 'application/json', content: base64(effect) },
+    { name: 'draw-001.ply', type: '', content: base64(mesh) },
+    { name: 'draw-001.texel0.png', type: 'image/png', content: picture(32).toString('base64') },
+  ];
+  await dropAll(files);
+  await page.waitForFunction(() => document.getElementById('message').textContent.includes('draw-001'));
+  assert.match(await message(), /draw-001\.json: drop the file program-001\.gl, which it names, together with it/);
+  await dropAll([...files, { name: 'program-001.gl', type: '', content: base64(program) }]);
+  await page.waitForFunction(() => globalThis.ninebit.store.state.effect.title === 'Captured');
+  await waitForHash(page, nativeHash(await stateOf(page), { 'dropped/draw-001.ply': Buffer.from(mesh), 'dropped/draw-001.texel0.png': picture(32) }));
+});

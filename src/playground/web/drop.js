@@ -1,7 +1,9 @@
 /**
- * Files dropped on the page: pictures become textures, meshes the effect's mesh, texts the program.
+ * Files dropped on the page: pictures become textures, meshes the effect's mesh, texts the program. An effect file opens
+ * with the files that it names.
  */
 import { mostBytes } from './decode_picture.js';
+import { findEffect, stateOfDropped } from './effect_drop.js';
 import { meshEnding } from './shelf.js';
 import { mostCharacters, passOf } from './state.js';
 
@@ -30,11 +32,18 @@ async function take(file, unit, { store, shelf, inputs, editor }) {
 }
 
 /**
- * @param {{store: any, shelf: any, inputs: any, editor: () => void}} page `editor` shows the state's text
+ * @param {{store: any, shelf: any, inputs: any, editor: () => void, open: (state: import('./state.js').State) => void}} page
+ *   `editor` shows the state's text
  * @param {(message: string) => void} say shows what went wrong
  */
 export function acceptDrops(page, say) {
   const takeAll = async (files, unit) => {
+    try {
+      const found = await findEffect(files);
+      if (found) return page.open(await stateOfDropped(found.effect, found.file.name, files, page.shelf));
+    } catch (error) {
+      return say(error.message);
+    }
     for (const [number, file] of files.entries()) {
       try {
         await take(file, Math.min(3, unit + number), page);
@@ -42,6 +51,7 @@ export function acceptDrops(page, say) {
         say(error.message);
       }
     }
+    return undefined;
   };
   page.inputs.onfiles = (files) => takeAll(files, 0);
   const { body } = document;

@@ -196,7 +196,7 @@ class Page {
     byId('new-program').addEventListener('click', () => open(newState()));
     byId('copy-link').addEventListener('click', () => this.copyLink());
     byId('cancel').addEventListener('click', () => this.engine.restart('the engine was stopped'));
-    acceptDrops({ store: this.store, shelf: this.shelf, inputs: this.inputs, editor: () => this.program.show() }, say);
+    acceptDrops({ store: this.store, shelf: this.shelf, inputs: this.inputs, editor: () => this.program.show(), open }, say);
     window.addEventListener('hashchange', async () => {
       try {
         const state = await stateOfAddress(location.hash);

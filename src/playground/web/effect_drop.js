@@ -1,0 +1,75 @@
+/**
+ * An effect file dropped together with the files that it names: what `ninebit gl-run --dump-frame` writes, for one.
+ */
+import { mostCharacters, stateOf } from './state.js';
+
+const fileName = (path) => path.split('/').pop();
+
+/** A texture's source is a generated texture or a target where this matches, else one file or six. */
+const generated = /^(normalize-cube:|checker:|gradient$|falloff$|target:|depth:)/;
+
+/** Meshes that the engine makes. */
+const generatedMesh = /^(sphere:|torus:|plane:|cube$)/;
+
+/**
+ * The effect in a text; `undefined`: it is something else, such as a program as JSON.
+ * @param {string} text
+ */
+export function effectIn(text) {
+  try {
+    const found = JSON.parse(text);
+    return found?.ninebit === 'effect' ? found : undefined;
+  } catch {
+    return undefined;
+  }
+}
+
+/**
+ * The first effect among files, with its file.
+ * @param {File[]} files
+ */
+export async function findEffect(files) {
+  for (const file of files) {
+    if (!/\.json$/i.test(file.name) || file.size > mostCharacters) continue;
+    const effect = effectIn(await file.text());
+    if (effect) return { file, effect };
+  }
+  return undefined;
+}
+
+/**
+ * The state of an effect whose files are the others that were dropped: they are found by their names without folders.
+ * @param {any} effect
+ * @param {string} name of the effect's file
+ * @param {File[]} files
+ * @param {import('./shelf.js').Shelf} shelf
+ * @returns {Promise<import('./state.js').State>}
+ */
+export async function stateOfDropped(effect, name, files, shelf) {
+  if (!Array.isArray(effect.passes)) throw new Error(`${name}: an effect has a list of passes`);
+  const find = (path) => {
+    const file = files.find((candidate) => candidate.name === fileName(path));
+    if (!file) throw new Error(`${name}: drop the file ${fileName(path)}, which it names, together with it`);
+    return file;
+  };
+  const shelved = async (path) => (path in shelf.embedded ? path : shelf.take(find(path)));
+  const programs = {};
+  for (const pass of effect.passes) {
+    if (typeof pass?.program !== 'string') continue;
+    const file = find(pass.program);
+    if (file.size > mostCharacters) throw new Error(`${file.name}: a program has at most ${mostCharacters / 1e6} MB`);
+    pass.program = file.name;
+    programs[file.name] = await file.text();
+  }
+  for (const texture of Object.values(effect.textures ?? {})) {
+    const source = String(texture?.source ?? '');
+    if (generated.test(source)) continue;
+    const [, before, paths] = /^(normals:)?(.*)$/s.exec(source);
+    const names = [];
+    for (const path of paths.split(',')) names.push(await shelved(path));
+    texture.source = (before ?? '') + names.join(',');
+  }
+  const mesh = effect.scene?.mesh;
+  if (typeof mesh === 'string' && !generatedMesh.test(mesh)) effect.scene.mesh = await shelved(mesh);
+  return stateOf(effect, programs);
+}
