@@ -9,9 +9,9 @@
 #include <string>
 
 #include "combiner_tests/combiner/simd_targets.h"
-#include "ninebit/image/texture_io.h"
 #include "ninebit/scene/scene_io.h"
 #include "ninebit/shadow/technique.h"
+#include "src/image/texture/picture_loader.h"
 #include "src/system/parallel/parallel_loop.h"
 #include "src/tools/common/picture_hashes.h"
 
@@ -22,17 +22,20 @@ namespace fs = std::filesystem;
 
 const fs::path kModels = "/usr/share/assimp/models";
 
-// The scene with the pictures of its materials, as `ninebit render` draws it.
+// The scene with the pictures of its materials, as `ninebit render` draws it. Linked to this test program, OpenImageIO
+// would take longer to start than most of its tests take.
 Scene textured_scene(const fs::path& file, const HardwareProfile& profile) {
   auto scene = read_scene(file);
   EXPECT_TRUE(scene) << scene.error().text();
   const TextureReadOptions options{.mipmaps = true, .any_size = true};
   for (SceneTexture& texture : scene->textures) {
     EXPECT_EQ(texture.fault, "");
+    using image_detail::kPictureModule;
     auto read = texture.file.empty()
-                    ? read_texture({reinterpret_cast<const std::uint8_t*>(texture.bytes.data()), texture.bytes.size()},
-                                   texture.name, options)
-                    : read_texture(profile, texture.file, options);
+                    ? image_detail::read_texture(
+                          {reinterpret_cast<const std::uint8_t*>(texture.bytes.data()), texture.bytes.size()},
+                          texture.name, options, kPictureModule)
+                    : image_detail::read_texture(profile, texture.file, options, kPictureModule);
     EXPECT_TRUE(read) << read.error().text();
     texture.texture = std::make_shared<const Texture>(std::move(*read));
   }
