@@ -52,6 +52,28 @@ TEST(EmitText, TheArticlesProgramReadsAsItIs) {
   EXPECT_FALSE(contains(text, "alpha portion")) << "the alpha portions write nothing:\n" << text;
 }
 
+TEST(EmitText, UniformConstantsAreNoPartOfTheText) {
+  const auto text_of = [](const CombinerState& state) {
+    return emit_glsl_with_uniform_constants(compiled(state, profiles::nv2a), GlslVersion::glsl_130, "mine").value();
+  };
+  CombinerState state;
+  state.per_stage_constants = true;
+  state.num_general_combiners = 2;
+  state.general[1].rgb.a.reg = Register::constant1;
+  state.general[1].constant1 = {0.0F, 0.5F, 1.0F, 1.0F};
+  state.final_combiner.d.reg = Register::constant0;
+  const std::string text = text_of(state);
+  EXPECT_EQ(text.rfind("#version 130\n", 0), 0U);
+  EXPECT_TRUE(contains(text, "uniform ivec4 mine_constants[18];\n")) << text;
+  EXPECT_TRUE(contains(text, "mine_constants[3].r")) << "constant 1 of general combiner 1:\n" << text;
+  EXPECT_TRUE(contains(text, "mine_constants[16].b")) << "constant 0 of the final combiner:\n" << text;
+  EXPECT_FALSE(contains(text, "mine_constants[2]")) << text;
+  CombinerState other = state;
+  other.constant0 = {0.25F, 0.125F, 0.0F, 0.0F};
+  other.general[1].constant1 = {1.0F, 1.0F, 0.0F, 0.0F};
+  EXPECT_EQ(without_comments(text_of(other)), without_comments(text));
+}
+
 TEST(EmitText, LeavesOutWhatIsOverwrittenAndFoldsConstants) {
   CombinerState state;
   state.num_general_combiners = 2;

@@ -44,12 +44,13 @@ void drop_list(Context& context, GLuint number) {
   delete_driver_lists(*dropped);
 }
 
-void play_driver_list(GLuint number) {
+// Plays a list of the driver; `draws`: with a draw call in it, as far as the layer knows.
+void play_driver_list(GLuint number, bool draws = true) {
   Context* const context = current();
   if (context == nullptr) return found_driver.CallList(number);
   prepare_draw(*context);
-  count_draw(*context);
-  const bool captured = begin_capture(*context, "glCallList");
+  if (draws) count_draw(*context);
+  const bool captured = draws && begin_capture(*context, "glCallList");
   found_driver.CallList(number);
   if (captured) end_capture(*context);
   context->forget();
@@ -122,10 +123,10 @@ bool is_list_type(GLenum type) {
 void close_driver_list(Context& context) {
   OpenList& open = *context.open_list;
   found_driver.EndList();
-  open.list.steps.emplace_back([number = open.driver_number] { play_driver_list(number); });
+  open.list.steps.emplace_back([number = open.driver_number, draws = open.draws] { play_driver_list(number, draws); });
   if (open.driver_number != open.number) open.list.driver_lists.push_back(open.driver_number);
   open.driver_number = 0;
-  open.stale = false;
+  open.stale = open.draws = false;
 }
 
 void open_driver_list(Context& context) {
@@ -148,10 +149,12 @@ void record(Context& context, const std::function<void()>& command) {
 void prepare_list_for_draw(Context& context) {
   OpenList& open = *context.open_list;
   const bool executes = open.mode == GL_COMPILE_AND_EXECUTE;
-  if (!open.stale && !(executes && needs_preparation(context))) return;
-  close_driver_list(context);
-  if (executes) prepare_draw(context);
-  open_driver_list(context);
+  if (open.stale || (executes && needs_preparation(context))) {
+    close_driver_list(context);
+    if (executes) prepare_draw(context);
+    open_driver_list(context);
+  }
+  open.draws = true;
 }
 
 }  // namespace ninebit::gl_layer
@@ -177,7 +180,7 @@ GLAPI void GLAPIENTRY glEndList() {
   drop_list(*context, open->number);  // until here a call of this number played the former list
   if (open->mode == GL_COMPILE_AND_EXECUTE) context->forget();
   if (open->list.steps.empty()) return;
-  open->list.steps.emplace_back([number = open->driver_number] { play_driver_list(number); });
+  open->list.steps.emplace_back([number = open->driver_number, draws = open->draws] { play_driver_list(number, draws); });
   open->list.driver_lists.push_back(open->driver_number);
   const std::lock_guard lock(context->group->mutex);
   context->group->had_steps = true;

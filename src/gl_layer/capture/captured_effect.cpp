@@ -155,7 +155,8 @@ Json pass_of(const CapturedDraw& draw, const CombinerState& state, const Hardwar
   constants = {{"const0", color_of(state.constant0)}, {"const1", color_of(state.constant1)}};
   if (profile.per_stage_constants && state.per_stage_constants) {
     constants["combiners"] = Json::array();
-    for (const GeneralCombiner& general : state.general) {
+    for (int i = 0; i < state.num_general_combiners; ++i) {
+      const GeneralCombiner& general = state.general[static_cast<std::size_t>(i)];
       constants["combiners"].push_back(
           {{"const0", color_of(general.constant0)}, {"const1", color_of(general.constant1)}});
     }

@@ -40,6 +40,7 @@ struct OpenList {
   unsigned mode = 0;           // GL_COMPILE or GL_COMPILE_AND_EXECUTE
   unsigned driver_number = 0;  // of the driver's list that is open
   bool stale = false;          // whether a command in the driver's list changes what shaders depend on
+  bool draws = false;          // whether there is a draw call in the driver's list
   bool in_begin = false;       // between glBegin and glEnd
   StepList list{};             // the steps before the driver's open list
 };
