@@ -1,4 +1,4 @@
-"""What the three tests share: a display of their own, the program with and without the layer, and lines of results."""
+"""Code shared by these tests: a display of their own, the program with and without the layer, and lines of results."""
 import contextlib
 import os
 import pathlib
@@ -60,7 +60,7 @@ class Kit:
         return folder
 
     def check(self, good, text):
-        """One line; `text` says what is expected, with the figures that were found."""
+        """Prints one line: the expectation, with the figures that were found."""
         print(f"{'ok    ' if good else 'FAILED'}  {text}", flush=True)
         self.failed += not good
         return good

@@ -2,7 +2,7 @@
 
 The film is one picture of 48 patches, each of one colour. The display's own memory shows what MPlayer draws. The middle of
 each patch, away from what filtering blends, is what `ninebit eval` gives for MPlayer's set-up, and within 3 of the colour by
-the conversion's formula. Without the layer MPlayer says that functions are missing, and draws something else.
+the conversion's formula. Without the layer MPlayer reports missing functions and draws other colours.
 """
 import subprocess
 import time

@@ -1,8 +1,8 @@
-"""Wine's own Direct3D on the layer: without shaders it draws texture stages by register combiners, where it finds them.
+"""Wine's own Direct3D on the layer: with its shaders switched off, it draws texture stages by register combiners.
 
-Mesa hides the extensions that Wine would prefer. What Wine sets up is in the layer's dump, so that `ninebit eval` gives each
-result to the bit; and the picture is that of Wine's usual way, by GLSL, within 1. Only in the dot product's alpha Wine's
-combiners leave the texture's, as they always did.
+Mesa hides the extensions that Wine prefers. The layer's dump has Wine's combiner programs: `ninebit eval` of them gives each
+result to the bit. The picture is that of Wine's usual way, by GLSL, within 1. The alpha of the dot product is left out: Wine
+replicates the dot product into alpha by GLSL alone.
 """
 import numpy
 

@@ -16,7 +16,7 @@ COMPILER = "x86_64-w64-mingw32-gcc"
 PROGRAMS, WAYS = ["compare", "specular", "mux", "final"], ["immediate", "list", "arrays", "pbuffer"]
 FOG = [51, 102, 153, 255]
 QUIET = {"WINEDEBUG": "-all", "WINEDLLOVERRIDES": "mscoree,mshtml,winemenubuilder.exe="}  # no questions, no menus
-# What print_errors() of the program prints: INVALID_ENUM 0500, INVALID_VALUE 0501, INVALID_OPERATION 0502; the defaults of
+# The lines of print_errors() of the program: INVALID_ENUM 0500, INVALID_VALUE 0501, INVALID_OPERATION 0502; the defaults of
 # A, PRIMARY_COLOR_NV, and of G, ALPHA.
 ERRORS = """\
 input GL_ONE: 0x0500

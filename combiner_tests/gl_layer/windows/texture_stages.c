@@ -1,5 +1,5 @@
 /* A Windows program with Direct3D 9 and no shader: it draws 256 fragments with each of a few set-ups of texture stages
- * and prints what it reads back. It knows nothing of OpenGL.
+ * and prints what it reads back. Written without OpenGL.
  *
  *   texture_stages.exe INPUTS.bin > RESULTS.txt
  *
