@@ -44,7 +44,7 @@ def film_on_screen(kit, folder, environment, layer, options="yuv=1"):
         player = subprocess.Popen(kit.command(command, layer, PROFILE), env=environment, cwd=folder,
                                   stdin=subprocess.DEVNULL, stdout=output, stderr=subprocess.STDOUT)
         try:
-            last, end = None, time.monotonic() + 20
+            seen, last, end = numpy.zeros((HEIGHT, WIDTH, 3), numpy.uint8), None, time.monotonic() + 20
             while time.monotonic() < end and player.poll() is None:
                 time.sleep(0.3)
                 seen = pictures.read_xwd(folder / "Xvfb_screen0")[:HEIGHT, :WIDTH]
