@@ -1,10 +1,11 @@
-"""What the three tests share: a display of their own, the program with and without the layer, and lines of results."""
+"""Code shared by these tests: a display of their own, the program with and without the layer, and lines of results."""
 import contextlib
 import os
 import pathlib
 import shutil
 import subprocess
 import sys
+import tempfile
 
 HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parents[1]
@@ -59,7 +60,7 @@ class Kit:
         return folder
 
     def check(self, good, text):
-        """One line; `text` says what is expected, with the figures that were found."""
+        """Prints one line: the expectation, with the figures that were found."""
         print(f"{'ok    ' if good else 'FAILED'}  {text}", flush=True)
         self.failed += not good
         return good
@@ -71,16 +72,19 @@ class Kit:
             raise RuntimeError(f"ninebit {' '.join(map(str, arguments))}: {done.stderr.strip()}")
         return done.stdout
 
-    def command(self, command, layer, profile=None):
+    def command(self, command, layer, profile=None, options=()):
         """The arguments that run a program, with the layer if asked for."""
-        start = [self.ninebit_path, "gl-run", *(["--profile", profile] if profile else []), "--"] if layer else []
-        return [str(word) for word in start + list(command)]
+        flags = [*(["--profile", profile] if profile else []), *options]
+        return [str(word) for word in ([self.ninebit_path, "gl-run", *flags, "--"] if layer else []) + list(command)]
 
-    def run(self, command, environment, layer=False, profile=None, timeout=120, cwd=None):
-        """Runs a program to its end. Its output and messages are one text."""
-        return subprocess.run(self.command(command, layer, profile), env=environment, cwd=cwd, stdin=subprocess.DEVNULL,
-                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, errors="replace",
-                              timeout=timeout)
+    def run(self, command, environment, layer=False, profile=None, options=(), timeout=60, cwd=None):
+        """Runs a program to its end. Its output and messages are one text, `stdout`."""
+        with tempfile.TemporaryFile() as output:  # not a pipe: Wine's services hold it open after the program's end
+            done = subprocess.run(self.command(command, layer, profile, options), env=environment, cwd=cwd,
+                                  stdin=subprocess.DEVNULL, stdout=output, stderr=subprocess.STDOUT, timeout=timeout)
+            output.seek(0)
+            done.stdout = output.read().decode(errors="replace").replace("\r\n", "\n")
+        return done
 
     def evaluate(self, program, columns, rows, profile="geforce2", more=()):
         """`ninebit eval` of a program for rows of register codes: lists of (red, green, blue, alpha)."""

@@ -1,5 +1,5 @@
 #version 130
-// The article's comparison by hand, in integers: what the rival of the layer runs.
+// The article's comparison in integers, written by hand: the rival of the layer.
 uniform samplerCube map;
 void main() {
   ivec3 index = ivec3(gl_Color.rgb * 255.0 + 0.5);

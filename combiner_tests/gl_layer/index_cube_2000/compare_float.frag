@@ -1,5 +1,5 @@
 #version 130
-// The comparison as somebody writes it who does not care for nine bits: no difference is lost.
+// The comparison in floating point: no difference is lost.
 uniform samplerCube map;
 void main() {
   vec3 d = gl_Color.rgb - textureCube(map, gl_TexCoord[0].stp).rgb;

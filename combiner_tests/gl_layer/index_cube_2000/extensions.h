@@ -1,4 +1,4 @@
-/* What the program needs of extensions, asked for as programs of 2000 asked. */
+/* The extensions that the program needs, looked up as in programs of 2000. */
 #include <GL/gl.h>
 #include <GL/glext.h>
 #include <stdio.h>

@@ -1,10 +1,10 @@
-/* Index cube shadow mapping as a program of the year 2000 does it: GLUT, immediate mode, and the register combiners
- * that the article sets up. It knows nothing of ninebit. It needs GL_NV_register_combiners, GL_ARB_multitexture and
- * GL_ARB_texture_cube_map; without them it says so and exits with 2.
+/* Index cube shadow mapping as in a program of the year 2000: GLUT, immediate mode, and the register combiners that the
+ * article sets up. Written without ninebit. It needs GL_NV_register_combiners and GL_ARB_texture_cube_map; if one is
+ * missing, it prints its name and exits with 2.
  *
  *   index_cube_2000 SCENE.txt [--size WxH] [--map-size N] [--step N] [--frames N] [--output PREFIX] [--glsl FILE]
  *
- * With --output it writes what a judge needs after the last frame, the picture's first row on top:
+ * With --output it writes these files after the last frame, the first row on top:
  *   PREFIX_color.ppm    the picture
  *   PREFIX_shadow.pgm   the stencil buffer, 255 in shadow
  *   PREFIX_primary.ppm  the polygon's own index at each pixel, drawn by fixed function
@@ -161,7 +161,7 @@ static void draw_light(void) {
   glDisable(GL_STENCIL_TEST);
 }
 
-/* What the window shows, to a file with the first row on top. */
+/* Writes the picture in the window to a file, the first row on top. */
 static void write_picture(const char* name, GLenum format, int channels, int scale) {
   char path[1024];
   size_t row = (size_t)width * channels, i, size = row * height;

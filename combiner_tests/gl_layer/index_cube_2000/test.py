@@ -1,17 +1,17 @@
-"""The article's program on the article's calls: its shadows are those of `ninebit render` but for rasterization.
+"""The article's program with the article's calls: its shadows are those of `ninebit render` except for rasterization.
 
-What may differ is exact:
-1. At every pixel the stencil is what `ninebit eval` says about the two inputs that the program drew there without any
-   combiner: the polygon's index and the cube map's index.
+The rules for a difference:
+1. At every pixel the stencil equals `ninebit eval` of the two inputs that the program draws there without combiners: the
+   polygon's index and the cube map's index.
 2. Wherever `ninebit render` has the same two inputs, it has the same stencil.
-3. The inputs differ where an edge of a polygon, in the window or in the map, passes a pixel's or a texel's centre on the
-   other side. ninebit snaps vertices to 1/16 pixel and llvmpipe to 1/256, so that edges lie at most 1/16 pixel apart:
-   at most 1/16 of the pixels on edges may differ.
-4. And they are edges: where the polygons differ, each of both is within two pixels in the other picture.
+3. The inputs differ only where an edge, in the window or in the map, passes a centre on the other side. ninebit snaps
+   vertices to 1/16 pixel and llvmpipe to 1/256, so that edges lie at most 1/16 pixel apart: at most 1/16 of the pixels on
+   edges may differ.
+4. Where the polygons differ, each of both occurs within two pixels in the other picture.
 
-The same judgement must refuse a program that compares in floating point with step 1, and one with another step.
+A program that compares in floating point with step 1 must break these rules, and so must one with another step.
 
-A frame with the layer may take 1.3 times the frame with a shader that somebody wrote by hand.
+A frame with the layer may take 1.3 times the frame with a shader written by hand.
 """
 import re
 
@@ -93,7 +93,7 @@ def report(kit, name, rules):
 
 def refused(kit, name, rules):
     broken = [figures for holds, figures in rules if not holds]
-    kit.check(broken, f"index_cube_2000, {name}: the judgement refuses it ({'; '.join(broken) or 'it did not'})")
+    kit.check(broken, f"index_cube_2000, {name}: breaks the rules ({'; '.join(broken) or 'it does not'})")
 
 
 def run(kit):

@@ -2,7 +2,7 @@
 
 The film is one picture of 48 patches, each of one colour. The display's own memory shows what MPlayer draws. The middle of
 each patch, away from what filtering blends, is what `ninebit eval` gives for MPlayer's set-up, and within 3 of the colour by
-the conversion's formula. Without the layer MPlayer says that functions are missing, and draws something else.
+the conversion's formula. Without the layer MPlayer reports missing functions and draws other colours.
 """
 import subprocess
 import time
@@ -44,7 +44,7 @@ def film_on_screen(kit, folder, environment, layer, options="yuv=1"):
         player = subprocess.Popen(kit.command(command, layer, PROFILE), env=environment, cwd=folder,
                                   stdin=subprocess.DEVNULL, stdout=output, stderr=subprocess.STDOUT)
         try:
-            last, end = None, time.monotonic() + 20
+            seen, last, end = numpy.zeros((HEIGHT, WIDTH, 3), numpy.uint8), None, time.monotonic() + 20
             while time.monotonic() < end and player.poll() is None:
                 time.sleep(0.3)
                 seen = pictures.read_xwd(folder / "Xvfb_screen0")[:HEIGHT, :WIDTH]

@@ -4,8 +4,8 @@
 FOLDER has the material scripts, their programs and pictures, and gets MATERIAL.png for each, 64 x 64 pixels with alpha,
 drawn into a texture, and MATERIAL_window.png, drawn into a window. The mesh is a square of 8 x 8 cells, each of one
 colour: `colors.txt` has 64 lines of red, green, blue, alpha, from 0 to 255. A cell shows one texel of a picture of 8 x 8.
-The output lists the shader profiles of OGRE's OpenGL render system. Nothing here is about combiners: the material's
-script names its programs. Exit status 2: a material's program is not supported.
+The output lists the shader profiles of OGRE's OpenGL render system. The script is not
+specific to combiners: the materials name their programs. Exit status 2: a material's program is not supported.
 """
 import os
 import sys

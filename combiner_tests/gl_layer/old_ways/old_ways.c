@@ -1,11 +1,13 @@
-/* All the ways to draw that programs of 2000 knew, each twice: by fixed function, and with register combiners that
- * subtract every component from one. The second picture must be the first one's negative, to the bit, with its alpha
- * kept: what the driver interpolates is the same for both, and 255 - x is exact. Freeglut, and nothing of ninebit.
+/* Draws in all the ways of OpenGL 1.x, each twice: by fixed function, and with register combiners that subtract every
+ * component from one. The second picture must be the negative of the first, with its alpha kept. The driver
+ * interpolates the same values for both, and 255 - x is exact; but a smooth colour close to the middle of two bytes may
+ * become one or the other. Combiners in their default state must draw what fixed function draws with fog and a separate
+ * highlight, within 2, as they round in between. A freeglut program, written without ninebit.
  *
  *   old_ways [WAY]     all ways, or one by its name
  *
- * Prints a line a way: its name, pixels that are drawn, pixels that are off by no more than is said above, pixels that
- * are wrong, GL's error. Exit status 2: no combiners.
+ * Prints a line a way: its name, the pixels that are drawn, those that are off by no more than that, those that are
+ * wrong, and GL's error. Exit status 2: GL_NV_register_combiners is missing.
  */
 #include <GL/gl.h>
 #include <GL/glext.h>
@@ -38,7 +40,7 @@ FUNCTIONS(DECLARE)
 
 #include "texture_ways.h"
 
-/* What the combiners do with a way's picture: subtract the primary colour or texture 0 from one, or nothing. */
+/* The combiners subtract the primary colour or texture 0 from one, or keep their default state. */
 typedef enum { PRIMARY, TEXTURE, SAME } Kind;
 
 typedef struct {

@@ -1,6 +1,6 @@
 /* A Windows program with OpenGL: it draws 256 fragments with each of a few register combiner set-ups and prints what it
  * reads back: in immediate mode, from a display list that holds the set-up as well, from arrays, and the same display
- * list in a pbuffer, with a context that shares it. It knows nothing of ninebit, and of Wine neither.
+ * list in a pbuffer, with a context that shares it. Written without ninebit or Wine.
  *
  *   combiners.exe INPUTS.bin > RESULTS.txt
  *
@@ -81,7 +81,7 @@ static int load_functions(void) {
   return found == all;
 }
 
-/* Calls that the specification refuses, and what the state says afterwards. */
+/* Calls that are errors by the specification, then the state, which they must not change. */
 static void print_errors(void) {
   GLint value = -1;
   GLfloat number = -1;

@@ -1,4 +1,4 @@
-"""A Windows program under Wine: with the layer wglGetProcAddress finds the combiners, and what it draws is `ninebit eval`'s.
+"""Windows programs under Wine: with the layer wglGetProcAddress finds the combiners, and what they draw is `ninebit eval`'s.
 
 The layer is loaded into Wine's own process, where Wine's OpenGL asks the system's for its functions. Wine's prefix is made
 for the test and removed afterwards.
@@ -9,13 +9,14 @@ import subprocess
 import numpy
 
 from kit import HERE, build, display, require
+from windows import direct3d
 
 PACKAGES = "wine, wine64, gcc-mingw-w64-x86-64-win32, python3-numpy and xvfb"
 COMPILER = "x86_64-w64-mingw32-gcc"
 PROGRAMS, WAYS = ["compare", "specular", "mux", "final"], ["immediate", "list", "arrays", "pbuffer"]
 FOG = [51, 102, 153, 255]
 QUIET = {"WINEDEBUG": "-all", "WINEDLLOVERRIDES": "mscoree,mshtml,winemenubuilder.exe="}  # no questions, no menus
-# What print_errors() of the program prints: INVALID_ENUM 0500, INVALID_VALUE 0501, INVALID_OPERATION 0502; the defaults of
+# The lines of print_errors() of the program: INVALID_ENUM 0500, INVALID_VALUE 0501, INVALID_OPERATION 0502; the defaults of
 # A, PRIMARY_COLOR_NV, and of G, ALPHA.
 ERRORS = """\
 input GL_ONE: 0x0500
@@ -77,7 +78,10 @@ def run(kit):
         try:
             subprocess.run(["wineboot", "--init"], env=environment, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
                            stderr=subprocess.DEVNULL, timeout=300, check=True)
+            # Direct3D waits for ten seconds and more in the session that made the prefix: a new one begins.
+            subprocess.run(["wineserver", "--kill"], env=environment, timeout=60)
             draw(kit, folder, planes, environment)
+            direct3d.check(kit, folder, planes, environment, COMPILER)
         finally:
             subprocess.run(["wineserver", "--kill"], env=environment, stderr=subprocess.DEVNULL)
             subprocess.run(["wineserver", "--wait"], env=environment, stderr=subprocess.DEVNULL, timeout=60)
