@@ -18,16 +18,6 @@ int number_of_programs() {
   return text != nullptr ? std::atoi(text) : 60;
 }
 
-// A state that OpenGL can set.
-CombinerState random_gl_state(Random& random, const HardwareProfile& profile) {
-  CombinerState state = random_state(random, profile);
-  state.mux_by_lowest_bit = state.color_sum_invert_spare0 = state.color_sum_invert_secondary = false;
-  for (GeneralCombiner& general : state.general) {
-    general.rgb.out.ab_blue_to_alpha = general.rgb.out.cd_blue_to_alpha = false;
-  }
-  return state;
-}
-
 class LayerBits : public ::testing::TestWithParam<HardwareProfile> {};
 
 TEST_P(LayerBits, RandomProgramsAreTheLibrarys) {

@@ -1,5 +1,6 @@
 #include "combiner_tests/gl_layer/fragments.h"
 
+#include "combiner_tests/combiner/random_state.h"
 #include "ninebit/combiner/evaluate.h"
 
 namespace ninebit::test {
@@ -41,6 +42,15 @@ void set_fog(const Fragments& fragments) {
 }
 
 }  // namespace
+
+CombinerState random_gl_state(Random& random, const HardwareProfile& profile) {
+  CombinerState state = random_state(random, profile);
+  state.mux_by_lowest_bit = state.color_sum_invert_spare0 = state.color_sum_invert_secondary = false;
+  for (GeneralCombiner& general : state.general) {
+    general.rgb.out.ab_blue_to_alpha = general.rgb.out.cd_blue_to_alpha = false;
+  }
+  return state;
+}
 
 Fragments random_fragments(Random& random, const HardwareProfile& profile) {
   Fragments fragments;

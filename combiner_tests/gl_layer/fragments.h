@@ -20,6 +20,9 @@ struct Fragments {
   std::array<FragmentInputs, kFragments> inputs{};
 };
 
+// A state that OpenGL can set.
+CombinerState random_gl_state(Random& random, const HardwareProfile& profile);
+
 // Inputs that lean towards 0, 127, 128 and 255.
 Fragments random_fragments(Random& random, const HardwareProfile& profile);
 

@@ -27,7 +27,8 @@ void make_texture(GLenum target, GLint internal, GLenum format, const Pixel& tex
   glTexParameteri(target, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
 }
 
-constexpr GLenum kTargets[]{GL_TEXTURE_1D, GL_TEXTURE_2D, GL_TEXTURE_RECTANGLE, GL_TEXTURE_3D, GL_TEXTURE_CUBE_MAP};
+constexpr GLenum kTextureTargets[]{GL_TEXTURE_1D, GL_TEXTURE_2D, GL_TEXTURE_RECTANGLE, GL_TEXTURE_3D,
+                                   GL_TEXTURE_CUBE_MAP};
 
 Pixel texel_of(std::size_t unit, std::size_t target) {
   return {static_cast<std::uint8_t>(10 + 40 * target), static_cast<std::uint8_t>(5 + 50 * unit), 200, 100};
@@ -45,7 +46,7 @@ TEST(LayerTextures, TargetsInOrderOfPrecedence) {
     const auto units = static_cast<std::size_t>(profile.texture_units.value);
     for (std::size_t unit = 0; unit < units; ++unit) {
       glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
-      for (std::size_t i = 0; i < 5; ++i) make_texture(kTargets[i], GL_RGBA8, GL_RGBA, texel_of(unit, i));
+      for (std::size_t i = 0; i < 5; ++i) make_texture(kTextureTargets[i], GL_RGBA8, GL_RGBA, texel_of(unit, i));
     }
     for (std::size_t unit = 0; unit < units; ++unit) {
       glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
@@ -54,12 +55,12 @@ TEST(LayerTextures, TargetsInOrderOfPrecedence) {
         Pixel expected{0, 0, 0, static_cast<std::uint8_t>(profile.disabled_texture_alpha.value)};
         for (std::size_t i = 0; i < 5; ++i) {
           const bool on = (enabled >> i & 1U) != 0;
-          (on ? glEnable : glDisable)(kTargets[i]);
+          (on ? glEnable : glDisable)(kTextureTargets[i]);
           if (on) expected = texel_of(unit, i);
         }
         EXPECT_EQ(drawn_pixel(), expected) << profile.name << ", unit " << unit << ", enabled " << enabled;
       }
-      for (const GLenum target : kTargets) glDisable(target);
+      for (const GLenum target : kTextureTargets) glDisable(target);
     }
     EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
   }
@@ -111,7 +112,7 @@ TEST(LayerTextures, Formats) {
     NINEBIT_GL_CONTEXT(context, profile);
     show_register(GL_TEXTURE0);
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-    for (const GLenum target : kTargets) {
+    for (const GLenum target : kTextureTargets) {
       glEnable(target);
       for (const FormatCase& one : cases) {
         make_texture(target, one.internal, one.format, one.upload);
