@@ -96,7 +96,7 @@ StreamCommand other_command(Random& random) {
 void add_draw(Random& random, std::vector<StreamCommand>& stream) {
   const GLint x = random.below(4), y = random.below(4);
   const auto corner = [=](GLint i) {
-    const auto at = [i](GLint cell, bool far) { return static_cast<GLfloat>(cell + (far ? 1 : 0)) * 0.5F - 1.0F; };
+    const auto at = [](GLint cell, bool far) { return static_cast<GLfloat>(cell + (far ? 1 : 0)) * 0.5F - 1.0F; };
     glMultiTexCoord4f(GL_TEXTURE1, -0.25F + static_cast<GLfloat>(i), 0.5F, 0.25F, 1.0F);
     glVertex2f(at(x, i == 1 || i == 2), at(y, i >= 2));
   };
