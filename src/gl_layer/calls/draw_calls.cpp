@@ -30,7 +30,7 @@ thread_local bool captured_until_end = false;
 }  // namespace
 
 GLAPI void GLAPIENTRY glBegin(GLenum mode) {
-  captured_until_end = before_draw("glBegin");
+  if (before_draw("glBegin")) captured_until_end = true;  // one inside another is an error, and draws nothing
   found_driver.Begin != nullptr ? found_driver.Begin(mode) : find_driver().Begin(mode);
   Context* const context = current();
   if (context == nullptr || mode > GL_POLYGON) return;
@@ -81,6 +81,20 @@ NINEBIT_DRAW_CALL(DrawElementsBaseVertex, (GLenum mode, GLsizei count, GLenum ty
 NINEBIT_DRAW_CALL(DrawRangeElementsBaseVertex,
                   (GLenum mode, GLuint start, GLuint end, GLsizei count, GLenum type, const void* indices, GLint base),
                   (mode, start, end, count, type, indices, base))
+NINEBIT_DRAW_CALL(DrawElementsInstancedBaseVertex,
+                  (GLenum mode, GLsizei count, GLenum type, const void* indices, GLsizei instances, GLint base),
+                  (mode, count, type, indices, instances, base))
+NINEBIT_DRAW_CALL(MultiDrawElementsBaseVertex,
+                  (GLenum mode, const GLsizei* count, GLenum type, const void* const* indices, GLsizei drawcount,
+                   const GLint* base),
+                  (mode, count, type, indices, drawcount, base))
+NINEBIT_DRAW_CALL(DrawArraysIndirect, (GLenum mode, const void* indirect), (mode, indirect))
+NINEBIT_DRAW_CALL(DrawElementsIndirect, (GLenum mode, GLenum type, const void* indirect), (mode, type, indirect))
+NINEBIT_DRAW_CALL(MultiDrawArraysIndirect, (GLenum mode, const void* indirect, GLsizei drawcount, GLsizei stride),
+                  (mode, indirect, drawcount, stride))
+NINEBIT_DRAW_CALL(MultiDrawElementsIndirect,
+                  (GLenum mode, GLenum type, const void* indirect, GLsizei drawcount, GLsizei stride),
+                  (mode, type, indirect, drawcount, stride))
 NINEBIT_DRAW_CALL(Rectd, (GLdouble x1, GLdouble y1, GLdouble x2, GLdouble y2), (x1, y1, x2, y2))
 NINEBIT_DRAW_CALL(Rectf, (GLfloat x1, GLfloat y1, GLfloat x2, GLfloat y2), (x1, y1, x2, y2))
 NINEBIT_DRAW_CALL(Recti, (GLint x1, GLint y1, GLint x2, GLint y2), (x1, y1, x2, y2))

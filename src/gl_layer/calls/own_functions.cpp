@@ -39,8 +39,8 @@ struct Entry {
 // clang-format off
 #define NINEBIT_OWN_FUNCTIONS(X, A) \
   X(eglCreateContext) X(eglDestroyContext) X(eglGetProcAddress) X(eglMakeCurrent) X(eglReleaseThread) \
-  X(eglSwapBuffers) X(glBegin) X(glBindTexture) A(glBindTextureEXT, glBindTexture) X(glBitmap) X(glCallList) X(glCallLists) \
-  A(glCombinerInput, glCombinerInputNV) X(glCombinerInputNV) A(glCombinerOutput, glCombinerOutputNV) \
+  X(eglSwapBuffers) X(glBegin) X(glBindTexture) A(glBindTextureEXT, glBindTexture) X(glBitmap) X(glCallList) \
+  X(glCallLists) A(glCombinerInput, glCombinerInputNV) X(glCombinerInputNV) A(glCombinerOutput, glCombinerOutputNV) \
   X(glCombinerOutputNV) A(glCombinerParameterf, glCombinerParameterfNV) X(glCombinerParameterfNV) \
   A(glCombinerParameterfv, glCombinerParameterfvNV) X(glCombinerParameterfvNV) \
   A(glCombinerParameteri, glCombinerParameteriNV) X(glCombinerParameteriNV) \
@@ -51,9 +51,10 @@ struct Entry {
   A(glCompressedTexImage3DARB, glCompressedTexImage3D) X(glCopyPixels) X(glCopyTexImage1D) \
   A(glCopyTexImage1DEXT, glCopyTexImage1D) X(glCopyTexImage2D) A(glCopyTexImage2DEXT, glCopyTexImage2D) \
   X(glDeleteLists) X(glDeleteTextures) A(glDeleteTexturesEXT, glDeleteTextures) X(glDisable) X(glDrawArrays) \
-  A(glDrawArraysEXT, glDrawArrays) X(glDrawArraysInstanced) A(glDrawArraysInstancedARB, glDrawArraysInstanced) \
-  A(glDrawArraysInstancedEXT, glDrawArraysInstanced) X(glDrawElements) X(glDrawElementsBaseVertex) \
-  X(glDrawElementsInstanced) A(glDrawElementsInstancedARB, glDrawElementsInstanced) \
+  A(glDrawArraysEXT, glDrawArrays) X(glDrawArraysIndirect) X(glDrawArraysInstanced) \
+  A(glDrawArraysInstancedARB, glDrawArraysInstanced) A(glDrawArraysInstancedEXT, glDrawArraysInstanced) \
+  X(glDrawElements) X(glDrawElementsBaseVertex) X(glDrawElementsIndirect) X(glDrawElementsInstanced) \
+  A(glDrawElementsInstancedARB, glDrawElementsInstanced) X(glDrawElementsInstancedBaseVertex) \
   A(glDrawElementsInstancedEXT, glDrawElementsInstanced) X(glDrawPixels) X(glDrawRangeElements) \
   X(glDrawRangeElementsBaseVertex) A(glDrawRangeElementsEXT, glDrawRangeElements) X(glEnable) X(glEnd) X(glEndList) \
   X(glEvalMesh1) X(glEvalMesh2) A(glFinalCombinerInput, glFinalCombinerInputNV) X(glFinalCombinerInputNV) X(glFogf) \
@@ -67,7 +68,8 @@ struct Entry {
   A(glGetFinalCombinerInputParameteriv, glGetFinalCombinerInputParameterivNV) X(glGetFinalCombinerInputParameterivNV) \
   X(glGetFloatv) X(glGetHandleARB) X(glGetIntegerv) X(glGetString) X(glGetStringi) X(glGetTexEnvfv) X(glGetTexEnviv) \
   X(glIsEnabled) X(glLightModelf) X(glLightModelfv) X(glLightModeli) X(glLightModeliv) X(glMultiDrawArrays) \
-  A(glMultiDrawArraysEXT, glMultiDrawArrays) X(glMultiDrawElements) A(glMultiDrawElementsEXT, glMultiDrawElements) \
+  A(glMultiDrawArraysEXT, glMultiDrawArrays) X(glMultiDrawArraysIndirect) X(glMultiDrawElements) \
+  X(glMultiDrawElementsBaseVertex) A(glMultiDrawElementsEXT, glMultiDrawElements) X(glMultiDrawElementsIndirect) \
   X(glNewList) X(glPopAttrib) X(glPushAttrib) X(glRectd) X(glRectdv) X(glRectf) X(glRectfv) X(glRecti) X(glRectiv) \
   X(glRects) X(glRectsv) X(glTexEnvf) X(glTexEnvfv) X(glTexEnvi) X(glTexEnviv) X(glTexImage1D) X(glTexImage2D) \
   X(glTexImage3D) A(glTexImage3DEXT, glTexImage3D) X(glTexParameterf) X(glTexParameterfv) X(glTexParameteri) \

@@ -117,6 +117,25 @@ ShaderInputs find_inputs(const Context& context) {
   return inputs;
 }
 
+bool reads(const Program& program, Register reg) {
+  for (int i = 0; i < program.num_general_combiners; ++i) {
+    const ProgramStage& stage = program.general[static_cast<std::size_t>(i)];
+    if (detail::reads(stage.rgb, reg) || detail::reads(stage.alpha, reg)) return true;
+  }
+  const FinalCombiner& f = program.final_combiner;
+  return detail::reads_directly(f, reg) || f.e.reg == reg || f.f.reg == reg;
+}
+
+// Textures that the program does not read make no other shader. Unit 0 also gives spare0 its alpha.
+ShaderInputs inputs_of(const Program& program, ShaderInputs inputs) {
+  for (std::size_t i = 1; i < kLayerUnits; ++i) {
+    UnitInput& unit = inputs.units[i];
+    const bool read = reads(program, static_cast<Register>(static_cast<std::size_t>(Register::texture0) + i));
+    if (!read && !inputs.write_inputs && unit.source != UnitSource::cull_fragment) unit = UnitInput{};
+  }
+  return inputs;
+}
+
 // Whether combiners compute the colour; finds the inputs again if they may have changed.
 bool combiners_apply(Context& context) {
   if (!context.combiners.register_combiners_enabled()) return false;
@@ -169,7 +188,7 @@ void prepare_draw(Context& context) {
     CachedProgram* cached = context.program;
     if (cached == nullptr || context.program_stale) {
       const std::size_t known = context.programs->size();
-      cached = &context.programs->find(without_constants(program), profile, context.inputs);
+      cached = &context.programs->find(without_constants(program), profile, inputs_of(program, context.inputs));
       if (context.programs->size() != known) context.bound = false;  // the driver has another program current
     }
     context.program_stale = context.constants_stale = false;

@@ -27,7 +27,9 @@ namespace ninebit::gl_layer {
   X(CheckFramebufferStatus) X(ClearBufferfv) X(ColorMaski) X(CompileShader) X(CompressedTexImage1D) X(CompressedTexImage2D) \
   X(CompressedTexImage3D) X(CreateProgram) X(CreateShader) X(DeleteFramebuffers) X(DeleteProgram) \
   X(DeleteRenderbuffers) X(DeleteShader) X(Disablei) X(DrawArraysInstanced) X(DrawBuffers) \
-  X(DrawElementsBaseVertex) X(DrawElementsInstanced) X(DrawRangeElements) X(DrawRangeElementsBaseVertex) X(FramebufferRenderbuffer) \
+  X(DrawElementsBaseVertex) X(DrawArraysIndirect) \
+  X(DrawElementsIndirect) X(DrawElementsInstanced) X(DrawElementsInstancedBaseVertex) X(MultiDrawArraysIndirect) \
+  X(MultiDrawElementsBaseVertex) X(MultiDrawElementsIndirect) X(DrawRangeElements) X(DrawRangeElementsBaseVertex) X(FramebufferRenderbuffer) \
   X(FramebufferTexture2D) X(GenFramebuffers) X(GenRenderbuffers) X(GetBooleani_v) X(GetHandleARB) \
   X(GetProgramInfoLog) X(GetProgramiv) X(GetShaderInfoLog) X(GetShaderiv) X(GetStringi) X(GetUniformLocation) \
   X(LinkProgram) X(MultiDrawArrays) X(MultiDrawElements) X(RenderbufferStorage) X(ShaderSource) X(TexImage3D) X(TexStorage1D) X(TexStorage2D) \
