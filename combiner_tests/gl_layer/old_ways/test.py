@@ -31,3 +31,8 @@ def run(kit):
                       f"old_ways, {profile}: {len(ways)} of 33 ways, {len(bad)} wrong ({', '.join(bad) or 'none'}); "
                       f"{close} of {drawn} pixels were rounded the other way")
             (program.parent / f"{profile}.txt").write_text(done.stdout)
+        old = {**environment, "MESA_GL_VERSION_OVERRIDE": "2.0", "MESA_GLSL_VERSION_OVERRIDE": "120"}
+        done = kit.run([program], old, layer=True)
+        said = [line for line in done.stdout.splitlines() if "GLSL 1.30" in line]
+        kit.check(done.returncode == 2 and len(said) == 1 and "runs without register combiners" in said[0],
+                  f"old_ways, a driver without integers in GLSL: {' '.join(said)}")
