@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "src/shadow/frame/upright.h"
+#include "src/system/parallel/parallel_loop.h"
 
 namespace ninebit {
 namespace {
@@ -71,6 +72,25 @@ Status write_picture(const Path& file, const Image8& image, const Rendering& ren
   return write_png(file, of_frame && supersample > 1 ? averaged(image, supersample) : image);
 }
 
+// A file on its way to the disk.
+struct StagedRendering {
+  RenderedFile file;
+  Path temporary, target;
+  Status written{};
+};
+
+// Files are written at the same time up to this size of a rendering: each is made in memory as a whole.
+constexpr std::size_t kMostPixelsAtOnce = std::size_t{1} << 24;
+
+// Of the frame and of the maps.
+std::size_t pixels_of(const Rendering& rendering) {
+  std::size_t pixels = static_cast<std::size_t>(rendering.frame.width()) * static_cast<std::size_t>(rendering.frame.height());
+  for (const auto& face : rendering.index_map) {
+    pixels += static_cast<std::size_t>(face.size) * static_cast<std::size_t>(face.size);
+  }
+  return pixels;
+}
+
 std::vector<RenderedFile> files_of(const Rendering& rendering, int supersample) {
   std::vector<RenderedFile> files;
   const auto png = [&](std::string name, auto picture) {
@@ -106,14 +126,24 @@ std::vector<std::string> file_names(const Rendering& rendering) {
 }
 
 Status write_rendering(const Rendering& rendering, StagedFiles& files, const RenderedFiles& chosen) {
-  for (const RenderedFile& file : files_of(rendering, chosen.supersample)) {
+  std::vector<StagedRendering> staged;
+  for (RenderedFile& file : files_of(rendering, chosen.supersample)) {
     const auto& only = chosen.only;
     if (!only.empty() && std::find(only.begin(), only.end(), file.name) == only.end()) continue;
-    if (Status written = file.write(files.stage(file.name)); !written) {
-      Diagnostic fault = written.error();
-      fault.file = files.files().back().string();
-      return fault;
-    }
+    const Path temporary = files.stage(file.name);
+    staged.push_back({std::move(file), temporary, files.files().back()});
+  }
+  const auto write = [&](std::size_t i) { staged[i].written = staged[i].file.write(staged[i].temporary); };
+  if (pixels_of(rendering) <= kMostPixelsAtOnce) {
+    parallel_for(staged.size(), 1, write);
+  } else {
+    for (std::size_t i = 0; i < staged.size(); ++i) write(i);
+  }
+  for (const StagedRendering& one : staged) {
+    if (one.written) continue;
+    Diagnostic fault = one.written.error();
+    fault.file = one.target.string();
+    return fault;
   }
   return {};
 }
