@@ -39,7 +39,7 @@ AnyFunction from_loaded_library(const char* name) {
   return nullptr;
 }
 
-bool may_be_ours(const char* name) {
+[[maybe_unused]] bool may_be_ours(const char* name) {
   return name != nullptr && ((name[0] == 'g' && name[1] == 'l') || (name[0] == 'e' && name[1] == 'g'));
 }
 
@@ -52,7 +52,7 @@ void remember(std::string_view name, void* symbol) {
 }
 
 // What dlsym returns for a name that may be one of OpenGL's. A library without OpenGL has no function of ours either.
-void* looked_up(void* handle, const char* name) {
+[[maybe_unused]] void* looked_up(void* handle, const char* name) {
   void* const symbol = next_dlsym()(handle, name);
   const AnyFunction own = own_function(name);
   if (own == nullptr || symbol == reinterpret_cast<void*>(own)) return symbol;
@@ -108,6 +108,16 @@ const Driver& find_driver() {
 
 extern "C" {
 
+// The sanitizers' own start calls dlsym, before anything that they have compiled may run.
+#if defined(__has_feature)
+#define NINEBIT_SANITIZED (__has_feature(address_sanitizer) || __has_feature(thread_sanitizer))
+#elif defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#define NINEBIT_SANITIZED 1
+#else
+#define NINEBIT_SANITIZED 0
+#endif
+
+#if !NINEBIT_SANITIZED
 // RTLD_NEXT means the library that calls: so the C library's function has to be jumped to, which GCC and Clang do with
 // a call at a function's end when they optimize.
 #if defined(__clang__)
@@ -121,6 +131,7 @@ void* dlsym(void* handle, const char* name) {
   if (ninebit::gl_layer::may_be_ours(name)) return ninebit::gl_layer::looked_up(handle, name);
   NINEBIT_JUMP ninebit::gl_layer::next_dlsym()(handle, name);
 }
+#endif
 
 __attribute__((visibility("default"))) ninebit::gl_layer::AnyFunction glXGetProcAddress(const GLubyte* name) {
   return ninebit::gl_layer::proc_address(reinterpret_cast<const char*>(name), "glXGetProcAddress",
