@@ -50,8 +50,8 @@ void destroyed(Handle handle) {
 
 void made_current(Handle handle) {
   current_context = nullptr;
-  if (held_context == nullptr) held_context = new std::shared_ptr<Context>;
-  held_context->reset();
+  delete held_context;
+  held_context = nullptr;
   if (handle == nullptr) return;
   Contexts& all = contexts();
   const std::lock_guard lock(all.mutex);
@@ -62,7 +62,7 @@ void made_current(Handle handle) {
     context = std::make_shared<Context>(group, layer_profile());
     context->features = find_features();
   }
-  *held_context = context;
+  held_context = new std::shared_ptr<Context>(context);
   if (context->features.enough) current_context = context.get();
 }
 
