@@ -84,7 +84,8 @@ constexpr std::size_t kMostPixelsAtOnce = std::size_t{1} << 24;
 
 // Of the frame and of the maps.
 std::size_t pixels_of(const Rendering& rendering) {
-  std::size_t pixels = static_cast<std::size_t>(rendering.frame.width()) * static_cast<std::size_t>(rendering.frame.height());
+  std::size_t pixels =
+      static_cast<std::size_t>(rendering.frame.width()) * static_cast<std::size_t>(rendering.frame.height());
   for (const auto& face : rendering.index_map) {
     pixels += static_cast<std::size_t>(face.size) * static_cast<std::size_t>(face.size);
   }
