@@ -34,9 +34,12 @@ std::vector<std::string> verbs_of(const CLI::App& app) {
   return names;
 }
 
-// A suggestion for the first unknown flag.
+// A hint for the first unknown flag: why this verb has none of the flags that most verbs have, or a suggestion.
 std::string meant_flag(const CLI::App& verb) {
   for (const std::string& word : verb.remaining()) {
+    const std::string flag = word.substr(0, word.find('='));
+    if (flag == "--threads") return fmt::format("; `{}` uses one thread, leave the flag out", verb.get_name());
+    if (flag == "--profile") return fmt::format("; `{}` does not depend on a profile", verb.get_name());
     if (word.starts_with("--")) return did_you_mean(word.substr(0, word.find('=')), flags_of(verb));
   }
   return "";
