@@ -38,6 +38,10 @@ std::vector<Kind> foreign_kinds() {
   };
 }
 
+std::string being(const std::string& kind) {
+  return (kind == "GL calls" ? "these are " : "this is ") + kind;
+}
+
 // What follows the kind: its reader, or what was expected.
 std::string use_of(const std::string& kind, const std::string& expected) {
   const auto is = [&](const char* word) { return kind.find(word) != std::string::npos; };
@@ -45,7 +49,8 @@ std::string use_of(const std::string& kind, const std::string& expected) {
   if (is("picture") || is("texture")) return "`ninebit draw` reads it as a texture, with --tex0";
   if (is("hardware profile")) return "`ninebit profiles` reads it, with --profile";
   if (is("table")) return "`ninebit eval` reads it, with --inputs";
-  if (is("GL calls") || is("RC1.0")) return "`ninebit explain` reads it";
+  if (is("GL calls")) return "`ninebit explain` reads them";
+  if (is("RC1.0")) return "`ninebit explain` reads it";
   return "expected " + expected;
 }
 
@@ -116,7 +121,7 @@ TEST(OtherKinds, GivenAsATableOrAProfile) {
   for (const Kind& kind : kinds) {
     SCOPED_TRACE(kind.seems);
     const std::string file = write_bytes(folder / "file.json", kind.bytes);
-    const std::string is = "/file.json: this is " + kind.seems + "; ";
+    const std::string is = "/file.json: " + being(kind.seems) + "; ";
     expect_error(ninebit({"eval", program, "--inputs", file}), 3, {is + use_of(kind.seems, "a table")});
     expect_error(ninebit({"verify", file, "--program", program}), 3, {is + use_of(kind.seems, "a table")});
     expect_error(ninebit({"profiles", "--profile", file}), 3, {is + use_of(kind.seems, "a profile")});
@@ -128,7 +133,7 @@ TEST(OtherKinds, GivenAsASceneAPictureAnEffectOrAPart) {
   const std::string page = NINEBIT_SOURCE_DIR "/README.md", effect = NINEBIT_SOURCE_DIR "/scenes/effects/toon.json",
                     picture = NINEBIT_SOURCE_DIR "/docs/images/stencil.png", out = folder / "out";
   const std::string draws = ": this is a glTF scene; `ninebit render` draws it",
-                    explains = ": this is GL calls; `ninebit explain` reads it",
+                    explains = ": these are GL calls; `ninebit explain` reads them",
                     textures = ": this is a PNG picture; `ninebit draw` reads it as a texture",
                     effects = ": this is an effect; `ninebit draw` draws it";
   const auto expect = [](const std::vector<std::string>& arguments, const std::string& words) {

@@ -13,8 +13,8 @@ struct FlagGroup {
   std::vector<std::string_view> flags;
 };
 
-const std::array<FlagGroup, 9>& flag_groups() {
-  static const std::array<FlagGroup, 9> groups{
+const std::array<FlagGroup, 10>& flag_groups() {
+  static const std::array<FlagGroup, 10> groups{
       FlagGroup{"Picture",
                 {"--technique", "--size", "--style", "--depth-stencil", "--cull", "--light-facing", "--supersample",
                  "--turntable", "--only", "--layers"}},
@@ -29,7 +29,8 @@ const std::array<FlagGroup, 9>& flag_groups() {
       FlagGroup{"Shadow map (shadow-map, reflective)", {"--polygon-offset", "--depth-encoding", "--depth-storage"}},
       FlagGroup{"Shadow volumes (shadow-volume)", {"--volume-method", "--stencil-sides"}},
       FlagGroup{"Reflected light (reflective)", {"--samples", "--kernel", "--pattern", "--gather-scale"}},
-      FlagGroup{"Light cookie (light-cookie)", {"--cookie", "--light-rotate", "--cookie-shadows"}}};
+      FlagGroup{"Light cookie (light-cookie)", {"--cookie", "--light-rotate", "--cookie-shadows"}},
+      FlagGroup{"Checks", {"--ground-truth"}}};
   return groups;
 }
 

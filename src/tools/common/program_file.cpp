@@ -172,7 +172,7 @@ Result<ProgramSource> open_program(const ProgramFlags& flags) {
     return source;
   }
   const std::string kind = kind_of_file(source.text);
-  if (std::string message = wrong_kind(kind, FileRole::program); !message.empty()) {
+  if (std::string message = wrong_kind(kind, FileRole::program); !message.empty() && kind != kBinaryKind) {
     return Diagnostic{.message = std::move(message), .file = source.name};
   }
   return Diagnostic{.message = fmt::format("{}is longer than {} bytes, the limit for a program",

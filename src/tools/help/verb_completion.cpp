@@ -201,7 +201,10 @@ std::string fish_completion(const VerbText& program) {
         out += name.starts_with("--") ? " -l " + name.substr(2) : " -s " + name.substr(1);
       }
       if (!flag.value.empty()) out += flag.takes_file ? " -r" : " -x";
-      const std::string files = flag.takes_profile ? " (__fish_complete_suffix .json)" : "";
+      const std::string files =
+          flag.takes_profile
+              ? R"re( (__fish_complete_path (commandline -ct) | string match -r '.*[^/](?:\.json|/)(?=\t|$)'))re"
+              : "";
       if (!flag.choices.empty()) {
         out += " -a " + in_fish_quotes(fmt::format("{}{}", fmt::join(flag.choices, " "), files));
       }

@@ -256,6 +256,8 @@ std::string wrong_kind(std::string_view kind, FileRole role) {
                           role == FileRole::effect || role == FileRole::part;
   if (kind == kJsonKind && reads_json) return "";
   if (kind == kBinaryKind && (role == FileRole::picture || role == FileRole::scene)) return "";
+  const bool is_plural = kind == kGlKind || kind == kWordsKind || kind == kJsonWordsKind;
+  if (is_plural) return fmt::format("these are {}; `ninebit explain` reads them", kind);
   return fmt::format("this is {}; {}", kind,
                      use.reader.empty() ? fmt::format("expected {}", expected_of(role)) : std::string(use.reader));
 }
