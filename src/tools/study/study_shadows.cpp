@@ -198,9 +198,9 @@ void add_axes(CLI::App& verb, ShadowsFlags& flags) {
       list_by(&biases_in, "distances from 0 to 1e12, such as 0.01,0.1"));
   add("--encodings", "--depth-encoding", flags.encodings, "Encodings of depth in the shadow map",
       list_of(names_of(kDepthEncodings)));
-  CLI::Option* offsets =
-      add("--polygon-offsets", "--polygon-offset", flags.polygon_offsets,
-          "Polygon offsets of the shadow map, such as '0,0;1,16'", list_by(&offsets_in, "offsets, such as '0,0;1,16'"));
+  CLI::Option* offsets = add("--polygon-offsets", "--polygon-offset", flags.polygon_offsets,
+                             "Polygon offsets of the shadow map, such as '0,0;1,16'",
+                             list_by(&offsets_in, "FACTOR,UNITS, such as '0,0;1,16'"));
   verb.add_flag("--find-offset", flags.find_offset,
                 "Search the polygon offset: factors from 0 to 4, units from 0 to 65536")
       ->excludes(offsets)
