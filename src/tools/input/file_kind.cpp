@@ -251,11 +251,12 @@ std::string kind_of_file(std::string_view bytes) {
 std::string wrong_kind(std::string_view kind, FileRole role) {
   const KindUse use = use_of(kind);
   if (kind.empty() || use.role == role) return "";
-  // A kind that any JSON file or binary file has explains nothing to a reader of JSON or of pictures.
+  // These kinds explain less than the fault itself.
   const bool reads_json = role == FileRole::program || role == FileRole::scene || role == FileRole::profile ||
                           role == FileRole::effect || role == FileRole::part;
   if (kind == kJsonKind && reads_json) return "";
-  if (kind == kBinaryKind && (role == FileRole::picture || role == FileRole::scene)) return "";
+  const bool may_be_binary = role == FileRole::picture || role == FileRole::scene || role == FileRole::part;
+  if (kind == kBinaryKind && may_be_binary) return "";
   const bool is_plural = kind == kGlKind || kind == kWordsKind || kind == kJsonWordsKind;
   if (is_plural) return fmt::format("these are {}; `ninebit explain` reads them", kind);
   return fmt::format("this is {}; {}", kind,
