@@ -1,4 +1,4 @@
-// The README's example, to the letter.
+// The example of docs/library.md, to the letter.
 #include <ninebit/combiner/initial_registers.h>
 #include <ninebit/language/gl_nv.h>
 

@@ -75,7 +75,7 @@ def program_command(random, file, form):
         to = random.choice(["gl", "rc10", "words", "words-json", "json", "glsl", "glsl-es", "c"])
         return ["convert", file, "--to", to, *common, *some(random, 0.3, "-o", "out/program.txt")]
     if verb == "eval":
-        return ["eval", file, "--inputs", "rows.csv", "--threads", "1", *common, *some(random, 0.3, "--registers"),
+        return ["eval", file, "--inputs", "rows.csv", *common, *some(random, 0.3, "--registers"),
                 *some(random, 0.3, "--engine", "reference"), *some(random, 0.3, "-o", "out/rows.csv")]
     if verb == "trace":
         return ["trace", file, *common, *some(random, 0.5, "--set", "tex0=10,20,30,255")]

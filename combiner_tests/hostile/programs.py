@@ -73,7 +73,7 @@ def profile(random, _context):
     data = random.choice([PROFILE] * 60 + [b'{"base": "nv2a", "name": "mine"}'] * 20 + seeds.corpus("profile"))
     data = bytes_or(random, data, lambda d: change_json(random, d))
     command = random.choice([["profiles"], ["explain", "a.gl"],
-                             ["eval", "a.gl", "--inputs", "rows.csv", "--threads", "1"],
+                             ["eval", "a.gl", "--inputs", "rows.csv"],
                              ["convert", "a.gl", "--to", "glsl"],
                              ["render", "scenes/cornell_box.gltf", "-o", "out", "--size", "8x8", "--map-size", "16"]])
     files = {"m.json": data, "a.gl": (seeds.ROOT / START["gl"]).read_bytes(), "rows.csv": ROWS}
@@ -85,7 +85,7 @@ def table(random, _context):
     files = {"a.gl": (seeds.ROOT / START["gl"]).read_bytes()}
     if random.random() < 0.5:
         data = random.choice([ROWS] * 60 + seeds.corpus("csv"))
-        command = ["eval", "a.gl", "--inputs", "t.csv", "--threads", "1", *some(random, 0.3, "--registers"),
+        command = ["eval", "a.gl", "--inputs", "t.csv", *some(random, 0.3, "--registers"),
                    *some(random, 0.3, "-o", "out.csv"),
                    *some(random, 0.3, "--engine", "reference"), *some(random, 0.3, "--json")]
     else:

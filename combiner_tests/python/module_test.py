@@ -338,7 +338,7 @@ class Studies(unittest.TestCase):
 
 class Readme(unittest.TestCase):
     def test_its_example_runs(self):
-        code = re.search(r"```python\n(.*?)```", (top / "README.md").read_text(), re.DOTALL)[1]
+        code = re.search(r"```python\n(.*?)```", (top / "docs/library.md").read_text(), re.DOTALL)[1]
         names = {}
         with contextlib.chdir(top):
             exec(code, names)

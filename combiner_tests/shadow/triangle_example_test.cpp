@@ -1,4 +1,4 @@
-// The README's triangle: compiled, run, and the very text of that page.
+// The triangle of docs/library.md: compiled, run, and the very text of that page.
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -44,7 +44,7 @@ TEST(TriangleExample, IsTheReadmes) {
   const std::string mark = "// [example]\n";
   const std::size_t begin = source.find(mark) + mark.size(), end = source.find(mark, begin);
   ASSERT_NE(end, std::string::npos);
-  EXPECT_NE(content("README.md").find("```cpp\n" + source.substr(begin, end - begin) + "```"), std::string::npos);
+  EXPECT_NE(content("docs/library.md").find("```cpp\n" + source.substr(begin, end - begin) + "```"), std::string::npos);
 }
 
 TEST(TriangleExample, DrawsATriangle) {

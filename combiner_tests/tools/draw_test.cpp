@@ -141,7 +141,8 @@ TEST(Draw, OnlyWritesTheNamedFiles) {
   EXPECT_TRUE(std::filesystem::exists(folder / "p.difference.png"));
   EXPECT_TRUE(std::filesystem::exists(folder / "p.layers.exr"));
   const std::string picture = folder / "p.png";
-  expect_error(ninebit(draw(kSepia, picture, {"--only", "color"})), 2, {"--only", "picture, difference or layers"});
+  expect_error(ninebit(draw(kSepia, picture, {"--only", "color"})), 2,
+               {"--only", "expected a list of picture, difference, layers"});
   expect_error(ninebit(draw(kSepia, picture, {"--only", "layers"})), 2, {"requires --layers"});
   expect_error(ninebit(draw(kSepia, picture, {"--only", "difference"})), 2, {"requires --difference"});
 }

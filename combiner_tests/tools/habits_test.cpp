@@ -89,6 +89,19 @@ TEST(Habits, ColoursOnTerminalsAlone) {
   ::setenv("TERM", "xterm", 1);
 }
 
+TEST(Habits, ADumbTerminalGetsNoEscapes) {
+  const TempFolder folder;
+  const std::vector<std::string> drawing = small_render(kRoom, folder / "out");
+  ::unsetenv("NO_COLOR");
+  ::setenv("TERM", "xterm", 1);
+  EXPECT_NE(seen_on_a_terminal(drawing).find("\r\x1b[K["), std::string::npos) << "the progress bar";
+  ::setenv("TERM", "dumb", 1);
+  const std::string seen = seen_on_a_terminal(drawing);
+  EXPECT_TRUE(seen.starts_with("wrote ")) << seen;
+  EXPECT_EQ(seen.find('\x1b'), std::string::npos);
+  ::setenv("TERM", "xterm", 1);
+}
+
 // The verbs that the help lists, "study index-steps" among them.
 std::set<std::string> verbs_of(const std::vector<std::string>& path) {
   std::vector<std::string> arguments = path;

@@ -168,7 +168,7 @@ TEST(IndexOrder, TraceAndStudyRefuseToo) {
                         "--index-order", "neighbour"}),
                2, {"--index-order: technique shadow-map does not read it", "--polygon-offset"});
   expect_error(ninebit({"study", "shadows", kRoom, "--size", "80x60", "--map-sizes", "32", "--technique", "shadow-map",
-                        "--index-order", "neighbour", "--json"}),
+                        "--index-order", "neighbour"}),
                2, {"--index-order: technique shadow-map does not read it"});
 }
 

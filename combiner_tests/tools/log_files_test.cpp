@@ -260,7 +260,7 @@ TEST(XboxFiles, BinaryFilesOfAnotherSizeAreRefused) {
   bytes[4 * 53] = 1;
   EXPECT_EQ(ninebit(on_nv2a({"validate", write_bytes(folder / "psd.bin", bytes)})).code, 0);
   const std::string longer = write_bytes(folder / "longer.bin", bytes + bytes);
-  expect_error(ninebit(on_nv2a({"validate", longer})), 3, {"longer.bin", "seems to be a binary file"});
+  expect_error(ninebit(on_nv2a({"validate", longer})), 3, {"longer.bin", "this is a binary file"});
   const Outcome named = ninebit(on_nv2a({"validate", longer, "--from", "xbox"}));
   EXPECT_EQ(named.code, 3);
   EXPECT_NE(named.err.find("480 bytes, which are 2 definitions; expected the 240"), std::string::npos) << named.err;

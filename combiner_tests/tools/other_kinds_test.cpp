@@ -1,4 +1,4 @@
-// Files of another kind or language: one line that names what they seem to be.
+// Files of another kind or language: one line that names what they are and the verb that reads them.
 #include <gtest/gtest.h>
 
 #include "combiner_tests/tools/program_support.h"
@@ -38,6 +38,22 @@ std::vector<Kind> foreign_kinds() {
   };
 }
 
+std::string being(const std::string& kind) {
+  return (kind == "GL calls" ? "these are " : "this is ") + kind;
+}
+
+// What follows the kind: its reader, or what was expected.
+std::string use_of(const std::string& kind, const std::string& expected) {
+  const auto is = [&](const char* word) { return kind.find(word) != std::string::npos; };
+  if (is("scene") || is("mesh")) return "`ninebit render` draws it";
+  if (is("picture") || is("texture")) return "`ninebit draw` reads it as a texture, with --tex0";
+  if (is("hardware profile")) return "`ninebit profiles` reads it, with --profile";
+  if (is("table")) return "`ninebit eval` reads it, with --inputs";
+  if (is("GL calls")) return "`ninebit explain` reads them";
+  if (is("RC1.0")) return "`ninebit explain` reads it";
+  return "expected " + expected;
+}
+
 TEST(OtherKinds, GivenAsAProgram) {
   const TempFolder folder;
   std::vector<Kind> kinds = foreign_kinds();
@@ -50,9 +66,11 @@ TEST(OtherKinds, GivenAsAProgram) {
     const std::string file = write_bytes(folder / "file", kind.bytes);
     const bool is_shader =
         kind.seems.find("GLSL") != std::string::npos || kind.seems.find("!!ARB") != std::string::npos;
+    const bool is_guess = kind.seems == "some other text" || kind.seems == "JSON of another kind";
     expect_error(ninebit({"validate", file}), 3,
-                 {is_shader ? ", which register combiners cannot run"
-                            : "/file: seems to be " + kind.seems + "; expected a combiner program"});
+                 {is_shader  ? ", which register combiners cannot run"
+                  : is_guess ? "/file: seems to be " + kind.seems + "; expected a combiner program"
+                             : "/file: this is " + kind.seems + "; " + use_of(kind.seems, "a combiner program")});
   }
   // All verbs that read programs.
   const std::string file = write_bytes(folder / "file", kinds.front().bytes);
@@ -64,11 +82,11 @@ TEST(OtherKinds, GivenAsAProgram) {
                                              {"eval", file, "--inputs", table},
                                              {"verify", table, "--program", file}}) {
     SCOPED_TRACE(arguments.front());
-    expect_error(ninebit(arguments), 3, {"/file: seems to be a PNG picture; expected a combiner program"});
+    expect_error(ninebit(arguments), 3, {"/file: this is a PNG picture; `ninebit draw` reads it as a texture"});
   }
   // Whatever --from says.
   for (const char* form : {"gl", "rc10", "words", "json"}) {
-    expect_error(ninebit({"validate", file, "--from", form}), 3, {"seems to be a PNG picture; expected"});
+    expect_error(ninebit({"validate", file, "--from", form}), 3, {"this is a PNG picture; `ninebit draw`"});
   }
 }
 
@@ -103,11 +121,45 @@ TEST(OtherKinds, GivenAsATableOrAProfile) {
   for (const Kind& kind : kinds) {
     SCOPED_TRACE(kind.seems);
     const std::string file = write_bytes(folder / "file.json", kind.bytes);
-    const std::string seems = "/file.json: seems to be " + kind.seems + "; expected ";
-    expect_error(ninebit({"eval", program, "--inputs", file}), 3, {seems + "a table"});
-    expect_error(ninebit({"verify", file, "--program", program}), 3, {seems + "a table"});
-    expect_error(ninebit({"profiles", "--profile", file}), 3, {seems + "a profile"});
+    const std::string is = "/file.json: " + being(kind.seems) + "; ";
+    expect_error(ninebit({"eval", program, "--inputs", file}), 3, {is + use_of(kind.seems, "a table")});
+    expect_error(ninebit({"verify", file, "--program", program}), 3, {is + use_of(kind.seems, "a table")});
+    expect_error(ninebit({"profiles", "--profile", file}), 3, {is + use_of(kind.seems, "a profile")});
   }
+}
+
+TEST(OtherKinds, GivenAsASceneAPictureAnEffectOrAPart) {
+  const TempFolder folder;
+  const std::string page = NINEBIT_SOURCE_DIR "/README.md", effect = NINEBIT_SOURCE_DIR "/scenes/effects/toon.json",
+                    picture = NINEBIT_SOURCE_DIR "/docs/images/stencil.png", out = folder / "out";
+  const std::string draws = ": this is a glTF scene; `ninebit render` draws it",
+                    explains = ": these are GL calls; `ninebit explain` reads them",
+                    textures = ": this is a PNG picture; `ninebit draw` reads it as a texture",
+                    effects = ": this is an effect; `ninebit draw` draws it";
+  const auto expect = [](const std::vector<std::string>& arguments, const std::string& words) {
+    SCOPED_TRACE(testing::PrintToString(arguments));
+    expect_error(ninebit(arguments), 3, {words});
+  };
+  for (const auto& [file, words] :
+       std::map<std::string, std::string>{{picture, textures},
+                                          {effect, effects},
+                                          {kArticle, explains},
+                                          {page, ": this is a Markdown page; expected a scene"}}) {
+    expect({"render", file, "-o", out}, file + words);
+    expect({"compare", file, "-o", out}, file + words);
+    expect({"trace", "--scene", file, "--pixel", "1,1"}, file + words);
+    expect({"study", "shadows", file}, file + words);
+    expect({"bench", "frame", file, "--quick"}, file + words);
+  }
+  expect({"draw", kArticle, "-o", out + ".png", "--mesh", picture}, picture + textures);
+  expect({"draw", kArticle, "-o", out + ".png", "--tex0", kRoom}, kRoom + draws);
+  expect({"draw", kRoom, "-o", out + ".png"}, kRoom + draws);
+  expect({"draw", page, "-o", out + ".png"}, page + ": this is a Markdown page; expected a combiner program");
+  expect({"render", kRoom, "-o", out, "--technique", "light-cookie", "--cookie", effect}, effect + effects);
+  expect({"trace", "--effect", kRoom, "--pixel", "1,1"}, kRoom + draws);
+  expect({"study", "merge", kArticle, "-o", out}, kArticle + explains);
+  expect({"explain", effect}, effect + effects);
+  EXPECT_FALSE(std::filesystem::exists(out));
 }
 
 // Faults of a text that is what it should be are told one by one, with their places.

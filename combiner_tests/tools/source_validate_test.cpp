@@ -91,10 +91,13 @@ TEST_F(SourceValidate, DestructorsHaveTheirNames) {
 
 // Code for OpenGL without combiners is code, too.
 TEST_F(SourceValidate, CodeWithoutCombiners) {
-  expect_error(validate("void f(void)\n{\n  glFinalCombinrInputNV(GL_VARIABLE_D_NV, GL_SPARE0_NV, "
-                        "GL_UNSIGNED_IDENTITY_NV, GL_RGB);\n  glEnable(GL_REGISTER_COMBINERS_NV);\n}\n",
-                        {"--json", "--function", "f", "--quiet"}),
-               3, {"set.c:3:3: ", "did you mean 'glFinalCombinerInputNV'?"});
+  const Json fault = faults_of(validate("void f(void)\n{\n  glFinalCombinrInputNV(GL_VARIABLE_D_NV, GL_SPARE0_NV, "
+                                        "GL_UNSIGNED_IDENTITY_NV, GL_RGB);\n  glEnable(GL_REGISTER_COMBINERS_NV);\n}\n",
+                                        {"--json", "--function", "f", "--quiet"}),
+                               3)["error"];
+  EXPECT_TRUE(fault["message"].get<std::string>().ends_with("did you mean 'glFinalCombinerInputNV'?"));
+  EXPECT_EQ(fault["line"], 3);
+  EXPECT_EQ(fault["column"], 3);
   EXPECT_EQ(validate("void f(void) { glEnable(GL_REGISTER_COMBINERS_NV); }\n").code, 0);
   expect_error(validate("if (ready) {\n  glCombinrOutputNV(GL_COMBINER0_NV);\n}\nvoid f(void) { glFlush(); }\n"), 3,
                {"set.c:2:3: ", "did you mean 'glCombinerOutputNV'?"});

@@ -95,7 +95,7 @@ TEST_F(StudyParts, ThatDoNotBelongTogetherAreRefused) {
   const std::string other = folder_ / "foreign/part-3-of-3.jsonl";
   expect_refused({part_[0], part_[1], other}, {other, "another question", "1-5"});
   expect_refused({part_[0], part_[1], folder_ / "none.jsonl"}, {"none.jsonl", "cannot be read"});
-  expect_refused({part_[0], part_[1], kRoom}, {kRoom + ":1", "SHA-256"});
+  expect_refused({part_[0], part_[1], kRoom}, {kRoom + ": this is a glTF scene; `ninebit render` draws it"});
 }
 
 TEST_F(StudyParts, DamageIsRefused) {

@@ -53,6 +53,17 @@ Json json_of(const Outcome& outcome) {
   return object.is_object() ? object : Json();
 }
 
+Json faults_of(const Outcome& outcome, int code) {
+  EXPECT_EQ(outcome.code, code) << outcome.err;
+  Json object = Json::parse(outcome.out, nullptr, false);
+  const bool is_whole = object.is_object() && object.contains("error") && object.contains("errors");
+  EXPECT_TRUE(is_whole) << outcome.out;
+  if (!is_whole) return {{"error", {{"message", ""}}}, {"errors", Json::array()}};
+  EXPECT_EQ(object["exit_code"], code);
+  EXPECT_EQ(object["error"], object["errors"][0]);
+  return object;
+}
+
 std::vector<std::string> keys_of(const Json& object) {
   std::vector<std::string> keys;
   for (const auto& item : object.items()) keys.push_back(item.key());

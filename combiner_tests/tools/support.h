@@ -32,6 +32,9 @@ Files files_in(const std::filesystem::path& folder);
 std::vector<std::string> small_render(const std::string& scene, const std::string& folder,
                                       const std::vector<std::string>& more = {});
 
+// The object that a command with --json printed before it failed with `code`: its errors. Fails without one.
+Json faults_of(const Outcome& outcome, int code);
+
 // Fails unless the program ended with `code`, wrote nothing to stdout, and to stderr one line of its own that holds
 // every one of `words`.
 void expect_error(const Outcome& outcome, int code, const std::vector<std::string>& words);

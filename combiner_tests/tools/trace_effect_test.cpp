@@ -35,7 +35,7 @@ TEST(TraceEffect, APixel) {
   EXPECT_NE(empty.out.find("not drawn: no fragment to trace"), std::string::npos) << empty.out;
   expect_error(ninebit({"trace", "--effect", kTones, "--pixel", "256,0"}), 3, {"256,0 is outside", "0 to 255"});
   expect_error(ninebit({"trace", "--effect", kRoom, "--pixel", "1,1"}), 3,
-               {"index_room.gltf:1:", "\"ninebit\": \"effect\" is missing"});
+               {"index_room.gltf: this is a glTF scene; `ninebit render` draws it"});
 }
 
 }  // namespace

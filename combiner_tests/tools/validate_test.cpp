@@ -131,7 +131,7 @@ TEST_F(Validate, WhatIsNoProgram) {
   EXPECT_NE(cut.err.find("program:2:"), std::string::npos) << cut.err;
   expect_error(validate("{\"ninebit\": \"program\", \"version\": 9}"), 3, {"program:1:"});
   expect_error(validate("RC_IN_RGB[0] = 0x00000006\n"), 3, {"program:1:"});
-  expect_error(validate(std::string("\0\0\0", 3)), 3, {"program: seems to be a binary file; expected "});
+  expect_error(validate(std::string("\0\0\0", 3)), 3, {"program: this is a binary file; expected "});
   // A refusal beside a fault of the text: all of it is told, and there is no program.
   const Outcome both = validate(std::string(kRefused) + "glFoo();\n");
   EXPECT_EQ(both.code, 3);

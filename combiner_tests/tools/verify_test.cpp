@@ -264,7 +264,7 @@ TEST_F(Verify, WrongTables) {
       {"program,primary.r,out.r\nsquare.rc,1,1|x\n", {"rows.csv:2:13", "out.r", "'1|x'"}},
       {"program,primary.r,out.r\nsquare.rc,1,\n", {"the row has no expected value"}},
       {"program,out.r\nmissing.rc,1\n", {"missing.rc"}},
-      {"program,out.r\nrows.csv,1\n", {"rows.csv: seems to be a table", "expected a combiner program"}},
+      {"program,out.r\nrows.csv,1\n", {"rows.csv: this is a table", "`ninebit eval` reads it"}},
   };
   for (const Case& c : cases) {
     SCOPED_TRACE(c.table);

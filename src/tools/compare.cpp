@@ -187,9 +187,10 @@ void add_compare(CLI::App& app, int& exit_code) {
       ->type_name("DIR");
   flags->scene_options = add_scene_flags(*verb, flags->scene);
   flags->scene_options.push_back(verb->get_option("--profile"));
-  verb->add_option("--vary", flags->vary,
-                   "Compare these values of a flag, as index-step=1,2; values that contain commas are separated by "
-                   "semicolons; several lists give all combinations")
+  verb->add_option(
+          "--vary", flags->vary,
+          "Compare these values of a flag, such as index-step=1-4; values that contain commas are separated by "
+          "semicolons; several lists give all combinations")
       ->type_name("FLAG=LIST")
       ->allow_extra_args(false);
   // Replaces that of add_scene_flags: which technique reads a flag is checked for each of them.

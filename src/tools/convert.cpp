@@ -142,14 +142,18 @@ void add_convert(CLI::App& app, int& exit_code) {
       "  ninebit convert 'frame.log#3' --to xbox --profile nv2a\n"
       "  ninebit convert program.json --to words --chip nv20 --profile nv2a -o program.words");
   auto flags = std::make_shared<ConvertFlags>();
-  add_common_flags(*verb, flags->common);
+  add_answer_flags(*verb, flags->common);
+  add_profile_flag(*verb, flags->common);
   add_program_flags(*verb, flags->program);
   verb->add_option("--to", flags->to, "Form to write; without it, list the set-ups of a log")
       ->check(CLI::IsMember(std::vector<std::string>(kPrintedForms.begin(), kPrintedForms.end())));
   verb->add_option("--frame", flags->frame, "Only the draws of this frame of a log, counted from 1")
       ->check(CLI::Range(1U, 0xffffffffU));
   verb->add_option("-o,--output", flags->output, "Write to this file instead of standard output")->type_name("FILE");
-  verb->callback([flags, &exit_code] { exit_code = run(*flags); });
+  verb->callback([flags, &exit_code] {
+    flags->program.writes_words = flags->to.starts_with("words");
+    exit_code = run(*flags);
+  });
 }
 
 }  // namespace ninebit::tools

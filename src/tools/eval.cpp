@@ -167,7 +167,8 @@ void add_eval(CLI::App& app, int& exit_code) {
       "  ninebit eval compare.gl --inputs codes.csv -o out.csv\n"
       "  ninebit eval compare.gl --inputs - --registers --engine reference < codes.csv");
   auto flags = std::make_shared<EvalFlags>();
-  add_common_flags(*verb, flags->common);
+  add_answer_flags(*verb, flags->common);
+  add_profile_flag(*verb, flags->common);
   add_program_flags(*verb, flags->program);
   verb->add_option("--inputs", flags->inputs, "Table of register codes; - reads standard input")
       ->required()

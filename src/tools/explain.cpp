@@ -58,7 +58,8 @@ void add_explain(CLI::App& app, int& exit_code) {
       "  ninebit explain program.json --profile nv2a --json\n"
       "  ninebit explain compare.gl -o compare.html");
   auto flags = std::make_shared<ExplainFlags>();
-  add_common_flags(*verb, flags->common);
+  add_answer_flags(*verb, flags->common);
+  add_profile_flag(*verb, flags->common);
   add_program_flags(*verb, flags->program);
   add_page_flag(*verb, flags->output);
   verb->callback([flags, &exit_code] { exit_code = run(*flags); });

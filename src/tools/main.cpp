@@ -9,7 +9,9 @@
 #include "src/system/memory.h"
 #include "src/system/process.h"
 #include "src/tools/common/build_facts.h"
+#include "src/tools/common/fault_answer.h"
 #include "src/tools/common/usage.h"
+#include "src/tools/input/fault_log.h"
 #include "src/tools/input/program.h"
 
 namespace ninebit::tools {
@@ -18,9 +20,9 @@ namespace {
 int run(int argc, char** argv) {
   CLI::App app{"Bit-exact emulation of NVIDIA register combiners, and the shadow techniques built on them", "ninebit"};
   app.require_subcommand(1);
-  app.set_version_flag("--version", version_text, "Print the version and build information");
+  app.set_version_flag("-V,--version", version_text, "Print the version and build information");
   app.footer(
-      "Example: ninebit render scenes/index_room.gltf -o out\nRun `ninebit COMMAND --help` for the flags of a "
+      "Example: ninebit render scenes/index_room.gltf -o out\nRun `ninebit help COMMAND` for the flags of a "
       "command.");
   int exit_code = kDone;
   add_render(app, exit_code);
@@ -39,6 +41,7 @@ int run(int argc, char** argv) {
   add_prove(app, exit_code);
   add_vectors(app, exit_code);
   add_gl_run(app, exit_code);
+  add_help(app, exit_code);
   add_generate(app, exit_code);
   try {
     app.parse(argc, argv);
@@ -61,20 +64,16 @@ bool lacks_threads(const std::exception& error) {
          std::string_view(error.what()).starts_with("pthread_create has failed");
 }
 
-}  // namespace
-}  // namespace ninebit::tools
-
-int main(int argc, char** argv) {
-  using namespace ninebit::tools;
-  ninebit::posix::guard_streams();
-  ninebit::posix::keep_memory_for_errors();
+// Runs the program; an exception becomes a message and an exit code.
+int guarded_run(int argc, char** argv) {
   try {
     return run(argc, argv);
   } catch (const std::bad_alloc&) {
     say("ninebit: error: out of memory\n");
+    log_fault({.message = "out of memory"});
     return kOutOfMemory;
   } catch (const InvalidInput& error) {
-    for (const std::string& fault : error.faults()) say_error(fault);
+    return error.report();
   } catch (const std::exception& error) {
     if (lacks_threads(error)) {
       say_error(std::string("out of memory or threads: ") + error.what());
@@ -83,4 +82,20 @@ int main(int argc, char** argv) {
     say_error(error.what());
   }
   return kInvalidInput;
+}
+
+}  // namespace
+}  // namespace ninebit::tools
+
+int main(int argc, char** argv) {
+  using namespace ninebit::tools;
+  ninebit::posix::guard_streams();
+  ninebit::posix::keep_memory_for_errors();
+  int exit_code = kOutOfMemory;
+  try {
+    exit_code = guarded_run(argc, argv);
+    answer_with_faults(argc, argv, exit_code);
+  } catch (const std::bad_alloc&) {  // even for the message
+  }
+  return exit_code;
 }

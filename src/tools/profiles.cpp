@@ -98,9 +98,10 @@ std::vector<ProfileRow> rows_of(const HardwareProfile& p) {
   return rows;
 }
 
-int print_profiles(const CommonFlags& flags) {
+// `chosen`: only the profile of --profile; else all that ninebit has.
+int print_profiles(const CommonFlags& flags, bool chosen) {
   std::vector<HardwareProfile> profiles(hardware_profiles().begin(), hardware_profiles().end());
-  if (flags.own_profile) profiles.push_back(flags.own_profile->profile);
+  if (chosen) profiles = {profile_of(flags)};
   if (!flags.json) {
     std::string text;
     const auto out = std::back_inserter(text);
@@ -133,10 +134,16 @@ int print_profiles(const CommonFlags& flags) {
 void add_profiles(CLI::App& app, int& exit_code) {
   CLI::App* verb =
       app.add_subcommand("profiles", "List the hardware profiles: every field, its value and its evidence");
-  verb->footer("Examples:\n  ninebit profiles --json\n  ninebit profiles --profile mine.json");
+  verb->footer(
+      "Examples:\n  ninebit profiles --json\n  ninebit profiles --profile nv2a\n  ninebit profiles --profile "
+      "mine.json");
   auto flags = std::make_shared<CommonFlags>();
-  add_common_flags(*verb, *flags);
-  verb->callback([flags, &exit_code] { exit_code = print_profiles(*flags); });
+  add_answer_flags(*verb, *flags);
+  add_profile_flag(*verb, *flags);
+  verb->get_option("--profile")
+      ->description("List only this profile: a name, or a .json file (default: all that ninebit has)")
+      ->default_str("");
+  verb->callback([flags, verb, &exit_code] { exit_code = print_profiles(*flags, verb->count("--profile") > 0); });
 }
 
 }  // namespace ninebit::tools

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "ninebit/shadow/picture_files.h"
+#include "src/tools/common/flag_groups.h"
 #include "src/tools/common/index_order.h"
 #include "src/tools/common/pixel_flag.h"
 #include "src/tools/common/scene_textures.h"
@@ -202,24 +203,27 @@ void add_render(CLI::App& app, int& exit_code) {
       ->required()
       ->type_name("DIR");
   add_scene_flags(*verb, flags->scene);
-  verb->add_flag("--layers", flags->scene.settings.layers, "Also write layers.exr with every intermediate value");
+  verb->add_flag("--layers", flags->scene.settings.layers,
+                 "Also write layers.exr with every intermediate value (default: off)");
   verb->add_option("--supersample", flags->supersample,
                    "Draw N x N samples for each pixel, and average them as a GeForce 2 did")
       ->capture_default_str()
       ->type_name("N")
       ->check(CLI::IsMember(std::vector<std::string>{"1", "2", "4"}));
   verb->add_option("--turntable", flags->turntable,
-                   "Write N pictures from all around: the camera turns about the point that it looks at")
+                   "Write N pictures from all around: the camera turns about the point that it looks at (default: off)")
       ->type_name("N")
       ->check(CLI::Range(2, kMostFrames));
   verb->add_option("--only", flags->only,
-                   "Files to write, by their names without ending, as color,shadow (default: all)")
-      ->type_name("NAME[,NAME...]");
-  add_pixel_flag(*verb, "--pick", flags->pick, "Print which polygon and object is visible at this pixel, by its index");
+                   "Files to write, by their names without ending, such as color,shadow (default: all)")
+      ->type_name("LIST");
+  add_pixel_flag(*verb, "--pick", flags->pick,
+                 "Print which polygon and object is visible at this pixel, by its index (default: off)");
   verb->add_flag("--ground-truth", flags->ground_truth,
-                 "Compare each pixel with ray casting: count errors by cause, write error.png");
+                 "Compare each pixel with ray casting: count errors by cause, write error.png (default: off)");
   verb->add_flag("--check-order", flags->check_order,
-                 "With --index-order neighbour: exit with 1 if there are false neighbours");
+                 "With --index-order neighbour: exit with 1 if there are false neighbours (default: off)");
+  group_scene_flags(*verb);
   verb->callback([flags, &exit_code] { exit_code = render(*flags); });
 }
 

@@ -34,6 +34,7 @@ struct TraceFlags {
   std::string pixel;
   std::string output;
   CLI::Option* profile = nullptr;  // --profile; whether it was given
+  CLI::Option* threads = nullptr;  // the same for --threads
 };
 
 // What is traced besides the program: a pixel, and the profile that it was drawn with.
@@ -130,6 +131,9 @@ int run(const TraceFlags& flags) {
   if (flags.program.file.empty() && flags.scene.file.empty()) {
     return wrong_usage("PROGRAM, --scene or --effect is required");
   }
+  if (flags.scene.file.empty() && flags.threads->count() != 0) {
+    return wrong_usage("--threads requires --scene or --effect: a trace of given registers has one thread");
+  }
   if (flags.scene.file.empty() && !flags.pixel.empty()) return wrong_usage("--pixel requires --scene or --effect");
   if (!flags.scene.file.empty() && flags.pixel.empty()) return wrong_usage("--scene requires --pixel X,Y");
   std::optional<Program> program;
@@ -175,6 +179,11 @@ void add_trace(CLI::App& app, int& exit_code) {
   add_pixel_flag(*verb, "--pixel", flags->pixel, "Pixel to trace, counted from the top left of the picture");
   add_page_flag(*verb, flags->output);
   for (CLI::Option* const option : add_scene_flags(*verb, flags->scene)) option->needs(scene);
+  for (const char* flag : {"--allow-outside", "--up"}) verb->get_option(flag)->needs(scene);
+  for (const char* flag : {"--from", "--chip", "--function", "--define"}) {
+    verb->get_option(flag)->needs(verb->get_option("program"));
+  }
+  flags->threads = verb->get_option("--threads");
   verb->callback([flags, &exit_code] { exit_code = run(*flags); });
 }
 

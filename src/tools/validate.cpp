@@ -180,7 +180,8 @@ void add_validate(CLI::App& app, int& exit_code) {
       "  ninebit validate compare.gl\n"
       "  ninebit validate program.json --profile nv2a --json");
   auto flags = std::make_shared<ValidateFlags>();
-  add_common_flags(*verb, flags->common);
+  add_answer_flags(*verb, flags->common);
+  add_profile_flag(*verb, flags->common);
   add_program_flags(*verb, flags->program);
   verb->callback([flags, &exit_code] { exit_code = run(*flags); });
 }

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "src/image/texture/picture_loader.h"
+#include "src/tools/input/file_kind.h"
 #include "src/tools/input/program.h"
 
 namespace ninebit::tools {
@@ -43,7 +44,7 @@ Result<std::shared_ptr<const Texture>> read_cookie(const HardwareProfile& profil
     std::copy(files.begin(), files.end(), faces.begin());
     return image_detail::read_cube_texture(profile, faces, options, image_detail::kPictureModule);
   }();
-  if (!read) return read.error();
+  if (!read) return explained_by_kind(read.error(), read.error().file, FileRole::picture);
   if (read->target != TextureTarget::cube_map) {
     return Diagnostic{
         .message = "is a 2D texture; expected a cube map, a DDS file of six faces or six pictures +X,-X,+Y,-Y,+Z,-Z",

@@ -4,6 +4,8 @@
 #include <system_error>
 #include <utility>
 
+#include "src/tools/input/fault_log.h"
+
 namespace ninebit::tools {
 namespace {
 
@@ -18,7 +20,11 @@ OutputFile::OutputFile(std::string name, posix::Stream stream, std::optional<Sta
 
 Result<OutputFile> OutputFile::open(const std::string& path) {
   namespace fs = std::filesystem;
-  if (path.empty()) return OutputFile("standard output", posix::Stream(posix::kStandardOutput), std::nullopt);
+  if (path.empty()) {
+    OutputFile out("standard output", posix::Stream(posix::kStandardOutput), std::nullopt);
+    out.is_answer_ = true;
+    return out;
+  }
   std::error_code error;
   const fs::file_status about = fs::status(path, error);
   const bool exists = fs::exists(about);
@@ -41,6 +47,7 @@ Result<OutputFile> OutputFile::open(const std::string& path) {
 }
 
 Status OutputFile::write(std::string_view bytes) {
+  if (is_answer_) log_answer();
   std::error_code error;
   stream_.write(bytes, error);
   if (error) return cannot_write(name_, error);

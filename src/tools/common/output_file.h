@@ -25,6 +25,7 @@ class OutputFile {
   OutputFile(std::string name, posix::Stream stream, std::optional<StagedFiles> staged);
 
   std::string name_;
+  bool is_answer_ = false;  // standard output
   posix::Stream stream_;
   std::optional<StagedFiles> staged_;
 };

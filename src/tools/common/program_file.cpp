@@ -42,22 +42,19 @@ std::string_view kind_of_form(ProgramForm form) {
 
 // For a file with faults: one sentence if it seems to be of another kind than it was read as; else empty.
 std::string seems_to_be_else(const ProgramFile& file, const std::string& from) {
-  constexpr std::string_view kExpected =
-      "expected a combiner program: GL calls, !!RC1.0, a ps.1.x pixel shader, register words, JSON, an Xbox pixel "
-      "shader "
-      "definition or a log of register writes";
-  if (!foreign_language(file.text).empty()) return "";  // the fault names it
   constexpr std::size_t kFewFaults = 3;  // so few are listed even if the text does not look like a program
   const std::string kind = kind_of_file(file.text);
+  const bool is_page = kind.find("Markdown") != std::string::npos || kind.find("HTML") != std::string::npos;
+  if (!is_page && !foreign_language(file.text).empty()) return "";  // the fault names it
   const bool is_json = file.form == ProgramForm::json || file.form == ProgramForm::words_json;
   if (kind.empty() || (is_json && kind == kJsonKind)) {
     if (!from.empty() || file.parsed.faults.size() <= kFewFaults) return "";
-    return fmt::format("seems to be {}; {}", kind.empty() ? "some other text" : kind, kExpected);
+    return fmt::format("seems to be {}; expected a combiner program", kind.empty() ? "some other text" : kind);
   }
   if (kind == kind_of_form(file.form) || (file.form == ProgramForm::xbox && kind == kBinaryKind)) return "";
   if (file.form == ProgramForm::source && (kind == kGlKind || kind.find("source") != std::string::npos)) return "";
   const FormName* const other = form_of_kind(kind);
-  if (other == nullptr) return fmt::format("seems to be {}; {}", kind, kExpected);
+  if (other == nullptr) return wrong_kind(kind, FileRole::program);
   if (from.empty() || from == other->flag) return "";
   return fmt::format("seems to be {}; expected {}, as --from {} says; leave out --from, or give --from {}", kind,
                      kind_of_form(file.form), from, other->flag);
@@ -175,6 +172,9 @@ Result<ProgramSource> open_program(const ProgramFlags& flags) {
     return source;
   }
   const std::string kind = kind_of_file(source.text);
+  if (std::string message = wrong_kind(kind, FileRole::program); !message.empty() && kind != kBinaryKind) {
+    return Diagnostic{.message = std::move(message), .file = source.name};
+  }
   return Diagnostic{.message = fmt::format("{}is longer than {} bytes, the limit for a program",
                                            kind.empty() ? "" : "seems to be " + kind + ", and ", kMaxSourceBytes),
                     .file = source.name};
@@ -252,6 +252,11 @@ std::optional<TextProgram> load_setup(Parsed<RegisterLog> log, ProgramSource sou
 }
 
 bool misuses_source_flags(const ProgramFlags& flags, std::string_view name, ProgramForm form) {
+  const bool has_words = form == ProgramForm::words || form == ProgramForm::words_json || form == ProgramForm::log;
+  if (!flags.chip.empty() && !has_words && !flags.writes_words) {
+    say_error(fmt::format("--chip is for register words and logs; {} was read as {}", name, kind_of_form(form)));
+    return true;
+  }
   if (form == ProgramForm::source || (flags.functions.empty() && flags.defines.empty())) return false;
   say_error(fmt::format("--function and --define are for source files; {} was read as {}", name, kind_of_form(form)));
   return true;
@@ -264,7 +269,7 @@ void say_notes(const std::vector<TextFault>& notes) {
 int report(const std::vector<TextFault>& faults, std::string_view text) {
   SourceLines lines(text);
   for (const TextFault& fault : faults) {
-    say_error(fault.text());
+    (void)report_fault(fault);
     say(lines.marked(fault.line, fault.column));
   }
   return kInvalidInput;

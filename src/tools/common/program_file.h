@@ -61,7 +61,8 @@ struct ProgramFile {
 [[nodiscard]] std::optional<CombinerState> load_program(const ProgramFlags& flags, const HardwareProfile& profile,
                                                         bool quiet, int& exit_code);
 
-// Whether --function or --define was given for a file that is not a source; says so.
+// Whether --function or --define was given for a file that is not a source, or --chip for one that has no register
+// words; says so.
 [[nodiscard]] bool misuses_source_flags(const ProgramFlags& flags, std::string_view name, ProgramForm form);
 
 // Prints what was skipped or assumed in a text, a line each: "ninebit: note: FILE:LINE:COLUMN: MESSAGE".

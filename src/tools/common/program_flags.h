@@ -16,6 +16,7 @@ struct ProgramFlags {
   std::string chip{};                    // of register words: "nv10" or "nv20"; empty: from the profile
   std::vector<std::string> functions{};  // of a source
   std::vector<std::string> defines{};    // of a source: NAME=VALUE
+  bool writes_words = false;             // the verb writes register words, for --chip
 };
 
 // Adds the argument PROGRAM to a verb.

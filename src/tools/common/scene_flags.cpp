@@ -5,62 +5,16 @@
 #include <utility>
 
 #include "ninebit/image/image_io.h"
-#include "ninebit/scene/scene_io.h"
 #include "src/system/parallel/parallel_loop.h"
 #include "src/tools/common/cookie_file.h"
+#include "src/tools/common/flag_groups.h"
 #include "src/tools/common/number_flag.h"
 #include "src/tools/common/number_list.h"
 #include "src/tools/common/scene_flag_checks.h"
-#include "src/tools/common/scene_textures.h"
 #include "src/tools/common/technique_flags.h"
 
 namespace ninebit::tools {
 namespace {
-
-std::optional<glm::vec3> point(const std::string& text) {
-  if (text.empty()) return std::nullopt;
-  const auto n = numbers<float>(text, ',');
-  return glm::vec3(n->at(0), n->at(1), n->at(2));
-}
-
-std::optional<LightKind> light_kind(const SceneFlags& flags) {
-  if (flags.light_type.empty()) return std::nullopt;
-  return flags.light_type == "point"  ? LightKind::point
-         : flags.light_type == "spot" ? LightKind::spot
-                                      : LightKind::directional;
-}
-
-SceneSetup setup_of(const SceneFlags& flags) {
-  SceneSetup setup;
-  setup.camera = point(flags.camera);
-  setup.look_at = point(flags.look_at);
-  setup.light = point(flags.light);
-  setup.light_kinds = flags.light_kinds.value_or(find_technique(flags.technique)->lights);
-  if (const auto kind = light_kind(flags)) {
-    setup.light_kinds = {.point = kind == LightKind::point,
-                         .spot = kind == LightKind::spot,
-                         .directional = kind == LightKind::directional};
-  }
-  setup.light_target = point(flags.light_target);
-  if (flags.spot_angle) setup.spot_degrees = static_cast<float>(*flags.spot_angle);
-  if (flags.fov) setup.fov_degrees = static_cast<float>(*flags.fov);
-  if (flags.floor == "none") {
-    setup.floor = FloorChoice::none;
-  } else if (flags.floor != "auto") {
-    setup.floor = FloorChoice::at_height;
-    setup.floor_height = numbers<float>(flags.floor, ',')->at(0);
-  }
-  return setup;
-}
-
-// Names the scene's file in an error that names no other.
-template <class T>
-Result<T> naming(const SceneFlags& flags, Result<T> result) {
-  if (result) return result;
-  Diagnostic d = result.error();
-  if (d.file.empty()) d.file = flags.file;
-  return d;
-}
 
 CLI::Validator checked(std::string (*check)(const std::string&)) {
   return CLI::Validator([check](std::string& text) { return check(text); }, "");
@@ -112,10 +66,11 @@ void add_index_flags(CLI::App& verb, RenderSettings& s) {
 void add_depth_flags(CLI::App& verb, SceneFlags& flags) {
   RenderSettings& s = flags.settings;
   add_choice(verb, "--depth-bits", s.depth_cube.bits, kDepthBits, "Format of the depth cube map");
-  verb.add_option("--bias", flags.bias, "Bias of the depth comparison, in world units")
+  verb.add_option("--bias", flags.bias,
+                  "Bias of the depth comparison, in world units (default: three texels of the map)")
       ->type_name("DISTANCE")
       ->check(checked(check_bias));
-  verb.add_option("--polygon-offset", flags.polygon_offset, "Polygon offset of the shadow map")
+  verb.add_option("--polygon-offset", flags.polygon_offset, "Polygon offset of the shadow map (default: 1.125,16)")
       ->type_name("FACTOR,UNITS")
       ->check(checked(check_offset));
   add_choice(verb, "--depth-encoding", s.shadow_map.encoding, kDepthEncodings, "Encoding of depth in the shadow map");
@@ -143,10 +98,12 @@ void add_reflective_flags(CLI::App& verb, ReflectiveSettings& s) {
 }
 
 void add_cookie_flags(CLI::App& verb, SceneFlags& flags) {
-  verb.add_option("--cookie", flags.cookie, "Cube map of the light: one DDS file, or six pictures +X,-X,+Y,-Y,+Z,-Z")
+  verb.add_option("--cookie", flags.cookie,
+                  "Cube map of the light, required: one DDS file, or six pictures +X,-X,+Y,-Y,+Z,-Z")
       ->type_name("FILE[,FILE...]")
       ->check(checked(check_cookie));
-  verb.add_option("--light-rotate", flags.light_rotate, "Rotation of the light about x, then y, then z, in degrees")
+  verb.add_option("--light-rotate", flags.light_rotate,
+                  "Rotation of the light about x, then y, then z, in degrees (default: 0,0,0)")
       ->type_name("X,Y,Z")
       ->check(checked(check_degrees));
   add_choice(verb, "--cookie-shadows", flags.settings.light_cookie.shadows, kCookieShadows,
@@ -164,7 +121,7 @@ void add_technique_flags(CLI::App& verb, SceneFlags& flags) {
     if (flags.technique == "light-cookie" && flags.cookie.empty()) {
       throw CLI::ValidationError("--technique light-cookie requires --cookie FILE");
     }
-    const auto kind = light_kind(flags);
+    const auto kind = given_light_kind(flags);
     if (kind && !find_technique(flags.technique)->lights.has(*kind)) {
       throw CLI::ValidationError(
           fmt::format("--light-type {}: not supported by technique {}", flags.light_type, flags.technique));
@@ -174,25 +131,12 @@ void add_technique_flags(CLI::App& verb, SceneFlags& flags) {
 
 }  // namespace
 
-const Names<IndexFormat> kIndexFormats{{"rgb", IndexFormat::rgb},
-                                       {"la", IndexFormat::luminance_alpha},
-                                       {"l", IndexFormat::luminance},
-                                       {"a", IndexFormat::alpha}};
-const Names<IndexScope> kIndexScopes{
-    {"polygon", IndexScope::polygon}, {"object", IndexScope::object}, {"section", IndexScope::section}};
-const Names<IndexOrder> kIndexOrders{{"file", IndexOrder::file}, {"neighbour", IndexOrder::neighbour}};
-const Names<IndexScales> kIndexScales{{"both-x4", IndexScales::both},
-                                      {"first-x4", IndexScales::first},
-                                      {"second-x4", IndexScales::second},
-                                      {"no-scale", IndexScales::none}};
-const Names<DepthCubeBits> kDepthBits{
-    {"8", DepthCubeBits::eight}, {"16", DepthCubeBits::sixteen}, {"float", DepthCubeBits::real}};
-const Names<DepthEncoding> kDepthEncodings{{"d24", DepthEncoding::d24},
-                                           {"d16", DepthEncoding::d16},
-                                           {"rgba8-fract", DepthEncoding::rgba8_fract},
-                                           {"rgba8-mod", DepthEncoding::rgba8_mod},
-                                           {"rgba8-256over255", DepthEncoding::rgba8_256over255},
-                                           {"rgba8-modf", DepthEncoding::rgba8_modf}};
+std::optional<LightKind> given_light_kind(const SceneFlags& flags) {
+  if (flags.light_type.empty()) return std::nullopt;
+  return flags.light_type == "point"  ? LightKind::point
+         : flags.light_type == "spot" ? LightKind::spot
+                                      : LightKind::directional;
+}
 
 ThreadLimit::ThreadLimit(int threads) {
   if (threads > 0) limit_.emplace(static_cast<std::size_t>(threads));
@@ -233,13 +177,20 @@ std::vector<CLI::Option*> add_scene_flags(CLI::App& verb, SceneFlags& flags) {
       ->type_name("N")
       ->capture_default_str()
       ->check(checked(check_map_size));
-  verb.add_flag("--light-facing", flags.settings.light_facing, "Also shadow surfaces that face away from the light");
-  verb.add_option("--camera", flags.camera, "Camera position")->type_name("X,Y,Z")->check(checked(check_point));
-  verb.add_option("--look-at", flags.look_at, "Point to look at")->type_name("X,Y,Z")->check(checked(check_point));
-  verb.add_option("--fov", flags.fov, "Vertical field of view, in degrees")
+  verb.add_flag("--light-facing", flags.settings.light_facing,
+                "Also shadow surfaces that face away from the light (default: off)");
+  verb.add_option("--camera", flags.camera, "Camera position (default: the file's; else a view of the whole scene)")
+      ->type_name("X,Y,Z")
+      ->check(checked(check_point));
+  verb.add_option("--look-at", flags.look_at, "Point to look at (default: the file's; else the middle of the scene)")
+      ->type_name("X,Y,Z")
+      ->check(checked(check_point));
+  verb.add_option("--fov", flags.fov, "Vertical field of view, in degrees (default: the file's; else 50)")
       ->type_name("DEGREES")
       ->check(checked(check_fov));
-  verb.add_option("--light", flags.light, "Light position")->type_name("X,Y,Z")->check(checked(check_point));
+  verb.add_option("--light", flags.light, "Light position (default: the file's; else above and beside the camera)")
+      ->type_name("X,Y,Z")
+      ->check(checked(check_point));
   verb.add_option("--floor", flags.floor, "Floor below the scene: auto adds one if the file has no camera and no light")
       ->type_name("auto|none|HEIGHT")
       ->capture_default_str()
@@ -262,6 +213,7 @@ std::vector<CLI::Option*> add_scene_flags(CLI::App& verb, SceneFlags& flags) {
              "Depth and stencil bits of the frame");
   add_choice(verb, "--style", flags.settings.cartoon, kStyles, "Shading: plain, or flat colours with ink shadows");
   add_technique_flags(verb, flags);
+  group_scene_flags(verb);
   std::vector<CLI::Option*> added = verb.get_options();
   added.erase(added.begin(), added.begin() + static_cast<std::ptrdiff_t>(before));
   return added;
@@ -278,37 +230,12 @@ RenderSettings settings_of(const SceneFlags& flags, const CommonFlags& common) {
     const auto offset = *numbers<float>(flags.polygon_offset, ',');
     settings.shadow_map.polygon_offset = {offset[0], offset[1]};
   }
-  settings.light_cookie.rotate_degrees = point(flags.light_rotate).value_or(glm::vec3(0.0F));
-  return settings;
-}
-
-Result<Scene> read_scene_of(const SceneFlags& flags) {
-  const auto go_on = [] { return !ProgressLine::stopped(); };
-  return read_scene(
-      flags.file, {.allow_outside = flags.allow_outside, .up = up_axis_of(flags.up), .isolated = true, .go_on = go_on});
-}
-
-Result<Scene> load_scene(const SceneFlags& flags, const RenderSettings& settings, bool quiet) {
-  auto read = read_scene_of(flags);
-  if (!read) return read;
-  warn_of_ignored(flags.file, read->notes, quiet);
-  return complete_scene_of(flags, settings, std::move(*read));
-}
-
-Result<Scene> complete_scene_of(const SceneFlags& flags, const RenderSettings& settings, Scene scene) {
-  const float aspect = static_cast<float>(settings.width) / static_cast<float>(settings.height);
-  return naming(flags, complete_scene(std::move(scene), setup_of(flags), aspect));
-}
-
-Result<Rendering> render_scene(const SceneFlags& flags, const Scene& scene, const RenderSettings& settings,
-                               const Progress& progress) {
-  RenderSettings complete = settings;
-  if (!flags.cookie.empty()) {
-    auto cookie = read_cookie(settings.profile, flags.cookie);
-    if (!cookie) return cookie.error();
-    complete.light_cookie.cookie = std::move(cookie).value();
+  settings.light_cookie.rotate_degrees = glm::vec3(0.0F);
+  if (!flags.light_rotate.empty()) {
+    const auto angles = *numbers<float>(flags.light_rotate, ',');
+    settings.light_cookie.rotate_degrees = {angles[0], angles[1], angles[2]};
   }
-  return naming(flags, find_technique(flags.technique)->render(scene, complete, progress));
+  return settings;
 }
 
 }  // namespace ninebit::tools

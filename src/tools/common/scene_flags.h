@@ -55,6 +55,9 @@ CLI::Option* add_scene_file(CLI::App& verb, const std::string& name, SceneFlags&
 // Adds all other scene flags and returns them.
 std::vector<CLI::Option*> add_scene_flags(CLI::App& verb, SceneFlags& flags);
 
+// The kind of --light-type; empty: not given.
+[[nodiscard]] std::optional<LightKind> given_light_kind(const SceneFlags& flags);
+
 // Limits the work of its scope to so many threads; 0: all.
 class ThreadLimit {
  public:

@@ -34,6 +34,16 @@ std::vector<std::string> verbs_of(const CLI::App& app) {
   return names;
 }
 
+// Why this verb does not have a flag that most verbs have; empty: no such flag was given.
+std::string refused_flag(const CLI::App& verb, const std::string& command) {
+  for (const std::string& word : verb.remaining()) {
+    const std::string flag = word.substr(0, word.find('='));
+    if (flag == "--threads") return fmt::format("--threads: `{}` uses one thread; leave the flag out", command);
+    if (flag == "--profile") return fmt::format("--profile: `{}` does not depend on it; leave the flag out", command);
+  }
+  return "";
+}
+
 // A suggestion for the first unknown flag.
 std::string meant_flag(const CLI::App& verb) {
   for (const std::string& word : verb.remaining()) {
@@ -77,6 +87,8 @@ std::string usage_message(const CLI::App& app, const CLI::ParseError& error) {
       message = fmt::format("unknown {} '{}'; expected one of {}{}{}", unknown[0].starts_with('-') ? "flag" : "command",
                             unknown[0], list, did_you_mean(unknown[0], verbs), meant_flag(at));
     }
+  } else if (const std::string refused = refused_flag(at, command); !refused.empty()) {
+    message = refused;
   } else if (error.get_name() == "RequiredError" ||  // CLI11 checks for missing arguments first
              error.get_exit_code() ==
                  static_cast<int>(CLI::ExitCodes::ExtrasError)) {  // the error's name is that of the verb

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "src/language/source/nearest_name.h"
+#include "src/tools/common/list_flag.h"
 #include "src/tools/common/technique_flags.h"
 
 namespace ninebit::tools {
@@ -23,20 +24,16 @@ struct VariedFlag {
 // Flags whose values contain commas; their lists have semicolons.
 constexpr std::array<std::string_view, 3> kCommaFlags{"polygon-offset", "light-rotate", "cookie"};
 
+// Flags whose values are whole numbers; their lists have ranges such as 1-4.
+bool has_range(std::string_view flag) {
+  constexpr std::array<std::string_view, 5> kWhole{"map-size", "index-step", "section-size", "samples", "gather-scale"};
+  return std::find(kWhole.begin(), kWhole.end(), flag) != kWhole.end();
+}
+
 std::vector<std::string> flags_to_vary() {
   std::vector<std::string> names{"technique", "profile", "cull", "depth-stencil"};
   for (const std::string& flag : technique_flags()) names.push_back(flag.substr(2));
   return names;
-}
-
-std::vector<std::string> parts_of_list(std::string_view list, char separator) {
-  std::vector<std::string> parts;
-  while (true) {
-    const std::size_t end = list.find(separator);
-    parts.emplace_back(list.substr(0, end));
-    if (end == std::string_view::npos) return parts;
-    list.remove_prefix(end + 1);
-  }
 }
 
 [[noreturn]] void refuse_vary(const std::string& text, const std::string& why) {
@@ -56,11 +53,17 @@ VariedFlag varied_flag(const std::string& text) {
                                   did_you_mean(flag, known)));
   }
   const bool has_commas = std::find(kCommaFlags.begin(), kCommaFlags.end(), flag) != kCommaFlags.end();
-  VariedFlag varied{std::move(flag), parts_of_list(std::string_view(text).substr(equals + 1), has_commas ? ';' : ',')};
+  const std::string_view list = std::string_view(text).substr(equals + 1);
+  const auto numbers = has_range(flag) ? whole_numbers_in(list) : std::nullopt;
+  VariedFlag varied{std::move(flag), items_of(list, has_commas ? ';' : ',')};
+  if (numbers) {
+    varied.values.clear();
+    for (const int n : *numbers) varied.values.push_back(std::to_string(n));
+  }
   for (auto value = varied.values.begin(); value != varied.values.end(); ++value) {
     if (value->empty()) refuse_vary(text, "a value is empty; expected a value before and after each separator");
     if (std::find(varied.values.begin(), value, *value) != value) {
-      refuse_vary(text, fmt::format("the value {} is given twice; expected different values", *value));
+      refuse_vary(text, fmt::format("'{}' is given twice; expected each value once", *value));
     }
   }
   return varied;

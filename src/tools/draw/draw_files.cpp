@@ -44,7 +44,7 @@ Result<CombinerState> read_program(const std::filesystem::path& path, const Hard
   for (const TextFault& note : file->parsed.notes) warnings.push_back(note.text());
   if (!file->parsed) {
     const TextFault& first = file->parsed.faults[0];
-    for (std::size_t i = 1; i < file->parsed.faults.size(); ++i) say_error(file->parsed.faults[i].text());
+    for (std::size_t i = 1; i < file->parsed.faults.size(); ++i) (void)report_fault(file->parsed.faults[i]);
     return Diagnostic{.message = first.message, .file = first.file, .line = first.line};
   }
   const std::vector<StateDiagnostic> refused = validate(file->parsed.value->state, profile);
@@ -53,8 +53,8 @@ Result<CombinerState> read_program(const std::filesystem::path& path, const Hard
                     .file = file->name};
 }
 
-Result<Texture> read_texture_files(std::span<const std::filesystem::path> files, const HardwareProfile& profile,
-                                   std::vector<std::string>& warnings) {
+Result<Texture> read_pictures(std::span<const std::filesystem::path> files, const HardwareProfile& profile,
+                              std::vector<std::string>& warnings) {
   TextureReadOptions options{.any_size = files.size() == 1, .isolated = true, .go_on = &go_on};
   options.on_resample = [&](int width, int height) {
     warnings.push_back(
@@ -67,6 +67,13 @@ Result<Texture> read_texture_files(std::span<const std::filesystem::path> files,
   std::array<std::filesystem::path, 6> faces;
   std::copy(files.begin(), files.end(), faces.begin());
   return image_detail::read_cube_texture(profile, faces, options, image_detail::kPictureModule);
+}
+
+Result<Texture> read_texture_files(std::span<const std::filesystem::path> files, const HardwareProfile& profile,
+                                   std::vector<std::string>& warnings) {
+  auto texture = read_pictures(files, profile, warnings);
+  if (texture) return texture;
+  return explained_by_kind(texture.error(), texture.error().file, FileRole::picture);
 }
 
 }  // namespace
@@ -108,6 +115,7 @@ EffectReaders effect_readers(bool allow_outside, std::vector<std::string>& warni
   };
   readers.scene = [allow_outside, &warnings](const std::filesystem::path& file, std::optional<UpAxis> up) {
     auto scene = read_scene(file, {.allow_outside = allow_outside, .up = up, .isolated = true, .go_on = &go_on});
+    if (!scene) scene = explained_by_kind(scene.error(), file.string(), FileRole::scene);
     if (!scene || scene->notes.empty()) return scene;
     std::string ignored;
     for (const std::string& note : scene->notes) ignored += (ignored.empty() ? "" : "; ") + note;

@@ -7,9 +7,11 @@
 
 #include "ninebit/effect/generated_meshes.h"
 #include "src/effect/effect_words.h"
+#include "src/tools/common/list_flag.h"
 #include "src/tools/common/number_flag.h"
 #include "src/tools/common/number_list.h"
 #include "src/tools/common/scene_flag_checks.h"
+#include "src/tools/draw/color_flags.h"
 #include "src/tools/draw/fragment_words.h"
 
 namespace ninebit::tools {
@@ -38,46 +40,6 @@ CLI::Validator sets_sampler(Status (*parse)(std::string_view, Sampler&)) {
         return parsed ? std::string() : parsed.error().message;
       },
       "");
-}
-
-// So many numbers from 0 to 1.
-std::string check_color(const std::string& text, std::size_t count) {
-  const auto n = numbers<float>(text, ',');
-  bool valid = n && n->size() == count;
-  if (valid) {
-    for (const float x : *n) valid = valid && x >= 0.0F && x <= 1.0F;
-  }
-  return valid ? "" : fmt::format("'{}' is not a colour; expected {} numbers from 0 to 1", text, count);
-}
-// The part of "[COMBINER:]R,G,B,A" before the colon, and the colour.
-std::pair<std::string_view, std::string> split_constant(std::string_view text) {
-  const std::size_t colon = text.find(':');
-  if (colon == std::string_view::npos) return {{}, std::string(text)};
-  return {text.substr(0, colon), std::string(text.substr(colon + 1))};
-}
-
-std::string check_constant(const std::string& text) {
-  const auto [combiner, color] = split_constant(text);
-  const bool numbered = combiner.size() == 1 && combiner[0] >= '0' && combiner[0] < '0' + kMaxGeneralCombiners;
-  if (text.find(':') != std::string::npos && !numbered) {
-    return fmt::format("'{}' is not a general combiner; expected 0 to {}", combiner, kMaxGeneralCombiners - 1);
-  }
-  return check_color(color, 4);
-}
-std::string check_rgb(const std::string& text) {
-  return check_color(text, 3);
-}
-
-std::string check_only(const std::string& text) {
-  for (std::size_t start = 0; start <= text.size();) {
-    const std::size_t end = std::min(text.find(',', start), text.size());
-    const std::string_view name = std::string_view(text).substr(start, end - start);
-    if (name != "picture" && name != "difference" && name != "layers") {
-      return fmt::format("'{}' is not a file of draw; expected picture, difference or layers", name);
-    }
-    start = end + 1;
-  }
-  return "";
 }
 
 std::optional<glm::vec3> point_of(const std::string& text) {
@@ -245,9 +207,9 @@ void add_draw_flags(CLI::App& verb, DrawFlags& flags) {
       ->type_name("PROFILE")
       ->check(CLI::IsMember(profiles));
   verb.add_flag("--layers", flags.layers, "Also write every register of every pass to an EXR file");
-  verb.add_option("--only", flags.only, "Write only these files: picture, difference, layers")
-      ->type_name("NAME[,NAME...]")
-      ->check(text_check(&check_only));
+  verb.add_option("--only", flags.only, "Write only these files (default: all): picture,difference,layers")
+      ->type_name("LIST")
+      ->check(list_of({"picture", "difference", "layers"}));
 }
 
 Result<Effect> effect_of(const DrawFlags& flags) {

@@ -82,7 +82,8 @@ std::string manual_page(const VerbText& program) {
       ".TP\n3\nUnreadable or invalid input.\n.TP\n4\nAn output could not be written.\n.TP\n5\nOut of memory.\n"
       ".TP\n128 + n\nSignal n ended the program.\n"
       ".SH ENVIRONMENT\n.TP\nNO_COLOR\nIf set and not empty, output is not coloured. Colours are used only on "
-      "terminals.\n";
+      "terminals.\n"
+      ".TP\nTERM\nIf dumb, there are no escape sequences and no progress bar.\n";
   return out;
 }
 

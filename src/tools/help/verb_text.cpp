@@ -46,7 +46,9 @@ FlagText flag_text(const CLI::Option& option) {
   for (const char* word : {"FILE", "DIR", "PROGRAM", "SCENE"}) {
     flag.takes_file = flag.takes_file || flag.value.find(word) != std::string::npos;
   }
-  if (option.check_lname("profile")) {
+  if (flag.value == "NAME|FILE") {  // as add_profile_option() and add_profile_flag() name it
+    flag.takes_profile = true;
+    flag.takes_file = false;
     for (const HardwareProfile& profile : hardware_profiles()) flag.choices.emplace_back(profile.name);
   }
   return flag;
@@ -74,6 +76,11 @@ VerbText describe(const CLI::App& app) {
   }
   for (const CLI::App* part : app.get_subcommands([](const CLI::App* one) { return !one->get_group().empty(); })) {
     verb.verbs.push_back(describe(*part));
+  }
+  // The words of `help` are verbs.
+  for (VerbText& part : verb.verbs) {
+    if (part.name() != "help") continue;
+    for (const VerbText& other : verb.verbs) part.arguments[0].choices.push_back(other.name());
   }
   return verb;
 }

@@ -15,6 +15,7 @@ struct FlagText {
   std::string default_value;         // empty: none
   std::vector<std::string> choices;  // the allowed values
   bool takes_file = false;           // the value is a file or a folder
+  bool takes_profile = false;        // the value is one of the choices, or a .json file
   bool required = false;
 };
 

@@ -14,10 +14,9 @@ constexpr std::size_t kBeginning = 4096;
 }  // namespace
 
 Diagnostic table_fault(const CsvLines& lines, const Diagnostic& fault) {
-  const std::string kind = kind_of_file(lines.beginning());
-  if (fault.fault != Fault::invalid_input || kind.empty() || kind == kTableKind) return fault;
-  return {.message = fmt::format("seems to be {}; expected a table of comma-separated values", kind),
-          .file = lines.name()};
+  if (fault.fault != Fault::invalid_input) return fault;
+  std::string message = wrong_kind(kind_of_file(lines.beginning()), FileRole::table);
+  return message.empty() ? fault : Diagnostic{.message = std::move(message), .file = lines.name()};
 }
 
 std::string_view trimmed(std::string_view text) {

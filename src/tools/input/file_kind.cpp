@@ -1,8 +1,14 @@
 #include "src/tools/input/file_kind.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <filesystem>
+#include <fstream>
+#include <optional>
+#include <system_error>
 #include <utility>
 
 #include "ninebit/language/pixel_shader.h"
@@ -59,12 +65,13 @@ constexpr std::array kBeginnings{
     Beginning{"OFF\r"sv, "an OFF mesh"},
     Beginning{"OFF "sv, "an OFF mesh"},
     Beginning{"solid "sv, "an STL mesh"},
+    Beginning{"Kaydara FBX Binary"sv, "an FBX scene"},
+    Beginning{"; FBX "sv, "an FBX scene"},
     Beginning{"\xFF\xFE"sv, "a text in UTF-16"},
     Beginning{"\xFE\xFF"sv, "a text in UTF-16"},
     Beginning{"<!DOCTYPE html"sv, "an HTML page"},
     Beginning{"<!doctype html"sv, "an HTML page"},
     Beginning{"<html"sv, "an HTML page"},
-    Beginning{"<?xml"sv, "an XML file"},
     Beginning{"<svg"sv, "an SVG picture"},
     Beginning{"diff --git "sv, "a patch"},
     Beginning{"-----BEGIN "sv, "a key or a certificate"},
@@ -95,6 +102,9 @@ std::string kind_of_bytes(std::string_view bytes) {
   // 3DS: the main chunk, its length, then the chunk of the version or of the scene.
   const std::string_view second = bytes.size() < 8 ? ""sv : bytes.substr(6, 2);
   if (bytes.starts_with("MM") && (second == "\x02\0"sv || second == "\x3D\x3D"sv)) return "a 3DS scene";
+  if (bytes.starts_with("<?xml") || bytes.starts_with("<COLLADA")) {
+    return has(bytes.substr(0, kLookedAt), "<COLLADA") ? "a COLLADA scene" : "an XML file";
+  }
   const bool binary = has(bytes.substr(0, kLookedAt), "\0"sv);
   if (binary && bytes.starts_with("BM")) return "a BMP picture";
   if (binary && bytes.starts_with("MZ")) return "a program or library (Windows)";
@@ -156,7 +166,9 @@ bool has_gl_call(std::string_view text) {
 }
 
 std::string kind_of_source(std::string_view text) {
-  if (has_line(text, "```") || has_line(text, "## ")) return "a Markdown page";
+  if (has_line(text, "```") || has_line(text, "## ") || (text.starts_with("# ") && has(text, "]("))) {
+    return "a Markdown page";
+  }
   if (has_line(text, "#version")) return "a GLSL shader";
   if (is_source_code(text)) return std::string(kSourceKind);
   if (has_line(text, "#include") || has_line(text, "#pragma") || has_line(text, "#ifndef")) return "C or C++ source";
@@ -165,6 +177,50 @@ std::string kind_of_source(std::string_view text) {
   if (has_line(text, "import ") || has_line(text, "def ") || has_line(text, "from ")) return "a Python script";
   if ((has_line(text, "v ") && has_line(text, "f ")) || has_line(text, "mtllib ")) return "an OBJ mesh";
   if (has_line(text, "newmtl ")) return "a material library of OBJ";
+  return "";
+}
+
+// The role in which a kind is read, and the sentence that names its reader.
+struct KindUse {
+  std::optional<FileRole> role;
+  std::string_view reader;
+};
+
+KindUse use_of(std::string_view kind) {
+  constexpr std::array kPrograms{kGlKind,          kSourceKind,    kRc10Kind, kShaderKind, kWordsKind,
+                                 kJsonProgramKind, kJsonWordsKind, kXboxKind, kLogKind};
+  if (std::find(kPrograms.begin(), kPrograms.end(), kind) != kPrograms.end()) {
+    return {FileRole::program, "`ninebit explain` reads it"};
+  }
+  if (kind.ends_with(" mesh") || kind.ends_with(" scene")) return {FileRole::scene, "`ninebit render` draws it"};
+  if (kind.ends_with(" picture") || kind.ends_with(" texture")) {
+    return {FileRole::picture, "`ninebit draw` reads it as a texture, with --tex0"};
+  }
+  if (kind == kEffectKind) return {FileRole::effect, "`ninebit draw` draws it"};
+  if (kind == kProfileKind) return {FileRole::profile, "`ninebit profiles` reads it, with --profile"};
+  if (kind == kTableKind) return {FileRole::table, "`ninebit eval` reads it, with --inputs"};
+  if (kind == kPartKind) return {FileRole::part, "`ninebit study merge` joins it with the other parts"};
+  return {};
+}
+
+std::string_view expected_of(FileRole role) {
+  switch (role) {
+    case FileRole::program:
+      return "a combiner program: GL calls, !!RC1.0, a ps.1.x pixel shader, register words, JSON, an Xbox pixel shader "
+             "definition or a log of register writes";
+    case FileRole::scene:
+      return "a scene: a glTF, OBJ, PLY, OFF, 3DS, STL, COLLADA or FBX file";
+    case FileRole::picture:
+      return "a picture, such as a PNG, JPEG, EXR or DDS file";
+    case FileRole::table:
+      return "a table of comma-separated values";
+    case FileRole::profile:
+      return "a profile as JSON";
+    case FileRole::effect:
+      return "an effect file";
+    case FileRole::part:
+      return "a part of a study";
+  }
   return "";
 }
 
@@ -190,6 +246,32 @@ std::string kind_of_file(std::string_view bytes) {
   if (is_log) return std::string(kLogKind);
   if (std::string source = kind_of_source(bytes.substr(0, kLookedAt)); !source.empty()) return source;
   return std::string(is_assignment(text) ? kWordsKind : ""sv);
+}
+
+std::string wrong_kind(std::string_view kind, FileRole role) {
+  const KindUse use = use_of(kind);
+  if (kind.empty() || use.role == role) return "";
+  // These kinds explain less than the fault itself.
+  const bool reads_json = role == FileRole::program || role == FileRole::scene || role == FileRole::profile ||
+                          role == FileRole::effect || role == FileRole::part;
+  if (kind == kJsonKind && reads_json) return "";
+  const bool may_be_binary = role == FileRole::picture || role == FileRole::scene || role == FileRole::part;
+  if (kind == kBinaryKind && may_be_binary) return "";
+  const bool is_plural = kind == kGlKind || kind == kWordsKind || kind == kJsonWordsKind;
+  if (is_plural) return fmt::format("these are {}; `ninebit explain` reads them", kind);
+  return fmt::format("this is {}; {}", kind,
+                     use.reader.empty() ? fmt::format("expected {}", expected_of(role)) : std::string(use.reader));
+}
+
+Diagnostic explained_by_kind(Diagnostic fault, const std::string& file, FileRole role) {
+  std::error_code error;
+  if (fault.fault != Fault::invalid_input || !std::filesystem::is_regular_file(file, error)) return fault;
+  std::ifstream in(file, std::ios::binary);
+  std::string beginning(kLookedAt, '\0');
+  in.read(beginning.data(), static_cast<std::streamsize>(beginning.size()));
+  beginning.resize(static_cast<std::size_t>(in.gcount()));
+  std::string message = wrong_kind(kind_of_file(beginning), role);
+  return message.empty() ? fault : Diagnostic{.message = std::move(message), .file = file};
 }
 
 }  // namespace ninebit::tools

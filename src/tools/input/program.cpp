@@ -13,6 +13,7 @@
 #include "src/language/source/nearest_name.h"
 #include "src/system/process.h"
 #include "src/system/stream.h"
+#include "src/tools/input/fault_log.h"
 #include "src/tools/input/file_kind.h"
 #include "src/tools/input/input_file.h"
 #include "src/tools/input/printable.h"
@@ -31,22 +32,19 @@ extern "C" void on_interrupt(int signal) {
 OwnedProfile read_profile(const std::string& path) {
   std::string text;
   auto input = InputFile::open(path);
-  if (!input) throw InvalidInput(input.error().text());
+  if (!input) throw InvalidInput(input.error());
   do {
     const auto piece = input->read();
-    if (!piece) throw InvalidInput(piece.error().text());
+    if (!piece) throw InvalidInput(piece.error());
     if (piece->empty()) break;
     text += *piece;
   } while (text.size() <= kMaxSourceBytes);
   auto parsed = parse_json_profile({text, path});
   if (parsed) return *std::move(parsed.value);
-  const std::string kind = kind_of_file(text);
-  if (!kind.empty() && kind != kProfileKind && kind != kJsonKind) {
-    throw InvalidInput(path + ": seems to be " + kind + "; expected a profile as JSON");
+  if (std::string message = wrong_kind(kind_of_file(text), FileRole::profile); !message.empty()) {
+    throw InvalidInput(Diagnostic{.message = std::move(message), .file = path});
   }
-  std::vector<std::string> faults;
-  for (const TextFault& fault : parsed.faults) faults.push_back(fault.text());
-  throw InvalidInput(faults);
+  throw InvalidInput(std::move(parsed.faults));
 }
 
 // Accepts the name of a shipped profile, or reads a file into `own` and replaces its path with its profile's name.
@@ -62,6 +60,17 @@ std::string check_profile(std::string& text, std::optional<OwnedProfile>& own) {
   own = read_profile(text);
   text = own->profile.name;
   return {};
+}
+
+// Whether the stream is a terminal that understands escape sequences.
+bool takes_escapes(int stream) {
+  const char* const terminal = std::getenv("TERM");
+  return posix::is_terminal(stream) && (terminal == nullptr || std::string_view(terminal) != "dumb");
+}
+
+// Prints one line, without logging it.
+void print_error(std::string_view message) {
+  say(fmt::format("ninebit: error: {}\n", printable_briefly(message)));
 }
 
 void write_to_stderr(std::string_view text) noexcept {
@@ -83,8 +92,15 @@ void say_printable(std::string_view text) noexcept {
 
 }  // namespace
 
-InvalidInput::InvalidInput(const std::vector<std::string>& faults)
-    : std::runtime_error(faults.empty() ? "invalid input" : faults.front()), faults_(faults) {}
+InvalidInput::InvalidInput(Diagnostic fault) : std::runtime_error("invalid input"), fault_(std::move(fault)) {}
+
+InvalidInput::InvalidInput(std::vector<TextFault> faults)
+    : std::runtime_error("invalid input"), faults_(std::move(faults)) {}
+
+int InvalidInput::report() const {
+  for (const TextFault& fault : faults_) (void)report_fault(fault);
+  return faults_.empty() ? tools::report(fault_) : kInvalidInput;
+}
 
 void add_profile_flag(CLI::App& verb, CommonFlags& flags) {
   verb.add_option("--profile", flags.profile,
@@ -100,10 +116,18 @@ void add_profile_flag(CLI::App& verb, CommonFlags& flags) {
           "NAME|FILE"));
 }
 
-void add_common_flags(CLI::App& verb, CommonFlags& flags) {
+void add_answer_flags(CLI::App& verb, CommonFlags& flags) {
   verb.add_flag("--json", flags.json, "Print one JSON object to stdout, and nothing else");
   verb.add_flag("--quiet", flags.quiet, "Do not print progress or the names of written files");
+}
+
+void add_common_flags(CLI::App& verb, CommonFlags& flags) {
+  add_answer_flags(verb, flags);
   add_profile_flag(verb, flags);
+  add_threads_flag(verb, flags);
+}
+
+void add_threads_flag(CLI::App& verb, CommonFlags& flags) {
   verb.add_option("--threads", flags.threads, "Number of threads, 0 for all; results do not depend on it")
       ->capture_default_str()
       ->check(CLI::Range(0, 1024));
@@ -125,12 +149,8 @@ const HardwareProfile& profile_of(const CommonFlags& flags) {
 }
 
 bool wants_colors(int stream) {
-  const auto is_set_to = [](const char* name, auto accepts) {
-    const char* const value = std::getenv(name);
-    return value != nullptr && accepts(std::string_view(value));
-  };
-  return posix::is_terminal(stream) && !is_set_to("NO_COLOR", [](std::string_view value) { return !value.empty(); }) &&
-         !is_set_to("TERM", [](std::string_view value) { return value == "dumb"; });
+  const char* const no_color = std::getenv("NO_COLOR");
+  return takes_escapes(stream) && (no_color == nullptr || *no_color == '\0');
 }
 
 void say(std::string_view text) noexcept {
@@ -151,7 +171,8 @@ void say(std::string_view text) noexcept {
 }
 
 void say_error(std::string_view message) {
-  say(fmt::format("ninebit: error: {}\n", printable_briefly(message)));
+  log_fault({.message = std::string(message)});
+  print_error(message);
 }
 
 void say_warning(std::string_view message) {
@@ -171,6 +192,7 @@ int answer(const Json& object) {
 }
 
 int answer_exactly(const std::string& text) {
+  log_answer();
   if (std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0) return kDone;
   const std::string why = std::generic_category().message(errno);
   return report({.message = "could not be written: " + why, .file = "standard output", .fault = Fault::cannot_write});
@@ -180,8 +202,20 @@ std::string json_text(const Json& object) {
   return object.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
+int report_fault(const TextFault& fault) {
+  TextFault placeless = fault;
+  placeless.file.clear();
+  const std::string place = fmt::format("{}:{}: ", fault.line, fault.column);
+  std::string message = placeless.text();
+  if (message.starts_with(place)) message.erase(0, place.size());
+  log_fault({std::move(message), fault.file, fault.line, fault.column});
+  print_error(fault.text());
+  return kInvalidInput;
+}
+
 int report(const Diagnostic& diagnostic) {
-  say_error(diagnostic.text());
+  log_fault({diagnostic.message, diagnostic.file, diagnostic.line, 0});
+  print_error(diagnostic.text());
   switch (diagnostic.fault) {
     case Fault::invalid_input:
       return kInvalidInput;
@@ -193,7 +227,7 @@ int report(const Diagnostic& diagnostic) {
   return kInvalidInput;
 }
 
-ProgressLine::ProgressLine(bool quiet) : visible_(!quiet && posix::is_terminal(posix::kStandardError)) {
+ProgressLine::ProgressLine(bool quiet) : visible_(!quiet && takes_escapes(posix::kStandardError)) {
   posix::catch_interrupts(on_interrupt);
 }
 

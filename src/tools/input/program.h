@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "ninebit/language/profile_json.h"
+#include "ninebit/language/source_text.h"
 #include "ninebit/numerics/hardware_profile.h"
 #include "ninebit/numerics/result.h"
 
@@ -38,22 +39,28 @@ struct CommonFlags {
   int threads = 0;                          // 0: all
 };
 
-// A file named by a flag is unreadable or invalid. Ends the program with kInvalidInput; what() is the first fault.
+// A file named by a flag is unreadable or invalid. Ends the program with kInvalidInput.
 class InvalidInput : public std::runtime_error {
  public:
-  explicit InvalidInput(const std::string& fault) : InvalidInput(std::vector{fault}) {}
-  explicit InvalidInput(const std::vector<std::string>& faults);
+  explicit InvalidInput(Diagnostic fault);
+  explicit InvalidInput(std::vector<TextFault> faults);
 
-  // One sentence each, without "ninebit: error: ".
-  [[nodiscard]] const std::vector<std::string>& faults() const { return faults_; }
+  // Prints what is wrong, as report() does; returns kInvalidInput.
+  [[nodiscard]] int report() const;
 
  private:
-  std::vector<std::string> faults_;
+  Diagnostic fault_;               // if there are no faults of a text
+  std::vector<TextFault> faults_;  // of a text
 };
 
-// Adds the common flags to a verb. An unknown profile or a thread count out of range is wrong usage; parsing the
-// command line throws InvalidInput for a profile file that is unreadable or invalid.
+// Adds the common flags to a verb: --json, --quiet, --profile and, for a verb that uses threads, --threads. A verb
+// refuses the others, whose values would not matter. An unknown profile or a thread count out of range is wrong usage;
+// parsing the command line throws InvalidInput for a profile file that is unreadable or invalid.
 void add_common_flags(CLI::App& verb, CommonFlags& flags);
+// --json and --quiet alone.
+void add_answer_flags(CLI::App& verb, CommonFlags& flags);
+// --threads alone.
+void add_threads_flag(CLI::App& verb, CommonFlags& flags);
 // --profile alone.
 void add_profile_flag(CLI::App& verb, CommonFlags& flags);
 
@@ -98,9 +105,11 @@ void say_written(const std::filesystem::path& file);
 
 // Prints "ninebit: error: TEXT" to stderr and returns the exit code of the fault.
 [[nodiscard]] int report(const Diagnostic& diagnostic);
+// The same for a fault of a text.
+[[nodiscard]] int report_fault(const TextFault& fault);
 
-// A progress bar on stderr, if that is a terminal and `quiet` is false. After the first SIGINT, SIGTERM or SIGHUP,
-// step() returns false.
+// A progress bar on stderr, if that is a terminal that can clear a line and `quiet` is false. After the first SIGINT,
+// SIGTERM or SIGHUP, step() returns false.
 class ProgressLine {
  public:
   explicit ProgressLine(bool quiet);
@@ -133,6 +142,7 @@ void add_verify(CLI::App& app, int& exit_code);
 void add_prove(CLI::App& app, int& exit_code);
 void add_vectors(CLI::App& app, int& exit_code);
 void add_gl_run(CLI::App& app, int& exit_code);
+void add_help(CLI::App& app, int& exit_code);
 void add_generate(CLI::App& app, int& exit_code);  // hidden from the help
 
 }  // namespace ninebit::tools

@@ -3,11 +3,8 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <set>
 #include <utility>
 
-#include "src/language/source/nearest_name.h"
 #include "src/system/hashing/sha256.h"
 #include "src/tools/common/number_flag.h"
 #include "src/tools/common/number_list.h"
@@ -24,9 +21,13 @@ std::optional<Shard> parse_shard(const std::string& text) {
 
 }  // namespace
 
-void add_study_flags(CLI::App& verb, StudyFlags& flags) {
-  add_common_flags(verb, flags.common);
-  flags.profile = verb.get_option("--profile");
+void add_study_flags(CLI::App& verb, StudyFlags& flags, bool of_profiles) {
+  add_answer_flags(verb, flags.common);
+  if (of_profiles) {
+    add_profile_flag(verb, flags.common);
+    flags.profile = verb.get_option("--profile");
+  }
+  add_threads_flag(verb, flags.common);
   CLI::Option* folder = verb.add_option("-o,--output", flags.folder,
                                         "Folder for report.html, rows.json, tables and pictures; created if missing. "
                                         "An interrupted run resumes there")
@@ -78,33 +79,6 @@ Status add_content(StudyQuestion& question, const std::string& file) {
   }
   question.options.emplace_back("sha256 of " + file, hash.finish());
   return {};
-}
-
-std::vector<std::string> items_of(const std::string& list) {
-  std::vector<std::string> items(1);
-  for (const char c : list) {
-    if (c == ',') {
-      items.emplace_back();
-    } else {
-      items.back() += c;
-    }
-  }
-  return items;
-}
-
-CLI::Validator list_of(std::vector<std::string> known) {
-  const auto check = [known = std::move(known)](const std::string& text) -> std::string {
-    std::set<std::string> given;
-    for (const std::string& item : items_of(text)) {
-      if (std::find(known.begin(), known.end(), item) == known.end()) {
-        return fmt::format("unknown name '{}'; expected a list of {}{}", item, fmt::join(known, ", "),
-                           did_you_mean(item, known));
-      }
-      if (!given.insert(item).second) return fmt::format("'{}' is given twice; expected each name once", item);
-    }
-    return {};
-  };
-  return CLI::Validator(check, "");
 }
 
 void add_studies(CLI::App& verbs, StudyRequest& request) {

@@ -11,13 +11,14 @@
 #include "ninebit/numerics/hardware_profile.h"
 #include "ninebit/study/study.h"
 #include "ninebit/study/study_part.h"
+#include "src/tools/common/list_flag.h"
 #include "src/tools/input/program.h"
 
 namespace ninebit::tools {
 
 struct StudyFlags {
   CommonFlags common;
-  CLI::Option* profile = nullptr;  // --profile
+  CLI::Option* profile = nullptr;  // --profile; null: the study has none
   std::string folder;              // -o; empty: the answers go to stdout, and nothing is saved
   std::string shard = "1/1";
   std::optional<double> budget;  // seconds
@@ -30,8 +31,9 @@ struct StudyRequest {
   const StudyFlags* flags = nullptr;
 };
 
-// Adds the common flags, -o, --shard and --budget. Without --profile, a study measures all shipped profiles.
-void add_study_flags(CLI::App& verb, StudyFlags& flags);
+// Adds the common flags, -o, --shard and --budget. Without --profile, a study measures all shipped profiles; a study
+// of other things than the hardware has no --profile.
+void add_study_flags(CLI::App& verb, StudyFlags& flags, bool of_profiles = true);
 [[nodiscard]] std::vector<HardwareProfile> profiles_of(const StudyFlags& flags);
 [[nodiscard]] Shard shard_of(const StudyFlags& flags);
 
@@ -40,10 +42,6 @@ void add_study_flags(CLI::App& verb, StudyFlags& flags);
 
 // Adds the hash of a file that the question depends on. Reports a file that cannot be read.
 [[nodiscard]] Status add_content(StudyQuestion& question, const std::string& file);
-
-// The items of a comma-separated list; a validator that requires each to be one of `known`, at most once.
-[[nodiscard]] std::vector<std::string> items_of(const std::string& list);
-[[nodiscard]] CLI::Validator list_of(std::vector<std::string> known);
 
 void add_study_index_steps(CLI::App& verbs, StudyRequest& request);
 void add_study_datapath(CLI::App& verbs, StudyRequest& request);

@@ -35,10 +35,13 @@ std::vector<std::string> all_variants() {
   return names;
 }
 
-// "N" or "FIRST-LAST".
+// The first and the last step of a list without gaps, such as 1-16 or 1,2,3.
 std::optional<std::pair<int, int>> steps_of(const std::string& text) {
-  const auto n = numbers<int>(text, '-');
-  if (!n || n->size() > 2 || n->front() < 1 || n->back() > 255 || n->front() > n->back()) return std::nullopt;
+  const auto n = whole_numbers_in(text);
+  if (!n || n->front() < 1 || n->back() > 255) return std::nullopt;
+  for (std::size_t i = 1; i < n->size(); ++i) {
+    if ((*n)[i] != (*n)[i - 1] + 1) return std::nullopt;
+  }
   return std::pair{n->front(), n->back()};
 }
 
@@ -112,13 +115,10 @@ void add_study_index_steps(CLI::App& verbs, StudyRequest& request) {
       "  ninebit study index-steps --program docs/programs/index_compare.gl --formats rgb -o out");
   auto flags = std::make_shared<IndexStepsFlags>();
   add_study_flags(*verb, flags->study);
-  const auto check_steps = [](const std::string& text) -> std::string {
-    return steps_of(text) ? "" : fmt::format("invalid step '{}'; expected N or FIRST-LAST, from 1 to 255", text);
-  };
-  verb->add_option("--steps", flags->steps, "Steps between indices to measure")
-      ->type_name("N|FIRST-LAST")
+  verb->add_option("--steps", flags->steps, "Steps between indices to measure, such as 1-4")
+      ->type_name("LIST")
       ->capture_default_str()
-      ->check(CLI::Validator(check_steps, ""));
+      ->check(list_by(&steps_of, "consecutive steps from 1 to 255, such as 1-16"));
   verb->add_option("--formats", flags->formats, "Formats of an index (default: all): channel,rgb,la,l,a")
       ->type_name("LIST")
       ->check(list_of(all_formats()));

@@ -18,6 +18,7 @@
 #include "src/system/process.h"
 #include "src/tools/common/scene_flags.h"
 #include "src/tools/common/setup_name.h"
+#include "src/tools/input/file_kind.h"
 #include "src/tools/study/study.h"
 
 namespace ninebit::tools {
@@ -222,7 +223,7 @@ int merge(const MergeFlags& flags) {
   std::vector<StudyPart> parts;
   for (const std::string& file : flags.parts) {
     auto part = read_part(file, [&](const PartHeader& header) { return merged.of(header); });
-    if (!part) return report(part.error());
+    if (!part) return report(explained_by_kind(part.error(), file, FileRole::part));
     parts.push_back(*std::move(part));
   }
   const auto rows = join_parts(parts);
@@ -247,7 +248,8 @@ void add_study_merge(CLI::App& verbs, int& exit_code) {
   CLI::App* verb = verbs.add_subcommand("merge", "Join the parts that runs with --shard wrote");
   verb->footer("Example: ninebit study merge out/part-*-of-4.jsonl -o out");
   auto flags = std::make_shared<MergeFlags>();
-  add_common_flags(*verb, flags->common);
+  add_answer_flags(*verb, flags->common);
+  add_threads_flag(*verb, flags->common);
   verb->add_option("parts", flags->parts, "All parts of one study, in any order")->required()->type_name("PART");
   verb->add_option("-o,--output", flags->folder, "Folder to write into; created if missing")
       ->required()

@@ -47,25 +47,28 @@ bool is_bias(float b) {
   return b >= 0.0F && b <= static_cast<float>(kMostDistance);  // false for NaN
 }
 
-// The numbers of a list; empty unless all of them pass the test.
-template <class T>
-std::optional<std::vector<T>> numbers_that(const std::string& list, bool (*will_do)(T)) {
-  auto n = numbers<T>(list, ',');
+// The whole numbers of a list; empty unless all of them pass the test.
+std::optional<std::vector<int>> numbers_that(const std::string& list, bool (*will_do)(int)) {
+  auto n = whole_numbers_in(list);
   if (!n || !std::all_of(n->begin(), n->end(), will_do)) return std::nullopt;
+  return n;
+}
+
+std::optional<std::vector<float>> biases_in(const std::string& list) {
+  auto n = numbers<float>(list, ',');
+  if (!n || !std::all_of(n->begin(), n->end(), is_bias)) return std::nullopt;
   return n;
 }
 
 // Pairs of factor and units, such as "0,0;1,16".
 std::optional<std::vector<OffsetArguments>> offsets_in(std::string_view list) {
   std::vector<OffsetArguments> offsets;
-  while (true) {
-    const std::size_t end = list.find(';');
-    const auto n = numbers<float>(list.substr(0, end), ',');
+  for (const std::string& item : items_of(list, ';')) {
+    const auto n = numbers<float>(item, ',');
     if (!n || n->size() != 2 || !std::isfinite(n->at(0)) || !std::isfinite(n->at(1))) return std::nullopt;
     offsets.push_back({n->at(0), n->at(1)});
-    if (end == std::string_view::npos) return offsets;
-    list.remove_prefix(end + 1);
   }
+  return offsets;
 }
 
 template <class E>
@@ -90,8 +93,8 @@ std::vector<E> values_in(const Names<E>& names, const std::string& list) {
 
 ShadowGrid grid_of(const ShadowsFlags& flags) {
   ShadowGrid grid;
-  if (!flags.map_sizes.empty()) grid.map_sizes = *numbers<int>(flags.map_sizes, ',');
-  if (!flags.steps.empty()) grid.index_steps = *numbers<int>(flags.steps, ',');
+  if (!flags.map_sizes.empty()) grid.map_sizes = *whole_numbers_in(flags.map_sizes);
+  if (!flags.steps.empty()) grid.index_steps = *whole_numbers_in(flags.steps);
   if (!flags.biases.empty()) grid.biases = *numbers<float>(flags.biases, ',');
   if (!flags.polygon_offsets.empty()) grid.polygon_offsets = *offsets_in(flags.polygon_offsets);
   if (flags.find_offset) grid.polygon_offsets = {offsets_to_search().begin(), offsets_to_search().end()};
@@ -171,15 +174,6 @@ Result<std::unique_ptr<Study>> make_study(const ShadowsFlags& flags) {
                            grid_of(flags));
 }
 
-// A validator that checks the list as a whole.
-template <class Parse>
-CLI::Validator list_by(Parse parse, std::string expected) {
-  const auto check = [parse, expected = std::move(expected)](const std::string& text) -> std::string {
-    return parse(text) ? "" : fmt::format("invalid list '{}'; expected {}", text, expected);
-  };
-  return CLI::Validator(check, "");
-}
-
 void add_axes(CLI::App& verb, ShadowsFlags& flags) {
   const auto add = [&](const char* flag, const char* single, std::string& text, const char* help,
                        const CLI::Validator& check) {
@@ -189,24 +183,24 @@ void add_axes(CLI::App& verb, ShadowsFlags& flags) {
   };
   add("--map-sizes", "--map-size", flags.map_sizes,
       "Sizes of the map, in texels per side (default without another list: 128 to 1024)",
-      list_by([](const std::string& t) { return numbers_that<int>(t, is_map_size); }, "powers of two such as 128,256"));
+      list_by([](const std::string& t) { return numbers_that(t, is_map_size); }, "powers of two such as 128,256"));
   add("--formats", "--index-format", flags.formats, "Formats of an index", list_of(names_of(kIndexFormats)));
   add("--scopes", "--index-scope", flags.scopes, "Units that get their own index", list_of(names_of(kIndexScopes)));
   add("--steps", "--index-step", flags.steps, "Steps between indices",
-      list_by([](const std::string& t) { return numbers_that<int>(t, is_step); },
-              fmt::format("steps from 1 to {}", kMaxIndexStep)));
+      list_by([](const std::string& t) { return numbers_that(t, is_step); },
+              fmt::format("steps from 1 to {}, such as 1-4", kMaxIndexStep)));
   add("--orders", "--index-order", flags.orders, "Orders of indices", list_of(names_of(kIndexOrders)));
   add("--scales", "--index-scales", flags.scales, "Products that the comparison scales by four",
       list_of(names_of(kIndexScales)));
   add("--depth-bits", nullptr, flags.depth_bits, "Formats of the depth cube map: 8,16,float",
       list_of(names_of(kDepthBits)));
   add("--biases", "--bias", flags.biases, "Biases of the depth comparison, in world units",
-      list_by([](const std::string& t) { return numbers_that<float>(t, is_bias); }, "distances from 0 to 1e12"));
+      list_by(&biases_in, "distances from 0 to 1e12, such as 0.01,0.1"));
   add("--encodings", "--depth-encoding", flags.encodings, "Encodings of depth in the shadow map",
       list_of(names_of(kDepthEncodings)));
-  CLI::Option* offsets =
-      add("--polygon-offsets", "--polygon-offset", flags.polygon_offsets,
-          "Polygon offsets of the shadow map, such as '0,0;1,16'", list_by(offsets_in, "FACTOR,UNITS;FACTOR,UNITS"));
+  CLI::Option* offsets = add("--polygon-offsets", "--polygon-offset", flags.polygon_offsets,
+                             "Polygon offsets of the shadow map, such as '0,0;1,16'",
+                             list_by(&offsets_in, "FACTOR,UNITS, such as '0,0;1,16'"));
   verb.add_flag("--find-offset", flags.find_offset,
                 "Search the polygon offset: factors from 0 to 4, units from 0 to 65536")
       ->excludes(offsets)

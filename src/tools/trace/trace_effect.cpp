@@ -8,6 +8,7 @@
 #include "ninebit/effect/effect_json.h"
 #include "src/tools/common/pixel_flag.h"
 #include "src/tools/draw/draw_files.h"
+#include "src/tools/input/file_kind.h"
 
 namespace ninebit::tools {
 namespace {
@@ -15,7 +16,9 @@ namespace {
 Result<Effect> effect_in(const std::string& file) {
   auto parsed = read_effect(file);
   if (parsed) return std::move(*parsed.value);
-  for (std::size_t i = 1; i < parsed.faults.size(); ++i) say_error(parsed.faults[i].text());
+  const Diagnostic other = explained_by_kind({}, file, FileRole::effect);
+  if (!other.message.empty()) return other;
+  for (std::size_t i = 1; i < parsed.faults.size(); ++i) (void)report_fault(parsed.faults[i]);
   const TextFault& first = parsed.faults[0];
   return Diagnostic{.message = first.message, .file = first.file, .line = first.line};
 }

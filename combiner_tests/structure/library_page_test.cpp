@@ -1,4 +1,4 @@
-// The README's example is the one that is compiled and run.
+// The example of the page on the library is the one that is compiled and run.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -12,14 +12,14 @@ std::string content(const std::string& file) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-TEST(Readme, ExampleIsTheConsumersProgram) {
-  const std::string readme = content("README.md");
+TEST(LibraryPage, ExampleIsTheConsumersProgram) {
+  const std::string page = content("docs/library.md");
   const std::string example = content("combiner_tests/consumer/example.cpp");
-  const std::size_t begin = readme.find("```cpp\n");
+  const std::size_t begin = page.find("```cpp\n");
   ASSERT_NE(begin, std::string::npos);
-  const std::size_t end = readme.find("```", begin + 7);
+  const std::size_t end = page.find("```", begin + 7);
   ASSERT_NE(end, std::string::npos);
-  EXPECT_EQ(example.substr(example.find('\n') + 1), readme.substr(begin + 7, end - begin - 7));
+  EXPECT_EQ(example.substr(example.find('\n') + 1), page.substr(begin + 7, end - begin - 7));
 }
 
 }  // namespace

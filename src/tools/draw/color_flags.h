@@ -1,0 +1,17 @@
+// The colours of `draw`: --fog-color, --const0 and --const1.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <utility>
+
+namespace ninebit::tools {
+
+// The part of "[COMBINER:]R,G,B,A" before the colon, and the colour.
+[[nodiscard]] std::pair<std::string_view, std::string> split_constant(std::string_view text);
+
+// What is wrong with "[COMBINER:]R,G,B,A", or with "R,G,B"; empty: nothing.
+[[nodiscard]] std::string check_constant(const std::string& text);
+[[nodiscard]] std::string check_rgb(const std::string& text);
+
+}  // namespace ninebit::tools
