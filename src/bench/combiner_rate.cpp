@@ -35,11 +35,11 @@ struct Fragments {
   }
 };
 
-// A program and the engine that evaluates it.
+// A program and the engine that evaluates it. Registers begin as bytes, as in the rasterizer.
 struct Evaluator {
   const Program& program;
   Engine engine;
-  BatchProgram batch{program};
+  BatchProgram batch{program, {}, {}, BatchInputs::not_negative};
 };
 
 // The timed work.

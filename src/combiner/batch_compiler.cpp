@@ -18,8 +18,8 @@ std::size_t at(int component) {
 // Follows a program symbolically: each register component holds a value of the graph.
 class Compiler {
  public:
-  Compiler(const Program& program, const ComponentSet& varying_constants)
-      : program_(program), varying_constants_(varying_constants), graph_(program.datapath) {
+  Compiler(const Program& program, const ComponentSet& varying_constants, BatchInputs inputs)
+      : program_(program), varying_constants_(varying_constants), graph_(program.datapath, inputs) {
     for (std::size_t r = 0; r < kRegisterCount; ++r) {
       for (int c = 0; c < 4; ++c) registers_[r][at(c)] = graph_.input(static_cast<Register>(r), c);
     }
@@ -166,7 +166,16 @@ class Compiler {
     const int component = reference::component_of(in.usage, channel);
     if (in.reg == Register::e_times_f) return mapped(e_times_f(component), in.mapping);
     if (in.reg == Register::spare0_plus_secondary) return mapped(color_sum(component), in.mapping);
-    return mapped(read(in.reg, component, program_.constant0, program_.constant1), in.mapping);
+    Linear linear = mapped(read(in.reg, component, program_.constant0, program_.constant1), in.mapping);
+    if (in.usage == ComponentUsage::alpha) share_floor(linear);
+    return linear;
+  }
+
+  // Three channels read the value: its positive part is taken once.
+  void share_floor(Linear& linear) {
+    if (linear.is_constant() || !linear.floored) return;
+    linear.value = graph_.chosen({linear.value, true});
+    linear.floored = false;
   }
 
   // Rules 9 and 14.
@@ -196,8 +205,9 @@ class Compiler {
 
 }  // namespace
 
-VectorCode compile_batch(const Program& program, const BatchOutputs& outputs, const ComponentSet& varying_constants) {
-  return Compiler(program, varying_constants).compile(outputs);
+VectorCode compile_batch(const Program& program, const BatchOutputs& outputs, const ComponentSet& varying_constants,
+                         BatchInputs inputs) {
+  return Compiler(program, varying_constants, inputs).compile(outputs);
 }
 
 }  // namespace ninebit::detail

@@ -13,7 +13,8 @@ struct WantedValue {
   Value value = 0;
 };
 
-VectorCode compile_batch(const Program& program, const BatchOutputs& outputs, const ComponentSet& varying_constants);
+VectorCode compile_batch(const Program& program, const BatchOutputs& outputs, const ComponentSet& varying_constants,
+                         BatchInputs inputs);
 
 // Orders the operations that the wanted values need, and assigns planes to them.
 VectorCode schedule(const ValueGraph& graph, const std::vector<WantedValue>& wanted);

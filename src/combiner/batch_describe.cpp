@@ -10,6 +10,7 @@ namespace {
 
 using detail::Formula;
 using detail::Kernel;
+using detail::Line;
 using detail::PlanePlace;
 using detail::Space;
 using detail::VectorOperation;
@@ -48,7 +49,11 @@ class Text {
 
   std::string operand(const VectorOperation& operation, std::size_t k) const {
     const std::string plane = name(operation.source[k]);
-    return operation.formula.is_floored(k) ? "max(" + plane + ", 0)" : plane;
+    const std::string value = operation.formula.is_floored(k) ? "max(" + plane + ", 0)" : plane;
+    if ((operation.lines >> k & 1U) == 0) return value;
+    const Line& line = operation.line[k];
+    return "(" + std::to_string(line.factor) + "*" + value +
+           (line.offset == 0 ? "" : " + " + std::to_string(line.offset)) + ")";
   }
 
   static std::string clamped(const Formula& f, const std::string& value) {
@@ -84,11 +89,13 @@ class Text {
       case Kernel::affine:
         return affine(operation);
       case Kernel::unsigned_products: {
-        const std::string added = f.adds ? " + " + operand(operation, static_cast<std::size_t>(2 * f.terms)) : "";
-        return "u16:" + divided(operation) + added;
+        if (f.adds)
+          return "u16:" + divided(operation, 0) + " + " + operand(operation, static_cast<std::size_t>(2 * f.terms));
+        return "u16:" + divided(operation, 0) + (f.offset == 0 ? "" : " + " + std::to_string(f.offset));
       }
       case Kernel::signed_product:
-        return "s16:" + divided(operation);
+      case Kernel::signed_sum:
+        return "s16:" + divided(operation, f.offset);
       case Kernel::products: {
         const std::string bias = f.bias == 0 ? "" : " + " + number(f.bias);
         return "s32:" + rounded(f, "(" + sum_of_products(operation) + bias + ") / " + number(1 / f.reciprocal));
@@ -104,10 +111,11 @@ class Text {
     return name(operation.source[0]);
   }
 
-  std::string divided(const VectorOperation& operation) const {
+  std::string divided(const VectorOperation& operation, int inside) const {
     const Formula& f = operation.formula;
     const std::string scale = f.doublings == 0 ? "" : "*" + std::to_string(1 << f.doublings);
-    return rounded(f, "(" + sum_of_products(operation) + ")" + scale + " / 255");
+    const std::string offset = inside == 0 ? "" : " + " + std::to_string(inside);
+    return rounded(f, "(" + sum_of_products(operation) + offset + ")" + scale + " / 255");
   }
 
   const detail::VectorCode& code_;

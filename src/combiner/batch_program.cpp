@@ -1,5 +1,7 @@
 #include "ninebit/combiner/batch_program.h"
 
+#include <utility>
+
 #include "src/combiner/batch_compiler.h"
 #include "src/combiner/batch_kernels.h"
 #include "src/combiner/real_batch.h"
@@ -17,13 +19,16 @@ ComponentSet all_that_varies() {
 
 }  // namespace
 
-BatchProgram::BatchProgram(const Program& program, const BatchOutputs& outputs, const ComponentSet& varying_constants)
+BatchProgram::BatchProgram(const Program& program, const BatchOutputs& outputs, const ComponentSet& varying_constants,
+                           BatchInputs inputs)
     : program_(program) {
   if (program.datapath.arithmetic != Arithmetic::integer) {
     reads_ = all_that_varies();
     return;
   }
-  code_ = std::make_shared<const detail::VectorCode>(detail::compile_batch(program, outputs, varying_constants));
+  detail::VectorCode code = detail::compile_batch(program, outputs, varying_constants, inputs);
+  detail::prepare_vector_code(code);
+  code_ = std::make_shared<const detail::VectorCode>(std::move(code));
   reads_ = code_->reads;
 }
 

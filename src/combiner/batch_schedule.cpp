@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "src/combiner/batch_compiler.h"
+#include "src/combiner/batch_plan.h"
 
 namespace ninebit::detail {
 namespace {
@@ -13,31 +14,26 @@ class Scheduler {
   explicit Scheduler(const ValueGraph& graph) : graph_(graph), home_(graph.nodes().size()), last_use_(home_.size()) {}
 
   VectorCode run(const std::vector<WantedValue>& wanted) {
-    mark_uses(wanted);
+    std::vector<Value> values;
+    for (const WantedValue& w : wanted) values.push_back(w.value);
+    const std::vector<PlannedOperation> operations = plan(graph_, values);
+    for (std::size_t i = 0; i < operations.size(); ++i) {
+      for (std::size_t k = 0; k < sources_of(operations[i]); ++k) last_use_[operations[i].of[k]] = i;
+    }
     for (const WantedValue& w : wanted) {
+      last_use_[w.value] = operations.size();
       // No operation reads a colour's plane, so the wanted value is computed there directly.
       const bool is_operation = graph_.nodes()[w.value].source == Source::operation;
       if (w.plane.space == Space::colors && is_operation && !home_[w.value]) home_[w.value] = w.plane;
     }
-    for (std::size_t v = 0; v < home_.size(); ++v) {
-      if (last_use_[v] != 0 && graph_.nodes()[v].source == Source::operation) emit(v);
-    }
+    for (std::size_t i = 0; i < operations.size(); ++i) emit(operations[i], i);
     deliver(wanted);
     return std::move(code_);
   }
 
  private:
-  // Finds each value's last reader. A wanted value is read past all operations; 0 means that nothing reads it.
-  void mark_uses(const std::vector<WantedValue>& wanted) {
-    for (const WantedValue& w : wanted) last_use_[w.value] = home_.size();
-    for (std::size_t v = home_.size(); v-- > 0;) {
-      const ValueGraph::Node& node = graph_.nodes()[v];
-      if (last_use_[v] == 0 || node.source != Source::operation) continue;
-      for (int k = 0; k < node.formula.sources(); ++k) {
-        std::size_t& last = last_use_[node.of[static_cast<std::size_t>(k)]];
-        last = std::max(last, v);
-      }
-    }
+  static std::size_t sources_of(const PlannedOperation& operation) {
+    return static_cast<std::size_t>(operation.formula.sources());
   }
 
   PlanePlace new_temporary() {
@@ -67,25 +63,38 @@ class Scheduler {
     return *home_[v];
   }
 
-  void emit(std::size_t v) {
-    const ValueGraph::Node& node = graph_.nodes()[v];
-    VectorOperation operation{.formula = node.formula, .source = {}, .target = {}};
-    const auto sources = static_cast<std::size_t>(node.formula.sources());
-    for (std::size_t k = 0; k < sources; ++k) operation.source[k] = plane_of(node.of[k]);
+  // `place` is the operation's place in the order of all.
+  void emit(const PlannedOperation& planned, std::size_t place) {
+    VectorOperation operation;
+    operation.formula = planned.formula;
+    operation.lines = planned.lines;
+    operation.line = planned.line;
+    const std::size_t sources = sources_of(planned);
+    for (std::size_t k = 0; k < sources; ++k) operation.source[k] = plane_of(planned.of[k]);
     // Kernels read a lane of all sources before they write that lane, so a source's plane may become the target.
     for (std::size_t k = 0; k < sources; ++k) {
       const PlanePlace plane = operation.source[k];
-      const bool seen = std::find(operation.source.begin(), operation.source.begin() + static_cast<std::ptrdiff_t>(k),
-                                  plane) != operation.source.begin() + static_cast<std::ptrdiff_t>(k);
-      if (last_use_[node.of[k]] == v && plane.space == Space::temporaries && !seen) free_.push_back(plane);
+      const auto here = operation.source.begin() + static_cast<std::ptrdiff_t>(k);
+      const bool seen = std::find(operation.source.begin(), here, plane) != here;
+      if (last_use_[planned.of[k]] == place && plane.space == Space::temporaries && !seen) free_.push_back(plane);
     }
-    if (!home_[v]) home_[v] = new_temporary();
-    operation.target = *home_[v];
+    std::optional<PlanePlace>& home = home_[planned.value];
+    if (!home) home = new_temporary();
+    operation.target = *home;
+    if (last_ != nullptr && planned.is_like(*last_)) {
+      ++code_.operations[first_alike_].alike;
+    } else {
+      first_alike_ = code_.operations.size();
+    }
+    last_ = &planned;
     code_.operations.push_back(operation);
   }
 
   void copy(const PlanePlace& from, const PlanePlace& to) {
-    code_.operations.push_back({.formula = {}, .source = {from}, .target = to});
+    VectorOperation operation;
+    operation.source[0] = from;
+    operation.target = to;
+    code_.operations.push_back(operation);
   }
 
   // Copies the wanted values that were not computed in place. Registers come last: none is overwritten before all have
@@ -115,6 +124,8 @@ class Scheduler {
   std::vector<std::size_t> last_use_;
   std::vector<PlanePlace> free_;
   std::map<int, std::uint16_t> constants_;
+  const PlannedOperation* last_ = nullptr;  // the last one emitted
+  std::size_t first_alike_ = 0;             // the first of the operations that are like it
 };
 
 }  // namespace

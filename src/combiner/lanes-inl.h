@@ -40,22 +40,19 @@ HWY_INLINE VU16 set_unsigned(int v) {
   return hn::Set(kU16, static_cast<std::uint16_t>(v));
 }
 
-// Returns n / 255 rounded down, exact for all 16-bit n: 0x8081 / 2^23 = (1 + 127 / 2^23) / 255.
-HWY_INLINE VU16 divide_by_255(VU16 n) {
-  return hn::ShiftRight<7>(hn::MulHigh(n, set_unsigned(0x8081)));
-}
-
+// Returns n · 2^doublings / 255 rounded down: exact while n · 2^doublings fits into 16 bits, at least 257 beyond.
+// 0x8081 / 2^23 = (1 + 127 / 2^23) / 255.
 template <int kDoublings>
-HWY_INLINE VU16 doubled(VU16 n) {
-  if (kDoublings > 0) n = hn::SaturatedAdd(n, n);
-  if (kDoublings > 1) n = hn::SaturatedAdd(n, n);
-  return n;
+HWY_INLINE VU16 divide_by_255(VU16 n) {
+  return hn::ShiftRight<7 - kDoublings>(hn::MulHigh(n, set_unsigned(0x8081)));
 }
 
-// Returns n / 255, rounded down or to nearest.
-template <bool kNearest>
+// Returns n · 2^doublings / 255, rounded down or to nearest: at least 257 where n · 2^doublings exceeds 16 bits.
+template <bool kNearest, int kDoublings>
 HWY_INLINE VU16 narrowed(VU16 n) {
-  return divide_by_255(kNearest ? hn::SaturatedAdd(n, set_unsigned(127)) : n);
+  if constexpr (!kNearest) return divide_by_255<kDoublings>(n);
+  for (int i = 0; i < kDoublings; ++i) n = hn::SaturatedAdd(n, n);
+  return divide_by_255<0>(hn::SaturatedAdd(n, set_unsigned(127)));
 }
 
 // Returns a magnitude with the sign of `v`. The magnitude is 0 where v is 0.

@@ -22,7 +22,7 @@ Value ValueGraph::constant(int code) {
 Value ValueGraph::input(Register reg, int component) {
   const int number = 4 * static_cast<int>(reg) + component;
   return find_or_add({.source = Source::input, .number = number, .formula = {}, .of = {}},
-                     {datapath_.lowest, datapath_.one});
+                     {lowest_input_, datapath_.one});
 }
 
 Value ValueGraph::add(Formula formula, std::span<const Operand> of, const Range& range) {
@@ -100,7 +100,6 @@ Operand ValueGraph::operand(const Linear& linear) {
   return {affine({&linear, 1}, Scale::none, Narrowing::toward_zero, r.low, r.high), false};
 }
 
-// Returns an operand as a value.
 Value ValueGraph::chosen(const Operand& operand) {
   const Range r = range(operand);
   const Linear linear{operand.value, operand.floored, 1, 0};

@@ -52,7 +52,8 @@ class ValueGraph {
     friend auto operator<=>(const Node&, const Node&) = default;
   };
 
-  explicit ValueGraph(const Datapath& datapath) : datapath_(datapath) {}
+  ValueGraph(const Datapath& datapath, BatchInputs inputs)
+      : datapath_(datapath), lowest_input_(inputs == BatchInputs::not_negative ? 0 : datapath.lowest) {}
 
   Value constant(int code);
   Value input(Register reg, int component);
@@ -63,6 +64,9 @@ class ValueGraph {
 
   // Returns a linear value as a source; adds an operation if it needs one.
   Operand operand(const Linear& linear);
+
+  // Returns an operand as a value.
+  Value chosen(const Operand& operand);
 
   // Returns `by` >= one half ? yes : no.
   Value select(Value by, const Operand& no, const Operand& yes);
@@ -81,9 +85,9 @@ class ValueGraph {
 
  private:
   Value find_or_add(const Node& node, const Range& range);
-  Value chosen(const Operand& operand);
 
   Datapath datapath_;
+  int lowest_input_;
   std::vector<Node> nodes_;
   std::vector<Range> ranges_;
   std::map<Node, Value> numbers_;

@@ -19,13 +19,15 @@ enum class Kernel : std::uint8_t {
   // halves up. One or two terms.
   affine,
   // Products of values that are not negative, in 16 bits: min((x0·x1 + x2·x3 + …) · 2^doublings / 255, high), the
-  // quotient rounded down or to nearest. With `adds` a last source is added to the quotient. One to three terms. The
-  // sum saturates at 65535, whose quotient is 257.
+  // quotient rounded down or to nearest. `offset` or, with `adds`, a last source is added to the quotient. One to
+  // three terms. The sum saturates at 65535, whose quotient is 257.
   unsigned_products,
   // One product of values of any sign, in 16 bits: x0·x1 · 2^doublings / 255, toward zero or to nearest, no farther
   // from
   // zero than `high` where it clamps. With `positive_first` x0 is not negative; without it there are no floors.
   signed_product,
+  // The same of one or two products of values of any sign and `offset`, where the sum always fits into 16 bits.
+  signed_sum,
   // clamp((x0·x1 + x2·x3 + … + bias) · reciprocal), in 32 bits and floats, toward zero or to nearest. One to six terms.
   products,
   // x0 >= low ? x2 : x1
@@ -58,6 +60,7 @@ struct Formula {
         return 2 * terms + (adds ? 1 : 0);
       case Kernel::signed_product:
         return 2;
+      case Kernel::signed_sum:
       case Kernel::products:
         return 2 * terms;
       case Kernel::select:
@@ -82,18 +85,32 @@ struct PlanePlace {
   friend bool operator==(const PlanePlace&, const PlanePlace&) = default;
 };
 
+// A straight line through which a kernel that multiplies reads a source: factor · x + offset, after the floor.
+struct Line {
+  s9 factor = 1, offset = 0;
+  friend bool operator==(const Line&, const Line&) = default;
+};
+
 struct VectorOperation {
   Formula formula;
+  std::uint32_t lines = 0;  // the sources that are read through a line, a bit each
+  std::array<Line, kMostSources> line{};
   std::array<PlanePlace, kMostSources> source{};
   PlanePlace target;
+  std::size_t alike = 1;  // the number of operations, this one and the next, that differ in their planes alone
 };
 
 struct alignas(64) ConstantPlane {
   std::array<s9, kBatchSize> lane;
 };
 
+using AnyKernel = void (*)();
+
 struct VectorCode {
   std::vector<VectorOperation> operations;
+  // The kernel of each operation, for the SIMD target `prepared_for`. Another target chooses kernels as it runs.
+  std::vector<AnyKernel> kernels;
+  std::int64_t prepared_for = 0;
   std::vector<ConstantPlane> constants;
   std::size_t temporaries = 0;  // planes
   ComponentSet reads;

@@ -98,7 +98,9 @@ std::optional<Value> as_unsigned(ValueGraph& graph, const WideSum& sum, const st
             .nearest = how.narrowing == Narrowing::nearest_halves_up,
             .doublings = doublings_of(how.scale)};
   std::vector<Operand> of = operands_of(factors);
-  if (added.high > 0) {
+  if (how.added.is_constant()) {
+    f.offset = how.added.offset;
+  } else if (added.high > 0) {
     f.adds = true;
     of.push_back(graph.operand(how.added));
   }
@@ -128,6 +130,27 @@ std::optional<Value> as_signed_product(ValueGraph& graph, const WideSum& sum, co
   if (graph.range(of[0]).low < 0) std::swap(of[0], of[1]);
   f.positive_first = graph.range(of[0]).low >= 0;
   return graph.add(f, of, clamped(quotient, how));
+}
+
+// Partial sums may overflow: only the whole sum must fit.
+std::optional<Value> as_signed_sum(ValueGraph& graph, const WideSum& sum, const std::vector<Factors>& factors,
+                                   const Narrowed& how, const Range& wide, const Range& quotient) {
+  const int most = std::max(-wide.low, wide.high);
+  if (graph.datapath().one != 255 || how.scale == Scale::by_one_half || factors.size() > 2 || most > kMost16 ||
+      how.added != Linear{} || ((most << doublings_of(how.scale)) > 65535 - 127 && how.high > 257)) {
+    return {};
+  }
+  Formula f{.kernel = Kernel::signed_sum,
+            .terms = static_cast<int>(factors.size()),
+            .nearest = how.narrowing == Narrowing::nearest_halves_up,
+            .doublings = doublings_of(how.scale),
+            .offset = sum.constant()};
+  if (quotient.low < how.low || quotient.high > how.high) {
+    if (how.low != -how.high) return {};
+    f.low = how.low;
+    f.high = how.high;
+  }
+  return graph.add(f, operands_of(factors), clamped(quotient, how));
 }
 
 // Returns 1 / divisor as a float that is not below it.
@@ -194,6 +217,7 @@ Value narrow(ValueGraph& graph, const WideSum& sum, const Narrowed& how) {
   const Range quotient{code_of(d, how, wide.low), code_of(d, how, wide.high)};
   if (const auto value = as_unsigned(graph, sum, factors, how, quotient)) return *value;
   if (const auto value = as_signed_product(graph, sum, factors, how, quotient)) return *value;
+  if (const auto value = as_signed_sum(graph, sum, factors, how, wide, quotient)) return *value;
   return as_products(graph, sum, factors, how, quotient);
 }
 

@@ -42,6 +42,10 @@ struct BatchOutputs {
   bool registers = false;                             // all registers as the last general combiner leaves them
 };
 
+// The codes that a batch's registers hold when run() begins. Bytes, as textures and colours are, are not negative:
+// programs that know it run faster.
+enum class BatchInputs : std::uint8_t { any_codes, not_negative };
+
 namespace detail {
 struct VectorCode;
 }
@@ -52,12 +56,13 @@ class BatchProgram {
   // For integer arithmetic: components of constant0 and constant1 that are in `varying_constants` are read from the
   // batch instead of from the program, one value for each fragment, in every stage and in the final combiner.
   explicit BatchProgram(const Program& program, const BatchOutputs& outputs = {},
-                        const ComponentSet& varying_constants = {});
+                        const ComponentSet& varying_constants = {}, BatchInputs inputs = BatchInputs::any_codes);
 
   // The components that run() reads before it writes them. The others need not be filled.
   [[nodiscard]] const ComponentSet& reads() const { return reads_; }
 
-  // Evaluates the first `count` (at most kBatchSize) fragments. Their registers hold codes in [lowest, one].
+  // Evaluates the first `count` (at most kBatchSize) fragments. Their registers hold codes in [lowest, one],
+  // or in [0, one] for `not_negative`.
   // On return the wanted components of `out` hold the colours, codes in [0, one]; the others are unspecified.
   // `registers` then holds the registers after the last general combiner, if they are wanted. If not, it is unchanged
   // with integer arithmetic and unspecified with another one. Lanes from `count` on may be overwritten with unspecified

@@ -16,7 +16,7 @@ Program program_of(std::size_t number) {
 }
 
 void batch(benchmark::State& state, std::size_t number) {
-  const BatchProgram program(program_of(number));
+  const BatchProgram program(program_of(number), {}, {}, BatchInputs::not_negative);
   const auto registers = std::make_unique<RegisterBatch>();
   const auto out = std::make_unique<OutputBatch>();
   s9 code = 0;

@@ -74,7 +74,7 @@ void DrawContext::prepare_program(const RenderTarget& target, bool for_probe) {
       wanted.color[kAlpha] = wanted.color[kAlpha] || state.alpha_test.enabled;
     }
     wanted_color = wanted.color;
-    program.emplace(*state.program, wanted);
+    program.emplace(*state.program, wanted, ComponentSet{}, BatchInputs::not_negative);
     const bool keeps_registers = state.program->datapath.arithmetic == Arithmetic::integer && !needs_registers;
     if (!keeps_registers) refilled = overwritten(*state.program);
   }

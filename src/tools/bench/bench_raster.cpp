@@ -7,8 +7,11 @@
 #include <memory>
 #include <optional>
 
+#include "src/bench/llvmpipe_mesh.h"
+#include "src/bench/memset_rate.h"
 #include "src/bench/raster_rate.h"
 #include "src/bench/resident_memory.h"
+#include "src/bench/timing.h"
 #include "src/tools/bench/bench.h"
 #include "src/tools/common/scene_flags.h"
 
@@ -26,28 +29,79 @@ struct RasterRow {
   double mtriangles_per_s = 0.0, mpixels_per_s = 0.0;
   std::size_t triangles = 0;
   std::uint64_t covered_pixels = 0;
+  std::optional<double> rival_mtriangles_per_s{};  // on as many threads
+  std::size_t pixels_that_differ = 0;              // between our picture and the rival's
+  std::optional<double> memset_gb_per_s{};         // of `large`, on as many threads
+
+  // Colour and depth of every covered pixel: what passes the depth test of `large`.
+  [[nodiscard]] double written_gb_per_s() const { return 8e-3 * mpixels_per_s; }
+};
+
+struct RasterFlags {
+  BenchFlags bench;
+  bool growth = false;
+  std::string rival;
 };
 
 struct Size {
   int width, height;
 };
 
-// Measures one workload, on one thread and on all.
-Status measure(const BenchFlags& flags, const Workload& workload, const Size& size, double done, ProgressLine& line,
+std::size_t pixels_that_differ(const Surface& ours, const std::vector<std::uint8_t>& theirs) {
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < theirs.size() / 4; ++i) {
+    bool same = true;
+    for (std::size_t c = 0; c < 3; ++c) same = same && ours.color(static_cast<int>(c))[i] == theirs[4 * i + c];
+    count += same ? 0 : 1;
+  }
+  return count;
+}
+
+// The shortest of the rival's draws that fit into `seconds`; the clears are not timed, as ours are not.
+Status measure_rival(bench::LlvmpipeMesh& rival, const bench::Mesh& mesh, const Surface& ours, double seconds,
+                     RasterRow& row) {
+  rival.prepare(mesh);
+  double shortest = 1e9;
+  const auto start = bench::Clock::now();
+  for (int runs = 0; runs < 3 || bench::seconds_since(start) < seconds; ++runs) {
+    rival.clear();
+    shortest = std::min(shortest, bench::seconds_of([&] { rival.draw(); }));
+  }
+  const auto picture = rival.picture();
+  if (!picture) return picture.error();
+  row.rival_mtriangles_per_s = static_cast<double>(mesh.triangles.size()) / shortest / 1e6;
+  row.pixels_that_differ = pixels_that_differ(ours, *picture);
+  return {};
+}
+
+// Measures one workload, on one thread and on all, and then the rival's threads on all.
+Status measure(const BenchFlags& flags, const Workload& workload, const Size& size, bench::LlvmpipeMesh* rival,
                std::vector<RasterRow>& rows) {
+  const bool is_large = workload.leg == 0.0F;
   const bench::Mesh mesh =
-      workload.leg > 0.0F ? bench::small_triangles(size.width, size.height, workload.leg) : bench::large_triangles();
+      is_large ? bench::large_triangles() : bench::small_triangles(size.width, size.height, workload.leg);
   const auto covered = bench::covered_pixels(mesh, size.width, size.height);
   if (!covered) return covered.error();
   auto surface = Surface::make(size.width, size.height);
   if (!surface) return surface.error();
   for (const int threads : one_and_all_threads(flags.common)) {
-    if (!line.step(workload.name, done)) return Diagnostic{.message = "interrupted", .fault = Fault::cancelled};
     const ThreadLimit limit(threads);
     const auto seconds = bench::seconds_to_draw(mesh, *surface, flags.time_limit());
     if (!seconds) return seconds.error();
-    rows.push_back({workload.name, threads, static_cast<double>(mesh.triangles.size()) / *seconds / 1e6,
-                    static_cast<double>(*covered) / *seconds / 1e6, mesh.triangles.size(), *covered});
+    RasterRow row{workload.name,
+                  threads,
+                  static_cast<double>(mesh.triangles.size()) / *seconds / 1e6,
+                  static_cast<double>(*covered) / *seconds / 1e6,
+                  mesh.triangles.size(),
+                  *covered};
+    if (is_large) {
+      const std::size_t planes = 8 * static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height);
+      row.memset_gb_per_s = bench::memset_rate(planes, threads, flags.time_limit());
+    }
+    if (rival != nullptr && threads == thread_count(flags.common)) {
+      if (Status done = measure_rival(*rival, mesh, *surface, flags.time_limit(), row); !done) return done;
+    }
+    rows.push_back(std::move(row));
   }
   return {};
 }
@@ -59,36 +113,73 @@ std::string table(const std::vector<RasterRow>& rows) {
     text += fmt::format("{:<9} {:>7} {:>12.3f} {:>10.1f} {:>10} {:>12}\n", r.workload, r.threads, r.mtriangles_per_s,
                         r.mpixels_per_s, r.triangles, r.covered_pixels);
   }
+  for (const RasterRow& r : rows) {
+    if (r.rival_mtriangles_per_s) {
+      text += fmt::format("{}, threads {}: llvmpipe {:.3f} Mtriangle/s, {:.1f} times slower; {} pixels differ\n",
+                          r.workload, r.threads, *r.rival_mtriangles_per_s,
+                          r.mtriangles_per_s / *r.rival_mtriangles_per_s, r.pixels_that_differ);
+    }
+    if (r.memset_gb_per_s) {
+      text += fmt::format("{}, threads {}: {:.1f} GB/s of colour and depth, {:.0f} % of memset's {:.1f} GB/s\n",
+                          r.workload, r.threads, r.written_gb_per_s(),
+                          100.0 * r.written_gb_per_s() / *r.memset_gb_per_s, *r.memset_gb_per_s);
+    }
+  }
   return text;
 }
 
-int bench_raster(const BenchFlags& flags) {
+Json json_of(const RasterRow& r) {
+  Json row{{"workload", r.workload},
+           {"threads", r.threads},
+           {"mtriangles_per_s", r.mtriangles_per_s},
+           {"mpixels_per_s", r.mpixels_per_s},
+           {"covered_pixels", r.covered_pixels},
+           {"triangles", r.triangles}};
+  if (r.rival_mtriangles_per_s) {
+    row["rival"] = {{"mtriangles_per_s", *r.rival_mtriangles_per_s},
+                    {"ratio", r.mtriangles_per_s / *r.rival_mtriangles_per_s},
+                    {"pixels_that_differ", r.pixels_that_differ}};
+  }
+  if (r.memset_gb_per_s) {
+    row["written_gb_per_s"] = r.written_gb_per_s();
+    row["memset_gb_per_s"] = *r.memset_gb_per_s;
+  }
+  return row;
+}
+
+int bench_raster(const RasterFlags& raster) {
+  const BenchFlags& flags = raster.bench;
   const Size size = flags.quick ? Size{128, 96} : Size{1024, 768};
   const std::vector<Workload> workloads{{"legs-1", 1.0F}, {"legs-4", 4.0F}, {"legs-16", 16.0F}, {"large", 0.0F}};
+  std::unique_ptr<bench::LlvmpipeMesh> rival;
+  if (!raster.rival.empty()) {
+    auto made = bench::LlvmpipeMesh::make(size.width, size.height, thread_count(flags.common));
+    if (!made) {
+      say_error(fmt::format("--rival {} is not available: {}", raster.rival, made.error().text()));
+      return kWrongUsage;
+    }
+    rival = std::move(*made);
+  }
   std::optional<ProgressLine> line(std::in_place, flags.common.quiet);
   std::vector<RasterRow> rows;
   for (std::size_t i = 0; i < workloads.size(); ++i) {
-    const double done = static_cast<double>(i) / static_cast<double>(workloads.size());
-    if (Status measured = measure(flags, workloads[i], size, done, *line, rows); !measured) {
+    if (!line->step(workloads[i].name, static_cast<double>(i) / static_cast<double>(workloads.size()))) {
+      return line.reset(), report({.message = "interrupted", .fault = Fault::cancelled});
+    }
+    if (Status measured = measure(flags, workloads[i], size, rival.get(), rows); !measured) {
       return line.reset(), report(measured.error());
     }
   }
   line.reset();
   if (!flags.common.json) return answer(table(rows));
   Json list = Json::array();
-  for (const RasterRow& r : rows) {
-    list.push_back({{"workload", r.workload},
-                    {"threads", r.threads},
-                    {"mtriangles_per_s", r.mtriangles_per_s},
-                    {"mpixels_per_s", r.mpixels_per_s},
-                    {"covered_pixels", r.covered_pixels},
-                    {"triangles", r.triangles}});
-  }
-  const Json out{{"command", "bench raster"},
-                 {"version", NINEBIT_VERSION},
-                 {"profile", flags.common.profile},
-                 {"size", {size.width, size.height}},
-                 {"rows", std::move(list)}};
+  for (const RasterRow& r : rows) list.push_back(json_of(r));
+  Json out{{"command", "bench raster"},
+           {"version", NINEBIT_VERSION},
+           {"profile", flags.common.profile},
+           {"size", {size.width, size.height}},
+           {"rows", std::move(list)}};
+  if (rival) out["rival"] = {{"name", raster.rival}, {"renderer", rival->renderer()}};
   return answer(out);
 }
 
@@ -189,11 +280,14 @@ void add_bench_raster(CLI::App& bench, int& exit_code) {
   verb->footer(
       "Example: ninebit bench raster --threads 2 --json\n"
       "Memory per triangle is the peak of the process minus its start, the triangles and the surface.");
-  auto flags = std::make_shared<BenchFlags>();
-  add_bench_flags(*verb, *flags);
-  auto growth = std::make_shared<bool>(false);
-  verb->add_flag("--growth", *growth, "Measure time and memory per triangle, from a thousand to ten million triangles");
-  verb->callback([=, &exit_code] { exit_code = *growth ? bench_growth(*flags) : bench_raster(*flags); });
+  auto flags = std::make_shared<RasterFlags>();
+  add_bench_flags(*verb, flags->bench);
+  CLI::Option* growth = verb->add_flag(
+      "--growth", flags->growth, "Measure time and memory per triangle, from a thousand to ten million triangles");
+  verb->add_option("--rival", flags->rival, "Draw the same meshes with this renderer too, on all threads: llvmpipe")
+      ->check(CLI::IsMember({"llvmpipe"}))
+      ->excludes(growth);
+  verb->callback([=, &exit_code] { exit_code = flags->growth ? bench_growth(flags->bench) : bench_raster(*flags); });
 }
 
 }  // namespace ninebit::tools
