@@ -66,7 +66,7 @@ def run_alone(test):
     if status == properties.get('SKIP_RETURN_CODE', 'none') or '[  SKIPPED ]' in output:
         return 'skipped', output
     wanted = properties.get('PASS_REGULAR_EXPRESSION')
-    good = status == 0 if not wanted else any(re.search(w, output) for w in wanted)
+    good = status == 0 if not wanted else any(re.search(w, output, re.DOTALL) for w in wanted)
     return ('passed' if good else 'failed'), output if status is not None else output + '\n(it ran too long)'
 
 
