@@ -10,11 +10,11 @@
 namespace ninebit::gl_layer {
 namespace {
 
-using FindSymbol = void* (*)(void*, const char*);
+using FindSymbol = void* (*)(void*, const char*) noexcept;  // as the C library declares it
 using GetProcAddress = AnyFunction (*)(const char*);
 
 // The C library's dlsym, by the version that it has on this processor.
-FindSymbol next_dlsym() {
+FindSymbol next_dlsym() noexcept {
   static const FindSymbol found = [] {
     for (const char* version : {"GLIBC_2.34", "GLIBC_2.2.5", "GLIBC_2.17", "GLIBC_2.0"}) {
       if (void* const symbol = dlvsym(RTLD_NEXT, "dlsym", version)) return reinterpret_cast<FindSymbol>(symbol);
@@ -120,14 +120,16 @@ extern "C" {
 #if !NINEBIT_SANITIZED
 // RTLD_NEXT means the library that calls: so the C library's function has to be jumped to, which GCC and Clang do with
 // a call at a function's end when they optimize.
+// Under a name of its own in C++, because Clang does not jump out of a function that may not throw, as <dlfcn.h> has
+// it.
+__attribute__((visibility("default"))) void* ninebit_dlsym(void* handle, const char* name) __asm__("dlsym");
 #if defined(__clang__)
 #define NINEBIT_JUMP [[clang::musttail]] return
-__attribute__((visibility("default")))
 #else
 #define NINEBIT_JUMP return
-__attribute__((visibility("default"), optimize("O2")))
+__attribute__((optimize("O2")))
 #endif
-void* dlsym(void* handle, const char* name) {
+void* ninebit_dlsym(void* handle, const char* name) {
   if (ninebit::gl_layer::may_be_ours(name)) return ninebit::gl_layer::looked_up(handle, name);
   NINEBIT_JUMP ninebit::gl_layer::next_dlsym()(handle, name);
 }
