@@ -17,7 +17,7 @@ import time
 # Cases that change their process for good, or that fork: each has its own.
 ALONE = re.compile(r'Memory|Limits|Isolated|Interrupt|Folder|Hostile|Killed|FullDisk|WriteError|Corpus|Environment|AnyThreads')
 CASES_A_BATCH = 24
-BATCH_SECONDS = 240
+BATCH_SECONDS = 600
 
 
 def chosen_tests(preset, arguments):
