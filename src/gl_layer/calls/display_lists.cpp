@@ -206,9 +206,7 @@ void end_in_list(Context& context) {
   open.effect = BeginEffect::outside;
   if (!open.ended_in_begin) return;
   open.ended_in_begin = false;
-  GLint number = 0;
-  found_driver.GetIntegerv(GL_LIST_INDEX, &number);
-  if (number == 0) finish_list(context);
+  if (driver_integer(GL_LIST_INDEX) == 0) finish_list(context);
 }
 
 }  // namespace ninebit::gl_layer
@@ -266,8 +264,7 @@ GLAPI void GLAPIENTRY glCallLists(GLsizei n, GLenum type, const GLvoid* lists) {
     found_driver.CallLists(n, type, lists);
     return context->forget();
   }
-  GLint base = 0;
-  found_driver.GetIntegerv(GL_LIST_BASE, &base);
+  const GLint base = driver_integer(GL_LIST_BASE);
   for (GLsizei i = 0; i < n; ++i) glCallList(static_cast<GLuint>(base) + list_offset(lists, type, i));
 }
 

@@ -24,8 +24,7 @@ void use_program(GLuint program) {
   }
   found_driver.UseProgram(program);
   if (context->open_list != nullptr && context->open_list->mode == GL_COMPILE) return mark_stale();
-  GLint now = 0;
-  found_driver.GetIntegerv(GL_CURRENT_PROGRAM, &now);  // the driver may have refused it
+  const GLint now = driver_integer(GL_CURRENT_PROGRAM);  // the driver may have refused it
   if (static_cast<GLuint>(now) != program && context->bound) return;
   context->app_program = static_cast<GLuint>(now);
   context->bound = false;

@@ -39,9 +39,7 @@ const GLubyte* extension_string(Context& context) {
 }
 
 GLint number_of_driver_extensions() {
-  GLint number = 0;
-  found_driver.GetIntegerv(GL_NUM_EXTENSIONS, &number);
-  return number;
+  return driver_integer(GL_NUM_EXTENSIONS);
 }
 
 // The number of values that a query of the layer's state returns; 0: the state is the driver's.

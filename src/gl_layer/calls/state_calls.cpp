@@ -64,9 +64,7 @@ void set_enabled(GLenum cap, bool enabled) {
 constexpr GLbitfield kGroups = GL_ENABLE_BIT | GL_TEXTURE_BIT;
 
 int stack_depth() {
-  GLint depth = 0;
-  found_driver.GetIntegerv(GL_ATTRIB_STACK_DEPTH, &depth);
-  return depth;
+  return driver_integer(GL_ATTRIB_STACK_DEPTH);
 }
 
 void push(Context& context, GLbitfield mask) {

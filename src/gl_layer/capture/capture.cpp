@@ -12,16 +12,10 @@ namespace {
 constexpr std::size_t kBuffers = 8;
 constexpr GLfloat kNotDrawn[]{-1.0F, 0.0F, 0.0F, 0.0F};
 
-GLint integer_of(GLenum name) {
-  GLint value = 0;
-  found_driver.GetIntegerv(name, &value);
-  return value;
-}
-
 bool can_capture(const Driver& d) {
   return d.BindFramebuffer != nullptr && d.BlitFramebuffer != nullptr && d.ClearBufferfv != nullptr &&
          d.ColorMaski != nullptr && d.Disablei != nullptr && d.DrawBuffers != nullptr && d.GenFramebuffers != nullptr &&
-         d.GenRenderbuffers != nullptr && d.RenderbufferStorage != nullptr && integer_of(GL_MAX_DRAW_BUFFERS) >= 8;
+         d.GenRenderbuffers != nullptr && d.RenderbufferStorage != nullptr && driver_integer(GL_MAX_DRAW_BUFFERS) >= 8;
 }
 
 // Copies and clears are cut by the scissor test.
@@ -43,7 +37,8 @@ class WithoutScissor {
 // The active unit's texture, and the buffer that texels come from, restored at the end.
 class KeptTexture {
  public:
-  KeptTexture() : bound_(integer_of(GL_TEXTURE_BINDING_2D)), buffer_(integer_of(GL_PIXEL_UNPACK_BUFFER_BINDING)) {
+  KeptTexture()
+      : bound_(driver_integer(GL_TEXTURE_BINDING_2D)), buffer_(driver_integer(GL_PIXEL_UNPACK_BUFFER_BINDING)) {
     if (buffer_ != 0) found_driver.BindBuffer(GL_PIXEL_UNPACK_BUFFER, 0);
   }
   ~KeptTexture() {
@@ -60,7 +55,7 @@ class KeptTexture {
 // The program's state of pixel transfers to memory, restored at the end.
 class PlainReads {
  public:
-  PlainReads() : buffer_(integer_of(GL_PIXEL_PACK_BUFFER_BINDING)) {
+  PlainReads() : buffer_(driver_integer(GL_PIXEL_PACK_BUFFER_BINDING)) {
     found_driver.PushClientAttrib(GL_CLIENT_PIXEL_STORE_BIT);
     for (const GLenum name :
          std::to_array<GLenum>({GL_PACK_ROW_LENGTH, GL_PACK_SKIP_ROWS, GL_PACK_SKIP_PIXELS, GL_PACK_SWAP_BYTES})) {
@@ -120,9 +115,9 @@ std::unique_ptr<Capture> Capture::begin(Context& context, const char* call) {
 
 bool Capture::make_buffers() {
   const Driver& d = found_driver;
-  program_framebuffer_ = static_cast<GLuint>(integer_of(GL_DRAW_FRAMEBUFFER_BINDING));
-  read_framebuffer_ = integer_of(GL_READ_FRAMEBUFFER_BINDING);
-  const GLint renderbuffer = integer_of(GL_RENDERBUFFER_BINDING);
+  program_framebuffer_ = static_cast<GLuint>(driver_integer(GL_DRAW_FRAMEBUFFER_BINDING));
+  read_framebuffer_ = driver_integer(GL_READ_FRAMEBUFFER_BINDING);
+  const GLint renderbuffer = driver_integer(GL_RENDERBUFFER_BINDING);
   const KeptTexture kept;
   d.GenFramebuffers(1, &own_framebuffer_);
   d.BindFramebuffer(GL_DRAW_FRAMEBUFFER, own_framebuffer_);
@@ -163,9 +158,9 @@ void Capture::set_up_buffers() {
 
 void Capture::copy_in() {
   const Driver& d = found_driver;
-  const GLint drawn = integer_of(GL_DRAW_BUFFER);
+  const GLint drawn = driver_integer(GL_DRAW_BUFFER);
   d.BindFramebuffer(GL_READ_FRAMEBUFFER, program_framebuffer_);
-  const GLint read = integer_of(GL_READ_BUFFER);
+  const GLint read = driver_integer(GL_READ_BUFFER);
   if (drawn != GL_NONE) d.ReadBuffer(static_cast<GLenum>(drawn));
   d.BindFramebuffer(GL_DRAW_FRAMEBUFFER, own_framebuffer_);
   blit();

@@ -12,12 +12,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-GLint value_of(GLenum name) {
-  GLint value = 0;
-  found_driver.GetIntegerv(name, &value);
-  return value;
-}
-
 // OpenGL's words for comparison, stencil operations and blend factors; others as numbers.
 Json word_of(GLint value) {
   struct Word {
@@ -59,39 +53,37 @@ Json word_of(GLint value) {
 
 // Blend factors 0 and 1 are GL_ZERO and GL_ONE, which are no other words.
 Json factor_of(GLenum name) {
-  const GLint value = value_of(name);
+  const GLint value = driver_integer(name);
   if (value == GL_ZERO) return "GL_ZERO";
   return value == GL_ONE ? Json("GL_ONE") : word_of(value);
 }
 
-bool is_on(GLenum cap) {
-  return found_driver.IsEnabled(cap) == GL_TRUE;
-}
-
 void describe_tests(Json& draw) {
-  if (is_on(GL_ALPHA_TEST)) {
+  if (driver_enables(GL_ALPHA_TEST)) {
     GLfloat reference = 0.0F;
     found_driver.GetFloatv(GL_ALPHA_TEST_REF, &reference);
-    draw["alpha_test"] = {{"function", word_of(value_of(GL_ALPHA_TEST_FUNC))}, {"reference", reference}};
+    draw["alpha_test"] = {{"function", word_of(driver_integer(GL_ALPHA_TEST_FUNC))}, {"reference", reference}};
   }
-  if (is_on(GL_STENCIL_TEST)) {
-    draw["stencil"] = {{"function", word_of(value_of(GL_STENCIL_FUNC))},
-                       {"reference", value_of(GL_STENCIL_REF)},
-                       {"mask", static_cast<GLuint>(value_of(GL_STENCIL_VALUE_MASK))},
+  if (driver_enables(GL_STENCIL_TEST)) {
+    draw["stencil"] = {{"function", word_of(driver_integer(GL_STENCIL_FUNC))},
+                       {"reference", driver_integer(GL_STENCIL_REF)},
+                       {"mask", static_cast<GLuint>(driver_integer(GL_STENCIL_VALUE_MASK))},
                        {"fail", factor_of(GL_STENCIL_FAIL)},
                        {"depth_fail", factor_of(GL_STENCIL_PASS_DEPTH_FAIL)},
                        {"depth_pass", factor_of(GL_STENCIL_PASS_DEPTH_PASS)}};
   }
-  if (is_on(GL_DEPTH_TEST)) {
-    draw["depth"] = {{"function", word_of(value_of(GL_DEPTH_FUNC))}, {"write", value_of(GL_DEPTH_WRITEMASK) != 0}};
+  if (driver_enables(GL_DEPTH_TEST)) {
+    draw["depth"] = {{"function", word_of(driver_integer(GL_DEPTH_FUNC))},
+                     {"write", driver_integer(GL_DEPTH_WRITEMASK) != 0}};
   }
-  if (is_on(GL_BLEND)) draw["blend"] = {{"source", factor_of(GL_BLEND_SRC)}, {"destination", factor_of(GL_BLEND_DST)}};
+  if (driver_enables(GL_BLEND))
+    draw["blend"] = {{"source", factor_of(GL_BLEND_SRC)}, {"destination", factor_of(GL_BLEND_DST)}};
   GLboolean mask[4]{};
   found_driver.GetBooleanv(GL_COLOR_WRITEMASK, mask);
   if (mask[0] == 0 || mask[1] == 0 || mask[2] == 0 || mask[3] == 0) {
     draw["color_mask"] = Json::array({mask[0] != 0, mask[1] != 0, mask[2] != 0, mask[3] != 0});
   }
-  if (is_on(GL_FOG)) draw["fog"] = word_of(value_of(GL_FOG_MODE));
+  if (driver_enables(GL_FOG)) draw["fog"] = word_of(driver_integer(GL_FOG_MODE));
 }
 
 struct Target {
@@ -113,7 +105,7 @@ const Target* target_of_unit(UnitSource source) {
 
 Json describe_units(const Context& context) {
   Json units = Json::array();
-  const GLint active = value_of(GL_ACTIVE_TEXTURE);
+  const GLint active = driver_integer(GL_ACTIVE_TEXTURE);
   for (std::size_t i = 0; i < kLayerUnits; ++i) {
     const Target* const target = target_of_unit(context.inputs.units[i].source);
     if (target == nullptr) {
@@ -130,7 +122,7 @@ Json describe_units(const Context& context) {
     char hex[16];
     std::snprintf(hex, sizeof(hex), "0x%04X", static_cast<unsigned>(format));
     units.push_back({{"target", target->name},
-                     {"texture", value_of(target->binding)},
+                     {"texture", driver_integer(target->binding)},
                      {"size", Json::array({width, height})},
                      {"internal_format", hex}});
   }

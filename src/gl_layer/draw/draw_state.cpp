@@ -9,23 +9,13 @@
 namespace ninebit::gl_layer {
 namespace {
 
-GLint integer(GLenum name) {
-  GLint value = 0;
-  found_driver.GetIntegerv(name, &value);
-  return value;
-}
-
-bool enabled(GLenum cap) {
-  return found_driver.IsEnabled(cap) == GL_TRUE;
-}
-
 // The target that the active unit samples, in OpenGL's order of precedence.
 UnitSource enabled_target(const DriverFeatures& features) {
-  if (enabled(GL_TEXTURE_CUBE_MAP)) return UnitSource::texture_cube_map;
-  if (enabled(GL_TEXTURE_3D)) return UnitSource::texture_3d;
-  if (features.rectangle && enabled(GL_TEXTURE_RECTANGLE)) return UnitSource::texture_rectangle;
-  if (enabled(GL_TEXTURE_2D)) return UnitSource::texture_2d;
-  if (enabled(GL_TEXTURE_1D)) return UnitSource::texture_1d;
+  if (driver_enables(GL_TEXTURE_CUBE_MAP)) return UnitSource::texture_cube_map;
+  if (driver_enables(GL_TEXTURE_3D)) return UnitSource::texture_3d;
+  if (features.rectangle && driver_enables(GL_TEXTURE_RECTANGLE)) return UnitSource::texture_rectangle;
+  if (driver_enables(GL_TEXTURE_2D)) return UnitSource::texture_2d;
+  if (driver_enables(GL_TEXTURE_1D)) return UnitSource::texture_1d;
   return UnitSource::disabled;
 }
 
@@ -85,8 +75,8 @@ TexelKind texel_kind(UnitSource source) {
 }
 
 FogFactor fog_factor() {
-  if (!enabled(GL_FOG)) return FogFactor::off;
-  switch (integer(GL_FOG_MODE)) {
+  if (!driver_enables(GL_FOG)) return FogFactor::off;
+  switch (driver_integer(GL_FOG_MODE)) {
     case GL_LINEAR:
       return FogFactor::linear;
     case GL_EXP:
@@ -98,7 +88,7 @@ FogFactor fog_factor() {
 
 ShaderInputs find_inputs(const Context& context) {
   ShaderInputs inputs;
-  const auto active = static_cast<GLenum>(integer(GL_ACTIVE_TEXTURE));
+  const auto active = static_cast<GLenum>(driver_integer(GL_ACTIVE_TEXTURE));
   const auto units = std::min(kLayerUnits, static_cast<std::size_t>(context.combiners.profile().texture_units.value));
   for (std::size_t i = 0; i < units; ++i) {
     found_driver.ActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(i));
@@ -111,8 +101,9 @@ ShaderInputs find_inputs(const Context& context) {
   found_driver.ActiveTexture(active);
   inputs.fog = fog_factor();
   // Lighting with a single colour has no secondary colour; without lighting it is the current one.
-  const bool lit = enabled(GL_LIGHTING) && !(context.features.vertex_program && enabled(GL_VERTEX_PROGRAM_ARB));
-  inputs.secondary = !lit || integer(GL_LIGHT_MODEL_COLOR_CONTROL) != GL_SINGLE_COLOR;
+  const bool lit =
+      driver_enables(GL_LIGHTING) && !(context.features.vertex_program && driver_enables(GL_VERTEX_PROGRAM_ARB));
+  inputs.secondary = !lit || driver_integer(GL_LIGHT_MODEL_COLOR_CONTROL) != GL_SINGLE_COLOR;
   inputs.write_inputs = context.writes_inputs;
   return inputs;
 }
@@ -144,7 +135,7 @@ bool combiners_apply(Context& context) {
     return false;
   }
   if (context.inputs_stale) {
-    context.own_fragments = context.features.fragment_program && enabled(GL_FRAGMENT_PROGRAM_ARB);
+    context.own_fragments = context.features.fragment_program && driver_enables(GL_FRAGMENT_PROGRAM_ARB);
     const ShaderInputs inputs = find_inputs(context);
     context.program_stale = context.program_stale || !(inputs == context.inputs);
     context.inputs = inputs;

@@ -49,4 +49,8 @@ const Driver& find_driver();
 // The same without the check for the first call: only after find_driver().
 extern Driver found_driver;
 
+// One number of the driver's state, and whether something is enabled there. Only after find_driver().
+[[nodiscard]] GLint driver_integer(GLenum name);
+[[nodiscard]] bool driver_enables(GLenum cap);
+
 }  // namespace ninebit::gl_layer

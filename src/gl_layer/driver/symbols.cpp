@@ -92,6 +92,16 @@ AnyFunction next_function(const char* name) {
 
 Driver found_driver;
 
+GLint driver_integer(GLenum name) {
+  GLint value = 0;
+  found_driver.GetIntegerv(name, &value);
+  return value;
+}
+
+bool driver_enables(GLenum cap) {
+  return found_driver.IsEnabled(cap) == GL_TRUE;
+}
+
 const Driver& find_driver() {
   static const bool found = [] {
 #define NINEBIT_FIND(name) found_driver.name = next_function_as<decltype(found_driver.name)>("gl" #name);
