@@ -36,5 +36,21 @@ Result<GLuint> link_program(const Gl& gl, const std::string& vertex, const std::
   return program;
 }
 
+std::string renderer_of(const Gl& gl) {
+  const auto text = [&](GLenum name) { return std::string(reinterpret_cast<const char*>(gl.GetString(name))); };
+  return text(GL_RENDERER) + ", " + text(GL_VERSION);
+}
+
+Result<std::vector<std::uint8_t>> picture_of(const Gl& gl, GLsizei width, GLsizei height) {
+  const DriverCode driver_code;
+  std::vector<std::uint8_t> bytes(4 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+  gl.PixelStorei(GL_PACK_ALIGNMENT, 1);
+  gl.ReadPixels(0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, bytes.data());
+  if (const GLenum error = gl.GetError(); error != GL_NO_ERROR) {
+    return Diagnostic{.message = "GL error " + std::to_string(error)};
+  }
+  return bytes;
+}
+
 }  // namespace ninebit::bench
 #endif

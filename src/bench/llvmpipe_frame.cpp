@@ -85,10 +85,7 @@ class Frame final : public LlvmpipeFrame {
     gl_.Finish();
   }
 
-  [[nodiscard]] std::string renderer() const override {
-    const auto text = [&](GLenum name) { return std::string(reinterpret_cast<const char*>(gl_.GetString(name))); };
-    return text(GL_RENDERER) + ", " + text(GL_VERSION);
-  }
+  [[nodiscard]] std::string renderer() const override { return renderer_of(gl_); }
 
   [[nodiscard]] Result<std::vector<std::uint8_t>> stencil() override {
     const DriverCode driver_code;

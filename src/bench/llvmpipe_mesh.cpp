@@ -78,21 +78,9 @@ class MeshInGl final : public LlvmpipeMesh {
     gl_.Finish();
   }
 
-  [[nodiscard]] std::string renderer() const override {
-    const auto text = [&](GLenum name) { return std::string(reinterpret_cast<const char*>(gl_.GetString(name))); };
-    return text(GL_RENDERER) + ", " + text(GL_VERSION);
-  }
+  [[nodiscard]] std::string renderer() const override { return renderer_of(gl_); }
 
-  [[nodiscard]] Result<std::vector<std::uint8_t>> picture() override {
-    const DriverCode driver_code;
-    std::vector<std::uint8_t> bytes(4 * static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_));
-    gl_.PixelStorei(GL_PACK_ALIGNMENT, 1);
-    gl_.ReadPixels(0, 0, width_, height_, GL_RGBA, GL_UNSIGNED_BYTE, bytes.data());
-    if (const GLenum error = gl_.GetError(); error != GL_NO_ERROR) {
-      return Diagnostic{.message = "GL error " + std::to_string(error)};
-    }
-    return bytes;
-  }
+  [[nodiscard]] Result<std::vector<std::uint8_t>> picture() override { return picture_of(gl_, width_, height_); }
 
  private:
   void attach(GLenum attachment, GLenum format) {
