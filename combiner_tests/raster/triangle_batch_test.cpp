@@ -350,6 +350,43 @@ TEST(TriangleBatch, PositionsArePackedExactly) {
   }
 }
 
+// Long runs beyond a side of the view, of which now and then one vertex reaches into it.
+TEST(TriangleBatch, RunsBeyondASideHideNoTriangle) {
+  constexpr int kWidth = 150, kHeight = 100;
+  constexpr PixelBox kDrawn{0, 0, kWidth, kHeight};
+  for (const std::int64_t target : simd_targets()) {
+    const OnTarget on(target);
+    std::size_t drawn = 0;
+    for (std::uint64_t index = 0; index < (kSlowBuild ? 12U : 120U); ++index) {
+      Random random(0xBE9, index);
+      const bool is_indexed = random.one_in(2), repeats = random.one_in(2);
+      const int count = random.between(800, 2400);
+      std::vector<glm::vec3> positions;
+      std::vector<std::uint32_t> indices;
+      const glm::vec3 beyond = random.pick({glm::vec3(-3, 0, 0), glm::vec3(3, 0, 0), glm::vec3(0, -3, 0),
+                                            glm::vec3(0, 3, 0), glm::vec3(0, 0, -3), glm::vec3(0, 0, 3)});
+      for (int i = 0; i < count; ++i) {
+        const glm::vec3 near(random.real_f(-0.9, 0.9), random.real_f(-0.9, 0.9), random.real_f(-0.9, 0.9));
+        positions.push_back(random.one_in(600) ? near : near + beyond);
+        if (is_indexed) indices.push_back(static_cast<std::uint32_t>(repeats && random.one_in(2) ? random.below(i + 1) : i));
+      }
+      const VertexArrays arrays{
+          .type = random.pick({PrimitiveType::triangles, PrimitiveType::triangle_strip, PrimitiveType::triangle_fan}),
+          .positions = positions,
+          .indices = indices};
+      DrawSetup batch({}, kDrawn, kIdentity, arrays, kWidth, kHeight, true);
+      DrawSetup single({}, kDrawn, kIdentity, arrays, kWidth, kHeight, false);
+      batch.run(0, batch.items());
+      single.run(0, single.items());
+      compare_blocks(batch.block.setup, single.block.setup, kDrawn);
+      ASSERT_FALSE(HasFatalFailure()) << simd_target_name(target) << ", case " << index;
+      drawn += batch.block.setup.primitives.size();
+    }
+    EXPECT_TRUE(on.ran()) << simd_target_name(target);
+    EXPECT_GT(drawn, kSlowBuild ? 10U : 100U);
+  }
+}
+
 // Degenerate, huge and not finite positions among others, in ranges of any length.
 TEST(TriangleBatch, AnyTrianglesAreSetUpAsOneByOne) {
   constexpr int kWidth = 150, kHeight = 100;

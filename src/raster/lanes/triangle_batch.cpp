@@ -225,7 +225,11 @@ TriangleBatchResult set_up_range(const TriangleBatch& batch, std::size_t begin, 
     // cppcheck-suppress pointerSize  // lanes is an array
     std::memset(lanes, 0, sizeof lanes);  // lanes beyond the last one are read, too
   TriangleBatchResult result{.next = end};
+  std::size_t next_look = begin;
   for (std::size_t i = begin; i < end; i += hn::Lanes(kDI)) {
+    for (; i == next_look && end - i > kDroppedTogether; next_look += kDroppedTogether) {
+      if (are_beyond_a_side(batch, i)) i += kDroppedTogether;
+    }
     const std::size_t lanes = end - i < hn::Lanes(kDI) ? end - i : hn::Lanes(kDI);
     Stop stop;
     const Progress progress = add_candidates(batch, i, lanes, candidates, stop);

@@ -6,6 +6,7 @@
 #define NINEBIT_RASTER_LANES_TRIANGLE_BATCH_INPUT_INL_H_
 #endif
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -58,6 +59,53 @@ HWY_INLINE Corners corners_of(const TriangleBatch& batch, std::size_t first, std
 // A word of the vertices: 0 and 1 are x with the outcode and y, 2 the depth, 3 is 1/w.
 HWY_INLINE VI word_of(const TriangleBatch& batch, int word, VI vertex) {
   return hn::GatherIndex(kDI, &batch.vertices.data()->x_q4_and_code + word, hn::ShiftLeft<2>(vertex));
+}
+
+// How many triangles are dropped at once where they lie beyond one side of the view, and how many vertices that may take
+// to see: neighbours in a list mostly share their vertices.
+constexpr std::size_t kDroppedTogether = 256;
+constexpr std::size_t kMostInspected = 2048;
+
+// The smallest and the largest vertex number of the triangles [first, first + kDroppedTogether).
+struct VertexRange {
+  std::int64_t first, last;
+};
+
+HWY_INLINE VertexRange vertex_range(const TriangleBatch& batch, std::size_t first) {
+  const PrimitiveType type = batch.assembly.type();
+  const bool is_list = type == PrimitiveType::triangles;
+  const std::size_t begin = is_list ? 3 * first : first;
+  const std::size_t count = is_list ? 3 * kDroppedTogether : kDroppedTogether + 2;
+  const auto indices = batch.assembly.indices();
+  if (indices.data() == nullptr) {
+    const auto from = static_cast<std::int64_t>(type == PrimitiveType::triangle_fan ? 0 : begin);
+    return {from, static_cast<std::int64_t>(begin + count) - 1};
+  }
+  const auto* const list = reinterpret_cast<const std::int32_t*>(indices.data());
+  VI least = hn::LoadU(kDI, list + begin), most = least;
+  for (std::size_t i = 0; i < count; i += hn::Lanes(kDI)) {
+    // The last vector repeats some of the one before.
+    const VI v = hn::LoadU(kDI, list + begin + std::min(i, count - hn::Lanes(kDI)));
+    least = hn::Min(least, v);
+    most = hn::Max(most, v);
+  }
+  if (type == PrimitiveType::triangle_fan) {
+    least = hn::Min(least, set(list[0]));
+    most = hn::Max(most, set(list[0]));
+  }
+  return {hn::GetLane(hn::MinOfLanes(kDI, least)), hn::GetLane(hn::MaxOfLanes(kDI, most))};
+}
+
+// True if the triangles [first, first + kDroppedTogether) are seen to lie beyond one side of the view.
+HWY_INLINE bool are_beyond_a_side(const TriangleBatch& batch, std::size_t first) {
+  const auto [least, most] = vertex_range(batch, first);
+  if (least < 0 || most >= static_cast<std::int64_t>(batch.vertices.size())) return false;
+  if (most - least >= static_cast<std::int64_t>(kMostInspected)) return false;
+  std::int32_t beyond = kBeyondAny;
+  for (std::int64_t v = least; v <= most && beyond != 0; ++v) {
+    beyond &= batch.vertices[static_cast<std::size_t>(v)].x_q4_and_code;
+  }
+  return beyond != 0;
 }
 
 }  // namespace ninebit::HWY_NAMESPACE
