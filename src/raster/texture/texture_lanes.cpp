@@ -6,7 +6,6 @@
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "src/raster/texture/texture_lanes.cpp"
 #include "hwy/foreach_target.h"  // IWYU pragma: keep
-#include "hwy/cache_control.h"
 #include "hwy/highway.h"
 #include "src/raster/texture/texture_axis-inl.h"
 
@@ -55,8 +54,6 @@ void find_nearest(const LaneLevel& level, const std::array<const float*, 3>& at,
   to.one_face = all_like_first(to.face, count);
 }
 
-constexpr std::size_t kPrefetched = 4;  // the neighbours of a fragment mostly read from its cache line
-
 void fetch_nearest_words(const LaneLevel& level, const std::array<const float*, 3>& at, const TexelWords& texels,
                          std::size_t count, std::uint32_t* to) {
 #if HWY_TARGET <= HWY_AVX2  // these have gather instructions
@@ -64,17 +61,11 @@ void fetch_nearest_words(const LaneLevel& level, const std::array<const float*, 
   constexpr hn::RebindToUnsigned<DI> du;
   const auto* const words = reinterpret_cast<const std::uint32_t*>(texels.first);
   const VI begin = hn::LoadU(kDI, texels.face_word.data());
-  // All offsets first: what a level of this size keeps in memory is on its way before it is gathered.
-  LaneIntegers offset;
   for (std::size_t lane = 0; lane < count; lane += hn::Lanes(kDF)) {
     VF s, t;
     const VI face = load_place(level.cube, at, lane, s, t);
     const VI of_face = hn::TableLookupLanes(begin, hn::IndicesFromVec(kDI, face));
-    store(hn::Add(of_face, axes.offset(s, t)), offset, lane);
-    for (std::size_t i = 0; i < hn::Lanes(kDF); i += kPrefetched) hwy::Prefetch(words + offset[lane + i]);
-  }
-  for (std::size_t lane = 0; lane < count; lane += hn::Lanes(kDF)) {
-    hn::StoreU(hn::GatherIndex(du, words, hn::LoadU(kDI, offset.data() + lane)), du, to + lane);
+    hn::StoreU(hn::GatherIndex(du, words, hn::Add(of_face, axes.offset(s, t))), du, to + lane);
   }
 #else
   NearestLanes lanes;

@@ -231,17 +231,25 @@ int merge(const MergeFlags& flags) {
   return finish(merged.study(), flags.folder, *rows, merged.study().units(), flags.common);
 }
 
+int run_on_stdout(const Study& study, const StudyFlags& flags) {
+  const auto rows = run_whole(study, flags.common.quiet);
+  if (!rows) return report(rows.error());
+  return finish(study, "", *rows, study.units(), flags.common);
+}
+
 }  // namespace
 
 int run_study(const StudyRequest& request) {
+  const auto begin = std::chrono::steady_clock::now();
   const StudyFlags& flags = *request.flags;
   const ThreadLimit limit(flags.common.threads);
   const auto study = request.make();
   if (!study) return report(study.error());
-  if (!flags.folder.empty()) return run_in_folder(**study, flags);
-  const auto rows = run_whole(**study, flags.common.quiet);
-  if (!rows) return report(rows.error());
-  return finish(**study, "", *rows, (*study)->units(), flags.common);
+  const int code = flags.folder.empty() ? run_on_stdout(**study, flags) : run_in_folder(**study, flags);
+  // Not in the report, whose bytes are the same on every machine.
+  const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - begin;
+  if (code == kDone && !flags.common.quiet) say(fmt::format("It took {:.1f} s.\n", spent.count()));
+  return code;
 }
 
 void add_study_merge(CLI::App& verbs, int& exit_code) {
