@@ -24,15 +24,22 @@ struct Corners {
   VI v[3];
 };
 
+// Fewer triangles than a vector has lanes: the others repeat the first. A function of its own, because Clang 14 for
+// WebAssembly gave the first lane the second triangle where these stores and the loads behind them became one.
+HWY_NOINLINE void store_corners(const PrimitiveAssembly& assembly, std::size_t first, std::size_t lanes,
+                                std::int32_t (&v)[3][16]) {
+  for (std::size_t i = 0; i < hn::Lanes(kDI); ++i) {
+    const std::array<std::uint32_t, 3> t = assembly.triangle(first + (i < lanes ? i : 0));
+    for (std::size_t k = 0; k < 3; ++k) v[k][i] = static_cast<std::int32_t>(t[k]);
+  }
+}
+
 // The vertex numbers of the triangles [first, first + lanes).
 HWY_INLINE Corners corners_of(const TriangleBatch& batch, std::size_t first, std::size_t lanes) {
   const PrimitiveType type = batch.assembly.type();
   if (lanes < hn::Lanes(kDI)) {
     alignas(64) std::int32_t v[3][16];
-    for (std::size_t i = 0; i < hn::Lanes(kDI); ++i) {
-      const std::array<std::uint32_t, 3> t = batch.assembly.triangle(first + (i < lanes ? i : 0));
-      for (std::size_t k = 0; k < 3; ++k) v[k][i] = static_cast<std::int32_t>(t[k]);
-    }
+    store_corners(batch.assembly, first, lanes, v);
     return {{hn::Load(kDI, v[0]), hn::Load(kDI, v[1]), hn::Load(kDI, v[2])}};
   }
   const auto* const list = reinterpret_cast<const std::int32_t*>(batch.assembly.indices().data());

@@ -12,6 +12,7 @@
 
 #include "hwy/highway.h"
 #include "src/raster/lanes/lanes_of_bits.h"
+#include "src/system/emscripten/wasm_doubles-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace ninebit::HWY_NAMESPACE {

@@ -36,6 +36,12 @@ HWY_API TwoDoubles operator/(TwoDoubles a, TwoDoubles b) {
 HWY_API TwoDoubles Abs(TwoDoubles v) {
   return TwoDoubles{wasm_f64x2_abs(v.raw)};
 }
+HWY_API TwoDoubles Sqrt(TwoDoubles v) {
+  return TwoDoubles{wasm_f64x2_sqrt(v.raw)};
+}
+HWY_API TwoDoubles Floor(TwoDoubles v) {
+  return TwoDoubles{wasm_f64x2_floor(v.raw)};
+}
 // Of a number and a NaN `b` is the result, as on x86: "pseudo-minimum", whose operands are swapped.
 HWY_API TwoDoubles Min(TwoDoubles a, TwoDoubles b) {
   return TwoDoubles{wasm_f64x2_pmin(b.raw, a.raw)};
