@@ -368,7 +368,8 @@ TEST(TriangleBatch, RunsBeyondASideHideNoTriangle) {
       for (int i = 0; i < count; ++i) {
         const glm::vec3 near(random.real_f(-0.9, 0.9), random.real_f(-0.9, 0.9), random.real_f(-0.9, 0.9));
         positions.push_back(random.one_in(600) ? near : near + beyond);
-        if (is_indexed) indices.push_back(static_cast<std::uint32_t>(repeats && random.one_in(2) ? random.below(i + 1) : i));
+        if (is_indexed)
+          indices.push_back(static_cast<std::uint32_t>(repeats && random.one_in(2) ? random.below(i + 1) : i));
       }
       const VertexArrays arrays{
           .type = random.pick({PrimitiveType::triangles, PrimitiveType::triangle_strip, PrimitiveType::triangle_fan}),

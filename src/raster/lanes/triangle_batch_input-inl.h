@@ -68,8 +68,8 @@ HWY_INLINE VI word_of(const TriangleBatch& batch, int word, VI vertex) {
   return hn::GatherIndex(kDI, &batch.vertices.data()->x_q4_and_code + word, hn::ShiftLeft<2>(vertex));
 }
 
-// How many triangles are dropped at once where they lie beyond one side of the view, and how many vertices that may take
-// to see: neighbours in a list mostly share their vertices.
+// How many triangles are dropped at once where they lie beyond one side of the view, and how many vertices that may
+// take to see: neighbours in a list mostly share their vertices.
 constexpr std::size_t kDroppedTogether = 256;
 constexpr std::size_t kMostInspected = 2048;
 
