@@ -37,8 +37,8 @@ TEST(MeasuredPrograms, PrintAsGlCalls) {
   for (const bench::MeasuredProgram& p : *programs) {
     const std::string text = print_gl_calls(p.state, p.profile).value();
     const auto parsed = parse_gl_calls({text, "printed"}, p.profile);
-    ASSERT_TRUE(parsed.value.has_value()) << p.name;
-    EXPECT_EQ(normalize(*parsed.value, p.profile), normalize(p.state, p.profile)) << p.name;
+    ASSERT_TRUE(parsed.ok()) << p.name;
+    EXPECT_EQ(normalize(*parsed, p.profile), normalize(p.state, p.profile)) << p.name;
   }
 }
 

@@ -112,7 +112,7 @@ TEST(Capi, WordsByName) {
   const StateHandle state(made);
   const auto expected =
       parse_register_words({"RC_IN_RGB[0] = 0x04200000\nRC_OUT_RGB[0] = 0xC00\n", {}}, ChipClass::nv20, profiles::nv2a);
-  EXPECT_EQ(json_of(state.get()), *expected.value);
+  EXPECT_EQ(json_of(state.get()), *expected);
 
   const std::array<ninebit_word, 1> wrong{{{"RC_NONE", 0}}};
   char* error = nullptr;

@@ -43,7 +43,7 @@ inline ProgramHandle compiled(const HardwareProfile& profile, const CombinerStat
 inline CombinerState json_of(const ninebit_state* state) {
   char* text = nullptr;
   (void)ninebit_state_print(state, NINEBIT_FORM_JSON, &text, nullptr);
-  return parse_json_program({take(text), {}}, profiles::nv2a).value.value();
+  return parse_json_program({take(text), {}}, profiles::nv2a).value();
 }
 
 inline ninebit_registers registers_of(const RegisterFile& file) {

@@ -79,10 +79,10 @@ TEST(CombinerRecord, IsWhatTheCombinersOfTheGalleryReadAndGave) {
     SCOPED_TRACE(entry.path().filename());
     const auto effect = read_effect(entry.path().string());
     ASSERT_TRUE(effect);
-    const HardwareProfile* const own = find_profile(effect.value->profile);
-    for (std::size_t i = 0; i < effect.value->passes.size(); ++i) {
-      if (effect.value->passes[i].program.empty()) continue;
-      check_pass(*effect.value, i, own != nullptr ? *own : profiles::geforce2, seen);
+    const HardwareProfile* const own = find_profile(effect->profile);
+    for (std::size_t i = 0; i < effect->passes.size(); ++i) {
+      if (effect->passes[i].program.empty()) continue;
+      check_pass(*effect, i, own != nullptr ? *own : profiles::geforce2, seen);
     }
   }
   EXPECT_GE(seen.passes, 20);
@@ -96,7 +96,7 @@ TEST(CombinerRecord, LeavesThePictureAsItIs) {
   const auto effect = read_effect(NINEBIT_SOURCE_DIR "/scenes/effects/index_cube.json");
   ASSERT_TRUE(effect);
   const auto draw = [&](const EffectOptions& options) {
-    auto renderer = EffectRenderer::make(*effect.value, profiles::geforce2, file_readers(), options);
+    auto renderer = EffectRenderer::make(*effect, profiles::geforce2, file_readers(), options);
     EXPECT_TRUE(renderer);
     EXPECT_TRUE(renderer->draw());
     return renderer;

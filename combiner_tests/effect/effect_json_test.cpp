@@ -38,8 +38,8 @@ TEST(EffectJson, ReadsAllOfAPass) {
                             "depth_fail": "incr", "pass": "invert"},
                 "blend": {"source": "src_alpha", "destination": "one", "equation": "subtract"},
                 "polygon_offset": [1, 2]}])");
-  ASSERT_TRUE(parsed) << parsed.faults[0].text();
-  const Effect& e = *parsed.value;
+  ASSERT_TRUE(parsed) << parsed.faults()[0].text();
+  const Effect& e = *parsed;
   EXPECT_EQ(e.width, 64);
   EXPECT_EQ(e.height, 32);
   EXPECT_EQ(e.depth_stencil, DepthStencilFormat::d16);
@@ -112,8 +112,8 @@ TEST(EffectJson, NamesEveryMistakeWithItsPlace) {
   for (const Bad& bad : table) {
     const auto parsed = parse(bad.body);
     ASSERT_FALSE(parsed) << bad.body;
-    EXPECT_EQ(parsed.faults[0].line, bad.line) << bad.body;
-    EXPECT_NE(parsed.faults[0].message.find(bad.words), std::string::npos) << parsed.faults[0].text();
+    EXPECT_EQ(parsed.faults()[0].line, bad.line) << bad.body;
+    EXPECT_NE(parsed.faults()[0].message.find(bad.words), std::string::npos) << parsed.faults()[0].text();
   }
 }
 
@@ -122,7 +122,7 @@ TEST(EffectJson, ReadsTheGallery) {
   for (const auto& entry : std::filesystem::directory_iterator(NINEBIT_SOURCE_DIR "/scenes/effects")) {
     if (entry.path().extension() != ".json" || entry.path().stem() == "expected_hashes") continue;
     const auto parsed = read_effect(entry.path());
-    EXPECT_TRUE(parsed) << parsed.faults[0].text();
+    EXPECT_TRUE(parsed) << parsed.faults()[0].text();
     ++count;
   }
   EXPECT_GE(count, 14U);
@@ -158,8 +158,8 @@ TEST(EffectJson, SurvivesDamage) {
       }
     }
     const auto parsed = parse_effect({text, "e.json"});
-    ASSERT_NE(parsed.value.has_value(), !parsed.faults.empty());
-    for (const TextFault& fault : parsed.faults) ASSERT_GE(fault.line, 1) << fault.text();
+    ASSERT_NE(parsed.ok(), !parsed.faults().empty());
+    for (const TextFault& fault : parsed.faults()) ASSERT_GE(fault.line, 1) << fault.text();
     refused += parsed ? 0U : 1U;
   }
   EXPECT_GT(refused, 2000U);

@@ -27,8 +27,8 @@ EffectReaders readers_of(const std::string& program, const Texture& texture) {
   EffectReaders readers;
   readers.program = [program](const std::filesystem::path&, const HardwareProfile& profile) -> Result<CombinerState> {
     auto parsed = parse_rc10({program, "test"}, profile);
-    if (!parsed) return Diagnostic{.message = parsed.faults[0].text()};
-    return *parsed.value;
+    if (!parsed) return Diagnostic{.message = parsed.faults()[0].text()};
+    return *parsed;
   };
   readers.texture = [texture](std::span<const std::filesystem::path>, const HardwareProfile&) -> Result<Texture> {
     return texture;
@@ -151,7 +151,7 @@ TEST(EffectRenderer, ABumpMapIsWhatTheOracleComputes) {
   auto renderer = EffectRenderer::make(effect, profiles::geforce2, readers_of(program, normals));
   ASSERT_TRUE(renderer) << renderer.error().text();
   ASSERT_TRUE(renderer->draw());
-  const CombinerState state = *parse_rc10({program, "test"}, profiles::geforce2).value;
+  const CombinerState state = *parse_rc10({program, "test"}, profiles::geforce2);
   const auto& planes = std::get<0>(normals.faces[0][0].planes);
   oracle::Registers registers{};
   // 255 (x / 7 + 1) / 2, to nearest.

@@ -31,8 +31,7 @@ TEST(Gallery, IsTheSameOnEveryTarget) {
     ASSERT_TRUE(effect) << name;
     for (const std::int64_t target : simd_targets()) {
       const OnTarget on_target(target);
-      auto renderer =
-          EffectRenderer::make(*effect.value, profile_named(effect.value->profile), file_readers(), EffectOptions{});
+      auto renderer = EffectRenderer::make(*effect, profile_named(effect->profile), file_readers(), EffectOptions{});
       ASSERT_TRUE(renderer) << renderer.error().text();
       ASSERT_TRUE(renderer->draw({}));
       Sha256 found;

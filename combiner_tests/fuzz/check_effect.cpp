@@ -52,9 +52,9 @@ std::string check_effect(std::string_view bytes) {
   const auto parsed = parse_effect({bytes, kFile});
   std::string wrong = wrong_with_answer(parsed, bytes);
   if (!wrong.empty() || !parsed) return wrong;
-  if (!check_effect(*parsed.value).empty()) return "an effect with faults is read";
-  if (parsed.value->passes.size() > kMostPasses) return {};
-  auto renderer = EffectRenderer::make(small(*parsed.value), profiles::geforce2, small_readers());
+  if (!check_effect(*parsed).empty()) return "an effect with faults is read";
+  if (parsed->passes.size() > kMostPasses) return {};
+  auto renderer = EffectRenderer::make(small(*parsed), profiles::geforce2, small_readers());
   if (!renderer) return renderer.error().message.empty() ? "a refusal without a message" : "";
   const Status drawn = renderer->draw();
   return drawn || !drawn.error().message.empty() ? "" : "a failure without a message";

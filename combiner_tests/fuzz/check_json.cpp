@@ -11,26 +11,26 @@ std::string wrong_with_program(std::string_view text, const HardwareProfile& pro
   const auto parsed = parse_json_program({text, kFile}, profile);
   std::string wrong = wrong_with_answer(parsed, text);
   if (!wrong.empty() || !parsed) return wrong;
-  const std::string printed = print_json_program(*parsed.value);
+  const std::string printed = print_json_program(*parsed);
   const auto back = parse_json_program({printed, kFile}, profile);
-  if (!back) return "JSON that ninebit printed is refused: " + back.faults.front().text() + "\n" + printed;
-  if (*back.value != *parsed.value) return "JSON gives another state:\n" + printed;
-  if (print_json_program(*back.value) != printed) return "JSON is printed in another way again:\n" + printed;
-  return wrong_with_state(*parsed.value, profile);
+  if (!back) return "JSON that ninebit printed is refused: " + back.faults().front().text() + "\n" + printed;
+  if (*back != *parsed) return "JSON gives another state:\n" + printed;
+  if (print_json_program(*back) != printed) return "JSON is printed in another way again:\n" + printed;
+  return wrong_with_state(*parsed, profile);
 }
 
 std::string wrong_with_words(std::string_view text, ChipClass chip, const HardwareProfile& profile) {
   const auto parsed = parse_json_register_words({text, kFile}, chip, profile);
   std::string wrong = wrong_with_answer(parsed, text);
   if (!wrong.empty() || !parsed) return wrong;
-  const auto printed = print_json_register_words(*parsed.value, chip, profile);
+  const auto printed = print_json_register_words(*parsed, chip, profile);
   if (!printed) return "what the words held they cannot hold: " + printed.error().message;
   const auto back = parse_json_register_words({*printed, kFile}, chip, profile);
-  if (!back) return "words that ninebit printed are refused: " + back.faults.front().text() + "\n" + *printed;
-  if (normalize(*back.value, profile) != normalize(*parsed.value, profile)) {
+  if (!back) return "words that ninebit printed are refused: " + back.faults().front().text() + "\n" + *printed;
+  if (normalize(*back, profile) != normalize(*parsed, profile)) {
     return "words give another program:\n" + *printed;
   }
-  return wrong_with_state(*parsed.value, profile);
+  return wrong_with_state(*parsed, profile);
 }
 
 }  // namespace

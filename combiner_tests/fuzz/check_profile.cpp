@@ -140,13 +140,13 @@ std::string check_profile(std::string_view bytes) {
   const auto parsed = parse_json_profile({bytes, kFile});
   std::string wrong = wrong_with_answer(parsed, bytes);
   if (!wrong.empty() || !parsed) return wrong;
-  const HardwareProfile& profile = parsed.value->profile;
+  const HardwareProfile& profile = parsed->profile;
   wrong = wrong_with_limits(profile);
   if (!wrong.empty()) return "out of its limits: " + wrong;
   const std::string printed = print(profile);
   const auto back = parse_json_profile({printed, kFile});
-  if (!back) return "the same profile in full is refused: " + back.faults.front().text() + "\n" + printed;
-  if (print(back.value->profile) != printed) return "another profile comes back:\n" + printed;
+  if (!back) return "the same profile in full is refused: " + back.faults().front().text() + "\n" + printed;
+  if (print(back->profile) != printed) return "another profile comes back:\n" + printed;
   return wrong_with_arithmetic(profile);
 }
 

@@ -17,7 +17,7 @@ namespace {
 
 std::string wrong_with(const Parsed<CombinerState>& parsed, std::string_view text, const HardwareProfile& profile) {
   return first_of(wrong_with_answer(parsed, text),
-                  [&] { return parsed ? wrong_with_state(*parsed.value, profile) : std::string(); });
+                  [&] { return parsed ? wrong_with_state(*parsed, profile) : std::string(); });
 }
 
 }  // namespace
@@ -54,7 +54,7 @@ std::string check_rc10(std::string_view bytes) {
     std::string wrong = wrong_with(parsed, bytes, *profile);
     if (!wrong.empty()) return wrong;
     if (!parsed) continue;
-    if (const auto printed = print_rc10(*parsed.value, *profile); !printed) {
+    if (const auto printed = print_rc10(*parsed, *profile); !printed) {
       return "what the language said it cannot say: " + printed.error().message;
     }
   }
@@ -77,7 +77,7 @@ std::string check_words(std::string_view bytes) {
       std::string wrong = wrong_with(parsed, bytes, *profile);
       if (!wrong.empty()) return wrong;
       if (!parsed) continue;
-      if (const auto printed = print_register_words(*parsed.value, chip, *profile); !printed) {
+      if (const auto printed = print_register_words(*parsed, chip, *profile); !printed) {
         return "what the words held they cannot hold: " + printed.error().message;
       }
     }
@@ -93,11 +93,11 @@ std::string check_xbox(std::string_view bytes) {
     std::string wrong = wrong_with(parsed, bytes, *profile);
     if (!wrong.empty()) return wrong;
     if (!parsed) continue;
-    const auto printed = print_xbox_pixel_shader(*parsed.value, *profile, words);
+    const auto printed = print_xbox_pixel_shader(*parsed, *profile, words);
     if (!printed) return "what a definition held it cannot hold: " + printed.error().message;
     const auto back = parse_xbox_pixel_shader({*printed, kFile}, *profile, &again);
-    if (!back) return "a printed definition is refused: " + back.faults.front().text() + "\n" + *printed;
-    if (normalize(*back.value, *profile) != normalize(*parsed.value, *profile)) return "another program:\n" + *printed;
+    if (!back) return "a printed definition is refused: " + back.faults().front().text() + "\n" + *printed;
+    if (normalize(*back, *profile) != normalize(*parsed, *profile)) return "another program:\n" + *printed;
     for (std::size_t i = 0; i < words.size(); ++i) {
       if (again.at(i).value != words[i].value) return "another " + words[i].name + ":\n" + *printed;
       if (explain_other_word(words[i]).empty()) return words[i].name + " says nothing";
@@ -110,9 +110,9 @@ namespace {
 
 // The set-ups of a log, told apart by their words and their first draw.
 std::string summary_of(const Parsed<RegisterLog>& log) {
-  if (!log) return log.faults.front().text();
-  std::string text = std::to_string(log.value->frames) + ' ' + std::to_string(log.value->draws) + '\n';
-  for (const LogSetup& setup : log.value->setups) {
+  if (!log) return log.faults().front().text();
+  std::string text = std::to_string(log->frames) + ' ' + std::to_string(log->draws) + '\n';
+  for (const LogSetup& setup : log->setups) {
     text += std::to_string(setup.first_line) + ':';
     for (const RegisterWord& word : setup.words) text += ' ' + word.name + '=' + std::to_string(word.value);
     text += '\n';
@@ -131,9 +131,9 @@ std::string check_log(std::string_view bytes) {
   for (std::size_t at = 0, size = 1; at < bytes.size(); at += size++) reader.read(bytes.substr(at, size));
   if (summary_of(reader.finish()) != summary_of(log)) return "another log in pieces";
   if (!log) return {};
-  for (std::size_t i = 1; i <= std::min<std::size_t>(log.value->setups.size(), 2); ++i) {
+  for (std::size_t i = 1; i <= std::min<std::size_t>(log->setups.size(), 2); ++i) {
     for (const HardwareProfile* const profile : kProfiles) {
-      wrong = wrong_with(program_of(*log.value, i, kFile, *profile), bytes, *profile);
+      wrong = wrong_with(program_of(*log, i, kFile, *profile), bytes, *profile);
       if (!wrong.empty()) return wrong;
     }
   }

@@ -18,7 +18,7 @@ namespace {
 
 // The first fault of a text that should have none.
 std::string refused(const char* form, const Parsed<CombinerState>& parsed, const std::string& text) {
-  return std::string(form) + " that ninebit printed are refused: " + parsed.faults.front().text() + "\n" + text;
+  return std::string(form) + " that ninebit printed are refused: " + parsed.faults().front().text() + "\n" + text;
 }
 
 // The state without what the profile has no place for.
@@ -39,8 +39,8 @@ std::string wrong_with_gl_calls(const CombinerState& state, const HardwareProfil
   if (!text) return wrong_with_message(text.error().message);
   const auto back = parse_gl_calls({*text, kFile}, profile);
   if (!back) return refused("GL calls", back, *text);
-  if (*back.value != held_by(profile, state)) return "GL calls give another state:\n" + *text;
-  const auto again = print_gl_calls(*back.value, profile);
+  if (*back != held_by(profile, state)) return "GL calls give another state:\n" + *text;
+  const auto again = print_gl_calls(*back, profile);
   return again && *again == *text ? "" : "GL calls are printed in another way again:\n" + *text;
 }
 
@@ -49,8 +49,8 @@ std::string wrong_with_rc10(const CombinerState& state, const Program& program, 
   if (!text) return wrong_with_message(text.error().message);
   const auto back = parse_rc10({*text, kFile}, profile);
   if (!back) return refused("!!RC1.0 words", back, *text);
-  if (normalize(*back.value, profile) != program) return "!!RC1.0 gives another program:\n" + *text;
-  const auto again = print_rc10(*back.value, profile);
+  if (normalize(*back, profile) != program) return "!!RC1.0 gives another program:\n" + *text;
+  const auto again = print_rc10(*back, profile);
   return again && *again == *text ? "" : "!!RC1.0 is printed in another way again:\n" + *text;
 }
 
@@ -60,11 +60,11 @@ std::string wrong_with_ps(const CombinerState& state, const HardwareProfile& pro
   if (!text) return wrong_with_message(text.error().message);
   const auto back = parse_pixel_shader({*text, kFile}, profile);
   if (!back) return refused("ps.1.1 texts", back, *text);
-  const auto again = print_pixel_shader(*back.value, profile);
+  const auto again = print_pixel_shader(*back, profile);
   if (!again) return "a ps.1.1 text is not printed again: " + again.error().message + "\n" + *text;
   const auto third = parse_pixel_shader({*again, kFile}, profile);
   if (!third) return refused("ps.1.1 texts", third, *again);
-  const bool same = normalize(*third.value, profile) == normalize(*back.value, profile);
+  const bool same = normalize(*third, profile) == normalize(*back, profile);
   return same ? "" : "ps.1.1 gives another program:\n" + *text + *again;
 }
 
@@ -74,8 +74,8 @@ std::string wrong_with_words(const CombinerState& state, const Program& program,
   if (!text) return wrong_with_message(text.error().message);
   const auto back = parse_register_words({*text, kFile}, chip, profile);
   if (!back) return refused("register words", back, *text);
-  if (normalize(*back.value, profile) != program) return "register words give another program:\n" + *text;
-  const auto again = print_register_words(*back.value, chip, profile);
+  if (normalize(*back, profile) != program) return "register words give another program:\n" + *text;
+  const auto again = print_register_words(*back, chip, profile);
   return again && *again == *text ? "" : "register words are printed in another way again:\n" + *text;
 }
 

@@ -28,11 +28,11 @@ std::string wrong_with_faults(const std::vector<TextFault>& faults, std::string_
 // back from GL calls, !!RC1.0 and register words as far as they can express it.
 std::string wrong_with_state(const CombinerState& state, const HardwareProfile& profile);
 
-// The faults of what a parser answered, if it is not exactly one of a value and faults.
+// What is wrong with the faults of what a parser answered.
 template <class T>
 std::string wrong_with_answer(const Parsed<T>& parsed, std::string_view text) {
-  if (parsed) return parsed.faults.empty() ? "" : "a value beside the fault " + parsed.faults.front().text();
-  return wrong_with_faults(parsed.faults, text);
+  if (parsed) return "";
+  return wrong_with_faults(parsed.faults(), text);
 }
 
 // The first that is not empty; each is asked only if none before it was.

@@ -10,7 +10,7 @@ namespace ninebit::test {
 template <class Value>
 std::string all_faults(const Parsed<Value>& parsed) {
   std::string text;
-  for (const TextFault& fault : parsed.faults) text += fault.text() + '\n';
+  for (const TextFault& fault : parsed.faults()) text += fault.text() + '\n';
   return text;
 }
 

@@ -44,7 +44,7 @@ DamagedTexts parse_damaged(const Damage& damage, const HardwareProfile& profile,
     for (int edits = 1 + random.below(3); edits > 0; --edits) edit(text, damage, random);
     const auto parsed = parse({text, fuzz::kFile}, profile);
     std::string wrong = fuzz::wrong_with_answer(parsed, text);
-    if (wrong.empty() && parsed && !validate(*parsed.value, profile).empty()) wrong = "GL refuses the state";
+    if (wrong.empty() && parsed && !validate(*parsed, profile).empty()) wrong = "GL refuses the state";
     if (!wrong.empty()) {
       ADD_FAILURE() << "seed " << damage.seed << " case " << i << ": " << wrong << "\n" << text;
       return found;

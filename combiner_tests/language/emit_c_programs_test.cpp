@@ -113,7 +113,7 @@ std::vector<std::pair<std::string, Program>> programs_for(const HardwareProfile&
     const auto parsed =
         entry.path().extension() == ".gl" ? parse_gl_calls(source, profile) : parse_rc10(source, profile);
     if (!parsed) continue;
-    const auto program = compile(*parsed.value, profile);
+    const auto program = compile(*parsed, profile);
     if (program) programs.emplace_back(name, *program);
   }
   std::sort(programs.begin(), programs.end(), [](const auto& a, const auto& b) { return a.first < b.first; });

@@ -16,7 +16,7 @@ using Errors = std::vector<GlError>;
 
 Errors errors_of(const Parsed<CombinerState>& parsed) {
   Errors errors;
-  for (const TextFault& fault : parsed.faults) {
+  for (const TextFault& fault : parsed.faults()) {
     errors.push_back(fault.gl_error);
     EXPECT_FALSE(fault.message.starts_with("GL_")) << fault.message;
     EXPECT_EQ(fault.text().find(": GL_INVALID_") != std::string::npos, fault.gl_error != no_error) << fault.text();

@@ -41,7 +41,7 @@ TEST(GlCallsDump, IsReadAsTheCalls) {
   ASSERT_TRUE(dump) << test::all_faults(dump);
   const auto calls = parse_gl_calls({kCalls, "calls"}, profiles::nv2a);
   ASSERT_TRUE(calls) << test::all_faults(calls);
-  EXPECT_TRUE(*dump.value == *calls.value);
+  EXPECT_TRUE(*dump == *calls);
   ASSERT_EQ(dump.notes.size(), 1U);
   EXPECT_EQ(dump.notes[0].line, 2);
   EXPECT_EQ(dump.notes[0].message,
@@ -62,7 +62,7 @@ TEST(GlCallsDump, NumbersNamesAndResultsAreOptional) {
        }) {
     const auto read = parse_gl_calls({text, "dump"}, profiles::nv2a);
     ASSERT_TRUE(read) << text << '\n' << test::all_faults(read);
-    EXPECT_TRUE(*read.value == *expected.value) << text;
+    EXPECT_TRUE(*read == *expected) << text;
   }
 }
 
@@ -74,11 +74,11 @@ TEST(GlCallsDump, FaultsKeepTheirPlaces) {
                                     "mapping = GL_UNSIGNED_IDENTITY_NV, componentUsage = GL_RGB)\n",
                                     "dump"},
                                    profiles::nv2a);
-  ASSERT_EQ(read.faults.size(), 3U) << test::all_faults(read);
-  EXPECT_EQ(read.faults[0].gl_error, GlError::invalid_value);
-  EXPECT_EQ(read.faults[1].line, 3);
-  EXPECT_EQ(read.faults[2].line, 4);
-  EXPECT_NE(read.faults[2].message.find("did you mean 'GL_SPARE0_NV'?"), std::string::npos);
+  ASSERT_EQ(read.faults().size(), 3U) << test::all_faults(read);
+  EXPECT_EQ(read.faults()[0].gl_error, GlError::invalid_value);
+  EXPECT_EQ(read.faults()[1].line, 3);
+  EXPECT_EQ(read.faults()[2].line, 4);
+  EXPECT_NE(read.faults()[2].message.find("did you mean 'GL_SPARE0_NV'?"), std::string::npos);
 }
 
 TEST(GlCallsDump, OthersAreFaults) {

@@ -11,9 +11,9 @@ namespace {
 
 std::string faults_of(std::string_view text, const HardwareProfile& profile = profiles::geforce2) {
   const auto result = parse_gl_calls({text, "f"}, profile);
-  EXPECT_NE(result.value.has_value(), !result.faults.empty());
+  EXPECT_NE(result.ok(), !result.faults().empty());
   std::string all;
-  for (const TextFault& fault : result.faults) all += fault.text() + "\n";
+  for (const TextFault& fault : result.faults()) all += fault.text() + "\n";
   return all;
 }
 
@@ -145,8 +145,8 @@ TEST(GlCallsFaults, HaveAnEnd) {
   std::string text;
   for (int i = 0; i < 1000; ++i) text += "glEnable(GL_FOG);\n";
   const auto result = parse_gl_calls({text, ""}, profiles::geforce2);
-  ASSERT_EQ(result.faults.size(), kMaxTextFaults);
-  EXPECT_EQ(result.faults.back().line, 100);
+  ASSERT_EQ(result.faults().size(), kMaxTextFaults);
+  EXPECT_EQ(result.faults().back().line, 100);
 }
 
 TEST(GlCallsFaults, AreOneForMegabytesOfNonsense) {
@@ -157,10 +157,10 @@ TEST(GlCallsFaults, AreOneForMegabytesOfNonsense) {
       EXPECT_TRUE(result) << "a comment";
       continue;
     }
-    EXPECT_EQ(result.faults.size(), 1U) << c;
+    EXPECT_EQ(result.faults().size(), 1U) << c;
     const auto within = parse_gl_calls({"glCombinerParameterfvNV(" + text.substr(100), ""}, profiles::geforce2);
-    EXPECT_GE(within.faults.size(), 1U) << c;
-    EXPECT_LE(within.faults.size(), 2U) << c;
+    EXPECT_GE(within.faults().size(), 1U) << c;
+    EXPECT_LE(within.faults().size(), 2U) << c;
   }
   const std::string long_text(kMaxSourceBytes + 1, ' ');
   EXPECT_EQ(faults_of(long_text), "f:1:1: the text has 16777217 bytes; the limit is 16777216\n");

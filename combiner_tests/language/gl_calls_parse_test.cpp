@@ -11,9 +11,9 @@ namespace {
 
 CombinerState parsed(std::string_view text, const HardwareProfile& profile = profiles::nv2a) {
   const auto result = parse_gl_calls({text, "calls.c"}, profile);
-  for (const TextFault& fault : result.faults) ADD_FAILURE() << fault.text();
-  EXPECT_TRUE(result.value.has_value());
-  return result.value.value_or(CombinerState{});
+  for (const TextFault& fault : result.faults()) ADD_FAILURE() << fault.text();
+  EXPECT_TRUE(result.ok());
+  return result ? *result : CombinerState{};
 }
 
 constexpr CombinerInput rgb(Register reg, InputMapping mapping) {
@@ -182,8 +182,8 @@ TEST(GlCalls, EnumerantsHaveOtherSpellings) {
   const auto other = parse_gl_calls(
       {"glFinalCombinerInputNV(GL_VARIABLE_A_NV, GL_PRIMARY_COLOR_ARB, GL_UNSIGNED_IDENTITY_NV, GL_RGB);", "f"},
       profiles::nv2a);
-  ASSERT_EQ(other.faults.size(), 1U);
-  EXPECT_EQ(other.faults[0].text(), "f:1:42: GL_INVALID_ENUM: 'GL_PRIMARY_COLOR_ARB' is not a valid input register");
+  ASSERT_EQ(other.faults().size(), 1U);
+  EXPECT_EQ(other.faults()[0].text(), "f:1:42: GL_INVALID_ENUM: 'GL_PRIMARY_COLOR_ARB' is not a valid input register");
 }
 
 TEST(GlCalls, ArraysAreBracesLiteralsOrDeclared) {

@@ -38,9 +38,9 @@ TEST(GlCallsRoundTrip, GivesTheStateAgain) {
     ASSERT_TRUE(validate(state, profile).empty()) << "seed " << kSeed << " case " << i;
     const std::string text = print_gl_calls(state, profile).value();
     const auto back = parse_gl_calls({text, "printed"}, profile);
-    ASSERT_TRUE(back) << "seed " << kSeed << " case " << i << "\n" << back.faults.front().text() << "\n" << text;
-    ASSERT_TRUE(*back.value == state) << "seed " << kSeed << " case " << i << "\n" << text;
-    ASSERT_EQ(print_gl_calls(*back.value, profile).value(), text);
+    ASSERT_TRUE(back) << "seed " << kSeed << " case " << i << "\n" << back.faults().front().text() << "\n" << text;
+    ASSERT_TRUE(*back == state) << "seed " << kSeed << " case " << i << "\n" << text;
+    ASSERT_EQ(print_gl_calls(*back, profile).value(), text);
   }
 }
 
@@ -53,12 +53,12 @@ TEST(GlCallsRoundTrip, LeavesOutWhatTheProfileLacks) {
   ASSERT_TRUE(validate(state, profiles::geforce2).empty());
   const std::string text = print_gl_calls(state, profiles::geforce2).value();
   const auto back = parse_gl_calls({text, "printed"}, profiles::geforce2);
-  ASSERT_TRUE(back) << back.faults.front().text();
-  EXPECT_EQ(*back.value, CombinerState{});
+  ASSERT_TRUE(back) << back.faults().front().text();
+  EXPECT_EQ(*back, CombinerState{});
   const std::string in_full = print_gl_calls(state, profiles::nv2a).value();
   const auto all = parse_gl_calls({in_full, "printed"}, profiles::nv2a);
-  ASSERT_TRUE(all) << all.faults.front().text();
-  EXPECT_EQ(*all.value, state);
+  ASSERT_TRUE(all) << all.faults().front().text();
+  EXPECT_EQ(*all, state);
 }
 
 TEST(GlCallsRoundTrip, SaysWhatOpenGlLacks) {

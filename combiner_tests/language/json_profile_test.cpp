@@ -20,10 +20,10 @@ HardwareProfile good(const std::string& text) {
   static std::vector<OwnedProfile> kept;
   const auto parsed = parse(text);
   if (!parsed) {
-    ADD_FAILURE() << text << '\n' << parsed.faults[0].text();
+    ADD_FAILURE() << text << '\n' << parsed.faults()[0].text();
     return profiles::geforce2;
   }
-  kept.push_back(*parsed.value);
+  kept.push_back(*parsed);
   return kept.back().profile;
 }
 
@@ -117,7 +117,7 @@ TEST(JsonProfile, StringsLiveAsLongAsACopy) {
                             R"(any small string holds"})");
     const auto parsed = parse_json_profile({text, std::string("a/file.json")});
     ASSERT_TRUE(parsed);
-    copy = *parsed.value;
+    copy = *parsed;
     text.assign(text.size(), 'x');
   }
   EXPECT_EQ(copy.profile.name, "short");
@@ -156,10 +156,10 @@ TEST(JsonProfile, RangesAreChecked) {
     for (const int value : values) {
       const std::string text = with("\"" + std::string(key) + "\": " + std::to_string(value));
       const auto parsed = parse(text);
-      ASSERT_EQ(parsed.faults.size(), 1U) << text << (parsed ? "" : faults_of(text));
-      EXPECT_EQ(parsed.faults[0].line, 1);
-      EXPECT_EQ(parsed.faults[0].column, static_cast<int>(text.find(": ", text.find(key)) + 3));
-      EXPECT_NE(parsed.faults[0].message.find(key), std::string::npos) << parsed.faults[0].message;
+      ASSERT_EQ(parsed.faults().size(), 1U) << text << (parsed ? "" : faults_of(text));
+      EXPECT_EQ(parsed.faults()[0].line, 1);
+      EXPECT_EQ(parsed.faults()[0].column, static_cast<int>(text.find(": ", text.find(key)) + 3));
+      EXPECT_NE(parsed.faults()[0].message.find(key), std::string::npos) << parsed.faults()[0].message;
     }
   }
   for (const int half : {0, 127, 255}) EXPECT_EQ(good(with("\"half\": " + std::to_string(half))).half.value, half);
@@ -229,10 +229,10 @@ TEST(JsonProfile, BadTextsAreFaultsAndNothingElse) {
                                   std::string((std::size_t{16} << 20) + 1, ' ')}) {
     const auto parsed = parse(text);
     ASSERT_FALSE(parsed) << text.substr(0, 100);
-    ASSERT_FALSE(parsed.faults.empty());
-    EXPECT_GE(parsed.faults[0].line, 1);
-    EXPECT_GE(parsed.faults[0].column, 1);
-    EXPECT_FALSE(parsed.faults[0].message.empty());
+    ASSERT_FALSE(parsed.faults().empty());
+    EXPECT_GE(parsed.faults()[0].line, 1);
+    EXPECT_GE(parsed.faults()[0].column, 1);
+    EXPECT_FALSE(parsed.faults()[0].message.empty());
   }
 }
 

@@ -40,18 +40,17 @@ TEST(ProgramForms, EveryShapeOfADefinitionAndEveryLogIsDetected) {
       ASSERT_EQ(form_of(text), ProgramForm::xbox) << shape.name << '\n' << text;
       const auto program = parse_program({text, ""}, ProgramForm::xbox, kFormsProfile);
       ASSERT_TRUE(program) << shape.name << all_faults(program);
-      ASSERT_EQ(program.value->state, *expected.value) << shape.name;
-      ASSERT_EQ(program.value->other_words.size(), kOtherWordNames.size());
+      ASSERT_EQ(program->state, *expected) << shape.name;
+      ASSERT_EQ(program->other_words.size(), kOtherWordNames.size());
     }
-    Trace trace = writes_of(*encode_register_words(*expected.value, ChipClass::nv20, kFormsProfile), random);
+    Trace trace = writes_of(*encode_register_words(*expected, ChipClass::nv20, kFormsProfile), random);
     add_draw(trace, 5);
     for (const TraceStyle& style : all_styles()) {
       const std::string text = style.text(trace);
       ASSERT_EQ(form_of(text), ProgramForm::log) << style.name << '\n' << text;
       const auto program = parse_program({text, ""}, ProgramForm::log, kFormsProfile);
       ASSERT_TRUE(program) << style.name << all_faults(program);
-      ASSERT_EQ(normalize(program.value->state, kFormsProfile), normalize(*expected.value, kFormsProfile))
-          << style.name;
+      ASSERT_EQ(normalize(program->state, kFormsProfile), normalize(*expected, kFormsProfile)) << style.name;
     }
   }
 }
@@ -86,7 +85,7 @@ TEST(ProgramForms, OtherWordsGoThroughWordsAndJson) {
     Random random(122, static_cast<std::uint64_t>(i));
     const auto first = parse_program({as_bytes(random_words(random)), ""}, ProgramForm::xbox, kFormsProfile);
     ASSERT_TRUE(first) << all_faults(first);
-    const auto& [state, words] = *first.value;
+    const auto& [state, words] = *first;
     const std::pair<ProgramForm, std::string> texts[] = {
         {ProgramForm::words, *print_register_words(state, ChipClass::nv20, kFormsProfile, words)},
         {ProgramForm::words_json, *print_json_register_words(state, ChipClass::nv20, kFormsProfile, words)},
@@ -97,8 +96,8 @@ TEST(ProgramForms, OtherWordsGoThroughWordsAndJson) {
       ASSERT_EQ(form_of(text), form) << text;
       const auto back = parse_program({text, ""}, form, kFormsProfile);
       ASSERT_TRUE(back) << all_faults(back) << text;
-      ASSERT_EQ(text_of(back.value->other_words), text_of(words)) << text;
-      ASSERT_EQ(normalize(back.value->state, kFormsProfile), normalize(state, kFormsProfile)) << text;
+      ASSERT_EQ(text_of(back->other_words), text_of(words)) << text;
+      ASSERT_EQ(normalize(back->state, kFormsProfile), normalize(state, kFormsProfile)) << text;
     }
     EXPECT_EQ(print_register_words(state, ChipClass::nv20, kFormsProfile)->find("PSTextureModes"), std::string::npos);
   }
@@ -128,10 +127,8 @@ TEST(ProgramForms, OtherWordsHaveTheirMethodsNames) {
 
 TEST(ProgramForms, ASetUpOfALogIsPickedByItsNumber) {
   const std::string log = "method,data\n0x1e60,0x101\n0x17fc,5\n0x17fc,0\n0x1e60,0x102\n0x17fc,5\n0x17fc,0\n";
-  EXPECT_EQ(parse_program({log, "f"}, ProgramForm::log, kFormsProfile, {.setup = 1}).value->state.num_general_combiners,
-            1);
-  EXPECT_EQ(parse_program({log, "f"}, ProgramForm::log, kFormsProfile, {.setup = 2}).value->state.num_general_combiners,
-            2);
+  EXPECT_EQ(parse_program({log, "f"}, ProgramForm::log, kFormsProfile, {.setup = 1})->state.num_general_combiners, 1);
+  EXPECT_EQ(parse_program({log, "f"}, ProgramForm::log, kFormsProfile, {.setup = 2})->state.num_general_combiners, 2);
   EXPECT_FALSE(parse_program({log, "f"}, ProgramForm::log, kFormsProfile));
   EXPECT_FALSE(parse_program({log, "f"}, ProgramForm::log, kFormsProfile, {.setup = 3}));
   const auto faulty = parse_program({"method,data\n?,1\n", "f"}, ProgramForm::log, kFormsProfile);

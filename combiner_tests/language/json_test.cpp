@@ -39,8 +39,8 @@ TEST(JsonProgram, RandomStatesComeBackTheSame) {
       const std::string text = print_json_program(state);
       const auto parsed = parse_json_program({text, "printed"}, *profile);
       ASSERT_TRUE(parsed) << "state " << i << '\n' << all_faults(parsed) << text;
-      ASSERT_EQ(*parsed.value, state) << "state " << i << '\n' << text;
-      ASSERT_EQ(print_json_program(*parsed.value), text);
+      ASSERT_EQ(*parsed, state) << "state " << i << '\n' << text;
+      ASSERT_EQ(print_json_program(*parsed), text);
       more_than_used += state.general[7] != GeneralCombiner{} && state.num_general_combiners < 8 ? 1 : 0;
     }
   }
@@ -63,7 +63,7 @@ TEST(JsonProgram, WhatGlDoesNotHaveIsThereWhereItIsAskedForAlone) {
     state.*flag = true;
     EXPECT_EQ(print_json_program({}).find(name), std::string::npos);
     EXPECT_NE(print_json_program(state).find(keys), std::string::npos);
-    EXPECT_EQ(parse_json_program({with(keys), ""}, kXbox).value, state);
+    EXPECT_EQ(*parse_json_program({with(keys), ""}, kXbox), state);
     const auto refused = parse_json_program({with(keys), "f.json"}, kCard);
     EXPECT_EQ(all_faults(refused), "f.json:2:" + std::to_string(name.size() + 5) +
                                        ": GL_INVALID_ENUM: profile geforce2 has " + fault + " (NV2A)\n");
@@ -77,7 +77,7 @@ TEST(JsonProgram, BlueToAlpha) {
   state.general[0].rgb.out.ab_blue_to_alpha = true;
   EXPECT_EQ(print_json_program({}).find("blue_to_alpha"), std::string::npos);
   EXPECT_NE(print_json_program(state).find(R"("mux_sum": false, "ab_blue_to_alpha": true})"), std::string::npos);
-  EXPECT_EQ(parse_json_program({with(keys), ""}, kXbox).value, state);
+  EXPECT_EQ(*parse_json_program({with(keys), ""}, kXbox), state);
   EXPECT_NE(all_faults(parse_json_program({with(keys), "f.json"}, kCard)).find("f.json:2:42: GL_INVALID_ENUM: "),
             std::string::npos);
 }
@@ -87,8 +87,8 @@ TEST(JsonProgram, MissingKeysAreTheDefaults) {
                            R"("final_combiner": {"g": {}}, "constant_color0": [0, 0.0, 0e5, -0.0])"}) {
     const auto parsed = parse_json_program({with(keys), ""}, kCard);
     ASSERT_TRUE(parsed) << keys << '\n' << all_faults(parsed);
-    EXPECT_EQ(*parsed.value, CombinerState{}) << keys;
-    EXPECT_EQ(print_json_program(*parsed.value), print_json_program({}));
+    EXPECT_EQ(*parsed, CombinerState{}) << keys;
+    EXPECT_EQ(print_json_program(*parsed), print_json_program({}));
   }
 }
 
@@ -206,7 +206,7 @@ TEST(JsonProgram, EveryFaultHasItsPlace) {
   for (const JsonFault& expected : kFaults) {
     const auto parsed = parse_json_program({expected.text, "f.json"}, kCard);
     EXPECT_FALSE(parsed) << expected.text.substr(0, 200);
-    const bool found = std::any_of(parsed.faults.begin(), parsed.faults.end(), [&](const TextFault& fault) {
+    const bool found = std::any_of(parsed.faults().begin(), parsed.faults().end(), [&](const TextFault& fault) {
       return fault.file == "f.json" && fault.line == expected.line && fault.column == expected.column &&
              fault.text().find(expected.message) != std::string::npos;
     });
@@ -221,10 +221,10 @@ TEST(JsonProgram, AllFaultsAreReportedInTheOrderOfTheText) {
             "\"constant_color0\": [2, 3, 4, 5]"),
        ""},
       kCard);
-  ASSERT_EQ(parsed.faults.size(), 7U) << all_faults(parsed);
-  for (std::size_t i = 1; i < parsed.faults.size(); ++i) {
-    EXPECT_LE(std::pair(parsed.faults[i - 1].line, parsed.faults[i - 1].column),
-              std::pair(parsed.faults[i].line, parsed.faults[i].column));
+  ASSERT_EQ(parsed.faults().size(), 7U) << all_faults(parsed);
+  for (std::size_t i = 1; i < parsed.faults().size(); ++i) {
+    EXPECT_LE(std::pair(parsed.faults()[i - 1].line, parsed.faults()[i - 1].column),
+              std::pair(parsed.faults()[i].line, parsed.faults()[i].column));
   }
 }
 
@@ -234,10 +234,10 @@ TEST(JsonProgram, LargeTextsAreBounded) {
   EXPECT_NE(all_faults(parse_json_program({many + "]", ""}, kCard)).find("values"), std::string::npos);
   std::string same = "{";
   for (int i = 0; i < 4000; ++i) same += "\"a\": 0,\n";
-  EXPECT_EQ(parse_json_program({same + "\"a\": 0}", ""}, kCard).faults.size(), kMaxTextFaults);
-  EXPECT_EQ(parse_json_program({std::string(kMaxSourceBytes + 1, '['), ""}, kCard).faults.size(), 1U);
+  EXPECT_EQ(parse_json_program({same + "\"a\": 0}", ""}, kCard).faults().size(), kMaxTextFaults);
+  EXPECT_EQ(parse_json_program({std::string(kMaxSourceBytes + 1, '['), ""}, kCard).faults().size(), 1U);
   const auto brackets = parse_json_program({std::string(kMaxSourceBytes, '['), ""}, kCard);
-  EXPECT_EQ(brackets.faults.size(), 1U);
+  EXPECT_EQ(brackets.faults().size(), 1U);
 }
 
 // One random edit: a byte, or a word that the form knows put where another stood.
@@ -278,17 +278,17 @@ TEST(JsonProgram, DamagedTextsAreRefusedOrMeanAValidState) {
     }
     damage(text, random);
     const auto parsed = parse_json_program({text, ""}, profile);
-    ASSERT_NE(parsed.value.has_value(), !parsed.faults.empty()) << "case " << i;
-    ASSERT_LE(parsed.faults.size(), kMaxTextFaults);
+    ASSERT_NE(parsed.ok(), !parsed.faults().empty()) << "case " << i;
+    ASSERT_LE(parsed.faults().size(), kMaxTextFaults);
     const int lines = 1 + static_cast<int>(std::count(text.begin(), text.end(), '\n'));
-    for (const TextFault& fault : parsed.faults) {
+    for (const TextFault& fault : parsed.faults()) {
       ASSERT_TRUE(fault.line >= 1 && fault.line <= lines && fault.column >= 1) << fault.text();
     }
     if (parsed) {
-      ASSERT_TRUE(validate(*parsed.value, profile).empty()) << "case " << i;
-      const auto again = parse_json_program({print_json_program(*parsed.value), ""}, profile);
+      ASSERT_TRUE(validate(*parsed, profile).empty()) << "case " << i;
+      const auto again = parse_json_program({print_json_program(*parsed), ""}, profile);
       ASSERT_TRUE(again) << all_faults(again);
-      ASSERT_EQ(*again.value, *parsed.value) << "case " << i;
+      ASSERT_EQ(*again, *parsed) << "case " << i;
     }
     ++(parsed ? accepted : refused);
   }

@@ -25,8 +25,8 @@ TEST(JsonWords, TheSameAsByLines) {
     const auto lines = print_register_words(state, chip, profile);
     const auto by_lines = parse_register_words({lines.value(), ""}, chip, profile);
     ASSERT_TRUE(by_lines);
-    ASSERT_EQ(*parsed.value, *by_lines.value);
-    ASSERT_EQ(print_json_register_words(*parsed.value, chip, profile).value(), text.value());
+    ASSERT_EQ(*parsed, *by_lines);
+    ASSERT_EQ(print_json_register_words(*parsed, chip, profile).value(), text.value());
   }
 }
 
@@ -36,7 +36,7 @@ TEST(JsonWords, AHeadingIsOptionalAndNumbersCount) {
   ASSERT_TRUE(plain) << all_faults(plain);
   const auto lines =
       parse_register_words({"RC_IN_RGB[0] = 0x08040000\nRC_COLOR[1] = 0xff804020", ""}, k10, profiles::geforce2);
-  EXPECT_EQ(*plain.value, *lines.value);
+  EXPECT_EQ(*plain, *lines);
   EXPECT_TRUE(parse_json_register_words({"{}", ""}, k10, profiles::geforce2));
 }
 
@@ -69,7 +69,7 @@ TEST(JsonWords, EveryFaultHasItsPlace) {
   for (const Case& expected : cases) {
     const auto parsed = parse_json_register_words({expected.text, "f.json"}, k10, profiles::geforce2);
     EXPECT_FALSE(parsed) << expected.text;
-    const bool found = std::any_of(parsed.faults.begin(), parsed.faults.end(), [&](const TextFault& fault) {
+    const bool found = std::any_of(parsed.faults().begin(), parsed.faults().end(), [&](const TextFault& fault) {
       return fault.file == "f.json" && fault.line == expected.line && fault.column == expected.column &&
              fault.text().find(expected.message) != std::string::npos;
     });
@@ -94,7 +94,7 @@ TEST(JsonWords, DamagedTextsAreRefusedOrDecode) {
       text.erase(at, 1);
     }
     const auto parsed = parse_json_register_words({text, ""}, k20, profiles::nv2a);
-    ASSERT_NE(parsed.value.has_value(), !parsed.faults.empty()) << "case " << i;
+    ASSERT_NE(parsed.ok(), !parsed.faults().empty()) << "case " << i;
     ++(parsed ? accepted : refused);
   }
   EXPECT_GT(accepted, 200);

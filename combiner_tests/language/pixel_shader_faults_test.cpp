@@ -19,7 +19,7 @@ struct ShaderFault {
 void expect_shader_faults(const std::vector<ShaderFault>& cases, const HardwareProfile& profile = profiles::nv2a) {
   for (const ShaderFault& c : cases) {
     const auto result = parse_pixel_shader({c.text, ""}, profile);
-    EXPECT_NE(result.value.has_value(), !result.faults.empty());
+    EXPECT_NE(result.ok(), !result.faults().empty());
     EXPECT_EQ(test::all_faults(result), c.faults) << c.text;
   }
 }
@@ -175,13 +175,13 @@ TEST(PixelShaderFaults, HostileTextsEnd) {
   }
   const auto doubled = parse_pixel_shader({names + "a31\nmov r0, v0\n", ""}, profiles::nv2a);
   ASSERT_FALSE(doubled);
-  EXPECT_EQ(doubled.faults.front().message, "the text is longer than 1048576 words");
+  EXPECT_EQ(doubled.faults().front().message, "the text is longer than 1048576 words");
   std::string many = "ps.1.1\n";
   for (int i = 0; i < 5000; ++i) many += "mov r0, v" + std::to_string(2 + i % 7) + "\n";
-  EXPECT_EQ(parse_pixel_shader({many, ""}, profiles::nv2a).faults.size(), kMaxTextFaults);
+  EXPECT_EQ(parse_pixel_shader({many, ""}, profiles::nv2a).faults().size(), kMaxTextFaults);
   std::string deep = "ps.1.1\n";
   for (int i = 0; i < 40; ++i) deep += "#if 1\n";
-  EXPECT_EQ(parse_pixel_shader({deep, ""}, profiles::nv2a).faults.back().message,
+  EXPECT_EQ(parse_pixel_shader({deep, ""}, profiles::nv2a).faults().back().message,
             "conditions are nested more than 32 deep");
 }
 

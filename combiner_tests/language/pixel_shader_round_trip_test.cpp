@@ -79,14 +79,13 @@ TEST(PixelShaderRoundTrip, RandomShadersMeanTheSame) {
     const auto parsed = parse_pixel_shader({text, ""}, profile);
     if (!parsed) continue;  // three constants, a saturated register that is negated
     ++read;
-    ASSERT_TRUE(validate(*parsed.value, profile).empty()) << text;
-    const auto again = print_pixel_shader(*parsed.value, profile);
+    ASSERT_TRUE(validate(*parsed, profile).empty()) << text;
+    const auto again = print_pixel_shader(*parsed, profile);
     ASSERT_TRUE(again) << "seed " << kSeed << " case " << i << ": " << again.error().message << "\n" << text;
     const auto back = parse_pixel_shader({*again, ""}, profile);
     ASSERT_TRUE(back) << "seed " << kSeed << " case " << i << "\n" << *again << test::all_faults(back);
-    ASSERT_TRUE(normalize(*back.value, profile) == normalize(*parsed.value, profile))
-        << "seed " << kSeed << " case " << i << "\n"
-        << text << *again;
+    ASSERT_TRUE(normalize(*back, profile) == normalize(*parsed, profile)) << "seed " << kSeed << " case " << i << "\n"
+                                                                          << text << *again;
     ++printed;
   }
   EXPECT_GT(read, 3000);
@@ -139,7 +138,7 @@ TEST(PixelShaderRoundTrip, RandomProgramsComputeTheSame) {
     ++expressible;
     const auto back = parse_pixel_shader({*text, ""}, profile);
     ASSERT_TRUE(back) << "seed " << kSeed << " case " << i << "\n" << *text << test::all_faults(back);
-    const Program before = normalize(state, profile), after = normalize(*back.value, profile);
+    const Program before = normalize(state, profile), after = normalize(*back, profile);
     for (int k = 0; k < 4; ++k) {
       RegisterFile registers = test::random_registers(random, profile);
       // Vertex colours, and texels of the older chips, have no sign; spares begin as 0 and texture 0's alpha.
@@ -153,12 +152,11 @@ TEST(PixelShaderRoundTrip, RandomProgramsComputeTheSame) {
           << "seed " << kSeed << " case " << i << "\n"
           << *text << *print_gl_calls(state, profile);
     }
-    const auto again = print_pixel_shader(*back.value, profile);
+    const auto again = print_pixel_shader(*back, profile);
     ASSERT_TRUE(again) << *text << again.error().message;
     const auto third = parse_pixel_shader({*again, ""}, profile);
     ASSERT_TRUE(third);
-    ASSERT_TRUE(normalize(*third.value, profile) == after) << "seed " << kSeed << " case " << i << "\n"
-                                                           << *text << *again;
+    ASSERT_TRUE(normalize(*third, profile) == after) << "seed " << kSeed << " case " << i << "\n" << *text << *again;
   }
   EXPECT_GT(expressible, 1500);
   EXPECT_GT(refused, 1500);
@@ -170,7 +168,7 @@ TEST(PixelShaderRoundTrip, PrintsTheShortestText) {
       "-v0_bias\nlrp r0.rgb, r0.a, r0, v0\ncnd r0, r0.a, t1_bx2, r1\n";
   const auto parsed = parse_pixel_shader({text, ""}, profiles::nv2a);
   ASSERT_TRUE(parsed) << test::all_faults(parsed);
-  const auto printed = print_pixel_shader(*parsed.value, profiles::nv2a);
+  const auto printed = print_pixel_shader(*parsed, profiles::nv2a);
   ASSERT_TRUE(printed) << printed.error().message;
   EXPECT_EQ(*printed, text);
 }
@@ -194,7 +192,7 @@ TEST(PixelShaderRoundTrip, SaysWhatTheLanguageLacks) {
   for (const auto& [text, why] : cases) {
     const auto state = parse_rc10({std::string("!!RC1.0\n") + text + "\n", ""}, profiles::geforce2);
     ASSERT_TRUE(state) << text << test::all_faults(state);
-    const auto printed = print_pixel_shader(*state.value, profiles::geforce2);
+    const auto printed = print_pixel_shader(*state, profiles::geforce2);
     ASSERT_FALSE(printed) << text << *printed;
     EXPECT_EQ(printed.error().message, std::string("ps.1.1 cannot express this: ") + why);
   }

@@ -22,7 +22,7 @@ namespace {
 Program program_of_shader(std::string_view text, const HardwareProfile& profile) {
   const auto parsed = parse_pixel_shader({text, ""}, profile);
   EXPECT_TRUE(parsed) << text << "\n" << test::all_faults(parsed);
-  return parsed ? normalize(*parsed.value, profile) : Program{};
+  return parsed ? normalize(*parsed, profile) : Program{};
 }
 
 std::string shader_notes(std::string_view text) {
@@ -42,8 +42,7 @@ void expect_same(const std::vector<SameMeaning>& cases, const std::string& heade
     const std::string rc10 = "!!RC1.0\n" + c.stages + final;
     const auto expected = parse_rc10({rc10, ""}, profile);
     ASSERT_TRUE(expected) << rc10 << test::all_faults(expected);
-    EXPECT_EQ(program_of_shader(header + c.shader, profile), normalize(*expected.value, profile)) << c.shader << "\n"
-                                                                                                  << rc10;
+    EXPECT_EQ(program_of_shader(header + c.shader, profile), normalize(*expected, profile)) << c.shader << "\n" << rc10;
   }
 }
 
@@ -200,7 +199,7 @@ TEST(PixelShader, TheXboxsTextGivesTheXboxsWords) {
   ASSERT_TRUE(expected) << test::all_faults(expected);
   const auto parsed = parse_pixel_shader({text, ""}, profiles::nv2a);
   ASSERT_TRUE(parsed) << test::all_faults(parsed);
-  const Program want = normalize(*expected.value, profiles::nv2a), found = normalize(*parsed.value, profiles::nv2a);
+  const Program want = normalize(*expected, profiles::nv2a), found = normalize(*parsed, profiles::nv2a);
   EXPECT_EQ(found.general[0], want.general[0]);
   EXPECT_EQ(found.general[1], want.general[1]);
   EXPECT_EQ(found.final_combiner, want.final_combiner);
@@ -251,10 +250,10 @@ TEST(PixelShader, IsFoundInStringsAndSources) {
   ASSERT_TRUE(is_source_code(source));
   const auto loaded = parse_source_code({source, ""}, {.functions = {"lit"}}, profiles::geforce2);
   ASSERT_TRUE(loaded) << test::all_faults(loaded);
-  EXPECT_EQ(normalize(*loaded.value, profiles::geforce2), expected);
+  EXPECT_EQ(normalize(*loaded, profiles::geforce2), expected);
   const auto named = parse_source_code({source, ""}, {.functions = {"glow"}}, profiles::geforce2);
   ASSERT_TRUE(named) << test::all_faults(named);
-  EXPECT_EQ(normalize(*named.value, profiles::geforce2), program_of_shader("xps.1.1\nmov r0, v0", profiles::geforce2));
+  EXPECT_EQ(normalize(*named, profiles::geforce2), program_of_shader("xps.1.1\nmov r0, v0", profiles::geforce2));
 }
 
 TEST(PixelShader, IsKnownByItsHeader) {

@@ -269,7 +269,7 @@ TEST(PixelShaderWords, RandomTextsGiveTheAssemblersWords) {
     ASSERT_TRUE(expected) << "case " << i << "\n" << maker.words() << test::all_faults(expected);
     const auto found = parse_pixel_shader({maker.text(), ""}, profiles::nv2a);
     ASSERT_TRUE(found) << "case " << i << "\n" << maker.text() << test::all_faults(found);
-    ASSERT_TRUE(normalize(*found.value, profiles::nv2a) == normalize(*expected.value, profiles::nv2a))
+    ASSERT_TRUE(normalize(*found, profiles::nv2a) == normalize(*expected, profiles::nv2a))
         << "seed " << kSeed << " case " << i << "\n"
         << maker.text() << maker.words();
   }

@@ -11,9 +11,9 @@ namespace {
 
 std::string faults_of(std::string_view text, const HardwareProfile& profile) {
   const auto result = parse_rc10({text, ""}, profile);
-  EXPECT_NE(result.value.has_value(), !result.faults.empty());
+  EXPECT_NE(result.ok(), !result.faults().empty());
   std::string all;
-  for (const TextFault& fault : result.faults) all += fault.text() + "\n";
+  for (const TextFault& fault : result.faults()) all += fault.text() + "\n";
   return all;
 }
 
@@ -229,8 +229,8 @@ TEST(Rc10Faults, HaveAnEnd) {
   std::string text = "!!RC1.0\n";
   for (int i = 0; i < 1000; ++i) text += "hello;\n";
   const auto result = parse_rc10({text, ""}, profiles::geforce2);
-  ASSERT_EQ(result.faults.size(), kMaxTextFaults);
-  EXPECT_EQ(result.faults.back().line, 101);
+  ASSERT_EQ(result.faults().size(), kMaxTextFaults);
+  EXPECT_EQ(result.faults().back().line, 101);
 }
 
 TEST(Rc10Faults, AreFewForMegabytesOfNonsense) {
@@ -239,8 +239,8 @@ TEST(Rc10Faults, AreFewForMegabytesOfNonsense) {
     for (const char* const before :
          {"!!RC1.0 ", "!!RC1.0 {rgb{spare0 = ", "!!RC1.0 out.rgb = tex0 * ", "!!RC1.0 const0 = ("}) {
       const auto result = parse_rc10({before + text, ""}, profiles::geforce2);
-      EXPECT_GE(result.faults.size(), 1U) << before << c;
-      EXPECT_LE(result.faults.size(), 4U) << before << c;
+      EXPECT_GE(result.faults().size(), 1U) << before << c;
+      EXPECT_LE(result.faults().size(), 4U) << before << c;
     }
   }
   EXPECT_EQ(faults_of(std::string(kMaxSourceBytes + 1, '{'), profiles::nv2a),

@@ -14,8 +14,8 @@ namespace {
 
 CombinerState parsed(const std::string& text, const HardwareProfile& profile = profiles::nv2a) {
   const auto result = parse_rc10({text, "p.rc"}, profile);
-  for (const TextFault& fault : result.faults) ADD_FAILURE() << fault.text() << "\n" << text;
-  const CombinerState state = result.value.value_or(CombinerState{});
+  for (const TextFault& fault : result.faults()) ADD_FAILURE() << fault.text() << "\n" << text;
+  const CombinerState state = result ? *result : CombinerState{};
   EXPECT_TRUE(validate(state, profile).empty()) << text;
   return state;
 }
@@ -256,8 +256,8 @@ TEST(Rc10, CommentsMayStandBeforeTheHeader) {
 TEST(Rc10, PartsForOtherUnitsAreSkippedAndNamed) {
   const auto both =
       parse_rc10({"// fp20\n!!TS1.0\ntexture_2d(); // tex0\nnop();\n!!RC1.0\nout.rgb = tex0;", "p"}, profiles::nv2a);
-  ASSERT_TRUE(both) << both.faults[0].text();
-  EXPECT_TRUE(*both.value == parsed("!!RC1.0 out.rgb = tex0;"));
+  ASSERT_TRUE(both) << both.faults()[0].text();
+  EXPECT_TRUE(*both == parsed("!!RC1.0 out.rgb = tex0;"));
   ASSERT_EQ(both.notes.size(), 1U);
   EXPECT_EQ(both.notes[0].text(), "p:2:1: skipped an NV texture shader (!!TS1.0): it is not for combiners");
   const auto after = parse_rc10({"!!RC1.0 out.rgb = tex0;\n!!TS1.0 nop(); !!VP1.0 END", "p"}, profiles::nv2a);
@@ -284,8 +284,8 @@ TEST(Rc10, ConstantsAfterTheGeneralCombinersAreThoseOfTheFinalCombiner) {
   EXPECT_EQ(state.constant1, (ColorF{0, 1, 0, 0}));
   const auto refused = parse_rc10({"!!RC1.0 {rgb{ spare0 = zero; }}\nconst0 = (1, 0, 0, 0); out.rgb = const0;", "p"},
                                   profiles::geforce2);
-  ASSERT_EQ(refused.faults.size(), 1U);
-  EXPECT_EQ(refused.faults[0].text(), "p:2:1: constants must come before the general combiners");
+  ASSERT_EQ(refused.faults().size(), 1U);
+  EXPECT_EQ(refused.faults()[0].text(), "p:2:1: constants must come before the general combiners");
 }
 
 }  // namespace

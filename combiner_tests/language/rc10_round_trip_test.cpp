@@ -72,16 +72,15 @@ TEST(Rc10RoundTrip, MeansTheSame) {
     }
     ASSERT_TRUE(text) << "seed " << kSeed << " case " << i << ": " << text.error().message;
     const auto back = parse_rc10({*text, "printed"}, profile);
-    ASSERT_TRUE(back) << "seed " << kSeed << " case " << i << ": " << back.faults.front().text() << "\n" << *text;
-    ASSERT_TRUE(validate(*back.value, profile).empty());
-    ASSERT_TRUE(normalize(*back.value, profile) == normalize(state, profile))
-        << "seed " << kSeed << " case " << i << "\n"
-        << *text;
-    const auto again = print_rc10(*back.value, profile);
+    ASSERT_TRUE(back) << "seed " << kSeed << " case " << i << ": " << back.faults().front().text() << "\n" << *text;
+    ASSERT_TRUE(validate(*back, profile).empty());
+    ASSERT_TRUE(normalize(*back, profile) == normalize(state, profile)) << "seed " << kSeed << " case " << i << "\n"
+                                                                        << *text;
+    const auto again = print_rc10(*back, profile);
     ASSERT_TRUE(again);
     ASSERT_EQ(*again, *text);
     ++expressible;
-    local += back.value->per_stage_constants ? 1 : 0;
+    local += back->per_stage_constants ? 1 : 0;
   }
   EXPECT_GT(expressible, 3000);
   EXPECT_GT(refused, 500);
@@ -138,8 +137,8 @@ TEST(Rc10RoundTrip, PrintsTheShortestFormThatSaysIt) {
       "out.rgb = lerp(fog.a, color_sum, fog) + final_product;\n"
       "out.a = spare1;\n";
   const auto state = parse_rc10({text, ""}, profiles::geforce2);
-  ASSERT_TRUE(state) << state.faults.front().text();
-  const auto printed = print_rc10(*state.value, profiles::geforce2);
+  ASSERT_TRUE(state) << state.faults().front().text();
+  const auto printed = print_rc10(*state, profiles::geforce2);
   ASSERT_TRUE(printed);
   EXPECT_EQ(*printed, text);
 }

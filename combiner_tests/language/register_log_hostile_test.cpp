@@ -35,7 +35,7 @@ std::string summary(const Parsed<RegisterLog>& log) {
   std::string text = all_faults(log);
   for (const TextFault& note : log.notes) text += note.text() + '\n';
   if (!log) return text;
-  for (const LogSetup& setup : log.value->setups) {
+  for (const LogSetup& setup : log->setups) {
     text += std::to_string(setup.draws) + ' ' + std::to_string(setup.first_line) + ' ' +
             std::to_string(setup.last_frame) + ':';
     for (const RegisterWord& word : setup.words) {
@@ -89,12 +89,12 @@ TEST(RegisterLogHostile, DamagedLogsAreReadOrRefused) {
     ASSERT_EQ(fuzz::wrong_with_answer(log, text), "") << "case " << i << '\n' << text;
     ++(log ? accepted : refused);
     if (!log) continue;
-    for (std::size_t k = 1; k <= log.value->setups.size(); ++k) {
-      const auto state = program_of(*log.value, k, fuzz::kFile, profiles::nv2a);
+    for (std::size_t k = 1; k <= log->setups.size(); ++k) {
+      const auto state = program_of(*log, k, fuzz::kFile, profiles::nv2a);
       ASSERT_EQ(fuzz::wrong_with_answer(state, text), "") << "case " << i << '\n' << text;
       if (!state) continue;
       ++programs;
-      ASSERT_TRUE(validate(*state.value, profiles::nv2a).empty()) << "case " << i;
+      ASSERT_TRUE(validate(*state, profiles::nv2a).empty()) << "case " << i;
     }
   }
   EXPECT_GT(accepted, 3000);
@@ -139,7 +139,7 @@ TEST(RegisterLogHostile, OneLineOfAHundredMegabytesIsSkipped) {
   EXPECT_FALSE(feed("", "0x1e60 0x101 ", kBytes));
   const auto log = feed("method,data\n0x1e60,0x101\n0x17fc,5\n", "0x17fc,5;", kBytes);
   ASSERT_TRUE(log) << all_faults(log);
-  EXPECT_EQ(log.value->draws, 1U);
+  EXPECT_EQ(log->draws, 1U);
   EXPECT_EQ(log.notes.front().message, "1 line of more than 65536 bytes skipped; the first is line 4");
 }
 
@@ -151,15 +151,15 @@ TEST(RegisterLogHostile, LongLogsTakeLinearTimeAndBoundedMemory) {
       "nv2a_pgraph_method 0: 0x97 -> 0x17fc NV097_SET_BEGIN_END[0] 0x0\n";
   const auto log = feed("nv2a_pgraph_method 0: 0x97 -> 0x1e60 NV097_SET_COMBINER_CONTROL[0] 0x101\n", draw, kBytes);
   ASSERT_TRUE(log) << all_faults(log);
-  ASSERT_EQ(log.value->setups.size(), 1U);
-  EXPECT_GT(log.value->draws, 290'000U);
-  EXPECT_EQ(log.value->setups[0].draw_calls.size(), log.value->draws);
+  ASSERT_EQ(log->setups.size(), 1U);
+  EXPECT_GT(log->draws, 290'000U);
+  EXPECT_EQ(log->setups[0].draw_calls.size(), log->draws);
   for (const char* piece : {"0x17fc 0x0\n", "a_b_c d_e_f 0x12 ", "\n", "<command op=\"\n", "NV097_SET_X,1,2,3\n",
                             "-> 0x method 0x -> 0x", "<td>", "PB: 0x0 a.b = ", "\"", ",", "\t"}) {
     for (const char* beginning : {"", "method,data\n0x1e60,0x101\n", "0x1e60 0x101\n"}) {
       const auto other = feed(beginning, piece, kBytes / 12);
-      EXPECT_NE(bool(other), !other.faults.empty()) << beginning << piece;
-      EXPECT_LE(other.faults.size(), kMaxTextFaults);
+      EXPECT_NE(bool(other), !other.faults().empty()) << beginning << piece;
+      EXPECT_LE(other.faults().size(), kMaxTextFaults);
     }
   }
 }
@@ -167,8 +167,8 @@ TEST(RegisterLogHostile, LongLogsTakeLinearTimeAndBoundedMemory) {
 TEST(RegisterLogHostile, MoreDrawsThanAreKeptAreCounted) {
   const auto log = feed("method,data\n1e60,101\n", "17fc,5\n17fc,0\n", 14 * (kMaxLogDraws + 200'000));
   ASSERT_TRUE(log) << all_faults(log);
-  EXPECT_GT(log.value->draws, kMaxLogDraws + 199'000);
-  EXPECT_EQ(log.value->setups[0].draw_calls.size(), kMaxLogDraws);
+  EXPECT_GT(log->draws, kMaxLogDraws + 199'000);
+  EXPECT_EQ(log->setups[0].draw_calls.size(), kMaxLogDraws);
   EXPECT_NE(log.notes.back().message.find("draws are counted, but not listed; the limit is 1000000"), std::string::npos)
       << log.notes.back().message;
 }

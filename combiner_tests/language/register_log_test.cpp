@@ -20,7 +20,7 @@ constexpr TraceWrite kFlip{0x12c, 0}, kStall{0x130, 0}, kClear{0x1d94, 0xf3};
 RegisterLog read(const std::string& text, const RegisterLogOptions& options = {}) {
   auto parsed = parse_register_log({text, "log"}, options);
   EXPECT_TRUE(parsed) << all_faults(parsed) << text;
-  return parsed.value.value_or(RegisterLog{});
+  return parsed ? *parsed : RegisterLog{};
 }
 
 std::string notes_of(const std::string& text, const RegisterLogOptions& options = {}) {
@@ -83,7 +83,7 @@ TEST(RegisterLog, EveryStyleGivesTheSameSetUps) {
       ASSERT_TRUE(is_register_log(text)) << style.name << '\n' << text.substr(0, 1000);
       const auto parsed = parse_register_log({text, "log"});
       ASSERT_TRUE(parsed) << style.name << all_faults(parsed);
-      const RegisterLog& log = *parsed.value;
+      const RegisterLog& log = *parsed;
       ASSERT_EQ(log.setups.size(), 3U) << style.name << " case " << i;
       ASSERT_EQ(log.frames, 2U) << style.name;
       ASSERT_EQ(log.draws, 5U) << style.name;
@@ -100,7 +100,7 @@ TEST(RegisterLog, EveryStyleGivesTheSameSetUps) {
         std::vector<RegisterWord> other_words;
         const auto state = program_of(log, k + 1, "log", kLogProfile, &other_words);
         ASSERT_TRUE(state) << style.name << all_faults(state);
-        ASSERT_EQ(normalize(*state.value, kLogProfile), normalize(made.states[k], kLogProfile))
+        ASSERT_EQ(normalize(*state, kLogProfile), normalize(made.states[k], kLogProfile))
             << style.name << " set-up " << k + 1;
         ASSERT_EQ(other_words.size(), 1U) << style.name;
         ASSERT_EQ(other_words[0].name, "PSTextureModes");
@@ -293,7 +293,7 @@ TEST(RegisterLog, CelsiusHasItsOwnMethods) {
   EXPECT_EQ(log.setups[0].draw_calls.at(0).vertices, 6U);
   const auto back = program_of(log, 0, "log", profiles::geforce2);
   ASSERT_TRUE(back) << all_faults(back);
-  EXPECT_EQ(normalize(*back.value, profiles::geforce2), normalize(state, profiles::geforce2));
+  EXPECT_EQ(normalize(*back, profiles::geforce2), normalize(state, profiles::geforce2));
   // Without classes, the caller says which chip it is.
   for (TraceWrite& write : trace) write.object_class = 0x56;
   const std::string bare = all_styles()[13].text(trace);
@@ -339,7 +339,7 @@ TEST(RegisterLog, ALogWithoutDrawsHasItsLastWords) {
   EXPECT_EQ(log.setups[0].draws, 0U);
   const auto state = program_of(log, 0, "log", kLogProfile);
   ASSERT_TRUE(state) << all_faults(state);
-  EXPECT_EQ(state.value->general[0].rgb.a.reg, Register::texture2);
+  EXPECT_EQ(state->general[0].rgb.a.reg, Register::texture2);
 }
 
 TEST(RegisterLog, NumbersOfSetUpsAreChecked) {

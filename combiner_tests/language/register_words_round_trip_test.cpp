@@ -52,11 +52,11 @@ void expect_round_trips(ChipClass chip, const HardwareProfile& profile, std::uin
     const auto printed = print_register_words(state, chip, profile);
     ASSERT_TRUE(printed.ok()) << "state " << i << ": " << printed.error().message;
     const auto parsed = parse_register_words({printed.value(), "printed"}, chip, profile);
-    ASSERT_TRUE(parsed) << "state " << i << '\n' << parsed.faults.front().text() << '\n' << printed.value();
-    ASSERT_EQ(*parsed.value, held_by(chip, profile, state)) << "state " << i << '\n' << printed.value();
-    ASSERT_EQ(normalize(*parsed.value, profile), normalize(state, profile)) << "state " << i;
-    ASSERT_EQ(print_register_words(*parsed.value, chip, profile).value(), printed.value()) << "state " << i;
-    by_lowest_bit += parsed.value->mux_by_lowest_bit ? 1 : 0;
+    ASSERT_TRUE(parsed) << "state " << i << '\n' << parsed.faults().front().text() << '\n' << printed.value();
+    ASSERT_EQ(*parsed, held_by(chip, profile, state)) << "state " << i << '\n' << printed.value();
+    ASSERT_EQ(normalize(*parsed, profile), normalize(state, profile)) << "state " << i;
+    ASSERT_EQ(print_register_words(*parsed, chip, profile).value(), printed.value()) << "state " << i;
+    by_lowest_bit += parsed->mux_by_lowest_bit ? 1 : 0;
     several_stages += state.num_general_combiners > 1 ? 1 : 0;
   }
   EXPECT_GT(several_stages, kStates / 4);
@@ -81,8 +81,8 @@ TEST(RegisterWordsRoundTrip, OfCombinersThatTheProfileLacksNothingIsWritten) {
   const auto printed = print_register_words(state, ChipClass::nv20, profiles::geforce2);
   ASSERT_TRUE(printed) << printed.error().message;
   const auto parsed = parse_register_words({*printed, "printed"}, ChipClass::nv20, profiles::geforce2);
-  ASSERT_TRUE(parsed) << parsed.faults.front().text();
-  EXPECT_EQ(*parsed.value, CombinerState{});
+  ASSERT_TRUE(parsed) << parsed.faults().front().text();
+  EXPECT_EQ(*parsed, CombinerState{});
 }
 
 TEST(RegisterWordsRoundTrip, Nv10OfWhatFitsOfAnNv2aProgram) {
@@ -96,8 +96,8 @@ TEST(RegisterWordsRoundTrip, Nv10OfWhatFitsOfAnNv2aProgram) {
     const auto printed = print_register_words(state, ChipClass::nv10, profiles::nv2a);
     ASSERT_TRUE(printed.ok()) << printed.error().message;
     const auto parsed = parse_register_words({printed.value(), ""}, ChipClass::nv10, profiles::nv2a);
-    ASSERT_TRUE(parsed) << parsed.faults.front().text();
-    ASSERT_EQ(normalize(*parsed.value, profiles::nv2a), normalize(state, profiles::nv2a));
+    ASSERT_TRUE(parsed) << parsed.faults().front().text();
+    ASSERT_EQ(normalize(*parsed, profiles::nv2a), normalize(state, profiles::nv2a));
   }
 }
 
@@ -134,20 +134,20 @@ TEST(RegisterWordsRoundTrip, DamagedTextsAreRefusedOrMeanAValidState) {
     if (i % 8 < 2) text = print_register_words(random_state(random, profile), chip, profile).value();
     damage(text, random);
     const auto parsed = parse_register_words({text, "damaged"}, chip, profile);
-    ASSERT_NE(parsed.value.has_value(), !parsed.faults.empty()) << "case " << i;
-    ASSERT_LE(parsed.faults.size(), kMaxTextFaults);
-    for (const TextFault& fault : parsed.faults) {
+    ASSERT_NE(parsed.ok(), !parsed.faults().empty()) << "case " << i;
+    ASSERT_LE(parsed.faults().size(), kMaxTextFaults);
+    for (const TextFault& fault : parsed.faults()) {
       ASSERT_GE(fault.line, 1);
       ASSERT_GE(fault.column, 1);
       ASSERT_FALSE(fault.message.empty());
     }
     if (parsed) {
-      ASSERT_TRUE(validate(*parsed.value, profile).empty()) << "case " << i;
-      const auto again = print_register_words(*parsed.value, chip, profile);
+      ASSERT_TRUE(validate(*parsed, profile).empty()) << "case " << i;
+      const auto again = print_register_words(*parsed, chip, profile);
       ASSERT_TRUE(again.ok()) << again.error().message;
       const auto reparsed = parse_register_words({again.value(), ""}, chip, profile);
       ASSERT_TRUE(reparsed);
-      ASSERT_EQ(normalize(*reparsed.value, profile), normalize(*parsed.value, profile)) << "case " << i;
+      ASSERT_EQ(normalize(*reparsed, profile), normalize(*parsed, profile)) << "case " << i;
     }
     ++(parsed ? accepted : refused);
   }

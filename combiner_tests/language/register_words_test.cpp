@@ -22,7 +22,7 @@ CombinerState decoded(const std::string& text, ChipClass chip = ChipClass::nv10)
   const HardwareProfile& profile = chip == ChipClass::nv10 ? kCard : kXbox;
   const auto parsed = parse_register_words({text, "words"}, chip, profile);
   EXPECT_TRUE(parsed) << text << all_faults(parsed);
-  return parsed.value.value_or(CombinerState{});
+  return parsed ? *parsed : CombinerState{};
 }
 
 // The meanings of nv10_rc_words_d3d5.csv as formulas on codes; t: texture 0, v: primary, s: spare0 before the stage.
@@ -208,7 +208,7 @@ TEST(RegisterWords, InvertedColorSum) {
   state.color_sum_invert_spare0 = false;
   state.color_sum_invert_secondary = true;
   EXPECT_EQ(decoded("RC_FINAL1 = 0x00001cc0\n", ChipClass::nv20), state);
-  EXPECT_EQ(parse_register_words({"RC_FINAL1 = 0x00001cc0", ""}, ChipClass::nv10, kXbox).value, state);
+  EXPECT_EQ(*parse_register_words({"RC_FINAL1 = 0x00001cc0", ""}, ChipClass::nv10, kXbox), state);
 }
 
 // Where both words are 0 the NV2A leaves the final combiner out.
@@ -263,7 +263,7 @@ TEST(RegisterWords, MuxByTheLowestBit) {
   // NV10 has the bit, too: of a profile that has what it asks for.
   const std::string nv10 = print_register_words(state, ChipClass::nv10, kXbox).value();
   EXPECT_NE(nv10.find("RC_OUT_RGB[1] = 0x10000c00\n"), std::string::npos);
-  EXPECT_EQ(parse_register_words({nv10, ""}, ChipClass::nv10, kXbox).value, state);
+  EXPECT_EQ(*parse_register_words({nv10, ""}, ChipClass::nv10, kXbox), state);
 }
 
 struct WordFault {
@@ -345,7 +345,7 @@ TEST(RegisterWords, EveryFaultHasItsPlaceAndNamesItsBits) {
     const auto parsed =
         parse_register_words({expected.text, "f.words"}, expected.chip, expected.chip == k10 ? kCard : kXbox);
     EXPECT_FALSE(parsed) << expected.text;
-    const bool found = std::any_of(parsed.faults.begin(), parsed.faults.end(), [&](const TextFault& fault) {
+    const bool found = std::any_of(parsed.faults().begin(), parsed.faults().end(), [&](const TextFault& fault) {
       return fault.file == "f.words" && fault.line == expected.line && fault.column == expected.column &&
              fault.text().find(expected.message) != std::string::npos;
     });
@@ -391,9 +391,9 @@ TEST(RegisterWords, WhatNv10CannotHold) {
 TEST(RegisterWords, FaultsAreBounded) {
   std::string text;
   for (int i = 0; i < 5000; ++i) text += "RC_NOTHING = 0x0\n";
-  EXPECT_EQ(parse_register_words({text, ""}, k10, kCard).faults.size(), kMaxTextFaults);
+  EXPECT_EQ(parse_register_words({text, ""}, k10, kCard).faults().size(), kMaxTextFaults);
   const auto long_text = parse_register_words({std::string(kMaxSourceBytes + 1, ' '), ""}, k10, kCard);
-  ASSERT_EQ(long_text.faults.size(), 1U);
+  ASSERT_EQ(long_text.faults().size(), 1U);
   EXPECT_TRUE(parse_register_words({std::string(kMaxSourceBytes, '\n'), ""}, k10, kCard));
 }
 

@@ -28,7 +28,7 @@ const std::string kSet = "glCombinerParameteriNV(GL_NUM_GENERAL_COMBINERS_NV, ";
 int count(const std::string& body, const std::string& outside = "", const std::vector<Definition>& definitions = {}) {
   const auto parsed = parse(outside + "\nvoid f(int p, float *q) {\n" + body + "\n}\n", {{"f"}, definitions});
   EXPECT_TRUE(parsed) << body << "\n" << test::all_faults(parsed);
-  return parsed ? parsed.value->num_general_combiners : 0;
+  return parsed ? parsed->num_general_combiners : 0;
 }
 
 // Constant colour 0 after a function with this body.
@@ -36,7 +36,7 @@ ColorF color(const std::string& body, const std::string& outside = "",
              const std::vector<Definition>& definitions = {}) {
   const auto parsed = parse(outside + "\nvoid f(float *p) {\n" + body + "\n}\n", {{"f"}, definitions});
   EXPECT_TRUE(parsed) << body << "\n" << test::all_faults(parsed);
-  return parsed ? parsed.value->constant0 : ColorF{-1, -1, -1, -1};
+  return parsed ? parsed->constant0 : ColorF{-1, -1, -1, -1};
 }
 const std::string kColor = "glCombinerParameterfvNV(GL_CONSTANT_COLOR0_NV, ";
 
@@ -144,7 +144,7 @@ TEST(SourceCode, ArraysOfNumbersAreColours) {
   // OpenGL reads four numbers.
   const auto three = parse("void f() { float c[3] = { 1, 1, 1 }; " + kColor + "c); }");
   ASSERT_TRUE(three);
-  EXPECT_EQ(three.value->constant0, (ColorF{1, 1, 1, 0}));
+  EXPECT_EQ(three->constant0, (ColorF{1, 1, 1, 0}));
   EXPECT_EQ(notes_of(three), "s:1:85: 'c' has 3 values; took 0 for the fourth, which OpenGL reads, too\n");
 }
 
@@ -158,7 +158,7 @@ TEST(SourceCode, ConditionsOfThePreprocessor) {
   EXPECT_EQ(count("#ifdef GL_NV_register_combiners\n" + two + "#else\n" + three + "#endif"), 2);
   const auto only = parse("void f() {\n#ifdef USE_COMBINERS\n" + two + "#endif\n}");
   ASSERT_TRUE(only) << test::all_faults(only);
-  EXPECT_EQ(only.value->num_general_combiners, 2);
+  EXPECT_EQ(only->num_general_combiners, 2);
   EXPECT_EQ(notes_of(only),
             "s:2:2: read the part of #ifdef USE_COMBINERS as if it were true: only there are combiners set\n");
   // Other calls are there without the condition.
@@ -193,7 +193,7 @@ TEST(SourceCode, WhatIsNotKnownIsAskedForInOneFault) {
   const std::string text = "void f(int mode) { " + kSet + "scene->stages + more(1)); }";
   const auto given = parse(text, {{}, {{"scene->stages", "1"}, {"more( 1 )", "GL_TRUE + 1"}}});
   ASSERT_TRUE(given) << test::all_faults(given);
-  EXPECT_EQ(given.value->num_general_combiners, 3);
+  EXPECT_EQ(given->num_general_combiners, 3);
   // A definition wins over the source, and its names are only equal to themselves.
   EXPECT_EQ(count("int n = 2; " + kSet + "n);", "", {{"n", "4"}}), 4);
   EXPECT_EQ(count("if (p == MODE_A) " + kSet + "2); else if (p == MODE_B) " + kSet + "3);", "", {{"p", "MODE_B"}}), 3);

@@ -28,7 +28,7 @@ CombinerState read(const std::string& file, const std::vector<std::string>& func
   const std::string text = family_source(file);
   const auto parsed = parse_source_code({text, file}, {functions, definitions}, profiles::nv2a);
   EXPECT_TRUE(parsed) << test::all_faults(parsed);
-  return parsed.value.value_or(CombinerState{});
+  return parsed ? *parsed : CombinerState{};
 }
 
 // The state after calls in a shorter spelling: "in 0 RGB A TEXTURE0 EXPAND_NORMAL RGB", one a line.
@@ -68,7 +68,7 @@ CombinerState after(const std::string& lines) {
   }
   const auto parsed = parse_gl_calls({calls, "expected"}, profiles::nv2a);
   EXPECT_TRUE(parsed) << test::all_faults(parsed) << calls;
-  return parsed.value.value_or(CombinerState{});
+  return parsed ? *parsed : CombinerState{};
 }
 
 const char* const kLightFragments = R"(
@@ -214,7 +214,7 @@ out 1 RGB SPARE0 DISCARD DISCARD SCALE_BY_FOUR 0
 }
 
 TEST(SourceFamilies, ProgramsOfNvparseInStrings) {
-  const auto rc10 = [](const std::string& text) { return *parse_rc10({"!!RC1.0 " + text, "e"}, profiles::nv2a).value; };
+  const auto rc10 = [](const std::string& text) { return *parse_rc10({"!!RC1.0 " + text, "e"}, profiles::nv2a); };
   EXPECT_TRUE(
       read("nvparse_demo.cpp", {}) ==
       rc10("{rgb{spare0 = expand(tex0) . expand(col0);}} out.rgb = spare0 * tex1; out.a = unsigned_invert(zero);"));

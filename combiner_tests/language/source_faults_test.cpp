@@ -16,7 +16,7 @@ const std::string kSetCount = "glCombinerParameteriNV(GL_NUM_GENERAL_COMBINERS_N
 std::string faults_of(const std::string& text, const SourceSelection& selection = {},
                       const HardwareProfile& profile = profiles::nv2a) {
   const auto parsed = parse_source_code({text, "s"}, selection, profile);
-  EXPECT_NE(parsed.value.has_value(), !parsed.faults.empty());
+  EXPECT_NE(parsed.ok(), !parsed.faults().empty());
   return test::all_faults(parsed);
 }
 
@@ -107,7 +107,7 @@ TEST(SourceFaults, DeepNestingIsRefusedNotFollowed) {
     for (std::size_t i = 0; i < kDeep; ++i) text += open;
     for (std::size_t i = 0; i < kDeep; ++i) text += close;
     const auto parsed = parse_source_code({text + "2); }", "s"}, {{"a"}, {}}, profiles::nv2a);
-    EXPECT_LE(parsed.faults.size(), kMaxTextFaults) << open;
+    EXPECT_LE(parsed.faults().size(), kMaxTextFaults) << open;
     std::string outside;
     for (std::size_t i = 0; i < kDeep; ++i) outside += open;
     (void)find_source_functions({outside + "\nvoid a() { " + kSetCount + "2); }", "s"}, {}, profiles::nv2a);

@@ -29,7 +29,7 @@ void expect_calls(const std::string& text, const std::string& calls) {
   ASSERT_TRUE(found) << text << "\n" << test::all_faults(found);
   const auto expected = parse_gl_calls({calls, "calls"}, profiles::nv2a);
   ASSERT_TRUE(expected) << test::all_faults(expected);
-  EXPECT_EQ(*found.value, *expected.value) << text;
+  EXPECT_EQ(*found, *expected) << text;
 }
 
 void expect_fault_of(const std::string& text, const std::string& words) {
@@ -111,7 +111,7 @@ TEST(SourceShapes, MarksAndLineEndsOfWindows) {
       "void f() { nvparse(rc); }\r\n";
   const auto found = shape(program);
   ASSERT_TRUE(found) << test::all_faults(found);
-  EXPECT_EQ(found.value->general[0].rgb.a.reg, Register::texture0);
+  EXPECT_EQ(found->general[0].rgb.a.reg, Register::texture0);
 }
 
 TEST(SourceShapes, PascalsBounds) {

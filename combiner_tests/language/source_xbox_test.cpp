@@ -22,14 +22,14 @@ std::string definitions_file() {
 }
 
 struct ReadWords {
-  Parsed<CombinerState> program{};
-  std::vector<RegisterWord> other_words{};
+  std::vector<RegisterWord> other_words;
+  Parsed<CombinerState> program;
 };
 
 ReadWords read_words(const std::string& text, const SourceSelection& selection = {}) {
-  ReadWords out;
-  out.program = parse_source_code({text, "def.cpp"}, selection, profiles::nv2a, &out.other_words);
-  return out;
+  std::vector<RegisterWord> other_words;
+  auto program = parse_source_code({text, "def.cpp"}, selection, profiles::nv2a, &other_words);
+  return {std::move(other_words), std::move(program)};
 }
 
 // The same program as words, and the same other words.
@@ -38,7 +38,7 @@ void expect_words(const ReadWords& found, const std::string& words) {
   std::vector<RegisterWord> other;
   const auto expected = parse_xbox_pixel_shader({words, "words"}, profiles::nv2a, &other);
   ASSERT_TRUE(expected) << test::all_faults(expected);
-  EXPECT_EQ(*found.program.value, *expected.value);
+  EXPECT_EQ(*found.program, *expected);
   ASSERT_EQ(found.other_words.size(), other.size());
   for (std::size_t i = 0; i < other.size(); ++i) {
     EXPECT_EQ(found.other_words[i].name, other[i].name);

@@ -181,13 +181,13 @@ const std::vector<Variants> kPascal{
 CombinerState calls(const std::string& text) {
   const auto parsed = parse_gl_calls({text, "calls"}, profiles::nv2a);
   EXPECT_TRUE(parsed) << text << "\n" << test::all_faults(parsed);
-  return parsed.value.value_or(CombinerState{});
+  return parsed ? *parsed : CombinerState{};
 }
 
 CombinerState source(const std::string& text) {
   const auto parsed = parse_source_code({text, "source"}, {}, profiles::nv2a);
   EXPECT_TRUE(parsed) << text << "\n" << test::all_faults(parsed);
-  return parsed.value.value_or(CombinerState{});
+  return parsed ? *parsed : CombinerState{};
 }
 
 // A call that is read is no longer GL's default, whatever the variant says.
@@ -251,7 +251,7 @@ TEST(SpellingVariants, OthersAreNotRead) {
   for (const char* const text : wrong) {
     const auto parsed = parse_gl_calls({text, "calls"}, profiles::nv2a);
     EXPECT_FALSE(parsed) << text;
-    EXPECT_FALSE(parsed.faults.empty()) << text;
+    EXPECT_FALSE(parsed.faults().empty()) << text;
   }
 }
 
@@ -261,7 +261,7 @@ TEST(SpellingVariants, ManyInEachOtherAreBounded) {
     for (int i = 0; i < 200'000; ++i) text += part;
     const auto parsed = parse_gl_calls({text + "GL_REGISTER_COMBINERS_NV);", "calls"}, profiles::nv2a);
     // Casts in a row have no depth.
-    EXPECT_EQ(parsed.value.has_value(), part == "(GLenum)") << part;
+    EXPECT_EQ(parsed.ok(), part == "(GLenum)") << part;
   }
 }
 

@@ -28,7 +28,7 @@ TEST(XboxDamage, DamagedMacrosAreRefusedOrMeanAValidState) {
   const auto printed = [](Random& random) {
     std::vector<RegisterWord> words;
     const auto state = parse_xbox_pixel_shader({as_bytes(random_words(random)), ""}, profiles::nv2a, &words);
-    return *print_xbox_pixel_shader(*state.value, profiles::nv2a, words);
+    return *print_xbox_pixel_shader(*state, profiles::nv2a, words);
   };
   const DamagedTexts found = parse_damaged(
       {.seed = 86, .texts = 10'000, .whole = printed, .bytes = "0123{}()=,|<>-~ \n_PSREGITZC"}, profiles::nv2a, parse);

@@ -12,10 +12,10 @@ namespace {
 // Expects one fault, which is there.
 void expect_list_fault(int line, int column, const char* message, const std::string& text) {
   const auto parsed = parse_xbox_pixel_shader({text, ""}, profiles::nv2a);
-  ASSERT_EQ(parsed.faults.size(), 1U) << text << all_faults(parsed);
-  EXPECT_EQ(parsed.faults[0].line, line) << parsed.faults[0].text();
-  EXPECT_EQ(parsed.faults[0].column, column) << parsed.faults[0].text();
-  EXPECT_NE(parsed.faults[0].message.find(message), std::string::npos) << parsed.faults[0].text();
+  ASSERT_EQ(parsed.faults().size(), 1U) << text << all_faults(parsed);
+  EXPECT_EQ(parsed.faults()[0].line, line) << parsed.faults()[0].text();
+  EXPECT_EQ(parsed.faults()[0].column, column) << parsed.faults()[0].text();
+  EXPECT_NE(parsed.faults()[0].message.find(message), std::string::npos) << parsed.faults()[0].text();
 }
 
 TEST(XboxLists, EveryShapeIsFoundByItself) {
@@ -79,11 +79,11 @@ TEST(XboxLists, AssembledShadersAreNamed) {
                            "const BYTE g_ps[] = { 1, 1, 255, 255, 66, 0, 0, 0 };"}) {
     EXPECT_FALSE(is_xbox_pixel_shader(text)) << text;
     const auto parsed = parse_program({text, ""}, form_of(text), profiles::nv2a);
-    ASSERT_EQ(parsed.faults.size(), 1U) << text;
-    EXPECT_NE(parsed.faults[0].message.find("an assembled pixel shader (ps.1.1), which ninebit does not read"),
+    ASSERT_EQ(parsed.faults().size(), 1U) << text;
+    EXPECT_NE(parsed.faults()[0].message.find("an assembled pixel shader (ps.1.1), which ninebit does not read"),
               std::string::npos)
-        << parsed.faults[0].text();
-    EXPECT_EQ(parsed.faults[0].gl_error, GlError::no_error);
+        << parsed.faults()[0].text();
+    EXPECT_EQ(parsed.faults()[0].gl_error, GlError::no_error);
   }
 }
 

@@ -44,7 +44,7 @@ TEST(XboxPixelShader, EveryShapeGivesTheStateOfItsRegisterWords) {
       std::vector<RegisterWord> other_words;
       const auto parsed = parse_xbox_pixel_shader({text, ""}, kShaderProfile, &other_words);
       ASSERT_TRUE(parsed) << "state " << i << ", " << shape.name << ": " << all_faults(parsed) << text;
-      ASSERT_EQ(*parsed.value, *expected.value) << "state " << i << ", " << shape.name << '\n' << text;
+      ASSERT_EQ(*parsed, *expected) << "state " << i << ", " << shape.name << '\n' << text;
       ASSERT_TRUE(parsed.notes.empty()) << shape.name << ": " << parsed.notes[0].text();
       ASSERT_EQ(other_words.size(), kOtherWordNames.size()) << shape.name;
       for (std::size_t k = 0; k < other_words.size(); ++k) {
@@ -63,22 +63,21 @@ TEST(XboxPixelShader, PrintedInitializersGiveTheSameProgramAndWords) {
     std::vector<RegisterWord> words, again;
     const auto first = parse_xbox_pixel_shader({as_bytes(random_words(random)), ""}, kShaderProfile, &words);
     ASSERT_TRUE(first) << all_faults(first);
-    const auto text = print_xbox_pixel_shader(*first.value, kShaderProfile, words);
+    const auto text = print_xbox_pixel_shader(*first, kShaderProfile, words);
     ASSERT_TRUE(text) << text.error().message;
     const auto back = parse_xbox_pixel_shader({*text, "printed"}, kShaderProfile, &again);
     ASSERT_TRUE(back) << all_faults(back) << *text;
     ASSERT_TRUE(back.notes.empty()) << back.notes[0].text();
-    ASSERT_EQ(normalize(*back.value, kShaderProfile), normalize(*first.value, kShaderProfile)) << "state " << i << '\n'
-                                                                                               << *text;
+    ASSERT_EQ(normalize(*back, kShaderProfile), normalize(*first, kShaderProfile)) << "state " << i << '\n' << *text;
     for (std::size_t k = 0; k < words.size(); ++k) ASSERT_EQ(again[k].value, words[k].value) << words[k].name << *text;
-    ASSERT_EQ(*print_xbox_pixel_shader(*back.value, kShaderProfile, again), *text) << "state " << i;
+    ASSERT_EQ(*print_xbox_pixel_shader(*back, kShaderProfile, again), *text) << "state " << i;
   }
 }
 
 TEST(XboxPixelShader, MissingWordsAreZeroAndNotGlsDefaults) {
   const auto parsed = parse_xbox_pixel_shader({"psd.PSCombinerCount = 0x11102;\n", ""}, kShaderProfile);
   ASSERT_TRUE(parsed) << all_faults(parsed);
-  const CombinerState& state = *parsed.value;
+  const CombinerState& state = *parsed;
   EXPECT_EQ(state.num_general_combiners, 2);
   // GL's default writes the sum to spare0; a word of 0 discards all.
   for (const GeneralCombiner& stage : state.general) {
@@ -89,9 +88,9 @@ TEST(XboxPixelShader, MissingWordsAreZeroAndNotGlsDefaults) {
   // Two words of 0 leave the final combiner out.
   EXPECT_EQ(state.final_combiner.d.reg, Register::spare0);
   EXPECT_EQ(state.final_combiner.g.reg, Register::spare0);
-  EXPECT_FALSE(parse_register_words({"PSCombinerCount = 0x11102\n", ""}, ChipClass::nv20, kShaderProfile)
-                   .value->general[0]
-                   .rgb.out == state.general[0].rgb.out);
+  EXPECT_FALSE(
+      parse_register_words({"PSCombinerCount = 0x11102\n", ""}, ChipClass::nv20, kShaderProfile)->general[0].rgb.out ==
+      state.general[0].rgb.out);
   for (const RegisterWord& word : other_words_of("PSCombinerCount = 1")) EXPECT_EQ(word.value, 0U) << word.name;
 }
 
@@ -174,7 +173,7 @@ TEST(XboxPixelShader, PublishedHabits) {
        ""},
       ChipClass::nv20, kShaderProfile);
   ASSERT_TRUE(words) << all_faults(words);
-  EXPECT_EQ(normalize(*parsed.value, kShaderProfile), normalize(*words.value, kShaderProfile));
+  EXPECT_EQ(normalize(*parsed, kShaderProfile), normalize(*words, kShaderProfile));
 }
 
 TEST(XboxPixelShader, CallsAreSkippedAndNoted) {
@@ -213,7 +212,7 @@ struct Fault {
 void expect_fault(const Fault& expected, std::string_view text) {
   const auto parsed = parse_xbox_pixel_shader({text, "psd.c"}, kShaderProfile);
   EXPECT_FALSE(parsed) << text;
-  const bool found = std::any_of(parsed.faults.begin(), parsed.faults.end(), [&](const TextFault& fault) {
+  const bool found = std::any_of(parsed.faults().begin(), parsed.faults().end(), [&](const TextFault& fault) {
     return fault.file == "psd.c" && fault.line == expected.line && fault.column == expected.column &&
            fault.text().find(expected.message) != std::string::npos;
   });
@@ -328,8 +327,8 @@ TEST(XboxPixelShader, WhatTheChipOrOpenGlRefusesIsAtItsWord) {
   for (const Fault& fault : faults) expect_fault(fault, fault.text);
   // Every fault of a text that is a definition has GL's error, so `validate` can answer with 1.
   const auto refused = parse_xbox_pixel_shader({"PSCombinerCount = 9", ""}, kShaderProfile);
-  ASSERT_EQ(refused.faults.size(), 1U);
-  EXPECT_EQ(refused.faults[0].gl_error, GlError::invalid_value);
+  ASSERT_EQ(refused.faults().size(), 1U);
+  EXPECT_EQ(refused.faults()[0].gl_error, GlError::invalid_value);
 }
 
 TEST(XboxPixelShader, AllFaultsComeAtOnce) {
@@ -338,7 +337,7 @@ TEST(XboxPixelShader, AllFaultsComeAtOnce) {
       "psd.PSCombinerCount = (1;\npsd.PSDotMapping 3;\npsd.PSInputTexture = 1;\npsd.PSInputTexture = 1;\n";
   const auto parsed = parse_xbox_pixel_shader({text, "f"}, kShaderProfile);
   std::vector<int> lines;
-  for (const TextFault& fault : parsed.faults) lines.push_back(fault.line);
+  for (const TextFault& fault : parsed.faults()) lines.push_back(fault.line);
   EXPECT_EQ(lines, (std::vector<int>{1, 2, 2, 3, 3, 4, 5, 7})) << all_faults(parsed);
 }
 
@@ -415,8 +414,8 @@ TEST(XboxPixelShader, HostileSourcesTakeLinearTime) {
       (void)is_xbox_pixel_shader(text);
       const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
       EXPECT_LT(time.count(), 10) << beginning << piece;
-      EXPECT_LE(parsed.faults.size(), kMaxTextFaults);
-      EXPECT_NE(bool(parsed), !parsed.faults.empty()) << beginning << piece;
+      EXPECT_LE(parsed.faults().size(), kMaxTextFaults);
+      EXPECT_NE(bool(parsed), !parsed.faults().empty()) << beginning << piece;
     }
   }
 }

@@ -32,7 +32,7 @@ TEST(PlaygroundAbout, ListsProfilesAsProfileFilesHaveThem) {
       for (const PageJson& value : values) {
         const PageJson file{{"base", profile["name"]}, {"name", "mine"}, {field["name"].get<std::string>(), value}};
         const auto parsed = parse_json_profile({file.dump(), "test"});
-        EXPECT_TRUE(parsed) << file << ": " << (parsed ? "" : parsed.faults[0].message);
+        EXPECT_TRUE(parsed) << file << ": " << (parsed ? "" : parsed.faults()[0].message);
         ++fields;
       }
       if (field.contains("range")) {
@@ -112,7 +112,7 @@ TEST(PlaygroundConvert, WritesWhatConvertWrites) {
   ASSERT_TRUE(program);
   for (const std::string_view form : kPrintedForms) {
     const PageJson answer = ask({{"do", "convert"}, {"text", kTexelTimesColor}, {"to", form}});
-    const auto expected = print_in_form(form, *program.value, chip_of(profiles::geforce2), profiles::geforce2);
+    const auto expected = print_in_form(form, *program, chip_of(profiles::geforce2), profiles::geforce2);
     if (expected) {
       EXPECT_EQ(answer["text"], *expected) << form;
     } else {

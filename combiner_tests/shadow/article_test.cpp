@@ -38,8 +38,8 @@ TEST(Article, TheListingIsWhatTheRendererSets) {
   const std::string text{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
   for (const HardwareProfile& profile : hardware_profiles()) {
     const auto listed = parse_gl_calls({text, "index_compare.gl"}, profile);
-    ASSERT_TRUE(listed) << listed.faults.front().text();
-    EXPECT_EQ(*listed.value, *index_comparison_state(profile)) << profile.name;
+    ASSERT_TRUE(listed) << listed.faults().front().text();
+    EXPECT_EQ(*listed, *index_comparison_state(profile)) << profile.name;
   }
 }
 

@@ -16,8 +16,8 @@ namespace ninebit::test {
 // A program in RC1.0, with its heading.
 inline CombinerState rc10(const std::string& body, const HardwareProfile& profile = profiles::geforce2) {
   auto parsed = parse_rc10({"!!RC1.0\n" + body, "test"}, profile);
-  if (!parsed) throw std::runtime_error(parsed.faults.front().text());
-  return *parsed.value;
+  if (!parsed) throw std::runtime_error(parsed.faults().front().text());
+  return *parsed;
 }
 
 // The index comparison of the article, and of the same with one thing changed.
@@ -49,14 +49,14 @@ inline RegisterFile registers_of(const HardwareProfile& profile, const std::vect
 // What a program of a search shows, from its text alone, by the library's own table of initial registers.
 inline int shown_by(const Discriminator& program, const HardwareProfile& profile) {
   const auto parsed = parse_rc10({program.rc10, "test"}, profile);
-  if (!parsed) throw std::runtime_error(parsed.faults.front().text());
+  if (!parsed) throw std::runtime_error(parsed.faults().front().text());
   FragmentInputs inputs;
   inputs.primary.fill(program.bytes[2]);
   for (std::size_t unit = 0; unit < 2; ++unit) {
     const std::uint8_t byte = program.bytes[unit];
     if (!program.texture_off[unit]) inputs.texture[unit] = Texel{.value = {byte, byte, byte, byte}};
   }
-  const auto fragment = evaluate_fragment(normalize(*parsed.value, profile), initial_registers(profile, inputs));
+  const auto fragment = evaluate_fragment(normalize(*parsed, profile), initial_registers(profile, inputs));
   if (fragment.color[kRed] != fragment.color[kGreen] || fragment.color[kRed] != fragment.color[kBlue]) {
     throw std::runtime_error("no grey: " + program.rc10);
   }

@@ -17,8 +17,8 @@ std::string article_calls() {
 CombinerState article_state() {
   const std::string text = article_calls();
   const auto parsed = parse_gl_calls({text, kArticle}, profiles::geforce2);
-  if (!parsed) throw std::runtime_error(parsed.faults.front().text());
-  return *parsed.value;
+  if (!parsed) throw std::runtime_error(parsed.faults().front().text());
+  return *parsed;
 }
 
 std::string write_program(const TempFolder& folder, const std::string& name, const CombinerState& state) {

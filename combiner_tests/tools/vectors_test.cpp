@@ -102,9 +102,9 @@ TEST_F(Vectors, TheJsonOfAProgramIsThatOfItsWords) {
   std::size_t program = 0;
   for (std::string line; std::getline(lines, line); ++program) {
     const auto parsed = ninebit::parse_json_program({line, "p"}, ninebit::profiles::nv2a);
-    ASSERT_TRUE(parsed) << parsed.faults.front().text();
+    ASSERT_TRUE(parsed) << parsed.faults().front().text();
     ASSERT_LT(program, read->programs.size());
-    EXPECT_EQ(ninebit::normalize(*parsed.value, ninebit::profiles::nv2a),
+    EXPECT_EQ(ninebit::normalize(*parsed, ninebit::profiles::nv2a),
               ninebit::normalize(read->programs[program].state, ninebit::profiles::nv2a))
         << line;
   }

@@ -99,7 +99,7 @@ void add_texts(const CombinerState& state, const HardwareProfile& profile, Hash&
     hash.add(text ? *text : text.error().message);
     if (!text) return;
     const auto again = parse_program({*text, "text"}, form, profile);
-    hash.add(again ? print_json_program(again.value->state) : again.faults[0].message);
+    hash.add(again ? print_json_program(again->state) : again.faults()[0].message);
   };
   add(ProgramForm::json, Result<std::string>(print_json_program(state)));
   add(ProgramForm::gl, print_gl_calls(state, profile));
@@ -134,8 +134,8 @@ EffectReaders readers() {
   out.program = [](const std::filesystem::path& file, const HardwareProfile& profile) -> Result<CombinerState> {
     const std::string text = text_of(file);
     const auto program = parse_program({text, file.string()}, form_of(text), profile);
-    if (!program) return Diagnostic{.message = program.faults[0].message};
-    return program.value->state;
+    if (!program) return Diagnostic{.message = program.faults()[0].message};
+    return program->state;
   };
   out.texture = [](std::span<const std::filesystem::path> files, const HardwareProfile&) -> Result<Texture> {
     return files.size() == 6 ? normalization_cube_map(64) : checkerboard(256);
@@ -148,10 +148,10 @@ EffectReaders readers() {
 Result<EffectRenderer> renderer_of(const std::filesystem::path& file) {
   const std::string text = text_of(file);
   auto effect = parse_effect({text, file.string()});
-  if (!effect) return Diagnostic{.message = effect.faults[0].message};
-  effect.value->folder = file.parent_path().string();
-  const HardwareProfile* const profile = find_profile(effect.value->profile);
-  return EffectRenderer::make(*effect.value, profile != nullptr ? *profile : profiles::geforce2, readers());
+  if (!effect) return Diagnostic{.message = effect.faults()[0].message};
+  effect->folder = file.parent_path().string();
+  const HardwareProfile* const profile = find_profile(effect->profile);
+  return EffectRenderer::make(*effect, profile != nullptr ? *profile : profiles::geforce2, readers());
 }
 
 bool draw_effects(const std::vector<std::filesystem::path>& files, bool rates) {

@@ -93,8 +93,8 @@ EffectReaders workload_readers() {
   EffectReaders readers;
   readers.program = [](const std::filesystem::path& text, const HardwareProfile& profile) -> Result<CombinerState> {
     auto parsed = parse_rc10({text.string(), "benchmark"}, profile);
-    if (!parsed) return Diagnostic{.message = parsed.faults[0].text()};
-    return *parsed.value;
+    if (!parsed) return Diagnostic{.message = parsed.faults()[0].text()};
+    return *parsed;
   };
   readers.texture = [](std::span<const std::filesystem::path> files, const HardwareProfile&) -> Result<Texture> {
     TextureSamples samples{.width = kEffectTexels, .height = kEffectTexels};

@@ -68,12 +68,10 @@ ninebit_result take(const HardwareProfile& profile, const Parsed<CombinerState>&
                     char** error) {
   if (parsed) {
     *state = new ninebit_state{gl::Context(profile)};
-    (*state)->context.state() = *parsed.value;
+    (*state)->context.state() = *parsed;
     return NINEBIT_OK;
   }
-  std::string faults;
-  for (const TextFault& fault : parsed.faults) faults += (faults.empty() ? "" : "\n") + fault.text();
-  return invalid_input(faults, error);
+  return invalid_input(parsed.error().text(), error);
 }
 
 }  // namespace

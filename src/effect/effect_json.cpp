@@ -179,9 +179,9 @@ std::size_t place_of_fault(const EffectFault& fault, const Value& root, const Pa
 
 Parsed<Effect> parse_effect(const SourceText& source) {
   TextFaults faults(source.file);
-  if (too_long(source.text, faults)) return {std::nullopt, faults.take()};
+  if (too_long(source.text, faults)) return faults.take();
   const std::optional<Value> root = json::read_tree(source.text, faults);
-  if (!root) return {std::nullopt, faults.take()};
+  if (!root) return faults.take();
   json::Reader reader(source.text, faults);
   EffectReader read(reader);
   PartPlaces places;
@@ -193,13 +193,13 @@ Parsed<Effect> parse_effect(const SourceText& source) {
       reader.fault(place_of_fault(fault, *root, places), fault.message);
     }
   }
-  if (!faults.empty()) return {std::nullopt, faults.take()};
-  return {std::move(effect), {}};
+  if (!faults.empty()) return faults.take();
+  return effect;
 }
 
 Parsed<Effect> read_effect(const std::filesystem::path& file) {
   const auto unreadable = [&](const char* message) {
-    return Parsed<Effect>{std::nullopt, {TextFault{.file = file.string(), .message = message}}};
+    return Parsed<Effect>(std::vector{TextFault{.file = file.string(), .message = message}});
   };
   std::error_code error;
   if (is_directory(file, error)) return unreadable("is a folder; expected an effect file");
@@ -212,7 +212,7 @@ Parsed<Effect> read_effect(const std::filesystem::path& file) {
   if (text.empty()) return unreadable("is empty; expected an effect");
   const std::string name = file.string();
   Parsed<Effect> parsed = parse_effect({text, name});
-  if (parsed) parsed.value->folder = file.parent_path().string();
+  if (parsed) parsed->folder = file.parent_path().string();
   return parsed;
 }
 

@@ -55,7 +55,7 @@ Reply about(Request& request) {
   out["profiles"] = std::move(shipped);
   out["textures"] = kGeneratedTextures;
   out["meshes"] = kGeneratedMeshes;
-  return {std::move(out), {}};
+  return out;
 }
 
 }  // namespace ninebit::playground

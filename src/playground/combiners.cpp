@@ -50,7 +50,7 @@ Reply Engine::combiners(Request& request) {
                    std::to_string(kMostRecordedPixels) + " are recorded");
   }
   const Drawn drawn = draw_effect(asked.what, shelf_, {.recorded_pass = static_cast<std::size_t>(pass)});
-  if (!drawn.renderer) return drawn.refused;
+  if (!drawn.renderer) return *drawn.refused;
   const CombinerRecord& record = drawn.renderer->recorded();
   const auto glsl = emit_glsl(*record.program, GlslVersion::es_300);
   if (!glsl) return refusal(glsl.error());
@@ -67,7 +67,7 @@ Reply Engine::combiners(Request& request) {
   out["byte_shift"] = asked.what.profile.profile().byte_shift.value;
   out["drawn"] = std::count(record.drawn.begin(), record.drawn.end(), true);
   out["bytes"] = bytes_.size();
-  return {std::move(out), {}};
+  return out;
 }
 
 }  // namespace ninebit::playground

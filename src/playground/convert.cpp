@@ -84,10 +84,10 @@ Reply convert_text(Request& request) {
   if (request.failed()) return request.refused();
   const HardwareProfile& profile = chosen.profile();
   const auto program = valid_program(text, "text", profile);
-  if (!program) return refusals(program.faults, text);
-  const auto printed = print_in_form(to, *program.value, chip_of(profile), profile);
+  if (!program) return refusals(program.faults(), text);
+  const auto printed = print_in_form(to, *program, chip_of(profile), profile);
   if (!printed) return refusal("cannot be written as " + to + ": " + printed.error().message, "text");
-  return {Json{{"form", to}, {"text", *printed}}, {}};
+  return Json{{"form", to}, {"text", *printed}};
 }
 
 Reply trace_text(Request& request) {
@@ -99,8 +99,8 @@ Reply trace_text(Request& request) {
   const GivenRegisters registers = given_registers(request, profile);
   if (request.failed()) return request.refused();
   const auto parsed = valid_program(text, "text", profile);
-  if (!parsed) return refusals(parsed.faults, text);
-  Program program = normalize(parsed.value->state, profile);
+  if (!parsed) return refusals(parsed.faults(), text);
+  Program program = normalize(parsed->state, profile);
   set_given_constants(registers, program);
   RegisterFile file = registers.file;
   // The program has the constants; the trace's registers have none.
@@ -108,8 +108,7 @@ Reply trace_text(Request& request) {
     file[reg] = {};
   }
   const Trace traced = trace(program, profile, file);
-  return {trace_answer({.profile = std::string(profile.name), .program = name, .pixel = nullptr}, &program, &traced),
-          {}};
+  return trace_answer({.profile = std::string(profile.name), .program = name, .pixel = nullptr}, &program, &traced);
 }
 
 }  // namespace ninebit::playground

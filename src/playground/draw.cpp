@@ -52,10 +52,10 @@ AskedEffect asked_effect(Request& request) {
   }
   auto parsed = parse_effect({text, "effect"});
   if (!parsed) {
-    out.refused = refusals(std::move(parsed.faults), text);
+    out.refused = refusals(parsed.faults(), text);
     return out;
   }
-  out.what.effect = std::move(*parsed.value);
+  out.what.effect = std::move(*parsed);
   request.picture_size(out.what.effect.width, out.what.effect.height);
   if (request.failed()) out.refused = request.refused();
   return out;
@@ -87,7 +87,7 @@ Drawn draw_effect(const LastDrawing& what, const Shelf& shelf, const EffectOptio
   Status done = renderer ? renderer->draw() : Status(renderer.error());
   if (!done) {
     const bool in_program = !renderer && !shelf_readers.program_faults().empty();
-    drawn.refused = in_program ? Reply{std::nullopt, shelf_readers.program_faults()} : refusal(done.error());
+    drawn.refused = in_program ? Reply(shelf_readers.program_faults()) : refusal(done.error());
     return drawn;
   }
   drawn.warnings = shelf_readers.warnings();
@@ -128,7 +128,7 @@ Reply Engine::draw(Request& request) {
   if (request.failed()) return request.refused();
   if (auto refused = choose_drawn_profile(request, asked.what)) return *refused;
   Drawn drawn = draw_effect(asked.what, shelf_, {});
-  if (!drawn.renderer) return drawn.refused;
+  if (!drawn.renderer) return *drawn.refused;
   const Surface& picture = drawn.renderer->picture();
   append_picture(picture, bytes_);
   Json out{{"width", picture.width()}, {"height", picture.height()}};
@@ -138,7 +138,7 @@ Reply Engine::draw(Request& request) {
   if (hashed) out["hash"] = hashes_of(picture);
   out["bytes"] = bytes_.size();
   last_ = std::move(asked.what);
-  return {std::move(out), {}};
+  return out;
 }
 
 Reply Engine::pixel(Request& request) {
@@ -149,7 +149,7 @@ Reply Engine::pixel(Request& request) {
   const std::string wanted = request.word_or("pass", "");
   if (request.failed()) return request.refused();
   const Drawn drawn = draw_effect(*last_, shelf_, {.layers = false, .pixel = glm::ivec2(x, effect.height - 1 - y)});
-  if (!drawn.renderer) return drawn.refused;
+  if (!drawn.renderer) return *drawn.refused;
   TracedPixel pixel = pixel_of_effect(effect, *drawn.renderer, x, y, last_->name);
   const HardwareProfile& profile = last_->profile.profile();
   const TraceHeading heading{.profile = std::string(profile.name), .program = {}, .pixel = &pixel};
@@ -163,10 +163,10 @@ Reply Engine::pixel(Request& request) {
       pixel.fragment.reset();
     }
   }
-  if (!pixel.fragment) return {trace_answer(heading, nullptr, nullptr), {}};
+  if (!pixel.fragment) return trace_answer(heading, nullptr, nullptr);
   const ProbedPass& pass = pixel.passes[*pixel.pass];
   const Trace traced = trace(*pass.program, profile, pass.fragments[*pixel.fragment].registers);
-  return {trace_answer(heading, &*pass.program, &traced), {}};
+  return trace_answer(heading, &*pass.program, &traced);
 }
 
 Reply Engine::compare(Request& request) {
@@ -183,7 +183,7 @@ Reply Engine::compare(Request& request) {
     asked.what.profile = request.profile_in(profiles->children[i]);
     if (request.failed()) break;
     const Drawn drawn = draw_effect(asked.what, shelf_, {});
-    if (!drawn.renderer) return drawn.refused;
+    if (!drawn.renderer) return *drawn.refused;
     append_picture(drawn.renderer->picture(), bytes_);
     names.push_back(asked.what.profile.profile().name);
     out["width"] = drawn.renderer->picture().width();
@@ -193,7 +193,7 @@ Reply Engine::compare(Request& request) {
   out["profiles"] = std::move(names);
   out["difference"] = append_difference(bytes_, bytes_.size() / 2);
   out["bytes"] = bytes_.size();
-  return {std::move(out), {}};
+  return out;
 }
 
 }  // namespace ninebit::playground

@@ -68,7 +68,7 @@ struct AskedEffect {
 struct Drawn {
   std::optional<EffectRenderer> renderer{};
   std::vector<std::string> warnings{};
-  Reply refused{};  // if there is no renderer
+  std::optional<Reply> refused{};  // if there is no renderer
 };
 [[nodiscard]] Drawn draw_effect(const LastDrawing& what, const Shelf& shelf, const EffectOptions& options);
 

@@ -102,15 +102,15 @@ Reply Engine::put(Request& request) {
     shelf_.files.emplace(name, std::move(buffer_));
   }
   buffer_ = {};
-  return {std::move(out), {}};
+  return out;
 }
 
 Reply Engine::judge(Request& request) {
   judging_.reset();  // its memory may be needed
-  Reply refused;
+  std::optional<Reply> refused;
   judging_ = Judging::begin(request, shelf_, refused);
-  if (!judging_) return refused;
-  return {judging_->progress(), {}};
+  if (!judging_) return *refused;
+  return judging_->progress();
 }
 
 Reply Engine::judge_rows(Request& request) {

@@ -27,7 +27,7 @@ Json all_causes() {
 
 }  // namespace
 
-std::unique_ptr<Judging> Judging::begin(Request& request, const Shelf& shelf, Reply& refused) {
+std::unique_ptr<Judging> Judging::begin(Request& request, const Shelf& shelf, std::optional<Reply>& refused) {
   std::unique_ptr<Judging> judging(new Judging);
   if (auto reply = ask_for_shadow(request, shelf, judging->asked_)) {
     refused = std::move(*reply);
@@ -56,7 +56,7 @@ Reply Judging::judge(int rows, std::vector<std::uint8_t>& bytes) {
   judge_->judge_rows(judged_, last);
   judged_ = last;
   Json out = progress();
-  if (!done()) return {std::move(out), {}};
+  if (!done()) return out;
   const GroundTruth truth = judge_->finish();
   bytes = cause_plane(truth, asked_.settings.width, asked_.settings.height).pixels;
   out["pixels"] = {
@@ -64,7 +64,7 @@ Reply Judging::judge(int rows, std::vector<std::uint8_t>& bytes) {
   out["errors"] = errors_of_truth(truth, *rendering_->evidence);
   out["causes"] = all_causes();
   out["bytes"] = bytes.size();
-  return {std::move(out), {}};
+  return out;
 }
 
 Json Judging::progress() const {

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "src/playground/engine.h"
@@ -15,7 +16,8 @@ namespace ninebit::playground {
 class Judging {
  public:
   // Renders what was asked for and prepares its rays; empty, with the reason in `refused`, if that is not possible.
-  [[nodiscard]] static std::unique_ptr<Judging> begin(Request& request, const Shelf& shelf, Reply& refused);
+  [[nodiscard]] static std::unique_ptr<Judging> begin(Request& request, const Shelf& shelf,
+                                                      std::optional<Reply>& refused);
 
   Judging(const Judging&) = delete;
   Judging& operator=(const Judging&) = delete;

@@ -96,18 +96,18 @@ Reply edit_profile(Request& request) {
     if (key != edited && values[key] != before[key]) coupled.push_back({{"name", key}, {"value", values[key]}});
   }
   out["coupled"] = std::move(coupled);
-  if (out["profile"].is_string()) return {std::move(out), {}};
+  if (out["profile"].is_string()) return out;
   const std::string file = out["profile"].dump();
   auto parsed = parse_json_profile({file, "profile"});
-  if (!parsed) return refusals(std::move(parsed.faults), file);
-  return {std::move(out), {}};
+  if (!parsed) return refusals(parsed.faults(), file);
+  return out;
 }
 
 Reply list_profile(Request& request) {
   request.allow({"profile"});
   const ChosenProfile chosen = request.profile("profile");
   if (request.failed()) return request.refused();
-  return {profile_object(chosen.profile()), {}};
+  return profile_object(chosen.profile());
 }
 
 }  // namespace ninebit::playground

@@ -71,15 +71,16 @@ std::string_view name_of_form(ProgramForm form) {
 Parsed<TextProgram> valid_program(std::string_view text, std::string_view name, const HardwareProfile& profile) {
   auto parsed = parse_program({text, name}, form_of(text), profile);
   if (!parsed) return parsed;
-  for (const StateDiagnostic& found : validate(parsed.value->state, profile)) {
+  std::vector<TextFault> faults;
+  for (const StateDiagnostic& found : validate(parsed->state, profile)) {
     TextFault fault;
     fault.file = std::string(name);
     fault.message = found.message;
     fault.gl_error = found.gl_error;
-    parsed.faults.push_back(std::move(fault));
+    faults.push_back(std::move(fault));
   }
-  if (!parsed.faults.empty()) parsed.value.reset();
-  return parsed;
+  if (faults.empty()) return parsed;
+  return {std::move(faults), std::move(parsed.notes)};
 }
 
 Reply read_text(Request& request) {
@@ -91,10 +92,10 @@ Reply read_text(Request& request) {
   const auto parsed = valid_program(text, "", profile);
   Json out{{"form", name_of_form(form_of(text))},
            {"valid", static_cast<bool>(parsed)},
-           {"faults", marked_all(parsed.faults, text)},
+           {"faults", marked_all(parsed.faults(), text)},
            {"notes", marked_all(parsed.notes, text)}};
-  if (!parsed) return {std::move(out), {}};
-  const CombinerState& state = parsed.value->state;
+  if (!parsed) return out;
+  const CombinerState& state = parsed->state;
   const Program program = normalize(state, profile);
   out["explanation"] = print_explanation(explain(program, profile));
   Json textures = Json::array();
@@ -104,7 +105,7 @@ Reply read_text(Request& request) {
   out["textures"] = std::move(textures);
   out["general_combiners"] = state.num_general_combiners;
   out["constants"] = constants_of(state);
-  return {std::move(out), {}};
+  return out;
 }
 
 }  // namespace ninebit::playground

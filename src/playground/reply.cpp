@@ -21,9 +21,9 @@ std::string text_of(const Json& object) {
 }
 
 std::string text_of(const Reply& reply) {
-  if (reply) return text_of(*reply.value);
-  Json fault = reply.faults.empty() ? Json{{"message", "no answer"}} : fault_object(reply.faults.front());
-  for (std::size_t i = 1; i < reply.faults.size(); ++i) fault["others"].push_back(fault_object(reply.faults[i]));
+  if (reply) return text_of(*reply);
+  Json fault = fault_object(reply.faults().front());
+  for (std::size_t i = 1; i < reply.faults().size(); ++i) fault["others"].push_back(fault_object(reply.faults()[i]));
   return text_of(Json{{"fault", std::move(fault)}});
 }
 
@@ -33,7 +33,7 @@ Reply refusal(std::string message, std::string file, TextPlace place) {
   fault.file = std::move(file);
   fault.line = place.line;
   fault.column = place.column;
-  return {std::nullopt, {std::move(fault)}};
+  return std::vector{std::move(fault)};
 }
 
 Reply refusal(const Diagnostic& fault) {
@@ -42,7 +42,7 @@ Reply refusal(const Diagnostic& fault) {
 
 Reply refusals(std::vector<TextFault> faults, std::string_view text) {
   for (TextFault& fault : faults) fault.column = utf16_column(text, fault.line, fault.column);
-  return {std::nullopt, std::move(faults)};
+  return faults;
 }
 
 int utf16_length(std::string_view bytes) {

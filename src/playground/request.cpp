@@ -144,11 +144,11 @@ ChosenProfile Request::profile_in(const json::Value& value) {
   if (failed()) return chosen;
   auto parsed = parse_json_profile({text, "profile"});
   if (parsed) {
-    chosen.own = *std::move(parsed.value);
+    chosen.own = std::move(*parsed);
     return chosen;
   }
   // They are of another text than the request's own.
-  for (const TextFault& fault : parsed.faults) {
+  for (const TextFault& fault : parsed.faults()) {
     const std::string place = std::to_string(fault.line) + ":" + std::to_string(fault.column);
     reader_.fault(value.offset, "profile:" + place + ": " + fault.message);
   }

@@ -155,7 +155,7 @@ Reply shadow_answer(Request& request, const Shelf& shelf, std::vector<std::uint8
   out["view"] = view_of(asked.scene);
   out["hash"] = hashes_of(rendering->frame);
   out["bytes"] = bytes.size();
-  return {std::move(out), {}};
+  return out;
 }
 
 }  // namespace ninebit::playground

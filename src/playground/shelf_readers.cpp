@@ -110,9 +110,9 @@ Result<CombinerState> ShelfReaders::read_program(const std::string& name, const 
   const auto found = texts_.find(name);
   if (found == texts_.end()) return Diagnostic{.message = "is not among the files of the request", .file = name};
   const auto parsed = valid_program(found->second, name, profile);
-  if (parsed) return parsed.value->state;
-  program_faults_ = refusals(parsed.faults, found->second).faults;
-  return Diagnostic{.message = parsed.faults[0].message, .file = name, .line = parsed.faults[0].line};
+  if (parsed) return parsed->state;
+  program_faults_ = refusals(parsed.faults(), found->second).faults();
+  return Diagnostic{.message = parsed.faults()[0].message, .file = name, .line = parsed.faults()[0].line};
 }
 
 Result<TextureSamples> ShelfReaders::samples_of(const std::string& name, bool opaque) {

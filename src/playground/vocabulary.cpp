@@ -31,7 +31,7 @@ Reply vocabulary(Request& request) {
   for (const ProfileField& field : profile_fields()) {
     words.push_back({{"word", field.name}, {"kind", "profile"}, {"help", field.help}});
   }
-  return {Json{{"words", std::move(words)}}, {}};
+  return Json{{"words", std::move(words)}};
 }
 
 }  // namespace ninebit::playground

@@ -84,8 +84,8 @@ py::array_t<T> upright_copy(const PlaneSamples<T>& plane, int width, int height)
 py::dict draw(const std::string& file, const std::optional<std::string>& profile,
               const std::optional<std::pair<int, int>>& size, const std::optional<py::function>& read_picture) {
   auto parsed = read_effect(file);
-  if (!parsed) throw Error{parsed.faults[0].text()};
-  Effect& effect = *parsed.value;
+  if (!parsed) throw Error{parsed.faults()[0].text()};
+  Effect& effect = *parsed;
   if (size) {
     effect.width = size->first;
     effect.height = size->second;

@@ -45,10 +45,8 @@ State parse(const std::string& text, const std::optional<std::string>& form, con
     throw Error{"unknown form '" + *form + "'; expected one of " + names};
   }
   const auto parsed = parse_program({text, {}}, form ? named->second : form_of(text), profile);
-  if (parsed) return {parsed.value->state, &profile};
-  std::string faults;
-  for (const TextFault& fault : parsed.faults) faults += (faults.empty() ? "" : "\n") + fault.text();
-  throw Error{faults};
+  if (parsed) return {parsed->state, &profile};
+  throw Error{parsed.error().text()};
 }
 
 std::string print(const State& state, const std::string& form) {

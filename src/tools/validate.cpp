@@ -106,7 +106,7 @@ std::vector<TextFault> faults_of(const std::vector<SourceFunction>& functions) {
 int list_functions(const ValidateFlags& flags, const ProgramFile& file, const HardwareProfile& profile) {
   const auto functions =
       find_source_functions({file.text, file.name}, selection_of(flags.program).definitions, profile);
-  if (functions.empty() && !file.parsed) return report(file.parsed.faults, file.text);
+  if (functions.empty() && !file.parsed) return report(file.parsed.faults(), file.text);
   const std::vector<TextFault> faults = faults_of(functions);
   const bool refused_only = std::all_of(faults.begin(), faults.end(), is_refusal);
   Json rows = Json::array();
@@ -134,13 +134,13 @@ int run(const ValidateFlags& flags) {
     return list_functions(flags, *file, profile);
   if (!flags.common.quiet) say_notes(file->parsed.notes);
   std::vector<Finding> findings;
-  for (const TextFault& fault : file->parsed.faults) {
+  for (const TextFault& fault : file->parsed.faults()) {
     if (is_refusal(fault)) findings.push_back(finding_of(fault));
   }
   // A text that cannot be parsed has no state to validate.
-  if (findings.size() < file->parsed.faults.size()) return report(file->parsed.faults, file->text);
+  if (findings.size() < file->parsed.faults().size()) return report(file->parsed.faults(), file->text);
   if (file->parsed) {
-    for (const StateDiagnostic& d : validate(file->parsed.value->state, profile)) findings.push_back({d});
+    for (const StateDiagnostic& d : validate(file->parsed->state, profile)) findings.push_back({d});
   }
 
   int code = kDone;

@@ -1,7 +1,6 @@
 // Shared by all parsers: a text with its name, places in a text, and results with every fault.
 #pragma once
 
-#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -9,6 +8,7 @@
 
 #include "ninebit/combiner/validate.h"
 #include "ninebit/numerics/hardware_profile.h"
+#include "ninebit/numerics/result.h"
 #include "ninebit/numerics/visibility.h"
 
 namespace NINEBIT_PUBLIC ninebit {
@@ -47,14 +47,33 @@ struct TextFault {
   [[nodiscard]] std::string text() const;
 };
 
-// A value, or the faults of its text (at least one, at most kMaxTextFaults).
+// Why a text was not parsed: all its faults.
+struct ParseError {
+  std::vector<TextFault> faults{};  // at least one, at most kMaxTextFaults
+
+  // TextFault::text() of each, one a line, without a newline at the end.
+  [[nodiscard]] std::string text() const;
+};
 inline constexpr std::size_t kMaxTextFaults = 100;
+
+// What a parser returns: a Result whose error is a ParseError, with notes.
 template <class T>
-struct Parsed {
-  std::optional<T> value;                                       // empty: there are faults
-  std::vector<TextFault> faults;                                // empty if there is a value
-  std::vector<TextFault> notes{};                               // what was skipped or assumed, with or without a value
-  explicit operator bool() const { return value.has_value(); }  // whether there is a value
+class [[nodiscard]] Parsed : public Result<T, ParseError> {
+ public:
+  // The value of a text without faults.
+  Parsed(T value, std::vector<TextFault> notes_of_text = {})
+      : Result<T, ParseError>(std::move(value)), notes(std::move(notes_of_text)) {}
+  // The faults of a text, at least one.
+  Parsed(std::vector<TextFault> faults, std::vector<TextFault> notes_of_text = {})
+      : Result<T, ParseError>(ParseError{std::move(faults)}), notes(std::move(notes_of_text)) {}
+
+  // The faults of error(); empty if there is a value.
+  [[nodiscard]] const std::vector<TextFault>& faults() const {
+    static const std::vector<TextFault> none;
+    return this->ok() ? none : this->error().faults;
+  }
+
+  std::vector<TextFault> notes;  // what was skipped or assumed, with or without a value
 };
 
 // The longest text that is parsed, in bytes; a longer one is a fault and is not read.

@@ -36,15 +36,15 @@ struct Diagnostic {
   }
 };
 
-// A value, or the Diagnostic of the failure. value() of a failed result and error() of a good one are programming
-// errors: the standard library throws std::bad_variant_access.
-template <class T>
+// A value, or the error of the failure, whose text() says it in words. value() of a failed result and error() of a good
+// one are programming errors: the standard library throws std::bad_variant_access.
+template <class T, class Error = Diagnostic>
 class [[nodiscard]] Result {
  public:
   // A good result.
   Result(T value) : content_(std::in_place_index<0>, std::move(value)) {}
   // A failed one.
-  Result(Diagnostic error) : content_(std::in_place_index<1>, std::move(error)) {}
+  Result(Error error) : content_(std::in_place_index<1>, std::move(error)) {}
 
   // Whether there is a value.
   [[nodiscard]] bool ok() const { return content_.index() == 0; }
@@ -54,8 +54,8 @@ class [[nodiscard]] Result {
   [[nodiscard]] const T& value() const& { return std::get<0>(content_); }
   [[nodiscard]] T& value() & { return std::get<0>(content_); }
   [[nodiscard]] T&& value() && { return std::get<0>(std::move(content_)); }
-  // Returns the Diagnostic of a failed result.
-  [[nodiscard]] const Diagnostic& error() const { return std::get<1>(content_); }
+  // Returns the error of a failed result.
+  [[nodiscard]] const Error& error() const { return std::get<1>(content_); }
 
   // The value as value() gives it.
   const T* operator->() const { return &value(); }
@@ -64,7 +64,7 @@ class [[nodiscard]] Result {
   T& operator*() & { return value(); }
 
  private:
-  std::variant<T, Diagnostic> content_;
+  std::variant<T, Error> content_;
 };
 
 // The same for an operation without a value.

@@ -26,12 +26,12 @@ Result<CombinerState> program_in(const std::filesystem::path& file, const Hardwa
   const std::string name = file.string();
   auto parsed = parse_program({text, name}, form_of(text), profile);
   if (!parsed) {
-    const TextFault& first = parsed.faults[0];
+    const TextFault& first = parsed.faults()[0];
     return Diagnostic{.message = first.message, .file = name, .line = first.line};
   }
-  const auto refused = validate(parsed.value->state, profile);
+  const auto refused = validate(parsed->state, profile);
   if (!refused.empty()) return fault_of(file, refused[0].message);
-  return parsed.value->state;
+  return parsed->state;
 }
 
 }  // namespace

@@ -69,10 +69,10 @@ const HardwareProfile* profile_in(const std::string& file) {
   const std::string content = text.str();
   auto profile = parse_json_profile({.text = content, .file = file});
   if (!profile) {
-    log_once(stream ? profile.faults.front().text() : file + ": cannot be read");
+    log_once(stream ? profile.faults().front().text() : file + ": cannot be read");
     return nullptr;
   }
-  return &read.emplace(file, std::move(*profile.value)).first->second.profile;
+  return &read.emplace(file, std::move(*profile)).first->second.profile;
 }
 
 }  // namespace

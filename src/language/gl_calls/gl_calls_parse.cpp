@@ -45,8 +45,8 @@ class Parser {
       if (!statement()) recover();
     }
     note_skipped();
-    if (faults_.empty()) return {context_.state(), {}, notes_.take()};
-    return {std::nullopt, faults_.take(), notes_.take()};
+    if (faults_.empty()) return {context_.state(), notes_.take()};
+    return {faults_.take(), notes_.take()};
   }
 
  private:
@@ -218,19 +218,19 @@ class Parser {
 
 Parsed<CombinerState> parse_gl_calls(const SourceText& source, const HardwareProfile& profile) {
   detail::SourceFaults faults(source);
-  if (detail::too_long(source, faults)) return {std::nullopt, faults.take()};
+  if (detail::too_long(source, faults)) return faults.take();
   Parsed<CombinerState> parsed = Parser(source, profile).parse();
   if (parsed) return parsed;
   if (const auto shader = assembled_shader_in(source.text)) {
     faults.add(shader->offset, shader->message);
-    return {std::nullopt, faults.take()};
+    return faults.take();
   }
   std::string_view language = foreign_language(source.text);
   const bool names_combiners = source.text.find("ombiner") != std::string_view::npos;
   if (language.empty() && !names_combiners) language = foreign_calls(source.text);
   if (language.empty()) return parsed;
   faults.add(0, cannot_run(language));
-  return {std::nullopt, faults.take()};
+  return faults.take();
 }
 
 }  // namespace ninebit

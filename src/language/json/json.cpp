@@ -216,17 +216,17 @@ class ProgramReader {
 Parsed<CombinerState> parse_json_program(const SourceText& source, const HardwareProfile& profile,
                                          std::vector<RegisterWord>* other_words) {
   TextFaults faults(source.file);
-  if (too_long(source.text, faults)) return {std::nullopt, faults.take()};
+  if (too_long(source.text, faults)) return faults.take();
   const std::optional<Value> root = json::read_tree(source.text, faults);
-  if (!root) return {std::nullopt, faults.take()};
+  if (!root) return faults.take();
   ProgramReader reader(source.text, faults);
   const CombinerState state = reader.read(*root);
   for (const StateDiagnostic& found : validate(state, profile)) {
     faults.add(reader.place_of(found), found.message, found.gl_error);
   }
-  if (!faults.empty()) return {std::nullopt, faults.take()};
+  if (!faults.empty()) return faults.take();
   if (other_words != nullptr) *other_words = reader.take_other_words();
-  return {state, {}};
+  return state;
 }
 
 }  // namespace ninebit

@@ -283,12 +283,12 @@ class ProfileReader {
 
 Parsed<OwnedProfile> parse_json_profile(const SourceText& source) {
   TextFaults faults(source.file);
-  if (too_long(source.text, faults)) return {std::nullopt, faults.take()};
+  if (too_long(source.text, faults)) return faults.take();
   const auto root = json::read_tree(source.text, faults);
-  if (!root) return {std::nullopt, faults.take()};
+  if (!root) return faults.take();
   const OwnedProfile profile = ProfileReader(source, faults).read(*root);
-  if (!faults.empty()) return {std::nullopt, faults.take()};
-  return {profile, {}};
+  if (!faults.empty()) return faults.take();
+  return profile;
 }
 
 }  // namespace ninebit

@@ -30,14 +30,14 @@ Parsed<CombinerState> parse_json_register_words(const SourceText& source, ChipCl
                                                 const HardwareProfile& profile,
                                                 std::vector<RegisterWord>* other_words) {
   TextFaults faults(source.file);
-  if (too_long(source.text, faults)) return {std::nullopt, faults.take()};
+  if (too_long(source.text, faults)) return faults.take();
   const std::optional<Value> root = json::read_tree(source.text, faults);
-  if (!root) return {std::nullopt, faults.take()};
+  if (!root) return faults.take();
   json::Reader reader(source.text, faults);
   std::vector<RegisterWord> found;
   if (root->type != Type::object) {
     reader.wrong_type(*root, "an object");
-    return {std::nullopt, faults.take()};
+    return faults.take();
   }
   reader.heading(*root, "register_words", false);
   for (const Value& child : root->children) {
@@ -60,8 +60,8 @@ Parsed<CombinerState> parse_json_register_words(const SourceText& source, ChipCl
   }
   Parsed<CombinerState> decoded = decode_register_words(found, source.file, chip, profile, other_words);
   if (faults.empty()) return decoded;
-  faults.add(decoded.faults);
-  return {std::nullopt, faults.take()};
+  faults.add(decoded.faults());
+  return faults.take();
 }
 
 Result<std::string> print_json_register_words(const CombinerState& state, ChipClass chip,

@@ -65,8 +65,8 @@ namespace {
 Parsed<CombinerState> parse_log(const SourceText& source, const HardwareProfile& profile, const ReadOptions& options,
                                 std::vector<RegisterWord>& other_words) {
   auto log = parse_register_log(source, {.chip = options.chip, .fallback = chip_of(profile)});
-  if (!log) return {std::nullopt, std::move(log.faults), std::move(log.notes)};
-  auto state = program_of(*log.value, options.setup, source.file, profile, &other_words);
+  if (!log) return {log.faults(), std::move(log.notes)};
+  auto state = program_of(*log, options.setup, source.file, profile, &other_words);
   state.notes.insert(state.notes.begin(), log.notes.begin(), log.notes.end());
   return state;
 }
@@ -93,7 +93,7 @@ Parsed<CombinerState> parse_state(const SourceText& source, ProgramForm form, co
     case ProgramForm::log:
       return parse_log(source, profile, options, other_words);
   }
-  return {};
+  return CombinerState{};
 }
 
 }  // namespace
@@ -102,9 +102,8 @@ Parsed<TextProgram> parse_program(const SourceText& source, ProgramForm form, co
                                   const ReadOptions& options) {
   std::vector<RegisterWord> other_words;
   Parsed<CombinerState> state = parse_state(source, form, profile, options, other_words);
-  Parsed<TextProgram> program{std::nullopt, std::move(state.faults), std::move(state.notes)};
-  if (state) program.value = TextProgram{*state.value, std::move(other_words)};
-  return program;
+  if (!state) return {state.faults(), std::move(state.notes)};
+  return {TextProgram{*state, std::move(other_words)}, std::move(state.notes)};
 }
 
 }  // namespace ninebit

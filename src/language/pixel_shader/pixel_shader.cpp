@@ -135,7 +135,7 @@ bool is_pixel_shader(std::string_view text) {
 
 Parsed<CombinerState> parse_pixel_shader(const SourceText& source, const HardwareProfile& profile) {
   detail::SourceFaults faults(source), notes(source);
-  if (detail::too_long(source, faults)) return {std::nullopt, faults.take()};
+  if (detail::too_long(source, faults)) return faults.take();
   if (detail::shader_version_length(source.text.substr(shader_begin(source.text))) == 0) {
     const std::size_t quote = detail::find_shader_literal(source.text);
     if (quote != std::string_view::npos) {
@@ -145,18 +145,18 @@ Parsed<CombinerState> parse_pixel_shader(const SourceText& source, const Hardwar
   }
   if (const std::string_view language = foreign_language(source.text); !language.empty()) {
     faults.add(shader_begin(source.text), cannot_run(language));
-    return {std::nullopt, faults.take()};
+    return faults.take();
   }
   const auto tokens = detail::preprocess_shader(detail::lex_shader(source.text, faults), faults, notes);
   const ShaderText text = detail::parse_shader(tokens, faults, notes);
-  if (text.version.name.empty()) return {std::nullopt, faults.take(), notes.take()};
+  if (text.version.name.empty()) return {faults.take(), notes.take()};
   detail::check_shader_rules(text, faults);
   const CombinerState state = detail::translate_shader(text, profile, faults, notes);
   note_outside(text, notes);
   note_ranges(text, notes);
   note_result(text, notes);
-  if (!faults.empty()) return {std::nullopt, faults.take(), notes.take()};
-  return {state, {}, notes.take()};
+  if (!faults.empty()) return {faults.take(), notes.take()};
+  return {state, notes.take()};
 }
 
 }  // namespace ninebit

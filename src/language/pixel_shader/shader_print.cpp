@@ -280,7 +280,7 @@ Result<std::string> print_pixel_shader(const CombinerState& state, const Hardwar
   // What the printer added may be more than the profile has, such as a third constant.
   const auto back = parse_pixel_shader({*text, "the text"}, profile);
   if (back) return text;
-  return Diagnostic{.message = "ps.1.1 cannot express this: " + back.faults.front().message};
+  return Diagnostic{.message = "ps.1.1 cannot express this: " + back.faults().front().message};
 }
 
 }  // namespace ninebit

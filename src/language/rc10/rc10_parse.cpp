@@ -30,8 +30,8 @@ class Parser {
     }
     final_.finish(in_, state_);
     finish();
-    if (faults_.empty()) return {state_, {}};
-    return {std::nullopt, faults_.take()};
+    if (faults_.empty()) return state_;
+    return faults_.take();
   }
 
  private:
@@ -144,7 +144,7 @@ bool begins_with_header(std::string_view text, detail::SourceFaults& faults) {
 
 Parsed<CombinerState> parse_rc10(const SourceText& source, const HardwareProfile& profile) {
   detail::SourceFaults faults(source), notes(source);
-  if (detail::too_long(source, faults)) return {std::nullopt, faults.take()};
+  if (detail::too_long(source, faults)) return faults.take();
   // As it stands in a source: in string literals.
   const std::size_t quote = find_literal(source.text, "!!");
   const std::size_t header = source.text.find("!!");
@@ -155,7 +155,7 @@ Parsed<CombinerState> parse_rc10(const SourceText& source, const HardwareProfile
   if (const std::string_view language = foreign_language(source.text);
       !language.empty() && !has_rc10_part(source.text)) {
     faults.add(0, cannot_run(language));
-    return {std::nullopt, faults.take()};
+    return faults.take();
   }
   SourceText program = source;
   const std::optional<std::string> kept = detail::only_rc10(source.text, faults, notes);
@@ -164,7 +164,7 @@ Parsed<CombinerState> parse_rc10(const SourceText& source, const HardwareProfile
     if (program.written.empty()) program.written = source.text;
   }
   if (!faults.empty() || !begins_with_header(program.text, faults)) {
-    return {std::nullopt, faults.take(), notes.take()};
+    return {faults.take(), notes.take()};
   }
   Parsed<CombinerState> parsed = Parser(program, profile).parse();
   parsed.notes = notes.take();

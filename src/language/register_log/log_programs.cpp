@@ -69,7 +69,7 @@ Parsed<CombinerState> program_of(const RegisterLog& log, std::size_t number, std
   if (number > count || (number == 0 && count != 1)) {
     faults.add({}, has + (number == 0 ? "; pick one with #1 to #" + std::to_string(count) + " behind the file's name"
                                       : "; expected a number from 1 to " + std::to_string(count)));
-    return {std::nullopt, faults.take()};
+    return faults.take();
   }
   const LogSetup& setup = log.setups[number == 0 ? 0 : number - 1];
   const int line = static_cast<int>(std::min<std::uint64_t>(std::max<std::uint64_t>(setup.first_line, 1), 0x7fffffff));
@@ -98,7 +98,7 @@ Parsed<CombinerState> program_of(const RegisterLog& log, std::size_t number, std
         {std::string(file), line, 1,
          "texture modes and the like change between the draws of this set-up; those of the first draw are kept"});
   }
-  if (!faults.empty()) return {std::nullopt, faults.take(), std::move(notes)};
+  if (!faults.empty()) return {faults.take(), std::move(notes)};
   Parsed<CombinerState> decoded = decode_register_words(setup.words, file, log.chip, profile);
   decoded.notes = std::move(notes);
   if (decoded && other_words != nullptr) *other_words = setup.other_words;

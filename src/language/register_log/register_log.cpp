@@ -70,14 +70,14 @@ class RegisterLogReader::Impl {
       faults_.add({}, "no register writes in " + std::to_string(lines_) + (lines_ == 1 ? " line" : " lines") +
                           "; expected lines with a method and its data, such as 'method,data' and below it "
                           "'0x0ac0,0x08040000', or those of a tracer of the NV2A");
-      return {std::nullopt, faults_.take()};
+      return faults_.take();
     }
     if (!tracker_) tracker_.emplace(options_.chip.value_or(options_.fallback), options_.frame);
     RegisterLog log = tracker_->finish();
     log.lines = lines_;
     log.writes = writes_;
-    if (!faults_.empty()) return {std::nullopt, faults_.take()};
-    return {std::move(log), {}, notes()};
+    if (!faults_.empty()) return faults_.take();
+    return {std::move(log), notes()};
   }
 
  private:

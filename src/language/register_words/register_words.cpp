@@ -115,7 +115,7 @@ class Line {
 Parsed<CombinerState> parse_register_words(const SourceText& source, ChipClass chip, const HardwareProfile& profile,
                                            std::vector<RegisterWord>* other_words) {
   TextFaults faults(source.file);
-  if (too_long(source.text, faults)) return {std::nullopt, faults.take()};
+  if (too_long(source.text, faults)) return faults.take();
   // With more words than the chip has, some are repeated; reading on would only repeat that fault.
   constexpr std::size_t kMaxWords = 1000;
   std::vector<RegisterWord> found;
@@ -128,8 +128,8 @@ Parsed<CombinerState> parse_register_words(const SourceText& source, ChipClass c
   }
   Parsed<CombinerState> decoded = decode_register_words(found, source.file, chip, profile, other_words);
   if (faults.empty()) return decoded;
-  faults.add(decoded.faults);
-  return {std::nullopt, faults.take()};
+  faults.add(decoded.faults());
+  return faults.take();
 }
 
 Result<std::string> print_register_words(const CombinerState& state, ChipClass chip, const HardwareProfile& profile,

@@ -312,9 +312,9 @@ Parsed<CombinerState> decode_register_words(std::span<const RegisterWord> given,
   for (const StateDiagnostic& found : validate(state, profile)) {
     faults.add(decoder.place_of(found), found.message, found.gl_error);
   }
-  if (!faults.empty()) return {std::nullopt, faults.take()};
+  if (!faults.empty()) return faults.take();
   if (other_words != nullptr) *other_words = decoder.take_other_words();
-  return {state, {}};
+  return state;
 }
 
 }  // namespace ninebit

@@ -19,6 +19,12 @@ std::string TextFault::text() const {
   return out;
 }
 
+std::string ParseError::text() const {
+  std::string out;
+  for (const TextFault& fault : faults) out += (out.empty() ? "" : "\n") + fault.text();
+  return out;
+}
+
 TextPlace SourceText::place(std::size_t offset) const {
   const TextPlace inside = place_of(written.empty() ? text : written, offset);
   return {begin.line + inside.line - 1, inside.line == 1 ? begin.column + inside.column - 1 : inside.column};

@@ -286,13 +286,13 @@ void Machine::load(std::uint32_t begin, std::uint32_t end, std::uint32_t offset,
       is_shader ? parse_pixel_shader(program, context_.profile()) : parse_rc10(program, context_.profile());
   site.is_read = true;
   for (TextFault& fault : parsed.notes) notes_.add(std::move(fault));
-  for (TextFault& fault : parsed.faults) {
+  for (TextFault fault : parsed.faults()) {
     const TextPlace place = program_.source.place(begin);
     if (!pasted.empty()) std::tie(fault.line, fault.column) = std::tie(place.line, place.column);
     if (!site.is_refused) faults_.add(std::move(fault));
   }
   site.is_refused = site.is_refused || !parsed;
-  if (parsed) context_.state() = *parsed.value;
+  if (parsed) context_.state() = *parsed;
 }
 
 }  // namespace ninebit::code

@@ -213,11 +213,11 @@ Parsed<CombinerState> Machine::program_of_words(std::vector<RegisterWord>* other
               std::to_string(program_.source.place(one.offset).line) + ")";
     }
     faults_.add(filled.offset, "several definitions are filled: " + list + "; a program is one of them");
-    return {};
+    return faults_.take();
   }
   if (calls_made_on_context_ > 0) {
     faults_.add(filled.offset, "a D3DPIXELSHADERDEF is filled and GL calls set combiners; a program is one of them");
-    return {};
+    return faults_.take();
   }
   for (const auto& [word, offset] : filled.offsets) filled.definition.places[word] = program_.source.place(offset);
   return xbox::program_of_definition(filled.definition, program_.source.file, context_.profile(), other_words);

@@ -94,21 +94,20 @@ std::vector<SourceFunction> find_source_functions(const SourceText& source, cons
 Parsed<CombinerState> parse_source_code(const SourceText& source, const SourceSelection& selection,
                                         const HardwareProfile& profile, std::vector<RegisterWord>* other_words) {
   detail::SourceFaults faults(source);
-  if (detail::too_long(source, faults)) return {std::nullopt, faults.take()};
+  if (detail::too_long(source, faults)) return faults.take();
   code::Units units(source, selection.definitions, profile);
-  if (!units.faults().empty()) return {std::nullopt, units.faults().take(), units.notes().take()};
+  if (!units.faults().empty()) return {units.faults().take(), units.notes().take()};
   const std::vector<const code::Unit*> chosen = units.choose(selection.functions);
-  if (!units.faults().empty()) return {std::nullopt, units.faults().take(), units.notes().take()};
+  if (!units.faults().empty()) return {units.faults().take(), units.notes().take()};
   code::Machine machine(units.program(), selection.definitions, profile, units.faults(), units.notes());
   for (const code::Unit* const one : chosen) code::Units::run(machine, *one);
   machine.finish();
-  Parsed<CombinerState> words{};
-  if (machine.fills_definition() && units.faults().empty()) words = machine.program_of_words(other_words);
-  Parsed<CombinerState> out{std::nullopt, units.faults().take(), units.notes().take()};
-  if (out.faults.empty()) out.value = machine.fills_definition() ? words.value : machine.state();
-  out.faults.insert(out.faults.end(), words.faults.begin(), words.faults.end());
-  out.notes.insert(out.notes.end(), words.notes.begin(), words.notes.end());
-  return out;
+  const std::vector<TextFault> notes = units.notes().take();
+  if (!units.faults().empty()) return {units.faults().take(), notes};
+  if (!machine.fills_definition()) return {machine.state(), notes};
+  Parsed<CombinerState> program = machine.program_of_words(other_words);
+  program.notes.insert(program.notes.begin(), notes.begin(), notes.end());
+  return program;
 }
 
 }  // namespace ninebit

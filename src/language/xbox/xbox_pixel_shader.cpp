@@ -76,10 +76,10 @@ bool is_xbox_pixel_shader(std::string_view text) {
 Parsed<CombinerState> parse_xbox_pixel_shader(const SourceText& source, const HardwareProfile& profile,
                                               std::vector<RegisterWord>* other_words) {
   TextFaults faults(source.file);
-  if (too_long(source.text, faults)) return {std::nullopt, faults.take()};
+  if (too_long(source.text, faults)) return faults.take();
   std::vector<TextFault> notes;
   const xbox::Definition definition = xbox::read(source, faults, notes);
-  if (!faults.empty()) return {std::nullopt, faults.take(), std::move(notes)};
+  if (!faults.empty()) return {faults.take(), std::move(notes)};
   Parsed<CombinerState> program = xbox::program_of_definition(definition, source.file, profile, other_words);
   program.notes.insert(program.notes.begin(), notes.begin(), notes.end());
   return program;

@@ -16,7 +16,7 @@ constexpr ProofTarget kShown{std::nullopt, kRed};
 constexpr std::array kInputs{Register::texture0, Register::texture1, Register::primary};
 
 CombinerState state_of(const std::string& rc10) {
-  return *parse_rc10({rc10, "a program of the search"}, profiles::geforce2).value;
+  return *parse_rc10({rc10, "a program of the search"}, profiles::geforce2);
 }
 
 class Search {

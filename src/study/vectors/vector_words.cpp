@@ -41,8 +41,8 @@ Result<CombinerState> state_of(const VectorPack& pack, const std::vector<std::ui
   std::vector<RegisterWord> given;
   for (std::size_t i = 0; i < values.size(); ++i) given.push_back({pack.word_names[i], values[i], {}});
   const Parsed<CombinerState> parsed = decode_register_words(given, "", pack.chip, pack.profile);
-  if (!parsed.value) return Diagnostic{.message = parsed.faults.front().message};
-  return *parsed.value;
+  if (!parsed) return Diagnostic{.message = parsed.faults().front().message};
+  return *parsed;
 }
 
 std::vector<Bytes4> expected_colors(const VectorPack& pack, const VectorProgram& program) {

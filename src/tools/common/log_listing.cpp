@@ -32,10 +32,10 @@ SetupProgram program_in(const RegisterLog& log, std::size_t index, const std::st
                         const HardwareProfile& profile) {
   SetupProgram found;
   const auto state = program_of(log, index + 1, name, profile);
-  for (const TextFault& fault : state.faults) found.faults.push_back(fault.text());
+  for (const TextFault& fault : state.faults()) found.faults.push_back(fault.text());
   for (const TextFault& note : state.notes) found.notes.push_back(note.text());
   if (!state) return found;
-  const Program program = normalize(*state.value, profile);
+  const Program program = normalize(*state, profile);
   found.combiners = program.num_general_combiners;
   std::set<int> textures;
   for (int i = 0; i < program.num_general_combiners; ++i) {

@@ -48,7 +48,7 @@ std::string seems_to_be_else(const ProgramFile& file, const std::string& from) {
   if (!is_page && !foreign_language(file.text).empty()) return "";  // the fault names it
   const bool is_json = file.form == ProgramForm::json || file.form == ProgramForm::words_json;
   if (kind.empty() || (is_json && kind == kJsonKind)) {
-    if (!from.empty() || file.parsed.faults.size() <= kFewFaults) return "";
+    if (!from.empty() || file.parsed.faults().size() <= kFewFaults) return "";
     return fmt::format("seems to be {}; expected a combiner program", kind.empty() ? "some other text" : kind);
   }
   if (kind == kind_of_form(file.form) || (file.form == ProgramForm::xbox && kind == kBinaryKind)) return "";
@@ -73,14 +73,12 @@ ProgramForm form_by(const std::string& from, std::string_view text) {
 // The program of a log that was read.
 Parsed<TextProgram> program_in(Parsed<RegisterLog>& log, std::size_t setup, const std::string& name,
                                const HardwareProfile& profile) {
-  Parsed<TextProgram> program{std::nullopt, std::move(log.faults), std::move(log.notes)};
-  if (!log) return program;
+  if (!log) return {log.faults(), std::move(log.notes)};
   std::vector<RegisterWord> other_words;
-  auto state = program_of(*log.value, setup, name, profile, &other_words);
-  program.faults = std::move(state.faults);
-  program.notes.insert(program.notes.end(), state.notes.begin(), state.notes.end());
-  if (state) program.value = TextProgram{*state.value, std::move(other_words)};
-  return program;
+  auto state = program_of(*log, setup, name, profile, &other_words);
+  state.notes.insert(state.notes.begin(), log.notes.begin(), log.notes.end());
+  if (!state) return {state.faults(), std::move(state.notes)};
+  return {TextProgram{*state, std::move(other_words)}, std::move(state.notes)};
 }
 
 // The lines of a text, for messages. Asked for from the first to the last, they take one pass over the text.
@@ -123,15 +121,15 @@ std::optional<TextProgram> checked(Result<ProgramFile> file, const HardwareProfi
   }
   if (!quiet) say_notes(file->parsed.notes);
   if (!file->parsed) {
-    exit_code = report(file->parsed.faults, file->text);
+    exit_code = report(file->parsed.faults(), file->text);
     return std::nullopt;
   }
-  const std::vector<StateDiagnostic> refused = validate(file->parsed.value->state, profile);
+  const std::vector<StateDiagnostic> refused = validate(file->parsed->state, profile);
   for (const StateDiagnostic& d : refused) {
     exit_code = report({.message = fmt::format("{}: {}", name_of(d.gl_error), d.message), .file = file->name});
   }
   if (!refused.empty()) return std::nullopt;
-  return std::move(file->parsed.value);
+  return std::move(*file->parsed);
 }
 
 }  // namespace
@@ -201,16 +199,16 @@ Result<ProgramFile> read_program_file(const ProgramFlags& flags, const HardwareP
 }
 
 Result<ProgramFile> read_program_file(ProgramSource source, const ProgramFlags& flags, const HardwareProfile& profile) {
-  ProgramFile file{.name = source.name, .text = {}, .form = source.form, .parsed = {}};
+  std::optional<Parsed<TextProgram>> parsed;
   if (source.form == ProgramForm::log) {
     auto log = read_log(source, flags, profile);
     if (!log) return log.error();
-    file.parsed = program_in(*log, source.setup.value_or(0), source.name, profile);
+    parsed = program_in(*log, source.setup.value_or(0), source.name, profile);
   } else {
-    file.parsed = parse_program({source.text, source.name}, source.form, profile,
-                                {.chip = chip_of(flags, profile), .source = selection_of(flags)});
+    parsed = parse_program({source.text, source.name}, source.form, profile,
+                           {.chip = chip_of(flags, profile), .source = selection_of(flags)});
   }
-  file.text = std::move(source.text);
+  ProgramFile file{source.name, std::move(source.text), source.form, *std::move(parsed)};
   if (file.parsed) return file;
   if (std::string message = seems_to_be_else(file, flags.from); !message.empty()) {
     return Diagnostic{.message = std::move(message), .file = file.name};
@@ -245,10 +243,9 @@ std::optional<TextProgram> load_text_program(ProgramSource source, const Program
 
 std::optional<TextProgram> load_setup(Parsed<RegisterLog> log, ProgramSource source, const HardwareProfile& profile,
                                       bool quiet, int& exit_code) {
-  ProgramFile file{.name = source.name, .text = {}, .form = source.form, .parsed = {}};
-  file.parsed = program_in(log, source.setup.value_or(0), source.name, profile);
-  file.text = std::move(source.text);
-  return checked(std::move(file), profile, quiet, exit_code);
+  auto program = program_in(log, source.setup.value_or(0), source.name, profile);
+  return checked(ProgramFile{source.name, std::move(source.text), source.form, std::move(program)}, profile, quiet,
+                 exit_code);
 }
 
 bool misuses_source_flags(const ProgramFlags& flags, std::string_view name, ProgramForm form) {

@@ -43,12 +43,12 @@ Result<CombinerState> read_program(const std::filesystem::path& path, const Hard
   if (!file) return file.error();
   for (const TextFault& note : file->parsed.notes) warnings.push_back(note.text());
   if (!file->parsed) {
-    const TextFault& first = file->parsed.faults[0];
-    for (std::size_t i = 1; i < file->parsed.faults.size(); ++i) (void)report_fault(file->parsed.faults[i]);
+    const TextFault& first = file->parsed.faults()[0];
+    for (std::size_t i = 1; i < file->parsed.faults().size(); ++i) (void)report_fault(file->parsed.faults()[i]);
     return Diagnostic{.message = first.message, .file = first.file, .line = first.line};
   }
-  const std::vector<StateDiagnostic> refused = validate(file->parsed.value->state, profile);
-  if (refused.empty()) return file->parsed.value->state;
+  const std::vector<StateDiagnostic> refused = validate(file->parsed->state, profile);
+  if (refused.empty()) return file->parsed->state;
   return Diagnostic{.message = fmt::format("{}: {}", name_of(refused[0].gl_error), refused[0].message),
                     .file = file->name};
 }
@@ -101,8 +101,8 @@ Result<const HardwareProfile*> effect_profile(const Effect& effect, const std::s
 DrawnFile read_effect_file(const std::string& file) {
   if (!is_effect(file)) return {};
   auto parsed = read_effect(file);
-  if (!parsed) return {.effect = {}, .exit_code = report(parsed.faults)};
-  return {.effect = std::move(parsed.value)};
+  if (!parsed) return {.effect = {}, .exit_code = report(parsed.faults())};
+  return {.effect = std::move(*parsed)};
 }
 
 EffectReaders effect_readers(bool allow_outside, std::vector<std::string>& warnings) {

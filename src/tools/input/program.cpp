@@ -40,11 +40,11 @@ OwnedProfile read_profile(const std::string& path) {
     text += *piece;
   } while (text.size() <= kMaxSourceBytes);
   auto parsed = parse_json_profile({text, path});
-  if (parsed) return *std::move(parsed.value);
+  if (parsed) return std::move(*parsed);
   if (std::string message = wrong_kind(kind_of_file(text), FileRole::profile); !message.empty()) {
     throw InvalidInput(Diagnostic{.message = std::move(message), .file = path});
   }
-  throw InvalidInput(std::move(parsed.faults));
+  throw InvalidInput(parsed.faults());
 }
 
 // Accepts the name of a shipped profile, or reads a file into `own` and replaces its path with its profile's name.

@@ -42,12 +42,12 @@ Result<Program> read_program(const DatapathFlags& flags, const HardwareProfile& 
   question.options.emplace_back("--program", flags.program);
   if (Status added = add_content(question, flags.program); !added) return added.error();
   if (!file->parsed) {
-    const std::size_t more = file->parsed.faults.size() - 1;
-    const std::string first = file->parsed.faults.front().text();
+    const std::size_t more = file->parsed.faults().size() - 1;
+    const std::string first = file->parsed.faults().front().text();
     if (more == 0) return Diagnostic{.message = first};
     return Diagnostic{.message = fmt::format("{}; {} more, run `ninebit validate` to list them", first, more)};
   }
-  auto program = compile(file->parsed.value->state, profile);
+  auto program = compile(file->parsed->state, profile);
   if (program) return program;
   Diagnostic fault = program.error();
   if (fault.file.empty()) fault.file = file->name;

@@ -57,8 +57,8 @@ void keep_named(std::vector<T>& all, const std::string& list, const Name& name) 
 Result<CombinerState> read_state(const std::string& name, const HardwareProfile& profile) {
   auto file = read_program_file({.file = name}, profile);
   if (!file) return file.error();
-  if (file->parsed) return file->parsed.value->state;
-  const std::vector<TextFault>& faults = file->parsed.faults;
+  if (file->parsed) return file->parsed->state;
+  const std::vector<TextFault>& faults = file->parsed.faults();
   TextFault first = faults.front();
   first.file.clear();
   std::string message = first.text();

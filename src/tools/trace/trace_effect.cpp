@@ -15,11 +15,11 @@ namespace {
 
 Result<Effect> effect_in(const std::string& file) {
   auto parsed = read_effect(file);
-  if (parsed) return std::move(*parsed.value);
+  if (parsed) return std::move(*parsed);
   const Diagnostic other = explained_by_kind({}, file, FileRole::effect);
   if (!other.message.empty()) return other;
-  for (std::size_t i = 1; i < parsed.faults.size(); ++i) (void)report_fault(parsed.faults[i]);
-  const TextFault& first = parsed.faults[0];
+  for (std::size_t i = 1; i < parsed.faults().size(); ++i) (void)report_fault(parsed.faults()[i]);
+  const TextFault& first = parsed.faults()[0];
   return Diagnostic{.message = first.message, .file = first.file, .line = first.line};
 }
 

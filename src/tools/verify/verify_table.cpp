@@ -180,14 +180,14 @@ Status VerifyTable::find_program(const CsvLine& line, VerifyRow& row) {
   if (!file) return file.error();
   say_notes(file->parsed.notes);
   if (!file->parsed) {
-    const TextFault& fault = file->parsed.faults.front();
+    const TextFault& fault = file->parsed.faults().front();
     return Diagnostic{.message = fault.text()};
   }
-  if (const auto refused = validate(file->parsed.value->state, *profile_); !refused.empty()) {
+  if (const auto refused = validate(file->parsed->state, *profile_); !refused.empty()) {
     return Diagnostic{.message = fmt::format("{}: {}", name_of(refused[0].gl_error), refused[0].message),
                       .file = file->name};
   }
-  row.program = &programs_.emplace(flags.file, file->parsed.value->state).first->second;
+  row.program = &programs_.emplace(flags.file, file->parsed->state).first->second;
   return {};
 }
 
