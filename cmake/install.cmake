@@ -1,5 +1,5 @@
 # What `cmake --install` leaves: headers, libraries, the program with its manual and completions, and the files by which
-# CMake and pkg-config find them. CPack makes a Debian package of the same.
+# CMake and pkg-config find them.
 include(CMakePackageConfigHelpers)
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/ninebit)
 
@@ -63,16 +63,16 @@ endif()
 
 # --- The program. Its manual and completions come from the program itself, so that they cannot differ from it.
 if(NINEBIT_BUILD_PROGRAM)
-  ninebit_installable(ninebit)
-  ninebit_installable(ninebit_pictures)
-  install(TARGETS ninebit DESTINATION ${CMAKE_INSTALL_BINDIR})
-  install(TARGETS ninebit_pictures DESTINATION lib/ninebit)  # where the program looks for it
+  ninebit_installable(ninebit COMPONENT program)
+  ninebit_installable(ninebit_pictures COMPONENT program)
+  install(TARGETS ninebit DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT program)
+  install(TARGETS ninebit_pictures DESTINATION lib/ninebit COMPONENT program)  # where the program looks for it
   set(generated)
   function(ninebit_generated form file destination)
     add_custom_command(OUTPUT ${PROJECT_BINARY_DIR}/${file} DEPENDS ninebit VERBATIM
                        COMMAND $<TARGET_FILE:ninebit> generate ${form} > ${PROJECT_BINARY_DIR}/${file})
     set(generated ${generated} ${PROJECT_BINARY_DIR}/${file} PARENT_SCOPE)
-    install(FILES ${PROJECT_BINARY_DIR}/${file} DESTINATION ${destination} ${ARGN})
+    install(FILES ${PROJECT_BINARY_DIR}/${file} DESTINATION ${destination} COMPONENT program ${ARGN})
   endfunction()
   ninebit_generated(man ninebit.1 ${CMAKE_INSTALL_MANDIR}/man1)
   ninebit_generated(bash ninebit.bash ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME ninebit)
@@ -80,22 +80,16 @@ if(NINEBIT_BUILD_PROGRAM)
   ninebit_generated(fish ninebit.fish ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d)
   add_custom_target(ninebit_generated ALL DEPENDS ${generated})
   foreach(file IN LISTS generated)
-    ninebit_installable(ninebit_generated ${file})
+    ninebit_installable(ninebit_generated FILE ${file} COMPONENT program)
   endforeach()
 endif()
-install(FILES ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/README.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
+# Debian packages have a copyright file of their own instead.
+install(FILES ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/README.md DESTINATION ${CMAKE_INSTALL_DOCDIR}
+        COMPONENT notes)
 
-# --- The Debian package: `cpack --config build/release/CPackConfig.cmake`.
 if(NINEBIT_IS_MAIN)
-  set(CPACK_GENERATOR DEB)
-  set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
-  set(CPACK_PACKAGE_CONTACT "the authors of ninebit <ninebit@localhost>")
-  set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
-  set(CPACK_DEBIAN_PACKAGE_SECTION graphics)
-  set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
-  # What programs that link it statically, or include its headers, need besides.
-  set(CPACK_DEBIAN_PACKAGE_SUGGESTS "libhwy-dev, libglm-dev, libtbb-dev, libfmt-dev, libassimp-dev, libdraco-dev, \
-libmeshoptimizer-dev, libembree-dev, libopenexr-dev, libpng-dev, libopenimageio-dev, pkg-config")
-  set(CPACK_STRIP_FILES ON)
-  include(CPack)
+  add_custom_target(uninstall VERBATIM
+                    COMMAND ${CMAKE_COMMAND} -DNINEBIT_BUILD=${PROJECT_BINARY_DIR}
+                            -P ${CMAKE_CURRENT_LIST_DIR}/uninstall.cmake)
+  include(${CMAKE_CURRENT_LIST_DIR}/packages.cmake)
 endif()

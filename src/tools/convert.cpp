@@ -52,8 +52,8 @@ int list(const ConvertFlags& flags, ProgramSource source) {
   auto log = read_log(source, flags.program, profile, frame);
   if (!log) return report(log.error());
   if (!flags.common.quiet) say_notes(log->notes);
-  if (!*log) return report(log->faults, source.text);
-  const RegisterLog& found = *log->value;
+  if (!*log) return report(log->faults(), source.text);
+  const RegisterLog& found = **log;
   if (found.chip == ChipClass::nv20 && !profile.per_stage_constants && !flags.common.quiet) {
     say(fmt::format("ninebit: note: {}\n", detail::kReadForOlderChip));
   }
@@ -80,7 +80,7 @@ std::optional<TextProgram> load(const ConvertFlags& flags, ProgramSource source,
   }
   source.setup = 0;
   if (*log) {
-    const auto only = only_setup(*log->value, flags.frame, source.name);
+    const auto only = only_setup(**log, flags.frame, source.name);
     if (!only) {
       exit_code = report(only.error());
       return std::nullopt;

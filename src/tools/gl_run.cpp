@@ -36,7 +36,9 @@ std::string absolute(const std::string& name) {
 int run(const GlRunFlags& flags) {
   const fs::path layer = layer_file();
   if (layer.empty()) {
-    say_error("libninebit_gl.so is missing; build ninebit where OpenGL's headers are (the package libgl-dev)");
+    say_error(
+        "libninebit_gl.so is missing; install the package ninebit-gl, or build ninebit where OpenGL's headers are "
+        "(libgl-dev)");
     return kInvalidInput;
   }
   if (layer.string().find_first_of(" :") != std::string::npos) {

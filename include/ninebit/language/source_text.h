@@ -47,6 +47,8 @@ struct TextFault {
   [[nodiscard]] std::string text() const;
 };
 
+// The number of faults after which those of the same text are dropped.
+inline constexpr std::size_t kMaxTextFaults = 100;
 // Why a text was not parsed: all its faults.
 struct ParseError {
   std::vector<TextFault> faults{};  // at least one, at most kMaxTextFaults
@@ -54,7 +56,6 @@ struct ParseError {
   // TextFault::text() of each, one a line, without a newline at the end.
   [[nodiscard]] std::string text() const;
 };
-inline constexpr std::size_t kMaxTextFaults = 100;
 
 // What a parser returns: a Result whose error is a ParseError, with notes.
 template <class T>
