@@ -2,6 +2,9 @@
 # directly above a declaration, or behind one on its line, documents it. A `//` comment above declarations that follow
 # each other without an empty line documents all of them, and so does one of either place where a declaration names
 # several things. Lines keep their numbers, so that Doxygen's warnings name the right ones.
+#
+# What a header declares stands in the group of its room, which is its folder (rooms.dox), and its page shows its example,
+# combiner_tests/examples/HEADER.cpp: the include and the body of the test, moved to the left.
 
 # A comment with the characters that Doxygen takes for commands or HTML made plain; what stands between backquotes is
 # left alone.
@@ -48,7 +51,30 @@ function declaration(code, before, behind,    depth, i, c, n, part, type, out) {
   return out
 }
 
-FNR == 1 { top = 1; lines = 0; said = ""; level = -1; trailed = 0; kept = 0; within = 0 }
+# The file's room and example, as a second comment on the file behind its last line.
+function print_file_page(    path, line, body) {
+  print "/** @file"
+  print "@ingroup " room
+  path = FILENAME
+  sub(/.*\//, "combiner_tests/examples/", path)
+  sub(/\.h$/, ".cpp", path)
+  print "<h2>Example</h2>"
+  print "@code{.cpp}"
+  while ((getline line < path) > 0) {
+    if (line ~ /^}/) body = 0
+    if (body || line ~ /^#include <ninebit/) print substr(line, body ? 3 : 1)
+    if (line ~ /^TEST\(/) { body = 1; print "" }
+  }
+  close(path)
+  print "@endcode"
+  print "*/"
+}
+
+FNR == 1 { top = 1; lines = 0; said = ""; level = -1; trailed = 0; kept = 0; within = 0
+  room = FILENAME
+  sub(/\/[^\/]*$/, "", room)
+  sub(/.*\//, "", room)
+}
 
 # The file's own comment, up to #pragma once.
 top && /^\/\// { print "/// " plain(substr($0, 4)); next }
@@ -59,6 +85,15 @@ top && within {
   next
 }
 top { top = 0 }
+
+# What a namespace declares is in the room's group, under the header's name.
+/^(namespace .*|extern "C") \{$/ {
+  name = FILENAME
+  sub(/^include\/ninebit\//, "", name)
+  print $0 " /** @addtogroup " room " */ /** @{ */ /** @name " name " */ /** @{ */"
+  next
+}
+/^}  \/\/ namespace / || (/^}$/ && room == "capi") { print "/** @} */ /** @} */ " $0; next }
 
 # C comments, each of one declaration; those that begin with --- divide the file.
 kept || /^ *\/\* ---/ { kept = !/\*\/ *$/; print; next }
@@ -108,3 +143,4 @@ within || /^ *\/\*/ {
   }
   print prefix declaration($0, before, behind)
 }
+END { print_file_page() }
