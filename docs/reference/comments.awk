@@ -58,7 +58,7 @@ function print_file_page(    path, line, body) {
   path = FILENAME
   sub(/.*\//, "combiner_tests/examples/", path)
   sub(/\.h$/, ".cpp", path)
-  print "<h2>Example</h2>"
+  print "\n@par Example"
   print "@code{.cpp}"
   while ((getline line < path) > 0) {
     if (line ~ /^}/) body = 0
@@ -89,7 +89,7 @@ top { top = 0 }
 # What a namespace declares is in the room's group, under the header's name.
 /^(namespace .*|extern "C") \{$/ {
   name = FILENAME
-  sub(/^include\/ninebit\//, "", name)
+  sub(/.*include\/ninebit\//, "", name)
   print $0 " /** @addtogroup " room " */ /** @{ */ /** @name " name " */ /** @{ */"
   next
 }
@@ -143,4 +143,4 @@ within || /^ *\/\*/ {
   }
   print prefix declaration($0, before, behind)
 }
-END { print_file_page() }
+END { print_file_page(); print "using namespace ninebit;" }

@@ -1,5 +1,8 @@
-# Doxygen's input filter for the pages: headings get the names that links on GitHub have for them, as Doxygen before 1.10
-# has others. A name is that of the file, then that of the heading: lower case, without punctuation, spaces as hyphens.
+# Doxygen's input filter for the pages. Headings get the names that links on GitHub have for them, as Doxygen before 1.10
+# has others: that of the file, then that of the heading, in lower case, without punctuation, spaces as hyphens. A link to
+# a public header leads to its page. A link to another file of the repository becomes its text, as the reference stands
+# alone. Doxygen's Markdown wants pictures without their folders, and no code in the text of a link; a quotation mark ends
+# its code, unless that is between two backquotes.
 
 function name_of(page, heading) {
   sub(/.*\//, "", page)
@@ -15,22 +18,40 @@ function slug(text) {
   return text
 }
 
-/^```/ { fenced = !fenced; print; next }
+# A link's target in the reference; empty: it has none.
+function target_of(link,    at) {
+  at = index(link, "#")
+  if (link ~ /:\/\// || link ~ /^@ref /) return link
+  if (at) return "@ref " name_of(at > 1 ? substr(link, 1, at - 1) : FILENAME, substr(link, at + 1))
+  if (link ~ /include\/ninebit\/.*\.h$/) {
+    sub(/.*\//, "", link)
+    return "@ref " link
+  }
+  if (link ~ /\.png$/) sub(/.*\//, "", link)
+  return link ~ /\.(md|png)$/ ? link : ""
+}
+
+# Prints what was gathered of a text, whose links may go over the end of a line.
+function flush(    out, at, label, target, parts, n, i) {
+  while (match(text, /\[[^][]*\]\([^()]*\)/)) {
+    at = index(substr(text, RSTART, RLENGTH), "](")
+    label = substr(text, RSTART + 1, at - 2)
+    target = target_of(substr(text, RSTART + at + 1, RLENGTH - at - 2))
+    if (target !~ /:\/\//) gsub(/`/, "", label)
+    out = out substr(text, 1, RSTART - 1) (target == "" ? label : "[" label "](" target ")")
+    text = substr(text, RSTART + RLENGTH)
+  }
+  n = split(out text, parts, "`")
+  for (i = 1; i <= n; ++i) printf "%s%s", parts[i], i == n ? "" : parts[i + i % 2] ~ /\047/ ? "``" : "`"
+  text = ""
+}
+
+/^ *```/ { flush(); fenced = !fenced; print; next }
 fenced { print; next }
 /^##+ / {
   heading = $0
   sub(/^#+ /, "", heading)
-  print $0 " {#" name_of(FILENAME, slug(heading)) "}"
-  next
+  $0 = $0 " {#" name_of(FILENAME, slug(heading)) "}"
 }
-{
-  line = $0
-  out = ""
-  while (match(line, /\]\([^)#:]*#[^)]*\)/)) {
-    link = substr(line, RSTART + 2, RLENGTH - 3)
-    out = out substr(line, 1, RSTART) "(@ref " name_of(index(link, "#") > 1 ? substr(link, 1, index(link, "#") - 1) : FILENAME,
-                                                       substr(link, index(link, "#") + 1)) ")"
-    line = substr(line, RSTART + RLENGTH)
-  }
-  print out line
-}
+{ text = text $0 "\n" }
+END { flush() }
