@@ -25,9 +25,28 @@ function indent(text) {
 # Whether a declaration begins here; otherwise it goes on from the line above, or is none.
 function fresh(text) { return text !~ /^ *([})&|?:+*\/<>=]|public:|private:|protected:|#)/ || text ~ /^ *#define / }
 
-# Prints the block in its place: as documentation, or to keep the count of lines.
-function flush(documents,    i) {
-  for (i = 1; i <= lines; ++i) print documents ? "/// " plain(block[i]) : "//"
+function starts_item(text) { return text ~ /^ *(-|[0-9]+\.) / }
+
+# Whether line i of the block is indented as code or a table is.
+function set_in(i) { return i <= lines && block[i] ~ /^  +[^ ]/ }
+
+# Prints the block in its place: as documentation, or to keep the count of lines. Lines that are indented, and are not part
+# of a list, keep their blanks.
+function flush(documents,    i, list, literal, line) {
+  for (i = 1; i <= lines; ++i) {
+    line = plain(block[i])
+    if (starts_item(block[i])) list = 1
+    else if (block[i] ~ /^[^ ]/) list = 0
+    if (!literal && !list && set_in(i + 1) && !starts_item(block[i + 1])) {
+      literal = 1
+      line = line " <pre>"
+    } else if (literal && !set_in(i + 1) && !(block[i + 1] == "" && set_in(i + 2))) {
+      literal = 0
+      line = line " </pre>"
+    }
+    if (literal) gsub(/`/, "", line)
+    print documents ? "/// " line : "//"
+  }
   lines = 0
 }
 
@@ -77,14 +96,14 @@ FNR == 1 { top = 1; lines = 0; said = ""; level = -1; trailed = 0; kept = 0; wit
 }
 
 # The file's own comment, up to #pragma once.
-top && /^\/\// { print "/// " plain(substr($0, 4)); next }
-top && /^#pragma once/ { print "/// @file"; top = 0; next }
-top && /^\/\*/ { within = 1; print "/** " plain(substr($0, 4)); next }
-top && within {
-  if (sub(/\*\/$/, "")) { print plain($0) " @file */"; top = within = 0 } else print plain($0)
+top && /^#pragma once/ { flush(1); print "/// @file"; top = 0; next }
+top {
+  text = $0
+  sub(/ *\*\/$/, "", text)
+  sub(/^(\/\/|\/\*| \*|  ) ?/, "", text)
+  block[++lines] = text
   next
 }
-top { top = 0 }
 
 # What a namespace declares is in the room's group, under the header's name.
 /^(namespace .*|extern "C") \{$/ {
