@@ -12,33 +12,35 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path kRoot = NINEBIT_SOURCE_DIR;
+const fs::path kRepository = NINEBIT_SOURCE_DIR;
 
-std::string content(const fs::path& file) {
-  std::ifstream in(kRoot / file);
+std::string file_text(const fs::path& file) {
+  std::ifstream in(kRepository / file);
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-bool has(const std::string& text, const std::string& part) {
+bool holds(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
 }
 
 // The public headers, relative to include/ninebit.
 std::vector<fs::path> public_headers() {
   std::vector<fs::path> headers;
-  for (const auto& entry : fs::recursive_directory_iterator(kRoot / "include/ninebit")) {
-    if (entry.path().extension() == ".h") headers.push_back(fs::relative(entry.path(), kRoot / "include/ninebit"));
+  for (const auto& entry : fs::recursive_directory_iterator(kRepository / "include/ninebit")) {
+    if (entry.path().extension() == ".h")
+      headers.push_back(fs::relative(entry.path(), kRepository / "include/ninebit"));
   }
   EXPECT_GT(headers.size(), 50U);
   return headers;
 }
 
 TEST(ReferencePage, EveryPublicHeaderIsInTheGroupOfItsRoom) {
-  const std::string input = content("docs/reference/Doxyfile"), rooms = content("docs/reference/rooms.dox");
+  const std::string input = file_text("docs/reference/Doxyfile"), rooms = file_text("docs/reference/rooms.dox");
   for (const fs::path& header : public_headers()) {
-    EXPECT_TRUE(has(input, " include/ninebit/" + header.string() + " ")) << header << " is not in the Doxyfile's INPUT";
+    EXPECT_TRUE(holds(input, " include/ninebit/" + header.string() + " "))
+        << header << " is not in the Doxyfile's INPUT";
     const std::string room = header.has_parent_path() ? header.parent_path().filename().string() : "ninebit";
-    EXPECT_TRUE(has(rooms, "@defgroup " + room + " ")) << "rooms.dox does not describe the room " << room;
+    EXPECT_TRUE(holds(rooms, "@defgroup " + room + " ")) << "rooms.dox does not describe the room " << room;
   }
 }
 
@@ -47,12 +49,12 @@ TEST(ReferencePage, EveryPublicHeaderHasAnExample) {
   for (const fs::path& header : public_headers()) {
     const std::string file = header.stem().string() + ".cpp";
     EXPECT_TRUE(expected.insert(file).second) << "two headers are called " << header.filename();
-    const std::string example = content("combiner_tests/examples/" + file);
-    EXPECT_TRUE(has(example, "#include <ninebit/" + header.string() + ">")) << file;
-    EXPECT_TRUE(has(example, "\nTEST(Examples, ")) << file;
-    EXPECT_TRUE(has(example, "\n  EXPECT_")) << file;
+    const std::string example = file_text("combiner_tests/examples/" + file);
+    EXPECT_TRUE(holds(example, "#include <ninebit/" + header.string() + ">")) << file;
+    EXPECT_TRUE(holds(example, "\nTEST(Examples, ")) << file;
+    EXPECT_TRUE(holds(example, "\n  EXPECT_")) << file;
   }
-  for (const auto& entry : fs::directory_iterator(kRoot / "combiner_tests/examples")) {
+  for (const auto& entry : fs::directory_iterator(kRepository / "combiner_tests/examples")) {
     EXPECT_TRUE(expected.count(entry.path().filename().string())) << entry.path() << " has no header of its name";
   }
 }

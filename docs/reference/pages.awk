@@ -53,5 +53,9 @@ fenced { print; next }
   sub(/^#+ /, "", heading)
   $0 = $0 " {#" name_of(FILENAME, slug(heading)) "}"
 }
+$0 == "# ninebit" { $0 = "# Overview" }
 { text = text $0 "\n" }
-END { flush() }
+END {
+  flush()
+  print "\n[TOC]"
+}
