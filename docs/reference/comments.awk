@@ -11,7 +11,10 @@
 function plain(text,    parts, n, i, out) {
   n = split(text, parts, "`")
   for (i = 1; i <= n; ++i) {
-    if (i % 2) gsub(/[\\@<>#&%]/, "\\\\&", parts[i])
+    if (i % 2) {
+      gsub(/[\\@<>#&%]/, "\\\\&", parts[i])
+      gsub(/--/, "\\--", parts[i])
+    }
     out = out (i > 1 ? "`" : "") parts[i]
   }
   return out
@@ -145,21 +148,26 @@ within || /^ *\/\*/ {
 {
   before = behind = prefix = ""
   trailed = 0
-  if (said != "" && indent($0) == level && fresh($0)) {
+  documented = said != "" && indent($0) == level && fresh($0)
+  at = match($0, /[;,({}A-Za-z0-9_] +\/\/ /)
+  if (at) {
+    behind = plain(substr($0, RSTART + RLENGTH))
+    $0 = substr($0, 1, RSTART)
+    trailed = indent($0) + 1
+  }
+  # A member's own comment comes before that of its group: it is the brief one.
+  if (at && documented && /[;,]$/ && !/^ *(enum|struct|class) /) {
+    behind = behind (behind ~ /[.:;,]$/ ? "" : ".") " " plain(said)
+    flush(0)
+  } else if (documented) {
     before = "/** " plain(said) " */ "
     if (!lines) prefix = before
     flush(1)
   } else {
     flush(0)
+    if (/operator==\(.*= default;$/) prefix = "/** Compares all members. */ "
   }
-  at = match($0, /[;,({}A-Za-z0-9_] +\/\/ /)
-  if (at) {
-    behind = " /**< " plain(substr($0, RSTART + RLENGTH)) " */"
-    $0 = substr($0, 1, RSTART)
-    trailed = indent($0) + 1
-  } else if (/operator==\(.*= default;$/) {
-    prefix = "/** Compares all members. */ "
-  }
+  if (at) behind = " /**< " behind " */"
   print prefix declaration($0, before, behind)
 }
 END { print_file_page(); print "using namespace ninebit;" }

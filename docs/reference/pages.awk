@@ -53,9 +53,6 @@ fenced { print; next }
   sub(/^#+ /, "", heading)
   $0 = $0 " {#" name_of(FILENAME, slug(heading)) "}"
 }
-$0 == "# ninebit" { $0 = "# Overview" }
+/^# / { $0 = ($0 == "# ninebit" ? "# Overview" : $0) "\n\n[TOC]" }
 { text = text $0 "\n" }
-END {
-  flush()
-  print "\n[TOC]"
-}
+END { flush() }
