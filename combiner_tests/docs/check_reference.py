@@ -20,7 +20,8 @@ ENTRY = re.compile(r"'\.\./([^'#]+)#?([^']*)'")
 HIDDEN = re.compile(r'<(script|style|pre|code|tt)\b.*?</\1>|<div class="(?:line|ttc)".*?</div>(?=\n)', re.DOTALL)
 RAW = re.compile(r'[@\\](?:a|addtogroup|brief|c|code|copydoc|def|defgroup|endcode|f\$|file|include|ingroup|name|page|par|param|ref|return|'
                  r'section|see|snippet|subpage|verbatim)\b|\\f[$\[]|</?(?:a|b|br|code|dd|div|dl|dt|em|h\d|i|img|li|p|pre|span|table|td|tr|tt|ul)\b'
-                 r'[^<>]*>|&(?:lt|gt|amp|quot|nbsp);|`|\]\([^)]|\*\*\w[^*]*\w\*\*|\|--|\{#\w|#include\b')
+                 r'[^<>]*>|&(?:lt|gt|amp|quot|nbsp);|`|\]\([^)]|\*\*\w[^*]*\w\*\*|\|--|\{#\w|#include\b|'
+                 r'(?<![\w*])\*[^\s*][^*]*[^\s*]\*(?![\w*])')
 
 
 def read_pages(folder):

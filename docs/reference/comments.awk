@@ -92,7 +92,7 @@ function print_file_page(    path, line, body) {
   print "*/"
 }
 
-FNR == 1 { top = 1; lines = 0; said = ""; level = -1; trailed = 0; kept = 0; within = 0
+FNR == 1 { top = 1; lines = 0; said = ""; level = -1; trailed = 0; kept = 0; within = 0; goes_on = 0
   room = FILENAME
   sub(/\/[^\/]*$/, "", room)
   sub(/.*\//, "", room)
@@ -148,7 +148,9 @@ within || /^ *\/\*/ {
 {
   before = behind = prefix = ""
   trailed = 0
-  documented = said != "" && indent($0) == level && fresh($0)
+  documented = said != "" && indent($0) == level && fresh($0) && !goes_on
+  goes_on = /^ *template <.*>$/
+  if (/^ *};/ && indent($0) == level) said = ""
   at = match($0, /[;,({}A-Za-z0-9_] +\/\/ /)
   if (at) {
     behind = plain(substr($0, RSTART + RLENGTH))

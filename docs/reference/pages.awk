@@ -1,8 +1,8 @@
 # Doxygen's input filter for the pages. Headings get the names that links on GitHub have for them, as Doxygen before 1.10
 # has others: that of the file, then that of the heading, in lower case, without punctuation, spaces as hyphens. A link to
 # a public header leads to its page. A link to another file of the repository becomes its text, as the reference stands
-# alone. Doxygen's Markdown wants pictures without their folders, and no code in the text of a link; a quotation mark ends
-# its code, unless that is between two backquotes.
+# alone. Doxygen's Markdown wants pictures without their folders, no code in the text of a link, and none where emphasis
+# begins; a quotation mark ends its code, unless that is between two backquotes.
 
 function name_of(page, heading) {
   sub(/.*\//, "", page)
@@ -41,7 +41,12 @@ function flush(    out, at, label, target, parts, n, i) {
     out = out substr(text, 1, RSTART - 1) (target == "" ? label : "[" label "](" target ")")
     text = substr(text, RSTART + RLENGTH)
   }
-  n = split(out text, parts, "`")
+  text = out text
+  while (match(text, /(^|\n)\*`[^*]*\*/)) {
+    at = index(substr(text, RSTART, 2), "*")
+    text = substr(text, 1, RSTART + at - 2) "<em>" substr(text, RSTART + at, RLENGTH - at - 1) "</em>" substr(text, RSTART + RLENGTH)
+  }
+  n = split(text, parts, "`")
   for (i = 1; i <= n; ++i) printf "%s%s", parts[i], i == n ? "" : parts[i + i % 2] ~ /\047/ ? "``" : "`"
   text = ""
 }
