@@ -149,6 +149,11 @@ within || /^ *\/\*/ {
   before = behind = prefix = ""
   trailed = 0
   documented = said != "" && indent($0) == level && fresh($0) && !goes_on
+  if (!lines && /^ *(virtual )?~/) {
+    prefix = "/** Frees what the object holds. */ "
+    documented = 0
+    said = ""
+  }
   goes_on = /^ *template <.*>$/
   if (/^ *};/ && indent($0) == level) said = ""
   at = match($0, /[;,({}A-Za-z0-9_] +\/\/ /)

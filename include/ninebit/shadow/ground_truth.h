@@ -63,6 +63,7 @@ class GroundTruthScene {
   // measure() gives the same results, more slowly.
   [[nodiscard]] static Result<GroundTruthScene> make_portable(const Scene& scene);
   ~GroundTruthScene();
+  // A moved-from scene can only be destroyed or assigned to.
   GroundTruthScene(GroundTruthScene&& other) noexcept;
   GroundTruthScene& operator=(GroundTruthScene&& other) noexcept;
 
