@@ -1,4 +1,5 @@
 #include <gtest/gtest.h>
+#include <ninebit/numerics/fixed9.h>
 #include <ninebit/study/equivalence.h>
 
 TEST(Examples, Equivalence) {

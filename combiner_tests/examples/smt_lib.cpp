@@ -9,7 +9,9 @@ TEST(Examples, SmtLib) {
   CombinerState doubled;
   doubled.general[0].rgb.out.scale = Scale::by_two;
   const Program one = normalize(CombinerState{}, profiles::geforce2), two = normalize(doubled, profiles::geforce2);
-  SmtProgram a{.program = &one}, b{.program = &two};
+  SmtProgram a, b;
+  a.program = &one;
+  b.program = &two;
   const auto primary = static_cast<std::size_t>(Register::primary);
   a.start[primary][kRed].input = b.start[primary][kRed].input = "primary.r";
   const auto fog = static_cast<std::size_t>(Register::fog);
