@@ -4,7 +4,7 @@
 # several things. Lines keep their numbers, so that Doxygen's warnings name the right ones.
 #
 # What a header declares stands in the group of its room, which is its folder (rooms.dox), and its page shows its example,
-# combiner_tests/examples/HEADER.cpp: the include and the body of the test, moved to the left.
+# combiner_tests/examples/HEADER.cpp: its lines without the frame of the test.
 
 # A comment with the characters that Doxygen takes for commands or HTML made plain; what stands between backquotes is
 # left alone.
@@ -38,6 +38,7 @@ function set_in(i) { return i <= lines && block[i] ~ /^  +[^ ]/ }
 function flush(documents,    i, list, literal, line) {
   for (i = 1; i <= lines; ++i) {
     line = plain(block[i])
+    if (literal) gsub(/`/, "", line)
     if (starts_item(block[i])) list = 1
     else if (block[i] ~ /^[^ ]/) list = 0
     if (!literal && !list && set_in(i + 1) && !starts_item(block[i + 1])) {
@@ -47,7 +48,6 @@ function flush(documents,    i, list, literal, line) {
       literal = 0
       line = line " </pre>"
     }
-    if (literal) gsub(/`/, "", line)
     print documents ? "/// " line : "//"
   }
   lines = 0
@@ -83,9 +83,9 @@ function print_file_page(    path, line, body) {
   print "\n@par Example"
   print "@code{.cpp}"
   while ((getline line < path) > 0) {
-    if (line ~ /^}/) body = 0
-    if (body || line ~ /^#include <ninebit/) print substr(line, body ? 3 : 1)
-    if (line ~ /^TEST\(/) { body = 1; print "" }
+    if (line ~ /^TEST\(/) body = 1
+    else if (body && line ~ /^}/) body = 0
+    else if (line !~ /^#include <gtest/) print substr(line, body ? 3 : 1)
   }
   close(path)
   print "@endcode"
