@@ -1,13 +1,15 @@
-# Doxygen's input filter for the pages. Headings get the names that links on GitHub have for them, as Doxygen before 1.10
-# has others: that of the file, then that of the heading, in lower case, without punctuation, spaces as hyphens. A link to
-# a public header leads to its page. A link to another file of the repository becomes its text, as the reference stands
+# Doxygen's input filter for the pages. Pages and headings get names, as every version of Doxygen has others: that of the
+# file, then that of the heading as in links on GitHub, in lower case, without punctuation, spaces as hyphens. A link to a
+# public header leads to its page. A link to another file of the repository becomes its text, as the reference stands
 # alone. Doxygen's Markdown wants pictures without their folders, no code in the text of a link, and none where emphasis
 # begins; a quotation mark ends its code, unless that is between two backquotes.
 
 function name_of(page, heading) {
+  sub(/scenes\/README/, "scenes", page)
   sub(/.*\//, "", page)
   sub(/\.md$/, "", page)
-  return "page_" page "_" heading
+  gsub(/-/, "_", page)
+  return "page_" page (heading == "" ? "" : "_" heading)
 }
 
 function slug(text) {
@@ -27,8 +29,10 @@ function target_of(link,    at) {
     sub(/.*\//, "", link)
     return "@ref " link
   }
-  if (link ~ /\.png$/) sub(/.*\//, "", link)
-  return link ~ /\.(md|png)$/ ? link : ""
+  if (link ~ /\.md$/) return "@ref " name_of(link)
+  if (link !~ /\.png$/) return ""
+  sub(/.*\//, "", link)
+  return link
 }
 
 # Prints what was gathered of a text, whose links may go over the end of a line.
@@ -58,6 +62,6 @@ fenced { print; next }
   sub(/^#+ /, "", heading)
   $0 = $0 " {#" name_of(FILENAME, slug(heading)) "}"
 }
-/^# / { $0 = ($0 == "# ninebit" ? "# Overview" : $0) "\n\n[TOC]" }
+/^# / { $0 = ($0 == "# ninebit" ? "# Overview" : $0) " {#" name_of(FILENAME) "}\n\n[TOC]" }
 { text = text $0 "\n" }
 END { flush() }
