@@ -2,7 +2,7 @@
 # ROOM.SUITE.TEST. A step of .ci/run or a verb of ./dev chooses tests by these labels alone (ctest -L, -LE).
 
 set(ninebit_rooms numerics combiner language structure capi raster system scene image effect playground shadow study gl_layer bench
-    tools)
+    tools examples)
 
 # Too long for the step with sanitizers, and something else there checks the same lines:
 set(ninebit_without_sanitizers
@@ -11,7 +11,7 @@ set(ninebit_without_sanitizers
     # Loops over all inputs of an operation, or over very many.
     Faults.Are.*ForMegabytes IndexCompare "IndexSteps[.](Every|Counts)" ExhaustiveSum DatapathErrors[.]OfAll
     EveryMappingOfEvery NoPairOf65536 TheMuxComparesLowBytes VolumeRandom Trace[.]EveryStep TwoBytesHold16 DigitsInBase
-    "Equivalence[.](Random|TheSolver|FourLive)" "Stability[.](TheArticles|EachField)" FindTheAssignmentOfACard
+    "Equivalence[.](Random|TheSolver|FourLive)" "Stability[.](TheArticles|EachField)" FindTheAssignmentOfACard Examples[.]ChipKit
     GlLegality RandomStatesComeBack EmitC EmitGlsl ExactArithmeticDecides "ProgramErrors[.](All|Stages|Units|Biases)"
     # Damage to texts: the fuzzers do it to the same parsers with the same sanitizers.
     DamagedTexts BrokenTexts
@@ -27,7 +27,7 @@ set(ninebit_without_sanitizers
     WhileAReportIsWritten Limits[.]A LightInSolid JsonSchema Nv20Of EachFaceOfTheMapCasts RowRules TechniqueTable
     AlteredPart OtherKinds Flags[.]OfAll
     # The leak sanitizer's own thread crashes now and then at the end of a program that has read pictures.
-    TexturedRender "tools[.]Draw[.](TheGallery|Answers)")
+    TexturedRender "tools[.]Draw[.](TheGallery|Answers)" "Examples[.](TextureIo|EffectFiles)")
 
 # Minutes without optimization, and no line that another test does not reach:
 set(ninebit_without_coverage

@@ -42,12 +42,18 @@ struct Plane {
 // How depth and stencil are stored. A depth code k of m bits stands for the window depth k / (2^m - 1); stencil values
 // have s bits.
 enum class DepthStencilFormat : std::uint8_t { d24s8, d16, d15s1 };
+
+// The number of bits of a depth code: 24, 16 or 15.
 [[nodiscard]] constexpr int depth_bits(DepthStencilFormat format) {
   return format == DepthStencilFormat::d24s8 ? 24 : format == DepthStencilFormat::d16 ? 16 : 15;
 }
+
+// The number of bits of a stencil value: 8, 0 or 1.
 [[nodiscard]] constexpr int stencil_bits(DepthStencilFormat format) {
   return format == DepthStencilFormat::d24s8 ? 8 : format == DepthStencilFormat::d16 ? 0 : 1;
 }
+
+// The largest depth code, that of window depth 1.
 [[nodiscard]] constexpr std::uint32_t max_depth(DepthStencilFormat format) {
   return (std::uint32_t{1} << depth_bits(format)) - 1;
 }

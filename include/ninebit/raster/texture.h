@@ -43,6 +43,8 @@ struct CubeFaceAxes {
   std::array<int, 3> t;      // likewise
   std::array<int, 3> major;  // likewise
 };
+
+// The axes of one face.
 [[nodiscard]] const CubeFaceAxes& cube_face_axes(CubeFace face);
 
 // One face, or the six of ARB_texture_cube_map.

@@ -33,6 +33,8 @@ enum class ErrorCause : std::uint8_t {
   detached,    // depth: the texel holds the polygon that casts the shadow, but the comparison lets light through
   sampling     // anything else: the texel's centre does not see what the pixel's ray sees
 };
+
+// The number of causes, `none` included.
 inline constexpr std::size_t kErrorCauses = 8;
 
 // "truncation", "joint", …
@@ -61,6 +63,7 @@ class GroundTruthScene {
   // measure() gives the same results, more slowly.
   [[nodiscard]] static Result<GroundTruthScene> make_portable(const Scene& scene);
   ~GroundTruthScene();
+  // A moved-from scene can only be destroyed or assigned to.
   GroundTruthScene(GroundTruthScene&& other) noexcept;
   GroundTruthScene& operator=(GroundTruthScene&& other) noexcept;
 

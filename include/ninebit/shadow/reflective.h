@@ -51,9 +51,8 @@ struct ReflectiveMap {
 //   E(x, n) = sum over samples p of w_p Φ_p max(0, n_p · (x - x_p)) max(0, n · (x_p - x)) / |x - x_p|^4
 // The picture is the direct light plus base colour × E, with E clamped to [0, 1]. settings.reflective.pattern selects
 // the samples:
-//   poisson  a Poisson disk rotated at each pixel; w_p is the square of the rotated offset's x in the unit disk, Φ_p
-//   the
-//            map's flux; lengths are in world units; not normalised
+//   poisson  a Poisson disk rotated at each pixel; w_p is the square of the rotated offset's x in the unit disk,
+//            Φ_p the map's flux; lengths are in world units; not normalised
 //   polar    radius ξ1 and angle ξ2, w_p = ξ1², normalised so that a constant field gives the sum over all texels in
 //            the kernel; Φ_p is the map's flux scaled to the light that a texel's beam carries in the direct passes
 //

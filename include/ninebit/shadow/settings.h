@@ -104,8 +104,8 @@ struct RenderSettings {
   DepthStencilFormat depth_stencil = DepthStencilFormat::d24s8;  // of the frame
   bool layers = false;                                           // keeps every intermediate value of the camera's view
   bool evidence = false;                                         // keeps ShadowEvidence, for ground_truth.h
-  std::optional<glm::ivec2> pixel;                               // to be probed: window coordinates of the frame, y up
-  std::optional<glm::ivec2> pick;                                // whose index is read: window coordinates, y up
+  std::optional<glm::ivec2> pixel{};                             // to be probed: window coordinates of the frame, y up
+  std::optional<glm::ivec2> pick{};                              // whose index is read: window coordinates, y up
   HardwareProfile profile = profiles::geforce2;                  // of the combiners and the rasterizer
 
   IndexSettings index{};                 // of the techniques named at the type

@@ -24,6 +24,8 @@ struct OutputForm {
   Bias bias = Bias::none;     // applied before the scale
   std::string_view name;      // "-1/2, x2"
 };
+
+// All six, the plain one first.
 inline constexpr std::array kOutputForms{OutputForm{Scale::none, Bias::none, "x1"},
                                          OutputForm{Scale::by_two, Bias::none, "x2"},
                                          OutputForm{Scale::by_four, Bias::none, "x4"},

@@ -22,6 +22,8 @@ enum class DepthSet : std::uint8_t {
   bits24,  // n / 16777215 as floats
   floats   // every nth float32 from 0, and 1: denser towards 0
 };
+
+// All sets.
 inline constexpr std::array kDepthSets{DepthSet::bits16, DepthSet::bits24, DepthSet::floats};
 
 // "16", "24", "floats".
@@ -60,6 +62,8 @@ struct TwoDigits {
   int second_byte = 0;   // the next component as stored, 0 to 255
   double shift = 0.0;    // the error in steps of the second digit, 1/65536
 };
+
+// The stored form of one depth in a packing of at least two digits.
 [[nodiscard]] TwoDigits store_two_digits(const DepthPacking& packing, ChannelStorage storage, int highest, int second);
 
 // The study covers all combinations of the lists.

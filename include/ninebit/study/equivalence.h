@@ -76,7 +76,7 @@ struct EquivalenceOptions {
   double timeout_s = 60;                               // of the solver, for the whole question
   std::uint64_t random_cases = 100'000'000;            // that cross-check each of the solver's proofs
   std::string solver = "z3";                           // a program that reads SMT-LIB 2 with -in, looked up in the PATH
-  std::function<bool(double done)> go_on;              // called now and then; false cancels the work
+  std::function<bool(double done)> go_on{};            // called now and then; false cancels the work
 };
 
 // Returns the answer, the same for any number of threads unless the solver runs out of time. Fails for states that are
