@@ -95,7 +95,7 @@ if(NINEBIT_BUILD_PYTHON)
   # Compiled now: users may not write there, and would compile it at every import.
   install(CODE "
     get_filename_component(folder \"${NINEBIT_PYTHON_INSTALL_DIR}\" ABSOLUTE BASE_DIR \"\${CMAKE_INSTALL_PREFIX}\")
-    execute_process(COMMAND ${Python_EXECUTABLE} -m compileall -q -s \"\$ENV{DESTDIR}\" \"\$ENV{DESTDIR}\${folder}/ninebit\")
+    execute_process(COMMAND ${Python_EXECUTABLE} -m compileall -q -s \"\$ENV{DESTDIR}\" -p / \"\$ENV{DESTDIR}\${folder}/ninebit\")
   " COMPONENT python)
 endif()
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/README.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
