@@ -20,17 +20,21 @@ program = ninebit.Program((top / "docs/programs/index_compare.gl").read_text())
 ENDLESS = {
     "render": "ninebit.render(room, turntable=3600, output={folder!r})",
     "study": "ninebit.study('depth-packing', depths='floats', float_step=1)",
-    "prove": "ninebit.prove('equivalent', *[ninebit.State.parse('!!RC1.0\\n{{ rgb {{ spare0 = sum(); discard = %s; discard = %s; }} }}\\n'"
-             "'out.rgb = spare0;' % pair) for pair in (('col0 * tex0', 'col1 * tex1'), ('col1 * tex1', 'col0 * tex0'))])",
+    "prove": "[ninebit.prove('equivalent', one, other) for _ in range(10_000)]",
     "vectors": "ninebit.vectors(programs=80000, fragments=100, output={folder!r})",
     "compare": "ninebit.compare(room, size=(2048, 2048), vary={{'index_step': list(range(1, 9))}}, output={folder!r})",
     "evaluate": "[program.evaluate({{'tex0.r': codes}}) for _ in range(10_000)]",
 }
 # Says "ready" before the call, and whether it was interrupted.
-SCRIPT = """
+SCRIPT = r"""
 import numpy as np, ninebit
 room, program = {room!r}, ninebit.Program(open({gl!r}).read())
 codes = np.zeros(30_000_000, np.int16)
+# The same sum of two products, in other registers.
+one, other = (ninebit.State.parse("!!RC1.0\n{{ rgb {{ %s }} }}\n{{ rgb {{ discard = %s; discard = %s; spare0 = sum(); }} }}\n"
+                                  "out.rgb = spare0;\nout.a = zero;" % texts)
+              for texts in (("tex0 = col0 * tex0;", "tex0", "col1 * tex1"),
+                            ("tex1 = tex1 * col1; spare1 = col0 * tex0;", "spare1", "tex1")))
 print("ready", flush=True)
 try:
     {call}
@@ -45,6 +49,7 @@ class Interrupts(unittest.TestCase):
         """Runs a call in a process of its own, sends SIGINT, and returns what it says then, and after how long."""
         script = SCRIPT.format(room=str(room), gl=str(top / "docs/programs/index_compare.gl"), call=call.format(folder=folder))
         child = subprocess.Popen([sys.executable, "-c", script], stdout=subprocess.PIPE, text=True)
+        self.addCleanup(child.stdout.close)
         self.addCleanup(child.kill)
         self.assertEqual(child.stdout.readline(), "ready\n")
         time.sleep(1.0)  # into the call

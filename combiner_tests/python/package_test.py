@@ -16,6 +16,7 @@ import ninebit
 import numpy as np
 
 top = pathlib.Path(__file__).resolve().parents[2]
+PAGES = [top / f"docs/{name}.md" for name in ("library", "python", "draw")]
 package = pathlib.Path(ninebit.__file__).parent
 VERBS = {"render": ["render"], "draw": ["draw"], "compare": ["compare"], "trace": ["trace"], "explain": ["explain"],
          "convert": ["convert"], "vectors": ["vectors"],
@@ -76,8 +77,8 @@ class Stubs(unittest.TestCase):
     def test_mypy_finds_nothing(self):
         with tempfile.TemporaryDirectory() as folder:
             files = []
-            for page in (top / "docs/library.md", top / "docs/python.md"):
-                for number, block in enumerate(blocks_of(page) if page.exists() else []):
+            for page in PAGES:
+                for number, block in enumerate(blocks_of(page)):
                     files.append(pathlib.Path(folder) / f"{page.stem}_{number}.py")
                     files[-1].write_text(block)
             self.assertGreater(len(files), 3)
@@ -119,7 +120,7 @@ class Documentation(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             for name in ("scenes", "docs"):
                 os.symlink(top / name, f"{folder}/{name}")
-            for page in (top / "docs/library.md", top / "docs/python.md"):
+            for page in PAGES:
                 for block in blocks_of(page):
                     with contextlib.chdir(folder):
                         names = {}
