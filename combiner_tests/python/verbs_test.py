@@ -106,6 +106,11 @@ class Render(Folder):
         np.testing.assert_array_equal(turned.frames[0], drawn.color[..., :3])
         self.assertGreater(np.count_nonzero(turned.frames[1] != turned.frames[0]), 100)
 
+    def test_pictures_of_this_process(self):
+        faces = [np.full((32, 32, 3), 40 * i, np.uint8) for i in range(6)]
+        lit, dark = (ninebit.render(room, **small, technique="light-cookie", cookie=cookie) for cookie in (faces, [0 * face for face in faces]))
+        self.assertGreater(lit.color[..., :3].sum(), dark.color[..., :3].sum())
+
     def test_what_is_wrong_is_told(self):
         for options, error, message in (
                 ({"index_order": "patch"}, ninebit.Error, "^index_order: patch not in {file,neighbour}"),

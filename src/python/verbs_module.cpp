@@ -38,7 +38,12 @@ std::filesystem::path module_file;
 class PythonHost : public tools::Host {
  public:
   [[nodiscard]] std::filesystem::path code_file() const override { return module_file; }
-  void say(std::string_view text) override { add(said, text); }
+  void say(std::string_view text) noexcept override {
+    try {
+      add(said, text);
+    } catch (const std::bad_alloc&) {  // a message is missing; the verb itself reports that memory has run out
+    }
+  }
   void answer(std::string_view text) override { add(answered, text); }
   void step(std::string_view what, double done) override {
     const std::scoped_lock lock(mutex_);

@@ -31,7 +31,7 @@ class Host {
   // The file whose code runs, which identifies the build.
   [[nodiscard]] virtual std::filesystem::path code_file() const = 0;
   // Text for stderr: lines with their ends.
-  virtual void say(std::string_view text) = 0;
+  virtual void say(std::string_view text) noexcept = 0;
   // Text for stdout.
   virtual void answer(std::string_view text) = 0;
   // Progress, 0 to 1. Any thread may call it.
