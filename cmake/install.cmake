@@ -83,6 +83,27 @@ if(NINEBIT_BUILD_PROGRAM)
     ninebit_installable(ninebit_generated FILE ${file} COMPONENT program)
   endforeach()
 endif()
+# --- The Python package.
+if(NINEBIT_BUILD_PYTHON)
+  set(NINEBIT_PYTHON_INSTALL_DIR lib/python3/dist-packages CACHE STRING "Folder of Python's packages, below the prefix or absolute")
+  foreach(module IN ITEMS ninebit_python_combiner ninebit_python_verbs ninebit_pictures)
+    ninebit_installable(${module} COMPONENT python)
+    install(TARGETS ${module} DESTINATION ${NINEBIT_PYTHON_INSTALL_DIR}/ninebit COMPONENT python)
+  endforeach()
+  install(DIRECTORY ${PROJECT_SOURCE_DIR}/src/python/ninebit DESTINATION ${NINEBIT_PYTHON_INSTALL_DIR} COMPONENT python
+          FILES_MATCHING PATTERN *.py PATTERN *.pyi PATTERN py.typed PATTERN __pycache__ EXCLUDE)
+  # Compiled now: users may not write there, and would compile it at every import. A Debian package compiles when it is
+  # installed.
+  install(CODE "
+    if(NOT CMAKE_INSTALL_PREFIX MATCHES \"/_CPack_Packages/\")
+      get_filename_component(folder \"${NINEBIT_PYTHON_INSTALL_DIR}\" ABSOLUTE BASE_DIR \"\${CMAKE_INSTALL_PREFIX}\")
+      execute_process(COMMAND ${Python_EXECUTABLE} -m compileall -q -s \"\$ENV{DESTDIR}\" -p / \"\$ENV{DESTDIR}\${folder}/ninebit\")
+      file(GLOB compiled RELATIVE \"\$ENV{DESTDIR}/\" \"\$ENV{DESTDIR}\${folder}/ninebit/__pycache__/*.pyc\")
+      list(TRANSFORM compiled PREPEND /)
+      list(APPEND CMAKE_INSTALL_MANIFEST_FILES \${compiled})
+    endif()
+  " COMPONENT python)
+endif()
 # Debian packages have a copyright file of their own instead.
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/README.md DESTINATION ${CMAKE_INSTALL_DOCDIR}
         COMPONENT notes)

@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 const std::map<std::string, int> kRank{
     {"system", 0},     {"numerics", 0}, {"combiner", 1}, {"language", 2}, {"capi", 3},    {"raster", 3},
     {"scene", 4},      {"image", 4},    {"shadow", 5},   {"effect", 6},   {"study", 6},   {"page", 5},
-    {"playground", 7}, {"bench", 7},    {"tools", 8},    {"python", 8},   {"gl_layer", 8}};
+    {"playground", 7}, {"bench", 7},    {"tools", 8},    {"python", 9},   {"gl_layer", 8}};
 
 // The folders of rooms in src/. A folder knows those before it and itself; files that stand beside the folders come
 // last.

@@ -28,7 +28,7 @@ def noticed(profile, step):
     program = ninebit.Program(ninebit.State.parse(state_text, "gl", profile))
     bytes_ = np.arange(0, 256 - step)
     one, other = ((b * (program.one + 1) // 256).astype(np.int16) for b in (bytes_, bytes_ + step))
-    left = program.evaluate_registers({"primary.r": one, "tex0.r": other})
+    left = program.evaluate({"primary.r": one, "tex0.r": other}, registers=True)
     return np.count_nonzero(left["spare1"][2]) / len(one)
 
 

@@ -4,117 +4,96 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cstdint>
 #include <memory>
-#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "ninebit/combiner/evaluate.h"
 #include "ninebit/combiner/trace.h"
 #include "ninebit/language/trace_json.h"
+#include "src/combiner/given_registers.h"
+#include "src/python/waiting.h"
 
 namespace py = pybind11;
 
 namespace ninebit::python {
 namespace {
 
-std::string type_of(py::handle object) {
-  return Py_TYPE(object.ptr())->tp_name;
-}
+constexpr std::size_t kFirstRegister = static_cast<std::size_t>(Register::constant0);
 
-// --- Registers by their names: "tex0" or "tex0.r".
+// More fragments than this are evaluated beside the interpreter, so that Ctrl-C stops them.
+constexpr std::size_t kManyFragments = std::size_t{1} << 18;
 
-struct Name {
-  std::size_t reg = 0;
-  std::optional<std::size_t> component{};  // empty: all four
+struct Component {
+  std::size_t reg = 0, component = 0;
 };
 
-Name name_of_key(const std::string& key) {
-  const std::size_t dot = key.find('.');
-  for (std::size_t r = static_cast<std::size_t>(Register::fog); r < kRegisterCount; ++r) {
+Component component_of(const std::string& key) {
+  const std::size_t dot = std::min(key.find('.'), key.size());
+  for (std::size_t r = kFirstRegister; r < kRegisterCount; ++r) {
     if (short_name(static_cast<Register>(r)) != std::string_view(key).substr(0, dot)) continue;
-    if (dot == std::string::npos) return {r, {}};
-    const std::size_t component = std::string_view("rgba").find(key.substr(dot + 1));
-    if (key.size() == dot + 2 && component != std::string_view::npos) return {r, component};
+    const std::size_t component = key.size() == dot + 2 ? std::string_view("rgba").find(key[dot + 1]) : 4;
+    if (component < 4) return {r, component};
   }
-  throw Error{"'" + key +
-              "' is not a register; expected fog, primary, secondary, spare0, spare1, tex0 to tex3, alone or with " +
-              ".r, .g, .b or .a"};
+  throw Error{"'" + key + "' is not a component of a register; expected a name such as tex0.r"};
 }
 
-bool starts_at_one(std::size_t reg, std::size_t component) {
-  const auto name = static_cast<Register>(reg);
-  return component == kAlpha && (name == Register::fog || is_texture(name));
+std::string key_of(py::handle key) {
+  if (py::isinstance<py::str>(key)) return key.cast<std::string>();
+  throw py::type_error("a component's name must be str, such as 'tex0.r'");
 }
 
-void check_code(const Program& program, int code, const std::string& key) {
-  if (code >= program.datapath.lowest && code <= program.datapath.one) return;
+[[noreturn]] void refuse_code(const Program& program, int code, const std::string& key) {
   throw Error{key + " has the code " + std::to_string(code) + "; expected " + std::to_string(program.datapath.lowest) +
               " to " + std::to_string(program.datapath.one)};
 }
 
-// --- Dictionary contents as C++ values.
-
-std::string key_of(py::handle key) {
-  if (!py::isinstance<py::str>(key)) {
-    throw py::type_error("a register's name must be str, such as 'tex0' or 'tex0.r', not " + type_of(key));
-  }
-  return key.cast<std::string>();
-}
-
-// A number, or a sequence of them.
-template <class Codes>
-Codes codes_of(py::handle value, const std::string& key, const char* expected) try {
-  return value.cast<Codes>();
-} catch (const py::cast_error&) {
-  throw py::type_error(key + " must be " + expected + ", not " + type_of(value));
+bool is_code(const Program& program, int code) {
+  return code >= program.datapath.lowest && code <= program.datapath.one;
 }
 
 // --- Planes of NumPy arrays, read in place.
 
-using Array = py::array_t<s9, py::array::c_style>;
-
 struct InputPlane {
-  const s9* from = nullptr;  // nullptr: the default
-  std::string key{};         // the caller's key
+  const std::byte* from = nullptr;  // nullptr: the default
+  std::ptrdiff_t stride = 0;        // bytes; 0: one code for all fragments
+  bool bytes = false;               // uint8, not int16
+  std::string key{};
 };
 
 // Holds the arrays, because other threads may change the dictionary meanwhile. Must be destroyed with the GIL held.
 struct Planes {
   std::array<std::array<InputPlane, 4>, kRegisterCount> plane{};
-  std::vector<Array> arrays{};
+  std::vector<py::array> arrays{};
+  ComponentSet constants{};  // that are given
+  bool any_constants = false;
   std::size_t count = 0;
 };
 
-Planes planes_of(const py::dict& inputs) {
-  Planes planes;
-  bool first = true;
+Planes planes_of(const py::dict& inputs, std::size_t count) {
+  Planes planes{.count = count};
   for (const auto& [key_object, value] : inputs) {
     const std::string key = key_of(key_object);
-    const Name name = name_of_key(key);
-    if (!Array::check_(value)) {
-      throw py::type_error(key + " must be a C-contiguous array of int16, so that it need not be copied; it is " +
-                           type_of(value));
+    const Component at = component_of(key);
+    const bool bytes = py::isinstance<py::array_t<std::uint8_t>>(value);
+    if (!bytes && !py::isinstance<py::array_t<s9>>(value))
+      throw py::type_error(key + " must be an array of uint8 or int16");
+    const py::array& array = planes.arrays.emplace_back(py::reinterpret_borrow<py::array>(value));
+    const bool aligned = (array.flags() & py::detail::npy_api::NPY_ARRAY_ALIGNED_) != 0;
+    const auto size = static_cast<std::size_t>(array.size());
+    if (!aligned || array.ndim() != 1 || (size != 1 && size != count)) {
+      throw py::value_error(key + " must be an aligned array with one dimension, of one code or one per fragment");
     }
-    const Array& array = planes.arrays.emplace_back(py::reinterpret_borrow<Array>(value));
-    if ((array.flags() & py::detail::npy_api::NPY_ARRAY_ALIGNED_) == 0) {
-      throw py::type_error(key + " must be an aligned array, so that it need not be copied");
-    }
-    const bool whole = !name.component.has_value();
-    if (array.ndim() != (whole ? 2 : 1) || (whole && array.shape(0) != 4)) {
-      throw py::value_error(key + (whole ? " must have the shape (4, n)" : " must have one dimension"));
-    }
-    const auto count = static_cast<std::size_t>(array.shape(whole ? 1 : 0));
-    if (!first && count != planes.count) throw py::value_error("all inputs must have the same number of fragments");
-    first = false;
-    planes.count = count;
-    for (std::size_t c = 0; c < 4; ++c) {
-      if (whole) planes.plane[name.reg][c] = {array.data() + c * count, key};
-    }
-    if (!whole) planes.plane[name.reg][*name.component] = {array.data(), key};
+    planes.plane[at.reg][at.component] = {static_cast<const std::byte*>(array.data()),
+                                          size == 1 ? 0 : static_cast<std::ptrdiff_t>(array.strides(0)), bytes, key};
+    const auto reg = static_cast<Register>(at.reg);
+    if (reg != Register::constant0 && reg != Register::constant1) continue;
+    planes.constants.add(reg, static_cast<int>(at.component));
+    planes.any_constants = true;
   }
-  if (first)
-    throw py::value_error("there are no inputs; expected at least one array, which gives the number of fragments");
   // As in `ninebit eval`, spare0's alpha starts as texture 0's.
   InputPlane& spare0_alpha = planes.plane[static_cast<std::size_t>(Register::spare0)][kAlpha];
   if (spare0_alpha.from == nullptr) spare0_alpha = planes.plane[static_cast<std::size_t>(Register::texture0)][kAlpha];
@@ -122,99 +101,145 @@ Planes planes_of(const py::dict& inputs) {
 }
 
 // Copies codes, and checks the copies: other threads may write into the arrays.
+template <class Sample>
 void take(const InputPlane& plane, std::size_t begin, std::size_t count, const Program& program, s9* to) {
-  std::copy_n(plane.from + begin, count, to);
-  s9 least = to[0], most = to[0];
-  for (std::size_t i = 1; i < count; ++i) {
-    least = std::min(least, to[i]);
-    most = std::max(most, to[i]);
+  const std::byte* from = plane.from + static_cast<std::ptrdiff_t>(begin) * plane.stride;
+  int least = program.datapath.one, most = program.datapath.lowest;
+  for (std::size_t i = 0; i < count; ++i, from += plane.stride) {
+    const int code = *reinterpret_cast<const Sample*>(from);
+    least = std::min(least, code);
+    most = std::max(most, code);
+    to[i] = static_cast<s9>(code);
   }
-  check_code(program, least, plane.key);
-  check_code(program, most, plane.key);
+  if (!is_code(program, least)) refuse_code(program, least, plane.key);
+  if (!is_code(program, most)) refuse_code(program, most, plane.key);
 }
 
-// Computes the color planes, and those of all registers if `after` is not null.
-void run(const RunnableProgram& program, const BatchProgram& batch, const Planes& planes, s9* color, s9* after) {
+// The codes of the components that are not given.
+RegisterFile default_codes(const RunnableProgram& program) {
+  const HardwareProfile& profile = *program.state.profile.profile;
+  RegisterFile file = default_registers(profile);
+  file[Register::constant0] = detail::constant_codes(profile, program.state.state.constant0);
+  file[Register::constant1] = detail::constant_codes(profile, program.state.state.constant1);
+  file[Register::spare0][kAlpha] = file[Register::texture0][kAlpha];
+  return file;
+}
+
+// One fragment after the other: in real numbers, a batch cannot vary constants.
+void run_in_rows(Program program, const Planes& planes, std::size_t count, RegisterBatch& registers, OutputBatch& out) {
+  for (std::size_t i = 0; i < count; ++i) {
+    RegisterFile file;
+    for (std::size_t r = 0; r < kRegisterCount; ++r) {
+      for (std::size_t c = 0; c < 4; ++c) {
+        file.value[r][c] = registers.plane[r][c][i];
+        const auto reg = static_cast<Register>(r);
+        if (planes.constants.contains(reg, static_cast<int>(c))) {
+          replace_constant(program, reg, static_cast<int>(c), file.value[r][c]);
+        }
+      }
+    }
+    const EvaluatedFragment result = evaluate_fragment(program, file);
+    for (std::size_t c = 0; c < 4; ++c) out.plane[c][i] = result.color[c];
+    for (std::size_t r = 0; r < kRegisterCount; ++r) {
+      for (std::size_t c = 0; c < 4; ++c) registers.plane[r][c][i] = result.registers.value[r][c];
+    }
+  }
+}
+
+struct Results {
+  s9* color = nullptr;
+  s9* after = nullptr;  // nullptr: not wanted
+};
+
+void run(const RunnableProgram& program, const BatchProgram& batch, const Planes& planes, const Results& to,
+         const std::atomic<bool>& stopped) {
   const auto registers = std::make_unique<RegisterBatch>();
   const auto out = std::make_unique<OutputBatch>();
-  const auto one = static_cast<s9>(program.program.datapath.one);
-  const bool texture0_has_alpha = planes.plane[static_cast<std::size_t>(Register::texture0)][kAlpha].from != nullptr;
-  for (std::size_t begin = 0; begin < planes.count; begin += kBatchSize) {
+  const RegisterFile defaults = default_codes(program);
+  const bool in_rows = planes.any_constants && program.program.datapath.arithmetic != Arithmetic::integer;
+  for (std::size_t begin = 0; begin < planes.count && !stopped; begin += kBatchSize) {
     const std::size_t count = std::min(kBatchSize, planes.count - begin);
     for (std::size_t r = 0; r < kRegisterCount; ++r) {
       for (std::size_t c = 0; c < 4; ++c) {
         const InputPlane& plane = planes.plane[r][c];
-        const bool spare0_alpha = r == static_cast<std::size_t>(Register::spare0) && c == kAlpha;
-        const bool full = starts_at_one(r, c) || (spare0_alpha && !texture0_has_alpha);
-        s9* const to = registers->plane[r][c].data();
-        if (plane.from != nullptr) {
-          take(plane, begin, count, program.program, to);
+        s9* const codes = registers->plane[r][c].data();
+        if (plane.from == nullptr) {
+          std::fill_n(codes, count, defaults.value[r][c]);
+        } else if (plane.bytes) {
+          take<std::uint8_t>(plane, begin, count, program.program, codes);
         } else {
-          std::fill_n(to, count, full ? one : s9{0});
+          take<s9>(plane, begin, count, program.program, codes);
         }
       }
     }
-    batch.run(*registers, count, *out);
-    for (std::size_t c = 0; c < 4; ++c) std::copy_n(out->plane[c].data(), count, color + c * planes.count + begin);
-    if (after == nullptr) continue;
-    for (std::size_t r = 0; r < kRegisterCount; ++r) {
+    if (in_rows) {
+      run_in_rows(program.program, planes, count, *registers, *out);
+    } else {
+      batch.run(*registers, count, *out);
+    }
+    for (std::size_t c = 0; c < 4; ++c) std::copy_n(out->plane[c].data(), count, to.color + c * planes.count + begin);
+    if (to.after == nullptr) continue;
+    for (std::size_t r = kFirstRegister; r < kRegisterCount; ++r) {
       for (std::size_t c = 0; c < 4; ++c) {
-        std::copy_n(registers->plane[r][c].data(), count, after + (4 * r + c) * planes.count + begin);
+        std::copy_n(registers->plane[r][c].data(), count,
+                    to.after + (4 * (r - kFirstRegister) + c) * planes.count + begin);
       }
     }
   }
+}
+
+s9* samples_of(const Codes& array, const std::vector<std::size_t>& shape, const char* name) {
+  bool fits = array.ndim() == static_cast<py::ssize_t>(shape.size()) && array.writeable();
+  for (std::size_t i = 0; fits && i < shape.size(); ++i)
+    fits = static_cast<std::size_t>(array.shape(static_cast<int>(i))) == shape[i];
+  if (!fits) throw py::value_error(std::string(name) + " does not have the shape of the results, or cannot be written");
+  return const_cast<s9*>(array.data());
 }
 
 }  // namespace
 
-py::array_t<s9> evaluate(const RunnableProgram& program, const py::dict& inputs) {
-  const Planes planes = planes_of(inputs);
-  py::array_t<s9> color({std::size_t{4}, planes.count});
-  s9* const to = color.mutable_data();
-  const py::gil_scoped_release others_may_run;
-  run(program, program.batch, planes, to, nullptr);
-  return color;
+std::vector<std::string> register_names() {
+  std::vector<std::string> names;
+  for (std::size_t r = kFirstRegister; r < kRegisterCount; ++r)
+    names.emplace_back(short_name(static_cast<Register>(r)));
+  return names;
 }
 
-py::dict evaluate_registers(const RunnableProgram& program, const py::dict& inputs) {
-  const Planes planes = planes_of(inputs);
-  py::array_t<s9> color({std::size_t{4}, planes.count});
-  py::array_t<s9> after({kRegisterCount, std::size_t{4}, planes.count});
-  s9 *const to = color.mutable_data(), *const registers_to = after.mutable_data();
-  {
-    const py::gil_scoped_release others_may_run;
-    run(program, BatchProgram(program.program, {.registers = true}), planes, to, registers_to);
-  }
-  py::dict answer;
-  answer["color"] = color;
-  for (std::size_t r = static_cast<std::size_t>(Register::fog); r < kRegisterCount; ++r) {
-    answer[py::str(std::string(short_name(static_cast<Register>(r))))] = after[py::int_(r)];
-  }
-  return answer;
+void evaluate(const RunnableProgram& program, const py::dict& inputs, std::size_t count, const Codes& color,
+              const std::optional<Codes>& after) {
+  const Planes planes = planes_of(inputs, count);
+  const Results to{.color = samples_of(color, {4, count}, "color"),
+                   .after = after ? samples_of(*after, {kRegisterCount - kFirstRegister, 4, count}, "after") : nullptr};
+  std::optional<BatchProgram> own;
+  if (after || planes.any_constants)
+    own.emplace(program.program, BatchOutputs{.registers = after.has_value()}, planes.constants);
+  const BatchProgram& batch = own ? *own : program.batch;
+  std::atomic<bool> stopped = false;
+  const auto work = [&] { run(program, batch, planes, to, stopped); };
+  if (count > kManyFragments) return work_beside(work, [&] { stopped = true; });
+  const py::gil_scoped_release others_may_run;
+  work();
 }
 
 py::object traced(const RunnableProgram& program, const py::dict& registers) {
-  RegisterFile file;
+  const HardwareProfile& profile = *program.state.profile.profile;
+  RegisterFile file = default_codes(program);
+  Program traced_program = program.program;
   bool has_spare0_alpha = false;
-  for (std::size_t r = 0; r < kRegisterCount; ++r) {
-    if (starts_at_one(r, kAlpha)) file.value[r][kAlpha] = static_cast<s9>(program.program.datapath.one);
-  }
   for (const auto& [key_object, value] : registers) {
     const std::string key = key_of(key_object);
-    const Name name = name_of_key(key);
-    const auto codes = name.component ? std::vector{codes_of<int>(value, key, "a whole number")}
-                                      : codes_of<std::vector<int>>(value, key, "a sequence of four whole numbers");
-    if (!name.component && codes.size() != 4) throw py::value_error(key + " must have four codes");
-    for (std::size_t i = 0; i < codes.size(); ++i) {
-      check_code(program.program, codes[i], key);
-      const std::size_t component = name.component.value_or(i);
-      file.value[name.reg][component] = static_cast<s9>(codes[i]);
-      has_spare0_alpha =
-          has_spare0_alpha || (static_cast<Register>(name.reg) == Register::spare0 && component == kAlpha);
+    const Component at = component_of(key);
+    const auto reg = static_cast<Register>(at.reg);
+    const int code = value.cast<int>();
+    if (!is_code(program.program, code)) refuse_code(program.program, code, key);
+    file.value[at.reg][at.component] = static_cast<s9>(code);
+    has_spare0_alpha = has_spare0_alpha || (reg == Register::spare0 && at.component == kAlpha);
+    if (reg == Register::constant0 || reg == Register::constant1) {
+      replace_constant(traced_program, reg, static_cast<int>(at.component), static_cast<s9>(code));
     }
   }
   if (!has_spare0_alpha) file[Register::spare0][kAlpha] = file[Register::texture0][kAlpha];
-  const std::string json = print_json_trace(program.program, trace(program.program, *program.profile, file));
+  const std::string json = print_json_trace(traced_program, trace(traced_program, profile, file));
   return py::module_::import("json").attr("loads")(json);
 }
 

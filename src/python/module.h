@@ -1,17 +1,14 @@
-// Shared by the parts of the Python module. `import ninebit` loads the package in src/python/ninebit; this is its
-// extension module, _ninebit.
+// Shared by the parts of the extension module _combiner, which needs nothing but the combiners, so that `import
+// ninebit` is quick. The other module, _verbs, is loaded by the first call that draws, studies or proves.
 #pragma once
 
 #include <pybind11/pybind11.h>
 
-#include <array>
-#include <optional>
+#include <memory>
 #include <string>
-#include <utility>
 
+#include "ninebit/language/profile_json.h"
 #include "ninebit/numerics/hardware_profile.h"
-#include "ninebit/scene/scene.h"
-#include "ninebit/shadow/technique.h"
 
 namespace ninebit::python {
 
@@ -20,28 +17,16 @@ struct Error {
   std::string message;
 };
 
-// The shipped profile with that name; throws Error if there is none.
-[[nodiscard]] const HardwareProfile& profile_named(const std::string& name);
-
-// The technique with that name; throws Error if there is none.
-[[nodiscard]] const Technique& technique_named(const std::string& name);
-
-// The camera and light of a scene. A missing value is taken from the file, or chosen by complete_scene().
-using Point = std::array<float, 3>;
-struct View {
-  std::optional<Point> camera, look_at;
-  std::optional<float> fov;  // degrees
-  std::optional<Point> light;
-  bool allow_outside = false;  // the scene may name files outside its folder
+// A shipped profile, or one from a file.
+struct ProfileChoice {
+  std::string given;                        // the name or the path
+  std::shared_ptr<const OwnedProfile> own;  // of a file
+  const HardwareProfile* profile;
 };
 
-// The scene of a file, completed for a picture of this width and height; throws Error if that fails.
-[[nodiscard]] Scene scene_for(const Technique& technique, const std::string& file, const std::pair<int, int>& size,
-                              const View& view);
+// The profile with that name, or of the .json file; throws Error if there is none.
+[[nodiscard]] ProfileChoice profile_named(const std::string& name);
 
 void add_programs(pybind11::module_& module);
-void add_render(pybind11::module_& module);
-void add_draw(pybind11::module_& module);
-void add_studies(pybind11::module_& module);
 
 }  // namespace ninebit::python

@@ -1,9 +1,10 @@
-// The C++ objects behind ninebit.State and ninebit.Program.
+// The C++ objects behind ninebit.State and ninebit.Program, whose Python classes are in src/python/ninebit.
 #pragma once
 
 #include <pybind11/pybind11.h>
 
 #include <string>
+#include <vector>
 
 #include "ninebit/combiner/batch_program.h"
 #include "src/python/module.h"
@@ -11,14 +12,15 @@
 namespace ninebit::python {
 
 struct State {
-  CombinerState state{};
-  const HardwareProfile* profile = &profiles::geforce2;
+  CombinerState state;
+  ProfileChoice profile;
+  std::vector<std::string> notes{};  // what parsing skipped or assumed
 };
 
 struct RunnableProgram {
+  State state;
   Program program;
   BatchProgram batch;
-  const HardwareProfile* profile;
 };
 
 }  // namespace ninebit::python

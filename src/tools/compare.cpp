@@ -8,6 +8,7 @@
 #include "src/tools/common/output_file.h"
 #include "src/tools/common/scene_textures.h"
 #include "src/tools/compare/compare_page.h"
+#include "src/tools/input/host.h"
 
 namespace ninebit::tools {
 namespace {
@@ -92,13 +93,19 @@ Status run_comparison(const CompareFlags& flags, Comparison& out, std::vector<st
   std::optional<Scene> scene;
   if (Status loaded = load_compared(flags, out, scene, usage); !loaded) return loaded;
   // Opened before rendering, so that an unwritable folder is reported without a long wait.
-  auto files = StagedFiles::open(flags.folder);
-  if (!files) return files.error();
+  std::optional<StagedFiles> files;
+  if (!flags.folder.empty()) {
+    auto opened = StagedFiles::open(flags.folder);
+    if (!opened) return opened.error();
+    files.emplace(std::move(*opened));
+  }
   if (Status drawn = draw_compared(*scene, line, out); !drawn) {
     Diagnostic fault = drawn.error();
     if (fault.file.empty() && fault.fault == Fault::invalid_input) fault.file = flags.scene.file;
     return fault;
   }
+  if (host() != nullptr) host()->give("page", compare_page(flags, out));
+  if (!files) return {};
   if (Status done = write_compared(flags, out, line, *files); !done) return done;
   written = files->files();
   return {};
@@ -183,7 +190,7 @@ void add_compare(CLI::App& app, int& exit_code) {
   add_common_flags(*verb, flags->common);
   add_scene_file(*verb, "scene", flags->scene)->required();
   verb->add_option("-o,--output", flags->folder, "Folder to write into; created if missing")
-      ->required()
+      ->required(host() == nullptr)
       ->type_name("DIR");
   flags->scene_options = add_scene_flags(*verb, flags->scene);
   flags->scene_options.push_back(verb->get_option("--profile"));

@@ -12,8 +12,10 @@
 #include "ninebit/image/staged_files.h"
 #include "ninebit/shadow/picture_files.h"
 #include "src/system/hashing/sha256.h"
+#include "src/tools/common/given_pictures.h"
 #include "src/tools/draw/draw_files.h"
 #include "src/tools/draw/draw_flags.h"
+#include "src/tools/input/host.h"
 
 namespace ninebit::tools {
 namespace {
@@ -194,7 +196,8 @@ int wrong_usage(const std::string& message) {
 int draw(const DrawFlags& flags) {
   const auto start = Clock::now();
   const ThreadLimit limit(flags.common.threads);
-  if (std::filesystem::path(flags.output).extension() != ".png") {
+  if (flags.output.empty() && !flags.only.empty()) return wrong_usage("--only names files; expected it with --output");
+  if (!flags.output.empty() && std::filesystem::path(flags.output).extension() != ".png") {
     return wrong_usage(fmt::format("--output {}: expected a file whose name ends in .png", flags.output));
   }
   if (Status checked = check_files(flags); !checked) return wrong_usage(checked.error().message);
@@ -218,9 +221,15 @@ int draw(const DrawFlags& flags) {
     if (fault.file.empty() && is_effect) fault.file = flags.file;
     return report(fault);
   }
-  if (Status written = write_files(flags, done); !written) return report(written.error());
+  if (!flags.output.empty()) {
+    if (Status written = write_files(flags, done); !written) return report(written.error());
+  }
   done.total_ms = milliseconds_since(start);
-  return print_answer(flags, *file.effect, chosen, is_effect, done);
+  const int printed = print_answer(flags, *file.effect, chosen, is_effect, done);
+  give_surface(done.renderer->picture());
+  if (done.difference) give_picture("difference", std::move(done.difference->image));
+  give_layers(done.renderer->layers());
+  return printed;
 }
 
 }  // namespace
@@ -243,7 +252,9 @@ void add_draw(CLI::App& app, int& exit_code) {
   verb->add_option("program", flags->file, "Program in any form, or an effect file")
       ->required()
       ->type_name("PROGRAM|EFFECT.json");
-  verb->add_option("-o,--output", flags->output, "Picture to write")->required()->type_name("FILE.png");
+  verb->add_option("-o,--output", flags->output, "Picture to write")
+      ->required(host() == nullptr)
+      ->type_name("FILE.png");
   add_draw_flags(*verb, *flags);
   verb->callback([flags, &exit_code] { exit_code = draw(*flags); });
 }

@@ -8,6 +8,7 @@
 #include "src/tools/common/explanation.h"
 #include "src/tools/common/page_file.h"
 #include "src/tools/common/program_file.h"
+#include "src/tools/input/host.h"
 #include "src/tools/input/printable.h"
 #include "src/tools/input/terminal.h"
 
@@ -43,6 +44,10 @@ int run(const ExplainFlags& flags) {
     if (!written) return report(written.error());
     if (!flags.common.quiet) say_written(flags.output);
     object["files"] = Json::array({flags.output});
+  }
+  if (host() != nullptr) {
+    host()->give("page", diagram_page(page_of(flags, *program, object, text)));
+    host()->give("text", text);
   }
   if (flags.common.json) return answer(object);
   return flags.output.empty() ? answer(wrapped(text, terminal_columns(posix::kStandardOutput))) : kDone;

@@ -1,91 +1,11 @@
-// The ninebit program. Each verb is a file of its own; this one dispatches to them.
-#include <exception>
+// The ninebit program. Each verb is a file of its own; verbs.cpp dispatches to them.
 #include <new>
-#include <sstream>
-#include <string>
-#include <string_view>
-#include <system_error>
 
 #include "src/system/memory.h"
 #include "src/system/process.h"
-#include "src/tools/common/build_facts.h"
 #include "src/tools/common/fault_answer.h"
-#include "src/tools/common/usage.h"
-#include "src/tools/input/fault_log.h"
 #include "src/tools/input/program.h"
-
-namespace ninebit::tools {
-namespace {
-
-int run(int argc, char** argv) {
-  CLI::App app{"Bit-exact emulation of NVIDIA register combiners, and the shadow techniques built on them", "ninebit"};
-  app.require_subcommand(1);
-  app.set_version_flag("-V,--version", version_text, "Print the version and build information");
-  app.footer(
-      "Example: ninebit render scenes/index_room.gltf -o out\nRun `ninebit help COMMAND` for the flags of a "
-      "command.");
-  int exit_code = kDone;
-  add_render(app, exit_code);
-  add_draw(app, exit_code);
-  add_compare(app, exit_code);
-  add_profiles(app, exit_code);
-  add_info(app, exit_code);
-  add_eval(app, exit_code);
-  add_trace(app, exit_code);
-  add_explain(app, exit_code);
-  add_convert(app, exit_code);
-  add_validate(app, exit_code);
-  add_bench(app, exit_code);
-  add_study(app, exit_code);
-  add_verify(app, exit_code);
-  add_prove(app, exit_code);
-  add_vectors(app, exit_code);
-  add_gl_run(app, exit_code);
-  add_help(app, exit_code);
-  add_generate(app, exit_code);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    if (error.get_exit_code() == 0) {  // --help or --version
-      std::ostringstream text;
-      app.exit(error, text, text);
-      return answer(text.str());
-    }
-    say_error(usage_message(app, error));
-    return kWrongUsage;
-  }
-  return exit_code;
-}
-
-// Whether a thread could not be started. oneTBB has no exception type for that.
-bool lacks_threads(const std::exception& error) {
-  const auto* const system = dynamic_cast<const std::system_error*>(&error);
-  return (system != nullptr && system->code() == std::errc::resource_unavailable_try_again) ||
-         std::string_view(error.what()).starts_with("pthread_create has failed");
-}
-
-// Runs the program; an exception becomes a message and an exit code.
-int guarded_run(int argc, char** argv) {
-  try {
-    return run(argc, argv);
-  } catch (const std::bad_alloc&) {
-    say("ninebit: error: out of memory\n");
-    log_fault({.message = "out of memory"});
-    return kOutOfMemory;
-  } catch (const InvalidInput& error) {
-    return error.report();
-  } catch (const std::exception& error) {
-    if (lacks_threads(error)) {
-      say_error(std::string("out of memory or threads: ") + error.what());
-      return kOutOfMemory;
-    }
-    say_error(error.what());
-  }
-  return kInvalidInput;
-}
-
-}  // namespace
-}  // namespace ninebit::tools
+#include "src/tools/verbs.h"
 
 int main(int argc, char** argv) {
   using namespace ninebit::tools;
@@ -93,7 +13,7 @@ int main(int argc, char** argv) {
   ninebit::posix::keep_memory_for_errors();
   int exit_code = kOutOfMemory;
   try {
-    exit_code = guarded_run(argc, argv);
+    exit_code = run_verb(argc, argv);
     answer_with_faults(argc, argv, exit_code);
   } catch (const std::bad_alloc&) {  // even for the message
   }

@@ -7,9 +7,11 @@
 
 #include "ninebit/shadow/picture_files.h"
 #include "src/tools/common/flag_groups.h"
+#include "src/tools/common/given_pictures.h"
 #include "src/tools/common/index_order.h"
 #include "src/tools/common/pixel_flag.h"
 #include "src/tools/common/scene_textures.h"
+#include "src/tools/input/host.h"
 #include "src/tools/render/render_answer.h"
 #include "src/tools/render/render_files.h"
 #include "src/tools/render/turntable.h"
@@ -39,6 +41,9 @@ Result<RenderSettings> checked_settings(const RenderFlags& flags) {
     return Diagnostic{.message =
                           "--turntable writes colour pictures alone; expected it without --ground-truth, "
                           "--layers, --pick, --check-order and --only"};
+  }
+  if (flags.folder.empty() && !flags.only.empty()) {
+    return Diagnostic{.message = "--only names files; expected it with --output"};
   }
   if (flags.pick.empty()) return settings;
   if (flags.scene.technique != "index-cube") {
@@ -106,12 +111,13 @@ Status write(const RenderFlags& flags, StagedFiles& files, ProgressLine& line, F
 }
 
 // Renders and writes the frames of --turntable.
-Status turn(const RenderFlags& flags, StagedFiles& files, ProgressLine& line, FinishedRender& done) {
+Status turn(const RenderFlags& flags, StagedFiles* files, ProgressLine& line, FinishedRender& done) {
   const auto step = [&](std::string_view frame, double share) { return line.step(frame, 0.1 + 0.9 * share); };
   if (Status drawn = draw_turntable(flags, files, step, done); !drawn) return drawn;
+  if (files == nullptr) return {};
   std::vector<std::string> names;
   for (const auto& [name, hash] : done.frames) names.push_back(name);
-  return commit(flags, names, files, done);
+  return commit(flags, names, *files, done);
 }
 
 // Loads, renders, judges and writes.
@@ -124,17 +130,23 @@ Status run(const RenderFlags& flags, FinishedRender& done) {
   done.scene.emplace(std::move(scene->scene));
   done.ignored = std::move(scene->ignored);
   // Opened before rendering, so that an unwritable folder is reported without a long wait.
-  auto files = StagedFiles::open(flags.folder);
-  if (!files) return files.error();
+  std::optional<StagedFiles> files;
+  if (!flags.folder.empty()) {
+    auto opened = StagedFiles::open(flags.folder);
+    if (!opened) return opened.error();
+    files.emplace(std::move(*opened));
+  }
   done.load_ms = milliseconds(Clock::now() - start);
   if (flags.turntable > 0) {
-    Status turned = turn(flags, *files, line, done);
+    Status turned = turn(flags, files ? &*files : nullptr, line, done);
     done.total_ms = milliseconds(Clock::now() - start);
     return turned;
   }
   if (Status drawn = draw(flags, line, done); !drawn) return drawn;
   const auto rendered = Clock::now();
-  if (Status written = write(flags, *files, line, done); !written) return written;
+  if (files) {
+    if (Status written = write(flags, *files, line, done); !written) return written;
+  }
   const auto end = Clock::now();
   done.write_ms = milliseconds(end - rendered);
   done.total_ms = milliseconds(end - start);
@@ -185,6 +197,7 @@ int render(const RenderFlags& flags) {
   }
   print_warnings(flags, done);
   const int printed = print_answer(flags, done);
+  give_rendering(*done.rendering, flags.supersample);
   return printed == kDone && flags.check_order ? check_order(flags, *done.rendering) : printed;
 }
 
@@ -200,7 +213,7 @@ void add_render(CLI::App& app, int& exit_code) {
   add_common_flags(*verb, flags->common);
   add_scene_file(*verb, "scene", flags->scene)->required();
   verb->add_option("-o,--output", flags->folder, "Folder to write into; created if missing")
-      ->required()
+      ->required(host() == nullptr)
       ->type_name("DIR");
   add_scene_flags(*verb, flags->scene);
   verb->add_flag("--layers", flags->scene.settings.layers,

@@ -14,6 +14,7 @@
 #include "src/tools/common/page_file.h"
 #include "src/tools/common/pixel_flag.h"
 #include "src/tools/common/program_file.h"
+#include "src/tools/input/host.h"
 #include "src/tools/input/printable.h"
 #include "src/tools/input/terminal.h"
 #include "src/tools/trace/trace_effect.h"
@@ -76,9 +77,12 @@ int print(const TraceFlags& flags, const Drawn& drawn, const Program* program, c
                          .registers = registers};
   const TraceHeading heading{.profile = profile, .program = flags.program.file, .pixel = drawn.pixel};
   Json object = trace_answer(heading, program, shown);
-  if (!flags.output.empty()) {
+  if (!flags.output.empty() || host() != nullptr) {
     DiagramPage page = trace_page(facts);
     page.text = text_of(facts, program, shown, {});
+    if (host() != nullptr) host()->give("page", diagram_page(page));
+    if (host() != nullptr) host()->give("text", page.text);
+    if (flags.output.empty()) return answer(object);
     if (const Status written = write_page(flags.output, page); !written) return report(written.error());
     if (!flags.common.quiet) say_written(flags.output);
     object["files"] = Json::array({flags.output});

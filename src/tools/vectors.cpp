@@ -12,6 +12,7 @@
 #include "ninebit/language/json.h"
 #include "src/tools/common/output_file.h"
 #include "src/tools/common/scene_flags.h"
+#include "src/tools/input/host.h"
 #include "src/tools/vectors/packed_text.h"
 #include "src/tools/vectors/runner_text.h"
 
@@ -57,8 +58,12 @@ Result<std::string> program_lines(const VectorPack& pack, ProgressLine& progress
 Result<WrittenPack> write_pack(const VectorsFlags& flags) {
   ProgressLine progress(flags.common.quiet || flags.common.json);
   // Before the work: a folder that cannot be written into is reported at once.
-  auto files = StagedFiles::open(flags.folder);
-  if (!files) return files.error();
+  std::optional<StagedFiles> files;
+  if (!flags.folder.empty()) {
+    auto opened = StagedFiles::open(flags.folder);
+    if (!opened) return opened.error();
+    files.emplace(std::move(*opened));
+  }
   auto pack = make_vector_pack(profile_of(flags.common), flags.settings,
                                [&](double done) { return progress.step("programs", done); });
   if (!pack) return pack.error();
@@ -66,6 +71,11 @@ Result<WrittenPack> write_pack(const VectorsFlags& flags) {
   if (!lines) return lines.error();
   const std::string text = print_vector_pack(*pack);
   if (ProgressLine::stopped()) return Diagnostic{.message = "interrupted", .fault = Fault::cancelled};
+  if (host() != nullptr) {
+    host()->give("vectors", text);
+    host()->give("programs", *lines);
+  }
+  if (!files) return WrittenPack{std::move(*pack), {}};
   const std::string packed = packed_text(*lines);
   if (ProgressLine::stopped()) return Diagnostic{.message = "interrupted", .fault = Fault::cancelled};
   if (Status written = write_staged(*files, "vectors.txt", text); !written) return written.error();
@@ -163,7 +173,9 @@ void add_vectors(CLI::App& app, int& exit_code) {
       "  ninebit verify results.txt --vectors pack");
   auto flags = std::make_shared<VectorsFlags>();
   add_common_flags(*verb, flags->common);
-  verb->add_option("-o,--output", flags->folder, "Write the files to this folder")->required()->type_name("DIR");
+  verb->add_option("-o,--output", flags->folder, "Write the files to this folder")
+      ->required(host() == nullptr)
+      ->type_name("DIR");
   verb->add_option("--programs", flags->settings.programs, "Number of programs")
       ->capture_default_str()
       ->check(CLI::Range(1, kMostVectorPrograms));

@@ -4,6 +4,7 @@
 
 #include <string_view>
 #include <system_error>
+#include <utility>
 
 #include "src/image/output/faults.h"
 #include "src/image/texture/picture_module.h"
@@ -15,8 +16,16 @@ namespace {
 
 namespace fs = std::filesystem;
 
+fs::path given_folder;  // empty: none
+
 Result<fs::path> find_module() {
   std::error_code error;
+  if (!given_folder.empty()) {
+    const fs::path given = given_folder / kPictureModuleFile;
+    if (fs::exists(given, error)) return given;
+    return Diagnostic{
+        fmt::format("the module that reads pictures other than DDS is missing: {} does not exist", given.string())};
+  }
   const fs::path program = fs::read_symlink(posix::program_file(), error);
   if (error) {
     return Diagnostic{fmt::format("the path of the program is unknown, so {} cannot be found: {}", kPictureModuleFile,
@@ -59,6 +68,10 @@ const Result<PictureModule>& the_module() {
 }
 
 }  // namespace
+
+void set_picture_folder(fs::path folder) {
+  given_folder = std::move(folder);
+}
 
 Status load_picture_module(const std::filesystem::path& file) {
   const Result<PictureModule>& pictures = the_module();

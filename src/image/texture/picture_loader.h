@@ -12,6 +12,9 @@ namespace ninebit::image_detail {
 // that is missing, cannot be loaded or belongs to another build of the program, with its path.
 [[nodiscard]] Result<FileTexture> load_picture(const PictureSource& source);
 
+// Looks for the module in this folder alone: for a process that is not the program. Call it before the first picture.
+void set_picture_folder(std::filesystem::path folder);
+
 // Only loads the module.
 [[nodiscard]] Status load_picture_module(const std::filesystem::path& file);
 

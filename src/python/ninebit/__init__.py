@@ -1,6 +1,28 @@
 """GeForce 2 register combiners to the bit, and the shadow techniques built on them."""
-from ._ninebit import (Error, Program, State, __version__, datapath_study, depth_packing_study, draw, index_steps_study,
-                       profiles, render, shadows_study, simd_target, techniques)
+from ._combiner import Error, __version__, profiles, simd_target
+from ._programs import Program, State, Trace
 
-__all__ = ["Error", "Program", "State", "__version__", "datapath_study", "depth_packing_study", "draw",
-           "index_steps_study", "profiles", "render", "shadows_study", "simd_target", "techniques"]
+# Loaded by the first call: drawing, studies and proofs need many libraries, programs need none.
+_LATER = {
+    "render": "_verbs_api", "draw": "_verbs_api", "compare": "_verbs_api", "study": "_verbs_api",
+    "prove": "_verbs_api", "trace": "_verbs_api", "explain": "_verbs_api", "convert": "_verbs_api",
+    "vectors": "_verbs_api", "options": "_verbs_api",
+    "Rendering": "_results", "Drawing": "_results", "Comparison": "_results", "Report": "_results",
+    "Proof": "_results", "Explanation": "_results", "Vectors": "_results",
+}
+
+__all__ = ["Error", "Program", "State", "Trace", "__version__", "profiles", "simd_target", *_LATER]
+
+
+def __getattr__(name):
+    if name not in _LATER:
+        from ._combiner import nearest_name
+        raise AttributeError(f"module 'ninebit' has no attribute '{name}'{nearest_name(name, __all__)}")
+    import importlib
+    value = getattr(importlib.import_module(f".{_LATER[name]}", __name__), name)
+    globals()[name] = value
+    return value
+
+
+def __dir__():
+    return __all__

@@ -1,13 +1,30 @@
-from typing import Any, Callable, Literal, Mapping, Sequence, TypedDict
+from collections.abc import Mapping, Sequence
+from os import PathLike
+from typing import Any, Literal, TypedDict, overload
 
 import numpy as np
 from numpy.typing import NDArray
 
+from ._verbs_api import compare as compare
+from ._verbs_api import convert as convert
+from ._verbs_api import draw as draw
+from ._verbs_api import explain as explain
+from ._verbs_api import options as options
+from ._verbs_api import prove as prove
+from ._verbs_api import render as render
+from ._verbs_api import study as study
+from ._verbs_api import trace as trace
+from ._verbs_api import vectors as vectors
+
 ReadForm = Literal["gl", "source", "rc10", "ps", "words", "words-json", "json", "xbox", "log"]
-Form = Literal["gl", "rc10", "ps11", "words", "words-json", "json", "xbox"]
-Point = tuple[float, float, float]
+Form = Literal["gl", "rc10", "ps11", "words", "words-json", "json", "xbox", "glsl", "glsl-es", "c"]
+Chip = Literal["nv10", "nv20"]
+# Whole numbers: alone, in lists, in arrays.
+Codes = int | np.integer[Any] | NDArray[np.integer[Any]] | Sequence["Codes"]
+IntArray = NDArray[np.integer[Any]]
 
 __version__: str
+__all__: list[str]
 
 class Error(ValueError): ...
 
@@ -18,122 +35,100 @@ class Diagnostic(TypedDict):
     variable: str | None
     message: str
 
-class IndexOrder(TypedDict):
-    order: Literal["file", "neighbour"]
-    reason: str
-    patches: int
-    borders: int
-    broken_borders: int
-    broken_share: float
-    false_neighbours: int
-
-class Drawing(TypedDict):
-    red: NDArray[np.uint8]
-    green: NDArray[np.uint8]
-    blue: NDArray[np.uint8]
-    alpha: NDArray[np.uint8]
-    stencil: NDArray[np.uint8]
-    depth: NDArray[np.uint32]
-    warnings: list[str]
-
-class Rendering(TypedDict):
-    red: NDArray[np.uint8]
-    green: NDArray[np.uint8]
-    blue: NDArray[np.uint8]
-    alpha: NDArray[np.uint8]
-    depth: NDArray[np.uint32]
-    stencil: NDArray[np.uint8]
-    background: int
-    lit: int
-    shadowed: int
-    facts: dict[str, int | float | str]
-    index_order: IndexOrder
-
 class State:
-    def __init__(self, profile: str = "geforce2") -> None: ...
-    @staticmethod
-    def parse(text: str, form: ReadForm | None = None, profile: str = "geforce2") -> State: ...
-    def print(self, form: Form) -> str: ...
+    def __init__(self, profile: str | PathLike[str] = "geforce2") -> None: ...
+    @classmethod
+    def parse(
+        cls,
+        text: str | bytes,
+        form: ReadForm | None = None,
+        profile: str | PathLike[str] = "geforce2",
+        *,
+        chip: Chip | None = None,
+        function: str | Sequence[str] | None = None,
+        define: Mapping[str, object] | None = None,
+        setup: int = 0,
+    ) -> State: ...
+    def print(self, form: Form, chip: Chip | None = None) -> str: ...
     def validate(self) -> list[Diagnostic]: ...
     @property
     def profile(self) -> str: ...
+    @property
+    def stages(self) -> int: ...
     def __eq__(self, other: object) -> bool: ...
+    def __hash__(self) -> int: ...
 
 class Program:
-    def __init__(self, state: State) -> None: ...
+    state: State
+    def __init__(
+        self, state: State | str, form: ReadForm | None = None, profile: str | PathLike[str] | None = None
+    ) -> None: ...
     @property
     def profile(self) -> str: ...
     @property
     def one(self) -> int: ...
     @property
     def lowest(self) -> int: ...
-    def evaluate(self, inputs: Mapping[str, NDArray[np.int16]]) -> NDArray[np.int16]: ...
-    def evaluate_registers(self, inputs: Mapping[str, NDArray[np.int16]]) -> dict[str, NDArray[np.int16]]: ...
-    def trace(self, registers: Mapping[str, int | Sequence[int]]) -> dict[str, Any]: ...
+    @property
+    def stages(self) -> int: ...
+    @overload
+    def evaluate(
+        self,
+        inputs: Mapping[str, Codes] | None = None,
+        /,
+        *,
+        out: IntArray | None = None,
+        axis: Literal[0, -1] | None = None,
+        registers: Literal[False] = False,
+        **keywords: Codes,
+    ) -> NDArray[np.int16]: ...
+    @overload
+    def evaluate(
+        self,
+        inputs: Mapping[str, Codes] | None = None,
+        /,
+        *,
+        out: IntArray | None = None,
+        axis: Literal[0, -1] | None = None,
+        registers: Literal[True],
+        **keywords: Codes,
+    ) -> dict[str, NDArray[np.int16]]: ...
+    def trace(self, registers: Mapping[str, Codes] | None = None, /, **keywords: Codes) -> Trace: ...
     def explain(self) -> str: ...
     def glsl(self, function: str = "ninebit_combine", es: bool = False) -> str: ...
 
+class Trace(dict[str, Any]): ...
+
+class _Picture(dict[str, Any]):
+    color: NDArray[np.uint8]
+    depth: NDArray[np.uint32]
+    stencil: NDArray[np.uint8]
+    frames: NDArray[np.uint8] | None
+    pictures: dict[str, NDArray[np.uint8]]
+    layers: dict[str, NDArray[Any]]
+
+class Rendering(_Picture): ...
+class Drawing(_Picture): ...
+
+class Comparison(dict[str, Any]):
+    rows: NDArray[np.void]
+    pictures: dict[str, NDArray[np.uint8]]
+    wrong: dict[str, NDArray[np.uint8]]
+
+class Report(dict[str, Any]):
+    rows: NDArray[np.void]
+    tables: dict[str, NDArray[np.void]]
+
+class Proof(dict[str, Any]):
+    def __bool__(self) -> bool: ...
+
+class Explanation(dict[str, Any]):
+    text: str
+
+class Vectors(dict[str, Any]):
+    text: str
+    programs: list[str]
+    rows: NDArray[np.void]
+
 def profiles() -> list[str]: ...
-def techniques() -> list[str]: ...
 def simd_target() -> str: ...
-def render(
-    scene: str,
-    *,
-    technique: str = "index-cube",
-    size: tuple[int, int] = (1024, 768),
-    map_size: int = 512,
-    profile: str = "geforce2",
-    index_step: int = 2,
-    index_order: Literal["file", "neighbour"] = "file",
-    patch_angle: float = 20.0,
-    index_scales: Literal["both-x4", "first-x4", "second-x4", "no-scale"] = "both-x4",
-    camera: Point | None = None,
-    look_at: Point | None = None,
-    fov: float | None = None,
-    light: Point | None = None,
-    allow_outside: bool = False,
-) -> Rendering: ...
-def draw(
-    effect: str,
-    *,
-    profile: str | None = None,
-    size: tuple[int, int] | None = None,
-    read_picture: Callable[[str], NDArray[np.uint8]] | None = None,
-) -> Drawing: ...
-def index_steps_study(
-    *,
-    profiles: Sequence[str] | None = None,
-    formats: Sequence[Literal["channel", "rgb", "la", "l", "a"]] | None = None,
-    variants: Sequence[str] | None = None,
-    steps: tuple[int, int] = (1, 16),
-) -> dict[str, NDArray[np.void]]: ...
-def datapath_study(*, profiles: Sequence[str] | None = None) -> dict[str, NDArray[np.void]]: ...
-def shadows_study(
-    scene: str,
-    *,
-    technique: str = "index-cube",
-    size: tuple[int, int] = (1024, 768),
-    profile: str = "geforce2",
-    map_sizes: Sequence[int] = (),
-    formats: Sequence[Literal["rgb", "la", "l", "a"]] | None = None,
-    scopes: Sequence[Literal["polygon", "object", "section"]] | None = None,
-    steps: Sequence[int] = (),
-    orders: Sequence[Literal["file", "neighbour"]] | None = None,
-    scales: Sequence[Literal["both-x4", "first-x4", "second-x4", "no-scale"]] | None = None,
-    depth_bits: Sequence[Literal["8", "16", "float"]] | None = None,
-    biases: Sequence[float] = (),
-    encodings: Sequence[str] | None = None,
-    polygon_offsets: Sequence[tuple[float, float]] = (),
-    camera: tuple[float, float, float] | None = None,
-    look_at: tuple[float, float, float] | None = None,
-    fov: float | None = None,
-    light: tuple[float, float, float] | None = None,
-    allow_outside: bool = False,
-) -> dict[str, NDArray[np.void]]: ...
-def depth_packing_study(
-    *,
-    packings: Sequence[str] | None = None,
-    storages: Sequence[Literal["round", "truncate"]] | None = None,
-    sets: Sequence[Literal["16", "24", "floats"]] | None = None,
-    float_step: int = 64,
-) -> dict[str, NDArray[np.void]]: ...

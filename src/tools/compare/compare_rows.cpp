@@ -7,13 +7,14 @@
 #include "ninebit/image/image_io.h"
 #include "ninebit/shadow/pictures.h"
 #include "src/shadow/ground_truth/cause_plane.h"
+#include "src/tools/common/given_pictures.h"
 #include "src/tools/common/picture_hashes.h"
 
 namespace ninebit::tools {
 namespace {
 
-Status judge_row(const Rendering& rendering, const RenderSettings& settings, const GroundTruthScene& rays,
-                 const Progress& progress, ComparedRow& row) {
+Status judge_row(const std::string& name, const Rendering& rendering, const RenderSettings& settings,
+                 const GroundTruthScene& rays, const Progress& progress, ComparedRow& row) {
   if (!rendering.evidence) return {};
   const auto truth = measure(rays, settings, rendering, progress);
   if (!truth) return truth.error();
@@ -21,8 +22,10 @@ Status judge_row(const Rendering& rendering, const RenderSettings& settings, con
   for (const ErrorCause cause : causes_of(*rendering.evidence)) {
     errors.by_cause.emplace_back(name_of(cause), truth->by_cause[static_cast<std::size_t>(cause)]);
   }
-  auto plane = encode_png(cause_plane(*truth, settings.width, settings.height));
+  Image8 causes = cause_plane(*truth, settings.width, settings.height);
+  auto plane = encode_png(causes);
   if (!plane) return plane.error();
+  give_picture("wrong " + name, std::move(causes));
   row.wrong = std::move(*plane);
   row.errors = std::move(errors);
   return {};
@@ -96,7 +99,7 @@ Result<ComparedRow> compared_row(const ComparedPoint& point, const Scene& scene,
       row.refused = judged.error().message;
       return row;
     }
-    if (Status done = judge_row(*judged, settings, rays, part(0.4, 0.3), row); !done) return done.error();
+    if (Status done = judge_row(point.name, *judged, settings, rays, part(0.4, 0.3), row); !done) return done.error();
   }
   // Rendered again, because keeping the evidence takes time of its own.
   settings.evidence = false;
@@ -109,8 +112,10 @@ Result<ComparedRow> compared_row(const ComparedPoint& point, const Scene& scene,
   row.drawn = rendering->drawn;
   row.map_bytes = rendering->map_bytes;
   row.hashes = picture_hashes(*rendering);
-  auto color = encode_png(color_picture(*rendering));
+  Image8 picture = color_picture(*rendering);
+  auto color = encode_png(picture);
   if (!color) return color.error();
+  give_picture("color " + point.name, std::move(picture));
   row.color = std::move(*color);
   return row;
 }

@@ -16,6 +16,8 @@ struct LoggedFault {
 // Adds an error; say_error() and report() do. Only the first thousand are kept.
 void log_fault(LoggedFault fault);
 [[nodiscard]] const std::vector<LoggedFault>& logged_faults();
+// Forgets the errors of an earlier run.
+void clear_faults();
 
 // Records that standard output has an answer, or a part of one.
 void log_answer() noexcept;

@@ -15,6 +15,7 @@
 #include "src/system/stream.h"
 #include "src/tools/input/fault_log.h"
 #include "src/tools/input/file_kind.h"
+#include "src/tools/input/host.h"
 #include "src/tools/input/input_file.h"
 #include "src/tools/input/printable.h"
 
@@ -154,6 +155,7 @@ bool wants_colors(int stream) {
 }
 
 void say(std::string_view text) noexcept {
+  if (host() != nullptr) return host()->say(text);
   constexpr std::string_view kError = "ninebit: error:", kRed = "\x1b[1;31m", kPlain = "\x1b[0m";
   const bool colored = wants_colors(posix::kStandardError);
   for (std::string_view rest = text; !rest.empty();) {
@@ -192,6 +194,10 @@ int answer(const Json& object) {
 }
 
 int answer_exactly(const std::string& text) {
+  if (host() != nullptr) {
+    host()->answer(text);
+    return kDone;
+  }
   log_answer();
   if (std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0) return kDone;
   const std::string why = std::generic_category().message(errno);
@@ -227,8 +233,8 @@ int report(const Diagnostic& diagnostic) {
   return kInvalidInput;
 }
 
-ProgressLine::ProgressLine(bool quiet) : visible_(!quiet && takes_escapes(posix::kStandardError)) {
-  posix::catch_interrupts(on_interrupt);
+ProgressLine::ProgressLine(bool quiet) : visible_(host() == nullptr && !quiet && takes_escapes(posix::kStandardError)) {
+  if (host() == nullptr) posix::catch_interrupts(on_interrupt);
 }
 
 ProgressLine::~ProgressLine() {
@@ -243,11 +249,12 @@ bool ProgressLine::step(std::string_view what, double done) {
                                 std::string(static_cast<std::size_t>(kWidth - filled), '.'), printable(what)));
     std::fflush(stderr);
   }
-  return interrupted == 0;
+  if (host() != nullptr) host()->step(what, done);
+  return !stopped();
 }
 
 bool ProgressLine::stopped() {
-  return interrupted != 0;
+  return host() != nullptr ? host()->stopped() : interrupted != 0;
 }
 
 }  // namespace ninebit::tools

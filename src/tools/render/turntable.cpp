@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "ninebit/shadow/pictures.h"
+#include "src/tools/common/given_pictures.h"
 #include "src/tools/common/picture_hashes.h"
 
 namespace ninebit::tools {
@@ -28,7 +29,7 @@ Camera turned(const Camera& camera, int number, int count) {
   return out;
 }
 
-Status draw_turntable(const RenderFlags& flags, StagedFiles& files, const Progress& step, FinishedRender& done) {
+Status draw_turntable(const RenderFlags& flags, StagedFiles* files, const Progress& step, FinishedRender& done) {
   Scene scene = *done.scene;
   const Camera first = scene.cameras[0];
   const int digits = flags.turntable > 1000 ? 4 : 3;
@@ -40,12 +41,14 @@ Status draw_turntable(const RenderFlags& flags, StagedFiles& files, const Progre
     auto rendering = render_scene(flags.scene, scene, done.settings, progress);
     if (!rendering) return rendering.error();
     const std::string name = fmt::format("color_{:0{}}.png", i, digits);
-    if (Status written = write_png(files.stage(name), averaged(color_picture(*rendering), flags.supersample));
-        !written) {
+    Image8 picture = averaged(color_picture(*rendering), flags.supersample);
+    const Status written = files != nullptr ? write_png(files->stage(name), picture) : Status();
+    if (!written) {
       Diagnostic fault = written.error();
-      fault.file = files.files().back().string();
+      fault.file = files->files().back().string();
       return fault;
     }
+    give_picture("frames", std::move(picture));
     done.frames.push_back({name, picture_hashes(*rendering)[0].second});
     if (i == 0) done.rendering.emplace(std::move(*rendering));
   }

@@ -18,8 +18,9 @@ inline constexpr int kMostFrames = 3600;
 [[nodiscard]] Camera turned(const Camera& camera, int number, int count);
 
 // Renders the frames of --turntable and stages color_000.png and so on. The light stays where it is. The rendering of
-// frame 0 stays in `done`. `step` is called with the share of the work that is done; false ends it.
-[[nodiscard]] Status draw_turntable(const RenderFlags& flags, StagedFiles& files, const Progress& step,
+// frame 0 stays in `done`. Without `files` the pictures go to the host alone. `step` is called with the share of the
+// work that is done; false ends it.
+[[nodiscard]] Status draw_turntable(const RenderFlags& flags, StagedFiles* files, const Progress& step,
                                     FinishedRender& done);
 
 }  // namespace ninebit::tools

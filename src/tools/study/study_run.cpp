@@ -19,6 +19,7 @@
 #include "src/tools/common/scene_flags.h"
 #include "src/tools/common/setup_name.h"
 #include "src/tools/input/file_kind.h"
+#include "src/tools/input/host.h"
 #include "src/tools/study/study.h"
 
 namespace ninebit::tools {
@@ -26,7 +27,7 @@ namespace {
 
 // Identifies the build: the version and a hash of the program file. Parts of different builds are not merged.
 std::string build_of_program() {
-  std::ifstream program(posix::program_file(), std::ios::binary);
+  std::ifstream program(host() != nullptr ? host()->code_file() : posix::program_file(), std::ios::binary);
   Sha256 hash;
   std::vector<char> piece(1 << 16);
   while (program.read(piece.data(), static_cast<std::streamsize>(piece.size())), program.gcount() > 0) {
@@ -109,6 +110,11 @@ int finish(const Study& study, const std::string& folder, std::span<const StudyR
     for (const auto& file : *files) {
       if (!flags.quiet) say_written(file);
     }
+  }
+  if (host() != nullptr) {
+    auto page = report_html(study.question(), NINEBIT_VERSION, *made, rows);
+    if (!page) return report(page.error());
+    host()->give("page", *std::move(page));
   }
   return answer_rows(study, *made, rows, flags);
 }

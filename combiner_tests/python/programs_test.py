@@ -1,0 +1,207 @@
+"""import ninebit: states, and programs on NumPy arrays."""
+import copy
+import pathlib
+import pickle
+import tempfile
+import threading
+import unittest
+import warnings
+
+import ninebit
+import numpy as np
+
+top = pathlib.Path(__file__).resolve().parents[2]
+compare = (top / "docs/programs/index_compare.gl").read_text()
+double = """!!RC1.0
+{ rgb { spare0 = col0 * tex0; scale_by_two(); } }
+out.rgb = spare0;
+out.a = unsigned_invert(zero);
+"""
+
+
+def program(text, form="rc10", profile="geforce2"):
+    return ninebit.Program(text, form, profile)
+
+
+class States(unittest.TestCase):
+    def test_forms_there_and_back(self):
+        state = ninebit.State.parse(compare, "gl")
+        for form in ("gl", "rc10", "words", "words-json", "json"):
+            again = ninebit.State.parse(state.print(form), form)
+            one, two = (ninebit.Program(s).explain() for s in (state, again))
+            self.assertEqual(one.split("how to read")[0].splitlines()[:6], two.splitlines()[:6])
+        self.assertEqual(ninebit.State.parse(state.print("json"), "json"), state)
+        self.assertEqual(state.validate(), [])
+        self.assertEqual(ninebit.State("nv2a").profile, "nv2a")
+        self.assertIn("#version 330", state.print("glsl"))
+        self.assertIn("int32_t", state.print("c"))
+
+    def test_what_is_wrong_is_told(self):
+        with self.assertRaisesRegex(ninebit.Error, "2:11: .*spare2"):
+            ninebit.State.parse("!!RC1.0\nout.rgb = spare2;", "rc10")
+        with self.assertRaisesRegex(ninebit.Error, "voodoo.*geforce2"):
+            ninebit.State("voodoo")
+        with self.assertRaisesRegex(ninebit.Error, "'geforce'.*did you mean 'geforce2'"):
+            ninebit.State("geforce")
+        with self.assertRaisesRegex(ninebit.Error, "none.json.*cannot be read"):
+            ninebit.State("none.json")
+        with self.assertRaisesRegex(ninebit.Error, "unknown form 'basic'.*gl, source"):
+            ninebit.State.parse("", "basic")
+        with self.assertRaisesRegex(ninebit.Error, "text is the name of a file, .*index_compare.gl; expected the program itself"):
+            ninebit.Program(str(top / "docs/programs/index_compare.gl"))
+        with self.assertRaisesRegex(TypeError, "text is PosixPath; expected str, the program itself"):
+            ninebit.State.parse(top)
+        with self.assertRaisesRegex(ninebit.Error, "unknown form 'rc1'.*did you mean 'rc10'"):
+            ninebit.State().print("rc1")
+
+    def test_the_form_is_found(self):
+        shader = "ps.1.1\ntex t0\nmul r0, t0, v0"
+        with self.assertWarnsRegex(UserWarning, "2:1: tex is executed before the combiners"):
+            state = ninebit.State.parse(shader)
+        self.enterContext(warnings.catch_warnings())
+        warnings.simplefilter("ignore")
+        self.assertEqual(state, ninebit.State.parse(shader, "ps"))
+        source = "void f() { glCombinerParameteriNV(GL_NUM_GENERAL_COMBINERS_NV, 1); }"
+        self.assertEqual(ninebit.State.parse(source), ninebit.State.parse(source, "source"))
+        for form, read in [("gl", "gl"), ("rc10", "rc10"), ("ps11", "ps"), ("words", "words"), ("xbox", "xbox"),
+                           ("json", "json"), ("words-json", "words-json")]:
+            text = ninebit.State.parse(shader, profile="nv2a").print(form)
+            again = ninebit.State.parse(text, profile="nv2a")
+            self.assertEqual(again, ninebit.State.parse(text, read, "nv2a"), form)
+        self.assertTrue(issubclass(ninebit.Error, ValueError))
+
+    def test_a_profile_of_ones_own(self):
+        path = pathlib.Path(self.enterContext(tempfile.TemporaryDirectory())) / "mine.json"
+        path.write_text('{"base": "geforce2", "name": "mine", "half": 127}')
+        own = ninebit.Program(ninebit.State.parse("!!RC1.0\n{ rgb { spare0 = half_bias(tex0); } }\nout.rgb = spare0;",
+                                                  profile=path))
+        self.assertEqual(own.profile, "mine")
+        self.assertEqual(own.evaluate({"tex0.r": 200})[0], 200 - 127)
+
+    def test_objects_describe_themselves(self):
+        state = ninebit.State.parse(compare)
+        self.assertEqual(repr(state), "<ninebit.State of 2 general combiners, geforce2>")
+        self.assertEqual(repr(ninebit.Program(state)), "<ninebit.Program of 2 general combiners, geforce2>")
+        self.assertRegex(repr(ninebit.Program(state).trace(primary=5)), r"^<ninebit.Trace of 2 stages, geforce2: out [0-9, ]+>$")
+
+    def test_objects_are_copied_and_pickled(self):
+        state = ninebit.State.parse(compare, profile="nv2a")
+        p = ninebit.Program(state)
+        for again in (copy.deepcopy, lambda one: pickle.loads(pickle.dumps(one))):
+            self.assertEqual(again(state), state)
+            self.assertEqual(hash(again(state)), hash(state))
+            self.assertEqual(again(p).state, state)
+            self.assertEqual(again(p.trace(primary=5)), p.trace(primary=5))
+
+
+class Programs(unittest.TestCase):
+    def test_every_pair_of_bytes(self):
+        a, b = np.meshgrid(np.arange(256), np.arange(256))
+        color = program(double).evaluate({"primary.r": a, "tex0.r": b})
+        self.assertEqual((color.dtype, color.shape), (np.int16, (4, 256, 256)))
+        # A GeForce 2 scales before it cuts toward zero.
+        np.testing.assert_array_equal(color[0], np.minimum(255, 2 * a * b // 255))
+        np.testing.assert_array_equal(color[3], 255)
+
+    def test_whole_registers_and_what_is_left_in_them(self):
+        codes = np.arange(-255, 256, dtype=np.int16)
+        register = np.stack([codes, -codes, codes, codes])
+        left = program("!!RC1.0\n{ rgb { spare1 = -spare0; } }\nout.rgb = spare1;\nout.a = spare0.a;\n").evaluate(
+            {"spare0": register}, registers=True)
+        np.testing.assert_array_equal(left["spare1"][:3], -register[:3])
+        np.testing.assert_array_equal(left["spare0"], register)
+        np.testing.assert_array_equal(left["out"][0], np.maximum(0, -codes))
+        self.assertEqual(list(left), ["out", "const0", "const1", "fog", "primary", "secondary", "spare0", "spare1",
+                                      "tex0", "tex1", "tex2", "tex3"])
+
+    def test_constants_vary(self):
+        text = "!!RC1.0\nconst0 = (0.0, 1.0, 0.0, 1.0);\n{ rgb { spare0 = const0 * tex0; } }\nout.rgb = spare0;\n"
+        for profile in ("geforce2", "ideal"):
+            p = program(text, profile=profile)
+            own = p.evaluate({"tex0": (p.one, p.one, p.one)})
+            self.assertEqual(own[:3].tolist(), [0, p.one, 0])
+            codes = np.arange(p.one + 1)
+            given = p.evaluate({"tex0": (p.one, p.one, p.one), "const0.b": codes}, registers=True)
+            np.testing.assert_array_equal(given["out"][2], codes, profile)
+            np.testing.assert_array_equal(given["out"][1], np.full(len(codes), p.one))
+            np.testing.assert_array_equal(given["const0"][2], codes)
+            self.assertEqual(p.trace({"tex0": (p.one, p.one, p.one), "const0.b": 7})["out"]["codes"][2], 7)
+
+    def test_objects_that_were_never_made(self):
+        raw_program, raw_state = (cls.__new__(cls) for cls in (ninebit.Program, ninebit.State))
+        uses = [lambda: raw_program.evaluate({"tex0.r": 0}), lambda: raw_program.trace({}), raw_program.explain,
+                raw_program.glsl, lambda: raw_program.one, lambda: raw_program.lowest, lambda: raw_program.profile,
+                lambda: raw_state.print("json"), raw_state.validate, lambda: raw_state.profile, lambda: repr(raw_state),
+                lambda: repr(raw_program), lambda: raw_state == ninebit.State(), lambda: ninebit.State() == raw_state,
+                lambda: ninebit.Program(raw_state)]
+        for use in uses:
+            with self.assertRaisesRegex(TypeError, "__init__.* has not run"):
+                use()
+
+    def test_arrays_live_as_long_as_they_are_read(self):
+        p = program(compare, "gl")
+        count = 2_000_000
+        expected = p.evaluate({"tex0.r": np.full(256, 77, dtype=np.int16)})[:, :1]
+        for _ in range(4):
+            inputs = {"tex0.r": np.full(count, 77, dtype=np.int16)}
+            found = []
+            worker = threading.Thread(target=lambda: found.append(p.evaluate(inputs)))
+            worker.start()
+            # The array is read while another thread drops it, and memory of its size is taken and filled.
+            while worker.is_alive():
+                inputs.clear()
+                np.full(count, -9999, dtype=np.int16)
+            worker.join()
+            if found:  # else the dictionary was empty before it was looked at
+                self.assertTrue((found[0] == expected).all())
+
+    def test_codes_are_checked_as_they_are_read(self):
+        p = program(double)
+        codes = np.zeros(1_000_000, dtype=np.int16)
+        for place in (0, 511, 512, 999_999):
+            codes[place] = -256
+            with self.assertRaisesRegex(ninebit.Error, "tex0.r has the code -256; expected -255 to 255"):
+                p.evaluate({"tex0.r": codes})
+            codes[place] = 0
+        self.assertEqual(p.evaluate({"tex0.r": codes}).shape, (4, 1_000_000))
+
+    def test_trace_is_what_evaluate_gives(self):
+        p = program(compare, "gl")
+        trace = p.trace({"primary.r": 101, "tex0": (100, 0, 0, 255)})
+        color = p.evaluate({"primary.r": 101, "tex0": (100, 0, 0, 255)})
+        self.assertEqual(trace["out"]["codes"], color.tolist())
+        self.assertEqual(trace["one"], p.one)
+        self.assertEqual(len(trace["stages"]), 2)
+        self.assertEqual(p.trace(tex0=np.array([1, 2, 3]))["one"], 255)
+        self.assertIn("spare0", p.explain())
+        self.assertTrue(p.glsl("mine").startswith("#version 330"))
+        self.assertTrue(p.glsl(es=True).startswith("#version 300 es"))
+        for wrong, message in (({"tex0.r": [1, 2]}, r"tex0.r has the shape \(2,\); expected one whole number"),
+                               ({"tex0": [[1] * 4] * 2}, "a trace is of one fragment"),
+                               ({"tex0.r": 256}, "tex0.r has the code 256"),
+                               ({"tex0.r": 1, "tex0": (1, 2, 3, 4)}, "tex0.r is given twice")):
+            with self.assertRaisesRegex(ninebit.Error, message):
+                p.trace(wrong)
+        with self.assertRaisesRegex(TypeError, "tex0.r is float"):
+            p.trace({"tex0.r": 0.5})
+
+    def test_threads(self):
+        p = program(compare, "gl")
+        codes = np.arange(256, dtype=np.int16).repeat(40)
+        expected = p.evaluate({"primary.r": codes})
+        found = [None] * 4
+
+        def work(i):
+            found[i] = p.evaluate({"primary.r": codes})
+
+        threads = [threading.Thread(target=work, args=(i,)) for i in range(4)]
+        for thread in threads:
+            thread.start()
+        for thread in threads:
+            thread.join()
+        for color in found:
+            np.testing.assert_array_equal(color, expected)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,140 @@
+"""Register codes in the shapes of NumPy: what Program.evaluate takes and returns."""
+import numpy as np
+
+from ._combiner import REGISTERS, Error, nearest_name
+
+_LETTERS = "rgba"
+_COMPONENTS = [f"{register}.{letter}" for register in REGISTERS for letter in _LETTERS]
+
+
+def register_of(name, keyword=False):
+    """The register and the component, or None, of 'tex0' or 'tex0.r'."""
+    if not isinstance(name, str):
+        raise TypeError(f"a register's name must be str, such as 'tex0' or 'tex0.r', not {type(name).__name__}")
+    register, dot, letter = name.partition(".")
+    if register in REGISTERS and (not dot or (len(letter) == 1 and letter in _LETTERS)):
+        return register, _LETTERS.index(letter) if dot else None
+    known = [*REGISTERS, *(["out", "axis", "registers"] if keyword else _COMPONENTS)]
+    raise (TypeError if keyword else Error)(
+        f"'{name}' is not a register{' or an option' if keyword else ''}; expected one of {', '.join(REGISTERS)}"
+        + (", out, axis, registers" if keyword else ", alone or with .r, .g, .b or .a") + nearest_name(name, known))
+
+
+def merged(inputs, keywords):
+    """The inputs of a dictionary and of keyword arguments as one dictionary."""
+    if inputs is None:
+        inputs = {}
+    if not hasattr(inputs, "items"):
+        raise TypeError(f"inputs must be a dictionary of registers, such as {{'tex0.r': codes}}, not {type(inputs).__name__}")
+    for name in keywords:
+        register_of(name, keyword=True)
+        if name in inputs:
+            raise TypeError(f"'{name}' is given twice: in the dictionary and as a keyword")
+    return {**inputs, **keywords}
+
+
+def codes_of(name, value, lowest, one):
+    """The value as an array of uint8 or int16; TypeError for other types than whole numbers, Error for other codes."""
+    if isinstance(value, np.ma.MaskedArray):
+        raise TypeError(f"{name} is a masked array; expected one without a mask, such as {name}.filled(0)")
+    try:
+        array = np.asarray(value)
+    except ValueError as wrong:
+        raise Error(f"{name} is not an array: {wrong}") from None
+    if array.size == 0 and not isinstance(value, np.ndarray):
+        array = array.astype(np.int16)
+    if array.dtype.kind not in "iu":
+        found = f"an array of {array.dtype}" if isinstance(value, np.ndarray) else type(value).__name__
+        if array.dtype.kind not in "bf" and not isinstance(value, np.ndarray):
+            raise TypeError(f"{name} is {found}; expected whole numbers from {lowest} to {one}, in an array, a list or alone")
+        if not isinstance(value, np.ndarray):
+            found += f" of {array.dtype}" if array.ndim else ""
+        raise TypeError(f"{name} is {found}; expected codes, which are whole numbers from {lowest} to {one}, where {one} "
+                        f"is 1.0; numpy.rint({one} * x).astype(int) makes them of real numbers x")
+    if array.dtype not in (np.dtype(np.uint8), np.dtype(np.int16)) or not array.flags.aligned:
+        for code in (array.min(), array.max()) if array.size else ():
+            if not lowest <= int(code) <= one:
+                raise Error(f"{name} has the code {code}; expected {lowest} to {one}")
+        array = array.astype(np.int16)
+    return array
+
+
+def _component_axis(name, shape, axis):
+    """Where a whole register has its components: 0 or -1. `axis` is where it has to have them, or None."""
+    found = [a for a in (0, -1) if shape[a] in (3, 4)]
+    if axis in found:
+        return axis
+    if len(found) == 2:
+        raise Error(f"{name} has the shape {shape}, with 3 or 4 elements along the first and the last axis; expected axis=0 "
+                    "or axis=-1, which says where the components are")
+    if axis is not None or not found:
+        where = "the first or the last axis" if axis is None else f"axis {axis}, as axis or another register says"
+        raise Error(f"{name} has the shape {shape}; expected 3 or 4 components along {where}")
+    return found[0]
+
+
+class Fragments:
+    """The planes of all inputs, of one shape."""
+
+    def __init__(self, inputs, lowest, one, axis):
+        if axis not in (None, 0, -1) or isinstance(axis, bool):
+            raise Error(f"axis is {axis!r}; expected 0 or -1, the axis of a register's components")
+        if not inputs:
+            raise Error("there are no inputs; expected at least one register, which gives the shape")
+        self.axis = axis
+        planes = {}
+        for name, value in inputs.items():
+            register, component = register_of(name)
+            codes = codes_of(name, value, lowest, one)
+            if component is not None:
+                self._add(planes, register, component, name, codes)
+                continue
+            for c, plane in enumerate(self._split(name, codes)):
+                self._add(planes, register, c, name, plane)
+        try:
+            self.shape = np.broadcast_shapes(*(plane.shape for plane in planes.values()))
+        except ValueError:
+            shapes = ", ".join(f"{name} {plane.shape}" for name, plane in planes.items())
+            raise Error(f"the shapes of the inputs do not broadcast together: {shapes}") from None
+        self.count = int(np.prod(self.shape, dtype=np.int64))
+        self.planes = {name: self._flat(plane) for name, plane in planes.items()}
+
+    def _split(self, name, codes):
+        """A whole register's components."""
+        if codes.ndim == 0:
+            return [codes] * 4
+        if codes.ndim == 1:
+            if len(codes) not in (3, 4):
+                raise Error(f"{name} has the shape {codes.shape}; expected one colour of 3 or 4 components, or an array of "
+                            f"them; one component of n fragments is '{name}.r'")
+            return list(codes)
+        self.axis = _component_axis(name, codes.shape, self.axis)
+        return list(np.moveaxis(codes, self.axis, 0))
+
+    def _add(self, planes, register, component, name, plane):
+        key = f"{register}.{_LETTERS[component]}"
+        if key in planes:
+            raise Error(f"{key} is given twice; expected a whole register or its components, not both ({name})")
+        planes[key] = plane
+
+    def _flat(self, plane):
+        if plane.size == 1:
+            return plane.reshape(1)
+        return (plane if plane.shape == self.shape else np.broadcast_to(plane, self.shape)).reshape(-1)
+
+    def result(self, planes):
+        """Planes of the shape (4, count) in the layout of the inputs."""
+        shaped = planes.reshape((4, *self.shape))
+        return np.ascontiguousarray(np.moveaxis(shaped, 0, -1)) if self.axis == -1 else shaped
+
+
+def check_out(out, shape, one):
+    """Raises unless an array can take the colours."""
+    if not isinstance(out, np.ndarray):
+        raise TypeError(f"out is {type(out).__name__}; expected an array of whole numbers with the shape {shape}")
+    if out.dtype.kind not in "iu" or np.iinfo(out.dtype).max < one:
+        raise TypeError(f"out is an array of {out.dtype}; expected whole numbers that hold codes from 0 to {one}")
+    if out.shape != shape:
+        raise Error(f"out has the shape {out.shape}; expected {shape}")
+    if not out.flags.writeable:
+        raise Error("out is read-only; expected an array that can be written")

@@ -1,0 +1,152 @@
+"""Combiner states, programs that run, and traces."""
+import os
+import warnings
+
+import numpy as np
+
+from . import _combiner
+from ._arrays import Fragments, check_out, codes_of, merged, register_of
+from ._combiner import Error
+
+
+def _list(value):
+    return [value] if isinstance(value, str) else [] if value is None else list(value)
+
+
+class State(_combiner.State):
+    """The combiner state of OpenGL, and its hardware profile: a name of profiles(), or the path of a .json file."""
+
+    def __init__(self, profile="geforce2"):
+        super().__init__(os.fspath(profile))
+
+    @classmethod
+    def parse(cls, text, form=None, profile="geforce2", *, chip=None, function=None, define=None, setup=0):
+        """Parses a program. Without `form`, finds the form of the text.
+
+        The forms are 'gl' (GL calls), 'source' (a source file with them), 'rc10' (!!RC1.0), 'ps' (a ps.1.x pixel
+        shader), 'words' and 'words-json' (register words), 'json', 'xbox' (a D3DPIXELSHADERDEF) and 'log' (register
+        writes). `function` and `define` are for sources, `chip` for words, `setup` for logs: the number of a set-up.
+        """
+        if not isinstance(text, (str, bytes)):
+            raise TypeError(f"text is {type(text).__name__}; expected str, the program itself; open(path).read() reads a file")
+        state = cls.__new__(cls)
+        values = {str(name): str(value) for name, value in dict(define or {}).items()}
+        try:
+            _combiner.State.__init__(state, text, form, os.fspath(profile), chip, _list(function), values, setup)
+        except Error as wrong:
+            if isinstance(text, str) and len(text) < 1000 and "\0" not in text and os.path.isfile(text):
+                raise Error(f"text is the name of a file, {text}; expected the program itself, such as "
+                            "pathlib.Path(name).read_text()") from None
+            raise wrong
+        for note in state._notes:
+            warnings.warn(note, stacklevel=2)
+        return state
+
+    def __repr__(self):
+        stages = self.stages
+        return f"<ninebit.State of {stages} general combiner{'' if stages == 1 else 's'}, {self.profile}>"
+
+    def _repr_html_(self):
+        return None if self.validate() else Program(self)._repr_html_()
+
+    def __hash__(self):
+        return hash((self.print("json"), self._profile))
+
+    def __reduce__(self):
+        return State.parse, (self.print("json"), "json", self._profile)
+
+
+class Program(_combiner.Program):
+    """A compiled, valid state. It never changes, and any thread may use it.
+
+    Takes a State, or the text of a program with its form (None: found) and its profile, as State.parse().
+    """
+
+    def __init__(self, state, form=None, profile=None):
+        if isinstance(state, str):
+            state = State.parse(state, form, "geforce2" if profile is None else profile)
+        elif not isinstance(state, State):
+            raise TypeError(f"state is {type(state).__name__}; expected a State, or the text of a program")
+        elif form is not None or profile is not None:
+            raise TypeError("form and profile belong to the text of a program; a State has a profile already")
+        super().__init__(state)
+        self.state = state
+
+    def evaluate(self, inputs=None, /, *, out=None, axis=None, registers=False, **keywords):
+        """The colours of fragments, as int16 codes: `one`, mostly 255, is 1.0.
+
+        Inputs are a dictionary, or keywords, of registers. A component, 'tex0.r', is a number or an array of any shape. A
+        whole register, 'tex0', has 3 or 4 components along the last axis, such as a picture (height, width, 4), or
+        along the first, such as (4, n); axis=-1 or axis=0 says which, where both would do. One number is all four
+        components. All shapes broadcast. Codes are uint8 or any other integers; floats and bools are refused.
+
+        What is not given is 0, except the alpha of textures and fog, which is 1.0, spare0.a, which is tex0.a, and the
+        constants, which are the program's. The result has its four components where whole registers have theirs, else
+        along the first axis. `out` is an array of integers that takes it. With registers=True, a dictionary has it as
+        'out', and every register after the last general combiner.
+        """
+        fragments = Fragments(merged(inputs, keywords), self.lowest, self.one, axis)
+        shape = (*fragments.shape, 4) if fragments.axis == -1 else (4, *fragments.shape)
+        if out is not None:
+            check_out(out, shape, self.one)
+        color = np.empty((4, fragments.count), np.int16)
+        names = _combiner.REGISTERS
+        after = np.empty((len(names), 4, fragments.count), np.int16) if registers else None
+        self._evaluate(fragments.planes, fragments.count, color, after)
+        result = fragments.result(color)
+        if out is not None:
+            np.copyto(out, result, casting="unsafe")  # check_out() has found that it fits
+            result = out
+        if not registers:
+            return result
+        return {"out": result, **{name: fragments.result(planes) for name, planes in zip(names, after)}}
+
+    def trace(self, registers=None, /, **keywords):
+        """Every step of one fragment, as `ninebit trace --json` prints it: a dictionary that Jupyter shows as a diagram.
+
+        Registers are given by name, 'tex0.r': 100 or 'tex0': (100, 0, 0, 255), or as keywords.
+        """
+        codes = {}
+        for name, value in merged(registers, keywords).items():
+            register, component = register_of(name)
+            found = codes_of(name, value, self.lowest, self.one)
+            if found.shape not in (((),) if component is not None else ((), (3,), (4,))):
+                expected = "one whole number" if component is not None else "3 or 4 whole numbers"
+                raise Error(f"{name} has the shape {found.shape}; expected {expected}: a trace is of one fragment")
+            letters = "rgba"[component] if component is not None else "rgba"[:found.size if found.ndim else 4]
+            for letter, code in zip(letters, np.broadcast_to(found, len(letters)).tolist()):
+                if f"{register}.{letter}" in codes:
+                    raise Error(f"{register}.{letter} is given twice; expected a whole register or its components, not both")
+                codes[f"{register}.{letter}"] = code
+        trace = Trace({"profile": self.profile, **self._trace(codes)})
+        trace._state, trace._codes = self.state, codes
+        return trace
+
+    def __repr__(self):
+        stages = self.stages
+        return f"<ninebit.Program of {stages} general combiner{'' if stages == 1 else 's'}, {self.profile}>"
+
+    def _repr_html_(self):
+        from ._verbs_api import explain
+        return explain(self.state)._repr_html_()
+
+    def __reduce__(self):
+        return Program, (self.state,)
+
+
+class Trace(dict):
+    """Every value at every step of one fragment, with the keys of `ninebit trace --json`; Jupyter shows a diagram."""
+
+    _state = _codes = _page = None  # what was traced, or its page
+
+    def __repr__(self):
+        stages, out = len(self.get("stages", ())), self.get("out") or {}
+        colour = ", ".join(str(code) for code in out.get("codes", ()))
+        return f"<ninebit.Trace of {stages} stage{'' if stages == 1 else 's'}, {self.get('profile', '?')}: out {colour or 'none'}>"
+
+    def _repr_html_(self):
+        if self._page is None and self._state is not None:
+            from ._verbs_api import trace
+            self._page = trace(self._state, set=self._codes)._page
+        from ._results import framed
+        return framed(self._page)

@@ -1,0 +1,129 @@
+#include "src/tools/common/given_pictures.h"
+
+#include <algorithm>
+#include <array>
+#include <memory>
+#include <type_traits>
+#include <utility>
+#include <variant>
+
+#include "ninebit/shadow/pictures.h"
+#include "src/tools/input/host.h"
+
+namespace ninebit::tools {
+namespace {
+
+template <class Sample>
+constexpr char kind_of() {
+  if constexpr (std::is_same_v<Sample, std::uint8_t>) return 'B';
+  if constexpr (std::is_same_v<Sample, std::uint32_t>) return 'I';
+  if constexpr (std::is_same_v<Sample, s9>) return 'h';
+  if constexpr (std::is_same_v<Sample, Half>) return 'e';
+  return 'f';
+}
+
+// Samples with the top row first, which the array owns.
+template <class Sample>
+void give_samples(std::string name, std::vector<Sample> samples, int width, int height, int channels) {
+  static_assert(sizeof(Sample) <= 4);
+  auto owner = std::make_shared<const std::vector<Sample>>(std::move(samples));
+  const auto size = static_cast<std::ptrdiff_t>(sizeof(Sample));
+  GivenArray array{.name = std::move(name),
+                   .kind = kind_of<Sample>(),
+                   .shape = {height, width},
+                   .strides = {size * width * channels, size * channels},
+                   .first = owner->data(),
+                   .owner = owner};
+  if (channels > 1) {
+    array.shape.push_back(channels);
+    array.strides.push_back(size);
+  }
+  host()->give(std::move(array));
+}
+
+bool is_face(const Layer& layer) {
+  return layer.channel.starts_with('+') || layer.channel.starts_with('-');
+}
+
+// A plane with its lowest row first, as an upright copy.
+template <class Samples>
+void give_plane(std::string name, const Samples& plane, int width, int height) {
+  if (plane.empty()) return;
+  std::vector<typename Samples::value_type> upright;
+  upright.reserve(plane.size());
+  for (int y = height - 1; y >= 0; --y) {
+    const auto row = plane.begin() + static_cast<std::ptrdiff_t>(y) * width;
+    upright.insert(upright.end(), row, row + width);
+  }
+  give_samples(std::move(name), std::move(upright), width, height, 1);
+}
+
+Image8 color_of(const Surface& surface) {
+  const auto width = static_cast<std::size_t>(surface.width()), height = static_cast<std::size_t>(surface.height());
+  Image8 image{surface.width(), surface.height(), 4, std::vector<std::uint8_t>(width * height * 4)};
+  for (std::size_t c = 0; c < 4; ++c) {
+    const auto& plane = surface.color(static_cast<int>(c));
+    for (std::size_t y = 0; y < height; ++y) {
+      for (std::size_t x = 0; x < width; ++x) {
+        image.pixels[(y * width + x) * 4 + c] = plane[(height - 1 - y) * width + x];
+      }
+    }
+  }
+  return image;
+}
+
+// A cube map's face: its first row is t = 0, which is on top.
+void give_index_map(const Rendering& rendering) {
+  constexpr std::array kFaces{"+X", "-X", "+Y", "-Y", "+Z", "-Z"};
+  for (std::size_t f = 0; f < rendering.index_map.size(); ++f) {
+    const IndexMapFace& face = rendering.index_map[f];
+    std::vector<std::uint32_t> numbers(face.texels());
+    for (std::size_t i = 0; i < numbers.size(); ++i) numbers[i] = rendering.codes.number(face.texel(i));
+    give_samples(std::string("index_map.") + kFaces[f], std::move(numbers), face.size, face.size, 1);
+  }
+}
+
+}  // namespace
+
+void give_picture(std::string name, Image8 image) {
+  if (host() == nullptr) return;
+  give_samples(std::move(name), std::move(image.pixels), image.width, image.height, image.channels);
+}
+
+void give_surface(const Surface& surface, int n) {
+  if (host() == nullptr) return;
+  give_picture("color", n > 1 ? averaged(color_of(surface), n) : color_of(surface));
+  give_plane("depth", surface.depth(), surface.width(), surface.height());
+  give_plane("stencil", surface.stencil(), surface.width(), surface.height());
+}
+
+void give_layers(const std::deque<Layer>& layers) {
+  if (host() == nullptr) return;
+  for (const Layer& layer : layers) {
+    const std::string name = layer.part + '.' + layer.channel;
+    const auto give = [&](const auto& samples) {
+      if (is_face(layer)) {
+        give_samples(name, std::vector(samples), layer.width, layer.height, 1);
+      } else {
+        give_plane(name, samples, layer.width, layer.height);
+      }
+    };
+    std::visit(give, layer.samples);
+  }
+}
+
+void give_rendering(const Rendering& rendering, int supersample) {
+  if (host() == nullptr) return;
+  give_surface(rendering.frame, supersample);
+  if (!rendering.index_map.empty()) give_index_map(rendering);
+  give_layers(rendering.maps);
+  give_layers(rendering.layers);
+  for (const NamedPicture& picture : rendering.pictures) {
+    const bool of_frame =
+        picture.image.width == rendering.frame.width() && picture.image.height == rendering.frame.height();
+    give_picture(picture.file.substr(0, picture.file.rfind('.')),
+                 of_frame && supersample > 1 ? averaged(picture.image, supersample) : picture.image);
+  }
+}
+
+}  // namespace ninebit::tools
