@@ -19,6 +19,10 @@ import time
 ALONE = re.compile(r'Memory|Limits|Isolated|Interrupt|Folder|Hostile|Killed|FullDisk|WriteError|Corpus|Environment|AnyThreads')
 CASES_A_BATCH = 24
 BATCH_SECONDS = 600
+# What takes long begins first, so that no core waits for it at the end: as the last run of the build folder measured it,
+# and where there was none, these.
+LONG = re.compile(r'docs[.](program|README|study/datapath|tutorials|performance)|Flags|Verify|HostileJudge|StudyRun|Kit|Memory|'
+                  r'page[.]|python[.]Module|Interrupt|Differential|IndexSteps|EmitC|GalleryIsToTheBit|RealNumbers')
 
 
 def chosen_tests(preset, arguments):
@@ -69,10 +73,11 @@ def run(command, properties, seconds):
     return status, output, time.monotonic() - begin
 
 
-def run_alone(test):
-    """'passed', 'skipped' or 'failed', and what was printed."""
+def run_alone(test, seconds):
+    """'passed', 'skipped' or 'failed', and what was printed. Notes the time in `seconds`."""
     properties = test['properties']
-    status, output, _ = run(test['command'], properties, float(properties.get('TIMEOUT', 1500)))
+    status, output, taken = run(test['command'], properties, float(properties.get('TIMEOUT', 1500)))
+    seconds[test['name']] = round(taken, 1)
     if status == properties.get('SKIP_RETURN_CODE', 'none') or '[  SKIPPED ]' in output:
         return 'skipped', output
     wanted = properties.get('PASS_REGULAR_EXPRESSION')
@@ -80,12 +85,16 @@ def run_alone(test):
     return ('passed' if good else 'failed'), output if status is not None else output + '\n(it ran too long)'
 
 
-def run_batch(tests):
-    """The cases of a program: {name: 'passed' or 'skipped'}; those that are not in it have to run alone."""
+def run_batch(tests, seconds):
+    """The cases of a program: {name: 'passed' or 'skipped'}; those that are not in it have to run alone. Notes each
+    case's time in `seconds`."""
     by_case = {case_of(test): test['name'] for test in tests}
     chosen = '--gtest_filter=' + ':'.join(by_case)
     command = [chosen if word.startswith('--gtest_filter=') else word for word in tests[0]['command']]
     status, output, _ = run(command, tests[0]['properties'], BATCH_SECONDS)
+    for case, milliseconds in re.findall(r'^\[ +(?:OK|FAILED) +\] (\S+?),? .*\((\d+) ms\)$', output, re.MULTILINE):
+        if case in by_case:
+            seconds[by_case[case]] = int(milliseconds) / 1000
     results = {}
     for mark, case in re.findall(r'^\[ +(OK|SKIPPED|FAILED) +\] ([^ ,]+)', output, re.MULTILINE):
         if case in by_case and mark != 'FAILED':
@@ -111,6 +120,15 @@ def batches_of(tests):
     return batches, alone
 
 
+def longest_first(items, seconds):
+    """The lists and tests in the order in which they begin; `seconds` has what the last run measured, by test."""
+    def expected(item):
+        names = [test['name'] for test in (item if isinstance(item, list) else [item])]
+        known = sum(seconds.get(name, 0) for name in names)
+        return known or (30 if any(LONG.search(name) for name in names) else 1)
+    return sorted(items, key=expected, reverse=True)
+
+
 def main():
     if len(sys.argv) < 3:
         sys.exit(__doc__.split('\n\n', maxsplit=1)[0])
@@ -118,6 +136,11 @@ def main():
     os.environ.update(preset_environment(preset))
     tests = chosen_tests(preset, sys.argv[3:])
     batches, alone = batches_of(tests)
+    measured = pathlib.Path(__file__).resolve().parent.parent / 'build' / preset / 'test_seconds.json'
+    try:
+        seconds = json.loads(measured.read_text())
+    except (OSError, ValueError):  # no run, or one that was killed as it wrote
+        seconds = {}
     print(f'{len(tests)} tests in {len(batches) + len(alone)} processes', flush=True)
     results, done = {}, 0
     failures = []
@@ -129,8 +152,8 @@ def main():
             print(f"\n***Failed {test['name']}\n{output}", flush=True)
 
     with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
-        work = {pool.submit(run_batch, batch): batch for batch in batches}
-        work.update({pool.submit(run_alone, test): test for test in alone})
+        work = {pool.submit(run_alone if isinstance(item, dict) else run_batch, item, seconds): item
+                for item in longest_first(batches + alone, seconds)}
         again = {}
         for future in concurrent.futures.as_completed(list(work)):
             item = work[future]
@@ -139,12 +162,13 @@ def main():
             else:
                 found = future.result()
                 results.update(found)
-                again.update({pool.submit(run_alone, test): test for test in item if test['name'] not in found})
+                again.update({pool.submit(run_alone, test, seconds): test for test in item if test['name'] not in found})
             done += 1
             if done % 20 == 0:
                 print(f'{done} of {len(work)} processes, {time.monotonic() - begin:.0f} s', flush=True)
         for future in concurrent.futures.as_completed(list(again)):
             note(again[future], *future.result())
+    measured.write_text(json.dumps(dict(sorted(seconds.items())), indent=0))
     print(f'{len(again)} of them also alone: ' + ' '.join(sorted(test['name'] for test in again.values())))
     skipped = sorted(name for name, result in results.items() if result == 'skipped')
     if skipped:

@@ -151,13 +151,14 @@ TEST_P(Sums, EveryPairOfDistinctProducts) {
   std::uint64_t sums = 0;
   for (const std::int64_t target : simd_targets()) {
     const OnTarget on_target(target);
-    const bool best = target == simd_targets().front();
+    // Emulated vectors are the best target only of a build that has no others, as .ci/run makes one.
+    const bool best = target == simd_targets().front() && simd_target_name(target) != "EMU128";
     std::size_t stride = kSlowBuild ? 256 : !best ? 64 : profile.name == "geforce2" || one == 127 ? 1 : 16;
     if (all_of_all) stride = 1;
     const std::uint64_t done = run(program, positive, inner, expected, stride, option % stride);
     if (HasFailure()) FAIL() << profile.name << " on " << simd_target_name(target);
     ASSERT_TRUE(on_target.ran()) << simd_target_name(target);
-    if (best) sums = done;
+    if (target == simd_targets().front()) sums = done;
     if (stride > 1) {
       EXPECT_GE(done * stride * 2, inner.distinct * inner.distinct);
     } else {

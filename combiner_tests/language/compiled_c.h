@@ -22,11 +22,13 @@ using EmittedFunction = void (*)(EmittedArgument, EmittedArgument, EmittedArgume
 // A shared library made of one C source. Undefined behaviour in it ends the process.
 class CompiledC {
  public:
-  explicit CompiledC(const std::string& source) {
+  enum class Runs { often, seldom };  // compiled to run fast, or soon
+  explicit CompiledC(const std::string& source, Runs runs = Runs::often) {
     const std::string file = folder_ / "emitted.c", library = folder_ / "emitted.so";
     std::ofstream(file) << source;
     const std::string command =
-        std::string("'") + NINEBIT_C_COMPILER + "' -std=c99 -O1 -shared -fPIC -pedantic -Wall -Wextra -Wconversion " +
+        std::string("'") + NINEBIT_C_COMPILER + "' -std=c99 " + (runs == Runs::often ? "-O1" : "-O0") +
+        " -shared -fPIC -pedantic -Wall -Wextra -Wconversion " +
         "-Werror -fsanitize=undefined -fsanitize-undefined-trap-on-error -o '" + library + "' '" + file + "' 2>&1";
     FILE* const out = popen(command.c_str(), "r");
     if (out == nullptr) return;

@@ -21,6 +21,7 @@ namespace fs = std::filesystem;
 struct Input {
   Register reg;
   int component;
+  friend bool operator==(const Input&, const Input&) = default;
 };
 
 // What an emitted function takes.
@@ -36,18 +37,67 @@ std::vector<Input> inputs_of(const ComponentSet& read) {
   return inputs;
 }
 
-// Compares a component of the colour in C with that of the batch evaluator.
-class Component {
+using Components = std::array<bool, 4>;
+
+std::vector<Input> inputs_of(const Program& program, const Components& components) {
+  return inputs_of(BatchProgram(program, {.color = components}).reads());
+}
+
+// All components of which each depends on at most three bytes, as one loop over 2^24 cases runs them: with a byte of
+// the case's number for each input, so that no two inputs of a component have the same. Without those that do not fit.
+struct Together {
+  Components components{};
+  std::vector<std::pair<Input, unsigned>> bytes;
+
+  void add(int component, const std::vector<Input>& inputs) {
+    if (inputs.size() > 3) return;
+    std::vector<std::pair<Input, unsigned>> longer = bytes;
+    std::array<bool, 3> taken{};
+    for (const Input& input : inputs) {
+      for (const auto& [other, byte] : bytes) {
+        if (!(other == input)) continue;
+        if (taken[byte]) return;
+        taken[byte] = true;
+      }
+    }
+    for (const Input& input : inputs) {
+      const auto same = [&](const auto& other) { return other.first == input; };
+      if (std::any_of(bytes.begin(), bytes.end(), same)) continue;
+      const auto byte = static_cast<unsigned>(std::find(taken.begin(), taken.end(), false) - taken.begin());
+      taken[byte] = true;
+      longer.emplace_back(input, byte);
+    }
+    bytes = longer;
+    components[static_cast<std::size_t>(component)] = true;
+  }
+  [[nodiscard]] bool any() const { return std::find(components.begin(), components.end(), true) != components.end(); }
+};
+
+// Compares components of the colour in C with those of the batch evaluator.
+class Comparison {
  public:
-  Component(const Program& program, EmittedFunction function, int component)
-      : batch_(program, wanted(component)),
+  // A byte of the case for each input.
+  Comparison(const Program& program, EmittedFunction function, const Together& together)
+      : batch_(program, {.color = together.components}), function_(function), components_(together.components) {
+    for (const auto& [input, byte] : together.bytes) {
+      inputs_.push_back(input);
+      byte_.push_back(byte);
+      bytes_of_case_ = std::max(bytes_of_case_, byte + 1);
+    }
+  }
+  // One component. The first eight inputs have a byte each, the others take them again.
+  Comparison(const Program& program, EmittedFunction function, int component)
+      : batch_(program, {.color = alone(component)}),
         inputs_(inputs_of(batch_.reads())),
         function_(function),
-        component_(component) {}
+        components_(alone(component)),
+        bytes_of_case_(static_cast<unsigned>(inputs_.size())) {
+    for (unsigned i = 0; i < inputs_.size(); ++i) byte_.push_back(i);
+  }
 
-  [[nodiscard]] bool is_small() const { return inputs_.size() <= 3; }
+  [[nodiscard]] bool is_small() const { return bytes_of_case_ <= 3; }
   [[nodiscard]] std::uint64_t cases() const {
-    return is_small() ? std::uint64_t{1} << (8 * inputs_.size()) : std::uint64_t{1} << 18U;
+    return is_small() ? std::uint64_t{1} << (8 * bytes_of_case_) : std::uint64_t{1} << 18U;
   }
 
   [[nodiscard]] bool agrees() {
@@ -61,15 +111,14 @@ class Component {
   }
 
  private:
-  static BatchOutputs wanted(int component) {
-    BatchOutputs outputs;
-    for (int c = 0; c < 4; ++c) outputs.color[static_cast<std::size_t>(c)] = c == component;
-    return outputs;
+  static Components alone(int component) {
+    Components components{};
+    components[static_cast<std::size_t>(component)] = true;
+    return components;
   }
-  // The first eight inputs have a byte each, the others take them again.
   [[nodiscard]] std::int32_t value(std::size_t lane, std::size_t input) const {
-    const std::uint64_t bits = bytes_[lane] >> (8 * (input % 8));
-    return static_cast<std::int32_t>((bits + 89 * (input / 8)) & 0xFFU);
+    const std::uint64_t bits = bytes_[lane] >> (8 * (byte_[input] % 8));
+    return static_cast<std::int32_t>((bits + 89 * (byte_[input] / 8)) & 0xFFU);
   }
 
   bool agree_on_batch(std::size_t count) {
@@ -88,16 +137,19 @@ class Component {
       function_(argument(Register::primary), argument(Register::secondary), argument(Register::fog),
                 argument(Register::texture0), argument(Register::texture1), argument(Register::texture2),
                 argument(Register::texture3), wide[static_cast<std::size_t>(Register::spare0)][kAlpha], result.data());
-      const auto c = static_cast<std::size_t>(component_);
-      if (result[c] != out_->plane[c][lane]) return false;
+      for (std::size_t c = 0; c < 4; ++c) {
+        if (components_[c] && result[c] != out_->plane[c][lane]) return false;
+      }
     }
     return true;
   }
 
   BatchProgram batch_;
   std::vector<Input> inputs_;
+  std::vector<unsigned> byte_;  // of the case's number, for each input
   EmittedFunction function_;
-  int component_;
+  Components components_;
+  unsigned bytes_of_case_ = 0;
   std::array<std::uint64_t, kBatchSize> bytes_{};
   std::unique_ptr<RegisterBatch> registers_ = std::make_unique<RegisterBatch>();
   std::unique_ptr<OutputBatch> out_ = std::make_unique<OutputBatch>();
@@ -135,8 +187,22 @@ TEST(EmitC, TheGallerysProgramsForAllBytes) {
     for (std::size_t i = 0; i < programs.size(); ++i) {
       const EmittedFunction function = compiled.find("program" + std::to_string(i));
       ASSERT_NE(function, nullptr);
+      Together together;
       for (int c = 0; c < 4; ++c) {
-        Component component(programs[i].second, function, c);
+        Components one{};
+        one[static_cast<std::size_t>(c)] = true;
+        together.add(c, inputs_of(programs[i].second, one));
+      }
+      if (together.any()) {
+        Comparison all(programs[i].second, function, together);
+        EXPECT_TRUE(all.agrees()) << programs[i].first << ", " << profile->name;
+        const auto components = std::count(together.components.begin(), together.components.end(), true);
+        whole += static_cast<int>(components);
+        cases += static_cast<std::uint64_t>(components) * all.cases();
+      }
+      for (int c = 0; c < 4; ++c) {
+        if (together.components[static_cast<std::size_t>(c)]) continue;
+        Comparison component(programs[i].second, function, c);
         EXPECT_TRUE(component.agrees()) << programs[i].first << ", component " << c << ", " << profile->name;
         whole += component.is_small() ? 1 : 0;
         cases += component.cases();

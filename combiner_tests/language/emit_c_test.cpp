@@ -23,7 +23,7 @@ void compare(const std::vector<EmitCase>& cases, std::size_t fragments, Outputs&
     ASSERT_TRUE(text.ok()) << cases[i].name << ": " << text.error().text();
     source += *text;
   }
-  const CompiledC compiled(source);
+  const CompiledC compiled(source, CompiledC::Runs::seldom);
   ASSERT_FALSE(::testing::Test::HasFailure());
   for (std::size_t i = 0; i < cases.size(); ++i) {
     const EmittedFunction function = compiled.find("program" + std::to_string(i));

@@ -216,6 +216,22 @@ Whole times(const Whole& x, const Whole& y) {
   return result;
 }
 
+Whole times(int n, const Whole& x) {
+  Whole result;
+  if (n == 0) return result;
+  result.negative = !x.digits.empty() && x.negative != (n < 0);
+  result.digits.reserve(x.digits.size() + 1);
+  const auto factor = static_cast<std::uint64_t>(std::abs(std::int64_t{n}));
+  std::uint64_t carry = 0;
+  for (const std::uint64_t digit : x.digits) {
+    const TwoDigits product = TwoDigits{digit} * factor + carry;
+    result.digits.push_back(static_cast<std::uint64_t>(product));
+    carry = static_cast<std::uint64_t>(product >> 64);
+  }
+  if (carry != 0) result.digits.push_back(carry);
+  return result;
+}
+
 bool less(const Whole& x, const Whole& y) {
   if (x.negative != y.negative) return x.negative;
   return x.negative ? smaller_magnitude(y, x) : smaller_magnitude(x, y);

@@ -27,6 +27,7 @@ struct Whole {
 [[nodiscard]] Whole plus(const Whole& x, const Whole& y);
 [[nodiscard]] Whole minus(const Whole& x, const Whole& y);
 [[nodiscard]] Whole times(const Whole& x, const Whole& y);
+[[nodiscard]] Whole times(int n, const Whole& x);
 [[nodiscard]] bool less(const Whole& x, const Whole& y);
 
 struct Ratio {

@@ -3,13 +3,16 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdlib>
+#include <memory>
 #include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "ninebit/combiner/batch_program.h"
 #include "ninebit/combiner/evaluate.h"
 #include "ninebit/combiner/initial_registers.h"
 #include "ninebit/shadow/index_cube.h"
@@ -34,10 +37,68 @@ Program program_of(const HardwareProfile& profile, StudyFormat format, std::stri
   return *program;
 }
 
+using Index = std::array<std::uint8_t, 3>;
+using Pairs = std::vector<std::pair<Index, Index>>;
+
+Bytes4 color_of(StudyFormat format, const Index& i) {
+  switch (format) {
+    case StudyFormat::channel:
+      return {i[0], 0, 0, 255};
+    case StudyFormat::rgb:
+      return {i[0], i[1], i[2], 255};
+    case StudyFormat::luminance_alpha:
+      return {i[0], i[0], i[0], i[1]};
+    case StudyFormat::luminance:
+      return {i[0], i[0], i[0], 255};
+    case StudyFormat::alpha:
+      break;
+  }
+  return {0, 0, 0, i[0]};
+}
+
+TextureFormat texture_of(StudyFormat format) {
+  return format == StudyFormat::luminance_alpha ? TextureFormat::luminance_alpha
+         : format == StudyFormat::luminance     ? TextureFormat::luminance
+         : format == StudyFormat::alpha         ? TextureFormat::alpha
+                                                : TextureFormat::rgb;
+}
+
+// Whether the program takes each pair for equal: evaluated in batches, one pair in 16 by the reference, too.
+std::vector<bool> taken_for_equal(const Program& program, const HardwareProfile& profile, StudyFormat format,
+                                  const Pairs& pairs) {
+  const BatchProgram batch(program, {.color = {false, false, false, true}});
+  const auto registers = std::make_unique<RegisterBatch>();
+  const auto out = std::make_unique<OutputBatch>();
+  std::vector<bool> equal;
+  equal.reserve(pairs.size());
+  for (std::size_t first = 0; first < pairs.size(); first += kBatchSize) {
+    const std::size_t count = std::min(kBatchSize, pairs.size() - first);
+    std::array<s9, kBatchSize> expected{};
+    for (std::size_t lane = 0; lane < count; ++lane) {
+      const auto& [own, other] = pairs[first + lane];
+      FragmentInputs in{.primary = color_of(format, own)};
+      in.texture[0] = Texel{.value = color_of(format, other), .format = texture_of(format)};
+      const RegisterFile initial = initial_registers(profile, in);
+      for (std::size_t r = 0; r < kRegisterCount; ++r) {
+        for (std::size_t c = 0; c < 4; ++c) registers->plane[r][c][lane] = initial.value[r][c];
+      }
+      if (lane % 16 == 0) expected[lane] = evaluate(program, initial)[kAlpha];
+    }
+    batch.run(*registers, count, *out);
+    for (std::size_t lane = 0; lane < count; ++lane) {
+      const s9 alpha = out->plane[kAlpha][lane];
+      if (lane % 16 == 0) {
+        EXPECT_EQ(alpha, expected[lane]) << profile.name;
+      }
+      equal.push_back(to_byte(profile, alpha) == 0);
+    }
+  }
+  return equal;
+}
+
 // Every ordered pair of two different indices, one by one; or each digit's pairs alone, the others being 0.
 std::uint64_t by_brute_force(const Program& program, const HardwareProfile& profile, StudyFormat format,
                              const std::vector<std::uint8_t>& values, bool separate) {
-  using Index = std::array<std::uint8_t, 3>;
   const auto digits = static_cast<std::size_t>(channels_of(format));
   std::vector<Index> all{Index{}};
   for (std::size_t d = 0; d < digits; ++d) {
@@ -50,46 +111,35 @@ std::uint64_t by_brute_force(const Program& program, const HardwareProfile& prof
     }
     all = longer;
   }
-  const auto color = [&](const Index& i) -> Bytes4 {
-    switch (format) {
-      case StudyFormat::channel:
-        return {i[0], 0, 0, 255};
-      case StudyFormat::rgb:
-        return {i[0], i[1], i[2], 255};
-      case StudyFormat::luminance_alpha:
-        return {i[0], i[0], i[0], i[1]};
-      case StudyFormat::luminance:
-        return {i[0], i[0], i[0], 255};
-      case StudyFormat::alpha:
-        break;
-    }
-    return {0, 0, 0, i[0]};
-  };
-  const TextureFormat texture = format == StudyFormat::luminance_alpha ? TextureFormat::luminance_alpha
-                                : format == StudyFormat::luminance     ? TextureFormat::luminance
-                                : format == StudyFormat::alpha         ? TextureFormat::alpha
-                                                                       : TextureFormat::rgb;
-  const auto equal = [&](const Index& own, const Index& other) {
-    FragmentInputs in{.primary = color(own)};
-    in.texture[0] = Texel{.value = color(other), .format = texture};
-    return to_byte(profile, evaluate(program, initial_registers(profile, in))[kAlpha]) == 0;
-  };
-  const auto each_equal = [&](const Index& own, const Index& other) {
-    for (std::size_t d = 0; d < digits; ++d) {
-      Index a{}, b{};
-      a[d] = own[d];
-      b[d] = other[d];
-      if (!equal(a, b)) return false;
-    }
-    return true;
-  };
-  std::uint64_t lost = 0;
+  Pairs pairs;
   for (const Index& own : all) {
     for (const Index& other : all) {
-      if (own != other && (separate ? each_equal(own, other) : equal(own, other))) ++lost;
+      if (own != other) pairs.emplace_back(own, other);
     }
   }
-  return lost;
+  if (!separate) {
+    const std::vector<bool> equal = taken_for_equal(program, profile, format, pairs);
+    return static_cast<std::uint64_t>(std::count(equal.begin(), equal.end(), true));
+  }
+  std::vector<std::array<std::array<bool, 256>, 256>> of_digit(digits);
+  for (std::size_t d = 0; d < digits; ++d) {
+    Pairs alone;
+    for (const std::uint8_t own : values) {
+      for (const std::uint8_t other : values) {
+        alone.emplace_back();
+        alone.back().first[d] = own;
+        alone.back().second[d] = other;
+      }
+    }
+    const std::vector<bool> equal = taken_for_equal(program, profile, format, alone);
+    for (std::size_t i = 0; i < alone.size(); ++i) of_digit[d][alone[i].first[d]][alone[i].second[d]] = equal[i];
+  }
+  return static_cast<std::uint64_t>(std::count_if(pairs.begin(), pairs.end(), [&](const auto& pair) {
+    for (std::size_t d = 0; d < digits; ++d) {
+      if (!of_digit[d][pair.first[d]][pair.second[d]]) return false;
+    }
+    return true;
+  }));
 }
 
 using Way = FalseMatchCounter::Way;

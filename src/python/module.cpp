@@ -27,7 +27,7 @@ ProfileChoice profile_of_file(const std::string& path) {
   if (!in.good() && !in.eof()) throw Error{path + ": cannot be read; expected a profile as a .json file"};
   auto parsed = parse_json_profile({text, path});
   if (!parsed) throw Error{parsed.faults()[0].text()};
-  auto own = std::make_shared<const OwnedProfile>(*std::move(parsed));
+  auto own = std::make_shared<const OwnedProfile>(std::move(parsed).value());
   const HardwareProfile* const profile = &own->profile;
   return {path, std::move(own), profile};
 }

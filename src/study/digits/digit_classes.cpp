@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <atomic>
 #include <bit>
-#include <numeric>
+#include <map>
+#include <span>
 #include <string>
 
 #include "src/study/digits/digit_keys.h"
@@ -33,22 +34,28 @@ std::string mixed_component(const Program& program, const ByComponent<unsigned>&
 // Numbers the pairs in the order of their keys; pairs with equal keys share a number. Returns one pair for each number.
 std::vector<PairClass> number_pairs(const std::vector<double>& keys, std::size_t width,
                                     std::vector<std::uint32_t>& of_pair) {
-  const auto key = [&](std::uint32_t pair) { return std::span(keys).subspan(pair * width, width); };
-  const auto less = [&](std::uint32_t a, std::uint32_t b) {
-    const auto x = key(a), y = key(b);
-    return std::lexicographical_compare(x.begin(), x.end(), y.begin(), y.end());
+  using Key = std::span<const double>;
+  struct Less {
+    bool operator()(Key x, Key y) const { return std::lexicographical_compare(x.begin(), x.end(), y.begin(), y.end()); }
   };
-  std::vector<std::uint32_t> order(kPairs);
-  std::iota(order.begin(), order.end(), 0U);
-  std::sort(order.begin(), order.end(), less);
-  of_pair.resize(kPairs);
-  std::vector<PairClass> classes;
-  for (std::size_t i = 0; i < kPairs; ++i) {
-    if (i == 0 || less(order[i - 1], order[i])) {
-      classes.push_back({static_cast<std::uint8_t>(order[i] / kBytes), static_cast<std::uint8_t>(order[i] % kBytes)});
-    }
-    of_pair[order[i]] = static_cast<std::uint32_t>(classes.size() - 1);
+  struct Found {
+    std::size_t pair;  // the first with this key
+    std::uint32_t number = 0;
+  };
+  std::map<Key, Found, Less> found;
+  std::vector<const Found*> by_pair;
+  by_pair.reserve(kPairs);
+  for (std::size_t pair = 0; pair < kPairs; ++pair) {
+    const Key key = Key(keys).subspan(pair * width, width);
+    by_pair.push_back(&found.try_emplace(key, Found{.pair = pair}).first->second);
   }
+  std::vector<PairClass> classes;
+  for (auto& [key, one] : found) {
+    one.number = static_cast<std::uint32_t>(classes.size());
+    classes.push_back({static_cast<std::uint8_t>(one.pair / kBytes), static_cast<std::uint8_t>(one.pair % kBytes)});
+  }
+  of_pair.clear();
+  for (const Found* one : by_pair) of_pair.push_back(one->number);
   return classes;
 }
 

@@ -15,25 +15,25 @@
 namespace ninebit {
 namespace {
 
-constexpr int kBytes = 256;
+constexpr int kByteValues = 256;
 
 // The alpha byte of each pair, at index 256 own + other.
 std::vector<std::uint8_t> alphas_of(const Program& program, const HardwareProfile& profile) {
-  static_assert(kBatchSize >= kBytes);
+  static_assert(kBatchSize >= kByteValues);
   const BatchProgram run(program, {.color = {false, false, false, true}, .registers = false});
   const auto registers = std::make_unique<RegisterBatch>();
   const auto out = std::make_unique<OutputBatch>();
   std::vector<std::uint8_t> alphas;
-  for (int own = 0; own < kBytes; ++own) {
-    for (std::size_t other = 0; other < kBytes; ++other) {
+  for (int own = 0; own < kByteValues; ++own) {
+    for (std::size_t other = 0; other < kByteValues; ++other) {
       const RegisterFile file = comparison_registers(profile, StudyFormat::channel, {static_cast<std::uint8_t>(own)},
                                                      {static_cast<std::uint8_t>(other)});
       for (std::size_t r = 0; r < kRegisterCount; ++r) {
         for (std::size_t c = 0; c < 4; ++c) registers->plane[r][c][other] = file.value[r][c];
       }
     }
-    run.run(*registers, kBytes, *out);
-    for (std::size_t other = 0; other < kBytes; ++other) {
+    run.run(*registers, kByteValues, *out);
+    for (std::size_t other = 0; other < kByteValues; ++other) {
       alphas.push_back(to_byte(profile, out->plane[kAlpha][other]));
     }
   }
@@ -45,17 +45,17 @@ HeatMap pair_map(const std::string& name, std::string_view file, const std::vect
               .title = fmt::format("Alpha of every pair of channel values: {}", name),
               .x_label = "texture's value",
               .y_label = "own value",
-              .x_last = kBytes - 1,
-              .y_last = kBytes - 1,
-              .width = kBytes,
-              .height = kBytes,
+              .x_last = kByteValues - 1,
+              .y_last = kByteValues - 1,
+              .width = kByteValues,
+              .height = kByteValues,
               .values = {alphas.begin(), alphas.end()},
               .low = 0.0F,
               .high = 255.0F,
               .caption = "Grey: different values that compare equal (alpha 0).",
               .none = "0, compares equal"};
   for (std::size_t i = 0; i < map.values.size(); ++i) {
-    if (i / kBytes != i % kBytes && alphas[i] == 0) map.values[i] = std::numeric_limits<float>::quiet_NaN();
+    if (i / kByteValues != i % kByteValues && alphas[i] == 0) map.values[i] = std::numeric_limits<float>::quiet_NaN();
   }
   return map;
 }
@@ -83,12 +83,12 @@ HeatMap step_map(const IndexStepsOptions& options, const std::string& name, std:
               .none = "no such pair"};
   for (int step = options.first_step; step <= options.last_step; ++step) {
     std::vector<int> pairs(static_cast<std::size_t>(width)), equal(pairs);
-    for (int own = 0; own < kBytes; own += step) {
-      for (int other = 0; other < kBytes; other += step) {
+    for (int own = 0; own < kByteValues; own += step) {
+      for (int other = 0; other < kByteValues; other += step) {
         if (std::abs(own - other) > reach) continue;
         const auto at = static_cast<std::size_t>(own - other + reach);
         ++pairs[at];
-        if (alphas[static_cast<std::size_t>(kBytes * own + other)] == 0) ++equal[at];
+        if (alphas[static_cast<std::size_t>(kByteValues * own + other)] == 0) ++equal[at];
       }
     }
     for (std::size_t i = 0; i < pairs.size(); ++i) {
@@ -104,10 +104,10 @@ PlotSeries smallest_alphas(const std::string& name, const std::vector<std::uint8
   constexpr int kReach = 32;
   std::array<int, kReach + 1> least{};
   least.fill(255);
-  for (int own = 0; own < kBytes; ++own) {
-    for (int other = std::max(0, own - kReach); other <= std::min(kBytes - 1, own + kReach); ++other) {
+  for (int own = 0; own < kByteValues; ++own) {
+    for (int other = std::max(0, own - kReach); other <= std::min(kByteValues - 1, own + kReach); ++other) {
       int& of_difference = least[static_cast<std::size_t>(std::abs(own - other))];
-      of_difference = std::min(of_difference, int{alphas[static_cast<std::size_t>(kBytes * own + other)]});
+      of_difference = std::min(of_difference, int{alphas[static_cast<std::size_t>(kByteValues * own + other)]});
     }
   }
   PlotSeries series{name, {}};

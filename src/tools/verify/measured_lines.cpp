@@ -50,10 +50,10 @@ int middle_of(std::span<const Corner> corners, int Corner::*coordinate) {
   return ((*low).*coordinate + (*high).*coordinate) / 32;
 }
 
-// A window of the picture around the corners, and what is drawn into it.
+// A window of the picture around the corners, and what is drawn into it; a thread has one at a time.
 class MeasuredWindow {
  public:
-  explicit MeasuredWindow(std::span<const Corner> corners) {
+  explicit MeasuredWindow(std::span<const Corner> corners) : surface_(cleared()) {
     left_ = middle_of(corners, &Corner::x) - kSide / 2;
     top_ = middle_of(corners, &Corner::y) - kSide / 2;
     for (const Corner& c : corners) {
@@ -80,6 +80,12 @@ class MeasuredWindow {
  private:
   static constexpr std::uint32_t kUntouched = 0xFFFFFFFF;
 
+  // One for all rows of a thread: to get its memory from the system takes longer than to draw a row.
+  static Surface& cleared() {
+    thread_local Surface surface = Surface::make(kSide, kSide, {.with_primitive = true}).value();
+    surface.fill({});
+    return surface;
+  }
   // The clip coordinate in the middle of the cell that is cut to this window coordinate.
   static float clip_of(int q4) { return static_cast<float>((q4 + (q4 < 0 ? -0.5 : 0.5)) / (8.0 * kSide) - 1.0); }
   [[nodiscard]] bool is_inside(int x, int y) const {
@@ -92,7 +98,7 @@ class MeasuredWindow {
   int left_ = 0, top_ = 0;
   bool is_drawn_ = false;
   std::vector<glm::vec4> clip_;
-  Surface surface_ = Surface::make(kSide, kSide, {.with_primitive = true}).value();
+  Surface& surface_;
 };
 
 }  // namespace
