@@ -60,9 +60,9 @@ class Stubs(unittest.TestCase):
             self.assertEqual(public, {name for name in methods if not name.startswith("_")}, cls)
 
     def test_their_options_are_those_of_the_program(self):
-        stub = ast.parse((package / "_verbs_api.pyi").read_text())
+        stub = [node for file in ("_pictures.pyi", "_questions.pyi") for node in ast.parse((package / file).read_text()).body]
         for name, verbs in VERBS.items():
-            functions = [node for node in stub.body if isinstance(node, ast.FunctionDef) and node.name == name]
+            functions = [node for node in stub if isinstance(node, ast.FunctionDef) and node.name == name]
             if name == "convert":
                 verbs = verbs * 3
             self.assertEqual(len(functions), len(verbs), name)
@@ -83,7 +83,7 @@ class Stubs(unittest.TestCase):
                     files[-1].write_text(block)
             self.assertGreater(len(files), 3)
             environment = {**os.environ, "MYPYPATH": str(package.parent), "PYTHONPATH": str(package.parent)}
-            for extra in ([str(package / "__init__.pyi"), str(package / "_verbs_api.pyi")], *[[str(file)] for file in files]):
+            for extra in ([str(package / "__init__.pyi"), *[str(package / f"{name}.pyi") for name in ("_calls", "_pictures", "_questions")]], *[[str(file)] for file in files]):
                 checked = subprocess.run(["mypy", "--strict", "--cache-dir", f"{folder}/cache", *extra], capture_output=True,
                                          text=True, env=environment, cwd=folder)
                 self.assertEqual(checked.returncode, 0, checked.stdout + checked.stderr)
@@ -108,7 +108,7 @@ class Stubs(unittest.TestCase):
 
 # Types that only the stub has; pybind11's metaclass; an overload whose positional argument mypy 1.0 takes for a keyword.
 ALLOWED_BY_STUBTEST = [r"ninebit\.(ReadForm|Form|Chip|Codes|IntArray|Diagnostic|_Picture)",
-                       r"ninebit\._verbs_api\.(Path|AnyProgram|Picture|Point|Color|List|Progress|Technique|DepthEncoding|IndexScales"
+                       r"ninebit\._(calls|pictures|questions)\.(Path|AnyProgram|Picture|Point|Color|List|Progress|Technique|DepthEncoding|IndexScales"
                        r"|LightType|Faces)",
                        r"ninebit(\._programs)?\.(Program|State)", r"ninebit\.Program\.evaluate"]
 

@@ -1,5 +1,5 @@
 // The extension module _verbs: runs the verbs of the program in this process, with the same flags, and takes their
-// answers, pictures and pages as values. src/python/ninebit/verbs.py turns keyword arguments into flags.
+// answers, pictures and pages as values. src/python/ninebit/_calls.py turns keyword arguments into flags.
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 

@@ -4,9 +4,9 @@ from ._programs import Program, State, Trace
 
 # Loaded by the first call: drawing, studies and proofs need many libraries, programs need none.
 _LATER = {
-    "render": "_verbs_api", "draw": "_verbs_api", "compare": "_verbs_api", "study": "_verbs_api",
-    "prove": "_verbs_api", "trace": "_verbs_api", "explain": "_verbs_api", "convert": "_verbs_api",
-    "vectors": "_verbs_api", "options": "_verbs_api",
+    "render": "_pictures", "draw": "_pictures", "compare": "_pictures", "trace": "_pictures",
+    "study": "_questions", "prove": "_questions", "explain": "_questions", "convert": "_questions",
+    "vectors": "_questions", "options": "_calls",
     "Rendering": "_results", "Drawing": "_results", "Comparison": "_results", "Report": "_results",
     "Proof": "_results", "Explanation": "_results", "Vectors": "_results",
 }

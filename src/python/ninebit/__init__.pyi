@@ -5,16 +5,16 @@ from typing import Any, Literal, TypedDict, overload
 import numpy as np
 from numpy.typing import NDArray
 
-from ._verbs_api import compare as compare
-from ._verbs_api import convert as convert
-from ._verbs_api import draw as draw
-from ._verbs_api import explain as explain
-from ._verbs_api import options as options
-from ._verbs_api import prove as prove
-from ._verbs_api import render as render
-from ._verbs_api import study as study
-from ._verbs_api import trace as trace
-from ._verbs_api import vectors as vectors
+from ._calls import options as options
+from ._pictures import compare as compare
+from ._pictures import draw as draw
+from ._pictures import render as render
+from ._pictures import trace as trace
+from ._questions import convert as convert
+from ._questions import explain as explain
+from ._questions import prove as prove
+from ._questions import study as study
+from ._questions import vectors as vectors
 
 ReadForm = Literal["gl", "source", "rc10", "ps", "words", "words-json", "json", "xbox", "log"]
 Form = Literal["gl", "rc10", "ps11", "words", "words-json", "json", "xbox", "glsl", "glsl-es", "c"]

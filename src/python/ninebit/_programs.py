@@ -127,7 +127,7 @@ class Program(_combiner.Program):
         return f"<ninebit.Program of {stages} general combiner{'' if stages == 1 else 's'}, {self.profile}>"
 
     def _repr_html_(self):
-        from ._verbs_api import explain
+        from ._questions import explain
         return explain(self.state)._repr_html_()
 
     def __reduce__(self):
@@ -146,7 +146,7 @@ class Trace(dict):
 
     def _repr_html_(self):
         if self._page is None and self._state is not None:
-            from ._verbs_api import trace
+            from ._pictures import trace
             self._page = trace(self._state, set=self._codes)._page
         from ._results import framed
         return framed(self._page)

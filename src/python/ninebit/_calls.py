@@ -1,4 +1,4 @@
-"""The verbs of the program as functions: keyword arguments become its flags, its answers become values."""
+"""Calls of the program's verbs: keyword arguments become flags, answers become values."""
 import functools
 import json
 import numbers
@@ -12,12 +12,13 @@ import numpy as np
 
 from . import _verbs
 from ._combiner import Error, nearest_name
-from ._programs import Program, State, Trace
-from ._results import Comparison, Drawing, Explanation, Proof, Rendering, Report, Vectors
+from ._programs import Program, State
 
 _verbs.set_file(_verbs.__file__)
 
 _ONLY_IN_THE_PROGRAM = {"help", "json", "quiet"}
+STUDIES = ["index-steps", "datapath", "depth-packing", "shadows", "merge"]
+QUESTIONS = ["equivalent", "stable", "discriminate", "kit"]
 _CANNOT_WRITE, _OUT_OF_MEMORY, _INTERRUPTED = 4, 5, 128
 
 
@@ -33,8 +34,8 @@ def options(verb):
     if not isinstance(verb, str):
         raise TypeError(f"verb is {type(verb).__name__}; expected a name such as 'render' or 'study shadows'")
     words = tuple(verb.split())
-    known = ["render", "draw", "compare", "trace", "explain", "convert", "vectors", *(f"study {s}" for s in _STUDIES),
-             *(f"prove {q}" for q in _QUESTIONS)]
+    known = ["render", "draw", "compare", "trace", "explain", "convert", "vectors", *(f"study {s}" for s in STUDIES),
+             *(f"prove {q}" for q in QUESTIONS)]
     if " ".join(words) not in known:
         raise Error(f"unknown function '{verb}'; expected one of {', '.join(known)}{nearest_name(verb, known)}")
     return {name: about[-1].replace("--", "") for name, about in _flags_of(words).items()}
@@ -164,7 +165,7 @@ class _Call:
         return json.loads(answer) if answer else {}, found["texts"], found["arrays"]
 
 
-def _run(verb, positional, options, progress):
+def run_verb(verb, positional, options, progress):
     """Runs a verb; `positional` has names, values, and whether they are programs."""
     call = _Call(verb)
     with call.stack:
@@ -179,99 +180,3 @@ def _run(verb, positional, options, progress):
                 options = {**options, "profile": state._profile}
         call.add(options)
         return call.run(progress)
-
-
-def render(scene, *, progress=None, **options):
-    """Renders a scene with shadows, as `ninebit render`; returns a Rendering. options("render") lists the options.
-
-    Without `output`, nothing is written. `progress` is called with the share that is done, 0 to 1, and a word.
-    """
-    return Rendering._of(*_run(("render",), [("scene", scene, False)], options, progress))
-
-
-def draw(program, *, progress=None, **options):
-    """Draws a program on textures and a mesh, or an effect file, as `ninebit draw`; returns a Drawing.
-
-    Textures are files, built-in names, or pictures as arrays of uint8. options("draw") lists the options.
-    """
-    return Drawing._of(*_run(("draw",), [("program", program, True)], options, progress))
-
-
-def compare(scene, *, progress=None, **options):
-    """Renders a scene by several techniques, or with several settings, as `ninebit compare`; returns a Comparison.
-
-    `vary` has lists of values by option: vary={"index_step": [1, 2, 3]}. options("compare") lists the options.
-    """
-    return Comparison._of(*_run(("compare",), [("scene", scene, False)], options, progress))
-
-
-_STUDIES = ["index-steps", "datapath", "depth-packing", "shadows", "merge"]
-_QUESTIONS = ["equivalent", "stable", "discriminate", "kit"]
-
-
-def _chosen(what, name, names):
-    if not isinstance(name, str):
-        raise TypeError(f"{what} is {type(name).__name__}; expected one of {', '.join(names)}")
-    if name.replace("_", "-") not in names:
-        raise Error(f"unknown {what} '{name}'; expected one of {', '.join(names)}{nearest_name(name, names)}")
-    return name.replace("_", "-")
-
-
-def study(name, *arguments, progress=None, **options):
-    """Runs a study, as `ninebit study NAME`: "index-steps", "datapath", "depth-packing", "shadows" with a scene, or
-    "merge" with parts; returns a Report. options("study index-steps") lists the options."""
-    name = _chosen("study", name, _STUDIES)
-    expected = {"shadows": 1, "merge": len(arguments)}.get(name, 0)
-    if len(arguments) != expected or (name == "merge" and not arguments):
-        needed = {"shadows": "a scene", "merge": "at least one part"}.get(name, "no argument besides the options")
-        raise TypeError(f"study {name} was given {len(arguments)} arguments; expected {needed}")
-    return Report._of(*_run(("study", name), [("scene" if name == "shadows" else "part", value, False) for value in arguments],
-                        options, progress))
-
-
-def prove(question, *arguments, progress=None, **options):
-    """Answers a question for all inputs, as `ninebit prove QUESTION`; returns a Proof, which is true if it is proved.
-
-    "equivalent" takes two programs, "stable" one, "discriminate" two profiles or the option field, "kit" none.
-    """
-    question = _chosen("question", question, _QUESTIONS)
-    expected = {"equivalent": [2], "stable": [1], "discriminate": [0, 2], "kit": [0]}[question]
-    if len(arguments) not in expected:
-        raise TypeError(f"prove {question} was given {len(arguments)} arguments; expected "
-                        f"{' or '.join(str(count) for count in expected)}")
-    programs = question in ("equivalent", "stable")
-    if question == "equivalent" and options.get("other_profile") is None:
-        first, other = (one.state if isinstance(one, Program) else one for one in arguments)
-        if isinstance(other, State) and isinstance(first, State) and other._profile != first._profile:
-            options = {**options, "other_profile": other._profile}
-    return Proof._of(*_run(("prove", question), [("program" if programs else "profile", value, programs) for value in arguments],
-                       options, progress))
-
-
-def trace(program=None, *, progress=None, **options):
-    """Traces one fragment, as `ninebit trace`: of registers that are given by `set`, or of the `pixel` of a `scene` or of
-    an `effect`; returns a Trace. options("trace") lists the options. Program.trace() does the first without files."""
-    positional = [] if program is None else [("program", program, True)]
-    answer, texts, _ = _run(("trace",), positional, options, progress)
-    found = Trace(answer)
-    found._page = texts.get("page")
-    return found
-
-
-def explain(program, **options):
-    """What a program computes, as `ninebit explain`; returns an Explanation. options("explain") lists the options."""
-    return Explanation._of(*_run(("explain",), [("program", program, True)], options, None))
-
-
-def convert(program, to=None, **options):
-    """A program as a text of another form, as `ninebit convert --to`: "gl", "rc10", "ps11", "words", "words-json",
-    "json", "xbox", "glsl", "glsl-es" or "c". Without `to`, the list of set-ups of a log, as a dictionary."""
-    answer, _, _ = _run(("convert",), [("program", program, True)], {**options, "to": to}, None)
-    return answer if to is None else answer["rows"][0].get("text", answer)
-
-
-def vectors(*, progress=None, **options):
-    """A pack of programs, inputs and expected outputs for emulators, as `ninebit vectors`; returns Vectors.
-
-    Without `output`, nothing is written. options("vectors") lists the options."""
-    return Vectors._of(*_run(("vectors",), [], options, progress))

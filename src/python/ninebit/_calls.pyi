@@ -1,0 +1,18 @@
+"""Types of what all functions of the program's verbs share."""
+from collections.abc import Callable, Sequence
+from os import PathLike
+from typing import Literal
+
+from . import Program, State
+
+Path = str | PathLike[str]
+AnyProgram = State | Program | Path
+Point = tuple[float, float, float] | Sequence[float]
+Progress = Callable[[float, str], object]
+Technique = Literal["index-cube", "depth-cube", "shadow-map", "shadow-volume", "reflective", "light-cookie"]
+DepthEncoding = Literal["d24", "d16", "rgba8-fract", "rgba8-mod", "rgba8-256over255", "rgba8-modf"]
+IndexScales = Literal["both-x4", "first-x4", "second-x4", "no-scale"]
+LightType = Literal["point", "spot", "directional"]
+Faces = Literal["none", "back", "front"]
+
+def options(verb: str) -> dict[str, str]: ...
