@@ -46,7 +46,7 @@ install(CODE "
     list(LENGTH missing count)
     list(GET missing 0 first)
     # Text that begins with a blank stays on one line.
-    message(FATAL_ERROR \" Nothing was installed: \${first} and what else is missing (\${count} in all) is not built yet; \"
+    message(FATAL_ERROR \" Nothing was installed: files that are not built yet: \${count}, the first \${first}; \"
                         \"run first: cmake --build ${PROJECT_BINARY_DIR} --target ninebit_installable\")
   endif()
   if(NOT CMAKE_INSTALL_COMPONENT)

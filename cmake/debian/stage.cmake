@@ -16,3 +16,8 @@ file(GLOB pages ${CPACK_TEMPORARY_DIRECTORY}/program/usr/share/man/man1/*.1)
 foreach(page IN LISTS pages)
   execute_process(COMMAND gzip -9n ${page} COMMAND_ERROR_IS_FATAL ANY)
 endforeach()
+# Where Debian's zsh looks.
+set(zsh ${CPACK_TEMPORARY_DIRECTORY}/program/usr/share/zsh)
+if(EXISTS ${zsh}/site-functions)
+  file(RENAME ${zsh}/site-functions ${zsh}/vendor-completions)
+endif()
