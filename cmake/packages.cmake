@@ -110,10 +110,6 @@ endif()
 
 # --- The pages. Doxygen and the playground's bundler are not part of the build, so this package is only made where both
 # have run.
-ninebit_package(doc ninebit-doc doc "GeForce 2 register combiners, bit for bit (documentation)"
-  "${what}These are the reference of the C and C++ libraries, the pages with
-gallery and tutorials, and the playground: the program in one page for
-browsers." ALL)
 install(CODE "
   foreach(part IN ITEMS docs/html/index.html:docs playground/index.html:playground)
     string(REGEX MATCH \"^([^:]+):(.*)\" part \"\${part}\")
@@ -122,6 +118,10 @@ install(CODE "
     endif()
   endforeach()
 " COMPONENT doc EXCLUDE_FROM_ALL)
+ninebit_package(doc ninebit-doc doc "GeForce 2 register combiners, bit for bit (documentation)"
+  "${what}These are the reference of the C and C++ libraries, the pages with
+gallery and tutorials, and the playground: the program in one page for
+browsers." ALL)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/build/docs/html DESTINATION share/doc/ninebit-doc COMPONENT doc EXCLUDE_FROM_ALL)
 install(FILES ${PROJECT_SOURCE_DIR}/build/playground/index.html DESTINATION share/doc/ninebit-doc/playground COMPONENT doc
         EXCLUDE_FROM_ALL)
