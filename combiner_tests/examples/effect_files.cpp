@@ -6,7 +6,7 @@ TEST(Examples, EffectFiles) {
   using namespace ninebit;
   const Parsed<Effect> effect = read_effect("scenes/effects/sepia.json");
   ASSERT_TRUE(effect);
-  Result<EffectRenderer> renderer = EffectRenderer::make(*effect.value, profiles::geforce2, file_readers());
+  Result<EffectRenderer> renderer = EffectRenderer::make(*effect, profiles::geforce2, file_readers());
   ASSERT_TRUE(renderer.ok()) << renderer.error().text();
   ASSERT_TRUE(renderer->draw().ok());
   const Surface& picture = renderer->picture();

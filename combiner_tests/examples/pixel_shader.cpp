@@ -12,5 +12,5 @@ TEST(Examples, PixelShader) {
   ASSERT_TRUE(is_pixel_shader(text));
   const auto state = parse_pixel_shader({text, "lit.psh"}, profiles::nv2a);
   ASSERT_TRUE(state);
-  EXPECT_EQ(state.value->general[0].rgb.out.scale, Scale::by_two);
+  EXPECT_EQ(state->general[0].rgb.out.scale, Scale::by_two);
 }

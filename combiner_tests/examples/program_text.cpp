@@ -13,5 +13,5 @@ TEST(Examples, ProgramText) {
   EXPECT_EQ(form_of(text), ProgramForm::rc10);
   const auto program = parse_program({text, "multiply.rc1"}, form_of(text), profiles::geforce2);
   ASSERT_TRUE(program);
-  EXPECT_EQ(program.value->state.general[0].rgb.out.scale, Scale::by_two);
+  EXPECT_EQ(program->state.general[0].rgb.out.scale, Scale::by_two);
 }

@@ -12,7 +12,7 @@ TEST(Examples, Rc10) {
       "out.rgb = spare0;\n";
   const auto state = parse_rc10({text, "dot.rc1"}, profiles::geforce2);
   ASSERT_TRUE(state);
-  EXPECT_TRUE(state.value->general[0].rgb.out.ab_dot_product);
-  const Result<std::string> printed = print_rc10(*state.value, profiles::geforce2);
+  EXPECT_TRUE(state->general[0].rgb.out.ab_dot_product);
+  const Result<std::string> printed = print_rc10(*state, profiles::geforce2);
   EXPECT_EQ(printed->substr(0, 7), "!!RC1.0");
 }

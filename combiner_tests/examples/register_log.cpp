@@ -12,7 +12,7 @@ TEST(Examples, RegisterLog) {
       "frame.log"};
   const auto log = parse_register_log(trace);
   ASSERT_TRUE(log);
-  EXPECT_EQ(log.value->draws, 1U);
-  const auto program = program_of(*log.value, 1, "frame.log", profiles::nv2a);
-  EXPECT_EQ(program.value->num_general_combiners, 1);
+  EXPECT_EQ(log->draws, 1U);
+  const auto program = program_of(*log, 1, "frame.log", profiles::nv2a);
+  EXPECT_EQ(program->num_general_combiners, 1);
 }

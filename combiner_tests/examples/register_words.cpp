@@ -9,5 +9,5 @@ TEST(Examples, RegisterWords) {
   ASSERT_TRUE(words.ok());
   EXPECT_NE(words->find("RC_IN_RGB[0] = 0x"), std::string::npos);
   const auto state = parse_register_words({*words, "dump.txt"}, ChipClass::nv10, profiles::geforce2);
-  EXPECT_EQ(*state.value, CombinerState{});
+  EXPECT_EQ(*state, CombinerState{});
 }

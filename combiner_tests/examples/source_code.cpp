@@ -14,5 +14,5 @@ TEST(Examples, SourceCode) {
   EXPECT_EQ(functions[0].needs[0], "unit");  // without it, the call cannot be read
 
   const auto state = parse_source_code(source, {.definitions = {{"unit", "1"}}}, profiles::geforce2);
-  EXPECT_EQ(state.value->general[0].rgb.b.reg, Register::texture1);
+  EXPECT_EQ(state->general[0].rgb.b.reg, Register::texture1);
 }

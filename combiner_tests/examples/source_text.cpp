@@ -7,6 +7,6 @@ TEST(Examples, SourceText) {
   const SourceText source{"!!RC1.0\nout.rgb = spare2;", "wrong.rc1"};
   const Parsed<CombinerState> parsed = parse_rc10(source, profiles::geforce2);
   ASSERT_FALSE(parsed);
-  EXPECT_EQ(parsed.faults[0].line, 2);
-  EXPECT_EQ(parsed.faults[0].text().substr(0, 16), "wrong.rc1:2:11: ");
+  EXPECT_EQ(parsed.faults()[0].line, 2);
+  EXPECT_EQ(parsed.faults()[0].text().substr(0, 16), "wrong.rc1:2:11: ");
 }

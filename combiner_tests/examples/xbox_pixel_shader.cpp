@@ -12,6 +12,6 @@ TEST(Examples, XboxPixelShader) {
   std::vector<RegisterWord> texture_modes;
   const auto state = parse_xbox_pixel_shader({*definition, "title.h"}, profiles::nv2a, &texture_modes);
   ASSERT_TRUE(state);
-  EXPECT_EQ(normalize(*state.value, profiles::nv2a), normalize({}, profiles::nv2a));
+  EXPECT_EQ(normalize(*state, profiles::nv2a), normalize({}, profiles::nv2a));
   EXPECT_EQ(texture_modes.size(), kOtherWordNames.size());
 }
