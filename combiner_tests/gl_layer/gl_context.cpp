@@ -11,7 +11,9 @@
 // At the end of the process LeakSanitizer looks through the memory of Mesa's threads, and crashes there now and then
 // ("Tracer caught signal 11"). So it does not look.
 extern "C" int __lsan_is_turned_off();  // NOLINT(bugprone-reserved-identifier): LeakSanitizer's name for it
-extern "C" int __lsan_is_turned_off() { return 1; }  // NOLINT(bugprone-reserved-identifier)
+extern "C" int __lsan_is_turned_off() {
+  return 1;
+}  // NOLINT(bugprone-reserved-identifier)
 
 namespace ninebit::test {
 namespace {
