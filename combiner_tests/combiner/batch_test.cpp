@@ -50,7 +50,10 @@ TEST(Batch, EveryTargetOfThisProcessorIsDispatchedTo) {
   for (const std::string& name : ran) names.append(" ").append(name);
   RecordProperty("simd_targets", names);
 #if defined(__x86_64__)
-  EXPECT_GE(ran.size(), 2U) << "an x86-64 processor of today has more than the baseline:" << names;
+  // A build for one target, as with sanitizers, has no others to dispatch to; the first step of .ci/run has.
+  if (chosen_at_run_time()) {
+    EXPECT_GE(ran.size(), 2U) << "an x86-64 processor of today has more than the baseline:" << names;
+  }
 #endif
 }
 
