@@ -13,5 +13,5 @@ TEST(Examples, GlCalls) {
   ASSERT_TRUE(state);
   EXPECT_EQ(state->general[1].rgb.b.mapping, InputMapping::expand_normal);
   const Result<std::string> calls = print_gl_calls(*state, profiles::geforce2);
-  EXPECT_EQ(*parse_gl_calls({*calls, "printed"}, profiles::geforce2).value, *state);
+  EXPECT_EQ(*parse_gl_calls({*calls, "printed"}, profiles::geforce2), *state);
 }
