@@ -252,9 +252,10 @@ int run_study(const StudyRequest& request) {
   const auto study = request.make();
   if (!study) return report(study.error());
   const int code = flags.folder.empty() ? run_on_stdout(**study, flags) : run_in_folder(**study, flags);
-  // Not in the report, whose bytes are the same on every machine.
+  // Beside the report, not in it: its bytes are the same on every machine.
   const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - begin;
-  if (code == kDone && !flags.common.quiet) say(fmt::format("It took {:.1f} s.\n", spent.count()));
+  if (code == kDone && !flags.folder.empty() && !flags.common.quiet)
+    say(fmt::format("It took {:.1f} s.\n", spent.count()));
   return code;
 }
 
