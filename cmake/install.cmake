@@ -95,7 +95,7 @@ if(NINEBIT_BUILD_PYTHON)
   # Compiled now: users may not write there, and would compile it at every import. A Debian package compiles when it is
   # installed.
   install(CODE "
-    if(NOT CMAKE_INSTALL_PREFIX MATCHES \"/_CPack_Packages/\")
+    if(NOT \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}\" MATCHES \"/_CPack_Packages/\")
       get_filename_component(folder \"${NINEBIT_PYTHON_INSTALL_DIR}\" ABSOLUTE BASE_DIR \"\${CMAKE_INSTALL_PREFIX}\")
       execute_process(COMMAND ${Python_EXECUTABLE} -m compileall -q -s \"\$ENV{DESTDIR}\" -p / \"\$ENV{DESTDIR}\${folder}/ninebit\")
       file(GLOB compiled RELATIVE \"\$ENV{DESTDIR}/\" \"\$ENV{DESTDIR}\${folder}/ninebit/__pycache__/*.pyc\")
