@@ -84,7 +84,9 @@ void expect_as_scalar(const HardwareProfile& profile, const Texture& texture, co
     const OnTarget on(target);
     CodeArrays codes(at.size());
     sampler->sample(at.view(), at.size(), codes.at());
-    ASSERT_EQ(on.ran(), in_lanes);
+    if (chosen_at_run_time()) {
+      ASSERT_EQ(on.ran(), in_lanes);
+    }
     for (std::size_t i = 0; i < at.size(); ++i) {
       ASSERT_EQ(codes.of(i), expected[i])
           << simd_target_name(target) << ", " << texture.faces[0][0].width << " x " << texture.faces[0][0].height
