@@ -93,12 +93,9 @@ Status run_comparison(const CompareFlags& flags, Comparison& out, std::vector<st
   std::optional<Scene> scene;
   if (Status loaded = load_compared(flags, out, scene, usage); !loaded) return loaded;
   // Opened before rendering, so that an unwritable folder is reported without a long wait.
-  std::optional<StagedFiles> files;
-  if (!flags.folder.empty()) {
-    auto opened = StagedFiles::open(flags.folder);
-    if (!opened) return opened.error();
-    files.emplace(std::move(*opened));
-  }
+  auto opened = open_folder(flags.folder);
+  if (!opened) return opened.error();
+  std::optional<StagedFiles>& files = *opened;
   if (Status drawn = draw_compared(*scene, line, out); !drawn) {
     Diagnostic fault = drawn.error();
     if (fault.file.empty() && fault.fault == Fault::invalid_input) fault.file = flags.scene.file;

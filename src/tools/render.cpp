@@ -9,6 +9,7 @@
 #include "src/tools/common/flag_groups.h"
 #include "src/tools/common/given_pictures.h"
 #include "src/tools/common/index_order.h"
+#include "src/tools/common/output_file.h"
 #include "src/tools/common/pixel_flag.h"
 #include "src/tools/common/scene_textures.h"
 #include "src/tools/input/host.h"
@@ -130,12 +131,9 @@ Status run(const RenderFlags& flags, FinishedRender& done) {
   done.scene.emplace(std::move(scene->scene));
   done.ignored = std::move(scene->ignored);
   // Opened before rendering, so that an unwritable folder is reported without a long wait.
-  std::optional<StagedFiles> files;
-  if (!flags.folder.empty()) {
-    auto opened = StagedFiles::open(flags.folder);
-    if (!opened) return opened.error();
-    files.emplace(std::move(*opened));
-  }
+  auto opened = open_folder(flags.folder);
+  if (!opened) return opened.error();
+  std::optional<StagedFiles>& files = *opened;
   done.load_ms = milliseconds(Clock::now() - start);
   if (flags.turntable > 0) {
     Status turned = turn(flags, files ? &*files : nullptr, line, done);

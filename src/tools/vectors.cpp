@@ -58,12 +58,9 @@ Result<std::string> program_lines(const VectorPack& pack, ProgressLine& progress
 Result<WrittenPack> write_pack(const VectorsFlags& flags) {
   ProgressLine progress(flags.common.quiet || flags.common.json);
   // Before the work: a folder that cannot be written into is reported at once.
-  std::optional<StagedFiles> files;
-  if (!flags.folder.empty()) {
-    auto opened = StagedFiles::open(flags.folder);
-    if (!opened) return opened.error();
-    files.emplace(std::move(*opened));
-  }
+  auto opened = open_folder(flags.folder);
+  if (!opened) return opened.error();
+  std::optional<StagedFiles>& files = *opened;
   auto pack = make_vector_pack(profile_of(flags.common), flags.settings,
                                [&](double done) { return progress.step("programs", done); });
   if (!pack) return pack.error();

@@ -22,4 +22,8 @@ namespace NINEBIT_PUBLIC ninebit {
 // The sides must be multiples of n. That GeForce 2's antialiasing rounded to nearest is assumed.
 [[nodiscard]] Image8 averaged(const Image8& image, int n);
 
+// A picture of a rendering that was drawn n times as wide and high as it is shown: averaged if it has the frame's size,
+// else as it is.
+[[nodiscard]] Image8 as_shown(const Image8& image, const Rendering& rendering, int n);
+
 }  // namespace ninebit

@@ -66,12 +66,6 @@ struct RenderedFile {
   std::function<Status(const Path&)> write;
 };
 
-// Writes a picture, averaged if it has the size of the frame.
-Status write_picture(const Path& file, const Image8& image, const Rendering& rendering, int supersample) {
-  const bool of_frame = image.width == rendering.frame.width() && image.height == rendering.frame.height();
-  return write_png(file, of_frame && supersample > 1 ? averaged(image, supersample) : image);
-}
-
 // A file on its way to the disk.
 struct StagedRendering {
   RenderedFile file;
@@ -96,7 +90,7 @@ std::vector<RenderedFile> files_of(const Rendering& rendering, int supersample) 
   std::vector<RenderedFile> files;
   const auto png = [&](std::string name, auto picture) {
     files.push_back({std::move(name), [&rendering, picture, supersample](const Path& file) {
-                       return write_picture(file, picture(rendering), rendering, supersample);
+                       return write_png(file, as_shown(picture(rendering), rendering, supersample));
                      }});
   };
   png("color.png", &color_picture);
@@ -108,7 +102,7 @@ std::vector<RenderedFile> files_of(const Rendering& rendering, int supersample) 
   }
   for (const NamedPicture& picture : rendering.pictures) {
     files.push_back({picture.file, [&picture, &rendering, supersample](const Path& file) {
-                       return write_picture(file, picture.image, rendering, supersample);
+                       return write_png(file, as_shown(picture.image, rendering, supersample));
                      }});
   }
   if (rendering.layers.empty()) return files;

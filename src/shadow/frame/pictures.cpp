@@ -84,4 +84,9 @@ Image8 averaged(const Image8& image, int n) {
   return out;
 }
 
+Image8 as_shown(const Image8& image, const Rendering& rendering, int n) {
+  const bool of_frame = image.width == rendering.frame.width() && image.height == rendering.frame.height();
+  return of_frame && n > 1 ? averaged(image, n) : image;
+}
+
 }  // namespace ninebit

@@ -1,13 +1,14 @@
 #include "src/tools/common/given_pictures.h"
 
 #include <algorithm>
-#include <array>
 #include <memory>
 #include <type_traits>
 #include <utility>
 #include <variant>
 
 #include "ninebit/shadow/pictures.h"
+#include "src/shadow/frame/drawn_passes.h"
+#include "src/shadow/frame/upright.h"
 #include "src/tools/input/host.h"
 
 namespace ninebit::tools {
@@ -49,37 +50,28 @@ bool is_face(const Layer& layer) {
 template <class Samples>
 void give_plane(std::string name, const Samples& plane, int width, int height) {
   if (plane.empty()) return;
-  std::vector<typename Samples::value_type> upright;
-  upright.reserve(plane.size());
-  for (int y = height - 1; y >= 0; --y) {
-    const auto row = plane.begin() + static_cast<std::ptrdiff_t>(y) * width;
-    upright.insert(upright.end(), row, row + width);
-  }
+  std::vector<typename Samples::value_type> upright(plane.size());
+  for (std::size_t i = 0; i < plane.size(); ++i) upright[upright_index(i, width, height)] = plane[i];
   give_samples(std::move(name), std::move(upright), width, height, 1);
 }
 
 Image8 color_of(const Surface& surface) {
-  const auto width = static_cast<std::size_t>(surface.width()), height = static_cast<std::size_t>(surface.height());
-  Image8 image{surface.width(), surface.height(), 4, std::vector<std::uint8_t>(width * height * 4)};
-  for (std::size_t c = 0; c < 4; ++c) {
-    const auto& plane = surface.color(static_cast<int>(c));
-    for (std::size_t y = 0; y < height; ++y) {
-      for (std::size_t x = 0; x < width; ++x) {
-        image.pixels[(y * width + x) * 4 + c] = plane[(height - 1 - y) * width + x];
-      }
-    }
+  const int width = surface.width(), height = surface.height();
+  Image8 image{width, height, 4, std::vector<std::uint8_t>(surface.depth().size() * 4)};
+  for (std::size_t i = 0; i < surface.depth().size(); ++i) {
+    const std::size_t to = upright_index(i, width, height) * 4;
+    for (std::size_t c = 0; c < 4; ++c) image.pixels[to + c] = surface.color(static_cast<int>(c))[i];
   }
   return image;
 }
 
 // A cube map's face: its first row is t = 0, which is on top.
 void give_index_map(const Rendering& rendering) {
-  constexpr std::array kFaces{"+X", "-X", "+Y", "-Y", "+Z", "-Z"};
   for (std::size_t f = 0; f < rendering.index_map.size(); ++f) {
     const IndexMapFace& face = rendering.index_map[f];
     std::vector<std::uint32_t> numbers(face.texels());
     for (std::size_t i = 0; i < numbers.size(); ++i) numbers[i] = rendering.codes.number(face.texel(i));
-    give_samples(std::string("index_map.") + kFaces[f], std::move(numbers), face.size, face.size, 1);
+    give_samples(std::string("index_map.") + kCubeFaceNames[f], std::move(numbers), face.size, face.size, 1);
   }
 }
 
@@ -119,10 +111,7 @@ void give_rendering(const Rendering& rendering, int supersample) {
   give_layers(rendering.maps);
   give_layers(rendering.layers);
   for (const NamedPicture& picture : rendering.pictures) {
-    const bool of_frame =
-        picture.image.width == rendering.frame.width() && picture.image.height == rendering.frame.height();
-    give_picture(picture.file.substr(0, picture.file.rfind('.')),
-                 of_frame && supersample > 1 ? averaged(picture.image, supersample) : picture.image);
+    give_picture(picture.file.substr(0, picture.file.rfind('.')), as_shown(picture.image, rendering, supersample));
   }
 }
 

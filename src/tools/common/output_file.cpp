@@ -68,6 +68,13 @@ Status write_output(const std::string& path, std::string_view text) {
   return file->finish();
 }
 
+Result<std::optional<StagedFiles>> open_folder(const std::string& path) {
+  if (path.empty()) return std::optional<StagedFiles>();
+  auto files = StagedFiles::open(path);
+  if (!files) return files.error();
+  return std::optional<StagedFiles>(std::move(*files));
+}
+
 Status write_staged(StagedFiles& files, const std::string& name, std::string_view text) {
   return write_output(files.stage(name).string(), text);
 }

@@ -33,6 +33,9 @@ class OutputFile {
 // Writes a text as one output.
 [[nodiscard]] Status write_output(const std::string& path, std::string_view text);
 
+// Opens the folder that a verb writes into; the empty path is none.
+[[nodiscard]] Result<std::optional<StagedFiles>> open_folder(const std::string& path);
+
 // Writes a text under the staged name of a file.
 [[nodiscard]] Status write_staged(StagedFiles& files, const std::string& name, std::string_view text);
 
