@@ -86,6 +86,25 @@ TEST(SourceFaults, EndlessLoopsAndRecursionEnd) {
   EXPECT_NE(faults_of(bomb + "void a() { " + kSetCount + "2); A59; }").find("more than"), std::string::npos);
 }
 
+// Many functions that never end cost no more than ten of them.
+TEST(SourceFaults, FunctionsThatRunForTooLongShareTheirSteps) {
+  constexpr int kFunctions = 200, kRun = 10;
+  std::string text;
+  for (int i = 0; i < kFunctions; ++i) {
+    text += "void f" + std::to_string(i) + "() { int i; for (i = 0; i < 3; --i) " + kSetCount + "i); }\n";
+  }
+  int by_itself = 0, together = 0;
+  for (const SourceFunction& one : find_source_functions({text, "s"}, {}, profiles::nv2a)) {
+    for (const TextFault& fault : one.faults) {
+      by_itself += fault.message.find("the function runs for too long") != std::string::npos ? 1 : 0;
+      together += fault.message.find("a source's take at most 2,000,000 steps") != std::string::npos ? 1 : 0;
+    }
+  }
+  EXPECT_EQ(by_itself, kRun - 1);
+  EXPECT_EQ(together, kFunctions - by_itself);
+  EXPECT_NE(faults_of(text, {.functions = {"f199"}}).find("the function runs for too long"), std::string::npos);
+}
+
 TEST(SourceFaults, DeepNestingIsRefusedNotFollowed) {
   constexpr std::size_t kDeep = 20'000;
   for (const auto& [open, close] : std::vector<std::pair<std::string, std::string>>{{"(", ")"},

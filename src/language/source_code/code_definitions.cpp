@@ -50,6 +50,7 @@ std::string lines_of(const SourceText& source, const std::set<std::uint32_t>& of
 Machine::Machine(Program& program, const std::vector<Definition>& definitions, const HardwareProfile& profile,
                  detail::SourceFaults& faults, detail::SourceFaults& notes)
     : program_(program), given_(definitions), faults_(faults), notes_(notes), context_(profile) {
+  const std::size_t steps_before = std::exchange(program_.steps, 0);
   for (const Definition& one : given_) {
     File value{.text = one.value, .language = Language::c};
     read_tokens(value);
@@ -81,7 +82,9 @@ Machine::Machine(Program& program, const std::vector<Definition>& definitions, c
     }
     definitions_[program_.key(normal_path(one.name))] = std::move(known);
   }
+  // Definitions cost a function nothing.
   steps_ = 0;
+  program_.steps = steps_before;
 }
 
 // The values that are needed; several elements of an array are the array.
@@ -131,8 +134,7 @@ void Machine::finish() {
   const bool only_skipped = !sites_.empty() && std::all_of(sites_.begin(), sites_.end(),
                                                            [](const auto& one) { return one.second.is_skipped; });
   if (only_skipped) faults_.add(sites_.begin()->first, cannot_run(skipped_language_));
-  if (out_of_steps_)
-    faults_.add(0, "the function runs for too long; loops of more than 200,000 steps are not executed");
+  if (out_of_steps_) faults_.add(0, too_many_steps());
   for (const auto& [name, offset] : initial_values_) {
     if (used_origins_.count(name) == 0) continue;
     notes_.add(offset, "took the initial value of " + detail::quoted(name) + ", which is not a constant");

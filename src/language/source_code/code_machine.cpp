@@ -9,8 +9,8 @@
 namespace ninebit::code {
 namespace {
 
-// How many statements are executed at most, and how often an endless loop goes round.
-constexpr std::size_t kMostSteps = 200'000, kMostRounds = 500;
+// How many statements a function executes at most, and all functions together, and how often an endless loop goes round.
+constexpr std::size_t kMostSteps = 200'000, kMostStepsOfFile = 2'000'000, kMostRounds = 500;
 
 bool ends_function(const std::vector<Statement>& statements) {
   if (statements.empty()) return false;
@@ -21,10 +21,18 @@ bool ends_function(const std::vector<Statement>& statements) {
 
 }  // namespace
 
-bool Machine::spend() {
-  if (++steps_ <= kMostSteps) return true;
-  out_of_steps_ = true;
-  return false;
+bool Machine::spend(std::size_t steps) {
+  if (out_of_steps_) return false;
+  steps_ += steps;
+  program_.steps += steps;
+  out_of_steps_ = steps_ > kMostSteps || program_.steps > kMostStepsOfFile;
+  return !out_of_steps_;
+}
+
+// What to say where the steps are used up.
+std::string Machine::too_many_steps() const {
+  return steps_ > kMostSteps ? "the function runs for too long; loops of more than 200,000 steps are not executed"
+                             : "the functions run for too long; a source's take at most 2,000,000 steps together";
 }
 
 void Machine::run(const Function& function) {

@@ -41,6 +41,7 @@ struct Program {
   std::map<const Function*, std::vector<Statement>> bodies{};  // parsed so far
   std::map<const Function*, bool> sets_combiners{};            // decided so far
   std::set<std::string> assigned{};                            // names that functions assign to
+  std::size_t steps = 0;                                       // executed so far, by all functions together
 
   // A name as it is compared.
   [[nodiscard]] std::string key(std::string_view name) const;
@@ -75,6 +76,8 @@ class Machine {
 
   [[nodiscard]] const CombinerState& state() const { return context_.state(); }
   [[nodiscard]] std::vector<std::string> needs() const;
+  [[nodiscard]] bool is_out_of_steps() const { return out_of_steps_; }
+  [[nodiscard]] std::string too_many_steps() const;
   [[nodiscard]] std::map<std::string, std::set<std::uint32_t>> collected_needs() const;
   [[nodiscard]] const std::map<std::uint32_t, CallSite>& sites() const { return sites_; }
   // Where the string literals begin that were loaded.
@@ -119,7 +122,7 @@ class Machine {
   std::map<std::string_view, Members>::const_iterator designated_struct(const Expression& e) const;
   Value evaluate_list(const Expression& e);
   Value shaped(const Declared& declared, Value value, std::size_t level);
-  bool spend();
+  bool spend(std::size_t steps = 1);
 
   // Expressions: code_evaluate.cpp
   Value evaluate(const Expression& e);

@@ -252,7 +252,7 @@ Value Machine::value_of(const Expression& e) {
   if (const Value* const given = defined(path)) return *given;
   if (const Value* const known = stored(path)) {
     constexpr std::size_t kElementsAStep = 16;
-    steps_ += known->list.size() / kElementsAStep;
+    (void)spend(known->list.size() / kElementsAStep);
     return *known;
   }
   if (const auto known = constant(e)) return *known;

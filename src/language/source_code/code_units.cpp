@@ -198,6 +198,7 @@ SourceFunction Units::describe(const Unit& unit) {
   }
   for (const std::uint32_t offset : own) out.calls_not_read += machine.sites().count(offset) == 0 ? 1 : 0;
   out.needs = machine.needs();
+  if (machine.is_out_of_steps()) faults.add(unit.offset, machine.too_many_steps());
   out.faults = faults.take();
   if (!unit.is_part || out.faults.empty()) return out;
   // What is wrong with a part of a text need not be wrong with the whole, which is not read.

@@ -99,6 +99,7 @@ Parsed<CombinerState> parse_source_code(const SourceText& source, const SourceSe
   if (!units.faults().empty()) return {units.faults().take(), units.notes().take()};
   const std::vector<const code::Unit*> chosen = units.choose(selection.functions);
   if (!units.faults().empty()) return {units.faults().take(), units.notes().take()};
+  units.program().steps = 0;  // what was needed to choose does not count
   code::Machine machine(units.program(), selection.definitions, profile, units.faults(), units.notes());
   for (const code::Unit* const one : chosen) code::Units::run(machine, *one);
   machine.finish();
