@@ -10,10 +10,13 @@
 
 namespace {
 
-// Seconds of processor time: libFuzzer's own limit counts those that go by, and a busy machine has several for one of ours.
+// Seconds of processor time: libFuzzer's own limit counts those that go by, and a busy machine has several for one of
+// ours.
 constexpr double kMostSeconds = 10;
 
-double processor_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+double processor_seconds() {
+  return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+}
 
 }  // namespace
 

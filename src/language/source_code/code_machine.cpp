@@ -9,7 +9,8 @@
 namespace ninebit::code {
 namespace {
 
-// How many statements a function executes at most, and all functions together, and how often an endless loop goes round.
+// How many statements a function executes at most, and all functions together, and how often an endless loop goes
+// round.
 constexpr std::size_t kMostSteps = 200'000, kMostStepsOfFile = 2'000'000, kMostRounds = 500;
 
 bool ends_function(const std::vector<Statement>& statements) {
