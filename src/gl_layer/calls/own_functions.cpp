@@ -79,7 +79,7 @@ struct Entry {
   X(glXSwapBuffers)
 // clang-format on
 
-constinit std::atomic<bool> looked_up{false};
+constinit std::atomic<bool> combiners_wanted{false};
 
 const Entry kFunctions[]{NINEBIT_OWN_FUNCTIONS(NINEBIT_ENTRY, NINEBIT_ALIAS)};
 
@@ -89,12 +89,12 @@ AnyFunction own_function(std::string_view name) {
   const auto* const found = std::lower_bound(std::begin(kFunctions), std::end(kFunctions), name,
                                              [](const Entry& entry, std::string_view of) { return entry.name < of; });
   if (found == std::end(kFunctions) || found->name != name) return nullptr;
-  if (name.starts_with("glCombiner")) looked_up.store(true, std::memory_order_relaxed);
+  if (name.starts_with("glCombiner")) combiners_wanted.store(true, std::memory_order_relaxed);
   return found->function;
 }
 
 bool combiners_looked_up() {
-  return looked_up.load(std::memory_order_relaxed);
+  return combiners_wanted.load(std::memory_order_relaxed);
 }
 
 }  // namespace ninebit::gl_layer
