@@ -11,6 +11,7 @@
 #include "combiner_tests/image/read_back.h"
 #include "combiner_tests/image/rows.h"
 #include "ninebit/image/image_io.h"
+#include "src/system/parallel/parallel_loop.h"
 
 namespace {
 
@@ -160,15 +161,14 @@ TEST(Cube, IsTheSameBytesForAnyNumberOfThreads) {
   const TempFolder folder;
   const Cube cube(128);
   std::string first;
-  for (const int threads : {0, 0, 3}) {
-    ninebit::set_image_threads(threads);
+  for (const std::size_t threads : {1U, 1U, 3U}) {
+    const ninebit::ScopedThreadLimit limit(threads);
     ASSERT_TRUE(ninebit::write_exr_cube(folder.path() / "a.exr", 128, cube.faces).ok());
     const std::string bytes = image_test::read_bytes(folder.path() / "a.exr");
     ASSERT_FALSE(bytes.empty());
     if (first.empty()) first = bytes;
     EXPECT_TRUE(bytes == first) << threads << " threads";
   }
-  ninebit::set_image_threads(0);
 }
 
 TEST(Cube, AsksForEachRowOfEachFaceOnce) {
@@ -180,9 +180,7 @@ TEST(Cube, AsksForEachRowOfEachFaceOnce) {
   for (std::size_t f = 0; f < 6; ++f) {
     faces[f] = {{"index", integers[f].rows<std::uint32_t>(kSize)}, {"R", reals[f].rows<float>(kSize)}};
   }
-  ninebit::set_image_threads(3);
   const auto status = ninebit::write_exr_cube(folder.path() / "a.exr", kSize, faces);
-  ninebit::set_image_threads(0);
   ASSERT_TRUE(status.ok()) << status.error().text();
   for (std::size_t f = 0; f < 6; ++f) {
     for (const RowLog* log : {&integers[f], &reals[f]}) {

@@ -9,6 +9,7 @@
 #include "combiner_tests/image/rows.h"
 #include "combiner_tests/support/special_floats.h"
 #include "ninebit/image/image_io.h"
+#include "src/system/parallel/parallel_loop.h"
 
 namespace {
 
@@ -118,15 +119,37 @@ TEST(Exr, IsTheSameBytesForAnyNumberOfThreads) {
   const std::vector<ExrPart> parts = {{"a", 301, 277, {{"index", rows_of(index, 301)}, {"R", rows_of(red, 301)}}},
                                       {"b", 64, 64, {{"R", rows_of(small, 64)}}}};
   std::string first;
-  for (const int threads : {0, 0, 1, 2, 5, -3}) {
-    ninebit::set_image_threads(threads);
+  for (const std::size_t threads : {1U, 1U, 2U, 5U}) {
+    const ninebit::ScopedThreadLimit limit(threads);
     ASSERT_TRUE(ninebit::write_exr_parts(folder.path() / "a.exr", parts).ok());
     const std::string bytes = image_test::read_bytes(folder.path() / "a.exr");
     ASSERT_FALSE(bytes.empty());
     if (first.empty()) first = bytes;
     EXPECT_TRUE(bytes == first) << threads << " threads";
   }
-  ninebit::set_image_threads(0);
+}
+
+// Rows that compress well, rows that do not compress at all, and a last block of fewer rows.
+TEST(Exr, StoresFlatAndNoisyBlocksExactly) {
+  constexpr int kWidth = 257, kHeight = 100;
+  const TempFolder folder;
+  Integers index = integers(kWidth, kHeight, 7);
+  std::fill_n(index.begin(), kWidth * 50, 77U);
+  Reals red = reals(kWidth, kHeight, 8);
+  std::fill_n(red.begin() + kWidth * 30, kWidth * 40, 0.5F);
+  Reals exact(index.size());
+  for (std::size_t i = 0; i < exact.size(); ++i) exact[i] = static_cast<float>(index[i]) * 0.1F;
+  const std::vector<ExrPart> parts = {{"a",
+                                       kWidth,
+                                       kHeight,
+                                       {{"z", rows_of(index, kWidth)},
+                                        {"R", rows_of(red, kWidth)},
+                                        {"d", ninebit::ExrFloatRow{rows_of(exact, kWidth)}}}}};
+  ASSERT_TRUE(ninebit::write_exr_parts(folder.path() / "a.exr", parts).ok());
+  const StoredPart stored = read_exr(folder.path() / "a.exr").at(0);
+  EXPECT_EQ(stored.channels.at("z").integers, index);
+  EXPECT_EQ(stored.channels.at("R").reals, red);
+  EXPECT_EQ(stored.channels.at("d").floats, exact);
 }
 
 TEST(Exr, AsksForEachRowOnceFromTheTopDown) {
@@ -138,9 +161,7 @@ TEST(Exr, AsksForEachRowOnceFromTheTopDown) {
       {"a", 9, 150, {{"index", integers_log.rows<std::uint32_t>(9)}, {"R", reals_log.rows<float>(9)}}},
       {"b", 200, 64, {{"R", second_log.rows<float>(200)}}},
   };
-  ninebit::set_image_threads(3);
   const auto status = ninebit::write_exr_parts(folder.path() / "a.exr", parts);
-  ninebit::set_image_threads(0);
   ASSERT_TRUE(status.ok()) << status.error().text();
   EXPECT_EQ(integers_log.asked(), image_test::up_to(150));
   EXPECT_EQ(reals_log.asked(), image_test::up_to(150));

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
 #include <utility>
 #include <vector>
@@ -106,6 +107,16 @@ TEST(Png, ReportsSenselessPictures) {
   expect_refused(4, 4, 3, 47);
   expect_refused(4, 4, 3, 49);
   EXPECT_TRUE(folder.names().empty());
+}
+
+// More than is compressed at a time, flat in one half and noisy in the other.
+TEST(Png, WritesALargePicture) {
+  const TempFolder folder;
+  Image8 expected = test_picture(900, 700, 3);
+  std::fill_n(expected.pixels.begin(), expected.pixels.size() / 2, std::uint8_t{24});
+  ASSERT_TRUE(ninebit::write_png(folder.path() / "a.png", expected).ok());
+  EXPECT_EQ(image_test::read_png(folder.path() / "a.png").pixels, expected.pixels);
+  EXPECT_GT(image_test::png_chunks(image_test::read_bytes(folder.path() / "a.png")).size(), 4U);
 }
 
 TEST(Png, WritesTheWidestRow) {

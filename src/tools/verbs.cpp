@@ -1,6 +1,8 @@
 #include "src/tools/verbs.h"
 
+#include <algorithm>
 #include <exception>
+#include <iterator>
 #include <new>
 #include <sstream>
 #include <string>
@@ -15,30 +17,43 @@
 
 namespace ninebit::tools {
 
-void add_verbs(CLI::App& app, int& exit_code) {
+namespace {
+
+struct Verb {
+  std::string_view name;
+  void (*add)(CLI::App& app, int& exit_code);
+};
+
+constexpr Verb kVerbs[] = {{"render", &add_render},     {"draw", &add_draw},       {"compare", &add_compare},
+                           {"profiles", &add_profiles}, {"info", &add_info},       {"eval", &add_eval},
+                           {"trace", &add_trace},       {"explain", &add_explain}, {"convert", &add_convert},
+                           {"validate", &add_validate}, {"bench", &add_bench},     {"study", &add_study},
+                           {"verify", &add_verify},     {"prove", &add_prove},     {"vectors", &add_vectors},
+                           {"gl-run", &add_gl_run},     {"help", &add_help},       {"generate", &add_generate}};
+
+void set_up_program(CLI::App& app) {
   app.require_subcommand(1);
   app.set_version_flag("-V,--version", version_text, "Print the version and build information");
   app.footer(
       "Example: ninebit render scenes/index_room.gltf -o out\nRun `ninebit help COMMAND` for the flags of a "
       "command.");
-  add_render(app, exit_code);
-  add_draw(app, exit_code);
-  add_compare(app, exit_code);
-  add_profiles(app, exit_code);
-  add_info(app, exit_code);
-  add_eval(app, exit_code);
-  add_trace(app, exit_code);
-  add_explain(app, exit_code);
-  add_convert(app, exit_code);
-  add_validate(app, exit_code);
-  add_bench(app, exit_code);
-  add_study(app, exit_code);
-  add_verify(app, exit_code);
-  add_prove(app, exit_code);
-  add_vectors(app, exit_code);
-  add_gl_run(app, exit_code);
-  add_help(app, exit_code);
-  add_generate(app, exit_code);
+}
+
+// Adds the verb that this first argument names, or all: for a wrong name, and for what describes the program.
+void add_named_verb(CLI::App& app, int& exit_code, std::string_view name) {
+  if (name == "-V" || name == "--version") return set_up_program(app);
+  const auto* const verb =
+      std::find_if(std::begin(kVerbs), std::end(kVerbs), [&](const Verb& v) { return v.name == name; });
+  if (verb == std::end(kVerbs) || name == "help" || name == "generate") return add_verbs(app, exit_code);
+  set_up_program(app);
+  verb->add(app, exit_code);
+}
+
+}  // namespace
+
+void add_verbs(CLI::App& app, int& exit_code) {
+  set_up_program(app);
+  for (const Verb& verb : kVerbs) verb.add(app, exit_code);
 }
 
 namespace {
@@ -46,7 +61,7 @@ namespace {
 int run(int argc, char** argv) {
   CLI::App app{"Bit-exact emulation of NVIDIA register combiners, and the shadow techniques built on them", "ninebit"};
   int exit_code = kDone;
-  add_verbs(app, exit_code);
+  add_named_verb(app, exit_code, argc > 1 ? argv[1] : "");  // all verbs take longer than most of them run
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

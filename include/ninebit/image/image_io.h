@@ -1,8 +1,11 @@
-// Writing pictures: PNG by libpng, EXR by OpenEXR.
+// Writing pictures: PNG, and EXR by OpenEXR. ISA-L compresses both.
 //
 // All planes are row-major, row 0 at the TOP of the picture. Every writer reports Fault::cannot_write, with the file's
 // name, if the file cannot be opened, written to the last byte or closed; it then leaves no complete-looking file
 // behind. An existing file is overwritten; a symbolic link is an error. Callers write to paths of StagedFiles::stage().
+//
+// A file's bytes do not depend on the number of threads. Its compressed bytes may differ between processors, because
+// ISA-L has code for several instruction sets; its samples do not.
 #pragma once
 
 #include <array>
@@ -68,7 +71,11 @@ template <class Sample>
 // never two calls at a time. It may throw only std::bad_alloc; the writer passes it on and leaves no file behind.
 using ExrIntegerRow = std::function<void(int row, std::span<std::uint32_t> out)>;  // UINT, stored exactly
 using ExrRealRow = std::function<void(int row, std::span<float> out)>;             // stored as half
-struct ExrFloatRow {                                                               // FLOAT, stored exactly
+struct ExrHalfRow {                                                                // HALF, stored exactly
+  std::function<void(int row, std::span<Half> out)> fill{};
+  explicit operator bool() const { return static_cast<bool>(fill); }
+};
+struct ExrFloatRow {  // FLOAT, stored exactly
   std::function<void(int row, std::span<float> out)> fill{};
   explicit operator bool() const { return static_cast<bool>(fill); }  // whether there is a function
 };
@@ -76,8 +83,9 @@ struct ExrFloatRow {                                                            
 // One channel of an EXR part. A writer requests each row once and holds at most a few dozen rows, so that pictures of
 // any size can be converted while they are written.
 struct ExrChannel {
-  std::string name;                                           // such as "R", "index"
-  std::variant<ExrIntegerRow, ExrRealRow, ExrFloatRow> rows;  // the storage type, and the function that fills a row
+  std::string name;  // such as "R", "index"
+  // The storage type, and the function that fills a row.
+  std::variant<ExrIntegerRow, ExrRealRow, ExrHalfRow, ExrFloatRow> rows;
 };
 
 // A plane as a channel that stores each sample exactly: 8, 16 and 32 bits as UINT, register codes and halves as half,
@@ -104,9 +112,5 @@ struct ExrPart {
 // any order.
 [[nodiscard]] Status write_exr_cube(const std::filesystem::path& file, int size,
                                     std::span<const std::vector<ExrChannel>, 6> faces);
-
-// Sets the number of threads that compress EXR files, for the whole process. 1 or less uses only the calling thread,
-// which is the default. The files do not depend on it. Do not call it while a file is being written.
-void set_image_threads(int threads);
 
 }  // namespace ninebit

@@ -24,6 +24,6 @@ namespace NINEBIT_PUBLIC ninebit {
 
 // A picture of a rendering that was drawn n times as wide and high as it is shown: averaged if it has the frame's size,
 // else as it is.
-[[nodiscard]] Image8 as_shown(const Image8& image, const Rendering& rendering, int n);
+[[nodiscard]] Image8 as_shown(Image8 image, const Rendering& rendering, int n);
 
 }  // namespace ninebit

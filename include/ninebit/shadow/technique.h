@@ -2,8 +2,10 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <deque>
 #include <functional>
 #include <optional>
@@ -92,6 +94,12 @@ struct IndexMapFace {
   // A texel as IndexCodes::number reads it; components that are not stored are 0.
   [[nodiscard]] ColorBytes texel(std::size_t i) const {
     ColorBytes bytes{};
+    if (step == 4) {
+      constexpr auto kColors = std::bit_cast<std::uint32_t>(ColorBytes{255, 255, 255, 0});
+      std::uint32_t word = 0;
+      std::memcpy(&word, samples.data() + 4 * i, sizeof word);
+      return std::bit_cast<ColorBytes>(word & kColors);
+    }
     for (std::size_t c = 0; c < 4; ++c) {
       if (first[c] >= 0) bytes[c] = samples[static_cast<std::size_t>(first[c]) + i * static_cast<std::size_t>(step)];
     }

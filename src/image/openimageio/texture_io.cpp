@@ -1,11 +1,18 @@
 #include "ninebit/image/texture_io.h"
 
+#include <memory>
+
+#include "src/image/openimageio/image_threads.h"
 #include "src/image/texture/texture_file.h"
 
 namespace ninebit {
 namespace {
 
-constexpr image_detail::PictureReader kOpenImageIO{.read = &image_detail::read_picture};
+Result<std::shared_ptr<void>> without_threads(const std::filesystem::path&) {
+  return std::shared_ptr<void>(std::make_shared<image_detail::WithoutImageThreads>());
+}
+
+constexpr image_detail::PictureReader kOpenImageIO{.read = &image_detail::read_picture, .prepare = &without_threads};
 
 }  // namespace
 

@@ -72,7 +72,7 @@ ExrChannel exr_channel(std::string name, const PicturePlane& plane) {
     if constexpr (std::is_same_v<Sample, float>) {
       return ExrFloatRow{rows_of<float>(top, stride, [](float v) { return v; })};
     } else if constexpr (std::is_same_v<Sample, Half>) {
-      return rows_of<float>(top, stride, [](Half v) { return float_of(v); });
+      return ExrHalfRow{rows_of<Half>(top, stride, [](Half v) { return v; })};
     } else if constexpr (std::is_same_v<Sample, s9>) {
       return rows_of<float>(top, stride, [](s9 v) { return static_cast<float>(v); });
     } else {

@@ -73,13 +73,14 @@ void set_picture_folder(fs::path folder) {
   given_folder = std::move(folder);
 }
 
-Status load_picture_module(const std::filesystem::path& file) {
+Result<std::shared_ptr<void>> load_picture_module(const std::filesystem::path& file) {
   const Result<PictureModule>& pictures = the_module();
-  return pictures ? Status() : invalid_input(file, "cannot be read: " + pictures.error().message);
+  if (!pictures) return invalid_input(file, "cannot be read: " + pictures.error().message);
+  return std::shared_ptr<void>();
 }
 
 Result<FileTexture> load_picture(const PictureSource& source) {
-  if (Status loaded = load_picture_module(source.file); !loaded) return loaded.error();
+  if (const auto loaded = load_picture_module(source.file); !loaded) return loaded.error();
   Result<FileTexture> texture = FileTexture{};
   the_module()->read(source, texture);
   return texture;

@@ -16,7 +16,7 @@ namespace ninebit::image_detail {
 void set_picture_folder(std::filesystem::path folder);
 
 // Only loads the module.
-[[nodiscard]] Status load_picture_module(const std::filesystem::path& file);
+[[nodiscard]] Result<std::shared_ptr<void>> load_picture_module(const std::filesystem::path& file);
 
 inline constexpr PictureReader kPictureModule{.read = &load_picture, .prepare = &load_picture_module};
 

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -54,8 +55,9 @@ void resample_to_powers_of_two(FileTexture& texture);
 // the program loads it for the first picture (picture_loader.h).
 struct PictureReader {
   Result<FileTexture> (*read)(const PictureSource& source) = nullptr;
-  // Loads the libraries of read() before an isolated call; nullptr: nothing to load.
-  Status (*prepare)(const std::filesystem::path& file) = nullptr;
+  // Makes the process ready for isolated calls of read(), as long as the answer is kept; nullptr: it is ready. `file`
+  // is for Diagnostics.
+  Result<std::shared_ptr<void>> (*prepare)(const std::filesystem::path& file) = nullptr;
 };
 
 // Reads any picture with OpenImageIO; from bytes PNG and JPEG. Its sides are from 1 to kMaxSurfaceSize.

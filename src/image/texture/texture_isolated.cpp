@@ -1,6 +1,7 @@
 // Reads pictures in a child process, and defines the layout of its answer.
 #include <algorithm>
 #include <array>
+#include <memory>
 #include <optional>
 #include <system_error>
 #include <type_traits>
@@ -8,7 +9,6 @@
 #include <variant>
 
 #include "src/image/output/faults.h"
-#include "src/image/output/image_threads.h"
 #include "src/image/texture/texture_file.h"
 #include "src/system/isolated_call.h"
 
@@ -87,8 +87,11 @@ std::optional<Result<FileTexture>> read(posix::AnswerReader& from) {
 
 Result<std::vector<FileTexture>> read_isolated(std::span<const PictureSource> sources, const PictureReader& reader,
                                                const std::function<bool()>& go_on) {
+  std::shared_ptr<void> ready;
   if (reader.prepare != nullptr) {
-    if (Status ready = reader.prepare(sources[0].file); !ready) return ready.error();
+    auto prepared = reader.prepare(sources[0].file);
+    if (!prepared) return prepared.error();
+    ready = std::move(prepared).value();
   }
   const posix::CallLimits limits = limits_for(sources);
   const auto work = [&](posix::AnswerWriter& answer) {
@@ -98,7 +101,6 @@ Result<std::vector<FileTexture>> read_isolated(std::span<const PictureSource> so
   for (const PictureSource& source : sources) {
     if (!source.bytes) files.push_back(source.file);
   }
-  const WithoutImageThreads alone;  // in the child, OpenEXR would wait for threads that do not exist there
   posix::CallResult call = posix::call_isolated(limits, files, work, go_on);
   if (call.end == posix::CallEnd::stopped) return Diagnostic{.message = "interrupted", .fault = Fault::cancelled};
   std::vector<FileTexture> textures;

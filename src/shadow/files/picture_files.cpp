@@ -11,31 +11,45 @@
 namespace ninebit {
 namespace {
 
-// An EXR channel whose rows are made from a plane's samples on demand.
-template <class To, class Value>
-ExrChannel channel(std::string name, Value value_at_row) {
-  return {std::move(name), std::function<void(int, std::span<To>)>(std::move(value_at_row))};
+// A channel of the index cube: the code numbers.
+ExrIntegerRow number_rows(const IndexCodes& codes, const IndexMapFace& face) {
+  return [&codes, &face](int row, std::span<std::uint32_t> out) {
+    ColorBytes last{};  // most texels have the code of the one before
+    std::uint32_t number = codes.number(last);
+    for (std::size_t x = 0; x < out.size(); ++x) {
+      const ColorBytes code = face.texel(static_cast<std::size_t>(row) * out.size() + x);
+      if (code != last) number = codes.number(last = code);
+      out[x] = number;
+    }
+  };
+}
+
+// A channel of the index cube: a component of the codes, 0 to 1. `levels` has the values of all bytes.
+ExrHalfRow component_rows(const Plane<const std::uint8_t>& plane, const std::array<Half, 256>& levels) {
+  return {[plane, &levels](int row, std::span<Half> out) {
+    const std::uint8_t* from = plane.row(row);
+    for (Half& level : out) {
+      level = levels[*from];
+      from += plane.step;
+    }
+  }};
 }
 
 Status write_index_cube(const Rendering& rendering, const std::filesystem::path& file) {
-  const int size = rendering.index_map.front().size;
-  const auto n = static_cast<std::size_t>(size);
+  std::array<Half, 256> levels{};
+  for (std::size_t k = 0; k < levels.size(); ++k) levels[k] = half_of(static_cast<float>(k) / 255.0F);
   std::array<std::vector<ExrChannel>, 6> faces;
   for (std::size_t f = 0; f < 6; ++f) {
-    faces[f].push_back(channel<std::uint32_t>("index", [&rendering, f, n](int row, std::span<std::uint32_t> out) {
-      for (std::size_t x = 0; x < n; ++x)
-        out[x] = rendering.codes.number(rendering.index_map[f].texel(static_cast<std::size_t>(row) * n + x));
-    }));
+    const IndexMapFace& face = rendering.index_map[f];
+    faces[f].push_back({"index", number_rows(rendering.codes, face)});
     for (std::size_t c = 0; c < 4; ++c) {
-      const Plane<const std::uint8_t> plane = rendering.index_map[f].plane(static_cast<int>(c));
+      const Plane<const std::uint8_t> plane = face.plane(static_cast<int>(c));
       if (!plane) continue;
       const char name = c == 0 && rendering.codes.format() != IndexFormat::rgb ? 'Y' : "RGBA"[c];
-      faces[f].push_back(channel<float>(std::string(1, name), [plane, size](int row, std::span<float> out) {
-        for (int x = 0; x < size; ++x) out[static_cast<std::size_t>(x)] = static_cast<float>(plane.at(x, row)) / 255.0F;
-      }));
+      faces[f].push_back({std::string(1, name), component_rows(plane, levels)});
     }
   }
-  return write_exr_cube(file, size, faces);
+  return write_exr_cube(file, rendering.index_map.front().size, faces);
 }
 
 // Layers as the parts of a file, each part at the place of its first layer; the layers must outlive them.

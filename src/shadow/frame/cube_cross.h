@@ -1,19 +1,37 @@
 // Cube maps as pictures.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 
 #include "ninebit/image/image_io.h"
 
 namespace ninebit {
 
 // Six faces of size × size texels as a cross of 4 × 3 faces: +Y on top, then -X +Z +X -Z, -Y below; texel t = 0 on top
-// as the extension's faces have it. `color` returns the colour of a texel, numbered row by row, of a face in the order
-// of CubeFace. Faces above 1,024 texels a side show only every second, fourth, … texel.
-[[nodiscard]] Image8 cube_cross(
-    int size, const std::function<std::array<std::uint8_t, 3>(std::size_t face, std::size_t texel)>& color);
+// as the extension's faces have it. color(face, texel) returns the three bytes of a texel, numbered row by row, of a
+// face in the order of CubeFace. Faces above 1,024 texels a side show only every second, fourth, … texel.
+template <class Color>
+[[nodiscard]] Image8 cube_cross(int size, const Color& color) {
+  constexpr std::size_t kLargestFace = 1024;
+  constexpr std::uint8_t kAround = 24;
+  constexpr std::array<std::array<std::size_t, 2>, 6> kPlace{{{2, 1}, {0, 1}, {1, 0}, {1, 2}, {1, 1}, {3, 1}}};
+  const auto texels = static_cast<std::size_t>(size);
+  const std::size_t n = std::min(texels, kLargestFace), stride = texels / n;
+  Image8 image{static_cast<int>(4 * n), static_cast<int>(3 * n), 3, {}};
+  image.pixels.assign(12 * n * n * 3, kAround);
+  for (std::size_t face = 0; face < 6; ++face) {
+    const std::size_t left = kPlace[face][0] * n, top = kPlace[face][1] * n;
+    for (std::size_t y = 0; y < n; ++y) {
+      std::uint8_t* to = &image.pixels[((top + y) * 4 * n + left) * 3];
+      for (std::size_t x = 0; x < n; ++x) {
+        for (const std::uint8_t byte : color(face, (y * texels + x) * stride)) *to++ = byte;
+      }
+    }
+  }
+  return image;
+}
 
 }  // namespace ninebit

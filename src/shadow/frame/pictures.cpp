@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "src/shadow/frame/cube_cross.h"
-#include "src/shadow/frame/upright.h"
 
 namespace ninebit {
 namespace {
@@ -25,19 +25,19 @@ std::array<std::uint8_t, 3> hue_of(std::uint32_t number) {
   return {ramp(0.0), ramp(4.0), ramp(2.0)};
 }
 
-std::uint32_t code_number(const Rendering& rendering, std::size_t face, std::size_t texel) {
-  return rendering.codes.number(rendering.index_map[face].texel(texel));
-}
-
 }  // namespace
 
 Image8 color_picture(const Rendering& rendering) {
   const int width = rendering.frame.width(), height = rendering.frame.height();
   Image8 image{width, height, 3, {}};
-  image.pixels.resize(rendering.frame.stencil().size() * 3);
-  for (std::size_t i = 0; i < rendering.frame.stencil().size(); ++i) {
-    const std::size_t to = upright_index(i, width, height) * 3;
-    for (std::size_t c = 0; c < 3; ++c) image.pixels[to + c] = rendering.frame.color(static_cast<int>(c))[i];
+  const auto columns = static_cast<std::size_t>(width), rows = static_cast<std::size_t>(height);
+  image.pixels.resize(rows * columns * 3);
+  for (std::size_t row = 0; row < rows; ++row) {
+    for (std::size_t c = 0; c < 3; ++c) {
+      const std::uint8_t* const from = &rendering.frame.color(static_cast<int>(c))[row * columns];
+      std::uint8_t* const to = &image.pixels[(rows - 1 - row) * columns * 3 + c];
+      for (std::size_t x = 0; x < columns; ++x) to[x * 3] = from[x];
+    }
   }
   return image;
 }
@@ -45,19 +45,22 @@ Image8 color_picture(const Rendering& rendering) {
 Image8 stencil_picture(const Rendering& rendering) {
   const int width = rendering.frame.width(), height = rendering.frame.height();
   Image8 image{width, height, 1, {}};
-  image.pixels.resize(rendering.frame.stencil().size());
-  for (std::size_t i = 0; i < image.pixels.size(); ++i) {
-    image.pixels[upright_index(i, width, height)] = rendering.frame.stencil()[i] != 0 ? 255 : 0;
+  const auto columns = static_cast<std::size_t>(width), rows = static_cast<std::size_t>(height);
+  image.pixels.resize(rows * columns);
+  for (std::size_t row = 0; row < rows; ++row) {
+    const std::uint8_t* const from = &rendering.frame.stencil()[row * columns];
+    std::uint8_t* const to = &image.pixels[(rows - 1 - row) * columns];
+    for (std::size_t x = 0; x < columns; ++x) to[x] = from[x] != 0 ? 255 : 0;
   }
   return image;
 }
 
 Image8 index_cross_picture(const Rendering& rendering) {
-  std::uint32_t last = 0;  // most texels have the index of the one before
-  std::array<std::uint8_t, 3> hue = hue_of(last);
+  ColorBytes last{};  // most texels have the code of the one before
+  std::array<std::uint8_t, 3> hue = hue_of(rendering.codes.number(last));
   return cube_cross(rendering.index_map.front().size, [&](std::size_t face, std::size_t texel) {
-    const std::uint32_t number = code_number(rendering, face, texel);
-    if (number != last) hue = hue_of(last = number);
+    const ColorBytes code = rendering.index_map[face].texel(texel);
+    if (code != last) hue = hue_of(rendering.codes.number(last = code));
     return hue;
   });
 }
@@ -84,9 +87,9 @@ Image8 averaged(const Image8& image, int n) {
   return out;
 }
 
-Image8 as_shown(const Image8& image, const Rendering& rendering, int n) {
+Image8 as_shown(Image8 image, const Rendering& rendering, int n) {
   const bool of_frame = image.width == rendering.frame.width() && image.height == rendering.frame.height();
-  return of_frame && n > 1 ? averaged(image, n) : image;
+  return of_frame && n > 1 ? averaged(image, n) : std::move(image);
 }
 
 }  // namespace ninebit

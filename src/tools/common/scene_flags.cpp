@@ -4,7 +4,6 @@
 
 #include <utility>
 
-#include "ninebit/image/image_io.h"
 #include "src/system/parallel/parallel_loop.h"
 #include "src/tools/common/cookie_file.h"
 #include "src/tools/common/flag_groups.h"
@@ -140,7 +139,6 @@ std::optional<LightKind> given_light_kind(const SceneFlags& flags) {
 
 ThreadLimit::ThreadLimit(int threads) {
   if (threads > 0) limit_.emplace(static_cast<std::size_t>(threads));
-  set_image_threads(threads > 0 ? threads : static_cast<int>(max_threads()));
 }
 
 void add_up_flag(CLI::App& verb, std::string& up) {

@@ -1,9 +1,10 @@
-// OpenEXR's thread pool, shared by all files of the process.
+// OpenEXR's thread pool, which OpenImageIO starts for the first EXR file.
 #pragma once
 
 namespace ninebit::image_detail {
 
-// Ends the threads of the pool; the destructor starts them again.
+// Ends the threads of the pool; the destructor starts as many again. A child process has none of its parent's threads,
+// and OpenEXR would wait for them there.
 class WithoutImageThreads {
  public:
   WithoutImageThreads();
