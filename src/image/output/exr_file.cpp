@@ -44,7 +44,7 @@ ExrFile::~ExrFile() {
 
 void ExrFile::add_part(const std::string& name, int width, int height, std::span<const ExrChannel> channels) {
   int part = 0;
-  const exr_attr_box2i_t data{{0, 0}, {width - 1, height - 1}};
+  const exr_attr_box2i_t data = window_of(width, height);
   constexpr exr_attr_v2f_t kCenter{};
   for (const ExrChannel& channel : channels) {
     if (channel.name.size() > kShortName) call([&] { return exr_set_longname_support(context_, 1); });

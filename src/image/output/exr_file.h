@@ -14,6 +14,13 @@ namespace ninebit::image_detail {
 
 inline constexpr int kExrBlockRows = 16;  // of a block that is compressed as ZIP, by the file format
 
+inline exr_attr_box2i_t window_of(int width, int height) {
+  exr_attr_box2i_t window{};
+  window.max.x = width - 1;
+  window.max.y = height - 1;
+  return window;
+}
+
 // Keeps its first error; everything after it does nothing. Throws std::bad_alloc where memory runs out.
 class ExrFile {
  public:
@@ -23,7 +30,7 @@ class ExrFile {
   ~ExrFile();
 
   // The size of the display window, which all parts share.
-  void set_window(int width, int height) { window_ = {{0, 0}, {width - 1, height - 1}}; }
+  void set_window(int width, int height) { window_ = window_of(width, height); }
   // Adds a part of ZIP blocks; one without a name must be the only one.
   void add_part(const std::string& name, int width, int height, std::span<const ExrChannel> channels);
   // Makes the only part an environment map, a cube.
