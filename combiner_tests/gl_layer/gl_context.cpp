@@ -23,6 +23,7 @@ EGLDisplay display_of_tests() {
   static const EGLDisplay display = []() -> EGLDisplay {
     setenv("MESA_SHADER_CACHE_DISABLE", "true", 1);
     setenv("LP_NUM_THREADS", "0", 1);
+    setenv("GALLIVM_PERF", "nopt", 1);  // llvmpipe's own optimizer takes longer than it saves
     const EGLDisplay opened = eglGetPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
     if (opened == EGL_NO_DISPLAY || eglInitialize(opened, nullptr, nullptr) == EGL_FALSE) return EGL_NO_DISPLAY;
     return opened;

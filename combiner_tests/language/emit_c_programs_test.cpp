@@ -128,12 +128,15 @@ class Comparison {
     }
     batch_.run(*registers_, count, *out_);
     std::array<std::array<std::int32_t, 4>, kRegisterCount> wide{};
+    std::vector<std::pair<const s9*, std::int32_t*>> inputs;  // from where an input is taken, and to where
+    for (const Input& input : inputs_) {
+      inputs.emplace_back((*registers_)(input.reg, input.component),
+                          &wide[static_cast<std::size_t>(input.reg)][static_cast<std::size_t>(input.component)]);
+    }
     const auto argument = [&](Register r) -> EmittedArgument { return wide[static_cast<std::size_t>(r)].data(); };
     std::array<std::int32_t, 4> result{};
     for (std::size_t lane = 0; lane < count; ++lane) {
-      for (std::size_t i = 0; i < inputs_.size(); ++i) {
-        wide[static_cast<std::size_t>(inputs_[i].reg)][static_cast<std::size_t>(inputs_[i].component)] = value(lane, i);
-      }
+      for (const auto& [from, to] : inputs) *to = from[lane];
       function_(argument(Register::primary), argument(Register::secondary), argument(Register::fog),
                 argument(Register::texture0), argument(Register::texture1), argument(Register::texture2),
                 argument(Register::texture3), wide[static_cast<std::size_t>(Register::spare0)][kAlpha], result.data());

@@ -136,6 +136,7 @@ class EglRunner final : public GlRunner {
     setenv("MESA_SHADER_CACHE_DISABLE", "true", 1);
     // The thread sanitizer does not see how Mesa's threads agree; a picture this small needs none.
     setenv("LP_NUM_THREADS", "0", 1);
+    setenv("GALLIVM_PERF", "nopt", 1);  // llvmpipe's own optimizer takes longer than it saves
     display_ = eglGetPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
     if (display_ == EGL_NO_DISPLAY || eglInitialize(display_, nullptr, nullptr) == EGL_FALSE) {
       display_ = EGL_NO_DISPLAY;

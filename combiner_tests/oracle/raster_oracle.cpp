@@ -2,7 +2,9 @@
 #include "combiner_tests/oracle/raster_oracle.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <span>
 
 namespace ninebit::oracle {
 namespace {
@@ -84,7 +86,9 @@ bool exits_diamond(const WindowLine& line, int px, int py) {
   const WindowVertex &a = line[0], &b = line[1];
   if (a.x_q4 == b.x_q4 && a.y_q4 == b.y_q4) return false;
   const Crossing start{{0, 0, 0}, 1}, end{{1, 0, 0}, 1};
-  std::vector<Crossing> enters, leaves;
+  // Of four borders.
+  std::array<Crossing, 4> entered{}, left{};
+  std::size_t number_entered = 0, number_left = 0;
   bool ends_inside = true;
   for (const int sx : {-1, 1}) {
     for (const int sy : {-1, 1}) {
@@ -92,12 +96,13 @@ bool exits_diamond(const WindowLine& line, int px, int py) {
       const Wide change = sx * (Wide{b.x_q4} - a.x_q4) + sy * (Wide{b.y_q4} - a.y_q4);
       if (beyond_border(b, px, py, sx, sy).sign() >= 0) ends_inside = false;
       if (change == 0 && at_start.sign() >= 0) return false;
-      if (change > 0) leaves.push_back({at_start * -1, change});
-      if (change < 0) enters.push_back({at_start, -change});
+      if (change > 0) left[number_left++] = {at_start * -1, change};
+      if (change < 0) entered[number_entered++] = {at_start, -change};
     }
   }
   if (ends_inside) return false;
   // Within the open diamond for a while between start and end?
+  const std::span enters(entered.data(), number_entered), leaves(left.data(), number_left);
   for (const Crossing& in : enters) {
     if (!less(in, end)) return false;
     for (const Crossing& out : leaves) {

@@ -1,6 +1,8 @@
 // Primitive assembly, polygon modes and the pixels of whole primitives.
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <initializer_list>
 
 #include "combiner_tests/oracle/raster_oracle.h"
 
@@ -34,11 +36,12 @@ class Drawing {
   void point(const Source& source, const DrawnVertex& v) {
     const WindowVertex& p = v.position;
     if (beyond_sides({p}) || !within_sides(p)) return;
+    const std::array one{1.0};
     if (state_.profile.point_shape.value == PointShape::squares) {
+      const int size = eighths(state_.point_size);
       for (int py = viewport_.bottom; py < viewport_.top; ++py) {
         for (int px = viewport_.left; px < viewport_.right; ++px) {
-          if (!square_covers(p, eighths(state_.point_size), px, py)) continue;
-          fragment(source, px, py, p.z24, color_of(source, {v.color}, {1.0}));
+          if (square_covers(p, size, px, py)) fragment(source, px, py, p.z24, color_of(source, &v.color, one));
         }
       }
       return;
@@ -52,7 +55,7 @@ class Drawing {
     for (int py = viewport_.bottom; py < viewport_.top; ++py) {
       for (int px = viewport_.left; px < viewport_.right; ++px) {
         if (std::fabs(px + 0.5 - cx) < half && std::fabs(py + 0.5 - cy) < half) {
-          fragment(source, px, py, p.z24, color_of(source, {v.color}, {1.0}));
+          fragment(source, px, py, p.z24, color_of(source, &v.color, one));
         }
       }
     }
@@ -139,7 +142,7 @@ class Drawing {
     return v.x_q4 >= 16 * viewport_.left && v.x_q4 < 16 * viewport_.right && v.y_q4 >= 16 * viewport_.bottom &&
            v.y_q4 < 16 * viewport_.top;
   }
-  bool beyond_sides(const std::vector<WindowVertex>& all) const {
+  bool beyond_sides(std::initializer_list<WindowVertex> all) const {
     const auto every = [&](auto beyond) { return std::all_of(all.begin(), all.end(), beyond); };
     return every([&](const WindowVertex& v) { return v.x_q4 < 16 * viewport_.left; }) ||
            every([&](const WindowVertex& v) { return v.x_q4 >= 16 * viewport_.right; }) ||
@@ -147,15 +150,17 @@ class Drawing {
            every([&](const WindowVertex& v) { return v.y_q4 >= 16 * viewport_.top; });
   }
 
-  Bytes color_of(const Source& source, const std::vector<Bytes>& colors, const std::vector<double>& shares) const {
+  // Of `Count` colours.
+  template <std::size_t Count>
+  Bytes color_of(const Source& source, const Bytes* colors, const std::array<double, Count>& shares) const {
     if (state_.shade_model == ShadeModel::flat || has_primitive_colors) return source.flat_color;
     Bytes color{};
     // The NV2A's weights are whole 256ths: the first and the last of three are cut, of a line the last.
-    std::vector<double> weights = shares;
-    if (state_.profile.color_weights.value == ColorWeights::eight_bits && shares.size() > 1) {
-      const std::size_t rest = shares.size() == 3 ? 1 : 0;
+    std::array<double, Count> weights = shares;
+    if (state_.profile.color_weights.value == ColorWeights::eight_bits && Count > 1) {
+      const std::size_t rest = Count == 3 ? 1 : 0;
       double left = 1;
-      for (std::size_t k = 0; k < shares.size(); ++k) {
+      for (std::size_t k = 0; k < Count; ++k) {
         weights[k] = std::floor(256 * shares[k]) / 256;
         if (k != rest) left -= weights[k];
       }
@@ -163,7 +168,7 @@ class Drawing {
     }
     for (std::size_t i = 0; i < 4; ++i) {
       double real = 0;
-      for (std::size_t k = 0; k < colors.size(); ++k) real += weights[k] * colors[k][i];
+      for (std::size_t k = 0; k < Count; ++k) real += weights[k] * colors[k][i];
       color[i] = static_cast<std::uint8_t>(std::min(std::max(std::floor(real + 0.5), 0.0), 255.0));
     }
     return color;
@@ -184,14 +189,23 @@ class Drawing {
     const double share = static_cast<double>(t.along) / static_cast<double>(t.squared_length);
     const std::int64_t l = t.squared_length;
     const std::int64_t sum = (l - t.along) * a.position.z24 + t.along * b.position.z24;
-    return {cuts_depth() ? sum / l : (2 * sum + l) / (2 * l), color_of(source, {a.color, b.color}, {1 - share, share})};
+    const std::array colors{a.color, b.color};
+    return {cuts_depth() ? sum / l : (2 * sum + l) / (2 * l),
+            color_of(source, colors.data(), std::array{1 - share, share})};
   }
 
   void rectangle(const Source& source, const DrawnVertex& a, const DrawnVertex& b) {
     const WindowLine ends{a.position, b.position};
+    const int width = eighths(state_.line_width);
+    // Nothing further away than the width can matter.
+    const std::int64_t border = 2 * width + 32;  // in sixteenths
+    const auto [x_low, x_high] = std::minmax(a.position.x_q4, b.position.x_q4);
+    const auto [y_low, y_high] = std::minmax(a.position.y_q4, b.position.y_q4);
     for (int py = viewport_.bottom; py < viewport_.top; ++py) {
+      if (16 * py < y_low - border || 16 * py > y_high + border) continue;
       for (int px = viewport_.left; px < viewport_.right; ++px) {
-        if (!rectangle_covers(ends, eighths(state_.line_width), px, py)) continue;
+        if (16 * px < x_low - border || 16 * px > x_high + border) continue;
+        if (!rectangle_covers(ends, width, px, py)) continue;
         const OnLine at = on_line(source, a, b, along_line(ends, px, py));
         fragment(source, px, py, at.z24, at.color);
       }
@@ -215,7 +229,7 @@ class Drawing {
       for (int px = from(x_low, viewport_.left); px < to(x_high, viewport_.right); ++px) {
         if (!covers(t, px, py)) continue;
         const Bytes color =
-            color_of(source, {colors[0], colors[1], colors[2]}, {share(0, px, py), share(1, px, py), share(2, px, py)});
+            color_of(source, colors.data(), std::array{share(0, px, py), share(1, px, py), share(2, px, py)});
         fragment(source, px, py, depth_at(t, px, py, cuts_depth()), color);
       }
     }

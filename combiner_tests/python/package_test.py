@@ -83,9 +83,10 @@ class Stubs(unittest.TestCase):
                     files[-1].write_text(block)
             self.assertGreater(len(files), 3)
             environment = {**os.environ, "MYPYPATH": str(package.parent), "PYTHONPATH": str(package.parent)}
-            for extra in ([str(package / "__init__.pyi"), *[str(package / f"{name}.pyi") for name in ("_calls", "_pictures", "_questions")]], *[[str(file)] for file in files]):
-                checked = subprocess.run(["mypy", "--strict", "--cache-dir", f"{folder}/cache", *extra], capture_output=True,
-                                         text=True, env=environment, cwd=folder)
+            stubs = [package / "__init__.pyi", *[package / f"{name}.pyi" for name in ("_calls", "_pictures", "_questions")]]
+            for together in (stubs, files):
+                checked = subprocess.run(["mypy", "--strict", "--cache-dir", f"{folder}/cache", *map(str, together)],
+                                         capture_output=True, text=True, env=environment, cwd=folder)
                 self.assertEqual(checked.returncode, 0, checked.stdout + checked.stderr)
             wrong = pathlib.Path(folder) / "wrong.py"
             wrong.write_text("import ninebit\nninebit.render('x.obj', index_stepp=2)\nninebit.State.parse(7)\n")

@@ -39,6 +39,9 @@ def pixels_of_png(file):
     lines = np.frombuffer(zlib.decompress(packed), np.uint8).reshape(height, 1 + width * channels).astype(int)
     out = np.zeros((height, width * channels), int)
     for y in range(height):
+        if lines[y, 0] == 0:
+            out[y] = lines[y, 1:]
+            continue
         for x in range(width * channels):
             left = out[y, x - channels] if x >= channels else 0
             above = out[y - 1, x] if y else 0

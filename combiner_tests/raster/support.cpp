@@ -12,10 +12,15 @@ constexpr std::uint8_t kUntouched = 0xA5;
 template <class T>
 bool is_padding_whole(const std::vector<T>& samples, const Plane<T>& plane, int width, std::size_t group = 1) {
   const auto stride = static_cast<std::size_t>(plane.stride), step = static_cast<std::size_t>(plane.step);
-  for (std::size_t i = 0; i < samples.size(); ++i) {
-    const std::size_t column = i % stride;
-    const bool is_sample = column / step < static_cast<std::size_t>(width) && column % step < group;
-    if (!is_sample && samples[i] != T{kUntouched}) return false;
+  for (std::size_t row = 0; row < samples.size(); row += stride) {
+    std::size_t pixel = 0, within = 0;
+    for (std::size_t i = row; i < row + stride; ++i) {
+      const bool is_sample = pixel < static_cast<std::size_t>(width) && within < group;
+      if (!is_sample && samples[i] != T{kUntouched}) return false;
+      if (++within < step) continue;
+      within = 0;
+      ++pixel;
+    }
   }
   return true;
 }

@@ -148,10 +148,11 @@ class Judge {
     const glm::dvec3 a = corner(polygon, 0), b = corner(polygon, 1), c = corner(polygon, 2);
     const glm::dvec3 normal = glm::cross(b - a, c - a);
     if (glm::length(normal) == 0.0) return 0.0;
+    const glm::dvec3 unit = glm::normalize(normal);
     double farthest = 0.0;
     for (const std::uint32_t t : polygons_[patch]) {
       for (int i = 0; i < 3; ++i) {
-        farthest = std::max(farthest, side * glm::dot(glm::normalize(normal), glm::dvec3(corner(t, i)) - a));
+        farthest = std::max(farthest, side * glm::dot(unit, glm::dvec3(corner(t, i)) - a));
       }
     }
     return farthest;

@@ -67,25 +67,29 @@ void add_ball(Scene& scene, const glm::vec3& middle, float radius, int rings, bo
   add_object(scene, positions, triangles);
 }
 
-Rays::Rays(const Scene& scene) : scene_(&scene) {}
+Rays::Rays(const Scene& scene) : scene_(&scene) {
+  for (const glm::uvec3& t : scene.triangles) {
+    const glm::dvec3 a(scene.positions[t.x]);
+    triangles_.push_back({a, glm::dvec3(scene.positions[t.y]) - a, glm::dvec3(scene.positions[t.z]) - a});
+  }
+}
 
 std::optional<double> Rays::meets(std::size_t triangle, const glm::dvec3& origin, const glm::dvec3& direction) const {
-  const glm::uvec3& t = scene_->triangles[triangle];
-  const glm::dvec3 a(scene_->positions[t.x]), ab = glm::dvec3(scene_->positions[t.y]) - a,
-                                              ac = glm::dvec3(scene_->positions[t.z]) - a;
+  const auto& [a, ab, ac] = triangles_[triangle];
   const glm::dvec3 p = glm::cross(direction, ac), s = origin - a;
   const double determinant = glm::dot(ab, p);
   if (determinant == 0.0) return std::nullopt;
   const double u = glm::dot(s, p) / determinant;
+  if (u < 0.0 || u > 1.0) return std::nullopt;
   const glm::dvec3 q = glm::cross(s, ab);
   const double v = glm::dot(direction, q) / determinant;
-  if (u < 0.0 || v < 0.0 || u + v > 1.0) return std::nullopt;
+  if (v < 0.0 || u + v > 1.0) return std::nullopt;
   return glm::dot(ac, q) / determinant;
 }
 
 std::optional<Rays::Hit> Rays::nearest(const glm::dvec3& origin, const glm::dvec3& direction) const {
   std::optional<Hit> hit;
-  for (std::size_t t = 0; t < scene_->triangles.size(); ++t) {
+  for (std::size_t t = 0; t < triangles_.size(); ++t) {
     const auto distance = meets(t, origin, direction);
     if (distance && *distance > 0.0 && (!hit || *distance < hit->distance)) hit = Hit{t, *distance};
   }
@@ -94,7 +98,7 @@ std::optional<Rays::Hit> Rays::nearest(const glm::dvec3& origin, const glm::dvec
 
 int Rays::between(const glm::dvec3& a, const glm::dvec3& b) const {
   int count = 0;
-  for (std::size_t t = 0; t < scene_->triangles.size(); ++t) {
+  for (std::size_t t = 0; t < triangles_.size(); ++t) {
     const auto distance = meets(t, a, b - a);
     if (distance && *distance > 1e-6 && *distance < 1.0 - 1e-6) ++count;
   }

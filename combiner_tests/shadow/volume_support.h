@@ -48,6 +48,10 @@ class Rays {
   [[nodiscard]] std::optional<double> meets(std::size_t triangle, const glm::dvec3& origin,
                                             const glm::dvec3& direction) const;
   const ninebit::Scene* scene_;
+  struct Triangle {
+    glm::dvec3 a, ab, ac;  // a corner, and the two edges there
+  };
+  std::vector<Triangle> triangles_;
 };
 
 // What a camera's pixel should show, and whether that is beyond doubt.

@@ -58,7 +58,7 @@ const std::vector<Library> kLibraries{
     {std::regex("assimp/.*|draco/.*"), {"scene"}},
     {std::regex("meshoptimizer\\.h"), {"shadow"}},
     {std::regex("embree3/.*"), {"shadow"}},
-    {std::regex("OpenImageIO/.*|isa-l/.*|Imf.*|openexr\\.h|OpenEXR/.*|Iex.*|half\\.h|Imath.*"), {"image"}},
+    {std::regex("OpenImageIO/.*|isa-l/.*|png\\.h|Imf.*|openexr\\.h|OpenEXR/.*|Iex.*|half\\.h|Imath.*"), {"image"}},
     {std::regex("CLI/.*"), {"tools"}},
     {std::regex("zlib\\.h"), {"tools"}},
     {std::regex("openssl/.*"), {"system"}},

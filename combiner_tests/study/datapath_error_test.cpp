@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <map>
 #include <string>
 #include <vector>
@@ -52,6 +53,23 @@ TEST(WideCounts, SumsOfProductsAreCountedLikeByHand) {
             for (int f = -3; f <= 3; ++f) ++by_hand[a * b + c * d + e * f];
   ASSERT_EQ(three.limit, 27);
   for (int w = -27; w <= 27; ++w) EXPECT_EQ(three.of(w), by_hand[w]) << w;
+}
+
+TEST(WideCounts, SumsOfCodesAreCountedLikeOneByOne) {
+  const WideCounts one = product_counts(255), two = sum_counts(one, one), three = sum_counts(two, one);
+  std::uint64_t total = 0;
+  for (const std::uint64_t count : three.count) total += count;
+  EXPECT_EQ(total, 511ULL * 511 * 511 * 511 * 511 * 511);
+  for (const int wide : {-130050, -65026, -12345, -1, 0, 1, 254, 65025, 130050}) {
+    std::uint64_t in_two = 0, in_three = 0;
+    for (int part = -one.limit; part <= one.limit; ++part) {
+      const int rest = wide - part;
+      if (std::abs(rest) <= one.limit) in_two += one.of(part) * one.of(rest);
+      if (std::abs(rest) <= two.limit) in_three += one.of(part) * two.of(rest);
+    }
+    EXPECT_EQ(two.of(wide), in_two) << wide;
+    EXPECT_EQ(three.of(wide), in_three) << wide;
+  }
 }
 
 // All 511 x 511 products, one by one, in the extension's real numbers.

@@ -3,6 +3,7 @@
 
 #include <cstdlib>
 
+#include "combiner_tests/support/stored_pictures.h"
 #include "combiner_tests/tools/support.h"
 #include "ninebit/image/image_io.h"
 #include "ninebit/image/texture_io.h"
@@ -44,7 +45,7 @@ class Cookie : public testing::Test {
     return {code, read_bytes(folder_ / "messages")};
   }
   // The faces of the labelled cube as pictures of `channels` channels, and the flag's value for them.
-  [[nodiscard]] std::string pictures(int channels = 3) const {
+  [[nodiscard]] std::string pictures(int channels = 3, const std::string& extension = ".png") const {
     const auto cube = ninebit::image_detail::read_texture(ninebit::profiles::geforce2, kPlain, {}, {});  // a DDS file
     if (!cube) return {};
     std::string all;
@@ -58,8 +59,8 @@ class Cookie : public testing::Test {
           }
         }
       }
-      const std::string file = folder_ / (std::to_string(face) + ".png");
-      if (!ninebit::write_png(file, image)) return {};
+      const std::string file = folder_ / (std::to_string(face) + extension);
+      ninebit::test::write_as(file, image);
       all += (face == 0 ? "" : ",") + file;
     }
     return all;
@@ -108,17 +109,20 @@ TEST_F(Cookie, TraceTellsThePixelsStory) {
   EXPECT_EQ(answer["scene"]["pass"], "lit");
 }
 
-// Only pictures need the module; it may lie beside the program or where an installation has it.
+// Only pictures other than plain PNG files need the module; it may lie beside the program or where an installation has
+// it.
 TEST_F(Cookie, TheModuleIsFoundOrMissed) {
   const std::string lone = folder_ / "lone/bin/ninebit";
-  const auto dds = run_copy(lone, kDxt1);
-  EXPECT_EQ(dds.first, 0) << dds.second;
-  fs::remove_all(folder_.path() / "out");
+  for (const std::string& alone : {kDxt1, pictures()}) {
+    const auto rendered = run_copy(lone, alone);
+    EXPECT_EQ(rendered.first, 0) << rendered.second;
+    fs::remove_all(folder_.path() / "out");
+  }
 
-  const std::string files = pictures();
+  const std::string files = pictures(3, ".tga");
   const auto missing = run_copy(lone, files);
   EXPECT_NE(missing.first, 0);
-  for (const std::string& part : {folder_ / "0.png", folder_ / "lone/bin/ninebit_pictures.so",
+  for (const std::string& part : {folder_ / "0.tga", folder_ / "lone/bin/ninebit_pictures.so",
                                   folder_ / "lone/lib/ninebit/ninebit_pictures.so"}) {
     EXPECT_NE(missing.second.find(part), std::string::npos) << part << " is missing in: " << missing.second;
   }

@@ -49,7 +49,7 @@ Files settled_files_in(const std::string& folder) {
 class Interrupt : public testing::Test {
  protected:
   static std::vector<std::string> long_render(const std::string& folder) {
-    return small_render(kBunny, folder, {"--quiet", "--layers", "--size", "1000x750", "--map-size", "512"});
+    return small_render(kBunny, folder, {"--quiet", "--layers", "--size", "800x600", "--map-size", "512"});
   }
 
   void SetUp() override {

@@ -73,9 +73,9 @@ TEST_F(Memory, OfALargerScene) {
 }
 
 TEST_F(Memory, OfAStudy) {
-  expect_result_or_error(
-      {"study", "index-steps", "--formats", "channel", "--steps", "1-4", "--quiet", "--threads", "6", "-o", out_},
-      4 * kMebibyte);
+  expect_result_or_error({"study", "index-steps", "--profile", "geforce2", "--formats", "channel", "--steps", "1-4",
+                          "--quiet", "--threads", "6", "-o", out_},
+                         4 * kMebibyte);
 }
 
 TEST_F(Memory, OfAStudyOfRenderings) {
@@ -87,7 +87,9 @@ TEST_F(Memory, OfAStudyOfRenderings) {
 TEST_F(Memory, OfAMergedStudy) {
   const auto study = [this](const char* name, const char* steps) {
     const std::string folder = folder_ / name;
-    EXPECT_EQ(ninebit({"study", "index-steps", "--formats", "channel", "--steps", steps, "--quiet", "-o", folder}).code,
+    EXPECT_EQ(ninebit({"study", "index-steps", "--profile", "geforce2", "--formats", "channel", "--steps", steps,
+                       "--quiet", "-o", folder})
+                  .code,
               0);
     return folder + "/part-1-of-1.jsonl";
   };

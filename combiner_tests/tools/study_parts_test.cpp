@@ -147,7 +147,8 @@ TEST_F(AlteredPart, ASecondRunIsToldOfTheFirst) {
 
 // Many runs at once: one does the work, the others say so, and the part is that of one run.
 TEST_F(AlteredPart, RunsAtOnceLeaveAWholePart) {
-  const Words study{"study", "index-steps", "--formats", "channel,la", "--steps", "1-4", "--quiet", "-o"};
+  const Words study{"study",          "index-steps", "--profile", "geforce2", "--formats",
+                    "channel,la,l,a", "--steps",     "1-4",       "--quiet",  "-o"};
   Words alone = study, together = study;
   alone.push_back(folder_ / "alone");
   together.push_back(folder_ / "together");

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <utility>
 
 namespace ninebit {
 namespace {
@@ -55,6 +56,22 @@ BigInteger BigInteger::shifted_left(int bits) const {
   }
   result.trim();
   return result;
+}
+
+void BigInteger::double_in_place() {
+  std::uint64_t carry = 0;
+  for (std::uint64_t& limb : limbs_) carry = std::exchange(limb, limb << 1 | carry) >> (kLimbBits - 1);
+  if (carry != 0) limbs_.push_back(carry);
+}
+
+void BigInteger::subtract(const BigInteger& smaller) {
+  std::uint64_t borrow = 0;
+  for (std::size_t i = 0; i < limbs_.size() && (i < smaller.limbs_.size() || borrow != 0); ++i) {
+    const Wide taken = static_cast<Wide>(i < smaller.limbs_.size() ? smaller.limbs_[i] : 0) + borrow;
+    borrow = limbs_[i] < taken ? 1 : 0;
+    limbs_[i] -= static_cast<std::uint64_t>(taken);
+  }
+  trim();
 }
 
 int BigInteger::compare(const Limbs& x, const Limbs& y) {
@@ -128,10 +145,10 @@ double nearest_double(const BigInteger& n, const BigInteger& d) {
   for (int i = 0; i < digits; ++i) {
     quotient <<= 1;
     if (!(rest < divisor)) {
-      rest = rest - divisor;
+      rest.subtract(divisor);
       quotient |= 1;
     }
-    rest = rest.shifted_left(1);
+    rest.double_in_place();
   }
   // The remainder is rest / (2 divisor) of the last digit.
   if (divisor < rest || (rest == divisor && quotient % 2 == 1)) ++quotient;

@@ -20,6 +20,9 @@ class BigInteger {
 
   [[nodiscard]] BigInteger magnitude() const;
   [[nodiscard]] BigInteger shifted_left(int bits) const;
+  void double_in_place();
+  // Subtracts in place. Both are at least 0, and `smaller` is not larger.
+  void subtract(const BigInteger& smaller);
 
   friend BigInteger operator-(BigInteger x);
   friend BigInteger operator+(const BigInteger& x, const BigInteger& y) { return sum(x, y, y.negative_); }

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "src/image/output/faults.h"
+#include "src/image/texture/plain_png.h"
 #include "src/image/texture/texture_file.h"
 
 namespace ninebit::image_detail {
@@ -63,8 +64,8 @@ Result<FileTexture> read_dds(const HardwareProfile& profile, const std::filesyst
   return parse_dds(profile, file, *bytes);
 }
 
-Result<std::vector<FileTexture>> read_pictures(std::span<const PictureSource> sources,
-                                               const TextureReadOptions& options, const PictureReader& reader) {
+Result<std::vector<FileTexture>> read_with(const PictureReader& reader, std::span<const PictureSource> sources,
+                                           const TextureReadOptions& options) {
   if (options.isolated) return read_isolated(sources, reader, options.go_on);
   std::vector<FileTexture> pictures;
   for (const PictureSource& source : sources) {
@@ -73,6 +74,16 @@ Result<std::vector<FileTexture>> read_pictures(std::span<const PictureSource> so
     pictures.push_back(std::move(picture).value());
   }
   return pictures;
+}
+
+// OpenImageIO's libraries take 0.2 s to load, which most PNG files do not need.
+Result<std::vector<FileTexture>> read_pictures(std::span<const PictureSource> sources,
+                                               const TextureReadOptions& options, const PictureReader& reader) {
+  if (std::all_of(sources.begin(), sources.end(), is_plain_png)) {
+    auto pictures = read_with({.read = &read_plain_png}, sources, options);
+    if (pictures || pictures.error().fault == Fault::cancelled) return pictures;
+  }
+  return read_with(reader, sources, options);
 }
 
 void flip(FileTexture& texture) {

@@ -6,14 +6,14 @@ namespace ninebit::detail {
 
 bool skip_blanks(std::string_view text, std::size_t& at, const Blanks& blanks, SourceFaults& faults) {
   while (at < text.size()) {
-    const std::string_view rest = text.substr(at);
-    if (is_blank(rest.front())) {
+    const char c = text[at], after_slash = c == '/' && at + 1 < text.size() ? text[at + 1] : ' ';
+    if (is_blank(c)) {
       ++at;
-    } else if (!blanks.heading.empty() && rest.starts_with(blanks.heading)) {
+    } else if (!blanks.heading.empty() && c == blanks.heading.front() && text.substr(at).starts_with(blanks.heading)) {
       at += blanks.heading.size();
-    } else if (rest.starts_with("//") || (blanks.hash_comments && rest.front() == '#')) {
+    } else if (after_slash == '/' || (blanks.hash_comments && c == '#')) {
       at = std::min(text.find('\n', at), text.size());
-    } else if (rest.starts_with("/*")) {
+    } else if (after_slash == '*') {
       const std::size_t end = text.find("*/", at + 2);
       if (end == std::string_view::npos) {
         faults.add(at, "unterminated comment; expected */");

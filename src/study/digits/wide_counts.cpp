@@ -1,12 +1,66 @@
 #include "src/study/digits/wide_counts.h"
 
-#include <algorithm>
+#include <bit>
 #include <cstddef>
 #include <utility>
 
-#include "src/system/parallel/parallel_loop.h"
-
 namespace ninebit {
+namespace {
+
+__extension__ typedef unsigned __int128 Wide;
+
+// A prime for which 2^32 divides kPrime - 1: there are roots of unity for every power of two that occurs.
+constexpr std::uint64_t kPrime = 0xFFFFFFFF00000001U;
+constexpr std::uint64_t kGenerator = 7;
+
+std::uint64_t sum(std::uint64_t x, std::uint64_t y) {
+  return x >= kPrime - y ? x - (kPrime - y) : x + y;
+}
+
+std::uint64_t difference(std::uint64_t x, std::uint64_t y) {
+  return x >= y ? x - y : x + (kPrime - y);
+}
+
+// 2^64 leaves 2^32 - 1, and 2^96 leaves -1.
+std::uint64_t product(std::uint64_t x, std::uint64_t y) {
+  const Wide wide = static_cast<Wide>(x) * y;
+  const auto low = static_cast<std::uint64_t>(wide), high = static_cast<std::uint64_t>(wide >> 64U);
+  const std::uint64_t middle = (high & 0xFFFFFFFFU) * 0xFFFFFFFFU;
+  return difference(sum(low >= kPrime ? low - kPrime : low, middle), high >> 32U);
+}
+
+std::uint64_t power(std::uint64_t x, std::uint64_t exponent) {
+  std::uint64_t result = 1;
+  for (; exponent != 0; exponent >>= 1, x = product(x, x)) {
+    if (exponent % 2 == 1) result = product(result, x);
+  }
+  return result;
+}
+
+// Replaces the numbers, a power of two of them, by their discrete Fourier transform with this root of unity.
+void transform(std::vector<std::uint64_t>& numbers, std::uint64_t root) {
+  const std::size_t size = numbers.size();
+  for (std::size_t i = 1, reversed = 0; i < size; ++i) {
+    std::size_t bit = size / 2;
+    for (; (reversed & bit) != 0; bit /= 2) reversed ^= bit;
+    reversed ^= bit;
+    if (i < reversed) std::swap(numbers[i], numbers[reversed]);
+  }
+  std::vector<std::uint64_t> roots(size / 2, 1);
+  for (std::size_t i = 1; i < roots.size(); ++i) roots[i] = product(roots[i - 1], root);
+  for (std::size_t half = 1; half < size; half *= 2) {
+    for (std::size_t first = 0; first < size; first += 2 * half) {
+      for (std::size_t i = 0; i < half; ++i) {
+        const std::uint64_t x = numbers[first + i];
+        const std::uint64_t y = product(numbers[first + half + i], roots[i * (size / (2 * half))]);
+        numbers[first + i] = sum(x, y);
+        numbers[first + half + i] = difference(x, y);
+      }
+    }
+  }
+}
+
+}  // namespace
 
 WideCounts product_counts(int one) {
   WideCounts out{one * one, std::vector<std::uint64_t>(static_cast<std::size_t>(2 * one * one + 1))};
@@ -16,28 +70,21 @@ WideCounts product_counts(int one) {
   return out;
 }
 
+// A convolution, as the product of the transforms.
 WideCounts sum_counts(const WideCounts& first, const WideCounts& second) {
   const int limit = first.limit + second.limit;
-  WideCounts out{limit, std::vector<std::uint64_t>(static_cast<std::size_t>(2 * limit + 1))};
-  // The values of `second` that occur: most numbers are not products.
-  std::vector<std::pair<std::ptrdiff_t, std::uint64_t>> terms;
-  for (int w = -second.limit; w <= second.limit; ++w) {
-    if (second.of(w) != 0) terms.emplace_back(w, second.of(w));
+  WideCounts out{limit, first.count};
+  std::vector<std::uint64_t> other = second.count;
+  const std::size_t results = static_cast<std::size_t>(2 * limit + 1), size = std::bit_ceil(results);
+  const std::uint64_t root = power(kGenerator, (kPrime - 1) / size);
+  for (std::vector<std::uint64_t>* numbers : {&out.count, &other}) {
+    numbers->resize(size);
+    transform(*numbers, root);
   }
-  // One block of results at a time, so that it stays in the first-level caches while all terms are added to it.
-  constexpr std::ptrdiff_t kBlock = 2048;
-  const auto size = static_cast<std::ptrdiff_t>(out.count.size());
-  const auto first_size = static_cast<std::ptrdiff_t>(first.count.size());
-  parallel_for(static_cast<std::size_t>((size + kBlock - 1) / kBlock), [&](std::size_t block) {
-    const std::ptrdiff_t begin = static_cast<std::ptrdiff_t>(block) * kBlock, end = std::min(begin + kBlock, size);
-    for (const auto& [term, count] : terms) {
-      const std::ptrdiff_t shift = term + second.limit;  // result i adds value i - shift of `first`
-      const std::ptrdiff_t from = std::max(begin, shift), to = std::min(end, first_size + shift);
-      for (std::ptrdiff_t i = from; i < to; ++i) {
-        out.count[static_cast<std::size_t>(i)] += first.count[static_cast<std::size_t>(i - shift)] * count;
-      }
-    }
-  });
+  const std::uint64_t shrink = power(size, kPrime - 2);
+  for (std::size_t i = 0; i < size; ++i) out.count[i] = product(product(out.count[i], other[i]), shrink);
+  transform(out.count, power(root, kPrime - 2));
+  out.count.resize(results);
   return out;
 }
 

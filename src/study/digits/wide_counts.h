@@ -16,7 +16,7 @@ struct WideCounts {
 // Counts of the products of two mapped inputs, each from -one to one.
 [[nodiscard]] WideCounts product_counts(int one);
 
-// Counts of the sums of all pairs of a value of `first` and a value of `second`. Counts must stay below 2^64.
+// Counts of the sums of all pairs of a value of `first` and a value of `second`. Counts must stay below 2^63.
 [[nodiscard]] WideCounts sum_counts(const WideCounts& first, const WideCounts& second);
 
 }  // namespace ninebit
