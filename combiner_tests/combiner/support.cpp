@@ -230,6 +230,8 @@ std::vector<Fragment> judged(const CombinerState& state, const HardwareProfile& 
   for (std::size_t i = 0; i < initial.size(); ++i) {
     const EvaluatedFragment whole = evaluate_fragment(*program, initial[i]);
     if (!check(i, whole.registers, whole.color, "evaluate_fragment")) return expected;
+    // The other ways into the reference are the same rules, called one by one.
+    if (i % 8 != 0) continue;
     RegisterFile registers = initial[i];
     evaluate_general(*program, registers);
     // In real numbers the final combiner needs more than the codes that evaluate_general leaves.

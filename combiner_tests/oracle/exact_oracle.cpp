@@ -30,7 +30,7 @@ bool smaller_magnitude(const Whole& x, const Whole& y) {
 
 Whole power_of_two(int exponent) {
   Whole result;
-  result.digits.assign(static_cast<std::size_t>(exponent / 64) + 1, 0);
+  result.digits.assign_zeros(static_cast<std::size_t>(exponent / 64) + 1);
   result.digits.back() = std::uint64_t{1} << (exponent % 64);
   return result;
 }
@@ -51,7 +51,7 @@ int component_read(ComponentUsage usage, int channel) {
 // All that a stage can read, as numerators over `den`.
 struct Bench {
   Numerators registers;
-  Whole den;
+  Whole den, twice_den;
   Whole unit = 1;  // den / one: what a code counts
   Codes constant0{}, constant1{};
 
@@ -69,25 +69,25 @@ struct Bench {
     return mapped(in.mapping, read(in, channel));
   }
   [[nodiscard]] Whole mapped(InputMapping mapping, const Whole& e) const {
-    const Whole twice = times(2, den);
-    const Whole p = times(2, larger(e, 0));
+    if (mapping == InputMapping::signed_identity) return times(2, e);
+    if (mapping == InputMapping::signed_negate) return times(-2, e);
+    const Whole p = e.negative ? Whole() : times(2, e);
     switch (mapping) {
       case InputMapping::unsigned_identity:
         return p;
       case InputMapping::unsigned_invert:
-        return minus(twice, smaller(p, twice));
+        return minus(twice_den, smaller(p, twice_den));
       case InputMapping::expand_normal:
-        return minus(times(2, p), twice);
+        return minus(times(2, p), twice_den);
       case InputMapping::expand_negate:
-        return minus(twice, times(2, p));
+        return minus(twice_den, times(2, p));
       case InputMapping::half_bias_normal:
         return minus(p, den);
       case InputMapping::half_bias_negate:
         return minus(den, p);
       case InputMapping::signed_identity:
-        return times(2, e);
       case InputMapping::signed_negate:
-        return times(-2, e);
+        break;
     }
     return p;
   }
@@ -116,7 +116,7 @@ bool second_chosen(const HardwareProfile& profile, bool by_lowest_bit, const Ben
 }
 
 void run_stage(const GeneralCombiner& stage, bool cd_chosen, Bench& bench) {
-  const Whole product_den = times(times(2, bench.den), times(2, bench.den));
+  const Whole product_den = times(bench.twice_den, bench.twice_den);
   const Whole growth = times(16, bench.den);  // (4 product_den) / den
   Numerators after = bench.registers;
   for (auto& reg : after) {
@@ -154,6 +154,7 @@ void run_stage(const GeneralCombiner& stage, bool cd_chosen, Bench& bench) {
   bench.registers = after;
   bench.unit = times(bench.unit, growth);
   bench.den = times(bench.den, growth);
+  bench.twice_den = times(2, bench.den);
 }
 
 Codes codes_of(const HardwareProfile& profile, const ColorF& color) {
@@ -173,7 +174,6 @@ Whole plus(const Whole& x, const Whole& y) {
   if (x.negative != y.negative) return minus(x, negated(y));
   Whole result;
   result.negative = x.negative;
-  result.digits.reserve(std::max(x.digits.size(), y.digits.size()) + 1);
   TwoDigits carry = 0;
   for (std::size_t i = 0; i < x.digits.size() || i < y.digits.size() || carry != 0; ++i) {
     if (i < x.digits.size()) carry += x.digits[i];
@@ -202,15 +202,18 @@ Whole minus(const Whole& x, const Whole& y) {
 Whole times(const Whole& x, const Whole& y) {
   Whole result;
   result.negative = x.negative != y.negative;
-  result.digits.assign(x.digits.size() + y.digits.size(), 0);
+  result.digits.assign_zeros(x.digits.size() + y.digits.size());
+  const std::uint64_t *const a = x.digits.begin(), *const b = y.digits.begin();
+  std::uint64_t* const to = result.digits.data();
+  const std::size_t length = y.digits.size();
   for (std::size_t i = 0; i < x.digits.size(); ++i) {
     std::uint64_t carry = 0;
-    for (std::size_t j = 0; j < y.digits.size(); ++j) {
-      const TwoDigits sum = TwoDigits{x.digits[i]} * y.digits[j] + result.digits[i + j] + carry;
-      result.digits[i + j] = static_cast<std::uint64_t>(sum);
+    for (std::size_t j = 0; j < length; ++j) {
+      const TwoDigits sum = TwoDigits{a[i]} * b[j] + to[i + j] + carry;
+      to[i + j] = static_cast<std::uint64_t>(sum);
       carry = static_cast<std::uint64_t>(sum >> 64);
     }
-    result.digits[i + y.digits.size()] = carry;
+    to[i + length] = carry;
   }
   trim(result);
   return result;
@@ -218,17 +221,19 @@ Whole times(const Whole& x, const Whole& y) {
 
 Whole times(int n, const Whole& x) {
   Whole result;
-  if (n == 0) return result;
-  result.negative = !x.digits.empty() && x.negative != (n < 0);
-  result.digits.reserve(x.digits.size() + 1);
+  if (n == 0 || x.digits.empty()) return result;
+  result.negative = x.negative != (n < 0);
+  result.digits.assign_zeros(x.digits.size() + 1);
+  std::uint64_t* to = result.digits.data();
   const auto factor = static_cast<std::uint64_t>(std::abs(std::int64_t{n}));
   std::uint64_t carry = 0;
   for (const std::uint64_t digit : x.digits) {
     const TwoDigits product = TwoDigits{digit} * factor + carry;
-    result.digits.push_back(static_cast<std::uint64_t>(product));
+    *to++ = static_cast<std::uint64_t>(product);
     carry = static_cast<std::uint64_t>(product >> 64);
   }
-  if (carry != 0) result.digits.push_back(carry);
+  *to = carry;
+  trim(result);
   return result;
 }
 
@@ -273,6 +278,7 @@ ExactOutcome run_exact(const CombinerState& state, const HardwareProfile& profil
   const Codes global0 = codes_of(profile, state.constant0), global1 = codes_of(profile, state.constant1);
   Bench bench;
   bench.den = profile.one.value;
+  bench.twice_den = 2 * profile.one.value;
   for (std::size_t r = 0; r < kRegisterCount; ++r) {
     for (std::size_t c = 0; c < 4; ++c) bench.registers[r][c] = initial[r][c];
   }

@@ -16,9 +16,47 @@
 
 namespace ninebit::oracle {
 
-// A whole number of any size: 64-bit digits, the lowest first, and a sign.
+// Digits of 64 bits, the lowest first. The first few need no memory of their own: most numbers have no more.
+class Digits {
+ public:
+  [[nodiscard]] std::size_t size() const { return size_; }
+  [[nodiscard]] bool empty() const { return size_ == 0; }
+  [[nodiscard]] const std::uint64_t* begin() const { return all_.empty() ? few_.data() : all_.data(); }
+  [[nodiscard]] const std::uint64_t* end() const { return begin() + size_; }
+  std::uint64_t operator[](std::size_t i) const { return begin()[i]; }
+  [[nodiscard]] std::uint64_t* data() { return all_.empty() ? few_.data() : all_.data(); }
+  std::uint64_t& operator[](std::size_t i) { return data()[i]; }
+  [[nodiscard]] std::uint64_t back() const { return begin()[size_ - 1]; }
+  std::uint64_t& back() { return (*this)[size_ - 1]; }
+
+  void push_back(std::uint64_t digit) {
+    if (all_.empty() && size_ == few_.size()) all_.assign(few_.begin(), few_.end());
+    if (all_.empty()) {
+      few_[size_] = digit;
+    } else {
+      all_.push_back(digit);
+    }
+    ++size_;
+  }
+  void pop_back() {
+    if (!all_.empty()) all_.pop_back();
+    --size_;
+  }
+  void assign_zeros(std::size_t size) {
+    all_.assign(size > few_.size() ? size : 0, 0);
+    few_.fill(0);
+    size_ = size;
+  }
+
+ private:
+  std::array<std::uint64_t, 6> few_{};
+  std::vector<std::uint64_t> all_;  // instead of `few_`, unless empty
+  std::size_t size_ = 0;
+};
+
+// A whole number of any size, and a sign.
 struct Whole {
-  std::vector<std::uint64_t> digits;  // the last one is not zero
+  Digits digits;  // the last one is not zero
   bool negative = false;
 
   Whole() = default;
