@@ -64,11 +64,11 @@ TEST(BatchProgram, TakesTheNarrowestOperation) {
             "out.r = clamp(u16:truncate((max(primary_color.r, 0)*max(primary_color.r, 0))*4 / 255), 0, 255)\n");
   EXPECT_EQ(product_of(any, any), "out.r = u16:truncate((fog.r*fog.r) / 255)\n") << "a square is not negative";
   EXPECT_EQ(product_of(positive, any),
-            "t0 = s16:truncate((max(primary_color.r, 0)*fog.r) / 255)\nout.r = 1*max(t0, 0)\n");
+            "t0 = clamp(s16:truncate((max(primary_color.r, 0)*fog.r) / 255), 0, 255)\nout.r = 1*t0\n");
   EXPECT_EQ(product_of(positive, any, Scale::by_one_half),
-            "t0 = s32:truncate((fog.r*max(primary_color.r, 0)) / 510)\nout.r = 1*max(t0, 0)\n");
+            "t0 = clamp(s32:truncate((fog.r*max(primary_color.r, 0)) / 510), 0, 127)\nout.r = 1*t0\n");
   EXPECT_EQ(product_of(positive, any, Scale::none, profiles::geforce256_8bit),
-            "t0 = s32:truncate((fog.r*max(primary_color.r, 0)) / 127)\nout.r = 1*max(t0, 0)\n");
+            "t0 = clamp(s32:truncate((fog.r*max(primary_color.r, 0)) / 127), 0, 127)\nout.r = 1*t0\n");
 }
 
 TEST(BatchProgram, AMuxByTheLowestBitIsOneChoice) {

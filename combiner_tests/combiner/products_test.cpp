@@ -55,9 +55,9 @@ std::vector<s9> outputs_by_oracle(const HardwareProfile& p, Scale scale, Bias bi
   return outputs;
 }
 
-// spare1 = A·B of primary and secondary, as they are.
+// spare1 = A·B of primary and secondary, as they are. The colour is its positive part.
 BatchProgram product_program(const HardwareProfile& p, Scale scale, Bias bias, bool dot,
-                             InputMapping of_a = InputMapping::signed_identity) {
+                             InputMapping of_a = InputMapping::signed_identity, bool registers = true) {
   CombinerState state = silent_state(1);
   Portion& rgb = state.general[0].rgb;
   rgb.a = rgb_of(Register::primary, of_a);
@@ -66,7 +66,8 @@ BatchProgram product_program(const HardwareProfile& p, Scale scale, Bias bias, b
   rgb.out.ab_dot_product = dot;
   rgb.out.scale = scale;
   rgb.out.bias = bias;
-  return BatchProgram(compile(state, p).value(), {.registers = true});
+  state.final_combiner = final_of(Register::spare1);
+  return BatchProgram(compile(state, p).value(), {.registers = registers});
 }
 
 TEST(Products, EveryProductOfTwoMappedValues) {
@@ -103,6 +104,7 @@ void expect_products(const HardwareProfile& p, InputMapping of_a, std::int64_t t
   const int lowest = plain ? -most : p.lowest.value, highest = plain ? most : p.one.value;
   for (const auto& [scale, bias] : kScaleBias) {
     const BatchProgram program = product_program(p, scale, bias, false, of_a);
+    const BatchProgram positive = product_program(p, scale, bias, false, of_a, false);
     const std::vector<s9> by_wide = outputs_by_oracle(p, scale, bias, most * most);
     // Three values of A at once, one a channel.
     for (int a = lowest; a <= highest; a += 3) {
@@ -117,6 +119,7 @@ void expect_products(const HardwareProfile& p, InputMapping of_a, std::int64_t t
           }
         }
         program.run(*batch, count, *out);
+        positive.run(*batch, count, *out);
         for (int c = 0; c < 3; ++c) {
           const int factor = reference::map_input(d, of_a, std::min(a + c, highest));
           for (std::size_t i = 0; i < count; ++i) {
@@ -124,6 +127,9 @@ void expect_products(const HardwareProfile& p, InputMapping of_a, std::int64_t t
             ASSERT_EQ((*batch)(Register::spare1, c)[i], by_wide[static_cast<std::size_t>(wide + most * most)])
                 << p.name << ' ' << name_of(of_a) << ' ' << name_of(scale) << ' ' << name_of(bias) << ' ' << factor
                 << ' ' << first + static_cast<int>(i) << " on " << simd_target_name(target);
+            ASSERT_EQ(out->plane[static_cast<std::size_t>(c)][i], std::max<int>((*batch)(Register::spare1, c)[i], 0))
+                << positive.describe() << factor << ' ' << first + static_cast<int>(i) << " on "
+                << simd_target_name(target);
           }
         }
       }

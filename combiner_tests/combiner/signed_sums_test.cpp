@@ -14,6 +14,8 @@
 namespace ninebit::test {
 namespace {
 
+// The final combiner shows spare1: the judge also runs programs that compute its positive part alone.
+
 // Judges a state with every pair of codes in [0, one] in primary and secondary.
 void judge_all_pairs(const CombinerState& state, const HardwareProfile& profile) {
   const int one = profile.one;
@@ -48,6 +50,7 @@ TEST(SignedSums, EveryProductOfTwoCodesLessOneHalf) {
       rgb.a = rgb_of(Register::primary);
       rgb.b = rgb_of(Register::secondary, InputMapping::unsigned_invert);
       rgb.out = {.ab = Register::spare1, .scale = scale, .bias = Bias::by_negative_one_half};
+      state.final_combiner = final_of(Register::spare1);
       judge_all_pairs(state, profile);
       if (profile.one == 255 && profile.narrowing_point == NarrowingPoint::after_scale) {
         EXPECT_NE(compiled(state, profile).find("s16:"), std::string::npos) << profile.name;
@@ -69,6 +72,7 @@ TEST(SignedSums, EverySumOfTwoProductsByConstants) {
       rgb.c = rgb_of(Register::secondary, InputMapping::signed_negate);
       rgb.d = rgb_of(Register::constant1);
       rgb.out = {.sum = Register::spare1, .scale = scale};
+      state.final_combiner = final_of(Register::spare1);
       judge_all_pairs(state, profile);
       if (profile.one == 255 && profile.narrowing_point == NarrowingPoint::after_scale) {
         EXPECT_NE(compiled(state, profile).find("s16:"), std::string::npos) << profile.name;
@@ -126,8 +130,59 @@ TEST(BatchProgram, MapsWhereItMultiplies) {
   const std::string text =
       BatchProgram(compile(state, profiles::geforce2).value(), {}, {}, BatchInputs::not_negative).describe();
   EXPECT_EQ(text.substr(0, text.find('\n')),
-            "t0 = s16:truncate(((-1*secondary_color.r + 255)*(1*primary_color.r + -128)) / 255)");
+            "t0 = clamp(s16:truncate(((-1*secondary_color.r + 255)*(1*primary_color.r + -128)) / 255), 0, 127)");
   EXPECT_LT(text.find("secondary_color.b"), text.find("out.r"));
+}
+
+// A line with the factor -1 that two products read is part of both; one with the factor 2 has a plane.
+TEST(BatchProgram, ShortLinesArePartOfSeveralProducts) {
+  CombinerState state = silent_state(1);
+  Portion& rgb = state.general[0].rgb;
+  rgb.a = rgb_of(Register::primary, InputMapping::unsigned_invert);
+  rgb.b = rgb_of(Register::secondary);
+  rgb.c = rgb_of(Register::primary, InputMapping::unsigned_invert);
+  rgb.d = rgb_of(Register::fog);
+  rgb.out = {.ab = Register::spare0, .cd = Register::secondary, .sum = Register::discard};
+  state.final_combiner = final_of(Register::spare0);
+  state.final_combiner.d = rgb_of(Register::spare0_plus_secondary);
+  const auto text = [&] {
+    return BatchProgram(compile(state, profiles::geforce2).value(), {.color = {true, false, false, false}}, {},
+                        BatchInputs::not_negative)
+        .describe();
+  };
+  const auto lines = [&] {
+    const std::string all = text();
+    return std::count(all.begin(), all.end(), '\n');
+  };
+  EXPECT_EQ(lines(), 3) << text();
+  rgb.a.mapping = rgb.c.mapping = InputMapping::expand_normal;
+  EXPECT_EQ(lines(), 4) << text();
+  EXPECT_TRUE(text().starts_with("t0 = 2*primary_color.r + -255\n")) << text();
+}
+
+// Both choices of the mux lose their negative parts before it, because the final combiner takes none.
+TEST(BatchProgram, PositivePartsMoveToWhereValuesComeFrom) {
+  CombinerState state = silent_state(2);
+  Portion& rgb = state.general[0].rgb;
+  rgb.a = rgb_of(Register::primary);
+  rgb.b = rgb_of(Register::secondary, InputMapping::half_bias_normal);
+  rgb.c = rgb_of(Register::fog);
+  rgb.d = rgb_of(Register::texture0, InputMapping::half_bias_normal);
+  rgb.out = {.ab = Register::spare0, .cd = Register::spare1, .sum = Register::discard};
+  state.general[1].rgb = {rgb_of(Register::spare0, InputMapping::signed_identity),
+                          kOne,
+                          rgb_of(Register::spare1, InputMapping::signed_identity),
+                          kOne,
+                          {.sum = Register::spare0, .mux_sum = true}};
+  state.final_combiner = final_of(Register::spare0);
+  const BatchOutputs red{.color = {true, false, false, false}};
+  const std::string text =
+      BatchProgram(compile(state, profiles::geforce2).value(), red, {}, BatchInputs::not_negative).describe();
+  EXPECT_EQ(text,
+            "t0 = clamp(s16:truncate((primary_color.r*(1*secondary_color.r + -128)) / 255), 0, 127)\n"
+            "t1 = clamp(s16:truncate((fog.r*(1*texture0.r + -128)) / 255), 0, 127)\n"
+            "t1 = (spare0.a >= 128 ? t1 : t0)\n"
+            "out.r = 1*t1\n");
 }
 
 }  // namespace

@@ -185,19 +185,22 @@ void check_color_alone(const CombinerState& state, const HardwareProfile& profil
         if (!compiled.reads().contains(static_cast<Register>(r), static_cast<int>(c))) batch->plane[r][c].fill(0x5A5A);
       }
     }
-    for (auto& plane : out->plane) plane.fill(0x5A5A);
     const auto before = batch->plane;
-    compiled.run(*batch, expected.size(), *out);
-    bool is_right = batch->plane == before;
-    for (std::size_t c = 0; c < 4; ++c) {
-      for (std::size_t i = 0; i < expected.size(); ++i) {
-        is_right = is_right && out->plane[c][i] == (wanted[c] ? expected[i].color[c] : 0x5A5A);
+    for (const std::int64_t target : simd_targets()) {
+      const OnTarget on_target(target);
+      for (auto& plane : out->plane) plane.fill(0x5A5A);
+      compiled.run(*batch, expected.size(), *out);
+      bool is_right = batch->plane == before;
+      for (std::size_t c = 0; c < 4; ++c) {
+        for (std::size_t i = 0; i < expected.size(); ++i) {
+          is_right = is_right && out->plane[c][i] == (wanted[c] ? expected[i].color[c] : 0x5A5A);
+        }
       }
-    }
-    if (!is_right) {
-      ADD_FAILURE() << "the colour without the registers, components " << wanted[0] << wanted[1] << wanted[2]
-                    << wanted[3] << '\n'
-                    << describe(state, profile) << compiled.describe();
+      if (!is_right) {
+        ADD_FAILURE() << "the colour without the registers on " << simd_target_name(target) << ", components "
+                      << wanted[0] << wanted[1] << wanted[2] << wanted[3] << '\n'
+                      << describe(state, profile) << compiled.describe();
+      }
     }
   }
 }

@@ -111,12 +111,13 @@ HWY_INLINE Run affine_of(const Formula& f) {
                              : affine<1, kFloors, false>;
 }
 
-template <bool kFloors>
-HWY_INLINE Run kernel_of(const VectorOperation& operation) {
+// Not inlined: its choices are long.
+HWY_NOINLINE Run kernel_of(const VectorOperation& operation) {
   const Formula& f = operation.formula;
+  const bool floors = f.floors != 0;
   switch (f.kernel) {
     case Kernel::affine:
-      return affine_of<kFloors>(f);
+      return floors ? affine_of<true>(f) : affine_of<false>(f);
     case Kernel::unsigned_products:
       return f.terms == 1   ? unsigned_products_of<1>(operation)
              : f.terms == 2 ? unsigned_products_of<2>(operation)
@@ -128,17 +129,13 @@ HWY_INLINE Run kernel_of(const VectorOperation& operation) {
     case Kernel::products:
       return products_of(operation);
     case Kernel::select:
-      return select<kFloors>;
+      return floors ? select<true> : select<false>;
     case Kernel::select_odd:
-      return select_odd<kFloors>;
+      return floors ? select_odd<true> : select_odd<false>;
     case Kernel::copy:
       break;
   }
   return copy<false>;
-}
-
-HWY_INLINE Run kernel_of(const VectorOperation& operation) {
-  return operation.formula.floors == 0 ? kernel_of<false>(operation) : kernel_of<true>(operation);
 }
 
 void prepare_code(VectorCode& code) {
@@ -149,14 +146,14 @@ void prepare_code(VectorCode& code) {
   }
 }
 
-// 32 KiB: together with the planes that are read they fit the first-level cache.
-constexpr std::size_t kTemporaryLanes = 16384;
+// 32 KiB, or as many as one step of the most temporaries takes, of which there are never more than 512 (60 a stage).
+constexpr std::size_t kTemporaryLanes = std::max<std::size_t>(16384, 512 * kLanesAStep);
 constexpr unsigned kBatchShift = 9;
 static_assert(kBatchSize == std::size_t{1} << kBatchShift);
 
 void run_code(const VectorCode& code, RegisterBatch& registers, std::size_t count, OutputBatch& out) {
   alignas(64) s9 temporaries[kTemporaryLanes];
-  // As many lanes at once as leave room for all temporaries, of which there are never more than 512 (60 a stage).
+  // As many lanes at once as leave room for all temporaries.
   unsigned shift = kBatchShift;
   while ((code.temporaries << shift) > kTemporaryLanes) --shift;
   // Beside planes that are written; no operation writes these. NOLINTNEXTLINE(cppcoreguidelines-pro-type-const-cast)

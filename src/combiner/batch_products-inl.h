@@ -15,13 +15,35 @@ HWY_BEFORE_NAMESPACE();
 namespace ninebit::detail::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
+// Returns n · 2^doublings / 255, rounded down or to nearest: exact while n · 2^doublings is at most 65407, at least 256
+// beyond.
+// - Without a shift, to nearest or without doublings: let m be n + 128 / 2^doublings to nearest, n + 1 down. Both ask
+//   for k = (m · 2^doublings - 1) / 255 rounded down. So m · 2^doublings is 255k + r with r from 1 to 255, and 257
+//   times as much is 65536k + 257r - k. Its high half is k while k is at most 257.
+// - With a shift, rounded down: 0x8081 / 2^23 = (1 + 127 / 2^23) / 255 is close enough.
+template <int kShift>
+class Quotient {
+ public:
+  explicit HWY_INLINE Quotient(const Formula& f)
+      : added_(set_unsigned(f.nearest ? 128 >> f.doublings : 1)),
+        factor_(set_unsigned(kShift == 0 ? 257 << f.doublings : 0x8081)) {}
+  HWY_INLINE VU16 operator()(VU16 n) const {
+    if constexpr (kShift == 0) return hn::MulHigh(hn::SaturatedAdd(n, added_), factor_);
+    return hn::ShiftRight<kShift>(hn::MulHigh(n, factor_));
+  }
+
+ private:
+  VU16 added_, factor_;
+};
+
 // What is added to a quotient: nothing, the formula's offset, or the last source.
 enum class Added { nothing, offset, source };
 
-template <int kTerms, Reads kReads, bool kNearest, int kDoublings, Added kAdded>
+template <int kTerms, Reads kReads, int kShift, Added kAdded>
 HWY_NOINLINE void unsigned_products(const Operations& operations, const Batch& batch) {
   const Formula& f = operations.first->formula;
-  const VU16 high = set_unsigned(f.clamps() ? f.high : hwy::LimitsMax<std::uint16_t>());
+  const Quotient<kShift> quotient(f);
+  const VU16 high = set_unsigned(f.high);
   const VU16 offset = set_unsigned(f.offset);
   constexpr std::size_t kSources = 2 * kTerms + (kAdded == Added::source ? 1 : 0);
   for_lanes<kSources, kReads>(operations, batch, [&](const auto& x, std::size_t lane) HWY_ATTR {
@@ -30,7 +52,7 @@ HWY_NOINLINE void unsigned_products(const Operations& operations, const Batch& b
     VU16 sum = product(0);
     if (kTerms > 1) sum = hn::SaturatedAdd(sum, product(1));
     if (kTerms > 2) sum = hn::SaturatedAdd(sum, product(2));
-    VU16 code = narrowed<kNearest, kDoublings>(sum);
+    VU16 code = quotient(sum);
     if constexpr (kAdded == Added::offset) code = hn::Add(code, offset);
     if constexpr (kAdded == Added::source) code = hn::Add(code, x.get_unsigned(2 * kTerms, lane));
     return hn::BitCast(kD16, hn::Min(code, high));
@@ -38,29 +60,36 @@ HWY_NOINLINE void unsigned_products(const Operations& operations, const Batch& b
 }
 
 // Narrows magnitudes, then restores the sign. 255 is odd: there are no ties, so both narrowings are symmetric.
-template <Reads kReads, bool kPositiveFirst, bool kNearest, int kDoublings>
+enum class Signs { any, positive_first, positive_part };
+
+template <Reads kReads, Signs kSigns, int kShift>
 HWY_NOINLINE void signed_product(const Operations& operations, const Batch& batch) {
   const Formula& f = operations.first->formula;
-  const VU16 farthest = set_unsigned(f.clamps() ? f.high : hwy::LimitsMax<std::uint16_t>());
+  const Quotient<kShift> quotient(f);
+  const VU16 farthest = set_unsigned(f.high);
   for_lanes<2, kReads>(operations, batch, [&](const auto& x, std::size_t lane) HWY_ATTR {
     const V16 a = x.get(0, lane), b = x.get(1, lane);
-    const VU16 n = hn::Mul(hn::BitCast(kU16, kPositiveFirst ? a : hn::Abs(a)), hn::BitCast(kU16, hn::Abs(b)));
-    const VU16 code = hn::Min(narrowed<kNearest, kDoublings>(n), farthest);
-    return kPositiveFirst ? with_sign(code, b) : with_signs(code, a, b);
+    const VU16 first = hn::BitCast(kU16, kSigns == Signs::any ? hn::Abs(a) : a);
+    const VU16 second = hn::BitCast(kU16, kSigns == Signs::positive_part ? hn::Max(b, set(0)) : hn::Abs(b));
+    const VU16 code = hn::Min(quotient(hn::Mul(first, second)), farthest);
+    if constexpr (kSigns == Signs::positive_part) return hn::BitCast(kD16, code);
+    return kSigns == Signs::positive_first ? with_sign(code, b) : with_signs(code, a, b);
   });
 }
 
 // The sum fits into 16 bits, so it need not be taken apart.
-template <int kTerms, Reads kReads, bool kNearest, int kDoublings>
+template <int kTerms, Reads kReads, bool kPositivePart, int kShift>
 HWY_NOINLINE void signed_sum(const Operations& operations, const Batch& batch) {
   const Formula& f = operations.first->formula;
+  const Quotient<kShift> quotient(f);
   const V16 offset = set(f.offset);
-  const VU16 farthest = set_unsigned(f.clamps() ? f.high : hwy::LimitsMax<std::uint16_t>());
+  const VU16 farthest = set_unsigned(f.high);
   for_lanes<2 * kTerms, kReads>(operations, batch, [&](const auto& x, std::size_t lane) HWY_ATTR {
     V16 sum = hn::Add(hn::Mul(x.get(0, lane), x.get(1, lane)), offset);
     if (kTerms > 1) sum = hn::Add(sum, hn::Mul(x.get(2, lane), x.get(3, lane)));
-    const VU16 n = hn::BitCast(kU16, hn::Abs(sum));
-    return with_sign(hn::Min(narrowed<kNearest, kDoublings>(n), farthest), sum);
+    const VU16 n = hn::BitCast(kU16, kPositivePart ? hn::Max(sum, set(0)) : hn::Abs(sum));
+    const VU16 code = hn::Min(quotient(n), farthest);
+    return kPositivePart ? hn::BitCast(kD16, code) : with_sign(code, sum);
   });
 }
 
@@ -91,12 +120,11 @@ HWY_NOINLINE void products(const Operations& operations, const Batch& batch) {
                             : multiply(factor(2 * k), factor(2 * k + 1));
       sum = {hn::Add(sum.first, more.first), hn::Add(sum.second, more.second)};
     }
-    const auto code = [&](V32 n) HWY_ATTR {
-      VF32 v = hn::ConvertTo(kF32, n);
-      if (kBiased) v = hn::Add(v, bias);
-      return to_integers(hn::Mul(v, reciprocal), kNearest);
+    const auto biased = [&](V32 n) HWY_ATTR {
+      const VF32 v = hn::ConvertTo(kF32, n);
+      return kBiased ? hn::Add(v, bias) : v;
     };
-    return clamp(narrow_to_16(code(sum.first), code(sum.second)));
+    return clamp(integers_of_products<kNearest>(biased(sum.first), biased(sum.second), reciprocal));
   });
 }
 
@@ -107,90 +135,131 @@ HWY_INLINE Run choose(bool flag, const F& f) {
   return flag ? f(std::true_type()) : f(std::false_type());
 }
 
-// Calls f<kReads>() with the first of the masks that covers the operation's lines. Differences need just its lines.
-template <bool kDifferences, std::uint32_t kFirst, std::uint32_t... kMore, class F>
-HWY_INLINE Run choose_lines(const VectorOperation& operation, const F& f) {
+// Calls f<kShift>() with the shift of a formula's quotient.
+template <class F>
+HWY_INLINE Run choose_shift(const Formula& formula, const F& f) {
+  if (formula.nearest || formula.doublings == 0) return f.template operator()<0>();
+  return formula.doublings == 1 ? f.template operator()<6>() : f.template operator()<5>();
+}
+
+HWY_INLINE Reads reads_of(const VectorOperation& operation) {
+  Reads reads{.floors = operation.formula.floors};
+  for (std::size_t k = 0; k < kMostSources; ++k) {
+    const std::uint32_t bit = operation.lines & 1U << k;
+    const int factor = operation.line[k].factor;
+    (factor == -1 ? reads.differences : factor == 1 ? reads.sums : reads.lines) |= bit;
+  }
+  return reads;
+}
+
+// Calls f<kReads>() with the first that covers what the operation needs; the last always does.
+template <Reads kFirst, Reads... kMore, class F>
+HWY_INLINE Run choose_reads(const Reads& needed, const F& f) {
   if constexpr (sizeof...(kMore) > 0) {
-    if ((operation.lines & ~kFirst) != 0) return choose_lines<kDifferences, kMore...>(operation, f);
+    if (!kFirst.covers(needed)) return choose_reads<kMore...>(needed, f);
   }
-  if (operation.formula.floors == 0) return f.template operator()<Reads{0, kFirst, kDifferences}>();
-  return f.template operator()<Reads{~0U, kFirst, kDifferences}>();
+  return f.template operator()<kFirst>();
 }
 
-// The same, or with no lines.
-template <bool kDifferences, std::uint32_t... kLines, class F>
-HWY_INLINE Run choose_reads(const VectorOperation& operation, const F& f) {
-  if (operation.lines != 0) return choose_lines<kDifferences, kLines...>(operation, f);
-  return operation.formula.floors != 0 ? f.template operator()<kAllFloors>() : f.template operator()<kPlain>();
+// The planner puts lines first in a product, and products with more lines first. All lines of unsigned products are
+// differences, and sums of three such products have none.
+template <int kTerms, std::uint32_t kFloors, class F>
+HWY_INLINE Run choose_unsigned_reads(const Reads& needed, const F& f) {
+  constexpr auto difference = [](std::uint32_t mask) { return Reads{.floors = kFloors, .differences = mask}; };
+  if constexpr (kTerms == 1) return choose_reads<difference(0), difference(0b01), difference(0b11)>(needed, f);
+  if constexpr (kTerms == 2) {
+    return choose_reads<difference(0), difference(0b0001), difference(0b0011), difference(0b0101), difference(0b0111),
+                        difference(0b1111)>(needed, f);
+  }
+  return choose_reads<difference(0)>(needed, f);
 }
 
-// The planner puts lines first in a product, and products with more lines first. Sums of more than three products, or
-// of three that are not negative, have none.
-template <bool kDifferences, int kTerms, class F>
-HWY_INLINE Run choose_product_reads(const VectorOperation& operation, const F& f) {
-  if constexpr (kTerms == 1) return choose_reads<kDifferences, 0b01, 0b11>(operation, f);
-  if constexpr (kTerms == 2 && kDifferences) {
-    return choose_reads<true, 0b0001, 0b0011, 0b0101, 0b0111, 0b1111>(operation, f);
+// Sums of more than three products have no lines. Lines beside floors are rare.
+template <int kTerms, class F>
+HWY_INLINE Run choose_signed_reads(const Reads& needed, const F& f) {
+  constexpr Reads kFloorsAndLines{.floors = ~0U, .lines = ~0U};
+  if constexpr (kTerms == 1) {
+    return choose_reads<kPlain, Reads{.differences = 0b01}, Reads{.sums = 0b01},
+                        Reads{.differences = 0b01, .sums = 0b10}, Reads{.lines = 0b01}, Reads{.lines = 0b11},
+                        kAllFloors, Reads{.floors = ~0U, .lines = 0b01}, kFloorsAndLines>(needed, f);
   }
-  if constexpr (kTerms == 2) return choose_reads<false, 0b0001, 0b0101, 0b1111>(operation, f);
-  if constexpr (kTerms == 3 && !kDifferences) return choose_reads<false, 0b111111>(operation, f);
-  return operation.formula.floors != 0 ? f.template operator()<kAllFloors>() : f.template operator()<kPlain>();
+  if constexpr (kTerms == 2) {
+    return choose_reads<kPlain, Reads{.differences = 0b0001}, Reads{.differences = 0b0101}, Reads{.sums = 0b0001},
+                        Reads{.differences = 0b0001, .sums = 0b0010}, Reads{.lines = 0b0001}, Reads{.lines = 0b0101},
+                        Reads{.lines = 0b1111}, kAllFloors, Reads{.floors = ~0U, .lines = 0b0101}, kFloorsAndLines>(
+        needed, f);
+  }
+  if constexpr (kTerms == 3) {
+    return choose_reads<kPlain, Reads{.differences = 0b010101}, Reads{.lines = 0b111111}, kAllFloors, kFloorsAndLines>(
+        needed, f);
+  }
+  return choose_reads<kPlain, kAllFloors>(needed, f);
+}
+
+// The first factor is not negative, and has its place.
+template <class F>
+HWY_INLINE Run choose_positive_first_reads(const Reads& needed, const F& f) {
+  return choose_reads<kPlain, Reads{.differences = 0b01}, Reads{.differences = 0b10}, Reads{.sums = 0b10},
+                      Reads{.differences = 0b01, .sums = 0b10}, Reads{.differences = 0b11}, Reads{.lines = 0b10},
+                      Reads{.lines = 0b11}, kAllFloors, Reads{.floors = ~0U, .lines = 0b10},
+                      Reads{.floors = ~0U, .lines = ~0U}>(needed, f);
+}
+
+// Sums of two products seldom fit into 16 bits.
+template <class F>
+HWY_INLINE Run choose_rare_reads(const Reads& needed, const F& f) {
+  return choose_reads<kPlain, Reads{.differences = 0b0001}, Reads{.lines = 0b0101}, Reads{.lines = 0b1111}, kAllFloors,
+                      Reads{.floors = ~0U, .lines = ~0U}>(needed, f);
 }
 
 template <int kTerms>
 HWY_INLINE Run unsigned_products_of(const VectorOperation& operation) {
   const Formula& f = operation.formula;
-  return choose_product_reads<true, kTerms>(operation, [&]<Reads kReads>() {
-    return choose(f.nearest, [&](auto nearest) -> Run {
-      constexpr bool kNearest = decltype(nearest)::value;
-      // Only the final combiner adds, and it does not scale.
-      if (f.adds) return unsigned_products<kTerms, kReads, kNearest, 0, Added::source>;
-      if (f.offset != 0) return unsigned_products<kTerms, kReads, kNearest, 0, Added::offset>;
-      return f.doublings == 0   ? unsigned_products<kTerms, kReads, kNearest, 0, Added::nothing>
-             : f.doublings == 1 ? unsigned_products<kTerms, kReads, kNearest, 1, Added::nothing>
-                                : unsigned_products<kTerms, kReads, kNearest, 2, Added::nothing>;
-    });
-  });
-}
-
-template <Reads kReads, bool kPositiveFirst>
-HWY_INLINE Run signed_product_for(const Formula& f) {
-  return choose(f.nearest, [&](auto nearest) -> Run {
-    constexpr bool kNearest = decltype(nearest)::value;
-    return f.doublings == 0   ? signed_product<kReads, kPositiveFirst, kNearest, 0>
-           : f.doublings == 1 ? signed_product<kReads, kPositiveFirst, kNearest, 1>
-                              : signed_product<kReads, kPositiveFirst, kNearest, 2>;
-  });
+  const auto with = [&]<Reads kReads>() -> Run {
+    // Only the final combiner adds, and it does not scale.
+    if (f.adds) return unsigned_products<kTerms, kReads, 0, Added::source>;
+    if (f.offset != 0) return unsigned_products<kTerms, kReads, 0, Added::offset>;
+    return choose_shift(f,
+                        [&]<int kShift>() -> Run { return unsigned_products<kTerms, kReads, kShift, Added::nothing>; });
+  };
+  const Reads needed = reads_of(operation);
+  return needed.floors == 0 ? choose_unsigned_reads<kTerms, 0>(needed, with)
+                            : choose_unsigned_reads<kTerms, ~0U>(needed, with);
 }
 
 HWY_INLINE Run signed_product_of(const VectorOperation& operation) {
   const Formula& f = operation.formula;
-  if (f.positive_first) {
-    return choose_reads<false, 0b01, 0b10, 0b11>(operation,
-                                                 [&]<Reads kReads>() { return signed_product_for<kReads, true>(f); });
+  const Reads needed = reads_of(operation);
+  const auto with = [&]<Signs kSigns, Reads kReads>() -> Run {
+    return choose_shift(f, [&]<int kShift>() -> Run { return signed_product<kReads, kSigns, kShift>; });
+  };
+  if (!f.positive_first) {
+    return choose_signed_reads<1>(needed,
+                                  [&]<Reads kReads>() { return with.template operator()<Signs::any, kReads>(); });
   }
-  if (operation.lines == 0) return signed_product_for<kPlain, false>(f);
-  return choose_lines<false, 0b01, 0b11>(operation,
-                                         [&]<Reads kReads>() { return signed_product_for<kReads, false>(f); });
+  return choose_positive_first_reads(needed, [&]<Reads kReads>() {
+    return f.positive_part ? with.template operator()<Signs::positive_part, kReads>()
+                           : with.template operator()<Signs::positive_first, kReads>();
+  });
 }
 
 template <int kTerms>
 HWY_INLINE Run signed_sum_of(const VectorOperation& operation) {
   const Formula& f = operation.formula;
-  return choose_product_reads<false, kTerms>(operation, [&]<Reads kReads>() {
-    return choose(f.nearest, [&](auto nearest) -> Run {
-      constexpr bool kNearest = decltype(nearest)::value;
-      return f.doublings == 0   ? signed_sum<kTerms, kReads, kNearest, 0>
-             : f.doublings == 1 ? signed_sum<kTerms, kReads, kNearest, 1>
-                                : signed_sum<kTerms, kReads, kNearest, 2>;
+  const auto with = [&]<Reads kReads>() -> Run {
+    return choose_shift(f, [&]<int kShift>() -> Run {
+      return f.positive_part ? signed_sum<kTerms, kReads, true, kShift> : signed_sum<kTerms, kReads, false, kShift>;
     });
-  });
+  };
+  const Reads needed = reads_of(operation);
+  if constexpr (kTerms == 1) return choose_signed_reads<1>(needed, with);
+  return choose_rare_reads(needed, with);
 }
 
 template <int kTerms>
 HWY_INLINE Run products_for(const VectorOperation& operation) {
   const Formula& f = operation.formula;
-  return choose_product_reads<false, kTerms>(operation, [&]<Reads kReads>() {
+  return choose_signed_reads<kTerms>(reads_of(operation), [&]<Reads kReads>() {
     return choose(f.nearest, [&](auto nearest) {
       constexpr bool kNearest = decltype(nearest)::value;
       // Sums of more than three products are pairs of dot products, and rare: they always run the biased kernel.

@@ -38,9 +38,7 @@ struct Batch {
 // A formula's limits. Without a clamp these are the limits of 16 bits, which is cheaper than a test in each vector.
 class Clamp {
  public:
-  explicit HWY_INLINE Clamp(const Formula& f)
-      : low_(set(f.clamps() ? f.low : hwy::LimitsMin<std::int16_t>())),
-        high_(set(f.clamps() ? f.high : hwy::LimitsMax<std::int16_t>())) {}
+  explicit HWY_INLINE Clamp(const Formula& f) : low_(set(f.low)), high_(set(f.high)) {}
   HWY_INLINE V16 operator()(V16 v) const { return hn::Min(hn::Max(v, low_), high_); }
 
  private:
@@ -48,15 +46,24 @@ class Clamp {
 };
 
 // The sources that a kernel maps as it reads them, a bit a source: first max(x, 0) where the formula has it, then the
-// operation's line. A kernel may map more sources than an operation needs.
+// operation's line.
 struct Reads {
-  std::uint32_t floors = 0, lines = 0;
-  bool differences = false;  // all lines have the factor -1
+  std::uint32_t floors = 0;
+  std::uint32_t differences = 0, sums = 0, lines = 0;  // the factor is -1, 1, or any
   [[nodiscard]] constexpr bool has_floor(std::size_t k) const { return (floors >> k & 1U) != 0; }
+  [[nodiscard]] constexpr bool has_difference(std::size_t k) const { return (differences >> k & 1U) != 0; }
+  [[nodiscard]] constexpr bool has_sum(std::size_t k) const { return (sums >> k & 1U) != 0; }
   [[nodiscard]] constexpr bool has_line(std::size_t k) const { return (lines >> k & 1U) != 0; }
+  // Whether a kernel that reads in this way serves an operation that needs `other`. A source without a line has the
+  // factor 1 and the offset 0.
+  [[nodiscard]] constexpr bool covers(const Reads& other) const {
+    return (other.floors & ~floors) == 0 && (differences & ~other.differences) == 0 &&
+           (other.differences & ~(differences | lines)) == 0 && (other.sums & ~(sums | lines)) == 0 &&
+           (other.lines & ~lines) == 0;
+  }
 };
 constexpr Reads kPlain{};
-constexpr Reads kAllFloors{~0U, 0};
+constexpr Reads kAllFloors{.floors = ~0U};
 
 // The sources of an operation, mapped.
 template <std::size_t kSources, Reads kReads>
@@ -65,10 +72,9 @@ class Sources {
   explicit HWY_INLINE Sources(const VectorOperation& operation) {
     for (std::size_t k = 0; k < kSources; ++k) {
       if (kReads.has_floor(k)) floor_[k] = set(operation.formula.is_floored(k) ? 0 : hwy::LimitsMin<std::int16_t>());
-      if (kReads.has_line(k)) {
-        if (!kReads.differences) factor_[k] = set(operation.line[k].factor);
+      if (kReads.has_line(k)) factor_[k] = set(operation.line[k].factor);
+      if (kReads.has_difference(k) || kReads.has_sum(k) || kReads.has_line(k))
         offset_[k] = set(operation.line[k].offset);
-      }
     }
   }
   HWY_INLINE void find(const VectorOperation& operation, const Batch& batch) {
@@ -77,8 +83,9 @@ class Sources {
   HWY_INLINE V16 get(std::size_t k, std::size_t lane) const {
     V16 v = hn::LoadU(kD16, plane_[k] + lane);
     if (kReads.has_floor(k)) v = hn::Max(v, floor_[k]);
-    if (!kReads.has_line(k)) return v;
-    return kReads.differences ? hn::Sub(offset_[k], v) : hn::Add(hn::Mul(v, factor_[k]), offset_[k]);
+    if (kReads.has_difference(k)) return hn::Sub(offset_[k], v);
+    if (kReads.has_line(k)) v = hn::Mul(v, factor_[k]);
+    return kReads.has_sum(k) || kReads.has_line(k) ? hn::Add(v, offset_[k]) : v;
   }
   HWY_INLINE VU16 get_unsigned(std::size_t k, std::size_t lane) const { return hn::BitCast(kU16, get(k, lane)); }
 
@@ -87,7 +94,10 @@ class Sources {
   V16 floor_[kSources], factor_[kSources], offset_[kSources];
 };
 
-// Computes target = f(sources, lane) for each operation, vector by vector.
+// A batch's lanes are computed so many at once.
+constexpr std::size_t kLanesAStep = 2 * hn::MaxLanes(kD16);
+
+// Computes target = f(sources, lane) for each operation, step by step.
 template <std::size_t kSources, Reads kReads, class F>
 HWY_INLINE void for_lanes(const Operations& operations, const Batch& batch, const F& f) {
   Sources<kSources, kReads> sources(*operations.first);
@@ -95,13 +105,12 @@ HWY_INLINE void for_lanes(const Operations& operations, const Batch& batch, cons
   for (std::size_t i = 0; i < operations.count; ++i) {
     sources.find(operations.first[i], batch);
     s9* const target = batch(operations.first[i].target);
-    constexpr std::size_t kStep = hn::MaxLanes(kD16);
-    // f stands here twice, and not a third time after the loop: there are 450 kernels for each target.
-    for (std::size_t lane = 0; lane < lanes; lane += 2 * kStep) {
+    std::size_t lane = 0;
+    do {
       hn::StoreU(f(sources, lane), kD16, target + lane);
-      if (lane + kStep >= lanes) break;
-      hn::StoreU(f(sources, lane + kStep), kD16, target + lane + kStep);
-    }
+      hn::StoreU(f(sources, lane + kLanesAStep / 2), kD16, target + lane + kLanesAStep / 2);
+      lane += kLanesAStep;
+    } while (lane < lanes);
   }
 }
 

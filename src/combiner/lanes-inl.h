@@ -40,21 +40,6 @@ HWY_INLINE VU16 set_unsigned(int v) {
   return hn::Set(kU16, static_cast<std::uint16_t>(v));
 }
 
-// Returns n · 2^doublings / 255 rounded down: exact while n · 2^doublings fits into 16 bits, at least 257 beyond.
-// 0x8081 / 2^23 = (1 + 127 / 2^23) / 255.
-template <int kDoublings>
-HWY_INLINE VU16 divide_by_255(VU16 n) {
-  return hn::ShiftRight<7 - kDoublings>(hn::MulHigh(n, set_unsigned(0x8081)));
-}
-
-// Returns n · 2^doublings / 255, rounded down or to nearest: at least 257 where n · 2^doublings exceeds 16 bits.
-template <bool kNearest, int kDoublings>
-HWY_INLINE VU16 narrowed(VU16 n) {
-  if constexpr (!kNearest) return divide_by_255<kDoublings>(n);
-  for (int i = 0; i < kDoublings; ++i) n = hn::SaturatedAdd(n, n);
-  return divide_by_255<0>(hn::SaturatedAdd(n, set_unsigned(127)));
-}
-
 // Returns a magnitude with the sign of `v`. The magnitude is 0 where v is 0.
 HWY_INLINE V16 with_sign(VU16 magnitude, V16 v) {
 #if HWY_TARGET <= HWY_AVX3
@@ -139,6 +124,24 @@ HWY_INLINE V32 to_integers(VF32 v, bool nearest) {
   return nearest ? hn::NearestInt(v) : hn::ConvertTo(kD32, v);
 }
 #endif
+
+// Returns first · factor and second · factor as integers, toward zero or to nearest. They lie within 2^15 of zero.
+template <bool kNearest>
+HWY_INLINE V16 integers_of_products(VF32 first, VF32 second, VF32 factor) {
+#if HWY_TARGET <= HWY_AVX3
+  // The unit of a float near 1.5 · 2^23 is 1, so that the sum ends in the integer nearest to the product.
+  if constexpr (kNearest) {
+    const VF32 large = hn::Set(kF32, 12582912.0F);
+    const auto sum = [&](VF32 v) HWY_ATTR { return _mm512_castps_si512(hn::MulAdd(v, factor, large).raw); };
+    // The lower halves of all 32-bit lanes, in the order of narrow_to_16.
+    alignas(64) static constexpr std::uint16_t kLower[32] = {0,  2,  4,  6,  32, 34, 36, 38, 8,  10, 12,
+                                                             14, 40, 42, 44, 46, 16, 18, 20, 22, 48, 50,
+                                                             52, 54, 24, 26, 28, 30, 56, 58, 60, 62};
+    return V16{_mm512_permutex2var_epi16(sum(first), _mm512_load_si512(kLower), sum(second))};
+  }
+#endif
+  return narrow_to_16(to_integers(hn::Mul(first, factor), kNearest), to_integers(hn::Mul(second, factor), kNearest));
+}
 
 }  // namespace ninebit::detail::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

@@ -20,13 +20,14 @@ enum class Kernel : std::uint8_t {
   affine,
   // Products of values that are not negative, in 16 bits: min((x0·x1 + x2·x3 + …) · 2^doublings / 255, high), the
   // quotient rounded down or to nearest. `offset` or, with `adds`, a last source is added to the quotient. One to
-  // three terms. The sum saturates at 65535, whose quotient is 257.
+  // three terms. The sum saturates at 65535; the quotient of what is too large comes out as 256 at least.
   unsigned_products,
   // One product of values of any sign, in 16 bits: x0·x1 · 2^doublings / 255, toward zero or to nearest, no farther
-  // from
-  // zero than `high` where it clamps. With `positive_first` x0 is not negative; without it there are no floors.
+  // from zero than `high`. With `positive_first` x0 is not negative, and with `positive_part` as well negative results
+  // become 0; without it there are no floors.
   signed_product,
-  // The same of one or two products of values of any sign and `offset`, where the sum always fits into 16 bits.
+  // The same of one or two products of values of any sign and `offset`, where the sum always fits into 16 bits. Any of
+  // them may have `positive_part`.
   signed_sum,
   // clamp((x0·x1 + x2·x3 + … + bias) · reciprocal), in 32 bits and floats, toward zero or to nearest. One to six terms.
   products,
@@ -37,6 +38,8 @@ enum class Kernel : std::uint8_t {
   copy
 };
 
+inline constexpr int kLowest16 = -32768, kMost16 = 32767;
+
 struct Formula {
   Kernel kernel = Kernel::copy;
   int terms = 1;
@@ -45,10 +48,11 @@ struct Formula {
   bool halves = false;
   bool nearest = false;
   bool positive_first = false;
+  bool positive_part = false;
   int doublings = 0;
   std::array<int, 2> factor{};
   int offset = 0;
-  int low = 0, high = 0;  // of the clamp, if low < high; of `select`, low is the limit
+  int low = kLowest16, high = kMost16;  // of the clamp; of `select`, low is the limit
   float bias = 0;
   float reciprocal = 0;
 
@@ -71,7 +75,7 @@ struct Formula {
     }
     return 0;
   }
-  [[nodiscard]] bool clamps() const { return low < high; }
+  [[nodiscard]] bool clamps() const { return low != kLowest16 || high != kMost16; }
   [[nodiscard]] bool is_floored(std::size_t source) const { return (floors >> source & 1U) != 0; }
   friend auto operator<=>(const Formula&, const Formula&) = default;
 };

@@ -12,7 +12,8 @@
 namespace ninebit::detail {
 namespace {
 
-constexpr int kMost16 = 32767;
+// The largest dividend that 16-bit lanes divide exactly; the quotients of larger ones come out as 256 at least.
+constexpr int kMostNarrowed = 65407;
 
 // A product of two operands of the graph.
 struct Factors {
@@ -28,9 +29,15 @@ Range range_of_product(const ValueGraph& graph, const Operand& x, const Operand&
   return {x == y ? std::max(*low, 0) : *low, *high};
 }
 
+Linear negative(const Linear& linear) {
+  return {linear.value, linear.floored, -linear.factor, -linear.offset};
+}
+
+// Two factors of which one is never positive change their signs: other kernels multiply by what is not negative.
 std::vector<Factors> factors_of(ValueGraph& graph, const WideSum& sum) {
   std::vector<Factors> all;
-  for (const WideSum::Product& p : sum.products()) {
+  for (WideSum::Product p : sum.products()) {
+    if (graph.range(p.x).high <= 0 || graph.range(p.y).high <= 0) p = {negative(p.x), negative(p.y)};
     Factors f{graph.operand(p.x), graph.operand(p.y), {}};
     if (f.y < f.x) std::swap(f.x, f.y);
     f.range = range_of_product(graph, f.x, f.y);
@@ -86,9 +93,9 @@ std::optional<Value> as_unsigned(ValueGraph& graph, const WideSum& sum, const st
     if (f.range.low < 0 || f.range.high > 65535) return {};
     most += f.range.high << doublings_of(how.scale);
   }
-  const bool is_exact = most <= 65535 - 127;
+  const bool is_exact = most <= kMostNarrowed;
   if (graph.datapath().one != 255 || sum.constant() != 0 || how.scale == Scale::by_one_half || factors.size() > 3 ||
-      (!is_exact && how.high > 257)) {
+      (!is_exact && how.high > 256)) {
     return {};
   }
   const Range added = graph.range(how.added);
@@ -105,7 +112,10 @@ std::optional<Value> as_unsigned(ValueGraph& graph, const WideSum& sum, const st
     of.push_back(graph.operand(how.added));
   }
   const Range raw{quotient.low + added.low, quotient.high + added.high};
-  if (!is_exact || raw.high > how.high) f.high = how.high;
+  if (!is_exact || raw.high > how.high) {
+    f.low = 0;
+    f.high = how.high;
+  }
   return graph.add(f, of, clamped(raw, how));
 }
 
@@ -117,7 +127,7 @@ std::optional<Value> as_signed_product(ValueGraph& graph, const WideSum& sum, co
   }
   const Range& r = factors[0].range;
   const int most = std::max(-r.low, r.high);
-  if (most > 65535 || ((most << doublings_of(how.scale)) > 65535 - 127 && how.high > 257)) return {};
+  if (most > 65535 || ((most << doublings_of(how.scale)) > kMostNarrowed && how.high > 256)) return {};
   Formula f{.kernel = Kernel::signed_product,
             .nearest = how.narrowing == Narrowing::nearest_halves_up,
             .doublings = doublings_of(how.scale)};
@@ -137,7 +147,7 @@ std::optional<Value> as_signed_sum(ValueGraph& graph, const WideSum& sum, const 
                                    const Narrowed& how, const Range& wide, const Range& quotient) {
   const int most = std::max(-wide.low, wide.high);
   if (graph.datapath().one != 255 || how.scale == Scale::by_one_half || factors.size() > 2 || most > kMost16 ||
-      how.added != Linear{} || ((most << doublings_of(how.scale)) > 65535 - 127 && how.high > 257)) {
+      how.added != Linear{} || ((most << doublings_of(how.scale)) > kMostNarrowed && how.high > 256)) {
     return {};
   }
   Formula f{.kernel = Kernel::signed_sum,
