@@ -130,7 +130,7 @@ PIXELS = """(canvas => {
 
 
 def png_pixels(path):
-    """The bytes of an RGB picture as this project writes it: 8 bits, no filters."""
+    """The bytes of an RGB picture as this project writes it: 8 bits, and each row less the one above it."""
     with open(path, "rb") as file:
         png = file.read()
     width, at, packed = int.from_bytes(png[16:20], "big"), 8, b""
@@ -139,8 +139,14 @@ def png_pixels(path):
         if kind == b"IDAT":
             packed += png[at + 8:at + 8 + size]
         at += size + 12
-    rows, line = zlib.decompress(packed), 1 + 3 * width
-    return b"".join(rows[i + 1:i + line] for i in range(0, len(rows), line))
+    rows, line, out = zlib.decompress(packed), 1 + 3 * width, []
+    above = bytes(line - 1)
+    for i in range(0, len(rows), line):
+        if rows[i] != 2:
+            raise ValueError(f"{path}: the filter of a row is {rows[i]}, not Up")
+        above = bytes((a + b) & 255 for a, b in zip(rows[i + 1:i + line], above))
+        out.append(above)
+    return b"".join(out)
 
 
 def check(browser, folder):
