@@ -61,8 +61,8 @@ Header header_of(const Start& start) {
   return {number(16), number(20), channels_of_type(start[25])};
 }
 
-// Decodes one picture with libpng, which reports errors by longjmp: only functions without objects that have destructors
-// call it.
+// Decodes one picture with libpng, which reports errors by longjmp: only functions without objects that have
+// destructors call it.
 class PngDecoder {
  public:
   explicit PngDecoder(std::istream& in)
