@@ -71,12 +71,14 @@ template <class Sample>
 // never two calls at a time. It may throw only std::bad_alloc; the writer passes it on and leaves no file behind.
 using ExrIntegerRow = std::function<void(int row, std::span<std::uint32_t> out)>;  // UINT, stored exactly
 using ExrRealRow = std::function<void(int row, std::span<float> out)>;             // stored as half
-struct ExrHalfRow {                                                                // HALF, stored exactly
-  std::function<void(int row, std::span<Half> out)> fill{};
-  explicit operator bool() const { return static_cast<bool>(fill); }
+// The same for HALF, stored exactly.
+struct ExrHalfRow {
+  std::function<void(int row, std::span<Half> out)> fill{};           // as above
+  explicit operator bool() const { return static_cast<bool>(fill); }  // whether there is a function
 };
-struct ExrFloatRow {  // FLOAT, stored exactly
-  std::function<void(int row, std::span<float> out)> fill{};
+// The same for FLOAT, stored exactly.
+struct ExrFloatRow {
+  std::function<void(int row, std::span<float> out)> fill{};          // as above
   explicit operator bool() const { return static_cast<bool>(fill); }  // whether there is a function
 };
 
