@@ -58,7 +58,7 @@ if(NOT NINEBIT_COMBINER_ONLY)
   ninebit_pkgconfig(
     ninebit ${PROJECT_DESCRIPTION} LIBS -lninebit REQUIRES ninebit-raster ninebit-json
     STATIC_LIBS -lembree3 -lmeshoptimizer -l${CMAKE_DL_LIBS}
-    STATIC_REQUIRES OpenImageIO OpenEXR libisal libpng assimp draco fmt ${tbb} libhwy libcrypto)
+    STATIC_REQUIRES OpenImageIO OpenEXR zlib libpng assimp draco fmt ${tbb} libhwy libcrypto)
 endif()
 
 # --- The program. Its manual and completions come from the program itself, so that they cannot differ from it.

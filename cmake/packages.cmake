@@ -91,7 +91,7 @@ techniques and studies."
   # The static libraries' packages, which pkg-config and CMake look for: those of the combiners and the rasterizer; the
   # others are only needed by those who link ninebit::ninebit.
   set(needs libhwy-dev libglm-dev libtbb-dev)
-  set(others libfmt-dev libassimp-dev libdraco-dev libmeshoptimizer-dev libembree-dev libopenexr-dev libisal-dev libpng-dev
+  set(others libfmt-dev libassimp-dev libdraco-dev libmeshoptimizer-dev libembree-dev libopenexr-dev zlib1g-dev libpng-dev
       libopenimageio-dev libssl-dev)
   ninebit_package(development libninebit-dev libdevel "GeForce 2 register combiners, bit for bit (development files)"
     "${what}This package has the headers, the static libraries, and what CMake and

@@ -1,11 +1,10 @@
-// Writing pictures: PNG, and EXR by OpenEXR. ISA-L compresses both.
+// Writing pictures: PNG, and EXR by OpenEXR. zlib compresses both.
 //
 // All planes are row-major, row 0 at the TOP of the picture. Every writer reports Fault::cannot_write, with the file's
 // name, if the file cannot be opened, written to the last byte or closed; it then leaves no complete-looking file
 // behind. An existing file is overwritten; a symbolic link is an error. Callers write to paths of StagedFiles::stage().
 //
-// A file's bytes do not depend on the number of threads. Its compressed bytes may differ between processors, because
-// ISA-L has code for several instruction sets; its samples do not.
+// A file's bytes do not depend on the number of threads.
 #pragma once
 
 #include <array>

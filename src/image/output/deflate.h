@@ -1,4 +1,4 @@
-// zlib streams, compressed by ISA-L.
+// zlib streams.
 #pragma once
 
 #include <cstdint>
@@ -6,12 +6,11 @@
 #include <span>
 #include <vector>
 
-struct isal_zstream;
+struct z_stream_s;
 
 namespace ninebit::image_detail {
 
-// Compresses one stream after the other. ISA-L has code for several instruction sets, so the bytes of a stream may
-// differ between processors; what they decompress to does not.
+// Compresses one stream after the other. Throws std::bad_alloc where memory runs out.
 class Deflater {
  public:
   Deflater();
@@ -24,10 +23,7 @@ class Deflater {
   void end(std::vector<std::uint8_t>& out);
 
  private:
-  void begin();
-
-  std::vector<std::uint8_t> level_;  // ISA-L's buffer
-  std::unique_ptr<isal_zstream> stream_;
+  std::unique_ptr<z_stream_s> stream_;
 };
 
 }  // namespace ninebit::image_detail

@@ -1,7 +1,7 @@
 #include "ninebit/image/image_io.h"
 
 #include <fmt/format.h>
-#include <isa-l/crc.h>
+#include <zlib.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -38,7 +38,7 @@ template <class Write>
 bool write_chunk(Bytes& chunk, const Write& write) {
   constexpr std::size_t kSize = 4;
   put_big_endian(static_cast<std::uint32_t>(chunk.size() - kChunkStart), chunk.data());
-  const std::uint32_t sum = crc32_gzip_refl(0, chunk.data() + kSize, chunk.size() - kSize);
+  const auto sum = static_cast<std::uint32_t>(crc32_z(0, chunk.data() + kSize, chunk.size() - kSize));
   chunk.resize(chunk.size() + sizeof sum);
   put_big_endian(sum, chunk.data() + chunk.size() - sizeof sum);
   return write(chunk.data(), chunk.size());
