@@ -94,7 +94,7 @@ class Sources {
   V16 floor_[kSources], factor_[kSources], offset_[kSources];
 };
 
-// A batch's lanes are computed so many at once.
+// The lanes of a batch that one step computes.
 constexpr std::size_t kLanesAStep = 2 * hn::MaxLanes(kD16);
 
 // Computes target = f(sources, lane) for each operation, step by step.

@@ -31,10 +31,8 @@ Deflater::Deflater() : stream_(std::make_unique<z_stream>()) {
   if (deflateInit(stream_.get(), kLevel) != Z_OK) throw std::bad_alloc();
 }
 
-Deflater::Deflater(Deflater&&) noexcept = default;
-
 Deflater::~Deflater() {
-  if (stream_ != nullptr) deflateEnd(stream_.get());
+  deflateEnd(stream_.get());
 }
 
 void Deflater::add(std::span<const std::uint8_t> bytes, std::vector<std::uint8_t>& out) {

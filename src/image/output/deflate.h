@@ -14,7 +14,6 @@ namespace ninebit::image_detail {
 class Deflater {
  public:
   Deflater();
-  Deflater(Deflater&&) noexcept;
   ~Deflater();
 
   // Compresses `bytes`, and appends to `out` what is finished.
