@@ -23,9 +23,8 @@ enum class Kernel : std::uint8_t {
   // three terms. The sum saturates at 65535; the quotient of what is too large comes out as 256 at least.
   unsigned_products,
   // One product of values of any sign, in 16 bits: x0·x1 · 2^doublings / 255, toward zero or to nearest, no farther
-  // from zero than `high`. With `positive_first` x0 is not negative; with `positive_part`, too, negative results become
-  // 0.
-  // Without `positive_first` no source has a floor.
+  // from zero than `high`. With `positive_first` x0 is not negative; with `positive_part`, too, negative results
+  // become 0. Without `positive_first` no source has a floor.
   signed_product,
   // The same of one or two products of values of any sign and `offset`, where the sum always fits into 16 bits. Any of
   // them may have `positive_part`.
