@@ -1,5 +1,5 @@
 // Files that would take more memory than they are worth: refused before the memory is taken, in a line that says why.
-// The large ones are sparse, so that no disk holds them. docs/limits.md lists the limits.
+// The large ones are sparse, so that no disk holds them. docs/internals/limits.md lists the limits.
 #include <gtest/gtest.h>
 
 #include <fstream>

@@ -33,7 +33,7 @@ struct SceneReadOptions {
 // KHR_draco_mesh_compression), glTF 1.0, OBJ, PLY, OFF, 3DS, STL, COLLADA (.dae) and FBX. All nodes are flattened into
 // world space. Degenerate triangles are kept: they count as polygons and cover no pixel. Reports, naming the file:
 // missing, empty, truncated or malformed files, no triangles, positions that are NaN or infinite, indices out of range,
-// files beyond docs/limits.md (2^27 triangles and more).
+// files beyond docs/internals/limits.md (2^27 triangles and more).
 //
 // The triangles keep the file's count and order; polygons are cut into n - 2 triangles. Corners of one object with
 // equal position and normal share a vertex; where the file gives no normal it is the area-weighted mean of the object's

@@ -1,4 +1,4 @@
-// The limits of a scene; docs/limits.md lists them.
+// The limits of a scene; docs/internals/limits.md lists them.
 #pragma once
 
 #include <cstdint>
