@@ -1,13 +1,12 @@
 #include "src/combiner/given_registers.h"
 
+#include "ninebit/combiner/initial_registers.h"
+
 namespace ninebit {
 
 RegisterFile default_registers(const HardwareProfile& profile) {
-  RegisterFile file;
-  for (const Register reg :
-       {Register::fog, Register::texture0, Register::texture1, Register::texture2, Register::texture3}) {
-    file[reg][kAlpha] = static_cast<s9>(profile.one.value);
-  }
+  RegisterFile file = initial_registers(profile, {});
+  file[Register::spare0][kAlpha] = file[Register::texture0][kAlpha];
   return file;
 }
 

@@ -6,8 +6,8 @@
 
 namespace ninebit {
 
-// The registers before any is given: 0, but for the alpha of fog and of the textures, which is 1.0. Spare0's alpha is
-// that of texture 0 where it is not given either.
+// The registers before any is given: those of a fragment whose bytes are 0, with fog and all texture units off, as the
+// profile defines them. A caller that is given texture 0's alpha, but not spare0's, copies it there.
 [[nodiscard]] RegisterFile default_registers(const HardwareProfile& profile);
 
 // Gives a constant's component a code, in all general combiners and in the final combiner.

@@ -157,7 +157,8 @@ void add_eval(CLI::App& app, int& exit_code) {
   verb->footer(
       "The table has a header such as primary.r,tex0.a,const0.g,spare0.a; its rows are whole numbers. In most\n"
       "profiles, 255 is 1.0. Defaults for missing columns:\n"
-      "  alpha of textures and fog   1.0\n"
+      "  alpha of textures, fog      what the profile gives a unit that is off, and fog that is off\n"
+      "  secondary.a                 1.0 where the profile's secondary_alpha is one, else 0\n"
       "  spare0.a                    the value of tex0.a\n"
       "  const0, const1              the program's own constants\n"
       "  all others                  0\n"

@@ -28,6 +28,7 @@ struct ProofSubject {
   CombinerState state;                // valid for the profile (see validate)
   HardwareProfile profile;            // that it is run with
   std::array<bool, 4> texture_off{};  // by unit: its register holds what the profile says
+  bool fog_off = false;               // then fog's alpha is what the profile says
 };
 
 // What is compared: a component, kRed to kAlpha, of the final combiner's colour as a byte, or of a register as the last

@@ -32,9 +32,9 @@ struct RegisterComponent {
   friend bool operator==(const RegisterComponent&, const RegisterComponent&) = default;
 };
 
-// The fragments that a program runs over, all with the same components. Components that are not listed read 0, with
-// these exceptions: alpha of textures and of fog reads one; spare0's alpha reads texture 0's; constants read the
-// program's values. A listed constant replaces the program's in every stage.
+// The fragments that a program runs over, all with the same components. Components that are not listed hold what the
+// profile gives a fragment with fog and all texture units off and bytes of 0, with these exceptions: spare0's alpha is
+// texture 0's; constants are the program's. A listed constant replaces the program's in every stage.
 struct ProgramInputs {
   std::vector<RegisterComponent> components;  // at least one
   // A code for each component, fragment after fragment. std::nullopt: all combinations of the components' values, the

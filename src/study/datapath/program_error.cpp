@@ -231,7 +231,7 @@ Result<std::unique_ptr<Study>> program_error_study(StudyQuestion question, const
                                              "numbers",
                                              profile.name)};
   }
-  auto fragments = Fragments::of(program.datapath, std::move(inputs));
+  auto fragments = Fragments::of(profile, std::move(inputs));
   if (!fragments) return fragments.error();
   return std::unique_ptr<Study>(
       std::make_unique<ProgramErrorStudy>(std::move(question), profile, program, std::move(*fragments)));

@@ -12,7 +12,7 @@ constexpr Portion kDead{{}, {}, {}, {}, {.sum = Register::discard}};
 Subject::Subject(const ProofSubject& from) : profile(from.profile), program(normalize(from.state, from.profile)) {
   // With all inputs at 0, what the profile decides is what is left.
   FragmentInputs inputs;
-  inputs.fog_factor = 0;
+  if (!from.fog_off) inputs.fog_factor = 0;
   for (std::size_t unit = 0; unit < 4; ++unit) {
     if (!from.texture_off[unit]) inputs.texture[unit] = Texel{};
   }
@@ -25,7 +25,7 @@ Subject::Subject(const ProofSubject& from) : profile(from.profile), program(norm
   }
   for (int c = 0; c < 4; ++c) {
     input(Register::primary, c, Register::primary);
-    input(Register::fog, c, Register::fog);
+    if (c != kAlpha || !from.fog_off) input(Register::fog, c, Register::fog);
     const bool has_one = c == kAlpha && profile.secondary_alpha == SecondaryAlpha::one;
     if (!has_one) input(Register::secondary, c, Register::secondary);
     for (int unit = 0; unit < 4; ++unit) {
