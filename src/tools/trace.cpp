@@ -97,6 +97,9 @@ int print(const TraceFlags& flags, const Drawn& drawn, const Program* program, c
 int trace_set(const TraceFlags& flags, std::optional<Program> program) {
   const auto inputs = parse_trace_inputs(flags.set, profile_of(flags.common));
   if (!inputs) return wrong_usage(inputs.error().message);
+  std::vector<EvalColumn> given;
+  for (const auto& [column, code] : inputs->constants) given.push_back(column);
+  if (!flags.common.quiet) say_assumed_constants(flags.program.file, *program, given);
   for (const auto& [column, code] : inputs->constants) replace_constant(*program, column.reg, column.component, code);
   return print(flags, {.profile = &profile_of(flags.common)}, &*program, inputs->registers);
 }

@@ -42,8 +42,10 @@ struct ProgramInputs {
   std::optional<std::vector<s9>> codes{};
 };
 
-// Measures the program, which was compiled for the profile, over the inputs. Reports a profile whose arithmetic is not
-// integer, inputs without components or fragments, and more than 2^26 combinations. A unit is up to 2^18 fragments.
+// Measures the program, which was compiled for the profile, over the inputs. Constants that the program reads and does
+// not set are inputs, too: they are added to combinations, and a table must have them. Reports a profile whose
+// arithmetic is not integer, inputs without components or fragments, and more than 2^26 combinations. A unit is up to
+// 2^18 fragments.
 //
 // An error is a real number: the final combiner's output minus that of `ideal`. An error below 1e-10 counts as zero.
 //

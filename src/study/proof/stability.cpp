@@ -17,13 +17,13 @@ using Combination = std::vector<std::size_t>;
 // The components of registers at the start that the program's colours depend on.
 proof::ComponentMask reads_of_colors(const CombinerState& state, const HardwareProfile& profile) {
   const Program program = normalize(state, profile);
-  proof::ComponentMask read = 0;
+  proof::ComponentMask read;
   for (int c = 0; c < 4; ++c) read |= proof::reads_of(program, 0, {std::nullopt, c});
   return read;
 }
 
-bool reads(proof::ComponentMask read, Register r, int component) {
-  return (read & proof::mask_of(proof::index_of(r, component))) != 0;
+bool reads(const proof::ComponentMask& read, Register r, int component) {
+  return proof::has(read, proof::index_of(r, component));
 }
 
 // What is off, if anything.
@@ -161,7 +161,8 @@ class Setting {
 };
 
 // The open fields that can have a say with this off.
-std::vector<CombinerField> fields_for(const HardwareProfile& profile, proof::ComponentMask read, const Off& off) {
+std::vector<CombinerField> fields_for(const HardwareProfile& profile, const proof::ComponentMask& read,
+                                      const Off& off) {
   std::vector<CombinerField> fields;
   for (CombinerField& field : arithmetic_fields(profile)) {
     if (field.is_open()) fields.push_back(std::move(field));
