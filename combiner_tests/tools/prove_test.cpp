@@ -139,6 +139,12 @@ TEST_F(Prove, OtherVerbsSayWhatTheyAssume) {
   EXPECT_EQ(ninebit({"eval", program, "--inputs", table, "--quiet"}).err, "");
   const Outcome trace = ninebit({"trace", program, "--set", "const0=1,1,1,1"});
   EXPECT_NE(trace.err.find("const1 is not set; 0 is assumed"), std::string::npos) << trace.err;
+  const std::string rows = write_bytes(folder_ / "rows.csv", "tex0.r,out.r\n255,0\n");
+  const Outcome verify = ninebit({"verify", rows, "--program", program});
+  EXPECT_NE(verify.err.find("const0, const1 are not set; 0 is assumed"), std::string::npos) << verify.err;
+  const Outcome c = ninebit({"convert", program, "--to", "c"}), gl = ninebit({"convert", program, "--to", "gl"});
+  EXPECT_NE(c.err.find("const0, const1 are not set; 0 is assumed"), std::string::npos) << c.err;
+  EXPECT_EQ(gl.err, "");
   const Words draw{"draw", program, "--size", "8x8", "--tex0", "checker", "--json", "-o", folder_ / "p.png"};
   const std::string warnings = json_of(ninebit(draw))["warnings"].dump();
   EXPECT_NE(warnings.find("const0 is not set; 0 is assumed"), std::string::npos) << warnings;
