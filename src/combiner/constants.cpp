@@ -25,9 +25,10 @@ std::optional<ConstantName> constant_called(std::string_view name) {
 
 ByConstant<bool> constants_read(const CombinerState& state) {
   ByConstant<bool> all{};
+  const auto stages = static_cast<std::size_t>(std::clamp(state.num_general_combiners, 0, kMaxGeneralCombiners));
   for (std::size_t which = 0; which < 2; ++which) {
     const Register reg = which == 0 ? Register::constant0 : Register::constant1;
-    for (std::size_t i = 0; i < static_cast<std::size_t>(state.num_general_combiners); ++i) {
+    for (std::size_t i = 0; i < stages; ++i) {
       const GeneralCombiner& stage = state.general[i];
       all[i][which] = detail::reads(detail::normalize_portion(stage.rgb), reg) ||
                       detail::reads(detail::normalize_portion(stage.alpha), reg);
