@@ -229,7 +229,7 @@ TEST(PixelShader, NotesSayWhatIsLeftToOthers) {
   EXPECT_EQ(shader_notes("ps.1.1\ntex t0\ntexbem t1, t0\nmul r0.rgb, t1, c4\nadd r0.rgb, r0, c0\n"),
             "2:1: tex and texbem are executed before the combiners, and skipped; t0 and t1 hold the result\n"
             "2:1: r0.a is not written; it begins as texture 0's alpha\n"
-            "4:17: c0 and c4 are not defined here; the application sets them, 0 is assumed\n");
+            "4:17: c0 and c4 are not defined here; the application sets them\n");
   EXPECT_EQ(shader_notes("xps.1.1\n#include \"names.h\"\ndef c0, 2, 0, -1, 0\nmov r0, c0"),
             "2:1: skipped '\"names.h\"'; its names are not known\n3:5: c0 is clamped to 0 to 1\n");
   EXPECT_EQ(shader_notes("ps.1.1\nmov r0, v0"), "");

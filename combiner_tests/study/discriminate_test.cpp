@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <functional>
 #include <map>
 
 #include "combiner_tests/study/proof_support.h"
@@ -39,7 +40,8 @@ TEST(Discriminate, EachFieldByTheFewestGeneralCombiners) {
                                              {"final_narrowing", 0},
                                              {"spare0_alpha_without_texture0", 0},
                                              {"disabled_texture_alpha", 0},
-                                             {"secondary_alpha", 0}};
+                                             {"secondary_alpha", 0},
+                                             {"fog_alpha_without_fog", 0}};
   for (const HardwareProfile* profile : {&profiles::geforce2, &profiles::nv2a}) {
     for (const auto& [name, count] : combiners) {
       const HardwareProfile rival = rival_of(*profile, name);
@@ -80,6 +82,49 @@ TEST(Discriminate, RealNumbersAreSearchedToo) {
   HardwareProfile with_alpha = profiles::ideal;
   with_alpha.disabled_texture_alpha.value = 255 - with_alpha.disabled_texture_alpha.value;
   EXPECT_TRUE(ask(profiles::ideal, with_alpha).found);
+}
+
+// A difference in any one field of the combiners is shown by a program or proved invisible.
+TEST(Discriminate, NoSingleFieldIsUnknown) {
+  using P = HardwareProfile;
+  struct Change {
+    const char* name;
+    std::function<void(P&)> make;
+    bool is_visible;
+  };
+  const auto byte = [](Choice<int> P::*field, int value) { return [=](P& p) { (p.*field).value = value; }; };
+  const std::vector<Change> changes{
+      {"lowest", byte(&P::lowest, -256), false},
+      {"half", byte(&P::half, 126), true},
+      {"half 1", byte(&P::half, 129), true},
+      {"half 0", byte(&P::half, 0), true},
+      {"spare0_alpha_without_texture0", byte(&P::spare0_alpha_without_texture0, 254), true},
+      {"disabled_texture_alpha", byte(&P::disabled_texture_alpha, 254), true},
+      {"fog_alpha_without_fog", byte(&P::fog_alpha_without_fog, 254), true},
+      {"fog_alpha_without_fog 0", byte(&P::fog_alpha_without_fog, 0), true},
+      {"secondary_alpha", [](P& p) { p.secondary_alpha.value = SecondaryAlpha::as_given; }, true},
+      {"byte_shift", byte(&P::byte_shift, 1), true},
+      {"expand_offset", byte(&P::expand_offset, 256), true},
+      {"lowest_output", [](P& p) { p.lowest.value = p.lowest_output.value = -256; }, true},
+      {"general_narrowing", [](P& p) { p.general_narrowing.value = Narrowing::nearest_halves_up; }, true},
+      {"narrowing_point", [](P& p) { p.narrowing_point.value = NarrowingPoint::before_scale; }, true},
+      {"final_narrowing", [](P& p) { p.final_narrowing.value = Narrowing::toward_zero; }, true},
+      // What one of them alone has is no part of a program for both.
+      {"general_combiners", byte(&P::general_combiners, 8), false},
+      {"texture_units", byte(&P::texture_units, 4), false},
+      {"per_stage_constants", [](P& p) { p.per_stage_constants.value = true; }, false},
+      {"blue_to_alpha", [](P& p) { p.blue_to_alpha.value = true; }, false},
+      {"mux_by_lowest_bit", [](P& p) { p.mux_by_lowest_bit.value = true; }, false},
+      {"color_sum_inverts", [](P& p) { p.color_sum_inverts.value = true; }, false}};
+  for (const Change& change : changes) {
+    HardwareProfile other = profiles::geforce2;
+    change.make(other);
+    const Discrimination answer = ask(profiles::geforce2, other);
+    ASSERT_EQ(answer.answer, change.is_visible ? ProofAnswer::refuted : ProofAnswer::proved) << change.name;
+    if (!change.is_visible) continue;
+    EXPECT_EQ(answer.a, shown_by(*answer.found, profiles::geforce2)) << answer.found->rc10;
+    EXPECT_EQ(answer.b, shown_by(*answer.found, other)) << answer.found->rc10;
+  }
 }
 
 TEST(Discriminate, CanBeCancelled) {

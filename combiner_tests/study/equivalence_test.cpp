@@ -7,12 +7,17 @@
 #include "combiner_tests/combiner/random_state.h"
 #include "combiner_tests/study/proof_support.h"
 #include "ninebit/combiner/validate.h"
+#include "ninebit/language/pixel_shader.h"
 
 namespace ninebit::test {
 namespace {
 
 ProofSubject subject(const CombinerState& state, const HardwareProfile& profile = profiles::geforce2) {
-  return {state, profile, {}};
+  return {state, profile, {}, false};
+}
+
+ProofSubject shader(const std::string& body, const HardwareProfile& profile = profiles::geforce2) {
+  return subject(parse_pixel_shader({"ps.1.1\ntex t0\n" + body, ""}, profile).value(), profile);
 }
 
 EquivalenceAnswer ask(const ProofSubject& a, const ProofSubject& b, const EquivalenceOptions& options = {}) {
@@ -26,8 +31,17 @@ void expect_confirmed(const ProofSubject& a, const ProofSubject& b, const Equiva
   ASSERT_TRUE(answer.counterexample);
   const Counterexample& example = *answer.counterexample;
   const auto value = [&](const ProofSubject& side) -> int {
-    const EvaluatedFragment fragment =
-        evaluate_fragment(normalize(side.state, side.profile), registers_of(side.profile, example.inputs));
+    Program program = normalize(side.state, side.profile);
+    for (const ProofInput& input : example.inputs) {
+      const auto c = static_cast<std::size_t>(input.component);
+      const auto put = [&](auto& part) {
+        if (input.constant && part.unset[0] == input.constant) part.constant0[c] = from_byte(side.profile, input.byte);
+        if (input.constant && part.unset[1] == input.constant) part.constant1[c] = from_byte(side.profile, input.byte);
+      };
+      for (ProgramStage& stage : program.general) put(stage);
+      put(program);
+    }
+    const EvaluatedFragment fragment = evaluate_fragment(program, registers_of(side.profile, example.inputs));
     const auto i = static_cast<std::size_t>(example.target.component);
     return example.target.reg ? fragment.registers[*example.target.reg][i] : to_byte(side.profile, fragment.color[i]);
   };
@@ -53,6 +67,106 @@ TEST(Equivalence, TheArticlesProgramAndAShorterOne) {
   EXPECT_EQ(proved.answer, ProofAnswer::proved) << proved.reason;
   EXPECT_EQ(proved.method, ProofMethod::exhaustive);
   EXPECT_GT(proved.cases, std::uint64_t{127} * 127 * 127);  // the differences of three channels, all combinations
+}
+
+// Constants that programs do not set are inputs; one that both do not set is the same input.
+TEST(Equivalence, ConstantsThatAreNotSet) {
+  const std::string end = "\nout.a = zero;\n";
+  const ProofSubject product = subject(rc10("out.rgb = tex0 * const0;" + end)),
+                     turned = subject(rc10("out.rgb = const0 * tex0;" + end)),
+                     alone = subject(rc10("out.rgb = const0;" + end)),
+                     zero = subject(rc10("const0 = (0, 0, 0, 0);\nout.rgb = tex0 * const0;" + end)),
+                     black = subject(rc10("out.rgb = zero;" + end)),
+                     second = subject(rc10("out.rgb = tex0 * const1;" + end));
+  for (const ProofSubject* other : {&alone, &zero, &black, &second}) {
+    const EquivalenceAnswer answer = ask(product, *other);
+    ASSERT_EQ(answer.answer, ProofAnswer::refuted);
+    expect_confirmed(product, *other, answer);
+  }
+  EXPECT_EQ(ask(product, turned).answer, ProofAnswer::proved);
+  EXPECT_EQ(ask(zero, black).answer, ProofAnswer::proved);
+  // Only cases decide a register, and all of them are run.
+  EquivalenceOptions spare;
+  spare.targets = {{Register::spare0, kRed}};
+  const EquivalenceAnswer squares =
+      ask(subject(rc10("{ rgb { spare0 = const0 * tex0; } }\nout.rgb = spare0;" + end)),
+          subject(rc10("{ rgb { spare0 = tex0 * const0; } }\nout.rgb = spare0;" + end)), spare);
+  EXPECT_EQ(squares.answer, ProofAnswer::proved);
+  EXPECT_GE(squares.cases, 65536U);
+  // A fixed input is no input.
+  EquivalenceOptions fixed;
+  for (int c = 0; c < 4; ++c) fixed.fixed.push_back({Register::zero, c, 0, ConstantName{0}});
+  EXPECT_EQ(ask(product, black, fixed).answer, ProofAnswer::proved);
+  fixed.fixed[1].byte = 255;
+  const EquivalenceAnswer green = ask(product, black, fixed);
+  ASSERT_EQ(green.answer, ProofAnswer::refuted);
+  EXPECT_EQ(green.counterexample->target.component, kGreen);
+  ASSERT_EQ(green.counterexample->inputs.size(), 1U);
+  EXPECT_EQ(green.counterexample->inputs[0].name(), "tex0.g");
+  EquivalenceOptions texture;
+  for (int c = 0; c < 3; ++c) texture.fixed.push_back({Register::texture0, c, 255, {}});
+  EXPECT_EQ(ask(product, alone, texture).answer, ProofAnswer::proved);
+  // The solver has the same inputs.
+  EquivalenceOptions solver;
+  solver.most_cases = 0;
+  solver.random_cases = 1 << 16;
+  const EquivalenceAnswer asked =
+      ask(subject(rc10("{ rgb { spare0 = tex0; } }\nout.rgb = spare0 * const0;" + end)), product, solver);
+  EXPECT_NE(asked.answer, ProofAnswer::refuted);
+  // In real numbers, too.
+  const auto in_real = [](const ProofSubject& side) { return subject(side.state, profiles::ideal); };
+  EXPECT_EQ(ask(in_real(product), in_real(alone)).answer, ProofAnswer::refuted);
+  EXPECT_EQ(ask(in_real(product), in_real(turned)).answer, ProofAnswer::proved);
+}
+
+// A shader's constants are told apart by their numbers, wherever the combiners have them.
+TEST(Equivalence, ConstantsOfShaders) {
+  const auto refuted = [](const std::string& a, const std::string& b) {
+    const EquivalenceAnswer answer = ask(shader(a), shader(b));
+    if (answer.answer == ProofAnswer::refuted) expect_confirmed(shader(a), shader(b), answer);
+    return answer.answer == ProofAnswer::refuted;
+  };
+  EXPECT_TRUE(refuted("add r0, t0, -c0\n", "mov r0, t0\n"));
+  EXPECT_TRUE(refuted("mul r0, t0, c0\n", "mul r0, t0, c1\n"));
+  EXPECT_TRUE(refuted("mul r0, t0, c7\n", "mul r0, t0, c6\n"));
+  // The second reads c1 first, which is its constant 0.
+  const HardwareProfile& chip = profiles::nv2a;
+  EXPECT_EQ(ask(shader("mul r0, t0, c0\nadd r0, r0, c1\n", chip),
+                shader("mov r1, c1\nmul r0, t0, c0\nadd r0, r0, r1\n", chip))
+                .answer,
+            ProofAnswer::proved);
+  EXPECT_EQ(ask(shader("mad r0, t0, c0, c1\n"), shader("mad r0, c0, t0, c1\n")).answer, ProofAnswer::proved);
+  // Four constants: each general combiner has its own, and those of one number are one input.
+  const std::string sum = "mul r0, t0, c0\nmad r0, t0, c1, r0\nmad r0, t0, c2, r0\nmad r0, v0, c0, r0\n";
+  const std::string changed = "mul r0, t0, c0\nmad r0, t0, c1, r0\nmad r0, t0, c2, r0\nmad r0, v0, c3, r0\n";
+  const ProofSubject four = shader(sum, profiles::nv2a), other = shader(changed, profiles::nv2a);
+  EXPECT_EQ(ask(four, four).answer, ProofAnswer::proved);
+  const EquivalenceAnswer answer = ask(four, other);
+  ASSERT_EQ(answer.answer, ProofAnswer::refuted);
+  expect_confirmed(four, other, answer);
+}
+
+// Constants of general combiners' own, of which some are set.
+TEST(Equivalence, ConstantsOfGeneralCombinersOwn) {
+  const HardwareProfile& profile = profiles::nv2a;
+  const std::string end = "out.rgb = spare0;\nout.a = zero;\n";
+  const auto program = [&](const std::string& body) { return subject(rc10(body + end, profile), profile); };
+  const ProofSubject some =
+      program("{ const0 = (1, 1, 1, 1); rgb { spare0 = tex0 * const0; } }\n{ rgb { spare0 = spare0 * const0; } }\n");
+  const ProofSubject plain =
+      program("{ const1 = (0, 0, 0, 0); rgb { spare0 = tex0 * const1; } }\n{ rgb { spare0 = tex0 * const0; } }\n");
+  const ProofSubject half =
+      program("{ const0 = (0.5, 1, 1, 1); rgb { spare0 = tex0 * const0; } }\n{ rgb { spare0 = spare0 * const0; } }\n");
+  EquivalenceOptions red;
+  red.targets = {{Register::spare0, kRed}};
+  const EquivalenceAnswer same = ask(some, plain, red);
+  EXPECT_EQ(same.answer, ProofAnswer::proved) << same.reason;
+  EXPECT_GE(same.cases, 65536U);
+  const EquivalenceAnswer answer = ask(some, half);
+  ASSERT_EQ(answer.answer, ProofAnswer::refuted);
+  expect_confirmed(some, half, answer);
+  ASSERT_EQ(answer.counterexample->inputs.size(), 2U);
+  EXPECT_EQ(answer.counterexample->inputs[1].name(), "stage1.const0.r");
 }
 
 TEST(Equivalence, FourLiveBytes) {

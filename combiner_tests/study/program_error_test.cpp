@@ -105,7 +105,7 @@ TEST(ProgramErrors, DeepProgramsStayExact) {
 }
 
 TEST(ProgramErrors, WhatIsNotNamedReadsAsInEval) {
-  const Datapath d = datapath_of(profiles::geforce2);
+  const HardwareProfile& d = profiles::geforce2;
   const auto alphas = Fragments::of(d, {.components = {{Register::texture0, kAlpha}}, .codes = {}});
   ASSERT_TRUE(alphas.ok());
   EXPECT_EQ(alphas->count(), 256U);

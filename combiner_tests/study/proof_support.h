@@ -52,6 +52,7 @@ inline int shown_by(const Discriminator& program, const HardwareProfile& profile
   if (!parsed) throw std::runtime_error(parsed.faults().front().text());
   FragmentInputs inputs;
   inputs.primary.fill(program.bytes[2]);
+  if (!program.fog_off) inputs.fog_factor = 0;
   for (std::size_t unit = 0; unit < 2; ++unit) {
     const std::uint8_t byte = program.bytes[unit];
     if (!program.texture_off[unit]) inputs.texture[unit] = Texel{.value = {byte, byte, byte, byte}};

@@ -35,7 +35,8 @@ TEST(Stability, TheFieldsOfAProfile) {
             !(datapath_of(other) == datapath_of(*profile)) ||
             other.spare0_alpha_without_texture0.value != profile->spare0_alpha_without_texture0.value ||
             other.disabled_texture_alpha.value != profile->disabled_texture_alpha.value ||
-            other.secondary_alpha.value != profile->secondary_alpha.value;
+            other.secondary_alpha.value != profile->secondary_alpha.value ||
+            other.fog_alpha_without_fog.value != profile->fog_alpha_without_fog.value;
         EXPECT_TRUE(differs) << field.name;
       }
     }
@@ -75,6 +76,21 @@ TEST(Stability, EachFieldHasAProgramThatSeesIt) {
   const StabilityAnswer lowest = ask(sums, undecided);
   EXPECT_EQ(effects(lowest).at("lowest_output"), ProofAnswer::refuted);
   EXPECT_EQ(lowest.answer, ProofAnswer::refuted);
+}
+
+// The extension decides fog's alpha without fog; a profile file leaves it open.
+TEST(Stability, FogThatIsOff) {
+  const CombinerState program = rc10("out.rgb = fog.a; out.a = zero;\n");
+  EXPECT_EQ(effects(ask(program)).count("fog_alpha_without_fog"), 0U);
+  HardwareProfile undecided = profiles::geforce2;
+  undecided.fog_alpha_without_fog = {255, Evidence::assumed, "test"};
+  const StabilityAnswer answer = ask(program, undecided);
+  EXPECT_EQ(effects(answer).at("fog_alpha_without_fog"), ProofAnswer::refuted);
+  for (const FieldEffect& effect : answer.fields) {
+    EXPECT_EQ(effect.fog_off, effect.field.name == "fog_alpha_without_fog") << effect.field.name;
+  }
+  EXPECT_EQ(effects(ask(rc10("out.rgb = fog; out.a = zero;\n"), undecided)).at("fog_alpha_without_fog"),
+            ProofAnswer::proved);
 }
 
 TEST(Stability, RealNumbersHaveNoOpenFields) {

@@ -65,7 +65,7 @@ TEST_F(Eval, MissingColumns) {
     return lines.at(1);
   };
   EXPECT_EQ(registers("primary.g\n7\n"),
-            "0,7,0,0,0,0,0,0,0,0,0,0,0,0,0,255,0,7,0,0,0,0,0,0,0,7,0,0,0,0,0,0,0,0,0,255,0,0,0,255");
+            "0,7,0,0,0,0,0,0,0,0,0,0,0,0,0,255,0,7,0,0,0,0,0,255,0,7,0,0,0,0,0,0,0,0,0,255,0,0,0,255");
   CombinerState state = article_state();  // leaves spare0's alpha alone
   const std::string quiet = write_program(folder_, "quiet.json", state);
   const auto spare0_alpha = [&](const std::string& table) {
@@ -75,6 +75,33 @@ TEST_F(Eval, MissingColumns) {
   EXPECT_EQ(spare0_alpha("primary.r\n1\n"), 255);
   EXPECT_EQ(spare0_alpha("tex0.a\n31\n"), 31);
   EXPECT_EQ(spare0_alpha("tex0.a,spare0.a\n31,-77\n"), -77);
+}
+
+// eval, trace, verify and the study of a program take missing components from the profile.
+TEST_F(Eval, MissingComponentsAreTheProfiles) {
+  const std::string profile = write_bytes(folder_ / "own.json",
+                                          R"({"base": "geforce2", "name": "own", "disabled_texture_alpha": 17,
+                                              "fog_alpha_without_fog": 9, "secondary_alpha": "as-given"})");
+  const std::vector<std::pair<std::string, std::array<std::string, 2>>> expected{
+      {"col1.a", {"255", "0"}}, {"fog.a", {"255", "9"}}, {"tex1.a", {"255", "17"}}, {"spare0.a", {"255", "17"}}};
+  const std::string table = write_bytes(folder_ / "one.csv", "primary.r\n1\n");
+  for (const auto& [source, codes] : expected) {
+    const std::string program =
+        write_bytes(folder_ / "alpha.rc1", "!!RC1.0\nout.rgb = " + source + ";\nout.a = zero;\n");
+    for (std::size_t i = 0; i < 2; ++i) {
+      const std::string named = i == 0 ? "geforce2" : profile;
+      SCOPED_TRACE(source + ' ' + named);
+      const Outcome row = ninebit({"eval", program, "--inputs", table, "--profile", named});
+      EXPECT_EQ(lines_of(row.out).at(1).substr(0, codes[i].size() + 1), codes[i] + ',') << row.err;
+      const Json traced = Json::parse(ninebit({"trace", program, "--profile", named, "--json"}).out);
+      EXPECT_EQ(traced["out"]["bytes"][0].dump(), codes[i]);
+      const std::string rows = write_bytes(folder_ / "rows.csv", "out.r\n" + codes[i] + "\n");
+      EXPECT_EQ(ninebit({"verify", rows, "--program", program, "--profile", named}).code, 0);
+      const Json study = Json::parse(
+          ninebit({"study", "datapath", "--program", program, "--inputs", table, "--profile", named, "--json"}).out);
+      EXPECT_EQ(study["rows"][0]["worst_code"].dump(), codes[i]);
+    }
+  }
 }
 
 // Random programs and tables: both engines, and the library's evaluator called here.

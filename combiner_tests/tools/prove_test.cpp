@@ -93,6 +93,73 @@ TEST_F(Prove, OtherProfilesAndOutputs) {
   expect_error(equivalent(same_, {"--outputs", "spare2.a"}), 2, {"--outputs", "spare2.a", "expected", "spare0.a"});
 }
 
+// Constants that a program does not set are inputs: --set fixes one, --free frees one.
+TEST_F(Prove, ConstantsThatAreNotSet) {
+  const auto program = [&](const std::string& name, const std::string& body) {
+    return write_bytes(folder_ / name, "!!RC1.0\n" + body + "out.a = tex0.a;\n");
+  };
+  const std::string a = program("a.rc1", "out.rgb = tex0 * const0;\n"), b = program("b.rc1", "out.rgb = const0;\n"),
+                    c = program("c.rc1", "const0 = (0, 0, 0, 0);\nout.rgb = tex0 * const0;\n");
+  const auto ask = [](const Words& more) {
+    Words words{"prove", "equivalent"};
+    words.insert(words.end(), more.begin(), more.end());
+    return ninebit(words);
+  };
+  const Outcome refuted = ask({a, b, "--json"});
+  EXPECT_EQ(refuted.code, 1);
+  EXPECT_NE(refuted.err.find("a.rc1: const0 is not set: an input of the question"), std::string::npos) << refuted.err;
+  EXPECT_TRUE(Json::parse(refuted.out)["counterexample"]["inputs"].contains("const0.r")) << refuted.out;
+  EXPECT_EQ(ask({a, a, "--quiet"}).code, 0);
+  EXPECT_EQ(ask({a, c, "--quiet"}).code, 1);
+  EXPECT_EQ(ask({a, c, "--quiet", "--set", "const0=0,0,0,0"}).code, 0);
+  EXPECT_EQ(ask({a, b, "--quiet", "--set", "const0=0,0,0,9"}).code, 0);
+  EXPECT_EQ(ask({a, b, "--quiet", "--set", "const0.r=0", "--outputs", "out.r"}).code, 0);
+  EXPECT_EQ(ask({a, b, "--quiet", "--set", "const0.r=0"}).code, 1);
+  EXPECT_EQ(ask({a, c, "--quiet", "--free", "const0"}).code, 0);
+  EXPECT_EQ(ask({b, c, "--quiet", "--free", "const0"}).code, 1);
+  EXPECT_EQ(ask({b, c, "--quiet", "--free", "const0", "--set", "tex0=255,255,255,0"}).code, 0);
+  expect_error(ask({c, c, "--set", "const0=1,2,3,4"}), 2, {"--set", "const0", "--free const0"});
+  expect_error(ask({a, b, "--set", "const0.r=256"}), 2, {"--set", "0 to 255"});
+  expect_error(ask({a, b, "--set", "const0=1,2"}), 2, {"--set", "R,G,B,A"});
+  expect_error(ask({a, b, "--set", "spare0.a=1"}), 2, {"--set", "spare0", "expected"});
+  expect_error(ask({a, b, "--set", "const0.r=1", "--set", "const0=1,2,3,4"}), 2, {"const0.r is set twice"});
+  expect_error(ask({a, b, "--free", "const1"}), 2, {"--free const1"});
+  const std::string final_only = program("d.rc1", "out.rgb = lerp(const0, tex0, tex1);\n");
+  EXPECT_EQ(ninebit({"prove", "stable", final_only, "--quiet"}).code, 1) << "final_narrowing matters";
+  EXPECT_EQ(ninebit({"prove", "stable", final_only, "--quiet", "--set", "const0=0,0,0,0"}).code, 0);
+}
+
+// Verbs that need a colour say which they assume.
+TEST_F(Prove, OtherVerbsSayWhatTheyAssume) {
+  const std::string program =
+      write_bytes(folder_ / "tint.rc1", "!!RC1.0\nout.rgb = tex0 * const0;\nout.a = const1.a;\n");
+  const std::string table = write_bytes(folder_ / "in.csv", "tex0.r,const1.a\n255,3\n");
+  const Outcome eval = ninebit({"eval", program, "--inputs", table});
+  EXPECT_NE(eval.err.find("tint.rc1: const0 is not set; 0 is assumed"), std::string::npos) << eval.err;
+  EXPECT_EQ(ninebit({"eval", program, "--inputs", table, "--quiet"}).err, "");
+  const Outcome trace = ninebit({"trace", program, "--set", "const0=1,1,1,1"});
+  EXPECT_NE(trace.err.find("const1 is not set; 0 is assumed"), std::string::npos) << trace.err;
+  const std::string rows = write_bytes(folder_ / "rows.csv", "tex0.r,out.r\n255,0\n");
+  const Outcome verify = ninebit({"verify", rows, "--program", program});
+  EXPECT_NE(verify.err.find("const0, const1 are not set; 0 is assumed"), std::string::npos) << verify.err;
+  const Outcome c = ninebit({"convert", program, "--to", "c"}), gl = ninebit({"convert", program, "--to", "gl"});
+  EXPECT_NE(c.err.find("const0, const1 are not set; 0 is assumed"), std::string::npos) << c.err;
+  EXPECT_EQ(gl.err, "");
+  const Words draw{"draw", program, "--size", "8x8", "--tex0", "checker", "--json", "-o", folder_ / "p.png"};
+  const std::string warnings = json_of(ninebit(draw))["warnings"].dump();
+  EXPECT_NE(warnings.find("const0 is not set; 0 is assumed"), std::string::npos) << warnings;
+  EXPECT_NE(warnings.find("const1 is not set; 0 is assumed"), std::string::npos) << warnings;
+  Words given = draw;
+  for (const char* word : {"--const0", "1,1,1,1", "--const1", "0,0,0,1"}) given.emplace_back(word);
+  EXPECT_EQ(json_of(ninebit(given))["warnings"], Json::array());
+  // A study takes them as inputs; a table must have them.
+  const std::string shade = write_bytes(folder_ / "shade.rc1", "!!RC1.0\nout.rgb = zero;\nout.a = const1.a;\n");
+  const Json study = json_of(ninebit({"study", "datapath", "--program", shade, "--over", "tex0.r", "--json"}));
+  EXPECT_EQ(study["rows"][0]["fragments"], 65536);
+  const std::string codes = write_bytes(folder_ / "codes.csv", "tex0.r\n255\n");
+  expect_error(ninebit({"study", "datapath", "--program", shade, "--inputs", codes}), 3, {"const1.a", "columns"});
+}
+
 // Without a solver there are exhaustive proofs, and a sentence where they do not reach.
 TEST_F(Prove, WithoutASolver) {
   const char* const before = std::getenv("PATH");

@@ -131,8 +131,13 @@ Result<Texture> effect_texture(const Effect& effect, const EffectTexture& textur
 namespace {
 
 Status set_constants(const EffectConstants& constants, CombinerState& state) {
-  if (constants.global[0]) state.constant0 = *constants.global[0];
-  if (constants.global[1]) state.constant1 = *constants.global[1];
+  for (std::size_t which = 0; which < 2; ++which) {
+    if (!constants.global[which]) continue;
+    (which == 0 ? state.constant0 : state.constant1) = *constants.global[which];
+    for (std::size_t place = state.per_stage_constants ? kFinalConstants : 0; place <= kFinalConstants; ++place) {
+      state.origin[place][which] = {};
+    }
+  }
   for (std::size_t i = 0; i < constants.of_combiner.size(); ++i) {
     const EffectConstants::Pair& own = constants.of_combiner[i];
     if (!own[0] && !own[1]) continue;
@@ -147,8 +152,11 @@ Status set_constants(const EffectConstants& constants, CombinerState& state) {
         combiner.constant1 = state.constant1;
       }
     }
-    if (own[0]) state.general[i].constant0 = *own[0];
-    if (own[1]) state.general[i].constant1 = *own[1];
+    for (std::size_t which = 0; which < 2; ++which) {
+      if (!own[which]) continue;
+      (which == 0 ? state.general[i].constant0 : state.general[i].constant1) = *own[which];
+      state.origin[i][which] = {};
+    }
   }
   return {};
 }
@@ -167,6 +175,9 @@ Result<Program> effect_program(const Effect& effect, const EffectPass& pass, con
     Diagnostic fault = program.error();
     fault.file = file.string();
     return fault_in(part, fault);
+  }
+  for (const ConstantName name : unset_constants(*program)) {
+    warnings.push_back(part + ": " + name_of_constant(name) + " is not set; 0 is assumed");
   }
   for (std::size_t unit = 0; unit < kEffectUnits; ++unit) {
     if (!pass.units[unit].texture.empty() || !reads_initial(*program, kTextureRegisters[unit])) continue;

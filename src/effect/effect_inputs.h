@@ -23,7 +23,8 @@ namespace ninebit {
 [[nodiscard]] Result<Texture> effect_texture(const Effect& effect, const EffectTexture& texture,
                                              const HardwareProfile& profile, const EffectReaders& readers);
 
-// The program of a pass with its constants. Adds a warning for each unit without a texture that the program reads.
+// The program of a pass with its constants. Adds a warning for each unit without a texture that the program reads,
+// and for each constant that it reads and nobody set.
 [[nodiscard]] Result<Program> effect_program(const Effect& effect, const EffectPass& pass,
                                              const HardwareProfile& profile, const EffectReaders& readers,
                                              std::vector<std::string>& warnings);

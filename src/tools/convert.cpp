@@ -114,6 +114,10 @@ int run(const ConvertFlags& flags) {
     return report(lacking);
   }
   say_left_out(flags, program->other_words);
+  const bool has_values = flags.to == "xbox" || flags.to == "c" || flags.to.starts_with("glsl");
+  if (has_values && !flags.common.quiet) {
+    say_assumed_constants(flags.program.file, normalize(program->state, profile), {});
+  }
   if (!flags.common.json) return write(flags, *text);
   Json row{{"form", flags.to}};
   if (flags.output.empty()) {

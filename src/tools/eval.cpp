@@ -117,6 +117,7 @@ Result<std::size_t> evaluate_table(const EvalFlags& flags, const CombinerState& 
   const HardwareProfile& profile = profile_of(flags.common);
   auto table = EvalTable::open(flags.inputs, profile);
   if (!table) return table.error();
+  if (!flags.common.quiet) say_assumed_constants(flags.program.file, normalize(state, profile), table->columns);
   const EvalRows rows(table->columns, profile);
   EvalRunner runner(state, profile, rows, flags.engine == "simd" ? EvalEngine::simd : EvalEngine::reference);
 
@@ -157,9 +158,10 @@ void add_eval(CLI::App& app, int& exit_code) {
   verb->footer(
       "The table has a header such as primary.r,tex0.a,const0.g,spare0.a; its rows are whole numbers. In most\n"
       "profiles, 255 is 1.0. Defaults for missing columns:\n"
-      "  alpha of textures and fog   1.0\n"
+      "  alpha of textures, fog      what the profile gives a unit that is off, and fog that is off\n"
+      "  secondary.a                 1.0 where the profile's secondary_alpha is one, else 0\n"
       "  spare0.a                    the value of tex0.a\n"
-      "  const0, const1              the program's own constants\n"
+      "  const0, const1              the program's own constants; 0, with a note, if it does not set them\n"
       "  all others                  0\n"
       "A column for a constant replaces the constant in every stage. Results are written to standard output as\n"
       "they are computed; if a row is invalid, the rows before it have already been written.\n"

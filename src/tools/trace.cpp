@@ -97,6 +97,9 @@ int print(const TraceFlags& flags, const Drawn& drawn, const Program* program, c
 int trace_set(const TraceFlags& flags, std::optional<Program> program) {
   const auto inputs = parse_trace_inputs(flags.set, profile_of(flags.common));
   if (!inputs) return wrong_usage(inputs.error().message);
+  std::vector<EvalColumn> given;
+  for (const auto& [column, code] : inputs->constants) given.push_back(column);
+  if (!flags.common.quiet) say_assumed_constants(flags.program.file, *program, given);
   for (const auto& [column, code] : inputs->constants) replace_constant(*program, column.reg, column.component, code);
   return print(flags, {.profile = &profile_of(flags.common)}, &*program, inputs->registers);
 }
@@ -157,9 +160,9 @@ void add_trace(CLI::App& app, int& exit_code) {
   verb->footer(
       "--set gives the registers of the fragment; --scene or --effect, and --pixel, take them from a picture. "
       "Registers that\n"
-      "are not set have the defaults of `ninebit eval`: 1.0 for alpha of textures and fog, tex0.a for spare0.a, the\n"
-      "program's own const0 and const1, and 0 for all others. With --scene, the technique's program is traced; a\n"
-      "PROGRAM given with it is traced instead.\n"
+      "are not set have the defaults of `ninebit eval` (see its --help). With --scene, the technique's program is "
+      "traced;\n"
+      "a PROGRAM given with it is traced instead.\n"
       "Examples:\n"
       "  ninebit trace compare.gl --set primary=102,0,0,0 --set tex0=100,0,0,255\n"
       "  ninebit trace compare.gl --set primary.r=102 --set tex0.r=101 --profile nv2a --json\n"

@@ -16,8 +16,9 @@ namespace NINEBIT_PUBLIC ninebit {
 
 // A general combiner of a program: its portions, and its constants as codes.
 struct ProgramStage {
-  Portion rgb, alpha;              // normalized
-  Rgba9 constant0{}, constant1{};  // codes
+  Portion rgb, alpha;                                  // normalized
+  Rgba9 constant0{}, constant1{};                      // codes
+  std::array<std::optional<ConstantName>, 2> unset{};  // constants 0 and 1, if they are read and nobody set them
   bool mux_by_lowest_bit = false;  // whether muxes test the lowest bit of spare0's alpha instead of the threshold
   friend constexpr bool operator==(const ProgramStage&, const ProgramStage&) = default;
 };
@@ -34,6 +35,7 @@ struct Program {
   std::array<ProgramStage, kMaxGeneralCombiners> general{};  // those past the last do nothing
   FinalCombiner final_combiner{};                            // normalized
   Rgba9 constant0{}, constant1{};                            // of the final combiner, codes
+  std::array<std::optional<ConstantName>, 2> unset{};        // the same as in a stage, of the final combiner
   friend constexpr bool operator==(const Program&, const Program&) = default;
 };
 
@@ -106,6 +108,9 @@ constexpr Rgba9 constant_codes(const HardwareProfile& profile, const ColorF& col
   const auto codes_if = [&](bool read, const ColorF& color) {
     return read ? detail::constant_codes(profile, color) : Rgba9{};
   };
+  const auto unset_if = [&](bool read, std::size_t place, std::size_t which) {
+    return read && state.origin[place][which].unset ? std::optional(constant_name(state, place, which)) : std::nullopt;
+  };
   Program program;
   program.datapath = datapath_of(profile);
   program.num_general_combiners = state.num_general_combiners;
@@ -123,17 +128,23 @@ constexpr Rgba9 constant_codes(const HardwareProfile& profile, const ColorF& col
     const auto read = [&](Register r) { return detail::reads(stage.rgb, r) || detail::reads(stage.alpha, r); };
     stage.constant0 = codes_if(read(Register::constant0), state.per_stage_constants ? from.constant0 : state.constant0);
     stage.constant1 = codes_if(read(Register::constant1), state.per_stage_constants ? from.constant1 : state.constant1);
+    stage.unset = {unset_if(read(Register::constant0), i, 0), unset_if(read(Register::constant1), i, 1)};
   }
   const FinalCombiner& f = program.final_combiner = detail::normalize_final(state.final_combiner);
   const auto read = [&](Register r) { return detail::reads_directly(f, r) || f.e.reg == r || f.f.reg == r; };
   program.constant0 = codes_if(read(Register::constant0), state.constant0);
   program.constant1 = codes_if(read(Register::constant1), state.constant1);
+  program.unset = {unset_if(read(Register::constant0), kFinalConstants, 0),
+                   unset_if(read(Register::constant1), kFinalConstants, 1)};
   const bool sums = read(Register::spare0_plus_secondary);
   program.color_sum_clamp = state.color_sum_clamp || !sums;
   program.color_sum_invert_spare0 = state.color_sum_invert_spare0 && sums;
   program.color_sum_invert_secondary = state.color_sum_invert_secondary && sums;
   return program;
 }
+
+// The constants that the program reads and that are not set, each once.
+[[nodiscard]] std::vector<ConstantName> unset_constants(const Program& program);
 
 // Validates and normalizes. If the state is invalid, the Diagnostic holds all messages, one per line.
 [[nodiscard]] Result<Program> compile(const CombinerState& state, const HardwareProfile& profile);

@@ -3,6 +3,11 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
 
 #include "ninebit/combiner/registers.h"
 #include "ninebit/numerics/visibility.h"
@@ -79,6 +84,25 @@ struct FinalCombiner {
   friend constexpr bool operator==(const FinalCombiner&, const FinalCombiner&) = default;
 };
 
+// Constants by place: of each general combiner, then, last, of the final combiner; constant 0 and 1.
+template <class T>
+using ByConstant = std::array<std::array<T, 2>, kMaxGeneralCombiners + 1>;
+// The place of the final combiner's constants.
+inline constexpr std::size_t kFinalConstants = kMaxGeneralCombiners;
+
+// Colours that a program may read as constants: const0 to const15, then constant 0 and 1 of each general combiner that
+// has constants of its own. OpenGL's programs have const0 and const1; Direct3D's c0 to c15 are const0 to const15.
+inline constexpr std::size_t kConstantNames = 16 + 2 * kMaxGeneralCombiners;
+// Such a colour's number, from 0 to kConstantNames - 1.
+using ConstantName = std::uint8_t;
+
+// Where a constant that a program reads comes from.
+struct ConstantOrigin {
+  bool unset = false;                  // nobody gave its colour: the state holds 0, and proofs take it as an input
+  std::optional<ConstantName> name{};  // that the program's text has for it; empty: the one of its place
+  friend constexpr bool operator==(const ConstantOrigin&, const ConstantOrigin&) = default;
+};
+
 // The whole state: the values that GL's Get calls would return.
 struct CombinerState {
   int num_general_combiners = 1;            // GL_NUM_GENERAL_COMBINERS_NV: 1 to the profile's number
@@ -90,9 +114,36 @@ struct CombinerState {
   ColorF constant0{};                       // GL_CONSTANT_COLOR0_NV
   ColorF constant1{};                       // GL_CONSTANT_COLOR1_NV
   std::array<GeneralCombiner, kMaxGeneralCombiners>
-      general{};                   // those past num_general_combiners are kept but do nothing
-  FinalCombiner final_combiner{};  // computes the colour
+      general{};                        // those past num_general_combiners are kept but do nothing
+  FinalCombiner final_combiner{};       // computes the colour
+  ByConstant<ConstantOrigin> origin{};  // of the constants that are read; set by parsers
   friend constexpr bool operator==(const CombinerState&, const CombinerState&) = default;
 };
+
+// "const0", "const15"; "stage2.const0" for constant 0 of general combiner 2.
+[[nodiscard]] std::string name_of_constant(ConstantName name);
+// The number of a name; empty: there is no such constant.
+[[nodiscard]] std::optional<ConstantName> constant_called(std::string_view name);
+
+// The name of a constant at a place: the one that the program's text has for it or, without one, that of the colour
+// which is read there.
+[[nodiscard]] constexpr ConstantName constant_name(const CombinerState& state, std::size_t place, std::size_t which) {
+  if (state.origin[place][which].name) return *state.origin[place][which].name;
+  const bool own = state.per_stage_constants && place != kFinalConstants;
+  return static_cast<ConstantName>(own ? 16 + 2 * place + which : which);
+}
+
+// Which constants are read where, by the inputs that are used.
+[[nodiscard]] ByConstant<bool> constants_read(const CombinerState& state);
+
+// Makes the constants of a name unset, wherever they are read; whether there are any.
+bool free_constant(CombinerState& state, ConstantName name);
+
+// Whether a constant is unset that is not a general combiner's own. `which`: 0 or 1.
+[[nodiscard]] bool is_shared_constant_unset(const CombinerState& state, std::size_t which);
+
+// Marks the constants that are read and not given as unset. `given`: by place; last are the constants that all general
+// combiners share unless per_stage_constants is set.
+void mark_unset_constants(CombinerState& state, const ByConstant<bool>& given);
 
 }  // namespace ninebit

@@ -41,9 +41,9 @@ struct Explanation {
   std::vector<std::string> legend;     // notation that the equations use, one sentence each
 };
 
-// Multiplications by 1, 0 and -1 and mappings of `zero` are folded; an input multiplied by 0 counts as not read.
-// Initial register values are not negative, because GL's texels, colours and constants are not: max(0, …) appears only
-// where a stage may have written a negative value.
+// A constant that is not set keeps its name, and `constants` says so. Multiplications by 1, 0 and -1 and mappings of
+// `zero` are folded; an input multiplied by 0 counts as not read. Initial register values are not negative, because
+// GL's texels, colours and constants are not: max(0, …) appears only where a stage may have written a negative value.
 [[nodiscard]] Explanation explain(const Program& program, const HardwareProfile& profile);
 
 // The explanation as text: several lines of UTF-8, each ending in a newline.

@@ -17,11 +17,13 @@ namespace NINEBIT_PUBLIC ninebit {
 // docs/languages.md); enumerants by name, with GL_FALSE, GL_NONE, 0 for GL_ZERO, GL_TEXTURE0 and GL_TEXTURE0_ARB;
 // arrays of constants as braces, `(GLfloat[]){…}` or an earlier `GLfloat name[] = {…};`; comments of both kinds.
 // Everything else is an error with its line and column. A call that GL refuses is an error that names the GL error. All
-// errors are reported, in the order of the text. The time depends only on the length of the text.
+// errors are reported, in the order of the text. Constants that are read and that no call sets are unset: the text is a
+// piece of a program, which may have set them before. The time depends only on the length of the text.
 [[nodiscard]] Parsed<CombinerState> parse_gl_calls(const SourceText& source, const HardwareProfile& profile);
 
 // The calls that set a new context of the profile to this state. Calls that would repeat a default are omitted only for
-// stages past num_general_combiners and for a stage's constants, whose call a profile may not have. State that the
+// stages past num_general_combiners and for a stage's constants that nothing reads, whose call a profile may not have.
+// Calls of constants that are unset are omitted. State that the
 // profile does not have (later stages, the stages' constants) is omitted: it has no effect, and GL would refuse the
 // calls. Apart from that, parse_gl_calls returns the same state if the state is valid (see validate.h) and its colours
 // are in [0, 1]. A feature that only the NV2A's registers have gives a Diagnostic that names it, if it has an effect.

@@ -39,6 +39,10 @@ class Context {
   [[nodiscard]] const CombinerState& state() const { return state_; }
   [[nodiscard]] CombinerState& state() { return state_; }
 
+  // The constants that calls have set, by place; last are those of glCombinerParameter.
+  [[nodiscard]] const ByConstant<bool>& constants_set() const { return constants_set_; }
+  [[nodiscard]] ByConstant<bool>& constants_set() { return constants_set_; }
+
   // Whether GL_REGISTER_COMBINERS_NV is enabled.
   [[nodiscard]] bool register_combiners_enabled() const { return register_combiners_enabled_; }
   void enable_register_combiners(bool enabled) { register_combiners_enabled_ = enabled; }
@@ -51,6 +55,7 @@ class Context {
  private:
   HardwareProfile profile_;
   CombinerState state_{};
+  ByConstant<bool> constants_set_{};
   bool register_combiners_enabled_ = false;
   GlError error_ = GlError::no_error;
 };

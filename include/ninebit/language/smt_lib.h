@@ -14,7 +14,8 @@
 
 namespace NINEBIT_PUBLIC ninebit {
 
-// What a register component holds before the first general combiner: an input, which may be any byte, or a code.
+// What a component of a register before the first general combiner, or of a constant that is not set, holds: an input,
+// which may be any byte, or a code.
 struct SmtSource {
   std::string input;   // the input's name, "tex0.r"; empty: a code
   int byte_shift = 0;  // number of low bits that the register drops of the byte
@@ -25,6 +26,7 @@ struct SmtSource {
 struct SmtProgram {
   const Program* program = nullptr;                              // its arithmetic is integer
   std::array<std::array<SmtSource, 4>, kRegisterCount> start{};  // by register and component
+  std::array<std::array<SmtSource, 4>, kConstantNames> unset{};  // of constants that are not set, by name and component
 };
 
 // The question as a script.

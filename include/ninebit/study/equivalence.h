@@ -1,7 +1,8 @@
 // Do two programs leave the same for all inputs?
 //
-// An input is a byte: a component of the primary or secondary colour, of fog, or of a texture. Inputs that an output
-// does not depend on are left out. Where the rest are few enough, all cases are run by the batch evaluator. If they are
+// An input is a byte: a component of the primary or secondary colour, of fog, of a texture, or of a constant that a
+// program does not set. A constant that both do not set is one input. Inputs that an output does not depend on are left
+// out. Where the rest are few enough, all cases are run by the batch evaluator. If they are
 // too many, the question is cut between two general combiners: components there that depend on other inputs than the
 // rest take only so many values, which are found by running their inputs alone, and only their combinations are run.
 // That is no estimate: each combination is what some input gives. What is left is a question of bit vectors to a
@@ -28,6 +29,7 @@ struct ProofSubject {
   CombinerState state;                // valid for the profile (see validate)
   HardwareProfile profile;            // that it is run with
   std::array<bool, 4> texture_off{};  // by unit: its register holds what the profile says
+  bool fog_off = false;               // then fog's alpha is what the profile says
 };
 
 // What is compared: a component, kRed to kAlpha, of the final combiner's colour as a byte, or of a register as the last
@@ -38,7 +40,7 @@ struct ProofTarget {
   friend bool operator==(const ProofTarget&, const ProofTarget&) = default;
 };
 
-// The name of an input or a target: "tex0.r", "spare1.a", "out.g".
+// The name of a target: "spare1.a", "out.g".
 [[nodiscard]] std::string component_name(std::optional<Register> reg, int component);
 
 // Proved: for all inputs. Refuted: there is an input that shows it. Unknown: neither was found in the time given.
@@ -46,11 +48,15 @@ enum class ProofAnswer : std::uint8_t { proved, refuted, unknown };
 // Exhaustive: all inputs were run. Smt: a solver proved it or found the input.
 enum class ProofMethod : std::uint8_t { exhaustive, smt };
 
-// A component of a register before the first general combiner, and its byte.
+// A component of a register before the first general combiner, or of a constant that is not set, and its byte.
 struct ProofInput {
-  Register reg = Register::zero;  // a texture's, a colour's or the fog's
-  int component = 0;              // kRed to kAlpha
-  std::uint8_t byte = 0;          // 0 to 255
+  Register reg = Register::zero;           // a texture's, a colour's or the fog's; zero for a constant
+  int component = 0;                       // kRed to kAlpha
+  std::uint8_t byte = 0;                   // 0 to 255
+  std::optional<ConstantName> constant{};  // if it is one
+
+  // "tex0.r", "const0.g", "stage2.const0.a".
+  [[nodiscard]] std::string name() const;
 };
 
 // An input for which the sides differ, confirmed by the reference.
@@ -72,6 +78,7 @@ struct EquivalenceAnswer {
 // What is compared, and how much work it may be.
 struct EquivalenceOptions {
   std::vector<ProofTarget> targets;                    // none: the colour's four components
+  std::vector<ProofInput> fixed{};                     // inputs that have these bytes only
   std::uint64_t most_cases = std::uint64_t{1} << 34U;  // that are run for a target
   double timeout_s = 60;                               // of the solver, for the whole question
   std::uint64_t random_cases = 100'000'000;            // that cross-check each of the solver's proofs

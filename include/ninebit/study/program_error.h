@@ -32,9 +32,9 @@ struct RegisterComponent {
   friend bool operator==(const RegisterComponent&, const RegisterComponent&) = default;
 };
 
-// The fragments that a program runs over, all with the same components. Components that are not listed read 0, with
-// these exceptions: alpha of textures and of fog reads one; spare0's alpha reads texture 0's; constants read the
-// program's values. A listed constant replaces the program's in every stage.
+// The fragments that a program runs over, all with the same components. Components that are not listed hold what the
+// profile gives a fragment with fog and all texture units off and bytes of 0, with these exceptions: spare0's alpha is
+// texture 0's; constants are the program's. A listed constant replaces the program's in every stage.
 struct ProgramInputs {
   std::vector<RegisterComponent> components;  // at least one
   // A code for each component, fragment after fragment. std::nullopt: all combinations of the components' values, the
@@ -42,8 +42,10 @@ struct ProgramInputs {
   std::optional<std::vector<s9>> codes{};
 };
 
-// Measures the program, which was compiled for the profile, over the inputs. Reports a profile whose arithmetic is not
-// integer, inputs without components or fragments, and more than 2^26 combinations. A unit is up to 2^18 fragments.
+// Measures the program, which was compiled for the profile, over the inputs. Constants that the program reads and does
+// not set are inputs, too: they are added to combinations, and a table must have them. Reports a profile whose
+// arithmetic is not integer, inputs without components or fragments, and more than 2^26 combinations. A unit is up to
+// 2^18 fragments.
 //
 // An error is a real number: the final combiner's output minus that of `ideal`. An error below 1e-10 counts as zero.
 //

@@ -20,10 +20,11 @@ struct FieldEffect {
   ProofAnswer answer = ProofAnswer::proved;  // proved: none of its values changes any colour, whatever the other open
                                              // fields are; refuted: one does
   // If it is refuted: the profile's value and the rival (numbers in field.values), the values of other fields that the
-  // example needs, as names and words, the unit that is off (-1: none), and an input.
+  // example needs, as names and words, the unit that is off (-1: none), whether fog is off, and an input.
   std::size_t rival = 0;  // of the value that changes a colour; 0: none does
   std::vector<std::pair<std::string, std::string>> others;
   int texture_off = -1;
+  bool fog_off = false;
   std::optional<Counterexample> example;
 };
 
@@ -38,8 +39,8 @@ struct StabilityAnswer {
 };
 
 // Asks for every combination of the values of open fields whether it gives the colours of another one, with all texture
-// units on and with each unit off that the program reads. `options.targets` is not read. Fails as prove_equivalent
-// does, and for a profile whose arithmetic is not integer.
+// units and fog on, with each unit off that the program reads, and with fog off if it reads fog's alpha.
+// `options.targets` is not read. Fails as prove_equivalent does, and for a profile whose arithmetic is not integer.
 [[nodiscard]] Result<StabilityAnswer> prove_stable(const CombinerState& state, const HardwareProfile& profile,
                                                    const EquivalenceOptions& options = {});
 

@@ -186,7 +186,16 @@ Result<SmtQuestion> emit_smt_lib(const SmtProgram& a, const SmtProgram& b, int c
     const auto start = [&](Register r, int i) {
       return start_of(side->start[static_cast<std::size_t>(r)][static_cast<std::size_t>(i)], graph);
     };
-    results.push_back(emit::list_program(*side->program, start).result[static_cast<std::size_t>(component)]);
+    const auto constant = [&](Register r, int stage, int i) {
+      const Program& program = *side->program;
+      const std::size_t which = r == Register::constant0 ? 0 : 1;
+      const auto read = [&](const auto& from) {
+        if (from.unset[which]) return start_of(side->unset[*from.unset[which]][static_cast<std::size_t>(i)], graph);
+        return emit::set((which == 0 ? from.constant0 : from.constant1)[static_cast<std::size_t>(i)]);
+      };
+      return stage == kMaxGeneralCombiners ? read(program) : read(program.general[static_cast<std::size_t>(stage)]);
+    };
+    results.push_back(emit::list_program(*side->program, start, constant).result[static_cast<std::size_t>(component)]);
   }
   if (graph.negative_division()) return Diagnostic{.message = "the profile's codes are out of the datapath's range"};
   Writer writer;

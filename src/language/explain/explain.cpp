@@ -63,7 +63,8 @@ void add_portion(const Program& program, int stage, PortionName name, const Rang
   const ProgramStage& from = program.general[static_cast<std::size_t>(stage)];
   const bool rgb = name == PortionName::rgb;
   const Portion& p = rgb ? from.rgb : from.alpha;
-  const Scope scope{&d, &ranges, from.constant0, from.constant1, rgb};
+  const Scope scope{&d, &ranges, from.constant0, from.constant1, {from.unset[0].has_value(), from.unset[1].has_value()},
+                    rgb};
   const auto term = [&](const CombinerInput& x, const CombinerInput& y, bool dot) {
     const Expression left = mapped_input(scope, x, dot);
     const Expression right = mapped_input(scope, y, dot);
@@ -105,7 +106,9 @@ void add_portion(const Program& program, int stage, PortionName name, const Rang
 
 void add_final(const Program& program, const Ranges& ranges, std::vector<Fact>& facts) {
   const Datapath& d = program.datapath;
-  Scope scope{&d, &ranges, program.constant0, program.constant1, true};
+  Scope scope{
+      &d,  &ranges, program.constant0, program.constant1, {program.unset[0].has_value(), program.unset[1].has_value()},
+      true};
   facts.push_back(fact_of(d, final_color(program, scope),
                           {.portion = PortionName::rgb, .output = "color", .target = "rgb"}, {0, d.one}));
   scope.per_channel = false;

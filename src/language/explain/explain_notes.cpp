@@ -61,6 +61,20 @@ void add_initial_register_notes(const HardwareProfile& profile, const std::vecto
   note(Register::fog, kAlphaBit, "fog alpha is the fog factor, and 1 while fog is off");
 }
 
+// " = (0, 128, 255, 0)/255", " is not set"; `from`: a general combiner, or the program for the final one.
+template <class Stage>
+std::string value_of_constant(const Stage& from, Register reg, const Datapath& d) {
+  const bool first = reg == Register::constant0;
+  if (const auto& name = from.unset[first ? 0 : 1]) {
+    const std::string own = name_of_constant(*name);
+    return own == short_name(reg) ? " is not set" : " is " + own + ", which is not set";
+  }
+  const Rgba9& value = first ? from.constant0 : from.constant1;
+  std::string text = " = (";
+  for (std::size_t c = 0; c < 4; ++c) text += (c > 0 ? ", " : "") + std::to_string(value[c]);
+  return text + ")/" + std::to_string(d.one);
+}
+
 }  // namespace
 
 std::vector<DeadPortion> dead_portions(const Program& program, const std::vector<Fact>& facts) {
@@ -84,14 +98,13 @@ std::vector<DeadPortion> dead_portions(const Program& program, const std::vector
 std::vector<std::string> constant_sentences(const Program& program, const std::vector<Fact>& facts) {
   std::vector<std::string> sentences;
   for (const Register reg : {Register::constant0, Register::constant1}) {
-    std::vector<std::pair<Rgba9, std::string>> values;  // with the readers
+    std::vector<std::pair<std::string, std::string>> values;  // with the readers
     for (const Fact& fact : facts) {
       if (!reads(fact, reg, kRgbBits | kAlphaBit)) continue;
       const std::optional<int>& stage = fact.equation.stage;
       const ProgramStage* from = stage ? &program.general[static_cast<std::size_t>(*stage)] : nullptr;
-      const bool first = reg == Register::constant0;
-      const Rgba9 value = from == nullptr ? (first ? program.constant0 : program.constant1)
-                                          : (first ? from->constant0 : from->constant1);
+      const std::string value = from == nullptr ? value_of_constant(program, reg, program.datapath)
+                                                : value_of_constant(*from, reg, program.datapath);
       const std::string reader = stage ? "stage " + std::to_string(*stage) : "the final combiner";
       const auto known = std::find_if(values.begin(), values.end(), [&](const auto& v) { return v.first == value; });
       if (known == values.end()) {
@@ -101,9 +114,7 @@ std::vector<std::string> constant_sentences(const Program& program, const std::v
       }
     }
     for (const auto& [value, readers] : values) {
-      std::string sentence = std::string(short_name(reg)) + " = (";
-      for (std::size_t c = 0; c < 4; ++c) sentence += (c > 0 ? ", " : "") + std::to_string(value[c]);
-      sentence += ")/" + std::to_string(program.datapath.one);
+      std::string sentence = std::string(short_name(reg)) + value;
       if (values.size() > 1) sentence += " in " + readers;
       sentences.push_back(std::move(sentence));
     }

@@ -63,7 +63,10 @@ Expression fetched(const Scope& scope, const CombinerInput& in, bool in_dot_prod
     e.text += in.usage == ComponentUsage::alpha ? "aa" : ".blue.blue";
     e.marks.insert(Mark::swizzle);
   }
-  if (in.reg == Register::constant0 || in.reg == Register::constant1) {
+  const bool is_constant = in.reg == Register::constant0 || in.reg == Register::constant1;
+  if (is_constant && scope.unset[in.reg == Register::constant0 ? 0 : 1]) {
+    e.range = {0, scope.datapath->one};
+  } else if (is_constant) {
     const Rgba9& value = in.reg == Register::constant0 ? scope.constant0 : scope.constant1;
     const auto last = all ? static_cast<std::size_t>(kBlue) : first;
     const auto [low, high] = std::minmax_element(value.begin() + static_cast<std::ptrdiff_t>(first),

@@ -55,7 +55,8 @@ struct Scope {
   const Datapath* datapath = nullptr;
   const Ranges* ranges = nullptr;
   Rgba9 constant0{}, constant1{};
-  bool per_channel = true;  // the reader has separate red, green and blue channels
+  std::array<bool, 2> unset{};  // constants whose colours are not known
+  bool per_channel = true;      // the reader has separate red, green and blue channels
 };
 
 [[nodiscard]] std::string with_sign(const Expression& e);

@@ -45,8 +45,10 @@ class Parser {
       if (!statement()) recover();
     }
     note_skipped();
-    if (faults_.empty()) return {context_.state(), notes_.take()};
-    return {faults_.take(), notes_.take()};
+    if (!faults_.empty()) return {faults_.take(), notes_.take()};
+    CombinerState state = context_.state();
+    mark_unset_constants(state, context_.constants_set());
+    return {state, notes_.take()};
   }
 
  private:

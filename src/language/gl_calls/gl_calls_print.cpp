@@ -21,6 +21,8 @@ constexpr std::array<std::string_view, 7> kVariableNames{"GL_VARIABLE_A_NV", "GL
                                                          "GL_VARIABLE_D_NV", "GL_VARIABLE_E_NV", "GL_VARIABLE_F_NV",
                                                          "GL_VARIABLE_G_NV"};
 
+constexpr std::array<std::string_view, 2> kConstantNames{"GL_CONSTANT_COLOR0_NV", "GL_CONSTANT_COLOR1_NV"};
+
 // The shortest C constant of type float for the number as GL would store it.
 std::string float_text(float component) {
   std::array<char, 32> digits{};
@@ -45,8 +47,12 @@ class Printer {
   std::string print(const CombinerState& state, const HardwareProfile& profile) {
     call("glCombinerParameteriNV", {"GL_NUM_GENERAL_COMBINERS_NV", std::to_string(state.num_general_combiners)});
     call("glCombinerParameteriNV", {"GL_COLOR_SUM_CLAMP_NV", boolean(state.color_sum_clamp)});
-    call("glCombinerParameterfvNV", {"GL_CONSTANT_COLOR0_NV", array_text(state.constant0)});
-    call("glCombinerParameterfvNV", {"GL_CONSTANT_COLOR1_NV", array_text(state.constant1)});
+    for (std::size_t which = 0; which < 2; ++which) {
+      if (is_shared_constant_unset(state, which)) continue;
+      call("glCombinerParameterfvNV",
+           {kConstantNames[which], array_text(which == 0 ? state.constant0 : state.constant1)});
+    }
+    const ByConstant<bool> read = constants_read(state);
     const auto stages = static_cast<std::size_t>(profile.general_combiners.value);
     for (std::size_t i = 0; i < std::min(stages, state.general.size()); ++i) {
       const bool all = static_cast<int>(i) < state.num_general_combiners;
@@ -54,8 +60,13 @@ class Printer {
       portion(i, PortionName::rgb, state.general[i].rgb, fresh.rgb, all);
       portion(i, PortionName::alpha, state.general[i].alpha, fresh.alpha, all);
       if (!profile.per_stage_constants) continue;
-      stage_constant(i, "GL_CONSTANT_COLOR0_NV", state.general[i].constant0);
-      stage_constant(i, "GL_CONSTANT_COLOR1_NV", state.general[i].constant1);
+      for (std::size_t which = 0; which < 2; ++which) {
+        const ColorF& color = which == 0 ? state.general[i].constant0 : state.general[i].constant1;
+        const bool is_given = state.per_stage_constants && read[i][which] && !state.origin[i][which].unset;
+        // The call needs NV_register_combiners2: it is printed only where it says something.
+        if (!is_given && color == ColorF{}) continue;
+        call("glCombinerStageParameterfvNV", {stage_name(i), kConstantNames[which], array_text(color)});
+      }
     }
     text_ += '\n';
     for (std::size_t v = 0; v < gl::detail::kFinalInputs.size(); ++v) {
@@ -105,12 +116,6 @@ class Printer {
     call("glCombinerOutputNV",
          {stage_name(stage), which, gl_name(out.ab), gl_name(out.cd), gl_name(out.sum), gl_name(out.scale),
           gl_name(out.bias), boolean(out.ab_dot_product), boolean(out.cd_dot_product), boolean(out.mux_sum)});
-  }
-
-  // Zero is the default, and the call needs NV_register_combiners2, so it is printed only for other values.
-  void stage_constant(std::size_t stage, std::string_view name, const ColorF& color) {
-    if (color == ColorF{}) return;
-    call("glCombinerStageParameterfvNV", {stage_name(stage), name, array_text(color)});
   }
 
   std::string text_;

@@ -61,7 +61,11 @@ void set_vector(GLenum pname, const T* params) {
     return context->raise(GlError::invalid_enum);
   }
   if (params == nullptr) return context->raise(GlError::invalid_value);
-  if (color != nullptr) return set_color(*color, params);
+  if (color != nullptr) {
+    set_color(*color, params);
+    context->constants_set()[kFinalConstants][pname == GL_CONSTANT_COLOR0_NV ? 0 : 1] = true;
+    return;
+  }
   set_scalar(*context, pname, *params);
 }
 
@@ -145,6 +149,7 @@ void glCombinerStageParameterfvNV(GLenum stage, GLenum pname, const GLfloat* par
   if (color == nullptr) return context->raise(GlError::invalid_enum);
   if (params == nullptr) return context->raise(GlError::invalid_value);
   set_color(*color, params);
+  context->constants_set()[static_cast<std::size_t>(*s)][pname == GL_CONSTANT_COLOR0_NV ? 0 : 1] = true;
 }
 
 }  // namespace ninebit::gl

@@ -62,11 +62,11 @@ class ProgramReader {
       if (inverts_ == 0) inverts_ = value.offset;
       read_.boolean(value, state_.color_sum_invert_secondary);
     });
-    with(root, "constant_color0", [&](const Value& value) { color(value, state_.constant0); });
-    with(root, "constant_color1", [&](const Value& value) { color(value, state_.constant1); });
+    constants(root, state_.constant0, state_.constant1, given_[kFinalConstants]);
     with(root, "general_combiners", [&](const Value& value) { stages(value); });
     with(root, "final_combiner", [&](const Value& value) { final_combiner(value); });
     with(root, "other_words", [&](const Value& value) { other_words(value); });
+    mark_unset_constants(state_, given_);
     return state_;
   }
 
@@ -102,6 +102,17 @@ class ProgramReader {
     if (const Value* const value = Reader::find(object, key)) function(*value);
   }
 
+  void constants(const Value& object, ColorF& constant0, ColorF& constant1, std::array<bool, 2>& given) {
+    const auto read = [&](std::string_view key, ColorF& into, bool& is_given) {
+      with(object, key, [&](const Value& value) {
+        color(value, into);
+        is_given = true;
+      });
+    };
+    read("constant_color0", constant0, given[0]);
+    read("constant_color1", constant1, given[1]);
+  }
+
   void color(const Value& value, ColorF& into) {
     if (value.type != Type::array || value.children.size() != 4) {
       return read_.fault(value.offset, value.key + " must be an array of 4 numbers: red, green, blue, alpha");
@@ -124,8 +135,7 @@ class ProgramReader {
     if (!read_.object(value, {"rgb", "alpha", "constant_color0", "constant_color1"})) return;
     with(value, "rgb", [&](const Value& part) { portion(part, into.rgb, general_[index][0]); });
     with(value, "alpha", [&](const Value& part) { portion(part, into.alpha, general_[index][1]); });
-    with(value, "constant_color0", [&](const Value& part) { color(part, into.constant0); });
-    with(value, "constant_color1", [&](const Value& part) { color(part, into.constant1); });
+    constants(value, into.constant0, into.constant1, given_[index]);
   }
 
   void portion(const Value& value, Portion& into, std::array<std::size_t, 5>& offsets) {
@@ -205,6 +215,7 @@ class ProgramReader {
 
   Reader read_;
   CombinerState state_{};
+  ByConstant<bool> given_{};  // constants
   std::size_t count_ = 0, per_stage_ = 0, mux_ = 0, inverts_ = 0;
   std::array<std::array<std::array<std::size_t, 5>, 2>, kMaxGeneralCombiners> general_{};
   std::array<std::size_t, 7> final_{};

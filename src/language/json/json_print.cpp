@@ -54,10 +54,22 @@ std::string portion_text(std::string_view key, const Portion& p) {
   return text + "        \"output\": " + object(p.out) + "\n      },\n";
 }
 
-std::string stage_text(const GeneralCombiner& stage) {
-  return "    {\n" + portion_text("rgb", stage.rgb) + portion_text("alpha", stage.alpha) +
-         "      \"constant_color0\": " + array(stage.constant0) +
-         ",\n      \"constant_color1\": " + array(stage.constant1) + "\n    }";
+// Constants that nobody set are left out.
+std::string constant_text(std::string_view key, const ColorF& color, bool unset) {
+  return unset ? "" : '"' + std::string(key) + "\": " + array(color) + ",\n";
+}
+
+std::string stage_text(const CombinerState& state, std::size_t i) {
+  const GeneralCombiner& stage = state.general[i];
+  std::string text = "    {\n" + portion_text("rgb", stage.rgb) + portion_text("alpha", stage.alpha);
+  for (std::size_t which = 0; which < 2; ++which) {
+    const std::string constant = constant_text(which == 0 ? "constant_color0" : "constant_color1",
+                                               which == 0 ? stage.constant0 : stage.constant1,
+                                               state.per_stage_constants && state.origin[i][which].unset);
+    if (!constant.empty()) text += "      " + constant;
+  }
+  text.erase(text.size() - 2);  // the last comma and its line's end
+  return text + "\n    }";
 }
 
 }  // namespace
@@ -70,15 +82,15 @@ std::string print_json_program(const CombinerState& state, std::span<const Regis
   if (state.mux_by_lowest_bit) text += "  " + member("mux_by_lowest_bit", true) + ",\n";
   if (state.color_sum_invert_spare0) text += "  " + member("color_sum_invert_spare0", true) + ",\n";
   if (state.color_sum_invert_secondary) text += "  " + member("color_sum_invert_secondary", true) + ",\n";
-  text += "  \"constant_color0\": " + array(state.constant0) + ",\n";
-  text += "  \"constant_color1\": " + array(state.constant1) + ",\n";
+  if (!is_shared_constant_unset(state, 0)) text += "  " + constant_text("constant_color0", state.constant0, false);
+  if (!is_shared_constant_unset(state, 1)) text += "  " + constant_text("constant_color1", state.constant1, false);
   std::size_t stages = state.general.size();
   while (stages > 0 && static_cast<int>(stages) > state.num_general_combiners &&
          state.general[stages - 1] == GeneralCombiner{}) {
     --stages;
   }
   text += "  \"general_combiners\": [\n";
-  for (std::size_t i = 0; i < stages; ++i) text += stage_text(state.general[i]) + (i + 1 < stages ? ",\n" : "\n");
+  for (std::size_t i = 0; i < stages; ++i) text += stage_text(state, i) + (i + 1 < stages ? ",\n" : "\n");
   text += "  ],\n  \"final_combiner\": {\n";
   const FinalCombiner& f = state.final_combiner;
   const CombinerInput* const inputs[] = {&f.a, &f.b, &f.c, &f.d, &f.e, &f.f, &f.g};

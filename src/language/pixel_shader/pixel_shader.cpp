@@ -79,7 +79,7 @@ void note_outside(const ShaderText& text, detail::SourceFaults& notes) {
   if (first_constant) {
     const bool one = constants.size() == 1;
     notes.add(*first_constant, listed(constants) + (one ? " is" : " are") + " not defined here; the application sets " +
-                                   (one ? "it" : "them") + ", 0 is assumed");
+                                   (one ? "it" : "them"));
   }
 }
 

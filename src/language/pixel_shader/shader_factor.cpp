@@ -63,10 +63,14 @@ std::optional<Register> ShaderConstants::place(int index) {
   return std::nullopt;
 }
 
-void ShaderConstants::store(const ShaderText& text, ColorF& constant0, ColorF& constant1) const {
+void ShaderConstants::store(const ShaderText& text, bool own, ColorF& constant0, ColorF& constant1,
+                            std::array<ConstantOrigin, 2>& origin) const {
   for (std::size_t i = 0; i < placed_.size(); ++i) {
     if (!placed_[i]) continue;
-    const ShaderConstant& from = text.constants.at(static_cast<std::size_t>(*placed_[i]));
+    const auto index = static_cast<std::size_t>(*placed_[i]);
+    const ShaderConstant& from = text.constants.at(index);
+    origin.at(i).unset = !from.defined;
+    if (own || index != i) origin.at(i).name = static_cast<ConstantName>(index);
     const float sign = is_negative(from) && !text.version.is_xbox ? -1.0F : 1.0F;
     ColorF& to = i == 0 ? constant0 : constant1;
     for (std::size_t k = 0; k < to.size(); ++k) to[k] = std::clamp(sign * from.color[k], 0.0F, 1.0F) + 0.0F;

@@ -25,7 +25,7 @@ constexpr std::array kPortionInputs{&Portion::a, &Portion::b, &Portion::c, &Port
 class ShaderPrinter {
  public:
   ShaderPrinter(const CombinerState& state, const Program& program, const HardwareProfile& profile)
-      : state_(state), program_(program), profile_(profile) {
+      : state_(state), program_(program), profile_(profile), constants_(program) {
     for (int i = 0; i < program.num_general_combiners; ++i) {
       const auto& stage = program.general.at(static_cast<std::size_t>(i));
       if (is_live(stage.rgb.out) || is_live(stage.alpha.out)) stages_.push_back(stage);
@@ -81,6 +81,7 @@ class ShaderPrinter {
     const bool moves_alpha = !is_result(alpha, ComponentUsage::alpha) && !blue;
     if (!moves_color && !moves_alpha) return false;
     ProgramStage stage;
+    stage.unset = program_.unset;
     stage.rgb.out.sum = stage.alpha.out.sum = Register::discard;
     const auto move = [](Portion& portion, const CombinerInput& from) {
       portion.a = from;
@@ -171,6 +172,7 @@ class ShaderPrinter {
       find_unsigned(place);
       const bool own = own_constants_ && !is_last;
       const GeneralCombiner& from = state_.general.at(stage_number(i));
+      place.unset = stage.unset;
       place.constants = {own ? from.constant0 : state_.constant0, own ? from.constant1 : state_.constant1};
       std::string why;
       printed.at(alpha ? 1 : 0) = words_of(portion, place, constants_, why);

@@ -19,8 +19,9 @@ class ShaderConstants {
  public:
   // The register of a shader's constant; empty: both hold others.
   [[nodiscard]] std::optional<Register> place(int index);
-  // The constants, as far as the text defines them.
-  void store(const ShaderText& text, ColorF& constant0, ColorF& constant1) const;
+  // The constants, as far as the text defines them, and what it says of them. `own`: they are a stage's own.
+  void store(const ShaderText& text, bool own, ColorF& constant0, ColorF& constant1,
+             std::array<ConstantOrigin, 2>& origin) const;
   void clear() { placed_ = {}; }
 
  private:

@@ -73,7 +73,10 @@ void ShaderStages::write_alpha(GeneralCombiner& stage, Register to, Register fro
 }
 
 void ShaderStages::add(GeneralCombiner& stage) {
-  if (own_constants_) context_.constants.store(context_.text, stage.constant0, stage.constant1);
+  if (own_constants_) {
+    context_.constants.store(context_.text, true, stage.constant0, stage.constant1,
+                             state_.origin.at(static_cast<std::size_t>(std::min(count_, kMaxGeneralCombiners))));
+  }
   if (count_ == context_.profile.general_combiners) {
     if (!too_many_) {
       context_.faults.add(offset_,

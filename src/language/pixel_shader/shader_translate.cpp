@@ -282,10 +282,18 @@ class ShaderTranslator {
     } else {
       state_.final_combiner = plain_final(context_);
     }
-    context_.constants.store(text_, state_.constant0, state_.constant1);
+    std::array<ConstantOrigin, 2>& shared = state_.origin[kFinalConstants];
+    context_.constants.store(text_, own_constants_, state_.constant0, state_.constant1, shared);
     state_.per_stage_constants = own_constants_;
     state_.num_general_combiners = std::max(stages_.count(), 1);
     if (stages_.count() == 0) state_.general[0] = empty_shader_stage();
+    const ByConstant<bool> read = constants_read(state_);
+    for (std::size_t place = 0; place <= kFinalConstants; ++place) {
+      if (!own_constants_) state_.origin[place] = shared;
+      for (std::size_t which = 0; which < 2; ++which) {
+        if (!read[place][which]) state_.origin[place][which] = {};
+      }
+    }
   }
 
   const ShaderText& text_;

@@ -219,7 +219,13 @@ class PortionPrinter {
     switch (reg) {
       case Register::constant0:
       case Register::constant1: {
-        const auto& color = place_.constants.at(reg == Register::constant0 ? 0 : 1);
+        const std::size_t which = reg == Register::constant0 ? 0 : 1;
+        if (const auto unset = place_.unset.at(which)) {
+          const auto own = PrintedConstants::name_of_unset(*unset);
+          if (!own) refuse(name_of_constant(*unset) + ", which is not set");
+          return own;
+        }
+        const auto& color = place_.constants.at(which);
         const auto name = constants_.name(reg, color.value_or(ColorF{}));
         if (!name) refuse("more than 8 constants");
         return name;
@@ -250,28 +256,38 @@ class PortionPrinter {
 
 }  // namespace
 
+PrintedConstants::PrintedConstants(const Program& program) {
+  const std::vector<ConstantName> unset = unset_constants(program);
+  for (std::size_t i = 0; i < kMost; ++i) {
+    if (std::find(unset.begin(), unset.end(), i) == unset.end()) unused_.push_back(i);
+  }
+}
+
+std::optional<std::string> PrintedConstants::name_of_unset(ConstantName name) {
+  return name < kMost ? std::optional("c" + std::to_string(name)) : std::nullopt;
+}
+
 std::optional<std::string> PrintedConstants::name(Register reg, const ColorF& color) {
   ColorF stored = color;
   for (float& component : stored) component = gl::detail::clamped_color(component);
   const std::size_t slot = reg == Register::constant1 ? 1 : 0;
-  if (reg != Register::discard && in_scope_.at(slot)) return "c" + std::to_string(*in_scope_.at(slot));
+  if (reg != Register::discard && in_scope_.at(slot)) return "c" + std::to_string(unused_[*in_scope_.at(slot)]);
   for (std::size_t i = 0; i < all_.size(); ++i) {
     const bool other = reg != Register::discard && in_scope_.at(1 - slot) == i;
     if (all_[i] != stored || other) continue;
     if (reg != Register::discard) in_scope_.at(slot) = i;
-    return "c" + std::to_string(i);
+    return "c" + std::to_string(unused_[i]);
   }
-  constexpr std::size_t kMost = 8;
-  if (all_.size() == kMost) return std::nullopt;
+  if (all_.size() == unused_.size()) return std::nullopt;
   if (reg != Register::discard) in_scope_.at(slot) = all_.size();
   all_.push_back(stored);
-  return "c" + std::to_string(all_.size() - 1);
+  return "c" + std::to_string(unused_[all_.size() - 1]);
 }
 
 std::string PrintedConstants::text() const {
   std::string out;
   for (std::size_t i = 0; i < all_.size(); ++i) {
-    out += "def c" + std::to_string(i);
+    out += "def c" + std::to_string(unused_[i]);
     for (const float component : all_[i]) {
       std::array<char, 160> digits{};  // the smallest float has 149 decimals
       const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), component, std::chars_format::fixed);

@@ -108,10 +108,16 @@ class Parser {
       set(stage.constant0, locals_[i].color[0] ? locals_[i].color[0] : globals_.color[0]);
       set(stage.constant1, locals_[i].color[1] ? locals_[i].color[1] : globals_.color[1]);
     }
-    state_.num_general_combiners = stages_;
-    if (stages_ > 0) return;
-    state_.num_general_combiners = 1;
-    detail::clear_rc10_stage(state_.general[0]);
+    state_.num_general_combiners = std::max(stages_, 1);
+    if (stages_ == 0) detail::clear_rc10_stage(state_.general[0]);
+    ByConstant<bool> given{};
+    for (std::size_t which = 0; which < 2; ++which) {
+      for (std::size_t i = 0; i < locals_.size(); ++i) {
+        given[i][which] = locals_[i].color[which].has_value() || globals_.color[which].has_value();
+      }
+      given[kFinalConstants][which] = finals_.color[which].has_value() || globals_.color[which].has_value();
+    }
+    mark_unset_constants(state_, given);
   }
 
   const HardwareProfile& profile_;

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cstddef>
@@ -158,14 +159,32 @@ class Printer {
 
   std::string print() const {
     std::string text = "!!RC1.0\n";
-    if (reads_globally(Register::constant0)) text += constant("const0", state_.constant0);
-    if (reads_globally(Register::constant1)) text += constant("const1", state_.constant1);
+    // A constant before the general combiners would set theirs, too.
+    const bool leaves_own = leaves_own_constants();
+    if (!leaves_own) text += global_constants();
     for (std::size_t i = 0; i < stages(); ++i) text += stage_text(i);
+    if (leaves_own) text += global_constants();
     return text + final_text(program_);
   }
 
  private:
   [[nodiscard]] std::size_t stages() const { return static_cast<std::size_t>(program_.num_general_combiners); }
+
+  // Whether a general combiner reads a constant of its own that nobody set.
+  [[nodiscard]] bool leaves_own_constants() const {
+    return state_.per_stage_constants &&
+           std::any_of(program_.general.begin(), program_.general.end(),
+                       [](const ProgramStage& stage) { return stage.unset[0] || stage.unset[1]; });
+  }
+
+  [[nodiscard]] std::string global_constants() const {
+    std::string text;
+    if (reads_globally(Register::constant0) && !is_shared_constant_unset(state_, 0))
+      text += constant("const0", state_.constant0);
+    if (reads_globally(Register::constant1) && !is_shared_constant_unset(state_, 1))
+      text += constant("const1", state_.constant1);
+    return text;
+  }
 
   [[nodiscard]] bool reads_globally(Register reg) const {
     bool reads = reads_finally(program_.final_combiner, reg);
@@ -178,10 +197,10 @@ class Printer {
   [[nodiscard]] std::string stage_text(std::size_t i) const {
     const ProgramStage& stage = program_.general[i];
     std::string text = "{\n";
-    if (state_.per_stage_constants && reads_in(stage, Register::constant0)) {
+    if (state_.per_stage_constants && reads_in(stage, Register::constant0) && !stage.unset[0]) {
       text += "  " + constant("const0", state_.general[i].constant0);
     }
-    if (state_.per_stage_constants && reads_in(stage, Register::constant1)) {
+    if (state_.per_stage_constants && reads_in(stage, Register::constant1) && !stage.unset[1]) {
       text += "  " + constant("const1", state_.general[i].constant1);
     }
     std::string portions = portion_text(PortionName::rgb, stage.rgb) + portion_text(PortionName::alpha, stage.alpha);

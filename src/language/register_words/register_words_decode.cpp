@@ -1,5 +1,6 @@
 // Decodes words to a state. Checks first what the chip refuses, word by word, then what OpenGL refuses.
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "ninebit/combiner/validate.h"
@@ -67,7 +68,9 @@ class Decoder {
     }
     state_.constant0 = color({Kind::color, 0});
     state_.constant1 = color({Kind::color, 1});
+    for (std::size_t k = 0; k < 2; ++k) given_[kFinalConstants][k] = has_color(k, std::nullopt);
     const bool mux_by_highest_bit = chip_ == ChipClass::nv10 ? nv10_control() : nv20_control();
+    mark_unset_constants(state_, given_);
     state_.mux_by_lowest_bit = !mux_by_highest_bit && uses_mux();
     return state_;
   }
@@ -209,6 +212,12 @@ class Decoder {
     return chip_ == ChipClass::nv20 && is_zero(at({Kind::final0, 0})) && is_zero(at({Kind::final1, 0}));
   }
 
+  // Whether there is the word of constant `k` of a stage, or of the final combiner.
+  bool has_color(std::size_t k, std::optional<int> stage) {
+    if (!stage) return at({Kind::color, static_cast<int>(k)}) != nullptr;
+    return at({k == 0 ? Kind::stage_color0 : Kind::stage_color1, *stage}) != nullptr;
+  }
+
   ColorF color(Slot slot) { return at(slot) == nullptr ? ColorF{} : color_of(at(slot)->value); }
 
   // Reads the number of stages; returns whether muxes test the highest bit.
@@ -250,11 +259,15 @@ class Decoder {
     ColorF* const global[2] = {&state_.constant0, &state_.constant1};
     bool one_pair = !unique0 && !unique1;
     for (int k = 0; k < 2; ++k) {
-      one_pair = one_pair && (shared[k] == *global[k] || !final_reads(k) || !stages_read(k));
+      const auto which = static_cast<std::size_t>(k);
+      const bool same = shared[k] == *global[k] && has_color(which, 0) == has_color(which, std::nullopt);
+      one_pair = one_pair && (same || !final_reads(k) || !stages_read(k));
     }
     if (one_pair) {
       for (int k = 0; k < 2; ++k) {
-        if (!final_reads(k)) *global[k] = shared[k];
+        if (final_reads(k)) continue;
+        *global[k] = shared[k];
+        given_[kFinalConstants][static_cast<std::size_t>(k)] = has_color(static_cast<std::size_t>(k), 0);
       }
       return;
     }
@@ -263,6 +276,7 @@ class Decoder {
       GeneralCombiner& stage = state_.general[static_cast<std::size_t>(i)];
       stage.constant0 = unique0 ? color({Kind::stage_color0, i}) : shared[0];
       stage.constant1 = unique1 ? color({Kind::stage_color1, i}) : shared[1];
+      given_[static_cast<std::size_t>(i)] = {has_color(0, unique0 ? i : 0), has_color(1, unique1 ? i : 0)};
     }
   }
 
@@ -297,6 +311,7 @@ class Decoder {
   TextFaults& faults_;
   std::array<std::array<const RegisterWord*, kMaxGeneralCombiners>, kKinds> words_{};
   OtherWords other_words_;
+  ByConstant<bool> given_{};  // constants
   CombinerState state_{};
 };
 

@@ -104,12 +104,16 @@ std::vector<RegisterWord> encode(const CombinerState& state, bool mux_by_lowest_
     }
     if (used || control != 0) put(Kind::out_rgb, i, output_word(stage.rgb.out) | control);
     if (!nv10 && used && (state.per_stage_constants || i == 0)) {
-      put(Kind::stage_color0, i, argb_of(state.per_stage_constants ? stage.constant0 : state.constant0));
-      put(Kind::stage_color1, i, argb_of(state.per_stage_constants ? stage.constant1 : state.constant1));
+      const bool own = state.per_stage_constants;
+      const auto is_unset = [&](std::size_t which) {
+        return own ? state.origin[static_cast<std::size_t>(i)][which].unset : is_shared_constant_unset(state, which);
+      };
+      if (!is_unset(0)) put(Kind::stage_color0, i, argb_of(own ? stage.constant0 : state.constant0));
+      if (!is_unset(1)) put(Kind::stage_color1, i, argb_of(own ? stage.constant1 : state.constant1));
     }
   }
-  put(Kind::color, 0, argb_of(state.constant0));
-  put(Kind::color, 1, argb_of(state.constant1));
+  if (!is_shared_constant_unset(state, 0)) put(Kind::color, 0, argb_of(state.constant0));
+  if (!is_shared_constant_unset(state, 1)) put(Kind::color, 1, argb_of(state.constant1));
   const FinalCombiner& f = state.final_combiner;
   const std::uint32_t final0 = input_word(f.a, f.b, f.c, f.d), final1 = final1_word(state);
   // The NV2A reads two words of 0 as spare0. The alpha of zero is 0, too.

@@ -292,7 +292,15 @@ void Machine::load(std::uint32_t begin, std::uint32_t end, std::uint32_t offset,
     if (!site.is_refused) faults_.add(std::move(fault));
   }
   site.is_refused = site.is_refused || !parsed;
-  if (parsed) context_.state() = *parsed;
+  if (!parsed) return;
+  context_.state() = *parsed;
+  const ByConstant<bool> read = constants_read(*parsed);
+  for (std::size_t which = 0; which < 2; ++which) {
+    for (std::size_t place = 0; place <= kFinalConstants; ++place) {
+      const std::size_t of = parsed->per_stage_constants ? place : kFinalConstants;
+      if (read[place][which] && !parsed->origin[place][which].unset) context_.constants_set()[of][which] = true;
+    }
+  }
 }
 
 }  // namespace ninebit::code

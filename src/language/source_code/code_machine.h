@@ -74,7 +74,11 @@ class Machine {
   // Reports the values that were needed and are not known, in one fault, and notes what was skipped.
   void finish();
 
-  [[nodiscard]] const CombinerState& state() const { return context_.state(); }
+  [[nodiscard]] CombinerState state() const {
+    CombinerState state = context_.state();
+    mark_unset_constants(state, context_.constants_set());
+    return state;
+  }
   [[nodiscard]] std::vector<std::string> needs() const;
   [[nodiscard]] bool is_out_of_steps() const { return out_of_steps_; }
   [[nodiscard]] std::string too_many_steps() const;

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <utility>
 
+#include "src/combiner/given_registers.h"
 #include "src/study/datapath/program_inputs.h"
 #include "src/study/datapath/program_report.h"
 #include "src/study/part/staged_colors.h"
@@ -222,6 +223,29 @@ class ProgramErrorStudy final : public Study {
   Fragments fragments_;
 };
 
+// Adds the components of constants that are not set to those of which all combinations are run. A table must have them.
+std::optional<Diagnostic> complete(const Program& program, ProgramInputs& inputs) {
+  std::string missing;
+  for (const UnsetComponent& one : unset_components(program)) {
+    const RegisterComponent named{one.reg, one.component};
+    if (std::find(inputs.components.begin(), inputs.components.end(), named) != inputs.components.end()) continue;
+    if (!varying_constants(program)) {
+      return Diagnostic{.message = fmt::format("{} is not set, and another constant of the same number is read, too; "
+                                               "set all constants of the general combiners in the program",
+                                               name_of_constant(one.name))};
+    }
+    if (!inputs.codes) {
+      inputs.components.push_back(named);
+    } else {
+      missing += (missing.empty() ? "" : ", ") + named.name();
+    }
+  }
+  if (missing.empty()) return std::nullopt;
+  return Diagnostic{.message = fmt::format("the program reads constants that it does not set; expected {} among the "
+                                           "columns of the table of inputs",
+                                           missing)};
+}
+
 }  // namespace
 
 Result<std::unique_ptr<Study>> program_error_study(StudyQuestion question, const HardwareProfile& profile,
@@ -231,7 +255,8 @@ Result<std::unique_ptr<Study>> program_error_study(StudyQuestion question, const
                                              "numbers",
                                              profile.name)};
   }
-  auto fragments = Fragments::of(program.datapath, std::move(inputs));
+  if (auto fault = complete(program, inputs)) return *fault;
+  auto fragments = Fragments::of(profile, std::move(inputs));
   if (!fragments) return fragments.error();
   return std::unique_ptr<Study>(
       std::make_unique<ProgramErrorStudy>(std::move(question), profile, program, std::move(*fragments)));

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "src/combiner/given_registers.h"
+
 namespace ninebit {
 namespace {
 
@@ -30,8 +32,11 @@ std::string RegisterComponent::name() const {
   return short_name + '.' + "rgba"[component];
 }
 
-Result<Fragments> Fragments::of(const Datapath& datapath, ProgramInputs inputs) {
-  Fragments out(datapath, std::move(inputs));
+Fragments::Fragments(const HardwareProfile& profile, ProgramInputs inputs)
+    : inputs_(std::move(inputs)), lowest_(profile.lowest), one_(profile.one), defaults_(default_registers(profile)) {}
+
+Result<Fragments> Fragments::of(const HardwareProfile& profile, ProgramInputs inputs) {
+  Fragments out(profile, std::move(inputs));
   const std::size_t columns = out.components().size();
   if (columns == 0) return Diagnostic{.message = "no register component given; expected at least one"};
   if (!out.all()) {
@@ -72,11 +77,7 @@ std::string Fragments::text(std::size_t fragment) const {
 }
 
 RegisterFile Fragments::registers(std::size_t fragment) const {
-  RegisterFile out;
-  for (std::size_t r = 0; r < kRegisterCount; ++r) {
-    const auto reg = static_cast<Register>(r);
-    if (reg == Register::fog || is_texture(reg)) out[reg][kAlpha] = static_cast<s9>(one_);
-  }
+  RegisterFile out = defaults_;
   bool own_alpha = false;
   for (std::size_t i = 0; i < components().size(); ++i) {
     const RegisterComponent& to = components()[i];
@@ -96,12 +97,7 @@ void Fragments::put_constants(std::size_t fragment, Program& program) const {
   for (std::size_t i = 0; i < components().size(); ++i) {
     const RegisterComponent& to = components()[i];
     if (!is_constant(to.reg)) continue;
-    const bool first = to.reg == Register::constant0;
-    const s9 value = code(fragment, i);
-    for (ProgramStage& stage : program.general) {
-      (first ? stage.constant0 : stage.constant1)[index_of(to.component)] = value;
-    }
-    (first ? program.constant0 : program.constant1)[index_of(to.component)] = value;
+    replace_constant(program, to.reg, to.component, code(fragment, i));
   }
 }
 

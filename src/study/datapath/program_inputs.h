@@ -14,7 +14,7 @@ namespace ninebit {
 class Fragments {
  public:
   // Reports the errors of program_error_study about its inputs.
-  [[nodiscard]] static Result<Fragments> of(const Datapath& datapath, ProgramInputs inputs);
+  [[nodiscard]] static Result<Fragments> of(const HardwareProfile& profile, ProgramInputs inputs);
 
   [[nodiscard]] std::size_t count() const { return count_; }
   [[nodiscard]] const std::vector<RegisterComponent>& components() const { return inputs_.components; }
@@ -38,11 +38,11 @@ class Fragments {
   void put_constants(std::size_t fragment, Program& program) const;
 
  private:
-  Fragments(const Datapath& datapath, ProgramInputs inputs)
-      : inputs_(std::move(inputs)), lowest_(datapath.lowest), one_(datapath.one) {}
+  Fragments(const HardwareProfile& profile, ProgramInputs inputs);
 
   ProgramInputs inputs_;
   int lowest_, one_;
+  RegisterFile defaults_;
   std::size_t count_ = 0;
 };
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "src/study/proof/component_flow.h"
+#include "src/study/proof/side_batch.h"
 #include "src/system/parallel/parallel_loop.h"
 
 namespace ninebit::proof {
@@ -24,8 +25,7 @@ class Tail {
         target_(target),
         fixed_(fixed),
         keeps_registers_(side.is_integer() && !target.reg),
-        program_(tail_of(side.program, cut), outputs_for(target)),
-        batch_(std::make_unique<RegisterBatch>()),
+        batch_(side, tail_of(side.program, cut), outputs_for(target)),
         out_(std::make_unique<OutputBatch>()) {
     reset();
   }
@@ -34,25 +34,24 @@ class Tail {
   void begin() {
     if (!keeps_registers_) reset();
   }
-  [[nodiscard]] s9* plane(int index) { return (*batch_)(register_at(index), index % 4); }
+  [[nodiscard]] s9* plane(int index) { return batch_.plane(index); }
   [[nodiscard]] const s9* run(std::size_t count) {
-    program_.run(*batch_, count, *out_);
+    batch_.run(count, *out_);
     const auto component = static_cast<std::size_t>(target_.component);
-    return target_.reg ? (*batch_)(*target_.reg, target_.component) : out_->plane[component].data();
+    return target_.reg ? plane(index_of(*target_.reg, target_.component)) : out_->plane[component].data();
   }
   [[nodiscard]] int shown(s9 code) const { return side_.shown(target_, code); }
 
  private:
   void reset() {
-    for (int i = 0; i < kComponents; ++i) std::fill_n(plane(i), kBatchSize, fixed_[static_cast<std::size_t>(i)]);
+    for (const int i : side_.components) std::fill_n(plane(i), kBatchSize, fixed_[static_cast<std::size_t>(i)]);
   }
 
   const Subject& side_;
   ProofTarget target_;
   std::array<s9, kComponents> fixed_;  // what components hold that no case changes
   bool keeps_registers_;
-  BatchProgram program_;
-  std::unique_ptr<RegisterBatch> batch_;
+  SideBatch batch_;
   std::unique_ptr<OutputBatch> out_;
 };
 
@@ -195,9 +194,12 @@ std::uint64_t mixed(std::uint64_t x) {  // splitmix64
 void random_plane(std::array<std::uint8_t, kBatchSize>& bytes, std::uint64_t batch, int input) {
   constexpr std::array<std::uint8_t, 16> kCorners{0, 1, 2, 3, 63, 64, 126, 127, 128, 129, 191, 192, 252, 253, 254, 255};
   const auto kind = static_cast<unsigned>(batch % 3);
+  // Constants past the registers have numbers of their own.
+  const auto group = static_cast<std::uint64_t>(input / kRegisterComponents) << 48U;
   for (std::size_t k = 0; k < kBatchSize; k += 8) {
     const std::uint64_t place = batch * (kBatchSize / 8) + k / 8;
-    const std::uint64_t own = mixed(place * kComponents + static_cast<std::uint64_t>(input));
+    const std::uint64_t own =
+        mixed(group + place * kRegisterComponents + static_cast<std::uint64_t>(input % kRegisterComponents));
     const std::uint64_t common = kind == 2 ? mixed(~place) : 0;
     for (std::size_t i = 0; i < 8; ++i) {
       const auto byte = static_cast<std::uint8_t>(own >> (8 * i)),
@@ -241,10 +243,10 @@ CaseRun run_random(const std::array<Subject, 2>& sides, const ProofTarget& targe
   std::array<std::array<s9, kComponents>, 2> fixed{};
   for (std::size_t side = 0; side < 2; ++side) {
     const ComponentMask read = reads_of(sides[side].program, 0, target);
-    for (int i = 0; i < kComponents; ++i) {
+    for (const int i : sides[side].components) {
       const Source& source = sides[side].start[static_cast<std::size_t>(i)];
       fixed[side][static_cast<std::size_t>(i)] = source.input < 0 ? source.code : s9{0};
-      if (source.input >= 0 && (read & mask_of(i)) != 0) places.push_back({side, i, source.input});
+      if (source.input >= 0 && has(read, i)) places.push_back({side, i, source.input});
     }
   }
   const auto body = [&](Tails& tails, std::uint64_t batch) -> std::optional<std::size_t> {

@@ -1,13 +1,12 @@
 #include "src/study/proof/case_table.h"
 
 #include <algorithm>
-#include <bit>
 #include <limits>
-#include <memory>
 #include <unordered_map>
 #include <utility>
 
 #include "src/study/proof/component_flow.h"
+#include "src/study/proof/side_batch.h"
 
 namespace ninebit::proof {
 namespace {
@@ -23,10 +22,11 @@ constexpr int kKeyBits = 10;                                  // of a component
 std::array<ComponentMask, kComponents> inputs_at(const Subject& side, int cut) {
   const ComponentFlow flow = flow_through(side.program, 0, cut);
   std::array<ComponentMask, kComponents> inputs{};
-  for (std::size_t i = 0; i < inputs.size(); ++i) {
-    for (int from = 0; from < kComponents; ++from) {
+  for (const int to : side.components) {
+    const auto i = static_cast<std::size_t>(to);
+    for (const int from : side.components) {
       const Source& source = side.start[static_cast<std::size_t>(from)];
-      if ((flow[i] & mask_of(from)) != 0 && source.input >= 0) inputs[i] |= mask_of(source.input);
+      if (has(flow[i], from) && source.input >= 0) inputs[i] |= mask_of(source.input);
     }
   }
   return inputs;
@@ -40,15 +40,15 @@ std::uint64_t product(std::uint64_t a, std::uint64_t b) {
 
 // A group while it is put together.
 struct Draft {
-  ComponentMask inputs = 0;
+  ComponentMask inputs;
   std::vector<CutComponent> components;
 };
 
 // Adds a component; groups that share an input with it become one.
-void add(std::vector<Draft>& drafts, ComponentMask inputs, const CutComponent& component) {
+void add(std::vector<Draft>& drafts, const ComponentMask& inputs, const CutComponent& component) {
   Draft joined{inputs, {component}};
   for (auto draft = drafts.begin(); draft != drafts.end();) {
-    if ((draft->inputs & inputs) == 0) {
+    if ((draft->inputs & inputs).none()) {
       ++draft;
       continue;
     }
@@ -62,15 +62,16 @@ void add(std::vector<Draft>& drafts, ComponentMask inputs, const CutComponent& c
 // Runs a side's general combiners before the cut.
 class Head {
  public:
-  Head(const Subject& side, int cut) : side_(side), batch_(std::make_unique<RegisterBatch>()) {
-    if (cut > 0) program_.emplace(head_of(side.program, cut), BatchOutputs{{false, false, false, false}, true});
-  }
+  Head(const Subject& side, int cut)
+      : side_(side),
+        batch_(side, cut > 0 ? std::optional(head_of(side.program, cut)) : std::nullopt,
+               {{false, false, false, false}, true}) {}
 
   // Fragment k has the bytes first + k of the inputs.
   void run(const std::vector<int>& inputs, std::uint32_t first, std::size_t count) {
-    for (int i = 0; i < kComponents; ++i) {
+    for (const int i : side_.components) {
       const Source& source = side_.start[static_cast<std::size_t>(i)];
-      s9* const plane = (*batch_)(register_at(i), i % 4);
+      s9* const plane = batch_.plane(i);
       const auto at = std::find(inputs.begin(), inputs.end(), source.input);
       if (source.input < 0 || at == inputs.end()) {
         std::fill_n(plane, count, source.input < 0 ? source.code : s9{0});
@@ -81,14 +82,13 @@ class Head {
         plane[k] = from_byte(side_.profile, static_cast<std::uint8_t>((first + k) >> shift));
       }
     }
-    if (program_) program_->run(*batch_, count, out_);
+    batch_.run(count, out_);
   }
-  [[nodiscard]] const s9* plane(int index) const { return (*batch_)(register_at(index), index % 4); }
+  [[nodiscard]] const s9* plane(int index) { return batch_.plane(index); }
 
  private:
   const Subject& side_;
-  std::optional<BatchProgram> program_;
-  std::unique_ptr<RegisterBatch> batch_;
+  SideBatch batch_;
   OutputBatch out_{};
 };
 
@@ -133,19 +133,19 @@ std::optional<std::vector<CaseGroup>> groups_at(const std::array<Subject, 2>& si
   for (std::size_t side = 0; side < 2; ++side) {
     const auto inputs = inputs_at(sides[side], cut[side]);
     const ComponentMask read = reads_of(sides[side].program, cut[side], target);
-    for (int i = 0; i < kComponents; ++i) {
-      const ComponentMask of = inputs[static_cast<std::size_t>(i)];
-      if ((read & mask_of(i)) != 0 && of != 0) add(drafts, of, {side, i});
+    for (const int i : sides[side].components) {
+      const ComponentMask& of = inputs[static_cast<std::size_t>(i)];
+      if (has(read, i) && of.any()) add(drafts, of, {side, i});
     }
   }
   std::vector<CaseGroup> groups;
   for (const Draft& draft : drafts) {
-    if (std::popcount(draft.inputs) > most_inputs || draft.components.size() > kMostComponents) {
+    if (draft.inputs.count() > static_cast<std::size_t>(most_inputs) || draft.components.size() > kMostComponents) {
       return std::nullopt;
     }
     CaseGroup group;
     for (int i = 0; i < kComponents; ++i) {
-      if ((draft.inputs & mask_of(i)) != 0) group.inputs.push_back(i);
+      if (has(draft.inputs, i)) group.inputs.push_back(i);
     }
     group.components = draft.components;
     groups.push_back(std::move(group));
@@ -175,7 +175,8 @@ class TableSearch {
     if (best_ && best_->cases() <= cases) return true;
     for (std::size_t side = 0; side < 2; ++side) {
       heads[side].run({}, 0, 1);
-      for (int i = 0; i < kComponents; ++i) table.fixed[side][static_cast<std::size_t>(i)] = *heads[side].plane(i);
+      for (const int i : sides_[side].components)
+        table.fixed[side][static_cast<std::size_t>(i)] = *heads[side].plane(i);
     }
     best_ = std::move(table);
     return true;

@@ -87,7 +87,8 @@ std::vector<CombinerField> register_fields(const HardwareProfile& profile) {
   return {make_field("spare0_alpha_without_texture0", "", profile, &P::spare0_alpha_without_texture0, ends),
           make_field("disabled_texture_alpha", "16", profile, &P::disabled_texture_alpha, ends),
           make_field("secondary_alpha", "", profile, &P::secondary_alpha,
-                     {named("one", SecondaryAlpha::one), named("as-given", SecondaryAlpha::as_given)})};
+                     {named("one", SecondaryAlpha::one), named("as-given", SecondaryAlpha::as_given)}),
+          make_field("fog_alpha_without_fog", "", profile, &P::fog_alpha_without_fog, ends)};
 }
 
 }  // namespace ninebit

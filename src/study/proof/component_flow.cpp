@@ -7,16 +7,21 @@ namespace {
 
 // A value: what it depends on, and its code if that is nothing.
 struct Value {
-  ComponentMask depends = 0;
+  ComponentMask depends;
   std::optional<int> code;
   [[nodiscard]] bool is(int number) const { return code == number; }
 };
 
-Value read(const ComponentFlow& flow, Register r, int component, const Rgba9& constant0, const Rgba9& constant1) {
+// `from`: the general combiner, or the program for the final one.
+template <class Stage>
+Value read(const ComponentFlow& flow, Register r, int component, const Stage& from) {
   const auto i = static_cast<std::size_t>(component);
-  if (r == Register::zero) return {0, 0};
-  if (r == Register::constant0) return {0, constant0[i]};
-  if (r == Register::constant1) return {0, constant1[i]};
+  if (r == Register::zero) return {{}, 0};
+  if (r == Register::constant0 || r == Register::constant1) {
+    const bool first = r == Register::constant0;
+    if (const auto& name = from.unset[first ? 0 : 1]) return {mask_of(index_of(*name, component)), std::nullopt};
+    return {{}, (first ? from.constant0 : from.constant1)[i]};
+  }
   return {flow[static_cast<std::size_t>(index_of(r, component))], std::nullopt};
 }
 
@@ -36,10 +41,10 @@ class FlowDomain {
       : d_(d), stage_(stage), flow_(flow), mux_(flow[static_cast<std::size_t>(index_of(Register::spare0, kAlpha))]) {}
 
   Value input(const CombinerInput& in, int component) const {
-    return mapped(d_, in.mapping, read(flow_, in.reg, component, stage_.constant0, stage_.constant1));
+    return mapped(d_, in.mapping, read(flow_, in.reg, component, stage_));
   }
   static Value product(const Value& x, const Value& y) {
-    if (x.is(0) || y.is(0)) return {0, 0};
+    if (x.is(0) || y.is(0)) return {{}, 0};
     return {x.depends | y.depends, std::nullopt};
   }
   static Value sum(const Value& x, const Value& y) { return {x.depends | y.depends, std::nullopt}; }
@@ -60,13 +65,13 @@ ComponentMask color_reads(const Program& program, const ComponentFlow& flow, int
   const FinalCombiner& f = program.final_combiner;
   const auto plain = [&](const CombinerInput& in) {
     const int at = detail::component_of(in.usage, component);
-    return mapped(program.datapath, in.mapping, read(flow, in.reg, at, program.constant0, program.constant1));
+    return mapped(program.datapath, in.mapping, read(flow, in.reg, at, program));
   };
   const auto value = [&](const CombinerInput& in) -> Value {
     if (in.reg == Register::e_times_f) return {plain(f.e).depends | plain(f.f).depends, std::nullopt};
     if (in.reg != Register::spare0_plus_secondary) return plain(in);
-    return {read(flow, Register::spare0, component, {}, {}).depends |
-                read(flow, Register::secondary, component, {}, {}).depends,
+    return {read(flow, Register::spare0, component, program).depends |
+                read(flow, Register::secondary, component, program).depends,
             std::nullopt};
   };
   if (component == kAlpha) return value(f.g).depends;

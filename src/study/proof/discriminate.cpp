@@ -30,7 +30,7 @@ class Search {
       if (go_on_ && !go_on_(static_cast<double>(i) / static_cast<double>(forms.size()))) {
         return Diagnostic{.message = "interrupted", .fault = Fault::cancelled};
       }
-      Discriminator program{forms[i].text, state_of(forms[i].text), general_combiners, {}, {}};
+      Discriminator program{forms[i].text, state_of(forms[i].text), general_combiners, {}, {}, forms[i].fog_off};
       if (forms[i].texture_off >= 0) program.texture_off[static_cast<std::size_t>(forms[i].texture_off)] = true;
       if (!forms[i].is_constant) {
         if (auto status = find_bytes(program); !status) return status;
@@ -53,8 +53,8 @@ class Search {
   Status find_bytes(Discriminator& program) {
     EquivalenceOptions options;
     options.targets = {kShown};
-    const auto answer =
-        prove_equivalent({program.state, a_, program.texture_off}, {program.state, b_, program.texture_off}, options);
+    const auto answer = prove_equivalent({program.state, a_, program.texture_off, program.fog_off},
+                                         {program.state, b_, program.texture_off, program.fog_off}, options);
     if (!answer) return answer.error();
     found.cases += answer->cases;
     if (!answer->counterexample) return {};
@@ -77,7 +77,7 @@ int Discriminator::shown(const HardwareProfile& profile) const {
   for (std::size_t i = 0; i < kInputs.size(); ++i) {
     for (int c = 0; c < 4; ++c) inputs[static_cast<std::size_t>(proof::index_of(kInputs[i], c))] = bytes[i];
   }
-  return proof::Subject({state, profile, texture_off}).evaluate(kShown, inputs);
+  return proof::Subject({state, profile, texture_off, fog_off}).evaluate(kShown, inputs);
 }
 
 Result<Discrimination> discriminate(const HardwareProfile& a, const HardwareProfile& b,

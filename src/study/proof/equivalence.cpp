@@ -20,8 +20,8 @@ using proof::Subject;
 
 // So many are run first: most differences are found by them.
 constexpr std::uint64_t kFirstCases = 1U << 18U;
-// Real numbers run one by one.
-constexpr std::uint64_t kMostRealCases = 1U << 24U;
+// Real numbers, and constants that batches cannot have, run one by one.
+constexpr std::uint64_t kMostSingleCases = 1U << 24U;
 
 Diagnostic cancelled() {
   return {.message = "interrupted", .fault = Fault::cancelled};
@@ -46,8 +46,9 @@ class TargetProof {
     if (answer_.answer == ProofAnswer::refuted) return answer_;
     const auto table = proof::make_case_table(sides_, target_, wait);
     if (!table) return cancelled();
-    const bool integer = sides_[0].is_integer() && sides_[1].is_integer();
-    if (table->cases() <= (integer ? options_.most_cases : std::min(options_.most_cases, kMostRealCases))) {
+    const bool in_batches = std::all_of(sides_.begin(), sides_.end(),
+                                        [](const Subject& side) { return side.is_integer() && !side.runs_in_rows(); });
+    if (table->cases() <= (in_batches ? options_.most_cases : std::min(options_.most_cases, kMostSingleCases))) {
       const proof::CaseRun run = proof::run_all(sides_, target_, *table, go_on_);
       if (run.cancelled) return cancelled();
       answer_.cases += table->cases();
@@ -68,8 +69,7 @@ class TargetProof {
     Counterexample example{{}, target_, sides_[0].evaluate(target_, bytes), sides_[1].evaluate(target_, bytes)};
     const proof::ComponentMask read = inputs_read();
     for (int i = 0; i < proof::kComponents; ++i) {
-      if ((read & proof::mask_of(i)) == 0) continue;
-      example.inputs.push_back({proof::register_at(i), i % 4, bytes[static_cast<std::size_t>(i)]});
+      if (proof::has(read, i)) example.inputs.push_back(proof::input_at(i, bytes[static_cast<std::size_t>(i)]));
     }
     answer_.answer = example.a == example.b ? ProofAnswer::unknown : ProofAnswer::refuted;
     if (example.a == example.b) {
@@ -80,12 +80,12 @@ class TargetProof {
   }
 
   [[nodiscard]] proof::ComponentMask inputs_read() const {
-    proof::ComponentMask inputs = 0;
+    proof::ComponentMask inputs;
     for (const Subject& side : sides_) {
       const proof::ComponentMask read = proof::reads_of(side.program, 0, target_);
-      for (int i = 0; i < proof::kComponents; ++i) {
+      for (const int i : side.components) {
         const int input = side.start[static_cast<std::size_t>(i)].input;
-        if ((read & proof::mask_of(i)) != 0 && input >= 0) inputs |= proof::mask_of(input);
+        if (proof::has(read, i) && input >= 0) inputs |= proof::mask_of(input);
       }
     }
     return inputs;
@@ -174,6 +174,11 @@ void add(EquivalenceAnswer& all, EquivalenceAnswer one) {
 
 }  // namespace
 
+std::string ProofInput::name() const {
+  if (!constant) return component_name(reg, component);
+  return fmt::format("{}.{}", name_of_constant(*constant), "rgba"[component]);
+}
+
 std::string component_name(std::optional<Register> reg, int component) {
   return fmt::format("{}.{}", reg ? short_name(*reg) : "out", "rgba"[component]);
 }
@@ -181,7 +186,7 @@ std::string component_name(std::optional<Register> reg, int component) {
 Result<EquivalenceAnswer> prove_equivalent(const ProofSubject& a, const ProofSubject& b,
                                            const EquivalenceOptions& options) {
   if (auto fault = fault_of(a, b, options)) return *fault;
-  const std::array<Subject, 2> sides{Subject(a), Subject(b)};
+  const std::array<Subject, 2> sides{Subject(a, options.fixed), Subject(b, options.fixed)};
   const auto targets = options.targets.empty() ? color_targets() : options.targets;
   EquivalenceAnswer all;
   all.answer = ProofAnswer::proved;

@@ -86,6 +86,7 @@ std::vector<ProgramForm> programs_without_stages() {
           {shows("spare0.a"), 0, 0, true},
           {shows("tex0.a"), 0, 0, true},
           {shows("tex1.a"), 0, 1, true},
+          {shows("fog.a"), 0, -1, true, true},
           {shows("tex0 * tex1"), 1},
           {"!!RC1.0\nfinal_product = tex0 * tex1;\nout.rgb = final_product;\nout.a = zero;\n", 2}};
 }

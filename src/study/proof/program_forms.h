@@ -12,6 +12,7 @@ struct ProgramForm {
   int cost = 0;
   int texture_off = -1;      // the unit that is off; -1: none
   bool is_constant = false;  // it reads no byte
+  bool fog_off = false;
 };
 
 // Programs without general combiners.

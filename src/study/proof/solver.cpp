@@ -11,13 +11,15 @@ namespace ninebit::proof {
 namespace {
 
 SmtProgram question_side(const Subject& side) {
-  SmtProgram program{&side.program, {}};
-  for (int i = 0; i < kComponents; ++i) {
+  SmtProgram program{&side.program, {}, {}};
+  for (const int i : side.components) {
     const Source& from = side.start[static_cast<std::size_t>(i)];
-    SmtSource& to = program.start[static_cast<std::size_t>(i / 4)][static_cast<std::size_t>(i % 4)];
+    const ProofInput named = input_at(i, 0);
+    auto& group = named.constant ? program.unset[*named.constant] : program.start[static_cast<std::size_t>(named.reg)];
+    SmtSource& to = group[static_cast<std::size_t>(named.component)];
     to.code = from.code;
     to.byte_shift = side.profile.byte_shift;
-    if (from.input >= 0) to.input = component_name(register_at(from.input), from.input % 4);
+    if (from.input >= 0) to.input = input_at(from.input, 0).name();
   }
   return program;
 }
@@ -26,7 +28,7 @@ SmtProgram question_side(const Subject& side) {
 std::optional<InputBytes> values_of(std::string_view text, const SmtQuestion& question) {
   InputBytes bytes{};
   for (int i = 0; i < kComponents; ++i) {
-    const std::string name = '|' + component_name(register_at(i), i % 4) + "| ";
+    const std::string name = '|' + input_at(i, 0).name() + "| ";
     const auto at = text.find(name);
     if (at == std::string_view::npos) continue;
     const std::string_view value = text.substr(at + name.size());

@@ -17,21 +17,27 @@ using Combination = std::vector<std::size_t>;
 // The components of registers at the start that the program's colours depend on.
 proof::ComponentMask reads_of_colors(const CombinerState& state, const HardwareProfile& profile) {
   const Program program = normalize(state, profile);
-  proof::ComponentMask read = 0;
+  proof::ComponentMask read;
   for (int c = 0; c < 4; ++c) read |= proof::reads_of(program, 0, {std::nullopt, c});
   return read;
 }
 
-bool reads(proof::ComponentMask read, Register r, int component) {
-  return (read & proof::mask_of(proof::index_of(r, component))) != 0;
+bool reads(const proof::ComponentMask& read, Register r, int component) {
+  return proof::has(read, proof::index_of(r, component));
 }
 
-// The program with all texture units on, or with one off.
+// What is off, if anything.
+struct Off {
+  int texture = -1;  // a unit
+  bool fog = false;
+};
+
+// The program with all texture units and fog on, or with one off.
 class Setting {
  public:
-  Setting(const CombinerState& state, const HardwareProfile& profile, int texture_off,
-          std::vector<CombinerField> fields, EquivalenceOptions& options)
-      : state_(state), profile_(profile), texture_off_(texture_off), fields_(std::move(fields)), options_(options) {}
+  Setting(const CombinerState& state, const HardwareProfile& profile, const Off& off, std::vector<CombinerField> fields,
+          EquivalenceOptions& options)
+      : state_(state), profile_(profile), off_(off), fields_(std::move(fields)), options_(options) {}
 
   // Finds the combinations that give the same colours. Returns what made it impossible.
   Status classify() {
@@ -50,7 +56,7 @@ class Setting {
 
   // What field number `at` does.
   Result<FieldEffect> effect_of(std::size_t at) {
-    FieldEffect effect{fields_[at], ProofAnswer::proved, 0, {}, texture_off_, std::nullopt};
+    FieldEffect effect{fields_[at], ProofAnswer::proved, 0, {}, off_.texture, off_.fog, std::nullopt};
     std::vector<std::pair<std::size_t, std::size_t>> pairs;  // combinations that differ in this field alone
     for (std::size_t i = 0; i < combinations_.size(); ++i) {
       if (combinations_[i][at] != 0) continue;
@@ -113,9 +119,9 @@ class Setting {
 
   Result<EquivalenceAnswer> compare(const Combination& a, const Combination& b) {
     const auto subject = [&](const Combination& combination) {
-      ProofSubject made{state_, profile_, {}};
+      ProofSubject made{state_, profile_, {}, off_.fog};
       for (std::size_t i = 0; i < combination.size(); ++i) fields_[i].values[combination[i]].set(made.profile);
-      if (texture_off_ >= 0) made.texture_off[static_cast<std::size_t>(texture_off_)] = true;
+      if (off_.texture >= 0) made.texture_off[static_cast<std::size_t>(off_.texture)] = true;
       return made;
     };
     const auto begin = std::chrono::steady_clock::now();
@@ -143,7 +149,7 @@ class Setting {
 
   const CombinerState& state_;
   const HardwareProfile& profile_;
-  int texture_off_;
+  Off off_;
   std::vector<CombinerField> fields_;
   EquivalenceOptions& options_;  // the solver's time is what is left
   std::vector<Combination> combinations_;
@@ -154,8 +160,9 @@ class Setting {
   std::string reason_;
 };
 
-// The open fields that can have a say with this unit off (-1: none).
-std::vector<CombinerField> fields_for(const HardwareProfile& profile, proof::ComponentMask read, int texture_off) {
+// The open fields that can have a say with this off.
+std::vector<CombinerField> fields_for(const HardwareProfile& profile, const proof::ComponentMask& read,
+                                      const Off& off) {
   std::vector<CombinerField> fields;
   for (CombinerField& field : arithmetic_fields(profile)) {
     if (field.is_open()) fields.push_back(std::move(field));
@@ -163,8 +170,10 @@ std::vector<CombinerField> fields_for(const HardwareProfile& profile, proof::Com
   for (CombinerField& field : register_fields(profile)) {
     const bool matters = field.name == "secondary_alpha" ? reads(read, Register::secondary, kAlpha)
                          : field.name == "disabled_texture_alpha"
-                             ? texture_off >= 0 && reads(read, texture_register(texture_off), kAlpha)
-                             : texture_off == 0 && reads(read, Register::spare0, kAlpha);
+                             ? off.texture >= 0 && reads(read, texture_register(off.texture), kAlpha)
+                         : field.name == "fog_alpha_without_fog"
+                             ? off.fog && reads(read, Register::fog, kAlpha)
+                             : off.texture == 0 && reads(read, Register::spare0, kAlpha);
     if (field.is_open() && matters) fields.push_back(std::move(field));
   }
   return fields;
@@ -192,23 +201,27 @@ Result<StabilityAnswer> prove_stable(const CombinerState& state, const HardwareP
                                              profile.name)};
   }
   const proof::ComponentMask read = reads_of_colors(state, profile);
-  std::vector<int> settings{-1};
+  std::vector<Off> settings{{}};
   for (int unit = 0; unit < profile.texture_units; ++unit) {
     const Register r = texture_register(unit);
     bool is_read = unit == 0 && reads(read, Register::spare0, kAlpha);
     for (int c = 0; c < 4; ++c) is_read = is_read || reads(read, r, c);
-    if (is_read) settings.push_back(unit);
+    if (is_read) settings.push_back({.texture = unit, .fog = false});
   }
+  // The other fields have their say with fog on, where its alpha is any byte.
+  const bool fog_is_open = profile.fog_alpha_without_fog.evidence == Evidence::assumed ||
+                           profile.fog_alpha_without_fog.evidence == Evidence::inferred;
+  if (fog_is_open && reads(read, Register::fog, kAlpha)) settings.push_back({.texture = -1, .fog = true});
   EquivalenceOptions colors = options;
   colors.targets.clear();
   StabilityAnswer all;
   for (const auto& table : {arithmetic_fields(profile), register_fields(profile)}) {
     for (const CombinerField& field : table) {
-      if (field.is_open()) all.fields.push_back({field, ProofAnswer::proved, 0, {}, -1, std::nullopt});
+      if (field.is_open()) all.fields.push_back({field, ProofAnswer::proved, 0, {}, -1, false, std::nullopt});
     }
   }
-  for (std::size_t i = 0; i < settings.size(); ++i) {
-    Setting setting(state, profile, settings[i], fields_for(profile, read, settings[i]), colors);
+  for (const Off& off : settings) {
+    Setting setting(state, profile, off, fields_for(profile, read, off), colors);
     if (auto status = setting.classify(); !status) return status.error();
     for (std::size_t field = 0; field < setting.fields().size(); ++field) {
       auto effect = setting.effect_of(field);

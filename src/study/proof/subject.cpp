@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "src/combiner/given_registers.h"
+
 namespace ninebit::proof {
 namespace {
 
@@ -9,10 +11,17 @@ constexpr Portion kDead{{}, {}, {}, {}, {.sum = Register::discard}};
 
 }  // namespace
 
-Subject::Subject(const ProofSubject& from) : profile(from.profile), program(normalize(from.state, from.profile)) {
+ProofInput input_at(int index, std::uint8_t byte) {
+  if (!is_constant(index)) return {register_at(index), index % 4, byte, {}};
+  const int first = index < kRegisterComponents ? index_of(ConstantName{0}, 0) : index_of(ConstantName{2}, 0) - 2 * 4;
+  return {Register::zero, index % 4, byte, static_cast<ConstantName>((index - first) / 4)};
+}
+
+Subject::Subject(const ProofSubject& from, const std::vector<ProofInput>& fixed)
+    : profile(from.profile), program(normalize(from.state, from.profile)) {
   // With all inputs at 0, what the profile decides is what is left.
   FragmentInputs inputs;
-  inputs.fog_factor = 0;
+  if (!from.fog_off) inputs.fog_factor = 0;
   for (std::size_t unit = 0; unit < 4; ++unit) {
     if (!from.texture_off[unit]) inputs.texture[unit] = Texel{};
   }
@@ -20,12 +29,12 @@ Subject::Subject(const ProofSubject& from) : profile(from.profile), program(norm
   const auto input = [&](Register r, int component, Register named) {
     start[static_cast<std::size_t>(index_of(r, component))].input = index_of(named, component);
   };
-  for (int i = 0; i < kComponents; ++i) {
+  for (int i = 0; i < kRegisterComponents; ++i) {
     start[static_cast<std::size_t>(i)].code = registers[register_at(i)][static_cast<std::size_t>(i % 4)];
   }
   for (int c = 0; c < 4; ++c) {
     input(Register::primary, c, Register::primary);
-    input(Register::fog, c, Register::fog);
+    if (c != kAlpha || !from.fog_off) input(Register::fog, c, Register::fog);
     const bool has_one = c == kAlpha && profile.secondary_alpha == SecondaryAlpha::one;
     if (!has_one) input(Register::secondary, c, Register::secondary);
     for (int unit = 0; unit < 4; ++unit) {
@@ -34,16 +43,38 @@ Subject::Subject(const ProofSubject& from) : profile(from.profile), program(norm
     }
   }
   if (!from.texture_off[0]) input(Register::spare0, kAlpha, Register::texture0);
+  for (int i = index_of(Register::fog, 0); i < kRegisterComponents; ++i) components.push_back(i);
+  for (const ConstantName name : unset_constants(program)) {
+    for (int c = 0; c < 4; ++c) {
+      components.push_back(index_of(name, c));
+      start[static_cast<std::size_t>(components.back())].input = components.back();
+    }
+  }
+  for (const ProofInput& one : fixed) {
+    const int named = one.constant ? index_of(*one.constant, one.component) : index_of(one.reg, one.component);
+    for (Source& source : start) {
+      if (source.input == named) source = {-1, from_byte(profile, one.byte)};
+    }
+  }
+}
+
+bool Subject::runs_in_rows() const {
+  return !unset_constants(program).empty() && (!is_integer() || !varying_constants(program));
 }
 
 int Subject::evaluate(const ProofTarget& target, const std::array<std::uint8_t, kComponents>& bytes) const {
   RegisterFile registers;
-  for (int i = 0; i < kComponents; ++i) {
+  Program with_constants = program;
+  for (const int i : components) {
     const Source& from = start[static_cast<std::size_t>(i)];
-    registers[register_at(i)][static_cast<std::size_t>(i % 4)] =
-        from.input < 0 ? from.code : from_byte(profile, bytes[static_cast<std::size_t>(from.input)]);
+    const s9 code = from.input < 0 ? from.code : from_byte(profile, bytes[static_cast<std::size_t>(from.input)]);
+    if (is_constant(i)) {
+      replace_unset_constant(with_constants, *input_at(i, 0).constant, i % 4, code);
+    } else {
+      registers[register_at(i)][static_cast<std::size_t>(i % 4)] = code;
+    }
   }
-  const EvaluatedFragment fragment = evaluate_fragment(program, registers);
+  const EvaluatedFragment fragment = evaluate_fragment(with_constants, registers);
   const Rgba9& value = target.reg ? fragment.registers[*target.reg] : fragment.color;
   return shown(target, value[static_cast<std::size_t>(target.component)]);
 }

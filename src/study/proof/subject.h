@@ -2,7 +2,9 @@
 #pragma once
 
 #include <array>
+#include <bitset>
 #include <cstdint>
+#include <vector>
 
 #include "ninebit/combiner/batch_program.h"
 #include "ninebit/combiner/initial_registers.h"
@@ -11,28 +13,43 @@
 
 namespace ninebit::proof {
 
-// A register component as one number, and sets of them.
-inline constexpr int kComponents = static_cast<int>(kRegisterCount) * 4;
-using ComponentMask = std::uint64_t;
+// A register component, or that of a constant that is not set, as one number, and sets of them. Const0 and const1 have
+// the numbers of their registers; the other constants come after the registers.
+inline constexpr int kRegisterComponents = static_cast<int>(kRegisterCount) * 4;
+inline constexpr int kComponents = kRegisterComponents + (static_cast<int>(kConstantNames) - 2) * 4;
+using ComponentMask = std::bitset<static_cast<std::size_t>(kComponents)>;
 
 constexpr int index_of(Register r, int component) {
   return static_cast<int>(r) * 4 + component;
 }
+constexpr int index_of(ConstantName name, int component) {
+  const int of = name < 2 ? static_cast<int>(Register::constant0) + name : static_cast<int>(kRegisterCount) + name - 2;
+  return of * 4 + component;
+}
 constexpr Register register_at(int index) {
   return static_cast<Register>(index / 4);
 }
-constexpr ComponentMask mask_of(int index) {
-  return ComponentMask{1} << static_cast<unsigned>(index);
+inline ComponentMask mask_of(int index) {
+  return ComponentMask{}.set(static_cast<std::size_t>(index));
 }
+inline bool has(const ComponentMask& mask, int index) {
+  return mask[static_cast<std::size_t>(index)];
+}
+inline bool is_constant(int index) {
+  return index >= kRegisterComponents ||
+         (index >= index_of(Register::constant0, 0) && index < index_of(Register::fog, 0));
+}
+// The input that a component names.
+[[nodiscard]] ProofInput input_at(int index, std::uint8_t byte);
 
-// What a register component holds before the first general combiner.
+// What a component holds before the first general combiner.
 struct Source {
   int input = -1;  // the component that names the input; -1: a code
   s9 code = 0;     // then
 };
 
 struct Subject {
-  explicit Subject(const ProofSubject& from);
+  explicit Subject(const ProofSubject& from, const std::vector<ProofInput>& fixed = {});
 
   [[nodiscard]] bool is_integer() const { return profile.arithmetic == Arithmetic::integer; }
   // What the program shows of the target, with these inputs, by the reference.
@@ -42,8 +59,12 @@ struct Subject {
     return target.reg ? code : to_byte(profile, code);
   }
 
+  // Whether it is run one fragment after another: batches have integers, and two constants that vary.
+  [[nodiscard]] bool runs_in_rows() const;
+
   HardwareProfile profile;
   Program program;
+  std::vector<int> components;  // that hold something: registers, and the constants that are not set
   std::array<Source, kComponents> start{};
 };
 

@@ -1,12 +1,13 @@
 #include "src/tools/common/program_file.h"
 
-#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
 #include <utility>
 
 #include "ninebit/combiner/validate.h"
+#include "src/combiner/given_registers.h"
 #include "src/language/source/foreign_language.h"
 #include "src/language/source/source_faults.h"
 #include "src/tools/common/setup_name.h"
@@ -261,6 +262,18 @@ bool misuses_source_flags(const ProgramFlags& flags, std::string_view name, Prog
 
 void say_notes(const std::vector<TextFault>& notes) {
   for (const TextFault& note : notes) say(fmt::format("ninebit: note: {}\n", printable_briefly(note.text())));
+}
+
+void say_assumed_constants(const std::string& file, const Program& program, const std::vector<EvalColumn>& given) {
+  std::vector<std::string> names;
+  for (const UnsetComponent& one : unset_components(program)) {
+    const bool is_given = std::find(given.begin(), given.end(), EvalColumn{one.reg, one.component}) != given.end();
+    const std::string name = name_of_constant(one.name);
+    if (!is_given && std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+  }
+  if (names.empty()) return;
+  say(fmt::format("ninebit: note: {}: {} {} not set; 0 is assumed\n", printable(file), fmt::join(names, ", "),
+                  names.size() == 1 ? "is" : "are"));
 }
 
 int report(const std::vector<TextFault>& faults, std::string_view text) {

@@ -11,6 +11,7 @@
 #include "ninebit/language/register_words.h"
 #include "ninebit/language/source_text.h"
 #include "src/tools/common/program_flags.h"
+#include "src/tools/input/eval_table.h"
 #include "src/tools/input/input_file.h"
 #include "src/tools/input/program.h"
 
@@ -67,6 +68,10 @@ struct ProgramFile {
 
 // Prints what was skipped or assumed in a text, a line each: "ninebit: note: FILE:LINE:COLUMN: MESSAGE".
 void say_notes(const std::vector<TextFault>& notes);
+
+// Prints which constants of the program are not set and that 0 is assumed for them, as a note. `given`: columns that
+// give constants.
+void say_assumed_constants(const std::string& file, const Program& program, const std::vector<EvalColumn>& given);
 
 // Prints every fault as "ninebit: error: FILE:LINE:COLUMN: MESSAGE", then the line of `text`, which has the faults,
 // with a mark under the place, as compilers do. Without the text, only the first line. Returns kInvalidInput.

@@ -6,6 +6,8 @@
 #include <charconv>
 #include <utility>
 
+#include "src/combiner/given_registers.h"
+
 namespace ninebit::tools {
 namespace {
 
@@ -68,7 +70,7 @@ Result<EvalTable> EvalTable::open(const std::string& file, const HardwareProfile
 }
 
 EvalRows::EvalRows(std::vector<EvalColumn> columns, const HardwareProfile& profile)
-    : columns_(std::move(columns)), lowest_(profile.lowest), one_(profile.one) {}
+    : columns_(std::move(columns)), lowest_(profile.lowest), one_(profile.one), defaults_(default_registers(profile)) {}
 
 bool EvalRows::has(const EvalColumn& column) const {
   return std::find(columns_.begin(), columns_.end(), column) != columns_.end();
@@ -79,8 +81,7 @@ void EvalRows::begin(EvalBatch& batch) const {
   for (std::size_t i = 0; i < kRegisterCount; ++i) {
     const auto reg = static_cast<Register>(i);
     for (int component = 0; component < 4; ++component) {
-      const bool starts_at_one = component == kAlpha && (reg == Register::fog || is_texture(reg));
-      std::fill_n(batch.registers(reg, component), kBatchSize, static_cast<s9>(starts_at_one ? one_ : 0));
+      std::fill_n(batch.registers(reg, component), kBatchSize, defaults_[reg][static_cast<std::size_t>(component)]);
     }
   }
 }

@@ -61,6 +61,7 @@ class EvalRows {
  private:
   std::vector<EvalColumn> columns_;
   int lowest_, one_;
+  RegisterFile defaults_;
 };
 
 }  // namespace ninebit::tools

@@ -3,9 +3,53 @@
 
 #include <fmt/ranges.h>
 
+#include <algorithm>
+
 #include "src/tools/common/number_flag.h"
+#include "src/tools/common/number_list.h"
+#include "src/tools/input/printable.h"
 
 namespace ninebit::tools {
+namespace {
+
+// The inputs that a text of --set fixes: "const0=1,2,3,4", "tex0.r=16".
+Result<std::vector<ProofInput>> inputs_of(const std::string& text) {
+  const std::size_t equals = std::min(text.find('='), text.size());
+  std::string name = text.substr(0, equals);
+  std::vector<int> components{kRed, kGreen, kBlue, kAlpha};
+  constexpr std::string_view kLetters = "rgba";
+  if (name.size() > 2 && name[name.size() - 2] == '.' && kLetters.find(name.back()) != std::string_view::npos) {
+    components = {static_cast<int>(kLetters.find(name.back()))};
+    name.resize(name.size() - 2);
+  }
+  std::vector<ProofInput> inputs;
+  const auto constant = constant_called(name);
+  for (const Register reg : {Register::fog, Register::primary, Register::secondary, Register::texture0,
+                             Register::texture1, Register::texture2, Register::texture3}) {
+    if (short_name(reg) != name) continue;
+    for (const int c : components) inputs.push_back({reg, c, 0, {}});
+  }
+  for (std::size_t i = 0; constant && i < components.size(); ++i) {
+    inputs.push_back({Register::zero, components[i], 0, constant});
+  }
+  if (inputs.empty()) {
+    return Diagnostic{.message =
+                          fmt::format("--set {}: '{}' is not an input; expected fog, primary, secondary, tex0 to "
+                                      "tex3, const0 or stage0.const0, or one of these with .r, .g, .b or .a",
+                                      text, name)};
+  }
+  const auto bytes = numbers<int>(text.substr(std::min(equals + 1, text.size())), ',');
+  const bool fits = bytes && bytes->size() == inputs.size() &&
+                    std::all_of(bytes->begin(), bytes->end(), [](int n) { return n >= 0 && n <= 255; });
+  if (!fits) {
+    return Diagnostic{.message = fmt::format("--set {}: expected {} from 0 to 255", text,
+                                             inputs.size() == 1 ? "a whole number" : "four whole numbers R,G,B,A")};
+  }
+  for (std::size_t i = 0; i < inputs.size(); ++i) inputs[i].byte = static_cast<std::uint8_t>((*bytes)[i]);
+  return inputs;
+}
+
+}  // namespace
 
 void add_proof_flags(CLI::App& verb, ProofFlags& flags) {
   add_common_flags(verb, flags.common);
@@ -13,6 +57,62 @@ void add_proof_flags(CLI::App& verb, ProofFlags& flags) {
       ->capture_default_str()
       ->type_name("SECONDS")
       ->check(real_in_range(0.0, kMostSeconds));
+  verb.add_option("--set", flags.set,
+                  "Fix an input: NAME=R,G,B,A or NAME.COMPONENT=BYTE, such as const0.r=128; repeat for more")
+      ->type_name("INPUT=BYTES")
+      ->allow_extra_args(false);
+  verb.add_option("--free", flags.free,
+                  "Make a constant that a program sets an input, such as const0 or stage1.const0; repeat for more")
+      ->type_name("CONSTANT")
+      ->allow_extra_args(false);
+}
+
+Status choose_inputs(const ProofFlags& flags, const std::vector<AskedProgram>& programs, EquivalenceOptions& options) {
+  for (const std::string& text : flags.free) {
+    const auto name = constant_called(text);
+    bool found = false;
+    for (const AskedProgram& one : programs) found = (name && free_constant(*one.state, *name)) || found;
+    if (!found) {
+      return Diagnostic{.message = fmt::format("--free {}: no program of the question reads such a constant; expected "
+                                               "a name such as const0 or stage1.const0",
+                                               text)};
+    }
+  }
+  std::vector<ConstantName> unset;
+  for (const AskedProgram& one : programs) {
+    std::vector<std::string> names;
+    for (std::size_t which = 0; which < 2; ++which) {
+      for (std::size_t place = 0; place <= kFinalConstants; ++place) {
+        if (!one.state->origin[place][which].unset) continue;
+        const ConstantName name = constant_name(*one.state, place, which);
+        unset.push_back(name);
+        std::string word = name_of_constant(name);
+        if (std::find(names.begin(), names.end(), word) == names.end()) names.push_back(std::move(word));
+      }
+    }
+    if (names.empty() || flags.common.quiet) continue;
+    say(fmt::format("ninebit: note: {}: {} {} not set: {} of the question\n", printable(one.name),
+                    fmt::join(names, ", "), names.size() == 1 ? "is" : "are",
+                    names.size() == 1 ? "an input" : "inputs"));
+  }
+  for (const std::string& text : flags.set) {
+    auto fixed = inputs_of(text);
+    if (!fixed) return fixed.error();
+    for (const ProofInput& input : *fixed) {
+      const auto same = [&](const ProofInput& other) { return other.name() == input.name(); };
+      if (std::any_of(options.fixed.begin(), options.fixed.end(), same)) {
+        return Diagnostic{.message = fmt::format("--set {}: {} is set twice", text, input.name())};
+      }
+      if (input.constant && std::find(unset.begin(), unset.end(), *input.constant) == unset.end()) {
+        const std::string name = name_of_constant(*input.constant);
+        return Diagnostic{.message = fmt::format("--set {}: {} is not an input of the question, because no program "
+                                                 "reads it without setting it; --free {} makes it one",
+                                                 text, name, name)};
+      }
+      options.fixed.push_back(input);
+    }
+  }
+  return {};
 }
 
 EquivalenceOptions options_of(const ProofFlags& flags, ProgressLine& progress) {
@@ -41,7 +141,7 @@ Json proof_json(const std::string& question, ProofAnswer answer, ProofMethod met
 
 Json counterexample_json(const Counterexample& example) {
   Json inputs = Json::object();
-  for (const ProofInput& input : example.inputs) inputs[component_name(input.reg, input.component)] = input.byte;
+  for (const ProofInput& input : example.inputs) inputs[input.name()] = input.byte;
   return {{"inputs", std::move(inputs)},
           {"outputs",
            {{"component", component_name(example.target.reg, example.target.component)},
@@ -52,7 +152,7 @@ Json counterexample_json(const Counterexample& example) {
 std::string counterexample_text(const Counterexample& example) {
   std::vector<std::string> inputs;
   for (const ProofInput& input : example.inputs) {
-    inputs.push_back(fmt::format("{} = {}", component_name(input.reg, input.component), input.byte));
+    inputs.push_back(fmt::format("{} = {}", input.name(), input.byte));
   }
   return fmt::format("{}{} is {} and {}", inputs.empty() ? "" : fmt::format("with {}: ", fmt::join(inputs, ", ")),
                      component_name(example.target.reg, example.target.component), example.a, example.b);

@@ -12,10 +12,20 @@ namespace ninebit::tools {
 struct ProofFlags {
   CommonFlags common;
   double timeout_s = 60;
+  std::vector<std::string> set, free;
 };
 
-// Adds the common flags and --timeout.
+// Adds the common flags, --timeout, --set and --free.
 void add_proof_flags(CLI::App& verb, ProofFlags& flags);
+// A program of a question and its name.
+struct AskedProgram {
+  std::string name;
+  CombinerState* state;
+};
+// Makes the constants of --free unset in the programs, and puts the inputs of --set into the options. Notes which
+// constants are inputs. The Diagnostic is wrong usage.
+[[nodiscard]] Status choose_inputs(const ProofFlags& flags, const std::vector<AskedProgram>& programs,
+                                   EquivalenceOptions& options);
 // The options of a question, whose progress is shown.
 [[nodiscard]] EquivalenceOptions options_of(const ProofFlags& flags, ProgressLine& progress);
 

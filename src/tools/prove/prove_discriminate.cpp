@@ -96,6 +96,7 @@ Json json_of(const Discrimination& proof, const std::array<Side, 2>& sides) {
     out["general_combiners"] = proof.found->general_combiners;
     out["shortest"] = proof.shortest;
     out["texture_off"] = units_off(*proof.found);
+    if (proof.found->fog_off) out["fog_off"] = true;
     out["counterexample"] = {{"inputs", inputs_of(*proof.found)},
                              {"outputs", {{"component", "out.rgb"}, {"a", proof.a}, {"b", proof.b}}}};
   }
@@ -113,6 +114,7 @@ std::string text_of(const Discrimination& proof, const std::array<Side, 2>& side
   const Discriminator& found = *proof.found;
   std::string text = fmt::format("refuted: this program tells {} and {} apart\n{}", a, b, found.rc10);
   for (const int unit : units_off(found)) text += fmt::format("texture unit {} off\n", unit);
+  if (found.fog_off) text += "fog off\n";
   std::vector<std::string> inputs;
   const Json read = inputs_of(found);
   for (const auto& [name, byte] : read.items()) inputs.push_back(fmt::format("{} = {}", name, byte.dump()));

@@ -77,14 +77,16 @@ int run(const EquivalentFlags& flags) {
   const HardwareProfile &profile = profile_of(common),
                         &other = flags.other.name.empty() ? profile : profile_of(flags.other);
   int exit_code = kDone;
-  const auto a = load_program(flags.a, profile, common.quiet, exit_code),
-             b = load_program(flags.b, other, common.quiet, exit_code);
+  auto a = load_program(flags.a, profile, common.quiet, exit_code),
+       b = load_program(flags.b, other, common.quiet, exit_code);
   if (!a || !b) return exit_code;
   const ThreadLimit limit(common.threads);
   ProgressLine progress(common.quiet || common.json);
   EquivalenceOptions options = options_of(flags.proof, progress);
   options.targets = targets_of(flags.outputs);
-  const auto proof = prove_equivalent({*a, profile, {}}, {*b, other, {}}, options);
+  const Status chosen = choose_inputs(flags.proof, {{flags.a.file, &*a}, {flags.b.file, &*b}}, options);
+  if (!chosen) throw CLI::ValidationError(chosen.error().message);
+  const auto proof = prove_equivalent({*a, profile, {}, false}, {*b, other, {}, false}, options);
   if (!proof) return report(proof.error());
   const int code = common.json ? answer(json_of(*proof, flags, other)) : answer_exactly(text_of(*proof, flags));
   return code != kDone ? code : exit_code_of(proof->answer);
@@ -95,13 +97,19 @@ int run(const EquivalentFlags& flags) {
 void add_prove_equivalent(CLI::App& prove, int& exit_code) {
   CLI::App* verb = prove.add_subcommand("equivalent", "Prove that two programs give the same for all inputs");
   verb->footer(
-      "Inputs are bytes: colours, fog, texels; those that no output depends on are left out. Up to 2^34 cases are "
-      "run,\n"
-      "more by independent parts; beyond that the solver z3 is asked, if it is installed.\n"
+      "Inputs are bytes: colours, fog, texels, and constants that a program does not set (const0.r to const0.a; const5 "
+      "is\n"
+      "c5 of a pixel shader; stage1.const0 is that of a general combiner with constants of its own). A constant that "
+      "both\n"
+      "programs do not set is one input. --set fixes an input, --free makes a constant that a program sets one.\n"
+      "Inputs that no output depends on are left out. Up to 2^34 cases are run, more by independent parts; beyond "
+      "that\n"
+      "the solver z3 is asked, if it is installed.\n"
       "Exit codes: 0 proved, 1 refuted or unknown, 3 a program cannot be read or is invalid.\n"
       "Examples:\n"
       "  ninebit prove equivalent compare.gl shorter.gl\n"
-      "  ninebit prove equivalent compare.gl compare.gl --other-profile nv2a --json");
+      "  ninebit prove equivalent compare.gl compare.gl --other-profile nv2a --json\n"
+      "  ninebit prove equivalent tint.rc1 tint.psh --set const0=255,128,0,255");
   auto flags = std::make_shared<EquivalentFlags>();
   add_proof_flags(*verb, flags->proof);
   add_program_argument(*verb, "a", flags->a);

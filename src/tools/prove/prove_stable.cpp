@@ -31,6 +31,7 @@ std::string conditions_of(const FieldEffect& effect) {
   std::string text;
   for (const auto& [name, word] : effect.others) text += fmt::format("; {} = {}", name, word);
   if (effect.texture_off >= 0) text += fmt::format("; texture unit {} off", effect.texture_off);
+  if (effect.fog_off) text += "; fog off";
   return text;
 }
 
@@ -52,6 +53,7 @@ Json json_of(const StabilityAnswer& proof, const StableFlags& flags) {
       field["others"] = Json::object();
       for (const auto& [name, word] : effect.others) field["others"][name] = word;
       if (effect.texture_off >= 0) field["texture_off"] = effect.texture_off;
+      if (effect.fog_off) field["fog_off"] = true;
       field["counterexample"] = counterexample_json(*effect.example);
     }
     fields.push_back(std::move(field));
@@ -86,12 +88,14 @@ int run(const StableFlags& flags) {
   const CommonFlags& common = flags.proof.common;
   const HardwareProfile& profile = profile_of(common);
   int exit_code = kDone;
-  const auto state = load_program(flags.program, profile, common.quiet, exit_code);
+  auto state = load_program(flags.program, profile, common.quiet, exit_code);
   if (!state) return exit_code;
   const ThreadLimit limit(common.threads);
   ProgressLine progress(common.quiet || common.json);
   EquivalenceOptions options = options_of(flags.proof, progress);
   options.random_cases = 10'000'000;  // there are many proofs
+  const Status chosen = choose_inputs(flags.proof, {{flags.program.file, &*state}}, options);
+  if (!chosen) throw CLI::ValidationError(chosen.error().message);
   const auto proof = prove_stable(*state, profile, options);
   if (!proof) return report(proof.error());
   const int code = common.json ? answer(json_of(*proof, flags)) : answer_exactly(text_of(*proof, flags));
@@ -106,7 +110,11 @@ void add_prove_stable(CLI::App& prove, int& exit_code) {
   verb->footer(
       "All combinations of the values of these fields are compared, for all inputs, with all texture units on and "
       "with\n"
-      "each unit off that the program reads. The answer names the fields that matter, each with an input.\n"
+      "each unit off that the program reads; fog_alpha_without_fog, where it is open, with fog off. The answer names "
+      "the\n"
+      "fields that matter, each with an input. Constants that the program does not set are inputs; --set fixes an "
+      "input,\n"
+      "--free makes a constant that the program sets one.\n"
       "Exit codes: 0 none matters, 1 one matters or the answer is unknown, 3 the program cannot be read or is "
       "invalid.\n"
       "Examples:\n"

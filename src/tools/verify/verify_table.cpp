@@ -187,6 +187,11 @@ Status VerifyTable::find_program(const CsvLine& line, VerifyRow& row) {
     return Diagnostic{.message = fmt::format("{}: {}", name_of(refused[0].gl_error), refused[0].message),
                       .file = file->name};
   }
+  std::vector<EvalColumn> given;
+  for (const Column& column : columns_) {
+    if (column.kind == Column::Kind::input) given.push_back(column.input);
+  }
+  say_assumed_constants(file->name, normalize(file->parsed->state, *profile_), given);
   row.program = &programs_.emplace(flags.file, file->parsed->state).first->second;
   return {};
 }
