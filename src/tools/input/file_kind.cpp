@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <filesystem>
-#include <fstream>
 #include <optional>
 #include <system_error>
 #include <utility>
@@ -15,6 +13,7 @@
 #include "ninebit/language/register_log.h"
 #include "ninebit/language/source_code.h"
 #include "ninebit/language/xbox_pixel_shader.h"
+#include "src/system/stream.h"
 
 namespace ninebit::tools {
 namespace {
@@ -140,6 +139,8 @@ bool is_table(std::string_view text) {
     several = several || field.size() < line.size();
     line.remove_prefix(std::min(line.size(), field.size() + 1));
     field = without_space(field);
+    while (field.ends_with(' ')) field.remove_suffix(1);
+    if (has(field, " ")) return false;
     const std::size_t dot = field.rfind('.');
     const std::string_view component = dot == std::string_view::npos ? ""sv : field.substr(dot + 1);
     known = known || field == "program" || component == "r" || component == "g" || component == "b" || component == "a";
@@ -240,10 +241,9 @@ std::string kind_of_file(std::string_view bytes) {
     const auto end = std::find_if_not(line.begin(), line.end(), is_name);
     return "a program in " + std::string(line.begin(), end);
   }
-  const bool is_log = !text.starts_with('{') && !is_assignment(text) && is_register_log(bytes);
-  if (text.starts_with('{') || (text.starts_with('[') && !is_log)) return kind_of_json(text);
+  if (is_json(text)) return kind_of_json(text);
   if (is_table(text)) return std::string(kTableKind);
-  if (is_log) return std::string(kLogKind);
+  if (!is_assignment(text) && is_register_log(bytes)) return std::string(kLogKind);
   if (std::string source = kind_of_source(bytes.substr(0, kLookedAt)); !source.empty()) return source;
   return std::string(is_assignment(text) ? kWordsKind : ""sv);
 }
@@ -265,11 +265,9 @@ std::string wrong_kind(std::string_view kind, FileRole role) {
 
 Diagnostic explained_by_kind(Diagnostic fault, const std::string& file, FileRole role) {
   std::error_code error;
-  if (fault.fault != Fault::invalid_input || !std::filesystem::is_regular_file(file, error)) return fault;
-  std::ifstream in(file, std::ios::binary);
-  std::string beginning(kLookedAt, '\0');
-  in.read(beginning.data(), static_cast<std::streamsize>(beginning.size()));
-  beginning.resize(static_cast<std::size_t>(in.gcount()));
+  if (fault.fault != Fault::invalid_input) return fault;
+  const std::string beginning = posix::read_file(file, kLookedAt, error);
+  if (error) return fault;
   std::string message = wrong_kind(kind_of_file(beginning), role);
   return message.empty() ? fault : Diagnostic{.message = std::move(message), .file = file};
 }
