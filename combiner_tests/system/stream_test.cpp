@@ -20,7 +20,7 @@ TEST(ReadFile, GivesAsManyBytesAsThereAreUpToTheMost) {
   const test::TempFolder folder;
   std::string bytes;
   for (int i = 0; i < 300'000; ++i) bytes += static_cast<char>(i * 7 + i / 256);
-  for (const std::size_t size : {0, 1, 2, 4095, 4096, 4097, 8192, 300'000}) {
+  for (const std::size_t size : {0U, 1U, 2U, 4095U, 4096U, 4097U, 8192U, 300'000U}) {
     const std::string content = bytes.substr(0, size);
     test::write_bytes(folder / "a", content);
     for (const std::size_t most : {std::size_t{0}, std::size_t{1}, size / 2, size - std::min<std::size_t>(size, 1),

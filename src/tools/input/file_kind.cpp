@@ -131,6 +131,22 @@ std::string kind_of_json(std::string_view text) {
   return std::string(has(text, "\"RC_") ? kJsonWordsKind : kJsonKind);
 }
 
+// Whether each line but the last, which may be cut, is blank or has a prefix such as "[0x27A0] ".
+bool has_prefixes(std::string_view text) {
+  for (std::size_t end = 0; (end = text.find('\n')) != std::string_view::npos; text.remove_prefix(end + 1)) {
+    const std::string_view line = text.substr(0, end);
+    if (!line.empty() && (!line.starts_with('[') || !has(line, "]"sv))) return false;
+  }
+  return text.empty() || text.starts_with('[');
+}
+
+// Whether the text is what gdb's print says, such as "$1 = {a = 2}".
+bool is_gdb_print(std::string_view text) {
+  if (!text.starts_with('$')) return false;
+  const std::size_t end = text.find_first_not_of("0123456789", 1);
+  return end > 1 && end != std::string_view::npos && text.substr(end).starts_with(" = ");
+}
+
 // Whether the first line is a header such as tex0.r,out.a, or has a column `program`.
 bool is_table(std::string_view text) {
   bool known = false, several = false;
@@ -244,6 +260,8 @@ std::string kind_of_file(std::string_view bytes) {
   if (is_json(text)) return kind_of_json(text);
   if (is_table(text)) return std::string(kTableKind);
   if (!is_assignment(text) && is_register_log(bytes)) return std::string(kLogKind);
+  if (text.starts_with('[') && has_prefixes(text.substr(0, kLookedAt))) return "text with a prefix before each line";
+  if (is_gdb_print(text)) return "text that gdb printed";
   if (std::string source = kind_of_source(bytes.substr(0, kLookedAt)); !source.empty()) return source;
   return std::string(is_assignment(text) ? kWordsKind : ""sv);
 }
