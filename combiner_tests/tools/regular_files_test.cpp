@@ -34,10 +34,12 @@ class RegularFiles : public testing::Test {
   void SetUp() override {
     program_ = write_bytes(folder_ / "p.rc1", "!!RC1.0\nout.rgb = tex0;\nout.a = tex0;\n");
     table_ = write_bytes(folder_ / "t.csv", "tex0.r,out.r\n1,1\n");
+    results_ = write_bytes(folder_ / "results.txt", "ninebit-results 1\n");
   }
 
-  // Each command reads FILE as something else.
+  // Each command reads FILE as something else, or FILE.obj, a link to it.
   [[nodiscard]] std::vector<Words> commands(const std::string& file) const {
+    const std::string scene = file + ".obj";
     const std::string out = folder_ / "out", png = out + ".png";
     return {{"validate", file},
             {"explain", file},
@@ -50,21 +52,21 @@ class RegularFiles : public testing::Test {
             {"verify", file},
             {"verify", file, "--program", program_},
             {"verify", table_, "--program", file},
-            {"verify", table_, "--vectors", file},
+            {"verify", results_, "--vectors", file},
             {"verify", "--decide", file},
             {"prove", "equivalent", file, program_},
             {"prove", "equivalent", program_, file},
             {"draw", file, "-o", png},
             {"draw", program_, "-o", png, "--tex0", file},
             {"draw", program_, "-o", png, "--tex0", "normals:" + file},
-            {"draw", program_, "-o", png, "--mesh", file},
+            {"draw", program_, "-o", png, "--mesh", scene},
             {"trace", "--effect", file, "--pixel", "1,1"},
-            {"trace", "--scene", file, "--pixel", "1,1"},
-            {"render", file, "-o", out},
+            {"trace", "--scene", scene, "--pixel", "1,1"},
+            {"render", scene, "-o", out},
             {"render", kRoom, "-o", out, "--technique", "light-cookie", "--cookie", file},
-            {"compare", file, "-o", out},
-            {"bench", "frame", file, "--quick"},
-            {"study", "shadows", file},
+            {"compare", scene, "-o", out},
+            {"bench", "frame", scene, "--quick"},
+            {"study", "shadows", scene},
             {"study", "index-steps", "--program", file},
             {"study", "datapath", "--program", file, "--over", "tex0.r"},
             {"study", "datapath", "--program", program_, "--inputs", file},
@@ -74,7 +76,7 @@ class RegularFiles : public testing::Test {
   }
 
   TempFolder folder_;
-  std::string program_, table_;
+  std::string program_, table_, results_;
 };
 
 TEST_F(RegularFiles, OthersAreRefusedAtOnce) {
@@ -88,6 +90,7 @@ TEST_F(RegularFiles, OthersAreRefusedAtOnce) {
   const int listening = ::socket(AF_UNIX, SOCK_STREAM, 0);
   ASSERT_EQ(::bind(listening, reinterpret_cast<const sockaddr*>(&address), sizeof address), 0);
   for (const std::string& file : {fifo, device, socket}) {
+    std::filesystem::create_symlink(file, file + ".obj");
     for (const Words& words : commands(file)) {
       SCOPED_TRACE(testing::PrintToString(words));
       Child child(words);
@@ -140,7 +143,7 @@ TEST_F(RegularFiles, TheFirstSignalEndsAWaitForStandardInput) {
     }
   }
   ::close(writer);
-  EXPECT_EQ(folder_.names(), (Words{"fifo", "p.rc1", "t.csv"}));
+  EXPECT_EQ(folder_.names(), (Words{"fifo", "p.rc1", "results.txt", "t.csv"}));
 }
 
 }  // namespace

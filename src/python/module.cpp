@@ -23,7 +23,7 @@ std::vector<std::string> profile_names() {
 ProfileChoice profile_of_file(const std::string& path) {
   std::error_code error;
   const std::string text = posix::read_file(path, kMaxSourceBytes + 1, error);
-  if (error) throw Error{path + ": cannot be read; expected a profile as a .json file"};
+  if (error) throw Error{path + ": cannot be read: " + error.message() + "; expected a profile as a .json file"};
   auto parsed = parse_json_profile({text, path});
   if (!parsed) throw Error{parsed.faults()[0].text()};
   auto own = std::make_shared<const OwnedProfile>(std::move(parsed).value());

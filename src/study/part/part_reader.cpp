@@ -22,7 +22,7 @@ class Lines {
 
   explicit Lines(const std::filesystem::path& file) : stream_(file, posix::Access::read, error_) {}
 
-  [[nodiscard]] bool open() const { return !error_; }
+  [[nodiscard]] const std::error_code& error() const { return error_; }
 
   Next next(std::string& line) {
     while (true) {
@@ -171,8 +171,9 @@ Result<PartState> read_part_state(const std::filesystem::path& file, const Study
     return Diagnostic{.message = std::move(message), .file = file.string(), .line = line};
   };
   Lines lines(file);
-  if (!lines.open()) {
-    return fault("cannot be read; expected a part written by `ninebit study`", 0);
+  if (lines.error()) {
+    return fault(fmt::format("cannot be read: {}; expected a part written by `ninebit study`", lines.error().message()),
+                 0);
   }
   std::string line;
   while (true) {
