@@ -165,11 +165,20 @@ Result<std::unique_ptr<Study>> study_of(const StudyQuestion& question, bool allo
   StudyRequest request;
   add_studies(verbs, request);
   std::vector<std::string> words = question.words();
+  constexpr const char* kAllowOutside = "--allow-outside";
   for (const std::string& word : words) {
+    if (word.starts_with(kAllowOutside)) {
+      return Diagnostic{.message = fmt::format("its command has {}, which no part has; give it to the merge", word)};
+    }
     const auto why = allow_outside ? std::nullopt : why_refused(word);
     if (why) return Diagnostic{.message = fmt::format("its command names a file: {}", *why)};
   }
-  std::reverse(words.begin(), words.end());  // CLI11 expects the last word first
+  const auto takes_it = [&](const CLI::App* verb) {
+    return verb->get_name() == question.study && verb->get_option_no_throw(kAllowOutside) != nullptr;
+  };
+  const bool can_allow = !std::as_const(verbs).get_subcommands(takes_it).empty();
+  if (allow_outside && can_allow) words.emplace_back(kAllowOutside);  // for the files that a scene names
+  std::reverse(words.begin(), words.end());                           // CLI11 expects the last word first
   try {
     verbs.parse(std::move(words));
   } catch (const CLI::ParseError& error) {
