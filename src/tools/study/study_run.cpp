@@ -168,7 +168,8 @@ Result<std::unique_ptr<Study>> study_of(const StudyQuestion& question, bool allo
   constexpr const char* kAllowOutside = "--allow-outside";
   for (const std::string& word : words) {
     if (word.starts_with(kAllowOutside)) {
-      return Diagnostic{.message = fmt::format("its command has {}, which no part has; give it to the merge", word)};
+      return Diagnostic{.message =
+                            fmt::format("its command has {}, which no part has; give it to the merge", kAllowOutside)};
     }
     const auto why = allow_outside ? std::nullopt : why_refused(word);
     if (why) return Diagnostic{.message = fmt::format("its command names a file: {}", *why)};
