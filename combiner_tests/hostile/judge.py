@@ -25,7 +25,8 @@ PIPE = object()  # in place of a file's bytes: a FIFO that nobody writes to
 
 @dataclasses.dataclass
 class Case:
-    """A command without the program's name, and the files it reads, by name: bytes, PIPE, or a path to link to."""
+    """A command without the program's name, and the files it reads, by name: bytes or a function that gives them, PIPE,
+    or a path to link to."""
     command: list
     files: dict
     expected: dict = dataclasses.field(default_factory=dict)  # of a kept case: "exit", "says", "not"
@@ -119,6 +120,8 @@ def write_files(case, folder):
     for name, content in case.files.items():
         path = folder / name
         path.parent.mkdir(parents=True, exist_ok=True)
+        if callable(content):
+            content = case.files[name] = content()
         if content is PIPE:
             os.mkfifo(path)
         elif isinstance(content, pathlib.Path):

@@ -122,6 +122,11 @@ class Generators(unittest.TestCase):
         self.assertEqual(parts.for_build(part, "old"), part)
         newer = parts.for_build(part, "new")
         self.assertEqual(newer, parts.rehash([lines[0].replace("old", "new"), lines[1]]))
+        changed = parts.changed(part, [(2, "unit", '{"x":1}')])
+        self.assertEqual(changed, parts.rehash([lines[0], '{"unit":{"x":1}}']))
+        for change in ((2, "unit", "0"), (2, "none", "1")):  # what changes nothing tests nothing
+            with self.assertRaises(RuntimeError):
+                parts.changed(part, [change])
         broken = part.replace('"unit":0', '"unit":1')
         self.assertIn('"unit":1,"sha256":"' + parts.sha('{"unit":0}'), parts.for_build(broken, "new"))
 

@@ -6,7 +6,10 @@ CMD has the command in its first line. Further lines say what is expected beside
     not TEXT      what it must not hold
     pipe NAME     a FIFO of that name stands in the folder
     make NAME     a function of large.py writes the files
+    parts N WORDS `ninebit study WORDS` of the program itself writes N parts, p0.jsonl and so on, and accepts them
+    change FILE LINE PATH VALUE   in such a part: the value at the keys and indices of PATH, such as rows.0.1.count
 """
+import functools
 import pathlib
 import shlex
 
@@ -25,6 +28,7 @@ def read(folder, context):
     if words[:1] != ["ninebit"]:
         raise RuntimeError(f"{folder}/CMD: expected a command that begins with ninebit")
     case = Case(words[1:], {}, {})
+    study, changes = None, {}
     for line in lines[1:]:
         key, _, value = line.partition(" ")
         if key == "exit":
@@ -35,8 +39,18 @@ def read(folder, context):
             case.files[value] = PIPE
         elif key == "make":
             case.files.update(getattr(large, value)())
+        elif key == "parts":
+            study = (int(value.split()[0]), *value.split()[1:])
+        elif key == "change":
+            name, number, path, text = value.split(" ", 3)
+            changes.setdefault(name, []).append((int(number), path, text))
         elif line.strip():
             raise RuntimeError(f"{folder}/CMD: '{line}' is not a line of CMD")
+    for k in range(study[0] if study else 0):
+        name = f"p{k}.jsonl"
+        case.files[name] = functools.partial(part, context, study, k, changes.pop(name, []))
+    if changes:
+        raise RuntimeError(f"{folder}/CMD: there is no part {', '.join(changes)}")
     for path in sorted(folder.rglob("*")):
         name = str(path.relative_to(folder))
         if name == "CMD" or path.is_dir():
@@ -47,6 +61,11 @@ def read(folder, context):
         case.files[name] = data
     case.files["scenes"] = seeds.ROOT / "scenes"
     return case
+
+
+def part(context, study, k, changes):
+    """The bytes of a part that this build of the program writes, with the changes."""
+    return parts.changed(context.parts.written(*study)[k], changes).encode()
 
 
 def names():

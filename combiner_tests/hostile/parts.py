@@ -39,20 +39,25 @@ class Starts:
 
     def of(self, name):
         """The texts of a study's parts."""
-        with self.lock:
-            if name not in self.made:
-                self.made[name] = self.make(name)
-            return self.made[name]
+        return self.written(1 if name in WHOLE else 2, name.split()[0], *STUDIES[name])
 
-    def make(self, name):
-        shards = ("1/1",) if name in WHOLE else ("1/2", "2/2")
+    def written(self, count, *words):
+        """The texts of so many parts of `ninebit study WORDS`, which together are accepted as they are."""
+        with self.lock:
+            if (count, words) not in self.made:
+                self.made[count, words] = self.make(count, words)
+            return self.made[count, words]
+
+    def make(self, count, words):
         with tempfile.TemporaryDirectory(prefix="hostile-") as folder:
-            for shard in shards:
-                seeds.answer(self.program, "study", name.split()[0], *STUDIES[name], "--shard", shard, "-o", folder,
-                             "--quiet")
+            for shard in range(1, count + 1):
+                seeds.answer(self.program, "study", *words, "--shard", f"{shard}/{count}", "-o", folder, "--quiet")
             files = sorted(pathlib.Path(folder).glob("*.jsonl"))
-            if len(files) != len(shards):
-                raise RuntimeError(f"study {name}: expected {len(shards)} parts, found {len(files)}")
+            if len(files) != count:
+                raise RuntimeError(f"study {' '.join(words)}: expected {count} parts, found {len(files)}")
+            # Otherwise a mutant would be refused for another reason than its change.
+            seeds.answer(self.program, "study", "merge", *map(str, files), "--allow-outside", "-o", f"{folder}/merged",
+                         "--quiet")
             return [path.read_text(encoding="utf-8") for path in files]
 
     def build(self):
@@ -102,6 +107,24 @@ def for_build(text, build):
             plain = plain.replace(f'"build":{old}', f'"build":{json.dumps(build)}', 1)
         out += (with_hash(plain) if fits else line) + "\n"
     return out
+
+
+def changed(text, changes):
+    """A part with hashes that fit again after the changes: (line, keys and indices, JSON of the new value)."""
+    lines = [json_tree.parse(without_hash(line)) for line in text.strip().split("\n")[:-1]]
+    for line, path, value in changes:
+        node = lines[line - 1]
+        *way, last = [int(step) if step.isdecimal() else step for step in path.split(".")]
+        for step in way:
+            node = node.get(step) if isinstance(node, Object) else node[step]
+        old = node.get(last) if isinstance(node, Object) else node[last]
+        if old is None or json_tree.write(old) == value:
+            raise RuntimeError(f"line {line} of the part has no {path} that {value[:40]} would change")
+        if isinstance(node, Object):
+            node.set(last, json_tree.Raw(value))
+        else:
+            node[last] = json_tree.Raw(value)
+    return rehash([json_tree.write(line) for line in lines])
 
 
 def change_units(random, units):
