@@ -58,6 +58,26 @@ TEST(Compare, RowsAreThoseOfRender) {
   EXPECT_EQ(row["texture_units"], 1);
 }
 
+// Texture units are counted in passes that mark shadows: there are none without shadows, although the lit pass reads
+// the cookie. The total is that of all parts.
+TEST(Compare, UnitsOfTheComparisonAndTheTotal) {
+  const TempFolder folder;
+  const std::string cookie = NINEBIT_SOURCE_DIR "/scenes/cookies/labels.dds";
+  const Json object = json_of(ninebit(small_compare(
+      kRoom, folder / "out",
+      {"--json", "--technique", "light-cookie", "--cookie", cookie, "--vary", "cookie-shadows=index,none"})));
+  EXPECT_EQ(object["rows"][0]["texture_units"], 1);
+  EXPECT_TRUE(object["rows"][1]["texture_units"].is_null());
+  for (const Json& row : object["rows"]) {
+    double sum = 0.0;
+    for (const auto& [part, time] : row["time_ms"].items()) {
+      if (part != "total") sum += time.get<double>();
+    }
+    EXPECT_GT(row["time_ms"]["transform"], 0.0);
+    EXPECT_NEAR(row["time_ms"]["total"].get<double>(), sum, 1e-9 * sum);
+  }
+}
+
 // A flag applies to the techniques that read it; one that none of them reads is an error.
 TEST(Compare, FlagsOfOneTechnique) {
   const TempFolder folder;
