@@ -77,6 +77,21 @@ TEST(VertexSources, TangentSpaceOfMirroredPictures) {
   EXPECT_EQ(light_at_0(scene), glm::vec3(3, -4, 12)) << "by texture coordinates with t upwards";
 }
 
+// GL's texture matrix, and a fourth coordinate only where it is not 1.
+TEST(VertexSources, MatricesAndQ) {
+  const Scene scene = one_triangle();
+  glm::mat4 matrix(1.0F);
+  matrix[0][1] = 2.0F;  // t = 2 s + t
+  matrix[3][2] = 5.0F;  // r = r + 5 q
+  const VertexInputs inputs{.scene = &scene};
+  const UnitCoordinates moved = unit_coordinates({.source = VertexSource::position, .matrix = matrix}, inputs);
+  EXPECT_EQ(moved.str[1], glm::vec3(2, 4, 5));
+  EXPECT_TRUE(moved.q.empty());
+  matrix[1][3] = 0.5F;  // q = q + t / 2: 2 at the third vertex alone
+  const UnitCoordinates divided = unit_coordinates({.source = VertexSource::position, .matrix = matrix}, inputs);
+  EXPECT_EQ(divided.q, (std::vector<float>{1, 1, 2}));
+}
+
 // The light of a lambert colour comes from behind for normals that turn away.
 TEST(VertexSources, ColoursOfALight) {
   Scene scene = one_triangle();
