@@ -88,17 +88,21 @@ class Drawing {
     }
   }
 
-  void polygon(std::uint32_t number, const Bytes& flat_color, const std::vector<DrawnVertex>& v) {
+  // Triangles as places in `v`, in the order in which they are drawn; edges as their ends and their triangle.
+  using Places = std::array<std::size_t, 3>;
+
+  void polygon(std::uint32_t number, const Bytes& flat_color, const std::vector<DrawnVertex>& v,
+               const std::vector<Places>& triangles, const std::vector<Places>& edges) {
     std::vector<WindowTriangle> cut;
     std::int64_t area = 0, largest_area = 0;
     WindowTriangle largest{};
-    for (std::size_t i = 1; i + 1 < v.size(); ++i) {
-      cut.push_back({v[0].position, v[i].position, v[i + 1].position});
+    for (const auto& [a, b, c] : triangles) {
+      cut.push_back({v[a].position, v[b].position, v[c].position});
       if (beyond_sides({cut.back()[0], cut.back()[1], cut.back()[2]})) continue;
-      const std::int64_t a = area_of(cut.back());
-      area += a;
-      if (std::abs(a) > largest_area) {
-        largest_area = std::abs(a);
+      const std::int64_t own = area_of(cut.back());
+      area += own;
+      if (std::abs(own) > largest_area) {
+        largest_area = std::abs(own);
         largest = cut.back();
       }
     }
@@ -111,19 +115,21 @@ class Drawing {
       source.offset = polygon_offset(o, state_.profile.polygon_offset_slope, picture_.format, largest);
     }
     if (mode == PolygonMode::fill) {
-      for (std::size_t i = 0; i < cut.size(); ++i) filled(source, cut[i], {v[0].color, v[i + 1].color, v[i + 2].color});
+      for (std::size_t i = 0; i < cut.size(); ++i) {
+        const auto& [a, b, c] = triangles[i];
+        filled(source, cut[i], {v[a].color, v[b].color, v[c].color});
+      }
       return;
     }
     if (area == 0 || is_culled(front)) return;
-    for (std::size_t i = 0; i < v.size(); ++i) {
+    for (const auto& [from, to, triangle] : edges) {
       // What belongs to a triangle beyond a side of the view volume is clipped with it.
-      const std::size_t triangle = i == 0 ? 0 : std::min(i, cut.size()) - 1;
       const WindowTriangle& t = cut[triangle];
       if (beyond_sides({t[0], t[1], t[2]})) continue;
       if (mode == PolygonMode::line) {
-        line(source, v[i], v[(i + 1) % v.size()]);
+        line(source, v[from], v[to]);
       } else {
-        point(source, v[i]);
+        point(source, v[from]);
       }
     }
   }
@@ -295,7 +301,7 @@ Assembled assemble(Primitive type, std::size_t i, std::size_t n) {
       a = {{4 * i, 4 * i + 1, 4 * i + 2, 4 * i + 3}, 4 * i + 3};
       break;
     case Primitive::quad_strip:
-      a = {{2 * i, 2 * i + 1, 2 * i + 3, 2 * i + 2}, 2 * i + 3};
+      a = {{2 * i, 2 * i + 1, 2 * i + 2, 2 * i + 3}, 2 * i + 3};
       break;
     case Primitive::polygon:
       if (i > 0 || n < 3) return {};
@@ -324,8 +330,16 @@ void draw(const PipelineState& state, const DrawCall& call, Picture& picture, Ta
       drawing.point({.number = number, .flat_color = flat}, v[0]);
     } else if (v.size() == 2) {
       drawing.line({.number = number, .flat_color = flat}, v[0], v[1]);
-    } else {
-      drawing.polygon(number, flat, v);
+    } else if (call.type == Primitive::quad_strip) {
+      drawing.polygon(number, flat, v, {{0, 1, 2}, {2, 1, 3}}, {{0, 1, 0}, {2, 0, 0}, {1, 3, 1}, {3, 2, 1}});
+    } else {  // a fan; each edge belongs to the triangle that it bounds
+      std::vector<Drawing::Places> fan, edges{{0, 1, 0}};
+      for (std::size_t k = 1; k + 1 < v.size(); ++k) {
+        fan.push_back({0, k, k + 1});
+        edges.push_back({k, k + 1, k - 1});
+      }
+      edges.push_back({v.size() - 1, 0, fan.size() - 1});
+      drawing.polygon(number, flat, v, fan, edges);
     }
   }
 }

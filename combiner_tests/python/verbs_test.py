@@ -297,6 +297,7 @@ class Programs(Folder):
             self.assertIn("srcdoc", one._repr_html_())
         pixel = ninebit.trace(scene=room, pixel=(20, 20), **small)
         self.assertIn("stages", pixel)
+        self.assertEqual(pixel["scene"]["pass"], "comparison")
         with self.assertRaisesRegex(ninebit.Error, "scene requires pixel"):
             ninebit.trace(scene=room)
 

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "combiner_tests/raster/support.h"
@@ -10,6 +11,7 @@ namespace ninebit::test {
 namespace {
 
 constexpr int kModeWindow = 48;
+constexpr std::array<std::uint32_t, 4> kZigzag{0, 1, 3, 2};  // a quad's corners as a quad strip has them
 
 struct DrawnInMode {
   PlaneSamples<std::uint8_t> count;
@@ -135,6 +137,10 @@ TEST(PolygonMode, LinesAreALoopAndPointsAreTheCorners) {
       state.front_mode = mode;
       state.back_mode = PolygonMode::fill;
       const auto outline = draw(state, arrays).count;
+      if (corners == 4) {
+        const VertexArrays strip{.type = PrimitiveType::quad_strip, .positions = positions, .indices = kZigzag};
+        ASSERT_EQ(draw(state, strip).count, outline) << index;
+      }
       arrays.type = mode == PolygonMode::line ? PrimitiveType::line_loop : PrimitiveType::points;
       ASSERT_EQ(outline, draw(state, arrays).count) << index;
       arrays.type = corners == 3   ? PrimitiveType::triangles
@@ -192,9 +198,14 @@ TEST(PolygonMode, CutsThroughAPolygonAreNotDrawnAsEdges) {
   const auto positions = clip_positions({{64, 64, 0}, {640, 64, 0}, {640, 640, 0}, {64, 640, 0}});
   PipelineState state;
   state.front_mode = PolygonMode::line;
-  for (const PrimitiveType type : {PrimitiveType::quads, PrimitiveType::polygon}) {
-    const auto count = draw(state, {.type = type, .positions = positions}).count;
-    for (int i = 6; i < 38; ++i) EXPECT_EQ(count[static_cast<std::size_t>(i * kModeWindow + i)], 0) << i;
+  for (const PrimitiveType type : {PrimitiveType::quads, PrimitiveType::polygon, PrimitiveType::quad_strip}) {
+    VertexArrays arrays{.type = type, .positions = positions};
+    if (type == PrimitiveType::quad_strip) arrays.indices = kZigzag;
+    const auto count = draw(state, arrays).count;
+    for (int i = 6; i < 38; ++i) {
+      EXPECT_EQ(count[static_cast<std::size_t>(i * kModeWindow + i)], 0) << i;
+      EXPECT_EQ(count[static_cast<std::size_t>(i * kModeWindow + 43 - i)], 0) << i;
+    }
     EXPECT_EQ(total(count), 4 * 36);
   }
 }

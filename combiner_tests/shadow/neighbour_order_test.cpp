@@ -213,7 +213,7 @@ TEST(NeighbourOrder, ATorusLosesItsJointsAndKeepsItsShadows) {
   add_mesh(scene, torus(48, 24));
   const NeighbourOrder order = order_in_bound(scene);
   EXPECT_GT(order.report.patches, 40U);
-  EXPECT_LT(order.report.broken_share, 0.15);
+  EXPECT_LT(order.report.broken_share, 0.12) << "0.138 before patches are moved, 0.121 after one round";
   // Across the hole the inner sides see each other: their codes differ.
   const std::uint32_t inner = 2 * 12, opposite = 2 * (24 * 24 + 12);
   EXPECT_FALSE(equal(order, inner, opposite));

@@ -2,9 +2,11 @@
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <cstdlib>
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -256,6 +258,128 @@ TEST(Textured, RefusesTexturesThatCannotBeDrawn) {
   const auto refused = find_technique("index-cube")->render(scene, shadow_test::small_settings(), {});
   ASSERT_FALSE(refused);
   EXPECT_NE(refused.error().message.find("'test'"), std::string::npos);
+}
+
+// A way to draw, and the passes that may decide a pixel's shadow.
+struct Decided {
+  const char* technique;
+  std::vector<std::string> passes;
+  RenderSettings settings = shadow_test::small_settings();
+};
+
+std::vector<Decided> ways_to_decide() {
+  std::vector<Decided> all{
+      {"index-cube", {"comparison"}},
+      {"index-cube", {"comparison", "averted"}},
+      {"depth-cube", {"comparison +X", "comparison -X", "comparison -Y", "comparison +Z", "comparison -Z"}},
+      {"depth-cube",
+       {"high byte +X", "high byte -X", "high byte -Y", "high byte +Z", "high byte -Z", "low byte +X", "low byte -X",
+        "low byte -Y", "low byte +Z", "low byte -Z"}},
+      {"depth-cube", {"comparison"}},
+      {"shadow-map", {"comparison"}},
+      {"shadow-map", {"coordinates"}},
+      {"shadow-volume", {"volumes", "lit"}},
+      {"shadow-volume", {"volume fronts", "volume backs", "lit"}},
+      {"reflective", {"comparison"}},
+      {"light-cookie", {"comparison"}},
+      {"light-cookie", {"lit"}}};
+  for (Decided& way : all) {
+    way.settings.width = 36;
+    way.settings.height = 27;
+    way.settings.map_size = 32;
+    way.settings.reflective.samples = 1;
+    way.settings.light_cookie.cookie = shadow_test::labels();
+    way.settings.light_cookie.shadows = true;
+  }
+  all[1].settings.light_facing = true;
+  all[3].settings.depth_cube.bits = DepthCubeBits::sixteen;
+  all[4].settings.depth_cube.bits = DepthCubeBits::real;
+  all[6].settings.shadow_map.encoding = DepthEncoding::rgba8_fract;
+  all[8].settings.shadow_volume = {.method = VolumeMethod::depth_pass, .two_sided = false};
+  all[11].settings.light_cookie.shadows = false;
+  return all;
+}
+
+// With and without textures the same pass decides, and what it did to the pixel is what the stencil says.
+TEST(DecidingPass, IsThatOfTheShadow) {
+  for (const Decided& way : ways_to_decide()) {
+    SCOPED_TRACE(way.technique + (" " + testing::PrintToString(way.passes)));
+    Scene scene = shadow_test::square_over_floor();
+    const bool needs_spot = !find_technique(way.technique)->lights.point;
+    if (needs_spot) scene.lights[0] = shadow_test::spot_light({0, 3, 0}, {0, 0, 0}, 120.0F);
+    Scene textured = scene;
+    dress(textured, plain_texture({200, 100, 50, 255}));
+    std::set<std::string> seen;
+    int lit = 0, shadowed = 0;
+    for (int y = 1; y < way.settings.height; y += 4) {
+      for (int x = 1; x < way.settings.width; x += 5) {
+        SCOPED_TRACE(std::to_string(x) + "," + std::to_string(y));
+        RenderSettings settings = way.settings;
+        settings.pixel = glm::ivec2(x, y);
+        const Rendering plain = render_by(way.technique, scene, settings);
+        const Rendering drawn = render_by(way.technique, textured, settings);
+        const auto at = static_cast<std::size_t>(y * settings.width + x);
+        const ProbedPass* const pass = deciding_pass(plain);
+        const ProbedPass* const same = deciding_pass(drawn);
+        if (plain.frame.depth()[at] == max_depth(plain.frame.format())) {
+          ASSERT_EQ(pass, nullptr);
+          ASSERT_EQ(same, nullptr);
+          continue;
+        }
+        ASSERT_NE(pass, nullptr);
+        ASSERT_NE(same, nullptr);
+        ASSERT_EQ(pass->name, same->name);
+        ASSERT_TRUE(std::count(way.passes.begin(), way.passes.end(), pass->name) == 1) << pass->name;
+        seen.insert(pass->name);
+        const bool in_shadow = plain.frame.stencil()[at] != 0;
+        ++(in_shadow ? shadowed : lit);
+        ASSERT_FALSE(in_shadow && pass->name == "lit");
+        if (!same->program || pass->name == "lit") continue;
+        const ProbedFragment* const fragment = deciding_fragment(*same);
+        ASSERT_NE(fragment, nullptr);
+        ASSERT_EQ(fragment->fate, in_shadow ? FragmentFate::written : FragmentFate::alpha_failed);
+      }
+    }
+    EXPECT_GT(lit, 5);
+    EXPECT_TRUE(shadowed > 3 || way.passes.front() == "lit");
+    EXPECT_TRUE(seen.size() == 2 || way.passes.size() != 2);
+  }
+}
+
+// Two squares in one plane. Where they overlap, the depth test LESS leaves the first; the passes after it draw both,
+// those of colour the one without texture first.
+TEST(Layers, NameThePolygonThatTheDepthTestLeft) {
+  Scene scene = shadow_test::scene_with({0, 5, 0.01F}, {0, 0, 0}, {0.3F, 6, 0.2F});
+  shadow_test::add_quad(scene, "left", {{{-2, 0, 1}, {1, 0, 1}, {1, 0, -1}, {-2, 0, -1}}});
+  shadow_test::add_quad(scene, "right", {{{-1, 0, 1}, {2, 0, 1}, {2, 0, -1}, {-1, 0, -1}}});
+  Scene textured = scene;
+  dress(textured, plain_texture({200, 100, 50, 255}));
+  textured.materials.push_back({.name = "bare", .base_color = glm::vec3(1.0F)});
+  textured.triangle_material = {0, 0, 1, 1};
+  Scene turned = scene;  // the second square's other side, which the light does not compare
+  for (std::size_t t = 2; t < 4; ++t) std::swap(turned.triangles[t].y, turned.triangles[t].z);
+  for (const Scene* drawn : {&scene, &textured, &turned}) {
+    for (const bool light_facing : {false, true}) {
+      RenderSettings settings = shadow_test::small_settings();
+      settings.layers = true;
+      settings.light_facing = light_facing;
+      const Rendering r = shadow_test::render(*drawn, settings);
+      const auto layers = shadow_test::comparison_layers(r);
+      int overlapped = 0;
+      for (int y = 0; y < settings.height; ++y) {
+        for (int x = 0; x < settings.width; ++x) {
+          const auto at = static_cast<std::size_t>(y * settings.width + x);
+          if (layers.polygon[at] == 0) continue;
+          const bool is_left = shadow_test::on_plane(scene, settings, x, y, 0.0F).x < 1.0F;
+          ASSERT_EQ(layers.object[at], is_left ? 1U : 2U) << x << ' ' << y;
+          const bool compared = !light_facing || drawn != &turned || is_left;
+          ASSERT_EQ(layers.own(r.codes, at), compared ? layers.polygon[at] : 0U) << x << ' ' << y;
+          overlapped += is_left && shadow_test::on_plane(scene, settings, x, y, 0.0F).x > -1.0F ? 1 : 0;
+        }
+      }
+      EXPECT_GT(overlapped, 1000);
+    }
+  }
 }
 
 }  // namespace

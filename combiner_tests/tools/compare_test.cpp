@@ -50,12 +50,51 @@ TEST(Compare, RowsAreThoseOfRender) {
   EXPECT_EQ(row["hash"]["color"], alone["hash"]["color"]);
   EXPECT_EQ(row["errors"]["false_lit"], alone["errors"]["false_lit"]);
   EXPECT_EQ(row["errors"]["by_cause"], alone["errors"]["by_cause"]);
+  EXPECT_GT(row["errors"]["false_shadowed"], 0);
+  EXPECT_EQ(row["errors"]["wrong"], row["errors"]["false_lit"].get<int>() + row["errors"]["false_shadowed"].get<int>());
   EXPECT_NE(row["hash"]["index_map"], object["rows"][0]["hash"]["index_map"]);
   EXPECT_EQ(row["map_bytes"], 6 * 32 * 32 * 2);
   EXPECT_EQ(row["passes"], 10);
   EXPECT_EQ(row["drawn"],
             Json({"map +X", "map -X", "map +Y", "map -Y", "map +Z", "map -Z", "depth", "comparison", "lit", "shadow"}));
   EXPECT_EQ(row["texture_units"], 1);
+}
+
+// Texture units are counted in passes that mark shadows: there are none without shadows, although the lit pass reads
+// the cookie. The total is that of all parts.
+TEST(Compare, UnitsOfTheComparisonAndTheTotal) {
+  const TempFolder folder;
+  const std::string cookie = NINEBIT_SOURCE_DIR "/scenes/cookies/labels.dds";
+  const Json object = json_of(ninebit(small_compare(
+      kRoom, folder / "out",
+      {"--json", "--technique", "light-cookie", "--cookie", cookie, "--vary", "cookie-shadows=index,none"})));
+  EXPECT_EQ(object["rows"][0]["texture_units"], 1);
+  EXPECT_TRUE(object["rows"][1]["texture_units"].is_null());
+  for (const Json& row : object["rows"]) {
+    double sum = 0.0;
+    for (const auto& [part, time] : row["time_ms"].items()) {
+      if (part != "total") sum += time.get<double>();
+    }
+    EXPECT_GT(row["time_ms"]["transform"], 0.0);
+    EXPECT_NEAR(row["time_ms"]["total"].get<double>(), sum, 1e-9 * sum);
+  }
+}
+
+// Of several passes that mark shadows the one with the most units counts; floats have none. A point that cannot be
+// drawn is a row with its reason.
+TEST(Compare, UnitsOfSeveralPassesAndRowsWithoutPictures) {
+  const TempFolder folder;
+  const Json facing = json_of(ninebit(
+      small_compare(kRoom, folder / "a",
+                    {"--json", "--light-facing", "--vary", "index-format=rgb,alpha", "--vary", "index-step=1-2"})));
+  EXPECT_EQ(names_of_rows(facing), (ManyWords{"index-format rgb, index-step 1", "index-format rgb, index-step 2",
+                                              "index-format alpha, index-step 1", "index-format alpha, index-step 2"}));
+  EXPECT_EQ(facing["rows"][0]["texture_units"], 1) << "averted polygons need none";
+  EXPECT_NE(facing["rows"][2]["refused"].get<std::string>().find("alpha"), std::string::npos);
+  const Json floats = json_of(ninebit(small_compare(
+      kRoom, folder / "b", {"--json", "--light-facing", "--technique", "depth-cube", "--vary", "depth-bits=8,float"})));
+  EXPECT_EQ(floats["rows"][0]["texture_units"], 2);
+  EXPECT_TRUE(floats["rows"][1]["texture_units"].is_null());
 }
 
 // A flag applies to the techniques that read it; one that none of them reads is an error.

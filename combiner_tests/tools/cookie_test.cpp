@@ -102,11 +102,21 @@ TEST_F(Cookie, LayersHaveTheLitPass) {
   }
 }
 
-TEST_F(Cookie, TraceTellsThePixelsStory) {
-  const Json answer = json_of(ninebit({"trace", "--scene", kRoom, "--size", "64x48", "--map-size", "64", "--pixel",
-                                       "32,40", "--technique", "light-cookie", "--cookie", kPlain, "--json"}));
-  EXPECT_EQ(answer["scene"]["technique"], "light-cookie");
-  EXPECT_EQ(answer["scene"]["pass"], "lit");
+// The comparison of polygons decides the shadow. Without shadows the lit pass is traced, which reads the cookie.
+TEST_F(Cookie, TraceFollowsTheShadowOrTheLight) {
+  std::vector<std::string> arguments{"trace",        "--scene",  kRoom,     "--size", "64x48",
+                                     "--map-size",   "64",       "--pixel", "32,40",  "--technique",
+                                     "light-cookie", "--cookie", kPlain,    "--json"};
+  const Json shadow = json_of(ninebit(arguments));
+  EXPECT_EQ(shadow["scene"]["technique"], "light-cookie");
+  EXPECT_EQ(shadow["scene"]["pass"], "comparison");
+  const Json index = json_of(
+      ninebit({"trace", "--scene", kRoom, "--size", "64x48", "--map-size", "64", "--pixel", "32,40", "--json"}));
+  EXPECT_EQ(shadow["stages"], index["stages"]) << "as with index-cube";
+  arguments.insert(arguments.end(), {"--cookie-shadows", "none"});
+  const Json light = json_of(ninebit(arguments));
+  EXPECT_EQ(light["scene"]["pass"], "lit");
+  EXPECT_EQ(light["out"]["bytes"], light["scene"]["passes"][1]["fragments"].back()["color"]);
 }
 
 // Only pictures other than plain PNG files need the module; it may lie beside the program or where an installation has

@@ -62,6 +62,33 @@ TEST_F(TexturedRender, DrawsTheTexture) {
   EXPECT_EQ(white["hash"]["color"], plain["hash"]["color"]) << "a white texture changes nothing";
 }
 
+// The pass that decided the shadow is named in all outputs, not one that the stencil test kept from drawing.
+TEST_F(TexturedRender, TraceNamesThePassThatDecided) {
+  picture("scene/t.png", 4, 10);
+  const auto trace = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), {"trace", "--scene", folder_ / "scene/s.obj", "--size", "32x24", "--map-size", "32",
+                               "--pixel", "16,14", "--quiet"});
+    return tools_test::ninebit(more);
+  };
+  const Json answer = json_of(trace({"--json"}));
+  EXPECT_EQ(answer["scene"]["state"], "lit");
+  EXPECT_EQ(answer["scene"]["pass"], "comparison");
+  EXPECT_EQ(answer["scene"]["passes"][1]["fragments"].at(answer["scene"]["fragment"].get<std::size_t>())["fate"],
+            "alpha test failed");
+  const Outcome text = trace({});
+  EXPECT_NE(text.out.find("traced: pass comparison, "), std::string::npos) << text.out;
+  EXPECT_EQ(trace({"-o", folder_ / "page.html"}).code, 0);
+  EXPECT_NE(read_bytes(folder_ / "page.html").find("<dt>Pass</dt><dd>comparison</dd>"), std::string::npos);
+
+  const Json volume = json_of(trace({"--json", "--technique", "shadow-volume"}));
+  EXPECT_EQ(volume["scene"]["pass"], "volumes");
+  EXPECT_TRUE(volume["scene"]["fragment"].is_null());
+  EXPECT_FALSE(volume.contains("stages"));
+  const Outcome counted = trace({"--technique", "shadow-volume"});
+  EXPECT_NE(counted.out.find("pass volumes decided, without a program: nothing to trace"), std::string::npos)
+      << counted.out;
+}
+
 TEST_F(TexturedRender, CartoonIgnoresIt) {
   picture("scene/t.png", 4, 10);
   EXPECT_EQ(answer({"--style", "cartoon"})["ignored"], Json{"textures, by --style cartoon"});

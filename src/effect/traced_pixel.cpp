@@ -87,18 +87,10 @@ TracedPixel pixel_of_effect(const Effect& effect, const EffectRenderer& renderer
   out.passes = renderer.probed();
   number_rectangles(effect, renderer.scene(), out);
   out.state = has_written_fragment(out) ? "drawn" : "not drawn";
-  choose_fragment(out, false);
-  return out;
-}
-
-void choose_fragment(TracedPixel& pixel, bool other_program) {
-  const bool any_program =
-      std::any_of(pixel.passes.begin(), pixel.passes.end(), [](const ProbedPass& p) { return p.program.has_value(); });
-  for (std::size_t i = 0; i < pixel.passes.size(); ++i) {
-    const ProbedPass& pass = pixel.passes[i];
-    if (any_program ? !pass.program : !other_program) continue;
-    if (deciding_fragment(pass) != nullptr) choose_pass(pixel, i);
+  for (std::size_t i = 0; i < out.passes.size(); ++i) {
+    if (out.passes[i].program && deciding_fragment(out.passes[i]) != nullptr) choose_pass(out, i);
   }
+  return out;
 }
 
 bool choose_pass(TracedPixel& pixel, std::size_t pass) {

@@ -24,21 +24,17 @@ struct TracedPixel {
   std::string size;                      // of the picture, WxH
   std::string state;                     // "background", "lit", "shadowed"; of an effect "drawn" or "not drawn"
   std::vector<ProbedPass> passes;        // of the camera
-  std::optional<std::size_t> pass;       // of the traced fragment; empty: none
-  std::optional<std::size_t> fragment;   // of that pass
+  std::optional<std::size_t> pass;       // of an effect that of the traced fragment; of a scene deciding_pass()
+  std::optional<std::size_t> fragment;   // of that pass, which is traced; empty: none
   std::vector<std::string> objects;      // names
   std::vector<std::uint32_t> object_of;  // for each triangle
   IndexOrderReport index_order;          // of the rendering
 };
 
 // The pixel of an effect that a renderer with this pixel as EffectOptions::pixel has drawn; x and y as in TracedPixel.
-// The fragment is chosen as choose_fragment does.
+// The traced fragment is the one that decided the result of the last pass with a program.
 [[nodiscard]] TracedPixel pixel_of_effect(const Effect& effect, const EffectRenderer& renderer, int x, int y,
                                           std::string file);
-
-// Selects the fragment that decided the result of the last pass with a program. `other_program`: the trace uses another
-// program, so that any pass is accepted if none has a program.
-void choose_fragment(TracedPixel& pixel, bool other_program);
 
 // Selects the fragment that decided pass number `pass`; empty, and false, if no fragment did.
 bool choose_pass(TracedPixel& pixel, std::size_t pass);

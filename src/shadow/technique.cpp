@@ -1,6 +1,8 @@
 #include "ninebit/shadow/technique.h"
 
+#include <algorithm>
 #include <array>
+#include <vector>
 
 #include "ninebit/shadow/depth_cube.h"
 #include "ninebit/shadow/index_cube.h"
@@ -52,6 +54,24 @@ const ProbedFragment* deciding_fragment(const ProbedPass& pass) {
     if (fragment.fate == FragmentFate::written || (fragment.depth_passes && !outranked)) decided = &fragment;
   }
   return decided;
+}
+
+const ProbedPass* deciding_pass(const Rendering& rendering) {
+  const std::vector<ProbedPass>& passes = rendering.probed;
+  const ProbedPass *changed = nullptr, *judged = nullptr, *written = nullptr;
+  for (std::size_t i = 0; i < passes.size(); ++i) {
+    const ProbedFragment* const fragment = deciding_fragment(passes[i]);
+    const auto drawn = std::find_if(rendering.drawn.begin(), rendering.drawn.end(),
+                                    [&](const DrawnPass& pass) { return pass.name == passes[i].name; });
+    if (drawn == rendering.drawn.end() || !drawn->marks_shadows) {
+      if (fragment != nullptr && fragment->fate == FragmentFate::written) written = &passes[i];
+      continue;
+    }
+    if (fragment != nullptr) judged = &passes[i];
+    if (i + 1 < passes.size() && passes[i + 1].stencil != passes[i].stencil) changed = &passes[i];
+  }
+  if (written == nullptr) return nullptr;  // the background, where volumes may reach
+  return changed != nullptr ? changed : judged != nullptr ? judged : written;
 }
 
 const Technique* find_technique(std::string_view name) {

@@ -91,10 +91,11 @@ struct TextureUnit {
 // - With OpenGL's shapes, a line draws the pixels whose diamonds it leaves (OpenGL 1.3, 3.4.1). A line of width w is
 //   moved down, or to the left, by (w - 1) / 2 pixels, and draws w pixels for each of its pixels. A point of size n
 //   draws n × n pixels around it (3.3).
-// - Quads and polygons are a fan of triangles around their first vertex. A polygon's facing is the sign of the sum of
-//   their areas. It selects the polygon mode and, in the modes line and point, decides culling. In the mode fill each
-//   triangle has its own facing, so that as many front as back faces of a closed mesh cover a pixel, even after
-//   snapping. The modes line and point draw the boundary, including edges that clipping added (2.11).
+// - Quads and polygons are a fan of triangles around their first vertex; a quad strip is cut into the triangles of the
+//   triangle strip (rule 32). A polygon's facing is the sign of the sum of their areas. It selects the polygon mode
+//   and, in the modes line and point, decides culling. In the mode fill each triangle has its own facing, so that as
+//   many front as back faces of a closed mesh cover a pixel, even after snapping. The modes line and point draw the
+//   boundary, including edges that clipping added (2.11).
 // - Window depth has 24 bits: the depth code of the target's format, and fraction bits for the rest. All of it is
 //   computed in integers, so that equal geometry has equal depth in every pass:
 //     1. Each vertex depth is rounded to 24 bits.

@@ -87,6 +87,7 @@ struct OutputPlane {
   int component = kRed;                             // of a register, output or attribute: kRed to kAlpha
   OutputTime time = OutputTime::when_drawn;         // which fragments are written
   OutputSamples plane{};                            // of the sample type that the source names
+  Plane<const std::uint32_t> owner{};  // not empty: only the primitive whose number stands here writes a pixel
 };
 // The largest number of output planes of a target.
 inline constexpr std::size_t kMaxOutputPlanes = 32;

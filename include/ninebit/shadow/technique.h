@@ -134,6 +134,7 @@ struct ProbedPass {
   std::string name;                       // of the pass, such as "comparison"
   std::optional<Program> program;         // none: the register combiners are disabled
   std::vector<ProbedFragment> fragments;  // in drawing order; `primitive` is the number of the scene's triangle
+  std::uint8_t stencil = 0;               // the pixel's stencil value before the pass; 0 without a plane
 };
 
 // A pass of a rendering: the scene, its shadow volumes, or a rectangle of the picture's size, drawn with one state.
@@ -178,6 +179,11 @@ struct Technique {
   // scenes that the technique cannot draw.
   Result<Rendering> (*render)(const Scene& scene, const RenderSettings& settings, const Progress& progress);
 };
+
+// The pass of `probed` that decided whether settings.pixel is in shadow, or nullptr where nothing is drawn: the last of
+// the passes that mark shadows which changed the pixel's stencil value. If none of them changed it, the last of them
+// with a deciding fragment; if none has one either, the last pass that wrote the pixel.
+[[nodiscard]] const ProbedPass* deciding_pass(const Rendering& rendering);
 
 // All techniques, the default first.
 [[nodiscard]] std::span<const Technique> techniques();

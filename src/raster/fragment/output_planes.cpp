@@ -11,7 +11,8 @@ inline constexpr bool kIsNumber = std::is_same_v<T, std::uint32_t> || std::is_sa
 template <class T>
 inline constexpr bool kIsReal = std::is_same_v<T, float> || std::is_same_v<T, Half>;
 
-bool is_written(const OutputPlane& output, const FragmentOutcome& outcome) {
+bool is_written(const OutputPlane& output, const UncoloredFragment& fragment, const FragmentOutcome& outcome) {
+  if (output.owner && output.owner.at(fragment.x, fragment.y) != fragment.primitive) return false;
   return output.time == OutputTime::at_depth_pass ? outcome.depth_passed : outcome.drawn;
 }
 
@@ -33,8 +34,8 @@ T real_as(float value) {
 template <class T, class Value>
 void write_lanes(const OutputPlane& output, const Plane<T>& plane, const BatchResults& results, const Value& value) {
   for (std::size_t i = 0; i < results.fragments.size(); ++i) {
-    if (!is_written(output, results.outcomes[i])) continue;
     const UncoloredFragment& fragment = results.fragments[i];
+    if (!is_written(output, fragment, results.outcomes[i])) continue;
     plane.at(fragment.x, fragment.y) = value(i);
   }
 }
@@ -109,7 +110,7 @@ void OutputPlanes::write(const BatchResults& results) const {
 
 void OutputPlanes::write(const UncoloredFragment& fragment, FragmentOutcome outcome) const {
   for (const OutputPlane& output : planes_) {
-    if (!is_written(output, outcome)) continue;
+    if (!is_written(output, fragment, outcome)) continue;
     const std::uint32_t number = number_of(output, fragment);
     if (const auto* wide = std::get_if<Plane<std::uint32_t>>(&output.plane)) {
       wide->at(fragment.x, fragment.y) = number;

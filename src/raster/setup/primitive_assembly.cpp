@@ -75,6 +75,10 @@ std::array<std::uint32_t, 2> PrimitiveAssembly::line(std::size_t i) const {
 std::array<std::uint32_t, 3> PrimitiveAssembly::triangle(std::size_t i) const {
   if (type_ == PrimitiveType::triangles) return {vertex(3 * i), vertex(3 * i + 1), vertex(3 * i + 2)};
   if (type_ == PrimitiveType::triangle_fan) return {vertex(0), vertex(i + 1), vertex(i + 2)};
+  return strip_triangle(i);
+}
+
+std::array<std::uint32_t, 3> PrimitiveAssembly::strip_triangle(std::size_t i) const {
   return {vertex(i + i % 2), vertex(i + 1 - i % 2), vertex(i + 2)};
 }
 
@@ -82,16 +86,18 @@ std::array<std::uint32_t, 3> PrimitiveAssembly::triangle_of(std::size_t i, std::
   switch (type_) {
     case PrimitiveType::quads:
       return {vertex(4 * i), vertex(4 * i + 1 + cut), vertex(4 * i + 2 + cut)};
-    case PrimitiveType::quad_strip: {
-      // Around the quad: 2i, 2i + 1, 2i + 3, 2i + 2.
-      const std::array<std::size_t, 4> place{2 * i, 2 * i + 1, 2 * i + 3, 2 * i + 2};
-      return {vertex(place[0]), vertex(place[1 + cut]), vertex(place[2 + cut])};
-    }
+    case PrimitiveType::quad_strip:
+      return strip_triangle(2 * i + cut);
     case PrimitiveType::polygon:
       return {vertex(0), vertex(cut + 1), vertex(cut + 2)};
     default:
       return triangle(i);
   }
+}
+
+std::array<bool, 3> PrimitiveAssembly::boundary_of(std::size_t cut) const {
+  if (type_ == PrimitiveType::quad_strip) return {cut == 0, cut == 1, true};
+  return {cut == 0, true, cut + 1 == triangles_each_};
 }
 
 }  // namespace ninebit

@@ -17,7 +17,8 @@ class PrimitiveAssembly {
   [[nodiscard]] PrimitiveType type() const { return type_; }
   // Points, lines, triangles, quads or polygons; vertices left over make none.
   [[nodiscard]] std::size_t primitives() const { return primitives_; }
-  // The triangles that a quad or polygon is cut into, a fan around its first vertex; 1 for all others.
+  // The triangles that a quad or polygon is cut into: a fan around its first vertex, or for a quad strip the triangles
+  // of the triangle strip (rule 32); 1 for all others.
   [[nodiscard]] std::size_t triangles_each() const { return triangles_each_; }
 
   // The list of vertex numbers; empty: all, in their order.
@@ -35,11 +36,12 @@ class PrimitiveAssembly {
   // Triangle `cut` of a quad or polygon, from 0 to triangles_each() - 1.
   [[nodiscard]] std::array<std::uint32_t, 3> triangle_of(std::size_t i, std::size_t cut) const;
   // Which of its edges 0-1, 1-2, 2-0 are edges of the quad or polygon.
-  [[nodiscard]] std::array<bool, 3> boundary_of(std::size_t cut) const {
-    return {cut == 0, true, cut + 1 == triangles_each_};
-  }
+  [[nodiscard]] std::array<bool, 3> boundary_of(std::size_t cut) const;
 
  private:
+  // Triangle i of the vertices as a triangle strip.
+  [[nodiscard]] std::array<std::uint32_t, 3> strip_triangle(std::size_t i) const;
+
   PrimitiveType type_;
   std::span<const std::uint32_t> indices_;
   std::size_t count_;  // of places in the list

@@ -175,6 +175,7 @@ Status DepthCubeRenderer::draw_directions() {
   if (uses_floats()) {  // else the directions are for people
     note_float_pass(rendering(), "comparison", true);
     rendering().map_bytes = faces_.size() * faces_[0].distance.size() * sizeof(float);
+    if (settings().pixel) return frame_.draw("comparison", state, arrays, {}, target);
   }
   return rasterize(state, prepared_camera_, arrays, {}, target);
 }

@@ -129,13 +129,16 @@ Status CameraFrame::draw(std::string_view name, const PipelineState& state, Vert
   note_pass(rendering_, name, state);
   if (!settings_.pixel) return rasterize(state, projection_, arrays, units, target);
   FragmentProbe probe{.x = settings_.pixel->x, .y = settings_.pixel->y};
+  // rasterize reports a pixel outside.
+  const bool is_inside = probe.x >= 0 && probe.y >= 0 && probe.x < target.width && probe.y < target.height;
+  const std::uint8_t stencil = is_inside && target.stencil ? target.stencil.at(probe.x, probe.y) : std::uint8_t{0};
   target.probe = &probe;
   Status drawn = rasterize(state, projection_, arrays, units, target);
   target.probe = nullptr;
   if (!scene_triangles.empty()) {
     for (ProbedFragment& fragment : probe.fragments) fragment.primitive = scene_triangles[fragment.primitive];
   }
-  rendering_.probed.push_back({std::string(name), state.program, std::move(probe.fragments)});
+  rendering_.probed.push_back({std::string(name), state.program, std::move(probe.fragments), stencil});
   return drawn;
 }
 
@@ -161,6 +164,11 @@ Status CameraFrame::draw_depth() {
   rendering_.frame.fill({.color = kBackground});
   RenderTarget target = rendering_.frame.target();
   target.outputs.clear();
+  if (settings_.layers) {
+    owner_.assign(rendering_.frame.depth().size(), ~0U);
+    target.outputs.push_back(
+        {.source = OutputSource::primitive, .plane = Plane<std::uint32_t>{owner_.data(), target.width}});
+  }
   if (!groups_.masked()) return draw("depth", passes_.depth, {}, {}, target);
   const TrianglePart opaque = groups_.opaque_part(*scene_, numbered());
   if (!opaque.triangles.empty()) {
@@ -248,7 +256,8 @@ RenderTarget CameraFrame::capturing_target(int units, const std::string& prefix)
                               .reg = reg,
                               .component = component,
                               .time = OutputTime::at_depth_pass,
-                              .plane = Plane<s9>{plane.data(), target.width}});
+                              .plane = Plane<s9>{plane.data(), target.width},
+                              .owner = owner()});
   };
   const auto capture = [&](Register reg, int components, const char* part) {
     for (int c = 0; c < components; ++c) add(OutputSource::register_code, reg, c, part);
@@ -293,12 +302,10 @@ void CameraFrame::finish() {
   add("depth").assign(frame.depth().begin(), frame.depth().end());
   auto& polygon = add("polygon");
   auto& object = add("object");
-  // From the triangles that the lit and shadow passes drew.
   for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const std::uint32_t drawn = frame.primitive()[i];
-    if (drawn >= scene_->triangles.size()) continue;
-    polygon[i] = drawn + 1;
-    object[i] = scene_->triangle_object[drawn] + 1;
+    if (owner_[i] >= scene_->triangles.size()) continue;
+    polygon[i] = owner_[i] + 1;
+    object[i] = scene_->triangle_object[owner_[i]] + 1;
   }
 }
 

@@ -80,10 +80,13 @@ class CameraFrame {
     return {.positions = positions, .indices = index_list(scene_->triangles)};
   }
 
-  // The frame as a target. With settings.layers it captures, at each fragment that passes the depth test, primary,
-  // texture0 and texture1 where `units` has them, spare0, spare1 and the final combiner's alpha, as layers whose parts
-  // begin with `prefix`.
+  // The frame as a target. With settings.layers it captures, for the polygon that the depth pass left at each pixel,
+  // primary, texture0 and texture1 where `units` has them, spare0, spare1 and the final combiner's alpha, as layers
+  // whose parts begin with `prefix`.
   [[nodiscard]] RenderTarget capturing_target(int units, const std::string& prefix = "");
+
+  // With settings.layers, the triangle that the depth pass left at each pixel: the owner of captured values.
+  [[nodiscard]] Plane<const std::uint32_t> owner() const { return {owner_.data(), settings_.width}; }
 
   // Whether primitives must have the scene's triangle numbers: they are output or probed.
   [[nodiscard]] bool numbered() const { return settings_.layers || settings_.evidence || settings_.pixel; }
@@ -126,6 +129,9 @@ class CameraFrame {
   VertexShading shading_;
   SurfaceGroups groups_;
   glm::mat4 projection_;
+  // With settings.layers: for each pixel the number of the scene's triangle that the depth pass left; ~0: none. Of
+  // triangles at equal depth it is the first one drawn, as the depth test is LESS.
+  std::vector<std::uint32_t> owner_;
 };
 
 // Reports a map size that is not a power of two from 1 to kMaxSurfaceSize.

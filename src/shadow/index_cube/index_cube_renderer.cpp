@@ -245,8 +245,10 @@ bool IndexCubeRenderer::faces_light(std::size_t triangle) const {
 IndexCubeRenderer::TriangleSet IndexCubeRenderer::light_facing_triangles() const {
   TriangleSet facing;
   for (std::size_t t = 0; t < frame_.scene().triangles.size(); ++t) {
-    if (!faces_light(t)) continue;
-    facing.triangles.push_back(frame_.scene().triangles[t]);
+    const bool is_compared = faces_light(t);
+    if (!is_compared && !frame_.settings().layers) continue;
+    const glm::uvec3& corners = frame_.scene().triangles[t];
+    facing.triangles.push_back(is_compared ? corners : glm::uvec3(corners.x));
     facing.index_colors.push_back(indices_.color[t]);
     facing.numbers.push_back(static_cast<std::uint32_t>(t));
   }

@@ -66,7 +66,8 @@ class IndexCubeRenderer {
   Status pick(const glm::ivec2& pixel);
   [[nodiscard]] bool faces_light(std::size_t triangle) const;
 
-  // Some of the scene's triangles, with their index colours.
+  // Some of the scene's triangles, with their index colours. With settings.layers all of them, the others without area,
+  // so that the numbers of primitives are the scene's.
   struct TriangleSet {
     std::vector<glm::uvec3> triangles;
     std::vector<ColorBytes> index_colors;

@@ -98,7 +98,8 @@ class LightCookieFrame {
                                 .reg = reg,
                                 .component = component,
                                 .time = OutputTime::at_depth_pass,
-                                .plane = Plane<s9>{plane.data(), whole.width}});
+                                .plane = Plane<s9>{plane.data(), whole.width},
+                                .owner = frame().owner()});
     };
     for (int c = 0; c < 3; ++c) add(OutputSource::register_code, Register::secondary, c, "lit_secondary");
     for (int c = 0; c < 3; ++c) add(OutputSource::output_code, Register::spare0, c, "lit_output");

@@ -70,6 +70,7 @@ DiagramPage trace_page(const TraceFacts& facts) {
     if (!pixel->technique.empty()) fact("Technique", pixel->technique);
     fact("Size", pixel->size);
     fact("State", pixel->state);
+    if (pixel->pass) fact("Pass", pixel->passes[*pixel->pass].name);
   }
   fact("Profile", facts.profile);
   Json drawn;

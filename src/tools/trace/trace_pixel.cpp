@@ -16,6 +16,16 @@ std::string state_of(const Surface& frame, std::size_t at) {
   return frame.stencil()[at] == 0 ? "lit" : "shadowed";
 }
 
+// Without a program there is nothing to trace in the pass that decided.
+void choose(const Rendering& rendering, bool other_program, TracedPixel& pixel) {
+  const ProbedPass* const decided = deciding_pass(rendering);
+  if (decided == nullptr) return;
+  const auto pass = static_cast<std::size_t>(decided - rendering.probed.data());
+  choose_pass(pixel, pass);
+  pixel.pass = pass;
+  if (!decided->program && !other_program) pixel.fragment.reset();
+}
+
 }  // namespace
 
 Result<TracedPixel> render_pixel(const SceneFlags& flags, const CommonFlags& common, int x, int y, bool other_program) {
@@ -41,11 +51,11 @@ Result<TracedPixel> render_pixel(const SceneFlags& flags, const CommonFlags& com
   pixel.technique = flags.technique;
   pixel.size = flags.size;
   pixel.state = state_of(rendering->frame, at);
-  pixel.passes = std::move(rendering->probed);
+  pixel.passes = rendering->probed;
   pixel.index_order = std::move(rendering->index_order);
   for (const SceneObject& object : scene->objects) pixel.objects.push_back(object.name);
   pixel.object_of = scene->triangle_object;
-  choose_fragment(pixel, other_program);
+  choose(*rendering, other_program, pixel);
   return pixel;
 }
 
@@ -75,9 +85,12 @@ std::string pixel_text(const TracedPixel& pixel) {
   }
   for (const ProbedPass& pass : pixel.passes) {
     if (const ProbedFragment* f = deciding_fragment(pass)) {
-      text += fmt::format("pass {}, which has no program: {}\n", pass.name, fragment_text(pixel, *f));
+      text += fmt::format("pass {}{}: {}\n", pass.name, pass.program ? "" : ", which has no program",
+                          fragment_text(pixel, *f));
     }
   }
+  if (pixel.pass)
+    return text + fmt::format("pass {} decided, without a program: nothing to trace\n", pixel.passes[*pixel.pass].name);
   return text + "no pass with a program drew a visible fragment: nothing to trace\n";
 }
 

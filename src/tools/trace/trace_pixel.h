@@ -11,8 +11,7 @@
 namespace ninebit::tools {
 
 // Renders the scene and probes the pixel, which must be inside the picture. The traced fragment is the one that decided
-// the result of the last pass with a program. `other_program`: the trace uses another program, so that any pass is
-// accepted if none has a program.
+// the result of deciding_pass(); without a program it is traced only if `other_program` replaces it.
 [[nodiscard]] Result<TracedPixel> render_pixel(const SceneFlags& flags, const CommonFlags& common, int x, int y,
                                                bool other_program);
 
