@@ -128,6 +128,27 @@ TEST(PlaygroundCompare, CountsThePixelsThatDiffer) {
   EXPECT_EQ(ask(engine, request)["difference"]["pixels"], 0);
 }
 
+// The first profile may be one's own; the word stands for it with exact combiners, and only as the second.
+TEST(PlaygroundCompare, ArithmeticIsTheFirstProfileWithExactCombiners) {
+  Engine engine;
+  PageJson request = draw_request();
+  request["do"] = "compare";
+  request["profiles"] = {"geforce256-8bit", "arithmetic"};
+  const PageJson eight = ask(engine, request);
+  ASSERT_EQ(fault_of_answer(eight), "");
+  EXPECT_EQ(eight["profiles"], PageJson({"geforce256-8bit", "arithmetic"}));
+  const std::vector<std::uint8_t> bytes(engine.bytes().begin(), engine.bytes().end());
+  request["profiles"] = {"geforce256-8bit", "geforce2"};  // the program is exact in nine bits
+  EXPECT_EQ(ask(engine, request)["difference"], eight["difference"]);
+  EXPECT_TRUE(std::equal(bytes.begin(), bytes.end(), engine.bytes().begin(), engine.bytes().end()));
+  EXPECT_GT(eight["difference"]["pixels"], 0);
+  const PageJson own{{"base", "geforce256-8bit"}, {"name", "mine"}, {"half", 63}};
+  request["profiles"] = PageJson::array({own, "arithmetic"});
+  EXPECT_EQ(ask(engine, request)["difference"], eight["difference"]);
+  request["profiles"] = {"arithmetic", "geforce2"};
+  EXPECT_NE(fault_of_answer(ask(engine, request)).find("unknown profile"), std::string::npos);
+}
+
 TEST(PlaygroundDrawing, RecordsWhatThePassCombines) {
   Engine engine;
   PageJson request = draw_request();
