@@ -66,6 +66,7 @@ TEST(PlaygroundProfile, FieldsThatTheArithmeticDoesNotReadGo) {
   const PageJson half = edited("nv2a", "half", 127)["profile"];
   const PageJson answer = edited(half, "arithmetic", "float32");
   EXPECT_EQ(answer["profile"], (PageJson{{"base", "nv2a"}, {"name", "mine"}, {"arithmetic", "float32"}}));
+  EXPECT_EQ(answer["coupled"], PageJson::parse(R"([{"name": "half", "value": 128}])"));
   EXPECT_EQ(field_of(answer["profile"], "half")["read"], false);
   EXPECT_EQ(edited(answer["profile"], "arithmetic", "integer")["profile"], "nv2a");
 }
