@@ -74,6 +74,74 @@ TEST(PlaygroundDraw, TakesPicturesThatWerePut) {
   EXPECT_NE(fault_of_answer(ask(engine, put)).find("the buffer has 0 bytes"), std::string::npos);
 }
 
+TEST(PlaygroundDraw, TakesTheProfileOfTheEffectUnlessOneIsGiven) {
+  PageJson request = draw_request();
+  request["effect"]["profile"] = "nv2a";
+  EXPECT_EQ(ask(request)["profile"], "nv2a");
+  request["profile"] = "geforce256-8bit";
+  EXPECT_EQ(ask(request)["profile"], "geforce256-8bit");
+  request["profile"] = "nv2a";
+  const PageJson given = ask(request);
+  request.erase("profile");
+  EXPECT_EQ(ask(request)["hash"], given["hash"]);
+}
+
+// The texel's alpha is the program's.
+PageJson alpha_request() {
+  PageJson request = draw_request();
+  request["effect"]["passes"][0]["program"] = "alpha.rc1";
+  request["files"] = {{"alpha.rc1", "!!RC1.0\nout.rgb = zero;\nout.a = tex0.a;\n"}};
+  return request;
+}
+
+TEST(PlaygroundDraw, OnePixelMakesAPictureTransparent) {
+  Engine engine;
+  PageJson request = alpha_request();
+  request["effect"]["textures"]["squares"]["source"] = "glass.png";
+  const auto buffer = engine.buffer(2 * 2 * 4);
+  std::fill(buffer.begin(), buffer.end(), std::uint8_t{255});
+  buffer[3] = 128;
+  ask(engine, {{"do", "put"}, {"name", "glass.png"}, {"kind", "pixels"}, {"width", 2}, {"height", 2}});
+  ASSERT_EQ(fault_of_answer(ask(engine, request)), "");
+  EXPECT_EQ(engine.bytes()[3], 128);
+}
+
+TEST(PlaygroundPut, ANameStandsForWhatWasPutLast) {
+  Engine engine;
+  const PageJson file{{"do", "put"}, {"name", "a"}, {"kind", "file"}};
+  const PageJson pixels{{"do", "put"}, {"name", "a"}, {"kind", "pixels"}, {"width", 2}, {"height", 2}};
+  PageJson request = draw_request();
+  request["effect"]["textures"]["squares"]["source"] = "a.png";
+  const PageJson scene{{"do", "shadow"}, {"scene", "a"}, {"size", {8, 8}}};
+  const auto put = [&](const PageJson& what) {
+    const auto buffer = engine.buffer(2 * 2 * 4);
+    std::fill(buffer.begin(), buffer.end(), std::uint8_t{7});
+    ASSERT_EQ(fault_of_answer(ask(engine, what)), "");
+  };
+  put(file);
+  EXPECT_EQ(fault_of_answer(ask(engine, scene)).find("is no file that was put"), std::string::npos);
+  put(pixels);
+  EXPECT_NE(fault_of_answer(ask(engine, scene)).find("is no file that was put"), std::string::npos);
+  EXPECT_EQ(ask(engine, pixels)["fault"]["message"], "the buffer has 0 bytes; these pixels have 16");
+}
+
+TEST(PlaygroundDraw, CountsFacesAndWholeTextures) {
+  PageJson cube = draw_request();
+  cube["effect"]["targets"]["faces"] = {{"size", 2048}, {"cube", true}};
+  cube["effect"]["passes"].insert(cube["effect"]["passes"].begin(), cube["effect"]["passes"][0]);
+  cube["effect"]["passes"][0]["name"] = "faces";
+  cube["effect"]["passes"][0]["target"] = "faces";
+  const std::string pixels = std::to_string(6 * 2048 * 2048 + 32 * 16);
+  EXPECT_NE(fault_of_answer(ask(cube)).find("have " + pixels + " pixels"), std::string::npos) << ask(cube);
+  // Sides are resampled to powers of two: 4,096 texels for 2,049.
+  Engine engine;
+  ASSERT_EQ(engine.buffer(std::size_t{2049} * 4096 * 4).size(), std::size_t{2049} * 4096 * 4);
+  ask(engine, {{"do", "put"}, {"name", "large.png"}, {"kind", "pixels"}, {"width", 2049}, {"height", 4096}});
+  PageJson request = draw_request();
+  for (const char* name : {"a", "b", "squares"}) request["effect"]["textures"][name] = {{"source", "large.png"}};
+  EXPECT_NE(fault_of_answer(ask(engine, request)).find("have 50331648 texels"), std::string::npos);
+}
+
 TEST(PlaygroundDraw, NamesThePlaceOfAFaultInAProgram) {
   PageJson request = draw_request();
   request["files"]["mine.gl"] = "glEnable(GL_REGISTER_COMBINERS_NV);\nglNothing();\n";
@@ -128,6 +196,36 @@ TEST(PlaygroundCompare, CountsThePixelsThatDiffer) {
   EXPECT_EQ(ask(engine, request)["difference"]["pixels"], 0);
 }
 
+TEST(PlaygroundCompare, AlphaCounts) {
+  PageJson request = alpha_request();
+  request["do"] = "compare";
+  request["effect"]["passes"][0].erase("units");
+  request["profiles"] =
+      PageJson::array({"geforce2", {{"base", "geforce2"}, {"name", "mine"}, {"disabled_texture_alpha", 15}}});
+  EXPECT_EQ(ask(request)["difference"], PageJson::parse(R"({"pixels": 512, "max": 240})"));
+}
+
+// The first profile may be one's own; the word stands for it with exact combiners, and only as the second.
+TEST(PlaygroundCompare, ArithmeticIsTheFirstProfileWithExactCombiners) {
+  Engine engine;
+  PageJson request = draw_request();
+  request["do"] = "compare";
+  request["profiles"] = {"geforce256-8bit", "arithmetic"};
+  const PageJson eight = ask(engine, request);
+  ASSERT_EQ(fault_of_answer(eight), "");
+  EXPECT_EQ(eight["profiles"], PageJson({"geforce256-8bit", "arithmetic"}));
+  const std::vector<std::uint8_t> bytes(engine.bytes().begin(), engine.bytes().end());
+  request["profiles"] = {"geforce256-8bit", "geforce2"};  // the program is exact in nine bits
+  EXPECT_EQ(ask(engine, request)["difference"], eight["difference"]);
+  EXPECT_TRUE(std::equal(bytes.begin(), bytes.end(), engine.bytes().begin(), engine.bytes().end()));
+  EXPECT_GT(eight["difference"]["pixels"], 0);
+  const PageJson own{{"base", "geforce256-8bit"}, {"name", "mine"}, {"half", 63}};
+  request["profiles"] = PageJson::array({own, "arithmetic"});
+  EXPECT_EQ(ask(engine, request)["difference"], eight["difference"]);
+  request["profiles"] = {"arithmetic", "geforce2"};
+  EXPECT_NE(fault_of_answer(ask(engine, request)).find("unknown profile"), std::string::npos);
+}
+
 TEST(PlaygroundDrawing, RecordsWhatThePassCombines) {
   Engine engine;
   PageJson request = draw_request();
@@ -158,8 +256,14 @@ TEST(PlaygroundDrawing, RecordsWhatThePassCombines) {
   request["pass"] = 0;
   request["size"] = {2048, 1024};
   EXPECT_NE(fault_of_answer(ask(engine, request)).find("at most 1048576"), std::string::npos);
-  request["effect"]["passes"][0].erase("program");
   request["size"] = {32, 16};
+  PageJson aside = request;
+  aside["effect"]["targets"]["aside"] = {{"size", {2048, 1024}}};
+  aside["effect"]["passes"].insert(aside["effect"]["passes"].begin(), aside["effect"]["passes"][0]);
+  aside["effect"]["passes"][0]["name"] = "first";
+  aside["effect"]["passes"][0]["target"] = "aside";
+  EXPECT_NE(fault_of_answer(ask(engine, aside)).find("draws 2097152 pixels; at most 1048576"), std::string::npos);
+  request["effect"]["passes"][0].erase("program");
   EXPECT_NE(fault_of_answer(ask(engine, request)).find("has no program"), std::string::npos);
 }
 

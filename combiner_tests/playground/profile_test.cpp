@@ -2,9 +2,12 @@
 #include <gtest/gtest.h>
 
 #include <random>
+#include <set>
 #include <string>
 
 #include "combiner_tests/playground/support.h"
+#include "src/numerics/exact_combiners.h"
+#include "src/playground/profile_fields.h"
 
 namespace ninebit::test {
 namespace {
@@ -37,6 +40,18 @@ TEST(PlaygroundProfile, AnEditTakesTheDependentFieldsAlong) {
   EXPECT_EQ(edited(answer["profile"], "byte_shift", 0)["profile"], "nv2a") << "back";
 }
 
+TEST(PlaygroundProfile, LowestTakesLowestOutputAlongWhereItMust) {
+  const PageJson low = edited("nv2a", "lowest_output", -256)["profile"];
+  ASSERT_EQ(field_of(low, "lowest_output")["value"], -256);
+  const PageJson moved = edited(low, "lowest", -255);
+  EXPECT_EQ(moved["coupled"], PageJson::parse(R"([{"name": "lowest_output", "value": -255}])"));
+  EXPECT_EQ(moved["profile"], (PageJson{{"base", "nv2a"}, {"name", "mine"}, {"lowest", -255}}));
+  const PageJson alone = edited("geforce2", "lowest", -256);
+  EXPECT_TRUE(alone["coupled"].empty()) << alone;
+  EXPECT_EQ(field_of(alone["profile"], "lowest_output")["value"], -255);
+  EXPECT_EQ(field_of(alone["profile"], "lowest_output")["range"], (PageJson{-256, -255}));
+}
+
 TEST(PlaygroundProfile, WhatFitsStaysAlone) {
   const PageJson answer = edited("geforce2", "general_narrowing", "nearest-halves-up");
   EXPECT_EQ(answer["profile"],
@@ -51,6 +66,7 @@ TEST(PlaygroundProfile, FieldsThatTheArithmeticDoesNotReadGo) {
   const PageJson half = edited("nv2a", "half", 127)["profile"];
   const PageJson answer = edited(half, "arithmetic", "float32");
   EXPECT_EQ(answer["profile"], (PageJson{{"base", "nv2a"}, {"name", "mine"}, {"arithmetic", "float32"}}));
+  EXPECT_EQ(answer["coupled"], PageJson::parse(R"([{"name": "half", "value": 128}])"));
   EXPECT_EQ(field_of(answer["profile"], "half")["read"], false);
   EXPECT_EQ(edited(answer["profile"], "arithmetic", "integer")["profile"], "nv2a");
 }
@@ -86,6 +102,30 @@ TEST(PlaygroundProfile, EveryStepIsValid) {
     }
   }
   EXPECT_GT(coupled, 50);
+}
+
+TEST(PlaygroundProfile, ExactCombinersHaveTheArithmeticOfIdealAlone) {
+  const std::set<std::string> arithmetic{"arithmetic",
+                                         "one",
+                                         "lowest",
+                                         "lowest_output",
+                                         "half",
+                                         "expand_offset",
+                                         "byte_shift",
+                                         "general_narrowing",
+                                         "narrowing_point",
+                                         "final_narrowing"};
+  const auto fields = playground::profile_fields();
+  for (const HardwareProfile& profile : hardware_profiles()) {
+    const HardwareProfile exact = with_exact_combiners(profile);
+    EXPECT_EQ(exact.name, profile.name);
+    for (const playground::ProfileField& field : fields) {
+      const bool replaced = arithmetic.contains(std::string(field.name));
+      const playground::FieldRow row = field.row(exact), expected = field.row(replaced ? profiles::ideal : profile);
+      EXPECT_EQ(row.value, expected.value) << profile.name << ": " << field.name;
+      EXPECT_EQ(row.source, expected.source) << profile.name << ": " << field.name;
+    }
+  }
 }
 
 TEST(PlaygroundProfile, RefusesWhatIsNoEdit) {

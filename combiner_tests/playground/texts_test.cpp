@@ -95,6 +95,14 @@ TEST(PlaygroundRead, MarksEveryFaultAtItsWord) {
   EXPECT_EQ(answer["faults"][1]["gl_error"], "GL_INVALID_VALUE");
 }
 
+TEST(PlaygroundRead, ListsTheConstantsOfEachStage) {
+  const std::string text = "!!RC1.0\n{ const0 = (1, 0, 0, 1); rgb { spare0 = const0; } }\nout.rgb = spare0;\n";
+  const PageJson constants = ask({{"do", "read"}, {"text", text}, {"profile", "nv2a"}})["constants"];
+  EXPECT_EQ(constants["stages"].size(), 1U) << constants;
+  EXPECT_EQ(constants["stages"][0]["const0"], PageJson::parse("[1.0, 0.0, 0.0, 1.0]")) << constants;
+  EXPECT_FALSE(ask({{"do", "read"}, {"text", kTexelTimesColor}})["constants"].contains("stages"));
+}
+
 TEST(PlaygroundRead, TakesAProfileOfOnesOwn) {
   const std::string three = R"({"ninebit": "program", "version": 1, "num_general_combiners": 3})";
   EXPECT_FALSE(ask({{"do", "read"}, {"text", three}})["valid"]);
@@ -128,6 +136,13 @@ TEST(PlaygroundTrace, StepsThroughTheGivenCodes) {
   ASSERT_EQ(fault_of_answer(answer), "") << answer;
   EXPECT_EQ(answer["command"], "trace");
   EXPECT_EQ(answer["program"], nullptr);
+  // Texture 0's alpha is spare0's at the start, unless that is given.
+  const auto traced = [](const PageJson& registers) {
+    return ask({{"do", "trace"}, {"text", "!!RC1.0\nout.rgb = spare0.a;\n"}, {"registers", registers}});
+  };
+  const PageJson tex0{{"tex0", {0, 0, 0, 77}}};
+  EXPECT_EQ(traced(tex0), traced({{"tex0", {0, 0, 0, 77}}, {"spare0", {0, 0, 0, 77}}}));
+  EXPECT_NE(traced(tex0), traced({{"tex0", {0, 0, 0, 77}}, {"spare0", {0, 0, 0, 78}}}));
   const PageJson refused = ask(
       {{"do", "trace"}, {"text", kTexelTimesColor}, {"registers", {{"tex0", {256, 0, 0, 0}}, {"tex9", {0, 0, 0, 0}}}}});
   EXPECT_NE(fault_of_answer(refused).find("from -255 to 255"), std::string::npos) << refused;

@@ -68,6 +68,39 @@ TEST(Draw, AnswersWhatItDrew) {
   EXPECT_EQ(same["hash"], drawn["hash"]);
 }
 
+// A program without arithmetic: what differs comes from the rasterizer.
+TEST(Draw, ArithmeticIsTheSameChipWithExactCombiners) {
+  const TempFolder folder;
+  write_bytes(folder / "color.rc1", "!!RC1.0\nout.rgb = col0;\n");
+  const auto differ = [&](const std::string& file, const std::string& other) {
+    return json_of(ninebit(draw(file, folder / "p.png",
+                                {"--mesh", "sphere:8", "--primary", "normal", "--size", "64x64", "--json",
+                                 "--difference", other})))["difference"];
+  };
+  EXPECT_EQ(differ(folder / "color.rc1", "arithmetic"), Json::parse(R"({"pixels": 0, "max": 0})"));
+  EXPECT_GT(differ(folder / "color.rc1", "ideal")["pixels"], 0);
+  write_bytes(folder / "square.rc1", "!!RC1.0\n{ rgb { spare0 = col0 * col0; } }\nout.rgb = spare0;\n");
+  write_bytes(folder / "exact.json", R"({"base": "geforce2", "name": "mine", "arithmetic": "exact"})");
+  const Json squares = differ(folder / "square.rc1", "arithmetic");
+  EXPECT_GT(squares["pixels"], 0);
+  EXPECT_EQ(squares["max"], 1);
+  EXPECT_EQ(differ(folder / "square.rc1", folder / "exact.json"), squares);
+}
+
+TEST(Draw, TheWordArithmeticIsNoFile) {
+  const TempFolder folder;
+  write_bytes(folder / "arithmetic.json", R"({"base": "geforce2", "name": "arithmetic", "texture_units": 4})");
+  const auto said = [&](const std::string& other) {
+    return ninebit(
+        {"draw", kSepia, "--tex0", kPhotograph, "-o", folder / "p.png", "--size", "64x64", "--difference", other});
+  };
+  EXPECT_NE(said("arithmetic").err.find(" pixels differ with exact combiners, by 1 at most\n"), std::string::npos);
+  EXPECT_NE(said(folder / "arithmetic.json").err.find("\n0 pixels differ under profile arithmetic, by 0 at most\n"),
+            std::string::npos);
+  expect_error(said("./arithmetic"), 2, {"--difference", "unknown profile", "arithmetic, geforce2", ".json file"});
+  expect_error(said(folder / "missing.json"), 3, {"missing.json"});
+}
+
 // A flag changes the picture that has the same effect file otherwise.
 TEST(Draw, FlagsReplaceTheSceneOfAnEffect) {
   const TempFolder folder;

@@ -38,6 +38,12 @@ TEST(Supersample, DrawsMoreSamples) {
   EXPECT_EQ(small.at("index_cube.png"), big.at("index_cube.png")) << "the map is not of the frame";
 }
 
+TEST(Supersample, TheHelpSaysHowWellItIsKnown) {
+  const std::string help = ninebit({"help", "render"}).out;
+  const std::string flag = help.substr(help.find("--supersample"));
+  EXPECT_NE(flag.substr(0, flag.find("--", 2)).find("is assumed"), std::string::npos) << flag;
+}
+
 TEST(Supersample, WrongUsage) {
   const TempFolder folder;
   const std::string out = folder / "out";

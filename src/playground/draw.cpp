@@ -5,6 +5,7 @@
 
 #include "ninebit/effect/effect_json.h"
 #include "src/effect/traced_pixel.h"
+#include "src/numerics/exact_combiners.h"
 #include "src/playground/drawing.h"
 #include "src/playground/plane_hash.h"
 
@@ -180,12 +181,19 @@ Reply Engine::compare(Request& request) {
   Json names = Json::array();
   Json out;
   for (std::size_t i = 0; i < 2 && !request.failed(); ++i) {
-    asked.what.profile = request.profile_in(profiles->children[i]);
+    const json::Value& wanted = profiles->children[i];
+    const bool exact = i == 1 && wanted.type == json::Type::string && wanted.text == "arithmetic";
+    ChosenProfile& chosen = asked.what.profile;
+    if (exact) {
+      chosen.own = OwnedProfile{with_exact_combiners(chosen.profile()), chosen.own ? chosen.own->text : nullptr};
+    } else {
+      chosen = request.profile_in(wanted);
+    }
     if (request.failed()) break;
     const Drawn drawn = draw_effect(asked.what, shelf_, {});
     if (!drawn.renderer) return *drawn.refused;
     append_picture(drawn.renderer->picture(), bytes_);
-    names.push_back(asked.what.profile.profile().name);
+    names.push_back(exact ? std::string_view(wanted.text) : chosen.profile().name);
     out["width"] = drawn.renderer->picture().width();
     out["height"] = drawn.renderer->picture().height();
   }

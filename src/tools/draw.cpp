@@ -11,6 +11,7 @@
 #include "ninebit/image/image_io.h"
 #include "ninebit/image/staged_files.h"
 #include "ninebit/shadow/picture_files.h"
+#include "src/numerics/exact_combiners.h"
 #include "src/system/hashing/sha256.h"
 #include "src/tools/common/given_pictures.h"
 #include "src/tools/draw/draw_files.h"
@@ -87,6 +88,10 @@ Result<EffectRenderer> draw_under(const Effect& effect, const HardwareProfile& p
   return renderer;
 }
 
+bool is_arithmetic(const ProfileChoice& difference) {
+  return !difference.own_profile && difference.name == kArithmetic;  // a profile of one's own may have that name
+}
+
 // Draws the effect and, with --difference, once more under the other profile.
 Status draw_all(const DrawFlags& flags, const Effect& effect, const HardwareProfile& profile, Drawn& done) {
   ProgressLine line(flags.common.quiet);
@@ -102,10 +107,11 @@ Status draw_all(const DrawFlags& flags, const Effect& effect, const HardwareProf
   done.draw_ms = milliseconds_since(loaded);
   done.warnings.insert(done.warnings.end(), renderer->warnings().begin(), renderer->warnings().end());
   done.renderer.emplace(std::move(*renderer));
-  if (flags.difference.empty()) return {};
+  if (flags.difference.name.empty()) return {};
   std::vector<std::string> again;
-  const auto other =
-      draw_under(effect, *built_in_profile(flags.difference), effect_readers(flags.allow_outside, again), {}, progress);
+  const HardwareProfile rival =
+      is_arithmetic(flags.difference) ? with_exact_combiners(profile) : profile_of(flags.difference);
+  const auto other = draw_under(effect, rival, effect_readers(flags.allow_outside, again), {}, progress);
   if (!other) return other.error();
   done.difference = compare(done.renderer->picture(), other->picture());
   return {};
@@ -182,7 +188,8 @@ int print_answer(const DrawFlags& flags, const Effect& effect, const HardwarePro
   say(fmt::format("{} pass{}, {:.0f} ms\n", effect.passes.size(), effect.passes.size() == 1 ? "" : "es",
                   done.total_ms));
   if (done.difference) {
-    say(fmt::format("{} pixels differ under profile {}, by {} at most\n", done.difference->pixels, flags.difference,
+    say(fmt::format("{} pixels differ {}, by {} at most\n", done.difference->pixels,
+                    is_arithmetic(flags.difference) ? "with exact combiners" : "under profile " + flags.difference.name,
                     done.difference->max));
   }
   return kDone;

@@ -217,7 +217,7 @@ void add_render(CLI::App& app, int& exit_code) {
   verb->add_flag("--layers", flags->scene.settings.layers,
                  "Also write layers.exr with every intermediate value (default: off)");
   verb->add_option("--supersample", flags->supersample,
-                   "Draw N x N samples for each pixel, and average them as a GeForce 2 did")
+                   "Draw N x N samples for each pixel and average them, to nearest; that a GeForce 2 did so is assumed")
       ->capture_default_str()
       ->type_name("N")
       ->check(CLI::IsMember(std::vector<std::string>{"1", "2", "4"}));

@@ -9,6 +9,9 @@ import { Replaced } from './engine_client.js';
  * @typedef {{name: string, summary: string, fields: Field[]}} Profile
  */
 
+/** The engine's word for the same chip with exact combiners. */
+const ARITHMETIC = 'arithmetic';
+
 export class ProfilesPanel {
   /**
    * @param {HTMLElement} parent
@@ -18,14 +21,13 @@ export class ProfilesPanel {
    */
   constructor(parent, store, profiles, { compare, engine }) {
     Object.assign(this, { parent, store, profiles, compare, engine });
-    const names = profiles.map(({ name }) => name);
     this.result = element('p', { role: 'status', id: 'difference-count' });
     this.canvases = [0, 1, 2].map(() => element('canvas', { width: 1, height: 1 }));
     this.captions = [0, 1, 2].map(() => element('figcaption'));
     this.fields = element('div', { class: 'fields' });
     this.coupled = element('p', { role: 'status', id: 'coupled-fields' });
     this.other = element('div');
-    this.names = names;
+    this.others = [[ARITHMETIC, 'exact combiners'], ...profiles.map(({ name }) => name)];
     parent.append(element('div', { class: 'bar' }, this.other, this.result),
       element('div', { class: 'trio' }, ...this.canvases.map((canvas, at) => element('figure', {}, canvas, this.captions[at]))),
       element('details', { open: true }, element('summary', {}, 'A profile of your own'),
@@ -41,7 +43,7 @@ export class ProfilesPanel {
 
   show() {
     const { state } = this.store;
-    this.other.replaceChildren(choice('Compare with', this.names, state.other, (value) => this.store.change('other', (now) => { now.other = value; })));
+    this.other.replaceChildren(choice('Compare with', this.others, state.other, (value) => this.store.change('other', (now) => { now.other = value; })));
     this.showFields(state.profile);
     this.update();
   }
@@ -91,7 +93,7 @@ export class ProfilesPanel {
       const { width, height } = answer;
       const part = width * height * 4;
       this.canvases.forEach((canvas, at) => paint(canvas, opaque(bytes.subarray(at * part, (at + 1) * part)), width, height));
-      [this.title(), state.other, 'difference'].forEach((text, at) => { this.captions[at].textContent = text; });
+      [this.title(), state.other === ARITHMETIC ? 'exact combiners' : state.other, 'difference'].forEach((text, at) => { this.captions[at].textContent = text; });
       const { pixels, max } = answer.difference;
       const share = (100 * pixels / (width * height)).toFixed(2);
       this.result.textContent = `${pixels.toLocaleString('en')} of ${(width * height).toLocaleString('en')} pixels differ (${share} %), by ${max} of 255 at most`;

@@ -6,7 +6,7 @@
  * @property {Record<string, string>} files the effect's programs by name
  * @property {number} pass which pass the panels are about
  * @property {string|object} profile a name, or the JSON of a profile file
- * @property {string} other the profile to compare with
+ * @property {string} other the profile to compare with, or "arithmetic"
  */
 
 /** The name under which the editor offers the effect itself. */

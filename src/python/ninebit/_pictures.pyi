@@ -110,7 +110,7 @@ def draw(
     light_target: Point | str | None = None,
     spot_angle: float | None = None,
     floor: float | Literal["auto", "none"] | None = None,
-    difference: str | None = None,
+    difference: Path | None = None,
     layers: bool = False,
     only: str | Sequence[str] | None = None,
 ) -> Drawing: ...

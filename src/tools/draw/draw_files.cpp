@@ -75,17 +75,10 @@ Result<Texture> read_texture_files(std::span<const std::filesystem::path> files,
 
 }  // namespace
 
-const HardwareProfile* built_in_profile(std::string_view name) {
-  for (const HardwareProfile& profile : hardware_profiles()) {
-    if (profile.name == name) return &profile;
-  }
-  return nullptr;
-}
-
 Result<const HardwareProfile*> effect_profile(const Effect& effect, const std::string& file,
                                               const HardwareProfile* given) {
   if (given != nullptr || effect.profile.empty()) return given;
-  if (const HardwareProfile* const found = built_in_profile(effect.profile)) return found;
+  if (const HardwareProfile* const found = find_profile(effect.profile)) return found;
   std::string names;
   for (const HardwareProfile& profile : hardware_profiles()) {
     names += (names.empty() ? "" : ", ") + std::string(profile.name);

@@ -25,9 +25,6 @@ struct DrawnFile {
 // must outlive them, and print the faults of programs, of which they then report only the first.
 [[nodiscard]] EffectReaders effect_readers(bool allow_outside, std::vector<std::string>& warnings);
 
-// The built-in profile of that name, or nullptr.
-[[nodiscard]] const HardwareProfile* built_in_profile(std::string_view name);
-
 // The profile to draw an effect with: `given` (of --profile) if there is one, else that of the effect; nullptr: neither
 // says one. Reports an unknown name, with the effect's file.
 [[nodiscard]] Result<const HardwareProfile*> effect_profile(const Effect& effect, const std::string& file,

@@ -201,12 +201,10 @@ void add_draw_flags(CLI::App& verb, DrawFlags& flags) {
   verb.add_option("--floor", flags.floor, "Floor below the mesh (default: none)")
       ->type_name("auto|none|HEIGHT")
       ->check(text_check(&check_floor));
-  std::vector<std::string> profiles;
-  for (const HardwareProfile& profile : hardware_profiles()) profiles.emplace_back(profile.name);
-  verb.add_option("--difference", flags.difference,
-                  "Also write where and how much the picture differs under another profile")
-      ->type_name("PROFILE")
-      ->check(CLI::IsMember(profiles));
+  add_profile_option(verb, "--difference", flags.difference,
+                     "Also write where and how much the picture differs on the same chip with exact combiners "
+                     "(arithmetic), or under another profile",
+                     kArithmetic);
   verb.add_flag("--layers", flags.layers, "Also write every register of every pass to an EXR file");
   verb.add_option("--only", flags.only, "Write only these files (default: all): picture,difference,layers")
       ->type_name("LIST")
@@ -253,7 +251,7 @@ bool writes(const DrawFlags& flags, std::string_view name) {
 
 Status check_files(const DrawFlags& flags) {
   if (flags.only.empty()) return {};
-  if (writes(flags, "difference") && flags.difference.empty())
+  if (writes(flags, "difference") && flags.difference.name.empty())
     return Diagnostic{.message = "--only difference requires --difference"};
   if (writes(flags, "layers") && !flags.layers) return Diagnostic{.message = "--only layers requires --layers"};
   return {};

@@ -13,6 +13,9 @@
 
 namespace ninebit::tools {
 
+// The value of --difference for the same chip with exact combiners.
+inline constexpr const char* kArithmetic = "arithmetic";
+
 struct DrawFlags {
   CommonFlags common;
   CLI::Option* profile = nullptr;  // --profile; whether it was given
@@ -27,8 +30,8 @@ struct DrawFlags {
   std::string blend, alpha_test, depth, cull, color_mask;
   std::string camera, look_at, light, light_type, light_target, floor;
   std::optional<double> fov, spot_angle;
-  std::string difference;  // the name of a profile
-  std::string only;        // the files to write; empty: all
+  ProfileChoice difference;  // or kArithmetic
+  std::string only;          // the files to write; empty: all
   bool layers = false;
   std::vector<CLI::Option*> pass_options{};  // those that an effect file replaces
 };

@@ -46,9 +46,13 @@ FlagText flag_text(const CLI::Option& option) {
   for (const char* word : {"FILE", "DIR", "PROGRAM", "SCENE"}) {
     flag.takes_file = flag.takes_file || flag.value.find(word) != std::string::npos;
   }
-  if (flag.value == "NAME|FILE") {  // as add_profile_option() and add_profile_flag() name it
+  constexpr std::string_view kProfile = "NAME|FILE";  // as add_profile_option() and add_profile_flag() name it
+  if (flag.value.ends_with(kProfile)) {
     flag.takes_profile = true;
     flag.takes_file = false;
+    if (const std::size_t word = flag.value.size() - kProfile.size(); word != 0) {
+      flag.choices.push_back(flag.value.substr(0, word - 1));
+    }
     for (const HardwareProfile& profile : hardware_profiles()) flag.choices.emplace_back(profile.name);
   }
   return flag;

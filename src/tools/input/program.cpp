@@ -41,12 +41,14 @@ OwnedProfile read_profile(const std::string& path) {
   throw InvalidInput(parsed.faults());
 }
 
-// Accepts the name of a shipped profile, or reads a file into `own` and replaces its path with its profile's name.
-std::string check_profile(std::string& text, std::optional<OwnedProfile>& own) {
+// Accepts the name of a shipped profile or the word, or reads a file into `own` and replaces its path with its
+// profile's name.
+std::string check_profile(std::string& text, std::optional<OwnedProfile>& own, const std::string& word = {}) {
   own.reset();
-  if (find_profile(text) != nullptr) return {};
+  if (find_profile(text) != nullptr || (text == word && !word.empty())) return {};
   if (!text.ends_with(".json")) {
     std::vector<std::string> names;
+    if (!word.empty()) names.push_back(word);
     for (const HardwareProfile& profile : hardware_profiles()) names.emplace_back(profile.name);
     return fmt::format("unknown profile '{}'; expected {}, or the path of a .json file{}", text, fmt::join(names, ", "),
                        did_you_mean(text, names));
@@ -128,10 +130,11 @@ void add_threads_flag(CLI::App& verb, CommonFlags& flags) {
 }
 
 CLI::Option* add_profile_option(CLI::App& verb, const std::string& option, ProfileChoice& choice,
-                                const std::string& help) {
+                                const std::string& help, const std::string& word) {
   return verb.add_option(option, choice.name, help)
-      ->transform(CLI::Validator([&choice](std::string& text) { return check_profile(text, choice.own_profile); },
-                                 "NAME|FILE"));
+      ->transform(
+          CLI::Validator([&choice, word](std::string& text) { return check_profile(text, choice.own_profile, word); },
+                         word.empty() ? "NAME|FILE" : word + "|NAME|FILE"));
 }
 
 const HardwareProfile& profile_of(const ProfileChoice& choice) {

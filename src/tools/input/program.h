@@ -70,9 +70,10 @@ struct ProfileChoice {
   std::optional<OwnedProfile> own_profile;  // if it came from a file
 };
 
-// Adds an option or, without dashes, an argument, whose value is checked and read as that of --profile.
+// Adds an option or, without dashes, an argument, whose value is checked and read as that of --profile. With `word`,
+// that word is a value, too.
 CLI::Option* add_profile_option(CLI::App& verb, const std::string& option, ProfileChoice& choice,
-                                const std::string& help);
+                                const std::string& help, const std::string& word = {});
 // The profile that was given. Valid as long as the choice.
 [[nodiscard]] const HardwareProfile& profile_of(const ProfileChoice& choice);
 
