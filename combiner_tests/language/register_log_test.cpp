@@ -408,7 +408,8 @@ TEST(RegisterLog, OtherTextsAreNot) {
   for (const std::string& text :
        {std::string(), std::string("glCombinerInputNV(GL_COMBINER0_NV, GL_RGB, 0x8523, 0x852c, 0x8536, 0x1907);\n"),
         std::string("!!RC1.0\nout.rgb = col0;\n"), std::string("{\"ninebit\": \"program\"}"), std::string("0x260\n"),
-        std::string("tex0.r,primary.r\n1,2\n"), std::string("method\n"), std::string("1 2 3\n4 5 6\n")}) {
+        std::string("tex0.r,primary.r\n1,2\n"), std::string("method\n"), std::string("1 2 3\n4 5 6\n"),
+        std::string("# Y, U, V -> R, G, B\nY,U,V,R,G,B\n292,608,608,1,2,3\n292,608,612,1,2,3\n")}) {
     EXPECT_FALSE(is_register_log(text)) << text;
   }
   EXPECT_FALSE(is_register_log(std::string("method,data\n0x1e60,1\n") + '\0'));

@@ -13,6 +13,7 @@
 #include "ninebit/shadow/picture_files.h"
 #include "src/system/hashing/sha256.h"
 #include "src/tools/common/given_pictures.h"
+#include "src/tools/common/program_flags.h"
 #include "src/tools/draw/draw_files.h"
 #include "src/tools/draw/draw_flags.h"
 #include "src/tools/input/host.h"
@@ -93,7 +94,7 @@ Status draw_all(const DrawFlags& flags, const Effect& effect, const HardwareProf
   const auto progress = [&](std::string_view pass, double share) { return line.step(pass, 0.9 * share); };
   line.step("loading", 0.0);
   const auto start = Clock::now();
-  const EffectReaders readers = effect_readers(flags.allow_outside, done.warnings);
+  const EffectReaders readers = effect_readers(flags.allow_outside, flags.defines, done.warnings);
   auto renderer = EffectRenderer::make(effect, profile, readers, {.layers = flags.layers});
   if (!renderer) return renderer.error();
   done.load_ms = milliseconds_since(start);
@@ -104,8 +105,8 @@ Status draw_all(const DrawFlags& flags, const Effect& effect, const HardwareProf
   done.renderer.emplace(std::move(*renderer));
   if (flags.difference.empty()) return {};
   std::vector<std::string> again;
-  const auto other =
-      draw_under(effect, *built_in_profile(flags.difference), effect_readers(flags.allow_outside, again), {}, progress);
+  const auto other = draw_under(effect, *built_in_profile(flags.difference),
+                                effect_readers(flags.allow_outside, flags.defines, again), {}, progress);
   if (!other) return other.error();
   done.difference = compare(done.renderer->picture(), other->picture());
   return {};
@@ -255,6 +256,7 @@ void add_draw(CLI::App& app, int& exit_code) {
   verb->add_option("-o,--output", flags->output, "Picture to write")
       ->required(host() == nullptr)
       ->type_name("FILE.png");
+  add_define_flag(*verb, flags->defines);
   add_draw_flags(*verb, *flags);
   verb->callback([flags, &exit_code] { exit_code = draw(*flags); });
 }

@@ -117,7 +117,7 @@ int trace_pixel(const TraceFlags& flags, const std::optional<Program>& program) 
 
 int trace_effect(const TraceFlags& flags) {
   const HardwareProfile* const given = flags.profile->count() != 0 ? &profile_of(flags.common) : nullptr;
-  const auto traced = draw_pixel(flags.effect, flags.pixel, flags.common, given);
+  const auto traced = draw_pixel(flags.effect, flags.pixel, flags.common, given, flags.program.defines);
   if (!traced) return report(traced.error());
   const TracedPixel& pixel = traced->pixel;
   const Drawn drawn{&pixel, traced->profile};
@@ -134,6 +134,9 @@ int run(const TraceFlags& flags) {
   }
   if (flags.program.file.empty() && flags.scene.file.empty()) {
     return wrong_usage("PROGRAM, --scene or --effect is required");
+  }
+  if (!flags.program.defines.empty() && flags.program.file.empty()) {
+    return wrong_usage("--define requires PROGRAM or --effect");
   }
   if (flags.scene.file.empty() && flags.threads->count() != 0) {
     return wrong_usage("--threads requires --scene or --effect: a trace of given registers has one thread");
@@ -184,7 +187,7 @@ void add_trace(CLI::App& app, int& exit_code) {
   add_page_flag(*verb, flags->output);
   for (CLI::Option* const option : add_scene_flags(*verb, flags->scene)) option->needs(scene);
   for (const char* flag : {"--allow-outside", "--up"}) verb->get_option(flag)->needs(scene);
-  for (const char* flag : {"--from", "--chip", "--function", "--define"}) {
+  for (const char* flag : {"--from", "--chip", "--function"}) {
     verb->get_option(flag)->needs(verb->get_option("program"));
   }
   flags->threads = verb->get_option("--threads");

@@ -79,6 +79,10 @@ Result<Verdict> judge_table(const VerifyFlags& flags) {
   Verdict verdict;
   verdict.rivals = rivals_of(profile);
   if (table->is_measured()) {
+    if (!flags.profile_given && !flags.common.quiet) {
+      say(fmt::format("ninebit: note: {}: compared with profile {}; --profile names another\n",
+                      printable(table->name()), profile.name));
+    }
     for (Rival& rival : pixel_rivals_of(profile)) verdict.rivals.push_back(std::move(rival));
   }
   verdict.explained.resize(verdict.rivals.size());
@@ -224,8 +228,8 @@ void add_decide_flags(CLI::App& verb, VerifyFlags& flags, CLI::Option& table) {
                       "Decide fields of a profile by what the kit of `ninebit prove kit` showed on a card")
           ->type_name("FILE.csv")
           ->excludes(&table);
-  for (const char* flag :
-       {"--profile", "--threads", "--program", "--from", "--chip", "--allow-outside", "--most", "--vectors"}) {
+  for (const char* flag : {"--profile", "--threads", "--program", "--from", "--define", "--chip", "--allow-outside",
+                           "--most", "--vectors"}) {
     decide->excludes(verb.get_option(flag));
   }
   add_family_flag(verb, flags.decide.family);
@@ -269,6 +273,7 @@ void add_verify(CLI::App& app, int& exit_code) {
   verb->add_option("--program", flags->program.file, "Program of the rows that name none")->type_name("PROGRAM");
   verb->add_option("--from", flags->program.from, "Form of the programs (default: detected from the content)")
       ->check(CLI::IsMember({"gl", "rc10", "ps", "words", "json"}));
+  add_define_flag(*verb, flags->program.defines);
   verb->add_option("--chip", flags->program.chip, "Chip whose register words are read (default: from the profile)")
       ->check(CLI::IsMember({"nv10", "nv20"}));
   CLI::Option* vectors =
@@ -280,7 +285,7 @@ void add_verify(CLI::App& app, int& exit_code) {
   verb->add_option("--most", flags->most, "Maximum number of differing rows to list")
       ->capture_default_str()
       ->check(CLI::Range(0, 1'000'000));
-  for (const char* flag : {"--program", "--from", "--chip", "--allow-outside"})
+  for (const char* flag : {"--program", "--from", "--define", "--chip", "--allow-outside"})
     vectors->excludes(verb->get_option(flag));
   add_decide_flags(*verb, *flags, *table);
   verb->callback([flags, verb, &exit_code] {

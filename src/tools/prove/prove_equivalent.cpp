@@ -14,7 +14,8 @@ namespace {
 struct EquivalentFlags {
   ProofFlags proof;
   ProgramFlags a, b;
-  ProfileChoice other;  // of B; not given: that of A
+  std::vector<std::string> defines;  // of both, as ProgramFlags::defines
+  ProfileChoice other;               // of B; not given: that of A
   std::vector<std::string> outputs;
 };
 
@@ -72,13 +73,25 @@ std::string text_of(const EquivalenceAnswer& proof, const EquivalentFlags& flags
   return fmt::format("unknown: {}\n", proof.reason);
 }
 
+// Loads one of two programs with definitions. They are ignored if only the other one takes definitions.
+std::optional<CombinerState> load_defined(ProgramFlags flags, const ProgramFlags& with,
+                                          const std::vector<std::string>& defines, const HardwareProfile& profile,
+                                          bool quiet, int& exit_code) {
+  const auto takes = [](const ProgramFlags& program) {
+    const auto source = open_program(program);
+    return source && takes_definitions(source->form);
+  };
+  if (!defines.empty() && (takes(flags) || !takes(with))) flags.defines = defines;
+  return load_program(flags, profile, quiet, exit_code);
+}
+
 int run(const EquivalentFlags& flags) {
   const CommonFlags& common = flags.proof.common;
   const HardwareProfile &profile = profile_of(common),
                         &other = flags.other.name.empty() ? profile : profile_of(flags.other);
   int exit_code = kDone;
-  const auto a = load_program(flags.a, profile, common.quiet, exit_code),
-             b = load_program(flags.b, other, common.quiet, exit_code);
+  const auto a = load_defined(flags.a, flags.b, flags.defines, profile, common.quiet, exit_code),
+             b = load_defined(flags.b, flags.a, flags.defines, other, common.quiet, exit_code);
   if (!a || !b) return exit_code;
   const ThreadLimit limit(common.threads);
   ProgressLine progress(common.quiet || common.json);
@@ -106,6 +119,7 @@ void add_prove_equivalent(CLI::App& prove, int& exit_code) {
   add_proof_flags(*verb, flags->proof);
   add_program_argument(*verb, "a", flags->a);
   add_program_argument(*verb, "b", flags->b);
+  add_define_flag(*verb, flags->defines);
   add_profile_option(*verb, "--other-profile", flags->other,
                      "Profile of the second program (default: that of the first)");
   verb->add_option("--outputs", flags->outputs,

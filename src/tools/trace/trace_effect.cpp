@@ -26,7 +26,7 @@ Result<Effect> effect_in(const std::string& file) {
 }  // namespace
 
 Result<TracedEffect> draw_pixel(const std::string& file, const std::string& pixel, const CommonFlags& common,
-                                const HardwareProfile* given) {
+                                const HardwareProfile* given, const std::vector<std::string>& defines) {
   const ThreadLimit limit(common.threads);
   const auto effect = effect_in(file);
   if (!effect) return effect.error();
@@ -41,8 +41,8 @@ Result<TracedEffect> draw_pixel(const std::string& file, const std::string& pixe
   ProgressLine line(common.quiet);
   line.step("loading", 0.0);
   std::vector<std::string> warnings;
-  auto renderer =
-      EffectRenderer::make(*effect, *traced.profile, effect_readers(false, warnings), {.layers = false, .pixel = *at});
+  auto renderer = EffectRenderer::make(*effect, *traced.profile, effect_readers(false, defines, warnings),
+                                       {.layers = false, .pixel = *at});
   if (!renderer) return renderer.error();
   Status drawn = renderer->draw([&](std::string_view pass, double done) { return line.step(pass, done); });
   if (!drawn) return drawn.error();
