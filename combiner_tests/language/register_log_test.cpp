@@ -332,6 +332,21 @@ TEST(RegisterLog, WritesWithoutDataAreUnknown) {
       << notes_of(text);
 }
 
+// Whether it begins or ends something is unknown, so that the draw around it goes on.
+TEST(RegisterLog, ABeginningWithoutDataChangesNoDraw) {
+  const std::string set_up = "method,data\n0x1e60,0x101\n", part = "0x1810,0x02000000\n";
+  const RegisterLog inside = read(set_up + "0x17fc,5\n" + part + "0x17fc,\n" + part + "0x17fc,0\n" + part);
+  ASSERT_EQ(inside.setups.size(), 1U);
+  ASSERT_EQ(inside.setups[0].draw_calls.size(), 1U);
+  EXPECT_EQ(inside.setups[0].draw_calls[0].vertices, 6U);
+  EXPECT_EQ(notes_of(set_up + "0x17fc,5\n" + part + "0x17fc,\n" + part + "0x17fc,0\n").find("no end"),
+            std::string::npos);
+  const RegisterLog outside = read(set_up + "0x17fc,\n" + part + "0x17fc,5\n" + part + "0x17fc,0\n");
+  ASSERT_EQ(outside.setups.at(0).draw_calls.size(), 1U);
+  EXPECT_EQ(outside.setups[0].draw_calls[0].line, 5U);
+  EXPECT_EQ(outside.setups[0].draw_calls[0].vertices, 3U);
+}
+
 TEST(RegisterLog, ALogWithoutDrawsHasItsLastWords) {
   Random random(98);
   const RegisterLog log = read(xemu_text(simple_program(2, random)));

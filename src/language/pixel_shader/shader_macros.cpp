@@ -4,6 +4,7 @@
 #include <array>
 #include <map>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <utility>
@@ -204,7 +205,7 @@ class ShaderPreprocessor {
     return out;
   }
 
-  // The value of #if or #elif. What it depends on and nobody defines is a fault.
+  // The value of #if or #elif. A name without a value on which it depends is a fault, once.
   bool holds(std::size_t offset, const std::string& name, std::span<const ShaderToken> rest) {
     const ConditionValue value = condition_value(
         written(rest), {.is_defined = [&](std::string_view of) { return macro_of(of) != nullptr; },
@@ -215,7 +216,7 @@ class ShaderPreprocessor {
                             }});
     if (!value.fault.empty()) {
       faults_.add(offset, "#" + name + ": " + value.fault);
-    } else if (!value.unknown.empty()) {
+    } else if (!value.unknown.empty() && asked_.insert(value.unknown).second) {
       out_.is_whole = false;
       faults_.add(offset, quoted(value.unknown) + " is not defined, and #" + name + " " + written(rest) +
                               " depends on it; give it as in --define '" + value.unknown + "=…', or by #define");
@@ -271,6 +272,7 @@ class ShaderPreprocessor {
   std::size_t at_ = 0;
   std::map<std::string_view, ShaderMacro> macros_;
   std::vector<Condition> conditions_;
+  std::set<std::string> asked_;  // names without a value that were reported
   ShaderTokens out_;
   std::size_t steps_ = 0;  // of replacing; names may stand for nothing
   bool overflowed_ = false;
