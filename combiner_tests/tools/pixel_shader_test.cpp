@@ -46,8 +46,9 @@ TEST_F(PixelShaderTool, SaysWhatTheApplicationSets) {
 
 // Every verb that reads programs takes the values that a shader's conditions need.
 TEST_F(PixelShaderTool, DefinitionsAreTakenByEveryVerb) {
-  const std::string shader = file("ps.1.1\n#if MODE == 0\nmov r0, v0\n#endif\n#if MODE != 0\nmov r0, v1\n#endif\n");
-  const std::string secondary = file("ps.1.1\nmov r0, v1\n", "secondary.psh");
+  const std::string body = "mov r0.rgb, v1\n+mov r0.a, v0\n";
+  const std::string shader = file("ps.1.1\n#if MODE == 0\nmov r0, v0\n#endif\n#if MODE != 0\n" + body + "#endif\n");
+  const std::string secondary = file("ps.1.1\n" + body, "secondary.psh");
   const std::string table = file("secondary.r,out.r\n101,101\n", "rows.csv"), out = folder_ / "out.png";
   const std::string effect = file(
       R"({"ninebit": "effect", "version": 1, "size": [4, 4], "passes": [{"program": "shader.psh"}]})", "effect.json");
