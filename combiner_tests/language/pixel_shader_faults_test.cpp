@@ -89,6 +89,14 @@ TEST(PixelShaderFaults, OfTheGrammar) {
       {"ps.1.1\n#define F(x) x\nmov r0, v0\n", "2:9: 'F' has parameters; only names without them are read\n"},
       {"ps.1.1\n#if 1\nmov r0, v0\n", "2:1: unterminated condition; expected #endif\n"},
       {"ps.1.1\n#endif\nmov r0, v0\n", "2:1: '#endif' without #if\n"},
+      {"ps.1.1\n#if 1\nmov r0, v0\n#else\n#elif 1\n#endif\n", "5:1: '#elif' after #else\n"},
+      {"ps.1.1\n#if 1\nmov r0, v0\n#else\n#else\n#endif\n", "5:1: '#else' after #else\n"},
+      {"ps.1.1\n#ifndef\n#endif\nmov r0, v0\n", "2:1: expected a name after #ifndef\n"},
+      {"ps.1.1\n#undef\nmov r0, v0\n", "2:2: expected a name after #undef\n"},
+      {"ps.1.1\n#define M 1\n#if M = 1\n#endif\nmov r0, v0\n", "3:1: #if: expected an operator; found '='\n"},
+      {"ps.1.1\n#if\n#endif\nmov r0, v0\n",
+       "2:1: #if: expected a number, a name or defined(NAME); found the end of the line\n"},
+      {"ps.1.1\n#if 1 / 0\n#endif\nmov r0, v0\n", "2:1: #if: 1 / 0 has no value\n"},
       {"ps.1.1\nmvo r0, v0\nmov r0, v9\nmov r0, v0, \n",
        "2:1: 'mvo' is not an instruction of ps.1.1; did you mean 'mov'?\n3:9: ps.1.1 has only v0 to v1, found 'v9'\n"
        "4:11: expected the next instruction after the 2 arguments of mov, found ','\n"},
@@ -185,6 +193,26 @@ TEST(PixelShaderFaults, HostileTextsEnd) {
             "conditions are nested more than 32 deep");
 }
 
+// A body that a condition without a value leaves out would vanish without a word.
+TEST(PixelShaderFaults, WhatAConditionNeedsIsAskedFor) {
+  const std::string both = "ps.1.1\ntex t0\n#if MODE == 0\nmov r0, t0\n#endif\n#if MODE != 0\nmul r0, t0, v0\n#endif\n";
+  EXPECT_EQ(test::all_faults(parse_pixel_shader({both, ""}, profiles::nv2a)),
+            "3:1: 'MODE' is not defined, and #if MODE == 0 depends on it; give it as in --define 'MODE=…', or by "
+            "#define\n");
+  // What is read anyway hides nothing.
+  const std::string after = "ps.1.1\n#if MODE > 1\nmov r0, t0\n#endif\nmov r0, v0\n";
+  EXPECT_EQ(parse_pixel_shader({after, ""}, profiles::nv2a).faults().size(), 1U);
+  const std::string chained = "ps.1.1\n#if 0\n#elif X\nmov r0, v1\n#endif\nmov r0, v0\n";
+  EXPECT_EQ(test::all_faults(parse_pixel_shader({chained, ""}, profiles::nv2a)),
+            "3:1: 'X' is not defined, and #elif X depends on it; give it as in --define 'X=…', or by #define\n");
+  for (const char* condition : {"#if 1\n#elif X\n", "#if defined(X) && X > 2\n#else\n", "#ifdef X\n#else\n",
+                                "#if 0\n#if X\n#endif\n#else\n", "#if 1 || X\n", "#if 1 ? 2 : X\n"}) {
+    const auto parsed =
+        parse_pixel_shader({"ps.1.1\n" + std::string(condition) + "mov r0, v0\n#endif\n", ""}, profiles::nv2a);
+    EXPECT_TRUE(parsed) << condition << test::all_faults(parsed);
+  }
+}
+
 TEST(PixelShaderFaults, BrokenTextsEndInAStateOrInFaults) {
   using namespace std::string_view_literals;
   constexpr auto kBytes = "rtvcx0123_.,+-;#abdmulsop \n\t\0\x80\xFF[]1"sv;
@@ -200,7 +228,9 @@ TEST(PixelShaderFaults, BrokenTextsEndInAStateOrInFaults) {
                                           .whole = [&](test::Random&) { return std::string(kWhole); },
                                           .kept = 7,  // xps.1.1
                                           .bytes = kBytes},
-                                         profiles::nv2a, parse_pixel_shader);
+                                         profiles::nv2a, [](const SourceText& source, const HardwareProfile& profile) {
+                                           return parse_pixel_shader(source, profile);
+                                         });
   EXPECT_GT(found.states, 400);
   EXPECT_GT(found.refused, 8000);
 }

@@ -225,6 +225,41 @@ TEST(PixelShader, NamesAndConditionsOfThePreprocessorAreReplaced) {
             program_of_shader("ps_1_1 def c0, 0, 0, 0, 1 tex t0 mul r0, t0, c0.a add r0, r0, v0", profiles::nv2a));
 }
 
+// Definitions are macros that no line of the text replaces.
+TEST(PixelShader, DefinitionsOfTheCaller) {
+  const std::string text =
+      "ps.1.1\n#ifndef MODE\n#define MODE 0\n#endif\n#if MODE == 0\nmov r0, v0\n#elif MODE == 1\nmov r0, "
+      "v1\n#else\nmov "
+      "r0, SOURCE\n#endif\n";
+  const auto with = [](const std::string& shader, const std::vector<Definition>& definitions) {
+    const auto parsed = parse_pixel_shader({shader, ""}, profiles::nv2a, definitions);
+    EXPECT_TRUE(parsed) << test::all_faults(parsed);
+    EXPECT_TRUE(parsed.notes.empty());
+    return parsed ? normalize(*parsed, profiles::nv2a) : Program{};
+  };
+  const auto plain = [](const char* shader) { return program_of_shader(shader, profiles::nv2a); };
+  EXPECT_EQ(with(text, {}), plain("ps.1.1\nmov r0, v0"));
+  EXPECT_EQ(with(text, {{"MODE", "1"}}), plain("ps.1.1\nmov r0, v1"));
+  EXPECT_EQ(with(text, {{"MODE", "2"}, {"SOURCE", "1 - v0"}}), plain("ps.1.1\nmov r0, 1-v0"));
+  for (const char* line : {"#define MODE 0\n", "#undef MODE\n"}) {
+    const std::string own = "ps.1.1\n" + std::string(line) + "#if MODE == 1\nmov r0, v1\n#endif\n";
+    EXPECT_EQ(with(own, {{"MODE", "0"}, {"MODE", "1"}}), plain("ps.1.1\nmov r0, v1")) << "the last one counts";
+  }
+  const auto unused = parse_pixel_shader({"ps.1.1\nmov r0, v0", "f"}, profiles::nv2a, {{"MODE", "1"}});
+  ASSERT_EQ(unused.notes.size(), 1U);
+  EXPECT_EQ(unused.notes[0].text(), "f:1:1: the definition of 'MODE' was not needed");
+  EXPECT_EQ(test::all_faults(parse_pixel_shader({"ps.1.1\nmov r0, v0", ""}, profiles::nv2a, {{"MODE", "1 /* one"}})),
+            "1:1: the definition of 'MODE': unterminated comment; expected */\n");
+  // A source's definitions reach the shaders in it.
+  const std::string source = "void f() { nvparse(\"ps.1.1\\n#if MODE == 1\\nmov r0, v1\\n#endif\\n\"); }\n";
+  const auto loaded =
+      parse_source_code({source, ""}, {.functions = {}, .definitions = {{"MODE", "1"}}}, profiles::nv2a);
+  ASSERT_TRUE(loaded) << test::all_faults(loaded);
+  EXPECT_TRUE(loaded.notes.empty());
+  EXPECT_EQ(normalize(*loaded, profiles::nv2a), plain("ps.1.1\nmov r0, v1"));
+  EXPECT_FALSE(parse_source_code({source, ""}, {}, profiles::nv2a));
+}
+
 TEST(PixelShader, NotesSayWhatIsLeftToOthers) {
   EXPECT_EQ(shader_notes("ps.1.1\ntex t0\ntexbem t1, t0\nmul r0.rgb, t1, c4\nadd r0.rgb, r0, c0\n"),
             "2:1: tex and texbem are executed before the combiners, and skipped; t0 and t1 hold the result\n"

@@ -332,6 +332,21 @@ TEST(RegisterLog, WritesWithoutDataAreUnknown) {
       << notes_of(text);
 }
 
+// Whether it begins or ends something is unknown, so that the draw around it goes on.
+TEST(RegisterLog, ABeginningWithoutDataChangesNoDraw) {
+  const std::string set_up = "method,data\n0x1e60,0x101\n", part = "0x1810,0x02000000\n";
+  const RegisterLog inside = read(set_up + "0x17fc,5\n" + part + "0x17fc,\n" + part + "0x17fc,0\n" + part);
+  ASSERT_EQ(inside.setups.size(), 1U);
+  ASSERT_EQ(inside.setups[0].draw_calls.size(), 1U);
+  EXPECT_EQ(inside.setups[0].draw_calls[0].vertices, 6U);
+  EXPECT_EQ(notes_of(set_up + "0x17fc,5\n" + part + "0x17fc,\n" + part + "0x17fc,0\n").find("no end"),
+            std::string::npos);
+  const RegisterLog outside = read(set_up + "0x17fc,\n" + part + "0x17fc,5\n" + part + "0x17fc,0\n");
+  ASSERT_EQ(outside.setups.at(0).draw_calls.size(), 1U);
+  EXPECT_EQ(outside.setups[0].draw_calls[0].line, 5U);
+  EXPECT_EQ(outside.setups[0].draw_calls[0].vertices, 3U);
+}
+
 TEST(RegisterLog, ALogWithoutDrawsHasItsLastWords) {
   Random random(98);
   const RegisterLog log = read(xemu_text(simple_program(2, random)));
@@ -408,7 +423,8 @@ TEST(RegisterLog, OtherTextsAreNot) {
   for (const std::string& text :
        {std::string(), std::string("glCombinerInputNV(GL_COMBINER0_NV, GL_RGB, 0x8523, 0x852c, 0x8536, 0x1907);\n"),
         std::string("!!RC1.0\nout.rgb = col0;\n"), std::string("{\"ninebit\": \"program\"}"), std::string("0x260\n"),
-        std::string("tex0.r,primary.r\n1,2\n"), std::string("method\n"), std::string("1 2 3\n4 5 6\n")}) {
+        std::string("tex0.r,primary.r\n1,2\n"), std::string("method\n"), std::string("1 2 3\n4 5 6\n"),
+        std::string("# Y, U, V -> R, G, B\nY,U,V,R,G,B\n292,608,608,1,2,3\n292,608,612,1,2,3\n")}) {
     EXPECT_FALSE(is_register_log(text)) << text;
   }
   EXPECT_FALSE(is_register_log(std::string("method,data\n0x1e60,1\n") + '\0'));

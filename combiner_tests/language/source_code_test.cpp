@@ -166,10 +166,48 @@ TEST(SourceCode, ConditionsOfThePreprocessor) {
   const auto skipped = parse("void f() {\n#if 0\n" + two + "#else\n" + three + "#endif\n}");
   ASSERT_TRUE(skipped);
   EXPECT_EQ(notes_of(skipped), "s:2:2: skipped calls of combiners: #if 0 is false\n");
+  // The operators are C's, and names may stand for expressions.
+  for (const char* condition : {"(X + 1) * 2 == 10", "X << 1 == 8 && X % 3 == 1", "(X & 6) ? X > 3 : 0", "TWICE == 8",
+                                "X - 1 == 3", "!(X == 3)", "0x4 == X", "GL_NV_register_combiners"}) {
+    EXPECT_EQ(count("#if " + std::string(condition) + "\n" + two + "#else\n" + three + "#endif",
+                    "#define X 4\n#define TWICE 2 * X"),
+              2)
+        << condition;
+  }
   // A definition that only a condition asks for was needed.
   EXPECT_EQ(notes_of(parse("void f() {\n#ifdef X\n" + two + "#endif\n}", {{}, {{"X", "1"}}})), "");
   EXPECT_EQ(notes_of(parse("void f() {\n" + two + "}", {{}, {{"X", "1"}}})),
             "s:1:1: the definition of 'X' was not needed\n");
+}
+
+// A name without a value that decides which calls are read is asked for, where it matters.
+TEST(SourceCode, ConditionsOfThePreprocessorAskForNames) {
+  const std::string two = kSet + "2);\n", three = kSet + "3);\n";
+  const std::string asks =
+      "void f() {\n#if MODE == 0\n" + two + "#endif\n#if MODE != 0\n" + three + "#endif\n}\nvoid g() {\n" + two + "}\n";
+  const auto parsed = parse(asks, {.functions = {"f"}});
+  EXPECT_EQ(test::all_faults(parsed),
+            "s:2:2: a value is not known: 'MODE' (lines 2, 5); give it as in --define 'MODE=…'\n");
+  EXPECT_TRUE(parse(asks, {.functions = {"g"}}));
+  for (const auto& [value, wanted] : {std::pair("0", 2), std::pair("1", 3)}) {
+    const auto defined = parse(asks, {.functions = {"f"}, .definitions = {{"MODE", value}}});
+    ASSERT_TRUE(defined) << test::all_faults(defined);
+    EXPECT_EQ(defined->num_general_combiners, wanted);
+  }
+  const auto functions = find_source_functions({asks, "s"}, {}, profiles::nv2a);
+  ASSERT_EQ(functions.size(), 2U);
+  EXPECT_EQ(functions[0].needs, std::vector<std::string>{"MODE"});
+  EXPECT_TRUE(functions[1].needs.empty());
+  // Whole functions, callers, and code outside of functions.
+  const std::string whole =
+      "#if MODE\nvoid h() {\n" + two + "}\n#else\nvoid h() {\n" + three + "}\n#endif\nvoid f() { h(); }\n";
+  EXPECT_FALSE(parse(whole, {.functions = {"h"}}));
+  EXPECT_FALSE(parse(whole, {.functions = {"f"}}));
+  EXPECT_TRUE(parse(whole, {.functions = {"f"}, .definitions = {{"MODE", "1"}}}));
+  EXPECT_FALSE(parse("#if MODE\n" + two + "#else\n" + three + "#endif\n"));
+  // Conditions that decide about no call, or not alone, ask for nothing.
+  EXPECT_EQ(count("#if MODE > 2\nint x;\n#else\nfloat x;\n#endif\n" + two), 2);
+  EXPECT_EQ(count("#if defined(MODE) && MODE > 2\n" + three + "#else\n" + two + "#endif\n"), 2);
 }
 
 TEST(SourceCode, WhatIsNotKnownIsAskedForInOneFault) {

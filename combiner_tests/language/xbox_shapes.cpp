@@ -240,6 +240,8 @@ std::vector<Shape> all_shapes() {
       {"dwords", [](const Words& w) { return numbers(w, "%08x", " ", 8); }},
       {"dwords with 0x, one a line", [](const Words& w) { return numbers(w, "0x%X,", "", 1); }},
       {"dwords with 0x and commas", [](const Words& w) { return numbers(w, "0x%08x", ", ", 4); }},
+      {"dwords with 0x and suffixes", [](const Words& w) { return numbers(w, "0x%08xUL", " ", 4); }},
+      {"dwords with 0x and small suffixes", [](const Words& w) { return numbers(w, "0x%Xlu", ", ", 4); }},
       {"dwords with offsets", [](const Words& w) { return numbers(w, "%08X", " ", 4, "%04x: "); }},
       {"dwords with offsets without colons", [](const Words& w) { return numbers(w, "%08x", " ", 4, "%08x "); }},
       {"od -t x4", [](const Words& w) { return numbers(w, "%08x", " ", 4, "%07o ") + "0000360\n"; }},

@@ -60,6 +60,13 @@ class States(unittest.TestCase):
         with self.assertRaisesRegex(ninebit.Error, "unknown form 'rc1'.*did you mean 'rc10'"):
             ninebit.State().print("rc1")
 
+    def test_a_shader_is_given_what_its_conditions_need(self):
+        shader = "ps.1.1\n#if MODE == 0\nmov r0, v0\n#else\nmov r0, v1\n#endif"
+        with self.assertRaisesRegex(ninebit.Error, "'MODE' is not defined, and #if MODE == 0 depends on it"):
+            ninebit.State.parse(shader)
+        for mode, plain in ((0, "ps.1.1\nmov r0, v0"), (1, "ps.1.1\nmov r0, v1")):
+            self.assertEqual(ninebit.State.parse(shader, define={"MODE": mode}), ninebit.State.parse(plain))
+
     def test_the_form_is_found(self):
         shader = "ps.1.1\ntex t0\nmul r0, t0, v0"
         with self.assertWarnsRegex(UserWarning, "2:1: tex is executed before the combiners"):

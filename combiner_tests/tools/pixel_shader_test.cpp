@@ -44,6 +44,50 @@ TEST_F(PixelShaderTool, SaysWhatTheApplicationSets) {
   EXPECT_EQ(ninebit({"explain", shader, "--profile", "nv2a", "--quiet"}).err, "");
 }
 
+// Every verb that reads programs takes the values that a shader's conditions need.
+TEST_F(PixelShaderTool, DefinitionsAreTakenByEveryVerb) {
+  const std::string body = "mov r0.rgb, v1\n+mov r0.a, v0\n";
+  const std::string shader = file("ps.1.1\n#if MODE == 0\nmov r0, v0\n#endif\n#if MODE != 0\n" + body + "#endif\n");
+  const std::string secondary = file("ps.1.1\n" + body, "secondary.psh");
+  const std::string table = file("secondary.r,out.r\n101,101\n", "rows.csv"), out = folder_ / "out.png";
+  const std::string effect = file(
+      R"({"ninebit": "effect", "version": 1, "size": [4, 4], "passes": [{"program": "shader.psh"}]})", "effect.json");
+  const std::vector<std::vector<std::string>> verbs{
+      {"validate", shader},
+      {"explain", shader},
+      {"convert", shader, "--to", "rc10"},
+      {"trace", shader},
+      {"trace", "--effect", effect, "--pixel", "0,0"},
+      {"eval", shader, "--inputs", file("secondary.r\n1\n", "inputs.csv")},
+      {"draw", shader, "--size", "4x4", "-o", out},
+      {"draw", effect, "-o", out},
+      {"prove", "stable", shader},
+      {"prove", "equivalent", shader, secondary},
+      {"verify", table, "--program", shader},
+      {"study", "datapath", "--program", shader, "--over", "secondary.r", "-o", folder_ / "datapath"}};
+  for (std::vector<std::string> verb : verbs) {
+    SCOPED_TRACE(verb[0] + " " + verb[1]);
+    expect_error(ninebit(verb), 3, {"'MODE' is not defined, and #if MODE == 0 depends on it", "--define 'MODE=…'"});
+    verb.insert(verb.end(), {"--define", "MODE=1"});
+    const Outcome outcome = ninebit(verb);
+    EXPECT_EQ(outcome.code, 0) << outcome.out << outcome.err;
+  }
+  EXPECT_EQ(ninebit({"verify", table, "--program", shader, "--define", "MODE=0"}).code, 1);
+  EXPECT_EQ(ninebit({"prove", "equivalent", shader, secondary, "--define", "MODE=0"}).code, 1);
+  EXPECT_EQ(ninebit({"convert", shader, "--to", "rc10", "--define", "MODE=1"}).out,
+            ninebit({"convert", secondary, "--to", "rc10"}).out);
+  // Programs that have no such values take none, unless the other one of two has.
+  const std::string rc10 = file(kSameRc10, "same.rc1");
+  expect_error(ninebit({"explain", rc10, "--define", "MODE=1"}), 2, {"--define is for source files and pixel shaders"});
+  expect_error(ninebit({"explain", shader, "--function", "f"}), 2, {"--function is for source files"});
+  expect_error(ninebit({"prove", "equivalent", rc10, rc10, "--define", "MODE=1"}), 2, {"--define is for source files"});
+  EXPECT_NE(ninebit({"draw", rc10, "--size", "4x4", "-o", out, "--define", "MODE=1"}).err.find("--define is ignored"),
+            std::string::npos);
+  EXPECT_EQ(ninebit({"prove", "equivalent", rc10, shader, "--define", "MODE=1"}).code, 1);
+  expect_error(ninebit({"trace", "--define", "MODE=1", "--scene", "x.obj", "--pixel", "0,0"}), 2,
+               {"--define requires PROGRAM or --effect"});
+}
+
 TEST_F(PixelShaderTool, IsWritten) {
   const std::string shader = file(kShader), same = file(kSameRc10, "same.rc1");
   // The result's saturation has no effect: the final combiner clamps, too.

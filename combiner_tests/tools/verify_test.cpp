@@ -13,6 +13,9 @@ constexpr const char* kSquare =
     "!!RC1.0\n{ rgb { spare0 = col0; scale_by_one_half(); } }\n{ rgb { spare1 = spare0 * spare0; } }\n"
     "out.rgb = spare1;\nout.a = unsigned_invert(zero);\n";
 
+const std::string kMux =
+    "# AB: (255,0,0)\n# CD: (0,0,255)\nmux_select,spare0_alpha_byte,R,G,B,A,hw_selected,model_selected,match\n";
+
 class Verify : public testing::Test {
  protected:
   // Of a table whose rows run a program that halves the primary colour, then squares it.
@@ -108,30 +111,29 @@ TEST_F(Verify, WrongTablesOfPixels) {
   expect_error(verify(smooth, {"--program", "square.rc"}), 3, {"--program is not for measured tables"});
   expect_error(verify("func,ref,alpha_byte,hw_drawn,pixels,model_drawn,match\nSometimes,1,2,1,1,1,1\n"), 3,
                {"rows.csv:2:1", "func must be one of Never, LessThan", "'Sometimes'"});
-  const std::string lines = "picture,width,object,y,hw_runs,model_runs,match\n";
-  expect_error(verify(lines + "p,1,star,388,215-218,,1\n"), 3, {"rows.csv:2:1", "object must be one of quad, loop"});
+  const std::string lines =
+      "# quad: (215,380) (219,380) (219,390) (215,390)\npicture,width,object,y,hw_runs,model_runs,match\n";
+  expect_error(verify(lines + "p,1,star,388,215-218,,1\n"), 3, {"rows.csv:3:1", "object must be one of quad, loop"});
   for (const std::string runs : {"215", "-", "215-", "a-b", "1-2,,3-4"}) {
-    expect_error(verify(lines + "p,1,quad,388," + runs + ",,1\n"), 3, {"rows.csv:2:"});
+    expect_error(verify(lines + "p,1,quad,388," + runs + ",,1\n"), 3, {"rows.csv:3:"});
   }
 }
 
 // A number beyond 32 bits would otherwise be compared with nothing.
 TEST_F(Verify, AMeasuredNumberBeyond32Bits) {
-  const std::string mux = "mux_select,spare0_alpha_byte,R,G,B,A,hw_selected,model_selected,match\n";
-  EXPECT_EQ(verify(mux + "MSB,0,255,0,0,255|2147483647,AB,AB,1\n", {"--profile", "nv2a"}).code, 0);
+  EXPECT_EQ(verify(kMux + "MSB,0,255,0,0,255|2147483647,AB,AB,1\n", {"--profile", "nv2a"}).code, 0);
   for (const char* number : {"2147483648", "4294967551", "-2147483649", "99999999999999999999"}) {
-    expect_error(verify(mux + "MSB,0,255,0,0,255|" + number + ",AB,AB,1\n", {"--profile", "nv2a"}), 3,
-                 {"rows.csv:2:15", "A must be whole numbers of 32 bits separated by |, or empty, not '255|"});
+    expect_error(verify(kMux + "MSB,0,255,0,0,255|" + number + ",AB,AB,1\n", {"--profile", "nv2a"}), 3,
+                 {"rows.csv:4:15", "A must be whole numbers of 32 bits separated by |, or empty, not '255|"});
   }
   expect_error(verify("program,primary.r,out.r\nsquare.rc,101,4294967305\n"), 3,
                {"rows.csv:2:15", "out.r must be whole numbers", "'4294967305'"});
 }
 
 TEST_F(Verify, WrongTablesOfCombiners) {
-  const std::string mux = "mux_select,spare0_alpha_byte,R,G,B,A,hw_selected,model_selected,match\n";
-  expect_error(verify(mux + "LSB,0,255,0,0,255,AB,AB,1\n"), 3,
-               {"rows.csv:2:1", "profile geforce2 has no mux by the lowest bit of spare0's alpha"});
-  expect_error(verify(mux + "ISB,0,255,0,0,255,AB,AB,1\n"), 3, {"mux_select must be one of LSB or MSB, not 'ISB'"});
+  expect_error(verify(kMux + "LSB,0,255,0,0,255,AB,AB,1\n"), 3,
+               {"rows.csv:4:1", "profile geforce2 has no mux by the lowest bit of spare0's alpha"});
+  expect_error(verify(kMux + "ISB,0,255,0,0,255,AB,AB,1\n"), 3, {"mux_select must be one of LSB or MSB, not 'ISB'"});
   expect_error(verify("op,op_code_bits15_17,portion,channel,in,hw_out,model_out,match,how\nSHL3,0,rgb,R,1,1,1,1,\n"), 3,
                {"rows.csv:2:1", "op must be one of IDENTITY, BIAS", "'SHL3'"});
   expect_error(verify("float,model,hw,match\n(half),1,1,1\n"), 3, {"rows.csv:2:1", "float must be a number"});
@@ -172,6 +174,58 @@ TEST_F(Verify, AnotherRuleIsFound) {
   EXPECT_EQ(object["rules"][0]["value"], "nearest-halves-up");
   EXPECT_EQ(object["rules"][0]["explains"], 4);
   EXPECT_EQ(object["rules"][0]["agree_then"], 592);
+}
+
+// Quantities of a whole table are never assumed.
+TEST_F(Verify, WhatATablesCommentsState) {
+  struct Case {
+    std::string stated, header, row;
+    std::string missing;  // what is asked for without the comments
+  };
+  const std::string colors = "Px,Py,Qx,Qy,c0,c1,x,y,hw_R,hw_G,hw_B,model_R,model_G,model_B,match\n",
+                    // 6.7 pixels beside the line, so not of one 8 pixels wide; t is 0.507, n 129
+      beside = "2560,6368,3520,6208,3333FF,33FF33,191,399,51,154,152,0,0,0,1\n",
+                    runs = "picture,width,object,y,hw_runs,model_runs,match\n",
+                    texels = "texel_R,texel_G,texel_B,texel_A,model_R,model_G,model_B,model_A,match\n";
+  const std::vector<Case> cases{
+      {"# width: 16\n", colors, beside, "do not state width; expected a comment such as # width: 16"},
+      {"# source: results/Line_width/Line_0016.0.png\n", colors, beside, "do not state width"},
+      {"# quad: (170,398) (230,388) (228.5,473.375) (182.75,455.5)\n", runs, "p,1,quad,388,224-229,,1\n",
+       "do not state the corners of the quad"},
+      {"# constant: 80402010\n# under: (0,0,0,0)\n",
+       "equation,sfactor,dfactor,s,d,bR,bG,bB,bA,hw_R,hw_G,hw_B,hw_A,model_R,model_G,model_B,model_A,match\n",
+       "ADD,cRGB,0,FFFFFFFF,0,0,0,0,0,32,16,8,64,0,0,0,0,1\n", "do not state constant"},
+      {"# under: 32\n# alpha_under: 0\n", "c0,c1,index,alpha4,hw_R,hw_G,hw_B,hw_A," + texels,
+       "0x62F4,0x2354,1,9,33,76,112,92,0,0,0,0,0,0,0,0,1\n", "do not state under"},
+      {"# alpha: 255\n# under: 0\n",
+       "row,place,w,lum,hw_R(values seen),model_out,match,model_out_if_nearest,match_if_nearest\n",
+       "0,0.0,0,0,76,0,1,0,1\n", "do not state alpha"},
+      {"# AB: (10,20,30)\n# CD: (0,0,0)\n", "mux_select,spare0_alpha_byte,R,G,B,A,hw_selected,model_selected,match\n",
+       "MSB,0,10,20,30,255,AB,AB,1\n", "do not state AB"},
+      {"# full: 128\n# dim: 0\n", "col,row,ch,diffuse_float,f2b_model,hw_full,hw_dim,model_dim,f2b_match,dim_match\n",
+       "0,1,R,1.0,255,128,0,0,1,1\n", "do not state full"}};
+  for (const Case& c : cases) {
+    SCOPED_TRACE(c.stated);
+    const Outcome outcome = verify(c.stated + c.header + c.row, {"--profile", "nv2a"});
+    EXPECT_EQ(outcome.out, "1 rows: 1 agree, 0 differ\n") << outcome.err;
+    expect_error(verify(c.header + c.row, {"--profile", "nv2a"}), 3, {"rows.csv:", c.missing});
+  }
+  EXPECT_EQ(verify("# width: 8\n" + colors + beside, {"--profile", "nv2a"}).code, 1);
+  EXPECT_EQ(verify("# width: 16\n# Line_0016.0.png\n" + colors + beside, {"--profile", "nv2a"}).code, 0);
+  expect_error(verify("# width: 8\n# Line_0016.0.png\n" + colors + beside), 3,
+               {"rows.csv:3:1", "the comments state different values of width"});
+  expect_error(verify("# width: 65\n" + colors + beside), 3, {"width must be from 0 to 64"});
+  expect_error(verify("# width: 8\n" + colors + "0,0,4096,0,0,FF,1,1,0,0,0,0,0,0,1\n"), 3,
+               {"rows.csv:3:1", "the lines are too long or too wide; expected at most 256 pixels"});
+  expect_error(verify("# loop: (0,0) (300,0)\n" + runs + "p,1,loop,1,1-2,,1\n"), 3, {"the lines are too long"});
+}
+
+TEST_F(Verify, AProfileThatIsNotGivenIsNamed) {
+  const std::string file = std::string(NINEBIT_SOURCE_DIR) + "/combiner_tests/hardware/nv2a_dxt1.csv";
+  EXPECT_NE(ninebit({"verify", file}).err.find("compared with profile geforce2; --profile names another"),
+            std::string::npos);
+  EXPECT_EQ(ninebit({"verify", file, "--quiet"}).err, "");
+  EXPECT_EQ(ninebit({"verify", file, "--profile", "nv2a"}).err, "");
 }
 
 TEST_F(Verify, TheFirstPlaceThatDiffers) {
@@ -255,6 +309,11 @@ TEST_F(Verify, WrongTables) {
       {"program,primry.r,out.r\n", {"rows.csv:1:9", "unknown column 'primry.r'", "did you mean 'primary.r'?"}},
       {"program,primary.r\n", {"no column has an expected value"}},
       {"primary.r,out.r\n1,1\n", {"no column `program`"}},
+      {"y,x,alpha_left,primary.r,out.r\n1,2,3,4,5\n",
+       {"rows.csv:1:1", "unknown columns 'y', 'x', 'alpha_left'; expected program", "colours of lines, points"}},
+      {"# left\ny,x,left,right,hw\n292,608,608,1,2\n292,608,612,1,2\n",
+       {"rows.csv:2:1", "unknown columns 'y', 'x', 'left', 'right', 'hw'"}},
+      {"# levels\n292,608,608,1\n292,608,612,2\n", {"rows.csv:2:1", "the first line has numbers alone"}},
       {"program,out.r,out.r\n", {"rows.csv:1:15", "duplicate column"}},
       {"program,stage2.spare0.r\n", {"unknown column 'stage2.spare0.r'", "(of 2)"}},
       {"program,stage0.const0.r\n", {"unknown column 'stage0.const0.r'"}},

@@ -14,6 +14,7 @@
 #include "src/numerics/exact_combiners.h"
 #include "src/system/hashing/sha256.h"
 #include "src/tools/common/given_pictures.h"
+#include "src/tools/common/program_flags.h"
 #include "src/tools/draw/draw_files.h"
 #include "src/tools/draw/draw_flags.h"
 #include "src/tools/input/host.h"
@@ -98,7 +99,7 @@ Status draw_all(const DrawFlags& flags, const Effect& effect, const HardwareProf
   const auto progress = [&](std::string_view pass, double share) { return line.step(pass, 0.9 * share); };
   line.step("loading", 0.0);
   const auto start = Clock::now();
-  const EffectReaders readers = effect_readers(flags.allow_outside, done.warnings);
+  const EffectReaders readers = effect_readers(flags.allow_outside, flags.defines, done.warnings);
   auto renderer = EffectRenderer::make(effect, profile, readers, {.layers = flags.layers});
   if (!renderer) return renderer.error();
   done.load_ms = milliseconds_since(start);
@@ -111,7 +112,8 @@ Status draw_all(const DrawFlags& flags, const Effect& effect, const HardwareProf
   std::vector<std::string> again;
   const HardwareProfile rival =
       is_arithmetic(flags.difference) ? with_exact_combiners(profile) : profile_of(flags.difference);
-  const auto other = draw_under(effect, rival, effect_readers(flags.allow_outside, again), {}, progress);
+  const auto other =
+      draw_under(effect, rival, effect_readers(flags.allow_outside, flags.defines, again), {}, progress);
   if (!other) return other.error();
   done.difference = compare(done.renderer->picture(), other->picture());
   return {};
@@ -262,6 +264,7 @@ void add_draw(CLI::App& app, int& exit_code) {
   verb->add_option("-o,--output", flags->output, "Picture to write")
       ->required(host() == nullptr)
       ->type_name("FILE.png");
+  add_define_flag(*verb, flags->defines);
   add_draw_flags(*verb, *flags);
   verb->callback([flags, &exit_code] { exit_code = draw(*flags); });
 }

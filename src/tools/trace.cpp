@@ -120,7 +120,8 @@ int trace_pixel(const TraceFlags& flags, const std::optional<Program>& program) 
 
 int trace_effect(const TraceFlags& flags) {
   const HardwareProfile* const given = flags.profile->count() != 0 ? &profile_of(flags.common) : nullptr;
-  const auto traced = draw_pixel(flags.effect, flags.pixel, flags.scene.allow_outside, flags.common, given);
+  const auto traced =
+      draw_pixel(flags.effect, flags.pixel, flags.scene.allow_outside, flags.common, given, flags.program.defines);
   if (!traced) return report(traced.error());
   const TracedPixel& pixel = traced->pixel;
   const Drawn drawn{&pixel, traced->profile};
@@ -137,6 +138,9 @@ int run(const TraceFlags& flags) {
   }
   if (flags.program.file.empty() && flags.scene.file.empty()) {
     return wrong_usage("PROGRAM, --scene or --effect is required");
+  }
+  if (!flags.program.defines.empty() && flags.program.file.empty()) {
+    return wrong_usage("--define requires PROGRAM or --effect");
   }
   if (flags.scene.file.empty() && flags.threads->count() != 0) {
     return wrong_usage("--threads requires --scene or --effect: a trace of given registers has one thread");
@@ -193,7 +197,7 @@ void add_trace(CLI::App& app, int& exit_code) {
   verb->get_option("--allow-outside")
       ->description("Also read files that the scene or effect names outside of its folder");
   verb->get_option("--up")->needs(scene);
-  for (const char* flag : {"--from", "--chip", "--function", "--define"}) {
+  for (const char* flag : {"--from", "--chip", "--function"}) {
     verb->get_option(flag)->needs(verb->get_option("program"));
   }
   flags->threads = verb->get_option("--threads");

@@ -79,6 +79,10 @@ Result<Verdict> judge_table(const VerifyFlags& flags) {
   Verdict verdict;
   verdict.rivals = rivals_of(profile);
   if (table->is_measured()) {
+    if (!flags.profile_given && !flags.common.quiet) {
+      say(fmt::format("ninebit: note: {}: compared with profile {}; --profile names another\n",
+                      printable(table->name()), profile.name));
+    }
     for (Rival& rival : pixel_rivals_of(profile)) verdict.rivals.push_back(std::move(rival));
   }
   verdict.explained.resize(verdict.rivals.size());
@@ -224,8 +228,8 @@ void add_decide_flags(CLI::App& verb, VerifyFlags& flags, CLI::Option& table) {
                       "Decide fields of a profile by what the kit of `ninebit prove kit` showed on a card")
           ->type_name("FILE.csv")
           ->excludes(&table);
-  for (const char* flag :
-       {"--profile", "--threads", "--program", "--from", "--chip", "--allow-outside", "--most", "--vectors"}) {
+  for (const char* flag : {"--profile", "--threads", "--program", "--from", "--define", "--chip", "--allow-outside",
+                           "--most", "--vectors"}) {
     decide->excludes(verb.get_option(flag));
   }
   add_family_flag(verb, flags.decide.family);
@@ -248,9 +252,9 @@ void add_verify(CLI::App& app, int& exit_code) {
       "  out.r             expected output\n"
       "  stage0.spare0.r   expected register after general combiner 0\n"
       "It may also be a table measured on a chip (nv2a_blend.csv, nv2a_mux.csv), which is known by its header; rows\n"
-      "with match 0 are skipped. Or it is what the runner of a pack of `ninebit vectors` wrote: the report then names "
-      "the\n"
-      "first group of programs that fails, and the mistake that explains it.\n"
+      "with match 0 are skipped, and quantities of the whole table stand in its comments (# width: 8). Or it is what\n"
+      "the runner of a pack of `ninebit vectors` wrote: the report then names the first group of programs that fails,\n"
+      "and the mistake that explains it.\n"
       "An expected value of 62|63 accepts either; an empty field is not compared. The report lists where rows first\n"
       "differ, and which single rule of the profile would explain the differences if it had another value.\n"
       "Exit codes: 0 all rows agree, 1 some differ, 3 the table or a program cannot be read.\n"
@@ -269,6 +273,7 @@ void add_verify(CLI::App& app, int& exit_code) {
   verb->add_option("--program", flags->program.file, "Program of the rows that name none")->type_name("PROGRAM");
   verb->add_option("--from", flags->program.from, "Form of the programs (default: detected from the content)")
       ->check(CLI::IsMember({"gl", "rc10", "ps", "words", "json"}));
+  add_define_flag(*verb, flags->program.defines);
   verb->add_option("--chip", flags->program.chip, "Chip whose register words are read (default: from the profile)")
       ->check(CLI::IsMember({"nv10", "nv20"}));
   CLI::Option* vectors =
@@ -280,7 +285,7 @@ void add_verify(CLI::App& app, int& exit_code) {
   verb->add_option("--most", flags->most, "Maximum number of differing rows to list")
       ->capture_default_str()
       ->check(CLI::Range(0, 1'000'000));
-  for (const char* flag : {"--program", "--from", "--chip", "--allow-outside"})
+  for (const char* flag : {"--program", "--from", "--define", "--chip", "--allow-outside"})
     vectors->excludes(verb->get_option(flag));
   add_decide_flags(*verb, *flags, *table);
   verb->callback([flags, verb, &exit_code] {

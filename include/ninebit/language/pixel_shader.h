@@ -4,6 +4,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "ninebit/combiner/state.h"
 #include "ninebit/language/source_text.h"
@@ -21,7 +22,10 @@ namespace NINEBIT_PUBLIC ninebit {
 // a note names them. Reports all faults: of the syntax, of Direct3D's rules for the version, and what register
 // combiners cannot express. A shader with more instructions than the profile has general combiners is
 // GL_INVALID_VALUE.
-[[nodiscard]] Parsed<CombinerState> parse_pixel_shader(const SourceText& source, const HardwareProfile& profile);
+// `definitions` are macros that replace the text's own of the same name. An #if that depends on a name that neither
+// defines is a fault; #ifdef of such a name is false.
+[[nodiscard]] Parsed<CombinerState> parse_pixel_shader(const SourceText& source, const HardwareProfile& profile,
+                                                       const std::vector<Definition>& definitions = {});
 
 // The state as a ps.1.1 text, or a Diagnostic that names what the language cannot express. parse_pixel_shader of the
 // text returns a state that computes the same for every fragment; if this one came from a ps.1.x text, it normalizes to

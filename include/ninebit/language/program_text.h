@@ -39,7 +39,7 @@ enum class ProgramForm : std::uint8_t {
 struct ReadOptions {
   std::optional<ChipClass> chip{};  // of register words; empty: that of the profile, of a log that of its objects
   std::size_t setup = 0;            // the combiner set-up of a log, from 1; 0: the only one
-  SourceSelection source{};         // of a source
+  SourceSelection source{};         // of a source; its definitions also of a pixel shader
 };
 
 // A program, and the words beside it that combiners do not read, such as the Xbox's texture modes.

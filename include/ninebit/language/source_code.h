@@ -13,14 +13,6 @@
 
 namespace NINEBIT_PUBLIC ninebit {
 
-// A value that a source does not give: a parameter, a member, a variable of another file, a call's result.
-struct Definition {
-  // As the source writes it, without blanks: "unit", "state.shader", "getUnit()"; -> may stand for a point.
-  std::string name{};
-  // A number, an enumerant, an expression of them, or several separated by commas: "1,0,0,1".
-  std::string value{};
-};
-
 // A function of a source that sets combiners.
 struct SourceFunction {
   std::string name{};      // with its class, if the source gives one: "Water::setup"; "" for code outside of functions

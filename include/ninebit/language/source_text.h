@@ -34,6 +34,16 @@ struct SourceText {
   [[nodiscard]] TextPlace place(std::size_t offset) const;
 };
 
+// A value that a text does not give.
+struct Definition {
+  // In a source, a macro, a parameter, a member, a variable of another file or a call's result, as the source writes
+  // it, without blanks: "unit", "state.shader", "getUnit()"; -> may stand for a point. In a pixel shader, a macro.
+  std::string name{};
+  // In a source, a number, an enumerant, an expression of them, or several separated by commas: "1,0,0,1". In a pixel
+  // shader, what the macro stands for.
+  std::string value{};
+};
+
 // A fault in a text. Lines and columns are 1-based; a column counts bytes.
 struct TextFault {
   std::string file{};     // SourceText::file

@@ -80,7 +80,7 @@ Parsed<CombinerState> parse_state(const SourceText& source, ProgramForm form, co
     case ProgramForm::rc10:
       return parse_rc10(source, profile);
     case ProgramForm::ps:
-      return parse_pixel_shader(source, profile);
+      return parse_pixel_shader(source, profile, options.source.definitions);
     case ProgramForm::words:
       return parse_register_words(source, options.chip.value_or(chip_of(profile)), profile, &other_words);
     case ProgramForm::words_json:

@@ -133,21 +133,24 @@ bool is_pixel_shader(std::string_view text) {
   return detail::shader_version_length(text.substr(shader_begin(text))) > 0 && foreign_language(text).empty();
 }
 
-Parsed<CombinerState> parse_pixel_shader(const SourceText& source, const HardwareProfile& profile) {
+Parsed<CombinerState> detail::parse_defined_shader(const SourceText& source, const std::vector<Definition>& definitions,
+                                                   const HardwareProfile& profile, std::set<std::string>& used) {
   detail::SourceFaults faults(source), notes(source);
   if (detail::too_long(source, faults)) return faults.take();
   if (detail::shader_version_length(source.text.substr(shader_begin(source.text))) == 0) {
     const std::size_t quote = detail::find_shader_literal(source.text);
     if (quote != std::string_view::npos) {
       const LiteralText shader(source, LiteralStyle::c, quote, end_of_literals(source.text, LiteralStyle::c, quote));
-      return parse_pixel_shader(shader.source(), profile);
+      return parse_defined_shader(shader.source(), definitions, profile, used);
     }
   }
   if (const std::string_view language = foreign_language(source.text); !language.empty()) {
     faults.add(shader_begin(source.text), cannot_run(language));
     return faults.take();
   }
-  const auto tokens = detail::preprocess_shader(detail::lex_shader(source.text, faults), faults, notes);
+  const auto tokens = detail::preprocess_shader(detail::lex_shader(source.text, faults), definitions, faults, notes);
+  used.insert(tokens.used.begin(), tokens.used.end());
+  if (!tokens.is_whole) return {faults.take(), notes.take()};
   const ShaderText text = detail::parse_shader(tokens, faults, notes);
   if (text.version.name.empty()) return {faults.take(), notes.take()};
   detail::check_shader_rules(text, faults);
@@ -157,6 +160,18 @@ Parsed<CombinerState> parse_pixel_shader(const SourceText& source, const Hardwar
   note_result(text, notes);
   if (!faults.empty()) return {faults.take(), notes.take()};
   return {state, notes.take()};
+}
+
+Parsed<CombinerState> parse_pixel_shader(const SourceText& source, const HardwareProfile& profile,
+                                         const std::vector<Definition>& definitions) {
+  std::set<std::string> used;
+  auto parsed = detail::parse_defined_shader(source, definitions, profile, used);
+  detail::SourceFaults notes(source);
+  for (const Definition& one : definitions) {
+    if (!used.contains(one.name)) notes.add(0, detail::not_needed(one));
+  }
+  for (TextFault& note : notes.take()) parsed.notes.push_back(std::move(note));
+  return parsed;
 }
 
 }  // namespace ninebit

@@ -3,10 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <utility>
 
+#include "src/language/source/condition.h"
 #include "src/language/source/nearest_name.h"
 
 namespace ninebit::detail {
@@ -20,8 +23,21 @@ constexpr std::size_t kDeepest = 32;  // names in names, conditions in condition
 
 class ShaderPreprocessor {
  public:
-  ShaderPreprocessor(std::vector<ShaderToken> tokens, SourceFaults& faults, SourceFaults& notes)
-      : tokens_(std::move(tokens)), faults_(faults), notes_(notes) {}
+  ShaderPreprocessor(std::vector<ShaderToken> tokens, const std::vector<Definition>& definitions, SourceFaults& faults,
+                     SourceFaults& notes)
+      : tokens_(std::move(tokens)), faults_(faults), notes_(notes) {
+    for (const Definition& one : definitions) {
+      SourceFaults wrong({one.value, {}});
+      std::vector<ShaderToken> body = lex_shader(one.value, wrong);
+      for (const TextFault& fault : wrong.take()) {
+        faults_.add(0, "the definition of " + quoted(one.name) + ": " + fault.message);
+      }
+      std::erase_if(body, [](const ShaderToken& token) {
+        return token.kind == MacroTokenKind::end_of_line || token.kind == MacroTokenKind::end;
+      });
+      macros_.insert_or_assign(one.name, ShaderMacro{std::move(body), true});
+    }
+  }
 
   ShaderTokens run() {
     bool line_begins = true;
@@ -44,10 +60,15 @@ class ShaderPreprocessor {
   }
 
  private:
+  struct ShaderMacro {
+    std::vector<ShaderToken> body{};
+    bool is_given = false;  // by the caller: the text does not change it
+  };
   struct Condition {
     std::size_t offset = 0;
-    bool reads = false;  // whether this branch is read
-    bool done = false;   // whether a branch was read, or none may be
+    bool reads = false;     // whether this branch is read
+    bool done = false;      // whether a branch was read, or none may be
+    bool has_else = false;  // whether this branch is the last
   };
 
   [[nodiscard]] bool reads() const {
@@ -77,7 +98,7 @@ class ShaderPreprocessor {
     } else if (name == "define") {
       define(line[1], rest);
     } else if (name == "undef") {
-      if (!rest.empty()) macros_.erase(rest[0].text);
+      undefine(line[1], rest);
     } else if (name == "include") {
       out_.includes = true;
       notes_.add(line[0].offset, "skipped " + text_of(rest) + "; its names are not known");
@@ -107,7 +128,28 @@ class ShaderPreprocessor {
       faults_.add(rest[0].offset, quoted(rest[0].text) + " has parameters; only names without them are read");
       return;
     }
-    macros_[rest[0].text].assign(rest.begin() + 1, rest.end());
+    if (!is_given(rest[0].text)) macros_[rest[0].text] = {{rest.begin() + 1, rest.end()}};
+  }
+
+  void undefine(const ShaderToken& word, std::span<const ShaderToken> rest) {
+    if (rest.empty() || rest[0].kind != MacroTokenKind::word) {
+      faults_.add(word.offset, "expected a name after #undef");
+    } else if (!is_given(rest[0].text)) {
+      macros_.erase(rest[0].text);
+    }
+  }
+
+  // The macro of a name, or nullptr.
+  const ShaderMacro* macro_of(std::string_view name) {
+    const auto found = macros_.find(name);
+    if (found == macros_.end()) return nullptr;
+    if (found->second.is_given) out_.used.emplace(name);
+    return &found->second;
+  }
+
+  bool is_given(std::string_view name) {
+    const ShaderMacro* const macro = macro_of(name);
+    return macro != nullptr && macro->is_given;
   }
 
   void begin_condition(std::size_t offset, const std::string& name, std::span<const ShaderToken> rest) {
@@ -119,9 +161,11 @@ class ShaderPreprocessor {
     if (!reads()) {
       condition.done = true;
     } else if (name == "if") {
-      condition.reads = condition.done = holds(offset, rest);
+      condition.reads = condition.done = holds(offset, name, rest);
+    } else if (rest.empty() || rest[0].kind != MacroTokenKind::word) {
+      faults_.add(offset, "expected a name after #" + name);
     } else {
-      const bool defined = !rest.empty() && macros_.contains(rest[0].text);
+      const bool defined = macro_of(rest[0].text) != nullptr;
       condition.reads = condition.done = defined == (name == "ifdef");
     }
     conditions_.push_back(condition);
@@ -137,34 +181,47 @@ class ShaderPreprocessor {
       return;
     }
     Condition& condition = conditions_.back();
+    if (condition.has_else) faults_.add(offset, "'#" + name + "' after #else");
+    condition.has_else = name == "else";
     const bool was_done = condition.done;
     condition.reads = false;
-    if (!was_done && reads_around()) condition.reads = condition.done = name == "else" || holds(offset, rest);
+    if (!was_done && reads_around()) condition.reads = condition.done = name == "else" || holds(offset, name, rest);
   }
 
   [[nodiscard]] bool reads_around() const {
     return std::all_of(conditions_.begin(), conditions_.end() - 1, [](const Condition& c) { return c.reads; });
   }
 
-  // A number, a name, defined(NAME) or defined NAME, each with ! before it or not. Unknown names are 0, as in C.
-  bool holds(std::size_t offset, std::span<const ShaderToken> rest) {
-    bool wanted = true;
-    std::size_t i = 0;
-    const auto is = [&](char c) { return i < rest.size() && rest[i].is(c); };
-    for (; is('!') || is('('); ++i) wanted = is('!') ? !wanted : wanted;
-    if (i < rest.size() && rest[i].kind == MacroTokenKind::number) return (rest[i].text != "0") == wanted;
-    if (i < rest.size() && rest[i].kind == MacroTokenKind::word) {
-      if (lower_case(rest[i].text) != "defined") {
-        const auto macro = macros_.find(rest[i].text);
-        const bool zero = macro == macros_.end() || macro->second.empty() || macro->second[0].text == "0";
-        return zero != wanted;
-      }
-      ++i;
-      if (is('(')) ++i;
-      if (i < rest.size() && rest[i].kind == MacroTokenKind::word) return macros_.contains(rest[i].text) == wanted;
+  // Tokens as a text, with blanks only where the source has them; the language has no case in `defined`.
+  static std::string written(std::span<const ShaderToken> tokens) {
+    std::string out;
+    const char* end = nullptr;
+    for (const ShaderToken& token : tokens) {
+      if (end != nullptr && token.text.data() != end) out += ' ';
+      const std::string lower = lower_case(token.text);
+      out += lower == "defined" ? lower : token.text;
+      end = token.text.data() + token.text.size();
     }
-    faults_.add(offset, "expected a number, a name or defined(NAME) after #if");
-    return false;
+    return out;
+  }
+
+  // The value of #if or #elif. A name without a value on which it depends is a fault, once.
+  bool holds(std::size_t offset, const std::string& name, std::span<const ShaderToken> rest) {
+    const ConditionValue value = condition_value(
+        written(rest), {.is_defined = [&](std::string_view of) { return macro_of(of) != nullptr; },
+                        .body_of =
+                            [&](std::string_view of) {
+                              const ShaderMacro* const macro = macro_of(of);
+                              return macro != nullptr ? std::optional(written(macro->body)) : std::nullopt;
+                            }});
+    if (!value.fault.empty()) {
+      faults_.add(offset, "#" + name + ": " + value.fault);
+    } else if (!value.unknown.empty() && asked_.insert(value.unknown).second) {
+      out_.is_whole = false;
+      faults_.add(offset, quoted(value.unknown) + " is not defined, and #" + name + " " + written(rest) +
+                              " depends on it; give it as in --define '" + value.unknown + "=…', or by #define");
+    }
+    return value.holds;
   }
 
   // Adds a token, or what its name stands for; names in it are replaced, too, but not a name in itself.
@@ -174,12 +231,13 @@ class ShaderPreprocessor {
       std::span<const ShaderToken> body;
       std::size_t next = 0;
     };
-    const auto macro_of = [&](const ShaderToken& of) {
-      return of.kind == MacroTokenKind::word ? macros_.find(of.text) : macros_.end();
+    const auto opened = [&](const ShaderToken& of) -> std::optional<Open> {
+      const ShaderMacro* const macro = of.kind == MacroTokenKind::word ? macro_of(of.text) : nullptr;
+      return macro != nullptr ? std::optional(Open{of.text, macro->body}) : std::nullopt;
     };
-    const auto first = macro_of(token);
-    if (first == macros_.end()) return add(token, token.offset);
-    std::vector<Open> open{{first->first, first->second}};
+    const auto first = opened(token);
+    if (!first) return add(token, token.offset);
+    std::vector<Open> open{*first};
     while (!open.empty() && ++steps_ < kMostShaderTokens) {
       Open& top = open.back();
       if (top.next == top.body.size()) {
@@ -187,13 +245,13 @@ class ShaderPreprocessor {
         continue;
       }
       const ShaderToken& inner = top.body[top.next++];
-      const auto macro = macro_of(inner);
-      const bool is_open = macro != macros_.end() &&
-                           std::any_of(open.begin(), open.end(), [&](const Open& o) { return o.name == macro->first; });
-      if (macro == macros_.end() || is_open || open.size() == kDeepest) {
+      const auto more = opened(inner);
+      const bool is_open =
+          more && std::any_of(open.begin(), open.end(), [&](const Open& o) { return o.name == more->name; });
+      if (!more || is_open || open.size() == kDeepest) {
         add(inner, token.offset);
       } else {
-        open.push_back({macro->first, macro->second});
+        open.push_back(*more);
       }
     }
   }
@@ -212,8 +270,9 @@ class ShaderPreprocessor {
   SourceFaults& faults_;
   SourceFaults& notes_;
   std::size_t at_ = 0;
-  std::map<std::string_view, std::vector<ShaderToken>> macros_;
+  std::map<std::string_view, ShaderMacro> macros_;
   std::vector<Condition> conditions_;
+  std::set<std::string> asked_;  // names without a value that were reported
   ShaderTokens out_;
   std::size_t steps_ = 0;  // of replacing; names may stand for nothing
   bool overflowed_ = false;
@@ -221,8 +280,9 @@ class ShaderPreprocessor {
 
 }  // namespace
 
-ShaderTokens preprocess_shader(std::vector<ShaderToken> tokens, SourceFaults& faults, SourceFaults& notes) {
-  ShaderTokens out = ShaderPreprocessor(std::move(tokens), faults, notes).run();
+ShaderTokens preprocess_shader(std::vector<ShaderToken> tokens, const std::vector<Definition>& definitions,
+                               SourceFaults& faults, SourceFaults& notes) {
+  ShaderTokens out = ShaderPreprocessor(std::move(tokens), definitions, faults, notes).run();
   if (out.tokens.empty() || out.tokens.back().kind != MacroTokenKind::end) {
     const std::size_t offset = out.tokens.empty() ? 0 : out.tokens.back().offset;
     out.tokens.push_back({MacroTokenKind::end_of_line, offset, {}});

@@ -88,6 +88,24 @@ bool is_number(std::string_view token) {
   return has_hex_prefix(token) ? number_in(token, true).has_value() : token.size() <= 10 && is_hex_digits(token);
 }
 
+// Whether the first line that is not a comment has the names of columns, and no numbers: those of another table, where
+// by_header() finds none.
+bool has_other_header(const std::vector<std::string_view>& lines) {
+  const auto first = std::find_if(lines.begin(), lines.end(), [](std::string_view line) {
+    const auto begin = std::find_if_not(line.begin(), line.end(), detail::is_blank);
+    return begin != line.end() && *begin != '#';
+  });
+  if (first == lines.end()) return false;
+  const auto is_name = [](const std::string& word) {
+    return !word.empty() && !detail::is_digit(word.front()) && !looks_hexadecimal(word);
+  };
+  for (const char separator : {'\t', ',', ';', '|'}) {
+    const std::vector<std::string> header = header_of(*first, separator);
+    if (header.size() > 1 && std::all_of(header.begin(), header.end(), is_name)) return true;
+  }
+  return false;
+}
+
 // What the lines have in one column.
 struct ColumnCounts {
   std::size_t methods = 0, needed = 0, numbers = 0, hexadecimal = 0, classes = 0;
@@ -162,10 +180,13 @@ std::optional<LogLayout> LogLayout::by_columns(const std::vector<std::string_vie
   layout.columns_ = true;
   layout.method_.at = static_cast<std::size_t>(method - counts.begin());
   std::size_t fitting = 0;
+  bool decimal = true;
   for (const std::string_view line : lines) {
     split_line(line, 0, tokens);
     if (layout.method_.at >= tokens.size() || method_rank(tokens[layout.method_.at].text, chip) == 0) continue;
     ++fitting;
+    const std::string_view found = tokens[layout.method_.at].text;
+    decimal = decimal && std::all_of(found.begin(), found.end(), detail::is_digit);
     for (std::size_t c = 0; c < tokens.size(); ++c) {
       const std::string_view text = tokens[c].text;
       counts[c].numbers += is_number(text) ? 1U : 0U;
@@ -174,6 +195,7 @@ std::optional<LogLayout> LogLayout::by_columns(const std::vector<std::string_vie
       counts[c].classes += number && chip_of_class(*number) && looks_hexadecimal(text) ? 1U : 0U;
     }
   }
+  if (decimal && has_other_header(lines)) return std::nullopt;
   // The data's column: most numbers, then most in hexadecimal, then the nearest one behind the method.
   std::optional<std::size_t> data;
   const auto order = [&](std::size_t c) { return c > layout.method_.at ? c - layout.method_.at : kMostTokens + c; };

@@ -61,4 +61,8 @@ std::string quoted(std::string_view text) {
   return out + "'";
 }
 
+std::string not_needed(const Definition& definition) {
+  return "the definition of " + quoted(definition.name) + " was not needed";
+}
+
 }  // namespace ninebit::detail

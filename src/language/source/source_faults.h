@@ -42,6 +42,9 @@ class SourceFaults {
 // The beginning of the text in single quotes, with bytes that are not printable ASCII as \xNN.
 [[nodiscard]] std::string quoted(std::string_view text);
 
+// What to note of a definition that a text did not use.
+[[nodiscard]] std::string not_needed(const Definition& definition);
+
 [[nodiscard]] constexpr bool is_digit(char c) {
   return c >= '0' && c <= '9';
 }

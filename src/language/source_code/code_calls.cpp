@@ -8,6 +8,7 @@
 #include "ninebit/language/rc10.h"
 #include "src/language/gl_calls/gl_calls_execute.h"
 #include "src/language/gl_calls/gl_calls_spelling.h"
+#include "src/language/pixel_shader/shader_literal.h"
 #include "src/language/source/foreign_language.h"
 #include "src/language/source/string_literals.h"
 #include "src/language/source_code/code_machine.h"
@@ -135,6 +136,7 @@ Value Machine::call_function(const Function& function, const Expression& e) {
   for (std::size_t i = function.parameters.size() + 1; i < e.parts.size(); ++i) evaluate(e.parts[i]);
   if (frames_.size() >= kMostNestedCalls || !spend()) return needed_value(path_of(e));
   frames_.push_back(std::move(frame));
+  need_conditions(&function);
   execute(body_of(function));
   Frame done = std::move(frames_.back());
   frames_.pop_back();
@@ -198,11 +200,23 @@ void Machine::use(const Value& value) {
 
 // Notes that a value is needed. Without a name that could be defined, its own text is one.
 void Machine::need(const Value& value, const Expression& e) {
+  if (value.needs.empty()) need(path_of(e), e.offset);
+  for (const std::string& name : value.needs) need(name, e.offset);
+}
+
+void Machine::need(const std::string& name, std::uint32_t offset) {
   constexpr std::size_t kMostNeeds = 100;
-  std::vector<std::string> names = value.needs;
-  if (names.empty()) names.push_back(path_of(e));
-  for (const std::string& name : names) {
-    if (needs_.size() < kMostNeeds || needs_.count(name) != 0) needs_[name].insert(e.offset);
+  if (needs_.size() < kMostNeeds || needs_.count(name) != 0) needs_[name].insert(offset);
+}
+
+// Notes the names that decide which of a function's lines are read; nullptr: the lines outside of functions.
+void Machine::need_conditions(const Function* function) {
+  for (const OpenCondition& one : program_.file.open_conditions) {
+    const auto holds = [&](const Function& f) { return f.begin <= one.begin && one.end <= f.end; };
+    const std::vector<Function>& all = program_.outline.functions;
+    const bool matters = function != nullptr ? one.begin < function->end && function->begin < one.end
+                                             : std::none_of(all.begin(), all.end(), holds);
+    if (matters) need(one.name, one.offset);
   }
 }
 
@@ -282,8 +296,11 @@ void Machine::load(std::uint32_t begin, std::uint32_t end, std::uint32_t offset,
   CallSite& site = sites_[offset];
   const SourceText program = literal.source();
   const bool is_shader = is_pixel_shader(program.text) && program.text.find("!!RC1.0") == std::string_view::npos;
+  std::set<std::string> used_by_shaders;
   Parsed<CombinerState> parsed =
-      is_shader ? parse_pixel_shader(program, context_.profile()) : parse_rc10(program, context_.profile());
+      is_shader ? detail::parse_defined_shader(program, given_, context_.profile(), used_by_shaders)
+                : parse_rc10(program, context_.profile());
+  for (const std::string& name : used_by_shaders) used_.insert(program_.key(normal_path(name)));
   site.is_read = true;
   for (TextFault& fault : parsed.notes) notes_.add(std::move(fault));
   for (TextFault fault : parsed.faults()) {

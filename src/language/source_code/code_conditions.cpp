@@ -1,10 +1,11 @@
 #include "src/language/source_code/code_conditions.h"
 
 #include <algorithm>
-#include <charconv>
 #include <optional>
 #include <string>
 
+#include "src/language/gl_calls/gl_calls_names.h"
+#include "src/language/source/condition.h"
 #include "src/language/source_code/code_file.h"
 #include "src/language/source_code/code_lexer.h"
 #include "src/language/source_code/code_macros.h"
@@ -12,117 +13,12 @@
 namespace ninebit::code {
 namespace {
 
-constexpr int kMostNestedConditions = 64;
-
-// An expression of #if, by recursive descent. What it cannot read is 0 and not sure.
-class ConditionReader {
- public:
-  // `used`: the definitions whose values or presence were asked for.
-  ConditionReader(const std::vector<Token>& line, const std::vector<Definition>& definitions,
-                  const MacroExpander& macros, std::set<std::string, std::less<>>& used)
-      : line_(line), definitions_(definitions), macros_(macros), used_(used) {}
-
-  long long any() {
-    long long value = all();
-    while (takes("||")) {
-      const long long right = all();
-      value = value != 0 || right != 0 ? 1 : 0;
-    }
-    return value;
-  }
-  [[nodiscard]] bool sure() const { return sure_ && at_ == line_.size(); }
-  // Whether a name is defined: by a macro, by the caller, or as one of OpenGL's headers.
-  bool defined(std::string_view name) {
-    if (macros_.is_defined(name) || definition(name) != nullptr || name.starts_with("GL_")) return true;
-    sure_ = false;
-    return false;
-  }
-
- private:
-  long long all() {
-    long long value = comparison();
-    while (takes("&&")) {
-      const long long right = comparison();
-      value = value != 0 && right != 0 ? 1 : 0;
-    }
-    return value;
-  }
-
-  long long comparison() {
-    const long long left = unary();
-    if (takes("==")) return left == unary() ? 1 : 0;
-    if (takes("!=")) return left != unary() ? 1 : 0;
-    if (takes(">=")) return left >= unary() ? 1 : 0;
-    if (takes("<=")) return left <= unary() ? 1 : 0;
-    if (takes(">")) return left > unary() ? 1 : 0;
-    if (takes("<")) return left < unary() ? 1 : 0;
-    return left;
-  }
-
-  long long unary() {
-    if (at_ >= line_.size() || ++depth_ > kMostNestedConditions) {
-      sure_ = false;
-      at_ = line_.size();
-      return 0;
-    }
-    if (takes("!")) return unary() == 0 ? 1 : 0;
-    if (takes("(")) {
-      const long long value = any();
-      takes(")");
-      return value;
-    }
-    const Token& token = line_[at_++];
-    if (token.is("defined")) {
-      const bool parenthesis = takes("(");
-      const bool value = at_ < line_.size() && defined(line_[at_++].text);
-      if (parenthesis) takes(")");
-      return value ? 1 : 0;
-    }
-    if (token.kind == Token::Kind::number) return number(token.text);
-    if (token.is_name()) return named(token.text);
-    sure_ = false;
-    return 0;
-  }
-
-  static long long number(std::string_view text) {
-    const bool hex = text.starts_with("0x") || text.starts_with("0X");
-    if (hex) text.remove_prefix(2);
-    long long value = 0;
-    std::from_chars(text.data(), text.data() + text.size(), value, hex ? 16 : 10);
-    return value;
-  }
-
-  long long named(std::string_view name) {
-    if (const Definition* const given = definition(name)) return number(given->value);
-    if (const Token* const body = macros_.only_token(name); body != nullptr && body->kind == Token::Kind::number) {
-      return number(body->text);
-    }
-    sure_ = false;
-    return 0;
-  }
-
-  [[nodiscard]] const Definition* definition(std::string_view name) {
-    const auto found =
-        std::find_if(definitions_.begin(), definitions_.end(), [&](const Definition& d) { return d.name == name; });
-    if (found == definitions_.end()) return nullptr;
-    used_.insert(found->name);
-    return &*found;
-  }
-
-  bool takes(std::string_view what) {
-    if (at_ >= line_.size() || !line_[at_].is(what)) return false;
-    ++at_;
-    return true;
-  }
-
-  const std::vector<Token>& line_;
-  const std::vector<Definition>& definitions_;
-  const MacroExpander& macros_;
-  std::set<std::string, std::less<>>& used_;
-  std::size_t at_ = 0;
-  int depth_ = 0;
-  bool sure_ = true;
-};
+// The tokens' text, a blank between two.
+std::string text_of(const std::vector<Token>& tokens) {
+  std::string out;
+  for (const Token& token : tokens) out += (out.empty() ? "" : " ") + std::string(token.text);
+  return out;
+}
 
 bool opens_group(const Token& directive) {
   return directive.is("if") || directive.is("ifdef") || directive.is("ifndef");
@@ -185,16 +81,44 @@ bool Conditions::holds_all_calls(const Group& group) const {
   return inside == file_.calls.size();
 }
 
+// A definition of the caller, which is then in use; nullptr: there is none of this name.
+const Definition* Conditions::definition(std::string_view name) {
+  const auto found =
+      std::find_if(definitions_.rbegin(), definitions_.rend(), [&](const Definition& d) { return d.name == name; });
+  if (found == definitions_.rend()) return nullptr;
+  file_.used_by_conditions.insert(found->name);
+  return &*found;
+}
+
+// By a macro, by the caller, or as one of OpenGL's headers.
+bool Conditions::is_defined(std::string_view name) {
+  return macros_.is_defined(name) || definition(name) != nullptr || name.starts_with("GL_");
+}
+
 Conditions::Answer Conditions::answer(const Token& directive, const std::vector<Token>& line) {
   if (directive.is("else")) return {true, true};
-  ConditionReader reader(line, definitions_, macros_, file_.used_by_conditions);
-  if (directive.is("if") || directive.is("elif")) {
-    const bool value = reader.any() != 0;
-    return {value, reader.sure()};
+  if (directive.is("ifdef") || directive.is("ifndef")) {
+    const bool known = !line.empty() && is_defined(line[0].text);
+    return {known == directive.is("ifdef"), known};
   }
-  const std::string_view name = line.empty() ? std::string_view() : line[0].text;
-  const bool is_known = reader.defined(name);
-  return {is_known == directive.is("ifdef"), is_known};
+  bool sure = true;
+  const auto value = detail::condition_value(
+      text_of(line), {.is_defined =
+                          [&](std::string_view name) {
+                            const bool known = is_defined(name);
+                            sure = sure && known;
+                            return known;
+                          },
+                      .body_of = [&](std::string_view name) -> std::optional<std::string> {
+                        if (const Definition* const given = definition(name)) return given->value;
+                        if (const Macro* const macro = macros_.find(name); macro != nullptr) {
+                          return macro->has_parameters ? std::nullopt : std::optional(text_of(macro->body));
+                        }
+                        // OpenGL's headers define the names of versions and extensions as 1.
+                        if (name.starts_with("GL_")) return std::to_string(detail::value_of_name(name).value_or(1));
+                        return std::nullopt;
+                      }});
+  return {value.holds, sure && value.unknown.empty() && value.fault.empty(), value.unknown};
 }
 
 // Whether a branch is read, and none before it was.
@@ -218,7 +142,11 @@ bool Conditions::chosen(const OpenGroup& open, const Token& directive, const std
     }
     return here;
   }
-  if (here && !answer.value) notes_.add(directive.offset, "skipped calls of combiners: " + condition + " is false");
+  if (!answer.unknown.empty() && with_calls > 0) {
+    file_.open_conditions.push_back({group->branches[0], group->end, directive.offset, answer.unknown});
+  } else if (here && !answer.value) {
+    notes_.add(directive.offset, "skipped calls of combiners: " + condition + " is false");
+  }
   return answer.value;
 }
 

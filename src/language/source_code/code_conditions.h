@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -40,9 +41,12 @@ class Conditions {
   struct Answer {
     bool value = false;
     bool sure = true;
+    std::string unknown{};  // a name without a value that decides; empty: none
   };
 
   void find_groups();
+  [[nodiscard]] const Definition* definition(std::string_view name);
+  [[nodiscard]] bool is_defined(std::string_view name);
   [[nodiscard]] Answer answer(const Token& directive, const std::vector<Token>& line);
   [[nodiscard]] bool chosen(const OpenGroup& open, const Token& directive, const std::vector<Token>& line);
   [[nodiscard]] bool holds_all_calls(const Group& group) const;

@@ -143,7 +143,7 @@ void Machine::finish() {
     const bool used =
         used_.count(program_.key(normal_path(one.name))) != 0 || program_.file.used_by_conditions.contains(one.name);
     if (!used) {
-      notes_.add(0, "the definition of " + detail::quoted(one.name) + " was not needed");
+      notes_.add(0, detail::not_needed(one));
     }
   }
   if (skipped_.empty() || !needs.empty()) return;

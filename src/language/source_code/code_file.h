@@ -17,6 +17,13 @@ namespace ninebit::code {
 // The most tokens of a file, macros expanded.
 inline constexpr std::size_t kMostTokens = std::size_t{1} << 22;
 
+// A whole #if … #endif that sets combiners and has a condition that depends on a name without a value.
+struct OpenCondition {
+  std::uint32_t begin = 0, end = 0;  // of the whole
+  std::uint32_t offset = 0;          // of the condition
+  std::string name{};
+};
+
 struct File {
   std::string_view text;
   Language language = Language::c;
@@ -27,6 +34,7 @@ struct File {
   std::vector<std::uint32_t> calls{};        // where the text names a combiner call, ascending
 
   std::set<std::string, std::less<>> used_by_conditions{};  // names that the caller defined
+  std::vector<OpenCondition> open_conditions{};             // read as if their names were 0
 
   // Whether the bytes [begin, end) name a combiner call.
   [[nodiscard]] bool calls_between(std::size_t begin, std::size_t end) const;
@@ -39,9 +47,10 @@ struct File {
 // Reads the tokens of a text without directives or macros.
 void read_tokens(File& file);
 
-// Reads a file. #if and #ifdef of names that neither the file nor `definitions` define are false, as in C, with these
-// exceptions: names of OpenGL's extensions are defined; and if just one branch sets combiners, that one is read, with a
-// note. A skipped branch that sets combiners is noted, too.
+// Reads a file. Names that neither the file nor `definitions` define are not defined in #ifdef and 0 in #if, as in C,
+// with these exceptions: names of OpenGL's extensions are defined; if just one branch sets combiners, that one is read,
+// with a note; and a condition of #if that then depends on such a name is one of File::open_conditions. A skipped
+// branch that sets combiners is noted, too.
 [[nodiscard]] File read_file(const SourceText& source, const std::vector<Definition>& definitions,
                              detail::SourceFaults& faults, detail::SourceFaults& notes);
 

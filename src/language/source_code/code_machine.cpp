@@ -51,12 +51,14 @@ void Machine::run(const Function& function) {
     frame.values.emplace(program_.key(parameter.name), std::move(value));
   }
   frames_.assign(1, std::move(frame));
+  need_conditions(&function);
   execute(body_of(function));
   frames_.clear();
 }
 
 void Machine::run_code() {
   frames_.assign(1, Frame{});
+  need_conditions(nullptr);
   execute(program_.outline.code);
   frames_.clear();
 }

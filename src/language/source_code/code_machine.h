@@ -167,6 +167,8 @@ class Machine {
   void look_for_misspelling(std::string_view name, const Expression& e);
   bool argument(const Expression& e, bool is_array, detail::GlArgument& out);
   void need(const Value& value, const Expression& e);
+  void need(const std::string& name, std::uint32_t offset);
+  void need_conditions(const Function* function);
   void use(const Value& value);
 
   // Definitions of the Xbox: code_xbox.cpp

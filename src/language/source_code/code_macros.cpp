@@ -16,10 +16,9 @@ bool is_reserved(std::string_view name) {
 
 }  // namespace
 
-const Token* MacroExpander::only_token(std::string_view name) const {
+const Macro* MacroExpander::find(std::string_view name) const {
   const auto found = macros_.find(name);
-  const bool one = found != macros_.end() && !found->second.has_parameters && found->second.body.size() == 1;
-  return one ? &found->second.body[0] : nullptr;
+  return found == macros_.end() ? nullptr : &found->second;
 }
 
 Token MacroExpander::raw() {

@@ -33,8 +33,8 @@ class MacroExpander {
   void define(std::string_view name, Macro macro) { macros_[name] = std::move(macro); }
   void undefine(std::string_view name) { macros_.erase(name); }
   [[nodiscard]] bool is_defined(std::string_view name) const { return macros_.count(name) != 0; }
-  // The body of a macro that is one token; nullptr: it is none, or another one.
-  [[nodiscard]] const Token* only_token(std::string_view name) const;
+  // nullptr: no macro has this name.
+  [[nodiscard]] const Macro* find(std::string_view name) const;
 
   // The next token. Kind::end at the end of the file, and for good once macros made more than `most` tokens.
   Token take(std::size_t most);

@@ -3,27 +3,15 @@
 #include <array>
 #include <utility>
 
+#include "src/language/source/c_operators.h"
 #include "src/language/source_code/code_parser.h"
 #include "src/language/source_code/code_tree_build.h"
 
 namespace ninebit::code {
 namespace {
 
-struct BinaryOperator {
-  std::string_view text;
-  int precedence;
-};
-constexpr std::array kBinaryOperators{BinaryOperator{"||", 1}, BinaryOperator{"&&", 2}, BinaryOperator{"|", 3},
-                                      BinaryOperator{"^", 4},  BinaryOperator{"&", 5},  BinaryOperator{"==", 6},
-                                      BinaryOperator{"!=", 6}, BinaryOperator{"<", 7},  BinaryOperator{">", 7},
-                                      BinaryOperator{"<=", 7}, BinaryOperator{">=", 7}, BinaryOperator{"<<", 8},
-                                      BinaryOperator{">>", 8}, BinaryOperator{"+", 9},  BinaryOperator{"-", 9},
-                                      BinaryOperator{"*", 10}, BinaryOperator{"/", 10}, BinaryOperator{"%", 10}};
-
 int precedence_of(const Token& token) {
-  const auto* const found = std::find_if(kBinaryOperators.begin(), kBinaryOperators.end(),
-                                         [&](const BinaryOperator& one) { return token.is(one.text); });
-  return found == kBinaryOperators.end() ? 0 : found->precedence;
+  return token.kind == Token::Kind::punctuation ? detail::c_precedence(token.text) : 0;
 }
 
 bool is_assignment(const Token& token) {

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "src/language/source/c_operators.h"
 #include "src/language/source_code/code_types.h"
 
 namespace ninebit::code {
@@ -11,30 +11,13 @@ namespace {
 
 using ValueKind = Value::Kind;
 
-// Two's complement, so that nothing is undefined.
-std::int64_t wrapped(std::uint64_t value) {
-  return static_cast<std::int64_t>(value);
-}
-
 Value truth(bool value) {
   return integer_value(value ? 1 : 0);
 }
 
 Value of_integers(std::string_view op, std::int64_t a, std::int64_t b) {
-  const auto ua = static_cast<std::uint64_t>(a), ub = static_cast<std::uint64_t>(b);
-  if (op == "+") return integer_value(wrapped(ua + ub));
-  if (op == "-") return integer_value(wrapped(ua - ub));
-  if (op == "*") return integer_value(wrapped(ua * ub));
-  const bool divides = b != 0 && !(b == -1 && a == std::numeric_limits<std::int64_t>::min());
-  if (op == "/") return divides ? integer_value(a / b) : Value{};
-  if (op == "%") return divides ? integer_value(a % b) : Value{};
-  const bool shifts = b >= 0 && b < 64;
-  if (op == "<<") return shifts ? integer_value(wrapped(ua << ub)) : Value{};
-  if (op == ">>") return shifts ? integer_value(a >> b) : Value{};
-  if (op == "|") return integer_value(a | b);
-  if (op == "&") return integer_value(a & b);
-  if (op == "^") return integer_value(a ^ b);
-  return {};
+  const auto result = detail::c_result(op, a, b);
+  return result ? integer_value(*result) : Value{};
 }
 
 Value of_reals(std::string_view op, double a, double b) {
@@ -43,13 +26,7 @@ Value of_reals(std::string_view op, double a, double b) {
   if (op == "*") return real_value(a * b);
   if (op == "/" && b != 0) return real_value(a / b);
   if (op == "%" && b != 0) return real_value(std::fmod(a, b));
-  return {};
-}
-
-Value compared(std::string_view op, const Value& a, const Value& b) {
-  const bool integers = a.kind == ValueKind::integer && b.kind == ValueKind::integer;
-  const bool less = integers ? a.integer < b.integer : a.real < b.real;
-  const bool equal = integers ? a.integer == b.integer : a.real == b.real;
+  const bool less = a < b, equal = a == b;
   if (op == "==") return truth(equal);
   if (op == "!=") return truth(!equal);
   if (op == "<") return truth(less);
@@ -140,7 +117,7 @@ Value unary(std::string_view op, const Value& operand) {
   if (op == "+") return operand;
   if (op == "-") {
     if (operand.kind == ValueKind::real) return real_value(-operand.real);
-    return integer_value(wrapped(std::uint64_t{0} - static_cast<std::uint64_t>(operand.integer)));
+    return of_integers("-", 0, operand.integer);
   }
   return op == "~" && operand.kind == ValueKind::integer ? integer_value(~operand.integer) : Value{};
 }
@@ -173,7 +150,6 @@ Value binary(std::string_view op, const Value& left, const Value& right) {
     return truth((other.integer != 0) == (op == "=="));
   }
   if (!left.is_number() || !right.is_number()) return {};
-  if (compares(op)) return compared(op, left, right);
   if (left.kind == ValueKind::integer && right.kind == ValueKind::integer) {
     return of_integers(op, left.integer, right.integer);
   }

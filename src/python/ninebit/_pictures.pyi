@@ -71,6 +71,7 @@ def draw(
     profile: Path | None = None,
     threads: int | None = None,
     output: Path | None = None,
+    define: Mapping[str, Any] | Sequence[str] | None = None,
     size: tuple[int, int] | str | None = None,
     mesh: Path | None = None,
     up: Literal["y", "z"] | None = None,

@@ -25,7 +25,8 @@ class State(_combiner.State):
 
         The forms are 'gl' (GL calls), 'source' (a source file with them), 'rc10' (!!RC1.0), 'ps' (a ps.1.x pixel
         shader), 'words' and 'words-json' (register words), 'json', 'xbox' (a D3DPIXELSHADERDEF) and 'log' (register
-        writes). `function` and `define` are for sources, `chip` for words, `setup` for logs: the number of a set-up.
+        writes). `function` is for sources, `define` for them and pixel shaders, `chip` for words, `setup` for logs: the
+        number of a set-up.
         """
         if not isinstance(text, (str, bytes)):
             raise TypeError(f"text is {type(text).__name__}; expected str, the program itself; open(path).read() reads a file")

@@ -80,6 +80,7 @@ def study(
     formats: List | None = None,
     variants: List | None = None,
     program: Path | None = None,
+    define: Mapping[str, Any] | Sequence[str] | None = None,
 ) -> Report: ...
 @overload
 def study(
@@ -93,6 +94,7 @@ def study(
     shard: str | None = None,
     budget: float | None = None,
     program: Path | None = None,
+    define: Mapping[str, Any] | Sequence[str] | None = None,
     inputs: Path | None = None,
     over: List | None = None,
     exhaustive_sum: bool = False,
@@ -195,6 +197,7 @@ def prove(
     profile: Path | None = None,
     threads: int | None = None,
     timeout: float | None = None,
+    define: Mapping[str, Any] | Sequence[str] | None = None,
     other_profile: Path | None = None,
     outputs: str | Sequence[str] | None = None,
 ) -> Proof: ...

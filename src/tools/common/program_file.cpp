@@ -249,14 +249,22 @@ std::optional<TextProgram> load_setup(Parsed<RegisterLog> log, ProgramSource sou
                  exit_code);
 }
 
+bool takes_definitions(ProgramForm form) {
+  return form == ProgramForm::source || form == ProgramForm::ps;
+}
+
 bool misuses_source_flags(const ProgramFlags& flags, std::string_view name, ProgramForm form) {
   const bool has_words = form == ProgramForm::words || form == ProgramForm::words_json || form == ProgramForm::log;
   if (!flags.chip.empty() && !has_words && !flags.writes_words) {
     say_error(fmt::format("--chip is for register words and logs; {} was read as {}", name, kind_of_form(form)));
     return true;
   }
-  if (form == ProgramForm::source || (flags.functions.empty() && flags.defines.empty())) return false;
-  say_error(fmt::format("--function and --define are for source files; {} was read as {}", name, kind_of_form(form)));
+  if (!flags.functions.empty() && form != ProgramForm::source) {
+    say_error(fmt::format("--function is for source files; {} was read as {}", name, kind_of_form(form)));
+    return true;
+  }
+  if (flags.defines.empty() || takes_definitions(form)) return false;
+  say_error(fmt::format("--define is for source files and pixel shaders; {} was read as {}", name, kind_of_form(form)));
   return true;
 }
 

@@ -12,15 +12,8 @@ void add_program_argument(CLI::App& verb, const std::string& name, ProgramFlags&
           [](const std::string& text) { return std::string(text.empty() ? "the file name is empty" : ""); }, ""));
 }
 
-void add_program_flags(CLI::App& verb, ProgramFlags& flags) {
-  add_program_argument(verb, "program", flags);
-  verb.add_option("--from", flags.from, "Form of the program (default: detected from the content)")
-      ->check(CLI::IsMember({"gl", "source", "rc10", "ps", "words", "json", "xbox", "log"}));
-  verb.add_option("--function", flags.functions, "Function of a source file to execute; several run in this order")
-      ->type_name("NAME")
-      ->delimiter(',')
-      ->allow_extra_args(false);
-  verb.add_option("--define", flags.defines, "Value that a source file does not give")
+void add_define_flag(CLI::App& verb, std::vector<std::string>& defines) {
+  verb.add_option("--define", defines, "Value that a source file or a pixel shader does not give")
       ->type_name("NAME=VALUE")
       ->allow_extra_args(false)
       ->check(CLI::Validator(
@@ -30,6 +23,17 @@ void add_program_flags(CLI::App& verb, ProgramFlags& flags) {
             return good ? std::string() : "'" + text + "' is not a definition; expected NAME=VALUE";
           },
           ""));
+}
+
+void add_program_flags(CLI::App& verb, ProgramFlags& flags) {
+  add_program_argument(verb, "program", flags);
+  verb.add_option("--from", flags.from, "Form of the program (default: detected from the content)")
+      ->check(CLI::IsMember({"gl", "source", "rc10", "ps", "words", "json", "xbox", "log"}));
+  verb.add_option("--function", flags.functions, "Function of a source file to execute; several run in this order")
+      ->type_name("NAME")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  add_define_flag(verb, flags.defines);
   verb.add_option("--chip", flags.chip, "Chip whose register words are read (default: from the profile)")
       ->check(CLI::IsMember({"nv10", "nv20"}));
 }

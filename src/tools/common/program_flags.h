@@ -15,12 +15,14 @@ struct ProgramFlags {
   std::string from{};                    // a form, as --from names it; empty: detected
   std::string chip{};                    // of register words: "nv10" or "nv20"; empty: from the profile
   std::vector<std::string> functions{};  // of a source
-  std::vector<std::string> defines{};    // of a source: NAME=VALUE
+  std::vector<std::string> defines{};    // of a source or a pixel shader: NAME=VALUE
   bool writes_words = false;             // the verb writes register words, for --chip
 };
 
 // Adds the argument PROGRAM to a verb.
 void add_program_argument(CLI::App& verb, const std::string& name, ProgramFlags& flags);
+// Adds --define, whose values are NAME=VALUE.
+void add_define_flag(CLI::App& verb, std::vector<std::string>& defines);
 // Adds PROGRAM, --from, --chip, --function and --define to a verb.
 void add_program_flags(CLI::App& verb, ProgramFlags& flags);
 

@@ -33,12 +33,14 @@ bool is_effect(const std::string& file) {
 }
 
 Result<CombinerState> read_program(const std::filesystem::path& path, const HardwareProfile& profile,
-                                   std::vector<std::string>& warnings) {
-  ProgramFlags flags;
-  flags.file = path.string();
+                                   const std::vector<std::string>& defines, std::vector<std::string>& warnings) {
+  const ProgramFlags flags{.file = path.string(), .defines = defines};
   auto file = read_program_file(flags, profile);
   if (!file) return file.error();
   for (const TextFault& note : file->parsed.notes) warnings.push_back(note.text());
+  if (!defines.empty() && !takes_definitions(file->form)) {
+    warnings.push_back(fmt::format("{}: --define is ignored; it is for source files and pixel shaders", file->name));
+  }
   if (!file->parsed) {
     const TextFault& first = file->parsed.faults()[0];
     for (std::size_t i = 1; i < file->parsed.faults().size(); ++i) (void)report_fault(file->parsed.faults()[i]);
@@ -95,10 +97,11 @@ DrawnFile read_effect_file(const std::string& file, bool allow_outside) {
   return {.effect = std::move(*parsed)};
 }
 
-EffectReaders effect_readers(bool allow_outside, std::vector<std::string>& warnings) {
+EffectReaders effect_readers(bool allow_outside, const std::vector<std::string>& defines,
+                             std::vector<std::string>& warnings) {
   EffectReaders readers;
-  readers.program = [&warnings](const std::filesystem::path& path, const HardwareProfile& profile) {
-    return read_program(path, profile, warnings);
+  readers.program = [defines, &warnings](const std::filesystem::path& path, const HardwareProfile& profile) {
+    return read_program(path, profile, defines, warnings);
   };
   readers.texture = [&warnings](std::span<const std::filesystem::path> files, const HardwareProfile& profile) {
     return read_texture_files(files, profile, warnings);

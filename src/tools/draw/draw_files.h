@@ -23,7 +23,9 @@ struct DrawnFile {
 
 // Readers in isolated child processes that can be interrupted. They add what is worth a warning to `warnings`, which
 // must outlive them, and print the faults of programs, of which they then report only the first.
-[[nodiscard]] EffectReaders effect_readers(bool allow_outside, std::vector<std::string>& warnings);
+// `defines`: as ProgramFlags::defines, of all programs that take definitions.
+[[nodiscard]] EffectReaders effect_readers(bool allow_outside, const std::vector<std::string>& defines,
+                                           std::vector<std::string>& warnings);
 
 // The profile to draw an effect with: `given` (of --profile) if there is one, else that of the effect; nullptr: neither
 // says one. Reports an unknown name, with the effect's file.

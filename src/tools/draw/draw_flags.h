@@ -24,6 +24,7 @@ struct DrawFlags {
   std::string size;
   std::string mesh, up;
   bool allow_outside = false;
+  std::vector<std::string> defines;  // as ProgramFlags::defines
   std::array<std::string, kEffectUnits> textures, filters, wraps, coordinates;
   std::string primary, secondary, fog, fog_color;
   std::array<std::vector<std::string>, 2> constants;  // "[COMBINER:]R,G,B,A"

@@ -14,7 +14,8 @@ namespace {
 struct EquivalentFlags {
   ProofFlags proof;
   ProgramFlags a, b;
-  ProfileChoice other;  // of B; not given: that of A
+  std::vector<std::string> defines;  // as ProgramFlags::defines
+  ProfileChoice other;               // of B; not given: that of A
   std::vector<std::string> outputs;
 };
 
@@ -72,13 +73,30 @@ std::string text_of(const EquivalenceAnswer& proof, const EquivalentFlags& flags
   return fmt::format("unknown: {}\n", proof.reason);
 }
 
+std::optional<CombinerState> load(Result<ProgramSource> source, const ProgramFlags& flags,
+                                  const HardwareProfile& profile, bool quiet, int& exit_code) {
+  if (!source) {
+    exit_code = report(source.error());
+    return std::nullopt;
+  }
+  const auto program = load_text_program(std::move(*source), flags, profile, quiet, exit_code);
+  return program ? std::optional(program->state) : std::nullopt;
+}
+
 int run(const EquivalentFlags& flags) {
   const CommonFlags& common = flags.proof.common;
   const HardwareProfile &profile = profile_of(common),
                         &other = flags.other.name.empty() ? profile : profile_of(flags.other);
+  ProgramFlags of_a = flags.a, of_b = flags.b;
+  of_a.defines = of_b.defines = flags.defines;
+  auto source_of_a = open_program(of_a), source_of_b = open_program(of_b);
+  // Definitions are for both programs or for one of them; if neither takes them, the first says so.
+  const auto takes = [](const Result<ProgramSource>& source) { return source && takes_definitions(source->form); };
+  if (!takes(source_of_a) && takes(source_of_b)) of_a.defines.clear();
+  if (!takes(source_of_b)) of_b.defines.clear();
   int exit_code = kDone;
-  auto a = load_program(flags.a, profile, common.quiet, exit_code),
-       b = load_program(flags.b, other, common.quiet, exit_code);
+  auto a = load(std::move(source_of_a), of_a, profile, common.quiet, exit_code),
+       b = load(std::move(source_of_b), of_b, other, common.quiet, exit_code);
   if (!a || !b) return exit_code;
   const ThreadLimit limit(common.threads);
   ProgressLine progress(common.quiet || common.json);
@@ -114,6 +132,7 @@ void add_prove_equivalent(CLI::App& prove, int& exit_code) {
   add_proof_flags(*verb, flags->proof);
   add_program_argument(*verb, "a", flags->a);
   add_program_argument(*verb, "b", flags->b);
+  add_define_flag(*verb, flags->defines);
   add_profile_option(*verb, "--other-profile", flags->other,
                      "Profile of the second program (default: that of the first)");
   verb->add_option("--outputs", flags->outputs,

@@ -19,6 +19,7 @@ struct DatapathFlags {
   bool exhaustive_sum = false;
   std::string forms = "x1";
   std::string program, inputs, over;
+  std::vector<std::string> defines;  // as ProgramFlags::defines
 };
 
 // The name of a form as --forms takes it. The form's own name, such as "-1/2, x2", has a comma and cannot be an item.
@@ -37,9 +38,10 @@ std::vector<std::string> all_forms() {
 }
 
 Result<Program> read_program(const DatapathFlags& flags, const HardwareProfile& profile, StudyQuestion& question) {
-  const auto file = read_program_file({.file = flags.program}, profile);
+  const auto file = read_program_file({.file = flags.program, .defines = flags.defines}, profile);
   if (!file) return file.error();
   question.options.emplace_back("--program", flags.program);
+  for (const std::string& one : flags.defines) question.options.emplace_back("--define", one);
   if (Status added = add_content(question, flags.program); !added) return added.error();
   if (!file->parsed) {
     const std::size_t more = file->parsed.faults().size() - 1;
@@ -162,6 +164,8 @@ void add_study_datapath(CLI::App& verbs, StudyRequest& request) {
   CLI::Option* program = verb->add_option("--program", flags->program, "Measure this program and each of its stages")
                              ->type_name("FILE")
                              ->check(CLI::Validator(check_file, ""));
+  add_define_flag(*verb, flags->defines);
+  verb->get_option("--define")->needs(program);
   CLI::Option* inputs = verb->add_option("--inputs", flags->inputs,
                                          "Inputs of the program: a table of register codes, as for `ninebit eval`")
                             ->type_name("FILE.csv")

@@ -20,6 +20,7 @@ struct IndexStepsFlags {
   std::string steps = "1-16";
   std::string formats, variants;
   std::string program;
+  std::vector<std::string> defines;  // as ProgramFlags::defines
 };
 
 std::vector<std::string> all_formats() {
@@ -54,8 +55,9 @@ void keep_named(std::vector<T>& all, const std::string& list, const Name& name) 
 }
 
 // The file's program for a profile. For a text with faults, reports the first.
-Result<CombinerState> read_state(const std::string& name, const HardwareProfile& profile) {
-  auto file = read_program_file({.file = name}, profile);
+Result<CombinerState> read_state(const std::string& name, const std::vector<std::string>& defines,
+                                 const HardwareProfile& profile) {
+  auto file = read_program_file({.file = name, .defines = defines}, profile);
   if (!file) return file.error();
   if (file->parsed) return file->parsed->state;
   const std::vector<TextFault>& faults = file->parsed.faults();
@@ -76,9 +78,10 @@ Result<std::unique_ptr<Study>> make_index_steps(const IndexStepsFlags& flags) {
   keep_named(options.variants, flags.variants, [](const IndexVariant& variant) { return variant.name; });
   if (!flags.program.empty()) {
     if (const Status added = add_content(options.question, flags.program); !added) return added.error();
+    for (const std::string& one : flags.defines) options.question.options.emplace_back("--define", one);
     options.program = IndexProgram{.file = flags.program, .states = {}};
     for (const HardwareProfile& profile : options.profiles) {
-      auto state = read_state(flags.program, profile);
+      auto state = read_state(flags.program, flags.defines, profile);
       if (!state) return state.error();
       options.program->states.push_back(*std::move(state));
     }
@@ -129,10 +132,13 @@ void add_study_index_steps(CLI::App& verbs, StudyRequest& request) {
   const auto check_file = [](const std::string& text) -> std::string {
     return text.empty() || text == "-" ? "a study reads its program more than once; expected a file's name" : "";
   };
-  verb->add_option("--program", flags->program, "Own program: compares primary with texture 0, gives alpha 0 if equal")
-      ->type_name("FILE")
-      ->check(CLI::Validator(check_file, ""))
-      ->excludes(variants);
+  CLI::Option* program = verb->add_option("--program", flags->program,
+                                          "Own program: compares primary with texture 0, gives alpha 0 if equal")
+                             ->type_name("FILE")
+                             ->check(CLI::Validator(check_file, ""))
+                             ->excludes(variants);
+  add_define_flag(*verb, flags->defines);
+  verb->get_option("--define")->needs(program);
   verb->callback([flags, &request] {
     check_variants(*flags);
     request.flags = &flags->study;

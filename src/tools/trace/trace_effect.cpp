@@ -26,7 +26,8 @@ Result<Effect> effect_in(const std::string& file, bool allow_outside) {
 }  // namespace
 
 Result<TracedEffect> draw_pixel(const std::string& file, const std::string& pixel, bool allow_outside,
-                                const CommonFlags& common, const HardwareProfile* given) {
+                                const CommonFlags& common, const HardwareProfile* given,
+                                const std::vector<std::string>& defines) {
   const ThreadLimit limit(common.threads);
   const auto effect = effect_in(file, allow_outside);
   if (!effect) return effect.error();
@@ -41,7 +42,7 @@ Result<TracedEffect> draw_pixel(const std::string& file, const std::string& pixe
   ProgressLine line(common.quiet);
   line.step("loading", 0.0);
   std::vector<std::string> warnings;
-  auto renderer = EffectRenderer::make(*effect, *traced.profile, effect_readers(allow_outside, warnings),
+  auto renderer = EffectRenderer::make(*effect, *traced.profile, effect_readers(allow_outside, defines, warnings),
                                        {.layers = false, .pixel = *at});
   if (!renderer) return renderer.error();
   Status drawn = renderer->draw([&](std::string_view pass, double done) { return line.step(pass, done); });

@@ -94,8 +94,10 @@ std::vector<int> run_mux(const MeasuredRow& row, const HardwareProfile& profile)
   rgb.b = rgb.d = one(ComponentUsage::rgb);
   rgb.out.sum = Register::primary;
   rgb.out.mux_sum = true;
-  state.constant0 = {1.0F, 0.0F, 0.0F, static_cast<float>(row.byte("spare0_alpha_byte")) / 255.0F};
-  state.constant1 = {0.0F, 0.0F, 1.0F, 0.0F};
+  const auto part = [&](const char* color, std::size_t k) { return static_cast<float>(row.list(color)[k]) / 255.0F; };
+  state.constant0 = {part("AB", 0), part("AB", 1), part("AB", 2),
+                     static_cast<float>(row.byte("spare0_alpha_byte")) / 255.0F};
+  state.constant1 = {part("CD", 0), part("CD", 1), part("CD", 2), 0.0F};
   const std::array<int, 4> color = run(state, {}, profile);
   return {color.begin(), color.end()};
 }
@@ -118,8 +120,8 @@ std::vector<int> run_product(const MeasuredRow& row, const HardwareProfile& prof
   state.final_combiner.b = input(Register::primary);
   FragmentInputs inputs = with_vertex_color(row, "diffuse_float", profile);
   std::vector<int> products;
-  for (const auto texel : {std::uint8_t{255}, std::uint8_t{51}}) {
-    inputs.texture[0] = gray(texel, false);
+  for (const char* const texel : {"full", "dim"}) {
+    inputs.texture[0] = gray(row.byte(texel), false);
     products.push_back(run(state, initial_registers(profile, inputs), profile)[0]);
   }
   return products;

@@ -1,5 +1,5 @@
 // The tables that `ninebit verify` knows, and what computes each.
-#include <array>
+#include <algorithm>
 
 #include "src/tools/verify/measured_combiners.h"
 #include "src/tools/verify/measured_rows.h"
@@ -31,6 +31,30 @@ std::vector<Column> columns(std::initializer_list<std::pair<std::string_view, Co
   return all;
 }
 
+// What a picture was blended over, and by which alpha. Its colours, as the tables' comments give them.
+constexpr StatedValue kUnderBlend{"under", "over ", StatedValue::Kind::list, 0, 255, "(32,32,32,255)", 4},
+    kBlendConstant{"constant", "blend constant ", StatedValue::Kind::digits, 0, 0xFFFFFFFFP0, "55555555"},
+    kUnderTexel{"under", "texel + (255-A)*", StatedValue::Kind::real, 0, 255, "16"},
+    kAlphaUnderTexel{"alpha_under", "A*A + (255-A)*", StatedValue::Kind::real, 0, 255, "254"},
+    kAlpha{"alpha", "alpha ", StatedValue::Kind::real, 0, 255, "127"},
+    kUnder{"under", "blended over ", StatedValue::Kind::real, 0, 255, "32"};
+// Lines: their width in pixels, and corners in window coordinates, y growing downwards.
+constexpr StatedValue kLineWidth{"width", "Line_", StatedValue::Kind::real, 0, 64, "16"},
+    kQuadCorners{"quad",
+                 "quad = PRIMITIVE_QUADS in polygon mode LINE, corners ",
+                 StatedValue::Kind::list,
+                 0,
+                 4095,
+                 "(160,398) (220,388) (218.5,473.375) (172.75,455.5)",
+                 8,
+                 true},
+    kLoopCorners{
+        "loop", "loop = LINE_LOOP through ", StatedValue::Kind::list, 0, 4095, "(356,95) (354,67) (342,145)", 0, true};
+constexpr StatedValue kMuxAb{"AB", "AB=C0=", StatedValue::Kind::list, 0, 255, "(255,0,0)", 3},
+    kMuxCd{"CD", "CD=C1=", StatedValue::Kind::list, 0, 255, "(0,0,255)", 3},
+    kFullTexel{"full", "full = texel ", StatedValue::Kind::real, 0, 255, "255"},
+    kDimTexel{"dim", "dim = texel ", StatedValue::Kind::real, 0, 255, "51"};
+
 // Their pictures: abaire/nxdk_pgraph_tests_golden_results.
 std::vector<MeasuredFormat> make_formats() {
   const Column note{}, word{{}, Kind::word}, digits{{}, Kind::digits}, real{{}, Kind::real},
@@ -52,7 +76,9 @@ std::vector<MeasuredFormat> make_formats() {
                 {"hw_R,hw_G,hw_B,hw_A", measured},
                 {"model_R,model_G,model_B,model_A", note},
                 {"match", match}}),
-       draw_blend, wrong_blend},
+       draw_blend,
+       wrong_blend,
+       {kBlendConstant, kUnderBlend}},
       {"DXT1",
        columns({{"c0,c1", digits},
                 {"index,x_and_3,y_and_3", cut},
@@ -67,7 +93,9 @@ std::vector<MeasuredFormat> make_formats() {
                 {"hw_R,hw_G,hw_B,hw_A", measured},
                 {"texel_R,texel_G,texel_B,texel_A,model_R,model_G,model_B,model_A", note},
                 {"match", match}}),
-       draw_dxt3},
+       draw_dxt3,
+       nullptr,
+       {kUnderTexel, kAlphaUnderTexel}},
       {"DXT5",
        columns({{"c0,c1", digits},
                 {"index", cut},
@@ -76,7 +104,9 @@ std::vector<MeasuredFormat> make_formats() {
                 {"hw_R,hw_G,hw_B,hw_A", measured},
                 {"texel_R,texel_G,texel_B,texel_A,model_R,model_G,model_B,model_A", note},
                 {"match", match}}),
-       draw_dxt5},
+       draw_dxt5,
+       nullptr,
+       {kUnderTexel, kAlphaUnderTexel}},
       {"linear filters",
        columns({{"bias,level", note},
                 {"fu,fv", weight},
@@ -95,7 +125,9 @@ std::vector<MeasuredFormat> make_formats() {
                 {"model_out", note},
                 {"match", match},
                 {"model_out_if_nearest,match_if_nearest", note}}),
-       draw_weight},
+       draw_weight,
+       nullptr,
+       {kAlpha, kUnder}},
       {"depth comparison",
        columns({{"picture", note},
                 {"mode", word},
@@ -122,7 +154,11 @@ std::vector<MeasuredFormat> make_primitive_formats() {
                 {"hw_R,hw_G,hw_B", measured},
                 {"model_R,model_G,model_B", note},
                 {"match", match}}),
-       draw_smooth, nullptr, "nv2a_gouraud_triangles.csv", "triangle",
+       draw_smooth,
+       nullptr,
+       {},
+       "nv2a_gouraud_triangles.csv",
+       "triangle",
        columns({{"triangle", word},
                 {"picture,vertices", note},
                 {"x0,y0,x1,y1,x2,y2", position},
@@ -148,7 +184,9 @@ std::vector<MeasuredFormat> make_primitive_formats() {
                 {"hw_runs", {{}, Kind::runs}},
                 {"model_runs", note},
                 {"match", match}}),
-       draw_lines, wrong_lines},
+       draw_lines,
+       wrong_lines,
+       {kQuadCorners, kLoopCorners}},
       {"colours of lines",
        columns({{"Px,Py,Qx,Qy", position},
                 {"c0,c1", digits},
@@ -156,7 +194,9 @@ std::vector<MeasuredFormat> make_primitive_formats() {
                 {"hw_R,hw_G,hw_B", measured},
                 {"model_R,model_G,model_B", note},
                 {"match", match}}),
-       draw_line_color},
+       draw_line_color,
+       wrong_line_color,
+       {kLineWidth}},
       {"points",
        columns({{"picture", note},
                 {"size_eighths", whole({}, 0, 512)},
@@ -189,7 +229,9 @@ std::vector<MeasuredFormat> make_combiner_formats() {
                 {"R,G,B,A", measured},
                 {"hw_selected,model_selected", note},
                 {"match", match}}),
-       run_mux, wrong_mux},
+       run_mux,
+       wrong_mux,
+       {kMuxAb, kMuxCd}},
       {"signed texels",
        columns({{"texel_byte", any_byte},
                 {"as_int8", note},
@@ -205,7 +247,9 @@ std::vector<MeasuredFormat> make_combiner_formats() {
                 {"f2b_model", note},
                 {"hw_full,hw_dim", measured},
                 {"model_dim,f2b_match,dim_match", note}}),
-       run_product},
+       run_product,
+       nullptr,
+       {kFullTexel, kDimTexel}},
   };
 }
 
@@ -217,14 +261,31 @@ std::string header_of(const std::vector<MeasuredColumn>& all) {
   return header;
 }
 
-const MeasuredFormat* measured_format(std::string_view header) {
-  static const std::array formats{make_formats(), make_primitive_formats(), make_combiner_formats()};
-  for (const std::vector<MeasuredFormat>& of_kind : formats) {
-    for (const MeasuredFormat& format : of_kind) {
-      if (header_of(format.columns) == header) return &format;
+namespace {
+
+const std::vector<MeasuredFormat>& formats() {
+  static const std::vector<MeasuredFormat> all = [] {
+    std::vector<MeasuredFormat> joined = make_formats();
+    for (const auto& more : {make_primitive_formats(), make_combiner_formats()}) {
+      joined.insert(joined.end(), more.begin(), more.end());
     }
-  }
-  return nullptr;
+    return joined;
+  }();
+  return all;
+}
+
+}  // namespace
+
+std::string measured_places() {
+  std::string places;
+  for (const MeasuredFormat& format : formats()) places += (places.empty() ? "" : ", ") + std::string(format.place);
+  return places;
+}
+
+const MeasuredFormat* measured_format(std::string_view header) {
+  const auto found = std::find_if(formats().begin(), formats().end(),
+                                  [&](const MeasuredFormat& format) { return header_of(format.columns) == header; });
+  return found == formats().end() ? nullptr : &*found;
 }
 
 }  // namespace ninebit::tools

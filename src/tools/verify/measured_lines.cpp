@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdlib>
+#include <cmath>
 #include <glm/glm.hpp>
 #include <span>
 #include <vector>
@@ -24,24 +24,28 @@ struct Corner {
   int x, y;
 };
 
-// The objects of nv2a_lines.csv: that file's first line, from abaire/nxdk_pgraph_tests, src/tests/line_width_tests.cpp.
-constexpr std::array<Corner, 4> kQuad{{{2560, 6368}, {3520, 6208}, {3496, 7574}, {2764, 7288}}};
-constexpr std::array<Corner, 16> kLoop{{{5696, 1520},
-                                        {5664, 1072},
-                                        {5472, 2320},
-                                        {4258, 2048},
-                                        {4592, 2281},
-                                        {4697, 988},
-                                        {5840, 1760},
-                                        {4408, 1024},
-                                        {4512, 816},
-                                        {4433, 2171},
-                                        {5776, 1226},
-                                        {4897, 928},
-                                        {5845, 2176},
-                                        {4560, 2480},
-                                        {5613, 1336},
-                                        {5168, 2463}}};
+// Corners that a table states in pixels; they were written with three digits.
+std::vector<Corner> corners_of(const std::vector<double>& pixels) {
+  std::vector<Corner> corners;
+  const auto q4 = [](double pixel) { return static_cast<int>(std::lround(16.0 * pixel)); };
+  for (std::size_t i = 0; i + 1 < pixels.size(); i += 2) corners.push_back({q4(pixels[i]), q4(pixels[i + 1])});
+  return corners;
+}
+
+// What is wrong with corners that a window is too small for; empty: nothing.
+std::string wrong_spread(std::span<const Corner> corners, double width) {
+  for (int Corner::*const coordinate : {&Corner::x, &Corner::y}) {
+    const auto [low, high] = std::minmax_element(corners.begin(), corners.end(), [=](const Corner& a, const Corner& b) {
+      return a.*coordinate < b.*coordinate;
+    });
+    const double spread = ((*high).*coordinate - (*low).*coordinate) / 16.0 + 2.0 * width;
+    if (!(spread <= kSide)) {
+      return fmt::format("the lines are too long or too wide; expected at most {} pixels with twice their width",
+                         kSide);
+    }
+  }
+  return "";
+}
 
 // The pixel halfway between the least and the greatest coordinate.
 int middle_of(std::span<const Corner> corners, int Corner::*coordinate) {
@@ -101,11 +105,15 @@ class MeasuredWindow {
   Surface& surface_;
 };
 
+std::array<Corner, 2> ends_of(const MeasuredRow& row) {
+  return {{{row.whole("Px"), row.whole("Py")}, {row.whole("Qx"), row.whole("Qy")}}};
+}
+
 }  // namespace
 
 std::vector<int> draw_lines(const MeasuredRow& row, const HardwareProfile& profile) {
   const bool is_quad = row.text("object") == "quad";
-  MeasuredWindow window(is_quad ? std::span<const Corner>(kQuad) : kLoop);
+  MeasuredWindow window(corners_of(row.list(row.text("object"))));
   PipelineState state = plain_state(profile);
   state.line_width = static_cast<float>(row.real("width"));
   state.front_mode = state.back_mode = PolygonMode::line;
@@ -120,12 +128,16 @@ std::vector<int> draw_lines(const MeasuredRow& row, const HardwareProfile& profi
   return {differ};
 }
 
+std::string wrong_line_color(const MeasuredRow& row, const HardwareProfile& /*profile*/) {
+  return wrong_spread(ends_of(row), row.real("width"));
+}
+
 std::vector<int> draw_line_color(const MeasuredRow& row, const HardwareProfile& profile) {
-  const std::array<Corner, 2> ends{{{row.whole("Px"), row.whole("Py")}, {row.whole("Qx"), row.whole("Qy")}}};
+  const std::array<Corner, 2> ends = ends_of(row);
   const std::array<ColorBytes, 2> colors{color_of(row.digits("c0")), color_of(row.digits("c1"))};
   MeasuredWindow window(ends);
   PipelineState state = plain_state(profile);
-  state.line_width = 8.0F;  // as in the table's picture
+  state.line_width = static_cast<float>(row.real("width"));
   window.draw(state, PrimitiveType::lines, colors);
   const int x = row.whole("x"), y = row.whole("y");
   return {window.component(x, y, kRed), window.component(x, y, kGreen), window.component(x, y, kBlue)};
@@ -148,10 +160,15 @@ std::vector<int> draw_point(const MeasuredRow& row, const HardwareProfile& profi
 }
 
 std::string wrong_lines(const MeasuredRow& row, const HardwareProfile& /*profile*/) {
-  const std::string_view object = row.text("object");
-  return object == "quad" || object == "loop"
-             ? ""
-             : fmt::format("object must be one of quad, loop, not '{}'", shown(object));
+  const std::string& object = row.text("object");
+  if (object != "quad" && object != "loop") {
+    return fmt::format("object must be one of quad, loop, not '{}'", shown(object));
+  }
+  if (row.has(object)) return wrong_spread(corners_of(row.list(object)), row.real("width"));
+  return fmt::format(
+      "the comments do not state the corners of the {0}; expected a comment such as # {0}: (160,398) "
+      "(220,388) …",
+      object);
 }
 
 }  // namespace ninebit::tools

@@ -125,9 +125,9 @@ int shown_over(int value, int alpha, int under) {
   return (2 * (alpha * value + (255 - alpha) * under) + 255) / 510;
 }
 
-std::vector<int> shown(const Bytes4& texel) {
-  const auto over = [&](int k, int under) { return shown_over(texel[static_cast<std::size_t>(k)], texel[3], under); };
-  return {over(0, 16), over(1, 16), over(2, 16), over(3, 254)};
+std::vector<int> shown(const Bytes4& texel, const MeasuredRow& row) {
+  const auto over = [&](std::size_t k, const char* under) { return shown_over(texel[k], texel[3], row.whole(under)); };
+  return {over(0, "under"), over(1, "under"), over(2, "under"), over(3, "alpha_under")};
 }
 
 // The red byte at (s, t), where the texture changes so much from one fragment to the next.
@@ -176,14 +176,13 @@ std::vector<int> draw_alpha_test(const MeasuredRow& row, const HardwareProfile& 
 
 std::vector<int> draw_blend(const MeasuredRow& row, const HardwareProfile& profile) {
   PipelineState state = plain_state(profile);
-  state.blend = {true,
-                 *value_of(kFactors, row.text("sfactor")),
-                 *value_of(kFactors, row.text("dfactor")),
-                 *value_of(kEquations, row.text("equation")),
-                 {0x55, 0x55, 0x55, 0x55}};
+  state.blend = {true, *value_of(kFactors, row.text("sfactor")), *value_of(kFactors, row.text("dfactor")),
+                 *value_of(kEquations, row.text("equation")), color_of(row.digits("constant"))};
   const ColorBytes blended = draw_color(state, color_of(row.digits("s")), color_of(row.digits("d"))).color;
   state.blend = {true, BlendFactor::src_alpha, BlendFactor::one_minus_src_alpha, BlendEquation::add, {}};
-  return values(draw_color(state, blended, {32, 32, 32, 255}).color);
+  ColorBytes under{};
+  for (std::size_t k = 0; k < 4; ++k) under[k] = static_cast<std::uint8_t>(row.list("under")[k]);
+  return values(draw_color(state, blended, under).color);
 }
 
 std::vector<int> draw_dxt1(const MeasuredRow& row, const HardwareProfile& profile) {
@@ -193,12 +192,13 @@ std::vector<int> draw_dxt1(const MeasuredRow& row, const HardwareProfile& profil
 }
 
 std::vector<int> draw_dxt3(const MeasuredRow& row, const HardwareProfile& profile) {
-  return shown(texel_of(row, S3tcFormat::dxt3, {row.byte("alpha4")}, 0, 0, profile));
+  return shown(texel_of(row, S3tcFormat::dxt3, {row.byte("alpha4")}, 0, 0, profile), row);
 }
 
 std::vector<int> draw_dxt5(const MeasuredRow& row, const HardwareProfile& profile) {
-  return shown(texel_of(row, S3tcFormat::dxt5, {row.byte("alpha0"), row.byte("alpha1"), row.byte("alpha_index")}, 0, 0,
-                        profile));
+  return shown(
+      texel_of(row, S3tcFormat::dxt5, {row.byte("alpha0"), row.byte("alpha1"), row.byte("alpha_index")}, 0, 0, profile),
+      row);
 }
 
 std::vector<int> draw_filter(const MeasuredRow& row, const HardwareProfile& profile) {
@@ -217,7 +217,7 @@ std::vector<int> draw_weight(const MeasuredRow& row, const HardwareProfile& prof
   const Texture texture = luminance({{1, 2, std::vector<std::uint8_t>{0, 255}}});
   const int read = sampled(texture, kLinear, {0.5F, between_texels(row.real("place")), 0.0F}, profile);
   const auto value = static_cast<int>(std::floor(254.0 * (0.7 * read / 255.0 + 76.0 / 255.0) + 0.5));
-  return {shown_over(value, 127, 32)};
+  return {shown_over(value, row.whole("alpha"), row.whole("under"))};
 }
 
 std::vector<int> draw_smooth(const MeasuredRow& row, const HardwareProfile& profile) {

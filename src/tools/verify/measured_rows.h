@@ -13,10 +13,10 @@ class MeasuredRow;
 // A fragment of red 1 over black: 1 where it is drawn, else 0.
 [[nodiscard]] std::vector<int> draw_alpha_test(const MeasuredRow& row, const HardwareProfile& profile);
 
-// s over d, whose result a second blend shows over (32, 32, 32, 255).
+// s over d, whose result a second blend shows over what the table states.
 [[nodiscard]] std::vector<int> draw_blend(const MeasuredRow& row, const HardwareProfile& profile);
 
-// A texel of a block. Those of DXT3 and DXT5 are shown over 16, and their alpha over 254.
+// A texel of a block. Those of DXT3 and DXT5, and their alpha, are shown over what the table states.
 [[nodiscard]] std::vector<int> draw_dxt1(const MeasuredRow& row, const HardwareProfile& profile);
 [[nodiscard]] std::vector<int> draw_dxt3(const MeasuredRow& row, const HardwareProfile& profile);
 [[nodiscard]] std::vector<int> draw_dxt5(const MeasuredRow& row, const HardwareProfile& profile);
@@ -24,7 +24,8 @@ class MeasuredRow;
 // Four texels of a level, and four of the next one, with their weights.
 [[nodiscard]] std::vector<int> draw_filter(const MeasuredRow& row, const HardwareProfile& profile);
 
-// A place between the texels 0 and 255, read as the luminance of a bump environment and shown over 32.
+// A place between the texels 0 and 255, read as the luminance of a bump environment and shown over what the table
+// states.
 [[nodiscard]] std::vector<int> draw_weight(const MeasuredRow& row, const HardwareProfile& profile);
 
 // A pixel of a triangle with three colours.
@@ -49,6 +50,7 @@ class MeasuredRow;
 [[nodiscard]] std::string wrong_alpha_test(const MeasuredRow& row, const HardwareProfile& profile);
 [[nodiscard]] std::string wrong_blend(const MeasuredRow& row, const HardwareProfile& profile);
 [[nodiscard]] std::string wrong_depth(const MeasuredRow& row, const HardwareProfile& profile);
+[[nodiscard]] std::string wrong_line_color(const MeasuredRow& row, const HardwareProfile& profile);
 [[nodiscard]] std::string wrong_lines(const MeasuredRow& row, const HardwareProfile& profile);
 [[nodiscard]] std::string wrong_shadow(const MeasuredRow& row, const HardwareProfile& profile);
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 
 namespace ninebit::tools {
@@ -49,6 +50,50 @@ std::string read_cell(const Column& column, std::string_view field, MeasuredRow:
   return fmt::format("a whole number from {} to {}", column.low, column.high);
 }
 
+using Stated = StatedValue;
+
+// The value that a text begins with; empty: something else stands there.
+std::optional<MeasuredRow::Cell> stated_at(const Stated& what, std::string_view text) {
+  MeasuredRow::Cell cell;
+  const char* const end = text.data() + text.size();
+  if (what.kind == Stated::Kind::real) {
+    if (std::from_chars(text.data(), end, cell.real).ec != std::errc{}) return std::nullopt;
+    cell.whole = static_cast<std::int64_t>(cell.real);
+    cell.list = {cell.real};
+    return cell;
+  }
+  if (what.kind == Stated::Kind::digits) {
+    if (std::from_chars(text.data(), end, cell.whole, 16).ec != std::errc{}) return std::nullopt;
+    cell.list = {static_cast<double>(cell.whole)};
+    return cell;
+  }
+  while (text.starts_with('(') && text.find(')') != std::string_view::npos) {
+    for (const std::string_view piece : pieces(text.substr(1, text.find(')') - 1), ',')) {
+      if (!reads(piece, cell.list.emplace_back())) return std::nullopt;
+    }
+    text = trimmed(text.substr(text.find(')') + 1));
+  }
+  const std::size_t count = cell.list.size();
+  const bool fits = what.count != 0 ? count == what.count : count >= 4 && count % 2 == 0;
+  return fits ? std::optional(std::move(cell)) : std::nullopt;
+}
+
+// All values that a comment states.
+std::vector<MeasuredRow::Cell> stated_in(const Stated& what, std::string_view comment) {
+  std::vector<MeasuredRow::Cell> found;
+  const auto add = [&](std::string_view text) {
+    if (auto cell = stated_at(what, text)) found.push_back(*std::move(cell));
+  };
+  const std::string_view text = trimmed(comment.substr(1));
+  if (text.starts_with(what.name) && text.substr(what.name.size()).starts_with(':')) {
+    add(trimmed(text.substr(what.name.size() + 1)));
+  }
+  for (std::size_t at = text.find(what.before); at != std::string_view::npos; at = text.find(what.before, at + 1)) {
+    add(text.substr(at + what.before.size()));
+  }
+  return found;
+}
+
 }  // namespace
 
 std::vector<std::string_view> pieces(std::string_view text, char separator) {
@@ -87,6 +132,30 @@ std::vector<int> allowed_values(const MeasuredColumn& column, const std::string&
     if (reads(piece, value)) allowed.push_back(value);
   }
   return allowed;
+}
+
+Status read_stated(const std::vector<StatedValue>& stated, const std::vector<std::string>& comments,
+                   const std::string& file, int line, MeasuredRow& row) {
+  for (const StatedValue& what : stated) {
+    std::vector<MeasuredRow::Cell> found;
+    for (const std::string& comment : comments) {
+      for (MeasuredRow::Cell& cell : stated_in(what, comment)) found.push_back(std::move(cell));
+    }
+    if (found.empty() && what.may_be_missing) continue;
+    const auto differs = [&](const MeasuredRow::Cell& one) { return one.list != found[0].list; };
+    const bool is_one = !found.empty() && std::none_of(found.begin(), found.end(), differs);
+    const auto is_outside = [&](double number) { return !(number >= what.low && number <= what.high); };
+    if (is_one && std::none_of(found[0].list.begin(), found[0].list.end(), is_outside)) {
+      row.set(what.name, std::move(found[0]));
+      continue;
+    }
+    const std::string why = found.empty() ? fmt::format("the comments do not state {}", what.name)
+                            : is_one      ? fmt::format("{} must be from {:g} to {:g}", what.name, what.low, what.high)
+                                          : fmt::format("the comments state different values of {}", what.name);
+    return csv_fault(file, line, 1,
+                     fmt::format("{}; expected a comment such as # {}: {}", why, what.name, what.example));
+  }
+  return {};
 }
 
 Status read_measured(const std::vector<MeasuredColumn>& columns, const std::vector<std::string_view>& fields,

@@ -32,6 +32,22 @@ struct MeasuredColumn {
   bool may_be_empty = false;       // an empty cell is 0
 };
 
+// A quantity of a whole table, which its comments state: after "# NAME:", or after words that the published tables
+// have before it.
+struct StatedValue {
+  enum class Kind {
+    real,
+    digits,  // hexadecimal
+    list     // numbers in parentheses: "(32,32,32,255)", or "(160,398) (220,388)"
+  };
+  std::string_view name, before;
+  Kind kind = Kind::real;
+  double low = 0.0, high = 255.0;  // the range of its numbers
+  std::string_view example;        // of the value
+  std::size_t count = 0;           // of a list: how many numbers; 0: pairs, two at least
+  bool may_be_missing = false;     // where not every row needs it
+};
+
 // The cells of a row by column.
 class MeasuredRow {
  public:
@@ -39,6 +55,7 @@ class MeasuredRow {
     std::string text;
     std::int64_t whole = 0;  // of a whole number, or of digits
     double real = 0.0;
+    std::vector<double> list{};  // of a stated list
   };
   void set(std::string_view column, Cell cell) { cells_.insert_or_assign(std::string(column), std::move(cell)); }
 
@@ -51,6 +68,7 @@ class MeasuredRow {
   [[nodiscard]] const std::string& text(std::string_view column) const { return cell(column).text; }
   [[nodiscard]] int whole(std::string_view column) const { return static_cast<int>(cell(column).whole); }
   [[nodiscard]] double real(std::string_view column) const { return cell(column).real; }
+  [[nodiscard]] const std::vector<double>& list(std::string_view column) const { return cell(column).list; }
   [[nodiscard]] std::uint8_t byte(std::string_view column) const { return static_cast<std::uint8_t>(whole(column)); }
   [[nodiscard]] std::uint32_t digits(std::string_view column) const {
     return static_cast<std::uint32_t>(cell(column).whole);
@@ -84,6 +102,8 @@ struct MeasuredFormat {
   std::vector<int> (*draw)(const MeasuredRow& row, const HardwareProfile& profile);
   // What is wrong with a row, for a profile; null: nothing ever is.
   std::string (*wrong)(const MeasuredRow& row, const HardwareProfile& profile) = nullptr;
+  // More cells of every row.
+  std::vector<StatedValue> stated{};
   // Another table, in the same folder, that has more of each row's cells; empty: none. Both have the column `key`.
   std::string_view beside{}, key{};
   std::vector<MeasuredColumn> columns_beside{};
@@ -92,8 +112,15 @@ struct MeasuredFormat {
 // The names of columns, separated by commas.
 [[nodiscard]] std::string header_of(const std::vector<MeasuredColumn>& columns);
 
+// What the tables measure, separated by commas.
+[[nodiscard]] std::string measured_places();
+
 // The format with this header; null: none.
 [[nodiscard]] const MeasuredFormat* measured_format(std::string_view header);
+
+// Reads what the comments of a table state. Reports a value that is missing, is out of range, or is stated differently.
+[[nodiscard]] Status read_stated(const std::vector<StatedValue>& stated, const std::vector<std::string>& comments,
+                                 const std::string& file, int line, MeasuredRow& row);
 
 // Reads fields into a row. Reports a wrong number of fields, and values that the columns do not have.
 [[nodiscard]] Status read_measured(const std::vector<MeasuredColumn>& columns,

@@ -20,6 +20,12 @@ std::optional<int> number_of(std::string_view text) {
   return value;
 }
 
+// Whether a table's first line is a row.
+bool has_numbers_alone(std::string_view line) {
+  const auto fields = pieces(line, ',');
+  return std::all_of(fields.begin(), fields.end(), number_of);
+}
+
 }  // namespace
 
 bool Expectation::allows(int code) const {
@@ -33,13 +39,22 @@ Result<VerifyTable> VerifyTable::open(const std::string& file, const ProgramFlag
   VerifyTable table(CsvLines(std::move(*input)), program, profile);
   table.allow_outside_ = allow_outside;
   if (file != "-") table.folder_ = std::filesystem::path(file).parent_path();
+  constexpr std::size_t kMostComments = 64;
+  std::vector<std::string> comments;
   while (true) {
     auto line = table.lines_.next();
     if (!line) return table_fault(table.lines_, line.error());
     if (!*line)
       return csv_fault(table.name(), 1, 1, "the table is empty; expected a header such as program,tex0.r,out.r");
-    if ((*line)->text.starts_with('#')) continue;
-    if (Status read = table.read_header(**line); !read) return table_fault(table.lines_, read.error());
+    if ((*line)->text.starts_with('#')) {
+      if (comments.size() < kMostComments) comments.emplace_back((*line)->text);
+      continue;
+    }
+    if (has_numbers_alone((*line)->text)) {
+      return csv_fault(table.name(), (*line)->number, 1,
+                       "the first line has numbers alone; expected a header such as program,tex0.r,out.r");
+    }
+    if (Status read = table.read_header(**line, comments); !read) return table_fault(table.lines_, read.error());
     return table;
   }
 }
@@ -74,28 +89,47 @@ std::optional<VerifyTable::Column> VerifyTable::column_named(std::string_view fi
   return std::nullopt;
 }
 
-Status VerifyTable::read_header(const CsvLine& line) {
+// Reports the columns of a header that are not known.
+Status VerifyTable::check_columns(const CsvLine& line) const {
+  std::vector<std::string_view> unknown;
+  for (const std::string_view field : pieces(line.text, ',')) {
+    if (!column_named(field)) unknown.push_back(field);
+  }
+  if (unknown.empty()) return {};
+  constexpr std::size_t kMostNamed = 12;
+  std::string names;
+  for (std::size_t i = 0; i < std::min(unknown.size(), kMostNamed); ++i) {
+    names += fmt::format("{}'{}'", i == 0 ? "" : ", ", shown(unknown[i]));
+  }
+  if (unknown.size() > kMostNamed) names += fmt::format(" and {} more", unknown.size() - kMostNamed);
+  std::vector<std::string> known{"program", "name", "out.r", "out.g", "out.b", "out.a"};
+  for (const EvalColumn& one : eval_columns(*profile_)) known.push_back(one.name());
+  // Nor is the whole header that of a measured table.
+  const bool several = unknown.size() > 1;
+  return csv_fault(
+      name(), line.number, static_cast<std::size_t>(unknown[0].data() - line.text.data()) + 1,
+      fmt::format("unknown column{} {}; expected program, name, an input such as tex0.r or const0.a, or an "
+                  "expected value: out.r, or stage0.spare0.r after general combiner 0 (of {}){}{}",
+                  several ? "s" : "", names, profile_->general_combiners.value,
+                  several ? "; or the header of a measured table (" + measured_places() + ")" : "",
+                  did_you_mean(unknown[0], known)));
+}
+
+Status VerifyTable::read_header(const CsvLine& line, const std::vector<std::string>& comments) {
   format_ = measured_format(line.text);
   if (format_ != nullptr) {
     if (!program_.file.empty()) return csv_fault(name(), line.number, 1, "--program is not for measured tables");
+    if (Status read = read_stated(format_->stated, comments, name(), line.number, stated_); !read) return read;
     if (format_->beside.empty()) return {};
     auto beside = read_beside((folder_ / format_->beside).string(), *format_);
     if (!beside) return beside.error();
     beside_ = std::move(*beside);
     return {};
   }
+  if (Status known = check_columns(line); !known) return known;
   for (const std::string_view field : pieces(line.text, ',')) {
     const std::size_t at = static_cast<std::size_t>(field.data() - line.text.data()) + 1;
     auto column = column_named(field);
-    if (!column) {
-      std::vector<std::string> known{"program", "name", "out.r", "out.g", "out.b", "out.a"};
-      for (const EvalColumn& one : eval_columns(*profile_)) known.push_back(one.name());
-      return csv_fault(
-          name(), line.number, at,
-          fmt::format("unknown column '{}'; expected program, name, an input such as tex0.r or const0.a, or an "
-                      "expected value: out.r, or stage0.spare0.r after general combiner 0 (of {}){}",
-                      shown(field), profile_->general_combiners.value, did_you_mean(field, known)));
-    }
     const auto same = [&](const Column& other) { return other.name == column->name; };
     if (std::any_of(columns_.begin(), columns_.end(), same)) {
       return csv_fault(name(), line.number, at, fmt::format("duplicate column {}", column->name));
@@ -199,6 +233,7 @@ Result<std::optional<VerifyRow>> VerifyTable::measured_row(const CsvLine& line) 
   row.line = line.number;
   row.format = format_;
   MeasuredRow& cells = row.measured;
+  cells = stated_;
   if (Status read = read_measured(format_->columns, pieces(line.text, ','), name(), line.number, cells); !read) {
     return read.error();
   }

@@ -66,7 +66,8 @@ class VerifyTable {
   VerifyTable(CsvLines lines, ProgramFlags program, const HardwareProfile& profile)
       : lines_(std::move(lines)), program_(std::move(program)), profile_(&profile) {}
 
-  Status read_header(const CsvLine& line);
+  Status read_header(const CsvLine& line, const std::vector<std::string>& comments);
+  Status check_columns(const CsvLine& line) const;
   std::optional<Column> column_named(std::string_view field) const;
   Status read_cell(const Column& column, std::string_view field, const CsvLine& line, VerifyRow& row) const;
   Status find_program(const CsvLine& line, VerifyRow& row);
@@ -82,6 +83,7 @@ class VerifyTable {
   std::map<std::string, CombinerState> programs_;  // by file; each file is read once
   const MeasuredFormat* format_ = nullptr;
   std::map<std::string, MeasuredRow> beside_;  // rows of the table beside a measured one
+  MeasuredRow stated_;                         // cells of all its rows
   std::size_t skipped_ = 0;
 };
 
