@@ -134,40 +134,55 @@ class MistakenCodes {
   reference::CodeDomain right_;
 };
 
-// The final combiner of a mistake.
-struct MistakenFinal {
-  reference::FinalCodes right;
-  Slip slip;
+// The value domain (final_walk.h) of a mistake in the final combiner.
+class MistakenFinal {
+ public:
+  using Input = V;
+  using Code = V;
+  static constexpr bool kEveryStep = false;
 
-  constexpr V map(InputMapping mapping, V e) const {
-    return slip == Slip::negative_inputs ? map_unclamped(right.d, mapping, e) : right.map(mapping, e);
+  constexpr MistakenFinal(const Program& program, Slip slip, const RegisterFile& registers)
+      : d_(program.datapath), slip_(slip), program_(program), registers_(registers), right_(program, registers) {}
+
+  constexpr V input(const CombinerInput& in, int component) const {
+    return map(in.mapping, reference::fetch(registers_, in.reg, component, program_.constant0, program_.constant1));
   }
-  constexpr V sum_part(bool inverted, V v) const {
-    return inverted && slip == Slip::negative_inputs ? map(InputMapping::unsigned_invert, v)
-                                                     : right.sum_part(inverted, v);
+  constexpr V map(InputMapping mapping, V e) const {
+    return slip_ == Slip::negative_inputs ? map_unclamped(d_, mapping, e) : right_.map(mapping, e);
+  }
+  constexpr V sum_part(bool inverted, Register r, int component) const {
+    return inverted && slip_ == Slip::negative_inputs
+               ? map(InputMapping::unsigned_invert, registers_[r][static_cast<std::size_t>(component)])
+               : right_.sum_part(inverted, r, component);
   }
   constexpr V sum(bool clamp, V spare0, V secondary) const {
-    if (slip != Slip::negative_inputs) return right.sum(clamp, spare0, secondary);
-    return clamp ? reference::min_of(spare0 + secondary, right.d.one) : spare0 + secondary;
+    if (slip_ != Slip::negative_inputs) return right_.sum(clamp, spare0, secondary);
+    return clamp ? reference::min_of(spare0 + secondary, d_.one) : spare0 + secondary;
   }
   constexpr V product(V e, V f) const { return shifts() ? shift(e * f) : narrow(e * f); }
-  constexpr V rgb(V a, V b, V c, V added) const {
-    const V ab = a * b, rest = reference::one_minus_a_times_c(right.d, a, c);
-    if (slip == Slip::products_shifted) return reference::clamp_final(right.d, shift(ab) + shift(rest) + added);
-    return reference::clamp_final(right.d, (shifts() ? shift(ab + rest) : narrow(ab + rest)) + added);
+  constexpr V rgb(int, V a, V b, V c, V added) const {
+    const V ab = a * b, rest = reference::one_minus_a_times_c(d_, a, c);
+    if (slip_ == Slip::products_shifted) return reference::clamp_final(d_, shift(ab) + shift(rest) + added);
+    return reference::clamp_final(d_, (shifts() ? shift(ab + rest) : narrow(ab + rest)) + added);
   }
-  constexpr V alpha(V g) const { return right.alpha(g); }
+  constexpr V alpha(V g) const { return right_.alpha(g); }
 
  private:
   // Inputs that are not clamped reach ±2 and more: quotients stay below 16.
   [[nodiscard]] constexpr V narrow(V wide) const {
-    return reference::narrow(right.d.final_narrowing, wide, right.d.one, 16 * right.d.one);
+    return reference::narrow(d_.final_narrowing, wide, d_.one, 16 * d_.one);
   }
   [[nodiscard]] constexpr bool shifts() const {
-    return slip == Slip::shifted || slip == Slip::shifted_bias_255 || slip == Slip::sums_shifted ||
-           slip == Slip::products_shifted;
+    return slip_ == Slip::shifted || slip_ == Slip::shifted_bias_255 || slip_ == Slip::sums_shifted ||
+           slip_ == Slip::products_shifted;
   }
   [[nodiscard]] static constexpr V shift(V wide) { return wide >> 8; }
+
+  const Datapath& d_;
+  Slip slip_;
+  const Program& program_;
+  const RegisterFile& registers_;
+  reference::FinalCodes right_;
 };
 
 }  // namespace ninebit::vectors

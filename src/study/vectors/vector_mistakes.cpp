@@ -187,8 +187,8 @@ Rgba9 run_mistaken(const Mistake& mistake, const Program& program, RegisterFile 
     detail::compute_portion<PortionName::alpha>(codes, stage.alpha, steps);
     detail::write_portion<PortionName::alpha>(codes, stage.alpha.out, steps);
   }
-  return detail::walk_final(MistakenFinal{{program.datapath}, mistake.in_final ? mistake.slip : Slip::none}, program,
-                            registers);
+  return detail::walk_final_codes(MistakenFinal(program, mistake.in_final ? mistake.slip : Slip::none, registers),
+                                  program);
 }
 
 Bytes4 bytes_of(const HardwareProfile& profile, const Rgba9& color) {
