@@ -24,6 +24,7 @@ enum class FieldGroup : std::uint8_t {
   rasterizer        // coverage, depth, interpolation, textures
 };
 
+// The type of a field's value.
 enum class FieldKind : std::uint8_t { number, flag, word };
 
 // A word that a field may have as its value.
@@ -34,14 +35,15 @@ struct FieldWord {
 
 // Two numbers: the ends of a range, or two rivals.
 struct FieldNumbers {
-  int first = 0, second = 0;
+  int first = 0;   // the lowest, or one rival
+  int second = 0;  // the highest, or the other rival
 };
 
 // A field of HardwareProfile. A value is a number: of a flag 0 or 1, of a word its place in `words`.
 struct ProfileField {
-  std::string_view name;  // as a profile file writes it
-  FieldGroup group;
-  FieldKind kind;
+  std::string_view name;             // as a profile file writes it
+  FieldGroup group;                  // the part of the hardware that it belongs to
+  FieldKind kind;                    // of its value
   std::span<const FieldWord> words;  // of a word, in the order of its enumeration
   // Of a number: the lowest and the highest value that fit the other fields of the profile.
   FieldNumbers (*range)(const HardwareProfile& profile);
