@@ -1,5 +1,4 @@
 // A profile of somebody's own. It has no printer in the library, so one stands here.
-#include <algorithm>
 #include <memory>
 #include <string>
 
@@ -7,71 +6,35 @@
 #include "combiner_tests/fuzz/common.h"
 #include "ninebit/combiner/batch_program.h"
 #include "ninebit/language/profile_json.h"
+#include "ninebit/numerics/profile_fields.h"
 
 namespace ninebit::fuzz {
 namespace {
 
-std::string member(const std::string& key, int value) {
-  return ", \"" + key + "\": " + std::to_string(value);
-}
-
-std::string member(const std::string& key, bool value) {
-  return ", \"" + key + "\": " + (value ? "true" : "false");
-}
-
-std::string member(const std::string& key, const char* value) {
-  return ", \"" + key + "\": \"" + value + '"';
-}
-
-const char* name(Narrowing narrowing) {
-  return narrowing == Narrowing::toward_zero ? "toward-zero" : "nearest-halves-up";
-}
-
-const char* name(Arithmetic arithmetic) {
-  return arithmetic == Arithmetic::integer ? "integer" : arithmetic == Arithmetic::exact ? "exact" : "float32";
+bool is_read(const ProfileField& field, const HardwareProfile& p) {
+  return field.group != FieldGroup::integer_rules || p.arithmetic == Arithmetic::integer;
 }
 
 // Every field that the arithmetic reads, whatever the base has.
 std::string print(const HardwareProfile& p) {
   std::string text = R"({"base": "geforce2", "name": ")" + std::string(p.name) + '"';
-  text += member("arithmetic", name(p.arithmetic)) + member("one", p.one.value);
-  text += member("byte_shift", p.byte_shift.value);
-  if (p.arithmetic == Arithmetic::integer) {
-    const bool early = p.narrowing_point == NarrowingPoint::before_scale;
-    text += member("lowest", p.lowest.value) + member("lowest_output", p.lowest_output.value);
-    text += member("half", p.half.value);
-    text += member("expand_offset", p.expand_offset.value) + member("general_narrowing", name(p.general_narrowing));
-    text += member("narrowing_point", early ? "before-scale" : "after-scale");
-    text += member("final_narrowing", name(p.final_narrowing));
+  for (const ProfileField& field : profile_fields()) {
+    if (!is_read(field, p)) continue;
+    const std::string quote = field.kind == FieldKind::word ? "\"" : "";
+    text += ", \"" + std::string(field.name) + "\": " + quote + field.word_of(field.get(p).value) + quote;
   }
-  text += member("general_combiners", p.general_combiners.value) + member("texture_units", p.texture_units.value);
-  text += member("per_stage_constants", p.per_stage_constants.value) + member("blue_to_alpha", p.blue_to_alpha.value);
-  text +=
-      member("mux_by_lowest_bit", p.mux_by_lowest_bit.value) + member("color_sum_inverts", p.color_sum_inverts.value);
-  text += member("spare0_alpha_without_texture0", p.spare0_alpha_without_texture0.value);
-  text += member("disabled_texture_alpha", p.disabled_texture_alpha.value);
-  text += member("secondary_alpha", p.secondary_alpha == SecondaryAlpha::one ? "one" : "as-given");
-  text += member("fog_alpha_without_fog", p.fog_alpha_without_fog.value);
-  text += member("subpixel_bits", p.subpixel_bits.value);
-  return text + member("vertex_color_mantissa_bits", p.vertex_color_mantissa_bits.value) + "}";
+  return text + "}";
 }
 
-// The limits that profile_json.h states.
 std::string wrong_with_limits(const HardwareProfile& p) {
-  const auto within = [](int value, int low, int high) { return value >= low && value <= high; };
-  const bool integer = p.arithmetic == Arithmetic::integer;
   if (p.name.empty() || find_profile(p.name) != nullptr) return "the name '" + std::string(p.name) + "'";
-  if (!within(p.byte_shift, 0, 4) || p.one != 255 >> p.byte_shift.value) return "one and byte_shift";
-  if (integer && !within(p.lowest, -p.one - 1, -p.one)) return "lowest";
-  if (integer && !within(p.lowest_output, p.lowest, -p.one)) return "lowest_output";
-  if (integer && !within(p.half, 0, p.one)) return "half";
-  if (integer && !within(p.expand_offset, p.one, p.one + 1)) return "expand_offset";
-  if (!within(p.general_combiners, 1, 8) || !within(p.texture_units, 1, 4)) return "combiners and texture units";
-  for (const int byte :
-       {p.spare0_alpha_without_texture0.value, p.disabled_texture_alpha.value, p.fog_alpha_without_fog.value}) {
-    if (!within(byte, 0, 255)) return "a byte";
+  for (const ProfileField& field : profile_fields()) {
+    if (field.kind != FieldKind::number || !is_read(field, p)) continue;
+    const FieldNumbers range = field.range(p);
+    const int value = field.get(p).value;
+    if (value < range.first || value > range.second) return std::string(field.name);
   }
-  return within(p.subpixel_bits, 0, 4) && within(p.vertex_color_mantissa_bits, 1, 23) ? "" : "bits";
+  return {};
 }
 
 // A state that takes every mapping and the narrowing in all its places.

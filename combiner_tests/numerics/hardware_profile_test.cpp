@@ -3,10 +3,14 @@
 
 #include <gtest/gtest.h>
 
+#include <fstream>
 #include <set>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "ninebit/numerics/datapath.h"
+#include "ninebit/numerics/profile_fields.h"
 
 namespace ninebit {
 namespace {
@@ -53,81 +57,86 @@ TEST(Profiles, EvidenceWords) {
   EXPECT_EQ(name_of(assumed), "assumed");
 }
 
-TEST(Profiles, Geforce2IsTheTable) {
-  const HardwareProfile& p = profiles::geforce2;
-  expect_choice(p.arithmetic, Arithmetic::integer, specified, "arithmetic");
-  expect_choice(p.one, 255, measured, "one");
-  expect_choice(p.lowest, -255, inferred, "lowest");
-  expect_choice(p.lowest_output, -255, specified, "lowest_output");
-  expect_choice(p.half, 128, inferred, "half");
-  expect_choice(p.expand_offset, 255, inferred, "expand_offset");
-  expect_choice(p.byte_shift, 0, measured, "byte_shift");
-  expect_choice(p.general_narrowing, Narrowing::toward_zero, seed, "general_narrowing");
-  expect_choice(p.narrowing_point, NarrowingPoint::after_scale, seed, "narrowing_point");
-  expect_choice(p.final_narrowing, Narrowing::nearest_halves_up, inferred, "final_narrowing");
-  expect_choice(p.general_combiners, 2, specified, "general_combiners");
-  expect_choice(p.texture_units, 2, specified, "texture_units");
-  expect_choice(p.per_stage_constants, false, specified, "per_stage_constants");
-  // The measurement is the NV2A's; that this chip's extension has no such output is specified.
-  expect_choice(p.blue_to_alpha, false, specified, "blue_to_alpha");
-  expect_choice(p.mux_by_lowest_bit, false, specified, "mux_by_lowest_bit");
-  expect_choice(p.color_sum_inverts, false, specified, "color_sum_inverts");
-  expect_choice(p.spare0_alpha_without_texture0, 255, assumed, "spare0_alpha_without_texture0");
-  expect_choice(p.disabled_texture_alpha, 255, inferred, "disabled_texture_alpha");
-  expect_choice(p.secondary_alpha, SecondaryAlpha::one, inferred, "secondary_alpha");
-  expect_choice(p.fog_alpha_without_fog, 255, specified, "fog_alpha_without_fog");
-  expect_choice(p.subpixel_bits, 4, inferred, "subpixel_bits");
-  expect_choice(p.line_shape, LineShape::rectangles, inferred, "line_shape");
-  expect_choice(p.point_shape, PointShape::squares, inferred, "point_shape");
-  expect_choice(p.vertex_color_mantissa_bits, 13, inferred, "vertex_color_mantissa_bits");
-  expect_choice(p.polygon_offset_slope, OffsetSlope::larger, inferred, "polygon_offset_slope");
-  expect_choice(p.color_interpolation, ColorInterpolation::perspective, inferred, "color_interpolation");
-  expect_choice(p.color_weights, ColorWeights::eight_bits, inferred, "color_weights");
-  expect_choice(p.depth_narrowing, Narrowing::toward_zero, inferred, "depth_narrowing");
-  expect_choice(p.fog_narrowing, Narrowing::toward_zero, inferred, "fog_narrowing");
-  expect_choice(p.texture_weight_bits, 8, inferred, "texture_weight_bits");
-  expect_choice(p.texture_weight_narrowing, Narrowing::toward_zero, inferred, "texture_weight_narrowing");
-  expect_choice(p.texture_filter_rounding, FilterRounding::each_blend, inferred, "texture_filter_rounding");
-  expect_choice(p.texture_bias_narrowing, Narrowing::toward_zero, inferred, "texture_bias_narrowing");
-  expect_choice(p.dxt1_palette, Dxt1Palette::rgb565, inferred, "dxt1_palette");
+// A field's row of the table in docs/numerics.md.
+std::string row_of(const ProfileField& field) {
+  std::string row = "| `" + std::string(field.name) + "` | ";
+  if (field.kind == FieldKind::number) {
+    const FieldNumbers range = field.range(profiles::geforce2);
+    row += std::to_string(range.first) + (range.first == range.second ? "" : " to " + std::to_string(range.second));
+  } else if (field.kind == FieldKind::flag) {
+    row += "`true`, `false`";
+  } else {
+    for (const FieldWord& word : field.words) {
+      row += (&word == field.words.data() ? "`" : ", `") + std::string(word.word) + "`";
+    }
+  }
+  for (const HardwareProfile& profile :
+       {profiles::geforce2, profiles::geforce256_8bit, profiles::nv2a, profiles::ideal}) {
+    const Choice<int> choice = field.get(profile);
+    std::string text = field.text_of(choice.value);
+    for (std::size_t at = 0; (at = text.find('|', at)) != std::string::npos; at += 2) text.insert(at, "\\");
+    row += " | " + text + " (" + std::string(name_of(choice.evidence)) + ")";
+  }
+  return row + " |";
 }
 
-TEST(Profiles, Nv2aIsTheTable) {
-  const HardwareProfile& p = profiles::nv2a;
-  expect_choice(p.arithmetic, Arithmetic::integer, specified, "arithmetic");
-  expect_choice(p.one, 255, measured, "one");
-  expect_choice(p.lowest, -256, specified, "lowest");
-  expect_choice(p.lowest_output, -255, specified, "lowest_output");
-  expect_choice(p.half, 128, measured, "half");
-  expect_choice(p.expand_offset, 255, inferred, "expand_offset");
-  expect_choice(p.byte_shift, 0, measured, "byte_shift");
-  expect_choice(p.general_narrowing, Narrowing::nearest_halves_up, inferred, "general_narrowing");
-  expect_choice(p.narrowing_point, NarrowingPoint::after_scale, inferred, "narrowing_point");
-  expect_choice(p.final_narrowing, Narrowing::nearest_halves_up, measured, "final_narrowing");
-  expect_choice(p.general_combiners, 8, specified, "general_combiners");
-  expect_choice(p.texture_units, 4, specified, "texture_units");
-  expect_choice(p.per_stage_constants, true, specified, "per_stage_constants");
-  expect_choice(p.blue_to_alpha, true, measured, "blue_to_alpha");
-  expect_choice(p.mux_by_lowest_bit, true, measured, "mux_by_lowest_bit");
-  expect_choice(p.color_sum_inverts, true, measured, "color_sum_inverts");
-  expect_choice(p.spare0_alpha_without_texture0, 255, assumed, "spare0_alpha_without_texture0");
-  expect_choice(p.disabled_texture_alpha, 255, measured, "disabled_texture_alpha");
-  expect_choice(p.secondary_alpha, SecondaryAlpha::as_given, specified, "secondary_alpha");
-  expect_choice(p.fog_alpha_without_fog, 255, specified, "fog_alpha_without_fog");
-  expect_choice(p.subpixel_bits, 4, measured, "subpixel_bits");
-  expect_choice(p.line_shape, LineShape::rectangles, measured, "line_shape");
-  expect_choice(p.point_shape, PointShape::squares, measured, "point_shape");
-  expect_choice(p.vertex_color_mantissa_bits, 13, measured, "vertex_color_mantissa_bits");
-  expect_choice(p.polygon_offset_slope, OffsetSlope::larger, inferred, "polygon_offset_slope");
-  expect_choice(p.color_interpolation, ColorInterpolation::perspective, measured, "color_interpolation");
-  expect_choice(p.color_weights, ColorWeights::eight_bits, measured, "color_weights");
-  expect_choice(p.depth_narrowing, Narrowing::toward_zero, measured, "depth_narrowing");
-  expect_choice(p.fog_narrowing, Narrowing::toward_zero, measured, "fog_narrowing");
-  expect_choice(p.texture_weight_bits, 8, measured, "texture_weight_bits");
-  expect_choice(p.texture_weight_narrowing, Narrowing::toward_zero, measured, "texture_weight_narrowing");
-  expect_choice(p.texture_filter_rounding, FilterRounding::each_blend, measured, "texture_filter_rounding");
-  expect_choice(p.texture_bias_narrowing, Narrowing::toward_zero, measured, "texture_bias_narrowing");
-  expect_choice(p.dxt1_palette, Dxt1Palette::dithered565, measured, "dxt1_palette");
+TEST(Profiles, ThePageHasEveryFieldWithItsEvidence) {
+  std::ifstream in(NINEBIT_SOURCE_DIR "/docs/numerics.md");
+  std::vector<std::string> found;
+  bool in_table = false;
+  for (std::string line; std::getline(in, line);) {
+    if (line.starts_with("| field | may be | `geforce2`")) in_table = true;
+    if (in_table && line.empty()) break;
+    if (in_table && line.starts_with("| `")) found.push_back(line);
+  }
+  std::vector<std::string> expected;
+  for (const ProfileField& field : profile_fields()) expected.push_back(row_of(field));
+  EXPECT_EQ(found, expected);
+}
+
+// The evidence words are pinned here, too: a page that follows a wrong table is as wrong.
+TEST(Profiles, WhatEvidenceCarriesTheTwoChips) {
+  const auto fields_with = [](const HardwareProfile& profile, Evidence evidence) {
+    std::string names;
+    for (const ProfileField& field : profile_fields()) {
+      if (field.get(profile).evidence == evidence) names += std::string(field.name) + " ";
+    }
+    return names;
+  };
+  const HardwareProfile& card = profiles::geforce2;
+  EXPECT_EQ(fields_with(card, seed), "general_narrowing narrowing_point ");
+  EXPECT_EQ(fields_with(card, measured), "one byte_shift ");
+  EXPECT_EQ(fields_with(card, assumed), "spare0_alpha_without_texture0 ");
+  EXPECT_EQ(fields_with(card, specified),
+            "arithmetic lowest_output general_combiners texture_units per_stage_constants blue_to_alpha "
+            "mux_by_lowest_bit color_sum_inverts fog_alpha_without_fog ");
+  const HardwareProfile& xbox = profiles::nv2a;
+  EXPECT_EQ(fields_with(xbox, seed), "");
+  EXPECT_EQ(fields_with(xbox, assumed), "spare0_alpha_without_texture0 ");
+  EXPECT_EQ(fields_with(xbox, inferred), "expand_offset general_narrowing narrowing_point polygon_offset_slope ");
+  EXPECT_EQ(fields_with(xbox, specified),
+            "arithmetic lowest lowest_output general_combiners texture_units per_stage_constants secondary_alpha "
+            "fog_alpha_without_fog ");
+}
+
+TEST(Profiles, EveryFieldReadsAndWritesItsMember) {
+  for (const ProfileField& field : profile_fields()) {
+    EXPECT_EQ(find_profile_field(field.name), &field);
+    HardwareProfile profile = profiles::geforce2;
+    const int other = field.kind == FieldKind::word ? 1 - field.get(profile).value % 2 : field.get(profile).value ^ 1;
+    field.set(profile, {other, assumed, "a test"});
+    EXPECT_EQ(field.get(profile).value, other) << field.name;
+    EXPECT_EQ(field.get(profile).source, "a test") << field.name;
+    for (const ProfileField& second : profile_fields()) {
+      if (&second == &field) continue;
+      EXPECT_EQ(second.get(profile).value, second.get(profiles::geforce2).value) << field.name << ' ' << second.name;
+    }
+    for (int value = 0; value < static_cast<int>(field.words.size()); ++value) {
+      EXPECT_EQ(field.value_of(field.word_of(value)), value) << field.name;
+    }
+    EXPECT_EQ(field.value_of("no word"), std::nullopt);
+  }
+  EXPECT_EQ(find_profile_field("colour"), nullptr);
 }
 
 TEST(Profiles, EarlyTruncationIsGeforce2WithAnotherNarrowingPoint) {
@@ -153,40 +162,14 @@ TEST(Profiles, EightBitsHalveEveryCode) {
   expect_same_value(p.general_combiners, profiles::geforce2.general_combiners, "general_combiners");
 }
 
-TEST(Profiles, RealNumbersAreTheTable) {
-  for (const HardwareProfile& p : {profiles::ideal, profiles::float_shader}) {
-    const bool exact = p.name == "ideal";
-    expect_choice(p.arithmetic, exact ? Arithmetic::exact : Arithmetic::float32, exact ? specified : assumed,
-                  "arithmetic");
-    expect_choice(p.one, 255, specified, "one");
-    expect_choice(p.byte_shift, 0, specified, "byte_shift");
-    expect_choice(p.half, 128, assumed, "half");
-    expect_choice(p.general_combiners, 8, specified, "general_combiners");
-    expect_choice(p.texture_units, 4, assumed, "texture_units");
-    expect_choice(p.per_stage_constants, true, specified, "per_stage_constants");
-    expect_choice(p.blue_to_alpha, true, assumed, "blue_to_alpha");
-    expect_choice(p.mux_by_lowest_bit, true, assumed, "mux_by_lowest_bit");
-    expect_choice(p.color_sum_inverts, true, assumed, "color_sum_inverts");
-    expect_choice(p.disabled_texture_alpha, 255, assumed, "disabled_texture_alpha");
-    expect_choice(p.secondary_alpha, SecondaryAlpha::as_given, specified, "secondary_alpha");
-    expect_choice(p.subpixel_bits, 4, assumed, "subpixel_bits");
-    expect_choice(p.line_shape, LineShape::diamonds, specified, "line_shape");
-    expect_choice(p.point_shape, PointShape::whole_pixels, specified, "point_shape");
-    expect_choice(p.vertex_color_mantissa_bits, 23, assumed, "vertex_color_mantissa_bits");
-    expect_choice(p.polygon_offset_slope, OffsetSlope::larger, assumed, "polygon_offset_slope");
-    expect_choice(p.color_interpolation, ColorInterpolation::perspective, assumed, "color_interpolation");
-    expect_choice(p.color_weights, ColorWeights::exact, specified, "color_weights");
-    expect_choice(p.depth_narrowing, Narrowing::nearest_halves_up, specified, "depth_narrowing");
-    expect_choice(p.fog_narrowing, Narrowing::nearest_halves_up, specified, "fog_narrowing");
-    expect_choice(p.texture_weight_bits, 8, assumed, "texture_weight_bits");
-    expect_choice(p.texture_weight_narrowing, Narrowing::nearest_halves_up, assumed, "texture_weight_narrowing");
-    expect_choice(p.texture_filter_rounding, FilterRounding::once, specified, "texture_filter_rounding");
-    expect_choice(p.texture_bias_narrowing, Narrowing::nearest_halves_up, specified, "texture_bias_narrowing");
-    expect_choice(p.dxt1_palette, Dxt1Palette::rgb888, specified, "dxt1_palette");
-    for (const auto& choice : {p.lowest, p.lowest_output, p.half, p.expand_offset}) {
-      EXPECT_NE(choice.evidence, measured);
-    }
+TEST(Profiles, FloatShaderIsIdealInFloats) {
+  for (const ProfileField& field : profile_fields()) {
+    const Choice<int> real = field.get(profiles::float_shader);
+    const bool differs = field.name == "arithmetic";
+    EXPECT_EQ(real.value != field.get(profiles::ideal).value, differs) << field.name;
+    if (!differs) EXPECT_EQ(name_of(real.evidence), name_of(field.get(profiles::ideal).evidence)) << field.name;
   }
+  EXPECT_EQ(profiles::float_shader.arithmetic.value, Arithmetic::float32);
 }
 
 TEST(Profiles, DatapathTakesEveryFieldThatTheArithmeticReads) {

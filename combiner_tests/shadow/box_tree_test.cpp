@@ -41,7 +41,7 @@ Compared compare_rays(const Scene& scene, unsigned seed, int count) {
     return glm::dvec3(bounds.low) + size * (glm::dvec3(x, y, share()) * 1.5 - 0.25);
   };
   Compared seen;
-  std::vector<Crossed> expected, found;
+  std::vector<RayCrossing> expected, found;
   for (int i = 0; i < count; ++i) {
     const auto own = static_cast<std::uint32_t>(random() % scene.triangles.size());
     const Corners corners = corners_of(scene, own);
@@ -52,7 +52,9 @@ Compared compare_rays(const Scene& scene, unsigned seed, int count) {
     ray.endless = i % 7 == 0;
     embree.rays().find_all(ray, own, expected);
     tree.rays().find_all(ray, own, found);
-    const auto same = [](const Crossed& l, const Crossed& r) { return l.triangle == r.triangle && l.at == r.at; };
+    const auto same = [](const RayCrossing& l, const RayCrossing& r) {
+      return l.triangle == r.triangle && l.at == r.at;
+    };
     EXPECT_TRUE(std::equal(expected.begin(), expected.end(), found.begin(), found.end(), same))
         << "seed " << seed << ", ray " << i << ": " << expected.size() << " with Embree, " << found.size();
     EXPECT_EQ(tree.rays().blocked(ray, own), !expected.empty());

@@ -105,24 +105,24 @@ TEST(ErrorCauses, InATinyMapPolygonsVanish) {
 class Rules : public ::testing::Test {
  protected:
   [[nodiscard]] ErrorCause index_cause(bool lit, std::uint32_t own, std::uint32_t fetched,
-                                       std::span<const Crossed> between = {}) const {
+                                       std::span<const RayCrossing> between = {}) const {
     return cause_of(scene_, index_, {.lit = lit, .own = own, .fetched = fetched, .between = between});
   }
   [[nodiscard]] ErrorCause depth_cause(bool lit, std::uint32_t own, std::uint32_t fetched,
-                                       std::span<const Crossed> between = {}) const {
+                                       std::span<const RayCrossing> between = {}) const {
     return cause_of(scene_, depth_, {.lit = lit, .own = own, .fetched = fetched, .between = between});
   }
   Scene scene_ = square_over_floor();
   ShadowEvidence index_{.fetched = {0}, .in_map = {true, true, true, false}, .index_of_triangle = {1, 2, 3, 2}};
   ShadowEvidence depth_{.fetched = {0}, .in_map = {true, true, true, true}, .index_of_triangle = {}};
-  const std::array<Crossed, 2> below_square_{Crossed{2, 0.6}, Crossed{3, 0.3}};
+  const std::array<RayCrossing, 2> below_square_{RayCrossing{2, 0.6}, RayCrossing{3, 0.3}};
 };
 
 TEST_F(Rules, OfIndicesThatAreLit) {
   EXPECT_EQ(index_cause(true, 0, 3, below_square_), ErrorCause::truncation);
   EXPECT_EQ(index_cause(true, 0, 0, below_square_), ErrorCause::truncation) << "the cleared map has an index, too";
   EXPECT_EQ(index_cause(true, 1, 2, below_square_), ErrorCause::sampling) << "the light sees triangle 2, of index 3";
-  const std::array<Crossed, 2> from_other_side{Crossed{2, 0.3}, Crossed{3, 0.6}};
+  const std::array<RayCrossing, 2> from_other_side{RayCrossing{2, 0.3}, RayCrossing{3, 0.6}};
   EXPECT_EQ(index_cause(true, 1, 2, from_other_side), ErrorCause::shared);
   EXPECT_EQ(index_cause(true, 1, 4, from_other_side), ErrorCause::shared);
   EXPECT_EQ(index_cause(true, 1, 2), ErrorCause::sampling);

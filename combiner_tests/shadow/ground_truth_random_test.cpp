@@ -16,11 +16,11 @@ using Vec = glm::vec<3, Real>;
 constexpr Real kNear = 1e-5L;  // fractions: what is nearer to an edge or an end is left to either side
 
 // Where origin + t * way meets a triangle, solved for t and two edges; empty if it passes beside it.
-struct Meeting {
+struct Hit {
   Real t;
   bool near_edge;
 };
-std::optional<Meeting> meet(const Scene& scene, std::uint32_t triangle, const Vec& origin, const Vec& way) {
+std::optional<Hit> meet(const Scene& scene, std::uint32_t triangle, const Vec& origin, const Vec& way) {
   const glm::uvec3& n = scene.triangles[triangle];
   const Vec a(scene.positions[n.x]), e1 = Vec(scene.positions[n.y]) - a, e2 = Vec(scene.positions[n.z]) - a;
   const Vec p = glm::cross(way, e2), s = origin - a, q = glm::cross(s, e1);
@@ -28,7 +28,7 @@ std::optional<Meeting> meet(const Scene& scene, std::uint32_t triangle, const Ve
   if (det == 0) return std::nullopt;
   const Real u = glm::dot(s, p) / det, v = glm::dot(way, q) / det, least = std::min({u, v, 1 - u - v});
   if (least < -kNear) return std::nullopt;
-  return Meeting{glm::dot(e2, q) / det, least < kNear};
+  return Hit{glm::dot(e2, q) / det, least < kNear};
 }
 
 // Whether the light reaches a point; empty where that is decided within kNear.

@@ -32,6 +32,7 @@
 #include "ninebit/language/register_words.h"
 #include "ninebit/numerics/fixed9.h"
 #include "ninebit/numerics/hardware_profile.h"
+#include "ninebit/numerics/profile_fields.h"
 #include "ninebit/numerics/result.h"
 #include "ninebit/raster/prepared_draw.h"
 #include "ninebit/raster/rasterizer.h"

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "ninebit/combiner/evaluate.h"
+#include "ninebit/combiner/final_walk.h"
 #include "ninebit/combiner/portion_walk.h"
 #include "src/combiner/wide_sum.h"
 
@@ -33,9 +34,11 @@ class Compiler {
       walk_stage(domain, stage, steps);
     }
     std::vector<WantedValue> wanted;
+    Final domain(*this);
+    FinalSteps<Final> steps;
+    walk_final(domain, program_, steps, outputs.color);
     for (int c = 0; c < 4; ++c) {
-      if (!outputs.color[at(c)]) continue;
-      wanted.push_back({{Space::colors, static_cast<std::uint16_t>(c)}, c == kAlpha ? final_alpha() : final_rgb(c)});
+      if (outputs.color[at(c)]) wanted.push_back({{Space::colors, static_cast<std::uint16_t>(c)}, steps.color[at(c)]});
     }
     for (std::size_t r = 0; outputs.registers && r < kRegisterCount; ++r) {
       for (int c = 0; c < 4; ++c) {
@@ -91,6 +94,59 @@ class Compiler {
     const ProgramStage& stage_;
   };
 
+  // The value domain of the final combiner (final_walk.h).
+  class Final {
+   public:
+    using Input = Linear;
+    using Code = Value;
+    static constexpr bool kEveryStep = false;
+
+    explicit Final(Compiler& compiler)
+        : compiler_(compiler), graph_(compiler.graph_), program_(compiler.program_), one_(program_.datapath.one) {}
+
+    Linear input(const CombinerInput& in, int component) {
+      Linear linear = map(in.mapping, compiler_.read(in.reg, component, program_.constant0, program_.constant1));
+      // Three channels read the value: its positive part is taken once.
+      if (in.usage == ComponentUsage::alpha && !linear.is_constant() && linear.floored) {
+        linear.value = graph_.chosen({linear.value, true});
+        linear.floored = false;
+      }
+      return linear;
+    }
+    Linear map(InputMapping mapping, const Value& value) { return compiler_.mapped(value, mapping); }
+    Value product(const Linear& e, const Linear& f) {
+      WideSum product;
+      product.add(e, f);
+      return narrow(graph_, product, narrowing());
+    }
+    Linear sum_part(bool inverted, Register r, int component) {
+      const Value value = compiler_.registers_[static_cast<std::size_t>(r)][at(component)];
+      return inverted ? map(InputMapping::unsigned_invert, value) : Linear{value, true, 1, 0};
+    }
+    Value sum(bool clamp, const Linear& spare0, const Linear& secondary) {
+      const std::array<Linear, 2> terms{spare0, secondary};
+      return graph_.affine(terms, Scale::none, Narrowing::toward_zero, 0, clamp ? one_ : 2 * one_);
+    }
+    Value rgb(int, const Linear& a, const Linear& b, const Linear& c, const Linear& d) {
+      const Linear one_minus_a{a.value, a.floored, -a.factor, one_ - a.offset};
+      WideSum mix;
+      mix.add(a, b);
+      mix.add(one_minus_a, c);
+      Narrowed how = narrowing();
+      how.added = d;
+      return narrow(graph_, mix, how);
+    }
+    Value alpha(const Linear& g) { return graph_.affine({&g, 1}, Scale::none, Narrowing::toward_zero, 0, one_); }
+
+   private:
+    Narrowed narrowing() const { return {.narrowing = program_.datapath.final_narrowing, .low = 0, .high = one_}; }
+
+    Compiler& compiler_;
+    ValueGraph& graph_;
+    const Program& program_;
+    const int one_;
+  };
+
   // A mapping consists of at most two straight lines, which meet at zero or, for values above one, at one. They are
   // read off the reference.
   Linear mapped(Value value, InputMapping mapping) {
@@ -136,65 +192,6 @@ class Compiler {
     WideSum sum;
     sum.add(chosen(p.x, q.x), chosen(p.y, q.y));
     return combiner_output(graph_, sum, out.scale, out.bias);
-  }
-
-  Narrowed final_narrowing(int high) const {
-    return {.narrowing = program_.datapath.final_narrowing, .low = 0, .high = high};
-  }
-
-  // Rule 13.
-  Value color_sum(int channel) {
-    const auto part = [&](Register reg, bool inverted) {
-      const Value value = registers_[static_cast<std::size_t>(reg)][at(channel)];
-      return inverted ? mapped(value, InputMapping::unsigned_invert) : Linear{value, true, 1, 0};
-    };
-    const int one = program_.datapath.one;
-    const std::array<Linear, 2> terms{part(Register::spare0, program_.color_sum_invert_spare0),
-                                      part(Register::secondary, program_.color_sum_invert_secondary)};
-    return graph_.affine(terms, Scale::none, Narrowing::toward_zero, 0, program_.color_sum_clamp ? one : 2 * one);
-  }
-
-  // Rule 10.
-  Value e_times_f(int channel) {
-    const FinalCombiner& f = program_.final_combiner;
-    WideSum product;
-    product.add(final_input(f.e, channel), final_input(f.f, channel));
-    return narrow(graph_, product, final_narrowing(program_.datapath.one));
-  }
-
-  Linear final_input(const CombinerInput& in, int channel) {
-    const int component = reference::component_of(in.usage, channel);
-    if (in.reg == Register::e_times_f) return mapped(e_times_f(component), in.mapping);
-    if (in.reg == Register::spare0_plus_secondary) return mapped(color_sum(component), in.mapping);
-    Linear linear = mapped(read(in.reg, component, program_.constant0, program_.constant1), in.mapping);
-    if (in.usage == ComponentUsage::alpha) share_floor(linear);
-    return linear;
-  }
-
-  // Three channels read the value: its positive part is taken once.
-  void share_floor(Linear& linear) {
-    if (linear.is_constant() || !linear.floored) return;
-    linear.value = graph_.chosen({linear.value, true});
-    linear.floored = false;
-  }
-
-  // Rules 9 and 14.
-  Value final_rgb(int channel) {
-    const FinalCombiner& f = program_.final_combiner;
-    const Linear a = final_input(f.a, channel), b = final_input(f.b, channel), c = final_input(f.c, channel);
-    const Linear one_minus_a{a.value, a.floored, -a.factor, program_.datapath.one - a.offset};
-    WideSum mix;
-    mix.add(a, b);
-    mix.add(one_minus_a, c);
-    Narrowed how = final_narrowing(program_.datapath.one);
-    how.added = final_input(f.d, channel);
-    return narrow(graph_, mix, how);
-  }
-
-  // Rule 14.
-  Value final_alpha() {
-    const Linear g = final_input(program_.final_combiner.g, kAlpha);
-    return graph_.affine({&g, 1}, Scale::none, Narrowing::toward_zero, 0, program_.datapath.one);
   }
 
   const Program& program_;

@@ -32,14 +32,14 @@ class Recorder {
     }
     typename Combiners::Final last;
     combiners_.run_final(program_, registers, last);
-    for (std::size_t v = 0; v < 6; ++v) result.final_combiner.input[v] = reported(last.input[v]);
-    result.final_combiner.g = field_.to_double(last.g);
-    result.final_combiner.e_times_f = reported(last.e_times_f);
-    result.final_combiner.color_sum = reported(last.color_sum);
+    for (std::size_t v = 0; v < 6; ++v) result.final_combiner.input[v] = reported(last.steps.input[v]);
+    result.final_combiner.g = field_.to_double(last.steps.g);
+    result.final_combiner.e_times_f = reported(last.steps.e_times_f);
+    result.final_combiner.color_sum = reported(last.steps.color_sum);
     result.final_combiner.unclamped = reported(last.unclamped);
-    result.color = reported(last.out);
+    result.color = reported(last.steps.color);
     result.codes.registers = codes(registers, initial);
-    result.codes.color = codes(last.out);
+    result.codes.color = codes(last.steps.color);
     return result;
   }
 

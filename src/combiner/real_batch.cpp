@@ -79,12 +79,12 @@ class Runner {
         if (registers.written[r][c]) put(r, c, static_cast<s9>(field_.nearest_code(registers_[r][c])));
       }
     }
-    for (std::size_t c = 0; c < 4; ++c) put_color(c, static_cast<s9>(field_.nearest_code(final_.out[c])));
+    for (std::size_t c = 0; c < 4; ++c) put_color(c, static_cast<s9>(field_.nearest_code(final_.steps.color[c])));
   }
 
   RealColor color() {
     RealColor result{};
-    for (std::size_t c = 0; c < 4; ++c) result[c] = field_.approximate(final_.out[c]);
+    for (std::size_t c = 0; c < 4; ++c) result[c] = field_.approximate(final_.steps.color[c]);
     return result;
   }
 

@@ -62,13 +62,52 @@ class RealCombiners {
     bool takes_cd = false;
     detail::StageSteps<General> channel{};  // red, green and blue of the RGB portion, then the alpha portion
   };
+  // The value domain of the final combiner (final_walk.h).
+  class FinalNumbers {
+   public:
+    using Input = Number;
+    using Code = Number;
+    static constexpr bool kEveryStep = true;
+
+    FinalNumbers(RealCombiners& rules, const Program& program, const Registers& registers, Color& unclamped)
+        : rules_(rules), program_(program), registers_(registers), unclamped_(unclamped) {}
+
+    Number input(const CombinerInput& in, int component) {
+      return map(in.mapping, rules_.fetch(registers_, in.reg, static_cast<std::size_t>(component), program_.constant0,
+                                          program_.constant1));
+    }
+    Number map(InputMapping mapping, const Number& e) { return rules_.map_input(mapping, e); }
+    Number product(const Number& e, const Number& f) { return rules_.f_.mul(e, f); }
+    Number sum_part(bool inverted, Register r, int component) {
+      return map(inverted ? InputMapping::unsigned_invert : InputMapping::unsigned_identity,
+                 registers_[static_cast<std::size_t>(r)][static_cast<std::size_t>(component)]);
+    }
+    Number sum(bool clamp, const Number& spare0, const Number& secondary) {
+      const Number total = rules_.f_.add(spare0, secondary);
+      return clamp ? rules_.at_most_one(total) : total;
+    }
+    Number rgb(int channel, const Number& a, const Number& b, const Number& c, const Number& d) {
+      Field& f = rules_.f_;
+      const Number mixed = f.add(f.mul(a, b), f.mul(f.sub(rules_.one_, a), c));
+      return clamped(channel, f.add(mixed, d));
+    }
+    Number alpha(const Number& g) { return clamped(kAlpha, g); }
+
+   private:
+    Number clamped(int component, const Number& x) {
+      unclamped_[static_cast<std::size_t>(component)] = x;
+      return rules_.at_most_one(rules_.positive(x));
+    }
+
+    RealCombiners& rules_;
+    const Program& program_;
+    const Registers& registers_;
+    Color& unclamped_;
+  };
+
   struct Final {
-    std::array<Color, 6> input{};  // A to F, mapped; no alpha
-    Number g{};
-    Color e_times_f{};
-    Color color_sum{};
+    detail::FinalSteps<FinalNumbers> steps{};
     Color unclamped{};
-    Color out{};
   };
 
   explicit RealCombiners(Field& field)
@@ -85,37 +124,8 @@ class RealCombiners {
   }
 
   void run_final(const Program& program, const Registers& registers, Final& result) {
-    const FinalCombiner& c = program.final_combiner;
-    const auto mapped = [&](const CombinerInput& in, int channel) {
-      const auto component = static_cast<std::size_t>(reference::component_of(in.usage, channel));
-      if (in.reg == Register::e_times_f) return map_input(in.mapping, result.e_times_f[component]);
-      if (in.reg == Register::spare0_plus_secondary) return map_input(in.mapping, result.color_sum[component]);
-      return map_input(in.mapping, fetch(registers, in.reg, component, program.constant0, program.constant1));
-    };
-    const Color& spare0 = registers[static_cast<std::size_t>(Register::spare0)];
-    const Color& secondary = registers[static_cast<std::size_t>(Register::secondary)];
-    const std::array<const CombinerInput*, 6> inputs{&c.a, &c.b, &c.c, &c.d, &c.e, &c.f};
-    for (std::size_t i = 0; i < 3; ++i) {
-      const auto channel = static_cast<int>(i);
-      auto& in = result.input;
-      for (std::size_t v = 4; v < 6; ++v) in[v][i] = mapped(*inputs[v], channel);
-      result.e_times_f[i] = f_.mul(in[4][i], in[5][i]);
-      const auto part = [&](const Number& x, bool inverted) {
-        return map_input(inverted ? InputMapping::unsigned_invert : InputMapping::unsigned_identity, x);
-      };
-      const Number sum = f_.add(part(spare0[i], program.color_sum_invert_spare0),
-                                part(secondary[i], program.color_sum_invert_secondary));
-      result.color_sum[i] = program.color_sum_clamp ? at_most_one(sum) : sum;
-    }
-    for (std::size_t i = 0; i < 3; ++i) {
-      auto& in = result.input;
-      for (std::size_t v = 0; v < 4; ++v) in[v][i] = mapped(*inputs[v], static_cast<int>(i));
-      const Number mixed = f_.add(f_.mul(in[0][i], in[1][i]), f_.mul(f_.sub(one_, in[0][i]), in[2][i]));
-      result.unclamped[i] = f_.add(mixed, in[3][i]);
-      result.out[i] = at_most_one(positive(result.unclamped[i]));
-    }
-    result.g = result.unclamped[kAlpha] = mapped(c.g, kAlpha);
-    result.out[kAlpha] = at_most_one(positive(result.g));
+    FinalNumbers domain(*this, program, registers, result.unclamped);
+    detail::walk_final(domain, program, result.steps);
   }
 
  private:

@@ -37,7 +37,7 @@ std::size_t pixels_of_pass(const Effect& effect, const EffectPass& pass) {
 
 Reply Engine::combiners(Request& request) {
   request.allow({"effect", "files", "profile", "size", "name", "pass"});
-  AskedEffect asked = asked_effect(request);
+  RequestedEffect asked = requested_effect(request);
   if (asked.refused) return *asked.refused;
   const auto& passes = asked.what.effect.passes;
   const int pass = request.number("pass", 0, static_cast<int>(passes.size()) - 1);

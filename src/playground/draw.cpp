@@ -42,8 +42,8 @@ Json append_difference(std::vector<std::uint8_t>& bytes, std::size_t each) {
 
 }  // namespace
 
-AskedEffect asked_effect(Request& request) {
-  AskedEffect out;
+RequestedEffect requested_effect(Request& request) {
+  RequestedEffect out;
   const std::string text = request.inner("effect");
   out.what.name = request.word_or("name", "effect");
   read_texts(request, out.what);
@@ -123,7 +123,7 @@ Json hashes_of(const Surface& surface) {
 
 Reply Engine::draw(Request& request) {
   request.allow({"effect", "files", "profile", "size", "name", "hash"});
-  AskedEffect asked = asked_effect(request);
+  RequestedEffect asked = requested_effect(request);
   if (asked.refused) return *asked.refused;
   const bool hashed = request.flag_or("hash", true);
   if (request.failed()) return request.refused();
@@ -172,7 +172,7 @@ Reply Engine::pixel(Request& request) {
 
 Reply Engine::compare(Request& request) {
   request.allow({"effect", "files", "profiles", "size", "name"});
-  AskedEffect asked = asked_effect(request);
+  RequestedEffect asked = requested_effect(request);
   if (asked.refused) return *asked.refused;
   const json::Value* const profiles = request.value("profiles");
   if (profiles != nullptr && (profiles->type != json::Type::array || profiles->children.size() != 2)) {

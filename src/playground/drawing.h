@@ -55,11 +55,11 @@ class ShelfReaders {
 };
 
 // What an effect's request says besides its profiles. Faults of the effect's own text are in `refused`.
-struct AskedEffect {
+struct RequestedEffect {
   LastDrawing what{};
   std::optional<Reply> refused{};
 };
-[[nodiscard]] AskedEffect asked_effect(Request& request);
+[[nodiscard]] RequestedEffect requested_effect(Request& request);
 
 // Takes the request's profile, else the effect's, else geforce2. Returns why it cannot.
 [[nodiscard]] std::optional<Reply> choose_drawn_profile(Request& request, LastDrawing& what);

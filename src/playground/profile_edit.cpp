@@ -11,7 +11,7 @@ namespace {
 // Every field's value by name.
 Json values_of_profile(const HardwareProfile& profile) {
   Json values = Json::object();
-  for (const ProfileField& field : profile_fields()) values[std::string(field.name)] = field.row(profile).value;
+  for (const ProfileField& field : profile_fields()) values[std::string(field.name)] = value_of_field(field, profile);
   return values;
 }
 
@@ -39,7 +39,7 @@ Json profile_file(const Json& values, const Json& base, const HardwareProfile& s
   const std::size_t heading = file.size();
   for (const ProfileField& field : profile_fields()) {
     const std::string key(field.name);
-    if (values[key] != base[key] && (integer || !field.integer_only)) file[key] = values[key];
+    if (values[key] != base[key] && (integer || field.group != FieldGroup::integer_rules)) file[key] = values[key];
   }
   return file.size() == heading ? Json(shipped.name) : file;
 }
@@ -69,10 +69,8 @@ Reply edit_profile(Request& request) {
   request.allow({"profile", "field", "value"});
   const ChosenProfile chosen = request.profile("profile");
   const std::string edited = request.word("field");
-  const auto fields = profile_fields();
-  const auto field =
-      std::find_if(fields.begin(), fields.end(), [&](const ProfileField& f) { return f.name == edited; });
-  if (!request.failed() && field == fields.end()) {
+  const ProfileField* const field = find_profile_field(edited);
+  if (!request.failed() && field == nullptr) {
     request.reader().fault(request.find("field")->offset, json::in_quotes(edited) + " is not a field of a profile");
   }
   if (request.failed()) return request.refused();
@@ -91,7 +89,7 @@ Reply edit_profile(Request& request) {
   couple(values, base, edited);
   Json out{{"profile", profile_file(values, base, *shipped, name)}};
   Json coupled = Json::array();
-  for (const ProfileField& other : fields) {
+  for (const ProfileField& other : profile_fields()) {
     const std::string key(other.name);
     if (key != edited && values[key] != before[key]) coupled.push_back({{"name", key}, {"value", values[key]}});
   }

@@ -50,7 +50,7 @@ class PythonHost : public tools::Host {
     step_ = {std::string(what), std::clamp(done, 0.0, 1.0)};
   }
   [[nodiscard]] bool stopped() const override { return stop_; }
-  void give(tools::GivenArray array) override {
+  void give(tools::HostArray array) override {
     const std::scoped_lock lock(mutex_);
     arrays.push_back(std::move(array));
   }
@@ -67,7 +67,7 @@ class PythonHost : public tools::Host {
   }
 
   std::string said, answered;
-  std::vector<tools::GivenArray> arrays;
+  std::vector<tools::HostArray> arrays;
   std::map<std::string, std::string> texts;
 
  private:
@@ -137,7 +137,7 @@ struct Job {
   Finish finish;
 };
 
-py::array array_of(const tools::GivenArray& given) {
+py::array array_of(const tools::HostArray& given) {
   const py::capsule keeps(new std::shared_ptr<const void>(given.owner),
                           [](void* kept) { delete static_cast<std::shared_ptr<const void>*>(kept); });
   return py::array(py::dtype(std::string(1, given.kind)), given.shape, given.strides, given.first, keeps);
@@ -176,7 +176,7 @@ py::dict run(std::vector<std::string> words, const std::optional<py::function>& 
   for (const tools::LoggedFault& fault : job->faults) {
     faults.append(py::make_tuple(fault.message, fault.file, fault.line, fault.column));
   }
-  for (const tools::GivenArray& array : job->host.arrays) arrays.append(py::make_tuple(array.name, array_of(array)));
+  for (const tools::HostArray& array : job->host.arrays) arrays.append(py::make_tuple(array.name, array_of(array)));
   answer["faults"] = faults;
   answer["arrays"] = arrays;
   return answer;

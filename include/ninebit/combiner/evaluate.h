@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "ninebit/combiner/final_walk.h"
 #include "ninebit/combiner/portion_walk.h"
 #include "ninebit/combiner/program.h"
 #include "ninebit/combiner/registers.h"
@@ -101,20 +102,6 @@ constexpr V fetch(const RegisterFile& registers, Register reg, int component, co
   }
 }
 
-// Returns all four components. The final combiner is faster with this, the general combiners with the above.
-constexpr Rgba9 fetch(const RegisterFile& registers, Register reg, const Rgba9& constant0, const Rgba9& constant1) {
-  switch (reg) {
-    case Register::zero:
-      return {};
-    case Register::constant0:
-      return constant0;
-    case Register::constant1:
-      return constant1;
-    default:
-      return registers[reg];
-  }
-}
-
 // The value domain of the reference (portion_walk.h): register codes.
 class CodeDomain {
  public:
@@ -146,48 +133,46 @@ class CodeDomain {
   RegisterFile& registers_;
 };
 
-// The rules of the final combiner on codes: what walk_final goes through.
-struct FinalCodes {
-  const Datapath& d;
-  constexpr V map(InputMapping mapping, V e) const { return map_input(d, mapping, e); }
-  constexpr V sum_part(bool inverted, V v) const { return color_sum_part(d, inverted, v); }
-  constexpr V sum(bool clamp, V spare0, V secondary) const { return color_sum(d, clamp, spare0, secondary); }
-  constexpr V product(V e, V f) const { return e_times_f(d, e, f); }
-  constexpr V rgb(V a, V b, V c, V added) const { return final_rgb(d, a, b, c, added); }
-  constexpr V alpha(V g) const { return final_alpha(d, g); }
+// The value domain of the reference's final combiner (final_walk.h): register codes.
+class FinalCodes {
+ public:
+  using Input = V;
+  using Code = V;
+  static constexpr bool kEveryStep = false;
+
+  constexpr FinalCodes(const Program& program, const RegisterFile& registers)
+      : d_(program.datapath), program_(program), registers_(registers) {}
+
+  constexpr V input(const CombinerInput& in, int component) const {
+    return map(in.mapping, fetch(registers_, in.reg, component, program_.constant0, program_.constant1));
+  }
+  constexpr V map(InputMapping mapping, V e) const { return map_input(d_, mapping, e); }
+  constexpr V product(V e, V f) const { return e_times_f(d_, e, f); }
+  constexpr V sum_part(bool inverted, Register r, int component) const {
+    return color_sum_part(d_, inverted, registers_[r][static_cast<std::size_t>(component)]);
+  }
+  constexpr V sum(bool clamp, V spare0, V secondary) const { return color_sum(d_, clamp, spare0, secondary); }
+  constexpr V rgb(int, V a, V b, V c, V added) const { return final_rgb(d_, a, b, c, added); }
+  constexpr V alpha(V g) const { return final_alpha(d_, g); }
+
+ private:
+  const Datapath& d_;
+  const Program& program_;
+  const RegisterFile& registers_;
 };
 
 }  // namespace reference
 
 namespace detail {
-
-// The walk through the final combiner, for rules with the members of reference::FinalCodes.
-template <class Rules>
-constexpr Rgba9 walk_final(const Rules& rules, const Program& program, const RegisterFile& registers) {
-  const FinalCombiner& f = program.final_combiner;
-  const auto mapped = [&](const CombinerInput& in, int channel, const Rgba9& ef, const Rgba9& sum) -> reference::V {
-    const Rgba9 value = in.reg == Register::e_times_f ? ef
-                        : in.reg == Register::spare0_plus_secondary
-                            ? sum
-                            : reference::fetch(registers, in.reg, program.constant0, program.constant1);
-    return rules.map(in.mapping, value[static_cast<std::size_t>(component_of(in.usage, channel))]);
-  };
-  Rgba9 ef{}, sum{}, out{};
-  for (int c = 0; c < 3; ++c) {
-    const auto i = static_cast<std::size_t>(c);
-    ef[i] = static_cast<s9>(rules.product(mapped(f.e, c, {}, {}), mapped(f.f, c, {}, {})));
-    const auto part = [&](bool inverted, Register r) { return rules.sum_part(inverted, registers[r][i]); };
-    sum[i] = static_cast<s9>(rules.sum(program.color_sum_clamp, part(program.color_sum_invert_spare0, Register::spare0),
-                                       part(program.color_sum_invert_secondary, Register::secondary)));
-  }
-  for (int c = 0; c < 3; ++c) {
-    out[static_cast<std::size_t>(c)] = static_cast<s9>(
-        rules.rgb(mapped(f.a, c, ef, sum), mapped(f.b, c, ef, sum), mapped(f.c, c, ef, sum), mapped(f.d, c, ef, sum)));
-  }
-  out[kAlpha] = static_cast<s9>(rules.alpha(mapped(f.g, kAlpha, ef, sum)));
-  return out;
+// The colour of a domain of codes.
+template <class Domain>
+constexpr Rgba9 walk_final_codes(Domain domain, const Program& program) {
+  FinalSteps<Domain> steps;
+  walk_final(domain, program, steps);
+  Rgba9 color{};
+  for (std::size_t c = 0; c < 4; ++c) color[c] = static_cast<s9>(steps.color[c]);
+  return color;
 }
-
 }  // namespace detail
 
 // Runs the general combiners over one fragment's registers, in place. constexpr if the arithmetic is integer.
@@ -209,7 +194,7 @@ constexpr void evaluate_general(const Program& program, RegisterFile& registers)
 // evaluate() and evaluate_fragment() round once, at the end.
 [[nodiscard]] constexpr Rgba9 evaluate_final(const Program& program, const RegisterFile& registers) {
   if (program.datapath.arithmetic != Arithmetic::integer) return detail::evaluate_real_final(program, registers);
-  return detail::walk_final(reference::FinalCodes{program.datapath}, program, registers);
+  return detail::walk_final_codes(reference::FinalCodes(program, registers), program);
 }
 
 // Runs general combiners and final combiner over one fragment. Returns codes in [0, one]. constexpr if the arithmetic

@@ -80,11 +80,11 @@ void values_of(Context& context, GLenum pname, GLfloat* floats, GLint* integers)
   *floats = static_cast<GLfloat>(*integers);
 }
 
-enum class As : std::uint8_t { booleans, integers, floats };
+enum class QueryType : std::uint8_t { booleans, integers, floats };
 
 // Answers a query of the layer's state; false: it is the driver's.
 template <class T>
-bool answer(GLenum pname, T* params, As as) {
+bool answer(GLenum pname, T* params, QueryType type) {
   Context* const context = current();
   const int number = context != nullptr ? number_of_values(*context, pname) : 0;
   if (number == 0) return false;
@@ -97,14 +97,14 @@ bool answer(GLenum pname, T* params, As as) {
   GLint integers[4]{};
   values_of(*context, pname, floats, integers);
   for (int i = 0; i < number; ++i) {
-    switch (as) {
-      case As::booleans:
+    switch (type) {
+      case QueryType::booleans:
         params[i] = static_cast<T>(floats[i] != 0.0F ? 1 : 0);
         break;
-      case As::integers:
+      case QueryType::integers:
         params[i] = static_cast<T>(integers[i]);
         break;
-      case As::floats:
+      case QueryType::floats:
         params[i] = static_cast<T>(floats[i]);
         break;
     }
@@ -115,19 +115,19 @@ bool answer(GLenum pname, T* params, As as) {
 }  // namespace
 
 GLAPI void GLAPIENTRY glGetBooleanv(GLenum pname, GLboolean* params) {
-  if (!answer(pname, params, As::booleans)) find_driver().GetBooleanv(pname, params);
+  if (!answer(pname, params, QueryType::booleans)) find_driver().GetBooleanv(pname, params);
 }
 
 GLAPI void GLAPIENTRY glGetIntegerv(GLenum pname, GLint* params) {
-  if (!answer(pname, params, As::integers)) find_driver().GetIntegerv(pname, params);
+  if (!answer(pname, params, QueryType::integers)) find_driver().GetIntegerv(pname, params);
 }
 
 GLAPI void GLAPIENTRY glGetFloatv(GLenum pname, GLfloat* params) {
-  if (!answer(pname, params, As::floats)) find_driver().GetFloatv(pname, params);
+  if (!answer(pname, params, QueryType::floats)) find_driver().GetFloatv(pname, params);
 }
 
 GLAPI void GLAPIENTRY glGetDoublev(GLenum pname, GLdouble* params) {
-  if (!answer(pname, params, As::floats)) find_driver().GetDoublev(pname, params);
+  if (!answer(pname, params, QueryType::floats)) find_driver().GetDoublev(pname, params);
 }
 
 GLAPI GLhandleARB GLAPIENTRY glGetHandleARB(GLenum pname) {

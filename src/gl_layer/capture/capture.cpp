@@ -35,18 +35,18 @@ class WithoutScissor {
 };
 
 // The active unit's texture, and the buffer that texels come from, restored at the end.
-class KeptTexture {
+class SavedTexture {
  public:
-  KeptTexture()
+  SavedTexture()
       : bound_(driver_integer(GL_TEXTURE_BINDING_2D)), buffer_(driver_integer(GL_PIXEL_UNPACK_BUFFER_BINDING)) {
     if (buffer_ != 0) found_driver.BindBuffer(GL_PIXEL_UNPACK_BUFFER, 0);
   }
-  ~KeptTexture() {
+  ~SavedTexture() {
     if (buffer_ != 0) found_driver.BindBuffer(GL_PIXEL_UNPACK_BUFFER, static_cast<GLuint>(buffer_));
     found_driver.BindTexture(GL_TEXTURE_2D, static_cast<GLuint>(bound_));
   }
-  KeptTexture(const KeptTexture&) = delete;
-  KeptTexture& operator=(const KeptTexture&) = delete;
+  SavedTexture(const SavedTexture&) = delete;
+  SavedTexture& operator=(const SavedTexture&) = delete;
 
  private:
   GLint bound_, buffer_;
@@ -118,7 +118,7 @@ bool Capture::make_buffers() {
   program_framebuffer_ = static_cast<GLuint>(driver_integer(GL_DRAW_FRAMEBUFFER_BINDING));
   read_framebuffer_ = driver_integer(GL_READ_FRAMEBUFFER_BINDING);
   const GLint renderbuffer = driver_integer(GL_RENDERBUFFER_BINDING);
-  const KeptTexture kept;
+  const SavedTexture kept;
   d.GenFramebuffers(1, &own_framebuffer_);
   d.BindFramebuffer(GL_DRAW_FRAMEBUFFER, own_framebuffer_);
   d.GenTextures(static_cast<GLsizei>(kBuffers), textures_.data());

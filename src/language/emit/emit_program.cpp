@@ -52,7 +52,13 @@ class Lister {
       }
     }
     listing.final_comments = comments_of_final(program_);
-    listing.result = final_result();
+    Final domain(*this);
+    detail::FinalSteps<Final> steps;
+    detail::walk_final(domain, program_, steps);
+    for (std::size_t c = 0; c < 4; ++c) {
+      listing.result[c] = steps.color[c];
+      Graph::name(listing.result[c], std::string("result_") + kComponentLetters[c]);
+    }
     return listing;
   }
 
@@ -134,43 +140,40 @@ class Lister {
     std::array<PortionLines, 2> lines_{};  // RGB, alpha
   };
 
+  // The value domain of the final combiner (final_walk.h).
+  class Final {
+   public:
+    using Input = V;
+    using Code = V;
+    static constexpr bool kEveryStep = false;
+
+    explicit Final(const Lister& lister) : lister_(lister), d_(lister.d_), program_(lister.program_) {}
+
+    V input(const CombinerInput& in, int component) const {
+      return map(in.mapping,
+                 lister_.read(in.reg, component, kMaxGeneralCombiners, program_.constant0, program_.constant1));
+    }
+    V map(InputMapping mapping, const V& value) const { return map_input(d_, mapping, value); }
+    V product(const V& e, const V& f) const { return e_times_f(d_, e, f); }
+    V sum_part(bool inverted, Register r, int component) const {
+      return color_sum_part(d_, inverted, lister_.registers_(r, component));
+    }
+    V sum(bool clamp, const V& spare0, const V& secondary) const { return color_sum(d_, clamp, spare0, secondary); }
+    V rgb(int, const V& a, const V& b, const V& c, const V& d) const { return final_rgb(d_, a, b, c, d); }
+    V alpha(const V& g) const { return final_alpha(d_, g); }
+
+   private:
+    const Lister& lister_;
+    const Datapath& d_;
+    const Program& program_;
+  };
+
   // A component as an input of a combiner reads it.
   V read(Register r, int component, int stage, const Rgba9& constant0, const Rgba9& constant1) const {
     if (r == Register::zero) return set(0);
     if (r != Register::constant0 && r != Register::constant1) return registers_(r, component);
     if (constant_) return constant_(r, stage, component);
     return set((r == Register::constant0 ? constant0 : constant1)[static_cast<std::size_t>(component)]);
-  }
-
-  Values final_result() const {
-    const FinalCombiner& f = program_.final_combiner;
-    const auto plain = [&](const CombinerInput& in, int channel) {
-      const int component = reference::component_of(in.usage, channel);
-      return map_input(d_, in.mapping,
-                       read(in.reg, component, kMaxGeneralCombiners, program_.constant0, program_.constant1));
-    };
-    const auto mapped = [&](const CombinerInput& in, int channel) {
-      if (in.reg == Register::e_times_f) {
-        return map_input(d_, in.mapping, e_times_f(d_, plain(f.e, channel), plain(f.f, channel)));
-      }
-      if (in.reg == Register::spare0_plus_secondary) {
-        const V spare0 = registers_(Register::spare0, channel), secondary = registers_(Register::secondary, channel);
-        const V sum =
-            color_sum(d_, program_.color_sum_clamp, color_sum_part(d_, program_.color_sum_invert_spare0, spare0),
-                      color_sum_part(d_, program_.color_sum_invert_secondary, secondary));
-        return map_input(d_, in.mapping, sum);
-      }
-      return plain(in, channel);
-    };
-    Values result{};
-    for (int c = 0; c < 3; ++c) {
-      V& value = result[static_cast<std::size_t>(c)];
-      value = final_rgb(d_, mapped(f.a, c), mapped(f.b, c), mapped(f.c, c), mapped(f.d, c));
-      Graph::name(value, std::string("result_") + kComponentLetters[static_cast<std::size_t>(c)]);
-    }
-    result[kAlpha] = final_alpha(d_, mapped(f.g, kAlpha));
-    Graph::name(result[kAlpha], "result_a");
-    return result;
   }
 
   const Program& program_;

@@ -41,6 +41,9 @@ class Reader {
 
   // Whether the value is an object; keys other than the given ones are faults.
   bool object(const Value& value, std::initializer_list<std::string_view> keys) {
+    return object(value, std::span(keys.begin(), keys.size()));
+  }
+  bool object(const Value& value, std::span<const std::string_view> keys) {
     if (value.type != Type::object) {
       wrong_type(value, "an object");
       return false;

@@ -22,12 +22,17 @@ using detail::rc10_zero;
 constexpr std::array<std::string_view, 15> kRegisterNames{"zero", "const0", "const1",        "fog",       "col0",
                                                           "col1", "spare0", "spare1",        "tex0",      "tex1",
                                                           "tex2", "tex3",   "final_product", "color_sum", "discard"};
-struct Around {
+struct MappingText {
   std::string_view before, after;
 };
-constexpr std::array<Around, 8> kMappings{
-    Around{"unsigned(", ")"},  Around{"unsigned_invert(", ")"}, Around{"expand(", ")"}, Around{"-expand(", ")"},
-    Around{"half_bias(", ")"}, Around{"-half_bias(", ")"},      Around{"", ""},         Around{"-", ""}};
+constexpr std::array<MappingText, 8> kMappings{MappingText{"unsigned(", ")"},
+                                               MappingText{"unsigned_invert(", ")"},
+                                               MappingText{"expand(", ")"},
+                                               MappingText{"-expand(", ")"},
+                                               MappingText{"half_bias(", ")"},
+                                               MappingText{"-half_bias(", ")"},
+                                               MappingText{"", ""},
+                                               MappingText{"-", ""}};
 
 std::string name(Register reg) {
   return std::string(kRegisterNames[static_cast<std::size_t>(reg)]);
@@ -39,7 +44,7 @@ std::string with_suffix(const CombinerInput& in, ComponentUsage plain) {
 }
 
 std::string operand(const CombinerInput& in, ComponentUsage plain) {
-  const Around& around = kMappings[static_cast<std::size_t>(in.mapping)];
+  const MappingText& around = kMappings[static_cast<std::size_t>(in.mapping)];
   return std::string(around.before) + with_suffix(in, plain) + std::string(around.after);
 }
 

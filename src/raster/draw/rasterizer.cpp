@@ -20,39 +20,41 @@
 namespace ninebit {
 namespace {
 
-// A chunk has further blocks than are usual as long as its tiles have fewer primitives each, so that reading and
-// writing tiles would take its time; it has fewer where primitives are in so many tiles.
+// A chunk keeps collecting blocks while its tiles hold few primitives, because reading and writing tiles would take
+// most of its time; it ends early where primitives cover many tiles.
 constexpr std::size_t kEntriesPerTile = 1024, kEntriesPerChunk = std::size_t{1} << 22;
 
 // The tiles in which blocks have primitives, recorded by several threads.
-class MetTiles {
+class OccupiedTiles {
  public:
-  explicit MetTiles(std::size_t tiles) : met_(tiles) {}
+  explicit OccupiedTiles(std::size_t tiles) : occupied_(tiles) {}
   void add(const BinnedBlock& block) {
     for_each_tile(block, [this](std::uint32_t tile, std::uint32_t) {
-      std::atomic_ref(met_[tile]).store(1, std::memory_order_relaxed);
+      std::atomic_ref(occupied_[tile]).store(1, std::memory_order_relaxed);
     });
   }
-  // Of those that have been added before.
-  [[nodiscard]] std::size_t count() const { return std::accumulate(met_.begin(), met_.end(), std::size_t{0}); }
+  // The number of occupied tiles.
+  [[nodiscard]] std::size_t count() const {
+    return std::accumulate(occupied_.begin(), occupied_.end(), std::size_t{0});
+  }
 
  private:
-  std::vector<std::uint8_t> met_;
+  std::vector<std::uint8_t> occupied_;
 };
 
 // Sets up blocks in parallel, as many as memory allows whatever they hold; returns the number of blocks.
 std::size_t set_up_chunk(const DrawGeometry& geometry, std::size_t first, std::vector<BinnedBlock>& to) {
   const std::size_t usual = geometry.blocks_per_chunk(), most = std::min(geometry.blocks() - first, 4 * usual);
   std::size_t count = 0, entries = 0;
-  const bool may_go_on = most > usual;  // most draws have no more
-  MetTiles met(may_go_on ? geometry.grid().count() : 0);
+  const bool allows_extra_blocks = most > usual;  // most draws have no more
+  OccupiedTiles occupied(allows_extra_blocks ? geometry.grid().count() : 0);
   while (count < most && entries < kEntriesPerChunk &&
-         (count < usual || most - count < usual / 2 || entries < kEntriesPerTile * met.count())) {
+         (count < usual || most - count < usual / 2 || entries < kEntriesPerTile * occupied.count())) {
     const std::size_t end = std::min(count + geometry.blocks_at_a_time(), most);
     if (to.size() < end) to.resize(end);
     const auto set_up = [&](std::size_t b) {
       static_cast<void>(geometry.set_up(first + b, to[b]));
-      if (may_go_on) met.add(to[b]);
+      if (allows_extra_blocks) occupied.add(to[b]);
     };
     if (end - count == 1) {
       set_up(count);

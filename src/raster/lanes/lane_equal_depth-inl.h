@@ -14,7 +14,7 @@
 #include "hwy/highway.h"
 #include "src/raster/lanes/lane_triangle-inl.h"
 #include "src/raster/lanes/lane_vectors-inl.h"
-#include "src/raster/lanes/pen.h"
+#include "src/raster/lanes/primitive_draw.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace ninebit::HWY_NAMESPACE {
@@ -31,17 +31,17 @@ struct RowFragments {
 };
 
 // Puts the fragments of a row into the batch, span by span.
-HWY_INLINE void push_row(const Pen& pen, const TileTriangles& t, std::size_t k, const RowFragments& row) {
-  FragmentReuse& fragments = pen.tile.fragments;
+HWY_INLINE void push_row(const PrimitiveDraw& current, const TileTriangles& t, std::size_t k, const RowFragments& row) {
+  FragmentReuse& fragments = current.tile.fragments;
   const std::size_t tile_row = row.place / kTileSize;
   const std::uint64_t columns = row.bits << row.place % kTileSize;
   const auto count = static_cast<std::size_t>(std::popcount(row.bits));
   if (fragments.overlaps(tile_row, columns) || fragments.gathering().count + count > kBatchSize) {
-    flush_lanes(pen.tile, pen.pass);
+    flush_lanes(current.tile, current.pass);
   }
   fragments.occupy(tile_row, columns);
   LaneFragments& batch = fragments.gathering();
-  begin_run(batch, pen);
+  begin_run(batch, current);
   for (std::uint64_t bits = row.bits; bits != 0;) {
     const int column = std::countr_zero(bits);
     const int length = std::min(std::countr_one(bits >> column), kLanes);
@@ -55,8 +55,8 @@ HWY_INLINE void push_row(const Pen& pen, const TileTriangles& t, std::size_t k, 
     for (std::size_t i = 0; i < 3; ++i) {
       const V inside = hn::Add(row.inside[i], hn::Set(kD, t.inside_x[i][k] * column));
       const VF edge = edge_at(t, k, i, t.left[k] + column, row.y, inside);
-      hn::StoreU(hn::Mul(edge, hn::Set(kDF, pen.corners->inv_w[i])), kDF,
-                 batch.weight[pen.corners->corner[i]].data() + at);
+      hn::StoreU(hn::Mul(edge, hn::Set(kDF, current.corners->inv_w[i])), kDF,
+                 batch.weight[current.corners->corner[i]].data() + at);
     }
     batch.count += static_cast<std::size_t>(length);
   }
@@ -65,9 +65,9 @@ HWY_INLINE void push_row(const Pen& pen, const TileTriangles& t, std::size_t k, 
 // Draws triangle k in a pass that asks_equal_depth: finds the fragments of a whole row before it gathers them. kOwned:
 // compares the tile's known owners instead of depths.
 template <bool kOwned>
-HWY_NOINLINE void gather_rows(const Pen& pen, const TileTriangles& t, std::size_t k) {
-  const LaneDraw<D> draw(kD, pen.pass.operations, pen.primitive.front_facing);
-  const bool by_stencil = pen.pass.gathers_by_stencil();
+HWY_NOINLINE void gather_rows(const PrimitiveDraw& current, const TileTriangles& t, std::size_t k) {
+  const LaneDraw<D> draw(kD, current.pass.operations, current.primitive.front_facing);
+  const bool by_stencil = current.pass.gathers_by_stencil();
   const V lane = lane_numbers(kD);
   V row[3], step[3], up[3];
   for (std::size_t i = 0; i < 3; ++i) {
@@ -79,10 +79,10 @@ HWY_NOINLINE void gather_rows(const Pen& pen, const TileTriangles& t, std::size_
   const int left = t.left[k], columns = t.right[k] - left + 1, top = t.top[k];
   // The triangle may reach beyond the end of the region.
   const std::uint64_t region = ~std::uint64_t{0} >> (kTileSize - columns);
-  auto row_place = first_place(pen, t, k);
-  const std::int32_t* const stored = lanes_of(pen.tile.planes.depth_stencil.data());
-  const std::int32_t* const owner = lanes_of(pen.tile.owners.number.data());
-  const V number = hn::Set(kD, static_cast<std::int32_t>(pen.number));
+  auto row_place = first_place(current, t, k);
+  const std::int32_t* const stored = lanes_of(current.tile.planes.depth_stencil.data());
+  const std::int32_t* const owner = lanes_of(current.tile.owners.number.data());
+  const V number = hn::Set(kD, static_cast<std::int32_t>(current.number));
   for (int y = t.bottom[k];; ++y, row_place += kTileSize) {
     V e[3] = {row[0], row[1], row[2]};
     V64 z_low = z.row;
@@ -97,8 +97,8 @@ HWY_NOINLINE void gather_rows(const Pen& pen, const TileTriangles& t, std::size_
       }
       M mask = hn::Gt(hn::Or(hn::Or(e[0], e[1]), e[2]), hn::Set(kD, -1));
       if (!hn::AllFalse(kD, mask)) {
-        const V z24 = find_depths<OneRow>(pen.primitive, left + column, y, mask, z_low, hn::Add(z_low, z.half));
-        const V depth = depth_codes(kD, pen.pass, pen.primitive, z24);
+        const V z24 = find_depths<OneRow>(current.primitive, left + column, y, mask, z_low, hn::Add(z_low, z.half));
+        const V depth = depth_codes(kD, current.pass, current.primitive, z24);
         const V here = hn::LoadU(kD, stored + row_place + static_cast<std::size_t>(column));
         mask = hn::And(mask, has_depth(kD, here, depth));
         if (by_stencil) mask = hn::And(mask, stencil_passes(kD, draw, here));
@@ -108,7 +108,7 @@ HWY_NOINLINE void gather_rows(const Pen& pen, const TileTriangles& t, std::size_
       z_low = hn::Add(z_low, z.step);
     }
     bits &= region;
-    if (bits != 0) push_row(pen, t, k, {y, row_place, row, bits});
+    if (bits != 0) push_row(current, t, k, {y, row_place, row, bits});
     if (y == top) break;
     for (std::size_t i = 0; i < 3; ++i) row[i] = hn::Add(row[i], up[i]);
     z.row = hn::Add(z.row, z.up);

@@ -13,7 +13,7 @@
 #include "src/raster/lanes/lane_operations-inl.h"
 #include "src/raster/lanes/lane_rows-inl.h"
 #include "src/raster/lanes/lane_vectors-inl.h"
-#include "src/raster/lanes/pen.h"
+#include "src/raster/lanes/primitive_draw.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace ninebit::HWY_NAMESPACE {
@@ -35,10 +35,10 @@ HWY_INLINE void for_rows(D d, std::size_t place, hn::Mask<D> mask, Visit visit) 
 // The fragments that have to go into the batch. Flushes the batch if it has no room for them, or has other fragments at
 // their pixels.
 template <class Rows, class D>
-HWY_INLINE hn::Mask<D> gathered(D d, const LaneDraw<D>& draw, const Pen& pen, std::size_t place, hn::Mask<D> mask,
-                                hn::Vec<D> depth) {
+HWY_INLINE hn::Mask<D> gathered(D d, const LaneDraw<D>& draw, const PrimitiveDraw& current, std::size_t place,
+                                hn::Mask<D> mask, hn::Vec<D> depth) {
   const LaneOperations& operations = draw.operations;
-  LaneTile& tile = pen.tile;
+  LaneTile& tile = current.tile;
   const std::int32_t* const at = lanes_of(tile.planes.depth_stencil.data()) + place;
   const auto any_overlaps = [&](hn::Mask<D> lanes) HWY_ATTR {
     bool any = false;
@@ -50,33 +50,35 @@ HWY_INLINE hn::Mask<D> gathered(D d, const LaneDraw<D>& draw, const Pen& pen, st
   if (operations.asks_equal_depth) {
     const auto stored = Rows::load(d, at);
     mask = hn::And(mask, has_depth(d, stored, depth));
-    if (pen.pass.gathers_by_stencil()) mask = hn::And(mask, stencil_passes(d, draw, stored));
+    if (current.pass.gathers_by_stencil()) mask = hn::And(mask, stencil_passes(d, draw, stored));
   } else {
     // Fragments in the batch may still change the outcome of tests.
-    if (operations.tests_change && any_overlaps(mask)) flush_lanes(tile, pen.pass);
+    if (operations.tests_change && any_overlaps(mask)) flush_lanes(tile, current.pass);
     mask = not_lost(d, draw, mask, depth, Rows::load(d, at));
   }
-  if (any_overlaps(mask) || tile.fragments.gathering().count + hn::Lanes(d) > kBatchSize) flush_lanes(tile, pen.pass);
+  if (any_overlaps(mask) || tile.fragments.gathering().count + hn::Lanes(d) > kBatchSize)
+    flush_lanes(tile, current.pass);
   for_rows<Rows>(d, place, mask,
                  [&](std::size_t row, std::uint64_t bits) HWY_ATTR { tile.fragments.occupy(row, bits); });
   return mask;
 }
 
 // Begins a run of the primitive's fragments, unless the last fragments are its own.
-HWY_INLINE void begin_run(LaneFragments& batch, const Pen& pen) {
-  if (batch.runs == 0 || batch.run[batch.runs - 1].primitive != &pen.primitive) {
-    batch.run[batch.runs++] = {&pen.primitive, pen.corners, pen.block.weights_of(*pen.corners), batch.count};
+HWY_INLINE void begin_run(LaneFragments& batch, const PrimitiveDraw& current) {
+  if (batch.runs == 0 || batch.run[batch.runs - 1].primitive != &current.primitive) {
+    batch.run[batch.runs++] = {&current.primitive, current.corners, current.block.weights_of(*current.corners),
+                               batch.count};
   }
 }
 
 // Adds the fragments of the mask to the batch.
 template <class Rows, class D>
-HWY_INLINE void push(D d, const Pen& pen, std::size_t place, hn::Mask<D> mask, hn::Vec<D> depth,
+HWY_INLINE void push(D d, const PrimitiveDraw& current, std::size_t place, hn::Mask<D> mask, hn::Vec<D> depth,
                      const hn::Vec<hn::Rebind<float, D>> weight[3]) {
-  LaneFragments& batch = pen.tile.fragments.gathering();
+  LaneFragments& batch = current.tile.fragments.gathering();
   const hn::Rebind<float, D> df;
   const std::size_t at = batch.count;
-  begin_run(batch, pen);
+  begin_run(batch, current);
   std::size_t span_first = at;
   for_rows<Rows>(d, place, mask, [&](std::size_t row, std::uint64_t bits) HWY_ATTR {
     while (bits != 0) {  // one span, in most rows
@@ -90,10 +92,10 @@ HWY_INLINE void push(D d, const Pen& pen, std::size_t place, hn::Mask<D> mask, h
   });
   batch.count = span_first;
   const auto places = hn::Add(hn::Set(d, static_cast<std::int32_t>(place)), Rows::places(d));
-  const bool has_depth = !pen.pass.operations.are_tests_final;
+  const bool has_depth = !current.pass.operations.are_tests_final;
   float* const weights = batch.weight[0].data() + at;
   const std::size_t stride = LaneFragments::kRoom;
-  const auto& corner = pen.corners->corner;
+  const auto& corner = current.corners->corner;
   if (hn::AllTrue(d, mask)) {
     hn::StoreU(places, d, lanes_of(batch.place.data()) + at);
     if (has_depth) hn::StoreU(depth, d, lanes_of(batch.depth.data()) + at);

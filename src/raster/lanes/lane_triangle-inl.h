@@ -15,7 +15,7 @@
 #include "src/raster/lanes/lane_operations-inl.h"
 #include "src/raster/lanes/lane_rows-inl.h"
 #include "src/raster/lanes/lane_vectors-inl.h"
-#include "src/raster/lanes/pen.h"
+#include "src/raster/lanes/primitive_draw.h"
 #include "src/raster/lanes/tile_triangles.h"
 #include "src/raster/surface/tile_size.h"
 
@@ -37,24 +37,24 @@ struct PixelVector {
 
 // Draws the fragments of the mask with one colour, through the fragment operations.
 template <class Rows, class D>
-HWY_INLINE void draw_flat(D d, const LaneDraw<D>& draw, const Pen& pen, std::size_t place, hn::Mask<D> mask,
-                          hn::Vec<D> depth) {
+HWY_INLINE void draw_flat(D d, const LaneDraw<D>& draw, const PrimitiveDraw& current, std::size_t place,
+                          hn::Mask<D> mask, hn::Vec<D> depth) {
   const LaneOperations& operations = draw.operations;
-  std::int32_t* const at = lanes_of(pen.tile.planes.depth_stencil.data()) + place;
-  const auto color = hn::Set(d, static_cast<std::int32_t>(pen.color));
-  const auto alpha = hn::Set(d, static_cast<std::int32_t>(pen.color >> 24));
+  std::int32_t* const at = lanes_of(current.tile.planes.depth_stencil.data()) + place;
+  const auto color = hn::Set(d, static_cast<std::int32_t>(current.color));
+  const auto alpha = hn::Set(d, static_cast<std::int32_t>(current.color >> 24));
   const LaneResult<D> result = apply_lanes(d, draw, mask, depth, alpha, Rows::load(d, at));
   if (operations.depth_write || operations.stencil_write) Rows::store(result.depth_stencil, d, at);
   if (!operations.color) return;
-  std::int32_t* const color_at = lanes_of(pen.tile.planes.color.data()) + place;
+  std::int32_t* const color_at = lanes_of(current.tile.planes.color.data()) + place;
   Rows::store(hn::IfThenElse(result.drawn, color, Rows::load(d, color_at)), d, color_at);
 }
 
 // Draws the fragments of the mask that are nearer than what is stored. kNoted: Drawing::noted.
 template <bool kNoted, class Rows>
-HWY_INLINE void draw_nearest(const LaneDraw<D>& draw, const Pen& pen, std::size_t place, M mask, V z24) {
+HWY_INLINE void draw_nearest(const LaneDraw<D>& draw, const PrimitiveDraw& current, std::size_t place, M mask, V z24) {
   const hn::RebindToUnsigned<D> du;
-  std::int32_t* const at = lanes_of(pen.tile.planes.depth_stencil.data()) + place;
+  std::int32_t* const at = lanes_of(current.tile.planes.depth_stencil.data()) + place;
   // The stencil value does not matter: depth × 256 + 255 is less where the depth is less.
   const auto stencil_bits = hn::Set(du, 0xFF), stored = hn::BitCast(du, Rows::load(kD, at));
   const auto depth = hn::Or(hn::ShiftLeft<8>(hn::BitCast(du, z24)), stencil_bits);
@@ -63,54 +63,54 @@ HWY_INLINE void draw_nearest(const LaneDraw<D>& draw, const Pen& pen, std::size_
   Rows::blend(hn::BitCast(kD, after), drawn, kD, at);
   if constexpr (kNoted) {
     const M equal = hn::And(mask, has_depth(kD, hn::BitCast(kD, stored), z24));
-    if (HWY_UNLIKELY(!hn::AllFalse(kD, equal))) pen.tile.owners.are_known = false;
-    Rows::put(hn::Set(kD, static_cast<std::int32_t>(pen.number)), drawn, kD,
-              lanes_of(pen.tile.owners.number.data()) + place);
+    if (HWY_UNLIKELY(!hn::AllFalse(kD, equal))) current.tile.owners.are_known = false;
+    Rows::put(hn::Set(kD, static_cast<std::int32_t>(current.number)), drawn, kD,
+              lanes_of(current.tile.owners.number.data()) + place);
   }
   if (draw.operations.color) {
-    Rows::put(hn::Set(kD, static_cast<std::int32_t>(pen.color)), drawn, kD,
-              lanes_of(pen.tile.planes.color.data()) + place);
+    Rows::put(hn::Set(kD, static_cast<std::int32_t>(current.color)), drawn, kD,
+              lanes_of(current.tile.planes.color.data()) + place);
   }
 }
 
 // Gathers the fragments of a vector that may be drawn.
 template <class Rows, class Inside>
-HWY_INLINE void gather_fragments(const LaneDraw<D>& draw, const Pen& pen, const TileTriangles& t, std::size_t k,
-                                 const PixelVector<Inside>& at, V z24) {
-  const V depth = depth_codes(kD, pen.pass, pen.primitive, z24);
-  const M mask = gathered<Rows>(kD, draw, pen, at.place, at.mask, depth);
+HWY_INLINE void gather_fragments(const LaneDraw<D>& draw, const PrimitiveDraw& current, const TileTriangles& t,
+                                 std::size_t k, const PixelVector<Inside>& at, V z24) {
+  const V depth = depth_codes(kD, current.pass, current.primitive, z24);
+  const M mask = gathered<Rows>(kD, draw, current, at.place, at.mask, depth);
   if (hn::AllFalse(kD, mask)) return;
   VF weight[3];
   for (std::size_t i = 0; i < 3; ++i) {
-    weight[i] = hn::Mul(edge_at(t, k, i, at.x, at.y, at.inside[i]), hn::Set(kDF, pen.corners->inv_w[i]));
+    weight[i] = hn::Mul(edge_at(t, k, i, at.x, at.y, at.inside[i]), hn::Set(kDF, current.corners->inv_w[i]));
   }
-  push<Rows>(kD, pen, at.place, mask, depth, weight);
+  push<Rows>(kD, current, at.place, mask, depth, weight);
 }
 
 // Draws or gathers the fragments of a vector of triangle k.
 template <Drawing kDrawing, class Rows, class Inside>
-HWY_INLINE void draw_fragments(const LaneDraw<D>& draw, const Pen& pen, const TileTriangles& t, std::size_t k,
-                               const PixelVector<Inside>& at) {
-  const V z24 = find_depths<Rows>(pen.primitive, at.x, at.y, at.mask, at.z_low, at.z_high);
+HWY_INLINE void draw_fragments(const LaneDraw<D>& draw, const PrimitiveDraw& current, const TileTriangles& t,
+                               std::size_t k, const PixelVector<Inside>& at) {
+  const V z24 = find_depths<Rows>(current.primitive, at.x, at.y, at.mask, at.z_low, at.z_high);
   if constexpr (is_nearest(kDrawing)) {
-    draw_nearest<kDrawing == Drawing::noted, Rows>(draw, pen, at.place, at.mask, z24);
+    draw_nearest<kDrawing == Drawing::noted, Rows>(draw, current, at.place, at.mask, z24);
   } else if constexpr (kDrawing == Drawing::flat) {
-    draw_flat<Rows>(kD, draw, pen, at.place, at.mask, depth_codes(kD, pen.pass, pen.primitive, z24));
+    draw_flat<Rows>(kD, draw, current, at.place, at.mask, depth_codes(kD, current.pass, current.primitive, z24));
   } else {
-    gather_fragments<Rows>(draw, pen, t, k, at, z24);
+    gather_fragments<Rows>(draw, current, t, k, at, z24);
   }
 }
 
 // The place in the tile of the lowest left pixel of triangle k's region.
-HWY_INLINE std::size_t first_place(const Pen& pen, const TileTriangles& t, std::size_t k) {
-  const TilePlanes& planes = pen.tile.planes;
+HWY_INLINE std::size_t first_place(const PrimitiveDraw& current, const TileTriangles& t, std::size_t k) {
+  const TilePlanes& planes = current.tile.planes;
   return static_cast<std::size_t>((t.bottom[k] - planes.bottom) * kTileSize + (t.left[k] - planes.left));
 }
 
 // Draws triangle k row by row.
 template <Drawing kDrawing>
-HWY_NOINLINE void draw_triangle(const Pen& pen, const TileTriangles& t, std::size_t k) {
-  const LaneDraw<D> draw(kD, pen.pass.operations, pen.primitive.front_facing);
+HWY_NOINLINE void draw_triangle(const PrimitiveDraw& current, const TileTriangles& t, std::size_t k) {
+  const LaneDraw<D> draw(kD, current.pass.operations, current.primitive.front_facing);
   const V lane = lane_numbers(kD);
   V row[3];
   for (std::size_t i = 0; i < 3; ++i) {
@@ -120,7 +120,7 @@ HWY_NOINLINE void draw_triangle(const Pen& pen, const TileTriangles& t, std::siz
   const int left = t.left[k], right = t.right[k], top = t.top[k];
   // The triangle may reach beyond the end of the region.
   const M last = hn::FirstN(kD, static_cast<std::size_t>((right - left) % kLanes + 1));
-  auto row_place = first_place(pen, t, k);
+  auto row_place = first_place(current, t, k);
   for (int y = t.bottom[k];; ++y, row_place += kTileSize) {
     V e[3] = {row[0], row[1], row[2]};
     V64 z_low = z.row;
@@ -131,7 +131,7 @@ HWY_NOINLINE void draw_triangle(const Pen& pen, const TileTriangles& t, std::siz
       if (is_last) mask = hn::And(mask, last);
       if (!hn::AllFalse(kD, mask)) {
         const PixelVector<V> at{x, y, place, mask, z_low, hn::Add(z_low, z.half), {e[0], e[1], e[2]}};
-        draw_fragments<kDrawing, OneRow>(draw, pen, t, k, at);
+        draw_fragments<kDrawing, OneRow>(draw, current, t, k, at);
       }
       if (is_last) break;
       for (std::size_t i = 0; i < 3; ++i) e[i] = hn::Add(e[i], hn::Set(kD, t.inside_x[i][k] * kLanes));
@@ -145,9 +145,9 @@ HWY_NOINLINE void draw_triangle(const Pen& pen, const TileTriangles& t, std::siz
 
 // Draws triangle k several rows at a time. The triangle has_floats, and its region is no wider than a row of Rows.
 template <Drawing kDrawing, class Rows>
-HWY_INLINE void draw_slim_triangle(const Pen& pen, const TileTriangles& t, std::size_t k) {
+HWY_INLINE void draw_slim_triangle(const PrimitiveDraw& current, const TileTriangles& t, std::size_t k) {
   constexpr int kRows = static_cast<int>(Rows::kRows);
-  const LaneDraw<D> draw(kD, pen.pass.operations, pen.primitive.front_facing);
+  const LaneDraw<D> draw(kD, current.pass.operations, current.primitive.front_facing);
   const V column = Rows::columns(), row = Rows::rows(kD);
   const auto float_column = hn::ConvertTo(kDF, column), float_row = hn::ConvertTo(kDF, row);
   VF e[3], up[3];
@@ -163,13 +163,13 @@ HWY_INLINE void draw_slim_triangle(const Pen& pen, const TileTriangles& t, std::
   const V64 z_up = hn::ShiftLeft<kRows / 2>(z_step);
   const int left = t.left[k], top = t.top[k];
   const M within = hn::Lt(column, hn::Set(kD, t.right[k] - left + 1));
-  auto place = first_place(pen, t, k);
+  auto place = first_place(current, t, k);
   for (int y = t.bottom[k];; y += kRows, place += Rows::kRows * kTileSize) {
     M mask = hn::And(within, hn::Gt(hn::BitCast(kD, hn::Or(hn::Or(e[0], e[1]), e[2])), hn::Set(kD, -1)));
     mask = hn::And(mask, hn::Lt(row, hn::Set(kD, top - y + 1)));
     if (!hn::AllFalse(kD, mask)) {
       const PixelVector<VF> at{left, y, place, mask, z_low, z_high, {e[0], e[1], e[2]}};
-      draw_fragments<kDrawing, Rows>(draw, pen, t, k, at);
+      draw_fragments<kDrawing, Rows>(draw, current, t, k, at);
     }
     if (y + kRows > top) break;
     for (std::size_t i = 0; i < 3; ++i) e[i] = hn::Add(e[i], up[i]);

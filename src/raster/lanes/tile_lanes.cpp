@@ -6,7 +6,7 @@
 #include <cstring>
 
 #include "src/raster/fragment/blend.h"
-#include "src/raster/lanes/pen.h"
+#include "src/raster/lanes/primitive_draw.h"
 #include "src/raster/lanes/tile_triangles.h"
 #include "src/raster/setup/triangle_edges.h"
 
@@ -31,52 +31,53 @@ void draw_triangles(LaneTile&, const LanePass&, const SetupBlock&, std::span<con
 
 // Draws a primitive of kind SetupKind::pixel.
 template <Drawing kDrawing>
-HWY_INLINE void draw_pixel(const Pen& pen) {
+HWY_INLINE void draw_pixel(const PrimitiveDraw& current) {
   constexpr hn::CappedTag<std::int32_t, 1> kD1;
-  TilePlanes& planes = pen.tile.planes;
-  const SetupPrimitive& p = pen.primitive;
+  TilePlanes& planes = current.tile.planes;
+  const SetupPrimitive& p = current.primitive;
   const int x = p.box.left, y = p.box.bottom;
   const auto place = static_cast<std::size_t>((y - planes.bottom) * kTileSize + (x - planes.left));
   if constexpr (is_nearest(kDrawing)) {
     std::uint32_t& stored = planes.depth_stencil[place];
     if (p.z24[0] >= stored >> 8) return;
-    if (kDrawing == Drawing::noted) pen.tile.owners.number[place] = pen.number;
+    if (kDrawing == Drawing::noted) current.tile.owners.number[place] = current.number;
     stored = (p.z24[0] << 8) | (stored & 0xFF);
-    if (pen.pass.operations.color) planes.color[place] = pen.color;
+    if (current.pass.operations.color) planes.color[place] = current.color;
     return;
   }
-  const LaneDraw<hn::CappedTag<std::int32_t, 1> > draw(kD1, pen.pass.operations, p.front_facing);
-  const auto depth = depth_codes(kD1, pen.pass, p, hn::Set(kD1, static_cast<std::int32_t>(p.z24[0])));
+  const LaneDraw<hn::CappedTag<std::int32_t, 1> > draw(kD1, current.pass.operations, p.front_facing);
+  const auto depth = depth_codes(kD1, current.pass, p, hn::Set(kD1, static_cast<std::int32_t>(p.z24[0])));
   auto mask = hn::FirstN(kD1, 1);
   if constexpr (kDrawing == Drawing::gathers) {
-    mask = gathered<OneRow>(kD1, draw, pen, place, mask, depth);
+    mask = gathered<OneRow>(kD1, draw, current, place, mask, depth);
     if (hn::AllFalse(kD1, mask)) return;
     const std::array<std::int64_t, 3> edge = TriangleEdges(p).at(x, y);
     const hn::Rebind<float, hn::CappedTag<std::int32_t, 1> > df;
     hn::Vec<decltype(df)> weight[3];
-    for (std::size_t i = 0; i < 3; ++i) weight[i] = hn::Set(df, static_cast<float>(edge[i]) * pen.corners->inv_w[i]);
-    push<OneRow>(kD1, pen, place, mask, depth, weight);
+    for (std::size_t i = 0; i < 3; ++i)
+      weight[i] = hn::Set(df, static_cast<float>(edge[i]) * current.corners->inv_w[i]);
+    push<OneRow>(kD1, current, place, mask, depth, weight);
   } else {
-    draw_flat<OneRow>(kD1, draw, pen, place, mask, depth);
+    draw_flat<OneRow>(kD1, draw, current, place, mask, depth);
   }
 }
 
 // Draws triangle k in the way that is fastest for its width and the pass.
 template <Drawing kDrawing>
-HWY_INLINE void draw_placed(const Pen& pen, const TileTriangles& t, std::size_t k) {
+HWY_INLINE void draw_placed(const PrimitiveDraw& current, const TileTriangles& t, std::size_t k) {
   const int columns = t.right[k] - t.left[k] + 1;
   if constexpr (kLanes == 16) {
     using Rows = SeveralRows<4>;
-    if (columns <= Rows::kColumns && t.has_floats[k] != 0) return draw_slim_triangle<kDrawing, Rows>(pen, t, k);
+    if (columns <= Rows::kColumns && t.has_floats[k] != 0) return draw_slim_triangle<kDrawing, Rows>(current, t, k);
   }
   if constexpr (kLanes >= 8) {
     using Rows = SeveralRows<2>;
-    if (columns <= Rows::kColumns && t.has_floats[k] != 0) return draw_slim_triangle<kDrawing, Rows>(pen, t, k);
+    if (columns <= Rows::kColumns && t.has_floats[k] != 0) return draw_slim_triangle<kDrawing, Rows>(current, t, k);
   }
-  if (kDrawing == Drawing::gathers && pen.pass.operations.asks_equal_depth) {
-    return pen.tile.owners.are_known ? gather_rows<true>(pen, t, k) : gather_rows<false>(pen, t, k);
+  if (kDrawing == Drawing::gathers && current.pass.operations.asks_equal_depth) {
+    return current.tile.owners.are_known ? gather_rows<true>(current, t, k) : gather_rows<false>(current, t, k);
   }
-  draw_triangle<kDrawing>(pen, t, k);
+  draw_triangle<kDrawing>(current, t, k);
 }
 
 // Primitives of a block that are drawn in a tile.
@@ -133,16 +134,16 @@ void draw_all(LaneTile& tile, const LanePass& pass, const SetupBlock& block, std
     for (; i < group.end; ++i) {
       const SetupPrimitive& p = block.primitives[indices[i]];
       const SetupCorners* const corners = kDrawing == Drawing::gathers ? &block.corners_of(p) : nullptr;
-      Pen pen{tile, pass, p, block, corners, 0, first_number + static_cast<std::uint32_t>(i)};
+      PrimitiveDraw current{tile, pass, p, block, corners, 0, first_number + static_cast<std::uint32_t>(i)};
       const auto find_color = [&] {
         if (!needs_color) return;
         const ColorBytes color = pass.context.flat_primary(p.primitive);
-        std::memcpy(&pen.color, color.data(), sizeof(pen.color));
+        std::memcpy(&current.color, color.data(), sizeof(current.color));
       };
       if (p.kind == SetupKind::pixel) {
         if (is_lost(p, p.box.left, p.box.bottom, p.box.right, p.box.top)) continue;
         find_color();
-        draw_pixel<kDrawing>(pen);
+        draw_pixel<kDrawing>(current);
         continue;
       }
       const std::size_t k = next_triangle++;
@@ -150,7 +151,7 @@ void draw_all(LaneTile& tile, const LanePass& pass, const SetupBlock& block, std
       const bool is_placed = ((group.triangles.placed >> k) & 1U) != 0;
       if (is_placed ? ((group.triangles.drawn >> k) & 1U) == 0 : !t.place(k, p)) continue;
       find_color();
-      draw_placed<kDrawing>(pen, t, k);
+      draw_placed<kDrawing>(current, t, k);
     }
   }
 }

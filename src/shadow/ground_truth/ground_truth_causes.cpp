@@ -11,8 +11,8 @@ constexpr std::array kDepthCauses{ErrorCause::acne, ErrorCause::detached, ErrorC
 constexpr std::array kMaplessCauses{ErrorCause::sampling};
 
 // The polygon that the light sees in the pixel's direction: the one nearest to the light of those in between.
-const Crossed* seen_by_light(std::span<const Crossed> between) {
-  const auto nearer = [](const Crossed& l, const Crossed& r) { return l.at < r.at; };
+const RayCrossing* seen_by_light(std::span<const RayCrossing> between) {
+  const auto nearer = [](const RayCrossing& l, const RayCrossing& r) { return l.at < r.at; };
   const auto found = std::max_element(between.begin(), between.end(), nearer);
   return found == between.end() ? nullptr : &*found;
 }
@@ -26,7 +26,7 @@ ErrorCause index_cause(const Scene& scene, const ShadowEvidence& evidence, const
   if (pixel.lit) {
     const std::uint32_t read = pixel.fetched == 0 ? 0 : index[pixel.fetched - 1];
     if (read != index[pixel.own]) return ErrorCause::truncation;
-    const Crossed* const first = seen_by_light(pixel.between);
+    const RayCrossing* const first = seen_by_light(pixel.between);
     if (first != nullptr && index[first->triangle] == index[pixel.own]) return ErrorCause::shared;
     return ErrorCause::sampling;
   }
@@ -41,7 +41,7 @@ ErrorCause depth_cause(const Scene& scene, const WrongPixel& pixel) {
   }
   if (pixel.fetched == 0) return ErrorCause::sampling;
   // The texel's centre lies beside the pixel's ray, so it may see a neighbour of the polygon that shades the pixel.
-  const auto is_fetched = [&](const Crossed& c) {
+  const auto is_fetched = [&](const RayCrossing& c) {
     return c.triangle == pixel.fetched - 1 || are_neighbours(scene, c.triangle, pixel.fetched - 1);
   };
   const bool seen = std::any_of(pixel.between.begin(), pixel.between.end(), is_fetched);

@@ -11,10 +11,10 @@ namespace ninebit {
 
 // One wrong pixel.
 struct WrongPixel {
-  bool lit;                          // lit and should be in shadow; otherwise the reverse
-  std::uint32_t own;                 // the triangle that it shows
-  std::uint32_t fetched;             // ShadowEvidence::fetched there; 0 without a map
-  std::span<const Crossed> between;  // the triangles between it and the light
+  bool lit;                              // lit and should be in shadow; otherwise the reverse
+  std::uint32_t own;                     // the triangle that it shows
+  std::uint32_t fetched;                 // ShadowEvidence::fetched there; 0 without a map
+  std::span<const RayCrossing> between;  // the triangles between it and the light
 };
 
 [[nodiscard]] ErrorCause cause_of(const Scene& scene, const ShadowEvidence& evidence, const WrongPixel& pixel);

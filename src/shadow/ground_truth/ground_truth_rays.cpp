@@ -27,12 +27,12 @@ bool GroundTruthScene::Rays::blocked(const LightRay& ray, std::uint32_t own) con
   return boxes->search(ray, test);
 }
 
-void GroundTruthScene::Rays::find_all(const LightRay& ray, std::uint32_t own, std::vector<Crossed>& crossed) const {
+void GroundTruthScene::Rays::find_all(const LightRay& ray, std::uint32_t own, std::vector<RayCrossing>& crossed) const {
   crossed.clear();
   if (glm::dot(ray.way, ray.way) == 0.0) return;
   CandidateTest test(*this, ray, own, &crossed);
   static_cast<void>(boxes->search(ray, test));
-  const auto by_number = [](const Crossed& l, const Crossed& r) { return l.triangle < r.triangle; };
+  const auto by_number = [](const RayCrossing& l, const RayCrossing& r) { return l.triangle < r.triangle; };
   std::sort(crossed.begin(), crossed.end(), by_number);
 }
 

@@ -10,7 +10,7 @@
 
 namespace ninebit {
 
-struct Crossed {
+struct RayCrossing {
   std::uint32_t triangle;
   double at;  // along the ray, as crossing() returns it
 };
@@ -20,7 +20,8 @@ class CandidateTest {
  public:
   // `own`: the triangle where the ray begins, which is left out. `all` collects the crossed triangles; nullptr: the
   // first one ends the search. The references must outlive it.
-  CandidateTest(const GroundTruthScene::Rays& rays, const LightRay& ray, std::uint32_t own, std::vector<Crossed>* all)
+  CandidateTest(const GroundTruthScene::Rays& rays, const LightRay& ray, std::uint32_t own,
+                std::vector<RayCrossing>* all)
       : rays_(rays), ray_(ray), own_(own), all_(all) {}
 
   // Returns whether the search can end.
@@ -30,7 +31,7 @@ class CandidateTest {
   const GroundTruthScene::Rays& rays_;
   const LightRay& ray_;
   std::uint32_t own_;
-  std::vector<Crossed>* all_;
+  std::vector<RayCrossing>* all_;
 };
 
 // Finds candidates: the triangles whose boxes a ray passes through.
@@ -49,7 +50,7 @@ struct GroundTruthScene::Rays {
   // Whether any triangle but `own` lies on the way to the light.
   [[nodiscard]] bool blocked(const LightRay& ray, std::uint32_t own) const;
   // All of them, by number.
-  void find_all(const LightRay& ray, std::uint32_t own, std::vector<Crossed>& crossed) const;
+  void find_all(const LightRay& ray, std::uint32_t own, std::vector<RayCrossing>& crossed) const;
 
   const Scene* scene;
   double touching;  // touching_distance

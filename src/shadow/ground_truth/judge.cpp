@@ -37,7 +37,7 @@ Judge::Judge(const GroundTruthScene::Rays& rays, const RenderSettings& settings,
 
 void Judge::judge_rows(int first, int last) {
   parallel_ranges(static_cast<std::size_t>(last - first), 1, [&](std::size_t begin, std::size_t end) {
-    std::vector<Crossed> between;
+    std::vector<RayCrossing> between;
     for (std::size_t row = begin; row < end; ++row) {
       for (int x = 0; x < settings_.width; ++x) judge_pixel(x, first + static_cast<int>(row), between);
     }
@@ -53,7 +53,7 @@ GroundTruth Judge::finish() {
   return std::move(truth_);
 }
 
-void Judge::judge_pixel(int x, int y, std::vector<Crossed>& between) {
+void Judge::judge_pixel(int x, int y, std::vector<RayCrossing>& between) {
   const std::size_t i =
       static_cast<std::size_t>(y) * static_cast<std::size_t>(settings_.width) + static_cast<std::size_t>(x);
   const std::uint32_t own = rendering_.frame.primitive()[i];

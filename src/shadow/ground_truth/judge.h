@@ -22,7 +22,7 @@ class Judge {
   [[nodiscard]] GroundTruth finish();
 
  private:
-  void judge_pixel(int x, int y, std::vector<Crossed>& between);
+  void judge_pixel(int x, int y, std::vector<RayCrossing>& between);
   [[nodiscard]] bool turns_away(const Corners& triangle) const;
   [[nodiscard]] bool outside_spot(const glm::dvec3& point) const;
 

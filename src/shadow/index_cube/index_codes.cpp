@@ -18,14 +18,15 @@ bool fits(IndexFormat format, int step, std::uint64_t count) {
   return count < IndexCodes(step, format).capacity();
 }
 
-struct Remedy {
+struct SettingChange {
   std::string change;
   std::string why;
 };
 
 // The single changes that provide enough codes.
-std::vector<Remedy> remedies(IndexFormat format, int step, IndexScope scope, const IndexCounts& counts) {
-  std::vector<Remedy> found;
+std::vector<SettingChange> sufficient_changes(IndexFormat format, int step, IndexScope scope,
+                                              const IndexCounts& counts) {
+  std::vector<SettingChange> found;
   for (int smaller = step - 1; smaller >= 1; --smaller) {
     if (!fits(format, smaller, counts.of(scope))) continue;
     found.push_back(
@@ -102,9 +103,9 @@ Status check_index_codes(IndexFormat format, int step, IndexScope scope, const I
   const std::uint64_t used = counts.of(scope);
   if (fits(format, step, used)) return {};
   std::string would_do;
-  for (const Remedy& remedy : remedies(format, step, scope, counts)) {
-    would_do += would_do.empty() ? fmt::format("{} would do ({})", remedy.change, remedy.why)
-                                 : fmt::format(", or {} ({})", remedy.change, remedy.why);
+  for (const SettingChange& setting : sufficient_changes(format, step, scope, counts)) {
+    would_do += would_do.empty() ? fmt::format("{} would do ({})", setting.change, setting.why)
+                                 : fmt::format(", or {} ({})", setting.change, setting.why);
   }
   return Diagnostic{.message = fmt::format(
                         "too many {0}s: {1} of them and the cleared map need {2} codes, index format {3} with step "

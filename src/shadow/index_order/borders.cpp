@@ -10,22 +10,22 @@ namespace ninebit {
 namespace {
 
 // A place where two patches meet.
-struct Meeting {
+struct PatchContact {
   std::uint32_t a = 0, b = 0;  // a < b
   double length = 0.0;         // of the shared edge; a corner has none
   double fold = -1.0;          // the sine of the angle by which one rises in front of the other; below 0: it falls
 
-  [[nodiscard]] bool same_pair(const Meeting& o) const { return a == o.a && b == o.b; }
-  bool operator<(const Meeting& o) const { return a < o.a || (a == o.a && b < o.b); }
+  [[nodiscard]] bool same_pair(const PatchContact& o) const { return a == o.a && b == o.b; }
+  bool operator<(const PatchContact& o) const { return a < o.a || (a == o.a && b < o.b); }
 };
 
-class MeetingFinder {
+class ContactFinder {
  public:
-  MeetingFinder(const SceneSurface& surface, const Patches& patches)
+  ContactFinder(const SceneSurface& surface, const Patches& patches)
       : surface_(surface), patches_(patches), shared_(surface.places()) {}
 
   // One entry for each pair of patches that meet, sorted.
-  std::vector<Meeting> find() {
+  std::vector<PatchContact> find() {
     for (std::uint32_t place = 0; place < surface_.places(); ++place) {
       const auto polygons = surface_.polygons_at(place);
       shared_[place] = std::any_of(polygons.begin(), polygons.end(), [&](std::uint32_t polygon) {
@@ -34,9 +34,9 @@ class MeetingFinder {
       if (shared_[place] && polygons.size() <= SceneSurface::kMaxValence) add_corner(place);
     }
     for (std::uint32_t polygon = 0; polygon < surface_.polygons(); ++polygon) add_edges(polygon);
-    std::stable_sort(meetings_.begin(), meetings_.end());
-    std::vector<Meeting> merged;
-    for (const Meeting& m : meetings_) {
+    std::stable_sort(contacts_.begin(), contacts_.end());
+    std::vector<PatchContact> merged;
+    for (const PatchContact& m : contacts_) {
       if (merged.empty() || !merged.back().same_pair(m)) {
         merged.push_back(m);
       } else {
@@ -49,7 +49,7 @@ class MeetingFinder {
 
  private:
   void add(std::uint32_t a, std::uint32_t b, double length, double fold) {
-    meetings_.push_back({std::min(a, b), std::max(a, b), length, fold});
+    contacts_.push_back({std::min(a, b), std::max(a, b), length, fold});
   }
 
   // How steeply `polygon` rises from a place in front of the plane of `base`.
@@ -68,16 +68,16 @@ class MeetingFinder {
 
   void add_corner(std::uint32_t place) {
     const auto polygons = surface_.polygons_at(place);
-    const std::size_t before = meetings_.size();
+    const std::size_t before = contacts_.size();
     for (std::size_t i = 0; i < polygons.size(); ++i) {
       for (std::size_t j = 0; j < i; ++j) {
         const std::uint32_t a = patches_.of_polygon(polygons[i]), b = patches_.of_polygon(polygons[j]);
         if (a == b) continue;
-        const Meeting m{std::min(a, b), std::max(a, b), 0.0, fold(polygons[i], polygons[j], place)};
-        const auto known = std::find_if(meetings_.begin() + static_cast<std::ptrdiff_t>(before), meetings_.end(),
-                                        [&](const Meeting& o) { return o.same_pair(m); });
-        if (known == meetings_.end()) {
-          meetings_.push_back(m);
+        const PatchContact m{std::min(a, b), std::max(a, b), 0.0, fold(polygons[i], polygons[j], place)};
+        const auto known = std::find_if(contacts_.begin() + static_cast<std::ptrdiff_t>(before), contacts_.end(),
+                                        [&](const PatchContact& o) { return o.same_pair(m); });
+        if (known == contacts_.end()) {
+          contacts_.push_back(m);
         } else {
           known->fold = std::max(known->fold, m.fold);
         }
@@ -100,19 +100,19 @@ class MeetingFinder {
   const SceneSurface& surface_;
   const Patches& patches_;
   std::vector<bool> shared_;  // places with polygons of several patches
-  std::vector<Meeting> meetings_;
+  std::vector<PatchContact> contacts_;
 };
 
 }  // namespace
 
 Borders Borders::find(const SceneSurface& surface, const Patches& patches, ShadowRelation& relation, double degrees) {
-  std::vector<Meeting> meetings = MeetingFinder(surface, patches).find();
+  std::vector<PatchContact> contacts = ContactFinder(surface, patches).find();
   const double gentle = std::sin(degrees * std::numbers::pi / 180.0);
-  std::erase_if(meetings, [&](const Meeting& m) { return m.fold > gentle && relation.may_shadow(m.a, m.b); });
+  std::erase_if(contacts, [&](const PatchContact& m) { return m.fold > gentle && relation.may_shadow(m.a, m.b); });
 
   Borders borders;
   borders.first_.assign(patches.count() + std::size_t{1}, 0);
-  for (const Meeting& m : meetings) {
+  for (const PatchContact& m : contacts) {
     ++borders.first_[m.a + 1];
     ++borders.first_[m.b + 1];
   }
@@ -121,10 +121,10 @@ Borders Borders::find(const SceneSurface& surface, const Patches& patches, Shado
   std::vector<std::size_t> next(borders.first_.begin(), borders.first_.end() - 1);
   const double corner = kCornerLength * surface.diagonal();
   // In this order each list comes out sorted: first the smaller neighbours, then the larger ones.
-  for (const Meeting& m : meetings) {
+  for (const PatchContact& m : contacts) {
     borders.borders_[next[m.b]++] = {m.a, static_cast<float>(m.length + corner)};
   }
-  for (const Meeting& m : meetings) {
+  for (const PatchContact& m : contacts) {
     borders.borders_[next[m.a]++] = {m.b, static_cast<float>(m.length + corner)};
   }
   return borders;

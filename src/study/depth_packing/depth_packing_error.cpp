@@ -56,7 +56,7 @@ class SeenFloats {
 };
 
 // The errors of a range of depths. Sums of doubles depend on their order, so ranges are joined from first to last.
-struct Stretch {
+struct RangeErrors {
   std::uint64_t exact = 0, inversions = 0;
   double sum = 0.0, sum_of_sizes = 0.0, largest = -1.0;
   float worst_depth = 0.0F, worst_back = 0.0F;
@@ -88,7 +88,7 @@ Result<RoundTripError> measure_round_trip(const DepthPacking& packing, ChannelSt
                                           std::uint32_t float_step, const GoOn& go_on) {
   const auto back_of = [&](float depth) { return read_depth(packing, store_depth(packing, depth, storage)); };
   const std::uint64_t depths = depth_count(set, float_step);
-  std::vector<Stretch> stretches((depths + kChunk - 1) / kChunk);
+  std::vector<RangeErrors> stretches((depths + kChunk - 1) / kChunk);
   SeenFloats seen;
   std::atomic<bool> stopped = false;
   parallel_for(stretches.size(), [&](std::size_t s) {
@@ -96,7 +96,7 @@ Result<RoundTripError> measure_round_trip(const DepthPacking& packing, ChannelSt
       stopped = true;
       return;
     }
-    Stretch here;
+    RangeErrors here;
     const std::uint64_t first = s * kChunk, last = std::min(first + kChunk, depths);
     float before = first == 0 ? 0.0F : back_of(depth_at(set, float_step, first - 1));
     for (std::uint64_t i = first; i < last; ++i) {
@@ -125,7 +125,7 @@ Result<RoundTripError> measure_round_trip(const DepthPacking& packing, ChannelSt
   out.zero_back = back_of(0.0F);
   out.one_back = back_of(1.0F);
   out.max_error = -1.0;
-  for (const Stretch& s : stretches) {
+  for (const RangeErrors& s : stretches) {
     out.exact += s.exact;
     out.inversions += s.inversions;
     out.mean_error += s.sum_of_sizes;

@@ -20,19 +20,19 @@ std::string grouped(std::uint64_t n) {
 }
 
 // Statements with the formats that they apply to, in order of first appearance.
-class Sayings {
+class StatementsByFormat {
  public:
-  void add(const std::string& saying, StudyFormat format) {
-    auto found = std::find_if(list_.begin(), list_.end(), [&](const auto& one) { return one.first == saying; });
-    if (found == list_.end()) found = list_.insert(list_.end(), {saying, {}});
+  void add(const std::string& statement, StudyFormat format) {
+    auto found = std::find_if(list_.begin(), list_.end(), [&](const auto& one) { return one.first == statement; });
+    if (found == list_.end()) found = list_.insert(list_.end(), {statement, {}});
     found->second.push_back(name_of(format));
   }
   // "128 codes in channel, l, a and 2,097,152 codes in rgb"
   [[nodiscard]] std::string text() const {
     std::string text;
-    for (const auto& [saying, formats] : list_) {
+    for (const auto& [statement, formats] : list_) {
       if (!text.empty()) text += " and ";
-      text += fmt::format("{} in {}", saying, fmt::join(formats, ", "));
+      text += fmt::format("{} in {}", statement, fmt::join(formats, ", "));
     }
     return text;
   }
@@ -43,8 +43,8 @@ class Sayings {
 
 // The smallest safe steps of one profile and variant, with the codes that remain in each format.
 std::string safe_steps(std::span<const IndexLadder* const> ladders) {
-  std::map<int, Sayings> by_step;
-  Sayings unsafe;
+  std::map<int, StatementsByFormat> by_step;
+  StatementsByFormat unsafe;
   for (const IndexLadder* ladder : ladders) {
     const IndexStepRow* const safe = ladder->safe();
     if (safe != nullptr) by_step[safe->step].add(grouped(safe->count.codes) + " codes", ladder->format);
@@ -59,7 +59,7 @@ std::string safe_steps(std::span<const IndexLadder* const> ladders) {
 
 // The share of false matches at the largest step that has any.
 std::string losses(std::span<const IndexLadder* const> ladders) {
-  std::map<int, Sayings> by_step;
+  std::map<int, StatementsByFormat> by_step;
   for (const IndexLadder* ladder : ladders) {
     const IndexStepRow* const lossy = ladder->lossy();
     if (lossy == nullptr) continue;

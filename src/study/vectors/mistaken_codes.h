@@ -24,67 +24,67 @@ class MistakenCodes {
   using Wide = V;
   using Output = V;
 
-  constexpr MistakenCodes(const Datapath& d, Slip slip, const ProgramStage& stage, RegisterFile& registers)
-      : d_(d), slip_(slip), stage_(stage), registers_(registers), right_(d, stage, registers) {}
+  constexpr MistakenCodes(const Datapath& d, BrokenRule broken, const ProgramStage& stage, RegisterFile& registers)
+      : d_(d), broken_(broken), stage_(stage), registers_(registers), right_(d, stage, registers) {}
 
   constexpr V input(const CombinerInput& in, int component) const {
-    if (slip_ == Slip::half_exact) return twice(in, component);
-    return slip_ == Slip::negative_inputs ? map_unclamped(d_, in.mapping, fetched(in, component))
-                                          : right_.input(in, component);
+    if (broken_ == BrokenRule::half_exact) return twice(in, component);
+    return broken_ == BrokenRule::negative_inputs ? map_unclamped(d_, in.mapping, fetched(in, component))
+                                                  : right_.input(in, component);
   }
   constexpr V product(V x, V y) const {
     const V wide = right_.product(x, y);
-    if (slip_ == Slip::products_shifted) return wide >> 8;
-    if (slip_ != Slip::products_narrowed) return wide;
+    if (broken_ == BrokenRule::products_shifted) return wide >> 8;
+    if (broken_ != BrokenRule::products_narrowed) return wide;
     return reference::narrow(d_.general_narrowing, wide, d_.one, 2 * d_.one) * d_.one;
   }
   constexpr V sum(V x, V y) const {
     const V wide = right_.sum(x, y);
-    return slip_ == Slip::sums_clamped ? reference::clamp_to(wide, -d_.one * d_.one, d_.one * d_.one) : wide;
+    return broken_ == BrokenRule::sums_clamped ? reference::clamp_to(wide, -d_.one * d_.one, d_.one * d_.one) : wide;
   }
   constexpr V mux(V ab, V cd) const {
-    if (slip_ == Slip::mux_above_half) {
+    if (broken_ == BrokenRule::mux_above_half) {
       Datapath above = d_;
       ++above.half;
       return reference::CodeDomain(above, stage_, registers_).mux(ab, cd);
     }
-    return slip_ == Slip::mux_swapped ? right_.mux(cd, ab) : right_.mux(ab, cd);
+    return broken_ == BrokenRule::mux_swapped ? right_.mux(cd, ab) : right_.mux(ab, cd);
   }
   constexpr V output(const detail::Target& target, V wide) const {
     const PortionOutput& out = target.out;
-    switch (slip_) {
-      case Slip::outputs_from_zero:
+    switch (broken_) {
+      case BrokenRule::outputs_from_zero:
         return reference::max_of(right_.output(target, wide), 0);
-      case Slip::outputs_unclamped:
+      case BrokenRule::outputs_unclamped:
         return reference::clamp_to(narrowed(scaled(out, wide)), -kMostUnclamped, kMostUnclamped);
-      case Slip::bias_after_scale: {
+      case BrokenRule::bias_after_scale: {
         // scale_output doubles, so the bias is added twice.
         const V doubled = reference::scale_output(out.scale, wide);
         return clamped(reference::add_bias(d_, out.bias, reference::add_bias(d_, out.bias, doubled)));
       }
-      case Slip::rounded_down:
+      case BrokenRule::rounded_down:
         // To the nearest code, of half a unit less.
         return reference::clamp_output(d_, nearest(scaled(out, wide) - reference::scaled_unit(d_) / 2));
-      case Slip::halves_from_zero: {
+      case BrokenRule::halves_from_zero: {
         const V n = scaled(out, wide);
         return reference::clamp_output(d_, reference::negate_where_negative(n, nearest(reference::abs_of(n))));
       }
-      case Slip::half_exact: {
+      case BrokenRule::half_exact: {
         // Inputs are doubled, so that half a code is whole: wide values are four times what they are.
         const V bias = out.bias == Bias::none ? 0 : 2 * d_.one * d_.one;
         return reference::clamp_output(
             d_, reference::narrow(d_.general_narrowing, reference::scale_output(out.scale, wide - bias), 8 * d_.one,
                                   kMostCodes));
       }
-      case Slip::shifted:
-      case Slip::shifted_bias_255: {
-        const V unit = slip_ == Slip::shifted ? d_.one + 1 : d_.one;
+      case BrokenRule::shifted:
+      case BrokenRule::shifted_bias_255: {
+        const V unit = broken_ == BrokenRule::shifted ? d_.one + 1 : d_.one;
         const V bias = out.bias == Bias::none ? 0 : d_.half * unit;
         return reference::clamp_output(d_, floor_of(reference::scale_output(out.scale, wide - bias), 2 * (d_.one + 1)));
       }
-      case Slip::sums_shifted:
-      case Slip::products_shifted: {
-        const V code = slip_ == Slip::sums_shifted ? wide >> 8 : wide;
+      case BrokenRule::sums_shifted:
+      case BrokenRule::products_shifted: {
+        const V code = broken_ == BrokenRule::sums_shifted ? wide >> 8 : wide;
         const V bias = out.bias == Bias::none ? 0 : d_.half;
         return reference::clamp_output(d_, reference::scale_output(out.scale, code - bias) >> 1);
       }
@@ -128,46 +128,61 @@ class MistakenCodes {
   }
 
   const Datapath d_;
-  Slip slip_;
+  BrokenRule broken_;
   const ProgramStage& stage_;
   RegisterFile& registers_;
   reference::CodeDomain right_;
 };
 
-// The final combiner of a mistake.
-struct MistakenFinal {
-  reference::FinalCodes right;
-  Slip slip;
+// The value domain (final_walk.h) of a mistake in the final combiner.
+class MistakenFinal {
+ public:
+  using Input = V;
+  using Code = V;
+  static constexpr bool kEveryStep = false;
 
-  constexpr V map(InputMapping mapping, V e) const {
-    return slip == Slip::negative_inputs ? map_unclamped(right.d, mapping, e) : right.map(mapping, e);
+  constexpr MistakenFinal(const Program& program, BrokenRule broken, const RegisterFile& registers)
+      : d_(program.datapath), broken_(broken), program_(program), registers_(registers), right_(program, registers) {}
+
+  constexpr V input(const CombinerInput& in, int component) const {
+    return map(in.mapping, reference::fetch(registers_, in.reg, component, program_.constant0, program_.constant1));
   }
-  constexpr V sum_part(bool inverted, V v) const {
-    return inverted && slip == Slip::negative_inputs ? map(InputMapping::unsigned_invert, v)
-                                                     : right.sum_part(inverted, v);
+  constexpr V map(InputMapping mapping, V e) const {
+    return broken_ == BrokenRule::negative_inputs ? map_unclamped(d_, mapping, e) : right_.map(mapping, e);
+  }
+  constexpr V sum_part(bool inverted, Register r, int component) const {
+    return inverted && broken_ == BrokenRule::negative_inputs
+               ? map(InputMapping::unsigned_invert, registers_[r][static_cast<std::size_t>(component)])
+               : right_.sum_part(inverted, r, component);
   }
   constexpr V sum(bool clamp, V spare0, V secondary) const {
-    if (slip != Slip::negative_inputs) return right.sum(clamp, spare0, secondary);
-    return clamp ? reference::min_of(spare0 + secondary, right.d.one) : spare0 + secondary;
+    if (broken_ != BrokenRule::negative_inputs) return right_.sum(clamp, spare0, secondary);
+    return clamp ? reference::min_of(spare0 + secondary, d_.one) : spare0 + secondary;
   }
   constexpr V product(V e, V f) const { return shifts() ? shift(e * f) : narrow(e * f); }
-  constexpr V rgb(V a, V b, V c, V added) const {
-    const V ab = a * b, rest = reference::one_minus_a_times_c(right.d, a, c);
-    if (slip == Slip::products_shifted) return reference::clamp_final(right.d, shift(ab) + shift(rest) + added);
-    return reference::clamp_final(right.d, (shifts() ? shift(ab + rest) : narrow(ab + rest)) + added);
+  constexpr V rgb(int, V a, V b, V c, V added) const {
+    const V ab = a * b, rest = reference::one_minus_a_times_c(d_, a, c);
+    if (broken_ == BrokenRule::products_shifted) return reference::clamp_final(d_, shift(ab) + shift(rest) + added);
+    return reference::clamp_final(d_, (shifts() ? shift(ab + rest) : narrow(ab + rest)) + added);
   }
-  constexpr V alpha(V g) const { return right.alpha(g); }
+  constexpr V alpha(V g) const { return right_.alpha(g); }
 
  private:
   // Inputs that are not clamped reach ±2 and more: quotients stay below 16.
   [[nodiscard]] constexpr V narrow(V wide) const {
-    return reference::narrow(right.d.final_narrowing, wide, right.d.one, 16 * right.d.one);
+    return reference::narrow(d_.final_narrowing, wide, d_.one, 16 * d_.one);
   }
   [[nodiscard]] constexpr bool shifts() const {
-    return slip == Slip::shifted || slip == Slip::shifted_bias_255 || slip == Slip::sums_shifted ||
-           slip == Slip::products_shifted;
+    return broken_ == BrokenRule::shifted || broken_ == BrokenRule::shifted_bias_255 ||
+           broken_ == BrokenRule::sums_shifted || broken_ == BrokenRule::products_shifted;
   }
   [[nodiscard]] static constexpr V shift(V wide) { return wide >> 8; }
+
+  const Datapath& d_;
+  BrokenRule broken_;
+  const Program& program_;
+  const RegisterFile& registers_;
+  reference::FinalCodes right_;
 };
 
 }  // namespace ninebit::vectors

@@ -108,33 +108,33 @@ const Edit kEdits[] = {
 
 struct NamedSlip {
   const char *name, *rules;
-  Slip slip;
+  BrokenRule broken;
   bool in_general = true, in_final = true;
 };
 
 const NamedSlip kSlips[] = {
-    {"negative inputs are not clamped to 0", "2, 14", Slip::negative_inputs},
-    {"outputs of general combiners are clamped to [0, 1]", "", Slip::outputs_from_zero},
-    {"outputs of general combiners are not clamped", "", Slip::outputs_unclamped},
-    {"the bias is added after the scale", "3", Slip::bias_after_scale},
-    {"each product is rounded before the sum", "7", Slip::products_narrowed},
-    {"sums are clamped before bias and scale", "22", Slip::sums_clamped},
-    {"the mux takes AB for CD", "11", Slip::mux_swapped},
-    {"the mux compares spare0's alpha by > instead of >=", "11", Slip::mux_above_half},
-    {"the alpha portion reads what the RGB portion wrote", "12", Slip::portions_in_turn},
-    {"general combiners round down", "5, 8", Slip::rounded_down},
-    {"general combiners round halves away from zero", "5", Slip::halves_from_zero},
-    {"half = 127.5", "4", Slip::half_exact},
-    {"a shift by 8 instead of a division by 255", "9, 10", Slip::shifted},
-    {"general combiners shift by 8", "5, 8", Slip::shifted, true, false},
-    {"the final combiner shifts by 8", "9, 10", Slip::shifted, false, true},
-    {"a shift by 8, bias half * 255", "4, 9, 10", Slip::shifted_bias_255},
-    {"general combiners shift by 8, bias half * 255", "4, 5, 8", Slip::shifted_bias_255, true, false},
-    {"a shift by 8 before the bias", "7, 9, 10", Slip::sums_shifted},
-    {"general combiners shift by 8 before the bias", "5, 7, 8", Slip::sums_shifted, true, false},
-    {"a shift by 8 of each product", "7, 9, 10", Slip::products_shifted},
-    {"general combiners shift each product by 8", "5, 7, 8", Slip::products_shifted, true, false},
-    {"spare0's alpha starts as 0", "", Slip::spare0_alpha_zero},
+    {"negative inputs are not clamped to 0", "2, 14", BrokenRule::negative_inputs},
+    {"outputs of general combiners are clamped to [0, 1]", "", BrokenRule::outputs_from_zero},
+    {"outputs of general combiners are not clamped", "", BrokenRule::outputs_unclamped},
+    {"the bias is added after the scale", "3", BrokenRule::bias_after_scale},
+    {"each product is rounded before the sum", "7", BrokenRule::products_narrowed},
+    {"sums are clamped before bias and scale", "22", BrokenRule::sums_clamped},
+    {"the mux takes AB for CD", "11", BrokenRule::mux_swapped},
+    {"the mux compares spare0's alpha by > instead of >=", "11", BrokenRule::mux_above_half},
+    {"the alpha portion reads what the RGB portion wrote", "12", BrokenRule::portions_in_turn},
+    {"general combiners round down", "5, 8", BrokenRule::rounded_down},
+    {"general combiners round halves away from zero", "5", BrokenRule::halves_from_zero},
+    {"half = 127.5", "4", BrokenRule::half_exact},
+    {"a shift by 8 instead of a division by 255", "9, 10", BrokenRule::shifted},
+    {"general combiners shift by 8", "5, 8", BrokenRule::shifted, true, false},
+    {"the final combiner shifts by 8", "9, 10", BrokenRule::shifted, false, true},
+    {"a shift by 8, bias half * 255", "4, 9, 10", BrokenRule::shifted_bias_255},
+    {"general combiners shift by 8, bias half * 255", "4, 5, 8", BrokenRule::shifted_bias_255, true, false},
+    {"a shift by 8 before the bias", "7, 9, 10", BrokenRule::sums_shifted},
+    {"general combiners shift by 8 before the bias", "5, 7, 8", BrokenRule::sums_shifted, true, false},
+    {"a shift by 8 of each product", "7, 9, 10", BrokenRule::products_shifted},
+    {"general combiners shift each product by 8", "5, 7, 8", BrokenRule::products_shifted, true, false},
+    {"spare0's alpha starts as 0", "", BrokenRule::spare0_alpha_zero},
 };
 
 }  // namespace
@@ -157,10 +157,10 @@ std::vector<Mistake> mistakes_of(const HardwareProfile& profile) {
       found.back().profile.arithmetic.value = arithmetic;
     }
     for (const NamedSlip& one : kSlips) {
-      found.push_back({one.name, one.rules, profile, one.slip, nullptr, one.in_general, one.in_final});
+      found.push_back({one.name, one.rules, profile, one.broken, nullptr, one.in_general, one.in_final});
     }
   }
-  for (const Edit& one : kEdits) found.push_back({one.name, one.rules, profile, Slip::none, one.edit});
+  for (const Edit& one : kEdits) found.push_back({one.name, one.rules, profile, BrokenRule::none, one.edit});
   return found;
 }
 
@@ -172,13 +172,13 @@ Program mistaken_program(const Mistake& mistake, const CombinerState& state) {
 }
 
 Rgba9 run_mistaken(const Mistake& mistake, const Program& program, RegisterFile registers) {
-  if (mistake.slip == Slip::none) return evaluate(program, registers);
-  if (mistake.slip == Slip::spare0_alpha_zero) registers[Register::spare0][kAlpha] = 0;
+  if (mistake.broken == BrokenRule::none) return evaluate(program, registers);
+  if (mistake.broken == BrokenRule::spare0_alpha_zero) registers[Register::spare0][kAlpha] = 0;
   for (int i = 0; i < program.num_general_combiners; ++i) {
     const ProgramStage& stage = program.general[static_cast<std::size_t>(i)];
-    MistakenCodes codes(program.datapath, mistake.in_general ? mistake.slip : Slip::none, stage, registers);
+    MistakenCodes codes(program.datapath, mistake.in_general ? mistake.broken : BrokenRule::none, stage, registers);
     detail::StageSteps<MistakenCodes> steps;
-    if (mistake.slip != Slip::portions_in_turn) {
+    if (mistake.broken != BrokenRule::portions_in_turn) {
       detail::walk_stage(codes, stage, steps);
       continue;
     }
@@ -187,8 +187,8 @@ Rgba9 run_mistaken(const Mistake& mistake, const Program& program, RegisterFile 
     detail::compute_portion<PortionName::alpha>(codes, stage.alpha, steps);
     detail::write_portion<PortionName::alpha>(codes, stage.alpha.out, steps);
   }
-  return detail::walk_final(MistakenFinal{{program.datapath}, mistake.in_final ? mistake.slip : Slip::none}, program,
-                            registers);
+  return detail::walk_final_codes(
+      MistakenFinal(program, mistake.in_final ? mistake.broken : BrokenRule::none, registers), program);
 }
 
 Bytes4 bytes_of(const HardwareProfile& profile, const Rgba9& color) {

@@ -13,7 +13,7 @@
 namespace ninebit::vectors {
 
 // A rule of the arithmetic that a model breaks, if no field of a profile has the wrong value for it.
-enum class Slip {
+enum class BrokenRule {
   none,
   negative_inputs,    // mappings do not clamp negative codes to 0
   outputs_from_zero,  // general combiners clamp their outputs to [0, one]
@@ -37,9 +37,9 @@ enum class Slip {
 struct Mistake {
   std::string name, rules;
   HardwareProfile profile;  // the pack's, or with another value in one field
-  Slip slip = Slip::none;
+  BrokenRule broken = BrokenRule::none;
   void (*edit)(CombinerState&) = nullptr;   // what the model does to every program; null: nothing
-  bool in_general = true, in_final = true;  // the combiners in which the slip is made
+  bool in_general = true, in_final = true;  // the combiners in which the broken is made
 };
 
 // The mistakes that may be made instead of a profile's rules.

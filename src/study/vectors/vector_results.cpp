@@ -36,7 +36,7 @@ void judge_mistakes(const VectorPack& pack, const VectorProgram& program, const 
     const Mistake& mistake = mistakes[m];
     const Program compiled = vectors::mistaken_program(mistake, program.state);
     // An edit that changes nothing gives what the pack expects.
-    const bool is_right = mistake.slip == vectors::Slip::none && compiled == right;
+    const bool is_right = mistake.broken == vectors::BrokenRule::none && compiled == right;
     for (std::size_t i = 0; i < colors.size(); ++i) {
       const Bytes4 color =
           is_right ? program.expected[i]

@@ -29,12 +29,12 @@ void give_samples(std::string name, std::vector<Sample> samples, int width, int 
   static_assert(sizeof(Sample) <= 4);
   auto owner = std::make_shared<const std::vector<Sample>>(std::move(samples));
   const auto size = static_cast<std::ptrdiff_t>(sizeof(Sample));
-  GivenArray array{.name = std::move(name),
-                   .kind = kind_of<Sample>(),
-                   .shape = {height, width},
-                   .strides = {size * width * channels, size * channels},
-                   .first = owner->data(),
-                   .owner = owner};
+  HostArray array{.name = std::move(name),
+                  .kind = kind_of<Sample>(),
+                  .shape = {height, width},
+                  .strides = {size * width * channels, size * channels},
+                  .first = owner->data(),
+                  .owner = owner};
   if (channels > 1) {
     array.shape.push_back(channels);
     array.strides.push_back(size);

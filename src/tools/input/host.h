@@ -12,7 +12,7 @@
 namespace ninebit::tools {
 
 // Samples in memory, the top row first.
-struct GivenArray {
+struct HostArray {
   std::string name;
   char kind = 'B';                    // NumPy's letter: B, I (unsigned 8 and 32 bits), h (16 bits), e, f (16, 32 bits)
   std::vector<std::ptrdiff_t> shape;  // rows, columns, and components if there are several
@@ -38,7 +38,7 @@ class Host {
   virtual void step(std::string_view what, double done) = 0;
   // Whether to end the work. Any thread may call it.
   [[nodiscard]] virtual bool stopped() const = 0;
-  virtual void give(GivenArray array) = 0;
+  virtual void give(HostArray array) = 0;
   virtual void give(std::string name, std::string text) = 0;
 };
 

@@ -1,27 +1,14 @@
 #include "src/tools/verify/verify_rules.h"
 
-#include <algorithm>
-#include <array>
 #include <optional>
 #include <utility>
 
 #include "ninebit/combiner/program.h"
+#include "ninebit/numerics/profile_fields.h"
 #include "ninebit/study/combiner_fields.h"
 #include "src/combiner/given_registers.h"
 
 namespace ninebit::tools {
-
-namespace {
-
-Narrowing other(Narrowing narrowing) {
-  return narrowing == Narrowing::toward_zero ? Narrowing::nearest_halves_up : Narrowing::toward_zero;
-}
-
-const char* name(Narrowing narrowing) {
-  return narrowing == Narrowing::toward_zero ? "toward-zero" : "nearest-halves-up";
-}
-
-}  // namespace
 
 std::vector<Rival> rivals_of(const HardwareProfile& profile) {
   std::vector<Rival> rivals;
@@ -40,46 +27,16 @@ std::vector<Rival> rivals_of(const HardwareProfile& profile) {
 
 std::vector<Rival> pixel_rivals_of(const HardwareProfile& profile) {
   std::vector<Rival> rivals;
-  const auto add = [&](const char* field, const char* value, const char* rules, auto replace) {
-    Rival rival{field, value, rules, profile};
-    replace(rival.profile);
-    rivals.push_back(std::move(rival));
-  };
-  const auto add_others = [&](const char* field, const char* rules, auto current, auto member, const auto& words) {
-    for (const auto& [word, value] : words) {
-      if (value == current) continue;
-      const auto other_value = value;  // clang 14 captures no structured binding
-      add(field, word, rules, [&](HardwareProfile& p) { (p.*member).value = other_value; });
+  for (const ProfileField& field : profile_fields()) {
+    if (field.group != FieldGroup::rasterizer) continue;
+    const int own = field.get(profile).value;
+    for (int value = 0; value < static_cast<int>(field.words.size()); ++value) {
+      if (value == own) continue;
+      Rival rival{std::string(field.name), field.word_of(value), std::string(field.rules), profile};
+      field.set(rival.profile, {value, field.get(profile).evidence, field.get(profile).source});
+      rivals.push_back(std::move(rival));
     }
-  };
-  using Lines = std::pair<const char*, LineShape>;
-  add_others("line_shape", "30", profile.line_shape.value, &HardwareProfile::line_shape,
-             std::array{Lines("diamonds", LineShape::diamonds), Lines("rectangles", LineShape::rectangles)});
-  using Points = std::pair<const char*, PointShape>;
-  add_others("point_shape", "31", profile.point_shape.value, &HardwareProfile::point_shape,
-             std::array{Points("whole-pixels", PointShape::whole_pixels), Points("squares", PointShape::squares)});
-  using Weights = std::pair<const char*, ColorWeights>;
-  add_others("color_weights", "27", profile.color_weights.value, &HardwareProfile::color_weights,
-             std::array{Weights("exact", ColorWeights::exact), Weights("8-bits", ColorWeights::eight_bits)});
-  using Interpolation = std::pair<const char*, ColorInterpolation>;
-  add_others("color_interpolation", "", profile.color_interpolation.value, &HardwareProfile::color_interpolation,
-             std::array{Interpolation("perspective", ColorInterpolation::perspective),
-                        Interpolation("affine", ColorInterpolation::affine)});
-  const Narrowing depth = other(profile.depth_narrowing);
-  add("depth_narrowing", name(depth), "28", [&](HardwareProfile& p) { p.depth_narrowing.value = depth; });
-  const Narrowing weight = other(profile.texture_weight_narrowing);
-  add("texture_weight_narrowing", name(weight), "26",
-      [&](HardwareProfile& p) { p.texture_weight_narrowing.value = weight; });
-  using Rounding = std::pair<const char*, FilterRounding>;
-  add_others("texture_filter_rounding", "26", profile.texture_filter_rounding.value,
-             &HardwareProfile::texture_filter_rounding,
-             std::array{Rounding("once", FilterRounding::once), Rounding("each-blend", FilterRounding::each_blend)});
-  const Narrowing bias = other(profile.texture_bias_narrowing);
-  add("texture_bias_narrowing", name(bias), "26", [&](HardwareProfile& p) { p.texture_bias_narrowing.value = bias; });
-  using Palette = std::pair<const char*, Dxt1Palette>;
-  add_others("dxt1_palette", "24", profile.dxt1_palette.value, &HardwareProfile::dxt1_palette,
-             std::array{Palette("rgb565", Dxt1Palette::rgb565), Palette("rgb888", Dxt1Palette::rgb888),
-                        Palette("dithered565", Dxt1Palette::dithered565)});
+  }
   return rivals;
 }
 

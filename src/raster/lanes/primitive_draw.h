@@ -21,7 +21,7 @@ constexpr bool is_nearest(Drawing drawing) {
   return drawing == Drawing::nearest || drawing == Drawing::noted;
 }
 
-struct Pen {
+struct PrimitiveDraw {
   LaneTile& tile;
   const LanePass& pass;
   const SetupPrimitive& primitive;
