@@ -6,8 +6,7 @@
 #include <string>
 
 #include "combiner_tests/playground/support.h"
-#include "src/numerics/exact_combiners.h"
-#include "src/playground/profile_fields.h"
+#include "ninebit/numerics/profile_fields.h"
 
 namespace ninebit::test {
 namespace {
@@ -115,13 +114,12 @@ TEST(PlaygroundProfile, ExactCombinersHaveTheArithmeticOfIdealAlone) {
                                          "general_narrowing",
                                          "narrowing_point",
                                          "final_narrowing"};
-  const auto fields = playground::profile_fields();
   for (const HardwareProfile& profile : hardware_profiles()) {
     const HardwareProfile exact = with_exact_combiners(profile);
     EXPECT_EQ(exact.name, profile.name);
-    for (const playground::ProfileField& field : fields) {
+    for (const ProfileField& field : profile_fields()) {
       const bool replaced = arithmetic.contains(std::string(field.name));
-      const playground::FieldRow row = field.row(exact), expected = field.row(replaced ? profiles::ideal : profile);
+      const Choice<int> row = field.get(exact), expected = field.get(replaced ? profiles::ideal : profile);
       EXPECT_EQ(row.value, expected.value) << profile.name << ": " << field.name;
       EXPECT_EQ(row.source, expected.source) << profile.name << ": " << field.name;
     }

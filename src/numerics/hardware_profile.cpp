@@ -2,8 +2,6 @@
 
 #include <array>
 
-#include "src/numerics/exact_combiners.h"
-
 namespace ninebit {
 namespace {
 
@@ -38,21 +36,6 @@ const HardwareProfile* find_profile(std::string_view name) {
     if (profile.name == name) return &profile;
   }
   return nullptr;
-}
-
-HardwareProfile with_exact_combiners(HardwareProfile profile) {
-  constexpr const HardwareProfile& exact = profiles::ideal;
-  profile.arithmetic = exact.arithmetic;
-  profile.one = exact.one;
-  profile.lowest = exact.lowest;
-  profile.lowest_output = exact.lowest_output;
-  profile.half = exact.half;
-  profile.expand_offset = exact.expand_offset;
-  profile.byte_shift = exact.byte_shift;
-  profile.general_narrowing = exact.general_narrowing;
-  profile.narrowing_point = exact.narrowing_point;
-  profile.final_narrowing = exact.final_narrowing;
-  return profile;
 }
 
 }  // namespace ninebit

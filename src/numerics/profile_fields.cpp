@@ -193,4 +193,12 @@ const ProfileField* find_profile_field(std::string_view name) {
   return nullptr;
 }
 
+HardwareProfile with_exact_combiners(HardwareProfile profile) {
+  for (const ProfileField& field : kFields) {
+    const bool is_arithmetic = field.group == FieldGroup::numbers || field.group == FieldGroup::integer_rules;
+    if (is_arithmetic) field.set(profile, field.get(profiles::ideal));
+  }
+  return profile;
+}
+
 }  // namespace ninebit

@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "ninebit/effect/effect_json.h"
+#include "ninebit/numerics/profile_fields.h"
 #include "src/effect/traced_pixel.h"
-#include "src/numerics/exact_combiners.h"
 #include "src/playground/drawing.h"
 #include "src/playground/plane_hash.h"
 

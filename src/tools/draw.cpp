@@ -10,8 +10,8 @@
 #include "ninebit/effect/effect_renderer.h"
 #include "ninebit/image/image_io.h"
 #include "ninebit/image/staged_files.h"
+#include "ninebit/numerics/profile_fields.h"
 #include "ninebit/shadow/picture_files.h"
-#include "src/numerics/exact_combiners.h"
 #include "src/system/hashing/sha256.h"
 #include "src/tools/common/given_pictures.h"
 #include "src/tools/common/program_flags.h"
@@ -112,8 +112,7 @@ Status draw_all(const DrawFlags& flags, const Effect& effect, const HardwareProf
   std::vector<std::string> again;
   const HardwareProfile rival =
       is_arithmetic(flags.difference) ? with_exact_combiners(profile) : profile_of(flags.difference);
-  const auto other =
-      draw_under(effect, rival, effect_readers(flags.allow_outside, flags.defines, again), {}, progress);
+  const auto other = draw_under(effect, rival, effect_readers(flags.allow_outside, flags.defines, again), {}, progress);
   if (!other) return other.error();
   done.difference = compare(done.renderer->picture(), other->picture());
   return {};

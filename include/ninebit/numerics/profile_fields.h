@@ -68,4 +68,8 @@ struct ProfileField {
 // The field of that name, or nullptr.
 [[nodiscard]] const ProfileField* find_profile_field(std::string_view name);
 
+// Returns the same chip with exact combiners: the fields of the groups `numbers` and `integer_rules` are those of
+// `ideal`. Pictures under both differ by the combiners' arithmetic alone.
+[[nodiscard]] HardwareProfile with_exact_combiners(HardwareProfile profile);
+
 }  // namespace ninebit
